@@ -6,17 +6,19 @@
  *   if (vs_eval_file(s, "house.vs", 0) == VS_OUTCOME_DONE) vs_write_drawing(s, "house.stl", NULL, NULL);
  *   vs_free(s);
  *
- * Conventions. Text is UTF-8; a (pointer, length) pair need not end in NUL, every other text does. A result of a function or an argument of a callback
- * belongs to the interpreter: texts from vs_..._get and arguments of callbacks live until the next call on the same interpreter or
- * until the callback returns; copy what you keep. Your arguments are copied. Angles are radians, lengths model units, times seconds,
- * lines and columns count from 1 (columns in characters, not bytes).
+ * Conventions. Text is UTF-8; a (pointer, length) pair need not end in NUL, every other text does. A result of a
+ * function or an argument of a callback belongs to the interpreter: texts from vs_..._get and arguments of callbacks
+ * live until the next call on the same interpreter or until the callback returns; copy what you keep. Your arguments
+ * are copied. Angles are radians, lengths model units, times seconds, lines and columns count from 1 (columns in
+ * characters, not bytes).
  *
- * Failure. Nothing aborts, exits or jumps. A vs_outcome is the exit code that a command should end with; why something failed has been told
- * to `diagnose` before the call returns. After any failure the interpreter is usable, its memory limit included.
+ * Failure. Nothing aborts, exits or jumps. A vs_outcome is the exit code that a command should end with; why something
+ * failed has been told to `diagnose` before the call returns. After any failure the interpreter is usable, its memory
+ * limit included.
  *
- * Threads. An interpreter is used by one thread at a time; different interpreters share nothing. vs_interrupt alone may come from
- * anywhere, a signal handler included. Callbacks run in the calling thread and must not call back into the same interpreter, except
- * vs_interrupt. */
+ * Threads. An interpreter is used by one thread at a time; different interpreters share nothing. vs_interrupt alone may
+ * come from anywhere, a signal handler included. Callbacks run in the calling thread and must not call back into the
+ * same interpreter, except vs_interrupt. */
 #ifndef VISUALSCHEME_H
 #define VISUALSCHEME_H
 
@@ -90,24 +92,29 @@ typedef struct {
 /* Every member may be NULL. `context` is handed to each. */
 typedef struct {
   void *context;
-  /* Text that the program prints (display, write ...). False: could not be written; the program gets an error. NULL: it is dropped. */
+  /* Text that the program prints (display, write ...). False: could not be written; the program gets an error. NULL: it
+   * is dropped. */
   bool (*output)(void *context, const char *text, size_t length);
-  /* A line for (read-line) and (read) from the program's console input, newline included; NULL at the end. Lives until the next call. */
+  /* A line for (read-line) and (read) from the program's console input, newline included; NULL at the end. Lives until
+   * the next call. */
   const char *(*input)(void *context, size_t *length);
   void (*diagnose)(void *context, const vs_diagnostic *d);
   /* At most some ten times a second while something long is under way. */
   void (*progress)(void *context, const vs_progress *p);
   /* Polled every few milliseconds; true interrupts what runs. (vs_interrupt does the same from outside.) */
   bool (*poll)(void *context);
-  /* A top-level expression's value, printed as the REPL shows it ("1/3 ; 0.333333"), when VS_EVAL_PRINT is set; once a value. A long one ends in " ...". */
+  /* A top-level expression's value, printed as the REPL shows it ("1/3 ; 0.333333"), when VS_EVAL_PRINT is set; once a
+   * value. A long one ends in " ...". */
   void (*value)(void *context, const char *text, size_t length);
-  /* Reads a whole source file for load, include, require, load-mesh and vs_eval_file. True: *text was allocated with malloc and
-   * now belongs to the interpreter, which frees it. False: *why says so ("no such file"); static or living until the next call.
-   * NULL: the file system. */
+  /* Reads a whole source file for load, include, require, load-mesh and vs_eval_file. True: *text was allocated with
+   * malloc and now belongs to the interpreter, which frees it. False: *why says so ("no such file"); static or living
+   * until the next call. NULL: the file system. */
   bool (*read_file)(void *context, const char *path, char **text, size_t *length, const char **why);
-  /* Gives each name in a folder to take, in any order, until that returns false, for directory-files. False: *why says so, as above, or take
-   * returned false. NULL: the file system, where read_file is NULL too; else no folder is read. */
-  bool (*list_folder)(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why);
+  /* Gives each name in a folder to take, in any order, until that returns false, for directory-files. False: *why says
+   * so, as above, or take returned false. NULL: the file system, where read_file is NULL too; else no folder is
+   * read. */
+  bool (*list_folder)(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length),
+                      void *to, const char **why);
 } vs_host;
 
 /* As realloc: new_size 0 frees, NULL is failure; old_size is what was asked for. */
@@ -117,28 +124,34 @@ typedef struct {
   vs_host host;
   vs_alloc_fn *alloc;     /* NULL: the C library's */
   void *alloc_context;
-  double limit_time;      /* seconds of one evaluation, and of one output without its worker's; 0: no limit, here and below */
-  size_t limit_memory;    /* bytes of heap and model together, and of what combining solids for an output takes beside them */
+  double limit_time;      /* seconds of one evaluation, and of one output without its worker's; 0: no limit, here and
+                           * below */
+  size_t limit_memory;    /* bytes of heap and model together, and of what combining solids for an output takes beside
+                           * them */
   uint64_t limit_steps;   /* calls and loop turns of one evaluation */
   size_t limit_output;    /* bytes that one evaluation may print */
   double limit_worker;    /* seconds of a worker program */
   size_t limit_triangles; /* of the mesh of one output */
-  size_t cache;           /* bytes of results kept for later drawings and outputs (meshes): 0: 256 MB, or a quarter of limit_memory; SIZE_MAX: keep nothing */
+  size_t cache;           /* bytes of results kept for later drawings and outputs (meshes): 0: 256 MB, or a quarter of
+                           * limit_memory; SIZE_MAX: keep nothing */
   /* an error keeps its calls' parameters, for vs_frame_get: a prompt's wish, it costs every error some time */
   bool keep_frames;
   bool untrusted;         /* no file access but read_file and list_folder, no native text */
-  const char *library_path; /* folders for load, require and import, ':' between them, after the folders of the file that asks and of the program; NULL: none */
-  const char *const *command_line; size_t command_line_count; /* what (command-line) gives: the program's name, then its arguments; 0: "vs" */
+  const char *library_path; /* folders for load, require and import, ':' between them, after the folders of the file
+                             * that asks and of the program; NULL: none */
+  const char *const *command_line; size_t command_line_count; /* what (command-line) gives: the program's name, then its
+                                                               * arguments; 0: "vs" */
 } vs_options;
 
 VS_API vs_options vs_options_default(void);
 
-/* NULL: out of memory. o NULL: the defaults. The data that o points to is copied, callbacks are called until vs_free. */
+/* NULL: out of memory. o NULL: the defaults. The data that o points to is copied, callbacks are called until
+ * vs_free. */
 VS_API vs_scheme *vs_new(const vs_options *o);
 VS_API void vs_free(vs_scheme *s); /* NULL is fine */
 
-/* Makes what runs now end soon (within some 50 ms) with VS_OUTCOME_INTERRUPTED; when nothing runs, the next call ends so unless
- * vs_interrupt_clear came first. Async-signal-safe, and the one function another thread may call. */
+/* Makes what runs now end soon (within some 50 ms) with VS_OUTCOME_INTERRUPTED; when nothing runs, the next call ends
+ * so unless vs_interrupt_clear came first. Async-signal-safe, and the one function another thread may call. */
 VS_API void vs_interrupt(vs_scheme *s);
 VS_API void vs_interrupt_clear(vs_scheme *s);
 
@@ -163,25 +176,29 @@ enum {
   VS_EVAL_PASS = 64u
 };
 
-/* Both evaluate every top-level form in the one program of this interpreter, in order, and stop at the first error. Objects that top-level
- * expressions return are remembered: they are the model if the program never draws. */
+/* Both evaluate every top-level form in the one program of this interpreter, in order, and stop at the first error.
+ * Objects that top-level expressions return are remembered: they are the model if the program never draws. */
 VS_API vs_outcome vs_eval_file(vs_scheme *s, const char *path, unsigned flags);
 /* The other language that a file of this name is in, in words, as its ending says; it runs like any. NULL: it is in
  * this one. */
 VS_API const char *vs_language_of(const char *path);
-/* name: for diagnostics ("house.vs", "-e"); first_line: the number of the text's first line there. Relative loads start at name's folder. */
-VS_API vs_outcome vs_eval_text(vs_scheme *s, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
+/* name: for diagnostics ("house.vs", "-e"); first_line: the number of the text's first line there. Relative loads start
+ * at name's folder. */
+VS_API vs_outcome vs_eval_text(vs_scheme *s, const char *name, unsigned first_line, const char *text, size_t length,
+                               unsigned flags);
 
-/* Begins anew, as after vs_new: definitions, what was required, parameters, drawing, camera and the like and random numbers are forgotten. Values
- * given by vs_parameter_set stay, and so do kept meshes, options, statistics. For running a changed file, or the same with other
- * parameters: what it writes then are the bytes of a fresh process, in the time that the change takes. Out of memory: all is as it was. */
+/* Begins anew, as after vs_new: definitions, what was required, parameters, drawing, camera and the like and random
+ * numbers are forgotten. Values given by vs_parameter_set stay, and so do kept meshes, options, statistics. For running
+ * a changed file, or the same with other parameters: what it writes then are the bytes of a fresh process, in the time
+ * that the change takes. Out of memory: all is as it was. */
 VS_API vs_outcome vs_restart(vs_scheme *s);
 
-/* The program called (exit code): the evaluation ended there with VS_OUTCOME_DONE and nothing more should be run. False: it did not. code: 0 for
- * (exit) and (exit #t), 1 for (exit #f), else what was given. */
+/* The program called (exit code): the evaluation ended there with VS_OUTCOME_DONE and nothing more should be run.
+ * False: it did not. code: 0 for (exit) and (exit #t), 1 for (exit #f), else what was given. */
 VS_API bool vs_exit_requested(const vs_scheme *s, int *code);
 
-/* Is this text whole data that could be evaluated? For continuation lines and editors; evaluates and changes nothing. */
+/* Is this text whole data that could be evaluated? For continuation lines and editors; evaluates and changes
+ * nothing. */
 typedef enum {
   VS_READ_EMPTY,      /* blanks and comments only */
   VS_READ_COMPLETE,
@@ -196,8 +213,10 @@ typedef struct {
 } vs_read_status;
 VS_API vs_read_status vs_read_check(vs_scheme *s, const char *text, size_t length);
 
-/* Hands every name visible at top level that begins with prefix to `each`, sorted, until it returns false. Returns how many were handed out. */
-VS_API size_t vs_complete(vs_scheme *s, const char *prefix, bool (*each)(void *context, const char *name), void *context);
+/* Hands every name visible at top level that begins with prefix to `each`, sorted, until it returns false. Returns how
+ * many were handed out. */
+VS_API size_t vs_complete(vs_scheme *s, const char *prefix, bool (*each)(void *context, const char *name),
+                          void *context);
 
 /* ---- what a name means, for help and editors ---- */
 
@@ -218,7 +237,8 @@ VS_API bool vs_name_get(vs_scheme *s, const char *name, vs_name_info *out);
 VS_API const char *vs_name_advice(vs_scheme *s, const char *name);
 /* The instructions that a procedure was compiled to, a line each, to `each` until it returns false. False: it is no
  * procedure of Scheme code. */
-VS_API bool vs_disassemble(vs_scheme *s, const char *name, bool (*each)(void *context, const char *line), void *context);
+VS_API bool vs_disassemble(vs_scheme *s, const char *name, bool (*each)(void *context, const char *line),
+                           void *context);
 
 /* ---- programs that are stopped: by (break), or stepped through ---- */
 
@@ -278,7 +298,13 @@ VS_API bool vs_profile_get(vs_scheme *s, size_t index, vs_profile_info *out, siz
 
 /* ---- parameters: what (define-parameter ...) made, as data for sliders and -D ---- */
 
-typedef enum { VS_PARAMETER_BOOLEAN, VS_PARAMETER_INTEGER /* exact */, VS_PARAMETER_REAL, VS_PARAMETER_STRING, VS_PARAMETER_DATUM } vs_parameter_type;
+typedef enum {
+  VS_PARAMETER_BOOLEAN,
+  VS_PARAMETER_INTEGER /* exact */,
+  VS_PARAMETER_REAL,
+  VS_PARAMETER_STRING,
+  VS_PARAMETER_DATUM
+} vs_parameter_type;
 typedef struct {
   const char *name, *label, *group;     /* label: the name if none was given; group: "" if none */
   vs_parameter_type type;               /* the default's */
@@ -290,9 +316,9 @@ typedef struct {
   vs_span at;
 } vs_parameter_info;
 
-/* Sets what a later (define-parameter name ...) will hold. datum is one datum, read and never evaluated, or bare text where the default is a
- * string. False: the name or the datum cannot be read (a diagnostic has said so). A value that the definition then refuses
- * (another type, out of range, not a choice) ends the evaluation with VS_OUTCOME_USAGE. */
+/* Sets what a later (define-parameter name ...) will hold. datum is one datum, read and never evaluated, or bare text
+ * where the default is a string. False: the name or the datum cannot be read (a diagnostic has said so). A value that
+ * the definition then refuses (another type, out of range, not a choice) ends the evaluation with VS_OUTCOME_USAGE. */
 VS_API bool vs_parameter_set(vs_scheme *s, const char *name, const char *datum);
 /* Forgets what vs_parameter_set gave: a later (define-parameter name ...) holds its default. */
 VS_API void vs_parameter_unset(vs_scheme *s, const char *name);
@@ -308,7 +334,8 @@ typedef struct {
   size_t solids, surfaces, regions, curves; /* those of the objects; a mixed union counts as solid */
   bool has_bounds;                /* false: empty, or only infinite lines */
   double min[3], max[3];
-  bool bounds_at_most;            /* what is cut is bounded by what it is cut from: to work out the result would take long */
+  bool bounds_at_most;            /* what is cut is bounded by what it is cut from: to work out the result would take
+                                   * long */
   const char *units;              /* "m" by default */
   /* no objects: what the program defines and never calls, "the program defines ..."; else NULL */
   const char *advice;
@@ -325,7 +352,8 @@ VS_API void vs_drawing_clear(vs_scheme *s); /* as (erase-all); forgets returned 
  * vs_drawing_keep after the first program, vs_restart, then the second program and vs_drawing_compare. Parts are what
  * stands in unions, placements, materials and layers: primitives, sweeps, differences ... */
 
-/* Keeps what is drawn now, for vs_drawing_compare; vs_restart leaves it kept. Outputs that were kept before are let go. */
+/* Keeps what is drawn now, for vs_drawing_compare; vs_restart leaves it kept. Outputs that were kept before are let
+ * go. */
 VS_API vs_outcome vs_drawing_keep(vs_scheme *s);
 
 typedef enum {
@@ -359,8 +387,8 @@ VS_API vs_outcome vs_drawing_compare(vs_scheme *s, vs_comparison *out,
 /* ---- fitting a model to a scan ----
  *
  * vs_fit runs the program again and again, until the points of a scan lie as near to its solids as they can: it looks
- * for the values of the program's parameters, and for the place of the scan. Values given by vs_parameter_set before are
- * the start. Afterwards the program has run with the values found, and vs_parameter_set has them. */
+ * for the values of the program's parameters, and for the place of the scan. Values given by vs_parameter_set before
+ * are the start. Afterwards the program has run with the values found, and vs_parameter_set has them. */
 
 typedef struct {
   bool placed; /* the scan lies where the model does, and is not moved */
@@ -427,10 +455,11 @@ typedef struct {
 } vs_format_info;
 VS_API const vs_format_info *vs_format_list(size_t *count);
 VS_API const char *vs_format_endings(void); /* ".pov .png ...", for messages */
-VS_API const vs_format_info *vs_format_find(const char *name_or_suffix); /* "stl", ".stl", "out/a.stl" or a name; NULL: none such */
+/* "stl", ".stl", "out/a.stl" or a name; NULL: none such */
+VS_API const vs_format_info *vs_format_find(const char *name_or_suffix);
 
-/* The same among those and the formats that the program of this interpreter has brought (define-back-end). The data at *out lives until the next
- * evaluation. False: none such. */
+/* The same among those and the formats that the program of this interpreter has brought (define-back-end). The data at
+ * *out lives until the next evaluation. False: none such. */
 VS_API bool vs_format_of(const vs_scheme *s, const char *name_or_suffix, vs_format_info *out);
 
 /* Optimisation passes by name; bit i of a mask is the i-th name. */
@@ -460,18 +489,23 @@ typedef struct {
   double tolerance;      /* chord height in model units; 0: the model's, or the rule's */
   int segments;          /* facets a turn; 0: by tolerance */
   unsigned passes;       /* a mask; VS_PASSES_ALL by default */
-  bool count;            /* count nodes, and commands with and without each pass, for the statistics: the passes run once more for each */
-  bool strict;           /* what the format leaves out, or shows otherwise than modelled, is an error instead of a warning */
+  bool count;            /* count nodes, and commands with and without each pass, for the statistics: the passes run
+                          * once more for each */
+  bool strict;           /* what the format leaves out, or shows otherwise than modelled, is an error instead of a
+                          * warning */
   bool change;           /* what vs_drawing_compare found, in place of the drawing: green was added, red removed */
   bool last;             /* no drawing and no output follows: nothing is kept for them */
-  int crop[4];           /* of a .png or .exr, the part that is made: left, top, width, height in pixels; all 0: the whole */
+  int crop[4];           /* of a .png or .exr, the part that is made: left, top, width, height in pixels; all 0: the
+                          * whole */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);
 
-/* Writes the drawing to path; what stood there stays until the new file is whole and on disk. format: a name or suffix; NULL: by the
- * path's ending. o NULL: the defaults. Formats with a worker run it, tell `progress`, and stop it when interrupted. */
+/* Writes the drawing to path; what stood there stays until the new file is whole and on disk. format: a name or suffix;
+ * NULL: by the path's ending. o NULL: the defaults. Formats with a worker run it, tell `progress`, and stop it when
+ * interrupted. */
 VS_API vs_outcome vs_write_drawing(vs_scheme *s, const char *path, const char *format, const vs_output_options *o);
-/* The same into a callback, in pieces; false from it ends the writing with VS_OUTCOME_USAGE. Formats of several files refuse. */
+/* The same into a callback, in pieces; false from it ends the writing with VS_OUTCOME_USAGE. Formats of several files
+ * refuse. */
 VS_API vs_outcome vs_write_drawing_to(vs_scheme *s, const char *format, const vs_output_options *o,
                                       bool (*write)(void *context, const void *bytes, size_t count), void *context);
 
@@ -509,7 +543,8 @@ typedef struct {
 /* How far two pictures of one size are apart. to: a PNG of the differences in false colours; NULL: none. */
 VS_API vs_outcome vs_picture_compare(vs_scheme *s, const char *a, const char *b, const char *to,
     vs_picture_difference *out);
-/* Takes noise out, into another EXR with the same channels. *layers: by albedo and normal; else by the colours alone. */
+/* Takes noise out, into another EXR with the same channels. *layers: by albedo and normal; else by the colours
+ * alone. */
 VS_API vs_outcome vs_picture_denoise(vs_scheme *s, const char *from, const char *to, bool *layers);
 
 /* ---- the sun through a day ---- */
@@ -521,9 +556,10 @@ typedef struct {
 } vs_sun_span;
 typedef struct { size_t pictures, faces, dark; /* steps in which the sun is below the horizon */ } vs_sun_summary;
 /* Writes into the folder, which is made where there is none: hours.csv, the hours of sun of every face of the drawing's
- * solids; hours-plan.png and hours-model.png, the same in false colours from above and as the camera looks; shadow-001.png
- * and so on, a picture for the middle of each step with the sun up (drafts but for VS_QUALITY_FINAL), and shadows.png,
- * all of them on a sheet. Without POV-Ray the hours are written, and the outcome is VS_OUTCOME_WORKER. */
+ * solids; hours-plan.png and hours-model.png, the same in false colours from above and as the camera looks;
+ * shadow-001.png and so on, a picture for the middle of each step with the sun up (drafts but for VS_QUALITY_FINAL),
+ * and shadows.png, all of them on a sheet. Without POV-Ray the hours are written, and the outcome is
+ * VS_OUTCOME_WORKER. */
 VS_API vs_outcome vs_sun_study(vs_scheme *s, const vs_sun_span *span, const char *folder, const vs_output_options *o,
     vs_sun_summary *out);
 
@@ -602,7 +638,12 @@ VS_API const char *vs_thing_text(const vs_thing *t, const char *field); /* NULL:
 /* The thing as triangles in its own coordinates, counter-clockwise from outside, as fine as the output asks; also of
  * an operation, with all in it. The arrays
  * live until the next call. False: failed. */
-typedef struct { const double (*points)[3]; size_t point_count; const uint32_t (*corners)[3]; size_t count; } vs_triangles;
+typedef struct {
+  const double (*points)[3];
+  size_t point_count;
+  const uint32_t (*corners)[3];
+  size_t count;
+} vs_triangles;
 VS_API bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *result);
 
 /* ---- meshes for hosts that draw ----
@@ -611,8 +652,8 @@ VS_API bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *
      then vs_mesh_next hands
  * over, one by one, what differs from what it handed over before: first what is gone,
      then what is new or stands elsewhere.
- * Equal shapes are one mesh with several places. A shape that the host has is not meshed again; what is round is another
- * mesh where it is to be finer, as it may be in a larger drawing. */
+ * Equal shapes are one mesh with several places. A shape that the host has is not meshed again; what is round is
+ * another mesh where it is to be finer, as it may be in a larger drawing. */
 
 typedef enum {
   VS_MESH_REMOVED, /* the id alone is told */
@@ -751,8 +792,8 @@ VS_API uint64_t vs_property_subscribe(vs_scheme *s, vs_handle property, vs_host_
 VS_API vs_outcome vs_property_unsubscribe(vs_scheme *s, vs_handle property, uint64_t id);
 /* Leaves a change for the next vs_update; this may be called while the interpreter is at work. */
 VS_API bool vs_post(vs_scheme *s, vs_handle property, vs_handle value);
-/* Makes the changes that were left, in their order. A callback that fails is told and does not keep the others. The rest
- * waits for the next. */
+/* Makes the changes that were left, in their order. A callback that fails is told and does not keep the others. The
+ * rest waits for the next. */
 VS_API vs_outcome vs_update(vs_scheme *s);
 
 /* ---- actions and picks ---- */

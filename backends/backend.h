@@ -1,14 +1,14 @@
 /* Owns the shape of a back-end: what a format's folder gives the driver, and what the driver gives back.
  *
- * The driver (driver.c) walks the drawing without recursion. For every node that the format draws it calls the kind's emit function:
- * once, with phase VS_PHASE_LEAF, for what has no children to go into (a primitive, or a profile with its sweep); twice, VS_PHASE_ENTER and
- * VS_PHASE_LEAVE, round the children of an operation. A kind without a function, or one whose function answers VS_LOWER
- * before it has written anything, is replaced by simpler kinds and asked again; a shared node is lowered once. Simpler kinds may be a tree:
- * it is walked in the node's place.
- * Nodes that draw nothing (empty, or of a class the format leaves out) are not shown to the emitter, and a union or difference that
- * is left with one operand is that operand.
- * A format with `define` gets subtrees that stand in several places, and those cut off past a depth of VS_DEPTH_MAX, once each before
- * the drawing, and where they are used a call of `use`. */
+ * The driver (driver.c) walks the drawing without recursion. For every node that the format draws it calls the kind's
+ * emit function: once, with phase VS_PHASE_LEAF, for what has no children to go into (a primitive, or a profile with
+ * its sweep); twice, VS_PHASE_ENTER and VS_PHASE_LEAVE, round the children of an operation. A kind without a function,
+ * or one whose function answers VS_LOWER before it has written anything, is replaced by simpler kinds and asked again;
+ * a shared node is lowered once. Simpler kinds may be a tree: it is walked in the node's place.
+ * Nodes that draw nothing (empty, or of a class the format leaves out) are not shown to the emitter, and a union or
+ * difference that is left with one operand is that operand.
+ * A format with `define` gets subtrees that stand in several places, and those cut off past a depth of VS_DEPTH_MAX,
+ * once each before the drawing, and where they are used a call of `use`. */
 #ifndef VS_BACKENDS_BACKEND_H
 #define VS_BACKENDS_BACKEND_H
 
@@ -38,8 +38,8 @@ typedef struct vs_emitter vs_emitter;
 typedef struct vs_drive vs_drive; /* the driver's own, driver.c */
 typedef vs_emit_status vs_emit_fn(vs_emitter *e, const vs_ref *ref, vs_phase phase);
 
-/* The numbers that make a curve as thick on the picture near and far: its radius at a place is share times the depth from eye
- * along forward, but at least `least`;
+/* The numbers that make a curve as thick on the picture near and far: its radius at a place is share times the depth
+ * from eye along forward, but at least `least`;
  * in a parallel view forward is 0 0 0, and the radius `least`. Model units. */
 typedef struct { vs_vec3 eye, forward; double share, least; } vs_pen;
 
@@ -82,7 +82,8 @@ struct vs_backend {
   /* Template `id` from 1. open: before its body; !open: after it. Both or neither. */
   bool (*define)(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
   bool (*use)(vs_emitter *e, uint32_t id, const vs_ref *ref);
-  /* Formats of triangles alone get the union of the drawing's solids instead of a walk, settled for their numbers (kernel/round/rounding.h). */
+  /* Formats of triangles alone get the union of the drawing's solids instead of a walk, settled for their numbers
+   * (kernel/round/rounding.h). */
   bool (*solid)(vs_emitter *e, const vs_solid *solid);
   bool (*copies)(vs_emitter *e, const vs_solid_copies *copies); /* the same with equal parts once; instead of solid */
   vs_numbers numbers;
@@ -104,7 +105,8 @@ struct vs_backend {
   bool groups;          /* large sets are handed over as trees of boxes (vs_sets_group) */
   bool area_sets;       /* is asked about sets of regions before they are lowered to one region */
   bool
-      keeps_text; /* what it writes for a node is decided by what drive_key puts into a key, and by nothing that it wrote before */
+      keeps_text; /* what it writes for a node is decided by what drive_key puts into a key, and by nothing that it
+                   * wrote before */
   bool verbatim;        /* every node is shown as it is, empty ones too, and the children of all kinds are gone into */
   const char *omit[VS_MIXED]; /* a vs_class that the format leaves out, and why: said once */
   vs_emit_fn *shape;    /* of the primitive solids that have no row of their own; NULL: they are lowered */
@@ -120,8 +122,9 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
 #define VS_FORMAT(suffix, backend, name, worker, binary, doc) extern const vs_backend vs_backend_##backend;
 #include "backends/backends.def"
 
-/* The rows of formats that show triangles and lines where they stand: leaf makes triangles of what is solid or thin, line takes polylines,
- * through follows placement and paint, boolean has the kernel. A kind without a row is lowered: curves to polylines. */
+/* The rows of formats that show triangles and lines where they stand: leaf makes triangles of what is solid or thin,
+ * line takes polylines, through follows placement and paint, boolean has the kernel. A kind without a row is lowered:
+ * curves to polylines. */
 #define VS_EMIT_SHAPES(leaf, line, through, boolean)                                                                   \
   .shape = (leaf),                                                                                                     \
   .emit = { [VS_LINE] = { line, NULL },                                                                                \
@@ -153,15 +156,16 @@ bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref,
 bool vs_emit_no_memory(vs_emitter *e);
 bool vs_emit_progress(vs_emitter *e, const char *stage,
                       double fraction); /* false: interrupted, and the error says so */
-/* Counts the triangles that are written, or are about to be: those of a template once. False: more than the limit, and the error says so. */
+/* Counts the triangles that are written, or are about to be: those of a template once. False: more than the limit, and
+ * the error says so. */
 bool vs_emit_triangles(vs_emitter *e, size_t count);
 void vs_emit_watch(vs_emitter *e, vs_writer *w); /* from now on w asks so, too, whenever its buffer is full */
 /* For loops that write nothing: asks now and then. */
 static inline bool vs_emit_going(vs_emitter *e, size_t turn) {
   return (turn & 0x3fff) != 0 || vs_emit_progress(e, "writing", -1);
 }
-/* Triangles of any node of solids and surfaces in its own coordinates: booleans by the kernel, the rest by geometry. Kept for nodes that
- * stand in several places; valid until the next call. NULL: failed. */
+/* Triangles of any node of solids and surfaces in its own coordinates: booleans by the kernel, the rest by geometry.
+ * Kept for nodes that stand in several places; valid until the next call. NULL: failed. */
 const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);
 /* Must the text paint the node? Does anything in the node lack a material of its own; does anything have one? */
 bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n);
@@ -170,12 +174,14 @@ bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n);
 size_t vs_emit_material_count(const vs_emitter *e);
 const vs_material *vs_emit_material_at(const vs_emitter *e, size_t number);
 size_t vs_emit_material_number(const vs_emitter *e, const vs_material *m);
-/* Puts out the number of a template or a material. Text that is kept to be written again has it changed there: so those of the walk go this way alone. */
+/* Puts out the number of a template or a material. Text that is kept to be written again has it changed there: so those
+ * of the walk go this way alone. */
 bool vs_emit_put_template_number(vs_emitter *e, uint32_t id);
 bool vs_emit_put_material_number(vs_emitter *e, const vs_material *m);
 /* The origin of what stands on a line of the text (keep_origins), or NULL. */
 const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line);
-/* Memory of the emitter's state, from the store's allocator; grows by half. Items of `size`; false: out of memory, error set. */
+/* Memory of the emitter's state, from the store's allocator; grows by half. Items of `size`; false: out of memory,
+ * error set. */
 bool vs_emit_grow(vs_emitter *e, void *array, size_t *room, size_t need, size_t size);
 void vs_emit_release(vs_emitter *e, void *array, size_t room, size_t size);
 

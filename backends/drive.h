@@ -1,4 +1,5 @@
-/* Owns what the files of the driver share. driver.c: plan and walk; run.c: the runs whose text is kept. Nobody else includes this. */
+/* Owns what the files of the driver share. driver.c: plan and walk; run.c: the runs whose text is kept. Nobody else
+ * includes this. */
 #ifndef VS_BACKENDS_DRIVE_H
 #define VS_BACKENDS_DRIVE_H
 
@@ -14,7 +15,8 @@ typedef struct {
   uint32_t uses, height; /* of an operation while its children are met: the highest of them */
   uint32_t shown;       /* of an operation: children that are not vain */
   uint32_t definition;  /* template number from 1, or 0 */
-  uint32_t weight;      /* about how many shapes' text it is, with one for a template's use; up to HEAVY of run.c. Only where runs are looked for. */
+  uint32_t weight;      /* about how many shapes' text it is, with one for a template's use; up to HEAVY of run.c. Only
+                         * where runs are looked for. */
   bool vain, cut;
   bool first_vain, some_vain; /* of its children */
   bool bare, painted;   /* something in it has no material of its own; something has */
@@ -22,7 +24,8 @@ typedef struct {
   vs_solid *mesh;
 } drive_entry;
 
-typedef struct { size_t entry; uint32_t next; } drive_step; /* of the plan: an entry whose children from next on are to be met */
+typedef struct { size_t entry; uint32_t next; } drive_step; /* of the plan: an entry whose children from next on are to
+                                                             * be met */
 
 typedef struct {
   vs_ref ref;
@@ -58,11 +61,13 @@ struct vs_drive {
   const char **said;    /* warnings given, by address */
   size_t said_count, said_room;
   vs_bounds_memo bounds;
-  double from, share, told; /* meshing: where what is under way begins in the whole, and its part of that; the last that was told */
+  double from, share, told; /* meshing: where what is under way begins in the whole, and its part of that; the last that
+                             * was told */
   vs_solid scratch; /* the mesh of a node without entry, until the next is asked for */
   uint32_t ticks;
   vs_reuse reuse;       /* runs (run.c) */
-  size_t run_frames, run_until; /* of the one being written: how many frames were open; the child before which it ends */
+  size_t run_frames, run_until; /* of the one being written: how many frames were open; the child before which it
+                                 * ends */
   size_t run_line, run_first;   /* the line it begins on; how many lines had an origin before it */
 };
 
@@ -85,7 +90,8 @@ typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
 
 static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
   if (e->backend->verbatim) return false;
-  return n->kind == VS_EMPTY || n->class_ == VS_NOTHING || (n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL);
+  return n->kind == VS_EMPTY || n->class_ == VS_NOTHING ||
+         (n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL);
 }
 
 /* Is a node's own text as short as the use of a template, so that a shared one is not worth one? Facets that are asked
@@ -114,10 +120,13 @@ static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
 
 void vs_drive_find_short(vs_drive *d); /* sets brief and facets_at */
 void vs_drive_weigh(vs_emitter *e); /* after the plan */
-/* Which of refs from `from` on are a run: up to *until, `shown` of them not vain. found: its text has been put out. Else, where it is worth keeping, it is open
- * until vs_drive_run_end. body: the one reference is a template's, whose inside is meant. parent NULL: what is drawn itself. */
-bool vs_drive_run(vs_emitter *e, const vs_node *parent, const vs_ref *refs, size_t count, size_t from, bool body, size_t *until, size_t *shown, bool *found);
+/* Which of refs from `from` on are a run: up to *until, `shown` of them not vain. found: its text has been put out.
+ * Else, where it is worth keeping, it is open until vs_drive_run_end. body: the one reference is a template's, whose
+ * inside is meant. parent NULL: what is drawn itself. */
+bool vs_drive_run(vs_emitter *e, const vs_node *parent, const vs_ref *refs, size_t count, size_t from, bool body,
+                  size_t *until, size_t *shown, bool *found);
 void vs_drive_run_end(vs_emitter *e);
-bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin); /* what follows on this line and later ones is this origin's */
+/* what follows on this line and later ones is this origin's */
+bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin);
 
 #endif

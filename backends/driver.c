@@ -1,9 +1,10 @@
-/* Owns the way from a drawing to calls of a back-end's emit functions: planning, walking without recursion, lowering once.
+/* Owns the way from a drawing to calls of a back-end's emit functions: planning, walking without recursion, lowering
+ * once.
  *
- * Plan: one pass over the distinct nodes, children first, finds what draws nothing (`vain`), how often a node is named in the text (`uses`)
- * and how deep its text nests (`height`). Leaves with one owner have no entry: a million boxes cost nothing here.
- * Templates are the entries that stand in several places, and those where the text has become VS_DEPTH_MAX deep; their order is the
- * plan's, so a template comes after those that it uses.
+ * Plan: one pass over the distinct nodes, children first, finds what draws nothing (`vain`), how often a node is named
+ * in the text (`uses`) and how deep its text nests (`height`). Leaves with one owner have no entry: a million boxes
+ * cost nothing here. Templates are the entries that stand in several places, and those where the text has become
+ * VS_DEPTH_MAX deep; their order is the plan's, so a template comes after those that it uses.
  * Walk: a stack of frames, one an operation that is open. */
 #include <float.h>
 #include <math.h>
@@ -32,7 +33,9 @@ bool vs_emit_fail(vs_emitter *e, const vs_ref *ref, const char *message) {
   return vs_error_set(e->error, VS_ERROR_MODEL, ref != NULL ? ref->origin : NULL, "%s", message);
 }
 
-bool vs_emit_no_memory(vs_emitter *e) { return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "out of memory while writing the drawing"); }
+bool vs_emit_no_memory(vs_emitter *e) {
+  return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "out of memory while writing the drawing");
+}
 
 bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message) {
   vs_drive *d = e->drive;
@@ -46,11 +49,12 @@ bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message) {
   return true;
 }
 
-/* Reports how much of the drawing is done; each thing drawn has one share of the whole. Reported progress never decreases, although meshing
- * restarts at 0 inside each object. */
+/* Reports how much of the drawing is done; each thing drawn has one share of the whole. Reported progress never
+ * decreases, although meshing restarts at 0 inside each object. */
 bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction) {
   vs_drive *d = e->drive;
-  if (d != NULL && fraction >= 0 && strcmp(stage, "meshing") == 0) d->told = fraction = fmax(d->told, d->from + d->share * fraction);
+  if (d != NULL && fraction >= 0 && strcmp(stage, "meshing") == 0)
+    d->told = fraction = fmax(d->told, d->from + d->share * fraction);
   if (e->options->progress == NULL || e->options->progress(e->options->context, stage, fraction)) return true;
   return vs_error_set(e->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
@@ -85,7 +89,8 @@ const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line) {
 static void drive_find_operations(vs_drive *d) {
   vs_drive_find_short(d);
   for (int kind = 0; kind < VS_KIND_COUNT; kind++)
-    d->operation[kind] = vs_kind_get((vs_kind)kind)->level == VS_LEVEL_OPERATION || kind == VS_NATIVE || kind == VS_HIGHLIGHT || kind == VS_GHOST;
+    d->operation[kind] = vs_kind_get((vs_kind)kind)->level == VS_LEVEL_OPERATION || kind == VS_NATIVE ||
+                         kind == VS_HIGHLIGHT || kind == VS_GHOST;
 }
 
 static drive_entry *drive_find(const vs_emitter *e, const vs_node *n) {
@@ -141,7 +146,8 @@ static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
   if (n->kind == VS_NATIVE) return false;
   if (n->kind == VS_HULL || n->kind == VS_UNION) return entry->shown == 0;
   if (n->kind == VS_INTERSECTION) return n->child_count == 0 || entry->some_vain;
-  bool one = n->kind == VS_DIFFERENCE || n->kind == VS_GHOST || vs_node_role(n) == VS_ROLE_PLACED || vs_node_role(n) == VS_ROLE_DRESS;
+  bool one = n->kind == VS_DIFFERENCE || n->kind == VS_GHOST || vs_node_role(n) == VS_ROLE_PLACED ||
+             vs_node_role(n) == VS_ROLE_DRESS;
   return one && (n->child_count == 0 || entry->first_vain);
 }
 
@@ -258,7 +264,9 @@ static bool drive_plan(vs_emitter *e) {
   uint32_t id = 0;
   for (size_t i = 0; i < d->order_count; i++) {
     drive_entry *entry = &d->entries[d->order[i]];
-    if (!entry->vain && (entry->cut || (entry->uses > 1 && !drive_is_brief(d, entry->ref.node) && !(entry->ref.node->flags & VS_NODE_ENDLESS)))) entry->definition = ++id;
+    if (!entry->vain && (entry->cut || (entry->uses > 1 && !drive_is_brief(d, entry->ref.node) &&
+                                        !(entry->ref.node->flags & VS_NODE_ENDLESS))))
+      entry->definition = ++id;
   }
   if (d->reuse.cache != NULL) vs_drive_weigh(e);
   return true;
@@ -285,7 +293,8 @@ static bool drive_check(vs_emitter *e, const vs_ref *ref) {
     const vs_kind_info *info = vs_kind_get((vs_kind)ref->node->kind);
     size_t i = 0;
     while (i + 1 < info->field_count && drive_finite_at(&info->fields[i], vs_node_data(ref->node))) i++;
-    return vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s: %s is infinite or not a number", info->name, info->fields[i].argument);
+    return vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s: %s is infinite or not a number", info->name,
+                        info->fields[i].argument);
   }
   if (ref->node->kind == VS_TRANSFORM) {
     double size = vs_affine_determinant(&VS_AS(transform, ref->node)->matrix);
@@ -296,7 +305,8 @@ static bool drive_check(vs_emitter *e, const vs_ref *ref) {
 
 bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin) {
   vs_drive *d = e->drive;
-  if (d->line_count > 0 && d->lines[d->line_count - 1].origin == origin) return true; /* an entry holds up to the next */
+  /* an entry holds up to the next */
+  if (d->line_count > 0 && d->lines[d->line_count - 1].origin == origin) return true;
   if (d->line_count > 0 && d->lines[d->line_count - 1].line == line) {
     d->lines[d->line_count - 1].origin = origin;
     return true;
@@ -308,12 +318,13 @@ bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin) {
 
 static bool drive_mark(vs_emitter *e, const vs_ref *ref) {
   const vs_drive *d = e->drive;
-  if (!e->backend->keep_origins || (d->line_count > 0 && d->lines[d->line_count - 1].origin == ref->origin)) return true;
+  if (!e->backend->keep_origins || (d->line_count > 0 && d->lines[d->line_count - 1].origin == ref->origin))
+    return true;
   return vs_drive_mark(e, vs_writer_line(e->out), ref->origin);
 }
 
-/* The strict order that lowering goes down: the table's levels, in each level shapes with parts above the others, and at the bottom the two
- * kinds that all lowering ends in. */
+/* The strict order that lowering goes down: the table's levels, in each level shapes with parts above the others, and
+ * at the bottom the two kinds that all lowering ends in. */
 static int drive_rank(const vs_node *n) {
   if (n->kind == VS_POLYFACE_MESH || n->kind == VS_LINE) return 2 * VS_LEVEL_MESH;
   const vs_shape *shape = vs_shape_of(n);
@@ -337,7 +348,8 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
   vs_ref lower = { entry != NULL ? entry->lowered : NULL, ref->origin };
   if (lower.node == NULL && (lower.node = made = vs_lower(e, ref)) == NULL) return false;
   const vs_kind_info *from = vs_kind_get((vs_kind)ref->node->kind);
-  if (vs_kind_get((vs_kind)lower.node->kind)->level == VS_LEVEL_OPERATION && drive_stands_below(lower.node, drive_rank(ref->node))) {
+  if (vs_kind_get((vs_kind)lower.node->kind)->level == VS_LEVEL_OPERATION &&
+      drive_stands_below(lower.node, drive_rank(ref->node))) {
     if (made != NULL) {
       if (!vs_emit_grow(e, &e->drive->kept, &e->drive->kept_room, e->drive->kept_count + 1, sizeof *e->drive->kept)) {
         vs_node_release(made);
@@ -357,11 +369,13 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
     if (fn != NULL && drive_rank(lower.node) < drive_rank(ref->node))
       status = lossy != NULL && !vs_emit_warn_once(e, ref, lossy) ? VS_FAILED : fn(e, &lower, VS_PHASE_LEAF);
     ok = status == VS_EMITTED;
-    if (status == VS_LOWER) vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s cannot be written in this format", from->name);
+    if (status == VS_LOWER)
+      vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s cannot be written in this format", from->name);
     e->smooth = was_smooth;
   }
   if (made != NULL) {
-    if (entry != NULL && entry->uses > 1 && entry->definition == 0) entry->lowered = made; /* a template is written once anyway */
+    /* a template is written once anyway */
+    if (entry != NULL && entry->uses > 1 && entry->definition == 0) entry->lowered = made;
     else vs_node_release(made);
   }
   return ok;
@@ -378,7 +392,8 @@ static size_t drive_shown(const vs_emitter *e, const vs_node *n, const drive_ent
 static bool drive_reach(vs_emitter *e, const vs_node *n) {
   vs_bounds b;
   vs_affine back;
-  if (n->kind == VS_TRANSFORM && vs_affine_invert(&VS_AS(transform, n)->matrix, &back)) e->reach = vs_bounds_transform(&e->reach, &back);
+  if (n->kind == VS_TRANSFORM && vs_affine_invert(&VS_AS(transform, n)->matrix, &back))
+    e->reach = vs_bounds_transform(&e->reach, &back);
   if (n->flags & VS_NODE_ENDLESS || e->backend->verbatim) return true;
   if (!vs_bounds_memo_get(&e->drive->bounds, n, &b, e->error)) return false;
   if (n->kind != VS_TRANSFORM && !vs_bounds_is_empty(&b)) e->reach = b;
@@ -398,14 +413,18 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
   if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
   if (!drive_check(e, ref) || !drive_mark(e, ref)) return false;
   if (view.entry != NULL && view.entry->definition > 0 && !body) return e->backend->use(e, view.entry->definition, ref);
-  if (e->backend->emit[n->kind].lossy != NULL && !vs_emit_warn_once(e, ref, e->backend->emit[n->kind].lossy)) return false;
+  if (e->backend->emit[n->kind].lossy != NULL && !vs_emit_warn_once(e, ref, e->backend->emit[n->kind].lossy))
+    return false;
   vs_emit_fn *fn = vs_backend_writes(e->backend, n);
   if (!view.operation) {
     vs_emit_status status = fn != NULL ? fn(e, ref, VS_PHASE_LEAF) : VS_LOWER;
     return status == VS_EMITTED || (status == VS_LOWER && drive_lower(e, ref));
   }
-  drive_frame frame = { .ref = *ref, .material = e->material, .placement = e->placement, .reach = e->reach, .in_boolean = e->in_boolean };
-  bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_NATIVE || n->kind == VS_HIGHLIGHT || n->kind == VS_GHOST;
+  drive_frame frame = {
+    .ref = *ref, .material = e->material, .placement = e->placement, .reach = e->reach, .in_boolean = e->in_boolean
+  };
+  bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_NATIVE ||
+                n->kind == VS_HIGHLIGHT || n->kind == VS_GHOST;
   size_t shown = drive_shown(e, n, view.entry);
   frame.silent = shown == 1 && !placed && n->kind != VS_HULL && !e->backend->verbatim;
   if (!frame.silent) {
@@ -492,8 +511,10 @@ static void drive_reset(vs_emitter *e) {
   e->reach = e->bounds;
 }
 
-/* A run that begins here, of what is drawn or of a template's body: *next behind it, where it was found. asked: before that one nothing is looked for. */
-static bool drive_root(vs_emitter *e, const vs_ref *refs, size_t count, size_t from, bool body, size_t *asked, size_t *next) {
+/* A run that begins here, of what is drawn or of a template's body: *next behind it, where it was found. asked: before
+ * that one nothing is looked for. */
+static bool drive_root(vs_emitter *e, const vs_ref *refs, size_t count, size_t from, bool body, size_t *asked,
+                       size_t *next) {
   bool found = false;
   size_t shown;
   if (e->drive->reuse.cache == NULL || e->drive->reuse.open || from < *asked) return true;
@@ -512,7 +533,8 @@ static bool drive_definitions(vs_emitter *e) {
     if (!drive_mark(e, &entry.ref) || !e->backend->define(e, entry.definition, &entry.ref, true)) return false;
     e->depth = 1;
     e->body = entry.ref.node;
-    if (!drive_root(e, &entry.ref, 1, 0, true, &asked, &next) || (next == 0 && !drive_walk(e, &entry.ref, true))) return false;
+    if (!drive_root(e, &entry.ref, 1, 0, true, &asked, &next) || (next == 0 && !drive_walk(e, &entry.ref, true)))
+      return false;
     if (d->reuse.open) vs_drive_run_end(e);
     if ( !e->backend->define(e, entry.definition, &entry.ref, false)) return false;
   }
@@ -533,12 +555,16 @@ static bool drive_has_native(const vs_emitter *e) {
   return false;
 }
 
-/* The bounds of the things drawn, and of the parts of unions among them where that is not too many: a cross of two beams is framed
- * tighter by two boxes than by one. budget not NULL: those of what is left of parts that are cut, as far as it goes (drawn_bounds.h). */
+/* The bounds of the things drawn, and of the parts of unions among them where that is not too many: a cross of two
+ * beams is framed tighter by two boxes than by one. budget not NULL: those of what is left of parts that are cut, as
+ * far as it goes (drawn_bounds.h). */
 static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, size_t *budget, vs_bounds *all) {
   enum { most = 4096 };
   const vs_node *n = ref->node;
-  vs_kernel_options options = { .progress = drive_settling, .context = e, .max_bytes = e->options->mesh_bytes, .max_triangles = e->options->mesh_triangles };
+  vs_kernel_options options = { .progress = drive_settling,
+                                .context = e,
+                                .max_bytes = e->options->mesh_bytes,
+                                .max_triangles = e->options->mesh_triangles };
   while (vs_node_is_dress(n)) n = n->children[0].node;
   bool parts = n->kind == VS_UNION && n->child_count + e->box_count <= most;
   size_t count = parts ? n->child_count : 1;
@@ -547,7 +573,8 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
     vs_bounds b;
     const vs_ref *part = parts ? &n->children[i] : ref;
     if (drive_vain(e, part)) continue;
-    if (budget ? !vs_drawn_bounds(part, &e->drawing_facets, &options, budget, &b, NULL, e->error) : !vs_bounds_memo_get(memo, part->node, &b, e->error)) {
+    if (budget ? !vs_drawn_bounds(part, &e->drawing_facets, &options, budget, &b, NULL, e->error)
+               : !vs_bounds_memo_get(memo, part->node, &b, e->error)) {
       if (e->error->kind == VS_ERROR_MODEL && e->error->origin == NULL) e->error->origin = part->origin;
       return false;
     }
@@ -560,21 +587,26 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
   return true;
 }
 
-/* The boxes that the camera frames: e->bounds and its boxes, without what is cut away. The fineness keeps to the bounds of all operands, as measures do. */
+/* The boxes that the camera frames: e->bounds and its boxes, without what is cut away. The fineness keeps to the bounds
+ * of all operands, as measures do. */
 static bool drive_frame_boxes(vs_emitter *e) {
   size_t budget = VS_DRAWN_BOUNDS_MOST, wide = e->box_count;
   e->framed = e->bounds;
   if (!e->backend->frames || e->scene->view == VS_VIEW_CAMERA || drive_has_native(e)) return true;
   e->box_count = 0;
   for (size_t i = 0; i < e->scene->drawn_count; i++)
-    if (!drive_vain(e, &e->scene->drawn[i]) && !drive_boxes(e, &e->scene->drawn[i], &e->drive->bounds, &budget, &e->framed)) return false;
+    if (!drive_vain(e, &e->scene->drawn[i]) &&
+        !drive_boxes(e, &e->scene->drawn[i], &e->drive->bounds, &budget, &e->framed))
+      return false;
   if (e->box_count > 0) return true;
   e->box_count = wide > 0; /* nothing is left of it: the operands' places are framed */
   e->boxes[0] = e->framed = e->bounds;
   return true;
 }
 
-static bool drive_nothing(vs_emitter *e) { return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show"); }
+static bool drive_nothing(vs_emitter *e) {
+  return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
+}
 
 static bool drive_bounds(vs_emitter *e) {
   if (e->backend->verbatim) return true;
@@ -584,14 +616,16 @@ static bool drive_bounds(vs_emitter *e) {
     if (ref->node->flags & VS_NODE_ENDLESS) return vs_emit_fail(e, ref, VS_ENDLESS_MESSAGE);
     if (!drive_boxes(e, ref, &e->drive->bounds, NULL, &e->bounds)) return false;
   }
-  if (e->box_count == 0 && drive_has_native(e)) { /* text whose size nobody knows: it is framed as if it were of the size 2 about the origin */
+  if (e->box_count == 0 && drive_has_native(e)) { /* text whose size nobody knows: it is framed as if it were of the
+                                                   * size 2 about the origin */
     if (!vs_emit_grow(e, &e->boxes, &e->box_room, 1, sizeof *e->boxes)) return false;
     e->bounds = e->boxes[e->box_count++] = (vs_bounds){ vs_v3(-1, -1, -1), vs_v3(1, 1, 1) };
   }
   if (e->box_count == 0) return drive_nothing(e);
   const double *low = &e->bounds.min.x, *high = &e->bounds.max.x;
   for (int i = 0; i < 3; i++)
-    if (!isfinite(low[i]) || !isfinite(high[i])) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing is infinitely large");
+    if (!isfinite(low[i]) || !isfinite(high[i]))
+      return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing is infinitely large");
   e->drawing_facets.segments = e->scene->segments;
   e->drawing_facets.tolerance = e->scene->tolerance > 0 ? e->scene->tolerance : vs_facets_tolerance(&e->bounds);
   e->facets = e->drawing_facets;
@@ -601,7 +635,10 @@ static bool drive_bounds(vs_emitter *e) {
   double step = ldexp(1, ilogb(most > 0 ? most : 1) - 23);
   if (single && step > vs_facets_tolerance(&e->bounds) / 8 && e->options->warn != NULL) {
     char message[200];
-    snprintf(message, sizeof message, "the drawing is far from the origin for its size: this format's numbers have steps of %.3g there; move it nearer, or write .obj, .off or .glb", step);
+    snprintf(message, sizeof message,
+             "the drawing is far from the origin for its size: this format's numbers have steps of %.3g there; move it "
+             "nearer, or write .obj, .off or .glb",
+             step);
     e->options->warn(e->options->context, NULL, message);
   }
   return true;
@@ -641,11 +678,14 @@ bool vs_drive_scene(vs_emitter *e) {
   e->drive = d;
   drive_find_operations(d);
   d->reuse = (vs_reuse){ .store = e->scene->store };
-  if (e->backend->keeps_text && vs_cache_asks(vs_store_cache(e->scene->store))) d->reuse.cache = vs_store_cache(e->scene->store);
+  if (e->backend->keeps_text && vs_cache_asks(vs_store_cache(e->scene->store)))
+    d->reuse.cache = vs_store_cache(e->scene->store);
   e->out->keeps_lines = e->backend->keep_origins;
-  if (e->scene->has_ground && e->scene->ground_material != NULL && !drive_add_material(e, e->scene->ground_material)) return false;
+  if (e->scene->has_ground && e->scene->ground_material != NULL && !drive_add_material(e, e->scene->ground_material))
+    return false;
   if (!drive_plan(e)) return false;
-  if (e->scene->drawn_count == 0 && !e->backend->verbatim) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "nothing is drawn");
+  if (e->scene->drawn_count == 0 && !e->backend->verbatim)
+    return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "nothing is drawn");
   if (drive_all_vain(e) && !e->backend->verbatim) return drive_nothing(e);
   if (!drive_bounds(e) || (!e->backend->verbatim && !drive_frame_boxes(e))) return false;
   drive_reset(e);
@@ -654,8 +694,9 @@ bool vs_drive_scene(vs_emitter *e) {
   if (e->backend->loose && !drive_loose(e, &loose)) return false;
   if (e->backend->solid != NULL) {
     vs_solid mesh = { .part_count = 0 };
-    bool ok = vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, &mesh) && (mesh.mesh.triangle_count > 0 || loose || drive_nothing(e)) &&
-        drive_settle(e, &mesh.mesh) && e->backend->solid(e, &mesh);
+    bool ok = vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, &mesh) &&
+              (mesh.mesh.triangle_count > 0 || loose || drive_nothing(e)) && drive_settle(e, &mesh.mesh) &&
+              e->backend->solid(e, &mesh);
     vs_solid_free(&mesh);
     return ok && e->backend->end(e);
   }

@@ -1,7 +1,8 @@
-/* Owns the writing of a file: the format's row, the temporary file beside the target, the sink with its checks, the rename.
+/* Owns the writing of a file: the format's row, the temporary file beside the target, the sink with its checks, the
+ * rename.
  *
- * A file appears whole or not at all (publish.c): it is flushed to disk, and takes its name last. Rendered formats write their text into a private
- * folder (povray/povray_worker.c) and the picture to such a file. */
+ * A file appears whole or not at all (publish.c): it is flushed to disk, and takes its name last. Rendered formats
+ * write their text into a private folder (povray/povray_worker.c) and the picture to such a file. */
 #define _XOPEN_SOURCE 700
 #include "backends/export.h"
 
@@ -24,7 +25,8 @@ void vs_export_options_init(vs_export_options *o) { *o = (vs_export_options){ .w
 /* ---- formats ---- */
 
 static const vs_format formats[] = {
-#define VS_FORMAT(suffix, backend, name, worker, binary, doc) { #suffix, name, doc, worker, binary, &vs_backend_##backend },
+#define VS_FORMAT(suffix, backend, name, worker, binary, doc)                                                          \
+  { #suffix, name, doc, worker, binary, &vs_backend_##backend },
 #include "backends/backends.def"
 };
 
@@ -67,7 +69,8 @@ static bool export_problem(vs_error *e, const char *path, int problem) {
   char why[128];
   if (problem == ENOMEM) return vs_error_memory(e, NULL);
   if (strerror_r(problem, why, sizeof why) != 0) snprintf(why, sizeof why, "error %d", problem);
-  return vs_error_set(e, VS_ERROR_FILE, NULL, "cannot write %s: %s", path, problem == ENOSPC ? "the disk is full" : why);
+  return vs_error_set(e, VS_ERROR_FILE, NULL, "cannot write %s: %s", path,
+                      problem == ENOSPC ? "the disk is full" : why);
 }
 
 /* ---- one export ---- */
@@ -77,7 +80,9 @@ static bool export_text(vs_emitter *e, vs_writer *w) {
   bool ok = vs_drive_scene(e) && vs_writer_flush(w);
   vs_tally *tally = vs_store_tally(e->scene->store);
   if (ok && tally != NULL && e->backend->render == NULL) tally->written += w->bytes;
-  if (!ok && w->full) vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the output is larger than its limit of %llu MB", (unsigned long long)(w->limit >> 20));
+  if (!ok && w->full)
+    vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the output is larger than its limit of %llu MB",
+                 (unsigned long long)(w->limit >> 20));
   return ok;
 }
 
@@ -98,7 +103,8 @@ static vs_writer *export_writer(vs_emitter *e, vs_sink_fn *sink, void *context) 
   return w;
 }
 
-/* Writes the text (or, for a rendered format, the scene) to an open file. On failure of the file itself the error is e's. */
+/* Writes the text (or, for a rendered format, the scene) to an open file. On failure of the file itself the error is
+ * e's. */
 static bool export_to_file(vs_emitter *e, int file, const char *path, bool sync) {
   export_file f = { file, 0 };
   vs_writer *w = export_writer(e, export_file_sink, &f);
@@ -174,8 +180,8 @@ static bool export_sync(const char *path, vs_error *e, const char *shown) {
   return ok;
 }
 
-/* Where links end: the rename must replace the file that a link stands for, not the link. *out NULL: as given. False: errno says why it cannot be known; a link
- * to what is not there is replaced itself. */
+/* Where links end: the rename must replace the file that a link stands for, not the link. *out NULL: as given. False:
+ * errno says why it cannot be known; a link to what is not there is replaced itself. */
 static bool export_target(const char *path, char **out) {
   struct stat info;
   errno = 0;
@@ -186,8 +192,10 @@ static bool export_target(const char *path, char **out) {
 static bool export_named(vs_emitter *e, const char *path) {
   struct stat info;
   bool exists = stat(path, &info) == 0;
-  if (exists && S_ISDIR(info.st_mode)) return vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: it is a folder", path);
-  if (exists && !S_ISREG(info.st_mode) && e->backend->render == NULL) { /* a pipe or /dev/full: nothing to rename over */
+  if (exists && S_ISDIR(info.st_mode))
+    return vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: it is a folder", path);
+  if (exists && !S_ISREG(info.st_mode) && e->backend->render == NULL) { /* a pipe or /dev/full: nothing to rename
+                                                                         * over */
     int file = open(path, O_WRONLY | O_CLOEXEC);
     bool ok = file >= 0 ? export_to_file(e, file, path, true) : export_problem(e->error, path, errno);
     if (file >= 0 && close(file) != 0 && ok) ok = export_problem(e->error, path, errno);
@@ -202,7 +210,8 @@ static bool export_named(vs_emitter *e, const char *path) {
   bool ok = vs_publish_begin(&p, target, renders) || export_problem(e->error, path, errno);
   if (ok) {
     if (exists) (void)!fchmod(p.file, info.st_mode & 0777);
-    ok = renders ? export_render(e, p.name) && export_sync(p.name, e->error, path) : export_to_file(e, p.file, path, true);
+    ok = renders ? export_render(e, p.name) && export_sync(p.name, e->error, path)
+                 : export_to_file(e, p.file, path, true);
     ok = ok && (e->backend->beside == NULL || e->backend->beside(e));
     if (!vs_publish_end(&p, ok) && ok) ok = export_problem(e->error, path, errno);
   }
@@ -223,7 +232,8 @@ static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) ok = export_problem(e->error, name, errno);
     if (count <= 0) break;
-    if (!sink(context, part, (size_t)count)) ok = vs_error_set(e->error, VS_ERROR_FILE, NULL, "the output could not be written");
+    if (!sink(context, part, (size_t)count))
+      ok = vs_error_set(e->error, VS_ERROR_FILE, NULL, "the output could not be written");
   }
   close(file);
   unlink(name);
@@ -242,17 +252,26 @@ bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_
   const vs_backend *b = format->backend;
   char output[24];
   snprintf(output, sizeof output, ".%.20s", format->suffix);
-  vs_settle_options o = { .output = output, .strict = options->strict, .highlights = b->highlights, .ghosts = b->ghosts, .target = b->native, .muted = options->safe, .said = options->warn,
-                          .said_context = options->context, .bounds = settle_bounds };
+  vs_settle_options o = { .output = output,
+                          .strict = options->strict,
+                          .highlights = b->highlights,
+                          .ghosts = b->ghosts,
+                          .target = b->native,
+                          .muted = options->safe,
+                          .said = options->warn,
+                          .said_context = options->context,
+                          .bounds = settle_bounds };
   if (b->ghosts_in_drafts && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
   return vs_scene_settle(scene, &o, e);
 }
 
-static vs_emitter export_emitter(const vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
+static vs_emitter export_emitter(const vs_scene *scene, const vs_format *format, const vs_export_options *options,
+                                 vs_error *e) {
   return (vs_emitter){ .scene = scene, .options = options, .backend = format->backend, .error = e };
 }
 
-bool vs_export_to(const vs_scene *scene, const vs_format *format, vs_sink_fn *sink, void *context, const vs_export_options *options, vs_error *e) {
+bool vs_export_to(const vs_scene *scene, const vs_format *format, vs_sink_fn *sink, void *context,
+                  const vs_export_options *options, vs_error *e) {
   vs_export_options defaults;
   vs_export_options_init(&defaults);
   vs_error unread = { VS_ERROR_NONE, NULL, "" };
@@ -263,14 +282,16 @@ bool vs_export_to(const vs_scene *scene, const vs_format *format, vs_sink_fn *si
   } else {
     vs_writer *w = export_writer(&emitter, sink, context);
     ok = w != NULL && export_text(&emitter, w);
-    if (!ok && emitter.error->kind == VS_ERROR_NONE) vs_error_set(e, VS_ERROR_FILE, NULL, "the output could not be written");
+    if (!ok && emitter.error->kind == VS_ERROR_NONE)
+      vs_error_set(e, VS_ERROR_FILE, NULL, "the output could not be written");
     free(w);
   }
   export_close(&emitter);
   return ok;
 }
 
-bool vs_export(const vs_scene *scene, const vs_format *format, const char *path, const vs_export_options *options, vs_error *e) {
+bool vs_export(const vs_scene *scene, const vs_format *format, const char *path, const vs_export_options *options,
+               vs_error *e) {
   vs_error unread = { VS_ERROR_NONE, NULL, "" };
   if (e == NULL) e = &unread;
   e->kind = VS_ERROR_NONE;

@@ -17,7 +17,8 @@
 static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
   vs_polyline p = { .count = 0 };
   vs_node *made = NULL;
-  if (vs_curve_sample(ref->node, &e->facets, &p, e->error) && (made = vs_node_of_polyline(e->scene->store, &p)) == NULL) vs_emit_no_memory(e);
+  if (vs_curve_sample(ref->node, &e->facets, &p, e->error) && (made = vs_node_of_polyline(e->scene->store, &p)) == NULL)
+    vs_emit_no_memory(e);
   vs_polyline_free(&p);
   return made;
 }
@@ -70,7 +71,9 @@ bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {
   if (n->kind != VS_UNION) return true;
   if (vs_emit_is_painted(e, n) || vs_node_plane(n, &plane) != VS_PLANE_ONE) return false;
   for (size_t i = 0; i < n->child_count; i++)
-    if (n->children[i].node->class_ != VS_NOTHING && (vs_node_plane(n->children[i].node, &other) != VS_PLANE_ONE || !vs_plane_same(&plane, &other))) return false;
+    if (n->children[i].node->class_ != VS_NOTHING &&
+        (vs_node_plane(n->children[i].node, &other) != VS_PLANE_ONE || !vs_plane_same(&plane, &other)))
+      return false;
   return true;
 }
 
@@ -95,7 +98,8 @@ static vs_node *lower_parts(vs_emitter *e, const vs_ref *ref, bool *fits) {
 }
 
 static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
-  if (lower_is_area_set(ref->node) || (ref->node->kind == VS_HULL && ref->node->class_ == VS_REGION_CLASS)) return lower_region(e, ref);
+  if (lower_is_area_set(ref->node) || (ref->node->kind == VS_HULL && ref->node->class_ == VS_REGION_CLASS))
+    return lower_region(e, ref);
   bool parts;
   vs_node *together = lower_parts(e, ref, &parts);
   if (parts) return together;
@@ -107,8 +111,21 @@ static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
 #include "model/shape_cases.def"
     if (ref->node->kind == VS_HALF_SPACE) return lower_half_space(e, ref);
     /* fall through */
-  case VS_HULL: case VS_EXTRUDE: case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-  case VS_SWEEP: case VS_THICKEN: case VS_REGION: case VS_TEXT: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: {
+  case VS_HULL:
+  case VS_EXTRUDE:
+  case VS_REVOLVE:
+  case VS_LOFT:
+  case VS_RULED_LOFT:
+  case VS_GUIDED_LOFT:
+  case VS_GRID_MESH:
+  case VS_GRID_SURFACE:
+  case VS_SWEEP:
+  case VS_THICKEN:
+  case VS_REGION:
+  case VS_TEXT:
+  case VS_UNION:
+  case VS_INTERSECTION:
+  case VS_DIFFERENCE: {
     vs_solid m = { .part_count = 0 };
     vs_node *made = vs_lower_mesh(e, ref, &m) ? lower_polyface(e, &m.mesh, ref->node->class_ == VS_SOLID) : NULL;
     vs_solid_free(&m);
@@ -116,15 +133,23 @@ static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
   }
   case VS_SLICE: case VS_DEFORM:
   case VS_XLINE: case VS_RAY: case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* resolved before the walk */
-  case VS_EMPTY: case VS_LINE: case VS_POLYFACE_MESH: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT:
+  case VS_EMPTY:
+  case VS_LINE:
+  case VS_POLYFACE_MESH:
+  case VS_TRANSFORM:
+  case VS_MATERIAL:
+  case VS_LAYER:
+  case VS_KIND_COUNT:
   case VS_NATIVE: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
     break;
   case VS_CUSTOM:
-    vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s has no drawing function for this format: (register-drawing-function %s? ...) gives it one", VS_AS(custom, ref->node)->name,
-                 VS_AS(custom, ref->node)->name);
+    vs_error_set(e->error, VS_ERROR_MODEL, ref->origin,
+                 "%s has no drawing function for this format: (register-drawing-function %s? ...) gives it one",
+                 VS_AS(custom, ref->node)->name, VS_AS(custom, ref->node)->name);
     return NULL;
   }
-  vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s cannot be written in this format", vs_kind_get((vs_kind)ref->node->kind)->name);
+  vs_error_set(e->error, VS_ERROR_MODEL, ref->origin, "%s cannot be written in this format",
+               vs_kind_get((vs_kind)ref->node->kind)->name);
   return NULL;
 }
 
@@ -145,7 +170,11 @@ static void lower_warn(void *context, const vs_origin *origin, const char *messa
 static bool lower_progress(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
 
 static vs_kernel_options lower_options(vs_emitter *e) {
-  return (vs_kernel_options){ .progress = lower_progress, .context = e, .warn = lower_warn, .max_bytes = e->options->mesh_bytes, .max_triangles = e->options->mesh_triangles };
+  return (vs_kernel_options){ .progress = lower_progress,
+                              .context = e,
+                              .warn = lower_warn,
+                              .max_bytes = e->options->mesh_bytes,
+                              .max_triangles = e->options->mesh_triangles };
 }
 
 bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid *out) {
@@ -157,7 +186,8 @@ bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid *
 static bool lower_primitive(vs_emitter *e, vs_node *n, const vs_kernel_options *options, vs_mesh *out, vs_error *why) {
   vs_cache *cache = vs_store_cache(e->scene->store);
   vs_level level = vs_kind_get((vs_kind)n->kind)->level;
-  if (!vs_cache_asks(cache) || (level != VS_LEVEL_SWEPT && n->class_ != VS_REGION_CLASS && n->kind != VS_HULL)) return vs_primitive_mesh(n, &e->facets, options, out, why);
+  if (!vs_cache_asks(cache) || (level != VS_LEVEL_SWEPT && n->class_ != VS_REGION_CLASS && n->kind != VS_HULL))
+    return vs_primitive_mesh(n, &e->facets, options, out, why);
   const vs_cached *held;
   vs_mesh m = { 0 };
   if (!vs_primitive_shared(cache, n, &e->facets, options, &m, &held, why)) {
@@ -180,7 +210,8 @@ static bool lower_primitive(vs_emitter *e, vs_node *n, const vs_kernel_options *
 }
 
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
-  if (vs_kind_get((vs_kind)ref->node->kind)->level == VS_LEVEL_OPERATION && ref->node->class_ != VS_REGION_CLASS) return vs_lower_solids(e, ref, 1, out);
+  if (vs_kind_get((vs_kind)ref->node->kind)->level == VS_LEVEL_OPERATION && ref->node->class_ != VS_REGION_CLASS)
+    return vs_lower_solids(e, ref, 1, out);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   vs_kernel_options options = lower_options(e);
   if (lower_primitive(e, ref->node, &options, &out->mesh, &why)) return true;

@@ -4,11 +4,14 @@
 
 #include "backends/backend.h"
 
-/* Simpler kinds for ref's node, one new reference; NULL: cannot be or failed, and the error says so. Not memoised: the driver does that. */
+/* Simpler kinds for ref's node, one new reference; NULL: cannot be or failed, and the error says so. Not memoised: the
+ * driver does that. */
 vs_node *vs_lower(vs_emitter *e, const vs_ref *ref);
-/* Is this a set of regions that is to be written as one region? All but unions of several planes, or of parts painted apart. */
+/* Is this a set of regions that is to be written as one region? All but unions of several planes, or of parts painted
+ * apart. */
 bool vs_lower_as_area(const vs_emitter *e, const vs_node *n);
-/* Triangles of a node, as vs_emit_mesh but made anew; out is empty before, and the caller's to free also after a failure. */
+/* Triangles of a node, as vs_emit_mesh but made anew; out is empty before, and the caller's to free also after a
+ * failure. */
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out);
 /* The union of the solids among these; of all that are drawn, with equal parts once. */
 bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid *out);

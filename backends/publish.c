@@ -1,5 +1,6 @@
-/* Owns the two ways to make a file that appears whole: without a name until it is complete, where the system can do that (Linux' O_TMPFILE), else as
- * NAME.tmp-PID beside its target. Without a name nothing is left behind even when the process is killed. */
+/* Owns the two ways to make a file that appears whole: without a name until it is complete, where the system can do
+ * that (Linux' O_TMPFILE), else as NAME.tmp-PID beside its target. Without a name nothing is left behind even when the
+ * process is killed. */
 #define _GNU_SOURCE /* O_TMPFILE */
 #include "backends/publish.h"
 
@@ -16,7 +17,8 @@ enum { NUMBER_ROOM = 40 };
 #ifdef O_TMPFILE
 static void link_name(int file, char name[NUMBER_ROOM]) { snprintf(name, NUMBER_ROOM, "/proc/self/fd/%d", file); }
 
-/* Opens a file without a name in the target's folder; -1: the file system, or a system without /proc, has no such thing. */
+/* Opens a file without a name in the target's folder; -1: the file system, or a system without /proc, has no such
+ * thing. */
 static int open_nameless(const char *target) {
   char name[NUMBER_ROOM], *folder = strdup(target), *slash = folder ? strrchr(folder, '/') : NULL;
   if (!folder) return -1;

@@ -107,12 +107,15 @@ typedef struct { uint64_t size, slots, lines, said, triangles; } header;
 static size_t padded(uint64_t size) { return (size_t)(size + 15) & ~(size_t)15; }
 
 bool vs_reuse_find(vs_reuse *r, vs_reused *out) {
-  const vs_cached *held = r->unfit ? NULL : vs_cache_find(r->cache, &(vs_cache_key){ VS_CACHED_TEXT, NULL, r->words, r->count, r->hash });
+  const vs_cached *held =
+      r->unfit ? NULL : vs_cache_find(r->cache, &(vs_cache_key){ VS_CACHED_TEXT, NULL, r->words, r->count, r->hash });
   if (held == NULL) return false;
   header h;
   memcpy(&h, held->data, sizeof h);
   const char *at = (const char *)held->data + padded(sizeof h);
-  *out = (vs_reused){ .held = held, .text = at, .size = (size_t)h.size, .slot_count = (size_t)h.slots, .triangles = (size_t)h.triangles };
+  *out = (vs_reused){
+    .held = held, .text = at, .size = (size_t)h.size, .slot_count = (size_t)h.slots, .triangles = (size_t)h.triangles
+  };
   out->slots = (const uint64_t *)(const void *)(at += padded(h.size));
   at += padded(h.slots * sizeof *out->slots);
   out->lines = (const vs_reuse_line *)(const void *)at;
@@ -180,8 +183,14 @@ void vs_reuse_end(vs_reuse *r, vs_writer *w, const vs_reuse_line *lines, size_t 
     if (r->unfit) return;
   }
   header h = { w->bytes - r->from, r->slot_count, line_count, r->said_count, r->triangles };
-  const vs_cache_piece pieces[] = { { &h, sizeof h }, { text, (size_t)h.size }, { r->slots, r->slot_count * sizeof *r->slots }, { lines, line_count * sizeof *lines }, { r->said, r->said_count * sizeof *r->said } };
-  vs_cache_let_go(r->cache, vs_cache_keep(r->cache, &(vs_cache_key){ VS_CACHED_TEXT, NULL, r->words, r->count, r->hash }, pieces, sizeof pieces / sizeof *pieces));
+  const vs_cache_piece pieces[] = { { &h, sizeof h },
+                                    { text, (size_t)h.size },
+                                    { r->slots, r->slot_count * sizeof *r->slots },
+                                    { lines, line_count * sizeof *lines },
+                                    { r->said, r->said_count * sizeof *r->said } };
+  vs_cache_let_go(r->cache,
+                  vs_cache_keep(r->cache, &(vs_cache_key){ VS_CACHED_TEXT, NULL, r->words, r->count, r->hash }, pieces,
+                                sizeof pieces / sizeof *pieces));
 }
 
 void vs_reuse_free(vs_reuse *r) {

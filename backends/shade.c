@@ -1,5 +1,6 @@
-/* Owns the normals of triangle corners. A corner's normal is the mean of the faces round its vertex that lean away from the corner's own
- * face by less than the crease, each weighted by its angle there; equal normals at a vertex share an entry. */
+/* Owns the normals of triangle corners. A corner's normal is the mean of the faces round its vertex that lean away from
+ * the corner's own face by less than the crease, each weighted by its angle there; equal normals at a vertex share an
+ * entry. */
 #include "backends/shade.h"
 
 #include <math.h>
@@ -17,11 +18,13 @@ static vs_vec3 shade_unit(vs_vec3 v) {
 }
 
 static double shade_angle(const vs_vec3 *v, const uint32_t t[3], int corner) {
-  vs_vec3 p = v[t[corner]], a = shade_unit(vs_v3_sub(v[t[(corner + 1) % 3]], p)), b = shade_unit(vs_v3_sub(v[t[(corner + 2) % 3]], p));
+  vs_vec3 p = v[t[corner]], a = shade_unit(vs_v3_sub(v[t[(corner + 1) % 3]], p)),
+          b = shade_unit(vs_v3_sub(v[t[(corner + 2) % 3]], p));
   return acos(fmax(-1, fmin(1, vs_v3_dot(a, b))));
 }
 
-bool vs_shading_make(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count, const uint32_t (*triangles)[3], size_t triangle_count, double crease, vs_shading *out) {
+bool vs_shading_make(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count, const uint32_t (*triangles)[3],
+                     size_t triangle_count, double crease, vs_shading *out) {
   *out = (vs_shading){ .normal_count = 0 };
   size_t corner_count = 3 * triangle_count;
   vs_vec3 *faces = malloc((triangle_count + 1) * sizeof *faces);
@@ -29,14 +32,16 @@ bool vs_shading_make(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count
   uint32_t *starts = calloc(vertex_count + 2, sizeof *starts), *around = malloc((corner_count + 1) * sizeof *around);
   out->normals = malloc((corner_count + 1) * sizeof *out->normals);
   out->corners = malloc((triangle_count + 1) * sizeof *out->corners);
-  bool ok = faces != NULL && angles != NULL && starts != NULL && around != NULL && out->normals != NULL && out->corners != NULL;
+  bool ok = faces != NULL && angles != NULL && starts != NULL && around != NULL && out->normals != NULL &&
+            out->corners != NULL;
   if (!ok) {
     vs_emit_no_memory(e);
     goto done;
   }
   for (size_t i = 0; ok && i < triangle_count; i++) {
     const uint32_t *t = triangles[i];
-    faces[i] = shade_unit(vs_v3_cross(vs_v3_sub(vertices[t[1]], vertices[t[0]]), vs_v3_sub(vertices[t[2]], vertices[t[0]])));
+    faces[i] =
+        shade_unit(vs_v3_cross(vs_v3_sub(vertices[t[1]], vertices[t[0]]), vs_v3_sub(vertices[t[2]], vertices[t[0]])));
     for (int k = 0; k < 3; k++) {
       angles[3 * i + (size_t)k] = shade_angle(vertices, t, k);
       starts[t[k] + 2]++;
@@ -44,7 +49,8 @@ bool vs_shading_make(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count
     ok = vs_emit_going(e, i);
   }
   if (!ok) goto done;
-  for (size_t i = 2; i < vertex_count + 2; i++) starts[i] += starts[i - 1]; /* starts[v + 1] is v's first, and moves to its end */
+  /* starts[v + 1] is v's first, and moves to its end */
+  for (size_t i = 2; i < vertex_count + 2; i++) starts[i] += starts[i - 1];
   for (size_t c = 0; c < corner_count; c++) around[starts[triangles[c / 3][c % 3] + 1]++] = (uint32_t)c;
   double least = cos(crease);
   for (size_t v = 0; ok && v < vertex_count; v++) {

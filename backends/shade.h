@@ -13,8 +13,10 @@ typedef struct {
   size_t normal_count;
 } vs_shading;
 
-/* crease: the angle between faces, radians, from which an edge stays sharp. False: out of memory or interrupted, as e's error says. Free with vs_shading_free. */
-bool vs_shading_make(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count, const uint32_t (*triangles)[3], size_t triangle_count, double crease, vs_shading *out);
+/* crease: the angle between faces, radians, from which an edge stays sharp. False: out of memory or interrupted, as e's
+ * error says. Free with vs_shading_free. */
+bool vs_shading_make(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count, const uint32_t (*triangles)[3],
+                     size_t triangle_count, double crease, vs_shading *out);
 /* The usual crease, radians: of shapes that are round somewhere, and of those that are flat all over. */
 static inline double vs_shade_crease(bool round) { return round ? 0.6 : 0.05; }
 void vs_shading_free(vs_shading *s);

@@ -22,7 +22,8 @@ static vs_kernel workers(size_t count, vs_kernel_error *error) {
 
 static bool make_span(vs_kernel *k, void *context, size_t index) {
   spans *s = context;
-  size_t at = index % VS_PIPELINE_WINDOW, begin = index * s->items, end = s->count - begin < s->items ? s->count : begin + s->items;
+  size_t at = index % VS_PIPELINE_WINDOW, begin = index * s->items,
+         end = s->count - begin < s->items ? s->count : begin + s->items;
   if (!VS_ROOM(k, s->made[at].at, s->made[at].room, SPAN)) return false;
   s->made[at].end = s->fn(s->context, begin, end, s->made[at].at);
   return vs_kernel_report(k, 1);

@@ -1,14 +1,18 @@
-/* Owns the runs of a drawing whose text is kept: where they begin and end, and all that decides what they are written as.
+/* Owns the runs of a drawing whose text is kept: where they begin and end, and all that decides what they are written
+ * as.
  *
- * A run is some neighbours in one operation, in what is drawn, or a template's body. Its length is decided by weights, about the number of shapes in it, and its end
- * by the hash of the last of them: so after something is put in or taken out, runs soon end where they did before. A node that is too heavy for a run is gone into.
- * The key has, in the order of the walk, each node's kind and numbers, and which of the run's templates and paints stand where; before them
- * all of the emitter that emit functions look at. Where sets of regions are written as one region their whole inside is in it. */
+ * A run is some neighbours in one operation, in what is drawn, or a template's body. Its length is decided by weights,
+ * about the number of shapes in it, and its end by the hash of the last of them: so after something is put in or taken
+ * out, runs soon end where they did before. A node that is too heavy for a run is gone into. The key has, in the order
+ * of the walk, each node's kind and numbers, and which of the run's templates and paints stand where; before them all
+ * of the emitter that emit functions look at. Where sets of regions are written as one region their whole inside is in
+ * it. */
 #include "backends/drive.h"
 #include "model/store/cache.h"
 #include "model/tally.h"
 
-enum { LIGHT = 48, USUAL = 256, HEAVY = 1024 }; /* weights: less is not worth a run; most runs; more is no run, but for one shape */
+enum { LIGHT = 48, USUAL = 256, HEAVY = 1024 }; /* weights: less is not worth a run; most runs; more is no run, but for
+                                                 * one shape */
 
 void vs_drive_find_short(vs_drive *d) {
   for (int kind = 0; kind < VS_KIND_COUNT; kind++) {
@@ -31,7 +35,8 @@ static uint32_t leaf_weight(const vs_emitter *e, const vs_node *n) {
   if (drive_is_brief(e->drive, n)) return 1;
   if (n->kind == VS_LINE) weight = VS_AS(line, n)->points->count;
   else if (n->kind == VS_POLYFACE_MESH) weight = VS_AS(polyface_mesh, n)->points->count;
-  else if (n->class_ == VS_SURFACE || (n->class_ == VS_SOLID && n->kind != VS_EXTRUDE && n->kind != VS_PYRAMID)) weight = MESHED;
+  else if (n->class_ == VS_SURFACE || (n->class_ == VS_SOLID && n->kind != VS_EXTRUDE && n->kind != VS_PYRAMID))
+    weight = MESHED;
   return weight < HEAVY ? weight : HEAVY;
 }
 
@@ -48,7 +53,8 @@ void vs_drive_weigh(vs_emitter *e) {
     const vs_node *n = entry->ref.node;
     bool operation = drive_is_operation(e, n);
     entry->weight = operation ? 1 : leaf_weight(e, n);
-    for (uint32_t k = 0; operation && k < n->child_count && entry->weight < HEAVY; k++) entry->weight += weight_of(e, n->children[k].node, drive_look(e, n->children[k].node));
+    for (uint32_t k = 0; operation && k < n->child_count && entry->weight < HEAVY; k++)
+      entry->weight += weight_of(e, n->children[k].node, drive_look(e, n->children[k].node));
     if (entry->weight > HEAVY) entry->weight = HEAVY;
   }
 }
@@ -56,12 +62,16 @@ void vs_drive_weigh(vs_emitter *e) {
 /* ---- the key ---- */
 
 typedef struct { const vs_node *node; uint32_t next; bool whole; } step;
-typedef struct { step *steps; size_t count, room; bool cut, thin; size_t shapes; } spelling; /* cut: a half-space stands in it; thin: something that is no solid */
+/* cut: a half-space stands in it; thin: something that is no solid */
+typedef struct { step *steps; size_t count, room; bool cut, thin; size_t shapes; } spelling;
 
-enum { MOST_SHAPES = 1 << 16 }; /* in one key: what is inside of a shape may be a tree that names its parts many times */
+enum { MOST_SHAPES = 1 << 16 }; /* in one key: what is inside of a shape may be a tree that names its parts many
+                                 * times */
 enum { TAG_WHOLE = 1u << 16, TAG_TEMPLATE = 1u << 17, TAG_SHOWN = 1u << 18 };
 
-static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) { return n == NULL ? 0 : 1 | (uint64_t)vs_emit_is_bare(e, n) << 1 | (uint64_t)vs_emit_is_painted(e, n) << 2; }
+static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) {
+  return n == NULL ? 0 : 1 | (uint64_t)vs_emit_is_bare(e, n) << 1 | (uint64_t)vs_emit_is_painted(e, n) << 2;
+}
 
 /* The surroundings of the run; the words that depend on what is in it follow at the end. */
 static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
@@ -71,7 +81,8 @@ static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
   vs_reuse_put(r, e->depth << 1 | (body ? 1 : 0));
   vs_reuse_put(r, (uint64_t)(uint32_t)e->drawing_facets.segments << 32 | (uint32_t)e->facets.segments);
   vs_reuse_put_reals(r, reals, sizeof reals / sizeof *reals);
-  for (int row = 0; row < 3; row++) vs_reuse_put_reals(r, e->placement.m[row], 3); /* facets of what is placed below depend on it; not on where it is */
+  /* facets of what is placed below depend on it; not on where it is */
+  for (int row = 0; row < 3; row++) vs_reuse_put_reals(r, e->placement.m[row], 3);
   vs_reuse_put(r, (uintptr_t)e->material);
   vs_reuse_put(r, paint_bits(e, parent) << 16 | paint_bits(e, e->body) << 8 | (uint64_t)e->in_boolean << 1 | e->smooth);
   vs_reuse_put(r, parent != NULL ? parent->kind : VS_KIND_COUNT);
@@ -82,7 +93,8 @@ static void put_ends(vs_emitter *e, const spelling *s) {
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   vs_reuse_put(r, (uint64_t)s->cut << 1 | s->thin);
   if (s->thin) { /* how thick a line is drawn */
-    const double place[] = { diagonal, e->placement.m[0][3], e->placement.m[1][3], e->placement.m[2][3], e->pen.share, e->pen.least };
+    const double place[] = { diagonal,     e->placement.m[0][3], e->placement.m[1][3], e->placement.m[2][3],
+                             e->pen.share, e->pen.least };
     vs_reuse_put_reals(r, place, sizeof place / sizeof *place);
     vs_reuse_put_reals(r, &e->pen.eye.x, 3);
     vs_reuse_put_reals(r, &e->pen.forward.x, 3);
@@ -108,8 +120,10 @@ static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view v
   if (shown == UINT32_MAX || ++s->shapes > MOST_SHAPES) r->unfit = true;
   vs_reuse_put(r, (uint64_t)shown << 32 | (inside ? TAG_WHOLE : TAG_SHOWN) | n->kind);
   vs_reuse_put_payload(r, vs_kind_get((vs_kind)n->kind), vs_node_data(n));
-  if (n->kind == VS_MATERIAL) vs_reuse_put_number(r, VS_NUMBER_PAINT, (uint32_t)vs_emit_material_number(e, VS_AS(material, n)->material));
-  if (n->child_count > 0 && vs_reuse_more(r, &s->steps, &s->room, s->count + 1, sizeof *s->steps)) s->steps[s->count++] = (step){ n, 0, inside };
+  if (n->kind == VS_MATERIAL)
+    vs_reuse_put_number(r, VS_NUMBER_PAINT, (uint32_t)vs_emit_material_number(e, VS_AS(material, n)->material));
+  if (n->child_count > 0 && vs_reuse_more(r, &s->steps, &s->room, s->count + 1, sizeof *s->steps))
+    s->steps[s->count++] = (step){ n, 0, inside };
 }
 
 /* A reference of the run with all under it. body: itself is a template, whose inside is meant. */
@@ -140,7 +154,8 @@ static void put_tree(vs_emitter *e, spelling *s, const vs_ref *ref, bool body) {
 /* ---- runs ---- */
 
 /* Where the run from `from` on ends, and its weight. */
-static size_t run_end(const vs_emitter *e, const vs_ref *refs, size_t count, size_t from, bool body, size_t *shown, uint32_t *weight) {
+static size_t run_end(const vs_emitter *e, const vs_ref *refs, size_t count, size_t from, bool body, size_t *shown,
+                      uint32_t *weight) {
   size_t i = from;
   for (*shown = 0, *weight = 0; i < count; i++) {
     const vs_node *n = refs[i].node;
@@ -150,7 +165,8 @@ static size_t run_end(const vs_emitter *e, const vs_ref *refs, size_t count, siz
     if (alone && i > from) break;
     *shown += !view.vain;
     *weight += alone && view.operation ? 0 : own;
-    if (alone || *weight >= HEAVY || (*weight >= LIGHT && (n->hash >> 32) < UINT32_MAX / USUAL * (uint64_t)own)) return i + 1;
+    if (alone || *weight >= HEAVY || (*weight >= LIGHT && (n->hash >> 32) < UINT32_MAX / USUAL * (uint64_t)own))
+      return i + 1;
   }
   return i;
 }
@@ -171,7 +187,8 @@ static bool put_out(vs_emitter *e, const vs_ref *first, const vs_reused *found) 
   if (e->backend->keep_origins) {
     uint32_t line = vs_writer_line(e->out);
     ok = vs_drive_mark(e, line, first->origin);
-    for (size_t i = 0; ok && i < found->line_count; i++) ok = vs_drive_mark(e, line + found->lines[i].line, found->lines[i].origin);
+    for (size_t i = 0; ok && i < found->line_count; i++)
+      ok = vs_drive_mark(e, line + found->lines[i].line, found->lines[i].origin);
   }
   ok = ok && vs_emit_triangles(e, found->triangles) && vs_reuse_put_out(&e->drive->reuse, found, e->out);
   if (ok && tally != NULL) tally->texts_found++, tally->bytes_found += found->size;
@@ -184,7 +201,9 @@ static void run_begin(vs_emitter *e, size_t until) {
   d->run_until = until;
   if (e->backend->keep_origins) {
     d->run_line = vs_writer_line(e->out);
-    d->run_first = d->line_count > 0 && d->lines[d->line_count - 1].line == d->run_line ? d->line_count - 1 : d->line_count; /* it may yet get another origin */
+    /* it may yet get another origin */
+    d->run_first =
+        d->line_count > 0 && d->lines[d->line_count - 1].line == d->run_line ? d->line_count - 1 : d->line_count;
   }
   vs_reuse_begin(&d->reuse, e->out);
   d->reuse.triangles = e->triangles;
@@ -200,7 +219,8 @@ void vs_drive_run_end(vs_emitter *e) {
   for (size_t i = 0; i < count; i++) lines[i].line += (uint32_t)d->run_line;
 }
 
-bool vs_drive_run(vs_emitter *e, const vs_node *parent, const vs_ref *refs, size_t count, size_t from, bool body, size_t *until, size_t *shown, bool *found) {
+bool vs_drive_run(vs_emitter *e, const vs_node *parent, const vs_ref *refs, size_t count, size_t from, bool body,
+                  size_t *until, size_t *shown, bool *found) {
   vs_reuse *r = &e->drive->reuse;
   vs_tally *tally = vs_store_tally(e->scene->store);
   uint32_t weight;

@@ -108,8 +108,8 @@ unsigned char *vs_le_double(unsigned char *to, double x) {
 }
 
 bool vs_put_triple(vs_writer *w, const char *open, vs_vec3 v, const char *between, const char *close) {
-  return vs_puts(w, open) && vs_put_number(w, v.x) && vs_puts(w, between) && vs_put_number(w, v.y) && vs_puts(w, between) && vs_put_number(w, v.z)
-      && vs_puts(w, close);
+  return vs_puts(w, open) && vs_put_number(w, v.x) && vs_puts(w, between) && vs_put_number(w, v.y) &&
+         vs_puts(w, between) && vs_put_number(w, v.z) && vs_puts(w, close);
 }
 
 bool vs_put_spaces(vs_writer *w, size_t count) {

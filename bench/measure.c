@@ -1,6 +1,7 @@
-/* Owns one measurement: `measure RUNS COMMAND ARGUMENT...` runs the command RUNS times, one after the other, and writes one line: the
- * median of its processor time (user and system) in milliseconds, the median of its elapsed time, and its largest resident memory in
- * kilobytes. The command's output goes where ours goes, from the first run alone. Exit 1 if a run fails. */
+/* Owns one measurement: `measure RUNS COMMAND ARGUMENT...` runs the command RUNS times, one after the other, and writes
+ * one line: the median of its processor time (user and system) in milliseconds, the median of its elapsed time, and its
+ * largest resident memory in kilobytes. The command's output goes where ours goes, from the first run alone. Exit 1 if
+ * a run fails. */
 #define _DEFAULT_SOURCE      /* wait4: what one child used */
 #include <fcntl.h>
 #include <stdio.h>

@@ -1,5 +1,6 @@
-/* Owns, for programs, the drawing as a value and the back-ends that they bring: the list of them, which the session asks, and the call of one of
- * their procedures, which is an evaluation of the run loop. The procedures themselves are back_ends.scm's. */
+/* Owns, for programs, the drawing as a value and the back-ends that they bring: the list of them, which the session
+ * asks, and the call of one of their procedures, which is an evaluation of the run loop. The procedures themselves are
+ * back_ends.scm's. */
 #include "bind/bind.h"
 #include "geometry/tessellate.h"
 #include "geometry/plane/planar_evaluation.h"
@@ -50,11 +51,13 @@ static vs_status lower_triangles(vs_frame *f, const vs_facets *facets, vs_node *
 vs_status vs_p_lowered(vs_frame *f, vs_value *out) {
   vs_error e = { 0 };
   vs_bounds bounds;
-  bool worked_out = (f->arg[0].ref.node->flags & VS_NODE_UNRESOLVED) != 0; /* a shadow becomes its outline before that becomes triangles */
+  /* a shadow becomes its outline before that becomes triangles */
+  bool worked_out = (f->arg[0].ref.node->flags & VS_NODE_UNRESOLVED) != 0;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
   vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
-  if (vs_bind_is_empty(n) || n->kind == VS_LINE || n->kind == VS_POLYFACE_MESH) return vs_bind_node(f, vs_node_retain(f->arg[0].ref.node), out);
+  if (vs_bind_is_empty(n) || n->kind == VS_LINE || n->kind == VS_POLYFACE_MESH)
+    return vs_bind_node(f, vs_node_retain(f->arg[0].ref.node), out);
   if (!vs_node_bounds(n, &bounds, &e)) return vs_bind_error(f, &e);
   if (facets.tolerance <= 0) facets.tolerance = vs_facets_tolerance(&bounds);
   vs_node *made = NULL;
@@ -90,17 +93,23 @@ static bool same_name(const vs_bind_back_end *a, const char *name) { return !str
 
 vs_status vs_p_back_end(vs_frame *f, vs_value *out) {
   vs_bind *b = f->bind;
-  vs_bind_back_end made = { vs_store_text(b->store, f->arg[0].text.at, f->arg[0].text.length), vs_store_text(b->store, f->arg[1].text.at, f->arg[1].text.length),
-                            vs_store_text(b->store, f->arg[2].text.at, f->arg[2].text.length), f->arg[3].boolean, f->arg[4].boolean };
+  vs_bind_back_end made = { vs_store_text(b->store, f->arg[0].text.at, f->arg[0].text.length),
+                            vs_store_text(b->store, f->arg[1].text.at, f->arg[1].text.length),
+                            vs_store_text(b->store, f->arg[2].text.at, f->arg[2].text.length), f->arg[3].boolean,
+                            f->arg[4].boolean };
   (void)out;
   if (!made.name || !made.suffix || !made.doc) return vs_fail_memory(f->vm);
-  if (b->is_built_in && b->is_built_in(made.name)) return vs_bind_refuse(f, "name", "a name that no format has yet", f->arg[0].value);
-  if (b->is_built_in && b->is_built_in(made.suffix)) return vs_bind_refuse(f, "suffix", "an ending that no format has yet", f->arg[1].value);
+  if (b->is_built_in && b->is_built_in(made.name))
+    return vs_bind_refuse(f, "name", "a name that no format has yet", f->arg[0].value);
+  if (b->is_built_in && b->is_built_in(made.suffix))
+    return vs_bind_refuse(f, "suffix", "an ending that no format has yet", f->arg[1].value);
   for (size_t i = 0; i < b->back_end_count; i++)
-    if (same_name(&b->back_ends[i], made.name)) return b->back_ends[i] = made, VS_OK; /* defined anew, as a file that is loaded again does */
+    if (same_name(&b->back_ends[i], made.name)) return b->back_ends[i] = made, VS_OK; /* defined anew, as a file that is
+                                                                                       * loaded again does */
   if (b->back_end_count == b->back_end_room) {
     size_t room = b->back_end_room ? 2 * b->back_end_room : 4;
-    vs_bind_back_end *more = vs_store_realloc(b->store, b->back_ends, b->back_end_room * sizeof *more, room * sizeof *more);
+    vs_bind_back_end *more =
+        vs_store_realloc(b->store, b->back_ends, b->back_end_room * sizeof *more, room * sizeof *more);
     if (!more) return vs_fail_memory(f->vm);
     b->back_ends = more, b->back_end_room = room;
   }
@@ -112,7 +121,8 @@ vs_status vs_p_back_end(vs_frame *f, vs_value *out) {
 
 enum { HOST_WRITE = 3 }; /* where back_ends.scm put its procedure when the first was defined */
 
-bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text, size_t *bytes) {
+bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text,
+                            size_t *bytes) {
   vs_scheme *vm = b->vm;
   VS_ROOTS(vm, r, 4); /* procedure, name, objects, one of them and then the result */
   *text = NULL;

@@ -1,8 +1,10 @@
-/* Owns bind/'s own interface: the interpreter's drawing and its objects, the checked call, and what session/visualscheme.c needs of it.
+/* Owns bind/'s own interface: the interpreter's drawing and its objects, the checked call, and what
+ * session/visualscheme.c needs of it.
  *
- * Plan. procedures.def lists every procedure with the forms of its arguments. All of them are one C native, vs_bind_enter: it finds
- * the row of the running native, picks the form, checks and converts the arguments by contract.c, and calls the row's C function with
- * plain C data. Therefore no constructor tests anything that its row already says. */
+ * Plan. procedures.def lists every procedure with the forms of its arguments. All of them are one C native,
+ * vs_bind_enter: it finds the row of the running native, picks the form, checks and converts the arguments by
+ * contract.c, and calls the row's C function with plain C data. Therefore no constructor tests anything that its row
+ * already says. */
 #ifndef VS_BIND_H
 #define VS_BIND_H
 
@@ -19,7 +21,8 @@ void vs_bind_flat_rules(vs_flat_rules *rules);
 /* ---- the drawing and what else an interpreter has besides its heap (state.c); vm->host points to one ---- */
 typedef struct vs_bind vs_bind;
 
-typedef enum { VS_P_BOOLEAN, VS_P_INTEGER, VS_P_REAL, VS_P_STRING, VS_P_DATUM } vs_bind_parameter_type; /* as the public header's */
+/* as the public header's */
+typedef enum { VS_P_BOOLEAN, VS_P_INTEGER, VS_P_REAL, VS_P_STRING, VS_P_DATUM } vs_bind_parameter_type;
 typedef struct vs_bind_parameter {
   const char *name, *label, *group; /* texts are the store's */
   vs_bind_parameter_type type;
@@ -32,36 +35,43 @@ typedef struct vs_bind_parameter {
   vs_pos at;
 } vs_bind_parameter;
 typedef struct { const char *name, *datum; bool used; } vs_bind_setting; /* -D */
-typedef struct { const char *name, *suffix, *doc; bool binary, optimised; } vs_bind_back_end; /* that the program brought; texts are the store's */
+/* that the program brought; texts are the store's */
+typedef struct { const char *name, *suffix, *doc; bool binary, optimised; } vs_bind_back_end;
 
 struct vs_bind {
   vs_scheme *vm;
   vs_store *store;
   vs_scene scene;
   /* top-level values: the model if nothing was drawn; each may be a list. `returned` are references of our own */
-  struct { vs_node *node; const vs_origin *origin; bool shown; } *returned; /* shown: printed at the prompt, so not thrown away */
+  /* shown: printed at the prompt, so not thrown away */
+  struct { vs_node *node; const vs_origin *origin; bool shown; } *returned;
   size_t returned_count, returned_room;
   bool drew;                       /* draw was called: what was returned does not count */
   const vs_node *drawn_last;       /* what draw gave back last: an address to compare with, not a reference */
   const vs_node *drawn_away;       /* the same, of draw in a node whose focus has ended since */
-  struct { vs_node *node; const vs_origin *origin; } dropped[16]; /* objects that bodies threw away, one a place (thrown.c); references of our own */
+  struct { vs_node *node; const vs_origin *origin; } dropped[16]; /* objects that bodies threw away, one a place
+                                                                   * (thrown.c); references of our own */
   size_t dropped_count;
   uint64_t *told;                  /* warnings given: hashes of place and kind, open addressing, 0 free */
   size_t told_count, told_room;
-  struct { uint64_t key; const vs_origin *origin; } recent[64]; /* origins of call chains seen last, since that collection */
+  struct { uint64_t key; const vs_origin *origin; } recent[64]; /* origins of call chains seen last, since that
+                                                                 * collection */
   uint64_t recent_collection;
   vs_bind_parameter *parameters;
   size_t parameter_count, parameter_room;
   vs_bind_setting *settings;
   size_t setting_count, setting_room;
   size_t refused;                  /* allocations that were refused so far: tells "no such" from "no memory" */
-  uint32_t library_files;          /* files with smaller numbers are the language's own; so are those of vs_config.shipped */
+  uint32_t library_files;          /* files with smaller numbers are the language's own; so are those of
+                                    * vs_config.shipped */
   vs_inside_cache *inside;         /* what contains? has prepared; NULL at first */
-  /* users' kinds (custom.c): the ticket of each number that some node holds, and the numbers that none holds any more */
+  /* users' kinds (custom.c): the ticket of each number that some node holds, and the numbers that none holds any
+   * more */
   vs_ticket **tickets;
   uint32_t *gone;
   size_t ticket_count, ticket_room, gone_count;
-  vs_error handed;                 /* what was wrong with a drawing function's result, with the object's place; kind NONE: nothing */
+  vs_error handed;                 /* what was wrong with a drawing function's result, with the object's place; kind
+                                    * NONE: nothing */
   /* a node of the scene has the focus: the drawing is its own, and what top-level expressions return is no model */
   bool away;
   /* calls a procedure of the host's by its number, the first argument; NULL: there is no host */
@@ -104,18 +114,21 @@ void vs_bind_forget_dropped(vs_bind *b);
 void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origin, bool in_body);
 
 /* ---- objects (object.c) ---- */
-extern const vs_foreign_type vs_shape_type, vs_paint_type; /* a shape owns a reference to a node, with its origin; a paint wraps an interned vs_material */
+extern const vs_foreign_type vs_shape_type, vs_paint_type; /* a shape owns a reference to a node, with its origin; a
+                                                            * paint wraps an interned vs_material */
 /* Returns the reference that a Scheme object holds, not retained; its node is NULL if v is no object. */
 static inline vs_ref vs_bind_ref(vs_value v) {
   vs_node *node = (vs_node *)vs_foreign_get(v, &vs_shape_type);
   return (vs_ref){ node, node ? (const vs_origin *)vs_as_foreign(v)->with : NULL };
 }
 
-/* Where the running native was called from, and its callers. NULL: not known (or out of memory: then nothing worse happens). */
+/* Where the running native was called from, and its callers. NULL: not known (or out of memory: then nothing worse
+ * happens). */
 const vs_origin *vs_bind_origin(vs_bind *b);
 vs_status vs_bind_wrap_ref(vs_bind *b, vs_ref ref /* retained */, vs_value *out); /* with the place where it was made */
 vs_status vs_bind_wrap(vs_bind *b, vs_node *node /* taken over; NULL: out of memory */, vs_value *out);
-/* A position's file as text of the store; NULL: nowhere, or one of the language's own sources: places in those are not the user's business. */
+/* A position's file as text of the store; NULL: nowhere, or one of the language's own sources: places in those are not
+ * the user's business. */
 const char *vs_bind_file_name(vs_bind *b, vs_pos place);
 bool vs_bind_is_library(vs_bind *b, uint32_t file); /* is the file of this number one of those sources? */
 uint32_t vs_bind_file_count(vs_scheme *vm); /* files that have a number */
@@ -123,7 +136,8 @@ uint32_t vs_bind_file_count(vs_scheme *vm); /* files that have a number */
 bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind);
 /* once a place and `kind` (any constant text); nothing when it could not be formatted */
 void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
-bool vs_bind_text(vs_scheme *vm, vs_value string_or_symbol, char **out, size_t *bytes); /* UTF-8 with NUL from vs_mem; *bytes to give back */
+/* UTF-8 with NUL from vs_mem; *bytes to give back */
+bool vs_bind_text(vs_scheme *vm, vs_value string_or_symbol, char **out, size_t *bytes);
 
 void vs_bind_ticket_gone(void *bind, uint32_t number); /* custom.c */
 
@@ -157,7 +171,8 @@ typedef struct {
     vs_ref ref;                                /* one object; a list's union */
     struct { vs_ref *at; size_t count; } refs; /* flattened lists of objects */
     struct { vs_vec3 *at; size_t count; } points;
-    struct { vs_ref *at; size_t count; vs_vec3 *points; size_t point_count; } things; /* objects, and points among them */
+    /* objects, and points among them */
+    struct { vs_ref *at; size_t count; vs_vec3 *points; size_t point_count; } things;
     struct { const vs_value *at; size_t count; } values; /* the rest as it came */
     struct { uint32_t *starts, *corners; size_t count; } faces; /* starts has count + 1 */
     const vs_material *material;
@@ -196,18 +211,21 @@ void vs_bind_scratch_free(vs_frame *f);
 void *vs_bind_scratch(vs_frame *f, size_t bytes);  /* NULL: out of memory, error set */
 bool vs_bind_keep(vs_frame *f, vs_node *node);     /* releases it when the call ends; NULL gives the memory error */
 bool vs_bind_number(vs_scheme *vm, vs_value v, double *out);      /* any real number; false: not one */
-bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad); /* false: *bad is no object, or error set and *bad absent */
+/* false: *bad is no object, or error set and *bad absent */
+bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad);
 
 /* For what works long in the layers below: polls; false: the condition is set. context is the vs_scheme */
 bool vs_bind_keep_going(void *vm, double done);
 /* "NAME: PARAM must be EXPECTED, got VALUE" */
 vs_status vs_bind_error(vs_frame *f, const vs_error *e); /* what a layer below said */
-/* Objects: what unions hold, each placement counted; any other operation is one. By class (index VS_CURVE ...); false: out of memory */
+/* Objects: what unions hold, each placement counted; any other operation is one. By class (index VS_CURVE ...); false:
+ * out of memory */
 typedef struct { double all, of[VS_INHERIT]; } vs_bind_counts;
 bool vs_bind_count(vs_ref ref, vs_bind_counts *out);
 int32_t vs_bind_segments(vs_bind *b);                   /* (current-segments), 0: by tolerance */
 double vs_bind_tolerance(vs_bind *b);                   /* (current-tolerance), 0: by the drawing size */
-vs_status vs_bind_finite(vs_frame *f, int i);           /* argument i, an object, has an end; else the error says what to do */
+vs_status vs_bind_finite(vs_frame *f, int i);           /* argument i, an object, has an end; else the error says what
+                                                         * to do */
 /* The call of p, under this name, that was meant where numbers stand for points, gvectors or factors, into text;
  * false: there is none (regroup.c). */
 bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
@@ -215,15 +233,16 @@ bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const char *name, con
 #define VS_BIND_NO_VALUE "one expression gave no value" /* in messages about lists of objects */
 vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, vs_value got);
 
-/* Objects as drawing functions want them for a format of these names (NULL at the end): in place, new references for old. False: the condition is
- * set. Needs one registered. */
+/* Objects as drawing functions want them for a format of these names (NULL at the end): in place, new references for
+ * old. False: the condition is set. Needs one registered. */
 bool vs_bind_hands_on(const vs_bind *b); /* was a drawing function registered? */
 bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names);
 
 /* ---- back_ends.c ---- */
 /* The program's back-end of this name, or of this ending of a path; NULL: it brought none such. */
 const vs_bind_back_end *vs_bind_back_end_find(const vs_bind *b, const char *text);
-/* Calls its procedure with these objects: *text holds *bytes bytes and room for one more, from vs_mem, the caller's to free. False: the condition is set. */
+/* Calls its procedure with these objects: *text holds *bytes bytes and room for one more, from vs_mem, the caller's to
+ * free. False: the condition is set. */
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text, size_t *bytes);
 
 /* ---- files (files.c) ---- */
@@ -234,11 +253,15 @@ vs_status vs_bind_file(vs_frame *f, const vs_arg *name, vs_value *bytes, const c
 vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);
 /* For argument 0 that is several curves or surfaces (geometry/parts.h): the union of what one makes of each. */
 vs_status vs_bind_each_part(vs_frame *f, vs_procedure_fn *one, vs_value *out);
-vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out); /* the empty object, with a warning once a place */
-vs_status vs_bind_resolve(vs_frame *f, int i); /* sections, shadows and edges in argument i become what they are in space */
+vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out); /* the empty object, with a warning once a
+                                                                       * place */
+vs_status vs_bind_resolve(vs_frame *f, int i); /* sections, shadows and edges in argument i become what they are in
+                                                * space */
 vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out);    /* takes the reference over */
-vs_status vs_bind_uncrossed(vs_frame *f, vs_ref ref, const char *what); /* a closed curve that crosses itself is refused; what: what it is */
-vs_status vs_bind_fill(vs_frame *f, vs_ref *ref, size_t n); /* where all are regions and closed curves of one plane, the curves become regions */
+vs_status vs_bind_uncrossed(vs_frame *f, vs_ref ref, const char *what); /* a closed curve that crosses itself is
+                                                                         * refused; what: what it is */
+vs_status vs_bind_fill(vs_frame *f, vs_ref *ref, size_t n); /* where all are regions and closed curves of one plane, the
+                                                             * curves become regions */
 /* The figure *out, drawn as in the plane XY, stands in the plane instead (#:plane): about its place where the form
  * takes one point, else as
  * the plane's own coordinates say. */

@@ -1,9 +1,14 @@
-/* Owns the small steps that every procedure of the geometry ends with: make a value, make a node, give the empty object. */
+/* Owns the small steps that every procedure of the geometry ends with: make a value, make a node, give the empty
+ * object. */
 #include "bind/bind.h"
 #include "geometry/parts.h"
 
-vs_status vs_bind_point(vs_frame *f, vs_vec3 p, vs_value *out) { return vs_make_flat(f->vm, VS_FLAT_POINT, (const double[]){ p.x, p.y, p.z }, 3, out); }
-vs_status vs_bind_vector(vs_frame *f, vs_vec3 p, vs_value *out) { return vs_make_flat(f->vm, VS_FLAT_VECTOR, (const double[]){ p.x, p.y, p.z }, 3, out); }
+vs_status vs_bind_point(vs_frame *f, vs_vec3 p, vs_value *out) {
+  return vs_make_flat(f->vm, VS_FLAT_POINT, (const double[]){ p.x, p.y, p.z }, 3, out);
+}
+vs_status vs_bind_vector(vs_frame *f, vs_vec3 p, vs_value *out) {
+  return vs_make_flat(f->vm, VS_FLAT_VECTOR, (const double[]){ p.x, p.y, p.z }, 3, out);
+}
 vs_status vs_bind_real(vs_frame *f, double d, vs_value *out) {
   (void)f;
   *out = vs_flonum(d);
@@ -26,7 +31,8 @@ vs_affine vs_bind_affine(const double *sixteen) {
 static const double LARGEST = 1e60;
 static bool too_large(double d) { return !(fabs(d) <= LARGEST); }
 
-/* The field of a node's data that no drawing could hold, or NULL. Angles are fields as well: none is that large in earnest. */
+/* The field of a node's data that no drawing could hold, or NULL. Angles are fields as well: none is that large in
+ * earnest. */
 static const char *largest_field(vs_kind kind, const void *data) {
   const vs_kind_info *k = vs_kind_get(kind);
   if (vs_kind_within(kind, data, LARGEST)) return NULL;

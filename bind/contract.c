@@ -1,7 +1,8 @@
-/* Owns the checked call: from a native's arguments to the C data that procedures.def asks for, or the error that says what was wrong.
+/* Owns the checked call: from a native's arguments to the C data that procedures.def asks for, or the error that says
+ * what was wrong.
  *
- * Cost of a call: one pass over the form's parameters; nothing is allocated unless an argument is a list. Memory that the checks allocate hangs
- * off the frame and goes when the call ends, whatever its outcome. */
+ * Cost of a call: one pass over the form's parameters; nothing is allocated unless an argument is a list. Memory that
+ * the checks allocate hangs off the frame and goes when the call ends, whatever its outcome. */
 #include "bind/functions/dual_points.h"
 #include "bind/rules/derivation.h"
 #include "vm/library/kept.h"
@@ -154,9 +155,11 @@ static bool refuse_uncalled(vs_frame *f, const vs_bind_param *p, vs_value v) {
   char form[120];
   if (!vs_is(v, VS_T_CLOSURE) && !vs_is(v, VS_T_NATIVE)) return false;
   const char *call = vs_procedure_form(v, form, sizeof form);
-  if (!call) return vs_is(v, VS_T_CLOSURE) && !vs_fail(f->vm, f->vm->sym.type,
-      "%s must be %s, got #<procedure>, which waits to be called: a lambda, or a call that lacks arguments as (subtract a) does", p->name,
-      contracts[p->contract].noun);
+  if (!call)
+    return vs_is(v, VS_T_CLOSURE) && !vs_fail(f->vm, f->vm->sym.type,
+                                              "%s must be %s, got #<procedure>, which waits to be called: a lambda, or "
+                                              "a call that lacks arguments as (subtract a) does",
+                                              p->name, contracts[p->contract].noun);
   size_t name = strcspn(call + 1, " )");
   vs_fail(f->vm, f->vm->sym.type, "%s must be %s, got the procedure %.*s; call it: %s", p->name,
       contracts[p->contract].noun, (int)name, call + 1, call);
@@ -169,7 +172,8 @@ static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) 
     return vs_fail(f->vm, f->vm->sym.type,
                    "%s is a number that is being differentiated; objects hold plain numbers, so derivatives end here",
                    p->name);
-  bool wants_vector = p->contract == VS_C_VECTOR || p->contract == VS_C_DIRECTION || p->contract == VS_C_PATH, wants_point = p->contract == VS_C_POINT;
+  bool wants_vector = p->contract == VS_C_VECTOR || p->contract == VS_C_DIRECTION || p->contract == VS_C_PATH,
+       wants_point = p->contract == VS_C_POINT;
   if ((wants_vector && vs_is_flat(got, VS_FLAT_POINT)) || (wants_point && vs_is_flat(got, VS_FLAT_VECTOR))) {
     const double *d = vs_as_flat(got)->at;
     char x[32], y[32], z[32], hint[128];
@@ -188,10 +192,13 @@ static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) 
   }
   if (refuse_uncalled(f, p, got)) return VS_ERROR;
   const vs_bind_param *first = f->procedure->form[0].at;
-  if (p->contract == VS_C_ANGLE && first->mode != VS_ARG_END && first->contract == VS_C_SECTIONS && vs_bind_ref(got).node)
-    return refuse_hint(f, p->name, contracts[p->contract].noun, got, "the sections stand in one list: (list section ...)");
+  if (p->contract == VS_C_ANGLE && first->mode != VS_ARG_END && first->contract == VS_C_SECTIONS &&
+      vs_bind_ref(got).node)
+    return refuse_hint(f, p->name, contracts[p->contract].noun, got,
+                       "the sections stand in one list: (list section ...)");
   vs_arg word; /* 'walls for "walls", "top" for 'top */
-  if (((p->contract == VS_C_TEXT && vs_is_symbol(got)) || (p->contract == VS_C_NAME && vs_is_string(got))) && convert_text(f, p, got, &word) && word.text.length < 40 &&
+  if (((p->contract == VS_C_TEXT && vs_is_symbol(got)) || (p->contract == VS_C_NAME && vs_is_string(got))) &&
+      convert_text(f, p, got, &word) && word.text.length < 40 &&
       strcspn(word.text.at, " \t\n\"'()") == word.text.length) {
     char hint[64];
     snprintf(hint, sizeof hint, p->contract == VS_C_TEXT ? "\"%s\"" : "'%s", word.text.at);
@@ -227,7 +234,8 @@ static bool world_axis(vs_value v, const char *const names[3], vs_vec3 *out) {
   return false;
 }
 
-/* A line through the origin along x, y or z, by one of three names or by a vector; or any, by an object of that kind. */
+/* A line through the origin along x, y or z, by one of three names or by a vector; or any, by an object of that
+ * kind. */
 static bool convert_line(vs_value v, const char *const names[3], uint32_t kind, vs_arg *out) {
   out->line.at = vs_v3(0, 0, 0);
   if (world_axis(v, names, &out->line.direction)) return true;
@@ -242,11 +250,12 @@ static bool convert_plane(vs_value v, vs_arg *out) { /* its normal */
   return convert_line(v, plane_names, VS_FLAT_PLANE, out);
 }
 
-/* Flattens values (each an item or a list of lists of items) by an explicit stack of lists, each with what is left of it; add takes one item.
- * False: *bad is what is neither, or absent and the error is set. Nothing here allocates Scheme objects, so plain locals are safe.
- * A list that contains itself makes the stack grow for ever, its lists coming round again; so each new one is compared with the one at
- * the highest power of two below (Brent's way). */
-static bool flatten(vs_frame *f, const vs_value *values, size_t count, bool (*add)(vs_frame *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
+/* Flattens values (each an item or a list of lists of items) by an explicit stack of lists, each with what is left of
+ * it; add takes one item. False: *bad is what is neither, or absent and the error is set. Nothing here allocates Scheme
+ * objects, so plain locals are safe. A list that contains itself makes the stack grow for ever, its lists coming round
+ * again; so each new one is compared with the one at the highest power of two below (Brent's way). */
+static bool flatten(vs_frame *f, const vs_value *values, size_t count,
+                    bool (*add)(vs_frame *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
   struct open { vs_value list, rest; } fixed[32], *open = fixed;
   size_t room = 32;
   for (size_t i = 0; i < count; i++) {
@@ -279,7 +288,8 @@ static bool flatten(vs_frame *f, const vs_value *values, size_t count, bool (*ad
   return true;
 }
 
-/* a growing array in scratch: in its place where it is the newest there, else anew, and the old one stays until the call ends */
+/* a growing array in scratch: in its place where it is the newest there, else anew, and the old one stays until the
+ * call ends */
 typedef struct { void *at; size_t count, room, size; } grow;
 static void *grow_push(vs_frame *f, grow *g) {
   if (g->count == g->room) {
@@ -317,7 +327,9 @@ static bool add_curve(vs_frame *f, vs_value v, void *to, bool *oom) {
 /* a section: a curve, a region, or a point, which becomes a line of one point */
 static bool add_section(vs_frame *f, vs_value v, void *to, bool *oom) {
   const vs_node *object = vs_bind_ref(v).node;
-  if (object) return (object->class_ == VS_CURVE || object->class_ == VS_REGION_CLASS || vs_bind_is_empty(object)) && add_ref(f, v, to, oom);
+  if (object)
+    return (object->class_ == VS_CURVE || object->class_ == VS_REGION_CLASS || vs_bind_is_empty(object)) &&
+           add_ref(f, v, to, oom);
   if (!vs_is_flat(v, VS_FLAT_POINT) || !finite3(vs_as_flat(v)->at)) return false;
   vs_vec3 at = vec_of(vs_as_flat(v)->at);
   vs_points *p = vs_points_new(f->bind->store, &at, 1);
@@ -349,9 +361,9 @@ bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_va
   return true;
 }
 
-/* Writes what numbers where points belong seem to mean, as (make-polygon (xy 0 0) (xy 1 0)) for 0 0 1 0, for (0 0) (1 0)
- * or for a list of either, and (list (xy 0 0) (xy 1 0)) where the points are one argument among others. False: something
- * else stands among them. */
+/* Writes what numbers where points belong seem to mean, as (make-polygon (xy 0 0) (xy 1 0)) for 0 0 1 0, for (0 0) (1
+ * 0) or for a list of either, and (list (xy 0 0) (xy 1 0)) where the points are one argument among others. False:
+ * something else stands among them. */
 static bool points_meant(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, char *text, size_t room) {
   enum { MOST = 64, SHOWN = 4 };
   vs_value item[MOST];
@@ -401,7 +413,8 @@ static vs_status refuse_item(vs_frame *f, const vs_bind_param *p, const vs_value
   }
   if (!strcmp(item, "point") && vs_bind_number(f->vm, bad, &d))
     return vs_bind_refuse(f, p->name, "a point or a list of points, each written (xy x y) or (xyz x y z)", bad);
-  if (!strcmp(item, "point") && vs_is_flat(bad, VS_FLAT_VECTOR)) return refuse_hint(f, p->name, text, bad, "(+ origin v)");
+  if (!strcmp(item, "point") && vs_is_flat(bad, VS_FLAT_VECTOR))
+    return refuse_hint(f, p->name, text, bad, "(+ origin v)");
   bool holds_points = p->contract == VS_C_POINTS || p->contract == VS_C_THINGS || p->contract == VS_C_SECTIONS;
   if (holds_points && vs_is_flat(bad, VS_FLAT_POINT)) return vs_bind_refuse(f, p->name, "of finite coordinates", bad);
   return vs_bind_refuse(f, p->name, text, bad);
@@ -441,8 +454,10 @@ static vs_status convert_object(vs_frame *f, const vs_bind_param *p, vs_value v,
   vs_arg list;
   if (!convert_refs(f, p, &v, 1, &list)) return VS_ERROR;
   if (list.refs.count == 1) return out->ref = list.refs.at[0], VS_OK;
-  if (p->contract == VS_C_PROFILE && !vs_bind_fill(f, list.refs.at, list.refs.count)) return VS_ERROR; /* several closed curves are one profile */
-  vs_node *n = vs_node_new(f->bind->store, list.refs.count ? VS_UNION : VS_EMPTY, list.refs.count ? (const void *)&(struct vs_union){ 0 } : &(struct vs_empty){ 0 },
+  /* several closed curves are one profile */
+  if (p->contract == VS_C_PROFILE && !vs_bind_fill(f, list.refs.at, list.refs.count)) return VS_ERROR;
+  vs_node *n = vs_node_new(f->bind->store, list.refs.count ? VS_UNION : VS_EMPTY,
+                           list.refs.count ? (const void *)&(struct vs_union){ 0 } : &(struct vs_empty){ 0 },
                            list.refs.at, list.refs.count);
   if (!vs_bind_keep(f, n)) return VS_ERROR;
   out->ref = (vs_ref){ n, vs_bind_origin(f->bind) };
@@ -549,7 +564,9 @@ static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value 
   if (!convert_text(f, p, v, &name)) return VS_ERROR;
   size_t refused = f->bind->refused;
   out->material = vs_store_ready_material(f->bind->store, name.text.at);
-  return out->material ? VS_OK : f->bind->refused != refused ? vs_fail_memory(f->vm) : refuse_material(f, p, v, name.text.at);
+  return out->material                 ? VS_OK
+         : f->bind->refused != refused ? vs_fail_memory(f->vm)
+                                       : refuse_material(f, p, v, name.text.at);
 }
 
 static vs_status convert_real(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
@@ -558,7 +575,8 @@ static vs_status convert_real(vs_frame *f, const vs_bind_param *p, vs_value v, v
   return VS_OK;
 }
 
-static vs_status convert_integer(vs_frame *f, const vs_bind_param *p, vs_value v, int64_t low, int64_t high, vs_arg *out) {
+static vs_status convert_integer(vs_frame *f, const vs_bind_param *p, vs_value v, int64_t low, int64_t high,
+                                 vs_arg *out) {
   if (!vs_is_fixnum(v)) return refuse_kind(f, p, v);
   out->integer = vs_fixnum(v);
   if (out->integer > high && high == INT32_MAX) return vs_bind_refuse(f, p->name, "at most 2147483647", v);
@@ -570,15 +588,20 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
   switch ((vs_contract)p->contract) {
     case VS_C_ANY: return VS_OK;
     case VS_C_REAL: case VS_C_DEGREES: return convert_real(f, p, v, out);
-    case VS_C_RADIUS: return !convert_real(f, p, v, out) ? VS_ERROR : out->real >= 0 ? VS_OK : refuse_condition(f, p, v);
-    case VS_C_POSITIVE: return !convert_real(f, p, v, out) ? VS_ERROR : out->real > 0 ? VS_OK : refuse_condition(f, p, v);
-    case VS_C_UNIT: return !convert_real(f, p, v, out) ? VS_ERROR : out->real >= 0 && out->real <= 1 ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_RADIUS:
+      return !convert_real(f, p, v, out) ? VS_ERROR : out->real >= 0 ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_POSITIVE:
+      return !convert_real(f, p, v, out) ? VS_ERROR : out->real > 0 ? VS_OK : refuse_condition(f, p, v);
+    case VS_C_UNIT:
+      return !convert_real(f, p, v, out)        ? VS_ERROR
+             : out->real >= 0 && out->real <= 1 ? VS_OK
+                                                : refuse_condition(f, p, v);
     case VS_C_ANGLE:
       if (!convert_real(f, p, v, out)) return VS_ERROR;
       if (vs_is_fixnum(v) && (out->real > 6 || out->real < -6)) {
         char name[64];
-        vs_bind_warn(f->bind, "degrees", "%s: %.0f radians are %.1f turns; (degrees->radians %.0f)?", own_name(f, name), out->real,
-                     fabs(out->real) / 6.283185307179586, out->real);
+        vs_bind_warn(f->bind, "degrees", "%s: %.0f radians are %.1f turns; (degrees->radians %.0f)?", own_name(f, name),
+                     out->real, fabs(out->real) / 6.283185307179586, out->real);
       }
       return VS_OK;
     case VS_C_SOME: return convert_integer(f, p, v, 1, INT32_MAX, out);
@@ -587,7 +610,9 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
     case VS_C_SEGMENTS:
       if (v == VS_FALSE) return out->integer = 0, VS_OK;
       return convert_integer(f, p, v, 3, 100000, out);
-    case VS_C_BOOLEAN: out->boolean = v != VS_FALSE; return v == VS_TRUE || v == VS_FALSE ? VS_OK : refuse_kind(f, p, v);
+    case VS_C_BOOLEAN:
+      out->boolean = v != VS_FALSE;
+      return v == VS_TRUE || v == VS_FALSE ? VS_OK : refuse_kind(f, p, v);
     case VS_C_TEXT: return vs_is_string(v) ? convert_text(f, p, v, out) : refuse_kind(f, p, v);
     case VS_C_NAME: return vs_is_symbol(v) ? convert_text(f, p, v, out) : refuse_kind(f, p, v);
     case VS_C_POINT:
@@ -610,7 +635,9 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
       return vs_bind_number(f->vm, v, &out->real) ? VS_OK : refuse_kind(f, p, v);
     case VS_C_AXIS: case VS_C_PLANE: case VS_C_STAND:
       if (!(p->contract == VS_C_AXIS ? convert_axis : convert_plane)(v, out)) return refuse_kind(f, p, v);
-      return has_length(out->line.direction) && finite3(&out->line.direction.x) && finite3(&out->line.at.x) ? VS_OK : refuse_condition(f, p, v);
+      return has_length(out->line.direction) && finite3(&out->line.direction.x) && finite3(&out->line.at.x)
+                 ? VS_OK
+                 : refuse_condition(f, p, v);
     case VS_C_CUT: /* a height is the plane there, of which the lower side is kept */
       if (v == VS_FALSE) return VS_OK;
       if (vs_bind_number(f->vm, v, &out->real)) {
@@ -678,7 +705,8 @@ static bool looks_like(vs_frame *f, vs_contract c, vs_value v) {
   if (c == VS_C_POINT) return vs_is_flat(v, VS_FLAT_POINT);
   if (c == VS_C_VECTOR || c == VS_C_DIRECTION) return vs_is_flat(v, VS_FLAT_VECTOR);
   if (c == VS_C_AXIS) return convert_axis(v, &unused);
-  if (c == VS_C_REAL || c == VS_C_RADIUS || c == VS_C_POSITIVE || c == VS_C_ANGLE) return vs_bind_number(f->vm, v, &unused.real);
+  if (c == VS_C_REAL || c == VS_C_RADIUS || c == VS_C_POSITIVE || c == VS_C_ANGLE)
+    return vs_bind_number(f->vm, v, &unused.real);
   return true;
 }
 
@@ -718,7 +746,8 @@ static vs_status refuse_count(vs_frame *f, const vs_value *a, int n) {
   return vs_fail(f->vm, f->vm->sym.arity, "%s, got %d argument%s", text, n, n == 1 ? "" : "s");
 }
 
-/* How many of n arguments look like the form's first parameters (0 where there is no other form); -1: it takes fewer, or more. */
+/* How many of n arguments look like the form's first parameters (0 where there is no other form); -1: it takes fewer,
+ * or more. */
 static int form_fits(vs_frame *f, const vs_form *form, const vs_value *a, int n) {
   int fits = f->procedure->form[1].used ? 0 : -1;
   const vs_bind_param *p = form->at;
@@ -749,8 +778,8 @@ static inline void set_absent(vs_arg *to) {
   to->line.at = to->line.direction = vs_v3(0, 0, 0);
 }
 
-/* Points and numbers that are as they should be, which most calls take: the form chosen and its arguments converted in one go, as choose_form and
- * convert do. False: those see to it. */
+/* Points and numbers that are as they should be, which most calls take: the form chosen and its arguments converted in
+ * one go, as choose_form and convert do. False: those see to it. */
 typedef enum { QUICK_FITS, QUICK_OTHER /* looks_like says no */, QUICK_UNSURE } quick;
 static inline quick convert_quickly(const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->given = true, out->value = v;

@@ -1,7 +1,8 @@
-/* Owns objects of users' kinds in C: their nodes and numbers, the rebuilding of a node with other children, and the way into the drawing functions.
+/* Owns objects of users' kinds in C: their nodes and numbers, the rebuilding of a node with other children, and the way
+ * into the drawing functions.
  *
- * A number's ticket is shared by all nodes that hold the number. When the last of them goes, the number joins those that primitives.scm asks
- * for, which then forgets what the objects were made with. */
+ * A number's ticket is shared by all nodes that hold the number. When the last of them goes, the number joins those
+ * that primitives.scm asks for, which then forgets what the objects were made with. */
 #include "bind/bind.h"
 
 void vs_bind_ticket_gone(void *bind, uint32_t number) {
@@ -34,7 +35,8 @@ vs_status vs_p_custom_new(vs_frame *f, vs_value *out) {
   vs_bind *b = f->bind;
   uint32_t number = (uint32_t)f->arg[2].integer;
   vs_ref child = vs_bind_ref(f->arg[3].value);
-  struct vs_custom d = { vs_store_text(b->store, f->arg[0].text.at, f->arg[0].text.length), vs_store_text(b->store, f->arg[1].text.at, f->arg[1].text.length), NULL, 0 };
+  struct vs_custom d = { vs_store_text(b->store, f->arg[0].text.at, f->arg[0].text.length),
+                         vs_store_text(b->store, f->arg[1].text.at, f->arg[1].text.length), NULL, 0 };
   if (!d.name || !d.made || !tickets_grow(b, (size_t)number + 1)) return vs_fail_memory(f->vm);
   if (number >= b->ticket_count) b->ticket_count = (size_t)number + 1;
   bool fresh = !b->tickets[number];
@@ -50,7 +52,8 @@ vs_status vs_p_custom_new(vs_frame *f, vs_value *out) {
 /* A number that no node holds any more, or #f. */
 vs_status vs_p_custom_gone(vs_frame *f, vs_value *out) {
   vs_bind *b = f->bind;
-  while (b->gone_count && b->tickets[b->gone[b->gone_count - 1]]) b->gone_count--; /* one that has been made again since */
+  /* one that has been made again since */
+  while (b->gone_count && b->tickets[b->gone[b->gone_count - 1]]) b->gone_count--;
   *out = b->gone_count ? vs_fix(b->gone[--b->gone_count]) : VS_FALSE;
   return VS_OK;
 }
@@ -85,19 +88,24 @@ static const char *class_noun(const vs_node *n) {
   return "a union of several kinds";
 }
 
-/* The same operation on other children, made where the old ones were. Placements, dresses and unions take anything; others what they had. */
+/* The same operation on other children, made where the old ones were. Placements, dresses and unions take anything;
+ * others what they had. */
 vs_status vs_p_object_with(vs_frame *f, vs_value *out) {
   const vs_ref *o = &f->arg[0].ref, *kids = f->arg[1].refs.at;
   const vs_node *n = o->node;
   size_t count = f->arg[1].refs.count;
   bool free = n->kind == VS_TRANSFORM || n->kind == VS_UNION || n->kind == VS_GHOST || vs_node_is_dress(n);
-  if (count != n->child_count) return vs_fail(f->vm, f->vm->sym.error, "a %s has %lu children, not %lu", vs_kind_get((vs_kind)n->kind)->name, (unsigned long)n->child_count, (unsigned long)count);
+  if (count != n->child_count)
+    return vs_fail(f->vm, f->vm->sym.error, "a %s has %lu children, not %lu", vs_kind_get((vs_kind)n->kind)->name,
+                   (unsigned long)n->child_count, (unsigned long)count);
   for (size_t i = 0; i < count && !free; i++) {
     const vs_node *was = n->children[i].node, *is = kids[i].node;
-    bool same = was->class_ == is->class_ || is->class_ == VS_NOTHING || is->class_ == VS_MIXED || (was->class_ == VS_CURVE && is->class_ == VS_REGION_CLASS);
+    bool same = was->class_ == is->class_ || is->class_ == VS_NOTHING || is->class_ == VS_MIXED ||
+                (was->class_ == VS_CURVE && is->class_ == VS_REGION_CLASS);
     if (same) continue;
     const char *name = was->kind == VS_CUSTOM ? VS_AS(custom, was)->name : vs_kind_get((vs_kind)was->kind)->name;
-    vs_error_set(&f->bind->handed, VS_ERROR_MODEL, n->children[i].origin, "the drawing function of %s gave %s, where %s needs %s", name, class_noun(is),
+    vs_error_set(&f->bind->handed, VS_ERROR_MODEL, n->children[i].origin,
+                 "the drawing function of %s gave %s, where %s needs %s", name, class_noun(is),
                  vs_kind_get((vs_kind)n->kind)->name, class_noun(was));
     return vs_fail(f->vm, f->vm->sym.type, "%s", f->bind->handed.message);
   }

@@ -1,7 +1,7 @@
 /* Owns the reading of data beside a program: texts, the names in a folder, JSON. CSV is bind/data.scm's.
  *
- * Files are named relative to the program's own file, as load-mesh names them, and read through the VM's host (vs_io), so that what confines that
- * confines these. jansson, which parses JSON, is loaded when it is first needed. */
+ * Files are named relative to the program's own file, as load-mesh names them, and read through the VM's host (vs_io),
+ * so that what confines that confines these. jansson, which parses JSON, is loaded when it is first needed. */
 #include "bind/bind.h"
 
 #include <jansson.h>
@@ -79,7 +79,8 @@ static vs_status directory_files(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   vs_text_close(&path);
   if (ok && !listed) {
     if (!why && io && io->list) return VS_ERROR; /* out of memory: said */
-    return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.file, r[0], "cannot read the folder (%s)", why ? why : "not available here");
+    return vs_cons(vm, a[0], VS_NIL, &r[0]) &&
+           vs_fail_with(vm, vm->sym.file, r[0], "cannot read the folder (%s)", why ? why : "not available here");
   }
   *out = r[0];
   return ok;
@@ -112,11 +113,13 @@ static const vs_dynamic_name jansson_names[] = {
 #undef JANSSON
 };
 
-/* An array or object that is being taken over: the next element, or the iterator of the next member. Its Scheme value is the list `containers`
- * of take_json at the same depth: the vector, or what is left of the association list to fill. */
+/* An array or object that is being taken over: the next element, or the iterator of the next member. Its Scheme value
+ * is the list `containers` of take_json at the same depth: the vector, or what is left of the association list to
+ * fill. */
 typedef struct { json_t *node; void *iterator; size_t index; } level;
 
-/* The value that stands for a node of JSON by itself: an array is a vector yet to fill, an object an association list whose values are. */
+/* The value that stands for a node of JSON by itself: an array is a vector yet to fill, an object an association list
+ * whose values are. */
 static bool shallow(vs_scheme *vm, const jansson *j, json_t *node, vs_value *out) {
   VS_ROOTS(vm, r, 3); /* the list, its last pair, what is new */
   switch (json_typeof(node)) {
@@ -125,7 +128,9 @@ static bool shallow(vs_scheme *vm, const jansson *j, json_t *node, vs_value *out
       for (void *i = j->first(node); i; i = j->next(node, i)) {
         const char *key = j->key(i);
         vs_value name;
-        if (!vs_poll(vm, 16) || !vs_intern(vm, key, strlen(key), &name) || !vs_cons(vm, name, VS_FALSE, &r[2]) || !vs_cons(vm, r[2], VS_NIL, &r[2])) return false;
+        if (!vs_poll(vm, 16) || !vs_intern(vm, key, strlen(key), &name) || !vs_cons(vm, name, VS_FALSE, &r[2]) ||
+            !vs_cons(vm, r[2], VS_NIL, &r[2]))
+          return false;
         if (r[0] == VS_NIL) r[0] = r[2];
         else vs_gc_store(vm, vs_as_pair(r[1]), &vs_as_pair(r[1])->cdr, r[2]);
         r[1] = r[2];
@@ -199,9 +204,12 @@ static vs_status json_parse(vs_scheme *vm, const char *text, size_t length, cons
   }
   json_error_t wrong;
   json_t *root = j.load(text, length, JSON_DECODE_ANY | JSON_REJECT_DUPLICATES, &wrong);
-  if (!root) return vs_fail(vm, vm->sym.error, "%s:%d:%d: %s", name, wrong.line > 0 ? wrong.line : 1, wrong.column > 0 ? wrong.column : 1, wrong.text);
+  if (!root)
+    return vs_fail(vm, vm->sym.error, "%s:%d:%d: %s", name, wrong.line > 0 ? wrong.line : 1,
+                   wrong.column > 0 ? wrong.column : 1, wrong.text);
   bool ok = take_json(vm, &j, root, out);
-  if (root->refcount != (size_t)-1 && --root->refcount == 0) j.discard(root); /* json_decref, which would call the library by name */
+  /* json_decref, which would call the library by name */
+  if (root->refcount != (size_t)-1 && --root->refcount == 0) j.discard(root);
   return ok;
 }
 

@@ -43,9 +43,11 @@ vs_status vs_p_draw(vs_frame *f, vs_value *out) {
     if (ref[i].node->flags & VS_NODE_ENDLESS) return vs_fail(f->vm, f->vm->sym.range, VS_ENDLESS_MESSAGE);
   if (!b->handing) warn_drawn_twice(b, b->scene.drawn_count, ref, n);
   for (size_t i = 0; i < n && !b->handing; i++)
-    if (!vs_scene_draw(&b->scene, (vs_ref){ ref[i].node, ref[i].origin ? ref[i].origin : here })) return vs_fail_memory(f->vm);
+    if (!vs_scene_draw(&b->scene, (vs_ref){ ref[i].node, ref[i].origin ? ref[i].origin : here }))
+      return vs_fail_memory(f->vm);
   if (n == 0) return vs_bind_empty(f, NULL, out);
-  vs_status status = n == 1 ? vs_bind_node(f, vs_node_retain(ref[0].node), out) : vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, ref, n, out);
+  vs_status status = n == 1 ? vs_bind_node(f, vs_node_retain(ref[0].node), out)
+                            : vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, ref, n, out);
   if (status == VS_OK && !b->handing) b->drawn_last = vs_bind_ref(*out).node;
   return status;
 }
@@ -85,7 +87,9 @@ static vs_status around(vs_frame *f, vs_kind kind, const void *data, const vs_ar
   if (objects->refs.count == 0) return vs_bind_empty(f, NULL, out);
   if (objects->refs.count == 1) child = objects->refs.at[0];
   else {
-    child = (vs_ref){ vs_node_new(f->bind->store, VS_UNION, &(struct vs_union){ 0 }, objects->refs.at, objects->refs.count), vs_bind_origin(f->bind) };
+    child =
+        (vs_ref){ vs_node_new(f->bind->store, VS_UNION, &(struct vs_union){ 0 }, objects->refs.at, objects->refs.count),
+                  vs_bind_origin(f->bind) };
     if (!vs_bind_keep(f, child.node)) return VS_ERROR;
   }
   if (vs_bind_is_empty(child.node)) return vs_bind_node(f, vs_node_retain(child.node), out);
@@ -107,8 +111,12 @@ vs_status vs_p_layer(vs_frame *f, vs_value *out) {
   return around(f, VS_LAYER, &(struct vs_layer){ .name = name }, &f->arg[1], out);
 }
 
-vs_status vs_p_highlight(vs_frame *f, vs_value *out) { return around(f, VS_HIGHLIGHT, &(struct vs_highlight){ 0 }, &f->arg[0], out); }
-vs_status vs_p_ghost(vs_frame *f, vs_value *out) { return around(f, VS_GHOST, &(struct vs_ghost){ 0 }, &f->arg[0], out); }
+vs_status vs_p_highlight(vs_frame *f, vs_value *out) {
+  return around(f, VS_HIGHLIGHT, &(struct vs_highlight){ 0 }, &f->arg[0], out);
+}
+vs_status vs_p_ghost(vs_frame *f, vs_value *out) {
+  return around(f, VS_GHOST, &(struct vs_ghost){ 0 }, &f->arg[0], out);
+}
 vs_status vs_p_only(vs_frame *f, vs_value *out) { return around(f, VS_ONLY, &(struct vs_only){ 0 }, &f->arg[0], out); }
 
 /* The pattern's keywords, the four from k. The second colour is a darker shade of the first unless it is given. */
@@ -131,7 +139,8 @@ static vs_status pattern_of(vs_frame *f, const vs_arg *k, vs_material *m) {
 vs_status vs_p_make_material(vs_frame *f, vs_value *out) {
   const vs_arg *k = f->key; /* name color roughness metallic transparency ior, and the pattern's four */
   vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5, { 0 } };
-  if (k[0].given && !(m.name = vs_store_text(f->bind->store, k[0].text.at, k[0].text.length))) return vs_fail_memory(f->vm);
+  if (k[0].given && !(m.name = vs_store_text(f->bind->store, k[0].text.at, k[0].text.length)))
+    return vs_fail_memory(f->vm);
   if (k[1].given) m.red = k[1].material->red, m.green = k[1].material->green, m.blue = k[1].material->blue;
   if (k[2].given) m.roughness = k[2].real;
   if (k[3].given) m.metallic = k[3].real;
@@ -196,15 +205,18 @@ vs_status vs_p_sun(vs_frame *f, vs_value *out) {
     double hours;
     char rest;
     if (!k[2].given || !k[3].given || !k[4].given || !k[5].given || k[0].given || k[1].given)
-      return vs_fail(f->vm, f->vm->sym.arity, "takes #:azimuth and #:altitude, or #:latitude #:longitude #:date #:time");
+      return vs_fail(f->vm, f->vm->sym.arity,
+                     "takes #:azimuth and #:altitude, or #:latitude #:longitude #:date #:time");
     if (fabs(k[2].real) > 90) return vs_bind_refuse(f, "latitude", "from -90 to 90", k[2].value);
     if (fabs(k[3].real) > 180) return vs_bind_refuse(f, "longitude", "from -180 to 180", k[3].value);
     bool read = sscanf(k[4].text.at, "%4d-%2d-%2d%c", &year, &month, &day, &rest) == 3;
     if (!read || !vs_sun_is_day(year, month, day))
       return vs_bind_refuse(f, "date", "a day such as \"2026-06-21\"", k[4].value);
-    if (!read_time(k[5].text.at, k[3].real, &hours)) return vs_bind_refuse(f, "time", "a time such as \"15:00+01:00\"", k[5].value);
+    if (!read_time(k[5].text.at, k[3].real, &hours))
+      return vs_bind_refuse(f, "time", "a time such as \"15:00+01:00\"", k[5].value);
     vs_sun_position(k[2].real, k[3].real, year, month, day, hours, &azimuth, &altitude);
-    if (altitude < 0) vs_bind_warn(f->bind, "night", "sun: at that time it is %.0f degrees below the horizon", -altitude);
+    if (altitude < 0)
+      vs_bind_warn(f->bind, "night", "sun: at that time it is %.0f degrees below the horizon", -altitude);
   } else {
     azimuth = k[0].given ? k[0].real : 135, altitude = k[1].given ? k[1].real : 45;
     if (fabs(altitude) > 90) return vs_bind_refuse(f, "altitude", "from -90 to 90", k[1].value);
@@ -216,8 +228,12 @@ vs_status vs_p_sun(vs_frame *f, vs_value *out) {
 
 /* The file stands beside the program; what it is shows in its first bytes. */
 static vs_status sky_image(vs_frame *f, const vs_arg *image) {
-  static const struct { const char *format; unsigned char bytes[4]; size_t count; } kinds[] = {
-    { "png", { 0x89, 'P', 'N', 'G' }, 4 }, { "jpeg", { 0xFF, 0xD8, 0xFF, 0 }, 3 }, { "exr", { 0x76, 0x2F, 0x31, 0x01 }, 4 }, { "hdr", { '#', '?', 'R', 'A' }, 4 },
+  static const struct { const char *format; unsigned char bytes[4]; size_t count;
+  } kinds[] = {
+    { "png", { 0x89, 'P', 'N', 'G' }, 4 },
+    { "jpeg", { 0xFF, 0xD8, 0xFF, 0 }, 3 },
+    { "exr", { 0x76, 0x2F, 0x31, 0x01 }, 4 },
+    { "hdr", { '#', '?', 'R', 'A' }, 4 },
   };
   vs_scheme *vm = f->vm;
   vs_text path;
@@ -228,7 +244,8 @@ static vs_status sky_image(vs_frame *f, const vs_arg *image) {
   if (ok && !(name = vs_store_text(f->bind->store, path.at, path.count))) ok = vs_fail_memory(vm);
   ok = ok && vs_io_read_file(vm, name, &r[0]);
   for (size_t i = 0; ok && i < sizeof kinds / sizeof *kinds; i++)
-    if ((size_t)vs_as_bytes(r[0])->length > 16 && !memcmp(vs_as_bytes(r[0])->at, kinds[i].bytes, kinds[i].count)) format = kinds[i].format;
+    if ((size_t)vs_as_bytes(r[0])->length > 16 && !memcmp(vs_as_bytes(r[0])->at, kinds[i].bytes, kinds[i].count))
+      format = kinds[i].format;
   vs_text_close(&path);
   if (ok && !format) return vs_bind_refuse(f, "image", "a PNG, JPEG, EXR or HDR file", image->value);
   if (ok && !f->bind->handing) f->bind->scene.sky_image = name, f->bind->scene.sky_format = format;

@@ -23,7 +23,8 @@ vs_status vs_bind_resolve(vs_frame *f, int i) {
   vs_ref *ref = &f->arg[i].ref, made = *ref;
   if (!(ref->node->flags & VS_NODE_UNRESOLVED)) return VS_OK;
   vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
-  if (facets.tolerance <= 0 && vs_node_bounds(ref->node, &b, &e) && vs_bounds_diagonal(&b) > 0) facets.tolerance = vs_facets_tolerance(&b) / 16;
+  if (facets.tolerance <= 0 && vs_node_bounds(ref->node, &b, &e) && vs_bounds_diagonal(&b) > 0)
+    facets.tolerance = vs_facets_tolerance(&b) / 16;
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
   vs_node_retain(made.node);
   e = (vs_error){ 0 };
@@ -51,7 +52,8 @@ static bool known(vs_frame *f, uint64_t what, const vs_facets *facets, void *out
 static void keep(vs_frame *f, uint64_t what, const vs_facets *facets, const void *at, size_t size) {
   vs_cache *cache = vs_store_cache(f->bind->store);
   const uint64_t words[] = { what, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
-  vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3, 0 }, &(vs_cache_piece){ at, size }, 1));
+  vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3, 0 },
+                                       &(vs_cache_piece){ at, size }, 1));
 }
 
 static vs_status measure_solid(vs_frame *f, vs_measure *m, vs_ask ask) {
@@ -60,7 +62,8 @@ static vs_status measure_solid(vs_frame *f, vs_measure *m, vs_ask ask) {
   uint64_t what = SOLID_MEASURE + (uint64_t)ask;
   if (known(f, what, &facets, m, sizeof *m)) return VS_OK;
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
-  if (!vs_solid_measure(f->arg[0].ref, ask, facets.tolerance, &options, m, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+  if (!vs_solid_measure(f->arg[0].ref, ask, facets.tolerance, &options, m, &e))
+    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
   keep(f, what, &facets, m, sizeof *m);
   return VS_OK;
 }
@@ -82,7 +85,8 @@ static vs_status measure_surface(vs_frame *f, vs_measure *m) {
   vs_several_free(parts, count);
   if (!ok) return vs_mesh_free(&mesh), vs_bind_error(f, &e);
   for (size_t i = 0; i < mesh.triangle_count; i++) {
-    vs_vec3 p = mesh.vertices[mesh.triangles[i][0]], q = mesh.vertices[mesh.triangles[i][1]], r = mesh.vertices[mesh.triangles[i][2]];
+    vs_vec3 p = mesh.vertices[mesh.triangles[i][0]], q = mesh.vertices[mesh.triangles[i][1]],
+            r = mesh.vertices[mesh.triangles[i][2]];
     double w = vs_v3_length(vs_v3_cross(vs_v3_sub(q, p), vs_v3_sub(r, p))) / 2;
     m->area += w;
     sum = vs_v3_add(sum, vs_v3_scale(vs_v3_add(vs_v3_add(p, q), r), w / 3));
@@ -102,22 +106,27 @@ static vs_status measure_any(vs_frame *f, vs_measure *m, vs_ask ask) {
   if (m->known && (ask != VS_ASK_AREA || m->area_known)) return VS_OK;
   if (n->class_ == VS_SOLID) return measure_solid(f, m, ask);
   bool placed = n->kind == VS_TRANSFORM || vs_node_is_dress(n) || n->kind == VS_UNION;
-  if (n->class_ == VS_SURFACE && (placed || vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION)) return measure_surface(f, m);
+  if (n->class_ == VS_SURFACE && (placed || vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION))
+    return measure_surface(f, m);
   const char *kind = vs_kind_get((vs_kind)n->kind)->name;
-  return vs_fail(f->vm, f->vm->sym.error, "there is no measure yet of %s %s that is no solid", strchr("aeiou", *kind) ? "an" : "a", kind);
+  return vs_fail(f->vm, f->vm->sym.error, "there is no measure yet of %s %s that is no solid",
+                 strchr("aeiou", *kind) ? "an" : "a", kind);
 }
 
 static vs_status measure(vs_frame *f, vs_measure *m, vs_ask ask) {
   if (!measure_any(f, m, ask)) return VS_ERROR;
   vs_vec3 c = m->centroid;
-  if (isfinite(m->volume) && isfinite(ask == VS_ASK_AREA ? m->area : 0) && isfinite(m->length) && isfinite(c.x) && isfinite(c.y) && isfinite(c.z)) return VS_OK;
+  if (isfinite(m->volume) && isfinite(ask == VS_ASK_AREA ? m->area : 0) && isfinite(m->length) && isfinite(c.x) &&
+      isfinite(c.y) && isfinite(c.z))
+    return VS_OK;
   return vs_bind_refuse(f, "o", "smaller: what is asked for is beyond all numbers", f->arg[0].value);
 }
 
 vs_status vs_p_volume(vs_frame *f, vs_value *out) {
   vs_measure m;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
-  if (c == VS_CURVE || c == VS_REGION_CLASS || c == VS_SURFACE) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
+  if (c == VS_CURVE || c == VS_REGION_CLASS || c == VS_SURFACE)
+    return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   c = (vs_class)f->arg[0].ref.node->class_;
   if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
@@ -137,7 +146,8 @@ vs_status vs_p_area(vs_frame *f, vs_value *out) {
     f->arg[0].ref.node = region;
     c = VS_REGION_CLASS;
   }
-  if (c != VS_SOLID && c != VS_REGION_CLASS && c != VS_SURFACE) return vs_bind_refuse(f, "o", "a solid, a region, a surface or a closed curve", f->arg[0].value);
+  if (c != VS_SOLID && c != VS_REGION_CLASS && c != VS_SURFACE)
+    return vs_bind_refuse(f, "o", "a solid, a region, a surface or a closed curve", f->arg[0].value);
   return measure(f, &m, VS_ASK_AREA) && vs_bind_real(f, m.area, out);
 }
 
@@ -155,7 +165,8 @@ vs_status vs_p_centroid(vs_frame *f, vs_value *out) {
   vs_error e = { 0 };
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
-  if (vs_bind_is_empty(f->arg[0].ref.node) || vs_bounds_is_empty(&b)) return vs_bind_refuse(f, "o", "more than nothing", f->arg[0].value);
+  if (vs_bind_is_empty(f->arg[0].ref.node) || vs_bounds_is_empty(&b))
+    return vs_bind_refuse(f, "o", "more than nothing", f->arg[0].value);
   return measure(f, &m, VS_ASK_CENTROID) && vs_bind_point(f, m.centroid, out);
 }
 
@@ -167,10 +178,13 @@ vs_status vs_p_bounding_box(vs_frame *f, vs_value *out) {
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
-  if (!vs_drawn_bounds(&f->arg[0].ref, &facets, &options, NULL, &b, NULL, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+  if (!vs_drawn_bounds(&f->arg[0].ref, &facets, &options, NULL, &b, NULL, &e))
+    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
   if (vs_bounds_is_empty(&b)) return *out = VS_FALSE, VS_OK;
   vs_vec3 size = vs_v3_sub(b.max, b.min);
-  if (!isfinite(size.x) || !isfinite(size.y) || !isfinite(size.z)) return vs_bind_refuse(f, "o", "smaller: its corners are beyond all numbers", f->arg[0].value);
+  if (!isfinite(size.x) || !isfinite(size.y) || !isfinite(size.z))
+    return vs_bind_refuse(f, "o", "smaller: its corners are beyond all numbers", f->arg[0].value);
   VS_ROOTS(f->vm, r, 2);
-  return vs_bind_point(f, b.max, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) && vs_bind_point(f, b.min, &r[0]) && vs_cons(f->vm, r[0], r[1], out);
+  return vs_bind_point(f, b.max, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) && vs_bind_point(f, b.min, &r[0]) &&
+         vs_cons(f->vm, r[0], r[1], out);
 }

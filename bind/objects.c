@@ -1,4 +1,5 @@
-/* Owns what Scheme sees of the model: objects (references to nodes), paints (materials), where they came from, and warnings about them. */
+/* Owns what Scheme sees of the model: objects (references to nodes), paints (materials), where they came from, and
+ * warnings about them. */
 #include "bind/bind.h"
 
 #include "vm/front/source.h"
@@ -44,7 +45,8 @@ static bool paint_print(vs_scheme *vm, const void *object, bool (*put)(void *to,
   const vs_material_pattern *p = &m->pattern;
   char text[1024], c[3][32], v[4][32], q[5][32];
   vs_bind_number_text(c[0], m->red), vs_bind_number_text(c[1], m->green), vs_bind_number_text(c[2], m->blue);
-  vs_bind_number_text(v[0], m->roughness), vs_bind_number_text(v[1], m->metallic), vs_bind_number_text(v[2], m->transparency), vs_bind_number_text(v[3], m->ior);
+  vs_bind_number_text(v[0], m->roughness), vs_bind_number_text(v[1], m->metallic),
+      vs_bind_number_text(v[2], m->transparency), vs_bind_number_text(v[3], m->ior);
   vs_bind_number_text(q[0], p->red), vs_bind_number_text(q[1], p->green), vs_bind_number_text(q[2], p->blue);
   vs_bind_number_text(q[3], vs_pattern_size(p)), vs_bind_number_text(q[4], p->angle);
   int n = snprintf(text, sizeof text,
@@ -60,8 +62,9 @@ static bool paint_print(vs_scheme *vm, const void *object, bool (*put)(void *to,
 const vs_foreign_type vs_paint_type = { "a material", paint_release, NULL, NULL, paint_print, NULL, false };
 
 /* ---- origins ----
- * The chain of calls that led here, outermost last, cut to CHAIN callers: enough to find the call in the user's own text, and a bound on
- * the work per object. The same chain is looked up by its key before it is interned call by call. */
+ * The chain of calls that led here, outermost last, cut to CHAIN callers: enough to find the call in the user's own
+ * text, and a bound on the work per object. The same chain is looked up by its key before it is interned call by
+ * call. */
 
 enum { CHAIN = 8 };
 
@@ -84,7 +87,8 @@ bool vs_bind_is_library(vs_bind *b, uint32_t number) {
 const char *vs_bind_file_name(vs_bind *b, vs_pos place) {
   vs_value files = b->vm->at.files;
   uint32_t number = vs_pos_file(place);
-  if (number == 0 || vs_bind_is_library(b, number) || !vs_is_vector(files) || number >= vs_as_vector(files)->length) return NULL;
+  if (number == 0 || vs_bind_is_library(b, number) || !vs_is_vector(files) || number >= vs_as_vector(files)->length)
+    return NULL;
   vs_value name = vs_as_vector(files)->at[number];
   char *text;
   size_t bytes;
@@ -98,7 +102,8 @@ static const vs_origin *intern_chain(vs_bind *b, const vs_pos *place, size_t n) 
   const vs_origin *o = NULL;
   for (size_t i = n; i-- > 0;) {
     const char *file = vs_bind_file_name(b, place[i]);
-    const vs_origin *next = file ? vs_store_origin(b->store, file, vs_pos_line(place[i]), vs_pos_col(place[i]), o) : NULL;
+    const vs_origin *next =
+        file ? vs_store_origin(b->store, file, vs_pos_line(place[i]), vs_pos_col(place[i]), o) : NULL;
     if (next) o = next;
   }
   return o;
@@ -147,7 +152,8 @@ static bool told(vs_bind *b, uint64_t key) {
 }
 
 bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind) {
-  uint64_t key = o ? ((uint64_t)o->line << 20 | o->column) ^ (uint64_t)(uintptr_t)o->file : 0; /* the place, whoever called it */
+  /* the place, whoever called it */
+  uint64_t key = o ? ((uint64_t)o->line << 20 | o->column) ^ (uint64_t)(uintptr_t)o->file : 0;
   for (const char *c = kind; *c; c++) key = (key ^ (unsigned char)*c) * UINT64_C(0x100000001B3);
   key ^= key >> 31;
   return told(b, key);
@@ -169,7 +175,9 @@ void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) {
 bool vs_bind_text(vs_scheme *vm, vs_value v, char **out, size_t *bytes) {
   vs_text t;
   vs_text_open(vm, &t, 0);
-  bool ok = (vs_is_symbol(v) ? vs_text_put(&t, vs_as_symbol(v)->name, vs_as_symbol(v)->length) : vs_text_string(&t, v)) && vs_text_end(&t);
+  bool ok =
+      (vs_is_symbol(v) ? vs_text_put(&t, vs_as_symbol(v)->name, vs_as_symbol(v)->length) : vs_text_string(&t, v)) &&
+      vs_text_end(&t);
   *bytes = t.count + 1;
   if (ok && !(*out = vs_mem(vm, NULL, 0, *bytes))) ok = vs_fail_memory(vm);
   if (ok) memcpy(*out, t.at, *bytes);

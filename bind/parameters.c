@@ -26,7 +26,8 @@ bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum) {
     if (b->settings[i].name == n) return b->settings[i].datum = d, b->settings[i].used = false, true;
   if (b->setting_count == b->setting_room) {
     size_t room = b->setting_room ? b->setting_room * 2 : 8;
-    vs_bind_setting *more = vs_store_realloc(b->store, b->settings, b->setting_room * sizeof *more, room * sizeof *more);
+    vs_bind_setting *more =
+        vs_store_realloc(b->store, b->settings, b->setting_room * sizeof *more, room * sizeof *more);
     if (!more) return false;
     b->settings = more, b->setting_room = room;
   }
@@ -64,10 +65,12 @@ static const char *type_name(vs_bind_parameter_type t) {
   return "one datum";
 }
 
-/* set: the value is the command line's and so is the fault (exit 2); the report then shows the definition's place as a note. */
+/* set: the value is the command line's and so is the fault (exit 2); the report then shows the definition's place as a
+ * note. */
 static vs_status wrong(vs_frame *f, bool set, const char *name, const char *must, const char *got) {
   f->bind->bad_parameter = set;
-  return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s, got %s", name, must, got);
+  return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s, got %s", name,
+                    must, got);
 }
 
 /* (xyz x y z) or (xy x y), as it was read, becomes the point. False: it is none. */
@@ -94,9 +97,12 @@ static vs_status read_setting(vs_frame *f, const char *name, const char *datum, 
     r[0] = vs_is(f->vm->condition, VS_T_CONDITION) ? vs_as_condition(f->vm->condition)->message : VS_FALSE;
     char *text;
     size_t length;
-    if (!vs_is_string(r[0]) || vs_as_condition(f->vm->condition)->kind != f->vm->sym.read || !vs_bind_text(f->vm, r[0], &text, &length)) return VS_ERROR;
+    if (!vs_is_string(r[0]) || vs_as_condition(f->vm->condition)->kind != f->vm->sym.read ||
+        !vs_bind_text(f->vm, r[0], &text, &length))
+      return VS_ERROR;
     f->bind->bad_parameter = true;
-    vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s cannot be %s: %s", name, datum, text);
+    vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s cannot be %s: %s", name, datum,
+               text);
     vs_mem(f->vm, text, length, 0);
     return VS_ERROR;
   }
@@ -143,7 +149,9 @@ static vs_status in_range(vs_frame *f, const vs_bind_parameter *p, vs_value v, b
   if (low_ok && high_ok) return VS_OK;
   vs_bind_number_text(low, p->min), vs_bind_number_text(high, p->max);
   if (f->key[KEY_MIN].given && f->key[KEY_MAX].given) snprintf(must, sizeof must, "from %s to %s", low, high);
-  else snprintf(must, sizeof must, "%s %s", f->key[KEY_MIN].given ? "at least" : "at most", f->key[KEY_MIN].given ? low : high);
+  else
+    snprintf(must, sizeof must, "%s %s", f->key[KEY_MIN].given ? "at least" : "at most",
+             f->key[KEY_MIN].given ? low : high);
   return wrong(f, set, p->name, must, p->value);
 }
 
@@ -165,7 +173,9 @@ static void set_range(vs_frame *f, vs_bind_parameter *p, double d) {
   const vs_arg *k = f->key;
   p->has_range = true;
   p->least = k[KEY_MIN].given, p->most = k[KEY_MAX].given;
-  p->min = k[KEY_MIN].given ? k[KEY_MIN].real : k[KEY_MAX].given && k[KEY_MAX].real <= 0 ? 2 * fmin(d, k[KEY_MAX].real) : fmin(0, 2 * d);
+  p->min = k[KEY_MIN].given                           ? k[KEY_MIN].real
+           : k[KEY_MAX].given && k[KEY_MAX].real <= 0 ? 2 * fmin(d, k[KEY_MAX].real)
+                                                      : fmin(0, 2 * d);
   p->max = k[KEY_MAX].given ? k[KEY_MAX].real : fmax(fmax(0, 2 * d), p->min);
   if (p->max == p->min && !k[KEY_MIN].given && !k[KEY_MAX].given) p->max = p->min + 1; /* a default of 0 */
   p->step = k[KEY_STEP].given ? k[KEY_STEP].real : p->type == VS_P_INTEGER ? 1 : 0;
@@ -181,7 +191,8 @@ static vs_status keep(vs_frame *f, const vs_bind_parameter *p) {
     }
   if (b->parameter_count == b->parameter_room) {
     size_t room = b->parameter_room ? b->parameter_room * 2 : 8;
-    vs_bind_parameter *more = vs_store_realloc(b->store, b->parameters, b->parameter_room * sizeof *more, room * sizeof *more);
+    vs_bind_parameter *more =
+        vs_store_realloc(b->store, b->parameters, b->parameter_room * sizeof *more, room * sizeof *more);
     if (!more) return vs_fail_memory(f->vm);
     b->parameters = more, b->parameter_room = room;
   }
@@ -204,7 +215,8 @@ static vs_status define(vs_frame *f, vs_bind_parameter *p, vs_value *value, vs_v
     set_range(f, p, d);
     if (p->min > p->max) return vs_fail(f->vm, f->vm->sym.range, "#:min must not be more than #:max");
   } else if (k[KEY_MIN].given || k[KEY_MAX].given || k[KEY_STEP].given)
-    return vs_fail(f->vm, f->vm->sym.range, "#:min, #:max and #:step are for numbers; %s is %s", p->name, vs_noun(f->vm, first));
+    return vs_fail(f->vm, f->vm->sym.range, "#:min, #:max and #:step are for numbers; %s is %s", p->name,
+                   vs_noun(f->vm, first));
   if (k[KEY_CHOICES].given && !read_choices(f, p)) return VS_ERROR;
   if (k[KEY_CHOICES].given) p->has_range = false;
   if (!(p->value = p->default_value = written(f, first)) || !in_range(f, p, first, false)) return VS_ERROR;

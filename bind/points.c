@@ -47,7 +47,9 @@ vs_status vs_p_cy(vs_frame *f, vs_value *out) { return vs_bind_real(f, P(0).y, o
 vs_status vs_p_cz(vs_frame *f, vs_value *out) { return vs_bind_real(f, P(0).z, out); }
 vs_status vs_p_pol_rho(vs_frame *f, vs_value *out) { return vs_bind_real(f, hypot(P(0).x, P(0).y), out); }
 vs_status vs_p_pol_phi(vs_frame *f, vs_value *out) { return vs_bind_real(f, atan2(P(0).y, P(0).x), out); }
-vs_status vs_p_sph_psi(vs_frame *f, vs_value *out) { return vs_bind_real(f, atan2(hypot(P(0).x, P(0).y), P(0).z), out); }
+vs_status vs_p_sph_psi(vs_frame *f, vs_value *out) {
+  return vs_bind_real(f, atan2(hypot(P(0).x, P(0).y), P(0).z), out);
+}
 vs_status vs_p_length(vs_frame *f, vs_value *out) {
   return vs_bind_real(f, vs_flat_length(P(0).x, P(0).y, P(0).z), out);
 }
@@ -101,19 +103,26 @@ vs_status vs_p_distance(vs_frame *f, vs_value *out) {
   vs_vec3 d = vs_v3_sub(P(1), P(0));
   return vs_bind_real(f, vs_flat_length(d.x, d.y, d.z), out);
 }
-static vs_vec3 between(vs_vec3 p, vs_vec3 q, double t) { return t == 1 ? q : vs_v3_add(p, vs_v3_scale(vs_v3_sub(q, p), t)); }
+static vs_vec3 between(vs_vec3 p, vs_vec3 q, double t) {
+  return t == 1 ? q : vs_v3_add(p, vs_v3_scale(vs_v3_sub(q, p), t));
+}
 vs_status vs_p_mid(vs_frame *f, vs_value *out) { return vs_bind_point(f, between(P(0), P(1), .5), out); }
-vs_status vs_p_intermediate_point(vs_frame *f, vs_value *out) { return vs_bind_point(f, between(P(0), P(1), X(2)), out); }
+vs_status vs_p_intermediate_point(vs_frame *f, vs_value *out) {
+  return vs_bind_point(f, between(P(0), P(1), X(2)), out);
+}
 
-/* Two numbers, or two of a kind: numbers, axes, planes and matrices by their largest difference, points and gvectors by how far they are apart */
+/* Two numbers, or two of a kind: numbers, axes, planes and matrices by their largest difference, points and gvectors by
+ * how far they are apart */
 vs_status vs_p_near(vs_frame *f, vs_value *out) {
   double tolerance = f->arg[2].given ? X(2) : 1e-9, apart = 0;
   vs_value a = f->arg[0].value, b = f->arg[1].value;
   bool flat = vs_is(a, VS_T_FLAT);
-  if (flat != vs_is(b, VS_T_FLAT) || (flat && vs_as_flat(a)->h.flags != vs_as_flat(b)->h.flags)) return *out = VS_FALSE, VS_OK;
+  if (flat != vs_is(b, VS_T_FLAT) || (flat && vs_as_flat(a)->h.flags != vs_as_flat(b)->h.flags))
+    return *out = VS_FALSE, VS_OK;
   if (!flat) return *out = vs_bool(X(0) == X(1) || fabs(X(0) - X(1)) <= tolerance), VS_OK;
   const double *p = vs_as_flat(a)->at, *q = vs_as_flat(b)->at;
-  if (vs_is_flat(a, VS_FLAT_POINT) || vs_is_flat(a, VS_FLAT_VECTOR)) apart = hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
+  if (vs_is_flat(a, VS_FLAT_POINT) || vs_is_flat(a, VS_FLAT_VECTOR))
+    apart = hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
   else for (size_t i = 0; i < (vs_is_flat(a, VS_FLAT_MATRIX) ? 16 : 6); i++) apart = fmax(apart, fabs(p[i] - q[i]));
   return *out = vs_bool(apart <= tolerance), VS_OK;
 }
@@ -128,5 +137,9 @@ vs_status vs_p_is_axis(vs_frame *f, vs_value *out) { return is_tag(f, VS_FLAT_AX
 vs_status vs_p_is_plane(vs_frame *f, vs_value *out) { return is_tag(f, VS_FLAT_PLANE, out); }
 vs_status vs_p_is_matrix(vs_frame *f, vs_value *out) { return is_tag(f, VS_FLAT_MATRIX, out); }
 
-vs_status vs_p_degrees_radians(vs_frame *f, vs_value *out) { return vs_bind_real(f, X(0) / 180 * 3.14159265358979323846, out); }
-vs_status vs_p_radians_degrees(vs_frame *f, vs_value *out) { return vs_bind_real(f, X(0) / 3.14159265358979323846 * 180, out); }
+vs_status vs_p_degrees_radians(vs_frame *f, vs_value *out) {
+  return vs_bind_real(f, X(0) / 180 * 3.14159265358979323846, out);
+}
+vs_status vs_p_radians_degrees(vs_frame *f, vs_value *out) {
+  return vs_bind_real(f, X(0) / 3.14159265358979323846 * 180, out);
+}

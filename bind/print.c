@@ -1,4 +1,5 @@
-/* Owns the text of an object: the expression that makes it, from the field table of prims.def; iterative, so the depth is no matter. */
+/* Owns the text of an object: the expression that makes it, from the field table of prims.def; iterative, so the depth
+ * is no matter. */
 #include "bind/bind.h"
 
 #include <stdio.h>
@@ -23,7 +24,8 @@ static bool number(const sink *k, double d) {
   return text(k, t);
 }
 static bool triple(const sink *k, const char *maker, vs_vec3 v) {
-  return text(k, "(") && text(k, maker) && text(k, " ") && number(k, v.x) && text(k, " ") && number(k, v.y) && text(k, " ") && number(k, v.z) && text(k, ")");
+  return text(k, "(") && text(k, maker) && text(k, " ") && number(k, v.x) && text(k, " ") && number(k, v.y) &&
+         text(k, " ") && number(k, v.z) && text(k, ")");
 }
 static bool quoted(const sink *k, const char *s) {
   if (!text(k, "\"")) return false;
@@ -69,7 +71,8 @@ static bool matrix(const sink *k, const vs_affine *m) {
 
 static bool material(const sink *k, const vs_material *m) {
   if (*m->name) return quoted(k, m->name);
-  return text(k, "(list ") && number(k, m->red) && text(k, " ") && number(k, m->green) && text(k, " ") && number(k, m->blue) && text(k, ")");
+  return text(k, "(list ") && number(k, m->red) && text(k, " ") && number(k, m->green) && text(k, " ") &&
+         number(k, m->blue) && text(k, ")");
 }
 
 /* the fields that follow the children, or come before them where there are none */
@@ -105,7 +108,8 @@ static bool named(const sink *k, const vs_node *n, const char *const *names) {
     if (!f || !text(k, " ") || !field(k, f, vs_node_data(n))) return false;
   }
   const vs_field_info *s = find(n, "segments");
-  return !s || !*(const int32_t *)(const void *)((const char *)vs_node_data(n) + s->offset) || (text(k, " #:segments ") && field(k, s, vs_node_data(n)));
+  return !s || !*(const int32_t *)(const void *)((const char *)vs_node_data(n) + s->offset) ||
+         (text(k, " #:segments ") && field(k, s, vs_node_data(n)));
 }
 
 /* "(make-NAME", with the fields in the table's order and segments only where given */
@@ -113,12 +117,14 @@ static bool by_row(const sink *k, const vs_node *n) {
   const vs_kind_info *i = vs_kind_get((vs_kind)n->kind);
   if (!text(k, "(make-") || !text(k, i->name)) return false;
   for (size_t f = 0; f < i->field_count; f++)
-    if (strcmp(i->fields[f].argument, "segments") && !(text(k, " ") && field(k, &i->fields[f], vs_node_data(n)))) return false;
+    if (strcmp(i->fields[f].argument, "segments") && !(text(k, " ") && field(k, &i->fields[f], vs_node_data(n))))
+      return false;
   return named(k, n, (const char *const[]){ NULL });
 }
 
 static bool half_space(const sink *k, const struct vs_half_space *h) {
-  return text(k, "(make-half-space (make-plane ") && triple(k, "xyz", h->point) && text(k, " ") && triple(k, "vxyz", h->normal) && text(k, ")");
+  return text(k, "(make-half-space (make-plane ") && triple(k, "xyz", h->point) && text(k, " ") &&
+         triple(k, "vxyz", h->normal) && text(k, ")");
 }
 
 /* rows of heights over the rectangle of the first and the last point */
@@ -128,7 +134,8 @@ static bool height_field(const sink *k, const struct vs_height_field *h) {
   for (uint32_t i = 0; i < p->count; i++)
     if (!text(k, i % (uint32_t)h->columns ? " " : i ? ") (" : "(") || !number(k, p->at[i].z)) return false;
   vs_vec3 a = p->at[0], b = p->at[p->count - 1];
-  return text(k, ")) ") && triple(k, "xyz", vs_v3(a.x, a.y, 0)) && text(k, " ") && triple(k, "xyz", vs_v3(b.x, b.y, 0)) && text(k, " #:low ") && number(k, h->low);
+  return text(k, ")) ") && triple(k, "xyz", vs_v3(a.x, a.y, 0)) && text(k, " ") &&
+         triple(k, "xyz", vs_v3(b.x, b.y, 0)) && text(k, " #:low ") && number(k, h->low);
 }
 
 static bool grid_ways(const sink *k, bool closed_u, bool closed_v) {
@@ -159,23 +166,28 @@ static bool opening(const sink *k, const vs_node *n) {
         vs_vec3 p = VS_AS(line, n)->points->at[0];
         return text(k, "(xyz ") && number(k, p.x) && text(k, " ") && number(k, p.y) && text(k, " ") && number(k, p.z);
       }
-      return text(k, VS_AS(line, n)->closed ? "(make-polygon" : "(make-line") && named(k, n, (const char *const[]){ "points", NULL });
+      return text(k, VS_AS(line, n)->closed ? "(make-polygon" : "(make-line") &&
+             named(k, n, (const char *const[]){ "points", NULL });
     case VS_SPLINE: {
       const struct vs_spline *s = VS_AS(spline, n);
       if (!text(k, "(make-spline (list")) return false;
       for (uint32_t i = 0; i < s->points->count + (s->closed ? 1u : 0u); i++)
         if (!text(k, " ") || !triple(k, "xyz", s->points->at[i % s->points->count])) return false;
       bool tangents = !vs_v3_equal(s->start_tangent, vs_v3(0, 0, 0)) || !vs_v3_equal(s->end_tangent, vs_v3(0, 0, 0));
-      return text(k, ")") && named(k, n, tangents ? (const char *const[]){ "start-tangent", "end-tangent", NULL } : none);
+      return text(k, ")") &&
+             named(k, n, tangents ? (const char *const[]){ "start-tangent", "end-tangent", NULL } : none);
     }
-    case VS_POLYFACE_MESH: return text(k, "(make-polyface-mesh") && named(k, n, (const char *const[]){ "points", "faces", NULL });
+    case VS_POLYFACE_MESH:
+      return text(k, "(make-polyface-mesh") && named(k, n, (const char *const[]){ "points", "faces", NULL });
     case VS_REGION: return text(k, "(make-region");
     case VS_TEXT: return letters(k, n);
 #include "model/shape_cases.def"
       if (n->kind == VS_HALF_SPACE) return half_space(k, VS_AS(half_space, n));
       if (n->kind == VS_HEIGHT_FIELD) return height_field(k, VS_AS(height_field, n)); /* fall through */
     case VS_ARC: case VS_CIRCLE: case VS_XLINE: case VS_RAY: return by_row(k, n);
-    case VS_HULL: return text(k, "(hull") && (!VS_AS(hull, n)->points->count || named(k, n, (const char *const[]){ "points", NULL }));
+    case VS_HULL:
+      return text(k, "(hull") &&
+             (!VS_AS(hull, n)->points->count || named(k, n, (const char *const[]){ "points", NULL }));
     case VS_SLICE: return text(k, "(do-slice");
     case VS_DEFORM: { /* scopes look to -Y, and their y is Z */
       const struct vs_deform *d = VS_AS(deform, n);
@@ -194,13 +206,18 @@ static bool opening(const sink *k, const vs_node *n) {
     }
     case VS_GRID_SURFACE: {
       const struct vs_grid_surface *g = VS_AS(grid_surface, n);
-      return text(k, "(make-surface") && rows(k, g->points, (size_t)g->columns) && grid_ways(k, g->closed_u, g->closed_v);
+      return text(k, "(make-surface") && rows(k, g->points, (size_t)g->columns) &&
+             grid_ways(k, g->closed_u, g->closed_v);
     }
     case VS_JOIN: return text(k, "(join-curves");
     case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES: return text(k, "(do-") && text(k, name);
     case VS_TRANSFORM: return text(k, is_moved(&VS_AS(transform, n)->matrix) ? "(do-move" : "(do-transform");
-    case VS_MATERIAL: return text(k, *VS_AS(material, n)->material->name ? "(with-material " : "(color ") && material(k, VS_AS(material, n)->material);
-    case VS_NATIVE: return text(k, "(native '") && text(k, VS_AS(native, n)->target) && named(k, n, (const char *const[]){ "text", NULL }) && text(k, " #:otherwise");
+    case VS_MATERIAL:
+      return text(k, *VS_AS(material, n)->material->name ? "(with-material " : "(color ") &&
+             material(k, VS_AS(material, n)->material);
+    case VS_NATIVE:
+      return text(k, "(native '") && text(k, VS_AS(native, n)->target) &&
+             named(k, n, (const char *const[]){ "text", NULL }) && text(k, " #:otherwise");
     case VS_CUSTOM: return text(k, VS_AS(custom, n)->made); /* what it stands for is not shown */
     case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: return text(k, "(") && text(k, name);
     case VS_LAYER: return text(k, "(layer") && named(k, n, (const char *const[]){ "name", NULL });
@@ -215,23 +232,33 @@ static bool closing(const sink *k, const vs_node *n) {
   if (n->kind == VS_CUSTOM) return true;
   if (n->kind == VS_EXTRUDE) {
     const struct vs_extrude *e = VS_AS(extrude, n);
-    if (n->child_count == 1 && !(text(k, " ") && (e->along.x == 0 && e->along.y == 0 ? number(k, e->along.z) : triple(k, "vxyz", e->along)))) return false;
+    if (n->child_count == 1 &&
+        !(text(k, " ") && (e->along.x == 0 && e->along.y == 0 ? number(k, e->along.z) : triple(k, "vxyz", e->along))))
+      return false;
     if (e->taper != 0 && !(text(k, " ") && number(k, e->taper))) return false;
     if (e->twist != 0 && !(text(k, " #:twist ") && number(k, e->twist))) return false;
     if (e->scale != 1 && !(text(k, " #:scale ") && number(k, e->scale))) return false;
     if (e->center && !text(k, " #:centre #t")) return false;
   } else if (n->kind == VS_SWEEP) {
     const struct vs_sweep *s = VS_AS(sweep, n);
-    if ((s->twist != 0 || s->scale != 1) && !(text(k, " ") && number(k, s->twist) && text(k, " ") && number(k, s->scale))) return false;
+    if ((s->twist != 0 || s->scale != 1) &&
+        !(text(k, " ") && number(k, s->twist) && text(k, " ") && number(k, s->scale)))
+      return false;
     if (s->has_base && !(text(k, " #:base ") && triple(k, "xyz", s->base))) return false;
     if (vs_v3_length(s->up) > 0 && !(text(k, " #:up ") && triple(k, "vxyz", s->up))) return false;
   } else if (n->kind == VS_SLICE) {
     const struct vs_slice *s = VS_AS(slice, n);
-    if (!text(k, " (make-plane ") || !triple(k, "xyz", s->point) || !text(k, " ") || !triple(k, "vxyz", s->normal) || !text(k, ")")) return false;
+    if (!text(k, " (make-plane ") || !triple(k, "xyz", s->point) || !text(k, " ") || !triple(k, "vxyz", s->normal) ||
+        !text(k, ")"))
+      return false;
   } else if (n->kind == VS_REVOLVE) {
     const struct vs_revolve *r = VS_AS(revolve, n);
-    if (!text(k, " (make-axis ") || !triple(k, "xyz", r->at) || !text(k, " ") || !triple(k, "vxyz", r->direction) || !text(k, ")")) return false;
-    if ((r->start != 0 || r->end != TURN) && !(text(k, " ") && number(k, r->start) && text(k, " ") && number(k, r->end))) return false;
+    if (!text(k, " (make-axis ") || !triple(k, "xyz", r->at) || !text(k, " ") || !triple(k, "vxyz", r->direction) ||
+        !text(k, ")"))
+      return false;
+    if ((r->start != 0 || r->end != TURN) &&
+        !(text(k, " ") && number(k, r->start) && text(k, " ") && number(k, r->end)))
+      return false;
     if (!named(k, n, (const char *const[]){ NULL })) return false;
   } else if (n->kind == VS_LOFT) {
     const struct vs_loft *l = VS_AS(loft, n);
@@ -241,17 +268,22 @@ static bool closing(const sink *k, const vs_node *n) {
     if (!text(k, ")")) return false;
   } else if (n->kind == VS_OFFSET) {
     const struct vs_offset *o = VS_AS(offset, n);
-    if (!text(k, " ") || !number(k, o->distance) || (*o->corners != 'm' && !(text(k, " #:corners '") && text(k, o->corners)))) return false;
+    if (!text(k, " ") || !number(k, o->distance) ||
+        (*o->corners != 'm' && !(text(k, " #:corners '") && text(k, o->corners))))
+      return false;
     if (o->segments && !(text(k, " #:segments ") && number(k, o->segments))) return false;
   } else if (n->kind == VS_SECTION || n->kind == VS_PROJECT) {
     vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
     vs_vec3 normal = n->kind == VS_SECTION ? VS_AS(section, n)->normal : VS_AS(project, n)->normal;
-    if (!text(k, " (make-plane ") || !triple(k, "xyz", at) || !text(k, " ") || !triple(k, "vxyz", normal) || !text(k, ")")) return false;
+    if (!text(k, " (make-plane ") || !triple(k, "xyz", at) || !text(k, " ") || !triple(k, "vxyz", normal) ||
+        !text(k, ")"))
+      return false;
   } else if (n->kind == VS_THICKEN) {
     if (!named(k, n, (const char *const[]){ "width", NULL })) return false;
   } else if (n->kind == VS_TRANSFORM) {
     const vs_affine *m = &VS_AS(transform, n)->matrix;
-    if (!text(k, " ") || !(is_moved(m) ? triple(k, "vxyz", vs_v3(m->m[0][3], m->m[1][3], m->m[2][3])) : matrix(k, m))) return false;
+    if (!text(k, " ") || !(is_moved(m) ? triple(k, "vxyz", vs_v3(m->m[0][3], m->m[1][3], m->m[2][3])) : matrix(k, m)))
+      return false;
   }
   return text(k, ")");
 }
@@ -271,7 +303,8 @@ bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, s
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_ref ref;
   size_t depth, printed = 0;
-  uint32_t *left = calloc((size_t)n->depth + 1, sizeof *left); /* at each depth: sections that a guided loft still has, and one */
+  uint32_t *left = calloc((size_t)n->depth + 1, sizeof *left); /* at each depth: sections that a guided loft still has,
+                                                                * and one */
   bool ok = w != NULL && left != NULL;
   while (ok) {
     vs_walk_event e = vs_walk_next(w, &ref, &depth);

@@ -11,7 +11,9 @@ static vs_status truth(bool b, vs_value *out) {
 static const vs_node *node_of(const vs_frame *f) { /* NULL: argument 0 is no object */
   return vs_bind_ref(f->arg[0].value).node;
 }
-static vs_status is_class(const vs_frame *f, vs_class c, vs_value *out) { return truth(node_of(f) && node_of(f)->class_ == c, out); }
+static vs_status is_class(const vs_frame *f, vs_class c, vs_value *out) {
+  return truth(node_of(f) && node_of(f)->class_ == c, out);
+}
 
 vs_status vs_p_is_object(vs_frame *f, vs_value *out) { return truth(node_of(f) != NULL, out); }
 vs_status vs_p_is_curve(vs_frame *f, vs_value *out) { return is_class(f, VS_CURVE, out); }
@@ -68,7 +70,8 @@ static vs_status field_value(vs_frame *f, const vs_field_info *i, const vs_node 
     case VS_FIELD_affine: return vs_bind_matrix(f, at, out);
     case VS_FIELD_points: return list_points(f, *(const vs_points *const *)at, out);
     case VS_FIELD_faces: return list_faces(f, *(const vs_faces *const *)at, out);
-    case VS_FIELD_text: return vs_string_from_utf8(f->vm, *(const char *const *)at, strlen(*(const char *const *)at), out);
+    case VS_FIELD_text:
+      return vs_string_from_utf8(f->vm, *(const char *const *)at, strlen(*(const char *const *)at), out);
     case VS_FIELD_ticket: *out = vs_fix((*(const vs_ticket *const *)at)->id); return VS_OK;
     case VS_FIELD_material: {
       const vs_material *m = *(const vs_material *const *)at;
@@ -85,7 +88,9 @@ vs_status vs_p_object_arguments(vs_frame *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = k->field_count; i-- > 0;) {
-    if (!strcmp(k->fields[i].argument, "segments") && *(const int32_t *)(const void *)((const char *)vs_node_data(n) + k->fields[i].offset) == 0) continue;
+    if (!strcmp(k->fields[i].argument, "segments") &&
+        *(const int32_t *)(const void *)((const char *)vs_node_data(n) + k->fields[i].offset) == 0)
+      continue;
     if (!field_value(f, &k->fields[i], n, &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
   }
   *out = r[0];
@@ -97,7 +102,9 @@ vs_status vs_p_object_children(vs_frame *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (uint32_t i = ref.node->child_count; i-- > 0;)
-    if (!vs_poll(f->vm, 1) || !vs_bind_wrap_ref(f->bind, ref.node->children[i], &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
+    if (!vs_poll(f->vm, 1) || !vs_bind_wrap_ref(f->bind, ref.node->children[i], &r[1]) ||
+        !vs_cons(f->vm, r[1], r[0], &r[0]))
+      return VS_ERROR;
   *out = r[0];
   return VS_OK;
 }
@@ -124,7 +131,9 @@ vs_status vs_bind_error(vs_frame *f, const vs_error *e) {
 vs_status vs_bind_finite(vs_frame *f, int i) {
   const vs_arg *a = &f->arg[i];
   if (!(a->ref.node->flags & VS_NODE_ENDLESS)) return VS_OK;
-  return vs_bind_refuse(f, f->procedure->form[f->form].at[i].name, "finite (a half-space has to be intersected with something that is, or subtracted from it)", a->value);
+  return vs_bind_refuse(f, f->procedure->form[f->form].at[i].name,
+                        "finite (a half-space has to be intersected with something that is, or subtracted from it)",
+                        a->value);
 }
 
 vs_status vs_p_contains(vs_frame *f, vs_value *out) {
@@ -133,7 +142,8 @@ vs_status vs_p_contains(vs_frame *f, vs_value *out) {
   bool inside = false;
   vs_error e = { 0 };
   if (n->class_ == VS_NOTHING) return truth(false, out);
-  if (n->class_ == VS_REGION_CLASS) return vs_region_contains(n, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);
+  if (n->class_ == VS_REGION_CLASS)
+    return vs_region_contains(n, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);
   if (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED) { /* taken as filled */
     if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
     vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);

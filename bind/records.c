@@ -13,11 +13,14 @@ static const vs_flat_type types[] = {
 enum { NUMBER = 0, P = VS_FLAT_POINT, V = VS_FLAT_VECTOR };
 
 /* what + - * / take besides numbers; all else is an error that names both kinds */
-static const struct { uint8_t op, left, right, rule, result; } arithmetic[] = {
-  { VS_OP_ADD, P, V, VS_RULE_ADD, P },      { VS_OP_ADD, V, P, VS_RULE_ADD, P },      { VS_OP_ADD, V, V, VS_RULE_ADD, V },
-  { VS_OP_SUB, P, V, VS_RULE_SUB, P },      { VS_OP_SUB, P, P, VS_RULE_SUB, V },      { VS_OP_SUB, V, V, VS_RULE_SUB, V },
+static const struct { uint8_t op, left, right, rule, result;
+} arithmetic[] = {
+  { VS_OP_ADD, P, V, VS_RULE_ADD, P },      { VS_OP_ADD, V, P, VS_RULE_ADD, P },
+  { VS_OP_ADD, V, V, VS_RULE_ADD, V },      { VS_OP_SUB, P, V, VS_RULE_SUB, P },
+  { VS_OP_SUB, P, P, VS_RULE_SUB, V },      { VS_OP_SUB, V, V, VS_RULE_SUB, V },
   { VS_OP_SUB, NUMBER, V, VS_RULE_SUB, V }, /* (- v) */
-  { VS_OP_MUL, NUMBER, V, VS_RULE_MUL, V }, { VS_OP_MUL, V, NUMBER, VS_RULE_MUL, V }, { VS_OP_DIV, V, NUMBER, VS_RULE_DIV, V },
+  { VS_OP_MUL, NUMBER, V, VS_RULE_MUL, V }, { VS_OP_MUL, V, NUMBER, VS_RULE_MUL, V },
+  { VS_OP_DIV, V, NUMBER, VS_RULE_DIV, V },
 };
 
 /* procedures that run as one opcode */

@@ -18,11 +18,13 @@ const vs_native_table vs_bind_reserved_table = { "reserved", defs };
 
 static vs_status refuse(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n, (void)out;
-  return vs_fail(vm, vm->sym.unbound, "this name is reserved: it is not there yet; %s", reserved[vm->native->def - defs].instead);
+  return vs_fail(vm, vm->sym.unbound, "this name is reserved: it is not there yet; %s",
+                 reserved[vm->native->def - defs].instead);
 }
 
 /* the same for syntax, which geometry.scm defines */
 vs_status vs_p_reserved(vs_frame *f, vs_value *out) {
   (void)out;
-  return vs_fail_at(f->vm, f->vm->sym.unbound, vs_call_place(f->vm), VS_NIL, "%s: this name is reserved: it is not there yet; %s", f->arg[0].text.at, f->arg[1].text.at);
+  return vs_fail_at(f->vm, f->vm->sym.unbound, vs_call_place(f->vm), VS_NIL,
+                    "%s: this name is reserved: it is not there yet; %s", f->arg[0].text.at, f->arg[1].text.at);
 }

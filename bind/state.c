@@ -1,5 +1,5 @@
-/* Owns the life of what bind/ keeps besides the heap, and the rule of what a file's model is: what it drew, else what its top-level
- * expressions returned. */
+/* Owns the life of what bind/ keeps besides the heap, and the rule of what a file's model is: what it drew, else what
+ * its top-level expressions returned. */
 #include "bind/bind.h"
 
 #include "model/store/cache.h"
@@ -27,7 +27,8 @@ static void forget_run(vs_bind *b) {
   forget_returned(b);
   vs_store_realloc(s, b->returned, b->returned_room * sizeof *b->returned, 0);
   vs_store_realloc(s, b->told, b->told_room * sizeof *b->told, 0);
-  for (size_t i = 0; i < b->parameter_count; i++) vs_store_realloc(s, b->parameters[i].choices, b->parameters[i].choice_count * sizeof *b->parameters->choices, 0);
+  for (size_t i = 0; i < b->parameter_count; i++)
+    vs_store_realloc(s, b->parameters[i].choices, b->parameters[i].choice_count * sizeof *b->parameters->choices, 0);
   vs_store_realloc(s, b->parameters, b->parameter_room * sizeof *b->parameters, 0);
   vs_lineage_free(b);
   vs_inside_cache_free(b->inside);
@@ -41,9 +42,18 @@ static void forget_run(vs_bind *b) {
 void vs_bind_restart(vs_bind *b) {
   forget_run(b);
   vs_bind kept = *b;
-  *b = (vs_bind){ .vm = kept.vm, .store = kept.store, .settings = kept.settings, .setting_count = kept.setting_count, .setting_room = kept.setting_room, .refused = kept.refused,
-                  .library_files = kept.library_files, .is_built_in = kept.is_built_in, .is_format = kept.is_format, .host_call = kept.host_call,
-                  .warn = kept.warn, .warn_context = kept.warn_context };
+  *b = (vs_bind){ .vm = kept.vm,
+                  .store = kept.store,
+                  .settings = kept.settings,
+                  .setting_count = kept.setting_count,
+                  .setting_room = kept.setting_room,
+                  .refused = kept.refused,
+                  .library_files = kept.library_files,
+                  .is_built_in = kept.is_built_in,
+                  .is_format = kept.is_format,
+                  .host_call = kept.host_call,
+                  .warn = kept.warn,
+                  .warn_context = kept.warn_context };
   for (size_t i = 0; i < b->setting_count; i++) b->settings[i].used = false;
   vs_scene_init(&b->scene, b->store);
   vs_store_on_ticket(b->store, vs_bind_ticket_gone, b);
@@ -74,7 +84,8 @@ static bool remember(vs_bind *b, vs_ref ref, bool shown) {
   }
   if (b->returned_count == b->returned_room) {
     size_t room = b->returned_room ? b->returned_room * 2 : 16;
-    void *more = vs_store_realloc(b->store, b->returned, b->returned_room * sizeof *b->returned, room * sizeof *b->returned);
+    void *more =
+        vs_store_realloc(b->store, b->returned, b->returned_room * sizeof *b->returned, room * sizeof *b->returned);
     if (!more) return vs_fail_memory(b->vm);
     b->returned = more, b->returned_room = room;
   }
@@ -101,8 +112,8 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   return ok;
 }
 
-/* Was it drawn too, then or later, itself or as a part? Only the first is looked for: a part drawn alone is rare. (draw a list) draws its
- * objects and returns their union. */
+/* Was it drawn too, then or later, itself or as a part? Only the first is looked for: a part drawn alone is rare. (draw
+ * a list) draws its objects and returns their union. */
 static bool drawn(const vs_nodemap *all, const vs_node *n) {
   if (vs_nodemap_get(all, n)) return true;
   if (n->kind != VS_UNION) return false;
@@ -117,7 +128,8 @@ bool vs_bind_finish(vs_bind *b) {
   if (b->away) return false; /* the drawing is a node's */
   vs_nodemap all = { .store = b->store };
   bool known = b->returned_count > 0; /* without memory for the question the warnings are left out */
-  for (size_t i = 0; known && i < b->scene.drawn_count; i++) known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
+  for (size_t i = 0; known && i < b->scene.drawn_count; i++)
+    known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
   for (size_t i = 0; known && i < b->returned_count; i++)
     if (!b->returned[i].shown && !drawn(&all, b->returned[i].node) && !vs_bind_is_empty(b->returned[i].node))
       vs_bind_warn_thrown(b, b->returned[i].node, b->returned[i].origin, false);
@@ -128,7 +140,9 @@ bool vs_bind_finish(vs_bind *b) {
 
 /* ---- counting: sums, one per shared node, so that a DAG costs what it has nodes ---- */
 
-static bool is_transparent(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n); }
+static bool is_transparent(const vs_node *n) {
+  return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
+}
 
 static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, const vs_bind_counts *sums) {
   vs_bind_counts c = { 0 };

@@ -1,9 +1,10 @@
-/* Owns telling what a program made and threw away: objects that a body made before its last expression, or that stood at the top of a file
- * that draws others.
+/* Owns telling what a program made and threw away: objects that a body made before its last expression, or that stood
+ * at the top of a file that draws others.
  *
- * The run loop hands over each object that an expression before a body's last one gave, of a list the first. An object that `draw` has just given back is nothing of note;
- * of the rest the first at each place is kept, for a few places, and looked for at the end of the evaluation: a program may have put it
- * into a list of its own, and what is part of the model in the end was not thrown away. */
+ * The run loop hands over each object that an expression before a body's last one gave, of a list the first. An object
+ * that `draw` has just given back is nothing of note; of the rest the first at each place is kept, for a few places,
+ * and looked for at the end of the evaluation: a program may have put it into a list of its own, and what is part of
+ * the model in the end was not thrown away. */
 #include "bind/bind.h"
 
 #include "model/store/nodemap.h"
@@ -13,7 +14,9 @@ void vs_bind_forget_dropped(vs_bind *b) {
   b->dropped_count = 0;
 }
 
-static bool same_place(const vs_origin *a, const vs_origin *b) { return a->file == b->file && a->line == b->line && a->column == b->column; }
+static bool same_place(const vs_origin *a, const vs_origin *b) {
+  return a->file == b->file && a->line == b->line && a->column == b->column;
+}
 
 void vs_bind_dropped(vs_scheme *vm, vs_value v) {
   vs_bind *b = vs_bind_of(vm);
@@ -29,10 +32,14 @@ void vs_bind_dropped(vs_scheme *vm, vs_value v) {
 
 void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origin, bool in_body) {
   if (!b->warn || vs_bind_warned(b, origin, "thrown away")) return;
-  b->warn(b->warn_context, origin,
-          node->kind == VS_TRANSFORM ? "this object is made and thrown away: do-move returns the moved object, as do-rotate and the like do; what they were given stays as it was"
-          : in_body                  ? "this object is made and thrown away: a body gives only its last value, a loop none; unite them, or (draw ...) each"
-                                     : "this object is made and thrown away: others are drawn, this one is not; unite them, or (draw ...) it too");
+  b->warn(
+      b->warn_context, origin,
+      node->kind == VS_TRANSFORM ? "this object is made and thrown away: do-move returns the moved object, as "
+                                   "do-rotate and the like do; what they were given stays as it was"
+      : in_body
+          ? "this object is made and thrown away: a body gives only its last value, a loop none; unite them, or (draw "
+            "...) each"
+          : "this object is made and thrown away: others are drawn, this one is not; unite them, or (draw ...) it too");
 }
 
 /* Takes from `left` what is found below the root. */
@@ -62,12 +69,14 @@ static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, si
 void vs_bind_tell_dropped(vs_bind *b) {
   size_t count = b->dropped_count;
   if (count == 0) return;
-  bool left[sizeof b->dropped / sizeof *b->dropped], ok = true; /* without memory for the question the warnings are left out */
+  bool left[sizeof b->dropped / sizeof *b->dropped], ok = true; /* without memory for the question the warnings are left
+                                                                 * out */
   for (size_t i = 0; i < count; i++) left[i] = true;
   vs_nodemap seen = { .store = b->store };
   size_t roots = b->drew ? b->scene.drawn_count : b->returned_count;
   for (size_t i = 0; ok && i < roots && count > 0; i++)
-    ok = look_below(b, &seen, b->drew ? b->scene.drawn[i] : (vs_ref){ b->returned[i].node, b->returned[i].origin }, left, &count);
+    ok = look_below(b, &seen, b->drew ? b->scene.drawn[i] : (vs_ref){ b->returned[i].node, b->returned[i].origin },
+                    left, &count);
   vs_nodemap_free(&seen);
   for (size_t i = 0; ok && i < b->dropped_count; i++)
     if (left[i]) vs_bind_warn_thrown(b, b->dropped[i].node, b->dropped[i].origin, true);

@@ -1,4 +1,5 @@
-/* Owns one run of the command: the interpreter, its options, its console. Shared by main.c (batch) and repl.c (the prompt). */
+/* Owns one run of the command: the interpreter, its options, its console. Shared by main.c (batch) and repl.c (the
+   prompt). */
 #ifndef VS_CLI_SESSION_H
 #define VS_CLI_SESSION_H
 
@@ -35,8 +36,10 @@ typedef struct {
 } cli_session;
 
 /* vs_eval_text, watched. */
-vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags);
-/* Runs what the command line named, or model, from the start: definitions, drawing and the rest are forgotten first. Then the summary. */
+vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length,
+                            unsigned flags);
+/* Runs what the command line named, or model, from the start: definitions, drawing and the rest are forgotten first.
+   Then the summary. */
 vs_outcome cli_session_run(cli_session *c);
 /* Writes the drawing as the target says. */
 vs_outcome cli_session_write(cli_session *c, const cli_target *t);

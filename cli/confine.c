@@ -1,7 +1,9 @@
-/* Owns the confinement of an untrusted model's process and of the worker that it starts: Landlock for files, a seccomp filter for the rest.
+/* Owns the confinement of an untrusted model's process and of the worker that it starts: Landlock for files, a seccomp
+ * filter for the rest.
  *
- * It is the second wall. The first is that the library opens nothing by itself when it is told that a model is untrusted, and that untrusted.c
- * reads only what lies beneath the model's folder; what follows holds even where a library that decodes a picture or a font is taken over. */
+ * It is the second wall. The first is that the library opens nothing by itself when it is told that a model is
+ * untrusted, and that untrusted.c reads only what lies beneath the model's folder; what follows holds even where a
+ * library that decodes a picture or a font is taken over. */
 #define _GNU_SOURCE
 #include "cli/confine.h"
 
@@ -23,8 +25,18 @@
 /* Landlock's numbers, which older headers of the system do not have: linux/landlock.h. */
 enum { RULESET_CREATE = 444, RULESET_ADD = 445, RULESET_RESTRICT = 446, RULESET_VERSION = 1, RULE_BENEATH = 1 };
 enum {
-  FS_EXECUTE = 1 << 0, FS_WRITE = 1 << 1, FS_READ = 1 << 2, FS_READ_FOLDER = 1 << 3, FS_REMOVE_FOLDER = 1 << 4, FS_REMOVE = 1 << 5, FS_MAKE_FOLDER = 1 << 7,
-  FS_MAKE = 1 << 8, FS_ALL_1 = (1 << 13) - 1, FS_REFER = 1 << 13 /* version 2 */, FS_TRUNCATE = 1 << 14 /* 3 */, NET_ALL = 3 /* 4: bind and connect */
+  FS_EXECUTE = 1 << 0,
+  FS_WRITE = 1 << 1,
+  FS_READ = 1 << 2,
+  FS_READ_FOLDER = 1 << 3,
+  FS_REMOVE_FOLDER = 1 << 4,
+  FS_REMOVE = 1 << 5,
+  FS_MAKE_FOLDER = 1 << 7,
+  FS_MAKE = 1 << 8,
+  FS_ALL_1 = (1 << 13) - 1,
+  FS_REFER = 1 << 13 /* version 2 */,
+  FS_TRUNCATE = 1 << 14 /* 3 */,
+  NET_ALL = 3 /* 4: bind and connect */
 };
 typedef struct { uint64_t files, net; } ruleset;
 typedef struct __attribute__((packed)) { uint64_t allowed; int32_t parent; } rule;
@@ -39,13 +51,17 @@ static void allow(int rules, const char *path, uint64_t what, uint64_t handled) 
 }
 
 static bool confine_files(const char *model, const char *const *written, size_t count, const char *scratch) {
-  static const char *const system[] = { "/usr", "/lib", "/lib64", "/bin", "/etc/ld.so.cache", "/etc/localtime", "/sys/devices/system/cpu" };
+  static const char *const system[] = {
+    "/usr", "/lib", "/lib64", "/bin", "/etc/ld.so.cache", "/etc/localtime", "/sys/devices/system/cpu"
+  };
   long version = syscall(RULESET_CREATE, NULL, 0, RULESET_VERSION);
   if (version < 1) return false;
-  ruleset all = { FS_ALL_1 | (version >= 2 ? FS_REFER : 0) | (version >= 3 ? FS_TRUNCATE : 0), version >= 4 ? NET_ALL : 0 };
+  ruleset all = { FS_ALL_1 | (version >= 2 ? FS_REFER : 0) | (version >= 3 ? FS_TRUNCATE : 0),
+                  version >= 4 ? NET_ALL : 0 };
   int rules = (int)syscall(RULESET_CREATE, &all, version >= 4 ? sizeof all : sizeof all.files, 0);
   if (rules < 0) return false;
-  for (size_t i = 0; i < sizeof system / sizeof *system; i++) allow(rules, system[i], FS_EXECUTE | FS_READ | FS_READ_FOLDER, all.files);
+  for (size_t i = 0; i < sizeof system / sizeof *system; i++)
+    allow(rules, system[i], FS_EXECUTE | FS_READ | FS_READ_FOLDER, all.files);
   allow(rules, "/dev/null", FS_READ | FS_WRITE | FS_TRUNCATE, all.files);
   allow(rules, "/dev/urandom", FS_READ, all.files);
   allow(rules, model, FS_READ | FS_READ_FOLDER, all.files);
@@ -68,9 +84,35 @@ static bool confine_files(const char *model, const char *const *written, size_t 
 static void confine_calls(void) {
 #ifdef ARCHITECTURE
   static const unsigned short refused[] = {
-    SYS_socket, SYS_socketpair, SYS_connect, SYS_bind, SYS_listen, SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_mount, SYS_umount2, SYS_pivot_root, SYS_chroot, SYS_setns,
-    SYS_unshare, SYS_keyctl, SYS_add_key, SYS_request_key, SYS_bpf, SYS_perf_event_open, SYS_userfaultfd, SYS_init_module, SYS_finit_module, SYS_kexec_load, SYS_reboot, SYS_swapon,
-    425 /* io_uring_setup */, 428 /* open_tree */, 429 /* move_mount */, 430 /* fsopen */,
+    SYS_socket,
+    SYS_socketpair,
+    SYS_connect,
+    SYS_bind,
+    SYS_listen,
+    SYS_ptrace,
+    SYS_process_vm_readv,
+    SYS_process_vm_writev,
+    SYS_mount,
+    SYS_umount2,
+    SYS_pivot_root,
+    SYS_chroot,
+    SYS_setns,
+    SYS_unshare,
+    SYS_keyctl,
+    SYS_add_key,
+    SYS_request_key,
+    SYS_bpf,
+    SYS_perf_event_open,
+    SYS_userfaultfd,
+    SYS_init_module,
+    SYS_finit_module,
+    SYS_kexec_load,
+    SYS_reboot,
+    SYS_swapon,
+    425 /* io_uring_setup */,
+    428 /* open_tree */,
+    429 /* move_mount */,
+    430 /* fsopen */,
   };
   enum { REFUSED = sizeof refused / sizeof *refused };
   struct sock_filter code[REFUSED + 7];
@@ -80,7 +122,8 @@ static void confine_calls(void) {
   code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr));
   code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, REFUSED + 1, 0); /* x32's numbers */
-  for (unsigned char i = 0; i < REFUSED; i++) code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, refused[i], (unsigned char)(REFUSED - i), 0);
+  for (unsigned char i = 0; i < REFUSED; i++)
+    code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, refused[i], (unsigned char)(REFUSED - i), 0);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | 1 /* EPERM */);
   struct sock_fprog program = { n, code };
@@ -96,5 +139,7 @@ bool cli_confine(const char *model, const char *const *written, size_t count, co
 }
 
 #else
-bool cli_confine(const char *model, const char *const *written, size_t count, const char *scratch) { return (void)model, (void)written, (void)count, (void)scratch, false; }
+bool cli_confine(const char *model, const char *const *written, size_t count, const char *scratch) {
+  return (void)model, (void)written, (void)count, (void)scratch, false;
+}
 #endif

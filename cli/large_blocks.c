@@ -1,6 +1,7 @@
-/* Owns where the command's large blocks come from: mapped one by one, aligned for huge pages and asking for them. A large model touches all of
- * its memory for the first time, and for each small page of it the system takes longer than the model does to fill it: a million cylinders
- * spend a quarter of their time there. Smaller blocks are the C library's. */
+/* Owns where the command's large blocks come from: mapped one by one, aligned for huge pages and asking for them. A
+ * large model touches all of its memory for the first time, and for each small page of it the system takes longer than
+ * the model does to fill it: a million cylinders spend a quarter of their time there. Smaller blocks are the C
+ * library's. */
 #define _GNU_SOURCE /* mremap */
 #include "cli/large_blocks.h"
 
@@ -16,7 +17,8 @@ static size_t mapped_size(size_t bytes) { return (bytes + PAGE - 1) & ~(size_t)(
 static bool is_mapped(size_t bytes) { return bytes >= HUGE_PAGE; }
 
 static void *map(size_t size, int protection) {
-  void *p = mmap(NULL, size, protection, MAP_PRIVATE | MAP_ANONYMOUS | (protection == PROT_NONE ? MAP_NORESERVE : 0), -1, 0);
+  void *p =
+      mmap(NULL, size, protection, MAP_PRIVATE | MAP_ANONYMOUS | (protection == PROT_NONE ? MAP_NORESERVE : 0), -1, 0);
   return p == MAP_FAILED ? NULL : p;
 }
 

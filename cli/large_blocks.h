@@ -4,7 +4,8 @@
 
 #include <stddef.h>
 
-/* As realloc, a vs_alloc_fn: new_size 0 frees, NULL is failure, old_size is what was asked for. Has no state: any thread may call it. */
+/* As realloc, a vs_alloc_fn: new_size 0 frees, NULL is failure, old_size is what was asked for. Has no state: any
+ * thread may call it. */
 void *cli_memory(void *context, void *old, size_t old_size, size_t new_size);
 
 #endif

@@ -1,12 +1,13 @@
-/* Owns the limits that the process holds by itself, for what the library cannot count or stop: the insides of GEOS, FreeType, OpenEXR and libpng,
- * scratch of a geometric algorithm, a long stretch between two polls.
+/* Owns the limits that the process holds by itself, for what the library cannot count or stop: the insides of GEOS,
+ * FreeType, OpenEXR and libpng, scratch of a geometric algorithm, a long stretch between two polls.
  *
- * Memory. The library counts heap, model and the kernel's meshes, and refuses with a message that has a place. The rest comes from malloc; the
- * kernel of the system refuses it past RLIMIT_DATA, and a refused malloc is an error like any other. Only the soft limit is set, so
- * that a worker program can be given one of its own.
+ * Memory. The library counts heap, model and the kernel's meshes, and refuses with a message that has a place. The rest
+ * comes from malloc; the kernel of the system refuses it past RLIMIT_DATA, and a refused malloc is an error like any
+ * other. Only the soft limit is set, so that a worker program can be given one of its own.
  *
- * Time. The library asks often whether to go on, and stops by itself at its limit. A thread looks on: where the limit has passed and nobody has asked for a while,
- * the process says so and ends. Output files have no name until they are whole, so nothing is left behind. */
+ * Time. The library asks often whether to go on, and stops by itself at its limit. A thread looks on: where the limit
+ * has passed and nobody has asked for a while, the process says so and ends. Output files have no name until they are
+ * whole, so nothing is left behind. */
 #define _GNU_SOURCE
 #include "cli/limits.h"
 
@@ -26,7 +27,10 @@
 #define GRACE_AT_PROMPT 3 /* there the end of the process loses what was typed */
 #define ASLEEP 5  /* seconds without a poll, for a step that waits and takes no processor time */
 
-enum { BESIDE = 4 << 20 /* bytes past a tenth more than the limit: stacks of threads, tables of libraries */, STACK = 256 << 10 };
+enum {
+  BESIDE = 4 << 20 /* bytes past a tenth more than the limit: stacks of threads, tables of libraries */,
+  STACK = 256 << 10
+};
 
 /* ---- memory ---- */
 
@@ -67,7 +71,8 @@ static double seconds(clockid_t clock) {
 
 static double now(void) { return seconds(CLOCK_MONOTONIC); }
 
-/* Seconds that the process was ready to run and the machine had no processor for it: these are not held against the library. */
+/* Seconds that the process was ready to run and the machine had no processor for it: these are not held against the
+ * library. */
 static double starved(int file) {
   char text[100];
   unsigned long long ran, waited = 0;
@@ -78,7 +83,9 @@ static double starved(int file) {
 
 static void end_here(cli_watch *w) {
   char text[400];
-  int n = snprintf(text, sizeof text, "%.200s: stopped after %g seconds, the limit, in a step that cannot be interrupted\n", w->name, w->limit);
+  int n =
+      snprintf(text, sizeof text, "%.200s: stopped after %g seconds, the limit, in a step that cannot be interrupted\n",
+               w->name, w->limit);
   if (ftrylockfile(stdout) == 0) fflush_unlocked(stdout); /* what the program printed; unless it is printing */
   if (!atomic_load(&w->told) && n > 0 && write(STDERR_FILENO, text, (size_t)n) < 0) { /* nobody is left to be told */
   }
@@ -104,8 +111,10 @@ static void *look_on(void *context) {
     if (began != began_seen) began_seen = began, began_starved = lost, began_ran = ran;
     if (polled != polled_seen) polled_seen = polled, polled_starved = lost, polled_ran = ran;
     if (began == 0 || at - began <= w->limit + grace) continue;
-    /* The system counts a wait for a processor when it ends: during one, only the processor time tells that the library could not poll. */
-    double since_began = at - began - (lost - began_starved), since_polled = at - polled - (lost - polled_starved), most = w->limit + grace + 0.1;
+    /* The system counts a wait for a processor when it ends: during one, only the processor time tells that the library
+     * could not poll. */
+    double since_began = at - began - (lost - began_starved), since_polled = at - polled - (lost - polled_starved),
+           most = w->limit + grace + 0.1;
     bool silent = since_polled > grace && ran - polled_ran > grace, asleep = at - polled > ASLEEP;
     bool deaf = atomic_load(&w->evaluating) && since_began > most && ran - began_ran > most;
     if (silent || asleep || deaf) end_here(w);
@@ -121,7 +130,9 @@ bool cli_limits_watch(cli_watch *w) {
   return w->watching;
 }
 
-void cli_watch_open(cli_watch *w) { *w = (cli_watch){ .name = "vs", .scheduling = open("/proc/self/schedstat", O_RDONLY | O_CLOEXEC) }; }
+void cli_watch_open(cli_watch *w) {
+  *w = (cli_watch){ .name = "vs", .scheduling = open("/proc/self/schedstat", O_RDONLY | O_CLOEXEC) };
+}
 
 void cli_watch_close(cli_watch *w) {
   if (!w->watching) return;

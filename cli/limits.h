@@ -22,13 +22,15 @@ typedef struct {
   sem_t closed;               /* posted when the thread has to end */
 } cli_watch;
 
-/* Bounds the memory that the process may write to at a tenth and some megabytes above the limit. Does nothing where the system has no such bound. */
+/* Bounds the memory that the process may write to at a tenth and some megabytes above the limit. Does nothing where the
+ * system has no such bound. */
 void cli_limits_memory(size_t limit);
 /* Bounds all the memory that the process and its children may ever write to. */
 void cli_limits_memory_for_good(size_t most);
 /* Makes a watch that watches nothing yet; opens what it will need when the process is confined. */
 void cli_watch_open(cli_watch *w);
-/* Begins to watch the steps. The thread reads w and its name until cli_watch_close. False: no thread could be started. */
+/* Begins to watch the steps. The thread reads w and its name until cli_watch_close. False: no thread could be
+ * started. */
 bool cli_limits_watch(cli_watch *w);
 
 /* Ends the thread; before w or its name goes. Does nothing where no thread was started. */

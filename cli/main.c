@@ -1,4 +1,5 @@
-/* Owns the command `vs`: runs what the command line names, then writes what it asks for. Exit codes are vs_outcome's. */
+/* Owns the command `vs`: runs what the command line names, then writes what it asks for. Exit codes are
+ * vs_outcome's. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -23,8 +24,9 @@
 #include "cli/study.h"
 #include "live/live.h"
 
-/* A signal handler gets no context: the command's only globals are the interpreter that a signal interrupts, and what came so far.
- * SIGINT ends what runs; SIGTERM and SIGHUP end the prompt as well. None kills at once, so that half-written files and POV-Ray go too. */
+/* A signal handler gets no context: the command's only globals are the interpreter that a signal interrupts, and what
+ * came so far. SIGINT ends what runs; SIGTERM and SIGHUP end the prompt as well. None kills at once, so that
+ * half-written files and POV-Ray go too. */
 static vs_scheme *volatile interrupted_by_signal;
 static volatile sig_atomic_t interrupts, ended;
 
@@ -80,14 +82,17 @@ static void print_diagnostic(void *context, const vs_diagnostic *d) {
 static bool read_untrusted(void *context, const char *path, char **text, size_t *length, const char **why) {
   return cli_untrusted_read(&((cli_session *)context)->untrusted, path, text, length, why);
 }
-static bool list_untrusted(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why) {
+static bool list_untrusted(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length),
+                           void *to, const char **why) {
   return cli_untrusted_list(&((cli_session *)context)->untrusted, path, take, to, why);
 }
 static bool poll_limits(void *context) {
   cli_watch_poll(&((cli_session *)context)->watch);
   return false;
 }
-static void print_progress(void *context, const vs_progress *p) { cli_report_progress(&((cli_session *)context)->reporter, p); }
+static void print_progress(void *context, const vs_progress *p) {
+  cli_report_progress(&((cli_session *)context)->reporter, p);
+}
 
 /* ---- running ---- */
 
@@ -110,7 +115,8 @@ static char *read_all(FILE *from, size_t *length) {
   return text;
 }
 
-vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length, unsigned flags) {
+vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length,
+                            unsigned flags) {
   c->drawn = true;
   cli_watch_begin(&c->watch, true);
   vs_outcome outcome = vs_eval_text(c->scheme, name, first_line, text, length, flags);
@@ -169,7 +175,8 @@ static bool all_parameters_used(cli_session *c) {
     fprintf(stderr, "vs: -D %s: the model has no such parameter", name);
     if (near.best) fprintf(stderr, "; perhaps %s", near.best);
     else if (count) fputs("; it has", stderr);
-    for (size_t k = 0; !near.best && k < count && vs_parameter_get(c->scheme, k, &p); k++) fprintf(stderr, "%s %s", k ? "," : "", p.name);
+    for (size_t k = 0; !near.best && k < count && vs_parameter_get(c->scheme, k, &p); k++)
+      fprintf(stderr, "%s %s", k ? "," : "", p.name);
     fputc('\n', stderr);
   }
   return i == 0;
@@ -183,7 +190,8 @@ static bool write_standard_output(void *context, const void *bytes, size_t count
 vs_outcome cli_session_write(cli_session *c, const cli_target *t) {
   vs_outcome outcome;
   cli_watch_begin(&c->watch, false);
-  if (strcmp(t->path, "-") == 0) outcome = vs_write_drawing_to(c->scheme, t->format, &c->options->output, write_standard_output, c);
+  if (strcmp(t->path, "-") == 0)
+    outcome = vs_write_drawing_to(c->scheme, t->format, &c->options->output, write_standard_output, c);
   else outcome = vs_write_drawing(c->scheme, t->path, t->format, &c->options->output);
   cli_watch_end(&c->watch);
   cli_report_settle(&c->reporter);
@@ -260,7 +268,8 @@ static vs_outcome write_all(cli_session *c) {
 
 static const char *title(const cli_options *o) {
   for (size_t i = o->source_count; i-- > 0;)
-    if (o->sources[i].kind == CLI_SOURCE_FILE) return strcmp(o->sources[i].text, "-") == 0 ? "standard input" : o->sources[i].text;
+    if (o->sources[i].kind == CLI_SOURCE_FILE)
+      return strcmp(o->sources[i].text, "-") == 0 ? "standard input" : o->sources[i].text;
   return "-e";
 }
 
@@ -271,9 +280,11 @@ static vs_outcome run_sources(cli_session *c, bool again) {
   const cli_source *sources = c->model ? &model : o->sources;
   size_t count = c->model ? 1 : o->source_count;
   vs_outcome outcome = VS_OUTCOME_DONE;
-  for (size_t i = 0; i < count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++) outcome = run_source(c, &sources[i]);
+  for (size_t i = 0; i < count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++)
+    outcome = run_source(c, &sources[i]);
   cli_report_settle(&c->reporter);
-  if (outcome == VS_OUTCOME_DONE && !again && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE; /* later what was set may be for another model */
+  /* later what was set may be for another model */
+  if (outcome == VS_OUTCOME_DONE && !again && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE;
   bool files = o->command != CLI_COMMAND_sunstudy; /* not a folder */
   if (outcome == VS_OUTCOME_DONE && !again && files && !cli_options_late(o, c->scheme)) outcome = VS_OUTCOME_USAGE;
   if (outcome == VS_OUTCOME_DONE && !o->quiet && count) {
@@ -336,8 +347,8 @@ static bool frame_parameter_used(cli_session *c, const cli_frames *f) {
   return true;
 }
 
-/* Runs the model once for each frame. Meshes are kept between them. The first trouble ends the run, since the next frame
- * would meet it again. */
+/* Runs the model once for each frame. Meshes are kept between them. The first trouble ends the run, since the next
+ * frame would meet it again. */
 static vs_outcome run_frames(cli_session *c) {
   const cli_frames *f = &c->options->frames;
   vs_outcome outcome = VS_OUTCOME_DONE;
@@ -378,8 +389,8 @@ static vs_outcome run_batch(cli_session *c) {
   return outcome;
 }
 
-/* A process that ends gives its memory back at once; taking a million nodes apart first is for those who look for leaks. Files that the program left
- * open are flushed by exit. */
+/* A process that ends gives its memory back at once; taking a million nodes apart first is for those who look for
+ * leaks. Files that the program left open are flushed by exit. */
 #ifdef __has_feature
 #if __has_feature(address_sanitizer)
 #define TIDY 1
@@ -392,10 +403,12 @@ static vs_outcome run_batch(cli_session *c) {
 #define TIDY 0
 #endif
 
-/* A standard stream that is closed is opened so that using it fails: else the next file, an output of ours, would have its number, and what the program prints would go there. */
+/* A standard stream that is closed is opened so that using it fails: else the next file, an output of ours, would have
+ * its number, and what the program prints would go there. */
 static void hold_standard_streams(void) {
   for (int i = 0; i <= STDERR_FILENO; i++)
-    if (fcntl(i, F_GETFD) == -1 && errno == EBADF && open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) != i) _exit(VS_OUTCOME_USAGE);
+    if (fcntl(i, F_GETFD) == -1 && errno == EBADF && open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) != i)
+      _exit(VS_OUTCOME_USAGE);
 }
 
 static void running_in_view(vs_scheme *scheme) { interrupted_by_signal = scheme; }
@@ -412,16 +425,24 @@ static void hear_signals(void) {
 
 /* `vs view`: here ctrl-C ends the command, not only what runs. */
 static vs_outcome view_model(const cli_options *o) {
-  live_options live = {.model = o->sources[0].text, .interpreter = o->interpreter, .output = o->output, .parameters = (const char *const *)o->defines, .parameter_count = o->define_count,
-                       .open_browser = !o->quiet, .told = stdout, .ended = &interrupts, .running = running_in_view,
-                       .check = cli_study_check_text};
+  live_options live = { .model = o->sources[0].text,
+                        .interpreter = o->interpreter,
+                        .output = o->output,
+                        .parameters = (const char *const *)o->defines,
+                        .parameter_count = o->define_count,
+                        .open_browser = !o->quiet,
+                        .told = stdout,
+                        .ended = &interrupts,
+                        .running = running_in_view,
+                        .check = cli_study_check_text };
   hear_signals();
   return live_view(&live);
 }
 
 int main(int argc, char **argv) {
   hold_standard_streams();
-  signal(SIGPIPE, SIG_IGN); /* a reader that went is a failed write: outputs are finished or taken away, and the exit code says it */
+  signal(SIGPIPE, SIG_IGN); /* a reader that went is a failed write: outputs are finished or taken away, and the exit
+                             * code says it */
   if (argc >= 3 && strcmp(argv[1], "help") == 0) { /* vs help WORD: the manual */
     for (int i = 2; i < argc; i++)
       if (cli_command_help(argv[i], stdout)) {
@@ -473,7 +494,13 @@ int main(int argc, char **argv) {
   }
   if (options.interactive && !options.untrusted) session.stops = VS_EVAL_STOP;
   session.reporter.progress = !options.quiet && isatty(STDERR_FILENO);
-  options.interpreter.host = (vs_host){.context = &session, .output = print_output, .input = read_input, .diagnose = print_diagnostic, .progress = print_progress, .poll = options.interpreter.limit_time > 0 ? poll_limits : NULL, .value = print_value};
+  options.interpreter.host = (vs_host){ .context = &session,
+                                        .output = print_output,
+                                        .input = read_input,
+                                        .diagnose = print_diagnostic,
+                                        .progress = print_progress,
+                                        .poll = options.interpreter.limit_time > 0 ? poll_limits : NULL,
+                                        .value = print_value };
   if (options.untrusted) options.interpreter.host.read_file = read_untrusted;
   if (options.untrusted) options.interpreter.host.list_folder = list_untrusted;
   if (!TIDY) options.interpreter.alloc = cli_memory;
@@ -481,7 +508,8 @@ int main(int argc, char **argv) {
   if (options.interpreter.limit_memory) cli_limits_memory(options.interpreter.limit_memory);
   session.watch.limit = options.interpreter.limit_time;
   session.watch.prompt = options.interactive || options.source_count == 0;
-  if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0; /* the library's own polls remain */
+  /* the library's own polls remain */
+  if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0;
   session.scheme = vs_new(&options.interpreter);
   vs_outcome outcome = VS_OUTCOME_MACHINE;
   if (!session.scheme) {
@@ -500,7 +528,8 @@ int main(int argc, char **argv) {
       vs_exit_requested(session.scheme, &session.exit_code);
     }
     if (ended) outcome = VS_OUTCOME_INTERRUPTED;
-    if (outcome == VS_OUTCOME_MACHINE && session.reporter.errors == 0) fputs("vs: out of memory\n", stderr); /* there was none left to say more with */
+    /* there was none left to say more with */
+    if (outcome == VS_OUTCOME_MACHINE && session.reporter.errors == 0) fputs("vs: out of memory\n", stderr);
     interrupted_by_signal = NULL;
     if (TIDY) vs_free(session.scheme);
   }

@@ -5,7 +5,8 @@
  *   house.vs:12:3: make-sphere: r must be positive, got -2
  *     12 | (make-sphere (xyz 0 0 0) -2)
  *        | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
- *   house.vs:20:1: called from (tower 5)                                                                                     */
+ *   house.vs:20:1: called from (tower 5)
+ *   */
 #include "cli/messages.h"
 #include "cli/json.h"
 
@@ -31,7 +32,11 @@ static const char *next_character(const char *at) {
 /* Length in bytes of the well-formed UTF-8 character at c, or 0. */
 static int well_formed(const char *c) {
   unsigned char first = (unsigned char)*c;
-  int length = first < 0x80 ? 1 : first >= 0xC2 && first < 0xE0 ? 2 : (first & 0xF0) == 0xE0 ? 3 : first >= 0xF0 && first < 0xF5 ? 4 : 0;
+  int length = first < 0x80                    ? 1
+               : first >= 0xC2 && first < 0xE0 ? 2
+               : (first & 0xF0) == 0xE0        ? 3
+               : first >= 0xF0 && first < 0xF5 ? 4
+                                               : 0;
   for (int i = 1; i < length; i++)
     if (((unsigned char)c[i] & 0xC0) != 0x80) return 0;
   return length;
@@ -42,7 +47,8 @@ static void print_safely(const char *from, const char *to) {
   while (from < to) {
     int length = well_formed(from);
     if (length == 0) fputc('?', stderr), from++;
-    else if (length == 1) fputc((unsigned char)*from < ' ' && *from != '\t' ? ' ' : *from == 127 ? '?' : *from, stderr), from++;
+    else if (length == 1)
+      fputc((unsigned char)*from < ' ' && *from != '\t' ? ' ' : *from == 127 ? '?' : *from, stderr), from++;
     else
       for (; length; length--) fputc(*from++, stderr);
   }
@@ -58,7 +64,9 @@ static void print_place(const vs_span *at) {
 
 /* behind: shown behind the carets, or NULL */
 static void print_source(const vs_diagnostic *d, const char *behind) {
-  uint32_t first = 1, width = d->at.end_line == d->at.line && d->at.end_column > d->at.column ? d->at.end_column - d->at.column : 1;
+  uint32_t first = 1, width = d->at.end_line == d->at.line && d->at.end_column > d->at.column
+                                  ? d->at.end_column - d->at.column
+                                  : 1;
   const char *line = d->source_line, *end = line;
   if (d->at.column > WINDOW - 20)
     for (; first + BEFORE < d->at.column && *line; first++) line = next_character(line);
@@ -71,7 +79,8 @@ static void print_source(const vs_diagnostic *d, const char *behind) {
   if (!d->at.column) return;
   fputs("      | ", stderr);
   if (first > 1) fputs("   ", stderr);
-  for (uint32_t i = first; i < d->at.column && *line && *line != '\n'; i++, line = next_character(line)) fputc(*line == '\t' ? '\t' : ' ', stderr);
+  for (uint32_t i = first; i < d->at.column && *line && *line != '\n'; i++, line = next_character(line))
+    fputc(*line == '\t' ? '\t' : ' ', stderr);
   uint32_t column = d->at.column - first;
   for (uint32_t i = 0; i == 0 || (i < width && column + i < shown); i++) fputc('^', stderr);
   if (behind) fprintf(stderr, "  %s", behind);
@@ -177,8 +186,10 @@ void cli_report_summary(const char *title, const vs_summary *s) {
   }
   if (s->has_bounds) {
     if (s->bounds_at_most) fputs(", at most", stderr);
-    fprintf(stderr, "%s%.5g x %.5g x %.5g %s", s->bounds_at_most ? " " : ", ", s->max[0] - s->min[0], s->max[1] - s->min[1], s->max[2] - s->min[2], s->units);
-    fprintf(stderr, ", from (%.5g %.5g %.5g) to (%.5g %.5g %.5g)", s->min[0] + 0.0, s->min[1] + 0.0, s->min[2] + 0.0, s->max[0] + 0.0, s->max[1] + 0.0, s->max[2] + 0.0);
+    fprintf(stderr, "%s%.5g x %.5g x %.5g %s", s->bounds_at_most ? " " : ", ", s->max[0] - s->min[0],
+            s->max[1] - s->min[1], s->max[2] - s->min[2], s->units);
+    fprintf(stderr, ", from (%.5g %.5g %.5g) to (%.5g %.5g %.5g)", s->min[0] + 0.0, s->min[1] + 0.0, s->min[2] + 0.0,
+            s->max[0] + 0.0, s->max[1] + 0.0, s->max[2] + 0.0);
   }
   fputc('\n', stderr);
 }
@@ -190,7 +201,8 @@ static void json_datum(FILE *to, vs_parameter_type type, const char *datum) {
   if (type == VS_PARAMETER_BOOLEAN) { fputs(strcmp(datum, "#f") == 0 ? "false" : "true", to); return; }
   double v;
   char rest;
-  if ((type == VS_PARAMETER_INTEGER || type == VS_PARAMETER_REAL) && sscanf(datum, "%lf%c", &v, &rest) == 1 && isfinite(v) && strspn(datum, "+-.0123456789eE") == strlen(datum)) {
+  if ((type == VS_PARAMETER_INTEGER || type == VS_PARAMETER_REAL) && sscanf(datum, "%lf%c", &v, &rest) == 1 &&
+      isfinite(v) && strspn(datum, "+-.0123456789eE") == strlen(datum)) {
     if (type == VS_PARAMETER_INTEGER) fputs(*datum == '+' ? datum + 1 : datum, to);
     else cli_json_number(to, v);
     return;
@@ -199,8 +211,11 @@ static void json_datum(FILE *to, vs_parameter_type type, const char *datum) {
 }
 
 void cli_report_parameters(FILE *to, vs_scheme *s) {
-  static const char *const types[] = {
-      [VS_PARAMETER_BOOLEAN] = "boolean", [VS_PARAMETER_INTEGER] = "integer", [VS_PARAMETER_REAL] = "real", [VS_PARAMETER_STRING] = "string", [VS_PARAMETER_DATUM] = "datum"};
+  static const char *const types[] = { [VS_PARAMETER_BOOLEAN] = "boolean",
+                                       [VS_PARAMETER_INTEGER] = "integer",
+                                       [VS_PARAMETER_REAL] = "real",
+                                       [VS_PARAMETER_STRING] = "string",
+                                       [VS_PARAMETER_DATUM] = "datum" };
   size_t count = vs_parameter_count(s);
   vs_parameter_info p;
   fputc('[', to);

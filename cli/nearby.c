@@ -19,7 +19,8 @@ static size_t distance(const char *a, const char *b) {
     for (size_t j = 1; j <= n; j++) {
       size_t change = row[1][j - 1] + (lower(a[i - 1]) != lower(b[j - 1]));
       row[2][j] = smaller(change, smaller(row[1][j], row[2][j - 1]) + 1);
-      if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1])) row[2][j] = smaller(row[2][j], row[0][j - 2] + 1);
+      if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]))
+        row[2][j] = smaller(row[2][j], row[0][j - 2] + 1);
     }
     memcpy(row[0], row[1], sizeof row[0]);
     memcpy(row[1], row[2], sizeof row[1]);
@@ -27,7 +28,9 @@ static size_t distance(const char *a, const char *b) {
   return row[1][n];
 }
 
-cli_nearby cli_nearby_start(const char *wanted) { return (cli_nearby){.wanted = wanted, .distance = smaller(strlen(wanted) / 3 + 1, 3) + 1}; }
+cli_nearby cli_nearby_start(const char *wanted) {
+  return (cli_nearby){ .wanted = wanted, .distance = smaller(strlen(wanted) / 3 + 1, 3) + 1 };
+}
 
 void cli_nearby_offer(cli_nearby *n, const char *name) {
   size_t d = distance(n->wanted, name);

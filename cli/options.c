@@ -64,7 +64,10 @@ static void print_help(void) {
   for (int i = 0; i < OPTION_COUNT; i++) {
     const option_row *r = &rows[i];
     char usage[80] = "";
-    const char *gap = r->rule == VALUE_NONE ? "" : r->rule == VALUE_OPTIONAL ? "[=" : " ", *end = r->rule == VALUE_OPTIONAL ? "]" : "";
+    const char *gap = r->rule == VALUE_NONE       ? ""
+                      : r->rule == VALUE_OPTIONAL ? "[="
+                                                  : " ",
+               *end = r->rule == VALUE_OPTIONAL ? "]" : "";
     if (r->letter && *r->name) snprintf(usage, sizeof usage, "-%c%s%s, --%s", r->letter, gap, r->value, r->name);
     else if (r->letter) snprintf(usage, sizeof usage, "-%c[%s]", r->letter, r->value);
     else snprintf(usage, sizeof usage, "--%s%s%s%s", r->name, gap, r->value, end);
@@ -74,7 +77,8 @@ static void print_help(void) {
   size_t count;
   const vs_format_info *formats = vs_format_list(&count);
   for (size_t i = 0; i < count; i++)
-    printf("  .%-6s %s%s%s%s\n", formats[i].suffix, formats[i].doc, formats[i].worker ? " (needs " : "", formats[i].worker ? formats[i].worker : "", formats[i].worker ? ")" : "");
+    printf("  .%-6s %s%s%s%s\n", formats[i].suffix, formats[i].doc, formats[i].worker ? " (needs " : "",
+           formats[i].worker ? formats[i].worker : "", formats[i].worker ? ")" : "");
   puts("\nExit code: 0 done, 1 the model is at fault, 2 bad usage or a file that cannot be read or written,");
   puts("3 a worker program is missing or failed, 4 the machine is at fault, 130 interrupted.");
 }
@@ -140,8 +144,10 @@ static bool parse_camera(const char *text, vs_output_options *out) {
     if (*at != ',') { n++; break; }
     at++;
   }
-  if (n < 6 || *at || out->camera[6] <= 0) return bad("--camera", text, "six or seven numbers: eye x,y,z, target x,y,z and the lens in mm");
-  if (memcmp(out->camera, out->camera + 3, 3 * sizeof(double)) == 0) return bad("--camera", text, "an eye that is not at the target");
+  if (n < 6 || *at || out->camera[6] <= 0)
+    return bad("--camera", text, "six or seven numbers: eye x,y,z, target x,y,z and the lens in mm");
+  if (memcmp(out->camera, out->camera + 3, 3 * sizeof(double)) == 0)
+    return bad("--camera", text, "an eye that is not at the target");
   out->has_camera = true;
   return true;
 }
@@ -154,7 +160,8 @@ static bool parse_frames(const char *text, cli_frames *out) {
   if (ok && *end) {
     const char *equals = strchr(end, '='), *dots = equals ? strstr(equals, "..") : NULL;
     ptrdiff_t name = equals ? equals - end - 1 : 0;
-    ok = *end == ',' && dots && name > 0 && (size_t)name < sizeof out->parameter && (size_t)(dots - equals) < sizeof from;
+    ok = *end == ',' && dots && name > 0 && (size_t)name < sizeof out->parameter &&
+         (size_t)(dots - equals) < sizeof from;
     if (ok) {
       snprintf(out->parameter, sizeof out->parameter, "%.*s", (int)name, end + 1);
       snprintf(from, sizeof from, "%.*s", (int)(dots - equals - 1), equals + 1);
@@ -166,7 +173,10 @@ static bool parse_frames(const char *text, cli_frames *out) {
 }
 
 static bool parse_quality(const char *text, vs_output_options *out) {
-  static const struct { const char *name; vs_quality quality; } names[] = {{"draft", VS_QUALITY_DRAFT}, {"good", VS_QUALITY_GOOD}, {"final", VS_QUALITY_FINAL}};
+  static const struct {
+    const char *name;
+    vs_quality quality;
+  } names[] = { { "draft", VS_QUALITY_DRAFT }, { "good", VS_QUALITY_GOOD }, { "final", VS_QUALITY_FINAL } };
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
     if (strcmp(text, names[i].name) == 0) {
       out->quality = names[i].quality;
@@ -224,7 +234,9 @@ static bool parse_passes(const char *text, vs_output_options *out) {
   return true;
 }
 
-static bool only_json(const char *option, const char *value) { return !value || strcmp(value, "json") == 0 || bad(option, value, "json"); }
+static bool only_json(const char *option, const char *value) {
+  return !value || strcmp(value, "json") == 0 || bad(option, value, "json");
+}
 
 /* folders: with ':' between them, behind those that are known. False: out of memory, said. */
 static bool add_folders(cli_options *o, const char *folders) {
@@ -279,14 +291,18 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_LAYERS: return o->output.layers = true;
   case OPTION_CANDELAS:
     return (parse_real(v, 0, &o->candelas) && o->candelas > 0) || bad("--candelas", v, "a number above 0");
-  case OPTION_TOLERANCE: return (parse_real(v, 0, &o->output.tolerance) && o->output.tolerance > 0) || bad("--tolerance", v, "a length above 0");
+  case OPTION_TOLERANCE:
+    return (parse_real(v, 0, &o->output.tolerance) && o->output.tolerance > 0) ||
+           bad("--tolerance", v, "a length above 0");
   case OPTION_SEGMENTS:
     if (!parse_whole(v, 3, 1000000, &whole)) return bad("--segments", v, "a whole number, 3 or more");
     o->output.segments = (int)whole;
     return true;
   case OPTION_STATS: o->stats = o->output.count = true; o->stats_json = v != NULL; return only_json("--stats", v);
   case OPTION_PARAMETERS: o->parameters = true; return only_json("--parameters", v);
-  case OPTION_LIMIT_TIME: return (parse_real(v, 0, &o->interpreter.limit_time) && o->interpreter.limit_time > 0) || bad("--limit-time", v, "seconds above 0");
+  case OPTION_LIMIT_TIME:
+    return (parse_real(v, 0, &o->interpreter.limit_time) && o->interpreter.limit_time > 0) ||
+           bad("--limit-time", v, "seconds above 0");
   case OPTION_LIMIT_MEMORY:
     if (!parse_real(v, 1e-6, &real) || real > 1e9) return bad("--limit-memory", v, "megabytes above 0");
     o->interpreter.limit_memory = (size_t)(real * 1048576);
@@ -303,7 +319,9 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     if (!parse_real(v, 1e-6, &real) || real > 1e9) return bad("--limit-output", v, "megabytes above 0");
     o->interpreter.limit_output = (size_t)(real * 1048576);
     return true;
-  case OPTION_LIMIT_WORKER: return (parse_real(v, 0, &o->interpreter.limit_worker) && o->interpreter.limit_worker > 0) || bad("--limit-worker", v, "seconds above 0");
+  case OPTION_LIMIT_WORKER:
+    return (parse_real(v, 0, &o->interpreter.limit_worker) && o->interpreter.limit_worker > 0) ||
+           bad("--limit-worker", v, "seconds above 0");
   case OPTION_UNTRUSTED: o->untrusted = true; return true;
   case OPTION_VERBOSE: o->verbose = true; return true;
   case OPTION_STRICT: o->output.strict = true; return true;
@@ -351,7 +369,8 @@ static bool read_option(cli_options *o, int argc, char **argv, int *at, cli_verd
   if (word[1] == '-') {
     size_t length = strcspn(word + 2, "=");
     for (int i = 0; i < OPTION_COUNT; i++)
-      if (*rows[i].name && strlen(rows[i].name) == length && strncmp(rows[i].name, word + 2, length) == 0) row = &rows[i];
+      if (*rows[i].name && strlen(rows[i].name) == length && strncmp(rows[i].name, word + 2, length) == 0)
+        row = &rows[i];
     if (word[2 + length] == '=') value = word + 3 + length;
   } else {
     for (int i = 0; i < OPTION_COUNT; i++)
@@ -406,11 +425,13 @@ static bool late_format(const cli_options *o, cli_target *t, const vs_scheme *sc
   return false;
 }
 
-/* The format of a target, as far as the library's own are meant; of another ending or name the program may bring one (cli_options_late). */
+/* The format of a target, as far as the library's own are meant; of another ending or name the program may bring one
+ * (cli_options_late). */
 static bool find_format(cli_options *o, cli_target *t) {
   const char *ending = ending_of(t->path);
   if (strcmp(t->path, "-") == 0) o->to_stdout = true;
-  const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL, *own = ending ? vs_format_find(ending) : NULL;
+  const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL,
+                       *own = ending ? vs_format_find(ending) : NULL;
   if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* another notation behind the same ending */
   if (!own) own = said;
   if (own) t->format = own->name;
@@ -515,7 +536,8 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     const char *word = argv[i];
     if (strcmp(word, "--") == 0 && o->source_count) { /* the rest is the program's */
       while (++i < argc) o->words[o->word_count++] = argv[i];
-    } else if (names_only || word[0] != '-' || !word[1]) o->sources[o->source_count++] = (cli_source){CLI_SOURCE_FILE, word};
+    } else if (names_only || word[0] != '-' || !word[1])
+      o->sources[o->source_count++] = (cli_source){ CLI_SOURCE_FILE, word };
     else if (strcmp(word, "--") == 0) names_only = true;
     else if (!read_option(o, argc, argv, &i, &verdict)) return CLI_BAD_USAGE;
     else if (verdict != CLI_GO) return verdict;
@@ -547,7 +569,8 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   }
   bool file_first = !o->command && o->source_count && argc > 1 && o->sources[0].text == argv[1];
   if (file_first && access(argv[1], F_OK) != 0 && cli_command_suggest(argv[1], stderr)) return CLI_BAD_USAGE;
-  for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_SCAN)) && i < o->source_count; i++) { /* vs model.vs a.stl */
+  /* vs model.vs a.stl */
+  for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_SCAN)) && i < o->source_count; i++) {
     const char *path = o->sources[i].text;
     const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;
     if (!f) continue;

@@ -22,7 +22,8 @@ typedef enum {
 #define COMMAND(name, arguments, takes, help) CLI_COMMAND_##name,
 #include "cli/commands.def"
 } cli_command;
-/* The arguments of a command besides one file: the third column of commands.def. --json and --xml are for commands alone. */
+/* The arguments of a command besides one file: the third column of commands.def. --json and --xml are for commands
+ * alone. */
 enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI_TAKES_OUTPUT = 8 /* -o */,
        CLI_TAKES_FOLDER = 16 /* -o, of a folder */, CLI_TAKES_LANGUAGE = 32 /* --to, and -o of a program in it */,
        CLI_TAKES_PICTURE = 64 /* its files are EXR pictures */, CLI_TAKES_POINT = 128 /* two numbers behind the file */,
@@ -55,7 +56,11 @@ typedef struct {
 } cli_options;
 
 /* The job that the command line asks for. */
-typedef enum { CLI_GO, CLI_STOP /* all done: --help, --version */, CLI_BAD_USAGE /* said on standard error: exit 2 */ } cli_verdict;
+typedef enum {
+  CLI_GO,
+  CLI_STOP /* all done: --help, --version */,
+  CLI_BAD_USAGE /* said on standard error: exit 2 */
+} cli_verdict;
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
 /* Finds the formats of the targets that none of the library's own serves, among those that the program has brought.

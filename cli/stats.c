@@ -1,8 +1,9 @@
 /* Owns what --stats prints: tables for people, one line of JSON for programs.
  *
  * Both are made of the library's keys alone. Phases are those with a memory.NAME.peak, stages
- * those with a time.stage.NAME, steps those with a time.mesh.NAME, passes those of vs_pass_list, kept kinds those with a cache.NAME.hits: a new
- * one shows without a word here. The row of the program is what the outputs leave of the whole. */
+ * those with a time.stage.NAME, steps those with a time.mesh.NAME, passes those of vs_pass_list, kept kinds those with
+ * a cache.NAME.hits: a new one shows without a word here. The row of the program is what the outputs leave of the
+ * whole. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +25,9 @@ static double get(const table *t, const char *before, const char *name, const ch
   size_t first = strlen(before), second = strlen(name);
   for (size_t i = 0; i < t->count; i++) {
     const char *key = t->at[i].key;
-    if (strncmp(key, before, first) == 0 && strncmp(key + first, name, second) == 0 && strcmp(key + first + second, after) == 0) return t->at[i].value;
+    if (strncmp(key, before, first) == 0 && strncmp(key + first, name, second) == 0 &&
+        strcmp(key + first + second, after) == 0)
+      return t->at[i].value;
   }
   return NAN;
 }
@@ -34,7 +37,9 @@ static size_t names_of(const table *t, const char *prefix, const char *suffix, c
   size_t n = 0, before = strlen(prefix), after = strlen(suffix);
   for (size_t i = 0; i < t->count && n < NAMES; i++) {
     size_t length = strlen(t->at[i].key);
-    if (length <= before + after || length - before - after >= KEY || strncmp(t->at[i].key, prefix, before) || strcmp(t->at[i].key + length - after, suffix)) continue;
+    if (length <= before + after || length - before - after >= KEY || strncmp(t->at[i].key, prefix, before) ||
+        strcmp(t->at[i].key + length - after, suffix))
+      continue;
     memcpy(names[n], t->at[i].key + before, length - before - after);
     names[n++][length - before - after] = 0;
   }
@@ -143,7 +148,8 @@ static void parts(vs_scheme *s, const table *all, const char *title, const char 
 }
 
 static void drawings(vs_scheme *s) {
-  static const char *const keys[] = { "nodes", "nodes.distinct", "commands.before", "commands.after", "triangles", "bytes" };
+  static const char *const keys[] = { "nodes",          "nodes.distinct", "commands.before",
+                                      "commands.after", "triangles",      "bytes" };
   static const char *const shown[] = { "nodes", "distinct", "commands", "optimised", "triangles", "bytes" };
   size_t count, columns = sizeof keys / sizeof *keys;
   const char *const *passes = vs_pass_list(&count);

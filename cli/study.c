@@ -259,9 +259,11 @@ vs_outcome cli_study(const cli_options *o) {
   vs_scheme *scheme = vs_new(&interpreter);
   if (!scheme) return fputs("vs: out of memory\n", stderr), VS_OUTCOME_MACHINE;
   vs_outcome outcome = VS_OUTCOME_DONE;
-  if (know_read(&s.k, scheme, o->sources[0].text, o->library_path)) outcome = o->command == CLI_COMMAND_check ? check(&s, o)
-      : o->command == CLI_COMMAND_doc ? document(&s, o) : o->command == CLI_COMMAND_translate ? translate(&s, o)
-      : tell(&s, o);
+  if (know_read(&s.k, scheme, o->sources[0].text, o->library_path))
+    outcome = o->command == CLI_COMMAND_check       ? check(&s, o)
+              : o->command == CLI_COMMAND_doc       ? document(&s, o)
+              : o->command == CLI_COMMAND_translate ? translate(&s, o)
+                                                    : tell(&s, o);
   else {
     outcome = s.k.outcome;
     if (!s.reporter.errors) fprintf(stderr, "%s%s\n", strchr(s.k.trouble, ':') ? "" : "vs: ", s.k.trouble);

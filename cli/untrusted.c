@@ -1,7 +1,9 @@
-/* Owns `vs --untrusted model.vs`: limits that are on without being asked for, an empty environment, files of the model's folder alone, and a confined process.
+/* Owns `vs --untrusted model.vs`: limits that are on without being asked for, an empty environment, files of the
+ * model's folder alone, and a confined process.
  *
- * A path is walked name by name from the open folder. No name may be `..` or a symbolic link, and what is reached must be an ordinary file: so
- * neither a link nor /proc, a device or a FIFO leads out of the folder, whatever changes while we look. */
+ * A path is walked name by name from the open folder. No name may be `..` or a symbolic link, and what is reached must
+ * be an ordinary file: so neither a link nor /proc, a device or a FIFO leads out of the folder, whatever changes while
+ * we look. */
 #define _GNU_SOURCE /* clearenv, strchrnul, O_PATH */
 #include "cli/untrusted.h"
 
@@ -48,7 +50,8 @@ static int open_beneath(int folder, const char *path) {
     else {
       memcpy(name, path, length);
       name[length] = 0;
-      next = openat(at, name, (*rest ? O_PATH | O_DIRECTORY : O_RDONLY | O_NONBLOCK | O_NOCTTY) | O_NOFOLLOW | O_CLOEXEC);
+      next =
+          openat(at, name, (*rest ? O_PATH | O_DIRECTORY : O_RDONLY | O_NONBLOCK | O_NOCTTY) | O_NOFOLLOW | O_CLOEXEC);
     }
     int problem = errno;
     close(at);
@@ -87,11 +90,12 @@ bool cli_untrusted_read(cli_untrusted *u, const char *path, char **text, size_t 
   return true;
 }
 
-bool cli_untrusted_list(cli_untrusted *u, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
-                        const char **why) {
+bool cli_untrusted_list(cli_untrusted *u, const char *path, bool (*take)(void *to, const char *name, size_t length),
+                        void *to, const char **why) {
   static const char outside[] = "an untrusted model reads only its own folder and those in it, and no links";
   size_t prefix = strlen(u->prefix);
-  if (u->folder >= 0 && prefix && strlen(path) + 1 == prefix && strncmp(path, u->prefix, prefix - 1) == 0) path = "."; /* without its slash */
+  /* without its slash */
+  if (u->folder >= 0 && prefix && strlen(path) + 1 == prefix && strncmp(path, u->prefix, prefix - 1) == 0) path = ".";
   else if (u->folder < 0 || strncmp(path, u->prefix, prefix) != 0) return refuse(u, outside, why);
   else path += prefix;
   int file = *path == '/' ? -1 : open_beneath(u->folder, *path ? path : ".");
@@ -107,9 +111,12 @@ bool cli_untrusted_list(cli_untrusted *u, const char *path, bool (*take)(void *t
 
 /* ---- the worker's folder ---- */
 
-static int remove_one(const char *path, const struct stat *info, int kind, struct FTW *where) { return (void)info, (void)kind, (void)where, remove(path), 0; }
+static int remove_one(const char *path, const struct stat *info, int kind, struct FTW *where) {
+  return (void)info, (void)kind, (void)where, remove(path), 0;
+}
 
-/* Starts a child that waits until this process has ended, however it ends, and then removes the folder: we ourselves may not, once we are confined. */
+/* Starts a child that waits until this process has ended, however it ends, and then removes the folder: we ourselves
+ * may not, once we are confined. */
 static bool keep_scratch(cli_untrusted *u) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return false;
@@ -173,7 +180,8 @@ bool cli_untrusted_begin(cli_untrusted *u, cli_options *o) {
   ok = ok && open_model(u, o, &model);
   for (; ok && count < o->target_count; count++) {
     {
-    const vs_format_info *format = o->targets[count].format ? vs_format_find(o->targets[count].format) : NULL; /* the program's own have no worker */
+    /* the program's own have no worker */
+    const vs_format_info *format = o->targets[count].format ? vs_format_find(o->targets[count].format) : NULL;
     worker = worker || (format && format->worker);
   }
     ok = (written[count] = folder_of(o->targets[count].path)) != NULL || failed("memory");
@@ -182,7 +190,8 @@ bool cli_untrusted_begin(cli_untrusted *u, cli_options *o) {
   if (ok && worker) {
     size_t room = (temporary ? strlen(temporary) : 0) + 40;
     u->scratch = malloc(room);
-    if (u->scratch) snprintf(u->scratch, room, "%s/visualscheme-XXXXXX", temporary && *temporary == '/' ? temporary : "/tmp");
+    if (u->scratch)
+      snprintf(u->scratch, room, "%s/visualscheme-XXXXXX", temporary && *temporary == '/' ? temporary : "/tmp");
     if (!u->scratch || !mkdtemp(u->scratch)) ok = failed("a private folder"), free(u->scratch), u->scratch = NULL;
     else if (!keep_scratch(u)) ok = failed("a private folder"), rmdir(u->scratch);
   }

@@ -578,8 +578,8 @@ double vs_student_quantile(double confidence, double freedom) {
 
 /* Intervals by Huber's covariance of an M-estimate, K^2 s^2 [sum psi^2 / (m - n)] / [mean psi']^2 (J'J)^-1, in natural
  * scales: numbers by their size, the motion by the scan's; beside it, what facets that are off by their tolerance would
- * shift. A parameter that changes no distance by a hundred-thousandth of the scan's size, when it changes by its own, is not
- * determined. */
+ * shift. A parameter that changes no distance by a hundred-thousandth of the scan's size, when it changes by its own,
+ * is not determined. */
 static bool judge(fit *f, const double *unknowns) {
   size_t n = f->unknowns, m = f->count;
   double *work = NULL;

@@ -5,10 +5,10 @@
  * derivative is exact, the slope of the distance; by x it is a difference of two models.
  *
  * Plan. 1: rotations that lay principal axes on principal axes, and shifts that lay box on box, are tried on some
- * hundred points; the best are improved with the model as it is. The same holds in the model whose numbers are as many times larger
- * as the scan is. 2: from the best few of these all unknowns are fitted, few points, Huber's loss. 3: the best goes on
- * with more points and Tukey's loss, then with all that are asked for. 4: what the derivatives at the end say of each
- * number: its interval, or that the scan does not determine it. */
+ * hundred points; the best are improved with the model as it is. The same holds in the model whose numbers are as many
+ * times larger as the scan is. 2: from the best few of these all unknowns are fitted, few points, Huber's loss. 3: the
+ * best goes on with more points and Tukey's loss, then with all that are asked for. 4: what the derivatives at the end
+ * say of each number: its interval, or that the scan does not determine it. */
 #ifndef VS_FITTING_MODEL_FIT_H
 #define VS_FITTING_MODEL_FIT_H
 

@@ -13,7 +13,8 @@ typedef struct vs_sampler vs_sampler;
 vs_sampler *vs_sampler_new(const vs_tape *t, int slopes);
 void vs_sampler_free(vs_sampler *s);
 
-/* Works out n points. in[k][i] is input k of point i; out[k][i] becomes output k of it. A place without a value is NaN. */
+/* Works out n points. in[k][i] is input k of point i; out[k][i] becomes output k of it. A place without a value is
+ * NaN. */
 void vs_sample(vs_sampler *s, const double *const *in, size_t n, double *const *out);
 /* The same with slopes of the first output: slope[j][i] is that of point i along input j. A kink has one of its slopes.
  */

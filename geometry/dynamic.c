@@ -5,7 +5,8 @@
 #include <dlfcn.h>
 #include <string.h>
 
-bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions, vs_error *e) {
+bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions,
+                     vs_error *e) {
   void *handle = NULL;
   for (const char *const *file = library->files; !handle && *file; file++) {
     handle = dlopen(*file, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -13,12 +14,16 @@ bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *n
     if (why && (strstr(why, "memory") || strstr(why, "failed to map segment"))) return vs_error_memory(e, NULL);
   }
   if (!handle)
-    return vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is missing; it is in the package %s", library->purpose, library->files[0], library->package);
+    return vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is missing; it is in the package %s",
+                        library->purpose, library->files[0], library->package);
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) {
     void *found = dlsym(handle, names[i].symbol);
-    memcpy((char *)functions + names[i].offset, &found, sizeof found); /* ISO C has no cast from an object's address to a function's */
-    if (!found) ok = vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is too old: it has no %s", library->purpose, library->files[0], names[i].symbol);
+    memcpy((char *)functions + names[i].offset, &found, sizeof found); /* ISO C has no cast from an object's address to
+                                                                        * a function's */
+    if (!found)
+      ok = vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is too old: it has no %s", library->purpose,
+                        library->files[0], names[i].symbol);
   }
   dlclose(handle); /* stays loaded all the same */
   return ok;

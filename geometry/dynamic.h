@@ -1,6 +1,8 @@
-/* Owns libraries that are loaded when they are first used: linked eagerly they would cost every start of the program milliseconds.
+/* Owns libraries that are loaded when they are first used: linked eagerly they would cost every start of the program
+ * milliseconds.
  *
- * A user keeps a struct of function pointers and a table that names them; nothing is global, and loading again costs some microseconds. */
+ * A user keeps a struct of function pointers and a table that names them; nothing is global, and loading again costs
+ * some microseconds. */
 #ifndef VS_GEOMETRY_DYNAMIC_H
 #define VS_GEOMETRY_DYNAMIC_H
 
@@ -15,8 +17,9 @@ typedef struct {
 } vs_dynamic_library;
 typedef struct { const char *symbol; size_t offset; /* of the function pointer in `functions` */ } vs_dynamic_name;
 
-/* Fills the function pointers of the struct `functions`. A library once loaded stays in the process. False: it or a function is not
- * there (VS_ERROR_WORKER, with the package's name). */
-bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions, vs_error *e);
+/* Fills the function pointers of the struct `functions`. A library once loaded stays in the process. False: it or a
+ * function is not there (VS_ERROR_WORKER, with the package's name). */
+bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions,
+                     vs_error *e);
 
 #endif

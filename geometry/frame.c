@@ -13,12 +13,16 @@ vs_affine vs_frame_on_axis(vs_vec3 at, vs_vec3 direction) {
     x = vs_v3(1 - d.x * d.x * k, -d.x * d.y * k, -d.x);
     y = vs_v3(-d.x * d.y * k, 1 - d.y * d.y * k, -d.y);
   }
-  return (vs_affine){ { { x.x + 0.0, y.x + 0.0, d.x + 0.0, at.x }, { x.y + 0.0, y.y + 0.0, d.y + 0.0, at.y }, { x.z + 0.0, y.z + 0.0, d.z + 0.0, at.z } } };
+  return (vs_affine){ { { x.x + 0.0, y.x + 0.0, d.x + 0.0, at.x },
+                        { x.y + 0.0, y.y + 0.0, d.y + 0.0, at.y },
+                        { x.z + 0.0, y.z + 0.0, d.z + 0.0, at.z } } };
 }
 
 /* Any unit vector across the unit vector a */
 static vs_vec3 frame_across(vs_vec3 a) {
-  vs_vec3 least = fabs(a.x) <= fabs(a.y) && fabs(a.x) <= fabs(a.z) ? vs_v3(1, 0, 0) : fabs(a.y) <= fabs(a.z) ? vs_v3(0, 1, 0) : vs_v3(0, 0, 1);
+  vs_vec3 least = fabs(a.x) <= fabs(a.y) && fabs(a.x) <= fabs(a.z) ? vs_v3(1, 0, 0)
+                  : fabs(a.y) <= fabs(a.z)                         ? vs_v3(0, 1, 0)
+                                                                   : vs_v3(0, 0, 1);
   return vs_v3_unit(vs_v3_cross(a, least));
 }
 
@@ -32,12 +36,14 @@ vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b) {
                         { v.x * v.z * k - v.y, v.y * v.z * k + v.x, c + v.z * v.z * k, 0 } } };
 }
 
-/* x carried from (p, t) to (q, u): reflected in the plane between p and q, then in the one that takes the reflected t to u */
+/* x carried from (p, t) to (q, u): reflected in the plane between p and q, then in the one that takes the reflected t
+ * to u */
 static vs_vec3 frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u, vs_vec3 x) {
   vs_vec3 v = vs_v3_sub(q, p);
   double c = vs_v3_dot(v, v);
   if (!(c > 0)) return x;
-  vs_vec3 xl = vs_v3_sub(x, vs_v3_scale(v, 2 / c * vs_v3_dot(v, x))), tl = vs_v3_sub(t, vs_v3_scale(v, 2 / c * vs_v3_dot(v, t)));
+  vs_vec3 xl = vs_v3_sub(x, vs_v3_scale(v, 2 / c * vs_v3_dot(v, x))),
+          tl = vs_v3_sub(t, vs_v3_scale(v, 2 / c * vs_v3_dot(v, t)));
   vs_vec3 w = vs_v3_sub(u, tl);
   c = vs_v3_dot(w, w);
   return c > 0 ? vs_v3_sub(xl, vs_v3_scale(w, 2 / c * vs_v3_dot(w, xl))) : xl;

@@ -1,4 +1,5 @@
-/* Owns sets of small numbers as words of bits, under them words that say which words are not empty, and so on up to one word. */
+/* Owns sets of small numbers as words of bits, under them words that say which words are not empty, and so on up to one
+ * word. */
 #include "geometry/marks.h"
 
 #include <stdlib.h>

@@ -7,7 +7,8 @@
 #include <stdint.h>
 
 enum { VS_MARK_LEVELS = 11 }; /* of 64-bit words: more than memory holds */
-typedef struct { uint64_t *level[VS_MARK_LEVELS]; int levels; } vs_marks; /* a bit of level k + 1 is set where a word of level k is not 0 */
+/* a bit of level k + 1 is set where a word of level k is not 0 */
+typedef struct { uint64_t *level[VS_MARK_LEVELS]; int levels; } vs_marks;
 
 bool vs_marks_make(vs_marks *m, size_t count); /* the numbers from 0 below count, none in it; false: out of memory */
 void vs_marks_free(vs_marks *m);

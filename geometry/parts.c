@@ -4,7 +4,9 @@
 
 #include "model/store/array.h"
 
-bool vs_is_wrapper(const vs_node *n) { return n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER; }
+bool vs_is_wrapper(const vs_node *n) {
+  return n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER;
+}
 
 bool vs_is_several(const vs_node *n) {
   if (n->class_ != VS_CURVE && n->class_ != VS_SURFACE) return false;

@@ -25,8 +25,8 @@ vs_vec3 vs_sky_light_xyy(const vs_sky_light *sky, vs_vec3 direction);
 vs_vec3 vs_sky_light_at(const vs_sky_light *sky, vs_vec3 direction);
 /* The light that a level surface gets from the whole sky, as linear sRGB in lx. */
 vs_vec3 vs_sky_light_level(const vs_sky_light *sky);
-/* The light that a surface square to the sun gets from it through the air, as linear sRGB in lx; nothing at an altitude (in
- * degrees) below the horizon. */
+/* The light that a surface square to the sun gets from it through the air, as linear sRGB in lx; nothing at an altitude
+ * (in degrees) below the horizon. */
 vs_vec3 vs_sky_light_sun(double turbidity, double altitude);
 
 #endif

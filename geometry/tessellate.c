@@ -1,4 +1,5 @@
-/* Owns the way from a node to its triangles: follows placements down to the leaf, has the leaf meshed, brings the mesh back up. */
+/* Owns the way from a node to its triangles: follows placements down to the leaf, has the leaf meshed, brings the mesh
+ * back up. */
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
 
@@ -28,10 +29,15 @@ static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, 
   if (n->class_ == VS_NOTHING) return true;
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: case VS_GHOST: return true;
-    case VS_CUSTOM: return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s has no drawing function: (register-drawing-function %s? ...) gives it one", VS_AS(custom, n)->name, VS_AS(custom, n)->name);
+    case VS_CUSTOM:
+      return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                          "%s has no drawing function: (register-drawing-function %s? ...) gives it one",
+                          VS_AS(custom, n)->name, VS_AS(custom, n)->name);
 #include "model/shape_cases.def"
       return vs_shape_of(n)->triangles(n, f, out, e);
-    case VS_POLYFACE_MESH: ok = vs_solid_polyface(out, VS_AS(polyface_mesh, n)->points, VS_AS(polyface_mesh, n)->faces); break;
+    case VS_POLYFACE_MESH:
+      ok = vs_solid_polyface(out, VS_AS(polyface_mesh, n)->points, VS_AS(polyface_mesh, n)->faces);
+      break;
     case VS_HULL:
       if (n->class_ == VS_SOLID) {
         vs_cloud cloud = { 0 };
@@ -83,10 +89,21 @@ static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, 
     case VS_GRID_MESH: case VS_GRID_SURFACE: ok = vs_surface_mesh(n, out); break;
     case VS_SECTION: case VS_PROJECT: /* solids/resolve.c has made regions of them before */
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_EDGES:
-    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s has no faces", vs_kind_get((vs_kind)n->kind)->name);
-    case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
+    case VS_LINE:
+    case VS_ARC:
+    case VS_CIRCLE:
+    case VS_SPLINE:
+      return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s has no faces", vs_kind_get((vs_kind)n->kind)->name);
+    case VS_TRANSFORM:
+    case VS_MATERIAL:
+    case VS_LAYER:
+    case VS_UNION:
+    case VS_INTERSECTION:
+    case VS_DIFFERENCE:
+    case VS_KIND_COUNT:
     case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY:
-      return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s is not one solid: its parts are to be meshed apart", vs_kind_get((vs_kind)n->kind)->name);
+      return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s is not one solid: its parts are to be meshed apart",
+                          vs_kind_get((vs_kind)n->kind)->name);
   }
   return ok || vs_error_memory(e, NULL);
 }

@@ -568,8 +568,8 @@ static bool jump(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
 
 static bool word_statement(parser *p, vs_script_place at, uint32_t *out);
 
-/* The statement behind `else`. An `if` there is the next of a chain and no deeper level: a chain may be as long as a tree
- * is high. */
+/* The statement behind `else`. An `if` there is the next of a chain and no deeper level: a chain may be as long as a
+ * tree is high. */
 static bool otherwise(parser *p, uint32_t *out) {
   if (!at_word(p, VS_WORD_IF)) return statement(p, out);
   if (++p->chained > VS_SCRIPT_HEIGHT)

@@ -6,11 +6,14 @@
 enum { SERIAL = 10000 /* triangles that are not worth a thread */, CHUNK = 16 /* placements of a task */ };
 
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles) {
-  size_t limit = k->options ? k->options->max_triangles : 0, more_vertices = out->vertex_count + vertices, more = out->triangle_count + triangles;
-  if (limit && more > limit) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
+  size_t limit = k->options ? k->options->max_triangles : 0, more_vertices = out->vertex_count + vertices,
+         more = out->triangle_count + triangles;
+  if (limit && more > limit)
+    return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (more_vertices > UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has too many corners");
   if ((more_vertices > out->vertex_room || more > out->triangle_room) && /* in large steps: there may be thousands */
-      !vs_mesh_reserve(out, more_vertices + more_vertices / 2, more + more / 2) && !vs_mesh_reserve(out, more_vertices, more))
+      !vs_mesh_reserve(out, more_vertices + more_vertices / 2, more + more / 2) &&
+      !vs_mesh_reserve(out, more_vertices, more))
     return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   out->vertex_count = more_vertices;
   out->triangle_count = more;
@@ -40,12 +43,14 @@ static bool place_one(vs_kernel *k, placing *all, const vs_placement *p) {
   bool mirrors = vs_affine_determinant(&p->map) < 0;
   uint32_t shift = (uint32_t)(p->vertex - p->from.vertex);
   if (p->were && !find_tags(k, all, p)) return false;
-  for (size_t i = 0; i < p->from.vertices; i++) to->vertices[p->vertex + i] = vs_affine_point(&p->map, m->vertices[p->from.vertex + i]);
+  for (size_t i = 0; i < p->from.vertices; i++)
+    to->vertices[p->vertex + i] = vs_affine_point(&p->map, m->vertices[p->from.vertex + i]);
   for (size_t i = 0; i < p->from.triangles; i++) {
     const uint32_t *v = m->triangles[p->from.triangle + i];
     uint32_t *now = to->triangles[p->triangle + i];
     now[0] = v[0] + shift, now[1] = v[mirrors ? 2 : 1] + shift, now[2] = v[mirrors ? 1 : 2] + shift;
-    to->tags[p->triangle + i] = p->were ? all->tags[k->worker].at.at[to->tags[p->from.triangle + i]] : all->leaves[p->leaves[0]].tag;
+    to->tags[p->triangle + i] =
+        p->were ? all->tags[k->worker].at.at[to->tags[p->from.triangle + i]] : all->leaves[p->leaves[0]].tag;
   }
   return vs_kernel_report(k, k->part);
 }

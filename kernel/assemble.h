@@ -1,5 +1,5 @@
-/* Owns what comes into the result by copying: meshes that stand as they are, and results once more elsewhere. Room for each is made in order; threads fill it in
- * the end, when all that they copy from is there. */
+/* Owns what comes into the result by copying: meshes that stand as they are, and results once more elsewhere. Room for
+ * each is made in order; threads fill it in the end, when all that they copy from is there. */
 #ifndef VS_KERNEL_PLACE_H
 #define VS_KERNEL_PLACE_H
 
@@ -14,7 +14,8 @@ typedef struct {
   uint32_t into;             /* which result */
   size_t vertex, triangle;   /* where to */
   vs_affine map;
-  const uint32_t *were, *leaves; /* triangles of the tag of leaf were[i] have that of leaves[i] now; were NULL: all have that of leaves[0] */
+  const uint32_t *were, *leaves; /* triangles of the tag of leaf were[i] have that of leaves[i] now; were NULL: all have
+                                  * that of leaves[0] */
   uint32_t leaf_count;
 } vs_placement;
 

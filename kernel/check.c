@@ -1,12 +1,14 @@
 /* Owns what a cluster is held to that costs next to nothing.
  *
- * The volume of an expression lies between bounds that follow from its leaves' volumes: a union holds at least its largest operand and at most their sum, an
- * intersection at most its smallest, a difference at most its first and at least that less what of the others lies within the first one's box. A fault that lost or
- * invented a part of the result would be written as a mesh that is closed and wrong; most of them would fall out of these bounds.
+ * The volume of an expression lies between bounds that follow from its leaves' volumes: a union holds at least its
+ * largest operand and at most their sum, an intersection at most its smallest, a difference at most its first and at
+ * least that less what of the others lies within the first one's box. A fault that lost or invented a part of the
+ * result would be written as a mesh that is closed and wrong; most of them would fall out of these bounds.
  *
- * A star that is one on the grid, too, holds the volume of its triangles there. Where the grid has folded a star, its winding numbers differ from those before only
- * where triangles went through while their corners moved, each by less than one step: a triangle sweeps at most its area and its outline, and two for its corners.
- * Of any other leaf, which may overlap itself, no more is known than that it lies in its box. */
+ * A star that is one on the grid, too, holds the volume of its triangles there. Where the grid has folded a star, its
+ * winding numbers differ from those before only where triangles went through while their corners moved, each by less
+ * than one step: a triangle sweeps at most its area and its outline, and two for its corners. Of any other leaf, which
+ * may overlap itself, no more is known than that it lies in its box. */
 #include "kernel/check.h"
 
 #include <math.h>
@@ -28,11 +30,13 @@ static double sweep_of(double x[3][3]) {
   vs_vec3 at[3];
   for (int j = 0; j < 3; j++) at[j] = vs_v3(x[j][0], x[j][1], x[j][2]);
   vs_vec3 a = vs_v3_sub(at[1], at[0]), b = vs_v3_sub(at[2], at[1]);
-  return vs_v3_length(vs_v3_cross(a, b)) / 2 + vs_v3_length(a) + vs_v3_length(b) + vs_v3_length(vs_v3_sub(at[0], at[2])) + 2;
+  return vs_v3_length(vs_v3_cross(a, b)) / 2 + vs_v3_length(a) + vs_v3_length(b) +
+         vs_v3_length(vs_v3_sub(at[0], at[2])) + 2;
 }
 
 bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kernel_counts *counts) {
-  static const double CHANGED = 0.01, SOLID = 1e-9; /* of its volume; of its box: less is not known well enough to compare */
+  static const double CHANGED = 0.01, SOLID = 1e-9; /* of its volume; of its box: less is not known well enough to
+                                                     * compare */
   if (!VS_ROOM(k, check->leaves.at, check->leaves.room, (size_t)c->leaf_count + 1)) return false;
   double unit = step_volume(&c->grid);
   for (uint32_t i = 0; i < c->leaf_count; i++) {
@@ -46,14 +50,20 @@ bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kern
       double x[3][3]; /* from the first corner of all: small numbers where the leaf is small */
       for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) x[j][a] = (double)at[v[j]][a] - at[0][a];
-      six += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) - x[0][1] * (x[1][0] * x[2][2] - x[1][2] * x[2][0]) + x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
+      six += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) - x[0][1] * (x[1][0] * x[2][2] - x[1][2] * x[2][0]) +
+             x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
       if (folded) swept += sweep_of(x);
       if (!vs_kernel_poll(k, 0)) return false;
     }
-    double box = box_volume(&p->box), grid = fabs(six / 6), exact = fabs(p->part->volume * vs_affine_determinant(&c->problem->leaves[c->leaves[i]].placement)) / unit;
-    check->leaves.at[i] = p->star ? (vs_leaf_volume){ grid, grid } : folded ? (vs_leaf_volume){ fmax(0, exact - swept), fmin(exact + swept, box) } : (vs_leaf_volume){ 0, box };
+    double box = box_volume(&p->box), grid = fabs(six / 6),
+           exact = fabs(p->part->volume * vs_affine_determinant(&c->problem->leaves[c->leaves[i]].placement)) / unit;
+    check->leaves.at[i] = p->star  ? (vs_leaf_volume){ grid, grid }
+                          : folded ? (vs_leaf_volume){ fmax(0, exact - swept), fmin(exact + swept, box) }
+                                   : (vs_leaf_volume){ 0, box };
     if (!(fabs(grid - exact) > CHANGED * exact) || !(exact > SOLID * box)) continue;
-    if (counts->coarse++ == 0) counts->coarse_leaf = c->leaves[i], counts->coarse_step = c->grid.unit / c->grid.scale, counts->coarse_by = (grid - exact) / exact;
+    if (counts->coarse++ == 0)
+      counts->coarse_leaf = c->leaves[i], counts->coarse_step = c->grid.unit / c->grid.scale,
+      counts->coarse_by = (grid - exact) / exact;
   }
   check->leaves.count = c->leaf_count;
   return true;
@@ -61,7 +71,8 @@ bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kern
 
 static vs_box common_box(const vs_box *x, const vs_box *y) {
   vs_box b;
-  for (int a = 0; a < 3; a++) b.min[a] = x->min[a] > y->min[a] ? x->min[a] : y->min[a], b.max[a] = x->max[a] < y->max[a] ? x->max[a] : y->max[a];
+  for (int a = 0; a < 3; a++)
+    b.min[a] = x->min[a] > y->min[a] ? x->min[a] : y->min[a], b.max[a] = x->max[a] < y->max[a] ? x->max[a] : y->max[a];
   for (int a = 0; a < 3; a++)
     if (b.min[a] >= b.max[a]) return vs_box_nowhere;
   return b;
@@ -74,7 +85,8 @@ static void unite_box(vs_box *x, const vs_box *y) {
   }
 }
 
-typedef struct { double least, most; vs_box box; } bounds; /* of a leaf or a term, in steps; other clusters' leaves hold nothing here */
+typedef struct { double least, most; vs_box box; } bounds; /* of a leaf or a term, in steps; other clusters' leaves hold
+                                                            * nothing here */
 
 /* A term's, of its operands'. */
 static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
@@ -111,12 +123,14 @@ static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check
   if (n > 4 * (size_t)c->leaf_count + 1000 || !terms) return true;
   if (!VS_ROOM(k, all.at, all.room, n + 1)) return false;
   for (size_t i = 0; i < n; i++) all.at[i] = (bounds){ 0, 0, vs_box_nowhere };
-  for (uint32_t i = 0; i < c->leaf_count; i++) all.at[c->leaves[i]] = (bounds){ check->leaves.at[i].least, check->leaves.at[i].most, c->placed.at[i].box };
+  for (uint32_t i = 0; i < c->leaf_count; i++)
+    all.at[c->leaves[i]] = (bounds){ check->leaves.at[i].least, check->leaves.at[i].most, c->placed.at[i].box };
   bounds *of = all.at + p->leaf_count;
   for (uint32_t i = 0; i < terms; i++) {
     const vs_kernel_term *t = &p->terms[i];
     if (t->kind == VS_TERM_LEAF) of[i] = all.at[t->first];
-    for (uint32_t j = 0; t->kind != VS_TERM_LEAF && j < t->count; j++) of[i] = j == 0 ? of[p->operands[t->first]] : combine(t->kind, of[i], &of[p->operands[t->first + j]]);
+    for (uint32_t j = 0; t->kind != VS_TERM_LEAF && j < t->count; j++)
+      of[i] = j == 0 ? of[p->operands[t->first]] : combine(t->kind, of[i], &of[p->operands[t->first + j]]);
   }
   *least = fmax(*least, of[terms - 1].least), *most = fmin(*most, of[terms - 1].most);
   VS_DROP(k, all);
@@ -150,7 +164,8 @@ bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, c
   }
   double volume = six / 6 / unit, slack = 1e-9 * sum + 0x1p-48 * far * area / unit; /* what rounding to doubles moves */
   if (volume >= least - slack && volume <= most + slack) return true;
-  return VS_BROKEN(k, volume < least - slack ? "the result is smaller than its parts allow" : "the result is larger than its parts allow");
+  return VS_BROKEN(k, volume < least - slack ? "the result is smaller than its parts allow"
+                                             : "the result is larger than its parts allow");
 }
 
 void vs_check_free(vs_kernel *k, vs_check *check) { VS_DROP(k, check->leaves); }

@@ -1,10 +1,13 @@
-/* Owns the cutting down of leaves that are far larger than the place where they matter: the ground of a kilometre that a ball of a centimetre is cut off at.
+/* Owns the cutting down of leaves that are far larger than the place where they matter: the ground of a kilometre that
+ * a ball of a centimetre is cut off at.
  *
- * All coordinates of a cluster share one grid, so what is far larger than the rest would make it coarse. Where a leaf matters follows from the expression: an operand of an
- * intersection within the bounds of the others, what is taken off within the bounds of what it is taken off from, and so on down. There, and as far again around it, the
- * leaf is kept; outside, the result is the same whatever the leaf is.
- * Each of the six planes cuts the triangles that cross it and leaves out those beyond it. The remaining mesh has a border in the plane; a cone over the border, to any place in the plane,
- * closes it again: between two chains of one border in one plane there is no difference, so winding numbers are right also where the cone overlaps itself. */
+ * All coordinates of a cluster share one grid, so what is far larger than the rest would make it coarse. Where a leaf
+ * matters follows from the expression: an operand of an intersection within the bounds of the others, what is taken off
+ * within the bounds of what it is taken off from, and so on down. There, and as far again around it, the leaf is kept;
+ * outside, the result is the same whatever the leaf is. Each of the six planes cuts the triangles that cross it and
+ * leaves out those beyond it. The remaining mesh has a border in the plane; a cone over the border, to any place in the
+ * plane, closes it again: between two chains of one border in one plane there is no difference, so winding numbers are
+ * right also where the cone overlaps itself. */
 #include "kernel/clip.h"
 
 #include <math.h>
@@ -14,7 +17,8 @@
 /* A leaf so much larger than where it matters is cut: less costs the grid no more than 6 of its 32 bits. */
 static const double FAR = 64;
 
-typedef struct { uint32_t low, high; int32_t number; } edge; /* number: of its middle, or 1 where it runs from low to high, else -1 */
+typedef struct { uint32_t low, high; int32_t number; } edge; /* number: of its middle, or 1 where it runs from low to
+                                                              * high, else -1 */
 typedef struct {
   vs_kernel *k;
   VS_LIST(vs_vec3) vertices;
@@ -31,9 +35,12 @@ static int edge_order(const void *a, const void *b) {
 
 static edge edge_of(uint32_t a, uint32_t b) { return (edge){ a < b ? a : b, a < b ? b : a, a < b ? 1 : -1 }; }
 
-static bool keep(clipper *c, uint32_t a, uint32_t b, uint32_t d) { return VS_PUSH(c->k, c->kept, a) && VS_PUSH(c->k, c->kept, b) && VS_PUSH(c->k, c->kept, d); }
+static bool keep(clipper *c, uint32_t a, uint32_t b, uint32_t d) {
+  return VS_PUSH(c->k, c->kept, a) && VS_PUSH(c->k, c->kept, b) && VS_PUSH(c->k, c->kept, d);
+}
 
-/* A vertex on each edge that crosses the plane. The edge's ends are taken in one order, so that both its triangles find one place. */
+/* A vertex on each edge that crosses the plane. The edge's ends are taken in one order, so that both its triangles find
+ * one place. */
 static bool cut_edges(clipper *c) {
   c->edges.count = 0;
   for (size_t t = 0; t < c->corners.count; t += 3)
@@ -50,8 +57,10 @@ static bool cut_edges(clipper *c) {
     vs_vec3 p = c->vertices.at[e.low], q = c->vertices.at[e.high];
     double t = c->beyond.at[e.low] / (c->beyond.at[e.low] - c->beyond.at[e.high]);
     e.number = (int32_t)c->vertices.count;
-    if (c->vertices.count >= INT32_MAX) return vs_kernel_fail(c->k, VS_KERNEL_LIMIT, 0, "a solid has too many triangles");
-    if (!VS_PUSH(c->k, c->vertices, vs_v3_add(p, vs_v3_scale(vs_v3_sub(q, p), t))) || !VS_PUSH(c->k, c->beyond, 0.0)) return false;
+    if (c->vertices.count >= INT32_MAX)
+      return vs_kernel_fail(c->k, VS_KERNEL_LIMIT, 0, "a solid has too many triangles");
+    if (!VS_PUSH(c->k, c->vertices, vs_v3_add(p, vs_v3_scale(vs_v3_sub(q, p), t))) || !VS_PUSH(c->k, c->beyond, 0.0))
+      return false;
     c->edges.at[n++] = e;
   }
   c->edges.count = n;
@@ -71,7 +80,8 @@ static bool cut_triangles(clipper *c) {
     for (size_t j = 0; j < 3; j++) {
       uint32_t a = c->corners.at[t + j], b = c->corners.at[t + (j + 1) % 3];
       if (c->beyond.at[a] <= 0) ring[n++] = a;
-      if ((c->beyond.at[a] < 0 && c->beyond.at[b] > 0) || (c->beyond.at[a] > 0 && c->beyond.at[b] < 0)) ring[n++] = middle_of(c, a, b);
+      if ((c->beyond.at[a] < 0 && c->beyond.at[b] > 0) || (c->beyond.at[a] > 0 && c->beyond.at[b] < 0))
+        ring[n++] = middle_of(c, a, b);
     }
     for (uint32_t i = 2; i < n; i++)
       if (!keep(c, ring[0], ring[i - 1], ring[i])) return false;
@@ -92,13 +102,16 @@ static bool close_border(clipper *c) {
   if (c->edges.count) qsort(c->edges.at, c->edges.count, sizeof *c->edges.at, edge_order);
   for (size_t i = 0, end; i < c->edges.count; i = end) { /* those walked more often one way than the other */
     edge e = c->edges.at[i];
-    for (e.number = 0, end = i; end < c->edges.count && edge_order(&c->edges.at[end], &e) == 0; end++) e.number += c->edges.at[end].number;
+    for (e.number = 0, end = i; end < c->edges.count && edge_order(&c->edges.at[end], &e) == 0; end++)
+      e.number += c->edges.at[end].number;
     if (e.number != 0) c->edges.at[n++] = e;
   }
   c->edges.count = n;
   if (n == 0) return true;
   vs_vec3 sum = { 0, 0, 0 };
-  for (size_t i = 0; i < n; i++) sum = vs_v3_add(sum, vs_v3_scale(vs_v3_add(c->vertices.at[c->edges.at[i].low], c->vertices.at[c->edges.at[i].high]), 0.5 / (double)n));
+  for (size_t i = 0; i < n; i++)
+    sum = vs_v3_add(sum, vs_v3_scale(vs_v3_add(c->vertices.at[c->edges.at[i].low], c->vertices.at[c->edges.at[i].high]),
+                                     0.5 / (double)n));
   uint32_t apex = (uint32_t)c->vertices.count;
   if (!VS_PUSH(c->k, c->vertices, sum) || !VS_PUSH(c->k, c->beyond, 0.0)) return false;
   for (size_t i = 0; i < n; i++)
@@ -114,7 +127,9 @@ static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const
   const vs_mesh *m = leaf->mesh;
   double low[3] = { box->min.x, box->min.y, box->min.z }, high[3] = { box->max.x, box->max.y, box->max.z };
   c->vertices.count = c->corners.count = 0;
-  if (!VS_ROOM(k, c->vertices.at, c->vertices.room, m->vertex_count + 1) || !VS_ROOM(k, c->corners.at, c->corners.room, 3 * m->triangle_count + 1)) return false;
+  if (!VS_ROOM(k, c->vertices.at, c->vertices.room, m->vertex_count + 1) ||
+      !VS_ROOM(k, c->corners.at, c->corners.room, 3 * m->triangle_count + 1))
+    return false;
   if (m->vertex_count) memcpy(c->vertices.at, m->vertices, m->vertex_count * sizeof *m->vertices);
   if (m->triangle_count) memcpy(c->corners.at, m->triangles, m->triangle_count * sizeof *m->triangles);
   c->vertices.count = m->vertex_count;
@@ -147,14 +162,18 @@ static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const
     ok = ok && VS_PUSH(k, out->corners, *at);
   }
   VS_FREE(k, number, room);
-  out->mesh = (vs_mesh){ .vertices = out->vertices.at, .vertex_count = out->vertices.count, .triangles = (uint32_t (*)[3])(void *)out->corners.at, .triangle_count = out->corners.count / 3 };
+  out->mesh = (vs_mesh){ .vertices = out->vertices.at,
+                         .vertex_count = out->vertices.count,
+                         .triangles = (uint32_t(*)[3])(void *)out->corners.at,
+                         .triangle_count = out->corners.count / 3 };
   return ok;
 }
 
 /* Where each leaf matters: empty where nowhere. bounds: of the leaves. */
 static bool find_regions(vs_kernel *k, const vs_kernel_problem *p, const vs_bounds *bounds, vs_bounds *regions) {
   VS_LIST(vs_bounds) terms = { 0 }, matters = { 0 };
-  bool ok = VS_ROOM(k, terms.at, terms.room, (size_t)p->term_count + 1) && VS_ROOM(k, matters.at, matters.room, (size_t)p->term_count + 1);
+  bool ok = VS_ROOM(k, terms.at, terms.room, (size_t)p->term_count + 1) &&
+            VS_ROOM(k, matters.at, matters.room, (size_t)p->term_count + 1);
   for (uint32_t i = 0; ok && i < p->leaf_count; i++) regions[i] = vs_bounds_empty();
   for (uint32_t i = 0; ok && i < p->term_count; i++) {
     const vs_kernel_term *t = &p->terms[i];
@@ -166,7 +185,9 @@ static bool find_regions(vs_kernel *k, const vs_kernel_problem *p, const vs_boun
       else vs_bounds_meet(&b, o);
     }
     terms.at[i] = b;
-    matters.at[i] = i + 1 == p->term_count ? (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) } : vs_bounds_empty();
+    matters.at[i] = i + 1 == p->term_count
+                        ? (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) }
+                        : vs_bounds_empty();
   }
   for (uint32_t i = ok ? p->term_count : 0; i-- > 0;) {
     const vs_kernel_term *t = &p->terms[i];
@@ -193,7 +214,8 @@ static bool is_far_larger(const vs_bounds *leaf, const vs_bounds *region, vs_bou
   vs_bounds here = *region;
   vs_bounds_meet(&here, leaf);
   if (vs_bounds_is_empty(&here)) return false;
-  double reach = vs_bounds_diagonal(&here), size = fmax(leaf->max.x - leaf->min.x, fmax(leaf->max.y - leaf->min.y, leaf->max.z - leaf->min.z));
+  double reach = vs_bounds_diagonal(&here),
+         size = fmax(leaf->max.x - leaf->min.x, fmax(leaf->max.y - leaf->min.y, leaf->max.z - leaf->min.z));
   vs_vec3 around = vs_v3(reach, reach, reach);
   *box = (vs_bounds){ vs_v3_sub(here.min, around), vs_v3_add(here.max, around) };
   return reach > 0 && isfinite(size) && size > FAR * reach;
@@ -202,7 +224,8 @@ static bool is_far_larger(const vs_bounds *leaf, const vs_bounds *region, vs_bou
 bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, vs_clipped *out) {
   *out = (vs_clipped){ .problem = *p };
   bool any = false, ok = true;
-  for (uint32_t i = 0; !any && i < p->term_count; i++) any = (p->terms[i].kind == VS_TERM_INTERSECTION || p->terms[i].kind == VS_TERM_DIFFERENCE) && p->terms[i].count > 1;
+  for (uint32_t i = 0; !any && i < p->term_count; i++)
+    any = (p->terms[i].kind == VS_TERM_INTERSECTION || p->terms[i].kind == VS_TERM_DIFFERENCE) && p->terms[i].count > 1;
   if (!any) return true;
   VS_LIST(vs_bounds) regions = { 0 };
   clipper c = { .k = k };
@@ -211,8 +234,10 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds,
     vs_bounds box;
     if (!is_far_larger(&bounds[i], &regions.at[i], &box)) continue;
     if (!out->leaves.count) { /* the first: the others are what they were */
-      ok = VS_ROOM(k, out->leaves.at, out->leaves.room, (size_t)p->leaf_count + 1) && VS_ROOM(k, out->identities.at, out->identities.room, (size_t)p->leaf_count + 1) &&
-           VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* leaves point into these: they must not move */
+      ok = VS_ROOM(k, out->leaves.at, out->leaves.room, (size_t)p->leaf_count + 1) &&
+           VS_ROOM(k, out->identities.at, out->identities.room, (size_t)p->leaf_count + 1) &&
+           VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* leaves point into these: they must
+                                                                                   * not move */
       if (!ok) break;
       memcpy(out->leaves.at, p->leaves, p->leaf_count * sizeof *p->leaves);
       for (uint32_t j = 0; j < p->leaf_count; j++) out->identities.at[j] = p->identities ? p->identities[j] : 0;

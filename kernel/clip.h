@@ -18,7 +18,8 @@ typedef struct {
   VS_LIST(vs_clip) clips;
 } vs_clipped;
 
-/* Fills out->problem; what it points to lives as long as both p and out. bounds: of the leaves; those of what is cut become smaller. False on error. */
+/* Fills out->problem; what it points to lives as long as both p and out. bounds: of the leaves; those of what is cut
+ * become smaller. False on error. */
 bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, vs_clipped *out);
 void vs_clipped_free(vs_kernel *k, vs_clipped *c);
 

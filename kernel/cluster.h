@@ -3,18 +3,20 @@
  * Notation.
  *   facet   a maximal set of coplanar triangles of one leaf that hang together by edges; cut and classified as one
  *   group   facets of one plane that touch: they are arranged together
- *   face    a region of the arrangement in one plane, not cut by anything; its + side is where the plane's normal points
- *   cover   for each leaf that has the face: w(-side) = w(+side) + delta, w the leaf's winding number (inside: w > 0)
- *   use     a boundary edge of a face, directed so that the face lies left of it as seen from the + side
+ *   face    a region of the arrangement in one plane, not cut by anything; its + side is where the plane's normal
+ *   points cover   for each leaf that has the face: w(-side) = w(+side) + delta, w the leaf's winding number (inside: w
+ *   > 0) use     a boundary edge of a face, directed so that the face lies left of it as seen from the + side
  *   cell    a region of space: a set of sides of faces
  *   plain   a triangle of a leaf that nothing meets: it has no facet nor face of its own; see untouched_triangles.c
- *   region  plain triangles of a leaf that hang together: one face, which lies in no plane; its + side is outside of the leaf
- *   patch   a convex piece of a facet: all of it where it is convex, else one of its triangles; what is tested against each other
- *   side    a border edge of a facet, where facets are given by these and not by triangles: see levels.c
- *   line    of a side: an edge of the input that it lies on, or the second plane that it lies in
- *   settled of places inside a leaf that makes the whole true (or false) by itself, or outside of a gate: what lies in there cannot show.
- *           Triangles and cuts that are well inside settled space are left out from the start, so in there the arrangement is not to be
- *           trusted; its border is always complete, because what lies on the border is not inside. */
+ *   region  plain triangles of a leaf that hang together: one face, which lies in no plane; its + side is outside of
+ *   the leaf patch   a convex piece of a facet: all of it where it is convex, else one of its triangles; what is tested
+ *   against each other side    a border edge of a facet, where facets are given by these and not by triangles: see
+ *   levels.c line    of a side: an edge of the input that it lies on, or the second plane that it lies in
+ *   settled of places inside a leaf that makes the whole true (or false) by itself, or outside of a gate: what lies in
+ *   there cannot show.
+ *           Triangles and cuts that are well inside settled space are left out from the start, so in there the
+ *           arrangement is not to be trusted; its border is always complete, because what lies on the border is not
+ *           inside. */
 #ifndef VS_KERNEL_CLUSTER_H
 #define VS_KERNEL_CLUSTER_H
 
@@ -38,7 +40,8 @@ typedef struct {
 } vs_soup_triangle;
 
 typedef struct {
-  uint32_t leaf, place, plane, first; /* place: of the leaf in the cluster; first: into facet_triangles, up to the next facet's */
+  uint32_t leaf, place, plane, first; /* place: of the leaf in the cluster; first: into facet_triangles, up to the next
+                                       * facet's */
   uint32_t group;  /* union-find parent, a facet */
   bool flip, touched; /* touched: something meets it; else its triangles are copied */
 } vs_facet;
@@ -92,7 +95,8 @@ typedef struct {
   vs_box box;         /* in steps */
   vs_affine to_local; /* steps -> where its part lies; filled where it is a lid */
   double margin;      /* two steps, there */
-  double middle[3];   /* of the part, in steps; and squares of radii about it, in steps: within the first (less the margin) is well inside, */
+  double middle[3];   /* of the part, in steps; and squares of radii about it, in steps: within the first (less the
+                       * margin) is well inside, */
   double well_inside, outside; /* beyond the second outside; -1 and infinity where the placement is no similarity */
   bool lid;           /* convex, and settles what is inside of it */
   bool star;          /* also on the grid: no two of its triangles touch but in corners and edges they share */
@@ -122,7 +126,8 @@ typedef struct {
   size_t plain_count;
   VS_LIST(uint32_t) region_of;   /* of those that are plain */
   VS_LIST(vs_region) regions;
-  VS_LIST(uint32_t) point_of;    /* of every leaf's mesh's vertices, where some triangles are plain and others are not; else VS_NONE */
+  VS_LIST(uint32_t) point_of;    /* of every leaf's mesh's vertices, where some triangles are plain and others are not;
+                                  * else VS_NONE */
   vs_points_table points;
   vs_planes_table planes;
   VS_LIST(vs_soup_triangle) triangles;
@@ -133,7 +138,8 @@ typedef struct {
   VS_LIST(vs_box) boxes; /* of the patches */
   vs_bvh bvh;
   VS_LIST(vs_cut) cuts;
-  VS_LIST(vs_edge) edge_of; /* of a point: one that it lies on, where meeting made it; else both ends are 0. Until planes are arranged */
+  VS_LIST(vs_edge) edge_of; /* of a point: one that it lies on, where meeting made it; else both ends are 0. Until
+                             * planes are arranged */
   VS_LIST(vs_face) faces;
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;
@@ -210,7 +216,8 @@ typedef struct {
 bool vs_output_outlines(vs_kernel *k, vs_cluster *c, vs_outlines *out);
 void vs_cluster_free(vs_kernel *k, vs_cluster *c);
 
-/* Bit b of masks[vertex]: the leaf's vertex is well inside its b-th lid, or (the last six bits) beyond one side of the gate. */
+/* Bit b of masks[vertex]: the leaf's vertex is well inside its b-th lid, or (the last six bits) beyond one side of the
+ * gate. */
 enum { VS_LIDS = 48 };
 bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks);
 bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* false: all masks would be 0 */
@@ -227,14 +234,16 @@ bool vs_plain_copy(vs_kernel *k, vs_cluster *c, vs_mesh *out, const uint32_t *nu
 
 vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p);
 
-/* The order of faces around the edge from `low` to `high`: sign and axes in which (x, y) of their normals is looked at; see classify.c. */
+/* The order of faces around the edge from `low` to `high`: sign and axes in which (x, y) of their normals is looked at;
+ * see classify.c. */
 typedef struct { int64_t x, y; uint32_t ccw, cw; } vs_around; /* ccw, cw: the user's */
 int vs_around_axes(vs_points_view view, uint32_t low, uint32_t high, int *x, int *y);
 bool vs_around_before(const vs_around *a, const vs_around *b);
 
-/* Of the result's triangles from first_triangle on: sides: 2 * plane + looks against its normal, of each; points: of the vertices from first_vertex on.
- * rim: of a point: plain triangles go on from here, which have not been written yet; so many edges are still without their second triangle. Or NULL. */
-bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle, const uint32_t *sides, const uint32_t *points,
-                       const uint8_t *rim, size_t rim_edges);
+/* Of the result's triangles from first_triangle on: sides: 2 * plane + looks against its normal, of each; points: of
+ * the vertices from first_vertex on. rim: of a point: plain triangles go on from here, which have not been written yet;
+ * so many edges are still without their second triangle. Or NULL. */
+bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle,
+                       const uint32_t *sides, const uint32_t *points, const uint8_t *rim, size_t rim_edges);
 
 #endif

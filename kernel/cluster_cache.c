@@ -1,9 +1,10 @@
 /* Owns what the world cache knows of clusters.
  *
- * The bytes of a file must be those that a fresh process writes. Therefore the key has the placements as they are, not as they lie to each other: the grid of a
- * cluster depends on where it lies. Meshes stand in it by the serial number of their own result, tags and paints by the order in which
- * the leaves bring them up: what other numbers they have outside of the cluster is no matter, only which are equal.
- * The result: how many vertices, triangles and tags; the vertices; the corners; the tag of each triangle where there are several. */
+ * The bytes of a file must be those that a fresh process writes. Therefore the key has the placements as they are, not
+ * as they lie to each other: the grid of a cluster depends on where it lies. Meshes stand in it by the serial number of
+ * their own result, tags and paints by the order in which the leaves bring them up: what other numbers they have
+ * outside of the cluster is no matter, only which are equal. The result: how many vertices, triangles and tags; the
+ * vertices; the corners; the tag of each triangle where there are several. */
 #include "kernel/cluster_cache.h"
 
 #include <string.h>
@@ -12,7 +13,8 @@
 
 typedef struct { uint64_t vertices, triangles; } header;
 
-static bool place_of(vs_kernel *k, uint32_t **places, size_t *count, size_t *room, uint32_t number, uint32_t next, uint32_t *place) {
+static bool place_of(vs_kernel *k, uint32_t **places, size_t *count, size_t *room, uint32_t number, uint32_t next,
+                     uint32_t *place) {
   if (number >= *count) {
     if (!vs_kernel_grow(k, places, room, (size_t)number + 1, sizeof **places)) return false;
     for (; *count < *room; ++*count) (*places)[*count] = VS_NONE;
@@ -29,18 +31,23 @@ static bool put_real(vs_kernel *k, vs_remember *r, double d) { return put(k, r, 
 static bool put_leaf(vs_kernel *k, vs_remember *r, const vs_copies *c, uint32_t leaf) {
   const vs_kernel_leaf *l = &c->problem->leaves[leaf];
   uint32_t paint = c->problem->paints ? c->problem->paints[l->tag] : l->tag, tag_at, paint_at;
-  if (!place_of(k, &r->tag_place.at, &r->tag_place.count, &r->tag_place.room, l->tag, (uint32_t)r->tags.count, &tag_at) ||
-      !place_of(k, &r->paint_place.at, &r->paint_place.count, &r->paint_place.room, paint, (uint32_t)r->paints.count, &paint_at))
+  if (!place_of(k, &r->tag_place.at, &r->tag_place.count, &r->tag_place.room, l->tag, (uint32_t)r->tags.count,
+                &tag_at) ||
+      !place_of(k, &r->paint_place.at, &r->paint_place.count, &r->paint_place.room, paint, (uint32_t)r->paints.count,
+                &paint_at))
     return false;
   if (tag_at == r->tags.count && !VS_PUSH(k, r->tags, l->tag)) return false;
   if (paint_at == r->paints.count && !VS_PUSH(k, r->paints, paint)) return false;
-  bool ok = put(k, r, c->problem->identities[leaf]) && put(k, r, (uint64_t)tag_at << 32 | paint_at) &&
-            put(k, r, (uint64_t)c->expression->forces.at[leaf] << 2 | (uint64_t)c->expression->taken_off.at[leaf] << 1 | l->bare);
+  bool ok =
+      put(k, r, c->problem->identities[leaf]) && put(k, r, (uint64_t)tag_at << 32 | paint_at) &&
+      put(k, r,
+          (uint64_t)c->expression->forces.at[leaf] << 2 | (uint64_t)c->expression->taken_off.at[leaf] << 1 | l->bare);
   for (int i = 0; ok && i < 12; i++) ok = put_real(k, r, l->placement.m[i / 4][i % 4]);
   return ok;
 }
 
-bool vs_remember_key(vs_kernel *k, vs_remember *r, vs_copies *c, const uint32_t *leaves, uint32_t count, const vs_bounds *gate, bool *known) {
+bool vs_remember_key(vs_kernel *k, vs_remember *r, vs_copies *c, const uint32_t *leaves, uint32_t count,
+                     const vs_bounds *gate, bool *known) {
   const vs_kernel_options *o = k->options;
   *known = o && vs_cache_asks(o->cache) && c->problem->identities;
   for (uint32_t i = 0; *known && i < count; i++) *known = c->problem->identities[leaves[i]] != 0;
@@ -54,19 +61,21 @@ bool vs_remember_key(vs_kernel *k, vs_remember *r, vs_copies *c, const uint32_t 
   ok = ok && vs_copies_put_terms(k, c, leaves, count);
   for (size_t i = first; ok && i < c->keys.count; i++) ok = put(k, r, c->keys.at[i]);
   c->keys.count = first;
-  return ok && (!gate || (put_real(k, r, gate->min.x) && put_real(k, r, gate->min.y) && put_real(k, r, gate->min.z) && put_real(k, r, gate->max.x) &&
-                          put_real(k, r, gate->max.y) && put_real(k, r, gate->max.z)));
+  return ok && (!gate || (put_real(k, r, gate->min.x) && put_real(k, r, gate->min.y) && put_real(k, r, gate->min.z) &&
+                          put_real(k, r, gate->max.x) && put_real(k, r, gate->max.y) && put_real(k, r, gate->max.z)));
 }
 
 bool vs_remember_find(vs_kernel *k, vs_remember *r, vs_mesh *out, bool *found) {
-  const vs_cached *known = vs_cache_find(k->options->cache, &(vs_cache_key){ VS_CACHED_CLUSTER, NULL, r->words.at, r->words.count, 0 });
+  const vs_cached *known =
+      vs_cache_find(k->options->cache, &(vs_cache_key){ VS_CACHED_CLUSTER, NULL, r->words.at, r->words.count, 0 });
   *found = known != NULL;
   if (!known) return true;
   header h;
   memcpy(&h, known->data, sizeof h);
   const unsigned char *from = (const unsigned char *)known->data + 16; /* pieces begin at sixteens (cache.c) */
   size_t vertices = out->vertex_count, triangles = out->triangle_count, limit = k->options->max_triangles;
-  bool ok = (!limit || triangles + h.triangles <= limit) || vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
+  bool ok = (!limit || triangles + h.triangles <= limit) ||
+            vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (ok && (vertices + h.vertices > out->vertex_room || triangles + h.triangles > out->triangle_room))
     ok = vs_mesh_reserve(out, vertices + vertices / 2 + h.vertices, triangles + triangles / 2 + h.triangles) ||
          vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
@@ -97,15 +106,18 @@ bool vs_remember_keep(vs_kernel *k, vs_remember *r, const vs_mesh *out, size_t f
   if (!VS_ROOM(k, r->scratch.at, r->scratch.room, (size_t)h.triangles * (several ? 4 : 3) + 1)) return false;
   uint32_t *corners = r->scratch.at, *places = corners + 3 * h.triangles;
   for (size_t i = 0; i < h.triangles; i++)
-    for (int j = 0; j < 3; j++) corners[3 * i + (size_t)j] = out->triangles[first_triangle + i][j] - (uint32_t)first_vertex;
+    for (int j = 0; j < 3; j++)
+      corners[3 * i + (size_t)j] = out->triangles[first_triangle + i][j] - (uint32_t)first_vertex;
   for (uint32_t i = 0; i < r->tags.count; i++) r->tag_place.at[r->tags.at[i]] = i;
   for (size_t i = 0; several && i < h.triangles; i++) places[i] = r->tag_place.at[out->tags[first_triangle + i]];
   for (size_t i = 0; i < r->tags.count; i++) r->tag_place.at[r->tags.at[i]] = VS_NONE;
-  const vs_cache_piece pieces[] = {
-    { &h, sizeof h }, { out->vertices + first_vertex, (size_t)h.vertices * sizeof *out->vertices }, { corners, (size_t)h.triangles * 3 * sizeof *corners },
-    { places, several ? (size_t)h.triangles * sizeof *places : 0 }
-  };
-  vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_CLUSTER, NULL, r->words.at, r->words.count, 0 }, pieces, 4));
+  const vs_cache_piece pieces[] = { { &h, sizeof h },
+                                    { out->vertices + first_vertex, (size_t)h.vertices * sizeof *out->vertices },
+                                    { corners, (size_t)h.triangles * 3 * sizeof *corners },
+                                    { places, several ? (size_t)h.triangles * sizeof *places : 0 } };
+  vs_cache_let_go(
+      cache,
+      vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_CLUSTER, NULL, r->words.at, r->words.count, 0 }, pieces, 4));
   return true;
 }
 

@@ -1,16 +1,20 @@
-/* Owns the keys of clusters. A key is made of numbers that are equal for copies: for every leaf its part, its tag, its placement seen from the first
- * leaf (to 2^-36 of that leaf's size: what rounding makes of equal turns and moves), and the terms between the leaves and the result. */
+/* Owns the keys of clusters. A key is made of numbers that are equal for copies: for every leaf its part, its tag, its
+ * placement seen from the first leaf (to 2^-36 of that leaf's size: what rounding makes of equal turns and moves), and
+ * the terms between the leaves and the result. */
 #include "kernel/cluster_copies.h"
 
 #include <math.h>
 #include <string.h>
 
-bool vs_copies_begin(vs_kernel *k, vs_copies *c, const vs_kernel_problem *p, const vs_parts *parts, const vs_expression *e) {
+bool vs_copies_begin(vs_kernel *k, vs_copies *c, const vs_kernel_problem *p, const vs_parts *parts,
+                     const vs_expression *e) {
   enum { HEADS = 256 };
   c->problem = p;
   c->parts = parts;
   c->expression = e;
-  if (!VS_ROOM(k, c->number.at, c->number.room, (size_t)p->term_count + 1) || !VS_ROOM(k, c->heads.at, c->heads.room, HEADS)) return false;
+  if (!VS_ROOM(k, c->number.at, c->number.room, (size_t)p->term_count + 1) ||
+      !VS_ROOM(k, c->heads.at, c->heads.room, HEADS))
+    return false;
   c->heads.count = HEADS;
   for (size_t i = 0; i < HEADS; i++) c->heads.at[i] = VS_NONE;
   for (uint32_t i = 0; i <= p->term_count; i++) c->number.at[i] = VS_NONE;
@@ -24,7 +28,9 @@ static uint64_t rounded(double x, double unit) { return (uint64_t)(int64_t)floor
 static bool put_leaf(vs_kernel *k, vs_copies *c, uint32_t leaf, const vs_affine *back, double size) {
   const vs_kernel_leaf *l = &c->problem->leaves[leaf];
   vs_affine a = vs_affine_multiply(back, &l->placement);
-  if (!put(k, c, (uint64_t)c->parts->of_leaf.at[leaf] << 1 | l->bare) || !put(k, c, c->problem->paints ? c->problem->paints[l->tag] : l->tag)) return false;
+  if (!put(k, c, (uint64_t)c->parts->of_leaf.at[leaf] << 1 | l->bare) ||
+      !put(k, c, c->problem->paints ? c->problem->paints[l->tag] : l->tag))
+    return false;
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 4; j++) {
       double x = a.m[i][j], unit = j < 3 ? 0x1p-36 : size * 0x1p-36;
@@ -52,9 +58,11 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uin
   for (size_t i = 0; ok && i < c->terms.count; i++) { /* grows as users are reached */
     uint32_t t = c->terms.at[i];
     ok = put(k, c, (uint64_t)e->need.at[t] << 32 | (uint64_t)e->kind.at[t] << 1 | (t == e->root));
-    if (e->kind.at[t] == VS_TERM_UNION || e->kind.at[t] == VS_TERM_LEAF) c->keys.at[c->keys.count - 1] &= UINT32_MAX; /* how many others there are is no matter */
+    /* how many others there are is no matter */
+    if (e->kind.at[t] == VS_TERM_UNION || e->kind.at[t] == VS_TERM_LEAF) c->keys.at[c->keys.count - 1] &= UINT32_MAX;
     for (uint32_t j = e->user_first.at[t]; ok && j < e->user_first.at[t + 1]; j++)
-      ok = reach(k, c, e->users.at[j] / 2) && (c->keys.at[c->keys.count - 1] |= (uint64_t)(e->users.at[j] & 1) << 32, true);
+      ok = reach(k, c, e->users.at[j] / 2) &&
+           (c->keys.at[c->keys.count - 1] |= (uint64_t)(e->users.at[j] & 1) << 32, true);
     ok = ok && put(k, c, UINT64_MAX) && vs_kernel_poll(k, 0);
   }
   for (uint32_t i = 0; ok && i < e->gate_count; i++) ok = put(k, c, c->number.at[e->gates[i]]);
@@ -62,13 +70,15 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uin
   return ok;
 }
 
-bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count, uint32_t *original, bool *is_new, vs_affine *map) {
+bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count, uint32_t *original,
+                    bool *is_new, vs_affine *map) {
   size_t start = c->keys.count;
   vs_affine back;
   *is_new = true;
   *original = (uint32_t)c->originals.count;
   const vs_part *first = &c->parts->all.at[c->parts->of_leaf.at[leaves[0]]];
-  bool comparable = (uint64_t)count * 2 <= c->problem->leaf_count && first->outer > 0 && vs_affine_invert(&c->problem->leaves[leaves[0]].placement, &back);
+  bool comparable = (uint64_t)count * 2 <= c->problem->leaf_count && first->outer > 0 &&
+                    vs_affine_invert(&c->problem->leaves[leaves[0]].placement, &back);
   uint64_t hash = 0;
   if (comparable) {
     int exponent;
@@ -97,7 +107,9 @@ bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t
   uint32_t *head = &c->heads.at[hash & (c->heads.count - 1)];
   for (uint32_t i = *head; comparable && i != VS_NONE; i = c->originals.at[i].next) {
     const vs_original *o = &c->originals.at[i];
-    if (o->hash != hash || o->length != length || memcmp(c->keys.at + o->key, c->keys.at + start, length * sizeof *c->keys.at) != 0) continue;
+    if (o->hash != hash || o->length != length ||
+        memcmp(c->keys.at + o->key, c->keys.at + start, length * sizeof *c->keys.at) != 0)
+      continue;
     vs_affine from;
     if (!vs_affine_invert(&c->problem->leaves[o->leaves[0]].placement, &from)) continue;
     *map = vs_affine_multiply(&c->problem->leaves[leaves[0]].placement, &from);
@@ -106,13 +118,16 @@ bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t
         double whole = floor(map->m[r][j] + 0.5);
         if (fabs(map->m[r][j] - whole) < 1e-14) map->m[r][j] = whole;
       }
-    vs_vec3 to = vs_affine_point(&c->problem->leaves[leaves[0]].placement, first->middle), at = vs_affine_point(&c->problem->leaves[o->leaves[0]].placement, first->middle);
+    vs_vec3 to = vs_affine_point(&c->problem->leaves[leaves[0]].placement, first->middle),
+            at = vs_affine_point(&c->problem->leaves[o->leaves[0]].placement, first->middle);
     vs_vec3 off = vs_v3_sub(to, vs_affine_vector(map, at));
     map->m[0][3] = off.x;
     map->m[1][3] = off.y;
     map->m[2][3] = off.z;
     if (vs_affine_is_translation(map))
-      for (int r = 0; r < 3; r++) map->m[r][3] = c->problem->leaves[leaves[0]].placement.m[r][3] - c->problem->leaves[o->leaves[0]].placement.m[r][3];
+      for (int r = 0; r < 3; r++)
+        map->m[r][3] =
+            c->problem->leaves[leaves[0]].placement.m[r][3] - c->problem->leaves[o->leaves[0]].placement.m[r][3];
     *original = i;
     *is_new = false;
     c->keys.count = start;

@@ -1,4 +1,5 @@
-/* Owns the search for clusters that are copies of each other: the same parts, placed alike among themselves, in the same role. */
+/* Owns the search for clusters that are copies of each other: the same parts, placed alike among themselves, in the
+ * same role. */
 #ifndef VS_KERNEL_COPIES_H
 #define VS_KERNEL_COPIES_H
 
@@ -6,7 +7,8 @@
 #include "kernel/expression.h"
 #include "kernel/distinct_meshes.h"
 
-typedef struct { uint64_t hash; size_t key, length; const uint32_t *leaves; uint32_t count, next; } vs_original; /* leaves: the caller's, who keeps them */
+/* leaves: the caller's, who keeps them */
+typedef struct { uint64_t hash; size_t key, length; const uint32_t *leaves; uint32_t count, next; } vs_original;
 
 typedef struct {
   const vs_kernel_problem *problem;
@@ -19,10 +21,14 @@ typedef struct {
   VS_LIST(uint32_t) number;  /* of a term among them; VS_NONE else */
 } vs_copies;
 
-bool vs_copies_begin(vs_kernel *k, vs_copies *c, const vs_kernel_problem *p, const vs_parts *parts, const vs_expression *e);
-/* *original: which of the originals the cluster is a copy of, with the map from that to this; or a new one's number, and *is_new. */
-bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count, uint32_t *original, bool *is_new, vs_affine *map);
-/* Appends to keys what says in which way the leaves make the result: the terms that they reach, by the order they are reached in. */
+bool vs_copies_begin(vs_kernel *k, vs_copies *c, const vs_kernel_problem *p, const vs_parts *parts,
+                     const vs_expression *e);
+/* *original: which of the originals the cluster is a copy of, with the map from that to this; or a new one's number,
+ * and *is_new. */
+bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count, uint32_t *original,
+                    bool *is_new, vs_affine *map);
+/* Appends to keys what says in which way the leaves make the result: the terms that they reach, by the order they are
+ * reached in. */
 bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count);
 void vs_copies_free(vs_kernel *k, vs_copies *c);
 

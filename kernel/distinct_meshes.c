@@ -1,8 +1,9 @@
 /* Owns the preparation of distinct meshes.
  *
- * A mesh is a star about its middle m where m lies strictly inside of every triangle's plane and the triangles' solid angles seen from m sum to one
- * full sphere: the surface then is the image of that sphere, once, and a place q is inside where it lies on m's side of the triangle that the ray from
- * m through q meets. The triangle is found by walking from one to the next across the edge that the ray passes outside of. */
+ * A mesh is a star about its middle m where m lies strictly inside of every triangle's plane and the triangles' solid
+ * angles seen from m sum to one full sphere: the surface then is the image of that sphere, once, and a place q is
+ * inside where it lies on m's side of the triangle that the ray from m through q meets. The triangle is found by
+ * walking from one to the next across the edge that the ray passes outside of. */
 #include "kernel/distinct_meshes.h"
 
 #include <math.h>
@@ -13,7 +14,8 @@
 
 typedef struct { uint32_t high, corner; } half; /* corner: 2 * number + runs from high to low */
 
-bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, size_t vertex_count, const uint32_t *id, uint32_t *twins, uint32_t *open) {
+bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, size_t vertex_count, const uint32_t *id,
+                   uint32_t *twins, uint32_t *open) {
   uint32_t *first = NULL;
   half *halves = NULL;
   size_t first_room = 0, half_room = 0;
@@ -34,7 +36,8 @@ bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, s
       if (!pass)
         for (size_t i = 2; i < vertex_count + 2; i++) first[i] += first[i - 1];
     }
-    for (size_t v = 0; ok && v < vertex_count; v++) { /* few in each: each looks for the nearest before it that runs the other way and is free */
+    for (size_t v = 0; ok && v < vertex_count; v++) { /* few in each: each looks for the nearest before it that runs the
+                                                       * other way and is free */
       uint32_t low = first[v], high = first[v + 1];
       enum { MANY = 64 };
       if (high - low > MANY) {
@@ -44,7 +47,9 @@ bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, s
           for (uint32_t i = gap; i < n; i++) {
             half x = at[i];
             uint32_t j = i;
-            for (; j >= gap && (at[j - gap].high != x.high ? at[j - gap].high > x.high : at[j - gap].corner > x.corner); j -= gap) at[j] = at[j - gap];
+            for (; j >= gap && (at[j - gap].high != x.high ? at[j - gap].high > x.high : at[j - gap].corner > x.corner);
+                 j -= gap)
+              at[j] = at[j - gap];
             at[j] = x;
           }
       }
@@ -84,7 +89,9 @@ static bool find_twins(vs_kernel *k, vs_part *p) {
   const uint32_t(*triangles)[3] = (const uint32_t(*)[3])m->triangles;
   uint32_t open, *order = NULL, *scratch = NULL, *id = NULL;
   size_t order_room = 0, scratch_room = 0, id_room = 0, n = m->vertex_count;
-  if (!VS_ROOM(k, p->twins, p->twin_room, 3 * m->triangle_count + 1) || !vs_twins_find(k, triangles, m->triangle_count, n, NULL, p->twins, &open)) return false;
+  if (!VS_ROOM(k, p->twins, p->twin_room, 3 * m->triangle_count + 1) ||
+      !vs_twins_find(k, triangles, m->triangle_count, n, NULL, p->twins, &open))
+    return false;
   if (open == VS_NONE) return true;
   bool ok = VS_ROOM(k, order, order_room, n) && VS_ROOM(k, scratch, scratch_room, n) && VS_ROOM(k, id, id_room, n);
   if (ok) {
@@ -122,10 +129,15 @@ static bool find_star(vs_kernel *k, vs_part *p) {
   size = p->outer;
   if (!(size > 0) || !isfinite(size)) return true;
   for (size_t t = 0; t < n; t++) {
-    vs_vec3 a = vs_v3_sub(m->vertices[m->triangles[t][0]], p->middle), b = vs_v3_sub(m->vertices[m->triangles[t][1]], p->middle),
-            c = vs_v3_sub(m->vertices[m->triangles[t][2]], p->middle), normal = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
-    double volume = det(a, b, c), area = vs_v3_length(normal), la = vs_v3_length(a), lb = vs_v3_length(b), lc = vs_v3_length(c);
-    if (!(volume > 1e-9 * size * area) || p->twins[3 * t] == VS_NONE || p->twins[3 * t + 1] == VS_NONE || p->twins[3 * t + 2] == VS_NONE) return true;
+    vs_vec3 a = vs_v3_sub(m->vertices[m->triangles[t][0]], p->middle),
+            b = vs_v3_sub(m->vertices[m->triangles[t][1]], p->middle),
+            c = vs_v3_sub(m->vertices[m->triangles[t][2]], p->middle),
+            normal = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
+    double volume = det(a, b, c), area = vs_v3_length(normal), la = vs_v3_length(a), lb = vs_v3_length(b),
+           lc = vs_v3_length(c);
+    if (!(volume > 1e-9 * size * area) || p->twins[3 * t] == VS_NONE || p->twins[3 * t + 1] == VS_NONE ||
+        p->twins[3 * t + 2] == VS_NONE)
+      return true;
     p->inner = fmin(p->inner, volume / area);
     if (!vs_kernel_poll(k, 0)) return false;
     six += volume;
@@ -143,9 +155,11 @@ static void find_convex(vs_part *p) {
   size_t n = m->triangle_count, vertices = m->vertex_count;
   double size = p->outer;
   if (!p->star) return;
-  bool global = n * vertices <= GLOBAL; /* else each edge by itself, held to what double can do, so that many cannot add up */
+  bool global = n * vertices <= GLOBAL; /* else each edge by itself, held to what double can do, so that many cannot add
+                                         * up */
   for (size_t t = 0; t < n; t++) {
-    vs_vec3 a = m->vertices[m->triangles[t][0]], normal = vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], a), vs_v3_sub(m->vertices[m->triangles[t][2]], a));
+    vs_vec3 a = m->vertices[m->triangles[t][0]], normal = vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], a),
+                                                                      vs_v3_sub(m->vertices[m->triangles[t][2]], a));
     double length = vs_v3_length(normal);
     for (size_t i = 0; i < (global ? vertices : 3); i++) {
       vs_vec3 v = m->vertices[global ? i : m->triangles[p->twins[3 * t + i] / 3][(p->twins[3 * t + i] + 2) % 3]];
@@ -155,7 +169,8 @@ static void find_convex(vs_part *p) {
   p->convex = true;
 }
 
-/* Walks from a triangle to the one that the ray from the middle along d meets; false where that is too far. corner: of the last one, from the middle. */
+/* Walks from a triangle to the one that the ray from the middle along d meets; false where that is too far. corner: of
+ * the last one, from the middle. */
 static bool walk_to(const vs_part *p, vs_vec3 d, uint32_t *triangle, vs_vec3 corner[3]) {
   enum { STEPS = 48 };
   const vs_mesh *m = p->mesh;
@@ -240,12 +255,14 @@ static bool look_at(vs_kernel *k, void *context, size_t chunk) {
   return true;
 }
 
-bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem, const uint32_t *order, const uint32_t *cluster, uint32_t count) {
+bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem, const uint32_t *order,
+                      const uint32_t *cluster, uint32_t count) {
   size_t slots = 64;
   while (slots < 2 * (size_t)problem->leaf_count) slots *= 2;
   uint32_t *table = NULL;
   size_t table_room = 0;
-  bool ok = VS_ROOM(k, table, table_room, slots) && VS_ROOM(k, p->of_leaf.at, p->of_leaf.room, (size_t)problem->leaf_count + 1);
+  bool ok = VS_ROOM(k, table, table_room, slots) &&
+            VS_ROOM(k, p->of_leaf.at, p->of_leaf.room, (size_t)problem->leaf_count + 1);
   for (size_t i = 0; ok && i < slots; i++) table[i] = VS_NONE;
   for (uint32_t i = 0; ok && i < problem->leaf_count; i++) {
     const vs_mesh *mesh = problem->leaves[i].mesh;
@@ -260,7 +277,8 @@ bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *proble
   }
   VS_FREE(k, table, table_room);
   for (uint32_t i = 0; ok && i < count; i++)
-    if ((i > 0 && cluster[i - 1] == cluster[i]) || (i + 1 < count && cluster[i + 1] == cluster[i])) p->all.at[p->of_leaf.at[order[i]]].joined = true;
+    if ((i > 0 && cluster[i - 1] == cluster[i]) || (i + 1 < count && cluster[i + 1] == cluster[i]))
+      p->all.at[p->of_leaf.at[order[i]]].joined = true;
   enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
   size_t triangles = 0;
   uint32_t threads = k->threads;

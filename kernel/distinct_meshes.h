@@ -1,5 +1,5 @@
-/* Owns what is worked out once for each distinct mesh, however many leaves place it: which edges belong together, and whether a place in it can be
- * told quickly to be inside. */
+/* Owns what is worked out once for each distinct mesh, however many leaves place it: which edges belong together, and
+ * whether a place in it can be told quickly to be inside. */
 #ifndef VS_KERNEL_PART_H
 #define VS_KERNEL_PART_H
 
@@ -8,18 +8,23 @@
 
 typedef struct {
   const vs_mesh *mesh;
-  uint32_t *twins;      /* of corner 3 * t + j: the corner whose edge runs the other way; NULL where the mesh closes only on the grid */
+  uint32_t *twins;      /* of corner 3 * t + j: the corner whose edge runs the other way; NULL where the mesh closes
+                         * only on the grid */
   size_t twin_room;
   double volume;        /* signed */
   vs_vec3 middle;       /* the mean of the corners */
-  bool star;            /* the middle sees all of the surface from inside, each direction once: nothing crosses anything */
+  bool star;            /* the middle sees all of the surface from inside, each direction once: nothing crosses
+                         * anything */
   bool convex;          /* star, and so but for rounding; where it is joined */
-  uint32_t *starts;     /* convex: a triangle at or near each of some directions from the middle, by cells of a cube's sides; see part.c */
+  uint32_t *starts;     /* convex: a triangle at or near each of some directions from the middle, by cells of a cube's
+                         * sides; see part.c */
   size_t start_room;
   uint32_t start_cells; /* along a side's edge; 0: of so few triangles that any will do */
   double inner, outer;  /* convex: radii about the middle of a ball within and a ball without */
-  enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone; /* of one that is no star: may it stand as it is where nothing touches it? */
-  bool joined;          /* a leaf of it touches another; a star that is not has no twins and does not know whether it is convex: it stands as it is */
+  enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone; /* of one that is no star: may it stand as it is where nothing
+                                                    * touches it? */
+  bool joined;          /* a leaf of it touches another; a star that is not has no twins and does not know whether it is
+                         * convex: it stands as it is */
 } vs_part;
 
 typedef struct {
@@ -28,12 +33,15 @@ typedef struct {
 } vs_parts;
 
 /* order: leaves by cluster, and cluster beside it, count of both. */
-bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem, const uint32_t *order, const uint32_t *cluster, uint32_t count);
+bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem, const uint32_t *order,
+                      const uint32_t *cluster, uint32_t count);
 void vs_parts_free(vs_kernel *k, vs_parts *p);
 
-/* Fills twins (3 * count of them) by the corners' numbers in id, or by their own where id is NULL; corners of one number, and an edge between
- * them, have no twin: VS_NONE. *open: a triangle whose edge nothing answers, else VS_NONE. */
-bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, size_t vertex_count, const uint32_t *id, uint32_t *twins, uint32_t *open);
+/* Fills twins (3 * count of them) by the corners' numbers in id, or by their own where id is NULL; corners of one
+ * number, and an edge between them, have no twin: VS_NONE. *open: a triangle whose edge nothing answers, else
+ * VS_NONE. */
+bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, size_t vertex_count, const uint32_t *id,
+                   uint32_t *twins, uint32_t *open);
 
 /* Is q inside a convex part, further than margin from its surface? May say no where it is. */
 bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin);

@@ -1,7 +1,7 @@
 /* Owns the kernel's driver: clusters of leaves that touch, each evaluated by itself; the results side by side.
  *
- * Leaves whose boxes are apart cannot meet, so each cluster has its own frame and grid. The one expression serves all: in a cluster's cells the
- * leaves of the others are outside. */
+ * Leaves whose boxes are apart cannot meet, so each cluster has its own frame and grid. The one expression serves all:
+ * in a cluster's cells the leaves of the others are outside. */
 #include "kernel/check.h"
 #include "kernel/evaluate.h"
 #include "kernel/clip.h"
@@ -30,7 +30,8 @@ typedef struct { const vs_kernel_problem *problem; vs_bounds *bounds; } bounding
 
 static bool bound_some(vs_kernel *k, void *context, size_t index) {
   const bounding *b = context;
-  size_t begin = index * LEAVES, end = b->problem->leaf_count - begin < LEAVES ? b->problem->leaf_count : begin + LEAVES;
+  size_t begin = index * LEAVES,
+         end = b->problem->leaf_count - begin < LEAVES ? b->problem->leaf_count : begin + LEAVES;
   for (size_t i = begin; i < end; i++) {
     const vs_kernel_leaf *l = &b->problem->leaves[i];
     b->bounds[i] = l->mesh->triangle_count ? vs_mesh_placed_bounds(l->mesh, &l->placement) : vs_bounds_empty();
@@ -49,14 +50,17 @@ static bool bound_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bo
   return ok;
 }
 
-/* bounds: of every leaf; becomes that of the part that matters. order: leaves by cluster, those without triangles left out; parent: beside it, which cluster. */
-static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent, uint32_t *order, uint32_t *count) {
+/* bounds: of every leaf; becomes that of the part that matters. order: leaves by cluster, those without triangles left
+ * out; parent: beside it, which cluster. */
+static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent,
+                          uint32_t *order, uint32_t *count) {
   vs_box *boxes = NULL;
   uint32_t *scratch = NULL;
   size_t box_room = 0, scratch_room = 0;
   vs_bvh bvh = { 0 };
   uint32_t n = 0;
-  bool ok = VS_ROOM(k, boxes, box_room, (size_t)p->leaf_count + 1) && VS_ROOM(k, scratch, scratch_room, (size_t)p->leaf_count + 1);
+  bool ok = VS_ROOM(k, boxes, box_room, (size_t)p->leaf_count + 1) &&
+            VS_ROOM(k, scratch, scratch_room, (size_t)p->leaf_count + 1);
   double size = 0;
   for (uint32_t i = 0; ok && i < p->leaf_count; i++) {
     if (p->leaves[i].mesh->triangle_count == 0) continue;
@@ -74,7 +78,8 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
     order[n++] = i;
     ok = ok && vs_kernel_poll(k, 0);
   }
-  /* boxes in steps finer than the finest grid can be coarse here, widened by two of a cluster's own steps at the largest */
+  /* boxes in steps finer than the finest grid can be coarse here, widened by two of a cluster's own steps at the
+   * largest */
   double step = size > 0 ? size * 0x1p-28 : 1;
   for (uint32_t i = 0; ok && i < n; i++)
     for (int a = 0; a < 3; a++) {
@@ -207,7 +212,9 @@ static bool arrange_in_levels(vs_kernel *k, vs_cluster *c, vs_expression *e) {
 }
 
 static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
-  vs_cluster c = { .problem = w->problem, .parts = &w->parts, .expression = &w->expression, .leaves = leaves, .leaf_count = count };
+  vs_cluster c = {
+    .problem = w->problem, .parts = &w->parts, .expression = &w->expression, .leaves = leaves, .leaf_count = count
+  };
   if (w->expression.gate_count) c.gate = &w->gate;
   uint32_t threads = k->threads;
   size_t triangles = 0, first = out->triangle_count;
@@ -271,12 +278,14 @@ static bool gate_cuts(const whole *w, const uint32_t *leaves, uint32_t count) {
   return memcmp(&all, &w->gate, sizeof all) != 0;
 }
 
-static bool no_room(vs_kernel *k) { return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
+static bool no_room(vs_kernel *k) {
+  return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+}
 
 static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) || no_room(k); }
 
-/* *alone: a leaf that touches nothing, and in which nothing touches anything, stands as it is or not at all: nothing is to
- * be computed, and nothing is put on a grid. A mesh that is no star is looked at once. */
+/* *alone: a leaf that touches nothing, and in which nothing touches anything, stands as it is or not at all: nothing is
+ * to be computed, and nothing is put on a grid. A mesh that is no star is looked at once. */
 static bool stands_alone(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, bool *alone) {
   enum { FLAT = 1 << 20 }; /* turned by less than that, its faces are still those that were looked at */
   const vs_kernel_leaf *l = &w->problem->leaves[leaves[0]];
@@ -301,8 +310,13 @@ static bool stands_alone(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_
 /* Makes room for it in the result of that number, if it is in the result at all. */
 static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *out, uint32_t into) {
   const vs_kernel_leaf *l = &w->problem->leaves[*leaf];
-  vs_placement p = { .mesh = l->mesh, .from = { 0, 0, l->mesh->vertex_count, l->mesh->triangle_count }, .into = into, .vertex = out->vertex_count, .triangle = out->triangle_count,
-                     .map = l->placement, .leaves = leaf };
+  vs_placement p = { .mesh = l->mesh,
+                     .from = { 0, 0, l->mesh->vertex_count, l->mesh->triangle_count },
+                     .into = into,
+                     .vertex = out->vertex_count,
+                     .triangle = out->triangle_count,
+                     .map = l->placement,
+                     .leaves = leaf };
   if (!vs_expression_add(k, &w->expression, *leaf, 1)) return false;
   bool inside = vs_expression_value(&w->expression);
   if (!vs_expression_add(k, &w->expression, *leaf, -1)) return false;
@@ -310,16 +324,20 @@ static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *ou
 }
 
 /* The cluster as it was made before, or made now. */
-static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32_t *leaves, uint32_t count, vs_mesh *out, uint32_t into) {
+static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32_t *leaves, uint32_t count,
+                         vs_mesh *out, uint32_t into) {
   bool alone;
   if (!stands_alone(k, w, leaves, count, &alone)) return false;
   if (alone) return w->counts.combined++, place_leaf(k, w, leaves, out, into);
   bool asked = w->bounds != NULL, found = false;
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
-  if (asked && !vs_remember_key(k, &w->remember, copies, leaves, count, gate_cuts(w, leaves, count) ? &w->gate : NULL, &asked)) return false;
+  if (asked &&
+      !vs_remember_key(k, &w->remember, copies, leaves, count, gate_cuts(w, leaves, count) ? &w->gate : NULL, &asked))
+    return false;
   if (asked && !vs_remember_find(k, &w->remember, out, &found)) return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
-  return found || (run_cluster(k, w, leaves, count, out) && (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
+  return found || (run_cluster(k, w, leaves, count, out) &&
+                   (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }
 
 /* Where the results go: all into one mesh, or each original into its own. */
@@ -362,9 +380,15 @@ static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, co
            (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ original, map }, true);
   }
   if (!is_new) { /* a copy may have other tags, of the same paint */
-    vs_placement p = { .from = to->ranges.at[original], .vertex = to->one->vertex_count, .triangle = to->one->triangle_count, .map = map,
-                       .were = copies->originals.at[original].leaves, .leaves = leaves, .leaf_count = count };
-    return vs_placing_room(k, to->one, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.again, p) && vs_kernel_report(k, 0);
+    vs_placement p = { .from = to->ranges.at[original],
+                       .vertex = to->one->vertex_count,
+                       .triangle = to->one->triangle_count,
+                       .map = map,
+                       .were = copies->originals.at[original].leaves,
+                       .leaves = leaves,
+                       .leaf_count = count };
+    return vs_placing_room(k, to->one, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.again, p) &&
+           vs_kernel_report(k, 0);
   }
   vs_range range = { .vertex = to->one->vertex_count, .triangle = to->one->triangle_count };
   if (!make_cluster(k, w, copies, leaves, count, to->one, 0)) return false;
@@ -378,13 +402,15 @@ static void count_in(vs_kernel_counts *sum, const vs_kernel_counts *c, size_t pe
   sum->combined += c->combined;
   sum->copied += c->copied;
   sum->remembered += c->remembered;
-  if (sum->coarse == 0) sum->coarse_leaf = c->coarse_leaf, sum->coarse_step = c->coarse_step, sum->coarse_by = c->coarse_by;
+  if (sum->coarse == 0)
+    sum->coarse_leaf = c->coarse_leaf, sum->coarse_step = c->coarse_step, sum->coarse_by = c->coarse_by;
   sum->coarse += c->coarse;
   for (int i = 0; i < VS_STEP_COUNT; i++) sum->seconds[i] += c->seconds[i];
   if (peak > sum->peak) sum->peak = peak;
 }
 
-static bool evaluate(const vs_kernel_problem *given, const vs_kernel_options *options, sink *to, vs_kernel_error *error) {
+static bool evaluate(const vs_kernel_problem *given, const vs_kernel_options *options, sink *to,
+                     vs_kernel_error *error) {
   vs_kernel_error ignored;
   vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options) };
   k.error->status = VS_KERNEL_FINE;
@@ -398,10 +424,13 @@ static bool evaluate(const vs_kernel_problem *given, const vs_kernel_options *op
   vs_bounds *bounds = NULL;
   uint32_t *parent = NULL, *order = NULL, n = 0;
   size_t parent_room = 0, order_room = 0, bounds_room = 0, most_leaves = (size_t)p->leaf_count + 1;
-  bool ok = VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) && VS_ROOM(&k, bounds, bounds_room, most_leaves) &&
-            (to->many || want_tags(&k, to->one)) && bound_leaves(&k, given, bounds) && vs_clip_leaves(&k, given, bounds, &clipped) &&
-            vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) && find_gate(&k, &w, bounds) && vs_kernel_lap(&k, VS_STEP_CLUSTERS) &&
-            vs_parts_prepare(&k, &w.parts, p, order, parent, n) && vs_kernel_lap(&k, VS_STEP_PARTS) && vs_copies_begin(&k, &copies, p, &w.parts, &w.expression);
+  bool ok = VS_ROOM(&k, parent, parent_room, most_leaves) && VS_ROOM(&k, order, order_room, most_leaves) &&
+            VS_ROOM(&k, bounds, bounds_room, most_leaves) && (to->many || want_tags(&k, to->one)) &&
+            bound_leaves(&k, given, bounds) && vs_clip_leaves(&k, given, bounds, &clipped) &&
+            vs_expression_build(&k, &w.expression, p) && find_clusters(&k, p, bounds, parent, order, &n) &&
+            find_gate(&k, &w, bounds) && vs_kernel_lap(&k, VS_STEP_CLUSTERS) &&
+            vs_parts_prepare(&k, &w.parts, p, order, parent, n) && vs_kernel_lap(&k, VS_STEP_PARTS) &&
+            vs_copies_begin(&k, &copies, p, &w.parts, &w.expression);
   w.bounds = ok && options && vs_cache_asks(options->cache) && p->identities ? bounds : NULL;
   if (!w.bounds) VS_FREE(&k, bounds, bounds_room);
   for (uint32_t i = 0, end; ok && i < n; i = end) {
@@ -410,7 +439,8 @@ static bool evaluate(const vs_kernel_problem *given, const vs_kernel_options *op
     k.share = (double)(end - i) / n;
     ok = give_cluster(&k, &w, &copies, to, order + i, end - i);
   }
-  ok = ok && vs_kernel_lap(&k, VS_STEP_CLUSTERS) && vs_placing_finish(&k, &w.placing, p->leaves, to->one ? to->one : to->many->meshes) &&
+  ok = ok && vs_kernel_lap(&k, VS_STEP_CLUSTERS) &&
+       vs_placing_finish(&k, &w.placing, p->leaves, to->one ? to->one : to->many->meshes) &&
        vs_kernel_lap(&k, VS_STEP_PLACE);
   if (options && options->counts) count_in(options->counts, &w.counts, k.peak);
   vs_remember_free(&k, &w.remember);
@@ -426,7 +456,8 @@ static bool evaluate(const vs_kernel_problem *given, const vs_kernel_options *op
   return ok;
 }
 
-bool vs_kernel_evaluate(const vs_kernel_problem *p, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error) {
+bool vs_kernel_evaluate(const vs_kernel_problem *p, const vs_kernel_options *options, vs_mesh *out,
+                        vs_kernel_error *error) {
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
   if (evaluate(p, options, &(sink){ .one = out }, error)) return true;
   out->vertex_count = vertices;
@@ -434,7 +465,8 @@ bool vs_kernel_evaluate(const vs_kernel_problem *p, const vs_kernel_options *opt
   return false;
 }
 
-bool vs_kernel_evaluate_copies(const vs_kernel_problem *p, const vs_kernel_options *options, vs_kernel_copies *out, vs_kernel_error *error) {
+bool vs_kernel_evaluate_copies(const vs_kernel_problem *p, const vs_kernel_options *options, vs_kernel_copies *out,
+                               vs_kernel_error *error) {
   *out = (vs_kernel_copies){ .mesh_count = 0 };
   if (evaluate(p, options, &(sink){ .many = out }, error)) return true;
   vs_kernel_copies_free(out);

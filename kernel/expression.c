@@ -28,7 +28,8 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
     if (absorbed(p, b, t->kind, off, inner)) {
       const vs_kernel_term *s = &p->terms[inner];
       for (uint32_t i = s->count; i-- > 0;)
-        if (!VS_PUSH(k, b->stack, p->operands[s->first + i] * 2 + (off || (s->kind == VS_TERM_DIFFERENCE && i > 0)))) return false;
+        if (!VS_PUSH(k, b->stack, p->operands[s->first + i] * 2 + (off || (s->kind == VS_TERM_DIFFERENCE && i > 0))))
+          return false;
       if (s->kind == VS_TERM_INTERSECTION && s->count == 0) e->need.at[user] = UINT32_MAX; /* never true */
       continue;
     }
@@ -39,17 +40,20 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
   return true;
 }
 
-/* Which leaves and terms settle the result by themselves: a union's operand where it is true, an intersection's where it is false, and so on down. A
- * leaf that is the whole result settles nothing. */
+/* Which leaves and terms settle the result by themselves: a union's operand where it is true, an intersection's where
+ * it is false, and so on down. A leaf that is the whole result settles nothing. */
 static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p, const uint8_t *live) {
   enum { IF_TRUE = 1, IF_FALSE = 2 };
   VS_LIST(uint8_t) flag = { 0 };
   uint32_t n = p->term_count, root = n;
   e->gate_count = 0;
-  if (!VS_ROOM(k, e->forces.at, e->forces.room, (size_t)p->leaf_count + 1) || !VS_ROOM(k, flag.at, flag.room, (size_t)n + 1)) return false;
+  if (!VS_ROOM(k, e->forces.at, e->forces.room, (size_t)p->leaf_count + 1) ||
+      !VS_ROOM(k, flag.at, flag.room, (size_t)n + 1))
+    return false;
   for (uint32_t i = 0; i < p->leaf_count; i++) e->forces.at[i] = 0;
   for (uint32_t i = 0; i < n; i++) flag.at[i] = i + 1 == n ? IF_TRUE | IF_FALSE : 0;
-  while (root && p->terms[root - 1].kind != VS_TERM_LEAF && p->terms[root - 1].count == 1) root = p->operands[p->terms[root - 1].first] + 1;
+  while (root && p->terms[root - 1].kind != VS_TERM_LEAF && p->terms[root - 1].count == 1)
+    root = p->operands[p->terms[root - 1].first] + 1;
   if (root && p->terms[root - 1].kind != VS_TERM_LEAF) {
     e->forced = p->terms[root - 1].kind == VS_TERM_UNION;
     for (uint32_t i = 0; i < n; i++) flag.at[i] = i + 1 == root ? IF_TRUE | IF_FALSE : 0;
@@ -74,12 +78,17 @@ static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem 
 bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p) {
   building b = { 0 };
   uint32_t n = p->term_count;
-  bool ok = VS_ROOM(k, e->kind.at, e->kind.room, (size_t)n + 1) && VS_ROOM(k, e->need.at, e->need.room, (size_t)n + 1) &&
-            VS_ROOM(k, e->positive.at, e->positive.room, (size_t)n + 1) && VS_ROOM(k, e->negative.at, e->negative.room, (size_t)n + 1) &&
-            VS_ROOM(k, e->user_first.at, e->user_first.room, (size_t)n + 2) && VS_ROOM(k, b.uses.at, b.uses.room, (size_t)n + 1) &&
-            VS_ROOM(k, b.live.at, b.live.room, (size_t)n + 1) && VS_ROOM(k, e->winding.at, e->winding.room, (size_t)p->leaf_count + 1) &&
-            VS_ROOM(k, e->leaf_first.at, e->leaf_first.room, (size_t)p->leaf_count + 2) && VS_ROOM(k, e->leaf_terms.at, e->leaf_terms.room, (size_t)n + 1) &&
-            VS_ROOM(k, e->taken_off.at, e->taken_off.room, (size_t)p->leaf_count + 1) && VS_ROOM(k, e->waits.at, e->waits.room, (size_t)n + 1);
+  bool ok = VS_ROOM(k, e->kind.at, e->kind.room, (size_t)n + 1) &&
+            VS_ROOM(k, e->need.at, e->need.room, (size_t)n + 1) &&
+            VS_ROOM(k, e->positive.at, e->positive.room, (size_t)n + 1) &&
+            VS_ROOM(k, e->negative.at, e->negative.room, (size_t)n + 1) &&
+            VS_ROOM(k, e->user_first.at, e->user_first.room, (size_t)n + 2) &&
+            VS_ROOM(k, b.uses.at, b.uses.room, (size_t)n + 1) && VS_ROOM(k, b.live.at, b.live.room, (size_t)n + 1) &&
+            VS_ROOM(k, e->winding.at, e->winding.room, (size_t)p->leaf_count + 1) &&
+            VS_ROOM(k, e->leaf_first.at, e->leaf_first.room, (size_t)p->leaf_count + 2) &&
+            VS_ROOM(k, e->leaf_terms.at, e->leaf_terms.room, (size_t)n + 1) &&
+            VS_ROOM(k, e->taken_off.at, e->taken_off.room, (size_t)p->leaf_count + 1) &&
+            VS_ROOM(k, e->waits.at, e->waits.room, (size_t)n + 1);
   if (ok) {
     for (uint32_t i = 0; i < n; i++) {
       e->kind.at[i] = (uint8_t)p->terms[i].kind;
@@ -100,10 +109,12 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
       if (b.live.at[i] && p->terms[i].kind != VS_TERM_LEAF) ok = collect(k, p, &b, e, i);
     ok = ok && find_forces(k, e, p, b.live.at);
   }
-  if (ok && VS_ROOM(k, e->users.at, e->users.room, b.pairs.count / 2 + 1)) { /* bucket the pairs by operand, the leaves' terms by leaf */
+  /* bucket the pairs by operand, the leaves' terms by leaf */
+  if (ok && VS_ROOM(k, e->users.at, e->users.room, b.pairs.count / 2 + 1)) {
     for (size_t i = 0; i < b.pairs.count; i += 2) e->user_first.at[b.pairs.at[i] + 1]++;
     for (uint32_t i = 0; i < n; i++) e->user_first.at[i + 1] += e->user_first.at[i];
-    for (size_t i = b.pairs.count; i > 0; i -= 2) e->users.at[--e->user_first.at[b.pairs.at[i - 2] + 1]] = b.pairs.at[i - 1];
+    for (size_t i = b.pairs.count; i > 0; i -= 2)
+      e->users.at[--e->user_first.at[b.pairs.at[i - 2] + 1]] = b.pairs.at[i - 1];
     for (uint32_t i = 0; i < n; i++) e->user_first.at[i] = e->user_first.at[i + 1];
     if (n) e->user_first.at[n] = (uint32_t)(b.pairs.count / 2);
     uint32_t live = 0;
@@ -111,10 +122,12 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
       if (b.live.at[i] && p->terms[i].kind == VS_TERM_LEAF) e->leaf_first.at[p->terms[i].first + 1]++, live++;
     for (uint32_t i = 0; i < p->leaf_count; i++) e->leaf_first.at[i + 1] += e->leaf_first.at[i];
     for (uint32_t i = n; i-- > 0;)
-      if (b.live.at[i] && p->terms[i].kind == VS_TERM_LEAF) e->leaf_terms.at[--e->leaf_first.at[p->terms[i].first + 1]] = i;
+      if (b.live.at[i] && p->terms[i].kind == VS_TERM_LEAF)
+        e->leaf_terms.at[--e->leaf_first.at[p->terms[i].first + 1]] = i;
     for (uint32_t i = 0; i < p->leaf_count; i++) e->leaf_first.at[i] = e->leaf_first.at[i + 1];
     e->leaf_first.at[p->leaf_count] = live;
-    for (uint32_t i = n; i-- > 0;) { /* users first: `uses` becomes whether the term is taken off, as its first user has it */
+    for (uint32_t i = n; i-- > 0;) { /* users first: `uses` becomes whether the term is taken off, as its first user has
+                                      * it */
       uint32_t first = e->user_first.at[i];
       b.uses.at[i] = first < e->user_first.at[i + 1] ? b.uses.at[e->users.at[first] / 2] ^ (e->users.at[first] & 1) : 0;
       if (p->terms[i].kind == VS_TERM_LEAF) e->taken_off.at[p->terms[i].first] = (uint8_t)b.uses.at[i];
@@ -142,7 +155,8 @@ static bool value(const vs_expression *e, uint32_t term) {
 bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e, e->root); }
 
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer) {
-  enum { STEPS = 256 }; /* a term may be reached in many ways; past so many any answer will do, since it only chooses a paint */
+  enum { STEPS = 256 }; /* a term may be reached in many ways; past so many any answer will do, since it only chooses a
+                         * paint */
   *answer = false;
   e->stack.count = 0;
   for (uint32_t i = e->leaf_first.at[leaf]; i < e->leaf_first.at[leaf + 1]; i++)
@@ -151,7 +165,8 @@ bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *
     uint32_t t = e->stack.at[--e->stack.count];
     *answer = t == e->root;
     for (uint32_t i = e->user_first.at[t]; !*answer && i < e->user_first.at[t + 1]; i++)
-      if (!(e->users.at[i] & 1) && value(e, e->users.at[i] / 2) && !VS_PUSH(k, e->stack, e->users.at[i] / 2)) return false;
+      if (!(e->users.at[i] & 1) && value(e, e->users.at[i] / 2) && !VS_PUSH(k, e->stack, e->users.at[i] / 2))
+        return false;
   }
   e->stack.count = 0;
   return true;
@@ -163,7 +178,8 @@ bool vs_expression_gated(const vs_expression *e) {
   return false;
 }
 
-/* ---- a leaf that stands in several terms: least term first, so that each is looked at once, after all of its operands ---- */
+/* ---- a leaf that stands in several terms: least term first, so that each is looked at once, after all of its operands
+ * ---- */
 
 static bool wait_push(vs_kernel *k, vs_expression *e, uint32_t term) {
   if (e->waits.at[term]) return true;

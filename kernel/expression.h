@@ -7,9 +7,9 @@
 
 enum { VS_GATES = 8 };
 
-/* After flattening: no union in a union, no intersection in an intersection, no difference in a difference's first operand, no union in
- * its others (where the inner one has that user alone). Each term counts what makes it true, so a leaf that changes costs only
- * the terms whose value changes. */
+/* After flattening: no union in a union, no intersection in an intersection, no difference in a difference's first
+ * operand, no union in its others (where the inner one has that user alone). Each term counts what makes it true, so a
+ * leaf that changes costs only the terms whose value changes. */
 typedef struct {
   VS_LIST(uint8_t) kind;      /* vs_term_kind */
   VS_LIST(uint32_t) need;     /* INTERSECTION: how many true operands */
@@ -33,8 +33,8 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
 bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t delta); /* changes its winding number */
 bool vs_expression_value(const vs_expression *e);
 bool vs_expression_gated(const vs_expression *e); /* is one of the gates false? */
-/* Is the leaf, true now, one that makes the result true: does it count for a true term, and so on up to the root? What is taken away elsewhere in the
- * expression does not. False: out of memory. */
+/* Is the leaf, true now, one that makes the result true: does it count for a true term, and so on up to the root? What
+ * is taken away elsewhere in the expression does not. False: out of memory. */
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer);
 void vs_expression_free(vs_kernel *k, vs_expression *e);
 

@@ -20,8 +20,10 @@ bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const 
 bool vs_kernel_on_the_way(vs_kernel *k, size_t pieces) {
   size_t limit = k->options ? k->options->max_triangles : 0;
   return !limit || pieces / VS_ON_THE_WAY <= limit ||
-         vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the shapes are cut into more than %zu pieces, %d times the limit of %zu triangles for the result",
-                        limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);
+         vs_kernel_fail(
+             k, VS_KERNEL_LIMIT, 0,
+             "the shapes are cut into more than %zu pieces, %d times the limit of %zu triangles for the result",
+             limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);
 }
 
 bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t size) {
@@ -29,10 +31,13 @@ bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t 
   size_t more = *room < 16 ? 16 : *room + *room / 2;
   if (more < need) more = need;
   size_t added = (more - *room) * size;
-  if (more > SIZE_MAX / size) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+  if (more > SIZE_MAX / size)
+    return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   _Atomic size_t *bytes = k->owner ? &k->owner->bytes : &k->bytes;
   if (k->options && k->options->max_bytes && *bytes + added > k->options->max_bytes)
-    return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "combining the solids needs more than the %zu MB that the limit on memory leaves", k->options->max_bytes >> 20);
+    return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0,
+                          "combining the solids needs more than the %zu MB that the limit on memory leaves",
+                          k->options->max_bytes >> 20);
   void *old, *grown;
   memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type */
   grown = realloc(old, more * size);

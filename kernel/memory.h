@@ -1,4 +1,5 @@
-/* Owns the kernel's context: accounted memory, the error, progress and interrupts. Every working array hangs off it or off a task. */
+/* Owns the kernel's context: accounted memory, the error, progress and interrupts. Every working array hangs off it or
+ * off a task. */
 #ifndef VS_KERNEL_MEMORY_H
 #define VS_KERNEL_MEMORY_H
 
@@ -23,10 +24,14 @@ typedef struct vs_kernel {
   double *laps, since;     /* seconds of each step (vs_step), and when the one that goes on began; NULL: nobody asks */
 } vs_kernel;
 
-bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...) __attribute__((format(printf, 4, 5)));
-#define VS_BROKEN(k, why) vs_kernel_fail(k, VS_KERNEL_INTERNAL, 0, "the solids could not be combined: %s (a fault of vs, please report the model)", why)
+bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+#define VS_BROKEN(k, why)                                                                                              \
+  vs_kernel_fail(k, VS_KERNEL_INTERNAL, 0,                                                                             \
+                 "the solids could not be combined: %s (a fault of vs, please report the model)", why)
 
-/* The number of pieces that shapes have been cut into. False: more than the limit on the result leaves room for on the way to it. */
+/* The number of pieces that shapes have been cut into. False: more than the limit on the result leaves room for on the
+ * way to it. */
 bool vs_kernel_on_the_way(vs_kernel *k, size_t pieces);
 
 /* Makes room for `need` elements of `size` bytes in the array whose address stands in *slot; *room is in elements. */
@@ -37,24 +42,30 @@ void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size);
 
 /* An array with its counts, for the many that only grow. */
 #define VS_LIST(type) struct { type *at; size_t count, room; }
-#define VS_PUSH(k, list, value) (VS_ROOM(k, (list).at, (list).room, (list).count + 1) && ((list).at[(list).count++] = (value), true))
+#define VS_PUSH(k, list, value)                                                                                        \
+  (VS_ROOM(k, (list).at, (list).room, (list).count + 1) && ((list).at[(list).count++] = (value), true))
 #define VS_DROP(k, list) ((list).count = 0, VS_FREE(k, (list).at, (list).room))
 
 bool vs_kernel_report(vs_kernel *k, double part); /* part of the cluster done, 0..1; false: interrupted */
-static inline bool vs_kernel_poll(vs_kernel *k, double part) { return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part); }
+static inline bool vs_kernel_poll(vs_kernel *k, double part) {
+  return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part);
+}
 
-/* A step ends, the first one begun by vs_kernel_time: its seconds are added to what it had. True, so that it may stand between steps. */
+/* A step ends, the first one begun by vs_kernel_time: its seconds are added to what it had. True, so that it may stand
+ * between steps. */
 void vs_kernel_time(vs_kernel *k, double laps[VS_STEP_COUNT]);
 bool vs_kernel_lap(vs_kernel *k, vs_step step);
 
 /* For procedures that only prefetch: gcc takes one that is not inlined at once for one that does nothing. */
 #define VS_AHEAD static inline __attribute__((always_inline)) void
 
-/* Calls task(k, context, 0) to task(k, context, count - 1), in any order and at once where there are threads. k is not the caller's in each of them. */
+/* Calls task(k, context, 0) to task(k, context, count - 1), in any order and at once where there are threads. k is not
+ * the caller's in each of them. */
 typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
 bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context);
-/* The same, and taker(k, context, i) in the caller's thread for every i in order, after its task and while later ones are still done. The result of a task may
- * lie in place i % VS_PIPELINE_WINDOW: no more wait to be taken. Tasks must not read what the taker changes. */
+/* The same, and taker(k, context, i) in the caller's thread for every i in order, after its task and while later ones
+ * are still done. The result of a task may lie in place i % VS_PIPELINE_WINDOW: no more wait to be taken. Tasks must
+ * not read what the taker changes. */
 enum { VS_PIPELINE_WINDOW = 64 };
 bool vs_kernel_pipeline(vs_kernel *k, size_t count, vs_task_fn *task, vs_task_fn *taker, void *context);
 uint32_t vs_kernel_threads(const vs_kernel_options *options); /* how many there may be */

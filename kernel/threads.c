@@ -1,5 +1,6 @@
-/* Owns the threads: tasks handed out one by one to as many as there are processors. The result of a task depends on its number alone, so the result
- * does not depend on who did it. The caller's thread works too, and is the only one that reports progress. And the clock, which only accounts are made by. */
+/* Owns the threads: tasks handed out one by one to as many as there are processors. The result of a task depends on its
+ * number alone, so the result does not depend on who did it. The caller's thread works too, and is the only one that
+ * reports progress. And the clock, which only accounts are made by. */
 #include "kernel/memory.h"
 
 #include <errno.h>
@@ -7,7 +8,11 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { MOST = VS_THREADS_MOST, WINDOW = VS_PIPELINE_WINDOW, STACK = 1 << 20 /* bytes of a thread's: tasks do not recurse, and limits of the process count it whole */ };
+enum {
+  MOST = VS_THREADS_MOST,
+  WINDOW = VS_PIPELINE_WINDOW,
+  STACK = 1 << 20 /* bytes of a thread's: tasks do not recurse, and limits of the process count it whole */
+};
 
 typedef struct {
   vs_kernel *k;
@@ -49,7 +54,8 @@ static void work(crew *c, vs_kernel *k) {
     if (i >= c->count) return;
     if (c->window && i >= atomic_load(&c->taken) + c->window) {
       pthread_mutex_lock(&c->lock);
-      while (i >= atomic_load(&c->taken) + c->window && !atomic_load(&c->k->stop)) pthread_cond_wait(&c->space, &c->lock);
+      while (i >= atomic_load(&c->taken) + c->window && !atomic_load(&c->k->stop))
+        pthread_cond_wait(&c->space, &c->lock);
       pthread_mutex_unlock(&c->lock);
     }
     if (atomic_load(&c->k->stop) || !do_task(c, k, i)) return;
@@ -139,7 +145,9 @@ uint32_t vs_kernel_threads(const vs_kernel_options *options) {
 
 static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_task_fn *taker, void *context) {
   _Atomic bool ready[WINDOW] = { false };
-  crew c = { .k = k, .task = task, .context = context, .count = count, .window = window, .ready = ready, .failed = SIZE_MAX };
+  crew c = {
+    .k = k, .task = task, .context = context, .count = count, .window = window, .ready = ready, .failed = SIZE_MAX
+  };
   worker workers[MOST];
   pthread_t threads[MOST];
   uint32_t started = 0;
@@ -181,7 +189,8 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
   pthread_cond_destroy(&c.space);
   pthread_cond_destroy(&c.done);
   pthread_mutex_destroy(&c.lock);
-  if (k->error->status != VS_KERNEL_INTERRUPTED && c.failed != SIZE_MAX) *k->error = c.error; /* the caller's own task may not be the first that failed */
+  /* the caller's own task may not be the first that failed */
+  if (k->error->status != VS_KERNEL_INTERRUPTED && c.failed != SIZE_MAX) *k->error = c.error;
   return !atomic_load(&k->stop);
 }
 

@@ -1,8 +1,8 @@
 /* Owns the expansion of syntax-rules over nodes, so that every part of what comes out knows where it was written.
  *
- * A form that a use brings in is copied one node deep: the copy has the original as its origin and shares what is below it.
- * The forms of a template are made: its names are aliases, each expansion's own, which mean what they mean where the
- * macro was defined unless the expansion itself binds them. Patterns and templates deeper than MOST_DEPTH are not
+ * A form that a use brings in is copied one node deep: the copy has the original as its origin and shares what is below
+ * it. The forms of a template are made: its names are aliases, each expansion's own, which mean what they mean where
+ * the macro was defined unless the expansion itself binds them. Patterns and templates deeper than MOST_DEPTH are not
  * followed. */
 #include "knowledge/macro_rules.h"
 

@@ -2,8 +2,8 @@
  *
  * Plan. A stack of tasks, each "this is an expression of that scope" or "these are a body". A body is looked through
  * first for what it defines, macros at the heads of its forms expanded on the way, so that its names are known wherever
- * they are used. The effect of a form on names is the matter of binding_forms.c's. Names that nothing has defined when they are met are
- * looked up again at the end. */
+ * they are used. The effect of a form on names is the matter of binding_forms.c's. Names that nothing has defined when
+ * they are met are looked up again at the end. */
 #include "knowledge/name_walk.h"
 
 #include <stdio.h>

@@ -350,7 +350,8 @@ static bool exists(const char *path) {
   return f != NULL;
 }
 
-/* folder and the name with a / between them where there is need of one. False: it is too long, or there is no such file. */
+/* folder and the name with a / between them where there is need of one. False: it is too long, or there is no such
+ * file. */
 static bool in_folder(const char *folder, size_t length, const char *name, size_t n, char path[KNOW_PATH]) {
   const char *slash = length && folder[length - 1] != '/' ? "/" : "";
   int room = snprintf(path, KNOW_PATH, "%.*s%s%.*s", (int)length, folder, slash, (int)n, name);
@@ -381,7 +382,8 @@ bool know_find_file(const knowledge *k, know_index node, char path[KNOW_PATH]) {
 static char *given_text(knowledge *k, size_t *length) {
   char *text = NULL;
   size_t room = 0;
-  if (k->given_length > KNOW_MOST_BYTES || !VS_GROW(text, room, k->given_length + 1)) return know_fail(k, NULL, VS_OUTCOME_MACHINE, "out of memory"), NULL;
+  if (k->given_length > KNOW_MOST_BYTES || !VS_GROW(text, room, k->given_length + 1))
+    return know_fail(k, NULL, VS_OUTCOME_MACHINE, "out of memory"), NULL;
   memcpy(text, k->given, k->given_length);
   text[*length = k->given_length] = 0;
   return text;

@@ -53,8 +53,8 @@ static bool aside_read(void *context, const char *path, char **text, size_t *len
   return live_model_read(a->publish, a->options->model, path, text, length, why);
 }
 
-static bool aside_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
-                       const char **why) {
+static bool aside_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length),
+                       void *to, const char **why) {
   (void)context;
   return live_folder_list(path, take, to, why);
 }
@@ -84,8 +84,12 @@ static void aside_values(live_aside *a, live_wish *w, bool set) {
 static bool aside_ready(live_aside *a) {
   if (a->scheme != NULL) return true;
   vs_options interpreter = a->options->interpreter;
-  interpreter.host = (vs_host){ .context = a, .diagnose = aside_diagnose, .progress = aside_progress, .poll = aside_poll,
-                                .read_file = aside_read, .list_folder = aside_list };
+  interpreter.host = (vs_host){ .context = a,
+                                .diagnose = aside_diagnose,
+                                .progress = aside_progress,
+                                .poll = aside_poll,
+                                .read_file = aside_read,
+                                .list_folder = aside_list };
   a->scheme = vs_new(&interpreter);
   return a->scheme != NULL;
 }
@@ -96,8 +100,8 @@ static void aside_picture(const char *text, vs_output_options *o) {
   int width = 0, height = 0;
   char quality[8] = "";
   double c[7];
-  int count = sscanf(text, "%5dx%5d %7[a-z] %lf %lf %lf %lf %lf %lf %lf", &width, &height, quality, &c[0], &c[1], &c[2], &c[3],
-                     &c[4], &c[5], &c[6]);
+  int count = sscanf(text, "%5dx%5d %7[a-z] %lf %lf %lf %lf %lf %lf %lf", &width, &height, quality, &c[0], &c[1], &c[2],
+                     &c[3], &c[4], &c[5], &c[6]);
   if (count >= 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192) o->width = width, o->height = height;
   for (int i = 0; i < 3; i++)
     if (strcmp(quality, qualities[i]) == 0) o->quality = (vs_quality)i;

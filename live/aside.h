@@ -1,5 +1,5 @@
-/* Owns the side of a live view: a thread with an interpreter of its own, which makes outputs of the model with other values of
- * its parameters, and pictures that take minutes, while the session goes on. */
+/* Owns the side of a live view: a thread with an interpreter of its own, which makes outputs of the model with other
+ * values of its parameters, and pictures that take minutes, while the session goes on. */
 #ifndef VS_LIVE_ASIDE_H
 #define VS_LIVE_ASIDE_H
 

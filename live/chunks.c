@@ -1,8 +1,8 @@
 /* Owns content-defined chunking. See chunks.h.
  *
- * The gear hash (Xia et al., FastCDC, 2016) rolls over the last 64 bytes: each byte's random number is added to the doubled sum. A piece ends
- * where 13 high bits are zero. A piece's own hash is 64 bits of FNV-1a, eight bytes at a time with a final mix; windows that hold a piece of the
- * same hash and length take it for the same. */
+ * The gear hash (Xia et al., FastCDC, 2016) rolls over the last 64 bytes: each byte's random number is added to the
+ * doubled sum. A piece ends where 13 high bits are zero. A piece's own hash is 64 bits of FNV-1a, eight bytes at a time
+ * with a final mix; windows that hold a piece of the same hash and length take it for the same. */
 #include "live/chunks.h"
 
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* Owns a scene in pieces that end by what is in them: after a change most pieces are the old ones, wherever they lie, and need not travel again. */
+/* Owns a scene in pieces that end by what is in them: after a change most pieces are the old ones, wherever they lie,
+ * and need not travel again. */
 #ifndef VS_LIVE_CHUNKS_H
 #define VS_LIVE_CHUNKS_H
 

@@ -1,5 +1,6 @@
-/* Owns the model's files. See files.h. Looking whether a few files have changed costs a microsecond each: they are asked, some twenty times a second, rather
- * than watched, since editors save by renaming, by writing twice or on file systems that tell nobody. */
+/* Owns the model's files. See files.h. Looking whether a few files have changed costs a microsecond each: they are
+ * asked, some twenty times a second, rather than watched, since editors save by renaming, by writing twice or on file
+ * systems that tell nobody. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "live/files.h"
 
@@ -25,7 +26,9 @@ bool live_file_read(const char *path, char **text, size_t *length, const char **
     return false;
   }
   if (fstat(file, &s) != 0 || !S_ISREG(s.st_mode) || s.st_size > MOST_BYTES) {
-    *why = S_ISDIR(s.st_mode) ? "it is a folder" : s.st_size > MOST_BYTES ? "it is too large" : "it is no ordinary file";
+    *why = S_ISDIR(s.st_mode)       ? "it is a folder"
+           : s.st_size > MOST_BYTES ? "it is too large"
+                                    : "it is no ordinary file";
     close(file);
     return false;
   }
@@ -58,7 +61,8 @@ bool live_file_read(const char *path, char **text, size_t *length, const char **
   return true;
 }
 
-bool live_folder_list(const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why) {
+bool live_folder_list(const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
+                      const char **why) {
   DIR *folder = opendir(*path ? path : ".");
   if (folder == NULL) {
     *why = errno == ENOENT ? "no such folder" : "it cannot be opened";
@@ -66,7 +70,8 @@ bool live_folder_list(const char *path, bool (*take)(void *to, const char *name,
   }
   bool ok = true;
   for (const struct dirent *entry; ok && (entry = readdir(folder)) != NULL;)
-    if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0) ok = take(to, entry->d_name, strlen(entry->d_name));
+    if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0)
+      ok = take(to, entry->d_name, strlen(entry->d_name));
   closedir(folder);
   return ok;
 }
@@ -74,7 +79,9 @@ bool live_folder_list(const char *path, bool (*take)(void *to, const char *name,
 static live_file file_now(const char *path) {
   struct stat s;
   live_file f = { .there = stat(path, &s) == 0 };
-  if (f.there) f.device = s.st_dev, f.inode = s.st_ino, f.size = s.st_size, f.seconds = s.st_mtim.tv_sec, f.nanoseconds = s.st_mtim.tv_nsec;
+  if (f.there)
+    f.device = s.st_dev, f.inode = s.st_ino, f.size = s.st_size, f.seconds = s.st_mtim.tv_sec,
+    f.nanoseconds = s.st_mtim.tv_nsec;
   return f;
 }
 

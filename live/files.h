@@ -1,4 +1,5 @@
-/* Owns the model's files: reading them for the interpreter while noting which they were, seeing that one has changed, writing the source back. */
+/* Owns the model's files: reading them for the interpreter while noting which they were, seeing that one has changed,
+ * writing the source back. */
 #ifndef VS_LIVE_FILES_H
 #define VS_LIVE_FILES_H
 
@@ -22,7 +23,8 @@ typedef struct { live_file *at; size_t count, room; } live_files;
 /* Reads a whole file. True: *text is the caller's to free. False: *why says so and is static. */
 bool live_file_read(const char *path, char **text, size_t *length, const char **why);
 /* Gives the names in a folder to take until it returns false; as vs_host.list_folder. */
-bool live_folder_list(const char *path, bool (*take)(void *to, const char *name, size_t length), void *to, const char **why);
+bool live_folder_list(const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
+                      const char **why);
 bool live_files_note(live_files *f, const char *path); /* as it is now, before it is read; false: out of memory */
 bool live_files_changed(const live_files *f);          /* is one of them another than it was? */
 /* Waits until the files have been left alone for a moment, at most a third of a second. A file whose last change is
@@ -31,7 +33,8 @@ bool live_files_changed(const live_files *f);          /* is one of them another
 void live_files_settle(const live_files *f);
 void live_files_clear(live_files *f);
 uint64_t live_file_hash(const char *text, size_t length);
-/* Writes the file whole or not at all, over what has `expected` for a hash only. Returns NULL, or why not: LIVE_NEWER where the file has changed meanwhile. */
+/* Writes the file whole or not at all, over what has `expected` for a hash only. Returns NULL, or why not: LIVE_NEWER
+ * where the file has changed meanwhile. */
 extern const char LIVE_NEWER[];
 const char *live_file_write(const char *path, const char *text, size_t length, uint64_t expected);
 

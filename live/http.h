@@ -1,4 +1,5 @@
-/* Owns libmicrohttpd's functions, loaded when the first view opens: linked in, the library and the ones behind it would cost every start of vs. */
+/* Owns libmicrohttpd's functions, loaded when the first view opens: linked in, the library and the ones behind it would
+ * cost every start of vs. */
 #ifndef VS_LIVE_HTTP_H
 #define VS_LIVE_HTTP_H
 

@@ -1,7 +1,8 @@
 /* Owns the live view's session: the interpreter, when it runs again, and what of that is published.
  *
- * The calling thread alone uses the interpreter. It sleeps until a file has changed or a window wishes something; all that has come together since
- * is done by one run. A run that fails changes the state and its messages, and leaves the last good scene. */
+ * The calling thread alone uses the interpreter. It sleeps until a file has changed or a window wishes something; all
+ * that has come together since is done by one run. A run that fails changes the state and its messages, and leaves the
+ * last good scene. */
 #include "live/live.h"
 
 #include <errno.h>
@@ -33,7 +34,8 @@ typedef struct live_follower {
   bool coarse;         /* a value is on its way: what is round is shown coarse where nobody asked for a fineness */
   bool frames;         /* the scene does something in each frame */
   double last_frame;   /* when, in seconds */
-  bool prompted;       /* the prompt has run something since the model did: the drawing may be another than the text's */
+  bool prompted;       /* the prompt has run something since the model did: the drawing may be another than the
+                        * text's */
   live_text printed, messages, values; /* of the run under way */
   size_t message_count, errors;
   bool busy_told;
@@ -118,8 +120,8 @@ static bool host_read(void *context, const char *path, char **text, size_t *leng
   return live_model_read(&l->publish, l->options->model, path, text, length, why);
 }
 
-static bool host_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
-                      const char **why) {
+static bool host_list(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length),
+                      void *to, const char **why) {
   (void)context;
   return live_folder_list(path, take, to, why);
 }
@@ -253,7 +255,8 @@ static void finish(live *l, vs_outcome outcome) {
 static size_t option_of(const live *l, const char *name) {
   size_t length = strlen(name);
   for (size_t i = l->options->parameter_count; i > 0; i--)
-    if (strncmp(l->options->parameters[i - 1], name, length) == 0 && l->options->parameters[i - 1][length] == '=') return i;
+    if (strncmp(l->options->parameters[i - 1], name, length) == 0 && l->options->parameters[i - 1][length] == '=')
+      return i;
   return 0;
 }
 
@@ -263,7 +266,8 @@ static void forget_defaults(live *l) {
   vs_parameter_info p;
   for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++) {
     size_t option = option_of(l, p.name);
-    if (strcmp(p.value, p.default_value) == 0 && (option == 0 || l->released.at[option - 1] != 0)) vs_parameter_unset(l->scheme, p.name);
+    if (strcmp(p.value, p.default_value) == 0 && (option == 0 || l->released.at[option - 1] != 0))
+      vs_parameter_unset(l->scheme, p.name);
   }
 }
 
@@ -462,8 +466,14 @@ vs_outcome live_view(const live_options *o) {
     goto done;
   }
   vs_options interpreter = o->interpreter;
-  interpreter.host = (vs_host){ .context = l, .output = host_output, .diagnose = host_diagnose, .progress = host_progress,
-                                .poll = host_poll, .value = host_value, .read_file = host_read, .list_folder = host_list };
+  interpreter.host = (vs_host){ .context = l,
+                                .output = host_output,
+                                .diagnose = host_diagnose,
+                                .progress = host_progress,
+                                .poll = host_poll,
+                                .value = host_value,
+                                .read_file = host_read,
+                                .list_folder = host_list };
   l->scheme = vs_new(&interpreter);
   if (l->scheme == NULL) {
     fprintf(stderr, "vs: out of memory\n");

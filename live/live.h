@@ -1,10 +1,11 @@
 /* Owns the live view's interface: one call that serves a model until it is ended. A client of visualscheme.h alone.
  *
- * live.c: the session, which evaluates in the calling thread; aside.c: a second interpreter in a thread of its own, for outputs with
- * other values; publish.c: what windows are told, under one lock; serve.c: HTTP, a thread a
+ * live.c: the session, which evaluates in the calling thread; aside.c: a second interpreter in a thread of its own, for
+ * outputs with other values; publish.c: what windows are told, under one lock; serve.c: HTTP, a thread a
  * connection; waiting.c: how many clients may be slow; http.c: libmicrohttpd, loaded when the first view opens;
  * chunks.c: a scene in pieces, so that only what changed travels;
- * scene_host.c: the program's scene, its frames and gizmos; files.c: reading, watching and writing the model's files. */
+ * scene_host.c: the program's scene, its frames and gizmos; files.c: reading, watching and writing the model's
+ * files. */
 #ifndef VS_LIVE_H
 #define VS_LIVE_H
 
@@ -25,7 +26,8 @@ typedef struct live_options {
   bool open_browser;
   FILE *told;                           /* gets the address, a line */
   const volatile sig_atomic_t *ended;   /* not 0: end */
-  void (*running)(vs_scheme *scheme);          /* told of the interpreter, so that a signal can interrupt it; NULL at the end; may be NULL itself */
+  void (*running)(vs_scheme *scheme);          /* told of the interpreter, so that a signal can interrupt it; NULL at
+                                                * the end; may be NULL itself */
 } live_options;
 
 /* A view of an interpreter that somebody else uses: the prompt. All calls come from the thread that uses it. */
@@ -50,8 +52,9 @@ void live_follow_show(live_follower *f);
 live_asked live_follow_asked(live_follower *f);
 void live_asked_free(live_asked *a);
 
-/* Shows the model until *ended is set. Returns VS_OUTCOME_DONE then; VS_OUTCOME_USAGE: the model cannot be read; VS_OUTCOME_WORKER: no libmicrohttpd;
- * VS_OUTCOME_MACHINE: no memory or no port. A failure has been told on standard error. */
+/* Shows the model until *ended is set. Returns VS_OUTCOME_DONE then; VS_OUTCOME_USAGE: the model cannot be read;
+ * VS_OUTCOME_WORKER: no libmicrohttpd; VS_OUTCOME_MACHINE: no memory or no port. A failure has been told on standard
+ * error. */
 vs_outcome live_view(const live_options *o);
 
 #endif

@@ -183,7 +183,8 @@ void live_wish_cancel(live_publish *p, const char *id) {
   pthread_mutex_unlock(&p->lock);
 }
 
-bool live_model_read(live_publish *p, const char *model, const char *path, char **text, size_t *length, const char **why) {
+bool live_model_read(live_publish *p, const char *model, const char *path, char **text, size_t *length,
+                     const char **why) {
   if (strcmp(path, model) != 0) return live_file_read(path, text, length, why);
   pthread_mutex_lock(&p->lock);
   bool trial = p->trial != NULL;

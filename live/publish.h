@@ -1,4 +1,5 @@
-/* Owns what windows are told: the state after each run as JSON, the scene in pieces, events in order; and what windows ask for. A lock guards it. */
+/* Owns what windows are told: the state after each run as JSON, the scene in pieces, events in order; and what windows
+ * ask for. A lock guards it. */
 #ifndef VS_LIVE_PUBLISH_H
 #define VS_LIVE_PUBLISH_H
 
@@ -11,7 +12,13 @@
 enum { LIVE_EVENTS = 64, LIVE_VERSIONS = 8, LIVE_WISHES = 64 };
 
 /* A scene that threads may be sending while the next is made. */
-typedef struct { unsigned uses; unsigned version; unsigned char *bytes; size_t count; live_chunks chunks, sorted; } live_scene;
+typedef struct {
+  unsigned uses;
+  unsigned version;
+  unsigned char *bytes;
+  size_t count;
+  live_chunks chunks, sorted;
+} live_scene;
 
 typedef enum {
   LIVE_SET,    /* a parameter */
@@ -65,11 +72,14 @@ live_wish *live_wish_new(live_wish_kind kind, const char *name, const char *valu
 void live_wish_free(live_wish *w);
 /* Takes w; a setting or a text of the same name replaces one that waits. False: too many wait, w is freed. */
 bool live_wish_put(live_publish *p, live_queue *q, live_wish *w);
-live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms); /* the next, or NULL after so long without one */
-void live_wish_finish(live_publish *p, live_wish *w, vs_outcome outcome, live_text result); /* takes result; lets go of w */
+/* the next, or NULL after so long without one */
+live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms);
+/* takes result; lets go of w */
+void live_wish_finish(live_publish *p, live_wish *w, vs_outcome outcome, live_text result);
 void live_wish_cancel(live_publish *p, const char *id); /* of the side's wishes */
 /* As vs_host.read_file: of the model the text that stands in its place, if one does. */
-bool live_model_read(live_publish *p, const char *model, const char *path, char **text, size_t *length, const char **why);
+bool live_model_read(live_publish *p, const char *model, const char *path, char **text, size_t *length,
+                     const char **why);
 void live_trial_put(live_publish *p, char *text); /* takes text; NULL: the file's again */
 
 #endif

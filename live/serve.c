@@ -1,11 +1,12 @@
 /* Owns the HTTP side of the live view: who may ask, and what is answered.
  *
- * Only loopback is listened on. The page itself (/, /live.js, /live.css) is the same for everybody and holds no secret. All else wants the token in
- * the header X-VS-Token; the page has it from its address' fragment, which browsers send to nobody, not as a Referer either. A Host or an Origin
- * other than our own is refused: a foreign page, or a foreign name that was made to point here, gets nothing. No file is served by name.
+ * Only loopback is listened on. The page itself (/, /live.js, /live.css) is the same for everybody and holds no secret.
+ * All else wants the token in the header X-VS-Token; the page has it from its address' fragment, which browsers send to
+ * nobody, not as a Referer either. A Host or an Origin other than our own is refused: a foreign page, or a foreign name
+ * that was made to point here, gets nothing. No file is served by name.
  *
- * Bounded: connections, the bytes of a request's head, of a body, of what is waiting to be done, the time of a silent client, and how many
- * may be slow (waiting.h). */
+ * Bounded: connections, the bytes of a request's head, of a body, of what is waiting to be done, the time of a silent
+ * client, and how many may be slow (waiting.h). */
 #define _GNU_SOURCE
 #include "live/serve.h"
 
@@ -42,18 +43,21 @@ static enum MHD_Result answer_under(live_server *s, struct MHD_Connection *c, st
     { "X-Content-Type-Options", "nosniff" }, { "Referrer-Policy", "no-referrer" }, { "Cache-Control", "no-store" },
     { "Cross-Origin-Resource-Policy", "same-origin" }, { "Cross-Origin-Opener-Policy", "same-origin" } };
   s->http.add_response_header(r, "Content-Security-Policy", policy);
-  for (size_t i = 0; i < sizeof headers / sizeof *headers; i++) s->http.add_response_header(r, headers[i][0], headers[i][1]);
+  for (size_t i = 0; i < sizeof headers / sizeof *headers; i++)
+    s->http.add_response_header(r, headers[i][0], headers[i][1]);
   s->http.add_response_header(r, "Content-Type", type);
   enum MHD_Result ok = s->http.queue_response(c, status, r);
   s->http.destroy_response(r);
   return ok;
 }
 
-static enum MHD_Result answer(live_server *s, struct MHD_Connection *c, struct MHD_Response *r, unsigned status, const char *type) {
+static enum MHD_Result answer(live_server *s, struct MHD_Connection *c, struct MHD_Response *r, unsigned status,
+                              const char *type) {
   return answer_under(s, c, r, status, type, POLICY(""));
 }
 
-static enum MHD_Result answer_bytes(live_server *s, struct MHD_Connection *c, unsigned status, const char *type, const void *bytes, size_t count) {
+static enum MHD_Result answer_bytes(live_server *s, struct MHD_Connection *c, unsigned status, const char *type,
+                                    const void *bytes, size_t count) {
   char *copy = malloc(count + 1); /* the type of the function takes no constant */
   if (copy == NULL) return MHD_NO;
   memcpy(copy, bytes, count);
@@ -82,10 +86,16 @@ static bool same_secret(const char *given, const char *token) { /* in a time tha
   return difference == 0;
 }
 
-static bool own_host(const live_server *s, const char *host) { return host != NULL && (strcmp(host, s->hosts[0]) == 0 || strcmp(host, s->hosts[1]) == 0); }
+static bool own_host(const live_server *s, const char *host) {
+  return host != NULL && (strcmp(host, s->hosts[0]) == 0 || strcmp(host, s->hosts[1]) == 0);
+}
 
-static const char *header(const live_server *s, struct MHD_Connection *c, const char *name) { return s->http.lookup_connection_value(c, MHD_HEADER_KIND, name); }
-static const char *query(const live_server *s, struct MHD_Connection *c, const char *name) { return s->http.lookup_connection_value(c, MHD_GET_ARGUMENT_KIND, name); }
+static const char *header(const live_server *s, struct MHD_Connection *c, const char *name) {
+  return s->http.lookup_connection_value(c, MHD_HEADER_KIND, name);
+}
+static const char *query(const live_server *s, struct MHD_Connection *c, const char *name) {
+  return s->http.lookup_connection_value(c, MHD_GET_ARGUMENT_KIND, name);
+}
 
 /* NULL: may ask. */
 static const char *refuse(const live_server *s, struct MHD_Connection *c, bool secret) {
@@ -120,7 +130,8 @@ static ssize_t listener_read(void *context, uint64_t position, char *buffer, siz
       struct timespec until;
       clock_gettime(CLOCK_MONOTONIC, &until);
       until.tv_sec += 5;
-      if (pthread_cond_timedwait(&p->changed, &p->lock, &until) == ETIMEDOUT) live_puts(&l->text, ": here\n\n"); /* finds out whether the window is still there */
+      /* finds out whether the window is still there */
+      if (pthread_cond_timedwait(&p->changed, &p->lock, &until) == ETIMEDOUT) live_puts(&l->text, ": here\n\n");
     }
     if (p->event_count - l->next > LIVE_EVENTS) { /* too slow: the newest state says all that was missed */
       l->next = p->event_count;
@@ -164,7 +175,8 @@ static enum MHD_Result serve_events(live_server *s, struct MHD_Connection *c) {
     free(l);
     return answer_text(s, c, 503, "too many windows are open\n");
   }
-  struct MHD_Response *r = s->http.create_response_from_callback(MHD_SIZE_UNKNOWN, 4096, listener_read, l, listener_free);
+  struct MHD_Response *r =
+      s->http.create_response_from_callback(MHD_SIZE_UNKNOWN, 4096, listener_read, l, listener_free);
   if (r == NULL) listener_free(l);
   return answer(s, c, r, 200, "text/event-stream");
 }
@@ -172,12 +184,13 @@ static enum MHD_Result serve_events(live_server *s, struct MHD_Connection *c) {
 /* ---- the scene ---- */
 
 static void put_u32(live_text *t, uint32_t x) {
-  const unsigned char b[4] = { (unsigned char)x, (unsigned char)(x >> 8), (unsigned char)(x >> 16), (unsigned char)(x >> 24) };
+  const unsigned char b[4] = { (unsigned char)x, (unsigned char)(x >> 8), (unsigned char)(x >> 16),
+                               (unsigned char)(x >> 24) };
   live_add(t, b, 4);
 }
 
-/* "VSL1", version, number of pieces; for each its hash (8 bytes) and length, the highest bit of which says that its bytes follow below; then those bytes.
- * have: the version whose pieces the window still holds. */
+/* "VSL1", version, number of pieces; for each its hash (8 bytes) and length, the highest bit of which says that its
+ * bytes follow below; then those bytes. have: the version whose pieces the window still holds. */
 static enum MHD_Result serve_scene(live_server *s, struct MHD_Connection *c) {
   const char *have = query(s, c, "have");
   unsigned version = have != NULL ? (unsigned)strtoul(have, NULL, 10) : 0;
@@ -190,8 +203,11 @@ static enum MHD_Result serve_scene(live_server *s, struct MHD_Connection *c) {
   bool *missing = calloc(scene->chunks.count + 1, sizeof *missing);
   if (missing != NULL) {
     pthread_mutex_lock(&s->publish->lock);
-    const live_chunks *past = version > 0 && s->publish->past_version[version % LIVE_VERSIONS] == version ? &s->publish->past[version % LIVE_VERSIONS] : NULL;
-    for (size_t i = 0; i < scene->chunks.count; i++) missing[i] = past == NULL || !live_chunks_have(past, scene->chunks.at[i].hash, scene->chunks.at[i].length);
+    const live_chunks *past = version > 0 && s->publish->past_version[version % LIVE_VERSIONS] == version
+                                  ? &s->publish->past[version % LIVE_VERSIONS]
+                                  : NULL;
+    for (size_t i = 0; i < scene->chunks.count; i++)
+      missing[i] = past == NULL || !live_chunks_have(past, scene->chunks.at[i].hash, scene->chunks.at[i].length);
     pthread_mutex_unlock(&s->publish->lock);
     for (size_t i = 0; i < scene->chunks.count; i++) {
       put_u32(&t, (uint32_t)scene->chunks.at[i].hash);
@@ -272,19 +288,23 @@ static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, con
   bool ok = s->options->check(&s->options->interpreter, s->model, text, body->length, to);
   pthread_mutex_unlock(&s->names_lock);
   ok = fclose(to) == 0 && ok;
-  enum MHD_Result result = ok ? answer_bytes(s, c, 200, "application/json", bytes, count) : answer_text(s, c, 500, "out of memory\n");
+  enum MHD_Result result =
+      ok ? answer_bytes(s, c, 200, "application/json", bytes, count) : answer_text(s, c, 500, "out of memory\n");
   free(bytes);
   return result;
 }
 
-static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_kind kind, const char *name, const char *value) {
+static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_kind kind, const char *name,
+                            const char *value) {
   live_wish *w = name != NULL && value != NULL ? live_wish_new(kind, name, value) : NULL;
   if (w == NULL) return answer_text(s, c, 400, "something is missing\n");
   w->coarse = query(s, c, "coarse") != NULL;
-  return live_wish_put(s->publish, &s->publish->wishes, w) ? answer_text(s, c, 202, "ok\n") : answer_text(s, c, 503, "too much is waiting to be done\n");
+  return live_wish_put(s->publish, &s->publish->wishes, w) ? answer_text(s, c, 202, "ok\n")
+                                                           : answer_text(s, c, 503, "too much is waiting to be done\n");
 }
 
-/* GET: the drawing as it stands. POST: that of the text with the values in the body, made aside; `id` is the window's word for it. */
+/* GET: the drawing as it stands. POST: that of the text with the values in the body, made aside; `id` is the window's
+ * word for it. */
 static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const live_text *values) {
   const char *format = query(s, c, "format"), *size = query(s, c, "size"), *id = query(s, c, "id");
   const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
@@ -300,7 +320,8 @@ static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const li
       return answer_text(s, c, 500, "out of memory\n");
     }
   }
-  if (!live_wish_put(p, values != NULL ? &p->asides : &p->wishes, w)) return answer_text(s, c, 503, "too much is waiting to be done\n");
+  if (!live_wish_put(p, values != NULL ? &p->asides : &p->wishes, w))
+    return answer_text(s, c, 503, "too much is waiting to be done\n");
   struct timespec until;
   clock_gettime(CLOCK_MONOTONIC, &until);
   until.tv_sec += EXPORT_SECONDS;
@@ -318,7 +339,8 @@ static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const li
   if (outcome == VS_OUTCOME_DONE) return answer_live_text(s, c, "application/octet-stream", &t);
   unsigned status = cancelled || outcome == VS_OUTCOME_INTERRUPTED ? 499 : 422;
   if (values == NULL) live_text_free(&t);
-  enum MHD_Result result = answer_text(s, c, status, t.length > 0 ? t.at : "the output was not made; the messages say why\n");
+  enum MHD_Result result =
+      answer_text(s, c, status, t.length > 0 ? t.at : "the output was not made; the messages say why\n");
   live_text_free(&t);
   return result;
 }
@@ -357,7 +379,8 @@ static const struct { const char *url, *type, *from, *end; } assets[] = {
   { "/live.css", "text/css; charset=utf-8", vs_asset_live_css, vs_asset_live_css_end },
 };
 
-static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const char *url, const char *method, const live_text *body) {
+static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const char *url, const char *method,
+                                const live_text *body) {
   bool get = strcmp(method, "GET") == 0, post = strcmp(method, "POST") == 0;
   for (size_t i = 0; get && i < sizeof assets / sizeof *assets; i++) {
     if (strcmp(url, assets[i].url) != 0) continue;
@@ -410,7 +433,8 @@ static void connected(void *context, struct MHD_Connection *c, void **place, enu
   }
 }
 
-static enum MHD_Result handle(void *context, struct MHD_Connection *c, const char *url, const char *method, const char *version, const char *data, size_t *size, void **state) {
+static enum MHD_Result handle(void *context, struct MHD_Connection *c, const char *url, const char *method,
+                              const char *version, const char *data, size_t *size, void **state) {
   live_server *s = context;
   request *r = *state;
   (void)version;
@@ -443,7 +467,10 @@ static void completed(void *context, struct MHD_Connection *c, void **state, enu
 
 /* ---- opening ---- */
 
-static void quiet(void *context, const char *format, va_list arguments) { (void)context, (void)format, (void)arguments; } /* a vanished client is nobody's news */
+/* a vanished client is nobody's news */
+static void quiet(void *context, const char *format, va_list arguments) {
+  (void)context, (void)format, (void)arguments;
+}
 
 bool live_server_open(live_server *s) {
   struct sockaddr_in loopback = { .sin_family = AF_INET, .sin_port = 0, .sin_addr.s_addr = htonl(INADDR_LOOPBACK) };
@@ -452,18 +479,22 @@ bool live_server_open(live_server *s) {
     return false;
   }
   if (vs_asset_live_js_end - vs_asset_live_js < 1000) {
-    fprintf(stderr, "vs: this vs was built without the live view's page: run `npm ci --ignore-scripts` and build again\n");
+    fprintf(stderr,
+            "vs: this vs was built without the live view's page: run `npm ci --ignore-scripts` and build again\n");
     return false;
   }
   pthread_mutex_init(&s->names_lock, NULL);
   live_waiting_open(&s->waiting);
   s->names = vs_new(NULL);
   pthread_mutex_lock(&s->publish->lock); /* who asks at once waits for the port and the names that are written below */
-  s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG, 0, NULL, NULL, handle, s, MHD_OPTION_EXTERNAL_LOGGER, quiet, NULL,
-                                   MHD_OPTION_SOCK_ADDR, (struct sockaddr *)&loopback, MHD_OPTION_CONNECTION_LIMIT, (unsigned)CONNECTIONS, MHD_OPTION_CONNECTION_TIMEOUT, (unsigned)SILENCE,
-                                   MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)32768, MHD_OPTION_NOTIFY_COMPLETED, completed, s,
-                                   MHD_OPTION_NOTIFY_CONNECTION, connected, s, MHD_OPTION_END);
-  const union MHD_DaemonInfo *info = s->daemon != NULL ? s->http.get_daemon_info(s->daemon, MHD_DAEMON_INFO_BIND_PORT) : NULL;
+  s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG,
+                                   0, NULL, NULL, handle, s, MHD_OPTION_EXTERNAL_LOGGER, quiet, NULL,
+                                   MHD_OPTION_SOCK_ADDR, (struct sockaddr *)&loopback, MHD_OPTION_CONNECTION_LIMIT,
+                                   (unsigned)CONNECTIONS, MHD_OPTION_CONNECTION_TIMEOUT, (unsigned)SILENCE,
+                                   MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)32768, MHD_OPTION_NOTIFY_COMPLETED,
+                                   completed, s, MHD_OPTION_NOTIFY_CONNECTION, connected, s, MHD_OPTION_END);
+  const union MHD_DaemonInfo *info =
+      s->daemon != NULL ? s->http.get_daemon_info(s->daemon, MHD_DAEMON_INFO_BIND_PORT) : NULL;
   s->port = info != NULL ? info->port : 0;
   snprintf(s->hosts[0], sizeof s->hosts[0], "127.0.0.1:%u", s->port);
   snprintf(s->hosts[1], sizeof s->hosts[1], "localhost:%u", s->port);

@@ -6,7 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-typedef struct { char *at; size_t length, room; bool failed; } live_text; /* {0} is empty; at ends in NUL when not NULL */
+/* {0} is empty; at ends in NUL when not NULL */
+typedef struct { char *at; size_t length, room; bool failed; } live_text;
 
 void live_add(live_text *t, const void *bytes, size_t length); /* after a failure nothing is added any more */
 void live_puts(live_text *t, const char *text);

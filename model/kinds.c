@@ -1,4 +1,5 @@
-/* Owns the table of kinds that prims.def spells out, and hashing, comparing, retaining and releasing of payloads by it. */
+/* Owns the table of kinds that prims.def spells out, and hashing, comparing, retaining and releasing of payloads by
+ * it. */
 #include "model/kinds.h"
 
 #include <math.h>
@@ -13,8 +14,8 @@
 #define VS_CLASS_SOLID VS_SOLID
 #define VS_CLASS_INHERIT VS_INHERIT
 
-/* Each kind becomes a block of its own, so that here_ names its struct where the fields' offsets are asked for; the row that ends
- * each table of fields stands for "no more" and is not counted. */
+/* Each kind becomes a block of its own, so that here_ names its struct where the fields' offsets are asked for; the row
+ * that ends each table of fields stands for "no more" and is not counted. */
 const vs_kind_info *vs_kind_get(vs_kind kind) {
   switch (kind) {
 #define VS_KIND(upper, lower, name, class_, level, role, traits)                                                     \
@@ -49,7 +50,9 @@ const unsigned short vs_kind_traits[] = {
 #include "model/prims.def"
 };
 
-const unsigned char vs_field_reals[] = { [VS_FIELD_real] = 1, [VS_FIELD_point] = 3, [VS_FIELD_vector] = 3, [VS_FIELD_affine] = 12, [VS_FIELD_ticket] = 0 };
+const unsigned char vs_field_reals[] = {
+  [VS_FIELD_real] = 1, [VS_FIELD_point] = 3, [VS_FIELD_vector] = 3, [VS_FIELD_affine] = 12, [VS_FIELD_ticket] = 0
+};
 
 /* ---- one step for each type of field, which the procedures below make of every kind's row ---- */
 
@@ -65,7 +68,9 @@ static inline uint64_t settle_reals(uint64_t h, double *reals, size_t count) {
   return h;
 }
 static inline uint64_t settle_real(uint64_t h, double *at) { return settle_reals(h, at, 1); }
-static inline uint64_t settle_point(uint64_t h, vs_vec3 *at) { return hash_step(hash_step(hash_step(h, at->x += 0.0), at->y += 0.0), at->z += 0.0); }
+static inline uint64_t settle_point(uint64_t h, vs_vec3 *at) {
+  return hash_step(hash_step(hash_step(h, at->x += 0.0), at->y += 0.0), at->z += 0.0);
+}
 static inline uint64_t settle_vector(uint64_t h, vs_vec3 *at) { return settle_point(h, at); }
 static inline uint64_t settle_affine(uint64_t h, vs_affine *at) {
   for (int row = 0; row < 3; row++) h = settle_reals(h, at->m[row], 4);
@@ -84,7 +89,9 @@ static uint64_t settle_faces(uint64_t h, const vs_faces *const *at) {
   return vs_hash_mix(h, f->hash);
 }
 static uint64_t settle_text(uint64_t h, const char *const *at) { return vs_hash_mix(h, vs_text_hash(*at)); }
-static uint64_t settle_material(uint64_t h, const vs_material *const *at) { return vs_hash_mix(h, vs_material_hash(*at)); }
+static uint64_t settle_material(uint64_t h, const vs_material *const *at) {
+  return vs_hash_mix(h, vs_material_hash(*at));
+}
 static uint64_t settle_ticket(uint64_t h, const vs_ticket *const *at) {
   ((vs_ticket *)(uintptr_t)*at)->refs++;
   return vs_hash_mix(h, (*at)->id);
@@ -93,7 +100,10 @@ static uint64_t settle_ticket(uint64_t h, const vs_ticket *const *at) {
 uint64_t vs_payload_settle(vs_kind kind, void *data) {
   uint64_t h = 3;
   switch (kind) {
-#define VS_KIND(upper, lower, name, class_, level, role, traits) case VS_##upper: { struct vs_##lower *d = data; (void)d;
+#define VS_KIND(upper, lower, name, class_, level, role, traits)                                                       \
+  case VS_##upper: {                                                                                                   \
+    struct vs_##lower *d = data;                                                                                       \
+    (void)d;
 #define VS_FIELD(type, member, argument) h = settle_##type(h, &d->member);
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"
@@ -108,7 +118,9 @@ static inline bool reals_within(const double *reals, size_t count, double most) 
   return within;
 }
 static inline bool within_real(const double *at, double most) { return fabs(*at) <= most; }
-static inline bool within_point(const vs_vec3 *at, double most) { return (fabs(at->x) <= most) & (fabs(at->y) <= most) & (fabs(at->z) <= most); }
+static inline bool within_point(const vs_vec3 *at, double most) {
+  return (fabs(at->x) <= most) & (fabs(at->y) <= most) & (fabs(at->z) <= most);
+}
 static inline bool within_vector(const vs_vec3 *at, double most) { return within_point(at, most); }
 static inline bool within_affine(const vs_affine *at, double most) {
   return reals_within(at->m[0], 4, most) && reals_within(at->m[1], 4, most) && reals_within(at->m[2], 4, most);
@@ -128,7 +140,10 @@ static bool within_points(const vs_points *const *at, double most) {
 bool vs_kind_within(vs_kind kind, const void *data, double most) {
   bool within = true;
   switch (kind) {
-#define VS_KIND(upper, lower, name, class_, level, role, traits) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
+#define VS_KIND(upper, lower, name, class_, level, role, traits)                                                       \
+  case VS_##upper: {                                                                                                   \
+    const struct vs_##lower *d = data;                                                                                 \
+    (void)d;
 #define VS_FIELD(type, member, argument) within &= within_##type(&d->member, most);
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"
@@ -153,7 +168,10 @@ bool vs_kind_within(vs_kind kind, const void *data, double most) {
 void vs_payload_drop(vs_kind kind, vs_store *s, const void *data) {
   (void)s;
   switch (kind) {
-#define VS_KIND(upper, lower, name, class_, level, role, traits) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
+#define VS_KIND(upper, lower, name, class_, level, role, traits)                                                       \
+  case VS_##upper: {                                                                                                   \
+    const struct vs_##lower *d = data;                                                                                 \
+    (void)d;
 #define VS_FIELD(type, member, argument) drop_##type(s, &d->member)
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"
@@ -176,7 +194,10 @@ void vs_payload_drop(vs_kind kind, vs_store *s, const void *data) {
 size_t vs_payload_array_bytes(vs_kind kind, const void *data) {
   size_t bytes = 0;
   switch (kind) {
-#define VS_KIND(upper, lower, name, class_, level, role, traits) case VS_##upper: { const struct vs_##lower *d = data; (void)d;
+#define VS_KIND(upper, lower, name, class_, level, role, traits)                                                       \
+  case VS_##upper: {                                                                                                   \
+    const struct vs_##lower *d = data;                                                                                 \
+    (void)d;
 #define VS_FIELD(type, member, argument) bytes += bytes_##type(&d->member);
 #define VS_KIND_END(upper, lower) break; }
 #include "model/prims.def"

@@ -60,14 +60,16 @@ static size_t mesh_next_room(size_t room, size_t most) {
 }
 
 bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index) {
-  if (m->vertex_count == m->vertex_room && !vs_mesh_reserve(m, mesh_next_room(m->vertex_room, 3 * m->most), 0)) return false;
+  if (m->vertex_count == m->vertex_room && !vs_mesh_reserve(m, mesh_next_room(m->vertex_room, 3 * m->most), 0))
+    return false;
   if (index) *index = (uint32_t)m->vertex_count;
   m->vertices[m->vertex_count++] = v;
   return true;
 }
 
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c) {
-  if (m->triangle_count == m->triangle_room && !vs_mesh_reserve(m, 0, mesh_next_room(m->triangle_room, m->most))) return false;
+  if (m->triangle_count == m->triangle_room && !vs_mesh_reserve(m, 0, mesh_next_room(m->triangle_room, m->most)))
+    return false;
   uint32_t *t = m->triangles[m->triangle_count];
   t[0] = a;
   t[1] = b;
@@ -83,7 +85,8 @@ double vs_mesh_volume(const vs_mesh *m) {
   double six = 0;
   for (size_t i = 0; i < m->triangle_count; i++) {
     const uint32_t *t = m->triangles[i];
-    vs_vec3 a = vs_v3_sub(m->vertices[t[0]], o), b = vs_v3_sub(m->vertices[t[1]], o), c = vs_v3_sub(m->vertices[t[2]], o);
+    vs_vec3 a = vs_v3_sub(m->vertices[t[0]], o), b = vs_v3_sub(m->vertices[t[1]], o),
+            c = vs_v3_sub(m->vertices[t[2]], o);
     six += vs_v3_dot(a, vs_v3_cross(b, c));
   }
   return six / 6;
@@ -117,7 +120,8 @@ static int mesh_compare_keys(const void *a, const void *b) {
   return x < y ? -1 : x > y;
 }
 
-/* A closed chain: every directed edge occurs as often as its opposite. Keys of forward and of turned edges, sorted, are equal lists. */
+/* A closed chain: every directed edge occurs as often as its opposite. Keys of forward and of turned edges, sorted, are
+ * equal lists. */
 bool vs_mesh_closed(const vs_mesh *m, bool *ok) {
   size_t n = m->triangle_count * 3;
   if (ok) *ok = true;

@@ -13,7 +13,8 @@ typedef struct {
   uint32_t (*triangles)[3]; /* counter-clockwise seen from outside */
   uint32_t *tags;           /* one a triangle, or NULL: which part (leaf) it came from */
   size_t vertex_count, vertex_room, triangle_count, triangle_room;
-  size_t most;              /* so many triangles, and three times as many corners, are all that room is made for; 0: any number */
+  size_t most;              /* so many triangles, and three times as many corners, are all that room is made for; 0: any
+                             * number */
   bool over;                /* more was asked for, and refused */
 } vs_mesh;
 
@@ -27,9 +28,11 @@ double vs_mesh_volume(const vs_mesh *m); /* signed, by the divergence theorem; c
 double vs_mesh_area(const vs_mesh *m);
 vs_bounds vs_mesh_bounds(const vs_mesh *m);
 vs_bounds vs_mesh_placed_bounds(const vs_mesh *m, const vs_affine *a); /* of all its corners there, used or not */
-bool vs_mesh_closed(const vs_mesh *m, bool *ok); /* every directed edge has its opposite, by index; ok false: out of memory */
+bool vs_mesh_closed(const vs_mesh *m, bool *ok); /* every directed edge has its opposite, by index; ok false: out of
+                                                  * memory */
 void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* in place; turns the triangles round where it mirrors */
-void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle); /* the rest stays */
+/* the rest stays */
+void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle);
 void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* leaves out the triangles whose gone is not 0; corners stay */
 void vs_mesh_turn(vs_mesh *m, size_t first_triangle); /* inside out, from that triangle on */
 

@@ -1,8 +1,8 @@
 /* Owns nodes and the arrays they share: building, retaining, releasing, comparing.
  *
- * A node is one allocation: header, children, payload. Releasing needs no memory and no recursion: a dead node's hash links the list
- * of those still to be taken apart. Comparing remembers the pairs it has found equal, so that two separately built DAGs of n nodes cost
- * n comparisons and not one for every path through them. */
+ * A node is one allocation: header, children, payload. Releasing needs no memory and no recursion: a dead node's hash
+ * links the list of those still to be taken apart. Comparing remembers the pairs it has found equal, so that two
+ * separately built DAGs of n nodes cost n comparisons and not one for every path through them. */
 #include "model/node.h"
 
 #include <string.h>
@@ -13,7 +13,9 @@
 /* ---- arrays ---- */
 
 size_t vs_points_bytes(const vs_points *p) { return sizeof *p + p->count * sizeof *p->at; }
-size_t vs_faces_bytes(const vs_faces *f) { return sizeof *f + (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data; }
+size_t vs_faces_bytes(const vs_faces *f) {
+  return sizeof *f + (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data;
+}
 
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count) {
   if (count > UINT32_MAX || count > SIZE_MAX / sizeof *at - 1) return NULL;
@@ -25,10 +27,14 @@ vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count) {
   return p;
 }
 
-static void faces_settle(vs_faces *f) { f->hash = vs_hash_bytes(8, f->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data); }
+static void faces_settle(vs_faces *f) {
+  f->hash = vs_hash_bytes(8, f->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data);
+}
 
-vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count) {
-  if (count >= UINT32_MAX || corner_count > UINT32_MAX || count + corner_count > SIZE_MAX / sizeof *starts - 8) return NULL;
+vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners,
+                       size_t corner_count) {
+  if (count >= UINT32_MAX || corner_count > UINT32_MAX || count + corner_count > SIZE_MAX / sizeof *starts - 8)
+    return NULL;
   vs_faces *f = vs_store_realloc(s, NULL, 0, sizeof *f + (count + 1 + corner_count) * sizeof *starts);
   if (!f) return NULL;
   f->refs = 1;
@@ -95,9 +101,12 @@ static size_t node_size(const vs_kind_info *info, size_t children) {
   return sizeof(vs_node) + node_payload_room(info) + children * sizeof(vs_ref);
 }
 
-static bool node_is_planar_area(const vs_node *n) { return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED); }
+static bool node_is_planar_area(const vs_node *n) {
+  return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED);
+}
 
-/* The properties that the children of a node have in common, gathered as they are taken, so that a million of them are looked at once. */
+/* The properties that the children of a node have in common, gathered as they are taken, so that a million of them are
+ * looked at once. */
 typedef struct {
   vs_class together; /* of one class if they agree, else MIXED; what draws nothing does not count */
   bool nothing;      /* one draws nothing */
@@ -115,12 +124,16 @@ static void node_join_family(vs_node_family *f, const vs_node *child) {
 
 static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
-  bool carved = (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
+  bool carved =
+      (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
   bool unresolved = vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && carved);
-  bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS, all = n->child_count && f->all & VS_NODE_ENDLESS;
-  bool is = n->kind == VS_HALF_SPACE || (n->kind == VS_INTERSECTION ? all : n->kind == VS_DIFFERENCE ? first : f->any & VS_NODE_ENDLESS);
-  n->flags = (uint8_t)((n->flags & VS_NODE_CLOSED) | (is ? VS_NODE_ENDLESS : 0) | (cut ? VS_NODE_CUT : 0) | (unresolved ? VS_NODE_UNRESOLVED : 0) |
-                       (carved ? VS_NODE_CARVED : 0));
+  bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS,
+       all = n->child_count && f->all & VS_NODE_ENDLESS;
+  bool is = n->kind == VS_HALF_SPACE || (n->kind == VS_INTERSECTION ? all
+                                         : n->kind == VS_DIFFERENCE ? first
+                                                                    : f->any & VS_NODE_ENDLESS);
+  n->flags = (uint8_t)((n->flags & VS_NODE_CLOSED) | (is ? VS_NODE_ENDLESS : 0) | (cut ? VS_NODE_CUT : 0) |
+                       (unresolved ? VS_NODE_UNRESOLVED : 0) | (carved ? VS_NODE_CARVED : 0));
 }
 
 static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_family *family) {
@@ -134,12 +147,15 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
     case VS_CIRCLE: case VS_REGION: case VS_TEXT: n->flags |= VS_NODE_CLOSED; break;
     case VS_POLYFACE_MESH: n->class_ = VS_AS(polyface_mesh, n)->closed ? VS_SOLID : VS_SURFACE; break;
     case VS_EXTRUDE: case VS_SWEEP: case VS_REVOLVE:
-      n->class_ = !first || first->class_ == VS_NOTHING ? VS_NOTHING : node_is_planar_area(first) ? VS_SOLID : VS_SURFACE;
+      n->class_ = !first || first->class_ == VS_NOTHING ? VS_NOTHING
+                  : node_is_planar_area(first)          ? VS_SOLID
+                                                        : VS_SURFACE;
       break;
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* an apex says nothing */
       bool areas = false;
       uint32_t sections = n->kind == VS_GUIDED_LOFT ? (uint32_t)VS_AS(guided_loft, n)->section_count : n->child_count;
-      for (uint32_t i = 0; i < sections && i < n->child_count; i++) areas = areas || node_is_planar_area(n->children[i].node);
+      for (uint32_t i = 0; i < sections && i < n->child_count; i++)
+        areas = areas || node_is_planar_area(n->children[i].node);
       n->class_ = areas ? VS_SOLID : VS_SURFACE;
       break;
     }
@@ -152,8 +168,11 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
       else if (n->class_ == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
       break;
     case VS_OFFSET:
-      n->class_ = !first || first->class_ == VS_NOTHING ? VS_NOTHING : VS_AS(offset, n)->filled || first->class_ == VS_REGION_CLASS ? VS_REGION_CLASS : VS_CURVE;
-      if (n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && first->flags & VS_NODE_CLOSED)) n->flags |= VS_NODE_CLOSED;
+      n->class_ = !first || first->class_ == VS_NOTHING                          ? VS_NOTHING
+                  : VS_AS(offset, n)->filled || first->class_ == VS_REGION_CLASS ? VS_REGION_CLASS
+                                                                                 : VS_CURVE;
+      if (n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && first->flags & VS_NODE_CLOSED))
+        n->flags |= VS_NODE_CLOSED;
       break;
     case VS_THICKEN: if (!first || first->class_ == VS_NOTHING) n->class_ = VS_NOTHING; break;
     case VS_CUSTOM: case VS_NATIVE: /* what is not known is taken for solid */
@@ -199,7 +218,8 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   void *payload = kept + child_count;
   if (data) memcpy(payload, data, info->size);
   else memset(payload, 0, info->size);
-  uint64_t hash = vs_hash_mix(vs_hash_mix(4, (uint64_t)kind), vs_payload_settle(kind, payload)), form = vs_hash_mix(10, (uint64_t)kind);
+  uint64_t hash = vs_hash_mix(vs_hash_mix(4, (uint64_t)kind), vs_payload_settle(kind, payload)),
+           form = vs_hash_mix(10, (uint64_t)kind);
   uint32_t depth = 1;
   vs_node_family family = { .together = VS_NOTHING, .all = UINT8_MAX };
   for (size_t i = 0; i < child_count; i++) {
@@ -211,7 +231,8 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
     if (child->depth >= depth) depth = child->depth == UINT32_MAX ? UINT32_MAX : child->depth + 1;
     node_join_family(&family, child);
   }
-  bool same = child_count == 1 && (kind == VS_TRANSFORM || kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE);
+  bool same = child_count == 1 &&
+              (kind == VS_TRANSFORM || kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE);
   if (same) form = kept[0].node->form; /* only moved, or a set of one: the shape within */
   n->refs = 1;
   n->kind = (uint16_t)kind;

@@ -1,9 +1,10 @@
 /* Owns the model tree: immutable, hashed, reference-counted nodes; the store that they live in; origins and materials.
  *
- * A node is plain data: kind, payload (the fields of prims.def as a struct), child references, a structural hash made when it is
- * built. Two nodes are equal by value when kind, payload and children's nodes are; origins do not count. A reference pairs a node with the
- * origin of the constructor call that placed it there. A model outlives the interpreter that built it: nodes hold their store.
- * Reference counts are not atomic: one thread builds and releases; kernel threads only read. */
+ * A node is plain data: kind, payload (the fields of prims.def as a struct), child references, a structural hash made
+ * when it is built. Two nodes are equal by value when kind, payload and children's nodes are; origins do not count. A
+ * reference pairs a node with the origin of the constructor call that placed it there. A model outlives the interpreter
+ * that built it: nodes hold their store. Reference counts are not atomic: one thread builds and releases; kernel
+ * threads only read. */
 #ifndef VS_MODEL_NODE_H
 #define VS_MODEL_NODE_H
 
@@ -21,7 +22,12 @@ typedef struct vs_cache vs_cache; /* cache.h */
 /* ---- errors that C layers return: one message, and where in the user's model (NULL: nowhere) ---- */
 typedef struct vs_origin vs_origin;
 typedef enum {
-  VS_ERROR_NONE, VS_ERROR_MODEL /* exit 1 */, VS_ERROR_FILE /* 2 */, VS_ERROR_WORKER /* 3 */, VS_ERROR_MEMORY /* 4 */, VS_ERROR_INTERRUPT /* 130 */
+  VS_ERROR_NONE,
+  VS_ERROR_MODEL /* exit 1 */,
+  VS_ERROR_FILE /* 2 */,
+  VS_ERROR_WORKER /* 3 */,
+  VS_ERROR_MEMORY /* 4 */,
+  VS_ERROR_INTERRUPT /* 130 */
 } vs_error_kind;
 typedef struct {
   vs_error_kind kind;
@@ -29,7 +35,8 @@ typedef struct {
   char message[512]; /* UTF-8, cut at a character */
 } vs_error;
 /* Fills e (may be NULL) and returns false, so that `return vs_error_set(...)` reads well. */
-bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, const char *format, ...) __attribute__((format(printf, 4, 5)));
+bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 bool vs_error_memory(vs_error *e, const vs_origin *origin); /* the same, "out of memory" */
 
 /* ---- origins: interned chains, owned by the store ---- */
@@ -41,11 +48,13 @@ struct vs_origin {
 
 /* ---- shared arrays: immutable once made, reference counted ---- */
 typedef struct { uint32_t refs, count; vs_vec3 at[]; } vs_points;
-typedef struct { uint32_t refs, count, corner_count; uint64_t hash; uint32_t data[]; } vs_faces; /* data: count+1 starts, then corner_count indices; hash: of these */
+/* data: count+1 starts, then corner_count indices; hash: of these */
+typedef struct { uint32_t refs, count, corner_count; uint64_t hash; uint32_t data[]; } vs_faces;
 static inline const uint32_t *vs_faces_starts(const vs_faces *f) { return f->data; }
 static inline const uint32_t *vs_faces_corners(const vs_faces *f) { return f->data + f->count + 1; }
 
-/* ---- tickets: a number for something that lives elsewhere, counted so that its keeper learns when no node holds it any more ---- */
+/* ---- tickets: a number for something that lives elsewhere, counted so that its keeper learns when no node holds it
+ * any more ---- */
 typedef struct { uint32_t refs, id; } vs_ticket;
 
 /* ---- payload types ---- */
@@ -61,8 +70,17 @@ typedef const char *vs_field_text; /* interned in the store */
 typedef const vs_material *vs_field_material;
 typedef const vs_ticket *vs_field_ticket;
 typedef enum {
-  VS_FIELD_real, VS_FIELD_integer, VS_FIELD_boolean, VS_FIELD_point, VS_FIELD_vector, VS_FIELD_affine, VS_FIELD_points, VS_FIELD_faces,
-  VS_FIELD_text, VS_FIELD_material, VS_FIELD_ticket
+  VS_FIELD_real,
+  VS_FIELD_integer,
+  VS_FIELD_boolean,
+  VS_FIELD_point,
+  VS_FIELD_vector,
+  VS_FIELD_affine,
+  VS_FIELD_points,
+  VS_FIELD_faces,
+  VS_FIELD_text,
+  VS_FIELD_material,
+  VS_FIELD_ticket
 } vs_field_type;
 extern const unsigned char vs_field_reals[]; /* by type: doubles that lie in the field itself, or 0 */
 
@@ -80,8 +98,23 @@ typedef enum {
   VS_KIND_COUNT
 } vs_kind;
 
-typedef enum { VS_NOTHING, VS_CURVE, VS_REGION_CLASS, VS_SURFACE, VS_SOLID, VS_MIXED /* a union of several */, VS_INHERIT } vs_class;
-typedef enum { VS_LEVEL_MESH, VS_LEVEL_FLAT, VS_LEVEL_CURVED, VS_LEVEL_SWEPT, VS_LEVEL_OPERATION, VS_LEVEL_SUGAR } vs_level;
+typedef enum {
+  VS_NOTHING,
+  VS_CURVE,
+  VS_REGION_CLASS,
+  VS_SURFACE,
+  VS_SOLID,
+  VS_MIXED /* a union of several */,
+  VS_INHERIT
+} vs_class;
+typedef enum {
+  VS_LEVEL_MESH,
+  VS_LEVEL_FLAT,
+  VS_LEVEL_CURVED,
+  VS_LEVEL_SWEPT,
+  VS_LEVEL_OPERATION,
+  VS_LEVEL_SUGAR
+} vs_level;
 
 typedef struct { const char *name, *argument; vs_field_type type; size_t offset; } vs_field_info;
 typedef struct {
@@ -99,18 +132,22 @@ typedef enum { VS_ROLE_SHAPE, VS_ROLE_LEAF, VS_ROLE_MADE, VS_ROLE_PLACED, VS_ROL
 enum {
   VS_IS_ROUND = 1,        /* its triangles stand for a smooth surface */
   VS_IS_SHORT = 2,        /* every format writes it in some words, whatever its numbers */
-  VS_IS_PLAIN = 4,        /* its triangles follow from its own numbers alone, by geometry/tessellate.c: any thread may make them */
+  VS_IS_PLAIN = 4,        /* its triangles follow from its own numbers alone, by geometry/tessellate.c: any thread may
+                           * make them */
   VS_IS_CONVEX = 8,
   VS_IS_COSTLY = 16,      /* meshing one costs about as much as meshing eight spheres */
   VS_IS_DEAR = 32,        /* meshing one costs about as much as meshing forty spheres */
-  VS_IS_SAMPLED = 64,     /* its own bounds are of fine samples: a box round its box is good enough where it is turned */
+  VS_IS_SAMPLED = 64,     /* its own bounds are of fine samples: a box round its box is good enough where it is
+                           * turned */
   VS_IS_OVERLAPPING = 128, /* its mesh may overlap itself */
   VS_IS_OF_FIRST = 256,   /* it is empty where its first child is */
-  VS_IS_UNRESOLVED = 512  /* solids/resolve.c replaces it before meshing: it needs a solid's mesh or the drawing's size */
+  VS_IS_UNRESOLVED = 512  /* solids/resolve.c replaces it before meshing: it needs a solid's mesh or the drawing's
+                           * size */
 };
 extern const unsigned char vs_kind_roles[];   /* by kind: vs_role */
 extern const unsigned short vs_kind_traits[]; /* by kind: VS_IS_... */
-bool vs_kind_within(vs_kind kind, const void *data, double most); /* is no number of a payload, or of its points, larger either way, or none at all? */
+bool vs_kind_within(vs_kind kind, const void *data, double most); /* is no number of a payload, or of its points, larger
+                                                                   * either way, or none at all? */
 
 typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
 
@@ -120,8 +157,8 @@ enum {
   VS_NODE_CUT = 4,     /* a half-space stands somewhere in it */
   VS_NODE_SUGAR = 8,   /* something of level SUGAR stands in it */
   VS_NODE_OPEN = 16,   /* a CUSTOM without a child stands in it */
-  VS_NODE_UNRESOLVED = 32, /* what needs a solid's mesh stands somewhere in it: a section, a shadow, edges, a slice of something thin, a hull of something carved; or a
-                            * line without end: solids/resolve.h */
+  VS_NODE_UNRESOLVED = 32, /* what needs a solid's mesh stands somewhere in it: a section, a shadow, edges, a slice of
+                            * something thin, a hull of something carved; or a line without end: solids/resolve.h */
   VS_NODE_CARVED = 64  /* an intersection or a difference of solids stands in it */
 };
 
@@ -133,7 +170,8 @@ struct vs_node {
   uint32_t child_count;
   uint32_t depth;  /* 1 for a leaf; saturates */
   uint32_t slot;   /* its number in the order made last (order.h): the one thing about a node that changes */
-  uint32_t form;   /* hash of what it is made of, whatever its numbers and places: what could be copies of one another have one form */
+  uint32_t form;   /* hash of what it is made of, whatever its numbers and places: what could be copies of one another
+                    * have one form */
   uint64_t hash;   /* structural */
   vs_store *store;
   const vs_ref children[]; /* child_count of them; behind them lies the payload */
@@ -156,8 +194,8 @@ enum {
 };
 #define VS_AS(lower, n) ((const struct vs_##lower *)vs_node_data_of(n, (vs_kind)VS_KIND_OF_##lower))
 
-/* Child i of those that are looked at one after the other: the processor is told of one to come, since there may be a million. With its payload, or of
- * its header alone. */
+/* Child i of those that are looked at one after the other: the processor is told of one to come, since there may be a
+ * million. With its payload, or of its header alone. */
 enum { VS_NODES_AHEAD = 24 };
 static inline const vs_ref *vs_node_next_whole(const vs_node *n, uint32_t i) {
   if (n->child_count - i > VS_NODES_AHEAD) {
@@ -178,29 +216,44 @@ static inline bool vs_node_has(const vs_node *n, unsigned trait) { return (vs_ki
 static inline bool vs_node_is_set(const vs_node *n) { return vs_node_role(n) == VS_ROLE_SET; }
 
 /* Kinds that are in space what their one child is. (A GHOST is nothing.) */
-static inline bool vs_node_is_dress(const vs_node *n) { return n->child_count == 1 && vs_node_role(n) == VS_ROLE_DRESS; }
+static inline bool vs_node_is_dress(const vs_node *n) {
+  return n->child_count == 1 && vs_node_role(n) == VS_ROLE_DRESS;
+}
 
 /* ---- the store ---- */
-typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size); /* as realloc; new_size 0 frees; NULL: failed */
-vs_store *vs_store_new(vs_alloc_fn *alloc, void *context); /* alloc NULL: the C library's. A reference. NULL: out of memory */
+/* as realloc; new_size 0 frees; NULL: failed */
+typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size);
+vs_store *vs_store_new(vs_alloc_fn *alloc, void *context); /* alloc NULL: the C library's. A reference. NULL: out of
+                                                            * memory */
 vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
-size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: counts towards the interpreter's memory budget */
-/* Who is asked in what works long whether to go on, the error's word then being that it was interrupted. NULL: nobody. */
+size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: counts towards the interpreter's memory
+                                           * budget */
+/* Who is asked in what works long whether to go on, the error's word then being that it was interrupted. NULL:
+ * nobody. */
 void vs_store_watch(vs_store *s, bool (*going)(void *context), void *context);
-bool vs_store_going(vs_store *s, uint32_t work, vs_error *e); /* asks once a million steps of a nanosecond or some have come together; s NULL: goes on */
+bool vs_store_going(vs_store *s, uint32_t work, vs_error *e); /* asks once a million steps of a nanosecond or some have
+                                                               * come together; s NULL: goes on */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size); /* accounted; new_size 0 frees */
-/* Makes room for `need` elements of `size` bytes in the store's array whose address stands in *slot; *room is in elements. False: no memory, nothing is changed. */
+/* Makes room for `need` elements of `size` bytes in the store's array whose address stands in *slot; *room is in
+ * elements. False: no memory, nothing is changed. */
 bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size);
-/* Small things of which there may be millions (piece.c); freed with the size they were asked for. NULL: out of memory. */
+/* Small things of which there may be millions (piece.c); freed with the size they were asked for. NULL: out of
+ * memory. */
 void *vs_store_piece(vs_store *s, size_t bytes);
 void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);
-void vs_store_fail_at(vs_store *s, size_t n); /* tests: the n-th allocation from now fails and so do those after it; 0: none */
-/* A place for geometry/ to keep what took time to get (fonts) for as long as the store lives; NULL at first. let_go frees it then. */
+void vs_store_fail_at(vs_store *s, size_t n); /* tests: the n-th allocation from now fails and so do those after it; 0:
+                                               * none */
+/* A place for geometry/ to keep what took time to get (fonts) for as long as the store lives; NULL at first. let_go
+ * frees it then. */
 void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept));
-const char *vs_store_text(vs_store *s, const char *text, size_t length);            /* interned, NUL-terminated; NULL: out of memory */
-const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column, const vs_origin *caller); /* interned; NULL: oom */
-const vs_material *vs_store_material(vs_store *s, const vs_material *m);             /* interned by value; NULL: out of memory */
+/* interned, NUL-terminated; NULL: out of memory */
+const char *vs_store_text(vs_store *s, const char *text, size_t length);
+/* interned; NULL: oom */
+const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column,
+                                 const vs_origin *caller);
+/* interned by value; NULL: out of memory */
+const vs_material *vs_store_material(vs_store *s, const vs_material *m);
 
 /* ---- building. All return one new reference to the caller, NULL when out of memory. ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
@@ -209,17 +262,20 @@ vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const 
 vs_faces *vs_faces_turned(vs_store *s, const vs_faces *f);
 vs_ticket *vs_ticket_new(vs_store *s, uint32_t id);
 void vs_ticket_release(vs_store *s, const vs_ticket *t);
-/* gone(context, id) is called when the last reference to a ticket goes; NULL: nobody asks any more. It must not touch nodes. */
+/* gone(context, id) is called when the last reference to a ticket goes; NULL: nobody asks any more. It must not touch
+ * nodes. */
 void vs_store_on_ticket(vs_store *s, void (*gone)(void *context, uint32_t id), void *context);
 vs_points *vs_points_retain(vs_points *p);
 vs_faces *vs_faces_retain(vs_faces *f);
 void vs_points_release(vs_store *s, const vs_points *p);
 void vs_faces_release(vs_store *s, const vs_faces *f);
-/* Copies data (struct vs_<kind>; retains its arrays) and children (retains their nodes). Arguments are taken as valid: bind/ checks. */
+/* Copies data (struct vs_<kind>; retains its arrays) and children (retains their nodes). Arguments are taken as valid:
+ * bind/ checks. */
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count);
 vs_node *vs_node_retain(vs_node *n);
 void vs_node_release(vs_node *n); /* iterative: the depth of the tree does not matter; NULL is fine */
-/* By value, not recursive, each pair of shared subtrees once. *ok (may be NULL) is false when memory ran out, the answer then false. */
+/* By value, not recursive, each pair of shared subtrees once. *ok (may be NULL) is false when memory ran out, the
+ * answer then false. */
 bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok);
 size_t vs_node_bytes(const vs_node *n); /* of this node alone, its arrays included */
 

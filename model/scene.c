@@ -4,13 +4,16 @@
 #include <string.h>
 
 void vs_scene_init(vs_scene *scene, vs_store *store) {
-  *scene = (vs_scene){ .store = vs_store_retain(store), .title = "model", .view = VS_VIEW_EXTENTS, .lens = 35, .units = "m" };
+  *scene = (vs_scene){
+    .store = vs_store_retain(store), .title = "model", .view = VS_VIEW_EXTENTS, .lens = 35, .units = "m"
+  };
 }
 
 bool vs_scene_draw(vs_scene *scene, vs_ref ref) {
   if (scene->drawn_count == scene->drawn_room) {
     size_t room = scene->drawn_room ? scene->drawn_room * 2 : 16;
-    vs_ref *grown = vs_store_realloc(scene->store, scene->drawn, scene->drawn_room * sizeof *grown, room * sizeof *grown);
+    vs_ref *grown =
+        vs_store_realloc(scene->store, scene->drawn, scene->drawn_room * sizeof *grown, room * sizeof *grown);
     if (!grown) return false;
     scene->drawn = grown;
     scene->drawn_room = room;

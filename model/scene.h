@@ -4,8 +4,18 @@
 
 #include "model/node.h"
 
-typedef enum { VS_VIEW_EXTENTS, VS_VIEW_CAMERA, VS_VIEW_TOP, VS_VIEW_BOTTOM, VS_VIEW_FRONT, VS_VIEW_BACK, VS_VIEW_LEFT, VS_VIEW_RIGHT, VS_VIEW_ISO,
-  VS_VIEW_ALONG /* parallel, from eye towards target */ } vs_view;
+typedef enum {
+  VS_VIEW_EXTENTS,
+  VS_VIEW_CAMERA,
+  VS_VIEW_TOP,
+  VS_VIEW_BOTTOM,
+  VS_VIEW_FRONT,
+  VS_VIEW_BACK,
+  VS_VIEW_LEFT,
+  VS_VIEW_RIGHT,
+  VS_VIEW_ISO,
+  VS_VIEW_ALONG /* parallel, from eye towards target */
+} vs_view;
 
 /* A view that the program named: how a picture or a drawing is looked at. Lengths in model units. */
 typedef enum { VS_CUT_OWN /* of a plan alone: where the drawing finds best */, VS_CUT_NONE, VS_CUT_PLANE } vs_cut;
@@ -25,7 +35,12 @@ typedef struct {
 } vs_scene_view;
 
 /* The things that drawings show besides the model. */
-typedef enum { VS_NOTE_DIMENSION /* p to q */, VS_NOTE_LABEL /* at p */, VS_NOTE_LEVEL /* of height p.z */, VS_NOTE_AXIS /* p to q */ } vs_note_kind;
+typedef enum {
+  VS_NOTE_DIMENSION /* p to q */,
+  VS_NOTE_LABEL /* at p */,
+  VS_NOTE_LEVEL /* of height p.z */,
+  VS_NOTE_AXIS /* p to q */
+} vs_note_kind;
 typedef struct {
   vs_note_kind kind;
   vs_vec3 p, q;

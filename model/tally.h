@@ -1,5 +1,5 @@
-/* Owns the account of a run: which phase took how long and how much memory, and what was counted on the way. The store carries it to whoever works on
- * nodes (vs_store_tally); nobody decides anything by it. */
+/* Owns the account of a run: which phase took how long and how much memory, and what was counted on the way. The store
+ * carries it to whoever works on nodes (vs_store_tally); nobody decides anything by it. */
 #ifndef VS_MODEL_TALLY_H
 #define VS_MODEL_TALLY_H
 
@@ -40,7 +40,8 @@ typedef struct vs_tally {
   uint64_t clusters, combined, copied, remembered; /* of solids that touch (kernel.h) */
   uint64_t triangles;             /* written: those of outputs, as their formats have them */
   double steps[VS_STEP_COUNT];    /* seconds, of MESH's */
-  uint64_t texts, texts_found, bytes_found; /* runs of text that were looked for in the world cache; of those, found; their bytes */
+  uint64_t texts, texts_found, bytes_found; /* runs of text that were looked for in the world cache; of those, found;
+                                             * their bytes */
 } vs_tally;
 
 /* The phase becomes p; what it was, for the way back. t NULL: nothing is counted. */

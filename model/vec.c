@@ -7,7 +7,8 @@ static const double half_pi = 1.57079632679489661923;
 
 void vs_sincos(double angle, double *sine, double *cosine) {
   double quarters = nearbyint(angle / half_pi);
-  /* Sums and products such as 3*pi/4 + 3*pi/4 miss the nearest double by an ulp or two: those count as the multiple as well. */
+  /* Sums and products such as 3*pi/4 + 3*pi/4 miss the nearest double by an ulp or two: those count as the multiple as
+   * well. */
   if (fabs(quarters) < 1e9 && fabs(angle - quarters * half_pi) <= 4.5e-16 * fabs(angle)) {
     static const signed char sines[4] = { 0, 1, 0, -1 };
     int q = (int)fmod(quarters, 4);
@@ -21,8 +22,8 @@ void vs_sincos(double angle, double *sine, double *cosine) {
 }
 
 void vs_turn_sincos(int index, int count, double *sine, double *cosine) {
-  /* Everything is computed in the first eighth of the turn and reflected from there, so that the corners of a polygon are mirror images
-   * of each other to the last bit. */
+  /* Everything is computed in the first eighth of the turn and reflected from there, so that the corners of a polygon
+   * are mirror images of each other to the last bit. */
   long long eighths, rest, n = count, i = index % n;
   if (i < 0) i += n;
   eighths = 8 * i / n;
@@ -59,7 +60,8 @@ vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b) {
   vs_affine r;
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 4; j++)
-      r.m[i][j] = a->m[i][0] * b->m[0][j] + a->m[i][1] * b->m[1][j] + a->m[i][2] * b->m[2][j] + (j == 3 ? a->m[i][3] : 0);
+      r.m[i][j] =
+          a->m[i][0] * b->m[0][j] + a->m[i][1] * b->m[1][j] + a->m[i][2] * b->m[2][j] + (j == 3 ? a->m[i][3] : 0);
   return r;
 }
 
@@ -93,7 +95,8 @@ bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal) {
   vs_affine back;
   if (!vs_affine_invert(a, &back)) return false;
   vs_vec3 n = *normal; /* normals go by the inverse transposed */
-  *normal = vs_v3(back.m[0][0] * n.x + back.m[1][0] * n.y + back.m[2][0] * n.z, back.m[0][1] * n.x + back.m[1][1] * n.y + back.m[2][1] * n.z,
+  *normal = vs_v3(back.m[0][0] * n.x + back.m[1][0] * n.y + back.m[2][0] * n.z,
+                  back.m[0][1] * n.x + back.m[1][1] * n.y + back.m[2][1] * n.z,
                   back.m[0][2] * n.x + back.m[1][2] * n.y + back.m[2][2] * n.z);
   *point = vs_affine_point(a, *point);
   return true;
@@ -200,8 +203,10 @@ bool vs_affine_is_placement(const vs_affine *a) {
 }
 
 vs_vec3 vs_affine_normal(const vs_affine *a, vs_vec3 n) {
-  vs_vec3 c0 = vs_v3(a->m[0][0], a->m[1][0], a->m[2][0]), c1 = vs_v3(a->m[0][1], a->m[1][1], a->m[2][1]), c2 = vs_v3(a->m[0][2], a->m[1][2], a->m[2][2]);
-  vs_vec3 out = vs_v3_add(vs_v3_add(vs_v3_scale(vs_v3_cross(c1, c2), n.x), vs_v3_scale(vs_v3_cross(c2, c0), n.y)), vs_v3_scale(vs_v3_cross(c0, c1), n.z));
+  vs_vec3 c0 = vs_v3(a->m[0][0], a->m[1][0], a->m[2][0]), c1 = vs_v3(a->m[0][1], a->m[1][1], a->m[2][1]),
+          c2 = vs_v3(a->m[0][2], a->m[1][2], a->m[2][2]);
+  vs_vec3 out = vs_v3_add(vs_v3_add(vs_v3_scale(vs_v3_cross(c1, c2), n.x), vs_v3_scale(vs_v3_cross(c2, c0), n.y)),
+                          vs_v3_scale(vs_v3_cross(c0, c1), n.z));
   if (vs_affine_determinant(a) < 0) out = vs_v3_scale(out, -1);
   double length = vs_v3_length(out);
   return length > 0 ? vs_v3_scale(out, 1 / length) : n;
@@ -209,7 +214,8 @@ vs_vec3 vs_affine_normal(const vs_affine *a, vs_vec3 n) {
 
 void vs_rotation_quaternion(const vs_vec3 c[3], double out[4]) {
   double m[3][3] = { { c[0].x, c[1].x, c[2].x }, { c[0].y, c[1].y, c[2].y }, { c[0].z, c[1].z, c[2].z } };
-  double q[4] = { 1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2], 1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2] };
+  double q[4] = { 1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2], 1 - m[0][0] + m[1][1] - m[2][2],
+                  1 - m[0][0] - m[1][1] + m[2][2] };
   int most = 0;
   for (int i = 1; i < 4; i++)
     if (q[i] > q[most]) most = i;

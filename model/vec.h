@@ -1,7 +1,7 @@
 /* Owns the small numeric types of a model: vectors of three doubles and affine maps.
  *
- * Right-handed, Z up, lengths in model units, angles in radians. An affine map is the upper 3x4 of a 4x4 matrix that acts on column
- * vectors, row by row: the fourth column translates; the last row is 0 0 0 1 and not kept. */
+ * Right-handed, Z up, lengths in model units, angles in radians. An affine map is the upper 3x4 of a 4x4 matrix that
+ * acts on column vectors, row by row: the fourth column translates; the last row is 0 0 0 1 and not kept. */
 #ifndef VS_MODEL_VEC_H
 #define VS_MODEL_VEC_H
 
@@ -23,7 +23,9 @@ static inline vs_vec3 vs_v3_cross(vs_vec3 a, vs_vec3 b) {
 static inline double vs_v3_length(vs_vec3 a) { return sqrt(vs_v3_dot(a, a)); }
 static inline bool vs_v3_equal(vs_vec3 a, vs_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-static inline vs_affine vs_affine_identity(void) { return (vs_affine){ { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } }; }
+static inline vs_affine vs_affine_identity(void) {
+  return (vs_affine){ { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
+}
 static inline vs_vec3 vs_affine_point(const vs_affine *a, vs_vec3 p) {
   return vs_v3(a->m[0][0] * p.x + a->m[0][1] * p.y + a->m[0][2] * p.z + a->m[0][3],
                a->m[1][0] * p.x + a->m[1][1] * p.y + a->m[1][2] * p.z + a->m[1][3],
@@ -39,22 +41,26 @@ static inline vs_vec3 vs_affine_vector(const vs_affine *a, vs_vec3 v) { /* the l
 static inline vs_vec3 vs_affine_column(const vs_affine *a, int c) { return vs_v3(a->m[0][c], a->m[1][c], a->m[2][c]); }
 vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at); /* where the axes and the origin go */
 vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b); /* a after b */
-double vs_affine_determinant(const vs_affine *a);                     /* of the linear part; negative where it mirrors */
+double vs_affine_determinant(const vs_affine *a);                     /* of the linear part; negative where it
+                                                                       * mirrors */
 bool vs_affine_invert(const vs_affine *a, vs_affine *out);            /* false where singular */
-/* The image of a plane, its normal pointing to the image of the same side. False: the map is singular; nothing is changed. */
+/* The image of a plane, its normal pointing to the image of the same side. False: the map is singular; nothing is
+ * changed. */
 bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal);
 bool vs_affine_is_translation(const vs_affine *a);                    /* linear part exactly the identity */
 bool vs_affine_is_identity(const vs_affine *a);                       /* exactly */
 bool vs_affine_even(const vs_affine *a, double *k);                   /* does it multiply every length by the same k? */
 vs_affine vs_affine_translation(vs_vec3 v);
-/* Rotation by angle about the axis through point along direction (need not be unit; not zero). Right-handed; multiples of a
- * quarter turn about a world axis are exact (Rodrigues' formula otherwise). */
+/* Rotation by angle about the axis through point along direction (need not be unit; not zero). Right-handed; multiples
+ * of a quarter turn about a world axis are exact (Rodrigues' formula otherwise). */
 vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle);
 vs_affine vs_affine_scaling(vs_vec3 center, vs_vec3 factors);
 vs_affine vs_affine_mirror(vs_vec3 point, vs_vec3 normal);
-/* Is the linear part a rotation (perhaps mirrored) after a scale along x, y and z: are the columns at right angles, to 1e-9? */
+/* Is the linear part a rotation (perhaps mirrored) after a scale along x, y and z: are the columns at right angles, to
+ * 1e-9? */
 bool vs_affine_is_placement(const vs_affine *a);
-/* Such a map as scale first, then rotation (a unit quaternion w x y z), then translation; where it mirrors, scale x is negative. */
+/* Such a map as scale first, then rotation (a unit quaternion w x y z), then translation; where it mirrors, scale x is
+ * negative. */
 void vs_affine_split(const vs_affine *a, vs_vec3 *translation, double quaternion[4], vs_vec3 *scale);
 /* The unit quaternion w x y z of the rotation with these columns; found by its largest part, so sound at half turns. */
 void vs_rotation_quaternion(const vs_vec3 columns[3], double quaternion[4]);
@@ -64,12 +70,16 @@ vs_vec3 vs_affine_normal(const vs_affine *a, vs_vec3 n);
 void vs_sincos(double angle, double *sine, double *cosine);
 /* sine and cosine of index/count of a turn: quarters exact, mirror images of each other to the last bit */
 void vs_turn_sincos(int index, int count, double *sine, double *cosine);
-double vs_single(double x); /* rounded to 32 bits; no inline function, nor a cast in place: of two side by side GCC 12 leaves the rounding out */
+double vs_single(double x); /* rounded to 32 bits; no inline function, nor a cast in place: of two side by side GCC 12
+                             * leaves the rounding out */
 vs_vec3 vs_v3_unit(vs_vec3 v); /* axes stay exact; the zero vector stays zero */
 
 static inline bool vs_bounds_is_empty(const vs_bounds *b) { return b->min.x > b->max.x; }
-static inline vs_bounds vs_bounds_empty(void) { return (vs_bounds){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } }; }
-static inline void vs_bounds_add(vs_bounds *b, vs_vec3 p) { /* what is not a number is left out, as by fmin, which is a call */
+static inline vs_bounds vs_bounds_empty(void) {
+  return (vs_bounds){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } };
+}
+static inline void vs_bounds_add(vs_bounds *b, vs_vec3 p) { /* what is not a number is left out, as by fmin, which is a
+                                                             * call */
   b->min = vs_v3(p.x < b->min.x ? p.x : b->min.x, p.y < b->min.y ? p.y : b->min.y, p.z < b->min.z ? p.z : b->min.z);
   b->max = vs_v3(p.x > b->max.x ? p.x : b->max.x, p.y > b->max.y ? p.y : b->max.y, p.z > b->max.z ? p.z : b->max.z);
 }

@@ -40,7 +40,8 @@ vs_walk_event vs_walk_next(vs_walk *w, vs_ref *ref, size_t *depth) {
     return walk_enter(w, w->root, ref, depth);
   }
   vs_walk_level *top = &w->levels[w->depth - 1];
-  if (!w->skip && top->next < top->ref.node->child_count) return walk_enter(w, top->ref.node->children[top->next++], ref, depth);
+  if (!w->skip && top->next < top->ref.node->child_count)
+    return walk_enter(w, top->ref.node->children[top->next++], ref, depth);
   w->skip = false;
   *ref = top->ref;
   if (depth) *depth = w->depth - 1;

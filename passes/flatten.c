@@ -1,10 +1,11 @@
-/* Owns flatten: n-ary unions and intersections of their own kind's members, (a - b) - c as a - (b c), sets of one as their member.
+/* Owns flatten: n-ary unions and intersections of their own kind's members, (a - b) - c as a - (b c), sets of one as
+ * their member.
  *
- * Only through nodes that are named once: a shared union is a template and stays. Order is kept, and with it the rule that where solids
- * overlap the earlier one's material wins.
+ * Only through nodes that are named once: a shared union is a template and stays. Order is kept, and with it the rule
+ * that where solids overlap the earlier one's material wins.
  *
- * A set that will dissolve into the one above is passed on as it is and noted; the topmost gathers all below it in one go. Therefore a chain of
- * n binary unions costs n, not n^2. */
+ * A set that will dissolve into the one above is passed on as it is and noted; the topmost gathers all below it in one
+ * go. Therefore a chain of n binary unions costs n, not n^2. */
 #include <string.h>
 
 #include "model/store/nodemap.h"
@@ -30,7 +31,9 @@ bool vs_flatten_begin(vs_rewrite *w) {
   for (size_t k = 0; k < o->count; k++) {
     const vs_node *n = o->at[k].node;
     for (uint32_t i = 0; o->note[k].inner && vs_node_is_set(n) && i < n->child_count; i++)
-      if (vs_order_has(o, n->children[i].node)) f->above[vs_order_of(n->children[i].node)] = UINT64_C(1) << (n->kind == VS_DIFFERENCE && i ? VS_UNION : n->kind);
+      if (vs_order_has(o, n->children[i].node))
+        f->above[vs_order_of(n->children[i].node)] = UINT64_C(1)
+                                                     << (n->kind == VS_DIFFERENCE && i ? VS_UNION : n->kind);
   }
   return true;
 }
@@ -50,7 +53,8 @@ static bool flatten_fits(const vs_rewrite *w, const vs_flatten *f, const vs_node
 
 typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members still to be taken */
 
-/* The members of a set with these kids, all that dissolves dissolved, in order. out NULL: only counts them. False: out of memory. */
+/* The members of a set with these kids, all that dissolves dissolved, in order. out NULL: only counts them. False: out
+ * of memory. */
 static bool flatten_gather(const vs_flatten *f, const vs_ref *kids, size_t kid_count, vs_ref *out, size_t *count) {
   size_t room = 16, depth = 1, n = 0;
   vs_flatten_run *stack = vs_store_realloc(f->store, NULL, 0, room * sizeof *stack);
@@ -87,14 +91,17 @@ static bool flatten_gather(const vs_flatten *f, const vs_ref *kids, size_t kid_c
 static vs_node *flatten_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   const vs_flatten *f = w->state;
   bool plain = true;
-  for (uint32_t i = 0; plain && kids != n->children && i < n->child_count; i++) plain = !vs_nodemap_get(&f->dissolves, kids[i].node);
+  for (uint32_t i = 0; plain && kids != n->children && i < n->child_count; i++)
+    plain = !vs_nodemap_get(&f->dissolves, kids[i].node);
   if (plain) return vs_rewrite_keep(w, n, kids);
   size_t count;
   if (!flatten_gather(f, kids, n->child_count, NULL, &count)) return NULL;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, (count ? count : 1) * sizeof *all);
   if (!all) return NULL;
   size_t filled;
-  vs_node *flat = flatten_gather(f, kids, n->child_count, all, &filled) ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), all, count) : NULL;
+  vs_node *flat = flatten_gather(f, kids, n->child_count, all, &filled)
+                      ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), all, count)
+                      : NULL;
   vs_store_realloc(w->store, all, (count ? count : 1) * sizeof *all, 0);
   w->changed++;
   return flat;

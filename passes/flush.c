@@ -1,9 +1,12 @@
-/* Facets tell which parts are flush: every part's triangles at a coarse fixed fineness, each plane once, as four whole numbers; equal numbers are one plane. This finds
- * round walls too, where they lie in each other, since equal round parts have equal facets. Parts whose boxes do not meet do not matter.
+/* Facets tell which parts are flush: every part's triangles at a coarse fixed fineness, each plane once, as four whole
+ * numbers; equal numbers are one plane. This finds round walls too, where they lie in each other, since equal round
+ * parts have equal facets. Parts whose boxes do not meet do not matter.
  *
- * Flush parts grow: an operand's parts one by one, each in its own coordinates, so that all its faces move outwards. In a difference only what is cut
- * away grows, so nothing that stays moves: what is flush with what it cuts, and what meets an earlier cutter face to face; in an intersection one of each two
- * that are flush. Solids on an axis grow as what they are, others about their middle: walls that look towards it, of a shape with notches, come out a little short.
+ * Flush parts grow: an operand's parts one by one, each in its own coordinates, so that all its faces move outwards. In
+ * a difference only what is cut away grows, so nothing that stays moves: what is flush with what it cuts, and what
+ * meets an earlier cutter face to face; in an intersection one of each two that are flush. Solids on an axis grow as
+ * what they are, others about their middle: walls that look towards it, of a shape with notches, come out a little
+ * short.
  *
  * Cost: the facets of each distinct difference, once, and a sort. */
 #include "passes/flush.h"
@@ -21,7 +24,8 @@
 
 enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* of one set; beyond, everything in it counts as flush */
 
-typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane; /* turned: the face looks against the key's normal */
+/* turned: the face looks against the key's normal */
+typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane;
 typedef struct { const vs_node *node; vs_affine placed; } place; /* on the way down to parts */
 
 typedef struct {
@@ -52,7 +56,8 @@ static int compare_planes(const void *p, const void *q) {
 
 static bool same_plane(const face_plane *a, const face_plane *b) { return memcmp(a->key, b->key, sizeof a->key) == 0; }
 
-/* Of both sides the same. Whole numbers by rounding at places that no model chooses: what differs by rounding alone lies on one side of them, all but surely. */
+/* Of both sides the same. Whole numbers by rounding at places that no model chooses: what differs by rounding alone
+ * lies on one side of them, all but surely. */
 static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   vs_vec3 n = vs_v3_unit(normal);
   double first = fabs(n.x) > 1e-7 ? n.x : fabs(n.y) > 1e-7 ? n.y : n.z, h;
@@ -62,12 +67,16 @@ static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   h = vs_v3_dot(n, vs_v3_sub(at, f->middle)) / f->step;
   if (!(fabs(h) < 1e15)) return true;
   if (!VS_GROW(f->planes, f->room, f->count + 1)) return false;
-  f->planes[f->count++] = (face_plane){ { (int64_t)floor(n.x * 1e6 + 0.3137), (int64_t)floor(n.y * 1e6 + 0.3137), (int64_t)floor(n.z * 1e6 + 0.3137), (int64_t)floor(h + 0.3137) },
-                                        turned, operand, (uint32_t)(f->part_count - 1) };
+  f->planes[f->count++] = (face_plane){ { (int64_t)floor(n.x * 1e6 + 0.3137), (int64_t)floor(n.y * 1e6 + 0.3137),
+                                          (int64_t)floor(n.z * 1e6 + 0.3137), (int64_t)floor(h + 0.3137) },
+                                        turned,
+                                        operand,
+                                        (uint32_t)(f->part_count - 1) };
   return true;
 }
 
-/* A part that cannot be meshed is passed over, and has its own error later; running out of memory must not change what is written. */
+/* A part that cannot be meshed is passed over, and has its own error later; running out of memory must not change what
+ * is written. */
 static bool starved(const vs_error *e) { return e->kind != VS_ERROR_NONE && e->kind != VS_ERROR_MODEL; }
 
 /* Adds the planes of one part, each once. A part that cannot be meshed here has none. */
@@ -79,27 +88,38 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
   if (!VS_GROW(f->boxes, f->part_room, f->part_count + 1)) return false;
   vs_bounds *box = &f->boxes[f->part_count++];
   *box = vs_bounds_empty();
-  if (n->kind == VS_HALF_SPACE) { /* the normal of a plane turns with the inverse's transpose; two directions in it are simpler */
-    vs_vec3 normal = vs_v3_unit(VS_AS(half_space, n)->normal), u = vs_v3_unit(vs_v3_cross(normal, fabs(normal.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))), v = vs_v3_cross(normal, u);
+  if (n->kind == VS_HALF_SPACE) { /* the normal of a plane turns with the inverse's transpose; two directions in it are
+                                   * simpler */
+    vs_vec3 normal = vs_v3_unit(VS_AS(half_space, n)->normal),
+            u = vs_v3_unit(vs_v3_cross(normal, fabs(normal.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
+            v = vs_v3_cross(normal, u);
     vs_vec3 o = VS_AS(half_space, n)->point, p = vs_affine_point(placed, o);
     *box = (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
-    return add_plane(f, vs_v3_cross(vs_v3_sub(vs_affine_point(placed, vs_v3_add(o, u)), p), vs_v3_sub(vs_affine_point(placed, vs_v3_add(o, v)), p)), p, operand);
+    return add_plane(f,
+                     vs_v3_cross(vs_v3_sub(vs_affine_point(placed, vs_v3_add(o, u)), p),
+                                 vs_v3_sub(vs_affine_point(placed, vs_v3_add(o, v)), p)),
+                     p, operand);
   }
-  if (n->class_ != VS_SOLID || n->flags & (VS_NODE_UNRESOLVED | VS_NODE_SUGAR) || !vs_tessellate(n, &coarse, &mesh, &ignored)) return vs_mesh_free(&mesh), !starved(&ignored);
+  if (n->class_ != VS_SOLID || n->flags & (VS_NODE_UNRESOLVED | VS_NODE_SUGAR) ||
+      !vs_tessellate(n, &coarse, &mesh, &ignored))
+    return vs_mesh_free(&mesh), !starved(&ignored);
   bool ok = true;
   for (size_t i = 0; i < mesh.vertex_count; i++) {
     mesh.vertices[i] = vs_affine_point(placed, mesh.vertices[i]);
     vs_bounds_add(box, mesh.vertices[i]);
   }
   for (size_t i = 0; ok && i < mesh.triangle_count; i++) {
-    vs_vec3 a = mesh.vertices[mesh.triangles[i][0]], b = mesh.vertices[mesh.triangles[i][1]], c = mesh.vertices[mesh.triangles[i][2]];
+    vs_vec3 a = mesh.vertices[mesh.triangles[i][0]], b = mesh.vertices[mesh.triangles[i][1]],
+            c = mesh.vertices[mesh.triangles[i][2]];
     ok = add_plane(f, vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)), a, operand);
   }
   vs_mesh_free(&mesh);
   if (f->count > from) qsort(f->planes + from, f->count - from, sizeof *f->planes, compare_planes);
   size_t kept = from;
   for (size_t i = from; i < f->count; i++)
-    if (i == from || f->planes[i].turned != f->planes[kept - 1].turned || !same_plane(&f->planes[i], &f->planes[kept - 1])) f->planes[kept++] = f->planes[i];
+    if (i == from || f->planes[i].turned != f->planes[kept - 1].turned ||
+        !same_plane(&f->planes[i], &f->planes[kept - 1]))
+      f->planes[kept++] = f->planes[i];
   f->count = kept;
   return ok;
 }
@@ -125,8 +145,8 @@ static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool 
   return true;
 }
 
-/* Marks operands that share a plane with an earlier one: any of an intersection; of a difference with the first, and with a cutter that they meet face to face (POV-Ray keeps
- * a skin between two such). */
+/* Marks operands that share a plane with an earlier one: any of an intersection; of a difference with the first, and
+ * with a cutter that they meet face to face (POV-Ray keeps a skin between two such). */
 static void mark(flush *f, bool difference, unsigned char *marked, size_t operands) {
   size_t pairs = 0;
   if (f->count > 0) qsort(f->planes, f->count, sizeof *f->planes, compare_planes);
@@ -142,7 +162,8 @@ static void mark(flush *f, bool difference, unsigned char *marked, size_t operan
         }
         const face_plane *p = &f->planes[a], *q = &f->planes[b];
         uint32_t later = p->operand > q->operand ? p->operand : q->operand;
-        if (p->operand != q->operand && !marked[later]) marked[later] = vs_bounds_overlap(&f->boxes[p->part], &f->boxes[q->part], f->step);
+        if (p->operand != q->operand && !marked[later])
+          marked[later] = vs_bounds_overlap(&f->boxes[p->part], &f->boxes[q->part], f->step);
       }
     }
   }
@@ -157,10 +178,12 @@ static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *fai
   vs_error ignored = { 0 };
   vs_vec3 sum = vs_v3(0, 0, 0);
   bool set = vs_node_is_set(n) || n->kind == VS_SLICE || n->flags & (VS_NODE_UNRESOLVED | VS_NODE_SUGAR);
-  if (!vs_node_bounds(n, b, &ignored) || vs_bounds_is_empty(b) || !isfinite(vs_bounds_diagonal(b))) return *failed = starved(&ignored), false;
+  if (!vs_node_bounds(n, b, &ignored) || vs_bounds_is_empty(b) || !isfinite(vs_bounds_diagonal(b)))
+    return *failed = starved(&ignored), false;
   *middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
   if (!set && vs_tessellate(n, &coarse, &mesh, &ignored) && mesh.vertex_count > 0) {
-    for (size_t i = 0; i < mesh.vertex_count; i++) sum = vs_v3_add(sum, vs_v3_scale(mesh.vertices[i], 1 / (double)mesh.vertex_count));
+    for (size_t i = 0; i < mesh.vertex_count; i++)
+      sum = vs_v3_add(sum, vs_v3_scale(mesh.vertices[i], 1 / (double)mesh.vertex_count));
     *middle = sum;
   }
   vs_mesh_free(&mesh);
@@ -184,7 +207,8 @@ static vs_node *grown_part(vs_ref ref, double by) {
 
 /* How much longer a placement makes things: the cube root of its volume. */
 static double lengthens(const vs_affine *a) {
-  vs_vec3 x = vs_v3(a->m[0][0], a->m[1][0], a->m[2][0]), y = vs_v3(a->m[0][1], a->m[1][1], a->m[2][1]), z = vs_v3(a->m[0][2], a->m[1][2], a->m[2][2]);
+  vs_vec3 x = vs_v3(a->m[0][0], a->m[1][0], a->m[2][0]), y = vs_v3(a->m[0][1], a->m[1][1], a->m[2][1]),
+          z = vs_v3(a->m[0][2], a->m[1][2], a->m[2][2]);
   return cbrt(fabs(vs_v3_dot(x, vs_v3_cross(y, z))));
 }
 
@@ -215,7 +239,9 @@ static vs_node *grown(vs_ref operand, double by) {
     ok = part != NULL;
     if (ok) vs_node_release(parts[i].node), parts[i].node = part;
   }
-  vs_node *made = !ok ? NULL : count == 1 ? vs_node_retain(parts[0].node) : vs_node_new(operand.node->store, VS_UNION, &(struct vs_union){ 0 }, parts, count);
+  vs_node *made = !ok          ? NULL
+                  : count == 1 ? vs_node_retain(parts[0].node)
+                               : vs_node_new(operand.node->store, VS_UNION, &(struct vs_union){ 0 }, parts, count);
   vs_several_free(parts, count);
   return made;
 }
@@ -224,10 +250,12 @@ static vs_node *grown(vs_ref operand, double by) {
 
 static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   (void)origin;
-  if ((n->kind != VS_DIFFERENCE && n->kind != VS_INTERSECTION) || n->class_ != VS_SOLID || n->child_count < 2) return vs_rewrite_keep(w, n, kids);
+  if ((n->kind != VS_DIFFERENCE && n->kind != VS_INTERSECTION) || n->class_ != VS_SOLID || n->child_count < 2)
+    return vs_rewrite_keep(w, n, kids);
   vs_bounds reach;
   vs_error ignored = { 0 };
-  double diagonal = vs_node_bounds(n->kind == VS_DIFFERENCE ? kids[0].node : n, &reach, &ignored) ? vs_bounds_diagonal(&reach) : 0;
+  double diagonal =
+      vs_node_bounds(n->kind == VS_DIFFERENCE ? kids[0].node : n, &reach, &ignored) ? vs_bounds_diagonal(&reach) : 0;
   if (starved(&ignored)) return NULL;
   if (!(diagonal > 0) || !isfinite(diagonal)) return vs_rewrite_keep(w, n, kids);
   flush f = { .step = 1e-7 * diagonal, .middle = vs_v3_scale(vs_v3_add(reach.min, reach.max), 0.5) };
@@ -244,10 +272,13 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
     any = any || marked[made];
     /* of an intersection each by another amount: they may be flush with each other */
     if (!marked[made]) vs_node_retain(kids[made].node);
-    else if (!(now[made].node = grown(kids[made], diagonal * 0x1p-16 * (n->kind == VS_DIFFERENCE ? 1 : made)))) ok = false;
+    else if (!(now[made].node = grown(kids[made], diagonal * 0x1p-16 * (n->kind == VS_DIFFERENCE ? 1 : made))))
+      ok = false;
     if (!ok) break;
   }
-  vs_node *result = !ok ? NULL : any ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), now, n->child_count) : vs_rewrite_keep(w, n, kids);
+  vs_node *result = !ok   ? NULL
+                    : any ? vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), now, n->child_count)
+                          : vs_rewrite_keep(w, n, kids);
   w->changed += ok && any;
   for (uint32_t i = 0; i < made; i++) vs_node_release(now[i].node);
   free(marked);

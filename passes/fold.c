@@ -1,9 +1,11 @@
-/* Owns fold: nested placements multiply, a moved primitive becomes a primitive elsewhere, placements go through paint, layers, regions, extrusions and small
- * sets where all that they meet takes them in, and paint and layers that all members of a set have are said once, outside of it.
+/* Owns fold: nested placements multiply, a moved primitive becomes a primitive elsewhere, placements go through paint,
+ * layers, regions, extrusions and small sets where all that they meet takes them in, and paint and layers that all
+ * members of a set have are said once, outside of it.
  *
- * Each of these makes the drawing shorter by a command or more, and none goes through a node that several places name. A placement goes through
- * at most one set of CARRY_MOST members: so each node costs no more than that, and texts do not fill with long numbers for one command less.
- * Transparent paint stays on its parts: round a set it would make of panes that touch one body of glass. */
+ * Each of these makes the drawing shorter by a command or more, and none goes through a node that several places name.
+ * A placement goes through at most one set of CARRY_MOST members: so each node costs no more than that, and texts do
+ * not fill with long numbers for one command less. Transparent paint stays on its parts: round a set it would make of
+ * panes that touch one body of glass. */
 #include "model/store/nodemap.h"
 #include "passes/rewrite.h"
 
@@ -26,7 +28,9 @@ void vs_fold_end(vs_rewrite *w) {
   vs_store_realloc(w->store, f, sizeof *f, 0);
 }
 
-static bool fold_lone(const vs_rewrite *w, const vs_node *new) { return !vs_nodemap_get(&((const fold_state *)w->state)->shared, new); }
+static bool fold_lone(const vs_rewrite *w, const vs_node *new) {
+  return !vs_nodemap_get(&((const fold_state *)w->state)->shared, new);
+}
 
 static bool fold_is_dress(const vs_node *n) { return n->kind == VS_MATERIAL || n->kind == VS_LAYER; }
 
@@ -34,10 +38,12 @@ static bool fold_is_dress(const vs_node *n) { return n->kind == VS_MATERIAL || n
 
 typedef struct { int dresses; bool set; } fold_way; /* how many dresses it may still go through, and whether a set */
 
-static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits, const vs_origin **origin);
+static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
+                           const vs_origin **origin);
 
 /* n with a carried into all of its children; data: its new fields. */
-static vs_node *fold_carry_children(vs_rewrite *w, const vs_affine *a, const vs_node *n, const void *data, fold_way way, bool *fits) {
+static vs_node *fold_carry_children(vs_rewrite *w, const vs_affine *a, const vs_node *n, const void *data, fold_way way,
+                                    bool *fits) {
   vs_ref kids[CARRY_MOST];
   uint32_t done = 0;
   bool ok = true;
@@ -60,22 +66,32 @@ static vs_node *fold_carry_placement(vs_rewrite *w, const vs_affine *a, const vs
   struct vs_transform both = { .matrix = vs_affine_multiply(a, &VS_AS(transform, n)->matrix) };
   vs_node *below = n->children[0].node;
   bool fits = false;
-  vs_node *made = vs_affine_is_identity(&both.matrix) ? vs_node_retain(below) : fold_lone(w, below) ? vs_fold_primitive(w, &both.matrix, below, &fits) : NULL;
+  vs_node *made = vs_affine_is_identity(&both.matrix) ? vs_node_retain(below)
+                  : fold_lone(w, below)               ? vs_fold_primitive(w, &both.matrix, below, &fits)
+                                                      : NULL;
   if (made || fits) *origin = n->children[0].origin;
   return made || fits ? made : vs_node_new(w->store, VS_TRANSFORM, &both, n->children, 1);
 }
 
-/* n under a without a command more, as a new reference. NULL: with *fits false where it takes no placement in, else out of memory. *origin: set where what
- * n places stands in its place. It calls itself as deep as profiles, dresses and one set are. */
-static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits, const vs_origin **origin) {
+/* n under a without a command more, as a new reference. NULL: with *fits false where it takes no placement in, else out
+ * of memory. *origin: set where what n places stands in its place. It calls itself as deep as profiles, dresses and one
+ * set are. */
+static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
+                           const vs_origin **origin) {
   if (n->kind == VS_TRANSFORM) {
     *fits = true;
     return fold_carry_placement(w, a, n, origin);
   }
   *fits = false;
-  if (fold_is_dress(n)) return way.dresses > 0 ? fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ way.dresses - 1, way.set }, fits) : NULL;
-  if (vs_node_is_set(n)) return way.set && n->class_ == VS_SOLID ? fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ way.dresses, false }, fits) : NULL;
-  if (n->kind == VS_REGION && vs_fold_is_upright(a)) return fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ 0, false }, fits);
+  if (fold_is_dress(n))
+    return way.dresses > 0 ? fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ way.dresses - 1, way.set }, fits)
+                           : NULL;
+  if (vs_node_is_set(n))
+    return way.set && n->class_ == VS_SOLID
+               ? fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ way.dresses, false }, fits)
+               : NULL;
+  if (n->kind == VS_REGION && vs_fold_is_upright(a))
+    return fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ 0, false }, fits);
   if (n->kind == VS_EXTRUDE && n->child_count == 1 && vs_fold_is_upright(a)) {
     struct vs_extrude d = *VS_AS(extrude, n);
     d.along = vs_affine_vector(a, d.along);
@@ -94,7 +110,8 @@ static vs_node *fold_placed(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
     return vs_node_retain(kids[0].node);
   }
   if (!vs_rewrite_lone(w, n->children[0].node) || !fold_lone(w, below)) return vs_rewrite_keep(w, n, kids);
-  const vs_origin *own = below->kind == VS_TRANSFORM ? NULL : kids[0].origin; /* messages speak of the call that made the primitive */
+  /* messages speak of the call that made the primitive */
+  const vs_origin *own = below->kind == VS_TRANSFORM ? NULL : kids[0].origin;
   vs_node *made = fold_carry(w, a, below, (fold_way){ DRESS_MOST, true }, &fits, &own);
   if (!fits) return vs_rewrite_keep(w, n, kids);
   w->changed++;
@@ -107,11 +124,13 @@ static vs_node *fold_placed(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
 
 static bool fold_same_dress(const vs_node *a, const vs_node *b) {
   if (a->kind != b->kind) return false;
-  return a->kind == VS_MATERIAL ? VS_AS(material, a)->material == VS_AS(material, b)->material : VS_AS(layer, a)->name == VS_AS(layer, b)->name;
+  return a->kind == VS_MATERIAL ? VS_AS(material, a)->material == VS_AS(material, b)->material
+                                : VS_AS(layer, a)->name == VS_AS(layer, b)->name;
 }
 
 static bool fold_may_rise(const vs_rewrite *w, const vs_node *n) {
-  return fold_is_dress(n) && n->class_ == VS_SOLID && (n->kind == VS_LAYER || !(VS_AS(material, n)->material->transparency > 0)) && fold_lone(w, n);
+  return fold_is_dress(n) && n->class_ == VS_SOLID &&
+         (n->kind == VS_LAYER || !(VS_AS(material, n)->material->transparency > 0)) && fold_lone(w, n);
 }
 
 /* How many members from kids[at] on are in one dress that may rise. */
@@ -122,10 +141,12 @@ static uint32_t fold_run(const vs_rewrite *w, const vs_ref *kids, uint32_t at, u
   return end - at;
 }
 
-static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count, int depth);
+static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
+                             int depth);
 
 /* All kids are in one dress: that, over the set of what it dresses. */
-static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count, int depth) {
+static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
+                           int depth) {
   const vs_node *dress = kids[0].node;
   vs_ref *members = vs_store_realloc(w->store, NULL, 0, count * sizeof *members);
   if (!members) return NULL;
@@ -137,9 +158,10 @@ static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, cons
   return made;
 }
 
-/* The set of kids, with dresses that neighbours share round them; new nodes in it have the origin of `set`. It calls itself twice for each dress below
- * another, and goes no deeper than depth of them. */
-static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count, int depth) {
+/* The set of kids, with dresses that neighbours share round them; new nodes in it have the origin of `set`. It calls
+ * itself twice for each dress below another, and goes no deeper than depth of them. */
+static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
+                             int depth) {
   if (depth > 0 && fold_run(w, kids, 0, count) == count) return fold_raise(w, set, kind, kids, count, depth - 1);
   if (depth == 0 || kind != VS_UNION) return vs_node_new(w->store, kind, vs_node_data(set), kids, count);
   const vs_origin *origin = w->order.at[vs_order_of(set)].origin;
@@ -166,9 +188,11 @@ static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, co
 
 static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   bool any = false;
-  if (n->child_count < 2 || kids == n->children) return vs_rewrite_keep(w, n, kids); /* lone leaves alone wear nothing */
+  /* lone leaves alone wear nothing */
+  if (n->child_count < 2 || kids == n->children) return vs_rewrite_keep(w, n, kids);
   for (uint32_t i = 1; !any && n->kind == VS_UNION && i < n->child_count; i++)
-    any = fold_is_dress(kids[i].node) && fold_same_dress(kids[i - 1].node, kids[i].node) && fold_run(w, kids, i - 1, i + 1) == 2;
+    any = fold_is_dress(kids[i].node) && fold_same_dress(kids[i - 1].node, kids[i].node) &&
+          fold_run(w, kids, i - 1, i + 1) == 2;
   if (!any && fold_run(w, kids, 0, n->child_count) < n->child_count) return vs_rewrite_keep(w, n, kids);
   w->changed++;
   return fold_members(w, n, (vs_kind)n->kind, kids, n->child_count, DRESS_MOST);

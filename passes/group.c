@@ -1,8 +1,9 @@
 /* Owns grouping: sets of very many parts as trees of boxes, for a target that tries every part of a set for every ray.
  *
- * The cutters of a difference, and the members of a union that is cut or intersected, are halved by their middles until few are
- * left; each half is the intersection of a box, a little larger than its parts, with their union. A point outside of the box is then outside of all
- * of them at once. Parts with a paint of their own, or without bounds, stay where they are: order and paint do not change. */
+ * The cutters of a difference, and the members of a union that is cut or intersected, are halved by their middles until
+ * few are left; each half is the intersection of a box, a little larger than its parts, with their union. A point
+ * outside of the box is then outside of all of them at once. Parts with a paint of their own, or without bounds, stay
+ * where they are: order and paint do not change. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -18,23 +19,33 @@ typedef struct {
 
 static bool group_finite(const vs_bounds *b) { return !vs_bounds_is_empty(b) && isfinite(vs_bounds_diagonal(b)); }
 
-static int group_by(const group_part *a, const group_part *b, double x, double y) { return x != y ? (x < y ? -1 : 1) : a->index < b->index ? -1 : a->index > b->index; }
-static int group_by_x(const void *p, const void *q) { return group_by(p, q, ((const group_part *)p)->middle.x, ((const group_part *)q)->middle.x); }
-static int group_by_y(const void *p, const void *q) { return group_by(p, q, ((const group_part *)p)->middle.y, ((const group_part *)q)->middle.y); }
-static int group_by_z(const void *p, const void *q) { return group_by(p, q, ((const group_part *)p)->middle.z, ((const group_part *)q)->middle.z); }
+static int group_by(const group_part *a, const group_part *b, double x, double y) {
+  return x != y ? (x < y ? -1 : 1) : a->index < b->index ? -1 : a->index > b->index;
+}
+static int group_by_x(const void *p, const void *q) {
+  return group_by(p, q, ((const group_part *)p)->middle.x, ((const group_part *)q)->middle.x);
+}
+static int group_by_y(const void *p, const void *q) {
+  return group_by(p, q, ((const group_part *)p)->middle.y, ((const group_part *)q)->middle.y);
+}
+static int group_by_z(const void *p, const void *q) {
+  return group_by(p, q, ((const group_part *)p)->middle.z, ((const group_part *)q)->middle.z);
+}
 
 static vs_node *group_box(vs_rewrite *w, const group_part *parts, size_t count, vs_ref whole) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_unite(&b, &parts[i].bounds);
   double more = 2e-3 * vs_bounds_diagonal(&b); /* bounds are of samples where a shape is curved */
-  struct vs_box box = { .p = { b.min.x - more, b.min.y - more, b.min.z - more }, .q = { b.max.x + more, b.max.y + more, b.max.z + more } };
+  struct vs_box box = { .p = { b.min.x - more, b.min.y - more, b.min.z - more },
+                        .q = { b.max.x + more, b.max.y + more, b.max.z + more } };
   vs_ref both[2] = { { vs_node_new(w->store, VS_BOX, &box, NULL, 0), whole.origin }, whole };
   vs_node *made = both[0].node ? vs_node_new(w->store, VS_INTERSECTION, NULL, both, 2) : NULL;
   vs_node_release(both[0].node);
   return made;
 }
 
-/* A new reference to the parts' union in boxes, which has the first part's origin. Halves: so it calls itself as often as count has binary digits. */
+/* A new reference to the parts' union in boxes, which has the first part's origin. Halves: so it calls itself as often
+ * as count has binary digits. */
 static vs_node *group_tree(vs_rewrite *w, group_part *parts, size_t count) {
   vs_ref kids[FEW] = { { 0 } };
   size_t n = count <= FEW ? count : 2;
@@ -68,7 +79,8 @@ static vs_node *group_members(vs_rewrite *w, const vs_node *n, const vs_ref *kid
   for (uint32_t i = first; ok && i < n->child_count; i++) {
     vs_bounds b = vs_bounds_empty();
     const vs_node *old = n->children[i].node;
-    if (!vs_order_has(&w->order, old) || !g->painted[vs_order_of(old)]) ok = w->options->bounds(w->options->context, kids[i].node, &b, w->error);
+    if (!vs_order_has(&w->order, old) || !g->painted[vs_order_of(old)])
+      ok = w->options->bounds(w->options->context, kids[i].node, &b, w->error);
     if (!group_finite(&b)) all[kept++] = kids[i];
     else parts[count++] = (group_part){ kids[i], b, vs_v3_scale(vs_v3_add(b.min, b.max), 0.5), i };
   }

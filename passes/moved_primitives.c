@@ -1,7 +1,8 @@
 /* Owns, for fold (carry.c), the primitives: what each becomes under a map.
  *
- * A kind is closed under some maps only: a box under those that keep axes, a round solid under those that keep circles, polyhedra and polylines
- * under all. Where the modeller gave the facets (segments) a turn would move their corners: then only shifts and even scales fold. */
+ * A kind is closed under some maps only: a box under those that keep axes, a round solid under those that keep circles,
+ * polyhedra and polylines under all. Where the modeller gave the facets (segments) a turn would move their corners:
+ * then only shifts and even scales fold. */
 #include <math.h>
 
 #include "geometry/primitives/shape.h"
@@ -86,7 +87,14 @@ vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
     case VS_JOIN: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
     case VS_SLICE: case VS_DEFORM: case VS_HULL:
-    case VS_REGION: case VS_TEXT: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER:
+    case VS_REGION:
+    case VS_TEXT:
+    case VS_EXTRUDE:
+    case VS_SWEEP:
+    case VS_THICKEN:
+    case VS_TRANSFORM:
+    case VS_MATERIAL:
+    case VS_LAYER:
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
     case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: break;
   }

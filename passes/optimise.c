@@ -3,7 +3,8 @@
 
 #include "geometry/measure/node_measures.h"
 
-/* Samples that a pass asks for in vain must not stop the drawing: what has no bounds is everywhere, and its own error comes when it is meshed. */
+/* Samples that a pass asks for in vain must not stop the drawing: what has no bounds is everywhere, and its own error
+ * comes when it is meshed. */
 static bool optimise_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   if (vs_bounds_memo_get(context, n, out, &why)) return true;
@@ -27,7 +28,8 @@ bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, v
 static bool group_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   *out = vs_bounds_empty();
-  if (n->flags & VS_NODE_ENDLESS || vs_bounds_memo_get(context, n, out, &why) || why.kind == VS_ERROR_MODEL) return true;
+  if (n->flags & VS_NODE_ENDLESS || vs_bounds_memo_get(context, n, out, &why) || why.kind == VS_ERROR_MODEL)
+    return true;
   if (e) *e = why;
   return false;
 }

@@ -1,6 +1,7 @@
 /* Owns prune: what is empty goes, what cannot meet is neither cut nor intersected.
  *
- * Bounds are of samples where a shape is curved, so both sides are given a thousandth of their size before they count as apart. */
+ * Bounds are of samples where a shape is curved, so both sides are given a thousandth of their size before they count
+ * as apart. */
 #include "passes/rewrite.h"
 
 static bool prune_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
@@ -15,10 +16,12 @@ static bool prune_apart(const vs_rewrite *w, const vs_node *a, const vs_node *b,
   vs_bounds p, q;
   *apart = false;
   if (!w->options->bounds || a->class_ != VS_SOLID || b->class_ != VS_SOLID) return true;
-  if (!w->options->bounds(w->options->context, a, &p, w->error) || !w->options->bounds(w->options->context, b, &q, w->error)) return false;
+  if (!w->options->bounds(w->options->context, a, &p, w->error) ||
+      !w->options->bounds(w->options->context, b, &q, w->error))
+    return false;
   double slack = 1e-3 * (vs_bounds_diagonal(&p) + vs_bounds_diagonal(&q));
-  *apart = p.min.x - slack > q.max.x || q.min.x - slack > p.max.x || p.min.y - slack > q.max.y || q.min.y - slack > p.max.y ||
-           p.min.z - slack > q.max.z || q.min.z - slack > p.max.z;
+  *apart = p.min.x - slack > q.max.x || q.min.x - slack > p.max.x || p.min.y - slack > q.max.y ||
+           q.min.y - slack > p.max.y || p.min.z - slack > q.max.z || q.min.z - slack > p.max.z;
   return true;
 }
 
@@ -26,7 +29,8 @@ vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
   if (vs_node_has(n, VS_IS_OF_FIRST) && n->child_count && prune_empty(kids[0].node)) return prune_to_nothing(w);
   if (!vs_node_is_set(n)) return vs_rewrite_keep(w, n, kids);
   bool untouched = kids == n->children || !w->changed;
-  if (n->kind == VS_UNION && !w->order.empty && n->child_count && untouched) return vs_rewrite_keep(w, n, kids); /* nothing was or became empty */
+  /* nothing was or became empty */
+  if (n->kind == VS_UNION && !w->order.empty && n->child_count && untouched) return vs_rewrite_keep(w, n, kids);
   size_t kept = 0;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, (n->child_count + (size_t)1) * sizeof *all);
   if (!all) return NULL;

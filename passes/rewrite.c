@@ -1,7 +1,9 @@
-/* Owns the one loop that all passes are run by: every distinct node once, children first, results remembered; and the counting of commands. */
+/* Owns the one loop that all passes are run by: every distinct node once, children first, results remembered; and the
+ * counting of commands. */
 #include "passes/rewrite.h"
 
-typedef struct { vs_node *node; const vs_origin *origin; } vs_rewritten; /* what a node became; origin NULL: that of each reference */
+/* what a node became; origin NULL: that of each reference */
+typedef struct { vs_node *node; const vs_origin *origin; } vs_rewritten;
 
 const vs_pass_info *vs_pass_get(vs_pass_kind pass) {
   static const vs_pass_info passes[] = {
@@ -17,8 +19,10 @@ bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old) { return vs_order_
 
 vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   bool same = true;
-  for (uint32_t i = 0; same && kids != n->children && i < n->child_count; i++) same = kids[i].node == n->children[i].node;
-  return same ? vs_node_retain((vs_node *)(uintptr_t)n) : vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), kids, n->child_count);
+  for (uint32_t i = 0; same && kids != n->children && i < n->child_count; i++)
+    same = kids[i].node == n->children[i].node;
+  return same ? vs_node_retain((vs_node *)(uintptr_t)n)
+              : vs_node_new(w->store, (vs_kind)n->kind, vs_node_data(n), kids, n->child_count);
 }
 
 static vs_ref rewritten_ref(const vs_rewrite *w, const vs_rewritten *results, vs_ref old) {
@@ -51,7 +55,9 @@ bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count
   vs_rewritten *results = vs_store_realloc(w->store, NULL, 0, (nodes + 1) * sizeof *results);
   vs_ref *kids = vs_store_realloc(w->store, NULL, 0, widest * sizeof *kids);
   bool ok = (results && kids) || vs_error_memory(w->error, NULL);
-  while (ok && done < nodes && (ok = vs_store_going(w->store, VS_NODE_WORK, w->error) && rewrite_node(w, fn, done, results, kids))) done++;
+  while (ok && done < nodes &&
+         (ok = vs_store_going(w->store, VS_NODE_WORK, w->error) && rewrite_node(w, fn, done, results, kids)))
+    done++;
   for (size_t i = 0; ok && i < count; i++) {
     vs_ref new = rewritten_ref(w, results, refs[i]);
     kids[0] = refs[i];
@@ -74,15 +80,22 @@ bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t cou
 /* ---- counting ---- */
 
 static double order_commands(const vs_order *o, size_t drawn) {
-  double commands = (drawn > 1 ? (double)(drawn - 1) : 0) + (double)o->lone; /* the drawing is the union of what was drawn */
+  /* the drawing is the union of what was drawn */
+  double commands = (drawn > 1 ? (double)(drawn - 1) : 0) + (double)o->lone;
   for (size_t i = 0; i < o->count; i++) {
     const vs_node *n = o->at[i].node;
     switch (vs_kind_get((vs_kind)n->kind)->level) {
-      case VS_LEVEL_MESH: case VS_LEVEL_FLAT: case VS_LEVEL_CURVED: case VS_LEVEL_SWEPT: case VS_LEVEL_SUGAR: commands += n->kind == VS_EMPTY ? 0 : 1; break;
-      case VS_LEVEL_OPERATION:
-        if (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) commands += 1;
-        else if (n->child_count > 1) commands += n->child_count - 1;
-        break;
+    case VS_LEVEL_MESH:
+    case VS_LEVEL_FLAT:
+    case VS_LEVEL_CURVED:
+    case VS_LEVEL_SWEPT:
+    case VS_LEVEL_SUGAR: commands += n->kind == VS_EMPTY ? 0 : 1; break;
+    case VS_LEVEL_OPERATION:
+      if (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER)
+        commands += 1;
+      else if (n->child_count > 1)
+        commands += n->child_count - 1;
+      break;
     }
     if (o->note[i].uses > 1) commands += 1 + (double)o->note[i].uses;
   }
@@ -99,7 +112,8 @@ bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *co
 
 /* ---- all of them ---- */
 
-/* Runs one pass over the drawing: its begin, every node unless the begin has found that nothing would change, its end. */
+/* Runs one pass over the drawing: its begin, every node unless the begin has found that nothing would change, its
+ * end. */
 static bool pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
   static const struct { vs_rewrite_fn *node; bool (*begin)(vs_rewrite *w); void (*end)(vs_rewrite *w); } passes[] = {
 #define VS_PASS(upper, lower, begin, end, doc) { vs_pass_##lower, begin, end },
@@ -111,7 +125,8 @@ static bool pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count)
   return ok;
 }
 
-bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats, vs_error *e) {
+bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats,
+                   vs_error *e) {
   vs_error local;
   if (!e) e = &local;
   e->kind = VS_ERROR_NONE;
@@ -131,7 +146,8 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
     vs_rewrite w = { .store = s, .options = options, .error = e, .order = order };
     ok = pass_once((vs_pass_kind)k, &w, work, count);
     if (stats) stats->changed[k] += w.changed;
-    if (ok && w.changed) ok = vs_order_make(&order, work, count, e); /* else the drawing is what it was, node for node */
+    if (ok && w.changed) ok = vs_order_make(&order, work, count, e); /* else the drawing is what it was, node for
+                                                                      * node */
     if (k == VS_PASS_FOLD && w.nests && !nests && options->passes >> VS_PASS_FLATTEN & 1) {
       nests = true;
       k = VS_PASS_FLATTEN - 1; /* once more from there: what was between sets is gone */

@@ -6,9 +6,11 @@
 #include "passes/passes.h"
 
 typedef struct vs_rewrite vs_rewrite;
-enum { VS_NODE_WORK = 1 << 14 }; /* what a pass does for a node, told to vs_store_going: it may have thousands of points */
-/* Rewrites n, whose children have become kids (to be read only). Returns a new reference, NULL when out of memory. *origin: set it
- * where the result is one of the kids, whose call site then goes with it. A pass that has nothing to say returns vs_rewrite_keep. */
+enum { VS_NODE_WORK = 1 << 14 }; /* what a pass does for a node, told to vs_store_going: it may have thousands of
+                                  * points */
+/* Rewrites n, whose children have become kids (to be read only). Returns a new reference, NULL when out of memory.
+ * *origin: set it where the result is one of the kids, whose call site then goes with it. A pass that has nothing to
+ * say returns vs_rewrite_keep. */
 typedef vs_node *vs_rewrite_fn(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin);
 
 struct vs_rewrite {
@@ -23,8 +25,10 @@ struct vs_rewrite {
 };
 
 bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count); /* w->order is of these references */
-bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count); /* makes and frees the order itself */
-vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids); /* n itself if its kids are its own, else a copy with kids */
+/* makes and frees the order itself */
+bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count);
+/* n itself if its kids are its own, else a copy with kids */
+vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids);
 bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* named once: no template */
 /* Lone leaves (order.h) are not shown to a pass. Where a node has no other children, kids are the node's own array. */
 
@@ -37,8 +41,10 @@ bool vs_fold_begin(vs_rewrite *w); /* makes w->state */
 void vs_fold_end(vs_rewrite *w);
 bool vs_flatten_begin(vs_rewrite *w); /* makes w->state */
 void vs_flatten_end(vs_rewrite *w);
-/* Is b a turned, mirrored and moved, within near? *turn: the map. *work grows by what it cost, in points. False with *starved: out of memory. */
-bool vs_turn_find(vs_store *s, const vs_node *a, const vs_node *b, double near, vs_affine *turn, size_t *work, bool *starved);
+/* Is b a turned, mirrored and moved, within near? *turn: the map. *work grows by what it cost, in points. False with
+ * *starved: out of memory. */
+bool vs_turn_find(vs_store *s, const vs_node *a, const vs_node *b, double near, vs_affine *turn, size_t *work,
+                  bool *starved);
 bool vs_share_begin(vs_rewrite *w); /* makes w->state */
 void vs_share_end(vs_rewrite *w);
 

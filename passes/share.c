@@ -1,21 +1,25 @@
-/* Owns share: subtrees that are equal but for their place become one template and its placements; so do those that are turned or mirrored (turn.c).
+/* Owns share: subtrees that are equal but for their place become one template and its placements; so do those that are
+ * turned or mirrored (turn.c).
  *
- * Each distinct node gets an anchor, a point of it that moves along when it is moved, and a key of 128 bits: a hash of kind, fields and
- * children's keys in which every position stands relative to the anchor. Equal keys are equal shapes (two that differ meet in one key once
- * in 2^64 models; nothing else is compared). The same part written at two places differs by rounding: of positions that lie within 2^-40 of
- * the largest number the first one met stands for all in the hash (a grid alone would part the neighbours on either side of a
- * step, and a tree of a thousand numbers has such a pair soon); other numbers go to 40 bits in the same way.
+ * Each distinct node gets an anchor, a point of it that moves along when it is moved, and a key of 128 bits: a hash of
+ * kind, fields and children's keys in which every position stands relative to the anchor. Equal keys are equal shapes
+ * (two that differ meet in one key once in 2^64 models; nothing else is compared). The same part written at two places
+ * differs by rounding: of positions that lie within 2^-40 of the largest number the first one met stands for all in the
+ * hash (a grid alone would part the neighbours on either side of a step, and a tree of a thousand numbers has such a
+ * pair soon); other numbers go to 40 bits in the same way.
  *
  * A moved shape, and a set of one, are the shape within: they have its key, and no copy of their own.
  *
- * Only what stands a second time needs a key. Nodes know their form, a hash without numbers and places: where no other node has a set's form, and it
- * lies in none that is looked at, nothing of it is looked at. Therefore a million primitives in one set cost nothing here.
+ * Only what stands a second time needs a key. Nodes know their form, a hash without numbers and places: where no other
+ * node has a set's form, and it lies in none that is looked at, nothing of it is looked at. Therefore a million
+ * primitives in one set cost nothing here.
  *
- * Keys are made twice. The first ones see no more than some points of each array: nearly all shapes of a thousand points differ in these. Where two are equal,
- * whole ones are made.
+ * Keys are made twice. The first ones see no more than some points of each array: nearly all shapes of a thousand
+ * points differ in these. Where two are equal, whole ones are made.
  *
- * d copies of c commands cost d*c apart and c + 2*d with a template, d uses and d - 1 placements: shared where that is less. Of parts that are templates
- * whatever becomes of the copies, a copy has the uses alone. The first copy met is the template, so that parts of shared parts settle by themselves. */
+ * d copies of c commands cost d*c apart and c + 2*d with a template, d uses and d - 1 placements: shared where that is
+ * less. Of parts that are templates whatever becomes of the copies, a copy has the uses alone. The first copy met is
+ * the template, so that parts of shared parts settle by themselves. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,12 +38,14 @@ typedef struct {
   size_t group;       /* the first entry with this key */
   size_t copies;      /* of the group, at its first entry */
   double named;       /* references to any of the group, at its first entry */
-  size_t turn;        /* at a first entry: 0, or which of the turns (from 1) makes it of another group's, which it then belongs to */
+  size_t turn;        /* at a first entry: 0, or which of the turns (from 1) makes it of another group's, which it then
+                       * belongs to */
   vs_node *result;    /* what that first entry became; not retained: the rewriting holds it */
 } vs_share_entry;
 typedef struct { size_t head; vs_affine map; } vs_share_turn; /* of which first entry, and by what map */
 typedef struct { double step, first; } vs_share_step; /* first NaN: free */
-/* The facts that a parent must know of its child: kept, or of a lone leaf worked out when they are asked for, of a long one not at once again. */
+/* The facts that a parent must know of its child: kept, or of a lone leaf worked out when they are asked for, of a long
+ * one not at once again. */
 typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
 typedef struct { const vs_node *node; vs_share_child of; } vs_share_leaf;
 
@@ -76,7 +82,8 @@ static vs_share_step *share_find(const vs_share *s, double step) {
 static bool share_grow(vs_share *s) {
   vs_share_step *old = s->steps;
   size_t old_room = s->step_room, room = old_room ? 2 * old_room : 256;
-  vs_share_step *grown = room <= SIZE_MAX / 2 / sizeof *grown ? vs_store_realloc(s->store, NULL, 0, room * sizeof *grown) : NULL;
+  vs_share_step *grown =
+      room <= SIZE_MAX / 2 / sizeof *grown ? vs_store_realloc(s->store, NULL, 0, room * sizeof *grown) : NULL;
   if (!grown) return false;
   for (size_t i = 0; i < room; i++) grown[i] = (vs_share_step){ 0, (double)NAN };
   s->steps = grown;
@@ -87,7 +94,8 @@ static bool share_grow(vs_share *s) {
   return true;
 }
 
-/* The number that stands for x, both in quanta: the nearest one met in x's step or within half a quantum beside it; else x, from now on. */
+/* The number that stands for x, both in quanta: the nearest one met in x's step or within half a quantum beside it;
+ * else x, from now on. */
 static double share_snap(vs_share *s, double x) {
   if (!isfinite(x) || s->starved) return 0;
   double step = floor(x), best = (double)NAN, reach = 1;
@@ -106,7 +114,9 @@ static double share_snap(vs_share *s, double x) {
   return x;
 }
 
-static void share_mix_place(vs_share *s, vs_share_key *k, double x, double quantum) { share_mix(k, vs_hash_real(6, share_snap(s, x / quantum))); }
+static void share_mix_place(vs_share *s, vs_share_key *k, double x, double quantum) {
+  share_mix(k, vs_hash_real(6, share_snap(s, x / quantum)));
+}
 
 static void share_mix_vector(vs_share *s, vs_share_key *k, vs_vec3 v) {
   share_mix_place(s, k, v.x, s->quantum);
@@ -132,24 +142,29 @@ static vs_share_child share_of(vs_share *s, const vs_node *n);
 
 /* The node's own first point, or its first child's anchor */
 static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *info) {
-  if (n->kind == VS_SWEEP && n->child_count > 1) return share_of(s, n->children[1].node).anchor; /* a sweep lies where its path does */
-  if (n->kind == VS_TRANSFORM) return vs_affine_point(&VS_AS(transform, n)->matrix, share_of(s, n->children[0].node).anchor);
+  /* a sweep lies where its path does */
+  if (n->kind == VS_SWEEP && n->child_count > 1) return share_of(s, n->children[1].node).anchor;
+  if (n->kind == VS_TRANSFORM)
+    return vs_affine_point(&VS_AS(transform, n)->matrix, share_of(s, n->children[0].node).anchor);
   if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* its text knows no other place */
   for (size_t i = 0; n->kind != VS_SWEEP && i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_point) return *(const vs_vec3 *)at;
-    if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)at)->count) return (*(const vs_points *const *)at)->at[0];
+    if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)at)->count)
+      return (*(const vs_points *const *)at)->at[0];
   }
   return n->child_count ? share_of(s, n->children[0].node).anchor : vs_v3(0, 0, 0);
 }
 
 static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
-  vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor; /* the profile of a sweep and its base stay where they are drawn */
+  vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor; /* the profile of a sweep and its base stay where they
+                                                                 * are drawn */
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     switch (info->fields[i].type) {
       case VS_FIELD_real:
-        if (n->kind == VS_HEIGHT_FIELD) share_mix_place(s, k, *(const double *)at - from.z, s->quantum); /* its foot is a height like any other */
+        /* its foot is a height like any other */
+        if (n->kind == VS_HEIGHT_FIELD) share_mix_place(s, k, *(const double *)at - from.z, s->quantum);
         else share_mix_real(s, k, *(const double *)at);
         break;
       case VS_FIELD_integer: share_mix(k, (uint64_t)(int64_t)*(const int32_t *)at); break;
@@ -164,7 +179,8 @@ static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, con
         const vs_points *p = *(const vs_points *const *)at;
         share_mix(k, p->count);
         s->sketched |= s->sketches && p->count > SKETCHED;
-        for (uint32_t j = 0; j < p->count && (j < SKETCHED || !s->sketches); j++) share_mix_vector(s, k, vs_v3_sub(p->at[j], from));
+        for (uint32_t j = 0; j < p->count && (j < SKETCHED || !s->sketches); j++)
+          share_mix_vector(s, k, vs_v3_sub(p->at[j], from));
         break;
       }
       case VS_FIELD_faces: {
@@ -181,7 +197,8 @@ static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, con
 static bool share_is_alias(const vs_node *n) {
   if (n->kind == VS_TRANSFORM) return vs_affine_is_translation(&VS_AS(transform, n)->matrix);
   bool set = vs_node_is_set(n);
-  return set && n->child_count == 1 && n->children[0].node->class_ == n->class_; /* the union of one closed curve is a region */
+  /* the union of one closed curve is a region */
+  return set && n->child_count == 1 && n->children[0].node->class_ == n->class_;
 }
 
 /* Of a node whose children have theirs. */
@@ -202,7 +219,8 @@ static void share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_
     share_mix(key, child.key.a);
     share_mix(key, child.key.b);
     if (n->kind == VS_SWEEP) share_mix_vector(s, key, i ? vs_v3(0, 0, 0) : child.anchor);
-    else if (n->kind != VS_TRANSFORM && (n->kind != VS_EXTRUDE || i == 0)) share_mix_vector(s, key, vs_v3_sub(child.anchor, *anchor));
+    else if (n->kind != VS_TRANSFORM && (n->kind != VS_EXTRUDE || i == 0))
+      share_mix_vector(s, key, vs_v3_sub(child.anchor, *anchor));
   }
 }
 
@@ -218,7 +236,8 @@ static vs_share_child share_of(vs_share *s, const vs_node *n) {
   return held->of;
 }
 
-/* Fills in the facts of a node but for its key, and its cost alone, which is the most it can be; children come before. */
+/* Fills in the facts of a node but for its key, and its cost alone, which is the most it can be; children come
+ * before. */
 static void share_enter(vs_share *s, const vs_node *n, bool inner) {
   bool set = vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION;
   vs_share_entry x = { .cost = 1, .group = s->count, .alias = share_is_alias(n) };
@@ -277,7 +296,8 @@ static void share_measure(double *most, const vs_node *n) { /* the largest numbe
     if (info->fields[i].type == VS_FIELD_point) share_largest(most, field, 3);
     if (info->fields[i].type == VS_FIELD_affine) share_largest(most, field, 12);
     if (info->fields[i].type == VS_FIELD_points && (*(const vs_points *const *)field)->count)
-      share_largest(most, &(*(const vs_points *const *)field)->at[0].x, 3 * (size_t)(*(const vs_points *const *)field)->count);
+      share_largest(most, &(*(const vs_points *const *)field)->at[0].x,
+                    3 * (size_t)(*(const vs_points *const *)field)->count);
   }
 }
 
@@ -303,7 +323,8 @@ static bool share_pays(const vs_share_entry *first) {
   return (copies - 1) * first->cost > 2 * copies;
 }
 
-/* Returns the cost of a copy of n. A part that more places name than n's copies will be a template whatever becomes of n: then n saves its uses alone. */
+/* Returns the cost of a copy of n. A part that more places name than n's copies will be a template whatever becomes of
+ * n: then n saves its uses alone. */
 static double share_cost(const vs_share *s, size_t index, double named) {
   const vs_node *n = s->order->at[index].node;
   double cost = 1;
@@ -357,7 +378,8 @@ static bool share_keys(vs_share *s, bool again, vs_error *e) {
 /* Marks what has another's sketch, and all that lies in it. */
 static void share_doubt(vs_share *s) {
   const vs_order *o = s->order;
-  for (size_t i = 0; i < s->count; i++) s->at[i].again = s->at[i].wanted && !s->at[i].alias && s->at[s->at[i].group].copies > 1;
+  for (size_t i = 0; i < s->count; i++)
+    s->at[i].again = s->at[i].wanted && !s->at[i].alias && s->at[s->at[i].group].copies > 1;
   for (size_t i = s->count; i-- > 0;) {
     const vs_node *n = o->at[i].node;
     for (uint32_t k = 0; s->at[i].again && o->note[i].inner && k < n->child_count; k++)
@@ -379,15 +401,16 @@ static bool share_add_turn(vs_share *s, size_t index, size_t head, const vs_affi
   return true;
 }
 
-/* Groups that are one shape turned or mirrored become one. Of each form the first HEADS_MOST shapes are tried; all in all no more than some points for
- * each node, so that deep trees of one form cost no square. */
+/* Groups that are one shape turned or mirrored become one. Of each form the first HEADS_MOST shapes are tried; all in
+ * all no more than some points for each node, so that deep trees of one form cost no square. */
 static bool share_turns(vs_share *s) {
   enum { HEADS_MOST = 6 };
   size_t count = 0, heads[HEADS_MOST], head_count = 0, work = 0, most = 100000 + 50 * s->count;
   uint64_t *forms = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *forms);
   bool starved = !forms;
   for (size_t i = 0; forms && i < s->count; i++)
-    if (s->at[i].wanted && s->at[i].group == i && share_is_worth(&s->at[i])) forms[count++] = (uint64_t)s->order->at[i].node->form << 32 | i;
+    if (s->at[i].wanted && s->at[i].group == i && share_is_worth(&s->at[i]))
+      forms[count++] = (uint64_t)s->order->at[i].node->form << 32 | i;
   if (forms) qsort(forms, count, sizeof *forms, share_by_form);
   for (size_t i = 0; !starved && i < count && work < most; i++) {
     size_t mine = forms[i] & UINT32_MAX;
@@ -395,7 +418,8 @@ static bool share_turns(vs_share *s) {
     vs_affine map;
     if (i == 0 || forms[i - 1] >> 32 != forms[i] >> 32) head_count = 0;
     for (size_t k = 0; !found && !starved && k < head_count; k++) {
-      found = vs_turn_find(s->store, s->order->at[heads[k]].node, s->order->at[mine].node, s->quantum, &map, &work, &starved);
+      found = vs_turn_find(s->store, s->order->at[heads[k]].node, s->order->at[mine].node, s->quantum, &map, &work,
+                           &starved);
       if (found && !share_add_turn(s, mine, heads[k], &map)) starved = true;
     }
     if (!found && head_count < HEADS_MOST) heads[head_count++] = mine;
@@ -464,7 +488,8 @@ vs_node *vs_pass_share(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
   }
   w->changed++;
   vs_vec3 shift = vs_v3_sub(mine->anchor, first->anchor);
-  if (head == first && fmax(fabs(shift.x), fmax(fabs(shift.y), fabs(shift.z))) < 2 * s->quantum) return vs_node_retain(first->result);
+  if (head == first && fmax(fabs(shift.x), fmax(fabs(shift.y), fabs(shift.z))) < 2 * s->quantum)
+    return vs_node_retain(first->result);
   struct vs_transform moved = { .matrix = vs_affine_translation(shift) };
   if (head != first) moved.matrix = vs_affine_multiply(&moved.matrix, &s->turns[first->turn - 1].map);
   return vs_node_new(w->store, VS_TRANSFORM, &moved, &(vs_ref){ head->result, w->order.at[vs_order_of(n)].origin }, 1);

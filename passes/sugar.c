@@ -1,7 +1,7 @@
 /* Owns settling: one walk that gathers what stands beside the drawing, then one pass that takes the dresses off.
  *
- * The walk goes every path to sugar, since each placement counts, but into nothing else; a drawing that shares a ghost so often that there would be more
- * than MARKS_MOST of them keeps the first. */
+ * The walk goes every path to sugar, since each placement counts, but into nothing else; a drawing that shares a ghost
+ * so often that there would be more than MARKS_MOST of them keeps the first. */
 #include "passes/sugar.h"
 
 #include <stdio.h>
@@ -60,15 +60,18 @@ static bool settle_found(settle_walk *w, vs_node *node, const vs_origin *origin)
 }
 
 /* node in a paint and a place; takes it over. NULL: out of memory, or it was NULL. */
-static vs_node *settle_around(vs_store *s, vs_node *node, const vs_origin *origin, const vs_material *material, const vs_affine *placed) {
+static vs_node *settle_around(vs_store *s, vs_node *node, const vs_origin *origin, const vs_material *material,
+                              const vs_affine *placed) {
   if (node && material) {
-    vs_node *painted = vs_node_new(s, VS_MATERIAL, &(struct vs_material){ .material = material }, &(vs_ref){ node, origin }, 1);
+    vs_node *painted =
+        vs_node_new(s, VS_MATERIAL, &(struct vs_material){ .material = material }, &(vs_ref){ node, origin }, 1);
     vs_node_release(node);
     node = painted;
   }
   bool still = vs_affine_is_translation(placed) && placed->m[0][3] == 0 && placed->m[1][3] == 0 && placed->m[2][3] == 0;
   if (node && !still) {
-    vs_node *moved = vs_node_new(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = *placed }, &(vs_ref){ node, origin }, 1);
+    vs_node *moved =
+        vs_node_new(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = *placed }, &(vs_ref){ node, origin }, 1);
     vs_node_release(node);
     node = moved;
   }
@@ -94,7 +97,8 @@ static vs_node *settle_strip(settle_walk *w, vs_ref ref) {
 
 /* ---- the walk ---- */
 
-/* A highlight that is shown where it is cut away shares its faces with the hole: a thousandth smaller it is seen whole. */
+/* A highlight that is shown where it is cut away shares its faces with the hole: a thousandth smaller it is seen
+ * whole. */
 static bool settle_shrink(const settle_walk *w, const vs_node *n, vs_affine *placed) {
   vs_bounds b;
   if (!w->options->bounds) return true;
@@ -145,11 +149,13 @@ static bool settle_below(settle_walk *w, vs_ref root, bool only) {
         settle_level at = *top;
         w->depth--;
         vs_node_retain(inner.node);
-        if (!settle_found(w, settle_around(w->store, inner.node, inner.origin, at.material, &at.placed), at.ref.origin)) return false;
+        if (!settle_found(w, settle_around(w->store, inner.node, inner.origin, at.material, &at.placed), at.ref.origin))
+          return false;
         continue; /* an only in it changes nothing */
       }
-      bool ghost = n->kind == VS_GHOST, marked = (ghost && w->options->ghosts != VS_MARKS_DROP) ||
-                                                 (n->kind == VS_HIGHLIGHT && top->cut && w->options->highlights == VS_MARKS_PAINT);
+      bool ghost = n->kind == VS_GHOST,
+           marked = (ghost && w->options->ghosts != VS_MARKS_DROP) ||
+                    (n->kind == VS_HIGHLIGHT && top->cut && w->options->highlights == VS_MARKS_PAINT);
       if (!only && marked && !settle_mark(w, top, ghost)) return false;
       if (ghost) { /* what is in it is shown with it, and part of nothing */
         w->depth--;
@@ -188,22 +194,29 @@ static vs_node *settle_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
   if (n->kind == VS_CUSTOM) undress = n->child_count == 1;
   if (n->kind == VS_ONLY) undress = true;
   if (n->kind == VS_HIGHLIGHT) undress = o->highlights != VS_MARKS_KEEP;
-  if (n->kind == VS_NATIVE) undress = (o->muted || !settle_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
+  if (n->kind == VS_NATIVE)
+    undress = (o->muted || !settle_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
   if (!undress) return vs_rewrite_keep(w, n, kids);
-  *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* of a custom thing, the place that asked for it is the user's */
+  *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* of a custom thing, the place that asked for it is the
+                                                           * user's */
   return vs_node_retain(kids[0].node);
 }
 
-typedef struct { const vs_settle_options *options; bool only; vs_ref native; } settle_kinds; /* native: the first for this program */
+/* native: the first for this program */
+typedef struct { const vs_settle_options *options; bool only; vs_ref native; } settle_kinds;
 
-/* Native text for another program, without anything for this one: says that the output lacks it, or fails if that is not allowed. */
+/* Native text for another program, without anything for this one: says that the output lacks it, or fails if that is
+ * not allowed. */
 static bool settle_lacks(const settle_kinds *k, vs_ref ref, vs_error *e) {
   const vs_settle_options *o = k->options;
   const vs_node *n = ref.node;
   char message[240];
   if (!o->output || n->children[0].node->kind != VS_EMPTY || (settle_speaks(o, n) && !o->muted)) return true;
-  snprintf(message, sizeof message, "native: this text is for %.20s alone; %.20s is written without it (#:otherwise gives other formats something to show)", VS_AS(native, n)->target, o->output);
+  snprintf(message, sizeof message,
+           "native: this text is for %.20s alone; %.20s is written without it (#:otherwise gives other formats "
+           "something to show)",
+           VS_AS(native, n)->target, o->output);
   if (o->strict) return vs_error_set(e, VS_ERROR_MODEL, ref.origin, "%s", message);
   if (o->said) o->said(o->said_context, ref.origin, message);
   return true;
@@ -216,7 +229,8 @@ static bool settle_look(settle_kinds *k, const vs_scene *scene, vs_error *e) {
   for (size_t i = 0; ok && i < o.count; i++) {
     k->only |= o.at[i].node->kind == VS_ONLY;
     if (o.at[i].node->kind == VS_NATIVE) ok = settle_lacks(k, o.at[i], e);
-    if (!k->native.node && o.at[i].node->kind == VS_NATIVE && settle_speaks(k->options, o.at[i].node)) k->native = o.at[i];
+    if (!k->native.node && o.at[i].node->kind == VS_NATIVE && settle_speaks(k->options, o.at[i].node))
+      k->native = o.at[i];
   }
   vs_order_free(&o);
   return ok;
@@ -241,10 +255,12 @@ bool vs_scene_settle(vs_scene *scene, const vs_settle_options *options, vs_error
   if (!sugar) return true;
   ok = settle_look(&kinds, scene, e);
   if (ok && options->muted && kinds.native.node && options->said)
-    options->said(options->said_context, kinds.native.origin, "native: text for other programs is switched off here; what #:otherwise gives is drawn");
+    options->said(options->said_context, kinds.native.origin,
+                  "native: text for other programs is switched off here; what #:otherwise gives is drawn");
   for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = settle_below(&w, scene->drawn[i], true);
   if (ok && w.count) { /* an only in a ghost is none */
-    if (options->said) options->said(options->said_context, w.found[0].origin, "only: nothing else of the drawing is shown");
+    if (options->said)
+      options->said(options->said_context, w.found[0].origin, "only: nothing else of the drawing is shown");
     settle_take(scene, &w);
   }
   size_t before = scene->drawn_count;

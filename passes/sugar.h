@@ -1,4 +1,5 @@
-/* Owns what becomes of kinds of level SUGAR before a drawing is written: only, ghost, highlight, native, and what define-primitive makes.
+/* Owns what becomes of kinds of level SUGAR before a drawing is written: only, ghost, highlight, native, and what
+ * define-primitive makes.
  *
  * only     the drawing is then what stands in these, where they stand, in the paint they stand in
  * ghost    is in no solid; a format that shows previews gets it beside the drawing
@@ -20,18 +21,21 @@ typedef enum {
 typedef struct {
   vs_marks highlights, ghosts;
   const char *target; /* of targets.def, or NULL: no native text */
-  const char *output; /* what the format is called in messages: ".stl"; NULL: what native text has nothing for it is not spoken of */
+  const char *output; /* what the format is called in messages: ".stl"; NULL: what native text has nothing for it is not
+                       * spoken of */
   bool keeps_text;    /* native text without anything for other formats stays, for those who count */
   bool strict;        /* native text that leaves nothing for this format is an error, not a warning */
   bool muted;         /* its native text is switched off all the same, which is said */
-  /* Both may be NULL. said: once a kind, with the place of the first. bounds: as vs_pass_options has it, for what is shown where it is cut. */
+  /* Both may be NULL. said: once a kind, with the place of the first. bounds: as vs_pass_options has it, for what is
+   * shown where it is cut. */
   void (*said)(void *context, const vs_origin *origin, const char *message);
   void *said_context;
   bool (*bounds)(void *context, const vs_node *n, vs_bounds *out, vs_error *e);
   void *bounds_context;
 } vs_settle_options;
 
-/* Rewrites what the scene draws (its array belongs to the store). A scene without sugar costs one look at each thing drawn. */
+/* Rewrites what the scene draws (its array belongs to the store). A scene without sugar costs one look at each thing
+ * drawn. */
 bool vs_scene_settle(vs_scene *scene, const vs_settle_options *options, vs_error *e);
 
 #endif

@@ -1,9 +1,10 @@
 /* Owns, for share, the question whether one subtree is another turned, mirrored and moved.
  *
- * Both are walked side by side, each with the map down to where the walk is. Each pair of primitives gives pairs of points that move along: its own where it is
- * what these points make it (a sphere's centre, a cylinder's ends, corners), else the corner and the axes of its frame, and then its fields must be equal as they
- * stand. Three of the points far from each other, and the side on which a fourth lies, give the one rigid map that can be meant; then every pair is held to it. Therefore a
- * template is never wrong by more than rounding, whatever was tried. */
+ * Both are walked side by side, each with the map down to where the walk is. Each pair of primitives gives pairs of
+ * points that move along: its own where it is what these points make it (a sphere's centre, a cylinder's ends,
+ * corners), else the corner and the axes of its frame, and then its fields must be equal as they stand. Three of the
+ * points far from each other, and the side on which a fourth lies, give the one rigid map that can be meant; then every
+ * pair is held to it. Therefore a template is never wrong by more than rounding, whatever was tried. */
 #include <math.h>
 #include <string.h>
 
@@ -51,14 +52,19 @@ static bool turn_pair_add(turner *t, vs_vec3 a, vs_vec3 b) {
 
 static bool turn_points(turner *t, const turn_step *x, const vs_points *a, const vs_points *b) {
   bool ok = a->count == b->count;
-  for (uint32_t i = 0; ok && i < a->count; i++) ok = turn_pair_add(t, vs_affine_point(&x->to_a, a->at[i]), vs_affine_point(&x->to_b, b->at[i]));
+  for (uint32_t i = 0; ok && i < a->count; i++)
+    ok = turn_pair_add(t, vs_affine_point(&x->to_a, a->at[i]), vs_affine_point(&x->to_b, b->at[i]));
   return ok;
 }
 
-static bool turn_point(turner *t, const turn_step *x, vs_vec3 a, vs_vec3 b) { return turn_pair_add(t, vs_affine_point(&x->to_a, a), vs_affine_point(&x->to_b, b)); }
+static bool turn_point(turner *t, const turn_step *x, vs_vec3 a, vs_vec3 b) {
+  return turn_pair_add(t, vs_affine_point(&x->to_a, a), vs_affine_point(&x->to_b, b));
+}
 
 static bool turn_near(double x, double y) { return fabs(x - y) <= ldexp(fmax(fabs(x), fabs(y)), -40); }
-static bool turn_near_points(const turner *t, vs_vec3 a, vs_vec3 b) { return fabs(a.x - b.x) <= t->near && fabs(a.y - b.y) <= t->near && fabs(a.z - b.z) <= t->near; }
+static bool turn_near_points(const turner *t, vs_vec3 a, vs_vec3 b) {
+  return fabs(a.x - b.x) <= t->near && fabs(a.y - b.y) <= t->near && fabs(a.z - b.z) <= t->near;
+}
 
 static bool turn_is_rigid(const vs_affine *a) {
   double k;
@@ -71,13 +77,16 @@ static bool turn_frame(turner *t, const turn_step *x) {
   vs_vec3 at[2] = { { 0, 0, 0 }, { 0, 0, 0 } };
   bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* its foot is a height that no field type tells */
   for (size_t i = 0; ok && i < info->field_count; i++) {
-    const char *p = (const char *)vs_node_data(x->a) + info->fields[i].offset, *q = (const char *)vs_node_data(x->b) + info->fields[i].offset;
+    const char *p = (const char *)vs_node_data(x->a) + info->fields[i].offset,
+               *q = (const char *)vs_node_data(x->b) + info->fields[i].offset;
     switch (info->fields[i].type) {
       case VS_FIELD_real: ok = turn_near(*(const double *)(const void *)p, *(const double *)(const void *)q); break;
       case VS_FIELD_integer: ok = *(const int32_t *)(const void *)p == *(const int32_t *)(const void *)q; break;
       case VS_FIELD_boolean: ok = *(const bool *)p == *(const bool *)q; break;
       case VS_FIELD_text: ok = *(const char *const *)(const void *)p == *(const char *const *)(const void *)q; break;
-      case VS_FIELD_vector: ok = turn_near_points(t, *(const vs_vec3 *)(const void *)p, *(const vs_vec3 *)(const void *)q); break;
+      case VS_FIELD_vector:
+        ok = turn_near_points(t, *(const vs_vec3 *)(const void *)p, *(const vs_vec3 *)(const void *)q);
+        break;
       case VS_FIELD_point: {
         vs_vec3 a = *(const vs_vec3 *)(const void *)p, b = *(const vs_vec3 *)(const void *)q;
         if (!found) at[0] = a, at[1] = b;
@@ -86,15 +95,18 @@ static bool turn_frame(turner *t, const turn_step *x) {
         break;
       }
       case VS_FIELD_points: {
-        const vs_points *a = *(const vs_points *const *)(const void *)p, *b = *(const vs_points *const *)(const void *)q;
+        const vs_points *a = *(const vs_points *const *)(const void *)p,
+                        *b = *(const vs_points *const *)(const void *)q;
         ok = a->count == b->count;
         if (ok && !found && a->count) at[0] = a->at[0], at[1] = b->at[0], found = true;
-        for (uint32_t k = 0; ok && k < a->count; k++) ok = turn_near_points(t, vs_v3_sub(a->at[k], at[0]), vs_v3_sub(b->at[k], at[1]));
+        for (uint32_t k = 0; ok && k < a->count; k++)
+          ok = turn_near_points(t, vs_v3_sub(a->at[k], at[0]), vs_v3_sub(b->at[k], at[1]));
         break;
       }
       case VS_FIELD_faces: {
         const vs_faces *a = *(const vs_faces *const *)(const void *)p, *b = *(const vs_faces *const *)(const void *)q;
-        ok = a->count == b->count && a->corner_count == b->corner_count && !memcmp(a->data, b->data, (a->count + 1 + (size_t)a->corner_count) * sizeof *a->data);
+        ok = a->count == b->count && a->corner_count == b->corner_count &&
+             !memcmp(a->data, b->data, (a->count + 1 + (size_t)a->corner_count) * sizeof *a->data);
         break;
       }
       case VS_FIELD_affine: case VS_FIELD_material: case VS_FIELD_ticket: ok = false; break;
@@ -131,7 +143,8 @@ static bool turn_leaf(turner *t, const turn_step *x) {
   if (x->a->kind == VS_CUT_CONE && rigid) {
     TURN_BOTH(cut_cone);
     if (a->segments || b->segments) return turn_frame(t, x);
-    return turn_near(a->base_radius, b->base_radius) && turn_near(a->top_radius, b->top_radius) && turn_point(t, x, a->base, b->base) && turn_point(t, x, a->top, b->top);
+    return turn_near(a->base_radius, b->base_radius) && turn_near(a->top_radius, b->top_radius) &&
+           turn_point(t, x, a->base, b->base) && turn_point(t, x, a->top, b->top);
   }
   if (x->a->kind == VS_LINE) {
     TURN_BOTH(line);
@@ -139,17 +152,24 @@ static bool turn_leaf(turner *t, const turn_step *x) {
   }
   if (x->a->kind == VS_POLYFACE_MESH) {
     TURN_BOTH(polyface_mesh);
-    return a->closed == b->closed && a->faces->count == b->faces->count && a->faces->corner_count == b->faces->corner_count &&
-           !memcmp(a->faces->data, b->faces->data, (a->faces->count + 1 + (size_t)a->faces->corner_count) * sizeof *a->faces->data) && turn_points(t, x, a->points, b->points);
+    return a->closed == b->closed && a->faces->count == b->faces->count &&
+           a->faces->corner_count == b->faces->corner_count &&
+           !memcmp(a->faces->data, b->faces->data,
+                   (a->faces->count + 1 + (size_t)a->faces->corner_count) * sizeof *a->faces->data) &&
+           turn_points(t, x, a->points, b->points);
   }
   if (x->a->kind == VS_EXTRUDE && x->a->child_count == 1 && x->b->child_count == 1) {
     TURN_BOTH(extrude);
     const vs_node *p = x->a->children[0].node, *q = x->b->children[0].node;
-    if (a->taper != 0 || b->taper != 0 || a->twist != 0 || b->twist != 0 || a->scale != 1 || b->scale != 1 || a->center != b->center) return false;
-    while (p->kind == VS_REGION && q->kind == VS_REGION && p->child_count == 1 && q->child_count == 1) p = p->children[0].node, q = q->children[0].node;
+    if (a->taper != 0 || b->taper != 0 || a->twist != 0 || b->twist != 0 || a->scale != 1 || b->scale != 1 ||
+        a->center != b->center)
+      return false;
+    while (p->kind == VS_REGION && q->kind == VS_REGION && p->child_count == 1 && q->child_count == 1)
+      p = p->children[0].node, q = q->children[0].node;
     if (p->kind != VS_LINE || q->kind != VS_LINE || !VS_AS(line, p)->closed || !VS_AS(line, q)->closed) return false;
     const vs_points *a_points = VS_AS(line, p)->points, *b_points = VS_AS(line, q)->points;
-    return turn_points(t, x, a_points, b_points) && turn_point(t, x, vs_v3_add(a_points->at[0], a->along), vs_v3_add(b_points->at[0], b->along));
+    return turn_points(t, x, a_points, b_points) &&
+           turn_point(t, x, vs_v3_add(a_points->at[0], a->along), vs_v3_add(b_points->at[0], b->along));
   }
   return x->a->child_count == 0 && turn_frame(t, x);
 }
@@ -222,13 +242,17 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
     double d = fabs(vs_v3_dot(frame[0][2], vs_v3_sub(p[i].a, p[0].a)));
     if (d > off * (1 + 1e-9)) off = d, four = i;
   }
-  if (off > ldexp(most, -20) && vs_v3_dot(frame[0][2], vs_v3_sub(p[four].a, p[0].a)) * vs_v3_dot(frame[1][2], vs_v3_sub(p[four].b, p[0].b)) < 0)
+  if (off > ldexp(most, -20) &&
+      vs_v3_dot(frame[0][2], vs_v3_sub(p[four].a, p[0].a)) * vs_v3_dot(frame[1][2], vs_v3_sub(p[four].b, p[0].b)) < 0)
     frame[1][2] = vs_v3_scale(frame[1][2], -1); /* a mirror image */
   for (int i = 0; i < 3; i++) {
     const double *x = &frame[1][0].x + i, *y = &frame[1][1].x + i, *z = &frame[1][2].x + i;
-    vs_vec3 row = vs_v3_add(vs_v3_add(vs_v3_scale(frame[0][0], *x), vs_v3_scale(frame[0][1], *y)), vs_v3_scale(frame[0][2], *z));
+    vs_vec3 row =
+        vs_v3_add(vs_v3_add(vs_v3_scale(frame[0][0], *x), vs_v3_scale(frame[0][1], *y)), vs_v3_scale(frame[0][2], *z));
     double entries[3] = { row.x, row.y, row.z };
-    for (int j = 0; j < 3; j++) turn->m[i][j] = fabs(entries[j] - round(entries[j])) < 1e-12 ? round(entries[j]) + 0.0 : entries[j]; /* quarter turns are exact */
+    /* quarter turns are exact */
+    for (int j = 0; j < 3; j++)
+      turn->m[i][j] = fabs(entries[j] - round(entries[j])) < 1e-12 ? round(entries[j]) + 0.0 : entries[j];
     turn->m[i][3] = 0;
   }
   vs_vec3 shift = vs_v3_sub(p[0].b, vs_affine_vector(turn, p[0].a));
@@ -242,7 +266,8 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
   return true;
 }
 
-bool vs_turn_find(vs_store *s, const vs_node *a, const vs_node *b, double near, vs_affine *turn, size_t *work, bool *starved) {
+bool vs_turn_find(vs_store *s, const vs_node *a, const vs_node *b, double near, vs_affine *turn, size_t *work,
+                  bool *starved) {
   turner t = { .store = s, .near = near };
   vs_affine here = vs_affine_identity();
   bool found = turn_push(&t, a, &here, b, &here) && turn_walk(&t) && turn_solve(&t, turn);

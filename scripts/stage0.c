@@ -1,5 +1,5 @@
-/* Makes the heap image: `stage0 IMAGE SOURCE...` opens an interpreter without an image, loads the library's sources into it in order and
- * writes what it then holds as 64-bit words. Part of the build, not of the program. */
+/* Makes the heap image: `stage0 IMAGE SOURCE...` opens an interpreter without an image, loads the library's sources
+ * into it in order and writes what it then holds as 64-bit words. Part of the build, not of the program. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +30,8 @@ static int failed(vs_scheme *vm, const char *what) {
     const vs_condition *c = vs_as_condition(vm->condition);
     vs_pos at = c->place;
     fprintf(stderr, "stage0: %s:%u:%u: ", what, vs_pos_line(at), vs_pos_col(at));
-    if (vs_print(vm, c->message, VS_PRINT_DISPLAY, &t) && vs_text_puts(&t, " ") && vs_print(vm, vs_as_condition(vm->condition)->irritants, VS_PRINT_WRITE, &t) && vs_text_end(&t))
+    if (vs_print(vm, c->message, VS_PRINT_DISPLAY, &t) && vs_text_puts(&t, " ") &&
+        vs_print(vm, vs_as_condition(vm->condition)->irritants, VS_PRINT_WRITE, &t) && vs_text_end(&t))
       fputs(t.at, stderr);
   } else fprintf(stderr, "stage0: %s: failed", what);
   fputc('\n', stderr);

@@ -97,9 +97,10 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
 
 /* ---- what was called is no procedure ---- */
 
-/* The operator of "(x > 3)", which stands behind the n characters of the first operand at p; *operand and *length: the operand behind it, if it is one
- * word. */
-static size_t operator_behind(const char *p, size_t n, const char *end, const char **operator, const char **operand, size_t *length) {
+/* The operator of "(x > 3)", which stands behind the n characters of the first operand at p; *operand and *length: the
+ * operand behind it, if it is one word. */
+static size_t operator_behind(const char *p, size_t n, const char *end, const char **operator, const char ** operand,
+                              size_t *length) {
   uint32_t unused = 0;
   *operator = vs_outline_blanks(p + n, end, &unused);
   size_t m = vs_outline_word(*operator, end);
@@ -120,7 +121,8 @@ static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, v
   size_t sign = n < 100 ? operator_behind(name, n, p.end, &operator, &operand, &length) : 0;
   if (sign) {
     t->count = 0;
-    return put(t, "the operator stands first: (%.*s %.*s %.*s)", (int)sign, operator, (int)n, name, length ? (int)length : 3, length ? operand : "...");
+    return put(t, "the operator stands first: (%.*s %.*s %.*s)", (int)sign, operator,(int) n, name,
+               length ? (int)length : 3, length ? operand : "...");
   }
   uint32_t line = n && n < 100 ? defined_on(p.source, name, n) : 0;
   if (!line || line > at.line || !vs_is_pair(irritants)) return true;
@@ -233,7 +235,8 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
   const char *word, *why;
   size_t n = quoted_word(p, &word);
   if (n) return put(t, "; a text stands between double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
-  if (vs_text_end(t) && !strncmp(t->at, "display", 7) && strstr(t->at, "port must be an output port")) return vs_foreign_advice("display", t);
+  if (vs_text_end(t) && !strncmp(t->at, "display", 7) && strstr(t->at, "port must be an output port"))
+    return vs_foreign_advice("display", t);
   uint32_t line = at.line;
   if (vs_text_end(t) && strstr(t->at, VS_BIND_NO_VALUE) && valueless(p, &line, &why)) return put(t, "; line %u: %s",
       (unsigned)line, why);

@@ -1,5 +1,5 @@
-/* Owns what the interpreter asks of the system: memory, time, files, the console. Everything above goes through the embedder's callbacks
- * where it gave some. The VM has no system calls of its own; these are all there are. */
+/* Owns what the interpreter asks of the system: memory, time, files, the console. Everything above goes through the
+ * embedder's callbacks where it gave some. The VM has no system calls of its own; these are all there are. */
 #include "session/names.h"
 #include "session/session.h"
 
@@ -16,7 +16,8 @@
 
 static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t bytes) {
   const vs_options *o = &s->options;
-  if (bytes > old_bytes && o->limit_memory && (bytes - old_bytes > o->limit_memory || s->bytes > o->limit_memory - (bytes - old_bytes)))
+  if (bytes > old_bytes && o->limit_memory &&
+      (bytes - old_bytes > o->limit_memory || s->bytes > o->limit_memory - (bytes - old_bytes)))
     return s->limited = true, NULL;
   void *p = NULL;
   if (o->alloc) p = o->alloc(o->alloc_context, old, old_bytes, bytes);
@@ -33,7 +34,8 @@ void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes
   vs_session *s = session;
   void *p = session_memory(s, old, old_bytes, bytes);
   if (p || !bytes) return p;
-  if (s->bind.store && vs_cache_shrink(vs_store_cache(s->bind.store), bytes)) p = session_memory(s, old, old_bytes, bytes);
+  if (s->bind.store && vs_cache_shrink(vs_store_cache(s->bind.store), bytes))
+    p = session_memory(s, old, old_bytes, bytes);
   if (!p) s->bind.refused++;
   return p;
 }
@@ -77,7 +79,9 @@ static double now_of_day(void *session) {
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-static const char *environment(void *session, const char *name) { return ((vs_session *)session)->options.untrusted ? NULL : getenv(name); }
+static const char *environment(void *session, const char *name) {
+  return ((vs_session *)session)->options.untrusted ? NULL : getenv(name);
+}
 
 /* ---- reading whole files ---- */
 
@@ -126,8 +130,8 @@ static bool read_whole(vs_session *s, const char *path, char **text, size_t *len
 }
 
 bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why) {
-  return read_whole(s, path, text, length, why) &&
-         (!source || vs_session_keep_source(s, path, 1, *text, *length) || (free(*text), refuse(s, "out of memory", why)));
+  return read_whole(s, path, text, length, why) && (!source || vs_session_keep_source(s, path, 1, *text, *length) ||
+                                                    (free(*text), refuse(s, "out of memory", why)));
 }
 
 /* ---- sources ---- */
@@ -149,8 +153,8 @@ static size_t count_lines(const char *text, size_t length) {
   return lines;
 }
 
-/* Lines typed one after the other at a prompt are one text: an error in a procedure shows its line later too. Blank lines stand for those in between. False: they are not, or
- * there is no memory for it. */
+/* Lines typed one after the other at a prompt are one text: an error in a procedure shows its line later too. Blank
+ * lines stand for those in between. False: they are not, or there is no memory for it. */
 static bool continue_source(vs_session *s, vs_source *old, unsigned first_line, const char *text, size_t length) {
   enum { MOST = 1 << 18 };
   size_t gap;
@@ -183,7 +187,11 @@ bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line
     if (!grown) return false;
     s->sources = grown, s->source_room = more;
   }
-  vs_source fresh = { .name = vs_session_memory(s, NULL, 0, bytes), .name_bytes = bytes, .length = room, .room = room + 1, .first_line = first_line };
+  vs_source fresh = { .name = vs_session_memory(s, NULL, 0, bytes),
+                      .name_bytes = bytes,
+                      .length = room,
+                      .room = room + 1,
+                      .first_line = first_line };
   if (fresh.name) fresh.text = vs_session_memory(s, NULL, 0, fresh.room);
   if (!fresh.text) {
     if (fresh.name) vs_session_memory(s, fresh.name, bytes, 0);
@@ -313,7 +321,8 @@ static bool list_folder(void *session, const char *path, bool (*take)(void *cont
   if (!folder) return refuse(s, errno == ENOENT ? "no such folder" : reason(errno), why);
   bool ok = true;
   for (const struct dirent *entry; ok && (entry = readdir(folder));)
-    if (strcmp(entry->d_name, ".") && strcmp(entry->d_name, "..")) ok = take(context, entry->d_name, strlen(entry->d_name));
+    if (strcmp(entry->d_name, ".") && strcmp(entry->d_name, ".."))
+      ok = take(context, entry->d_name, strlen(entry->d_name));
   closedir(folder);
   return ok;
 }

@@ -297,10 +297,12 @@ vs_outcome vs_input(vs_scheme *vm, vs_input_kind kind, vs_input_button button, c
   static const char *const buttons[] = { "left", "middle", "right", "none" };
   enum { WORDS = 5 };
   bool ok = (unsigned)kind < sizeof kinds / sizeof *kinds && (unsigned)button < sizeof buttons / sizeof *buttons;
-  vs_handle words[WORDS] = { vs_handle_symbol(vm, ok ? kinds[kind] : "?"), vs_handle_symbol(vm, ok ? buttons[button] : "?"),
-    from ? vs_handle_point(vm, from[0], from[1], from[2]) : vs_handle_boolean(vm, false),
-    direction ? vs_handle_vector(vm, direction[0], direction[1], direction[2]) : vs_handle_boolean(vm, false),
-    key ? vs_handle_text(vm, key) : vs_handle_boolean(vm, false) };
+  vs_handle words[WORDS] = { vs_handle_symbol(vm, ok ? kinds[kind] : "?"),
+                             vs_handle_symbol(vm, ok ? buttons[button] : "?"),
+                             from ? vs_handle_point(vm, from[0], from[1], from[2]) : vs_handle_boolean(vm, false),
+                             direction ? vs_handle_vector(vm, direction[0], direction[1], direction[2])
+                                       : vs_handle_boolean(vm, false),
+                             key ? vs_handle_text(vm, key) : vs_handle_boolean(vm, false) };
   vs_handle met = 0;
   vs_outcome outcome = VS_OUTCOME_MACHINE;
   if (words[0] && words[1] && words[2] && words[3] && words[4])

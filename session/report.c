@@ -1,5 +1,5 @@
-/* Owns what a host is told when something is wrong: conditions, errors of the layers below, warnings; each with its place, the line of the
- * source, and the user's own calls that led there. */
+/* Owns what a host is told when something is wrong: conditions, errors of the layers below, warnings; each with its
+ * place, the line of the source, and the user's own calls that led there. */
 #include "session/session.h"
 #include "vm/front/source.h"
 
@@ -31,25 +31,31 @@ const char *vs_session_source_line(const vs_session *s, const char *file, uint32
   return NULL;
 }
 
-static void tell(vs_session *s, vs_severity severity, vs_outcome outcome, vs_span at, const char *message, const vs_diagnostic_note *notes, size_t count) {
+static void tell(vs_session *s, vs_severity severity, vs_outcome outcome, vs_span at, const char *message,
+                 const vs_diagnostic_note *notes, size_t count) {
   char line[2048];
-  vs_diagnostic d = { .severity = severity, .outcome = outcome, .at = at, .message = message, .notes = notes, .note_count = count };
+  vs_diagnostic d = {
+    .severity = severity, .outcome = outcome, .at = at, .message = message, .notes = notes, .note_count = count
+  };
   d.source_line = vs_session_source_line(s, at.file, at.line, line, sizeof line);
   if (s->options.host.diagnose) s->options.host.diagnose(s->options.host.context, &d);
 }
 
-void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line, uint32_t column, const char *message) {
+void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line,
+                          uint32_t column, const char *message) {
   tell(s, severity, outcome, (vs_span){ .file = file, .line = line, .column = column }, message, NULL, 0);
 }
 
-void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin, const char *message) {
+void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin,
+                       const char *message) {
   vs_diagnostic_note notes[NOTES];
   size_t n = 0;
   vs_span at = { 0 };
   if (origin) {
     at.file = origin->file, at.line = origin->line, at.column = origin->column;
     for (const vs_origin *o = origin->caller; o && n < NOTES; o = o->caller)
-      notes[n++] = (vs_diagnostic_note){ { .file = o->file, .line = o->line, .column = o->column }, "called from here" };
+      notes[n++] =
+          (vs_diagnostic_note){ { .file = o->file, .line = o->line, .column = o->column }, "called from here" };
   }
   tell(s, severity, outcome, at, message, notes, n);
 }
@@ -67,14 +73,18 @@ vs_outcome vs_session_report_error(vs_session *s, const vs_error *e) {
     case VS_ERROR_MEMORY: outcome = VS_OUTCOME_MACHINE; break;
     case VS_ERROR_INTERRUPT: outcome = VS_OUTCOME_INTERRUPTED; break;
   }
-  vs_session_report(s, VS_SEVERITY_ERROR, outcome, e->origin, *e->message ? e->message : outcome == VS_OUTCOME_MACHINE ? "out of memory" : "it failed");
+  vs_session_report(s, VS_SEVERITY_ERROR, outcome, e->origin,
+                    *e->message                     ? e->message
+                    : outcome == VS_OUTCOME_MACHINE ? "out of memory"
+                                                    : "it failed");
   return outcome;
 }
 
 /* ---- conditions ---- */
 
 bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
-  *out = (vs_span){ .file = vs_bind_file_name(&s->bind, place), .line = vs_pos_line(place), .column = vs_pos_col(place) };
+  *out =
+      (vs_span){ .file = vs_bind_file_name(&s->bind, place), .line = vs_pos_line(place), .column = vs_pos_col(place) };
   if (!out->file) *out = (vs_span){ 0 };
   return out->file != NULL;
 }
@@ -96,7 +106,8 @@ static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_n
     vs_value link = vs_car(l);
     vs_span span;
     if (vs_is_pair(link) && vs_car(link) == VS_TRUE) gap = true;
-    if (!vs_is_pair(link) || !vs_is_fixnum(vs_cdr(link)) || !vs_session_span(s, vs_pos_of(vs_cdr(link)), &span)) continue;
+    if (!vs_is_pair(link) || !vs_is_fixnum(vs_cdr(link)) || !vs_session_span(s, vs_pos_of(vs_cdr(link)), &span))
+      continue;
     if (span.file == before_file && span.line == before_line && span.column == before_column) continue;
     before_file = span.file, before_line = span.line, before_column = span.column;
     char text[160];
@@ -138,7 +149,8 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
         vs_value link = vs_car(l);
         if (vs_is_pair(link) && vs_is_fixnum(vs_cdr(link))) vs_session_span(s, vs_pos_of(vs_cdr(link)), &at);
       }
-    if (!at.file) vs_session_span(s, vm->top_place, &at); /* a macro's procedure that the library calls: the use of the macro */
+    if (!at.file) vs_session_span(s, vm->top_place, &at); /* a macro's procedure that the library calls: the use of the
+                                                           * macro */
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
     printed = printed && vs_session_advise(s, r[0], at, &t);
     if (s->bind.bad_parameter) { /* what was set from outside is at fault, not the line that defines it */
@@ -159,7 +171,9 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
       vs_span span;
       char *text;
       size_t bytes;
-      if (!vs_is_pair(more) || !vs_is_fixnum(vs_car(more)) || !vs_is_string(vs_cdr(more)) || !vs_session_span(s, vs_pos_of(vs_car(more)), &span)) continue;
+      if (!vs_is_pair(more) || !vs_is_fixnum(vs_car(more)) || !vs_is_string(vs_cdr(more)) ||
+          !vs_session_span(s, vs_pos_of(vs_car(more)), &span))
+        continue;
       if (!vs_bind_text(vm, vs_cdr(more), &text, &bytes)) break;
       tell(s, VS_SEVERITY_ERROR, outcome, span, text, NULL, 0);
       vs_mem(vm, text, bytes, 0);

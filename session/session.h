@@ -1,5 +1,5 @@
-/* Owns one interpreter's outside: what the embedder gave, memory, files, sources kept for messages, the interrupt flag. session/visualscheme.c is
- * the public face of it; vm->host and vm->config.user both point to it. */
+/* Owns one interpreter's outside: what the embedder gave, memory, files, sources kept for messages, the interrupt flag.
+ * session/visualscheme.c is the public face of it; vm->host and vm->config.user both point to it. */
 #ifndef VS_SESSION_SESSION_H
 #define VS_SESSION_SESSION_H
 
@@ -18,7 +18,11 @@
 #include "vm/values/text.h"
 
 /* The text of a source, for the line that a message shows. */
-typedef struct { char *name, *text; size_t name_bytes, length, room, lines /* that end in it */; unsigned first_line; } vs_source;
+typedef struct {
+  char *name, *text;
+  size_t name_bytes, length, room, lines /* that end in it */;
+  unsigned first_line;
+} vs_source;
 
 enum { VS_STREAMS = 64 };
 typedef struct {
@@ -42,9 +46,11 @@ typedef struct {
   vs_tally tally;           /* the differences that it made; peaks its own */
   double nodes, distinct;   /* of the drawing, as a tree; by value */
   vs_pass_stats passes;
-  double alone[VS_PASS_COUNT], without[VS_PASS_COUNT]; /* commands with this pass only; with all others that were asked for */
+  double alone[VS_PASS_COUNT], without[VS_PASS_COUNT]; /* commands with this pass only; with all others that were asked
+                                                        * for */
   vs_cache_stats cache;     /* hits and misses: the differences */
-  double stages[VS_STAGE_COUNT]; /* seconds of each stage; NAN: the format does without it, or the output had failed before */
+  double stages[VS_STAGE_COUNT]; /* seconds of each stage; NAN: the format does without it, or the output had failed
+                                  * before */
 } vs_output_record;
 
 /* A procedure that was seen running (names.c). */
@@ -111,7 +117,8 @@ void vs_session_close_files(vs_session *s);
 void vs_session_free_sources(vs_session *s);
 
 /* ---- statistics.c ---- */
-/* Round an output: begin before anything is done for it, count when the drawing is ready for the passes, end when it is written or has failed. False: out of memory. */
+/* Round an output: begin before anything is done for it, count when the drawing is ready for the passes, end when it is
+ * written or has failed. False: out of memory. */
 /* The host's format of this name, ending or path; NULL: it brought none such. */
 const vs_format *vs_session_own_format(const vs_session *s, const char *text);
 void vs_session_free_own_formats(vs_session *s);
@@ -123,7 +130,8 @@ void vs_session_free_outputs(vs_session *s);
 /* ---- report.c ---- */
 /* Copies the line into room; NULL: the source is not kept or has no such line. */
 const char *vs_session_source_line(const vs_session *s, const char *file, uint32_t line, char *room, size_t size);
-vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage /* its own fault is the caller's: exit 2 */);
+vs_outcome vs_session_report_condition(vs_session *s, vs_value condition,
+                                       bool usage /* its own fault is the caller's: exit 2 */);
 /* Appends to t, the error's text, what the program's own text says about it, or puts something better in its place
  * (advice.c). at: where the error
  * is shown. False: out of memory. */
@@ -131,8 +139,10 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
 bool vs_session_advise_empty(vs_session *s, vs_text *t); /* the same for a drawing without objects */
 bool vs_session_span(vs_session *s, vs_pos place, vs_span *out); /* false: nowhere in the user sources */
 vs_outcome vs_session_report_error(vs_session *s, const vs_error *e);
-void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin, const char *message);
-void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line, uint32_t column, const char *message);
+void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin,
+                       const char *message);
+void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line,
+                          uint32_t column, const char *message);
 void vs_session_warn(void *session, const vs_origin *origin, const char *message); /* vs_bind.warn */
 
 #endif

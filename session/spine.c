@@ -8,7 +8,8 @@
  *   tree → meshes         where a format needs  solids/solid_meshes.c, kernel/evaluate.c
  *   tree → file           the last stage        backends/driver.c, backends/export.c
  *
- * The first four happen form by form in vs_eval_text and vs_eval_file (visualscheme.c). Everything after them is in this file, from top to bottom. */
+ * The first four happen form by form in vs_eval_text and vs_eval_file (visualscheme.c). Everything after them is in
+ * this file, from top to bottom. */
 #include "session/spine.h"
 
 #include <stdio.h>
@@ -49,9 +50,12 @@ static bool keep_resolving(void *session, double done) {
   return !vs_session_interrupted(session);
 }
 
-static void job_warn(void *job, const vs_origin *origin, const char *message) { vs_session_warn(((vs_job *)job)->session, origin, message); }
+static void job_warn(void *job, const vs_origin *origin, const char *message) {
+  vs_session_warn(((vs_job *)job)->session, origin, message);
+}
 
-/* Tells the host how far the output is, ten times a second at most; a quick output is not told of at all. Returns false if the host interrupts. */
+/* Tells the host how far the output is, ten times a second at most; a quick output is not told of at all. Returns false
+ * if the host interrupts. */
 static bool job_progress(void *job, const char *stage, double fraction) {
   vs_job *j = job;
   const vs_host *h = &j->session->options.host;
@@ -81,19 +85,24 @@ void vs_session_size(const vs_output_options *o, vs_export_options *e) {
   if (!e->width) e->width = 1024, e->height = 768;
 }
 
-/* Sets the export's options from those that the caller asked for, those that the program set, and the session's limits. */
+/* Sets the export's options from those that the caller asked for, those that the program set, and the session's
+ * limits. */
 static void set_options(vs_job *j) {
-  static const vs_render_quality qualities[] = { [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL };
+  static const vs_render_quality qualities[] = {
+    [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL
+  };
   const vs_options *limits = &j->session->options;
   const vs_output_options *o = j->options;
   vs_export_options *e = &j->export;
   vs_export_options_init(e);
   e->context = j, e->warn = job_warn, e->progress = job_progress;
-  e->safe = limits->untrusted || limits->limit_time > 0 || limits->limit_memory || limits->limit_steps || limits->limit_output;
+  e->safe = limits->untrusted || limits->limit_time > 0 || limits->limit_memory || limits->limit_steps ||
+            limits->limit_output;
   e->mesh_triangles = limits->limit_triangles;
   e->worker_seconds = limits->limit_worker;
   e->strict = o->strict;
-  if (limits->limit_memory) e->mesh_bytes = j->session->bytes < limits->limit_memory ? limits->limit_memory - j->session->bytes : 1;
+  if (limits->limit_memory)
+    e->mesh_bytes = j->session->bytes < limits->limit_memory ? limits->limit_memory - j->session->bytes : 1;
   vs_session_size(o, e);
   memcpy(e->crop, o->crop, sizeof e->crop);
   e->quality = qualities[o->quality];
@@ -106,7 +115,8 @@ static void set_options(vs_job *j) {
   vs_session_aim(o, scene);
 }
 
-/* ---- the stages: each returns false with the job's error set, or with its outcome set where it has reported the failure itself ---- */
+/* ---- the stages: each returns false with the job's error set, or with its outcome set where it has reported the
+ * failure itself ---- */
 
 /* Works out what the tree of nodes shows, as an evaluation of its own. *beside false: what is drawn is a node's, and
  * what the root had drawn is among the objects. */
@@ -121,7 +131,8 @@ static bool show_nodes(vs_job *j, bool *beside, vs_value *objects) {
   return ok;
 }
 
-/* Nodes that only dead values hold would look shared. The copy's references are retained, because later stages put others in their place. */
+/* Nodes that only dead values hold would look shared. The copy's references are retained, because later stages put
+ * others in their place. */
 static bool stage_collect(vs_job *j) {
   vs_session *s = j->session;
   bool beside = true, change = j->options && j->options->change;
@@ -153,7 +164,8 @@ static bool stage_collect(vs_job *j) {
   return true;
 }
 
-/* The drawing functions are an evaluation of their own, with limits of their own: the output's time counts from their end. */
+/* The drawing functions are an evaluation of their own, with limits of their own: the output's time counts from their
+ * end. */
 static bool stage_hand_over(vs_job *j) {
   vs_session *s = j->session;
   const vs_format *f = j->format;
@@ -169,7 +181,8 @@ static bool stage_hand_over(vs_job *j) {
     s->phase = NULL;
     vs_tally_enter(&s->tally, VS_WORK_PASSES);
     if (!ok) {
-      j->outcome = s->bind.handed.kind != VS_ERROR_NONE ? vs_session_report_error(s, &s->bind.handed) : vs_session_report_condition(s, s->bind.vm->condition, false);
+      j->outcome = s->bind.handed.kind != VS_ERROR_NONE ? vs_session_report_error(s, &s->bind.handed)
+                                                        : vs_session_report_condition(s, s->bind.vm->condition, false);
       return false;
     }
   }
@@ -181,7 +194,8 @@ static bool stage_hand_over(vs_job *j) {
 
 static bool stage_sugar(vs_job *j) {
   static const vs_settle_options solids_only = { .highlights = VS_MARKS_DROP, .keeps_text = true };
-  return j->format ? vs_export_settle(&j->scene, j->format, &j->export, &j->error) : vs_scene_settle(&j->scene, &solids_only, &j->error);
+  return j->format ? vs_export_settle(&j->scene, j->format, &j->export, &j->error)
+                   : vs_scene_settle(&j->scene, &solids_only, &j->error);
 }
 
 /* Appends to message the names of the model's views. */
@@ -215,9 +229,11 @@ static bool stage_resolve(vs_job *j) {
 
 /* A back-end of the program's own gets the drawing without the passes, unless it asked for them. */
 static bool stage_optimise(vs_job *j) {
-  const vs_bind_back_end *own = j->format->backend == &vs_backend_given ? vs_bind_back_end_find(&j->session->bind, j->format->name) : NULL;
+  const vs_bind_back_end *own =
+      j->format->backend == &vs_backend_given ? vs_bind_back_end_find(&j->session->bind, j->format->name) : NULL;
   unsigned passes = own && !own->optimised ? 0 : j->options->passes;
-  return (!j->options->count || vs_session_output_nodes(j->session, &j->scene, passes, &j->error)) && vs_scene_optimise(&j->scene, passes, &j->record->passes, &j->error);
+  return (!j->options->count || vs_session_output_nodes(j->session, &j->scene, passes, &j->error)) &&
+         vs_scene_optimise(&j->scene, passes, &j->record->passes, &j->error);
 }
 
 static bool stage_ink(vs_job *j) { return vs_scene_ink(&j->scene, &j->error); }
@@ -230,7 +246,8 @@ static bool stage_group(vs_job *j) { return vs_scene_group(&j->scene, &j->error)
 static bool stage_defined(vs_job *j) {
   vs_session *s = j->session;
   vs_session_begin(s, 0);
-  bool ok = vs_bind_back_end_write(&s->bind, j->format->name, j->scene.drawn, j->scene.drawn_count, &j->text, &j->text_bytes);
+  bool ok =
+      vs_bind_back_end_write(&s->bind, j->format->name, j->scene.drawn, j->scene.drawn_count, &j->text, &j->text_bytes);
   s->phase = NULL;
   vs_tally_enter(&s->tally, VS_WORK_PASSES);
   j->export.given = j->text, j->export.given_size = j->text_bytes;
@@ -246,8 +263,10 @@ static bool write_bytes(void *sink, const void *bytes, size_t count) {
 static bool stage_write(vs_job *j) {
   vs_tally_enter(&j->session->tally, VS_WORK_EMIT);
   vs_scene scene = j->scene;
-  if (j->format->backend == &vs_backend_given) scene.drawn = NULL, scene.drawn_count = scene.drawn_room = 0; /* its text is made already */
-  return j->to ? vs_export_to(&scene, j->format, write_bytes, j->to, &j->export, &j->error) : vs_export(&scene, j->format, j->path, &j->export, &j->error);
+  /* its text is made already */
+  if (j->format->backend == &vs_backend_given) scene.drawn = NULL, scene.drawn_count = scene.drawn_room = 0;
+  return j->to ? vs_export_to(&scene, j->format, write_bytes, j->to, &j->export, &j->error)
+               : vs_export(&scene, j->format, j->path, &j->export, &j->error);
 }
 
 /* ---- the table, and the way through it ---- */
@@ -313,13 +332,22 @@ static vs_outcome end_job(vs_job *j, bool ok) {
   if (ok) return VS_OUTCOME_DONE;
   if (j->outcome != VS_OUTCOME_DONE) return j->outcome;
   if (nothing && report_nothing(s, j->error.message)) return VS_OUTCOME_MODEL;
-  if (stopped) vs_error_set(&j->error, VS_ERROR_MEMORY, NULL, "the output: stopped after %g seconds, the limit", s->options.limit_time);
+  if (stopped)
+    vs_error_set(&j->error, VS_ERROR_MEMORY, NULL, "the output: stopped after %g seconds, the limit",
+                 s->options.limit_time);
   return vs_session_report_error(s, &j->error);
 }
 
-vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *format, const vs_output_options *options, vs_byte_sink *to) {
+vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *format, const vs_output_options *options,
+                            vs_byte_sink *to) {
   if (!vs_session_output_begin(s, path, format->name)) return vs_session_out_of_memory(s);
-  vs_job j = { .session = s, .format = format, .options = options, .path = path, .to = to, .record = &s->outputs[s->output_count - 1], .told = vs_session_clock(s) };
+  vs_job j = { .session = s,
+               .format = format,
+               .options = options,
+               .path = path,
+               .to = to,
+               .record = &s->outputs[s->output_count - 1],
+               .told = vs_session_clock(s) };
   vs_tally_enter(&s->tally, VS_WORK_PASSES);
   vs_outcome outcome = end_job(&j, go_through(&j, VS_STAGE_WRITE));
   vs_session_output_end(s, outcome == VS_OUTCOME_DONE);
@@ -338,7 +366,9 @@ static bool summarise(vs_session *s, const vs_scene *scene, vs_summary *out, vs_
     sum.all += c.all;
     for (int k = 0; k < VS_INHERIT; k++) sum.of[k] += c.of[k];
   }
-  if (!vs_drawn_bounds_all(scene->drawn, scene->drawn_count, &facets, &options, VS_DRAWN_BOUNDS_MOST, &all, &out->bounds_at_most, e)) return false;
+  if (!vs_drawn_bounds_all(scene->drawn, scene->drawn_count, &facets, &options, VS_DRAWN_BOUNDS_MOST, &all,
+                           &out->bounds_at_most, e))
+    return false;
   out->objects = (size_t)sum.all;
   out->solids = (size_t)sum.of[VS_SOLID], out->surfaces = (size_t)sum.of[VS_SURFACE];
   out->regions = (size_t)sum.of[VS_REGION_CLASS], out->curves = (size_t)sum.of[VS_CURVE];

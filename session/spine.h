@@ -1,4 +1,5 @@
-/* Owns the two ways in which a session's drawing is used: written to an output, or summed up. Both go through the stages of stages.def. */
+/* Owns the two ways in which a session's drawing is used: written to an output, or summed up. Both go through the
+ * stages of stages.def. */
 #ifndef VS_SESSION_SPINE_H
 #define VS_SESSION_SPINE_H
 
@@ -8,8 +9,10 @@
 /* Where an output's bytes go when it has no path: write returns false to stop. */
 typedef struct { bool (*write)(void *context, const void *bytes, size_t count); void *context; } vs_byte_sink;
 
-/* Writes the drawing as a format to path, or to the sink where path is NULL. Reports a failure to the host and returns its kind. */
-vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *format, const vs_output_options *options, vs_byte_sink *to);
+/* Writes the drawing as a format to path, or to the sink where path is NULL. Reports a failure to the host and returns
+ * its kind. */
+vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *format, const vs_output_options *options,
+                            vs_byte_sink *to);
 /* Counts what is drawn and bounds it, in *out. Reports a failure to the host and returns its kind. */
 vs_outcome vs_session_summary(vs_session *s, vs_summary *out);
 

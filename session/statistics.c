@@ -1,4 +1,5 @@
-/* Owns what an interpreter says about its own work: the account of each output, the counts of its drawing, and the keys that both are told by.
+/* Owns what an interpreter says about its own work: the account of each output, the counts of its drawing, and the keys
+ * that both are told by.
  *
  * Phases share all time between them, so an output's add up to its time, and outputs and programs to the whole. */
 #include "session/session.h"
@@ -34,7 +35,13 @@ bool vs_session_output_begin(vs_session *s, const char *path, const char *format
   }
   vs_tally_enter(t, VS_WORK_NONE); /* what came before is settled */
   vs_output_record *r = &s->outputs[s->output_count++];
-  *r = (vs_output_record){ .path = copy, .path_bytes = bytes, .format = format, .tally = *t, .nodes = NAN, .distinct = NAN, .passes = { .commands_before = NAN, .commands_after = NAN },
+  *r = (vs_output_record){ .path = copy,
+                           .path_bytes = bytes,
+                           .format = format,
+                           .tally = *t,
+                           .nodes = NAN,
+                           .distinct = NAN,
+                           .passes = { .commands_before = NAN, .commands_after = NAN },
                            .cache = vs_cache_count(vs_store_cache(s->bind.store)) };
   for (int i = 0; i < VS_PASS_COUNT; i++) r->alone[i] = r->without[i] = NAN;
   for (int i = 0; i < VS_STAGE_COUNT; i++) r->stages[i] = NAN;
@@ -53,7 +60,8 @@ void vs_session_output_end(vs_session *s, bool done) {
     r->tally.of[i] = (vs_phase_use){ all->seconds - before.seconds, all->growth - before.growth, all->peak };
     if (before.peak > all->peak) all->peak = before.peak;
   }
-  for (int i = 0; i < VS_WORK_NONE; i++) s->write_seconds += r->tally.of[i].seconds; /* without the counting, which nobody would wait for */
+  /* without the counting, which nobody would wait for */
+  for (int i = 0; i < VS_WORK_NONE; i++) s->write_seconds += r->tally.of[i].seconds;
   r->tally.written = t->written - r->tally.written;
   r->tally.clusters = t->clusters - r->tally.clusters;
   r->tally.combined = t->combined - r->tally.combined;
@@ -64,7 +72,8 @@ void vs_session_output_end(vs_session *s, bool done) {
   r->tally.texts = t->texts - r->tally.texts;
   r->tally.texts_found = t->texts_found - r->tally.texts_found;
   r->tally.bytes_found = t->bytes_found - r->tally.bytes_found;
-  for (int i = 0; i < VS_CACHED_KINDS; i++) r->cache.hits[i] = now.hits[i] - r->cache.hits[i], r->cache.misses[i] = now.misses[i] - r->cache.misses[i];
+  for (int i = 0; i < VS_CACHED_KINDS; i++)
+    r->cache.hits[i] = now.hits[i] - r->cache.hits[i], r->cache.misses[i] = now.misses[i] - r->cache.misses[i];
 }
 
 void vs_session_free_outputs(vs_session *s) {
@@ -87,7 +96,8 @@ static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs
   if (!vs_order_make(&order, scene->drawn, scene->drawn_count, e)) return false;
   size_t lone = 0, count = order.count;
   for (size_t i = 0; i < order.count; i++)
-    for (uint32_t k = 0; k < order.at[i].node->child_count; k++) lone += !vs_order_has(&order, order.at[i].node->children[k].node);
+    for (uint32_t k = 0; k < order.at[i].node->child_count; k++)
+      lone += !vs_order_has(&order, order.at[i].node->children[k].node);
   for (size_t i = 0; i < scene->drawn_count; i++) lone += !vs_order_has(&order, scene->drawn[i].node);
   uint64_t *hashes = malloc((order.count + lone + 1) * sizeof *hashes);
   double *sizes = malloc((order.count + 1) * sizeof *sizes);
@@ -122,7 +132,8 @@ static bool count_commands(const vs_scene *scene, unsigned passes, double *comma
   vs_pass_stats stats;
   copy.drawn = NULL, copy.drawn_count = copy.drawn_room = 0;
   bool ok = true;
-  for (size_t i = 0; ok && i < scene->drawn_count; i++) ok = vs_scene_draw(&copy, scene->drawn[i]) || vs_error_memory(e, NULL);
+  for (size_t i = 0; ok && i < scene->drawn_count; i++)
+    ok = vs_scene_draw(&copy, scene->drawn[i]) || vs_error_memory(e, NULL);
   ok = ok && vs_scene_optimise(&copy, passes, &stats, e);
   if (ok) *commands = stats.commands_after;
   for (size_t i = 0; i < copy.drawn_count; i++) vs_node_release(copy.drawn[i].node);

@@ -1,4 +1,5 @@
-/* Owns the implementation of visualscheme.h: ties interpreter, model, geometry's procedures and back-ends into one object. */
+/* Owns the implementation of visualscheme.h: ties interpreter, model, geometry's procedures and back-ends into one
+ * object. */
 #include "visualscheme.h"
 
 #include <stdlib.h>
@@ -114,17 +115,20 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || r[0] == VS_UNSPECIFIC) return true;
   if (s->flags & VS_EVAL_NUMBER && !name_result(s, r[0])) return false;
   if (s->flags & VS_EVAL_NUMBER && vs_bind_ref(r[0]).node) return tell_object(s, r[0]);
-  enum { MOST = 4000, MOST_NUMBERED = 1000 }; /* bytes: a drawing of thousands of parts is no answer to read; what has a number can be asked further */
+  enum { MOST = 4000, MOST_NUMBERED = 1000 }; /* bytes: a drawing of thousands of parts is no answer to read; what has a
+                                               * number can be asked further */
   vs_text shown, t;
   vs_text_open(vm, &shown, s->flags & VS_EVAL_NUMBER ? MOST_NUMBERED : MOST);
   vs_text_open(vm, &t, 0);
   bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown);
   size_t objects = shown.cut && s->flags & VS_EVAL_NUMBER ? objects_in_list(r[0]) : 0;
   char note[60] = "";
-  while (shown.cut && shown.count && shown.at[shown.count - 1] != ' ') shown.count--; /* whole words: half a number is another number */
+  /* whole words: half a number is another number */
+  while (shown.cut && shown.count && shown.at[shown.count - 1] != ' ') shown.count--;
   if (shown.cut && shown.count) shown.count--;
   if (objects) snprintf(note, sizeof note, "#<list of %zu objects>", objects);
-  else if (shown.cut && s->flags & VS_EVAL_NUMBER) snprintf(note, sizeof note, " ... ; (display $%u) shows all of it", s->results);
+  else if (shown.cut && s->flags & VS_EVAL_NUMBER)
+    snprintf(note, sizeof note, " ... ; (display $%u) shows all of it", s->results);
   else if (shown.cut) snprintf(note, sizeof note, " ...");
   ok = ok && (objects || vs_text_put(&t, shown.at ? shown.at : "", shown.count)) && vs_text_puts(&t, note);
   vs_bind_counts parts;
@@ -151,12 +155,15 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
 static void warn_program(vs_scheme *vm, vs_pos place, const char *message) {
   vs_session *s = vs_session_of(vm);
   vs_span at;
-  if (vs_session_span(s, place, &at)) vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, at.file, at.line, at.column, message);
+  if (vs_session_span(s, place, &at))
+    vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, at.file, at.line, at.column, message);
 }
 
 /* for register-drawing-function and define-back-end: as (vs_format_find), but no path */
 static bool is_built_in(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
-static bool is_format(const vs_bind *b, const char *name) { return is_built_in(name) || (!strpbrk(name, "./") && vs_bind_back_end_find(b, name) != NULL); }
+static bool is_format(const vs_bind *b, const char *name) {
+  return is_built_in(name) || (!strpbrk(name, "./") && vs_bind_back_end_find(b, name) != NULL);
+}
 
 static void warn_vm(vs_scheme *vm, const char *kind, const char *message) { vs_bind_warn(vs_bind_of(vm), kind, "%s",
     message); }
@@ -168,11 +175,15 @@ static vs_vm_phase vm_phase(void *session, vs_vm_phase phase) {
   vs_work_phase was = vs_tally_enter(&((vs_session *)session)->tally, (vs_work_phase)phase);
   return was <= VS_WORK_RUN ? (vs_vm_phase)was : VS_VM_RUN;
 }
-_Static_assert((int)VS_WORK_READ == VS_VM_READ && (int)VS_WORK_EXPAND == VS_VM_EXPAND && (int)VS_WORK_COMPILE == VS_VM_COMPILE && (int)VS_WORK_RUN == VS_VM_RUN, "tally.def");
+_Static_assert((int)VS_WORK_READ == VS_VM_READ && (int)VS_WORK_EXPAND == VS_VM_EXPAND &&
+                   (int)VS_WORK_COMPILE == VS_VM_COMPILE && (int)VS_WORK_RUN == VS_VM_RUN,
+               "tally.def");
 
 static bool keep_making(void *session) { return !vs_session_interrupted(session); }
 
-static void *store_memory(void *session, void *old, size_t old_bytes, size_t bytes) { return vs_session_memory(session, old, old_bytes, bytes); }
+static void *store_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
+  return vs_session_memory(session, old, old_bytes, bytes);
+}
 
 static void *bootstrap_memory(const vs_options *o, void *old, size_t old_bytes, size_t bytes) {
   if (o->alloc) return o->alloc(o->alloc_context, old, old_bytes, bytes);
@@ -221,15 +232,33 @@ vs_scheme *vs_new(const vs_options *options) {
   if (!s) return NULL;
   memset(s, 0, sizeof *s);
   s->options = o;
-  s->tally = (vs_tally){ .clock = tally_clock, .context = s, .held = &s->bytes, .now = VS_WORK_NONE, .since = vs_session_clock(s) };
+  s->tally = (vs_tally){
+    .clock = tally_clock, .context = s, .held = &s->bytes, .now = VS_WORK_NONE, .since = vs_session_clock(s)
+  };
   atomic_init(&s->interrupted, false);
   bool copied = copy_texts(s);
   vs_config config = {
-    .memory = vs_session_memory, .user = s, .memory_limit = o.limit_memory, .step_limit = o.limit_steps, .output_limit = o.limit_output, .time_limit = o.limit_time,
-    .phase = vm_phase, .clock = vs_session_clock, .interrupted = vs_session_interrupted, .tables = vs_nodes_tables(), .image = &vs_library_image,
-    .io = &vs_session_io, .keep_frames = o.keep_frames, .value = take_value, .dropped = vs_bind_dropped, .warn =
-        warn_program, .suspect = warn_vm, .library_path = s->options.library_path, .shipped = vs_shipped_library,
-    .command_line = s->options.command_line, .command_line_count = s->options.command_line_count,
+    .memory = vs_session_memory,
+    .user = s,
+    .memory_limit = o.limit_memory,
+    .step_limit = o.limit_steps,
+    .output_limit = o.limit_output,
+    .time_limit = o.limit_time,
+    .phase = vm_phase,
+    .clock = vs_session_clock,
+    .interrupted = vs_session_interrupted,
+    .tables = vs_nodes_tables(),
+    .image = &vs_library_image,
+    .io = &vs_session_io,
+    .keep_frames = o.keep_frames,
+    .value = take_value,
+    .dropped = vs_bind_dropped,
+    .warn = warn_program,
+    .suspect = warn_vm,
+    .library_path = s->options.library_path,
+    .shipped = vs_shipped_library,
+    .command_line = s->options.command_line,
+    .command_line_count = s->options.command_line_count,
   };
   vs_store *store = vs_store_new(store_memory, s);
   vs_scheme *vm = store && copied ? vs_open_vm(&config) : NULL;
@@ -348,7 +377,9 @@ vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
 }
 
 /* An interrupt that came while nothing ran ends the next evaluation before it begins. */
-static bool may_run(vs_session *s) { return !vs_session_interrupted(s) || vs_fail(s->bind.vm, s->bind.vm->sym.interrupt, "interrupted"); }
+static bool may_run(vs_session *s) {
+  return !vs_session_interrupted(s) || vs_fail(s->bind.vm, s->bind.vm->sym.interrupt, "interrupted");
+}
 
 vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, const char *text, size_t length,
                         unsigned flags) {
@@ -356,7 +387,8 @@ vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, co
   if (vs_session_busy(s, "vs_eval_text")) return VS_OUTCOME_USAGE;
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   vs_session_begin(s, flags);
-  if (!vs_session_keep_source(s, name, first_line, text, length)) return vs_session_finish(s, vs_fail_memory(vm), false);
+  if (!vs_session_keep_source(s, name, first_line, text, length))
+    return vs_session_finish(s, vs_fail_memory(vm), false);
   VS_ROOTS(vm, r, 1);
   bool within = flags & VS_EVAL_WITHIN && vs_is_pair(vm->at.stops), ok = may_run(s);
   if (within) ok = ok && vs_session_bindings(s, &r[0]) && vs_program_within(vm, name, first_line, text, length,
@@ -415,14 +447,20 @@ bool vs_exit_requested(const vs_scheme *vm, int *code) {
 }
 
 vs_read_status vs_read_check(vs_scheme *vm, const char *text, size_t length) {
-  static const vs_read_state states[] = {
-    [VS_TEXT_EMPTY] = VS_READ_EMPTY, [VS_TEXT_WHOLE] = VS_READ_COMPLETE, [VS_TEXT_OPEN] = VS_READ_INCOMPLETE, [VS_TEXT_BAD] = VS_READ_BAD
-  };
+  static const vs_read_state states[] = { [VS_TEXT_EMPTY] = VS_READ_EMPTY,
+                                          [VS_TEXT_WHOLE] = VS_READ_COMPLETE,
+                                          [VS_TEXT_OPEN] = VS_READ_INCOMPLETE,
+                                          [VS_TEXT_BAD] = VS_READ_BAD };
   vs_text_check c = { 0 };
   vm->steps = 0, vm->started = vs_session_clock(vs_session_of(vm)); /* no part of the evaluation before */
   vs_refuel(vm);
-  if (!vs_read_whole(vm, text, length, &c)) return (vs_read_status){ .state = VS_READ_BAD, .line = 1, .column = 1, .message = "out of memory" };
-  return (vs_read_status){ .state = states[c.state], .depth = c.depth, .line = c.line, .column = c.col, .message = c.state == VS_TEXT_BAD ? c.trouble : NULL };
+  if (!vs_read_whole(vm, text, length, &c))
+    return (vs_read_status){ .state = VS_READ_BAD, .line = 1, .column = 1, .message = "out of memory" };
+  return (vs_read_status){ .state = states[c.state],
+                           .depth = c.depth,
+                           .line = c.line,
+                           .column = c.col,
+                           .message = c.state == VS_TEXT_BAD ? c.trouble : NULL };
 }
 
 /* ---- completion ---- */
@@ -492,15 +530,27 @@ const char *vs_view_name(const vs_scheme *vm, size_t index) {
 size_t vs_parameter_count(const vs_scheme *vm) { return vs_session_of(vm)->bind.parameter_count; }
 
 bool vs_parameter_get(vs_scheme *vm, size_t index, vs_parameter_info *out) {
-  static const vs_parameter_type types[] = {
-    [VS_P_BOOLEAN] = VS_PARAMETER_BOOLEAN, [VS_P_INTEGER] = VS_PARAMETER_INTEGER, [VS_P_REAL] = VS_PARAMETER_REAL, [VS_P_STRING] = VS_PARAMETER_STRING, [VS_P_DATUM] = VS_PARAMETER_DATUM
-  };
+  static const vs_parameter_type types[] = { [VS_P_BOOLEAN] = VS_PARAMETER_BOOLEAN,
+                                             [VS_P_INTEGER] = VS_PARAMETER_INTEGER,
+                                             [VS_P_REAL] = VS_PARAMETER_REAL,
+                                             [VS_P_STRING] = VS_PARAMETER_STRING,
+                                             [VS_P_DATUM] = VS_PARAMETER_DATUM };
   vs_session *s = vs_session_of(vm);
   if (index >= s->bind.parameter_count) return false;
   const vs_bind_parameter *p = &s->bind.parameters[index];
   *out = (vs_parameter_info){
-    .name = p->name, .label = p->label, .group = p->group, .type = types[p->type], .value = p->value, .default_value = p->default_value,
-    .has_range = p->has_range, .min = p->min, .max = p->max, .step = p->step, .choices = p->choices, .choice_count = p->choice_count,
+    .name = p->name,
+    .label = p->label,
+    .group = p->group,
+    .type = types[p->type],
+    .value = p->value,
+    .default_value = p->default_value,
+    .has_range = p->has_range,
+    .min = p->min,
+    .max = p->max,
+    .step = p->step,
+    .choices = p->choices,
+    .choice_count = p->choice_count,
   };
   vs_session_span(s, p->at, &out->at);
   return true;
@@ -547,13 +597,18 @@ const vs_format_info *vs_format_find(const char *text) {
   return NULL;
 }
 
-/* The format that a name or an ending means here: the library's own, else one of the host's, else one that the program brought, which is put into *room. */
+/* The format that a name or an ending means here: the library's own, else one of the host's, else one that the program
+ * brought, which is put into *room. */
 static const vs_format *format_of(const vs_session *s, const char *text, vs_format *room) {
   const vs_format *own = vs_export_format_find(text);
   if (!own) own = vs_session_own_format(s, text);
   const vs_bind_back_end *brought = own ? NULL : vs_bind_back_end_find(&s->bind, text);
   if (!brought) return own;
-  *room = (vs_format){ .suffix = brought->suffix, .name = brought->name, .doc = brought->doc, .binary = brought->binary, .backend = &vs_backend_given };
+  *room = (vs_format){ .suffix = brought->suffix,
+                       .name = brought->name,
+                       .doc = brought->doc,
+                       .binary = brought->binary,
+                       .backend = &vs_backend_given };
   return room;
 }
 
@@ -561,7 +616,8 @@ bool vs_format_of(const vs_scheme *vm, const char *text, vs_format_info *out) {
   vs_format room;
   const vs_format *f = format_of(vs_session_of(vm), text, &room);
   if (!f) return false;
-  *out = (vs_format_info){ .name = f->name, .suffix = f->suffix, .doc = f->doc, .worker = f->worker, .binary = f->binary };
+  *out =
+      (vs_format_info){ .name = f->name, .suffix = f->suffix, .doc = f->doc, .worker = f->worker, .binary = f->binary };
   return true;
 }
 
@@ -576,7 +632,9 @@ const char *const *vs_pass_list(size_t *count) {
   return names;
 }
 
-vs_output_options vs_output_options_default(void) { return (vs_output_options){ .quality = VS_QUALITY_GOOD, .passes = VS_PASSES_ALL }; }
+vs_output_options vs_output_options_default(void) {
+  return (vs_output_options){ .quality = VS_QUALITY_GOOD, .passes = VS_PASSES_ALL };
+}
 
 /* False: it has been said that the part lies outside of the picture, or is empty. */
 static bool crop_is_within(vs_session *s, const vs_output_options *o) {
@@ -586,8 +644,8 @@ static bool crop_is_within(vs_session *s, const vs_output_options *o) {
   vs_session_size(o, &size);
   bool ok = c[0] >= 0 && c[1] >= 0 && c[2] > 0 && c[3] > 0 && c[2] <= size.width - c[0] && c[3] <= size.height - c[1];
   char text[200];
-  snprintf(text, sizeof text, "the part of %d by %d pixels at %d,%d is not within the picture of %d by %d", c[2], c[3], c[0],
-           c[1], size.width, size.height);
+  snprintf(text, sizeof text, "the part of %d by %d pixels at %d,%d is not within the picture of %d by %d", c[2], c[3],
+           c[0], c[1], size.width, size.height);
   if (!ok) vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
   return ok;
 }
@@ -602,7 +660,8 @@ static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_n
   const vs_format *format = wanted ? format_of(s, wanted, &room) : NULL;
   if (!format) {
     char text[400];
-    snprintf(text, sizeof text, "%.200s: no format has this ending; there are %s", wanted ? wanted : "no format given", vs_format_endings());
+    snprintf(text, sizeof text, "%.200s: no format has this ending; there are %s", wanted ? wanted : "no format given",
+             vs_format_endings());
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
     return VS_OUTCOME_USAGE;
   }

@@ -32,8 +32,8 @@ typedef enum {
 typedef struct { vs_part_fate fate; uint32_t other; /* its index in the other list, unless ALONE */ } vs_part_match;
 
 /* Pairs the parts of both lists: matches of before go to before[], those of after to after[], as many as there are
- * parts. Of equal parts each is paired once: those that moved or changed so that the ways and the differences of size are
- * least in all, or in order where that would take long. False: out of memory, or interrupted. */
+ * parts. Of equal parts each is paired once: those that moved or changed so that the ways and the differences of size
+ * are least in all, or in order where that would take long. False: out of memory, or interrupted. */
 bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_part_match *before, vs_part_match *after,
                           vs_error *e);
 
@@ -45,8 +45,8 @@ bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, con
                           const vs_part_match *after,
                      vs_node *out[VS_CHANGES], vs_error *e);
 
-/* The visible form of the node, its solids as a mesh that reaches a little further out everywhere: where a translucent solid
- * has the same wall, a ray meets this one first. The caller owns *out. */
+/* The visible form of the node, its solids as a mesh that reaches a little further out everywhere: where a translucent
+ * solid has the same wall, a ray meets this one first. The caller owns *out. */
 bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options *options, vs_node **out, vs_error *e);
 
 /* The volume of all solids among the parts of the node, together; NULL: 0. */

@@ -1,4 +1,5 @@
-/* Owns the bounds of what is drawn (drawn_bounds.h). Bounds that were computed are kept in the world cache by the node and the fineness. */
+/* Owns the bounds of what is drawn (drawn_bounds.h). Bounds that were computed are kept in the world cache by the node
+ * and the fineness. */
 #include "solids/drawn_bounds.h"
 #include "geometry/plane/outline.h"
 #include "geometry/plane/planar_evaluation.h"
@@ -39,7 +40,8 @@ static bool keeps_boxes(const vs_affine *a) {
   return true;
 }
 
-/* Of large models only BOX_LOOK nodes are looked at: they are cut somewhere, or would be looked at for longer than measured. */
+/* Of large models only BOX_LOOK nodes are looked at: they are cut somewhere, or would be looked at for longer than
+ * measured. */
 static bool box_is_exact(const vs_node *n, bool *exact) {
   node_stack s = { 0 };
   size_t seen = 0;
@@ -55,7 +57,9 @@ static bool box_is_exact(const vs_node *n, bool *exact) {
         n = n->children[0].node;
       }
       level = vs_kind_get((vs_kind)n->kind)->level;
-      if (steps == 16 || ((level == VS_LEVEL_SWEPT || level == VS_LEVEL_OPERATION || n->child_count > 0) && !keeps_boxes(&placed))) *exact = false;
+      if (steps == 16 ||
+          ((level == VS_LEVEL_SWEPT || level == VS_LEVEL_OPERATION || n->child_count > 0) && !keeps_boxes(&placed)))
+        *exact = false;
     }
     if (n->kind == VS_DIFFERENCE || n->kind == VS_INTERSECTION || n->kind == VS_SLICE) *exact = false;
     if (!*exact || ++seen > BOX_LOOK) break;
@@ -106,7 +110,8 @@ static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
 
 /* ---- the bounds of the points that a drawing of it has ---- */
 
-static bool drawn_solid(const vs_ref *ref, const vs_facets *facets, const vs_kernel_options *options, vs_bounds *out, vs_error *e) {
+static bool drawn_solid(const vs_ref *ref, const vs_facets *facets, const vs_kernel_options *options, vs_bounds *out,
+                        vs_error *e) {
   vs_solid solid = { 0 };
   vs_cache *cache = vs_store_cache(ref->node->store);
   const uint64_t words[] = { KEPT_BOUNDS, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
@@ -140,7 +145,8 @@ static bool drawn_region(const vs_node *n, const vs_facets *facets, vs_bounds *o
 
 static double drawn_in(double wide, double drawn, double near) { return fabs(wide - drawn) <= near ? wide : drawn; }
 
-bool vs_drawn_bounds(const vs_ref *ref, const vs_facets *facets, const vs_kernel_options *options, size_t *budget, vs_bounds *out, bool *at_most, vs_error *e) {
+bool vs_drawn_bounds(const vs_ref *ref, const vs_facets *facets, const vs_kernel_options *options, size_t *budget,
+                     vs_bounds *out, bool *at_most, vs_error *e) {
   const vs_node *n = ref->node;
   vs_bounds drawn = vs_bounds_empty();
   vs_facets f = *facets;
@@ -166,12 +172,15 @@ bool vs_drawn_bounds(const vs_ref *ref, const vs_facets *facets, const vs_kernel
   }
   if (vs_bounds_is_empty(&drawn)) return *out = drawn, true;
   double near = 2 * f.tolerance;
-  out->min = vs_v3(drawn_in(out->min.x, drawn.min.x, near), drawn_in(out->min.y, drawn.min.y, near), drawn_in(out->min.z, drawn.min.z, near));
-  out->max = vs_v3(drawn_in(out->max.x, drawn.max.x, near), drawn_in(out->max.y, drawn.max.y, near), drawn_in(out->max.z, drawn.max.z, near));
+  out->min = vs_v3(drawn_in(out->min.x, drawn.min.x, near), drawn_in(out->min.y, drawn.min.y, near),
+                   drawn_in(out->min.z, drawn.min.z, near));
+  out->max = vs_v3(drawn_in(out->max.x, drawn.max.x, near), drawn_in(out->max.y, drawn.max.y, near),
+                   drawn_in(out->max.z, drawn.max.z, near));
   return true;
 }
 
-bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, size_t budget, vs_bounds *out, bool *at_most, vs_error *e) {
+bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+                         size_t budget, vs_bounds *out, bool *at_most, vs_error *e) {
   node_stack s = { 0 };
   bool ok = true;
   *out = vs_bounds_empty();
@@ -182,7 +191,8 @@ bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_facets *face
       if (n->kind == VS_UNION || vs_node_is_dress(n)) {
         ok = push_children(&s, n) || vs_error_memory(e, refs[i].origin);
       } else {
-        ok = vs_drawn_bounds(&(vs_ref){ (vs_node *)(uintptr_t)n, refs[i].origin }, facets, options, &budget, &one, at_most, e);
+        ok = vs_drawn_bounds(&(vs_ref){ (vs_node *)(uintptr_t)n, refs[i].origin }, facets, options, &budget, &one,
+                             at_most, e);
         if (ok) vs_bounds_unite(out, &one);
       }
       if (s.count == 0) break;

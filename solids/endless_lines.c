@@ -1,11 +1,18 @@
-/* Owns lines without end: each is drawn as far as the drawing's box reaches, ten units to each side where the drawing holds nothing else. */
+/* Owns lines without end: each is drawn as far as the drawing's box reaches, ten units to each side where the drawing
+ * holds nothing else. */
 #include <stdlib.h>
 
 #include "geometry/measure/node_measures.h"
 #include "solids/resolve.h"
 #include "model/store/array.h"
 
-typedef struct { vs_vec3 p, way; bool ray; const vs_material *material; const char *layer; const vs_origin *origin; } endless;
+typedef struct {
+  vs_vec3 p, way;
+  bool ray;
+  const vs_material *material;
+  const char *layer;
+  const vs_origin *origin;
+} endless;
 typedef struct { endless *at; size_t count, room; } endless_list;
 typedef struct { vs_affine placed; const vs_material *material; const char *layer; } endless_level;
 
@@ -28,7 +35,8 @@ static bool collect(vs_ref root, endless_list *out, vs_error *e) {
     }
     levels[depth] = depth ? levels[depth - 1] : (endless_level){ vs_affine_identity(), NULL, NULL };
     endless_level *now = &levels[depth];
-    if (at.node->kind == VS_TRANSFORM) now->placed = vs_affine_multiply(&now->placed, &VS_AS(transform, at.node)->matrix);
+    if (at.node->kind == VS_TRANSFORM)
+      now->placed = vs_affine_multiply(&now->placed, &VS_AS(transform, at.node)->matrix);
     if (at.node->kind == VS_MATERIAL) now->material = VS_AS(material, at.node)->material;
     if (at.node->kind == VS_LAYER) now->layer = VS_AS(layer, at.node)->name;
     if (at.node->kind != VS_XLINE && at.node->kind != VS_RAY) continue;
@@ -37,8 +45,11 @@ static bool collect(vs_ref root, endless_list *out, vs_error *e) {
       break;
     }
     bool ray = at.node->kind == VS_RAY;
-    vs_vec3 p = ray ? VS_AS(ray, at.node)->p : VS_AS(xline, at.node)->p, way = ray ? VS_AS(ray, at.node)->v : vs_v3_sub(VS_AS(xline, at.node)->q, p);
-    out->at[out->count++] = (endless){ vs_affine_point(&now->placed, p), vs_affine_vector(&now->placed, way), ray, now->material, now->layer, at.origin };
+    vs_vec3 p = ray ? VS_AS(ray, at.node)->p : VS_AS(xline, at.node)->p,
+            way = ray ? VS_AS(ray, at.node)->v : vs_v3_sub(VS_AS(xline, at.node)->q, p);
+    out->at[out->count++] = (endless){
+      vs_affine_point(&now->placed, p), vs_affine_vector(&now->placed, way), ray, now->material, now->layer, at.origin
+    };
   }
   vs_walk_free(w);
   free(levels);
@@ -48,7 +59,8 @@ static bool collect(vs_ref root, endless_list *out, vs_error *e) {
 /* The line as far as b reaches, painted and in its layer; the empty node where it passes by. NULL: out of memory */
 static vs_node *clipped(vs_store *s, const endless *l, const vs_bounds *b) {
   vs_vec3 ends[2];
-  if (!vs_line_clip(l->p, vs_v3_unit(l->way), l->ray, b, &ends[0], &ends[1])) return vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
+  if (!vs_line_clip(l->p, vs_v3_unit(l->way), l->ray, b, &ends[0], &ends[1]))
+    return vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
   vs_points *points = vs_points_new(s, ends, 2);
   vs_ref made = { points ? vs_node_new(s, VS_LINE, &(struct vs_line){ .points = points }, NULL, 0) : NULL, l->origin };
   vs_points_release(s, points);
@@ -93,13 +105,17 @@ bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, const v
       for (size_t i = 0; i < lines.count; i++) vs_bounds_add(&all, lines.at[i].p);
       vs_bounds_add(&all, vs_v3(-10, -10, -10));
       vs_bounds_add(&all, vs_v3(10, 10, 10));
-    } else widen(&all, 1e-9 * vs_bounds_diagonal(&all)); /* a line in a flat drawing's plane lies in it, rounded or not */
+    } else widen(&all, 1e-9 * vs_bounds_diagonal(&all)); /* a line in a flat drawing's plane lies in it, rounded or
+                                                          * not */
   }
   for (size_t i = 0; ok && i < lines.count; i++) {
     vs_ref line = { clipped(scene->store, &lines.at[i], &all), lines.at[i].origin };
     if (notes && line.node && line.node->kind == VS_EMPTY)
-      notes->warn(notes->context, line.origin, lines.at[i].ray ? "make-ray: it does not meet the drawing's box, in which such lines are drawn: nothing of it is to be seen"
-                                                               : "make-xline: it does not meet the drawing's box, in which such lines are drawn: nothing of it is to be seen");
+      notes->warn(notes->context, line.origin,
+                  lines.at[i].ray ? "make-ray: it does not meet the drawing's box, in which such lines are drawn: "
+                                    "nothing of it is to be seen"
+                                  : "make-xline: it does not meet the drawing's box, in which such lines are drawn: "
+                                    "nothing of it is to be seen");
     ok = line.node ? vs_scene_draw(scene, line) || vs_error_memory(e, NULL) : vs_error_memory(e, NULL);
     vs_node_release(line.node);
   }

@@ -25,7 +25,8 @@ static int arm_compare(const void *p, const void *q) {
   return a->from != b->from ? (a->from < b->from ? -1 : 1) : a->to < b->to ? -1 : a->to > b->to;
 }
 
-/* The feature edges of m over the vertices `place`, as arms sorted by their start; *count is twice their number. NULL: out of memory */
+/* The feature edges of m over the vertices `place`, as arms sorted by their start; *count is twice their number. NULL:
+ * out of memory */
 static arm *feature_arms(const vs_mesh *m, const uint32_t *place, size_t *count) {
   size_t n = m->triangle_count, sides = 0;
   side *all = malloc((3 * n + 1) * sizeof *all);
@@ -34,7 +35,8 @@ static arm *feature_arms(const vs_mesh *m, const uint32_t *place, size_t *count)
   *count = 0;
   for (size_t i = 0; all && normal && i < n; i++) {
     uint32_t t[3] = { place[m->triangles[i][0]], place[m->triangles[i][1]], place[m->triangles[i][2]] };
-    normal[i] = vs_v3_unit(vs_v3_cross(vs_v3_sub(m->vertices[t[1]], m->vertices[t[0]]), vs_v3_sub(m->vertices[t[2]], m->vertices[t[0]])));
+    normal[i] = vs_v3_unit(
+        vs_v3_cross(vs_v3_sub(m->vertices[t[1]], m->vertices[t[0]]), vs_v3_sub(m->vertices[t[2]], m->vertices[t[0]])));
     for (int k = 0; k < 3; k++) {
       uint32_t a = t[k], b = t[(k + 1) % 3];
       if (a != b) all[sides++] = (side){ a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a, (uint32_t)i, a < b };
@@ -79,7 +81,8 @@ static bool runs_on(const vs_mesh *m, const arm *arms, size_t count, const arm *
   size_t first;
   if (arms_at(arms, count, in->to, &first) != 2) return false;
   *next = arms[first].edge == in->edge ? &arms[first + 1] : &arms[first];
-  vs_vec3 a = vs_v3_unit(vs_v3_sub(m->vertices[in->to], m->vertices[in->from])), b = vs_v3_unit(vs_v3_sub(m->vertices[(*next)->to], m->vertices[in->to]));
+  vs_vec3 a = vs_v3_unit(vs_v3_sub(m->vertices[in->to], m->vertices[in->from])),
+          b = vs_v3_unit(vs_v3_sub(m->vertices[(*next)->to], m->vertices[in->to]));
   return vs_v3_dot(a, b) > sharp;
 }
 
@@ -109,7 +112,9 @@ static bool follow(const vs_mesh *m, const arm *arms, size_t count, const arm *s
     used[at->edge] = true;
   }
   if (ok && !p->closed) ok = add_point(p, m->vertices[at->to]);
-  if (p->closed && p->count > 1) p->count -= p->at[p->count - 1].x == p->at[0].x && p->at[p->count - 1].y == p->at[0].y && p->at[p->count - 1].z == p->at[0].z;
+  if (p->closed && p->count > 1)
+    p->count -= p->at[p->count - 1].x == p->at[0].x && p->at[p->count - 1].y == p->at[0].y &&
+                p->at[p->count - 1].z == p->at[0].z;
   return ok;
 }
 

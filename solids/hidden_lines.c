@@ -2,9 +2,9 @@
  *
  * Notation. P(s) = p + s (q - p) is a place on the edge, s in 0..1. Behind a triangle are the places that satisfy
  * four conditions linear in s: P(s) lies on the inner side of the three planes through the viewer and a side of the
- * triangle, and behind the triangle's own plane. The part of an edge that a triangle hides is therefore one interval of s, by
- * clipping: in a perspective view just as in a parallel one, because the conditions are planes in space. The union of
- * the intervals is what is hidden.
+ * triangle, and behind the triangle's own plane. The part of an edge that a triangle hides is therefore one interval of
+ * s, by clipping: in a perspective view just as in a parallel one, because the conditions are planes in space. The
+ * union of the intervals is what is hidden.
  *
  * Touching. Distances up to the slack are none. A triangle is closed: an edge that runs along one of its sides,
  * further back, is hidden, because that side is an edge itself, or the surface goes on beyond it. An edge that lies

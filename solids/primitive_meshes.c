@@ -22,13 +22,19 @@ static bool failed(const vs_kernel_error *why, vs_error *e) {
   switch (why->status) {
   case VS_KERNEL_OUT_OF_MEMORY: return vs_error_memory(e, NULL);
   case VS_KERNEL_INTERRUPTED: return vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
-  case VS_KERNEL_FINE: case VS_KERNEL_OPEN: case VS_KERNEL_INSIDE_OUT: case VS_KERNEL_NOT_FINITE: case VS_KERNEL_LIMIT: case VS_KERNEL_INTERNAL: break;
+  case VS_KERNEL_FINE:
+  case VS_KERNEL_OPEN:
+  case VS_KERNEL_INSIDE_OUT:
+  case VS_KERNEL_NOT_FINITE:
+  case VS_KERNEL_LIMIT:
+  case VS_KERNEL_INTERNAL: break;
   }
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s", why->message);
 }
 
-/* Leaves out shells that are nothing but a crack or a flake: where faces of a mesh that overlaps itself lie on one another, rounding parts them by
- * some steps of the kernel's grid. thickness: a shell that is thinner on the whole goes. */
+/* Leaves out shells that are nothing but a crack or a flake: where faces of a mesh that overlaps itself lie on one
+ * another, rounding parts them by some steps of the kernel's grid. thickness: a shell that is thinner on the whole
+ * goes. */
 static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   vs_shells shells;
   bool ok = vs_shells_find(m, &shells);
@@ -44,17 +50,20 @@ static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   return ok;
 }
 
-bool vs_primitive_overlaps(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, bool *overlaps, vs_error *e) {
+bool vs_primitive_overlaps(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, bool *overlaps,
+                           vs_error *e) {
   vs_mesh m = { 0 };
   vs_mesh_flaws flaws = { 0 };
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
-  bool ok = vs_tessellate(n, f, &m, e) && (!m.triangle_count || vs_kernel_inspect(&m, options, &flaws, &why) || failed(&why, e));
+  bool ok = vs_tessellate(n, f, &m, e) &&
+            (!m.triangle_count || vs_kernel_inspect(&m, options, &flaws, &why) || failed(&why, e));
   *overlaps = flaws.wound_count > 0;
   vs_mesh_free(&m);
   return ok;
 }
 
-static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e) {
+static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out,
+                           vs_error *e) {
   vs_mesh_flaws flaws;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   vs_mesh whole = { 0 };
@@ -75,7 +84,8 @@ static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel
   return flaws.wound_count == 0 || drop_flakes(out, 1e-6 * vs_bounds_diagonal(&b), e);
 }
 
-bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, vs_error *e) {
+bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out,
+                       vs_error *e) {
   vs_tally *tally = vs_store_tally(n->store);
   vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
   bool ok = primitive_mesh(n, f, options, out, e);
@@ -85,7 +95,8 @@ bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_opt
 
 /* ---- shared ---- */
 
-typedef struct { uint64_t vertices, triangles; } header; /* then the vertices, then the corners, each at a sixteen (cache.c) */
+typedef struct { uint64_t vertices, triangles; } header; /* then the vertices, then the corners, each at a sixteen
+                                                          * (cache.c) */
 
 static void view(const vs_cached *held, vs_mesh *out) {
   header h;
@@ -98,7 +109,9 @@ static void view(const vs_cached *held, vs_mesh *out) {
 
 static void keep(vs_cache *cache, const vs_cache_key *key, vs_mesh *out, const vs_cached **held) {
   header h = { out->vertex_count, out->triangle_count };
-  const vs_cache_piece pieces[] = { { &h, sizeof h }, { out->vertices, out->vertex_count * sizeof *out->vertices }, { out->triangles, out->triangle_count * sizeof *out->triangles } };
+  const vs_cache_piece pieces[] = { { &h, sizeof h },
+                                    { out->vertices, out->vertex_count * sizeof *out->vertices },
+                                    { out->triangles, out->triangle_count * sizeof *out->triangles } };
   *held = vs_cache_keep(cache, key, pieces, 3);
   if (!*held) return;
   vs_mesh_free(out);
@@ -117,7 +130,8 @@ void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh 
   if (cache) keep(cache, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 }, out, held);
 }
 
-bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out, const vs_cached **held, vs_error *e) {
+bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options,
+                         vs_mesh *out, const vs_cached **held, vs_error *e) {
   if (vs_primitive_find(cache, n, f, out, held)) return true;
   if (!vs_primitive_mesh(n, f, options, out, e)) return false;
   vs_primitive_keep(cache, n, f, out, held);

@@ -50,7 +50,8 @@ static vs_node *nothing(vs_store *s) { return vs_node_new(s, VS_EMPTY, &(struct 
 
 static vs_node *line(vs_store *s, const vs_polyline *p) {
   vs_points *points = vs_points_new(s, p->at, p->count);
-  vs_node *n = points ? vs_node_new(s, VS_LINE, &(struct vs_line){ .points = points, .closed = p->closed }, NULL, 0) : NULL;
+  vs_node *n =
+      points ? vs_node_new(s, VS_LINE, &(struct vs_line){ .points = points, .closed = p->closed }, NULL, 0) : NULL;
   vs_points_release(s, points);
   return n;
 }
@@ -60,12 +61,16 @@ static vs_node *of_children(vs_store *s, vs_kind kind, vs_ref *refs, size_t coun
   bool ok = true;
   static const unsigned char none[8];
   for (size_t i = 0; i < count; i++) ok = ok && refs[i].node;
-  vs_node *n = !ok ? NULL : !count ? nothing(s) : count == 1 && alone ? vs_node_retain(refs[0].node) : vs_node_new(s, kind, none, refs, count);
+  vs_node *n = !ok                   ? NULL
+               : !count              ? nothing(s)
+               : count == 1 && alone ? vs_node_retain(refs[0].node)
+                                     : vs_node_new(s, kind, none, refs, count);
   for (size_t i = 0; i < count; i++) vs_node_release(refs[i].node);
   return n;
 }
 
-static vs_node *of_lines(vs_store *s, vs_kind kind, const vs_polyline *lines, size_t count, const vs_origin *origin, bool alone) {
+static vs_node *of_lines(vs_store *s, vs_kind kind, const vs_polyline *lines, size_t count, const vs_origin *origin,
+                         bool alone) {
   vs_ref *refs = malloc((count + 1) * sizeof *refs);
   if (!refs) return NULL;
   for (size_t i = 0; i < count; i++) refs[i] = (vs_ref){ line(s, &lines[i]), origin };
@@ -100,8 +105,11 @@ static bool surfaces(const resolver *r, vs_ref root, const vs_facets *f, vs_mesh
       break;
     }
     levels[depth].placed = depth ? levels[depth - 1].placed : vs_affine_identity();
-    if (at.node->kind == VS_TRANSFORM) levels[depth].placed = vs_affine_multiply(&levels[depth].placed, &VS_AS(transform, at.node)->matrix);
-    if (at.node->kind == VS_TRANSFORM || at.node->kind == VS_MATERIAL || at.node->kind == VS_LAYER || at.node->kind == VS_UNION) continue;
+    if (at.node->kind == VS_TRANSFORM)
+      levels[depth].placed = vs_affine_multiply(&levels[depth].placed, &VS_AS(transform, at.node)->matrix);
+    if (at.node->kind == VS_TRANSFORM || at.node->kind == VS_MATERIAL || at.node->kind == VS_LAYER ||
+        at.node->kind == VS_UNION)
+      continue;
     vs_walk_skip(w);
     if (at.node->class_ != VS_SURFACE) continue;
     size_t vertex = out->vertex_count, triangle = out->triangle_count;
@@ -131,9 +139,11 @@ static vs_node *flat_of(const resolver *r, const vs_ref *ref) {
   vs_node *made = NULL;
   if (child.node->class_ == VS_NOTHING) return nothing(r->store);
   bool ok = mesh_of(r, child, &solid);
-  if (ok && n->kind == VS_SECTION) ok = vs_mesh_section(&solid.mesh, VS_AS(section, n)->point, VS_AS(section, n)->normal, &o, r->error);
+  if (ok && n->kind == VS_SECTION)
+    ok = vs_mesh_section(&solid.mesh, VS_AS(section, n)->point, VS_AS(section, n)->normal, &o, r->error);
   else if (ok) ok = vs_mesh_shadow(&solid.mesh, VS_AS(project, n)->point, VS_AS(project, n)->normal, &o, r->error);
-  if (ok && !(made = of_lines(r->store, VS_REGION, o.loops, o.count, ref->origin, false))) vs_error_memory(r->error, ref->origin);
+  if (ok && !(made = of_lines(r->store, VS_REGION, o.loops, o.count, ref->origin, false)))
+    vs_error_memory(r->error, ref->origin);
   vs_outline_free(&o);
   vs_solid_free(&solid);
   return made;
@@ -146,7 +156,8 @@ static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin
   double radius[2];
   int segments;
   *known = true;
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || (n->kind == VS_UNION && n->child_count == 1)) {
+  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER ||
+         (n->kind == VS_UNION && n->child_count == 1)) {
     if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }
@@ -159,7 +170,8 @@ static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin
   } else if (n->kind == VS_CUT_CONE) {
     const struct vs_cut_cone *c = VS_AS(cut_cone, n);
     at[0] = c->base, at[1] = c->top, radius[0] = c->base_radius, radius[1] = c->top_radius, segments = c->segments;
-  } else if ((n->kind == VS_SPHERE && !VS_AS(sphere, n)->segments) || (n->kind == VS_TORUS && !VS_AS(torus, n)->segments)) {
+  } else if ((n->kind == VS_SPHERE && !VS_AS(sphere, n)->segments) ||
+             (n->kind == VS_TORUS && !VS_AS(torus, n)->segments)) {
     return nothing(r->store);
   } else {
     *known = false;
@@ -173,7 +185,10 @@ static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin
     if (!(radius[i] > 0)) continue;
     vs_affine frame = vs_frame_on_axis(at[i], vs_v3_sub(at[1], at[0])), place = vs_affine_multiply(&placed, &frame);
     vs_ref circle = { vs_node_new(r->store, VS_CIRCLE, &(struct vs_circle){ .radius = radius[i] }, NULL, 0), origin };
-    circles[count++] = (vs_ref){ circle.node ? vs_node_new(r->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = place }, &circle, 1) : NULL, origin };
+    circles[count++] = (vs_ref){
+      circle.node ? vs_node_new(r->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = place }, &circle, 1) : NULL,
+      origin
+    };
     vs_node_release(circle.node);
   }
   return of_children(r->store, VS_UNION, circles, count, true);
@@ -189,7 +204,8 @@ static vs_node *edges_of(const resolver *r, const vs_ref *ref) {
   vs_solid solid = { .part_count = 0 };
   vs_polylines lines = { 0 };
   bool ok = mesh_of(r, child, &solid) && vs_mesh_edges(&solid.mesh, &lines, r->error);
-  if (ok && !(made = of_lines(r->store, VS_UNION, lines.at, lines.count, ref->origin, true))) vs_error_memory(r->error, ref->origin);
+  if (ok && !(made = of_lines(r->store, VS_UNION, lines.at, lines.count, ref->origin, true)))
+    vs_error_memory(r->error, ref->origin);
   vs_polylines_free(&lines);
   vs_solid_free(&solid);
   return made;
@@ -200,8 +216,12 @@ static vs_node *polyface(vs_store *s, const vs_mesh *m, bool closed) {
   uint32_t *starts = malloc((m->triangle_count + 1) * sizeof *starts);
   vs_points *points = starts ? vs_points_new(s, m->vertices, m->vertex_count) : NULL;
   for (size_t i = 0; starts && i <= m->triangle_count; i++) starts[i] = (uint32_t)(3 * i);
-  vs_faces *faces = points ? vs_faces_new(s, starts, m->triangle_count, &m->triangles[0][0], 3 * m->triangle_count) : NULL;
-  vs_node *n = faces ? vs_node_new(s, VS_POLYFACE_MESH, &(struct vs_polyface_mesh){ .points = points, .faces = faces, .closed = closed }, NULL, 0) : NULL;
+  vs_faces *faces =
+      points ? vs_faces_new(s, starts, m->triangle_count, &m->triangles[0][0], 3 * m->triangle_count) : NULL;
+  vs_node *n =
+      faces ? vs_node_new(s, VS_POLYFACE_MESH,
+                          &(struct vs_polyface_mesh){ .points = points, .faces = faces, .closed = closed }, NULL, 0)
+            : NULL;
   vs_faces_release(s, faces);
   vs_points_release(s, points);
   free(starts);
@@ -218,7 +238,9 @@ static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
     vs_ref child = { now(r, n->children[i].node), n->children[i].origin };
     kids[i].origin = child.origin;
     if (!(child.node->flags & VS_NODE_CARVED)) kids[i].node = vs_node_retain(child.node);
-    else ok = mesh_of(r, child, &solid) && ((kids[i].node = polyface(r->store, &solid.mesh, true)) || vs_error_memory(r->error, child.origin));
+    else
+      ok = mesh_of(r, child, &solid) &&
+           ((kids[i].node = polyface(r->store, &solid.mesh, true)) || vs_error_memory(r->error, child.origin));
     vs_solid_free(&solid);
   }
   vs_node *made = ok ? vs_node_new(r->store, VS_HULL, vs_node_data(n), kids, n->child_count) : NULL;
@@ -270,11 +292,13 @@ static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
   if (ok && n->class_ == VS_CURVE) {
     vs_polyline q = { 0 };
     ok = vs_curve_sample(whole.node, &f, &q, p->r->error) &&
-         (vs_slice_polyline(&q, p->plane->point, p->plane->normal, keep_line, p) || vs_error_memory(p->r->error, part.origin));
+         (vs_slice_polyline(&q, p->plane->point, p->plane->normal, keep_line, p) ||
+          vs_error_memory(p->r->error, part.origin));
     vs_polyline_free(&q);
   } else if (ok && n->class_ == VS_SURFACE) {
     vs_mesh m = { 0 }, cut = { 0 };
-    ok = vs_tessellate(whole.node, &f, &m, p->r->error) && (vs_slice_mesh(&m, p->plane->point, p->plane->normal, &cut) || vs_error_memory(p->r->error, part.origin));
+    ok = vs_tessellate(whole.node, &f, &m, p->r->error) &&
+         (vs_slice_mesh(&m, p->plane->point, p->plane->normal, &cut) || vs_error_memory(p->r->error, part.origin));
     ok = ok && (!cut.triangle_count || keep_piece(p, polyface(s, &cut, false)));
     vs_mesh_free(&m);
     vs_mesh_free(&cut);
@@ -284,11 +308,16 @@ static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
     ok = vs_region_outline(whole.node, &f, &o, p->r->error);
     if (ok) {
       vs_plane flat = { .point = o.point, .normal = o.normal };
-      ok = vs_node_bounds(whole.node, &b, p->r->error) && (!o.count || keep_piece(p, vs_slice_region(whole, &flat, &b, p->plane->point, p->plane->normal)));
+      ok = vs_node_bounds(whole.node, &b, p->r->error) &&
+           (!o.count || keep_piece(p, vs_slice_region(whole, &flat, &b, p->plane->point, p->plane->normal)));
       vs_outline_free(&o);
     }
   } else if (ok && n->class_ == VS_SOLID) {
-    vs_ref pair[2] = { whole, { vs_node_new(s, VS_HALF_SPACE, &(struct vs_half_space){ .point = p->plane->point, .normal = p->plane->normal }, NULL, 0), part.origin } };
+    vs_ref pair[2] = { whole,
+                       { vs_node_new(s, VS_HALF_SPACE,
+                                     &(struct vs_half_space){ .point = p->plane->point, .normal = p->plane->normal },
+                                     NULL, 0),
+                         part.origin } };
     ok = keep_piece(p, pair[1].node ? vs_node_new(s, VS_INTERSECTION, &(struct vs_intersection){ 0 }, pair, 2) : NULL);
     vs_node_release(pair[1].node);
   }
@@ -314,7 +343,8 @@ static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
     const vs_node *n = at.node;
     bool solid = n->class_ == VS_SOLID || n->class_ == VS_NOTHING;
     if (!solid && (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_UNION)) {
-      if (n->kind == VS_TRANSFORM) levels[depth].placed = vs_affine_multiply(&levels[depth].placed, &VS_AS(transform, n)->matrix);
+      if (n->kind == VS_TRANSFORM)
+        levels[depth].placed = vs_affine_multiply(&levels[depth].placed, &VS_AS(transform, n)->matrix);
       if (n->kind == VS_MATERIAL) levels[depth].material = VS_AS(material, n)->material;
       continue;
     }
@@ -356,8 +386,10 @@ static vs_node *rebuilt(const resolver *r, const vs_node *n) {
     gone = gone || (i == 0 && kids[i].node->kind == VS_EMPTY);
   }
   bool profile = vs_node_role(n) == VS_ROLE_MADE && vs_node_has(n, VS_IS_OF_FIRST);
-  vs_node *made = profile && gone ? nothing(r->store) : n->kind == VS_THICKEN && vs_is_several(kids[0].node) ? thickened(r, n, kids[0])
-                                                      : vs_node_new(r->store, (vs_kind)n->kind, vs_node_data(n), kids, n->child_count);
+  vs_node *made = profile && gone ? nothing(r->store)
+                  : n->kind == VS_THICKEN && vs_is_several(kids[0].node)
+                      ? thickened(r, n, kids[0])
+                      : vs_node_new(r->store, (vs_kind)n->kind, vs_node_data(n), kids, n->child_count);
   free(kids);
   return made;
 }
@@ -383,7 +415,8 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
       return false;
     }
     if (n->kind == VS_EDGES && made->kind == VS_EMPTY && r->notes)
-      r->notes->warn(r->notes->context, ref->origin, "do-edges: no faces meet at an angle: nothing is made (the empty object)");
+      r->notes->warn(r->notes->context, ref->origin,
+                     "do-edges: no faces meet at an angle: nothing is made (the empty object)");
   } else {
     made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* a line without end */
   }
@@ -394,7 +427,8 @@ bool vs_resolve(vs_ref *refs, size_t count, const vs_facets *facets, const vs_ke
   return vs_resolve_noting(refs, count, facets, options, NULL, e);
 }
 
-bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, const vs_resolve_notes *notes, vs_error *e) {
+bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+                       const vs_resolve_notes *notes, vs_error *e) {
   bool ok = true;
   resolver r = { .facets = facets, .options = options, .notes = notes, .error = e };
   for (size_t i = 0; ok && i < count; i++) {
@@ -406,7 +440,8 @@ bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_facets *facets, cons
     for (vs_walk_event ev; ok && (ev = vs_walk_next(w, &at, NULL)) != VS_WALK_DONE;) {
       if (ev == VS_WALK_FAILED) ok = vs_error_memory(e, refs[i].origin);
       else if (ev == VS_WALK_ENTER && (!is_unresolved(at.node) || vs_nodemap_get(&r.known, at.node))) vs_walk_skip(w);
-      else if (ev == VS_WALK_LEAVE && is_unresolved(at.node) && !vs_nodemap_get(&r.known, at.node)) ok = resolve_one(&r, &at);
+      else if (ev == VS_WALK_LEAVE && is_unresolved(at.node) && !vs_nodemap_get(&r.known, at.node))
+        ok = resolve_one(&r, &at);
     }
     vs_walk_free(w);
     if (!ok) break;

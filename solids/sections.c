@@ -1,13 +1,14 @@
 /* Owns sections and shadows of closed meshes, as chains of directed edges in the plane.
  *
- * Section. The plane stands a hair above where it is, then a hair below, so that no vertex lies in it: a triangle with vertices on both sides
- * gives one edge, from where its border goes down through the plane to where it comes up; seen against the normal the solid is on the
- * left. Where an edge of the mesh goes through is worked out once for both its triangles, so the edges close. A vertex within 1e-7 of the
- * mesh's size counts as on the plane (the kernel's grid is finer), and is its own crossing. The section is the union of the cuts by both planes: a
- * face that lies in the plane is in one of the two.
+ * Section. The plane stands a hair above where it is, then a hair below, so that no vertex lies in it: a triangle with
+ * vertices on both sides gives one edge, from where its border goes down through the plane to where it comes up; seen
+ * against the normal the solid is on the left. Where an edge of the mesh goes through is worked out once for both its
+ * triangles, so the edges close. A vertex within 1e-7 of the mesh's size counts as on the plane (the kernel's grid is
+ * finer), and is its own crossing. The section is the union of the cuts by both planes: a face that lies in the plane
+ * is in one of the two.
  *
- * Shadow. The triangles that face along the normal, projected, wind round each point as often as they cover it; so do the edges that not both
- * of its triangles share: the outlines against the light. */
+ * Shadow. The triangles that face along the normal, projected, wind round each point as often as they cover it; so do
+ * the edges that not both of its triangles share: the outlines against the light. */
 #include "solids/sections.h"
 
 #include <stdlib.h>
@@ -35,7 +36,9 @@ static vs_affine plane_frame(vs_vec3 point, vs_vec3 normal) {
 
 /* Heights above the plane, and flat coordinates; NULL: out of memory */
 static vs_vec3 *in_frame(const vs_mesh *m, const vs_affine *frame) {
-  vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] }, y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] }, z = { frame->m[0][2], frame->m[1][2], frame->m[2][2] };
+  vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] },
+          y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] },
+          z = { frame->m[0][2], frame->m[1][2], frame->m[2][2] };
   vs_vec3 o = { frame->m[0][3], frame->m[1][3], frame->m[2][3] };
   vs_vec3 *at = malloc((m->vertex_count + 1) * sizeof *at);
   for (size_t i = 0; at && i < m->vertex_count; i++) {
@@ -94,7 +97,8 @@ bool vs_mesh_section(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline
     ok = ok && vs_area_of_chain((const vs_vec2 (*)[2])c.at, c.count, "do-section", &parts[k], e);
     free(c.at);
   }
-  ok = ok && vs_area_combine(VS_AREA_UNION, parts, 2, "do-section", &all, e) && (vs_area_outline(&all, &frame, o) || vs_error_memory(e, NULL));
+  ok = ok && vs_area_combine(VS_AREA_UNION, parts, 2, "do-section", &all, e) &&
+       (vs_area_outline(&all, &frame, o) || vs_error_memory(e, NULL));
   for (int k = 0; k < 2; k++) vs_area_free(&parts[k]);
   vs_area_free(&all);
   free(at);
@@ -136,7 +140,8 @@ bool vs_mesh_shadow(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline 
       ok = chain_add(&c, (vs_vec2){ at[a].x, at[a].y }, (vs_vec2){ at[b].x, at[b].y }) || vs_error_memory(e, NULL);
     }
   }
-  ok = ok && vs_area_of_chain((const vs_vec2 (*)[2])c.at, c.count, "do-project", &all, e) && (vs_area_outline(&all, &frame, o) || vs_error_memory(e, NULL));
+  ok = ok && vs_area_of_chain((const vs_vec2(*)[2])c.at, c.count, "do-project", &all, e) &&
+       (vs_area_outline(&all, &frame, o) || vs_error_memory(e, NULL));
   vs_area_free(&all);
   free(c.at);
   free(edges);

@@ -1,9 +1,10 @@
 /* Owns the taking apart of an object for its measures.
  *
- * A list of jobs: pieces of the object that share no space with each other, each with its placement and a sign. A piece that has a formula is added up.
- * A union becomes its parts; those whose boxes no other part meets are jobs of their own. A difference loses cutters that do not meet it, and where
- * they all lie inside of a convex body it is that body less what the cutters unite to. The parts that none of this helps with are gathered, and meshed at once.
- * Boxes that share less than 2^-28 of the whole stand apart for volumes, and touch for areas. Nothing recurses. */
+ * A list of jobs: pieces of the object that share no space with each other, each with its placement and a sign. A piece
+ * that has a formula is added up. A union becomes its parts; those whose boxes no other part meets are jobs of their
+ * own. A difference loses cutters that do not meet it, and where they all lie inside of a convex body it is that body
+ * less what the cutters unite to. The parts that none of this helps with are gathered, and meshed at once. Boxes that
+ * share less than 2^-28 of the whole stand apart for volumes, and touch for areas. Nothing recurses. */
 #include "solids/solid_measures.h"
 
 #include <stdlib.h>
@@ -44,7 +45,8 @@ static void add(measuring *m, double volume, double area, vs_vec3 centroid, doub
 }
 
 static vs_ref below(vs_ref at, vs_affine *placed) { /* through placements and appearance */
-  while (at.node->child_count == 1 && (at.node->kind == VS_TRANSFORM || at.node->kind == VS_UNION || vs_node_is_dress(at.node))) {
+  while (at.node->child_count == 1 &&
+         (at.node->kind == VS_TRANSFORM || at.node->kind == VS_UNION || vs_node_is_dress(at.node))) {
     if (at.node->kind == VS_TRANSFORM) *placed = vs_affine_multiply(placed, &VS_AS(transform, at.node)->matrix);
     at = at.node->children[0];
   }
@@ -78,7 +80,9 @@ static bool by_formula(measuring *m, const job *j, bool *done) {
   double k;
   if (!formula(m, j->ref.node, &one)) return false;
   *done = one.known && (m->ask != VS_ASK_AREA || (one.area_known && vs_affine_even(&j->placed, &k)));
-  if (*done) add(m, one.volume * fabs(vs_affine_determinant(&j->placed)), m->ask == VS_ASK_AREA ? one.area * k * k : 0, vs_affine_point(&j->placed, one.centroid), j->sign);
+  if (*done)
+    add(m, one.volume * fabs(vs_affine_determinant(&j->placed)), m->ask == VS_ASK_AREA ? one.area * k * k : 0,
+        vs_affine_point(&j->placed, one.centroid), j->sign);
   return true;
 }
 
@@ -99,7 +103,8 @@ static bool box_of(measuring *m, const part *p, vs_bounds *out) {
   if (vs_bounds_is_empty(out)) return true;
   vs_affine bare = p->placed;
   bare.m[0][3] = bare.m[1][3] = bare.m[2][3] = 0;
-  if (vs_affine_even(&bare, &k) && bare.m[0][0] != 0 && bare.m[1][1] != 0 && bare.m[2][2] != 0 && bare.m[0][1] == 0 && bare.m[0][2] == 0 && bare.m[1][2] == 0) {
+  if (vs_affine_even(&bare, &k) && bare.m[0][0] != 0 && bare.m[1][1] != 0 && bare.m[2][2] != 0 && bare.m[0][1] == 0 &&
+      bare.m[0][2] == 0 && bare.m[1][2] == 0) {
     *out = vs_bounds_transform(out, &p->placed);
     return true;
   }
@@ -121,7 +126,8 @@ static bool spread(measuring *m, vs_ref root, const vs_affine *placed, bool *who
     const vs_node *n = at.ref.node;
     if (n->class_ != VS_SOLID) continue; /* nothing, or a ghost */
     if (n->kind == VS_UNION) {
-      for (uint32_t i = n->child_count; ok && i-- > 0;) ok = VS_PUSH(&m->k, stack, ((job){ n->children[i], at.placed, 1 })) || memory(m);
+      for (uint32_t i = n->child_count; ok && i-- > 0;)
+        ok = VS_PUSH(&m->k, stack, ((job){ n->children[i], at.placed, 1 })) || memory(m);
       continue;
     }
     part p = { at.ref, at.placed, vs_bounds_empty(), false };
@@ -150,7 +156,9 @@ static bool cluster(measuring *m, uint32_t *set) {
   int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* steps that a box is smaller by */
   vs_disjoint(set, n);
   for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box);
-  double low[3] = { all.min.x, all.min.y, all.min.z }, size = fmax(fmax(all.max.x - all.min.x, all.max.y - all.min.y), all.max.z - all.min.z), step = size > 0 ? size * 0x1p-28 : 1;
+  double low[3] = { all.min.x, all.min.y, all.min.z },
+         size = fmax(fmax(all.max.x - all.min.x, all.max.y - all.min.y), all.max.z - all.min.z),
+         step = size > 0 ? size * 0x1p-28 : 1;
   for (uint32_t i = 0; boxes && i < n; i++) {
     const vs_bounds *b = &m->parts.at[i].box;
     double from[3] = { b->min.x, b->min.y, b->min.z }, to[3] = { b->max.x, b->max.y, b->max.z };
@@ -176,7 +184,9 @@ static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t 
     const part *p = &m->parts.at[i];
     if (set[i] != root || !p->cutter) continue;
     for (int c = 0; *inside && c < 8; c++) {
-      vs_vec3 at = { c & 1 ? p->box.max.x + slack : p->box.min.x - slack, c & 2 ? p->box.max.y + slack : p->box.min.y - slack, c & 4 ? p->box.max.z + slack : p->box.min.z - slack };
+      vs_vec3 at = { c & 1 ? p->box.max.x + slack : p->box.min.x - slack,
+                     c & 2 ? p->box.max.y + slack : p->box.min.y - slack,
+                     c & 4 ? p->box.max.z + slack : p->box.min.z - slack };
       if (!vs_node_contains(body->ref.node, vs_affine_point(&back, at), inside, m->error)) return false;
     }
   }
@@ -184,7 +194,8 @@ static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t 
 }
 
 /* Measures one of the clusters, whose first part is number root */
-static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *member, uint32_t count, double sign, vs_ref whole) {
+static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *member, uint32_t count, double sign,
+                           vs_ref whole) {
   uint32_t bodies = 0, cutters = 0, body = 0;
   bool inside = false, ok = true;
   for (uint32_t i = 0; i < count; i++) {
@@ -199,7 +210,8 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
   }
   if (!cutters && bodies == 1) return ok;
   if (!cutters) {
-    for (uint32_t i = 0; ok && i < count; i++) ok = left_over(m, m->parts.at[member[i]].ref, &m->parts.at[member[i]].placed, sign);
+    for (uint32_t i = 0; ok && i < count; i++)
+      ok = left_over(m, m->parts.at[member[i]].ref, &m->parts.at[member[i]].placed, sign);
     return ok;
   }
   vs_ref *refs = calloc(count + (size_t)1, sizeof *refs); /* the bodies, then the cutters */
@@ -208,7 +220,8 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
   for (uint32_t i = 0; ok && i < count; i++) {
     const part *p = &m->parts.at[member[i]];
     vs_ref ref = p->ref, *to = &refs[at[p->cutter]++];
-    *to = (vs_ref){ vs_node_new(ref.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->placed }, &ref, 1), ref.origin };
+    *to = (vs_ref){ vs_node_new(ref.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->placed }, &ref, 1),
+                    ref.origin };
     ok = to->node || memory(m);
   }
   vs_store *s = whole.node->store;
@@ -301,13 +314,15 @@ static bool mesh_rest(measuring *m, int which, const vs_bounds *drawing) {
   return true;
 }
 
-bool vs_solid_measure(vs_ref ref, vs_ask ask, double tolerance, const vs_kernel_options *options, vs_measure *out, vs_error *e) {
+bool vs_solid_measure(vs_ref ref, vs_ask ask, double tolerance, const vs_kernel_options *options, vs_measure *out,
+                      vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   measuring m = { .ask = ask, .tolerance = tolerance, .error = e };
   m.k.options = options, m.k.error = &why, m.k.threads = 1;
   m.known.store = m.boxes.places.store = ref.node->store;
   vs_bounds drawing;
-  bool ok = vs_node_bounds(ref.node, &drawing, e) && (VS_PUSH(&m.k, m.jobs, ((job){ ref, vs_affine_identity(), 1 })) || memory(&m));
+  bool ok = vs_node_bounds(ref.node, &drawing, e) &&
+            (VS_PUSH(&m.k, m.jobs, ((job){ ref, vs_affine_identity(), 1 })) || memory(&m));
   while (ok && m.jobs.count) ok = take_apart(&m, m.jobs.at[--m.jobs.count]);
   for (int which = 0; which < 2; which++) {
     if (ok && m.rest[which].count) ok = mesh_rest(&m, which, &drawing);

@@ -1,8 +1,8 @@
 /* Owns the walk over a model's nodes that turns them into a kernel problem.
  *
- * Every path of the DAG gives its own terms; a mesh is made once per distinct primitive (equal by value, at equal facets), and the same mesh at the
- * same place in the same paint is one leaf, however often it stands in the expression. The walk keeps its own stack: a model may be hundreds of
- * thousands deep. */
+ * Every path of the DAG gives its own terms; a mesh is made once per distinct primitive (equal by value, at equal
+ * facets), and the same mesh at the same place in the same paint is one leaf, however often it stands in the
+ * expression. The walk keeps its own stack: a model may be hundreds of thousands deep. */
 #include "solids/solid_meshes.h"
 #include "geometry/tessellate.h"
 
@@ -24,7 +24,8 @@ typedef struct {
   size_t first;    /* of its operands in `pending` */
   bool difference; /* its operands past the first are taken off */
   bool off;        /* what stands here makes the whole smaller */
-  uint32_t scope;  /* the innermost operation around this that ends somewhere: half-spaces matter within it alone; 0 is the whole drawing */
+  uint32_t scope;  /* the innermost operation around this that ends somewhere: half-spaces matter within it alone; 0 is
+                    * the whole drawing */
   const vs_node *scope_node; /* its node; NULL: the whole's */
   vs_affine local; /* from here to there */
 } level;
@@ -74,7 +75,8 @@ static bool full(builder *b) {
 
 static bool add_term(builder *b, vs_term_kind kind, uint32_t first, size_t count) {
   if (b->terms.count >= INT32_MAX) return full(b);
-  return VS_PUSH(&b->k, b->terms, ((vs_kernel_term){ kind, first, (uint32_t)count })) && VS_PUSH(&b->k, b->pending, (uint32_t)b->terms.count - 1);
+  return VS_PUSH(&b->k, b->terms, ((vs_kernel_term){ kind, first, (uint32_t)count })) &&
+         VS_PUSH(&b->k, b->pending, (uint32_t)b->terms.count - 1);
 }
 
 /* Makes the pending terms from `first` on the operands of a new one, which then is pending itself. */
@@ -92,7 +94,8 @@ static bool same_part(const vs_solid_part *a, const vs_solid_part *b, bool leaf)
 }
 
 static size_t part_slot(const builder *b, const uint32_t *table, size_t count, const vs_solid_part *part, bool leaf) {
-  uint64_t h = ((uint64_t)(uintptr_t)part->material >> 4) * 0x9e3779b97f4a7c15u + (leaf ? (uint64_t)(uintptr_t)part->leaf.origin >> 4 : 0);
+  uint64_t h = ((uint64_t)(uintptr_t)part->material >> 4) * 0x9e3779b97f4a7c15u +
+               (leaf ? (uint64_t)(uintptr_t)part->leaf.origin >> 4 : 0);
   h = (h ^ h >> 29) * 0xbf58476d1ce4e5b9u;
   size_t mask = count - 1, i = (size_t)(h >> 20) & mask;
   while (table[i] && !same_part(&b->parts.at[table[i] - 1], part, leaf)) i = (i + 1) & mask;
@@ -102,7 +105,9 @@ static size_t part_slot(const builder *b, const uint32_t *table, size_t count, c
 static bool part_of(builder *b, const vs_solid_part *part, uint32_t *tag) {
   if (b->parts.count * 2 >= b->part_table.count) {
     size_t slots = b->part_table.count ? b->part_table.count * 2 : 64;
-    if (!VS_ROOM(&b->k, b->part_table.at, b->part_table.room, slots) || !VS_ROOM(&b->k, b->paint_table.at, b->paint_table.room, slots)) return false;
+    if (!VS_ROOM(&b->k, b->part_table.at, b->part_table.room, slots) ||
+        !VS_ROOM(&b->k, b->paint_table.at, b->paint_table.room, slots))
+      return false;
     memset(b->part_table.at, 0, slots * sizeof(uint32_t));
     memset(b->paint_table.at, 0, slots * sizeof(uint32_t));
     b->part_table.count = slots;
@@ -112,7 +117,8 @@ static bool part_of(builder *b, const vs_solid_part *part, uint32_t *tag) {
       if (!b->paint_table.at[paint]) b->paint_table.at[paint] = i + 1;
     }
   }
-  size_t slot = part_slot(b, b->part_table.at, b->part_table.count, part, true), paint = part_slot(b, b->paint_table.at, b->part_table.count, part, false);
+  size_t slot = part_slot(b, b->part_table.at, b->part_table.count, part, true),
+         paint = part_slot(b, b->paint_table.at, b->part_table.count, part, false);
   if (!b->part_table.at[slot]) {
     if (!VS_PUSH(&b->k, b->parts, *part) || !VS_PUSH(&b->k, b->paints, 0u)) return false;
     b->part_table.at[slot] = (uint32_t)b->parts.count;
@@ -156,7 +162,8 @@ static bool count_made(vs_kernel *k, _Atomic size_t *made, size_t triangles) {
          vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, VS_SHAPES_OVER, limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);
 }
 
-static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_facets *facets, vs_mesh **mesh, uint32_t *number) {
+static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_facets *facets, vs_mesh **mesh,
+                    uint32_t *number) {
   bool endless = ref->node->kind == VS_HALF_SPACE;
   if (!buckets_grow(b)) return false;
   size_t *bucket = bucket_of(b, ref->node);
@@ -165,7 +172,9 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fac
     if (m->facets.tolerance != facets->tolerance || m->facets.segments != facets->segments) continue;
     bool sure = true;
     if (endless && m->node->kind == VS_HALF_SPACE &&
-        (!same_place(&m->local, &at->local) || (m->scope != at->scope_node && (!m->scope || !at->scope_node || !vs_node_equal(m->scope, at->scope_node, &sure))))) {
+        (!same_place(&m->local, &at->local) ||
+         (m->scope != at->scope_node &&
+          (!m->scope || !at->scope_node || !vs_node_equal(m->scope, at->scope_node, &sure))))) {
       if (!sure) return vs_error_memory(b->error, NULL);
       continue;
     }
@@ -180,7 +189,8 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fac
   if (!vs_kernel_report(&b->k, 0)) return false; /* one shape may have a million triangles */
   *mesh = calloc(1, sizeof **mesh);
   if (!*mesh) return vs_error_memory(b->error, NULL);
-  if (!VS_PUSH(&b->k, b->meshes, ((meshed){ ref->node, *facets, *mesh, NULL, *bucket, ref->origin, at->scope_node, at->local }))) {
+  if (!VS_PUSH(&b->k, b->meshes,
+               ((meshed){ ref->node, *facets, *mesh, NULL, *bucket, ref->origin, at->scope_node, at->local }))) {
     free(*mesh);
     return false;
   }
@@ -201,7 +211,12 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fac
 
 /* ---- plain meshes ---- */
 
-enum { FEW = 64, CHUNK = 8 /* so few are a task each, else so many together */, CURVED = 100 /* triangles, by and large */, SERIAL = 10000 /* are not worth a thread */ };
+enum {
+  FEW = 64,
+  CHUNK = 8 /* so few are a task each, else so many together */,
+  CURVED = 100 /* triangles, by and large */,
+  SERIAL = 10000 /* are not worth a thread */
+};
 
 typedef struct { const builder *b; size_t chunk; _Atomic size_t *made; } making;
 
@@ -291,20 +306,25 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
   vs_mesh *mesh = NULL;
   if (b->leaves.count >= UINT32_MAX - 1) return full(b);
   uint32_t number = 0;
-  if (!mesh_of(b, ref, at, &facets, &mesh, &number) || !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref }, &leaf.tag)) return false;
+  if (!mesh_of(b, ref, at, &facets, &mesh, &number) ||
+      !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref }, &leaf.tag))
+    return false;
   leaf.mesh = mesh;
   if ((b->leaves.count + 1) * 2 > b->twins.count && !twins_grow(b)) return false;
   size_t slot = twin_slot(b, &leaf, at->off);
   if (!b->twins.at[slot]) {
-    if (!VS_PUSH(&b->k, b->leaves, leaf) || !VS_PUSH(&b->k, b->origins, ref->origin) || !VS_PUSH(&b->k, b->off, (uint8_t)at->off) ||
-        !VS_PUSH(&b->k, b->mesh_numbers, number)) return false;
+    if (!VS_PUSH(&b->k, b->leaves, leaf) || !VS_PUSH(&b->k, b->origins, ref->origin) ||
+        !VS_PUSH(&b->k, b->off, (uint8_t)at->off) || !VS_PUSH(&b->k, b->mesh_numbers, number))
+      return false;
     b->twins.at[slot] = (uint32_t)b->leaves.count;
   }
-  return VS_PUSH(&b->k, b->scoped, ((scoped){ b->twins.at[slot] - 1, at->scope })) && add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
+  return VS_PUSH(&b->k, b->scoped, ((scoped){ b->twins.at[slot] - 1, at->scope })) &&
+         add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
 }
 
-/* Half-spaces become solids that are right wherever what they are combined with is: within the innermost operation that ends somewhere. Where all its other
- * leaves are outside, it is false whatever the half-space is. Therefore each is no larger than it must be, and joins nothing that has no part in it. */
+/* Half-spaces become solids that are right wherever what they are combined with is: within the innermost operation that
+ * ends somewhere. Where all its other leaves are outside, it is false whatever the half-space is. Therefore each is no
+ * larger than it must be, and joins nothing that has no part in it. */
 static bool bound_half_spaces(builder *b) {
   bool any = false, ok = true;
   for (size_t i = 0; i < b->meshes.count && !any; i++) any = b->meshes.at[i].node->kind == VS_HALF_SPACE;
@@ -319,22 +339,26 @@ static bool bound_half_spaces(builder *b) {
     vs_bounds placed = vs_bounds_transform(&own[b->mesh_numbers.at[s->leaf]], &b->leaves.at[s->leaf].placement);
     vs_bounds_unite(&reach[s->scope], &placed);
   }
-  for (size_t i = b->scopes.count; ok && i-- > 1;) vs_bounds_unite(&reach[b->scopes.at[i]], &reach[i]); /* the outer ones come first */
+  /* the outer ones come first */
+  for (size_t i = b->scopes.count; ok && i-- > 1;) vs_bounds_unite(&reach[b->scopes.at[i]], &reach[i]);
   for (size_t i = 0; ok && i < b->leaves.count; i++)
     b->within.at[i] = b->meshes.at[b->mesh_numbers.at[i]].node->kind == VS_HALF_SPACE ? vs_bounds_empty()
                     : (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
-  for (size_t i = 0; ok && i < b->scoped.count; i++) { /* own[] of a half-space: what it must reach, over all its places */
+  for (size_t i = 0; ok && i < b->scoped.count; i++) { /* own[] of a half-space: what it must reach, over all its
+                                                        * places */
     const scoped *s = &b->scoped.at[i];
     vs_affine back;
     size_t m = b->mesh_numbers.at[s->leaf];
-    if (b->meshes.at[m].node->kind != VS_HALF_SPACE || !vs_affine_invert(&b->leaves.at[s->leaf].placement, &back)) continue;
+    if (b->meshes.at[m].node->kind != VS_HALF_SPACE || !vs_affine_invert(&b->leaves.at[s->leaf].placement, &back))
+      continue;
     vs_bounds local = vs_bounds_transform(&reach[s->scope], &back);
     vs_bounds_unite(&own[m], &local);
     vs_bounds_unite(&b->within.at[s->leaf], &reach[s->scope]);
   }
   for (size_t i = 0; ok && i < b->meshes.count; i++)
     if (b->meshes.at[i].node->kind == VS_HALF_SPACE)
-      ok = vs_half_space_shared(b->cache, (vs_node *)(uintptr_t)b->meshes.at[i].node, &own[i], b->meshes.at[i].mesh, &b->meshes.at[i].held);
+      ok = vs_half_space_shared(b->cache, (vs_node *)(uintptr_t)b->meshes.at[i].node, &own[i], b->meshes.at[i].mesh,
+                                &b->meshes.at[i].held);
   free(own);
   free(reach);
   return ok || vs_error_memory(b->error, NULL);
@@ -343,12 +367,14 @@ static bool bound_half_spaces(builder *b) {
 /* Is it one child seen in another way, or an operation on many? Else it is a primitive here. */
 static bool goes_in(const vs_node *n) {
   vs_role role = vs_node_role(n);
-  return role == VS_ROLE_PLACED || role == VS_ROLE_SET || (role == VS_ROLE_DRESS && (n->child_count || n->kind != VS_CUSTOM));
+  return role == VS_ROLE_PLACED || role == VS_ROLE_SET ||
+         (role == VS_ROLE_DRESS && (n->child_count || n->kind != VS_CUSTOM));
 }
 
 static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
   const vs_node *n = ref->node;
-  level now = { vs_affine_identity(), NULL, NULL, b->pending.count, n->kind == VS_DIFFERENCE, false, 0, NULL, vs_affine_identity() };
+  level now = { vs_affine_identity(), NULL, NULL, b->pending.count, n->kind == VS_DIFFERENCE, false, 0, NULL,
+                vs_affine_identity() };
   if (b->levels.count) {
     const level *up = &b->levels.at[b->levels.count - 1];
     now.placement = up->placement;
@@ -383,7 +409,11 @@ static bool leave(builder *b, const vs_ref *ref) {
   const vs_node *n = ref->node;
   size_t first = b->levels.at[--b->levels.count].first;
   if (!vs_node_is_set(n) || !(n->class_ == VS_SOLID || n->class_ == VS_MIXED)) return true;
-  return close_term(b, n->kind == VS_UNION ? VS_TERM_UNION : n->kind == VS_INTERSECTION ? VS_TERM_INTERSECTION : VS_TERM_DIFFERENCE, first);
+  return close_term(b,
+                    n->kind == VS_UNION          ? VS_TERM_UNION
+                    : n->kind == VS_INTERSECTION ? VS_TERM_INTERSECTION
+                                                 : VS_TERM_DIFFERENCE,
+                    first);
 }
 
 static bool walk_one(builder *b, const vs_ref *root) {
@@ -432,8 +462,8 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
 }
 
 /* The caller wants either of the two. */
-static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid *one, vs_solid_copies *many,
-                     vs_error *error) {
+static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+                     vs_solid *one, vs_solid_copies *many, vs_error *error) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   builder *b = calloc(1, sizeof *b);
   if (!b) return vs_error_memory(error, NULL);
@@ -452,7 +482,8 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   bool ok = true;
   vs_kernel_time(&b->k, counts.seconds);
   for (size_t i = 0; ok && i < count; i++) {
-    ok = !(refs[i].node->flags & VS_NODE_ENDLESS) || vs_error_set(error, VS_ERROR_MODEL, refs[i].origin, VS_ENDLESS_MESSAGE);
+    ok = !(refs[i].node->flags & VS_NODE_ENDLESS) ||
+         vs_error_set(error, VS_ERROR_MODEL, refs[i].origin, VS_ENDLESS_MESSAGE);
     ok = ok && walk_one(b, &refs[i]);
   }
   ok = ok && make_plain(b) && close_term(b, VS_TERM_UNION, 0) && bound_half_spaces(b);
@@ -462,15 +493,26 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   }
   vs_kernel_lap(&b->k, VS_STEP_SHAPES);
   if (ok) {
-    vs_kernel_problem problem = { b->leaves.at, b->terms.at, b->operands.at, (uint32_t)b->leaves.count, (uint32_t)b->terms.count,
-                                  (uint32_t)b->operands.count, b->paints.at, b->identities.at, b->within.at };
+    vs_kernel_problem problem = { b->leaves.at,
+                                  b->terms.at,
+                                  b->operands.at,
+                                  (uint32_t)b->leaves.count,
+                                  (uint32_t)b->terms.count,
+                                  (uint32_t)b->operands.count,
+                                  b->paints.at,
+                                  b->identities.at,
+                                  b->within.at };
     mine.counts = &counts;
-    ok = one ? vs_kernel_evaluate(&problem, options, &one->mesh, &why) : vs_kernel_evaluate_copies(&problem, options, &many->meshes, &why);
+    ok = one ? vs_kernel_evaluate(&problem, options, &one->mesh, &why)
+             : vs_kernel_evaluate_copies(&problem, options, &many->meshes, &why);
   }
   if (ok && counts.coarse && mine.warn) {
     char message[200];
-    snprintf(message, sizeof message, "too small for what it touches: all of that is worked out in steps of %.3g, which makes this part %.0f %% %s (and %zu more parts)", counts.coarse_step,
-             100 * fabs(counts.coarse_by), counts.coarse_by > 0 ? "larger" : "smaller", counts.coarse - 1);
+    snprintf(message, sizeof message,
+             "too small for what it touches: all of that is worked out in steps of %.3g, which makes this part %.0f %% "
+             "%s (and %zu more parts)",
+             counts.coarse_step, 100 * fabs(counts.coarse_by), counts.coarse_by > 0 ? "larger" : "smaller",
+             counts.coarse - 1);
     if (counts.coarse == 1) *strstr(message, " (and") = 0;
     mine.warn(mine.context, b->origins.at[counts.coarse_leaf], message);
   }
@@ -479,8 +521,10 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
     *(one ? &one->part_count : &many->part_count) = b->parts.count;
     b->parts.at = NULL;
   } else if (why.status != VS_KERNEL_FINE) {
-    bool placed = why.status == VS_KERNEL_OPEN || why.status == VS_KERNEL_INSIDE_OUT || why.status == VS_KERNEL_NOT_FINITE || why.status == VS_KERNEL_INTERNAL;
-    vs_error_set(error, kind_of(why.status), placed && why.leaf < b->origins.count ? b->origins.at[why.leaf] : NULL, "%s", why.message);
+    bool placed = why.status == VS_KERNEL_OPEN || why.status == VS_KERNEL_INSIDE_OUT ||
+                  why.status == VS_KERNEL_NOT_FINITE || why.status == VS_KERNEL_INTERNAL;
+    vs_error_set(error, kind_of(why.status), placed && why.leaf < b->origins.count ? b->origins.at[why.leaf] : NULL,
+                 "%s", why.message);
   }
   for (size_t i = 0; i < b->meshes.count; i++) {
     if (b->meshes.at[i].held) vs_cache_let_go(b->cache, b->meshes.at[i].held);
@@ -514,14 +558,16 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   return ok;
 }
 
-bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid *out, vs_error *error) {
+bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+                       vs_solid *out, vs_error *error) {
   *out = (vs_solid){ .part_count = 0 };
   if (evaluate(refs, count, facets, options, out, NULL, error)) return true;
   vs_solid_free(out);
   return false;
 }
 
-bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_solid_copies *out, vs_error *error) {
+bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_facets *facets,
+                              const vs_kernel_options *options, vs_solid_copies *out, vs_error *error) {
   *out = (vs_solid_copies){ .part_count = 0 };
   return evaluate(refs, count, facets, options, NULL, out, error); /* the kernel leaves nothing behind where it fails */
 }

@@ -1,7 +1,8 @@
-/* Owns what the files of the glTF back-end share: collect.c makes meshes and nodes of the drawing, write.c the file of them.
+/* Owns what the files of the glTF back-end share: collect.c makes meshes and nodes of the drawing, write.c the file of
+ * them.
  *
- * A geometry is triangles or lines in coordinates of its own, once in the file. A mesh is a geometry in the colour of one place (glTF's
- * nodes cannot paint). A node places a mesh: a million copies are a million nodes and one mesh. */
+ * A geometry is triangles or lines in coordinates of its own, once in the file. A mesh is a geometry in the colour of
+ * one place (glTF's nodes cannot paint). A node places a mesh: a million copies are a million nodes and one mesh. */
 #ifndef VS_BACKENDS_GLTF_H
 #define VS_BACKENDS_GLTF_H
 
@@ -20,7 +21,10 @@ typedef struct {
   size_t vertices, indices;    /* offsets into positions (and normals), into the indices of that width, bytes */
   float min[3], max[3];        /* of the positions */
 } vs_gltf_primitive;
-typedef struct { uint32_t first, count; /* primitives */ uint32_t mesh; /* the first of its meshes + 1, or 0 */ } vs_gltf_geometry;
+typedef struct {
+  uint32_t first, count; /* primitives */
+  uint32_t mesh;         /* the first of its meshes + 1, or 0 */
+} vs_gltf_geometry;
 typedef struct { uint32_t geometry, paint, next; /* another mesh of this geometry + 1, or 0 */ } vs_gltf_mesh;
 typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
 typedef struct { uint32_t *at; size_t count, room; } vs_gltf_turns; /* geometry + 1 by facets a turn */

@@ -1,7 +1,8 @@
 /* Owns the drawing as glTF's meshes and nodes.
  *
- * Which places share a geometry: copies of a unit form with as many facets; and places of one model node, which is what the share pass
- * makes of equal parts. A placement that shears cannot be said by a node: its triangles are made for that place. */
+ * Which places share a geometry: copies of a unit form with as many facets; and places of one model node, which is what
+ * the share pass makes of equal parts. A placement that shears cannot be said by a node: its triangles are made for
+ * that place. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -27,7 +28,8 @@ void vs_gltf_close(vs_emitter *e) {
   if (g == NULL) return;
   vs_gltf_bytes *bytes[] = { &g->positions, &g->normals, &g->narrow, &g->wide };
   for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) vs_emit_release(e, bytes[i]->at, bytes[i]->room, 1);
-  for (size_t i = 0; i < VS_UNIT_COUNT; i++) vs_emit_release(e, g->units[i].at, g->units[i].room, sizeof *g->units[i].at);
+  for (size_t i = 0; i < VS_UNIT_COUNT; i++)
+    vs_emit_release(e, g->units[i].at, g->units[i].room, sizeof *g->units[i].at);
   vs_emit_release(e, g->primitives, g->primitive_room, sizeof *g->primitives);
   vs_emit_release(e, g->geometries, g->geometry_room, sizeof *g->geometries);
   vs_emit_release(e, g->meshes, g->mesh_room, sizeof *g->meshes);
@@ -71,7 +73,8 @@ static bool gltf_vertex(vs_emitter *e, vs_gltf_primitive *p, vs_vec3 at, vs_vec3
     p->max[i] = fmaxf(p->max[i], xyz[i] + 0.0f);
   }
   p->vertex_count++;
-  return gltf_vector(e, &g->positions, at) && gltf_vector(e, &g->normals, normal); /* lines have normals too, which nobody reads: one offset for both */
+  /* lines have normals too, which nobody reads: one offset for both */
+  return gltf_vector(e, &g->positions, at) && gltf_vector(e, &g->normals, normal);
 }
 
 /* The indices, which are known to fit 32 bits, in the width that the vertices need. */
@@ -118,7 +121,8 @@ static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_
 }
 
 /* The triangles of one paint; at: room for the shading's normals. Corners that share a normal share a vertex. */
-static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *place, uint32_t paint, uint32_t *at, uint32_t *index) {
+static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *place, uint32_t paint,
+                          uint32_t *at, uint32_t *index) {
   const vs_mesh *mesh = &m->mesh;
   bool mirrored = vs_affine_determinant(place) < 0;
   vs_gltf_primitive *p = NULL;
@@ -131,7 +135,9 @@ static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s,
       uint32_t corner = s->corners[i][k];
       if (at[corner] == UINT32_MAX) {
         at[corner] = p->vertex_count;
-        if (!gltf_vertex(e, p, vs_affine_point(place, mesh->vertices[mesh->triangles[i][k]]), vs_affine_normal(place, s->normals[corner]))) return false;
+        if (!gltf_vertex(e, p, vs_affine_point(place, mesh->vertices[mesh->triangles[i][k]]),
+                         vs_affine_normal(place, s->normals[corner])))
+          return false;
       }
       index[count + (size_t)(mirrored ? 2 - k : k)] = at[corner];
     }
@@ -145,8 +151,11 @@ static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *pl
   const vs_mesh *mesh = &m->mesh;
   vs_shading s;
   if (!gltf_geometry_new(e, number)) return false;
-  if (mesh->triangle_count > UINT32_MAX / 3) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than a glTF mesh can hold");
-  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return false;
+  if (mesh->triangle_count > UINT32_MAX / 3)
+    return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than a glTF mesh can hold");
+  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t(*)[3])mesh->triangles,
+                       mesh->triangle_count, crease, &s))
+    return false;
   size_t room = s.normal_count + 3 * mesh->triangle_count;
   uint32_t *scratch = vs_store_realloc(e->scene->store, NULL, 0, (room + 1) * sizeof *scratch);
   bool ok = scratch != NULL || vs_emit_no_memory(e);
@@ -218,7 +227,8 @@ static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *
   return ok;
 }
 
-/* Triangles that stand where e->placement puts them, about their own middle: a viewer's 32-bit numbers are finest near zero. */
+/* Triangles that stand where e->placement puts them, about their own middle: a viewer's 32-bit numbers are finest near
+ * zero. */
 static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
   vs_gltf *g = e->state;
   bool placeable = vs_affine_is_placement(&e->placement);
@@ -228,7 +238,8 @@ static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
   vs_bounds b;
   if (!vs_node_bounds(ref->node, &b, e->error)) return false;
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
-  vs_affine home = vs_affine_translation(vs_v3_scale(middle, -1)), there = vs_affine_translation(placeable ? middle : vs_affine_point(&e->placement, middle));
+  vs_affine home = vs_affine_translation(vs_v3_scale(middle, -1)),
+            there = vs_affine_translation(placeable ? middle : vs_affine_point(&e->placement, middle));
   uint32_t number;
   if (found) {
     number = (uint32_t)*known - 1;
@@ -256,7 +267,8 @@ vs_emit_status vs_gltf_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   uint32_t number;
   if (vs_unit_of(ref->node, &e->facets, &copy)) {
     vs_affine place = vs_affine_multiply(&e->placement, &copy.place);
-    if (vs_affine_is_placement(&place)) return gltf_unit(e, copy.unit, copy.turn, &number) && gltf_place(e, number, &place) ? VS_EMITTED : VS_FAILED;
+    if (vs_affine_is_placement(&place))
+      return gltf_unit(e, copy.unit, copy.turn, &number) && gltf_place(e, number, &place) ? VS_EMITTED : VS_FAILED;
   }
   return gltf_shape(e, ref, vs_shade_crease(vs_lower_is_round(ref->node))) ? VS_EMITTED : VS_FAILED;
 }
@@ -279,7 +291,8 @@ vs_emit_status vs_gltf_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   for (uint32_t i = 0; i < count; i++) vs_bounds_add(&b, vs_affine_point(&e->placement, l->points->at[i]));
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
   for (uint32_t i = 0; i < count; i++)
-    if (!gltf_vertex(e, p, vs_v3_sub(vs_affine_point(&e->placement, l->points->at[i]), middle), vs_v3(0, 0, 1))) return VS_FAILED;
+    if (!gltf_vertex(e, p, vs_v3_sub(vs_affine_point(&e->placement, l->points->at[i]), middle), vs_v3(0, 0, 1)))
+      return VS_FAILED;
   size_t room = (size_t)count + 1;
   uint32_t *index = vs_store_realloc(e->scene->store, NULL, 0, room * sizeof *index);
   if (index == NULL) return vs_emit_no_memory(e), VS_FAILED;

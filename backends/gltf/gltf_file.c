@@ -1,14 +1,19 @@
 /* Owns the .glb file: a header, the scene as JSON, the numbers as bytes (glTF 2.0, sections 3 and 4).
  *
- * The JSON's length stands before it, so it is made twice: once to be measured and once to be written. Y is up in glTF and lengths are
- * metres: the root node turns and scales. Colours are linear there and sRGB here. */
+ * The JSON's length stands before it, so it is made twice: once to be measured and once to be written. Y is up in glTF
+ * and lengths are metres: the root node turns and scales. Colours are linear there and sRGB here. */
 #include <math.h>
 #include <string.h>
 
 #include "backends/format_numbers.h"
 #include "backends/gltf/gltf.h"
 
-typedef struct { vs_emitter *e; const uint32_t *order; /* nodes by layer */ const size_t *starts; size_t views[4], view_count; } gltf_file;
+typedef struct {
+  vs_emitter *e;
+  const uint32_t *order; /* nodes by layer */
+  const size_t *starts;
+  size_t views[4], view_count;
+} gltf_file;
 
 enum { VIEW_POSITIONS, VIEW_NORMALS, VIEW_NARROW, VIEW_WIDE, VIEW_COUNT };
 static const size_t none = (size_t)-1;
@@ -45,14 +50,18 @@ static void json_vector(vs_writer *w, const char *name, vs_vec3 v) {
   vs_put_triple(w, "[", v, ",", "]");
 }
 
-static double gltf_linear(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); } /* IEC 61966-2-1 */
+/* IEC 61966-2-1 */
+static double gltf_linear(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); }
 
 /* ---- its parts ---- */
 
-/* Material i is that of number i; the list ends with the lines' own, one a number: a line has no shape for light to show. */
+/* Material i is that of number i; the list ends with the lines' own, one a number: a line has no shape for light to
+ * show. */
 static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines) {
   const vs_material *m = number > 0 ? vs_emit_material_at(e, number) : NULL;
-  vs_vec3 color = m != NULL ? vs_v3(m->red, m->green, m->blue) : lines ? vs_v3(0.15, 0.18, 0.22) : vs_v3(0.86, 0.85, 0.83);
+  vs_vec3 color = m != NULL ? vs_v3(m->red, m->green, m->blue)
+                  : lines   ? vs_v3(0.15, 0.18, 0.22)
+                            : vs_v3(0.86, 0.85, 0.83);
   vs_puts(w, "{\"name\":");
   json_text(w, m != NULL ? m->name : "plain");
   vs_puts(w, ",\"pbrMetallicRoughness\":{\"baseColorFactor\":");
@@ -68,11 +77,16 @@ static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines
   vs_puts(w, "}");
 }
 
-static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, size_t view, size_t offset, size_t count, const vs_gltf_primitive *bounds) {
+static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, size_t view, size_t offset, size_t count,
+                          const vs_gltf_primitive *bounds) {
   bool indices = view == VIEW_NARROW || view == VIEW_WIDE;
   json_between(w, (*index)++);
-  vs_putf(w, "{\"bufferView\":%zu,\"byteOffset\":%zu,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"", f->views[view], offset,
-          view == VIEW_NARROW ? 5123 : view == VIEW_WIDE ? 5125 : 5126, count, indices ? "SCALAR" : "VEC3");
+  vs_putf(w, "{\"bufferView\":%zu,\"byteOffset\":%zu,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"",
+          f->views[view], offset,
+          view == VIEW_NARROW ? 5123
+          : view == VIEW_WIDE ? 5125
+                              : 5126,
+          count, indices ? "SCALAR" : "VEC3");
   if (bounds != NULL) {
     json_vector(w, "min", vs_v3(bounds->min[0], bounds->min[1], bounds->min[2]));
     json_vector(w, "max", vs_v3(bounds->max[0], bounds->max[1], bounds->max[2]));
@@ -103,8 +117,12 @@ static void gltf_meshes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
       const vs_gltf_primitive *p = &g->primitives[made->first + k];
       size_t paint = p->paint > 0 ? p->paint : g->meshes[i].paint, first = 3 * (made->first + k);
       json_between(w, k);
-      if (p->lines) vs_putf(w, "{\"mode\":3,\"attributes\":{\"POSITION\":%zu},\"indices\":%zu,\"material\":%zu}", first, first + 2, materials + paint);
-      else vs_putf(w, "{\"attributes\":{\"POSITION\":%zu,\"NORMAL\":%zu},\"indices\":%zu,\"material\":%zu}", first, first + 1, first + 2, paint);
+      if (p->lines)
+        vs_putf(w, "{\"mode\":3,\"attributes\":{\"POSITION\":%zu},\"indices\":%zu,\"material\":%zu}", first, first + 2,
+                materials + paint);
+      else
+        vs_putf(w, "{\"attributes\":{\"POSITION\":%zu,\"NORMAL\":%zu},\"indices\":%zu,\"material\":%zu}", first,
+                first + 1, first + 2, paint);
     }
     vs_puts(w, "]}");
   }
@@ -234,7 +252,8 @@ static bool gltf_chunks(const gltf_file *f) {
   if (json == 0) return false;
   for (int i = 0; i < VIEW_COUNT; i++) binary += padded(parts[i]->count);
   uint64_t total = 12 + 8 + json + spaces + 8 + binary;
-  if (total > UINT32_MAX) return vs_error_set(f->e->error, VS_ERROR_MODEL, NULL, "the drawing is larger than the 4 GB of a .glb file");
+  if (total > UINT32_MAX)
+    return vs_error_set(f->e->error, VS_ERROR_MODEL, NULL, "the drawing is larger than the 4 GB of a .glb file");
   unsigned char head[20];
   memcpy(head, "glTF", 4);
   vs_le_u32(vs_le_u32(vs_le_u32(head + 4, 2), (uint32_t)total), (uint32_t)(json + spaces));
@@ -258,7 +277,8 @@ bool vs_gltf_write(vs_emitter *e) {
   vs_store *store = e->scene->store;
   if (!vs_emit_settled(e, &g->settled)) return false;
   const size_t lengths[VIEW_COUNT] = { g->positions.count, g->normals.count, g->narrow.count, g->wide.count };
-  size_t layers = g->layer_count + 1, room = (g->node_count + 1) * sizeof(uint32_t), starts_room = (layers + 1) * sizeof(size_t);
+  size_t layers = g->layer_count + 1, room = (g->node_count + 1) * sizeof(uint32_t),
+         starts_room = (layers + 1) * sizeof(size_t);
   uint32_t *order = vs_store_realloc(store, NULL, 0, room);
   size_t *starts = vs_store_realloc(store, NULL, 0, starts_room);
   bool ok = (order != NULL && starts != NULL) || vs_emit_no_memory(e);

@@ -30,7 +30,9 @@ size_t vs_loose_triangles(const vs_loose *l); /* of all open faces */
 size_t vs_loose_pieces(const vs_loose *l);    /* straight pieces of all lines */
 
 /* For a back-end that has words for both; and for one that has words for open faces alone. */
-#define VS_LOOSE_SHAPES .loose = true, .close = vs_loose_close, VS_EMIT_SHAPES(vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean)
+#define VS_LOOSE_SHAPES                                                                                                \
+  .loose = true, .close = vs_loose_close,                                                                              \
+  VS_EMIT_SHAPES(vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean)
 #define VS_LOOSE_FACES(curves) .loose = true, .close = vs_loose_close, .omit = { [VS_CURVE] = curves }, \
                                VS_EMIT_SHAPES(vs_loose_leaf, NULL, vs_loose_through, vs_loose_boolean)
 

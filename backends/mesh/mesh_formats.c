@@ -1,5 +1,6 @@
 /* Owns the formats of bare triangles: STL binary and in words, OFF, PLY, OBJ with its .mtl. All get the union of the
- * drawing's solids from the kernel; PLY, OBJ and OFF have words for open faces, too, and PLY and OBJ for lines (loose.h).
+ * drawing's solids from the kernel; PLY, OBJ and OFF have words for open faces, too, and PLY and OBJ for lines
+ * (loose.h).
  *
  * STL's numbers are 32-bit: triangles whose corners fall together there are left out, which keeps a closed surface
  * closed. */
@@ -13,7 +14,7 @@
 static bool mesh_begin(vs_emitter *e) { return !e->out->failed; }
 static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
 
-#define MESH_OMIT(format)                                                                                                       \
+#define MESH_OMIT(format)                                                                                              \
   .omit = { [VS_CURVE] = format " holds solids: curves are left out", [VS_REGION_CLASS] = format " holds solids: flat regions are left out", \
             [VS_SURFACE] = format " holds solids: open surfaces are left out" }
 
@@ -66,7 +67,9 @@ static vs_vec3 stl_normal(const vs_mesh *m, const uint32_t t[3]) {
   return vs_v3_unit(vs_v3_cross(vs_v3_sub(m->vertices[t[1]], a), vs_v3_sub(m->vertices[t[2]], a)));
 }
 
-static unsigned char *stl_vector(unsigned char *to, vs_vec3 v) { return vs_le_float(vs_le_float(vs_le_float(to, v.x), v.y), v.z); }
+static unsigned char *stl_vector(unsigned char *to, vs_vec3 v) {
+  return vs_le_float(vs_le_float(vs_le_float(to, v.x), v.y), v.z);
+}
 
 enum { STL_RECORD = 50, STL_WORDS = 12 * VS_NUMBER_ROOM + 96 };
 
@@ -95,7 +98,8 @@ static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
   strncat((char *)head, e->scene->units != NULL ? e->scene->units : "m", 8);
   size_t count;
   if (!vs_count_spans(m->triangle_count, stl_stays, m, &count)) return vs_emit_no_memory(e);
-  if (count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than an STL file can hold");
+  if (count > UINT32_MAX)
+    return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than an STL file can hold");
   if (!vs_emit_triangles(e, count)) return false;
   vs_le_u32(head + 80, (uint32_t)count);
   return vs_put(e->out, head, sizeof head) && mesh_put(e, m->triangle_count, STL_RECORD, stl_records, m);
@@ -130,8 +134,12 @@ static bool stl_ascii_solid(vs_emitter *e, const vs_solid *solid) {
          vs_puts(e->out, "endsolid VisualScheme\n");
 }
 
-const vs_backend vs_backend_stl_ascii = { .begin = mesh_begin, .end = mesh_end, .solid = stl_ascii_solid, .numbers = VS_NUMBERS_SOUP, MESH_OMIT("STL") };
-const vs_backend vs_backend_stl = { .begin = mesh_begin, .end = mesh_end, .solid = stl_solid, .numbers = VS_NUMBERS_SOUP, MESH_OMIT("STL") };
+const vs_backend vs_backend_stl_ascii = {
+  .begin = mesh_begin, .end = mesh_end, .solid = stl_ascii_solid, .numbers = VS_NUMBERS_SOUP, MESH_OMIT("STL")
+};
+const vs_backend vs_backend_stl = {
+  .begin = mesh_begin, .end = mesh_end, .solid = stl_solid, .numbers = VS_NUMBERS_SOUP, MESH_OMIT("STL")
+};
 
 /* ---- OFF ---- */
 
@@ -178,7 +186,8 @@ const vs_backend vs_backend_off = {
   VS_LOOSE_FACES("OFF holds faces: curves are left out")
 };
 
-/* ---- PLY: binary, little-endian, coordinates as doubles; a face has its colour, for a corner may belong to faces of several ---- */
+/* ---- PLY: binary, little-endian, coordinates as doubles; a face has its colour, for a corner may belong to faces of
+ * several ---- */
 
 static uint8_t ply_level(double x) { return (uint8_t)lround(255 * x); }
 
@@ -383,7 +392,9 @@ static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g)
       obj_material_name(e, key % paints > 0 ? vs_emit_material_at(e, key % paints) : NULL);
       vs_puts(w, "\n");
     }
-    if (!mesh_put(e, g->starts[key + 1] - g->starts[key], MESH_TRIPLE, obj_some, &(obj_run){ &solid->mesh, g->order + g->starts[key] })) return false;
+    if (!mesh_put(e, g->starts[key + 1] - g->starts[key], MESH_TRIPLE, obj_some,
+                  &(obj_run){ &solid->mesh, g->order + g->starts[key] }))
+      return false;
   }
   return !w->failed;
 }

@@ -1,8 +1,10 @@
-/* Owns the OpenSCAD back-end: a readable program with real CSG, modules for what stands in several places, polyhedra for the rest.
+/* Owns the OpenSCAD back-end: a readable program with real CSG, modules for what stands in several places, polyhedra
+ * for the rest.
  *
- * Facts it minds: OpenSCAD's polyhedra are clockwise seen from outside; two and three dimensions must not mix, so solids alone are written; the
- * outermost color() wins there, the innermost material here, so colours go to the highest subtrees without paint of their own. A module
- * that is painted in part is handed its user's colour for the rest as $paint. */
+ * Facts it minds: OpenSCAD's polyhedra are clockwise seen from outside; two and three dimensions must not mix, so
+ * solids alone are written; the outermost color() wins there, the innermost material here, so colours go to the highest
+ * subtrees without paint of their own. A module that is painted in part is handed its user's colour for the rest as
+ * $paint. */
 #include <math.h>
 
 #include "backends/lower.h"
@@ -31,7 +33,8 @@ static void scad_translate(vs_emitter *e, vs_vec3 by) {
 static void scad_matrix(vs_emitter *e, const vs_affine *a, const char *after) {
   vs_puts(e->out, "multmatrix([");
   for (int row = 0; row < 3; row++)
-    for (int column = 0; column < 4; column++) scad_number(e, column == 0 ? "[" : ", ", a->m[row][column]), vs_puts(e->out, column == 3 ? "], " : "");
+    for (int column = 0; column < 4; column++)
+      scad_number(e, column == 0 ? "[" : ", ", a->m[row][column]), vs_puts(e->out, column == 3 ? "], " : "");
   vs_puts(e->out, "[0, 0, 0, 1]])");
   vs_puts(e->out, after);
 }
@@ -92,7 +95,8 @@ static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase pha
 }
 
 /* Everything round or regular about an axis. */
-static vs_emit_status scad_turned(vs_emitter *e, const vs_node *n, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius, int facets) {
+static vs_emit_status scad_turned(vs_emitter *e, const vs_node *n, vs_vec3 base, double base_radius, vs_vec3 top,
+                                  double top_radius, int facets) {
   vs_vec3 axis = vs_v3_sub(top, base);
   vs_affine place = vs_frame_on_axis(base, axis);
   scad_open(e, n);
@@ -111,7 +115,8 @@ static vs_emit_status scad_turned(vs_emitter *e, const vs_node *n, vs_vec3 base,
 static vs_emit_status scad_cylinder(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_cylinder *c = VS_AS(cylinder, ref->node);
-  return scad_turned(e, ref->node, c->base, c->radius, c->top, c->radius, vs_facets_turn(&e->facets, c->radius, c->segments));
+  return scad_turned(e, ref->node, c->base, c->radius, c->top, c->radius,
+                     vs_facets_turn(&e->facets, c->radius, c->segments));
 }
 
 static vs_emit_status scad_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
@@ -139,7 +144,8 @@ static vs_emit_status scad_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase pha
   scad_number(e, ", 1]) cylinder(h = ", vs_v3_length(axis));
   scad_number(e, ", r1 = ", c->base_radius);
   scad_number(e, ", r2 = ", c->top_radius);
-  vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, fmax(1, wide) * fmax(c->base_radius, c->top_radius), c->segments));
+  vs_putf(e->out, ", $fn = %d);\n",
+          vs_facets_turn(&e->facets, fmax(1, wide) * fmax(c->base_radius, c->top_radius), c->segments));
   return scad_done(e);
 }
 
@@ -203,7 +209,8 @@ static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase p
   if (!p->closed) return scad_slab(e, ref);
   vs_apart apart = { 0 };
   if (p->closed && !vs_apart_make(p, &apart)) return vs_emit_no_memory(e), VS_FAILED;
-  const uint32_t *starts = vs_faces_starts(p->faces), *corners = apart.corners ? apart.corners : vs_faces_corners(p->faces);
+  const uint32_t *starts = vs_faces_starts(p->faces),
+                 *corners = apart.corners ? apart.corners : vs_faces_corners(p->faces);
   const vs_vec3 *points = apart.points ? apart.points : p->points->at;
   size_t count = apart.points ? apart.count : p->points->count;
   if (!vs_emit_triangles(e, p->faces->corner_count - 2 * (size_t)p->faces->count))
@@ -230,7 +237,8 @@ static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase p
   return scad_done(e);
 }
 
-/* An open surface: the solid of it made thick. A part that no thickness makes a solid of is left out, with a warning. */
+/* An open surface: the solid of it made thick. A part that no thickness makes a solid of is left out, with a
+ * warning. */
 static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref) {
   struct vs_thicken thick = { .width = scad_thin(e) };
   vs_store *store = e->scene->store;
@@ -241,8 +249,9 @@ static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref) {
   made = vs_lower(e, &whole);
   if (made == NULL && e->error->kind == VS_ERROR_MODEL) {
     e->error->kind = VS_ERROR_NONE;
-    if (vs_emit_warn_once(e, ref,
-        "OpenSCAD programs hold solids: open surfaces that no thickness makes a solid of are left out")) status = VS_EMITTED;
+    if (vs_emit_warn_once(
+            e, ref, "OpenSCAD programs hold solids: open surfaces that no thickness makes a solid of are left out"))
+      status = VS_EMITTED;
   } else if (made != NULL && made->kind != VS_POLYFACE_MESH) {
     status = VS_EMITTED;
   } else if (made != NULL && vs_emit_warn_once(e, ref,
@@ -303,16 +312,19 @@ static void scad_profile(vs_emitter *e, const vs_revolve *r) {
   vs_puts(e->out, r->loop_count > 1 ? "]]);\n" : ");\n");
 }
 
-/* Whether the profile touches the axis with a corner alone: turned, it meets itself in that point, which OpenSCAD refuses in a boolean. */
+/* Whether the profile touches the axis with a corner alone: turned, it meets itself in that point, which OpenSCAD
+ * refuses in a boolean. */
 static bool scad_pinches(const vs_revolve *r) {
   for (size_t l = 0, first = 0; l < r->loop_count; first += r->sizes[l++])
     for (size_t i = 0, n = r->sizes[l]; i < n; i++)
-      if (r->profile[first + i].x == 0 && r->profile[first + (i + 1) % n].x != 0 && r->profile[first + (i + n - 1) % n].x != 0) return true;
+      if (r->profile[first + i].x == 0 && r->profile[first + (i + 1) % n].x != 0 &&
+          r->profile[first + (i + n - 1) % n].x != 0)
+        return true;
   return false;
 }
 
-/* rotate_extrude turns from +X; its whole turn begins at -X, which an even number of facets does not show. Of a part of a turn it makes
- * floor($fn angle/360) facets. */
+/* rotate_extrude turns from +X; its whole turn begins at -X, which an even number of facets does not show. Of a part of
+ * a turn it makes floor($fn angle/360) facets. */
 static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   vs_revolve r;
@@ -321,10 +333,12 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
   size_t steps = vs_revolve_steps(&r, &e->facets, VS_AS(revolve, ref->node)->segments);
   bool odd = r.full && (steps % 2 != 0 || r.start != 0 || scad_pinches(&r));
   if (r.count > 0 && !odd) {
-    double degrees = fabs(r.angle) * (180 / 3.14159265358979323846), from = r.angle < 0 ? r.start + r.angle : r.start, sine, cosine;
+    double degrees = fabs(r.angle) * (180 / 3.14159265358979323846), from = r.angle < 0 ? r.start + r.angle : r.start,
+           sine, cosine;
     vs_sincos(r.full ? 0 : from, &sine, &cosine);
     vs_affine place = { { { 0 } } };
-    const double axis[] = { r.axis.x, r.axis.y, r.axis.z }, out[] = { r.out.x, r.out.y, r.out.z }, side[] = { r.side.x, r.side.y, r.side.z }, at[] = { r.at.x, r.at.y, r.at.z };
+    const double axis[] = { r.axis.x, r.axis.y, r.axis.z }, out[] = { r.out.x, r.out.y, r.out.z },
+                 side[] = { r.side.x, r.side.y, r.side.z }, at[] = { r.at.x, r.at.y, r.at.z };
     for (int i = 0; i < 3; i++) {
       place.m[i][0] = out[i] * cosine + side[i] * sine;
       place.m[i][1] = side[i] * cosine - out[i] * sine;
@@ -335,7 +349,8 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
     scad_place(e, &place);
     vs_puts(e->out, "rotate_extrude(");
     if (!r.full) scad_number(e, "angle = ", degrees);
-    vs_putf(e->out, "%s$fn = %.0f) ", r.full ? "" : ", ", r.full ? (double)steps : ceil((double)steps * 360 / degrees + 1e-6));
+    vs_putf(e->out, "%s$fn = %.0f) ", r.full ? "" : ", ",
+            r.full ? (double)steps : ceil((double)steps * 360 / degrees + 1e-6));
     scad_profile(e, &r);
   }
   bool nothing = r.count == 0;
@@ -346,13 +361,16 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
 /* ---- sets of regions that lie level: OpenSCAD's own two dimensions ---- */
 
 
-/* Is this a set of regions parallel to XY, through placements that keep them so, of a size that can be read? Its height in *z. */
+/* Is this a set of regions parallel to XY, through placements that keep them so, of a size that can be read? Its height
+ * in *z. */
 static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   enum { MOST = 2000, DEEPEST = 60 };
   vs_plane plane;
   const vs_node *n = root->node, *set = n;
   while (set->kind == VS_TRANSFORM || set->kind == VS_LAYER || set->kind == VS_MATERIAL) set = set->children[0].node;
-  if (!vs_node_is_set(set) || n->class_ != VS_REGION_CLASS || n->depth > DEEPEST || vs_emit_is_painted(e, n) || !vs_lower_as_area(e, set)) return false;
+  if (!vs_node_is_set(set) || n->class_ != VS_REGION_CLASS || n->depth > DEEPEST || vs_emit_is_painted(e, n) ||
+      !vs_lower_as_area(e, set))
+    return false;
   if (vs_node_plane(n, &plane) != VS_PLANE_ONE || plane.normal.z < 1 - 1e-12) return false;
   *z = plane.point.z;
   vs_walk *w = vs_walk_new(n->store, *root);
@@ -415,7 +433,9 @@ static bool scad_flat(vs_emitter *e, const vs_ref *root) {
         if (n->kind == VS_TRANSFORM) scad_place(e, &VS_AS(transform, n)->matrix);
         e->child_index = SIZE_MAX;
       } else if (vs_node_is_set(n)) {
-        vs_puts(e->out, n->kind == VS_UNION ? "union() {\n" : n->kind == VS_INTERSECTION ? "intersection() {\n" : "difference() {\n");
+        vs_puts(e->out, n->kind == VS_UNION          ? "union() {\n"
+                        : n->kind == VS_INTERSECTION ? "intersection() {\n"
+                                                     : "difference() {\n");
         depth++;
       } else {
         vs_walk_skip(w);
@@ -458,7 +478,9 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
   /* The profile's plane with +Z on the side that it is pushed to; a plane parallel to XY keeps its own x and y. */
   bool flat = o.normal.x == 0 && o.normal.y == 0;
   vs_vec3 normal = vs_v3_dot(o.normal, x->along) < 0 ? vs_v3_scale(o.normal, -1) : o.normal;
-  vs_affine plane = flat && normal.z > 0 ? vs_affine_translation(vs_v3(0, 0, o.point.z)) : vs_frame_on_axis(o.point, normal), back;
+  vs_affine plane = flat && normal.z > 0 ? vs_affine_translation(vs_v3(0, 0, o.point.z))
+                                         : vs_frame_on_axis(o.point, normal),
+            back;
   if (o.count > 0 && vs_affine_invert(&plane, &back)) {
     scad_open(e, n);
     if (flat && upright) {
@@ -515,7 +537,9 @@ static vs_emit_status scad_region(vs_emitter *e, const vs_ref *ref, vs_phase pha
   (void)phase;
   vs_outline o = { .count = 0 };
   if (!vs_region_outline(ref->node, &e->facets, &o, e->error)) return VS_FAILED;
-  vs_affine plane = o.normal.x == 0 && o.normal.y == 0 ? vs_affine_translation(vs_v3(0, 0, o.point.z)) : vs_frame_on_axis(o.point, o.normal), back;
+  vs_affine plane = o.normal.x == 0 && o.normal.y == 0 ? vs_affine_translation(vs_v3(0, 0, o.point.z))
+                                                       : vs_frame_on_axis(o.point, o.normal),
+            back;
   if (o.count > 0 && vs_affine_invert(&plane, &back)) {
     scad_open(e, ref->node);
     scad_place(e, &plane);
@@ -585,7 +609,9 @@ static vs_emit_status scad_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase)
     return scad_flat(e, ref) ? VS_WHOLE : VS_FAILED;
   }
   scad_open(e, ref->node);
-  vs_puts(e->out, ref->node->kind == VS_UNION ? "union() {\n" : ref->node->kind == VS_INTERSECTION ? "intersection() {\n" : "difference() {\n");
+  vs_puts(e->out, ref->node->kind == VS_UNION          ? "union() {\n"
+                  : ref->node->kind == VS_INTERSECTION ? "intersection() {\n"
+                                                       : "difference() {\n");
   return scad_done(e);
 }
 

@@ -1,9 +1,11 @@
-/* A corner is a face's corner; all corners in one place that hang together by edges are a fan. Where a place has several fans the solid touches itself, as two
- * cones that share their apex do, or the torus without a hole. Each fan then gets a point of its own, a step towards its neighbours; of fans within each
- * other the narrower goes further, so they do not cross.
+/* A corner is a face's corner; all corners in one place that hang together by edges are a fan. Where a place has
+ * several fans the solid touches itself, as two cones that share their apex do, or the torus without a hole. Each fan
+ * then gets a point of its own, a step towards its neighbours; of fans within each other the narrower goes further, so
+ * they do not cross.
  *
- * Two faces at an edge hang together. Of four or more, those do that bound one wedge of solid: faces are sorted around the edge. The corners move in
- * doubles: it is a matter of what OpenSCAD accepts, and where it goes wrong the mesh stays as it is. Cost: n log n. */
+ * Two faces at an edge hang together. Of four or more, those do that bound one wedge of solid: faces are sorted around
+ * the edge. The corners move in doubles: it is a matter of what OpenSCAD accepts, and where it goes wrong the mesh
+ * stays as it is. Cost: n log n. */
 #include "backends/openscad/touching_corners.h"
 
 #include <math.h>
@@ -13,10 +15,12 @@
 #include "geometry/files/polyface.h"
 #include "model/store/disjoint.h"
 
-typedef struct { uint32_t low, high, corner; bool forward; double angle; } side; /* of the edge from a corner to the next of its face */
+/* of the edge from a corner to the next of its face */
+typedef struct { uint32_t low, high, corner; bool forward; double angle; } side;
 typedef struct {
   uint32_t place, first, edges; /* first: its first corner */
-  vs_vec3 towards, out;         /* the sum of the directions along its edges, in the end a unit vector; the sum of its faces' normals */
+  vs_vec3 towards, out;         /* the sum of the directions along its edges, in the end a unit vector; the sum of its
+                                 * faces' normals */
   double narrow;                /* how nearly its edges go one way: 1 all, 0 round in a plane */
 } fan;
 
@@ -24,7 +28,8 @@ typedef struct {
   const vs_vec3 *points;
   const uint32_t *starts, *corners;
   size_t face_count, corner_count, point_count;
-  uint32_t *place, *next, *face, *group, *of; /* place: of a point; the others of a corner; group: disjoint sets of corners; of: a first corner's fan */
+  uint32_t *place, *next, *face, *group, *of; /* place: of a point; the others of a corner; group: disjoint sets of
+                                               * corners; of: a first corner's fan */
   side *sides;
   fan *fans;
 } apart;
@@ -56,14 +61,17 @@ static int compare_fans(const void *p, const void *q) {
 static vs_vec3 face_normal(const apart *a, uint32_t face) {
   vs_vec3 sum = vs_v3(0, 0, 0), first = a->points[a->corners[a->starts[face]]];
   for (uint32_t k = a->starts[face] + 1; k + 1 < a->starts[face + 1]; k++)
-    sum = vs_v3_add(sum, vs_v3_cross(vs_v3_sub(a->points[a->corners[k]], first), vs_v3_sub(a->points[a->corners[k + 1]], first)));
+    sum = vs_v3_add(
+        sum, vs_v3_cross(vs_v3_sub(a->points[a->corners[k]], first), vs_v3_sub(a->points[a->corners[k + 1]], first)));
   return vs_v3_unit(sum);
 }
 
-/* Seen along the edge, faces turn counter-clockwise: behind one that runs forwards is air, behind one that runs backwards is solid. */
+/* Seen along the edge, faces turn counter-clockwise: behind one that runs forwards is air, behind one that runs
+ * backwards is solid. */
 static bool join_many(apart *a, side *s, size_t count) {
   vs_vec3 along = vs_v3_unit(vs_v3_sub(a->points[s->high], a->points[s->low]));
-  vs_vec3 x = vs_v3_unit(vs_v3_cross(along, fabs(along.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))), y = vs_v3_cross(along, x);
+  vs_vec3 x = vs_v3_unit(vs_v3_cross(along, fabs(along.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
+          y = vs_v3_cross(along, x);
   for (size_t i = 0; i < count; i++) {
     vs_vec3 inwards = vs_v3_cross(face_normal(a, a->face[s[i].corner]), s[i].forward ? along : vs_v3_scale(along, -1));
     s[i].angle = atan2(vs_v3_dot(inwards, y), vs_v3_dot(inwards, x));
@@ -87,21 +95,26 @@ static bool join_all(apart *a) {
     }
   qsort(a->sides, a->corner_count, sizeof *a->sides, compare_edges);
   for (size_t i = 0, end; i < a->corner_count; i = end) {
-    for (end = i + 1; end < a->corner_count && a->sides[end].low == a->sides[i].low && a->sides[end].high == a->sides[i].high;) end++;
+    for (end = i + 1;
+         end < a->corner_count && a->sides[end].low == a->sides[i].low && a->sides[end].high == a->sides[i].high;)
+      end++;
     if (end - i == 2 && a->sides[i].forward != a->sides[i + 1].forward) join_sides(a, &a->sides[i], &a->sides[i + 1]);
     else if (!join_many(a, a->sides + i, end - i)) return false;
   }
   return true;
 }
 
-/* The fans by place, of one place the flattest first; how many, and whether any place has two. A quite flat corner is drawn inwards. */
+/* The fans by place, of one place the flattest first; how many, and whether any place has two. A quite flat corner is
+ * drawn inwards. */
 static size_t list_fans(apart *a, bool *touches) {
   size_t count = 0;
   for (uint32_t c = 0; c < a->corner_count; c++) { /* a group's first corner is its smallest */
     uint32_t first = vs_find(a->group, c);
-    if (first == c) a->of[c] = (uint32_t)count, a->fans[count++] = (fan){ place_of(a, c), c, 0, vs_v3(0, 0, 0), vs_v3(0, 0, 0), 0 };
+    if (first == c)
+      a->of[c] = (uint32_t)count, a->fans[count++] = (fan){ place_of(a, c), c, 0, vs_v3(0, 0, 0), vs_v3(0, 0, 0), 0 };
     fan *f = &a->fans[a->of[first]];
-    f->towards = vs_v3_add(f->towards, vs_v3_unit(vs_v3_sub(a->points[a->corners[a->next[c]]], a->points[a->corners[c]])));
+    f->towards =
+        vs_v3_add(f->towards, vs_v3_unit(vs_v3_sub(a->points[a->corners[a->next[c]]], a->points[a->corners[c]])));
     f->out = vs_v3_add(f->out, face_normal(a, a->face[c]));
     f->edges++;
   }
@@ -137,7 +150,8 @@ static bool apart_fill(apart *a, vs_apart *out, size_t fan_count) {
     for (end = i + 1; end < fan_count && a->fans[end].place == a->fans[i].place;) end++;
     for (size_t k = i; k < end && end - i > 1; k++) {
       uint32_t at = k == i ? a->fans[i].place : (uint32_t)out->count++;
-      out->points[at] = vs_v3_add(a->points[a->fans[i].place], vs_v3_scale(a->fans[k].towards, step * (double)(k - i + 1)));
+      out->points[at] =
+          vs_v3_add(a->points[a->fans[i].place], vs_v3_scale(a->fans[k].towards, step * (double)(k - i + 1)));
       point[a->fans[k].first] = at;
     }
   }
@@ -153,9 +167,21 @@ bool vs_apart_make(const struct vs_polyface_mesh *mesh, vs_apart *out) {
   const uint32_t *starts = vs_faces_starts(mesh->faces);
   size_t n = starts[mesh->faces->count], points = mesh->points->count;
   if (n == 0 || points == 0) return true;
-  apart a = { mesh->points->at, starts, vs_faces_corners(mesh->faces), mesh->faces->count, n, points, malloc(points * sizeof *a.place), malloc(n * sizeof *a.next),
-              malloc(n * sizeof *a.face), malloc(n * sizeof *a.group), malloc(n * sizeof *a.of), malloc(n * sizeof *a.sides), malloc(n * sizeof *a.fans) };
-  bool touches = false, ok = a.place && a.next && a.face && a.group && a.of && a.sides && a.fans && vs_polyface_merge(a.points, points, a.place);
+  apart a = { mesh->points->at,
+              starts,
+              vs_faces_corners(mesh->faces),
+              mesh->faces->count,
+              n,
+              points,
+              malloc(points * sizeof *a.place),
+              malloc(n * sizeof *a.next),
+              malloc(n * sizeof *a.face),
+              malloc(n * sizeof *a.group),
+              malloc(n * sizeof *a.of),
+              malloc(n * sizeof *a.sides),
+              malloc(n * sizeof *a.fans) };
+  bool touches = false, ok = a.place && a.next && a.face && a.group && a.of && a.sides && a.fans &&
+                             vs_polyface_merge(a.points, points, a.place);
   if (ok && join_all(&a)) {
     size_t fans = list_fans(&a, &touches);
     if (touches) ok = apart_fill(&a, out, fans);

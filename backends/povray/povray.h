@@ -15,8 +15,10 @@ double vs_povray_ambient(const vs_emitter *e); /* of the light that comes from n
 bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
 bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref);
 bool vs_povray_item(vs_emitter *e, size_t index, bool end);
-vs_emit_fn vs_povray_line, vs_povray_region, vs_povray_box, vs_povray_sphere, vs_povray_cylinder, vs_povray_cone, vs_povray_cut_cone,
-  vs_povray_half_space, vs_povray_e_cone, vs_povray_superellipsoid, vs_povray_revolve, vs_povray_torus, vs_povray_polyface, vs_povray_extrude, vs_povray_transform, vs_povray_material, vs_povray_layer, vs_povray_csg, vs_povray_native;
+vs_emit_fn vs_povray_line, vs_povray_region, vs_povray_box, vs_povray_sphere, vs_povray_cylinder, vs_povray_cone,
+    vs_povray_cut_cone, vs_povray_half_space, vs_povray_e_cone, vs_povray_superellipsoid, vs_povray_revolve,
+    vs_povray_torus, vs_povray_polyface, vs_povray_extrude, vs_povray_transform, vs_povray_material, vs_povray_layer,
+    vs_povray_csg, vs_povray_native;
 
 /* The worker. */
 bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output);

@@ -1,9 +1,10 @@
-/* Owns what becomes of POV-Ray's picture before it is handed on: it is copied without what differs from one run to the next.
+/* Owns what becomes of POV-Ray's picture before it is handed on: it is copied without what differs from one run to the
+ * next.
  *
  * POV-Ray always renders an EXR, linear light in half floats. It writes the date, its version and the platform into
- * attributes of the header, which are left out; the table behind it holds where in the file each block of lines begins, so
- * these numbers go down by as much as the header becomes shorter. All else is copied byte by byte. A PNG is made of the
- * light here (geometry/pictures/tone.c): POV-Ray would cut off what is brighter than white. */
+ * attributes of the header, which are left out; the table behind it holds where in the file each block of lines begins,
+ * so these numbers go down by as much as the header becomes shorter. All else is copied byte by byte. A PNG is made of
+ * the light here (geometry/pictures/tone.c): POV-Ray would cut off what is brighter than white. */
 #include "backends/povray/povray_picture.h"
 
 #include <errno.h>
@@ -35,7 +36,8 @@ static bool picture_read(vs_emitter *e, const char *path, picture_bytes *out) {
   }
   close(file);
   if (ok && !out->at) return vs_emit_no_memory(e);
-  return (ok && out->count == size) || vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray's picture cannot be read");
+  return (ok && out->count == size) ||
+         vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray's picture cannot be read");
 }
 
 static bool picture_write(vs_emitter *e, const char *path, const picture_bytes *p) {
@@ -49,7 +51,8 @@ static bool picture_write(vs_emitter *e, const char *path, const picture_bytes *
   }
   int problem = errno;
   if (file >= 0 && close(file) != 0 && ok) ok = false, problem = errno;
-  return ok || vs_error_set(e->error, VS_ERROR_FILE, NULL, "the picture could not be written: %s", problem == ENOSPC ? "the disk is full" : strerror(problem));
+  return ok || vs_error_set(e->error, VS_ERROR_FILE, NULL, "the picture could not be written: %s",
+                            problem == ENOSPC ? "the disk is full" : strerror(problem));
 }
 
 /* Takes `count` bytes out of the picture. */
@@ -64,7 +67,8 @@ static uint64_t picture_little(const unsigned char *at, int bytes) {
   return x;
 }
 
-/* An attribute is its name, its type, both ending in a zero, the count of its bytes in four, and the bytes. Returns its size; 0: there is none, or it is cut off. */
+/* An attribute is its name, its type, both ending in a zero, the count of its bytes in four, and the bytes. Returns its
+ * size; 0: there is none, or it is cut off. */
 static size_t picture_attribute(const unsigned char *at, size_t left) {
   const unsigned char *name = memchr(at, 0, left);
   if (!name || name == at) return 0;
@@ -80,7 +84,8 @@ static void picture_plain_exr(picture_bytes *p) {
   size_t at = 8, less = 0, size;
   while ((size = picture_attribute(p->at + at, p->count - at)) > 0) {
     bool cut = false;
-    for (size_t i = 0; i < sizeof dated / sizeof *dated; i++) cut = cut || strcmp((const char *)p->at + at, dated[i]) == 0;
+    for (size_t i = 0; i < sizeof dated / sizeof *dated; i++)
+      cut = cut || strcmp((const char *)p->at + at, dated[i]) == 0;
     if (cut) picture_cut(p, at, size), less += size;
     else at += size;
   }
@@ -110,8 +115,8 @@ static bool picture_anew(vs_emitter *e, const char *from, const char *to) {
   bool ok = picture_read(e, from, &p) && vs_exr_read(store, "POV-Ray's picture", p.at, p.count, NULL, &x, e->error);
   free(p.at);
   uint32_t columns = x.columns, rows = x.rows;
-  ok = ok && picture_part(e, &x) && (!e->options->layers || vs_povray_layers(e, &x, columns, rows)) && vs_exr_write(&x, &exr, &size, &room, e->error) &&
-       picture_write(e, to, &(picture_bytes){ exr, size });
+  ok = ok && picture_part(e, &x) && (!e->options->layers || vs_povray_layers(e, &x, columns, rows)) &&
+       vs_exr_write(&x, &exr, &size, &room, e->error) && picture_write(e, to, &(picture_bytes){ exr, size });
   if (exr) vs_store_realloc(store, exr, room, 0);
   vs_exr_free(&x);
   return ok;

@@ -30,7 +30,9 @@ static void pov_word(vs_writer *w, const char *before, double x, const char *aft
  * it. POV-Ray's own pictures of a .pov cut off what is brighter than white: there the sun leaves a white wall, with the
  * sky's light, just below that. A picture round the scene is as bright as it is, and the sun goes by that. */
 static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
-static double pov_sky_strength(const vs_emitter *e) { return pov_is_developed(e) && e->scene->sky_image == NULL ? 1.6 : 1; }
+static double pov_sky_strength(const vs_emitter *e) {
+  return pov_is_developed(e) && e->scene->sky_image == NULL ? 1.6 : 1;
+}
 /* Of a draft's lights without shadows, which stand for all that the sky and the walls send on. */
 static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
 static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
@@ -39,7 +41,8 @@ static bool pov_is_physical(const vs_emitter *e) { return e->scene->turbidity > 
 static vs_povray_daylight pov_daylight(const vs_emitter *e, const vs_look *l) {
   return vs_povray_daylight_of(e->scene, vs_look_sun(e->scene, l), pov_is_developed(e) ? 1 : 1.25 / 3.2);
 }
-/* The light that a draft adds to all surfaces, however they are turned: none is black. With bounced light POV-Ray wants none. */
+/* The light that a draft adds to all surfaces, however they are turned: none is black. With bounced light POV-Ray wants
+ * none. */
 double vs_povray_ambient(const vs_emitter *e) {
   return e->options->quality == VS_RENDER_DRAFT ? 0.05 * pov_fill_strength(e) : 0;
 }
@@ -66,7 +69,8 @@ static void pov_focus(vs_emitter *e, const vs_look *l) {
 static void pov_camera(vs_emitter *e, const vs_look *l) {
   vs_writer *w = e->out;
   vs_puts(w, "camera {\n");
-  if (l->parallel) { /* look_at turns the axes: written as vectors their last digits would not be perpendicular enough */
+  if (l->parallel) { /* look_at turns the axes: written as vectors their last digits would not be perpendicular
+                      * enough */
     vs_puts(w, "  orthographic\n");
     pov_vector(w, "  location ", l->eye);
     pov_vector(w, "\n  sky ", l->up);
@@ -76,7 +80,8 @@ static void pov_camera(vs_emitter *e, const vs_look *l) {
     vs_puts(w, "\n}\n");
     return;
   }
-  if (l->upright) { /* the picture's plane is vertical, and the target in its middle: vectors that are not perpendicular */
+  if (l->upright) { /* the picture's plane is vertical, and the target in its middle: vectors that are not
+                     * perpendicular */
     vs_vec3 level = vs_v3_unit(vs_v3(l->forward.x, l->forward.y, 0));
     double wide = 2 * tan(l->angle / 2);
     pov_vector(w, "  location ", l->eye);
@@ -241,7 +246,9 @@ static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double 
   if (m != NULL) vs_povray_prepare_texture(e, m, pixel);
   pov_word(w, "plane {\n  z, ", z, "\n  texture {\n");
   if (m != NULL) vs_povray_texture(e, m, pixel);
-  else pov_word(w, "    pigment { color srgb <0.77, 0.76, 0.73> }\n    finish { ambient ", vs_povray_ambient(e), " diffuse 0.8 }\n");
+  else
+    pov_word(w, "    pigment { color srgb <0.77, 0.76, 0.73> }\n    finish { ambient ", vs_povray_ambient(e),
+             " diffuse 0.8 }\n");
   vs_puts(w, "  }\n");
   if (e->scene->sky_image == NULL) pov_ground_haze(e, l, diagonal, z);
   if (m != NULL) vs_povray_interior(e, m);
@@ -267,7 +274,9 @@ static const char *pov_radiosity(vs_render_quality q) {
 
 /* POV-Ray has absolute tolerances: what is much smaller than a unit has holes, meshes of millions of units are not seen
  * at all. Such drawings are written in other units, a power of ten, in which they are some tens across. */
-static double pov_unit(double diagonal) { return diagonal > 0.1 && diagonal < 1e5 ? 1 : pow(10, 1 - floor(log10(diagonal))); }
+static double pov_unit(double diagonal) {
+  return diagonal > 0.1 && diagonal < 1e5 ? 1 : pow(10, 1 - floor(log10(diagonal)));
+}
 
 /* Curves are drawn two pixels wide and more: 1/450 of the picture's width, so that they do not get lost in large
  * ones. Places nearer than a
@@ -280,7 +289,8 @@ static vs_pen pov_pen(const vs_emitter *e, const vs_look *l, int width) {
       .least = share * 1e-3 * vs_bounds_diagonal(&e->bounds) };
 }
 
-/* The width of a pixel, in the scene, where the drawing's box is nearest to the eye; the look is in the scene's units. */
+/* The width of a pixel, in the scene, where the drawing's box is nearest to the eye; the look is in the scene's
+ * units. */
 static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
   if (l->parallel) return l->width / width;
   const double low[] = { e->bounds.min.x, e->bounds.min.y, e->bounds.min.z };
@@ -297,13 +307,15 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
 
 bool vs_povray_begin(vs_emitter *e) {
   vs_writer *w = e->out;
-  int width = e->options->width > 0 ? e->options->width : 1024, height = e->options->height > 0 ? e->options->height : 768;
+  int width = e->options->width > 0 ? e->options->width : 1024,
+      height = e->options->height > 0 ? e->options->height : 768;
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   if (!(diagonal > 0)) diagonal = 1;
   e->unit = pov_unit(diagonal);
   vs_puts(w, "// ");
   vs_povray_name(w, e->scene->title);
-  vs_putf(w, ": a scene for POV-Ray 3.7, made by VisualScheme\n// povray +W%d +H%d +A0.1 THIS-FILE\n#version 3.7;\n", width, height);
+  vs_putf(w, ": a scene for POV-Ray 3.7, made by VisualScheme\n// povray +W%d +H%d +A0.1 THIS-FILE\n#version 3.7;\n",
+          width, height);
   vs_puts(w, "global_settings {\n  assumed_gamma 1\n  max_trace_level 12\n  ");
   vs_puts(w, pov_radiosity(e->options->quality));
   vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient ");
@@ -330,16 +342,16 @@ bool vs_povray_begin(vs_emitter *e) {
 
 bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
 
-#define POVRAY_SHARED                                                                                                                     \
+#define POVRAY_SHARED                                                                                                  \
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, .use = vs_povray_use,                \
   .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, .family = "povray", .native = "povray", .inks = true, .groups = true, .keeps_text = true, .frames = true, \
-  .emit = {                                                                                                                               \
-    [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                                                 \
-    [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                                                 \
+  .emit = {                                                                                                            \
+    [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                             \
+    [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                             \
     [VS_REGION] = { vs_povray_region, NULL }, [VS_TEXT] = { vs_povray_region, NULL }, [VS_BOX] = { vs_povray_box, NULL }, [VS_SPHERE] = { vs_povray_sphere, NULL },                \
     [VS_CYLINDER] = { vs_povray_cylinder, NULL }, [VS_CONE] = { vs_povray_cone, NULL }, [VS_CUT_CONE] = { vs_povray_cut_cone, NULL },      \
-    [VS_HALF_SPACE] = { vs_povray_half_space, NULL },                                                                                     \
-    [VS_E_CONE] = { vs_povray_e_cone, NULL }, [VS_SUPERELLIPSOID] = { vs_povray_superellipsoid, NULL },                                    \
+    [VS_HALF_SPACE] = { vs_povray_half_space, NULL },                                                                  \
+    [VS_E_CONE] = { vs_povray_e_cone, NULL }, [VS_SUPERELLIPSOID] = { vs_povray_superellipsoid, NULL },                \
     [VS_TORUS] = { vs_povray_torus, NULL }, [VS_REVOLVE] = { vs_povray_revolve, NULL }, [VS_POLYFACE_MESH] = { vs_povray_polyface, NULL }, [VS_EXTRUDE] = { vs_povray_extrude, NULL }, \
     [VS_TRANSFORM] = { vs_povray_transform, NULL }, [VS_MATERIAL] = { vs_povray_material, NULL }, [VS_LAYER] = { vs_povray_layer, NULL }, [VS_NATIVE] = { vs_povray_native, NULL },  \
     [VS_UNION] = { vs_povray_csg, NULL }, [VS_INTERSECTION] = { vs_povray_csg, NULL }, [VS_DIFFERENCE] = { vs_povray_csg, NULL },          \

@@ -1,5 +1,6 @@
-/* Owns the POV-Ray text of every kind. Objects that POV-Ray draws wrong without a word (degenerate shapes, lone operands) never get here: the
- * constructors refuse them or the driver leaves them out. Triangles take part in CSG by their inside_vector. */
+/* Owns the POV-Ray text of every kind. Objects that POV-Ray draws wrong without a word (degenerate shapes, lone
+ * operands) never get here: the constructors refuse them or the driver leaves them out. Triangles take part in CSG by
+ * their inside_vector. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -121,7 +122,8 @@ vs_emit_status vs_povray_cylinder(vs_emitter *e, const vs_ref *ref, vs_phase pha
 }
 
 static vs_emit_status pov_cone(vs_emitter *e, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius) {
-  if (base_radius == top_radius) return pov_cylinder(e, base, top, base_radius); /* POV-Ray's cone takes no equal radii */
+  /* POV-Ray's cone takes no equal radii */
+  if (base_radius == top_radius) return pov_cylinder(e, base, top, base_radius);
   char *to = POV_BEGIN(e, "cone { ");
   if (to == NULL) return VS_FAILED;
   to = pov_write_point(to, pov_at(e, base));
@@ -147,7 +149,8 @@ vs_emit_status vs_povray_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase
   const struct vs_e_cone *c = VS_AS(e_cone, ref->node);
   if (c->segments > 0) return VS_LOWER;
   vs_vec3 axis = vs_v3_sub(c->top, c->base);
-  vs_affine place = vs_frame_on_axis(c->base, axis), wide = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, c->base_across / c->base_radius, 1));
+  vs_affine place = vs_frame_on_axis(c->base, axis),
+            wide = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, c->base_across / c->base_radius, 1));
   place = vs_affine_multiply(&place, &wide);
   bool equal = c->base_radius == c->top_radius; /* POV-Ray's cone takes no equal radii */
   pov_open(e, equal ? "cylinder { <0, 0, 0>" : "cone { <0, 0, 0>");
@@ -159,7 +162,8 @@ vs_emit_status vs_povray_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return pov_close(e, " }\n");
 }
 
-/* POV-Ray's exponents are ours. Outside these bounds its solver leaves holes: then the triangles that every format gets. */
+/* POV-Ray's exponents are ours. Outside these bounds its solver leaves holes: then the triangles that every format
+ * gets. */
 vs_emit_status vs_povray_superellipsoid(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_superellipsoid *s = VS_AS(superellipsoid, ref->node);
@@ -205,7 +209,8 @@ static bool pov_needle(const vs_vec3 *v, const uint32_t t[3]) {
 }
 
 /* Index triples, ten a line; needles are left out: POV-Ray complains of them and they show nothing. */
-static void pov_triples(vs_emitter *e, const char *word, const vs_vec3 *v, const uint32_t (*keep)[3], const uint32_t (*triples)[3], size_t count, size_t kept) {
+static void pov_triples(vs_emitter *e, const char *word, const vs_vec3 *v, const uint32_t (*keep)[3],
+                        const uint32_t (*triples)[3], size_t count, size_t kept) {
   pov_open(e, word);
   vs_put_u32(e->out, (uint32_t)kept);
   for (size_t i = 0, shown = 0; i < count; i++) {
@@ -229,14 +234,16 @@ static void pov_points(vs_emitter *e, const char *word, const vs_vec3 *at, size_
   for (size_t i = 0; i < count; i++) {
     vs_puts(e->out, i % 4 == 0 ? ",\n" : ", ");
     if (i % 4 == 0) pov_indent(e);
-    vs_put_triple(e->out, "<", unit == 1 ? vs_v3_sub(at[i], from) : vs_v3_scale(vs_v3_sub(at[i], from), unit), ",", ">");
+    vs_put_triple(e->out, "<", unit == 1 ? vs_v3_sub(at[i], from) : vs_v3_scale(vs_v3_sub(at[i], from), unit), ",",
+                  ">");
   }
   vs_puts(e->out, "\n");
   pov_indent(e);
   vs_puts(e->out, "}\n");
 }
 
-/* POV-Ray keeps the corners of meshes in single precision: those of what is far away for its size are written from its first corner on. */
+/* POV-Ray keeps the corners of meshes in single precision: those of what is far away for its size are written from its
+ * first corner on. */
 static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_add(&b, v[i]);
@@ -244,7 +251,8 @@ static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   return count > 0 && vs_v3_length(middle) > 100 * vs_bounds_diagonal(&b) ? v[0] : vs_v3(0, 0, 0);
 }
 
-static vs_emit_status pov_mesh(vs_emitter *e, const vs_vec3 *v, size_t vertex_count, const uint32_t (*t)[3], size_t count, bool closed) {
+static vs_emit_status pov_mesh(vs_emitter *e, const vs_vec3 *v, size_t vertex_count, const uint32_t (*t)[3],
+                               size_t count, bool closed) {
   size_t kept = 0;
   for (size_t i = 0; i < count; i++) kept += !pov_needle(v, t[i]);
   if (kept == 0) return VS_EMITTED; /* nothing that could be seen */
@@ -278,10 +286,12 @@ vs_emit_status vs_povray_polyface(vs_emitter *e, const vs_ref *ref, vs_phase pha
   const uint32_t *starts = vs_faces_starts(p->faces);
   for (uint32_t i = 0; i < p->faces->count && triangles; i++) triangles = starts[i] == 3 * i;
   if (triangles)
-    return pov_mesh(e, p->points->at, p->points->count, (const uint32_t (*)[3])(const void *)vs_faces_corners(p->faces), p->faces->count, p->closed);
+    return pov_mesh(e, p->points->at, p->points->count, (const uint32_t(*)[3])(const void *)vs_faces_corners(p->faces),
+                    p->faces->count, p->closed);
   const vs_solid *m = vs_emit_mesh(e, ref);
   if (m == NULL) return VS_FAILED;
-  return pov_mesh(e, m->mesh.vertices, m->mesh.vertex_count, (const uint32_t (*)[3])m->mesh.triangles, m->mesh.triangle_count, p->closed);
+  return pov_mesh(e, m->mesh.vertices, m->mesh.vertex_count, (const uint32_t(*)[3])m->mesh.triangles,
+                  m->mesh.triangle_count, p->closed);
 }
 
 /* ---- curves and regions ---- */
@@ -319,7 +329,8 @@ vs_emit_status vs_povray_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) 
   return pov_close(e, "");
 }
 
-/* The loops of an outline as flat points of its own plane, each loop closed by its first point; comma before all but the first. */
+/* The loops of an outline as flat points of its own plane, each loop closed by its first point; comma before all but
+ * the first. */
 static size_t pov_loop_points(const vs_outline *o) {
   size_t count = 0;
   for (size_t i = 0; i < o->count; i++) count += o->loops[i].count + 1;
@@ -358,7 +369,8 @@ vs_emit_status vs_povray_region(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return pov_close(e, "");
 }
 
-/* Where every loop is straight lines, the walls are planes and a prism shows them; round walls are better as shaded triangles. */
+/* Where every loop is straight lines, the walls are planes and a prism shows them; round walls are better as shaded
+ * triangles. */
 static bool pov_is_straight(const vs_node *profile) {
   while (profile->kind == VS_TRANSFORM || vs_node_is_dress(profile)) profile = profile->children[0].node;
   if (profile->kind == VS_LINE) return true;
@@ -390,7 +402,8 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   if (!vs_region_outline(n->children[0].node, &e->facets, &o, e->error)) return VS_FAILED;
   vs_affine plane = vs_frame_on_axis(o.point, o.normal), back;
   if (o.count > 0 && vs_affine_invert(&plane, &back)) {
-    /* A prism's profile lies in x and z and rises along y: its x, y, z go to the plane's first axis, the way along, the second axis. */
+    /* A prism's profile lies in x and z and rises along y: its x, y, z go to the plane's first axis, the way along, the
+     * second axis. */
     vs_affine place = plane;
     const double along[] = { x->along.x, x->along.y, x->along.z }, from[] = { start.x, start.y, start.z };
     for (int row = 0; row < 3; row++) {
@@ -409,12 +422,14 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   return pov_close(e, "");
 }
 
-/* A whole turn of one straight-edged loop: a lathe, whose profile is x and y and turns about y. Round profiles are better as shaded triangles. */
+/* A whole turn of one straight-edged loop: a lathe, whose profile is x and y and turns about y. Round profiles are
+ * better as shaded triangles. */
 vs_emit_status vs_povray_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const vs_node *n = ref->node;
   vs_revolve r;
-  if (n->class_ != VS_SOLID || VS_AS(revolve, n)->segments > 0 || !pov_is_straight(n->children[0].node)) return VS_LOWER;
+  if (n->class_ != VS_SOLID || VS_AS(revolve, n)->segments > 0 || !pov_is_straight(n->children[0].node))
+    return VS_LOWER;
   if (!vs_revolve_plan(n, &e->facets, &r, e->error)) return VS_FAILED;
   bool fits = r.full && r.loop_count == 1;
   if (fits) {
@@ -428,7 +443,9 @@ vs_emit_status vs_povray_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phas
       pov_comma(e, r.profile[i % r.count].y * e->unit);
       vs_puts(e->out, ">");
     }
-    vs_affine place = { { { r.out.x, r.axis.x, -r.side.x, r.at.x }, { r.out.y, r.axis.y, -r.side.y, r.at.y }, { r.out.z, r.axis.z, -r.side.z, r.at.z } } };
+    vs_affine place = { { { r.out.x, r.axis.x, -r.side.x, r.at.x },
+                          { r.out.y, r.axis.y, -r.side.y, r.at.y },
+                          { r.out.z, r.axis.z, -r.side.z, r.at.z } } };
     vs_puts(e->out, "\n");
     pov_open(e, "  ");
     pov_matrix(e, &place);
@@ -458,7 +475,8 @@ vs_emit_status vs_povray_transform(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return pov_close(e, "");
 }
 
-/* Paint goes to what has none yet: POV-Ray hands the material of a compound down to bare parts, and puts a second one on top of a first. */
+/* Paint goes to what has none yet: POV-Ray hands the material of a compound down to bare parts, and puts a second one
+ * on top of a first. */
 vs_emit_status vs_povray_material(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   if (phase == VS_PHASE_ENTER) {
     pov_open(e, "object {\n");
@@ -481,7 +499,8 @@ vs_emit_status vs_povray_layer(vs_emitter *e, const vs_ref *ref, vs_phase phase)
 
 /* Text that begins with one of these words says how the child looks; any other is an object in the child's place. */
 static bool pov_is_look(const char *text) {
-  static const char *const words[] = { "texture", "pigment", "normal", "finish", "interior", "material", "photons", "no_shadow", "hollow" };
+  static const char *const words[] = { "texture",  "pigment", "normal",    "finish", "interior",
+                                       "material", "photons", "no_shadow", "hollow" };
   while (*text == ' ' || *text == '\n' || *text == '\t' || *text == '\r') text++;
   for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
     size_t length = strlen(words[i]);
@@ -514,11 +533,13 @@ vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase
 vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   const vs_node *n = ref->node;
   if (phase == VS_PHASE_LEAVE) {
-    /* Where a bare cutter cuts something painted, the cut face shows what was cut. The operands of a difference must be painted all over: POV-Ray shows the
-     * bare parts of a difference with cutaway_textures in black. */
+    /* Where a bare cutter cuts something painted, the cut face shows what was cut. The operands of a difference must be
+     * painted all over: POV-Ray shows the bare parts of a difference with cutaway_textures in black. */
     bool whole = n->kind != VS_DIFFERENCE || !vs_emit_is_bare(e, n->children[0].node);
-    if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n)) pov_open(e, "  cutaway_textures\n");
-    /* POV-Ray tries the parts of a difference for every ray unless they are bounded by hand; what is intersected with a box lies in it */
+    if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n))
+      pov_open(e, "  cutaway_textures\n");
+    /* POV-Ray tries the parts of a difference for every ray unless they are bounded by hand; what is intersected with a
+     * box lies in it */
     if (n->kind == VS_INTERSECTION && e->in_boolean && n->children[0].node->kind == VS_BOX) {
       const struct vs_box *b = VS_AS(box, n->children[0].node);
       vs_vec3 more = vs_v3_scale(vs_v3_sub(b->q, b->p), 1e-4);
@@ -531,7 +552,10 @@ vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
     return pov_close(e, "");
   }
   bool clear = e->material != NULL && e->material->transparency > 0 && n->class_ == VS_SOLID && e->child_count <= 200;
-  pov_open(e, n->kind == VS_INTERSECTION ? "intersection {\n" : n->kind == VS_DIFFERENCE ? "difference {\n" : clear ? "merge {\n" : "union {\n");
+  pov_open(e, n->kind == VS_INTERSECTION ? "intersection {\n"
+              : n->kind == VS_DIFFERENCE ? "difference {\n"
+              : clear                    ? "merge {\n"
+                                         : "union {\n");
   return pov_close(e, "");
 }
 
@@ -544,7 +568,8 @@ bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   (void)ref;
   pov_indent(e);
   bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* which has opened the object */
-  return vs_puts(e->out, placed ? "T" : "object { T") && vs_emit_put_template_number(e, id) && vs_puts(e->out, placed ? "\n" : " }\n");
+  return vs_puts(e->out, placed ? "T" : "object { T") && vs_emit_put_template_number(e, id) &&
+         vs_puts(e->out, placed ? "\n" : " }\n");
 }
 
 bool vs_povray_item(vs_emitter *e, size_t index, bool end) {

@@ -2,9 +2,9 @@
  *
  * POV-Ray says everything on standard error: progress in pieces that begin with a carriage return, messages as
  *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
- * wrapped at 80 columns with one space in front of what continues. It ends with 0 after warnings that mean a wrong picture, so any is a
- * failure here. A message's line leads, by the table that the driver kept, to the place in the user's model.
- * It stays in our process group: what ends us from outside (the terminal, timeout) ends it too. */
+ * wrapped at 80 columns with one space in front of what continues. It ends with 0 after warnings that mean a wrong
+ * picture, so any is a failure here. A message's line leads, by the table that the driver kept, to the place in the
+ * user's model. It stays in our process group: what ends us from outside (the terminal, timeout) ends it too. */
 #define _GNU_SOURCE /* prlimit */
 #include <errno.h>
 #include <fcntl.h>
@@ -132,7 +132,8 @@ static void run_quote(char *out, size_t room, const char *option, const char *na
 static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "cannot talk to POV-Ray: no pipe");
-  int width = e->options->width > 0 ? e->options->width : 1024, height = e->options->height > 0 ? e->options->height : 768;
+  int width = e->options->width > 0 ? e->options->width : 1024,
+      height = e->options->height > 0 ? e->options->height : 768;
   char wide[24], high[24], in[POV_PATH_ROOM + 8], out[POV_PATH_ROOM + 8];
   char home[POV_PATH_ROOM], ini[POV_PATH_ROOM + 8], path[POV_PATH_ROOM];
   snprintf(wide, sizeof wide, "+W%d", width);
@@ -189,7 +190,8 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene) {
   }
   close(r->errors);
   if (problem == ENOENT)
-    return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray is not installed: pictures need the package povray (sudo apt-get install povray)");
+    return vs_error_set(e->error, VS_ERROR_WORKER, NULL,
+                        "POV-Ray is not installed: pictures need the package povray (sudo apt-get install povray)");
   return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray did not start: %s", strerror(problem));
 }
 
@@ -256,7 +258,8 @@ static bool run_judge(vs_emitter *e, pov_run *r, int status) {
   if (complaint != NULL)
     return vs_error_set(e->error, VS_ERROR_WORKER, vs_emit_line_origin(e, (uint32_t)line), "POV-Ray: %s", complaint);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
-  if (WIFSIGNALED(status)) return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was ended by signal %d", WTERMSIG(status));
+  if (WIFSIGNALED(status))
+    return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was ended by signal %d", WTERMSIG(status));
   const char *last = run_last_line(r->text);
   return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray failed%s%s", *last ? ": " : " and said nothing", last);
 }
@@ -271,7 +274,8 @@ static bool run_was_starved(const pov_run *r, int status) {
 static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene) {
   const char *slash = strrchr(scene, '/');
   size_t length = slash != NULL ? (size_t)(slash - scene) : 0;
-  if (length == 0 || length >= sizeof r->folder) return vs_error_set(e->error, VS_ERROR_FILE, NULL, "the temporary folder's name is too long");
+  if (length == 0 || length >= sizeof r->folder)
+    return vs_error_set(e->error, VS_ERROR_FILE, NULL, "the temporary folder's name is too long");
   memcpy(r->folder, scene, length);
   r->folder[length] = '\0';
   snprintf(r->picture, sizeof r->picture, "%s/picture.exr", r->folder);
@@ -281,7 +285,8 @@ static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene) {
   int file = open(r->ini, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   bool ok = file >= 0 && write(file, words, sizeof words - 1) == (ssize_t)(sizeof words - 1);
   if (file >= 0 && close(file) != 0) ok = false;
-  return ok || vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: %s", r->ini, errno == ENOSPC ? "the disk is full" : strerror(errno));
+  return ok || vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: %s", r->ini,
+                            errno == ENOSPC ? "the disk is full" : strerror(errno));
 }
 
 static bool run_render(vs_emitter *e, const char *scene, const char *output, bool develop) {
@@ -301,7 +306,8 @@ static bool run_render(vs_emitter *e, const char *scene, const char *output, boo
     again = ok && ++starts < STARTS && run_was_starved(r, status);
     if (!again) ok = ok && run_judge(e, r, status);
   }
-  if (ok) ok = develop ? vs_povray_develop_picture(e, r->picture, output) : vs_povray_take_picture(e, r->picture, output);
+  if (ok)
+    ok = develop ? vs_povray_develop_picture(e, r->picture, output) : vs_povray_take_picture(e, r->picture, output);
   unlink(r->picture);
   unlink(r->ini);
   unlink(r->state);
@@ -309,5 +315,9 @@ static bool run_render(vs_emitter *e, const char *scene, const char *output, boo
   return ok;
 }
 
-bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output) { return run_render(e, scene, output, true); }
-bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output) { return run_render(e, scene, output, false); }
+bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output) {
+  return run_render(e, scene, output, true);
+}
+bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output) {
+  return run_render(e, scene, output, false);
+}

@@ -1,8 +1,10 @@
-/* Owns the .3mf package (3MF core 1.3): the drawing's solids as closed meshes with a material a triangle, in a zip made by libzip.
+/* Owns the .3mf package (3MF core 1.3): the drawing's solids as closed meshes with a material a triangle, in a zip made
+ * by libzip.
  *
- * Every distinct part is an object that stands once; one more object has its copies as components. Readers differ in what they make of a
- * placement that mirrors: such copies are placements of a mirrored twin of the mesh.
- * The model's XML is gathered in memory, packed there, and then written: a zip's directory stands at its end and libzip goes back and forth. */
+ * Every distinct part is an object that stands once; one more object has its copies as components. Readers differ in
+ * what they make of a placement that mirrors: such copies are placements of a mirrored twin of the mesh.
+ * The model's XML is gathered in memory, packed there, and then written: a zip's directory stands at its end and libzip
+ * goes back and forth. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -13,7 +15,7 @@
 
 /* ---- libzip ---- */
 
-#define ZIP_FUNCTIONS(X)                                                                                                              \
+#define ZIP_FUNCTIONS(X)                                                                                               \
   X(zip_source_buffer_create) X(zip_open_from_source) X(zip_source_buffer) X(zip_file_add) X(zip_file_set_dostime) X(zip_close) X(zip_discard) \
   X(zip_set_file_compression) X(zip_register_cancel_callback_with_state) X(zip_source_keep) X(zip_source_free) X(zip_source_open) X(zip_source_read) X(zip_source_close)
 
@@ -37,7 +39,9 @@ static bool zip_load(zip_library *z, vs_error *e) {
 /* ---- the model ---- */
 
 static const char *unit_name(const char *unit) {
-  static const char *const names[][2] = { { "mm", "millimeter" }, { "cm", "centimeter" }, { "in", "inch" }, { "ft", "foot" } };
+  static const char *const names[][2] = {
+    { "mm", "millimeter" }, { "cm", "centimeter" }, { "in", "inch" }, { "ft", "foot" }
+  };
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
     if (strcmp(unit, names[i][0]) == 0) return names[i][1];
   return "meter";
@@ -50,8 +54,8 @@ static void model_materials(vs_emitter *e) {
     vs_material shown = m != NULL ? *m : vs_material_of_color(0.86, 0.85, 0.83);
     vs_puts(e->out, "<base name=\"");
     vs_put_xml(e->out, m == NULL ? "plain" : m->name[0] != '\0' ? m->name : "color");
-    vs_putf(e->out, "\" displaycolor=\"#%02lX%02lX%02lX%02lX\"/>\n", lround(255 * shown.red), lround(255 * shown.green), lround(255 * shown.blue),
-            lround(255 * (1 - 0.8 * shown.transparency)));
+    vs_putf(e->out, "\" displaycolor=\"#%02lX%02lX%02lX%02lX\"/>\n", lround(255 * shown.red), lround(255 * shown.green),
+            lround(255 * shown.blue), lround(255 * (1 - 0.8 * shown.transparency)));
   }
   vs_puts(e->out, "</basematerials>\n");
 }
@@ -108,13 +112,15 @@ static void model_component(vs_emitter *e, const vs_kernel_copy *copy) {
 static bool model_write(vs_emitter *e, const vs_solid_copies *c, bool *plain, bool *twins) {
   const vs_kernel_copies *k = &c->meshes;
   vs_writer *w = e->out;
-  vs_puts(w, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" xml:lang=\"en-US\" unit=\"");
+  vs_puts(w, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model "
+             "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" xml:lang=\"en-US\" unit=\"");
   vs_puts(w, unit_name(e->scene->units));
   vs_puts(w, "\">\n<metadata name=\"Title\">");
   vs_put_xml(w, e->scene->title);
   vs_puts(w, "</metadata>\n<metadata name=\"Application\">VisualScheme</metadata>\n<resources>\n");
   model_materials(e);
-  for (size_t i = 0; i < k->copy_count; i++) (vs_affine_determinant(&k->copies[i].place) < 0 ? twins : plain)[k->copies[i].mesh] = true;
+  for (size_t i = 0; i < k->copy_count; i++)
+    (vs_affine_determinant(&k->copies[i].place) < 0 ? twins : plain)[k->copies[i].mesh] = true;
   for (size_t i = 0; i < k->mesh_count; i++) {
     if (plain[i]) model_object(e, c, i, model_id(i, false), false);
     if (twins[i]) model_object(e, c, i, model_id(i, true), true);
@@ -158,7 +164,8 @@ static bool model_gather(vs_emitter *e, const vs_solid_copies *c, memory *out) {
   return ok;
 }
 
-/* Of 1 to 9. libzip's own choice is 9, which takes seven times as long as this for 4 % less: on 22 MB of triangles 1.9 s and 0.26 s, 2.96 and 3.09 MB. */
+/* Of 1 to 9. libzip's own choice is 9, which takes seven times as long as this for 4 % less: on 22 MB of triangles 1.9
+ * s and 0.26 s, 2.96 and 3.09 MB. */
 enum { PACKING = 5 };
 
 static bool package_add(const zip_library *z, zip_t *zip, const char *name, const void *bytes, size_t count) {
@@ -169,7 +176,8 @@ static bool package_add(const zip_library *z, zip_t *zip, const char *name, cons
     return false;
   }
   return z->zip_set_file_compression(zip, (zip_uint64_t)at, ZIP_CM_DEFLATE, PACKING) == 0 &&
-         z->zip_file_set_dostime(zip, (zip_uint64_t)at, 0, 0x21, 0) == 0; /* 1980-01-01: the same model makes the same bytes */
+         z->zip_file_set_dostime(zip, (zip_uint64_t)at, 0, 0x21, 0) == 0; /* 1980-01-01: the same model makes the same
+                                                                           * bytes */
 }
 
 /* zip_close does the packing; until then nothing that `bytes` names may go. */
@@ -177,15 +185,21 @@ static int package_stops(zip_t *zip, void *context) { return (void)zip, !vs_emit
 
 static bool package_close(const zip_library *z, zip_t *zip, const memory *model) {
   static const char types[] =
-    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n"
-    "<Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\n"
-    "<Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\n</Types>\n";
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types "
+      "xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n"
+      "<Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\n"
+      "<Default Extension=\"model\" "
+      "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\n</Types>\n";
   static const char relations[] =
-    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n"
-    "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n</Relationships>\n";
-  bool ok = package_add(z, zip, "[Content_Types].xml", types, sizeof types - 1) && package_add(z, zip, "_rels/.rels", relations, sizeof relations - 1)
-         && package_add(z, zip, "3D/3dmodel.model", model->at, model->count);
-  ok = ok && z->zip_register_cancel_callback_with_state(zip, package_stops, NULL, model->e) == 0; /* asked often while it packs */
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships "
+      "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n"
+      "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
+      "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n</Relationships>\n";
+  bool ok = package_add(z, zip, "[Content_Types].xml", types, sizeof types - 1) &&
+            package_add(z, zip, "_rels/.rels", relations, sizeof relations - 1) &&
+            package_add(z, zip, "3D/3dmodel.model", model->at, model->count);
+  /* asked often while it packs */
+  ok = ok && z->zip_register_cancel_callback_with_state(zip, package_stops, NULL, model->e) == 0;
   if (ok && z->zip_close(zip) == 0) return true;
   z->zip_discard(zip);
   return false;
@@ -194,7 +208,8 @@ static bool package_close(const zip_library *z, zip_t *zip, const memory *model)
 static bool package_copy(vs_emitter *e, const zip_library *z, zip_source_t *source) {
   char part[4096];
   zip_int64_t count;
-  if (z->zip_source_open(source) != 0) return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
+  if (z->zip_source_open(source) != 0)
+    return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
   while ((count = z->zip_source_read(source, part, sizeof part)) > 0 && vs_put(e->out, part, (size_t)count)) continue;
   z->zip_source_close(source);
   return count == 0 || vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
@@ -210,7 +225,10 @@ static bool threemf_copies(vs_emitter *e, const vs_solid_copies *c) {
   if (ok && zip == NULL) ok = vs_emit_no_memory(e);
   if (zip != NULL) {
     z.zip_source_keep(package); /* closing the archive lets go of it once */
-    ok = package_close(&z, zip, &model) ? package_copy(e, &z, package) : e->error->kind == VS_ERROR_INTERRUPT ? false : vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
+    ok = package_close(&z, zip, &model) ? package_copy(e, &z, package)
+         : e->error->kind == VS_ERROR_INTERRUPT
+             ? false
+             : vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "the .3mf package could not be made");
   }
   if (package != NULL) z.zip_source_free(package);
   vs_emit_release(e, model.at, model.room, 1);
@@ -219,7 +237,10 @@ static bool threemf_copies(vs_emitter *e, const vs_solid_copies *c) {
 
 static bool threemf_nothing(vs_emitter *e) { return !e->out->failed; }
 
-const vs_backend vs_backend_threemf = {
-  .begin = threemf_nothing, .end = threemf_nothing, .copies = threemf_copies, .numbers = VS_NUMBERS_DIGITS,
-  .omit = { [VS_CURVE] = "3MF holds solids: curves are left out", [VS_REGION_CLASS] = "3MF holds solids: flat regions are left out",
-            [VS_SURFACE] = "3MF holds solids: open surfaces are left out" } };
+const vs_backend vs_backend_threemf = { .begin = threemf_nothing,
+                                        .end = threemf_nothing,
+                                        .copies = threemf_copies,
+                                        .numbers = VS_NUMBERS_DIGITS,
+                                        .omit = { [VS_CURVE] = "3MF holds solids: curves are left out",
+                                                  [VS_REGION_CLASS] = "3MF holds solids: flat regions are left out",
+                                                  [VS_SURFACE] = "3MF holds solids: open surfaces are left out" } };

@@ -1,5 +1,5 @@
-/* Owns the reading of tree dumps. Driven by the table of kinds as the writing is: a node's fields come in the table's order, then its
- * children. Open nodes lie on a stack of their own, so depth costs memory and never the C stack. */
+/* Owns the reading of tree dumps. Driven by the table of kinds as the writing is: a node's fields come in the table's
+ * order, then its children. Open nodes lie on a stack of their own, so depth costs memory and never the C stack. */
 #include "backends/tree/tree_reader.h"
 #include "model/store/array.h"
 
@@ -34,7 +34,9 @@ static bool tree_fail(tree_reader *r, const char *what) {
   return vs_error_set(r->error, VS_ERROR_MODEL, NULL, "tree, line %lu: %s", (unsigned long)r->line, what);
 }
 
-static bool tree_no_memory(tree_reader *r) { return vs_error_set(r->error, VS_ERROR_MEMORY, NULL, "out of memory while reading a tree"); }
+static bool tree_no_memory(tree_reader *r) {
+  return vs_error_set(r->error, VS_ERROR_MEMORY, NULL, "out of memory while reading a tree");
+}
 
 static bool tree_grow(tree_reader *r, void *array, size_t *room, size_t need, size_t size) {
   return need <= *room || vs_room_grow(array, room, need, size) || tree_no_memory(r);
@@ -43,7 +45,8 @@ static bool tree_grow(tree_reader *r, void *array, size_t *room, size_t need, si
 /* ---- tokens ---- */
 
 static int tree_peek(tree_reader *r) {
-  while (r->at < r->end && (*r->at == ' ' || *r->at == '\n' || *r->at == '\t' || *r->at == '\r')) r->line += *r->at++ == '\n';
+  while (r->at < r->end && (*r->at == ' ' || *r->at == '\n' || *r->at == '\t' || *r->at == '\r'))
+    r->line += *r->at++ == '\n';
   return r->at < r->end ? (unsigned char)*r->at : -1;
 }
 
@@ -56,7 +59,8 @@ static bool tree_expect(tree_reader *r, char c) {
 static bool tree_word(tree_reader *r, char out[TREE_WORD_ROOM]) {
   tree_peek(r);
   size_t length = 0;
-  while (r->at < r->end && strchr(" \n\t\r()\"", *r->at) == NULL && length + 1 < TREE_WORD_ROOM) out[length++] = *r->at++;
+  while (r->at < r->end && strchr(" \n\t\r()\"", *r->at) == NULL && length + 1 < TREE_WORD_ROOM)
+    out[length++] = *r->at++;
   out[length] = '\0';
   return length > 0 || tree_fail(r, "a word is expected here");
 }
@@ -99,7 +103,8 @@ static bool tree_points(tree_reader *r, vs_field_points *out) {
   bool ok = true;
   while (ok && tree_peek(r) == '(') {
     double xyz[3];
-    ok = tree_grow(r, &at, &room, count + 1, sizeof *at) && tree_expect(r, '(') && tree_numbers(r, xyz, 3) && tree_expect(r, ')');
+    ok = tree_grow(r, &at, &room, count + 1, sizeof *at) && tree_expect(r, '(') && tree_numbers(r, xyz, 3) &&
+         tree_expect(r, ')');
     if (ok) at[count++] = vs_v3(xyz[0], xyz[1], xyz[2]);
   }
   if (ok && (*out = vs_points_new(r->scene->store, at, count)) == NULL) ok = tree_no_memory(r);
@@ -123,7 +128,8 @@ static bool tree_faces(tree_reader *r, vs_field_faces *out) {
     ok = ok && tree_expect(r, ')') && tree_grow(r, &starts, &start_room, count + 2, sizeof *starts);
     if (ok) starts[++count] = (uint32_t)corner_count;
   }
-  if (ok && (*out = vs_faces_new(r->scene->store, starts, count, corners, corner_count)) == NULL) ok = tree_no_memory(r);
+  if (ok && (*out = vs_faces_new(r->scene->store, starts, count, corners, corner_count)) == NULL)
+    ok = tree_no_memory(r);
   free(starts);
   free(corners);
   return ok;
@@ -144,7 +150,8 @@ static bool tree_material(tree_reader *r, vs_field_material *out) {
   double n[7];
   if (!tree_string(r, &m.name) || !tree_numbers(r, n, 7)) return false;
   if (tree_peek(r) == '"' && !tree_pattern(r, &m.pattern)) return false;
-  m.red = n[0], m.green = n[1], m.blue = n[2], m.roughness = n[3], m.metallic = n[4], m.transparency = n[5], m.ior = n[6];
+  m.red = n[0], m.green = n[1], m.blue = n[2], m.roughness = n[3], m.metallic = n[4], m.transparency = n[5],
+  m.ior = n[6];
   *out = vs_store_material(r->scene->store, &m);
   return *out != NULL || tree_no_memory(r);
 }
@@ -181,7 +188,9 @@ static bool tree_value(tree_reader *r, vs_field_type type, void *at) {
 static bool tree_field(tree_reader *r, const vs_field_info *f, unsigned char *payload) {
   char word[TREE_WORD_ROOM];
   if (!tree_expect(r, '(') || !tree_word(r, word)) return false;
-  if (strcmp(word, f->argument) != 0) return vs_error_set(r->error, VS_ERROR_MODEL, NULL, "tree, line %lu: %s is expected here, not %s", (unsigned long)r->line, f->argument, word);
+  if (strcmp(word, f->argument) != 0)
+    return vs_error_set(r->error, VS_ERROR_MODEL, NULL, "tree, line %lu: %s is expected here, not %s",
+                        (unsigned long)r->line, f->argument, word);
   return tree_value(r, f->type, payload + f->offset) && tree_expect(r, ')');
 }
 
@@ -190,9 +199,12 @@ static bool tree_field(tree_reader *r, const vs_field_info *f, unsigned char *pa
 static void tree_drop(tree_reader *r, const tree_open_node *n) {
   for (size_t i = 0; i < n->info->field_count; i++) {
     const void *at = n->payload + n->info->fields[i].offset;
-    if (n->info->fields[i].type == VS_FIELD_points && *(const vs_field_points *)at != NULL) vs_points_release(r->scene->store, *(const vs_field_points *)at);
-    if (n->info->fields[i].type == VS_FIELD_faces && *(const vs_field_faces *)at != NULL) vs_faces_release(r->scene->store, *(const vs_field_faces *)at);
-    if (n->info->fields[i].type == VS_FIELD_ticket && *(const vs_field_ticket *)at != NULL) vs_ticket_release(r->scene->store, *(const vs_field_ticket *)at);
+    if (n->info->fields[i].type == VS_FIELD_points && *(const vs_field_points *)at != NULL)
+      vs_points_release(r->scene->store, *(const vs_field_points *)at);
+    if (n->info->fields[i].type == VS_FIELD_faces && *(const vs_field_faces *)at != NULL)
+      vs_faces_release(r->scene->store, *(const vs_field_faces *)at);
+    if (n->info->fields[i].type == VS_FIELD_ticket && *(const vs_field_ticket *)at != NULL)
+      vs_ticket_release(r->scene->store, *(const vs_field_ticket *)at);
   }
 }
 
@@ -210,7 +222,9 @@ static bool tree_begin_node(tree_reader *r) {
   if (!tree_expect(r, '(') || !tree_word(r, word)) return false;
   int kind = 0;
   while (kind < VS_KIND_COUNT && strcmp(vs_kind_get((vs_kind)kind)->name, word) != 0) kind++;
-  if (kind == VS_KIND_COUNT) return vs_error_set(r->error, VS_ERROR_MODEL, NULL, "tree, line %lu: there is no kind %s", (unsigned long)r->line, word);
+  if (kind == VS_KIND_COUNT)
+    return vs_error_set(r->error, VS_ERROR_MODEL, NULL, "tree, line %lu: there is no kind %s", (unsigned long)r->line,
+                        word);
   if (!tree_grow(r, &r->open, &r->open_room, r->open_count + 1, sizeof *r->open)) return false;
   tree_open_node *n = &r->open[r->open_count++];
   memset(n, 0, sizeof *n);
@@ -227,7 +241,8 @@ static bool tree_end_node(tree_reader *r) {
   tree_open_node *n = &r->open[--r->open_count];
   const vs_origin *origin = vs_store_origin(r->scene->store, r->scene->title, r->line, 1, NULL);
   size_t count = r->child_count - n->first_child;
-  vs_node *made = origin != NULL ? vs_node_new(r->scene->store, n->kind, n->payload, r->children + n->first_child, count) : NULL;
+  vs_node *made =
+      origin != NULL ? vs_node_new(r->scene->store, n->kind, n->payload, r->children + n->first_child, count) : NULL;
   tree_drop(r, n);
   while (r->child_count > n->first_child) vs_node_release(r->children[--r->child_count].node);
   return made != NULL ? tree_push(r, (vs_ref){ made, origin }) : tree_no_memory(r);
@@ -261,7 +276,8 @@ static bool tree_item(tree_reader *r) {
   if (!tree_expect(r, '(') || !tree_word(r, word)) return false;
   bool define = strcmp(word, "define") == 0;
   if (!define && strcmp(word, "draw") != 0) return tree_fail(r, "define or draw is expected here");
-  if (define && (!tree_word(r, word) || strtoul(word + 1, NULL, 10) != r->template_count + 1)) return tree_fail(r, "templates are t1, t2 and so on");
+  if (define && (!tree_word(r, word) || strtoul(word + 1, NULL, 10) != r->template_count + 1))
+    return tree_fail(r, "templates are t1, t2 and so on");
   if (!tree_node(r)) return false;
   vs_ref made = r->children[--r->child_count];
   bool ok;
@@ -279,7 +295,8 @@ static bool tree_item(tree_reader *r) {
 static bool tree_all(tree_reader *r) {
   char word[TREE_WORD_ROOM];
   double version;
-  if (!tree_expect(r, '(') || !tree_word(r, word) || strcmp(word, "tree") != 0 || !tree_number(r, &version) || version != 1)
+  if (!tree_expect(r, '(') || !tree_word(r, word) || strcmp(word, "tree") != 0 || !tree_number(r, &version) ||
+      version != 1)
     return tree_fail(r, "this is not a tree of version 1");
   if (!tree_string(r, &r->scene->title)) return false;
   while (tree_peek(r) == '(')

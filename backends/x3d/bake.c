@@ -1,9 +1,9 @@
 /* Owns the choice of what becomes triangles, and making it so.
  *
  * How many Shapes a viewer must draw is counted through all uses. If they are too many, stretches of the drawing that
- * repeat become templates (repeats.c). While they are too many, templates are baked, the innermost first (their numbers are
- * the smallest): all forms in one become triangle sets, one a material, in its own coordinates. When all are baked the
- * drawing's own forms are, and at last the uses in it. A baked template only uses baked ones. */
+ * repeat become templates (repeats.c). While they are too many, templates are baked, the innermost first (their numbers
+ * are the smallest): all forms in one become triangle sets, one a material, in its own coordinates. When all are baked
+ * the drawing's own forms are, and at last the uses in it. A baked template only uses baked ones. */
 #include "backends/x3d/bake.h"
 
 #include "backends/x3d/repeats.h"
@@ -15,20 +15,24 @@ static bool bake_append(vs_emitter *e, vs_x3d_batch *to, const vs_x3d_batch *fro
   uint32_t vertex = (uint32_t)to->vertex_count, point = (uint32_t)to->point_count;
   if (to->vertex_count + from->vertex_count >= UINT32_MAX || to->point_count + from->point_count >= UINT32_MAX)
     return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more corners than an X3D triangle set can number");
-  if (!vs_emit_grow(e, &to->vertices, &to->vertex_room, to->vertex_count + from->vertex_count, sizeof *to->vertices)
-      || !vs_emit_grow(e, &to->normals, &to->normal_room, to->vertex_count + from->vertex_count, sizeof *to->normals)
-      || !vs_emit_grow(e, &to->triangles, &to->triangle_room, to->triangle_count + from->triangle_count, sizeof *to->triangles)
-      || !vs_emit_grow(e, &to->points, &to->point_room, to->point_count + from->point_count, sizeof *to->points)
-      || !vs_emit_grow(e, &to->lines, &to->line_room, to->line_count + from->line_count, sizeof *to->lines))
+  if (!vs_emit_grow(e, &to->vertices, &to->vertex_room, to->vertex_count + from->vertex_count, sizeof *to->vertices) ||
+      !vs_emit_grow(e, &to->normals, &to->normal_room, to->vertex_count + from->vertex_count, sizeof *to->normals) ||
+      !vs_emit_grow(e, &to->triangles, &to->triangle_room, to->triangle_count + from->triangle_count,
+                    sizeof *to->triangles) ||
+      !vs_emit_grow(e, &to->points, &to->point_room, to->point_count + from->point_count, sizeof *to->points) ||
+      !vs_emit_grow(e, &to->lines, &to->line_room, to->line_count + from->line_count, sizeof *to->lines))
     return false;
   for (size_t i = 0; i < from->vertex_count; i++) {
     to->vertices[to->vertex_count] = vs_affine_point(place, from->vertices[i]);
     to->normals[to->vertex_count++] = vs_affine_normal(place, from->normals[i]);
   }
   for (size_t i = 0; i < from->triangle_count; i++, to->triangle_count++)
-    for (int k = 0; k < 3; k++) to->triangles[to->triangle_count][mirrored ? 2 - k : k] = from->triangles[i][k] + vertex;
-  for (size_t i = 0; i < from->point_count; i++) to->points[to->point_count++] = vs_affine_point(place, from->points[i]);
-  for (size_t i = 0; i < from->line_count; i++) to->lines[to->line_count++] = from->lines[i] == UINT32_MAX ? UINT32_MAX : from->lines[i] + point;
+    for (int k = 0; k < 3; k++)
+      to->triangles[to->triangle_count][mirrored ? 2 - k : k] = from->triangles[i][k] + vertex;
+  for (size_t i = 0; i < from->point_count; i++)
+    to->points[to->point_count++] = vs_affine_point(place, from->points[i]);
+  for (size_t i = 0; i < from->line_count; i++)
+    to->lines[to->line_count++] = from->lines[i] == UINT32_MAX ? UINT32_MAX : from->lines[i] + point;
   return true;
 }
 
@@ -63,7 +67,8 @@ static bool bake_uses(vs_emitter *e, vs_x3d_group *g) {
 
 static double bake_own(const vs_x3d *x, const vs_x3d_group *g) {
   double shapes = (double)g->item_count;
-  for (size_t i = 0; g->batches != NULL && i < x->batch_count; i++) shapes += (g->batches[i].triangle_count > 0) + (g->batches[i].point_count > 0);
+  for (size_t i = 0; g->batches != NULL && i < x->batch_count; i++)
+    shapes += (g->batches[i].triangle_count > 0) + (g->batches[i].point_count > 0);
   return shapes;
 }
 
@@ -78,9 +83,11 @@ static double bake_count(const vs_x3d *x, double *shapes) {
   return shapes[0];
 }
 
-/* A use that no Transform can say is triangles whatever the number, and so is all that the template uses: one that shears, and one that
- * mirrors, which turns the nodes of viewers inside out. */
-static bool bake_is_sheared(const vs_x3d_placed *use) { return !vs_affine_is_placement(&use->placement) || vs_affine_determinant(&use->placement) < 0; }
+/* A use that no Transform can say is triangles whatever the number, and so is all that the template uses: one that
+ * shears, and one that mirrors, which turns the nodes of viewers inside out. */
+static bool bake_is_sheared(const vs_x3d_placed *use) {
+  return !vs_affine_is_placement(&use->placement) || vs_affine_determinant(&use->placement) < 0;
+}
 
 static bool bake_sheared(vs_emitter *e) {
   vs_x3d *x = e->state;
@@ -100,7 +107,8 @@ static bool bake_sheared(vs_emitter *e) {
   return true;
 }
 
-/* Bytes that a form is as triangles with so many facets a turn, about: corners with their normals, and three numbers a triangle. */
+/* Bytes that a form is as triangles with so many facets a turn, about: corners with their normals, and three numbers a
+ * triangle. */
 double vs_x3d_form_bytes(vs_x3d_form form, double facets) {
   switch (form) {
   case VS_X3D_BOX: break;
@@ -123,8 +131,8 @@ static bool bake_estimate(vs_emitter *e, int least, double *bytes) {
   return true;
 }
 
-/* Tens of thousands of forms would be hundreds of megabytes, which take a browser minutes: they are small in the picture, and cut coarsely. A number of facets that
- * the user asked for holds. */
+/* Tens of thousands of forms would be hundreds of megabytes, which take a browser minutes: they are small in the
+ * picture, and cut coarsely. A number of facets that the user asked for holds. */
 static bool bake_coarsely(vs_emitter *e) {
   static const int least[] = { 32, 16, 12, VS_X3D_COARSEST };
   vs_x3d *x = e->state;
@@ -136,7 +144,9 @@ static bool bake_coarsely(vs_emitter *e) {
     if (bytes <= VS_X3D_BAKED_MOST) break;
   }
   x->least = i > 0 ? least[i] : 0;
-  return i == 0 || vs_emit_warn_once(e, NULL, "so many shapes are shown as triangles that small round ones are cut coarsely here; parts that are made once and placed several times keep their facets");
+  return i == 0 || vs_emit_warn_once(e, NULL,
+                                     "so many shapes are shown as triangles that small round ones are cut coarsely "
+                                     "here; parts that are made once and placed several times keep their facets");
 }
 
 double vs_x3d_batch_bytes(const vs_x3d *x, const vs_x3d_group *g) {
@@ -148,8 +158,9 @@ double vs_x3d_batch_bytes(const vs_x3d *x, const vs_x3d_group *g) {
   return bytes;
 }
 
-/* All that is left are the drawing's uses of baked templates. They become triangles too, those first that take the least text for a Shape: until there are few Shapes, or
- * the text is long. A copy that would take more text than a Shape costs stays a use. */
+/* All that is left are the drawing's uses of baked templates. They become triangles too, those first that take the
+ * least text for a Shape: until there are few Shapes, or the text is long. A copy that would take more text than a
+ * Shape costs stays a use. */
 static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
   vs_x3d *x = e->state;
   vs_x3d_group *g = &x->groups[0];
@@ -158,7 +169,9 @@ static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
   double most = VS_X3D_BAKED_MOST, bytes = 0;
   bool ok = true;
   for (size_t k = 0; k < x->group_count; k++) price[k] = vs_x3d_batch_bytes(x, &x->groups[k]);
-  for (double limit = VS_X3D_SHAPE_BYTES / 128; ok && limit <= VS_X3D_SHAPE_BYTES && many > VS_X3D_NATIVE_MAX; limit *= 2) { /* bytes a Shape */
+  /* bytes a Shape */
+  for (double limit = VS_X3D_SHAPE_BYTES / 128; ok && limit <= VS_X3D_SHAPE_BYTES && many > VS_X3D_NATIVE_MAX;
+       limit *= 2) {
     size_t kept = 0;
     bool dearer = false;
     for (size_t i = 0; ok && i < g->use_count; i++) {

@@ -1,4 +1,5 @@
-/* Owns the packed notation: the X3D tree as bytes, written while the drawing is walked. The viewer (viewer/packed.js) reads it.
+/* Owns the packed notation: the X3D tree as bytes, written while the drawing is walked. The viewer (viewer/packed.js)
+ * reads it.
  *
  * The text begins with "VSX1" and is a sequence of entries, each a letter and what belongs to it:
  *   N name            opens a node             E                  closes it
@@ -6,16 +7,19 @@
  *   T name bytes      a field of text          B name number      a field that is one whole number
  *   F name floats     a field of 32-bit floats G name doubles     one of 64-bit floats
  *   H name shorts     fractions of 32767       I width name words whole numbers of `width` bytes
- * Whole numbers outside of fields are in base 128, low digits first. Texts and arrays begin with their count. A name is a number:
- * 0 introduces a text that gets the next number from 1. Numbers of nodes: a template has its own, a geometry 2^30 and up.
+ * Whole numbers outside of fields are in base 128, low digits first. Texts and arrays begin with their count. A name is
+ * a number: 0 introduces a text that gets the next number from 1. Numbers of nodes: a template has its own, a geometry
+ * 2^30 and up.
  *
- * Beyond X3D's nodes: Shapes and Groups have `paint` (the number of a material; where it is missing, that of what surrounds them),
- * `layer`, `origin` (an entry of the node Origins at the end) and `kind`; a Transform has `translation` or a `matrix` of three rows.
+ * Beyond X3D's nodes: Shapes and Groups have `paint` (the number of a material; where it is missing, that of what
+ * surrounds them), `layer`, `origin` (an entry of the node Origins at the end) and `kind`; a Transform has
+ * `translation` or a `matrix` of three rows.
  *
- * The notation x3d-steps shows how the drawing is made: a Group of the field `item` round each thing drawn; a difference or
- * intersection is a Group with the field `operation`, in it the operands and then a Group of the field `result`. A part
- * that is subtracted has the field `cut`.
- * Only that which holds a position in the whole drawing is stored about the drawing's middle, so that 32 bits are enough. */
+ * The notation x3d-steps shows how the drawing is made: a Group of the field `item` round each thing drawn; a
+ * difference or intersection is a Group with the field `operation`, in it the operands and then a Group of the field
+ * `result`. A part that is subtracted has the field `cut`.
+ * Only that which holds a position in the whole drawing is stored about the drawing's middle, so that 32 bits are
+ * enough. */
 #include "backends/lower.h"
 #include "backends/x3d/packed.h"
 
@@ -148,16 +152,19 @@ static void packed_word(vs_writer *w, uint32_t x, int width) {
 
 /* ---- origins ---- */
 
-/* The number of an origin from 1, 0 for none or where memory is out. Callers have numbers before those whom they call. */
+/* The number of an origin from 1, 0 for none or where memory is out. Callers have numbers before those whom they
+ * call. */
 static uint32_t packed_origin(vs_emitter *e, const vs_origin *origin) {
   packed *p = e->state;
   while (origin != NULL) {
     const uint64_t *known = vs_nodemap_get(&p->origins, origin);
     if (known != NULL) return (uint32_t)*known;
     const vs_origin *outermost = origin;
-    while (outermost->caller != NULL && vs_nodemap_get(&p->origins, outermost->caller) == NULL) outermost = outermost->caller;
+    while (outermost->caller != NULL && vs_nodemap_get(&p->origins, outermost->caller) == NULL)
+      outermost = outermost->caller;
     uint64_t *number = vs_nodemap_put(&p->origins, outermost, NULL);
-    if (number == NULL || !vs_emit_grow(e, &p->origin_list, &p->origin_room, p->origin_count + 1, sizeof *p->origin_list)) {
+    if (number == NULL ||
+        !vs_emit_grow(e, &p->origin_list, &p->origin_room, p->origin_count + 1, sizeof *p->origin_list)) {
       vs_emit_no_memory(e);
       e->out->failed = true;
       return 0;
@@ -190,11 +197,13 @@ static void packed_origins(vs_emitter *e) {
     packed_word(e->out, o->column, 4);
     packed_word(e->out, caller != NULL ? (uint32_t)*caller : 0, 4);
   }
-  for (uint64_t next = 0, i = 0; i < p->origin_count && next < count && !e->out->failed; i++) { /* the files in the order of their numbers */
+  /* the files in the order of their numbers */
+  for (uint64_t next = 0, i = 0; i < p->origin_count && next < count && !e->out->failed; i++) {
     const uint64_t *file = vs_nodemap_get(&files, p->origin_list[i]->file);
     if (file == NULL || *file != next) continue;
     const char *path = p->origin_list[i]->file, *slash = strrchr(path, '/');
-    packed_text(e, "file", e->path != NULL && slash != NULL ? slash + 1 : path); /* a page that is passed on does not tell where it was made */
+    /* a page that is passed on does not tell where it was made */
+    packed_text(e, "file", e->path != NULL && slash != NULL ? slash + 1 : path);
     next++;
   }
   vs_nodemap_free(&files);
@@ -249,7 +258,8 @@ static void packed_daylight(vs_emitter *e, vs_vec3 sun) {
 static void packed_head(vs_emitter *e) {
   packed *p = e->state;
   const vs_scene *s = e->scene;
-  double aspect = e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
+  double aspect =
+      e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
   vs_look look = vs_look_find(s, &e->bounds, e->boxes, e->box_count, aspect);
   vs_put(e->out, "VSX1", 4);
   packed_entry(e, "N", "WorldInfo");
@@ -288,7 +298,8 @@ static void packed_head(vs_emitter *e) {
   }
 }
 
-/* Near the middle of the bounds, on a coarse grid: so it stays where it is, and with it every number of the scene, when a little is added. */
+/* Near the middle of the bounds, on a coarse grid: so it stays where it is, and with it every number of the scene, when
+ * a little is added. */
 static vs_vec3 packed_middle(const vs_bounds *b) {
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
   double diagonal = vs_v3_length(vs_v3_sub(b->max, b->min));
@@ -304,7 +315,9 @@ bool vs_packed_open(vs_emitter *e) {
   p->shapes.store = p->origins.store = e->scene->store;
   p->middle = packed_middle(&e->bounds);
   e->state = p;
-  if (e->scene->sky_image != NULL && !vs_emit_warn_once(e, NULL, "a sky with an image is shown by POV-Ray alone: here it has one colour")) return false;
+  if (e->scene->sky_image != NULL &&
+      !vs_emit_warn_once(e, NULL, "a sky with an image is shown by POV-Ray alone: here it has one colour"))
+    return false;
   packed_head(e);
   return !e->out->failed;
 }
@@ -317,7 +330,8 @@ bool vs_packed_finish(vs_emitter *e) {
 void vs_packed_close(vs_emitter *e) {
   packed *p = e->state;
   if (p == NULL) return;
-  for (size_t i = 0; i < VS_UNIT_COUNT; i++) vs_emit_release(e, p->units[i].at, p->units[i].room, sizeof *p->units[i].at);
+  for (size_t i = 0; i < VS_UNIT_COUNT; i++)
+    vs_emit_release(e, p->units[i].at, p->units[i].room, sizeof *p->units[i].at);
   vs_emit_release(e, p->made, p->made_room, sizeof *p->made);
   vs_emit_release(e, p->parts, p->part_room, sizeof *p->parts);
   vs_emit_release(e, p->open, p->open_room, sizeof *p->open);
@@ -330,8 +344,10 @@ void vs_packed_close(vs_emitter *e) {
 
 /* ---- geometries ---- */
 
-/* All that one Shape shows: the triangles whose part is among those that `same` maps to `part`. at: room for the shading's normals. */
-static void packed_triangles(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *home, const uint32_t *same, uint32_t part, uint32_t *at, bool closed) {
+/* All that one Shape shows: the triangles whose part is among those that `same` maps to `part`. at: room for the
+ * shading's normals. */
+static void packed_triangles(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *home,
+                             const uint32_t *same, uint32_t part, uint32_t *at, bool closed) {
   const vs_mesh *mesh = &m->mesh;
   packed *p = e->state;
   vs_writer *w = e->out;
@@ -410,13 +426,17 @@ static bool packed_add_shape(vs_emitter *e, vs_vec3 middle) {
 }
 
 /* Writes a solid's geometries, where nobody sees them: each stands in a Group that is not shown. */
-static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *home, vs_vec3 middle, double crease, bool closed) {
+static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *home, vs_vec3 middle, double crease,
+                             bool closed) {
   packed *p = e->state;
   const vs_mesh *mesh = &m->mesh;
   vs_shading s;
   if (!packed_add_shape(e, middle)) return false;
-  if (mesh->triangle_count > UINT32_MAX / 3) return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than the viewer can number");
-  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return false;
+  if (mesh->triangle_count > UINT32_MAX / 3)
+    return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than the viewer can number");
+  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t(*)[3])mesh->triangles,
+                       mesh->triangle_count, crease, &s))
+    return false;
   size_t parts = m->part_count > 0 ? m->part_count : 1, room = s.normal_count + 2 * parts + 1;
   uint32_t *at = vs_store_realloc(e->scene->store, NULL, 0, room * sizeof *at);
   bool ok = at != NULL || vs_emit_no_memory(e);
@@ -425,12 +445,14 @@ static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *
     same[0] = 0;
     packed_same(m, same);
     memset(used, 0, parts * sizeof *used);
-    for (size_t i = 0; i < mesh->triangle_count; i++) used[mesh->tags != NULL && m->part_count > 0 ? same[mesh->tags[i]] : 0]++;
+    for (size_t i = 0; i < mesh->triangle_count; i++)
+      used[mesh->tags != NULL && m->part_count > 0 ? same[mesh->tags[i]] : 0]++;
     for (uint32_t k = 0; ok && k < parts; k++) {
       if (used[k] == 0) continue;
       const vs_solid_part *part = m->part_count > 0 ? &m->parts[k] : NULL;
-      ok = packed_add_part(e, (packed_part){ p->geometry_count, part != NULL ? (uint32_t)vs_emit_material_number(e, part->material) : 0, part != NULL ? part->layer : NULL,
-                                             part != NULL ? part->leaf.origin : NULL, false });
+      ok = packed_add_part(
+          e, (packed_part){ p->geometry_count, part != NULL ? (uint32_t)vs_emit_material_number(e, part->material) : 0,
+                            part != NULL ? part->layer : NULL, part != NULL ? part->leaf.origin : NULL, false });
       if (ok) packed_triangles(e, m, &s, home, same, k, at, closed);
     }
   }
@@ -488,7 +510,8 @@ static bool packed_put(vs_emitter *e, const vs_ref *ref, size_t number, const vs
   for (size_t i = 0; i < shape.count; i++) {
     packed_part part = p->parts[shape.first + i];
     packed_entry(e, "N", "Shape");
-    packed_marks(e, ref, part.paint > 0 ? part.paint : paint, part.layer, part.origin != NULL ? part.origin : ref->origin);
+    packed_marks(e, ref, part.paint > 0 ? part.paint : paint, part.layer,
+                 part.origin != NULL ? part.origin : ref->origin);
     packed_again(e, (uint64_t)GEOMETRY_FIRST + part.geometry);
     packed_end(e);
   }
@@ -551,7 +574,9 @@ vs_emit_status vs_packed_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) 
   size_t number;
   if (vs_unit_of(ref->node, &e->facets, &copy)) {
     vs_affine place = vs_affine_multiply(&e->placement, &copy.place);
-    if (vs_affine_is_placement(&place)) return packed_unit(e, copy.unit, copy.turn, &number) && packed_put(e, ref, number, &place) ? VS_EMITTED : VS_FAILED;
+    if (vs_affine_is_placement(&place))
+      return packed_unit(e, copy.unit, copy.turn, &number) && packed_put(e, ref, number, &place) ? VS_EMITTED
+                                                                                                 : VS_FAILED;
   }
   return packed_shape_of(e, ref, vs_shade_crease(vs_lower_is_round(ref->node))) ? VS_EMITTED : VS_FAILED;
 }
@@ -570,7 +595,8 @@ vs_emit_status vs_packed_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) 
   vs_bounds b = vs_bounds_empty();
   for (uint32_t i = 0; i < count; i++) vs_bounds_add(&b, vs_affine_point(&e->placement, l->points->at[i]));
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
-  if (!packed_add_shape(e, middle) || !packed_add_part(e, (packed_part){ p->geometry_count, 0, NULL, NULL, true })) return VS_FAILED;
+  if (!packed_add_shape(e, middle) || !packed_add_part(e, (packed_part){ p->geometry_count, 0, NULL, NULL, true }))
+    return VS_FAILED;
   packed_entry(e, "N", "LineSet");
   packed_def(e, (uint64_t)GEOMETRY_FIRST + p->geometry_count++);
   packed_entry(e, "F", "point");
@@ -608,7 +634,8 @@ static vs_emit_status packed_operation(vs_emitter *e, const vs_ref *ref, vs_phas
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* Placement and paint are the emitter's; an operation becomes a Group where it says something: a layer, or a place in the source of its own. */
+/* Placement and paint are the emitter's; an operation becomes a Group where it says something: a layer, or a place in
+ * the source of its own. */
 vs_emit_status vs_packed_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   packed *p = e->state;
   if (phase == VS_PHASE_LEAVE) return packed_close_group(e);
@@ -649,7 +676,8 @@ bool vs_packed_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
 static bool packed_begin(vs_emitter *e) { return vs_packed_open(e); }
 static bool packed_finish(vs_emitter *e) { return vs_packed_finish(e); }
 
-const vs_backend vs_backend_x3d_packed = { VS_PACKED_BACKEND(packed_begin, packed_finish, vs_packed_close, vs_packed_boolean) };
+const vs_backend vs_backend_x3d_packed = { VS_PACKED_BACKEND(packed_begin, packed_finish, vs_packed_close,
+                                                             vs_packed_boolean) };
 
 /* ---- how the drawing is made ---- */
 
@@ -667,5 +695,6 @@ static bool steps_item(vs_emitter *e, size_t index, bool end) {
   return !e->out->failed;
 }
 
-const vs_backend vs_backend_x3d_steps = { VS_PACKED_BACKEND(steps_begin, packed_finish, vs_packed_close, packed_operation),
-                                          .item = steps_item };
+const vs_backend vs_backend_x3d_steps = {
+  VS_PACKED_BACKEND(steps_begin, packed_finish, vs_packed_close, packed_operation), .item = steps_item
+};

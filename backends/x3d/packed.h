@@ -11,9 +11,9 @@ vs_emit_fn vs_packed_leaf, vs_packed_line, vs_packed_through, vs_packed_boolean;
 bool vs_packed_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
 bool vs_packed_use(vs_emitter *e, uint32_t id, const vs_ref *ref);
 
-#define VS_PACKED_BACKEND(begin_, end_, close_, boolean_)                                                                                   \
-  .begin = begin_, .end = end_, .close = close_, .define = vs_packed_define, .use = vs_packed_use, .family = "x3d",                   \
-  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT,                                                                             \
+#define VS_PACKED_BACKEND(begin_, end_, close_, boolean_)                                                              \
+  .begin = begin_, .end = end_, .close = close_, .define = vs_packed_define, .use = vs_packed_use, .family = "x3d",    \
+  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT,                                                              \
   VS_EMIT_SHAPES(vs_packed_leaf, vs_packed_line, vs_packed_through, boolean_)
 
 #endif

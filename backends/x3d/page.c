@@ -1,7 +1,8 @@
 /* Owns the web page: viewer/page.html with its marks filled in, the viewer and the scene inside, nothing to load.
  *
- * A mark is <!--NAME-->. The parts come from the library itself: the Makefile bundles viewer/ with three.js and puts the result into it. The
- * scene is packed (packed.c) and stands in the page in base 64, so that no text of the user's is ever read as HTML or script. */
+ * A mark is <!--NAME-->. The parts come from the library itself: the Makefile bundles viewer/ with three.js and puts
+ * the result into it. The scene is packed (packed.c) and stands in the page in base 64, so that no text of the user's
+ * is ever read as HTML or script. */
 #include <string.h>
 
 #include "backends/x3d/packed.h"
@@ -10,14 +11,16 @@
 ASSET(page_html) ASSET(viewer_css) ASSET(viewer_js)
 #undef ASSET
 
-/* The page's writer while the scene goes through another one, whose sink is page_encode. The packed notation has e->state. */
+/* The page's writer while the scene goes through another one, whose sink is page_encode. The packed notation has
+ * e->state. */
 typedef struct { vs_writer inner, *outer; unsigned char left[3]; size_t left_count; } page_coder;
 
 static const char digits64[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 static bool page_four(vs_writer *w, const unsigned char b[3], size_t count) {
   const uint32_t x = (uint32_t)b[0] << 16 | (uint32_t)b[1] << 8 | b[2];
-  const char four[4] = { digits64[x >> 18], digits64[x >> 12 & 63], count > 1 ? digits64[x >> 6 & 63] : '=', count > 2 ? digits64[x & 63] : '=' };
+  const char four[4] = { digits64[x >> 18], digits64[x >> 12 & 63], count > 1 ? digits64[x >> 6 & 63] : '=',
+                         count > 2 ? digits64[x & 63] : '=' };
   return vs_put(w, four, 4);
 }
 
@@ -43,7 +46,9 @@ static bool page_encode(void *context, const void *bytes, size_t count) {
 static void page_code(vs_writer *w, const char *from, const char *end) {
   while (from < end) {
     const char *at = from;
-    while (at < end && !(at[0] == '<' && at + 8 <= end && (memcmp(at, "</script", 8) == 0 || memcmp(at, "</style>", 8) == 0))) at++;
+    while (at < end &&
+           !(at[0] == '<' && at + 8 <= end && (memcmp(at, "</script", 8) == 0 || memcmp(at, "</style>", 8) == 0)))
+      at++;
     vs_put(w, from, (size_t)(at - from));
     if (at < end) {
       vs_puts(w, "<\\/");
@@ -53,7 +58,8 @@ static void page_code(vs_writer *w, const char *from, const char *end) {
   }
 }
 
-/* Writes the page's text from *at to the scene's mark or to the end, the other marks filled in. Returns how far it came. */
+/* Writes the page's text from *at to the scene's mark or to the end, the other marks filled in. Returns how far it
+ * came. */
 static const char *page_until_scene(vs_emitter *e, vs_writer *w, const char *at) {
   const char *end = vs_asset_page_html_end;
   while (at < end) {
@@ -75,7 +81,9 @@ static const char *page_until_scene(vs_emitter *e, vs_writer *w, const char *at)
 
 static bool page_begin(vs_emitter *e) {
   if ((uintptr_t)vs_asset_viewer_js_end - (uintptr_t)vs_asset_viewer_js < 1000)
-    return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "this vs was built without the viewer inside pages: run `npm ci --ignore-scripts` and build again");
+    return vs_error_set(
+        e->error, VS_ERROR_WORKER, NULL,
+        "this vs was built without the viewer inside pages: run `npm ci --ignore-scripts` and build again");
   page_coder *c = vs_store_realloc(e->scene->store, NULL, 0, sizeof *c);
   if (c == NULL) return vs_emit_no_memory(e);
   c->outer = e->out;

@@ -1,14 +1,15 @@
 /* Owns the look for what repeats in a drawing of very many shapes: facades and streets by rules come as one long union.
  *
- * All that the drawing places directly, forms and uses of templates, is a row of letters, each a name and a place. Things
- * equal but for their place have one name. The row is cut into blocks, and each block is a letter of the next row, named by
- * what is in it and how that lies to each other: so stretches of the drawing that are equal but for their place get equal
- * names. Where a block ends is told by the letters nearby alone (at the least of some hashes; runs of equal letters go by
- * twos), or equal stretches would be cut differently. After some ten or twenty rows one letter is left.
+ * All that the drawing places directly, forms and uses of templates, is a row of letters, each a name and a place.
+ * Things equal but for their place have one name. The row is cut into blocks, and each block is a letter of the next
+ * row, named by what is in it and how that lies to each other: so stretches of the drawing that are equal but for their
+ * place get equal names. Where a block ends is told by the letters nearby alone (at the least of some hashes; runs of
+ * equal letters go by twos), or equal stretches would be cut differently. After some ten or twenty rows one letter is
+ * left.
  *
- * A letter that occurs twice can be a template, whose triangles stand in the file once. It saves text, and costs a Shape
- * for each use, which viewers open and draw about as slowly as VS_X3D_SHAPE_BYTES of triangles. The row that costs least is
- * taken. All rows together are a few times as long as the first. */
+ * A letter that occurs twice can be a template, whose triangles stand in the file once. It saves text, and costs a
+ * Shape for each use, which viewers open and draw about as slowly as VS_X3D_SHAPE_BYTES of triangles. The row that
+ * costs least is taken. All rows together are a few times as long as the first. */
 #include "backends/x3d/repeats.h"
 
 #include <math.h>

@@ -1,27 +1,32 @@
-/* Owns what the files of the X3D back-end share. collect.c: the drawing as groups of shapes; repeats.c: what repeats becomes templates;
- * bake.c: which groups become triangles;
- * text.c: the two notations; scene.c: what is written. Beside them, with collecting of its own: packed.c, the tree as bytes for our own viewer;
- * page.c, the web page round that.
+/* Owns what the files of the X3D back-end share. collect.c: the drawing as groups of shapes; repeats.c: what repeats
+ * becomes templates; bake.c: which groups become triangles;
+ * text.c: the two notations; scene.c: what is written. Beside them, with collecting of its own: packed.c, the tree as
+ * bytes for our own viewer; page.c, the web page round that.
  *
- * Viewers draw a Shape slowly and a triangle fast: past some ten thousand Shapes they crawl. Therefore everything is collected first. Few
- * enough boxes, spheres, cylinders and cones become nodes of their own; all else becomes one triangle set and one line set a material.
- * A template is a group that stands once in the file (DEF) and is used (USE); where there would be too many Shapes the innermost
- * templates are baked first: that costs the least text, for they are still said once. */
+ * Viewers draw a Shape slowly and a triangle fast: past some ten thousand Shapes they crawl. Therefore everything is
+ * collected first. Few enough boxes, spheres, cylinders and cones become nodes of their own; all else becomes one
+ * triangle set and one line set a material. A template is a group that stands once in the file (DEF) and is used (USE);
+ * where there would be too many Shapes the innermost templates are baked first: that costs the least text, for they are
+ * still said once. */
 #ifndef VS_BACKENDS_X3D_H
 #define VS_BACKENDS_X3D_H
 
 #include "backends/backend.h"
 
 enum { VS_X3D_NATIVE_MAX = 1500 }; /* Shapes of their own, at most */
-/* Bytes of baked forms, about, from which on they are cut coarsely, and beyond which copies of templates stay copies: browsers show some 2 MB of triangles in a second. */
+/* Bytes of baked forms, about, from which on they are cut coarsely, and beyond which copies of templates stay copies:
+ * browsers show some 2 MB of triangles in a second. */
 #define VS_X3D_BAKED_MOST 30e6
-#define VS_X3D_SHAPE_BYTES 10e3 /* triangles that x3dom and X_ITE open and draw in the time of one more Shape: a megabyte for some hundred */
+#define VS_X3D_SHAPE_BYTES 10e3 /* triangles that x3dom and X_ITE open and draw in the time of one more Shape: a
+                                 * megabyte for some hundred */
 enum { VS_X3D_COARSEST = 8 };        /* facets a turn */
-#define VS_X3D_COARSE_CREASE 1.0     /* radians: more than from one such facet to the next, less than from a wall to its lid */
+#define VS_X3D_COARSE_CREASE 1.0     /* radians: more than from one such facet to the next, less than from a wall to its
+                                      * lid */
 
 /* ---- collect.c ---- */
 
-typedef enum { VS_X3D_BOX, VS_X3D_SPHERE, VS_X3D_CYLINDER, VS_X3D_CONE } vs_x3d_form; /* unit forms: half sizes 1, on X3D's Y */
+/* unit forms: half sizes 1, on X3D's Y */
+typedef enum { VS_X3D_BOX, VS_X3D_SPHERE, VS_X3D_CYLINDER, VS_X3D_CONE } vs_x3d_form;
 
 typedef struct {
   vs_ref ref;
@@ -76,13 +81,14 @@ bool vs_x3d_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
 bool vs_x3d_use_template(vs_emitter *e, uint32_t id, const vs_ref *ref);
 /* The X3D form that a node is, and its place in the node's own coordinates; false: it is none. */
 bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place);
-bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint); /* its triangles */
+/* its triangles */
+bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint);
 bool vs_x3d_bake_item(vs_emitter *e, vs_x3d_group *to, const vs_x3d_item *item);
 int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least); /* a turn, of a round form baked so */
 vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* made if there are none; NULL: out of memory */
 
-#define VS_X3D_BACKEND(begin_, end_)                                                                                                  \
-  .begin = begin_, .end = end_, .close = vs_x3d_close, .define = vs_x3d_define, .use = vs_x3d_use_template,                           \
+#define VS_X3D_BACKEND(begin_, end_)                                                                                   \
+  .begin = begin_, .end = end_, .close = vs_x3d_close, .define = vs_x3d_define, .use = vs_x3d_use_template,            \
   .family = "x3d", .frames = true, .highlights = VS_MARKS_PAINT, VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean)
 
 /* ---- text.c: nodes and fields in the notation of e->state ---- */
@@ -94,7 +100,8 @@ void vs_x3d_children(vs_emitter *e); /* a list of children follows; fields must 
 void vs_x3d_end(vs_emitter *e, const char *type, bool had_children);
 void vs_x3d_field(vs_emitter *e, const char *name, bool many); /* then the value, then: */
 void vs_x3d_field_end(vs_emitter *e, bool many);
-void vs_x3d_words(vs_emitter *e, const char *name, const char *value); /* a field in both notations alike: numbers, true, false */
+void vs_x3d_words(vs_emitter *e, const char *name, const char *value); /* a field in both notations alike: numbers,
+                                                                        * true, false */
 void vs_x3d_text(vs_emitter *e, const char *name, const char *value, bool many);   /* a string */
 void vs_x3d_number(vs_emitter *e, const char *name, double value);
 void vs_x3d_vector(vs_emitter *e, const char *name, vs_vec3 value);

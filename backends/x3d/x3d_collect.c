@@ -1,4 +1,5 @@
-/* Owns the drawing as groups: unit forms and uses of templates with their placement, and batches of triangles and lines a material. */
+/* Owns the drawing as groups: unit forms and uses of templates with their placement, and batches of triangles and lines
+ * a material. */
 #include <math.h>
 #include <string.h>
 
@@ -76,18 +77,23 @@ bool vs_x3d_use_template(vs_emitter *e, uint32_t id, const vs_ref *ref) {
 /* ---- triangles ---- */
 
 static size_t collect_paint(const vs_emitter *e, const vs_solid *m, size_t part, uint32_t inherited) {
-  return part < m->part_count && m->parts[part].material != NULL ? vs_emit_material_number(e, m->parts[part].material) : inherited;
+  return part < m->part_count && m->parts[part].material != NULL ? vs_emit_material_number(e, m->parts[part].material)
+                                                                 : inherited;
 }
 
-static bool collect_triangles(vs_emitter *e, vs_x3d_group *to, const vs_solid *m, const vs_affine *place, uint32_t inherited, double crease) {
+static bool collect_triangles(vs_emitter *e, vs_x3d_group *to, const vs_solid *m, const vs_affine *place,
+                              uint32_t inherited, double crease) {
   vs_x3d *x = e->state;
   vs_x3d_batch *batches = vs_x3d_batches(e, to);
   if (batches == NULL) return false;
   const vs_mesh *mesh = &m->mesh;
   vs_shading s;
-  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, crease, &s)) return false;
+  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t(*)[3])mesh->triangles,
+                       mesh->triangle_count, crease, &s))
+    return false;
   bool mirrored = vs_affine_determinant(place) < 0, ok = true;
-  /* Each entry of the normals belongs to one vertex: it is the batch's vertex, and `at` is where the batch has it, per part. */
+  /* Each entry of the normals belongs to one vertex: it is the batch's vertex, and `at` is where the batch has it, per
+   * part. */
   uint32_t *at = vs_store_realloc(e->scene->store, NULL, 0, (s.normal_count + 1) * sizeof *at);
   if (at == NULL) ok = vs_emit_no_memory(e);
   size_t parts = m->part_count > 0 ? m->part_count : 1;
@@ -127,7 +133,8 @@ static bool collect_triangles(vs_emitter *e, vs_x3d_group *to, const vs_solid *m
 bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint) {
   const vs_solid *m = vs_emit_mesh(e, ref);
   bool boolean = ref->node->kind == VS_INTERSECTION || ref->node->kind == VS_DIFFERENCE;
-  return m != NULL && collect_triangles(e, to, m, place, paint, vs_shade_crease(boolean || vs_lower_is_round(ref->node)));
+  return m != NULL &&
+         collect_triangles(e, to, m, place, paint, vs_shade_crease(boolean || vs_lower_is_round(ref->node)));
 }
 
 int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least) {
@@ -135,7 +142,8 @@ int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least) {
   vs_facets facets = vs_facets_placed(&e->drawing_facets, &item->placement);
   vs_unit_copy copy;
   if (least == 0 || !vs_unit_of(n, &facets, &copy)) return least;
-  double r = fmax(vs_v3_length(vs_v3(copy.place.m[0][0], copy.place.m[1][0], copy.place.m[2][0])), vs_v3_length(vs_v3(copy.place.m[0][1], copy.place.m[1][1], copy.place.m[2][1])));
+  double r = fmax(vs_v3_length(vs_v3(copy.place.m[0][0], copy.place.m[1][0], copy.place.m[2][0])),
+                  vs_v3_length(vs_v3(copy.place.m[0][1], copy.place.m[1][1], copy.place.m[2][1])));
   return vs_facets_turn_least(&facets, r, least);
 }
 
@@ -146,7 +154,9 @@ bool vs_x3d_bake_item(vs_emitter *e, vs_x3d_group *to, const vs_x3d_item *item) 
   vs_solid m = { .part_count = 0 };
   e->facets.segments = vs_x3d_facets(e, item, x->least);
   bool round = vs_lower_is_round(item->ref.node);
-  bool ok = vs_lower_mesh(e, &item->ref, &m) && collect_triangles(e, to, &m, &item->placement, item->paint, round ? VS_X3D_COARSE_CREASE : vs_shade_crease(false));
+  bool ok =
+      vs_lower_mesh(e, &item->ref, &m) && collect_triangles(e, to, &m, &item->placement, item->paint,
+                                                            round ? VS_X3D_COARSE_CREASE : vs_shade_crease(false));
   vs_solid_free(&m);
   e->facets = was;
   return ok;
@@ -184,7 +194,8 @@ vs_emit_status vs_x3d_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   place = vs_affine_multiply(&e->placement, &place);
   if (!vs_affine_is_placement(&place)) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
   if (!vs_emit_grow(e, &g->items, &g->item_room, g->item_count + 1, sizeof *g->items)) return VS_FAILED;
-  g->items[g->item_count++] = (vs_x3d_item){ *ref, e->placement, (uint32_t)vs_emit_material_number(e, e->material), form };
+  g->items[g->item_count++] =
+      (vs_x3d_item){ *ref, e->placement, (uint32_t)vs_emit_material_number(e, e->material), form };
   return VS_EMITTED;
 }
 

@@ -84,7 +84,8 @@ void vs_x3d_field_end(vs_emitter *e, bool many) { vs_puts(e->out, text_classic(e
 
 void vs_x3d_words(vs_emitter *e, const char *name, const char *value) {
   vs_x3d_field(e, name, false);
-  if (text_classic(e) && (strcmp(value, "true") == 0 || strcmp(value, "false") == 0)) vs_puts(e->out, value[0] == 't' ? "TRUE" : "FALSE");
+  if (text_classic(e) && (strcmp(value, "true") == 0 || strcmp(value, "false") == 0))
+    vs_puts(e->out, value[0] == 't' ? "TRUE" : "FALSE");
   else vs_puts(e->out, value);
   vs_x3d_field_end(e, false);
 }

@@ -1,7 +1,7 @@
 /* Owns what an X3D scene holds: the model turned to Y up, view, light, background, materials; and the two bare formats.
  *
- * Coordinates of triangle sets are rounded to a decimal step near 1e-7 of the drawing, normals to 1e-3: viewers hold them as 32-bit
- * numbers, and a page half the size opens twice as fast. */
+ * Coordinates of triangle sets are rounded to a decimal step near 1e-7 of the drawing, normals to 1e-3: viewers hold
+ * them as 32-bit numbers, and a page half the size opens twice as fast. */
 #include <math.h>
 #include <stdio.h>
 
@@ -36,7 +36,9 @@ static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line
   }
   *said = true;
   const vs_material *m = number > 0 ? vs_emit_material_at(e, number) : NULL;
-  vs_vec3 color = m != NULL ? vs_v3(m->red, m->green, m->blue) : line ? vs_v3(0.15, 0.18, 0.22) : vs_v3(0.86, 0.85, 0.83);
+  vs_vec3 color = m != NULL ? vs_v3(m->red, m->green, m->blue)
+                  : line    ? vs_v3(0.15, 0.18, 0.22)
+                            : vs_v3(0.86, 0.85, 0.83);
   double gloss = m != NULL ? 1 - m->roughness : 0.1;
   vs_x3d_node(e, "appearance", "Appearance", name);
   vs_x3d_node(e, "material", "Material", NULL);
@@ -46,7 +48,8 @@ static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line
   } else {
     bool metal = m != NULL && m->metallic > 0.5;
     vs_x3d_vector(e, "diffuseColor", metal ? vs_v3_scale(color, 0.8) : color);
-    vs_x3d_vector(e, "specularColor", metal ? vs_v3_scale(color, 0.25 + 0.5 * gloss) : vs_v3_scale(vs_v3(1, 1, 1), 0.45 * gloss * gloss));
+    vs_x3d_vector(e, "specularColor",
+                  metal ? vs_v3_scale(color, 0.25 + 0.5 * gloss) : vs_v3_scale(vs_v3(1, 1, 1), 0.45 * gloss * gloss));
     vs_x3d_number(e, "shininess", 0.05 + 0.75 * gloss * gloss);
     vs_x3d_number(e, "ambientIntensity", 0.9);
     if (m != NULL && m->transparency > 0) vs_x3d_number(e, "transparency", 0.72 * m->transparency);
@@ -57,14 +60,17 @@ static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line
 
 /* ---- shapes ---- */
 
-/* Have the form's own fields room for these half sizes? Where not, they are the Transform's scale and the form is the unit's. */
+/* Have the form's own fields room for these half sizes? Where not, they are the Transform's scale and the form is the
+ * unit's. */
 static bool scene_fits(vs_x3d_form form, vs_vec3 size) {
   bool even = fabs(size.x - size.z) < 1e-9 * size.x;
   return form == VS_X3D_BOX || (even && (form != VS_X3D_SPHERE || fabs(size.x - size.y) < 1e-9 * size.x));
 }
 
 static void scene_form(vs_emitter *e, vs_x3d_form form, vs_vec3 size) {
-  static const char *const words[] = { [VS_X3D_BOX] = "Box", [VS_X3D_SPHERE] = "Sphere", [VS_X3D_CYLINDER] = "Cylinder", [VS_X3D_CONE] = "Cone" };
+  static const char *const words[] = {
+    [VS_X3D_BOX] = "Box", [VS_X3D_SPHERE] = "Sphere", [VS_X3D_CYLINDER] = "Cylinder", [VS_X3D_CONE] = "Cone"
+  };
   vs_x3d_node(e, "geometry", words[form], NULL);
   switch (form) {
   case VS_X3D_BOX: vs_x3d_vector(e, "size", vs_v3_scale(size, 2)); break;
@@ -122,7 +128,8 @@ static void scene_wrap(vs_writer *w, size_t item, size_t per_line) {
   if (item > 0) vs_puts(w, item % per_line == 0 ? "\n" : " ");
 }
 
-static void scene_points(vs_emitter *e, const char *field, const char *node, const char *many, const vs_vec3 *at, size_t count, double steps) {
+static void scene_points(vs_emitter *e, const char *field, const char *node, const char *many, const vs_vec3 *at,
+                         size_t count, double steps) {
   vs_x3d_node(e, field, node, NULL);
   vs_x3d_field(e, many, true);
   for (size_t i = 0; i < count && !e->out->failed; i++) {
@@ -142,7 +149,8 @@ static double scene_steps(const vs_emitter *e) {
 /* A geometry that several Shapes have is named, and said by the first. */
 typedef struct { char name[40]; bool again; } scene_name;
 
-static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool line, const char *type, const scene_name *name) {
+static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool line, const char *type,
+                              const scene_name *name) {
   vs_x3d_node(e, NULL, "Shape", NULL);
   scene_appearance(e, number, said, line);
   if (name->again) vs_x3d_use(e, "geometry", type, name->name);
@@ -203,7 +211,8 @@ static void scene_use(vs_emitter *e, const vs_x3d_placed *use, uint32_t paint) {
   vs_x3d_end(e, "Transform", true);
 }
 
-/* Writes the children of a group, with `paint` for those without a material. variant: how often it was said before, in other paints. */
+/* Writes the children of a group, with `paint` for those without a material. variant: how often it was said before, in
+ * other paints. */
 static void scene_group(vs_emitter *e, size_t group, uint32_t paint, size_t variant, bool *said) {
   const vs_x3d *x = e->state;
   const vs_x3d_group *g = &x->groups[group];
@@ -211,7 +220,8 @@ static void scene_group(vs_emitter *e, size_t group, uint32_t paint, size_t vari
     uint32_t number = g->items[i].paint > 0 ? g->items[i].paint : paint;
     scene_item(e, &g->items[i], number, &said[number]);
   }
-  for (size_t i = 0; i < g->use_count && !e->out->failed; i++) scene_use(e, &g->uses[i], g->uses[i].paint > 0 ? g->uses[i].paint : paint);
+  for (size_t i = 0; i < g->use_count && !e->out->failed; i++)
+    scene_use(e, &g->uses[i], g->uses[i].paint > 0 ? g->uses[i].paint : paint);
   for (size_t i = 0; g->batches != NULL && i < x->batch_count && !e->out->failed; i++) {
     size_t number = i > 0 ? i : paint;
     scene_name name = { "", variant > 0 };
@@ -247,7 +257,8 @@ static void scene_templates(vs_emitter *e, bool *said) {
 /* ---- round the model ---- */
 
 static void scene_background(vs_emitter *e) {
-  if (e->scene->sky_image != NULL) vs_emit_warn_once(e, NULL, "a sky with an image is shown by POV-Ray alone: here it has one colour");
+  if (e->scene->sky_image != NULL)
+    vs_emit_warn_once(e, NULL, "a sky with an image is shown by POV-Ray alone: here it has one colour");
   if (e->scene->turbidity > 0)
     vs_emit_warn_once(e, NULL, "a physical sky is shown by POV-Ray and web pages: here it has plain colours");
   double c[3] = { 0.62, 0.76, 0.92 };
@@ -304,8 +315,11 @@ static void scene_view(vs_emitter *e, const vs_look *l, double aspect) {
 static void scene_ground(vs_emitter *e, bool *said) {
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
-  double reach = 8 * diagonal, z = e->scene->ground_z - 2e-4 * diagonal; /* below what stands on it, by what depth buffers tell apart */
-  vs_vec3 corners[4] = { { middle.x - reach, middle.y - reach, z }, { middle.x + reach, middle.y - reach, z }, { middle.x + reach, middle.y + reach, z },
+  /* below what stands on it, by what depth buffers tell apart */
+  double reach = 8 * diagonal, z = e->scene->ground_z - 2e-4 * diagonal;
+  vs_vec3 corners[4] = { { middle.x - reach, middle.y - reach, z },
+                         { middle.x + reach, middle.y - reach, z },
+                         { middle.x + reach, middle.y + reach, z },
                          { middle.x - reach, middle.y + reach, z } };
   vs_x3d_node(e, NULL, "Shape", "ground"); /* by its name our own viewer tells it from the model */
   if (e->scene->ground_material != NULL) {
@@ -332,7 +346,8 @@ static void scene_ground(vs_emitter *e, bool *said) {
 bool vs_x3d_scene(vs_emitter *e) {
   vs_x3d *x = e->state;
   if (!vs_x3d_settle(e)) return false;
-  double aspect = e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
+  double aspect =
+      e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, aspect);
   vs_vec3 sun = vs_look_sun(e->scene, &look);
   /* Materials are said once, by the first that needs one: templates, the drawing, then the ground. */
@@ -369,7 +384,8 @@ static bool scene_begin_classic(vs_emitter *e) { return vs_x3d_open(e, VS_X3D_CL
 
 static bool scene_end_xml(vs_emitter *e) {
   vs_x3d *x = e->state;
-  vs_puts(e->out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile='Immersive' version='4.0'>\n  <head>\n    <meta name='title' content='");
+  vs_puts(e->out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile='Immersive' version='4.0'>\n  <head>\n    "
+                  "<meta name='title' content='");
   vs_put_xml(e->out, e->scene->title);
   vs_puts(e->out, "'/>\n    <meta name='generator' content='VisualScheme'/>\n  </head>\n  <Scene>\n");
   x->depth = 2;

@@ -5,7 +5,9 @@
 #define POINT(i) (f->arg[i].point)
 #define TURN 6.283185307179586
 
-static int32_t segments(const vs_frame *f) { return f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind); }
+static int32_t segments(const vs_frame *f) {
+  return f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind);
+}
 
 /* ---- polylines ---- */
 
@@ -15,7 +17,8 @@ static double extent(const vs_vec3 *at, size_t n) { /* size of the whole, to jud
   return size;
 }
 
-static vs_node *points_node(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t n, bool closed, const struct vs_spline *more) {
+static vs_node *points_node(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t n, bool closed,
+                            const struct vs_spline *more) {
   if (n > UINT32_MAX) return NULL;
   vs_points *p = vs_points_new(s, at, n);
   if (!p) return NULL;
@@ -53,15 +56,21 @@ static vs_status polyline(vs_frame *f, vs_vec3 *at, size_t n, bool close, vs_val
   return vs_bind_node(f, points_node(f->bind->store, VS_LINE, at, n, closed, NULL), out);
 }
 
-vs_status vs_p_make_line(vs_frame *f, vs_value *out) { return polyline(f, f->arg[0].points.at, f->arg[0].points.count, false, out); }
-vs_status vs_p_make_polygon(vs_frame *f, vs_value *out) { return polyline(f, f->arg[0].points.at, f->arg[0].points.count, true, out); }
+vs_status vs_p_make_line(vs_frame *f, vs_value *out) {
+  return polyline(f, f->arg[0].points.at, f->arg[0].points.count, false, out);
+}
+vs_status vs_p_make_polygon(vs_frame *f, vs_value *out) {
+  return polyline(f, f->arg[0].points.at, f->arg[0].points.count, true, out);
+}
 
 vs_status vs_p_make_rectangle(vs_frame *f, vs_value *out) {
   vs_vec3 p = POINT(0), q = POINT(1), at[4] = { p, p, q, q };
   if (p.z == q.z) at[1].x = q.x, at[3].x = p.x;
   else if (p.y == q.y) at[1].x = q.x, at[3].x = p.x;
   else if (p.x == q.x) at[1].y = q.y, at[3].y = p.y;
-  else return vs_fail(f->vm, f->vm->sym.range, "p and q must have one coordinate in common: a rectangle lies parallel to XY, XZ or YZ");
+  else
+    return vs_fail(f->vm, f->vm->sym.range,
+                   "p and q must have one coordinate in common: a rectangle lies parallel to XY, XZ or YZ");
   if (vs_v3_equal(at[0], at[1]) || vs_v3_equal(at[1], at[2])) return vs_bind_empty(f, "no width or no height", out);
   return polyline(f, at, 4, true, out);
 }
@@ -97,7 +106,8 @@ vs_status vs_p_make_arc(vs_frame *f, vs_value *out) {
   d.end = f->form == 0 ? REAL(2) : REAL(3);
   if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
   if (d.start == d.end) return vs_bind_empty(f, "the arc has no length", out);
-  if (fabs(d.end - d.start) >= TURN * (1 - 1e-15)) return vs_bind_node(f, circle(f->bind->store, d.center, d.radius, d.segments), out);
+  if (fabs(d.end - d.start) >= TURN * (1 - 1e-15))
+    return vs_bind_node(f, circle(f->bind->store, d.center, d.radius, d.segments), out);
   return vs_bind_make(f, VS_ARC, &d, NULL, 0, out);
 }
 
@@ -109,7 +119,9 @@ vs_status vs_p_make_ellipse(vs_frame *f, vs_value *out) {
   if (!vs_bind_keep(f, c)) return VS_ERROR;
   vs_ref ref = { c, vs_bind_origin(f->bind) };
   if (rx == ry) return vs_bind_node(f, vs_node_retain(c), out);
-  return vs_bind_make(f, VS_TRANSFORM, &(struct vs_transform){ .matrix = vs_affine_scaling(POINT(0), vs_v3(1, ry / rx, 1)) }, &ref, 1, out);
+  return vs_bind_make(f, VS_TRANSFORM,
+                      &(struct vs_transform){ .matrix = vs_affine_scaling(POINT(0), vs_v3(1, ry / rx, 1)) }, &ref, 1,
+                      out);
 }
 
 /* ---- splines ---- */
@@ -136,7 +148,8 @@ vs_status vs_p_make_spline(vs_frame *f, vs_value *out) {
   vs_vec3 *at = f->arg[0].points.at;
   size_t n = f->arg[0].points.count;
   struct vs_spline d = { .segments = f->arg[3].integer ? (int32_t)f->arg[3].integer : vs_bind_segments(f->bind) };
-  if (!tangent(f, 1, "start-tangent", &d.start_tangent) || !tangent(f, 2, "end-tangent", &d.end_tangent)) return VS_ERROR;
+  if (!tangent(f, 1, "start-tangent", &d.start_tangent) || !tangent(f, 2, "end-tangent", &d.end_tangent))
+    return VS_ERROR;
   if (n < 2) return vs_bind_refuse(f, "points", "two points or more", f->arg[0].value);
   bool closed = tidy(at, &n);
   if (n < 2) return vs_bind_empty(f, "all points are the same", out);

@@ -18,7 +18,8 @@ static vs_status font_file(vs_frame *f, const vs_arg *font, const char **out) {
   if (ok && !(*out = vs_store_text(f->bind->store, path.at, path.count))) ok = vs_fail_memory(vm);
   if (ok && !vs_font_known(f->bind->store, *out)) {
     ok = vs_io_read_file(vm, *out, &r[0]);
-    if (ok && !vs_font_add(f->bind->store, *out, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, &e)) ok = vs_bind_error(f, &e);
+    if (ok && !vs_font_add(f->bind->store, *out, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, &e))
+      ok = vs_bind_error(f, &e);
   }
   vs_text_close(&path);
   return ok ? VS_OK : VS_ERROR;
@@ -33,7 +34,8 @@ static vs_status font_of(vs_frame *f, const vs_arg *font, const char **out) {
 }
 
 /* Returns one of the words, which is text of the program's own; NULL if it is refused. */
-static const char *word_of(vs_frame *f, const char *param, const vs_arg *a, const char *const *words, const char *expected) {
+static const char *word_of(vs_frame *f, const char *param, const vs_arg *a, const char *const *words,
+                           const char *expected) {
   if (!a->given) return words[0];
   for (; *words; words++)
     if (!strcmp(*words, a->text.at)) return *words;
@@ -52,15 +54,22 @@ static void tell_missing(vs_frame *f, uint32_t c) {
   char shown[8] = { 0 };
   if (c < 0x80) shown[0] = (char)c;
   else if (c < 0x800) shown[0] = (char)(0xC0 | c >> 6), shown[1] = (char)(0x80 | (c & 63));
-  else if (c < 0x10000) shown[0] = (char)(0xE0 | c >> 12), shown[1] = (char)(0x80 | (c >> 6 & 63)), shown[2] = (char)(0x80 | (c & 63));
-  else shown[0] = (char)(0xF0 | c >> 18), shown[1] = (char)(0x80 | (c >> 12 & 63)), shown[2] = (char)(0x80 | (c >> 6 & 63)), shown[3] = (char)(0x80 | (c & 63));
-  vs_bind_warn(f->bind, "glyph", "make-text: the font has no letter %s (U+%04X): it is shown as the font's sign for that", shown, (unsigned)c);
+  else if (c < 0x10000)
+    shown[0] = (char)(0xE0 | c >> 12), shown[1] = (char)(0x80 | (c >> 6 & 63)), shown[2] = (char)(0x80 | (c & 63));
+  else
+    shown[0] = (char)(0xF0 | c >> 18), shown[1] = (char)(0x80 | (c >> 12 & 63)),
+    shown[2] = (char)(0x80 | (c >> 6 & 63)), shown[3] = (char)(0x80 | (c & 63));
+  vs_bind_warn(f->bind, "glyph",
+               "make-text: the font has no letter %s (U+%04X): it is shown as the font's sign for that", shown,
+               (unsigned)c);
 }
 
 vs_status vs_p_make_text(vs_frame *f, vs_value *out) {
   static const char *const aligns[] = { "left", "center", "centre", "right", NULL };
   static const char *const valigns[] = { "baseline", "top", "center", "centre", "bottom", NULL };
-  struct vs_letters t = { .p = f->arg[0].point, .size = f->arg[1].real, .spacing = f->key[3].given ? f->key[3].real : 1 };
+  struct vs_letters t = { .p = f->arg[0].point,
+                          .size = f->arg[1].real,
+                          .spacing = f->key[3].given ? f->key[3].real : 1 };
   vs_error e = { 0 };
   vs_text_plan plan;
   t.string = vs_store_text(f->bind->store, f->arg[2].text.at, f->arg[2].text.length);
@@ -80,7 +89,9 @@ vs_status vs_p_make_text(vs_frame *f, vs_value *out) {
 }
 
 vs_status vs_p_text_width(vs_frame *f, vs_value *out) {
-  struct vs_letters t = { .size = f->arg[0].real, .align = "left", .valign = "baseline", .spacing = f->key[1].given ? f->key[1].real : 1 };
+  struct vs_letters t = {
+    .size = f->arg[0].real, .align = "left", .valign = "baseline", .spacing = f->key[1].given ? f->key[1].real : 1
+  };
   vs_error e = { 0 };
   vs_text_plan plan;
   t.string = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);

@@ -1,5 +1,5 @@
-/* Owns the constructors of what is made from profiles and grids: revolutions, lofts, surfaces. Each is looked at once when it is made, with
- * coarse facets, so that an error stands where the model makes it. */
+/* Owns the constructors of what is made from profiles and grids: revolutions, lofts, surfaces. Each is looked at once
+ * when it is made, with coarse facets, so that an error stands where the model makes it. */
 #include "bind/bind.h"
 
 #include <stdio.h>
@@ -25,7 +25,8 @@ static vs_status tried(vs_frame *f, vs_node *n) {
   vs_facets coarse = { fmax(vs_bounds_diagonal(&b) / 64, 1e-300), 0 };
   bool ok = vs_tessellate(n, &coarse, &m, &e);
   double size = vs_bounds_diagonal(&b);
-  bool thin = ok && !(vs_mesh_area(&m) > 1e-12 * size * size), flat = ok && n->class_ == VS_SOLID && !(fabs(vs_mesh_volume(&m)) > 1e-12 * size * size * size);
+  bool thin = ok && !(vs_mesh_area(&m) > 1e-12 * size * size),
+       flat = ok && n->class_ == VS_SOLID && !(fabs(vs_mesh_volume(&m)) > 1e-12 * size * size * size);
   vs_mesh_free(&m);
   if (!ok) return vs_bind_error(f, &e);
   if (thin) return vs_fail(f->vm, f->vm->sym.range, "sections must not lie in one line");
@@ -64,7 +65,9 @@ static vs_status sections(vs_frame *f, vs_ref *all, size_t *count, vs_value *out
   size_t given = *count, n = 0;
   const vs_origin *origin = vs_bind_origin(f->bind);
   *count = 0;
-  if (given < 2) return vs_bind_refuse(f, "sections", "two sections or more", f->arg[0].value == VS_UNSPECIFIC ? VS_NIL : f->arg[0].value);
+  if (given < 2)
+    return vs_bind_refuse(f, "sections", "two sections or more",
+                          f->arg[0].value == VS_UNSPECIFIC ? VS_NIL : f->arg[0].value);
   for (size_t i = 0; i < given; i++)
     if (!vs_bind_is_empty(all[i].node)) {
       char what[40];
@@ -77,7 +80,8 @@ static vs_status sections(vs_frame *f, vs_ref *all, size_t *count, vs_value *out
   return n < 2 ? vs_bind_empty(f, "fewer than two sections are more than nothing", out) : VS_OK;
 }
 
-static vs_status loft(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t count, vs_value *out) {
+static vs_status loft(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t count,
+                      vs_value *out) {
   vs_node *n = vs_node_new(f->bind->store, kind, data, children, count);
   if (!vs_bind_keep(f, n) || !tried(f, n)) return VS_ERROR;
   return vs_bind_node(f, vs_node_retain(n), out);
@@ -116,7 +120,8 @@ vs_status vs_p_do_guided_loft(vs_frame *f, vs_value *out) {
   memcpy(all, f->arg[0].refs.at, n * sizeof *all);
   for (size_t i = 0; i < guides; i++) {
     all[n + i] = f->arg[1].refs.at[i];
-    if (vs_bind_is_empty(all[n + i].node)) return vs_bind_empty(f, path ? "the path is empty" : "a guide is empty", out);
+    if (vs_bind_is_empty(all[n + i].node))
+      return vs_bind_empty(f, path ? "the path is empty" : "a guide is empty", out);
   }
   struct vs_guided_loft d = { .section_count = (int32_t)n, .path = path };
   return loft(f, VS_GUIDED_LOFT, &d, all, n + guides, out);
@@ -134,7 +139,9 @@ static vs_status read_rows(vs_frame *f, vs_value v, grid *g) {
   if (rows < 2) return vs_bind_refuse(f, "rows", "two or more lists of points", v);
   if (columns < 0) return vs_bind_refuse(f, "rows", "a list of lists of points", vs_car(v));
   if (columns < 2) return vs_bind_refuse(f, "rows", "lists of two or more points", vs_car(v));
-  if (columns > 50000000 / rows) return vs_fail(f->vm, f->vm->sym.range, "rows must hold at most 50 million points, got %.0f", (double)rows * (double)columns);
+  if (columns > 50000000 / rows)
+    return vs_fail(f->vm, f->vm->sym.range, "rows must hold at most 50 million points, got %.0f",
+                   (double)rows * (double)columns);
   g->rows = (size_t)rows, g->columns = (size_t)columns;
   g->at = vs_bind_scratch(f, g->rows * g->columns * sizeof *g->at);
   if (!g->at) return VS_ERROR;
@@ -143,7 +150,9 @@ static vs_status read_rows(vs_frame *f, vs_value v, grid *g) {
     int64_t n = vs_list_length(vs_car(r));
     if (n < 0) return vs_bind_refuse(f, "rows", "a list of lists of points", vs_car(r));
     if (n != columns)
-      return vs_fail(f->vm, f->vm->sym.range, "rows must be lists of equally many points: the first has %.0f, number %.0f has %.0f", (double)columns, (double)i + 1, (double)n);
+      return vs_fail(f->vm, f->vm->sym.range,
+                     "rows must be lists of equally many points: the first has %.0f, number %.0f has %.0f",
+                     (double)columns, (double)i + 1, (double)n);
     size_t j = 0;
     for (vs_value p = vs_car(r); p != VS_NIL; p = vs_cdr(p), j++) {
       const double *d = vs_is_flat(vs_car(p), VS_FLAT_POINT) ? vs_as_flat(vs_car(p))->at : NULL;
@@ -159,7 +168,8 @@ static vs_status read_rows(vs_frame *f, vs_value v, grid *g) {
 
 static vs_status make_grid(vs_frame *f, vs_kind kind, const grid *g, vs_value *out) {
   vs_error e = { 0 };
-  vs_node *n = vs_surface_make(f->bind->store, kind, g->at, g->rows, g->columns, f->key[0].given && f->key[0].boolean, f->key[1].given && f->key[1].boolean, &e);
+  vs_node *n = vs_surface_make(f->bind->store, kind, g->at, g->rows, g->columns, f->key[0].given && f->key[0].boolean,
+                               f->key[1].given && f->key[1].boolean, &e);
   if (!n) return vs_bind_error(f, &e);
   if (!vs_bind_is_empty(n)) return vs_bind_node(f, n, out);
   vs_node_release(n);
@@ -169,7 +179,8 @@ static vs_status make_grid(vs_frame *f, vs_kind kind, const grid *g, vs_value *o
 static vs_status bad_point(vs_frame *f, const grid *g) {
   if (!g->bad_point) return VS_ERROR;
   char text[96];
-  snprintf(text, sizeof text, "lists of points of finite coordinates; in row %zu, place %zu", g->bad_row + 1, g->bad_column + 1);
+  snprintf(text, sizeof text, "lists of points of finite coordinates; in row %zu, place %zu", g->bad_row + 1,
+           g->bad_column + 1);
   return vs_bind_refuse(f, "rows", text, g->bad);
 }
 
@@ -192,5 +203,6 @@ vs_status vs_p_make_surface(vs_frame *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = g.bad;
   if (!vs_cons(f->vm, r[0], VS_NIL, &r[1])) return VS_ERROR;
-  return vs_fail_with(f->vm, f->vm->sym.type, r[1], "f must give points of finite coordinates; at (u, v) = (%s, %s) it gave", u, v);
+  return vs_fail_with(f->vm, f->vm->sym.type, r[1],
+                      "f must give points of finite coordinates; at (u, v) = (%s, %s) it gave", u, v);
 }

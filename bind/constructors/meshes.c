@@ -16,13 +16,15 @@
 
 /* ---- checking ---- */
 
-/* Is every corner on or below every face? Then the mesh, of one shell, is convex. For small ones alone: the cost is their product. */
+/* Is every corner on or below every face? Then the mesh, of one shell, is convex. For small ones alone: the cost is
+ * their product. */
 static bool is_convex(const vs_mesh *m) {
   if (m->triangle_count != 2 * m->vertex_count - 4 || m->triangle_count * m->vertex_count > 4096) return false;
   vs_bounds b = vs_mesh_bounds(m);
   double size = vs_bounds_diagonal(&b), slack = 1e-13 * size * size * size;
   for (size_t t = 0; t < m->triangle_count; t++) {
-    vs_vec3 o = m->vertices[m->triangles[t][0]], n = vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], o), vs_v3_sub(m->vertices[m->triangles[t][2]], o));
+    vs_vec3 o = m->vertices[m->triangles[t][0]], n = vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], o),
+                                                                 vs_v3_sub(m->vertices[m->triangles[t][2]], o));
     for (size_t i = 0; i < m->vertex_count; i++)
       if (vs_v3_dot(n, vs_v3_sub(m->vertices[i], o)) > slack) return false;
   }
@@ -35,13 +37,15 @@ static void place_text(char text[112], vs_vec3 p) {
   snprintf(text, 112, "(xyz %s %s %s)", x, y, z);
 }
 
-/* mesh: the triangles of a closed polyface mesh, tagged by face, or empty: then they are made. *flawless: nothing overlaps. */
+/* mesh: the triangles of a closed polyface mesh, tagged by face, or empty: then they are made. *flawless: nothing
+ * overlaps. */
 static vs_status inspect(vs_frame *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
   const struct vs_polyface_mesh *d = VS_AS(polyface_mesh, n);
   vs_kernel_counts counts = { 0 };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm, .counts = &counts };
   vs_kernel_error why;
-  if (!mesh->tags && (!(mesh->tags = malloc(sizeof *mesh->tags)) || !vs_solid_polyface(mesh, d->points, d->faces))) return vs_fail_memory(f->vm);
+  if (!mesh->tags && (!(mesh->tags = malloc(sizeof *mesh->tags)) || !vs_solid_polyface(mesh, d->points, d->faces)))
+    return vs_fail_memory(f->vm);
   *flaws = (vs_mesh_flaws){ .most = 1 };
   *flawless = true;
   if (is_convex(mesh)) return VS_OK;
@@ -56,7 +60,8 @@ static vs_status inspect(vs_frame *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *
   vs_solid_tally_steps(f->bind->store, &counts);
   if (!looked) {
     if (why.status == VS_KERNEL_INTERRUPTED) return VS_ERROR; /* the condition is set */
-    return why.status == VS_KERNEL_OUT_OF_MEMORY ? vs_fail_memory(f->vm) : vs_fail(f->vm, f->vm->sym.range, "%s", why.message);
+    return why.status == VS_KERNEL_OUT_OF_MEMORY ? vs_fail_memory(f->vm)
+                                                 : vs_fail(f->vm, f->vm->sym.range, "%s", why.message);
   }
   *flawless = vs_mesh_flawless(flaws);
   if (*flawless) vs_cache_let_go(cache, vs_cache_keep(cache, &key, NULL, 0));
@@ -69,8 +74,13 @@ static vs_status refuse_flaws(vs_frame *f, const char *file, const vs_mesh *mesh
   size_t others = flaws->wound_count ? flaws->wound_count : flaws->open_count;
   place_text(at, first->at);
   if (others > 1) snprintf(more, sizeof more, " and at %zu places more", others - 1);
-  return vs_fail(f->vm, f->vm->sym.range, "%s%sthe faces %s: at face %u, near %s%s; #:repair #t makes one solid of them", file, *file ? ": " : "",
-                 !flaws->wound_count ? "do not close" : first->winding < 0 ? "are inside out in part" : "cross or overlap", mesh->tags[first->triangle] + 1, at, more);
+  return vs_fail(f->vm, f->vm->sym.range,
+                 "%s%sthe faces %s: at face %u, near %s%s; #:repair #t makes one solid of them", file,
+                 *file ? ": " : "",
+                 !flaws->wound_count  ? "do not close"
+                 : first->winding < 0 ? "are inside out in part"
+                                      : "cross or overlap",
+                 mesh->tags[first->triangle] + 1, at, more);
 }
 
 static vs_status refuse_open(vs_frame *f, const char *file, const vs_face_list *l) {
@@ -78,10 +88,14 @@ static vs_status refuse_open(vs_frame *f, const char *file, const vs_face_list *
   char from[112], to[112], more[64] = "";
   vs_error e = { VS_ERROR_NONE, NULL, "" };
   if (!vs_face_list_open(f->bind->store, l, &open, &e)) return vs_bind_error(f, &e);
-  if (!open.count) return vs_fail(f->vm, f->vm->sym.range, "%s: the faces enclose nothing, or have one side, as a Moebius strip", file);
+  if (!open.count)
+    return vs_fail(f->vm, f->vm->sym.range, "%s: the faces enclose nothing, or have one side, as a Moebius strip",
+                   file);
   place_text(from, open.from), place_text(to, open.to);
   if (open.count > 1) snprintf(more, sizeof more, ", and at %zu edges more", open.count - 1);
-  return vs_fail(f->vm, f->vm->sym.range, "%s: the mesh is open at the edge from %s to %s of face %zu%s; #:repair #t closes it", file, from, to, open.face + 1, more);
+  return vs_fail(f->vm, f->vm->sym.range,
+                 "%s: the mesh is open at the edge from %s to %s of face %zu%s; #:repair #t closes it", file, from, to,
+                 open.face + 1, more);
 }
 
 /* ---- mending ---- */
@@ -97,7 +111,8 @@ static bool list_of_mesh(vs_face_list *l, const vs_mesh *m) {
   return ok;
 }
 
-static size_t note(char *text, size_t room, size_t at, size_t count, const char *verb, const char *one, const char *many) {
+static size_t note(char *text, size_t room, size_t at, size_t count, const char *verb, const char *one,
+                   const char *many) {
   if (!count) return at;
   int n = snprintf(text + at, room - at, "%s%s %zu %s", at ? ", " : "", verb, count, count == 1 ? one : many);
   return n > 0 && at + (size_t)n < room ? at + (size_t)n : at;
@@ -113,17 +128,24 @@ static vs_status repaired(vs_frame *f, const char *file, vs_face_list *l, vs_nod
   vs_status ok = vs_face_list_repair(f->bind->store, l, &notes, &e) ? VS_OK : vs_bind_error(f, &e);
   *out = NULL;
   static const uint32_t none[1] = { 0 };
-  if (ok && !(*out = vs_polyface_make(f->bind->store, l->points, l->point_count, l->face_count ? l->starts : none, l->face_count, l->corners, &e))) ok = vs_bind_error(f, &e);
+  if (ok && !(*out = vs_polyface_make(f->bind->store, l->points, l->point_count, l->face_count ? l->starts : none,
+                                      l->face_count, l->corners, &e)))
+    ok = vs_bind_error(f, &e);
   if (ok && (*out)->class_ == VS_SOLID) ok = inspect(f, *out, &mesh, &flaws, &flawless);
   if (ok && !flawless) {
     vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
     vs_kernel_error why;
     if (!vs_kernel_resolve(&mesh, 0, &options, &whole, &why))
-      ok = why.status == VS_KERNEL_INTERRUPTED ? VS_ERROR : why.status == VS_KERNEL_OUT_OF_MEMORY ? vs_fail_memory(f->vm) : vs_fail(f->vm, f->vm->sym.range, "%s%s%s", file, *file ? ": " : "", why.message);
+      ok = why.status == VS_KERNEL_INTERRUPTED ? VS_ERROR
+           : why.status == VS_KERNEL_OUT_OF_MEMORY
+               ? vs_fail_memory(f->vm)
+               : vs_fail(f->vm, f->vm->sym.range, "%s%s%s", file, *file ? ": " : "", why.message);
     vs_node_release(*out);
     *out = NULL;
     if (ok && !list_of_mesh(l, &whole)) ok = vs_fail_memory(f->vm);
-    if (ok && !(*out = vs_polyface_make(f->bind->store, l->points, l->point_count, l->face_count ? l->starts : none, l->face_count, l->corners, &e))) ok = vs_bind_error(f, &e);
+    if (ok && !(*out = vs_polyface_make(f->bind->store, l->points, l->point_count, l->face_count ? l->starts : none,
+                                        l->face_count, l->corners, &e)))
+      ok = vs_bind_error(f, &e);
   }
   vs_mesh_free(&mesh);
   vs_mesh_free(&whole);
@@ -133,8 +155,10 @@ static vs_status repaired(vs_frame *f, const char *file, vs_face_list *l, vs_nod
   at = note(text, sizeof text, at, notes.dropped, "dropped", "face", "faces");
   at = note(text, sizeof text, at, notes.turned, "turned", "face", "faces");
   at = note(text, sizeof text, at, notes.holes, "closed", "hole", "holes");
-  if (notes.holes > 1 && at < sizeof text - 40) at += (size_t)snprintf(text + at, sizeof text - at, " (of up to %zu edges)", notes.largest);
-  if (!flawless && at < sizeof text - 60) at += (size_t)snprintf(text + at, sizeof text - at, "%smade one solid of what overlapped", at ? ", " : "");
+  if (notes.holes > 1 && at < sizeof text - 40)
+    at += (size_t)snprintf(text + at, sizeof text - at, " (of up to %zu edges)", notes.largest);
+  if (!flawless && at < sizeof text - 60)
+    at += (size_t)snprintf(text + at, sizeof text - at, "%smade one solid of what overlapped", at ? ", " : "");
   if (at) vs_bind_warn(f->bind, "repair", "%s%srepaired: %s", file, *file ? " " : "", text);
   return VS_OK;
 }
@@ -147,7 +171,8 @@ static vs_status finished(vs_frame *f, vs_node *n, vs_value *out) { /* takes n o
   return vs_bind_empty(f, "the faces have no area", out);
 }
 
-static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, const uint32_t *starts, const uint32_t *corner, size_t count, vs_value *out) {
+static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, const uint32_t *starts, const uint32_t *corner,
+                          size_t count, vs_value *out) {
   vs_error e = { 0 };
   if (points > UINT32_MAX || count > UINT32_MAX) return vs_fail_memory(f->vm);
   double size = 0, widest = 0;
@@ -184,9 +209,11 @@ vs_status vs_p_make_polyface_mesh(vs_frame *f, vs_value *out) {
   for (size_t i = 0; i < count; i++)
     for (uint32_t c = starts[i]; c < starts[i + 1]; c++) {
       if (corner[c] >= points)
-        return vs_fail(f->vm, f->vm->sym.range, "face %zu asks for point %u, but there are %zu points, counted from 1", i + 1, corner[c] + 1, points);
+        return vs_fail(f->vm, f->vm->sym.range, "face %zu asks for point %u, but there are %zu points, counted from 1",
+                       i + 1, corner[c] + 1, points);
       for (uint32_t o = starts[i]; o < c; o++)
-        if (corner[o] == corner[c]) return vs_fail(f->vm, f->vm->sym.range, "face %zu uses point %u twice", i + 1, corner[c] + 1);
+        if (corner[o] == corner[c])
+          return vs_fail(f->vm, f->vm->sym.range, "face %zu uses point %u twice", i + 1, corner[c] + 1);
     }
   if (count == 0) return vs_bind_empty(f, "there are no faces", out);
   if (f->key[0].given && f->key[0].boolean) {
@@ -214,24 +241,29 @@ vs_status vs_p_make_irregular_pyramid(vs_frame *f, vs_value *out) {
   memcpy(at, f->arg[0].points.at, n * sizeof *at);
   at[n] = POINT(1);
   vs_vec3 spread = { 0, 0, 0 }; /* six volumes, against the base's first corner */
-  for (size_t i = 1; i + 1 < n; i++) spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
-  double size = 0, up = 0, off = 0, widest = 0; /* of the base; the apex's height; how far corners leave the plane; the widest triangle */
+  for (size_t i = 1; i + 1 < n; i++)
+    spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
+  double size = 0, up = 0, off = 0, widest = 0; /* of the base; the apex's height; how far corners leave the plane; the
+                                                 * widest triangle */
   vs_vec3 normal = vs_v3_unit(spread);
   for (size_t i = 1; i < n; i++) {
     vs_vec3 d = vs_v3_sub(at[i], at[0]);
     size = fmax(size, vs_v3_length(d));
-    for (size_t j = 1; j < i && j < 3; j++) widest = fmax(widest, vs_v3_length(vs_v3_cross(d, vs_v3_sub(at[j], at[0]))));
+    for (size_t j = 1; j < i && j < 3; j++)
+      widest = fmax(widest, vs_v3_length(vs_v3_cross(d, vs_v3_sub(at[j], at[0]))));
     off = fmax(off, fabs(vs_v3_dot(normal, d)));
   }
   if (vs_v3_length(spread) <= 1e-12 * size * size) {
-    if (widest > 1e-9 * size * size) return vs_bind_refuse(f, "points", "corners that go round the base without crossing", f->arg[0].value);
+    if (widest > 1e-9 * size * size)
+      return vs_bind_refuse(f, "points", "corners that go round the base without crossing", f->arg[0].value);
     return vs_bind_empty(f, "the base has no area", out);
   }
   if (off > 1e-6 * size) return vs_bind_refuse(f, "points", "corners in one plane", f->arg[0].value);
   up = fabs(vs_v3_dot(normal, vs_v3_sub(at[n], at[0])));
   if (up <= 1e-12 * size) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
   starts[0] = 0;
-  for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i); /* the base, seen from below; all of it is turned if need be */
+  for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i); /* the base, seen from below; all of it is turned if
+                                                                     * need be */
   starts[1] = (uint32_t)n;
   for (size_t i = 0; i < n; i++) {
     uint32_t *c = corner + n + 3 * i;
@@ -252,7 +284,8 @@ vs_status vs_p_make_3dface(vs_frame *f, vs_value *out) {
   if (n == 4) b = vs_v3_length(vs_v3_cross(vs_v3_sub(at[2], at[0]), vs_v3_sub(at[3], at[0])));
   double nothing = 1e-14 * size * size;
   if (a <= nothing && b <= nothing) return vs_bind_empty(f, "all corners are on one line", out);
-  if (n == 4 && a <= nothing) memcpy(corner, corner + 3, sizeof corner / 2), b = 0; /* one of the two triangles is nothing */
+  /* one of the two triangles is nothing */
+  if (n == 4 && a <= nothing) memcpy(corner, corner + 3, sizeof corner / 2), b = 0;
   return polyface(f, at, n, starts, corner, n == 4 && b > nothing ? 2 : 1, out);
 }
 
@@ -265,7 +298,8 @@ static vs_status read_list(vs_frame *f, const char **name, vs_face_list *l) {
   vs_error e = { 0 };
   VS_ROOTS(f->vm, r, 1);
   if (!vs_bind_file(f, &f->arg[0], &r[0], name)) return VS_ERROR;
-  if (!vs_mesh_file_read(*name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, keep_reading, f->vm, l, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+  if (!vs_mesh_file_read(*name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, keep_reading, f->vm, l, &e))
+    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
   return vs_face_list_compact(l) ? VS_OK : vs_fail_memory(f->vm);
 }
 
@@ -274,7 +308,8 @@ vs_status vs_p_load_mesh(vs_frame *f, vs_value *out) {
   vs_face_list l = { 0 };
   vs_node *n = NULL;
   vs_error e = { 0 };
-  if (!vs_mesh_file_is(name)) return vs_bind_refuse(f, "file", "a name that ends in .stl, .obj, .off or .ply", f->arg[0].value);
+  if (!vs_mesh_file_is(name))
+    return vs_bind_refuse(f, "file", "a name that ends in .stl, .obj, .off or .ply", f->arg[0].value);
   vs_status ok = read_list(f, &name, &l);
   if (ok && f->key[0].given && f->key[0].boolean) {
     ok = repaired(f, name, &l, &n);

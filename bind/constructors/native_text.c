@@ -1,5 +1,5 @@
-/* Owns `native`: text of the user's that a target program gets as it is. To make sure that it cannot swallow or end what stands round it, its braces, strings and
- * comments must be whole. */
+/* Owns `native`: text of the user's that a target program gets as it is. To make sure that it cannot swallow or end
+ * what stands round it, its braces, strings and comments must be whole. */
 #include "bind/bind.h"
 
 #include <stdio.h>
@@ -71,15 +71,18 @@ vs_status vs_p_native(vs_frame *f, vs_value *out) {
   for (size_t i = 0; i < sizeof targets / sizeof *targets; i++)
     if (!strcmp(targets[i].name, f->arg[0].text.at)) target = &targets[i];
   if (!target) return vs_bind_refuse(f, "target", "one of 'povray 'openscad", f->arg[0].value);
-  const char *bad = strlen(f->arg[1].text.at) != f->arg[1].text.length ? "without NUL characters" : trouble(target, f->arg[1].text.at);
+  const char *bad = strlen(f->arg[1].text.at) != f->arg[1].text.length ? "without NUL characters"
+                                                                       : trouble(target, f->arg[1].text.at);
   if (bad) {
     char expected[80];
     snprintf(expected, sizeof expected, "text for %s %s", target->name, bad);
     return vs_bind_refuse(f, "text", expected, f->arg[1].value);
   }
-  struct vs_native d = { vs_store_text(s, target->name, strlen(target->name)), vs_store_text(s, f->arg[1].text.at, f->arg[1].text.length), 0 };
+  struct vs_native d = { vs_store_text(s, target->name, strlen(target->name)),
+                         vs_store_text(s, f->arg[1].text.at, f->arg[1].text.length), 0 };
   if (!d.target || !d.code) return vs_fail_memory(f->vm);
-  vs_ref child = f->key[0].given ? f->key[0].ref : (vs_ref){ vs_node_new(s, VS_EMPTY, NULL, NULL, 0), vs_bind_origin(f->bind) };
+  vs_ref child =
+      f->key[0].given ? f->key[0].ref : (vs_ref){ vs_node_new(s, VS_EMPTY, NULL, NULL, 0), vs_bind_origin(f->bind) };
   if (!f->key[0].given && !vs_bind_keep(f, child.node)) return VS_ERROR;
   return vs_bind_make(f, VS_NATIVE, &d, &child, 1, out);
 }

@@ -56,7 +56,8 @@ vs_status vs_bind_uncrossed(vs_frame *f, vs_ref ref, const char *what) {
   char at[3][32];
   const double p[] = { x.at.x, x.at.y, x.at.z };
   for (int i = 0; i < 3; i++) vs_bind_number_text(at[i], round(p[i] * 1e6) / 1e6 + 0.0);
-  return vs_fail(f->vm, f->vm->sym.range, "%s must not cross itself; it does at (xyz %s %s %s)", what, at[0], at[1], at[2]);
+  return vs_fail(f->vm, f->vm->sym.range, "%s must not cross itself; it does at (xyz %s %s %s)", what, at[0], at[1],
+                 at[2]);
 }
 
 /* Closed curves become regions, in place. */
@@ -86,13 +87,16 @@ vs_status vs_p_unite(vs_frame *f, vs_value *out) {
 
 static void plane_text(const vs_plane *p, char out[160]) {
   char n[6][32];
-  vs_vec3 at = vs_v3_scale(p->normal, vs_v3_dot(p->normal, p->point)); /* its point nearest the origin: the same for all that lies in it */
+  vs_vec3 at = vs_v3_scale(p->normal, vs_v3_dot(p->normal, p->point)); /* its point nearest the origin: the same for all
+                                                                        * that lies in it */
   const double d[6] = { p->normal.x, p->normal.y, p->normal.z, at.x, at.y, at.z };
   for (int i = 0; i < 6; i++) vs_bind_number_text(n[i], round(d[i] * 1e6) / 1e6 + 0.0);
-  snprintf(out, 160, "(make-plane (xyz %.20s %.20s %.20s) (vxyz %.20s %.20s %.20s))", n[3], n[4], n[5], n[0], n[1], n[2]);
+  snprintf(out, 160, "(make-plane (xyz %.20s %.20s %.20s) (vxyz %.20s %.20s %.20s))", n[3], n[4], n[5], n[0], n[1],
+           n[2]);
 }
 
-/* Checks the operands of intersect and subtract: solids, or regions and closed curves (taken as filled) alone. Curves become regions in place. */
+/* Checks the operands of intersect and subtract: solids, or regions and closed curves (taken as filled) alone. Curves
+ * become regions in place. */
 static vs_status filled(vs_frame *f, vs_ref *ref, size_t n) {
   bool planar = false, solid = false;
   vs_plane a, b;
@@ -101,14 +105,21 @@ static vs_status filled(vs_frame *f, vs_ref *ref, size_t n) {
     if (o->class_ == VS_SOLID) solid = true;
     else if (o->class_ == VS_REGION_CLASS || (o->class_ == VS_CURVE && (o->flags & VS_NODE_CLOSED))) planar = true;
     else if (o->class_ != VS_NOTHING)
-      return vs_fail(f->vm, f->vm->sym.type, "objects must be solids, or regions and closed curves of one plane; one is %s",
-                     o->class_ == VS_CURVE && o->kind == VS_UNION ? "several curves" : o->class_ == VS_CURVE ? "an open curve" : o->class_ == VS_SURFACE ? "a surface" : "a union of solids with curves or surfaces");
+      return vs_fail(f->vm, f->vm->sym.type,
+                     "objects must be solids, or regions and closed curves of one plane; one is %s",
+                     o->class_ == VS_CURVE && o->kind == VS_UNION ? "several curves"
+                     : o->class_ == VS_CURVE                      ? "an open curve"
+                     : o->class_ == VS_SURFACE                    ? "a surface"
+                                                                  : "a union of solids with curves or surfaces");
   }
-  if (planar && solid) return vs_fail(f->vm, f->vm->sym.type, "solids and flat regions do not meet: do-extrude the regions first");
+  if (planar && solid)
+    return vs_fail(f->vm, f->vm->sym.type, "solids and flat regions do not meet: do-extrude the regions first");
   if (!planar) return VS_OK;
   switch (look_at_areas(ref, n, &a, &b)) {
     case AREAS_ONE_PLANE: return fill(f, ref, n);
-    case AREAS_NOT: return vs_fail(f->vm, f->vm->sym.type, "objects must be solids, or regions and closed curves of one plane; one does not lie in a plane");
+    case AREAS_NOT:
+      return vs_fail(f->vm, f->vm->sym.type,
+                     "objects must be solids, or regions and closed curves of one plane; one does not lie in a plane");
     case AREAS_APART: break;
   }
   char one[160], other[160];
@@ -119,7 +130,9 @@ static vs_status filled(vs_frame *f, vs_ref *ref, size_t n) {
 vs_status vs_p_intersect(vs_frame *f, vs_value *out) {
   vs_ref *ref = f->arg[0].refs.at;
   size_t n = f->arg[0].refs.count;
-  if (n == 0) return vs_fail(f->vm, f->vm->sym.arity, "needs at least one object: the intersection of nothing would be all of space");
+  if (n == 0)
+    return vs_fail(f->vm, f->vm->sym.arity,
+                   "needs at least one object: the intersection of nothing would be all of space");
   if (n == 1) return same(f, ref[0], out);
   if (!filled(f, ref, n)) return VS_ERROR;
   for (size_t i = 0; i < n; i++)
@@ -143,7 +156,9 @@ vs_status vs_p_subtract(vs_frame *f, vs_value *out) {
 static vs_status placed(vs_frame *f, vs_affine m, vs_value *out) {
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 4; j++)
-      if (!isfinite(m.m[i][j])) return vs_fail(f->vm, f->vm->sym.range, "the numbers are too large: the object would be infinitely far or large");
+      if (!isfinite(m.m[i][j]))
+        return vs_fail(f->vm, f->vm->sym.range,
+                       "the numbers are too large: the object would be infinitely far or large");
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   return vs_bind_make(f, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &f->arg[0].ref, 1, out);
 }
@@ -157,8 +172,11 @@ vs_status vs_p_do_scale(vs_frame *f, vs_value *out) {
   if (f->form == 0) return placed(f, vs_affine_scaling(vs_v3(0, 0, 0), POINT(1)), out);
   return placed(f, vs_affine_scaling(POINT(1), POINT(2)), out);
 }
-vs_status vs_p_do_mirror(vs_frame *f, vs_value *out) { return placed(f, vs_affine_mirror(f->arg[1].line.at, f->arg[1].line.direction), out); }
-/* Of solids: the intersection with the half-space; of regions: with what of their plane lies there. Of curves and surfaces: a kind of its own. */
+vs_status vs_p_do_mirror(vs_frame *f, vs_value *out) {
+  return placed(f, vs_affine_mirror(f->arg[1].line.at, f->arg[1].line.direction), out);
+}
+/* Of solids: the intersection with the half-space; of regions: with what of their plane lies there. Of curves and
+ * surfaces: a kind of its own. */
 vs_status vs_p_do_slice(vs_frame *f, vs_value *out) {
   struct vs_half_space h = { .point = f->arg[1].line.at, .normal = vs_v3_unit(f->arg[1].line.direction) };
   vs_ref pair[2] = { f->arg[0].ref };
@@ -166,11 +184,13 @@ vs_status vs_p_do_slice(vs_frame *f, vs_value *out) {
   vs_plane flat;
   vs_bounds b;
   vs_error e = { 0 };
-  if (NODE(0)->class_ == VS_REGION_CLASS && !(NODE(0)->flags & VS_NODE_UNRESOLVED) && NODE(0)->kind != VS_UNION && vs_node_plane(NODE(0), &flat) == VS_PLANE_ONE) {
+  if (NODE(0)->class_ == VS_REGION_CLASS && !(NODE(0)->flags & VS_NODE_UNRESOLVED) && NODE(0)->kind != VS_UNION &&
+      vs_node_plane(NODE(0), &flat) == VS_PLANE_ONE) {
     if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
     return vs_bind_node(f, vs_slice_region(f->arg[0].ref, &flat, &b, h.point, h.normal), out);
   }
-  if (NODE(0)->class_ != VS_SOLID) return vs_bind_make(f, VS_SLICE, &(struct vs_slice){ .point = h.point, .normal = h.normal }, pair, 1, out);
+  if (NODE(0)->class_ != VS_SOLID)
+    return vs_bind_make(f, VS_SLICE, &(struct vs_slice){ .point = h.point, .normal = h.normal }, pair, 1, out);
   pair[1] = (vs_ref){ vs_node_new(f->bind->store, VS_HALF_SPACE, &h, NULL, 0), vs_bind_origin(f->bind) };
   if (!vs_bind_keep(f, pair[1].node)) return VS_ERROR;
   return vs_bind_make(f, VS_INTERSECTION, &(struct vs_intersection){ 0 }, pair, 2, out);
@@ -178,11 +198,13 @@ vs_status vs_p_do_slice(vs_frame *f, vs_value *out) {
 
 vs_status vs_p_do_transform(vs_frame *f, vs_value *out) {
   double d = vs_affine_determinant(&f->arg[1].matrix);
-  if (d == 0 || !isfinite(d)) return vs_bind_refuse(f, "matrix", "a matrix that does not flatten space", f->arg[1].value);
+  if (d == 0 || !isfinite(d))
+    return vs_bind_refuse(f, "matrix", "a matrix that does not flatten space", f->arg[1].value);
   return placed(f, f->arg[1].matrix, out);
 }
 
-/* (do-resize o dx dy dz): the bounds get these sizes, the least corner stays; #f keeps the proportion of the others' mean */
+/* (do-resize o dx dy dz): the bounds get these sizes, the least corner stays; #f keeps the proportion of the others'
+ * mean */
 vs_status vs_p_do_resize(vs_frame *f, vs_value *out) {
   static const char *const names[] = { "o", "dx", "dy", "dz" };
   vs_bounds b;
@@ -198,8 +220,10 @@ vs_status vs_p_do_resize(vs_frame *f, vs_value *out) {
     double want;
     k[i] = 0;
     if (f->arg[i + 1].value == VS_FALSE) continue;
-    if (!vs_bind_number(f->vm, f->arg[i + 1].value, &want) || !(want > 0) || !isfinite(want)) return vs_bind_refuse(f, names[i + 1], "positive, or #f", f->arg[i + 1].value);
-    if (size[i] == 0) return vs_bind_refuse(f, names[i + 1], "#f: the object is flat in that direction", f->arg[i + 1].value);
+    if (!vs_bind_number(f->vm, f->arg[i + 1].value, &want) || !(want > 0) || !isfinite(want))
+      return vs_bind_refuse(f, names[i + 1], "positive, or #f", f->arg[i + 1].value);
+    if (size[i] == 0)
+      return vs_bind_refuse(f, names[i + 1], "#f: the object is flat in that direction", f->arg[i + 1].value);
     k[i] = want / size[i], product *= k[i], given++;
   }
   if (given == 0) return vs_fail(f->vm, f->vm->sym.range, "one of dx, dy, dz must be a number");
@@ -217,7 +241,9 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
   for (size_t i = 0; i < f->arg[0].things.count; i++) {
     const vs_node *n = child[i].node;
     if (n->class_ == VS_NOTHING) continue;
-    if (n->flags & VS_NODE_ENDLESS) return vs_fail(f->vm, f->vm->sym.range, "things must be finite: one of them is a half-space, or a set of them, without an end");
+    if (n->flags & VS_NODE_ENDLESS)
+      return vs_fail(f->vm, f->vm->sym.range,
+                     "things must be finite: one of them is a half-space, or a set of them, without an end");
     solid = solid || n->class_ == VS_SOLID || n->class_ == VS_MIXED;
     child[count++] = child[i];
   }
@@ -233,7 +259,9 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
   vs_status ok = VS_OK;
   vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) }; /* what it resolves to shows how far it spans */
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
-  if (!vs_resolve(&whole, 1, &(vs_facets){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) || !vs_hull_cloud(whole.node, &(vs_facets){ .tolerance = vs_facets_tolerance(&b) }, &cloud, &e)) ok = vs_bind_error(f, &e);
+  if (!vs_resolve(&whole, 1, &(vs_facets){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) ||
+      !vs_hull_cloud(whole.node, &(vs_facets){ .tolerance = vs_facets_tolerance(&b) }, &cloud, &e))
+    ok = vs_bind_error(f, &e);
   else d.dimension = vs_cloud_dimension(&cloud);
   if (ok && d.dimension == 1) {
     vs_polyline ends = { 0 };
@@ -241,7 +269,8 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
     ok = two ? vs_bind_make(f, VS_LINE, &(struct vs_line){ .points = two }, NULL, 0, out) : vs_fail_memory(f->vm);
     if (two) vs_points_release(f->bind->store, two);
     vs_polyline_free(&ends);
-  } else if (ok && d.dimension < 1) ok = vs_bind_empty(f, d.dimension ? "there is nothing to hold" : "all of it is one point", out);
+  } else if (ok && d.dimension < 1)
+    ok = vs_bind_empty(f, d.dimension ? "there is nothing to hold" : "all of it is one point", out);
   else if (ok && d.dimension == 2) {
     d.points = VS_AS(hull, made)->points;
     ok = vs_bind_make(f, VS_HULL, &d, child, count, out);
@@ -336,7 +365,9 @@ static bool check_rising(vs_frame *f, const vs_node *curve, vs_vec3 normal) {
 }
 
 vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
-  struct vs_extrude d = { .taper = f->arg[2].given ? REAL(2) : 0, .twist = f->key[0].given ? f->key[0].real : 0, .scale = f->key[1].given ? f->key[1].real : 1,
+  struct vs_extrude d = { .taper = f->arg[2].given ? REAL(2) : 0,
+                          .twist = f->key[0].given ? f->key[0].real : 0,
+                          .scale = f->key[1].given ? f->key[1].real : 1,
                           .center = f->key[2].given && f->key[2].boolean };
   vs_ref child[2] = { f->arg[0].ref };
   bool path = vs_bind_ref(f->arg[1].value).node != NULL;
@@ -348,14 +379,19 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   if (empty) return VS_OK;
   bool flat = vs_v3_length(plane.normal) > 0, straight = false;
   vs_vec3 way = { 0, 0, 0 };
-  if (path && d.taper != 0 && !vs_bind_is_empty(f->arg[1].ref.node) && !is_straight(f, f->arg[1].ref.node, &way, &straight)) return VS_ERROR;
+  if (path && d.taper != 0 && !vs_bind_is_empty(f->arg[1].ref.node) &&
+      !is_straight(f, f->arg[1].ref.node, &way, &straight))
+    return VS_ERROR;
   if (path && !straight) {
     child[1] = f->arg[1].ref;
     if (vs_bind_is_empty(child[1].node)) return vs_bind_empty(f, "the path is empty", out);
     if (d.taper != 0 && !check_taper(f, &d)) return VS_ERROR;
-    if (d.twist != 0 || d.scale != 1) return vs_fail(f->vm, f->vm->sym.range, "#:twist and #:scale go with a number or a gvector; along a curve use do-sweep");
+    if (d.twist != 0 || d.scale != 1)
+      return vs_fail(f->vm, f->vm->sym.range,
+                     "#:twist and #:scale go with a number or a gvector; along a curve use do-sweep");
     if (flat && !leaves(f, child[1].node, LEAVES_PLANE, plane.normal, &leaving_it)) return VS_ERROR;
-    if (flat && !leaving_it) return vs_bind_refuse(f, "amount", "a curve that leaves the profile's plane", f->arg[1].value);
+    if (flat && !leaving_it)
+      return vs_bind_refuse(f, "amount", "a curve that leaves the profile's plane", f->arg[1].value);
     if (d.taper != 0 && !check_rising(f, child[1].node, plane.normal)) return VS_ERROR;
     return vs_bind_make(f, VS_EXTRUDE, &d, child, 2, out);
   }
@@ -370,7 +406,8 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
     steep = fabs(vs_v3_dot(n, d.along)) / length;
     if (steep < 1e-9) {
       char x[32], y[32], z[32];
-      vs_bind_number_text(x, round(n.x * 1e6) / 1e6), vs_bind_number_text(y, round(n.y * 1e6) / 1e6), vs_bind_number_text(z, round(n.z * 1e6) / 1e6);
+      vs_bind_number_text(x, round(n.x * 1e6) / 1e6), vs_bind_number_text(y, round(n.y * 1e6) / 1e6),
+          vs_bind_number_text(z, round(n.z * 1e6) / 1e6);
       /* an arch that is drawn on the ground and is to be as deep as a wall */
       bool flat_arch = fabs(n.z) > .999999 && vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR);
       const char *cure = "";
@@ -386,7 +423,9 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
 }
 
 vs_status vs_p_do_sweep(vs_frame *f, vs_value *out) {
-  struct vs_sweep d = { .twist = f->arg[2].given ? REAL(2) : 0, .scale = f->arg[3].given ? REAL(3) : 1, .has_base = f->key[0].given };
+  struct vs_sweep d = { .twist = f->arg[2].given ? REAL(2) : 0,
+                        .scale = f->arg[3].given ? REAL(3) : 1,
+                        .has_base = f->key[0].given };
   if (d.has_base) d.base = f->key[0].point;
   if (f->key[1].given) d.up = f->key[1].point;
   vs_ref child[2] = { f->arg[0].ref, f->arg[1].ref };
@@ -400,7 +439,8 @@ vs_status vs_p_do_sweep(vs_frame *f, vs_value *out) {
 }
 
 vs_status vs_p_do_thicken(vs_frame *f, vs_value *out) {
-  struct vs_thicken d = { .width = REAL(1), .segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind) };
+  struct vs_thicken d = { .width = REAL(1),
+                          .segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind) };
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   if (d.width == 0) return vs_bind_empty(f, "the width is 0", out);
   if (vs_is_several(NODE(0))) return vs_bind_each_part(f, vs_p_do_thicken, out);

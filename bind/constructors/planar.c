@@ -28,7 +28,8 @@ static const char *point_text(vs_vec3 p, char out[112]) {
 
 /* ---- curves that meet end to end ---- */
 
-/* Curves that were united stand beside each other, and so do edges of a solid: each counts for itself. References hang off the frame. */
+/* Curves that were united stand beside each other, and so do edges of a solid: each counts for itself. References hang
+ * off the frame. */
 static vs_status each_apart(vs_frame *f) {
   vs_arg given = f->arg[0];
   vs_ref *refs = given.refs.at, *all = NULL;
@@ -43,7 +44,8 @@ static vs_status each_apart(vs_frame *f) {
       refs[i] = f->arg[0].ref;
       f->arg[0] = given;
     }
-    if (status && !(vs_several_parts(refs[i], &parts, &n) && VS_GROW(all, room, count + n))) status = vs_fail_memory(f->vm);
+    if (status && !(vs_several_parts(refs[i], &parts, &n) && VS_GROW(all, room, count + n)))
+      status = vs_fail_memory(f->vm);
     for (size_t k = 0; k < n; k++) {
       if (status) all[count++] = parts[k];
       if (!vs_bind_keep(f, vs_node_retain(parts[k].node))) status = VS_ERROR;
@@ -60,7 +62,8 @@ static vs_status each_apart(vs_frame *f) {
   return status;
 }
 
-/* The curves of the first argument, those that are nothing left out, open ones joined; new references hang off the frame. */
+/* The curves of the first argument, those that are nothing left out, open ones joined; new references hang off the
+ * frame. */
 static vs_status joined(vs_frame *f, vs_ref **out, size_t *count) {
   if (!each_apart(f)) return VS_ERROR;
   vs_ref *c = f->arg[0].refs.at;
@@ -68,7 +71,8 @@ static vs_status joined(vs_frame *f, vs_ref **out, size_t *count) {
   size_t n = 0;
   for (size_t i = 0; i < f->arg[0].refs.count; i++) {
     if (vs_bind_is_empty(c[i].node)) continue;
-    if (c[i].node->kind == VS_XLINE || c[i].node->kind == VS_RAY) return vs_fail(f->vm, f->vm->sym.type, "curves must have ends or be closed; one is without end");
+    if (c[i].node->kind == VS_XLINE || c[i].node->kind == VS_RAY)
+      return vs_fail(f->vm, f->vm->sym.type, "curves must have ends or be closed; one is without end");
     c[n++] = c[i];
   }
   if (!vs_curves_join(f->bind->store, c, &n, &e)) return vs_bind_error(f, &e);
@@ -86,7 +90,9 @@ static vs_status open_end(vs_frame *f, const vs_node *n) {
   vs_error e = { 0 };
   char one[112], other[112];
   if (!vs_curve_ends(n, &start, &end, &size, &e)) return vs_bind_error(f, &e);
-  return vs_fail(f->vm, f->vm->sym.type, "curves must be closed, or open ones that meet end to end; one is open: it runs from %s to %s, where no other begins",
+  return vs_fail(f->vm, f->vm->sym.type,
+                 "curves must be closed, or open ones that meet end to end; one is open: it runs from %s to %s, where "
+                 "no other begins",
                  point_text(start, one), point_text(end, other));
 }
 
@@ -94,7 +100,8 @@ vs_status vs_p_join_curves(vs_frame *f, vs_value *out) {
   vs_ref *c;
   size_t n;
   for (size_t i = 0; i < f->arg[0].refs.count; i++)
-    if (is_closed(f->arg[0].refs.at[i].node)) return vs_fail(f->vm, f->vm->sym.type, "curves must be open; one is closed");
+    if (is_closed(f->arg[0].refs.at[i].node))
+      return vs_fail(f->vm, f->vm->sym.type, "curves must be open; one is closed");
   if (!joined(f, &c, &n)) return VS_ERROR;
   if (n == 0) return vs_bind_empty(f, f->arg[0].refs.count ? "every curve is empty" : "there are no curves", out);
   if (n == 1) return vs_bind_node(f, vs_node_retain(c[0].node), out);
@@ -103,7 +110,8 @@ vs_status vs_p_join_curves(vs_frame *f, vs_value *out) {
   vs_error e = { 0 };
   char one[112], other[112];
   if (!vs_curve_ends(c[0].node, &start, &end, &size, &e)) return vs_bind_error(f, &e);
-  return vs_fail(f->vm, f->vm->sym.type, "curves must meet end to end; they make %lu curves, the first from %s to %s", (unsigned long)n, point_text(start, one), point_text(end, other));
+  return vs_fail(f->vm, f->vm->sym.type, "curves must meet end to end; they make %lu curves, the first from %s to %s",
+                 (unsigned long)n, point_text(start, one), point_text(end, other));
 }
 
 /* ---- regions ---- */
@@ -120,12 +128,15 @@ vs_status vs_p_make_region(vs_frame *f, vs_value *out) {
     if (!is_closed(c[i].node)) return open_end(f, c[i].node);
   for (size_t i = 0; i < n; i++) {
     vs_plane_count planes = vs_node_plane(c[i].node, &here);
-    if (planes == VS_PLANE_NONE) return vs_fail(f->vm, f->vm->sym.type, "curves must lie in one plane; curve %lu leaves every plane", (unsigned long)i + 1);
+    if (planes == VS_PLANE_NONE)
+      return vs_fail(f->vm, f->vm->sym.type, "curves must lie in one plane; curve %lu leaves every plane",
+                     (unsigned long)i + 1);
     if (planes == VS_PLANE_MANY) continue; /* all on one line: it bounds nothing */
     if (kept && !vs_plane_same(&first, &here)) {
       char other[112];
-      return vs_fail(f->vm, f->vm->sym.type, "curves must lie in one plane; curve 1 is in that through %s, curve %lu in that through %s", point_text(first.point, text),
-                     (unsigned long)i + 1, point_text(here.point, other));
+      return vs_fail(f->vm, f->vm->sym.type,
+                     "curves must lie in one plane; curve 1 is in that through %s, curve %lu in that through %s",
+                     point_text(first.point, text), (unsigned long)i + 1, point_text(here.point, other));
     }
     if (!kept) first = here;
     c[kept++] = c[i];
@@ -133,9 +144,13 @@ vs_status vs_p_make_region(vs_frame *f, vs_value *out) {
   if (kept == 0) return vs_bind_empty(f, "the curves enclose no area", out);
   vs_crossing x;
   if (!vs_curves_cross(c, kept, &x, &e)) return vs_bind_error(f, &e);
-  if (x.found && x.a == x.b) return vs_fail(f->vm, f->vm->sym.range, "curves must not cross; curve %lu crosses itself at %s", (unsigned long)x.a + 1, point_text(x.at, text));
-  if (x.found) return vs_fail(f->vm, f->vm->sym.range, "curves must not cross; curves %lu and %lu cross at %s; unite, subtract or intersect their regions",
-                              (unsigned long)x.a + 1, (unsigned long)x.b + 1, point_text(x.at, text));
+  if (x.found && x.a == x.b)
+    return vs_fail(f->vm, f->vm->sym.range, "curves must not cross; curve %lu crosses itself at %s",
+                   (unsigned long)x.a + 1, point_text(x.at, text));
+  if (x.found)
+    return vs_fail(f->vm, f->vm->sym.range,
+                   "curves must not cross; curves %lu and %lu cross at %s; unite, subtract or intersect their regions",
+                   (unsigned long)x.a + 1, (unsigned long)x.b + 1, point_text(x.at, text));
   return vs_bind_make(f, VS_REGION, &(struct vs_region){ 0 }, c, kept, out);
 }
 
@@ -178,7 +193,8 @@ static bool what_is_left(const vs_node *n, size_t *count, vs_error *e) {
 vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
   static const char *const names[] = { "mitre", "round", "square" };
   const char *corners = f->key[0].given ? f->key[0].text.at : names[0];
-  struct vs_offset d = { .distance = f->arg[1].real, .segments = f->key[1].given ? (int32_t)f->key[1].integer : vs_bind_segments(f->bind) };
+  struct vs_offset d = { .distance = f->arg[1].real,
+                         .segments = f->key[1].given ? (int32_t)f->key[1].integer : vs_bind_segments(f->bind) };
   vs_error e = { 0 };
   vs_plane plane;
   size_t i = 0, left;
@@ -187,12 +203,15 @@ vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
   if (i == 3) return vs_bind_refuse(f, "corners", "'mitre, 'round or 'square", f->key[0].value);
   if (vs_bind_is_empty(NODE(0))) return vs_bind_node(f, vs_node_retain(NODE(0)), out);
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_offset, out);
-  if (NODE(0)->kind == VS_XLINE || NODE(0)->kind == VS_RAY) return vs_bind_refuse(f, "s", "a curve with two ends or none, or a region", f->arg[0].value);
-  if (vs_node_plane(NODE(0), &plane) == VS_PLANE_NONE) return vs_bind_refuse(f, "s", "a curve or region that lies in one plane", f->arg[0].value);
+  if (NODE(0)->kind == VS_XLINE || NODE(0)->kind == VS_RAY)
+    return vs_bind_refuse(f, "s", "a curve with two ends or none, or a region", f->arg[0].value);
+  if (vs_node_plane(NODE(0), &plane) == VS_PLANE_NONE)
+    return vs_bind_refuse(f, "s", "a curve or region that lies in one plane", f->arg[0].value);
   vs_bounds box;
   if (!vs_bind_resolve(f, 0) || !vs_bind_uncrossed(f, f->arg[0].ref, "s")) return VS_ERROR;
   if (!vs_node_bounds(NODE(0), &box, &e)) return vs_bind_error(f, &e);
-  if (!(fabs(d.distance) + vs_bounds_diagonal(&box) < 1e100)) return vs_fail(f->vm, f->vm->sym.range, "the numbers are too large: the curve and d must stay below 1e100");
+  if (!(fabs(d.distance) + vs_bounds_diagonal(&box) < 1e100))
+    return vs_fail(f->vm, f->vm->sym.range, "the numbers are too large: the curve and d must stay below 1e100");
   f->arg[0].ref = whole;
   if (d.distance == 0) return vs_bind_node(f, vs_node_retain(NODE(0)), out);
   if (!(d.corners = vs_store_text(f->bind->store, names[i], strlen(names[i])))) return vs_fail_memory(f->vm);
@@ -239,6 +258,7 @@ vs_status vs_p_do_project(vs_frame *f, vs_value *out) {
 vs_status vs_p_do_edges(vs_frame *f, vs_value *out) {
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
-  if (NODE(0)->class_ != VS_SOLID && NODE(0)->class_ != VS_SURFACE) return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
+  if (NODE(0)->class_ != VS_SOLID && NODE(0)->class_ != VS_SURFACE)
+    return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
   return vs_bind_make(f, VS_EDGES, &(struct vs_edges){ 0 }, &f->arg[0].ref, 1, out);
 }

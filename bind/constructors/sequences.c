@@ -1,4 +1,5 @@
-/* Owns the sequences of numbers and points: what fills a range, a line, an arc. (Those that take procedures are in geometry.scm.) */
+/* Owns the sequences of numbers and points: what fills a range, a line, an arc. (Those that take procedures are in
+ * geometry.scm.) */
 #include "bind/bind.h"
 
 #include "vm/values/number.h"
@@ -6,7 +7,8 @@
 #define X(i) (f->arg[i].real)
 
 /* A list of n values by make(f, i), built from the end so that it is in order. */
-static vs_status listed(vs_frame *f, int64_t n, vs_status (*make)(vs_frame *, int64_t i, vs_value *out), vs_value *out) {
+static vs_status listed(vs_frame *f, int64_t n, vs_status (*make)(vs_frame *, int64_t i, vs_value *out),
+                        vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (int64_t i = n; i-- > 0;) {
@@ -22,8 +24,8 @@ static vs_status part(vs_frame *f, int64_t i, int64_t n, vs_value *out) {
   vs_value a = f->arg[0].value, b = f->arg[1].value;
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
     VS_ROOTS(f->vm, r, 1);
-    return vs_number_sub(f->vm, b, a, &r[0]) && vs_number_mul(f->vm, r[0], vs_fix(i), &r[0]) && vs_number_div(f->vm, r[0], vs_fix(n), &r[0])
-           && vs_number_add(f->vm, a, r[0], out);
+    return vs_number_sub(f->vm, b, a, &r[0]) && vs_number_mul(f->vm, r[0], vs_fix(i), &r[0]) &&
+           vs_number_div(f->vm, r[0], vs_fix(n), &r[0]) && vs_number_add(f->vm, a, r[0], out);
   }
   *out = vs_flonum(i == n ? X(1) : X(0) + (X(1) - X(0)) * ((double)i / (double)n));
   return VS_OK;
@@ -62,8 +64,9 @@ static vs_status on_arc(vs_frame *f, int64_t i, vs_value *out) {
 }
 vs_status vs_p_arc_sequence(vs_frame *f, vs_value *out) { return listed(f, f->arg[5].integer, on_arc, out); }
 
-/* Equal steps of the sine. Its inverse is the zenith angle in the half turn [(k - 1/2) pi, (k + 1/2) pi] that both ends lie in; elsewhere two
- * points of the arc are above each other and the height would be ambiguous: there the cosine takes the sign of the middle of the arc. */
+/* Equal steps of the sine. Its inverse is the zenith angle in the half turn [(k - 1/2) pi, (k + 1/2) pi] that both ends
+ * lie in; elsewhere two points of the arc are above each other and the height would be ambiguous: there the cosine
+ * takes the sign of the middle of the arc. */
 static vs_status on_arc_horizontally(vs_frame *f, int64_t i, vs_value *out) {
   double s0, c0, s1, c1, sm, cm, t = fraction(i, f->arg[5].integer);
   vs_sincos(X(3), &s0, &c0), vs_sincos(X(4), &s1, &c1), vs_sincos((X(3) + X(4)) / 2, &sm, &cm);
@@ -72,7 +75,9 @@ static vs_status on_arc_horizontally(vs_frame *f, int64_t i, vs_value *out) {
   double s = s0 + (s1 - s0) * t, c = sqrt(fmax(0, (1 - s) * (1 + s)));
   return raised(f, X(1) * s, X(1) * (cm < 0 ? -c : c), out);
 }
-vs_status vs_p_linear_h_arc_sequence(vs_frame *f, vs_value *out) { return listed(f, f->arg[5].integer, on_arc_horizontally, out); }
+vs_status vs_p_linear_h_arc_sequence(vs_frame *f, vs_value *out) {
+  return listed(f, f->arg[5].integer, on_arc_horizontally, out);
+}
 
 vs_status vs_p_arc_height(vs_frame *f, vs_value *out) {
   double sa, ca, sb, cb;

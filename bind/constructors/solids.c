@@ -49,14 +49,17 @@ vs_status vs_p_make_wedge(vs_frame *f, vs_value *out) {
 
 vs_status vs_p_make_sphere(vs_frame *f, vs_value *out) {
   if (REAL(1) == 0) return vs_bind_empty(f, "r is 0", out);
-  return vs_bind_make(f, VS_SPHERE, &(struct vs_sphere){ .center = POINT(0), .radius = REAL(1), .segments = segments(f) }, NULL, 0, out);
+  return vs_bind_make(f, VS_SPHERE,
+                      &(struct vs_sphere){ .center = POINT(0), .radius = REAL(1), .segments = segments(f) }, NULL, 0,
+                      out);
 }
 
 vs_status vs_p_make_cylinder(vs_frame *f, vs_value *out) {
   struct vs_cylinder d = { .base = POINT(0), .radius = REAL(2), .segments = segments(f) };
   d.top = f->form == 0 ? POINT(1) : vs_v3(d.base.x, d.base.y, d.base.z + REAL(1));
   if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
-  if (vs_v3_equal(d.base, d.top)) return vs_bind_empty(f, f->form == 0 ? "c1 and c2 are the same point" : "h is 0", out);
+  if (vs_v3_equal(d.base, d.top))
+    return vs_bind_empty(f, f->form == 0 ? "c1 and c2 are the same point" : "h is 0", out);
   return vs_bind_make(f, VS_CYLINDER, &d, NULL, 0, out);
 }
 
@@ -68,7 +71,9 @@ vs_status vs_p_make_cone(vs_frame *f, vs_value *out) {
 }
 
 vs_status vs_p_make_cut_cone(vs_frame *f, vs_value *out) {
-  struct vs_cut_cone d = { .base = POINT(0), .base_radius = REAL(1), .top = POINT(2), .top_radius = REAL(3), .segments = segments(f) };
+  struct vs_cut_cone d = {
+    .base = POINT(0), .base_radius = REAL(1), .top = POINT(2), .top_radius = REAL(3), .segments = segments(f)
+  };
   if (d.base_radius == 0 && d.top_radius == 0) return vs_bind_empty(f, "r1 and r2 are 0", out);
   if (vs_v3_equal(d.base, d.top)) return vs_bind_empty(f, "c1 and c2 are the same point", out);
   return vs_bind_make(f, VS_CUT_CONE, &d, NULL, 0, out);
@@ -83,7 +88,12 @@ vs_status vs_p_make_capsule(vs_frame *f, vs_value *out) {
 }
 
 vs_status vs_p_make_e_cone(vs_frame *f, vs_value *out) {
-  struct vs_e_cone d = { .base = POINT(0), .base_radius = REAL(1), .base_across = REAL(2), .top = POINT(3), .top_radius = REAL(4), .segments = segments(f) };
+  struct vs_e_cone d = { .base = POINT(0),
+                         .base_radius = REAL(1),
+                         .base_across = REAL(2),
+                         .top = POINT(3),
+                         .top_radius = REAL(4),
+                         .segments = segments(f) };
   if (vs_v3_equal(d.base, d.top)) return vs_bind_empty(f, "c1 and c2 are the same point", out);
   if (d.base_radius == 0 || d.base_across == 0) return vs_bind_empty(f, "r1 or r1* is 0", out);
   return vs_bind_make(f, VS_E_CONE, &d, NULL, 0, out);
@@ -91,7 +101,8 @@ vs_status vs_p_make_e_cone(vs_frame *f, vs_value *out) {
 
 vs_status vs_p_make_superellipsoid(vs_frame *f, vs_value *out) {
   struct vs_superellipsoid d = { .e = REAL(0), .n = REAL(1), .size = REAL(2), .segments = segments(f) };
-  const double least = 0.001, most = 20; /* beyond, it is a box or nothing to the last digit, and powers over- and underflow */
+  const double least = 0.001, most = 20; /* beyond, it is a box or nothing to the last digit, and powers over- and
+                                          * underflow */
   if (d.e < least || d.e > most) return vs_bind_refuse(f, "e", "from 0.001 to 20", f->arg[0].value);
   if (d.n < least || d.n > most) return vs_bind_refuse(f, "n", "from 0.001 to 20", f->arg[1].value);
   if (d.size == 0) return vs_bind_empty(f, "s is 0", out);
@@ -107,14 +118,19 @@ vs_status vs_p_make_torus(vs_frame *f, vs_value *out) {
   struct vs_torus d = { .center = POINT(0), .radius = REAL(1), .tube_radius = REAL(2), .segments = segments(f) };
   if (d.tube_radius == 0) return vs_bind_empty(f, "tube-r is 0", out);
   if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
-  if (d.tube_radius > d.radius) return vs_bind_refuse(f, "tube-r", "at most r: a torus that crosses itself is no solid", f->arg[2].value);
+  if (d.tube_radius > d.radius)
+    return vs_bind_refuse(f, "tube-r", "at most r: a torus that crosses itself is no solid", f->arg[2].value);
   return vs_bind_make(f, VS_TORUS, &d, NULL, 0, out);
 }
 
 /* ---- pyramids ---- */
 
 static vs_status pyramid(vs_frame *f, double top_radius, vs_value *out) {
-  struct vs_pyramid d = { .base = POINT(0), .base_radius = REAL(1), .sides = (int32_t)f->arg[2].integer, .top = POINT(3), .top_radius = top_radius };
+  struct vs_pyramid d = { .base = POINT(0),
+                          .base_radius = REAL(1),
+                          .sides = (int32_t)f->arg[2].integer,
+                          .top = POINT(3),
+                          .top_radius = top_radius };
   if (d.base_radius == 0 && d.top_radius == 0) return vs_bind_empty(f, "both radii are 0", out);
   if (vs_v3_equal(d.base, d.top)) return vs_bind_empty(f, "c1 and c2 are the same point", out);
   return vs_bind_make(f, VS_PYRAMID, &d, NULL, 0, out);

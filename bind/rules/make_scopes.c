@@ -8,7 +8,8 @@
 
 /* ---- makers ---- */
 
-/* A scope that is made while a rule runs lies in that rule's: path and flags go on, and chance is that of both places. */
+/* A scope that is made while a rule runs lies in that rule's: path and flags go on, and chance is that of both
+ * places. */
 static void stand_in(vs_scope *s, const vs_derivation *d, const char *op) {
   s->parent = vs_scope_retain(d->now), s->depth = d->now->depth + 1;
   s->rule = d->name, s->op = op;

@@ -4,8 +4,8 @@
  * together, so sixteen neighbours share a box, sixteen such boxes the next, and so on. Where bounds meet, the question
  * is answered exactly: the scope is one convex piece, six tetrahedra where it is a hexahedron, a flat piece for each
  * triangle of a polygon or a mesh and for each stretch of a curve; a triangle of the object touches it where something
- * is left of it when it is cut by the planes of a piece. A scope that no triangle touches lies wholly inside or outside,
- * which one point decides; so does an object in a scope that is a closed mesh. */
+ * is left of it when it is cut by the planes of a piece. A scope that no triangle touches lies wholly inside or
+ * outside, which one point decides; so does an object in a scope that is a closed mesh. */
 #include "bind/rules/surroundings.h"
 
 #include "bind/rules/derivation.h"

@@ -96,8 +96,9 @@ vs_status vs_p_curve_walk(vs_frame *f, vs_value *out) {
   return vs_make_foreign(f->vm, &walk_type, s, 0, out);
 }
 
-/* Returns the place at the share arg[1] of the length of the walk arg[0]; *along is how far straight on, from the curve's
- * end, the point asked for lies beyond it: 0 on the curve, below 0 before its start. A closed curve goes round. */
+/* Returns the place at the share arg[1] of the length of the walk arg[0]; *along is how far straight on, from the
+ * curve's end, the point asked for lies beyond it: 0 on the curve, below 0 before its start. A closed curve goes
+ * round. */
 static vs_station walk_station(const vs_frame *f, double *along) {
   const vs_stations *w = vs_foreign_get(f->arg[0].value, &walk_type);
   double share = f->arg[1].real;

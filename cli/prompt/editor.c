@@ -55,7 +55,8 @@ struct cli_editor {
   line_buffer pasted;   /* lines that a paste ended; handed over as one */
   line_buffer rest;     /* what a paste left behind its last newline: the next buffer begins with it */
   bool taken_back;      /* the buffer holds the open lines too */
-  int back;             /* characters from the parenthesis that is shown for a moment to where the cursor belongs; 0: none is */
+  int back;             /* characters from the parenthesis that is shown for a moment to where the cursor belongs; 0:
+                         * none is */
   ptrdiff_t closed;     /* where completion has closed a string: a quote typed there is that one; 0: nowhere */
   void (*commands)(void (*each)(void *context, const char *name), void *context);
   cli_idle idle;
@@ -383,7 +384,8 @@ static unsigned char close_parenthesis(EditLine *line, int key) {
   return CC_REFRESH;
 }
 
-/* The cursor has been on the parenthesis that was closed: back to where it is typed, after a moment or with the next key. */
+/* The cursor has been on the parenthesis that was closed: back to where it is typed, after a moment or with the next
+ * key. */
 static unsigned char flashed(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -603,8 +605,8 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
   libedit.el_set(e->line, EL_ADDFN, "vs-up", "the line above, or the entry before", line_up);
   libedit.el_set(e->line, EL_ADDFN, "vs-down", "the line below, or the entry after", line_down);
   libedit.el_set(e->line, EL_ADDFN, "vs-signature", "show how the procedure is called", signature);
-  for (size_t i = 0; i < sizeof bound / sizeof *bound; i++) libedit.el_set(e->line, EL_BIND, bound[i].keys, bound[i].does,
-      NULL);
+  for (size_t i = 0; i < sizeof bound / sizeof *bound; i++)
+    libedit.el_set(e->line, EL_BIND, bound[i].keys, bound[i].does, NULL);
   libedit.el_set(e->line, EL_SIGNAL, 0);
   return e;
 }

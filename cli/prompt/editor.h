@@ -8,7 +8,8 @@ typedef struct cli_editor cli_editor;
 
 /* NULL: there is no terminal to edit on, or no memory. `commands` hands the names of the prompt's own commands to
  * each. */
-cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(void *context, const char *name), void *context));
+cli_editor *cli_editor_open(vs_scheme *scheme,
+                            void (*commands)(void (*each)(void *context, const char *name), void *context));
 void cli_editor_close(cli_editor *e); /* saves the history; NULL is fine */
 
 /* A line with its newline, or several that were pasted or recalled; NULL at the end of input, or at an interrupt

@@ -8,7 +8,8 @@
 /* Prints what the manual has on the word: the entry of a name of the language, a page, or the sections whose
  * headings have it. False: nothing. */
 bool cli_manual_print(const char *word, FILE *to);
-/* Finds the text on `vs WORD`: the page of that name, else the section whose heading has the command. False: nothing. */
+/* Finds the text on `vs WORD`: the page of that name, else the section whose heading has the command. False:
+ * nothing. */
 bool cli_manual_command(const char *word, FILE *to);
 /* Prints where else the manual speaks of it: the headings, a line each. */
 void cli_manual_mentions(const char *word, FILE *to);

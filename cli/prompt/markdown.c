@@ -193,7 +193,8 @@ static const char *print_text(printer *o, const char *at, const char *end) {
     line = line_at(at, end);
     if (!goes_on(line)) break;
     while (line.at < line.end && *line.at == ' ') line.at++;
-    if (!add_sign(&o->source, ' ') || !cli_line_buffer_add(&o->source, line.at, (size_t)(line.end - line.at))) return NULL;
+    if (!add_sign(&o->source, ' ') || !cli_line_buffer_add(&o->source, line.at, (size_t)(line.end - line.at)))
+      return NULL;
   }
   if (!add_plain(&o->plain, (part){o->source.at, o->source.at + o->source.length})) return NULL;
   fprintf(o->to, "%.*s", sign, first.at);
@@ -249,8 +250,8 @@ static bool read_row(printer *o, part line, row *r) {
   return true;
 }
 
-/* Columns as wide as their widest cell; where that is too much, the widest give way until all fit, down to their longest
- * word. */
+/* Columns as wide as their widest cell; where that is too much, the widest give way until all fit, down to their
+ * longest word. */
 static void share_width(int *wide, const int *least, int count, int width) {
   int room = width - GAP * (count - 1), cap = 0;
   for (int i = 0; i < count; i++) cap = wide[i] > cap ? wide[i] : cap;

@@ -151,7 +151,8 @@ static void show_drawing(cli_session *c) {
 static void list_commands(void) {
 #define COMMAND(name, argument, help, action) printf("  ,%-18s %s\n", #name argument, help);
 #include "cli/prompt/prompt_commands.def"
-  puts("Anything else is a program: (draw (make-sphere (xyz 0 0 0) 1)). Tab completes names, Alt-? shows how the procedure you are in is called.");
+  puts("Anything else is a program: (draw (make-sphere (xyz 0 0 0) 1)). Tab completes names, Alt-? shows how the "
+       "procedure you are in is called.");
 }
 
 static void help(cli_session *c, const char *name) {
@@ -266,7 +267,8 @@ static vs_outcome replay(cli_session *c, cli_prompt *p) {
   for (size_t i = 0; i < p->count && outcome == VS_OUTCOME_DONE; i++) {
     cli_entry *e = &p->entries[i];
     unsigned before = cli_prompt_results(c, p);
-    outcome = cli_session_eval(c, "prompt", e->first_line, e->text, strlen(e->text), VS_EVAL_PRINT | VS_EVAL_NUMBER | VS_EVAL_PASS);
+    outcome = cli_session_eval(c, "prompt", e->first_line, e->text, strlen(e->text),
+                               VS_EVAL_PRINT | VS_EVAL_NUMBER | VS_EVAL_PASS);
     e->result = before + 1, e->results = cli_prompt_results(c, p) > before ? p->results - before : 0;
   }
   vs_interrupt_clear(c->scheme);
@@ -334,7 +336,8 @@ static void save_entry(cli_session *c, const cli_prompt *p, size_t entry, FILE *
   if (whole)
     fprintf(f, "(define $%u %.*s%s)\n", named, (int)n, text, memchr(text, ';', n) ? "\n" : "");
   else fprintf(f, "%.*s\n", (int)n, text);
-  if (named && !whole) fprintf(stderr, "; $%u is not in the program: it is the value of one of several expressions in a line\n", named);
+  if (named && !whole)
+    fprintf(stderr, "; $%u is not in the program: it is the value of one of several expressions in a line\n", named);
 }
 
 /* Does the entry only watch: (trace f)? */
@@ -375,7 +378,9 @@ static void save(cli_session *c, cli_prompt *p, const char *path) {
   }
   bool ok = !ferror(f);
   if (fclose(f) != 0 || !ok) fprintf(stderr, "%s: %s\n", path, strerror(errno));
-  else printf("; wrote %s: %zu expression%s, %zu of them definitions\n", path, written, written == 1 ? "" : "s", definitions);
+  else
+    printf("; wrote %s: %zu expression%s, %zu of them definitions\n", path, written, written == 1 ? "" : "s",
+           definitions);
 }
 
 /* ---- watching a program ---- */

@@ -227,7 +227,9 @@ static void show_iterm(const picture *p) {
 }
 
 /* Sixels in the 216 colours of a cube with six steps a side. */
-static int cube(const unsigned char *c) { return (c[0] * 5 + 127) / 255 * 36 + (c[1] * 5 + 127) / 255 * 6 + (c[2] * 5 + 127) / 255; }
+static int cube(const unsigned char *c) {
+  return (c[0] * 5 + 127) / 255 * 36 + (c[1] * 5 + 127) / 255 * 6 + (c[2] * 5 + 127) / 255;
+}
 static void show_sixel(const picture *p) {
   printf("\033P0;1q\"1;1;%d;%d", p->width, p->height);
   for (int i = 0; i < 216; i++) printf("#%d;2;%d;%d;%d", i, i / 36 * 20, i / 6 % 6 * 20, i % 6 * 20);

@@ -21,7 +21,9 @@ bool vs_scan_poll(vs_scan *s) {
   return vs_error_set(s->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
 
-static bool scan_blank(unsigned char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == 0; }
+static bool scan_blank(unsigned char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == 0;
+}
 
 bool vs_scan_line_end(vs_scan *s) {
   while (s->at < s->size && scan_blank(s->bytes[s->at])) s->at++;
@@ -62,7 +64,8 @@ static bool scan_refuse(const vs_scan *s, const char *expected, const char *word
   size_t n = 0;
   for (; word[n] && n < 32; n++) shown[n] = word[n] >= ' ' && word[n] < 127 ? word[n] : '?';
   shown[n] = 0;
-  return *word ? vs_scan_fail(s, "expected %s, got \"%s\"", expected, shown) : vs_scan_fail(s, "expected %s, but %s", expected, s->at == s->size ? "the file ends" : "the line ends");
+  return *word ? vs_scan_fail(s, "expected %s, got \"%s\"", expected, shown)
+               : vs_scan_fail(s, "expected %s, but %s", expected, s->at == s->size ? "the file ends" : "the line ends");
 }
 
 bool vs_scan_real(vs_scan *s, bool lines, char comment, double *out) {
@@ -81,5 +84,6 @@ bool vs_scan_integer(vs_scan *s, bool lines, char comment, int64_t *out) {
 }
 
 bool vs_scan_point(vs_scan *s, bool lines, char comment, vs_vec3 *out) {
-  return vs_scan_real(s, lines, comment, &out->x) && vs_scan_real(s, lines, comment, &out->y) && vs_scan_real(s, lines, comment, &out->z);
+  return vs_scan_real(s, lines, comment, &out->x) && vs_scan_real(s, lines, comment, &out->y) &&
+         vs_scan_real(s, lines, comment, &out->z);
 }

@@ -1,4 +1,5 @@
-/* Owns, for the readers of mesh files, walking through bytes: words and numbers by line, numbers by their width. Nothing reads past the end. */
+/* Owns, for the readers of mesh files, walking through bytes: words and numbers by line, numbers by their width.
+ * Nothing reads past the end. */
 #ifndef VS_GEOMETRY_SCAN_H
 #define VS_GEOMETRY_SCAN_H
 
@@ -17,11 +18,14 @@ typedef struct {
 
 enum { VS_SCAN_WORD = 64 }; /* longer words are cut: no number and no keyword is so long */
 
-bool vs_scan_fail(const vs_scan *s, const char *format, ...) __attribute__((format(printf, 2, 3))); /* "NAME: line N: ..." */
+/* "NAME: line N: ..." */
+bool vs_scan_fail(const vs_scan *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool vs_scan_poll(vs_scan *s);
-bool vs_scan_line_end(vs_scan *s);                 /* are there only blanks before the line's end? They are passed over */
+bool vs_scan_line_end(vs_scan *s);                 /* are there only blanks before the line's end? They are passed
+                                                    * over */
 void vs_scan_next_line(vs_scan *s);
-/* The next word, over line ends where `lines`; "" at the end (of the line). Comments from `comment` (0: none) to the line's end are passed over. */
+/* The next word, over line ends where `lines`; "" at the end (of the line). Comments from `comment` (0: none) to the
+ * line's end are passed over. */
 void vs_scan_word(vs_scan *s, bool lines, char comment, char word[VS_SCAN_WORD]);
 bool vs_scan_real(vs_scan *s, bool lines, char comment, double *out);       /* finite, or the error */
 bool vs_scan_integer(vs_scan *s, bool lines, char comment, int64_t *out);

@@ -2,8 +2,8 @@
  *
  * The library decompresses; taking the numbers out of a chunk is done here. Its own routines for that suppose that
  * every channel is wanted, and write through a null pointer where a picture has one more (an alpha channel) than is
- * asked for. A chunk holds its lines from the top; each line holds the channels in alphabetical order, one number beside
- * the other, low byte first. */
+ * asked for. A chunk holds its lines from the top; each line holds the channels in alphabetical order, one number
+ * beside the other, low byte first. */
 #include "geometry/files/exr_read.h"
 
 #include <math.h>

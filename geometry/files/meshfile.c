@@ -54,8 +54,10 @@ static bool read_stl_bytes(vs_scan *s, uint32_t count, vs_face_list *out) {
     for (int k = 0; k < 3; k++, b += 12) {
       vs_vec3 p = { (double)little_float(b), (double)little_float(b + 4), (double)little_float(b + 8) };
       s->at = (size_t)(b - s->bytes);
-      if (!isfinite(p.x) || !isfinite(p.y) || !isfinite(p.z)) return vs_scan_fail(s, "corner %d of triangle %u is not at a finite place", k + 1, i + 1);
-      if (!face_list_memory(s, vs_face_list_point(out, p) && vs_face_list_corner(out, (uint32_t)out->point_count - 1))) return false;
+      if (!isfinite(p.x) || !isfinite(p.y) || !isfinite(p.z))
+        return vs_scan_fail(s, "corner %d of triangle %u is not at a finite place", k + 1, i + 1);
+      if (!face_list_memory(s, vs_face_list_point(out, p) && vs_face_list_corner(out, (uint32_t)out->point_count - 1)))
+        return false;
     }
     if (!face_list_memory(s, vs_face_list_close(out)) || !vs_scan_poll(s)) return false;
   }
@@ -73,7 +75,8 @@ static bool read_stl_words(vs_scan *s, vs_face_list *out) {
       vs_scan_next_line(s);
     } else if (!strcmp(word, "vertex")) {
       if (!vs_scan_point(s, true, 0, &p)) return false;
-      if (!face_list_memory(s, vs_face_list_point(out, p) && vs_face_list_corner(out, (uint32_t)out->point_count - 1))) return false;
+      if (!face_list_memory(s, vs_face_list_point(out, p) && vs_face_list_corner(out, (uint32_t)out->point_count - 1)))
+        return false;
     } else if (!strcmp(word, "endfacet")) {
       size_t open = out->corner_count - (out->face_count ? out->starts[out->face_count] : 0);
       if (open < 3) return vs_scan_fail(s, "the facet has %zu corners, not three", open);
@@ -84,20 +87,30 @@ static bool read_stl_words(vs_scan *s, vs_face_list *out) {
       return vs_scan_fail(s, "expected \"facet\", \"vertex\" or another word of STL, got \"%.32s\"", word);
     }
   }
-  return out->corner_count == (out->face_count ? out->starts[out->face_count] : 0) || vs_scan_fail(s, "the file ends within a facet");
+  return out->corner_count == (out->face_count ? out->starts[out->face_count] : 0) ||
+         vs_scan_fail(s, "the file ends within a facet");
 }
 
-/* In bytes: 80 of any text, the count, 50 for each triangle. Many such files begin with "solid" too: it is the size that tells. */
+/* In bytes: 80 of any text, the count, 50 for each triangle. Many such files begin with "solid" too: it is the size
+ * that tells. */
 static bool read_stl(vs_scan *s, vs_face_list *out) {
-  uint32_t count = s->size >= 84 ? (uint32_t)s->bytes[80] | (uint32_t)s->bytes[81] << 8 | (uint32_t)s->bytes[82] << 16 | (uint32_t)s->bytes[83] << 24 : 0;
+  uint32_t count = s->size >= 84 ? (uint32_t)s->bytes[80] | (uint32_t)s->bytes[81] << 8 | (uint32_t)s->bytes[82] << 16 |
+                                       (uint32_t)s->bytes[83] << 24
+                                 : 0;
   uint64_t need = 84 + (uint64_t)50 * count;
   if (s->size >= 84 && s->size == need) return read_stl_bytes(s, count, out);
   size_t start = 0;
   while (start < s->size && (s->bytes[start] == ' ' || (s->bytes[start] >= 9 && s->bytes[start] <= 13))) start++;
-  if (s->size - start >= 5 && !memcmp(s->bytes + start, "solid", 5) && !memchr(s->bytes, 0, s->size < 512 ? s->size : 512)) return read_stl_words(s, out);
+  if (s->size - start >= 5 && !memcmp(s->bytes + start, "solid", 5) &&
+      !memchr(s->bytes, 0, s->size < 512 ? s->size : 512))
+    return read_stl_words(s, out);
   if (s->size >= 84 && s->size > need) return read_stl_bytes(s, count, out); /* something follows */
-  if (s->size < 84) return vs_error_set(s->error, VS_ERROR_MODEL, NULL, "%.100s: this is no STL file: it has %zu bytes", s->name, s->size);
-  return vs_error_set(s->error, VS_ERROR_MODEL, NULL, "%.100s: the file is cut off, or no STL file: %u triangles need %llu bytes, it has %zu", s->name, count, (unsigned long long)need, s->size);
+  if (s->size < 84)
+    return vs_error_set(s->error, VS_ERROR_MODEL, NULL, "%.100s: this is no STL file: it has %zu bytes", s->name,
+                        s->size);
+  return vs_error_set(s->error, VS_ERROR_MODEL, NULL,
+                      "%.100s: the file is cut off, or no STL file: %u triangles need %llu bytes, it has %zu", s->name,
+                      count, (unsigned long long)need, s->size);
 }
 
 /* ---- OBJ ---- */
@@ -111,9 +124,11 @@ static bool read_obj_face(vs_scan *s, vs_face_list *out) {
     }
     vs_scan_word(s, false, '#', word);
     long long i = strtoll(word, &end, 10);
-    if (end == word || (*end && *end != '/') || i == 0) return vs_scan_fail(s, "expected the number of a point, got \"%.32s\"", word);
+    if (end == word || (*end && *end != '/') || i == 0)
+      return vs_scan_fail(s, "expected the number of a point, got \"%.32s\"", word);
     if (i < 0) i += (long long)out->point_count + 1; /* -1 is the last one so far */
-    if (i < 1 || i > (long long)UINT32_MAX) return vs_scan_fail(s, "the face asks for point %.32s, but there are %zu so far", word, out->point_count);
+    if (i < 1 || i > (long long)UINT32_MAX)
+      return vs_scan_fail(s, "the face asks for point %.32s, but there are %zu so far", word, out->point_count);
     if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)(i - 1)))) return false;
   }
   size_t open = out->corner_count - (out->face_count ? out->starts[out->face_count] : 0);
@@ -138,7 +153,8 @@ static bool read_obj(vs_scan *s, vs_face_list *out) {
 
 /* ---- OFF ---- */
 
-/* [ST][C][N]OFF, the counts of points, faces and edges, then the points (with colours and such behind them), then the faces. */
+/* [ST][C][N]OFF, the counts of points, faces and edges, then the points (with colours and such behind them), then the
+ * faces. */
 static bool read_off(vs_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD];
   int64_t points, faces, edges, corners, index;
@@ -146,22 +162,30 @@ static bool read_off(vs_scan *s, vs_face_list *out) {
   s->line = 1;
   vs_scan_word(s, true, '#', word);
   size_t n = strlen(word);
-  if (n < 3 || strcmp(word + n - 3, "OFF") || (n > 3 && strspn(word, "STCN") != n - 3)) return vs_scan_fail(s, "expected OFF, got \"%.32s\"", word);
+  if (n < 3 || strcmp(word + n - 3, "OFF") || (n > 3 && strspn(word, "STCN") != n - 3))
+    return vs_scan_fail(s, "expected OFF, got \"%.32s\"", word);
   bool more = n > 3;
-  if (!vs_scan_line_end(s) && s->bytes[s->at] == 'B') return vs_scan_fail(s, "OFF files in bytes are not read; write it in words, or as STL or PLY");
-  if (!vs_scan_integer(s, true, '#', &points) || !vs_scan_integer(s, true, '#', &faces) || !vs_scan_integer(s, true, '#', &edges)) return false;
+  if (!vs_scan_line_end(s) && s->bytes[s->at] == 'B')
+    return vs_scan_fail(s, "OFF files in bytes are not read; write it in words, or as STL or PLY");
+  if (!vs_scan_integer(s, true, '#', &points) || !vs_scan_integer(s, true, '#', &faces) ||
+      !vs_scan_integer(s, true, '#', &edges))
+    return false;
   if (points < 0 || faces < 0 || (uint64_t)points > s->size || (uint64_t)faces > s->size)
     return vs_scan_fail(s, "the file is too short for %lld points and %lld faces", (long long)points, (long long)faces);
   for (int64_t i = 0; i < points; i++) {
-    if (!vs_scan_point(s, true, '#', &p) || !face_list_memory(s, vs_face_list_point(out, p)) || !vs_scan_poll(s)) return false;
+    if (!vs_scan_point(s, true, '#', &p) || !face_list_memory(s, vs_face_list_point(out, p)) || !vs_scan_poll(s))
+      return false;
     if (more) vs_scan_next_line(s);
   }
   for (int64_t f = 0; f < faces; f++) {
     if (!vs_scan_integer(s, true, '#', &corners)) return false;
-    if (corners < 0 || (uint64_t)corners > s->size) return vs_scan_fail(s, "face %lld cannot have %lld corners", (long long)f + 1, (long long)corners);
+    if (corners < 0 || (uint64_t)corners > s->size)
+      return vs_scan_fail(s, "face %lld cannot have %lld corners", (long long)f + 1, (long long)corners);
     for (int64_t k = 0; k < corners; k++) {
       if (!vs_scan_integer(s, true, '#', &index)) return false;
-      if (index < 0 || index >= points) return vs_scan_fail(s, "face %lld asks for point %lld, but there are %lld, counted from 0", (long long)f + 1, (long long)index, (long long)points);
+      if (index < 0 || index >= points)
+        return vs_scan_fail(s, "face %lld asks for point %lld, but there are %lld, counted from 0", (long long)f + 1,
+                            (long long)index, (long long)points);
       if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)index))) return false;
     }
     vs_scan_next_line(s); /* a colour may follow */
@@ -175,7 +199,10 @@ static bool read_off(vs_scan *s, vs_face_list *out) {
 typedef bool mesh_reader(vs_scan *s, vs_face_list *out);
 
 static mesh_reader *reader_of(const char *name) {
-  static const struct { const char *ending; mesh_reader *read; } readers[] = { { ".stl", read_stl }, { ".obj", read_obj }, { ".off", read_off }, { ".ply", vs_ply_read } };
+  static const struct {
+    const char *ending;
+    mesh_reader *read;
+  } readers[] = { { ".stl", read_stl }, { ".obj", read_obj }, { ".off", read_off }, { ".ply", vs_ply_read } };
   size_t n = strlen(name);
   for (size_t i = 0; i < sizeof readers / sizeof *readers; i++) {
     bool same = n > 4;
@@ -207,7 +234,8 @@ bool vs_points_file_read(const char *name, const unsigned char *bytes, size_t si
   for (size_t f = 0; f < out->face_count; f++)
     for (uint32_t c = out->starts[f]; c < out->starts[f + 1]; c++)
       if (out->corners[c] >= out->point_count)
-        return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: face %zu asks for point %u, but there are %zu", s.name, f + 1, out->corners[c] + 1, out->point_count);
+        return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: face %zu asks for point %u, but there are %zu", s.name,
+                            f + 1, out->corners[c] + 1, out->point_count);
   return true;
 }
 

@@ -1,10 +1,12 @@
-/* Owns reading mesh files: .stl and .ply, in words or in bytes, .obj and .off. Bytes become points and faces; whether those are a solid is another's question. */
+/* Owns reading mesh files: .stl and .ply, in words or in bytes, .obj and .off. Bytes become points and faces; whether
+ * those are a solid is another's question. */
 #ifndef VS_GEOMETRY_MESHFILE_H
 #define VS_GEOMETRY_MESHFILE_H
 
 #include "model/node.h"
 
-/* Face f has the corners corners[starts[f]] .. corners[starts[f + 1] - 1], three or more, zero-based, within point_count; {0} is empty. */
+/* Face f has the corners corners[starts[f]] .. corners[starts[f + 1] - 1], three or more, zero-based, within
+ * point_count; {0} is empty. */
 typedef struct {
   vs_vec3 *points;
   uint32_t *starts, *corners; /* starts has face_count + 1 where there is a face, or NULL */
@@ -13,13 +15,15 @@ typedef struct {
 void vs_face_list_free(vs_face_list *l);
 bool vs_face_list_point(vs_face_list *l, vs_vec3 p);      /* false: out of memory */
 bool vs_face_list_corner(vs_face_list *l, uint32_t point); /* of the face that is being made */
-bool vs_face_list_close(vs_face_list *l);                 /* the face ends; one of fewer than three corners is dropped */
+bool vs_face_list_close(vs_face_list *l);                 /* the face ends; one of fewer than three corners is
+                                                           * dropped */
 
 /* By the name's ending; false: none of the four. */
 bool vs_mesh_file_is(const char *name);
-/* Reads all of a file that is in memory. name: for its ending and for messages, which say the line (files in words) or the byte, what was expected and what stands there.
- * poll (may be NULL) is called now and then; false stops. Counts are held against the file's size before anything is made for them. Out is empty before; on failure it
- * is to be freed too. */
+/* Reads all of a file that is in memory. name: for its ending and for messages, which say the line (files in words) or
+ * the byte, what was expected and what stands there. poll (may be NULL) is called now and then; false stops. Counts are
+ * held against the file's size before anything is made for them. Out is empty before; on failure it is to be freed
+ * too. */
 bool vs_mesh_file_read(const char *name, const unsigned char *bytes, size_t size, bool (*poll)(void *context),
                        void *context, vs_face_list *out, vs_error *e);
 /* The same for files that may have no faces: clouds of points. nowhere: points without a finite place are kept as they

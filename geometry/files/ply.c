@@ -1,6 +1,8 @@
-/* Owns reading PLY files: a header that says what each element is made of, then the elements, in words or in bytes of either order.
+/* Owns reading PLY files: a header that says what each element is made of, then the elements, in words or in bytes of
+ * either order.
  *
- * Of the elements only vertex (its x, y, z) and face (its list vertex_indices or vertex_index) are kept; the others are walked over by their types. */
+ * Of the elements only vertex (its x, y, z) and face (its list vertex_indices or vertex_index) are kept; the others are
+ * walked over by their types. */
 #include "geometry/files/ply.h"
 
 #include <string.h>
@@ -9,14 +11,20 @@ typedef enum { PLY_I8, PLY_U8, PLY_I16, PLY_U16, PLY_I32, PLY_U32, PLY_F32, PLY_
 typedef enum { PLY_OTHER, PLY_X, PLY_Y, PLY_Z, PLY_CORNERS } ply_role;
 typedef struct { ply_type type, count_type; bool list; ply_role role; } ply_property;
 enum { PLY_PROPERTIES = 64, PLY_ELEMENTS = 16 };
-typedef struct { char name[VS_SCAN_WORD]; uint64_t count; ply_property at[PLY_PROPERTIES]; size_t properties; } ply_element;
+typedef struct {
+  char name[VS_SCAN_WORD];
+  uint64_t count;
+  ply_property at[PLY_PROPERTIES];
+  size_t properties;
+} ply_element;
 typedef enum { PLY_WORDS, PLY_LITTLE, PLY_BIG } ply_form;
 
 static const unsigned char ply_width[PLY_TYPES] = { 1, 1, 2, 2, 4, 4, 4, 8 };
 
 static bool ply_type_of(const vs_scan *s, const char *word, ply_type *out) {
-  static const char *const names[PLY_TYPES][2] = { { "char", "int8" },  { "uchar", "uint8" }, { "short", "int16" },   { "ushort", "uint16" },
-                                                   { "int", "int32" },  { "uint", "uint32" }, { "float", "float32" }, { "double", "float64" } };
+  static const char *const names[PLY_TYPES][2] = { { "char", "int8" },     { "uchar", "uint8" },   { "short", "int16" },
+                                                   { "ushort", "uint16" }, { "int", "int32" },     { "uint", "uint32" },
+                                                   { "float", "float32" }, { "double", "float64" } };
   for (int i = 0; i < PLY_TYPES; i++)
     if (!strcmp(word, names[i][0]) || !strcmp(word, names[i][1])) return *out = (ply_type)i, true;
   return vs_scan_fail(s, "\"%.32s\" is no type of PLY", word);
@@ -40,8 +48,11 @@ static bool ply_header_property(vs_scan *s, ply_element *e) {
   }
   if (!ply_type_of(s, word, &p->type)) return false;
   vs_scan_word(s, false, 0, word);
-  if (!strcmp(e->name, "vertex") && !p->list && !word[1] && word[0] >= 'x' && word[0] <= 'z') p->role = (ply_role)(PLY_X + (word[0] - 'x'));
-  if (!strcmp(e->name, "face") && p->list && p->type < PLY_F32 && (!strcmp(word, "vertex_indices") || !strcmp(word, "vertex_index"))) p->role = PLY_CORNERS;
+  if (!strcmp(e->name, "vertex") && !p->list && !word[1] && word[0] >= 'x' && word[0] <= 'z')
+    p->role = (ply_role)(PLY_X + (word[0] - 'x'));
+  if (!strcmp(e->name, "face") && p->list && p->type < PLY_F32 &&
+      (!strcmp(word, "vertex_indices") || !strcmp(word, "vertex_index")))
+    p->role = PLY_CORNERS;
   e->properties++;
   return true;
 }
@@ -61,7 +72,9 @@ static bool ply_header(vs_scan *s, ply_form *form, ply_element *elements, size_t
       vs_scan_word(s, false, 0, word);
       *form = !strcmp(word, "ascii") ? PLY_WORDS : !strcmp(word, "binary_little_endian") ? PLY_LITTLE : PLY_BIG;
       formed = true;
-      if (*form == PLY_BIG && strcmp(word, "binary_big_endian")) return vs_scan_fail(s, "expected the format ascii, binary_little_endian or binary_big_endian, got \"%.32s\"", word);
+      if (*form == PLY_BIG && strcmp(word, "binary_big_endian"))
+        return vs_scan_fail(s, "expected the format ascii, binary_little_endian or binary_big_endian, got \"%.32s\"",
+                            word);
     } else if (!strcmp(word, "element")) {
       if (*count == PLY_ELEMENTS) return vs_scan_fail(s, "there are more than %d kinds of element", PLY_ELEMENTS);
       ply_element *e = &elements[*count];
@@ -88,7 +101,8 @@ static bool ply_value(vs_scan *s, ply_form form, ply_type type, double *out) {
   size_t width = ply_width[type];
   if (s->size - s->at < width) return vs_scan_fail(s, "the file is cut off");
   uint64_t bits = 0;
-  for (size_t i = 0; i < width; i++) bits |= (uint64_t)s->bytes[s->at + (form == PLY_LITTLE ? i : width - 1 - i)] << 8 * i;
+  for (size_t i = 0; i < width; i++)
+    bits |= (uint64_t)s->bytes[s->at + (form == PLY_LITTLE ? i : width - 1 - i)] << 8 * i;
   s->at += width;
   switch (type) {
     case PLY_I8: *out = (int8_t)bits; break;
@@ -110,7 +124,8 @@ static bool ply_value(vs_scan *s, ply_form form, ply_type type, double *out) {
   return true;
 }
 
-static bool ply_one(vs_scan *s, ply_form form, const ply_element *e, uint64_t number, uint64_t points, vs_face_list *out) {
+static bool ply_one(vs_scan *s, ply_form form, const ply_element *e, uint64_t number, uint64_t points,
+                    vs_face_list *out) {
   double xyz[3] = { 0, 0, 0 }, value, items;
   bool ok = true;
   for (size_t i = 0; ok && i < e->properties; i++) {
@@ -121,12 +136,14 @@ static bool ply_one(vs_scan *s, ply_form form, const ply_element *e, uint64_t nu
       continue;
     }
     if (!ply_value(s, form, p->count_type, &items)) return false;
-    if (!(items >= 0) || items > (double)(s->size - s->at) || items != floor(items)) return vs_scan_fail(s, "%s %llu cannot have a list of %.6g", e->name, (unsigned long long)number + 1, items);
+    if (!(items >= 0) || items > (double)(s->size - s->at) || items != floor(items))
+      return vs_scan_fail(s, "%s %llu cannot have a list of %.6g", e->name, (unsigned long long)number + 1, items);
     for (uint64_t k = 0; ok && k < (uint64_t)items; k++) {
       if (!ply_value(s, form, p->type, &value)) return false;
       if (p->role != PLY_CORNERS) continue;
       if (!(value >= 0) || value >= (double)points || value != floor(value))
-        return vs_scan_fail(s, "face %llu asks for point %.10g, but there are %llu, counted from 0", (unsigned long long)number + 1, value, (unsigned long long)points);
+        return vs_scan_fail(s, "face %llu asks for point %.10g, but there are %llu, counted from 0",
+                            (unsigned long long)number + 1, value, (unsigned long long)points);
       ok = vs_face_list_corner(out, (uint32_t)value);
     }
     if (ok && p->role == PLY_CORNERS) ok = vs_face_list_close(out);
@@ -156,7 +173,9 @@ bool vs_ply_read(vs_scan *s, vs_face_list *out) {
     if (!strcmp(e->name, "vertex") && roles != 3) return vs_scan_fail(s, "the vertices have no x, y and z");
     if (!strcmp(e->name, "face") && roles != 1) return vs_scan_fail(s, "the faces have no list vertex_indices");
     if (!strcmp(e->name, "vertex")) points += e->count;
-    if (least && e->count > (s->size - s->at) / least + 1) return vs_scan_fail(s, "the file is cut off: it is too short for %llu of element %s", (unsigned long long)e->count, e->name);
+    if (least && e->count > (s->size - s->at) / least + 1)
+      return vs_scan_fail(s, "the file is cut off: it is too short for %llu of element %s",
+                          (unsigned long long)e->count, e->name);
     if (form != PLY_WORDS) s->line = 0; /* from here on it is bytes that are counted */
     for (uint64_t n = 0; least && n < e->count; n++)
       if (!ply_one(s, form, e, n, points, out)) return false;

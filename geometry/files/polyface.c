@@ -1,8 +1,8 @@
 /* Owns what is to be known of points and faces before they become a node: do they close, and which way do they face?
  *
- * Edges of all faces are sorted by their two ends. Where exactly two faces meet at each edge the faces of a component are made to
- * agree with the first of them, breadth first; each component closes when all its edges are met twice, once each way. Linear, but where many edges
- * share a point. */
+ * Edges of all faces are sorted by their two ends. Where exactly two faces meet at each edge the faces of a component
+ * are made to agree with the first of them, breadth first; each component closes when all its edges are met twice, once
+ * each way. Linear, but where many edges share a point. */
 #include "geometry/files/polyface.h"
 
 #include <stdlib.h>
@@ -51,8 +51,10 @@ static int side_compare(const void *a, const void *b) { /* of one low end */
   return p->forward - q->forward;
 }
 
-/* faces' corners are numbers below points. Sorted by low end, each of which has few, and then among those; false: out of memory or interrupted. */
-static bool sides_sort(vs_store *s, vs_side *sides, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_error *e) {
+/* faces' corners are numbers below points. Sorted by low end, each of which has few, and then among those; false: out
+ * of memory or interrupted. */
+static bool sides_sort(vs_store *s, vs_side *sides, size_t points, const uint32_t *starts, size_t face_count,
+                       const uint32_t *corners, vs_error *e) {
   uint32_t *at = calloc(points + 2, sizeof *at);
   if (!at) return vs_error_memory(e, NULL);
   for (int pass = 0; pass < 2; pass++) {
@@ -100,14 +102,17 @@ static void agreement_free(vs_agreement *g) {
   free(g->seen);
 }
 
-/* Is each edge met by two faces, once each way? Then all agree, and nothing else is to be found out: so most meshes are. Which ends the edges from each
- * low end have, and which way they run, sorted: twos of one end and either way. *agreed may be false where they do. False: out of memory or interrupted. */
-static bool polyface_agreed(vs_store *s, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, bool *agreed, vs_error *e) {
+/* Is each edge met by two faces, once each way? Then all agree, and nothing else is to be found out: so most meshes
+ * are. Which ends the edges from each low end have, and which way they run, sorted: twos of one end and either way.
+ * *agreed may be false where they do. False: out of memory or interrupted. */
+static bool polyface_agreed(vs_store *s, size_t points, const uint32_t *starts, size_t face_count,
+                            const uint32_t *corners, bool *agreed, vs_error *e) {
   enum { FEW = 32 };
   size_t n = starts[face_count];
   *agreed = false;
   if (n == 0 || points > UINT32_MAX / 2) return true;
-  uint32_t *at = calloc(points + 2, sizeof *at), *ends = malloc(n * sizeof *ends); /* 2 * high + runs from high to low */
+  /* 2 * high + runs from high to low */
+  uint32_t *at = calloc(points + 2, sizeof *at), *ends = malloc(n * sizeof *ends);
   bool ok = (at && ends) || vs_error_memory(e, NULL);
   for (int pass = 0; ok && pass < 2; pass++) {
     for (size_t f = 0; f < face_count; f++)
@@ -129,7 +134,8 @@ static bool polyface_agreed(vs_store *s, size_t points, const uint32_t *starts, 
       ends[j] = x;
     }
     for (uint32_t i = 0; *agreed && i < count; i += 2)
-      *agreed = ends[low + i] % 2 == 0 && ends[low + i + 1] == ends[low + i] + 1 && (i == 0 || ends[low + i] != ends[low + i - 2]);
+      *agreed = ends[low + i] % 2 == 0 && ends[low + i + 1] == ends[low + i] + 1 &&
+                (i == 0 || ends[low + i] != ends[low + i - 2]);
     ok = vs_store_going(s, 16, e);
   }
   free(at);
@@ -137,15 +143,22 @@ static bool polyface_agreed(vs_store *s, size_t points, const uint32_t *starts, 
   return ok;
 }
 
-/* faces' corners are merged points, numbers below points. *closed: each edge met by exactly two faces that agree, or can be made to. turned[f] says which faces
- * to turn. */
-static bool polyface_agree(vs_store *s, vs_agreement *g, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, bool *closed, vs_error *e) {
+/* faces' corners are merged points, numbers below points. *closed: each edge met by exactly two faces that agree, or
+ * can be made to. turned[f] says which faces to turn. */
+static bool polyface_agree(vs_store *s, vs_agreement *g, size_t points, const uint32_t *starts, size_t face_count,
+                           const uint32_t *corners, bool *closed, vs_error *e) {
   size_t n = starts[face_count], room = n ? n : 1, faces = face_count ? face_count : 1;
   if (!polyface_agreed(s, points, starts, face_count, corners, closed, e)) return false;
   if (*closed) return (g->turned = calloc(faces, 1)) || vs_error_memory(e, NULL);
-  *g = (vs_agreement){ malloc(room * sizeof *g->sides), malloc(room * sizeof *g->mate), malloc(room * sizeof *g->of_face),
-                       calloc(faces + 1, sizeof *g->starts), malloc(faces * sizeof *g->queue), calloc(faces, 1), calloc(faces, 1) };
-  if (!g->sides || !g->mate || !g->of_face || !g->starts || !g->queue || !g->turned || !g->seen) return vs_error_memory(e, NULL);
+  *g = (vs_agreement){ malloc(room * sizeof *g->sides),
+                       malloc(room * sizeof *g->mate),
+                       malloc(room * sizeof *g->of_face),
+                       calloc(faces + 1, sizeof *g->starts),
+                       malloc(faces * sizeof *g->queue),
+                       calloc(faces, 1),
+                       calloc(faces, 1) };
+  if (!g->sides || !g->mate || !g->of_face || !g->starts || !g->queue || !g->turned || !g->seen)
+    return vs_error_memory(e, NULL);
   if (!sides_sort(s, g->sides, points, starts, face_count, corners, e)) return false;
   *closed = n > 0;
   for (size_t i = 0; i < n;) {
@@ -162,7 +175,8 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, size_t points, const ui
   }
   for (size_t i = 0; i < n; i++) g->starts[g->sides[i].face + 1]++;
   for (size_t f = 0; f < face_count; f++) g->starts[f + 1] += g->starts[f];
-  for (size_t i = n; i-- > 0;) g->of_face[--g->starts[g->sides[i].face + 1]] = (uint32_t)i; /* starts[f + 1] is now f's first */
+  /* starts[f + 1] is now f's first */
+  for (size_t i = n; i-- > 0;) g->of_face[--g->starts[g->sides[i].face + 1]] = (uint32_t)i;
   for (uint32_t first = 0; first < face_count; first++) {
     if (g->seen[first]) continue;
     size_t head = 0, tail = 0;
@@ -190,7 +204,8 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, size_t points, const ui
   return true;
 }
 
-/* Does no shell of it enclose anything: sheets back to back? Shells that only cancel each other out do. least: what counts as nothing. False: out of memory. */
+/* Does no shell of it enclose anything: sheets back to back? Shells that only cancel each other out do. least: what
+ * counts as nothing. False: out of memory. */
 static bool mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
   uint32_t n = (uint32_t)m->vertex_count, *shell = malloc(((size_t)n + 1) * sizeof *shell);
   double *volume = calloc((size_t)n + 1, sizeof *volume);
@@ -203,7 +218,9 @@ static bool mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
     const uint32_t *v = m->triangles[t];
     uint32_t root = vs_find(shell, v[0]);
     vs_vec3 o = m->vertices[root];
-    volume[root] += vs_v3_dot(vs_v3_sub(m->vertices[v[0]], o), vs_v3_cross(vs_v3_sub(m->vertices[v[1]], o), vs_v3_sub(m->vertices[v[2]], o))) / 6;
+    volume[root] += vs_v3_dot(vs_v3_sub(m->vertices[v[0]], o),
+                              vs_v3_cross(vs_v3_sub(m->vertices[v[1]], o), vs_v3_sub(m->vertices[v[2]], o))) /
+                    6;
   }
   for (uint32_t v = 0; ok && v < n && *flat; v++) *flat = fabs(volume[v]) <= least;
   free(shell);
@@ -211,7 +228,8 @@ static bool mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
   return ok;
 }
 
-bool vs_polyface_orient(vs_store *s, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners, unsigned char *turned, bool *closed, vs_error *e) {
+bool vs_polyface_orient(vs_store *s, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners,
+                        unsigned char *turned, bool *closed, vs_error *e) {
   vs_agreement g = { 0 };
   bool ok = polyface_agree(s, &g, points, starts, face_count, corners, closed, e);
   if (ok) memcpy(turned, g.turned, face_count);
@@ -219,18 +237,21 @@ bool vs_polyface_orient(vs_store *s, size_t points, const uint32_t *starts, size
   return ok;
 }
 
-vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_mesh *out, vs_error *e) {
+vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts,
+                               size_t face_count, const uint32_t *corners, vs_mesh *out, vs_error *e) {
   size_t corner_count = starts[face_count], kept_faces = 0, kept_corners = 0;
   uint32_t *place = malloc((count ? count : 1) * sizeof *place);
   uint32_t *new_starts = malloc((face_count + 1) * sizeof *new_starts);
-  uint32_t *merged = malloc((corner_count ? corner_count : 1) * sizeof *merged), *own = malloc((corner_count ? corner_count : 1) * sizeof *own);
+  uint32_t *merged = malloc((corner_count ? corner_count : 1) * sizeof *merged),
+           *own = malloc((corner_count ? corner_count : 1) * sizeof *own);
   vs_agreement g = { 0 };
   vs_points *at = NULL;
   vs_faces *faces = NULL;
   vs_node *node = NULL;
   vs_mesh mesh = { 0 };
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  bool closed = false, turned = false, ok = place && new_starts && merged && own && vs_polyface_merge(points, count, place);
+  bool closed = false, turned = false,
+       ok = place && new_starts && merged && own && vs_polyface_merge(points, count, place);
   if (!ok) {
     vs_error_memory(&why, NULL);
     goto done;
@@ -269,7 +290,8 @@ vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count,
     if (!faces || !at || !vs_store_going(s, (uint32_t)kept_corners, &why)) goto done;
     turned = pass > 0;
     if (!closed || turned) break;
-    if ((out && !(mesh.tags = malloc(sizeof *mesh.tags))) || !vs_solid_polyface_merged(&mesh, at, faces, place)) goto done;
+    if ((out && !(mesh.tags = malloc(sizeof *mesh.tags))) || !vs_solid_polyface_merged(&mesh, at, faces, place))
+      goto done;
     double volume = vs_mesh_volume(&mesh);
     if (!vs_store_going(s, (uint32_t)kept_corners, &why)) goto done;
     vs_bounds b = vs_mesh_bounds(&mesh);
@@ -296,6 +318,7 @@ done:
   return node;
 }
 
-vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count, const uint32_t *corners, vs_error *e) {
+vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count,
+                          const uint32_t *corners, vs_error *e) {
   return vs_polyface_make_mesh(s, points, count, starts, face_count, corners, NULL, e);
 }

@@ -11,7 +11,8 @@ void vs_raster_free(vs_raster *r) {
 
 bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t rows, vs_error *e) {
   if (!columns || !rows || columns > VS_RASTER_MOST / rows)
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the picture has %llu x %llu pixels; up to %d are read", name, (unsigned long long)columns, (unsigned long long)rows, VS_RASTER_MOST);
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the picture has %llu x %llu pixels; up to %d are read", name,
+                        (unsigned long long)columns, (unsigned long long)rows, VS_RASTER_MOST);
   r->at = vs_store_realloc(r->store, NULL, 0, (size_t)(columns * rows) * sizeof *r->at);
   if (!r->at) return vs_error_memory(e, NULL);
   memset(r->at, 0, (size_t)(columns * rows) * sizeof *r->at);
@@ -20,7 +21,8 @@ bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t r
   return true;
 }
 
-bool vs_raster_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_raster *out, vs_error *e) {
+bool vs_raster_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_raster *out,
+                    vs_error *e) {
   *out = (vs_raster){ .store = store };
   bool ok = false;
   if (size >= 8 && !memcmp(bytes, "\x89PNG\r\n\x1a\n", 8)) ok = vs_raster_png(out, name, bytes, size, e);

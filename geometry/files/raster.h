@@ -14,16 +14,19 @@ typedef struct {
 } vs_raster;
 void vs_raster_free(vs_raster *r);
 
-/* All of a file that is in memory; by its first bytes. Grey is taken as it is, of colours the luminance (Rec. 709) of the numbers as they stand; an EXR's
- * Y, else its one channel, else the luminance of R, G and B. name: for messages, without folders. Out need not be initialised and is empty after a failure. The libraries
- * are loaded at the first use. */
-bool vs_raster_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_raster *out, vs_error *e);
+/* All of a file that is in memory; by its first bytes. Grey is taken as it is, of colours the luminance (Rec. 709) of
+ * the numbers as they stand; an EXR's Y, else its one channel, else the luminance of R, G and B. name: for messages,
+ * without folders. Out need not be initialised and is empty after a failure. The libraries are loaded at the first
+ * use. */
+bool vs_raster_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_raster *out,
+                    vs_error *e);
 
 /* The two readers; room for the pixels comes from vs_raster_room. */
 bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t rows, vs_error *e);
 bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);
 bool vs_raster_exr(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);
-static const double vs_raster_share[3] = { 0.2126, 0.7152, 0.0722 }; /* of red, green and blue in the luminance (Rec. 709) */
+static const double vs_raster_share[3] = { 0.2126, 0.7152, 0.0722 }; /* of red, green and blue in the luminance (Rec.
+                                                                      * 709) */
 
 extern const vs_dynamic_library vs_png_library; /* libpng */
 

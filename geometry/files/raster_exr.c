@@ -23,7 +23,8 @@ static size_t exr_choose_channels(const vs_exr_view *view, const char *names[3])
 
 typedef struct { vs_raster *r; const char *name; } exr_heights;
 
-static bool exr_choose_heights(void *context, const vs_exr_view *view, vs_exr_target *targets, size_t *used, vs_error *e) {
+static bool exr_choose_heights(void *context, const vs_exr_view *view, vs_exr_target *targets, size_t *used,
+                               vs_error *e) {
   exr_heights *h = context;
   const char *names[3];
   *used = exr_choose_channels(view, names);

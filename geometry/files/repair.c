@@ -1,7 +1,8 @@
 /* Owns mending points and faces until they close.
  *
- * Counted with its direction an edge of a closed chain is met as often one way as the other. Sides that are over at an edge go into a list of sides that are missing; they
- * leave every point as often as they arrive there, whatever the mesh, so they can always be walked off as loops; each loop is covered by triangles. */
+ * Counted with its direction an edge of a closed chain is met as often one way as the other. Sides that are over at an
+ * edge go into a list of sides that are missing; they leave every point as often as they arrive there, whatever the
+ * mesh, so they can always be walked off as loops; each loop is covered by triangles. */
 #include "geometry/files/repair.h"
 
 #include <stdlib.h>
@@ -13,7 +14,8 @@
 #include "model/store/disjoint.h"
 
 bool vs_face_list_compact(vs_face_list *l) {
-  uint32_t *place = malloc((l->point_count + 1) * sizeof *place), *number = malloc((l->point_count + 1) * sizeof *number), count = 0;
+  uint32_t *place = malloc((l->point_count + 1) * sizeof *place),
+           *number = malloc((l->point_count + 1) * sizeof *number), count = 0;
   bool ok = place && number && vs_polyface_merge(l->points, l->point_count, place);
   if (ok) memset(number, 0xFF, (l->point_count + 1) * sizeof *number);
   for (size_t c = 0; ok && c < l->corner_count; c++) number[place[l->corners[c]]] = 0;
@@ -53,30 +55,36 @@ static repair_side *list_sides(const vs_face_list *l, size_t *count) {
 
 static size_t edge_end(const repair_side *sides, size_t count, size_t at, long *over) {
   size_t end = at;
-  for (*over = 0; end < count && sides[end].low == sides[at].low && sides[end].high == sides[at].high; end++) *over += sides[end].forward ? 1 : -1;
+  for (*over = 0; end < count && sides[end].low == sides[at].low && sides[end].high == sides[at].high; end++)
+    *over += sides[end].forward ? 1 : -1;
   return end;
 }
 
 bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, vs_error *e) {
   vs_face_list own = { .points = l->points, .point_count = l->point_count };
-  uint32_t *place = malloc((l->point_count + 1) * sizeof *place), *number = malloc((l->face_count + 1) * sizeof *number);
+  uint32_t *place = malloc((l->point_count + 1) * sizeof *place),
+           *number = malloc((l->face_count + 1) * sizeof *number);
   unsigned char *turned = calloc(l->face_count + 1, 1);
   size_t count = 0;
   bool closed, ok = place && number && turned && vs_polyface_merge(l->points, l->point_count, place);
   *out = (vs_open_edges){ 0 };
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  for (uint32_t f = 0; ok && f < l->face_count; f++) { /* as it is seen when the node is made: equal points are one, neighbours agree */
-    for (uint32_t c = l->starts[f]; ok && c < l->starts[f + 1]; c++) ok = vs_face_list_corner(&own, place[l->corners[c]]);
+  for (uint32_t f = 0; ok && f < l->face_count; f++) { /* as it is seen when the node is made: equal points are one,
+                                                        * neighbours agree */
+    for (uint32_t c = l->starts[f]; ok && c < l->starts[f + 1]; c++)
+      ok = vs_face_list_corner(&own, place[l->corners[c]]);
     number[own.face_count] = f;
     ok = ok && vs_face_list_close(&own);
   }
-  ok = ok && (!own.face_count || vs_polyface_orient(s, l->point_count, own.starts, own.face_count, own.corners, turned, &closed, &why));
+  ok = ok && (!own.face_count ||
+              vs_polyface_orient(s, l->point_count, own.starts, own.face_count, own.corners, turned, &closed, &why));
   repair_side *sides = ok ? list_sides(&own, &count) : NULL;
   for (size_t i = 0; sides && i < count; i++) sides[i].forward ^= turned[sides[i].face];
   for (size_t i = 0, end; sides && i < count; i = end) {
     long over;
     end = edge_end(sides, count, i, &over);
-    if (over && !out->count++) *out = (vs_open_edges){ 1, number[sides[i].face], l->points[sides[i].low], l->points[sides[i].high] };
+    if (over && !out->count++)
+      *out = (vs_open_edges){ 1, number[sides[i].face], l->points[sides[i].low], l->points[sides[i].high] };
   }
   ok = sides != NULL;
   if (!ok && why.kind == VS_ERROR_NONE) vs_error_memory(&why, NULL);
@@ -95,17 +103,20 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
 typedef struct { int64_t x, y, z; } weld_cell;
 
 static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cells, weld_cell c) {
-  uint64_t h = (uint64_t)c.x * UINT64_C(0x9E3779B97F4A7C15) ^ (uint64_t)c.y * UINT64_C(0xC2B2AE3D27D4EB4F) ^ (uint64_t)c.z * UINT64_C(0x165667B19E3779F9);
+  uint64_t h = (uint64_t)c.x * UINT64_C(0x9E3779B97F4A7C15) ^ (uint64_t)c.y * UINT64_C(0xC2B2AE3D27D4EB4F) ^
+               (uint64_t)c.z * UINT64_C(0x165667B19E3779F9);
   size_t at = (size_t)(h ^ h >> 29) & mask;
   while (slots[at] != UINT32_MAX && memcmp(&cells[slots[at]], &c, sizeof c)) at = (at + 1) & mask;
   return at;
 }
 
-/* place[i]: the first point that i lies within `reach` of, or i. Cells are twice as wide as the reach: eight of them can hold such a point. */
+/* place[i]: the first point that i lies within `reach` of, or i. Cells are twice as wide as the reach: eight of them
+ * can hold such a point. */
 static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *welded) {
   size_t room = 16;
   while (room < l->point_count * 2) room *= 2;
-  uint32_t *slots = malloc(room * sizeof *slots), *next = malloc((l->point_count + 1) * sizeof *next); /* next: of those in one cell */
+  /* next: of those in one cell */
+  uint32_t *slots = malloc(room * sizeof *slots), *next = malloc((l->point_count + 1) * sizeof *next);
   weld_cell *cells = malloc((l->point_count + 1) * sizeof *cells);
   bool ok = slots && next && cells;
   if (ok) memset(slots, 0xFF, room * sizeof *slots);
@@ -201,7 +212,8 @@ static bool drop_faces(vs_face_list *l, size_t *dropped) {
     keep_faces(l, keep, dropped);
     for (uint32_t f = 0; f < l->face_count; f++) {
       keys[f] = (face_key){ .face = f, .count = l->starts[f + 1] - l->starts[f] };
-      for (uint32_t c = l->starts[f]; c < l->starts[f + 1]; c++) keys[f].key += (l->corners[c] + UINT64_C(1)) * UINT64_C(0x9E3779B97F4A7C15) ^ (uint64_t)l->corners[c] << 40;
+      for (uint32_t c = l->starts[f]; c < l->starts[f + 1]; c++)
+        keys[f].key += (l->corners[c] + UINT64_C(1)) * UINT64_C(0x9E3779B97F4A7C15) ^ (uint64_t)l->corners[c] << 40;
     }
     qsort(keys, l->face_count, sizeof *keys, key_compare);
     for (size_t i = 0; i < l->face_count; i++) {
@@ -230,7 +242,9 @@ static bool cover(vs_face_list *l, const uint32_t *ring, size_t n) {
   vs_mesh m = { 0 };
   vs_vec2 *flat = malloc(n * sizeof *flat);
   vs_vec3 normal = { 0, 0, 0 }, o = l->points[ring[0]];
-  for (size_t i = 0; i < n; i++) normal = vs_v3_add(normal, vs_v3_cross(vs_v3_sub(l->points[ring[i]], o), vs_v3_sub(l->points[ring[(i + 1) % n]], o)));
+  for (size_t i = 0; i < n; i++)
+    normal =
+        vs_v3_add(normal, vs_v3_cross(vs_v3_sub(l->points[ring[i]], o), vs_v3_sub(l->points[ring[(i + 1) % n]], o)));
   vs_affine frame = vs_frame_on_axis(o, vs_v3_length(normal) > 0 ? normal : vs_v3(0, 0, 1)), back;
   bool ok = flat && vs_affine_invert(&frame, &back);
   for (size_t i = 0; ok && i < n; i++) {
@@ -259,7 +273,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
   size_t count, missing = 0;
   repair_side *sides = list_sides(l, &count);
   missing_side *at = malloc((count + 1) * sizeof *at);
-  uint32_t *first = calloc(l->point_count + 2, sizeof *first), *ring = malloc((count + 1) * sizeof *ring), *seen = malloc((l->point_count + 1) * sizeof *seen);
+  uint32_t *first = calloc(l->point_count + 2, sizeof *first), *ring = malloc((count + 1) * sizeof *ring),
+           *seen = malloc((l->point_count + 1) * sizeof *seen);
   bool ok = sides && at && first && ring && seen;
   for (size_t i = 0, end; ok && i < count; i = end) {
     long over;
@@ -273,7 +288,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
     for (size_t i = 0; i <= l->point_count; i++) first[i + 1] += first[i];
     memset(seen, 0xFF, (l->point_count + 1) * sizeof *seen);
   }
-  /* Walk: as soon as a point is met again, what lies between is a loop. first[p] goes up as sides that leave p are used. */
+  /* Walk: as soon as a point is met again, what lies between is a loop. first[p] goes up as sides that leave p are
+   * used. */
   size_t length = 0;
   for (size_t start = 0; ok && start < missing; start++) {
     uint32_t p = at[start].from;
@@ -319,14 +335,16 @@ static void turn_face(vs_face_list *l, uint32_t f) {
 
 static bool agree(vs_store *s, vs_face_list *l, size_t *turned, vs_error *e) {
   unsigned char *turn = calloc(l->face_count + 1, 1);
-  bool closed, ok = turn && vs_polyface_orient(s, l->point_count, l->starts, l->face_count, l->corners, turn, &closed, e);
+  bool closed,
+      ok = turn && vs_polyface_orient(s, l->point_count, l->starts, l->face_count, l->corners, turn, &closed, e);
   for (uint32_t f = 0; ok && f < l->face_count; f++)
     if (turn[f]) turn_face(l, f), ++*turned;
   free(turn);
   return ok;
 }
 
-/* Six volumes of the face's fan against the point o, and the solid angle (over two) under which it is seen from there */
+/* Six volumes of the face's fan against the point o, and the solid angle (over two) under which it is seen from
+ * there */
 static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *angle) {
   double six = 0;
   vs_vec3 a = vs_v3_sub(l->points[l->corners[l->starts[f]]], o);
@@ -334,7 +352,8 @@ static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *
     vs_vec3 b = vs_v3_sub(l->points[l->corners[c]], o), d = vs_v3_sub(l->points[l->corners[c + 1]], o);
     double volume = vs_v3_dot(a, vs_v3_cross(b, d)), la = vs_v3_length(a), lb = vs_v3_length(b), ld = vs_v3_length(d);
     six += volume;
-    if (angle) *angle += atan2(volume, la * lb * ld + vs_v3_dot(a, b) * ld + vs_v3_dot(b, d) * la + vs_v3_dot(d, a) * lb);
+    if (angle)
+      *angle += atan2(volume, la * lb * ld + vs_v3_dot(a, b) * ld + vs_v3_dot(b, d) * la + vs_v3_dot(d, a) * lb);
   }
   return six;
 }
@@ -349,8 +368,10 @@ static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_err
   bool ok = sides && shell && volume && turn;
   if (ok) vs_disjoint(shell, (uint32_t)n);
   for (size_t i = 1; ok && i < count; i++)
-    if (sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high) vs_unite(shell, sides[i].face, sides[i - 1].face);
-  for (uint32_t f = 0; ok && f < n; f++) volume[vs_find(shell, f)] += face_volume(l, f, l->points[l->corners[l->starts[vs_find(shell, f)]]], NULL);
+    if (sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high)
+      vs_unite(shell, sides[i].face, sides[i - 1].face);
+  for (uint32_t f = 0; ok && f < n; f++)
+    volume[vs_find(shell, f)] += face_volume(l, f, l->points[l->corners[l->starts[vs_find(shell, f)]]], NULL);
   for (uint32_t s = 0; ok && s < n; s++) {
     if (shell[s] != s || !(volume[s] < 0)) continue;
     double angle = 0;
@@ -382,13 +403,15 @@ bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, v
   uint32_t *place = malloc((l->point_count + 1) * sizeof *place);
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < l->point_count; i++) vs_bounds_add(&b, l->points[i]);
-  double reach = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300), size = fmax(fmax(fabs(b.min.x), fabs(b.max.x)), fmax(fmax(fabs(b.min.y), fabs(b.max.y)), fmax(fabs(b.min.z), fabs(b.max.z))));
+  double reach = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300),
+         size = fmax(fmax(fabs(b.min.x), fabs(b.max.x)),
+                     fmax(fmax(fabs(b.min.y), fabs(b.max.y)), fmax(fabs(b.min.z), fabs(b.max.z))));
   reach = fmax(reach, size * 1e-15); /* far off, steps of doubles are wider */
   bool ok = place && weld(l, reach, place, &notes->welded);
   for (size_t i = 0; ok && i < l->corner_count; i++) l->corners[i] = place[l->corners[i]];
   free(place);
-  ok = ok && drop_faces(l, &notes->dropped) && agree(s, l, &notes->turned, &why) && close_holes(l, notes) && turn_shells(s, l, &notes->turned, &why) &&
-       vs_face_list_compact(l);
+  ok = ok && drop_faces(l, &notes->dropped) && agree(s, l, &notes->turned, &why) && close_holes(l, notes) &&
+       turn_shells(s, l, &notes->turned, &why) && vs_face_list_compact(l);
   if (!ok && why.kind == VS_ERROR_NONE) vs_error_memory(&why, NULL);
   if (!ok && e) *e = why;
   return ok;

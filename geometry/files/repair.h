@@ -12,7 +12,8 @@ typedef struct {
   size_t face;       /* of the first: its face, zero-based */
   vs_vec3 from, to;
 } vs_open_edges;
-bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, vs_error *e); /* false: out of memory or interrupted; s may be NULL */
+/* false: out of memory or interrupted; s may be NULL */
+bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, vs_error *e);
 
 typedef struct {
   size_t welded;     /* points that went into one nearby */
@@ -21,8 +22,10 @@ typedef struct {
   size_t holes;      /* closed */
   size_t largest;    /* edges of the greatest of them */
 } vs_repair_notes;
-/* In place: welds points within a millionth of the extent, drops faces, turns them to agree with their neighbours and each shell outwards (unless it lies in another, and
- * looks inwards: a cavity), closes what is open by triangles. The result closes as a chain; it may still cross itself. s: whose owner may stop it, or NULL. False: out of memory or interrupted. */
+/* In place: welds points within a millionth of the extent, drops faces, turns them to agree with their neighbours and
+ * each shell outwards (unless it lies in another, and looks inwards: a cavity), closes what is open by triangles. The
+ * result closes as a chain; it may still cross itself. s: whose owner may stop it, or NULL. False: out of memory or
+ * interrupted. */
 bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, vs_error *e);
 
 #endif

@@ -26,17 +26,21 @@ static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc
   for (int i = 0; i < n; i++) {
     double s, c;
     vs_sincos(angles[i], &s, &c);
-    vs_bounds_add(b, vs_affine_point(a, vs_v3(arc->center.x + arc->radius * c, arc->center.y + arc->radius * s, arc->center.z)));
+    vs_bounds_add(
+        b, vs_affine_point(a, vs_v3(arc->center.x + arc->radius * c, arc->center.y + arc->radius * s, arc->center.z)));
   }
 }
 
-static double bounds_fineness(const vs_bounds *b) { /* for what has to be sampled: finer than any default drawing of it */
+static double bounds_fineness(const vs_bounds *b) { /* for what has to be sampled: finer than any default drawing of
+                                                     * it */
   double d = vs_bounds_diagonal(b);
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
 }
 
-/* Upright extrusions follow their profile exactly; other swept solids are sampled. children: the bounds of all children together. */
-static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+/* Upright extrusions follow their profile exactly; other swept solids are sampled. children: the bounds of all children
+ * together. */
+static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
+                             vs_error *e) {
   vs_facets f = { bounds_fineness(children), 0 };
   vs_swept plan;
   if (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_SURFACE) {
@@ -53,11 +57,13 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     const vs_section *s = &plan.sections[i];
     for (size_t k = 0; k < plan.profile_count; k++) {
       vs_vec2 p = plan.profile[k];
-      vs_bounds_add(&straight, vs_affine_point(a, vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at)));
+      vs_bounds_add(&straight,
+                    vs_affine_point(a, vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at)));
     }
   }
   vs_swept_free(&plan);
-  if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) { /* inwards within the straight one, which also bounds what crosses itself */
+  if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) { /* inwards within the straight one, which also bounds
+                                                                 * what crosses itself */
     vs_bounds leaning = vs_bounds_empty();
     vs_mesh m = { 0 };
     bool ok = vs_tessellate(n, &f, &m, e);
@@ -71,7 +77,8 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
   return true;
 }
 
-static bool bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+static bool bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
+                               vs_error *e) {
   vs_facets f = { bounds_fineness(children), 0 };
   vs_revolve plan;
   if (!vs_revolve_plan(n, &f, &plan, e)) return false;
@@ -81,7 +88,8 @@ static bool bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *
 }
 
 /* Where only facets tell: of fine ones */
-static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
+                              vs_error *e) {
   vs_facets f = { bounds_fineness(children) * 8, 0 };
   vs_mesh m = { 0 };
   bool ok = vs_tessellate(n, &f, &m, e);
@@ -90,7 +98,8 @@ static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n
   return ok;
 }
 
-static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children, vs_error *e) {
+static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
+                              vs_error *e) {
   vs_offset_exact exact;
   vs_affine place;
   if (vs_offset_round(n, &place, &exact)) {
@@ -125,32 +134,53 @@ static bool bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs
   return ok;
 }
 
-/* Bounds of a leaf under a. children: those of its children in their own coordinates, for swept solids. False with *leaf true: failed. */
-static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf, vs_error *e) {
+/* Bounds of a leaf under a. children: those of its children in their own coordinates, for swept solids. False with
+ * *leaf true: failed. */
+static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf,
+                        vs_error *e) {
   *leaf = true;
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: case VS_GHOST: return true;
     case VS_CUSTOM:
       if (n->child_count) break;
-      return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s has no drawing function: (register-drawing-function %s? ...) gives it one", VS_AS(custom, n)->name, VS_AS(custom, n)->name);
+      return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                          "%s has no drawing function: (register-drawing-function %s? ...) gives it one",
+                          VS_AS(custom, n)->name, VS_AS(custom, n)->name);
     case VS_LINE: vs_reach_points(b, a, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count); return true;
     case VS_ARC: bounds_add_arc(b, a, VS_AS(arc, n)); return true;
-    case VS_CIRCLE: vs_reach_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius); return true;
+    case VS_CIRCLE:
+      vs_reach_disc(b, a, VS_AS(circle, n)->center, vs_v3(0, 0, 1), VS_AS(circle, n)->radius);
+      return true;
     case VS_SPLINE: return bounds_spline(b, a, n, e);
     case VS_TEXT: return vs_text_bounds(n, a, b, e);
 #include "model/shape_cases.def"
       return vs_shape_of(n)->bounds(n, a, b, e);
-    case VS_POLYFACE_MESH: vs_reach_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count); return true;
+    case VS_POLYFACE_MESH:
+      vs_reach_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count);
+      return true;
     case VS_XLINE: case VS_RAY: return true; /* without end: as far as the rest of the drawing */
     case VS_OFFSET: return n->class_ == VS_NOTHING || bounds_add_offset(b, a, n, children, e);
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
       return n->class_ == VS_NOTHING || bounds_add_swept(b, a, n, children, e);
     case VS_REVOLVE: return n->class_ == VS_NOTHING || bounds_add_revolve(b, a, n, children, e);
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return bounds_add_facets(b, a, n, children, e);
-    case VS_GRID_MESH: vs_reach_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count); return true;
-    case VS_GRID_SURFACE: vs_reach_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count); return true;
+    case VS_GRID_MESH:
+      vs_reach_points(b, a, VS_AS(grid_mesh, n)->points->at, VS_AS(grid_mesh, n)->points->count);
+      return true;
+    case VS_GRID_SURFACE:
+      vs_reach_points(b, a, VS_AS(grid_surface, n)->points->at, VS_AS(grid_surface, n)->points->count);
+      return true;
     case VS_JOIN: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-    case VS_SLICE: case VS_DEFORM: case VS_HULL: case VS_REGION: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
+    case VS_SLICE:
+    case VS_DEFORM:
+    case VS_HULL:
+    case VS_REGION:
+    case VS_TRANSFORM:
+    case VS_MATERIAL:
+    case VS_LAYER:
+    case VS_UNION:
+    case VS_INTERSECTION:
+    case VS_DIFFERENCE:
     case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY: case VS_KIND_COUNT: break;
   }
   *leaf = false;
@@ -193,17 +223,20 @@ static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   vs_vec3 normal = vs_v3_unit(n->kind == VS_SECTION ? VS_AS(section, n)->normal : VS_AS(project, n)->normal);
   if (vs_bounds_is_empty(b)) return;
   for (int i = 0; i < 8; i++) {
-    vs_vec3 p = { i & 1 ? solid.max.x : solid.min.x, i & 2 ? solid.max.y : solid.min.y, i & 4 ? solid.max.z : solid.min.z };
+    vs_vec3 p = { i & 1 ? solid.max.x : solid.min.x, i & 2 ? solid.max.y : solid.min.y,
+                  i & 4 ? solid.max.z : solid.min.z };
     vs_bounds_add(&shadow, vs_v3_sub(p, vs_v3_scale(normal, vs_v3_dot(normal, vs_v3_sub(p, at)))));
   }
   *b = shadow;
   if (n->kind == VS_SECTION) vs_bounds_meet(b, &solid);
 }
 
-/* A leaf that one parent names is worked out when that parent asks: remembering a million of them would cost more than their formulas. */
+/* A leaf that one parent names is worked out when that parent asks: remembering a million of them would cost more than
+ * their formulas. */
 static bool bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
 
-/* Of the commonest primitives where they stand, by the formulas above with the identity for a: what a drawing may hold a million of. */
+/* Of the commonest primitives where they stand, by the formulas above with the identity for a: what a drawing may hold
+ * a million of. */
 static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   vs_vec3 at[2], reach[2];
   switch ((int)n->kind) {
@@ -268,10 +301,11 @@ static bool bounds_is_swept(const vs_node *n) { /* formulas that cost more than 
   return vs_node_has(n, VS_IS_SAMPLED);
 }
 
-/* A set under a map that turns it, part by part: what it becomes must not depend on whether it was turned as a whole. All in it are known. *done: it was not
- * too much or too deep; all in all a memo does TURNED_MOST such steps. */
+/* A set under a map that turns it, part by part: what it becomes must not depend on whether it was turned as a whole.
+ * All in it are known. *done: it was not too much or too deep; all in all a memo does TURNED_MOST such steps. */
 enum { TURNED_DEEP = 32, TURNED_EACH = 2048, TURNED_MOST = 1 << 20 };
-static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done, vs_error *e) {
+static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done,
+                          vs_error *e) {
   struct { const vs_node *node; vs_affine map; uint32_t next; vs_bounds all; } level[TURNED_DEEP];
   size_t depth = 1, steps = 0;
   vs_bounds b = vs_bounds_empty(), box;
@@ -282,7 +316,8 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
     if (!*done) break;
     size_t top = depth - 1;
     const vs_node *at = level[top].node;
-    bool down = vs_node_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
+    bool down =
+        vs_node_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
     if (vs_node_is_set(at) && level[top].next) { /* b is a member's */
       if (at->kind == VS_INTERSECTION && level[top].next > 1) vs_bounds_meet(&level[top].all, &b);
       else vs_bounds_unite(&level[top].all, &b);
@@ -301,7 +336,9 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
       b = level[--depth].all;
     } else {
       b = vs_bounds_empty();
-      if (!bounds_child(m, at, &box, e) || (!bounds_is_swept(at) && !bounds_leaf(at, &level[top].map, &box, &b, &leaf, e))) return false;
+      if (!bounds_child(m, at, &box, e) ||
+          (!bounds_is_swept(at) && !bounds_leaf(at, &level[top].map, &box, &b, &leaf, e)))
+        return false;
       if (bounds_is_swept(at) || !leaf) b = vs_bounds_transform(&box, &level[top].map);
       depth--;
     }
@@ -317,14 +354,17 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
   vs_bounds child;
   bool leaf;
   *b = vs_bounds_empty();
-  if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps are looked through, or chains cost their square */
+  if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps are looked through, or chains
+                                  * cost their square */
     const vs_node *below = n;
     for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_dress(below)); steps++) {
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
       below = below->children[0].node;
     }
     bool swept = bounds_is_swept(below), done = false;
-    if (vs_node_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !bounds_is_axial(&placed) && !bounds_turned(m, below, &placed, b, &done, e)) return false;
+    if (vs_node_is_set(below) && !(below->flags & VS_NODE_ENDLESS) && !bounds_is_axial(&placed) &&
+        !bounds_turned(m, below, &placed, b, &done, e))
+      return false;
     if (done) return true;
     *b = vs_bounds_empty();
     if (!swept && !bounds_leaf(below, &placed, &children, b, &leaf, e)) return false;
@@ -421,14 +461,16 @@ bool vs_node_bounds(const vs_node *n, vs_bounds *out, vs_error *e) {
   bool ok = vs_bounds_memo_get(&m, n, out, e);
   vs_bounds_memo_free(&m);
   const vs_node *below = n;
-  while (below->kind == VS_TRANSFORM || below->kind == VS_MATERIAL || below->kind == VS_LAYER) below = below->children[0].node;
+  while (below->kind == VS_TRANSFORM || below->kind == VS_MATERIAL || below->kind == VS_LAYER)
+    below = below->children[0].node;
   bool set = below->class_ == VS_REGION_CLASS && (below->kind == VS_INTERSECTION || below->kind == VS_DIFFERENCE);
   return ok && (!set || vs_bounds_is_empty(out) || bounds_of_set(n, out, e));
 }
 
 bool vs_line_clip(vs_vec3 p, vs_vec3 d, bool ray, const vs_bounds *b, vs_vec3 *from, vs_vec3 *to) {
   double low = ray ? 0 : -INFINITY, high = INFINITY;
-  double at[3] = { p.x, p.y, p.z }, way[3] = { d.x, d.y, d.z }, min[3] = { b->min.x, b->min.y, b->min.z }, max[3] = { b->max.x, b->max.y, b->max.z };
+  double at[3] = { p.x, p.y, p.z }, way[3] = { d.x, d.y, d.z }, min[3] = { b->min.x, b->min.y, b->min.z },
+         max[3] = { b->max.x, b->max.y, b->max.z };
   for (int i = 0; i < 3; i++) {
     if (way[i] == 0) {
       if (at[i] < min[i] || at[i] > max[i]) return false;

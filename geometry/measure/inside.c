@@ -1,11 +1,13 @@
 /* Owns the answer to "is this point inside?", from formulas and from the sections of sweeps, independent of every mesh.
  *
- * The model is prepared once, each distinct node once: bounds in its own coordinates, inverse placements, plans of swept solids. A test walks
- * the tree by an explicit stack, carries the point into each placement's coordinates, turns away at bounds and stops at the first answer
- * that decides: in a drawing of disjoint parts it costs one box test a part.
+ * The model is prepared once, each distinct node once: bounds in its own coordinates, inverse placements, plans of
+ * swept solids. A test walks the tree by an explicit stack, carries the point into each placement's coordinates, turns
+ * away at bounds and stops at the first answer that decides: in a drawing of disjoint parts it costs one box test a
+ * part.
  *
- * Between the sections S_0 and S_1 of a sweep a point p lies in the section t where g(t) = (X_t x Y_t) . (p - O_t) = 0, a cubic; its roots in
- * [0, 1] give (u, v) in the profile's plane. Polyface meshes, lofts and thickened surfaces are told by facets. */
+ * Between the sections S_0 and S_1 of a sweep a point p lies in the section t where g(t) = (X_t x Y_t) . (p - O_t) = 0,
+ * a cubic; its roots in [0, 1] give (u, v) in the profile's plane. Polyface meshes, lofts and thickened surfaces are
+ * told by facets. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -75,9 +77,13 @@ static int cubic_roots(const double c[4], double roots[4]) {
 }
 
 static bool inside_between(const vs_swept *s, const vs_section *a, const vs_section *b, vs_vec3 p) {
-  vs_vec3 dx = vs_v3_sub(b->x, a->x), dy = vs_v3_sub(b->y, a->y), dat = vs_v3_sub(b->at, a->at), q = vs_v3_sub(p, a->at);
-  vs_vec3 n0 = vs_v3_cross(a->x, a->y), n1 = vs_v3_add(vs_v3_cross(dx, a->y), vs_v3_cross(a->x, dy)), n2 = vs_v3_cross(dx, dy);
-  double c[4] = { vs_v3_dot(n0, q), vs_v3_dot(n1, q) - vs_v3_dot(n0, dat), vs_v3_dot(n2, q) - vs_v3_dot(n1, dat), -vs_v3_dot(n2, dat) }, roots[4];
+  vs_vec3 dx = vs_v3_sub(b->x, a->x), dy = vs_v3_sub(b->y, a->y), dat = vs_v3_sub(b->at, a->at),
+          q = vs_v3_sub(p, a->at);
+  vs_vec3 n0 = vs_v3_cross(a->x, a->y), n1 = vs_v3_add(vs_v3_cross(dx, a->y), vs_v3_cross(a->x, dy)),
+          n2 = vs_v3_cross(dx, dy);
+  double c[4] = { vs_v3_dot(n0, q), vs_v3_dot(n1, q) - vs_v3_dot(n0, dat), vs_v3_dot(n2, q) - vs_v3_dot(n1, dat),
+                  -vs_v3_dot(n2, dat) },
+         roots[4];
   int n = cubic_roots(c, roots);
   for (int i = 0; i < n; i++) {
     vs_section at = vs_section_between(a, b, roots[i]);
@@ -85,7 +91,8 @@ static bool inside_between(const vs_swept *s, const vs_section *a, const vs_sect
     double xx = vs_v3_dot(at.x, at.x), xy = vs_v3_dot(at.x, at.y), yy = vs_v3_dot(at.y, at.y), det = xx * yy - xy * xy;
     if (!(det > 1e-24 * (xx + yy) * (xx + yy))) continue; /* the section has shrunk to its apex */
     double dx_ = vs_v3_dot(d, at.x), dy_ = vs_v3_dot(d, at.y);
-    if (vs_loops_hold(s->profile, s->sizes, s->loop_count, (dx_ * yy - dy_ * xy) / det, (dy_ * xx - dx_ * xy) / det)) return true;
+    if (vs_loops_hold(s->profile, s->sizes, s->loop_count, (dx_ * yy - dy_ * xy) / det, (dy_ * xx - dx_ * xy) / det))
+      return true;
   }
   return false;
 }
@@ -98,7 +105,9 @@ static bool inside_swept(const vs_inside_part *part, vs_vec3 p) {
   const vs_swept *s = part->plan;
   size_t n = s->joined ? s->section_count : s->section_count - 1;
   for (size_t i = 0; i < n; i++)
-    if (!s->sections[i].ends && bounds_hold(&part->between[i], p) && inside_between(s, &s->sections[i], &s->sections[i + 1 == s->section_count ? 0 : i + 1], p)) return true;
+    if (!s->sections[i].ends && bounds_hold(&part->between[i], p) &&
+        inside_between(s, &s->sections[i], &s->sections[i + 1 == s->section_count ? 0 : i + 1], p))
+      return true;
   return false;
 }
 
@@ -107,16 +116,45 @@ static bool inside_leaf(const vs_inside_part *part, vs_vec3 p) {
   switch ((vs_kind)n->kind) {
 #include "model/shape_cases.def"
       return vs_shape_of(n)->holds(n, p, vs_affine_point(&part->inverse, p), part->height);
-    case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: return part->plan ? inside_swept(part, p) : part->facets && vs_facet_index_holds(part->facets, p);
-    case VS_POLYFACE_MESH: return part->facets && vs_facet_index_holds(part->facets, p);
-    case VS_HULL: return part->facets && vs_facet_index_holds(part->facets, p);
-    case VS_REVOLVE: return part->turned && vs_revolve_holds(part->turned, p);
-    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE: return part->facets && vs_facet_index_holds(part->facets, p);
-    case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
-    case VS_SLICE: case VS_DEFORM:
-    case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY:
-    case VS_EMPTY: case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: case VS_TRANSFORM: case VS_MATERIAL:
-    case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT: break;
+  case VS_EXTRUDE:
+  case VS_SWEEP:
+  case VS_THICKEN: return part->plan ? inside_swept(part, p) : part->facets && vs_facet_index_holds(part->facets, p);
+  case VS_POLYFACE_MESH: return part->facets && vs_facet_index_holds(part->facets, p);
+  case VS_HULL: return part->facets && vs_facet_index_holds(part->facets, p);
+  case VS_REVOLVE: return part->turned && vs_revolve_holds(part->turned, p);
+  case VS_LOFT:
+  case VS_RULED_LOFT:
+  case VS_GUIDED_LOFT:
+  case VS_GRID_MESH:
+  case VS_GRID_SURFACE: return part->facets && vs_facet_index_holds(part->facets, p);
+  case VS_JOIN:
+  case VS_XLINE:
+  case VS_RAY:
+  case VS_OFFSET:
+  case VS_SECTION:
+  case VS_PROJECT:
+  case VS_EDGES:
+  case VS_SLICE:
+  case VS_DEFORM:
+  case VS_NATIVE:
+  case VS_CUSTOM:
+  case VS_HIGHLIGHT:
+  case VS_GHOST:
+  case VS_ONLY:
+  case VS_EMPTY:
+  case VS_LINE:
+  case VS_ARC:
+  case VS_CIRCLE:
+  case VS_SPLINE:
+  case VS_REGION:
+  case VS_TEXT:
+  case VS_TRANSFORM:
+  case VS_MATERIAL:
+  case VS_LAYER:
+  case VS_UNION:
+  case VS_INTERSECTION:
+  case VS_DIFFERENCE:
+  case VS_KIND_COUNT: break;
   }
   return false;
 }
@@ -136,7 +174,9 @@ static bool inside_prepare_swept(vs_inside_part *part, vs_error *e) {
     for (size_t k = i; k < i + 2; k++) {
       const vs_section *at = &s->sections[k == s->section_count ? 0 : k];
       for (size_t j = 0; j < s->profile_count; j++)
-        vs_bounds_add(&part->between[i], vs_v3_add(vs_v3_add(vs_v3_scale(at->x, s->profile[j].x), vs_v3_scale(at->y, s->profile[j].y)), at->at));
+        vs_bounds_add(
+            &part->between[i],
+            vs_v3_add(vs_v3_add(vs_v3_scale(at->x, s->profile[j].x), vs_v3_scale(at->y, s->profile[j].y)), at->at));
     }
     vs_bounds_unite(&part->bounds, &part->between[i]);
   }
@@ -147,7 +187,8 @@ static bool inside_prepare_facets(vs_inside_part *part, vs_error *e) {
   vs_facets f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
   part->facets = calloc(1, sizeof *part->facets);
   if (!part->facets) return vs_error_memory(e, NULL);
-  return vs_tessellate(part->node, &f, &part->facets->mesh, e) && (vs_facet_index_make(part->facets) || vs_error_memory(e, NULL));
+  return vs_tessellate(part->node, &f, &part->facets->mesh, e) &&
+         (vs_facet_index_make(part->facets) || vs_error_memory(e, NULL));
 }
 
 static bool inside_prepare_revolve(vs_inside_part *part, vs_error *e) {
@@ -174,11 +215,13 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_er
   switch ((vs_kind)n->kind) {
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_EMPTY: case VS_GHOST: case VS_SLICE: case VS_DEFORM: return true;
-    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true; /* nothing is inside them; a profile's parts */
+    /* nothing is inside them; a profile's parts */
+    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true;
 #include "model/shape_cases.def"
       return inside_prepare_axis(part);
     case VS_EXTRUDE: case VS_SWEEP:
-      if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return inside_prepare_facets(part, e); /* its walls are plane */
+      /* its walls are plane */
+      if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return inside_prepare_facets(part, e);
       return n->class_ != VS_SOLID || inside_prepare_swept(part, e);
     case VS_THICKEN:
       if (n->class_ != VS_SOLID) return true;
@@ -188,14 +231,16 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_er
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
       return n->class_ != VS_SOLID || inside_prepare_facets(part, e);
     case VS_TRANSFORM:
-      if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty(); /* flattened: holds nothing */
+      /* flattened: holds nothing */
+      if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty();
       break;
     case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
     case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: break;
   }
   part->children = malloc((n->child_count ? n->child_count : 1) * sizeof *part->children);
   if (!part->children) return vs_error_memory(e, NULL);
-  for (uint32_t i = 0; i < n->child_count; i++) part->children[i] = (size_t)*vs_nodemap_get(places, n->children[i].node);
+  for (uint32_t i = 0; i < n->child_count; i++)
+    part->children[i] = (size_t)*vs_nodemap_get(places, n->children[i].node);
   return true;
 }
 
@@ -244,7 +289,9 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
         if (place) *place = v->count - 1;
         ok = ok && vs_bounds_memo_get(&bounds, at.node, &part->bounds, e) && inside_prepare(part, &places, e);
         v->cost += sizeof *part + at.node->child_count * sizeof(size_t);
-        if (part->plan) v->cost += part->plan->section_count * (sizeof(vs_section) + sizeof(vs_bounds)) + part->plan->profile_count * sizeof(vs_vec2);
+        if (part->plan)
+          v->cost += part->plan->section_count * (sizeof(vs_section) + sizeof(vs_bounds)) +
+                     part->plan->profile_count * sizeof(vs_vec2);
         if (part->turned) v->cost += part->turned->count * sizeof(vs_vec2);
         if (part->facets) v->cost += vs_facet_index_bytes(part->facets);
         if (!ok && e && !e->origin) e->origin = at.origin;
@@ -336,7 +383,8 @@ void vs_inside_cache_free(vs_inside_cache *c) {
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
   if (!*cache && !(*cache = calloc(1, sizeof **cache))) return vs_error_memory(e, NULL);
   vs_inside_cache *c = *cache;
-  vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS]; /* equal nodes are one shape: either's answer serves */
+  vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS]; /* equal nodes are one shape: either's answer
+                                                                       * serves */
   if (!*slot || ((*slot)->root != n && !((*slot)->root->hash == n->hash && vs_node_equal((*slot)->root, n, NULL)))) {
     vs_inside *new = vs_inside_new(n, e);
     if (!new) return false;

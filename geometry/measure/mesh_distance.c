@@ -146,7 +146,8 @@ static inline double outside(double low, double high, double at) {
 }
 
 static double box_distance(const vs_bounds *b, vs_vec3 p) { /* squared */
-  double x = outside(b->min.x, b->max.x, p.x), y = outside(b->min.y, b->max.y, p.y), z = outside(b->min.z, b->max.z, p.z);
+  double x = outside(b->min.x, b->max.x, p.x), y = outside(b->min.y, b->max.y, p.y),
+         z = outside(b->min.z, b->max.z, p.z);
   return x * x + y * y + z * z;
 }
 

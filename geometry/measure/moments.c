@@ -1,8 +1,9 @@
-/* Owns Green's theorem: area = 1/2 (x dy - y dx), and the first moments 1/2 x^2 dy and -1/2 y^2 dx, round every loop, piece by piece.
+/* Owns Green's theorem: area = 1/2 (x dy - y dx), and the first moments 1/2 x^2 dy and -1/2 y^2 dx, round every loop,
+ * piece by piece.
  *
- * A straight piece has closed forms. A round one, c + a cos t + b sin t, is a trigonometric polynomial of degree 3 under the integral: cut at
- * eighths of a turn, Gauss' rule with eight points has it to the last bits. Coordinates are the outline's plane's, about its first point, so that
- * nothing far away cancels. */
+ * A straight piece has closed forms. A round one, c + a cos t + b sin t, is a trigonometric polynomial of degree 3
+ * under the integral: cut at eighths of a turn, Gauss' rule with eight points has it to the last bits. Coordinates are
+ * the outline's plane's, about its first point, so that nothing far away cancels. */
 #include "geometry/measure/moments.h"
 
 #include <stdlib.h>
@@ -72,15 +73,20 @@ static bool leaf(const vs_node *n, vs_affine map, pieces *out, bool *known) {
   }
   if (n->kind == VS_OFFSET && vs_offset_round(n, &place, &exact)) {
     map = vs_affine_multiply(&map, &place);
-    return add(out, arc_piece(&map, exact.arc.center, exact.arc.radius, exact.arc.start, exact.circle ? turn : exact.arc.end));
+    return add(
+        out, arc_piece(&map, exact.arc.center, exact.arc.radius, exact.arc.start, exact.circle ? turn : exact.arc.end));
   }
-  if (n->kind == VS_CIRCLE) return add(out, arc_piece(&map, VS_AS(circle, n)->center, VS_AS(circle, n)->radius, 0, turn));
-  if (n->kind == VS_ARC) return add(out, arc_piece(&map, VS_AS(arc, n)->center, VS_AS(arc, n)->radius, VS_AS(arc, n)->start, VS_AS(arc, n)->end));
+  if (n->kind == VS_CIRCLE)
+    return add(out, arc_piece(&map, VS_AS(circle, n)->center, VS_AS(circle, n)->radius, 0, turn));
+  if (n->kind == VS_ARC)
+    return add(out,
+               arc_piece(&map, VS_AS(arc, n)->center, VS_AS(arc, n)->radius, VS_AS(arc, n)->start, VS_AS(arc, n)->end));
   *known = n->kind == VS_LINE;
   bool ok = true;
   const struct vs_line *line = *known ? VS_AS(line, n) : NULL;
   for (uint32_t i = 0; line && ok && i + (line->closed ? 0 : 1) < line->points->count; i++)
-    ok = add(out, (piece){ .c = flat(&map, line->points->at[i]), .a = flat(&map, line->points->at[(i + 1) % line->points->count]) });
+    ok = add(out, (piece){ .c = flat(&map, line->points->at[i]),
+                           .a = flat(&map, line->points->at[(i + 1) % line->points->count]) });
   return ok;
 }
 
@@ -112,15 +118,18 @@ static bool curve(const vs_node *n, vs_affine map, pieces *out, bool *known) {
 }
 
 static moments straight(vs_vec2 p, vs_vec2 q) {
-  return (moments){ (p.x * q.y - q.x * p.y) / 2, (q.y - p.y) * (p.x * p.x + p.x * q.x + q.x * q.x) / 6, -(q.x - p.x) * (p.y * p.y + p.y * q.y + q.y * q.y) / 6 };
+  return (moments){ (p.x * q.y - q.x * p.y) / 2, (q.y - p.y) * (p.x * p.x + p.x * q.x + q.x * q.x) / 6,
+                    -(q.x - p.x) * (p.y * p.y + p.y * q.y + q.y * q.y) / 6 };
 }
 
 static moments plus(moments m, moments n) { return (moments){ m.area + n.area, m.x + n.x, m.y + n.y }; }
 static moments positive(moments m) { return m.area < 0 ? (moments){ -m.area, -m.x, -m.y } : m; }
 
 static moments integrate(const pieces *p) {
-  static const double at[4] = { 0.18343464249564980494, 0.52553240991632898582, 0.79666647741362673959, 0.96028985649753623168 };
-  static const double weight[4] = { 0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054, 0.10122853629037625915 };
+  static const double at[4] = { 0.18343464249564980494, 0.52553240991632898582, 0.79666647741362673959,
+                                0.96028985649753623168 };
+  static const double weight[4] = { 0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
+                                    0.10122853629037625915 };
   moments m = { 0, 0, 0 };
   for (size_t i = 0; i < p->count; i++) {
     const piece *x = &p->at[i];
@@ -139,7 +148,8 @@ static moments integrate(const pieces *p) {
       for (int g = 0; g < 8; g++) {
         double t = x->from + half * (2 * k + 1) + half * (g < 4 ? at[g] : -at[g - 4]), w = half * weight[g % 4], s, c;
         vs_sincos(t, &s, &c);
-        double u = x->c.x + x->a.x * c + x->b.x * s, v = x->c.y + x->a.y * c + x->b.y * s, du = x->b.x * c - x->a.x * s, dv = x->b.y * c - x->a.y * s;
+        double u = x->c.x + x->a.x * c + x->b.x * s, v = x->c.y + x->a.y * c + x->b.y * s, du = x->b.x * c - x->a.x * s,
+               dv = x->b.y * c - x->a.y * s;
         m.area += w * (u * dv - v * du) / 2;
         m.x += w * u * u * dv / 2;
         m.y -= w * v * v * du / 2;
@@ -150,11 +160,13 @@ static moments integrate(const pieces *p) {
 
 static moments of_loop(const vs_polyline *p, const vs_affine *map) {
   moments m = { 0, 0, 0 };
-  for (size_t i = 0; i < p->count; i++) m = plus(m, straight(flat(map, p->at[i]), flat(map, p->at[(i + 1) % p->count])));
+  for (size_t i = 0; i < p->count; i++)
+    m = plus(m, straight(flat(map, p->at[i]), flat(map, p->at[(i + 1) % p->count])));
   return positive(m);
 }
 
-bool vs_region_moments(const vs_node *region, const vs_outline *o, double *area, vs_vec3 *centroid, bool *known, vs_error *e) {
+bool vs_region_moments(const vs_node *region, const vs_outline *o, double *area, vs_vec3 *centroid, bool *known,
+                       vs_error *e) {
   vs_affine placed = vs_affine_identity();
   while (region->kind == VS_TRANSFORM || region->kind == VS_MATERIAL || region->kind == VS_LAYER) {
     if (region->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, region)->matrix);
@@ -178,7 +190,8 @@ bool vs_region_moments(const vs_node *region, const vs_outline *o, double *area,
     size_t best = o->count;
     double least = INFINITY;
     for (size_t l = 0; l < o->count; l++) { /* the loop that is this curve, sampled */
-      double size = sqrt(m.area), off = fabs(loops[l].area - m.area) * size + fabs(loops[l].x - m.x) + fabs(loops[l].y - m.y);
+      double size = sqrt(m.area),
+             off = fabs(loops[l].area - m.area) * size + fabs(loops[l].x - m.x) + fabs(loops[l].y - m.y);
       if (!taken[l] && off < least) least = off, best = l;
     }
     if (best == o->count) *known = false;

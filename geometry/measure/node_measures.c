@@ -14,10 +14,12 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* A circle placed anyhow is an ellipse: its half axes are the singular values of what the map does to the circle's plane. */
+/* A circle placed anyhow is an ellipse: its half axes are the singular values of what the map does to the circle's
+ * plane. */
 static double measure_placed_circle(const vs_affine *a, double r) {
   vs_vec3 u = { a->m[0][0], a->m[1][0], a->m[2][0] }, v = { a->m[0][1], a->m[1][1], a->m[2][1] };
-  double p = vs_v3_dot(u, u), q = vs_v3_dot(v, v), s = vs_v3_dot(u, v), mean = (p + q) / 2, off = hypot((p - q) / 2, s), most = sqrt(mean + off);
+  double p = vs_v3_dot(u, u), q = vs_v3_dot(v, v), s = vs_v3_dot(u, v), mean = (p + q) / 2, off = hypot((p - q) / 2, s),
+         most = sqrt(mean + off);
   return vs_ellipse_length(r * most, most > 0 ? r * vs_v3_length(vs_v3_cross(u, v)) / most : 0);
 }
 
@@ -72,11 +74,15 @@ static bool measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
       break;
     }
     placed[depth] = depth ? placed[depth - 1] : vs_affine_identity();
-    if (at.node->kind == VS_TRANSFORM) placed[depth] = vs_affine_multiply(&placed[depth], &VS_AS(transform, at.node)->matrix);
-    if (at.node->kind == VS_TRANSFORM || at.node->kind == VS_MATERIAL || at.node->kind == VS_LAYER || at.node->kind == VS_UNION) continue;
+    if (at.node->kind == VS_TRANSFORM)
+      placed[depth] = vs_affine_multiply(&placed[depth], &VS_AS(transform, at.node)->matrix);
+    if (at.node->kind == VS_TRANSFORM || at.node->kind == VS_MATERIAL || at.node->kind == VS_LAYER ||
+        at.node->kind == VS_UNION)
+      continue;
     vs_walk_skip(w);
     vs_measure one;
-    vs_node *leaf = vs_node_new(at.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = placed[depth] }, &at, 1);
+    vs_node *leaf =
+        vs_node_new(at.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = placed[depth] }, &at, 1);
     ok = leaf ? vs_node_measure(leaf, &one, e) : vs_error_memory(e, NULL);
     vs_node_release(leaf);
     if (!ok) break;
@@ -102,8 +108,8 @@ static bool measure_straight(const vs_node *curve, vs_vec3 *along, bool *straigh
   return ok;
 }
 
-/* Along a vector: by Cavalieri a twist is no matter, and the sections' area goes with the square of the scale. False: failed. *known: there is a
- * formula. */
+/* Along a vector: by Cavalieri a twist is no matter, and the sections' area goes with the square of the scale. False:
+ * failed. *known: there is a formula. */
 static bool measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   const vs_node *profile = n->children[0].node;
@@ -119,7 +125,8 @@ static bool measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_err
   if (!vs_region_outline(profile, &f, &o, e)) return false;
   double height = fabs(vs_v3_dot(o.normal, along)), lean = fabs(vs_v3_length(along) - height);
   for (size_t l = 0; l < o.count; l++)
-    for (size_t i = 0; i < o.loops[l].count; i++) border += vs_v3_length(vs_v3_sub(o.loops[l].at[(i + 1) % o.loops[l].count], o.loops[l].at[i]));
+    for (size_t i = 0; i < o.loops[l].count; i++)
+      border += vs_v3_length(vs_v3_sub(o.loops[l].at[(i + 1) % o.loops[l].count], o.loops[l].at[i]));
   vs_outline_free(&o);
   double area = radius > 0 ? pi * radius * radius : m->area, inwards = x->taper != 0 ? height * tan(x->taper) : 0;
   vs_vec3 base = x->center && n->child_count == 1 ? vs_v3_sub(m->centroid, vs_v3_scale(along, 0.5)) : m->centroid;
@@ -160,14 +167,16 @@ static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
   return ok;
 }
 
-/* By Pappus, for every smooth path and every mitred corner: area times length, with the square of the scale on the way; the wall is the border times the
- * length where the border's own middle rides on the path too. */
+/* By Pappus, for every smooth path and every mitred corner: area times length, with the square of the scale on the way;
+ * the wall is the border times the length where the border's own middle rides on the path too. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   bool bar = n->kind == VS_THICKEN;
   const vs_node *profile = n->children[0].node;
   vs_way way;
   *m = (vs_measure){ 0 };
-  if (n->class_ != VS_SOLID || (n->kind != VS_SWEEP && !bar) || (bar ? profile->class_ != VS_CURVE : VS_AS(sweep, n)->has_base)) return true;
+  if (n->class_ != VS_SOLID || (n->kind != VS_SWEEP && !bar) ||
+      (bar ? profile->class_ != VS_CURVE : VS_AS(sweep, n)->has_base))
+    return true;
   if (!measure_way(bar ? profile : n->children[1].node, &way, e)) return false;
   double twist = bar ? 0 : VS_AS(sweep, n)->twist, scale = bar ? 1 : VS_AS(sweep, n)->scale, border = 0;
   bool upright = !bar && vs_v3_length(VS_AS(sweep, n)->up) > 0; /* it may spin, differently on a corner's two sides */
@@ -191,7 +200,8 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
         border += d;
       }
     vs_outline_free(&o);
-    even = border > 0 && vs_v3_length(vs_v3_sub(vs_v3_scale(middle, 1 / border), m->centroid)) <= 1e-9 * vs_bounds_diagonal(&b);
+    even = border > 0 &&
+           vs_v3_length(vs_v3_sub(vs_v3_scale(middle, 1 / border), m->centroid)) <= 1e-9 * vs_bounds_diagonal(&b);
   }
   double ends = way.closed && scale == 1 && (twist == 0 || radius > 0) ? 0 : 2 * m->area;
   m->known = m->area > 0;
@@ -216,7 +226,8 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   if (round) placed = vs_affine_multiply(&placed, &place);
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: case VS_GHOST: return true;
-    case VS_XLINE: case VS_RAY: return vs_error_set(e, VS_ERROR_MODEL, NULL, "it has no end: nothing about it can be measured");
+    case VS_XLINE:
+    case VS_RAY: return vs_error_set(e, VS_ERROR_MODEL, NULL, "it has no end: nothing about it can be measured");
     case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* measured as what solids/resolve.c makes of them */
       *m = (vs_measure){ 0 };
       return true;
@@ -228,7 +239,10 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       m->area_known = false;
       if (!measure_curve(whole, &identity, m, e)) return false;
       if (n->kind == VS_ARC) exact = (vs_offset_exact){ false, *VS_AS(arc, n) };
-      if (n->kind == VS_CIRCLE) exact = (vs_offset_exact){ true, { .center = VS_AS(circle, n)->center, .radius = VS_AS(circle, n)->radius, .end = 2 * pi } };
+      if (n->kind == VS_CIRCLE)
+        exact = (vs_offset_exact){
+          true, { .center = VS_AS(circle, n)->center, .radius = VS_AS(circle, n)->radius, .end = 2 * pi }
+        };
       if (round || n->kind == VS_CIRCLE || n->kind == VS_ARC) { /* exact where the placement keeps it round */
         const struct vs_arc *a = &exact.arc;
         double k, angle = fabs(a->end - a->start);
@@ -273,9 +287,17 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       if (n->class_ == VS_CURVE) return measure_curves(whole, m, e);
       *m = (vs_measure){ 0 };
       return true;
-    case VS_POLYFACE_MESH: case VS_SWEEP: case VS_THICKEN: case VS_TRANSFORM: case VS_MATERIAL: case VS_LAYER: case VS_KIND_COUNT: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY:
-      *m = (vs_measure){ 0 };
-      return true;
+    case VS_POLYFACE_MESH:
+    case VS_SWEEP:
+    case VS_THICKEN:
+    case VS_TRANSFORM:
+    case VS_MATERIAL:
+    case VS_LAYER:
+    case VS_KIND_COUNT:
+    case VS_NATIVE:
+    case VS_CUSTOM:
+    case VS_HIGHLIGHT:
+    case VS_ONLY: *m = (vs_measure){ 0 }; return true;
   }
   double k;
   m->volume *= fabs(vs_affine_determinant(&placed));

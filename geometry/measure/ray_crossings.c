@@ -1,7 +1,8 @@
 /* Owns the question "is this point inside?" put to a closed mesh: crossings of a ray upwards, counted with their sides.
  *
- * Seen from above, an edge lies to the right of p or not by one comparison that both of its triangles make alike, so that a ray through an edge
- * or a corner is counted once. Triangles wait in the cells that their boxes meet, as many cells as make some ten entries a triangle at most. */
+ * Seen from above, an edge lies to the right of p or not by one comparison that both of its triangles make alike, so
+ * that a ray through an edge or a corner is counted once. Triangles wait in the cells that their boxes meet, as many
+ * cells as make some ten entries a triangle at most. */
 #include "geometry/measure/ray_crossings.h"
 
 #include <stdlib.h>
@@ -29,8 +30,10 @@ static facet_cells facet_span(const vs_facet_index *x, size_t triangle) {
   vs_bounds b = vs_bounds_empty();
   for (int k = 0; k < 3; k++) vs_bounds_add(&b, x->mesh.vertices[x->mesh.triangles[triangle][k]]);
   const vs_bounds *all = &x->bounds;
-  return (facet_cells){ facet_cell(b.min.x, all->min.x, all->max.x, x->cells), facet_cell(b.min.y, all->min.y, all->max.y, x->cells),
-                        facet_cell(b.max.x, all->min.x, all->max.x, x->cells), facet_cell(b.max.y, all->min.y, all->max.y, x->cells) };
+  return (facet_cells){ facet_cell(b.min.x, all->min.x, all->max.x, x->cells),
+                        facet_cell(b.min.y, all->min.y, all->max.y, x->cells),
+                        facet_cell(b.max.x, all->min.x, all->max.x, x->cells),
+                        facet_cell(b.max.y, all->min.y, all->max.y, x->cells) };
 }
 
 bool vs_facet_index_make(vs_facet_index *x) {
@@ -75,8 +78,11 @@ static int facet_crosses(vs_vec3 a, vs_vec3 b, vs_vec3 p) {
 
 bool vs_facet_index_holds(const vs_facet_index *x, vs_vec3 p) {
   const vs_bounds *b = &x->bounds;
-  if (!x->mesh.triangle_count || p.x < b->min.x || p.x > b->max.x || p.y < b->min.y || p.y > b->max.y || p.z < b->min.z || p.z > b->max.z) return false;
-  size_t cell = facet_cell(p.y, b->min.y, b->max.y, x->cells) * x->cells + facet_cell(p.x, b->min.x, b->max.x, x->cells);
+  if (!x->mesh.triangle_count || p.x < b->min.x || p.x > b->max.x || p.y < b->min.y || p.y > b->max.y ||
+      p.z < b->min.z || p.z > b->max.z)
+    return false;
+  size_t cell =
+      facet_cell(p.y, b->min.y, b->max.y, x->cells) * x->cells + facet_cell(p.x, b->min.x, b->max.x, x->cells);
   double near = 1e-12 * vs_bounds_diagonal(b);
   long winding = 0;
   for (uint32_t i = x->starts[cell]; i < x->starts[cell + 1]; i++) {

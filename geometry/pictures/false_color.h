@@ -18,12 +18,13 @@ typedef struct {
 vs_color_scale vs_color_scale_of(const float *at, size_t count, bool logarithmic, const char *unit);
 /* Screen's red, green and blue of a number: Anton Mikhailov's Turbo (Google AI Blog, 2019). */
 void vs_false_color(const vs_color_scale *s, double x, unsigned char rgb[3]);
-/* Makes a picture of 3 bytes a pixel, *wide times *high, of the store's memory; what is no number stays bare. NULL: out of
- * memory. */
+/* Makes a picture of 3 bytes a pixel, *wide times *high, of the store's memory; what is no number stays bare. NULL: out
+ * of memory. */
 unsigned char *vs_false_color_picture(vs_store *store, const float *at, uint32_t columns, uint32_t rows,
                                       const vs_color_scale *s, uint32_t *wide, uint32_t *high, vs_error *e);
 
-/* Writes digits and the letters of a legend into a picture of 3 bytes a pixel, dark, from (x, y) down and to the right. */
+/* Writes digits and the letters of a legend into a picture of 3 bytes a pixel, dark, from (x, y) down and to the
+ * right. */
 void vs_picture_text(unsigned char *rgb, uint32_t wide, uint32_t high, uint32_t x, uint32_t y, const char *text);
 
 #endif

@@ -23,7 +23,8 @@ static double quantile(const size_t bins[BINS], double count) {
   return LEAST_STOP + (i + 0.5) / BINS_A_STOP;
 }
 
-/* The value that a picture's bright end, but for a hundredth, is taken to: where the curve is still a little below white. */
+/* The value that a picture's bright end, but for a hundredth, is taken to: where the curve is still a little below
+ * white. */
 static const double bright_end[] = {
     [VS_TONE_NEUTRAL] = 1.1, [VS_TONE_AGX] = 3.8, [VS_TONE_FILMIC] = 4, [VS_TONE_LINEAR] = 0.9 };
 

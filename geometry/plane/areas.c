@@ -1,7 +1,8 @@
 /* Owns the conversation with GEOS: unions, intersections and differences of areas.
  *
- * GEOS keeps the coordinates that it is given and adds crossings, rounded to double; so what is exact going in is exact coming out. It leaves
- * corners where pieces met on a straight edge: these are taken out again, by a distance of 1e-12 of the coordinates' size. */
+ * GEOS keeps the coordinates that it is given and adds crossings, rounded to double; so what is exact going in is exact
+ * coming out. It leaves corners where pieces met on a straight edge: these are taken out again, by a distance of 1e-12
+ * of the coordinates' size. */
 #include "geometry/plane/areas.h"
 
 #include <geos_c.h>
@@ -55,9 +56,9 @@ bool vs_area_loop(vs_area *a, bool hole) { return area_close(a, area_ended(a), h
 
 /* ---- GEOS ---- */
 
-#define VS_GEOS(X)                                                                                                                       \
+#define VS_GEOS(X)                                                                                                     \
   X(GEOS_init_r) X(GEOS_finish_r) X(GEOSContext_setErrorMessageHandler_r) X(GEOSContext_setNoticeMessageHandler_r) X(GEOSCoordSeq_create_r) \
-  X(GEOSCoordSeq_setXY_r) X(GEOSCoordSeq_getXY_r) X(GEOSCoordSeq_getSize_r) X(GEOSGeom_createLinearRing_r)                                    \
+  X(GEOSCoordSeq_setXY_r) X(GEOSCoordSeq_getXY_r) X(GEOSCoordSeq_getSize_r) X(GEOSGeom_createLinearRing_r)             \
   X(GEOSGeom_createPolygon_r) X(GEOSGeom_createCollection_r) X(GEOSGeom_destroy_r) X(GEOSGeomTypeId_r) X(GEOSGetNumGeometries_r)             \
   X(GEOSGetGeometryN_r) X(GEOSGetExteriorRing_r) X(GEOSGetNumInteriorRings_r) X(GEOSGetInteriorRingN_r) X(GEOSGeom_getCoordSeq_r)            \
   X(GEOSUnaryUnion_r) X(GEOSIntersection_r) X(GEOSDifference_r) X(GEOSMakeValid_r) X(GEOSGeom_createLineString_r) X(GEOSPolygonize_r)         \
@@ -112,7 +113,8 @@ static GEOSCoordSequence *geos_sequence(vs_geos *g, const vs_vec2 *at, size_t n,
   size_t all = n + closes;
   GEOSCoordSequence *s = all <= INT32_MAX ? g->GEOSCoordSeq_create_r(g->h, (unsigned)all, 2) : NULL;
   bool ok = s != NULL;
-  for (size_t i = 0; ok && i < all; i++) ok = g->GEOSCoordSeq_setXY_r(g->h, s, (unsigned)i, at[i % n].x, at[i % n].y) == 1;
+  for (size_t i = 0; ok && i < all; i++)
+    ok = g->GEOSCoordSeq_setXY_r(g->h, s, (unsigned)i, at[i % n].x, at[i % n].y) == 1;
   if (s && !ok) g->GEOSCoordSeq_destroy_r(g->h, s), s = NULL;
   return s;
 }
@@ -131,7 +133,8 @@ static GEOSGeometry *geos_collect(vs_geos *g, int type, GEOSGeometry **parts, si
 static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t count) {
   size_t loops = 0, done = 0, holes = 0;
   for (size_t i = 0; i < count; i++) loops += areas[i].loop_count;
-  GEOSGeometry **polygons = calloc(loops + 1, sizeof *polygons), **inner = calloc(loops + 1, sizeof *inner), *all = NULL;
+  GEOSGeometry **polygons = calloc(loops + 1, sizeof *polygons), **inner = calloc(loops + 1, sizeof *inner),
+               *all = NULL;
   bool ok = polygons && inner;
   for (size_t i = 0; ok && i < count; i++) {
     const vs_area *a = &areas[i];
@@ -165,7 +168,8 @@ static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t coun
 
 /* ---- back from GEOS ---- */
 
-/* The last loop without corners that lie on the line between their neighbours, as often as it takes one round to find. */
+/* The last loop without corners that lie on the line between their neighbours, as often as it takes one round to
+ * find. */
 static void area_tidy(vs_area *a, size_t first) {
   double size = 0;
   size_t n = a->count - first, kept = 0;
@@ -223,8 +227,9 @@ static bool geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *out) 
   return holes >= 0;
 }
 
-/* The polygons in a result, which may hold lines and points too where areas only touch. Collections nest no deeper than GEOS makes them.
- * False: failed; every answer is looked at, because each may be an allocation inside GEOS that did not succeed. */
+/* The polygons in a result, which may hold lines and points too where areas only touch. Collections nest no deeper than
+ * GEOS makes them. False: failed; every answer is looked at, because each may be an allocation inside GEOS that did not
+ * succeed. */
 static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   int type = from ? g->GEOSGeomTypeId_r(g->h, from) : -1;
   if (type < 0) return false;
@@ -248,7 +253,8 @@ static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   return n >= 0;
 }
 
-/* A collection of the parts of a, each made valid by itself: a whole that overlaps itself would lose what lies twice in it. NULL: failed. */
+/* A collection of the parts of a, each made valid by itself: a whole that overlaps itself would lose what lies twice in
+ * it. NULL: failed. */
 static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   int n = g->GEOSGetNumGeometries_r(g->h, a);
   GEOSGeometry **parts = n < 0 ? NULL : calloc((size_t)n + 1, sizeof *parts), *all = NULL;
@@ -265,7 +271,8 @@ static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   return all;
 }
 
-/* a united with itself, mended first where GEOS cannot take it as it is; takes a over. NULL: failed. Running out of memory is no reason to mend. */
+/* a united with itself, mended first where GEOS cannot take it as it is; takes a over. NULL: failed. Running out of
+ * memory is no reason to mend. */
 static GEOSGeometry *geos_unite(vs_geos *g, GEOSGeometry *a) {
   *g->said = 0;
   GEOSGeometry *united = g->GEOSUnaryUnion_r(g->h, a);
@@ -279,12 +286,14 @@ static GEOSGeometry *geos_unite(vs_geos *g, GEOSGeometry *a) {
   return united;
 }
 
-bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_t count, const char *purpose, vs_area *out, vs_error *e) {
+bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_t count, const char *purpose,
+                     vs_area *out, vs_error *e) {
   vs_geos g;
   for (size_t i = 0; i < count; i++)
     for (size_t k = 0; k < operands[i].count; k++)
       if (!(fabs(operands[i].at[k].x) < 1e100 && fabs(operands[i].at[k].y) < 1e100))
-        return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the numbers are too large: coordinates must stay below 1e100", purpose);
+        return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the numbers are too large: coordinates must stay below 1e100",
+                            purpose);
   if (!geos_open(&g, purpose, e)) return false;
   size_t first = operation == VS_AREA_UNION ? count : 1, next = first;
   GEOSGeometry *made = geos_polygons(&g, operands, first);
@@ -323,11 +332,13 @@ static int area_winding(const vs_area *a, double x, double y) {
 /* Is the point in the area or on its border (within 1e-9 of its size)? */
 bool vs_area_holds(const vs_area *a, double x, double y) {
   double size = 0, near = INFINITY;
-  for (size_t i = 0; i < a->count; i++) size = fmax(size, fmax(fabs(a->at[i].x - a->at[0].x), fabs(a->at[i].y - a->at[0].y)));
+  for (size_t i = 0; i < a->count; i++)
+    size = fmax(size, fmax(fabs(a->at[i].x - a->at[0].x), fabs(a->at[i].y - a->at[0].y)));
   for (size_t l = 0, first = 0; l < a->loop_count; first += a->size[l++])
     for (size_t i = 0; i < a->size[l]; i++) {
       vs_vec2 p = a->at[first + i], q = a->at[first + (i + 1) % a->size[l]];
-      double dx = q.x - p.x, dy = q.y - p.y, d = dx * dx + dy * dy, t = d > 0 ? ((x - p.x) * dx + (y - p.y) * dy) / d : 0;
+      double dx = q.x - p.x, dy = q.y - p.y, d = dx * dx + dy * dy,
+             t = d > 0 ? ((x - p.x) * dx + (y - p.y) * dy) / d : 0;
       t = fmin(1, fmax(0, t));
       near = fmin(near, hypot(x - p.x - t * dx, y - p.y - t * dy));
     }
@@ -395,7 +406,8 @@ bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpo
 /* ---- outlines ---- */
 
 bool vs_area_of_outline(const vs_outline *o, const vs_affine *frame, vs_area *out) {
-  vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] }, y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] };
+  vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] },
+          y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] };
   vs_vec3 origin = { frame->m[0][3], frame->m[1][3], frame->m[2][3] };
   bool ok = true;
   for (size_t l = 0; ok && l < o->count; l++) {
@@ -410,7 +422,9 @@ bool vs_area_of_outline(const vs_outline *o, const vs_affine *frame, vs_area *ou
 }
 
 bool vs_area_outline(const vs_area *a, const vs_affine *frame, vs_outline *out) {
-  *out = (vs_outline){ .frame = *frame, .normal = { frame->m[0][2], frame->m[1][2], frame->m[2][2] }, .point = { frame->m[0][3], frame->m[1][3], frame->m[2][3] } };
+  *out = (vs_outline){ .frame = *frame,
+                       .normal = { frame->m[0][2], frame->m[1][2], frame->m[2][2] },
+                       .point = { frame->m[0][3], frame->m[1][3], frame->m[2][3] } };
   out->loops = calloc(a->loop_count + 1, sizeof *out->loops);
   out->hole = calloc(a->loop_count + 1, sizeof *out->hole);
   bool ok = out->loops && out->hole;
@@ -420,7 +434,8 @@ bool vs_area_outline(const vs_area *a, const vs_affine *frame, vs_outline *out) 
     ok = p->at != NULL;
     p->room = p->count = ok ? a->size[l] : 0;
     p->closed = true;
-    for (size_t i = 0; ok && i < p->count; i++) p->at[i] = vs_affine_point(frame, vs_v3(a->at[first + i].x, a->at[first + i].y, 0));
+    for (size_t i = 0; ok && i < p->count; i++)
+      p->at[i] = vs_affine_point(frame, vs_v3(a->at[first + i].x, a->at[first + i].y, 0));
     out->hole[l] = a->hole[l];
     out->count = l + 1;
   }

@@ -6,7 +6,8 @@
 #include "geometry/tolerance.h"
 #include "geometry/plane/ear_clipping.h"
 
-/* Loops one behind the other: outer ones counter-clockwise, each followed by its holes, clockwise. No loops: the empty area. */
+/* Loops one behind the other: outer ones counter-clockwise, each followed by its holes, clockwise. No loops: the empty
+ * area. */
 typedef struct {
   vs_vec2 *at;
   size_t count, room;
@@ -19,11 +20,17 @@ void vs_area_free(vs_area *a);
 bool vs_area_point(vs_area *a, double x, double y);  /* of the loop that is being given; false: out of memory */
 bool vs_area_loop(vs_area *a, bool hole);            /* ends that loop; one of fewer than three points goes */
 
-typedef enum { VS_AREA_UNION, VS_AREA_INTERSECTION, VS_AREA_DIFFERENCE /* the first less the others */ } vs_area_operation;
+typedef enum {
+  VS_AREA_UNION,
+  VS_AREA_INTERSECTION,
+  VS_AREA_DIFFERENCE /* the first less the others */
+} vs_area_operation;
 /* Areas of one plane; out is empty before. purpose: what needs it, for the message where GEOS is missing. */
-bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_t count, const char *purpose, vs_area *out, vs_error *e);
+bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_t count, const char *purpose,
+                     vs_area *out, vs_error *e);
 
-/* Directed edges that close: as many begin in each point as end there. The area that they wind round, whichever way they cross or lie on each other. */
+/* Directed edges that close: as many begin in each point as end there. The area that they wind round, whichever way
+ * they cross or lie on each other. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e);
 /* Is the point in the area or on its border (within 1e-9 of its size)? */
 bool vs_area_holds(const vs_area *a, double x, double y);
@@ -35,18 +42,20 @@ bool vs_points_delaunay(const vs_vec2 *at, size_t n, uint32_t (**out)[3], size_t
 /* ---- offset.c ---- */
 typedef enum { VS_OFFSET_MITRE, VS_OFFSET_ROUND, VS_OFFSET_SQUARE } vs_offset_corners;
 /* in made larger by d > 0 or smaller; round corners by f, or segments facets a turn where that is not 0 */
-bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, const vs_facets *f, int segments, vs_area *out, vs_error *e);
-/* The open line through n >= 2 points, no two neighbours equal, moved by d to the left (d < 0: right); out is empty where nothing is left of it.
- * ways: its directions at both ends, unit. */
-bool vs_line_offset(const vs_vec2 *at, size_t n, const vs_vec2 ways[2], double d, vs_offset_corners corners, const vs_facets *f, int segments,
-                    vs_polyline *out, vs_error *e);
+bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, const vs_facets *f, int segments,
+                    vs_area *out, vs_error *e);
+/* The open line through n >= 2 points, no two neighbours equal, moved by d to the left (d < 0: right); out is empty
+ * where nothing is left of it. ways: its directions at both ends, unit. */
+bool vs_line_offset(const vs_vec2 *at, size_t n, const vs_vec2 ways[2], double d, vs_offset_corners corners,
+                    const vs_facets *f, int segments, vs_polyline *out, vs_error *e);
 
-/* The offset of a circle or arc that placements have only turned, moved and made larger or smaller, through any number of offsets: the
- * circle or arc that it is (a circle as an arc from 0 to 2 pi) and where that stands. False: it is no such thing, or nothing. */
+/* The offset of a circle or arc that placements have only turned, moved and made larger or smaller, through any number
+ * of offsets: the circle or arc that it is (a circle as an arc from 0 to 2 pi) and where that stands. False: it is no
+ * such thing, or nothing. */
 typedef struct { bool circle; struct vs_arc arc; } vs_offset_exact;
 bool vs_offset_round(const vs_node *offset, vs_affine *place, vs_offset_exact *out);
-/* The plane that an open line's left is seen in: columns 0 and 1, and 2 its normal, which looks up; of a straight line the plane nearest
- * to level, of an upright one XZ seen from -Y. False: it lies in no plane. */
+/* The plane that an open line's left is seen in: columns 0 and 1, and 2 its normal, which looks up; of a straight line
+ * the plane nearest to level, of an upright one XZ seen from -Y. False: it lies in no plane. */
 bool vs_line_frame(const vs_polyline *line, vs_affine *frame, vs_error *e);
 
 /* An outline's loops in the coordinates of frame (columns 0 and 1 span its plane), and back into space. */

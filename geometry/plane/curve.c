@@ -1,8 +1,9 @@
 /* Owns curves as paths: lines, arcs, circles and interpolating splines sampled by the rule of tolerance.h, ends exact.
  *
- * A spline through P_0..P_n has the parameter length h_i = |P_{i+1} - P_i| on its i-th span and is given there by the second derivatives
- * M_i at its knots: the tridiagonal system of textbooks, with natural ends (M = 0), given unit tangents, or all round (Sherman-Morrison).
- * Samples a span needs: |S''| is largest at one end of it, so chords of parameter length d stay within d*d/8*max(|M_i|, |M_{i+1}|). */
+ * A spline through P_0..P_n has the parameter length h_i = |P_{i+1} - P_i| on its i-th span and is given there by the
+ * second derivatives M_i at its knots: the tridiagonal system of textbooks, with natural ends (M = 0), given unit
+ * tangents, or all round (Sherman-Morrison). Samples a span needs: |S''| is largest at one end of it, so chords of
+ * parameter length d stay within d*d/8*max(|M_i|, |M_{i+1}|). */
 #include "geometry/plane/curve.h"
 #include "model/store/array.h"
 
@@ -55,7 +56,8 @@ static bool curve_line(vs_path *out, const vs_vec3 *at, size_t n, bool closed) {
   size_t m = out->count;
   for (size_t i = 0; m > 1 && i < m; i++) {
     size_t before = i ? i - 1 : out->closed ? m - 1 : 0, after = i + 1 < m ? i + 1 : out->closed ? 0 : m - 1;
-    vs_vec3 arriving = vs_v3_unit(vs_v3_sub(out->at[i].at, out->at[before].at)), leaving = vs_v3_unit(vs_v3_sub(out->at[after].at, out->at[i].at));
+    vs_vec3 arriving = vs_v3_unit(vs_v3_sub(out->at[i].at, out->at[before].at)),
+            leaving = vs_v3_unit(vs_v3_sub(out->at[after].at, out->at[i].at));
     out->at[i].arriving = before == i ? leaving : arriving;
     out->at[i].leaving = after == i ? arriving : leaving;
   }
@@ -92,8 +94,10 @@ static bool curve_arc(vs_path *out, vs_vec3 c, double r, double start, double en
 
 typedef struct { size_t n; /* knots */ bool closed; vs_vec3 *p, *m; double *h, *scratch; } vs_spline_work;
 
-/* Solves for m the tridiagonal system with sub[i], diag[i], sup[i] and right sides rhs (overwritten); scratch holds n doubles. */
-static void spline_tridiagonal(size_t n, const double *sub, const double *diag, const double *sup, vs_vec3 *rhs, double *scratch) {
+/* Solves for m the tridiagonal system with sub[i], diag[i], sup[i] and right sides rhs (overwritten); scratch holds n
+ * doubles. */
+static void spline_tridiagonal(size_t n, const double *sub, const double *diag, const double *sup, vs_vec3 *rhs,
+                               double *scratch) {
   double d = diag[0];
   rhs[0] = vs_v3_scale(rhs[0], 1 / d);
   for (size_t i = 1; i < n; i++) {
@@ -110,7 +114,8 @@ static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
   vs_vec3 none = { 0, 0, 0 };
   for (size_t i = 0; i < n; i++) {
     size_t before = i ? i - 1 : n - 1, after = i + 1 < n ? i + 1 : 0;
-    vs_vec3 ahead = vs_v3_scale(vs_v3_sub(w->p[after], w->p[i]), 1 / w->h[i]), behind = vs_v3_scale(vs_v3_sub(w->p[i], w->p[before]), 1 / w->h[before]);
+    vs_vec3 ahead = vs_v3_scale(vs_v3_sub(w->p[after], w->p[i]), 1 / w->h[i]),
+            behind = vs_v3_scale(vs_v3_sub(w->p[i], w->p[before]), 1 / w->h[before]);
     sub[i] = w->h[before];
     diag[i] = 2 * (w->h[before] + w->h[i]);
     sup[i] = w->h[i];
@@ -148,8 +153,9 @@ static void spline_at(const vs_spline_work *w, size_t i, double t, vs_vec3 *at, 
   vs_vec3 p = w->p[i], q = w->p[j], m = w->m[i], k = w->m[j];
   *at = vs_v3_add(vs_v3_add(vs_v3_scale(p, a), vs_v3_scale(q, b)),
                   vs_v3_scale(vs_v3_add(vs_v3_scale(m, a * a * a - a), vs_v3_scale(k, b * b * b - b)), h * h / 6));
-  *slope = vs_v3_unit(vs_v3_add(vs_v3_scale(vs_v3_sub(q, p), 1 / h),
-                                vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6)));
+  *slope = vs_v3_unit(
+      vs_v3_add(vs_v3_scale(vs_v3_sub(q, p), 1 / h),
+                vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6)));
 }
 
 static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_facets *f) {
@@ -218,7 +224,9 @@ static void curve_place(vs_path *out, const vs_affine *map) {
 bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_facets *f, vs_path *out) {
   vs_facets inner = vs_facets_placed(f, map);
   int turn = vs_facets_turn(&inner, a->radius, a->segments);
-  if (!(circle ? curve_circle(out, a->center, a->radius, turn) : curve_arc(out, a->center, a->radius, a->start, a->end, turn))) return false;
+  if (!(circle ? curve_circle(out, a->center, a->radius, turn)
+               : curve_arc(out, a->center, a->radius, a->start, a->end, turn)))
+    return false;
   curve_place(out, map);
   return true;
 }
@@ -229,9 +237,11 @@ bool vs_curve_leaf(const vs_node *n, const vs_affine *map, const vs_facets *f, v
   if (n->kind == VS_ARC) return vs_curve_round(VS_AS(arc, n), false, map, f, out);
   if (n->kind == VS_CIRCLE) {
     const struct vs_circle *c = VS_AS(circle, n);
-    return vs_curve_round(&(struct vs_arc){ .center = c->center, .radius = c->radius, .segments = c->segments }, true, map, f, out);
+    return vs_curve_round(&(struct vs_arc){ .center = c->center, .radius = c->radius, .segments = c->segments }, true,
+                          map, f, out);
   }
-  if (n->kind == VS_LINE) ok = curve_line(out, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count, VS_AS(line, n)->closed);
+  if (n->kind == VS_LINE)
+    ok = curve_line(out, VS_AS(line, n)->points->at, VS_AS(line, n)->points->count, VS_AS(line, n)->closed);
   if (n->kind == VS_SPLINE) ok = curve_spline(out, VS_AS(spline, n), &inner);
   if (ok) curve_place(out, map);
   return ok;

@@ -1,4 +1,5 @@
-/* Owns, for geometry/ alone, curves as paths: sampled points that know the directions in which the curve arrives and leaves. */
+/* Owns, for geometry/ alone, curves as paths: sampled points that know the directions in which the curve arrives and
+ * leaves. */
 #ifndef VS_GEOMETRY_CURVE_H
 #define VS_GEOMETRY_CURVE_H
 
@@ -21,7 +22,8 @@ bool vs_curve_leaf(const vs_node *curve, const vs_affine *map, const vs_facets *
 /* The same of an arc, or of the whole circle that it is part of. */
 bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_facets *f, vs_path *out);
 bool vs_path_of_polyline(const vs_polyline *p, vs_path *out); /* out is empty before; false: out of memory */
-/* Any curve, with `placed` applied; placements, appearance and regions of one loop are followed (planar_evaluation.c). */
+/* Any curve, with `placed` applied; placements, appearance and regions of one loop are followed
+ * (planar_evaluation.c). */
 bool vs_curve_path(const vs_node *curve, const vs_affine *placed, const vs_facets *f, vs_path *out, vs_error *e);
 bool vs_curve_is_straight(const vs_node *curve); /* is it a polyline, placed or bare? */
 bool vs_polyline_from_path(const vs_path *path, vs_polyline *out);

@@ -1,18 +1,21 @@
 /* Owns the cutting of planar polygons with holes into triangles, by clipping ears.
  *
- * The ring is a doubly linked list of corners; a hole is spliced in over a bridge from its leftmost corner to a corner of the ring that
- * sees it, which is walked both ways. An ear is a convex corner whose triangle holds no other corner, borders included: so a corner
- * in the middle of a straight edge never ends up inside another triangle's side. After an ear the next corner is passed over, so that
- * a circle is halved again and again instead of becoming a fan of splinters. Where rounding or a crossing loop leaves no ear, the
- * most convex corner is cut all the same: the boundary stays right, which is what closedness needs.
+ * The ring is a doubly linked list of corners; a hole is spliced in over a bridge from its leftmost corner to a corner
+ * of the ring that sees it, which is walked both ways. An ear is a convex corner whose triangle holds no other corner,
+ * borders included: so a corner in the middle of a straight edge never ends up inside another triangle's side. After an
+ * ear the next corner is passed over, so that a circle is halved again and again instead of becoming a fan of
+ * splinters. Where rounding or a crossing loop leaves no ear, the most convex corner is cut all the same: the boundary
+ * stays right, which is what closedness needs.
  *
- * A hole that has a corner where the ring has one is joined there, by a bridge without length: else the ring would come by that place
- * twice, one way within the other, and an ear there could not be told from what is cut already. Holes that touch therefore come before
- * those that need a bridge. The ends of a bridge without length go at once, before they hide which way the ring turns there.
+ * A hole that has a corner where the ring has one is joined there, by a bridge without length: else the ring would come
+ * by that place twice, one way within the other, and an ear there could not be told from what is cut already. Holes
+ * that touch therefore come before those that need a bridge. The ends of a bridge without length go at once, before
+ * they hide which way the ring turns there.
  *
- * Rings of many thousand corners and holes are ordinary: perforated sheets, maps, text. Reflex corners, the only ones that can be
- * inside an ear and nearest to it, stand in a tree; and a corner whose triangle holds one waits for that one: it is no ear before the
- * other is cut or convex. The corners that are left to try are a set of places along the ring. */
+ * Rings of many thousand corners and holes are ordinary: perforated sheets, maps, text. Reflex corners, the only ones
+ * that can be inside an ear and nearest to it, stand in a tree; and a corner whose triangle holds one waits for that
+ * one: it is no ear before the other is cut or convex. The corners that are left to try are a set of places along the
+ * ring. */
 #include "geometry/plane/ear_clipping.h"
 
 #include <stdlib.h>
@@ -47,7 +50,9 @@ typedef struct {
 
 static vs_vec2 ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
 
-static double ring_turn(const vs_ring *r, size_t a, size_t b, size_t c) { return vs_vec2_turn(ring_at(r, a), ring_at(r, b), ring_at(r, c)); }
+static double ring_turn(const vs_ring *r, size_t a, size_t b, size_t c) {
+  return vs_vec2_turn(ring_at(r, a), ring_at(r, b), ring_at(r, c));
+}
 
 /* ---- waiting ---- */
 
@@ -114,7 +119,8 @@ static void ring_look(vs_ring *r, size_t c) { /* c or a neighbour is new */
 
 /* an open corner; where it is no ear it waits */
 static bool ring_is_ear(vs_ring *r, size_t b) {
-  size_t inside = vs_point_tree_in(&r->tree, ring_at(r, r->corners[b].prev), ring_at(r, b), ring_at(r, r->corners[b].next), r->flat);
+  size_t inside = vs_point_tree_in(&r->tree, ring_at(r, r->corners[b].prev), ring_at(r, b),
+                                   ring_at(r, r->corners[b].next), r->flat);
   if (inside != SIZE_MAX) ring_wait(r, b, inside);
   return inside == SIZE_MAX;
 }
@@ -123,7 +129,8 @@ static bool ring_is_ear(vs_ring *r, size_t b) {
 static size_t ring_next_ear(vs_ring *r, size_t at) {
   size_t place = r->ears[at].place, end = none;
   for (int turn = 0; turn < 2; turn++, end = place) {
-    for (size_t p = vs_marks_next(&r->open, turn ? 0 : place); p != SIZE_MAX && (turn == 0 || p < end); p = vs_marks_next(&r->open, p + 1))
+    for (size_t p = vs_marks_next(&r->open, turn ? 0 : place); p != SIZE_MAX && (turn == 0 || p < end);
+         p = vs_marks_next(&r->open, p + 1))
       if (ring_is_ear(r, r->by_place[p])) return r->by_place[p];
   }
   return none;
@@ -144,8 +151,9 @@ static void ring_cut(vs_ring *r, size_t ear) {
 
 /* ---- holes ---- */
 
-/* The corner that a hole is joined to is looked up, not walked to: edges of the ring that go down, each in the lists of the few nodes of a binary tree over bands of y that make up its
- * height; and the corners by their places. A corner stands for the edge that leaves it, and does so when holes are spliced in. */
+/* The corner that a hole is joined to is looked up, not walked to: edges of the ring that go down, each in the lists of
+ * the few nodes of a binary tree over bands of y that make up its height; and the corners by their places. A corner
+ * stands for the edge that leaves it, and does so when holes are spliced in. */
 typedef struct { uint32_t edge, next; } vs_band_link; /* next: of a node's list, from 1 on; 0: its end */
 typedef struct {
   double low, scale;    /* band (y - low) * scale */
@@ -184,7 +192,8 @@ static size_t band_of(const vs_bands *b, double y) {
 static bool bands_add(vs_bands *b, const vs_ring *r, size_t c) {
   double from = ring_at(r, c).y, to = ring_at(r, r->corners[c].next).y;
   if (!(from > to)) return true;
-  for (size_t low = b->leaves + band_of(b, to), high = b->leaves + band_of(b, from) + 1; low < high; low /= 2, high /= 2) {
+  for (size_t low = b->leaves + band_of(b, to), high = b->leaves + band_of(b, from) + 1; low < high;
+       low /= 2, high /= 2) {
     size_t nodes[2] = { low % 2 ? low++ : 0, high % 2 ? --high : 0 };
     for (int i = 0; i < 2; i++) {
       if (!nodes[i]) continue;
@@ -204,8 +213,9 @@ static bool bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t s
   return true;
 }
 
-/* A corner of the ring that the hole's leftmost corner can be joined to: shoot a ray to -x, take the edge it meets first, and of that
- * edge's end and the corners within the triangle the one at the smallest angle to the ray. Of equals the one with the smallest number. */
+/* A corner of the ring that the hole's leftmost corner can be joined to: shoot a ray to -x, take the edge it meets
+ * first, and of that edge's end and the corners within the triangle the one at the smallest angle to the ray. Of equals
+ * the one with the smallest number. */
 typedef struct {
   const vs_ring *ring;
   const uint32_t *copies;
@@ -217,7 +227,8 @@ typedef struct {
 static bool sight_has(const vs_sight *s, vs_vec2 p) { /* within the triangle of h, the place that is hit, and m */
   double ax = s->h.y < s->m.y ? s->h.x : s->hit_x, cx = s->h.y < s->m.y ? s->hit_x : s->h.x;
   return p.x < s->h.x && p.x >= s->m.x && (cx - p.x) * (s->h.y - p.y) >= (ax - p.x) * (s->h.y - p.y) &&
-         (ax - p.x) * (s->m.y - p.y) >= (s->m.x - p.x) * (s->h.y - p.y) && (s->m.x - p.x) * (s->h.y - p.y) >= (cx - p.x) * (s->m.y - p.y);
+         (ax - p.x) * (s->m.y - p.y) >= (s->m.x - p.x) * (s->h.y - p.y) &&
+         (s->m.x - p.x) * (s->h.y - p.y) >= (cx - p.x) * (s->m.y - p.y);
 }
 
 /* The places before and behind a corner along the ring: where a bridge has no length, those beyond its other end. */
@@ -233,7 +244,8 @@ static void ring_beside(const vs_ring *r, size_t c, vs_vec2 *before, vs_vec2 *be
 static bool ring_sees(const vs_ring *r, size_t corner, vs_vec2 h) {
   vs_vec2 p = ring_at(r, corner), a, c;
   ring_beside(r, corner, &a, &c);
-  double to_after = (c.x - p.x) * (h.y - p.y) - (c.y - p.y) * (h.x - p.x);   /* > 0: h to the left of the leaving edge */
+  /* > 0: h to the left of the leaving edge */
+  double to_after = (c.x - p.x) * (h.y - p.y) - (c.y - p.y) * (h.x - p.x);
   double to_before = (p.x - a.x) * (h.y - a.y) - (p.y - a.y) * (h.x - a.x);
   bool convex = (p.x - a.x) * (c.y - a.y) - (p.y - a.y) * (c.x - a.x) > 0;
   return convex ? to_after >= 0 && to_before >= 0 : to_after >= 0 || to_before >= 0;
@@ -362,7 +374,8 @@ static bool join_touching(vs_joining *j, size_t first, size_t size) {
   return true;
 }
 
-/* All holes into the ring: those that touch it, and those that touch these, then the others from the left, each with what touches it. */
+/* All holes into the ring: those that touch it, and those that touch these, then the others from the left, each with
+ * what touches it. */
 static bool join_all(vs_joining *j, size_t count, size_t outer) {
   bool ok = bands_add_loop(&j->bands, j->ring, 0, outer);
   for (size_t i = 0; i < count; i++)
@@ -429,7 +442,8 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
 
 /* Along the ring: where each corner is, and which may be ears. */
 static bool ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
-  for (size_t i = 0; i < r->count; i++) r->points[i] = i < total ? i : r->corners[i].point; /* loops that were left out have none */
+  /* loops that were left out have none */
+  for (size_t i = 0; i < r->count; i++) r->points[i] = i < total ? i : r->corners[i].point;
   if (!vs_point_tree_make(&r->tree, r->at, r->points, r->count) || !vs_marks_make(&r->open, size)) return false;
   size_t c = start;
   for (size_t place = 0; place < size; place++, c = r->corners[c].next) {
@@ -442,7 +456,8 @@ static bool ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
   return true;
 }
 
-bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, vs_mesh *m, const uint32_t *index, bool turned) {
+bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, vs_mesh *m, const uint32_t *index,
+                    bool turned) {
   size_t total = 0;
   double extent = 0;
   for (size_t l = 0; l < loop_count; l++) total += sizes[l];
@@ -463,8 +478,10 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
     size_t n = sizes[l], leftmost = first;
     if (l && n < 3) continue;
     for (size_t i = 0; i < n; i++) {
-      r.corners[first + i] = (vs_corner){ (uint32_t)(first + i), (uint32_t)(first + (i + 1) % n), (uint32_t)(first + (i + n - 1) % n) };
-      if (at[first + i].x < at[leftmost].x || (at[first + i].x == at[leftmost].x && at[first + i].y < at[leftmost].y)) leftmost = first + i;
+      r.corners[first + i] =
+          (vs_corner){ (uint32_t)(first + i), (uint32_t)(first + (i + 1) % n), (uint32_t)(first + (i + n - 1) % n) };
+      if (at[first + i].x < at[leftmost].x || (at[first + i].x == at[leftmost].x && at[first + i].y < at[leftmost].y))
+        leftmost = first + i;
     }
     if (l) holes[hole_count++] = (vs_hole){ leftmost, first, n, at[leftmost], false };
     if (l) ring_size += n + 2;

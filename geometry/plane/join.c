@@ -1,8 +1,8 @@
 /* Owns the joining of open curves and the search for crossings.
  *
- * Joining: a chain begins with the first curve not yet used and takes on, at its end and then at its start, the first unused curve that has
- * an end there: quadratic in the number of curves. Crossings: edges sorted by their least coordinate along the plane's first axis, each held
- * against those that still reach it. */
+ * Joining: a chain begins with the first curve not yet used and takes on, at its end and then at its start, the first
+ * unused curve that has an end there: quadratic in the number of curves. Crossings: edges sorted by their least
+ * coordinate along the plane's first axis, each held against those that still reach it. */
 #include "geometry/plane/join.h"
 #include "geometry/plane/planar_evaluation.h"
 
@@ -76,7 +76,8 @@ bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e) {
       vs_node_retain(out[made++].node);
       continue;
     }
-    out[made] = (vs_ref){ vs_node_new(s, VS_JOIN, &(struct vs_join){ .closed = closed }, chain + first, last - first), chain[first].origin };
+    out[made] = (vs_ref){ vs_node_new(s, VS_JOIN, &(struct vs_join){ .closed = closed }, chain + first, last - first),
+                          chain[first].origin };
     ok = out[made].node || vs_error_memory(e, NULL);
     made += ok;
   }
@@ -91,7 +92,8 @@ bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e) {
 
 /* ---- crossings ---- */
 
-typedef struct { vs_vec2 a, b; size_t curve, place, last; double low, high, slack; } vs_cross_edge; /* low, high along x; place: in its loop, of last + 1 */
+/* low, high along x; place: in its loop, of last + 1 */
+typedef struct { vs_vec2 a, b; size_t curve, place, last; double low, high, slack; } vs_cross_edge;
 
 static int cross_compare(const void *p, const void *q) {
   const vs_cross_edge *a = p, *b = q;
@@ -106,8 +108,10 @@ static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* distance from t
 
 /* Ends of each lie clearly on both sides of the other. touch: they do not, but an end lies on the other's line. */
 static bool cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 *at, bool *touch) {
-  double slack = fmax(p->slack, q->slack), a = cross_side(p, q->a), b = cross_side(p, q->b), c = cross_side(q, p->a), d = cross_side(q, p->b);
-  bool apart = (a > slack && b < -slack) || (a < -slack && b > slack), other = (c > slack && d < -slack) || (c < -slack && d > slack);
+  double slack = fmax(p->slack, q->slack), a = cross_side(p, q->a), b = cross_side(p, q->b), c = cross_side(q, p->a),
+         d = cross_side(q, p->b);
+  bool apart = (a > slack && b < -slack) || (a < -slack && b > slack),
+       other = (c > slack && d < -slack) || (c < -slack && d > slack);
   if (apart && other) {
     double t = a / (a - b);
     *at = (vs_vec2){ q->a.x + t * (q->b.x - q->a.x), q->a.y + t * (q->b.y - q->a.y) };
@@ -127,19 +131,23 @@ static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
   return at < to;
 }
 
-/* The end of p lies on q: do the two strands through that point change sides there? next: of p, and of q where its end is the point too */
-static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, const vs_cross_edge *q, const vs_cross_edge *next_q) {
+/* The end of p lies on q: do the two strands through that point change sides there? next: of p, and of q where its end
+ * is the point too */
+static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, const vs_cross_edge *q,
+                         const vs_cross_edge *next_q) {
   double slack = fmax(p->slack, q->slack), dx = q->b.x - q->a.x, dy = q->b.y - q->a.y, length = hypot(dx, dy);
   double along = ((p->b.x - q->a.x) * dx + (p->b.y - q->a.y) * dy) / length;
-  if (fabs(cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false; /* at q's start it is the edge before that ends there */
+  /* at q's start it is the edge before that ends there */
+  if (fabs(cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false;
   vs_vec2 v = p->b, in = { p->a.x - v.x, p->a.y - v.y }, out = { next_p->b.x - v.x, next_p->b.y - v.y };
-  vs_vec2 end = along >= length - slack ? next_q->b : q->b, come = { q->a.x - v.x, q->a.y - v.y }, go = { end.x - v.x, end.y - v.y };
+  vs_vec2 end = along >= length - slack ? next_q->b : q->b, come = { q->a.x - v.x, q->a.y - v.y },
+          go = { end.x - v.x, end.y - v.y };
   bool sure = true, one = cross_between(in, out, come, &sure), other = cross_between(in, out, go, &sure);
   return sure && one != other;
 }
 
-/* Where curves touch, one may pass to the other's inside through the point of touch: then it has points clearly inside and clearly outside.
- * Where neither has either, they lie on each other. */
+/* Where curves touch, one may pass to the other's inside through the point of touch: then it has points clearly inside
+ * and clearly outside. Where neither has either, they lie on each other. */
 static bool cross_through(const vs_cross_edge *edges, size_t count, size_t a, size_t b, vs_vec2 *at) {
   bool clear = false;
   for (int turn = 0; turn < 2; turn++) {
@@ -208,8 +216,10 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
     for (size_t k = 0; k < loops[i].count; k++) vs_bounds_add(&b, loops[i].at[k]);
     double slack = fmax(1e-9 * size, straight ? 0 : 2 * vs_facets_tolerance(&b));
     for (size_t k = 0; k < loops[i].count; k++) {
-      vs_vec3 p = vs_affine_point(&back, loops[i].at[k]), q = vs_affine_point(&back, loops[i].at[(k + 1) % loops[i].count]);
-      edges[edge_count++] = (vs_cross_edge){ { p.x, p.y }, { q.x, q.y }, i, k, loops[i].count - 1, fmin(p.x, q.x), fmax(p.x, q.x), slack };
+      vs_vec3 p = vs_affine_point(&back, loops[i].at[k]),
+              q = vs_affine_point(&back, loops[i].at[(k + 1) % loops[i].count]);
+      edges[edge_count++] = (vs_cross_edge){ { p.x, p.y },   { q.x, q.y },   i,    k, loops[i].count - 1,
+                                             fmin(p.x, q.x), fmax(p.x, q.x), slack };
     }
   }
   if (ok && edge_count) qsort(edges, edge_count, sizeof *edges, cross_compare);
@@ -217,7 +227,8 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
   size_t *after = malloc((total + 1) * sizeof *after), *starts = malloc((count + 1) * sizeof *starts);
   ok = ok && ((after && starts) || vs_error_memory(e, NULL));
   for (size_t i = 0, start = 0; ok && i < count; start += loops[i++].count) starts[i] = start;
-  for (size_t i = 0; ok && i < edge_count; i++) after[starts[edges[i].curve] + (edges[i].place ? edges[i].place - 1 : edges[i].last)] = i;
+  for (size_t i = 0; ok && i < edge_count; i++)
+    after[starts[edges[i].curve] + (edges[i].place ? edges[i].place - 1 : edges[i].last)] = i;
   double widest = 0;
   for (size_t i = 0; i < edge_count; i++) widest = fmax(widest, edges[i].high - edges[i].low);
   for (size_t i = 0; ok && !out->found && i < edge_count; i++)
@@ -225,15 +236,19 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
       vs_vec2 at;
       bool touch = false;
       if (edges[k].high < edges[i].low || fmax(edges[k].a.y, edges[k].b.y) < fmin(edges[i].a.y, edges[i].b.y) ||
-          fmin(edges[k].a.y, edges[k].b.y) > fmax(edges[i].a.y, edges[i].b.y) || cross_neighbours(&edges[i], &edges[k])) continue;
-      size_t a = edges[i].curve < edges[k].curve ? edges[i].curve : edges[k].curve, b = edges[i].curve < edges[k].curve ? edges[k].curve : edges[i].curve;
+          fmin(edges[k].a.y, edges[k].b.y) > fmax(edges[i].a.y, edges[i].b.y) || cross_neighbours(&edges[i], &edges[k]))
+        continue;
+      size_t a = edges[i].curve < edges[k].curve ? edges[i].curve : edges[k].curve,
+             b = edges[i].curve < edges[k].curve ? edges[k].curve : edges[i].curve;
       if (cross_edges(&edges[i], &edges[k], &at, &touch)) {
         *out = (vs_crossing){ a, b, vs_affine_point(&frame, vs_v3(at.x, at.y, 0)), true };
         break;
       }
       const vs_cross_edge *p = &edges[i], *q = &edges[k];
-      if (touch && (cross_at_end(p, &edges[after[starts[p->curve] + p->place]], q, &edges[after[starts[q->curve] + q->place]]) ||
-                    cross_at_end(q, &edges[after[starts[q->curve] + q->place]], p, &edges[after[starts[p->curve] + p->place]]))) {
+      if (touch &&
+          (cross_at_end(p, &edges[after[starts[p->curve] + p->place]], q, &edges[after[starts[q->curve] + q->place]]) ||
+           cross_at_end(q, &edges[after[starts[q->curve] + q->place]], p,
+                        &edges[after[starts[p->curve] + p->place]]))) {
         *out = (vs_crossing){ a, b, vs_affine_point(&frame, vs_v3(q->b.x, q->b.y, 0)), true };
         break;
       }

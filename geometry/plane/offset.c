@@ -1,12 +1,14 @@
 /* Owns offsets in a plane: areas made larger or smaller, open lines moved to one side.
  *
- * An area grows by the union with strips along its outside, shrinks by what strips along its inside take away: so self-overlaps and holes that
- * close are the union's business, and what is exact stays exact. A strip follows edges a -> b on one side (hand +1: the left of travel), its
- * far side runs at the distance d through
+ * An area grows by the union with strips along its outside, shrinks by what strips along its inside take away: so
+ * self-overlaps and holes that close are the union's business, and what is exact stays exact. A strip follows edges a
+ * -> b on one side (hand +1: the left of travel), its far side runs at the distance d through
  *   b + d n1, b + d n2        at a corner that opens on that side, with the corner's join between them;
- *   b + d (n1 + n2)/(1 + n1.n2) at a corner that closes, where the edges are long enough for their far sides to meet there;
- * n the edges' normals to that side. A strip ends where they are not long enough, and before it has turned by more than a right angle: so
- * none crosses itself. An open line's offset is the border of its strips' union without the line itself and the ends. */
+ *   b + d (n1 + n2)/(1 + n1.n2) at a corner that closes, where the edges are long enough for their far sides to meet
+ *   there;
+ * n the edges' normals to that side. A strip ends where they are not long enough, and before it has turned by more than
+ * a right angle: so none crosses itself. An open line's offset is the border of its strips' union without the line
+ * itself and the ends. */
 #include <stdlib.h>
 
 #include "geometry/frame.h"
@@ -34,7 +36,9 @@ static bool offset_push(vs_vec2 **at, size_t *count, size_t *room, double x, dou
   return true;
 }
 
-static bool offset_near(vs_offsetter *o, vs_vec2 p) { return offset_push(&o->near, &o->near_count, &o->near_room, p.x, p.y); }
+static bool offset_near(vs_offsetter *o, vs_vec2 p) {
+  return offset_push(&o->near, &o->near_count, &o->near_room, p.x, p.y);
+}
 static bool offset_far(vs_offsetter *o, vs_vec2 p, double nx, double ny) {
   return offset_push(&o->far, &o->far_count, &o->far_room, p.x + o->d * nx, p.y + o->d * ny);
 }
@@ -57,7 +61,8 @@ typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* 
 
 /* The far side's way round a corner at p that opens: between p + d n of a and of b */
 static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, const vs_offset_edge *b) {
-  double cosine = a->nx * b->nx + a->ny * b->ny, sine = a->nx * b->ny - a->ny * b->nx, half = atan2(fabs(sine), cosine) / 2;
+  double cosine = a->nx * b->nx + a->ny * b->ny, sine = a->nx * b->ny - a->ny * b->nx,
+         half = atan2(fabs(sine), cosine) / 2;
   bool ok = offset_far(o, p, a->nx, a->ny);
   double least = 1 / cos(half);
   if (o->corners == VS_OFFSET_ROUND) {
@@ -72,14 +77,16 @@ static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, con
     ok = ok && offset_far(o, p, (a->nx + b->nx) * k, (a->ny + b->ny) * k);
   } else { /* cut across at the distance d */
     double k = tan(half / 2);
-    ok = ok && offset_far(o, p, a->nx + k * a->tx, a->ny + k * a->ty) && offset_far(o, p, b->nx - k * b->tx, b->ny - k * b->ty);
+    ok = ok && offset_far(o, p, a->nx + k * a->tx, a->ny + k * a->ty) &&
+         offset_far(o, p, b->nx - k * b->tx, b->ny - k * b->ty);
   }
   return ok && offset_far(o, p, b->nx, b->ny);
 }
 
 typedef enum { CORNER_OPENS, CORNER_MEETS, CORNER_CROSSES } vs_offset_corner;
 
-static vs_offset_corner offset_look(const vs_offsetter *o, const vs_offset_edge *a, const vs_offset_edge *b, double *turning, double *k) {
+static vs_offset_corner offset_look(const vs_offsetter *o, const vs_offset_edge *a, const vs_offset_edge *b,
+                                    double *turning, double *k) {
   double cosine = a->tx * b->tx + a->ty * b->ty, sine = a->tx * b->ty - a->ty * b->tx;
   *turning = fabs(atan2(sine, cosine));
   *k = 1 / (1 + cosine);
@@ -100,18 +107,27 @@ static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool clo
     edges[count++] = (vs_offset_edge){ p, tx, ty, -o->hand * ty, o->hand * tx, length };
   }
   for (size_t i = 0; ok && i < count; i++) {
-    const vs_offset_edge *e = &edges[i], *next = i + 1 < count ? e + 1 : closed ? edges : NULL, *last = i ? e - 1 : closed ? &edges[count - 1] : NULL;
+    const vs_offset_edge *e = &edges[i],
+                         *next = i + 1 < count ? e + 1
+                                 : closed      ? edges
+                                               : NULL,
+                         *last = i        ? e - 1
+                                 : closed ? &edges[count - 1]
+                                          : NULL;
     double turning = 0, k = 0;
     if (!o->near_count) { /* a strip begins: on the bisector where the corner before is one that closes */
       bool meets = last && offset_look(o, last, e, &turning, &k) == CORNER_MEETS;
       double nx = !i && o->ways ? -o->hand * o->ways[0].y : e->nx, ny = !i && o->ways ? o->hand * o->ways[0].x : e->ny;
-      ok = offset_near(o, e->p) && (meets ? offset_far(o, e->p, (last->nx + e->nx) * k, (last->ny + e->ny) * k) : offset_far(o, e->p, nx, ny));
+      ok = offset_near(o, e->p) &&
+           (meets ? offset_far(o, e->p, (last->nx + e->nx) * k, (last->ny + e->ny) * k) : offset_far(o, e->p, nx, ny));
     }
     vs_vec2 end = next ? next->p : at[n - 1];
     ok = ok && offset_near(o, end);
     if (!ok) break;
     if (!next) {
-      ok = (o->ways ? offset_far(o, end, -o->hand * o->ways[1].y, o->hand * o->ways[1].x) : offset_far(o, end, e->nx, e->ny)) && offset_strip(o);
+      ok = (o->ways ? offset_far(o, end, -o->hand * o->ways[1].y, o->hand * o->ways[1].x)
+                    : offset_far(o, end, e->nx, e->ny)) &&
+           offset_strip(o);
       break;
     }
     vs_offset_corner corner = offset_look(o, e, next, &turning, &k);
@@ -125,15 +141,20 @@ static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool clo
   return ok;
 }
 
-static vs_offsetter offset_begin(vs_area *strips, double d, double hand, vs_offset_corners corners, const vs_facets *f, int segments) {
-  return (vs_offsetter){ .strips = strips, .d = d, .hand = hand, .corners = corners, .turn = vs_facets_turn(f, d, segments) };
+static vs_offsetter offset_begin(vs_area *strips, double d, double hand, vs_offset_corners corners, const vs_facets *f,
+                                 int segments) {
+  return (vs_offsetter){
+    .strips = strips, .d = d, .hand = hand, .corners = corners, .turn = vs_facets_turn(f, d, segments)
+  };
 }
 
-bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, const vs_facets *f, int segments, vs_area *out, vs_error *e) {
+bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, const vs_facets *f, int segments,
+                    vs_area *out, vs_error *e) {
   vs_area parts[2] = { *in, { 0 } };
   vs_offsetter o = offset_begin(&parts[1], fabs(d), d > 0 ? -1 : 1, corners, f, segments);
   bool ok = true;
-  for (size_t l = 0, first = 0; ok && l < in->loop_count; first += in->size[l++]) ok = offset_strips(&o, in->at + first, in->size[l], true);
+  for (size_t l = 0, first = 0; ok && l < in->loop_count; first += in->size[l++])
+    ok = offset_strips(&o, in->at + first, in->size[l], true);
   if (!ok) vs_error_memory(e, NULL);
   else ok = vs_area_combine(d > 0 ? VS_AREA_UNION : VS_AREA_DIFFERENCE, parts, 2, "do-offset", out, e);
   vs_area_free(&parts[1]);
@@ -145,14 +166,16 @@ bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, cons
 /* ---- open lines ---- */
 
 static double offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* of p from the stretch a b */
-  double dx = b.x - a.x, dy = b.y - a.y, d = dx * dx + dy * dy, t = d > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / d : 0;
+  double dx = b.x - a.x, dy = b.y - a.y, d = dx * dx + dy * dy,
+         t = d > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / d : 0;
   t = fmin(1, fmax(0, t));
   return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-/* The longest run of the border's edges that lie at `least` or more from the line and not on its two ends (stretches from the line to its
- * far side). */
-static bool offset_border(const vs_area *border, const vs_vec2 *at, size_t n, const vs_offset_edge ends[2], double d, double least, vs_polyline *out) {
+/* The longest run of the border's edges that lie at `least` or more from the line and not on its two ends (stretches
+ * from the line to its far side). */
+static bool offset_border(const vs_area *border, const vs_vec2 *at, size_t n, const vs_offset_edge ends[2], double d,
+                          double least, vs_polyline *out) {
   double slack = 1e-7 * d, longest = 0;
   vs_vec2 from[2] = { at[0], at[n - 1] }, to[2];
   size_t best_first = 0, best_size = 0, best_start = 0, best_count = 0;
@@ -185,8 +208,8 @@ static bool offset_border(const vs_area *border, const vs_vec2 *at, size_t n, co
   return true;
 }
 
-bool vs_line_offset(const vs_vec2 *at, size_t n, const vs_vec2 ways[2], double d, vs_offset_corners corners, const vs_facets *f, int segments, vs_polyline *out,
-                    vs_error *e) {
+bool vs_line_offset(const vs_vec2 *at, size_t n, const vs_vec2 ways[2], double d, vs_offset_corners corners,
+                    const vs_facets *f, int segments, vs_polyline *out, vs_error *e) {
   vs_area strips = { 0 }, border = { 0 };
   double hand = d > 0 ? 1 : -1;
   vs_offsetter o = offset_begin(&strips, fabs(d), hand, corners, f, segments);
@@ -233,7 +256,9 @@ bool vs_offset_round(const vs_node *n, vs_affine *place, vs_offset_exact *out) {
   }
   if (n->kind == VS_CIRCLE) {
     const struct vs_circle *c = VS_AS(circle, n);
-    out->arc = (struct vs_arc){ .center = c->center, .radius = c->radius + grown / scale, .end = 2 * pi, .segments = c->segments };
+    out->arc = (struct vs_arc){
+      .center = c->center, .radius = c->radius + grown / scale, .end = 2 * pi, .segments = c->segments
+    };
   } else {
     out->arc = *VS_AS(arc, n);
     out->arc.radius += (out->arc.end > out->arc.start ? -grown : grown) / scale;
@@ -262,7 +287,9 @@ bool vs_line_frame(const vs_polyline *line, vs_affine *frame, vs_error *e) {
     normal = vs_v3_length(normal) > 1e-9 ? vs_v3_unit(normal) : vs_v3(0, 1, 0);
   }
   for (size_t i = 0; i < line->count; i++) off = fmax(off, fabs(vs_v3_dot(normal, vs_v3_sub(line->at[i], o))));
-  if (off > 1e-6 * size) return vs_error_set(e, VS_ERROR_MODEL, NULL, "do-offset: the curve does not lie in one plane: it leaves it by %.6g", off);
+  if (off > 1e-6 * size)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "do-offset: the curve does not lie in one plane: it leaves it by %.6g",
+                        off);
   *frame = vs_frame_on_axis(vs_v3_scale(normal, vs_v3_dot(normal, o)), normal);
   return true;
 }

@@ -35,7 +35,8 @@ static void polyline_turn(vs_polyline *p) {
 
 static bool outline_loop_holds(const vs_affine *frame, const vs_polyline *p, vs_vec3 at) {
   bool inside = false;
-  vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] }, y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] };
+  vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] },
+          y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] };
   double u = vs_v3_dot(at, x), v = vs_v3_dot(at, y);
   for (size_t i = 0; i < p->count; i++) {
     vs_vec3 a = p->at[i], b = p->at[i + 1 < p->count ? i + 1 : 0];
@@ -64,7 +65,8 @@ static bool outline_apart(const vs_loop_box *a, const vs_loop_box *b) {
   return a->high[0] < b->low[0] || b->high[0] < a->low[0] || a->high[1] < b->low[1] || b->high[1] < a->low[1];
 }
 
-/* Does loop p hold loop q? They do not cross but may touch: so the middles of q's edges vote, thirty of them at most. */
+/* Does loop p hold loop q? They do not cross but may touch: so the middles of q's edges vote, thirty of them at
+ * most. */
 static bool outline_loop_in(const vs_affine *frame, const vs_polyline *p, const vs_polyline *q) {
   size_t step = q->count / 30 + 1, votes = 0, asked = 0;
   for (size_t i = 0; i < q->count; i += step, asked++)
@@ -87,7 +89,8 @@ static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
   return vs_v3_length(across) > 1e-12 * length ? across : vs_v3(0, 1, 0);
 }
 
-/* Holes behind their outer loops. depth[i]: how many loops hold loop i; odd is a hole of the smallest outer loop around it. */
+/* Holes behind their outer loops. depth[i]: how many loops hold loop i; odd is a hole of the smallest outer loop around
+ * it. */
 static bool outline_nest(vs_outline *o) {
   size_t n = o->count, done = 0;
   size_t *depth = calloc(n, sizeof *depth), *parent = malloc(n * sizeof *parent);
@@ -97,11 +100,14 @@ static bool outline_nest(vs_outline *o) {
   bool ok = depth && parent && sorted && box && o->hole;
   for (size_t i = 0; ok && i < n; i++) box[i] = outline_box(&o->frame, &o->loops[i]);
   for (size_t i = 0; ok && i < n; i++)
-    for (size_t j = 0; j < n; j++) depth[i] += i != j && !outline_apart(&box[i], &box[j]) && outline_loop_in(&o->frame, &o->loops[j], &o->loops[i]);
+    for (size_t j = 0; j < n; j++)
+      depth[i] += i != j && !outline_apart(&box[i], &box[j]) && outline_loop_in(&o->frame, &o->loops[j], &o->loops[i]);
   for (size_t i = 0; ok && i < n; i++) {
     parent[i] = i;
     for (size_t j = 0; j < n && depth[i] % 2; j++)
-      if (depth[j] + 1 == depth[i] && !outline_apart(&box[i], &box[j]) && outline_loop_in(&o->frame, &o->loops[j], &o->loops[i])) parent[i] = j;
+      if (depth[j] + 1 == depth[i] && !outline_apart(&box[i], &box[j]) &&
+          outline_loop_in(&o->frame, &o->loops[j], &o->loops[i]))
+        parent[i] = j;
   }
   for (size_t i = 0; ok && i < n; i++) {
     if (depth[i] % 2) continue;
@@ -135,13 +141,16 @@ bool vs_outline_plane(vs_outline *o, vs_error *e) {
     for (size_t k = 0; k < o->loops[i].count; k++) vs_bounds_add(&b, o->loops[i].at[k]);
   }
   double size = vs_bounds_diagonal(&b), off = 0;
-  if (!(vs_v3_length(most) > 1e-14 * size * size)) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the curve encloses no area");
+  if (!(vs_v3_length(most) > 1e-14 * size * size))
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the curve encloses no area");
   o->normal = vs_plane_up(most);
   o->point = o->loops[0].at[0];
   o->frame = vs_frame_on_axis(vs_v3_scale(o->normal, vs_v3_dot(o->normal, o->point)), o->normal);
   for (size_t i = 0; i < o->count; i++)
-    for (size_t k = 0; k < o->loops[i].count; k++) off = fmax(off, fabs(vs_v3_dot(o->normal, vs_v3_sub(o->loops[i].at[k], o->point))));
-  if (off > 1e-6 * size) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the curve does not lie in one plane: it leaves it by %.6g", off);
+    for (size_t k = 0; k < o->loops[i].count; k++)
+      off = fmax(off, fabs(vs_v3_dot(o->normal, vs_v3_sub(o->loops[i].at[k], o->point))));
+  if (off > 1e-6 * size)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the curve does not lie in one plane: it leaves it by %.6g", off);
   return true;
 }
 

@@ -8,9 +8,10 @@
 typedef struct { vs_vec3 *at; size_t count, room; bool closed; } vs_polyline;
 void vs_polyline_free(vs_polyline *p);
 
-/* The loops of a region in one plane: outer loops counter-clockwise about the normal, holes clockwise, each hole after the outer loop that holds
- * it. The normal of a plane looks up; of a vertical one along +Y, or along +X where that lies in it. frame: columns 0 and 1 span the plane, 2
- * is the normal, 3 the plane's point nearest the origin. An open curve (profiles of surfaces) is one loop that is not closed. */
+/* The loops of a region in one plane: outer loops counter-clockwise about the normal, holes clockwise, each hole after
+ * the outer loop that holds it. The normal of a plane looks up; of a vertical one along +Y, or along +X where that lies
+ * in it. frame: columns 0 and 1 span the plane, 2 is the normal, 3 the plane's point nearest the origin. An open curve
+ * (profiles of surfaces) is one loop that is not closed. */
 typedef struct { vs_polyline *loops; bool *hole; size_t count; vs_vec3 point, normal; vs_affine frame; } vs_outline;
 void vs_outline_free(vs_outline *o);
 /* Loops in one plane as an outline: takes them over (each is left empty), also where it fails. */

@@ -1,7 +1,9 @@
-/* Owns the evaluation of planar expressions: what curves, regions and sets of regions are at a tolerance, as paths and outlines.
+/* Owns the evaluation of planar expressions: what curves, regions and sets of regions are at a tolerance, as paths and
+ * outlines.
  *
- * A stack machine: a frame for each node that has to wait for its children, a value for each of those that is done. Placements go down
- * with the frames, so that every curve is sampled where it stands; sets are made in the plane where they stand. */
+ * A stack machine: a frame for each node that has to wait for its children, a value for each of those that is done.
+ * Placements go down with the frames, so that every curve is sampled where it stands; sets are made in the plane where
+ * they stand. */
 #include <stdlib.h>
 
 #include "geometry/plane/planar_evaluation.h"
@@ -42,7 +44,8 @@ static void flat_drop(vs_flat_value *v) {
 }
 
 static bool flat_fail(vs_flat *f, const vs_ref *ref, const char *what) {
-  return vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "%s, got %s", what, vs_kind_get((vs_kind)ref->node->kind)->name);
+  return vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "%s, got %s", what,
+                      vs_kind_get((vs_kind)ref->node->kind)->name);
 }
 
 static vs_flat_value *flat_push(vs_flat *f) {
@@ -72,8 +75,10 @@ static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fac
   vs_cloud cloud = { 0 };
   *out = (vs_outline){ .loops = calloc(1, sizeof *out->loops), .hole = calloc(1, sizeof *out->hole), .count = 1 };
   bool ok = (out->loops && out->hole) || vs_error_memory(e, NULL);
-  ok = ok && vs_hull_cloud(n, &inner, &cloud, e) && (vs_cloud_polygon(&cloud, &out->loops[0]) || vs_error_memory(e, NULL));
-  for (size_t i = 0; ok && i < out->loops[0].count; i++) out->loops[0].at[i] = vs_affine_point(placed, out->loops[0].at[i]);
+  ok = ok && vs_hull_cloud(n, &inner, &cloud, e) &&
+       (vs_cloud_polygon(&cloud, &out->loops[0]) || vs_error_memory(e, NULL));
+  for (size_t i = 0; ok && i < out->loops[0].count; i++)
+    out->loops[0].at[i] = vs_affine_point(placed, out->loops[0].at[i]);
   ok = ok && vs_outline_plane(out, e);
   if (ok) vs_outline_orient(out);
   vs_cloud_free(&cloud);
@@ -106,10 +111,13 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fa
         if (vs_offset_round(n, &place, &exact)) {
           vs_flat_value *v = flat_push(f);
           map = vs_affine_multiply(&map, &place);
-          if (!v || !(vs_curve_round(&exact.arc, exact.circle, &map, facets, &v->path) || vs_error_memory(f->error, ref->origin))) return false;
+          if (!v || !(vs_curve_round(&exact.arc, exact.circle, &map, facets, &v->path) ||
+                      vs_error_memory(f->error, ref->origin)))
+            return false;
           return n->class_ == VS_CURVE || flat_fill(f, ref, v);
         }
-        vs_facets inner = vs_facets_placed(facets, &map); /* the distance is in the offset's own coordinates: there it is made */
+        vs_facets inner = vs_facets_placed(facets, &map); /* the distance is in the offset's own coordinates: there it
+                                                           * is made */
         return flat_open(f, ref, &identity, &inner) && (f->frames[f->frame_count - 1].after = map, true);
       }
       case VS_HULL: if (n->class_ != VS_REGION_CLASS) break; /* fall through */
@@ -127,10 +135,24 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fa
           ref = &n->children[0];
           continue;
         }
-        return flat_fail(f, ref, n->class_ == VS_CURVE ? "expected one curve, which join-curves makes of several" : "expected a curve or a region");
+        return flat_fail(f, ref,
+                         n->class_ == VS_CURVE ? "expected one curve, which join-curves makes of several"
+                                               : "expected a curve or a region");
 #include "model/shape_cases.def"
-      case VS_SLICE: case VS_DEFORM: case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH:
-      case VS_GRID_SURFACE: case VS_EMPTY: case VS_GHOST: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
+      case VS_SLICE:
+      case VS_DEFORM:
+      case VS_REVOLVE:
+      case VS_LOFT:
+      case VS_RULED_LOFT:
+      case VS_GUIDED_LOFT:
+      case VS_GRID_MESH:
+      case VS_GRID_SURFACE:
+      case VS_EMPTY:
+      case VS_GHOST:
+      case VS_POLYFACE_MESH:
+      case VS_EXTRUDE:
+      case VS_SWEEP:
+      case VS_THICKEN:
       case VS_KIND_COUNT: break;
     }
     return flat_fail(f, ref, "expected a curve or a region");
@@ -148,17 +170,22 @@ static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size
     } else if (!i) {
       if (count > 1 && values[1].path.count > 1) {
         const vs_path *next = &values[1].path;
-        double ahead = fmin(vs_v3_length(vs_v3_sub(p->at[p->count - 1].at, next->at[0].at)), vs_v3_length(vs_v3_sub(p->at[p->count - 1].at, next->at[next->count - 1].at)));
-        double behind = fmin(vs_v3_length(vs_v3_sub(p->at[0].at, next->at[0].at)), vs_v3_length(vs_v3_sub(p->at[0].at, next->at[next->count - 1].at)));
+        double ahead = fmin(vs_v3_length(vs_v3_sub(p->at[p->count - 1].at, next->at[0].at)),
+                            vs_v3_length(vs_v3_sub(p->at[p->count - 1].at, next->at[next->count - 1].at)));
+        double behind = fmin(vs_v3_length(vs_v3_sub(p->at[0].at, next->at[0].at)),
+                             vs_v3_length(vs_v3_sub(p->at[0].at, next->at[next->count - 1].at)));
         if (behind < ahead) vs_path_reverse(p);
       }
       *to = *p;
       *p = (vs_path){ 0 };
     } else {
       vs_vec3 end = to->at[to->count - 1].at;
-      if (vs_v3_length(vs_v3_sub(end, p->at[p->count - 1].at)) < vs_v3_length(vs_v3_sub(end, p->at[0].at))) vs_path_reverse(p);
+      if (vs_v3_length(vs_v3_sub(end, p->at[p->count - 1].at)) < vs_v3_length(vs_v3_sub(end, p->at[0].at)))
+        vs_path_reverse(p);
       to->at[to->count - 1].leaving = p->at[0].leaving;
-      for (size_t k = 1; ok && k < p->count; k++) ok = vs_path_add(to, p->at[k].at, p->at[k].arriving, p->at[k].leaving) || vs_error_memory(f->error, ref->origin);
+      for (size_t k = 1; ok && k < p->count; k++)
+        ok =
+            vs_path_add(to, p->at[k].at, p->at[k].arriving, p->at[k].leaving) || vs_error_memory(f->error, ref->origin);
     }
   }
   if (ok && VS_AS(join, ref->node)->closed && to->count > 2) {
@@ -173,7 +200,8 @@ static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v) {
   vs_polyline loop = { 0 };
   if (v->filled) return true;
-  if (!v->path.closed || v->path.count < 3) return vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "a curve that bounds a region must be closed");
+  if (!v->path.closed || v->path.count < 3)
+    return vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "a curve that bounds a region must be closed");
   if (!vs_polyline_from_path(&v->path, &loop)) return vs_error_memory(f->error, ref->origin);
   v->filled = vs_outline_of_loops(&loop, 1, &v->outline, f->error);
   if (!v->filled && f->error && !f->error->origin) f->error->origin = ref->origin;
@@ -184,10 +212,13 @@ static bool flat_region(vs_flat *f, const vs_ref *ref, vs_flat_value *values, si
   vs_polyline *loops = calloc(count ? count : 1, sizeof *loops);
   bool ok = loops || vs_error_memory(f->error, ref->origin);
   for (size_t i = 0; ok && i < count; i++) {
-    if (!values[i].path.closed || values[i].path.count < 3) ok = vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "make-region: the curves do not close");
+    if (!values[i].path.closed || values[i].path.count < 3)
+      ok = vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "make-region: the curves do not close");
     else ok = vs_polyline_from_path(&values[i].path, &loops[i]) || vs_error_memory(f->error, ref->origin);
   }
-  if (ok) ok = count ? vs_outline_of_loops(loops, count, &out->outline, f->error) : vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "make-region: no curves");
+  if (ok)
+    ok = count ? vs_outline_of_loops(loops, count, &out->outline, f->error)
+               : vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "make-region: no curves");
   for (size_t i = 0; loops && i < count; i++) vs_polyline_free(&loops[i]);
   free(loops);
   out->filled = true;
@@ -218,13 +249,19 @@ static bool flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, s
   for (size_t i = 0; ok && i < count; i++) {
     const vs_outline *o = &values[i].outline;
     if (!vs_outline_coplanar(plane, o))
-      ok = vs_error_set(f->error, VS_ERROR_MODEL, ref->origin, "regions must lie in one plane: one is in the plane through (xyz %.6g %.6g %.6g) with the normal "
-                        "(vxyz %.6g %.6g %.6g), one in that through (xyz %.6g %.6g %.6g) with (vxyz %.6g %.6g %.6g)", plane->point.x, plane->point.y, plane->point.z,
-                        plane->normal.x, plane->normal.y, plane->normal.z, o->point.x, o->point.y, o->point.z, o->normal.x, o->normal.y, o->normal.z);
+      ok = vs_error_set(
+          f->error, VS_ERROR_MODEL, ref->origin,
+          "regions must lie in one plane: one is in the plane through (xyz %.6g %.6g %.6g) with the normal "
+          "(vxyz %.6g %.6g %.6g), one in that through (xyz %.6g %.6g %.6g) with (vxyz %.6g %.6g %.6g)",
+          plane->point.x, plane->point.y, plane->point.z, plane->normal.x, plane->normal.y, plane->normal.z, o->point.x,
+          o->point.y, o->point.z, o->normal.x, o->normal.y, o->normal.z);
     else ok = vs_area_of_outline(o, &plane->frame, &areas[i]) || vs_error_memory(f->error, ref->origin);
   }
-  vs_area_operation operation = ref->node->kind == VS_UNION ? VS_AREA_UNION : ref->node->kind == VS_INTERSECTION ? VS_AREA_INTERSECTION : VS_AREA_DIFFERENCE;
-  if (ok && count) ok = vs_area_combine(operation, areas, count, vs_kind_get((vs_kind)ref->node->kind)->name, &made, f->error);
+  vs_area_operation operation = ref->node->kind == VS_UNION          ? VS_AREA_UNION
+                                : ref->node->kind == VS_INTERSECTION ? VS_AREA_INTERSECTION
+                                                                     : VS_AREA_DIFFERENCE;
+  if (ok && count)
+    ok = vs_area_combine(operation, areas, count, vs_kind_get((vs_kind)ref->node->kind)->name, &made, f->error);
   if (ok && count) ok = vs_area_outline(&made, &plane->frame, &out->outline) || vs_error_memory(f->error, ref->origin);
   out->filled = true;
   for (size_t i = 0; areas && i < count; i++) vs_area_free(&areas[i]);
@@ -235,10 +272,12 @@ static bool flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, s
 
 static void flat_place(vs_flat_value *v, const vs_affine *map) {
   for (size_t l = 0; l < v->outline.count; l++)
-    for (size_t i = 0; i < v->outline.loops[l].count; i++) v->outline.loops[l].at[i] = vs_affine_point(map, v->outline.loops[l].at[i]);
+    for (size_t i = 0; i < v->outline.loops[l].count; i++)
+      v->outline.loops[l].at[i] = vs_affine_point(map, v->outline.loops[l].at[i]);
   for (size_t i = 0; i < v->path.count; i++) {
     vs_path_point *p = &v->path.at[i];
-    *p = (vs_path_point){ vs_affine_point(map, p->at), vs_v3_unit(vs_affine_vector(map, p->arriving)), vs_v3_unit(vs_affine_vector(map, p->leaving)), 0 };
+    *p = (vs_path_point){ vs_affine_point(map, p->at), vs_v3_unit(vs_affine_vector(map, p->arriving)),
+                          vs_v3_unit(vs_affine_vector(map, p->leaving)), 0 };
   }
   vs_path_measure(&v->path);
 }
@@ -260,7 +299,9 @@ static bool flat_settle(vs_flat *f, const vs_affine *map, vs_flat_value *v) {
 
 static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, vs_flat_value *out) {
   const struct vs_offset *x = VS_AS(offset, at->ref->node);
-  vs_offset_corners corners = *x->corners == 'r' ? VS_OFFSET_ROUND : *x->corners == 's' ? VS_OFFSET_SQUARE : VS_OFFSET_MITRE;
+  vs_offset_corners corners = *x->corners == 'r'   ? VS_OFFSET_ROUND
+                              : *x->corners == 's' ? VS_OFFSET_SQUARE
+                                                   : VS_OFFSET_MITRE;
   vs_area area = { 0 }, made = { 0 };
   vs_polyline line = { 0 };
   bool closed = in->filled || in->path.closed, ok;
@@ -272,14 +313,16 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
     ok = ok && vs_area_offset(&area, x->distance, corners, &at->facets, x->segments, &made, f->error);
     ok = ok && (vs_area_outline(&made, &frame, &out->outline) || vs_error_memory(f->error, at->ref->origin));
     out->filled = true;
-    if (ok && at->ref->node->class_ == VS_CURVE && out->outline.count == 1) { /* of a curve, and one loop: a curve again */
+    /* of a curve, and one loop: a curve again */
+    if (ok && at->ref->node->class_ == VS_CURVE && out->outline.count == 1) {
       ok = vs_path_of_polyline(&out->outline.loops[0], &out->path) || vs_error_memory(f->error, at->ref->origin);
       vs_outline_free(&out->outline);
       out->filled = false;
     }
   } else {
     size_t n = 0;
-    if (in->path.count < 2) return vs_error_set(f->error, VS_ERROR_MODEL, at->ref->origin, "do-offset: the curve is a point");
+    if (in->path.count < 2)
+      return vs_error_set(f->error, VS_ERROR_MODEL, at->ref->origin, "do-offset: the curve is a point");
     vs_vec2 *flat = malloc(in->path.count * sizeof *flat);
     ok = (flat && vs_polyline_from_path(&in->path, &line)) || vs_error_memory(f->error, at->ref->origin);
     ok = ok && vs_line_frame(&line, &frame, f->error);
@@ -296,7 +339,8 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
       double wx = vs_v3_dot(way, u), wy = vs_v3_dot(way, v), length = hypot(wx, wy);
       ways[k] = (vs_vec2){ wx / length, wy / length };
     }
-    ok = ok && (n > 1 ? vs_line_offset(flat, n, ways, x->distance, corners, &at->facets, x->segments, &line, f->error) : true);
+    ok = ok && (n > 1 ? vs_line_offset(flat, n, ways, x->distance, corners, &at->facets, x->segments, &line, f->error)
+                      : true);
     for (size_t i = 0; ok && i < line.count; i++) line.at[i] = vs_affine_point(&frame, line.at[i]);
     ok = ok && (vs_path_of_polyline(&line, &out->path) || vs_error_memory(f->error, at->ref->origin));
     free(flat);
@@ -314,7 +358,8 @@ static bool flat_leave(vs_flat *f) {
   bool ok = false;
   if (at.ref->node->kind == VS_REGION) ok = flat_region(f, at.ref, values, count, &made);
   else if (at.ref->node->kind == VS_JOIN) ok = flat_join(f, at.ref, values, count, &made);
-  else if (at.ref->node->kind == VS_OFFSET) ok = count ? flat_offset(f, &at, values, &made) : flat_fail(f, at.ref, "expected a curve or a region");
+  else if (at.ref->node->kind == VS_OFFSET)
+    ok = count ? flat_offset(f, &at, values, &made) : flat_fail(f, at.ref, "expected a curve or a region");
   else ok = flat_combine(f, at.ref, values, count, &made);
   while (f->value_count > at.first) flat_drop(&f->values[--f->value_count]);
   vs_flat_value *place = ok ? flat_push(f) : NULL;
@@ -323,7 +368,8 @@ static bool flat_leave(vs_flat *f) {
   return place != NULL;
 }
 
-static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_facets *facets, vs_flat_value *out, vs_error *e) {
+static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_facets *facets, vs_flat_value *out,
+                          vs_error *e) {
   vs_flat f = { .error = e };
   vs_ref root = { (vs_node *)(uintptr_t)n, NULL };
   bool ok = flat_enter(&f, &root, *placed, facets);
@@ -332,7 +378,8 @@ static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_fa
     if (top->next < top->ref->node->child_count) {
       const vs_ref *child = &top->ref->node->children[top->next++];
       vs_facets inner = top->facets;
-      if (child->node->class_ != VS_NOTHING) ok = flat_enter(&f, child, top->map, &inner); /* nothing adds and takes nothing */
+      /* nothing adds and takes nothing */
+      if (child->node->class_ != VS_NOTHING) ok = flat_enter(&f, child, top->map, &inner);
     } else ok = flat_leave(&f);
   }
   if (ok) *out = f.values[--f.value_count];
@@ -367,7 +414,8 @@ bool vs_region_outline(const vs_node *n, const vs_facets *f, vs_outline *out, vs
   bool ok = true;
   if (!v.filled) {
     vs_polyline loop = { 0 };
-    if (v.path.closed ? v.path.count < 3 : v.path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "the curve is a point");
+    if (v.path.closed ? v.path.count < 3 : v.path.count < 2)
+      ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "the curve is a point");
     else if (!vs_polyline_from_path(&v.path, &loop)) ok = vs_error_memory(e, NULL);
     else ok = vs_outline_of_loops(&loop, 1, out, e);
     vs_polyline_free(&loop);
@@ -388,9 +436,11 @@ bool vs_region_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) 
   vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
   if (!vs_region_outline(n, &f, &o, e)) return false;
   bool ok = vs_area_of_outline(&o, &o.frame, &a) || vs_error_memory(e, NULL);
-  vs_vec3 x = { o.frame.m[0][0], o.frame.m[1][0], o.frame.m[2][0] }, y = { o.frame.m[0][1], o.frame.m[1][1], o.frame.m[2][1] };
+  vs_vec3 x = { o.frame.m[0][0], o.frame.m[1][0], o.frame.m[2][0] },
+          y = { o.frame.m[0][1], o.frame.m[1][1], o.frame.m[2][1] };
   vs_vec3 d = vs_v3_sub(p, vs_v3(o.frame.m[0][3], o.frame.m[1][3], o.frame.m[2][3]));
-  if (ok && fabs(vs_v3_dot(d, o.normal)) <= 1e-9 * vs_bounds_diagonal(&b)) *inside = vs_area_holds(&a, vs_v3_dot(d, x), vs_v3_dot(d, y));
+  if (ok && fabs(vs_v3_dot(d, o.normal)) <= 1e-9 * vs_bounds_diagonal(&b))
+    *inside = vs_area_holds(&a, vs_v3_dot(d, x), vs_v3_dot(d, y));
   vs_area_free(&a);
   vs_outline_free(&o);
   return ok;
@@ -399,7 +449,8 @@ bool vs_region_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) 
 bool vs_curve_sample(const vs_node *curve, const vs_facets *f, vs_polyline *out, vs_error *e) {
   vs_path path = { 0 };
   vs_affine identity = vs_affine_identity();
-  bool ok = vs_curve_path(curve, &identity, f, &path, e) && (vs_polyline_from_path(&path, out) || vs_error_memory(e, NULL));
+  bool ok =
+      vs_curve_path(curve, &identity, f, &path, e) && (vs_polyline_from_path(&path, out) || vs_error_memory(e, NULL));
   vs_path_free(&path);
   return ok;
 }

@@ -1,4 +1,5 @@
-/* Owns planar evaluation: curves as points, regions as outlines, with the offsets and booleans of the plane in them worked out. */
+/* Owns planar evaluation: curves as points, regions as outlines, with the offsets and booleans of the plane in them
+ * worked out. */
 #ifndef VS_GEOMETRY_PLANE_PLANAR_EVALUATION_H
 #define VS_GEOMETRY_PLANE_PLANAR_EVALUATION_H
 
@@ -8,8 +9,8 @@
 /* A curve as points, with exact ends. */
 bool vs_curve_sample(const vs_node *curve, const vs_facets *f, vs_polyline *out, vs_error *e);
 bool vs_outline_coplanar(const vs_outline *a, const vs_outline *b);
-/* The loops of a region, or of a closed curve taken as filled. None where the region turns out to be empty: an intersection of what does not
- * meet. */
+/* The loops of a region, or of a closed curve taken as filled. None where the region turns out to be empty: an
+ * intersection of what does not meet. */
 bool vs_region_outline(const vs_node *region, const vs_facets *f, vs_outline *out, vs_error *e);
 /* Is p in the region's plane and in it or on its border? Of fine samples where it is round. */
 bool vs_region_contains(const vs_node *region, vs_vec3 p, bool *inside, vs_error *e);

@@ -1,5 +1,5 @@
-/* Owns planes of curves and regions. The points that fix a shape (corners, knots with their tangents, a circle's centre and axes) lie in a
- * plane exactly where the shape does. */
+/* Owns planes of curves and regions. The points that fix a shape (corners, knots with their tangents, a circle's centre
+ * and axes) lie in a plane exactly where the shape does. */
 #include "geometry/plane/plane.h"
 
 #include "geometry/frame.h"
@@ -11,7 +11,8 @@ bool vs_plane_same(const vs_plane *a, const vs_plane *b) {
   return vs_v3_length(vs_v3_cross(a->normal, b->normal)) <= 1e-6 && fabs(vs_v3_dot(a->normal, between)) <= 1e-6 * reach;
 }
 
-/* A point at a time: the farthest from the first gives a direction, the farthest from that line the plane. at(i) as an array under a map. */
+/* A point at a time: the farthest from the first gives a direction, the farthest from that line the plane. at(i) as an
+ * array under a map. */
 typedef struct { const vs_vec3 *at; size_t count; vs_vec3 more[4]; size_t more_count; vs_affine map; } vs_plane_points;
 
 static vs_vec3 plane_point(const vs_plane_points *p, size_t i) {
@@ -77,14 +78,22 @@ vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out) {
       }
       case VS_SECTION: case VS_PROJECT: {
         vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
-        vs_affine frame = vs_frame_on_axis(at, n->kind == VS_SECTION ? VS_AS(section, n)->normal : VS_AS(project, n)->normal);
+        vs_affine frame =
+            vs_frame_on_axis(at, n->kind == VS_SECTION ? VS_AS(section, n)->normal : VS_AS(project, n)->normal);
         p.more_count = 3;
         p.more[0] = at;
         p.more[1] = vs_v3_add(at, vs_v3(frame.m[0][0], frame.m[1][0], frame.m[2][0]));
         p.more[2] = vs_v3_add(at, vs_v3(frame.m[0][1], frame.m[1][1], frame.m[2][1]));
         return plane_through_points(&p, out);
       }
-      case VS_MATERIAL: case VS_LAYER: case VS_REGION: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_OFFSET: case VS_SLICE:
+      case VS_MATERIAL:
+      case VS_LAYER:
+      case VS_REGION:
+      case VS_UNION:
+      case VS_INTERSECTION:
+      case VS_DIFFERENCE:
+      case VS_OFFSET:
+      case VS_SLICE:
       case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: break;
       case VS_HULL: {
         vs_facets coarse = { 1, 12 };
@@ -112,8 +121,19 @@ vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out) {
       }
       case VS_XLINE: case VS_RAY: case VS_EDGES: case VS_DEFORM: return VS_PLANE_NONE;
 #include "model/shape_cases.def"
-      case VS_REVOLVE: case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE: case VS_EMPTY:
-      case VS_GHOST: case VS_POLYFACE_MESH: case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN: case VS_KIND_COUNT: return VS_PLANE_NONE;
+      case VS_REVOLVE:
+      case VS_LOFT:
+      case VS_RULED_LOFT:
+      case VS_GUIDED_LOFT:
+      case VS_GRID_MESH:
+      case VS_GRID_SURFACE:
+      case VS_EMPTY:
+      case VS_GHOST:
+      case VS_POLYFACE_MESH:
+      case VS_EXTRUDE:
+      case VS_SWEEP:
+      case VS_THICKEN:
+      case VS_KIND_COUNT: return VS_PLANE_NONE;
     }
     uint32_t first = 0;
     while (first < n->child_count && n->children[first].node->class_ == VS_NOTHING) first++;

@@ -9,7 +9,10 @@ typedef enum {
   VS_PLANE_MANY,     /* a straight line or a point */
   VS_PLANE_ONE
 } vs_plane_count;
-typedef struct { vs_vec3 point, normal; /* unit; up, or along +Y, or along +X */ double size; /* of what lies in it */ } vs_plane;
+typedef struct {
+  vs_vec3 point, normal; /* unit; up, or along +Y, or along +X */
+  double size;           /* of what lies in it */
+} vs_plane;
 
 /* Sets answer for their first part that is not nothing: their makers see to the others. */
 vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out);

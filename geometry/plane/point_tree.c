@@ -34,7 +34,9 @@ static bool tree_order(vs_point_tree *t) {
   double size = fmax(all.max_x - all.min_x, all.max_y - all.min_y), k = size > 0 ? 4294967295.0 / size : 0;
   for (size_t i = 0; i < t->count; i++) {
     vs_vec2 p = t->at[t->point[i]];
-    keys[i] = (vs_point_key){ tree_spread((uint32_t)((p.x - all.min_x) * k)) | tree_spread((uint32_t)((p.y - all.min_y) * k)) << 1, i };
+    keys[i] = (vs_point_key){
+      tree_spread((uint32_t)((p.x - all.min_x) * k)) | tree_spread((uint32_t)((p.y - all.min_y) * k)) << 1, i
+    };
   }
   qsort(keys, t->count, sizeof *keys, tree_compare);
   for (size_t i = 0; i < t->count; i++) {
@@ -46,7 +48,8 @@ static bool tree_order(vs_point_tree *t) {
 }
 
 static void tree_box_add(vs_point_box *b, const vs_point_box *c) {
-  *b = (vs_point_box){ fmin(b->min_x, c->min_x), fmin(b->min_y, c->min_y), fmax(b->max_x, c->max_x), fmax(b->max_y, c->max_y), 0 };
+  *b = (vs_point_box){ fmin(b->min_x, c->min_x), fmin(b->min_y, c->min_y), fmax(b->max_x, c->max_x),
+                       fmax(b->max_y, c->max_y), 0 };
 }
 
 bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point, size_t count) {
@@ -60,7 +63,8 @@ bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point
     vs_point_tree_free(t);
     return false;
   }
-  for (size_t i = 0; i < 2 * t->leaves; i++) t->boxes[i] = (vs_point_box){ INFINITY, INFINITY, -INFINITY, -INFINITY, 0 };
+  for (size_t i = 0; i < 2 * t->leaves; i++)
+    t->boxes[i] = (vs_point_box){ INFINITY, INFINITY, -INFINITY, -INFINITY, 0 };
   for (size_t i = 0; i < count; i++) {
     vs_vec2 p = at[point[t->order[i]]];
     tree_box_add(&t->boxes[t->leaves + i / POINT_TREE_LEAF], &(vs_point_box){ p.x, p.y, p.x, p.y, 0 });
@@ -84,22 +88,28 @@ void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on) {
   for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* - 1 */
 }
 
-/* Is all of the box plainly to the right of the line from p to q? The margin is that of the points again, more than rounding can make. */
+/* Is all of the box plainly to the right of the line from p to q? The margin is that of the points again, more than
+ * rounding can make. */
 static bool tree_beyond(const vs_point_box *b, vs_vec2 p, vs_vec2 q, double flat) {
-  vs_vec2 most = { q.y > p.y ? b->min_x : b->max_x, q.x > p.x ? b->max_y : b->min_y }; /* the corner furthest to the left */
+  /* the corner furthest to the left */
+  vs_vec2 most = { q.y > p.y ? b->min_x : b->max_x, q.x > p.x ? b->max_y : b->min_y };
   return vs_vec2_turn(p, q, most) < -2 * flat;
 }
 
-/* A box that holds every point of the triangle, its margin with it: of a point's three shares in the corners none is less than -flat by the area, so none more than 1 and twice that. */
+/* A box that holds every point of the triangle, its margin with it: of a point's three shares in the corners none is
+ * less than -flat by the area, so none more than 1 and twice that. */
 static vs_point_box tree_around(vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
-  vs_point_box box = { fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmax(a.x, fmax(b.x, c.x)), fmax(a.y, fmax(b.y, c.y)), 0 };
+  vs_point_box box = { fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmax(a.x, fmax(b.x, c.x)),
+                       fmax(a.y, fmax(b.y, c.y)), 0 };
   double area = vs_vec2_turn(a, b, c), share = area > 0 ? 3 * flat / area : INFINITY;
   if (!(share < 1)) return (vs_point_box){ -INFINITY, -INFINITY, INFINITY, INFINITY, 0 };
   double x = share * (box.max_x - box.min_x), y = share * (box.max_y - box.min_y);
   return (vs_point_box){ box.min_x - x, box.min_y - y, box.max_x + x, box.max_y + y, 0 };
 }
 
-static bool tree_apart(const vs_point_box *a, const vs_point_box *b) { return a->min_x > b->max_x || a->max_x < b->min_x || a->min_y > b->max_y || a->max_y < b->min_y; }
+static bool tree_apart(const vs_point_box *a, const vs_point_box *b) {
+  return a->min_x > b->max_x || a->max_x < b->min_x || a->min_y > b->max_y || a->max_y < b->min_y;
+}
 
 static bool tree_same(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
@@ -125,17 +135,21 @@ size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c,
   while (w.depth > 0) {
     size_t node = w.stack[--w.depth], first, end;
     const vs_point_box *box = &t->boxes[node];
-    if (box->on == 0 || tree_apart(box, &all) || tree_beyond(box, a, b, flat) || tree_beyond(box, b, c, flat) || tree_beyond(box, c, a, flat) || tree_down(t, &w, node, &first, &end)) continue;
+    if (box->on == 0 || tree_apart(box, &all) || tree_beyond(box, a, b, flat) || tree_beyond(box, b, c, flat) ||
+        tree_beyond(box, c, a, flat) || tree_down(t, &w, node, &first, &end))
+      continue;
     for (size_t i = first; i < end; i++) {
       vs_vec2 p = t->at[t->point[t->order[i]]];
       if (!t->is_on[i] || tree_same(p, a) || tree_same(p, b) || tree_same(p, c)) continue;
-      if (vs_vec2_turn(a, b, p) >= -flat && vs_vec2_turn(b, c, p) >= -flat && vs_vec2_turn(c, a, p) >= -flat) return t->order[i];
+      if (vs_vec2_turn(a, b, p) >= -flat && vs_vec2_turn(b, c, p) >= -flat && vs_vec2_turn(c, a, p) >= -flat)
+        return t->order[i];
     }
   }
   return SIZE_MAX;
 }
 
-void vs_point_tree_each(const vs_point_tree *t, const vs_point_box *box, void (*found)(void *context, size_t item), void *context) {
+void vs_point_tree_each(const vs_point_tree *t, const vs_point_box *box, void (*found)(void *context, size_t item),
+                        void *context) {
   tree_walk w;
   w.stack[0] = w.depth = 1;
   while (w.depth > 0) {
@@ -144,7 +158,8 @@ void vs_point_tree_each(const vs_point_tree *t, const vs_point_box *box, void (*
     if (b->on == 0 || tree_apart(b, box) || tree_down(t, &w, node, &first, &end)) continue;
     for (size_t i = first; i < end; i++) {
       vs_vec2 p = t->at[t->point[t->order[i]]];
-      if (t->is_on[i] && p.x >= box->min_x && p.x <= box->max_x && p.y >= box->min_y && p.y <= box->max_y) found(context, t->order[i]);
+      if (t->is_on[i] && p.x >= box->min_x && p.x <= box->max_x && p.y >= box->min_y && p.y <= box->max_y)
+        found(context, t->order[i]);
     }
   }
 }

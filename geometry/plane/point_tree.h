@@ -4,8 +4,9 @@
 
 #include "geometry/plane/ear_clipping.h"
 
-/* Points in the order of a curve that fills the plane, in leaves of POINT_TREE_LEAF, under a binary tree of boxes that know how many points
- * below them are on. Building is n log n; switching costs the height; asking visits the boxes on that the triangle reaches into. */
+/* Points in the order of a curve that fills the plane, in leaves of POINT_TREE_LEAF, under a binary tree of boxes that
+ * know how many points below them are on. Building is n log n; switching costs the height; asking visits the boxes on
+ * that the triangle reaches into. */
 typedef struct { double min_x, min_y, max_x, max_y; size_t on; } vs_point_box;
 typedef struct {
   const vs_vec2 *at;   /* the caller's; items have places at[point[item]] */
@@ -20,14 +21,17 @@ typedef struct {
 bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point, size_t count);
 void vs_point_tree_free(vs_point_tree *t);
 void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on);
-/* An item that is on and for which twice the area of the triangles (a, b, p), (b, c, p) and (c, a, p) is -flat or more, and that is
- * at none of the places a, b, c; SIZE_MAX: there is none. */
+/* An item that is on and for which twice the area of the triangles (a, b, p), (b, c, p) and (c, a, p) is -flat or more,
+ * and that is at none of the places a, b, c; SIZE_MAX: there is none. */
 size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat);
 
 /* Calls found for each item that is on and lies in the box, borders included. */
-void vs_point_tree_each(const vs_point_tree *t, const vs_point_box *box, void (*found)(void *context, size_t item), void *context);
+void vs_point_tree_each(const vs_point_tree *t, const vs_point_box *box, void (*found)(void *context, size_t item),
+                        void *context);
 
 /* twice the signed area */
-static inline double vs_vec2_turn(vs_vec2 p, vs_vec2 q, vs_vec2 s) { return (q.x - p.x) * (s.y - p.y) - (q.y - p.y) * (s.x - p.x); }
+static inline double vs_vec2_turn(vs_vec2 p, vs_vec2 q, vs_vec2 s) {
+  return (q.x - p.x) * (s.y - p.y) - (q.y - p.y) * (s.x - p.x);
+}
 
 #endif

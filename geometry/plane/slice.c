@@ -1,11 +1,14 @@
-/* Owns cutting what is thin with a plane. Where an edge crosses it, both sides take the same point: it is worked out from the edge's kept end. */
+/* Owns cutting what is thin with a plane. Where an edge crosses it, both sides take the same point: it is worked out
+ * from the edge's kept end. */
 #include "geometry/plane/slice.h"
 
 #include <stdlib.h>
 
 #include "geometry/frame.h"
 
-static vs_vec3 slice_crossing(vs_vec3 kept, double a, vs_vec3 lost, double b) { return vs_v3_add(kept, vs_v3_scale(vs_v3_sub(lost, kept), a / (a - b))); }
+static vs_vec3 slice_crossing(vs_vec3 kept, double a, vs_vec3 lost, double b) {
+  return vs_v3_add(kept, vs_v3_scale(vs_v3_sub(lost, kept), a / (a - b)));
+}
 
 /* A point nearer to the plane than rounding lies in it: 0. */
 static double slice_side(vs_vec3 p, vs_vec3 point, vs_vec3 normal, double nothing) {
@@ -19,7 +22,8 @@ static bool slice_flush(vs_polyline *piece, bool (*put)(void *context, const vs_
   return ok;
 }
 
-bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal, bool (*put)(void *context, const vs_polyline *piece), void *context) {
+bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal,
+                       bool (*put)(void *context, const vs_polyline *piece), void *context) {
   if (!p->count) return true;
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < p->count; i++) vs_bounds_add(&b, p->at[i]);
@@ -58,13 +62,17 @@ bool vs_slice_mesh(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_mesh *out
     int n = 0;
     for (int k = 0; ok && k < 3; k++) {
       uint32_t v = m->triangles[t][k], w = m->triangles[t][(k + 1) % 3];
-      double d = slice_side(m->vertices[v], point, normal, nothing), e = slice_side(m->vertices[w], point, normal, nothing);
+      double d = slice_side(m->vertices[v], point, normal, nothing),
+             e = slice_side(m->vertices[w], point, normal, nothing);
       if (d >= 0) {
         if (place[v] == UINT32_MAX) ok = vs_mesh_add_vertex(out, m->vertices[v], &place[v]);
         ring[n++] = place[v];
       }
       if (ok && ((d > 0 && e < 0) || (d < 0 && e > 0)))
-        ok = vs_mesh_add_vertex(out, d > 0 ? slice_crossing(m->vertices[v], d, m->vertices[w], e) : slice_crossing(m->vertices[w], e, m->vertices[v], d), &ring[n++]);
+        ok = vs_mesh_add_vertex(out,
+                                d > 0 ? slice_crossing(m->vertices[v], d, m->vertices[w], e)
+                                      : slice_crossing(m->vertices[w], e, m->vertices[v], d),
+                                &ring[n++]);
     }
     for (int k = 1; ok && k + 1 < n; k++) ok = vs_mesh_add_triangle(out, ring[0], ring[k], ring[k + 1]);
   }
@@ -79,14 +87,20 @@ vs_node *vs_slice_region(vs_ref region, const vs_plane *flat, const vs_bounds *b
   vs_vec3 in = vs_v3_sub(n, vs_v3_scale(f, vs_v3_dot(n, f))); /* in the region's plane, towards the side that stays */
   double steep = vs_v3_length(in), height = vs_v3_dot(n, vs_v3_sub(middle, point)), reach = vs_bounds_diagonal(b);
   if (steep < 1e-12 || fabs(height) > steep * reach)
-    return height >= -1e-13 * reach ? vs_node_retain(region.node) : vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
+    return height >= -1e-13 * reach ? vs_node_retain(region.node)
+                                    : vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
   in = vs_v3_unit(in);
   vs_vec3 along = vs_v3_cross(f, in), foot = vs_v3_sub(middle, vs_v3_scale(in, height / steep));
   vs_vec3 corner[4] = { vs_v3_add(foot, vs_v3_scale(along, reach)), vs_v3_sub(foot, vs_v3_scale(along, reach)) };
-  corner[2] = vs_v3_add(corner[1], vs_v3_scale(in, 3 * reach)), corner[3] = vs_v3_add(corner[0], vs_v3_scale(in, 3 * reach));
+  corner[2] = vs_v3_add(corner[1], vs_v3_scale(in, 3 * reach)),
+  corner[3] = vs_v3_add(corner[0], vs_v3_scale(in, 3 * reach));
   vs_points *points = vs_points_new(s, corner, 4);
-  vs_ref line = { points ? vs_node_new(s, VS_LINE, &(struct vs_line){ .points = points, .closed = true }, NULL, 0) : NULL, region.origin };
-  vs_ref pair[2] = { region, { line.node ? vs_node_new(s, VS_REGION, &(struct vs_region){ 0 }, &line, 1) : NULL, region.origin } };
+  vs_ref line = { points ? vs_node_new(s, VS_LINE, &(struct vs_line){ .points = points, .closed = true }, NULL, 0)
+                         : NULL,
+                  region.origin };
+  vs_ref pair[2] = {
+    region, { line.node ? vs_node_new(s, VS_REGION, &(struct vs_region){ 0 }, &line, 1) : NULL, region.origin }
+  };
   vs_node *made = pair[1].node ? vs_node_new(s, VS_INTERSECTION, &(struct vs_intersection){ 0 }, pair, 2) : NULL;
   vs_node_release(pair[1].node);
   vs_node_release(line.node);

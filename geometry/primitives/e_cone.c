@@ -28,8 +28,8 @@ static bool e_cone_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out,
   return ok || vs_error_memory(e, NULL);
 }
 
-/* With w from 1 to k, the wall's element is w sqrt(h^2 (b^2 cos^2 + a^2 sin^2) + (k - 1)^2 a^2 b^2): half of 1 + k times an
- * ellipse's length. */
+/* With w from 1 to k, the wall's element is w sqrt(h^2 (b^2 cos^2 + a^2 sin^2) + (k - 1)^2 a^2 b^2): half of 1 + k
+ * times an ellipse's length. */
 static bool e_cone_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e) {
   const struct vs_e_cone *x = VS_AS(e_cone, n);
   (void)area, (void)e;

@@ -1,8 +1,8 @@
 /* Owns height fields: a grid of heights over a rectangle, solid down to a floor.
  *
- * Sample (i, j), column i of row j, is point j * columns + i; no height lies below the floor. Where none lies on it either, the floor is a fan about
- * its middle over the border's feet; else it is as finely cut as the top, and a sample on the floor is its own foot, so that the faces that meet
- * there share vertices and the mesh closes. */
+ * Sample (i, j), column i of row j, is point j * columns + i; no height lies below the floor. Where none lies on it
+ * either, the floor is a fan about its middle over the border's feet; else it is as finely cut as the top, and a sample
+ * on the floor is its own foot, so that the faces that meet there share vertices and the mesh closes. */
 #include "geometry/primitives/height_field.h"
 
 #include <stdlib.h>

@@ -1,8 +1,10 @@
-/* Owns the form of a primitive solid: the questions that each kind of role SHAPE (model/prims.def) answers about its nodes.
+/* Owns the form of a primitive solid: the questions that each kind of role SHAPE (model/prims.def) answers about its
+ * nodes.
  *
- * A kind has one file here, NAME.c, which ends with VS_SHAPE(NAME, ...). The macro gathers the functions NAME_bounds, NAME_triangles,
- * NAME_measure, NAME_holds and NAME_moved: a missing one does not compile. The entries that not every shape has are given in full;
- * NULL there says that the shape has none. Every function gets a node of its own kind, in the node's own coordinates. */
+ * A kind has one file here, NAME.c, which ends with VS_SHAPE(NAME, ...). The macro gathers the functions NAME_bounds,
+ * NAME_triangles, NAME_measure, NAME_holds and NAME_moved: a missing one does not compile. The entries that not every
+ * shape has are given in full; NULL there says that the shape has none. Every function gets a node of its own kind, in
+ * the node's own coordinates. */
 #ifndef VS_GEOMETRY_PRIMITIVES_SHAPE_H
 #define VS_GEOMETRY_PRIMITIVES_SHAPE_H
 
@@ -17,21 +19,21 @@ typedef struct {
   bool (*bounds)(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e);
   /* Appends the triangles, closed and facing outwards. False: failed. */
   bool (*triangles)(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e);
-  /* Computes volume, area and centroid of a measure that says they are known; clears `known` where there is no formula. area
-   * false: nobody asks for the area, and 0 will do. False: failed. */
+  /* Computes volume, area and centroid of a measure that says they are known; clears `known` where there is no formula.
+   * area false: nobody asks for the area, and 0 will do. False: failed. */
   bool (*measure)(const vs_node *n, bool area, vs_measure *m, vs_error *e);
-  /* Is p, which lies in the bounds, inside or on the surface? q: p in the frame on the axis, whose top is at z = height; p itself
-   * where there is no axis. */
+  /* Is p, which lies in the bounds, inside or on the surface? q: p in the frame on the axis, whose top is at z =
+   * height; p itself where there is no axis. */
   bool (*holds)(const vs_node *n, vs_vec3 p, vs_vec3 q, double height);
-  /* Returns the node that n is under a, of n's kind and in store s. NULL: with *fits false where a makes no such node of it, else
-   * out of memory. */
+  /* Returns the node that n is under a, of n's kind and in store s. NULL: with *fits false where a makes no such node
+   * of it, else out of memory. */
   vs_node *(*moved)(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map, bool *fits);
   /* Answers the two ends of the axis. NULL: stands on none. */
   void (*axis)(const vs_node *n, vs_vec3 *base, vs_vec3 *top);
   /* Returns n with its faces moved outwards by about `by`, NULL when out of memory. NULL: it has no such formula. */
   vs_node *(*grown)(vs_store *s, const vs_node *n, double by);
-  /* Returns the union of simpler shapes that n is, for formats that write sets and not this kind; the parts have no such
-   * entry. NULL: with *fits false n is better as triangles, else out of memory. NULL: all of the kind are. */
+  /* Returns the union of simpler shapes that n is, for formats that write sets and not this kind; the parts have no
+   * such entry. NULL: with *fits false n is better as triangles, else out of memory. NULL: all of the kind are. */
   vs_node *(*parts)(vs_store *s, const vs_node *n, const vs_origin *origin, bool *fits);
 } vs_shape;
 

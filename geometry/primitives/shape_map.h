@@ -21,7 +21,8 @@ bool vs_shape_map_keeps_discs(const vs_affine *a, vs_vec3 axis, double *k);
 /* Returns new points, those of old under a. NULL: out of memory. */
 vs_points *vs_shape_map_points(vs_store *s, const vs_affine *a, const vs_points *old);
 
-/* The beginning of a `moved` function: d is a copy of n's payload; unless the condition holds, n's kind is not closed under the map. */
+/* The beginning of a `moved` function: d is a copy of n's payload; unless the condition holds, n's kind is not closed
+ * under the map. */
 #define VS_MOVED(lower, condition)        \
   struct vs_##lower d = *VS_AS(lower, n); \
   *fits = (condition);                    \

@@ -1,8 +1,8 @@
 /* Owns the triangles of the primitive solids.
  *
- * Rings run counter-clockwise about the axis from +X on the axis; facets are counter-clockwise seen from outside. Poles, apexes, the hubs of
- * discs and the corners at quarter turns stand where the formula says, to the last bit: kernel/ finds shared truss nodes by that.
- * Indices are 32 bits: vs_mesh_reserve refuses what does not fit. */
+ * Rings run counter-clockwise about the axis from +X on the axis; facets are counter-clockwise seen from outside.
+ * Poles, apexes, the hubs of discs and the corners at quarter turns stand where the formula says, to the last bit:
+ * kernel/ finds shared truss nodes by that. Indices are 32 bits: vs_mesh_reserve refuses what does not fit. */
 #include "geometry/primitives/solid_triangles.h"
 
 #include <stdlib.h>
@@ -82,7 +82,8 @@ bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool ba
   return ok;
 }
 
-/* Closes a ring with a disc: a fan about its centre, or triangles over the corners alone, halving it again and again. */
+/* Closes a ring with a disc: a fan about its centre, or triangles over the corners alone, halving it again and
+ * again. */
 static bool solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, bool back, bool hub) {
   uint32_t tip;
   if (hub) return vs_mesh_add_vertex(out, center, &tip) && vs_solid_fan(out, ring, n, tip, back);
@@ -138,7 +139,8 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
          vs_solid_fan(out, first + (uint32_t)(rings - 2) * around, around, north, false);
 }
 
-/* A tube wider than its path's radius meets itself on the axis: then only the outer skin is built, from pole to pole. */
+/* A tube wider than its path's radius meets itself on the axis: then only the outer skin is built, from pole to
+ * pole. */
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn) {
   uint32_t first = (uint32_t)out->vertex_count, n = (uint32_t)around, south, north;
   vs_affine level = vs_affine_identity();
@@ -162,10 +164,12 @@ bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, in
     vs_sincos(angle, &s, &c);
     ok = vs_solid_ring(out, &level, vs_v3(center.x, center.y, center.z + tube * s), radius + tube * c, around);
   }
-  for (uint32_t j = 1; ok && j + 1 < (uint32_t)rows; j++) ok = vs_solid_band(out, first + (j - 1) * n, first + j * n, n);
+  for (uint32_t j = 1; ok && j + 1 < (uint32_t)rows; j++)
+    ok = vs_solid_band(out, first + (j - 1) * n, first + j * n, n);
   return ok && vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z - pole), &south) &&
          vs_mesh_add_vertex(out, vs_v3(center.x, center.y, center.z + pole), &north) &&
-         vs_solid_fan(out, first, n, south, true) && vs_solid_fan(out, first + (uint32_t)(rows - 2) * n, n, north, false);
+         vs_solid_fan(out, first, n, south, true) &&
+         vs_solid_fan(out, first + (uint32_t)(rows - 2) * n, n, north, false);
 }
 
 /* ---- polyface meshes ---- */

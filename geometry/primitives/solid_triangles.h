@@ -6,7 +6,8 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Is a shape of so many facets round and across still a drawing? Their product becomes huge unseen. False: an error is set. */
+/* Is a shape of so many facets round and across still a drawing? Their product becomes huge unseen. False: an error is
+ * set. */
 bool vs_solid_fits(int around, int across, const char *what, vs_error *e);
 /* A circle of n corners about the frame's Z direction, the first on its X. */
 bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n);

@@ -1,11 +1,12 @@
 /* Owns the superellipsoid: its triangles and its formulas.
  *
- * Both its profile and its cross-sections are superellipses |u|^p + |v|^p = 1, p = 2/n and 2/e. Half a quadrant of one is
+ * Both its profile and its cross-sections are superellipses |u|^p + |v|^p = 1, p = 2/n and 2/e. Half a quadrant of one
+ * is
  *   u = (1 + t^p)^(-1/p), v = t u, 0 <= t <= 1,
- * the other half its mirror image at the diagonal; the ends, an axis' point and the corner on the diagonal, are met exactly. The normal
- * there is along (1, t^(p-1)). Points are chosen so that the normal's turning and the angle t stands for grow in equal shares: on a circle that is
- * equal angles, on a square with rounded corners the corners get most of the points, and every chord stays near its arc, however
- * sharp p is. */
+ * the other half its mirror image at the diagonal; the ends, an axis' point and the corner on the diagonal, are met
+ * exactly. The normal there is along (1, t^(p-1)). Points are chosen so that the normal's turning and the angle t
+ * stands for grow in equal shares: on a circle that is equal angles, on a square with rounded corners the corners get
+ * most of the points, and every chord stays near its arc, however sharp p is. */
 #include <stdlib.h>
 
 #include "geometry/measure/reach.h"
@@ -26,7 +27,8 @@ static double oval_share(double p, double t) {
   return (angle + turned) / 2;
 }
 
-/* A quarter, from (1, 0) to (0, 1), 2 * half + 1 points; mirror images of each other about the diagonal to the last bit. */
+/* A quarter, from (1, 0) to (0, 1), 2 * half + 1 points; mirror images of each other about the diagonal to the last
+ * bit. */
 static void oval_quarter(double p, int half, vs_oval_point *at) {
   for (int i = 0; i <= half; i++) {
     double low = 0, high = 1, want = (double)i / half;
@@ -40,8 +42,8 @@ static void oval_quarter(double p, int half, vs_oval_point *at) {
   }
 }
 
-/* Facets a turn, a multiple of eight, so that axes and diagonals hold corners. Off the circle the chords of equal shares are up to three
- * times as high as a circle's of as many facets. */
+/* Facets a turn, a multiple of eight, so that axes and diagonals hold corners. Off the circle the chords of equal
+ * shares are up to three times as high as a circle's of as many facets. */
 static int oval_turn(const struct vs_superellipsoid *s, double exponent, const vs_facets *f) {
   int n = vs_facets_turn(f, s->size, s->segments);
   if (exponent != 1 && s->segments == 0 && f->segments == 0) n = 7 * n / 4;
@@ -116,8 +118,9 @@ static double solid_volume(const struct vs_superellipsoid *s) {
 
 /* The surface is (r u, r v, z) with (u, v) on the section and (r, z) on the profile; its element is
  *   r sqrt(z'^2 (u'^2 + v'^2) + r'^2 (u v' - v u')^2).
- * With u' = -t^(p-1) w, v' = w, w = (1 + t^p)^(-1/p - 1), u v' - v u' = u^2. Integrated over one half of the section's quarter (sixteen alike) and both
- * halves of the profile's, by the double exponential rule, which does not mind what powers do at the ends. */
+ * With u' = -t^(p-1) w, v' = w, w = (1 + t^p)^(-1/p - 1), u v' - v u' = u^2. Integrated over one half of the section's
+ * quarter (sixteen alike) and both halves of the profile's, by the double exponential rule, which does not mind what
+ * powers do at the ends. */
 typedef struct { double u, v, du, dv, weight; } vs_oval_node;
 
 static int oval_nodes(double p, vs_oval_node *nodes) {

@@ -5,7 +5,8 @@
 
 #include "geometry/frame.h"
 
-bool vs_grid_cap(const vs_vec2 *flat, const size_t *sizes, const bool *hole, size_t loop_count, const uint32_t *row, vs_mesh *out, bool turned) {
+bool vs_grid_cap(const vs_vec2 *flat, const size_t *sizes, const bool *hole, size_t loop_count, const uint32_t *row,
+                 vs_mesh *out, bool turned) {
   bool ok = true;
   for (size_t l = 0, first = 0; ok && l < loop_count;) {
     size_t end = l + 1, points = sizes[l];
@@ -17,18 +18,21 @@ bool vs_grid_cap(const vs_vec2 *flat, const size_t *sizes, const bool *hole, siz
   return ok;
 }
 
-/* A row's points in its own plane: that of its first loop, which so turns counter-clockwise. NULL: out of memory, or the row has no area. */
+/* A row's points in its own plane: that of its first loop, which so turns counter-clockwise. NULL: out of memory, or
+ * the row has no area. */
 static vs_vec2 *grid_flatten(const vs_grid *g, const vs_vec3 *row, bool *ok) {
   vs_vec3 area = { 0, 0, 0 };
   *ok = true;
-  for (size_t i = 1; i + 1 < g->sizes[0]; i++) area = vs_v3_add(area, vs_v3_cross(vs_v3_sub(row[i], row[0]), vs_v3_sub(row[i + 1], row[0])));
+  for (size_t i = 1; i + 1 < g->sizes[0]; i++)
+    area = vs_v3_add(area, vs_v3_cross(vs_v3_sub(row[i], row[0]), vs_v3_sub(row[i + 1], row[0])));
   if (!(vs_v3_length(area) > 0)) return NULL;
   vs_affine frame = vs_frame_on_axis(vs_v3(0, 0, 0), area);
   vs_vec2 *flat = malloc(g->columns * sizeof *flat);
   *ok = flat != NULL;
   for (size_t i = 0; flat && i < g->columns; i++) {
     vs_vec3 d = vs_v3_sub(row[i], row[0]);
-    flat[i] = (vs_vec2){ d.x * frame.m[0][0] + d.y * frame.m[1][0] + d.z * frame.m[2][0], d.x * frame.m[0][1] + d.y * frame.m[1][1] + d.z * frame.m[2][1] };
+    flat[i] = (vs_vec2){ d.x * frame.m[0][0] + d.y * frame.m[1][0] + d.z * frame.m[2][0],
+                         d.x * frame.m[0][1] + d.y * frame.m[1][1] + d.z * frame.m[2][1] };
   }
   return flat;
 }
@@ -47,19 +51,23 @@ static bool grid_fill(const vs_grid *g, const vs_vec3 *at, const uint32_t *row, 
 }
 
 /* The vertices of one row; below: those of the row before it, or NULL. */
-static bool grid_row(const vs_grid *g, const vs_vec3 *at, const vs_vec3 *before, const uint32_t *below, uint32_t *row, vs_mesh *out) {
+static bool grid_row(const vs_grid *g, const vs_vec3 *at, const vs_vec3 *before, const uint32_t *below, uint32_t *row,
+                     vs_mesh *out) {
   bool ok = true;
   for (size_t l = 0, first = 0; ok && l < g->loop_count; first += g->sizes[l], l++)
     for (size_t i = first; ok && i < first + g->sizes[l]; i++) {
       if (below && vs_v3_equal(at[i], before[i])) row[i] = below[i];
       else if (i > first && vs_v3_equal(at[i], at[i - 1])) row[i] = row[i - 1];
-      else if (g->round && i > first && i + 1 == first + g->sizes[l] && vs_v3_equal(at[i], at[first])) row[i] = row[first];
+      else if (g->round && i > first && i + 1 == first + g->sizes[l] && vs_v3_equal(at[i], at[first]))
+        row[i] = row[first];
       else ok = vs_mesh_add_vertex(out, at[i], &row[i]);
     }
   return ok;
 }
 
-static bool grid_facet(vs_mesh *out, uint32_t a, uint32_t b, uint32_t c) { return a == b || b == c || c == a || vs_mesh_add_triangle(out, a, b, c); }
+static bool grid_facet(vs_mesh *out, uint32_t a, uint32_t b, uint32_t c) {
+  return a == b || b == c || c == a || vs_mesh_add_triangle(out, a, b, c);
+}
 
 static double grid_distance(const vs_mesh *m, uint32_t a, uint32_t b) {
   vs_vec3 d = vs_v3_sub(m->vertices[a], m->vertices[b]);
@@ -68,7 +76,8 @@ static double grid_distance(const vs_mesh *m, uint32_t a, uint32_t b) {
 
 bool vs_grid_mesh(const vs_grid *g, vs_mesh *out) {
   size_t n = g->columns, rows = g->rows + g->joined;
-  uint32_t *index = malloc((3 * n + 1) * sizeof *index), *low = index, *high = index ? index + n : NULL, *start = index ? index + 2 * n : NULL;
+  uint32_t *index = malloc((3 * n + 1) * sizeof *index), *low = index, *high = index ? index + n : NULL,
+           *start = index ? index + 2 * n : NULL;
   bool ok = index != NULL;
   for (size_t r = 0; ok && r < rows; r++) {
     bool back = r == g->rows; /* the first row again */
@@ -80,11 +89,13 @@ bool vs_grid_mesh(const vs_grid *g, vs_mesh *out) {
     if (ok && g->joined && !back && r + 1 == g->rows) /* poles of the whole turn */
       for (size_t i = 0; i < n; i++)
         if (vs_v3_equal(at[i], g->at[i])) high[i] = start[i];
-    if (ok && g->capped && !g->joined && !g->seam && (r == 0 || r + 1 == rows)) ok = grid_fill(g, at, high, out, r == 0);
+    if (ok && g->capped && !g->joined && !g->seam && (r == 0 || r + 1 == rows))
+      ok = grid_fill(g, at, high, out, r == 0);
     for (size_t l = 0, first = 0; ok && r && l < g->loop_count; first += g->sizes[l], l++)
       for (size_t i = 0; ok && i + (g->round ? 0 : 1) < g->sizes[l]; i++) {
         size_t p = first + i, q = first + (i + 1 == g->sizes[l] ? 0 : i + 1);
-        bool other = low[p] != low[q] && high[p] != high[q] && grid_distance(out, low[q], high[p]) < grid_distance(out, low[p], high[q]) * (1 - 1e-9);
+        bool other = low[p] != low[q] && high[p] != high[q] &&
+                     grid_distance(out, low[q], high[p]) < grid_distance(out, low[p], high[q]) * (1 - 1e-9);
         ok = other ? grid_facet(out, low[p], low[q], high[p]) && grid_facet(out, low[q], high[q], high[p])
                    : grid_facet(out, low[p], low[q], high[q]) && grid_facet(out, low[p], high[q], high[p]);
       }

@@ -4,8 +4,8 @@
 
 #include "geometry/plane/ear_clipping.h"
 
-/* rows of `columns` points each, row by row. A row is loops one behind the other, each hole behind the outer loop that holds it; neighbours
- * are joined by two triangles a cell. Borrowed from whoever fills it. */
+/* rows of `columns` points each, row by row. A row is loops one behind the other, each hole behind the outer loop that
+ * holds it; neighbours are joined by two triangles a cell. Borrowed from whoever fills it. */
 typedef struct {
   const vs_vec3 *at;
   size_t rows, columns;
@@ -19,11 +19,12 @@ typedef struct {
   const vs_vec2 *flat; /* one row in its plane, for the caps; NULL: each in the plane that its points tell */
 } vs_grid;
 
-/* Appends the triangles: facing away from the side that a row's loops turn counter-clockwise about. Neighbours in exactly one place become
- * one vertex, so that poles and apexes close. False: out of memory. */
+/* Appends the triangles: facing away from the side that a row's loops turn counter-clockwise about. Neighbours in
+ * exactly one place become one vertex, so that poles and apexes close. False: out of memory. */
 bool vs_grid_mesh(const vs_grid *g, vs_mesh *out);
 
 /* Fills loops whose points are the vertices row[]; outer loops counter-clockwise in `flat`. */
-bool vs_grid_cap(const vs_vec2 *flat, const size_t *sizes, const bool *hole, size_t loop_count, const uint32_t *row, vs_mesh *out, bool turned);
+bool vs_grid_cap(const vs_vec2 *flat, const size_t *sizes, const bool *hole, size_t loop_count, const uint32_t *row,
+                 vs_mesh *out, bool turned);
 
 #endif

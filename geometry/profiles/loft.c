@@ -1,10 +1,13 @@
 /* Owns the sections of a loft: which point of one belongs to which point of the next.
  *
- * 1. Each section becomes loops in its plane (or one open line, or a point). Its normal is turned to where the loft goes; its outer loops run
+ * 1. Each section becomes loops in its plane (or one open line, or a point). Its normal is turned to where the loft
+ * goes; its outer loops run
  *    counter-clockwise about that. Holes go to the nearest holes of the section before.
- * 2. Where a loop has equally many points in all sections, they are matched one by one; else by arc length, with the points of all of them
+ * 2. Where a loop has equally many points in all sections, they are matched one by one; else by arc length, with the
+ * points of all of them
  *    kept in each, so that no corner is cut.
- * 3. A loop starts where it is least twisted against the one before it: where the sum of the products of matching points, about the
+ * 3. A loop starts where it is least twisted against the one before it: where the sum of the products of matching
+ * points, about the
  *    centres and turned from normal to normal by the smallest rotation, is largest. */
 #include "geometry/profiles/loft.h"
 #include "geometry/plane/planar_evaluation.h"
@@ -62,7 +65,8 @@ static bool loft_read(const vs_node *n, const vs_facets *f, loft_section *s, vs_
     s->outline = (vs_outline){ .loops = calloc(1, sizeof(vs_polyline)), .hole = calloc(1, sizeof(bool)), .count = 1 };
     if (!s->outline.loops || !s->outline.hole) return s->outline.count = 0, vs_error_memory(e, NULL);
     if (!vs_curve_sample(n, f, &s->outline.loops[0], e)) return false;
-    if (s->outline.loops[0].count < 2) return vs_error_set(e, VS_ERROR_MODEL, NULL, "a section is a curve without length");
+    if (s->outline.loops[0].count < 2)
+      return vs_error_set(e, VS_ERROR_MODEL, NULL, "a section is a curve without length");
   } else {
     if (!vs_region_outline(n, f, &s->outline, e)) return false;
     if (!s->outline.count) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the region is empty");
@@ -104,19 +108,26 @@ static bool loft_read_all(const vs_node *n, size_t count, const vs_facets *f, lo
 static bool loft_agree(const loft_section *s, size_t count, size_t *first, vs_error *e) {
   *first = count;
   for (size_t i = 0; i < count; i++) {
-    if (s[i].point && i && i + 1 < count) return vs_error_set(e, VS_ERROR_MODEL, NULL, "only the first and the last section may be a point; number %zu is one", i + 1);
+    if (s[i].point && i && i + 1 < count)
+      return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                          "only the first and the last section may be a point; number %zu is one", i + 1);
     if (s[i].point) continue;
     if (*first == count) *first = i;
     const loft_section *a = &s[*first], *b = &s[i];
     if (a->open != b->open)
-      return vs_error_set(e, VS_ERROR_MODEL, NULL, "sections must all be closed or all be open: number %zu is %s, number %zu is %s", *first + 1, a->open ? "open" : "closed", i + 1, b->open ? "open" : "closed");
+      return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                          "sections must all be closed or all be open: number %zu is %s, number %zu is %s", *first + 1,
+                          a->open ? "open" : "closed", i + 1, b->open ? "open" : "closed");
     size_t holes[2] = { 0, 0 };
     for (size_t l = 0; l < a->outline.count; l++) holes[0] += a->outline.hole[l];
     for (size_t l = 0; l < b->outline.count; l++) holes[1] += b->outline.hole[l];
     if (holes[0] != holes[1])
-      return vs_error_set(e, VS_ERROR_MODEL, NULL, "sections must have equally many holes: number %zu has %zu, number %zu has %zu", *first + 1, holes[0], i + 1, holes[1]);
+      return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                          "sections must have equally many holes: number %zu has %zu, number %zu has %zu", *first + 1,
+                          holes[0], i + 1, holes[1]);
     if (a->outline.count != b->outline.count)
-      return vs_error_set(e, VS_ERROR_MODEL, NULL, "sections must have equally many parts: number %zu has %zu, number %zu has %zu", *first + 1,
+      return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                          "sections must have equally many parts: number %zu has %zu, number %zu has %zu", *first + 1,
                           a->outline.count - holes[0], i + 1, b->outline.count - holes[1]);
   }
   if (*first == count) return vs_error_set(e, VS_ERROR_MODEL, NULL, "sections must not all be points");
@@ -145,13 +156,21 @@ static void loft_direct(loft_section *s, size_t count, bool joined) {
     for (size_t k = 0; k < count; k++) {
       size_t i = pass ? count - 1 - k : k;
       if (s[i].point || s[i].open) continue;
-      size_t before = i ? i - 1 : joined ? count - 1 : i, after = i + 1 < count ? i + 1 : joined ? 0 : i, beside = pass ? i + 1 : i - 1;
+      size_t before = i        ? i - 1
+                      : joined ? count - 1
+                               : i,
+             after = i + 1 < count ? i + 1
+                     : joined      ? 0
+                                   : i,
+             beside = pass ? i + 1 : i - 1;
       vs_vec3 way = vs_v3_sub(s[after].center, s[before].center);
       double along = vs_v3_dot(way, s[i].normal), length = vs_v3_length(way);
       if (fabs(along) > 0.05 * length) {
         if (along < 0) loft_turn(&s[i]);
         sure = true;
-      } else if ((pass ? i + 1 < count : i > 0) && sure && !s[beside].point && vs_v3_dot(s[beside].normal, s[i].normal) < -1e-9) loft_turn(&s[i]);
+      } else if ((pass ? i + 1 < count : i > 0) && sure && !s[beside].point &&
+                 vs_v3_dot(s[beside].normal, s[i].normal) < -1e-9)
+        loft_turn(&s[i]);
     }
 }
 
@@ -167,7 +186,8 @@ static vs_vec3 loft_loop_center(const vs_polyline *p) {
   return length > 0 ? vs_v3_scale(sum, 1 / length) : p->at[0];
 }
 
-/* Loops in the order of the section before: outer ones to the nearest, then the holes in each. False: out of memory or the error. */
+/* Loops in the order of the section before: outer ones to the nearest, then the holes in each. False: out of memory or
+ * the error. */
 static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_error *e) {
   size_t n = b->outline.count, done = 0;
   if (n == 1) return true;
@@ -190,7 +210,8 @@ static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_
       if (d < least) least = d, best = k;
     }
     if (best == n) {
-      ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "section %zu has its holes in other parts than the section before it", number);
+      ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "section %zu has its holes in other parts than the section before it",
+                        number);
       break;
     }
     taken[best] = true;
@@ -222,7 +243,8 @@ static void loft_line_free(loft_line *l) {
 
 static bool loft_line_make(const vs_polyline *p, const vs_affine *turn, loft_line *out) {
   vs_vec3 c = loft_loop_center(p);
-  *out = (loft_line){ malloc((p->count + 1) * sizeof *out->at), malloc((p->count + 2) * sizeof *out->along), p->count, p->closed };
+  *out = (loft_line){ malloc((p->count + 1) * sizeof *out->at), malloc((p->count + 2) * sizeof *out->along), p->count,
+                      p->closed };
   if (!out->at || !out->along) return false;
   double length = 0;
   for (size_t i = 0; i < p->count; i++) {
@@ -235,7 +257,8 @@ static bool loft_line_make(const vs_polyline *p, const vs_affine *turn, loft_lin
   return true;
 }
 
-/* The place at u (of a closed line, any u) on the points `at`, which stand at `along`; exactly a point where u is within `near` of it. */
+/* The place at u (of a closed line, any u) on the points `at`, which stand at `along`; exactly a point where u is
+ * within `near` of it. */
 static vs_vec3 loft_line_at(const vs_vec3 *at, const double *along, size_t count, bool closed, double u, double near) {
   if (closed) u -= floor(u);
   size_t low = 0, high = count; /* along[low] <= u < along[high] */
@@ -264,14 +287,15 @@ static double loft_score(const vs_vec3 *a, const loft_line *b, double shift) {
 static size_t loft_corners(const loft_line *l, double *out) { /* turns of more than 0.3 radians */
   size_t found = 0;
   for (size_t i = 0; i < l->count && found < LOFT_CORNERS; i++) {
-    vs_vec3 a = vs_v3_sub(l->at[i], l->at[i ? i - 1 : l->count - 1]), b = vs_v3_sub(l->at[(i + 1) % l->count], l->at[i]);
+    vs_vec3 a = vs_v3_sub(l->at[i], l->at[i ? i - 1 : l->count - 1]),
+            b = vs_v3_sub(l->at[(i + 1) % l->count], l->at[i]);
     if (atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b)) > 0.3) out[found++] = l->along[i];
   }
   return found;
 }
 
-/* By how much of its length b starts later than a (which starts at `from`) where they are least twisted. A start at which corners meet
- * corners is taken before one that is only a little better. */
+/* By how much of its length b starts later than a (which starts at `from`) where they are least twisted. A start at
+ * which corners meet corners is taken before one that is only a little better. */
 static double loft_least_twist(const loft_line *a, double from, const loft_line *b) {
   vs_vec3 samples[LOFT_SAMPLES];
   double aa = 0, bb = 0, best = -INFINITY, shift = 0, corner_best = -INFINITY, corner_shift = 0;
@@ -328,8 +352,8 @@ static int loft_compare(const void *a, const void *b) {
 
 #define LOFT_NEAR 1e-5 /* of a loop's length: places that are one */
 
-/* The places that all sections need, 0 first: every point of each; where that are too many, the corners and as many even steps as the finest
- * section has. Returns how many, 0: out of memory. */
+/* The places that all sections need, 0 first: every point of each; where that are too many, the corners and as many
+ * even steps as the finest section has. Returns how many, 0: out of memory. */
 static size_t loft_places(const loft_line *lines, const double *shift, size_t count, double **out) {
   size_t total = 2, most = 0, kept = 0;
   for (size_t i = 0; i < count; i++) {
@@ -377,7 +401,9 @@ static bool loft_match_loop(loft_section *s, size_t rows, size_t first, size_t l
     if (s[i].open && i > first) { /* it runs the way the one before runs */
       const vs_polyline *q = &s[last].outline.loops[l];
       vs_vec3 a = q->at[0], b = q->at[q->count - 1], c = p->at[0], d = p->at[p->count - 1];
-      if (vs_v3_length(vs_v3_sub(a, d)) + vs_v3_length(vs_v3_sub(b, c)) < (vs_v3_length(vs_v3_sub(a, c)) + vs_v3_length(vs_v3_sub(b, d))) * (1 - 1e-9)) loft_reverse(p);
+      if (vs_v3_length(vs_v3_sub(a, d)) + vs_v3_length(vs_v3_sub(b, c)) <
+          (vs_v3_length(vs_v3_sub(a, c)) + vs_v3_length(vs_v3_sub(b, d))) * (1 - 1e-9))
+        loft_reverse(p);
     }
     vs_affine turn = i > first && !s[i].open ? vs_frame_turn(s[i].normal, s[last].normal) : vs_affine_identity();
     ok = loft_line_make(p, &turn, &m->lines[i]);
@@ -405,8 +431,10 @@ static bool loft_match_loop(loft_section *s, size_t rows, size_t first, size_t l
     ok = matched[i].at != NULL;
     const vs_polyline *p = s[i].point ? NULL : &s[i].outline.loops[l];
     for (size_t k = 0; ok && k < m->count; k++)
-      matched[i].at[k] = !p ? s[i].center : alike ? p->at[(m->start[i] + k) % size]
-                            : loft_line_at(p->at, m->lines[i].along, p->count, p->closed, m->places[k] + m->shift[i], LOFT_NEAR);
+      matched[i].at[k] =
+          !p      ? s[i].center
+          : alike ? p->at[(m->start[i] + k) % size]
+                  : loft_line_at(p->at, m->lines[i].along, p->count, p->closed, m->places[k] + m->shift[i], LOFT_NEAR);
   }
   return ok;
 }
@@ -435,7 +463,8 @@ static bool loft_tabulate(loft_section *s, size_t rows, size_t first, vs_loft *o
   vs_polyline *matched = calloc(rows * loops + 1, sizeof *matched);
   bool ok = matched && loft_room(out, rows, loops);
   for (size_t l = 0; ok && l < loops; l++) {
-    loft_match m = { calloc(rows + 1, sizeof *m.lines), calloc(rows + 1, sizeof *m.shift), calloc(rows + 1, sizeof *m.start), NULL, 0 };
+    loft_match m = { calloc(rows + 1, sizeof *m.lines), calloc(rows + 1, sizeof *m.shift),
+                     calloc(rows + 1, sizeof *m.start), NULL, 0 };
     ok = m.lines && m.shift && m.start && loft_match_loop(s, rows, first, l, &m, matched + l * rows);
     out->sizes[l] = m.count;
     out->hole[l] = s[first].outline.hole[l];
@@ -457,7 +486,8 @@ static bool loft_tabulate(loft_section *s, size_t rows, size_t first, vs_loft *o
     out->center[i] = s[i].center;
     out->normal[i] = s[i].point || s[i].open ? vs_v3(0, 0, 0) : s[i].normal;
     out->point[i] = s[i].point;
-    for (size_t l = 0, at = i * out->columns; l < loops; at += out->sizes[l], l++) memcpy(out->at + at, matched[l * rows + i].at, out->sizes[l] * sizeof *out->at);
+    for (size_t l = 0, at = i * out->columns; l < loops; at += out->sizes[l], l++)
+      memcpy(out->at + at, matched[l * rows + i].at, out->sizes[l] * sizeof *out->at);
   }
   for (size_t i = 0; matched && i < rows * loops; i++) vs_polyline_free(&matched[i]);
   free(matched);
@@ -490,7 +520,8 @@ bool vs_loft_match(const vs_node *n, size_t count, const vs_facets *f, vs_loft *
   }
   out->size = vs_bounds_diagonal(&b);
   for (size_t i = 1; ok && i < count; i++)
-    if (s[i].point == s[i - 1].point && vs_v3_length(vs_v3_sub(s[i].center, s[i - 1].center)) <= 1e-9 * out->size && (s[i].point || loft_again(&s[i - 1], &s[i], 1e-9 * out->size)))
+    if (s[i].point == s[i - 1].point && vs_v3_length(vs_v3_sub(s[i].center, s[i - 1].center)) <= 1e-9 * out->size &&
+        (s[i].point || loft_again(&s[i - 1], &s[i], 1e-9 * out->size)))
       ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "sections %zu and %zu are the same, in the same place", i, i + 1);
   if (ok && count > 3 && loft_again(&s[0], &s[count - 1], 1e-9 * out->size)) {
     out->joined = true;

@@ -1,12 +1,13 @@
 /* Owns lofts that are led: along a path, or by guides.
  *
- * Along a path: each section is taken into the path's frame where it stands (the frames do not spin) and described there by its shape, flat and
- * about its own middle, by the place of that middle, and by its lean, the smallest rotation that takes the path's direction to the section's
- * normal. Between the sections the three go smoothly from the one to the next, and the frames carry them. Interpolating the points alone
- * would narrow the loft where two sections lean against each other: halfway their tilts cancel, and the chords between them are shorter.
- * Sections stand still: only what lies between follows.
- * By guides: the free loft between two sections is moved so that its wall meets every guide. A motion that all guides ask for alike (a shift; with two
- * a turn and a scale; with three or more any affine map of the section's plane) moves the whole row, the rest fades from guide to guide. */
+ * Along a path: each section is taken into the path's frame where it stands (the frames do not spin) and described
+ * there by its shape, flat and about its own middle, by the place of that middle, and by its lean, the smallest
+ * rotation that takes the path's direction to the section's normal. Between the sections the three go smoothly from the
+ * one to the next, and the frames carry them. Interpolating the points alone would narrow the loft where two sections
+ * lean against each other: halfway their tilts cancel, and the chords between them are shorter. Sections stand still:
+ * only what lies between follows. By guides: the free loft between two sections is moved so that its wall meets every
+ * guide. A motion that all guides ask for alike (a shift; with two a turn and a scale; with three or more any affine
+ * map of the section's plane) moves the whole row, the rest fades from guide to guide. */
 #include <stdlib.h>
 
 #include "geometry/plane/curve.h"
@@ -43,7 +44,8 @@ static double guided_nearest(const vs_path *p, vs_vec3 c, double least) {
     for (size_t i = 0; i < n; i++) {
       vs_vec3 a = p->at[i].at, d = vs_v3_sub(p->at[i + 1 < p->count ? i + 1 : 0].at, a);
       double dd = vs_v3_dot(d, d), t = dd > 0 ? fmax(0, fmin(1, vs_v3_dot(vs_v3_sub(c, a), d) / dd)) : 0;
-      double s = p->at[i].along + t * sqrt(dd) + (double)turn * p->length, far = vs_v3_length(vs_v3_sub(vs_v3_add(a, vs_v3_scale(d, t)), c));
+      double s = p->at[i].along + t * sqrt(dd) + (double)turn * p->length,
+             far = vs_v3_length(vs_v3_sub(vs_v3_add(a, vs_v3_scale(d, t)), c));
       if (s >= least && far < best * (1 - 1e-9)) best = far, at = s;
     }
   return at;
@@ -53,15 +55,20 @@ static double guided_nearest(const vs_path *p, vs_vec3 c, double least) {
 static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e) {
   size_t n = l->rows + l->joined;
   s[0] = 0;
-  if (!p->closed && guided_nearest(p, l->center[0], 0) > guided_nearest(p, l->center[l->rows - 1], 0)) vs_path_reverse(p);
+  if (!p->closed && guided_nearest(p, l->center[0], 0) > guided_nearest(p, l->center[l->rows - 1], 0))
+    vs_path_reverse(p);
   if (p->closed) { /* the way that has the second section first */
-    double a = guided_nearest(p, l->center[0], 0), b = guided_nearest(p, l->center[1], a), c = guided_nearest(p, l->center[l->rows - 1], a);
+    double a = guided_nearest(p, l->center[0], 0), b = guided_nearest(p, l->center[1], a),
+           c = guided_nearest(p, l->center[l->rows - 1], a);
     if (l->rows > 2 && c < b) vs_path_reverse(p);
   }
   for (size_t i = 0; i < n; i++) {
     s[i] = i == l->rows ? s[0] + p->length : guided_nearest(p, l->center[i], i ? s[i - 1] : 0);
     if (i && !(s[i] > s[i - 1] + 1e-9 * p->length))
-      return vs_error_set(e, VS_ERROR_MODEL, NULL, "sections must follow each other along the path; number %zu stands where number %zu does, or before it", i + 1, i);
+      return vs_error_set(
+          e, VS_ERROR_MODEL, NULL,
+          "sections must follow each other along the path; number %zu stands where number %zu does, or before it",
+          i + 1, i);
   }
   return true;
 }
@@ -72,7 +79,9 @@ enum { GUIDED_MIDDLE, GUIDED_LEAN, GUIDED_EXTRA };
 static vs_vec3 guided_out(const guided_frame *f, vs_vec3 v) {
   return vs_v3_add(vs_v3_add(vs_v3_scale(f->x, v.x), vs_v3_scale(f->y, v.y)), vs_v3_scale(f->z, v.z));
 }
-static vs_vec3 guided_in(const guided_frame *f, vs_vec3 v) { return vs_v3(vs_v3_dot(v, f->x), vs_v3_dot(v, f->y), vs_v3_dot(v, f->z)); }
+static vs_vec3 guided_in(const guided_frame *f, vs_vec3 v) {
+  return vs_v3(vs_v3_dot(v, f->x), vs_v3_dot(v, f->y), vs_v3_dot(v, f->z));
+}
 
 /* v turned by the rotation whose axis is w and whose angle is the length of w (Rodrigues' formula). */
 static vs_vec3 guided_turned(vs_vec3 w, vs_vec3 v) {
@@ -83,11 +92,14 @@ static vs_vec3 guided_turned(vs_vec3 w, vs_vec3 v) {
   return vs_v3_add(vs_v3_add(vs_v3_scale(v, cos(angle)), vs_v3_scale(vs_v3_cross(k, v), sin(angle))), along);
 }
 
-/* The description of a section of n columns with this middle and normal (zero: it has none), as it stands in the frame. */
-static void guided_describe(const guided_frame *f, const vs_vec3 *row, size_t n, vs_vec3 middle, vs_vec3 normal, vs_vec3 *local) {
+/* The description of a section of n columns with this middle and normal (zero: it has none), as it stands in the
+ * frame. */
+static void guided_describe(const guided_frame *f, const vs_vec3 *row, size_t n, vs_vec3 middle, vs_vec3 normal,
+                            vs_vec3 *local) {
   vs_vec3 z = guided_in(f, normal), axis = vs_v3(-z.y, z.x, 0); /* +Z x z */
   double sine = vs_v3_length(axis);
-  vs_vec3 lean = sine > 1e-12 ? vs_v3_scale(axis, atan2(sine, z.z) / sine) : vs_v3(0, 0, 0), back = vs_v3_scale(lean, -1);
+  vs_vec3 lean = sine > 1e-12 ? vs_v3_scale(axis, atan2(sine, z.z) / sine) : vs_v3(0, 0, 0),
+          back = vs_v3_scale(lean, -1);
   for (size_t c = 0; c < n; c++) local[c] = guided_turned(back, guided_in(f, vs_v3_sub(row[c], middle)));
   local[n + GUIDED_MIDDLE] = guided_in(f, vs_v3_sub(middle, f->at));
   local[n + GUIDED_LEAN] = lean;
@@ -95,7 +107,8 @@ static void guided_describe(const guided_frame *f, const vs_vec3 *row, size_t n,
 
 static void guided_row(const guided_frame *f, const vs_vec3 *local, size_t n, vs_vec3 *row) {
   for (size_t c = 0; c < n; c++)
-    row[c] = vs_v3_add(f->at, guided_out(f, vs_v3_add(local[n + GUIDED_MIDDLE], guided_turned(local[n + GUIDED_LEAN], local[c]))));
+    row[c] = vs_v3_add(
+        f->at, guided_out(f, vs_v3_add(local[n + GUIDED_MIDDLE], guided_turned(local[n + GUIDED_LEAN], local[c]))));
 }
 
 /* Slope of column c's coordinates at station i */
@@ -115,14 +128,16 @@ static vs_vec3 guided_slope(const vs_vec3 *local, const double *s, size_t n, siz
   return i == 0 ? vs_loft_end_slope(secant[0], m) : i + 1 == stations ? vs_loft_end_slope(secant[1], m) : m;
 }
 
-static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, const double *s, const vs_vec3 *local, const vs_facets *f, vs_loft_rows *out) {
+static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, const double *s, const vs_vec3 *local,
+                        const vs_facets *f, vs_loft_rows *out) {
   size_t n = l->columns, wide = n + GUIDED_EXTRA, stations = l->rows + l->joined;
   vs_vec3 *between = malloc(wide * sizeof *between);
   bool ok = between != NULL;
   for (size_t i = 0; ok && i + 1 < stations; i++) {
     double from = s[i], to = s[i + 1], steps = 1;
     for (size_t c = 0; c < wide; c++) {
-      vs_vec3 m = vs_v3_scale(guided_slope(local, s, wide, stations, i, c), to - from), k = vs_v3_scale(guided_slope(local, s, wide, stations, i + 1, c), to - from);
+      vs_vec3 m = vs_v3_scale(guided_slope(local, s, wide, stations, i, c), to - from),
+              k = vs_v3_scale(guided_slope(local, s, wide, stations, i + 1, c), to - from);
       if (c == n + GUIDED_LEAN) { /* the section's points go along arcs of this angle */
         double turn = vs_v3_length(vs_v3_sub(local[(i + 1) * wide + c], local[i * wide + c])), far = 0;
         for (size_t q = 0; q < n; q++) far = fmax(far, vs_v3_length(local[i * wide + q]));
@@ -144,7 +159,8 @@ static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, co
       } else {
         double t = (at - from) / (to - from);
         for (size_t c = 0; c < wide; c++) {
-          vs_vec3 m = vs_v3_scale(guided_slope(local, s, wide, stations, i, c), to - from), k = vs_v3_scale(guided_slope(local, s, wide, stations, i + 1, c), to - from);
+          vs_vec3 m = vs_v3_scale(guided_slope(local, s, wide, stations, i, c), to - from),
+                  k = vs_v3_scale(guided_slope(local, s, wide, stations, i + 1, c), to - from);
           between[c] = vs_loft_hermite(local[i * wide + c], local[(i + 1) * wide + c], m, k, t);
         }
         guided_frame frame = guided_frame_at(p, x, at);
@@ -177,7 +193,8 @@ bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_facets *f, 
   bool ok = (s && local) || vs_error_memory(e, NULL);
   ok = ok && vs_curve_path(n->children[n->child_count - 1].node, &identity, f, &p, e);
   if (ok && p.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "the path is a point");
-  ok = ok && guided_stations(l, &p, s, e) && ((x = malloc((p.count + 1) * sizeof *x)) != NULL || vs_error_memory(e, NULL));
+  ok = ok && guided_stations(l, &p, s, e) &&
+       ((x = malloc((p.count + 1) * sizeof *x)) != NULL || vs_error_memory(e, NULL));
   if (ok) {
     vs_affine square = vs_frame_on_axis(p.at[0].at, p.at[0].leaving);
     vs_frame_transport(p.at, p.count, p.closed, p.length, vs_v3(square.m[0][0], square.m[1][0], square.m[2][0]), x);
@@ -185,7 +202,8 @@ bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_facets *f, 
   for (size_t i = 0; ok && i < stations; i++) {
     guided_frame frame = guided_frame_at(&p, x, s[i]);
     size_t row = i % l->rows;
-    guided_describe(&frame, &l->at[row * l->columns], l->columns, l->center[row], l->normal[row], &local[i * (l->columns + GUIDED_EXTRA)]);
+    guided_describe(&frame, &l->at[row * l->columns], l->columns, l->center[row], l->normal[row],
+                    &local[i * (l->columns + GUIDED_EXTRA)]);
   }
   ok = ok && (guided_rows(l, &p, x, s, local, f, out) || vs_error_memory(e, NULL));
   vs_path_free(&p);
@@ -206,7 +224,8 @@ typedef struct {
 
 /* The point of row `row` nearest to the guide, and where on both that is; how far apart they are is returned. */
 static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_t loop, double *s, double *column) {
-  size_t first = row * l->columns, size = l->sizes[loop], pieces = l->round ? size : size - 1, stretches = p->closed ? p->count : p->count - 1;
+  size_t first = row * l->columns, size = l->sizes[loop], pieces = l->round ? size : size - 1,
+         stretches = p->closed ? p->count : p->count - 1;
   double least = INFINITY;
   for (size_t k = 0; k < loop; k++) first += l->sizes[k];
   if (l->point[row]) pieces = 1;
@@ -216,8 +235,10 @@ static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_
     for (size_t c = 0; c < pieces; c++) {
       /* two stretches a + t d and b + u g: nearest points, ends included (Ericson) */
       vs_vec3 b = l->at[first + c], g = vs_v3_sub(l->at[first + (c + 1) % size], b), r = vs_v3_sub(a, b);
-      double gg = vs_v3_dot(g, g), dg = vs_v3_dot(d, g), dr = vs_v3_dot(d, r), gr = vs_v3_dot(g, r), det = dd * gg - dg * dg;
-      double t = det > 1e-12 * dd * gg ? fmax(0, fmin(1, (dg * gr - gg * dr) / det)) : 0, u = gg > 0 ? (dg * t + gr) / gg : 0;
+      double gg = vs_v3_dot(g, g), dg = vs_v3_dot(d, g), dr = vs_v3_dot(d, r), gr = vs_v3_dot(g, r),
+             det = dd * gg - dg * dg;
+      double t = det > 1e-12 * dd * gg ? fmax(0, fmin(1, (dg * gr - gg * dr) / det)) : 0,
+             u = gg > 0 ? (dg * t + gr) / gg : 0;
       if (u < 0) u = 0, t = dd > 0 ? fmax(0, fmin(1, -dr / dd)) : 0;
       else if (u > 1) u = 1, t = dd > 0 ? fmax(0, fmin(1, (dg - dr) / dd)) : 0;
       double far = vs_v3_length(vs_v3_sub(vs_v3_add(a, vs_v3_scale(d, t)), vs_v3_add(b, vs_v3_scale(g, u))));
@@ -231,7 +252,8 @@ static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_
   return least;
 }
 
-static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, const vs_facets *f, guided_line *g, vs_error *e) {
+static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, const vs_facets *f, guided_line *g,
+                             vs_error *e) {
   vs_affine identity = vs_affine_identity();
   g->s = malloc((l->rows + 1) * sizeof *g->s);
   g->column = malloc((l->rows + 1) * sizeof *g->column);
@@ -246,7 +268,10 @@ static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, 
   }
   for (size_t i = 0; i < l->rows; i++) {
     double far = guided_touch(l, i, &g->path, g->loop, &g->s[i], &g->column[i]);
-    if (far > slack) return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu must meet every section; it passes section %zu at a distance of %.6g", number, i + 1, far);
+    if (far > slack)
+      return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                          "guide %zu must meet every section; it passes section %zu at a distance of %.6g", number,
+                          i + 1, far);
     if (l->point[i]) g->column[i] = -1; /* all of its lines */
   }
   if (g->s[0] > g->s[l->rows - 1]) {
@@ -254,7 +279,8 @@ static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, 
     vs_path_reverse(&g->path);
   }
   for (size_t i = 0; i < l->rows; i++) {
-    if (i && g->s[i] <= g->s[i - 1]) return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu must meet the sections one after the other", number);
+    if (i && g->s[i] <= g->s[i - 1])
+      return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu must meet the sections one after the other", number);
     if (g->column[i] < 0) g->column[i] = g->column[i ? i - 1 : 1];
   }
   if (g->column[0] < 0) g->column[0] = 0;
@@ -270,7 +296,8 @@ static vs_vec3 guided_point(const vs_path *p, double s) {
   }
   if (high == p->count) return p->at[low].at;
   double from = p->at[low].along, to = p->at[high].along;
-  return vs_v3_add(p->at[low].at, vs_v3_scale(vs_v3_sub(p->at[high].at, p->at[low].at), to > from ? (s - from) / (to - from) : 0));
+  return vs_v3_add(p->at[low].at,
+                   vs_v3_scale(vs_v3_sub(p->at[high].at, p->at[low].at), to > from ? (s - from) / (to - from) : 0));
 }
 
 static size_t guided_first(const vs_loft *l, size_t loop) {
@@ -287,11 +314,12 @@ static double guided_column(const vs_loft *l, const guided_line *g, size_t i, do
   return l->round ? c - size * floor(c / size) : c;
 }
 
-/* The affine map x -> c + m (x - b) that best takes the points b_j to g_j; b, c: their means. With one a shift, with two a turn and an even
- * scale, with three or more (not in line) any map of their plane, least squares. */
+/* The affine map x -> c + m (x - b) that best takes the points b_j to g_j; b, c: their means. With one a shift, with
+ * two a turn and an even scale, with three or more (not in line) any map of their plane, least squares. */
 static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3 *b, vs_vec3 *c, double m[3][3]) {
   *b = *c = vs_v3(0, 0, 0);
-  for (size_t j = 0; j < n; j++) *b = vs_v3_add(*b, vs_v3_scale(from[j], 1.0 / (double)n)), *c = vs_v3_add(*c, vs_v3_scale(to[j], 1.0 / (double)n));
+  for (size_t j = 0; j < n; j++)
+    *b = vs_v3_add(*b, vs_v3_scale(from[j], 1.0 / (double)n)), *c = vs_v3_add(*c, vs_v3_scale(to[j], 1.0 / (double)n));
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 3; k++) m[i][k] = i == k;
   if (n < 2) return;
@@ -312,7 +340,8 @@ static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3
   bool planar = n > 2 && vs_v3_length(area) > 0.05 * vs_v3_dot(axis, axis);
   if (!planar) { /* even scale; the turn that takes the line of the points to where it goes */
     vs_vec3 way = { 0, 0, 0 };
-    for (size_t j = 0; j < n; j++) way = vs_v3_add(way, vs_v3_scale(vs_v3_sub(to[j], *c), vs_v3_dot(vs_v3_sub(from[j], *b), x)));
+    for (size_t j = 0; j < n; j++)
+      way = vs_v3_add(way, vs_v3_scale(vs_v3_sub(to[j], *c), vs_v3_dot(vs_v3_sub(from[j], *b), x)));
     if (!(vs_v3_length(way) > 1e-12 * spread)) return;
     vs_affine turn = vs_frame_turn(x, vs_v3_unit(way));
     double k = sqrt(wide / spread);
@@ -331,7 +360,8 @@ static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3
     py = vs_v3_add(py, vs_v3_scale(g, v));
   }
   double det = xx * yy - xy * xy;
-  vs_vec3 mx = vs_v3_scale(vs_v3_sub(vs_v3_scale(px, yy), vs_v3_scale(py, xy)), 1 / det), my = vs_v3_scale(vs_v3_sub(vs_v3_scale(py, xx), vs_v3_scale(px, xy)), 1 / det);
+  vs_vec3 mx = vs_v3_scale(vs_v3_sub(vs_v3_scale(px, yy), vs_v3_scale(py, xy)), 1 / det),
+          my = vs_v3_scale(vs_v3_sub(vs_v3_scale(py, xx), vs_v3_scale(px, xy)), 1 / det);
   vs_vec3 mz = vs_v3_unit(vs_v3_cross(mx, my));
   const double cols[3][3] = { { mx.x, mx.y, mx.z }, { my.x, my.y, my.z }, { mz.x, mz.y, mz.z } };
   const double old[3][3] = { { x.x, x.y, x.z }, { y.x, y.y, y.z }, { normal.x, normal.y, normal.z } };
@@ -347,7 +377,8 @@ static int guided_pin_compare(const void *a, const void *b) {
 }
 
 /* Moves a row of the free loft so that it meets the guides. pins, from, to: scratch, one a guide. */
-static void guided_lead(const vs_loft *l, const guided_line *g, size_t guides, size_t i, double t, vs_vec3 *row, guided_pin *pins, vs_vec3 *from, vs_vec3 *to) {
+static void guided_lead(const vs_loft *l, const guided_line *g, size_t guides, size_t i, double t, vs_vec3 *row,
+                        guided_pin *pins, vs_vec3 *from, vs_vec3 *to) {
   vs_vec3 b, c;
   double m[3][3];
   for (size_t j = 0; j < guides; j++) {
@@ -361,7 +392,9 @@ static void guided_lead(const vs_loft *l, const guided_line *g, size_t guides, s
   guided_fit(from, to, guides, &b, &c, m);
   for (size_t k = 0; k < l->columns + guides; k++) {
     vs_vec3 *p = k < l->columns ? &row[k] : &from[k - l->columns], d = vs_v3_sub(*p, b);
-    *p = vs_v3_add(c, vs_v3(m[0][0] * d.x + m[0][1] * d.y + m[0][2] * d.z, m[1][0] * d.x + m[1][1] * d.y + m[1][2] * d.z, m[2][0] * d.x + m[2][1] * d.y + m[2][2] * d.z));
+    *p =
+        vs_v3_add(c, vs_v3(m[0][0] * d.x + m[0][1] * d.y + m[0][2] * d.z, m[1][0] * d.x + m[1][1] * d.y + m[1][2] * d.z,
+                           m[2][0] * d.x + m[2][1] * d.y + m[2][2] * d.z));
   }
   for (size_t loop = 0, first = 0; loop < l->loop_count; first += l->sizes[loop++]) {
     size_t n = 0;
@@ -379,7 +412,8 @@ static void guided_lead(const vs_loft *l, const guided_line *g, size_t guides, s
       if (l->round && way < 0) way += size;
       double u = low == high && n == 1 ? 0 : span > 0 ? fmax(0, fmin(1, way / span)) : 0;
       u = u * u * (3 - 2 * u);
-      row[first + k] = vs_v3_add(row[first + k], vs_v3_add(vs_v3_scale(pins[low].rest, 1 - u), vs_v3_scale(pins[high].rest, u)));
+      row[first + k] =
+          vs_v3_add(row[first + k], vs_v3_add(vs_v3_scale(pins[low].rest, 1 - u), vs_v3_scale(pins[high].rest, u)));
     }
   }
 }
@@ -398,7 +432,9 @@ bool vs_loft_along_guides(const vs_node *n, const vs_loft *l, const vs_facets *f
   vs_vec3 *points = malloc((2 * guides + 1) * sizeof *points);
   vs_loft_smooth s = { 0 };
   bool ok = (g && pins && points && vs_loft_smooth_make(l, &s)) || vs_error_memory(e, NULL);
-  if (ok && l->joined) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "sections that end where they begin cannot be guided; give a closed path");
+  if (ok && l->joined)
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL,
+                      "sections that end where they begin cannot be guided; give a closed path");
   for (size_t j = 0; ok && j < guides; j++) {
     ok = guided_line_make(n->children[sections + j].node, j + 1, l, f, &g[j], e);
     if (!ok && e && !e->origin) e->origin = n->children[sections + j].origin;

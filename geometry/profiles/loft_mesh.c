@@ -1,9 +1,10 @@
 /* Owns the walls of lofts: rows of points between the sections, and the triangles through them.
  *
- * A smooth loft splits each line of the wall into the path of the sections' centres and the way from centre to wall, and makes each a cubic
- * through the sections (Hermite). The slopes are those of vs_loft_slope: round where the sections go round, but none where a neighbour is
- * equal, so that equal sections have a straight wall between them and nothing swings past a section (Fritsch and Carlson's idea, for vectors).
- * The centres' slope is taken along the section's normal and across it apart: a column of equal storeys that then leans stays upright. */
+ * A smooth loft splits each line of the wall into the path of the sections' centres and the way from centre to wall,
+ * and makes each a cubic through the sections (Hermite). The slopes are those of vs_loft_slope: round where the
+ * sections go round, but none where a neighbour is equal, so that equal sections have a straight wall between them and
+ * nothing swings past a section (Fritsch and Carlson's idea, for vectors). The centres' slope is taken along the
+ * section's normal and across it apart: a column of equal storeys that then leans stays upright. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,12 +26,14 @@ vs_vec3 *vs_loft_rows_add(vs_loft_rows *r) {
 
 /* ---- slopes ---- */
 
-static double loft_harmonic(double p, double q, double h, double k) { /* of two slopes >= 0, as Fritsch and Butland weigh them */
+static double loft_harmonic(double p, double q, double h, double k) { /* of two slopes >= 0, as Fritsch and Butland
+                                                                       * weigh them */
   double w = 2 * k + h, v = k + 2 * h;
   return p > 0 && q > 0 ? (w + v) * p * q / (w * q + v * p) : 0;
 }
 
-/* The length of the slope where directions meet whose sum is s: from 4 tan(angle/4) of a circle's cubic to 0 where they oppose. */
+/* The length of the slope where directions meet whose sum is s: from 4 tan(angle/4) of a circle's cubic to 0 where they
+ * oppose. */
 static double loft_round(double s) { return fmin(1, s * s / 2) * 2 / (1 + s / 2); }
 
 vs_vec3 vs_loft_slope(vs_vec3 a, vs_vec3 b, double h, double k) {
@@ -69,7 +72,8 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
   double bend = fmax(vs_v3_length(start), vs_v3_length(end)), turning = 0, length = vs_v3_length(d);
   if (bend <= 1e-12 * length) return 1;
   vs_vec3 middle = vs_v3_sub(vs_v3_scale(d, 1.5), vs_v3_scale(vs_v3_add(m, k), 0.25)), ways[3] = { m, middle, k };
-  for (int i = 0; i < 2; i++) turning += atan2(vs_v3_length(vs_v3_cross(ways[i], ways[i + 1])), vs_v3_dot(ways[i], ways[i + 1]));
+  for (int i = 0; i < 2; i++)
+    turning += atan2(vs_v3_length(vs_v3_cross(ways[i], ways[i + 1])), vs_v3_dot(ways[i], ways[i + 1]));
   double n = ceil(turning / 6.28318530717958647693 * (f->segments > 0 ? f->segments : 32) - 1e-9);
   if (f->segments <= 0) n = fmax(n, ceil(sqrt(bend / (8 * f->tolerance)) - 1e-9));
   return n < 1 ? 1 : n > 256 ? 256 : n;
@@ -77,9 +81,10 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
 
 /* ---- lines of the wall ---- */
 
-/* Between lines that are not parallel the wall is a saddle, which two triangles miss by a quarter of its twist in the middle. It is cut into k pieces from row to
- * row, the same everywhere, and each edge of a section into as many as its own twist asks for then: the error falls by the product of both. Edges are as many
- * as columns, in their order; open sections have one that is nobody's at each loop's end. k: 1 to 64. */
+/* Between lines that are not parallel the wall is a saddle, which two triangles miss by a quarter of its twist in the
+ * middle. It is cut into k pieces from row to row, the same everywhere, and each edge of a section into as many as its
+ * own twist asks for then: the error falls by the product of both. Edges are as many as columns, in their order; open
+ * sections have one that is nobody's at each loop's end. k: 1 to 64. */
 static double loft_saddle(const vs_loft *l, const vs_facets *f, uint32_t *edges) {
   enum { MOST = 64 };
   double most = 0;
@@ -93,7 +98,8 @@ static double loft_saddle(const vs_loft *l, const vs_facets *f, uint32_t *edges)
         double here = 0;
         for (size_t i = 0; i < pieces && (l->round || d > c); i++) {
           size_t next = (i + 1) % l->rows;
-          vs_vec3 p = vs_v3_sub(l->at[i * n + d], l->at[i * n + c]), q = vs_v3_sub(l->at[next * n + c], l->at[i * n + c]), across = vs_v3_unit(vs_v3_cross(p, q));
+          vs_vec3 p = vs_v3_sub(l->at[i * n + d], l->at[i * n + c]),
+                  q = vs_v3_sub(l->at[next * n + c], l->at[i * n + c]), across = vs_v3_unit(vs_v3_cross(p, q));
           vs_vec3 twist = vs_v3_sub(vs_v3_sub(l->at[next * n + d], l->at[next * n + c]), p);
           here = fmax(here, fabs(vs_v3_dot(twist, across)) / 4); /* the part that leaves the plane */
         }
@@ -118,7 +124,8 @@ static bool loft_refine_columns(vs_loft *l, const uint32_t *edges) {
         const vs_vec3 *row = l->at + i * l->columns;
         vs_vec3 p = row[first + c], q = row[last ? first : first + c + 1];
         uint32_t k = last && !l->round ? 1 : edges[first + c];
-        for (uint32_t j = 0; j < k; j++) at[to++] = j ? vs_v3_add(p, vs_v3_scale(vs_v3_sub(q, p), (double)j / (double)k)) : p;
+        for (uint32_t j = 0; j < k; j++)
+          at[to++] = j ? vs_v3_add(p, vs_v3_scale(vs_v3_sub(q, p), (double)j / (double)k)) : p;
       }
   for (size_t loop = 0, first = 0; loop < l->loop_count; loop++) {
     size_t size = 0, was = l->sizes[loop];
@@ -146,7 +153,8 @@ static vs_vec3 loft_way(const vs_loft *l, size_t row, size_t column) { /* from c
 static double loft_chord(const vs_loft *l, size_t i) { /* mean way of the wall from row i to the next */
   size_t next = (i + 1) % l->rows;
   double sum = 0;
-  for (size_t c = 0; c < l->columns; c++) sum += vs_v3_length(vs_v3_sub(l->at[next * l->columns + c], l->at[i * l->columns + c]));
+  for (size_t c = 0; c < l->columns; c++)
+    sum += vs_v3_length(vs_v3_sub(l->at[next * l->columns + c], l->at[i * l->columns + c]));
   return fmax(sum / (double)l->columns, 1e-12 * l->size);
 }
 
@@ -154,14 +162,18 @@ static double loft_chord(const vs_loft *l, size_t i) { /* mean way of the wall f
 static vs_vec3 loft_slope_at(const vs_loft *l, const double *chord, size_t i, size_t column) {
   size_t before = i ? i - 1 : l->rows - 1, after = (i + 1) % l->rows;
   bool path = column == l->columns;
-  vs_vec3 p = path ? l->center[before] : loft_way(l, before, column), q = path ? l->center[i] : loft_way(l, i, column), r = path ? l->center[after] : loft_way(l, after, column);
+  vs_vec3 p = path ? l->center[before] : loft_way(l, before, column), q = path ? l->center[i] : loft_way(l, i, column),
+          r = path ? l->center[after] : loft_way(l, after, column);
   vs_vec3 a = vs_v3_scale(vs_v3_sub(q, p), 1 / chord[before]), b = vs_v3_scale(vs_v3_sub(r, q), 1 / chord[i]);
-  return path ? loft_center_slope(a, b, chord[before], chord[i], l->normal[i]) : vs_loft_slope(a, b, chord[before], chord[i]);
+  return path ? loft_center_slope(a, b, chord[before], chord[i], l->normal[i])
+              : vs_loft_slope(a, b, chord[before], chord[i]);
 }
 
-static vs_vec3 loft_secant(const vs_loft *l, const double *chord, size_t i, size_t column) { /* from row i to the next */
+/* from row i to the next */
+static vs_vec3 loft_secant(const vs_loft *l, const double *chord, size_t i, size_t column) {
   size_t after = (i + 1) % l->rows;
-  vs_vec3 d = column == l->columns ? vs_v3_sub(l->center[after], l->center[i]) : vs_v3_sub(loft_way(l, after, column), loft_way(l, i, column));
+  vs_vec3 d = column == l->columns ? vs_v3_sub(l->center[after], l->center[i])
+                                   : vs_v3_sub(loft_way(l, after, column), loft_way(l, i, column));
   return vs_v3_scale(d, 1 / chord[i]);
 }
 
@@ -174,7 +186,8 @@ static vs_vec3 loft_line_slope(const vs_loft *l, const double *chord, size_t i, 
 
 bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out) {
   size_t n = l->columns;
-  *out = (vs_loft_smooth){ l, malloc((l->rows * n + 1) * sizeof(vs_vec3)), malloc((l->rows * n + 1) * sizeof(vs_vec3)) };
+  *out =
+      (vs_loft_smooth){ l, malloc((l->rows * n + 1) * sizeof(vs_vec3)), malloc((l->rows * n + 1) * sizeof(vs_vec3)) };
   double *chord = malloc((l->rows + 1) * sizeof *chord);
   bool ok = out->slope_in && out->slope_out && chord;
   for (size_t i = 0; ok && i < l->rows; i++) chord[i] = loft_chord(l, i);
@@ -182,7 +195,8 @@ bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out) {
     vs_vec3 path = loft_line_slope(l, chord, i, n);
     for (size_t c = 0; c < n; c++) {
       vs_vec3 slope = vs_v3_add(path, loft_line_slope(l, chord, i, c));
-      out->slope_out[i * n + c] = vs_v3_scale(slope, chord[i]);                             /* of the piece after row i */
+      /* of the piece after row i */
+      out->slope_out[i * n + c] = vs_v3_scale(slope, chord[i]);
       out->slope_in[i * n + c] = vs_v3_scale(slope, chord[i ? i - 1 : l->rows - 1]); /* of the piece before it */
     }
   }
@@ -200,21 +214,29 @@ static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec
   while (column >= first + l->sizes[loop]) first += l->sizes[loop++];
   size_t size = l->sizes[loop], i = column - first;
   const vs_vec3 *at = l->at + row * l->columns + first;
-  vs_vec3 before = at[l->round ? (i + size - 1) % size : i ? i - 1 : 0], after = at[l->round ? (i + 1) % size : i + 1 < size ? i + 1 : i];
+  vs_vec3 before = at[l->round ? (i + size - 1) % size
+                      : i      ? i - 1
+                               : 0],
+          after = at[l->round       ? (i + 1) % size
+                     : i + 1 < size ? i + 1
+                                    : i];
   vs_vec3 a = vs_v3_unit(vs_v3_sub(at[i], before)), b = vs_v3_unit(vs_v3_sub(after, at[i]));
   return vs_v3_unit(vs_v3_cross(vs_v3_add(a, b), n));
 }
 
-/* The wall at an end: at `angle` from the normal, outwards, held for a length of `hold`: the handle of a Bezier curve, so 3 times that as a slope */
+/* The wall at an end: at `angle` from the normal, outwards, held for a length of `hold`: the handle of a Bezier curve,
+ * so 3 times that as a slope */
 static void loft_hold(vs_loft_smooth *s, bool end, double angle, double hold) {
   const vs_loft *l = s->loft;
   size_t row = end ? l->rows - 1 : 0, other = end ? l->rows - 2 : 1;
   vs_vec3 n = l->normal[row];
-  if (vs_v3_length(n) == 0) n = vs_v3_unit(end ? vs_v3_sub(l->center[row], l->center[other]) : vs_v3_sub(l->center[other], l->center[row]));
+  if (vs_v3_length(n) == 0)
+    n = vs_v3_unit(end ? vs_v3_sub(l->center[row], l->center[other]) : vs_v3_sub(l->center[other], l->center[row]));
   double sine, cosine;
   vs_sincos(angle, &sine, &cosine);
   for (size_t c = 0; c < l->columns; c++) {
-    vs_vec3 out = loft_outwards(l, row, c, n), slope = vs_v3_add(vs_v3_scale(n, 3 * hold * cosine), vs_v3_scale(out, 3 * hold * (end ? -sine : sine)));
+    vs_vec3 out = loft_outwards(l, row, c, n),
+            slope = vs_v3_add(vs_v3_scale(n, 3 * hold * cosine), vs_v3_scale(out, 3 * hold * (end ? -sine : sine)));
     if (end) s->slope_in[row * l->columns + c] = slope;
     else s->slope_out[row * l->columns + c] = slope;
   }
@@ -224,7 +246,10 @@ void vs_loft_smooth_row(const vs_loft_smooth *s, size_t i, double t, vs_vec3 *ro
   const vs_loft *l = s->loft;
   size_t n = l->columns, next = (i + 1) % l->rows;
   if (t == 0 || t == 1) memcpy(row, l->at + (t == 0 ? i : next) * n, n * sizeof *row);
-  else for (size_t c = 0; c < n; c++) row[c] = vs_loft_hermite(l->at[i * n + c], l->at[next * n + c], s->slope_out[i * n + c], s->slope_in[next * n + c], t);
+  else
+    for (size_t c = 0; c < n; c++)
+      row[c] =
+          vs_loft_hermite(l->at[i * n + c], l->at[next * n + c], s->slope_out[i * n + c], s->slope_in[next * n + c], t);
 }
 
 double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_facets *f) {
@@ -232,7 +257,8 @@ double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_facets *
   size_t n = l->columns, next = (i + 1) % l->rows;
   double steps = 1;
   for (size_t c = 0; c < n; c++)
-    steps = fmax(steps, vs_loft_hermite_steps(l->at[i * n + c], l->at[next * n + c], s->slope_out[i * n + c], s->slope_in[next * n + c], f));
+    steps = fmax(steps, vs_loft_hermite_steps(l->at[i * n + c], l->at[next * n + c], s->slope_out[i * n + c],
+                                              s->slope_in[next * n + c], f));
   return steps;
 }
 
@@ -280,23 +306,31 @@ static bool loft_straight_rows(const vs_loft *l, double k, vs_loft_rows *out) {
 bool vs_loft_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
   vs_loft l;
   vs_loft_rows rows = { 0 };
-  size_t first = out->triangle_count, count = n->kind == VS_GUIDED_LOFT ? (size_t)VS_AS(guided_loft, n)->section_count : n->child_count;
+  size_t first = out->triangle_count,
+         count = n->kind == VS_GUIDED_LOFT ? (size_t)VS_AS(guided_loft, n)->section_count : n->child_count;
   if (!vs_loft_match(n, count, f, &l, e)) return false;
   uint32_t *edges = malloc((l.columns + 1) * sizeof *edges);
   double k = edges ? loft_saddle(&l, f, edges) : 1;
   bool ok = (edges && (k <= 1 || loft_refine_columns(&l, edges))) || vs_error_memory(e, NULL);
   free(edges);
   rows.columns = l.columns;
-  if (ok && n->kind == VS_GUIDED_LOFT) ok = VS_AS(guided_loft, n)->path ? vs_loft_along_path(n, &l, f, &rows, e) : vs_loft_along_guides(n, &l, f, &rows, e);
+  if (ok && n->kind == VS_GUIDED_LOFT)
+    ok =
+        VS_AS(guided_loft, n)->path ? vs_loft_along_path(n, &l, f, &rows, e) : vs_loft_along_guides(n, &l, f, &rows, e);
   else if (ok) {
     bool held = n->kind == VS_LOFT && (VS_AS(loft, n)->start_hold > 0 || VS_AS(loft, n)->end_hold > 0);
     bool straight = n->kind == VS_RULED_LOFT || (l.rows < 3 && !held);
-    ok = (straight ? loft_straight_rows(&l, k, &rows) : loft_smooth_rows(n, &l, f, k, &rows)) || vs_error_memory(e, NULL);
+    ok = (straight ? loft_straight_rows(&l, k, &rows) : loft_smooth_rows(n, &l, f, k, &rows)) ||
+         vs_error_memory(e, NULL);
   }
-  vs_grid g = { rows.at, rows.rows, rows.columns, l.sizes, l.hole, l.loop_count, l.round, l.joined, NULL, l.round, NULL };
+  vs_grid g = {
+    rows.at, rows.rows, rows.columns, l.sizes, l.hole, l.loop_count, l.round, l.joined, NULL, l.round, NULL
+  };
   ok = ok && (vs_grid_mesh(&g, out) || vs_error_memory(e, NULL));
   if (ok && l.round) {
-    vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first, .triangle_count = out->triangle_count - first };
+    vs_mesh added = { .vertices = out->vertices,
+                      .triangles = out->triangles + first,
+                      .triangle_count = out->triangle_count - first };
     if (vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first);
   }
   free(rows.at);

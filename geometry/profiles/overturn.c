@@ -1,13 +1,14 @@
 /* Owns the steps of a sweep in which a bend is tighter than its profile.
  *
- * There the inner side of the profile goes backwards from one section to the next, and walls of the whole profile would wind around what it passes
- * through the wrong way: -1 where it should count. A sweep is the union of all that the profile passes through. Therefore the profile is cut along the
- * line that stands still: the part that goes forwards makes one solid, that which goes backwards another, turned inside out, as long as the line
- * leaves the same corners on either side. They may overlap; solids/primitive_meshes.c unites them. At their ends they reach a little past their section,
- * so that they overlap what follows: between solids that only touched, rounding would leave cracks.
+ * There the inner side of the profile goes backwards from one section to the next, and walls of the whole profile would
+ * wind around what it passes through the wrong way: -1 where it should count. A sweep is the union of all that the
+ * profile passes through. Therefore the profile is cut along the line that stands still: the part that goes forwards
+ * makes one solid, that which goes backwards another, turned inside out, as long as the line leaves the same corners on
+ * either side. They may overlap; solids/primitive_meshes.c unites them. At their ends they reach a little past their
+ * section, so that they overlap what follows: between solids that only touched, rounding would leave cracks.
  *
- * Sections are affine maps, so how far a point of the profile advances is affine over the profile, and what stands still is a line. A profile that is
- * not convex is cut into triangles first, each for itself. */
+ * Sections are affine maps, so how far a point of the profile advances is affine over the profile, and what stands
+ * still is a line. A profile that is not convex is cut into triangles first, each for itself. */
 #include "geometry/profiles/overturn.h"
 
 #include <stdlib.h>
@@ -21,7 +22,9 @@ typedef struct {
   vs_mesh *out;
 } turning;
 
-static double rise_of(const turning *t, size_t step, size_t point) { return t->rise[(step - t->from) * t->s->profile_count + point]; }
+static double rise_of(const turning *t, size_t step, size_t point) {
+  return t->rise[(step - t->from) * t->s->profile_count + point];
+}
 static bool forwards(const turning *t, size_t step, size_t point) { return rise_of(t, step, point) > -1e-9 * t->size; }
 
 static vs_vec3 way_of(const turning *t, size_t step) { /* an apex has no normal: the other's then */
@@ -29,8 +32,8 @@ static vs_vec3 way_of(const turning *t, size_t step) { /* an apex has no normal:
   return vs_v3_unit(vs_v3_add(vs_v3_unit(vs_v3_cross(p->x, p->y)), vs_v3_unit(vs_v3_cross(q->x, q->y))));
 }
 
-/* Where in section r the line crosses the side from point i to point j: the mean of the steps before and after it in which it does, the same for
- * all cells that have this side. */
+/* Where in section r the line crosses the side from point i to point j: the mean of the steps before and after it in
+ * which it does, the same for all cells that have this side. */
 static double crossing(const turning *t, size_t r, size_t i, size_t j) {
   double sum = 0, count = 0;
   for (size_t step = r > t->from ? r - 1 : r; step <= r && step < t->to; step++) {
@@ -41,7 +44,8 @@ static double crossing(const turning *t, size_t r, size_t i, size_t j) {
   return count > 0 ? sum / count : 0;
 }
 
-typedef struct { size_t i, j; bool cut; } corner; /* a point of the profile, or where the line crosses a side, from the lower number to the higher */
+typedef struct { size_t i, j; bool cut; } corner; /* a point of the profile, or where the line crosses a side, from the
+                                                   * lower number to the higher */
 
 static vs_vec3 corner_at(const turning *t, size_t r, const corner *c) {
   const vs_vec3 *row = t->at + r * t->s->profile_count;
@@ -51,7 +55,9 @@ static vs_vec3 corner_at(const turning *t, size_t r, const corner *c) {
 }
 
 /* Parts that share a side have the same triangles there: which way a side is cut depends on its corners alone. */
-static bool before(const corner *p, const corner *q) { return p->i < q->i || (p->i == q->i && !p->cut && q->cut) || (p->i == q->i && p->cut == q->cut && p->j < q->j); }
+static bool before(const corner *p, const corner *q) {
+  return p->i < q->i || (p->i == q->i && !p->cut && q->cut) || (p->i == q->i && p->cut == q->cut && p->j < q->j);
+}
 
 /* The solid that these corners pass through from section a to section b */
 static bool add_part(turning *t, const corner *c, size_t n, size_t a, size_t b, bool forth) {
@@ -67,18 +73,21 @@ static bool add_part(turning *t, const corner *c, size_t n, size_t a, size_t b, 
       ok = vs_mesh_add_vertex(t->out, p, NULL);
     }
   for (uint32_t i = 2; ok && i < m; i++)
-    ok = vs_mesh_add_triangle(t->out, first, first + i, first + i - 1) && vs_mesh_add_triangle(t->out, last, last + i - 1, last + i);
+    ok = vs_mesh_add_triangle(t->out, first, first + i, first + i - 1) &&
+         vs_mesh_add_triangle(t->out, last, last + i - 1, last + i);
   for (uint32_t low = first; ok && low < last; low += m)
     for (uint32_t i = 0; ok && i < m; i++) {
       uint32_t j = (i + 1) % m, p = low + i, q = low + j;
-      ok = before(&c[i], &c[j]) ? vs_mesh_add_triangle(t->out, p, q, q + m) && vs_mesh_add_triangle(t->out, p, q + m, p + m)
-                                : vs_mesh_add_triangle(t->out, p, q, p + m) && vs_mesh_add_triangle(t->out, p + m, q, q + m);
+      ok = before(&c[i], &c[j])
+               ? vs_mesh_add_triangle(t->out, p, q, q + m) && vs_mesh_add_triangle(t->out, p, q + m, p + m)
+               : vs_mesh_add_triangle(t->out, p, q, p + m) && vs_mesh_add_triangle(t->out, p + m, q, q + m);
     }
   if (ok && !forth) vs_mesh_turn(t->out, triangle);
   return ok;
 }
 
-/* A convex cell of the profile, over steps a to b that leave the same corners on the same sides; room for count + 2 corners */
+/* A convex cell of the profile, over steps a to b that leave the same corners on the same sides; room for count + 2
+ * corners */
 static bool add_cell(turning *t, const uint32_t *cell, size_t count, size_t a, size_t b, corner *room) {
   bool ok = true;
   for (int forth = 1; ok && forth >= 0; forth--) {
@@ -127,7 +136,8 @@ bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size
   turning t = { .s = s };
   vs_vec3 way = way_of(&t, step);
   for (size_t i = 0; i < n; i++)
-    if (vs_v3_dot(vs_v3_sub(at[(step + 1) * n + i], at[step * n + i]), way) < -1e-7 * size) return true; /* less is what rounding makes */
+    if (vs_v3_dot(vs_v3_sub(at[(step + 1) * n + i], at[step * n + i]), way) < -1e-7 * size)
+      return true; /* less is what rounding makes */
   return false;
 }
 
@@ -139,7 +149,8 @@ bool vs_overturn_mesh(const vs_swept *s, const vs_vec3 *at, size_t from, size_t 
   bool ok = t.rise && room && make_cells(s, &cells);
   for (size_t step = from; ok && step < to; step++) {
     vs_vec3 way = way_of(&t, step);
-    for (size_t i = 0; i < n; i++) t.rise[(step - from) * n + i] = vs_v3_dot(vs_v3_sub(at[(step + 1) * n + i], at[step * n + i]), way);
+    for (size_t i = 0; i < n; i++)
+      t.rise[(step - from) * n + i] = vs_v3_dot(vs_v3_sub(at[(step + 1) * n + i], at[step * n + i]), way);
   }
   size_t count = cells.triangle_count ? cells.triangle_count : 1, corners = cells.triangle_count ? 3 : n;
   for (size_t c = 0; ok && c < count; c++) {
@@ -147,7 +158,8 @@ bool vs_overturn_mesh(const vs_swept *s, const vs_vec3 *at, size_t from, size_t 
     for (size_t a = from, b; ok && a < to; a = b) {
       bool same = true;
       for (b = a + 1; same && b < to; b++) {
-        for (size_t i = 0; same && i < corners; i++) same = forwards(&t, a, cell ? cell[i] : i) == forwards(&t, b, cell ? cell[i] : i);
+        for (size_t i = 0; same && i < corners; i++)
+          same = forwards(&t, a, cell ? cell[i] : i) == forwards(&t, b, cell ? cell[i] : i);
         if (!same) break;
       }
       ok = add_cell(&t, cell, corners, a, b, room);

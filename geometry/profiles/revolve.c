@@ -1,7 +1,8 @@
 /* Owns revolutions.
  *
- * A profile's point (r, z) turned by t stands at `at` + z axis + r (cos t out + sin t side). A point on the axis (r = 0) stays one point: a
- * pole. Pappus: a plane area A whose centroid is c away from the axis makes the volume angle A c; a curve likewise its surface. */
+ * A profile's point (r, z) turned by t stands at `at` + z axis + r (cos t out + sin t side). A point on the axis (r =
+ * 0) stays one point: a pole. Pappus: a plane area A whose centroid is c away from the axis makes the volume angle A c;
+ * a curve likewise its surface. */
 #include "geometry/profiles/revolve.h"
 #include "geometry/plane/outline.h"
 #include "geometry/plane/planar_evaluation.h"
@@ -27,7 +28,8 @@ static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   if (!o->count) return true; /* a region can turn out to be nothing */
   for (size_t l = 0; l < o->count; l++)
     for (size_t i = 0; i < o->loops[l].count; i++) {
-      vs_vec3 d = vs_v3_sub(o->loops[l].at[i], r->at), across = vs_v3_sub(d, vs_v3_scale(r->axis, vs_v3_dot(d, r->axis)));
+      vs_vec3 d = vs_v3_sub(o->loops[l].at[i], r->at),
+              across = vs_v3_sub(d, vs_v3_scale(r->axis, vs_v3_dot(d, r->axis)));
       size = fmax(size, vs_v3_length(d));
       if (vs_v3_dot(across, across) > most * (1 + 1e-12)) {
         most = vs_v3_dot(across, across);
@@ -61,10 +63,11 @@ static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
       double x = vs_v3_dot(d, r->out), y = vs_v3_dot(d, r->axis), off = vs_v3_dot(d, r->side);
       vs_vec3 at = o->loops[l].at[i];
       if (fabs(off) > 1e-6 * size)
-        return vs_error_set(e, VS_ERROR_MODEL, NULL,
-                            "the profile's plane must hold the axis; the point (xyz %.6g %.6g %.6g) lies %.6g beside it: "
-                            "do-rotate or do-move the profile, or give #:plane where it is made",
-                            at.x, at.y, at.z, fabs(off));
+        return vs_error_set(
+            e, VS_ERROR_MODEL, NULL,
+            "the profile's plane must hold the axis; the point (xyz %.6g %.6g %.6g) lies %.6g beside it: "
+            "do-rotate or do-move the profile, or give #:plane where it is made",
+            at.x, at.y, at.z, fabs(off));
       if (x < -1e-9 * size)
         return vs_error_set(e, VS_ERROR_MODEL, NULL,
                             "the profile must lie on one side of the axis; it crosses it near (xyz %.6g %.6g %.6g): "
@@ -105,7 +108,8 @@ size_t vs_revolve_steps(const vs_revolve *r, const vs_facets *f, int segments) {
 
 static vs_vec3 revolve_point(const vs_revolve *r, vs_vec2 p, double cosine, double sine) {
   vs_vec3 foot = vs_v3_add(r->at, vs_v3_scale(r->axis, p.y));
-  return p.x == 0 ? foot : vs_v3_add(foot, vs_v3_add(vs_v3_scale(r->out, p.x * cosine), vs_v3_scale(r->side, p.x * sine)));
+  return p.x == 0 ? foot
+                  : vs_v3_add(foot, vs_v3_add(vs_v3_scale(r->out, p.x * cosine), vs_v3_scale(r->side, p.x * sine)));
 }
 
 bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
@@ -114,7 +118,8 @@ bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
   if (!at) return false;
   for (size_t i = 0; i < rows; i++) {
     double sine, cosine;
-    if (r->full && r->start == 0) vs_turn_sincos(r->angle < 0 && i ? (int)(steps - i) : (int)i, (int)steps, &sine, &cosine);
+    if (r->full && r->start == 0)
+      vs_turn_sincos(r->angle < 0 && i ? (int)(steps - i) : (int)i, (int)steps, &sine, &cosine);
     else vs_sincos(r->start + r->angle * ((double)i / (double)steps), &sine, &cosine);
     for (size_t k = 0; k < r->count; k++) at[i * r->count + k] = revolve_point(r, r->profile[k], cosine, sine);
   }
@@ -122,14 +127,17 @@ bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
   bool ok = vs_grid_mesh(&g, out);
   free(at);
   if (!ok || !r->filled) return ok;
-  vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first, .triangle_count = out->triangle_count - first };
+  vs_mesh added = { .vertices = out->vertices,
+                    .triangles = out->triangles + first,
+                    .triangle_count = out->triangle_count - first };
   if (vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first);
   return true;
 }
 
 /* Each point of the profile runs on an arc about the axis; coordinate i of it is c + r (A cos t + B sin t). */
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b) {
-  double low = fmin(r->start, r->start + r->angle), high = fmax(r->start, r->start + r->angle), angles[8] = { low, high };
+  double low = fmin(r->start, r->start + r->angle), high = fmax(r->start, r->start + r->angle),
+         angles[8] = { low, high };
   int n = 2;
   for (int i = 0; i < 3; i++) {
     vs_vec3 row = { a->m[i][0], a->m[i][1], a->m[i][2] };
@@ -142,7 +150,8 @@ void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b) {
   for (int i = 0; i < n; i++) {
     double sine, cosine;
     vs_sincos(angles[i], &sine, &cosine);
-    for (size_t k = 0; k < r->count; k++) vs_bounds_add(b, vs_affine_point(a, revolve_point(r, r->profile[k], cosine, sine)));
+    for (size_t k = 0; k < r->count; k++)
+      vs_bounds_add(b, vs_affine_point(a, revolve_point(r, r->profile[k], cosine, sine)));
   }
 }
 
@@ -202,7 +211,8 @@ double vs_profile_circle(const vs_node *n) {
     n = n->children[0].node;
   }
   if (n->kind != VS_CIRCLE) return 0;
-  vs_vec3 x = { placed.m[0][0], placed.m[1][0], placed.m[2][0] }, y = { placed.m[0][1], placed.m[1][1], placed.m[2][1] };
+  vs_vec3 x = { placed.m[0][0], placed.m[1][0], placed.m[2][0] },
+          y = { placed.m[0][1], placed.m[1][1], placed.m[2][1] };
   double k = vs_v3_length(x);
   bool even = fabs(vs_v3_length(y) - k) <= 1e-12 * k && fabs(vs_v3_dot(x, y)) <= 1e-12 * k * k;
   return even ? k * VS_AS(circle, n)->radius : 0;
@@ -218,7 +228,8 @@ bool vs_revolve_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   if (r.filled) revolve_area_moments(&r, &area);
   revolve_line_moments(&r, &line);
   if (area.whole < 0) area = (revolve_moments){ -area.whole, -area.r, -area.rr, -area.rz };
-  double angle = fabs(r.angle), radius = vs_profile_circle(n->children[0].node), half = angle / 2, middle = r.start + r.angle / 2, sine, cosine;
+  double angle = fabs(r.angle), radius = vs_profile_circle(n->children[0].node), half = angle / 2,
+         middle = r.start + r.angle / 2, sine, cosine;
   if (radius > 0) { /* the polygon's centroid is the circle's by symmetry */
     double k = turn / 2 * radius * radius / area.whole, l = turn * radius / line.whole;
     area = (revolve_moments){ area.whole * k, area.r * k, area.rr * k, area.rz * k };

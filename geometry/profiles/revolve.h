@@ -1,4 +1,5 @@
-/* Owns, for geometry/ and the back-ends, revolutions: a profile as distances from an axis and heights along it, turned about that axis. */
+/* Owns, for geometry/ and the back-ends, revolutions: a profile as distances from an axis and heights along it, turned
+ * about that axis. */
 #ifndef VS_GEOMETRY_REVOLVE_H
 #define VS_GEOMETRY_REVOLVE_H
 
@@ -9,12 +10,14 @@
 #include "geometry/plane/ear_clipping.h"
 
 typedef struct {
-  vs_vec2 *profile;     /* x the distance from the axis, >= 0, exactly 0 on it; y along the axis. Loops one behind the other, as an outline's */
+  vs_vec2 *profile;     /* x the distance from the axis, >= 0, exactly 0 on it; y along the axis. Loops one behind the
+                         * other, as an outline's */
   size_t *sizes;
   bool *hole;
   size_t loop_count, count;
   bool filled;          /* false: an open profile; it makes a surface */
-  vs_vec3 at, axis, out, side; /* a point of the axis; unit vectors: along it, to where the profile lies, and a quarter turn on */
+  vs_vec3 at, axis, out, side; /* a point of the axis; unit vectors: along it, to where the profile lies, and a quarter
+                                * turn on */
   double start, angle;  /* angle has a sign, and at most a turn */
   bool full;
   double reach;         /* the largest distance from the axis */

@@ -8,7 +8,9 @@
 
 typedef struct { vs_vec3 *at; size_t rows, columns; bool closed_u, closed_v; double near; } surface_grid;
 
-static bool surface_near(const surface_grid *g, size_t a, size_t b) { return vs_v3_length(vs_v3_sub(g->at[a], g->at[b])) <= g->near; }
+static bool surface_near(const surface_grid *g, size_t a, size_t b) {
+  return vs_v3_length(vs_v3_sub(g->at[a], g->at[b])) <= g->near;
+}
 
 /* The last row is the first one again, or the last column the first: it goes. */
 static void surface_wrap(surface_grid *g) {
@@ -41,7 +43,8 @@ static bool surface_snap(surface_grid *g) {
     size_t i = k / g->columns, j = k % g->columns;
     bool edge = (!g->closed_u && (i == 0 || i + 1 == g->rows)) || (!g->closed_v && (j == 0 || j + 1 == g->columns));
     vs_vec3 p = g->at[k];
-    if (edge) border[count++] = (surface_border){ 0.6113 * p.x + 0.5307 * p.y + 0.5871 * p.z, k }; /* askew: borders often lie in a plane */
+    /* askew: borders often lie in a plane */
+    if (edge) border[count++] = (surface_border){ 0.6113 * p.x + 0.5307 * p.y + 0.5871 * p.z, k };
   }
   qsort(border, count, sizeof *border, surface_border_compare);
   for (size_t i = 0; i < count; i++) {
@@ -62,11 +65,14 @@ static bool surface_facets(const surface_grid *g, const uint32_t *place, vs_mesh
   for (size_t i = 0; i < rows; i++)
     for (size_t j = 0; ok && j < columns; j++) {
       size_t below = (i + 1) % g->rows, right = (j + 1) % g->columns;
-      uint32_t a = place[i * g->columns + j], b = place[below * g->columns + j], c = place[below * g->columns + right], d = place[i * g->columns + right];
-      bool other = vs_v3_length(vs_v3_sub(g->at[b], g->at[d])) < vs_v3_length(vs_v3_sub(g->at[a], g->at[c])) * (1 - 1e-9);
+      uint32_t a = place[i * g->columns + j], b = place[below * g->columns + j], c = place[below * g->columns + right],
+               d = place[i * g->columns + right];
+      bool other =
+          vs_v3_length(vs_v3_sub(g->at[b], g->at[d])) < vs_v3_length(vs_v3_sub(g->at[a], g->at[c])) * (1 - 1e-9);
       uint32_t t[2][3] = { { a, b, other ? d : c }, { other ? b : a, c, d } };
       for (int k = 0; ok && k < 2; k++)
-        if (t[k][0] != t[k][1] && t[k][1] != t[k][2] && t[k][2] != t[k][0]) ok = vs_mesh_add_triangle(out, base + t[k][0], base + t[k][1], base + t[k][2]);
+        if (t[k][0] != t[k][1] && t[k][1] != t[k][2] && t[k][2] != t[k][0])
+          ok = vs_mesh_add_triangle(out, base + t[k][0], base + t[k][1], base + t[k][2]);
     }
   return ok;
 }
@@ -74,14 +80,16 @@ static bool surface_facets(const surface_grid *g, const uint32_t *place, vs_mesh
 static bool surface_append(const surface_grid *g, vs_mesh *out) {
   size_t total = g->rows * g->columns;
   uint32_t base = (uint32_t)out->vertex_count, *place = malloc((total + 1) * sizeof *place);
-  bool ok = place && vs_polyface_merge(g->at, total, place) && vs_mesh_reserve(out, out->vertex_count + total, out->triangle_count + 2 * total);
+  bool ok = place && vs_polyface_merge(g->at, total, place) &&
+            vs_mesh_reserve(out, out->vertex_count + total, out->triangle_count + 2 * total);
   for (size_t i = 0; ok && i < total; i++) ok = vs_mesh_add_vertex(out, g->at[i], NULL);
   ok = ok && surface_facets(g, place, out, base);
   free(place);
   return ok;
 }
 
-vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t rows, size_t columns, bool closed_u, bool closed_v, vs_error *e) {
+vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t rows, size_t columns, bool closed_u,
+                         bool closed_v, vs_error *e) {
   surface_grid g = { malloc((rows * columns + 1) * sizeof *at), rows, columns, closed_u, closed_v, 0 };
   vs_bounds b = vs_bounds_empty();
   vs_mesh m = { 0 };
@@ -103,7 +111,9 @@ vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t ro
     d.closed = vs_mesh_closed(&m, &known) && fabs(vs_mesh_volume(&m)) > 1e-12 * size * size * size;
     vs_points *points = known ? vs_points_new(s, g.at, g.rows * g.columns) : NULL;
     d.points = points;
-    struct vs_grid_surface same = { .points = points, .columns = d.columns, .closed_u = d.closed_u, .closed_v = d.closed_v, .closed = d.closed };
+    struct vs_grid_surface same = {
+      .points = points, .columns = d.columns, .closed_u = d.closed_u, .closed_v = d.closed_v, .closed = d.closed
+    };
     if (points) made = vs_node_new(s, kind, kind == VS_GRID_MESH ? (const void *)&d : &same, NULL, 0);
     if (points) vs_points_release(s, points);
     ok = made != NULL;
@@ -118,13 +128,19 @@ bool vs_surface_mesh(const vs_node *n, vs_mesh *out) {
   struct vs_grid_surface d;
   if (n->kind == VS_GRID_MESH) {
     const struct vs_grid_mesh *m = VS_AS(grid_mesh, n);
-    d = (struct vs_grid_surface){ .points = m->points, .columns = m->columns, .closed_u = m->closed_u, .closed_v = m->closed_v, .closed = m->closed };
+    d = (struct vs_grid_surface){
+      .points = m->points, .columns = m->columns, .closed_u = m->closed_u, .closed_v = m->closed_v, .closed = m->closed
+    };
   } else d = *VS_AS(grid_surface, n);
   size_t first = out->triangle_count, columns = (size_t)d.columns;
-  surface_grid g = { (vs_vec3 *)(uintptr_t)d.points->at, columns ? d.points->count / columns : 0, columns, d.closed_u, d.closed_v, 0 };
+  surface_grid g = {
+    (vs_vec3 *)(uintptr_t)d.points->at, columns ? d.points->count / columns : 0, columns, d.closed_u, d.closed_v, 0
+  };
   if (!g.rows) return true;
   if (!surface_append(&g, out)) return false;
-  vs_mesh added = { .vertices = out->vertices, .triangles = out->triangles + first, .triangle_count = out->triangle_count - first };
+  vs_mesh added = { .vertices = out->vertices,
+                    .triangles = out->triangles + first,
+                    .triangle_count = out->triangle_count - first };
   if (d.closed && vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first);
   return true;
 }

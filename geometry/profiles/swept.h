@@ -7,9 +7,12 @@
 #include "model/mesh.h"
 #include "geometry/plane/ear_clipping.h"
 
-/* Section i maps the profile's plane into space: (u, v) -> x * u + y * v + at. Between neighbours the map goes linearly: that, and not the
- * triangles, is what the solid is. */
-typedef struct { vs_vec3 x, y, at; bool ends; /* a piece: nothing lies between this section and the next */ } vs_section;
+/* Section i maps the profile's plane into space: (u, v) -> x * u + y * v + at. Between neighbours the map goes
+ * linearly: that, and not the triangles, is what the solid is. */
+typedef struct {
+  vs_vec3 x, y, at;
+  bool ends; /* a piece: nothing lies between this section and the next */
+} vs_section;
 typedef struct {
   vs_vec2 *profile;   /* loops one behind the other; outer ones counter-clockwise, each followed by its holes */
   size_t *sizes;      /* of the loops */
@@ -19,7 +22,8 @@ typedef struct {
   vs_section *sections;
   size_t section_count, section_room;
   bool joined;        /* the last section goes on to the first */
-  size_t *seam;       /* not NULL: the last section is the first again, turned, and its point i lies on point seam[i] of that */
+  size_t *seam;       /* not NULL: the last section is the first again, turned, and its point i lies on point seam[i] of
+                       * that */
   bool across;        /* the sections stand across a path, x and y right-handed about the way */
 } vs_swept;
 

@@ -1,13 +1,15 @@
-/* Owns extrusions whose walls lean: every edge of the profile moves inwards (outwards) at one speed, its wall is the plane that it runs in.
+/* Owns extrusions whose walls lean: every edge of the profile moves inwards (outwards) at one speed, its wall is the
+ * plane that it runs in.
  *
- * In the profile's plane edge i lies on the line sign (n_i . x - c_i) = d, n_i its unit normal into the material, d growing from 0 to its end.
- * Two neighbours meet in a corner that moves with the speed sign (n_i + n_j) / (1 + n_i . n_j). Two things happen on the way (the straight
- * skeleton of the profile): an edge between corners that approach each other vanishes when they meet, and its neighbours become neighbours;
- * a corner that runs ahead of its edges hits the edge of another wall and splits it, and with it the loop (or joins a hole to the loop round
- * it). A loop of two edges is at its end: a point, or, where opposite edges fall together, a ridge. Events wait in a heap; each is looked at
- * again when its turn comes, since what it spoke of may have changed.
- * Each wall is one plane polygon: its edge below, the tracks of the corners to both sides of it, of its pieces where it was split, and what
- * of them is left above. Cost: corners that run ahead times edges, times a logarithm. */
+ * In the profile's plane edge i lies on the line sign (n_i . x - c_i) = d, n_i its unit normal into the material, d
+ * growing from 0 to its end. Two neighbours meet in a corner that moves with the speed sign (n_i + n_j) / (1 + n_i .
+ * n_j). Two things happen on the way (the straight skeleton of the profile): an edge between corners that approach each
+ * other vanishes when they meet, and its neighbours become neighbours; a corner that runs ahead of its edges hits the
+ * edge of another wall and splits it, and with it the loop (or joins a hole to the loop round it). A loop of two edges
+ * is at its end: a point, or, where opposite edges fall together, a ridge. Events wait in a heap; each is looked at
+ * again when its turn comes, since what it spoke of may have changed. Each wall is one plane polygon: its edge below,
+ * the tracks of the corners to both sides of it, of its pieces where it was split, and what of them is left above.
+ * Cost: corners that run ahead times edges, times a logarithm. */
 #include "geometry/profiles/taper.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/plane/outline.h"
@@ -31,7 +33,11 @@ typedef struct { /* a piece of an edge; where none was split, all of it */
   bool gone;
 } taper_edge;
 
-typedef struct { double d; size_t edge, wall /* SIZE_MAX: the edge vanishes; else its corner hits this wall */; uint32_t stamp; } taper_event;
+typedef struct {
+  double d;
+  size_t edge, wall /* SIZE_MAX: the edge vanishes; else its corner hits this wall */;
+  uint32_t stamp;
+} taper_event;
 
 typedef struct {
   taper_edge *edges;
@@ -94,7 +100,9 @@ static vs_vec2 taper_corner(const taper *t, size_t i, double d) { /* of edge i w
   return (vs_vec2){ e->corner.x + speed.x * (d - e->since), e->corner.y + speed.y * (d - e->since) };
 }
 
-static bool taper_runs_ahead(const taper *t, size_t i) { return t->sign * taper_cross(t->edges[i].way, t->edges[t->edges[i].after].way) < -1e-9; }
+static bool taper_runs_ahead(const taper *t, size_t i) {
+  return t->sign * taper_cross(t->edges[i].way, t->edges[t->edges[i].after].way) < -1e-9;
+}
 
 static double taper_length(const taper *t, size_t i, double d) {
   vs_vec2 a = taper_corner(t, t->edges[i].before, d), b = taper_corner(t, i, d);
@@ -159,7 +167,8 @@ static bool taper_expect_hits(taper *t, size_t i, double now) {
   if (!taper_runs_ahead(t, i) || !taper_speed(t, i, t->edges[i].after, &speed)) return true;
   for (size_t w = 0; w < t->walls; w++) {
     const taper_edge *e = &t->edges[w];
-    double gap = t->sign * (taper_dot(e->normal, at) - e->line) - now, closing = 1 - t->sign * taper_dot(e->normal, speed);
+    double gap = t->sign * (taper_dot(e->normal, at) - e->line) - now,
+           closing = 1 - t->sign * taper_dot(e->normal, speed);
     if (closing <= 1e-9 || gap < -1e-9 * t->size) continue;
     if (!taper_expect(t, (taper_event){ now + fmax(gap, 0) / closing, i, w, stamp })) return false;
   }
@@ -201,9 +210,12 @@ static bool taper_remove(taper *t, size_t i, double d) {
   vs_vec2 at = stuck_p ? b : stuck_q ? a : (vs_vec2){ (a.x + b.x) / 2, (a.y + b.y) / 2 };
   uint32_t v, w;
   bool ok = taper_vertex(t, at, d, &v);
-  if (stuck_p && t->edges[p].since < d) ok = ok && taper_vertex(t, a, d, &w) && taper_push(&t->edges[p].right, w) && taper_push(&e->left, w);
-  if (stuck_q && !stuck_p && e->since < d) ok = ok && taper_vertex(t, b, d, &w) && taper_push(&t->edges[q].left, w) && taper_push(&e->right, w);
-  ok = ok && taper_push(&e->left, v) && taper_push(&e->right, v) && taper_push(&t->edges[p].right, v) && taper_push(&t->edges[q].left, v);
+  if (stuck_p && t->edges[p].since < d)
+    ok = ok && taper_vertex(t, a, d, &w) && taper_push(&t->edges[p].right, w) && taper_push(&e->left, w);
+  if (stuck_q && !stuck_p && e->since < d)
+    ok = ok && taper_vertex(t, b, d, &w) && taper_push(&t->edges[q].left, w) && taper_push(&e->right, w);
+  ok = ok && taper_push(&e->left, v) && taper_push(&e->right, v) && taper_push(&t->edges[p].right, v) &&
+       taper_push(&t->edges[q].left, v);
   e->gone = true;
   taper_join(t, p, q, at, d);
   return ok && taper_settle(t, p, d, v);
@@ -216,27 +228,36 @@ static size_t taper_piece_at(const taper *t, size_t wall, vs_vec2 at, double d, 
     const taper_edge *e = &t->edges[i];
     if (e->gone || i == p || i == q || e->before == q || e->after == p) continue;
     vs_vec2 a = taper_corner(t, e->before, d), b = taper_corner(t, i, d);
-    double from = taper_dot((vs_vec2){ at.x - a.x, at.y - a.y }, e->way), to = taper_dot((vs_vec2){ b.x - at.x, b.y - at.y }, e->way);
+    double from = taper_dot((vs_vec2){ at.x - a.x, at.y - a.y }, e->way),
+           to = taper_dot((vs_vec2){ b.x - at.x, b.y - at.y }, e->way);
     if (from >= -slack && to >= -slack) return i;
   }
   return SIZE_MAX;
 }
 
-/* The corner of p with its after hits a piece of the wall: p goes on along the piece's part ahead, the part behind goes on along p's after. */
+/* The corner of p with its after hits a piece of the wall: p goes on along the piece's part ahead, the part behind goes
+ * on along p's after. */
 static bool taper_split(taper *t, size_t p, size_t wall, double d) {
   size_t q = t->edges[p].after;
   vs_vec2 at = taper_corner(t, p, d);
   size_t ahead = taper_piece_at(t, wall, at, d, p, q);
-  if (ahead == SIZE_MAX || t->count >= 3 * t->walls) return true; /* each corner splits once; more is rounding's doing */
+  if (ahead == SIZE_MAX || t->count >= 3 * t->walls) return true; /* each corner splits once; more is rounding's
+                                                                   * doing */
   if (!VS_GROW(t->edges, t->room, t->count + 1)) return false;
   size_t behind = t->count++;
   taper_edge *e = &t->edges[ahead], *l = &t->edges[behind];
-  *l = (taper_edge){ .normal = e->normal, .way = e->way, .line = e->line, .before = e->before, .left = e->left, .next_piece = e->next_piece };
+  *l = (taper_edge){ .normal = e->normal,
+                     .way = e->way,
+                     .line = e->line,
+                     .before = e->before,
+                     .left = e->left,
+                     .next_piece = e->next_piece };
   e->left = (taper_chain){ 0 };
   e->next_piece = behind;
   t->edges[l->before].after = behind;
   uint32_t v;
-  bool ok = taper_vertex(t, at, d, &v) && taper_push(&e->left, v) && taper_push(&l->right, v) && taper_push(&t->edges[p].right, v) && taper_push(&t->edges[q].left, v);
+  bool ok = taper_vertex(t, at, d, &v) && taper_push(&e->left, v) && taper_push(&l->right, v) &&
+            taper_push(&t->edges[p].right, v) && taper_push(&t->edges[q].left, v);
   taper_join(t, p, ahead, at, d);
   taper_join(t, behind, q, at, d);
   return ok && taper_settle(t, p, d, v) && taper_settle(t, behind, d, v);
@@ -249,14 +270,18 @@ static bool taper_run(taper *t) {
     if (!taper_expect_vanishing(t, i, 0) || !taper_expect_hits(t, i, 0)) return false;
   while (t->event_count) {
     taper_event e = taper_next(t);
-    if (t->edges[e.edge].gone || e.stamp != (e.wall == SIZE_MAX ? t->edges[e.edge].stamp : t->edges[e.edge].corner_stamp)) continue;
+    if (t->edges[e.edge].gone ||
+        e.stamp != (e.wall == SIZE_MAX ? t->edges[e.edge].stamp : t->edges[e.edge].corner_stamp))
+      continue;
     if (e.d > now) now = e.d;
     if (!(e.wall == SIZE_MAX ? taper_remove(t, e.edge, now) : taper_split(t, e.edge, e.wall, now))) return false;
   }
   for (size_t i = 0; i < t->count; i++) { /* what is left reaches the top */
     if (t->edges[i].gone) continue;
     uint32_t v;
-    if (!taper_vertex(t, taper_corner(t, i, t->end), t->end, &v) || !taper_push(&t->edges[i].right, v) || !taper_push(&t->edges[t->edges[i].after].left, v)) return false;
+    if (!taper_vertex(t, taper_corner(t, i, t->end), t->end, &v) || !taper_push(&t->edges[i].right, v) ||
+        !taper_push(&t->edges[t->edges[i].after].left, v))
+      return false;
   }
   return true;
 }
@@ -266,11 +291,13 @@ static bool taper_run(taper *t) {
 static bool taper_wall(taper *t, size_t wall) {
   const taper_edge *e = &t->edges[wall];
   size_t n = 0, k = 0;
-  for (size_t i = wall; i != SIZE_MAX; i = t->edges[i].next_piece) n += t->edges[i].left.count + t->edges[i].right.count;
+  for (size_t i = wall; i != SIZE_MAX; i = t->edges[i].next_piece)
+    n += t->edges[i].left.count + t->edges[i].right.count;
   vs_vec2 *at = malloc(n * sizeof *at);
   uint32_t *index = malloc(n * sizeof *index);
   bool ok = at && index;
-  for (size_t i = wall; ok && i != SIZE_MAX; i = t->edges[i].next_piece) { /* pieces from right to left: up on the right of each, down on its left */
+  /* pieces from right to left: up on the right of each, down on its left */
+  for (size_t i = wall; ok && i != SIZE_MAX; i = t->edges[i].next_piece) {
     const taper_edge *p = &t->edges[i];
     for (size_t j = 0; j < p->right.count; j++)
       if (!(k && index[k - 1] == p->right.at[j])) index[k++] = p->right.at[j];
@@ -300,11 +327,14 @@ static void taper_free(taper *t) {
 }
 
 /* Where a corner would run ahead more than four times as fast as its edges, an edge without length cuts it off. */
-static bool taper_is_sharp(const taper *t, vs_vec2 a, vs_vec2 b) { return t->sign * taper_cross(a, b) < 0 && 1 + taper_dot(a, b) < 0.125; }
+static bool taper_is_sharp(const taper *t, vs_vec2 a, vs_vec2 b) {
+  return t->sign * taper_cross(a, b) < 0 && 1 + taper_dot(a, b) < 0.125;
+}
 
 static void taper_add_edge(taper *t, vs_vec2 to, vs_vec2 way) {
   vs_vec2 normal = { -way.y, way.x };
-  t->edges[t->count++] = (taper_edge){ .way = way, .normal = normal, .line = taper_dot(normal, to), .corner = to, .next_piece = SIZE_MAX };
+  t->edges[t->count++] =
+      (taper_edge){ .way = way, .normal = normal, .line = taper_dot(normal, to), .corner = to, .next_piece = SIZE_MAX };
 }
 
 /* The edges of one loop, with their vertices below. */
@@ -338,11 +368,13 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
     }
     ok = ok && taper_push(&e->right, v);
   }
-  for (size_t i = 0; ok && i < count; i++) ok = taper_push(&t->edges[first + i].left, t->edges[t->edges[first + i].before].right.at[0]);
+  for (size_t i = 0; ok && i < count; i++)
+    ok = taper_push(&t->edges[first + i].left, t->edges[t->edges[first + i].before].right.at[0]);
   return ok;
 }
 
-typedef struct { size_t first, size; double area; } taper_ring; /* of the loops at the top: points first .. first + size */
+typedef struct { size_t first, size; double area; } taper_ring; /* of the loops at the top: points first .. first +
+                                                                 * size */
 
 static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) {
   bool inside = false;
@@ -380,7 +412,9 @@ static bool taper_top(taper *t) {
     holder[h] = h;
     if (ring[h].area >= 0) continue;
     for (size_t o = 0; o < rings; o++)
-      if (ring[o].area > 0 && taper_ring_holds(at, &ring[o], at[ring[h].first]) && (holder[h] == h || ring[o].area < ring[holder[h]].area)) holder[h] = o;
+      if (ring[o].area > 0 && taper_ring_holds(at, &ring[o], at[ring[h].first]) &&
+          (holder[h] == h || ring[o].area < ring[holder[h]].area))
+        holder[h] = o;
   }
   for (size_t o = 0; ok && o < rings; o++) {
     if (holder[o] != o) continue;
@@ -388,7 +422,8 @@ static bool taper_top(taper *t) {
     for (size_t pass = 0; pass < 2; pass++)
       for (size_t h = 0; h < rings; h++) {
         if (pass ? h == o || holder[h] != o : h != o) continue;
-        for (size_t j = 0; j < ring[h].size; j++, n++) loop[n] = at[ring[h].first + j], row[n] = index[ring[h].first + j];
+        for (size_t j = 0; j < ring[h].size; j++, n++)
+          loop[n] = at[ring[h].first + j], row[n] = index[ring[h].first + j];
         sizes[loops++] = ring[h].size;
       }
     ok = sizes[0] < 3 || vs_triangulate(loop, sizes, loops, t->out, row, false);
@@ -404,7 +439,8 @@ static bool taper_top(taper *t) {
 }
 
 bool vs_taper_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
-  return n->child_count > 1 ? vs_taper_path_mesh(n, f, out, e) : vs_taper_straight(n, VS_AS(extrude, n)->along, f, out, e);
+  return n->child_count > 1 ? vs_taper_path_mesh(n, f, out, e)
+                            : vs_taper_straight(n, VS_AS(extrude, n)->along, f, out, e);
 }
 
 bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_facets *f, vs_mesh *out, vs_error *e) {
@@ -414,7 +450,9 @@ bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_facets *f, vs_mes
   double height = fabs(vs_v3_dot(way, o.normal)), inwards = height * tan(x->taper);
   size_t points = 0, first_triangle = out->triangle_count;
   for (size_t l = 0; l < o.count; l++) points += o.loops[l].count;
-  taper t = { .sign = x->taper < 0 ? -1 : 1, .end = fabs(inwards), .out = out, .first = (uint32_t)out->vertex_count, .rise = way };
+  taper t = {
+    .sign = x->taper < 0 ? -1 : 1, .end = fabs(inwards), .out = out, .first = (uint32_t)out->vertex_count, .rise = way
+  };
   vs_affine frame = o.frame;
   const double along[3] = { way.x, way.y, way.z };
   for (int i = 0; x->center && n->child_count == 1 && i < 3; i++) frame.m[i][3] -= along[i] / 2;
@@ -425,7 +463,8 @@ bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_facets *f, vs_mes
   uint32_t *below = malloc((points + 1) * sizeof *below);
   size_t *sizes = malloc((o.count + 1) * sizeof *sizes);
   bool ok = (t.edges && flat && below && sizes) || vs_error_memory(e, NULL);
-  if (ok && o.count && !o.loops[0].closed) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: a taper needs a closed profile");
+  if (ok && o.count && !o.loops[0].closed)
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: a taper needs a closed profile");
   vs_bounds b = vs_bounds_empty();
   for (size_t l = 0, k = 0; ok && l < o.count; l++) {
     sizes[l] = 0;
@@ -434,15 +473,18 @@ bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_facets *f, vs_mes
       if (vs_v3_equal(p, next)) continue;
       vs_bounds_add(&b, p);
       sizes[l]++;
-      flat[k++] = (vs_vec2){ p.x * frame.m[0][0] + p.y * frame.m[1][0] + p.z * frame.m[2][0], p.x * frame.m[0][1] + p.y * frame.m[1][1] + p.z * frame.m[2][1] };
+      flat[k++] = (vs_vec2){ p.x * frame.m[0][0] + p.y * frame.m[1][0] + p.z * frame.m[2][0],
+                             p.x * frame.m[0][1] + p.y * frame.m[1][1] + p.z * frame.m[2][1] };
     }
   }
   t.size = vs_bounds_diagonal(&b);
-  for (size_t l = 0, from = 0; ok && l < o.count; from += sizes[l++]) ok = taper_loop(&t, flat + from, sizes[l], below + from) || vs_error_memory(e, NULL);
+  for (size_t l = 0, from = 0; ok && l < o.count; from += sizes[l++])
+    ok = taper_loop(&t, flat + from, sizes[l], below + from) || vs_error_memory(e, NULL);
   t.walls = t.count;
   ok = ok && (taper_run(&t) || vs_error_memory(e, NULL));
   for (size_t i = 0; ok && i < t.walls; i++) ok = taper_wall(&t, i) || vs_error_memory(e, NULL);
-  for (size_t l = 0, from = 0; ok && l < o.count;) { /* the profile itself, seen from below; `below` begins with each loop's second point */
+  for (size_t l = 0, from = 0; ok && l < o.count;) { /* the profile itself, seen from below; `below` begins with each
+                                                      * loop's second point */
     size_t end = l + 1, count = sizes[l];
     while (end < o.count && o.hole[end]) count += sizes[end++];
     for (size_t i = 0; i < count; i++) flat[from + i] = t.flat[below[from + i] - t.first];

@@ -1,7 +1,8 @@
 /* Owns the thickening of surfaces given as triangles: two copies apart from it, and walls along the border.
  *
- * A vertex moves along the sum n of its facets' normals weighted by their angles there, as far as brings it onto the mean of the facets'
- * shifted planes (all of them where the surface is flat or bends once), at most four times the distance. */
+ * A vertex moves along the sum n of its facets' normals weighted by their angles there, as far as brings it onto the
+ * mean of the facets' shifted planes (all of them where the surface is flat or bends once), at most four times the
+ * distance. */
 #include "geometry/profiles/thicken.h"
 
 #include <stdlib.h>
@@ -57,19 +58,23 @@ static bool thicken_keeps(const vs_mesh *m, uint32_t (*facets)[3], size_t count,
 bool vs_thicken_surface(const vs_mesh *m, double outwards, double inwards, vs_mesh *out, vs_vec3 *turned,
                         bool *turns) {
   size_t n = m->vertex_count, count = 0;
-  uint32_t *place = malloc((n ? n : 1) * sizeof *place), (*facets)[3] = malloc((m->triangle_count ? m->triangle_count : 1) * sizeof *facets);
-  vs_vec3 *normal = calloc(n ? n : 1, sizeof *normal), *face = malloc((m->triangle_count ? m->triangle_count : 1) * sizeof *face);
+  uint32_t *place = malloc((n ? n : 1) * sizeof *place),
+           (*facets)[3] = malloc((m->triangle_count ? m->triangle_count : 1) * sizeof *facets);
+  vs_vec3 *normal = calloc(n ? n : 1, sizeof *normal),
+          *face = malloc((m->triangle_count ? m->triangle_count : 1) * sizeof *face);
   double *cosine = calloc(n ? n : 1, sizeof *cosine), *weight = calloc(n ? n : 1, sizeof *weight);
   bool ok = place && facets && normal && face && cosine && weight && vs_polyface_merge(m->vertices, n, place);
   for (size_t i = 0; ok && i < m->triangle_count; i++) {
     uint32_t t[3];
     for (int k = 0; k < 3; k++) t[k] = place[m->triangles[i][k]];
-    vs_vec3 c = vs_v3_cross(vs_v3_sub(m->vertices[t[1]], m->vertices[t[0]]), vs_v3_sub(m->vertices[t[2]], m->vertices[t[0]]));
+    vs_vec3 c =
+        vs_v3_cross(vs_v3_sub(m->vertices[t[1]], m->vertices[t[0]]), vs_v3_sub(m->vertices[t[2]], m->vertices[t[0]]));
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || vs_v3_dot(c, c) == 0) continue;
     face[count] = vs_v3_unit(c);
     for (int k = 0; k < 3; k++) {
       facets[count][k] = t[k];
-      vs_vec3 p = vs_v3_sub(m->vertices[t[(k + 1) % 3]], m->vertices[t[k]]), q = vs_v3_sub(m->vertices[t[(k + 2) % 3]], m->vertices[t[k]]);
+      vs_vec3 p = vs_v3_sub(m->vertices[t[(k + 1) % 3]], m->vertices[t[k]]),
+              q = vs_v3_sub(m->vertices[t[(k + 2) % 3]], m->vertices[t[k]]);
       double angle = atan2(vs_v3_length(vs_v3_cross(p, q)), vs_v3_dot(p, q));
       normal[t[k]] = vs_v3_add(normal[t[k]], vs_v3_scale(face[count], angle));
     }

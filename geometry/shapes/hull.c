@@ -1,8 +1,9 @@
 /* Owns convex hulls.
  *
- * In space: quickhull (Barber, Dobkin, Huhdanpaa 1996), every decision exact. Points are put on a grid of 2^40 steps over their extent, where the side on which a
- * point lies of three others is the sign of a number of 123 bits. A point takes with it the faces it lies above and those in whose planes it
- * lies, so that no face without area comes to be: the points of a flat facet are joined by triangles, corners inside it are left out.
+ * In space: quickhull (Barber, Dobkin, Huhdanpaa 1996), every decision exact. Points are put on a grid of 2^40 steps
+ * over their extent, where the side on which a point lies of three others is the sign of a number of 123 bits. A point
+ * takes with it the faces it lies above and those in whose planes it lies, so that no face without area comes to be:
+ * the points of a flat facet are joined by triangles, corners inside it are left out.
  *
  *   above[f]   a list of points that lie outside the hull so far and above face f, each in one list only
  *   horizon    the edges round the faces that a point takes with it: each becomes a face with the point
@@ -31,7 +32,8 @@ bool vs_cloud_add(vs_cloud *c, vs_vec3 p) {
 
 /* ---- extent ---- */
 
-/* A point far from the others in every way: corner[0..3] span as much as there is, extent[k] is how far corner[k] lies off the others. */
+/* A point far from the others in every way: corner[0..3] span as much as there is, extent[k] is how far corner[k] lies
+ * off the others. */
 static int cloud_span(const vs_cloud *c, uint32_t corner[4]) {
   if (!c->count) return -1;
   vs_bounds b = vs_bounds_empty();
@@ -72,7 +74,8 @@ static vs_step *cloud_steps(const vs_cloud *c) {
   frexp(fmax(d.x, fmax(d.y, d.z)), &exponent); /* extent < 2^exponent: steps from -2^39 to 2^39 */
   for (size_t i = 0; s && i < c->count; i++) {
     vs_vec3 p = vs_v3_sub(c->at[i], o);
-    s[i] = (vs_step){ (int64_t)nearbyint(ldexp(p.x, 40 - exponent)), (int64_t)nearbyint(ldexp(p.y, 40 - exponent)), (int64_t)nearbyint(ldexp(p.z, 40 - exponent)) };
+    s[i] = (vs_step){ (int64_t)nearbyint(ldexp(p.x, 40 - exponent)), (int64_t)nearbyint(ldexp(p.y, 40 - exponent)),
+                      (int64_t)nearbyint(ldexp(p.z, 40 - exponent)) };
   }
   return s;
 }
@@ -81,7 +84,8 @@ static vs_step *cloud_steps(const vs_cloud *c) {
 static vs_wide steps_volume(const vs_step *s, const uint32_t v[3], uint32_t d) {
   vs_step a = s[v[0]], b = s[v[1]], c = s[v[2]];
   int64_t ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, wx = c.x - a.x, wy = c.y - a.y, wz = c.z - a.z;
-  return ((vs_wide)uy * wz - (vs_wide)uz * wy) * (s[d].x - a.x) + ((vs_wide)uz * wx - (vs_wide)ux * wz) * (s[d].y - a.y) +
+  return ((vs_wide)uy * wz - (vs_wide)uz * wy) * (s[d].x - a.x) +
+         ((vs_wide)uz * wx - (vs_wide)ux * wz) * (s[d].y - a.y) +
          ((vs_wide)ux * wy - (vs_wide)uy * wx) * (s[d].z - a.z);
 }
 
@@ -124,14 +128,17 @@ static void hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to)
 
 static bool hull_start(vs_quickhull *h, const uint32_t corner[4], size_t points) {
   uint32_t v[4] = { corner[0], corner[1], corner[2], corner[3] }, f;
-  if (steps_volume(h->steps, v, v[3]) > 0) v[1] = corner[2], v[2] = corner[1]; /* the fourth lies below the first three */
+  /* the fourth lies below the first three */
+  if (steps_volume(h->steps, v, v[3]) > 0) v[1] = corner[2], v[2] = corner[1];
   static const unsigned char faces[4][3] = { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 }, { 2, 3, 0 } };
   for (int i = 0; i < 4; i++)
     if (!hull_face_new(h, v[faces[i][0]], v[faces[i][1]], v[faces[i][2]], &f)) return false;
   for (uint32_t i = 0; i < 4; i++)
     for (uint32_t k = 0; k < 3; k++)
       for (uint32_t j = 0; j < 12; j++)
-        if (h->faces[j / 3].v[j % 3] == h->faces[i].v[(k + 1) % 3] && h->faces[j / 3].v[(j + 1) % 3] == h->faces[i].v[k]) h->faces[i].next[k] = j / 3;
+        if (h->faces[j / 3].v[j % 3] == h->faces[i].v[(k + 1) % 3] &&
+            h->faces[j / 3].v[(j + 1) % 3] == h->faces[i].v[k])
+          h->faces[i].next[k] = j / 3;
   for (size_t p = 0; p < points; p++) hull_assign(h, (uint32_t)p, 0, 4);
   return true;
 }
@@ -175,7 +182,8 @@ static bool hull_add(vs_quickhull *h, uint32_t face, uint32_t step) {
   if (!hull_take(h, face, p, step, &taken, &edges)) return false;
   uint32_t first = (uint32_t)h->count, made;
   for (size_t i = 0; i < edges; i++) {
-    uint32_t f = h->horizon[2 * i], k = h->horizon[2 * i + 1], a = h->faces[f].v[k], b = h->faces[f].v[(k + 1) % 3], other = h->faces[f].next[k];
+    uint32_t f = h->horizon[2 * i], k = h->horizon[2 * i + 1], a = h->faces[f].v[k], b = h->faces[f].v[(k + 1) % 3],
+             other = h->faces[f].next[k];
     if (!hull_face_new(h, a, b, p, &made)) return false;
     h->faces[made].next[0] = other;
     for (uint32_t j = 0; j < 3; j++)
@@ -216,10 +224,13 @@ bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out) {
   uint32_t corner[4];
   if (cloud_span(c, corner) < 3) return true;
   vs_step *steps = cloud_steps(c);
-  vs_quickhull h = { .steps = steps, .next_above = malloc(c->count * sizeof *h.next_above), .leaving = malloc(c->count * sizeof *h.leaving) };
+  vs_quickhull h = { .steps = steps,
+                     .next_above = malloc(c->count * sizeof *h.next_above),
+                     .leaving = malloc(c->count * sizeof *h.leaving) };
   bool ok = steps && h.next_above && h.leaving && hull_start(&h, corner, c->count);
   for (uint32_t f = 0, step = 0; ok && f < h.count; f++)
-    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* f dies of it: the next is the next */
+    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* f dies of it: the next is the
+                                                                                       * next */
   ok = ok && hull_write(&h, c, out);
   free(steps);
   free(h.next_above);
@@ -244,7 +255,8 @@ static int flat_compare(const void *a, const void *b) {
 /* b lies off the line from a to c by more steps than rounding moves points that were on it */
 static bool flat_left(const vs_flat_step *a, const vs_flat_step *b, const vs_flat_step *c) {
   int64_t du = c->u - a->u, dv = c->v - a->v;
-  return (vs_wide)(b->u - a->u) * dv - (vs_wide)(b->v - a->v) * du > 4 * ((vs_wide)(du < 0 ? -du : du) + (dv < 0 ? -dv : dv));
+  return (vs_wide)(b->u - a->u) * dv - (vs_wide)(b->v - a->v) * du >
+         4 * ((vs_wide)(du < 0 ? -du : du) + (dv < 0 ? -dv : dv));
 }
 
 bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
@@ -253,10 +265,13 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   *out = (vs_polyline){ .closed = true };
   if (dimension < 1) return true;
   vs_vec3 n = { 0, 0, 0 };
-  if (dimension > 1) n = vs_v3_cross(vs_v3_sub(c->at[corner[1]], c->at[corner[0]]), vs_v3_sub(c->at[corner[2]], c->at[corner[0]]));
+  if (dimension > 1)
+    n = vs_v3_cross(vs_v3_sub(c->at[corner[1]], c->at[corner[0]]), vs_v3_sub(c->at[corner[2]], c->at[corner[0]]));
   else { /* any plane through the line that does not stand on its shadow */
     vs_vec3 d = vs_v3_sub(c->at[corner[1]], c->at[corner[0]]);
-    n = fabs(d.x) <= fabs(d.y) && fabs(d.x) <= fabs(d.z) ? vs_v3(1, 0, 0) : fabs(d.y) <= fabs(d.z) ? vs_v3(0, 1, 0) : vs_v3(0, 0, 1);
+    n = fabs(d.x) <= fabs(d.y) && fabs(d.x) <= fabs(d.z) ? vs_v3(1, 0, 0)
+        : fabs(d.y) <= fabs(d.z)                         ? vs_v3(0, 1, 0)
+                                                         : vs_v3(0, 0, 1);
   }
   if (fabs(n.x) >= fabs(n.y) && fabs(n.x) >= fabs(n.z)) drop = 0;
   else if (fabs(n.y) >= fabs(n.z)) drop = 1;
@@ -265,7 +280,13 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   bool ok = steps && at && chain;
   for (size_t i = 0; ok && i < c->count; i++) {
     vs_step s = steps[i];
-    at[i] = (vs_flat_step){ drop == 0 ? s.y : drop == 1 ? s.z : s.x, drop == 0 ? s.z : drop == 1 ? s.x : s.y, (uint32_t)i };
+    at[i] = (vs_flat_step){ drop == 0   ? s.y
+                            : drop == 1 ? s.z
+                                        : s.x,
+                            drop == 0   ? s.z
+                            : drop == 1 ? s.x
+                                        : s.y,
+                            (uint32_t)i };
   }
   size_t count = 0;
   if (ok) qsort(at, c->count, sizeof *at, flat_compare);
@@ -331,7 +352,8 @@ bool vs_hull_cloud(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_er
     vs_hull_part part = stack[--depth];
     const vs_node *n = part.ref->node;
     if (n->kind == VS_TRANSFORM) part.placed = vs_affine_multiply(&part.placed, &VS_AS(transform, n)->matrix);
-    if (n->kind == VS_HULL) ok = hull_add_points(out, &part.placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count, e);
+    if (n->kind == VS_HULL)
+      ok = hull_add_points(out, &part.placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count, e);
     if (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || n->kind == VS_UNION || n->kind == VS_HULL) {
       if (ok && !VS_GROW(stack, room, depth + n->child_count)) ok = vs_error_memory(e, NULL);
       for (uint32_t i = n->child_count; ok && i-- > 0;) stack[depth++] = (vs_hull_part){ &n->children[i], part.placed };

@@ -14,11 +14,12 @@ bool vs_cloud_add(vs_cloud *c, vs_vec3 p); /* false: out of memory */
 int vs_cloud_dimension(const vs_cloud *c);
 /* The hull's triangles, appended; nothing where the points are in one plane. False: out of memory. */
 bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out);
-/* The hull of points in one plane, counter-clockwise about some normal; of points on a line its two ends. out empty before. */
+/* The hull of points in one plane, counter-clockwise about some normal; of points on a line its two ends. out empty
+ * before. */
 bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out);
 
-/* The points whose hull the node's is, in its own coordinates: corners of what it holds, as finely as f asks. Sets of solids other than unions are the
- * kernel's to mesh (solids/resolve.h): they are an error here. */
+/* The points whose hull the node's is, in its own coordinates: corners of what it holds, as finely as f asks. Sets of
+ * solids other than unions are the kernel's to mesh (solids/resolve.h): they are an error here. */
 bool vs_hull_cloud(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_error *e);
 
 #endif

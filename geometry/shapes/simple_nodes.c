@@ -5,7 +5,8 @@
 
 vs_node *vs_node_of_polyline(vs_store *store, const vs_polyline *p) {
   vs_points *points = vs_points_new(store, p->at, p->count);
-  vs_node *line = points ? vs_node_new(store, VS_LINE, &(struct vs_line){ .points = points, .closed = p->closed }, NULL, 0) : NULL;
+  vs_node *line =
+      points ? vs_node_new(store, VS_LINE, &(struct vs_line){ .points = points, .closed = p->closed }, NULL, 0) : NULL;
   if (points) vs_points_release(store, points);
   return line;
 }
@@ -14,7 +15,9 @@ vs_node *vs_node_of_outline(vs_store *store, const vs_outline *o, const vs_origi
   vs_ref *loops = calloc(o->count + 1, sizeof *loops);
   vs_node *made = NULL;
   size_t count = 0;
-  while (loops && count < o->count && (loops[count] = (vs_ref){ vs_node_of_polyline(store, &o->loops[count]), origin }).node) count++;
+  while (loops && count < o->count &&
+         (loops[count] = (vs_ref){ vs_node_of_polyline(store, &o->loops[count]), origin }).node)
+    count++;
   if (loops && count == o->count) made = vs_node_new(store, count ? VS_REGION : VS_EMPTY, NULL, loops, count);
   for (size_t i = 0; i < count; i++) vs_node_release(loops[i].node);
   free(loops);
@@ -38,7 +41,9 @@ vs_node *vs_node_of_mesh(vs_store *store, const vs_mesh *m, bool closed) {
     for (size_t i = 0; i <= m->triangle_count; i++) starts[i] = (uint32_t)(3 * i);
     faces = vs_faces_new(store, starts, m->triangle_count, &m->triangles[0][0], 3 * m->triangle_count);
   }
-  if (faces) made = vs_node_new(store, VS_POLYFACE_MESH, &(struct vs_polyface_mesh){ .points = points, .faces = faces, .closed = closed }, NULL, 0);
+  if (faces)
+    made = vs_node_new(store, VS_POLYFACE_MESH,
+                       &(struct vs_polyface_mesh){ .points = points, .faces = faces, .closed = closed }, NULL, 0);
   if (faces) vs_faces_release(store, faces);
   if (points) vs_points_release(store, points);
   free(starts);

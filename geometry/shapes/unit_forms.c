@@ -16,7 +16,8 @@ static vs_affine unit_on_axis(vs_vec3 base, vs_vec3 top, double radius, double a
   return vs_affine_multiply(&frame, &size);
 }
 
-static bool unit_round(vs_unit unit, const vs_facets *f, double radius, int segments, vs_affine place, vs_unit_copy *out) {
+static bool unit_round(vs_unit unit, const vs_facets *f, double radius, int segments, vs_affine place,
+                       vs_unit_copy *out) {
   *out = (vs_unit_copy){ unit, vs_facets_turn(f, radius, segments), segments > 0, place };
   return true;
 }
@@ -38,17 +39,19 @@ bool vs_unit_of(const vs_node *n, const vs_facets *f, vs_unit_copy *out) {
   }
   if (n->kind == VS_CYLINDER) {
     const struct vs_cylinder *c = VS_AS(cylinder, n);
-    return unit_round(VS_UNIT_CYLINDER, f, c->radius, c->segments, unit_on_axis(c->base, c->top, c->radius, c->radius), out);
+    return unit_round(VS_UNIT_CYLINDER, f, c->radius, c->segments, unit_on_axis(c->base, c->top, c->radius, c->radius),
+                      out);
   }
   if (n->kind == VS_CONE) {
     const struct vs_cone *c = VS_AS(cone, n);
-    return unit_round(VS_UNIT_CONE, f, c->radius, c->segments, unit_on_axis(c->base, c->apex, c->radius, c->radius), out);
+    return unit_round(VS_UNIT_CONE, f, c->radius, c->segments, unit_on_axis(c->base, c->apex, c->radius, c->radius),
+                      out);
   }
   if (n->kind == VS_E_CONE) {
     const struct vs_e_cone *c = VS_AS(e_cone, n);
     if (c->top_radius != 0 && c->top_radius != c->base_radius) return false;
-    return unit_round(c->top_radius == 0 ? VS_UNIT_CONE : VS_UNIT_CYLINDER, f, fmax(c->base_radius, c->base_across), c->segments,
-                      unit_on_axis(c->base, c->top, c->base_radius, c->base_across), out);
+    return unit_round(c->top_radius == 0 ? VS_UNIT_CONE : VS_UNIT_CYLINDER, f, fmax(c->base_radius, c->base_across),
+                      c->segments, unit_on_axis(c->base, c->top, c->base_radius, c->base_across), out);
   }
   return false;
 }

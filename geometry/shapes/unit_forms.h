@@ -1,5 +1,5 @@
-/* Owns the unit forms: shapes of which every box, wedge, sphere, cylinder and cone is a placed copy. Formats of instances keep one mesh a
- * form and number of facets, whatever the sizes and directions of what is drawn. */
+/* Owns the unit forms: shapes of which every box, wedge, sphere, cylinder and cone is a placed copy. Formats of
+ * instances keep one mesh a form and number of facets, whatever the sizes and directions of what is drawn. */
 #ifndef VS_GEOMETRY_UNIT_H
 #define VS_GEOMETRY_UNIT_H
 
@@ -17,7 +17,8 @@ typedef struct {
   vs_affine place; /* from the form to the node's own coordinates */
 } vs_unit_copy;
 
-bool vs_unit_of(const vs_node *n, const vs_facets *f, vs_unit_copy *out); /* false: the node is no copy of a unit form */
+/* false: the node is no copy of a unit form */
+bool vs_unit_of(const vs_node *n, const vs_facets *f, vs_unit_copy *out);
 bool vs_unit_mesh(vs_unit unit, int turn, vs_mesh *out); /* appended; false: out of memory */
 
 #endif

@@ -1,7 +1,8 @@
-/* Owns the reading of fonts by FreeType: loaded at the first text, one library and one face each font, all kept by the store.
+/* Owns the reading of fonts by FreeType: loaded at the first text, one library and one face each font, all kept by the
+ * store.
  *
- * FreeType's own memory is the store's too, so that limits hold for it and a refusal is seen: FreeType goes on without a table that it found no
- * memory for, and a text without its kerning would be another text. */
+ * FreeType's own memory is the store's too, so that limits hold for it and a refusal is seen: FreeType goes on without
+ * a table that it found no memory for, and a text without its kerning would be another text. */
 #include "geometry/text/font.h"
 
 #include <errno.h>
@@ -81,7 +82,9 @@ static void *font_resize(font_shelf *shelf, void *old, long size) {
   return b + 1;
 }
 static void *font_take(FT_Memory m, long size) { return font_resize(m->user, NULL, size); }
-static void *font_change(FT_Memory m, long old_size, long size, void *old) { return (void)old_size, font_resize(m->user, old, size); }
+static void *font_change(FT_Memory m, long old_size, long size, void *old) {
+  return (void)old_size, font_resize(m->user, old, size);
+}
 static void font_give(FT_Memory m, void *old) {
   font_block *b = old ? (font_block *)old - 1 : NULL;
   if (b) vs_store_realloc(((font_shelf *)m->user)->store, b, b->bytes, 0);
@@ -120,12 +123,14 @@ static font_shelf *font_shelf_of(vs_store *s, vs_error *e) {
   void **kept = vs_store_kept(s, font_let_go);
   if (*kept) return *kept;
   font_shelf made = { .store = s };
-  if (!vs_dynamic_load(&library, freetype_names, sizeof freetype_names / sizeof *freetype_names, &made.call, e)) return NULL;
+  if (!vs_dynamic_load(&library, freetype_names, sizeof freetype_names / sizeof *freetype_names, &made.call, e))
+    return NULL;
   font_shelf *shelf = vs_store_realloc(s, NULL, 0, sizeof *shelf);
   bool ok = shelf != NULL;
   if (ok) {
     *shelf = made;
-    shelf->memory = (struct FT_MemoryRec_){ .user = shelf, .alloc = font_take, .free = font_give, .realloc = font_change };
+    shelf->memory =
+        (struct FT_MemoryRec_){ .user = shelf, .alloc = font_take, .free = font_give, .realloc = font_change };
     ok = !shelf->call.create(&shelf->memory, &shelf->library);
     if (ok) shelf->call.modules(shelf->library);
   }
@@ -156,7 +161,8 @@ bool vs_font_is_path(const char *name) {
   return false;
 }
 
-/* The height of H: "size" means the same in every font. A font without an H (symbols) gets the usual height, .7 of the em. */
+/* The height of H: "size" means the same in every font. A font without an H (symbols) gets the usual height, .7 of the
+ * em. */
 static bool font_measure(vs_font *f, vs_error *e) {
   uint32_t index = vs_font_index(f, 'H');
   f->capital = 0.7 * f->face->units_per_EM;
@@ -175,7 +181,8 @@ static bool font_load_pairs(vs_font *f) {
   const FT_ULong gpos = 0x47504F53; /* 'GPOS' */
   FT_ULong size = 0;
   enum { MOST = 8 << 20 };
-  if (FT_HAS_KERNING(f->face) || ft->table(f->face, gpos, 0, NULL, &size) || size == 0 || size > MOST) return !f->shelf->refused;
+  if (FT_HAS_KERNING(f->face) || ft->table(f->face, gpos, 0, NULL, &size) || size == 0 || size > MOST)
+    return !f->shelf->refused;
   f->pairs = vs_store_realloc(f->store, NULL, 0, size);
   if (!f->pairs) return false;
   f->pairs_size = size;
@@ -194,7 +201,8 @@ static void font_drop(vs_font *f) {
 }
 
 /* The font of a file (bytes NULL) or of bytes, which are copied. */
-static vs_font *font_open(font_shelf *shelf, vs_store *s, const char *name, const char *path, const void *bytes, size_t size, vs_error *e) {
+static vs_font *font_open(font_shelf *shelf, vs_store *s, const char *name, const char *path, const void *bytes,
+                          size_t size, vs_error *e) {
   vs_font *f = vs_store_realloc(s, NULL, 0, sizeof *f);
   const char *kept = vs_store_text(s, name, strlen(name));
   if (f) *f = (vs_font){ .store = s, .shelf = shelf, .name = kept, .glyphs = { .store = s } };
@@ -209,14 +217,18 @@ static vs_font *font_open(font_shelf *shelf, vs_store *s, const char *name, cons
   }
   shelf->refused = false;
   errno = 0;
-  int problem = bytes ? shelf->call.open_memory(shelf->library, f->bytes, (FT_Long)size, 0, &f->face) : shelf->call.open_file(shelf->library, path, 0, &f->face);
+  int problem = bytes ? shelf->call.open_memory(shelf->library, f->bytes, (FT_Long)size, 0, &f->face)
+                      : shelf->call.open_file(shelf->library, path, 0, &f->face);
   if (shelf->refused || problem == FT_Err_Out_Of_Memory || (problem && errno == ENOMEM)) {
     vs_error_memory(e, NULL);
     font_drop(f);
     return NULL;
   }
   if (problem || !FT_IS_SCALABLE(f->face) || f->face->units_per_EM == 0) {
-    vs_error_set(e, VS_ERROR_MODEL, NULL, problem == FT_Err_Cannot_Open_Resource ? "there is no file \"%.300s\"" : "\"%.300s\" is no font with outlines", path ? path : name);
+    vs_error_set(e, VS_ERROR_MODEL, NULL,
+                 problem == FT_Err_Cannot_Open_Resource ? "there is no file \"%.300s\""
+                                                        : "\"%.300s\" is no font with outlines",
+                 path ? path : name);
     font_drop(f);
     return NULL;
   }
@@ -251,8 +263,10 @@ vs_font *vs_font_get(vs_store *s, const char *name, vs_error *e) {
   }
   char families[300];
   vs_font_families(families, sizeof families);
-  if (!*name) vs_error_set(e, VS_ERROR_WORKER, NULL, "the font DejaVu Sans is missing: it is in the package fonts-dejavu-core");
-  else if (*families) vs_error_set(e, VS_ERROR_MODEL, NULL, "there is no font \"%.100s\"; there is: %s", name, families);
+  if (!*name)
+    vs_error_set(e, VS_ERROR_WORKER, NULL, "the font DejaVu Sans is missing: it is in the package fonts-dejavu-core");
+  else if (*families)
+    vs_error_set(e, VS_ERROR_MODEL, NULL, "there is no font \"%.100s\"; there is: %s", name, families);
   else vs_error_set(e, VS_ERROR_MODEL, NULL, "there is no font \"%.100s\", nor any other", name);
   return NULL;
 }
@@ -281,7 +295,9 @@ uint32_t vs_font_index(const vs_font *f, uint32_t character) { return f->shelf->
 double vs_font_kerning(const vs_font *f, uint32_t left, uint32_t right) {
   FT_Vector by;
   if (f->pairs) return vs_kerning_pair(f->pairs, f->pairs_size, left, right);
-  return FT_HAS_KERNING(f->face) && !f->shelf->call.kerning(f->face, left, right, FT_KERNING_UNSCALED, &by) ? (double)by.x : 0;
+  return FT_HAS_KERNING(f->face) && !f->shelf->call.kerning(f->face, left, right, FT_KERNING_UNSCALED, &by)
+             ? (double)by.x
+             : 0;
 }
 
 /* ---- outlines ---- */
@@ -303,13 +319,18 @@ static int font_step(void *drawing, vs_glyph_step step) {
 }
 
 static vs_font_point font_point(const FT_Vector *v) { return (vs_font_point){ (double)v->x, (double)v->y }; }
-static int font_move(const FT_Vector *to, void *d) { return font_step(d, (vs_glyph_step){ .kind = VS_STEP_MOVE, .to = font_point(to) }); }
-static int font_line(const FT_Vector *to, void *d) { return font_step(d, (vs_glyph_step){ .kind = VS_STEP_LINE, .to = font_point(to) }); }
+static int font_move(const FT_Vector *to, void *d) {
+  return font_step(d, (vs_glyph_step){ .kind = VS_STEP_MOVE, .to = font_point(to) });
+}
+static int font_line(const FT_Vector *to, void *d) {
+  return font_step(d, (vs_glyph_step){ .kind = VS_STEP_LINE, .to = font_point(to) });
+}
 static int font_quadratic(const FT_Vector *b, const FT_Vector *to, void *d) {
   return font_step(d, (vs_glyph_step){ .kind = VS_STEP_QUADRATIC, .b = font_point(b), .to = font_point(to) });
 }
 static int font_cubic(const FT_Vector *a, const FT_Vector *b, const FT_Vector *to, void *d) {
-  return font_step(d, (vs_glyph_step){ .kind = VS_STEP_CUBIC, .a = font_point(a), .b = font_point(b), .to = font_point(to) });
+  return font_step(
+      d, (vs_glyph_step){ .kind = VS_STEP_CUBIC, .a = font_point(a), .b = font_point(b), .to = font_point(to) });
 }
 
 const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e) {
@@ -330,11 +351,14 @@ const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e) {
   int problem = ft->load(f->face, index, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP);
   if (!problem) {
     g->advance = (double)f->face->glyph->metrics.horiAdvance;
-    if (f->face->glyph->format == FT_GLYPH_FORMAT_OUTLINE) problem = ft->decompose(&f->face->glyph->outline, &functions, &d);
+    if (f->face->glyph->format == FT_GLYPH_FORMAT_OUTLINE)
+      problem = ft->decompose(&f->face->glyph->outline, &functions, &d);
   }
   if (problem || f->shelf->refused) {
     if (problem == 1 || f->shelf->refused) vs_error_memory(e, NULL); /* 1 is font_step's answer */
-    else vs_error_set(e, VS_ERROR_MODEL, NULL, "the font \"%.100s\" is damaged: glyph %lu cannot be read", f->name, (unsigned long)index);
+    else
+      vs_error_set(e, VS_ERROR_MODEL, NULL, "the font \"%.100s\" is damaged: glyph %lu cannot be read", f->name,
+                   (unsigned long)index);
     vs_store_realloc(f->store, g->steps, g->room * sizeof *g->steps, 0);
     vs_store_realloc(f->store, g, sizeof *g, 0);
     return NULL;

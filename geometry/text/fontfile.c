@@ -1,8 +1,9 @@
-/* Owns the finding of font files: the folders of the system and of the user, searched for a file whose name is the family's.
+/* Owns the finding of font files: the folders of the system and of the user, searched for a file whose name is the
+ * family's.
  *
- * "DejaVu Sans Bold" is the file DejaVuSans-Bold.ttf: names are compared as small letters and digits alone, and a family without a style may be
- * the file of its Regular or Book style. Thus a font is found without opening any. Folders are searched in one order, files by name: the same
- * machine gives the same file. */
+ * "DejaVu Sans Bold" is the file DejaVuSans-Bold.ttf: names are compared as small letters and digits alone, and a
+ * family without a style may be the file of its Regular or Book style. Thus a font is found without opening any.
+ * Folders are searched in one order, files by name: the same machine gives the same file. */
 #define _XOPEN_SOURCE 700
 #include <dirent.h>
 #include <errno.h>
@@ -76,8 +77,10 @@ static bool search_below(const char *root, font_file_fn *fn, void *context, bool
 }
 
 static bool search(font_file_fn *fn, void *context) {
-  static const char *const folders[] = { "~/.fonts", "~/.local/share/fonts", "/usr/local/share/fonts", "/usr/share/fonts", "/Library/Fonts",
-                                         "/System/Library/Fonts", "/opt/homebrew/share/fonts" };
+  static const char *const folders[] = {
+    "~/.fonts",       "~/.local/share/fonts",  "/usr/local/share/fonts",   "/usr/share/fonts",
+    "/Library/Fonts", "/System/Library/Fonts", "/opt/homebrew/share/fonts"
+  };
   const char *home = getenv("HOME");
   bool stop = false, ok = true;
   for (size_t i = 0; ok && !stop && i < sizeof folders / sizeof *folders; i++) {
@@ -146,7 +149,8 @@ static bool list_look(void *context, const char *path, const char *plain) {
   return false;
 }
 
-/* The font that text has without asking stands first wherever it is installed: what a message begins with is the same on every machine. */
+/* The font that text has without asking stands first wherever it is installed: what a message begins with is the same
+ * on every machine. */
 void vs_font_families(char *text, size_t room) {
   static const char usual[] = "DejaVu Sans";
   char path[PATH_ROOM];

@@ -1,13 +1,17 @@
-/* Owns the reading of pair positioning in GPOS: every lookup that the feature `kern` names, of type 2 or of type 9 that stands for 2.
+/* Owns the reading of pair positioning in GPOS: every lookup that the feature `kern` names, of type 2 or of type 9 that
+ * stands for 2.
  *
- * Notation of the OpenType specification; numbers are big-endian. Every read is checked against the table's size: fonts are files of users. */
+ * Notation of the OpenType specification; numbers are big-endian. Every read is checked against the table's size: fonts
+ * are files of users. */
 #include "geometry/text/kerning.h"
 
 #include <stdbool.h>
 
 typedef struct { const unsigned char *at; size_t size; } table;
 
-static uint32_t u16(const table *t, size_t at) { return at + 2 <= t->size ? (uint32_t)t->at[at] << 8 | t->at[at + 1] : 0; }
+static uint32_t u16(const table *t, size_t at) {
+  return at + 2 <= t->size ? (uint32_t)t->at[at] << 8 | t->at[at + 1] : 0;
+}
 static uint32_t u32(const table *t, size_t at) { return u16(t, at) << 16 | u16(t, at + 2); }
 static int32_t s16(const table *t, size_t at) { return (int16_t)u16(t, at); }
 
@@ -49,8 +53,11 @@ static size_t bits(uint32_t format) {
   return count;
 }
 
-/* XAdvance of a value record, whose parts are there as the bits of its format say: XPlacement, YPlacement, XAdvance ... */
-static int32_t advance(const table *t, size_t record, uint32_t format) { return format & 4 ? s16(t, record + 2 * bits(format & 3)) : 0; }
+/* XAdvance of a value record, whose parts are there as the bits of its format say: XPlacement, YPlacement, XAdvance
+ * ... */
+static int32_t advance(const table *t, size_t record, uint32_t format) {
+  return format & 4 ? s16(t, record + 2 * bits(format & 3)) : 0;
+}
 
 /* False: this subtable says nothing of the pair. */
 static bool pair(const table *t, size_t at, uint32_t left, uint32_t right, double *by) {
@@ -73,7 +80,8 @@ static bool pair(const table *t, size_t at, uint32_t left, uint32_t right, doubl
     return false;
   }
   if (u16(t, at) != 2) return false;
-  uint32_t left_class = glyph_class(t, at + u16(t, at + 8), left), right_class = glyph_class(t, at + u16(t, at + 10), right);
+  uint32_t left_class = glyph_class(t, at + u16(t, at + 8), left),
+           right_class = glyph_class(t, at + u16(t, at + 10), right);
   uint32_t lefts = u16(t, at + 12), rights = u16(t, at + 14);
   if (left_class >= lefts || right_class >= rights) return false;
   *by = advance(t, at + 16 + ((size_t)left_class * rights + right_class) * record, first);

@@ -1,7 +1,8 @@
 /* Owns the way from a font's contours to loops that bound ink.
  *
- * Nearly always no two contours cross, and then nothing has to be computed but who lies inside whom: the winding number on both sides of each loop
- * is the sum of the turns of the loops that hold it. Crossings are looked for by a sweep over the segments in order of x. */
+ * Nearly always no two contours cross, and then nothing has to be computed but who lies inside whom: the winding number
+ * on both sides of each loop is the sum of the turns of the loops that hold it. Crossings are looked for by a sweep
+ * over the segments in order of x. */
 #include "geometry/text/nonzero.h"
 
 #include <stdint.h>
@@ -54,7 +55,8 @@ static bool holds(const vs_flat_loops *l, const vs_flat_loop *loop, vs_vec2 at) 
   const vs_vec2 *p = l->at + loop->first;
   bool inside = false;
   for (size_t i = 0, j = loop->count - 1; i < loop->count; j = i++)
-    if ((p[i].y > at.y) != (p[j].y > at.y) && at.x < p[i].x + (at.y - p[i].y) / (p[j].y - p[i].y) * (p[j].x - p[i].x)) inside = !inside;
+    if ((p[i].y > at.y) != (p[j].y > at.y) && at.x < p[i].x + (at.y - p[i].y) / (p[j].y - p[i].y) * (p[j].x - p[i].x))
+      inside = !inside;
   return inside;
 }
 
@@ -83,7 +85,8 @@ static int by_start(const void *p, const void *q) {
 
 static bool meet(const segment *s, const segment *t) {
   if (fmin(s->a.y, s->b.y) > fmax(t->a.y, t->b.y) || fmin(t->a.y, t->b.y) > fmax(s->a.y, s->b.y)) return false;
-  double a = cross(s->a, s->b, t->a), b = cross(s->a, s->b, t->b), c = cross(t->a, t->b, s->a), d = cross(t->a, t->b, s->b);
+  double a = cross(s->a, s->b, t->a), b = cross(s->a, s->b, t->b), c = cross(t->a, t->b, s->a),
+         d = cross(t->a, t->b, s->b);
   return !((a > 0 && b > 0) || (a < 0 && b < 0) || (c > 0 && d > 0) || (c < 0 && d < 0));
 }
 
@@ -143,7 +146,8 @@ static bool nest(vs_flat_loops *l) {
   for (size_t i = 0; ok && i < n; i++) {
     vs_vec2 at = l->at[l->loops[i].first];
     for (size_t j = 0; j < n; j++)
-      if (j != i && at.x > f[j].min_x && at.x < f[j].max_x && at.y > f[j].min_y && at.y < f[j].max_y && holds(l, &l->loops[j], at))
+      if (j != i && at.x > f[j].min_x && at.x < f[j].max_x && at.y > f[j].min_y && at.y < f[j].max_y &&
+          holds(l, &l->loops[j], at))
         f[i].outside += f[j].area > 0 ? 1 : -1;
     f[i].inside = f[i].outside + (f[i].area > 0 ? 1 : -1);
   }
@@ -151,8 +155,9 @@ static bool nest(vs_flat_loops *l) {
     if (!f[i].outside || f[i].inside) continue;
     vs_vec2 at = l->at[l->loops[i].first];
     for (size_t j = 0; j < n; j++)
-      if (!f[j].outside && f[j].inside && at.x > f[j].min_x && at.x < f[j].max_x && at.y > f[j].min_y && at.y < f[j].max_y &&
-          (f[i].holder == SIZE_MAX || fabs(f[j].area) < fabs(f[f[i].holder].area)) && holds(l, &l->loops[j], at))
+      if (!f[j].outside && f[j].inside && at.x > f[j].min_x && at.x < f[j].max_x && at.y > f[j].min_y &&
+          at.y < f[j].max_y && (f[i].holder == SIZE_MAX || fabs(f[j].area) < fabs(f[f[i].holder].area)) &&
+          holds(l, &l->loops[j], at))
         f[i].holder = j;
   }
   for (size_t i = 0; ok && i < n; i++) {

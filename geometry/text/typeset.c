@@ -1,11 +1,12 @@
 /* Owns the setting of text and the way from glyphs to loops.
  *
- * Every contour is sampled in its glyph's own coordinates, so that equal letters are equal. The ink of a letter is the area that its contours wind round:
- * where no two contours cross, a loop bounds ink if the winding number is 0 on one of its sides alone, and that is all; where
- * they do (letters made of overlapping strokes, letters set too close), the loops are resolved in the plane first (nonzero.h).
+ * Every contour is sampled in its glyph's own coordinates, so that equal letters are equal. The ink of a letter is the
+ * area that its contours wind round: where no two contours cross, a loop bounds ink if the winding number is 0 on one
+ * of its sides alone, and that is all; where they do (letters made of overlapping strokes, letters set too close), the
+ * loops are resolved in the plane first (nonzero.h).
  *
- * Chords: a quadratic with the second difference d = |p - 2b + q| leaves its chord by d/4, in n equal pieces by d/(4 n^2); a cubic by at most
- * 3/4 of the larger of its two second differences over n^2. */
+ * Chords: a quadratic with the second difference d = |p - 2b + q| leaves its chord by d/4, in n equal pieces by d/(4
+ * n^2); a cubic by at most 3/4 of the larger of its two second differences over n^2. */
 #include "geometry/text/typeset.h"
 
 #include <stdlib.h>
@@ -28,9 +29,11 @@ static bool text_push(vs_text_plan *p, const vs_glyph *g, double x, double y) {
   return true;
 }
 
-/* True of characters that fonts have no picture of and readers do not miss: controls, joiners, marks of direction, variation selectors. */
+/* True of characters that fonts have no picture of and readers do not miss: controls, joiners, marks of direction,
+ * variation selectors. */
 static bool text_is_silent(uint32_t c) {
-  return c < 32 || c == 127 || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || c == 0x2060 || c == 0xFEFF || (c >= 0xFE00 && c <= 0xFE0F);
+  return c < 32 || c == 127 || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || c == 0x2060 ||
+         c == 0xFEFF || (c >= 0xFE00 && c <= 0xFE0F);
 }
 
 typedef struct { vs_font *font; vs_text_plan *plan; double spacing, x, y; uint32_t before; bool any; } text_pen;
@@ -66,7 +69,8 @@ bool vs_text_lay(vs_store *s, const struct vs_letters *t, vs_text_plan *out, vs_
   *out = (vs_text_plan){ 0 };
   vs_font *font = vs_font_get(s, t->font, e);
   if (!font) return false;
-  utf8proc_ssize_t bytes = utf8proc_map((const utf8proc_uint8_t *)t->string, 0, &composed, UTF8PROC_NULLTERM | UTF8PROC_STABLE | UTF8PROC_COMPOSE);
+  utf8proc_ssize_t bytes = utf8proc_map((const utf8proc_uint8_t *)t->string, 0, &composed,
+                                        UTF8PROC_NULLTERM | UTF8PROC_STABLE | UTF8PROC_COMPOSE);
   if (bytes == UTF8PROC_ERROR_NOMEM) return vs_error_memory(e, NULL);
   if (bytes < 0) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the text is not UTF-8");
   text_pen pen = { .font = font, .plan = out, .spacing = t->spacing };
@@ -111,7 +115,9 @@ static double text_turn(vs_font_point a, vs_font_point b, vs_font_point c) { /* 
   return fabs(atan2(x * v - y * u, x * u + y * v));
 }
 
-static double text_bend(vs_font_point a, vs_font_point b, vs_font_point c) { return hypot(a.x - 2 * b.x + c.x, a.y - 2 * b.y + c.y); }
+static double text_bend(vs_font_point a, vs_font_point b, vs_font_point c) {
+  return hypot(a.x - 2 * b.x + c.x, a.y - 2 * b.y + c.y);
+}
 
 static int text_pieces(vs_font_point from, const vs_glyph_step *step, double tolerance, int segments) {
   double turn, apart;
@@ -132,13 +138,16 @@ static vs_font_point text_at(vs_font_point p, const vs_glyph_step *s, double t) 
   double r = 1 - t;
   if (t == 1 || s->kind < VS_STEP_QUADRATIC) return s->to;
   if (s->kind == VS_STEP_QUADRATIC)
-    return (vs_font_point){ r * r * p.x + 2 * r * t * s->b.x + t * t * s->to.x, r * r * p.y + 2 * r * t * s->b.y + t * t * s->to.y };
+    return (vs_font_point){ r * r * p.x + 2 * r * t * s->b.x + t * t * s->to.x,
+                            r * r * p.y + 2 * r * t * s->b.y + t * t * s->to.y };
   double w[4] = { r * r * r, 3 * r * r * t, 3 * r * t * t, t * t * t };
-  return (vs_font_point){ w[0] * p.x + w[1] * s->a.x + w[2] * s->b.x + w[3] * s->to.x, w[0] * p.y + w[1] * s->a.y + w[2] * s->b.y + w[3] * s->to.y };
+  return (vs_font_point){ w[0] * p.x + w[1] * s->a.x + w[2] * s->b.x + w[3] * s->to.x,
+                          w[0] * p.y + w[1] * s->a.y + w[2] * s->b.y + w[3] * s->to.y };
 }
 
 /* The contours of one glyph as loops of `all`, in model units from the text's point on. tolerance in font units. */
-static bool text_glyph_loops(const vs_text_glyph *at, double scale, double tolerance, int segments, vs_flat_loops *all) {
+static bool text_glyph_loops(const vs_text_glyph *at, double scale, double tolerance, int segments,
+                             vs_flat_loops *all) {
   const vs_glyph *g = at->glyph;
   vs_font_point now = { 0, 0 };
   bool ok = true;
@@ -185,7 +194,8 @@ bool vs_text_loops(const vs_node *text, const vs_affine *placed, const vs_facets
   *out = (vs_outline){ 0 };
   if (!vs_text_lay(text->store, t, &plan, e)) return false;
   bool ok = true;
-  for (size_t i = 0; ok && i < plan.count; i++) ok = text_glyph_loops(&plan.at[i], plan.scale, inner.tolerance / plan.scale, inner.segments, &flat);
+  for (size_t i = 0; ok && i < plan.count; i++)
+    ok = text_glyph_loops(&plan.at[i], plan.scale, inner.tolerance / plan.scale, inner.segments, &flat);
   ok = ok || vs_error_memory(e, NULL);
   ok = ok && vs_nonzero(&flat, e) && (text_outline(&flat, t->p, placed, out) || vs_error_memory(e, NULL));
   if (!ok) vs_outline_free(out);
@@ -200,9 +210,11 @@ static vs_vec3 text_lift(const vs_text_glyph *g, double scale, vs_vec3 p, const 
   return vs_affine_point(placed, vs_v3(p.x + g->x + at.x * scale, p.y + g->y + at.y * scale, p.z));
 }
 
-/* Where a coordinate of the curve turns back: the roots of its derivative. c: the control points' coordinates, 3 or 4 of them. */
+/* Where a coordinate of the curve turns back: the roots of its derivative. c: the control points' coordinates, 3 or 4
+ * of them. */
 static int text_turns(const double *c, bool cubic, double t[2]) {
-  double a = cubic ? c[3] - 3 * c[2] + 3 * c[1] - c[0] : 0, b = cubic ? 2 * (c[2] - 2 * c[1] + c[0]) : c[2] - 2 * c[1] + c[0], d = c[1] - c[0];
+  double a = cubic ? c[3] - 3 * c[2] + 3 * c[1] - c[0] : 0,
+         b = cubic ? 2 * (c[2] - 2 * c[1] + c[0]) : c[2] - 2 * c[1] + c[0], d = c[1] - c[0];
   if (fabs(a) < 1e-12 * (fabs(b) + fabs(d))) { /* b t + d = 0 */
     if (b == 0) return 0;
     t[0] = -d / b;
@@ -234,7 +246,8 @@ bool vs_text_bounds(const vs_node *text, const vs_affine *placed, vs_bounds *b, 
           c[j] = axis == 0 ? v.x : axis == 1 ? v.y : v.z;
         }
         for (int j = text_turns(c, cubic, t); j-- > 0;)
-          if (t[j] > 0 && t[j] < 1) vs_bounds_add(b, text_lift(g, plan.scale, letters->p, placed, text_at(now, s, t[j])));
+          if (t[j] > 0 && t[j] < 1)
+            vs_bounds_add(b, text_lift(g, plan.scale, letters->p, placed, text_at(now, s, t[j])));
       }
       now = s->to;
     }

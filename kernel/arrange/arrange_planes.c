@@ -1,12 +1,15 @@
-/* Owns the arrangement in one plane: a group of facets and the cuts in them become faces that nothing crosses, each with its cover.
+/* Owns the arrangement in one plane: a group of facets and the cuts in them become faces that nothing crosses, each
+ * with its cover.
  *
- * Plan for a group: (1) segments: the facets' boundary edges and the cuts, each lying in a second plane, its `side`; (2) all crossings and
- * contacts of segments whose boxes meet, as points on both, first of the edges, then of the cuts that lie on none; (3) split every segment at
- * its points; equal pieces become one edge, which carries what each leaf's cover changes by from its right to its left; (4) a sweep names the
- * faces on both sides of every edge; (5) covers by walking from the outside inwards. Facets that nothing touches become faces as they are.
+ * Plan for a group: (1) segments: the facets' boundary edges and the cuts, each lying in a second plane, its `side`;
+ * (2) all crossings and contacts of segments whose boxes meet, as points on both, first of the edges, then of the cuts
+ * that lie on none; (3) split every segment at its points; equal pieces become one edge, which carries what each leaf's
+ * cover changes by from its right to its left; (4) a sweep names the faces on both sides of every edge; (5) covers by
+ * walking from the outside inwards. Facets that nothing touches become faces as they are.
  *
- * A group numbers its points by itself, copies of the cluster's and new ones alike, so that groups can be worked on at once; what they found is put
- * together in the groups' order, and only there do new points get the cluster's numbers. */
+ * A group numbers its points by itself, copies of the cluster's and new ones alike, so that groups can be worked on at
+ * once; what they found is put together in the groups' order, and only there do new points get the cluster's
+ * numbers. */
 #include "kernel/cluster.h"
 #include "kernel/arrange/sweep.h"
 
@@ -71,7 +74,9 @@ typedef struct {
   vs_sweep sweep;
 } plane_work;
 
-static vs_points_view view(const plane_work *w) { return (vs_points_view){ w->points.at, w->c->points.big.at, w->more.at }; }
+static vs_points_view view(const plane_work *w) {
+  return (vs_points_view){ w->points.at, w->c->points.big.at, w->more.at };
+}
 
 static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* of an input vertex */
   for (int i = 0; i < 3; i++) out[i] = vs_point_grid(&w->points.at[point], i);
@@ -113,16 +118,22 @@ static bool new_point(plane_work *w, const vs_homogeneous *h, uint32_t *point) {
   size_t slot = f.hash & (w->heads.count - 1);
   for (uint32_t i = w->heads.at[slot]; i != VS_NONE; i = w->points.at[i].next) {
     const vs_point *p = &w->points.at[i];
-    if (p->fixed[0] != f.fixed[0] || p->fixed[1] != f.fixed[1] || p->fixed[2] != f.fixed[2] || vs_point_exact(p) != f.exact) continue;
-    if (!f.exact && !vs_homogeneous_equal(h, p->big & VS_POINT_MORE ? &w->more.at[p->big & ~VS_POINT_MORE] : &w->c->points.big.at[p->big])) continue;
+    if (p->fixed[0] != f.fixed[0] || p->fixed[1] != f.fixed[1] || p->fixed[2] != f.fixed[2] ||
+        vs_point_exact(p) != f.exact)
+      continue;
+    if (!f.exact && !vs_homogeneous_equal(h, p->big & VS_POINT_MORE ? &w->more.at[p->big & ~VS_POINT_MORE]
+                                                                    : &w->c->points.big.at[p->big]))
+      continue;
     *point = i;
     return true;
   }
-  vs_point p = { { f.fixed[0], f.fixed[1], f.fixed[2] }, f.exact ? VS_POINT_EXACT : VS_POINT_MORE | (uint32_t)w->more.count, w->heads.at[slot] };
+  vs_point p = { { f.fixed[0], f.fixed[1], f.fixed[2] },
+                 f.exact ? VS_POINT_EXACT : VS_POINT_MORE | (uint32_t)w->more.count,
+                 w->heads.at[slot] };
   *point = (uint32_t)w->points.count;
   w->heads.at[slot] = *point;
-  return (f.exact || VS_PUSH(w->k, w->more, *h)) && VS_PUSH(w->k, w->points, p) && VS_PUSH(w->k, w->global, VS_POINT_MORE | (uint32_t)w->to->fresh.count) &&
-         VS_PUSH(w->k, w->to->fresh, f);
+  return (f.exact || VS_PUSH(w->k, w->more, *h)) && VS_PUSH(w->k, w->points, p) &&
+         VS_PUSH(w->k, w->global, VS_POINT_MORE | (uint32_t)w->to->fresh.count) && VS_PUSH(w->k, w->to->fresh, f);
 }
 
 /* ---- 1: segments ---- */
@@ -170,7 +181,8 @@ static bool add_facet(plane_work *w, const vs_facet *f) {
     for (int j = 0; j < 3; j++) {
       uint32_t p, q;
       if (t->inner >> j & 1) continue;
-      if (!own_point(w, t->v[j], &p) || !own_point(w, t->v[(j + 1) % 3], &q) || !add_segment(w, p, q, t->leaf, VS_NONE)) return false;
+      if (!own_point(w, t->v[j], &p) || !own_point(w, t->v[(j + 1) % 3], &q) || !add_segment(w, p, q, t->leaf, VS_NONE))
+        return false;
     }
   }
   return true;
@@ -257,8 +269,8 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
   sides_of(w, s, t, &a, &b);
   if (a * b > 0) return true;
   if (a == 0 && b == 0) {
-    return (!within(w, s, t->p) || put(w, i, t->p)) && (!within(w, s, t->q) || put(w, i, t->q)) && (!within(w, t, s->p) || put(w, j, s->p)) &&
-           (!within(w, t, s->q) || put(w, j, s->q));
+    return (!within(w, s, t->p) || put(w, i, t->p)) && (!within(w, s, t->q) || put(w, i, t->q)) &&
+           (!within(w, t, s->p) || put(w, j, s->p)) && (!within(w, t, s->q) || put(w, j, s->q));
   }
   uint32_t end = a == 0 ? t->p : t->q; /* of t, which lies on the line of s */
   if (a * b == 0 && (end == s->p || end == s->q)) return true;
@@ -339,7 +351,8 @@ static bool on_before(const void *context, uint32_t x, uint32_t y) { /* of one s
 /* The incidences by segment, and along each: into list. */
 static bool order_on(plane_work *w) {
   size_t n = w->segments.count, m = w->on.count;
-  if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * m + 1)) return false;
+  if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * m + 1))
+    return false;
   uint32_t *first = w->on_first.at, *list = w->list.at;
   memset(first, 0, (n + 2) * sizeof *first);
   for (size_t i = 0; i < m; i++) first[w->on.at[i].segment + 2]++;
@@ -375,7 +388,8 @@ static bool piece_before(const piece *x, const piece *y) {
 static bool order_pieces(plane_work *w) {
   enum { MANY = 64 };
   size_t n = w->sweep.vertices.count, m = w->pieces.count;
-  if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->sorted.at, w->sorted.room, m + 1)) return false;
+  if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->sorted.at, w->sorted.room, m + 1))
+    return false;
   uint32_t *first = w->on_first.at;
   memset(first, 0, (n + 2) * sizeof *first);
   for (size_t i = 0; i < m; i++) first[w->pieces.at[i].l + 2]++;
@@ -384,7 +398,8 @@ static bool order_pieces(plane_work *w) {
   for (size_t v = 0; v < n; v++) {
     piece *at = w->sorted.at + first[v];
     uint32_t count = first[v + 1] - first[v];
-    for (uint32_t gap = count > MANY ? count / 2 : 1; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2)) /* shell sort: mostly a few, at times a hub */
+    /* shell sort: mostly a few, at times a hub */
+    for (uint32_t gap = count > MANY ? count / 2 : 1; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
       for (uint32_t i = gap; i < count; i++) {
         piece x = at[i];
         uint32_t j = i;
@@ -441,7 +456,8 @@ static bool split(plane_work *w) {
   size_t kept = 0, count = w->pieces.count;
   for (size_t i = 0, end; i < count; i = end) { /* one edge per (l, r), with one piece per leaf whose delta is not 0 */
     const piece *at = &sorted[i];
-    if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ at->l, at->r })) || !VS_PUSH(k, w->payload, (uint32_t)kept)) return false;
+    if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ at->l, at->r })) || !VS_PUSH(k, w->payload, (uint32_t)kept))
+      return false;
     uint32_t line = 0;
     for (end = i; end < count && sorted[end].l == at->l && sorted[end].r == at->r;) {
       piece sum = sorted[end++];
@@ -463,7 +479,9 @@ static bool split(plane_work *w) {
 static bool name_faces(plane_work *w) {
   vs_kernel *k = w->k;
   size_t m = w->sweep.edges.count;
-  if (!VS_ROOM(k, w->above.at, w->above.room, m) || !VS_ROOM(k, w->below.at, w->below.room, m) || !vs_sweep_begin(k, &w->sweep)) return false;
+  if (!VS_ROOM(k, w->above.at, w->above.room, m) || !VS_ROOM(k, w->below.at, w->below.room, m) ||
+      !vs_sweep_begin(k, &w->sweep))
+    return false;
   w->face.count = 0;
   if (!VS_PUSH(k, w->face, 0u)) return false; /* 0: outside */
   vs_sweep_event e;
@@ -490,7 +508,8 @@ static bool name_faces(plane_work *w) {
   for (uint32_t f = 0; f < w->face.count; f++) w->face.at[f] = vs_find(w->face.at, f) == f ? f : vs_find(w->face.at, f);
   if (!VS_ROOM(k, w->list.at, w->list.room, w->face.count)) return false;
   for (uint32_t f = 0; f < w->face.count; f++) w->list.at[f] = w->face.at[f] == f ? count++ : w->list.at[w->face.at[f]];
-  for (size_t i = 0; i < m; i++) w->above.at[i] = w->list.at[w->above.at[i]], w->below.at[i] = w->list.at[w->below.at[i]];
+  for (size_t i = 0; i < m; i++)
+    w->above.at[i] = w->list.at[w->above.at[i]], w->below.at[i] = w->list.at[w->below.at[i]];
   w->face.count = count;
   return true;
 }
@@ -500,7 +519,8 @@ static bool name_faces(plane_work *w) {
 /* The neighbour's cover changed by what the edge carries; sign: 1 going up through it. */
 static bool step_cover(plane_work *w, uint32_t from, uint32_t to, uint32_t edge, int sign) {
   w->cover_first.at[to] = (uint32_t)w->cover.count;
-  uint32_t i = w->cover_first.at[from], i_end = i + w->cover_count.at[from], j = w->payload.at[edge], j_end = w->payload.at[edge + 1];
+  uint32_t i = w->cover_first.at[from], i_end = i + w->cover_count.at[from], j = w->payload.at[edge],
+           j_end = w->payload.at[edge + 1];
   while (i < i_end || j < j_end) {
     vs_cover next = { VS_NONE, 0 };
     uint32_t a = i < i_end ? w->cover.at[i].leaf : VS_NONE, b = j < j_end ? w->pieces.at[j].leaf : VS_NONE;
@@ -516,9 +536,10 @@ static bool step_cover(plane_work *w, uint32_t from, uint32_t to, uint32_t edge,
 static bool covers(plane_work *w) {
   vs_kernel *k = w->k;
   size_t m = w->sweep.edges.count, faces = w->face.count;
-  if (!VS_ROOM(k, w->face_first.at, w->face_first.room, faces + 2) || !VS_ROOM(k, w->face_edges.at, w->face_edges.room, 2 * m + 1) ||
-      !VS_ROOM(k, w->cover_first.at, w->cover_first.room, faces) || !VS_ROOM(k, w->cover_count.at, w->cover_count.room, faces) ||
-      !VS_ROOM(k, w->queue.at, w->queue.room, faces))
+  if (!VS_ROOM(k, w->face_first.at, w->face_first.room, faces + 2) ||
+      !VS_ROOM(k, w->face_edges.at, w->face_edges.room, 2 * m + 1) ||
+      !VS_ROOM(k, w->cover_first.at, w->cover_first.room, faces) ||
+      !VS_ROOM(k, w->cover_count.at, w->cover_count.room, faces) || !VS_ROOM(k, w->queue.at, w->queue.room, faces))
     return false;
   uint32_t *first = w->face_first.at;
   memset(first, 0, (faces + 2) * sizeof *first);
@@ -553,13 +574,16 @@ static bool give_faces(plane_work *w) {
     if (w->cover_count.at[f] == 0) continue;
     w->queue.at[f] = (uint32_t)to->faces.count;
     uint32_t begin = w->face_first.at[f], end = w->face_first.at[f + 1];
-    vs_face face = { w->plane_id, (uint32_t)to->covers.count, w->cover_count.at[f], VS_NONE, 0, (uint32_t)to->uses.count, end - begin };
-    if (!VS_PUSH(k, to->faces, face) || !VS_ROOM(k, to->uses.at, to->uses.room, to->uses.count + face.use_count)) return false;
+    vs_face face = { w->plane_id, (uint32_t)to->covers.count, w->cover_count.at[f], VS_NONE,
+                     0,           (uint32_t)to->uses.count,   end - begin };
+    if (!VS_PUSH(k, to->faces, face) || !VS_ROOM(k, to->uses.at, to->uses.room, to->uses.count + face.use_count))
+      return false;
     for (uint32_t i = 0; i < w->cover_count.at[f]; i++)
       if (!VS_PUSH(k, to->covers, w->cover.at[w->cover_first.at[f] + i])) return false;
     for (uint32_t i = begin; i < end; i++) {
       uint32_t e = w->face_edges.at[i];
-      uint32_t l = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].l]], r = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].r]];
+      uint32_t l = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].l]],
+               r = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].r]];
       bool second = i > begin && w->face_edges.at[i - 1] == e; /* the face is on both sides of it */
       vs_use use = w->above.at[e] == f && !second ? (vs_use){ l, r, w->queue.at[f] } : (vs_use){ r, l, w->queue.at[f] };
       to->uses.at[to->uses.count++] = use;
@@ -588,7 +612,8 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
     for (int j = 0; j < 3; j++) {
       uint32_t a = t->v[j], b = t->v[(j + 1) % 3];
       if (t->inner >> j & 1) continue;
-      if (!VS_PUSH(w->k, to->uses, ((vs_use){ f->flip ? b : a, f->flip ? a : b, (uint32_t)to->faces.count }))) return false;
+      if (!VS_PUSH(w->k, to->uses, ((vs_use){ f->flip ? b : a, f->flip ? a : b, (uint32_t)to->faces.count })))
+        return false;
     }
   }
   face.use_count = (uint32_t)to->uses.count - face.use;
@@ -638,7 +663,8 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
       __builtin_prefetch(&w->known.at[near->p], 1);
       __builtin_prefetch(&w->known.at[near->q], 1);
     }
-    at[j] = (vs_keyed){ cut->p < cut->q ? (int64_t)cut->p << 32 | cut->q : (int64_t)cut->q << 32 | cut->p, cut->plane }; /* numbers are below 2^30 */
+    /* numbers are below 2^30 */
+    at[j] = (vs_keyed){ cut->p < cut->q ? (int64_t)cut->p << 32 | cut->q : (int64_t)cut->q << 32 | cut->p, cut->plane };
   }
   vs_sort_keyed(at, at + cut_count, cut_count);
   uint32_t kept = 0, tried = 0;
@@ -649,13 +675,15 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
     if (!own_point(w, (uint32_t)(at[j].key >> 32), &p) || !own_point(w, (uint32_t)at[j].key, &q)) return false;
     at[kept++] = (vs_keyed){ (int64_t)p << 32 | q, plane };
   }
-  if (end > begin + 1) { /* solids side by side: most cuts lie on an edge, between points that edges have among each other, and are needless */
+  if (end > begin + 1) { /* solids side by side: most cuts lie on an edge, between points that edges have among each
+                          * other, and are needless */
     if (!crossings(w, 0) || !index_points(w)) return false;
     tried = (uint32_t)w->segments.count;
   }
   for (uint32_t j = 0; j < kept; j++) {
     uint32_t p = (uint32_t)(at[j].key >> 32), q = (uint32_t)at[j].key;
-    if (!vs_kernel_poll(w->k, 0.5) || ((!tried || !joined(w, p, q)) && !add_segment(w, p, q, VS_NONE, at[j].item))) return false;
+    if (!vs_kernel_poll(w->k, 0.5) || ((!tried || !joined(w, p, q)) && !add_segment(w, p, q, VS_NONE, at[j].item)))
+      return false;
   }
   return crossings(w, tried) && split(w) && name_faces(w) && covers(w) && give_faces(w);
 }
@@ -676,7 +704,8 @@ static bool arrange_chunk(vs_kernel *k, void *context, size_t index) {
   }
   chunk part = a->chunks.at[index];
   for (uint32_t root = part.from; root < part.end; root++)
-    if (!vs_kernel_poll(k, 0.2 + 0.5 * (double)index / (double)a->chunks.count) || !arrange_group(w, a, root)) return false;
+    if (!vs_kernel_poll(k, 0.2 + 0.5 * (double)index / (double)a->chunks.count) || !arrange_group(w, a, root))
+      return false;
   return true;
 }
 
@@ -695,7 +724,8 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
       !vs_points_add_all(k, &a->points, &c->points, from->fresh.at, from->fresh.count, a->numbers.at))
     return false;
   const uint32_t *numbers = a->numbers.at;
-  if (!VS_ROOM(k, c->faces.at, c->faces.room, faces + from->faces.count) || !VS_ROOM(k, c->covers.at, c->covers.room, covers + from->covers.count) ||
+  if (!VS_ROOM(k, c->faces.at, c->faces.room, faces + from->faces.count) ||
+      !VS_ROOM(k, c->covers.at, c->covers.room, covers + from->covers.count) ||
       !VS_ROOM(k, c->uses.at, c->uses.room, c->uses.count + from->uses.count))
     return false;
   for (size_t i = 0; i < from->faces.count; i++) {
@@ -721,8 +751,10 @@ static bool bucket(vs_kernel *k, arranging *a) {
   enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* facets and cuts */
   const vs_cluster *c = a->c;
   uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count, *first;
-  if (!VS_ROOM(k, a->facets.at, a->facets.room, (size_t)n + 1) || !VS_ROOM(k, a->cuts.at, a->cuts.room, (size_t)m + 1) ||
-      !VS_ROOM(k, a->facet_first.at, a->facet_first.room, (size_t)n + 2) || !VS_ROOM(k, a->cut_first.at, a->cut_first.room, (size_t)n + 2))
+  if (!VS_ROOM(k, a->facets.at, a->facets.room, (size_t)n + 1) ||
+      !VS_ROOM(k, a->cuts.at, a->cuts.room, (size_t)m + 1) ||
+      !VS_ROOM(k, a->facet_first.at, a->facet_first.room, (size_t)n + 2) ||
+      !VS_ROOM(k, a->cut_first.at, a->cut_first.room, (size_t)n + 2))
     return false;
   first = a->facet_first.at;
   memset(first, 0, ((size_t)n + 2) * sizeof *first);
@@ -740,7 +772,8 @@ static bool bucket(vs_kernel *k, arranging *a) {
     for (uint32_t i = 0, end; i < n; i = end) {
       uint32_t size = 0;
       for (end = i; end < n && size < CHUNK; end++) {
-        uint32_t more = a->facet_first.at[end + 1] - a->facet_first.at[end] + a->cut_first.at[end + 1] - a->cut_first.at[end] + 1;
+        uint32_t more =
+            a->facet_first.at[end + 1] - a->facet_first.at[end] + a->cut_first.at[end + 1] - a->cut_first.at[end] + 1;
         if (more >= LARGE && end > i) break;
         size += more;
       }
@@ -789,8 +822,9 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   bool ok = VS_ROOM(k, a.works, work_room, k->threads);
   if (ok) memset(a.works, 0, work_room * sizeof *a.works);
   size_t least = c->facets.count; /* as many faces, or nearly */
-  ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) && VS_ROOM(k, c->covers.at, c->covers.room, least) &&
-       VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) && vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
+  ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) &&
+       VS_ROOM(k, c->covers.at, c->covers.room, least) && VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) &&
+       vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
   if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* it was too much */
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);

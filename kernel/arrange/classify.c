@@ -1,14 +1,16 @@
 /* Owns the classification: which faces of the arrangement bound the result.
  *
- * Plan: (1) at every edge the faces are sorted around it, and the sides that look at each other belong to one cell (union-find); (2) for
- * each connected set of cells one line is shot through one face, over the input triangles: the winding numbers of all leaves on one side of
- * it; (3) a walk over the cells, entering and leaving leaves as their faces are crossed, evaluates the expression in each cell; (4) a face is
- * kept where its two cells differ. The walk also sums a random number per winding: two ways into a cell must agree, or the
- * arrangement is broken and an error says so.
+ * Plan: (1) at every edge the faces are sorted around it, and the sides that look at each other belong to one cell
+ * (union-find); (2) for each connected set of cells one line is shot through one face, over the input triangles: the
+ * winding numbers of all leaves on one side of it; (3) a walk over the cells, entering and leaving leaves as their
+ * faces are crossed, evaluates the expression in each cell; (4) a face is kept where its two cells differ. The walk
+ * also sums a random number per winding: two ways into a cell must agree, or the arrangement is broken and an error
+ * says so.
  *
- * Around an edge. D is the direction from the smaller point number to the larger. A use that runs along D has its face to the left, in
- * direction n x D; one against D in -n x D. Therefore, with m = n or -n the face lies at m x D, turning counter-clockwise about D leaves it
- * through the side that m points to, and faces come in the order of the angle of m, seen along any axis in which D is not 0. */
+ * Around an edge. D is the direction from the smaller point number to the larger. A use that runs along D has its face
+ * to the left, in direction n x D; one against D in -n x D. Therefore, with m = n or -n the face lies at m x D, turning
+ * counter-clockwise about D leaves it through the side that m points to, and faces come in the order of the angle of m,
+ * seen along any axis in which D is not 0. */
 #include "kernel/cluster.h"
 
 #include <math.h>
@@ -91,7 +93,8 @@ static bool sort_edge(vs_kernel *k, walk *w, const vs_half *halves, size_t count
     use = &c->uses.at[halves[i].item];
     const vs_plane *p = &c->planes.all.at[c->faces.at[use->face].plane];
     int64_t s = use->from == low ? 1 : -1;
-    vs_around a = { s * p->n[sign > 0 ? x : y], s * p->n[sign > 0 ? y : x], 2 * use->face + (s < 0), 2 * use->face + (s > 0) };
+    vs_around a = { s * p->n[sign > 0 ? x : y], s * p->n[sign > 0 ? y : x], 2 * use->face + (s < 0),
+                    2 * use->face + (s > 0) };
     size_t j = i;
     for (; j > 0 && vs_around_before(&a, &all[j - 1]); j--) all[j] = all[j - 1];
     all[j] = a;
@@ -106,7 +109,8 @@ static bool sort_edge(vs_kernel *k, walk *w, const vs_half *halves, size_t count
   return ok;
 }
 
-/* Prefetches data that is asked for soon, from all over memory: uses far ahead, their faces nearer, and the planes of those nearer still. */
+/* Prefetches data that is asked for soon, from all over memory: uses far ahead, their faces nearer, and the planes of
+ * those nearer still. */
 VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 36, FACE = 24, PLANE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -121,7 +125,9 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
   walk *w = context;
   const vs_cluster *c = w->c;
   const vs_halves *h = &c->edges;
-  for (uint32_t i = h->first.at[vs_halves_begin(h, range)], low = vs_halves_begin(h, range), stop = h->first.at[vs_halves_begin(h, range + 1)], end; i < stop; i = end) {
+  for (uint32_t i = h->first.at[vs_halves_begin(h, range)], low = vs_halves_begin(h, range),
+                stop = h->first.at[vs_halves_begin(h, range + 1)], end;
+       i < stop; i = end) {
     while (i >= h->first.at[low + 1]) low++;
     const vs_half *at = h->at.at + i;
     for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
@@ -151,11 +157,12 @@ static bool make_cells(walk *w) {
   vs_cluster *c = w->c;
   vs_kernel *k = w->k;
   size_t n = c->uses.count, f = c->faces.count;
-  if (f >= UINT32_MAX / 2 || n >= UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
+  if (f >= UINT32_MAX / 2 || n >= UINT32_MAX)
+    return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
   if (!VS_ROOM(k, w->sets.at, w->sets.room, 2 * f + 1)) return false;
   for (uint32_t i = 0; i < 2 * f; i++) atomic_init(&w->sets.at[i], i);
-  if (!vs_halves_sort(k, &c->edges, (uint32_t)c->points.all.count, (uint32_t)n, ends_of_uses, c->uses.at) || !vs_kernel_run(k, c->edges.ranges, join_range, w) ||
-      !VS_ROOM(k, w->side.at, w->side.room, 2 * f + 1))
+  if (!vs_halves_sort(k, &c->edges, (uint32_t)c->points.all.count, (uint32_t)n, ends_of_uses, c->uses.at) ||
+      !vs_kernel_run(k, c->edges.ranges, join_range, w) || !VS_ROOM(k, w->side.at, w->side.room, 2 * f + 1))
     return false;
   for (size_t i = 0; i < c->regions.count; i++)
     if (c->regions.at[i].open) vs_unite_shared(w->sets.at, 2 * c->regions.at[i].face, 2 * c->regions.at[i].face + 1);
@@ -167,8 +174,10 @@ static bool make_cells(walk *w) {
   VS_DROP(k, w->sets);
 
   uint32_t cells = w->cells;
-  if (!VS_ROOM(k, w->first.at, w->first.room, (size_t)cells + 2) || !VS_ROOM(k, w->borders.at, w->borders.room, 2 * f + 1) ||
-      !VS_ROOM(k, w->sum.at, w->sum.room, (size_t)cells + 1) || !VS_ROOM(k, w->state.at, w->state.room, (size_t)cells + 1) ||
+  if (!VS_ROOM(k, w->first.at, w->first.room, (size_t)cells + 2) ||
+      !VS_ROOM(k, w->borders.at, w->borders.room, 2 * f + 1) ||
+      !VS_ROOM(k, w->sum.at, w->sum.room, (size_t)cells + 1) ||
+      !VS_ROOM(k, w->state.at, w->state.room, (size_t)cells + 1) ||
       !VS_ROOM(k, w->queue.at, w->queue.room, (size_t)cells + 1))
     return false;
   memset(w->first.at, 0, ((size_t)cells + 2) * sizeof(uint32_t));
@@ -194,20 +203,23 @@ static bool outline_of(walk *w, uint32_t face, outline *o) {
   const vs_placed *p = &c->placed.at[r->place];
   bool mirrored = vs_affine_determinant(&c->problem->leaves[c->leaves[r->place]].placement) < 0;
   const uint32_t *v = p->part->mesh->triangles[r->triangle];
-  const int32_t *at[3] = { c->corners[p->first + v[0]], c->corners[p->first + v[mirrored ? 2 : 1]], c->corners[p->first + v[mirrored ? 1 : 2]] };
+  const int32_t *at[3] = { c->corners[p->first + v[0]], c->corners[p->first + v[mirrored ? 2 : 1]],
+                           c->corners[p->first + v[mirrored ? 1 : 2]] };
   if (!vs_plane_through(at[0], at[1], at[2], &o->plane, &o->flip)) return VS_BROKEN(w->k, "a plain triangle is flat");
   o->uses = w->probe;
   o->count = 3;
   for (uint32_t j = 0; j < 3; j++) {
     vs_point corner = { .big = VS_POINT_EXACT, .next = VS_NONE };
     for (int a = 0; a < 3; a++) corner.fixed[a] = (int64_t)at[j][a] * ((int64_t)1 << VS_FIXED_BITS);
-    w->probe[j] = (vs_use){ (uint32_t)c->points.all.count, (uint32_t)c->points.all.count + (j == 2 ? (uint32_t)-2 : 1), face };
+    w->probe[j] =
+        (vs_use){ (uint32_t)c->points.all.count, (uint32_t)c->points.all.count + (j == 2 ? (uint32_t)-2 : 1), face };
     if (!VS_PUSH(w->k, c->points.all, corner)) return false;
   }
   return true;
 }
 
-/* Is the line's (u, v) inside the outline? Exact; on its boundary counts as no. The line's point is the last of the table. */
+/* Is the line's (u, v) inside the outline? Exact; on its boundary counts as no. The line's point is the last of the
+ * table. */
 static bool strictly_inside(vs_points_view view, const outline *o, uint32_t probe, int au, int av) {
   bool inside = false;
   for (uint32_t i = 0; i < o->count; i++) {
@@ -220,11 +232,13 @@ static bool strictly_inside(vs_points_view view, const outline *o, uint32_t prob
   return inside;
 }
 
-/* A place inside the outline, seen along axis: halfway between the crossings of a line v = const with the boundary, where they are widest apart. */
+/* A place inside the outline, seen along axis: halfway between the crossings of a line v = const with the boundary,
+ * where they are widest apart. */
 static bool aim(walk *w, const outline *o, int attempt) {
   vs_cluster *c = w->c;
   int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
-  int64_t low = INT64_MAX, high = INT64_MIN, origin = c->points.all.at[o->uses[0].from].fixed[au]; /* doubles are exact near it alone */
+  /* doubles are exact near it alone */
+  int64_t low = INT64_MAX, high = INT64_MIN, origin = c->points.all.at[o->uses[0].from].fixed[au];
   for (uint32_t i = 0; i < o->count; i++) {
     int64_t y = c->points.all.at[o->uses[i].from].fixed[av];
     if (y < low) low = y;
@@ -262,7 +276,8 @@ static bool aim(walk *w, const outline *o, int attempt) {
 /* A triangle of the leaf at a place, as it lies on the grid. */
 static bool shoot(walk *w, const vs_placed *p, uint32_t leaf, bool mirrored, size_t triangle) {
   const uint32_t *id = p->part->mesh->triangles[triangle];
-  const int32_t *at[3] = { w->c->corners[p->first + id[0]], w->c->corners[p->first + id[mirrored ? 2 : 1]], w->c->corners[p->first + id[mirrored ? 1 : 2]] };
+  const int32_t *at[3] = { w->c->corners[p->first + id[0]], w->c->corners[p->first + id[mirrored ? 2 : 1]],
+                           w->c->corners[p->first + id[mirrored ? 1 : 2]] };
   int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3, turns = 0;
   int32_t u = (int32_t)(w->u >> VS_FIXED_BITS), v = (int32_t)(w->v >> VS_FIXED_BITS);
   if ((at[0][au] > u && at[1][au] > u && at[2][au] > u) || (at[0][au] < u && at[1][au] < u && at[2][au] < u) ||
@@ -323,7 +338,8 @@ static bool shoot_leaf(void *context, uint32_t place) {
   if (!counts) return true;
   shot s = { w, p, leaf, vs_affine_determinant(&w->c->problem->leaves[leaf].placement) < 0 };
   size_t n = p->part->mesh->triangle_count;
-  if (n > MANY && p->lines++ >= OFTEN) return (p->bvh.level_count || index_leaf(w, p)) && vs_bvh_query(&p->bvh, &w->column, shoot_one, &s);
+  if (n > MANY && p->lines++ >= OFTEN)
+    return (p->bvh.level_count || index_leaf(w, p)) && vs_bvh_query(&p->bvh, &w->column, shoot_one, &s);
   for (size_t t = 0; t < n; t++)
     if (!shoot(w, p, leaf, s.mirrored, t) || !vs_kernel_poll(w->k, 0.8)) return false;
   return true;
@@ -424,7 +440,8 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
   return true;
 }
 
-/* The owner of the cell: of the leaves that make the result true there the earliest. Space that another operand takes away again is not there. */
+/* The owner of the cell: of the leaves that make the result true there the earliest. Space that another operand takes
+ * away again is not there. */
 static bool find_owner(walk *w, uint32_t cell) {
   uint32_t owner = VS_NONE, first = VS_NONE;
   for (size_t i = 0; i < w->active.count; i++) {
@@ -494,11 +511,13 @@ static bool walk_from(walk *w, uint32_t cell) {
     if (plus == minus) return VS_BROKEN(w->k, "a face has one side");
     uint32_t other = plus == here ? minus : plus;
     if (w->state.at[other] & 2) {
-      if (!(w->state.at[other] & 8) && plus == here && w->sum.at[minus] != w->sum.at[plus] + change(w, face)) return VS_BROKEN(w->k, "two ways into a cell disagree");
+      if (!(w->state.at[other] & 8) && plus == here && w->sum.at[minus] != w->sum.at[plus] + change(w, face))
+        return VS_BROKEN(w->k, "two ways into a cell disagree");
       continue;
     }
     if (!pass(w, face, plus == here ? 1 : -1)) return false;
-    if (!arrive(w, other, w->sum.at[here] + (plus == here ? change(w, face) : (uint64_t)0 - change(w, face)))) return false;
+    if (!arrive(w, other, w->sum.at[here] + (plus == here ? change(w, face) : (uint64_t)0 - change(w, face))))
+      return false;
     if (!VS_ROOM(w->k, w->stack, w->stack_room, depth + 1)) return false;
     w->stack[depth].cell = other;
     w->stack[depth].face = face;
@@ -510,7 +529,8 @@ static bool walk_from(walk *w, uint32_t cell) {
   return true;
 }
 
-/* Twice the face's area as its plane's main axis sees it, in fixed units squared; about. Of a region any number: its triangle is a large one. */
+/* Twice the face's area as its plane's main axis sees it, in fixed units squared; about. Of a region any number: its
+ * triangle is a large one. */
 static double about_area(const walk *w, uint32_t face) {
   const vs_cluster *c = w->c;
   if (c->faces.at[face].plane == VS_NONE) return INFINITY;
@@ -528,8 +548,8 @@ static double about_area(const walk *w, uint32_t face) {
   return sum;
 }
 
-/* A line through the largest of the first faces around the cell and around those that hang together with it. *cells: those are the first in `queue`. Where so many are too small
- * to aim at, *done stays false. */
+/* A line through the largest of the first faces around the cell and around those that hang together with it. *cells:
+ * those are the first in `queue`. Where so many are too small to aim at, *done stays false. */
 static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, uint32_t *side, size_t *cells, bool *done) {
   size_t head = 0, tail = 0, seen = 0;
   double best = -1;
@@ -567,9 +587,10 @@ static double about_thickness(const walk *w, uint32_t face) {
   return fabs(about_area(w, face)) / longest;
 }
 
-/* Are the first cells in `queue` crumbs, or needles, too thin to aim at? Next to settled space these are given its value.
- * The result is right whatever they are: the faces between cells of different values are closed in any case, and a cell is
- * nowhere wider than all of the faces around it are thick together: thousands of them come to less than 2^-10 steps. */
+/* Are the first cells in `queue` crumbs, or needles, too thin to aim at? Next to settled space these are given its
+ * value. The result is right whatever they are: the faces between cells of different values are closed in any case, and
+ * a cell is nowhere wider than all of the faces around it are thick together: thousands of them come to less than 2^-10
+ * steps. */
 static bool settle_crumbs(walk *w, size_t cells) {
   static const double CRUMB = 64; /* fixed units */
   uint32_t known = VS_NONE;
@@ -595,7 +616,8 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   size_t tail;
   bool done = false;
   if (!look_around(w, start, most, FACES, &side, &tail, &done)) return false;
-  if (!done && most > 1 && !look_around(w, start, w->cells, SIZE_MAX, &side, &tail, &done)) return false; /* where a solid meets itself in nearly one place are thousands of crumbs */
+  /* where a solid meets itself in nearly one place are thousands of crumbs */
+  if (!done && most > 1 && !look_around(w, start, w->cells, SIZE_MAX, &side, &tail, &done)) return false;
   for (size_t i = 0; !done && i < tail; i++) /* unlucky with the largest: try them all */
     for (uint32_t j = w->first.at[w->queue.at[i]]; !done && j < w->first.at[w->queue.at[i] + 1]; j++)
       if (!look(w, w->borders.at[j], &side, &done)) return false;
@@ -612,9 +634,10 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   return walk_from(w, below);
 }
 
-/* Cells on the inner side of a leaf that settles what is inside of it are settled, and need no line of their own. A side is inside where a face of the leaf
- * parts winding number 0 from 1: in a star on the grid. The corners of a thin star may have moved so that it folds over itself there. Then there are faces between
- * the winding numbers -1 and 0 as well, whose inner side is outside of the leaf, and the walk has to find out which is which. */
+/* Cells on the inner side of a leaf that settles what is inside of it are settled, and need no line of their own. A
+ * side is inside where a face of the leaf parts winding number 0 from 1: in a star on the grid. The corners of a thin
+ * star may have moved so that it folds over itself there. Then there are faces between the winding numbers -1 and 0 as
+ * well, whose inner side is outside of the leaf, and the walk has to find out which is which. */
 static bool mark_settled(walk *w) {
   const vs_cluster *c = w->c;
   bool value = c->joining || w->e->forced;
@@ -624,7 +647,9 @@ static bool mark_settled(walk *w) {
   for (uint32_t i = 0; i < c->leaf_count; i++) any = any || (c->placed.at[i].star && w->e->forces.at[c->leaves[i]]);
   if (!any) return true;
   if (!VS_ROOM(w->k, settles, room, (size_t)c->problem->leaf_count + 1)) return false;
-  for (uint32_t i = 0; i < c->leaf_count; i++) settles[c->leaves[i]] = c->placed.at[i].star && w->e->forces.at[c->leaves[i]]; /* others have no faces here */
+  /* others have no faces here */
+  for (uint32_t i = 0; i < c->leaf_count; i++)
+    settles[c->leaves[i]] = c->placed.at[i].star && w->e->forces.at[c->leaves[i]];
   for (uint32_t f = 0; f < c->faces.count; f++)
     for (uint32_t i = 0; i < c->faces.at[f].cover_count; i++) {
       vs_cover cover = c->covers.at[c->faces.at[f].cover + i];
@@ -637,7 +662,8 @@ static bool mark_settled(walk *w) {
   return true;
 }
 
-/* Whose tag the face has, the solid being in the cell: the earliest's. A bare leaf that is taken off gives way to the earliest that is there. */
+/* Whose tag the face has, the solid being in the cell: the earliest's. A bare leaf that is taken off gives way to the
+ * earliest that is there. */
 static uint32_t painter(const walk *w, uint32_t face, uint32_t cell) {
   const vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
@@ -652,14 +678,16 @@ static uint32_t painter(const walk *w, uint32_t face, uint32_t cell) {
 bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   walk w = { .k = k, .c = c, .e = e };
   bool ok = make_cells(&w) && VS_ROOM(k, w.place.at, w.place.room, (size_t)c->problem->leaf_count + 1) &&
-            VS_ROOM(k, w.owner.at, w.owner.room, (size_t)w.cells + 1) && (!c->inspect || VS_ROOM(k, c->wound.at, c->wound.room, (size_t)w.cells + 1));
+            VS_ROOM(k, w.owner.at, w.owner.room, (size_t)w.cells + 1) &&
+            (!c->inspect || VS_ROOM(k, c->wound.at, c->wound.room, (size_t)w.cells + 1));
   for (uint32_t i = 0; i < c->leaf_count && !c->joining; i++)
     w.owned |= c->problem->leaves[c->leaves[i]].bare && e->taken_off.at[c->leaves[i]];
   ok = ok && mark_settled(&w);
   for (uint32_t i = 0; ok && i < w.cells; i++) {
     enum { AROUND = 1000 };
     if (w.state.at[i] & 2) continue;
-    ok = walk_component(&w, i, AROUND) && (w.state.at[i] & 2 || walk_component(&w, i, 1)) && vs_kernel_poll(k, 0.8); /* maybe one behind settled space */
+    /* maybe one behind settled space */
+    ok = walk_component(&w, i, AROUND) && (w.state.at[i] & 2 || walk_component(&w, i, 1)) && vs_kernel_poll(k, 0.8);
   }
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);
   if (ok) c->kept.count = c->faces.count;

@@ -1,19 +1,22 @@
 /* Owns the cluster's frame: the linear part most leaves share, in which their boxes are boxes again.
  *
- * A leaf's linear part is split into directions, mostly a rotation, and scales along its own axes. Two of them that agree to
- * 1e-12 up to a signed permutation of axes are one: so a quarter turn, a mirror image and the same turn computed in another way all fall
- * together. The frame is the majority's; leaves of it get exact permutations and scales, and only their translation is turned. A linear part that shears
- * serves as a frame as well, for leaves that all have it.
+ * A leaf's linear part is split into directions, mostly a rotation, and scales along its own axes. Two of them that
+ * agree to 1e-12 up to a signed permutation of axes are one: so a quarter turn, a mirror image and the same turn
+ * computed in another way all fall together. The frame is the majority's; leaves of it get exact permutations and
+ * scales, and only their translation is turned. A linear part that shears serves as a frame as well, for leaves that
+ * all have it.
  *
- * Very thin plates come first: half a step on either side of a plate is a part of its thickness, and so of its volume, while in its own frame its faces lie on
- * the grid. Therefore the frame is that with the most area of such plates, and the majority's where there are none. */
+ * Very thin plates come first: half a step on either side of a plate is a part of its thickness, and so of its volume,
+ * while in its own frame its faces lie on the grid. Therefore the frame is that with the most area of such plates, and
+ * the majority's where there are none. */
 #include "kernel/cluster.h"
 
 #include <math.h>
 
 enum { CANDIDATES = 64 };
 
-typedef struct { double r[3][3], back[3][3], unit[3]; double plates; uint32_t votes; } candidate; /* back: the inverse of r; unit: of the frame's axes; plates: their area */
+/* back: the inverse of r; unit: of the frame's axes; plates: their area */
+typedef struct { double r[3][3], back[3][3], unit[3]; double plates; uint32_t votes; } candidate;
 
 /* Columns' lengths into scale, and their directions into r; false where they are nearly in one plane. */
 static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
@@ -30,8 +33,8 @@ static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
   return true;
 }
 
-/* The inverse: the transpose where the columns are orthogonal to 1e-12. False where the columns are nearly in one plane: such a frame would make the grid
- * coarse. */
+/* The inverse: the transpose where the columns are orthogonal to 1e-12. False where the columns are nearly in one
+ * plane: such a frame would make the grid coarse. */
 static bool invert(double r[3][3], double back[3][3], bool *rigid) {
   bool orthogonal = true;
   for (int j = 0; j < 3; j++) {
@@ -84,7 +87,9 @@ static double plate_area(const vs_cluster *c, uint32_t leaf) {
 
 bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
   (void)k;
-  candidate all[CANDIDATES] = { { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { 1, 1, 1 }, 0, 0 } };
+  candidate all[CANDIDATES] = {
+    { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { 1, 1, 1 }, 0, 0 }
+  };
   int count = 1, best = 0;
   double r[3][3], scale[3], p[3][3];
   for (uint32_t i = 0; i < c->leaf_count; i++) {
@@ -96,7 +101,8 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
       bool rigid;
       if (!invert(r, all[j].back, &rigid)) continue;
       double least = fmin(scale[0], fmin(scale[1], scale[2])), most = fmax(scale[0], fmax(scale[1], scale[2]));
-      for (int x = 0; x < 3; x++) all[j].unit[x] = rigid || most > 4 * least ? 1 : scale[x]; /* sheared alike: in the numbers they had before */
+      /* sheared alike: in the numbers they had before */
+      for (int x = 0; x < 3; x++) all[j].unit[x] = rigid || most > 4 * least ? 1 : scale[x];
       for (int x = 0; x < 3; x++)
         for (int y = 0; y < 3; y++) all[j].r[x][y] = r[x][y];
       all[count].plates = 0;
@@ -106,10 +112,12 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
     all[j].votes++;
   }
   for (int j = 1; j < count; j++)
-    if (all[j].plates > all[best].plates || (!(all[j].plates < all[best].plates) && all[j].votes > all[best].votes)) best = j;
+    if (all[j].plates > all[best].plates || (!(all[j].plates < all[best].plates) && all[j].votes > all[best].votes))
+      best = j;
 
   candidate *f = &all[best];
-  double det = f->r[0][0] * (f->r[1][1] * f->r[2][2] - f->r[1][2] * f->r[2][1]) - f->r[0][1] * (f->r[1][0] * f->r[2][2] - f->r[1][2] * f->r[2][0]) +
+  double det = f->r[0][0] * (f->r[1][1] * f->r[2][2] - f->r[1][2] * f->r[2][1]) -
+               f->r[0][1] * (f->r[1][0] * f->r[2][2] - f->r[1][2] * f->r[2][0]) +
                f->r[0][2] * (f->r[1][0] * f->r[2][1] - f->r[1][1] * f->r[2][0]);
   c->grid.framed = best != 0;
   c->grid.frame = vs_affine_identity();
@@ -126,7 +134,9 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
       for (int y = 0; y < 4; y++) {
         if (member && y < 3) o->m[x][y] = p[x][y] * (scale[y] / f->unit[x]);
         else if (!c->grid.framed) o->m[x][y] = a->m[x][y];
-        else o->m[x][y] = f->back[x][0] * a->m[0][y] + f->back[x][1] * a->m[1][y] + f->back[x][2] * a->m[2][y], o->m[x][y] /= f->unit[x];
+        else
+          o->m[x][y] = f->back[x][0] * a->m[0][y] + f->back[x][1] * a->m[1][y] + f->back[x][2] * a->m[2][y],
+          o->m[x][y] /= f->unit[x];
       }
   }
   return true;
@@ -135,7 +145,8 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
 vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p) {
   double x[3];
   for (int i = 0; i < 3; i++) {
-    double whole = (double)(p->fixed[i] >> VS_FIXED_BITS), part = (double)(p->fixed[i] & (((int64_t)1 << VS_FIXED_BITS) - 1)) / (double)(1 << VS_FIXED_BITS);
+    double whole = (double)(p->fixed[i] >> VS_FIXED_BITS),
+           part = (double)(p->fixed[i] & (((int64_t)1 << VS_FIXED_BITS) - 1)) / (double)(1 << VS_FIXED_BITS);
     x[i] = (whole + g->offset[i] + part) * g->unit / g->scale;
   }
   vs_vec3 v = vs_v3(x[0], x[1], x[2]);

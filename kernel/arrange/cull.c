@@ -1,9 +1,10 @@
 /* Owns what can be left out before anything is cut: triangles and cuts that lie well inside settled space.
  *
- * A lid is a convex leaf that settles the result where it is true: a union's part, or a hole of a difference. A triangle whose corners are all more than
- * two steps inside one lid is inside of it also on the grid, where every corner has moved by less than one. The same for a box that holds all
- * of a gate, a term outside of which the result is false: it is what clips an operand far larger than the result. Boxes of patches, by which pairs are found,
- * are those of what lids leave of them: the rod that ends in two joints is seen between them alone. */
+ * A lid is a convex leaf that settles the result where it is true: a union's part, or a hole of a difference. A
+ * triangle whose corners are all more than two steps inside one lid is inside of it also on the grid, where every
+ * corner has moved by less than one. The same for a box that holds all of a gate, a term outside of which the result is
+ * false: it is what clips an operand far larger than the result. Boxes of patches, by which pairs are found, are those
+ * of what lids leave of them: the rod that ends in two joints is seen between them alone. */
 #include "kernel/cluster.h"
 
 #include <math.h>
@@ -47,7 +48,8 @@ static bool find_local(const vs_grid *g, const vs_affine *to_frame, vs_placed *p
   }
   p->margin = 2 * step * sqrt(sum);
   vs_vec3 middle = vs_affine_point(to_frame, p->part->middle);
-  double x[3] = { middle.x, middle.y, middle.z }, scale = sqrt(sum / 3) * step; /* from steps to lengths there, where it is the same in all directions */
+  /* from steps to lengths there, where it is the same in all directions */
+  double x[3] = { middle.x, middle.y, middle.z }, scale = sqrt(sum / 3) * step;
   bool similar = true;
   for (int i = 0; i < 3; i++) {
     p->middle[i] = x[i] / step - g->offset[i];
@@ -71,7 +73,8 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   for (uint32_t i = 0; i < n; i++) {
     vs_placed *p = &c->placed.at[i];
     c->leaf_boxes.at[i] = p->box;
-    p->lid = n > 1 && c->expression->forces.at[c->leaves[i]] && p->part->convex && p->part->volume > 0 && find_local(&c->grid, &to_frame[i], p);
+    p->lid = n > 1 && c->expression->forces.at[c->leaves[i]] && p->part->convex && p->part->volume > 0 &&
+             find_local(&c->grid, &to_frame[i], p);
     any = any || p->lid;
     p->lids_count = 0;
   }
@@ -86,7 +89,8 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
     sum += p->lids_count < VS_LIDS ? (p->lids_count + 3) / 4 * 4 : VS_LIDS; /* their boxes are in fours */
     p->lids_count = 0;
   }
-  ok = ok && VS_ROOM(k, c->lids.at, c->lids.room, sum + 1) && VS_ROOM(k, c->lid_boxes.at, c->lid_boxes.room, sum / 4 + 1);
+  ok = ok && VS_ROOM(k, c->lids.at, c->lids.room, sum + 1) &&
+       VS_ROOM(k, c->lid_boxes.at, c->lid_boxes.room, sum / 4 + 1);
   for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* the largest, largest first; equal ones by place */
     vs_placed *p = &c->placed.at[f.pairs.at[i]];
     uint32_t lid = f.pairs.at[i + 1], *list = c->lids.at + p->lids_first, at = p->lids_count;
@@ -106,7 +110,8 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
     const vs_placed *p = &c->placed.at[i];
     for (uint32_t j = 0; j < (p->lids_count + 3) / 4 * 4; j++) {
       uint32_t at = p->lids_first + j;
-      vs_pack_put(&c->lid_boxes.at[at / 4], at % 4, j < p->lids_count ? &c->placed.at[c->lids.at[at]].box : &vs_box_nowhere);
+      vs_pack_put(&c->lid_boxes.at[at / 4], at % 4,
+                  j < p->lids_count ? &c->placed.at[c->lids.at[at]].box : &vs_box_nowhere);
     }
   }
   VS_DROP(k, f.pairs);
@@ -132,14 +137,16 @@ static bool gate_box(const vs_cluster *c, double low[3], double high[3]) {
 }
 
 static bool in_box(const vs_box *b, const double p[3]) {
-  return p[0] > b->min[0] && p[0] < b->max[0] && p[1] > b->min[1] && p[1] < b->max[1] && p[2] > b->min[2] && p[2] < b->max[2];
+  return p[0] > b->min[0] && p[0] < b->max[0] && p[1] > b->min[1] && p[1] < b->max[1] && p[2] > b->min[2] &&
+         p[2] < b->max[2];
 }
 
 /* The same of a place whose distance from the lid's middle, squared, is known: nearly all are told by that. */
 static bool in_lid_at(const vs_placed *lid, double square, const double p[3]) {
   if (square > lid->outside) return false;
   if (square < lid->well_inside) return true;
-  return in_box(&lid->box, p) && vs_part_holds(lid->part, vs_affine_point(&lid->to_local, vs_v3(p[0], p[1], p[2])), lid->margin);
+  return in_box(&lid->box, p) &&
+         vs_part_holds(lid->part, vs_affine_point(&lid->to_local, vs_v3(p[0], p[1], p[2])), lid->margin);
 }
 
 static bool in_lid(const vs_placed *lid, const double p[3]) {
@@ -184,7 +191,8 @@ bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t 
         square[v] = dx * dx + dy * dy + dz * dz;
       }
       for (size_t v = 0; v < n; v++)
-        if (square[v] <= lid->outside && in_lid_at(lid, square[v], (const double[3]){ x[0][v], x[1][v], x[2][v] })) masks[v] |= (uint64_t)1 << i;
+        if (square[v] <= lid->outside && in_lid_at(lid, square[v], (const double[3]){ x[0][v], x[1][v], x[2][v] }))
+          masks[v] |= (uint64_t)1 << i;
     }
     if (!vs_kernel_report(k, 0)) return false;
   }
@@ -201,9 +209,11 @@ bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]) {
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
   const vs_placed *leaf = &c->placed.at[place];
   vs_box box; /* well inside a lid is a step inside its box, or more */
-  for (int a = 0; a < 3 && leaf->lids_count; a++) box.min[a] = (int32_t)floor(p[a] < q[a] ? p[a] : q[a]), box.max[a] = (int32_t)ceil(p[a] > q[a] ? p[a] : q[a]);
+  for (int a = 0; a < 3 && leaf->lids_count; a++)
+    box.min[a] = (int32_t)floor(p[a] < q[a] ? p[a] : q[a]), box.max[a] = (int32_t)ceil(p[a] > q[a] ? p[a] : q[a]);
   for (uint32_t i = 0; i < leaf->lids_count; i += 4)
-    for (uint32_t set = vs_pack_bits(vs_pack_holding(&c->lid_boxes.at[(leaf->lids_first + i) / 4], &box)); set; set &= set - 1) {
+    for (uint32_t set = vs_pack_bits(vs_pack_holding(&c->lid_boxes.at[(leaf->lids_first + i) / 4], &box)); set;
+         set &= set - 1) {
       uint32_t lid = c->lids.at[leaf->lids_first + i + (uint32_t)__builtin_ctz(set)];
       const vs_placed *l = &c->placed.at[lid];
       if (lid != other && in_lid(l, p) && in_lid(l, q)) return true;
@@ -211,18 +221,21 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
   return false;
 }
 
-/* The rest of a convex outline without a ball of the given radius about the part's middle: places along its edges, in order; they span what is left. For
- * a place in the outline and outside of the ball lies on a chord that the ball does not meet, and the chord's ends are on edges. A corner on the ball, as
- * another ball of the same kind leaves it, stays: one too many does no harm. 0: nothing is left, or it cannot be told. */
+/* The rest of a convex outline without a ball of the given radius about the part's middle: places along its edges, in
+ * order; they span what is left. For a place in the outline and outside of the ball lies on a chord that the ball does
+ * not meet, and the chord's ends are on edges. A corner on the ball, as another ball of the same kind leaves it, stays:
+ * one too many does no harm. 0: nothing is left, or it cannot be told. */
 static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {
-  static const double SURELY = 1e-6, FAR = 1e6; /* of the radius squared: what rounding cannot undo, up to so far away */
+  static const double SURELY = 1e-6, FAR = 1e6; /* of the radius squared: what rounding cannot undo, up to so far
+                                                 * away */
   double (*out)[3] = at + room; /* the other half of the caller's array */
   uint32_t count = 0;
   for (uint32_t i = 0; i < n; i++) {
     const double *p = at[i], *q = at[i + 1 == n ? 0 : i + 1];
     vs_vec3 d = vs_v3_sub(vs_affine_point(&lid->to_local, vs_v3(p[0], p[1], p[2])), lid->part->middle);
     vs_vec3 e = vs_affine_vector(&lid->to_local, vs_v3(q[0] - p[0], q[1] - p[1], q[2] - p[2]));
-    double a = vs_v3_dot(e, e), b = vs_v3_dot(d, e), c = vs_v3_dot(d, d) - radius * radius, square = b * b - a * c, from = 1, to = 1;
+    double a = vs_v3_dot(e, e), b = vs_v3_dot(d, e), c = vs_v3_dot(d, d) - radius * radius, square = b * b - a * c,
+           from = 1, to = 1;
     if (square > 0 && a > 0) from = (-b - sqrt(square)) / a, to = (-b + sqrt(square)) / a;
     if (to <= 0) from = to = 1;
     if (count + 3 > room || c > FAR * radius * radius) return 0;

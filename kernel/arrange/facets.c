@@ -1,9 +1,10 @@
-/* Owns the way from corners on the grid to triangles and facets: what is culled, plain or flat is left out, coplanar neighbours become one; and that each leaf is
- * closed.
+/* Owns the way from corners on the grid to triangles and facets: what is culled, plain or flat is left out, coplanar
+ * neighbours become one; and that each leaf is closed.
  *
  * Leaves are worked on in batches, a batch in spans of triangles that threads share: (1) planes of the triangles
- * that stay; (2) which neighbours lie in one plane. Then, one after the other, triangles get the numbers of their points, planes and facets: so they do not
- * depend on the threads; points are one task and the rest another. Points and planes that only culled or flat triangles have are never made. */
+ * that stay; (2) which neighbours lie in one plane. Then, one after the other, triangles get the numbers of their
+ * points, planes and facets: so they do not depend on the threads; points are one task and the rest another. Points and
+ * planes that only culled or flat triangles have are never made. */
 #include "kernel/cluster.h"
 
 #include <string.h>
@@ -58,9 +59,12 @@ static bool find_twins(vs_kernel *k, facets *f, uint32_t place) {
   f->twins.count += 3 * m->triangle_count;
   for (size_t j = 0; j < m->vertex_count; j++) /* by place on the grid */
     if (!vs_points_integer(k, &c->points, c->corners[c->placed.at[place].first + j], &f->ids.at[j])) return false;
-  if (!vs_twins_find(k, (const uint32_t(*)[3])m->triangles, m->triangle_count, c->points.all.count, f->ids.at, twins, &open)) return false;
+  if (!vs_twins_find(k, (const uint32_t(*)[3])m->triangles, m->triangle_count, c->points.all.count, f->ids.at, twins,
+                     &open))
+    return false;
   return open == VS_NONE ||
-         vs_kernel_fail(k, VS_KERNEL_OPEN, c->leaves[place], "the solid is not closed: a face is missing, or turned the other way, along an edge");
+         vs_kernel_fail(k, VS_KERNEL_OPEN, c->leaves[place],
+                        "the solid is not closed: a face is missing, or turned the other way, along an edge");
 }
 
 /* ---- in spans ---- */
@@ -81,7 +85,9 @@ static bool find_span(vs_kernel *k, void *context, size_t index) {
     const int32_t(*at)[3] = (const int32_t(*)[3])c->corners + p->first;
     found_triangle made = { .source = t };
     number[t] = FLAT;
-    if (!vs_plane_through(at[v[turned(l->mirrored, 0)]], at[v[1]], at[v[turned(l->mirrored, 2)]], &made.plane, &made.flip)) continue;
+    if (!vs_plane_through(at[v[turned(l->mirrored, 0)]], at[v[1]], at[v[turned(l->mirrored, 2)]], &made.plane,
+                          &made.flip))
+      continue;
     number[t] = (uint32_t)s->found.count;
     made.hash = vs_planes_hash(&made.plane);
     if (!VS_PUSH(k, s->found, made)) return false;
@@ -90,7 +96,8 @@ static bool find_span(vs_kernel *k, void *context, size_t index) {
 }
 
 static bool same_plane(const found_triangle *a, const found_triangle *b) {
-  return a->plane.n[0] == b->plane.n[0] && a->plane.n[1] == b->plane.n[1] && a->plane.n[2] == b->plane.n[2] && a->plane.d == b->plane.d && a->flip == b->flip;
+  return a->plane.n[0] == b->plane.n[0] && a->plane.n[1] == b->plane.n[1] && a->plane.n[2] == b->plane.n[2] &&
+         a->plane.d == b->plane.d && a->flip == b->flip;
 }
 
 static bool join_span(vs_kernel *k, void *context, size_t index) {
@@ -103,7 +110,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
       uint32_t twin = l->twins[3 * (size_t)a->source + turned_edge(l->mirrored, j)];
       if (twin == VS_NONE || twin / 3 == a->source) continue;
       uint32_t number = f->number.at[l->triangles + twin / 3];
-      if (number == FLAT) a->inner |= VS_BESIDE_FLAT; /* a triangle that has become a line lies here: this one may have to be split along it */
+      if (number == FLAT) a->inner |= VS_BESIDE_FLAT; /* a triangle that has become a line lies here: this one may have
+                                                       * to be split along it */
       if (number >= GONE) continue;
       const span *other = &f->spans.at[l->span + twin / 3 / SPAN];
       const found_triangle *b = &other->found.at[number];
@@ -117,7 +125,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
 
 /* ---- in order ---- */
 
-/* The triangles' points, of all spans. Numbers in the order of their first use; looked up a span at a time, so that they can be fetched ahead. */
+/* The triangles' points, of all spans. Numbers in the order of their first use; looked up a span at a time, so that
+ * they can be fetched ahead. */
 static bool give_points(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
   vs_soup_triangle *to = c->triangles.at; /* NULL where there is none: nothing may be added to it */
@@ -137,8 +146,10 @@ static bool give_points(vs_kernel *k, facets *f) {
         f->ids.at[v] = 0;
         f->fresh.at[f->fresh.count++] = v;
       }
-    if (!vs_points_add_corners(k, &c->points, c->corners + p->first, f->fresh.at, f->fresh.count, f->ids.at)) return false;
-    for (size_t i = 0; c->point_of.count && i < f->fresh.count; i++) c->point_of.at[p->first + f->fresh.at[i]] = f->ids.at[f->fresh.at[i]];
+    if (!vs_points_add_corners(k, &c->points, c->corners + p->first, f->fresh.at, f->fresh.count, f->ids.at))
+      return false;
+    for (size_t i = 0; c->point_of.count && i < f->fresh.count; i++)
+      c->point_of.at[p->first + f->fresh.at[i]] = f->ids.at[f->fresh.at[i]];
     for (uint32_t i = 0; i < s->found.count; i++, to++)
       for (uint32_t j = 0; j < 3; j++) to->v[j] = f->ids.at[corners[s->found.at[i].source][turned(l->mirrored, j)]];
     if (!vs_kernel_report(k, 0)) return false;
@@ -161,7 +172,8 @@ static bool give_facets(vs_kernel *k, facets *f) {
       if (root == s->base + i) { /* the first of its facet */
         vs_facet made = { .leaf = leaf, .place = s->place, .group = (uint32_t)c->facets.count, .flip = from->flip };
         f->facet.at[root] = (uint32_t)c->facets.count;
-        if (!vs_planes_add(k, &c->planes, &from->plane, from->hash, &made.plane) || !VS_PUSH(k, c->facets, made)) return false;
+        if (!vs_planes_add(k, &c->planes, &from->plane, from->hash, &made.plane) || !VS_PUSH(k, c->facets, made))
+          return false;
       }
       to->leaf = leaf;
       to->source = from->source;
@@ -176,15 +188,20 @@ static bool give_facets(vs_kernel *k, facets *f) {
   return true;
 }
 
-static bool give(vs_kernel *k, void *context, size_t index) { return index ? give_facets(k, context) : give_points(k, context); } /* different fields, other tables */
+/* different fields, other tables */
+static bool give(vs_kernel *k, void *context, size_t index) {
+  return index ? give_facets(k, context) : give_points(k, context);
+}
 
 static bool plan_leaf(vs_kernel *k, facets *f, uint32_t place, size_t *triangles, size_t *vertices) {
   vs_cluster *c = f->c;
   const vs_part *part = c->placed.at[place].part;
-  batch_leaf l = { part->twins, (uint32_t)*triangles, (uint32_t)f->spans.count, vs_affine_determinant(&c->problem->leaves[c->leaves[place]].placement) < 0 };
+  batch_leaf l = { part->twins, (uint32_t)*triangles, (uint32_t)f->spans.count,
+                   vs_affine_determinant(&c->problem->leaves[c->leaves[place]].placement) < 0 };
   uint32_t n = (uint32_t)part->mesh->triangle_count;
   if (part->volume < -1e-13 * part->outer * part->outer * part->outer && !c->inspect)
-    return vs_kernel_fail(k, VS_KERNEL_INSIDE_OUT, c->leaves[place], "the solid is inside out: its faces should run counter-clockwise seen from outside");
+    return vs_kernel_fail(k, VS_KERNEL_INSIDE_OUT, c->leaves[place],
+                          "the solid is inside out: its faces should run counter-clockwise seen from outside");
   for (uint32_t t = 0; t < n; t += SPAN) {
     span made = { .place = place, .first = t, .end = n - t < SPAN ? n : t + SPAN };
     if (f->spans.count < f->span_count) { /* an earlier batch's, whose room stays */
@@ -226,14 +243,16 @@ static bool do_batch(vs_kernel *k, facets *f) {
     f->spans.at[i].base = (uint32_t)found;
     found += f->spans.at[i].found.count;
   }
-  if (!VS_ROOM(k, f->sets.at, f->sets.room, found + 1) || !VS_ROOM(k, f->facet.at, f->facet.room, found + 1)) return false;
+  if (!VS_ROOM(k, f->sets.at, f->sets.room, found + 1) || !VS_ROOM(k, f->facet.at, f->facet.room, found + 1))
+    return false;
   for (uint32_t i = 0; i < found; i++) atomic_init(&f->sets.at[i], i);
   f->given = c->triangles.count;
   if (!vs_kernel_run(k, f->spans.count, join_span, f)) return false;
   for (uint32_t i = 0; i < found; i++) roots += vs_find_shared(f->sets.at, i) == i;
-  if (!vs_planes_expect(k, &c->planes, roots) || !vs_points_expect(k, &c->points, vertices < found ? vertices : found) ||
-      !VS_ROOM(k, c->triangles.at, c->triangles.room, f->given + found) || !VS_ROOM(k, c->facets.at, c->facets.room, c->facets.count + roots + 1) ||
-      !vs_kernel_run(k, 2, give, f))
+  if (!vs_planes_expect(k, &c->planes, roots) ||
+      !vs_points_expect(k, &c->points, vertices < found ? vertices : found) ||
+      !VS_ROOM(k, c->triangles.at, c->triangles.room, f->given + found) ||
+      !VS_ROOM(k, c->facets.at, c->facets.room, c->facets.count + roots + 1) || !vs_kernel_run(k, 2, give, f))
     return false;
   c->triangles.count = f->given + found;
   return true;

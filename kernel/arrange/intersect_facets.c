@@ -5,9 +5,9 @@
  * outline in events, put in order along the line: a side that goes from above the other plane to below it, or from
  * above to the plane itself, changes whether the line moved up by a hair is inside; a side that goes below does the
  * same for the line moved down. Between two events the facet covers the line where either is inside, so sides that lie
- * in the other plane, and corners that only touch it, need no rule of their own. The interval that both facets cover is cut at every
- * event, since each is a corner of one of them. New points are a side's line through a plane: an edge of the input
- * through it, or three planes of the input, however many levels came before.
+ * in the other plane, and corners that only touch it, need no rule of their own. The interval that both facets cover is
+ * cut at every event, since each is a corner of one of them. New points are a side's line through a plane: an edge of
+ * the input through it, or three planes of the input, however many levels came before.
  *
  * As in intersect_patches.c, pairs are decided in chunks that do not know of each other, and points are numbered
  * afterwards, chunk by chunk. */

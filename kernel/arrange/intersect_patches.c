@@ -1,13 +1,16 @@
-/* Owns the meeting of patches: finds every pair that touches and leaves in both facets the segments or point they share.
+/* Owns the meeting of patches: finds every pair that touches and leaves in both facets the segments or point they
+ * share.
  *
- * Two patches in different planes can only meet on the line of these planes. Each covers a piece of it, from one of its corners or edges to another; what
- * both cover is what they share. Heights over a plane and places along the line are doubles with a bound on their error, and whole numbers decide
- * what is within it: pairs that only come near cost no wide arithmetic, and a segment well inside a lid gets no points. A contact that is a corner or a
- * whole boundary edge of a patch already is nothing new for that patch. Patches of one plane unite their facets into a group.
- * Patches of one leaf are treated as any others, unless it is a star on the grid: it may cross itself, or rounding may have folded it.
+ * Two patches in different planes can only meet on the line of these planes. Each covers a piece of it, from one of its
+ * corners or edges to another; what both cover is what they share. Heights over a plane and places along the line are
+ * doubles with a bound on their error, and whole numbers decide what is within it: pairs that only come near cost no
+ * wide arithmetic, and a segment well inside a lid gets no points. A contact that is a corner or a whole boundary edge
+ * of a patch already is nothing new for that patch. Patches of one plane unite their facets into a group. Patches of
+ * one leaf are treated as any others, unless it is a star on the grid: it may cross itself, or rounding may have folded
+ * it.
  *
- * Pairs are found and decided in chunks that do not know of each other; points are numbered afterwards, chunk by chunk: one result for any number of
- * threads. */
+ * Pairs are found and decided in chunks that do not know of each other; points are numbered afterwards, chunk by chunk:
+ * one result for any number of threads. */
 #include "kernel/cluster.h"
 
 #include <math.h>
@@ -48,7 +51,8 @@ typedef struct {
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
 
 static int orient2(const int32_t a[3], const int32_t b[3], const int32_t c[3], const vs_plane *p) {
-  int64_t ax = (int64_t)b[p->u] - a[p->u], ay = (int64_t)b[p->v] - a[p->v], bx = (int64_t)c[p->u] - a[p->u], by = (int64_t)c[p->v] - a[p->v];
+  int64_t ax = (int64_t)b[p->u] - a[p->u], ay = (int64_t)b[p->v] - a[p->v], bx = (int64_t)c[p->u] - a[p->u],
+          by = (int64_t)c[p->v] - a[p->v];
   return vs_sign128((vs_i128)ax * by - (vs_i128)ay * bx);
 }
 
@@ -84,8 +88,9 @@ static vs_i128 height(const vs_plane *p, const int32_t at[3]) {
   return (vs_i128)p->n[0] * at[0] + (vs_i128)p->n[1] * at[1] + (vs_i128)p->n[2] * at[2] - p->d;
 }
 
-/* Heights as doubles, from a corner of the other patch: differences of 33 bits are exact. The normal, the three products and the two sums are right to 2^-53 of
- * themselves: the error is below 2^-50 of the products' sizes together, and nothing where these are below 2^53. */
+/* Heights as doubles, from a corner of the other patch: differences of 33 bits are exact. The normal, the three
+ * products and the two sums are right to 2^-53 of themselves: the error is below 2^-50 of the products' sizes together,
+ * and nothing where these are below 2^53. */
 static void face_to(const vs_cluster *c, facing *f) {
   const vs_plane *p = &c->planes.all.at[f->other->plane];
   const vs_patch_corner *x = corners(c, f->of);
@@ -99,7 +104,8 @@ static void face_to(const vs_cluster *c, facing *f) {
   f->on = 0;
   f->above = f->below = false;
   for (uint32_t i = 0; i < f->of->count; i++) {
-    double h = n[0] * ((double)x[i].at[0] - from[0]) + n[1] * ((double)x[i].at[1] - from[1]) + n[2] * ((double)x[i].at[2] - from[2]);
+    double h = n[0] * ((double)x[i].at[0] - from[0]) + n[1] * ((double)x[i].at[1] - from[1]) +
+               n[2] * ((double)x[i].at[2] - from[2]);
     if (fabs(h) <= error) h = (double)height(p, x[i].at);
     f->height[i] = h;
     f->above |= h > 0;
@@ -153,8 +159,8 @@ static double fraction(const end *e) {
   return is_corner(e) ? 0 : u / (u - v);
 }
 
-/* The piece of the line that the patch covers. A crossing's fraction t = u / (u - v) is off by less than 3 errors of a height / |u - v|, as t <= 1, and by
- * rounding, which comes to less than 2^-18 steps along the edge. */
+/* The piece of the line that the patch covers. A crossing's fraction t = u / (u - v) is off by less than 3 errors of a
+ * height / |u - v|, as t <= 1, and by rounding, which comes to less than 2^-18 steps along the edge. */
 static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(c, f->of);
   const double *h = f->height;
@@ -229,8 +235,9 @@ static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   return !(apart && a->facet == b->facet);
 }
 
-/* Triangles of one leaf in different planes, that share corners as neighbours do: are these all they share? Those with an edge in common share the line of
- * their planes, and so the edge alone; with one corner, where the rest of one lies to one side of the other. Only where it is quick to say. */
+/* Triangles of one leaf in different planes, that share corners as neighbours do: are these all they share? Those with
+ * an edge in common share the line of their planes, and so the edge alone; with one corner, where the rest of one lies
+ * to one side of the other. Only where it is quick to say. */
 static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   if (a->count != 3 || b->count != 3) return false;
   const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
@@ -285,7 +292,8 @@ static bool end_point(chunk *m, const end *e, uint32_t *id) {
   return true;
 }
 
-/* Where several edges lie in line: the corners of f on the line between its ends, into `line`. A place that is an end of the segment is given as that end. */
+/* Where several edges lie in line: the corners of f on the line between its ends, into `line`. A place that is an end
+ * of the segment is given as that end. */
 static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(m->c, f->of);
   for (uint32_t i = 0; f->on > 2 && i < f->of->count; i++) {
@@ -313,12 +321,15 @@ static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t
   const vs_patch_corner *x = corners(c, f->of);
   if (f->on > 2) return is_new(c, f->of, p, q);
   if (p == q) return !f->on || (x[f->first_on].point != p && x[f->last_on].point != p);
-  if (f->on < 2 || x[f->first_on].point + x[f->last_on].point != p + q || (x[f->first_on].point != p && x[f->last_on].point != p)) return true;
+  if (f->on < 2 || x[f->first_on].point + x[f->last_on].point != p + q ||
+      (x[f->first_on].point != p && x[f->last_on].point != p))
+    return true;
   uint32_t between = f->last_on - f->first_on, edge = between == 1 ? f->first_on : f->last_on;
   return (between != 1 && between + 1 != f->of->count) || (edge < 3 && (f->of->inner >> edge & 1));
 }
 
-/* Bit 0: what lies between the points is new in the first, bit 1: in the second. A fresh point is no corner of either: one that is would be that corner. */
+/* Bit 0: what lies between the points is new in the first, bit 1: in the second. A fresh point is no corner of either:
+ * one that is would be that corner. */
 static uint32_t new_in(const vs_cluster *c, const facing f[2], uint32_t p, uint32_t q) {
   if ((p | q) & FRESH) return 3;
   return (uint32_t)is_new_on(c, &f[0], p, q) | (uint32_t)is_new_on(c, &f[1], p, q) << 1;
@@ -327,7 +338,8 @@ static uint32_t new_in(const vs_cluster *c, const facing f[2], uint32_t p, uint3
 static bool add_contact(chunk *m, const facing f[2], uint32_t p, uint32_t q) {
   const vs_patch *first = m->c->patches.at;
   uint32_t cut = new_in(m->c, f, p, q);
-  return !cut || VS_PUSH(m->k, m->contacts, ((contact){ (uint32_t)(f[0].of - first), (uint32_t)(f[1].of - first), p, q, cut }));
+  return !cut ||
+         VS_PUSH(m->k, m->contacts, ((contact){ (uint32_t)(f[0].of - first), (uint32_t)(f[1].of - first), p, q, cut }));
 }
 
 static uint32_t corner_point(const vs_cluster *c, const end *e) { return corners(c, e->f->of)[e->corner].point; }
@@ -357,7 +369,8 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
   int axis = axis_of(&c->planes.all.at[t[0]->plane], &c->planes.all.at[t[1]->plane]);
   for (int i = 0; i < 2; i++) cover(c, &f[i], axis, &low[i], &high[i]);
   int below = compare(c, &low[0], &low[1], axis), above = compare(c, &high[1], &high[0], axis);
-  end from = low[below < 0 || (below == 0 && !is_corner(&low[0]))], to = high[above < 0 || (above == 0 && !is_corner(&high[0]))];
+  end from = low[below < 0 || (below == 0 && !is_corner(&low[0]))],
+      to = high[above < 0 || (above == 0 && !is_corner(&high[0]))];
   int length = compare(c, &to, &from, axis);
   if (length < 0) return true;
   if (length == 0 && !is_corner(&from)) from = to; /* the one that is a corner, if any is */
@@ -394,7 +407,8 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
   }
   const vs_patch *a = &c->patches.at[first], *b = &c->patches.at[second];
   if (!vs_kernel_poll(m->k, 0.1)) return false;
-  if (a->plane == b->plane) return !overlap(c, a, b) || VS_PUSH(m->k, m->contacts, ((contact){ first, second, 0, 0, 0 }));
+  if (a->plane == b->plane)
+    return !overlap(c, a, b) || VS_PUSH(m->k, m->contacts, ((contact){ first, second, 0, 0, 0 }));
   return (a->place == b->place && only_neighbours(c, a, b)) || share(m, a, b);
 }
 
@@ -469,7 +483,8 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   size_t crossings = 64;
   while (crossings < CROSSINGS && crossings < 32 * (size_t)blocks) crossings *= 2;
   if (!VS_ROOM(k, m->w->crossings.at, m->w->crossings.room, crossings)) return false;
-  memset(m->w->crossings.at, 0xff, crossings * sizeof *m->w->crossings.at); /* nobody's: what a chunk finds depends on itself alone */
+  /* nobody's: what a chunk finds depends on itself alone */
+  memset(m->w->crossings.at, 0xff, crossings * sizeof *m->w->crossings.at);
   m->w->crossings.count = crossings;
   return vs_bvh_pairs(&all->c->bvh, first, first + CHUNK, meet, m) && vs_kernel_report(k, 0.1);
 }

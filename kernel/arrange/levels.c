@@ -9,8 +9,8 @@
  * with all other leaves, which decides as ever.
  *
  * Nothing is rounded between levels. Facets keep the plane of the input that they lie in; their corners are exact
- * points; each side keeps its line, an edge of the input or the second plane. Therefore a new point is an edge through a
- * plane, or three planes, of the input, and no number is longer than in one arrangement. A face that is kept has the
+ * points; each side keeps its line, an edge of the input or the second plane. Therefore a new point is an edge through
+ * a plane, or three planes, of the input, and no number is longer than in one arrangement. A face that is kept has the
  * leaf that it would have had without levels, the earliest whose surface it is, and so its paint; faces of one leaf are
  * merged again after each level, and corners that nobody needs are dropped.
  *

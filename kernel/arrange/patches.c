@@ -1,7 +1,7 @@
 /* Owns the patches: what of a facet is tested against other facets' in one piece.
  *
- * A facet that is convex is one patch, whatever triangles it came in: the wall of a box meets another in one segment instead of up to four, and none
- * of them ends in a new point on a diagonal that nobody asked for. */
+ * A facet that is convex is one patch, whatever triangles it came in: the wall of a box meets another in one segment
+ * instead of up to four, and none of them ends in a new point on a diagonal that nobody asked for. */
 #include "kernel/cluster.h"
 
 #include <string.h>
@@ -40,8 +40,10 @@ static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner
       if (x < box.min[a]) box.min[a] = x;
       if (x > box.max[a]) box.max[a] = x;
     }
-  /* Facets in one plane are cut by each other's borders also where they do not show: else two faces could lie on each other there. */
-  if (c->placed.at[p.place].lids_count && b->alone[p.plane] == facet) vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
+  /* Facets in one plane are cut by each other's borders also where they do not show: else two faces could lie on each
+   * other there. */
+  if (c->placed.at[p.place].lids_count && b->alone[p.plane] == facet)
+    vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
   return VS_PUSH(b->k, b->to->patches, p) && VS_PUSH(b->k, b->to->boxes, box);
 }
 
@@ -51,7 +53,8 @@ static bool add_corner(building *b, uint32_t point) {
   return VS_PUSH(b->k, b->to->corners, corner);
 }
 
-/* Is the ring of corners from `first` on convex? Corners in one line are allowed, turning back is not, and it goes around once. */
+/* Is the ring of corners from `first` on convex? Corners in one line are allowed, turning back is not, and it goes
+ * around once. */
 static bool convex(const building *b, const vs_facet *f, uint32_t first) {
   const vs_plane *p = &b->c->planes.all.at[f->plane];
   const vs_patch_corner *at = b->to->corners.at + first;
@@ -59,7 +62,8 @@ static bool convex(const building *b, const vs_facet *f, uint32_t first) {
   int falls = 0;
   for (uint32_t i = 0; i < n; i++) {
     const int32_t *x = at[i].at, *y = at[(i + 1) % n].at, *z = at[(i + 2) % n].at;
-    int64_t ax = (int64_t)y[p->u] - x[p->u], ay = (int64_t)y[p->v] - x[p->v], bx = (int64_t)z[p->u] - y[p->u], by = (int64_t)z[p->v] - y[p->v];
+    int64_t ax = (int64_t)y[p->u] - x[p->u], ay = (int64_t)y[p->v] - x[p->v], bx = (int64_t)z[p->u] - y[p->u],
+            by = (int64_t)z[p->v] - y[p->v];
     vs_i128 turn = (vs_i128)ax * by - (vs_i128)ay * bx;
     if (f->flip ? turn > 0 : turn < 0) return false;
     bool down = ax < 0 || (ax == 0 && ay < 0), then = bx < 0 || (bx == 0 && by < 0);
@@ -134,16 +138,19 @@ static bool take_chunk(vs_kernel *k, void *context, size_t index) {
   vs_cluster *c = p->c;
   const made *from = &p->made[index % VS_PIPELINE_WINDOW];
   size_t corners = c->patch_corners.count, patches = c->patches.count;
-  if (!VS_ROOM(k, c->patches.at, c->patches.room, patches + from->patches.count) || !VS_ROOM(k, c->boxes.at, c->boxes.room, patches + from->patches.count) ||
+  if (!VS_ROOM(k, c->patches.at, c->patches.room, patches + from->patches.count) ||
+      !VS_ROOM(k, c->boxes.at, c->boxes.room, patches + from->patches.count) ||
       !VS_ROOM(k, c->patch_corners.at, c->patch_corners.room, corners + from->corners.count))
     return false;
-  if (corners + from->corners.count >= UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
+  if (corners + from->corners.count >= UINT32_MAX)
+    return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
   for (size_t i = 0; i < from->patches.count; i++) {
     c->patches.at[patches + i] = from->patches.at[i];
     c->patches.at[patches + i].first += (uint32_t)corners;
     c->boxes.at[patches + i] = from->boxes.at[i];
   }
-  if (from->corners.count) memcpy(c->patch_corners.at + corners, from->corners.at, from->corners.count * sizeof *from->corners.at);
+  if (from->corners.count)
+    memcpy(c->patch_corners.at + corners, from->corners.at, from->corners.count * sizeof *from->corners.at);
   c->patches.count = c->boxes.count = patches + from->patches.count;
   c->patch_corners.count = corners + from->corners.count;
   return vs_kernel_report(k, 0.1);

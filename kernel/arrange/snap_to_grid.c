@@ -1,8 +1,10 @@
-/* Owns the way from placed leaves to corners on the grid: frame, weld, grid; and what the leaves are there. facets.c goes on.
+/* Owns the way from placed leaves to corners on the grid: frame, weld, grid; and what the leaves are there. facets.c
+ * goes on.
  *
- * The grid's step is 1, 2 or 5 times a power of ten, the least with which the cluster fits 2^31 steps either way: decimal, because
- * models are. A triangle that spans nearly all of the cluster, and lies across the axes, may have a normal of 64 bits on it: then the next step is taken. Coordinates that differ by less than 2^-40 of the extent share one grid line: that matters only next to the middle
- * between two lines, so only coordinates there are sorted. */
+ * The grid's step is 1, 2 or 5 times a power of ten, the least with which the cluster fits 2^31 steps either way:
+ * decimal, because models are. A triangle that spans nearly all of the cluster, and lies across the axes, may have a
+ * normal of 64 bits on it: then the next step is taken. Coordinates that differ by less than 2^-40 of the extent share
+ * one grid line: that matters only next to the middle between two lines, so only coordinates there are sorted. */
 #include "kernel/cluster.h"
 
 #include <math.h>
@@ -35,7 +37,8 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->index < y->index ? -1 : x->index > y->index;
 }
 
-static const double MOST = (double)(INT64_C(1) << VS_GRID_BITS) - 64; /* steps either way: boxes grow by some, and stay numbers of 32 bits */
+static const double MOST = (double)(INT64_C(1) << VS_GRID_BITS) - 64; /* steps either way: boxes grow by some, and stay
+                                                                       * numbers of 32 bits */
 
 static void choose_step(vs_grid *g, double half, double far) {
   double least = half / MOST > far * 0x1p-51 ? half / MOST : far * 0x1p-51;
@@ -50,7 +53,9 @@ static void choose_step(vs_grid *g, double half, double far) {
   }
 }
 
-static size_t chunk_end(const soup *s, size_t index) { return (index + 1) * SPAN < s->placed.count ? (index + 1) * SPAN : s->placed.count; }
+static size_t chunk_end(const soup *s, size_t index) {
+  return (index + 1) * SPAN < s->placed.count ? (index + 1) * SPAN : s->placed.count;
+}
 
 static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   soup *s = context;
@@ -70,7 +75,8 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
       vs_vec3 v = s->placed.at[i] = vs_affine_point(&s->to_frame[leaf], m->vertices[i - first]);
       double x[3] = { v.x, v.y, v.z };
       for (int a = 0; a < 3; a++) {
-        if (!isfinite(x[a])) return vs_kernel_fail(k, VS_KERNEL_NOT_FINITE, c->leaves[leaf], "a corner is not at a finite place");
+        if (!isfinite(x[a]))
+          return vs_kernel_fail(k, VS_KERNEL_NOT_FINITE, c->leaves[leaf], "a corner is not at a finite place");
         if (x[a] < to->low[a]) to->low[a] = x[a];
         if (x[a] > to->high[a]) to->high[a] = x[a];
       }
@@ -81,8 +87,8 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
 
 static bool place(vs_kernel *k, vs_cluster *c, soup *s) {
   size_t sum = 0;
-  if (!VS_ROOM(k, s->to_frame, s->to_frame_room, c->leaf_count) || !VS_ROOM(k, c->placed.at, c->placed.room, (size_t)c->leaf_count + 1) ||
-      !vs_frame_choose(k, c, s->to_frame))
+  if (!VS_ROOM(k, s->to_frame, s->to_frame_room, c->leaf_count) ||
+      !VS_ROOM(k, c->placed.at, c->placed.room, (size_t)c->leaf_count + 1) || !vs_frame_choose(k, c, s->to_frame))
     return false;
   for (uint32_t i = 0; i < c->leaf_count; i++) {
     vs_placed p = { .part = &c->parts->all.at[c->parts->of_leaf.at[c->leaves[i]]], .first = (uint32_t)sum };
@@ -91,7 +97,8 @@ static bool place(vs_kernel *k, vs_cluster *c, soup *s) {
     if (sum >= UINT32_MAX / 4) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many vertices");
   }
   size_t chunks = (sum + SPAN - 1) / SPAN;
-  if (!VS_ROOM(k, s->placed.at, s->placed.room, sum + 1) || !VS_ROOM(k, s->chunks.at, s->chunks.room, chunks + 1)) return false;
+  if (!VS_ROOM(k, s->placed.at, s->placed.room, sum + 1) || !VS_ROOM(k, s->chunks.at, s->chunks.room, chunks + 1))
+    return false;
   s->placed.count = sum;
   s->chunks.count = chunks;
   memset(s->chunks.at, 0, (chunks + 1) * sizeof *s->chunks.at);
@@ -106,13 +113,15 @@ static bool grid_chunk(vs_kernel *k, void *context, size_t index) {
     for (size_t i = index * SPAN, end = chunk_end(s, index); i < end; i++) {
       double x = coordinate(&s->placed.at[i], a) * g->scale / g->unit - offset, whole = floor(x + 0.5);
       s->c->corners[i][a] = (int32_t)whole;
-      if (fabs(x - whole) > border_at && !VS_PUSH(k, s->chunks.at[index].borders[a], ((border){ x, (uint32_t)i }))) return false;
+      if (fabs(x - whole) > border_at && !VS_PUSH(k, s->chunks.at[index].borders[a], ((border){ x, (uint32_t)i })))
+        return false;
     }
   }
   return vs_kernel_report(k, 0);
 }
 
-/* Twice a triangle's area as an axis sees it is what its normal has there, but for a common divisor: 0 where it lies along that axis. */
+/* Twice a triangle's area as an axis sees it is what its normal has there, but for a common divisor: 0 where it lies
+ * along that axis. */
 static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[3]) {
   for (int i = 0; i < 3; i++) {
     int u = (i + 1) % 3, v = (i + 2) % 3;
@@ -128,7 +137,8 @@ static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[
 /* Only what spans two axes for 2^63 square steps can have a triangle whose normal does not fit. */
 static bool normals_fit(const vs_cluster *c, const soup *s) {
   static const double SAFE = 0x1p62;
-  if (s->steps[0] * s->steps[1] < SAFE && s->steps[1] * s->steps[2] < SAFE && s->steps[2] * s->steps[0] < SAFE) return true;
+  if (s->steps[0] * s->steps[1] < SAFE && s->steps[1] * s->steps[2] < SAFE && s->steps[2] * s->steps[0] < SAFE)
+    return true;
   for (uint32_t i = 0; i < c->leaf_count; i++) {
     const vs_placed *p = &c->placed.at[i];
     const vs_mesh *m = p->part->mesh;
@@ -162,7 +172,8 @@ static bool weld(vs_kernel *k, vs_cluster *c, soup *s) {
     for (int a = 0; a < 3; a++) {
       double scale = c->grid.scale, unit = c->grid.unit;
       c->grid.offset[a] = floor((low[a] + high[a]) / 2 * scale / unit);
-      s->near[a] = fmax((high[a] - low[a]) * 0x1p-40, far * 0x1p-50) * scale / unit; /* far from the origin doubles are coarser */
+      /* far from the origin doubles are coarser */
+      s->near[a] = fmax((high[a] - low[a]) * 0x1p-40, far * 0x1p-50) * scale / unit;
       s->steps[a] = (high[a] - low[a]) * scale / unit;
     }
     for (size_t i = 0; i < s->chunks.count; i++)
@@ -175,7 +186,8 @@ static bool weld(vs_kernel *k, vs_cluster *c, soup *s) {
     for (size_t i = 0; i < s->chunks.count; i++)
       for (size_t j = 0; j < s->chunks.at[i].borders[a].count; j++)
         if (!VS_PUSH(k, s->borders, s->chunks.at[i].borders[a].at[j])) return false;
-    if (s->borders.count) qsort(s->borders.at, s->borders.count, sizeof *s->borders.at, by_place); /* equal places sort by index: one result */
+    /* equal places sort by index: one result */
+    if (s->borders.count) qsort(s->borders.at, s->borders.count, sizeof *s->borders.at, by_place);
     for (size_t i = 0, first = 0; i < s->borders.count; i++) {
       if (s->borders.at[i].at - s->borders.at[first].at > s->near[a]) first = i;
       c->corners[s->borders.at[i].index][a] = (int32_t)floor(s->borders.at[first].at + 0.5);
@@ -215,7 +227,8 @@ static bool find_shape(vs_kernel *k, void *context, size_t index) {
 
 bool vs_soup_build(vs_kernel *k, vs_cluster *c) {
   soup s = { .c = c };
-  bool ok = place(k, c, &s) && weld(k, c, &s) && vs_kernel_run(k, c->leaf_count, find_shape, &s) && vs_cull_prepare(k, c, s.to_frame);
+  bool ok = place(k, c, &s) && weld(k, c, &s) && vs_kernel_run(k, c->leaf_count, find_shape, &s) &&
+            vs_cull_prepare(k, c, s.to_frame);
   for (size_t i = 0; i < s.chunks.count; i++)
     for (int a = 0; a < 3; a++) VS_DROP(k, s.chunks.at[i].borders[a]);
   VS_DROP(k, s.chunks);

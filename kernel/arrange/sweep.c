@@ -8,18 +8,21 @@ static bool point_before(const void *context, uint32_t a, uint32_t b) {
   return sign < 0;
 }
 
-/* By the fixed numbers of u, which are in order wherever they differ; those with one number by the fixed numbers of v where that is all of them, else exactly. */
+/* By the fixed numbers of u, which are in order wherever they differ; those with one number by the fixed numbers of v
+ * where that is all of them, else exactly. */
 bool vs_sweep_order(vs_kernel *k, vs_sweep *s, uint32_t *points, size_t count, uint32_t *scratch) {
   const vs_point *all = s->points.at;
   s->vertices.count = 0;
-  if (!VS_ROOM(k, s->vertices.at, s->vertices.room, count) || !VS_ROOM(k, s->keyed.at, s->keyed.room, 2 * count)) return false;
+  if (!VS_ROOM(k, s->vertices.at, s->vertices.room, count) || !VS_ROOM(k, s->keyed.at, s->keyed.room, 2 * count))
+    return false;
   vs_keyed *at = s->keyed.at;
   for (size_t i = 0; i < count; i++) at[i] = (vs_keyed){ all[points[i]].fixed[s->u], points[i] };
   vs_sort_keyed(at, at + count, count);
   for (size_t i = 0; i < count; i++) points[i] = at[i].item;
   for (size_t i = 0, end; i < count; i = end) {
     bool exact = vs_point_exact(&all[points[i]]);
-    for (end = i + 1; end < count && at[end].key == at[i].key; end++) exact = exact && vs_point_exact(&all[points[end]]);
+    for (end = i + 1; end < count && at[end].key == at[i].key; end++)
+      exact = exact && vs_point_exact(&all[points[end]]);
     if (end == i + 1) continue;
     if (!exact) {
       vs_kernel_sort(points + i, scratch, end - i, point_before, s);
@@ -36,8 +39,10 @@ bool vs_sweep_order(vs_kernel *k, vs_sweep *s, uint32_t *points, size_t count, u
 
 bool vs_sweep_begin(vs_kernel *k, vs_sweep *s) {
   uint32_t n = (uint32_t)s->vertices.count, m = (uint32_t)s->edges.count;
-  if (!VS_ROOM(k, s->first.at, s->first.room, (size_t)n + 2) || !VS_ROOM(k, s->rights.at, s->rights.room, (size_t)m + 1) ||
-      !VS_ROOM(k, s->arrival.at, s->arrival.room, (size_t)n + 1) || !VS_ROOM(k, s->nodes.at, s->nodes.room, (size_t)m + 1))
+  if (!VS_ROOM(k, s->first.at, s->first.room, (size_t)n + 2) ||
+      !VS_ROOM(k, s->rights.at, s->rights.room, (size_t)m + 1) ||
+      !VS_ROOM(k, s->arrival.at, s->arrival.room, (size_t)n + 1) ||
+      !VS_ROOM(k, s->nodes.at, s->nodes.room, (size_t)m + 1))
     return false;
   for (uint32_t i = 0; i < n + 2; i++) s->first.at[i] = 0;
   for (uint32_t i = 0; i < n; i++) s->arrival.at[i] = VS_NONE;
@@ -50,7 +55,8 @@ bool vs_sweep_begin(vs_kernel *k, vs_sweep *s) {
   for (uint32_t l = 0; l < n; l++) /* few at each vertex: by insertion */
     for (uint32_t i = s->first.at[l] + 1; i < s->first.at[l + 1]; i++) {
       uint32_t e = s->rights.at[i], to = i, r = s->edges.at[e].r;
-      for (; to > s->first.at[l] && vs_sweep_turn(s, l, s->edges.at[s->rights.at[to - 1]].r, r) < 0; to--) s->rights.at[to] = s->rights.at[to - 1];
+      for (; to > s->first.at[l] && vs_sweep_turn(s, l, s->edges.at[s->rights.at[to - 1]].r, r) < 0; to--)
+        s->rights.at[to] = s->rights.at[to - 1];
       s->rights.at[to] = e;
     }
   s->root = VS_NONE;
@@ -101,7 +107,8 @@ static void insert_between(vs_sweep *s, uint32_t e, uint32_t below, uint32_t abo
 
 static void take_out(vs_sweep *s, uint32_t e) {
   vs_sweep_node *n = s->nodes.at;
-  while (n[e].left != VS_NONE && n[e].right != VS_NONE) rotate_up(s, priority(n[e].left) > priority(n[e].right) ? n[e].left : n[e].right);
+  while (n[e].left != VS_NONE && n[e].right != VS_NONE)
+    rotate_up(s, priority(n[e].left) > priority(n[e].right) ? n[e].left : n[e].right);
   replace_child(s, n[e].parent, e, n[e].left != VS_NONE ? n[e].left : n[e].right);
   if (n[e].previous != VS_NONE) n[n[e].previous].next = n[e].next;
   if (n[e].next != VS_NONE) n[n[e].next].previous = n[e].previous;

@@ -1,9 +1,9 @@
-/* Owns the sweep over a planar graph whose edges meet in their ends alone: hands out the vertices in order, each with its edges to the left and
- * to the right and the edges just below and above it. Faces and triangulation are made on it.
+/* Owns the sweep over a planar graph whose edges meet in their ends alone: hands out the vertices in order, each with
+ * its edges to the left and to the right and the edges just below and above it. Faces and triangulation are made on it.
  *
- * The plane is seen along its normal in the axes (u, v). Vertices are local numbers in lexicographic order of (u, v), exact; an edge
- * runs from its smaller vertex to its larger; `above` an edge is its left side, also where it is vertical. The status is a treap
- * threaded in order. */
+ * The plane is seen along its normal in the axes (u, v). Vertices are local numbers in lexicographic order of (u, v),
+ * exact; an edge runs from its smaller vertex to its larger; `above` an edge is its left side, also where it is
+ * vertical. The status is a treap threaded in order. */
 #ifndef VS_KERNEL_SWEEP_H
 #define VS_KERNEL_SWEEP_H
 

@@ -1,14 +1,18 @@
 /* Owns what nothing meets: plain triangles, which need no planes, facets, patches, nor faces of their own.
  *
- * A triangle of a large leaf is plain where the box of no other leaf's triangle meets its own, where the rest of its leaf shares with it what the mesh says,
- * corners and edges, and where it is coplanar with none of its neighbours. In a star the second holds; elsewhere triangles without a common corner are proven
- * apart (apart.c), and those around a corner are seen from somewhere as a fan that goes round once. All of it is asked of corners on the grid, which doubles hold exactly, and
- * where the answer is not sure the triangle is arranged like any other: so nothing but time hangs on the answers that are no.
+ * A triangle of a large leaf is plain where the box of no other leaf's triangle meets its own, where the rest of its
+ * leaf shares with it what the mesh says, corners and edges, and where it is coplanar with none of its neighbours. In a
+ * star the second holds; elsewhere triangles without a common corner are proven apart (apart.c), and those around a
+ * corner are seen from somewhere as a fan that goes round once. All of it is asked of corners on the grid, which
+ * doubles hold exactly, and where the answer is not sure the triangle is arranged like any other: so nothing but time
+ * hangs on the answers that are no.
  *
- * Connected plain triangles are a region. It is one face for the classification, with uses along its rim alone; what lies across the rim is the facet of one arranged
- * triangle, so every edge there has two uses, and the region needs no plane. Its triangles are copied to the result as they are.
+ * Connected plain triangles are a region. It is one face for the classification, with uses along its rim alone; what
+ * lies across the rim is the facet of one arranged triangle, so every edge there has two uses, and the region needs no
+ * plane. Its triangles are copied to the result as they are.
  *
- * Boxes are looked at in blocks of up to 16 triangles that follow each other in the mesh and hang together, as they do in meshes that programs make. */
+ * Boxes are looked at in blocks of up to 16 triangles that follow each other in the mesh and hang together, as they do
+ * in meshes that programs make. */
 #include "kernel/mesh/hubs.h"
 #include "kernel/mesh/triangles_apart.h"
 #include "kernel/cluster.h"
@@ -35,7 +39,8 @@ typedef struct {
   VS_LIST(block) blocks;
   VS_LIST(vs_box) boxes;        /* of the blocks */
   vs_bvh bvh;
-  VS_LIST(_Atomic uint8_t) fans; /* of a vertex: 1 has one simple fan of triangles; 2 or more: does not; PROVEN: of many */
+  VS_LIST(_Atomic uint8_t) fans; /* of a vertex: 1 has one simple fan of triangles; 2 or more: does not; PROVEN: of
+                                  * many */
   VS_LIST(vs_hubs) hubs;         /* of each leaf, on the grid */
   VS_LIST(_Atomic uint32_t) sets;
 } plain;
@@ -43,8 +48,12 @@ typedef struct {
 typedef struct { plain *p; vs_kernel *k; } searcher;
 
 static const vs_mesh *mesh_at(const vs_cluster *c, uint32_t place) { return c->placed.at[place].part->mesh; }
-static const int32_t *corner_at(const vs_cluster *c, uint32_t place, uint32_t vertex) { return c->corners[c->placed.at[place].first + vertex]; }
-static const uint32_t *triangle_at(const vs_cluster *c, uint32_t place, uint32_t t) { return mesh_at(c, place)->triangles[t]; }
+static const int32_t *corner_at(const vs_cluster *c, uint32_t place, uint32_t vertex) {
+  return c->corners[c->placed.at[place].first + vertex];
+}
+static const uint32_t *triangle_at(const vs_cluster *c, uint32_t place, uint32_t t) {
+  return mesh_at(c, place)->triangles[t];
+}
 
 static uint8_t fate_of(const vs_cluster *c, uint32_t place, uint32_t t) {
   return atomic_load_explicit(&c->fate.at[c->placed.at[place].first_triangle + t], memory_order_relaxed);
@@ -60,12 +69,14 @@ static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 :
 
 /* ---- what is left out ---- */
 
-static bool mask_span(vs_kernel *k, void *context, size_t index) { /* the vertices are shared out among the leaf's spans */
+static bool mask_span(vs_kernel *k, void *context, size_t index) { /* the vertices are shared out among the leaf's
+                                                                    * spans */
   plain *p = context;
   const span *s = &p->spans.at[index];
   const vs_mesh *m = mesh_at(p->c, s->place);
-  return !vs_cull_needed(p->c, s->place) || vs_cull_vertices(k, p->c, s->place, m->vertex_count * s->first / m->triangle_count,
-                                                             m->vertex_count * s->end / m->triangle_count, p->masks.at + p->c->placed.at[s->place].first);
+  return !vs_cull_needed(p->c, s->place) ||
+         vs_cull_vertices(k, p->c, s->place, m->vertex_count * s->first / m->triangle_count,
+                          m->vertex_count * s->end / m->triangle_count, p->masks.at + p->c->placed.at[s->place].first);
 }
 
 static bool fate_span(vs_kernel *k, void *context, size_t index) {
@@ -84,7 +95,8 @@ static bool fate_span(vs_kernel *k, void *context, size_t index) {
 /* ---- blocks ---- */
 
 static bool share_a_corner(const uint32_t *v, const uint32_t *w) {
-  return v[0] == w[0] || v[0] == w[1] || v[0] == w[2] || v[1] == w[0] || v[1] == w[1] || v[1] == w[2] || v[2] == w[0] || v[2] == w[1] || v[2] == w[2];
+  return v[0] == w[0] || v[0] == w[1] || v[0] == w[2] || v[1] == w[0] || v[1] == w[1] || v[1] == w[2] || v[2] == w[0] ||
+         v[2] == w[1] || v[2] == w[2];
 }
 
 static uint32_t hub_of(const plain *p, uint32_t place, uint32_t t) {
@@ -99,7 +111,9 @@ static bool next_block(const plain *p, const span *s, uint32_t *first, uint32_t 
   uint32_t t = *first = *end;
   while (t < s->end && fate_of(c, s->place, t) == VS_CULLED) *first = ++t;
   if (t >= s->end) return false;
-  for (t++; t < s->end && t - *first < BLOCK && hub_of(p, s->place, t) == hub_of(p, s->place, t - 1) && (share_a_corner(v[t], v[t - 1]) || (t - *first > 1 && share_a_corner(v[t], v[t - 2])));) t++;
+  for (t++; t < s->end && t - *first < BLOCK && hub_of(p, s->place, t) == hub_of(p, s->place, t - 1) &&
+            (share_a_corner(v[t], v[t - 1]) || (t - *first > 1 && share_a_corner(v[t], v[t - 2])));)
+    t++;
   *end = t;
   return true;
 }
@@ -183,7 +197,8 @@ static bool meet_blocks(void *context, uint32_t first, uint32_t second) {
   for (uint32_t of_b = of_a ? lanes_meeting(b, &s->p->boxes.at[first]) : 0; of_b; of_b &= of_b - 1) {
     uint32_t j = (uint32_t)__builtin_ctz(of_b);
     vs_box box = lane_box(b, j);
-    for (uint32_t set = lanes_meeting(a, &box) & of_a; set; set &= set - 1) look_at_pair(s->p->c, a->place, a->first + (uint32_t)__builtin_ctz(set), b->place, b->first + j);
+    for (uint32_t set = lanes_meeting(a, &box) & of_a; set; set &= set - 1)
+      look_at_pair(s->p->c, a->place, a->first + (uint32_t)__builtin_ctz(set), b->place, b->first + j);
   }
   return true;
 }
@@ -226,13 +241,17 @@ static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
   *few = sum <= c->fate.count / WORTH;
   if (!*few) return true;
   p->blocks.count = sum;
-  bool ok = VS_ROOM(k, p->blocks.at, p->blocks.room, (size_t)sum + 1) && VS_ROOM(k, p->boxes.at, p->boxes.room, (size_t)sum + 1) &&
-            VS_ROOM(k, families, room, (size_t)sum + 1) && vs_kernel_run(k, p->spans.count, fill_blocks, p);
+  bool ok = VS_ROOM(k, p->blocks.at, p->blocks.room, (size_t)sum + 1) &&
+            VS_ROOM(k, p->boxes.at, p->boxes.room, (size_t)sum + 1) && VS_ROOM(k, families, room, (size_t)sum + 1) &&
+            vs_kernel_run(k, p->spans.count, fill_blocks, p);
   /* A star does not meet itself, nor do a hub's triangles; and those that are not searched need not know each other. */
   for (uint32_t i = 0; ok && i < sum; i++) {
     const block *b = &p->blocks.at[i];
     const vs_placed *l = &c->placed.at[b->place];
-    families[i] = !l->searched ? c->leaf_count : l->star ? b->place : b->hub == UINT32_MAX ? UINT32_MAX : c->leaf_count + 1 + l->first + b->hub;
+    families[i] = !l->searched           ? c->leaf_count
+                  : l->star              ? b->place
+                  : b->hub == UINT32_MAX ? UINT32_MAX
+                                         : c->leaf_count + 1 + l->first + b->hub;
   }
   p->bvh.families = families;
   ok = ok && vs_bvh_build(k, &p->bvh, p->boxes.at, sum);
@@ -257,7 +276,8 @@ static void normal_of(const vs_cluster *c, uint32_t place, uint32_t t, normal *t
   }
 }
 
-static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, uint32_t on, uint32_t off) { /* is the vertex `off` off the plane? */
+/* is the vertex `off` off the plane? */
+static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, uint32_t on, uint32_t off) {
   const int32_t *p = corner_at(c, place, on), *q = corner_at(c, place, off);
   double sum = 0, error = 0;
   for (int a = 0; a < 3; a++) {
@@ -268,7 +288,8 @@ static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, ui
   return fabs(sum) > error;
 }
 
-/* The mesh has each edge of a plain triangle twice, by the numbers of its corners, and the surface has an angle there. */
+/* The mesh has each edge of a plain triangle twice, by the numbers of its corners, and the surface has an angle
+ * there. */
 static bool look_across(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   vs_cluster *c = p->c;
@@ -300,7 +321,8 @@ static bool look_across(vs_kernel *k, void *context, size_t index) {
 
 static bool lower(double x, double y) { return y < 0 || (y <= 0 && x < 0); }
 
-/* Do the triangles around the corner's vertex, from that one on, lie round it once as some axis sees them? then they meet in what they share alone. Asked at the first of them. */
+/* Do the triangles around the corner's vertex, from that one on, lie round it once as some axis sees them? then they
+ * meet in what they share alone. Asked at the first of them. */
 static void look_around(plain *p, uint32_t place, uint32_t corner) {
   enum { MOST = 64 };
   const vs_cluster *c = p->c;
@@ -324,7 +346,9 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
     normal_of(c, place, ring[i] / 3, &n[i]);
     for (int a = 0; a < 3; a++) sum[a] += n[i].n[a];
   }
-  int axis = fabs(sum[0]) >= fabs(sum[1]) ? (fabs(sum[0]) >= fabs(sum[2]) ? 0 : 2) : fabs(sum[1]) >= fabs(sum[2]) ? 1 : 2;
+  int axis = fabs(sum[0]) >= fabs(sum[1])   ? (fabs(sum[0]) >= fabs(sum[2]) ? 0 : 2)
+             : fabs(sum[1]) >= fabs(sum[2]) ? 1
+                                            : 2;
   int x = (axis + (sum[axis] > 0 ? 1 : 2)) % 3, y = 3 - axis - x;
   const int32_t *o = corner_at(c, place, vertex);
   for (uint32_t i = 0; good && i < count; i++) {
@@ -403,7 +427,8 @@ static bool search_leaves(vs_kernel *k, plain *p, size_t vertices) {
   for (uint32_t i = 0; ok && i < p->hubs.count; i++)
     for (size_t j = 0; j < p->hubs.at[i].corners.count; j++)
       atomic_init(&p->fans.at[p->c->placed.at[i].first + p->hubs.at[i].corners.at[j]], PROVEN);
-  ok = ok && vs_kernel_run(k, p->spans.count, find_fans, p) && vs_kernel_run(k, p->spans.count, ask_fans, p) && vs_kernel_run(k, p->spans.count, look_across, p);
+  ok = ok && vs_kernel_run(k, p->spans.count, find_fans, p) && vs_kernel_run(k, p->spans.count, ask_fans, p) &&
+       vs_kernel_run(k, p->spans.count, look_across, p);
   return ok;
 }
 
@@ -447,9 +472,11 @@ bool vs_plain_find(vs_kernel *k, vs_cluster *c) {
   }
   if (!culled && !searched) return true; /* all are arranged */
   if (triangles >= UINT32_MAX / 3) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
-  bool ok = make_spans(k, &p) && VS_ROOM(k, c->fate.at, c->fate.room, triangles + 1) && (!culled || VS_ROOM(k, p.masks.at, p.masks.room, vertices + 1));
+  bool ok = make_spans(k, &p) && VS_ROOM(k, c->fate.at, c->fate.room, triangles + 1) &&
+            (!culled || VS_ROOM(k, p.masks.at, p.masks.room, vertices + 1));
   if (ok) c->fate.count = triangles;
-  ok = ok && (!culled || vs_kernel_run(k, p.spans.count, mask_span, &p)) && vs_kernel_run(k, p.spans.count, fate_span, &p);
+  ok = ok && (!culled || vs_kernel_run(k, p.spans.count, mask_span, &p)) &&
+       vs_kernel_run(k, p.spans.count, fate_span, &p);
   VS_DROP(k, p.masks);
   ok = ok && (!searched || search_leaves(k, &p, vertices));
   for (size_t i = 0; ok && i < triangles; i++) c->plain_count += c->fate.at[i] == VS_PLAIN;
@@ -481,7 +508,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
     if (fate_of(p->c, s->place, t) != VS_PLAIN) continue;
     for (uint32_t j = 0; j < 3; j++) {
       uint32_t other = twins[3 * (size_t)t + j] / 3;
-      if (other > t && fate_of(p->c, s->place, other) == VS_PLAIN) vs_unite_shared(p->sets.at, first + t, first + other);
+      if (other > t && fate_of(p->c, s->place, other) == VS_PLAIN)
+        vs_unite_shared(p->sets.at, first + t, first + other);
     }
   }
   return vs_kernel_report(k, k->part);
@@ -549,8 +577,10 @@ static bool add_faces(vs_kernel *k, plain *p) {
   VS_LIST(uint32_t) at = { 0 }; /* where the uses of each region begin, then end */
   size_t sum = 0;
   for (size_t i = 0; i < p->spans.count; i++) sum += p->spans.at[i].rim.count;
-  if (uses + sum >= UINT32_MAX || faces + regions >= UINT32_MAX / 2) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
-  bool ok = VS_ROOM(k, at.at, at.room, regions + 2) && VS_ROOM(k, c->uses.at, c->uses.room, uses + sum + 1) && VS_ROOM(k, c->faces.at, c->faces.room, faces + regions + 1) &&
+  if (uses + sum >= UINT32_MAX || faces + regions >= UINT32_MAX / 2)
+    return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
+  bool ok = VS_ROOM(k, at.at, at.room, regions + 2) && VS_ROOM(k, c->uses.at, c->uses.room, uses + sum + 1) &&
+            VS_ROOM(k, c->faces.at, c->faces.room, faces + regions + 1) &&
             VS_ROOM(k, c->covers.at, c->covers.room, c->covers.count + regions + 1);
   if (!ok) return VS_DROP(k, at), false;
   memset(at.at, 0, (regions + 2) * sizeof *at.at);
@@ -564,10 +594,16 @@ static bool add_faces(vs_kernel *k, plain *p) {
   for (size_t i = 0; i < p->spans.count; i++)
     for (size_t j = 0; j < p->spans.at[i].rim.count; j++) {
       const vs_use *u = &p->spans.at[i].rim.at[j];
-      if (u->from != VS_NONE) c->uses.at[uses + at.at[u->face + 1]++] = (vs_use){ u->from, u->to, (uint32_t)faces + u->face };
+      if (u->from != VS_NONE)
+        c->uses.at[uses + at.at[u->face + 1]++] = (vs_use){ u->from, u->to, (uint32_t)faces + u->face };
     }
   for (uint32_t i = 0; i < regions; i++) {
-    vs_face made = { .plane = VS_NONE, .cover = (uint32_t)c->covers.count, .cover_count = 1, .facet = i, .use = (uint32_t)uses + at.at[i], .use_count = at.at[i + 1] - at.at[i] };
+    vs_face made = { .plane = VS_NONE,
+                     .cover = (uint32_t)c->covers.count,
+                     .cover_count = 1,
+                     .facet = i,
+                     .use = (uint32_t)uses + at.at[i],
+                     .use_count = at.at[i + 1] - at.at[i] };
     c->regions.at[i].face = (uint32_t)faces + i;
     c->covers.at[c->covers.count++] = (vs_cover){ c->leaves[c->regions.at[i].place], 1 };
     c->faces.at[c->faces.count++] = made;
@@ -580,8 +616,9 @@ static bool add_faces(vs_kernel *k, plain *p) {
 bool vs_plain_regions(vs_kernel *k, vs_cluster *c) {
   plain p = { .c = c };
   if (!c->plain_count) return true;
-  bool ok = make_spans(k, &p) && VS_ROOM(k, p.sets.at, p.sets.room, c->fate.count + 1) && vs_kernel_run(k, p.spans.count, begin_sets, &p) &&
-            vs_kernel_run(k, p.spans.count, join_span, &p) && name_regions(k, &p);
+  bool ok = make_spans(k, &p) && VS_ROOM(k, p.sets.at, p.sets.room, c->fate.count + 1) &&
+            vs_kernel_run(k, p.spans.count, begin_sets, &p) && vs_kernel_run(k, p.spans.count, join_span, &p) &&
+            name_regions(k, &p);
   VS_DROP(k, p.sets);
   ok = ok && vs_kernel_run(k, p.spans.count, find_rim, &p) && add_faces(k, &p);
   plain_free(k, &p);
@@ -613,7 +650,8 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   size_t begin = index * PLACES, end = w->vertices.count - begin < PLACES ? w->vertices.count : begin + PLACES;
   for (size_t i = begin; i < end; i++) {
     vs_point p = { .big = VS_POINT_EXACT };
-    for (int a = 0; a < 3; a++) p.fixed[a] = (int64_t)w->c->corners[w->vertices.at[i]][a] * ((int64_t)1 << VS_FIXED_BITS);
+    for (int a = 0; a < 3; a++)
+      p.fixed[a] = (int64_t)w->c->corners[w->vertices.at[i]][a] * ((int64_t)1 << VS_FIXED_BITS);
     w->out->vertices[w->first_vertex + i] = vs_grid_world(&w->c->grid, &p);
   }
   return vs_kernel_report(k, k->part);
@@ -653,7 +691,8 @@ bool vs_plain_copy(vs_kernel *k, vs_cluster *c, vs_mesh *out, const uint32_t *nu
   bool ok = true;
   for (uint32_t i = 0; ok && i < c->leaf_count; i++) ok = copy_leaf(k, &w, i, number);
   size_t vertices = w.first_vertex + w.vertices.count;
-  if (ok && vertices > out->vertex_room && !vs_mesh_reserve(out, w.first_vertex ? vertices + vertices / 2 : vertices, 0))
+  if (ok && vertices > out->vertex_room &&
+      !vs_mesh_reserve(out, w.first_vertex ? vertices + vertices / 2 : vertices, 0))
     ok = vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   if (ok) out->vertex_count = vertices;
   ok = ok && vs_kernel_run(k, (w.vertices.count + PLACES - 1) / PLACES, place_chunk, &w);

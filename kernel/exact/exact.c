@@ -1,13 +1,16 @@
 /* Owns the wide half of exact.h: fixed-width two's complement integers and the predicates' exact fallbacks.
  *
- * A wide integer is an array of 64-bit limbs, least first, of a length known at each call. Products are taken modulo 2^(64 length) of the
- * sign-extended operands, which is right in two's complement as long as the true result fits: exact.h has the widths. */
+ * A wide integer is an array of 64-bit limbs, least first, of a length known at each call. Products are taken modulo
+ * 2^(64 length) of the sign-extended operands, which is right in two's complement as long as the true result fits:
+ * exact.h has the widths. */
 #include "kernel/exact/exact.h"
 
 #include <math.h>
 #include <string.h>
 
-static inline uint64_t limb(const uint64_t *a, int count, int i) { return i < count ? a[i] : (uint64_t)((int64_t)a[count - 1] >> 63); }
+static inline uint64_t limb(const uint64_t *a, int count, int i) {
+  return i < count ? a[i] : (uint64_t)((int64_t)a[count - 1] >> 63);
+}
 
 static inline void wide_mul(uint64_t *r, int rn, const uint64_t *a, int an, const uint64_t *b, int bn) {
   for (int i = 0; i < rn; i++) r[i] = 0;
@@ -86,7 +89,8 @@ void vs_plane_axes(vs_plane *p) {
   p->v = (uint8_t)(up ? v : u);
 }
 
-/* From a to b and to c; true where they are so small that a product of three of them fits 127 bits as (i64 x i64) x i64. */
+/* From a to b and to c; true where they are so small that a product of three of them fits 127 bits as (i64 x i64) x
+ * i64. */
 static inline bool differences(const int32_t a[3], const int32_t b[3], const int32_t c[3], int64_t p[3], int64_t q[3]) {
   uint64_t wide = 0;
   for (int i = 0; i < 3; i++) {
@@ -106,7 +110,8 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
       int u = (i + 1) % 3, v = (i + 2) % 3;
       vs_i128 n = (vs_i128)p[u] * q[v] - (vs_i128)p[v] * q[u];
       minus[i] = n < 0;
-      size[i] = (vs_u128)(n < 0 ? -n : n); /* at most 2^64 - 2^33: twice the area of a triangle in a square of less than 2^32 */
+      size[i] = (vs_u128)(n < 0 ? -n : n); /* at most 2^64 - 2^33: twice the area of a triangle in a square of less than
+                                            * 2^32 */
       g = gcd64(g, (uint64_t)size[i]);
     }
     for (int i = 0; i < 3; i++) {
@@ -149,7 +154,8 @@ int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], cons
   bool small = differences(a, b, c, p, q);
   for (int i = 0; i < 3; i++) r[i] = (int64_t)d[i] - a[i];
   if (!small)
-    return vs_sign128(((vs_i128)p[1] * q[2] - (vs_i128)p[2] * q[1]) * r[0] + ((vs_i128)p[2] * q[0] - (vs_i128)p[0] * q[2]) * r[1] +
+    return vs_sign128(((vs_i128)p[1] * q[2] - (vs_i128)p[2] * q[1]) * r[0] +
+                      ((vs_i128)p[2] * q[0] - (vs_i128)p[0] * q[2]) * r[1] +
                       ((vs_i128)p[0] * q[1] - (vs_i128)p[1] * q[0]) * r[2]);
   return vs_sign128((vs_i128)(p[1] * q[2] - p[2] * q[1]) * r[0] + (vs_i128)(p[2] * q[0] - p[0] * q[2]) * r[1] +
                     (vs_i128)(p[0] * q[1] - p[1] * q[0]) * r[2]);
@@ -210,7 +216,8 @@ static bool across(const vs_plane *p) { return !p->n[(p->k + 1) % 3] && !p->n[(p
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out) {
   const vs_plane *s[3] = { p, q, r };
   memset(out, 0, sizeof *out);
-  if (p->n[p->k] == 1 && q->n[q->k] == 1 && r->n[r->k] == 1 && (1 << p->k | 1 << q->k | 1 << r->k) == 7 && across(p) && across(q) && across(r)) {
+  if (p->n[p->k] == 1 && q->n[q->k] == 1 && r->n[r->k] == 1 && (1 << p->k | 1 << q->k | 1 << r->k) == 7 && across(p) &&
+      across(q) && across(r)) {
     for (int i = 0; i < 3; i++) wide_from(out->x[s[i]->k], VS_LIMBS, s[i]->d);
     out->w[0] = 1;
     return true;
@@ -232,9 +239,11 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
   return sign != 0;
 }
 
-static inline double near128(vs_i128 x) { return (double)(int64_t)(x >> 64) * 0x1p64 + (double)(uint64_t)x; } /* x >= 0 */
+/* x >= 0 */
+static inline double near128(vs_i128 x) { return (double)(int64_t)(x >> 64) * 0x1p64 + (double)(uint64_t)x; }
 
-/* The same where numerators fit 128 bits and the denominator 94, as they mostly do: whole steps first, then the rest. */
+/* The same where numerators fit 128 bits and the denominator 94, as they mostly do: whole steps first, then the
+ * rest. */
 static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   vs_i128 w = (vs_i128)((vs_u128)h->w[1] << 64 | h->w[0]);
   for (int i = 0; i < 3; i++)
@@ -259,11 +268,15 @@ static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   return true;
 }
 
-static inline double near256(const uint64_t x[4]) { return (((double)x[3] * 0x1p64 + (double)x[2]) * 0x1p64 + (double)x[1]) * 0x1p64 + (double)x[0]; } /* x >= 0 */
+/* x >= 0 */
+static inline double near256(const uint64_t x[4]) {
+  return (((double)x[3] * 0x1p64 + (double)x[2]) * 0x1p64 + (double)x[1]) * 0x1p64 + (double)x[0];
+}
 
 /* r -= w * q, where q >= 0 */
 static inline void take_times(uint64_t r[4], const uint64_t w[4], uint64_t q) {
-  vs_u128 t = (vs_u128)w[0] * q, u = (vs_u128)w[1] * q + (uint64_t)(t >> 64), v = (vs_u128)w[2] * q + (uint64_t)(u >> 64);
+  vs_u128 t = (vs_u128)w[0] * q, u = (vs_u128)w[1] * q + (uint64_t)(t >> 64),
+          v = (vs_u128)w[2] * q + (uint64_t)(u >> 64);
   uint64_t product[4] = { (uint64_t)t, (uint64_t)u, (uint64_t)v, w[3] * q + (uint64_t)(v >> 64) };
   wide_sub(r, product, 4);
 }
@@ -319,7 +332,8 @@ int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int
 }
 
 bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b) {
-  return memcmp(a, b, sizeof *a) == 0 || (vs_homogeneous_compare(a, b, 0) == 0 && vs_homogeneous_compare(a, b, 1) == 0 && vs_homogeneous_compare(a, b, 2) == 0);
+  return memcmp(a, b, sizeof *a) == 0 || (vs_homogeneous_compare(a, b, 0) == 0 &&
+                                          vs_homogeneous_compare(a, b, 1) == 0 && vs_homogeneous_compare(a, b, 2) == 0);
 }
 
 int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h) {

@@ -3,14 +3,17 @@
  * Notation. Coordinates are counted in steps of the cluster's grid; input vertices are integers, |x| < 2^31.
  *   plane   n.x = d, n primitive: |n| < 2^63, |d| < 2^96. (A normal of two edges of 2^32 steps could
  *           have 64 bits: snap_to_grid.c then takes a coarser grid.)
- *   point   X/W, W > 0. Of an input vertex W = 1; of edge x plane |X| < 2^130, W < 2^97; of three planes |X| < 2^226, W < 2^192.
- *   fixed   floor(X/W * 2^30) per coordinate: a number of 62 bits that every point has, the same for equal points whatever their
- *           names. It is key and filter in one: a predicate on the fixed numbers in __int128 has an error of a few units that is known, so it
- *           falls back to the wide integers only where points lie within 2^-30 steps of each other, a line or a plane. All of it fits in 127 bits:
- *           n.x - d has |n| |x| 3 < 2^126, |d| 2^30 < 2^126; a turn in a plane two products of differences below 2^62.
- * A point whose three remainders are zero is `exact`: its fixed numbers are all there is, and nothing is stored beside them.
- * Widest results: a point against a plane 292 bits; one coordinate of two points 420; the orientation of three in a plane 648. Numbers that are small, as they
- * are where triangles are small against the cluster, take the short way in the wide half, too. */
+ *   point   X/W, W > 0. Of an input vertex W = 1; of edge x plane |X| < 2^130, W < 2^97; of three planes |X| < 2^226, W
+ *   < 2^192. fixed   floor(X/W * 2^30) per coordinate: a number of 62 bits that every point has, the same for equal
+ *   points whatever their
+ *           names. It is key and filter in one: a predicate on the fixed numbers in __int128 has an error of a few
+ *           units that is known, so it falls back to the wide integers only where points lie within 2^-30 steps of each
+ *           other, a line or a plane. All of it fits in 127 bits: n.x - d has |n| |x| 3 < 2^126, |d| 2^30 < 2^126; a
+ *           turn in a plane two products of differences below 2^62.
+ * A point whose three remainders are zero is `exact`: its fixed numbers are all there is, and nothing is stored beside
+ * them. Widest results: a point against a plane 292 bits; one coordinate of two points 420; the orientation of three in
+ * a plane 648. Numbers that are small, as they are where triangles are small against the cluster, take the short way in
+ * the wide half, too. */
 #ifndef VS_KERNEL_EXACT_H
 #define VS_KERNEL_EXACT_H
 
@@ -27,7 +30,8 @@ enum { VS_FIXED_BITS = 30, VS_GRID_BITS = 31, VS_LIMBS = 4 };
 typedef struct {
   int64_t n[3];
   vs_i128 d;
-  uint8_t k, u, v; /* k: where |n| is largest; (u, v): the other two axes, in the order that keeps counter-clockwise as seen from n */
+  uint8_t k, u, v; /* k: where |n| is largest; (u, v): the other two axes, in the order that keeps counter-clockwise as
+                    * seen from n */
 } vs_plane;
 
 typedef struct {
@@ -48,14 +52,17 @@ typedef struct {
 
 static inline int vs_sign128(vs_i128 x) { return (x > 0) - (x < 0); }
 
-/* the plane through three integer points, from a; false where they lie on one line, or where its normal would not fit */
+/* the plane through three integer points, from a; false where they lie on one line, or where its normal would not
+ * fit */
 bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3], vs_plane *out, bool *flipped);
 void vs_plane_axes(vs_plane *p);
 /* the plane through the integer points a and b along axis k; not primitive; a and b differ in another axis */
 void vs_plane_along(const int32_t a[3], const int32_t b[3], int k, vs_plane *out);
-int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int32_t d[3]); /* sign of det(b-a, c-a, d-a) */
+/* sign of det(b-a, c-a, d-a) */
+int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int32_t d[3]);
 
-/* Where the line a b meets the plane, its sides known to differ; and where three planes meet. False: they do not in one point. */
+/* Where the line a b meets the plane, its sides known to differ; and where three planes meet. False: they do not in one
+ * point. */
 bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_homogeneous *out);
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out);
 /* fixed numbers of a point; true where they are all of it */
@@ -75,7 +82,8 @@ int vs_side_slow(vs_points_view v, const vs_plane *p, uint32_t x);
 /* Tries to tell the sign of n.x - d from the point's fixed numbers. */
 static inline bool vs_side_quick(vs_points_view v, const vs_plane *p, uint32_t x, int *sign) {
   const vs_point *q = &v.at[x];
-  vs_i128 s = (vs_i128)p->n[0] * q->fixed[0] + (vs_i128)p->n[1] * q->fixed[1] + (vs_i128)p->n[2] * q->fixed[2] - p->d * ((vs_i128)1 << VS_FIXED_BITS);
+  vs_i128 s = (vs_i128)p->n[0] * q->fixed[0] + (vs_i128)p->n[1] * q->fixed[1] + (vs_i128)p->n[2] * q->fixed[2] -
+              p->d * ((vs_i128)1 << VS_FIXED_BITS);
   *sign = vs_sign128(s);
   if (vs_point_exact(q)) return true;
   vs_i128 low = s, high = s; /* every fixed number is short by less than 1 */
@@ -101,7 +109,8 @@ static inline int vs_compare(vs_points_view v, uint32_t a, uint32_t b, int axis)
 
 int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v);
 /* Tries to tell vs_orient2d from the points' fixed numbers. */
-static inline bool vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v, int *sign) {
+static inline bool vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v,
+                                     int *sign) {
   const vs_point *p = &v.at[a], *q = &v.at[b], *r = &v.at[c];
   int64_t ax = q->fixed[axis_u] - p->fixed[axis_u], ay = q->fixed[axis_v] - p->fixed[axis_v];
   int64_t bx = r->fixed[axis_u] - p->fixed[axis_u], by = r->fixed[axis_v] - p->fixed[axis_v];

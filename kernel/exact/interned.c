@@ -1,7 +1,8 @@
 /* Owns the hash tables of points and planes.
  *
- * A point's key is its three fixed numbers, which depend on its place alone; where two points of one key have remainders, the
- * wide integers decide. Therefore every point has one number from its birth, whichever edges and planes it was found from: nothing has to be united later. */
+ * A point's key is its three fixed numbers, which depend on its place alone; where two points of one key have
+ * remainders, the wide integers decide. Therefore every point has one number from its birth, whichever edges and planes
+ * it was found from: nothing has to be united later. */
 #include "kernel/exact/interned.h"
 
 #include <string.h>
@@ -45,31 +46,38 @@ static inline uint32_t slots_next(const vs_slots *s, uint32_t tag, size_t *at) {
 }
 
 /* slot: where it would be, where it is not found. */
-static uint32_t points_find(const vs_points_table *t, uint64_t hash, const int64_t fixed[3], const vs_homogeneous *h, size_t *slot) {
+static uint32_t points_find(const vs_points_table *t, uint64_t hash, const int64_t fixed[3], const vs_homogeneous *h,
+                            size_t *slot) {
   uint32_t tag = (uint32_t)(hash >> 32), i;
   if (!t->slots.count) return *slot = 0, VS_NONE;
-  for (*slot = tag >> t->slots.shift; (i = slots_next(&t->slots, tag, slot)) != VS_NONE; *slot = (*slot + 1) & (t->slots.count - 1)) {
+  for (*slot = tag >> t->slots.shift; (i = slots_next(&t->slots, tag, slot)) != VS_NONE;
+       *slot = (*slot + 1) & (t->slots.count - 1)) {
     const vs_point *p = &t->all.at[i];
-    if (p->fixed[0] != fixed[0] || p->fixed[1] != fixed[1] || p->fixed[2] != fixed[2] || vs_point_exact(p) != (h == NULL)) continue;
+    if (p->fixed[0] != fixed[0] || p->fixed[1] != fixed[1] || p->fixed[2] != fixed[2] ||
+        vs_point_exact(p) != (h == NULL))
+      continue;
     if (!h || vs_homogeneous_equal(h, &t->big.at[p->big])) break;
   }
   return i;
 }
 
-static bool points_insert(vs_kernel *k, vs_points_table *t, uint64_t hash, size_t slot, const int64_t fixed[3], const vs_homogeneous *h, uint32_t *id) {
+static bool points_insert(vs_kernel *k, vs_points_table *t, uint64_t hash, size_t slot, const int64_t fixed[3],
+                          const vs_homogeneous *h, uint32_t *id) {
   vs_point p = { { fixed[0], fixed[1], fixed[2] }, VS_POINT_EXACT, VS_NONE };
   if (h) {
     p.big = (uint32_t)t->big.count;
     if (!VS_PUSH(k, t->big, *h)) return false;
   }
   *id = (uint32_t)t->all.count;
-  if (*id >= VS_POINT_MORE / 2) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have more than a billion vertices");
+  if (*id >= VS_POINT_MORE / 2)
+    return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have more than a billion vertices");
   if (!VS_PUSH(k, t->all, p)) return false;
   t->slots.at[slot] = (vs_slot){ (uint32_t)(hash >> 32), *id };
   return true;
 }
 
-bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h, uint32_t *id) {
+bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h,
+                         uint32_t *id) {
   uint64_t hash = vs_points_hash(fixed);
   size_t slot;
   if (!slots_grow(k, &t->slots, t->all.count)) return false;
@@ -82,9 +90,12 @@ void vs_fresh_fill(vs_fresh_point *f) {
   f->hash = vs_points_hash(f->fixed);
 }
 
-bool vs_points_expect(vs_kernel *k, vs_points_table *t, size_t more) { return slots_grow(k, &t->slots, t->all.count + more); }
+bool vs_points_expect(vs_kernel *k, vs_points_table *t, size_t more) {
+  return slots_grow(k, &t->slots, t->all.count + more);
+}
 
-bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *base, const vs_fresh_point *fresh, size_t count, uint32_t *ids) {
+bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *base, const vs_fresh_point *fresh,
+                       size_t count, uint32_t *ids) {
   for (size_t i = 0; i < count; i++) {
     const vs_fresh_point *f = &fresh[i];
     const vs_homogeneous *h = f->exact ? NULL : &f->at;
@@ -105,7 +116,8 @@ bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *
 
 bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more) {
   uint32_t big = (uint32_t)t->big.count;
-  bool ok = VS_ROOM(k, t->all.at, t->all.room, t->all.count + more->all.count + 1) && VS_ROOM(k, t->big.at, t->big.room, t->big.count + more->big.count + 1);
+  bool ok = VS_ROOM(k, t->all.at, t->all.room, t->all.count + more->all.count + 1) &&
+            VS_ROOM(k, t->big.at, t->big.room, t->big.count + more->big.count + 1);
   for (size_t i = 0; ok && i < more->all.count; i++) { /* in no chain: nothing is looked for any more */
     vs_point p = more->all.at[i];
     if (p.big != VS_POINT_EXACT) p.big += big;
@@ -124,7 +136,8 @@ bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], ui
   return vs_points_add_fixed(k, t, fixed, NULL, id);
 }
 
-bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[3], const uint32_t *vertices, size_t count, uint32_t *ids) {
+bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[3], const uint32_t *vertices,
+                           size_t count, uint32_t *ids) {
   enum { BLOCK = 64 };
   for (size_t begin = 0; begin < count; begin += BLOCK) {
     size_t n = count - begin < BLOCK ? count - begin : BLOCK, slot = 0;
@@ -132,7 +145,8 @@ bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[
     uint64_t hash[BLOCK];
     if (!slots_grow(k, &t->slots, t->all.count + n)) return false;
     for (size_t i = 0; i < n; i++) {
-      for (int a = 0; a < 3; a++) fixed[i][a] = (int64_t)corners[vertices[begin + i]][a] * ((int64_t)1 << VS_FIXED_BITS);
+      for (int a = 0; a < 3; a++)
+        fixed[i][a] = (int64_t)corners[vertices[begin + i]][a] * ((int64_t)1 << VS_FIXED_BITS);
       hash[i] = vs_points_hash(fixed[i]);
       vs_points_ahead(t, hash[i], false);
     }
@@ -166,7 +180,9 @@ uint64_t vs_planes_hash(const vs_plane *p) {
   return mix(mix(h, (uint64_t)(vs_u128)p->d), (uint64_t)((vs_u128)p->d >> 64));
 }
 
-bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more) { return slots_grow(k, &t->slots, t->all.count + more); }
+bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more) {
+  return slots_grow(k, &t->slots, t->all.count + more);
+}
 
 bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t hash, uint32_t *id) {
   if (!slots_grow(k, &t->slots, t->all.count)) return false;

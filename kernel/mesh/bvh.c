@@ -1,8 +1,8 @@
 /* Owns the bounding volume hierarchy: a complete tree over the Morton order of the boxes' centres, four to a node.
  *
  * Cost: a radix sort and one pass up; a pair query walks from the top for every four blocks of four, so n log n for
- * boxes that meet few others. Where all of a block, or of what is below it, is of one family, blocks of that family pass
- * it over as a whole: n triangles about one corner, whose boxes all meet there, cost n log n as well. */
+ * boxes that meet few others. Where all of a block, or of what is below it, is of one family, blocks of that family
+ * pass it over as a whole: n triangles about one corner, whose boxes all meet there, cost n log n as well. */
 #include "kernel/mesh/bvh.h"
 
 #include <string.h>
@@ -22,7 +22,8 @@ enum { AXIS_BITS = 10 }; /* at most: code and item fit 64 bits */
 
 static int length(uint64_t x) { return x ? 64 - __builtin_clzll(x) : 0; }
 
-/* By how much coordinates are coarsened, the same along all axes: the rest tells `count` boxes apart, and has some more bits where they crowd. */
+/* By how much coordinates are coarsened, the same along all axes: the rest tells `count` boxes apart, and has some more
+ * bits where they crowd. */
 static int code_shift(uint32_t count, const int64_t range[3], int *bits) {
   for (int shift = 0;; shift++) {
     int sum = 0;
@@ -45,7 +46,9 @@ typedef struct {
   int shift;
 } coding;
 
-static uint32_t chunk_end(const vs_bvh *t, size_t index) { return (index + 1) * CHUNK < t->count ? (uint32_t)(index + 1) * CHUNK : t->count; }
+static uint32_t chunk_end(const vs_bvh *t, size_t index) {
+  return (index + 1) * CHUNK < t->count ? (uint32_t)(index + 1) * CHUNK : t->count;
+}
 
 static bool code_chunk(vs_kernel *k, void *context, size_t index) {
   (void)k;
@@ -147,7 +150,8 @@ static vs_box around(const vs_pack *p) {
 
 /* The one family of all that is in the block of that level; -1 where there are several, or one has none. */
 static int32_t family_below(const vs_bvh *t, uint32_t level, uint32_t block) {
-  uint32_t all = level ? t->size[level - 1] : t->count, held = all - block * BLOCK < BLOCK ? all - block * BLOCK : BLOCK;
+  uint32_t all = level ? t->size[level - 1] : t->count,
+           held = all - block * BLOCK < BLOCK ? all - block * BLOCK : BLOCK;
   const vs_lanes *of = &t->family[t->first[level] + block];
   int32_t family = (*of)[0];
   for (uint32_t lane = 1; lane < held; lane++)
@@ -166,7 +170,8 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) 
     t->size[t->level_count++] = size;
     all += size;
   }
-  bool ok = VS_ROOM(k, t->order, t->order_room, (size_t)count + 1) && VS_ROOM(k, t->packs, t->pack_room, (size_t)all + 1) &&
+  bool ok = VS_ROOM(k, t->order, t->order_room, (size_t)count + 1) &&
+            VS_ROOM(k, t->packs, t->pack_room, (size_t)all + 1) &&
             (!t->families || VS_ROOM(k, t->family, t->family_room, (size_t)all + 1)) && sort_morton(k, t);
   for (uint32_t level = 1; ok && level < t->level_count; level++) {
     const vs_pack *below = t->packs + t->first[level - 1];
@@ -185,7 +190,8 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) 
 }
 
 static vs_box box_of(const vs_pack *p, uint32_t lane) {
-  return (vs_box){ { p->min[0][lane], p->min[1][lane], p->min[2][lane] }, { p->max[0][lane], p->max[1][lane], p->max[2][lane] } };
+  return (vs_box){ { p->min[0][lane], p->min[1][lane], p->min[2][lane] },
+                   { p->max[0][lane], p->max[1][lane], p->max[2][lane] } };
 }
 
 static uint32_t next_bit(uint32_t *set) {

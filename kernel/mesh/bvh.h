@@ -1,4 +1,5 @@
-/* Owns the index of boxes: all pairs that meet, and all that a box meets. It only finds candidates; nothing is ever cut by it. */
+/* Owns the index of boxes: all pairs that meet, and all that a box meets. It only finds candidates; nothing is ever cut
+ * by it. */
 #ifndef VS_KERNEL_BVH_H
 #define VS_KERNEL_BVH_H
 
@@ -8,9 +9,10 @@
 
 typedef struct { int32_t min[3], max[3]; } vs_box;
 
-static inline bool vs_box_meet(const vs_box *a, const vs_box *b) { /* without a jump: which of them fails is as good as random */
-  return (a->min[0] <= b->max[0]) & (b->min[0] <= a->max[0]) & (a->min[1] <= b->max[1]) & (b->min[1] <= a->max[1]) & (a->min[2] <= b->max[2]) &
-         (b->min[2] <= a->max[2]);
+static inline bool vs_box_meet(const vs_box *a, const vs_box *b) { /* without a jump: which of them fails is as good as
+                                                                    * random */
+  return (a->min[0] <= b->max[0]) & (b->min[0] <= a->max[0]) & (a->min[1] <= b->max[1]) & (b->min[1] <= a->max[1]) &
+         (a->min[2] <= b->max[2]) & (b->min[2] <= a->max[2]);
 }
 
 /* Four boxes side by side, tested at once; one that is missing has its sides the wrong way round. */
@@ -23,12 +25,12 @@ static inline void vs_pack_put(vs_pack *p, uint32_t lane, const vs_box *b) {
 }
 /* Which of the four meet the box, and which hold it; all bits of a lane are set, or none. */
 static inline vs_lanes vs_pack_meeting(const vs_pack *p, const vs_box *b) { /* as machines compare: greater, or not */
-  return ~((p->min[0] > b->max[0]) | (p->max[0] < b->min[0]) | (p->min[1] > b->max[1]) | (p->max[1] < b->min[1]) | (p->min[2] > b->max[2]) |
-           (p->max[2] < b->min[2]));
+  return ~((p->min[0] > b->max[0]) | (p->max[0] < b->min[0]) | (p->min[1] > b->max[1]) | (p->max[1] < b->min[1]) |
+           (p->min[2] > b->max[2]) | (p->max[2] < b->min[2]));
 }
 static inline vs_lanes vs_pack_holding(const vs_pack *p, const vs_box *b) { /* with something to spare on all sides */
-  return (p->min[0] < b->min[0]) & (p->max[0] > b->max[0]) & (p->min[1] < b->min[1]) & (p->max[1] > b->max[1]) & (p->min[2] < b->min[2]) &
-         (p->max[2] > b->max[2]);
+  return (p->min[0] < b->min[0]) & (p->max[0] > b->max[0]) & (p->min[1] < b->min[1]) & (p->max[1] > b->max[1]) &
+         (p->min[2] < b->min[2]) & (p->max[2] > b->max[2]);
 }
 static inline uint32_t vs_pack_bits(vs_lanes all) { /* lane i: bit i */
   uint64_t half[2];
@@ -41,10 +43,12 @@ static inline uint32_t vs_pack_bits(vs_lanes all) { /* lane i: bit i */
 /* Items in Morton order, four to a pack of level 0; a pack of level l+1 has the boxes around four packs of level l. */
 typedef struct {
   const vs_box *boxes;      /* the caller's, in his order; only while it is built */
-  const uint32_t *families; /* his: two of one family are no pair; UINT32_MAX has none. Or NULL. Only while it is built, set before */
+  const uint32_t *families; /* his: two of one family are no pair; UINT32_MAX has none. Or NULL. Only while it is built,
+                             * set before */
   uint32_t *order;          /* his numbers, sorted */
   vs_pack *packs;
-  vs_lanes *family;         /* of the items, and of all below a pack's lane, where they are one; else -1. Only with families */
+  vs_lanes *family;         /* of the items, and of all below a pack's lane, where they are one; else -1. Only with
+                             * families */
   size_t order_room, pack_room, family_room;
   uint32_t count, level_count, first[18]; /* where each level's packs begin */
   uint32_t size[18];
@@ -54,7 +58,8 @@ typedef struct {
 typedef bool vs_bvh_pair_fn(void *context, uint32_t a, uint32_t b); /* false stops */
 typedef bool vs_bvh_hit_fn(void *context, uint32_t a);
 
-bool vs_bvh_build(vs_kernel *k, vs_bvh *tree, const vs_box *boxes, uint32_t count); /* tree zeroed, or built before (its room is used again) */
+/* tree zeroed, or built before (its room is used again) */
+bool vs_bvh_build(vs_kernel *k, vs_bvh *tree, const vs_box *boxes, uint32_t count);
 uint32_t vs_bvh_blocks(const vs_bvh *tree);
 /* Each unordered pair once, over all ranges of blocks [first, end); an end past the last is the last. */
 bool vs_bvh_pairs(const vs_bvh *tree, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context);

@@ -1,5 +1,5 @@
-/* Owns the sort: chunks of items count and scatter their edges into ranges of points, ranges sort what they got. Chunks and ranges depend on the counts
- * alone, so the order is the same for any number of threads. */
+/* Owns the sort: chunks of items count and scatter their edges into ranges of points, ranges sort what they got. Chunks
+ * and ranges depend on the counts alone, so the order is the same for any number of threads. */
 #include "kernel/mesh/edge_uses.h"
 
 #include <string.h>
@@ -47,16 +47,20 @@ static bool scatter_chunk(vs_kernel *k, void *context, size_t chunk) {
   return vs_kernel_report(k, k->part);
 }
 
-static bool before(const vs_half *a, const vs_half *b) { return a->high != b->high ? a->high < b->high : a->item < b->item; }
+static bool before(const vs_half *a, const vs_half *b) {
+  return a->high != b->high ? a->high < b->high : a->item < b->item;
+}
 
 static bool sort_range(vs_kernel *k, void *context, size_t range) {
   sorting *s = context;
   vs_halves *h = s->h;
-  uint32_t from = vs_halves_begin(h, range), end = vs_halves_begin(h, range + 1), low = s->begin.at[range], high = s->begin.at[range + 1];
+  uint32_t from = vs_halves_begin(h, range), end = vs_halves_begin(h, range + 1), low = s->begin.at[range],
+           high = s->begin.at[range + 1];
   uint32_t *first = h->first.at + from, n = end - from;
   memset(first, 0, n * sizeof *first); /* the next range's is filled by that one */
   for (uint32_t i = low; i < high; i++) first[s->loose.at[i].low - from]++;
-  for (uint32_t p = 0, sum = low; p < n; p++) { /* where each ends; filled from the end, each moves down to its beginning */
+  for (uint32_t p = 0, sum = low; p < n; p++) { /* where each ends; filled from the end, each moves down to its
+                                                 * beginning */
     sum += first[p];
     first[p] = sum;
   }
@@ -67,7 +71,8 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   for (uint32_t p = 0; p < n; p++) {
     vs_half *at = h->at.at + first[p];
     uint32_t count = (p + 1 < n ? first[p + 1] : high) - first[p];
-    for (uint32_t gap = count > 32 ? count / 2 : 1; gap && count; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2)) /* shell sort: mostly a few, at times a hub */
+    /* shell sort: mostly a few, at times a hub */
+    for (uint32_t gap = count > 32 ? count / 2 : 1; gap && count; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
       for (uint32_t i = gap; i < count; i++) {
         vs_half x = at[i];
         uint32_t j = i;
@@ -78,14 +83,16 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   return vs_kernel_report(k, k->part);
 }
 
-bool vs_halves_sort(vs_kernel *k, vs_halves *h, uint32_t points, uint32_t items, vs_ends_fn *ends, const void *context) {
+bool vs_halves_sort(vs_kernel *k, vs_halves *h, uint32_t points, uint32_t items, vs_ends_fn *ends,
+                    const void *context) {
   sorting s = { .h = h, .ends = ends, .context = context, .items = items, .points = points };
   size_t chunks = ((size_t)items + CHUNK - 1) / CHUNK;
   h->shift = LEAST;
   while (points >> h->shift >= RANGES) h->shift++;
   h->ranges = (points >> h->shift) + 1;
   h->first.count = (size_t)points + 1;
-  bool ok = VS_ROOM(k, h->first.at, h->first.room, h->first.count) && VS_ROOM(k, s.begin.at, s.begin.room, (size_t)h->ranges + 1) &&
+  bool ok = VS_ROOM(k, h->first.at, h->first.room, h->first.count) &&
+            VS_ROOM(k, s.begin.at, s.begin.room, (size_t)h->ranges + 1) &&
             VS_ROOM(k, s.counts.at, s.counts.room, chunks * h->ranges + 1) && vs_kernel_run(k, chunks, count_chunk, &s);
   if (ok) {
     uint32_t sum = 0;

@@ -1,7 +1,8 @@
-/* Owns the inspection of a mesh: edges in double, as they came; windings in the exact arrangement of the mesh with itself.
+/* Owns the inspection of a mesh: edges in double, as they came; windings in the exact arrangement of the mesh with
+ * itself.
  *
- * Every cell of that arrangement has a winding number. A cell that has a wrong one but is thinner than two steps of the grid is what rounding makes of
- * faces that touch, and passes. Triangles beside the others are the ones to name. */
+ * Every cell of that arrangement has a winding number. A cell that has a wrong one but is thinner than two steps of the
+ * grid is what rounding makes of faces that touch, and passes. Triangles beside the others are the ones to name. */
 #include "kernel/mesh/inspect.h"
 #include "kernel/evaluate.h"
 
@@ -34,7 +35,8 @@ static bool directed_before(const void *context, uint32_t a, uint32_t b) {
   return x->high != y->high ? x->high < y->high : x->triangle < y->triangle;
 }
 
-static bool by_triangle(vs_mesh_flaw *list, size_t *count, vs_mesh_flaw flaw) { /* keeps the first few; false where the triangle is listed */
+/* keeps the first few; false where the triangle is listed */
+static bool by_triangle(vs_mesh_flaw *list, size_t *count, vs_mesh_flaw flaw) {
   size_t held = *count < VS_FLAWS_LISTED ? *count : VS_FLAWS_LISTED, i = held;
   while (i > 0 && list[i - 1].triangle > flaw.triangle) i--;
   if (i < VS_FLAWS_LISTED) {
@@ -50,8 +52,8 @@ static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
   VS_LIST(uint32_t) order = { 0 }, scratch = { 0 }, same = { 0 };
   VS_LIST(directed) edges = { 0 };
   size_t n = m->vertex_count, most = 3 * m->triangle_count, room = (n > most ? n : most) + 1;
-  bool ok = VS_ROOM(k, order.at, order.room, room) && VS_ROOM(k, scratch.at, scratch.room, room) && VS_ROOM(k, same.at, same.room, n + 1) &&
-            VS_ROOM(k, edges.at, edges.room, most + 1);
+  bool ok = VS_ROOM(k, order.at, order.room, room) && VS_ROOM(k, scratch.at, scratch.room, room) &&
+            VS_ROOM(k, same.at, same.room, n + 1) && VS_ROOM(k, edges.at, edges.room, most + 1);
   for (size_t i = 0; ok && i < n; i++) order.at[i] = (uint32_t)i;
   if (ok) {
     vs_kernel_sort(order.at, scratch.at, n, vertex_before, m->vertices);
@@ -70,7 +72,9 @@ static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
   for (size_t i = 0, end; ok && i < edges.count; i = end) {
     const directed *first = &edges.at[order.at[i]];
     int32_t balance = 0;
-    for (end = i; end < edges.count && edges.at[order.at[end]].low == first->low && edges.at[order.at[end]].high == first->high; end++)
+    for (end = i;
+         end < edges.count && edges.at[order.at[end]].low == first->low && edges.at[order.at[end]].high == first->high;
+         end++)
       balance += edges.at[order.at[end]].way;
     if (balance != 0) {
       const vs_vec3 *a = &m->vertices[first->low], *b = &m->vertices[first->high];
@@ -163,11 +167,14 @@ static void measure_cells(const vs_cluster *c, cell *cells) {
     if (begin == end) continue;
     const vs_plane *p = &c->planes.all.at[c->faces.at[f].plane];
     const vs_point *o = &c->points.all.at[c->uses.at[begin].from];
-    double n[3] = { (double)p->n[0], (double)p->n[1], (double)p->n[2] }, length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), seen = 0;
+    double n[3] = { (double)p->n[0], (double)p->n[1], (double)p->n[2] },
+           length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), seen = 0;
     for (uint32_t i = begin; i < end; i++) {
       const vs_point *a = &c->points.all.at[c->uses.at[i].from], *b = &c->points.all.at[c->uses.at[i].to];
-      double au = (double)(a->fixed[p->u] - o->fixed[p->u]) * 0x1p-30, av = (double)(a->fixed[p->v] - o->fixed[p->v]) * 0x1p-30;
-      double bu = (double)(b->fixed[p->u] - o->fixed[p->u]) * 0x1p-30, bv = (double)(b->fixed[p->v] - o->fixed[p->v]) * 0x1p-30;
+      double au = (double)(a->fixed[p->u] - o->fixed[p->u]) * 0x1p-30,
+             av = (double)(a->fixed[p->v] - o->fixed[p->v]) * 0x1p-30;
+      double bu = (double)(b->fixed[p->u] - o->fixed[p->u]) * 0x1p-30,
+             bv = (double)(b->fixed[p->v] - o->fixed[p->v]) * 0x1p-30;
       seen += (au * bv - av * bu) / 2; /* the area along k */
     }
     double area = seen * length / fabs(n[p->k]);
@@ -177,7 +184,8 @@ static void measure_cells(const vs_cluster *c, cell *cells) {
       double height = 0;
       for (int j = 0; j < 3; j++) height += n[j] * ((double)(o->fixed[j] - x->origin->fixed[j]) * 0x1p-30);
       x->area += area;
-      x->volume += (side ? area : -area) * height / length / 3; /* the plane's normal points out of the cell on the - side */
+      x->volume += (side ? area : -area) * height / length / 3; /* the plane's normal points out of the cell on the -
+                                                                 * side */
     }
   }
 }
@@ -196,7 +204,8 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
   for (uint32_t i = 0; ok && i < 2 * f; i++) {
     uint32_t at = c->side_cell.at[i];
     int32_t winding = c->wound.at[at];
-    if ((winding == 0 || winding == 1) || fabs(cells.at[at].volume) <= cells.at[at].area) continue; /* half the area times two steps */
+    /* half the area times two steps */
+    if ((winding == 0 || winding == 1) || fabs(cells.at[at].volume) <= cells.at[at].area) continue;
     if (winding < out->least) out->least = winding;
     if (winding > out->most) out->most = winding;
     search s = { k, c, i / 2, { 0 }, VS_NONE };
@@ -224,7 +233,8 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   VS_LIST(vs_bounds) bounds = { 0 };
   VS_LIST(double) volumes = { 0 };
   size_t n = m->triangle_count, count = 0;
-  bool ok = VS_ROOM(k, shell.at, shell.room, n) && VS_ROOM(k, bounds.at, bounds.room, FEW) && VS_ROOM(k, volumes.at, volumes.room, FEW);
+  bool ok = VS_ROOM(k, shell.at, shell.room, n) && VS_ROOM(k, bounds.at, bounds.room, FEW) &&
+            VS_ROOM(k, volumes.at, volumes.room, FEW);
   *apart = ok;
   if (ok) vs_disjoint(shell.at, (uint32_t)n);
   for (uint32_t i = 0; ok && i < 3 * n; i++) {
@@ -243,7 +253,9 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
     uint32_t root = vs_find(shell.at, t);
     number.at[t] = root == t ? next++ : number.at[root];
     vs_vec3 v[3];
-    for (int i = 0; i < 3; i++) vs_bounds_add(&bounds.at[number.at[t]], v[i] = vs_v3_sub(m->vertices[m->triangles[t][i]], m->vertices[m->triangles[root][0]]));
+    for (int i = 0; i < 3; i++)
+      vs_bounds_add(&bounds.at[number.at[t]],
+                    v[i] = vs_v3_sub(m->vertices[m->triangles[t][i]], m->vertices[m->triangles[root][0]]));
     volumes.at[number.at[t]] += vs_v3_dot(v[0], vs_v3_cross(v[1], v[2])) / 6;
     ok = vs_kernel_poll(k, k->part);
   }
@@ -319,16 +331,20 @@ static bool touches(const vs_cluster *c) {
   return c->cuts.count > 0;
 }
 
-bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs_mesh_flaws *out, vs_kernel_error *error) {
+bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs_mesh_flaws *out,
+                       vs_kernel_error *error) {
   vs_kernel_error ignored;
-  vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options), .share = 1 };
+  vs_kernel k = {
+    .options = options, .error = error ? error : &ignored, .threads = vs_kernel_threads(options), .share = 1
+  };
   *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
   *out = (vs_mesh_flaws){ 0 };
   vs_kernel_time(&k, options && options->counts ? options->counts->seconds : NULL);
   if (mesh->triangle_count == 0) return true;
   for (size_t i = 0; i < mesh->vertex_count; i++) {
     const vs_vec3 *v = &mesh->vertices[i];
-    if (!isfinite(v->x) || !isfinite(v->y) || !isfinite(v->z)) return vs_kernel_fail(&k, VS_KERNEL_NOT_FINITE, 0, "a corner is not at a finite place");
+    if (!isfinite(v->x) || !isfinite(v->y) || !isfinite(v->z))
+      return vs_kernel_fail(&k, VS_KERNEL_NOT_FINITE, 0, "a corner is not at a finite place");
   }
   vs_kernel_leaf leaf = { mesh, vs_affine_identity(), 0, false };
   vs_kernel_term term = { VS_TERM_LEAF, 0, 0 };
@@ -336,14 +352,17 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
   uint32_t only = 0;
   vs_parts parts = { .all = { 0 } };
   vs_expression e = { .root = 0 };
-  vs_cluster c = { .problem = &problem, .parts = &parts, .expression = &e, .leaves = &only, .leaf_count = 1, .inspect = true };
-  bool good = false, ok = vs_parts_prepare(&k, &parts, &problem, &only, &only, 1) && vs_part_plainly_good(&k, &parts.all.at[0], &good);
+  vs_cluster c = {
+    .problem = &problem, .parts = &parts, .expression = &e, .leaves = &only, .leaf_count = 1, .inspect = true
+  };
+  bool good = false, ok = vs_parts_prepare(&k, &parts, &problem, &only, &only, 1) &&
+                          vs_part_plainly_good(&k, &parts.all.at[0], &good);
   if (good) out->most = 1;
   ok = ok && (good || parts.all.at[0].twins || open_edges(&k, mesh, out));
   out->volume = vs_mesh_volume(mesh);
   if (ok && !good && !out->open_count) {
-    ok = vs_expression_build(&k, &e, &problem) && vs_soup_build(&k, &c) && vs_patches_build(&k, &c) && vs_meet_patches(&k, &c) && vs_arrange_planes(&k, &c) &&
-         vs_classify_faces(&k, &c, &e);
+    ok = vs_expression_build(&k, &e, &problem) && vs_soup_build(&k, &c) && vs_patches_build(&k, &c) &&
+         vs_meet_patches(&k, &c) && vs_arrange_planes(&k, &c) && vs_classify_faces(&k, &c, &e);
     for (size_t i = 0; ok && i < c.wound.count; i++)
       if (c.wound.at[i] == 1) out->most = 1;
     out->touches = ok && touches(&c);
@@ -356,7 +375,8 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
   return ok;
 }
 
-bool vs_kernel_resolve(const vs_mesh *mesh, uint32_t tag, const vs_kernel_options *options, vs_mesh *out, vs_kernel_error *error) {
+bool vs_kernel_resolve(const vs_mesh *mesh, uint32_t tag, const vs_kernel_options *options, vs_mesh *out,
+                       vs_kernel_error *error) {
   vs_kernel_leaf leaf = { mesh, vs_affine_identity(), tag, false };
   vs_kernel_term term = { VS_TERM_LEAF, 0, 0 };
   vs_kernel_problem problem = { .leaves = &leaf, .terms = &term, .leaf_count = 1, .term_count = 1 };

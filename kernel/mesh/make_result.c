@@ -1,7 +1,9 @@
-/* Owns the result's mesh: coplanar faces of one paint merged, needless corners dropped, what is left triangulated and turned to the outside.
+/* Owns the result's mesh: coplanar faces of one paint merged, needless corners dropped, what is left triangulated and
+ * turned to the outside.
  *
- * A corner is needless where exactly two borders of merged faces end, with the same faces beside both, in one line: every face there drops
- * it alike, so no T-junction appears. A facet that nothing touched and nothing merged with keeps its own triangles. */
+ * A corner is needless where exactly two borders of merged faces end, with the same faces beside both, in one line:
+ * every face there drops it alike, so no T-junction appears. A facet that nothing touched and nothing merged with keeps
+ * its own triangles. */
 #include "kernel/cluster.h"
 #include "kernel/mesh/triangulate.h"
 
@@ -92,7 +94,8 @@ static bool merge(writer *w) {
   vs_cluster *c = w->c;
   vs_kernel *k = w->k;
   size_t faces = c->faces.count, ranges = c->edges.ranges, uses = 0, edges = 0;
-  if (!VS_ROOM(k, w->sets.at, w->sets.room, faces + 1) || !VS_ROOM(k, w->whole.at, w->whole.room, faces + 1) || !VS_ROOM(k, w->found.at, w->found.room, ranges))
+  if (!VS_ROOM(k, w->sets.at, w->sets.room, faces + 1) || !VS_ROOM(k, w->whole.at, w->whole.room, faces + 1) ||
+      !VS_ROOM(k, w->found.at, w->found.room, ranges))
     return false;
   memset(w->found.at, 0, ranges * sizeof *w->found.at);
   w->found.count = ranges;
@@ -102,12 +105,14 @@ static bool merge(writer *w) {
   }
   if (!vs_kernel_run(k, ranges, merge_range, w)) return false;
   for (size_t i = 0; i < ranges; i++) uses += w->found.at[i].uses.count, edges += w->found.at[i].firsts.count;
-  if (!VS_ROOM(k, w->parent.at, w->parent.room, faces + 1) || !VS_ROOM(k, w->uses.at, w->uses.room, uses + 1) || !VS_ROOM(k, w->edge_first.at, w->edge_first.room, edges + 1))
+  if (!VS_ROOM(k, w->parent.at, w->parent.room, faces + 1) || !VS_ROOM(k, w->uses.at, w->uses.room, uses + 1) ||
+      !VS_ROOM(k, w->edge_first.at, w->edge_first.room, edges + 1))
     return false;
   for (uint32_t f = 0; f < faces; f++) w->parent.at[f] = vs_find_shared(w->sets.at, f);
   for (size_t i = 0; i < ranges; i++) {
     found_edges *from = &w->found.at[i];
-    for (size_t e = 0; e < from->firsts.count; e++) w->edge_first.at[w->edge_first.count++] = from->firsts.at[e] + (uint32_t)w->uses.count;
+    for (size_t e = 0; e < from->firsts.count; e++)
+      w->edge_first.at[w->edge_first.count++] = from->firsts.at[e] + (uint32_t)w->uses.count;
     for (size_t u = 0; u < from->uses.count; u++) w->uses.at[w->uses.count++] = from->uses.at[u];
     VS_DROP(k, from->uses);
     VS_DROP(k, from->firsts);
@@ -119,7 +124,8 @@ static bool merge(writer *w) {
 
 /* Have two edges the same merged faces beside them? */
 static bool same_faces(writer *w, uint32_t e, uint32_t f, bool *flat) {
-  uint32_t eb = w->edge_first.at[e], ee = w->edge_first.at[e + 1], fb = w->edge_first.at[f], fe = w->edge_first.at[f + 1];
+  uint32_t eb = w->edge_first.at[e], ee = w->edge_first.at[e + 1], fb = w->edge_first.at[f],
+           fe = w->edge_first.at[f + 1];
   if (ee - eb != fe - fb) return false;
   *flat = true;
   for (uint32_t i = eb; i < ee; i++) {
@@ -142,10 +148,13 @@ static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
   for (size_t p = begin; p < end; p++) {
     bool flat;
     if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat)) continue;
-    const vs_use *a = use_at(w, w->edge_first.at[w->edges.at[2 * p]]), *b = use_at(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
+    const vs_use *a = use_at(w, w->edge_first.at[w->edges.at[2 * p]]),
+                 *b = use_at(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
     if (flat) { /* not on the line of two planes */
       const vs_plane *plane = &c->planes.all.at[c->faces.at[a->face].plane];
-      if (vs_orient2d(vs_points_of(&c->points), other_end(a, (uint32_t)p), (uint32_t)p, other_end(b, (uint32_t)p), plane->u, plane->v) != 0) continue;
+      if (vs_orient2d(vs_points_of(&c->points), other_end(a, (uint32_t)p), (uint32_t)p, other_end(b, (uint32_t)p),
+                      plane->u, plane->v) != 0)
+        continue;
     }
     w->degree.at[p] = 4;
   }
@@ -165,7 +174,8 @@ VS_AHEAD corners_ahead(const writer *w, uint32_t e, size_t edges) {
 static bool drop_corners(writer *w) {
   vs_cluster *c = w->c;
   size_t n = c->points.all.count, edges = w->edge_first.count - 1;
-  if (!VS_ROOM(w->k, w->edges.at, w->edges.room, 2 * n + 1) || !VS_ROOM(w->k, w->degree.at, w->degree.room, n + 1)) return false;
+  if (!VS_ROOM(w->k, w->edges.at, w->edges.room, 2 * n + 1) || !VS_ROOM(w->k, w->degree.at, w->degree.room, n + 1))
+    return false;
   memset(w->degree.at, 0, n);
   if (c->regions.count) {
     if (!VS_ROOM(w->k, w->rim.at, w->rim.room, n + 1)) return false;
@@ -175,8 +185,10 @@ static bool drop_corners(writer *w) {
   for (uint32_t e = 0; e < edges; e++) {
     corners_ahead(w, e, edges);
     const vs_use *u = use_at(w, w->edge_first.at[e]);
-    for (uint32_t i = w->edge_first.at[e]; w->rim.count && i < w->edge_first.at[e + 1]; i++) /* plain triangles have these corners, and others */
-      if (c->faces.at[use_at(w, i)->face].plane == VS_NONE) w->degree.at[u->from] = w->degree.at[u->to] = 3, w->rim.at[u->from] = w->rim.at[u->to] = 1, w->rim_edges++;
+    /* plain triangles have these corners, and others */
+    for (uint32_t i = w->edge_first.at[e]; w->rim.count && i < w->edge_first.at[e + 1]; i++)
+      if (c->faces.at[use_at(w, i)->face].plane == VS_NONE)
+        w->degree.at[u->from] = w->degree.at[u->to] = 3, w->rim.at[u->from] = w->rim.at[u->to] = 1, w->rim_edges++;
     for (int i = 0; i < 2; i++) {
       uint32_t p = i ? u->to : u->from;
       if (w->degree.at[p] < 2) w->edges.at[2 * p + w->degree.at[p]] = e;
@@ -200,7 +212,8 @@ static bool name_edges(vs_kernel *k, void *context, size_t chunk) {
 static bool link_faces(writer *w) {
   const vs_cluster *c = w->c;
   size_t faces = c->faces.count, uses = c->uses.count;
-  if (!VS_ROOM(w->k, w->edge_of.at, w->edge_of.room, uses + 1) || !VS_ROOM(w->k, w->next.at, w->next.room, faces + 1)) return false;
+  if (!VS_ROOM(w->k, w->edge_of.at, w->edge_of.room, uses + 1) || !VS_ROOM(w->k, w->next.at, w->next.room, faces + 1))
+    return false;
   memset(w->edge_of.at, 0xff, uses * sizeof *w->edge_of.at); /* VS_NONE */
   memset(w->next.at, 0xff, faces * sizeof *w->next.at);
   for (size_t f = faces; f-- > 0;) {
@@ -243,7 +256,9 @@ static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangula
 
 /* ---- triangles ---- */
 
-static bool is_shown(const writer *w, uint32_t f) { return w->c->kept.at[f] && w->parent.at[f] == f && w->c->faces.at[f].plane != VS_NONE; }
+static bool is_shown(const writer *w, uint32_t f) {
+  return w->c->kept.at[f] && w->parent.at[f] == f && w->c->faces.at[f].plane != VS_NONE;
+}
 
 static size_t facet_size(const writer *w, uint32_t f) {
   const vs_facet *facet = &w->c->facets.at[w->c->faces.at[f].facet];
@@ -260,7 +275,8 @@ static bool make_chunks(writer *w) {
     if (w->c->kept.at[f]) sum += w->c->faces.at[f].use_count;
     if (sum >= CHUNK) sum = 0;
   }
-  if (!VS_PUSH(w->k, w->chunk_first, faces) || !VS_ROOM(w->k, w->cutters.at, w->cutters.room, w->k->threads)) return false;
+  if (!VS_PUSH(w->k, w->chunk_first, faces) || !VS_ROOM(w->k, w->cutters.at, w->cutters.room, w->k->threads))
+    return false;
   memset(w->cutters.at, 0, w->k->threads * sizeof *w->cutters.at);
   w->cutters.count = w->k->threads;
   return true;
@@ -281,37 +297,45 @@ static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
       turned = against != c->facets.at[face->facet].flip;
       n = facet_size(w, f);
     } else {
-      if (!gather_sides(k, w, f, t) || !vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane])) return false;
+      if (!gather_sides(k, w, f, t) || !vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane]))
+        return false;
       n = t->triangles.count;
     }
     if (!VS_ROOM(k, to->at.at, to->at.room, to->at.count + n)) return false;
     for (size_t i = 0; i < n; i++) {
-      const uint32_t *v = whole ? c->triangles.at[c->facet_triangles.at[c->facets.at[face->facet].first + i]].v : t->triangles.at[i];
-      to->at.at[to->at.count++] = (cut_triangle){ { v[turned ? 2 : 0], v[1], v[turned ? 0 : 2] }, face->tag, face->plane * 2 + against };
+      const uint32_t *v =
+          whole ? c->triangles.at[c->facet_triangles.at[c->facets.at[face->facet].first + i]].v : t->triangles.at[i];
+      to->at.at[to->at.count++] =
+          (cut_triangle){ { v[turned ? 2 : 0], v[1], v[turned ? 0 : 2] }, face->tag, face->plane * 2 + against };
     }
     if (!vs_kernel_poll(k, 0.9)) return false;
   }
   return true;
 }
 
-static bool no_room(const writer *w) { return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
+static bool no_room(const writer *w) {
+  return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+}
 
 enum { PLACES = 1 << 14 };
 static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   writer *w = context;
   size_t begin = index * PLACES, end = w->points.count - begin < PLACES ? w->points.count : begin + PLACES;
-  for (size_t i = begin; i < end; i++) w->mesh->vertices[w->first_vertex + i] = vs_grid_world(&w->c->grid, &w->c->points.all.at[w->points.at[i]]);
+  for (size_t i = begin; i < end; i++)
+    w->mesh->vertices[w->first_vertex + i] = vs_grid_world(&w->c->grid, &w->c->points.all.at[w->points.at[i]]);
   return vs_kernel_report(k, k->part);
 }
 
 /* In large steps, since clusters come one after the other into one mesh. */
 static bool reserve(const writer *w, vs_mesh *out, size_t triangles) {
-  return triangles <= out->triangle_room || vs_mesh_reserve(out, 0, out->triangle_count ? triangles + triangles / 2 : triangles) || no_room(w);
+  return triangles <= out->triangle_room ||
+         vs_mesh_reserve(out, 0, out->triangle_count ? triangles + triangles / 2 : triangles) || no_room(w);
 }
 
 static bool make_room(const writer *w, vs_mesh *out, size_t more) {
   size_t limit = w->k->options ? w->k->options->max_triangles : 0, all = out->triangle_count + more;
-  if (limit && all > limit) return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
+  if (limit && all > limit)
+    return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (all >= UINT32_MAX) return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
   return reserve(w, out, all);
 }
@@ -321,7 +345,9 @@ static bool take_chunk(vs_kernel *k, void *context, size_t index) {
   writer *w = context;
   const cut_chunk *from = &w->chunks[index % VS_PIPELINE_WINDOW];
   vs_mesh *out = w->mesh;
-  if (!make_room(w, out, from->at.count) || !VS_ROOM(k, w->looks.at, w->looks.room, w->looks.count + from->at.count + 1)) return false;
+  if (!make_room(w, out, from->at.count) ||
+      !VS_ROOM(k, w->looks.at, w->looks.room, w->looks.count + from->at.count + 1))
+    return false;
   for (size_t i = 0; i < from->at.count; i++) {
     const cut_triangle *t = &from->at.at[i];
     uint32_t *to = out->triangles[out->triangle_count];
@@ -344,13 +370,17 @@ static bool write(writer *w, vs_mesh *out) {
   size_t limit = w->k->options ? w->k->options->max_triangles : 0;
   for (size_t p = 0; p < points; p++) corners += w->degree.at[p] % 4 != 0;
   size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* triangles, by Euler, but for holes and shells */
-  if (!make_chunks(w) || !reserve(w, out, out->triangle_count + about) || !VS_ROOM(w->k, w->looks.at, w->looks.room, about + 1) || !VS_ROOM(w->k, w->out.at, w->out.room, points + 1) || !VS_ROOM(w->k, w->points.at, w->points.room, points + 1)) return false;
+  if (!make_chunks(w) || !reserve(w, out, out->triangle_count + about) ||
+      !VS_ROOM(w->k, w->looks.at, w->looks.room, about + 1) || !VS_ROOM(w->k, w->out.at, w->out.room, points + 1) ||
+      !VS_ROOM(w->k, w->points.at, w->points.room, points + 1))
+    return false;
   memset(w->out.at, 0xff, points * sizeof *w->out.at); /* VS_NONE */
   w->mesh = out;
   w->first_vertex = out->vertex_count;
   if (!vs_kernel_pipeline(w->k, w->chunk_first.count - 1, triangulate_chunk, take_chunk, w)) return false;
   size_t vertices = w->first_vertex + w->points.count;
-  if (vertices > out->vertex_room && !vs_mesh_reserve(out, w->first_vertex ? vertices + vertices / 2 : vertices, 0)) return no_room(w);
+  if (vertices > out->vertex_room && !vs_mesh_reserve(out, w->first_vertex ? vertices + vertices / 2 : vertices, 0))
+    return no_room(w);
   out->vertex_count = vertices;
   return vs_kernel_run(w->k, (w->points.count + PLACES - 1) / PLACES, place_chunk, w);
 }
@@ -389,7 +419,9 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
   writer w = { .k = k, .c = c };
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
   bool ok = merge(&w) && drop_corners(&w) && link_faces(&w) && write(&w, out) && vs_kernel_report(k, 0.95) &&
-            vs_split_touching(k, c, out, vertices, triangles, w.looks.at, w.points.at, w.rim.count ? w.rim.at : NULL, w.rim_edges) && copy_plain(&w, out);
+            vs_split_touching(k, c, out, vertices, triangles, w.looks.at, w.points.at, w.rim.count ? w.rim.at : NULL,
+                              w.rim_edges) &&
+            copy_plain(&w, out);
   writer_free(k, &w);
   return ok;
 }

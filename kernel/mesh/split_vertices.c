@@ -1,14 +1,17 @@
-/* Owns the splitting of vertices where the result touches itself, so that by index every edge has two triangles and every vertex one fan of them.
+/* Owns the splitting of vertices where the result touches itself, so that by index every edge has two triangles and
+ * every vertex one fan of them.
  *
- * Along an edge where four or more triangles meet, each is joined to the one across the wedge of solid between them: two cubes that touch along an edge
- * stay two. Where the ends of the edge hold the pairs together all the same, as of two hollows that touch, they are joined across the air instead; and
- * where that does not help either, the edge gets a vertex in its middle, one for each pair. Who is next to whom is decided exactly, by the planes; see
- * classify.c for the order around an edge. */
+ * Along an edge where four or more triangles meet, each is joined to the one across the wedge of solid between them:
+ * two cubes that touch along an edge stay two. Where the ends of the edge hold the pairs together all the same, as of
+ * two hollows that touch, they are joined across the air instead; and where that does not help either, the edge gets a
+ * vertex in its middle, one for each pair. Who is next to whom is decided exactly, by the planes; see classify.c for
+ * the order around an edge. */
 #include "kernel/cluster.h"
 
 #include <string.h>
 
-typedef struct { VS_LIST(uint32_t) at; } crowded; /* of a range: the halves where edges with other than two triangles begin */
+typedef struct { VS_LIST(uint32_t) at; } crowded; /* of a range: the halves where edges with other than two triangles
+                                                   * begin */
 
 typedef struct {
   vs_kernel *k;
@@ -34,7 +37,9 @@ typedef struct {
 } splitter;
 typedef enum { SOLID, AIR, MIDDLE } joined;
 
-static uint32_t vertex_at(const splitter *s, uint32_t corner) { return s->m->triangles[s->first_triangle + corner / 3][corner % 3] - (uint32_t)s->first_vertex; }
+static uint32_t vertex_at(const splitter *s, uint32_t corner) {
+  return s->m->triangles[s->first_triangle + corner / 3][corner % 3] - (uint32_t)s->first_vertex;
+}
 
 static bool starts_at(const splitter *s, uint32_t corner, uint32_t low) { return vertex_at(s, corner) == low; }
 
@@ -55,7 +60,8 @@ static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t c
   size_t begin = 0;
   while (begin < count && s->around.at[begin].cw) begin++;
   if (!VS_PUSH(s->k, s->many_first, (uint32_t)s->many.count) || !VS_PUSH(s->k, s->way, (uint8_t)SOLID)) return false;
-  for (size_t i = 0; i < count; i++) { /* solid follows, turning counter-clockwise, where the face runs against the edge */
+  for (size_t i = 0; i < count; i++) { /* solid follows, turning counter-clockwise, where the face runs against the
+                                        * edge */
     const vs_around *a = &s->around.at[(begin + i) % count];
     if ((bool)a->cw != (i % 2 == 1)) return VS_BROKEN(s->k, "solid lies on solid along an edge");
     if (!VS_PUSH(s->k, s->many, *a)) return false;
@@ -127,7 +133,9 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
 static bool find_twins(splitter *s) {
   uint32_t corners = (uint32_t)(3 * s->triangles);
   vs_halves *h = &s->halves;
-  if (!vs_halves_sort(s->k, h, (uint32_t)s->vertices, corners, ends_of_corners, s) || !VS_ROOM(s->k, s->twins.at, s->twins.room, (size_t)corners + 1) || !VS_ROOM(s->k, s->lead.at, s->lead.room, s->vertices + 1) ||
+  if (!vs_halves_sort(s->k, h, (uint32_t)s->vertices, corners, ends_of_corners, s) ||
+      !VS_ROOM(s->k, s->twins.at, s->twins.room, (size_t)corners + 1) ||
+      !VS_ROOM(s->k, s->lead.at, s->lead.room, s->vertices + 1) ||
       !VS_ROOM(s->k, s->crowded.at, s->crowded.room, h->ranges))
     return false;
   memset(s->crowded.at, 0, h->ranges * sizeof *s->crowded.at);
@@ -146,7 +154,8 @@ static bool find_twins(splitter *s) {
 }
 
 enum { VERTICES = 1 << 14 };
-static bool count_fans(vs_kernel *k, void *context, size_t chunk) { /* where one fan of each vertex has all corners, nothing touches itself */
+static bool count_fans(vs_kernel *k, void *context, size_t chunk) { /* where one fan of each vertex has all corners,
+                                                                     * nothing touches itself */
   splitter *s = context;
   size_t begin = chunk * VERTICES, end = s->vertices - begin < VERTICES ? s->vertices : begin + VERTICES, n = 0;
   for (size_t v = begin; v < end; v++) {
@@ -179,7 +188,9 @@ static bool look_for_touching(splitter *s, bool *touching) {
 /* The fan that is first by corner keeps the vertex; the others get copies of it. */
 static bool find_fans(splitter *s) {
   uint32_t corners = (uint32_t)(3 * s->triangles);
-  if (!VS_ROOM(s->k, s->to.at, s->to.room, (size_t)corners + 1) || !VS_ROOM(s->k, s->taken.at, s->taken.room, s->vertices + 1)) return false;
+  if (!VS_ROOM(s->k, s->to.at, s->to.room, (size_t)corners + 1) ||
+      !VS_ROOM(s->k, s->taken.at, s->taken.room, s->vertices + 1))
+    return false;
   for (size_t i = 0; i < s->vertices; i++) s->taken.at[i] = 0;
   for (uint32_t i = 0; i < corners; i++) s->to.at[i] = VS_NONE;
   s->copied.count = 0;
@@ -229,12 +240,15 @@ static bool join_many(splitter *s) {
       }
     if (!find_fans(s)) return false;
     for (size_t e = 0; e < s->way.count; e++)
-      if (s->way.at[e] < MIDDLE && still_held(s, e)) s->way.at[e]++, again = true; /* ends: each edge goes on twice at most */
+      if (s->way.at[e] < MIDDLE && still_held(s, e)) s->way.at[e]++, again = true; /* ends: each edge goes on twice at
+                                                                                    * most */
   }
   return true;
 }
 
-static bool no_room(splitter *s) { return vs_kernel_fail(s->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"); }
+static bool no_room(splitter *s) {
+  return vs_kernel_fail(s->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
+}
 
 /* A triangle with new vertices in some of its edges, cut so that none of the pieces is flat. */
 static bool cut_triangle(splitter *s, uint32_t t) {
@@ -243,12 +257,16 @@ static bool cut_triangle(splitter *s, uint32_t t) {
   uint32_t v[3], mid[3], tag = m->tags[at], made[4][3], count = 0, n = 0, first = 0;
   for (uint32_t j = 0; j < 3; j++) n += s->middle.at[3 * t + j] != VS_NONE;
   if (n == 0) return true;
-  while (s->middle.at[3 * t + first] == VS_NONE || (n == 2 && s->middle.at[3 * t + (first + 1) % 3] == VS_NONE)) first++;
-  for (uint32_t j = 0; j < 3; j++) v[j] = m->triangles[at][(first + j) % 3], mid[j] = s->middle.at[3 * t + (first + j) % 3];
+  while (s->middle.at[3 * t + first] == VS_NONE || (n == 2 && s->middle.at[3 * t + (first + 1) % 3] == VS_NONE))
+    first++;
+  for (uint32_t j = 0; j < 3; j++)
+    v[j] = m->triangles[at][(first + j) % 3], mid[j] = s->middle.at[3 * t + (first + j) % 3];
 #define PIECE(a, b, c) (made[count][0] = (a), made[count][1] = (b), made[count++][2] = (c))
   if (n == 1) PIECE(mid[0], v[1], v[2]), PIECE(mid[0], v[2], v[0]);
   if (n == 2) PIECE(mid[0], v[1], mid[1]), PIECE(mid[0], mid[1], v[2]), PIECE(mid[0], v[2], v[0]);
-  if (n == 3) PIECE(mid[0], v[1], mid[1]), PIECE(mid[1], v[2], mid[2]), PIECE(mid[2], v[0], mid[0]), PIECE(mid[0], mid[1], mid[2]);
+  if (n == 3)
+    PIECE(mid[0], v[1], mid[1]), PIECE(mid[1], v[2], mid[2]), PIECE(mid[2], v[0], mid[0]),
+        PIECE(mid[0], mid[1], mid[2]);
 #undef PIECE
   for (int j = 0; j < 3; j++) m->triangles[at][j] = made[0][j];
   for (uint32_t i = 1; i < count; i++) {
@@ -263,7 +281,8 @@ static bool write(splitter *s) {
   vs_mesh *m = s->m;
   for (size_t i = 0; i < s->copied.count; i++)
     if (!vs_mesh_add_vertex(m, m->vertices[s->first_vertex + s->copied.at[i]], NULL)) return no_room(s);
-  for (uint32_t i = 0; i < corners; i++) m->triangles[s->first_triangle + i / 3][i % 3] = s->to.at[i] + (uint32_t)s->first_vertex;
+  for (uint32_t i = 0; i < corners; i++)
+    m->triangles[s->first_triangle + i / 3][i % 3] = s->to.at[i] + (uint32_t)s->first_vertex;
   bool any = false;
   for (size_t e = 0; e < s->way.count; e++) any = any || s->way.at[e] == MIDDLE;
   if (!any) return true;
@@ -271,9 +290,12 @@ static bool write(splitter *s) {
   for (uint32_t i = 0; i < corners; i++) s->middle.at[i] = VS_NONE;
   for (size_t e = 0; e < s->way.count; e++) {
     if (s->way.at[e] != MIDDLE) continue;
-    uint32_t begin = s->many_first.at[e], low = s->m->triangles[s->first_triangle + s->many.at[begin].ccw / 3][s->many.at[begin].ccw % 3];
-    uint32_t corner = next_of(s->many.at[begin].ccw), high = s->m->triangles[s->first_triangle + corner / 3][corner % 3];
-    vs_vec3 at = vs_v3_scale(vs_v3_add(m->vertices[low], m->vertices[high]), 0.5); /* the same for all pairs: by place the result stays closed */
+    uint32_t begin = s->many_first.at[e],
+             low = s->m->triangles[s->first_triangle + s->many.at[begin].ccw / 3][s->many.at[begin].ccw % 3];
+    uint32_t corner = next_of(s->many.at[begin].ccw),
+             high = s->m->triangles[s->first_triangle + corner / 3][corner % 3];
+    /* the same for all pairs: by place the result stays closed */
+    vs_vec3 at = vs_v3_scale(vs_v3_add(m->vertices[low], m->vertices[high]), 0.5);
     for (size_t i = 0; i < (s->many_first.at[e + 1] - begin) / 2; i++) {
       uint32_t a, b, vertex;
       pair_of(s, e, i, &a, &b);
@@ -286,10 +308,19 @@ static bool write(splitter *s) {
   return true;
 }
 
-bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle, const uint32_t *sides, const uint32_t *points,
-                       const uint8_t *rim, size_t rim_edges) {
-  splitter s = { .k = k, .c = c, .m = m, .first_vertex = first_vertex, .first_triangle = first_triangle, .vertices = m->vertex_count - first_vertex,
-                 .triangles = m->triangle_count - first_triangle, .sides = sides, .points = points, .rim = rim, .rim_edges = rim_edges };
+bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle,
+                       const uint32_t *sides, const uint32_t *points, const uint8_t *rim, size_t rim_edges) {
+  splitter s = { .k = k,
+                 .c = c,
+                 .m = m,
+                 .first_vertex = first_vertex,
+                 .first_triangle = first_triangle,
+                 .vertices = m->vertex_count - first_vertex,
+                 .triangles = m->triangle_count - first_triangle,
+                 .sides = sides,
+                 .points = points,
+                 .rim = rim,
+                 .rim_edges = rim_edges };
   if (s.triangles >= UINT32_MAX / 3) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
   bool touching, ok = find_twins(&s) && look_for_touching(&s, &touching) && (!touching || (join_many(&s) && write(&s)));
   vs_halves_free(k, &s.halves);

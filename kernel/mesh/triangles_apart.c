@@ -1,8 +1,9 @@
 /* Owns the proofs that triangles are apart.
  *
- * Two convex sets that share nothing, or just a corner, have a plane between them. The candidates are few: planes of the two faces, and planes along an edge of each.
- * A sign counts where it is larger than its error can be; each determinant's error is below 8e-16 of the sum of its products' sizes (Shewchuk), and 1e-14 is
- * asked for. Neighbours in one plane, whose determinants are noise, are told apart as seen along an axis. */
+ * Two convex sets that share nothing, or just a corner, have a plane between them. The candidates are few: planes of
+ * the two faces, and planes along an edge of each. A sign counts where it is larger than its error can be; each
+ * determinant's error is below 8e-16 of the sum of its products' sizes (Shewchuk), and 1e-14 is asked for. Neighbours
+ * in one plane, whose determinants are noise, are told apart as seen along an axis. */
 #include "kernel/mesh/triangles_apart.h"
 
 #include <math.h>
@@ -30,8 +31,10 @@ static bool same(vs_vec3 a, vs_vec3 b) { return a.x == b.x && a.y == b.y && a.z 
 
 static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* p q the edge, x and y the other corners */
   if (sign3(vs_v3_sub(q, p), vs_v3_sub(x, p), vs_v3_sub(y, p)) != 0) return true;
-  vs_vec3 e = vs_v3_sub(q, p), n = vs_v3_cross(e, vs_v3_sub(x, p)), m = vs_v3_cross(vs_v3_sub(y, p), e); /* alike where x and y lie on opposite sides */
-  return vs_v3_dot(n, m) > 0.1 * vs_v3_length(n) * vs_v3_length(m) && vs_v3_length(n) > 1e-12 * vs_v3_dot(e, e) && vs_v3_length(m) > 1e-12 * vs_v3_dot(e, e);
+  /* alike where x and y lie on opposite sides */
+  vs_vec3 e = vs_v3_sub(q, p), n = vs_v3_cross(e, vs_v3_sub(x, p)), m = vs_v3_cross(vs_v3_sub(y, p), e);
+  return vs_v3_dot(n, m) > 0.1 * vs_v3_length(n) * vs_v3_length(m) && vs_v3_length(n) > 1e-12 * vs_v3_dot(e, e) &&
+         vs_v3_length(m) > 1e-12 * vs_v3_dot(e, e);
 }
 
 /* ---- a corner in common ---- */
@@ -67,7 +70,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* spanned by 
     c[i][1] = axis == 0 ? v.z : axis == 1 ? v.x : v.y;
   }
   int own[2] = { sign2(c[0], c[1]), sign2(c[2], c[3]) };
-  for (int i = 0; own[0] && own[1] && i < 4; i++) { /* a line along one of the directions, its own cone on one side, the other on the other */
+  for (int i = 0; own[0] && own[1] && i < 4; i++) { /* a line along one of the directions, its own cone on one side, the
+                                                     * other on the other */
     int mine = i % 2 ? -own[i / 2] : own[i / 2], other = i < 2 ? 2 : 0;
     if (sign2(c[i], c[other]) == -mine && sign2(c[i], c[other + 1]) == -mine) return true;
   }
@@ -76,7 +80,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* spanned by 
 
 /* ---- nothing in common ---- */
 
-static bool parted(vs_vec3 d, const vs_vec3 a[3], const vs_vec3 b[3]) { /* along d; corners as seen from somewhere near */
+static bool parted(vs_vec3 d, const vs_vec3 a[3], const vs_vec3 b[3]) { /* along d; corners as seen from somewhere
+                                                                         * near */
   double low[2], high[2], error = 0;
   for (int i = 0; i < 6; i++) {
     vs_vec3 p = i < 3 ? a[i] : b[i - 3];
@@ -96,7 +101,8 @@ bool vs_triangles_parted(const vs_vec3 a[3], const vs_vec3 b[3]) {
   vs_vec3 n = vs_v3_cross(e[0], e[1]), m = vs_v3_cross(f[0], f[1]);
   if (parted(n, p, q) || parted(m, p, q)) return true;
   for (int i = 0; i < 3; i++)
-    if (parted(vs_v3_cross(n, e[i]), p, q) || parted(vs_v3_cross(m, f[i]), p, q)) return true; /* in one plane, or nearly */
+    if (parted(vs_v3_cross(n, e[i]), p, q) || parted(vs_v3_cross(m, f[i]), p, q)) return true; /* in one plane, or
+                                                                                                * nearly */
   for (int i = 0; i < 9; i++)
     if (parted(vs_v3_cross(e[i / 3], f[i % 3]), p, q)) return true;
   return false;
@@ -112,9 +118,12 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *count) {
       }
   *count = shared;
   if (shared == 0) return vs_triangles_parted(a, b);
-  if (shared == 2) return of_a[0] != of_a[1] && of_b[0] != of_b[1] && not_folded(a[of_a[0]], a[of_a[1]], a[3 - of_a[0] - of_a[1]], b[3 - of_b[0] - of_b[1]]);
+  if (shared == 2)
+    return of_a[0] != of_a[1] && of_b[0] != of_b[1] &&
+           not_folded(a[of_a[0]], a[of_a[1]], a[3 - of_a[0] - of_a[1]], b[3 - of_b[0] - of_b[1]]);
   vs_vec3 o = a[of_a[0]], x[2], y[2];
-  for (int i = 0; i < 2; i++) x[i] = vs_v3_sub(a[(of_a[0] + 1 + i) % 3], o), y[i] = vs_v3_sub(b[(of_b[0] + 1 + i) % 3], o);
+  for (int i = 0; i < 2; i++)
+    x[i] = vs_v3_sub(a[(of_a[0] + 1 + i) % 3], o), y[i] = vs_v3_sub(b[(of_b[0] + 1 + i) % 3], o);
   return cones_apart(x, y);
 }
 
@@ -153,7 +162,8 @@ static bool look_some(vs_kernel *k, void *context, size_t index) {
   search *s = context;
   looking l = { k, s->m, false, 0 };
   if (atomic_load(&s->met)) return true;
-  if (!vs_bvh_pairs(&s->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look, &l) && !l.met) return false;
+  if (!vs_bvh_pairs(&s->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look, &l) && !l.met)
+    return false;
   if (l.met) atomic_store(&s->met, true);
   atomic_fetch_add(&s->edges, l.edges);
   return vs_kernel_report(k, k->part);
@@ -161,15 +171,19 @@ static bool look_some(vs_kernel *k, void *context, size_t index) {
 
 static bool box_some(vs_kernel *k, void *context, size_t index) {
   search *s = context;
-  size_t begin = index * TRIANGLES, end = s->m->triangle_count - begin < TRIANGLES ? s->m->triangle_count : begin + TRIANGLES;
+  size_t begin = index * TRIANGLES,
+         end = s->m->triangle_count - begin < TRIANGLES ? s->m->triangle_count : begin + TRIANGLES;
   vs_vec3 from = s->all.min;
   for (size_t t = begin; t < end; t++) {
     vs_vec3 v[3];
     vs_bounds w = vs_bounds_empty();
     corners(s->m, (uint32_t)t, v);
     for (int i = 0; i < 3; i++) vs_bounds_add(&w, v[i]);
-    s->boxes.at[t] = (vs_box){ { (int32_t)((w.min.x - from.x) / s->step), (int32_t)((w.min.y - from.y) / s->step), (int32_t)((w.min.z - from.z) / s->step) },
-                               { (int32_t)((w.max.x - from.x) / s->step) + 1, (int32_t)((w.max.y - from.y) / s->step) + 1, (int32_t)((w.max.z - from.z) / s->step) + 1 } };
+    s->boxes.at[t] =
+        (vs_box){ { (int32_t)((w.min.x - from.x) / s->step), (int32_t)((w.min.y - from.y) / s->step),
+                    (int32_t)((w.min.z - from.z) / s->step) },
+                  { (int32_t)((w.max.x - from.x) / s->step) + 1, (int32_t)((w.max.y - from.y) / s->step) + 1,
+                    (int32_t)((w.max.z - from.z) / s->step) + 1 } };
   }
   return vs_kernel_report(k, k->part);
 }
@@ -188,8 +202,9 @@ bool vs_mesh_is_apart(vs_kernel *k, const vs_mesh *m, bool *apart, size_t *edges
   bool ok = m->triangle_count < UINT32_MAX && vs_hubs_find(k, &fans, &hubs);
   s.bvh.families = hubs.of.count ? hubs.of.at : NULL; /* what is of one hub is proven */
   ok = ok && VS_ROOM(k, s.boxes.at, s.boxes.room, m->triangle_count + 1) &&
-            vs_kernel_run(k, (m->triangle_count + TRIANGLES - 1) / TRIANGLES, box_some, &s) && vs_bvh_build(k, &s.bvh, s.boxes.at, (uint32_t)m->triangle_count) &&
-            vs_kernel_run(k, ((size_t)vs_bvh_blocks(&s.bvh) + BLOCKS - 1) / BLOCKS, look_some, &s);
+       vs_kernel_run(k, (m->triangle_count + TRIANGLES - 1) / TRIANGLES, box_some, &s) &&
+       vs_bvh_build(k, &s.bvh, s.boxes.at, (uint32_t)m->triangle_count) &&
+       vs_kernel_run(k, ((size_t)vs_bvh_blocks(&s.bvh) + BLOCKS - 1) / BLOCKS, look_some, &s);
   k->threads = threads;
   *apart = ok && !atomic_load(&s.met);
   *edges = atomic_load(&s.edges) + hubs.edges;

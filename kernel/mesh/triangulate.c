@@ -1,9 +1,10 @@
 /* Owns the triangulation: one sweep, triangles cut off as soon as they are seen.
  *
- * Each interval between two neighbouring edges of the status that is inside the polygon keeps a chain: the border, from the left end of its
- * lower edge to the left end of its upper edge, of what lies to the right and is not cut into triangles yet. x falls from the chain's
- * rightmost corner to both ends, and every other corner between is reflex, so a new vertex at one end sees corners one after the other, and
- * a new vertex in the middle sees the rightmost. n log n, all decisions exact; no corner is left out, so neighbours have no T-junctions.
+ * Each interval between two neighbouring edges of the status that is inside the polygon keeps a chain: the border, from
+ * the left end of its lower edge to the left end of its upper edge, of what lies to the right and is not cut into
+ * triangles yet. x falls from the chain's rightmost corner to both ends, and every other corner between is reflex, so a
+ * new vertex at one end sees corners one after the other, and a new vertex in the middle sees the rightmost. n log n,
+ * all decisions exact; no corner is left out, so neighbours have no T-junctions.
  *
  * Most faces have a few corners and one border with a lower and an upper side: one chain, and no status. */
 #include "kernel/mesh/triangulate.h"
@@ -139,7 +140,8 @@ static bool before(const vs_sweep *s, uint32_t a, uint32_t b) {
   return sign < 0 || (sign == 0 && vs_compare(s->points, a, b, s->v) < 0);
 }
 
-/* The sides as one loop from its first corner in the sweep's order on; *last: where its last corner is. False: they are something else. */
+/* The sides as one loop from its first corner in the sweep's order on; *last: where its last corner is. False: they are
+ * something else. */
 static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t *last) {
   uint32_t n = (uint32_t)t->sides.count, first = 0, at = 0;
   const vs_border *sides = t->sides.at;
@@ -189,8 +191,10 @@ static bool cut_loop(cutter *c, const uint32_t *loop, uint32_t last) {
   }
   for (size_t was = SIZE_MAX; head < tail && was != count;) {
     was = count;
-    for (; head < tail && TURN(loop[last], chain[tail], chain[tail - 1]); tail--) EMIT(loop[last], chain[tail], chain[tail - 1]);
-    for (; head < tail && TURN(chain[head + 1], chain[head], loop[last]); head++) EMIT(chain[head + 1], chain[head], loop[last]);
+    for (; head < tail && TURN(loop[last], chain[tail], chain[tail - 1]); tail--)
+      EMIT(loop[last], chain[tail], chain[tail - 1]);
+    for (; head < tail && TURN(chain[head + 1], chain[head], loop[last]); head++)
+      EMIT(chain[head + 1], chain[head], loop[last]);
   }
 #undef TURN
 #undef EMIT
@@ -233,7 +237,8 @@ bool vs_plane_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_tab
   size_t kept = 0;
   for (size_t i = 0; i < t->boundary.count; i++) {
     vs_boundary b = t->boundary.at[i];
-    if (kept && t->boundary.at[kept - 1].l == b.l && t->boundary.at[kept - 1].r == b.r) t->boundary.at[kept - 1].inside |= b.inside;
+    if (kept && t->boundary.at[kept - 1].l == b.l && t->boundary.at[kept - 1].r == b.r)
+      t->boundary.at[kept - 1].inside |= b.inside;
     else t->boundary.at[kept++] = b;
   }
   t->boundary.count = kept;

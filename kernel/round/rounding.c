@@ -1,14 +1,17 @@
 /* Owns the settling of a rounded mesh.
  *
- * The exact result may have corners that lie closer together than the format's numbers: where four planes nearly meet in one point there are two corners, and where a
- * corner all but lies on another's edge there is a triangle without height. Rounded, such an edge is nothing or noise, and such a triangle may turn over and cross its neighbours.
- *   collapse  an edge of less than two units goes onto its lower corner where the link condition holds (the corners' neighbours in common are the two opposite the
+ * The exact result may have corners that lie closer together than the format's numbers: where four planes nearly meet
+ * in one point there are two corners, and where a corner all but lies on another's edge there is a triangle without
+ * height. Rounded, such an edge is nothing or noise, and such a triangle may turn over and cross its neighbours.
+ *   collapse  an edge of less than two units goes onto its lower corner where the link condition holds (the corners'
+ *   neighbours in common are the two opposite the
  *             edge: the surface stays a manifold of the same kind) and no triangle around it turns over
- *   flip      a triangle lower than two units gives its longest edge to its top: the neighbour behind that edge is cut in two there
- *   drop      a shell that is thinner than two units all over
+ *   flip      a triangle lower than two units gives its longest edge to its top: the neighbour behind that edge is cut
+ *   in two there drop      a shell that is thinner than two units all over
  * Then what may still meet something that it does not meet before rounding is looked for everywhere (self_contacts.c).
  *
- * A look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked at, and what has changed since. */
+ * A look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked
+ * at, and what has changed since. */
 #include "kernel/round/rounding_state.h"
 #include "kernel/round/touching.h"
 
@@ -64,7 +67,8 @@ static vs_vec3 normal(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_cross(vs_v
 static double larger(double a, double b) { return a > b ? a : b; }
 static double reach(vs_vec3 p) { return larger(larger(fabs(p.x), fabs(p.y)), fabs(p.z)); }
 
-/* Shorter than what rounding may move its ends by: fine where all that hangs on it is rounded alike, as on faces along the axes. */
+/* Shorter than what rounding may move its ends by: fine where all that hangs on it is rounded alike, as on faces along
+ * the axes. */
 static bool unsure(const settling *s, uint32_t a, uint32_t b) {
   vs_vec3 p = s->m->vertices[a], q = s->m->vertices[b];
   return vs_v3_length(vs_v3_sub(p, q)) < 2 * unit(fmax(reach(p), reach(q)), s->numbers);
@@ -90,7 +94,8 @@ static bool is_neighbour(const settling *s, uint32_t v, uint32_t other) {
 
 static bool too_thin(const settling *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
-  vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]], ab = vs_v3_sub(b, a), bc = vs_v3_sub(c, b), ca = vs_v3_sub(a, c), n = vs_v3_cross(ab, bc);
+  vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]], ab = vs_v3_sub(b, a),
+          bc = vs_v3_sub(c, b), ca = vs_v3_sub(a, c), n = vs_v3_cross(ab, bc);
   double longest = larger(vs_v3_dot(ab, ab), larger(vs_v3_dot(bc, bc), vs_v3_dot(ca, ca))), square = vs_v3_dot(n, n);
   if (square >= s->coarsest * s->coarsest * longest) return false; /* nearly all are */
   double least = 2 * unit(larger(larger(reach(a), reach(b)), reach(c)), s->numbers);
@@ -136,7 +141,8 @@ typedef struct {
   found_some found[VS_PIPELINE_WINDOW];
 } scan;
 
-/* Notes the plane across an axis that the triangle lies in, unless it is the one that was noted last for that axis. False: no memory; *level: there is one. */
+/* Notes the plane across an axis that the triangle lies in, unless it is the one that was noted last for that axis.
+ * False: no memory; *level: there is one. */
 static bool find_storey(vs_kernel *k, const settling *s, uint32_t t, vs_storey last[3], found_some *to, bool *level) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
@@ -244,7 +250,8 @@ static bool find_look(settling *s, bool *any) {
   scan c = { .s = s };
   s->look.count = s->storeys.count = 0;
   s->level = true;
-  bool ok = vs_kernel_pipeline(s->k, (s->m->triangle_count + TASK - 1) / TASK, scan_some, take_found, &c) && sort_storeys(s);
+  bool ok =
+      vs_kernel_pipeline(s->k, (s->m->triangle_count + TASK - 1) / TASK, scan_some, take_found, &c) && sort_storeys(s);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(s->k, c.found[i].look);
     VS_DROP(s->k, c.found[i].storeys);
@@ -278,7 +285,9 @@ static void begin_round(settling *s) {
 static bool index_mesh(settling *s) {
   const vs_mesh *m = s->m;
   size_t n = m->vertex_count, triangles = m->triangle_count;
-  if (!VS_ROOM(s->k, s->fans.at, s->fans.room, n + 1) || !VS_ROOM(s->k, s->around.at, s->around.room, 3 * triangles + 1)) return false;
+  if (!VS_ROOM(s->k, s->fans.at, s->fans.room, n + 1) ||
+      !VS_ROOM(s->k, s->around.at, s->around.room, 3 * triangles + 1))
+    return false;
   memset(s->fans.at, 0, (n + 1) * sizeof *s->fans.at);
   memset(s->listed.at, 0, triangles);
   memset(s->gone.at, 0, triangles);
@@ -335,11 +344,14 @@ static bool allowed(const settling *s, uint32_t a, uint32_t b) {
       both++;
       continue;
     }
-    if (is_neighbour(s, a, p)) common++; /* p stands once as the next of b: each neighbour is counted once, but for the two of the edge's triangles */
-    vs_vec3 before = normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]), after = normal(to, s->m->vertices[p], s->m->vertices[q]);
+    if (is_neighbour(s, a, p)) common++; /* p stands once as the next of b: each neighbour is counted once, but for the
+                                          * two of the edge's triangles */
+    vs_vec3 before = normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]),
+            after = normal(to, s->m->vertices[p], s->m->vertices[q]);
     if (vs_v3_dot(before, after) < 0 && !vs_settling_is_noise(s, other)) return false; /* noise may turn */
   }
-  /* around b, next corners: a, then p of each other triangle; the two apexes are neighbours of a, and one of them is counted above */
+  /* around b, next corners: a, then p of each other triangle; the two apexes are neighbours of a, and one of them is
+   * counted above */
   bool tetrahedron = s->fans.at[a].count == 3 && s->fans.at[b].count == 3; /* would become two sheets on each other */
   return both == 2 && common == 1 && !tetrahedron;
 }
@@ -347,14 +359,16 @@ static bool allowed(const settling *s, uint32_t a, uint32_t b) {
 /* ---- thin triangles ---- */
 
 static double height(vs_vec3 a, vs_vec3 b, vs_vec3 c) { /* the least of three */
-  double longest = fmax(vs_v3_length(vs_v3_sub(b, a)), fmax(vs_v3_length(vs_v3_sub(c, b)), vs_v3_length(vs_v3_sub(a, c))));
+  double longest =
+      fmax(vs_v3_length(vs_v3_sub(b, a)), fmax(vs_v3_length(vs_v3_sub(c, b)), vs_v3_length(vs_v3_sub(a, c))));
   return longest > 0 ? vs_v3_length(normal(a, b, c)) / longest : 0;
 }
 
 static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(n, normal(a, b, c)) > 0; }
 
-/* A triangle lower than rounding moves its corners may turn over. Its longest edge is given to its top instead: the neighbour behind that edge is cut in two there,
- * and what was thin is gone. Neither may become as thin, or turn over, before or after rounding. */
+/* A triangle lower than rounding moves its corners may turn over. Its longest edge is given to its top instead: the
+ * neighbour behind that edge is cut in two there, and what was thin is gone. Neither may become as thin, or turn over,
+ * before or after rounding. */
 static bool flip(settling *s, uint32_t t) {
   vs_mesh *m = s->m;
   const uint32_t *v = m->triangles[t];
@@ -368,12 +382,15 @@ static bool flip(settling *s, uint32_t t) {
       if (w[j] == q && w[(j + 1) % 3] == p) other = around(s, p)[i], far = w[(j + 2) % 3];
   }
   const uint8_t *busy = s->busy.at;
-  if (other == UINT32_MAX || far == top || busy[p] || busy[q] || busy[top] || busy[far] || is_neighbour(s, top, far)) return false;
+  if (other == UINT32_MAX || far == top || busy[p] || busy[q] || busy[top] || busy[far] || is_neighbour(s, top, far))
+    return false;
   const vs_vec3 *x = m->vertices;
-  vs_vec3 before = normal(x[q], x[p], x[far]), rp = corner(s, p), rq = corner(s, q), rt = corner(s, top), rf = corner(s, far);
+  vs_vec3 before = normal(x[q], x[p], x[far]), rp = corner(s, p), rq = corner(s, q), rt = corner(s, top),
+          rf = corner(s, far);
   if (!same_side(before, x[p], x[far], x[top]) || !same_side(before, x[far], x[q], x[top])) return false;
   if (!same_side(before, rp, rf, rt) || !same_side(before, rf, rq, rt)) return false;
-  double old = fmin(height(x[p], x[q], x[top]), height(x[q], x[p], x[far])), now = fmin(height(x[p], x[far], x[top]), height(x[far], x[q], x[top]));
+  double old = fmin(height(x[p], x[q], x[top]), height(x[q], x[p], x[far])),
+         now = fmin(height(x[p], x[far], x[top]), height(x[far], x[q], x[top]));
   if (now <= old) return false;
   uint32_t one[3] = { p, far, top }, two[3] = { far, q, top };
   memcpy(m->triangles[t], one, sizeof one);
@@ -437,7 +454,9 @@ static bool collapse_round(settling *s, size_t *done) {
     if (!vs_kernel_poll(s->k, 1)) return false;
     for (int j = 0; j < 3 && !s->gone.at[t]; j++) {
       uint32_t a = m->triangles[t][j], b = m->triangles[t][(j + 1) % 3], low = a < b ? a : b, high = a < b ? b : a;
-      if (s->busy.at[a] || s->busy.at[b] || !(too_short(s, a, b) || (unsure(s, a, b) && bent(s, t))) || !allowed(s, low, high)) continue;
+      if (s->busy.at[a] || s->busy.at[b] || !(too_short(s, a, b) || (unsure(s, a, b) && bent(s, t))) ||
+          !allowed(s, low, high))
+        continue;
       if (!collapse(s, low, high)) return false;
       ++*done;
     }
@@ -447,10 +466,12 @@ static bool collapse_round(settling *s, size_t *done) {
 
 /* ---- blades ---- */
 
-static bool is_blade(const settling *s, const vs_shell *of) { return fabs(of->volume) < of->area * unit(of->reach, s->numbers); }
+static bool is_blade(const settling *s, const vs_shell *of) {
+  return fabs(of->volume) < of->area * unit(of->reach, s->numbers);
+}
 
-/* Shells that are thinner than two units all over, and that rounding bends, would be sheets on sheets: they go, unless nothing else is there. (A thin plate far from the
- * origin, along the axes, stays as it is.) False: out of memory. */
+/* Shells that are thinner than two units all over, and that rounding bends, would be sheets on sheets: they go, unless
+ * nothing else is there. (A thin plate far from the origin, along the axes, stays as it is.) False: out of memory. */
 static bool drop_blades(settling *s, vs_settled *out) {
   vs_mesh *m = s->m;
   vs_shells shells;
@@ -506,9 +527,9 @@ static bool is_met(const settling *s, uint32_t t) { /* near one that meets anoth
   return s->near_met.at[v[0]] || s->near_met.at[v[1]] || s->near_met.at[v[2]];
 }
 
-/* Corners within a few units of each other, joined by edges of triangles that rounding bends (or all) near where something meets, become one; what then is an
- * edge, or two sheets on each other, goes. A map of corners keeps a closed chain closed, but it need not be a manifold by index any more: for formats without
- * indices. False: out of memory. */
+/* Corners within a few units of each other, joined by edges of triangles that rounding bends (or all) near where
+ * something meets, become one; what then is an edge, or two sheets on each other, goes. A map of corners keeps a closed
+ * chain closed, but it need not be a manifold by index any more: for formats without indices. False: out of memory. */
 static bool contract(settling *s, double near_units, bool all, size_t *count) {
   vs_mesh *m = s->m;
   size_t sheets_count = 0;
@@ -517,15 +538,19 @@ static bool contract(settling *s, double near_units, bool all, size_t *count) {
   sheet *sheets = malloc((m->triangle_count + 1) * sizeof *sheets);
   bool ok = parent && boxes && sheets;
   *count = 0;
-  for (uint32_t v = 0; ok && v < m->vertex_count; v++) parent[v] = v, boxes[v] = (vs_bounds){ m->vertices[v], m->vertices[v] };
+  for (uint32_t v = 0; ok && v < m->vertex_count; v++)
+    parent[v] = v, boxes[v] = (vs_bounds){ m->vertices[v], m->vertices[v] };
   for (uint32_t t = 0; ok && t < m->triangle_count; t++)
     for (int j = 0; is_met(s, t) && (bent(s, t) || all) && j < 3; j++) {
-      uint32_t a = vs_find(parent, m->triangles[t][j]), b = vs_find(parent, m->triangles[t][(j + 1) % 3]), low = a < b ? a : b, high = a < b ? b : a;
+      uint32_t a = vs_find(parent, m->triangles[t][j]), b = vs_find(parent, m->triangles[t][(j + 1) % 3]),
+               low = a < b ? a : b, high = a < b ? b : a;
       vs_vec3 p = m->vertices[m->triangles[t][j]], q = m->vertices[m->triangles[t][(j + 1) % 3]];
       double step = unit(fmax(reach(p), reach(q)), s->numbers);
       vs_bounds both = boxes[a];
       vs_bounds_unite(&both, &boxes[b]);
-      if (a == b || vs_v3_length(vs_v3_sub(p, q)) >= near_units * step || vs_bounds_diagonal(&both) >= 3 * near_units * step) continue;
+      if (a == b || vs_v3_length(vs_v3_sub(p, q)) >= near_units * step ||
+          vs_bounds_diagonal(&both) >= 3 * near_units * step)
+        continue;
       parent[high] = low;
       boxes[low] = both;
       ++*count;
@@ -546,9 +571,12 @@ static bool contract(settling *s, double near_units, bool all, size_t *count) {
   if (sheets_count) qsort(sheets, sheets_count, sizeof *sheets, sheet_order);
   for (size_t i = 0, end; i < sheets_count; i = end) { /* of one place: as many of either side go */
     size_t even = i, odd;
-    for (end = i; end < sheets_count && memcmp(sheets[end].corner, sheets[i].corner, sizeof sheets[i].corner) == 0; end++) even += !sheets[end].odd;
+    for (end = i; end < sheets_count && memcmp(sheets[end].corner, sheets[i].corner, sizeof sheets[i].corner) == 0;
+         end++)
+      even += !sheets[end].odd;
     odd = even;
-    for (size_t j = i; j < even && odd < end; j++, odd++) s->gone.at[sheets[j].triangle] = s->gone.at[sheets[odd].triangle] = 1;
+    for (size_t j = i; j < even && odd < end; j++, odd++)
+      s->gone.at[sheets[j].triangle] = s->gone.at[sheets[odd].triangle] = 1;
   }
   if (ok && *count) squeeze(s);
   free(parent);
@@ -592,8 +620,10 @@ static bool settle(vs_settling *s, vs_settled *out) {
   s->coarsest = 2 * unit(larger(reach(s->bounds.min), reach(s->bounds.max)), s->numbers);
   if (!find_look(s, &any)) return false;
   if (!any && s->level) return true;
-  if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->near_met.at, s->near_met.room, n + 1) || !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1) ||
-      !VS_ROOM(s->k, s->listed.at, s->listed.room, m->triangle_count + 1) || !VS_ROOM(s->k, s->changed.at, s->changed.room, m->triangle_count + 1))
+  if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->near_met.at, s->near_met.room, n + 1) ||
+      !VS_ROOM(s->k, s->gone.at, s->gone.room, m->triangle_count + 1) ||
+      !VS_ROOM(s->k, s->listed.at, s->listed.room, m->triangle_count + 1) ||
+      !VS_ROOM(s->k, s->changed.at, s->changed.room, m->triangle_count + 1))
     return false;
   memset(s->changed.at, 0, m->triangle_count);
   memset(s->near_met.at, 0, n);
@@ -633,10 +663,14 @@ static bool settle(vs_settling *s, vs_settled *out) {
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
 }
 
-bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_settled *out, vs_kernel_error *error) {
+bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_settled *out,
+                    vs_kernel_error *error) {
   enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
   vs_kernel_error ignored;
-  vs_kernel k = { .options = options, .error = error ? error : &ignored, .threads = m->triangle_count < SERIAL ? 1 : vs_kernel_threads(options), .done = 1 };
+  vs_kernel k = { .options = options,
+                  .error = error ? error : &ignored,
+                  .threads = m->triangle_count < SERIAL ? 1 : vs_kernel_threads(options),
+                  .done = 1 };
   bool places = numbers == VS_NUMBERS_SOUP;
   vs_settling s = { .k = &k, .m = m, .numbers = places ? VS_NUMBERS_SINGLE : numbers, .places = places };
   *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };

@@ -1,25 +1,34 @@
-/* Owns what rounding to a format's numbers does to a mesh that was exact: edges that become too short for them go, the rest is counted. */
+/* Owns what rounding to a format's numbers does to a mesh that was exact: edges that become too short for them go, the
+ * rest is counted. */
 #ifndef VS_KERNEL_SETTLE_H
 #define VS_KERNEL_SETTLE_H
 
 #include "kernel/kernel_options.h"
 #include "kernel/problem.h"
 
-typedef enum { VS_NUMBERS_DOUBLE, VS_NUMBERS_DIGITS /* 12 significant */, VS_NUMBERS_SINGLE /* 32 bits */, VS_NUMBERS_SOUP /* the same, without indices */ } vs_numbers;
+typedef enum {
+  VS_NUMBERS_DOUBLE,
+  VS_NUMBERS_DIGITS /* 12 significant */,
+  VS_NUMBERS_SINGLE /* 32 bits */,
+  VS_NUMBERS_SOUP /* the same, without indices */
+} vs_numbers;
 
 typedef struct {
   size_t collapsed;       /* edges */
   size_t flipped;         /* edges, of triangles lower than rounding moves their corners */
-  size_t met;             /* triangles that, rounded, may meet others near where edges were too short or triangles too low; as far as doubles can tell */
+  size_t met;             /* triangles that, rounded, may meet others near where edges were too short or triangles too
+                           * low; as far as doubles can tell */
   vs_vec3 at;             /* of the first of them */
   size_t dropped;         /* shells thinner than the numbers tell apart */
   vs_vec3 dropped_at;
 } vs_settled;
 
-/* Collapses edges of less than two units of the last place, where both the surface's kind and every triangle's side allow it, and flips the longest edges of triangles
- * that are lower than that, in at most three rounds.
- * m: closed and manifold by index; stays so, but for SOUP, where a closed chain is all that counts. Its corners stay doubles: rounding them is the writer's.
- * options and error may be NULL. False: out of memory, or interrupted; m is not to be used then. */
-bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_settled *out, vs_kernel_error *error);
+/* Collapses edges of less than two units of the last place, where both the surface's kind and every triangle's side
+ * allow it, and flips the longest edges of triangles that are lower than that, in at most three rounds.
+ * m: closed and manifold by index; stays so, but for SOUP, where a closed chain is all that counts. Its corners stay
+ * doubles: rounding them is the writer's. options and error may be NULL. False: out of memory, or interrupted; m is not
+ * to be used then. */
+bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_settled *out,
+                    vs_kernel_error *error);
 
 #endif

@@ -19,11 +19,13 @@ typedef struct {
   bool places;
   vs_bounds bounds;
   double coarsest;         /* two units where the mesh reaches furthest */
-  VS_LIST(vs_storey) storeys; /* those of the mesh, by axis and value, each once; none where two of them are less than two units apart */
+  VS_LIST(vs_storey) storeys; /* those of the mesh, by axis and value, each once; none where two of them are less than
+                               * two units apart */
   bool level;              /* every triangle lies in one of them */
   VS_LIST(vs_fan) fans;    /* of a vertex: its triangles that are not gone, into around */
   VS_LIST(uint32_t) around;
-  VS_LIST(uint32_t) look;  /* in order: triangles that may be thin, or have an edge that is too short: all that are, and what has changed since */
+  VS_LIST(uint32_t) look;  /* in order: triangles that may be thin, or have an edge that is too short: all that are, and
+                            * what has changed since */
   VS_LIST(uint8_t) busy;   /* of a vertex: something near it has changed in this round */
   VS_LIST(uint8_t) gone;   /* of a triangle: 1; numbers stay until the end */
   VS_LIST(uint8_t) listed; /* of a triangle: 1: in look; 2: counted among those met */

@@ -1,17 +1,23 @@
 /* Owns the search for triangles that rounding has made meet, anywhere in the mesh.
  *
- * Triangles that rounding makes cross lie within some units of each other before. Where two sheets of a surface that does not meet itself are that near, there are two that look
- * away from each other, or across: between sheets that look the same way there is another, and where they end beside each other, so do the walls at their ends. Therefore
- * triangles that look the same way are not tried, which are nearly all that touch: the triangles of one plane, and neighbours on what is round. Triangles lower than some
- * units are tried against everything, for which way they look is chance; and so are those that settling has given other corners, since the sheet between two
- * others, or the way between two planes, may be what it took away.
- *   run      up to 16 triangles that stand in a row in the mesh, touch, and look the same way but for 15 degrees; or a low one by itself
- *   slab     the stretch along a run's middle normal in which all its corners lie
- *   level    of runs: in a plane across an axis; the others are open. Such a plane stays one when each coordinate is rounded by itself, and coordinates keep
- *            their order: so two that are level do not come to cross, and what is in a level run's plane stays there. (Where two such planes are less than
- *            two units apart, nothing counts as level.) A mesh's planes of that kind are its storeys
- * The index has the open runs' boxes; those that a storey may touch or go through have one of their own, for what is level. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share. Of the rest the
- * pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and planes, and apart.c has what these do not tell. */
+ * Triangles that rounding makes cross lie within some units of each other before. Where two sheets of a surface that
+ * does not meet itself are that near, there are two that look away from each other, or across: between sheets that look
+ * the same way there is another, and where they end beside each other, so do the walls at their ends. Therefore
+ * triangles that look the same way are not tried, which are nearly all that touch: the triangles of one plane, and
+ * neighbours on what is round. Triangles lower than some units are tried against everything, for which way they look is
+ * chance; and so are those that settling has given other corners, since the sheet between two others, or the way
+ * between two planes, may be what it took away.
+ *   run      up to 16 triangles that stand in a row in the mesh, touch, and look the same way but for 15 degrees; or a
+ *   low one by itself slab     the stretch along a run's middle normal in which all its corners lie
+ *   level    of runs: in a plane across an axis; the others are open. Such a plane stays one when each coordinate is
+ *   rounded by itself, and coordinates keep
+ *            their order: so two that are level do not come to cross, and what is in a level run's plane stays there.
+ *            (Where two such planes are less than two units apart, nothing counts as level.) A mesh's planes of that
+ *            kind are its storeys
+ * The index has the open runs' boxes; those that a storey may touch or go through have one of their own, for what is
+ * level. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share.
+ * Of the rest the pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and
+ * planes, and apart.c has what these do not tell. */
 #include "kernel/mesh/triangles_apart.h"
 #include "kernel/mesh/triangles_meet.h"
 #include "kernel/mesh/bvh.h"
@@ -34,12 +40,14 @@ typedef struct {
 
 typedef float floats __attribute__((vector_size(16)));
 typedef int32_t truths __attribute__((vector_size(16)));
-typedef struct { floats x, y, z; uint32_t corner[4]; } corners; /* four of a run's, as seen from the mesh's middle; the last one again where there are fewer */
+typedef struct { floats x, y, z; uint32_t corner[4]; } corners; /* four of a run's, as seen from the mesh's middle; the
+                                                                 * last one again where there are fewer */
 enum { FOURS = (3 * RUN + 3) / 4 };
 
 typedef struct {
   uint32_t first, first_four, first_place;
-  uint8_t count, fours;          /* of triangles; of corners, by fours; of places there are three a triangle: which of the corners */
+  uint8_t count, fours;          /* of triangles; of corners, by fours; of places there are three a triangle: which of
+                                  * the corners */
   bool is_low;                   /* one triangle, a low one */
   uint8_t is_changed;            /* its triangles' mark (VS_CHANGED ...), which is one */
   bool busy;                     /* open, and goes through a storey or nearly touches one */
@@ -114,10 +122,13 @@ static bool beside(const sheet *a, const sheet *b) {
   int unsure = 0;
   for (int i = 0; i < 3; i++) {
     vs_vec3 d = vs_v3_sub(b->at[i], a->at[0]);
-    double x = vs_v3_dot(a->normal, d), sure = 1e-14 * (a->size.x * fabs(d.x) + a->size.y * fabs(d.y) + a->size.z * fabs(d.z));
+    double x = vs_v3_dot(a->normal, d),
+           sure = 1e-14 * (a->size.x * fabs(d.x) + a->size.y * fabs(d.y) + a->size.z * fabs(d.z));
     if (x > sure) above = true;
     else if (x < -sure) below = true;
-    else if (unsure++, !vs_v3_equal(b->at[i], a->at[0]) && !vs_v3_equal(b->at[i], a->at[1]) && !vs_v3_equal(b->at[i], a->at[2])) return false;
+    else if (unsure++,
+             !vs_v3_equal(b->at[i], a->at[0]) && !vs_v3_equal(b->at[i], a->at[1]) && !vs_v3_equal(b->at[i], a->at[2]))
+      return false;
   }
   return above != below && unsure < 3;
 }
@@ -131,7 +142,8 @@ static bool apart(const sheet *a, const sheet *b) {
 
 /* ---- runs ---- */
 
-typedef struct { vs_vec3 at[3], normal; vs_bounds box; double longest, height; bool low; } facet; /* longest edge, least height: squares */
+/* longest edge, least height: squares */
+typedef struct { vs_vec3 at[3], normal; vs_bounds box; double longest, height; bool low; } facet;
 
 static facet facet_of(const search *c, uint32_t t) {
   facet f;
@@ -147,7 +159,8 @@ static facet facet_of(const search *c, uint32_t t) {
 }
 
 static bool bounds_touch(const vs_bounds *a, const vs_bounds *b) {
-  return (a->min.x <= b->max.x) & (b->min.x <= a->max.x) & (a->min.y <= b->max.y) & (b->min.y <= a->max.y) & (a->min.z <= b->max.z) & (b->min.z <= a->max.z);
+  return (a->min.x <= b->max.x) & (b->min.x <= a->max.x) & (a->min.y <= b->max.y) & (b->min.y <= a->max.y) &
+         (a->min.z <= b->max.z) & (b->min.z <= a->max.z);
 }
 
 /* Do the normals differ by less than 15 degrees? */
@@ -158,9 +171,11 @@ static bool alike(vs_vec3 a, vs_vec3 b) {
 
 static vs_box box_of(const search *c, const vs_bounds *w) {
   double wide = 2 * c->s->coarsest, scale = 1 / c->step;
-  vs_vec3 low = vs_v3_scale(vs_v3_sub(w->min, c->middle), scale), high = vs_v3_scale(vs_v3_sub(w->max, c->middle), scale);
+  vs_vec3 low = vs_v3_scale(vs_v3_sub(w->min, c->middle), scale),
+          high = vs_v3_scale(vs_v3_sub(w->max, c->middle), scale);
   int32_t more = (int32_t)(wide * scale) + 1;
-  return (vs_box){ { (int32_t)low.x - more, (int32_t)low.y - more, (int32_t)low.z - more }, { (int32_t)high.x + more, (int32_t)high.y + more, (int32_t)high.z + more } };
+  return (vs_box){ { (int32_t)low.x - more, (int32_t)low.y - more, (int32_t)low.z - more },
+                   { (int32_t)high.x + more, (int32_t)high.y + more, (int32_t)high.z + more } };
 }
 
 /* The parts of a run, until it ends; its corners, nearly all of them once. */
@@ -179,14 +194,17 @@ static bool gather(vs_kernel *k, const search *c, uint32_t t, const facet *f, ma
       n = g->last[v & 63] = g->count++;
       vs_vec3 at = vs_v3_sub(f->at[i], c->middle);
       corners *p = &g->four[n / 4];
-      for (uint32_t j = n % 4; j < 4; j++) p->x[j] = (float)at.x, p->y[j] = (float)at.y, p->z[j] = (float)at.z, p->corner[j] = v;
+      for (uint32_t j = n % 4; j < 4; j++)
+        p->x[j] = (float)at.x, p->y[j] = (float)at.y, p->z[j] = (float)at.z, p->corner[j] = v;
     }
     if (!VS_PUSH(k, to->places, (uint8_t)n)) return false;
   }
   return true;
 }
 
-static floats heights(const run *r, const corners *p) { return r->normal[0] * p->x + r->normal[1] * p->y + r->normal[2] * p->z; }
+static floats heights(const run *r, const corners *p) {
+  return r->normal[0] * p->x + r->normal[1] * p->y + r->normal[2] * p->z;
+}
 
 static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
@@ -230,10 +248,15 @@ static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
   }
   r->low -= c->margin;
   r->high += c->margin;
-  r->level = r->is_low || r->is_changed ? NOT_LEVEL : b->min.x == b->max.x ? 0 : b->min.y == b->max.y ? 1 : b->min.z == b->max.z ? 2 : NOT_LEVEL;
+  r->level = r->is_low || r->is_changed ? NOT_LEVEL
+             : b->min.x == b->max.x     ? 0
+             : b->min.y == b->max.y     ? 1
+             : b->min.z == b->max.z     ? 2
+                                        : NOT_LEVEL;
   r->value = coordinate(b->min, r->level);
   size_t storey = r->level == NOT_LEVEL ? 0 : vs_settling_storey(c->s, r->level, r->value);
-  if (r->level != NOT_LEVEL && (storey == c->s->storeys.count || c->s->storeys.at[storey].value != r->value)) r->level = NOT_LEVEL;
+  if (r->level != NOT_LEVEL && (storey == c->s->storeys.count || c->s->storeys.at[storey].value != r->value))
+    r->level = NOT_LEVEL;
   r->busy = r->level == NOT_LEVEL && is_busy(c, r, b, g->four);
   runs *kind = &to->kinds[r->level == NOT_LEVEL ? OPEN : LEVEL];
   return VS_PUSH(k, kind->at, *r) && VS_PUSH(k, kind->boxes, box_of(c, b));
@@ -242,7 +265,8 @@ static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
 static bool make_runs(vs_kernel *k, void *context, size_t index) {
   search *c = context;
   made *to = &c->found[index % VS_PIPELINE_WINDOW];
-  size_t count = c->s->m->triangle_count, begin = index * TRIANGLES, end = count - begin < TRIANGLES ? count : begin + TRIANGLES;
+  size_t count = c->s->m->triangle_count, begin = index * TRIANGLES,
+         end = count - begin < TRIANGLES ? count : begin + TRIANGLES;
   making g;
   run *r = &g.r;
   r->count = 0;
@@ -276,7 +300,8 @@ static bool make_runs(vs_kernel *k, void *context, size_t index) {
 
 static bool take_kind(vs_kernel *k, const made *all, runs *to, const runs *from) {
   size_t n = to->at.count, more = from->at.count;
-  if (!VS_ROOM(k, to->at.at, to->at.room, n + more + 1) || !VS_ROOM(k, to->boxes.at, to->boxes.room, n + more + 1)) return false;
+  if (!VS_ROOM(k, to->at.at, to->at.room, n + more + 1) || !VS_ROOM(k, to->boxes.at, to->boxes.room, n + more + 1))
+    return false;
   for (size_t i = 0; i < more; i++) {
     run r = from->at.at[i];
     r.first_four += (uint32_t)all->fours.count;
@@ -292,10 +317,14 @@ static bool take_runs(vs_kernel *k, void *context, size_t index) {
   search *c = context;
   made *from = &c->found[index % VS_PIPELINE_WINDOW], *to = &c->all;
   for (size_t i = 0; i < from->kinds[OPEN].at.count; i++)
-    if (from->kinds[OPEN].at.at[i].busy && (!VS_PUSH(k, c->busy, (uint32_t)(to->kinds[OPEN].at.count + i)) || !VS_PUSH(k, c->busy_boxes, from->kinds[OPEN].boxes.at[i]))) return false;
+    if (from->kinds[OPEN].at.at[i].busy && (!VS_PUSH(k, c->busy, (uint32_t)(to->kinds[OPEN].at.count + i)) ||
+                                            !VS_PUSH(k, c->busy_boxes, from->kinds[OPEN].boxes.at[i])))
+      return false;
   size_t fours = to->fours.count, places = to->places.count;
-  if (!take_kind(k, to, &to->kinds[OPEN], &from->kinds[OPEN]) || !take_kind(k, to, &to->kinds[LEVEL], &from->kinds[LEVEL]) ||
-      !VS_ROOM(k, to->fours.at, to->fours.room, fours + from->fours.count + 1) || !VS_ROOM(k, to->places.at, to->places.room, places + from->places.count + 1))
+  if (!take_kind(k, to, &to->kinds[OPEN], &from->kinds[OPEN]) ||
+      !take_kind(k, to, &to->kinds[LEVEL], &from->kinds[LEVEL]) ||
+      !VS_ROOM(k, to->fours.at, to->fours.room, fours + from->fours.count + 1) ||
+      !VS_ROOM(k, to->places.at, to->places.room, places + from->places.count + 1))
     return false;
   if (from->fours.count) memcpy(to->fours.at + fours, from->fours.at, from->fours.count * sizeof *from->fours.at);
   if (from->places.count) memcpy(to->places.at + places, from->places.at, from->places.count);
@@ -334,12 +363,13 @@ static uint32_t place_of(const search *c, const run *r, uint32_t corner) {
 static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /* by places */
   const uint8_t *place = c->all.places.at + r->first_place;
   for (uint32_t t = 0; t < r->count; t++, place += 3)
-    if ((place[0] == p || place[1] == p || place[2] == p) && (place[0] == q || place[1] == q || place[2] == q)) return true;
+    if ((place[0] == p || place[1] == p || place[2] == p) && (place[0] == q || place[1] == q || place[2] == q))
+      return true;
   return false;
 }
 
-/* Does b fall away from an edge or corner that it shares with a, by more than rounding may lift a corner, before a's next triangle begins?
- * Over a low triangle of a it comes not far, and less where it is not steep. */
+/* Does b fall away from an edge or corner that it shares with a, by more than rounding may lift a corner, before a's
+ * next triangle begins? Over a low triangle of a it comes not far, and less where it is not steep. */
 static bool falls_away(const search *c, const run *a, const run *b) {
   float enough = STEEP * (float)c->s->coarsest * b->longest, least = INFINITY;
   if (a->height * c->margin >= enough) return true; /* nearly all do */
@@ -354,7 +384,8 @@ static bool falls_away(const search *c, const run *a, const run *b) {
   return a->height * (least + c->margin) >= enough;
 }
 
-/* Are b's corners beyond a's slab, on one side, but for what they share: corners, and edges between them? In a level run's plane anything may lie, for it stays there. */
+/* Are b's corners beyond a's slab, on one side, but for what they share: corners, and edges between them? In a level
+ * run's plane anything may lie, for it stays there. */
 static bool beyond(const search *c, const run *a, const run *b) {
   uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: which of a's corners one of b's is */
   uint64_t shared = 0;
@@ -370,7 +401,8 @@ static bool beyond(const search *c, const run *a, const run *b) {
       uint32_t at = 4 * i + (uint32_t)__builtin_ctz(within), corner = four[i].corner[at % 4];
       touches = true;
       slopes = slopes || a->level == NOT_LEVEL;
-      if (a->level != NOT_LEVEL && !b->is_changed && coordinate(c->s->m->vertices[corner], a->level) == a->value) continue;
+      if (a->level != NOT_LEVEL && !b->is_changed && coordinate(c->s->m->vertices[corner], a->level) == a->value)
+        continue;
       if ((in[at] = place_of(c, a, corner)) == NOT_ITS) return false;
       shared |= UINT64_C(1) << at;
     }
@@ -405,7 +437,8 @@ static void add_through(piece *p, const corners *four, const float *h, uint32_t 
   uint32_t x = i % 4, y = j % 4;
   if ((h[i] < height) == (h[j] < height)) return;
   float part = (height - h[i]) / (h[j] - h[i]);
-  add_place(p, a->x[x] + part * (b->x[y] - a->x[x]), a->y[x] + part * (b->y[y] - a->y[x]), a->z[x] + part * (b->z[y] - a->z[x]));
+  add_place(p, a->x[x] + part * (b->x[y] - a->x[x]), a->y[x] + part * (b->y[y] - a->y[x]),
+            a->z[x] + part * (b->z[y] - a->z[x]));
 }
 
 /* The pieces of a run in another's slab. */
@@ -419,14 +452,17 @@ static uint32_t cut(const search *c, const run *r, const run *slab, piece *to) {
     memcpy(h + 4 * i, &of, sizeof of);
   }
   for (uint32_t t = 0; t < r->count; t++, place += 3) {
-    if ((h[place[0]] > high && h[place[1]] > high && h[place[2]] > high) || (h[place[0]] < low && h[place[1]] < low && h[place[2]] < low)) continue;
+    if ((h[place[0]] > high && h[place[1]] > high && h[place[2]] > high) ||
+        (h[place[0]] < low && h[place[1]] < low && h[place[2]] < low))
+      continue;
     piece *p = &to[count++];
     p->triangle = r->first + t;
     p->made = false;
     for (int i = 0; i < 3; i++) p->min[i] = INFINITY, p->max[i] = -INFINITY;
     for (int i = 0; i < 3; i++) {
       uint32_t at = place[i], next = place[i == 2 ? 0 : i + 1];
-      if (h[at] >= low && h[at] <= high) add_place(p, four[at / 4].x[at % 4], four[at / 4].y[at % 4], four[at / 4].z[at % 4]);
+      if (h[at] >= low && h[at] <= high)
+        add_place(p, four[at / 4].x[at % 4], four[at / 4].y[at % 4], four[at / 4].z[at % 4]);
       add_through(p, four, h, at, next, low);
       add_through(p, four, h, at, next, high);
     }
@@ -436,7 +472,8 @@ static uint32_t cut(const search *c, const run *r, const run *slab, piece *to) {
 }
 
 static bool pieces_touch(const piece *a, const piece *b) {
-  return (a->min[0] <= b->max[0]) & (b->min[0] <= a->max[0]) & (a->min[1] <= b->max[1]) & (b->min[1] <= a->max[1]) & (a->min[2] <= b->max[2]) & (b->min[2] <= a->max[2]);
+  return (a->min[0] <= b->max[0]) & (b->min[0] <= a->max[0]) & (a->min[1] <= b->max[1]) & (b->min[1] <= a->max[1]) &
+         (a->min[2] <= b->max[2]) & (b->min[2] <= a->max[2]);
 }
 
 static const sheet *sheet_of(const search *c, piece *p) {
@@ -480,7 +517,8 @@ static bool try_runs(looking *l, const run *a, const run *b) {
 static bool look_pair(looking *l, const run *a, const run *b) {
   if (!vs_kernel_poll(l->k, 1)) return false;
   float same = a->normal[0] * b->normal[0] + a->normal[1] * b->normal[1] + a->normal[2] * b->normal[2];
-  return (same > ALIKE && !a->is_low && !b->is_low && !a->is_changed && !b->is_changed) || beyond(l->c, a, b) || beyond(l->c, b, a) || try_runs(l, a, b);
+  return (same > ALIKE && !a->is_low && !b->is_low && !a->is_changed && !b->is_changed) || beyond(l->c, a, b) ||
+         beyond(l->c, b, a) || try_runs(l, a, b);
 }
 
 static bool look_open(void *context, uint32_t first, uint32_t second) {
@@ -512,7 +550,8 @@ static bool reach_of(vs_kernel *k, search *c, const run *r) {
 static bool is_busy_at(const search *c, const reach *r, int axis, double value) {
   double low = r->low[axis], high = r->high[axis];
   if (r->any) return true;
-  if (value == low || value == high) return (value == low && r->near_low[axis]) || (value == high && r->near_high[axis]);
+  if (value == low || value == high)
+    return (value == low && r->near_low[axis]) || (value == high && r->near_high[axis]);
   return low - value <= c->margin && value - high <= c->margin;
 }
 
@@ -548,7 +587,9 @@ static bool look(vs_kernel *k, void *context, size_t index) {
   looking l = { k, c, index % VS_PIPELINE_WINDOW, NULL };
   size_t open = open_tasks(c), begin = (index - open) * QUERIES, end = begin + QUERIES;
   c->met[l.at].at.count = 0;
-  if (index < open) return vs_bvh_pairs(&c->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look_open, &l) && vs_kernel_report(k, 1);
+  if (index < open)
+    return vs_bvh_pairs(&c->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look_open, &l) &&
+           vs_kernel_report(k, 1);
   for (size_t i = begin; i < level->at.count && i < end; i++) {
     l.level = &level->at.at[i];
     if (!vs_bvh_query(&c->busy_bvh, &level->boxes.at[i], look_level, &l)) return false;
@@ -596,17 +637,24 @@ bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
   vs_kernel *k = s->k;
   vs_vec3 size = vs_v3_sub(s->bounds.max, s->bounds.min);
   double extent = fmax(fmax(size.x, fmax(size.y, size.z)), 4 * s->coarsest);
-  search c = { .s = s, .out = out, .middle = vs_v3_scale(vs_v3_add(s->bounds.min, s->bounds.max), 0.5), .step = extent > 0 ? extent * 0x1p-28 : 1,
-               .low = LOW * s->coarsest, .margin = (float)(MARGIN * s->coarsest + 16 * 0x1p-24 * extent) };
+  search c = { .s = s,
+               .out = out,
+               .middle = vs_v3_scale(vs_v3_add(s->bounds.min, s->bounds.max), 0.5),
+               .step = extent > 0 ? extent * 0x1p-28 : 1,
+               .low = LOW * s->coarsest,
+               .margin = (float)(MARGIN * s->coarsest + 16 * 0x1p-24 * extent) };
   const runs *level = &c.all.kinds[LEVEL], *open = &c.all.kinds[OPEN];
   out->met = 0;
   for (size_t t = 0; t < s->m->triangle_count; t++) s->listed.at[t] &= 1;
-  vs_fans fans = { (const uint32_t (*)[3])s->m->triangles, s->m->triangle_count, s->m->vertex_count, s->gone.at, rounded_corner, s };
+  vs_fans fans = {
+    (const uint32_t(*)[3])s->m->triangles, s->m->triangle_count, s->m->vertex_count, s->gone.at, rounded_corner, s
+  };
   bool ok = vs_hubs_find(k, &fans, &c.around) &&
       vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) drop_made(k, &c.found[i]);
   for (size_t i = 0; ok && c.around.of.count && i < open->at.count; i++) ok = VS_PUSH(k, c.hubs, open->at.at[i].hub);
-  for (size_t i = 0; ok && i < c.busy.count; i++) ok = vs_kernel_poll(k, 1) && reach_of(k, &c, &open->at.at[c.busy.at[i]]);
+  for (size_t i = 0; ok && i < c.busy.count; i++)
+    ok = vs_kernel_poll(k, 1) && reach_of(k, &c, &open->at.at[c.busy.at[i]]);
   c.bvh.families = c.around.of.count ? c.hubs.at : NULL;
   ok = ok && vs_bvh_build(k, &c.bvh, open->boxes.at, (uint32_t)open->boxes.count) &&
        vs_bvh_build(k, &c.busy_bvh, c.busy_boxes.at, (uint32_t)c.busy.count) &&

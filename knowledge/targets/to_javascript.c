@@ -1,8 +1,8 @@
 /* Owns programs in JavaScript: modules for three.js.
  *
  * Solids are values there, lists of flat faces; the drawing becomes a group of meshes of three.js. Procedures are
- * functions and see what is around them. A function that calls itself only at its end becomes a loop, since JavaScript's stack
- * is short. */
+ * functions and see what is around them. A function that calls itself only at its end becomes a loop, since
+ * JavaScript's stack is short. */
 #include "knowledge/targets/to_javascript.h"
 
 #include <stdio.h>

@@ -25,8 +25,8 @@ typedef enum {
   TR_DEFINE, TR_IF, TR_AND, TR_OR, TR_LIST, TR_MAP, TR_WHEN, TR_SET, TR_ABSENT, TR_KEYWORD
 } tr_node_kind;
 
-/* The kind of a value, as far as the text says; plus TR_LIST_OF times how deep the list is. Lists of solids are solids, as
- * wherever the language takes an object. */
+/* The kind of a value, as far as the text says; plus TR_LIST_OF times how deep the list is. Lists of solids are solids,
+ * as wherever the language takes an object. */
 typedef enum {
   TR_UNKNOWN, TR_A_NUMBER, TR_A_BOOLEAN, TR_A_STRING, TR_A_POINT, TR_A_CURVE, TR_A_SOLID, TR_A_PROCEDURE, TR_A_MATERIAL,
   TR_A_PATH, TR_ANYTHING, TR_LIST_OF = 16, TR_DEEPEST = 8

@@ -16,8 +16,8 @@ void tr_lower_values(lowering *l, tr_index parent, know_index names, know_index 
 /* Trouble if the user sets a parameter that the program does not have. */
 void tr_lower_settings(lowering *l);
 
-/* Does the symbol name a procedure of several clauses, (define name (case-lambda ...))? Then *variable is the one for so
- * many arguments, 0: there is none. */
+/* Does the symbol name a procedure of several clauses, (define name (case-lambda ...))? Then *variable is the one for
+ * so many arguments, 0: there is none. */
 bool tr_clause_of(const lowering *l, know_index symbol, uint32_t arguments, tr_index *variable);
 /* (for/fold ((name start) ...) (clause ...) body ...): a loop that calls itself. */
 void tr_lower_fold(lowering *l, know_index n, tr_index into);

@@ -4,7 +4,8 @@
 
 #include "knowledge/translate/core_tree.h"
 
-/* Lowers the program, what it loads included, into t->root. A form that no target has is complained of. False: trouble. */
+/* Lowers the program, what it loads included, into t->root. A form that no target has is complained of. False:
+ * trouble. */
 bool tr_lower(translation *t);
 
 #endif

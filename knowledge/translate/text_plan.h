@@ -39,8 +39,8 @@ void tr_plan_quoted(tr_writer *w, const char *text);
 void tr_plan_number(tr_writer *w, const char *text, int level);
 /* Does all that is planned. */
 void tr_write_planned(tr_writer *w);
-/* Does all that is planned of a statement of the program, whose text begins at out[before]; its comment on the same line
- * comes behind it. */
+/* Does all that is planned of a statement of the program, whose text begins at out[before]; its comment on the same
+ * line comes behind it. */
 void tr_write_statement(tr_writer *w, size_t before, know_index source);
 void tr_put(tr_writer *w, const char *text, size_t length);
 

@@ -93,7 +93,8 @@ static uint64_t hash_of(const vs_cache_key *k) {
 static bool same(const entry *e, uint64_t hash, const vs_cache_key *k) {
   if (e->hash != hash || e->kind != k->kind || e->count != k->count || !e->node != !k->node) return false;
   if (k->count && memcmp(e->block, k->words, k->count * sizeof *k->words) != 0) return false;
-  return e->node == k->node || (e->node->hash == k->node->hash && vs_node_equal(e->node, k->node, NULL)); /* memory ran out: not found, and so made again */
+  /* memory ran out: not found, and so made again */
+  return e->node == k->node || (e->node->hash == k->node->hash && vs_node_equal(e->node, k->node, NULL));
 }
 
 const vs_cached *vs_cache_find(vs_cache *c, const vs_cache_key *key) {
@@ -142,7 +143,8 @@ static bool make_room(vs_cache *c, size_t bytes) {
   return c->stats.bytes <= c->limit - bytes;
 }
 
-/* Sums the bytes of the node and of all nodes under it, which others may hold too. Returns false where they are unknown, or too many to be worth counting. */
+/* Sums the bytes of the node and of all nodes under it, which others may hold too. Returns false where they are
+ * unknown, or too many to be worth counting. */
 static bool node_bytes(vs_node *n, size_t most, size_t *bytes) {
   *bytes = 0;
   if (!n) return true;
@@ -193,11 +195,20 @@ static entry *keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *p
   size_t size = 0, words = (key->count * sizeof *key->words + 15) & ~(size_t)15, held;
   for (size_t i = 0; i < count; i++) size += (pieces[i].size + 15) & ~(size_t)15;
   size_t own = sizeof(entry) + words + size;
-  if (key->node && key->node->flags & VS_NODE_SUGAR) return NULL; /* tickets are the program's: nothing that outlives it may hold one */
-  if (own > c->limit / 2 || !node_bytes(key->node, c->limit / 2, &held) || !make_room(c, own + held) || !grow(c)) return NULL;
+  if (key->node && key->node->flags & VS_NODE_SUGAR) return NULL; /* tickets are the program's: nothing that outlives it
+                                                                   * may hold one */
+  if (own > c->limit / 2 || !node_bytes(key->node, c->limit / 2, &held) || !make_room(c, own + held) || !grow(c))
+    return NULL;
   entry *e = vs_store_realloc(c->store, NULL, 0, own);
   if (!e) return NULL;
-  *e = (entry){ .hash = hash_of(key), .turn = c->turn, .holders = 1, .own = own, .bytes = own + held, .node = key->node, .count = key->count, .kind = key->kind };
+  *e = (entry){ .hash = hash_of(key),
+                .turn = c->turn,
+                .holders = 1,
+                .own = own,
+                .bytes = own + held,
+                .node = key->node,
+                .count = key->count,
+                .kind = key->kind };
   e->result = (vs_cached){ ++c->serial, e->block + words, size };
   if (e->node) vs_node_retain(e->node);
   if (key->count) memcpy(e->block, key->words, key->count * sizeof *key->words);

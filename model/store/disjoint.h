@@ -1,4 +1,5 @@
-/* Owns disjoint sets of numbers, as a forest of parents: a set's root is its smallest member, so results do not depend on the order of unions. */
+/* Owns disjoint sets of numbers, as a forest of parents: a set's root is its smallest member, so results do not depend
+ * on the order of unions. */
 #ifndef VS_MODEL_DISJOINT_H
 #define VS_MODEL_DISJOINT_H
 
@@ -29,7 +30,8 @@ static inline uint32_t vs_find_shared(_Atomic uint32_t *parent, uint32_t x) {
     uint32_t up = atomic_load_explicit(&parent[x], memory_order_relaxed);
     if (up == x) return x;
     uint32_t over = atomic_load_explicit(&parent[up], memory_order_relaxed);
-    if (over != up) atomic_store_explicit(&parent[x], over, memory_order_relaxed); /* some ancestor, whoever writes last */
+    /* some ancestor, whoever writes last */
+    if (over != up) atomic_store_explicit(&parent[x], over, memory_order_relaxed);
     x = over;
   }
 }
@@ -39,7 +41,9 @@ static inline void vs_unite_shared(_Atomic uint32_t *parent, uint32_t a, uint32_
     b = vs_find_shared(parent, b);
     if (a == b) return;
     uint32_t low = a < b ? a : b, high = a < b ? b : a, expected = high;
-    if (atomic_compare_exchange_strong_explicit(&parent[high], &expected, low, memory_order_relaxed, memory_order_relaxed)) return;
+    if (atomic_compare_exchange_strong_explicit(&parent[high], &expected, low, memory_order_relaxed,
+                                                memory_order_relaxed))
+      return;
   }
 }
 

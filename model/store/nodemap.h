@@ -5,7 +5,8 @@
 #include "model/node.h"
 
 typedef struct { const void *key; uint64_t value; } vs_nodemap_slot;
-typedef struct { vs_store *store; vs_nodemap_slot *slots; size_t count, room; } vs_nodemap; /* { .store = s } is an empty map */
+/* { .store = s } is an empty map */
+typedef struct { vs_store *store; vs_nodemap_slot *slots; size_t count, room; } vs_nodemap;
 
 void vs_nodemap_free(vs_nodemap *m); /* leaves it empty and usable */
 uint64_t *vs_nodemap_get(const vs_nodemap *m, const void *key); /* NULL: not there; valid until the next put */

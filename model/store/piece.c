@@ -1,8 +1,10 @@
-/* Owns the small allocations of a store, nodes above all: pieces cut from slabs, and for each size a list of those given back.
+/* Owns the small allocations of a store, nodes above all: pieces cut from slabs, and for each size a list of those
+ * given back.
  *
- * A drawing of a million primitives is a million of them, so one costs a few instructions and no header. Slabs grow with what there is, up to
- * SLAB_MOST, and go when the last piece has gone (but one, for the next). Under a sanitizer and in the stress build each piece is an allocation of its
- * own, so that a use after its end, and a refusal anywhere, shows. */
+ * A drawing of a million primitives is a million of them, so one costs a few instructions and no header. Slabs grow
+ * with what there is, up to SLAB_MOST, and go when the last piece has gone (but one, for the next). Under a sanitizer
+ * and in the stress build each piece is an allocation of its own, so that a use after its end, and a refusal anywhere,
+ * shows. */
 #include "model/store/store.h"
 
 #include <string.h>
@@ -35,7 +37,8 @@ static bool slab_add(vs_store *s, size_t least) {
   if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* the host may have huge pages for them */
   room -= sizeof(vs_slab);
   vs_slab *slab = s->alloc(s->context, NULL, 0, sizeof *slab + room);
-  if (!slab && room > least) slab = s->alloc(s->context, NULL, 0, sizeof *slab + (room = least)); /* what is left may be little */
+  /* what is left may be little */
+  if (!slab && room > least) slab = s->alloc(s->context, NULL, 0, sizeof *slab + (room = least));
   if (!slab) return false;
   *slab = (vs_slab){ .next = s->slabs, .room = room };
   s->slabs = slab;

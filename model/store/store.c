@@ -1,7 +1,8 @@
-/* Owns the store: every byte that a model holds is allocated, counted and, in tests, refused here; texts, origins and materials are
- * interned here, so that equal ones are one address and a node may hold them without counting.
+/* Owns the store: every byte that a model holds is allocated, counted and, in tests, refused here; texts, origins and
+ * materials are interned here, so that equal ones are one address and a node may hold them without counting.
  *
- * Interned things live in 16 KB blocks until the store goes: a session meets few different ones. A lookup costs a hash and a probe. */
+ * Interned things live in 16 KB blocks until the store goes: a session meets few different ones. A lookup costs a hash
+ * and a probe. */
 #include "model/store/store.h"
 
 #include <stdarg.h>
@@ -38,7 +39,9 @@ bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, cons
   return false;
 }
 
-bool vs_error_memory(vs_error *e, const vs_origin *origin) { return vs_error_set(e, VS_ERROR_MEMORY, origin, "out of memory"); }
+bool vs_error_memory(vs_error *e, const vs_origin *origin) {
+  return vs_error_set(e, VS_ERROR_MEMORY, origin, "out of memory");
+}
 
 /* ---- memory ---- */
 
@@ -149,7 +152,8 @@ typedef uint64_t vs_intern_hash_fn(const void *item);
 typedef bool vs_intern_same_fn(const void *item, const void *key);
 
 /* The slot that holds an equal item, or the empty one where it belongs; NULL: out of memory. */
-static void **intern_find(vs_store *s, vs_intern *t, uint64_t hash, const void *key, vs_intern_same_fn *same, vs_intern_hash_fn *hash_of) {
+static void **intern_find(vs_store *s, vs_intern *t, uint64_t hash, const void *key, vs_intern_same_fn *same,
+                          vs_intern_hash_fn *hash_of) {
   if (t->count * 4 >= t->room * 3) {
     size_t room = t->room ? t->room * 2 : 64;
     void **slots = vs_store_realloc(s, NULL, 0, room * sizeof *slots);
@@ -212,7 +216,8 @@ static bool origin_same(const void *item, const void *key) {
   return a->line == b->line && a->column == b->column && a->file == b->file && a->caller == b->caller;
 }
 
-const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column, const vs_origin *caller) {
+const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column,
+                                 const vs_origin *caller) {
   vs_origin key = { vs_store_text(s, file, strlen(file)), line, column, caller };
   if (!key.file) return NULL;
   void **slot = intern_find(s, &s->origins, origin_hash(&key), &key, origin_same, origin_hash);

@@ -1,4 +1,5 @@
-/* Owns the inside of the store, for model/ alone: accounting, the hash that everything interned is found by, and the arena. */
+/* Owns the inside of the store, for model/ alone: accounting, the hash that everything interned is found by, and the
+ * arena. */
 #ifndef VS_MODEL_STORE_H
 #define VS_MODEL_STORE_H
 

@@ -1,13 +1,13 @@
 /* Owns the analysis of core trees, in two passes.
 
-   Loops: which FIX-bound lambdas can run in the frame they are defined in. All their references must be calls with the right number of
-   arguments, in tail position of the FIX's body or of their own body. Scopes (struct tail) are chained from the inside out: a call is
-   such a tail call if the chain from it reaches the FIX. Where it passes through another candidate's body, it holds only if that
-   one becomes a loop too; these conditions are kept and resolved at the end.
+   Loops: which FIX-bound lambdas can run in the frame they are defined in. All their references must be calls with the
+   right number of arguments, in tail position of the FIX's body or of their own body. Scopes (struct tail) are chained
+   from the inside out: a call is such a tail call if the chain from it reaches the FIX. Where it passes through another
+   candidate's body, it holds only if that one becomes a loop too; these conditions are kept and resolved at the end.
 
-   Frames: which frame each variable lives in, what every lambda captures, and what must be boxed. Moments are counted per tree;
-   a lambda made at a moment before a variable is ready, which captures it, makes it boxed and its references checked. Consecutive
-   lambdas of a FIX are made at one moment: they may capture each other, the compiler patches them.
+   Frames: which frame each variable lives in, what every lambda captures, and what must be boxed. Moments are counted
+   per tree; a lambda made at a moment before a variable is ready, which captures it, makes it boxed and its references
+   checked. Consecutive lambdas of a FIX are made at one moment: they may capture each other, the compiler patches them.
 
    Both recurse within a frame only (VS_AST_DEPTH times the few loops nested in it); lambdas wait on a list. */
 #include "vm/compiler/analyse.h"
@@ -85,7 +85,8 @@ static bool find_loops(struct analysis *a, vs_node *n, struct tail *t, int depth
       return find_loops(a, n->as.set.value, NULL, depth, loops);
     case VS_AST_SETGLOBAL: case VS_AST_DEFGLOBAL: return find_loops(a, n->as.global.value, NULL, depth, loops);
     case VS_AST_IF:
-      return find_loops(a, n->as.branch.test, NULL, depth, loops) && find_loops(a, n->as.branch.then, t, depth, loops) &&
+      return find_loops(a, n->as.branch.test, NULL, depth, loops) &&
+             find_loops(a, n->as.branch.then, t, depth, loops) &&
              find_loops(a, n->as.branch.otherwise, t, depth, loops);
     case VS_AST_SEQ:
       for (uint32_t i = 0; i < n->count; i++)
@@ -93,7 +94,8 @@ static bool find_loops(struct analysis *a, vs_node *n, struct tail *t, int depth
       return true;
     case VS_AST_CALL: {
       vs_node *f = n->as.call.callee;
-      if (f->kind == VS_AST_LAMBDA && f->count && f->count == n->count && plain(f) && !n->as.call.keywords && depth < MOST_DEPTH / 3) {
+      if (f->kind == VS_AST_LAMBDA && f->count && f->count == n->count && plain(f) && !n->as.call.keywords &&
+          depth < MOST_DEPTH / 3) {
         vs_node *list = vs_ast_list(a->ast, VS_AST_LET, n->count, n->pos);      /* ((lambda (x ...) body) v ...) */
         if (!list) return false;
         for (uint32_t i = 0; i < n->count; i++) {
@@ -146,7 +148,8 @@ static bool find_loops(struct analysis *a, vs_node *n, struct tail *t, int depth
         if (!add_job(a, n->as.clauses.at[i], NULL, 0)) return false;
       return true;
     case VS_AST_CHECK:
-      return find_loops(a, n->as.check.predicate, NULL, depth, loops) && find_loops(a, n->as.check.value, NULL, depth, loops);
+      return find_loops(a, n->as.check.predicate, NULL, depth, loops) &&
+             find_loops(a, n->as.check.value, NULL, depth, loops);
   }
   return true;
 }
@@ -256,13 +259,16 @@ static bool find_frames(struct analysis *a, vs_node *n, vs_node *in) {
       return find_frames(a, n->as.set.value, in) && use(a, in, n->as.set.var, &early);
     case VS_AST_SETGLOBAL: case VS_AST_DEFGLOBAL: return find_frames(a, n->as.global.value, in);
     case VS_AST_IF:
-      return find_frames(a, n->as.branch.test, in) && find_frames(a, n->as.branch.then, in) && find_frames(a, n->as.branch.otherwise, in);
+      return find_frames(a, n->as.branch.test, in) && find_frames(a, n->as.branch.then, in) &&
+             find_frames(a, n->as.branch.otherwise, in);
     case VS_AST_SEQ:
       for (uint32_t i = 0; i < n->count; i++)
         if (!find_frames(a, n->as.seq.at[i], in)) return false;
       return true;
     case VS_AST_CALL:
-      if (!(n->as.call.callee->kind == VS_AST_LOCAL && vs_info(n->as.call.callee->as.var)->loop) && !find_frames(a, n->as.call.callee, in)) return false;
+      if (!(n->as.call.callee->kind == VS_AST_LOCAL && vs_info(n->as.call.callee->as.var)->loop) &&
+          !find_frames(a, n->as.call.callee, in))
+        return false;
       for (uint32_t i = 0; i < n->count; i++)
         if (!find_frames(a, n->as.call.at[i], in)) return false;
       return true;

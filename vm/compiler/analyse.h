@@ -11,7 +11,8 @@ typedef struct vs_var_info {
   vs_node *frame;            /* the LAMBDA in whose frame it has a register */
   vs_node *fix;              /* the FIX that binds it, or NULL */
   uint32_t ready;            /* moment from which it has its value; 0 for parameters and LET */
-  bool boxed;                /* captured before it has a value; so its register holds a box, as that of every assigned variable does */
+  bool boxed;                /* captured before it has a value; so its register holds a box, as that of every assigned
+                              * variable does */
   bool early;                /* some reference may come before it has its value */
   bool loop;                 /* bound to a LAMBDA that runs in the frame; calls of it are jumps */
   bool emitted;              /* loop: `top` is known */
@@ -32,7 +33,8 @@ typedef struct vs_frame_info {
 uint32_t vs_free_index(const vs_frame_info *f, const vs_var *v);
 static inline vs_var_info *vs_info(const vs_var *v) { return v->extra; }
 
-/* Prepares the tree whose outermost frame is `top` (a LAMBDA). A LOCAL with flag set afterwards needs the check for a value. */
+/* Prepares the tree whose outermost frame is `top` (a LAMBDA). A LOCAL with flag set afterwards needs the check for a
+ * value. */
 bool vs_analyse(vs_ast *ast, vs_node *top);
 
 #endif

@@ -11,7 +11,8 @@ enum {
   VS_O_COUNT
 };
 
-#define VS_INS(op, a, b, c) ((uint32_t)(op) | (uint32_t)(a) << 8 | (uint32_t)(uint8_t)(b) << 16 | (uint32_t)(uint8_t)(c) << 24)
+#define VS_INS(op, a, b, c)                                                                                            \
+  ((uint32_t)(op) | (uint32_t)(a) << 8 | (uint32_t)(uint8_t)(b) << 16 | (uint32_t)(uint8_t)(c) << 24)
 #define VS_INSX(op, a, bx) ((uint32_t)(op) | (uint32_t)(a) << 8 | (uint32_t)(uint16_t)(bx) << 16)
 #define VS_A(i) ((i) >> 8 & 255)
 #define VS_B(i) ((i) >> 16 & 255)

@@ -1,11 +1,11 @@
 /* Owns the translation of core trees to instructions.
 
-   Every expression is compiled for a target: a register that gets its value, EFFECT (no value wanted), or TAIL (return it). Registers are
-   a stack: locals below, temporaries above, so a call's window is simply the next free ones, and everything below it is live.
-   A target is written only when all that the expression reads has been read.
+   Every expression is compiled for a target: a register that gets its value, EFFECT (no value wanted), or TAIL (return
+   it). Registers are a stack: locals below, temporaries above, so a call's window is simply the next free ones, and
+   everything below it is live. A target is written only when all that the expression reads has been read.
 
-   A FIX variable found to be a loop (analyse.h) has no value: its parameters are registers of the frame, its body is compiled in place
-   of the first call, later calls move the arguments and jump there. */
+   A FIX variable found to be a loop (analyse.h) has no value: its parameters are registers of the frame, its body is
+   compiled in place of the first call, later calls move the arguments and jump there. */
 #include "vm/compiler/compile.h"
 
 #include "vm/compiler/analyse.h"
@@ -47,8 +47,10 @@ static bool landing(compiler *c, uint32_t to, uint32_t *reg) {
 static bool load_value(compiler *c, vs_value v, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t k;
-  if (vs_is_fixnum(v) && vs_fixnum(v) >= INT16_MIN && vs_fixnum(v) <= INT16_MAX) return vs_emit_op(e, VS_O_INT, to, (uint32_t)vs_fixnum(v) & 0xFFFF, 0);
-  if (v >> 48 == VS_TAG_IMMEDIATE && !vs_is_char(v)) return vs_emit_op(e, VS_O_IMM, to, (uint32_t)(v >> 32) & 0xFF, (uint32_t)v & 0xFF);
+  if (vs_is_fixnum(v) && vs_fixnum(v) >= INT16_MIN && vs_fixnum(v) <= INT16_MAX)
+    return vs_emit_op(e, VS_O_INT, to, (uint32_t)vs_fixnum(v) & 0xFFFF, 0);
+  if (v >> 48 == VS_TAG_IMMEDIATE && !vs_is_char(v))
+    return vs_emit_op(e, VS_O_IMM, to, (uint32_t)(v >> 32) & 0xFF, (uint32_t)v & 0xFF);
   if (!vs_emit_value(e, v, &k)) return false;
   return k <= UINT16_MAX ? vs_emit_op(e, VS_O_CONST, to, k, 0) : vs_emit_op1(e, VS_O_CONSTX, to, 0, 0, k);
 }
@@ -74,12 +76,14 @@ static bool load_var(compiler *c, const vs_node *n, uint32_t to) {
   }
   if (!n->flag) return true;
   uint32_t name;
-  return vs_emit_constant(e, v->name, &name) && vs_emit_place(e, n->pos) && vs_emit_op1(e, VS_O_DEFINED, to, 0, 0, name);
+  return vs_emit_constant(e, v->name, &name) && vs_emit_place(e, n->pos) &&
+         vs_emit_op1(e, VS_O_DEFINED, to, 0, 0, name);
 }
 
 static bool load_global(compiler *c, const vs_node *n, uint32_t to) {
   uint32_t k;
-  return vs_emit_constant(&c->e, n->as.global.cell, &k) && vs_emit_place(&c->e, n->pos) && vs_emit_op1(&c->e, VS_O_GLOBAL, to, 0, 0, k);
+  return vs_emit_constant(&c->e, n->as.global.cell, &k) && vs_emit_place(&c->e, n->pos) &&
+         vs_emit_op1(&c->e, VS_O_GLOBAL, to, 0, 0, k);
 }
 
 /* a register that holds n's value for the next instruction: a local's own, or a temporary */
@@ -144,7 +148,8 @@ static bool is_test(const vs_inline_row *row, const vs_node *n) {
 /* notes that the next instruction stands for the call n */
 static bool stands_for(compiler *c, const vs_node *n) {
   uint32_t k;
-  return vs_emit_constant(&c->e, n->as.call.callee->as.global.cell, &k) && vs_emit_place(&c->e, n->pos) && vs_emit_inlined(&c->e, k);
+  return vs_emit_constant(&c->e, n->as.call.callee->as.global.cell, &k) && vs_emit_place(&c->e, n->pos) &&
+         vs_emit_inlined(&c->e, k);
 }
 
 /* stands_for must be said of the opcode itself, behind the loads of far operands: so those are made near first */
@@ -157,7 +162,8 @@ static bool near(compiler *c, uint32_t *reg, unsigned i) {
   return true;
 }
 
-static bool emit_value_op(compiler *c, const vs_node *n, unsigned op, uint32_t to, uint32_t b, uint32_t cc, bool b_reg, bool c_reg) {
+static bool emit_value_op(compiler *c, const vs_node *n, unsigned op, uint32_t to, uint32_t b, uint32_t cc, bool b_reg,
+                          bool c_reg) {
   uint32_t target = to;
   if (to >= VS_NEAR) target = VS_NEAR + 4;
   if ((b_reg && !near(c, &b, 1)) || (c_reg && !near(c, &cc, 2)) || !stands_for(c, n)) return false;
@@ -209,11 +215,13 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
           if (!operand_of(c, n, i, &r[i])) return false;
         if (!landing(c, to, &target)) return false;
         if (imm ? !emit_value_op(c, n, row->immediate, target, r[0], bits, true, false)
-                : !emit_value_op(c, n, row->op, target, r[0], row->args == 2 ? r[1] : 0, true, row->args == 2)) return false;
+                : !emit_value_op(c, n, row->op, target, r[0], row->args == 2 ? r[1] : 0, true, row->args == 2))
+          return false;
       } else if (n->count > (row->args == VS_ANY_COUNT ? 0 : 2) && n->count < 64 && row->many != VS_O_NONE) {
         if (!in_a_row(c, n, &first, done)) return false;
         if (!*done) return true;
-        if (!landing(c, to, &target) || !emit_value_op(c, n, row->many, target, first, n->count, false, false)) return false;
+        if (!landing(c, to, &target) || !emit_value_op(c, n, row->many, target, first, n->count, false, false))
+          return false;
       }
       break;
     case VS_WAY_EFFECT:
@@ -224,7 +232,8 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
       if (to != EFFECT && !landing(c, to, &target)) return false;
       for (unsigned i = 0; i < 3; i++)
         if (!near(c, &r[i], i)) return false;
-      if (!stands_for(c, n) || !vs_emit_word(e, VS_INS(to == EFFECT ? row->op : row->many, r[0], r[1], r[2]))) return false;
+      if (!stands_for(c, n) || !vs_emit_word(e, VS_INS(to == EFFECT ? row->op : row->many, r[0], r[1], r[2])))
+        return false;
       if (to != EFFECT) {
         if (!vs_emit_word(e, target)) return false;
         break;
@@ -238,7 +247,9 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
       if (!*done) return true;
       if (!landing(c, to, &target)) return false;
       uint32_t near_target = target < VS_NEAR ? target : VS_NEAR + 4;
-      if (!stands_for(c, n) || !vs_emit_word(e, VS_INS(row->op, near_target, first, n->count)) || !vs_emit_word(e, native->inlined_arg)) return false;
+      if (!stands_for(c, n) || !vs_emit_word(e, VS_INS(row->op, near_target, first, n->count)) ||
+          !vs_emit_word(e, native->inlined_arg))
+        return false;
       if (near_target != target && !vs_emit_word(e, VS_INSX(VS_O_FARSTORE, near_target, target))) return false;
       if (near_target != target && e->most < VS_FAR) e->most = VS_FAR;
       break;
@@ -249,18 +260,21 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
       if (!operand_of(c, n, 0, &r[0]) || !operand_of(c, n, 1, &r[1]) ||
           !landing(c, to, &target)) return false;
       uint32_t near_target = target < VS_NEAR ? target : VS_NEAR + 4;
-      if (!near(c, &r[0], 1) || !near(c, &r[1], 2) || !stands_for(c, n) || !vs_emit_word(e, VS_INS(row->op, near_target, r[0], r[1])) ||
-          !vs_emit_word(e, native->inlined_arg)) return false;
+      if (!near(c, &r[0], 1) || !near(c, &r[1], 2) || !stands_for(c, n) ||
+          !vs_emit_word(e, VS_INS(row->op, near_target, r[0], r[1])) || !vs_emit_word(e, native->inlined_arg))
+        return false;
       if (near_target != target && !vs_emit_word(e, VS_INSX(VS_O_FARSTORE, near_target, target))) return false;
       if (near_target != target && e->most < VS_FAR) e->most = VS_FAR;
       break;
     }
-    case VS_WAY_RECORD: {              /* (%record-ref record type index name), (%record-set! record type index value name) */
+    case VS_WAY_RECORD: {              /* (%record-ref record type index name), (%record-set! record type index value
+                                          name) */
       bool set = row->op == VS_O_RECSET;
       vs_node *index = n->as.call.at[2], *name = n->as.call.at[row->args - 1];
       uint32_t k;
-      if (n->count != row->args || index->kind != VS_AST_CONST || name->kind != VS_AST_CONST || !vs_is_fixnum(pool(c, index->as.constant)) ||
-          (uint64_t)vs_fixnum(pool(c, index->as.constant)) > 255) return true;
+      if (n->count != row->args || index->kind != VS_AST_CONST || name->kind != VS_AST_CONST ||
+          !vs_is_fixnum(pool(c, index->as.constant)) || (uint64_t)vs_fixnum(pool(c, index->as.constant)) > 255)
+        return true;
       *done = true;
       if (!operand_of(c, n, 0, &r[0]) || !operand_of(c, n, 1, &r[1]) || (set && !operand_of(c, n, 3, &r[2])) ||
           !landing(c, to, &target)) return false;
@@ -311,12 +325,14 @@ static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
     case VS_AST_IF: {
       vs_jumps no = 0, end = 0;
       vs_node *otherwise = n->as.branch.otherwise;
-      if (!sense && otherwise && otherwise->kind == VS_AST_CONST && pool(c, otherwise->as.constant) == VS_FALSE)     /* and */
+      /* and */
+      if (!sense && otherwise && otherwise->kind == VS_AST_CONST && pool(c, otherwise->as.constant) == VS_FALSE)
         return test(c, n->as.branch.test, false, list) && test(c, n->as.branch.then, false, list);
       if (!test(c, n->as.branch.test, false, &no) || !test(c, n->as.branch.then, sense, list) ||
           !vs_emit_branch(e, VS_O_JUMP, 0, 0, 0, &end)) return false;
       vs_emit_here(e, no);
-      if (otherwise ? !test(c, otherwise, sense, list) : (sense && !vs_emit_branch(e, VS_O_JUMP, 0, 0, 0, list))) return false;
+      if (otherwise ? !test(c, otherwise, sense, list) : (sense && !vs_emit_branch(e, VS_O_JUMP, 0, 0, 0, list)))
+        return false;
       vs_emit_here(e, end);
       return true;
     }
@@ -341,7 +357,8 @@ static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
       const vs_inline_row *row = row_of(c, n, &native);
       if (!is_test(row, n)) break;
       vs_node *x = n->as.call.at[0];
-      if (row->op == VS_O_JNOT && (x->kind == VS_AST_IF || is_test(row_of(c, x, &native), x))) return test(c, x, !sense, list);
+      if (row->op == VS_O_JNOT && (x->kind == VS_AST_IF || is_test(row_of(c, x, &native), x)))
+        return test(c, x, !sense, list);
       if (!operand_of(c, n, 0, &r[0])) return false;
       uint32_t b = 0;
       unsigned op = row->op;
@@ -415,12 +432,13 @@ static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_
   return vs_emit_register(e, &slot);
 }
 
-/* A word of another language, or of a library that was not imported, that nobody defined: looked up before the operands, so that
-   (defun f (x) x) complains of defun and not of f. */
+/* A word of another language, or of a library that was not imported, that nobody defined: looked up before the
+   operands, so that (defun f (x) x) complains of defun and not of f. */
 static bool unknown_word(const compiler *c, const vs_node *global) {
   const vs_cell *cell = vs_as_cell(pool(c, global->as.global.cell));
   return cell->value == VS_UNDEFINED && vs_is_symbol(cell->name) &&
-         (vs_is_foreign_word(cell->name) || vs_idtable_get(vs_as_environment(c->e.ast->vm->at.core)->table, cell->name) != VS_VACANT);
+         (vs_is_foreign_word(cell->name) ||
+          vs_idtable_get(vs_as_environment(c->e.ast->vm->at.core)->table, cell->name) != VS_VACANT);
 }
 
 static bool gen_call(compiler *c, vs_node *n, uint32_t to, bool fresh) {
@@ -450,8 +468,11 @@ static bool gen_call(compiler *c, vs_node *n, uint32_t to, bool fresh) {
   if (global && !vs_emit_constant(e, f->as.global.cell, &k)) return false;
   if (!vs_emit_place(e, n->pos)) return false;
   bool ok;
-  if (far) ok = vs_emit_word(e, VS_INS(VS_O_CALLX, to == TAIL, 0, 0)) && vs_emit_word(e, w) && vs_emit_word(e, n->count) && vs_emit_word(e, kw);
-  else if (global) ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAILG : VS_O_CALLG, w, n->count, 0)) && vs_emit_word(e, k);
+  if (far)
+    ok = vs_emit_word(e, VS_INS(VS_O_CALLX, to == TAIL, 0, 0)) && vs_emit_word(e, w) && vs_emit_word(e, n->count) &&
+         vs_emit_word(e, kw);
+  else if (global)
+    ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAILG : VS_O_CALLG, w, n->count, 0)) && vs_emit_word(e, k);
   else ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAIL : VS_O_CALL, w, n->count, 0));
   if (to == EFFECT) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);      /* also what says that no value is taken here */
   e->next = keep;
@@ -477,9 +498,11 @@ static bool reads(const vs_node *n, const vs_var *v, int depth) {
 /* may n be compiled straight into a register that it reads itself? Only what writes it with its last instruction. */
 static bool lands_last(compiler *c, const vs_node *n) {
   const vs_native *native;
-  if (n->kind != VS_AST_CALL) return n->kind == VS_AST_CONST || n->kind == VS_AST_GLOBAL || (n->kind == VS_AST_LOCAL && !n->flag);
+  if (n->kind != VS_AST_CALL)
+    return n->kind == VS_AST_CONST || n->kind == VS_AST_GLOBAL || (n->kind == VS_AST_LOCAL && !n->flag);
   const vs_inline_row *row = row_of(c, n, &native);
-  return row && (row->way == VS_WAY_VALUE || row->way == VS_WAY_GET || row->way == VS_WAY_FLAT2) && n->count == row->args;
+  return row && (row->way == VS_WAY_VALUE || row->way == VS_WAY_GET || row->way == VS_WAY_FLAT2) &&
+         n->count == row->args;
 }
 
 static bool gen_loop_call(compiler *c, vs_node *n, uint32_t to) {
@@ -553,7 +576,8 @@ static bool gen_run(compiler *c, vs_node *n, uint32_t from, uint32_t to) {
       if (!gen_lambda(c, v->value, v->reg)) return false;
       continue;
     }
-    if (!vs_emit_register(e, &temp) || !gen_lambda(c, v->value, temp) || !vs_emit_op(e, VS_O_SETBOX, v->reg, temp, 0)) return false;
+    if (!vs_emit_register(e, &temp) || !gen_lambda(c, v->value, temp) || !vs_emit_op(e, VS_O_SETBOX, v->reg, temp, 0))
+      return false;
     e->next = keep;
   }
   for (uint32_t i = from; i < to; i++) {
@@ -631,7 +655,9 @@ static bool gen_set(compiler *c, vs_node *n, uint32_t to) {
   box = v->reg;
   if (vs_info(v)->frame != e->frame && (!vs_emit_register(e, &box) || !load_raw(c, v, box))) return false;
   if (!vs_emit_op(e, VS_O_SETBOX, box, value, 0)) return false;
-  if (to != EFFECT && (!load_value(c, VS_UNSPECIFIC, is_value(to) ? to : value) || !finish(c, is_value(to) ? to : value, to))) return false;
+  if (to != EFFECT &&
+      (!load_value(c, VS_UNSPECIFIC, is_value(to) ? to : value) || !finish(c, is_value(to) ? to : value, to)))
+    return false;
   e->next = keep;
   return true;
 }
@@ -639,9 +665,13 @@ static bool gen_set(compiler *c, vs_node *n, uint32_t to) {
 static bool gen_global_set(compiler *c, vs_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, value, k;
-  if (!vs_emit_register(e, &value) || !gen(c, n->as.global.value, value) || !vs_emit_constant(e, n->as.global.cell, &k) || !vs_emit_place(e, n->pos) ||
-      !vs_emit_op1(e, n->kind == VS_AST_DEFGLOBAL ? VS_O_DEFGLOBAL : VS_O_SETGLOBAL, value, 0, 0, k)) return false;
-  if (to != EFFECT && (!load_value(c, VS_UNSPECIFIC, is_value(to) ? to : value) || !finish(c, is_value(to) ? to : value, to))) return false;
+  if (!vs_emit_register(e, &value) || !gen(c, n->as.global.value, value) ||
+      !vs_emit_constant(e, n->as.global.cell, &k) || !vs_emit_place(e, n->pos) ||
+      !vs_emit_op1(e, n->kind == VS_AST_DEFGLOBAL ? VS_O_DEFGLOBAL : VS_O_SETGLOBAL, value, 0, 0, k))
+    return false;
+  if (to != EFFECT &&
+      (!load_value(c, VS_UNSPECIFIC, is_value(to) ? to : value) || !finish(c, is_value(to) ? to : value, to)))
+    return false;
   e->next = keep;
   return true;
 }
@@ -652,14 +682,17 @@ static bool gen_check(compiler *c, vs_node *n, uint32_t to, bool fresh) {
   vs_node *p = n->as.check.predicate;
   if (p->kind == VS_AST_GLOBAL) {
     vs_value v = vs_as_cell(pool(c, p->as.global.cell))->value;
-    if (vs_as_cell(pool(c, p->as.global.cell))->h.flags & VS_F_CONSTANT && vs_is(v, VS_T_NATIVE) && vs_is_symbol(vs_as_native(v)->name) &&
-        strcmp(vs_as_symbol(vs_as_native(v)->name)->name, "any?") == 0) return gen(c, n->as.check.value, to);
+    if (vs_as_cell(pool(c, p->as.global.cell))->h.flags & VS_F_CONSTANT && vs_is(v, VS_T_NATIVE) &&
+        vs_is_symbol(vs_as_native(v)->name) && strcmp(vs_as_symbol(vs_as_native(v)->name)->name, "any?") == 0)
+      return gen(c, n->as.check.value, to);
   }
   VS_ROOTS(vm, r, 1);
   uint32_t keep = e->next, w, at[3], k, kn;
   if (!vs_make_vector(vm, 3, VS_FALSE, &r[0])) return false;
   vs_vector *info = vs_as_vector(r[0]);        /* just made: no barrier */
-  info->at[0] = pool(c, n->as.check.name); info->at[1] = pool(c, n->as.check.text); info->at[2] = pool(c, n->as.check.who);
+  info->at[0] = pool(c, n->as.check.name);
+  info->at[1] = pool(c, n->as.check.text);
+  info->at[2] = pool(c, n->as.check.who);
   if (!vs_emit_value(e, r[0], &k) || !window(c, 3, fresh, to, &w)) return false;
   for (int i = 0; i < 3; i++) {
     if (!vs_emit_register(e, &at[i])) return false;
@@ -669,8 +702,10 @@ static bool gen_check(compiler *c, vs_node *n, uint32_t to, bool fresh) {
   if (w < VS_NEAR) {
     if (!vs_emit_op1(e, VS_O_CHECK, w, 0, 0, k)) return false;
   } else {
-    if (!vs_emit_value(e, vm->at.check, &kn) || !load_value(c, vm->at.check, w) || !load_value(c, r[0], at[2]) || !vs_emit_place(e, n->pos) ||
-        !vs_emit_word(e, VS_INS(VS_O_CALLX, 0, 0, 0)) || !vs_emit_word(e, w) || !vs_emit_word(e, 3) || !vs_emit_word(e, 0)) return false;
+    if (!vs_emit_value(e, vm->at.check, &kn) || !load_value(c, vm->at.check, w) || !load_value(c, r[0], at[2]) ||
+        !vs_emit_place(e, n->pos) || !vs_emit_word(e, VS_INS(VS_O_CALLX, 0, 0, 0)) || !vs_emit_word(e, w) ||
+        !vs_emit_word(e, 3) || !vs_emit_word(e, 0))
+      return false;
   }
   e->next = keep;
   return finish(c, w, to);
@@ -680,12 +715,14 @@ static bool gen_case(compiler *c, vs_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, r, first = 0, target;
   if (e->next + n->count + 1 >= VS_NEAR)
-    return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, n->pos, VS_NIL, "too many variables around this case-lambda: move it into a procedure of its own");
+    return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, n->pos, VS_NIL,
+                      "too many variables around this case-lambda: move it into a procedure of its own");
   for (uint32_t i = 0; i < n->count; i++) {
     if (!vs_emit_register(e, &r) || !gen_lambda(c, n->as.clauses.at[i], r)) return false;
     if (i == 0) first = r;
   }
-  if (!landing(c, to, &target) || !vs_emit_op(e, VS_O_CASE, target, first, n->count) || !finish(c, target, to)) return false;
+  if (!landing(c, to, &target) || !vs_emit_op(e, VS_O_CASE, target, first, n->count) || !finish(c, target, to))
+    return false;
   e->next = keep;
   return true;
 }
@@ -766,7 +803,8 @@ static bool gen(compiler *c, vs_node *n, uint32_t to) {
 /* ---- a whole procedure ---- */
 static bool set_parameters(compiler *c, vs_node *l, vs_value code) {
   vs_scheme *vm = c->e.ast->vm;
-  vs_vector *names = (vs_vector *)(void *)vs_gc_alloc_old(vm, VS_T_VECTOR, 2 + l->count + (l->as.lambda.rest ? 1u : 0u));
+  vs_vector *names =
+      (vs_vector *)(void *)vs_gc_alloc_old(vm, VS_T_VECTOR, 2 + l->count + (l->as.lambda.rest ? 1u : 0u));
   if (!names) return false;
   vs_code *k = vs_as_code(code);
   names->length = l->count + (l->as.lambda.rest ? 1u : 0u);
@@ -786,7 +824,8 @@ static bool set_parameters(compiler *c, vs_node *l, vs_value code) {
 static bool gen_parameters(compiler *c, vs_node *l) {
   vs_emit *e = &c->e;
   uint32_t count = l->count + (l->as.lambda.rest ? 1u : 0u);
-  if (count >= VS_NEAR) return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, l->pos, VS_NIL, "too many parameters: pass a list");
+  if (count >= VS_NEAR)
+    return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, l->pos, VS_NIL, "too many parameters: pass a list");
   for (uint32_t i = 0; i < l->count; i++)
     if (!vs_emit_register(e, &l->as.lambda.params[i].var->reg)) return false;
   if (l->as.lambda.rest && !vs_emit_register(e, &l->as.lambda.rest->reg)) return false;
@@ -800,8 +839,9 @@ static bool gen_parameters(compiler *c, vs_node *l) {
       if (!gen(c, p->fallback, p->var->reg)) return false;
       vs_emit_here(e, given);
     } else if (p->keyword) {
-      if (!vs_emit_branch(e, VS_O_JGIVEN, p->var->reg, 0, 0, &given) || !vs_emit_constant(e, p->keyword - 1, &k) || !vs_emit_place(e, l->pos) ||
-          !vs_emit_op1(e, VS_O_MISSING, 0, 0, 0, k)) return false;
+      if (!vs_emit_branch(e, VS_O_JGIVEN, p->var->reg, 0, 0, &given) || !vs_emit_constant(e, p->keyword - 1, &k) ||
+          !vs_emit_place(e, l->pos) || !vs_emit_op1(e, VS_O_MISSING, 0, 0, 0, k))
+        return false;
       vs_emit_here(e, given);
     }
     if (boxed(p->var) && !vs_emit_op(e, VS_O_BOX, p->var->reg, p->var->reg, 0)) return false;
@@ -818,7 +858,8 @@ static vs_value doc_of(const compiler *c, const vs_node *body) {
     body = body->as.seq.at[body->count - 1];
   const vs_node *first = NULL;
   if (body->kind == VS_AST_SEQ && body->count > 1) first = body->as.seq.at[0];
-  if (body->kind == VS_AST_FIX && body->count > 0) {      /* before definitions: body.c gives expressions there the name _ */
+  if (body->kind == VS_AST_FIX && body->count > 0) {      /* before definitions: body.c gives expressions there the name
+                                                             _ */
     vs_value name = pool(c, body->as.let.vars[0]->name);
     if (vs_is_symbol(name) && strcmp(vs_as_symbol(name)->name, "_") == 0) first = body->as.let.values[0];
   }
@@ -831,7 +872,8 @@ static bool compile_procedure(compiler *c, vs_node *l) {
   vs_value code = ast->pool[((vs_frame_info *)l->as.lambda.extra)->code - 1];
   c->e = (vs_emit){.ast = ast, .frame = l, .fresh = VS_NO_REGISTER};
   vs_gc_store(ast->vm, vs_as_code(code), &vs_as_code(code)->doc, doc_of(c, l->as.lambda.body));
-  bool ok = set_parameters(c, l, code) && gen_parameters(c, l) && gen(c, l->as.lambda.body, TAIL) && vs_emit_finish(&c->e, code);
+  bool ok = set_parameters(c, l, code) && gen_parameters(c, l) && gen(c, l->as.lambda.body, TAIL) &&
+            vs_emit_finish(&c->e, code);
   vs_code *k = vs_as_code(code);
   uint32_t record = ok && k->flags == VS_CODE_SIMPLE ? vs_code_record(c->e.ins, c->e.count, k->required) : 0;
   if (record) k->flags = record;

@@ -4,8 +4,8 @@
 
 #include "vm/front/ast.h"
 
-/* *out = a procedure of no arguments that does what `body` says when called. The tree may be cleared afterwards. Literals in
-   the pool are used as they are (the expander has stripped aliases from quoted data). */
+/* *out = a procedure of no arguments that does what `body` says when called. The tree may be cleared afterwards.
+   Literals in the pool are used as they are (the expander has stripped aliases from quoted data). */
 bool vs_compile(vs_scheme *vm, vs_ast *ast, vs_node *body, vs_value *out);
 
 /* A cell that was VS_F_CONSTANT is about to get another value: clears the flag and patches all code that inlined it.

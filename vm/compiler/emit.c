@@ -27,7 +27,8 @@ void vs_emit_close(vs_emit *e) {
 bool vs_emit_register(vs_emit *e, uint32_t *out) {
   if (e->next >= VS_NEAR && e->next < VS_FAR) e->next = VS_FAR;
   if (e->next >= VS_MOST_REGISTERS)
-    return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, e->frame->pos, VS_NIL, "this procedure is too large: split it");
+    return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, e->frame->pos, VS_NIL,
+                      "this procedure is too large: split it");
   *out = e->fresh = e->next++;
   if (e->next > e->most) e->most = e->next;
   return true;
@@ -64,7 +65,8 @@ static bool encode(vs_emit *e, unsigned op, const uint32_t r[3]) {
 
 bool vs_emit_op(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c) {
   uint32_t r[3] = {a, b, c}, store;
-  return operands(e, op, r, &store) && encode(e, op, r) && (store == VS_NO_REGISTER || far_copy(e, VS_O_FARSTORE, r[0], store));
+  return operands(e, op, r, &store) && encode(e, op, r) &&
+         (store == VS_NO_REGISTER || far_copy(e, VS_O_FARSTORE, r[0], store));
 }
 
 bool vs_emit_op1(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, uint32_t word) {
@@ -184,7 +186,8 @@ bool vs_emit_finish(vs_emit *e, vs_value code) {
   vs_scheme *vm = e->ast->vm;
   VS_ROOTS(vm, r, 1);
   vs_code *c = vs_as_code(code);              /* old: stays where it is */
-  if (e->count >= 1u << 28) return vs_fail_at(vm, vm->sym.syntax, e->frame->pos, VS_NIL, "this procedure is too large: split it");
+  if (e->count >= 1u << 28)
+    return vs_fail_at(vm, vm->sym.syntax, e->frame->pos, VS_NIL, "this procedure is too large: split it");
   vs_vector *consts = (vs_vector *)(void *)vs_gc_alloc_old(vm, VS_T_VECTOR, 2 + e->const_count);
   if (!consts) return false;
   consts->length = e->const_count;

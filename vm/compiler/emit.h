@@ -5,7 +5,8 @@
 #include "vm/front/ast.h"
 #include "vm/compiler/code.h"
 
-/* Registers from VS_FAR on cannot be named in an instruction: they are copied to and from scratch registers VS_NEAR... */
+/* Registers from VS_FAR on cannot be named in an instruction: they are copied to and from scratch registers
+   VS_NEAR... */
 enum { VS_NEAR = 240, VS_FAR = 256, VS_MOST_REGISTERS = 60000 };
 #define VS_NO_REGISTER UINT32_MAX
 
@@ -16,7 +17,8 @@ typedef struct vs_emit {
   vs_ast *ast;
   vs_node *frame;                     /* the LAMBDA being compiled */
   uint32_t next, most;                /* first free register; how many are used */
-  uint32_t fresh;                     /* a register just taken for the expression about to be compiled, and nothing else yet */
+  uint32_t fresh;                     /* a register just taken for the expression about to be compiled, and nothing else
+                                         yet */
   uint32_t *ins; size_t count, room;
   uint32_t *consts; size_t const_count, const_room;          /* indices into the tree's pool */
   vs_place *places; size_t place_count, place_room;
@@ -24,7 +26,8 @@ typedef struct vs_emit {
   vs_variable *variables; size_t variable_count, variable_room;     /* only where errors keep their frames */
 } vs_emit;
 
-typedef uint32_t vs_jumps;            /* 0, or 1 + index of the last offset word to be filled in; that holds the one before */
+typedef uint32_t vs_jumps;            /* 0, or 1 + index of the last offset word to be filled in; that holds the one
+                                         before */
 
 void vs_emit_close(vs_emit *e);
 bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* takes the next, marks it fresh */
@@ -38,7 +41,8 @@ void vs_emit_here(vs_emit *e, vs_jumps list);                             /* the
 bool vs_emit_constant(vs_emit *e, uint32_t pool_index, uint32_t *out);    /* index in this procedure's constants */
 bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out);                /* the same for a value */
 bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* of the next instruction */
-bool vs_emit_inlined(vs_emit *e, uint32_t cell);                          /* the next instruction stands for this constant */
+/* the next instruction stands for this constant */
+bool vs_emit_inlined(vs_emit *e, uint32_t cell);
 /* From the next instruction on the variable is in its register; up to the last one before vs_emit_scope_end, which is
    told what variable_count was before. */
 bool vs_emit_variable(vs_emit *e, const vs_var *v);

@@ -12,7 +12,8 @@
 
 static const vs_inline_row rows[] = {
   {NULL, 0, VS_WAY_NONE, VS_O_NONE, VS_O_NONE, VS_O_NONE},
-#define VS_INLINE(name, args, way, op, immediate, many) {name, args, VS_WAY_##way, VS_O_##op, IMMEDIATE_##way(immediate), VS_O_##many},
+#define VS_INLINE(name, args, way, op, immediate, many)                                                                \
+  { name, args, VS_WAY_##way, VS_O_##op, IMMEDIATE_##way(immediate), VS_O_##many },
 #include "vm/compiler/inline.def"
 #undef VS_INLINE
   {"make", 0, VS_WAY_MAKE, VS_O_MAKEFLAT, VS_O_NONE, VS_O_NONE},

@@ -5,8 +5,18 @@
 #include "vm/compiler/code.h"
 #include "vm/machine/native.h"
 
-typedef enum { VS_WAY_NONE, VS_WAY_VALUE, VS_WAY_TEST, VS_WAY_TYPE, VS_WAY_EFFECT, VS_WAY_MAKE, VS_WAY_GET, VS_WAY_FLAT2,
-               VS_WAY_RECORD, VS_WAY_EACH } vs_inline_way;
+typedef enum {
+  VS_WAY_NONE,
+  VS_WAY_VALUE,
+  VS_WAY_TEST,
+  VS_WAY_TYPE,
+  VS_WAY_EFFECT,
+  VS_WAY_MAKE,
+  VS_WAY_GET,
+  VS_WAY_FLAT2,
+  VS_WAY_RECORD,
+  VS_WAY_EACH
+} vs_inline_way;
 enum { VS_ANY_COUNT = 255 };    /* vs_inline_row.args: however many there are, but one at least */
 typedef struct vs_inline_row { const char *name; uint8_t args, way, op, immediate, many; } vs_inline_row;
 

@@ -1,13 +1,14 @@
-/* Owns the arithmetic that instructions do themselves, without a call: on fixnums and doubles, and on the host's flat records (points
- * and vectors). Whatever is not as usual (a fixnum that overflows, a result that is not finite, other operands) is left to the library's
- * procedure of the instruction, which words the error too. */
+/* Owns the arithmetic that instructions do themselves, without a call: on fixnums and doubles, and on the host's flat
+ * records (points and vectors). Whatever is not as usual (a fixnum that overflows, a result that is not finite, other
+ * operands) is left to the library's procedure of the instruction, which words the error too. */
 #ifndef VS_INLINE_ARITHMETIC_H
 #define VS_INLINE_ARITHMETIC_H
 
 #include "vm/machine/vs.h"
 #include "vm/values/number.h"
 
-/* a flat record from n finite numbers in registers; false if one is none: then the library's procedure says so (no error set) */
+/* a flat record from n finite numbers in registers; false if one is none: then the library's procedure says so (no
+ * error set) */
 static inline bool flat_numbers(const vs_value *at, size_t n, double *d) {
   for (size_t i = 0; i < n; i++) {
     if (vs_is_double(at[i])) d[i] = vs_double(at[i]);
@@ -25,7 +26,8 @@ static inline bool flat_rule(const vs_scheme *vm, vs_flat_op op, vs_value a, vs_
   bool fa = flat_operand(a), fb = flat_operand(b);
   if (!(fa || fb) || !vm->flat) return false;
   if (!(fa || vs_is_double(a) || vs_is_fixnum(a)) || !(fb || vs_is_double(b) || vs_is_fixnum(b))) return false;
-  if (op == VS_OP_DIV && (b == vs_fix(0) || (vs_is_double(b) && vs_double(b) == 0))) return false; /* the library's / says so */
+  /* the library's / says so */
+  if (op == VS_OP_DIV && (b == vs_fix(0) || (vs_is_double(b) && vs_double(b) == 0))) return false;
   return vm->flat->at[op][fa ? vs_as_flat(a)->h.flags : 0][fb ? vs_as_flat(b)->h.flags : 0].rule != VS_RULE_NONE;
 }
 
@@ -35,8 +37,8 @@ static inline bool to_double(vs_value v, double *d) {
   return false;
 }
 
-/* Applies the host's binary procedure of this row to x and y; the result is three numbers or one. Returns the record's tag, or 0 for a number. Negative:
- * other operands, or a number without end: the procedure itself has the word. */
+/* Applies the host's binary procedure of this row to x and y; the result is three numbers or one. Returns the record's
+ * tag, or 0 for a number. Negative: other operands, or a number without end: the procedure itself has the word. */
 static inline int flat_binary(const vs_flat_rules *rules, uint32_t row, vs_value x, vs_value y, double *d) {
   int kind = rules->binary[row].kind, result = rules->binary[row].result;
   if (!vs_is_flat(x, rules->binary[row].left)) return -1;
@@ -80,7 +82,8 @@ static inline bool quick_double(vs_flat_op op, vs_value a, vs_value b, vs_value 
   switch (op) {
     case VS_OP_ADD: x += y; break;
     case VS_OP_SUB: x -= y; break;
-    case VS_OP_MUL:      /* exact 0 times anything is this double's business all the same: 0 * 1.5 = 0.0 as in the general case */
+    case VS_OP_MUL:      /* exact 0 times anything is this double's business all the same: 0 * 1.5 = 0.0 as in the
+                          * general case */
       x *= y; break;
     case VS_OP_DIV: if (b == vs_fix(0)) return false; x /= y; break;
     default: return false;
@@ -89,8 +92,8 @@ static inline bool quick_double(vs_flat_op op, vs_value a, vs_value b, vs_value 
   return true;
 }
 
-/* a op b for fixnums and doubles; false: something else, or a fixnum overflows. Sums are made in the upper 48 bits, where overflow is
-   the machine's. */
+/* a op b for fixnums and doubles; false: something else, or a fixnum overflows. Sums are made in the upper 48 bits,
+   where overflow is the machine's. */
 static inline bool quick(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   if (!both_fixnums(a, b)) return quick_double(op, a, b, out);
   int64_t i, j, r;
@@ -114,12 +117,24 @@ typedef enum { LT, LE, GT, GE, EQ } relation;
 static inline int compare(relation rel, vs_value a, vs_value b) {
   if (both_fixnums(a, b)) {
     int64_t i = (int64_t)(a << 16), j = (int64_t)(b << 16);
-    switch (rel) { case LT: return i < j; case LE: return i <= j; case GT: return i > j; case GE: return i >= j; case EQ: return i == j; }
+    switch (rel) {
+    case LT: return i < j;
+    case LE: return i <= j;
+    case GT: return i > j;
+    case GE: return i >= j;
+    case EQ: return i == j;
+    }
   }
   double x, y;
   if (vs_is_double(a) && vs_is_double(b)) { x = vs_double(a); y = vs_double(b); }
   else if (!to_double(a, &x) || !to_double(b, &y)) return -1;
-  switch (rel) { case LT: return x < y; case LE: return x <= y; case GT: return x > y; case GE: return x >= y; case EQ: return x == y; }
+  switch (rel) {
+  case LT: return x < y;
+  case LE: return x <= y;
+  case GT: return x > y;
+  case GE: return x >= y;
+  case EQ: return x == y;
+  }
   return -1;
 }
 

@@ -1,5 +1,5 @@
-/* Owns (%renamed procedure name), with which the library gives a procedure a second name: a copy of its code in which the old name, wherever
-   it stands as a constant, is the new one, so that errors speak of what the program called. */
+/* Owns (%renamed procedure name), with which the library gives a procedure a second name: a copy of its code in which
+   the old name, wherever it stands as a constant, is the new one, so that errors speak of what the program called. */
 #include "vm/compiler/code.h"
 #include "vm/machine/native.h"
 

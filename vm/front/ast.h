@@ -1,11 +1,11 @@
 /* Owns the core language: what the expander hands to the compiler.
 
-   A tree lives in the arena of one vs_ast; Scheme values in it are indices into the tree's constant pool, which is a root.
-   Both are accounted memory. The tree is freed as a whole. The expander builds it from an explicit worklist; the compiler
-   recurses over it, but not into lambda bodies (those come from a worklist), so nesting inside one lambda must stay below
-   VS_AST_DEPTH: deeper subexpressions are outlined by the expander as CALL of a LAMBDA without parameters. SEQ and CALL count one level
-   whatever their length; the last element of a SEQ, both arms of an IF in tail position of one another (cond chains) and
-   the body of a LET count one level each like anything else.
+   A tree lives in the arena of one vs_ast; Scheme values in it are indices into the tree's constant pool, which is a
+   root. Both are accounted memory. The tree is freed as a whole. The expander builds it from an explicit worklist; the
+   compiler recurses over it, but not into lambda bodies (those come from a worklist), so nesting inside one lambda must
+   stay below VS_AST_DEPTH: deeper subexpressions are outlined by the expander as CALL of a LAMBDA without parameters.
+   SEQ and CALL count one level whatever their length; the last element of a SEQ, both arms of an IF in tail position of
+   one another (cond chains) and the body of a LET count one level each like anything else.
 
    Binding: a variable is a vs_var made by vs_ast_var; references point at it. Who captures and assigns is found by the
    compiler; the expander fills nothing but the name. A vs_var belongs to exactly one LAMBDA, LET or FIX.
@@ -41,9 +41,10 @@ typedef struct vs_var {
 
 typedef struct vs_param {    /* one parameter of a lambda, in the order required, optional, keyword */
   vs_var *var;
-  vs_node *fallback;         /* NULL: required. Else evaluated when it was not given, in the scope of the parameters before it */
-  uint32_t keyword;          /* 0, or 1 + constant index of the keyword's symbol (the name without #:). A keyword parameter
-                                with fallback NULL must be given */
+  vs_node *fallback;         /* NULL: required. Else evaluated when it was not given, in the scope of the parameters
+                                before it */
+  uint32_t keyword;          /* 0, or 1 + constant index of the keyword's symbol (the name without #:). A keyword
+                                parameter with fallback NULL must be given */
 } vs_param;
 
 struct vs_node {
@@ -55,16 +56,19 @@ struct vs_node {
     uint32_t constant;                                            /* CONST: index */
     vs_var *var;                                                  /* LOCAL */
     struct { vs_var *var; vs_node *value; } set;                  /* SETLOCAL; its value is #unspecific */
-    struct { uint32_t cell; vs_node *value; } global;             /* GLOBAL, SETGLOBAL, DEFGLOBAL: constant index of a CELL. GLOBAL of a
-                                                                     cell holding VS_UNDEFINED is the error "NAME is not defined" */
+    struct { uint32_t cell; vs_node *value; } global;             /* GLOBAL, SETGLOBAL, DEFGLOBAL: constant index of a
+                                                                     CELL. GLOBAL of a cell holding VS_UNDEFINED is the
+                                                                     error "NAME is not defined" */
     struct { vs_node *test, *then, *otherwise; } branch;          /* IF; otherwise NULL: #unspecific */
     struct { vs_node **at; } seq;                                 /* SEQ; count 0: #unspecific */
-    struct { vs_node *callee; vs_node **at; uint32_t keywords; } call;  /* CALL; keywords: 0 or 1 + constant index of a KEYWORDS object
-                                                                     that names the last arguments. Evaluated left to right, callee first */
-    struct { vs_var **vars; vs_node **values; vs_node *body; } let;     /* LET (values outside the scope), FIX (letrec*: in order, all in
-                                                                     scope; a reference too early is an error); count variables.
-                                                                     Internal defines are FIX. Named let and do: FIX of one LAMBDA whose
-                                                                     body is a CALL of it: the compiler makes it a loop */
+    struct { vs_node *callee; vs_node **at; uint32_t keywords; } call;  /* CALL; keywords: 0 or 1 + constant index of a
+                                                                     KEYWORDS object that names the last arguments.
+                                                                     Evaluated left to right, callee first */
+    struct { vs_var **vars; vs_node **values; vs_node *body; } let;     /* LET (values outside the scope), FIX (letrec*:
+                                                                     in order, all in scope; a reference too early is an
+                                                                     error); count variables. Internal defines are FIX.
+                                                                     Named let and do: FIX of one LAMBDA whose body is a
+                                                                     CALL of it: the compiler makes it a loop */
     struct {
       uint32_t name;                                              /* 0 or 1 + constant index of a symbol */
       vs_param *params;                                           /* count of them */
@@ -74,10 +78,11 @@ struct vs_node {
     } lambda;                                                     /* LAMBDA */
     struct { uint32_t name; vs_node **at; } clauses;              /* CASE: case-lambda, LAMBDAs */
     struct { vs_node *predicate, *value; uint32_t name, text, who; } check;
-      /* CHECK: a contract. Value of `value` if (predicate value) is true; else the error "WHO: NAME must be TEXT, got VALUE". A predicate
-         that raises counts as false, one that is no procedure makes the message show [NAME TEXT]. name, text: constants (symbol, any
-         datum as written); who: constant (symbol or #f). The expander evaluates the predicate expression once, outside the lambda
-         (a LET around it, or its own cell), and `predicate` is a reference to that; the compiler knows any? when it is a GLOBAL. */
+      /* CHECK: a contract. Value of `value` if (predicate value) is true; else the error "WHO: NAME must be TEXT, got
+         VALUE". A predicate that raises counts as false, one that is no procedure makes the message show [NAME TEXT].
+         name, text: constants (symbol, any datum as written); who: constant (symbol or #f). The expander evaluates the
+         predicate expression once, outside the lambda (a LET around it, or its own cell), and `predicate` is a
+         reference to that; the compiler knows any? when it is a GLOBAL. */
   } as;
 };
 
@@ -89,17 +94,21 @@ typedef struct vs_ast {
   vs_value *pool; size_t pool_count, pool_room;   /* constants; roots */
 } vs_ast;
 
-bool vs_ast_open(vs_scheme *vm, vs_ast *ast);      /* links it into vm->asts; the struct is the caller's (in a foreign object of the expander) */
+bool vs_ast_open(vs_scheme *vm, vs_ast *ast);      /* links it into vm->asts; the struct is the caller's (in a foreign
+                                                      object of the expander) */
 void vs_ast_close(vs_ast *ast);             /* frees everything; also after a failed open */
 void vs_ast_clear(vs_ast *ast);             /* for the next top-level form */
 
-void *vs_ast_alloc(vs_ast *ast, size_t bytes);                              /* zeroed, 8-aligned; NULL and memory error */
-bool vs_ast_const(vs_ast *ast, vs_value v, uint32_t *index);                /* the same immediate or object may share an index */
+/* zeroed, 8-aligned; NULL and memory error */
+void *vs_ast_alloc(vs_ast *ast, size_t bytes);
+/* the same immediate or object may share an index */
+bool vs_ast_const(vs_ast *ast, vs_value v, uint32_t *index);
 vs_var *vs_ast_var(vs_ast *ast, vs_value symbol);
 vs_node *vs_ast_node(vs_ast *ast, int kind, vs_pos pos);                    /* fields zero */
 /* shorthands; NULL when memory is out */
 vs_node *vs_ast_constant(vs_ast *ast, vs_value v, vs_pos pos);
 vs_node *vs_ast_local(vs_ast *ast, vs_var *var, vs_pos pos);
-vs_node *vs_ast_list(vs_ast *ast, int kind, size_t n, vs_pos pos);          /* SEQ, CALL, CASE, LET, FIX, LAMBDA with room for n */
+/* SEQ, CALL, CASE, LET, FIX, LAMBDA with room for n */
+vs_node *vs_ast_list(vs_ast *ast, int kind, size_t n, vs_pos pos);
 
 #endif

@@ -3,7 +3,8 @@
 #include "vm/front/suggest.h"
 #include "vm/front/environment.h"
 
-/* The bindings of `what` are ((name value) ...); PLT's and beginners' mistakes get a message that shows the right form. */
+/* The bindings of `what` are ((name value) ...); PLT's and beginners' mistakes get a message that shows the right
+   form. */
 static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {
   const char *name = vs_form_shape(form);
   if (vs_list_length(list) < 0) return vs_expand_fail(x, outer, list, "the bindings are a list: %s; not", name);
@@ -13,9 +14,11 @@ static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int for
     int64_t n = vs_list_length(b);
     if ((n == 2 || (step && n == 3)) && vs_is_identifier(vs_car(b))) continue;
     if (vs_is_identifier(b) && l == list && vs_list_length(list) == 2)
-      return vs_expand_fail(x, outer, list, "the bindings stand in parentheses of their own, even one alone: %s; not", name);
+      return vs_expand_fail(x, outer, list, "the bindings stand in parentheses of their own, even one alone: %s; not",
+                            name);
     if (n == 1) return vs_expand_fail(x, pos, b, "this binding has no value: %s; not", name);
-    if (n > 2 && vs_is_identifier(vs_car(b))) return vs_expand_fail(x, pos, b, "this binding has more than one value: %s; not", name);
+    if (n > 2 && vs_is_identifier(vs_car(b)))
+      return vs_expand_fail(x, pos, b, "this binding has more than one value: %s; not", name);
     return vs_expand_fail(x, pos, b, "a binding is (name value)%s: %s; not", step ? " or (name start step)" : "", name);
   }
   return true;
@@ -28,7 +31,8 @@ static bool bind_names(vs_expansion *x, vs_value list, vs_value scope, vs_var **
   for (size_t i = 0; vs_is_pair(r[0]); r[0] = vs_cdr(r[0]), i++) {
     vs_value id = vs_car(vs_car(r[0]));
     if (vs_idtable_get(vs_as_environment(r[1])->table, id) != VS_VACANT)
-      return vs_expand_fail(x, vs_form_pos(vs_car(r[0]), x->now.pos), VS_ABSENT, "%s is bound twice here", vs_as_symbol(vs_identifier_symbol(id))->name);
+      return vs_expand_fail(x, vs_form_pos(vs_car(r[0]), x->now.pos), VS_ABSENT, "%s is bound twice here",
+                            vs_as_symbol(vs_identifier_symbol(id))->name);
     if (!vs_expand_var(x, id, r[1], &vars[i])) return false;
   }
   return true;
@@ -38,7 +42,8 @@ static bool push_values(vs_expansion *x, vs_value list, vs_value env, vs_node **
   bool ok = true;
   for (size_t i = 0; ok && vs_is_pair(list); list = vs_cdr(list), i++) {
     vs_value l = vs_cdr(vs_car(list));
-    ok = vs_expand_push(x, VS_TASK_EXPR, vs_car(l), env, vs_element_pos(l, false, vs_form_pos(vs_car(list), x->now.pos)), &values[i], depth);
+    ok = vs_expand_push(x, VS_TASK_EXPR, vs_car(l), env,
+                        vs_element_pos(l, false, vs_form_pos(vs_car(list), x->now.pos)), &values[i], depth);
     if (ok && vars) vs_expand_top(x)->var = vars[i];
   }
   return ok;
@@ -51,9 +56,12 @@ static bool named_let(vs_expansion *x) {
   if (!check_bindings(x, list, x->now.pos, VS_FORM_let, false)) return false;
   size_t n = (size_t)vs_list_length(list);
   vs_pos pos = x->now.pos;
-  vs_node *fix = vs_expand_many(x, VS_AST_FIX, 1, pos), *lambda = vs_expand_many(x, VS_AST_LAMBDA, n, pos), *call = vs_expand_many(x, VS_AST_CALL, n, pos);
-  if (!fix || !lambda || !call || !vs_expand_scope(x, x->now.env, &r[0]) || !vs_expand_var(x, id, r[0], &fix->as.let.vars[0]) ||
-      !vs_expand_scope(x, r[0], &r[1]) || !(call->as.call.callee = vs_ast_local(&x->ast, fix->as.let.vars[0], pos))) return false;
+  vs_node *fix = vs_expand_many(x, VS_AST_FIX, 1, pos), *lambda = vs_expand_many(x, VS_AST_LAMBDA, n, pos),
+          *call = vs_expand_many(x, VS_AST_CALL, n, pos);
+  if (!fix || !lambda || !call || !vs_expand_scope(x, x->now.env, &r[0]) ||
+      !vs_expand_var(x, id, r[0], &fix->as.let.vars[0]) || !vs_expand_scope(x, r[0], &r[1]) ||
+      !(call->as.call.callee = vs_ast_local(&x->ast, fix->as.let.vars[0], pos)))
+    return false;
   lambda->as.lambda.name = 1 + fix->as.let.vars[0]->name;
   *x->now.into = fix;
   fix->as.let.values[0] = lambda;
@@ -66,7 +74,8 @@ static bool named_let(vs_expansion *x) {
          push_values(x, vs_car(vs_cdr(vs_cdr(x->now.form))), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* A name of this let that means nothing around it: should it turn out to be used there, in a value that follows, let* was meant. */
+/* A name of this let that means nothing around it: should it turn out to be used there, in a value that follows, let*
+   was meant. */
 static bool mention_let_star(vs_expansion *x, vs_value list) {
   VS_ROOTS(x->vm, r, 2);
   for (r[0] = list; vs_is_pair(vs_cdr(r[0])); r[0] = vs_cdr(r[0])) {
@@ -77,7 +86,8 @@ static bool mention_let_star(vs_expansion *x, vs_value list) {
   return true;
 }
 
-/* Can working out this value of a letrec make a continuation? Not what is no call, and not a procedure; in doubt it can. */
+/* Can working out this value of a letrec make a continuation? Not what is no call, and not a procedure; in doubt it
+   can. */
 static bool may_return_again(vs_value value) {
   if (!vs_is_pair(value)) return false;
   if (!vs_is_identifier(vs_car(value))) return true;
@@ -91,8 +101,8 @@ static size_t returning_again(vs_value list) {
   return n;
 }
 
-/* A letrec with `again` values that may come a second time. Their names are places in the heap, and get their values when
- * all of these are there: FIX (procedure value) ... (a' value) ... (a a') ... with names a' that nobody sees. */
+/* A letrec with `again` values that may come a second time. Their names are places in the heap, and get their values
+ * when all of these are there: FIX (procedure value) ... (a' value) ... (a a') ... with names a' that nobody sees. */
 static bool letrec_apart(vs_expansion *x, vs_node *fix, vs_var **vars, size_t again, vs_value env, uint32_t depth) {
   VS_ROOTS(x->vm, r, 2);
   r[0] = vs_car(vs_cdr(x->now.form)); r[1] = env;
@@ -122,7 +132,8 @@ static bool binding_form(vs_expansion *x, int form, int kind) {
   int64_t parts = vs_list_length(x->now.form);
   if (form == VS_FORM_let && parts > 3 && vs_is_identifier(vs_car(l))) return named_let(x);
   if (parts < 3) {
-    if (parts == 2 && vs_is_pair(vs_car(l))) return vs_expand_fail(x, x->now.pos, VS_ABSENT, "a body is missing: %s", vs_form_shape(form));
+    if (parts == 2 && vs_is_pair(vs_car(l)))
+      return vs_expand_fail(x, x->now.pos, VS_ABSENT, "a body is missing: %s", vs_form_shape(form));
     return vs_expand_shape(x, form);
   }
   vs_pos pos = x->now.pos;
@@ -133,13 +144,16 @@ static bool binding_form(vs_expansion *x, int form, int kind) {
   size_t again = form == VS_FORM_letrec ? returning_again(vs_car(l)) : 0;
   vs_node *node = vs_expand_many(x, kind, n + again, pos);
   vs_var **vars = again ? vs_ast_alloc(&x->ast, n * sizeof *vars) : node ? node->as.let.vars : NULL;
-  if (!node || !vars || !vs_expand_scope(x, x->now.env, &r[0]) || !bind_names(x, vs_car(vs_cdr(x->now.form)), r[0], vars)) return false;
+  if (!node || !vars || !vs_expand_scope(x, x->now.env, &r[0]) ||
+      !bind_names(x, vs_car(vs_cdr(x->now.form)), r[0], vars))
+    return false;
   *x->now.into = node;
   if (kind == VS_AST_LET && n > 1 && !mention_let_star(x, vs_car(vs_cdr(x->now.form)))) return false;
   l = vs_cdr(x->now.form);
   if (!vs_expand_body(x, vs_cdr(l), r[0], pos, &node->as.let.body, x->now.depth + 1)) return false;
-  return again ? letrec_apart(x, node, vars, again, r[0], x->now.depth + 1) :
-         push_values(x, vs_car(vs_cdr(x->now.form)), kind == VS_AST_LET ? x->now.env : r[0], node->as.let.values, node->as.let.vars, x->now.depth + 1);
+  return again ? letrec_apart(x, node, vars, again, r[0], x->now.depth + 1)
+               : push_values(x, vs_car(vs_cdr(x->now.form)), kind == VS_AST_LET ? x->now.env : r[0],
+                             node->as.let.values, node->as.let.vars, x->now.depth + 1);
 }
 
 bool vs_form_let(vs_expansion *x) { return binding_form(x, VS_FORM_let, VS_AST_LET); }
@@ -160,7 +174,8 @@ bool vs_form_let_star(vs_expansion *x) {
   if (!x->now.chained && vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_let_star);
   vs_value l = vs_cdr(x->now.form);
   vs_pos pos = x->now.pos;
-  if (!x->now.chained && !check_bindings(x, vs_car(l), vs_element_pos(l, false, pos), VS_FORM_let_star, false)) return false;
+  if (!x->now.chained && !check_bindings(x, vs_car(l), vs_element_pos(l, false, pos), VS_FORM_let_star, false))
+    return false;
   vs_value list = vs_car(l);
   if (list == VS_NIL) return vs_expand_body(x, vs_cdr(l), x->now.env, pos, x->now.into, x->now.depth);
   VS_ROOTS(x->vm, r, 3);
@@ -174,32 +189,42 @@ bool vs_form_let_star(vs_expansion *x) {
   if (last) {
     if (!vs_expand_body(x, vs_cdr(l), r[0], pos, &node->as.let.body, x->now.depth + 1)) return false;
   } else {
-    if (!vs_cons_at(x->vm, vs_cdr(vs_car(l)), vs_cdr(l), vs_pair_pos(l), &r[2]) || !vs_cons_at(x->vm, vs_car(x->now.form), r[2], pos, &r[2]) ||
-        !vs_expand_push(x, VS_TASK_EXPR, r[2], r[0], pos, &node->as.let.body, x->now.depth + 1)) return false;
+    if (!vs_cons_at(x->vm, vs_cdr(vs_car(l)), vs_cdr(l), vs_pair_pos(l), &r[2]) ||
+        !vs_cons_at(x->vm, vs_car(x->now.form), r[2], pos, &r[2]) ||
+        !vs_expand_push(x, VS_TASK_EXPR, r[2], r[0], pos, &node->as.let.body, x->now.depth + 1))
+      return false;
     vs_expand_top(x)->chained = true;
   }
   vs_value first = vs_car(vs_car(vs_cdr(x->now.form))), v = vs_cdr(first);
-  if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(v), x->now.env, vs_element_pos(v, false, vs_form_pos(first, pos)), &node->as.let.values[0], x->now.depth + 1)) return false;
+  if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(v), x->now.env, vs_element_pos(v, false, vs_form_pos(first, pos)),
+                      &node->as.let.values[0], x->now.depth + 1))
+    return false;
   vs_expand_top(x)->var = node->as.let.vars[0];
   return true;
 }
 
-/* (do ((v start step) ...) (test result ...) body ...): FIX loop = LAMBDA of IF test result (SEQ body ... (loop step ...)) */
+/* (do ((v start step) ...) (test result ...) body ...): FIX loop = LAMBDA of IF test result (SEQ body ... (loop step
+   ...)) */
 bool vs_form_do(vs_expansion *x) {
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_do);
   vs_value l = vs_cdr(x->now.form), list = vs_car(l), end = vs_car(vs_cdr(l)), body = vs_cdr(vs_cdr(l)), name;
   vs_pos pos = x->now.pos;
   if (!check_bindings(x, list, vs_element_pos(l, false, pos), VS_FORM_do, true)) return false;
   int64_t results = vs_list_length(end);
-  if (results < 1) return vs_expand_fail(x, vs_element_pos(vs_cdr(l), false, pos), end, "the end of do is (test result ...), not");
+  if (results < 1)
+    return vs_expand_fail(x, vs_element_pos(vs_cdr(l), false, pos), end, "the end of do is (test result ...), not");
   size_t n = (size_t)vs_list_length(list), steps = (size_t)vs_list_length(body);
-  vs_node *fix = vs_expand_many(x, VS_AST_FIX, 1, pos), *lambda = vs_expand_many(x, VS_AST_LAMBDA, n, pos), *call = vs_expand_many(x, VS_AST_CALL, n, pos),
-          *again = vs_expand_many(x, VS_AST_CALL, n, pos), *seq = vs_expand_many(x, VS_AST_SEQ, steps + 1, pos), *test = vs_expand_node(x, VS_AST_IF, pos);
+  vs_node *fix = vs_expand_many(x, VS_AST_FIX, 1, pos), *lambda = vs_expand_many(x, VS_AST_LAMBDA, n, pos),
+          *call = vs_expand_many(x, VS_AST_CALL, n, pos), *again = vs_expand_many(x, VS_AST_CALL, n, pos),
+          *seq = vs_expand_many(x, VS_AST_SEQ, steps + 1, pos), *test = vs_expand_node(x, VS_AST_IF, pos);
   vs_var **vars = vs_ast_alloc(&x->ast, (n + 1) * sizeof *vars);
   VS_ROOTS(x->vm, r, 1);
-  if (!fix || !lambda || !call || !again || !seq || !test || !vars || !vs_intern_c(x->vm, "do", &name) || !(fix->as.let.vars[0] = vs_ast_var(&x->ast, name)) ||
-      !(call->as.call.callee = vs_ast_local(&x->ast, fix->as.let.vars[0], pos)) || !(again->as.call.callee = vs_ast_local(&x->ast, fix->as.let.vars[0], pos)) ||
-      !vs_expand_scope(x, x->now.env, &r[0]) || !bind_names(x, vs_car(vs_cdr(x->now.form)), r[0], vars)) return false;
+  if (!fix || !lambda || !call || !again || !seq || !test || !vars || !vs_intern_c(x->vm, "do", &name) ||
+      !(fix->as.let.vars[0] = vs_ast_var(&x->ast, name)) ||
+      !(call->as.call.callee = vs_ast_local(&x->ast, fix->as.let.vars[0], pos)) ||
+      !(again->as.call.callee = vs_ast_local(&x->ast, fix->as.let.vars[0], pos)) ||
+      !vs_expand_scope(x, x->now.env, &r[0]) || !bind_names(x, vs_car(vs_cdr(x->now.form)), r[0], vars))
+    return false;
   *x->now.into = fix;
   fix->as.let.values[0] = lambda;
   fix->as.let.body = call;
@@ -214,7 +239,8 @@ bool vs_form_do(vs_expansion *x) {
   for (size_t i = 0; ok && i < n; i++, list = vs_cdr(list)) {
     vs_value s = vs_cdr(vs_cdr(vs_car(list)));
     vs_pos place = vs_form_pos(vs_car(list), pos);
-    if (vs_is_pair(s)) ok = vs_expand_push(x, VS_TASK_EXPR, vs_car(s), r[0], vs_element_pos(s, false, place), &again->as.call.at[i], 4);
+    if (vs_is_pair(s))
+      ok = vs_expand_push(x, VS_TASK_EXPR, vs_car(s), r[0], vs_element_pos(s, false, place), &again->as.call.at[i], 4);
     else ok = (again->as.call.at[i] = vs_ast_local(&x->ast, vars[i], place)) != NULL;
   }
   end = vs_car(vs_cdr(l));
@@ -232,8 +258,8 @@ bool vs_form_do(vs_expansion *x) {
   return push_values(x, vs_car(vs_cdr(x->now.form)), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* Transformers that are syntax-rules are bound in a scope; others become define-syntax at the head of a body, which can wait for
-   their values. */
+/* Transformers that are syntax-rules are bound in a scope; others become define-syntax at the head of a body, which can
+   wait for their values. */
 static bool syntax_binding(vs_expansion *x, bool recursive, int form) {
   vs_scheme *vm = x->vm;
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, form);
@@ -246,7 +272,10 @@ static bool syntax_binding(vs_expansion *x, bool recursive, int form) {
     bool done;
     if (!vs_expand_transformer(x, vs_car(vs_cdr(b)), recursive ? r[0] : x->now.env, &r[2], &done)) return false;
     if (done) { if (!vs_environment_bind(vm, r[0], vs_car(vs_car(r[1])), r[2])) return false; continue; }
-    if (!vs_core_name(vm, "define-syntax", &r[2]) || !vs_cons_at(vm, r[2], vs_car(r[1]), vs_form_pos(vs_car(r[1]), x->now.pos), &r[2]) || !vs_cons(vm, r[2], r[3], &r[3])) return false;
+    if (!vs_core_name(vm, "define-syntax", &r[2]) ||
+        !vs_cons_at(vm, r[2], vs_car(r[1]), vs_form_pos(vs_car(r[1]), x->now.pos), &r[2]) ||
+        !vs_cons(vm, r[2], r[3], &r[3]))
+      return false;
   }
   r[4] = vs_cdr(vs_cdr(x->now.form));
   for (; vs_is_pair(r[3]); r[3] = vs_cdr(r[3]))

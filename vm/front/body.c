@@ -1,17 +1,18 @@
 /* Owns definitions: bodies, the top level, what define and define-syntax look like, transformers.
 
-   A body is walked form by form: its head is expanded until it is a definition (its name is bound in the body's scope at once, its
-   value kept for later), a begin (spliced) or an expression. Only when every name is known are the kept forms expanded: all
-   definitions and the expressions between them become one FIX (letrec*), the rest its body. The definitions found are a list, newest first,
-   of vectors: #(variable form place parameters), variable a fixnum address or #f for an expression, parameters
-   VS_ABSENT for a plain value, else form is the procedure's body. */
+   A body is walked form by form: its head is expanded until it is a definition (its name is bound in the body's scope
+   at once, its value kept for later), a begin (spliced) or an expression. Only when every name is known are the kept
+   forms expanded: all definitions and the expressions between them become one FIX (letrec*), the rest its body. The
+   definitions found are a list, newest first, of vectors: #(variable form place parameters), variable a fixnum address
+   or #f for an expression, parameters VS_ABSENT for a plain value, else form is the procedure's body. */
 #include "vm/front/expand.h"
 
 
 /* ---- what a define says ---- */
-/* form: (define . rest). Curried defines ((define ((f a) b) ...)) come back as a procedure whose body is a lambda. All out
-   values must be roots. */
-bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *name, vs_value *params, vs_value *rest, bool *procedure) {
+/* form: (define . rest). Curried defines ((define ((f a) b) ...)) come back as a procedure whose body is a lambda. All
+   out values must be roots. */
+bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *name, vs_value *params, vs_value *rest,
+                     bool *procedure) {
   vs_scheme *vm = x->vm;
   (void)env;
   vs_pos pos = vs_form_pos(form, x->now.pos);
@@ -22,8 +23,9 @@ bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *nam
   r[1] = vs_cdr(vs_cdr(form));
   *procedure = vs_is_pair(r[0]);
   while (vs_is_pair(r[0]) && vs_is_pair(vs_car(r[0]))) {          /* curried */
-    if (!vs_core_name(vm, "lambda", &r[2]) || !vs_cons(vm, vs_cdr(r[0]), r[1], &r[1]) || !vs_cons_at(vm, r[2], r[1], pos, &r[1]) ||
-        !vs_cons(vm, r[1], VS_NIL, &r[1])) return false;
+    if (!vs_core_name(vm, "lambda", &r[2]) || !vs_cons(vm, vs_cdr(r[0]), r[1], &r[1]) ||
+        !vs_cons_at(vm, r[2], r[1], pos, &r[1]) || !vs_cons(vm, r[1], VS_NIL, &r[1]))
+      return false;
     r[0] = vs_car(r[0]);
   }
   if (*procedure) {
@@ -31,21 +33,27 @@ bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *nam
     *params = vs_cdr(r[0]);
     *rest = r[1];
     if (!vs_is_identifier(*name)) return vs_expand_fail(x, pos, *name, "define needs a name, got");
-    if (r[1] == VS_NIL) return vs_expand_fail(x, pos, VS_ABSENT, "define: the procedure %s has no body", vs_as_symbol(vs_identifier_symbol(*name))->name);
+    if (r[1] == VS_NIL)
+      return vs_expand_fail(x, pos, VS_ABSENT, "define: the procedure %s has no body",
+                            vs_as_symbol(vs_identifier_symbol(*name))->name);
     return true;
   }
   *name = r[0];
   if (!vs_is_identifier(r[0])) return vs_expand_fail(x, pos, r[0], "define needs a name, got");
   const char *text = vs_as_symbol(vs_identifier_symbol(r[0]))->name;
-  if (n == 2) return vs_expand_fail(x, pos, VS_ABSENT, "define: %s gets no value; it is written (define %s value)", text, text);
+  if (n == 2)
+    return vs_expand_fail(x, pos, VS_ABSENT, "define: %s gets no value; it is written (define %s value)", text, text);
   if (n > 3) {
     vs_value second = vs_car(r[1]);
     if (n == 4 && vs_is_symbol(second) && !strcmp(vs_as_symbol(second)->name, "="))
       return vs_expand_fail(x, pos, VS_ABSENT, "define: it is written (define %s value), without =", text);
     if (second == VS_NIL || (vs_is_pair(second) && vs_is_identifier(vs_car(second))))
-      return vs_expand_fail(x, pos, VS_ABSENT, "define: a procedure is written (define (%s%s) body ...), its name inside the parentheses of its parameters", text,
-                            second == VS_NIL ? "" : " parameter ...");
-    return vs_expand_fail(x, pos, VS_ABSENT, "define: %s gets %lld values; it is written (define %s value)", text, (long long)(n - 2), text);
+      return vs_expand_fail(
+          x, pos, VS_ABSENT,
+          "define: a procedure is written (define (%s%s) body ...), its name inside the parentheses of its parameters",
+          text, second == VS_NIL ? "" : " parameter ...");
+    return vs_expand_fail(x, pos, VS_ABSENT, "define: %s gets %lld values; it is written (define %s value)", text,
+                          (long long)(n - 2), text);
   }
   *params = VS_ABSENT;
   *rest = vs_car(r[1]);
@@ -72,28 +80,33 @@ bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_valu
     vs_meaning m = vs_environment_find(env, spec);
     if (m.kind == VS_MEANS_MACRO) { *macro = m.value; return true; }
   }
-  if (vs_is_pair(spec) && vs_is_form(env, vs_car(spec), VS_FORM_syntax_rules)) return vs_rules_make(x, spec, env, pos, macro);
+  if (vs_is_pair(spec) && vs_is_form(env, vs_car(spec), VS_FORM_syntax_rules))
+    return vs_rules_make(x, spec, env, pos, macro);
   if (vs_is_pair(spec) && vs_is_identifier(vs_car(spec))) {      /* a macro that makes a transformer */
     vs_meaning m = vs_environment_find(env, vs_car(spec));
     if (m.kind == VS_MEANS_MACRO && vs_as_macro(m.value)->kind == vs_fix(VS_MACRO_RULES))
       return vs_rules_expand(x, m.value, spec, env, pos, &r[2]) && vs_expand_transformer(x, r[2], r[1], macro, done);
   }
-  if (!vs_is_pair(spec) && !vs_is_identifier(spec)) return vs_expand_fail(x, pos, spec, "a transformer is (syntax-rules ...) or (er-macro-transformer ...), not");
+  if (!vs_is_pair(spec) && !vs_is_identifier(spec))
+    return vs_expand_fail(x, pos, spec, "a transformer is (syntax-rules ...) or (er-macro-transformer ...), not");
   *done = false;
-  if (!vs_intern_c(vm, "%eval-transformer", &r[3]) || !vs_cons(vm, r[1], VS_NIL, &r[2]) || !vs_cons(vm, r[0], r[2], &r[2])) return false;
+  if (!vs_intern_c(vm, "%eval-transformer", &r[3]) || !vs_cons(vm, r[1], VS_NIL, &r[2]) ||
+      !vs_cons(vm, r[0], r[2], &r[2]))
+    return false;
   x->procedure = vs_environment_value(vm->at.core, r[3]);
   x->args = r[2];
   return true;
 }
 
-/* (define-syntax name spec), bound in env. PLT's (define-syntax-rule ...) is a macro of the prelude. *wait: a call is due, whose value
-   is to take the spec's place. */
+/* (define-syntax name spec), bound in env. PLT's (define-syntax-rule ...) is a macro of the prelude. *wait: a call is
+   due, whose value is to take the spec's place. */
 static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wait) {
   VS_ROOTS(x->vm, r, 3);
   r[0] = form; r[1] = env;
   *wait = false;
   if (vs_list_length(form) != 3 || !vs_is_identifier(vs_car(vs_cdr(form))))
-    return vs_expand_fail(x, vs_form_pos(form, x->now.pos), form, "define-syntax is written %s, not", vs_form_shape(VS_FORM_define_syntax));
+    return vs_expand_fail(x, vs_form_pos(form, x->now.pos), form, "define-syntax is written %s, not",
+                          vs_form_shape(VS_FORM_define_syntax));
   bool done;
   if (!vs_expand_transformer(x, vs_car(vs_cdr(vs_cdr(form))), env, &r[2], &done)) return false;
   if (!done) { *wait = true; return true; }
@@ -104,7 +117,8 @@ static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wa
 static bool with_value(vs_scheme *vm, vs_value form, vs_value value, vs_pos pos, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = form;
-  return vs_cons(vm, value, VS_NIL, &r[1]) && vs_cons(vm, vs_car(vs_cdr(r[0])), r[1], &r[1]) && vs_cons_at(vm, vs_car(r[0]), r[1], pos, out);
+  return vs_cons(vm, value, VS_NIL, &r[1]) && vs_cons(vm, vs_car(vs_cdr(r[0])), r[1], &r[1]) &&
+         vs_cons_at(vm, vs_car(r[0]), r[1], pos, out);
 }
 
 /* ---- bodies ---- */
@@ -149,7 +163,9 @@ static bool finish_body(vs_expansion *x) {
     total++;
   }
   if (defined == total)
-    return vs_expand_fail(x, x->now.pos, VS_ABSENT, total ? "this body ends with a definition; an expression must follow, whose value it has" : "this body is empty; an expression is missing");
+    return vs_expand_fail(x, x->now.pos, VS_ABSENT,
+                          total ? "this body ends with a definition; an expression must follow, whose value it has"
+                                : "this body is empty; an expression is missing");
   VS_ROOTS(vm, r, 1);
   r[0] = x->now.acc;
   size_t rest = total - defined;
@@ -189,7 +205,8 @@ static bool splice(vs_expansion *x, vs_value forms) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 4);
   r[0] = forms; r[1] = VS_NIL;
-  if (vs_list_length(forms) < 0) return vs_expand_fail(x, x->now.pos, forms, "begin is written %s, not", vs_form_shape(VS_FORM_begin));
+  if (vs_list_length(forms) < 0)
+    return vs_expand_fail(x, x->now.pos, forms, "begin is written %s, not", vs_form_shape(VS_FORM_begin));
   if (vs_cdr(x->now.form) == VS_NIL) { x->now.form = r[0]; return true; }
   r[2] = VS_NIL;
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
@@ -222,8 +239,11 @@ bool vs_body_step(vs_expansion *x) {
       vs_var *var;
       if (!vs_define_parts(x, r[0], x->now.env, &r[1], &r[2], &r[3], &procedure)) return false;
       vs_value known = vs_idtable_get(vs_as_environment(x->now.env)->table, r[1]);
-      if (known != VS_VACANT) return vs_expand_fail(x, pos, VS_ABSENT, "%s is defined twice in this body", vs_as_symbol(vs_identifier_symbol(r[1]))->name);
-      if (!vs_expand_var(x, r[1], x->now.env, &var) || !keep(x, vs_fix((int64_t)(uintptr_t)var), r[3], pos, r[2])) return false;
+      if (known != VS_VACANT)
+        return vs_expand_fail(x, pos, VS_ABSENT, "%s is defined twice in this body",
+                              vs_as_symbol(vs_identifier_symbol(r[1]))->name);
+      if (!vs_expand_var(x, r[1], x->now.env, &var) || !keep(x, vs_fix((int64_t)(uintptr_t)var), r[3], pos, r[2]))
+        return false;
     } else if (form == VS_FORM_define_syntax) {
       bool wait;
       if (!define_syntax(x, r[0], x->now.env, &wait)) return false;
@@ -237,7 +257,8 @@ bool vs_body_step(vs_expansion *x) {
     x->now.pos = outer;
     x->now.form = vs_cdr(x->now.form);
   }
-  if (x->now.form != VS_NIL) return vs_expand_fail(x, x->now.pos, x->now.form, "a body is a list: no . may stand before");
+  if (x->now.form != VS_NIL)
+    return vs_expand_fail(x, x->now.pos, x->now.form, "a body is a list: no . may stand before");
   return finish_body(x);
 }
 
@@ -250,15 +271,17 @@ bool vs_body_resume(vs_expansion *x, vs_value value) {
   x->now.n = WAIT_HEAD;
   vs_value form = top ? x->now.form : vs_car(x->now.form);
   if (transformer && !vs_is(value, VS_T_MACRO))
-    return vs_expand_fail(x, vs_form_pos(form, x->now.pos), value, "a transformer is (syntax-rules ...) or (er-macro-transformer ...), this gave");
+    return vs_expand_fail(x, vs_form_pos(form, x->now.pos), value,
+                          "a transformer is (syntax-rules ...) or (er-macro-transformer ...), this gave");
   if (transformer && !with_value(vm, form, r[0], vs_form_pos(form, x->now.pos), &r[0])) return false;
   if (top) { x->now.form = r[0]; return true; }
   return vs_cons_at(vm, r[0], vs_cdr(x->now.form), vs_form_pos(x->now.form, x->now.pos), &x->now.form);
 }
 
 /* ---- the top level ---- */
-/* Names that a macro's (begin (define name ...) ...) makes are bound before any of its forms is expanded, so that the first may refer to the
-   last: a name of the program would be found by its symbol, but these are known to nobody else. */
+/* Names that a macro's (begin (define name ...) ...) makes are bound before any of its forms is expanded, so that the
+   first may refer to the last: a name of the program would be found by its symbol, but these are known to nobody
+   else. */
 static bool bind_renamed(vs_expansion *x, vs_value forms) {
   VS_ROOTS(x->vm, r, 1);
   for (r[0] = forms; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
@@ -281,9 +304,11 @@ bool vs_top_step(vs_expansion *x) {
   if (!vs_expand_settle(x, &r[0], &m, &pos)) return false;
   x->now.form = r[0];
   x->now.pos = pos;
-  if (!vs_is_top(x->now.env)) return vs_expand_push(x, VS_TASK_EXPR, r[0], x->now.env, pos, x->now.into, 0);   /* a transformer of a body */
+  /* a transformer of a body */
+  if (!vs_is_top(x->now.env)) return vs_expand_push(x, VS_TASK_EXPR, r[0], x->now.env, pos, x->now.into, 0);
   int form = m.kind == VS_MEANS_MACRO ? (int)vs_fixnum(vs_as_macro(m.value)->kind) : vs_unit_word(&m);
-  if (form != VS_FORM_begin && form != VS_FORM_import && form != VS_FORM_define_library && vs_environment_intake(x->now.env) == VS_INTAKE_FRESH)
+  if (form != VS_FORM_begin && form != VS_FORM_import && form != VS_FORM_define_library &&
+      vs_environment_intake(x->now.env) == VS_INTAKE_FRESH)
     vs_environment_set_intake(x->now.env, VS_INTAKE_OPEN);        /* it does not begin with an import */
   switch (form) {
   case VS_FORM_begin:
@@ -297,12 +322,15 @@ bool vs_top_step(vs_expansion *x) {
     vs_value cell;
     if (!vs_define_parts(x, r[0], x->now.env, &r[1], &r[2], &r[3], &procedure)) return false;
     vs_node *n = vs_expand_node(x, VS_AST_DEFGLOBAL, pos);
-    if (!n || !vs_environment_define(vm, x->now.env, r[1], &cell) || !vs_ast_const(&x->ast, cell, &n->as.global.cell)) return false;
+    if (!n || !vs_environment_define(vm, x->now.env, r[1], &cell) || !vs_ast_const(&x->ast, cell, &n->as.global.cell))
+      return false;
     *x->now.into = n;
     x->definition = true;
-    if (procedure) return vs_expand_lambda(x, r[2], true, r[3], x->now.env, vs_identifier_symbol(r[1]), pos, &n->as.global.value);
+    if (procedure)
+      return vs_expand_lambda(x, r[2], true, r[3], x->now.env, vs_identifier_symbol(r[1]), pos, &n->as.global.value);
     if (!vs_expand_push(x, VS_TASK_EXPR, r[3], x->now.env, pos, &n->as.global.value, 1)) return false;
-    return (vs_expand_top(x)->var = vs_ast_var(&x->ast, vs_identifier_symbol(r[1]))) != NULL;       /* a lambda takes its name from it */
+    /* a lambda takes its name from it */
+    return (vs_expand_top(x)->var = vs_ast_var(&x->ast, vs_identifier_symbol(r[1]))) != NULL;
   }
   case VS_FORM_define_syntax: {
     bool wait;

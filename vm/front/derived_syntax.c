@@ -28,7 +28,8 @@ static bool make(vs_scheme *vm, const char *head, size_t n, const vs_value *item
 static bool define(vs_scheme *vm, vs_value name, vs_value value, vs_pos pos, vs_value *list) {
   VS_ROOTS(vm, r, 3);
   r[0] = name; r[1] = value;
-  return make(vm, "define", 2, r, &r[2]) && vs_cons_at(vm, vs_car(r[2]), vs_cdr(r[2]), pos, &r[2]) && vs_cons(vm, r[2], *list, list);
+  return make(vm, "define", 2, r, &r[2]) && vs_cons_at(vm, vs_car(r[2]), vs_cdr(r[2]), pos, &r[2]) &&
+         vs_cons(vm, r[2], *list, list);
 }
 
 static bool quoted(vs_scheme *vm, vs_value v, vs_value *out) {
@@ -45,13 +46,16 @@ static int64_t field_index(vs_value fields, vs_value id) {
   return -1;
 }
 
-/* (define type (%make-record-type 'name '(field ...))) (define constructor (lambda (field ...) (%record type field ...))) ... */
+/* (define type (%make-record-type 'name '(field ...))) (define constructor (lambda (field ...) (%record type field
+ * ...))) ... */
 bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   vs_scheme *vm = x->vm;
   enum { NAME, MAKER, PRED, FIELDS, OUT, A, B, C, D, E, COUNT };
   VS_ROOTS(vm, r, COUNT);
   vs_pos pos = x->now.pos;
-  if (vs_list_length(*form) < 4) return vs_expand_fail(x, pos, *form, "define-record-type is written %s, not", vs_form_shape(VS_FORM_define_record_type));
+  if (vs_list_length(*form) < 4)
+    return vs_expand_fail(x, pos, *form, "define-record-type is written %s, not",
+                          vs_form_shape(VS_FORM_define_record_type));
   vs_value l = vs_cdr(*form);
   r[NAME] = vs_is_pair(vs_car(l)) ? vs_car(vs_car(l)) : vs_car(l);
   r[MAKER] = vs_car(vs_cdr(l));
@@ -59,14 +63,18 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   r[FIELDS] = vs_cdr(vs_cdr(vs_cdr(l)));
   r[OUT] = VS_NIL;
   vs_value maker = vs_is_pair(r[MAKER]) ? vs_car(r[MAKER]) : r[MAKER];
-  if (!vs_is_identifier(r[NAME]) || (!vs_is_identifier(maker) && maker != VS_FALSE && maker != VS_TRUE) || (!vs_is_identifier(r[PRED]) && r[PRED] != VS_FALSE))
-    return vs_expand_fail(x, pos, *form, "define-record-type is written %s, not", vs_form_shape(VS_FORM_define_record_type));
+  if (!vs_is_identifier(r[NAME]) || (!vs_is_identifier(maker) && maker != VS_FALSE && maker != VS_TRUE) ||
+      (!vs_is_identifier(r[PRED]) && r[PRED] != VS_FALSE))
+    return vs_expand_fail(x, pos, *form, "define-record-type is written %s, not",
+                          vs_form_shape(VS_FORM_define_record_type));
   for (l = r[FIELDS]; vs_is_pair(l); l = vs_cdr(l)) {
     vs_value f = vs_car(l);
     int64_t n = vs_is_identifier(f) ? 1 : vs_list_length(f);
     bool ok = n >= 1 && n <= 3;
     for (vs_value k = vs_is_pair(f) ? f : VS_NIL; ok && vs_is_pair(k); k = vs_cdr(k)) ok = vs_is_identifier(vs_car(k));
-    if (!ok) return vs_expand_fail(x, vs_element_pos(l, false, pos), f, "a field is (name accessor) or (name accessor modifier), not");
+    if (!ok)
+      return vs_expand_fail(x, vs_element_pos(l, false, pos), f,
+                            "a field is (name accessor) or (name accessor modifier), not");
   }
   /* the type */
   r[A] = VS_NIL;
@@ -83,10 +91,13 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   if (!make(vm, "%make-record-type", 2, p, &r[C]) || !define(vm, r[NAME], r[C], pos, &r[OUT])) return false;
   /* the constructor */
   if (r[MAKER] != VS_FALSE) {
-    if (r[MAKER] == VS_TRUE) return vs_expand_fail(x, pos, VS_ABSENT, "define-record-type: the constructor needs a name: %s", vs_form_shape(VS_FORM_define_record_type));
+    if (r[MAKER] == VS_TRUE)
+      return vs_expand_fail(x, pos, VS_ABSENT, "define-record-type: the constructor needs a name: %s",
+                            vs_form_shape(VS_FORM_define_record_type));
     r[C] = vs_is_pair(r[MAKER]) ? vs_cdr(r[MAKER]) : r[B];
     for (l = r[C]; vs_is_pair(l); l = vs_cdr(l))
-      if (field_index(r[FIELDS], vs_car(l)) < 0) return vs_expand_fail(x, pos, vs_car(l), "the constructor of this record type sets a field it does not have:");
+      if (field_index(r[FIELDS], vs_car(l)) < 0)
+        return vs_expand_fail(x, pos, vs_car(l), "the constructor of this record type sets a field it does not have:");
     r[D] = VS_NIL;
     for (size_t n = (size_t)vs_list_length(r[B]); n-- > 0;) {
       l = r[B];
@@ -95,9 +106,12 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
       for (vs_value k = r[C]; vs_is_pair(k); k = vs_cdr(k)) given = given || vs_car(k) == vs_car(l);
       if (!vs_cons(vm, given ? vs_car(l) : VS_FALSE, r[D], &r[D])) return false;
     }
-    if (!vs_cons(vm, r[NAME], r[D], &r[D]) || !vs_core_name(vm, "%record", &r[E]) || !vs_cons(vm, r[E], r[D], &r[D])) return false;
+    if (!vs_cons(vm, r[NAME], r[D], &r[D]) || !vs_core_name(vm, "%record", &r[E]) || !vs_cons(vm, r[E], r[D], &r[D]))
+      return false;
     p[0] = r[C]; p[1] = r[D];
-    if (!make(vm, "lambda", 2, p, &r[D]) || !define(vm, vs_is_pair(r[MAKER]) ? vs_car(r[MAKER]) : r[MAKER], r[D], pos, &r[OUT])) return false;
+    if (!make(vm, "lambda", 2, p, &r[D]) ||
+        !define(vm, vs_is_pair(r[MAKER]) ? vs_car(r[MAKER]) : r[MAKER], r[D], pos, &r[OUT]))
+      return false;
   }
   if (!vs_core_name(vm, "record", &r[E])) return false;
   if (r[PRED] != VS_FALSE) {
@@ -130,21 +144,26 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
 static bool include(vs_expansion *x, vs_value *form, bool fold) {
   vs_scheme *vm = x->vm;
   vs_pos pos = x->now.pos;
-  if (vs_list_length(*form) < 2) return vs_expand_fail(x, pos, *form, "include is written %s, not", vs_form_shape(VS_FORM_include));
+  if (vs_list_length(*form) < 2)
+    return vs_expand_fail(x, pos, *form, "include is written %s, not", vs_form_shape(VS_FORM_include));
   VS_ROOTS(vm, r, 4);      /* names, all forms newest first, one file's, result */
   r[0] = vs_cdr(*form);
   r[1] = VS_NIL;
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
-    if (!vs_is_string(vs_car(r[0]))) return vs_expand_fail(x, pos, vs_car(r[0]), "include wants the name of a file as a string, not");
+    if (!vs_is_string(vs_car(r[0])))
+      return vs_expand_fail(x, pos, vs_car(r[0]), "include wants the name of a file as a string, not");
     vs_text path;
     vs_text_open(vm, &path, 0);
-    bool ok = vs_source_path(vm, vs_car(r[0]), vs_pos_file(pos), &path) && vs_text_end(&path) && vs_source_read(vm, path.at, fold, &r[2]);
+    bool ok = vs_source_path(vm, vs_car(r[0]), vs_pos_file(pos), &path) && vs_text_end(&path) &&
+              vs_source_read(vm, path.at, fold, &r[2]);
     vs_text_close(&path);
     if (!ok) return false;
-    for (; vs_is_pair(r[2]); r[2] = vs_cdr(r[2])) if (!vs_cons_at(vm, vs_car(r[2]), r[1], vs_pair_pos(r[2]), &r[1])) return false;
+    for (; vs_is_pair(r[2]); r[2] = vs_cdr(r[2]))
+      if (!vs_cons_at(vm, vs_car(r[2]), r[1], vs_pair_pos(r[2]), &r[1])) return false;
   }
   r[3] = VS_NIL;
-  for (; vs_is_pair(r[1]); r[1] = vs_cdr(r[1])) if (!vs_cons_at(vm, vs_car(r[1]), r[3], vs_pair_pos(r[1]), &r[3])) return false;
+  for (; vs_is_pair(r[1]); r[1] = vs_cdr(r[1]))
+    if (!vs_cons_at(vm, vs_car(r[1]), r[3], vs_pair_pos(r[1]), &r[3])) return false;
   return vs_core_name(vm, "begin", &r[2]) && vs_cons_at(vm, r[2], r[3], pos, form);
 }
 bool vs_form_include(vs_expansion *x, vs_value *form) { return include(x, form, false); }
@@ -154,7 +173,8 @@ bool vs_form_include_ci(vs_expansion *x, vs_value *form) { return include(x, for
 bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {
   vs_scheme *vm = x->vm;
   vs_value l = vs_cdr(*form);
-  if (vs_list_length(*form) < 2 || !vs_is_string(vs_car(l))) return vs_expand_fail(x, x->now.pos, *form, "syntax-error is written %s, not", vs_form_shape(VS_FORM_syntax_error));
+  if (vs_list_length(*form) < 2 || !vs_is_string(vs_car(l)))
+    return vs_expand_fail(x, x->now.pos, *form, "syntax-error is written %s, not", vs_form_shape(VS_FORM_syntax_error));
   VS_ROOTS(vm, r, 1);
   r[0] = vs_cdr(l);
   vs_text t;
@@ -166,7 +186,8 @@ bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {
 }
 
 /* ---- cond-expand ---- */
-static const char *const features[] = {"r7rs", "full-unicode", "ratios", "exact-closed", "ieee-float", "visualscheme", "syntax-rules", NULL};
+static const char *const features[] = { "r7rs",       "full-unicode", "ratios",       "exact-closed",
+                                        "ieee-float", "visualscheme", "syntax-rules", NULL };
 
 static bool add_feature(vs_scheme *vm, vs_value *list, const char *name) {
   VS_ROOTS(vm, r, 1);
@@ -189,7 +210,9 @@ bool vs_features(vs_scheme *vm, vs_value *out) {
 
 static bool is_other_number(vs_scheme *vm, void *number, int n) { return (void)vm, n != *(const int *)number; }
 
-static bool is_word(vs_value v, const char *word) { return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word); }
+static bool is_word(vs_value v, const char *word) {
+  return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word);
+}
 
 /* 1 holds, 0 does not, -1 error. Nested as deep as someone wrote it, within a limit. */
 static int holds(vs_expansion *x, vs_value q, int depth) {
@@ -198,10 +221,15 @@ static int holds(vs_expansion *x, vs_value q, int depth) {
     if (is_word(q, "else")) return 1;
     for (size_t i = 0; features[i]; i++) if (is_word(q, features[i])) return 1;
     int number;
-    return sscanf(vs_as_symbol(vs_identifier_symbol(q))->name, "srfi-%d", &number) == 1 && !vs_library_each_srfi(x->vm, is_other_number, &number);
+    return sscanf(vs_as_symbol(vs_identifier_symbol(q))->name, "srfi-%d", &number) == 1 &&
+           !vs_library_each_srfi(x->vm, is_other_number, &number);
   }
   int64_t n = vs_list_length(q);
-  if (n < 1) return vs_expand_fail(x, x->now.pos, q, "cond-expand: a requirement is a name, (and ...), (or ...), (not ...) or (library (name)), not") - 1;
+  if (n < 1)
+    return vs_expand_fail(
+               x, x->now.pos, q,
+               "cond-expand: a requirement is a name, (and ...), (or ...), (not ...) or (library (name)), not") -
+           1;
   vs_value head = vs_car(q);
   bool conjunction = is_word(head, "and");
   if (conjunction || is_word(head, "or")) {
@@ -212,15 +240,21 @@ static int holds(vs_expansion *x, vs_value q, int depth) {
     return conjunction;
   }
   if (is_word(head, "not") && n == 2) { int h = holds(x, vs_car(vs_cdr(q)), depth + 1); return h < 0 ? h : !h; }
-  if (is_word(head, "library") && n == 2) return vs_library_known(x->vm, vs_car(vs_cdr(q)), vs_pos_file(x->now.pos), x->now.env);
-  return vs_expand_fail(x, x->now.pos, q, "cond-expand: a requirement is a name, (and ...), (or ...), (not ...) or (library (name)), not") - 1;
+  if (is_word(head, "library") && n == 2)
+    return vs_library_known(x->vm, vs_car(vs_cdr(q)), vs_pos_file(x->now.pos), x->now.env);
+  return vs_expand_fail(
+             x, x->now.pos, q,
+             "cond-expand: a requirement is a name, (and ...), (or ...), (not ...) or (library (name)), not") -
+         1;
 }
 
 /* the forms of the first clause that holds, VS_NIL if none does */
 bool vs_cond_expand(vs_expansion *x, vs_value form, vs_value *forms) {
   *forms = VS_NIL;
   for (vs_value l = vs_cdr(form); vs_is_pair(l); l = vs_cdr(l)) {
-    if (vs_list_length(vs_car(l)) < 1) return vs_expand_fail(x, vs_element_pos(l, false, x->now.pos), vs_car(l), "a clause of cond-expand is (requirement form ...), not");
+    if (vs_list_length(vs_car(l)) < 1)
+      return vs_expand_fail(x, vs_element_pos(l, false, x->now.pos), vs_car(l),
+                            "a clause of cond-expand is (requirement form ...), not");
     int h = holds(x, vs_car(vs_car(l)), 0);
     if (h < 0) return false;
     if (h) { *forms = vs_cdr(vs_car(l)); return true; }
@@ -231,5 +265,6 @@ bool vs_cond_expand(vs_expansion *x, vs_value form, vs_value *forms) {
 bool vs_form_cond_expand(vs_expansion *x, vs_value *form) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 2);
-  return vs_cond_expand(x, *form, &r[0]) && vs_core_name(vm, "begin", &r[1]) && vs_cons_at(vm, r[1], r[0], x->now.pos, form);
+  return vs_cond_expand(x, *form, &r[0]) && vs_core_name(vm, "begin", &r[1]) &&
+         vs_cons_at(vm, r[1], r[0], x->now.pos, form);
 }

@@ -7,7 +7,8 @@
 enum { FIRST_ROOM = 4 };
 
 static uint64_t id_hash(vs_value id) {
-  uint64_t h = vs_is(id, VS_T_SYMBOL) ? vs_as_symbol(id)->hash : vs_as_alias(id)->mark * UINT64_C(0x9E3779B97F4A7C15) >> 32;
+  uint64_t h =
+      vs_is(id, VS_T_SYMBOL) ? vs_as_symbol(id)->hash : vs_as_alias(id)->mark * UINT64_C(0x9E3779B97F4A7C15) >> 32;
   return h;
 }
 
@@ -85,7 +86,8 @@ bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out) {
   return true;
 }
 
-/* Stripping walks with a stack of places still to be seen. First it looks whether there is any alias: most data has none. */
+/* Stripping walks with a stack of places still to be seen. First it looks whether there is any alias: most data has
+   none. */
 typedef struct { vs_scheme *vm; vs_value *at; size_t count, room; struct vs_roots roots; } stack;
 static bool push(stack *s, vs_value v) {
   if (s->count == s->room) {
@@ -172,7 +174,8 @@ bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out) {
       ok = copy_level(vm, &part[0]);
       if (!ok) break;
       vs_object *o = vs_object_of(v[1]);
-      vs_value *field = vs_is_pair(v[1]) ? (i ? &vs_as_pair(v[1])->cdr : &vs_as_pair(v[1])->car) : &vs_as_vector(v[1])->at[i];
+      vs_value *field =
+          vs_is_pair(v[1]) ? (i ? &vs_as_pair(v[1])->cdr : &vs_as_pair(v[1])->car) : &vs_as_vector(v[1])->at[i];
       vs_gc_store(vm, o, field, part[0]);
       if (!vs_is(part[0], VS_T_SYMBOL)) ok = push(&s, part[0]);
     }
@@ -186,7 +189,9 @@ bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out) {
 /* ---- environments ---- */
 enum { SKIP = 16, DEPTH_BITS = 24 };
 
-static int64_t depth_of(vs_value env) { return vs_is_top(env) ? 0 : vs_fixnum(vs_as_environment(env)->name) & (((int64_t)1 << DEPTH_BITS) - 1); }
+static int64_t depth_of(vs_value env) {
+  return vs_is_top(env) ? 0 : vs_fixnum(vs_as_environment(env)->name) & (((int64_t)1 << DEPTH_BITS) - 1);
+}
 static int64_t late_bindings(const vs_environment *scope) {
   vs_value count = vs_as_environment(scope->top)->top;
   return vs_is_fixnum(count) ? vs_fixnum(count) : 0;
@@ -195,12 +200,15 @@ static bool can_skip(const vs_environment *scope) {
   return scope->imports != VS_NIL && vs_fixnum(scope->name) >> DEPTH_BITS == late_bindings(scope);
 }
 
-/* copies to *table, for what is not there yet: the names of `from`, which mean `scope`, or if that is VACANT what they meant there */
+/* copies to *table, for what is not there yet: the names of `from`, which mean `scope`, or if that is VACANT what they
+   meant there */
 static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value scope) {
   VS_ROOTS(vm, r, 4);
   r[0] = from; r[1] = scope;
   for (size_t i = 0; vs_idtable_slot(r[0], i, &r[2], &r[3]); i++)
-    if (r[2] != VS_VACANT && vs_idtable_get(*table, r[2]) == VS_VACANT && !vs_idtable_put(vm, table, r[2], r[1] == VS_VACANT ? r[3] : r[1])) return false;
+    if (r[2] != VS_VACANT && vs_idtable_get(*table, r[2]) == VS_VACANT &&
+        !vs_idtable_put(vm, table, r[2], r[1] == VS_VACANT ? r[3] : r[1]))
+      return false;
   return true;
 }
 
@@ -249,7 +257,8 @@ bool vs_scope_new(vs_scheme *vm, vs_value parent, int64_t serial, vs_value *out)
   int64_t depth = depth_of(parent) + 1;
   if (depth >> DEPTH_BITS) return vs_fail(vm, vm->sym.syntax, "this is nested too deeply");
   if (!vs_is_top(parent)) vs_object_of(parent)->flags |= VS_F_AROUND;
-  if (!environment(vm, vs_fix(depth), parent, vs_fix(serial), &r[0]) || (depth % SKIP == 0 && !skip_make(vm, &r[0]))) return false;
+  if (!environment(vm, vs_fix(depth), parent, vs_fix(serial), &r[0]) || (depth % SKIP == 0 && !skip_make(vm, &r[0])))
+    return false;
   *out = r[0];
   return true;
 }
@@ -271,8 +280,8 @@ bool vs_environment_bind(vs_scheme *vm, vs_value env, vs_value id, vs_value bind
 
 static bool is_private(vs_value symbol) { return vs_as_symbol(symbol)->name[0] == '%'; }
 
-/* The export of library `env` under `name` (a symbol); VS_VACANT if nothing. Libraries re-export by a table onto their imports, so this follows
-   imports, as deep as libraries import one another. */
+/* The export of library `env` under `name` (a symbol); VS_VACANT if nothing. Libraries re-export by a table onto their
+   imports, so this follows imports, as deep as libraries import one another. */
 static vs_value exported(vs_value env, vs_value name, int depth);
 
 static vs_value imported(vs_value env, vs_value name, int depth) {
@@ -301,7 +310,9 @@ vs_intake vs_environment_intake(vs_value env) {
   vs_value data = vs_as_environment(env)->data;
   return vs_is_fixnum(data) ? (vs_intake)vs_fixnum(data) : VS_INTAKE_STRICT;
 }
-void vs_environment_set_intake(vs_value env, vs_intake intake) { vs_as_environment(env)->data = vs_fix((int64_t)intake); }
+void vs_environment_set_intake(vs_value env, vs_intake intake) {
+  vs_as_environment(env)->data = vs_fix((int64_t)intake);
+}
 void vs_environment_forget_imports(vs_value env) { vs_as_environment(env)->imports = VS_NIL; }
 
 /* what `from` gives for the local name, VS_VACANT: nothing */
@@ -313,13 +324,17 @@ static vs_value offered(vs_value from, vs_value mapping, vs_value name) {
 static bool same_binding(vs_value a, vs_value b) {
   if (a == b) return true;
   if (!vs_is(a, VS_T_CELL) || !vs_is(b, VS_T_CELL)) return false;
-  return (vs_object_of(a)->flags & vs_object_of(b)->flags & VS_F_CONSTANT) && vs_as_cell(a)->value == vs_as_cell(b)->value;
+  return (vs_object_of(a)->flags & vs_object_of(b)->flags & VS_F_CONSTANT) &&
+         vs_as_cell(a)->value == vs_as_cell(b)->value;
 }
 
-/* A name that env would get from two libraries in two meanings, VS_VACANT: none. A binding of the whole library gives way to any other. */
+/* A name that env would get from two libraries in two meanings, VS_VACANT: none. A binding of the whole library gives
+   way to any other. */
 static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping) {
   const vs_environment *e = vs_as_environment(env);
-  vs_value names = mapping != VS_TRUE ? mapping : vs_as_environment(from)->exports != VS_TRUE ? vs_as_environment(from)->exports : vs_as_environment(from)->table;
+  vs_value names = mapping != VS_TRUE                            ? mapping
+                   : vs_as_environment(from)->exports != VS_TRUE ? vs_as_environment(from)->exports
+                                                                 : vs_as_environment(from)->table;
   vs_value key, value;
   if (e->imports == VS_NIL) return VS_VACANT;
   for (size_t i = 0; vs_idtable_slot(names, i, &key, &value); i++) {
@@ -327,14 +342,15 @@ static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value 
     vs_value before = VS_VACANT, now;
     for (vs_value l = e->imports; before == VS_VACANT && vs_is_pair(l); l = vs_cdr(l))
       if (vs_car(vs_car(l)) != vm->at.core) before = offered(vs_car(vs_car(l)), vs_cdr(vs_car(l)), key);
-    if (before != VS_VACANT && (now = offered(from, mapping, key)) != VS_VACANT && !same_binding(before, now)) return key;
+    if (before != VS_VACANT && (now = offered(from, mapping, key)) != VS_VACANT && !same_binding(before, now))
+      return key;
   }
   return VS_VACANT;
 }
 
-/* Brings the names that env's code refers to already in line with what is being imported: cells of what was nowhere defined and copies of
-   constants get the new value. A definition of env's own is an error in *clash, replaced at the prompt, and stays where the new
-   meaning is only the whole library's. look: only looks for the clash. */
+/* Brings the names that env's code refers to already in line with what is being imported: cells of what was nowhere
+   defined and copies of constants get the new value. A definition of env's own is an error in *clash, replaced at the
+   prompt, and stays where the new meaning is only the whole library's. look: only looks for the clash. */
 static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool look, vs_value *clash) {
   vs_vector *table = vs_as_vector(vs_as_environment(env)->table);
   vs_intake intake = vs_environment_intake(env);
@@ -346,12 +362,14 @@ static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping,
     bool undefined = vs_is(cell, VS_T_CELL) && vs_as_cell(cell)->value == VS_UNDEFINED;
     bool constant = vs_is(cell, VS_T_CELL) && vs_object_of(cell)->flags & VS_F_CONSTANT;
     if (!undefined && !constant) {
-      if (intake != VS_INTAKE_PROMPT && vs_idtable_get(vs_as_environment(vm->at.core)->table, table->at[i]) == found) continue;
+      if (intake != VS_INTAKE_PROMPT && vs_idtable_get(vs_as_environment(vm->at.core)->table, table->at[i]) == found)
+        continue;
       if (intake != VS_INTAKE_PROMPT) { if (*clash == VS_VACANT) *clash = table->at[i]; continue; }
     }
     if (look || (constant && vs_is(found, VS_T_CELL) && vs_as_cell(cell)->value == vs_as_cell(found)->value)) continue;
     if (constant) vs_cell_redefine(vm, cell);
-    if (vs_is(cell, VS_T_CELL) && vs_is(found, VS_T_CELL)) vs_gc_store(vm, vs_as_cell(cell), &vs_as_cell(cell)->value, vs_as_cell(found)->value);
+    if (vs_is(cell, VS_T_CELL) && vs_is(found, VS_T_CELL))
+      vs_gc_store(vm, vs_as_cell(cell), &vs_as_cell(cell)->value, vs_as_cell(found)->value);
     else vs_gc_store(vm, table, &table->at[i + 1], found);
   }
 }
@@ -364,13 +382,16 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
   *own = false;
   vs_value last = VS_NIL;
   for (vs_value l = vs_as_environment(env)->imports; vs_is_pair(l); l = vs_cdr(l)) {
-    if (mapping == VS_TRUE && vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE && (whole || l == vs_as_environment(env)->imports)) return true;
+    if (mapping == VS_TRUE && vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE &&
+        (whole || l == vs_as_environment(env)->imports))
+      return true;
     last = l;                                   /* once is enough */
   }
   if (vs_environment_intake(env) == VS_INTAKE_STRICT && !whole) *clash = find_clash(vm, env, from, mapping);
   if (*clash == VS_VACANT && !whole) { settle(vm, env, from, mapping, true, clash); *own = *clash != VS_VACANT; }
   if (*clash != VS_VACANT) return true;
-  if (!vs_cons(vm, r[1], r[2], &r[3]) || !vs_cons(vm, r[3], whole ? VS_NIL : vs_as_environment(r[0])->imports, &r[3])) return false;
+  if (!vs_cons(vm, r[1], r[2], &r[3]) || !vs_cons(vm, r[3], whole ? VS_NIL : vs_as_environment(r[0])->imports, &r[3]))
+    return false;
   vs_environment *e = vs_as_environment(r[0]);
   if (!whole || last == VS_NIL) vs_gc_store(vm, e, &e->imports, r[3]);
   else {                                        /* behind all others */
@@ -385,7 +406,8 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
 vs_meaning vs_environment_find(vs_value env, vs_value id) {
   for (;;) {
     vs_value own = VS_VACANT;
-    /* Most names of a program stand for what the top level means by them: those skip the scopes, however deep they nest. */
+    /* Most names of a program stand for what the top level means by them: those skip the scopes, however deep they
+       nest. */
     if (!vs_is_top(env) && !(vs_object_of(id)->flags & VS_F_LOCAL)) env = vs_as_environment(env)->top;
     while (!vs_is_top(env)) {
       const vs_environment *e = vs_as_environment(env);
@@ -398,7 +420,10 @@ vs_meaning vs_environment_find(vs_value env, vs_value id) {
     }
     if (own == VS_VACANT) own = vs_idtable_get(vs_as_environment(env)->table, id);
     if (own != VS_VACANT) {
-      vs_meaning m = {vs_is(own, VS_T_MACRO) ? VS_MEANS_MACRO : vs_is(own, VS_T_CELL) ? VS_MEANS_CELL : VS_MEANS_LOCAL, own, env, id, false};
+      vs_meaning m = { vs_is(own, VS_T_MACRO)  ? VS_MEANS_MACRO
+                       : vs_is(own, VS_T_CELL) ? VS_MEANS_CELL
+                                               : VS_MEANS_LOCAL,
+                       own, env, id, false };
       return m;
     }
     if (vs_is(id, VS_T_SYMBOL)) break;
@@ -406,7 +431,10 @@ vs_meaning vs_environment_find(vs_value env, vs_value id) {
     id = vs_as_alias(id)->name;
   }
   vs_value v = imported(env, id, 0);
-  vs_meaning m = {v == VS_VACANT ? VS_MEANS_NOTHING : vs_is(v, VS_T_MACRO) ? VS_MEANS_MACRO : VS_MEANS_CELL, v, env, id, v != VS_VACANT};
+  vs_meaning m = { v == VS_VACANT         ? VS_MEANS_NOTHING
+                   : vs_is(v, VS_T_MACRO) ? VS_MEANS_MACRO
+                                          : VS_MEANS_CELL,
+                   v, env, id, v != VS_VACANT };
   return m;
 }
 
@@ -423,7 +451,10 @@ bool vs_same_meaning(vs_value env_a, vs_value a, vs_value env_b, vs_value b) {
 
 bool vs_environment_cell(vs_scheme *vm, const vs_meaning *m, vs_value *cell) {
   VS_ROOTS(vm, r, 3);
-  if (m->kind == VS_MEANS_CELL && (!m->foreign || !(vs_as_cell(m->value)->h.flags & VS_F_CONSTANT))) { *cell = m->value; return true; }
+  if (m->kind == VS_MEANS_CELL && (!m->foreign || !(vs_as_cell(m->value)->h.flags & VS_F_CONSTANT))) {
+    *cell = m->value;
+    return true;
+  }
   r[0] = m->env; r[1] = m->id;
   vs_value value = m->kind == VS_MEANS_CELL ? vs_as_cell(m->value)->value : VS_UNDEFINED;
   if (!vs_make_cell(vm, vs_identifier_symbol(m->id), value, &r[2])) return false;
@@ -441,8 +472,10 @@ bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *c
     *cell = r[2] = own;
     return vs_object_of(own)->flags & VS_F_CONSTANT ? vs_cell_redefine(vm, r[2]) : true;
   }
-  vs_meaning m = vs_environment_find(env, id);      /* (define sqrt (traced sqrt)): until then it is what was imported */
-  vs_value before = own == VS_VACANT && m.foreign && m.kind == VS_MEANS_CELL ? vs_as_cell(m.value)->value : VS_UNDEFINED;
+  vs_meaning m = vs_environment_find(env, id);      /* (define sqrt (traced sqrt)): until then it is what was
+                                                       imported */
+  vs_value before =
+      own == VS_VACANT && m.foreign && m.kind == VS_MEANS_CELL ? vs_as_cell(m.value)->value : VS_UNDEFINED;
   if (!vs_make_cell(vm, vs_identifier_symbol(id), before, &r[2])) return false;
   if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
   *cell = r[2];        /* not earlier: binding may move it */
@@ -487,6 +520,7 @@ bool vs_environment_each(vs_value env, bool (*each)(void *, vs_value, vs_value),
 void vs_environment_seal(vs_value env) {
   vs_value key, value;
   for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++)
-    if (key != VS_VACANT && vs_is(value, VS_T_CELL) && vs_as_cell(value)->value != VS_UNDEFINED && !(vs_object_of(value)->flags & VS_F_ASSIGNED))
+    if (key != VS_VACANT && vs_is(value, VS_T_CELL) && vs_as_cell(value)->value != VS_UNDEFINED &&
+        !(vs_object_of(value)->flags & VS_F_ASSIGNED))
       vs_object_of(value)->flags |= VS_F_CONSTANT;
 }

@@ -44,7 +44,11 @@ static void trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_va
   vs_expansion *x = object;
   mark(vm, &x->now.form); mark(vm, &x->now.env); mark(vm, &x->now.acc);
   mark(vm, &x->procedure); mark(vm, &x->args); mark(vm, &x->forms); mark(vm, &x->later);
-  for (size_t i = 0; i < x->count; i++) { mark(vm, &x->tasks[i].form); mark(vm, &x->tasks[i].env); mark(vm, &x->tasks[i].acc); }
+  for (size_t i = 0; i < x->count; i++) {
+    mark(vm, &x->tasks[i].form);
+    mark(vm, &x->tasks[i].env);
+    mark(vm, &x->tasks[i].acc);
+  }
 }
 
 static void release(void *object) {
@@ -83,8 +87,11 @@ static bool push_task(vs_expansion *x, const vs_task *t) {
   return true;
 }
 
-bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_node **into, uint32_t depth) {
-  vs_task t = {.kind = (uint8_t)kind, .depth = depth, .pos = pos, .into = into, .form = form, .env = env, .acc = VS_NIL};
+bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_node **into,
+                    uint32_t depth) {
+  vs_task t = {
+    .kind = (uint8_t)kind, .depth = depth, .pos = pos, .into = into, .form = form, .env = env, .acc = VS_NIL
+  };
   return push_task(x, &t);
 }
 
@@ -118,7 +125,8 @@ bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *form
 }
 
 bool vs_expand_shape(vs_expansion *x, int form) {
-  return vs_expand_fail(x, x->now.pos, x->now.form, "%s is written %s, not", form_table[form].name, form_table[form].shape);
+  return vs_expand_fail(x, x->now.pos, x->now.form, "%s is written %s, not", form_table[form].name,
+                        form_table[form].shape);
 }
 
 /* ---- nodes ---- */
@@ -134,7 +142,10 @@ vs_node *vs_expand_core(vs_expansion *x, const char *name, vs_pos pos) {
   vs_value id, cell;
   if (!vs_intern_c(x->vm, name, &id)) return NULL;
   vs_meaning m = vs_environment_find(x->vm->at.core, id);
-  if (m.kind == VS_MEANS_MACRO) { vs_fail_at(x->vm, x->vm->sym.internal, pos, VS_NIL, "%s is syntax", name); return NULL; }
+  if (m.kind == VS_MEANS_MACRO) {
+    vs_fail_at(x->vm, x->vm->sym.internal, pos, VS_NIL, "%s is syntax", name);
+    return NULL;
+  }
   return vs_environment_cell(x->vm, &m, &cell) ? global(x, VS_AST_GLOBAL, cell, pos) : NULL;
 }
 
@@ -148,7 +159,8 @@ bool vs_is_form(vs_value env, vs_value id, int form) {
   vs_meaning m = vs_environment_find(env, id);
   if (m.kind == VS_MEANS_MACRO) return vs_as_macro(m.value)->kind == vs_fix(form);
   /* else, =>, ... and the like mean what they look like also where they were not imported */
-  return m.kind == VS_MEANS_NOTHING && form_table[form].auxiliary && !strcmp(vs_as_symbol(vs_identifier_symbol(id))->name, form_table[form].name);
+  return m.kind == VS_MEANS_NOTHING && form_table[form].auxiliary &&
+         !strcmp(vs_as_symbol(vs_identifier_symbol(id))->name, form_table[form].name);
 }
 
 /* ---- syntax that was not imported ---- */
@@ -158,7 +170,9 @@ int vs_unit_word(const vs_meaning *m) {
 }
 
 static bool defines(vs_value form, vs_value name) {
-  if (!vs_is_pair(form) || !vs_is_symbol(vs_car(form)) || !vs_is_pair(vs_cdr(form)) || strncmp(vs_as_symbol(vs_car(form))->name, "define", 6)) return false;
+  if (!vs_is_pair(form) || !vs_is_symbol(vs_car(form)) || !vs_is_pair(vs_cdr(form)) ||
+      strncmp(vs_as_symbol(vs_car(form))->name, "define", 6))
+    return false;
   vs_value what = vs_car(vs_cdr(form));
   while (vs_is_pair(what)) what = vs_car(what);
   return what == name;
@@ -185,14 +199,16 @@ static bool not_an_expression(vs_expansion *x, vs_value id, const vs_meaning *m,
   vs_value kind = vs_as_macro(m->value)->kind;
   const char *name = vs_as_symbol(vs_identifier_symbol(id))->name;
   if (vs_is_fixnum(kind) && vs_fixnum(kind) >= 0)
-    return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it is written %s", name, form_table[vs_fixnum(kind)].shape);
+    return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it is written %s", name,
+                          form_table[vs_fixnum(kind)].shape);
   return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it stands first in parentheses", name);
 }
 
 /* the variable of a local meaning, NULL and an error if it belongs to another expansion */
 static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos pos) {
   if (vs_as_environment(m->env)->data != vs_fix(x->serial)) {
-    vs_expand_fail(x, pos, VS_ABSENT, "%s is a variable that has no value yet when macros are expanded", vs_as_symbol(vs_identifier_symbol(id))->name);
+    vs_expand_fail(x, pos, VS_ABSENT, "%s is a variable that has no value yet when macros are expanded",
+                   vs_as_symbol(vs_identifier_symbol(id))->name);
     return NULL;
   }
   return (vs_var *)(uintptr_t)vs_fixnum(m->value);
@@ -231,7 +247,8 @@ bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var) {
 bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_node **into) {
   vs_value l = x->now.form;
   for (int64_t i = 0; i < nth; i++) l = vs_cdr(l);
-  return vs_expand_push(x, VS_TASK_EXPR, vs_car(l), env, vs_element_pos(l, nth == 0, x->now.pos), into, x->now.depth + 1);
+  return vs_expand_push(x, VS_TASK_EXPR, vs_car(l), env, vs_element_pos(l, nth == 0, x->now.pos), into,
+                        x->now.depth + 1);
 }
 
 bool vs_expand_list(vs_expansion *x, vs_value list, vs_value env, vs_node **at, uint32_t depth) {
@@ -273,9 +290,12 @@ bool vs_form_set(vs_expansion *x) {
 }
 
 /* ---- applications ---- */
-static bool is_keyword(vs_value v) { return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2); }
+static bool is_keyword(vs_value v) {
+  return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2);
+}
 
-/* More arguments than a frame should hold: (apply f (append (list ...) (list ...) ...)), as in a mesh written out as data. */
+/* More arguments than a frame should hold: (apply f (append (list ...) (list ...) ...)), as in a mesh written out as
+   data. */
 static bool long_application(vs_expansion *x, size_t n) {
   vs_pos pos = x->now.pos;
   size_t lists = (n + MOST_ARGUMENTS - 1) / MOST_ARGUMENTS;
@@ -293,7 +313,8 @@ static bool long_application(vs_expansion *x, size_t n) {
     if (!list) return false;
     l = r[0];
     for (size_t k = 0; ok && k < count; k++, l = vs_cdr(l))
-      ok = vs_expand_push(x, VS_TASK_EXPR, vs_car(l), x->now.env, vs_element_pos(l, false, pos), &list->as.call.at[k], x->now.depth + 3);
+      ok = vs_expand_push(x, VS_TASK_EXPR, vs_car(l), x->now.env, vs_element_pos(l, false, pos), &list->as.call.at[k],
+                          x->now.depth + 3);
   }
   return ok;
 }
@@ -318,7 +339,8 @@ static bool application(vs_expansion *x) {
     if (!is_keyword(vs_car(l))) continue;
     keys++;
     if (!vs_is_pair(vs_cdr(l)) || is_keyword(vs_car(vs_cdr(l))))
-      return vs_expand_fail(x, vs_element_pos(l, false, x->now.pos), VS_ABSENT, "a value is missing behind %s", vs_as_symbol(vs_car(l))->name);
+      return vs_expand_fail(x, vs_element_pos(l, false, x->now.pos), VS_ABSENT, "a value is missing behind %s",
+                            vs_as_symbol(vs_car(l))->name);
     l = vs_cdr(l);
   }
   size_t n = (size_t)length - 1 - keys, plain = 0, keyed = n - keys;
@@ -362,17 +384,21 @@ static bool application(vs_expansion *x) {
 }
 
 /* ---- macro uses ---- */
-/* The current task's first form (its form, or the first of a body's forms) is replaced; VS_EXPAND_CALL-like: waits if *wait. */
+/* The current task's first form (its form, or the first of a body's forms) is replaced; VS_EXPAND_CALL-like: waits if
+   *wait. */
 static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos, vs_value *out, bool *wait) {
   vs_scheme *vm = x->vm;
   *wait = false;
   if (!vs_poll(vm, 256)) return false;
   if (vs_as_macro(macro)->kind == vs_fix(VS_MACRO_RULES)) return vs_rules_expand(x, macro, form, x->now.env, pos, out);
-  /* (transformer form rename compare): both procedures are made by a procedure of the library from the two environments */
+  /* (transformer form rename compare): both procedures are made by a procedure of the library from the two
+     environments */
   VS_ROOTS(vm, r, 4);
   r[0] = form; r[1] = macro;
-  if (!vs_cons(vm, x->now.env, VS_NIL, &r[2]) || !vs_cons(vm, vs_as_macro(r[1])->env, r[2], &r[2]) || !vs_cons(vm, r[0], r[2], &r[2]) ||
-      !vs_cons(vm, vs_as_macro(r[1])->transformer, r[2], &r[2]) || !vs_intern_c(vm, "%expand-by-renaming", &r[3])) return false;
+  if (!vs_cons(vm, x->now.env, VS_NIL, &r[2]) || !vs_cons(vm, vs_as_macro(r[1])->env, r[2], &r[2]) ||
+      !vs_cons(vm, r[0], r[2], &r[2]) || !vs_cons(vm, vs_as_macro(r[1])->transformer, r[2], &r[2]) ||
+      !vs_intern_c(vm, "%expand-by-renaming", &r[3]))
+    return false;
   x->procedure = vs_environment_value(vm->at.core, r[3]);
   x->args = r[2];
   vm->top_place = pos;        /* of errors in what the transformer calls */
@@ -380,15 +406,16 @@ static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos
   return true;
 }
 
-/* Expands macros at the head of *form until it is core syntax, an application or no pair. *m: the head's meaning. False also when the task has
-   to wait: then x->now.waiting is set. */
+/* Expands macros at the head of *form until it is core syntax, an application or no pair. *m: the head's meaning. False
+   also when the task has to wait: then x->now.waiting is set. */
 bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *pos) {
   for (;;) {
     *m = (vs_meaning){.kind = VS_MEANS_NOTHING, .value = VS_VACANT, .env = x->now.env, .id = VS_FALSE};
     *pos = vs_form_pos(*form, *pos);
     if (!vs_is_pair(*form) || !vs_is_identifier(vs_car(*form))) return true;
     *m = vs_environment_find(x->now.env, vs_car(*form));
-    if (m->kind == VS_MEANS_NOTHING) return (x->now.kind == VS_TASK_TOP && vs_unit_word(m) >= 0) || check_imported(x, vs_car(*form), *pos);
+    if (m->kind == VS_MEANS_NOTHING)
+      return (x->now.kind == VS_TASK_TOP && vs_unit_word(m) >= 0) || check_imported(x, vs_car(*form), *pos);
     if (m->kind != VS_MEANS_MACRO) return true;
     vs_value kind = vs_as_macro(m->value)->kind;
     if (vs_fixnum(kind) >= 0 && !form_table[vs_fixnum(kind)].rewrite) return true;
@@ -404,7 +431,8 @@ bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *po
 
 bool vs_expand_outline(vs_expansion *x) {
   if (x->now.depth <= DEPTH_LIMIT) return true;
-  vs_node *call = vs_expand_many(x, VS_AST_CALL, 0, x->now.pos), *thunk = vs_expand_many(x, VS_AST_LAMBDA, 0, x->now.pos);
+  vs_node *call = vs_expand_many(x, VS_AST_CALL, 0, x->now.pos),
+          *thunk = vs_expand_many(x, VS_AST_LAMBDA, 0, x->now.pos);
   if (!call || !thunk) return false;
   call->as.call.callee = thunk;
   *x->now.into = call;
@@ -442,13 +470,19 @@ static void warn_of_procedure(vs_expansion *x, vs_value form, const vs_meaning *
   if (vs_is_identifier(form)) {
     if (!names_procedure(form, x->now.env)) return;
     const char *name = vs_as_symbol(vs_identifier_symbol(form))->name;
-    snprintf(text, sizeof text, "%.60s is a procedure, which counts as true: it is not called here; (%.60s x) asks it, and (and-of p q), (or-of p q), (not-of p) combine predicates",
+    snprintf(text, sizeof text,
+             "%.60s is a procedure, which counts as true: it is not called here; (%.60s x) asks it, and (and-of p q), "
+             "(or-of p q), (not-of p) combine predicates",
              name, name);
-  } else if (vs_is_pair(form) && head->kind == VS_MEANS_MACRO && vs_as_macro(head->value)->kind == vs_fix(VS_FORM_lambda)) {
+  } else if (vs_is_pair(form) && head->kind == VS_MEANS_MACRO &&
+             vs_as_macro(head->value)->kind == vs_fix(VS_FORM_lambda)) {
     snprintf(text, sizeof text, "this lambda is a procedure, which counts as true: it is not called here");
   } else if (vs_is_pair(form) && combines_predicates(vs_car(form), x->now.env)) {
     const char *name = vs_as_symbol(vs_identifier_symbol(vs_car(form)))->name;
-    snprintf(text, sizeof text, "(%s ...) gives a procedure, which counts as true: it is not called here; (and-of p q), (or-of p q), (not-of p) combine predicates", name);
+    snprintf(text, sizeof text,
+             "(%s ...) gives a procedure, which counts as true: it is not called here; (and-of p q), (or-of p q), "
+             "(not-of p) combine predicates",
+             name);
   } else {
     return;
   }
@@ -465,26 +499,41 @@ static bool expression(vs_expansion *x) {
   x->now.form = r[0];
   if (x->now.decides) warn_of_procedure(x, r[0], &m);
   if (vs_is_identifier(r[0])) {
-    if (is_keyword(r[0])) return vs_expand_fail(x, x->now.pos, VS_ABSENT, "the keyword %s stands only before an argument of a call", vs_as_symbol(r[0])->name);
+    if (is_keyword(r[0]))
+      return vs_expand_fail(x, x->now.pos, VS_ABSENT, "the keyword %s stands only before an argument of a call",
+                            vs_as_symbol(r[0])->name);
     return (*x->now.into = vs_expand_ref(x, r[0], x->now.env, x->now.pos)) != NULL;
   }
   if (!vs_is_pair(r[0])) {
-    if (r[0] == VS_NIL) return vs_expand_fail(x, x->now.pos, VS_ABSENT, "() calls nothing; the empty list is written '()");
+    if (r[0] == VS_NIL)
+      return vs_expand_fail(x, x->now.pos, VS_ABSENT, "() calls nothing; the empty list is written '()");
     return vs_strip(vm, r[0], &r[0]) && (*x->now.into = vs_ast_constant(&x->ast, r[0], x->now.pos)) != NULL;
   }
   if (m.kind != VS_MEANS_MACRO) return application(x);
   int form = (int)vs_fixnum(vs_as_macro(m.value)->kind);
   if (core_table[form]) return core_table[form](x);
   switch (form) {
-  case VS_FORM_define: case VS_FORM_define_syntax: case VS_FORM_define_library: case VS_FORM_import: case VS_FORM_require: case VS_FORM_provide:
-    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s cannot stand here, only at top level%s", form_table[form].name,
-                          form <= VS_FORM_define_syntax ? " or in the body of a procedure, let, when and the like; for a name inside an expression use let" : "");
+  case VS_FORM_define:
+  case VS_FORM_define_syntax:
+  case VS_FORM_define_library:
+  case VS_FORM_import:
+  case VS_FORM_require:
+  case VS_FORM_provide:
+    return vs_expand_fail(
+        x, x->now.pos, VS_ABSENT, "%s cannot stand here, only at top level%s", form_table[form].name,
+        form <= VS_FORM_define_syntax
+            ? " or in the body of a procedure, let, when and the like; for a name inside an expression use let"
+            : "");
   case VS_FORM_else: case VS_FORM_arrow:
-    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s stands only in a clause of cond or case", form_table[form].name);
+    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s stands only in a clause of cond or case",
+                          form_table[form].name);
   case VS_FORM_unquote: case VS_FORM_unquote_splicing:
-    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "a comma stands only inside a template: %s; a decimal point is a point, 1.5", form_table[form].shape);
+    return vs_expand_fail(x, x->now.pos, VS_ABSENT,
+                          "a comma stands only inside a template: %s; a decimal point is a point, 1.5",
+                          form_table[form].shape);
   default:
-    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s cannot stand here; it belongs into %s", form_table[form].name, form_table[form].shape);
+    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s cannot stand here; it belongs into %s", form_table[form].name,
+                          form_table[form].shape);
   }
 }
 

@@ -1,12 +1,12 @@
 /* Owns the expander's machine: from one form of a program to a core tree (ast.h), macros expanded, names resolved.
 
-   Plan. A stack of tasks, each "expand this form in this environment and store the node there". A task may push others; nothing recurses
-   on the C stack. The task at work is x->now: its values are traced, so a handler reads them from there again after whatever
-   allocates. A macro whose transformer is a Scheme procedure leaves its task on the stack, marked as waiting, and the machine returns
-   VS_EXPAND_CALL; it is entered again with the result.
+   Plan. A stack of tasks, each "expand this form in this environment and store the node there". A task may push others;
+   nothing recurses on the C stack. The task at work is x->now: its values are traced, so a handler reads them from
+   there again after whatever allocates. A macro whose transformer is a Scheme procedure leaves its task on the stack,
+   marked as waiting, and the machine returns VS_EXPAND_CALL; it is entered again with the result.
 
-   Depth: the compiler recurses over the tree within one lambda, so at DEPTH_LIMIT levels a subexpression is put into a procedure
-   without parameters, called on the spot.
+   Depth: the compiler recurses over the tree within one lambda, so at DEPTH_LIMIT levels a subexpression is put into a
+   procedure without parameters, called on the spot.
 
    Life: a vs_expansion is inside a foreign object, whose hooks trace and free it. */
 #ifndef VS_EXPAND_H
@@ -46,7 +46,14 @@ typedef struct vs_task {
   vs_value form, env, acc;
 } vs_task;
 
-typedef enum { VS_EXPAND_ERROR, VS_EXPAND_CALL, VS_EXPAND_NODE, VS_EXPAND_FORMS, VS_EXPAND_RUN, VS_EXPAND_NOTHING } vs_expand_result;
+typedef enum {
+  VS_EXPAND_ERROR,
+  VS_EXPAND_CALL,
+  VS_EXPAND_NODE,
+  VS_EXPAND_FORMS,
+  VS_EXPAND_RUN,
+  VS_EXPAND_NOTHING
+} vs_expand_result;
 
 typedef struct vs_expansion {
   vs_scheme *vm;
@@ -77,28 +84,34 @@ bool vs_expansion_begin(vs_expansion *x, vs_value form, vs_value env, vs_pos pos
 vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value);
 
 /* ---- for the forms ---- */
-bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_node **into, uint32_t depth);
+bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_node **into,
+                    uint32_t depth);
 vs_task *vs_expand_top(vs_expansion *x);                               /* the task pushed last */
 /* the cadr-th element of the current form as an expression one level down */
 bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_node **into);
 /* the elements of `list` (a tail of the current form) into a node's `at` */
 bool vs_expand_list(vs_expansion *x, vs_value list, vs_value env, vs_node **at, uint32_t depth);
-/* Past some depth the task's form goes into a procedure called on the spot, so that what recurses over the tree stays shallow. */
+/* Past some depth the task's form goes into a procedure called on the spot, so that what recurses over the tree stays
+   shallow. */
 bool vs_expand_outline(vs_expansion *x);
 /* a body: definitions and expressions, in a new scope of env */
 bool vs_expand_body(vs_expansion *x, vs_value forms, vs_value env, vs_pos pos, vs_node **into, uint32_t depth);
 
 vs_node *vs_expand_node(vs_expansion *x, int kind, vs_pos pos);
 vs_node *vs_expand_many(vs_expansion *x, int kind, size_t n, vs_pos pos);
-vs_node *vs_expand_core(vs_expansion *x, const char *name, vs_pos pos);    /* a reference to the library's own variable */
-vs_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos pos);   /* a call of it with room for n arguments */
+/* a reference to the library's own variable */
+vs_node *vs_expand_core(vs_expansion *x, const char *name, vs_pos pos);
+/* a call of it with room for n arguments */
+vs_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos pos);
 vs_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos);
 bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var);     /* a new variable, bound in scope */
 bool vs_expand_scope(vs_expansion *x, vs_value env, vs_value *out);
-/* A parameter list and a body become a LAMBDA, in a LET of its contracts if need be. tail: the list stood behind a name, as in
-   (define (name . params) ...): then [ ] around all of it is a rest parameter with its predicate. */
-bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node **into);
-/* the transformer spec to a MACRO, or a call that yields it. *done false: it must be called (x->procedure), put `waiting` */
+/* A parameter list and a body become a LAMBDA, in a LET of its contracts if need be. tail: the list stood behind a
+   name, as in (define (name . params) ...): then [ ] around all of it is a rest parameter with its predicate. */
+bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name,
+                      vs_pos pos, vs_node **into);
+/* the transformer spec to a MACRO, or a call that yields it. *done false: it must be called (x->procedure), put
+   `waiting` */
 bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done);
 bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_value *macro);
 bool vs_rules_expand(vs_expansion *x, vs_value macro, vs_value form, vs_value env, vs_pos pos, vs_value *out);
@@ -107,18 +120,19 @@ bool vs_is_form(vs_value env, vs_value id, int form);                  /* id mea
 vs_pos vs_form_pos(vs_value form, vs_pos outer);                       /* of a pair */
 vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer);        /* of the car of a pair of a list */
 /* a syntax error at pos; `what` is shown written behind the text unless VS_ABSENT */
-bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...) __attribute__((format(printf, 4, 5)));
+bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 bool vs_expand_shape(vs_expansion *x, int form);                       /* "this is written (...)" at the current form */
 /* an alias for a name of the library: what rewriting forms put into their output */
 bool vs_core_name(vs_scheme *vm, const char *name, vs_value *out);
 bool vs_make_form_list(vs_scheme *vm, vs_value *out, size_t n, const vs_value *items);   /* items in roots */
 
-/* Expands macros at the head of *form until it is core syntax, an application or no pair; *m is the head's meaning. False also when the task
-   has to wait (x->now.waiting is set then). */
+/* Expands macros at the head of *form until it is core syntax, an application or no pair; *m is the head's meaning.
+   False also when the task has to wait (x->now.waiting is set then). */
 bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *pos);
 
-/* The words import and define-library structure a program also where nothing was imported that binds them: their form, or -1. m: what the head
-   of a top-level form means. */
+/* The words import and define-library structure a program also where nothing was imported that binds them: their form,
+   or -1. m: what the head of a top-level form means. */
 int vs_unit_word(const vs_meaning *m);
 
 /* the steps of the tasks, and the value that one of them waited for */
@@ -131,7 +145,8 @@ bool vs_body_resume(vs_expansion *x, vs_value value);
 bool vs_library_define(vs_expansion *x);
 bool vs_library_import(vs_expansion *x);
 bool vs_library_require(vs_expansion *x);
-bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *name, vs_value *params, vs_value *rest, bool *procedure);
+bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *name, vs_value *params, vs_value *rest,
+                     bool *procedure);
 
 #define VS_FORM(id, name, kind, shape) VS_FORM_DECLARE_##kind(id)
 #define VS_FORM_DECLARE_CORE(id) bool vs_form_##id(vs_expansion *x);

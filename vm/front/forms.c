@@ -7,7 +7,8 @@ static vs_node *unspecific(vs_expansion *x, vs_pos pos) { return vs_expand_many(
 bool vs_form_quote(vs_expansion *x) {
   if (vs_list_length(x->now.form) != 2) return vs_expand_shape(x, VS_FORM_quote);
   VS_ROOTS(x->vm, r, 1);
-  return vs_strip(x->vm, vs_car(vs_cdr(x->now.form)), &r[0]) && put(x, vs_ast_constant(&x->ast, r[0], x->now.pos)) != NULL;
+  return vs_strip(x->vm, vs_car(vs_cdr(x->now.form)), &r[0]) &&
+         put(x, vs_ast_constant(&x->ast, r[0], x->now.pos)) != NULL;
 }
 
 static vs_node *branch(vs_expansion *x) { return put(x, vs_expand_node(x, VS_AST_IF, x->now.pos)); }
@@ -18,7 +19,10 @@ bool vs_form_if(vs_expansion *x) {
   vs_node *node = branch(x);
   bool test = x->now.test;
   if (!node) return false;
-  if (n == 4) { if (!vs_expand_nth(x, 3, x->now.env, &node->as.branch.otherwise)) return false; vs_expand_top(x)->test = test; }
+  if (n == 4) {
+    if (!vs_expand_nth(x, 3, x->now.env, &node->as.branch.otherwise)) return false;
+    vs_expand_top(x)->test = test;
+  }
   if (!vs_expand_nth(x, 2, x->now.env, &node->as.branch.then)) return false;
   vs_expand_top(x)->test = test;
   if (!vs_expand_nth(x, 1, x->now.env, &node->as.branch.test)) return false;
@@ -29,7 +33,8 @@ bool vs_form_if(vs_expansion *x) {
 /* expressions in sequence, the last one where the form stands */
 static bool sequence(vs_expansion *x, vs_value forms, vs_pos pos, vs_node **into, uint32_t depth) {
   int64_t n = vs_list_length(forms);
-  if (n == 1) return vs_expand_push(x, VS_TASK_EXPR, vs_car(forms), x->now.env, vs_element_pos(forms, false, pos), into, depth);
+  if (n == 1)
+    return vs_expand_push(x, VS_TASK_EXPR, vs_car(forms), x->now.env, vs_element_pos(forms, false, pos), into, depth);
   vs_node *seq = vs_expand_many(x, VS_AST_SEQ, n > 0 ? (size_t)n : 0, pos);
   if (!seq) return false;
   *into = seq;
@@ -52,8 +57,8 @@ static bool chain(vs_expansion *x, vs_value rest, vs_node **into, bool test) {
   return true;
 }
 
-/* The length of the current form, -1 if it is no list. Of the rest of a chain only as much as matters: that it is a list is known, and asking
-   again at each of its parts would make long chains slow. */
+/* The length of the current form, -1 if it is no list. Of the rest of a chain only as much as matters: that it is a
+   list is known, and asking again at each of its parts would make long chains slow. */
 static int64_t parts(const vs_expansion *x) {
   if (!x->now.chained) return vs_list_length(x->now.form);
   int64_t n = 0;
@@ -122,7 +127,9 @@ static bool when_unless(vs_expansion *x, bool when, int form) {
   if (!node || (!when && !nothing)) return false;
   if (!when) node->as.branch.then = nothing;
   /* a body: definitions may stand in it */
-  if (!vs_expand_body(x, vs_cdr(vs_cdr(x->now.form)), x->now.env, x->now.pos, when ? &node->as.branch.then : &node->as.branch.otherwise, x->now.depth + 1)) return false;
+  if (!vs_expand_body(x, vs_cdr(vs_cdr(x->now.form)), x->now.env, x->now.pos,
+                      when ? &node->as.branch.then : &node->as.branch.otherwise, x->now.depth + 1))
+    return false;
   if (!vs_expand_nth(x, 1, x->now.env, &node->as.branch.test)) return false;
   vs_expand_top(x)->test = vs_expand_top(x)->decides = true;
   return true;
@@ -141,7 +148,8 @@ bool vs_form_assert(vs_expansion *x) {
       !(fail->as.call.at[0] = vs_ast_constant(&x->ast, r[0], x->now.pos))) return false;
   node->as.branch.then = nothing;
   node->as.branch.otherwise = fail;
-  if (n > 2 && !vs_expand_list(x, vs_cdr(vs_cdr(x->now.form)), x->now.env, fail->as.call.at + 1, x->now.depth + 2)) return false;
+  if (n > 2 && !vs_expand_list(x, vs_cdr(vs_cdr(x->now.form)), x->now.env, fail->as.call.at + 1, x->now.depth + 2))
+    return false;
   if (!vs_expand_nth(x, 1, x->now.env, &node->as.branch.test)) return false;
   vs_expand_top(x)->test = vs_expand_top(x)->decides = true;
   return true;
@@ -156,7 +164,8 @@ bool vs_form_cond(vs_expansion *x) {
   vs_pos pos = vs_element_pos(clauses, false, x->now.pos), outer = x->now.pos;
   int64_t n = vs_list_length(clause);
   if (n < 1) return vs_expand_fail(x, pos, clause, "a clause of cond is (test value ...), not");
-  if (n > 1 && vs_is_identifier(vs_car(clause)) && vs_is_form(env, vs_car(clause), VS_FORM_quote))       /* (cond (> x 3) 'big ...) */
+  /* (cond (> x 3) 'big ...) */
+  if (n > 1 && vs_is_identifier(vs_car(clause)) && vs_is_form(env, vs_car(clause), VS_FORM_quote))
     return vs_expand_fail(x, pos, VS_ABSENT, "a clause of cond stands in parentheses with its test: ((> x 3) 'big)");
   if (vs_is_form(env, vs_car(clause), VS_FORM_else)) {
     if (more != VS_NIL) return vs_expand_fail(x, pos, VS_ABSENT, "else must be the last clause of cond");
@@ -169,7 +178,8 @@ bool vs_form_cond(vs_expansion *x) {
   if (arrow && n != 3) return vs_expand_fail(x, pos, clause, "behind => stands one procedure:");
   vs_node **test = &node->as.branch.test;
   if (arrow || n == 1) {
-    if (!(let = let_temporary(x, "cond", pos)) || !(*test = vs_ast_local(&x->ast, let->as.let.vars[0], pos))) return false;
+    if (!(let = let_temporary(x, "cond", pos)) || !(*test = vs_ast_local(&x->ast, let->as.let.vars[0], pos)))
+      return false;
     let->as.let.body = node;
     test = &let->as.let.values[0];
   }
@@ -182,11 +192,15 @@ bool vs_form_cond(vs_expansion *x) {
     if (!call || !(call->as.call.at[0] = vs_ast_local(&x->ast, let->as.let.vars[0], pos))) return false;
     node->as.branch.then = call;
     vs_value l = vs_cdr(vs_cdr(r[0]));
-    if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(l), x->now.env, vs_element_pos(l, false, pos), &call->as.call.callee, x->now.depth + 2)) return false;
+    if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(l), x->now.env, vs_element_pos(l, false, pos), &call->as.call.callee,
+                        x->now.depth + 2))
+      return false;
   } else if (n == 1) {
     if (!(node->as.branch.then = vs_ast_local(&x->ast, let->as.let.vars[0], pos))) return false;
   } else if (!sequence(x, vs_cdr(r[0]), pos, &node->as.branch.then, x->now.depth + 1)) return false;
-  if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(r[0]), x->now.env, vs_element_pos(r[0], true, outer), test, x->now.depth + 1)) return false;
+  if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(r[0]), x->now.env, vs_element_pos(r[0], true, outer), test,
+                      x->now.depth + 1))
+    return false;
   vs_expand_top(x)->test = !let;
   vs_expand_top(x)->decides = true;
   return true;
@@ -199,7 +213,9 @@ bool vs_form_case(vs_expansion *x) {
   vs_node *let = let_temporary(x, "key", x->now.pos);
   if (!let) return false;
   put(x, let);
-  if (!vs_expand_push(x, VS_TASK_CASE, vs_cdr(vs_cdr(x->now.form)), x->now.env, x->now.pos, &let->as.let.body, x->now.depth + 1)) return false;
+  if (!vs_expand_push(x, VS_TASK_CASE, vs_cdr(vs_cdr(x->now.form)), x->now.env, x->now.pos, &let->as.let.body,
+                      x->now.depth + 1))
+    return false;
   vs_expand_top(x)->var = let->as.let.vars[0];
   return vs_expand_nth(x, 1, x->now.env, &let->as.let.values[0]);
 }
@@ -212,14 +228,19 @@ static vs_node *key_test(vs_expansion *x, vs_value data, vs_pos pos) {
   if (!vs_strip(x->vm, data, &r[0])) return NULL;
   if (n > 6) {
     vs_node *call = vs_expand_call(x, "memv", 2, pos);
-    return call && (call->as.call.at[0] = vs_ast_local(&x->ast, x->now.var, pos)) && (call->as.call.at[1] = vs_ast_constant(&x->ast, r[0], pos)) ? call : NULL;
+    return call && (call->as.call.at[0] = vs_ast_local(&x->ast, x->now.var, pos)) &&
+                   (call->as.call.at[1] = vs_ast_constant(&x->ast, r[0], pos))
+               ? call
+               : NULL;
   }
   vs_node *first = NULL, **into = &first;
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
     vs_value d = vs_car(r[0]);
     bool same = !vs_is_double(d) && (!vs_is_object(d) || vs_is_symbol(d));
     vs_node *call = vs_expand_call(x, same ? "eq?" : "eqv?", 2, pos);
-    if (!call || !(call->as.call.at[0] = vs_ast_local(&x->ast, x->now.var, pos)) || !(call->as.call.at[1] = vs_ast_constant(&x->ast, vs_car(r[0]), pos))) return NULL;
+    if (!call || !(call->as.call.at[0] = vs_ast_local(&x->ast, x->now.var, pos)) ||
+        !(call->as.call.at[1] = vs_ast_constant(&x->ast, vs_car(r[0]), pos)))
+      return NULL;
     if (vs_cdr(r[0]) == VS_NIL) { *into = call; break; }
     vs_node *node = vs_expand_node(x, VS_AST_IF, pos);
     if (!node || !(node->as.branch.then = vs_ast_constant(&x->ast, VS_TRUE, pos))) return NULL;
@@ -249,7 +270,9 @@ bool vs_case_step(vs_expansion *x) {
     vs_node *node = vs_expand_node(x, VS_AST_IF, pos);
     if (!node || !(node->as.branch.test = key_test(x, vs_car(clause), pos))) return false;
     put(x, node);
-    if (!vs_expand_push(x, VS_TASK_CASE, vs_cdr(x->now.form), x->now.env, x->now.pos, &node->as.branch.otherwise, depth + 1)) return false;
+    if (!vs_expand_push(x, VS_TASK_CASE, vs_cdr(x->now.form), x->now.env, x->now.pos, &node->as.branch.otherwise,
+                        depth + 1))
+      return false;
     vs_expand_top(x)->var = x->now.var;
     value = &node->as.branch.then;
     depth++;
@@ -261,7 +284,8 @@ bool vs_case_step(vs_expansion *x) {
   if (!call || !(call->as.call.at[0] = vs_ast_local(&x->ast, x->now.var, pos))) return false;
   *value = call;
   body = vs_cdr(vs_cdr(r[0]));
-  return vs_expand_push(x, VS_TASK_EXPR, vs_car(body), x->now.env, vs_element_pos(body, false, pos), &call->as.call.callee, depth + 1);
+  return vs_expand_push(x, VS_TASK_EXPR, vs_car(body), x->now.env, vs_element_pos(body, false, pos),
+                        &call->as.call.callee, depth + 1);
 }
 
 /* ---- quasiquote: a task a list, its spine at once ---- */
@@ -279,14 +303,17 @@ bool vs_form_quasiquote(vs_expansion *x) {
   if (!vs_datum_any(x->vm, vs_car(vs_cdr(x->now.form)), is_comma, &comma)) return false;
   if (!comma) return vs_form_quote(x);
   vs_value l = vs_cdr(x->now.form);
-  if (!vs_expand_push(x, VS_TASK_QUASI, vs_car(l), x->now.env, vs_element_pos(l, false, x->now.pos), x->now.into, x->now.depth)) return false;
+  if (!vs_expand_push(x, VS_TASK_QUASI, vs_car(l), x->now.env, vs_element_pos(l, false, x->now.pos), x->now.into,
+                      x->now.depth))
+    return false;
   vs_expand_top(x)->n = 1;
   return true;
 }
 
 /* (unquote e) and the like */
 static int quasi_kind(vs_value env, vs_value v) {
-  if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL || !vs_is_identifier(vs_car(v))) return -1;
+  if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL || !vs_is_identifier(vs_car(v)))
+    return -1;
   vs_meaning m = vs_environment_find(env, vs_car(v));
   if (m.kind != VS_MEANS_MACRO) return -1;
   int64_t k = vs_fixnum(vs_as_macro(m.value)->kind);
@@ -320,18 +347,22 @@ bool vs_quasi_step(vs_expansion *x) {
   int kind = quasi_kind(x->now.env, form);
   if (kind == VS_FORM_unquote && level == 1) {
     vs_value l = vs_cdr(form);
-    return vs_expand_push(x, VS_TASK_EXPR, vs_car(l), x->now.env, vs_element_pos(l, false, pos), x->now.into, x->now.depth);
+    return vs_expand_push(x, VS_TASK_EXPR, vs_car(l), x->now.env, vs_element_pos(l, false, pos), x->now.into,
+                          x->now.depth);
   }
-  bool spliced = kind >= 0 && level == 2 && quasi_kind(x->now.env, vs_car(vs_cdr(form))) == VS_FORM_unquote_splicing;      /* ``(a ,,@l): a list like others */
+  /* ``(a ,,@l): a list like others */
+  bool spliced = kind >= 0 && level == 2 && quasi_kind(x->now.env, vs_car(vs_cdr(form))) == VS_FORM_unquote_splicing;
   if (kind >= 0 && !(spliced && kind != VS_FORM_quasiquote)) {
-    if (kind == VS_FORM_unquote_splicing && level == 1) return vs_expand_fail(x, pos, VS_ABSENT, ",@ stands only inside a list");
+    if (kind == VS_FORM_unquote_splicing && level == 1)
+      return vs_expand_fail(x, pos, VS_ABSENT, ",@ stands only inside a list");
     vs_node *call = vs_expand_call(x, "list", 2, pos);
     if (!call) return false;
     put(x, call);
     r[0] = vs_identifier_symbol(vs_car(x->now.form));
     if (!(call->as.call.at[0] = vs_ast_constant(&x->ast, r[0], pos))) return false;
     vs_value l = vs_cdr(x->now.form);
-    return push_quasi(x, vs_car(l), vs_element_pos(l, false, pos), &call->as.call.at[1], kind == VS_FORM_quasiquote ? level + 1 : level - 1);
+    return push_quasi(x, vs_car(l), vs_element_pos(l, false, pos), &call->as.call.at[1],
+                      kind == VS_FORM_quasiquote ? level + 1 : level - 1);
   }
   level -= kind >= 0;
   /* the spine: runs of plain elements and spliced lists, then a tail */
@@ -361,7 +392,9 @@ bool vs_quasi_step(vs_expansion *x) {
     if (level == 1 && quasi_kind(x->now.env, e) == VS_FORM_unquote_splicing) {
       run = NULL;
       vs_value s = vs_cdr(e);
-      if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(s), x->now.env, vs_element_pos(s, false, place), &outer->as.call.at[segment++], x->now.depth + 2)) return false;
+      if (!vs_expand_push(x, VS_TASK_EXPR, vs_car(s), x->now.env, vs_element_pos(s, false, place),
+                          &outer->as.call.at[segment++], x->now.depth + 2))
+        return false;
       continue;
     }
     if (!run) {

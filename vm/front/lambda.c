@@ -1,9 +1,9 @@
 /* Owns parameter lists: lambda, case-lambda and the procedures of define; contracts, optional and keyword parameters.
 
-   A parameter is   name   [name predicate]   [name predicate default]   and behind #:key the same;   . name or . [name predicate]   is the
-   rest. The predicate is evaluated once, outside the lambda: a LET around it, unless it is a constant of the library. The checks are
-   a SEQ in front of the body, one CHECK a parameter, in order; a default that is computed is preceded by the checks of the
-   parameters it can see. */
+   A parameter is   name   [name predicate]   [name predicate default]   and behind #:key the same;   . name or . [name
+   predicate]   is the rest. The predicate is evaluated once, outside the lambda: a LET around it, unless it is a
+   constant of the library. The checks are a SEQ in front of the body, one CHECK a parameter, in order; a default that
+   is computed is preceded by the checks of the parameters it can see. */
 #include "vm/front/expand.h"
 
 typedef struct {
@@ -23,7 +23,9 @@ typedef struct {
   bool rest, tail;
 } parameters;
 
-static bool is_keyword(vs_value v) { return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2); }
+static bool is_keyword(vs_value v) {
+  return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2);
+}
 
 static bool add(parameters *p, vs_value id, vs_value predicate, vs_value fallback, vs_pos pos, uint32_t keyword) {
   if (p->count == p->room) {
@@ -41,19 +43,26 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
   if (vs_is_identifier(spec)) return add(p, spec, VS_ABSENT, VS_ABSENT, pos, keyword);
   int64_t n = vs_list_length(spec);
   if (n < 2 || n > (rest ? 2 : 3) || !vs_is_identifier(vs_car(spec)))
-    return vs_expand_fail(x, pos, spec, rest ? "the rest parameter is a name or [name predicate], not" : "a parameter is a name, [name predicate] or [name predicate default], not");
-  vs_value id = vs_car(spec), predicate = vs_car(vs_cdr(spec)), fallback = n == 3 ? vs_car(vs_cdr(vs_cdr(spec))) : VS_ABSENT;
+    return vs_expand_fail(x, pos, spec,
+                          rest ? "the rest parameter is a name or [name predicate], not"
+                               : "a parameter is a name, [name predicate] or [name predicate default], not");
+  vs_value id = vs_car(spec), predicate = vs_car(vs_cdr(spec)),
+           fallback = n == 3 ? vs_car(vs_cdr(vs_cdr(spec))) : VS_ABSENT;
   return add(p, id, predicate, fallback, pos, keyword);
 }
 
-/* the parameter list; the values of p->at are only good until something allocates: they are read again by shape in `reload` */
+/* the parameter list; the values of p->at are only good until something allocates: they are read again by shape in
+   `reload` */
 static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
   vs_value l = list;
   bool optional = false, keyed = false;
   for (bool first = !p->tail; vs_is_pair(l); l = vs_cdr(l), first = false) {
     vs_pos pos = vs_element_pos(l, false, outer);
     vs_value spec = vs_car(l);
-    if (!first && (vs_object_of(l)->flags & VS_F_SQUARE)) { p->rest = true; return specification(x, p, l, vs_pair_pos(l) ? vs_pair_pos(l) : outer, 0, true); }
+    if (!first && (vs_object_of(l)->flags & VS_F_SQUARE)) {
+      p->rest = true;
+      return specification(x, p, l, vs_pair_pos(l) ? vs_pair_pos(l) : outer, 0, true);
+    }
     uint32_t keyword = 0;
     if (is_keyword(spec)) {
       const vs_symbol *s = vs_as_symbol(spec);
@@ -64,13 +73,15 @@ static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
       if (!vs_intern(x->vm, copy, s->length - 2, &name) || !vs_ast_const(&x->ast, name, &keyword)) return false;
       keyword++;
       l = vs_cdr(l);
-      if (!vs_is_pair(l)) return vs_expand_fail(x, pos, VS_ABSENT, "a parameter is missing behind #:%s", vs_as_symbol(name)->name);
+      if (!vs_is_pair(l))
+        return vs_expand_fail(x, pos, VS_ABSENT, "a parameter is missing behind #:%s", vs_as_symbol(name)->name);
       spec = vs_car(l);
       keyed = true;
     } else if (keyed) return vs_expand_fail(x, pos, spec, "keyword parameters come last; this stands behind one:");
     if (!specification(x, p, spec, pos, keyword, false)) return false;
     bool has_default = p->at[p->count - 1].fallback != VS_ABSENT;
-    if (!keyword && optional && !has_default) return vs_expand_fail(x, pos, spec, "a parameter without a default stands behind one with a default:");
+    if (!keyword && optional && !has_default)
+      return vs_expand_fail(x, pos, spec, "a parameter without a default stands behind one with a default:");
     optional = optional || (!keyword && has_default);
   }
   if (vs_is_identifier(l)) { p->rest = true; return specification(x, p, l, outer, 0, true); }
@@ -78,7 +89,8 @@ static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
   return true;
 }
 
-/* In a contract and, or and not combine predicates, at any depth and within list-of: there they are the library's procedures of these names. */
+/* In a contract and, or and not combine predicates, at any depth and within list-of: there they are the library's
+   procedures of these names. */
 static const struct { int form; const char *word, *procedure; } combinations[] = {
   { VS_FORM_and, NULL, "and-of" }, { VS_FORM_or, NULL, "or-of" }, { -1, "not", "not-of" }, { -1, "list-of", "list-of" },
 };
@@ -87,10 +99,12 @@ static const struct { int form; const char *word, *procedure; } combinations[] =
 static const char *combination(vs_value form, vs_value env) {
   if (!vs_is_pair(form) || vs_list_length(form) < 1 || !vs_is_identifier(vs_car(form))) return NULL;
   for (size_t i = 0; i < sizeof combinations / sizeof *combinations; i++) {
-    if (combinations[i].form >= 0 && vs_is_form(env, vs_car(form), combinations[i].form)) return combinations[i].procedure;
+    if (combinations[i].form >= 0 && vs_is_form(env, vs_car(form), combinations[i].form))
+      return combinations[i].procedure;
     if (combinations[i].form >= 0) continue;
     vs_meaning m = vs_environment_find(env, vs_car(form));
-    if (m.kind != VS_MEANS_CELL || !(vs_object_of(m.value)->flags & VS_F_CONSTANT)) continue; /* a name of the program's own */
+    /* a name of the program's own */
+    if (m.kind != VS_MEANS_CELL || !(vs_object_of(m.value)->flags & VS_F_CONSTANT)) continue;
     if (!strcmp(vs_as_symbol(vs_as_cell(m.value)->name)->name, combinations[i].word)) return combinations[i].procedure;
   }
   return NULL;
@@ -98,7 +112,8 @@ static const char *combination(vs_value form, vs_value env) {
 
 bool vs_predicate_step(vs_expansion *x) {
   const char *procedure = combination(x->now.form, x->now.env);
-  if (!procedure) return vs_expand_push(x, VS_TASK_EXPR, x->now.form, x->now.env, x->now.pos, x->now.into, x->now.depth);
+  if (!procedure)
+    return vs_expand_push(x, VS_TASK_EXPR, x->now.form, x->now.env, x->now.pos, x->now.into, x->now.depth);
   if (!vs_expand_outline(x)) return false;
   vs_node *call = vs_expand_call(x, procedure, (size_t)vs_list_length(x->now.form) - 1, x->now.pos);
   if (!call) return false;
@@ -106,7 +121,8 @@ bool vs_predicate_step(vs_expansion *x) {
   size_t i = 0;
   bool ok = true;
   for (vs_value l = vs_cdr(x->now.form); ok && vs_is_pair(l); l = vs_cdr(l), i++)
-    ok = vs_expand_push(x, VS_TASK_PREDICATE, vs_car(l), x->now.env, vs_element_pos(l, false, x->now.pos), &call->as.call.at[i], x->now.depth + 1);
+    ok = vs_expand_push(x, VS_TASK_PREDICATE, vs_car(l), x->now.env, vs_element_pos(l, false, x->now.pos),
+                        &call->as.call.at[i], x->now.depth + 1);
   return ok;
 }
 
@@ -136,7 +152,8 @@ static vs_node *check(vs_expansion *x, const parameter *q, vs_value env, uint32_
   r[0] = q->predicate; r[1] = env;
   if (!vs_strip(x->vm, r[0], &r[0]) || !vs_ast_const(&x->ast, r[0], &n->as.check.text)) return NULL;
   n->as.check.who = name;
-  n->as.check.predicate = q->contract ? vs_ast_local(&x->ast, q->contract, q->pos) : vs_expand_ref(x, q->predicate, r[1], q->pos);
+  n->as.check.predicate =
+      q->contract ? vs_ast_local(&x->ast, q->contract, q->pos) : vs_expand_ref(x, q->predicate, r[1], q->pos);
   return n->as.check.predicate ? n : NULL;
 }
 
@@ -144,11 +161,13 @@ static vs_node *check(vs_expansion *x, const parameter *q, vs_value env, uint32_
 static bool is_constant(vs_value form, vs_value env) {
   if (!vs_is_identifier(form)) return false;
   vs_meaning m = vs_environment_find(env, form);
-  return m.kind == VS_MEANS_CELL && (vs_object_of(m.value)->flags & VS_F_CONSTANT) && vs_as_cell(m.value)->value != VS_UNDEFINED;
+  return m.kind == VS_MEANS_CELL && (vs_object_of(m.value)->flags & VS_F_CONSTANT) &&
+         vs_as_cell(m.value)->value != VS_UNDEFINED;
 }
 
 /* *outer: where the LET of the contracts goes, and then its body */
-static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs_pos pos, vs_node ***outer, vs_node **into) {
+static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs_pos pos, vs_node ***outer,
+                  vs_node **into) {
   /* r: 0 list, 1 body, 2 env, 3 the scope of the lambda, 4 scratch */
   vs_scheme *vm = x->vm;
   uint32_t who;
@@ -176,10 +195,12 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
     reload(p, r[0]);
     parameter *q = &p->at[i];
     if (vs_idtable_get(vs_as_environment(r[3])->table, q->id) != VS_VACANT)
-      return vs_expand_fail(x, q->pos, VS_ABSENT, "two parameters are called %s", vs_as_symbol(vs_identifier_symbol(q->id))->name);
+      return vs_expand_fail(x, q->pos, VS_ABSENT, "two parameters are called %s",
+                            vs_as_symbol(vs_identifier_symbol(q->id))->name);
     if (q->predicate != VS_ABSENT && !is_constant(q->predicate, r[2])) {
       q->contract = vs_ast_var(&x->ast, vs_identifier_symbol(q->id));
-      if (!q->contract || !vs_expand_push(x, VS_TASK_PREDICATE, q->predicate, r[2], q->pos, &let->as.let.values[c], 2)) return false;
+      if (!q->contract || !vs_expand_push(x, VS_TASK_PREDICATE, q->predicate, r[2], q->pos, &let->as.let.values[c], 2))
+        return false;
       let->as.let.vars[c++] = q->contract;
       reload(p, r[0]);
     }
@@ -200,7 +221,8 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
         *at = seq;
         at = &seq->as.seq.at[before];
       }
-      /* a scope of its own: later parameters must not be seen, though they are bound in r[3] by the time it is expanded */
+      /* a scope of its own: later parameters must not be seen, though they are bound in r[3] by the time it is
+         expanded */
       if (!vs_expand_scope(x, r[2], &r[4])) return false;
       for (size_t k = 0; k < i; k++) {
         reload(p, r[0]);
@@ -228,7 +250,8 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
   return vs_expand_body(x, r[1], r[3], pos, into, 2);     /* a lambda's depth is its own */
 }
 
-static bool expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node ***outer, vs_node **into) {
+static bool expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name,
+                          vs_pos pos, vs_node ***outer, vs_node **into) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   r[0] = params; r[1] = body; r[2] = env;
@@ -238,7 +261,8 @@ static bool expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value 
   return ok;
 }
 
-bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name, vs_pos pos, vs_node **into) {
+bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name,
+                      vs_pos pos, vs_node **into) {
   vs_node **outer = into;
   return expand_lambda(x, params, tail, body, env, name, pos, &outer, into);
 }
@@ -258,15 +282,22 @@ bool vs_form_case_lambda(vs_expansion *x) {
   vs_node *node = vs_expand_many(x, VS_AST_CASE, (size_t)n - 1, x->now.pos);
   if (!node) return false;
   vs_value name = task_name(x);
-  if (name != VS_FALSE) { uint32_t index; if (!vs_ast_const(&x->ast, name, &index)) return false; node->as.clauses.name = 1 + index; }
+  if (name != VS_FALSE) {
+    uint32_t index;
+    if (!vs_ast_const(&x->ast, name, &index)) return false;
+    node->as.clauses.name = 1 + index;
+  }
   VS_ROOTS(x->vm, r, 1);
   bool ok = true;
   size_t i = 0;
   vs_node **outer = x->now.into;        /* the LETs of all clauses' contracts stand around the whole */
   for (r[0] = vs_cdr(x->now.form); ok && vs_is_pair(r[0]); r[0] = vs_cdr(r[0]), i++) {
     vs_value clause = vs_car(r[0]);
-    if (vs_list_length(clause) < 2) return vs_expand_fail(x, vs_element_pos(r[0], false, x->now.pos), clause, "case-lambda is written %s; this is no clause:", vs_form_shape(VS_FORM_case_lambda));
-    ok = expand_lambda(x, vs_car(clause), false, vs_cdr(clause), x->now.env, name, vs_form_pos(clause, x->now.pos), &outer, &node->as.clauses.at[i]);
+    if (vs_list_length(clause) < 2)
+      return vs_expand_fail(x, vs_element_pos(r[0], false, x->now.pos), clause,
+                            "case-lambda is written %s; this is no clause:", vs_form_shape(VS_FORM_case_lambda));
+    ok = expand_lambda(x, vs_car(clause), false, vs_cdr(clause), x->now.env, name, vs_form_pos(clause, x->now.pos),
+                       &outer, &node->as.clauses.at[i]);
   }
   *outer = node;
   return ok;

@@ -1,14 +1,15 @@
 /* Owns the reader: text in memory becomes data, with the place of every pair.
 
-   Plan. A stack of open things (lists, vectors, quotes, datum comments, labels) stands in accounted memory, two rooted values
-   each: the first pair and the last pair of the elements so far. A finished datum is delivered to the top of the stack until it
-   rests. Mistakes are noted and reading goes on behind them, so that one reading reports them all.
+   Plan. A stack of open things (lists, vectors, quotes, datum comments, labels) stands in accounted memory, two rooted
+   values each: the first pair and the last pair of the elements so far. A finished datum is delivered to the top of the
+   stack until it rests. Mistakes are noted and reading goes on behind them, so that one reading reports them all.
 
-   An unclosed parenthesis is found at the end of the text, too late to be of help. Therefore the reader remembers the first line
-   that begins at or left of the column of a parenthesis that is still open: by the indentation, that one should have been closed on
-   the line before. And the text is then read once more, each (define at the left margin beginning anew (`anew`), so that every
-   form that was left open is reported and not the first alone. A quote that is missing turns all strings behind it inside out; so the
-   reader remembers the first string over several lines whose end touches a word: that is where it probably began. */
+   An unclosed parenthesis is found at the end of the text, too late to be of help. Therefore the reader remembers the
+   first line that begins at or left of the column of a parenthesis that is still open: by the indentation, that one
+   should have been closed on the line before. And the text is then read once more, each (define at the left margin
+   beginning anew (`anew`), so that every form that was left open is reported and not the first alone. A quote that is
+   missing turns all strings behind it inside out; so the reader remembers the first string over several lines whose end
+   touches a word: that is where it probably began. */
 #include "vm/front/reader.h"
 #include "vm/values/number.h"
 #include "vm/values/text.h"
@@ -52,7 +53,8 @@ typedef struct {
   uint32_t comma_line;       /* where a comma between elements was last complained of */
   bool cut;                  /* a string or |symbol| swallowed the rest: what is open then is no mistake of its own */
   bool anew, left_open;      /* the second reading; a form was open at the end, or where one began anew */
-  vs_pos odd_string; uint32_t odd_end;   /* the string that probably swallowed the quote of the next, and the line where it ended */
+  vs_pos odd_string; uint32_t odd_end;   /* the string that probably swallowed the quote of the next, and the line where
+                                            it ended */
   vs_pos last_top; uint32_t last_close_line; bool stray; vs_pos stray_top; uint32_t stray_line;
 } reader;
 
@@ -80,7 +82,9 @@ static void newline(reader *r, size_t next) {
   r->blank_line = true;
 }
 
-static int peek(const reader *r, size_t ahead) { return r->at + ahead < r->size ? (unsigned char)r->text[r->at + ahead] : -1; }
+static int peek(const reader *r, size_t ahead) {
+  return r->at + ahead < r->size ? (unsigned char)r->text[r->at + ahead] : -1;
+}
 
 /* bytes of a blank character at the reader's place, 0: none */
 static size_t blank(const reader *r) {
@@ -101,7 +105,9 @@ static bool is_delimiter(const reader *r) {
   return c < 0 || strchr("()[]{}\";,'`", c) || blank(r);
 }
 
-static void skip_line(reader *r) { while (r->at < r->size && r->text[r->at] != '\n' && r->text[r->at] != '\r') r->at++; }
+static void skip_line(reader *r) {
+  while (r->at < r->size && r->text[r->at] != '\n' && r->text[r->at] != '\r') r->at++;
+}
 
 static void skip_block(reader *r) {
   vs_pos pos = place(r, r->at);
@@ -186,7 +192,10 @@ static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
       pop(r);
       if (!cons(r, *v, VS_NIL, pos, v)) return false;
       const struct vs_scheme *vm = r->vm;
-      vs_value name = quote == QUASI ? vm->sym.quasiquote : quote == UNQUOTE ? vm->sym.unquote : quote == SPLICE ? vm->sym.unquote_splicing : vm->sym.quote;
+      vs_value name = quote == QUASI     ? vm->sym.quasiquote
+                      : quote == UNQUOTE ? vm->sym.unquote
+                      : quote == SPLICE  ? vm->sym.unquote_splicing
+                                         : vm->sym.quote;
       if (!cons(r, name, *v, mark, v)) return false;
       pos = mark;
       break;
@@ -233,7 +242,8 @@ static bool close_frame(reader *r, vs_value *out) {
     for (vs_value v = r->slots[2 * (r->depth - 1)]; vs_is_pair(v); v = vs_cdr(v), i++) {
       vs_value e = vs_car(v);
       if (f.kind == VECTOR) vs_gc_store(r->vm, vs_as_vector(*out), &vs_as_vector(*out)->at[i], e);
-      else if (vs_is_fixnum(e) && vs_fixnum(e) >= 0 && vs_fixnum(e) < 256) vs_as_bytes(*out)->at[i] = (uint8_t)vs_fixnum(e);
+      else if (vs_is_fixnum(e) && vs_fixnum(e) >= 0 && vs_fixnum(e) < 256)
+        vs_as_bytes(*out)->at[i] = (uint8_t)vs_fixnum(e);
       else problem(r, f.pos, "a bytevector holds integers from 0 to 255");
     }
     if (r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;      /* a literal of a program */
@@ -243,16 +253,21 @@ static bool close_frame(reader *r, vs_value *out) {
 }
 
 /* ---- tokens that make a value ---- */
-static const struct { const char *name; uint32_t c; } char_names[] = {
-  {"space", ' '}, {"newline", '\n'}, {"tab", '\t'}, {"return", '\r'}, {"null", 0}, {"nul", 0}, {"alarm", 7}, {"backspace", 8},
-  {"delete", 127}, {"rubout", 127}, {"escape", 27}, {"altmode", 27}, {"linefeed", '\n'}, {"page", 12}, {"vtab", 11},
+static const struct { const char *name; uint32_t c;
+} char_names[] = {
+  { "space", ' ' }, { "newline", '\n' }, { "tab", '\t' },      { "return", '\r' }, { "null", 0 },
+  { "nul", 0 },     { "alarm", 7 },      { "backspace", 8 },   { "delete", 127 },  { "rubout", 127 },
+  { "escape", 27 }, { "altmode", 27 },   { "linefeed", '\n' }, { "page", 12 },     { "vtab", 11 },
 };
 
 static bool hex(const char *s, size_t n, uint32_t *out) {
   uint32_t c = 0;
   if (!n || n > 8) return false;
   for (size_t i = 0; i < n; i++) {
-    int d = s[i] >= '0' && s[i] <= '9' ? s[i] - '0' : s[i] >= 'a' && s[i] <= 'f' ? s[i] - 'a' + 10 : s[i] >= 'A' && s[i] <= 'F' ? s[i] - 'A' + 10 : -1;
+    int d = s[i] >= '0' && s[i] <= '9'   ? s[i] - '0'
+            : s[i] >= 'a' && s[i] <= 'f' ? s[i] - 'a' + 10
+            : s[i] >= 'A' && s[i] <= 'F' ? s[i] - 'A' + 10
+                                         : -1;
     if (d < 0) return false;
     c = c << 4 | (uint32_t)d;
   }
@@ -279,7 +294,8 @@ static void read_char(reader *r, vs_value *out) {
   for (size_t i = 0; i < sizeof char_names / sizeof *char_names; i++) {
     if (strlen(char_names[i].name) != length) continue;
     bool same = true;
-    for (size_t k = 0; k < length; k++) same &= s[k] == char_names[i].name[k] || (r->fold && (s[k] | 32) == char_names[i].name[k]);
+    for (size_t k = 0; k < length; k++)
+      same &= s[k] == char_names[i].name[k] || (r->fold && (s[k] | 32) == char_names[i].name[k]);
     if (same) { *out = VS_CHAR(char_names[i].c); return; }
   }
   problem(r, pos, "no character has the name #\\%.*s", (int)(length > 40 ? 40 : length), s);
@@ -304,14 +320,18 @@ static bool read_escape(reader *r, vs_text *t) {
   case 'x': case 'X': {
     while (r->at < r->size && r->text[r->at] != ';' && r->text[r->at] != '"' && r->text[r->at] != '\n') r->at++;
     uint32_t u = 0xFFFD;
-    if (peek(r, 0) != ';' || !hex(r->text + start + 1, r->at - start - 1, &u)) problem(r, pos, "a character by number is written \\x41;");
+    if (peek(r, 0) != ';' || !hex(r->text + start + 1, r->at - start - 1, &u))
+      problem(r, pos, "a character by number is written \\x41;");
     if (peek(r, 0) == ';') r->at++;
     return vs_text_char(t, u);
   }
   case ' ': case '\t': case '\n': case '\r': {        /* a line that goes on: blanks, newline, blanks are left out */
     r->at = start;
     while (peek(r, 0) == ' ' || peek(r, 0) == '\t' || (peek(r, 0) == '\r' && peek(r, 1) == '\n')) r->at++;
-    if (peek(r, 0) != '\n' && peek(r, 0) != '\r') { problem(r, pos, "behind this backslash the line must end"); return true; }
+    if (peek(r, 0) != '\n' && peek(r, 0) != '\r') {
+      problem(r, pos, "behind this backslash the line must end");
+      return true;
+    }
     newline(r, ++r->at);
     while (peek(r, 0) == ' ' || peek(r, 0) == '\t') r->at++;
     return true;
@@ -333,17 +353,23 @@ static bool read_delimited(reader *r, char end, vs_text *t) {
   r->at++;
   while (r->at < r->size) {
     size_t run = r->at;
-    while (r->at < r->size && r->text[r->at] != end && r->text[r->at] != '\\' && r->text[r->at] != '\n' && r->text[r->at] != '\r') r->at++;
+    while (r->at < r->size && r->text[r->at] != end && r->text[r->at] != '\\' && r->text[r->at] != '\n' &&
+           r->text[r->at] != '\r')
+      r->at++;
     if (!vs_text_put(t, r->text + run, r->at - run)) return false;
     int c = peek(r, 0);
     if (c < 0) break;
     r->at++;
     if (c == end) {
-      if (end == '"' && !r->odd_string && r->line != first_line && !is_delimiter(r)) { r->odd_string = pos; r->odd_end = r->line; }
+      if (end == '"' && !r->odd_string && r->line != first_line && !is_delimiter(r)) {
+        r->odd_string = pos;
+        r->odd_end = r->line;
+      }
       return true;
     }
     if (c == '\\') { if (!read_escape(r, t)) return false; }
-    else {                                              /* a string's lines end with \n however the file's do; a symbol keeps what it has */
+    else {                                              /* a string's lines end with \n however the file's do; a symbol
+                                                           keeps what it has */
       const char kept = (char)c;
       bool ends = ends_line(r, c);
       if (ends) newline(r, r->at);
@@ -351,10 +377,13 @@ static bool read_delimited(reader *r, char end, vs_text *t) {
     }
   }
   if (end == '"' && r->odd_string)
-    problem(r, r->odd_string, "this string goes on to line %u; a \" is missing, probably on line %u", r->odd_end, vs_pos_line(r->odd_string));
+    problem(r, r->odd_string, "this string goes on to line %u; a \" is missing, probably on line %u", r->odd_end,
+            vs_pos_line(r->odd_string));
   else {
     r->odd_string = 0;
-    problem(r, pos, end == '"' ? "this string is never closed: a \" is missing" : "this |symbol is never closed: a | is missing");
+    problem(r, pos,
+            end == '"' ? "this string is never closed: a \" is missing"
+                       : "this |symbol is never closed: a | is missing");
   }
   r->cut = true;
   return true;
@@ -379,7 +408,9 @@ static bool read_symbol(reader *r, vs_value *out) {
   if (ok && !bars && ((c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == '#')) {
     ok = vs_number_parse(r->vm, s, length, 10, out);
     if (ok && *out == VS_FALSE && c == '#') {
-      problem(r, pos, "%.*s is not known here: # begins #t, #f, #\\a (a character), #(1 2) (a vector), #:name (a keyword) and #;, #| (comments)",
+      problem(r, pos,
+              "%.*s is not known here: # begins #t, #f, #\\a (a character), #(1 2) (a vector), #:name (a keyword) and "
+              "#;, #| (comments)",
               (int)(length > 60 ? 60 : length), s);
       *out = VS_UNSPECIFIC;
     }
@@ -388,8 +419,12 @@ static bool read_symbol(reader *r, vs_value *out) {
       while (peek(r, more) >= '0' && peek(r, more) <= '9') more++;
       if (peek(r, more) == ',' || (r->depth && r->frames[r->depth - 1].open == '[')) {      /* [1,2,3] */
         problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3), or (xyz 1 2 3) for a point");
-        while (peek(r, more) >= 0 && (peek(r, more) == ',' || peek(r, more) == '.' || (peek(r, more) >= '0' && peek(r, more) <= '9'))) more++;
-      } else problem(r, pos, "a decimal point is a point: %.*s.%.*s instead of %.*s", (int)length, s, (int)(more - 1), s + length + 1, (int)(length + more), s);
+        while (peek(r, more) >= 0 &&
+               (peek(r, more) == ',' || peek(r, more) == '.' || (peek(r, more) >= '0' && peek(r, more) <= '9')))
+          more++;
+      } else
+        problem(r, pos, "a decimal point is a point: %.*s.%.*s instead of %.*s", (int)length, s, (int)(more - 1),
+                s + length + 1, (int)(length + more), s);
       r->at += more;
     }
   }
@@ -407,7 +442,8 @@ static bool read_symbol(reader *r, vs_value *out) {
     while (!is_delimiter(r)) r->at++; /* the > */
     *out = VS_UNSPECIFIC;
   }
-  if (ok && !bars && c == 0xE2 && length >= 3 && (unsigned char)s[1] == 0x80 && (unsigned char)s[2] >= 0x98 && (unsigned char)s[2] <= 0x9F)
+  if (ok && !bars && c == 0xE2 && length >= 3 && (unsigned char)s[1] == 0x80 && (unsigned char)s[2] >= 0x98 &&
+      (unsigned char)s[2] <= 0x9F)
     problem(r, pos, "%.3s is a typographic quotation mark; write \" (or ' before a symbol)", s);
   if (ok && *out == VS_FALSE) ok = vs_intern(r->vm, t.at ? t.at : "", t.count, out);
   vs_text_close(&t);
@@ -418,7 +454,8 @@ static bool read_symbol(reader *r, vs_value *out) {
 static bool same(const reader *r, const char *word) {
   size_t n = strlen(word);
   if (r->size - r->at < n) return false;
-  for (size_t i = 0; i < n; i++) if (r->text[r->at + i] != word[i] && (r->text[r->at + i] | 32) != word[i]) return false;
+  for (size_t i = 0; i < n; i++)
+    if (r->text[r->at + i] != word[i] && (r->text[r->at + i] | 32) != word[i]) return false;
   reader after = {.text = r->text, .size = r->size, .at = r->at + n};
   return is_delimiter(&after);
 }
@@ -447,7 +484,8 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
       vs_value *slot = &r->slots[2 * (r->depth - 1)];
       if (!vs_make_box(r->vm, VS_UNDEFINED, &slot[0])) return false;
       slot = &r->slots[2 * (r->depth - 1)];
-      return vs_cons(r->vm, vs_fix(number), slot[0], &slot[1]) && vs_cons(r->vm, r->slots[2 * (r->depth - 1) + 1], r->labels, &r->labels);
+      return vs_cons(r->vm, vs_fix(number), slot[0], &slot[1]) &&
+             vs_cons(r->vm, r->slots[2 * (r->depth - 1) + 1], r->labels, &r->labels);
     }
     if (peek(r, i) == '#') {
       *prefix = false;
@@ -477,13 +515,15 @@ static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) 
   *got = false;
   while (r->depth && r->frames[r->depth - 1].kind >= QUOTE) {     /* '), #;) */
     if (r->frames[r->depth - 1].quote == QUOTE_PLAIN)
-      problem(r, r->frames[r->depth - 1].pos, "a datum is missing behind this '; a text stands between double quotes, \"like this\"");
+      problem(r, r->frames[r->depth - 1].pos,
+              "a datum is missing behind this '; a text stands between double quotes, \"like this\"");
     else problem(r, r->frames[r->depth - 1].pos, "a datum is missing here, before the %c", c);
     pop(r);
   }
   if (!r->depth) {
     if (r->stray && r->last_top)
-      problem(r, pos, "this %c closes nothing: what began on line %u was already closed on line %u", c, vs_pos_line(r->stray_top), r->stray_line);
+      problem(r, pos, "this %c closes nothing: what began on line %u was already closed on line %u", c,
+              vs_pos_line(r->stray_top), r->stray_line);
     else if (r->last_top)
       problem(r, pos, "this %c closes nothing: one too many for what began on line %u", c, vs_pos_line(r->last_top));
     else problem(r, pos, "this %c closes nothing", c);
@@ -491,7 +531,8 @@ static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) 
   }
   frame *f = &r->frames[r->depth - 1];
   if ((f->open == '(') != (c == ')'))
-    problem(r, pos, "the %c of line %u, column %u is closed by %c; %c belongs here", f->open, vs_pos_line(f->pos), vs_pos_col(f->pos), c, f->open == '(' ? ')' : ']');
+    problem(r, pos, "the %c of line %u, column %u is closed by %c; %c belongs here", f->open, vs_pos_line(f->pos),
+            vs_pos_col(f->pos), c, f->open == '(' ? ')' : ']');
   *got = true;
   return close_frame(r, out);
 }
@@ -501,7 +542,8 @@ static void watch_indentation(reader *r, vs_pos pos) {
   uint32_t col = vs_pos_col(pos);
   if (r->depth && !r->suspect) {
     for (size_t i = 0; i < r->depth; i++)
-      if (r->frames[i].kind <= BYTEVECTOR && col <= vs_pos_col(r->frames[i].pos) && vs_pos_line(r->frames[i].pos) < r->line) {
+      if (r->frames[i].kind <= BYTEVECTOR && col <= vs_pos_col(r->frames[i].pos) &&
+          vs_pos_line(r->frames[i].pos) < r->line) {
         r->suspect = r->frames[i].pos;
         r->suspect_line = r->content_line;
         break;
@@ -520,7 +562,9 @@ static void never_closed(reader *r, size_t count) {
   r->left_open = true;
   const frame *f = &r->frames[count - 1];
   char close = f->open == '(' ? ')' : ']';
-  if (r->suspect) problem(r, r->suspect, "this parenthesis is never closed; by the indentation a %c is missing at the end of line %u", close, r->suspect_line);
+  if (r->suspect)
+    problem(r, r->suspect, "this parenthesis is never closed; by the indentation a %c is missing at the end of line %u",
+            close, r->suspect_line);
   else if (count > 1 && r->frames[0].kind <= BYTEVECTOR)
     problem(r, f->pos, "this parenthesis is never closed (%zu are open at the end): a %c is missing", count, close);
   else problem(r, f->pos, "this parenthesis is never closed: a %c is missing", close);
@@ -558,15 +602,25 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
     case '(': case '[': r->at++; ok = push(r, LIST, pos, c, NO_QUOTE); got = false; break;
     case ')': case ']':
       r->at++;
-      { vs_pos opened = r->depth ? r->frames[r->depth - 1].pos : pos; ok = read_close(r, c, pos, out, &got); pos = opened; }
+      {
+        vs_pos opened = r->depth ? r->frames[r->depth - 1].pos : pos;
+        ok = read_close(r, c, pos, out, &got);
+        pos = opened;
+      }
       break;
-    case '{': case '}': problem(r, pos, "%c is not used here; parentheses are ( ) and [ ]", c); r->at++; got = false; break;
+    case '{':
+    case '}':
+      problem(r, pos, "%c is not used here; parentheses are ( ) and [ ]", c);
+      r->at++;
+      got = false;
+      break;
     case '\'': r->at++; ok = push(r, QUOTE, pos, 0, QUOTE_PLAIN); got = false; break;
     case '`': r->at++; ok = push(r, QUOTE, pos, 0, QUASI); got = false; break;
     case ',': {
       bool splice = peek(r, 1) == '@';
       char before = r->at ? r->text[r->at - 1] : ' ';
-      if (r->located && !r->quasi && peek(r, 1) == ' ' && before > ' ' && !strchr("([{'`,;", before)) {      /* (list 1, 2, 3) */
+      /* (list 1, 2, 3) */
+      if (r->located && !r->quasi && peek(r, 1) == ' ' && before > ' ' && !strchr("([{'`,;", before)) {
         if (r->comma_line != r->line) problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3)");
         r->comma_line = r->line;
         r->at++;
@@ -592,7 +646,8 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
         r->at++;
         got = false;
         frame *f = r->depth ? &r->frames[r->depth - 1] : NULL;
-        if (!f || f->kind != LIST || r->slots[2 * (r->depth - 1)] == VS_NIL) problem(r, pos, "a . stands only before the last datum of a list");
+        if (!f || f->kind != LIST || r->slots[2 * (r->depth - 1)] == VS_NIL)
+          problem(r, pos, "a . stands only before the last datum of a list");
         else if (f->dot) problem(r, pos, "a second . in one list");
         else f->dot = 1;
         break;
@@ -646,7 +701,10 @@ static bool resolve_labels(reader *r, vs_value *root) {
     } else if (vs_is_vector(v)) {
       vs_vector *vec = vs_as_vector(v);
       for (size_t i = 0; ok && i < vec->length; i++)
-        if (is_label(vec->at[i])) vs_gc_store(r->vm, vec, &vec->at[i], label_value(vec->at[i])); else ok = work_push(&w, vec->at[i]);
+        if (is_label(vec->at[i]))
+          vs_gc_store(r->vm, vec, &vec->at[i], label_value(vec->at[i]));
+        else
+          ok = work_push(&w, vec->at[i]);
     }
   }
   if (w.at) vs_mem(r->vm, w.at, w.room * sizeof *w.at, 0);
@@ -688,7 +746,8 @@ bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, 
     if (!n) {
       uint32_t col = 1;
       for (size_t k = begin; k < i; k++) col += ((unsigned char)text[k] & 0xC0) != 0x80;
-      return vs_fail_at(vm, vm->sym.read, vs_pos_make(file, line, col), VS_NIL, "this is not a text in UTF-8 (byte %02X at offset %zu)", c, i);
+      return vs_fail_at(vm, vm->sym.read, vs_pos_make(file, line, col), VS_NIL,
+                        "this is not a text in UTF-8 (byte %02X at offset %zu)", c, i);
     }
     i += n;
   }
@@ -745,7 +804,8 @@ static bool read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file
   vs_pos reached = place(&r, r.at);
   vm->roots = labels.next;
   finish(&r);
-  if (!ok && vm->condition == vm->at.no_memory) {       /* what was read is given up; then there is room to say how far it went */
+  if (!ok && vm->condition == vm->at.no_memory) {       /* what was read is given up; then there is room to say how far
+                                                           it went */
     v[0] = v[1] = v[2] = VS_NIL;
     bool over_limit = vm->over_limit;
     vs_gc_major(vm);
@@ -762,7 +822,8 @@ bool vs_read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file, ui
                  vs_value *forms) {
   bool again;
   if (!vs_check_utf8(vm, text, size, file, line)) return false;
-  return read_all(vm, text, size, file, line, fold, false, &again, forms) || (again && read_all(vm, text, size, file, line, fold, true, &again, forms));
+  return read_all(vm, text, size, file, line, fold, false, &again, forms) ||
+         (again && read_all(vm, text, size, file, line, fold, true, &again, forms));
 }
 
 bool vs_read_datum(vs_scheme *vm, const char *text, size_t size, vs_value *out, size_t *used) {
@@ -796,11 +857,15 @@ bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *num
     const vs_string *a = vs_as_string(f), *b = vs_as_string(v[0]);
     size_t width = a->h.flags & VS_F_WIDE ? 4 : 1;
     if (a->length == b->length && (a->h.flags & VS_F_WIDE) == (b->h.flags & VS_F_WIDE) &&
-        !memcmp(vs_as_bytes(a->store)->at, vs_as_bytes(b->store)->at, a->length * width)) { *number = (uint32_t)i; return true; }
+        !memcmp(vs_as_bytes(a->store)->at, vs_as_bytes(b->store)->at, a->length * width)) {
+      *number = (uint32_t)i;
+      return true;
+    }
   }
   /* slots are filled in order; a vector with room at its end would need a count of its own, files are few */
   if (!vs_make_vector(vm, n ? n + 1 : 2, VS_FALSE, &v[1])) return false;
-  for (size_t i = 0; i < n; i++) vs_gc_store(vm, vs_as_vector(v[1]), &vs_as_vector(v[1])->at[i], vs_as_vector(vm->at.files)->at[i]);
+  for (size_t i = 0; i < n; i++)
+    vs_gc_store(vm, vs_as_vector(v[1]), &vs_as_vector(v[1])->at[i], vs_as_vector(vm->at.files)->at[i]);
   size_t last = vs_as_vector(v[1])->length - 1;
   vs_gc_store(vm, vs_as_vector(v[1]), &vs_as_vector(v[1])->at[last], v[0]);
   vm->at.files = v[1];

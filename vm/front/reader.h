@@ -1,8 +1,8 @@
 /* Owns the way from text to data: whole files with positions, and single data from ports.
 
-   Data from source files are made of located pairs: the first pair of a list carries the place of its parenthesis, every further pair the
-   place of its element, so that an atom's place follows from the pair that holds it (vs_form_pos in syntax.h). `#:name` reads
-   as the symbol "#:name". Nothing recurses on the C stack. */
+   Data from source files are made of located pairs: the first pair of a list carries the place of its parenthesis,
+   every further pair the place of its element, so that an atom's place follows from the pair that holds it (vs_form_pos
+   in syntax.h). `#:name` reads as the symbol "#:name". Nothing recurses on the C stack. */
 #ifndef VS_READER_H
 #define VS_READER_H
 
@@ -14,10 +14,11 @@ bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *num
 /* Is it text at all? An error tells the place of the first byte that is none. */
 bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line);
 
-/* All data of a text, in order, as one located list. A text with mistakes gives one condition of kind `read` for the first; its payload is a
-   list of (place . message) of the others, in order. `line` is the number of the text's first line; fold: as
-   after #!fold-case. */
-bool vs_read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, vs_value *forms);
+/* All data of a text, in order, as one located list. A text with mistakes gives one condition of kind `read` for the
+   first; its payload is a list of (place . message) of the others, in order. `line` is the number of the text's first
+   line; fold: as after #!fold-case. */
+bool vs_read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold,
+                 vs_value *forms);
 
 /* The first datum of a text, unlocated, or VS_EOF. *used: bytes up to its end. */
 bool vs_read_datum(vs_scheme *vm, const char *text, size_t size, vs_value *out, size_t *used);

@@ -1,4 +1,5 @@
-/* Owns the machine that knows where a datum ends, without building it: for continuation lines and for reading from ports. */
+/* Owns the machine that knows where a datum ends, without building it: for continuation lines and for reading from
+ * ports. */
 #include "vm/front/scan.h"
 #include "vm/values/text.h"
 
@@ -28,7 +29,9 @@ static bool push(vs_scan *s, uint32_t c) {
   return true;
 }
 
-static bool is_blank(uint32_t c) { return c <= ' ' || c == 0xA0 || c == 0xFEFF || c == 0x3000 || (c >= 0x2000 && c <= 0x200B) || c == 0x2028; }
+static bool is_blank(uint32_t c) {
+  return c <= ' ' || c == 0xA0 || c == 0xFEFF || c == 0x3000 || (c >= 0x2000 && c <= 0x200B) || c == 0x2028;
+}
 static bool is_delimiter(uint32_t c) { return is_blank(c) || (c < 128 && strchr("()[]\";,'`", (int)c)); }
 
 /* a datum at this depth is complete */
@@ -45,7 +48,10 @@ static vs_scan_result bad(vs_scan *s, const char *why) {
 static bool begin(vs_scan *s, uint32_t c, vs_scan_result *r) {
   s->token_line = s->line;
   s->token_col = s->col;
-  if (is_blank(c) || c == '\'' || c == '`' || c == ',' || (c == '@' && s->escaped)) { s->escaped = c == ','; return true; }
+  if (is_blank(c) || c == '\'' || c == '`' || c == ',' || (c == '@' && s->escaped)) {
+    s->escaped = c == ',';
+    return true;
+  }
   s->escaped = false;
   if (c == ';') { s->state = LINE; return true; }
   if (c == '#') { s->state = HASH; return true; }
@@ -74,16 +80,23 @@ again:
     else if (c == '|') { s->state = BLOCK; s->comment = 1; s->after_hash = 0; }
     else if (c == '\\') s->state = CHARACTER;
     else if (c == '(') { s->state = BLANK; ok = push(s, c); }
-    else if (c == '!') { s->state = ATOM; s->after_hash = '!'; }
-    else { s->state = ATOM; s->after_hash = c == 'u' || (c >= '0' && c <= '9') ? '#' : 0; goto again; }      /* #u8(, #0=; #t( is two data */
+    else if (c == '!') { s->state = ATOM; s->after_hash = '!';
+    } else {
+      s->state = ATOM;
+      s->after_hash = c == 'u' || (c >= '0' && c <= '9') ? '#' : 0;
+      goto again;
+    } /* #u8(, #0=; #t( is two data */
     break;
   case CHARACTER: s->state = ATOM; s->after_hash = 0; break;   /* whatever it is belongs to it */
   case ATOM:
     if (c == '|') { s->state = BARS; break; }
-    if (s->after_hash == '#' && c == '(') { s->after_hash = 0; s->state = BLANK; ok = push(s, c); break; }      /* #u8( */
-    if (s->after_hash == '#' && c == '=') { s->after_hash = 0; s->state = BLANK; break; }                       /* #0= */
+    /* #u8( */
+    if (s->after_hash == '#' && c == '(') { s->after_hash = 0; s->state = BLANK; ok = push(s, c); break; }
+    /* #0= */
+    if (s->after_hash == '#' && c == '=') { s->after_hash = 0; s->state = BLANK; break; }
     if (!is_delimiter(c)) break;
-    if (s->after_hash == '!') { s->after_hash = 0; s->state = BLANK; goto again; }                               /* #!fold-case */
+    /* #!fold-case */
+    if (s->after_hash == '!') { s->after_hash = 0; s->state = BLANK; goto again; }
     s->after_hash = 0;
     *result = ended(s, VS_SCAN_WHOLE);
     if (*result == VS_SCAN_MORE) goto again;

@@ -5,7 +5,12 @@
 #include "vm/machine/native.h"
 
 /* ---- is it whole? A machine fed one character at a time, for the REPL and for (read) from a port. ---- */
-typedef enum { VS_SCAN_MORE, VS_SCAN_WHOLE /* ended before this character */, VS_SCAN_WHOLE_WITH /* ended with it */, VS_SCAN_BAD } vs_scan_result;
+typedef enum {
+  VS_SCAN_MORE,
+  VS_SCAN_WHOLE /* ended before this character */,
+  VS_SCAN_WHOLE_WITH /* ended with it */,
+  VS_SCAN_BAD
+} vs_scan_result;
 typedef struct vs_scan {
   vs_scheme *vm;
   uint8_t state, after_hash;

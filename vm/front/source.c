@@ -55,7 +55,9 @@ static void normalise(vs_text *path) {
 
 bool vs_source_name(vs_scheme *vm, uint32_t file, vs_text *t) {
   t->count = 0;
-  if (!file || !vs_is_vector(vm->at.files) || file >= vs_as_vector(vm->at.files)->length || !vs_is_string(vs_as_vector(vm->at.files)->at[file])) return vs_text_end(t);
+  if (!file || !vs_is_vector(vm->at.files) || file >= vs_as_vector(vm->at.files)->length ||
+      !vs_is_string(vs_as_vector(vm->at.files)->at[file]))
+    return vs_text_end(t);
   return vs_text_string(t, vs_as_vector(vm->at.files)->at[file]) && vs_text_end(t);
 }
 
@@ -65,7 +67,8 @@ static bool try_place(vs_scheme *vm, const char *folder, size_t length, const vs
   if (*found) return true;
   vs_text t;
   vs_text_open(vm, &t, 0);
-  bool ok = vs_text_put(&t, folder, length) && (!length || folder[length - 1] == '/' || vs_text_put(&t, "/", 1)) && vs_text_put(&t, name->at, name->count);
+  bool ok = vs_text_put(&t, folder, length) && (!length || folder[length - 1] == '/' || vs_text_put(&t, "/", 1)) &&
+            vs_text_put(&t, name->at, name->count);
   if (ok && ((*found = exists(vm, &t)) || !path->count)) {
     path->count = 0;
     ok = vs_text_put(path, t.at, t.count);
@@ -89,7 +92,8 @@ bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_t
     ok = ok && try_place(vm, base.at, base.count, &plain, path, found);
     for (size_t i = 0; ok && i < up; i++) ok = vs_text_puts(&base, "../");
     ok = ok && (!up || try_place(vm, base.at, base.count, &plain, path, found));
-    ok = ok && vs_source_name(vm, vm->program_file, &base) && try_place(vm, base.at, folder_length(base.at), &plain, path, found);
+    ok = ok && vs_source_name(vm, vm->program_file, &base) &&
+         try_place(vm, base.at, folder_length(base.at), &plain, path, found);
     for (const char *p = vm->config.library_path; ok && p && *p;) {
       size_t n = strcspn(p, ":");
       ok = try_place(vm, p, n, &plain, path, found);

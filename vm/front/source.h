@@ -11,8 +11,9 @@ bool vs_source_is_shipped(const char *path);
 /* name in vm->config.shipped, or NULL */
 const vs_shipped *vs_source_shipped(const vs_scheme *vm, const char *name);
 
-/* The path of a file that the text `from` (a file number, 0: none) names. The places are the folder of `from`, the folder `up` levels above it, the
-   folder of the file that the host runs, and the folders of vm->config.library_path; *found: it exists in one of them. Else *path is the first. */
+/* The path of a file that the text `from` (a file number, 0: none) names. The places are the folder of `from`, the
+   folder `up` levels above it, the folder of the file that the host runs, and the folders of vm->config.library_path;
+   *found: it exists in one of them. Else *path is the first. */
 bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found);
 /* The same without a second folder, for those whose reading reports what is not found. */
 bool vs_source_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path);
@@ -23,10 +24,12 @@ bool vs_source_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms)
 
 /* The other language that a file of this name is in (front_ends.def), in words; NULL: it is in this one. */
 const char *vs_source_language(const char *name);
-/* Returns the name that messages call a procedure by, at a place in its text: that of a script's function is without its colon. */
+/* Returns the name that messages call a procedure by, at a place in its text: that of a script's function is without
+   its colon. */
 const char *vs_source_said(vs_scheme *vm, const char *name, vs_pos place);
 
 /* The forms of a text that a file of this name holds; `line` is the number of its first line. */
-bool vs_source_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold, vs_value *forms);
+bool vs_source_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold,
+                    vs_value *forms);
 
 #endif

@@ -63,7 +63,9 @@ static int distance(const char *a, size_t n, const char *b, size_t m, int limit)
     int drop = ca == '-' || ca == before ? SLIP : EDIT, least = now[0] = up[0] + drop;
     for (size_t j = 1; j <= m; j++) {
       int cb = tolower((unsigned char)b[j - 1]), last = j > 1 ? tolower((unsigned char)b[j - 2]) : 0;
-      int d = up[j - 1] + (ca == cb ? 0 : neighbours(ca, cb) || ((ca == '_' || ca == '.') && cb == '-') ? SLIP : change);
+      int d = up[j - 1] + (ca == cb                                                        ? 0
+                           : neighbours(ca, cb) || ((ca == '_' || ca == '.') && cb == '-') ? SLIP
+                                                                                           : change);
       int add = now[j - 1] + (cb == '-' || cb == last ? SLIP : EDIT);
       if (up[j] + drop < d) d = up[j] + drop;
       if (add < d) d = add;
@@ -115,7 +117,12 @@ static bool plain_name(const char *name, char out[LONGEST + 1]) {
   return true;
 }
 
-typedef struct { const vs_symbol *wanted, *best; int distance; bool own; vs_value core /* environment of the library */; } search;
+typedef struct {
+  const vs_symbol *wanted, *best;
+  int distance;
+  bool own;
+  vs_value core /* environment of the library */;
+} search;
 
 static bool consider(void *context, vs_value symbol, vs_value binding) {
   search *s = context;
@@ -131,7 +138,8 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   int d = distance(w->name, w->length, name->name, name->length, limit);
   bool own = vs_idtable_get(vs_as_environment(s->core)->table, symbol) == VS_VACANT;
   if (d > limit) return true;
-  /* ties: the program's names go first; then the name that sorts first, so that the advice does not depend on the order of a table */
+  /* ties: the program's names go first; then the name that sorts first, so that the advice does not depend on the order
+   * of a table */
   if (d == s->distance && s->best && (own != s->own ? s->own : strcmp(name->name, s->best->name) >= 0)) return true;
   s->best = name;
   s->own = own;
@@ -188,7 +196,9 @@ bool vs_keyword_advice(const char *word, vs_text *t) {
   return true;
 }
 
-bool vs_is_foreign_word(vs_value symbol) { return vs_is_symbol(symbol) && foreign_word(vs_as_symbol(symbol)->name) >= 0; }
+bool vs_is_foreign_word(vs_value symbol) {
+  return vs_is_symbol(symbol) && foreign_word(vs_as_symbol(symbol)->name) >= 0;
+}
 
 static bool remember(vs_scheme *vm, vs_value symbol, vs_value near) {
   VS_ROOTS(vm, r, 1);
@@ -255,7 +265,9 @@ static bool advise_number(const char *name, vs_text *t) {
     while (i < sizeof lengths / sizeof *lengths && strcmp(unit, lengths[i])) i++;
     if (i == sizeof lengths / sizeof *lengths) return true;
     snprintf(text, sizeof text,
-        "; numbers have no units, a length is in model units: write %s; (units 'm), 'mm, 'cm, 'in or 'ft says once what they are", number);
+             "; numbers have no units, a length is in model units: write %s; (units 'm), 'mm, 'cm, 'in or 'ft says "
+             "once what they are",
+             number);
   }
   return vs_text_puts(t, text);
 }
@@ -269,7 +281,8 @@ static bool put_foreign(int i, vs_text *t) {
 }
 
 static bool did_you_mean(const vs_symbol *name, vs_text *t) {
-  if (name->length && name->name[name->length - 1] == '?') return vs_text_puts(t, "; perhaps ") && vs_text_put(t, name->name, name->length);
+  if (name->length && name->name[name->length - 1] == '?')
+    return vs_text_puts(t, "; perhaps ") && vs_text_put(t, name->name, name->length);
   return vs_text_puts(t, "; did you mean ") && vs_text_put(t, name->name, name->length) && vs_text_puts(t, "?");
 }
 
@@ -282,7 +295,8 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (!vs_is_symbol(symbol)) return true;
   const vs_symbol *wanted = vs_as_symbol(symbol);
   vs_value local = vs_is_vector(vm->at.nearby) ? vs_idtable_get(vm->at.nearby, symbol) : VS_VACANT;
-  if (local == symbol) return vs_text_puts(t, " here: let names it for its body alone; write let* where a value that follows uses it");
+  if (local == symbol)
+    return vs_text_puts(t, " here: let names it for its body alone; write let* where a value that follows uses it");
   size_t before = t->count;
   bool ours = vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT; /* only not imported */
   int i = ours ? -1 : foreign_word(wanted->name);
@@ -292,11 +306,14 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (t->count > before) return true;
   size_t sign = strcspn(wanted->name, "+*/<>=");          /* i+1, n*2, a<b: one name, because no blanks are in it */
   const char *name = wanted->name;
-  if (sign && sign + 1 < wanted->length && (name[sign + 1] == '=' ? sign + 2 < wanted->length : true) && isalnum((unsigned char)name[sign - 1])) {
+  if (sign && sign + 1 < wanted->length && (name[sign + 1] == '=' ? sign + 2 < wanted->length : true) &&
+      isalnum((unsigned char)name[sign - 1])) {
     size_t width = name[sign + 1] == '=' ? 2 : 1;
-    if (isalnum((unsigned char)name[sign + width]) && strcspn(name + sign + width, "+*/<>=") == wanted->length - sign - width)
-      return vs_text_puts(t, "; it is one name; write (") && vs_text_put(t, name + sign, width) && vs_text_puts(t, " ") && vs_text_put(t, name, sign) &&
-             vs_text_puts(t, " ") && vs_text_puts(t, name + sign + width) && vs_text_puts(t, ")");
+    if (isalnum((unsigned char)name[sign + width]) &&
+        strcspn(name + sign + width, "+*/<>=") == wanted->length - sign - width)
+      return vs_text_puts(t, "; it is one name; write (") && vs_text_put(t, name + sign, width) &&
+             vs_text_puts(t, " ") && vs_text_put(t, name, sign) && vs_text_puts(t, " ") &&
+             vs_text_puts(t, name + sign + width) && vs_text_puts(t, ")");
   }
   if (!vs_library_advice(vm, symbol, false, t)) return false;
   if (t->count > before || !vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;
@@ -304,7 +321,8 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (plain_name(name, plain)) {
     stem_search same = {.stem = stem(plain)};
     if (strlen(same.stem) > 1) vs_environment_each(env, consider_stem, &same);
-    if (!same.best && same.stem == plain && *(same.stem = near_stem(plain)) && same.stem != plain) vs_environment_each(env, consider_stem, &same);
+    if (!same.best && same.stem == plain && *(same.stem = near_stem(plain)) && same.stem != plain)
+      vs_environment_each(env, consider_stem, &same);
     if (same.best) return did_you_mean(same.best, t);
     if ((i = foreign_word(plain)) >= 0 || (i = foreign_word(same.stem)) >= 0) return put_foreign(i, t);
   }

@@ -4,10 +4,11 @@
 
 #include "vm/values/text.h"
 
-/* Appends to t the advice for a name that is not defined: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)". Nothing if
-   nothing comes to mind. */
+/* Appends to t the advice for a name that is not defined: " (did you mean make-box?)", "; unite is the name here:
+   (unite a b ...)". Nothing if nothing comes to mind. */
 bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t);
-/* Remembers, for vs_suggest, the name among the local variables of env that looks most like the symbol, which is not defined there. */
+/* Remembers, for vs_suggest, the name among the local variables of env that looks most like the symbol, which is not
+   defined there. */
 bool vs_suggest_local(vs_scheme *vm, vs_value env, vs_value symbol);
 /* ... the symbol itself: a let binds it, and nothing does where the let's values stand. */
 bool vs_suggest_let_star(vs_scheme *vm, vs_value symbol);

@@ -1,9 +1,9 @@
 /* Owns syntax-rules: patterns, templates, and the renaming of what a template introduces.
 
-   A rule is matched straight from its pattern. The variables of a pattern get slots in the order in which they are met, so that those
-   of a subpattern are a range; under an ellipsis every slot of the range holds the list of its values. A rule is kept as
-   #(pattern template variables depths), `variables` a vector of identifiers and `depths` how many ellipses each stands under.
-   Recursion here goes with the depth of patterns and templates, which is limited. */
+   A rule is matched straight from its pattern. The variables of a pattern get slots in the order in which they are met,
+   so that those of a subpattern are a range; under an ellipsis every slot of the range holds the list of its values. A
+   rule is kept as #(pattern template variables depths), `variables` a vector of identifiers and `depths` how many
+   ellipses each stands under. Recursion here goes with the depth of patterns and templates, which is limited. */
 #include "vm/values/equal.h"
 #include "vm/front/expand.h"
 
@@ -30,7 +30,8 @@ static bool member(vs_value list, vs_value id) {
 
 /* #:name in a pattern or template is a datum, not a variable */
 static bool is_name(vs_value v) {
-  return vs_is(v, VS_T_ALIAS) || (vs_is_symbol(v) && (vs_as_symbol(v)->length < 3 || memcmp(vs_as_symbol(v)->name, "#:", 2)));
+  return vs_is(v, VS_T_ALIAS) ||
+         (vs_is_symbol(v) && (vs_as_symbol(v)->length < 3 || memcmp(vs_as_symbol(v)->name, "#:", 2)));
 }
 
 static bool is_literal(const rules *s, vs_value id) { return member(data(s, DATA_LITERALS), id); }
@@ -41,10 +42,13 @@ static bool is_ellipsis(const rules *s, vs_value v) {
   if (is_literal(s, v)) return false;
   return own != VS_FALSE ? v == own : vs_is_form(vs_as_macro(s->r[R_MACRO])->env, v, VS_FORM_ellipsis);
 }
-static bool is_underscore(const rules *s, vs_value v) { return vs_is_form(vs_as_macro(s->r[R_MACRO])->env, v, VS_FORM_underscore); }
+static bool is_underscore(const rules *s, vs_value v) {
+  return vs_is_form(vs_as_macro(s->r[R_MACRO])->env, v, VS_FORM_underscore);
+}
 
 /* ---- definition ---- */
-/* The variables of a pattern, in the order of matching, appended to lists in r[0] (identifiers) and r[1] (depths), newest first. */
+/* The variables of a pattern, in the order of matching, appended to lists in r[0] (identifiers) and r[1] (depths),
+   newest first. */
 static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipses, int depth) {
   vs_scheme *vm = s->vm;
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this pattern is nested too deeply");
@@ -53,16 +57,23 @@ static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipse
   bool seen = false;
   while (vs_is_pair(r[0])) {
     bool dots = vs_is_pair(vs_cdr(r[0])) && is_ellipsis(s, vs_car(vs_cdr(r[0])));
-    if (is_ellipsis(s, vs_car(r[0]))) return vs_expand_fail(s->x, vs_element_pos(r[0], false, s->pos), VS_ABSENT, "an ellipsis follows nothing in this pattern");
-    if (dots && seen) return vs_expand_fail(s->x, vs_element_pos(r[0], false, s->pos), VS_ABSENT, "two ellipses in one list of a pattern");
+    if (is_ellipsis(s, vs_car(r[0])))
+      return vs_expand_fail(s->x, vs_element_pos(r[0], false, s->pos), VS_ABSENT,
+                            "an ellipsis follows nothing in this pattern");
+    if (dots && seen)
+      return vs_expand_fail(s->x, vs_element_pos(r[0], false, s->pos), VS_ABSENT,
+                            "two ellipses in one list of a pattern");
     if (!collect(s, vs_car(r[0]), lists, ellipses + dots, depth + 1)) return false;
     seen = seen || dots;
     r[0] = dots ? vs_cdr(vs_cdr(r[0])) : vs_cdr(r[0]);
   }
   if (is_name(r[0])) {
     if (is_literal(s, r[0]) || is_underscore(s, r[0])) return true;
-    if (is_ellipsis(s, r[0])) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "an ellipsis follows nothing in this pattern");
-    if (member(lists[0], r[0])) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "the pattern variable %s comes twice", vs_as_symbol(vs_identifier_symbol(r[0]))->name);
+    if (is_ellipsis(s, r[0]))
+      return vs_expand_fail(s->x, s->pos, VS_ABSENT, "an ellipsis follows nothing in this pattern");
+    if (member(lists[0], r[0]))
+      return vs_expand_fail(s->x, s->pos, VS_ABSENT, "the pattern variable %s comes twice",
+                            vs_as_symbol(vs_identifier_symbol(r[0]))->name);
     return vs_cons(vm, r[0], lists[0], &lists[0]) && vs_cons(vm, vs_fix(ellipses), lists[1], &lists[1]);
   }
   if (vs_is_vector(r[0])) {
@@ -75,10 +86,12 @@ static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipse
 }
 
 /* ---- a template is looked at when the macro is defined: what would go wrong at its first use is said there ---- */
-/* lists[0]: the variables of the rule's pattern, lists[1]: how many ellipses each stands under. -1: id is none of them. */
+/* lists[0]: the variables of the rule's pattern, lists[1]: how many ellipses each stands under. -1: id is none of
+   them. */
 static int64_t ellipses_of(const vs_value *lists, vs_value id) {
   vs_value depths = lists[1];
-  for (vs_value l = lists[0]; vs_is_pair(l); l = vs_cdr(l), depths = vs_cdr(depths)) if (vs_car(l) == id) return vs_fixnum(vs_car(depths));
+  for (vs_value l = lists[0]; vs_is_pair(l); l = vs_cdr(l), depths = vs_cdr(depths))
+    if (vs_car(l) == id) return vs_fixnum(vs_car(depths));
   return -1;
 }
 
@@ -86,7 +99,9 @@ static int64_t ellipses_of(const vs_value *lists, vs_value id) {
 static bool repeats(const vs_value *lists, vs_value t, int64_t ellipses, int depth) {
   if (depth > PATTERN_DEPTH) return true;
   for (; vs_is_pair(t); t = vs_cdr(t)) if (repeats(lists, vs_car(t), ellipses, depth + 1)) return true;
-  if (vs_is_vector(t)) for (size_t i = 0; i < vs_as_vector(t)->length; i++) if (repeats(lists, field(t, i), ellipses, depth + 1)) return true;
+  if (vs_is_vector(t))
+    for (size_t i = 0; i < vs_as_vector(t)->length; i++)
+      if (repeats(lists, field(t, i), ellipses, depth + 1)) return true;
   return vs_is_identifier(t) && ellipses_of(lists, t) > ellipses;
 }
 
@@ -95,11 +110,14 @@ static bool no_repetition(rules *s, vs_pos pos) {
 }
 
 /* `outside`: how many ellipses the subtemplate t stands under. */
-static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dots, int64_t outside, vs_pos pos, int depth) {
+static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dots, int64_t outside, vs_pos pos,
+                           int depth) {
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this template is nested too deeply");
   if (dots && vs_is_pair(t) && is_ellipsis(s, vs_car(t))) {
-    if (!vs_is_pair(vs_cdr(t)) || vs_cdr(vs_cdr(t)) != VS_NIL) return vs_expand_fail(s->x, pos, VS_ABSENT, "(... template) takes one template");
-    return check_template(s, lists, vs_car(vs_cdr(t)), false, outside, vs_element_pos(vs_cdr(t), false, pos), depth + 1);
+    if (!vs_is_pair(vs_cdr(t)) || vs_cdr(vs_cdr(t)) != VS_NIL)
+      return vs_expand_fail(s->x, pos, VS_ABSENT, "(... template) takes one template");
+    return check_template(s, lists, vs_car(vs_cdr(t)), false, outside, vs_element_pos(vs_cdr(t), false, pos),
+                          depth + 1);
   }
   if (vs_is_vector(t)) {
     size_t n = vs_as_vector(t)->length;
@@ -125,7 +143,8 @@ static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dot
   }
   if (vs_is_pair(t)) return check_template(s, lists, t, dots, outside, pos, depth + 1);
   if (is_name(t) && ellipses_of(lists, t) > outside)
-    return vs_expand_fail(s->x, pos, VS_ABSENT, "%s matches a sequence: an ellipsis must follow it in the template", vs_as_symbol(vs_identifier_symbol(t))->name);
+    return vs_expand_fail(s->x, pos, VS_ABSENT, "%s matches a sequence: an ellipsis must follow it in the template",
+                          vs_as_symbol(vs_identifier_symbol(t))->name);
   return !vs_is_vector(t) || check_template(s, lists, t, dots, outside, pos, depth + 1);
 }
 
@@ -143,12 +162,15 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
   VS_ROOTS(vm, r, R_COUNT);
   VS_ROOTS(vm, t, 6);
   t[0] = spec;
-  if (vs_list_length(spec) < 2) return vs_expand_fail(x, pos, spec, "syntax-rules is written %s, not", vs_form_shape(VS_FORM_syntax_rules));
+  if (vs_list_length(spec) < 2)
+    return vs_expand_fail(x, pos, spec, "syntax-rules is written %s, not", vs_form_shape(VS_FORM_syntax_rules));
   vs_value l = vs_cdr(spec), ellipsis = VS_FALSE;
   if (vs_is_identifier(vs_car(l))) { ellipsis = vs_car(l); l = vs_cdr(l); }
-  if (!vs_is_pair(l) || vs_list_length(vs_car(l)) < 0) return vs_expand_fail(x, pos, spec, "syntax-rules is written %s, not", vs_form_shape(VS_FORM_syntax_rules));
+  if (!vs_is_pair(l) || vs_list_length(vs_car(l)) < 0)
+    return vs_expand_fail(x, pos, spec, "syntax-rules is written %s, not", vs_form_shape(VS_FORM_syntax_rules));
   for (vs_value k = vs_car(l); vs_is_pair(k); k = vs_cdr(k))
-    if (!vs_is_identifier(vs_car(k))) return vs_expand_fail(x, pos, vs_car(k), "the literals of syntax-rules are names, not");
+    if (!vs_is_identifier(vs_car(k)))
+      return vs_expand_fail(x, pos, vs_car(k), "the literals of syntax-rules are names, not");
   t[1] = l; t[2] = ellipsis; t[3] = env;
   vs_macro *m = (vs_macro *)(void *)vs_gc_alloc(vm, VS_T_MACRO, VS_WORDS(vs_macro));
   if (!m) return false;
@@ -168,8 +190,10 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
     if (vs_list_length(t[5]) != 2 || !vs_is_pair(vs_car(t[5])))
       return vs_expand_fail(x, s.pos, t[5], "a rule is (pattern template), the pattern in parentheses; not");
     lists[0] = lists[1] = VS_NIL;
-    if (!collect(&s, vs_cdr(vs_car(t[5])), lists, 0, 0) || !check_template(&s, lists, vs_car(vs_cdr(t[5])), true, 0, vs_element_pos(vs_cdr(t[5]), false, s.pos), 0) ||
-        !vs_make_vector(vm, RULE_SIZE, VS_FALSE, &lists[3])) return false;
+    if (!collect(&s, vs_cdr(vs_car(t[5])), lists, 0, 0) ||
+        !check_template(&s, lists, vs_car(vs_cdr(t[5])), true, 0, vs_element_pos(vs_cdr(t[5]), false, s.pos), 0) ||
+        !vs_make_vector(vm, RULE_SIZE, VS_FALSE, &lists[3]))
+      return false;
     vs_vector *rule = vs_as_vector(lists[3]);
     vs_gc_store(vm, rule, &rule->at[RULE_PATTERN], vs_cdr(vs_car(t[5])));
     vs_gc_store(vm, rule, &rule->at[RULE_TEMPLATE], vs_car(vs_cdr(t[5])));
@@ -193,7 +217,9 @@ static size_t count_vars(const rules *s, vs_value p, int depth) {
   if (depth > PATTERN_DEPTH) return 0;
   for (; vs_is_pair(p); p = vs_cdr(p)) if (!is_ellipsis(s, vs_car(p))) n += count_vars(s, vs_car(p), depth + 1);
   if (is_name(p)) return n + (!is_literal(s, p) && !is_underscore(s, p) && !is_ellipsis(s, p));
-  if (vs_is_vector(p)) for (size_t i = 0; i < vs_as_vector(p)->length; i++) if (!is_ellipsis(s, field(p, i))) n += count_vars(s, field(p, i), depth + 1);
+  if (vs_is_vector(p))
+    for (size_t i = 0; i < vs_as_vector(p)->length; i++)
+      if (!is_ellipsis(s, field(p, i))) n += count_vars(s, field(p, i), depth + 1);
   return n;
 }
 
@@ -211,7 +237,8 @@ static int match(rules *s, vs_value pattern, vs_value form, size_t *slot) {
   r[0] = pattern; r[1] = form;
   for (;;) {
     if (is_name(r[0])) {
-      if (is_literal(s, r[0])) return vs_is_identifier(r[1]) && vs_same_meaning(vs_as_macro(s->r[R_MACRO])->env, r[0], s->r[R_ENV], r[1]);
+      if (is_literal(s, r[0]))
+        return vs_is_identifier(r[1]) && vs_same_meaning(vs_as_macro(s->r[R_MACRO])->env, r[0], s->r[R_ENV], r[1]);
       if (is_underscore(s, r[0])) return 1;
       vs_vector *slots = vs_as_vector(s->r[R_SLOTS]);
       vs_gc_store(vm, slots, &slots->at[(*slot)++], r[1]);
@@ -280,8 +307,9 @@ static bool rename_id(rules *s, vs_value id, vs_value *out) {
   for (vs_value l = s->r[R_RENAMES]; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == id) { *out = vs_cdr(vs_car(l)); return true; }
   r[0] = id;
-  return vs_make_alias(vm, id, vs_as_macro(s->r[R_MACRO])->env, &r[1]) && (*out = r[1], vs_cons(vm, r[0], r[1], &r[0])) &&
-         vs_cons(vm, r[0], s->r[R_RENAMES], &s->r[R_RENAMES]) && (*out = vs_cdr(vs_car(s->r[R_RENAMES])), true);
+  return vs_make_alias(vm, id, vs_as_macro(s->r[R_MACRO])->env, &r[1]) &&
+         (*out = r[1], vs_cons(vm, r[0], r[1], &r[0])) && vs_cons(vm, r[0], s->r[R_RENAMES], &s->r[R_RENAMES]) &&
+         (*out = vs_cdr(vs_car(s->r[R_RENAMES])), true);
 }
 
 static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, int depth);
@@ -293,7 +321,8 @@ static void mark_slots(const rules *s, vs_value t, bool *used, bool dots, int de
   if (vs_is_identifier(t)) {
     int64_t i = slot_of(s, t);
     if (i >= 0 && vs_fixnum(field(s->r[R_DEPTHS], (size_t)i)) > 0) used[i] = true;
-  } else if (vs_is_vector(t)) for (size_t i = 0; i < vs_as_vector(t)->length; i++) mark_slots(s, field(t, i), used, dots, depth + 1);
+  } else if (vs_is_vector(t))
+    for (size_t i = 0; i < vs_as_vector(t)->length; i++) mark_slots(s, field(t, i), used, dots, depth + 1);
 }
 
 static bool copy_vector(vs_scheme *vm, vs_value v, vs_value *out) {
@@ -321,7 +350,8 @@ static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth)
     if (!used[i]) continue;
     size_t length = (size_t)vs_list_length(field(s->r[R_SLOTS], i));
     if (any && length != turns) {
-      ok = vs_expand_fail(s->x, s->pos, VS_ABSENT, "the lists under one ellipsis have different lengths, %zu and %zu", turns, length);
+      ok = vs_expand_fail(s->x, s->pos, VS_ABSENT, "the lists under one ellipsis have different lengths, %zu and %zu",
+                          turns, length);
       break;
     }
     any = true;
@@ -359,7 +389,8 @@ static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, i
   r[0] = template;
   r[1] = r[2] = VS_NIL;
   if (dots && vs_is_pair(r[0]) && is_ellipsis(s, vs_car(r[0]))) {
-    if (!vs_is_pair(vs_cdr(r[0])) || vs_cdr(vs_cdr(r[0])) != VS_NIL) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "(... template) takes one template");
+    if (!vs_is_pair(vs_cdr(r[0])) || vs_cdr(vs_cdr(r[0])) != VS_NIL)
+      return vs_expand_fail(s->x, s->pos, VS_ABSENT, "(... template) takes one template");
     return instantiate(s, vs_car(vs_cdr(r[0])), false, out, depth + 1);
   }
   if (vs_is_vector(r[0])) {
@@ -399,7 +430,9 @@ static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, i
     int64_t i = slot_of(s, r[0]);
     if (i >= 0) {
       if (vs_fixnum(field(s->r[R_DEPTHS], (size_t)i)) > 0)
-        return vs_expand_fail(s->x, s->pos, VS_ABSENT, "%s matches a sequence: an ellipsis must follow it in the template", vs_as_symbol(vs_identifier_symbol(r[0]))->name);
+        return vs_expand_fail(s->x, s->pos, VS_ABSENT,
+                              "%s matches a sequence: an ellipsis must follow it in the template",
+                              vs_as_symbol(vs_identifier_symbol(r[0]))->name);
       r[3] = field(s->r[R_SLOTS], (size_t)i);
     } else if (!rename_id(s, r[0], &r[3])) return false;
   } else if (vs_is_pair(r[0])) { if (!instantiate(s, r[0], dots, &r[3], depth + 1)) return false; }
@@ -427,13 +460,16 @@ bool vs_rules_expand(vs_expansion *x, vs_value macro, vs_value form, vs_value en
     r[R_DEPTHS] = field(r[R_RULE], RULE_DEPTHS);
     return instantiate(&s, field(r[R_RULE], RULE_TEMPLATE), true, out, 0);
   }
-  const char *name = vs_is_identifier(vs_car(r[R_FORM])) ? vs_as_symbol(vs_identifier_symbol(vs_car(r[R_FORM])))->name : "syntax";
+  const char *name =
+      vs_is_identifier(vs_car(r[R_FORM])) ? vs_as_symbol(vs_identifier_symbol(vs_car(r[R_FORM])))->name : "syntax";
   if (n == 1) {
     VS_ROOTS(vm, t, 1);
     r[R_RULE] = field(data(&s, DATA_RULES), 0);
-    return vs_cons(vm, vs_identifier_symbol(vs_car(r[R_FORM])), field(r[R_RULE], RULE_PATTERN), &t[0]) && vs_strip(vm, t[0], &t[0]) &&
-           vs_cons(vm, r[R_FORM], VS_NIL, &r[R_FORM]) && vs_strip(vm, r[R_FORM], &r[R_FORM]) && vs_cons(vm, t[0], r[R_FORM], &r[R_FORM]) &&
-           vs_fail_at(vm, vm->sym.syntax, pos, r[R_FORM], "%s: this does not have the right form; the pattern and what stands here:", name);
+    return vs_cons(vm, vs_identifier_symbol(vs_car(r[R_FORM])), field(r[R_RULE], RULE_PATTERN), &t[0]) &&
+           vs_strip(vm, t[0], &t[0]) && vs_cons(vm, r[R_FORM], VS_NIL, &r[R_FORM]) &&
+           vs_strip(vm, r[R_FORM], &r[R_FORM]) && vs_cons(vm, t[0], r[R_FORM], &r[R_FORM]) &&
+           vs_fail_at(vm, vm->sym.syntax, pos, r[R_FORM],
+                      "%s: this does not have the right form; the pattern and what stands here:", name);
   }
   return vs_expand_fail(x, pos, r[R_FORM], "%s: no rule of this macro matches", name);
 }

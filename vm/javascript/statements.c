@@ -1,14 +1,14 @@
 /* Owns the translation of statements and functions.
  *
  * Plan. A list of statements becomes one expression. Statements that no jump leaves are done one after the other. A
- * statement that jumps leave (a return within an if, a continue) stands in tail position, and is told where control goes when
- * it is done (vs_then): what follows it in the text is translated there, in its branches. Where several branches go
- * to one place, that is made a procedure without parameters and called; a loop is such a procedure, too. All of these
- * calls are in tail position, so that the compiler makes them jumps within one frame, and nothing is ever captured or
- * unwound.
+ * statement that jumps leave (a return within an if, a continue) stands in tail position, and is told where control
+ * goes when it is done (vs_then): what follows it in the text is translated there, in its branches. Where several
+ * branches go to one place, that is made a procedure without parameters and called; a loop is such a procedure, too.
+ * All of these calls are in tail position, so that the compiler makes them jumps within one frame, and nothing is ever
+ * captured or unwound.
  *
- * The parts of a try are procedures that something else calls. A jump that leaves them gives a number, 0 where they just
- * end; and behind the try control goes where the number says. */
+ * The parts of a try are procedures that something else calls. A jump that leaves them gives a number, 0 where they
+ * just end; and behind the try control goes where the number says. */
 #include "vm/javascript/statements.h"
 
 #include <string.h>
@@ -150,7 +150,8 @@ static bool jump(vs_translation *t, uint32_t i) {
   return false;
 }
 
-/* The value of a return. An expression that may fail is bound first, so that it is no tail call and the function's place is known. */
+/* The value of a return. An expression that may fail is bound first, so that it is no tail call and the function's
+ * place is known. */
 static bool kept_value(vs_translation *t, uint32_t i) {
   vs_script_kind kind = (vs_script_kind)node(t, i)->kind;
   if (kind == VS_SCRIPT_NAME || kind == VS_SCRIPT_NUMBER || kind == VS_SCRIPT_STRING || kind == VS_SCRIPT_FUNCTION)

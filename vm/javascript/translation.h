@@ -82,7 +82,8 @@ bool vs_translate_direct(vs_translation *t, uint32_t name);
 bool vs_translate_made(vs_translation *t, const char *word, uint32_t number);
 bool vs_translate_key(vs_translation *t, uint32_t node);  /* (js:quote key): NAME, STRING or NUMBER */
 bool vs_translate_text(vs_translation *t, uint32_t name); /* the name as a string */
-/* The form for a parameter of the model that a call of gui_number or the like stands for; NULL: the name is none of these. */
+/* The form for a parameter of the model that a call of gui_number or the like stands for; NULL: the name is none of
+ * these. */
 const char *vs_translate_parameter_word(const vs_translation *t, uint32_t name);
 bool vs_translate_item(vs_translation *t, vs_item item);
 

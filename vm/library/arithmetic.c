@@ -1,4 +1,5 @@
-/* Owns the procedures of arithmetic: predicates, + - * /, comparison, integer division, parts of numbers, rounding, bits, texts. */
+/* Owns the procedures of arithmetic: predicates, + - * /, comparison, integer division, parts of numbers, rounding,
+ * bits, texts. */
 #include <math.h>
 
 #include "vm/values/dual.h"
@@ -200,23 +201,28 @@ static vs_status modulo(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status floor_quotient(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
-  return vs_number_modulo(vm, a[0], a[1], &r[0]) && vs_number_sub(vm, a[0], r[0], &r[0]) && vs_number_quotient(vm, r[0], a[1], out);
+  return vs_number_modulo(vm, a[0], a[1], &r[0]) && vs_number_sub(vm, a[0], r[0], &r[0]) &&
+         vs_number_quotient(vm, r[0], a[1], out);
 }
 static vs_status floor_both(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
-  return floor_quotient(vm, a, n, &r[0]) && vs_number_modulo(vm, a[0], a[1], &r[1]) ? vs_several(vm, r, 2, out) : VS_ERROR;
+  return floor_quotient(vm, a, n, &r[0]) && vs_number_modulo(vm, a[0], a[1], &r[1]) ? vs_several(vm, r, 2, out)
+                                                                                    : VS_ERROR;
 }
 static vs_status truncate_both(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 2);
-  return vs_number_quotient(vm, a[0], a[1], &r[0]) && vs_number_remainder(vm, a[0], a[1], &r[1]) ? vs_several(vm, r, 2, out) : VS_ERROR;
+  return vs_number_quotient(vm, a[0], a[1], &r[0]) && vs_number_remainder(vm, a[0], a[1], &r[1])
+             ? vs_several(vm, r, 2, out)
+             : VS_ERROR;
 }
 
 static bool gcd2(vs_scheme *vm, vs_value x, vs_value y, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = x, r[1] = y;
   bool inexact = vs_is_double(x) || vs_is_double(y);
-  if (!vs_number_exact(vm, r[0], &r[0]) || !vs_number_exact(vm, r[1], &r[1]) || !vs_int_gcd(vm, r[0], r[1], &r[0])) return false;
+  if (!vs_number_exact(vm, r[0], &r[0]) || !vs_number_exact(vm, r[1], &r[1]) || !vs_int_gcd(vm, r[0], r[1], &r[0]))
+    return false;
   *out = inexact ? vs_flonum(vs_int_double(r[0])) : r[0];
   return true;
 }
@@ -240,8 +246,8 @@ static vs_status lcm(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
         if (!want_integer(vm, a, j)) return VS_ERROR;
       return VS_OK;
     }
-    if (!gcd2(vm, *out, a[i], &r[0]) || !vs_number_quotient(vm, a[i], r[0], &r[0]) || !vs_number_mul(vm, *out, r[0], out) ||
-        !vs_number_abs(vm, *out, out))
+    if (!gcd2(vm, *out, a[i], &r[0]) || !vs_number_quotient(vm, a[i], r[0], &r[0]) ||
+        !vs_number_mul(vm, *out, r[0], out) || !vs_number_abs(vm, *out, out))
       return VS_ERROR;
   }
   return VS_OK;
@@ -250,10 +256,13 @@ static vs_status lcm(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 /* ---- parts and rounding ---- */
 
 static vs_status part(vs_scheme *vm, vs_value *a, bool denominator, vs_value *out) {
-  if (!vs_is_exact(a[0]) && !(vs_is_double(a[0]) && isfinite(vs_double(a[0])))) return vs_fail_type(vm, 0, "a rational number", a[0]);
+  if (!vs_is_exact(a[0]) && !(vs_is_double(a[0]) && isfinite(vs_double(a[0]))))
+    return vs_fail_type(vm, 0, "a rational number", a[0]);
   VS_ROOTS(vm, r, 1);
   if (!vs_number_exact(vm, a[0], &r[0])) return VS_ERROR;
-  r[0] = !vs_is_ratio(r[0]) ? (denominator ? vs_fix(1) : r[0]) : denominator ? vs_as_ratio(r[0])->den : vs_as_ratio(r[0])->num;
+  r[0] = !vs_is_ratio(r[0]) ? (denominator ? vs_fix(1) : r[0])
+         : denominator      ? vs_as_ratio(r[0])->den
+                            : vs_as_ratio(r[0])->num;
   *out = vs_is_double(a[0]) ? vs_flonum(vs_int_double(r[0])) : r[0];
   return VS_OK;
 }
@@ -272,10 +281,12 @@ typedef enum { TO_FLOOR, TO_CEILING, TO_ZERO, TO_NEAREST } rounding;
 static bool round_ratio(vs_scheme *vm, rounding how, vs_value *r, vs_value *out) {
   r[1] = vs_as_ratio(r[0])->num, r[2] = vs_as_ratio(r[0])->den;
   bool negative = vs_int_sign(r[1]) < 0;
-  if (how == TO_NEAREST) {                       /* floor((2 num + den) / (2 den)), and back to even from a tie: den = 2 */
+  if (how == TO_NEAREST) {                       /* floor((2 num + den) / (2 den)), and back to even from a tie: den =
+                                                  * 2 */
     bool tie = r[2] == vs_fix(2);
-    if (!vs_int_add(vm, r[1], r[1], &r[1]) || !vs_int_add(vm, r[1], r[2], &r[1]) || !vs_int_add(vm, r[2], r[2], &r[2]) ||
-        !vs_int_divide(vm, r[1], r[2], &r[1], &r[3]) || (vs_int_sign(r[3]) < 0 && !vs_int_sub(vm, r[1], vs_fix(1), &r[1])))
+    if (!vs_int_add(vm, r[1], r[1], &r[1]) || !vs_int_add(vm, r[1], r[2], &r[1]) ||
+        !vs_int_add(vm, r[2], r[2], &r[2]) || !vs_int_divide(vm, r[1], r[2], &r[1], &r[3]) ||
+        (vs_int_sign(r[3]) < 0 && !vs_int_sub(vm, r[1], vs_fix(1), &r[1])))
       return false;
     return tie && vs_int_is_odd(r[1]) ? vs_int_sub(vm, r[1], vs_fix(1), out) : (*out = r[1], true);
   }

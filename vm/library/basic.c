@@ -105,7 +105,8 @@ static vs_status fail_record(vs_scheme *vm, const vs_value *a, int who) {
   VS_ROOTS(vm, r, 1);
   vs_value type = vs_as_record_type(a[1])->name;
   vm->native = NULL;
-  return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "%s: expected a %s, got", vs_is_symbol(a[who]) ? vs_as_symbol(a[who])->name : "record",
+  return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "%s: expected a %s, got",
+                                                          vs_is_symbol(a[who]) ? vs_as_symbol(a[who])->name : "record",
                                                           vs_is_symbol(type) ? vs_as_symbol(type)->name : "record");
 }
 
@@ -214,7 +215,8 @@ static vs_status hash_to_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 
 static vs_status hash_is_eqv(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  return vs_arg_type(vm, a, 0, VS_T_TABLE) ? (*out = vs_bool(vs_as_table(a[0])->kind != VS_TABLE_EQUAL), VS_OK) : VS_ERROR;
+  return vs_arg_type(vm, a, 0, VS_T_TABLE) ? (*out = vs_bool(vs_as_table(a[0])->kind != VS_TABLE_EQUAL), VS_OK)
+                                           : VS_ERROR;
 }
 
 static vs_status hash_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {

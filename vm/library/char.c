@@ -35,7 +35,8 @@ static vs_status integer_to_char(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 /* of one character: what upcases to two (the sharp s) stays */
 static uint32_t char_up(uint32_t c) { return c == 0xDF ? c : (uint32_t)utf8proc_toupper((utf8proc_int32_t)c); }
 static uint32_t char_down(uint32_t c) { return (uint32_t)utf8proc_tolower((utf8proc_int32_t)c); }
-static uint32_t char_fold(uint32_t c) { return c == 0x130 || c == 0x131 ? c : char_down(char_up(c)); } /* the dotted and dotless i stay apart */
+/* the dotted and dotless i stay apart */
+static uint32_t char_fold(uint32_t c) { return c == 0x130 || c == 0x131 ? c : char_down(char_up(c)); }
 
 #define CASE(name, map)                                                        \
   static vs_status char_##name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {    \
@@ -78,23 +79,29 @@ static bool is_alphabetic(uint32_t c) {
 static bool is_numeric(uint32_t c) { return utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_ND; }
 static bool is_whitespace(uint32_t c) {
   utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
-  return (c >= 9 && c <= 13) || c == 0x85 || k == UTF8PROC_CATEGORY_ZS || k == UTF8PROC_CATEGORY_ZL || k == UTF8PROC_CATEGORY_ZP;
+  return (c >= 9 && c <= 13) || c == 0x85 || k == UTF8PROC_CATEGORY_ZS || k == UTF8PROC_CATEGORY_ZL ||
+         k == UTF8PROC_CATEGORY_ZP;
 }
-static bool is_upper(uint32_t c) { return char_down(c) != c || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU; }
+static bool is_upper(uint32_t c) {
+  return char_down(c) != c || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU;
+}
 
-/* Characters that are small letters by Unicode's Other_Lowercase, neither of category Ll nor with a capital: ordinals and raised letters. */
+/* Characters that are small letters by Unicode's Other_Lowercase, neither of category Ll nor with a capital: ordinals
+ * and raised letters. */
 static bool is_other_lower(uint32_t c) {
-  static const uint32_t range[][2] = {
-    { 0xAA, 0xAA }, { 0xBA, 0xBA }, { 0x2B0, 0x2B8 }, { 0x2C0, 0x2C1 }, { 0x2E0, 0x2E4 }, { 0x345, 0x345 }, { 0x37A, 0x37A },
-    { 0x10FC, 0x10FC }, { 0x1D2C, 0x1D6A }, { 0x1D78, 0x1D78 }, { 0x1D9B, 0x1DBF }, { 0x2071, 0x2071 }, { 0x207F, 0x207F },
-    { 0x2090, 0x209C }, { 0x2C7C, 0x2C7D }, { 0xA69C, 0xA69D }, { 0xA770, 0xA770 }, { 0xA7F8, 0xA7F9 }, { 0xAB5C, 0xAB5F } };
+  static const uint32_t range[][2] = { { 0xAA, 0xAA },     { 0xBA, 0xBA },     { 0x2B0, 0x2B8 },   { 0x2C0, 0x2C1 },
+                                       { 0x2E0, 0x2E4 },   { 0x345, 0x345 },   { 0x37A, 0x37A },   { 0x10FC, 0x10FC },
+                                       { 0x1D2C, 0x1D6A }, { 0x1D78, 0x1D78 }, { 0x1D9B, 0x1DBF }, { 0x2071, 0x2071 },
+                                       { 0x207F, 0x207F }, { 0x2090, 0x209C }, { 0x2C7C, 0x2C7D }, { 0xA69C, 0xA69D },
+                                       { 0xA770, 0xA770 }, { 0xA7F8, 0xA7F9 }, { 0xAB5C, 0xAB5F } };
   for (size_t i = 0; i < sizeof range / sizeof *range; i++)
     if (c >= range[i][0] && c <= range[i][1]) return true;
   return false;
 }
 
 static bool is_lower(uint32_t c) {
-  return !is_upper(c) && (char_up(c) != c || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LL || is_other_lower(c));
+  return !is_upper(c) &&
+         (char_up(c) != c || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LL || is_other_lower(c));
 }
 
 #define CATEGORIES(C) C(alphabetic) C(numeric) C(whitespace) C(upper) C(lower)
@@ -108,7 +115,8 @@ static bool is_lower(uint32_t c) {
 CATEGORIES(C)
 #undef C
 
-/* Decimal digits come in runs of ten, so the value is the distance from the run's zero: the first back with no digit before it, at most nine. */
+/* Decimal digits come in runs of ten, so the value is the distance from the run's zero: the first back with no digit
+ * before it, at most nine. */
 static vs_status char_digit_value(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_char(vm, a, 0)) return VS_ERROR;

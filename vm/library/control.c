@@ -1,10 +1,12 @@
-/* Owns the procedures that steer: continuations, dynamic-wind, values, apply, handlers and raise, parameters, promises, contracts.
+/* Owns the procedures that steer: continuations, dynamic-wind, values, apply, handlers and raise, parameters, promises,
+   contracts.
 
    The dynamic state is three lists in struct vs_scheme, each part of a continuation:
      winders     vectors (before after handlers parameters), innermost first
      handlers    procedures; a list of a continuation among them is a contract's: the continuation is thrown #f to
      parameters  (parameter . value)
-   The natives here keep their state in their frames (native.h, VS_CALL), so that every one may be left and entered again. */
+   The natives here keep their state in their frames (native.h, VS_CALL), so that every one may be left and entered
+   again. */
 #include "vm/machine/activation.h"
 #include "vm/machine/native.h"
 #include "vm/library/port.h"
@@ -120,7 +122,9 @@ static vs_status apply(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   vs_value last = a[n - 1];
   VS_ROOTS(vm, r, 1);
-  if (vs_list_length(last) < 0) return vs_cons(vm, last, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "the last argument must be a list, got");
+  if (vs_list_length(last) < 0)
+    return vs_cons(vm, last, VS_NIL, &r[0]) &&
+           vs_fail_with(vm, vm->sym.type, r[0], "the last argument must be a list, got");
   vs_call_begin(vm, a[0]);
   for (int i = 1; i < n - 1; i++)
     if (!vs_call_push(vm, a[i])) return VS_ERROR;
@@ -160,7 +164,8 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     }
     a[1] = vm->handlers;
     vs_value handler = vs_car(vm->handlers);
-    if (vs_is_pair(handler)) {          /* a contract's predicate: what it raises makes #f, but memory that is out says nothing of the value */
+    if (vs_is_pair(handler)) {          /* a contract's predicate: what it raises makes #f, but memory that is out says
+                                           nothing of the value */
       if (vs_is(a[0], VS_T_CONDITION) && vs_as_condition(a[0])->kind == vm->sym.memory) {
         vm->handlers = vs_cdr(vm->handlers);
         return vs_fail_object(vm, a[0]);
@@ -175,12 +180,14 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     vm->handlers = a[1];
     return VS_OK;
   }
-  /* The handler must not return. The raised object goes to the handlers outside; a plain error stays the error it was. */
+  /* The handler must not return. The raised object goes to the handlers outside; a plain error stays the error it
+     was. */
   vm->handlers = vs_cdr(a[1]);
   vm->native = NULL;
   if (vs_is(a[0], VS_T_CONDITION)) return vs_fail_object(vm, a[0]);
   VS_ROOTS(vm, r, 1);
-  return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.raise, r[0], "the handler returned, but raise cannot go on:");
+  return vs_cons(vm, a[0], VS_NIL, &r[0]) &&
+         vs_fail_with(vm, vm->sym.raise, r[0], "the handler returned, but raise cannot go on:");
 }
 
 static vs_status raise_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -215,13 +222,20 @@ static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   bool converted = n < 0;
   while (vs_is_pair(a[0])) {
     vs_value p = vs_car(a[0]), v = vs_car(a[1]);
-    if (!vs_is(p, VS_T_PARAMETER)) { vm->native = NULL; return vs_cons(vm, p, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "parameterize needs a parameter, got"); }
-    if (!converted && vs_as_parameter(p)->converter != VS_FALSE) return vs_call(vm, vs_as_parameter(p)->converter, 1, &v);
+    if (!vs_is(p, VS_T_PARAMETER)) {
+      vm->native = NULL;
+      return vs_cons(vm, p, VS_NIL, &r[0]) &&
+             vs_fail_with(vm, vm->sym.type, r[0], "parameterize needs a parameter, got");
+    }
+    if (!converted && vs_as_parameter(p)->converter != VS_FALSE)
+      return vs_call(vm, vs_as_parameter(p)->converter, 1, &v);
     if (converted) v = *out;
     converted = false;
     if (!vs_port_parameter_fits(vm, p, v)) {
       vm->native = NULL;
-      return vs_cons(vm, v, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "%s must be a port of its direction, got", vs_as_symbol(vs_as_parameter(p)->name)->name);
+      return vs_cons(vm, v, VS_NIL, &r[0]) &&
+             vs_fail_with(vm, vm->sym.type, r[0], "%s must be a port of its direction, got",
+                          vs_as_symbol(vs_as_parameter(p)->name)->name);
     }
     if (!vs_cons(vm, p, v, &r[0]) || !vs_cons(vm, r[0], a[4], &a[4])) return VS_ERROR;
     a[0] = vs_cdr(a[0]); a[1] = vs_cdr(a[1]);
@@ -233,7 +247,8 @@ static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return vs_call(vm, a[2], 0, NULL);
 }
 
-/* ---- promises: done #t: the value; #f: the thunk, which gives a promise; VS_ABSENT: the same as the promise in value ---- */
+/* ---- promises: done #t: the value; #f: the thunk, which gives a promise; VS_ABSENT: the same as the promise in value
+   ---- */
 static bool new_promise(vs_scheme *vm, vs_value done, vs_value *value, vs_value *out) {
   vs_promise *p = (vs_promise *)(void *)vs_gc_alloc(vm, VS_T_PROMISE, VS_WORDS(vs_promise));
   if (!p) return false;
@@ -274,7 +289,8 @@ static vs_status force(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value root = promise_root(a[0]);
   vs_promise *p = vs_as_promise(root);
   if (n < 0 && p->done == VS_FALSE) {
-    if (!vs_is(*out, VS_T_PROMISE)) return vs_fail(vm, vm->sym.type, "delay-force needs a promise, got %s", vs_noun(vm, *out));
+    if (!vs_is(*out, VS_T_PROMISE))
+      return vs_fail(vm, vm->sym.type, "delay-force needs a promise, got %s", vs_noun(vm, *out));
     vs_value next = promise_root(*out);
     if (next != root) {
       vs_promise *q = vs_as_promise(next);
@@ -300,7 +316,8 @@ static vs_status any(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status guarded(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a; (void)n;
   VS_ROOTS(vm, r, 1);
-  if (!capture(vm, out) || !vs_cons(vm, *out, VS_NIL, &r[0]) || !vs_cons(vm, r[0], VS_NIL, &vm->handlers)) return VS_ERROR;
+  if (!capture(vm, out) || !vs_cons(vm, *out, VS_NIL, &r[0]) || !vs_cons(vm, r[0], VS_NIL, &vm->handlers))
+    return VS_ERROR;
   return vs_tailcall(vm, vm->base[0], 1, &vm->base[1]);
 }
 
@@ -333,7 +350,10 @@ static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (ok) {
     const char *f = vs_is_symbol(who) ? vs_as_symbol(who)->name : "procedure";
     if (predicate) vs_fail_with(vm, vm->sym.contract, r[0], "%s: %s must be %s, got", f, name.at, text.at);
-    else vs_fail(vm, vm->sym.contract, "%s: in [%s %s] stands no predicate; [%s any? %s] gives %s a default and checks nothing", f, name.at, text.at, name.at, text.at, name.at);
+    else
+      vs_fail(vm, vm->sym.contract,
+              "%s: in [%s %s] stands no predicate; [%s any? %s] gives %s a default and checks nothing", f, name.at,
+              text.at, name.at, text.at, name.at);
     vs_condition *c = vs_is(vm->condition, VS_T_CONDITION) ? vs_as_condition(vm->condition) : NULL;
     if (c && predicate && vs_is_pair(c->chain) && vs_is_pair(vs_cdr(c->chain))) {      /* the fault is the caller's */
       do vs_gc_store(vm, c, &c->chain, vs_cdr(c->chain));
@@ -353,26 +373,29 @@ static vs_status captures(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 }
 
 static const vs_native_def defs[] = {
-  {"call-with-current-continuation call/cc", "procedure", call_cc, 1, "call procedure with the rest of the computation"},
-  {"%captures", "", captures, 0, NULL},
-  {"%throw", "k value", throw_, 1, NULL},
-  {"dynamic-wind", "before thunk after", dynamic_wind, 2, "call thunk between before and after, however it is entered and left"},
-  {"values", ". v", values, 0, "several values"},
-  {"call-with-values", "producer consumer", call_with_values, 1, "call consumer with producer's values"},
-  {"apply", "procedure first . arguments", apply, -1, "call with the arguments in a list"},
-  {"with-exception-handler", "handler thunk", with_exception_handler, 1, "call thunk; what it raises goes to handler"},
-  {"raise", "obj", raise_, 1, "raise obj to the handler in force"},
-  {"raise-continuable", "obj", raise_continuable, 1, "raise obj; the handler's value comes back"},
-  {"make-parameter", "value [converter]", make_parameter, 1, "a variable that parameterize sets for a while"},
-  {"%parameterize", "parameters values thunk", parameterize, 2, NULL},
-  {"make-promise", "value", make_promise, 0, "a promise that is kept already"},
-  {"%lazy", "thunk", lazy, 0, NULL},
-  {"%kept-promise", "value", kept_promise, 0, NULL},
-  {"promise?", "v", is_promise, 0, NULL},
-  {"force", "promise", force, 1, "the value of a promise"},
-  {"any?", "v", any, 0, "true of everything"},
-  {"%guarded", "predicate value", guarded, 1, NULL},
-  {"%check", "predicate value contract", check, 1, NULL},
-  {0}
+  { "call-with-current-continuation call/cc", "procedure", call_cc, 1,
+    "call procedure with the rest of the computation" },
+  { "%captures", "", captures, 0, NULL },
+  { "%throw", "k value", throw_, 1, NULL },
+  { "dynamic-wind", "before thunk after", dynamic_wind, 2,
+    "call thunk between before and after, however it is entered and left" },
+  { "values", ". v", values, 0, "several values" },
+  { "call-with-values", "producer consumer", call_with_values, 1, "call consumer with producer's values" },
+  { "apply", "procedure first . arguments", apply, -1, "call with the arguments in a list" },
+  { "with-exception-handler", "handler thunk", with_exception_handler, 1,
+    "call thunk; what it raises goes to handler" },
+  { "raise", "obj", raise_, 1, "raise obj to the handler in force" },
+  { "raise-continuable", "obj", raise_continuable, 1, "raise obj; the handler's value comes back" },
+  { "make-parameter", "value [converter]", make_parameter, 1, "a variable that parameterize sets for a while" },
+  { "%parameterize", "parameters values thunk", parameterize, 2, NULL },
+  { "make-promise", "value", make_promise, 0, "a promise that is kept already" },
+  { "%lazy", "thunk", lazy, 0, NULL },
+  { "%kept-promise", "value", kept_promise, 0, NULL },
+  { "promise?", "v", is_promise, 0, NULL },
+  { "force", "promise", force, 1, "the value of a promise" },
+  { "any?", "v", any, 0, "true of everything" },
+  { "%guarded", "predicate value", guarded, 1, NULL },
+  { "%check", "predicate value contract", check, 1, NULL },
+  { 0 }
 };
 const vs_native_table vs_control_natives = {"control", defs};

@@ -1,17 +1,20 @@
-/* Owns the library's side of errors: making them (error), asking them (error-object-message ...), and leaving (exit). */
+/* Owns the library's side of errors: making them (error), asking them (error-object-message ...), and leaving
+   (exit). */
 #include "vm/library/format.h"
 #include "vm/values/number.h"
 
 static bool is_condition(vs_value v) { return vs_is(v, VS_T_CONDITION); }
 
-/* (error message irritant ...), R7RS; (error 'who "format" v ...), PLT; a message that is no string is shown as it displays */
+/* (error message irritant ...), R7RS; (error 'who "format" v ...), PLT; a message that is no string is shown as it
+   displays */
 static vs_status error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 1);
   bool plt = vs_is_symbol(a[0]) && n > 1 && vs_is_string(a[1]);
   vs_text t;
   vs_text_open(vm, &t, 0);
-  bool ok = vs_print(vm, a[0], VS_PRINT_DISPLAY, &t) && (!plt || (vs_text_puts(&t, ": ") && vs_format(vm, a, 1, n, &t))) && vs_text_end(&t);
+  bool ok = vs_print(vm, a[0], VS_PRINT_DISPLAY, &t) &&
+            (!plt || (vs_text_puts(&t, ": ") && vs_format(vm, a, 1, n, &t))) && vs_text_end(&t);
   r[0] = VS_NIL;
   for (int i = n; ok && !plt && i-- > 1;) ok = vs_cons(vm, a[i], r[0], &r[0]);
   vm->native = NULL;                              /* the message is the program's, without "error: " before it */
@@ -66,12 +69,14 @@ static vs_status report(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* (exit [code]): the after procedures of every dynamic-wind that is entered run, then the program ends with a condition of kind `exit`
-   that no handler sees; its payload is the code, a fixnum. */
+/* (exit [code]): the after procedures of every dynamic-wind that is entered run, then the program ends with a condition
+   of kind `exit` that no handler sees; its payload is the code, a fixnum. */
 static vs_status leave(vs_scheme *vm, vs_value code, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 2);
-  r[0] = code == VS_TRUE || code == VS_ABSENT ? vs_fix(0) : vs_is_fixnum(code) ? vs_fix(vs_fixnum(code) & 255) : vs_fix(1);
+  r[0] = code == VS_TRUE || code == VS_ABSENT ? vs_fix(0)
+         : vs_is_fixnum(code)                 ? vs_fix(vs_fixnum(code) & 255)
+                                              : vs_fix(1);
   if (r[0] == vs_fix(0) && vs_is_fixnum(code) && code != vs_fix(0)) r[0] = vs_fix(1);      /* 256 is no success */
   if (!vs_intern_c(vm, "exit", &r[1])) return VS_ERROR;
   vm->native = NULL;

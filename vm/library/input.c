@@ -1,4 +1,5 @@
-/* Owns the procedures that read: characters, lines, bytes and data from ports, and what one may ask of a port or a file. */
+/* Owns the procedures that read: characters, lines, bytes and data from ports, and what one may ask of a port or a
+ * file. */
 #include "vm/values/number.h"
 #include "vm/library/port.h"
 #include "vm/front/reader.h"
@@ -31,7 +32,8 @@ static vs_status peek_char(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Up to `count` characters, and with `line` no further than the line's end (\n, \r or both in turn), which is dropped. */
+/* Up to `count` characters, and with `line` no further than the line's end (\n, \r or both in turn), which is
+ * dropped. */
 static vs_status read_some(vs_scheme *vm, vs_value port, int64_t count, bool line, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = port;
@@ -67,12 +69,16 @@ static vs_status read_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     vs_value swap = a[0];
     a[0] = a[1], a[1] = swap;
   }
-  return vs_arg_index(vm, a, 0, 0, VS_FIXNUM_MAX, &k) && in_port(vm, a, n, 1, 0, &port) && read_some(vm, port, k, false, out);
+  return vs_arg_index(vm, a, 0, 0, VS_FIXNUM_MAX, &k) && in_port(vm, a, n, 1, 0, &port) &&
+         read_some(vm, port, k, false, out);
 }
 
 /* The directives that a datum's text begins with hold for what the port gives later, too. */
 static void keep_directives(const vs_text *t, uint32_t *flags) {
-  static const struct { const char *text; bool fold; } directives[] = {{"#!fold-case", true}, {"#!no-fold-case", false}};
+  static const struct {
+    const char *text;
+    bool fold;
+  } directives[] = { { "#!fold-case", true }, { "#!no-fold-case", false } };
   for (size_t i = 0; i < t->count;) {
     size_t n = t->at[i] <= ' ' && t->at[i] > 0;
     for (size_t k = 0; !n && k < 2; k++) {
@@ -86,7 +92,8 @@ static void keep_directives(const vs_text *t, uint32_t *flags) {
   }
 }
 
-/* Reads a datum: characters are taken until it is whole. A whole datum may turn out to be a directive (#!fold-case): then on, with it. */
+/* Reads a datum: characters are taken until it is whole. A whole datum may turn out to be a directive (#!fold-case):
+ * then on, with it. */
 static vs_status read_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!in_port(vm, a, n, 0, 0, &r[0])) return VS_ERROR;
@@ -100,7 +107,8 @@ static vs_status read_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
       int32_t c;
       if (!(ok = vs_port_peek_char(vm, r[0], &c)) || (end = c < 0)) break;
       ok = vs_scan_feed(&s, (uint32_t)c, &result);
-      if (ok && result != VS_SCAN_WHOLE) ok = vs_port_read_char(vm, r[0], &c) && vs_text_char(&t, (uint32_t)c) && vs_poll(vm, 64);
+      if (ok && result != VS_SCAN_WHOLE)
+        ok = vs_port_read_char(vm, r[0], &c) && vs_text_char(&t, (uint32_t)c) && vs_poll(vm, 64);
     }
     vs_scan_close(&s);
     ok = ok && vs_read_datum(vm, t.at ? t.at : "", t.count, out, NULL);
@@ -146,7 +154,8 @@ static vs_status read_bytevector_into(vs_scheme *vm, vs_value *a, int n, vs_valu
   size_t count;
   if (!vs_arg_type(vm, a, 0, VS_T_BYTES) || !in_port(vm, a, n, 1, VS_PORT_BINARY, &r[0])) return VS_ERROR;
   int64_t length = (int64_t)vs_as_bytes(a[0])->length, start = 0, end = length;
-  if ((n > 3 && !vs_arg_index(vm, a, 3, 0, length, &end)) || (n > 2 && !vs_arg_index(vm, a, 2, 0, end, &start))) return VS_ERROR;
+  if ((n > 3 && !vs_arg_index(vm, a, 3, 0, length, &end)) || (n > 2 && !vs_arg_index(vm, a, 2, 0, end, &start)))
+    return VS_ERROR;
   if (!vs_port_fill(vm, r[0], (size_t)(end - start), &at, &count)) return VS_ERROR;
   if (count > (size_t)(end - start)) count = (size_t)(end - start);
   if (count) memcpy(vs_as_bytes(a[0])->at + start, at, count);
@@ -172,7 +181,8 @@ static vs_status open_input_file(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 }
 static vs_status open_binary_input_file(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_port_open_file(vm, a[0], VS_IO_READ, VS_PORT_INPUT | VS_PORT_BINARY, out);
+  return vs_arg_type(vm, a, 0, VS_T_STRING) &&
+         vs_port_open_file(vm, a[0], VS_IO_READ, VS_PORT_INPUT | VS_PORT_BINARY, out);
 }
 
 static vs_status open_input_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -281,7 +291,8 @@ static vs_status delete_file(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   bool yes;
   const char *why = NULL;
   if (!ask_file(vm, a, true, &yes, &why)) return VS_ERROR;
-  return yes || (vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.file, r[0], "cannot delete (%s)", why ? why : "not available here"));
+  return yes || (vs_cons(vm, a[0], VS_NIL, &r[0]) &&
+                 vs_fail_with(vm, vm->sym.file, r[0], "cannot delete (%s)", why ? why : "not available here"));
 }
 
 static const vs_native_def defs[] = {

@@ -12,14 +12,21 @@ enum {
   VS_LIB_COUNT
 };
 
-static inline bool vs_lib_open(vs_scheme *vm) { return vs_is_vector(vm->at.lib) || vs_make_vector(vm, VS_LIB_COUNT, VS_FALSE, &vm->at.lib); }
-static inline vs_value vs_lib_get(const vs_scheme *vm, int slot) { return vs_is_vector(vm->at.lib) ? vs_as_vector(vm->at.lib)->at[slot] : VS_FALSE; }
-static inline void vs_lib_set(vs_scheme *vm, int slot, vs_value v) { vs_gc_store(vm, vs_as_vector(vm->at.lib), &vs_as_vector(vm->at.lib)->at[slot], v); }
+static inline bool vs_lib_open(vs_scheme *vm) {
+  return vs_is_vector(vm->at.lib) || vs_make_vector(vm, VS_LIB_COUNT, VS_FALSE, &vm->at.lib);
+}
+static inline vs_value vs_lib_get(const vs_scheme *vm, int slot) {
+  return vs_is_vector(vm->at.lib) ? vs_as_vector(vm->at.lib)->at[slot] : VS_FALSE;
+}
+static inline void vs_lib_set(vs_scheme *vm, int slot, vs_value v) {
+  vs_gc_store(vm, vs_as_vector(vm->at.lib), &vs_as_vector(vm->at.lib)->at[slot], v);
+}
 
 /* ---- random numbers, for the layers above (system.c). All return false when memory is out. ---- */
 bool vs_random_keep(vs_scheme *vm, uint64_t state[4]);          /* copies the generator's state out */
 bool vs_random_restore(vs_scheme *vm, const uint64_t state[4]); /* puts such a copy back */
-bool vs_random_branch(vs_scheme *vm, uint64_t key);             /* starts the generator anew from the program's seed and a key */
+bool vs_random_branch(vs_scheme *vm, uint64_t key);             /* starts the generator anew from the program's seed and
+                                                                 * a key */
 bool vs_random_unit(vs_scheme *vm, double *out);                /* the next number in [0, 1) */
 
 #endif

@@ -1,4 +1,5 @@
-/* Owns libraries: define-library becomes a run of its body in an environment of its own, import a mapping of names, require a run of a file. */
+/* Owns libraries: define-library becomes a run of its body in an environment of its own, import a mapping of names,
+   require a run of a file. */
 #include "vm/library/library.h"
 #include "vm/values/equal.h"
 #include "vm/library/port.h"
@@ -8,7 +9,9 @@
 
 #include <stdio.h>
 
-static bool is_word(vs_value v, const char *word) { return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word); }
+static bool is_word(vs_value v, const char *word) {
+  return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word);
+}
 
 static bool library_path(vs_scheme *vm, vs_value name, uint32_t from, vs_value env, vs_text *path, bool *found);
 
@@ -45,7 +48,8 @@ bool vs_library_register(vs_scheme *vm, vs_value name, vs_value env) {
 
 /* ---- import sets ---- */
 static bool not_exported(vs_scheme *vm, vs_pos pos, vs_value symbol) {
-  return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: this library has no %s", vs_is_symbol(symbol) ? vs_as_symbol(symbol)->name : "such name");
+  return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: this library has no %s",
+                    vs_is_symbol(symbol) ? vs_as_symbol(symbol)->name : "such name");
 }
 
 /* `name`: what the library is called */
@@ -54,13 +58,17 @@ static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, v
   r[0] = name;
   vs_value clash;
   bool own;
-  if (!vs_environment_import(vm, env, from, mapping, from == vm->at.core && mapping == VS_TRUE, &clash, &own)) return false;
+  if (!vs_environment_import(vm, env, from, mapping, from == vm->at.core && mapping == VS_TRUE, &clash, &own))
+    return false;
   if (clash == VS_VACANT) return true;
   vs_text t;
   vs_text_open(vm, &t, 300);
-  const char *text = vs_as_symbol(clash)->name, *why = own ? "is defined here already" : "was imported already, with another meaning";
-  bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &t) && vs_text_end(&t) &&
-            vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: %s %s; (except %s %s) leaves it out, rename or prefix keep both", text, why, t.at, text);
+  const char *text = vs_as_symbol(clash)->name,
+             *why = own ? "is defined here already" : "was imported already, with another meaning";
+  bool ok =
+      vs_print(vm, r[0], VS_PRINT_WRITE, &t) && vs_text_end(&t) &&
+      vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL,
+                 "import: %s %s; (except %s %s) leaves it out, rename or prefix keep both", text, why, t.at, text);
   vs_text_close(&t);
   return ok;
 }
@@ -71,7 +79,8 @@ bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos
   *missing = VS_ABSENT;
   if (!vs_strip(vm, r[0], &r[0])) return false;
   while (vs_is_pair(r[0]) && vs_is_pair(vs_cdr(r[0])) && vs_is_pair(vs_car(vs_cdr(r[0]))) &&
-         (is_word(vs_car(r[0]), "only") || is_word(vs_car(r[0]), "except") || is_word(vs_car(r[0]), "prefix") || is_word(vs_car(r[0]), "rename"))) {
+         (is_word(vs_car(r[0]), "only") || is_word(vs_car(r[0]), "except") || is_word(vs_car(r[0]), "prefix") ||
+          is_word(vs_car(r[0]), "rename"))) {
     if (!vs_cons(vm, r[0], r[2], &r[2])) return false;
     r[0] = vs_car(vs_cdr(r[0]));
   }
@@ -106,7 +115,9 @@ bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos
       for (vs_value l = r[6]; vs_is_pair(l); l = vs_cdr(l)) {
         vs_value id = except ? vs_car(l) : vs_list_length(vs_car(l)) == 2 ? vs_car(vs_car(l)) : VS_FALSE;
         if (!vs_is_symbol(id) || (!except && !vs_is_symbol(vs_car(vs_cdr(vs_car(l))))))
-          return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: it is written %s", except ? "(except (library name) name ...)" : "(rename (library name) (name new-name) ...)");
+          return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: it is written %s",
+                            except ? "(except (library name) name ...)"
+                                   : "(rename (library name) (name new-name) ...)");
         if (vs_idtable_get(r[4], id) == VS_VACANT) return not_exported(vm, pos, id);
       }
     for (size_t i = 0;; i++) {
@@ -118,7 +129,8 @@ bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos
       if (prefix) {
         char name[512];
         vs_value p = vs_is_pair(r[6]) ? vs_car(r[6]) : VS_FALSE;
-        if (!vs_is_symbol(p)) return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: it is written (prefix (library name) prefix)");
+        if (!vs_is_symbol(p))
+          return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: it is written (prefix (library name) prefix)");
         int n = snprintf(name, sizeof name, "%s%s", vs_as_symbol(p)->name, vs_as_symbol(k)->name);
         if (n < 0 || (size_t)n >= sizeof name || !vs_intern(vm, name, (size_t)n, &local)) return vs_fail_memory(vm);
         if (!vs_idtable_slot(r[4], i, &k, &v)) break;
@@ -127,7 +139,8 @@ bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos
         else if (vs_car(vs_car(l)) == k) local = vs_car(vs_cdr(vs_car(l)));
       }
       if (!drop && vs_idtable_get(r[5], local) != VS_VACANT)
-        return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: two names would become %s", vs_as_symbol(local)->name);
+        return vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL, "import: two names would become %s",
+                          vs_as_symbol(local)->name);
       if (!drop && !vs_idtable_put(vm, &r[5], local, v)) return false;
     }
     r[4] = r[5];
@@ -144,8 +157,8 @@ static bool library_file(vs_scheme *vm, vs_value name, vs_text *t) {
   return ok && vs_text_puts(t, ".sld");
 }
 
-/* How far above the file `from` the folder is that its library's name counts from: 1 for (towers spiral) in towers/spiral.sld. 0: the environment
-   env is no library's, or its file is called otherwise. */
+/* How far above the file `from` the folder is that its library's name counts from: 1 for (towers spiral) in
+   towers/spiral.sld. 0: the environment env is no library's, or its file is called otherwise. */
 static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *depth) {
   vs_value name = vs_as_environment(env)->name;
   int64_t parts = vs_list_length(name);
@@ -157,7 +170,8 @@ static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *de
   vs_text_open(vm, &own, 0);
   vs_text_open(vm, &file, 0);
   bool ok = library_file(vm, r[0], &own) && vs_source_name(vm, from, &file);
-  if (ok && file.count >= own.count && !memcmp(file.at + file.count - own.count, own.at, own.count)) *depth = (size_t)parts - 1;
+  if (ok && file.count >= own.count && !memcmp(file.at + file.count - own.count, own.at, own.count))
+    *depth = (size_t)parts - 1;
   vs_text_close(&own);
   vs_text_close(&file);
   return ok;
@@ -190,7 +204,8 @@ bool vs_library_import(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_import);
-  if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {        /* a program that begins with an import sees what it imports */
+  if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {        /* a program that begins with an import sees what
+                                                                        it imports */
     vs_environment_forget_imports(x->now.env);
     vs_environment_set_intake(x->now.env, VS_INTAKE_STRICT);
   }
@@ -208,10 +223,13 @@ bool vs_library_import(vs_expansion *x) {
     if (!ok) return false;
     if (!found || x->now.n) return vs_expand_fail(x, pos, r[1], "import: there is no library");
     VS_ROOTS(vm, quoted, 2);      /* (%load-library path 'name) */
-    if (!vs_core_name(vm, "quote", &quoted[0]) || !vs_cons(vm, r[1], VS_NIL, &quoted[1]) || !vs_cons(vm, quoted[0], quoted[1], &quoted[0]) ||
-        !vs_cons(vm, quoted[0], VS_NIL, &r[4]) || !vs_cons(vm, r[2], r[4], &r[4]) || !core_value(vm, "%load-library", &r[3]) ||
-        !vs_cons_at(vm, r[3], r[4], pos, &r[4])) return false;
-    if (!vs_core_name(vm, "import", &r[2]) || !vs_cons_at(vm, r[2], vs_cdr(x->now.form), x->now.pos, &r[2])) return false;
+    if (!vs_core_name(vm, "quote", &quoted[0]) || !vs_cons(vm, r[1], VS_NIL, &quoted[1]) ||
+        !vs_cons(vm, quoted[0], quoted[1], &quoted[0]) || !vs_cons(vm, quoted[0], VS_NIL, &r[4]) ||
+        !vs_cons(vm, r[2], r[4], &r[4]) || !core_value(vm, "%load-library", &r[3]) ||
+        !vs_cons_at(vm, r[3], r[4], pos, &r[4]))
+      return false;
+    if (!vs_core_name(vm, "import", &r[2]) || !vs_cons_at(vm, r[2], vs_cdr(x->now.form), x->now.pos, &r[2]))
+      return false;
     if (!vs_cons(vm, r[2], VS_NIL, &r[2]) || !vs_cons(vm, r[4], r[2], &x->forms)) return false;
     x->result = VS_EXPAND_FORMS;
     return true;
@@ -222,13 +240,27 @@ bool vs_library_import(vs_expansion *x) {
 
 /* ---- define-library ---- */
 typedef struct { vs_expansion *x; vs_value *r; } library;
-enum { L_NAME, L_ENV, L_EXPORTS, L_FORMS /* newest first */, L_LATER /* declarations still to do */, L_A, L_B, L_C, L_COUNT };
+enum {
+  L_NAME,
+  L_ENV,
+  L_EXPORTS,
+  L_FORMS /* newest first */,
+  L_LATER /* declarations still to do */,
+  L_A,
+  L_B,
+  L_C,
+  L_COUNT
+};
 
 static bool export_name(library *l, vs_value spec, vs_pos pos) {
   vs_scheme *vm = l->x->vm;
   vs_value inside = spec, outside = spec;
-  if (vs_list_length(spec) == 3 && is_word(vs_car(spec), "rename")) { inside = vs_car(vs_cdr(spec)); outside = vs_car(vs_cdr(vs_cdr(spec))); }
-  if (!vs_is_identifier(inside) || !vs_is_identifier(outside)) return vs_expand_fail(l->x, pos, spec, "export: a name or (rename inside outside), not");
+  if (vs_list_length(spec) == 3 && is_word(vs_car(spec), "rename")) {
+    inside = vs_car(vs_cdr(spec));
+    outside = vs_car(vs_cdr(vs_cdr(spec)));
+  }
+  if (!vs_is_identifier(inside) || !vs_is_identifier(outside))
+    return vs_expand_fail(l->x, pos, spec, "export: a name or (rename inside outside), not");
   return vs_idtable_put(vm, &l->r[L_EXPORTS], vs_identifier_symbol(outside), vs_identifier_symbol(inside));
 }
 
@@ -236,24 +268,35 @@ bool vs_library_define(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, L_COUNT);
   library lib = {x, r};
-  if (vs_list_length(x->now.form) < 2 || !vs_is_pair(vs_car(vs_cdr(x->now.form)))) return vs_expand_shape(x, VS_FORM_define_library);
+  if (vs_list_length(x->now.form) < 2 || !vs_is_pair(vs_car(vs_cdr(x->now.form))))
+    return vs_expand_shape(x, VS_FORM_define_library);
   r[L_FORMS] = VS_NIL;
   r[L_LATER] = vs_cdr(vs_cdr(x->now.form));
-  if (!vs_strip(vm, vs_car(vs_cdr(x->now.form)), &r[L_NAME]) || !vs_environment_new(vm, r[L_NAME], &r[L_ENV]) || !vs_idtable_new(vm, &r[L_EXPORTS])) return false;
+  if (!vs_strip(vm, vs_car(vs_cdr(x->now.form)), &r[L_NAME]) || !vs_environment_new(vm, r[L_NAME], &r[L_ENV]) ||
+      !vs_idtable_new(vm, &r[L_EXPORTS]))
+    return false;
   while (vs_is_pair(r[L_LATER])) {
     vs_value d = vs_car(r[L_LATER]);
     vs_pos pos = vs_element_pos(r[L_LATER], false, x->now.pos);
     r[L_LATER] = vs_cdr(r[L_LATER]);
-    if (vs_list_length(d) < 1 || !vs_is_identifier(vs_car(d))) return vs_expand_fail(x, pos, d, "define-library: not a declaration:");
+    if (vs_list_length(d) < 1 || !vs_is_identifier(vs_car(d)))
+      return vs_expand_fail(x, pos, d, "define-library: not a declaration:");
     vs_value head = vs_car(d);
     if (is_word(head, "export")) {
-      for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) if (!export_name(&lib, vs_car(r[L_A]), pos)) return false;
+      for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A]))
+        if (!export_name(&lib, vs_car(r[L_A]), pos)) return false;
     } else if (is_word(head, "begin")) {
-      for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) if (!vs_cons(vm, vs_car(r[L_A]), r[L_FORMS], &r[L_FORMS])) return false;
+      for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A]))
+        if (!vs_cons(vm, vs_car(r[L_A]), r[L_FORMS], &r[L_FORMS])) return false;
     } else if (is_word(head, "import") || is_word(head, "include") || is_word(head, "include-ci")) {
       r[L_A] = d;      /* under the library's own name for it: in the new environment nothing is called so yet */
-      if (!vs_core_name(vm, is_word(head, "import") ? "import" : is_word(head, "include") ? "include" : "include-ci", &r[L_B]) || !vs_cons_at(vm, r[L_B], vs_cdr(r[L_A]), pos, &r[L_B]) ||
-          !vs_cons(vm, r[L_B], r[L_FORMS], &r[L_FORMS])) return false;
+      if (!vs_core_name(vm,
+                        is_word(head, "import")    ? "import"
+                        : is_word(head, "include") ? "include"
+                                                   : "include-ci",
+                        &r[L_B]) ||
+          !vs_cons_at(vm, r[L_B], vs_cdr(r[L_A]), pos, &r[L_B]) || !vs_cons(vm, r[L_B], r[L_FORMS], &r[L_FORMS]))
+        return false;
     } else if (is_word(head, "cond-expand")) {
       r[L_B] = x->now.env;      /* (library ...) is asked as the library's own imports are */
       x->now.env = r[L_ENV];
@@ -261,18 +304,25 @@ bool vs_library_define(vs_expansion *x) {
       x->now.env = r[L_B];
       if (!ok) return false;
       r[L_B] = VS_NIL;
-      for (; vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) if (!vs_cons(vm, vs_car(r[L_A]), r[L_B], &r[L_B])) return false;
-      for (; vs_is_pair(r[L_B]); r[L_B] = vs_cdr(r[L_B])) if (!vs_cons(vm, vs_car(r[L_B]), r[L_LATER], &r[L_LATER])) return false;
+      for (; vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A]))
+        if (!vs_cons(vm, vs_car(r[L_A]), r[L_B], &r[L_B])) return false;
+      for (; vs_is_pair(r[L_B]); r[L_B] = vs_cdr(r[L_B]))
+        if (!vs_cons(vm, vs_car(r[L_B]), r[L_LATER], &r[L_LATER])) return false;
     } else if (is_word(head, "include-library-declarations")) {
       for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) {
         vs_text path;
         vs_text_open(vm, &path, 0);
-        bool ok = vs_is_string(vs_car(r[L_A])) && vs_source_path(vm, vs_car(r[L_A]), vs_pos_file(pos), &path) && vs_text_end(&path) && vs_source_read(vm, path.at, false, &r[L_B]);
+        bool ok = vs_is_string(vs_car(r[L_A])) && vs_source_path(vm, vs_car(r[L_A]), vs_pos_file(pos), &path) &&
+                  vs_text_end(&path) && vs_source_read(vm, path.at, false, &r[L_B]);
         vs_text_close(&path);
-        if (!ok) return vs_is_string(vs_car(r[L_A])) ? false : vs_expand_fail(x, pos, vs_car(r[L_A]), "a file name is a string, not");
+        if (!ok)
+          return vs_is_string(vs_car(r[L_A])) ? false
+                                              : vs_expand_fail(x, pos, vs_car(r[L_A]), "a file name is a string, not");
         r[L_C] = VS_NIL;
-        for (; vs_is_pair(r[L_B]); r[L_B] = vs_cdr(r[L_B])) if (!vs_cons(vm, vs_car(r[L_B]), r[L_C], &r[L_C])) return false;
-        for (; vs_is_pair(r[L_C]); r[L_C] = vs_cdr(r[L_C])) if (!vs_cons(vm, vs_car(r[L_C]), r[L_LATER], &r[L_LATER])) return false;
+        for (; vs_is_pair(r[L_B]); r[L_B] = vs_cdr(r[L_B]))
+          if (!vs_cons(vm, vs_car(r[L_B]), r[L_C], &r[L_C])) return false;
+        for (; vs_is_pair(r[L_C]); r[L_C] = vs_cdr(r[L_C]))
+          if (!vs_cons(vm, vs_car(r[L_C]), r[L_LATER], &r[L_LATER])) return false;
       }
     } else return vs_expand_fail(x, pos, d, "define-library: not a declaration:");
   }
@@ -280,8 +330,11 @@ bool vs_library_define(vs_expansion *x) {
   vs_gc_store(vm, e, &e->exports, r[L_EXPORTS]);
   /* imports come first whatever their place; the last form makes the library known */
   VS_ROOTS(vm, q, 3);
-  if (!vs_core_name(vm, "quote", &q[0]) || !vs_cons(vm, r[L_NAME], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[0]) || !vs_cons(vm, r[L_ENV], VS_NIL, &q[1]) ||
-      !vs_cons(vm, q[0], q[1], &q[1]) || !core_value(vm, "%register-library", &q[0]) || !vs_cons(vm, q[0], q[1], &q[1]) || !vs_cons(vm, q[1], VS_NIL, &q[2])) return false;
+  if (!vs_core_name(vm, "quote", &q[0]) || !vs_cons(vm, r[L_NAME], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[0]) ||
+      !vs_cons(vm, r[L_ENV], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[1]) ||
+      !core_value(vm, "%register-library", &q[0]) || !vs_cons(vm, q[0], q[1], &q[1]) ||
+      !vs_cons(vm, q[1], VS_NIL, &q[2]))
+    return false;
   for (int imports = 0; imports < 2; imports++)
     for (r[L_A] = r[L_FORMS]; vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) {
       vs_value f = vs_car(r[L_A]);
@@ -304,7 +357,9 @@ bool vs_library_require(vs_expansion *x) {
     r[1] = VS_NIL;
     for (r[0] = vs_cdr(x->now.form); vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
       vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
-      if (!vs_cons(vm, vs_car(r[0]), VS_NIL, &r[2]) || !vs_cons_at(vm, vs_car(x->now.form), r[2], pos, &r[2]) || !vs_cons(vm, r[2], r[1], &r[1])) return false;
+      if (!vs_cons(vm, vs_car(r[0]), VS_NIL, &r[2]) || !vs_cons_at(vm, vs_car(x->now.form), r[2], pos, &r[2]) ||
+          !vs_cons(vm, r[2], r[1], &r[1]))
+        return false;
     }
     x->forms = VS_NIL;
     for (; vs_is_pair(r[1]); r[1] = vs_cdr(r[1])) if (!vs_cons(vm, vs_car(r[1]), x->forms, &x->forms)) return false;
@@ -317,11 +372,15 @@ bool vs_library_require(vs_expansion *x) {
     /* PLT's (lib "..."), (only-in ...), (prefix-in ...) around something built in */
     for (int i = 0; i < 8 && vs_is_pair(spec) && vs_list_length(spec) > 1 && !vs_library_is_built_in(spec); i++) {
       if (is_word(vs_car(spec), "lib") || is_word(vs_car(spec), "planet")) { spec = VS_FALSE; break; }
-      spec = is_word(vs_car(spec), "prefix-in") && vs_list_length(spec) > 2 ? vs_car(vs_cdr(vs_cdr(spec))) : vs_car(vs_cdr(spec));
+      spec = is_word(vs_car(spec), "prefix-in") && vs_list_length(spec) > 2 ? vs_car(vs_cdr(vs_cdr(spec)))
+                                                                            : vs_car(vs_cdr(spec));
     }
-    if (spec == VS_FALSE || !vs_library_is_built_in(spec)) return vs_expand_fail(x, pos, vs_car(vs_cdr(x->now.form)), "require: this is not built in, and a file is named by a string:");
+    if (spec == VS_FALSE || !vs_library_is_built_in(spec))
+      return vs_expand_fail(x, pos, vs_car(vs_cdr(x->now.form)),
+                            "require: this is not built in, and a file is named by a string:");
     x->result = VS_EXPAND_NOTHING;
-    return vs_library_import_set(vm, spec, x->now.env, pos, &r[1]);      /* (srfi 26) has names that are seen in no other way */
+    /* (srfi 26) has names that are seen in no other way */
+    return vs_library_import_set(vm, spec, x->now.env, pos, &r[1]);
   }
   vs_text path;
   vs_text_open(vm, &path, 0);

@@ -1,7 +1,8 @@
-/* Owns pairs and lists: every list procedure that takes no procedure (the others are Scheme, in prelude.scm and srfi.scm).
+/* Owns pairs and lists: every list procedure that takes no procedure (the others are Scheme, in prelude.scm and
+   srfi.scm).
 
-   New lists grow at the tail through a struct list_maker; its slots are roots. Lists of the user are measured before they are walked
-   (vs_list_length), so an improper or circular one is an error and never a hang. */
+   New lists grow at the tail through a struct list_maker; its slots are roots. Lists of the user are measured before
+   they are walked (vs_list_length), so an improper or circular one is an error and never a hang. */
 #include "vm/values/equal.h"
 #include "vm/machine/native.h"
 #include "vm/values/number.h"
@@ -62,7 +63,9 @@ static bool arg_pairs(vs_scheme *vm, const vs_value *a, int arg, int64_t n, vs_v
   vs_value l = a[arg];
   for (int64_t i = 0; i < n; i++, l = vs_cdr(l)) {
     if (!vs_is_pair(l) && l != VS_NIL) return vs_fail_type(vm, arg, "a list", a[arg]);
-    if (!vs_is_pair(l)) return vs_fail(vm, vm->sym.range, "the list is too short: it has %lld elements, %lld are wanted", (long long)i, (long long)n);
+    if (!vs_is_pair(l))
+      return vs_fail(vm, vm->sym.range, "the list is too short: it has %lld elements, %lld are wanted", (long long)i,
+                     (long long)n);
     if (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST)) return false;
   }
   *at = l;
@@ -79,7 +82,8 @@ static vs_status list_cons(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status list_set_car(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!vs_arg_type(vm, a, 0, VS_T_PAIR)) return VS_ERROR;
-  if (vs_object_of(a[0])->flags & VS_F_IMMUTABLE) return vs_fail_type(vm, 0, "a pair that may change, not a literal", a[0]);
+  if (vs_object_of(a[0])->flags & VS_F_IMMUTABLE)
+    return vs_fail_type(vm, 0, "a pair that may change, not a literal", a[0]);
   vs_gc_store(vm, vs_object_of(a[0]), &vs_as_pair(a[0])->car, a[1]);
   return VS_OK;
 }
@@ -87,7 +91,8 @@ static vs_status list_set_car(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 static vs_status list_set_cdr(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!vs_arg_type(vm, a, 0, VS_T_PAIR)) return VS_ERROR;
-  if (vs_object_of(a[0])->flags & VS_F_IMMUTABLE) return vs_fail_type(vm, 0, "a pair that may change, not a literal", a[0]);
+  if (vs_object_of(a[0])->flags & VS_F_IMMUTABLE)
+    return vs_fail_type(vm, 0, "a pair that may change, not a literal", a[0]);
   vs_gc_store(vm, vs_object_of(a[0]), &vs_as_pair(a[0])->cdr, a[1]);
   return VS_OK;
 }
@@ -99,8 +104,13 @@ static vs_status list_path(vs_scheme *vm, vs_value *a, const char *path, size_t 
     if (!vs_is_pair(v)) {
       if (v == a[0]) return vs_fail_type(vm, 0, "a pair", v);
       size_t tails = strspn(path + 1, "d");        /* cddr, cadr, caddr ... are about lists of so many elements */
-      static const char *const lists[] = {"a list of two elements or more", "a list of three elements or more", "a list of four elements or more"};
-      return vs_fail_type(vm, 0, tails == length - 1 ? lists[length - 2] : length - i == 2 ? "a pair whose part is a pair" : "a pair deep enough", a[0]);
+      static const char *const lists[] = { "a list of two elements or more", "a list of three elements or more",
+                                           "a list of four elements or more" };
+      return vs_fail_type(vm, 0,
+                          tails == length - 1 ? lists[length - 2]
+                          : length - i == 2   ? "a pair whose part is a pair"
+                                              : "a pair deep enough",
+                          a[0]);
     }
     v = path[i] == 'a' ? vs_car(v) : vs_cdr(v);
   }
@@ -108,7 +118,7 @@ static vs_status list_path(vs_scheme *vm, vs_value *a, const char *path, size_t 
   return VS_OK;
 }
 
-#define PATHS(P)                                                                                                                   \
+#define PATHS(P)                                                                                                       \
   P(a) P(d) P(aa) P(ad) P(da) P(dd) P(aaa) P(aad) P(ada) P(add) P(daa) P(dad) P(dda) P(ddd) P(aaaa) P(aaad) P(aada) P(aadd) P(adaa) \
   P(adad) P(adda) P(addd) P(daaa) P(daad) P(dada) P(dadd) P(ddaa) P(ddad) P(ddda) P(dddd)
 #define P(path)                                                                     \
@@ -158,7 +168,9 @@ static vs_status list_make_list(vs_scheme *vm, vs_value *a, int n, vs_value *out
   if (!vs_arg_index(vm, a, 0, 0, VS_FIXNUM_MAX, &count)) return VS_ERROR;
   *out = VS_NIL;
   for (int64_t i = 0; i < count; i++)
-    if (!vs_cons(vm, n > 1 ? a[1] : VS_UNSPECIFIC, *out, out) || (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST))) return VS_ERROR;
+    if (!vs_cons(vm, n > 1 ? a[1] : VS_UNSPECIFIC, *out, out) ||
+        (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST)))
+      return VS_ERROR;
   return VS_OK;
 }
 
@@ -167,7 +179,9 @@ static vs_status list_numbers(vs_scheme *vm, int64_t count, const vs_value *from
   VS_ROOTS(vm, r, 1);
   *out = VS_NIL;
   for (int64_t i = count; i-- > 0;) {
-    if (!vs_number_mul(vm, vs_fix(i), *step, &r[0]) || !vs_number_add(vm, *from, r[0], &r[0]) || !vs_cons(vm, r[0], *out, out)) return VS_ERROR;
+    if (!vs_number_mul(vm, vs_fix(i), *step, &r[0]) || !vs_number_add(vm, *from, r[0], &r[0]) ||
+        !vs_cons(vm, r[0], *out, out))
+      return VS_ERROR;
     if (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST)) return VS_ERROR;
   }
   return VS_OK;
@@ -197,10 +211,12 @@ static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   r[1] = n > 1 ? a[1] : a[0];
   r[2] = n > 2 ? a[2] : vs_fix(1);
   bool zero, down, more;
-  if (!vs_number_test(vm, VS_EQ, r[2], vs_fix(0), &zero) || !vs_number_test(vm, VS_LT, r[2], vs_fix(0), &down)) return VS_ERROR;
+  if (!vs_number_test(vm, VS_EQ, r[2], vs_fix(0), &zero) || !vs_number_test(vm, VS_LT, r[2], vs_fix(0), &down))
+    return VS_ERROR;
   if (zero) return vs_fail_type(vm, 2, "a number other than 0", a[2]);
   double from, end, step;
-  if (!vs_number_double(vm, r[0], &from) || !vs_number_double(vm, r[1], &end) || !vs_number_double(vm, r[2], &step)) return VS_ERROR;
+  if (!vs_number_double(vm, r[0], &from) || !vs_number_double(vm, r[1], &end) || !vs_number_double(vm, r[2], &step))
+    return VS_ERROR;
   double guess = (end - from) / step;
   int64_t count = guess > 0 ? guess < 1e15 ? (int64_t)guess : INT64_C(1000000000000000) : 0;
   if (count > 0) count--; /* the estimate may be one too high; the exact test decides */
@@ -253,7 +269,8 @@ static vs_status list_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value l;
   if (!vs_arg_index(vm, a, 1, 0, VS_FIXNUM_MAX, &k) || !arg_pairs(vm, a, 0, k, &l)) return VS_ERROR;
   if (!vs_is_pair(l)) return vs_fail_range(vm, 1, a[1], 0, k - 1);
-  if (vs_object_of(l)->flags & VS_F_IMMUTABLE) return vs_fail_type(vm, 0, "a list that may change, not a literal", a[0]);
+  if (vs_object_of(l)->flags & VS_F_IMMUTABLE)
+    return vs_fail_type(vm, 0, "a list that may change, not a literal", a[0]);
   vs_gc_store(vm, vs_object_of(l), &vs_as_pair(l)->car, a[2]);
   return VS_OK;
 }
@@ -263,8 +280,9 @@ static vs_status list_nth(vs_scheme *vm, vs_value *a, int64_t k, vs_value *out) 
   for (int64_t i = 0; i < k && vs_is_pair(l); i++) l = vs_cdr(l);
   if (!vs_is_pair(l)) {
     char expected[64] = "a list of ";
-    static const char *const counts[] = { "one element", "two elements", "three elements", "four elements", "five elements",
-                                          "six elements", "seven elements", "eight elements", "nine elements", "ten elements" };
+    static const char *const counts[] = { "one element",   "two elements", "three elements", "four elements",
+                                          "five elements", "six elements", "seven elements", "eight elements",
+                                          "nine elements", "ten elements" };
     strcat(strcat(expected, counts[k]), " or more");
     return vs_fail_type(vm, 0, expected, a[0]);
   }
@@ -272,7 +290,9 @@ static vs_status list_nth(vs_scheme *vm, vs_value *a, int64_t k, vs_value *out) 
   return VS_OK;
 }
 
-#define NTHS(N) N(0, first) N(1, second) N(2, third) N(3, fourth) N(4, fifth) N(5, sixth) N(6, seventh) N(7, eighth) N(8, ninth) N(9, tenth)
+#define NTHS(N)                                                                                                        \
+  N(0, first)                                                                                                          \
+  N(1, second) N(2, third) N(3, fourth) N(4, fifth) N(5, sixth) N(6, seventh) N(7, eighth) N(8, ninth) N(9, tenth)
 #define N(k, name)                                                             \
   static vs_status list_##name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {    \
     (void)n;                                                                   \
@@ -384,7 +404,8 @@ static vs_status list_take(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t k;
   vs_value rest;
   LIST_MAKER(vm, r);
-  if (!vs_arg_index(vm, a, 1, 0, VS_FIXNUM_MAX, &k) || !arg_pairs(vm, a, 0, k, &rest) || !maker_copy(vm, r, &a[0], k)) return VS_ERROR;
+  if (!vs_arg_index(vm, a, 1, 0, VS_FIXNUM_MAX, &k) || !arg_pairs(vm, a, 0, k, &rest) || !maker_copy(vm, r, &a[0], k))
+    return VS_ERROR;
   *out = r[HEAD];
   return VS_OK;
 }
@@ -407,7 +428,8 @@ static vs_status list_drop_right(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   (void)n;
   int64_t k, length;
   LIST_MAKER(vm, r);
-  if (!arg_dotted(vm, a, 0, &length) || !vs_arg_index(vm, a, 1, 0, length, &k) || !maker_copy(vm, r, &a[0], length - k)) return VS_ERROR;
+  if (!arg_dotted(vm, a, 0, &length) || !vs_arg_index(vm, a, 1, 0, length, &k) || !maker_copy(vm, r, &a[0], length - k))
+    return VS_ERROR;
   *out = r[HEAD];
   return VS_OK;
 }
@@ -423,8 +445,9 @@ static vs_status list_split_at(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return vs_several(vm, a, 2, out);
 }
 
-/* all elements of lists within lists, in order; what is no list is one element. The way back is kept as a list: no recursion. A list that
-   contains itself would be entered for ever deeper; so each list entered is compared with the one at a depth of a power of two above. */
+/* all elements of lists within lists, in order; what is no list is one element. The way back is kept as a list: no
+   recursion. A list that contains itself would be entered for ever deeper; so each list entered is compared with the
+   one at a depth of a power of two above. */
 static vs_status list_flatten(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
@@ -437,7 +460,8 @@ static vs_status list_flatten(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
     if (vs_is_pair(at[0])) {
       vs_value first = vs_car(at[0]);
       if (vs_is_pair(first) || first == VS_NIL) {
-        if (last_cdr(first) == VS_ABSENT || (first == at[2] && depth >= mark)) return vs_fail_type(vm, 0, "a list that does not contain itself", a[0]);
+        if (last_cdr(first) == VS_ABSENT || (first == at[2] && depth >= mark))
+          return vs_fail_type(vm, 0, "a list that does not contain itself", a[0]);
         if (!vs_cons(vm, vs_cdr(at[0]), at[1], &at[1])) return VS_ERROR;
         at[0] = vs_car(at[0]);
         if (++depth >= 2 * mark) { at[2] = at[0]; mark = depth; }
@@ -484,7 +508,8 @@ static vs_status list_search(vs_scheme *vm, vs_value *a, same_kind kind, bool en
       *out = entries ? vs_car(r[0]) : r[0];
       return VS_OK;
     }
-    if (i == (uint64_t)1 << 20 && vs_list_length(a[1]) < 0) return vs_fail_type(vm, 1, "a list that ends", a[1]); /* circular: say so, once it looks so */
+    /* circular: say so, once it looks so */
+    if (i == (uint64_t)1 << 20 && vs_list_length(a[1]) < 0) return vs_fail_type(vm, 1, "a list that ends", a[1]);
   }
   if (r[0] != VS_NIL) return vs_fail_type(vm, 1, "a list", a[1]);
   *out = VS_FALSE;
@@ -508,9 +533,11 @@ static vs_status fail_list(vs_scheme *vm, vs_value who, vs_value list) {
   vm->native = NULL;
   if (!vs_cons(vm, list, VS_NIL, &r[0])) return VS_ERROR;
   if (vs_is_fixnum(list) && vs_fixnum(list) > 0)
-    return vs_fail_with(vm, vm->sym.type, r[0], "%s: expected a list, as (iota %lld) is of the numbers from 0, got", vs_as_symbol(who)->name,
-                        (long long)vs_fixnum(list));
-  return vs_fail_with(vm, vm->sym.type, r[0], circular ? "%s: expected a list that ends, got" : "%s: expected a list, got", vs_as_symbol(who)->name);
+    return vs_fail_with(vm, vm->sym.type, r[0], "%s: expected a list, as (iota %lld) is of the numbers from 0, got",
+                        vs_as_symbol(who)->name, (long long)vs_fixnum(list));
+  return vs_fail_with(vm, vm->sym.type, r[0],
+                      circular ? "%s: expected a list that ends, got" : "%s: expected a list, got",
+                      vs_as_symbol(who)->name);
 }
 
 /* a proper list */

@@ -1,5 +1,5 @@
-/* Owns powers, roots, logarithms and trigonometry. Arguments outside a function's domain are errors, not NaN; an exact argument
-   whose result is exact (sin 0, expt 2/3 100, sqrt 1/4) stays exact. */
+/* Owns powers, roots, logarithms and trigonometry. Arguments outside a function's domain are errors, not NaN; an exact
+   argument whose result is exact (sin 0, expt 2/3 100, sqrt 1/4) stays exact. */
 #include <math.h>
 #include <stdio.h>
 
@@ -84,7 +84,9 @@ static bool integer_cbrt(vs_scheme *vm, vs_value n, vs_value *root) {
   vs_value guess = vs_fix((int64_t)c);
   if (!vs_fits_fixnum((int64_t)c)) return true;
   bool same;
-  if (!vs_number_mul(vm, guess, guess, &r[1]) || !vs_number_mul(vm, r[1], guess, &r[1]) || !vs_number_test(vm, VS_EQ, r[0], r[1], &same)) return false;
+  if (!vs_number_mul(vm, guess, guess, &r[1]) || !vs_number_mul(vm, r[1], guess, &r[1]) ||
+      !vs_number_test(vm, VS_EQ, r[0], r[1], &same))
+    return false;
   if (same) *root = guess;
   return true;
 }
@@ -93,7 +95,9 @@ static vs_status cbrt_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (vs_is_number(a[0]) && vs_is_exact(a[0])) {
     vs_value num, den = vs_fix(1);
     bool ratio = vs_is_ratio(a[0]);
-    if (!integer_cbrt(vm, ratio ? vs_as_ratio(a[0])->num : a[0], &num) || (ratio && !integer_cbrt(vm, vs_as_ratio(a[0])->den, &den))) return VS_ERROR;
+    if (!integer_cbrt(vm, ratio ? vs_as_ratio(a[0])->num : a[0], &num) ||
+        (ratio && !integer_cbrt(vm, vs_as_ratio(a[0])->den, &den)))
+      return VS_ERROR;
     if (num != VS_FALSE && den != VS_FALSE) return ratio ? vs_number_ratio(vm, num, den, out) : (*out = num, VS_OK);
   }
   if (vs_is_dual(a[0])) return vs_dual_function(vm, cbrt, a[0], out);
@@ -149,7 +153,9 @@ static bool natural_log(vs_scheme *vm, const vs_value *a, int i, double *out) {
   r[0] = vs_is_ratio(a[i]) ? vs_as_ratio(a[i])->num : a[i];
   r[1] = vs_is_ratio(a[i]) ? vs_as_ratio(a[i])->den : vs_fix(1);
   int64_t e = (int64_t)vs_int_bits(r[0]) - (int64_t)vs_int_bits(r[1]);
-  if (!(e > 0 ? vs_int_shift(vm, r[1], e, &r[1]) : vs_int_shift(vm, r[0], -e, &r[0])) || !vs_int_ratio_double(vm, r[0], r[1], &x)) return false;
+  if (!(e > 0 ? vs_int_shift(vm, r[1], e, &r[1]) : vs_int_shift(vm, r[0], -e, &r[0])) ||
+      !vs_int_ratio_double(vm, r[0], r[1], &x))
+    return false;
   *out = log(x) + (double)e * log(2.0);
   return true;
 }
@@ -185,7 +191,8 @@ static vs_status sqrt_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status exact_integer_sqrt(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  if (!vs_is_exact_integer(a[0]) || vs_int_sign(a[0]) < 0) return vs_fail_type(vm, 0, "an exact integer from 0 on", a[0]);
+  if (!vs_is_exact_integer(a[0]) || vs_int_sign(a[0]) < 0)
+    return vs_fail_type(vm, 0, "an exact integer from 0 on", a[0]);
   VS_ROOTS(vm, r, 2);
   return vs_int_sqrt(vm, a[0], &r[0], &r[1]) ? vs_several(vm, r, 2, out) : VS_ERROR;
 }
@@ -233,12 +240,14 @@ static vs_status expt(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     *out = vs_flonum(pow(x, y));
     return VS_OK;
   }
-  if (x < 0 && isfinite(y) && y != floor(y)) return vs_fail_type(vm, 0, "not negative with a power that is no integer", a[0]);
+  if (x < 0 && isfinite(y) && y != floor(y))
+    return vs_fail_type(vm, 0, "not negative with a power that is no integer", a[0]);
   if (a[0] == vs_fix(0)) {
     if (y > 0) return *out = vs_is_exact(a[1]) ? vs_fix(0) : vs_flonum(0), VS_OK;
     if (y < 0) return vs_fail(vm, vm->sym.divide, "0 has no negative power");
   }
-  if (vs_is_ratio(a[1]) && vs_is_exact(a[0]) && vs_is_fixnum(vs_as_ratio(a[1])->den) && vs_fixnum(vs_as_ratio(a[1])->den) < 100) {
+  if (vs_is_ratio(a[1]) && vs_is_exact(a[0]) && vs_is_fixnum(vs_as_ratio(a[1])->den) &&
+      vs_fixnum(vs_as_ratio(a[1])->den) < 100) {
     VS_ROOTS(vm, r, 3);
     int64_t k = vs_fixnum(vs_as_ratio(a[1])->den);
     r[0] = vs_is_ratio(a[0]) ? vs_as_ratio(a[0])->num : a[0];

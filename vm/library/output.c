@@ -1,5 +1,5 @@
-/* Owns the procedures that print: display, write and their kind, format and printf. Each makes its whole text first and hands it to
-   the port at once, so that an error or interrupt in the middle prints nothing. */
+/* Owns the procedures that print: display, write and their kind, format and printf. Each makes its whole text first and
+   hands it to the port at once, so that an error or interrupt in the middle prints nothing. */
 #include <math.h>
 #include <stdio.h>
 
@@ -75,7 +75,8 @@ static vs_status write_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   VS_ROOTS(vm, r, 2);
   if (!vs_arg_type(vm, a, 0, VS_T_STRING) || !out_port(vm, a, n, 1, 0, &r[0])) return VS_ERROR;
   int64_t length = vs_as_string(a[0])->length, start = 0, end = length;
-  if ((n > 3 && !vs_arg_index(vm, a, 3, 0, length, &end)) || (n > 2 && !vs_arg_index(vm, a, 2, 0, end, &start))) return VS_ERROR;
+  if ((n > 3 && !vs_arg_index(vm, a, 3, 0, length, &end)) || (n > 2 && !vs_arg_index(vm, a, 2, 0, end, &start)))
+    return VS_ERROR;
   r[1] = a[0];
   if (n > 2 && !vs_string_slice(vm, &a[0], (size_t)start, (size_t)end, &r[1])) return VS_ERROR;
   vs_text t;
@@ -97,7 +98,8 @@ static vs_status write_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *o
   vs_value port;
   if (!vs_arg_type(vm, a, 0, VS_T_BYTES) || !out_port(vm, a, n, 1, VS_PORT_BINARY, &port)) return VS_ERROR;
   int64_t length = (int64_t)vs_as_bytes(a[0])->length, start = 0, end = length;
-  if ((n > 3 && !vs_arg_index(vm, a, 3, 0, length, &end)) || (n > 2 && !vs_arg_index(vm, a, 2, 0, end, &start))) return VS_ERROR;
+  if ((n > 3 && !vs_arg_index(vm, a, 3, 0, length, &end)) || (n > 2 && !vs_arg_index(vm, a, 2, 0, end, &start)))
+    return VS_ERROR;
   vs_text t;                                      /* a copy: the port may allocate, and bytevectors move */
   vs_text_open(vm, &t, 0);
   return flush_text(vm, port, &t, vs_text_put(&t, (const char *)vs_as_bytes(a[0])->at + start, (size_t)(end - start)));
@@ -153,7 +155,8 @@ static bool format_number(vs_scheme *vm, vs_value v, char directive, const forma
   VS_ROOTS(vm, r, 1);
   r[0] = v;
   if (directive == 'f' && vs_is_number(v)) return format_fixed(vm, v, f->decimals, t);
-  if (!vs_is_number(v)) return vs_cons(vm, v, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "~%c needs a number, got", directive);
+  if (!vs_is_number(v))
+    return vs_cons(vm, v, VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "~%c needs a number, got", directive);
   double d;
   if (directive == 'e') return vs_number_double(vm, v, &d) && vs_number_print(vm, vs_flonum(d), 10, t);
   return vs_number_print(vm, v, directive == 'b' ? 2 : directive == 'o' ? 8 : 16, t);
@@ -172,7 +175,8 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
     format_field field = format_field_at(a[control], &i, length);
     if (i == length) return vs_fail(vm, vm->sym.error, "the format ends within a directive");
     if (field.width > WIDEST) return vs_fail(vm, vm->sym.error, "a field of the format may be up to %d wide", WIDEST);
-    if (field.decimals > MOST_DECIMALS) return vs_fail(vm, vm->sym.error, "a number of the format may have up to %d decimals", MOST_DECIMALS);
+    if (field.decimals > MOST_DECIMALS)
+      return vs_fail(vm, vm->sym.error, "a number of the format may have up to %d decimals", MOST_DECIMALS);
     uint32_t directive = vs_string_at(a[control], i);
     char d = (char)(directive >= 'A' && directive <= 'Z' ? directive + 32 : directive < 0x80 ? directive : '?');
     if (d == '%' || d == 'n' || d == '~') {
@@ -183,14 +187,19 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
       while (i + 1 < length && (vs_string_at(a[control], i + 1) == ' ' || vs_string_at(a[control], i + 1) == '\n')) i++;
       continue;
     }
-    if (!strchr("adswvcboxef", d)) return vs_fail(vm, vm->sym.error, "unknown directive ~%c in the format; there are ~a ~s ~d ~f ~v ~c ~b ~o ~x ~e ~n ~%% ~~", d);
-    if (next >= n) return vs_fail(vm, vm->sym.error, "the format has more directives than there are values (%d)", n - control - 1);
+    if (!strchr("adswvcboxef", d))
+      return vs_fail(vm, vm->sym.error,
+                     "unknown directive ~%c in the format; there are ~a ~s ~d ~f ~v ~c ~b ~o ~x ~e ~n ~%% ~~", d);
+    if (next >= n)
+      return vs_fail(vm, vm->sym.error, "the format has more directives than there are values (%d)", n - control - 1);
     vs_value v = a[next++];
     vs_text own, *to = field.width > 0 ? &own : t;
     vs_text_open(vm, &own, 0);
     bool number = strchr("boxef", d) != NULL;
-    bool ok = number ? format_number(vm, v, d, &field, to) : vs_print(vm, v, d == 'a' || d == 'd' || d == 'c' ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, to);
-    if (ok && to == &own) {                       /* numbers stand to the right of their field, the rest to the left, unless @ says otherwise */
+    bool ok = number ? format_number(vm, v, d, &field, to)
+                     : vs_print(vm, v, d == 'a' || d == 'd' || d == 'c' ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, to);
+    if (ok && to == &own) {                       /* numbers stand to the right of their field, the rest to the left,
+                                                     unless @ says otherwise */
       int64_t shown = 0;
       for (size_t k = 0; k < own.count; k++) shown += ((unsigned char)own.at[k] & 0xC0) != 0x80;
       bool before = field.before || number || d == 'd';
@@ -201,7 +210,8 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
     vs_text_close(&own);
     if (!ok) return false;
   }
-  if (next < n) return vs_fail(vm, vm->sym.error, "the format uses %d of the %d values", next - control - 1, n - control - 1);
+  if (next < n)
+    return vs_fail(vm, vm->sym.error, "the format uses %d of the %d values", next - control - 1, n - control - 1);
   return true;
 }
 
@@ -209,7 +219,8 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
 static vs_status format(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   int control = vs_is_string(a[0]) ? 0 : 1;
-  if (n <= control || !vs_is_string(a[control])) return vs_fail_type(vm, control, "a string", n > control ? a[control] : a[0]);
+  if (n <= control || !vs_is_string(a[control]))
+    return vs_fail_type(vm, control, "a string", n > control ? a[control] : a[0]);
   if (control && a[0] != VS_FALSE && !out_port(vm, a, a[0] == VS_TRUE ? 0 : 1, 0, 0, &r[0])) return VS_ERROR;
   vs_text t;
   vs_text_open(vm, &t, 0);
@@ -263,8 +274,8 @@ static vs_status open_output_bytevector(vs_scheme *vm, vs_value *a, int n, vs_va
 }
 
 static bool want_collector(vs_scheme *vm, const vs_value *a, uint32_t kind, const char *what) {
-  return (vs_is(a[0], VS_T_PORT) && (vs_as_port(a[0])->flags & VS_PORT_STRING) && (vs_as_port(a[0])->flags & VS_PORT_OUTPUT) &&
-          (vs_as_port(a[0])->flags & VS_PORT_BINARY) == kind) ||
+  return (vs_is(a[0], VS_T_PORT) && (vs_as_port(a[0])->flags & VS_PORT_STRING) &&
+          (vs_as_port(a[0])->flags & VS_PORT_OUTPUT) && (vs_as_port(a[0])->flags & VS_PORT_BINARY) == kind) ||
          vs_fail_type(vm, 0, what, a[0]);
 }
 
@@ -274,14 +285,17 @@ static vs_status get_output_string(vs_scheme *vm, vs_value *a, int n, vs_value *
   vs_text t;                                      /* a copy: making the string may move the buffer */
   vs_text_open(vm, &t, 0);
   const vs_port *p = vs_as_port(a[0]);
-  bool ok = (p->position == 0 || vs_text_put(&t, (const char *)vs_as_bytes(p->buffer)->at, p->position)) && vs_text_to_string(&t, out);
+  bool ok = (p->position == 0 || vs_text_put(&t, (const char *)vs_as_bytes(p->buffer)->at, p->position)) &&
+            vs_text_to_string(&t, out);
   vs_text_close(&t);
   return ok;
 }
 
 static vs_status get_output_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  if (!want_collector(vm, a, VS_PORT_BINARY, "a port from open-output-bytevector") || !vs_make_bytes(vm, vs_as_port(a[0])->position, out)) return VS_ERROR;
+  if (!want_collector(vm, a, VS_PORT_BINARY, "a port from open-output-bytevector") ||
+      !vs_make_bytes(vm, vs_as_port(a[0])->position, out))
+    return VS_ERROR;
   const vs_port *p = vs_as_port(a[0]);
   if (p->position) memcpy(vs_as_bytes(*out)->at, vs_as_bytes(p->buffer)->at, p->position);
   return VS_OK;
@@ -292,7 +306,8 @@ static vs_status flush_output_port(vs_scheme *vm, vs_value *a, int n, vs_value *
   vs_value port = n ? a[0] : vs_port_current_output(vm);
   if (!vs_is(port, VS_T_PORT)) return vs_fail_type(vm, 0, "an output port", port);
   const vs_io *io = vm->config.io;
-  if (vs_as_port(port)->host < 0 || !io || !io->flush || io->flush(vm->config.user, vs_as_port(port)->host)) return VS_OK;
+  if (vs_as_port(port)->host < 0 || !io || !io->flush || io->flush(vm->config.user, vs_as_port(port)->host))
+    return VS_OK;
   return vs_fail(vm, vm->sym.file, "writing failed");
 }
 

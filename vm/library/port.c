@@ -1,7 +1,8 @@
 /* Owns ports (port.h): characters and bytes in and out, of files, the console, strings and bytevectors.
 
-   A port for input has all it can read in `buffer` (BYTES) from `position` to `limit`; only the console adds to it, a line at a time.
-   A port for output into memory collects in `buffer`, `position` is how much; every other hands its bytes to the host. */
+   A port for input has all it can read in `buffer` (BYTES) from `position` to `limit`; only the console adds to it, a
+   line at a time. A port for output into memory collects in `buffer`, `position` is how much; every other hands its
+   bytes to the host. */
 #include "vm/library/port.h"
 
 #include "vm/library/kept.h"
@@ -49,7 +50,8 @@ bool vs_port_parameter(vs_scheme *vm, int stream, vs_value *out) {
 
 bool vs_port_parameter_fits(const vs_scheme *vm, vs_value parameter, vs_value v) {
   for (int slot = VS_LIB_INPUT; slot <= VS_LIB_ERROR; slot++)
-    if (parameter == vs_lib_get(vm, slot)) return vs_is(v, VS_T_PORT) && vs_as_port(v)->flags & (slot == VS_LIB_INPUT ? VS_PORT_INPUT : VS_PORT_OUTPUT);
+    if (parameter == vs_lib_get(vm, slot))
+      return vs_is(v, VS_T_PORT) && vs_as_port(v)->flags & (slot == VS_LIB_INPUT ? VS_PORT_INPUT : VS_PORT_OUTPUT);
   return true;
 }
 
@@ -75,7 +77,8 @@ static bool read_stream(vs_scheme *vm, int64_t stream, const char *path, vs_valu
   for (char chunk[8192]; ok;) {
     ptrdiff_t n = io->read ? io->read(vm->config.user, stream, chunk, sizeof chunk) : -1;
     if (n == 0) break;
-    ok = n < 0 ? fail_file(vm, "read", path, "reading failed") : vs_text_put(&t, chunk, (size_t)n) && vs_poll(vm, (uint64_t)n / 64);
+    ok = n < 0 ? fail_file(vm, "read", path, "reading failed")
+               : vs_text_put(&t, chunk, (size_t)n) && vs_poll(vm, (uint64_t)n / 64);
   }
   if (ok && (ok = vs_make_bytes(vm, t.count, out)) && t.count) memcpy(vs_as_bytes(*out)->at, t.at, t.count);
   if (count) *count = t.count;
@@ -99,7 +102,8 @@ bool vs_port_open_file(vs_scheme *vm, vs_value path, vs_io_mode mode, uint32_t f
   vs_text name;
   vs_text_open(vm, &name, 0);
   bool ok = vs_text_string(&name, path) && vs_text_end(&name);
-  if (ok && strlen(name.at) != name.count) ok = vs_fail(vm, vm->sym.file, "a file name cannot contain a zero character");
+  if (ok && strlen(name.at) != name.count)
+    ok = vs_fail(vm, vm->sym.file, "a file name cannot contain a zero character");
   if (ok && mode == VS_IO_READ) {
     ok = vs_io_read_file(vm, name.at, &r[1]) && port_new(vm, flags, -1, &r[0], out);
     if (ok) {
@@ -136,7 +140,9 @@ bool vs_port_close(vs_scheme *vm, vs_value port) {
   vs_port *p = vs_as_port(port);
   if (p->flags & VS_PORT_CLOSED) return true;
   p->flags |= VS_PORT_CLOSED;
-  if (p->host <= VS_IO_STDERR || !vm->config.io || !vm->config.io->close || vm->config.io->close(vm->config.user, p->host)) return true;
+  if (p->host <= VS_IO_STDERR || !vm->config.io || !vm->config.io->close ||
+      vm->config.io->close(vm->config.user, p->host))
+    return true;
   return vs_fail(vm, vm->sym.file, "the file could not be written to its end");
 }
 
@@ -172,7 +178,8 @@ bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
   if (p->flags & VS_PORT_STRING) return collect(vm, port, bytes, n);
   vm->written += n;
   if (vm->config.output_limit && vm->written > vm->config.output_limit)
-    return vs_fail(vm, vm->sym.limit, "the program printed more than the limit of %llu bytes", (unsigned long long)vm->config.output_limit);
+    return vs_fail(vm, vm->sym.limit, "the program printed more than the limit of %llu bytes",
+                   (unsigned long long)vm->config.output_limit);
   const vs_io *io = vm->config.io;
   if ((!io || !io->write) && p->host <= VS_IO_STDERR) return true;       /* no console: what is printed is dropped */
   if (io && io->write && io->write(vm->config.user, p->host, bytes, n)) return true;

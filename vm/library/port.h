@@ -1,7 +1,7 @@
 /* Owns ports, and vs_io: what the VM asks of its host for files, the console and the clock (vm/ has no system calls).
 
-   Output is not buffered here: each procedure that prints hands its whole text to the host at once. Files are read whole when
-   opened; console input comes a line at a time. Text is UTF-8; bad bytes read as U+FFFD. */
+   Output is not buffered here: each procedure that prints hands its whole text to the host at once. Files are read
+   whole when opened; console input comes a line at a time. Text is UTF-8; bad bytes read as U+FFFD. */
 #ifndef VS_PORT_H
 #define VS_PORT_H
 
@@ -18,11 +18,13 @@ typedef struct vs_io {
   ptrdiff_t (*read)(void *user, int64_t stream, void *to, size_t room);      /* bytes got, 0 at the end, -1 failed */
   bool (*write)(void *user, int64_t stream, const char *bytes, size_t n);
   bool (*flush)(void *user, int64_t stream);
-  bool (*close)(void *user, int64_t stream);                                 /* false: could not be written to the end */
+  /* false: could not be written to the end */
+  bool (*close)(void *user, int64_t stream);
   bool (*exists)(void *user, const char *path);
   bool (*remove)(void *user, const char *path, const char **why);
   /* Hands each name in a folder to `take`, but for . and .. ; false: *why, or take said false and *why is as it was. */
-  bool (*list)(void *user, const char *path, bool (*take)(void *context, const char *name, size_t length), void *context, const char **why);
+  bool (*list)(void *user, const char *path, bool (*take)(void *context, const char *name, size_t length),
+               void *context, const char **why);
   double (*now)(void *user);                                                 /* seconds since 1970 */
   const char *(*getenv)(void *user, const char *name);
 } vs_io;
@@ -33,8 +35,10 @@ enum {                       /* vs_port.flags */
 };
 
 bool vs_port_open_file(vs_scheme *vm, vs_value path, vs_io_mode mode, uint32_t flags, vs_value *out);
-bool vs_port_open_bytes(vs_scheme *vm, vs_value bytes, size_t count, uint32_t flags, vs_value *out);     /* input from memory */
-bool vs_port_open_text(vs_scheme *vm, vs_value *out);                                                   /* a string output port */
+/* input from memory */
+bool vs_port_open_bytes(vs_scheme *vm, vs_value bytes, size_t count, uint32_t flags, vs_value *out);
+/* a string output port */
+bool vs_port_open_text(vs_scheme *vm, vs_value *out);
 bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n);
 /* *c = code point, or -1 at the end */
 bool vs_port_read_char(vs_scheme *vm, vs_value port, int32_t *c);
@@ -50,8 +54,8 @@ bool vs_port_parameter_fits(const vs_scheme *vm, vs_value parameter, vs_value v)
 vs_value vs_port_current_output(vs_scheme *vm);
 vs_value vs_port_current_input(vs_scheme *vm);
 
-/* Makes the three standard ports and their parameters (vm->at.standard_..., vm->at.lib) unless that was done. The procedures do it when
-   they are first used. */
+/* Makes the three standard ports and their parameters (vm->at.standard_..., vm->at.lib) unless that was done. The
+   procedures do it when they are first used. */
 bool vs_port_setup(vs_scheme *vm);
 
 /* A whole file as BYTES (accounted, limits hold); an error names the file. For load, include and ports. */

@@ -5,10 +5,12 @@
 #include "vm/machine/native.h"
 
 /* a[arg] and a[arg + 1], where given, as 0 <= *start <= *end <= length; the defaults are 0 and length. */
-static inline bool vs_arg_range(vs_scheme *vm, const vs_value *a, int n, int arg, int64_t length, int64_t *start, int64_t *end) {
+static inline bool vs_arg_range(vs_scheme *vm, const vs_value *a, int n, int arg, int64_t length, int64_t *start,
+                                int64_t *end) {
   *start = 0;
   *end = length;
-  return (n <= arg + 1 || vs_arg_index(vm, a, arg + 1, 0, length, end)) && (n <= arg || vs_arg_index(vm, a, arg, 0, *end, start));
+  return (n <= arg + 1 || vs_arg_index(vm, a, arg + 1, 0, length, end)) &&
+         (n <= arg || vs_arg_index(vm, a, arg, 0, *end, start));
 }
 
 #endif

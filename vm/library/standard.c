@@ -1,5 +1,6 @@
-/* Owns the built-in libraries: (scheme base), (srfi 1) and the rest of libraries.def. Each is an environment whose own table holds the very
-   cells and macros of the one library of the VM, made when it is first asked for. (visualscheme) is that one library itself. */
+/* Owns the built-in libraries: (scheme base), (srfi 1) and the rest of libraries.def. Each is an environment whose own
+   table holds the very cells and macros of the one library of the VM, made when it is first asked for. (visualscheme)
+   is that one library itself. */
 #include "vm/front/source.h"
 #include "vm/library/library.h"
 #include "vm/front/suggest.h"
@@ -18,7 +19,8 @@ enum { LIBRARIES = sizeof libraries / sizeof *libraries };
 /* ---- names ---- */
 static bool starts(const char *s, const char *with) { return !strncmp(s, with, strlen(with)); }
 
-/* The row of a library's name as it stands in programs: (scheme base), (srfi 1), (srfi 1 lists), (srfi :1 lists); PLT's srfi/1. -1: none. */
+/* The row of a library's name as it stands in programs: (scheme base), (srfi 1), (srfi 1 lists), (srfi :1 lists); PLT's
+   srfi/1. -1: none. */
 static int row_of(vs_value name) {
   char text[64];
   if (vs_is_symbol(name)) {
@@ -33,7 +35,9 @@ static int row_of(vs_value name) {
     if (!srfi && rest != VS_NIL) return -1;
     if (vs_is_fixnum(second)) snprintf(text, sizeof text, "%.20s %lld", first, (long long)vs_fixnum(second));
     else if (!vs_is_symbol(second)) return -1;
-    else snprintf(text, sizeof text, "%.20s %.40s", first, vs_as_symbol(second)->name + (srfi && *vs_as_symbol(second)->name == ':'));
+    else
+      snprintf(text, sizeof text, "%.20s %.40s", first,
+               vs_as_symbol(second)->name + (srfi && *vs_as_symbol(second)->name == ':'));
   }
   for (int i = 0; i < LIBRARIES; i++) if (!strcmp(text, libraries[i].name)) return i;
   return -1;
@@ -41,15 +45,20 @@ static int row_of(vs_value name) {
 
 /* names of the whole: (visualscheme), and in PLT's require the languages that it stands in for */
 static bool is_whole(vs_value name) {
-  if (vs_is_pair(name)) return vs_is_symbol(vs_car(name)) && !strcmp(vs_as_symbol(vs_car(name))->name, "visualscheme") && vs_cdr(name) == VS_NIL;
+  if (vs_is_pair(name))
+    return vs_is_symbol(vs_car(name)) && !strcmp(vs_as_symbol(vs_car(name))->name, "visualscheme") &&
+           vs_cdr(name) == VS_NIL;
   if (!vs_is_symbol(name)) return false;
   const char *s = vs_as_symbol(name)->name;
-  return !strcmp(s, "visualscheme") || !strcmp(s, "scheme") || !strcmp(s, "racket") || starts(s, "scheme/") || starts(s, "racket/") || starts(s, "mzlib/");
+  return !strcmp(s, "visualscheme") || !strcmp(s, "scheme") || !strcmp(s, "racket") || starts(s, "scheme/") ||
+         starts(s, "racket/") || starts(s, "mzlib/");
 }
 
-/* The next word of an export list from *s on: where it begins, and its length, 0 at the end. *inside: the name in the library. */
+/* The next word of an export list from *s on: where it begins, and its length, 0 at the end. *inside: the name in the
+   library. */
 static const char *next_word(const char **s, size_t *length, const char **inside, size_t *inside_length) {
-  const char *word = *s + strspn(*s, " "), *end = word + strcspn(word, " "), *equals = memchr(word, '=', (size_t)(end - word));
+  const char *word = *s + strspn(*s, " "), *end = word + strcspn(word, " "),
+             *equals = memchr(word, '=', (size_t)(end - word));
   *s = end;
   *length = *inside_length = (size_t)(end - word);
   *inside = word;
@@ -85,7 +94,9 @@ bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env) {
   if (!vs_intern_c(vm, libraries[row].name, &r[0])) return false;
   for (vs_value l = vm->at.libraries; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == r[0]) { *env = vs_cdr(vs_car(l)); return true; }
-  if (!vs_environment_new(vm, r[0], &r[1]) || !fill(vm, r[1], libraries[row].exports) || !vs_library_register(vm, r[0], r[1])) return false;
+  if (!vs_environment_new(vm, r[0], &r[1]) || !fill(vm, r[1], libraries[row].exports) ||
+      !vs_library_register(vm, r[0], r[1]))
+    return false;
   *env = r[1];
   return true;
 }
@@ -134,7 +145,8 @@ static bool defines_syntax(const vs_shipped *f, const vs_symbol *name) {
   return false;
 }
 
-/* The same of any file of a shipped library, given by the file that exports the name: what it includes is named alike. */
+/* The same of any file of a shipped library, given by the file that exports the name: what it includes is named
+   alike. */
 static bool exports_syntax(vs_scheme *vm, const vs_shipped *library, const vs_symbol *name) {
   size_t stem = (size_t)(strstr(library->name, ".sld") - library->name) + 1;
   for (const vs_shipped *part = vm->config.shipped; part->name; part++)
@@ -160,7 +172,8 @@ bool vs_library_advice(vs_scheme *vm, vs_value symbol, bool syntax, vs_text *t) 
   bool ours = name->name[0] != '%' && vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
   for (const vs_shipped *f = vm->config.shipped; !ours && f && f->name; f++)
     if (strstr(f->name, ".sld") && exports_name(f->text, f->end, name) && (!syntax || exports_syntax(vm, f, name)))
-      return vs_text_puts(t, "; (import (visualscheme) (") && put_shipped_name(f->name, t) && vs_text_puts(t, ")) brings it");
+      return vs_text_puts(t, "; (import (visualscheme) (") && put_shipped_name(f->name, t) &&
+             vs_text_puts(t, ")) brings it");
   if (!ours) return true;
   return vs_text_puts(t, "; (import (visualscheme)) brings it");
 }

@@ -1,8 +1,9 @@
 /* Owns strings and symbols: every procedure of theirs that takes no procedure.
  *
- * A string's characters lie in a BYTES store, one byte each while all are below U+0100, else four (vm/values/string_chars.h): string-ref takes
- * constant time, string-set! may widen once. Procedures that build text of unknown width use a vs_text (UTF-8) and turn it into a
- * string at the end; those that know their length write in place. Case and categories are utf8proc's. */
+ * A string's characters lie in a BYTES store, one byte each while all are below U+0100, else four
+ * (vm/values/string_chars.h): string-ref takes constant time, string-set! may widen once. Procedures that build text of
+ * unknown width use a vs_text (UTF-8) and turn it into a string at the end; those that know their length write in
+ * place. Case and categories are utf8proc's. */
 #include "vm/values/string_chars.h"
 
 #include <utf8proc.h>
@@ -16,8 +17,8 @@ static const int64_t LONGEST = INT64_C(1) << 30;
 static bool arg_string(vs_scheme *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_STRING); }
 static bool arg_symbol(vs_scheme *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_SYMBOL); }
 static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg) {
-  return arg_string(vm, a, arg) &&
-         (!(vs_object_of(a[arg])->flags & VS_F_IMMUTABLE) || vs_fail_type(vm, arg, "a string that may change, not a literal", a[arg]));
+  return arg_string(vm, a, arg) && (!(vs_object_of(a[arg])->flags & VS_F_IMMUTABLE) ||
+                                    vs_fail_type(vm, arg, "a string that may change, not a literal", a[arg]));
 }
 static int64_t length_of(vs_value s) { return vs_as_string(s)->length; }
 
@@ -55,7 +56,9 @@ bool vs_string_slice(vs_scheme *vm, const vs_value *s, size_t start, size_t end,
   VS_ROOTS(vm, r, 1);
   if (!vs_make_string(vm, end - start, widest > 0xFF ? widest : 0, &r[0])) return false;
   if (!(vs_object_of(*s)->flags & VS_F_WIDE)) {
-    if (!vs_poll_move(vm, vs_as_bytes(vs_as_string(r[0])->store)->at, vs_as_bytes(vs_as_string(*s)->store)->at + start, end - start)) return false;
+    if (!vs_poll_move(vm, vs_as_bytes(vs_as_string(r[0])->store)->at, vs_as_bytes(vs_as_string(*s)->store)->at + start,
+                      end - start))
+      return false;
   } else {
     for (size_t i = start; i < end; i++) {
       vs_string_put(r[0], i - start, vs_string_at(*s, i));
@@ -68,7 +71,8 @@ bool vs_string_slice(vs_scheme *vm, const vs_value *s, size_t start, size_t end,
 
 int vs_string_compare(vs_value a, vs_value b) {
   size_t n = vs_as_string(a)->length, m = vs_as_string(b)->length;
-  if (!((vs_object_of(a)->flags | vs_object_of(b)->flags) & VS_F_WIDE)) {       /* bytes, in the order of their code points */
+  /* bytes, in the order of their code points */
+  if (!((vs_object_of(a)->flags | vs_object_of(b)->flags) & VS_F_WIDE)) {
     int order = memcmp(vs_as_bytes(vs_as_string(a)->store)->at, vs_as_bytes(vs_as_string(b)->store)->at, n < m ? n : m);
     return order ? (order < 0 ? -1 : 1) : n < m ? -1 : n > m;
   }
@@ -147,12 +151,15 @@ static vs_status string_copy_to(vs_scheme *vm, vs_value *a, int n, vs_value *out
       !vs_arg_index(vm, a, 1, 0, length_of(a[0]), &at))
     return VS_ERROR;
   if (end - start > length_of(a[0]) - at)
-    return vs_fail(vm, vm->sym.range, "%lld characters do not fit behind index %lld of a string of %lld", (long long)(end - start), (long long)at, (long long)length_of(a[0]));
+    return vs_fail(vm, vm->sym.range, "%lld characters do not fit behind index %lld of a string of %lld",
+                   (long long)(end - start), (long long)at, (long long)length_of(a[0]));
   int64_t count = end - start;
   bool backwards = a[0] == a[2] && at > start;
   for (int64_t k = 0; k < count; k++) {
     int64_t i = backwards ? count - 1 - k : k;
-    if (!vs_string_set(vm, &a[0], (size_t)(at + i), vs_string_at(a[2], (size_t)(start + i))) || !vs_poll_turn(vm, (uint64_t)k, 1)) return VS_ERROR;
+    if (!vs_string_set(vm, &a[0], (size_t)(at + i), vs_string_at(a[2], (size_t)(start + i))) ||
+        !vs_poll_turn(vm, (uint64_t)k, 1))
+      return VS_ERROR;
   }
   return VS_OK;
 }
@@ -181,7 +188,9 @@ static vs_status string_append(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   for (int i = 0; i < n; i++) {
     size_t length = (size_t)length_of(a[i]);
     if (!widest) {
-      if (!vs_poll_move(vm, vs_as_bytes(vs_as_string(*out)->store)->at + at, vs_as_bytes(vs_as_string(a[i])->store)->at, length)) return VS_ERROR;
+      if (!vs_poll_move(vm, vs_as_bytes(vs_as_string(*out)->store)->at + at, vs_as_bytes(vs_as_string(a[i])->store)->at,
+                        length))
+        return VS_ERROR;
     } else {
       for (size_t k = 0; k < length; k++) {
         vs_string_put(*out, at + k, vs_string_at(a[i], k));
@@ -199,7 +208,8 @@ static vs_status string_to_list(vs_scheme *vm, vs_value *a, int n, vs_value *out
   if (!arg_string(vm, a, 0) || !vs_arg_range(vm, a, n, 1, length_of(a[0]), &start, &end)) return VS_ERROR;
   *out = VS_NIL;
   for (int64_t i = end; i-- > start;)
-    if (!vs_cons(vm, VS_CHAR(vs_string_at(a[0], (size_t)i)), *out, out) || !vs_poll_turn(vm, (uint64_t)i, 4)) return VS_ERROR;
+    if (!vs_cons(vm, VS_CHAR(vs_string_at(a[0], (size_t)i)), *out, out) || !vs_poll_turn(vm, (uint64_t)i, 4))
+      return VS_ERROR;
   return VS_OK;
 }
 
@@ -243,7 +253,8 @@ static bool string_fold(vs_scheme *vm, vs_value *s) {
   bool ok = true;
   for (size_t i = 0; ok && i < (size_t)length_of(*s) && (ok = vs_poll_turn(vm, i, 16)); i++) {
     utf8proc_int32_t folded[8];
-    utf8proc_ssize_t m = utf8proc_decompose_char((utf8proc_int32_t)vs_string_at(*s, i), folded, 8, UTF8PROC_CASEFOLD, NULL);
+    utf8proc_ssize_t m =
+        utf8proc_decompose_char((utf8proc_int32_t)vs_string_at(*s, i), folded, 8, UTF8PROC_CASEFOLD, NULL);
     if (m <= 0 || m > 8) ok = vs_text_char(&t, vs_string_at(*s, i));
     else
       for (utf8proc_ssize_t k = 0; ok && k < m; k++) ok = vs_text_char(&t, (uint32_t)folded[k]);
@@ -275,18 +286,21 @@ VS_ORDERS(O)
 
 /* ---- case ---- */
 
-/* Unicode's Cased and Case_Ignorable, which say where a word ends: A with a mark, an apostrophe or a full stop behind it goes on. */
+/* Unicode's Cased and Case_Ignorable, which say where a word ends: A with a mark, an apostrophe or a full stop behind
+ * it goes on. */
 static bool is_cased(uint32_t c) {
   utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
   return k >= UTF8PROC_CATEGORY_LU && k <= UTF8PROC_CATEGORY_LT;
 }
 
 static bool is_case_ignorable(uint32_t c) {
-  static const uint16_t between[] = { 0x27, 0x2E, 0x3A, 0xB7, 0x387, 0x5F4, 0x2018, 0x2019, 0x2024, 0x2027, 0xFE13, 0xFE52, 0xFE55, 0xFF07, 0xFF0E, 0xFF1A };
+  static const uint16_t between[] = { 0x27,   0x2E,   0x3A,   0xB7,   0x387,  0x5F4,  0x2018, 0x2019,
+                                      0x2024, 0x2027, 0xFE13, 0xFE52, 0xFE55, 0xFF07, 0xFF0E, 0xFF1A };
   for (size_t i = 0; i < sizeof between / sizeof *between; i++)
     if (c == between[i]) return true;
   utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
-  return k == UTF8PROC_CATEGORY_MN || k == UTF8PROC_CATEGORY_ME || k == UTF8PROC_CATEGORY_CF || k == UTF8PROC_CATEGORY_LM || k == UTF8PROC_CATEGORY_SK;
+  return k == UTF8PROC_CATEGORY_MN || k == UTF8PROC_CATEGORY_ME || k == UTF8PROC_CATEGORY_CF ||
+         k == UTF8PROC_CATEGORY_LM || k == UTF8PROC_CATEGORY_SK;
 }
 
 /* Is the i-th character, a sigma, the last letter of a word of two or more? (Unicode's Final_Sigma.) */
@@ -297,8 +311,9 @@ static bool ends_word(vs_value s, size_t i) {
   return before > 0 && is_cased(vs_string_at(s, before - 1)) && !(after < length && is_cased(vs_string_at(s, after)));
 }
 
-/* The capitals of one character. Letters whose full case folding is several characters (ß, the ligature ff, j with a caron) and that are no
-   capitals themselves have the capitals of those: the unconditional rows of Unicode's SpecialCasing say the same. */
+/* The capitals of one character. Letters whose full case folding is several characters (ß, the ligature ff, j with a
+   caron) and that are no capitals themselves have the capitals of those: the unconditional rows of Unicode's
+   SpecialCasing say the same. */
 static bool put_capitals(vs_text *t, uint32_t c) {
   utf8proc_int32_t folded[8];
   utf8proc_ssize_t m = c < 0x80 || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU
@@ -323,7 +338,8 @@ static vs_status string_upcase(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return ok;
 }
 
-/* A sigma at the end of a word becomes the final one, and the dotted capital I an i with a dot above: the rows of Unicode's SpecialCasing. */
+/* A sigma at the end of a word becomes the final one, and the dotted capital I an i with a dot above: the rows of
+ * Unicode's SpecialCasing. */
 static vs_status string_downcase(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
@@ -350,8 +366,8 @@ static vs_status string_foldcase(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 /* ---- searching ---- */
 
-/* The sought text, and for each of its beginnings the longest shorter one that also ends it (Knuth, Morris and Pratt), so that no character of
- * the text is looked at again and again. `border` is NULL for one character. */
+/* The sought text, and for each of its beginnings the longest shorter one that also ends it (Knuth, Morris and Pratt),
+ * so that no character of the text is looked at again and again. `border` is NULL for one character. */
 typedef struct { uint32_t *border; int64_t length; } needle;
 
 static bool needle_open(vs_scheme *vm, vs_value text, needle *d) {
@@ -399,8 +415,8 @@ static bool find_once(vs_scheme *vm, vs_value s, vs_value text, int64_t from, in
 
 static vs_status string_search(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start = 0, at;
-  if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1) || (n > 2 && !vs_arg_index(vm, a, 2, 0, length_of(a[0]), &start)) ||
-      !find_once(vm, a[0], a[1], start, &at))
+  if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1) ||
+      (n > 2 && !vs_arg_index(vm, a, 2, 0, length_of(a[0]), &start)) || !find_once(vm, a[0], a[1], start, &at))
     return VS_ERROR;
   *out = at < 0 ? VS_FALSE : vs_fix(at);
   return VS_OK;
@@ -427,7 +443,8 @@ static vs_status string_suffix_p(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   (void)n;
   if (!arg_string(vm, a, 0) || !arg_string(vm, a, 1)) return VS_ERROR;
   int64_t length = length_of(a[0]), m = length_of(a[1]), k = 0;
-  while (k < m && k < length && vs_string_at(a[0], (size_t)(length - 1 - k)) == vs_string_at(a[1], (size_t)(m - 1 - k))) k++;
+  while (k < m && k < length && vs_string_at(a[0], (size_t)(length - 1 - k)) == vs_string_at(a[1], (size_t)(m - 1 - k)))
+    k++;
   *out = vs_bool(k == m);
   return VS_OK;
 }
@@ -450,7 +467,10 @@ static vs_status string_join(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-static bool is_space(uint32_t c) { return (c >= 9 && c <= 13) || c == ' ' || c == 0x85 || c == 0xA0 || (c > 0xFF && utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_ZS); }
+static bool is_space(uint32_t c) {
+  return (c >= 9 && c <= 13) || c == ' ' || c == 0x85 || c == 0xA0 ||
+         (c > 0xFF && utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_ZS);
+}
 
 /* Without a separator: at stretches of blanks, which do not count at the ends. With one: at each of it. */
 static vs_status string_split(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -470,9 +490,11 @@ static vs_status string_split(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   while (ok && start <= length) {
     int64_t end, next;
     if (blanks) {
-      while (ok && start < length && is_space(vs_string_at(a[0], (size_t)start))) ok = vs_poll_turn(vm, (uint64_t)start++, 1);
+      while (ok && start < length && is_space(vs_string_at(a[0], (size_t)start)))
+        ok = vs_poll_turn(vm, (uint64_t)start++, 1);
       if (start >= length) break;
-      for (end = start; ok && end < length && !is_space(vs_string_at(a[0], (size_t)end));) ok = vs_poll_turn(vm, (uint64_t)end++, 1);
+      for (end = start; ok && end < length && !is_space(vs_string_at(a[0], (size_t)end));)
+        ok = vs_poll_turn(vm, (uint64_t)end++, 1);
       next = end;
     } else {
       ok = find_from(vm, a[0], a[1], &d, start, &end);
@@ -480,7 +502,8 @@ static vs_status string_split(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
       next = end < 0 ? length + 1 : end + length_of(a[1]);
       if (end < 0) end = length;
     }
-    ok = ok && vs_string_slice(vm, &a[0], (size_t)start, (size_t)end, &r[2]) && vs_cons(vm, r[2], VS_NIL, &r[2]) && vs_poll(vm, 16);
+    ok = ok && vs_string_slice(vm, &a[0], (size_t)start, (size_t)end, &r[2]) && vs_cons(vm, r[2], VS_NIL, &r[2]) &&
+         vs_poll(vm, 16);
     if (!ok) break;
     if (r[0] == VS_NIL) r[0] = r[2];
     else vs_gc_store(vm, vs_object_of(r[1]), &vs_as_pair(r[1])->cdr, r[2]);
@@ -519,7 +542,8 @@ static vs_status string_padded(vs_scheme *vm, vs_value *a, int n, bool left, vs_
   if (n > 2 && !vs_is_char(a[2])) return vs_fail_type(vm, 2, "a character", a[2]);
   int64_t length = length_of(a[0]);
   uint32_t fill = n > 2 ? vs_char(a[2]) : ' ';
-  if (length >= width) return vs_string_slice(vm, &a[0], (size_t)(left ? length - width : 0), (size_t)(left ? length : width), out);
+  if (length >= width)
+    return vs_string_slice(vm, &a[0], (size_t)(left ? length - width : 0), (size_t)(left ? length : width), out);
   uint32_t widest = widest_of(a[0], 0, (size_t)length);
   if (fill > widest) widest = fill;
   VS_ROOTS(vm, r, 1);
@@ -552,7 +576,8 @@ static vs_status string_replace(vs_scheme *vm, vs_value *a, int n, vs_value *out
   int64_t length = length_of(a[0]), start = 0, at;
   while (ok && start < length && (ok = find_from(vm, a[0], a[1], &d, start, &at))) {
     int64_t end = at < 0 ? length : at;
-    for (; ok && start < end; start++) ok = vs_text_char(&t, vs_string_at(a[0], (size_t)start)) && vs_poll_turn(vm, (uint64_t)start, 4);
+    for (; ok && start < end; start++)
+      ok = vs_text_char(&t, vs_string_at(a[0], (size_t)start)) && vs_poll_turn(vm, (uint64_t)start, 4);
     if (at >= 0) ok = ok && vs_text_string(&t, a[2]);
     if (at >= 0) start = at + length_of(a[1]);
     ok = ok && vs_poll(vm, 1);
@@ -613,7 +638,8 @@ static vs_status symbol_append(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   vs_text t;
   vs_text_open(vm, &t, 0);
   bool ok = true;
-  for (int i = 0; ok && i < n; i++) ok = arg_symbol(vm, a, i) && vs_text_put(&t, vs_as_symbol(a[i])->name, vs_as_symbol(a[i])->length);
+  for (int i = 0; ok && i < n; i++)
+    ok = arg_symbol(vm, a, i) && vs_text_put(&t, vs_as_symbol(a[i])->name, vs_as_symbol(a[i])->length);
   ok = ok && vs_text_end(&t) && vs_intern(vm, t.at, t.count, out);
   vs_text_close(&t);
   return ok;
@@ -646,7 +672,8 @@ static const vs_native_def defs[] = {
   { "string-upcase", "string", string_upcase, 0, NULL },
   { "string-downcase", "string", string_downcase, 0, NULL },
   { "string-foldcase", "string", string_foldcase, 0, NULL },
-  { "string-search string-contains", "string text [start]", string_search, 0, "index of the first place where text stands, or #f" },
+  { "string-search string-contains", "string text [start]", string_search, 0,
+    "index of the first place where text stands, or #f" },
   { "string-contains?", "string text", string_contains_p, 0, NULL },
   { "string-prefix?", "string prefix", string_prefix_p, 0, "does string begin with prefix?" },
   { "string-suffix?", "string suffix", string_suffix_p, 0, "does string end with suffix?" },

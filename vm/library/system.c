@@ -1,7 +1,7 @@
 /* Owns random numbers, clocks, and what a program may ask of its surroundings.
 
-   Random numbers are xoshiro256** (Blackman and Vigna), seeded by splitmix64; the state is a bytevector in vm->at.lib, so it is part
-   of the heap image and the same at every start. */
+   Random numbers are xoshiro256** (Blackman and Vigna), seeded by splitmix64; the state is a bytevector in vm->at.lib,
+   so it is part of the heap image and the same at every start. */
 #include <math.h>
 
 #include "vm/values/integer.h"
@@ -22,8 +22,8 @@ static void seed_state(uint64_t s[4], uint64_t seed) {
   }
 }
 
-/* Returns the state's four words and behind them the seed that the program gave; NULL when memory is out. Valid until the next
- * allocation. */
+/* Returns the state's four words and behind them the seed that the program gave; NULL when memory is out. Valid until
+ * the next allocation. */
 static uint64_t *random_state(vs_scheme *vm) {
   if (vs_lib_get(vm, VS_LIB_RANDOM) == VS_FALSE) {
     VS_ROOTS(vm, r, 1);
@@ -84,8 +84,8 @@ static bool random_below(vs_scheme *vm, vs_value n, vs_value *out) {
   r[0] = n;
   r[1] = vs_fix(0);
   for (uint64_t bits = vs_int_bits(n) + 64, done = 0; done < bits; done += 64) {
-    if (!(s = random_state(vm)) || !vs_number_from_uint64(vm, random_next(s), &r[2]) || !vs_int_shift(vm, r[1], 64, &r[1]) ||
-        !vs_int_add(vm, r[1], r[2], &r[1]))
+    if (!(s = random_state(vm)) || !vs_number_from_uint64(vm, random_next(s), &r[2]) ||
+        !vs_int_shift(vm, r[1], 64, &r[1]) || !vs_int_add(vm, r[1], r[2], &r[1]))
       return false;
   }
   return vs_int_divide(vm, r[1], r[0], NULL, out);
@@ -94,7 +94,8 @@ static bool random_below(vs_scheme *vm, vs_value n, vs_value *out) {
 static vs_status random_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   uint64_t *s;
   if (n == 0) return (s = random_state(vm)) ? (*out = vs_flonum(random_unit(s)), VS_OK) : VS_ERROR;
-  if (vs_is_exact_integer(a[0])) return vs_int_sign(a[0]) > 0 ? random_below(vm, a[0], out) : vs_fail_type(vm, 0, "positive", a[0]);
+  if (vs_is_exact_integer(a[0]))
+    return vs_int_sign(a[0]) > 0 ? random_below(vm, a[0], out) : vs_fail_type(vm, 0, "positive", a[0]);
   double d;
   if (!vs_is_number(a[0])) return vs_fail_type(vm, 0, "a number", a[0]);
   if (!vs_number_double(vm, a[0], &d)) return VS_ERROR;
@@ -112,7 +113,8 @@ static vs_status random_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   VS_ROOTS(vm, r, 1);
   if (vs_is_exact_integer(a[0]) && vs_is_exact_integer(a[1])) {
     if (vs_int_compare(a[0], a[1]) > 0) return vs_fail_type(vm, 1, "at least a", a[1]);
-    return vs_int_sub(vm, a[1], a[0], &r[0]) && vs_int_add(vm, r[0], vs_fix(1), &r[0]) && random_below(vm, r[0], &r[0]) && vs_int_add(vm, a[0], r[0], out);
+    return vs_int_sub(vm, a[1], a[0], &r[0]) && vs_int_add(vm, r[0], vs_fix(1), &r[0]) &&
+           random_below(vm, r[0], &r[0]) && vs_int_add(vm, a[0], r[0], out);
   }
   double x, y;
   if (!vs_number_double(vm, a[0], &x) || !vs_number_double(vm, a[1], &y)) return VS_ERROR;
@@ -181,7 +183,8 @@ static vs_status get_environment_variable(vs_scheme *vm, vs_value *a, int n, vs_
   vs_text t;
   vs_text_open(vm, &t, 0);
   bool ok = vs_text_string(&t, a[0]) && vs_text_end(&t);
-  const char *value = ok && vm->config.io && vm->config.io->getenv ? vm->config.io->getenv(vm->config.user, t.at) : NULL;
+  const char *value =
+      ok && vm->config.io && vm->config.io->getenv ? vm->config.io->getenv(vm->config.user, t.at) : NULL;
   *out = VS_FALSE;
   ok = ok && (!value || vs_string_from_utf8(vm, value, strlen(value), out));
   vs_text_close(&t);
@@ -211,7 +214,8 @@ static vs_status generate_symbol(vs_scheme *vm, vs_value *a, int n, vs_value *ou
              : vs_is_symbol(a[0]) ? vs_text_put(&t, vs_as_symbol(a[0])->name, vs_as_symbol(a[0])->length)
                                   : vs_text_string(&t, a[0])) &&
             vs_number_print(vm, vs_fix(count), 10, &t);
-  vs_symbol *symbol = ok ? (vs_symbol *)(void *)vs_gc_alloc(vm, VS_T_SYMBOL, VS_WORDS(vs_symbol) + t.count / 8 + 1) : NULL;
+  vs_symbol *symbol =
+      ok ? (vs_symbol *)(void *)vs_gc_alloc(vm, VS_T_SYMBOL, VS_WORDS(vs_symbol) + t.count / 8 + 1) : NULL;
   if (symbol) {
     symbol->h.flags |= VS_F_UNINTERNED;
     symbol->length = (uint32_t)t.count;

@@ -1,4 +1,5 @@
-/* Owns the five orders that characters and strings are compared by, as they are and with case folded: char<? … string-ci>?. */
+/* Owns the five orders that characters and strings are compared by, as they are and with case folded: char<? …
+ * string-ci>?. */
 #ifndef VS_ORDER_H
 #define VS_ORDER_H
 

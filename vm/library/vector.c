@@ -11,7 +11,10 @@ static bool arg_vector(vs_scheme *vm, const vs_value *a, int arg) { return vs_ar
 static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg, int type) {
   if (!vs_arg_type(vm, a, arg, type)) return false;
   if (vs_object_of(a[arg])->flags & VS_F_IMMUTABLE)
-    return vs_fail_type(vm, arg, type == VS_T_VECTOR ? "a vector that may change, not a literal" : "a bytevector that may change, not a literal", a[arg]);
+    return vs_fail_type(vm, arg,
+                        type == VS_T_VECTOR ? "a vector that may change, not a literal"
+                                            : "a bytevector that may change, not a literal",
+                        a[arg]);
   return true;
 }
 
@@ -103,7 +106,8 @@ static vs_status list_to_vector(vs_scheme *vm, vs_value *a, int n, vs_value *out
 static vs_status vector_fill(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t start, end;
-  if (!arg_mutable(vm, a, 0, VS_T_VECTOR) || !vs_arg_range(vm, a, n, 2, vector_length(a[0]), &start, &end)) return VS_ERROR;
+  if (!arg_mutable(vm, a, 0, VS_T_VECTOR) || !vs_arg_range(vm, a, n, 2, vector_length(a[0]), &start, &end))
+    return VS_ERROR;
   for (int64_t i = start; i < end; i++) {
     vs_gc_store(vm, vs_object_of(a[0]), &vs_as_vector(a[0])->at[i], a[1]);
     if (!vs_poll_turn(vm, (uint64_t)i, 1)) return VS_ERROR;
@@ -113,18 +117,21 @@ static vs_status vector_fill(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status vector_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
-  return arg_vector(vm, a, 0) && vs_arg_range(vm, a, n, 1, vector_length(a[0]), &start, &end) && vector_slice(vm, &a[0], start, end, out);
+  return arg_vector(vm, a, 0) && vs_arg_range(vm, a, n, 1, vector_length(a[0]), &start, &end) &&
+         vector_slice(vm, &a[0], start, end, out);
 }
 
 /* to at from [start end]: the stretches may overlap */
 static vs_status vector_copy_to(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t at, start, end;
-  if (!arg_mutable(vm, a, 0, VS_T_VECTOR) || !arg_vector(vm, a, 2) || !vs_arg_range(vm, a, n, 3, vector_length(a[2]), &start, &end) ||
+  if (!arg_mutable(vm, a, 0, VS_T_VECTOR) || !arg_vector(vm, a, 2) ||
+      !vs_arg_range(vm, a, n, 3, vector_length(a[2]), &start, &end) ||
       !vs_arg_index(vm, a, 1, 0, vector_length(a[0]), &at))
     return VS_ERROR;
   if (end - start > vector_length(a[0]) - at)
-    return vs_fail(vm, vm->sym.range, "%lld elements do not fit behind index %lld of a vector of %lld", (long long)(end - start), (long long)at, (long long)vector_length(a[0]));
+    return vs_fail(vm, vm->sym.range, "%lld elements do not fit behind index %lld of a vector of %lld",
+                   (long long)(end - start), (long long)at, (long long)vector_length(a[0]));
   vs_vector *to = vs_as_vector(a[0]), *from = vs_as_vector(a[2]);
   int64_t count = end - start;
   bool backwards = to == from && at > start;
@@ -208,7 +215,9 @@ static vs_status bytes_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status bytes_make(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t count;
   uint8_t fill = 0;
-  if (!vs_arg_index(vm, a, 0, 0, LONGEST, &count) || (n > 1 && !arg_byte(vm, a, 1, &fill)) || !vs_make_bytes(vm, (size_t)count, out)) return VS_ERROR;
+  if (!vs_arg_index(vm, a, 0, 0, LONGEST, &count) || (n > 1 && !arg_byte(vm, a, 1, &fill)) ||
+      !vs_make_bytes(vm, (size_t)count, out))
+    return VS_ERROR;
   return fill == 0 || vs_poll_set(vm, vs_as_bytes(*out)->at, fill, (size_t)count);
 }
 
@@ -245,18 +254,22 @@ static vs_status bytes_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status bytes_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
-  if (!arg_bytes(vm, a, 0) || !vs_arg_range(vm, a, n, 1, bytes_length(a[0]), &start, &end) || !vs_make_bytes(vm, (size_t)(end - start), out)) return VS_ERROR;
+  if (!arg_bytes(vm, a, 0) || !vs_arg_range(vm, a, n, 1, bytes_length(a[0]), &start, &end) ||
+      !vs_make_bytes(vm, (size_t)(end - start), out))
+    return VS_ERROR;
   return vs_poll_move(vm, vs_as_bytes(*out)->at, vs_as_bytes(a[0])->at + start, (size_t)(end - start));
 }
 
 static vs_status bytes_copy_to(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t at, start, end;
-  if (!arg_mutable(vm, a, 0, VS_T_BYTES) || !arg_bytes(vm, a, 2) || !vs_arg_range(vm, a, n, 3, bytes_length(a[2]), &start, &end) ||
+  if (!arg_mutable(vm, a, 0, VS_T_BYTES) || !arg_bytes(vm, a, 2) ||
+      !vs_arg_range(vm, a, n, 3, bytes_length(a[2]), &start, &end) ||
       !vs_arg_index(vm, a, 1, 0, bytes_length(a[0]), &at))
     return VS_ERROR;
   if (end - start > bytes_length(a[0]) - at)
-    return vs_fail(vm, vm->sym.range, "%lld bytes do not fit behind index %lld of a bytevector of %lld", (long long)(end - start), (long long)at, (long long)bytes_length(a[0]));
+    return vs_fail(vm, vm->sym.range, "%lld bytes do not fit behind index %lld of a bytevector of %lld",
+                   (long long)(end - start), (long long)at, (long long)bytes_length(a[0]));
   return vs_poll_move(vm, vs_as_bytes(a[0])->at + at, vs_as_bytes(a[2])->at + start, (size_t)(end - start));
 }
 
@@ -279,7 +292,9 @@ static vs_status bytes_fill(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t start, end;
   uint8_t byte;
-  if (!arg_mutable(vm, a, 0, VS_T_BYTES) || !arg_byte(vm, a, 1, &byte) || !vs_arg_range(vm, a, n, 2, bytes_length(a[0]), &start, &end)) return VS_ERROR;
+  if (!arg_mutable(vm, a, 0, VS_T_BYTES) || !arg_byte(vm, a, 1, &byte) ||
+      !vs_arg_range(vm, a, n, 2, bytes_length(a[0]), &start, &end))
+    return VS_ERROR;
   return vs_poll_set(vm, vs_as_bytes(a[0])->at + start, byte, (size_t)(end - start));
 }
 
@@ -295,7 +310,8 @@ static vs_status utf8_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out
     i += (int64_t)used;
   }
   vs_text_open(vm, &t, 0); /* a copy: making the string may move the bytes */
-  bool ok = vs_text_put(&t, (const char *)vs_as_bytes(a[0])->at + start, (size_t)(end - start)) && vs_text_to_string(&t, out);
+  bool ok =
+      vs_text_put(&t, (const char *)vs_as_bytes(a[0])->at + start, (size_t)(end - start)) && vs_text_to_string(&t, out);
   vs_text_close(&t);
   return ok;
 }
@@ -303,10 +319,12 @@ static vs_status utf8_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out
 static vs_status string_to_utf8(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t start, end;
   vs_text t;
-  if (!vs_arg_type(vm, a, 0, VS_T_STRING) || !vs_arg_range(vm, a, n, 1, vs_as_string(a[0])->length, &start, &end)) return VS_ERROR;
+  if (!vs_arg_type(vm, a, 0, VS_T_STRING) || !vs_arg_range(vm, a, n, 1, vs_as_string(a[0])->length, &start, &end))
+    return VS_ERROR;
   vs_text_open(vm, &t, 0);
   bool ok = true;
-  for (int64_t i = start; ok && i < end; i++) ok = vs_text_char(&t, vs_string_at(a[0], (size_t)i)) && vs_poll_turn(vm, (uint64_t)i, 4);
+  for (int64_t i = start; ok && i < end; i++)
+    ok = vs_text_char(&t, vs_string_at(a[0], (size_t)i)) && vs_poll_turn(vm, (uint64_t)i, 4);
   ok = ok && vs_make_bytes(vm, t.count, out);
   if (ok && t.count) ok = vs_poll_move(vm, vs_as_bytes(*out)->at, t.at, t.count);
   vs_text_close(&t);

@@ -35,12 +35,14 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
 struct link { vs_value name; vs_pos place; const vs_value *base; size_t pc; bool gap;
     /* calls between this one and the one before left no frames */ };
 
-/* Does the frame above stand where another procedure was called? Then that one ended with a tail call, or those it led to. Asked of calls
-   by the program's own names only: what a local variable held when it was called is not known any more, and the library's tail calls
-   of what it was given would say nothing. pc: behind the call. */
+/* Does the frame above stand where another procedure was called? Then that one ended with a tail call, or those it led
+   to. Asked of calls by the program's own names only: what a local variable held when it was called is not known any
+   more, and the library's tail calls of what it was given would say nothing. pc: behind the call. */
 static bool ended_in_tail_call(const vs_code *code, size_t pc, vs_value running) {
   const uint32_t *ins = vs_code_ins(code);
-  if (pc < 2 || (ins[pc - 2] & 255) != VS_O_CALLG || ins[pc - 1] >= vs_as_vector(code->consts)->length || !vs_is(running, VS_T_CLOSURE)) return false;
+  if (pc < 2 || (ins[pc - 2] & 255) != VS_O_CALLG || ins[pc - 1] >= vs_as_vector(code->consts)->length ||
+      !vs_is(running, VS_T_CLOSURE))
+    return false;
   vs_value cell = vs_code_consts(code)[ins[pc - 1]];
   if (!vs_is(cell, VS_T_CELL) || vs_object_of(cell)->flags & VS_F_CONSTANT) return false;
   vs_value called = vs_as_cell(cell)->value;

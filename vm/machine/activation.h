@@ -1,21 +1,23 @@
 /* Owns the layout of frames on the stack, shared by the run loop, control and the call chain.
 
-   A frame: slot base[-2] is the procedure, base[-1] how to return, base[0...] arguments and registers. A call is prepared in a
-   window of the caller's registers: procedure, a free slot, arguments; so window = callee's base - 2 and the result replaces the
-   procedure. How to return is a fixnum: bits 0..26 the caller's pc, flags, from bit 32 the window's distance from the caller's base.
+   A frame: slot base[-2] is the procedure, base[-1] how to return, base[0...] arguments and registers. A call is
+   prepared in a window of the caller's registers: procedure, a free slot, arguments; so window = callee's base - 2 and
+   the result replaces the procedure. How to return is a fixnum: bits 0..26 the caller's pc, flags, from bit 32 the
+   window's distance from the caller's base.
 
-   The working stretch begins with a frame whose caller, if it has the flag UNDER, is the last frame in the STACK object vm->under
-   below slot vm->under_depth. Segments are never changed: returning copies one frame up. */
+   The working stretch begins with a frame whose caller, if it has the flag UNDER, is the last frame in the STACK object
+   vm->under below slot vm->under_depth. Segments are never changed: returning copies one frame up. */
 #ifndef VS_FRAME_H
 #define VS_FRAME_H
 
 #include "vm/machine/vs.h"
 
-#define VS_RET_EACH    UINT64_C(0x08000000)   /* pc is that of a MORE, whose row lies below the window: the result may be
-                                                 taken there at once, and the procedure entered again */
+#define VS_RET_EACH    UINT64_C(0x08000000)   /* pc is that of a MORE, whose row lies below the window: the result may
+                                                 be taken there at once, and the procedure entered again */
 #define VS_RET_STOP    UINT64_C(0x10000000)   /* returns to vs_run's caller */
 #define VS_RET_NATIVE  UINT64_C(0x20000000)   /* the caller is a native that is entered again */
-#define VS_RET_GENERIC UINT64_C(0x40000000)   /* pc is that of an inlined instruction: the result goes where its operands say */
+#define VS_RET_GENERIC UINT64_C(0x40000000)   /* pc is that of an inlined instruction: the result goes where its
+                                                 operands say */
 #define VS_RET_UNDER   UINT64_C(0x80000000)
 #define VS_RET_FLAGS   UINT64_C(0xF8000000)
 enum { VS_FRAME_SLACK = 300 };                /* slots above a frame's registers that may be written without asking */
@@ -26,8 +28,8 @@ static inline vs_value vs_ret_make(size_t distance, size_t pc) {
 static inline size_t vs_ret_distance(vs_value ret) { return (size_t)(ret >> 32 & 0xFFFF); }
 static inline size_t vs_ret_pc(vs_value ret) { return (size_t)(ret & 0x07FFFFFF); }
 
-/* Moves everything below the window w, which has n arguments, into the heap, and the window to the bottom of the stretch, which then
-   has room for `need` slots from w on. The window's new place, NULL when memory is out. */
+/* Moves everything below the window w, which has n arguments, into the heap, and the window to the bottom of the
+   stretch, which then has room for `need` slots from w on. The window's new place, NULL when memory is out. */
 vs_value *vs_frame_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
 
 /* How many slots lie below the working stretch. */

@@ -13,7 +13,8 @@ static const char *name_of(vs_value name) { return vs_is_symbol(name) ? vs_as_sy
 typedef struct { char text[160]; size_t used; } wanted;
 
 static void want(wanted *w, const char *before, const char *name, size_t length, const char *after) {
-  int n = snprintf(w->text + w->used, sizeof w->text - w->used, "%s%s%.*s%s", w->used ? " " : " (", before, (int)length, name, after);
+  int n = snprintf(w->text + w->used, sizeof w->text - w->used, "%s%s%.*s%s", w->used ? " " : " (", before, (int)length,
+                   name, after);
   w->used = n < 0 || w->used + (size_t)n + 2 > sizeof w->text ? sizeof w->text : w->used + (size_t)n;
 }
 
@@ -27,7 +28,8 @@ static const char *want_closure(const vs_code *code, wanted *w) {
   const vs_vector *names = vs_as_vector(code->params);
   for (size_t i = 0; i < names->length && w->used < sizeof w->text; i++) {
     bool keyword = i >= code->required + code->optional && i < code->required + code->optional + code->keywords;
-    bool rest = i >= code->required + code->optional + code->keywords, optional = !rest && !keyword && i >= code->required;
+    bool rest = i >= code->required + code->optional + code->keywords,
+         optional = !rest && !keyword && i >= code->required;
     if (!vs_is_symbol(names->at[i])) return "";
     const char *name = vs_as_symbol(names->at[i])->name;
     if (!keyword) want(w, optional ? "[" : "", name, strlen(name), optional ? "]" : rest ? " ..." : "");
@@ -39,8 +41,13 @@ static const char *want_native(const vs_native *native, wanted *w) {
   const char *at = native->def ? native->def->signature : "", *name;
   int depth = 0;
   size_t length;
-  for (vs_signature_kind kind; w->used < sizeof w->text && (kind = vs_signature_next(&at, &depth, &name, &length)) != VS_SIG_END;)
-    if (kind != VS_SIG_KEYWORD) want(w, kind == VS_SIG_OPTIONAL ? "[" : "", name, length, kind == VS_SIG_OPTIONAL ? "]" : kind == VS_SIG_REST ? " ..." : "");
+  for (vs_signature_kind kind;
+       w->used < sizeof w->text && (kind = vs_signature_next(&at, &depth, &name, &length)) != VS_SIG_END;)
+    if (kind != VS_SIG_KEYWORD)
+      want(w, kind == VS_SIG_OPTIONAL ? "[" : "", name, length,
+           kind == VS_SIG_OPTIONAL ? "]"
+           : kind == VS_SIG_REST   ? " ..."
+                                   : "");
   return want_end(w);
 }
 
@@ -60,9 +67,12 @@ static bool keep_call(vs_scheme *vm, vs_value callee, const vs_value *a, size_t 
 
 static bool fail_count(vs_scheme *vm, vs_value name, size_t min, size_t max, const char *names, size_t got) {
   const char *who = name_of(name);
-  if (max == SIZE_MAX) return vs_fail(vm, vm->sym.arity, "%s needs at least %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s", names, got);
+  if (max == SIZE_MAX)
+    return vs_fail(vm, vm->sym.arity, "%s needs at least %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s",
+                   names, got);
   if (min == max && min == 0) return vs_fail(vm, vm->sym.arity, "%s takes no arguments, got %zu", who, got);
-  if (min == max) return vs_fail(vm, vm->sym.arity, "%s needs %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s", names, got);
+  if (min == max)
+    return vs_fail(vm, vm->sym.arity, "%s needs %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s", names, got);
   return vs_fail(vm, vm->sym.arity, "%s needs %zu to %zu arguments%s, got %zu", who, min, max, names, got);
 }
 
@@ -107,12 +117,14 @@ bool vs_fail_clauses(vs_scheme *vm, const vs_case *c, size_t got) {
     int n = snprintf(text + used, sizeof text - used, "%s%s", i ? " or" : "; it takes", *names ? names : " ()");
     used += n < 0 ? sizeof text : (size_t)n;
   }
-  return vs_fail(vm, vm->sym.arity, "%s cannot take %zu argument%s%s", name_of(who), got, got == 1 ? "" : "s", used < sizeof text ? text : "");
+  return vs_fail(vm, vm->sym.arity, "%s cannot take %zu argument%s%s", name_of(who), got, got == 1 ? "" : "s",
+                 used < sizeof text ? text : "");
 }
 
 bool vs_arguments_fit(const vs_code *code, size_t n, vs_value kw) {
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count;
-  return n - named >= code->required && (code->flags & VS_CODE_REST || n - named <= code->required + code->optional) && (!named || code->keywords);
+  return n - named >= code->required && (code->flags & VS_CODE_REST || n - named <= code->required + code->optional) &&
+         (!named || code->keywords);
 }
 
 /* takes the values of the named arguments a[n - named ..) away, into vm->call_args */
@@ -142,7 +154,9 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, given = n - named;
   size_t most = code->required + code->optional, rest = most + code->keywords;
   bool has_rest = (code->flags & VS_CODE_REST) != 0;
-  if (given < code->required || (given > most && !has_rest)) return fail_count(vm, code->name, code->required, has_rest ? SIZE_MAX : most, want_closure(code, &(wanted){0}), given);
+  if (given < code->required || (given > most && !has_rest))
+    return fail_count(vm, code->name, code->required, has_rest ? SIZE_MAX : most, want_closure(code, &(wanted){ 0 }),
+                      given);
   if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0], NULL, 0);
   if (named && !stash(vm, a, n, named)) return false;
   VS_ROOTS(vm, r, 1);
@@ -151,7 +165,8 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
     for (size_t i = given; i > most; i--)
       if (!vs_cons(vm, a[i - 1], r[0], &r[0])) return false;
   for (size_t i = given; i < most; i++) a[i] = VS_ABSENT;
-  if (code->keywords && !place(vm, code->name, kw, vs_as_vector(code->params)->at + most, code->keywords, a + most)) return false;
+  if (code->keywords && !place(vm, code->name, kw, vs_as_vector(code->params)->at + most, code->keywords, a + most))
+    return false;
   if (has_rest) a[rest] = r[0];
   return true;
 }
@@ -166,7 +181,8 @@ bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, si
     fail_count(vm, native->name, native->min, max, want_native(native, &(wanted){0}), positional);
     return keep_call(vm, vs_from_object(native), a, positional);
   }
-  if (named && native->keywords == VS_FALSE) return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0], NULL, 0);
+  if (named && native->keywords == VS_FALSE)
+    return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0], NULL, 0);
   if (!vs_native_laid_out(native)) return true;
   if (named && !stash(vm, a, n, named)) return false;
   if (max == SIZE_MAX) max = positional;          /* the keywords' values stand behind what was given */

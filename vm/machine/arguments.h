@@ -1,14 +1,16 @@
-/* Owns the arranging of arguments that are not simply as many as required: optional, keyword, rest; and the errors about them. */
+/* Owns the arranging of arguments that are not simply as many as required: optional, keyword, rest; and the errors
+ * about them. */
 #ifndef VS_ARGUMENTS_H
 #define VS_ARGUMENTS_H
 
 #include "vm/machine/native.h"
 
-/* a[0..n) in a frame that has room for all parameters (and VS_FRAME_SLACK); kw: a KEYWORDS object or #f. vm->top, base, pc are the
-   caller's business. false: the error is set. */
+/* a[0..n) in a frame that has room for all parameters (and VS_FRAME_SLACK); kw: a KEYWORDS object or #f. vm->top, base,
+   pc are the caller's business. false: the error is set. */
 bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_t n, vs_value kw);
 /* *given: positional arguments; *total: slots in use afterwards */
-bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given, size_t *total);
+bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given,
+                         size_t *total);
 static inline bool vs_native_laid_out(const vs_native *n) { return n->def->slots > 0 || n->keywords != VS_FALSE; }
 /* no clause of a case-lambda takes so many arguments: false, the error set */
 bool vs_fail_clauses(vs_scheme *vm, const vs_case *c, size_t got);

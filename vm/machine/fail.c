@@ -47,7 +47,8 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   if (vm->native && !place) {
     vs_value name = vm->native->name;
     const char *shown = vs_is_symbol(name) ? vs_as_symbol(name)->name : "procedure";
-    used = snprintf(text, sizeof text / 2, "%s: ", shown + (*shown == '%')); /* %subtract helps subtract and speaks for it */
+    /* %subtract helps subtract and speaks for it */
+    used = snprintf(text, sizeof text / 2, "%s: ", shown + (*shown == '%'));
     if (used > (int)sizeof text / 2 - 1) used = (int)sizeof text / 2 - 1;
   }
   va_list again;
@@ -111,8 +112,11 @@ vs_status vs_fail_type(vs_scheme *vm, int arg, const char *expected, vs_value go
   vs_signature_parameter(vm->native && vm->native->def ? vm->native->def->signature : "", arg, name, sizeof name);
   if (got == VS_ABSENT) return vs_fail(vm, vm->sym.type, "%s must be given: %s", name, expected);
   if (!vs_cons(vm, got, VS_NIL, &r[0])) return VS_ERROR;
-  const char *noun = strncmp(expected, "a ", 2) == 0 ? expected + 2 : strncmp(expected, "an ", 3) == 0 ? expected + 3 : "";
-  if (strcmp(name, noun) == 0) return vs_fail_with(vm, vm->sym.type, r[0], "expected %s, got", expected);      /* not "pair must be a pair" */
+  const char *noun = strncmp(expected, "a ", 2) == 0    ? expected + 2
+                     : strncmp(expected, "an ", 3) == 0 ? expected + 3
+                                                        : "";
+  /* not "pair must be a pair" */
+  if (strcmp(name, noun) == 0) return vs_fail_with(vm, vm->sym.type, r[0], "expected %s, got", expected);
   return vs_fail_with(vm, vm->sym.type, r[0], "%s must be %s, got", name, expected);
 }
 
@@ -121,9 +125,12 @@ vs_status vs_fail_range(vs_scheme *vm, int arg, vs_value got, int64_t low, int64
   char name[64];
   vs_signature_parameter(vm->native && vm->native->def ? vm->native->def->signature : "", arg, name, sizeof name);
   if (!vs_cons(vm, got, VS_NIL, &r[0])) return VS_ERROR;
-  if (high < low) return vs_fail_with(vm, vm->sym.range, r[0], "%s is out of range, there is nothing to choose from, got", name);
-  if (high == VS_FIXNUM_MAX) return vs_fail_with(vm, vm->sym.range, r[0], "%s must be %lld or more, got", name, (long long)low);
-  return vs_fail_with(vm, vm->sym.range, r[0], "%s must be from %lld to %lld, got", name, (long long)low, (long long)high);
+  if (high < low)
+    return vs_fail_with(vm, vm->sym.range, r[0], "%s is out of range, there is nothing to choose from, got", name);
+  if (high == VS_FIXNUM_MAX)
+    return vs_fail_with(vm, vm->sym.range, r[0], "%s must be %lld or more, got", name, (long long)low);
+  return vs_fail_with(vm, vm->sym.range, r[0], "%s must be from %lld to %lld, got", name, (long long)low,
+                      (long long)high);
 }
 
 /* ---- checked arguments ---- */

@@ -187,7 +187,8 @@ static bool writer_object(struct writer *w, const vs_object *o, uint64_t *copy) 
       return vs_fail(w->vm, w->vm->sym.internal, "a native of no table cannot be in the heap image");
     }
     ((vs_native *)(void *)h)->def = (const vs_native_def *)(uintptr_t)number;
-  } else if (o->type == VS_T_TABLE) { /* addresses will differ: every entry counts as new, of a collection that never was */
+  } else if (o->type == VS_T_TABLE) { /* addresses will differ: every entry counts as new, of a collection that never
+                                         was */
     ((vs_table *)(void *)h)->young = 0;
     ((vs_table *)(void *)h)->epoch = UINT64_MAX;
   }
@@ -196,7 +197,8 @@ static bool writer_object(struct writer *w, const vs_object *o, uint64_t *copy) 
 
 bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, size_t count), void *to) {
   struct writer w = { .vm = vm };
-  const vs_value *symbols = (const vs_value *)(const void *)&vm->sym, *anchors = (const vs_value *)(const void *)&vm->at;
+  const vs_value *symbols = (const vs_value *)(const void *)&vm->sym,
+                 *anchors = (const vs_value *)(const void *)&vm->at;
   uint64_t header[HEADER], *copy = NULL;
   size_t copy_words = 1;
   vs_gc_major(vm); /* nothing moves from here on: vs_mem does not collect */
@@ -249,9 +251,9 @@ static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
   return 1;
 }
 
-/* Maps the image, a constant of the program, once more at IMAGE_HOME, where it can be written to without a change of the
- * file: pages that nobody touches cost neither time nor memory. Returns NULL where that cannot be, and the image is to
- * be copied: another interpreter of the process lies there already, the image is part of a shared library, or the
+/* Maps the image, a constant of the program, once more at IMAGE_HOME, where it can be written to without a change of
+ * the file: pages that nobody touches cost neither time nor memory. Returns NULL where that cannot be, and the image is
+ * to be copied: another interpreter of the process lies there already, the image is part of a shared library, or the
  * system has no such mapping. */
 static void *image_map(const void *image, size_t bytes) {
   wanted w = { (uintptr_t)image, (uintptr_t)image + bytes, -1 };

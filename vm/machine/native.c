@@ -25,7 +25,11 @@ vs_signature_kind vs_signature_next(const char **at, int *depth, const char **na
   size_t n = 0;
   while (s[n] && s[n] != ' ' && s[n] != '[' && s[n] != ']') n++;
   *name = s; *length = n; *at = s + n;
-  return n == 0 ? VS_SIG_END : keyword ? VS_SIG_KEYWORD : rest ? VS_SIG_REST : *depth > 0 ? VS_SIG_OPTIONAL : VS_SIG_REQUIRED;
+  return n == 0       ? VS_SIG_END
+         : keyword    ? VS_SIG_KEYWORD
+         : rest       ? VS_SIG_REST
+         : *depth > 0 ? VS_SIG_OPTIONAL
+                      : VS_SIG_REQUIRED;
 }
 
 vs_signature vs_signature_read(const char *text) {
@@ -93,7 +97,8 @@ bool vs_native_define(vs_scheme *vm, const vs_native_table *table,
   for (const vs_native_def *def = table->defs; def->name; def++) {
     for (const char *s = def->name; *s;) {
       size_t n = strcspn(s, " ");
-      if (!vs_intern(vm, s, n, &r[1]) || !native_make(vm, def, r[1], &r[0]) || !define(vm, context, r[1], r[0])) return false;
+      if (!vs_intern(vm, s, n, &r[1]) || !native_make(vm, def, r[1], &r[0]) || !define(vm, context, r[1], r[0]))
+        return false;
       s += n;
       while (*s == ' ') s++;
     }
@@ -149,7 +154,10 @@ bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
   for (size_t i = 0; i < n; i++) {
     x[i] = ta ? vs_as_flat(a)->at[i] : number;
     y[i] = tb ? vs_as_flat(b)->at[i] : number;
-    x[i] = rule == VS_RULE_ADD ? x[i] + y[i] : rule == VS_RULE_SUB ? x[i] - y[i] : rule == VS_RULE_MUL ? x[i] * y[i] : x[i] / y[i];
+    x[i] = rule == VS_RULE_ADD   ? x[i] + y[i]
+           : rule == VS_RULE_SUB ? x[i] - y[i]
+           : rule == VS_RULE_MUL ? x[i] * y[i]
+                                 : x[i] / y[i];
   }
   return vs_make_flat(vm, vm->flat->at[op][ta][tb].tag, x, n, out);
 }

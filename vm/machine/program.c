@@ -1,5 +1,5 @@
-/* Owns the running of programs: the frame %run, which expands, compiles and runs one top-level form after the other, and what is made of it: eval,
-   load, require, libraries, the host's entries. */
+/* Owns the running of programs: the frame %run, which expands, compiles and runs one top-level form after the other,
+   and what is made of it: eval, load, require, libraries, the host's entries. */
 #include "vm/machine/program.h"
 
 #include "vm/front/source.h"
@@ -13,7 +13,17 @@
 #include <stdio.h>
 
 /* ---- %run: all state is in the frame, so that a continuation may enter it again ---- */
-enum { RUN_FORMS, RUN_ENV, RUN_TELL, RUN_X /* the expansion */, RUN_PHASE, RUN_VALUE /* of the last form */, RUN_SERIAL, RUN_PLACE, RUN_SLOTS = 5 };
+enum {
+  RUN_FORMS,
+  RUN_ENV,
+  RUN_TELL,
+  RUN_X /* the expansion */,
+  RUN_PHASE,
+  RUN_VALUE /* of the last form */,
+  RUN_SERIAL,
+  RUN_PLACE,
+  RUN_SLOTS = 5
+};
 enum { NEXT, TRANSFORMING, RUNNING, RUNNING_DEFINITION, RUNNING_OTHER };
 
 static vs_status call_list(vs_scheme *vm, vs_value procedure, vs_value list) {
@@ -45,12 +55,14 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
   bool stepping = false;
   switch (vs_fixnum(a[RUN_PHASE])) {
   case TRANSFORMING:
-    if (a[RUN_SERIAL] != vs_fix(x->serial)) return vs_fail(vm, vm->sym.syntax, "a macro expansion that was finished is entered again");
+    if (a[RUN_SERIAL] != vs_fix(x->serial))
+      return vs_fail(vm, vm->sym.syntax, "a macro expansion that was finished is entered again");
     stepping = true;
     break;
   case RUNNING:
     a[RUN_VALUE] = came;
-    if (a[RUN_TELL] != VS_FALSE && vm->config.value && !vm->config.value(vm, came, vs_pos_of(a[RUN_PLACE]))) return VS_ERROR;
+    if (a[RUN_TELL] != VS_FALSE && vm->config.value && !vm->config.value(vm, came, vs_pos_of(a[RUN_PLACE])))
+      return VS_ERROR;
     break;
   case RUNNING_DEFINITION: a[RUN_VALUE] = VS_UNSPECIFIC; break;
   default: break;
@@ -157,12 +169,17 @@ static vs_status interaction(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 /* (scheme-report-environment 5), (null-environment 5): what R5RS has, and of that the syntax */
 static vs_status report(vs_scheme *vm, vs_value *a, int n, bool syntax, vs_value *out) {
   VS_ROOTS(vm, r, 5);
-  if (n && a[0] != vs_fix(5)) return vs_fail_type(vm, 0, "5, the one report with such an environment ((environment '(scheme base) ...) is R7RS' way)", a[0]);
-  if (!vs_intern_c(vm, "r5rs", &r[0]) || !vs_cons(vm, r[0], VS_NIL, &r[1]) || !vs_intern_c(vm, "scheme", &r[0]) || !vs_cons(vm, r[0], r[1], &r[1]) ||
-      !vs_library_find(vm, r[1], &r[2]) || !vs_idtable_new(vm, &r[3]) || !vs_environment_new(vm, VS_FALSE, &r[4])) return VS_ERROR;
+  if (n && a[0] != vs_fix(5))
+    return vs_fail_type(
+        vm, 0, "5, the one report with such an environment ((environment '(scheme base) ...) is R7RS' way)", a[0]);
+  if (!vs_intern_c(vm, "r5rs", &r[0]) || !vs_cons(vm, r[0], VS_NIL, &r[1]) || !vs_intern_c(vm, "scheme", &r[0]) ||
+      !vs_cons(vm, r[0], r[1], &r[1]) || !vs_library_find(vm, r[1], &r[2]) || !vs_idtable_new(vm, &r[3]) ||
+      !vs_environment_new(vm, VS_FALSE, &r[4]))
+    return VS_ERROR;
   vs_value name, binding, clash;
   for (size_t i = 0; vs_idtable_slot(vs_as_environment(r[2])->table, i, &name, &binding); i++)
-    if (name != VS_VACANT && (!syntax || vs_is(binding, VS_T_MACRO)) && !vs_idtable_put(vm, &r[3], name, name)) return VS_ERROR;
+    if (name != VS_VACANT && (!syntax || vs_is(binding, VS_T_MACRO)) && !vs_idtable_put(vm, &r[3], name, name))
+      return VS_ERROR;
   bool own;
   if (!vs_environment_import(vm, r[4], r[2], r[3], false, &clash, &own)) return VS_ERROR;
   vs_environment_set_intake(r[4], VS_INTAKE_OPEN);
@@ -211,9 +228,15 @@ static vs_status eval_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *o
 static vs_status rename_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_identifier(a[2])) return vs_fail_type(vm, 2, "a symbol", a[2]);
-  for (vs_value l = vs_car(a[0]); vs_is_pair(l); l = vs_cdr(l)) if (vs_car(vs_car(l)) == a[2]) { *out = vs_cdr(vs_car(l)); return VS_OK; }
+  for (vs_value l = vs_car(a[0]); vs_is_pair(l); l = vs_cdr(l))
+    if (vs_car(vs_car(l)) == a[2]) {
+      *out = vs_cdr(vs_car(l));
+      return VS_OK;
+    }
   VS_ROOTS(vm, r, 2);
-  if (!vs_make_alias(vm, a[2], a[1], &r[0]) || !vs_cons(vm, a[2], r[0], &r[1]) || !vs_cons(vm, r[1], vs_car(a[0]), &r[1])) return VS_ERROR;
+  if (!vs_make_alias(vm, a[2], a[1], &r[0]) || !vs_cons(vm, a[2], r[0], &r[1]) ||
+      !vs_cons(vm, r[1], vs_car(a[0]), &r[1]))
+    return VS_ERROR;
   vs_gc_store(vm, vs_as_pair(a[0]), &vs_as_pair(a[0])->car, r[1]);
   *out = r[0];
   return VS_OK;
@@ -221,7 +244,8 @@ static vs_status rename_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status same_identifier(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm; (void)n;
-  *out = vs_bool(vs_is_identifier(a[1]) && vs_is_identifier(a[2]) ? vs_same_meaning(a[0], a[1], a[0], a[2]) : a[1] == a[2]);
+  *out = vs_bool(vs_is_identifier(a[1]) && vs_is_identifier(a[2]) ? vs_same_meaning(a[0], a[1], a[0], a[2])
+                                                                  : a[1] == a[2]);
   return VS_OK;
 }
 
@@ -260,13 +284,16 @@ static vs_status load_library(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   VS_ROOTS(vm, r, 4);
   if (n >= 0) {
     for (vs_value l = vm->at.required; vs_is_pair(l); l = vs_cdr(l))
-      if (vs_cdr(vs_car(l)) == VS_FALSE && vs_is_string(vs_car(vs_car(l))) && vs_string_compare(vs_car(vs_car(l)), a[0]) == 0) {
+      if (vs_cdr(vs_car(l)) == VS_FALSE && vs_is_string(vs_car(vs_car(l))) &&
+          vs_string_compare(vs_car(vs_car(l)), a[0]) == 0) {
         vm->native = NULL;
-        return vs_cons(vm, a[1], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.syntax, r[0], "import: libraries import each other in a circle, through");
+        return vs_cons(vm, a[1], VS_NIL, &r[0]) &&
+               vs_fail_with(vm, vm->sym.syntax, r[0], "import: libraries import each other in a circle, through");
       }
     vs_text path;
     vs_text_open(vm, &path, 0);
-    bool ok = vs_text_string(&path, a[0]) && vs_text_end(&path) && vs_source_read(vm, path.at, false, &r[0]) && vs_program_new(vm, &r[1]);
+    bool ok = vs_text_string(&path, a[0]) && vs_text_end(&path) && vs_source_read(vm, path.at, false, &r[0]) &&
+              vs_program_new(vm, &r[1]);
     vs_text_close(&path);
     if (!ok || !vs_cons(vm, a[0], VS_FALSE, &a[2])) return VS_ERROR;
     if (!vs_is_pair(vm->at.required)) vm->at.required = VS_NIL;
@@ -367,26 +394,27 @@ static vs_status assertion_failed(vs_scheme *vm, vs_value *a, int n, vs_value *o
 }
 
 static const vs_native_def defs[] = {
-  {"%run", "forms env tell", run, RUN_SLOTS, NULL},
-  {"eval", "expression [environment]", eval, 0, "the value of an expression"},
-  {"interaction-environment", "", interaction, 0, "the environment of the program"},
-  {"scheme-report-environment", "[version]", report_environment, 0, "a fresh environment with the names of R5RS"},
-  {"null-environment", "[version]", null_environment, 0, "a fresh environment with the syntax of R5RS"},
-  {"environment", ". imports", environment, 0, "a fresh environment with these imports"},
-  {"er-macro-transformer", "procedure", er_transformer, 0, "a macro by explicit renaming: (procedure form rename compare)"},
-  {"%eval-transformer", "spec env", eval_transformer, 0, NULL},
-  {"%rename", "table env id", rename_, 0, NULL},
-  {"%same-identifier?", "env a b", same_identifier, 0, NULL},
-  {"identifier?", "v", is_identifier, 0, "a symbol, or one that a macro renamed"},
-  {"macroexpand", "form", macroexpand, 1, "form with the macros at its head used, without renamings"},
-  {"syntax->datum", "form", syntax_to_datum, 0, "a form without renamings"},
-  {"load", "file [environment]", load, 0, "run a file"},
-  {"%load-library", "path name", load_library, 1, NULL},
-  {"%register-library", "name env", register_library, 0, NULL},
-  {"%require", "path env", require, 1, NULL},
-  {"%assertion-failed", "form . details", assertion_failed, 0, NULL},
-  {"features", "", features, 0, "what cond-expand knows"},
-  {0}
+  { "%run", "forms env tell", run, RUN_SLOTS, NULL },
+  { "eval", "expression [environment]", eval, 0, "the value of an expression" },
+  { "interaction-environment", "", interaction, 0, "the environment of the program" },
+  { "scheme-report-environment", "[version]", report_environment, 0, "a fresh environment with the names of R5RS" },
+  { "null-environment", "[version]", null_environment, 0, "a fresh environment with the syntax of R5RS" },
+  { "environment", ". imports", environment, 0, "a fresh environment with these imports" },
+  { "er-macro-transformer", "procedure", er_transformer, 0,
+    "a macro by explicit renaming: (procedure form rename compare)" },
+  { "%eval-transformer", "spec env", eval_transformer, 0, NULL },
+  { "%rename", "table env id", rename_, 0, NULL },
+  { "%same-identifier?", "env a b", same_identifier, 0, NULL },
+  { "identifier?", "v", is_identifier, 0, "a symbol, or one that a macro renamed" },
+  { "macroexpand", "form", macroexpand, 1, "form with the macros at its head used, without renamings" },
+  { "syntax->datum", "form", syntax_to_datum, 0, "a form without renamings" },
+  { "load", "file [environment]", load, 0, "run a file" },
+  { "%load-library", "path name", load_library, 1, NULL },
+  { "%register-library", "name env", register_library, 0, NULL },
+  { "%require", "path env", require, 1, NULL },
+  { "%assertion-failed", "form . details", assertion_failed, 0, NULL },
+  { "features", "", features, 0, "what cond-expand knows" },
+  { 0 }
 };
 const vs_native_table vs_unit_natives = {"unit", defs};
 
@@ -418,8 +446,10 @@ bool vs_front_open(vs_scheme *vm) {
   VS_ROOTS(vm, r, 2);
   if (!vs_intern_c(vm, "visualscheme", &r[0]) || !vs_environment_new(vm, r[0], &vm->at.core)) return false;
   vm->at.libraries = vm->at.required = VS_NIL;
-  for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) if (!vs_native_define(vm, tables[i], define_constant, NULL)) return false;
-  for (size_t i = 0; vm->config.tables && vm->config.tables[i]; i++) if (!vs_native_define(vm, vm->config.tables[i], define_constant, NULL)) return false;
+  for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
+    if (!vs_native_define(vm, tables[i], define_constant, NULL)) return false;
+  for (size_t i = 0; vm->config.tables && vm->config.tables[i]; i++)
+    if (!vs_native_define(vm, vm->config.tables[i], define_constant, NULL)) return false;
   for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
     vs_macro *m = (vs_macro *)(void *)vs_gc_alloc(vm, VS_T_MACRO, VS_WORDS(vs_macro));
     if (!m) return false;
@@ -449,7 +479,8 @@ static bool run_forms(vs_scheme *vm, vs_value forms, vs_value env, bool tell, vs
   if (!core_value(vm, "%run", &procedure)) return false;
   if (vs_run(vm, procedure, 3, r, last ? last : &r[3])) return true;
   vs_value c = vm->condition;           /* tail calls may have left no place: then it is the top-level form's */
-  if (vs_is(c, VS_T_CONDITION) && c != vm->at.no_memory && !vs_as_condition(c)->place) vs_as_condition(c)->place = vm->top_place;
+  if (vs_is(c, VS_T_CONDITION) && c != vm->at.no_memory && !vs_as_condition(c)->place)
+    vs_as_condition(c)->place = vm->top_place;
   return false;
 }
 
@@ -482,7 +513,8 @@ bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char 
                      vs_value *last) {
   VS_ROOTS(vm, r, 1);
   if (prompt) vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
-  return begin_program(vm, name) && vs_source_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+  return begin_program(vm, name) && vs_source_text(vm, name, line, text, size, false, &r[0]) &&
+         run_forms(vm, r[0], vm->at.program, true, last);
 }
 
 /* Forms that bind names at top level, or that only make sense there. */
@@ -525,5 +557,6 @@ bool vs_program_within(vs_scheme *vm, const char *name, uint32_t line, const cha
 
 bool vs_program_file(vs_scheme *vm, const char *path, vs_value *last) {
   VS_ROOTS(vm, r, 1);
-  return begin_program(vm, path) && vs_source_read(vm, path, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+  return begin_program(vm, path) && vs_source_read(vm, path, false, &r[0]) &&
+         run_forms(vm, r[0], vm->at.program, true, last);
 }

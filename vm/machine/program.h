@@ -1,7 +1,7 @@
 /* Owns the running of programs: environments for them, files, texts, top-level forms one after the other.
 
-   The natives %run, eval, load and the like are frames of the run loop, so that call/cc, errors and limits work through them; C
-   code outside the run loop uses the functions here. */
+   The natives %run, eval, load and the like are frames of the run loop, so that call/cc, errors and limits work through
+   them; C code outside the run loop uses the functions here. */
 #ifndef VS_PROGRAM_H
 #define VS_PROGRAM_H
 
@@ -9,7 +9,8 @@
 #include "vm/values/text.h"
 
 /* The library environment with all natives and the syntax that is C (vm->at.core), unless a heap image brought it. The
-   library's Scheme files are then loaded with vs_library_load, and at the end vs_library_done makes what they defined constant. */
+   library's Scheme files are then loaded with vs_library_load, and at the end vs_library_done makes what they defined
+   constant. */
 bool vs_front_open(vs_scheme *vm);
 bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t size);
 void vs_library_done(vs_scheme *vm);
@@ -17,9 +18,11 @@ void vs_library_done(vs_scheme *vm);
 /* A program: an environment that imports the whole library. vm->at.program is that of the host. */
 bool vs_program_new(vs_scheme *vm, vs_value *env);
 
-/* Runs a text or a file in vm->at.program; `line` is the number of its first line; prompt: it was typed at one, so its imports add (environment.h).
+/* Runs a text or a file in vm->at.program; `line` is the number of its first line; prompt: it was typed at one, so its
+   imports add (environment.h).
    *last: the value of the last form. Values of top-level expressions go to vm->config.value. False: vm->condition. */
-bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt, vs_value *last);
+bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt,
+                     vs_value *last);
 /* The same with names for values: each expression of the text, though no definition, sees the bindings, a list of
    (symbol . value), as local
    variables. In this way the prompt looks at a frame of a program that is stopped. */

@@ -1,7 +1,9 @@
-/* Owns the run loop: instructions, calls, returns, and what happens when something fails. (frame.h has the layout of the stack.)
+/* Owns the run loop: instructions, calls, returns, and what happens when something fails. (frame.h has the layout of
+   the stack.)
 
-   Registers of the machine are C locals: base (the frame's registers), pc, k (its constants). Whatever can allocate or fail is given
-   them first: SAVE. After anything that can allocate, values are read again from registers; code and constants do not move.
+   Registers of the machine are C locals: base (the frame's registers), pc, k (its constants). Whatever can allocate or
+   fail is given them first: SAVE. After anything that can allocate, values are read again from registers; code and
+   constants do not move.
 
    step_loop.c compiles the loop a second time, with VS_STEPPING: it looks at every instruction before it runs, for
    programs that are stepped through (step.h). All others pay nothing for that. */
@@ -27,8 +29,8 @@
 #include "vm/values/string_chars.h"
 
 /* ---- the cases that the loop hands out ---- */
-/* Does the code that a call returns to, at pc, take any number of values? It does where nobody takes what was returned, and where it is
- * returned further. */
+/* Does the code that a call returns to, at pc, take any number of values? It does where nobody takes what was returned,
+ * and where it is returned further. */
 static bool takes_several(const uint32_t *pc) {
   uint32_t op = *pc & 255;
   return op == VS_O_DROP || op == VS_O_RETURN || (op == VS_O_MORE && VS_B(*pc)) ||
@@ -43,7 +45,8 @@ static bool make_closure(vs_scheme *vm, vs_value *base, const vs_value *k, const
   if (!c) return false;
   const vs_closure *self = vs_as_closure(base[-2]);
   c->code = code;
-  for (size_t i = 0; i < n; i++) c->free[i] = captures[i] >> 16 ? self->free[captures[i] & 0xFFFF] : base[captures[i] & 0xFFFF];
+  for (size_t i = 0; i < n; i++)
+    c->free[i] = captures[i] >> 16 ? self->free[captures[i] & 0xFFFF] : base[captures[i] & 0xFFFF];
   *out = vs_from_object(c);
   return true;
 }
@@ -106,7 +109,8 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 #define SAVE (vm->base = base, vm->pc = pc, vm->top = base + REGISTERS, vm->native = NULL)
 #define BRANCH_IF(truth) do { if ((truth) == (bool)C) pc += (int32_t)*pc + 1; else pc++; NEXT; } while (0)
 
-/* A call of a closure that takes just what it is given, with room on the stack: most calls. All others go the long way, to `call`. */
+/* A call of a closure that takes just what it is given, with room on the stack: most calls. All others go the long way,
+   to `call`. */
 #define PLAIN(callee, count, at)                                                                           \
   ((callee)->flags & VS_CODE_SIMPLE && (callee)->required == (count) &&                                    \
    (const char *)vm->stack_end - (const char *)(at) >=                                                     \
@@ -230,10 +234,12 @@ look:
   OP(JGIVEN): if (RA != VS_ABSENT) pc += (int32_t)*pc + 1; else pc++; NEXT;
   OP(MISSING):
     SAVE;
-    vs_fail(vm, vm->sym.arity, "%s needs the keyword #:%s",
-            vs_is_symbol(vs_as_code(vs_as_closure(base[-2])->code)->name) ? vs_as_symbol(vs_as_code(vs_as_closure(base[-2])->code)->name)->name : "the procedure",
-            vs_as_symbol(k[*pc])->name);
-    goto fail;
+  vs_fail(vm, vm->sym.arity, "%s needs the keyword #:%s",
+          vs_is_symbol(vs_as_code(vs_as_closure(base[-2])->code)->name)
+              ? vs_as_symbol(vs_as_code(vs_as_closure(base[-2])->code)->name)->name
+              : "the procedure",
+          vs_as_symbol(k[*pc])->name);
+  goto fail;
 
   OP(DROP): DROPPED(RA); NEXT;
   OP(CALL): CALL_WINDOW;
@@ -260,7 +266,8 @@ look:
   OP(RETURN): v = RA; goto give;
   OP(CHECK): {
     vs_value p = base[A + 2];
-    if (vs_is(p, VS_T_NATIVE) && !vs_native_laid_out(vs_as_native(p)) && vs_as_native(p)->min <= 1 && vs_as_native(p)->max >= 1) {
+    if (vs_is(p, VS_T_NATIVE) && !vs_native_laid_out(vs_as_native(p)) && vs_as_native(p)->min <= 1 &&
+        vs_as_native(p)->max >= 1) {
       const vs_native *native = vs_as_native(p);
       base[A] = base[A + 2];                      /* a window: procedure, free slot, the value */
       base[A + 2] = base[A + 3];
@@ -334,9 +341,24 @@ look:
 
   OP(CAR): { vs_value p = RB; if (!vs_is_pair(p)) goto generic; RA = vs_car(p); NEXT; }
   OP(CDR): { vs_value p = RB; if (!vs_is_pair(p)) goto generic; RA = vs_cdr(p); NEXT; }
-  OP(CADR): { vs_value p = RB; if (!vs_is_pair(p) || !vs_is_pair(vs_cdr(p))) goto generic; RA = vs_car(vs_cdr(p)); NEXT; }
-  OP(CDDR): { vs_value p = RB; if (!vs_is_pair(p) || !vs_is_pair(vs_cdr(p))) goto generic; RA = vs_cdr(vs_cdr(p)); NEXT; }
-  OP(CAAR): { vs_value p = RB; if (!vs_is_pair(p) || !vs_is_pair(vs_car(p))) goto generic; RA = vs_car(vs_car(p)); NEXT; }
+  OP(CADR) : {
+    vs_value p = RB;
+    if (!vs_is_pair(p) || !vs_is_pair(vs_cdr(p))) goto generic;
+    RA = vs_car(vs_cdr(p));
+    NEXT;
+  }
+  OP(CDDR) : {
+    vs_value p = RB;
+    if (!vs_is_pair(p) || !vs_is_pair(vs_cdr(p))) goto generic;
+    RA = vs_cdr(vs_cdr(p));
+    NEXT;
+  }
+  OP(CAAR) : {
+    vs_value p = RB;
+    if (!vs_is_pair(p) || !vs_is_pair(vs_car(p))) goto generic;
+    RA = vs_car(vs_car(p));
+    NEXT;
+  }
   OP(CONS): {
     vs_pair *p;
     if (vm->end - vm->free >= (ptrdiff_t)sizeof *p) {
@@ -496,7 +518,11 @@ each: {                                   /* the instruction at pc is MORE, with
     ret = vs_ret_make(A + VS_EACH_WINDOW, HERE);
     if (vs_is(w[0], VS_T_CLOSURE)) {
       const vs_code *callee = CALLEE(w[0]);
-      if (PLAIN(callee, 1, w)) { w[1] = row[VS_EACH_CAPTURES] == VS_FALSE ? ret : ret | VS_RET_EACH; base = w + 2; ENTER(callee); }
+      if (PLAIN(callee, 1, w)) {
+        w[1] = row[VS_EACH_CAPTURES] == VS_FALSE ? ret : ret | VS_RET_EACH;
+        base = w + 2;
+        ENTER(callee);
+      }
       if (callee->flags & VS_CODE_RECORD && vs_record_call(vm, w[0], w + 2, 1, &w[0])) NEXT;
     }
     if (--vm->fuel <= 0) { SAVE; if (!vs_poll_limits(vm)) goto fail; }
@@ -541,8 +567,12 @@ each: {                                   /* the instruction at pc is MORE, with
     RA = l;
     NEXT;
   }
-  OP(G_ABC1): OP(G_RECREF): OP(G_RECSET):
-  OP(G_ABC): OP(G_AB): OP(G_ABI): OP(G_N): OP(G_N1): OP(G_JABC): OP(G_JAI): OP(G_JA): OP(G_SET): OP(G_SETV): goto generic;
+  OP(G_ABC1)
+      : OP(G_RECREF)
+      : OP(G_RECSET)
+      : OP(G_ABC)
+      : OP(G_AB)
+      : OP(G_ABI) : OP(G_N) : OP(G_N1) : OP(G_JABC) : OP(G_JAI) : OP(G_JA) : OP(G_SET) : OP(G_SETV) : goto generic;
   OP(NONE): goto generic;                 /* never emitted */
 
   /* the instruction at pc - 1 by calling its procedure */
@@ -589,8 +619,8 @@ call_record:
   ret = vs_ret_make(A, HERE); kw = VS_FALSE; tail = false;
   goto call;
 
-  /* Calls w[0] with w[2..2+n), keywords kw. Not tail: the result is for `ret`, the caller is the frame at base (or none yet). Tail: the
-     frame at base is given up. */
+  /* Calls w[0] with w[2..2+n), keywords kw. Not tail: the result is for `ret`, the caller is the frame at base (or none
+     yet). Tail: the frame at base is given up. */
 call: {
     vs_value f = w[0];
     if (!vs_is_object(f)) goto no_procedure;
@@ -645,7 +675,8 @@ call: {
         const vs_native *native = vs_as_native(f);
         size_t given = n, total = n;
         bool laid_out = vs_native_laid_out(native);
-        if (tail && native->def->slots) {                   /* apply, call/cc ... must not keep the frame; plain ones keep it for the error's place */
+        if (tail && native->def->slots) {                   /* apply, call/cc ... must not keep the frame; plain ones
+                                                               keep it for the error's place */
           memmove(base, w + 2, n * sizeof *w);
           base[-2] = f;
           w = base - 2; ret = base[-1];
@@ -719,7 +750,8 @@ call: {
           vm->top = w + 2 + n;
           vm->native = NULL;
           vs_value called = vs_as_parameter(f)->name;
-          vs_fail(vm, vm->sym.arity, "%s is a parameter and takes no arguments, got %zu; parameterize sets it", vs_is_symbol(called) ? vs_as_symbol(called)->name : "this", n);
+          vs_fail(vm, vm->sym.arity, "%s is a parameter and takes no arguments, got %zu; parameterize sets it",
+                  vs_is_symbol(called) ? vs_as_symbol(called)->name : "this", n);
           goto fail_above;
         }
         v = vs_parameter_value(vm, f);
@@ -794,8 +826,8 @@ native_done:
     default: goto uncaught;
   }
 
-  /* Returns v, several values, from the frame at base. Natives and the host take any number; code is asked here, or below in `give`
-     where its frame has to be found first. */
+  /* Returns v, several values, from the frame at base. Natives and the host take any number; code is asked here, or
+     below in `give` where its frame has to be found first. */
 give_several:
   ret = base[-1];
   if (!(ret & VS_RET_FLAGS)) {
@@ -882,7 +914,8 @@ give: {
     NEXT;
   }
 
-  /* vm->condition has been raised by the native at base, or in the code at base and pc. Limits and interrupts are nobody's to catch. */
+  /* vm->condition has been raised by the native at base, or in the code at base and pc. Limits and interrupts are
+     nobody's to catch. */
 fail_native:
   w = base;                               /* over its arguments, which nobody needs any more */
   ret = vs_ret_make(0, 0) | VS_RET_NATIVE;
@@ -932,7 +965,8 @@ static void reset(vs_scheme *vm) {
   vm->winders = vm->handlers = vm->parameters = VS_NIL;
 }
 
-/* Memory is out and nobody caught it: what the program held is given up, and then there is room to say where that was. */
+/* Memory is out and nobody caught it: what the program held is given up, and then there is room to say where that
+   was. */
 static void fail_memory_placed(vs_scheme *vm) {
   enum { CALLERS = 16 };
   VS_ROOTS(vm, r, CALLERS + 2);

@@ -1,5 +1,5 @@
-/* Owns the failures that the run loop itself finds: names without a value, callees that cannot be called, several values where one is
- * expected. Each makes the condition and returns false. */
+/* Owns the failures that the run loop itself finds: names without a value, callees that cannot be called, several
+ * values where one is expected. Each makes the condition and returns false. */
 #ifndef VS_RUN_FAILURES_H
 #define VS_RUN_FAILURES_H
 
@@ -11,13 +11,15 @@ static bool fail_undefined(vs_scheme *vm, vs_value name) {
   vs_text advice;                       /* words of other languages, near names */
   vs_text_open(vm, &advice, 300);
   bool ok = vs_suggest(vm, vm->at.program, name, &advice) && vs_text_end(&advice) &&
-            vs_fail(vm, vm->sym.unbound, "%s is not defined%s", vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable", advice.at);
+            vs_fail(vm, vm->sym.unbound, "%s is not defined%s",
+                    vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable", advice.at);
   vs_text_close(&advice);
   return ok;
 }
 
 static bool fail_early(vs_scheme *vm, vs_value name) {
-  return vs_fail(vm, vm->sym.unbound, "%s is used before it has a value", vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable");
+  return vs_fail(vm, vm->sym.unbound, "%s is used before it has a value",
+                 vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable");
 }
 
 /* the operator between its operands, as other languages have it: (5 + 3) */
@@ -33,13 +35,20 @@ static bool fail_callee_as(vs_scheme *vm, vs_value f, const vs_value *at, size_t
   if (f == VS_UNDEFINED || f == VS_ABSENT) return fail_early(vm, VS_FALSE);
   const char *operator = n == 2 ? operator_name(at[0]) : NULL;
   if (!vs_cons(vm, f, VS_NIL, &r[0])) return false;
-  if (operator) return vs_fail_with(vm, vm->sym.type, r[0], "the operator stands first, (%s a b); this cannot be called:", operator);
+  if (operator)
+    return vs_fail_with(vm, vm->sym.type, r[0],
+                        "the operator stands first, (%s a b); this cannot be called:", operator);
   if (vs_is_symbol(f))
-    return vs_fail_with(vm, vm->sym.type, r[0], "a symbol is no procedure and cannot be called; the procedure is written without the quote:");
-  if (vs_is_string(f)) return vs_fail_with(vm, vm->sym.type, r[0], "a text cannot be called; a call is written (procedure argument ...):");
-  const char *what = vs_is_number(f) && n == 0 ? "a number cannot be called; a name that stands for one is written without parentheses:"
-                     : vs_is_number(f) ? "a number cannot be called (a list is written (list 1 2 3), a point (xyz 1 2 3), a gvector (vxyz 1 2 3)):"
-                                     : "this is no procedure and cannot be called (one parenthesis too many around it?):";
+    return vs_fail_with(vm, vm->sym.type, r[0],
+                        "a symbol is no procedure and cannot be called; the procedure is written without the quote:");
+  if (vs_is_string(f))
+    return vs_fail_with(vm, vm->sym.type, r[0], "a text cannot be called; a call is written (procedure argument ...):");
+  const char *what =
+      vs_is_number(f) && n == 0
+          ? "a number cannot be called; a name that stands for one is written without parentheses:"
+      : vs_is_number(f)
+          ? "a number cannot be called (a list is written (list 1 2 3), a point (xyz 1 2 3), a gvector (vxyz 1 2 3)):"
+          : "this is no procedure and cannot be called (one parenthesis too many around it?):";
   return vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
 }
 
@@ -55,7 +64,8 @@ static bool fail_callee(vs_scheme *vm, vs_value f, const vs_value *at, size_t n)
 static bool fail_several(vs_scheme *vm, vs_value v) {
   uint64_t n = vs_as_values(v)->count;
   if (n == 0) return vs_fail(vm, vm->sym.arity, "no value came where one is expected");
-  return vs_fail(vm, vm->sym.arity, "%llu values came where one is expected; let-values, receive or call-with-values take several",
+  return vs_fail(vm, vm->sym.arity,
+                 "%llu values came where one is expected; let-values, receive or call-with-values take several",
                  (unsigned long long)n);
 }
 

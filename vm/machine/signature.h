@@ -9,7 +9,8 @@
 typedef struct vs_signature { uint32_t required, optional, keywords; bool rest; } vs_signature;
 typedef enum { VS_SIG_END, VS_SIG_REQUIRED, VS_SIG_OPTIONAL, VS_SIG_KEYWORD, VS_SIG_REST } vs_signature_kind;
 
-/* The next name of the signature at *at; *depth is the brackets open, 0 at first. The name is *length bytes at *name. */
+/* The next name of the signature at *at; *depth is the brackets open, 0 at first. The name is *length bytes at
+ * *name. */
 vs_signature_kind vs_signature_next(const char **at, int *depth, const char **name, size_t *length);
 vs_signature vs_signature_read(const char *text);
 /* the name of the arg-th argument as it lies in a[], cut to size; "argument N" past the end */

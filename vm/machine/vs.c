@@ -1,4 +1,5 @@
-/* Owns the making and unmaking of an interpreter. Its libraries are the business of the layer that loads them (environments). */
+/* Owns the making and unmaking of an interpreter. Its libraries are the business of the layer that loads them
+ * (environments). */
 #include <stdlib.h>
 
 #include "vm/values/gc.h"

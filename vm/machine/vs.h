@@ -30,7 +30,8 @@
   A(stop)          /* procedure of the bottom frame */ \
   A(stops)         /* list of the conditions of programs that are stopped (step.h), the last one first */
 
-typedef enum { VS_VM_READ, VS_VM_EXPAND, VS_VM_COMPILE, VS_VM_RUN } vs_vm_phase; /* of source text; RUN: the program itself */
+/* of source text; RUN: the program itself */
+typedef enum { VS_VM_READ, VS_VM_EXPAND, VS_VM_COMPILE, VS_VM_RUN } vs_vm_phase;
 
 typedef struct vs_config {
   /* Every byte comes from here: p NULL makes, bytes 0 frees, else resizes; NULL refuses. NULL uses realloc and free. */
@@ -41,20 +42,28 @@ typedef struct vs_config {
   uint64_t output_limit;     /* bytes that the program may print or write, 0 = none */
   double time_limit;         /* seconds by the clock below, 0 = none */
   bool keep_frames;          /* errors keep the parameters of the calls they end (vs_condition.frames) */
-  vs_vm_phase (*phase)(void *user, vs_vm_phase phase); /* told when another begins, says which one ends; NULL: nobody asks */
+  vs_vm_phase (*phase)(void *user, vs_vm_phase phase); /* told when another begins, says which one ends; NULL: nobody
+                                                          asks */
   double (*clock)(void *user);                 /* seconds, monotonic; NULL: no time limit */
   bool (*interrupted)(void *user);             /* polled; true once = raise an interrupt */
-  const struct vs_native_table *const *tables; /* natives besides the VM's own, NULL-terminated; same order as when the image was made */
+  const struct vs_native_table *const *tables; /* natives besides the VM's own, NULL-terminated; same order as when the
+                                                  image was made */
   const struct vs_image *image;                /* a heap image to start from, or NULL */
-  const struct vs_io *io;                      /* files, console, time of day (port.h), called with `user`; NULL: none of them */
-  const char *library_path;  /* folders for load, include, require and import, ':' between them, or NULL; living as long as the interpreter */
+  const struct vs_io *io;                      /* files, console, time of day (port.h), called with `user`; NULL: none
+                                                  of them */
+  const char *library_path;  /* folders for load, include, require and import, ':' between them, or NULL; living as long
+                                as the interpreter */
   const struct vs_shipped *shipped; /* libraries in Scheme that come with the language (program.h), or NULL */
-  const char *const *command_line; size_t command_line_count; /* what (command-line) gives; 0: "vs" alone. Living as long as the interpreter */
-  /* The value of a top-level expression of the program or of a file it loaded; false: the error is set. NULL: nobody wants it. */
+  const char *const *command_line; size_t command_line_count; /* what (command-line) gives; 0: "vs" alone. Living as
+                                                                 long as the interpreter */
+  /* The value of a top-level expression of the program or of a file it loaded; false: the error is set. NULL: nobody
+     wants it. */
   bool (*value)(vs_scheme *vm, vs_value v, vs_pos place);
-  /* A foreign object that an expression before a body's last one gave, alone or first in a list. It may not allocate in the heap. NULL: nobody wants it. */
+  /* A foreign object that an expression before a body's last one gave, alone or first in a list. It may not allocate in
+     the heap. NULL: nobody wants it. */
   void (*dropped)(vs_scheme *vm, vs_value v);
-  /* Something in the program that is allowed and surely not meant; the text lives until the call returns. It may not allocate in the heap. NULL: nobody wants it. */
+  /* Something in the program that is allowed and surely not meant; the text lives until the call returns. It may not
+     allocate in the heap. NULL: nobody wants it. */
   void (*warn)(vs_scheme *vm, vs_pos place, const char *message);
   /* Something that is allowed and seldom meant, told once for a place and a kind (any constant text). NULL: nobody
    * wants it. */
@@ -121,7 +130,8 @@ struct vs_scheme {
   struct vs_ast *asts;             /* trees being built or compiled: their constants are roots */
   struct vs_gc *gc;
   uint64_t captures;               /* continuations made so far: what no new one holds is entered once */
-  uint64_t collections;            /* how often the nursery was emptied: addresses of young objects hold for one count */
+  uint64_t collections;            /* how often the nursery was emptied: addresses of young objects hold for one
+                                      count */
   size_t bytes, peak_bytes;        /* of OS memory, now and at most */
 
   /* registered by the host */
@@ -153,8 +163,8 @@ struct vs_scheme {
 /* An interpreter with the VM's own natives defined; NULL when memory is refused. */
 vs_scheme *vs_open_vm(const vs_config *config);
 void vs_close_vm(vs_scheme *vm);
-/* Closes the contents of vm and moves those of fresh in their place; fresh is no more then. Objects of the old heap know
-   vm by its address, so they are let go there. Fresh is as opened: no object in it knows its address. */
+/* Closes the contents of vm and moves those of fresh in their place; fresh is no more then. Objects of the old heap
+   know vm by its address, so they are let go there. Fresh is as opened: no object in it knows its address. */
 void vs_replace_vm(vs_scheme *vm, vs_scheme *fresh);
 
 /* Tells the host that the phase begins; returns the phase before. */

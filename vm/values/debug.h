@@ -2,8 +2,9 @@
 #ifndef VS_DEBUG_H
 #define VS_DEBUG_H
 
-#ifndef VS_DEBUG_STRESS        /* 1 = collect the nursery at every allocation (fewer while the stack is very deep), and the whole heap, with a
-                                  check of it, once for so many (gc.c); what is freed is overwritten; 0 = off */
+#ifndef VS_DEBUG_STRESS        /* 1 = collect the nursery at every allocation (fewer while the stack is very deep), and
+                                  the whole heap, with a check of it, once for so many (gc.c); what is freed is
+                                  overwritten; 0 = off */
 #define VS_DEBUG_STRESS 0
 #endif
 #ifndef VS_DEBUG_CHECK         /* walk and check the whole heap after every collection */
@@ -19,5 +20,6 @@
 #define VS_DEBUG_SMALL 0
 #endif
 
-/* The sixth, failing the n-th allocation, is at run time: vm->fail_after counts allocations down to a refusal; 0 = off. */
+/* The sixth, failing the n-th allocation, is at run time: vm->fail_after counts allocations down to a refusal; 0 =
+   off. */
 #endif

@@ -1,8 +1,8 @@
 /* Owns equal? and the hashes (equal.h). Nothing here allocates Scheme objects, so addresses hold throughout.
 
-   equal? walks both structures with an explicit stack. Only when it has taken more steps than most data needs does it begin to
-   note pairs of objects under comparison; meeting a noted pair again it takes for equal (as if both were unfolded forever), so
-   cycles end and shared structure does not cost twice. */
+   equal? walks both structures with an explicit stack. Only when it has taken more steps than most data needs does it
+   begin to note pairs of objects under comparison; meeting a noted pair again it takes for equal (as if both were
+   unfolded forever), so cycles end and shared structure does not cost twice. */
 #include "vm/values/equal.h"
 
 enum { EQUAL_STEPS_BEFORE_NOTES = 100000, HASH_NODES = 64 };
@@ -69,7 +69,8 @@ static uint32_t string_at(const vs_string *s, uint32_t i) {
 
 static bool string_equal(const vs_string *a, const vs_string *b) {
   if (a->length != b->length) return false;
-  if (!((a->h.flags | b->h.flags) & VS_F_WIDE)) return memcmp(vs_as_bytes(a->store)->at, vs_as_bytes(b->store)->at, a->length) == 0;
+  if (!((a->h.flags | b->h.flags) & VS_F_WIDE))
+    return memcmp(vs_as_bytes(a->store)->at, vs_as_bytes(b->store)->at, a->length) == 0;
   for (uint32_t i = 0; i < a->length; i++)
     if (string_at(a, i) != string_at(b, i)) return false;
   return true;
@@ -100,7 +101,9 @@ bool vs_equal(vs_scheme *vm, vs_value a, vs_value b, bool *out) {
       if (!(ok = vs_poll_turn(vm, steps, steps > EQUAL_STEPS_BEFORE_NOTES ? 32 : 4))) break;
       int type = vs_object_of(a)->type;
       bool known = false;
-      if (steps > EQUAL_STEPS_BEFORE_NOTES && (type == VS_T_PAIR || type == VS_T_VECTOR) && !(ok = equal_note(&w, a, b, &known))) break;
+      if (steps > EQUAL_STEPS_BEFORE_NOTES && (type == VS_T_PAIR || type == VS_T_VECTOR) &&
+          !(ok = equal_note(&w, a, b, &known)))
+        break;
       if (!known) {
         if (type == VS_T_PAIR) {
           if (!(ok = equal_push(&w, vs_cdr(a), vs_cdr(b)))) break;
@@ -111,7 +114,8 @@ bool vs_equal(vs_scheme *vm, vs_value a, vs_value b, bool *out) {
         if (type == VS_T_VECTOR) {
           const vs_vector *x = vs_as_vector(a), *y = vs_as_vector(b);
           same = x->length == y->length;
-          for (uint64_t i = x->length; same && ok && i-- > 0;) ok = equal_push(&w, x->at[i], y->at[i]) && vs_poll_turn(vm, i, 4);
+          for (uint64_t i = x->length; same && ok && i-- > 0;)
+            ok = equal_push(&w, x->at[i], y->at[i]) && vs_poll_turn(vm, i, 4);
         } else if (type == VS_T_STRING) {
           same = string_equal(vs_as_string(a), vs_as_string(b));
         } else if (type == VS_T_BYTES) {

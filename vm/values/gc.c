@@ -1,14 +1,16 @@
 /* Owns the collector.
 
-   Old space: blocks of BLOCK bytes, each of one size class, cut from chunks of CHUNK_BLOCKS blocks, or more where the heap is large (the
-   host may have huge pages for them); a class has a free list of cells and one block it bumps through. Objects above the largest class are single allocations on a list. An object never
-   leaves its place there.
+   Old space: blocks of BLOCK bytes, each of one size class, cut from chunks of CHUNK_BLOCKS blocks, or more where the
+   heap is large (the host may have huge pages for them); a class has a free list of cells and one block it bumps
+   through. Objects above the largest class are single allocations on a list. An object never leaves its place there.
 
-   A minor collection must not fail half way, so the blocks it might need are set aside before the nursery is opened again
-   (gc_reserve). Its worklist needs no memory: the dead copy of a promoted object links to the next. Major collections mark
-   with a stack of (object, next slot); if that cannot grow, the heap is walked again for what was left out.
+   A minor collection must not fail half way, so the blocks it might need are set aside before the nursery is opened
+   again (gc_reserve). Its worklist needs no memory: the dead copy of a promoted object links to the next. Major
+   collections mark with a stack of (object, next slot); if that cannot grow, the heap is walked again for what was left
+   out.
 
-   Costs: a minor collection is proportional to what survives; a major one to what lives, plus one touch per old cell. */
+   Costs: a minor collection is proportional to what survives; a major one to what lives, plus one touch per old
+   cell. */
 #include "vm/values/gc.h"
 
 #include <stdlib.h>
@@ -21,11 +23,13 @@ enum {
   BLOCK_DATA = BLOCK - 32,
   CHUNK_BLOCKS = 64,
   CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* bytes of larger chunks */
-  STARVED = 64,                                     /* one so many'th of the heap must fit between two collections for refused memory */
+  STARVED = 64,                                     /* one so many'th of the heap must fit between two collections for
+                                                       refused memory */
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
-/* Collecting at every allocation costs what the roots cost, and a deep recursion or nest has a million of them: past STRESS_VISITS the next
-   minor collections are left out in proportion. The whole collections are, too, each with a check of the heap: one for so many bytes of it. */
+/* Collecting at every allocation costs what the roots cost, and a deep recursion or nest has a million of them: past
+   STRESS_VISITS the next minor collections are left out in proportion. The whole collections are, too, each with a
+   check of the heap: one for so many bytes of it. */
 enum { STRESS_VISITS = 2048, STRESS_BYTES = 256 };
 #if VS_DEBUG_SMALL
 enum { NURSERY = 32 << 10, FIRST_MAJOR = 256 << 10 };
@@ -33,7 +37,8 @@ enum { NURSERY = 32 << 10, FIRST_MAJOR = 256 << 10 };
 enum { NURSERY = 1 << 20, FIRST_MAJOR = 16 << 20 };
 #endif
 
-static const uint16_t class_words[] = {2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 64, 80, 96, 128, 170, 255};
+static const uint16_t class_words[] = { 2,  3,  4,  5,  6,  7,  8,  10, 12,  14,  16, 20,
+                                        24, 28, 32, 40, 48, 64, 80, 96, 128, 170, 255 };
 enum { CLASSES = sizeof class_words / sizeof class_words[0], CLASS_MAX = 255 /* larger objects are born old, alone */ };
 
 struct vs_gc_block {
@@ -62,10 +67,12 @@ struct vs_gc {
   struct { struct free_cell *free; struct vs_gc_block *bump; } of[CLASSES];
   uint8_t class_of[CLASS_MAX + 1];              /* by words */
   struct vs_gc_large *large;
-  char *nursery_end;                            /* vm->end, unless that is held down so that every allocation comes here */
+  char *nursery_end;                            /* vm->end, unless that is held down so that every allocation comes
+                                                   here */
   bool ready;                                   /* the spare blocks for the next minor collection are there */
   size_t old_bytes, major_at;                   /* in old objects now; when a major collection is due */
-  size_t granted;                               /* bytes of old objects since memory was last refused and all was collected for it */
+  size_t granted;                               /* bytes of old objects since memory was last refused and all was
+                                                   collected for it */
   size_t external, external_minor;              /* host bytes now; when they force a minor collection */
   vs_object **remembered; size_t remembered_count, remembered_room; bool remembered_lost;
   vs_object **young_foreign; size_t young_count, young_room;
@@ -74,7 +81,8 @@ struct vs_gc {
   struct mark_entry *marks; size_t mark_count, mark_room; bool mark_lost;
   char *image; size_t image_bytes;              /* objects loaded from a heap image */
   void (*release_image)(vs_scheme *vm, void *image, size_t bytes);
-  size_t visits, minor_in, whole_in;            /* under VS_DEBUG_STRESS: what the last minor collection visited; allocations until the next ones */
+  size_t visits, minor_in, whole_in;            /* under VS_DEBUG_STRESS: what the last minor collection visited;
+                                                   allocations until the next ones */
 };
 
 /* ---- memory from the host ---- */
@@ -93,7 +101,10 @@ void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes) {
   void *(*memory)(void *, void *, size_t, size_t) = vm->config.memory ? vm->config.memory : default_memory;
   if (bytes > old_bytes) {
     if (vm->fail_after && --vm->fail_after == 0) { vs_fail_memory(vm); return NULL; }
-    if (vm->config.memory_limit && vm->bytes + (bytes - old_bytes) > vm->config.memory_limit) { gc_fail_limit(vm); return NULL; }
+    if (vm->config.memory_limit && vm->bytes + (bytes - old_bytes) > vm->config.memory_limit) {
+      gc_fail_limit(vm);
+      return NULL;
+    }
   }
   void *q = memory(vm->config.user, p, old_bytes, bytes);
   if (bytes && !q) { vs_fail_memory(vm); return NULL; }
@@ -113,13 +124,16 @@ static bool gc_grow(vs_scheme *vm, void *array, size_t *room, size_t count, size
 }
 
 /* ---- old space ---- */
-static size_t chunk_size(size_t blocks) { return blocks > CHUNK_BLOCKS ? (blocks + 1) * BLOCK : sizeof(struct vs_gc_chunk) + blocks * BLOCK; }
+static size_t chunk_size(size_t blocks) {
+  return blocks > CHUNK_BLOCKS ? (blocks + 1) * BLOCK : sizeof(struct vs_gc_chunk) + blocks * BLOCK;
+}
 
 /* A quarter of what is there, in whole huge pages, their number a power of two. */
 static bool gc_add_chunk(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t blocks = CHUNK_BLOCKS;
-  for (size_t bytes = CHUNK_LEAST; bytes <= CHUNK_MOST && bytes <= gc->chunk_bytes / 4; bytes *= 2) blocks = bytes / BLOCK - 1;
+  for (size_t bytes = CHUNK_LEAST; bytes <= CHUNK_MOST && bytes <= gc->chunk_bytes / 4; bytes *= 2)
+    blocks = bytes / BLOCK - 1;
   struct vs_gc_chunk *c = vs_mem(vm, NULL, 0, chunk_size(blocks));
   if (!c) return false;
   c->next = gc->chunks; gc->chunks = c;
@@ -188,8 +202,8 @@ static vs_object *gc_cell(vs_scheme *vm, size_t words) {
   return &f->h;
 }
 
-/* Returns a cell for an object that is born old, or NULL: refused. A block that it needs is one beyond those set aside, which the next minor
-   collection must find there. */
+/* Returns a cell for an object that is born old, or NULL: refused. A block that it needs is one beyond those set aside,
+   which the next minor collection must find there. */
 static vs_object *gc_born_old(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
@@ -227,13 +241,15 @@ static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
   return o;
 }
 
-/* under VS_DEBUG_STRESS: the collections due before this allocation, and perhaps no room left: gc_alloc_slow sees to that */
+/* under VS_DEBUG_STRESS: the collections due before this allocation, and perhaps no room left: gc_alloc_slow sees to
+   that */
 static void gc_stress(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   if (gc->whole_in-- == 0) {
     vs_gc_major(vm);
     if (!vs_gc_check(vm)) __builtin_trap();
-    gc->whole_in = (gc->old_bytes + gc->image_bytes) / STRESS_BYTES + vm->collections % 7;     /* not in step with a loop */
+    /* not in step with a loop */
+    gc->whole_in = (gc->old_bytes + gc->image_bytes) / STRESS_BYTES + vm->collections % 7;
   } else if (gc->minor_in-- == 0) {
     vs_gc_minor(vm);
     if (gc->old_bytes + gc->external > gc->major_at) vs_gc_major(vm);
@@ -251,12 +267,14 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words) {
   if (words > UINT32_MAX) { vs_fail_memory(vm); return NULL; }
   if (vm->fail_after && --vm->fail_after == 0) { gc_hold_down(vm); vs_fail_memory(vm); return NULL; }
   if (VS_DEBUG_STRESS && gc->whole_in-- == 0) { gc->whole_in = 0; gc_stress(vm); }
-  if (gc->old_bytes + gc->external + words * 8 > gc->major_at || (words > CLASS_MAX && gc_over_limit(vm, words * 8))) vs_gc_major(vm);
+  if (gc->old_bytes + gc->external + words * 8 > gc->major_at || (words > CLASS_MAX && gc_over_limit(vm, words * 8)))
+    vs_gc_major(vm);
   /* so that this object can be remembered without fail */
   if (!gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered)) return NULL;
   bool stopped = false;
   vs_object *o = words <= CLASS_MAX ? gc_born_old(vm, words) : gc_large(vm, words, &stopped);
-  if (!o) {                                    /* refused: perhaps there is garbage, unless all was collected a moment ago */
+  if (!o) {                                    /* refused: perhaps there is garbage, unless all was collected a moment
+                                                  ago */
     if (stopped || gc->granted < gc->old_bytes / STARVED) return NULL;
     gc->granted = 0;
     vs_gc_major(vm);
@@ -328,8 +346,8 @@ void vs_gc_external(vs_scheme *vm, int64_t bytes) {
   else gc->external = (size_t)((int64_t)gc->external + bytes);
 }
 
-/* The bytes of a host's object lie in 16 bits of its header: 11 digits of them, rounded up, and by how many places they are shifted. It counts
-   the same when it comes and when it goes. */
+/* The bytes of a host's object lie in 16 bits of its header: 11 digits of them, rounded up, and by how many places they
+   are shifted. It counts the same when it comes and when it goes. */
 enum { CHARGE_DIGITS = 11, CHARGE_MASK = (1 << CHARGE_DIGITS) - 1 };
 static uint16_t gc_charge(size_t bytes) {
   unsigned shift = 0;
@@ -350,7 +368,8 @@ bool vs_make_foreign(vs_scheme *vm, const struct vs_foreign_type *type, void *ob
   vs_foreign *f = NULL;
   if (gc_over_limit(vm, 0)) gc_fail_limit(vm);
   else if (gc_grow(vm, &gc->young_foreign, &gc->young_room, gc->young_count, sizeof *gc->young_foreign) &&
-           (!type->trace || gc_grow(vm, &gc->tracing, &gc->tracing_room, gc->tracing_count + gc->young_count, sizeof *gc->tracing)))
+           (!type->trace ||
+            gc_grow(vm, &gc->tracing, &gc->tracing_room, gc->tracing_count + gc->young_count, sizeof *gc->tracing)))
     f = (vs_foreign *)(void *)vs_gc_alloc(vm, VS_T_FOREIGN, VS_WORDS(vs_foreign));
   if (!f) {
     vs_gc_external(vm, -(int64_t)gc_charged(charge));
@@ -407,7 +426,8 @@ static void minor_visit(vs_scheme *vm, vs_value *slot) {
     bool traced = vs_layout[o->type].first != 0;
     size_t words = o->words;
     for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* mostly a few: less than a call */
-    /* header: GC_MOVED in its low bytes, above them the next corpse; word 1: the new address. An object that names nothing is done. */
+    /* header: GC_MOVED in its low bytes, above them the next corpse; word 1: the new address. An object that names
+       nothing is done. */
     corpse[0] = (uint64_t)GC_MOVED << 8;
     corpse[1] = (uint64_t)(uintptr_t)copy;
     if (traced) {
@@ -465,7 +485,8 @@ void vs_gc_minor(vs_scheme *vm) {
   else for (size_t i = 0; i < gc->remembered_count; i++) minor_remembered(vm, gc->remembered[i]);
   gc->remembered_count = 0; gc->remembered_lost = false;
   gc_trace_foreign(vm, minor_visit);
-  /* young ones with hooks count as live until the next major collection only if they moved; so first drain, then look */
+  /* young ones with hooks count as live until the next major collection only if they moved; so first drain, then
+     look */
   bool again = true;
   while (again) {
     while (gc->grey) {
@@ -496,7 +517,8 @@ void vs_gc_minor(vs_scheme *vm) {
   vs_value was = vm->condition;
   gc->ready = gc_reserve(vm);
   vm->condition = was;
-  if (gc->ready) gc_hold_down(vm); else vm->end = vm->free;   /* closed: the next allocation tries again, and fails if it must */
+  if (gc->ready) gc_hold_down(vm); else vm->end = vm->free;   /* closed: the next allocation tries again, and fails if
+                                                                 it must */
   if (VS_DEBUG_CHECK && !vs_gc_check(vm)) __builtin_trap();
 }
 
@@ -575,7 +597,8 @@ static void major_sweep(vs_scheme *vm) {
     struct free_cell *head = gc->of[k].free;
     size_t cells = 0, step = b->words * 8u;
     bool stays = false;                        /* cells of a block that goes as a whole are not linked */
-    for (size_t at = 0; at < b->used && !stays; at += step) stays = (((vs_object *)(void *)((char *)b->data + at))->gc & GC_MARK) != 0;
+    for (size_t at = 0; at < b->used && !stays; at += step)
+      stays = (((vs_object *)(void *)((char *)b->data + at))->gc & GC_MARK) != 0;
     for (size_t at = 0; at < b->used; at += step) {
       vs_object *o = (vs_object *)(void *)((char *)b->data + at);
       if (o->gc & GC_MARK) { o->gc &= (uint8_t)~GC_MARK; cells++; continue; }
@@ -613,7 +636,8 @@ static void major_sweep(vs_scheme *vm) {
   for (size_t i = 0; i < gc->image_bytes;) {
     vs_object *o = (vs_object *)(void *)(gc->image + i);
     size_t slots = 0;
-    if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) { /* the image is not swept: what is dead in it must not be taken for a user of what it named */
+    if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) { /* the image is not swept: what is dead in it must not be taken for a user
+                                                of what it named */
       vs_value *slot = vs_layout_slots(o, &slots);
       while (!(o->gc & GC_MARK) && slots > 0) slot[--slots] = VS_FALSE;
     }
@@ -649,7 +673,8 @@ void vs_gc_major(vs_scheme *vm) {
   for (size_t i = 0; i < gc->tracing_count; i++)
     if (gc->tracing[i]->gc & GC_MARK) gc->tracing[kept++] = gc->tracing[i];
   gc->tracing_count = kept;
-  kept = 0;                                    /* after the minor collection nothing is remembered, but a hook may have stored */
+  kept = 0;                                    /* after the minor collection nothing is remembered, but a hook may have
+                                                  stored */
   for (size_t i = 0; i < gc->remembered_count; i++)
     if (gc->remembered[i]->gc & GC_MARK) gc->remembered[kept++] = gc->remembered[i];
   gc->remembered_count = kept;

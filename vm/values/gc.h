@@ -1,14 +1,17 @@
 /* Owns the heap: allocation, roots, the write barrier, collection, and every byte the interpreter asks of its host.
 
-   Plan. New objects come from a bump nursery; what survives a minor collection is copied once into the old space, which never
-   moves: blocks of one size class, swept into free lists, and large objects on a list. Minor collections start from the roots,
-   the working stack and the remembered set (old objects that a store made point at young ones). Major collections mark with
-   an explicit stack, never by recursion, when the old space has doubled, host objects' bytes included.
+   Plan. New objects come from a bump nursery; what survives a minor collection is copied once into the old space, which
+   never moves: blocks of one size class, swept into free lists, and large objects on a list. Minor collections start
+   from the roots, the working stack and the remembered set (old objects that a store made point at young ones). Major
+   collections mark with an explicit stack, never by recursion, when the old space has doubled, host objects' bytes
+   included.
 
    Rules for C code.
-   - Any function here that takes `vs_scheme *` and can allocate may move young objects. Values needed afterwards live in roots:
+   - Any function here that takes `vs_scheme *` and can allocate may move young objects. Values needed afterwards live
+   in roots:
        VS_ROOTS(vm, r, 3);            three slots r[0..2], #unspecific at first, dropped at the end of the block
-     A native's args[] and *result are roots already. Values passed by value to the constructors below are safe inside them.
+     A native's args[] and *result are roots already. Values passed by value to the constructors below are safe inside
+     them.
    - Constructors return false when memory is out; the error is then in vm->condition and is passed on like any other:
        return vs_cons(vm, args[0], VS_NIL, &r[0]) && vs_cons(vm, args[1], r[0], result);
    - Stores into existing objects go through vs_gc_store(vm, object, &field, value). */
@@ -31,12 +34,14 @@ static inline void vs_gc_unlink(struct vs_roots *r) { r->vm->roots = r->next; }
   vs_gc_link(&NAME##_link)
 
 /* ---- objects ---- */
-/* An object of `words` words, header filled, the rest zero bytes (which read as the double 0.0), in the nursery if small.
-   NULL when memory is out. */
+/* An object of `words` words, header filled, the rest zero bytes (which read as the double 0.0), in the nursery if
+   small. NULL when memory is out. */
 vs_object *vs_gc_alloc(vs_scheme *vm, int type, size_t words);
 vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words);      /* never moves */
 
-static inline bool vs_gc_is_young(const vs_scheme *vm, const void *o) { return (uintptr_t)o - (uintptr_t)vm->nursery < vm->nursery_bytes; }
+static inline bool vs_gc_is_young(const vs_scheme *vm, const void *o) {
+  return (uintptr_t)o - (uintptr_t)vm->nursery < vm->nursery_bytes;
+}
 void vs_gc_remember(vs_scheme *vm, vs_object *o);
 /* The object holds no addresses: the next minor collection need not look through it, until one is stored. */
 void vs_gc_forget(vs_object *o);
@@ -50,10 +55,12 @@ bool vs_cons_at(vs_scheme *vm, vs_value car, vs_value cdr, vs_pos pos, vs_value 
 bool vs_make_vector(vs_scheme *vm, size_t n, vs_value fill, vs_value *out);
 bool vs_make_bytes(vs_scheme *vm, size_t n, vs_value *out);                                  /* zeroed */
 bool vs_make_string(vs_scheme *vm, size_t length, uint32_t fill, vs_value *out);             /* wide when fill > 255 */
-bool vs_string_from_utf8(vs_scheme *vm, const char *s, size_t bytes, vs_value *out);         /* bad bytes become U+FFFD */
+/* bad bytes become U+FFFD */
+bool vs_string_from_utf8(vs_scheme *vm, const char *s, size_t bytes, vs_value *out);
 bool vs_make_box(vs_scheme *vm, vs_value v, vs_value *out);
 bool vs_make_cell(vs_scheme *vm, vs_value name, vs_value v, vs_value *out);
-bool vs_make_values(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out);             /* `at` in roots or args; n = 1 gives at[0] */
+/* `at` in roots or args; n = 1 gives at[0] */
+bool vs_make_values(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out);
 bool vs_make_flat(vs_scheme *vm, uint32_t tag, const double *at, size_t n, vs_value *out);
 bool vs_make_keywords(vs_scheme *vm, const vs_value *names, size_t n, vs_value *out);
 /* takes the one reference to `object` over; also when it fails (it is then released) */
@@ -62,12 +69,12 @@ bool vs_make_foreign(vs_scheme *vm, const struct vs_foreign_type *type, void *ob
 bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out);
 bool vs_intern_c(vs_scheme *vm, const char *name, vs_value *out);
 
-/* Plain objects with traced fields (environment, macro, alias, promise, parameter, record type, ratio ...): allocate with
-   vs_gc_alloc(vm, VS_T_X, VS_WORDS(vs_x)) and set the fields before the next allocation. */
+/* Plain objects with traced fields (environment, macro, alias, promise, parameter, record type, ratio ...): allocate
+   with vs_gc_alloc(vm, VS_T_X, VS_WORDS(vs_x)) and set the fields before the next allocation. */
 #define VS_WORDS(ctype) ((sizeof(ctype) + 7) / 8)
 
-/* ---- memory that is not objects: counted against the limit; `old_bytes` as given before. NULL when refused (no error set
-   when bytes is 0) ---- */
+/* ---- memory that is not objects: counted against the limit; `old_bytes` as given before. NULL when refused (no error
+   set when bytes is 0) ---- */
 void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes);
 
 void vs_gc_minor(vs_scheme *vm);

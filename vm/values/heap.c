@@ -166,7 +166,8 @@ bool vs_make_keywords(vs_scheme *vm, const vs_value *names, size_t n, vs_value *
   return true;
 }
 
-/* ---- symbols: vm->at.symbols is a vector, element 0 the count as a fixnum, then a power of two of slots, #f free ---- */
+/* ---- symbols: vm->at.symbols is a vector, element 0 the count as a fixnum, then a power of two of slots, #f free
+ * ---- */
 static uint32_t name_hash(const char *s, size_t n) {
   uint32_t h = 2166136261u;
   for (size_t i = 0; i < n; i++) h = (h ^ (unsigned char)s[i]) * 16777619u;
@@ -201,7 +202,10 @@ bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out) {
   size_t mask = table->length - 2, k = hash & mask;
   for (; table->at[k + 1] != VS_FALSE; k = (k + 1) & mask) {
     vs_symbol *s = vs_as_symbol(table->at[k + 1]);
-    if (s->hash == hash && s->length == bytes && memcmp(s->name, name, bytes) == 0) { *out = table->at[k + 1]; return true; }
+    if (s->hash == hash && s->length == bytes && memcmp(s->name, name, bytes) == 0) {
+      *out = table->at[k + 1];
+      return true;
+    }
   }
   vs_symbol *s = (vs_symbol *)(void *)vs_gc_alloc_old(vm, VS_T_SYMBOL, VS_WORDS(vs_symbol) + bytes / 8 + 1);
   if (!s) return false;

@@ -1,9 +1,10 @@
 /* Owns the arithmetic of exact integers (integer.h).
 
-   Pattern of every operation: operands into roots, the result's size worked out, a bignum of that capacity made, then views of
-   the operands taken (nothing allocates any more) and the limbs computed in place; `settle` drops leading zeros and makes a
-   fixnum where one fits. A bignum may thus have a word or two of unused capacity behind its limbs.
-   GMP takes scratch of its own inside mpn_mul, mpn_tdiv_qr and mpn_gcd; it is bounded by a small multiple of the operands. */
+   Pattern of every operation: operands into roots, the result's size worked out, a bignum of that capacity made, then
+   views of the operands taken (nothing allocates any more) and the limbs computed in place; `settle` drops leading
+   zeros and makes a fixnum where one fits. A bignum may thus have a word or two of unused capacity behind its limbs.
+   GMP takes scratch of its own inside mpn_mul, mpn_tdiv_qr and mpn_gcd; it is bounded by a small multiple of the
+   operands. */
 #include "vm/values/integer.h"
 
 #include <float.h>
@@ -12,7 +13,8 @@
 _Static_assert(GMP_LIMB_BITS == 64 && GMP_NAIL_BITS == 0, "limbs are the bignum's 64-bit words");
 
 static bool int_too_large(vs_scheme *vm) {
-  return vs_fail(vm, vm->sym.range, "the number would have more than %d million digits", VS_INT_MAX_LIMBS / 1000000 * 20);
+  return vs_fail(vm, vm->sym.range, "the number would have more than %d million digits",
+                 VS_INT_MAX_LIMBS / 1000000 * 20);
 }
 
 void vs_int_look(vs_value v, vs_int_view *w) {
@@ -179,7 +181,9 @@ int vs_int_compare(vs_value a, vs_value b) {
   return x.negative ? -order : order;
 }
 
-static uint64_t limbs_bits(const mp_limb_t *at, mp_size_t n) { return n ? (uint64_t)n * 64 - (uint64_t)__builtin_clzll(at[n - 1]) : 0; }
+static uint64_t limbs_bits(const mp_limb_t *at, mp_size_t n) {
+  return n ? (uint64_t)n * 64 - (uint64_t)__builtin_clzll(at[n - 1]) : 0;
+}
 
 uint64_t vs_int_bits(vs_value a) {
   vs_int_view x;
@@ -355,8 +359,8 @@ bool vs_int_bitwise(vs_scheme *vm, char op, vs_value a, vs_value b, vs_value *ou
 }
 
 /* ---- text ----
-   GMP's conversions are single calls without a poll, so they get pieces of PIECE digits; a longer number is divided by, or put together
-   with, the radix to the power of PIECE * 2^k: about what GMP does inside. */
+   GMP's conversions are single calls without a poll, so they get pieces of PIECE digits; a longer number is divided by,
+   or put together with, the radix to the power of PIECE * 2^k: about what GMP does inside. */
 
 enum { PIECE = 20000, SQUARINGS = 14 /* PIECE * 2^14 is beyond the largest number */ };
 
@@ -457,7 +461,9 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
   int count;
   while (n && *digits == 0) digits++, n--;
   if ((double)n * log2(radix) / 64 > VS_INT_MAX_LIMBS) return int_too_large(vm);
-  if (n <= PIECE) return piece_from_digits(vm, digits, n, radix, &r[1]) && (negative ? vs_int_negate(vm, r[1], out) : (*out = r[1], true));
+  if (n <= PIECE)
+    return piece_from_digits(vm, digits, n, radix, &r[1]) &&
+           (negative ? vs_int_negate(vm, r[1], out) : (*out = r[1], true));
   size_t pieces = (n + PIECE - 1) / PIECE, end = n;
   if (!piece_powers(vm, radix, (double)n, p, &count) || !vs_make_vector(vm, pieces, VS_FALSE, &r[0])) return false;
   for (size_t i = 0; i < pieces; i++, end -= PIECE) {
@@ -540,5 +546,6 @@ bool vs_int_from_double(vs_scheme *vm, double d, vs_value *out) {
   int e;
   double m = frexp(fabs(d), &e);
   VS_ROOTS(vm, r, 1);
-  return vs_number_from_int64(vm, (d < 0 ? -1 : 1) * (int64_t)ldexp(m, 53), &r[0]) && vs_int_shift(vm, r[0], e - 53, out);
+  return vs_number_from_int64(vm, (d < 0 ? -1 : 1) * (int64_t)ldexp(m, 53), &r[0]) &&
+         vs_int_shift(vm, r[0], e - 53, out);
 }

@@ -1,5 +1,6 @@
-/* Owns exact integers of any size: fixnums and bignums, on GMP's mpn_ functions with limbs in our own heap. Sizes are known before
-   the work, so limits are errors before memory is asked for. Arguments are exact integers; the caller has checked. */
+/* Owns exact integers of any size: fixnums and bignums, on GMP's mpn_ functions with limbs in our own heap. Sizes are
+   known before the work, so limits are errors before memory is asked for. Arguments are exact integers; the caller has
+   checked. */
 #ifndef VS_INTEGER_H
 #define VS_INTEGER_H
 
@@ -7,9 +8,11 @@
 
 #include "vm/values/number.h"
 
-enum { VS_INT_MAX_LIMBS = 1 << 21 };     /* 40 million decimal digits: one multiplication of that size takes about a second */
+enum { VS_INT_MAX_LIMBS = 1 << 21 };     /* 40 million decimal digits: one multiplication of that size takes about a
+                                            second */
 
-/* Magnitude and sign of an integer without allocating. Bignums move: look again after every allocation. Not to be copied. */
+/* Magnitude and sign of an integer without allocating. Bignums move: look again after every allocation. Not to be
+   copied. */
 typedef struct vs_int_view { const mp_limb_t *at; mp_size_t n; bool negative; mp_limb_t small; } vs_int_view;
 void vs_int_look(vs_value v, vs_int_view *w);
 
@@ -34,7 +37,8 @@ bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t);
 /* digits are values 0..radix-1, not characters */
 bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out);
 
-double vs_int_double(vs_value a);                                                /* correctly rounded, may be infinite */
+/* correctly rounded, may be infinite */
+double vs_int_double(vs_value a);
 /* num/den, both positive, correctly rounded */
 bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out);
 /* the integer that a finite integral double is */

@@ -1,7 +1,7 @@
 /* Owns the generic arithmetic of the tower (number.h): dispatch over fixnum, bignum, ratio, double and flat record.
 
-   Order of cases everywhere: doubles first (one double makes the result a double), then flat records, then exact numbers,
-   where a ratio makes it a matter of numerators and denominators. */
+   Order of cases everywhere: doubles first (one double makes the result a double), then flat records, then exact
+   numbers, where a ratio makes it a matter of numerators and denominators. */
 #include "vm/values/number.h"
 
 #include <math.h>
@@ -11,11 +11,13 @@
 
 static const char *const op_name[] = {[VS_OP_ADD] = "+", [VS_OP_SUB] = "-", [VS_OP_MUL] = "*", [VS_OP_DIV] = "/"};
 
-/* "NAME: expected EXPECTED, got V"; the name comes from the running native, or is `who` where the operator was inlined */
+/* "NAME: expected EXPECTED, got V"; the name comes from the running native, or is `who` where the operator was
+   inlined */
 static bool number_bad(vs_scheme *vm, const char *who, const char *expected, vs_value v) {
   VS_ROOTS(vm, r, 1);
   if (!vs_cons(vm, v, VS_NIL, &r[0])) return false;
-  return vs_fail_with(vm, vm->sym.type, r[0], "%s%sexpected %s, got", vm->native ? "" : who, vm->native ? "" : ": ", expected);
+  return vs_fail_with(vm, vm->sym.type, r[0], "%s%sexpected %s, got", vm->native ? "" : who, vm->native ? "" : ": ",
+                      expected);
 }
 
 static bool number_divide_by_zero(vs_scheme *vm, const char *who) {
@@ -29,7 +31,8 @@ bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out) {
   r[0] = num;
   r[1] = den;
   if (!vs_int_gcd(vm, r[0], r[1], &r[2])) return false;
-  if (r[2] != vs_fix(1) && !(vs_int_divide(vm, r[0], r[2], &r[0], NULL) && vs_int_divide(vm, r[1], r[2], &r[1], NULL))) return false;
+  if (r[2] != vs_fix(1) && !(vs_int_divide(vm, r[0], r[2], &r[0], NULL) && vs_int_divide(vm, r[1], r[2], &r[1], NULL)))
+    return false;
   return vs_number_lowest(vm, r[0], r[1], out);
 }
 
@@ -106,9 +109,11 @@ static bool ratio_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs
              (op == VS_OP_ADD ? vs_int_add(vm, r[4], r[5], &r[4]) : vs_int_sub(vm, r[4], r[5], &r[4])) &&
              vs_int_mul(vm, r[1], r[3], &r[5]) && vs_number_ratio(vm, r[4], r[5], out);
     case VS_OP_MUL:
-      return vs_int_mul(vm, r[0], r[2], &r[4]) && vs_int_mul(vm, r[1], r[3], &r[5]) && vs_number_ratio(vm, r[4], r[5], out);
+      return vs_int_mul(vm, r[0], r[2], &r[4]) && vs_int_mul(vm, r[1], r[3], &r[5]) &&
+             vs_number_ratio(vm, r[4], r[5], out);
     case VS_OP_DIV:
-      return vs_int_mul(vm, r[0], r[3], &r[4]) && vs_int_mul(vm, r[1], r[2], &r[5]) && vs_number_ratio(vm, r[4], r[5], out);
+      return vs_int_mul(vm, r[0], r[3], &r[4]) && vs_int_mul(vm, r[1], r[2], &r[5]) &&
+             vs_number_ratio(vm, r[4], r[5], out);
     case VS_OP_COUNT: break;
   }
   return vs_fail(vm, vm->sym.internal, "no such operator");
@@ -119,7 +124,9 @@ static bool number_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, v
   if (exact_a && exact_b) {
     if (op == VS_OP_DIV && b == vs_fix(0)) return number_divide_by_zero(vm, "/");
     if (op == VS_OP_DIV || vs_is_ratio(a) || vs_is_ratio(b)) return ratio_arith(vm, op, a, b, out);
-    return op == VS_OP_ADD ? vs_int_add(vm, a, b, out) : op == VS_OP_SUB ? vs_int_sub(vm, a, b, out) : vs_int_mul(vm, a, b, out);
+    return op == VS_OP_ADD   ? vs_int_add(vm, a, b, out)
+           : op == VS_OP_SUB ? vs_int_sub(vm, a, b, out)
+                             : vs_int_mul(vm, a, b, out);
   }
   if (vs_is_dual(a) || vs_is_dual(b)) {
     if (!vs_is_scalar(a) && !vs_is(vs_dual_base(a), VS_T_FLAT)) return number_bad(vm, op_name[op], "a number", a);
@@ -134,7 +141,8 @@ static bool number_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, v
   if (!exact_a && !vs_is_double(a)) return number_bad(vm, op_name[op], "a number", a);
   if (!exact_b && !vs_is_double(b)) return number_bad(vm, op_name[op], "a number", b);
   if (op == VS_OP_DIV && b == vs_fix(0)) return number_divide_by_zero(vm, "/");
-  if (op == VS_OP_MUL && (a == vs_fix(0) || b == vs_fix(0))) return *out = vs_fix(0), true;      /* exact zero times anything */
+  /* exact zero times anything */
+  if (op == VS_OP_MUL && (a == vs_fix(0) || b == vs_fix(0))) return *out = vs_fix(0), true;
   VS_ROOTS(vm, r, 2);
   r[0] = a;
   r[1] = b;
@@ -219,7 +227,8 @@ bool vs_number_eqv(vs_value a, vs_value b) {
   if (a == b) return true;
   if (vs_is_bignum(a) && vs_is_bignum(b)) return vs_int_compare(a, b) == 0;
   if (vs_is_ratio(a) && vs_is_ratio(b))
-    return vs_int_compare(vs_as_ratio(a)->num, vs_as_ratio(b)->num) == 0 && vs_int_compare(vs_as_ratio(a)->den, vs_as_ratio(b)->den) == 0;
+    return vs_int_compare(vs_as_ratio(a)->num, vs_as_ratio(b)->num) == 0 &&
+           vs_int_compare(vs_as_ratio(a)->den, vs_as_ratio(b)->den) == 0;
   return false;
 }
 
@@ -251,7 +260,8 @@ static bool number_divide(vs_scheme *vm, divide_kind kind, const char *who, vs_v
   if (b == vs_fix(0) || (vs_is_double(b) && vs_double(b) == 0)) return number_divide_by_zero(vm, who);
   if (vs_is_double(a) || vs_is_double(b)) {
     double x, y, rest;
-    if (!vs_number_double(vm, a, &x) || !vs_number_double(vm, b, &y)) return false;      /* integers: nothing is allocated */
+    /* integers: nothing is allocated */
+    if (!vs_number_double(vm, a, &x) || !vs_number_double(vm, b, &y)) return false;
     rest = fmod(x, y);
     if (kind == DIVIDE_QUOTIENT) return *out = vs_flonum((x - rest) / y), true;
     if (kind == DIVIDE_MODULO && rest != 0 && (rest < 0) != (y < 0)) rest += y;
@@ -322,7 +332,8 @@ bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out) {
   }
   double d;
   if (!vs_number_double(vm, r[0], &d)) return false;
-  if (isinf(d) || d == 0) {                      /* out of range though the root is not: take it in integers, 64 bits or more of it */
+  if (isinf(d) || d == 0) {                      /* out of range though the root is not: take it in integers, 64 bits or
+                                                    more of it */
     ratio_part(r[0], false, &r[1]), ratio_part(r[0], true, &r[2]);
     int64_t up = ((int64_t)vs_int_bits(r[2]) - (int64_t)vs_int_bits(r[1]) + 256) & ~INT64_C(1);
     if (up > 0 ? !vs_int_shift(vm, r[1], up, &r[1]) : !vs_int_shift(vm, r[2], -up, &r[2])) return false;

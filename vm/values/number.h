@@ -1,7 +1,9 @@
-/* Owns the numeric tower: fixnums, bignums, ratios, doubles. (integer.h has the exact integers beneath, number_text.c the texts.)
+/* Owns the numeric tower: fixnums, bignums, ratios, doubles. (integer.h has the exact integers beneath, number_text.c
+   the texts.)
 
-   All arithmetic takes any two values; what is no number gives the error `+: expected a number, got "x"`, and a flat record
-   (points, vectors) goes through vs_flat_arith. Results may be the address of an argument's slot (`out` is written last). */
+   All arithmetic takes any two values; what is no number gives the error `+: expected a number, got "x"`, and a flat
+   record (points, vectors) goes through vs_flat_arith. Results may be the address of an argument's slot (`out` is
+   written last). */
 #ifndef VS_NUMBER_H
 #define VS_NUMBER_H
 
@@ -19,7 +21,8 @@ bool vs_number_add(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);    /* exact by exact 0 is an error */
-typedef enum { VS_LT, VS_LE, VS_EQ, VS_GE, VS_GT } vs_relation;       /* exact between exact and inexact; false with NaN */
+typedef enum { VS_LT, VS_LE, VS_EQ, VS_GE, VS_GT } vs_relation;       /* exact between exact and inexact; false with
+                                                                         NaN */
 bool vs_number_test(vs_scheme *vm, vs_relation relation, vs_value a, vs_value b, bool *out);
 bool vs_number_quotient(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_remainder(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
@@ -29,21 +32,26 @@ bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out);               /* 
 bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out);                /* "zero?: expected a number" else */
 
 /* ---- conversions ---- */
-bool vs_number_double(vs_scheme *vm, vs_value v, double *out);               /* v is a number; correctly rounded; false: out of memory */
-bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out);              /* v is a number; infinities and NaN are errors */
+/* v is a number; correctly rounded; false: out of memory */
+bool vs_number_double(vs_scheme *vm, vs_value v, double *out);
+/* v is a number; infinities and NaN are errors */
+bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out);
 bool vs_number_from_int64(vs_scheme *vm, int64_t n, vs_value *out);
 bool vs_number_from_uint64(vs_scheme *vm, uint64_t n, vs_value *out);
-bool vs_number_to_int64(vs_value v, int64_t *out);                    /* an exact integer, or a double that is one, in range */
-bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out);   /* exact integers, den not 0; lowest terms */
-bool vs_number_lowest(vs_scheme *vm, vs_value num, vs_value den, vs_value *out);  /* the same of two that have no divisor in common */
+bool vs_number_to_int64(vs_value v, int64_t *out);                    /* an exact integer, or a double that is one, in
+                                                                         range */
+/* exact integers, den not 0; lowest terms */
+bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out);
+/* the same of two that have no divisor in common */
+bool vs_number_lowest(vs_scheme *vm, vs_value num, vs_value den, vs_value *out);
 
 /* Equal in type and value, as eqv? on two numbers. Never fails. */
 bool vs_number_eqv(vs_value a, vs_value b);
 uint64_t vs_number_hash(vs_value v);                                  /* agrees with eqv? */
 
 /* ---- text ---- */
-/* The number that these bytes spell in `radix` (2..36; #x and the like override it), or *out = #f if they spell none. False only
-   when memory is out or the number too large. */
+/* The number that these bytes spell in `radix` (2..36; #x and the like override it), or *out = #f if they spell none.
+   False only when memory is out or the number too large. */
 bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out);
 /* The shortest text that reads back as v, in radix 2..36. */
 bool vs_number_print(vs_scheme *vm, vs_value v, int radix, vs_text *t);

@@ -1,9 +1,10 @@
-/* Owns the texts of numbers: shortest printing and correct reading of doubles in every radix, exact numbers, R7RS' syntax.
+/* Owns the texts of numbers: shortest printing and correct reading of doubles in every radix, exact numbers, R7RS'
+   syntax.
 
-   Printing a double is Burger and Dybvig's free-format algorithm (the shortest digits that read back as the same double, and of
-   those the nearest) on integers of at most some 20 limbs, which live on the C stack; two quick ways before it take integers and
-   decimals of up to 15 digits, which cover what people type. Reading has Clinger's quick way (a mantissa and a power of ten
-   that are both exact doubles round once), else an exact ratio correctly rounded. */
+   Printing a double is Burger and Dybvig's free-format algorithm (the shortest digits that read back as the same
+   double, and of those the nearest) on integers of at most some 20 limbs, which live on the C stack; two quick ways
+   before it take integers and decimals of up to 15 digits, which cover what people type. Reading has Clinger's quick
+   way (a mantissa and a power of ten that are both exact doubles round once), else an exact ratio correctly rounded. */
 #include <float.h>
 #include <math.h>
 
@@ -131,7 +132,8 @@ static int decimal_digits(double d, unsigned char *digits, int *point) {
     for (int k = 0; k < 8; k++) {
       double scaled = d * ten[k];
       if (scaled >= 1e15) break;
-      if (scaled != floor(scaled) || scaled / ten[k] != d) continue;     /* m / 10^k rounds to d, and m has 15 digits: it is d's text */
+      /* m / 10^k rounds to d, and m has 15 digits: it is d's text */
+      if (scaled != floor(scaled) || scaled / ten[k] != d) continue;
       unsigned char reversed[20] = {0};
       int n = 0, count = 0, skip = 0;
       for (uint64_t m = (uint64_t)scaled; m; m /= 10) reversed[n++] = (unsigned char)(m % 10);
@@ -207,7 +209,10 @@ bool vs_number_print(vs_scheme *vm, vs_value v, int radix, vs_text *t) {
 /* ---- reading ---- */
 
 static int digit_value(char c, int radix) {
-  int v = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'z' ? c - 'a' + 10 : c >= 'A' && c <= 'Z' ? c - 'A' + 10 : 99;
+  int v = c >= '0' && c <= '9'   ? c - '0'
+          : c >= 'a' && c <= 'z' ? c - 'a' + 10
+          : c >= 'A' && c <= 'Z' ? c - 'A' + 10
+                                 : 99;
   return v < radix ? v : -1;
 }
 
@@ -261,7 +266,8 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
   bool exact = in->exactness == 'e';
   if (n == 0) return *out = exact ? vs_fix(0) : vs_flonum(in->negative ? -0.0 : 0.0), true;
   if (!exact) {
-    static const double ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    static const double ten[] = { 1,    1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
     if (in->radix == 10 && n <= 15 && exponent >= -22 && exponent <= 22) {
       double d = 0;
       for (size_t i = 0; i < n; i++) d = d * 10 + digits[i];
@@ -269,7 +275,8 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
       return *out = vs_flonum(in->negative ? -d : d), true;
     }
     double log_value = ((double)n + (double)exponent) * log2(in->radix);
-    if (log_value > 1100 || log_value < -1200) return *out = vs_flonum((in->negative ? -1 : 1) * (log_value > 0 ? HUGE_VAL : 0.0)), true;
+    if (log_value > 1100 || log_value < -1200)
+      return *out = vs_flonum((in->negative ? -1 : 1) * (log_value > 0 ? HUGE_VAL : 0.0)), true;
   } else if (exponent > 1000000 || exponent < -1000000) {
     return vs_fail(vm, vm->sym.range, "the exponent of an exact number is too large");
   }
@@ -288,7 +295,8 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
       !vs_int_power(vm, vs_fix(in->radix), (uint64_t)(exponent < 0 ? -exponent : exponent), &r[1]))
     return false;
   if (exact)
-    return (exponent < 0 ? vs_number_ratio(vm, r[0], r[1], &r[0]) : vs_int_mul(vm, r[0], r[1], &r[0])) && finish_exact(in, r[0], out);
+    return (exponent < 0 ? vs_number_ratio(vm, r[0], r[1], &r[0]) : vs_int_mul(vm, r[0], r[1], &r[0])) &&
+           finish_exact(in, r[0], out);
   double d;
   if (exponent < 0) {
     if (!vs_int_ratio_double(vm, r[0], r[1], &d)) return false;
@@ -312,7 +320,8 @@ static bool scan_decimal(const scan *in, const char *p, vs_value *out) {
   if (n == 0) return true;
   int64_t exponent = 0;
   if (p < in->end) {
-    if (in->radix != 10 || !(is_letter(*p, 'e') || is_letter(*p, 's') || is_letter(*p, 'f') || is_letter(*p, 'd') || is_letter(*p, 'l')))
+    if (in->radix != 10 ||
+        !(is_letter(*p, 'e') || is_letter(*p, 's') || is_letter(*p, 'f') || is_letter(*p, 'd') || is_letter(*p, 'l')))
       return true;
     p++;
     bool minus = p < in->end && *p == '-';
@@ -347,7 +356,9 @@ static bool equals(const char *p, const char *end, const char *lower) {
 
 bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out) {
   /* a number plus an exact 0 of the imaginary unit is that number; there are no other complex ones */
-  if (n > 3 && is_letter(s[n - 1], 'i') && s[n - 2] == '0' && (s[n - 3] == '+' || s[n - 3] == '-') && !is_letter(s[n - 4], 'e') && s[n - 4] != '#') n -= 3;
+  if (n > 3 && is_letter(s[n - 1], 'i') && s[n - 2] == '0' && (s[n - 3] == '+' || s[n - 3] == '-') &&
+      !is_letter(s[n - 4], 'e') && s[n - 4] != '#')
+    n -= 3;
   scan in = {.vm = vm, .s = s, .end = s + n, .radix = radix};
   bool radix_given = false;
   *out = VS_FALSE;

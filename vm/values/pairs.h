@@ -11,9 +11,9 @@ static inline vs_value vs_captures(const vs_scheme *vm) { return VS_TAG_FIXNUM <
  * False: out of memory, or a limit is reached. */
 bool vs_list_onto(vs_scheme *vm, vs_value *list, vs_value tail, vs_value *out);
 
-/* The same in front of the empty list, for a list that its owner has built since there were `captures` continuations, and nobody
- * else has. Where there are no more of them now, nobody can come back to where it was half built, and it is turned
- * round in its place. */
+/* The same in front of the empty list, for a list that its owner has built since there were `captures` continuations,
+ * and nobody else has. Where there are no more of them now, nobody can come back to where it was half built, and it is
+ * turned round in its place. */
 bool vs_list_own_turned(vs_scheme *vm, vs_value *list, vs_value captures, vs_value *out);
 
 /* Is v a proper list? 1 or 0 for short ones; -1: too long to tell at once (or circular). */

@@ -1,9 +1,11 @@
-/* Owns the printer (printer.h). Nothing here allocates Scheme objects, so values and addresses in its own stacks stay good.
+/* Owns the printer (printer.h). Nothing here allocates Scheme objects, so values and addresses in its own stacks stay
+   good.
 
-   Plan. A plain walk with an explicit stack writes the text. Before it, unless the mode is SIMPLE, it is found out which objects
-   need a label. For write and display only cycles do: first the structure is walked as if it were a tree, without notes, with as
-   many steps as the heap could hold objects; that ends for everything but cycles and heavy sharing, and costs a long list
-   no memory. Else a depth-first walk notes which objects are entered again while still open (SHARED: entered twice). */
+   Plan. A plain walk with an explicit stack writes the text. Before it, unless the mode is SIMPLE, it is found out
+   which objects need a label. For write and display only cycles do: first the structure is walked as if it were a tree,
+   without notes, with as many steps as the heap could hold objects; that ends for everything but cycles and heavy
+   sharing, and costs a long list no memory. Else a depth-first walk notes which objects are entered again while still
+   open (SHARED: entered twice). */
 #include "vm/values/printer.h"
 
 #include <utf8proc.h>
@@ -82,8 +84,8 @@ static bool note_add(printer *p, const vs_object *o) {
 static bool is_compound(vs_value v) {
   if (!vs_is_object(v)) return false;
   int type = vs_object_of(v)->type;
-  return type == VS_T_PAIR || type == VS_T_VECTOR || type == VS_T_TABLE || type == VS_T_RECORD || type == VS_T_BOX || type == VS_T_VALUES ||
-         type == VS_T_CONDITION;
+  return type == VS_T_PAIR || type == VS_T_VECTOR || type == VS_T_TABLE || type == VS_T_RECORD || type == VS_T_BOX ||
+         type == VS_T_VALUES || type == VS_T_CONDITION;
 }
 
 static size_t record_fields(const vs_record *r) { return r->h.words - 2; }
@@ -156,7 +158,8 @@ static bool walk_tree(printer *p, vs_value v, size_t budget, bool *small) {
     if (!next_child(f->v, &f->i, &child)) {
       p->count--;
     } else if (is_compound(child)) {
-      if (vs_object_of(f->v)->type == VS_T_PAIR && f->i == 2) *f = (print_frame){ITEM, 0, child};      /* the cdr: in its place */
+      /* the cdr: in its place */
+      if (vs_object_of(f->v)->type == VS_T_PAIR && f->i == 2) *f = (print_frame){ITEM, 0, child};
       else if (!push(p, ITEM, child, 0)) return false;
     }
   }
@@ -189,8 +192,10 @@ static bool find_labels(printer *p, vs_value v) {
 
 /* ---- atoms ---- */
 
-static const struct { uint32_t c; const char *name; } char_names[] = {
-  {' ', "space"}, {'\n', "newline"}, {'\t', "tab"}, {'\r', "return"}, {0, "null"}, {0x7F, "delete"}, {0x1B, "escape"}, {8, "backspace"}, {7, "alarm"},
+static const struct { uint32_t c; const char *name;
+} char_names[] = {
+  { ' ', "space" },   { '\n', "newline" }, { '\t', "tab" },    { '\r', "return" }, { 0, "null" },
+  { 0x7F, "delete" }, { 0x1B, "escape" },  { 8, "backspace" }, { 7, "alarm" },
 };
 
 /* control characters, unassigned code points, lone marks: shown by number */
@@ -198,8 +203,9 @@ static bool is_visible(uint32_t c) {
   if (c < 0x20 || (c >= 0x7F && c < 0xA0)) return false;
   if (c < 0x7F) return true;
   utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
-  return k != UTF8PROC_CATEGORY_CN && k != UTF8PROC_CATEGORY_CC && k != UTF8PROC_CATEGORY_CF && k != UTF8PROC_CATEGORY_CS && k != UTF8PROC_CATEGORY_CO &&
-         k != UTF8PROC_CATEGORY_ZL && k != UTF8PROC_CATEGORY_ZP && k != UTF8PROC_CATEGORY_ZS;
+  return k != UTF8PROC_CATEGORY_CN && k != UTF8PROC_CATEGORY_CC && k != UTF8PROC_CATEGORY_CF &&
+         k != UTF8PROC_CATEGORY_CS && k != UTF8PROC_CATEGORY_CO && k != UTF8PROC_CATEGORY_ZL &&
+         k != UTF8PROC_CATEGORY_ZP && k != UTF8PROC_CATEGORY_ZS;
 }
 
 static bool put_hex(vs_text *t, uint32_t c) {
@@ -241,7 +247,8 @@ static bool put_escaped(vs_text *t, uint32_t c, char quote) {
     case 7: return vs_text_put(t, "\\a", 2);
     case 8: return vs_text_put(t, "\\b", 2);
   }
-  if (c == 0xA0 || is_visible(c) || (c > 0x7F && utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_ZS)) return vs_text_char(t, c);
+  if (c == 0xA0 || is_visible(c) || (c > 0x7F && utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_ZS))
+    return vs_text_char(t, c);
   return vs_text_put(t, "\\x", 2) && put_hex(t, c) && vs_text_put(t, ";", 1);
 }
 
@@ -287,7 +294,8 @@ static bool spells_number(const char *s, size_t n) {
 }
 
 static bool needs_bars(const char *s, size_t n) {
-  if (n == 0 || (n == 1 && *s == '.') || (*s == '#' && !(n > 2 && (s[1] == ':' || s[1] == '%'))) || spells_number(s, n)) return true;
+  if (n == 0 || (n == 1 && *s == '.') || (*s == '#' && !(n > 2 && (s[1] == ':' || s[1] == '%'))) || spells_number(s, n))
+    return true;
   for (size_t i = 0; i < n;) {
     uint32_t c;
     size_t used = vs_utf8_decode(s + i, n - i, &c);
@@ -339,7 +347,8 @@ static bool put_flat(vs_scheme *vm, vs_text *t, vs_value v) {
 static bool put_bytes(vs_text *t, vs_value v) {
   const vs_bytes *b = vs_as_bytes(v);
   bool ok = vs_text_put(t, "#u8(", 4);
-  for (uint64_t i = 0; ok && i < b->length; i++) ok = (i == 0 || vs_text_put(t, " ", 1)) && put_int(t, b->at[i]) && vs_poll_turn(t->vm, i, 16);
+  for (uint64_t i = 0; ok && i < b->length; i++)
+    ok = (i == 0 || vs_text_put(t, " ", 1)) && put_int(t, b->at[i]) && vs_poll_turn(t->vm, i, 16);
   return ok && vs_text_put(t, ")", 1);
 }
 
@@ -347,8 +356,13 @@ static bool put_foreign(void *to, const char *s, size_t n) { return vs_text_put(
 
 static bool put_immediate(vs_text *t, vs_value v, bool written) {
   if (vs_is_char(v)) return written ? put_char(t, vs_char(v)) : vs_text_char(t, vs_char(v));
-  const char *s = v == VS_TRUE ? "#t" : v == VS_FALSE ? "#f" : v == VS_NIL ? "()" : v == VS_EOF ? "#<eof>" : v == VS_UNDEFINED ? "#<undefined>" :
-                  v == VS_ABSENT ? "#<absent>" : "#<void>";
+  const char *s = v == VS_TRUE        ? "#t"
+                  : v == VS_FALSE     ? "#f"
+                  : v == VS_NIL       ? "()"
+                  : v == VS_EOF       ? "#<eof>"
+                  : v == VS_UNDEFINED ? "#<undefined>"
+                  : v == VS_ABSENT    ? "#<absent>"
+                                      : "#<void>";
   return vs_text_puts(t, s);
 }
 
@@ -399,7 +413,11 @@ static bool put_atom(printer *p, vs_value v) {
 static const char *abbreviation(const vs_scheme *vm, vs_value v) {
   if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL) return NULL;
   vs_value head = vs_car(v);
-  return head == vm->sym.quote ? "'" : head == vm->sym.quasiquote ? "`" : head == vm->sym.unquote ? "," : head == vm->sym.unquote_splicing ? ",@" : NULL;
+  return head == vm->sym.quote              ? "'"
+         : head == vm->sym.quasiquote       ? "`"
+         : head == vm->sym.unquote          ? ","
+         : head == vm->sym.unquote_splicing ? ",@"
+                                            : NULL;
 }
 
 static bool put_label(printer *p, print_note *n, bool *again) {
@@ -425,7 +443,8 @@ static bool put_item(printer *p, vs_value v) {
   switch (vs_object_of(v)->type) {
     case VS_T_PAIR:
       short_form = abbreviation(p->vm, v);
-      if (short_form && !has_label(p, vs_cdr(v))) return vs_text_puts(t, short_form) && push(p, ITEM, vs_car(vs_cdr(v)), 0);
+      if (short_form && !has_label(p, vs_cdr(v)))
+        return vs_text_puts(t, short_form) && push(p, ITEM, vs_car(vs_cdr(v)), 0);
       return vs_text_put(t, "(", 1) && push(p, TAIL, vs_cdr(v), 0) && push(p, ITEM, vs_car(v), 0);
     case VS_T_VECTOR: return vs_text_put(t, "#(", 2) && push(p, SLOTS, v, 0);
     case VS_T_VALUES: return push(p, SLOTS, v, 0);
@@ -433,14 +452,19 @@ static bool put_item(printer *p, vs_value v) {
       const vs_record_type *type = vs_as_record_type(vs_as_record(v)->type);
       if (is_inner_name(type->name))
         return vs_text_put(t, "#<", 2) && vs_text_puts(t, vs_as_symbol(type->name)->name + 1) && push(p, SLOTS, v, 0);
-      return vs_text_put(t, "#<", 2) && (vs_is_symbol(type->name) ? put_symbol(t, type->name, false) : vs_text_puts(t, "record")) && push(p, SLOTS, v, 0);
+      return vs_text_put(t, "#<", 2) &&
+             (vs_is_symbol(type->name) ? put_symbol(t, type->name, false) : vs_text_puts(t, "record")) &&
+             push(p, SLOTS, v, 0);
     }
     case VS_T_BOX: return vs_text_put(t, "#&", 2) && push(p, ITEM, vs_as_box(v)->value, 0);
     case VS_T_TABLE: return vs_text_puts(t, "#hash(") && push(p, ENTRIES, v, 0);
     case VS_T_CONDITION: {
       const vs_condition *c = vs_as_condition(v);
-      if (!vs_text_puts(t, "#<error ") || !(vs_is_string(c->message) ? put_string(t, c->message) : vs_text_puts(t, "?"))) return false;
-      if (vs_is_pair(c->irritants)) return push(p, SLOTS, v, 0) && vs_text_put(t, " ", 1) && push(p, ITEM, c->irritants, 0);
+      if (!vs_text_puts(t, "#<error ") ||
+          !(vs_is_string(c->message) ? put_string(t, c->message) : vs_text_puts(t, "?")))
+        return false;
+      if (vs_is_pair(c->irritants))
+        return push(p, SLOTS, v, 0) && vs_text_put(t, " ", 1) && push(p, ITEM, c->irritants, 0);
       return vs_text_put(t, ">", 1);
     }
   }
@@ -451,7 +475,8 @@ static bool step_slots(printer *p, print_frame f) {
   vs_value child;
   uint32_t i = f.i;
   int type = vs_object_of(f.v)->type;
-  if (type == VS_T_CONDITION || !next_child(f.v, &i, &child)) return type == VS_T_VALUES || vs_text_put(p->t, type == VS_T_VECTOR ? ")" : ">", 1);
+  if (type == VS_T_CONDITION || !next_child(f.v, &i, &child))
+    return type == VS_T_VALUES || vs_text_put(p->t, type == VS_T_VECTOR ? ")" : ">", 1);
   if ((f.i > 0 || type == VS_T_RECORD) && !vs_text_put(p->t, " ", 1)) return false;
   if (type == VS_T_RECORD) {
     vs_value fields = vs_as_record_type(vs_as_record(f.v)->type)->fields;
@@ -467,13 +492,14 @@ static bool step_entries(printer *p, print_frame f) {
   uint32_t i = f.i, before = f.i;
   if (!next_child(f.v, &i, &key)) return vs_text_put(p->t, ")", 1);
   next_child(f.v, &i, &value);
-  return (before == 0 || vs_text_put(p->t, " ", 1)) && vs_text_put(p->t, "(", 1) && push(p, ENTRIES, f.v, i) && push(p, CLOSE, VS_NIL, 0) &&
-         push(p, ITEM, value, 0) && push(p, DOT, VS_NIL, 0) && push(p, ITEM, key, 0);
+  return (before == 0 || vs_text_put(p->t, " ", 1)) && vs_text_put(p->t, "(", 1) && push(p, ENTRIES, f.v, i) &&
+         push(p, CLOSE, VS_NIL, 0) && push(p, ITEM, value, 0) && push(p, DOT, VS_NIL, 0) && push(p, ITEM, key, 0);
 }
 
 static bool step_tail(printer *p, vs_value v) {
   if (v == VS_NIL) return vs_text_put(p->t, ")", 1);
-  if (vs_is_pair(v) && !has_label(p, v)) return vs_text_put(p->t, " ", 1) && push(p, TAIL, vs_cdr(v), 0) && push(p, ITEM, vs_car(v), 0);
+  if (vs_is_pair(v) && !has_label(p, v))
+    return vs_text_put(p->t, " ", 1) && push(p, TAIL, vs_cdr(v), 0) && push(p, ITEM, vs_car(v), 0);
   return vs_text_put(p->t, " . ", 3) && push(p, CLOSE, VS_NIL, 0) && push(p, ITEM, v, 0);
 }
 
@@ -512,7 +538,8 @@ bool vs_print(vs_scheme *vm, vs_value v, vs_print_mode mode, vs_text *t) {
 static bool put_brief(vs_scheme *vm, vs_value v, vs_text *t) {
   vs_text brief;
   vs_text_open(vm, &brief, 240);
-  bool ok = vs_print(vm, v, VS_PRINT_WRITE, &brief) && vs_text_put(t, brief.at ? brief.at : "", brief.count) && (!brief.cut || vs_text_puts(t, " ..."));
+  bool ok = vs_print(vm, v, VS_PRINT_WRITE, &brief) && vs_text_put(t, brief.at ? brief.at : "", brief.count) &&
+            (!brief.cut || vs_text_puts(t, " ..."));
   vs_text_close(&brief);
   return ok;
 }

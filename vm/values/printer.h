@@ -15,7 +15,8 @@ typedef enum {
 /* Appends v to t. Needs no C stack for depth; a list of a million elements costs no memory beside the text. */
 bool vs_print(vs_scheme *vm, vs_value v, vs_print_mode mode, vs_text *t);
 
-/* Appends a CONDITION's message and irritants ("car: expected a pair, got 5"), or "uncaught raise: " and any other object. */
+/* Appends a CONDITION's message and irritants ("car: expected a pair, got 5"), or "uncaught raise: " and any other
+ * object. */
 bool vs_print_condition(vs_scheme *vm, vs_value condition, vs_text *t);
 
 #endif

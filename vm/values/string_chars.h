@@ -13,7 +13,8 @@ static inline uint32_t vs_string_at(vs_value s, size_t k) {
   return c;
 }
 
-/* sets the k-th code point of a string that is wide enough for it (vs_make_string was given one as wide, or vs_string_set widened) */
+/* sets the k-th code point of a string that is wide enough for it (vs_make_string was given one as wide, or
+ * vs_string_set widened) */
 static inline void vs_string_put(vs_value s, size_t k, uint32_t c) {
   uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
   if (vs_object_of(s)->flags & VS_F_WIDE) memcpy(at + 4 * k, &c, 4);

@@ -1,8 +1,9 @@
 /* Owns hash tables (table.h; the layout is described at vs_table in value.h).
 
-   The index is probed linearly and removed from by shifting back, so there are no tombstones in it. An entry's hash is kept as a
-   fixnum: 40 bits of the hash, and bit 0 set when it came from the address of an object in the nursery. Such entries are placed
-   anew when the nursery has been emptied since (table_sync): survivors are in the old space then, which does not move. */
+   The index is probed linearly and removed from by shifting back, so there are no tombstones in it. An entry's hash is
+   kept as a fixnum: 40 bits of the hash, and bit 0 set when it came from the address of an object in the nursery. Such
+   entries are placed anew when the nursery has been emptied since (table_sync): survivors are in the old space then,
+   which does not move. */
 #include "vm/values/table.h"
 
 #include "vm/values/equal.h"
@@ -25,7 +26,9 @@ static void index_place(uint32_t *index, uint32_t mask, vs_value stored, uint32_
   while (index[i]) i = (i + 1) & mask;
   index[i] = entry + 1;
 }
-static void table_place(vs_table *t, uint32_t entry) { index_place(table_index(t), table_mask(t), table_entries(t)->at[entry * 3 + 2], entry); }
+static void table_place(vs_table *t, uint32_t entry) {
+  index_place(table_index(t), table_mask(t), table_entries(t)->at[entry * 3 + 2], entry);
+}
 
 /* takes the slot i out: entries behind it that would no longer be found move back */
 static void table_unplace(vs_table *t, uint32_t i) {
@@ -77,7 +80,9 @@ static bool table_find(vs_scheme *vm, vs_table *t, vs_value key, uint64_t hash, 
 
 bool vs_make_table(vs_scheme *vm, uint32_t kind, vs_value *out) {
   VS_ROOTS(vm, r, 2);
-  if (!vs_make_vector(vm, TABLE_FIRST_ENTRIES * 3, VS_VACANT, &r[0]) || !vs_make_bytes(vm, TABLE_FIRST_ENTRIES * 2 * 4, &r[1])) return false;
+  if (!vs_make_vector(vm, TABLE_FIRST_ENTRIES * 3, VS_VACANT, &r[0]) ||
+      !vs_make_bytes(vm, TABLE_FIRST_ENTRIES * 2 * 4, &r[1]))
+    return false;
   vs_table *t = (vs_table *)(void *)vs_gc_alloc(vm, VS_T_TABLE, VS_WORDS(vs_table));
   if (!t) return false;
   t->entries = r[0];
@@ -96,7 +101,9 @@ static bool table_reserve(vs_scheme *vm, const vs_value *table) {
   uint32_t new_room = t->count > room / 2 ? room * 2 : room;
   if (new_room > UINT32_MAX / 16) return vs_fail(vm, vm->sym.range, "the hash table would be too large");
   VS_ROOTS(vm, r, 2);
-  if (!vs_make_vector(vm, (size_t)new_room * 3, VS_VACANT, &r[0]) || !vs_make_bytes(vm, (size_t)new_room * 2 * 4, &r[1])) return false;
+  if (!vs_make_vector(vm, (size_t)new_room * 3, VS_VACANT, &r[0]) ||
+      !vs_make_bytes(vm, (size_t)new_room * 2 * 4, &r[1]))
+    return false;
   t = vs_as_table(*table);
   table_sync(vm, t);
   vs_vector *to = vs_as_vector(r[0]), *from = table_entries(t);

@@ -11,7 +11,8 @@ bool vs_table_get(vs_scheme *vm, vs_value table, vs_value key, vs_value *out);
 bool vs_table_put(vs_scheme *vm, vs_value table, vs_value key, vs_value value);
 bool vs_table_remove(vs_scheme *vm, vs_value table, vs_value key);
 bool vs_table_clear(vs_scheme *vm, vs_value table);
-/* Iteration in insertion order: *position from 0; false at the end. Entries added meanwhile are seen, removed ones skipped. */
+/* Iteration in insertion order: *position from 0; false at the end. Entries added meanwhile are seen, removed ones
+ * skipped. */
 bool vs_table_next(vs_value table, uint32_t *position, vs_value *key, vs_value *value);
 
 #endif

@@ -57,7 +57,9 @@ bool vs_text_string(vs_text *t, vs_value string) {
   for (uint32_t i = 0; i < s->length;) {
     uint32_t from = i;
     while (i < s->length && store[i] < 0x80 && i - from < 65536) i++;
-    if (i > from && (!vs_text_put(t, (const char *)store + from, i - from) || (i - from >= 1024 && !vs_poll(t->vm, (i - from) / 4)))) return false;
+    if (i > from && (!vs_text_put(t, (const char *)store + from, i - from) ||
+                     (i - from >= 1024 && !vs_poll(t->vm, (i - from) / 4))))
+      return false;
     if (i < s->length && store[i] >= 0x80 && (!vs_text_char(t, store[i]) || !vs_poll_turn(t->vm, i++, 4))) return false;
   }
   return true;
@@ -69,7 +71,9 @@ bool vs_text_end(vs_text *t) {
   return true;
 }
 
-bool vs_text_to_string(vs_text *t, vs_value *out) { return vs_string_from_utf8(t->vm, t->at ? t->at : "", t->count, out); }
+bool vs_text_to_string(vs_text *t, vs_value *out) {
+  return vs_string_from_utf8(t->vm, t->at ? t->at : "", t->count, out);
+}
 
 size_t vs_utf8_decode(const char *text, size_t n, uint32_t *out) {
   const unsigned char *s = (const unsigned char *)text;

@@ -1,8 +1,8 @@
 /* Owns vs_text: a growing UTF-8 buffer in accounted memory, what the printer, number text and string ports write into.
 
      vs_text t; vs_text_open(vm, &t, 0);
-     bool ok = vs_text_puts(&t, "x = ") && vs_print(vm, v, VS_PRINT_WRITE, &t) && vs_string_from_utf8(vm, t.at, t.count, out);
-     vs_text_close(&t);
+     bool ok = vs_text_puts(&t, "x = ") && vs_print(vm, v, VS_PRINT_WRITE, &t) && vs_string_from_utf8(vm, t.at, t.count,
+     out); vs_text_close(&t);
    It holds no Scheme values, so collections do not concern it. */
 #ifndef VS_TEXT_H
 #define VS_TEXT_H

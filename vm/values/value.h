@@ -8,9 +8,9 @@
    Doubles that come from outside pass vs_flonum(), which makes every NaN the one canonical NaN; arithmetic on canonical
    values stays canonical.
 
-   Every heap object begins with vs_object. `words` counts the whole object in 8-byte words, header included, so that the
-   heap can be walked. Objects move once, out of the nursery: C code that allocates (or calls what allocates) must hold
-   values in roots (gc.h), not in plain locals; raw pointers to objects do not survive an allocation.
+   Every heap object begins with vs_object. `words` counts the whole object in 8-byte words, header included, so that
+   the heap can be walked. Objects move once, out of the nursery: C code that allocates (or calls what allocates) must
+   hold values in roots (gc.h), not in plain locals; raw pointers to objects do not survive an allocation.
    Fields of type vs_value are written only through vs_gc_store (gc.h), except in an object just allocated. */
 #ifndef VS_VALUE_H
 #define VS_VALUE_H
@@ -38,7 +38,8 @@ typedef uint64_t vs_value;
 #define VS_NIL         VS_IMMEDIATE(1, 0)
 #define VS_UNSPECIFIC  VS_IMMEDIATE(2, 0)   /* what (if #f #f) and set! return; the printer shows nothing in a REPL */
 #define VS_EOF         VS_IMMEDIATE(3, 0)
-#define VS_ABSENT      VS_IMMEDIATE(4, 0)   /* an optional or keyword argument that was not given; never a user's value */
+#define VS_ABSENT      VS_IMMEDIATE(4, 0)   /* an optional or keyword argument that was not given; never a user's
+                                               value */
 #define VS_UNDEFINED   VS_IMMEDIATE(5, 0)   /* a variable that has no value yet (letrec, an undefined global) */
 #define VS_VACANT      VS_IMMEDIATE(6, 0)   /* hash tables: a free slot, a removed entry */
 #define VS_CHAR(c)     VS_IMMEDIATE(7, (uint32_t)(c))
@@ -57,7 +58,8 @@ static inline vs_value vs_flonum(double d) { return d == d ? vs_flonum_raw(d) : 
 
 static inline bool vs_is_fixnum(vs_value v) { return (v >> 48) == VS_TAG_FIXNUM; }
 static inline int64_t vs_fixnum(vs_value v) { return (int64_t)(v << 16) >> 16; }
-static inline vs_value vs_fix(int64_t n) { return (VS_TAG_FIXNUM << 48) | ((uint64_t)n & VS_PAYLOAD); }   /* n in range */
+/* n in range */
+static inline vs_value vs_fix(int64_t n) { return (VS_TAG_FIXNUM << 48) | ((uint64_t)n & VS_PAYLOAD); }
 static inline bool vs_fits_fixnum(int64_t n) { return n >= VS_FIXNUM_MIN && n <= VS_FIXNUM_MAX; }
 
 /* ---- heap objects ---- */
@@ -94,8 +96,9 @@ static inline vs_object *vs_object_of(vs_value v) { return (vs_object *)(uintptr
 static inline vs_value vs_from_object(const void *o) { return (VS_TAG_POINTER << 48) | (uint64_t)(uintptr_t)o; }
 static inline bool vs_is(vs_value v, int type) { return vs_is_object(v) && vs_object_of(v)->type == type; }
 
-/* A place in a source file, 48 bits so that it also fits a fixnum (vs_fix(pos), back with vs_pos_of): file number (vm->at.files)
-   12 bits, line 22 bits, column 14 bits, all saturating; lines and columns from 1, 0 is unknown. Columns count characters. */
+/* A place in a source file, 48 bits so that it also fits a fixnum (vs_fix(pos), back with vs_pos_of): file number
+   (vm->at.files) 12 bits, line 22 bits, column 14 bits, all saturating; lines and columns from 1, 0 is unknown. Columns
+   count characters. */
 typedef uint64_t vs_pos;
 static inline vs_pos vs_pos_make(uint32_t file, uint32_t line, uint32_t col) {
   if (file > 0xFFF) file = 0;
@@ -111,8 +114,8 @@ static inline vs_pos vs_pos_of(vs_value fixnum) { return fixnum & VS_PAYLOAD; }
 typedef struct { vs_object h; vs_value car, cdr; } vs_pair;
 typedef struct { vs_pair pair; vs_pos pos; } vs_located_pair;   /* VS_F_LOCATED */
 
-/* Characters are in `store`, a BYTES object, 1 or 4 bytes each (VS_F_WIDE), so that string-ref is O(1) and string-set! may
-   widen. Code points, never surrogates. Conversions belong to the string module. */
+/* Characters are in `store`, a BYTES object, 1 or 4 bytes each (VS_F_WIDE), so that string-ref is O(1) and string-set!
+   may widen. Code points, never surrogates. Conversions belong to the string module. */
 typedef struct { vs_object h; uint32_t length, hash; vs_value store; } vs_string;
 
 /* UTF-8 name, with a zero byte behind it. Interned ones are unique (vs_intern in gc.h): compare with ==. */
@@ -132,7 +135,8 @@ typedef struct {
   vs_value consts;      /* vector, old space; cells, literals, nested code, keyword lists */
   vs_value ins;         /* BYTES of 32-bit instructions, old space */
   vs_value places;      /* BYTES: pc -> position, or one position as a fixnum: see code.h */
-  vs_value inlined;     /* BYTES of {u32 pc, u32 constant}: instructions standing for a call of that constant's cell, by pc */
+  vs_value inlined;     /* BYTES of {u32 pc, u32 constant}: instructions standing for a call of that constant's cell, by
+                           pc */
   vs_value params;      /* vector of symbols: required, optional, keyword, rest: for messages */
   vs_value doc;         /* what the program may attach, or #f */
   uint32_t required, optional, keywords, registers;
@@ -152,9 +156,18 @@ enum {
 typedef struct { vs_object h; vs_value code; vs_value free[]; } vs_closure;
 /* case-lambda: closures, tried in order. A word behind the clauses is what the layers above noted of the procedure. */
 typedef struct { vs_object h; uint64_t count; vs_value clause[]; } vs_case;
-static inline vs_value vs_case_note(const vs_case *c) { return c->h.words > 2 + c->count ? c->clause[c->count] : VS_FALSE; }
-/* `max` is UINT32_MAX with a rest; `keywords` a vector of symbols or #f; `inlined` the row of inline.def, `inlined_arg` with it */
-typedef struct { vs_object h; const struct vs_native_def *def; uint32_t min, max; vs_value name, keywords; uint32_t inlined, inlined_arg; } vs_native;
+static inline vs_value vs_case_note(const vs_case *c) {
+  return c->h.words > 2 + c->count ? c->clause[c->count] : VS_FALSE;
+}
+/* `max` is UINT32_MAX with a rest; `keywords` a vector of symbols or #f; `inlined` the row of inline.def, `inlined_arg`
+   with it */
+typedef struct {
+  vs_object h;
+  const struct vs_native_def *def;
+  uint32_t min, max;
+  vs_value name, keywords;
+  uint32_t inlined, inlined_arg;
+} vs_native;
 
 /* A global variable. `users` lists the code that inlined it while VS_F_CONSTANT (patched when it is redefined). */
 typedef struct { vs_object h; vs_value value, name, users; } vs_cell;
@@ -185,14 +198,25 @@ typedef struct {
 } vs_table;
 enum { VS_TABLE_EQ, VS_TABLE_EQV, VS_TABLE_EQUAL, VS_TABLE_STRING };
 
-/* Fields as vm/library/port.c wants them: `buffer` BYTES or #f, `name` string or #f; `host` is a host stream's number or -1. */
-typedef struct { vs_object h; vs_value buffer, name, data; int64_t host; uint64_t position, limit; uint32_t line, col, flags, peeked; } vs_port;
+/* Fields as vm/library/port.c wants them: `buffer` BYTES or #f, `name` string or #f; `host` is a host stream's number
+   or -1. */
+typedef struct {
+  vs_object h;
+  vs_value buffer, name, data;
+  int64_t host;
+  uint64_t position, limit;
+  uint32_t line, col, flags, peeked;
+} vs_port;
 
-typedef struct { vs_object h; vs_value done /* #t, #f */, value /* value or thunk */; } vs_promise;   /* shared through box if need be */
+typedef struct {
+  vs_object h;
+  vs_value done /* #t, #f */, value /* value or thunk */;
+} vs_promise; /* shared through box if need be */
 typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
 /* An error the system made, or (error ...). Shown as MESSAGE IRRITANT ...: "make-sphere: r must be positive, got" (-2).
-   `chain` is a list of (procedure-name . position fixnum), innermost first; `place` the position of the failing call. */
+   `chain` is a list of (procedure-name . position fixnum), innermost first; `place` the position of the failing
+   call. */
 typedef struct { vs_object h; vs_value kind /* symbol */, message /* string */, irritants /* list */, chain, payload,
     frames /* activation.c; #f: not kept */; vs_pos place; } vs_condition;
 
@@ -200,7 +224,12 @@ typedef struct { vs_object h; vs_value kind /* symbol */, message /* string */, 
 typedef struct { vs_object h; vs_value under; uint64_t depth, count,
     total /* slots, with those of all stretches below */; vs_value at[]; } vs_stack;
 /* `ret` is the return information of the frame it returns into (run.c) */
-typedef struct { vs_object h; vs_value stack; uint64_t depth; vs_value winders, handlers, parameters, ret; } vs_continuation;
+typedef struct {
+  vs_object h;
+  vs_value stack;
+  uint64_t depth;
+  vs_value winders, handlers, parameters, ret;
+} vs_continuation;
 
 /* Expander objects: fields are vm-front's business, all traced. */
 typedef struct { vs_object h; vs_value name, table, imports, exports, parent, top, data; } vs_environment;
@@ -210,23 +239,29 @@ typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alia
 /* The constant descriptor of a call with keywords: the last `count` arguments belong to these names. */
 typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
 
-/* A reference to an object of the host. `type` has the hooks (native.h); release(object) runs when it dies. `with` is for the owner's use, NULL
-   at first. The bytes that the object counts towards the collector's budget is in h.flags (gc.c). */
+/* A reference to an object of the host. `type` has the hooks (native.h); release(object) runs when it dies. `with` is
+   for the owner's use, NULL at first. The bytes that the object counts towards the collector's budget is in h.flags
+   (gc.c). */
 typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; const void *with; } vs_foreign;
 
 /* ---- typed access; the caller has tested the type ---- */
 #define VS_ACCESSOR(name, ctype) \
   static inline ctype *vs_as_##name(vs_value v) { return (ctype *)(void *)vs_object_of(v); }
-VS_ACCESSOR(pair, vs_pair) VS_ACCESSOR(string, vs_string) VS_ACCESSOR(symbol, vs_symbol) VS_ACCESSOR(vector, vs_vector) VS_ACCESSOR(bytes, vs_bytes)
-VS_ACCESSOR(bignum, vs_bignum) VS_ACCESSOR(ratio, vs_ratio) VS_ACCESSOR(code, vs_code) VS_ACCESSOR(closure, vs_closure) VS_ACCESSOR(case, vs_case)
-VS_ACCESSOR(native, vs_native) VS_ACCESSOR(cell, vs_cell) VS_ACCESSOR(box, vs_box) VS_ACCESSOR(values, vs_values) VS_ACCESSOR(record_type, vs_record_type)
-VS_ACCESSOR(record, vs_record) VS_ACCESSOR(flat, vs_flat) VS_ACCESSOR(dual, vs_dual) VS_ACCESSOR(table, vs_table) VS_ACCESSOR(port, vs_port) VS_ACCESSOR(promise, vs_promise)
-VS_ACCESSOR(parameter, vs_parameter) VS_ACCESSOR(condition, vs_condition) VS_ACCESSOR(stack, vs_stack) VS_ACCESSOR(continuation, vs_continuation)
-VS_ACCESSOR(environment, vs_environment) VS_ACCESSOR(macro, vs_macro) VS_ACCESSOR(alias, vs_alias) VS_ACCESSOR(keywords, vs_keywords)
-VS_ACCESSOR(foreign, vs_foreign)
+VS_ACCESSOR(pair, vs_pair)
+VS_ACCESSOR(string, vs_string) VS_ACCESSOR(symbol, vs_symbol) VS_ACCESSOR(vector, vs_vector)
+    VS_ACCESSOR(bytes, vs_bytes) VS_ACCESSOR(bignum, vs_bignum) VS_ACCESSOR(ratio, vs_ratio) VS_ACCESSOR(code, vs_code)
+        VS_ACCESSOR(closure, vs_closure) VS_ACCESSOR(case, vs_case) VS_ACCESSOR(native, vs_native)
+            VS_ACCESSOR(cell, vs_cell) VS_ACCESSOR(box, vs_box) VS_ACCESSOR(values, vs_values)
+                VS_ACCESSOR(record_type, vs_record_type) VS_ACCESSOR(record, vs_record) VS_ACCESSOR(flat, vs_flat)
+                    VS_ACCESSOR(dual, vs_dual) VS_ACCESSOR(table, vs_table) VS_ACCESSOR(port, vs_port)
+                        VS_ACCESSOR(promise, vs_promise) VS_ACCESSOR(parameter, vs_parameter)
+                            VS_ACCESSOR(condition, vs_condition) VS_ACCESSOR(stack, vs_stack)
+                                VS_ACCESSOR(continuation, vs_continuation) VS_ACCESSOR(environment, vs_environment)
+                                    VS_ACCESSOR(macro, vs_macro) VS_ACCESSOR(alias, vs_alias)
+                                        VS_ACCESSOR(keywords, vs_keywords) VS_ACCESSOR(foreign, vs_foreign)
 #undef VS_ACCESSOR
 
-static inline bool vs_is_pair(vs_value v) { return vs_is(v, VS_T_PAIR); }
+                                            static inline bool vs_is_pair(vs_value v) { return vs_is(v, VS_T_PAIR); }
 static inline bool vs_is_symbol(vs_value v) { return vs_is(v, VS_T_SYMBOL); }
 static inline bool vs_is_string(vs_value v) { return vs_is(v, VS_T_STRING); }
 static inline bool vs_is_vector(vs_value v) { return vs_is(v, VS_T_VECTOR); }
