@@ -45,6 +45,12 @@ static const union MHD_DaemonInfo *get_daemon_info(struct MHD_Daemon *d, enum MH
   info.port = 8080;
   return &info;
 }
+/* No connection is among those that wait: there is no socket to shut. */
+static const union MHD_ConnectionInfo *get_connection_info(struct MHD_Connection *c, enum MHD_ConnectionInfoType type,
+                                                           ...) {
+  (void)c, (void)type;
+  return NULL;
+}
 static const char *lookup(struct MHD_Connection *c, enum MHD_ValueKind kind, const char *name) {
   for (size_t i = 0; i < c->words; i++)
     if (c->word[i].kind == kind && !strcmp(c->word[i].name, name)) return c->word[i].value;
@@ -121,6 +127,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     server = (live_server){ .http = { .start_daemon = start_daemon,
                                       .stop_daemon = stop_daemon,
                                       .get_daemon_info = get_daemon_info,
+                                      .get_connection_info = get_connection_info,
                                       .lookup_connection_value = lookup,
                                       .create_response_from_buffer = from_buffer,
                                       .create_response_from_callback = from_callback,
