@@ -132,6 +132,10 @@
 (draw (unite (map tracks (iota rows))))
 
 (units 'm)
-(ground -1.1 #:material (make-material #:name "ballast" #:color "#8f8b84"))
+; A square of slabs of four metres under an afternoon's sky, seen by somebody who walks towards the station.
+(define slabs
+  (make-material #:name "slabs" #:color "#a3a3a1" #:pattern 'tiles #:pattern-size 4 #:pattern-color "#868684"))
+(ground -1.1 #:material slabs)
+(sky #:turbidity 2.5)
 (sun #:azimuth 222 #:altitude 38)
-(camera (xyz -38 -34 7) (xyz 40 34 11) #:lens 28)
+(camera (xyz -30 -24 1.2) (xyz 40 33 13) #:lens 28)

@@ -146,6 +146,7 @@ static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool a
       if (name == strlen(t->nodes[i].text) && !strncmp(at, t->nodes[i].text, name)) {
         const char *said = at[name] == '=' ? at + name + 1 : at, *end = at + length;
         const char *colon = memchr(said, ':', (size_t)(end - said));
+        if (said == end) break; /* "pattern=": the targets have nothing for it */
         if (!*w->target->key) { /* without keywords: the colour of a material counts */
           if (!strncmp(said, "c", (size_t)(end - said))) tr_plan(w, "%v", t->nodes[i].first);
           break;
