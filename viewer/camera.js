@@ -26,7 +26,7 @@ export class CameraControl {
     this.pointers = new Map();
     this.depthAt = () => null; // (x, y) in pixels: a point of the model there, or null
     this.changed = () => {};
-    this.covered = () => 0; // pixels at the picture's lower border that lie under buttons
+    this.covered = () => 0; // pixels at the picture's lower border that lie under buttons or next to them
     stage.onFrame((time) => this.#step(time));
     this.#listen(stage.canvas);
   }
@@ -79,7 +79,8 @@ export class CameraControl {
     return out;
   }
 
-  // The state that shows the whole box as large as can be above the buttons, looking as s does. The same reasoning as backends/view.c.
+  // The state that shows the whole box, or all points of the model where the box is its own, as large as can be above the buttons, looking as s
+  // does. The same reasoning as backends/view.c.
   framed(s, box) {
     const canvas = this.stage.canvas, aspect = Math.max(1, canvas.clientWidth) / Math.max(1, canvas.clientHeight), margin = 1.12;
     const half = Math.tan(s.angle / 2), tall = half / margin, wide = tall * aspect;
@@ -87,8 +88,10 @@ export class CameraControl {
     const r = this.right(s), u = this.up(s), f = this.direction(s).negate(), corners = this.corners(box);
     const middle = corners[0].clone().add(corners[7]).multiplyScalar(0.5);
     const most = { r: -Infinity, l: -Infinity, t: -Infinity, b: -Infinity }, flat = { ...most };
-    for (const corner of corners) {
-      const c = corner.sub(middle), x = c.dot(r), y = c.dot(u), z = c.dot(f);
+    const outer = box === this.stage.model?.box ? this.stage.model.outerPoints() : corners.flatMap((c) => [c.x, c.y, c.z]), c = new THREE.Vector3();
+    for (let i = 0; i < outer.length; i += 3) {
+      c.set(outer[i], outer[i + 1], outer[i + 2]).sub(middle);
+      const x = c.dot(r), y = c.dot(u), z = c.dot(f);
       most.r = Math.max(most.r, x - z * wide), most.l = Math.max(most.l, -x - z * wide);
       most.t = Math.max(most.t, y - z * tall), most.b = Math.max(most.b, -y - z * low);
       flat.r = Math.max(flat.r, x), flat.l = Math.max(flat.l, -x), flat.t = Math.max(flat.t, y), flat.b = Math.max(flat.b, -y);

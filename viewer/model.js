@@ -101,7 +101,27 @@ export class Model {
     if (n === 0) this.box = { min: [-1, -1, -1], max: [1, 1, 1] };
     this.size = [0, 1, 2].map((k) => this.box.max[k] - this.box.min[k]);
     this.diagonal = Math.hypot(...this.size) || 1;
+    this.outer = null;
     return this;
+  }
+
+  // Points that everything lies between, three numbers each: all corners of the parts' triangles, of large models the corners of the parts' boxes, of
+  // very large ones those of the one box. A dome fills its box in no direction but six, and is framed by its own points.
+  outerPoints() {
+    if (this.outer) return this.outer;
+    const n = this.count, m = this.matrix, { min, max } = this.box, MOST = 200000;
+    let all = 0;
+    for (let i = 0; i < n && all <= MOST; i++) all += this.geometries[this.geometry[i]].position.length / 3;
+    const each = all <= MOST ? null : 8, at = [];
+    const corners = (low, high) => Array.from({ length: 24 }, (_, j) => ((Math.floor(j / 3) >> (j % 3)) & 1 ? high : low)[j % 3]);
+    if (n === 0 || (each && 8 * n > MOST)) at.push(...corners(min, max));
+    else
+      for (let i = 0, o = 0; i < n; i++, o += 12) {
+        const g = this.geometries[this.geometry[i]], P = each ? corners(g.min, g.max) : g.position;
+        for (let v = 0; v < P.length; v += 3)
+          for (let k = 0; k < 3; k++) at.push(m[o + 4 * k] * P[v] + m[o + 4 * k + 1] * P[v + 1] + m[o + 4 * k + 2] * P[v + 2] + m[o + 4 * k + 3]);
+      }
+    return this.outer = new Float32Array(at);
   }
 
   // The places in the source that made part i: { file, line, column, number } from the innermost call outwards.

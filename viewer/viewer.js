@@ -48,7 +48,7 @@ export class Viewer {
     this.control.depthAt = (x, y) => pick(this.stage, x, y)?.point || null;
     this.control.click = (x, y) => this.#click(x, y);
     this.control.changed = () => this.#drawOverlay();
-    this.control.covered = () => Math.max(0, this.canvas.getBoundingClientRect().bottom - this.bar.getBoundingClientRect().top);
+    this.control.covered = () => this.bar.offsetHeight === 0 ? 0 : Math.max(0, 8 + this.canvas.getBoundingClientRect().bottom - this.bar.getBoundingClientRect().top);
     this.setDark(matchMedia("(prefers-color-scheme: dark)").matches);
     new ResizeObserver(() => {
       this.stage.resize();
