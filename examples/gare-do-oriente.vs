@@ -132,10 +132,9 @@
 (draw (unite (map tracks (iota rows))))
 
 (units 'm)
-; A square of slabs of four metres under an afternoon's sky, seen by somebody who walks towards the station.
+; A square of slabs of four metres in the afternoon's sun, seen by somebody who walks towards the station.
 (define slabs
   (make-material #:name "slabs" #:color "#a3a3a1" #:pattern 'tiles #:pattern-size 4 #:pattern-color "#868684"))
 (ground -1.1 #:material slabs)
-(sky #:turbidity 2.5)
 (sun #:azimuth 222 #:altitude 38)
 (camera (xyz -30 -24 1.2) (xyz 40 33 13) #:lens 28)
