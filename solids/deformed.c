@@ -11,6 +11,7 @@
 #include "geometry/tessellate.h"
 #include "model/store/array.h"
 #include "model/store/nodemap.h"
+#include "solids/primitive_meshes.h"
 
 /* HALVINGS: of an edge at most. FINEST: a hexahedron's diagonal is not followed more finely than by this part. */
 enum { HALVINGS = 6, FINEST = 1000, USUAL = 200 };
@@ -252,8 +253,10 @@ static vs_node *leaf_node(const vs_deformer *d, const hexahedron *h, const vs_be
   }
   if (ok) {
     vs_mesh *m = vs_bending_mesh(b);
+    bool solid = l->closed && !l->curve;
     if (mirrored) vs_mesh_turn(m, 0);
-    if (!(n = vs_bend_node(d->store, l, m))) vs_error_memory(e, l->origin);
+    ok = !solid || vs_mesh_without_overlaps(m, d->options, e); /* a hexahedron may be folded */
+    if (ok && !(n = vs_bend_node(d->store, l, m))) vs_error_memory(e, l->origin);
   }
   vs_bending_free(b);
   free(images);

@@ -62,11 +62,22 @@ bool vs_primitive_overlaps(const vs_node *n, const vs_facets *f, const vs_kernel
   return ok;
 }
 
-static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out,
-                           vs_error *e) {
+bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e) {
   vs_mesh_flaws flaws;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   vs_mesh whole = { 0 };
+  if (!m->triangle_count) return true;
+  if (!vs_kernel_inspect(m, options, &flaws, &why)) return failed(&why, e);
+  if (flaws.wound_count == 0 && !flaws.touches) return true;
+  if (!vs_kernel_resolve(m, 0, options, &whole, &why)) return vs_mesh_free(&whole), failed(&why, e);
+  vs_bounds b = vs_mesh_bounds(m);
+  vs_mesh_free(m);
+  *m = whole;
+  return flaws.wound_count == 0 || drop_flakes(m, 1e-6 * vs_bounds_diagonal(&b), e);
+}
+
+static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out,
+                           vs_error *e) {
   size_t limit = options ? options->max_triangles : 0;
   out->most = limit * VS_ON_THE_WAY;
   if (!vs_tessellate(n, f, out, e)) {
@@ -74,14 +85,7 @@ static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel
     return false;
   }
   out->most = 0;
-  if (!may_overlap(n) || !out->triangle_count) return true;
-  if (!vs_kernel_inspect(out, options, &flaws, &why)) return failed(&why, e);
-  if (flaws.wound_count == 0 && !flaws.touches) return true;
-  if (!vs_kernel_resolve(out, 0, options, &whole, &why)) return vs_mesh_free(&whole), failed(&why, e);
-  vs_bounds b = vs_mesh_bounds(out);
-  vs_mesh_free(out);
-  *out = whole;
-  return flaws.wound_count == 0 || drop_flakes(out, 1e-6 * vs_bounds_diagonal(&b), e);
+  return !may_overlap(n) || vs_mesh_without_overlaps(out, options, e);
 }
 
 bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out,

@@ -115,11 +115,16 @@ vs_status vs_p_deformed(vs_frame *f, vs_value *out) {
   const vs_origin *origin = vs_bind_origin(f->bind);
   for (; made < n; made++) {
     vs_mesh *m = vs_bending_mesh(d->at[made]);
-    if (d->leaves.at[made].closed && !d->leaves.at[made].curve && vs_mesh_volume(m) < 0) vs_mesh_turn(m, 0);
+    bool solid = d->leaves.at[made].closed && !d->leaves.at[made].curve;
+    if (solid && vs_mesh_volume(m) < 0) vs_mesh_turn(m, 0);
+    if (solid && !vs_bend_solid(f->bind, m)) return VS_ERROR;
     refs[made] = (vs_ref){ vs_bend_node(s, &d->leaves.at[made], m), origin };
     if (!vs_bind_keep(f, refs[made].node)) return VS_ERROR;
   }
   if (n == 0) return vs_bind_empty(f, "there is nothing to deform", out);
+  bool left = false;
+  for (size_t i = 0; i < n; i++) left = left || refs[i].node->class_ != VS_NOTHING;
+  if (!left) return vs_bind_empty(f, "the map leaves no volume of it", out);
   if (n == 1) return vs_bind_node(f, vs_node_retain(refs[0].node), out);
   return vs_bind_node(f, vs_node_new(s, VS_UNION, &(struct vs_union){ 0 }, refs, n), out);
 }

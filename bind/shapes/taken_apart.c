@@ -5,6 +5,7 @@
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
 #include "solids/deformed.h"
+#include "solids/primitive_meshes.h"
 #include "solids/resolve.h"
 #include "solids/solid_meshes.h"
 
@@ -40,6 +41,12 @@ bool vs_bend_take_apart(vs_bind *b, vs_ref object, const char *no_regions, vs_be
   ok = ok && ended(b, vs_take_apart(object, &facets, &options, no_regions, out, &e), &e);
   vs_node_release(object.node);
   return ok;
+}
+
+bool vs_bend_solid(vs_bind *b, vs_mesh *m) {
+  vs_error e = { 0 };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
+  return ended(b, vs_mesh_without_overlaps(m, &options, &e), &e);
 }
 
 vs_status vs_bend_triangles(vs_frame *f, vs_ref ref, vs_mesh *out) {

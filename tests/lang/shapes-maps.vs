@@ -67,3 +67,7 @@
 (displayln (near? (volume kerb) (* 0.1 (curve-length ramp)) 1e-3)) ; expect: #t
 (fails ((flow-map origin (xyz 0 0 8) (make-line origin (xyz 0 0 8)) #:up uz) origin)) ; expect: flow-map: the curve runs along up at (xyz 0 0 0), where nothing can be upright
 (fails (flow-map origin (xyz 0 0 8) ramp #:up 3)) ; expect: flow-map: up must be a gvector longer than 0, got 3
+; a map that folds: the part that overlaps itself counts once, as in a union of it
+(define coil (do-deform (make-box (xyz -.5 -.5 0) 1 1 8) (bend-map origin (xyz 0 0 8) (* 3 pi) ux)))
+(displayln (near? (volume coil) (volume (unite coil (make-box (xyz 50 0 0) 1 1 1))) 1.001))       ; expect: #t
+(displayln (do-deform cube (lambda (p) (xyz (cx p) (cy p) 0)))) ; expect: (empty-object)

@@ -352,6 +352,14 @@ static void wrong_examples_are_right(void **state) {
     "(do-transform (subtract (make-e-cone (xyz 0.75 -2.25 2.2) 1.125 1.875 (xyz 1.5 -1.5 0.75) 1.875) (do-rotate "
     "(make-e-cone (xyz 0.75 -2.25 2.25) 1.125 1.88 (xyz 1.5 -1.5 0.75) 1.875) (vxyz 1 2 3) 3e-10)) (make-matrix 1 0 0 0 "
     " 0 1 0 0  .25 0 1 0  0 0 0 1))",
+    /* a hexahedron that is folded; a path that turns back in cusps, where it has no direction */
+    "(scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 3) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) (xyz -1 "
+    "-1 3) (xyz -0.5 1.5 0)) (make-box (xyz 0.9 1e-3 1e-6) 0.5 0.5 1))",
+    "(scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 2) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) (xyz -1 "
+    "-1 3) (xyz -1 0 0)) (make-box (xyz -0.9 -2 0) 2 2 2))",
+    "(intersect (do-loft (list (make-circle origin 1) (do-move (make-polygon (xy 3 0) (xy 2 .5) (xy 2 2)) (vxyz 0 0 "
+    "2)))) (do-sweep (make-polygon (xy 0 0) (xy 2 1) (xy 0 1)) (make-spline (list (xy 1 0) (xy 3 0) (xyz 2 0 0) (xy 1 "
+    "0))) 0.8))",
     "(do-mirror (make-polyface-mesh (list (xyz 0 0 0) (xyz 2 0 0) (xyz 2 2 0) (xyz 0 2 2) (xyz 0 0 2) (xyz 2 0 2) "
     "(xyz 2 2 2) (xyz 0 2 2)) '((1 4 3 2) (4 1 5 8)) #:repair #t) 'yz)",
   };
