@@ -9,7 +9,8 @@
 
 #include <stdlib.h>
 
-static const double full_turn = 6.28318530717958647693;
+enum { HALVINGS = 40 };
+static const double full_turn = 6.28318530717958647693, STANDS = 1e-9, TURNS_BACK = -.75;
 
 void vs_path_free(vs_path *p) {
   free(p->at);
@@ -147,16 +148,44 @@ static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
   for (size_t i = 0; i < n; i++) w->m[i] = vs_v3_sub(w->m[i], vs_v3_scale(factor, u[i].x));
 }
 
-static void spline_at(const vs_spline_work *w, size_t i, double t, vs_vec3 *at, vs_vec3 *slope) {
+/* Where the spline is at a part of a span, and its directions before and after: at a cusp, where it stands still and
+ * turns back, these are opposite. */
+static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   size_t j = i + 1 < w->n ? i + 1 : 0;
   double h = w->h[i], b = t, a = 1 - t;
   vs_vec3 p = w->p[i], q = w->p[j], m = w->m[i], k = w->m[j];
-  *at = vs_v3_add(vs_v3_add(vs_v3_scale(p, a), vs_v3_scale(q, b)),
-                  vs_v3_scale(vs_v3_add(vs_v3_scale(m, a * a * a - a), vs_v3_scale(k, b * b * b - b)), h * h / 6));
-  *slope = vs_v3_unit(
+  vs_vec3 bends = vs_v3_add(vs_v3_scale(m, a * a * a - a), vs_v3_scale(k, b * b * b - b));
+  vs_vec3 at = vs_v3_add(vs_v3_add(vs_v3_scale(p, a), vs_v3_scale(q, b)), vs_v3_scale(bends, h * h / 6));
+  vs_vec3 speed =
       vs_v3_add(vs_v3_scale(vs_v3_sub(q, p), 1 / h),
-                vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6)));
+                vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6));
+  vs_vec3 force = vs_v3_add(vs_v3_scale(m, a), vs_v3_scale(k, b)), ahead = vs_v3_unit(speed), behind = ahead;
+  if (vs_v3_length(speed) < STANDS) { /* the mean speed is 1: the parameter is about the length */
+    ahead = vs_v3_unit(force), behind = vs_v3_scale(ahead, -1);
+    if (vs_v3_length(force) * h < STANDS) ahead = behind = vs_v3_unit(vs_v3_sub(k, m));
+  }
+  return (vs_path_point){ at, behind, ahead, 0 };
 }
+
+/* Adds samples between two of them, where the direction turns back and comes about within a small part of the span:
+ * halves of that part, down to the cusp. */
+static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, vs_path *out) {
+  vs_path_point p = spline_at(w, i, from), q = spline_at(w, i, to), tail[HALVINGS];
+  size_t behind = 0;
+  bool ok = true;
+  for (int n = 0; ok && n < HALVINGS && vs_v3_dot(p.leaving, q.arriving) < TURNS_BACK; n++) {
+    double middle = (from + to) / 2;
+    vs_path_point r = spline_at(w, i, middle);
+    if (vs_v3_dot(p.leaving, r.arriving) < TURNS_BACK) to = middle, q = tail[behind++] = r;
+    else if (ok = vs_path_add(out, r.at, r.arriving, r.leaving), ok) from = middle, p = r;
+  }
+  if (ok && vs_v3_dot(p.leaving, q.arriving) < TURNS_BACK)
+    ok = vs_path_add(out, spline_at(w, i, (from + to) / 2).at, p.leaving, q.arriving);
+  while (ok && behind-- > 0) ok = vs_path_add(out, tail[behind].at, tail[behind].arriving, tail[behind].leaving);
+  return ok;
+}
+
+static double spline_angle(vs_vec3 a, vs_vec3 b) { return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b)); }
 
 static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_facets *f) {
   size_t given = s->points->count;
@@ -180,25 +209,25 @@ static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_facet
   double turn = segments > 0 ? segments : 32;
   size_t spans = w.closed ? w.n : w.n - 1;
   for (size_t i = 0; ok && i < spans; i++) {
-    vs_vec3 at, slope, last;
+    vs_path_point last = spline_at(&w, i, 0), here;
     double turning = 0, most = fmax(vs_v3_length(w.m[i]), vs_v3_length(w.m[(i + 1) % w.n]));
-    spline_at(&w, i, 0, &at, &last);
-    for (int k = 1; k <= 8; k++, last = slope) {
-      spline_at(&w, i, k / 8.0, &at, &slope);
-      turning += atan2(vs_v3_length(vs_v3_cross(last, slope)), vs_v3_dot(last, slope));
+    for (int k = 1; k <= 8; k++, last = here) {
+      here = spline_at(&w, i, k / 8.0);
+      turning += spline_angle(last.leaving, here.arriving);
+      if (k < 8) turning += spline_angle(here.arriving, here.leaving);
     }
     double pieces = ceil(turning / full_turn * turn - 1e-9);
     if (segments <= 0) pieces = fmax(pieces, ceil(w.h[i] * sqrt(most / (8 * f->tolerance)) - 1e-9));
     int k = pieces < 1 ? 1 : pieces > 4096 ? 4096 : (int)pieces;
     for (int j = 0; ok && j < k; j++) {
-      spline_at(&w, i, (double)j / k, &at, &slope);
-      ok = vs_path_add(out, j ? at : w.p[i], slope, slope);
+      here = spline_at(&w, i, (double)j / k);
+      ok = vs_path_add(out, j ? here.at : w.p[i], here.arriving, here.leaving) &&
+           spline_turn(&w, i, (double)j / k, (j + 1.0) / k, out);
     }
   }
   if (ok && !w.closed) {
-    vs_vec3 at, slope;
-    spline_at(&w, w.n - 2, 1, &at, &slope);
-    ok = vs_path_add(out, w.p[w.n - 1], slope, slope);
+    vs_path_point end = spline_at(&w, w.n - 2, 1);
+    ok = vs_path_add(out, w.p[w.n - 1], end.arriving, end.leaving);
   }
   out->closed = w.closed;
 done:

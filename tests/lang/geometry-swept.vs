@@ -177,3 +177,7 @@
 (define steps (do-sweep plank (make-line (xyz 0 0 0) (xyz 2 0 1) (xyz 3 0 1) (xyz 3 3 1)) #:up 'z))
 (displayln (and (solid? steps) (> (volume steps) 0.2)))                ; expect: #t
 (ok? "a ring" (volume (do-sweep plank (make-circle origin 2) #:up 'z)) (* 0.036 4 pi) 1e-9)
+; a spline that runs back on itself has cusps, where it has no direction: the solid is the same at every fineness
+(define (back-and-forth) (do-sweep (make-polygon (xy 0 0) (xy 2 1) (xy 0 1)) (make-spline (list (xy 1 0) (xy 3 0) (xyz 2 0 0) (xy 1 0))) 0.8))
+(displayln (near? (bounding-box (back-and-forth)) (parameterize ((current-segments 24)) (bounding-box (back-and-forth))) 0.05)) ; expect: #t
+(displayln (near? (volume (back-and-forth)) (volume (parameterize ((current-segments 24)) (back-and-forth))) 0.01))             ; expect: #t
