@@ -258,11 +258,13 @@ static bool name_procedure(void *context, const vs_outline_item *item) {
 
 bool vs_session_advise_empty(vs_session *s, vs_text *t) {
   if (!s->source_count) return true;
-  const vs_source *source = &s->sources[s->source_count - 1];
   size_t before = t->count;
   if (!put(t, ": the program defines ")) return false;
   naming n = { .t = t, .ok = true };
-  vs_outline_each(source->text, source->length, name_procedure, &n);
+  /* The program that ran last; the libraries that it imported were read after it, and their text defines no procedure
+   * outside of define-library. */
+  for (size_t i = s->source_count; i-- > 0 && !n.count && n.ok;)
+    vs_outline_each(s->sources[i].text, s->sources[i].length, name_procedure, &n);
   if (!n.ok) return false;
   if (!n.count) {
     t->count = before;

@@ -90,7 +90,8 @@ void vs_outline_each(const char *text, size_t length, bool (*each)(void *context
     uint32_t unused = line;
     const char *in = is_open(*at) ? vs_outline_blanks(at + 1, end, &unused) : end;
     size_t head = vs_outline_word(in, end);
-    if (head >= 6 && !memcmp(in, "define", 6)) {
+    bool library = head == 14 && !memcmp(in, "define-library", 14); /* its name is a list, and no procedure */
+    if (head >= 6 && !memcmp(in, "define", 6) && !library) {
       in = vs_outline_blanks(in + head, end, &unused);
       while (in < end && is_open(*in)) item.procedure = true, in = vs_outline_blanks(in + 1, end, &unused);
       item.name = in, item.length = vs_outline_word(in, end);
