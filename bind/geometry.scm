@@ -98,11 +98,95 @@
 
 ; ---- surfaces ----
 
-; f called on nu+1 by nv+1 places; C is handed what it gave and says where that is no point.
-(define (make-surface f #:nu [nu any? #f] #:nv [nv any? #f] #:closed-u [closed-u any? #f] #:closed-v [closed-v any? #f] . more)
+; The distance of p from the line between a and b.
+(define (%from-chord p a b)
+  (let* ((way (p->q a b)) (square (dot way way)))
+    (distance p (if (> square 0) (p+v a (v*r way (max 0 (min 1 (/ (dot (p->q a p) way) square))))) a))))
+
+; The distance of p from the two triangles that the quad a b c d is cut into along a c: the nearer of their planes.
+(define (%from-halves p a b c d)
+  (define (from-plane b)
+    (let* ((normal (cross (p->q a b) (p->q a c))) (long (vlength normal)))
+      (if (> long 0) (abs (/ (dot (p->q a p) normal) long)) (%from-chord p a c))))
+  (min (from-plane b) (from-plane d)))
+
+; Rows of points of f, row by row along us and in each row along vs, with so many lines added that the net of triangles
+; through them stays within the tolerance of the surface, in the middle of every edge and every cell. A line goes through
+; the whole net: so it has no corner on an edge, and borders that meet have the same points. Lines closer than a millionth
+; of the range are not parted further: there f jumps.
+(define (%rows-within f us vs tolerance)
+  (define (point u v)
+    (let ((p (f u v)))
+      (if (%finite-point? p)
+          p
+          (error 'make-surface "f must give points of finite coordinates; at (u, v) = (~a, ~a) it gave ~s" u v p))))
+  (define (transposed rows)
+    (let loop ((rows rows) (columns '()))
+      (if (null? (car rows)) (reverse columns) (loop (map cdr rows) (cons (map car rows) columns)))))
+  (define (strays? middle row next)
+    (and (pair? middle)
+         (or (> (%from-chord (car middle) (car row) (car next)) tolerance)
+             (strays? (cdr middle) (cdr row) (cdr next)))))
+  (define (middle a b) (/ (+ a b) 2))
+  ; Calls (add? i u next-u row next-row) between any two rows, and puts a row (line u) between those where it is true.
+  (define (parted us rows line add?)
+    (define least (* 1e-6 (abs (- (last us) (car us)))))
+    (let loop ((i 0) (us us) (rows rows) (new-us '()) (new-rows '()))
+      (if (> i 10000)
+          (error 'make-surface "a tolerance of ~a takes more than 10000 lines one way; a larger one takes fewer" tolerance))
+      (cond
+        ((null? (cdr us)) (values (reverse (cons (car us) new-us)) (reverse (cons (car rows) new-rows))))
+        ((and (> (abs (- (cadr us) (car us))) least) (add? i (car us) (cadr us) (car rows) (cadr rows)))
+         (let ((m (middle (car us) (cadr us))))
+           (loop (+ i 1) (cdr us) (cdr rows) (cons m (cons (car us) new-us)) (cons (line m) (cons (car rows) new-rows)))))
+        (else (loop (+ i 1) (cdr us) (cdr rows) (cons (car us) new-us) (cons (car rows) new-rows))))))
+  ; A wave whose middle lies on the chord is seen elsewhere: at first each step is looked at in two places.
+  (define (bent line first?)
+    (lambda (i u next-u row next)
+      (or (strays? (line (middle u next-u)) row next)
+          (and first? (strays? (line (+ u (* 0.3 (- next-u u)))) row next)))))
+  ; The steps of u and of v, as two vectors, that have a cell whose middle strays from its triangles; the
+  ; longer side of the cell says which.
+  (define (warped us vs rows)
+    (let ((of-u (make-vector (length us) #f)) (of-v (make-vector (length vs) #f)))
+      (let row-loop ((i 0) (us us) (rows rows))
+        (if (pair? (cdr us))
+            (let loop ((j 0) (vs vs) (row (car rows)) (next (cadr rows)))
+              (if (pair? (cdr vs))
+                  (let ((a (car row)) (b (cadr row)) (c (cadr next)) (d (car next))
+                        (p (point (middle (car us) (cadr us)) (middle (car vs) (cadr vs)))))
+                    (if (> (max (%from-halves p a b c d) (%from-halves p b c d a)) tolerance)
+                        (if (> (+ (distance a d) (distance b c)) (+ (distance a b) (distance d c)))
+                            (vector-set! of-u i #t)
+                            (vector-set! of-v j #t)))
+                    (loop (+ j 1) (cdr vs) (cdr row) (cdr next)))
+                  (row-loop (+ i 1) (cdr us) (cdr rows))))))
+      (values of-u of-v)))
+  (define (along-v vs) (lambda (u) (map (lambda (v) (point u v)) vs)))
+  (define (along-u us) (lambda (v) (map (lambda (u) (point u v)) us)))
+  (let refine ((us us) (vs vs) (rows (map (along-v vs) us)) (first? #t))
+    (let*-values
+      (((new-us rows) (parted us rows (along-v vs) (bent (along-v vs) first?)))
+       ((new-vs columns) (parted vs (transposed rows) (along-u new-us) (bent (along-u new-us) first?))))
+      (if (> (* (length new-us) (length new-vs)) 50000000)
+          (error 'make-surface "a tolerance of ~a takes more than 50 million points; a larger one takes fewer" tolerance))
+      (if (and (= (length us) (length new-us)) (= (length vs) (length new-vs)))
+          (let*-values
+            (((of-u of-v) (warped us vs rows))
+             ((new-us rows) (parted us rows (along-v vs) (lambda (i . rest) (vector-ref of-u i))))
+             ((new-vs columns) (parted vs (transposed rows) (along-u new-us) (lambda (j . rest) (vector-ref of-v j)))))
+            (if (and (= (length us) (length new-us)) (= (length vs) (length new-vs)))
+                rows
+                (refine new-us new-vs (transposed columns) #f)))
+          (refine new-us new-vs (transposed columns) #f)))))
+
+; f called on nu+1 by nv+1 places; C is handed what it gave and says where that is no point. With a tolerance, nu and nv
+; are the steps to begin with.
+(define (make-surface f #:nu [nu any? #f] #:nv [nv any? #f] #:tolerance [tolerance any? #f]
+                        #:closed-u [closed-u any? #f] #:closed-v [closed-v any? #f] . more)
   (define (count name n)
     (cond
-      ((not n) (or (current-segments) 64))
+      ((not n) (if tolerance 8 (or (current-segments) 64)))
       ((and (exact-integer? n) (<= 1 n 10000)) n)
       (else (error 'make-surface "~a must be an exact integer from 1 to 10000, got ~s" name n))))
   (define (range name x)
@@ -110,8 +194,12 @@
   (define (sample f u0 u1 v0 v1)
     (if (> (* (+ 1 (count 'nu nu)) (+ 1 (count 'nv nv))) 50000000)
         (error 'make-surface "nu and nv must make at most 50 million points"))
-    (let ((vs (division v0 v1 (count 'nv nv))))
-      (%make-surface (map (lambda (u) (map (lambda (v) (f u v)) vs)) (division u0 u1 (count 'nu nu))) u0 u1 v0 v1 #:closed-u closed-u #:closed-v closed-v)))
+    (if (not (or (not tolerance) (and (real? tolerance) (finite? tolerance) (> tolerance 0))))
+        (error 'make-surface "the tolerance must be a positive number, got ~s" tolerance))
+    (let ((us (division u0 u1 (count 'nu nu))) (vs (division v0 v1 (count 'nv nv))))
+      (if tolerance
+          (%make-surface (%rows-within f us vs tolerance) #f #f #f #f #:closed-u closed-u #:closed-v closed-v)
+          (%make-surface (map (lambda (u) (map (lambda (v) (f u v)) vs)) us) u0 u1 v0 v1 #:closed-u closed-u #:closed-v closed-v))))
   (define (over f ranges)
     (case (length ranges)
       ((0) (sample f 0 1 0 1))
@@ -127,6 +215,8 @@
      (let ((fy (car more)) (fz (cadr more)))
        (over (lambda (u v) (xyz (coordinate 'fx f u v) (coordinate 'fy fy u v) (coordinate 'fz fz u v))) (cddr more))))
     ((procedure? f) (over f more))
+    ((and (pair? f) (null? more) tolerance)
+     (error 'make-surface "a tolerance needs a procedure of u and v: rows of points are taken as they are"))
     ((and (pair? f) (null? more)) (%make-surface f #f #f #f #f #:closed-u closed-u #:closed-v closed-v))
     (else (error 'make-surface "f must be a procedure of u and v, three of them, or a list of rows of points, got ~s" f))))
 
