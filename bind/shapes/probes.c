@@ -10,6 +10,7 @@
 #include "geometry/measure/mesh_distance.h"
 #include "geometry/measure/ray_tree.h"
 #include "geometry/nets/geodesic.h"
+#include "geometry/nets/offset_curve.h"
 #include "geometry/plane/meetings.h"
 #include "model/store/array.h"
 
@@ -193,6 +194,50 @@ vs_status vs_p_probe_geodesic(vs_frame *f, vs_value *out) {
   r[0] = VS_NIL;
   for (size_t i = count; ok && i-- > 0;) ok = vs_bind_point(f, at[i], &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
   free(at);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
+}
+
+typedef struct {
+  vs_scheme *vm;
+  bool stopped;
+} polling;
+
+static bool polled(void *context) {
+  polling *p = context;
+  p->stopped = !vs_poll(p->vm, 64);
+  return !p->stopped;
+}
+
+/* (%probe-offset probe c d n): the lines of the curve's offset over its triangles, each a list of points */
+vs_status vs_p_probe_offset(vs_frame *f, vs_value *out) {
+  const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
+  vs_stations c;
+  vs_mesh_edges edges = { 0 };
+  vs_offset_from *from = NULL;
+  vs_offset_point *found = NULL;
+  size_t room = 0, n = (size_t)f->arg[3].integer, count = 0;
+  VS_ROOTS(f->vm, r, 3);
+  if (!vs_bind_stations(f, 1, &c)) return VS_ERROR;
+  bool closed = c.path.closed, ok = VS_GROW(from, room, n + 1) && vs_mesh_edges_make(&edges, &w->mesh);
+  if (!ok) vs_fail_memory(f->vm);
+  for (size_t i = 0; ok && i < n + !closed; i++) {
+    vs_station at = vs_station_at(&c, c.length * (double)i / (double)n);
+    from[i] = (vs_offset_from){ at.at, at.tangent };
+  }
+  vs_stations_close(&c);
+  if (ok) {
+    polling p = { f->vm, false };
+    ok = vs_mesh_offset_curve(&edges, from, n + !closed, closed, f->arg[2].real, polled, &p, &found, &count);
+    if (!ok && !p.stopped) vs_fail_memory(f->vm);
+  }
+  vs_mesh_edges_free(&edges);
+  r[0] = r[1] = VS_NIL;
+  for (size_t i = count; ok && i-- > 0;) {
+    ok = vs_bind_point(f, found[i].at, &r[2]) && vs_cons(f->vm, r[2], r[1], &r[1]);
+    if (ok && found[i].first) ok = vs_cons(f->vm, r[1], r[0], &r[0]), r[1] = VS_NIL;
+  }
+  free(from), free(found);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
 }

@@ -41,6 +41,16 @@
         ((car l) (loop (cdr l) (if (and (pair? run) (near? (car run) (car l))) run (cons (car l) run)) lines))
         (else (loop (cdr l) '() (ended)))))))
 
+; The curve at distance d from c over the object: to the left, seen from outside, and to the right where d is negative.
+(define (offset-curve o c d #:n [n any? 200])
+  (if (not (and (real? d) (finite? d) (not (= d 0)))) (error 'offset-curve "d must be a number, finite and not 0, got ~s" d))
+  (%need-count 'offset-curve 'n n 100000)
+  (let ((probe (%probe-of 'offset-curve o)))
+    (%need-curve 'offset-curve 'c c)
+    (let ((lines (map make-line (%probe-offset probe c d n))))
+      (if (null? lines) (error 'offset-curve "no curve lies at distance ~a from c: the object ends before, or c bends more than that" d))
+      (unite lines))))
+
 ; The part of a surface whose u and v lie in a region of the XY plane.
 (define (make-trimmed-surface f region)
   (%need-procedure 'make-trimmed-surface 'f f)

@@ -11,11 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "geometry/nets/mesh_edges.h"
 #include "model/store/array.h"
 
 #define PI 3.14159265358979323846
 #define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
-#define NONE UINT32_MAX /* no point, edge or triangle */
+#define NONE VS_MESH_NONE /* no point, edge or triangle */
 enum { STOPS = 3, SWEEPS = 4000, SWEEPS_TO_COMPARE = 60, TURNS = 200 };
 
 /* ---- Dijkstra ---- */
@@ -100,114 +101,14 @@ bool vs_ways_shortest(const vs_way *ways, size_t way_count, size_t points, uint3
 
 /* ---- the mesh ---- */
 
-typedef struct {
-  uint32_t a, b;    /* corners, a < b */
-  uint32_t side[2]; /* triangles; NONE */
-} edge;
-
-typedef struct {
-  const vs_mesh *m;
-  uint32_t *corner; /* by vertex: the first vertex at that place */
-  edge *edges;
-  size_t edge_count;
-  uint32_t (*of)[3]; /* by triangle: edge k is opposite corner k */
-} surface;
-
-static void surface_free(surface *s) { free(s->corner), free(s->edges), free(s->of); }
+typedef vs_mesh_edges surface;
 
 static vs_vec3 at(const surface *s, uint32_t corner) { return s->m->vertices[corner]; }
-static uint32_t corner_of(const surface *s, uint32_t triangle, int k) {
-  return s->corner[s->m->triangles[triangle][k]];
-}
-
-typedef struct {
-  vs_vec3 at;
-  uint32_t vertex;
-} placed;
-
-static int by_place(const void *p, const void *q) {
-  const placed *a = p, *b = q;
-  if (a->at.x != b->at.x) return a->at.x < b->at.x ? -1 : 1;
-  if (a->at.y != b->at.y) return a->at.y < b->at.y ? -1 : 1;
-  if (a->at.z != b->at.z) return a->at.z < b->at.z ? -1 : 1;
-  return a->vertex < b->vertex ? -1 : a->vertex > b->vertex;
-}
-
-typedef struct {
-  uint32_t a, b, triangle, k;
-} half;
-
-static int by_ends(const void *p, const void *q) {
-  const half *x = p, *y = q;
-  if (x->a != y->a) return x->a < y->a ? -1 : 1;
-  if (x->b != y->b) return x->b < y->b ? -1 : 1;
-  return x->triangle < y->triangle ? -1 : x->triangle > y->triangle;
-}
-
-static bool surface_make(surface *s, const vs_mesh *m) {
-  placed *p = NULL;
-  half *h = NULL;
-  size_t n = m->vertex_count, t = m->triangle_count;
-  *s = (surface){ .m = m };
-  bool ok = FRESH(p, n + 1) && FRESH(h, 3 * t + 1) && FRESH(s->corner, n + 1) && FRESH(s->edges, 3 * t + 1) &&
-            FRESH(s->of, t + 1);
-  for (uint32_t i = 0; ok && i < n; i++) p[i] = (placed){ m->vertices[i], i };
-  if (ok) qsort(p, n, sizeof *p, by_place);
-  for (size_t i = 0, first = 0; ok && i < n; i++) {
-    if (p[i].at.x != p[first].at.x || p[i].at.y != p[first].at.y || p[i].at.z != p[first].at.z) first = i;
-    s->corner[p[i].vertex] = p[first].vertex;
-  }
-  for (uint32_t i = 0; ok && i < t; i++)
-    for (uint32_t k = 0; k < 3; k++) {
-      uint32_t a = corner_of(s, i, (int)(k + 1) % 3), b = corner_of(s, i, (int)(k + 2) % 3);
-      h[3 * i + k] = (half){ a < b ? a : b, a < b ? b : a, i, k };
-    }
-  if (ok) qsort(h, 3 * t, sizeof *h, by_ends);
-  for (size_t i = 0; ok && i < 3 * t; i++) {
-    edge *last = s->edge_count ? &s->edges[s->edge_count - 1] : NULL;
-    bool second = last && last->a == h[i].a && last->b == h[i].b && last->side[1] == NONE;
-    if (second)
-      last->side[1] = h[i].triangle;
-    else
-      s->edges[s->edge_count++] = (edge){ h[i].a, h[i].b, { h[i].triangle, NONE } };
-    s->of[h[i].triangle][h[i].k] = (uint32_t)s->edge_count - 1;
-  }
-  free(p), free(h);
-  return ok;
-}
-
-/* The place on triangle t that is nearest to p. */
-static vs_vec3 nearest_on(const surface *s, uint32_t t, vs_vec3 p) {
-  vs_vec3 a = at(s, corner_of(s, t, 0)), b = at(s, corner_of(s, t, 1)), c = at(s, corner_of(s, t, 2));
-  vs_vec3 corner[3] = { a, b, c }, n = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)), best = a;
-  double nn = vs_v3_dot(n, n), far = INFINITY;
-  bool inside = nn > 0;
-  for (int k = 0; k < 3; k++) {
-    vs_vec3 from = corner[k], way = vs_v3_sub(corner[(k + 1) % 3], from), d = vs_v3_sub(p, from);
-    if (vs_v3_dot(vs_v3_cross(way, d), n) < 0) inside = false;
-    double l = vs_v3_dot(way, way), share = l > 0 ? fmin(1, fmax(0, vs_v3_dot(d, way) / l)) : 0;
-    vs_vec3 q = vs_v3_add(from, vs_v3_scale(way, share));
-    double e = vs_v3_length(vs_v3_sub(p, q));
-    if (e < far) far = e, best = q;
-  }
-  return inside ? vs_v3_sub(p, vs_v3_scale(n, vs_v3_dot(n, vs_v3_sub(p, a)) / nn)) : best;
-}
-
-static uint32_t nearest_triangle(const surface *s, vs_vec3 p, vs_vec3 *place) {
-  double far = INFINITY;
-  uint32_t best = 0;
-  for (uint32_t t = 0; t < s->m->triangle_count; t++) {
-    vs_vec3 q = nearest_on(s, t, p);
-    double d = vs_v3_length(vs_v3_sub(q, p));
-    if (d < far) far = d, best = t, *place = q;
-  }
-  return best;
-}
 
 /* ---- the first way ---- */
 
 static vs_vec3 stop_at(const surface *s, uint32_t stop) {
-  const edge *e = &s->edges[stop / (STOPS + 2)];
+  const vs_mesh_edge *e = &s->edges[stop / (STOPS + 2)];
   double share = (double)(stop % (STOPS + 2)) / (STOPS + 1);
   return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), share));
 }
@@ -272,7 +173,7 @@ static bool row_put(row *r, uint32_t e, double share) {
 }
 
 static vs_vec3 crossing_at(const surface *s, const row *r, size_t i) {
-  const edge *e = &s->edges[r->edge[i]];
+  const vs_mesh_edge *e = &s->edges[r->edge[i]];
   return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), r->share[i]));
 }
 
@@ -292,7 +193,7 @@ static void straighten(const surface *s, row *r, int sweeps) {
     double moved = 0;
     for (size_t k = 0; k < r->count; k++) {
       size_t i = sweep % 2 ? r->count - 1 - k : k;
-      const edge *e = &s->edges[r->edge[i]];
+      const vs_mesh_edge *e = &s->edges[r->edge[i]];
       vs_vec3 a = at(s, e->a), way = vs_v3_sub(at(s, e->b), a);
       vs_vec3 u = vs_v3_sub(i ? crossing_at(s, r, i - 1) : r->p, a);
       vs_vec3 w = vs_v3_sub(i + 1 < r->count ? crossing_at(s, r, i + 1) : r->q, a);
@@ -322,7 +223,7 @@ static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
 
 /* The corner in which crossing i ends; NONE. */
 static uint32_t ends_in(const surface *s, const row *r, size_t i) {
-  const edge *e = &s->edges[r->edge[i]];
+  const vs_mesh_edge *e = &s->edges[r->edge[i]];
   return r->share[i] < 1e-7 ? e->a : r->share[i] > 1 - 1e-7 ? e->b : NONE;
 }
 
@@ -464,9 +365,9 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
   size_t stops = 0;
   *out = NULL, *count = 0;
   row r = { 0 };
-  bool ok = surface_make(&s, m), whole = false;
+  bool ok = vs_mesh_edges_make(&s, m), whole = false;
   if (ok && m->triangle_count) {
-    uint32_t ta = nearest_triangle(&s, p, &r.p), tb = nearest_triangle(&s, q, &r.q);
+    uint32_t ta = vs_mesh_edges_nearest(&s, p, &r.p), tb = vs_mesh_edges_nearest(&s, q, &r.q);
     if (ta == tb) {
       whole = true;
     } else {
@@ -486,7 +387,7 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
                            : whole           ? crossing_at(&s, &r, i - 1)
                                              : stop_at(&s, way[i]); /* where rows go round corners of borders */
   }
-  surface_free(&s);
+  vs_mesh_edges_free(&s);
   row_free(&r);
   free(way);
   return ok;

@@ -43,3 +43,22 @@
 (displayln (near? (curve-length (geodesic (make-cylinder origin 4 1 #:segments 64) (xyz 1 0 0.5) (cyl 1 2 3.5))) (sqrt 13) 0.01)) ; expect: #t
 (displayln (near? (curve-length (geodesic (make-sphere origin 1 #:segments 32) (xyz 1 0.2 0) (sph 1 2.5 2))) (angle-between (vxyz 1 0.2 0) (vsph 1 2.5 2)) 0.02)) ; expect: #t
 (fails (geodesic (unite cube (make-box (xyz 2 0 0) (xyz 3 1 1))) origin (xyz 3 1 1))) ; expect: geodesic: no way leads from (xyz 0 0 0) to (xyz 3 1 1) over the object: they lie on separate parts of it
+; offsets over an object: on a plane they are the plane's, with loops cut off; on a ball a parallel is nearer the pole
+(define plate (make-surface (lambda (u v) (xyz (* 20 (- u 0.5)) (* 20 (- v 0.5)) 0))))
+(displayln (offset-curve plate (make-line (xyz -3 0 0) (xyz 3 0 0)) 1 #:n 2)) ; expect: (make-line (list (xyz -3 1 0) (xyz 0 1 0) (xyz 3 1 0)))
+(displayln (offset-curve plate (make-line (xyz -3 0 0) (xyz 3 0 0)) -1 #:n 1)) ; expect: (make-line (list (xyz -3 -1 0) (xyz 3 -1 0)))
+(displayln (near? (curve-length (offset-curve plate (make-circle origin 3) 1)) (* 2 pi 2) 1e-3)) ; expect: #t
+; the ellipse's inner parallel, from its closed form, cut at the axis
+(displayln (near? (curve-length (offset-curve plate (make-ellipse origin 6 1) 0.8 #:n 2000)) 14.2300817 1e-4)) ; expect: #t
+(displayln (near? (curve-length (offset-curve plate (make-line (xyz -3 0 0) (xyz 0 3 0) (xyz 3 0 0)) -1 #:n 1000)) (- (* 6 (sqrt 2)) 2) 0.02)) ; expect: #t
+(define globe (make-sphere origin 2 #:segments 256))
+(displayln (near? (curve-length (offset-curve globe (make-circle origin 2) 1)) (* 4 pi (cos 1/2)) 0.01)) ; expect: #t
+(displayln (near? (curve-length (offset-curve globe (make-circle origin 2) -1)) (* 4 pi (cos 1/2)) 0.01)) ; expect: #t
+(define drum (make-cylinder origin 6 2 #:segments 128))
+(displayln (near? (first (bounding-box (offset-curve drum (make-line (xyz 2 0 1) (xyz 2 0 5)) pi))) (xyz 0 -2 1) 1e-3)) ; expect: #t
+; ways that leave the surface are left out: half of a circle's
+(displayln (near? (curve-length (offset-curve plate (make-circle (xyz 10 0 0) 3) 1)) 2pi 0.1)) ; expect: #t
+(fails (offset-curve plate (make-circle origin 3) 4)) ; expect: offset-curve: no curve lies at distance 4 from c: the object ends before, or c bends more than that
+(fails (offset-curve plate (make-circle origin 3) 0)) ; expect: offset-curve: d must be a number, finite and not 0, got 0
+(fails (offset-curve (make-circle origin 3) (make-circle origin 3) 1)) ; expect: offset-curve: o must be a solid or a surface, got (make-circle (xyz 0 0 0) 3)
+(fails (offset-curve plate globe 1)) ; expect: offset-curve: c must be a curve, got (make-sphere (xyz 0 0 0) 2 #:segments 256)

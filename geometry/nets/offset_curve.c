@@ -1,0 +1,220 @@
+/* Owns curves at a distance from others over a mesh (offset_curve.h).
+ *
+ * Plan. A walk goes straight over a triangle to the edge that it meets first. The triangle behind the edge is laid flat
+ * with it, so the walk goes on with the same share along the edge and across it (K. Polthier, M. Schmies, Straightest
+ * geodesics on polyhedral surfaces, 1998). The ends of the walks, joined, are the offset. Where the curve bends more
+ * than the distance allows, they follow each other backwards, and the offset crosses itself before and behind: the loop
+ * between is cut off at the crossing. */
+#include "geometry/nets/offset_curve.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/store/array.h"
+
+enum { MOST_TRIANGLES = 1000000 }; /* of one walk */
+#define BEYOND .01 /* a point that lies further beyond a border than this share of the distance is left out */
+
+/* ---- a straight walk ---- */
+
+typedef struct {
+  uint32_t triangle;
+  vs_vec3 at, way; /* way: unit, in the triangle's plane */
+} walker;
+
+static vs_vec3 normal_of(const vs_mesh_edges *s, uint32_t t) {
+  vs_vec3 a = vs_mesh_edges_place(s, t, 0), b = vs_mesh_edges_place(s, t, 1), c = vs_mesh_edges_place(s, t, 2);
+  return vs_v3_unit(vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)));
+}
+
+/* The part of v across the unit vector `along`. */
+static vs_vec3 across(vs_vec3 v, vs_vec3 along) { return vs_v3_sub(v, vs_v3_scale(along, vs_v3_dot(v, along))); }
+
+/* The edge of its triangle, beside the one it came over, that the walker meets first, and how far away; 3: none. */
+static int edge_ahead(const vs_mesh_edges *s, const walker *w, uint32_t came, double *far) {
+  vs_vec3 up = normal_of(s, w->triangle);
+  int best = 3;
+  *far = INFINITY;
+  for (int k = 0; k < 3; k++) {
+    if (s->of[w->triangle][k] == came) continue;
+    vs_vec3 a = vs_mesh_edges_place(s, w->triangle, (k + 1) % 3), b = vs_mesh_edges_place(s, w->triangle, (k + 2) % 3);
+    vs_vec3 out = vs_v3_cross(vs_v3_sub(b, a), up);
+    double speed = vs_v3_dot(w->way, out);
+    if (!(speed > 0)) continue;
+    double d = fmax(0, vs_v3_dot(vs_v3_sub(a, w->at), out) / speed);
+    if (d < *far) *far = d, best = k;
+  }
+  return best;
+}
+
+/* Puts the walker behind edge k of its triangle. False: the edge is a border. */
+static bool cross_edge(const vs_mesh_edges *s, walker *w, int k, uint32_t *came) {
+  uint32_t e = s->of[w->triangle][k];
+  const vs_mesh_edge *edge = &s->edges[e];
+  uint32_t next = edge->side[0] == w->triangle ? edge->side[1] : edge->side[0];
+  if (next == VS_MESH_NONE) return false;
+  vs_vec3 a = s->m->vertices[edge->a], along = vs_v3_unit(vs_v3_sub(s->m->vertices[edge->b], a));
+  double ahead = vs_v3_length(across(w->way, along));
+  int third = 0;
+  while (third < 2 && s->of[next][third] != e) third++;
+  vs_vec3 into = across(vs_v3_sub(vs_mesh_edges_place(s, next, third), a), along);
+  into = vs_v3_length(into) > 0 ? vs_v3_unit(into) : vs_v3_unit(across(w->way, along)); /* a triangle without height */
+  w->way = vs_v3_unit(vs_v3_add(vs_v3_scale(along, vs_v3_dot(w->way, along)), vs_v3_scale(into, ahead)));
+  w->triangle = next, *came = e;
+  return true;
+}
+
+/* Walks straight on. False: a border lies in the way. */
+static bool walk(const vs_mesh_edges *s, walker *w, double length) {
+  uint32_t came = VS_MESH_NONE;
+  for (int i = 0; i < MOST_TRIANGLES; i++) {
+    double far;
+    int k = edge_ahead(s, w, came, &far);
+    if (k == 3) return false;
+    w->at = vs_v3_add(w->at, vs_v3_scale(w->way, fmin(far, length)));
+    if (far >= length) return true;
+    length -= far;
+    if (!cross_edge(s, w, k, &came)) return false;
+  }
+  return false;
+}
+
+/* Whether a point, whose nearest place is this on triangle t, lies beyond a border of the mesh by more than `far`. */
+static bool beyond_border(const vs_mesh_edges *s, uint32_t t, vs_vec3 place, vs_vec3 p, double far) {
+  if (vs_v3_length(vs_v3_sub(p, place)) <= far) return false;
+  for (int k = 0; k < 3; k++) {
+    if (s->edges[s->of[t][k]].side[1] != VS_MESH_NONE) continue;
+    vs_vec3 a = vs_mesh_edges_place(s, t, (k + 1) % 3), b = vs_mesh_edges_place(s, t, (k + 2) % 3);
+    if (vs_v3_length(across(vs_v3_sub(place, a), vs_v3_unit(vs_v3_sub(b, a)))) <= 1e-9 * far) return true;
+  }
+  return false;
+}
+
+/* ---- loops ---- */
+
+typedef struct {
+  vs_vec3 at, tangent, up; /* tangent: the curve's, carried along with the walk */
+  bool there;
+} reached;
+
+typedef struct {
+  reached *at;
+  size_t count; /* of a run, in which every point is joined to the next */
+  bool closed;
+} run;
+
+static size_t after(const run *r, size_t i) { return i + 1 < r->count ? i + 1 : 0; }
+static bool goes_back(const run *r, size_t i) {
+  return vs_v3_dot(vs_v3_sub(r->at[after(r, i)].at, r->at[i].at), r->at[i].tangent) < 0;
+}
+
+/* Where segments i and j cross, seen along the normal at i, and lie closer than they are long; shares of both. */
+static bool cross_at(const run *r, size_t i, size_t j, vs_vec3 *place) {
+  vs_vec3 p = r->at[i].at, u = vs_v3_sub(r->at[after(r, i)].at, p), q = r->at[j].at;
+  vs_vec3 v = vs_v3_sub(r->at[after(r, j)].at, q), up = r->at[i].up, d = vs_v3_sub(q, p);
+  double whole = vs_v3_dot(vs_v3_cross(u, v), up);
+  if (whole == 0) return false;
+  double a = vs_v3_dot(vs_v3_cross(d, v), up) / whole, b = vs_v3_dot(vs_v3_cross(d, u), up) / whole;
+  if (!(a >= 0 && a <= 1 && b >= 0 && b <= 1)) return false;
+  vs_vec3 on_u = vs_v3_add(p, vs_v3_scale(u, a)), on_v = vs_v3_add(q, vs_v3_scale(v, b));
+  if (vs_v3_length(vs_v3_sub(on_u, on_v)) > .5 * (vs_v3_length(u) + vs_v3_length(v))) return false;
+  *place = vs_v3_scale(vs_v3_add(on_u, on_v), .5);
+  return true;
+}
+
+/* How many segments from i + 1 to j, which is left out, go back. */
+static size_t backward(const run *r, size_t i, size_t j) {
+  size_t n = 0;
+  for (size_t k = after(r, i); k != j; k = after(r, k)) n += goes_back(r, k);
+  return n;
+}
+
+/* Cuts the loop between crossing segments i and j off, whose points are those behind i up to j. */
+static void cut_loop(run *r, size_t i, size_t j, vs_vec3 place) {
+  size_t n = 0, stop = after(r, j);
+  reached corner = r->at[i];
+  corner.at = place;
+  if (i < j) { /* the loop stands in the middle of the row */
+    r->at[i + 1] = corner;
+    memmove(r->at + i + 2, r->at + j + 1, (r->count - j - 1) * sizeof *r->at);
+    r->count -= j - i - 1;
+    return;
+  }
+  for (size_t k = stop; k <= i; k++) r->at[n++] = r->at[k]; /* the loop goes over the row's end */
+  r->at[n++] = corner;
+  r->count = n;
+}
+
+/* Cuts off every loop that goes back somewhere and whose rest is longer. */
+static bool cut_loops(run *r, bool (*poll)(void *), void *context) {
+  size_t segments = r->closed ? r->count : r->count - 1;
+  for (size_t i = 0; i + 2 < segments; i++) {
+    if (!poll(context)) return false;
+    for (size_t j = i + 2; j < segments; j++) {
+      if (r->closed && after(r, j) == i) continue;
+      vs_vec3 place;
+      if (!cross_at(r, i, j, &place)) continue;
+      bool inner = 2 * (j - i) <= r->count || !r->closed;
+      if (!backward(r, inner ? i : j, inner ? j : i)) continue;
+      cut_loop(r, inner ? i : j, inner ? j : i, place);
+      segments = r->closed ? r->count : r->count - 1;
+      i = i > 1 ? i - 2 : 0, j = segments;
+    }
+  }
+  return true;
+}
+
+/* ---- the offset ---- */
+
+static bool put_run(run *r, vs_offset_point **out, size_t *count, size_t *room, bool (*poll)(void *), void *context) {
+  if (r->count < 2) return true;
+  if (!cut_loops(r, poll, context)) return false;
+  size_t back = 0, segments = r->closed ? r->count : r->count - 1;
+  for (size_t i = 0; i < segments; i++) back += goes_back(r, i);
+  if (2 * back > segments) return true; /* the distance is wider than the whole curve bends */
+  if (!VS_GROW(*out, *room, *count + r->count + 1)) return false;
+  for (size_t i = 0; i < r->count; i++) (*out)[(*count)++] = (vs_offset_point){ r->at[i].at, i == 0 };
+  if (r->closed) (*out)[(*count)++] = (vs_offset_point){ r->at[0].at, false };
+  return true;
+}
+
+bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_from *from, size_t count, bool closed,
+                          double distance, bool (*poll)(void *context), void *context, vs_offset_point **out,
+                          size_t *out_count) {
+  reached *ends = NULL;
+  size_t room = 0, out_room = 0, gap = count;
+  *out = NULL, *out_count = 0;
+  bool ok = VS_GROW(ends, room, 2 * count + 1);
+  for (size_t i = 0; ok && i < count; i++) {
+    walker w = { 0 };
+    w.triangle = vs_mesh_edges_nearest(s, from[i].at, &w.at);
+    vs_vec3 up = normal_of(s, w.triangle), left = vs_v3_cross(up, from[i].tangent);
+    double side = distance < 0 ? -1 : 1;
+    ends[i].there = vs_v3_length(left) > 1e-9 &&
+                    !beyond_border(s, w.triangle, w.at, from[i].at, BEYOND * fabs(distance));
+    w.way = vs_v3_unit(vs_v3_scale(left, side));
+    if (ends[i].there) ends[i].there = walk(s, &w, fabs(distance));
+    up = normal_of(s, w.triangle);
+    ends[i].at = w.at, ends[i].up = up, ends[i].tangent = vs_v3_cross(vs_v3_scale(w.way, side), up);
+    if (!ends[i].there) gap = i;
+    ok = poll(context);
+  }
+  if (ok && closed && gap == count) {
+    run whole = { ends, count, true };
+    ok = put_run(&whole, out, out_count, &out_room, poll, context);
+  } else if (ok) {
+    /* A closed curve is gone through from a gap on, so that no run goes over its end. */
+    size_t first = closed ? gap : 0;
+    memcpy(ends + count, ends, count * sizeof *ends);
+    for (size_t i = 0; ok && i < count;) {
+      size_t n = 0;
+      while (i + n < count && ends[first + i + n].there) n++;
+      run part = { ends + first + i, n, false };
+      ok = put_run(&part, out, out_count, &out_room, poll, context);
+      i += n ? n : 1;
+    }
+  }
+  free(ends);
+  return ok;
+}
