@@ -19,6 +19,8 @@ cat > "$work/hostile.vs" <<'EOF'
 EOF
 mkdir "$work/<img src=x onerror=owned=1>" && cp "$work/hostile.vs" "$work/<img src=x onerror=owned=1>/<b>&amp;.vs"
 "$BUILD/vs" --quiet "$work/<img src=x onerror=owned=1>/<b>&amp;.vs" -o "$work/hostile.html" || echo "not ok page/hostile: ended with $?"
+echo '(for*/list ([i (in-range 120)] [j (in-range 100)]) (draw (make-box (xyz i j 0) (xyz (+ i 0.4) (+ j 0.4) 1))))' > "$work/crowd.vs"
+"$BUILD/vs" --quiet "$work/crowd.vs" -o "$work/crowd.html" || echo "not ok page/crowd: ended with $?"
 cat > "$work/light.vs" <<'EOF'
 (ground 0)
 (camera (xyz 6 -12 5) (xyz 0 0 1.2) #:lens 40)

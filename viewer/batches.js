@@ -5,6 +5,7 @@ import { featureEdges, seams } from "./edges.js";
 import { patternKey } from "./patterns.js";
 
 const MERGED_TRIANGLES = 150000, FEW_GROUPS = 10, SMALL = 20000, SEAMS_SOUGHT = 200000; // lines of one merged batch among which seams are looked for
+const CELL = 4096; // Of more copies than twice as many, those that lie together are drawn at once: what is out of sight or too small to see is left out.
 
 const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 
@@ -21,15 +22,17 @@ function sheared(m, o) {
 
 // groups: { geometry, surface, mirrored, parts[] }
 function collect(model, shown) {
-  const groups = new Map(), keys = model.materials.map(surfaceKey);
+  const groups = new Map(), keys = model.materials.map(surfaceKey), numbers = new Map(), paints = keys.map((key) => numbers.get(key) ?? (numbers.set(key, numbers.size), numbers.size - 1));
   for (let i = 0; i < model.count; i++) {
     if (!shown(i)) continue;
-    const g = model.geometries[model.geometry[i]], mirrored = determinant(model.matrix, 12 * i) < 0;
-    const surface = g.lines ? "lines" : keys[model.paint[i]] + (g.solid ? "" : ",open");
+    const number = model.geometry[i], g = model.geometries[number], mirrored = determinant(model.matrix, 12 * i) < 0;
     const apart = sheared(model.matrix, 12 * i);
-    const key = model.geometry[i] + "|" + surface + (mirrored ? "|m" : "") + (apart ? "|s" : "");
+    const key = 4 * (number * paints.length + (g.lines ? 0 : paints[model.paint[i]])) + 2 * mirrored + apart;
     let group = groups.get(key);
-    if (!group) groups.set(key, group = { geometry: g, surface, mirrored, merge: apart || g.lines, material: model.materials[model.paint[i]], parts: [] });
+    if (!group) {
+      const surface = g.lines ? "lines" : keys[model.paint[i]] + (g.solid ? "" : ",open");
+      groups.set(key, group = { geometry: g, surface, mirrored, merge: apart || g.lines, material: model.materials[model.paint[i]], parts: [] });
+    }
     group.parts.push(i);
   }
   const list = [...groups.values()];
@@ -148,18 +151,78 @@ function wide(normal) { // Three shorts are padded to four: graphics cards read 
   return out;
 }
 
-function matrices(model, group) {
-  const array = new Float32Array(16 * group.parts.length), sign = group.mirrored ? -1 : 1;
-  group.parts.forEach((i, k) => {
-    const m = model.matrix, o = 12 * i, t = 16 * k;
+function matrices(model, parts, mirrored) {
+  const array = new Float32Array(16 * parts.length), sign = mirrored ? -1 : 1, m = model.matrix;
+  for (let k = 0; k < parts.length; k++) {
+    const o = 12 * parts[k], t = 16 * k;
     for (let c = 0; c < 4; c++) {
       array[t + 4 * c] = sign * m[o + c]; // A mirrored part is drawn by a parent that mirrors back.
       array[t + 4 * c + 1] = m[o + 4 + c];
       array[t + 4 * c + 2] = m[o + 8 + c];
     }
     array[t + 15] = 1;
-  });
+  }
   return new THREE.InstancedBufferAttribute(array, 16);
+}
+
+// Very many parts in lists of those that are about as large and lie together: halves along the longer side, by the middle.
+function cells(model, parts) {
+  if (parts.length <= 2 * CELL) return [parts];
+  const found = [], ball = model.ball, sizes = new Map();
+  for (let k = 0; k < parts.length; k++) {
+    const size = Math.round(Math.log2(ball[4 * parts[k] + 3]));
+    let alike = sizes.get(size);
+    if (!alike) sizes.set(size, alike = []);
+    alike.push(parts[k]);
+  }
+  for (const alike of sizes.values()) halve(ball, Uint32Array.from(alike), found);
+  return found;
+}
+
+function halve(ball, order, found) {
+  for (const open = [[0, order.length]]; open.length > 0;) {
+    const [from, to] = open.pop();
+    if (to - from <= CELL) {
+      found.push(order.subarray(from, to));
+      continue;
+    }
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (let k = from; k < to; k++)
+      for (let c = 0; c < 3; c++) {
+        const x = ball[4 * order[k] + c];
+        if (x < low[c]) low[c] = x;
+        if (x > high[c]) high[c] = x;
+      }
+    const side = [0, 1, 2].reduce((a, b) => high[b] - low[b] > high[a] - low[a] ? b : a), middle = (low[side] + high[side]) / 2;
+    let split = from;
+    for (let k = from; k < to; k++)
+      if (ball[4 * order[k] + side] < middle) {
+        const other = order[split];
+        order[split++] = order[k];
+        order[k] = other;
+      }
+    if (split === from || split === to) split = (from + to) >> 1; // All lie at one place.
+    open.push([from, split], [split, to]);
+  }
+}
+
+const mirrored = (sphere) => new THREE.Sphere(sphere.center.clone().setX(-sphere.center.x), sphere.radius);
+
+// A ball about parts, the largest radius among them, and by how much at most they are scaled.
+function extent(model, parts) {
+  const ball = model.ball, low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  let most = 0, scale = 0;
+  for (let k = 0; k < parts.length; k++) {
+    const o = 4 * parts[k], r = ball[o + 3];
+    for (let c = 0; c < 3; c++) {
+      if (ball[o + c] - r < low[c]) low[c] = ball[o + c] - r;
+      if (ball[o + c] + r > high[c]) high[c] = ball[o + c] + r;
+    }
+    if (r > most) most = r;
+    scale = Math.max(scale, Math.abs(determinant(model.matrix, 12 * parts[k])));
+  }
+  const sphere = new THREE.Sphere(new THREE.Vector3(...low).add(new THREE.Vector3(...high)).multiplyScalar(0.5), Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2);
+  return { sphere, most, scale: Math.cbrt(scale) };
 }
 
 // surfaces.get(surface, material, merged) gives a three.js material; lines.merged and lines.instanced those of edges.
@@ -167,8 +230,8 @@ export function buildBatches(model, shown, surfaces, lines) {
   const root = new THREE.Group(), mirror = new THREE.Group();
   mirror.scale.x = -1;
   root.add(mirror);
-  const merged = new Map();
-  let triangles = 0;
+  const merged = new Map(), paints = model.materials.map((m) => m.color.map(linear));
+  let triangles = 0, mergedTriangles = 0;
   for (const group of collect(model, shown)) {
     triangles += group.geometry.triangles * group.parts.length;
     if (group.merge) {
@@ -177,24 +240,29 @@ export function buildBatches(model, shown, surfaces, lines) {
       for (const i of group.parts) list.push(i);
       continue;
     }
-    const g = group.geometry, count = group.parts.length;
-    const geometry = meshGeometry({ position: g.position, normal: wide(g.normal), index: g.index, color: null });
-    const mesh = new THREE.InstancedMesh(geometry, surfaces.get(group.surface, group.material, false), 0);
-    const place = matrices(model, group), color = new Float32Array(3 * count);
-    group.parts.forEach((i, k) => { const c = model.materials[model.paint[i]].color; for (let q = 0; q < 3; q++) color[3 * k + q] = linear(c[q]); });
-    mesh.instanceMatrix = place;
-    mesh.instanceColor = new THREE.InstancedBufferAttribute(color, 3);
-    mesh.count = count;
-    finish(mesh, group.surface, group.material);
-    (group.mirrored ? mirror : root).add(mesh);
-    const edges = edgesOf(g);
-    if (edges.length > 0) {
-      const line = new THREE.LineSegments(new THREE.BufferGeometry(), lines.instanced);
-      line.geometry.setAttribute("position", new THREE.BufferAttribute(edges, 3));
-      line.geometry.setAttribute("spacing", new THREE.BufferAttribute(new Float32Array(edges.length / 3).fill(g.spacing), 1));
+    const g = group.geometry, geometry = meshGeometry({ position: g.position, normal: wide(g.normal), index: g.index, color: null });
+    const edges = edgesOf(g), lined = edges.length > 0 ? new THREE.BufferGeometry() : null;
+    if (lined) {
+      lined.setAttribute("position", new THREE.BufferAttribute(edges, 3));
+      lined.setAttribute("spacing", new THREE.BufferAttribute(new Float32Array(edges.length / 3).fill(g.spacing), 1));
+    }
+    for (const parts of cells(model, group.parts)) {
+      const count = parts.length, place = matrices(model, parts, group.mirrored), color = new Float32Array(3 * count), around = extent(model, parts);
+      parts.forEach((i, k) => { const c = paints[model.paint[i]]; color[3 * k] = c[0], color[3 * k + 1] = c[1], color[3 * k + 2] = c[2]; });
+      const mesh = new THREE.InstancedMesh(geometry, surfaces.get(group.surface, group.material, false), 0);
+      mesh.instanceMatrix = place;
+      mesh.instanceColor = new THREE.InstancedBufferAttribute(color, 3);
+      mesh.count = count;
+      finish(mesh, group.surface, group.material);
+      mesh.frustumCulled = true;
+      mesh.boundingSphere = group.mirrored ? mirrored(around.sphere) : around.sphere;
+      Object.assign(mesh.userData, { around, cost: count * g.triangles });
+      (group.mirrored ? mirror : root).add(mesh);
+      if (!lined) continue;
+      const line = new THREE.LineSegments(lined, lines.instanced);
       // A line set with a matrix a copy: the renderer asks no more of an object than these.
-      Object.assign(line, { isInstancedMesh: true, instanceMatrix: place, instanceColor: null, morphTexture: null, count, frustumCulled: false });
-      line.userData.edges = true;
+      Object.assign(line, { isInstancedMesh: true, instanceMatrix: place, instanceColor: null, morphTexture: null, count, boundingSphere: mesh.boundingSphere });
+      line.userData = { edges: true, around, spacing: g.spacing * around.scale, cost: count * edges.length / 6 };
       (group.mirrored ? mirror : root).add(line);
     }
   }
@@ -203,6 +271,7 @@ export function buildBatches(model, shown, surfaces, lines) {
     if (m.index.length > 0) {
       const mesh = new THREE.Mesh(meshGeometry(m), surfaces.get(surface, material, true));
       finish(mesh, surface, material);
+      mergedTriangles += m.index.length / 3;
       root.add(mesh);
     }
     if (m.edges.length > 0) {
@@ -216,15 +285,44 @@ export function buildBatches(model, shown, surfaces, lines) {
     }
   }
   root.userData.triangles = triangles;
+  root.userData.merged = mergedTriangles;
   return root;
 }
 
 function finish(mesh, surface, material) {
   mesh.userData.surface = surface;
   mesh.userData.solid = !surface.endsWith(",open");
-  mesh.castShadow = material.transparency < 0.3; // Light goes through glass.
+  mesh.castShadow = mesh.userData.casts = material.transparency < 0.3; // Light goes through glass.
   mesh.receiveShadow = true;
   mesh.frustumCulled = false;
+}
+
+// Leaves out of a picture what nobody would see in it, parts smaller than half a pixel and lines that have faded; out of the lights' pictures what is smaller
+// than a few points of theirs; and of more than the picture may hold, in triangles and lines in sight, what is smallest. pixels(distance): how many a length of 1 takes
+// there; across: the length of a light's point; lit: the lights' pictures are made anew.
+const LEAST_PIXELS = 0.5, LEAST_POINTS = 4, FADED_PIXELS = 5; // stage.js fades the lines
+export function leaveOut(root, { camera, pixels, across, lined, lit, most }) {
+  const found = [], eye = camera.position, frustum = new THREE.Frustum().setFromProjectionMatrix(new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
+  let sum = root.userData.merged;
+  root.traverse((o) => {
+    const { around, edges, spacing, casts, cost } = o.userData;
+    if (!around) return;
+    const { center, radius } = around.sphere, distance = center.distanceTo(eye), near = pixels(Math.max(0.02 * radius, distance - radius)), size = 2 * around.most;
+    if (!edges) o.castShadow = casts && size > LEAST_POINTS * across;
+    o.visible = edges ? lined && spacing * near > FADED_PIXELS : size * near > LEAST_PIXELS;
+    if (!o.visible || !frustum.intersectsSphere(around.sphere)) return;
+    found.push({ o, size: pixels(Math.max(0.1 * radius, distance)) * (edges ? size / 4 : size), cost }); // Lines go before the faces that they lie on.
+    sum += cost;
+  });
+  if (sum > most) {
+    found.sort((a, b) => a.size - b.size);
+    for (const { o, cost } of found) {
+      if (sum <= most) break;
+      o.visible = false;
+      sum -= cost;
+    }
+  }
+  if (lit) root.traverse((o) => { if (o.userData.around && o.castShadow) o.visible = true; });
 }
 
 export function disposeBatches(root) {

@@ -124,15 +124,17 @@ export function patternKey(m) {
   return m.pattern ? [m.pattern.name, ...m.pattern.color, m.pattern.size, m.pattern.angle].join(":") : "";
 }
 
-// Makes a three.js material show the pattern of m, if it has one. middle: the model's, which its places are given from; metres: of a length of 1.
-export function addPattern(material, m, middle, metres) {
+// Makes a three.js material show the pattern of m, if it has one. place: uniforms that are shared, middle: the model's, which its places are given from; metres: of
+// a length of 1.
+export function addPattern(material, m, place) {
   const number = m.pattern ? numbers.indexOf(m.pattern.name) + 1 : 0;
   if (number === 0) return;
-  const values = {
-    vsMiddle: { value: middle }, vsMetres: { value: metres }, vsSecond: { value: m.pattern.color.map(linear) },
+  const before = material.onBeforeCompile, values = {
+    vsMiddle: place.middle, vsMetres: place.metres, vsSecond: { value: m.pattern.color.map(linear) },
     vsSize: { value: m.pattern.size }, vsAngle: { value: m.pattern.angle * Math.PI / 180 },
   };
-  material.onBeforeCompile = (shader) => {
+  material.onBeforeCompile = (shader, renderer) => {
+    before.call(material, shader, renderer);
     Object.assign(shader.uniforms, values);
     shader.vertexShader = vertexHead + shader.vertexShader.replace("#include <begin_vertex>", "#include <begin_vertex>\n" + vertexBody);
     shader.fragmentShader = "#define VS_PATTERN " + number + "\n" + shader.fragmentShader

@@ -4,13 +4,14 @@
 // directions of the sky and of the sun's disc, each with its own shadow, a little beside each other, and their mean is shown: so soft
 // shadows, darkness in corners and smooth edges come from the same few lines. POV-Ray's picture is lit alike (backends/povray/scene.c).
 import * as THREE from "three";
-import { addPattern } from "./patterns.js";
-import { buildBatches, disposeBatches, mergeParts, meshGeometry } from "./batches.js";
+import { addPattern, patternKey } from "./patterns.js";
+import { buildBatches, disposeBatches, leaveOut, mergeParts, meshGeometry } from "./batches.js";
 
 // Radiances and colours are POV-Ray's, linear; a light of intensity pi makes a white surface across it as bright as its colour.
 const SUN = new THREE.Color(1, 0.95, 0.87), DIFFUSE = 0.82, SKY_POWER = 1.6, SUN_POWER = 2 * SKY_POWER, EXPOSURE = 0.62;
 const LIT = 3.9; // The light that the plain sun and sky give a surface across the sun: the exposure is for it.
 const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // The light that walls and the ground send on, in parts of the sky's and the sun's light.
+const MOVING_MOST = 1.2e6, STILL_MOST = 2e6; // triangles and lines of a picture in software; a graphics card gets more
 
 // Bright colours are compressed and turn pale, others stay as they are: Khronos' neutral curve without its toe, which takes contrast from what is dark.
 THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace("vec3 CustomToneMapping( vec3 color ) { return color; }", `vec3 CustomToneMapping( vec3 color ) {
@@ -74,6 +75,8 @@ export class Stage {
     this.frame = 0;
     this.listeners = new Set();
     this.surfaceCache = new Map();
+    this.plainCache = new Map(); // Materials of marks and of the section, kept since a shader takes a tenth of a second to make.
+    this.place = { middle: { value: [0, 0, 0] }, metres: { value: 1 } };
     this.lineMaterials = {
       merged: new THREE.LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
       instanced: new THREE.LineBasicMaterial({ color: 0x05070a, transparent: true, opacity: 0.55, depthWrite: false }),
@@ -199,6 +202,14 @@ export class Stage {
     this.groundLight = new THREE.Color();
   }
 
+  // What the sky, and all that is lit by it, hangs on; true where that is another than before.
+  #lightChanged(model) {
+    const key = [this.options.dark, ...this.sunDirection, ...(model.sky || []), "day", ...(model.daylight ? [...model.daylight.table, ...model.daylight.sun, ...model.daylight.level] : [])].join();
+    if (key === this.lightKey) return false;
+    this.lightKey = key;
+    return true;
+  }
+
   #paintSky(model) {
     const u = this.skyMaterial.uniforms, day = model && model.daylight;
     this.daylight = day;
@@ -293,9 +304,11 @@ export class Stage {
     }
     geometry.setAttribute("color", new THREE.BufferAttribute(color, 4));
     geometry.scale(reach, reach, 1);
-    const material = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true, side: THREE.DoubleSide });
-    addPattern(material, m, model.middle, model.metres);
-    this.groundMesh = new THREE.Mesh(geometry, material);
+    this.groundMesh = new THREE.Mesh(geometry, this.#plain("ground " + patternKey(m), () => {
+      const material = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true, side: THREE.DoubleSide });
+      addPattern(material, m, this.place);
+      return material;
+    }));
     this.groundMesh.position.set(this.center.x, this.center.y, model.ground.z - model.middle[2] - 2e-4 * model.diagonal);
     this.groundMesh.receiveShadow = true;
     this.groundMesh.renderOrder = -5;
@@ -306,6 +319,7 @@ export class Stage {
 
   get(surface, m, merged) {
     const key = surface + (merged ? "|v" : "");
+    this.used?.add(key);
     if (this.surfaceCache.has(key)) return this.surfaceCache.get(key);
     const shiny = !this.software && (m.metallic > 0.3 || m.transparency > 0.05 || m.roughness < 0.35); // Mirrored light is worked out by the graphics card: in software it would take seconds.
     const material = new THREE.MeshStandardMaterial({
@@ -323,11 +337,17 @@ export class Stage {
       material.opacity = 1 - 0.8 * m.transparency;
       material.depthWrite = false;
     }
-    addPattern(material, m, this.model.middle, this.model.metres);
+    addPattern(material, m, this.place);
     material.wireframe = this.options.wireframe;
     material.clippingPlanes = this.clip;
     this.surfaceCache.set(key, material);
     return material;
+  }
+
+  // The material of a key, made once.
+  #plain(key, make) {
+    if (!this.plainCache.has(key)) this.plainCache.set(key, make());
+    return this.plainCache.get(key);
   }
 
   #dropSurfaces() {
@@ -344,10 +364,18 @@ export class Stage {
     this.center = new THREE.Vector3((b.min[0] + b.max[0]) / 2, (b.min[1] + b.max[1]) / 2, (b.min[2] + b.max[2]) / 2);
     this.radius = 0.5 * model.diagonal;
     this.sunDirection = model.sun ? new THREE.Vector3(...model.sun.direction).negate().normalize() : new THREE.Vector3(-0.5, -0.55, 0.67).normalize();
-    this.#dropSurfaces();
-    this.#paintSky(model);
+    this.place.middle.value = model.middle;
+    this.place.metres.value = model.metres;
+    if (this.#lightChanged(model)) {
+      this.#dropSurfaces();
+      this.#paintSky(model);
+    }
     this.#ground(model);
+    this.used = new Set();
     this.refresh();
+    for (const [key, material] of this.surfaceCache) // Those of models before, which no part has any more.
+      if (!this.used.has(key)) material.dispose(), this.surfaceCache.delete(key);
+    this.used = null;
   }
 
   // Call this when the shown objects have changed.
@@ -366,9 +394,9 @@ export class Stage {
 
   setOptions(options) {
     Object.assign(this.options, options);
-    if ("dark" in options && this.model) {
-      this.#paintSky(this.model);
+    if ("dark" in options && this.model && this.#lightChanged(this.model)) {
       this.#dropSurfaces();
+      this.#paintSky(this.model);
       this.refresh();
     }
     this.#options();
@@ -386,13 +414,13 @@ export class Stage {
     for (const child of [...this.marks.children]) {
       this.marks.remove(child);
       child.geometry.dispose();
-      child.material.dispose();
     }
     for (const { parts, color, opacity = 0.4, model = this.model } of groups) {
       if (parts.length === 0) continue;
       const m = mergeParts(model, parts, false), off = model.middle.map((x, k) => x - this.model.middle[k]);
       if (m.index.length > 0) {
-        const mesh = new THREE.Mesh(meshGeometry(m), new THREE.MeshBasicMaterial({ color, transparent: true, opacity, depthWrite: false, side: THREE.DoubleSide, toneMapped: false, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2, clippingPlanes: this.clip }));
+        const mesh = new THREE.Mesh(meshGeometry(m), this.#plain(`mark ${color} ${opacity}`, () => new THREE.MeshBasicMaterial({
+          color, transparent: true, opacity, depthWrite: false, side: THREE.DoubleSide, toneMapped: false, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2, clippingPlanes: this.clip })));
         mesh.renderOrder = 5;
         mesh.frustumCulled = false;
         mesh.position.set(...off);
@@ -401,7 +429,8 @@ export class Stage {
       if (m.edges.length > 0) {
         const geometry = new THREE.BufferGeometry();
         geometry.setAttribute("position", new THREE.BufferAttribute(m.edges, 3));
-        const line = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color, toneMapped: false, depthTest: false, transparent: true, opacity: 0.9, clippingPlanes: this.clip }));
+        const line = new THREE.LineSegments(geometry, this.#plain(`mark's lines ${color}`, () => new THREE.LineBasicMaterial({
+          color, toneMapped: false, depthTest: false, transparent: true, opacity: 0.9, clippingPlanes: this.clip })));
         line.renderOrder = 6;
         line.frustumCulled = false;
         line.position.set(...off);
@@ -431,13 +460,13 @@ export class Stage {
   #caps() {
     if (this.capGroup) {
       this.world.remove(this.capGroup);
-      this.capGroup.traverse((o) => { if (o.userData.own) o.geometry.dispose(); o.material?.dispose?.(); });
+      this.capGroup.traverse((o) => { if (o.userData.own) o.geometry.dispose(); });
       this.capGroup = null;
     }
     if (!this.section || !this.batches) return;
     const group = this.capGroup = new THREE.Group();
-    const counter = (side, operation) => new THREE.MeshBasicMaterial({ side, colorWrite: false, depthWrite: false, depthTest: false, stencilWrite: true, stencilFunc: THREE.AlwaysStencilFunc,
-      stencilFail: operation, stencilZFail: operation, stencilZPass: operation, clippingPlanes: this.clip });
+    const counter = (side, operation) => this.#plain("counter " + side, () => new THREE.MeshBasicMaterial({ side, colorWrite: false, depthWrite: false, depthTest: false, stencilWrite: true, stencilFunc: THREE.AlwaysStencilFunc,
+      stencilFail: operation, stencilZFail: operation, stencilZPass: operation, clippingPlanes: this.clip }));
     const back = counter(THREE.BackSide, THREE.IncrementWrapStencilOp), front = counter(THREE.FrontSide, THREE.DecrementWrapStencilOp);
     this.batches.traverse((o) => {
       if (!o.isMesh || !o.userData.solid) return;
@@ -456,9 +485,9 @@ export class Stage {
         group.add(copy);
       }
     });
-    const size = 4 * this.radius, cap = new THREE.Mesh(new THREE.PlaneGeometry(size, size), new THREE.MeshStandardMaterial({
+    const size = 4 * this.radius, cap = new THREE.Mesh(new THREE.PlaneGeometry(size, size), this.#plain("cap", () => new THREE.MeshStandardMaterial({
       color: 0xa8584a, roughness: 1, side: THREE.DoubleSide, stencilWrite: true, stencilRef: 0, stencilFunc: THREE.NotEqualStencilFunc,
-      stencilFail: THREE.ReplaceStencilOp, stencilZFail: THREE.ReplaceStencilOp, stencilZPass: THREE.ReplaceStencilOp, emissive: 0x4a201a, emissiveIntensity: 0.6 }));
+      stencilFail: THREE.ReplaceStencilOp, stencilZFail: THREE.ReplaceStencilOp, stencilZPass: THREE.ReplaceStencilOp, emissive: 0x4a201a, emissiveIntensity: 0.6 })));
     cap.userData.own = true;
     cap.renderOrder = 2;
     const { normal, constant } = this.section;
@@ -519,12 +548,20 @@ export class Stage {
     this.renderer.render(this.quadScene, this.quadCamera);
   }
 
+  #leaveOut(most) { // most: triangles and lines
+    if (!this.batches) return;
+    const half = this.pixels.value * this.renderer.getPixelRatio() * this.camera.projectionMatrix.elements[5], parallel = this.camera.isOrthographicCamera;
+    leaveOut(this.batches, { camera: this.camera, pixels: (distance) => parallel ? half : half / Math.max(1e-9, distance), across: 2.04 * this.radius / this.sun.shadow.mapSize.x,
+      lined: this.options.edges && !this.options.wireframe, lit: this.renderer.shadowMap.needsUpdate, most: most * (this.software ? 1 : 8) });
+  }
+
   draw() {
     this.#light(-1);
     if (!this.shadowsDirty) this.renderer.shadowMap.needsUpdate = false;
     this.shadowsDirty = false;
     this.renderer.setRenderTarget(null);
     this.renderer.info.reset();
+    this.#leaveOut(MOVING_MOST);
     this.renderer.render(this.scene, this.camera);
     this.drawCalls = this.renderer.info.render.calls;
   }
@@ -536,6 +573,7 @@ export class Stage {
     this.camera.setViewOffset(size.x, size.y, ((i * 0.7548776662466927 + 0.5) % 1) - 0.5, ((i * 0.5698402909980532 + 0.5) % 1) - 0.5, size.x, size.y);
     this.renderer.setRenderTarget(this.one);
     this.renderer.info.reset();
+    this.#leaveOut(STILL_MOST);
     this.renderer.render(this.scene, this.camera);
     this.camera.clearViewOffset();
     this.mixer.uniforms.sum.value = this.mean[i % 2].texture;
@@ -587,6 +625,7 @@ export class Stage {
     cancelAnimationFrame(this.frame);
     if (this.batches) disposeBatches(this.batches);
     this.#dropSurfaces();
+    for (const m of this.plainCache.values()) m.dispose();
     for (const target of [this.one, ...this.mean]) target.dispose();
     this.environmentMap?.dispose();
     this.renderer.dispose();

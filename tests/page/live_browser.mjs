@@ -75,6 +75,16 @@ await test("saving in another editor shows, and the camera stays", async (want) 
   want((await text()) === source, "the source pane has the old text");
 });
 
+await test("a save makes no shader anew", async (want) => {
+  const programs = () => page.evaluate(() => { const { stage } = window.visualscheme; stage.draw(); return stage.renderer.info.programs.map((p) => p.id); });
+  const before = await programs();
+  await after(() => writeFileSync(model, source.replace("height 3.0", "height 3.5")));
+  await page.waitForFunction(() => window.visualscheme.model.size[2] === 5.5, null, { timeout: 20000 });
+  const anew = (await programs()).filter((id) => !before.includes(id));
+  want(before.length > 2 && anew.length === 0, `${anew.length} shaders anew, ${before.length} were there`);
+  await after(() => writeFileSync(model, source));
+});
+
 await test("an error dims the last good model and heals", async (want) => {
   await after(() => writeFileSync(model, source.replace("(make-cylinder at height 1)", "(make-cylinder at heigth 1)")));
   let f = await facts();

@@ -1,9 +1,9 @@
-// Owns the tests of pages: `page.mjs FOLDER` with FOLDER/NAME.html for every example, FOLDER/hostile.html, FOLDER/doric-columns.x3d, FOLDER/light.html, daylight.html, evening.html and, where POV-Ray is, a .png of each. Prints lines as tests/run.sh wants them.
+// Owns the tests of pages: `page.mjs FOLDER` with FOLDER/NAME.html for every example, FOLDER/hostile.html, FOLDER/crowd.html, FOLDER/doric-columns.x3d, FOLDER/light.html, daylight.html, evening.html and, where POV-Ray is, a .png of each. Prints lines as tests/run.sh wants them.
 import { readdirSync } from "node:fs";
 import { browser, open } from "./browser.mjs";
 
 const folder = process.argv[2], chromium = await browser(), only = process.env.ONLY || "";
-const pages = readdirSync(folder).filter((f) => f.endsWith(".html") && !["hostile.html", "light.html", "daylight.html", "evening.html"].includes(f)).map((f) => f.slice(0, -5)).sort();
+const pages = readdirSync(folder).filter((f) => f.endsWith(".html") && !["hostile.html", "crowd.html", "light.html", "daylight.html", "evening.html"].includes(f)).map((f) => f.slice(0, -5)).sort();
 
 function judge(name, faults) {
   console.log((faults.length ? "not ok page/" : "ok page/") + name);
@@ -225,6 +225,45 @@ try {
     if (!(none < 0.2 * all)) faults.push(`without its materials ${none} of ${all} pixels show`);
     faults.push(...page.troubles);
     judge("tools", faults);
+    await page.close();
+  }
+
+  // Ten thousand copies: near a corner most of them are out of sight and are not drawn, and the picture is the same as with all of them.
+  if (wanted("crowd")) {
+    const page = await open(context, `file://${folder}/crowd.html`), faults = [];
+    const seen = await page.evaluate(() => {
+      const v = window.visualscheme, { stage } = v, gl = stage.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight;
+      const picture = () => {
+        const bytes = new Uint8Array(4 * w * h);
+        stage.shadowsDirty = true;
+        stage.draw();
+        gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+        stage.draw(); // Without the lights' pictures.
+        return { bytes, drawn: stage.renderer.info.render.triangles };
+      };
+      stage.options.refine = false;
+      v.view("iso");
+      const out = [];
+      for (const distance of [0, 6]) {
+        if (distance > 0) v.control.state.target.set(-59, -49, 0), v.control.state.distance = distance, v.control.apply();
+        const some = picture(), around = [];
+        stage.batches.traverse((o) => {
+          if (!o.userData.around) return;
+          around.push([o, o.userData.around]);
+          o.userData.around = null, o.frustumCulled = false, o.visible = true;
+        });
+        const all = picture();
+        for (const [o, was] of around) o.userData.around = was, o.frustumCulled = true;
+        let apart = 0;
+        for (let i = 0; i < some.bytes.length; i += 4) if (Math.abs(some.bytes[i] - all.bytes[i]) > 2) apart++;
+        out.push({ apart: apart / (w * h), some: some.drawn, all: all.drawn, things: around.length });
+      }
+      return out;
+    });
+    if (seen[0].things < 8) faults.push(`the copies are ${seen[0].things} things to draw`);
+    if (seen.some((s) => s.apart > 0.002)) faults.push(`${seen.map((s) => (100 * s.apart).toFixed(2)).join(" and ")} % of the pixels differ from those with all copies`);
+    if (!(seen[1].some < 0.5 * seen[1].all)) faults.push(`${seen[1].some} of ${seen[1].all} triangles are drawn near a corner`);
+    judge("crowd", [...faults, ...page.troubles]);
     await page.close();
   }
 
