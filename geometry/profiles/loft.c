@@ -329,18 +329,21 @@ static double loft_least_twist(const loft_line *a, double from, const loft_line 
   return fine - floor(fine);
 }
 
-/* Point by point: the index in b that belongs to a's point `from`. */
-static size_t loft_least_twist_index(const loft_line *a, size_t from, const loft_line *b) {
-  size_t n = b->count, stride = n / 512 + 1, best = from;
+/* Point by point: the index in b that belongs to a's point `from`. False: interrupted. */
+static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_line *b, vs_store *s, size_t *best,
+                                   vs_error *e) {
+  size_t n = b->count, stride = n / 512 + 1;
   double most = -INFINITY, scale = 0;
+  *best = from;
   for (size_t j = 0; j < n; j += stride) scale += vs_v3_dot(a->at[j], a->at[j]) + vs_v3_dot(b->at[j], b->at[j]);
   for (size_t t = 0; t < n; t++) {
+    if (!vs_store_going(s, (uint32_t)(4 * n / stride), e)) return false;
     size_t k = (from + t) % n; /* as they come is tried first */
     double sum = 0;
     for (size_t j = 0; j < n; j += stride) sum += vs_v3_dot(a->at[(from + j) % n], b->at[(k + j) % n]);
-    if (sum > most + 1e-9 * scale) most = sum, best = k;
+    if (sum > most + 1e-9 * scale) most = sum, *best = k;
   }
-  return best;
+  return true;
 }
 
 /* ---- matching ---- */
@@ -391,8 +394,11 @@ static size_t loft_places(const loft_line *lines, const double *shift, size_t co
 
 typedef struct { loft_line *lines; double *shift; size_t *start; double *places; size_t count; } loft_match;
 
-/* Loop l of all sections, into matched[i] of `count` points each. */
-static bool loft_match_loop(loft_section *s, size_t rows, size_t first, size_t l, loft_match *m, vs_polyline *matched) {
+enum { TWISTS = 1 << 18 }; /* nanoseconds that one search for the least twist takes, told to vs_store_going */
+
+/* Loop l of all sections, into matched[i] of `count` points each. False: e is set. */
+static bool loft_match_loop(vs_store *store, loft_section *s, size_t rows, size_t first, size_t l, loft_match *m,
+                            vs_polyline *matched, vs_error *e) {
   bool alike = true, ok = true;
   size_t last = first, size = s[first].outline.loops[l].count;
   for (size_t i = first; ok && i < rows; i++) {
@@ -406,7 +412,7 @@ static bool loft_match_loop(loft_section *s, size_t rows, size_t first, size_t l
         loft_reverse(p);
     }
     vs_affine turn = i > first && !s[i].open ? vs_frame_turn(s[i].normal, s[last].normal) : vs_affine_identity();
-    ok = loft_line_make(p, &turn, &m->lines[i]);
+    ok = loft_line_make(p, &turn, &m->lines[i]) || vs_error_memory(e, NULL);
     alike = alike && p->count == size;
     last = i;
   }
@@ -418,17 +424,20 @@ static bool loft_match_loop(loft_section *s, size_t rows, size_t first, size_t l
     /* line `last` stands turned into its own predecessor's plane: here it is wanted in its own */
     loft_line before;
     vs_affine identity = vs_affine_identity();
-    ok = loft_line_make(&s[last].outline.loops[l], &identity, &before);
-    if (ok && alike) m->start[i] = loft_least_twist_index(&before, m->start[last], &m->lines[i]);
+    ok = (loft_line_make(&s[last].outline.loops[l], &identity, &before) || vs_error_memory(e, NULL)) &&
+         vs_store_going(store, alike ? 1 : TWISTS, e);
+    if (ok && alike) ok = loft_least_twist_index(&before, m->start[last], &m->lines[i], store, &m->start[i], e);
     else if (ok) m->shift[i] = loft_least_twist(&before, m->shift[last], &m->lines[i]);
     loft_line_free(&before);
     last = i;
   }
   m->count = size;
-  if (ok && !alike) ok = (m->count = loft_places(m->lines, m->shift, rows, &m->places)) > 0;
+  if (ok && !alike)
+    ok = (m->count = loft_places(m->lines, m->shift, rows, &m->places)) > 0 || vs_error_memory(e, NULL);
   for (size_t i = first; ok && i < rows; i++) {
     matched[i] = (vs_polyline){ .at = malloc((m->count + 1) * sizeof(vs_vec3)), .count = m->count };
-    ok = matched[i].at != NULL;
+    ok = (matched[i].at || vs_error_memory(e, NULL)) &&
+         vs_store_going(store, (uint32_t)(m->count < 1000000 ? 64 * m->count : 64000000), e);
     const vs_polyline *p = s[i].point ? NULL : &s[i].outline.loops[l];
     for (size_t k = 0; ok && k < m->count; k++)
       matched[i].at[k] =
@@ -457,22 +466,23 @@ static bool loft_room(vs_loft *out, size_t rows, size_t loops) {
   return out->center && out->normal && out->point && out->sizes && out->hole;
 }
 
-/* All loops of all sections as one table */
-static bool loft_tabulate(loft_section *s, size_t rows, size_t first, vs_loft *out) {
+/* All loops of all sections as one table. False: e is set. */
+static bool loft_tabulate(vs_store *store, loft_section *s, size_t rows, size_t first, vs_loft *out, vs_error *e) {
   size_t loops = s[first].outline.count;
   vs_polyline *matched = calloc(rows * loops + 1, sizeof *matched);
-  bool ok = matched && loft_room(out, rows, loops);
+  bool ok = (matched && loft_room(out, rows, loops)) || vs_error_memory(e, NULL);
   for (size_t l = 0; ok && l < loops; l++) {
     loft_match m = { calloc(rows + 1, sizeof *m.lines), calloc(rows + 1, sizeof *m.shift),
                      calloc(rows + 1, sizeof *m.start), NULL, 0 };
-    ok = m.lines && m.shift && m.start && loft_match_loop(s, rows, first, l, &m, matched + l * rows);
+    ok = ((m.lines && m.shift && m.start) || vs_error_memory(e, NULL)) &&
+         loft_match_loop(store, s, rows, first, l, &m, matched + l * rows, e);
     out->sizes[l] = m.count;
     out->hole[l] = s[first].outline.hole[l];
     out->columns += m.count;
     /* a point in front of the first section */
     for (size_t i = 0; ok && i < first; i++) {
       matched[l * rows + i] = (vs_polyline){ .at = malloc((m.count + 1) * sizeof(vs_vec3)), .count = m.count };
-      ok = matched[l * rows + i].at != NULL;
+      ok = matched[l * rows + i].at || vs_error_memory(e, NULL);
       for (size_t k = 0; ok && k < m.count; k++) matched[l * rows + i].at[k] = s[i].center;
     }
     loft_match_free(&m, rows);
@@ -481,7 +491,7 @@ static bool loft_tabulate(loft_section *s, size_t rows, size_t first, vs_loft *o
   out->loop_count = loops;
   out->round = !s[first].open;
   out->at = ok ? malloc((rows * out->columns + 1) * sizeof *out->at) : NULL;
-  ok = ok && out->at;
+  ok = ok && (out->at || vs_error_memory(e, NULL));
   for (size_t i = 0; ok && i < rows; i++) {
     out->center[i] = s[i].center;
     out->normal[i] = s[i].point || s[i].open ? vs_v3(0, 0, 0) : s[i].normal;
@@ -534,7 +544,7 @@ bool vs_loft_match(const vs_node *n, size_t count, const vs_facets *f, vs_loft *
     ok = loft_pair(&s[last], &s[i], i + 1, e);
     last = i;
   }
-  ok = ok && (loft_tabulate(s, rows, first, out) || vs_error_memory(e, NULL));
+  ok = ok && loft_tabulate(n->store, s, rows, first, out, e);
   for (size_t i = 0; i < count; i++) vs_outline_free(&s[i].outline);
   free(s);
   if (!ok) vs_loft_free(out);

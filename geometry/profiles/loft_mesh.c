@@ -262,9 +262,15 @@ double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_facets *
   return steps;
 }
 
-static bool loft_smooth_rows(const vs_node *n, const vs_loft *l, const vs_facets *f, double least, vs_loft_rows *out) {
+static uint32_t loft_row_work(const vs_loft *l) { /* nanoseconds, told to vs_store_going */
+  return (uint32_t)fmin(64.0 * (double)l->columns, 1e9);
+}
+
+/* False: e is set. */
+static bool loft_smooth_rows(const vs_node *n, const vs_loft *l, const vs_facets *f, double least, vs_loft_rows *out,
+                             vs_error *e) {
   vs_loft_smooth s;
-  bool ok = vs_loft_smooth_make(l, &s);
+  bool ok = vs_loft_smooth_make(l, &s) || vs_error_memory(e, NULL);
   if (ok && n->kind == VS_LOFT && !l->joined) {
     const struct vs_loft *d = VS_AS(loft, n);
     if (d->start_hold > 0) loft_hold(&s, false, d->start_angle, d->start_hold);
@@ -275,27 +281,30 @@ static bool loft_smooth_rows(const vs_node *n, const vs_loft *l, const vs_facets
     double steps = fmax(least, vs_loft_smooth_steps(&s, i, f));
     for (double k = 0; ok && k < steps; k++) {
       vs_vec3 *row = vs_loft_rows_add(out);
-      ok = row != NULL;
-      if (row) vs_loft_smooth_row(&s, i, k / steps, row);
+      ok = (row || vs_error_memory(e, NULL)) && vs_store_going(n->store, loft_row_work(l), e);
+      if (ok) vs_loft_smooth_row(&s, i, k / steps, row);
     }
   }
   vs_vec3 *last = ok && !l->joined ? vs_loft_rows_add(out) : NULL;
   if (last) vs_loft_smooth_row(&s, l->rows - 2, 1, last);
   vs_loft_smooth_free(&s);
-  return ok && (last || l->joined);
+  return ok && (last || l->joined || vs_error_memory(e, NULL));
 }
 
 /* ---- straight walls ---- */
 
-static bool loft_straight_rows(const vs_loft *l, double k, vs_loft_rows *out) {
-  size_t pieces = l->joined ? l->rows : l->rows - 1, n = l->columns;
+/* False: e is set. */
+static bool loft_straight_rows(const vs_node *n, const vs_loft *l, double k, vs_loft_rows *out, vs_error *e) {
+  size_t pieces = l->joined ? l->rows : l->rows - 1, columns = l->columns;
   for (size_t i = 0; i <= pieces; i++) {
     if (i == pieces && l->joined) break;
     for (double j = 0; j < (i == pieces ? 1 : k); j++) {
       vs_vec3 *row = vs_loft_rows_add(out);
-      if (!row) return false;
-      const vs_vec3 *p = l->at + i * n, *q = l->at + (i + 1) % l->rows * n;
-      for (size_t c = 0; c < n; c++) row[c] = j > 0 ? vs_v3_add(p[c], vs_v3_scale(vs_v3_sub(q[c], p[c]), j / k)) : p[c];
+      if (!row) return vs_error_memory(e, NULL);
+      if (!vs_store_going(n->store, loft_row_work(l), e)) return false;
+      const vs_vec3 *p = l->at + i * columns, *q = l->at + (i + 1) % l->rows * columns;
+      for (size_t c = 0; c < columns; c++)
+        row[c] = j > 0 ? vs_v3_add(p[c], vs_v3_scale(vs_v3_sub(q[c], p[c]), j / k)) : p[c];
     }
   }
   return true;
@@ -320,8 +329,7 @@ bool vs_loft_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *
   else if (ok) {
     bool held = n->kind == VS_LOFT && (VS_AS(loft, n)->start_hold > 0 || VS_AS(loft, n)->end_hold > 0);
     bool straight = n->kind == VS_RULED_LOFT || (l.rows < 3 && !held);
-    ok = (straight ? loft_straight_rows(&l, k, &rows) : loft_smooth_rows(n, &l, f, k, &rows)) ||
-         vs_error_memory(e, NULL);
+    ok = straight ? loft_straight_rows(n, &l, k, &rows, e) : loft_smooth_rows(n, &l, f, k, &rows, e);
   }
   vs_grid g = {
     rows.at, rows.rows, rows.columns, l.sizes, l.hole, l.loop_count, l.round, l.joined, NULL, l.round, NULL

@@ -162,6 +162,34 @@ static void splines_pass_through_their_points(void **state) {
   vs_store_release(s);
 }
 
+static bool never(void *asked) { return ++*(size_t *)asked, false; }
+
+/* Lofts ask whether to go on where they look for the least twist, point by point or about, and where they fill rows. */
+static void lofts_are_interrupted(void **state) {
+  (void)state;
+  static const int segments[3][2] = { { 4000, 4000 }, { 300, 301 }, { 40000, 40001 } };
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_facets f = { .tolerance = 0.01 };
+  for (int i = 0; i < 3; i++) {
+    size_t asked = 0;
+    vs_node *n = over(s, VS_RULED_LOFT, NULL, NODE(circle, CIRCLE, { 0, 0, 0 }, 1, segments[i][0]),
+                      NODE(circle, CIRCLE, { 0, 0, 3 }, 1, segments[i][1]));
+    vs_mesh m = { 0 };
+    vs_error e = { 0 };
+    assert_true(vs_tessellate(n, &f, &m, &e));
+    vs_mesh_free(&m);
+    vs_store_watch(s, never, &asked);
+    bool made = vs_tessellate(n, &f, &m, &e);
+    assert_true(made == (i == 1)); /* a small one is done before it asks */
+    assert_int_equal(asked, !made);
+    if (!made) assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
+    vs_store_watch(s, NULL, NULL);
+    vs_mesh_free(&m);
+    vs_node_release(n);
+  }
+  vs_store_release(s);
+}
+
 static void regions_join_open_curves(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -198,7 +226,7 @@ static void regions_join_open_curves(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(extrusions), cmocka_unit_test(sweeps), cmocka_unit_test(thickened), cmocka_unit_test(splines_pass_through_their_points),
-    cmocka_unit_test(regions_join_open_curves),
+    cmocka_unit_test(lofts_are_interrupted), cmocka_unit_test(regions_join_open_curves),
   };
   return cmocka_run_group_tests_name("geometry curves and sweeps", tests, NULL, NULL);
 }
