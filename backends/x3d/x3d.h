@@ -68,6 +68,7 @@ typedef struct {
   vs_x3d_group *groups;
   size_t group_count, group_room, group; /* group: what is being collected */
   size_t batch_count;          /* of each group that has batches */
+  uint64_t collected;          /* triangles, of all batches */
   int least;                   /* facets a turn, at least, of round forms that are baked; 0: as everywhere */
   /* text.c */
   size_t depth;

@@ -81,8 +81,19 @@ static size_t collect_paint(const vs_emitter *e, const vs_solid *m, size_t part,
                                                                  : inherited;
 }
 
+/* Counts triangles that are collected. Equal ones may be written once, so that there may be more of them than of those
+ * that are written; as of shapes that are combined. */
+static bool collect_count(vs_emitter *e, size_t count) {
+  vs_x3d *x = e->state;
+  size_t limit = e->options->mesh_triangles;
+  x->collected += count;
+  return !limit || x->collected / VS_ON_THE_WAY <= limit ||
+         vs_error_set(e->error, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);
+}
+
 static bool collect_triangles(vs_emitter *e, vs_x3d_group *to, const vs_solid *m, const vs_affine *place,
                               uint32_t inherited, double crease) {
+  if (!collect_count(e, m->mesh.triangle_count)) return false;
   vs_x3d *x = e->state;
   vs_x3d_batch *batches = vs_x3d_batches(e, to);
   if (batches == NULL) return false;
