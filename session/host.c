@@ -83,6 +83,12 @@ static const char *environment(void *session, const char *name) {
   return ((vs_session *)session)->options.untrusted ? NULL : getenv(name);
 }
 
+extern char **environ; /* POSIX has programs declare it themselves */
+
+static const char *variable(void *session, size_t i) {
+  return ((vs_session *)session)->options.untrusted ? NULL : environ[i];
+}
+
 /* ---- reading whole files ---- */
 
 static bool refuse(vs_session *s, const char *reason, const char **why) {
@@ -330,4 +336,5 @@ static bool list_folder(void *session, const char *path, bool (*take)(void *cont
 const vs_io vs_session_io = {
   .open = open_stream, .read = read_stream, .write = write_stream, .flush = flush_stream, .close = close_stream,
   .exists = exists, .remove = remove_file, .list = list_folder, .now = now_of_day, .getenv = environment,
+  .variable = variable,
 };

@@ -27,6 +27,8 @@ typedef struct vs_io {
                void *context, const char **why);
   double (*now)(void *user);                                                 /* seconds since 1970 */
   const char *(*getenv)(void *user, const char *name);
+  /* the i-th variable of the environment, as NAME=value; NULL past the last */
+  const char *(*variable)(void *user, size_t i);
 } vs_io;
 
 enum {                       /* vs_port.flags */

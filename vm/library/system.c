@@ -192,7 +192,21 @@ static vs_status get_environment_variable(vs_scheme *vm, vs_value *a, int n, vs_
 }
 
 static vs_status get_environment_variables(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
-  return (void)vm, (void)a, (void)n, *out = VS_NIL, VS_OK;
+  (void)a, (void)n;
+  const vs_io *io = vm->config.io;
+  VS_ROOTS(vm, r, 3);
+  r[0] = VS_NIL;
+  const char *text;
+  for (size_t i = 0; io && io->variable && (text = io->variable(vm->config.user, i)); i++) {
+    const char *sign = strchr(text, '=');
+    if (!sign) continue;
+    if (!vs_string_from_utf8(vm, text, (size_t)(sign - text), &r[1]) ||
+        !vs_string_from_utf8(vm, sign + 1, strlen(sign + 1), &r[2]) || !vs_cons(vm, r[1], r[2], &r[1]) ||
+        !vs_cons(vm, r[1], r[0], &r[0]))
+      return VS_ERROR;
+  }
+  *out = r[0];
+  return VS_OK;
 }
 
 static vs_status gc(vs_scheme *vm, vs_value *a, int n, vs_value *out) {

@@ -48,6 +48,7 @@
 (for-each (lambda (x) (check-true (equal? x (read (open-input-string (w x)))))) (list 'a '|a b| '|| "a\\b\"c\nd\te" #\space #\x7f #\λ 1/3 -0.0 1e-300 +inf.0 '(1 . 2) '#(a #(b)) #u8(0 255) (string->symbol "+i") (string->symbol "1a") (string->symbol "a|b") (string->symbol "a\\b") '(quote a) '(unquote a b) '(quasiquote) (list #t #f '()) (expt 3 200) (/ (expt 3 50) (expt 2 70))))
 ; system
 (check (list (string? (get-environment-variable "PATH")) (get-environment-variable "NO_SUCH_VAR_X") (list? (get-environment-variables)) (list? (command-line))) => (#t #f #t #t))
+(check (list (equal? (assoc "PATH" (get-environment-variables)) (cons "PATH" (getenv "PATH"))) (assoc "NO_SUCH_VAR_X" (get-environment-variables))) => (#t #f))
 (check (list (real? (current-second)) (exact-integer? (current-jiffy)) (exact-integer? (jiffies-per-second)) (let ((a (current-jiffy))) (>= (current-jiffy) a))) => (#t #t #t #t))
 (check (and (memq 'r7rs (features)) (memq 'ratios (features)) #t) => #t)
 (check (eval '(let ((x 1)) (+ x 1)) (environment '(scheme base))) => 2)
@@ -55,4 +56,4 @@
 (check-error (eval '(define) (interaction-environment)))
 (check (eval ''(a . b) (interaction-environment)) => (a . b))
 (check (eval (list + 1 2) (interaction-environment)) => 3)
-(checked)   ; expect: all hold: 79
+(checked)   ; expect: all hold: 80
