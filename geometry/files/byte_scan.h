@@ -3,7 +3,7 @@
 #ifndef VS_GEOMETRY_SCAN_H
 #define VS_GEOMETRY_SCAN_H
 
-#include "geometry/files/meshfile.h"
+#include "model/node.h"
 
 typedef struct {
   const char *name;           /* of the file, without folders */

@@ -3,6 +3,7 @@
 #define VS_GEOMETRY_PLY_H
 
 #include "geometry/files/byte_scan.h"
+#include "geometry/files/meshfile.h"
 
 bool vs_ply_read(vs_scan *s, vs_face_list *out);
 
