@@ -2,7 +2,7 @@
 #ifndef VS_BACKENDS_DXF_H
 #define VS_BACKENDS_DXF_H
 
-#include "backends/drawing/sheet.h"
+#include "backends/drawing/sheet_marks.h"
 
 bool vs_sheet_write_dxf(vs_emitter *e, const vs_sheet *s);
 

@@ -2,7 +2,7 @@
 #ifndef VS_BACKENDS_HATCHES_H
 #define VS_BACKENDS_HATCHES_H
 
-#include "backends/drawing/sheet.h"
+#include "backends/drawing/sheet_marks.h"
 
 /* Puts on the fill of a cut face, and the lines over it. */
 bool vs_sheet_fill(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_flat_fill *fill);

@@ -2,7 +2,7 @@
 #ifndef VS_BACKENDS_NOTES_H
 #define VS_BACKENDS_NOTES_H
 
-#include "backends/drawing/sheet.h"
+#include "backends/drawing/sheet_marks.h"
 
 /* Puts on what the program asked for in the view, and the ground's line. */
 bool vs_sheet_notes(vs_emitter *e, vs_sheet *s, uint32_t view);

@@ -31,33 +31,7 @@ enum { SCALES = sizeof scales / sizeof *scales, HUNDRED = 10 };
 
 static const double margin = 10, binding = 20, title_width = 130, title_height = 24, gap = 8, caption = 9;
 
-/* ---- marks ---- */
-
-vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p) {
-  return (vs_sheet_point){ (p.x - v->low.x) * v->mm + v->at.x, (p.y - v->low.y) * v->mm + v->at.y };
-}
-
-bool vs_sheet_line(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, const vs_sheet_point *at,
-    size_t count, bool closed) {
-  if (!vs_emit_grow(e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks) ||
-      !vs_emit_grow(e, &s->points, &s->point_room, s->point_count + count, sizeof *s->points))
-    return false;
-  s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_LINE, .layer = layer, .view = view,
-      .first = (uint32_t)s->point_count, .count = (uint32_t)count, .closed = closed };
-  memcpy(s->points + s->point_count, at, count * sizeof *at);
-  s->point_count += count;
-  return true;
-}
-
-bool vs_sheet_text(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, vs_sheet_point at, double size,
-    double angle, double align, const char *text) {
-  const char *kept = vs_store_text(e->scene->store, text, strlen(text));
-  if (!kept) return vs_emit_no_memory(e);
-  if (!vs_emit_grow(e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks)) return false;
-  s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_TEXT, .layer = layer, .view = view, .text = kept, .at = at,
-      .size = size, .angle = angle, .align = align };
-  return true;
-}
+/* ---- frame ---- */
 
 static bool rectangle(vs_emitter *e, vs_sheet *s, vs_drawn_layer layer, double x0, double y0, double x1, double y1) {
   vs_sheet_point at[4] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };

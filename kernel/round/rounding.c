@@ -12,15 +12,16 @@
  *
  * A look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked
  * at, and what has changed since. */
-#include "kernel/round/rounding_state.h"
-#include "kernel/round/touching.h"
+#include "kernel/round/rounding.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "kernel/mesh/shells.h"
 #include "kernel/exact/digits.h"
+#include "kernel/mesh/shells.h"
+#include "kernel/round/rounding_state.h"
+#include "kernel/round/touching.h"
 #include "model/store/disjoint.h"
 
 enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */ };

@@ -5,23 +5,7 @@
 
 #include "kernel/kernel_options.h"
 #include "kernel/problem.h"
-
-typedef enum {
-  VS_NUMBERS_DOUBLE,
-  VS_NUMBERS_DIGITS /* 12 significant */,
-  VS_NUMBERS_SINGLE /* 32 bits */,
-  VS_NUMBERS_SOUP /* the same, without indices */
-} vs_numbers;
-
-typedef struct {
-  size_t collapsed;       /* edges */
-  size_t flipped;         /* edges, of triangles lower than rounding moves their corners */
-  size_t met;             /* triangles that, rounded, may meet others near where edges were too short or triangles too
-                           * low; as far as doubles can tell */
-  vs_vec3 at;             /* of the first of them */
-  size_t dropped;         /* shells thinner than the numbers tell apart */
-  vs_vec3 dropped_at;
-} vs_settled;
+#include "kernel/round/rounded.h"
 
 /* Collapses edges of less than two units of the last place, where both the surface's kind and every triangle's side
  * allow it, and flips the longest edges of triangles that are lower than that, in at most three rounds.

@@ -5,7 +5,7 @@
 
 #include "model/mesh.h"
 #include "kernel/memory.h"
-#include "kernel/round/rounding.h"
+#include "kernel/round/rounded.h"
 
 typedef struct { uint32_t first, count; } vs_fan;
 

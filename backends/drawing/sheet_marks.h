@@ -1,0 +1,40 @@
+/* Owns the marks of a drawing: the sheet that holds them, and putting lines and texts on it, in millimetres from its
+ * lower left corner. */
+#ifndef VS_BACKENDS_SHEET_MARKS_H
+#define VS_BACKENDS_SHEET_MARKS_H
+
+#include "backends/drawing/flat_view.h"
+
+typedef enum { VS_MARK_LINE, VS_MARK_FILL, VS_MARK_TEXT } vs_mark_kind;
+typedef struct {
+  vs_mark_kind kind;
+  vs_drawn_layer layer;
+  uint32_t view;            /* of views; the count of them: of the sheet itself */
+  uint32_t first, count;    /* LINE: points; FILL: loops */
+  bool closed;
+  double grey;              /* FILL */
+  const char *text;         /* TEXT, interned */
+  vs_sheet_point at;        /* where its base line begins, or has its middle or end */
+  /* height of a capital, mm; degrees; 0 begins at `at`, 0.5 has its middle there, 1 ends there */
+  double size, angle, align;
+} vs_mark;
+
+typedef struct {
+  double width, height;     /* mm */
+  const char *name;         /* "A3" */
+  double left, right, bottom, top; /* the frame's */
+  vs_mark *marks;
+  vs_sheet_point *points;
+  struct { uint32_t first, count; } *loops;
+  size_t mark_count, mark_room, point_count, point_room, loop_count, loop_room;
+  vs_flat_view *views;
+  size_t view_count;
+} vs_sheet;
+
+bool vs_sheet_line(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, const vs_sheet_point *at,
+    size_t count, bool closed);
+bool vs_sheet_text(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, vs_sheet_point at, double size,
+    double angle, double align, const char *text);
+vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p); /* of the view's plane on the sheet */
+
+#endif

@@ -1,0 +1,24 @@
+/* Owns the kinds of numbers that corners are rounded to, and what is counted when a mesh is. */
+#ifndef VS_KERNEL_ROUNDED_H
+#define VS_KERNEL_ROUNDED_H
+
+#include "model/vec.h"
+
+typedef enum {
+  VS_NUMBERS_DOUBLE,
+  VS_NUMBERS_DIGITS /* 12 significant */,
+  VS_NUMBERS_SINGLE /* 32 bits */,
+  VS_NUMBERS_SOUP /* the same, without indices */
+} vs_numbers;
+
+typedef struct {
+  size_t collapsed;       /* edges */
+  size_t flipped;         /* edges, of triangles lower than rounding moves their corners */
+  size_t met;             /* triangles that, rounded, may meet others near where edges were too short or triangles too
+                           * low; as far as doubles can tell */
+  vs_vec3 at;             /* of the first of them */
+  size_t dropped;         /* shells thinner than the numbers tell apart */
+  vs_vec3 dropped_at;
+} vs_settled;
+
+#endif
