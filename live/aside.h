@@ -5,7 +5,7 @@
 
 #include <pthread.h>
 
-#include "live/live.h"
+#include "live/live_options.h"
 #include "live/publish.h"
 
 typedef struct {
