@@ -10,6 +10,7 @@
 #include "geometry/measure/node_measures.h"
 #include "geometry/shapes/simple_nodes.h"
 #include "solids/solid_meshes.h"
+#include "vm/machine/run.h"
 
 /* ---- the drawing as a value ---- */
 

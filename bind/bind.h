@@ -9,7 +9,8 @@
 #define VS_BIND_H
 
 #include "vm/machine/native.h"
-#include "vm/machine/run.h"
+#include "vm/machine/activation.h"
+#include "vm/machine/activation.h"
 
 #include "geometry/measure/node_measures.h"
 #include "model/scene.h"

@@ -6,12 +6,12 @@
 #include "bind/functions/dual_points.h"
 #include "bind/rules/derivation.h"
 #include "vm/library/kept.h"
-#include "vm/values/dual.h"
+#include "vm/numbers/dual.h"
 
 #include <stdio.h>
 
 #include "vm/machine/arguments.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 
 /* ---- the tables ---- */
 

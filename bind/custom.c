@@ -5,6 +5,8 @@
  * that primitives.scm asks for, which then forgets what the objects were made with. */
 #include "bind/bind.h"
 
+#include "vm/machine/run.h"
+
 void vs_bind_ticket_gone(void *bind, uint32_t number) {
   vs_bind *b = bind;
   if (number >= b->ticket_count || !b->tickets[number]) return; /* of another interpreter's tree */

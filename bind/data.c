@@ -10,7 +10,8 @@
 #include "vm/library/port.h"
 #include "vm/front/source.h"
 #include "vm/machine/run.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
+#include "vm/numbers/integer.h"
 
 /* The file of the innermost call that stands in no library of the language; 0: none. */
 static uint32_t calling_file(vs_scheme *vm) {
@@ -139,7 +140,7 @@ static bool shallow(vs_scheme *vm, const jansson *j, json_t *node, vs_value *out
       return true;
     case JSON_ARRAY: return vs_make_vector(vm, j->size(node), VS_FALSE, out);
     case JSON_STRING: return vs_string_from_utf8(vm, j->string(node), j->length(node), out);
-    case JSON_INTEGER: return vs_number_from_int64(vm, j->integer(node), out);
+    case JSON_INTEGER: return vs_int_from_int64(vm, j->integer(node), out);
     case JSON_REAL: *out = vs_flonum(j->real(node)); return true;
     case JSON_TRUE: *out = VS_TRUE; return true;
     case JSON_FALSE: *out = VS_FALSE; return true;

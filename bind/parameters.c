@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 #include "vm/values/printer.h"
 #include "vm/front/reader.h"
 

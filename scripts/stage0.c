@@ -8,6 +8,7 @@
 #include "vm/machine/image.h"
 #include "vm/values/printer.h"
 #include "vm/machine/program.h"
+#include "vm/machine/open_vm.h"
 
 static char *read_file(const char *path, size_t *size) {
   FILE *f = fopen(path, "rb");

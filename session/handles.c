@@ -5,7 +5,8 @@
 
 #include "vm/front/environment.h"
 #include "vm/machine/run.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
+#include "vm/numbers/integer.h"
 
 enum { HOST_HELD = 5 }; /* where the vector of held values lies in at.host */
 
@@ -141,7 +142,7 @@ vs_handle vs_handle_number(vs_scheme *vm, double x) { return vs_session_hold(vs_
 
 vs_handle vs_handle_integer(vs_scheme *vm, int64_t n) {
   VS_ROOTS(vm, r, 1);
-  if (!vs_number_from_int64(vm, n, &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
+  if (!vs_int_from_int64(vm, n, &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
   return vs_session_hold(vs_session_of(vm), r);
 }
 vs_handle vs_handle_text(vs_scheme *vm, const char *text) {

@@ -7,9 +7,11 @@
 
 #include "vm/machine/arguments.h"
 #include "vm/compiler/code.h"
+#include "vm/compiler/dump.h"
 #include "vm/front/environment.h"
 #include "vm/values/printer.h"
 #include "vm/machine/run.h"
+#include "vm/machine/activation.h"
 #include "vm/front/suggest.h"
 
 /* The text as the store keeps it; "" where there is no memory for it. */

@@ -1,4 +1,4 @@
-/* Owns what a host may ask about a program that is stopped, and how it goes on (vm/machine/step.h). */
+/* Owns what a host may ask about a program that is stopped, and how it goes on (vm/stepping/step.h). */
 #include "session/stops.h"
 
 #include <string.h>
@@ -8,7 +8,8 @@
 #include "vm/compiler/code.h"
 #include "vm/front/environment.h"
 #include "vm/machine/run.h"
-#include "vm/machine/step.h"
+#include "vm/machine/activation.h"
+#include "vm/stepping/step.h"
 
 void vs_session_arm(vs_session *s, unsigned flags) {
   vs_scheme *vm = s->bind.vm;

@@ -1,4 +1,4 @@
-/* Owns programs that are stopped, for the session (vm/machine/step.h). The host's questions about them stand in
+/* Owns programs that are stopped, for the session (vm/stepping/step.h). The host's questions about them stand in
  * visualscheme.h. */
 #ifndef VS_SESSION_STOPS_H
 #define VS_SESSION_STOPS_H

@@ -18,13 +18,14 @@
 #include "passes/passes.h"
 #include "session/spine.h"
 #include "vm/machine/image.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 #include "vm/values/printer.h"
 #include "vm/front/scan.h"
 #include "vm/machine/poll.h"
 #include "vm/front/source.h"
 #include "vm/machine/program.h"
-#include "vm/machine/step.h"
+#include "vm/machine/open_vm.h"
+#include "vm/stepping/step.h"
 
 extern const vs_shipped vs_shipped_library[]; /* library/, which the Makefile puts into the program */
 extern const vs_image vs_library_image; /* the library, loaded at build time (scripts/stage0.c) */

@@ -2,7 +2,7 @@
  * geometry.scm.) */
 #include "bind/bind.h"
 
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 
 #define X(i) (f->arg[i].real)
 

@@ -5,7 +5,7 @@
  * coordinates together again; so duals of any depth are right. Coordinates lie in roots. */
 #include "bind/functions/dual_points.h"
 
-#include "vm/values/dual.h"
+#include "vm/numbers/dual.h"
 
 /* Coordinate i of a point or gvector, dual or not. */
 static bool coordinate(vs_scheme *vm, vs_value v, int i, vs_value *out) {

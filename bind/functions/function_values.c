@@ -10,7 +10,7 @@
 #include "functions/sampling.h"
 #include "model/store/array.h"
 #include "vm/library/kept.h"
-#include "vm/values/dual.h"
+#include "vm/numbers/dual.h"
 
 /* ---- dual numbers ---- */
 

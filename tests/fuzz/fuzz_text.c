@@ -3,7 +3,7 @@
 
 #include "tests/fuzz/fuzz.h"
 
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 #include "vm/values/text.h"
 
 static const char begin[] =

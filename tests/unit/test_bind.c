@@ -10,6 +10,7 @@
 
 #include "bind/bind.h"
 #include "vm/values/printer.h"
+#include "vm/machine/open_vm.h"
 
 enum { NAMES = 512 };
 typedef struct {

@@ -9,6 +9,7 @@
 #include "vm/values/printer.h"
 #include "vm/front/reader.h"
 #include "vm/machine/run.h"
+#include "vm/machine/open_vm.h"
 #include "vm/values/table.h"
 #include "vm/values/equal.h"
 

@@ -13,6 +13,7 @@
 #include "vm/front/reader.h"
 #include "vm/front/scan.h"
 #include "vm/machine/program.h"
+#include "vm/machine/open_vm.h"
 
 static char *prelude;
 static size_t prelude_size;

@@ -11,6 +11,7 @@
 #include "vm/values/printer.h"
 #include "vm/machine/run.h"
 #include "vm/machine/program.h"
+#include "vm/machine/open_vm.h"
 
 static vs_scheme *open_with(vs_config config) {
   vs_scheme *vm = vs_open_vm(&config);

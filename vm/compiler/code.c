@@ -84,3 +84,19 @@ uint32_t vs_code_record(const uint32_t *ins, size_t words, uint32_t required) {
       gives(ins + 2, VS_TRUE) && gives(ins + 4, VS_FALSE)) return VS_CODE_TEST;
   return is_record_maker(ins, words, type, required) ? VS_CODE_MAKE : 0;
 }
+
+void vs_cell_redefine(vs_value v) {
+  vs_cell *cell = vs_as_cell(v);
+  cell->h.flags &= (uint16_t)~VS_F_CONSTANT;
+  for (vs_value l = cell->users; vs_is_pair(l); l = vs_cdr(l)) {
+    vs_code *code = vs_as_code(vs_car(l));
+    if (code->flags & VS_CODE_RECORD) code->flags = VS_CODE_SIMPLE;
+    const vs_inlined *at = (const vs_inlined *)(const void *)vs_as_bytes(code->inlined)->at;
+    for (size_t i = 0, n = vs_as_bytes(code->inlined)->length / sizeof *at; i < n; i++) {
+      if (vs_code_consts(code)[at[i].constant] != v) continue;
+      uint32_t *ins = &vs_code_ins(code)[at[i].pc];
+      *ins = (*ins & ~255u) | (uint32_t)vs_op_generic(*ins & 255);
+    }
+  }
+  cell->users = VS_NIL;
+}

@@ -40,6 +40,10 @@ uint32_t vs_op_extra(uint32_t op);
 /* Which of define-record-type's procedures these instructions of `required` parameters are; 0: none. */
 uint32_t vs_code_record(const uint32_t *ins, size_t words, uint32_t required);
 
+/* A cell that was VS_F_CONSTANT is about to get another value: clears the flag and patches all code that inlined it.
+   The environment calls it before it redefines; SETGLOBAL and DEFGLOBAL do it themselves. */
+void vs_cell_redefine(vs_value cell);
+
 static inline uint32_t *vs_code_ins(const vs_code *c) { return (uint32_t *)(void *)vs_as_bytes(c->ins)->at; }
 static inline vs_value *vs_code_consts(const vs_code *c) { return vs_as_vector(c->consts)->at; }
 

@@ -14,6 +14,7 @@
 #include "vm/compiler/inline.h"
 #include "vm/front/environment.h"
 #include "vm/front/suggest.h"
+#include "vm/machine/native.h"
 
 #define EFFECT (UINT32_MAX - 1)
 #define TAIL (UINT32_MAX - 2)
@@ -897,23 +898,5 @@ bool vs_compile(vs_scheme *vm, vs_ast *ast, vs_node *body, vs_value *out) {
   if (!closure) return false;
   closure->code = ast->pool[index];
   *out = vs_from_object(closure);
-  return true;
-}
-
-bool vs_cell_redefine(vs_scheme *vm, vs_value v) {
-  (void)vm;
-  vs_cell *cell = vs_as_cell(v);
-  cell->h.flags &= (uint16_t)~VS_F_CONSTANT;
-  for (vs_value l = cell->users; vs_is_pair(l); l = vs_cdr(l)) {
-    vs_code *code = vs_as_code(vs_car(l));
-    if (code->flags & VS_CODE_RECORD) code->flags = VS_CODE_SIMPLE;
-    const vs_inlined *at = (const vs_inlined *)(const void *)vs_as_bytes(code->inlined)->at;
-    for (size_t i = 0, n = vs_as_bytes(code->inlined)->length / sizeof *at; i < n; i++) {
-      if (vs_code_consts(code)[at[i].constant] != v) continue;
-      uint32_t *ins = &vs_code_ins(code)[at[i].pc];
-      *ins = (*ins & ~255u) | (uint32_t)vs_op_generic(*ins & 255);
-    }
-  }
-  cell->users = VS_NIL;
   return true;
 }

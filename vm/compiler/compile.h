@@ -8,8 +8,4 @@
    Literals in the pool are used as they are (the expander has stripped aliases from quoted data). */
 bool vs_compile(vs_scheme *vm, vs_ast *ast, vs_node *body, vs_value *out);
 
-/* A cell that was VS_F_CONSTANT is about to get another value: clears the flag and patches all code that inlined it.
-   The environment calls it before it redefines; SETGLOBAL and DEFGLOBAL do it themselves. */
-bool vs_cell_redefine(vs_scheme *vm, vs_value cell);
-
 #endif

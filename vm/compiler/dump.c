@@ -5,6 +5,7 @@
 
 #include "vm/values/printer.h"
 #include "vm/machine/run.h"
+#include "vm/compiler/dump.h"
 
 static const char *const names[VS_O_COUNT] = {
 #define VS_OP(name, operands, extra, generic) #name,

@@ -1,6 +1,8 @@
 /* Owns the table of natives that are opcodes. */
 #include "vm/compiler/inline.h"
 
+#include "vm/values/flat.h"
+
 /* the immediate column holds an opcode or, for TYPE rows, an object type */
 #define IMMEDIATE_VALUE(x) VS_O_##x
 #define IMMEDIATE_TEST(x) VS_O_##x

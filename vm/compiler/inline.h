@@ -3,7 +3,6 @@
 #define VS_INLINE_H
 
 #include "vm/compiler/code.h"
-#include "vm/machine/native.h"
 
 typedef enum {
   VS_WAY_NONE,

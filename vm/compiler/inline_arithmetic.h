@@ -5,7 +5,7 @@
 #define VS_INLINE_ARITHMETIC_H
 
 #include "vm/machine/vs.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 
 /* a flat record from n finite numbers in registers; false if one is none: then the library's procedure says so (no
  * error set) */

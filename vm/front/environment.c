@@ -1,6 +1,6 @@
 /* Owns the tables, chains and imports of environments (environment.h). */
 #include "vm/front/environment.h"
-#include "vm/compiler/compile.h"
+#include "vm/compiler/code.h"
 #include "vm/machine/native.h"
 
 /* ---- identifier tables ---- */
@@ -367,7 +367,7 @@ static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping,
       if (intake != VS_INTAKE_PROMPT) { if (*clash == VS_VACANT) *clash = table->at[i]; continue; }
     }
     if (look || (constant && vs_is(found, VS_T_CELL) && vs_as_cell(cell)->value == vs_as_cell(found)->value)) continue;
-    if (constant) vs_cell_redefine(vm, cell);
+    if (constant) vs_cell_redefine(cell);
     if (vs_is(cell, VS_T_CELL) && vs_is(found, VS_T_CELL))
       vs_gc_store(vm, vs_as_cell(cell), &vs_as_cell(cell)->value, vs_as_cell(found)->value);
     else vs_gc_store(vm, table, &table->at[i + 1], found);
@@ -470,7 +470,8 @@ bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *c
   vs_value own = vs_idtable_get(vs_as_environment(env)->table, id);
   if (own != VS_VACANT && vs_is(own, VS_T_CELL)) {
     *cell = r[2] = own;
-    return vs_object_of(own)->flags & VS_F_CONSTANT ? vs_cell_redefine(vm, r[2]) : true;
+    if (vs_object_of(own)->flags & VS_F_CONSTANT) vs_cell_redefine(own);
+    return true;
   }
   vs_meaning m = vs_environment_find(env, id);      /* (define sqrt (traced sqrt)): until then it is what was
                                                        imported */

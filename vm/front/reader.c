@@ -11,7 +11,7 @@
    missing turns all strings behind it inside out; so the reader remembers the first string over several lines whose end
    touches a word: that is where it probably began. */
 #include "vm/front/reader.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 #include "vm/values/text.h"
 
 #include <stdarg.h>

@@ -15,7 +15,7 @@
 #include "vm/gml/gml_reader.h"
 #include "vm/front/environment.h"
 #include "vm/front/reader.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 #include "vm/values/text.h"
 
 #include <stdio.h>

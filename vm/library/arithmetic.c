@@ -2,8 +2,8 @@
  * bits, texts. */
 #include <math.h>
 
-#include "vm/values/dual.h"
-#include "vm/values/integer.h"
+#include "vm/numbers/dual.h"
+#include "vm/numbers/integer.h"
 #include "vm/values/string_chars.h"
 
 /* ---- argument checks ---- */
@@ -383,7 +383,7 @@ static vs_status integer_length(vs_scheme *vm, vs_value *a, int n, vs_value *out
   VS_ROOTS(vm, r, 1);
   r[0] = a[0];
   if (vs_int_sign(a[0]) < 0 && !vs_int_sub(vm, vs_fix(-1), a[0], &r[0])) return VS_ERROR;
-  return vs_number_from_uint64(vm, vs_int_bits(r[0]), out);
+  return vs_int_from_uint64(vm, vs_int_bits(r[0]), out);
 }
 
 /* ---- texts ---- */

@@ -1,7 +1,7 @@
 /* Owns the library's side of errors: making them (error), asking them (error-object-message ...), and leaving
    (exit). */
 #include "vm/library/format.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 
 static bool is_condition(vs_value v) { return vs_is(v, VS_T_CONDITION); }
 

@@ -1,6 +1,6 @@
 /* Owns the procedures that read: characters, lines, bytes and data from ports, and what one may ask of a port or a
  * file. */
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 #include "vm/library/port.h"
 #include "vm/front/reader.h"
 #include "vm/front/scan.h"

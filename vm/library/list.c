@@ -5,7 +5,7 @@
    they are walked (vs_list_length), so an improper or circular one is an error and never a hang. */
 #include "vm/values/equal.h"
 #include "vm/machine/native.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 #include "vm/values/pairs.h"
 
 enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* a step walks or makes a pair */ };

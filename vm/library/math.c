@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "vm/values/dual.h"
-#include "vm/values/integer.h"
+#include "vm/numbers/dual.h"
+#include "vm/numbers/integer.h"
 
 /* Records that are like numbers (intervals) have these functions too, by the layer that owns them. */
 static vs_status of_record(vs_scheme *vm, const vs_value *a, int n, vs_value *out) {

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "vm/library/format.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 #include "vm/library/port.h"
 #include "vm/values/string_chars.h"
 

@@ -4,9 +4,10 @@
    so it is part of the heap image and the same at every start. */
 #include <math.h>
 
-#include "vm/values/integer.h"
+#include "vm/numbers/integer.h"
 #include "vm/library/kept.h"
 #include "vm/library/port.h"
+#include "vm/numbers/number.h"
 
 enum { FIRST_SEED = 1 };
 
@@ -84,7 +85,7 @@ static bool random_below(vs_scheme *vm, vs_value n, vs_value *out) {
   r[0] = n;
   r[1] = vs_fix(0);
   for (uint64_t bits = vs_int_bits(n) + 64, done = 0; done < bits; done += 64) {
-    if (!(s = random_state(vm)) || !vs_number_from_uint64(vm, random_next(s), &r[2]) ||
+    if (!(s = random_state(vm)) || !vs_int_from_uint64(vm, random_next(s), &r[2]) ||
         !vs_int_shift(vm, r[1], 64, &r[1]) || !vs_int_add(vm, r[1], r[2], &r[1]))
       return false;
   }

@@ -1,6 +1,6 @@
 /* Owns vectors and bytevectors: every procedure of theirs that takes no procedure. Literals do not change. */
 #include "vm/machine/native.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 #include "vm/library/range.h"
 #include "vm/values/string_chars.h"
 

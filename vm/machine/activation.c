@@ -5,7 +5,6 @@
 #include "vm/values/gc.h"
 #include "vm/machine/native.h"
 #include "vm/front/source.h"
-#include "vm/machine/run.h"
 
 /* a walk over frames, innermost first; holds addresses, so nothing may be allocated meanwhile */
 struct walk { const vs_value *base; vs_value under; uint64_t depth; bool force; };

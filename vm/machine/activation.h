@@ -1,4 +1,4 @@
-/* Owns the layout of frames on the stack, shared by the run loop, control and the call chain.
+/* Owns the layout of frames on the stack, shared by the run loop and control, and the chain of the calls now active.
 
    A frame: slot base[-2] is the procedure, base[-1] how to return, base[0...] arguments and registers. A call is
    prepared in a window of the caller's registers: procedure, a free slot, arguments; so window = callee's base - 2 and
@@ -42,5 +42,23 @@ static inline uint64_t vs_slots_below(const vs_scheme *vm) {
 static inline uint64_t vs_frame_level(const vs_scheme *vm, const vs_value *base) {
   return vs_slots_below(vm) + (uint64_t)(base - vm->stack);
 }
+
+/* The chain of calls now active, innermost first, at most `max`: list of (name . place) pairs; name symbol or #f, place
+   a fixnum vs_pos; (#t . 0) before one stands for calls in between that ended with tail calls and left no frames. For
+   natives such as `error`; conditions made by vs_fail have it already. */
+bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out);
+/* The innermost calls with their variables, for vs_condition.frames (activation.c says how they lie). False: out of
+ * memory. */
+enum { VS_FRAME_PROCEDURE, VS_FRAME_PLACE, VS_FRAME_VARIABLES, VS_FRAME_WORDS = VS_FRAME_VARIABLES + 2 * 64 };
+bool vs_call_variables(vs_scheme *vm, vs_value *out);
+/* The chain without allocating, names and places apart: how many were written. */
+size_t vs_call_links(vs_scheme *vm, vs_value *name, vs_pos *place, size_t max);
+/* The places alone, without allocating: how many were written. */
+size_t vs_call_places(vs_scheme *vm, vs_pos *place, size_t max);
+/* A hash of where those calls are, for less than the places cost; the same chain has the same until vm->collections
+   changes. */
+uint64_t vs_call_key(vs_scheme *vm, size_t max);
+/* Place of the call that the running native was made from. */
+vs_pos vs_call_place(vs_scheme *vm);
 
 #endif

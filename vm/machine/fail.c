@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "vm/machine/native.h"
-#include "vm/machine/run.h"
+#include "vm/machine/activation.h"
 #include "vm/machine/signature.h"
 
 const char *vs_noun(vs_scheme *vm, vs_value v) {

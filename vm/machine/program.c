@@ -8,6 +8,7 @@
 #include "vm/library/library.h"
 #include "vm/front/reader.h"
 #include "vm/machine/run.h"
+#include "vm/machine/activation.h"
 #include "vm/values/string_chars.h"
 
 #include <stdio.h>

@@ -18,14 +18,13 @@
 #include "vm/machine/arguments.h"
 #include "vm/compiler/each.h"
 #include "vm/compiler/code.h"
-#include "vm/compiler/compile.h"
 #include "vm/compiler/inline_arithmetic.h"
 #include "vm/machine/activation.h"
 #include "vm/machine/poll.h"
 #include "vm/machine/record_call.h"
 #include "vm/machine/run_failures.h"
-#include "vm/machine/step.h"
-#include "vm/machine/step_loop.h"
+#include "vm/stepping/step.h"
+#include "vm/stepping/step_loop.h"
 #include "vm/values/string_chars.h"
 
 /* ---- the cases that the loop hands out ---- */
@@ -197,14 +196,14 @@ look:
     vs_cell *cell = vs_as_cell(k[*pc]);
     SAVE;
     if (cell->value == VS_UNDEFINED) { fail_undefined(vm, cell->name); goto fail; }
-    if (cell->h.flags & VS_F_CONSTANT && !vs_cell_redefine(vm, k[*pc])) goto fail;
-    cell = vs_as_cell(k[*pc++]);
+    if (cell->h.flags & VS_F_CONSTANT) vs_cell_redefine(k[*pc]);
+    pc++;
     vs_gc_store(vm, cell, &cell->value, RA);
     NEXT;
   }
   OP(DEFGLOBAL): {
     SAVE;
-    if (vs_as_cell(k[*pc])->h.flags & VS_F_CONSTANT && !vs_cell_redefine(vm, k[*pc])) goto fail;
+    if (vs_as_cell(k[*pc])->h.flags & VS_F_CONSTANT) vs_cell_redefine(k[*pc]);
     vs_cell *cell = vs_as_cell(k[*pc++]);
     vs_gc_store(vm, cell, &cell->value, RA);
     NEXT;
@@ -947,12 +946,6 @@ uncaught:
 #if VS_STEPPING
 bool vs_step_loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) { return loop(vm, w, n, out); }
 #else
-vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter) {
-  for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l))
-    if (vs_car(vs_car(l)) == parameter) return vs_cdr(vs_car(l));
-  return vs_as_parameter(parameter)->value;
-}
-
 static void reset(vs_scheme *vm) {
   vm->base = NULL;
   vm->top = vm->stack;

@@ -5,7 +5,7 @@
 
 #include "vm/machine/native.h"
 #include "vm/front/suggest.h"
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 
 static bool fail_undefined(vs_scheme *vm, vs_value name) {
   vs_text advice;                       /* words of other languages, near names */

@@ -160,13 +160,6 @@ struct vs_scheme {
   vs_config config;
 };
 
-/* An interpreter with the VM's own natives defined; NULL when memory is refused. */
-vs_scheme *vs_open_vm(const vs_config *config);
-void vs_close_vm(vs_scheme *vm);
-/* Closes the contents of vm and moves those of fresh in their place; fresh is no more then. Objects of the old heap
-   know vm by its address, so they are let go there. Fresh is as opened: no object in it knows its address. */
-void vs_replace_vm(vs_scheme *vm, vs_scheme *fresh);
-
 /* Tells the host that the phase begins; returns the phase before. */
 static inline vs_vm_phase vs_enter_phase(vs_scheme *vm, vs_vm_phase phase) {
   return vm->config.phase ? vm->config.phase(vm->config.user, phase) : phase;

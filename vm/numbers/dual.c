@@ -1,6 +1,6 @@
 /* Owns the arithmetic of dual numbers (dual.h). Every rule is written with the tower's own operations, so that duals
    within duals differentiate it again. Recursion goes as deep as duals lie in one another, VS_DUAL_DEPTH at most. */
-#include "vm/values/dual.h"
+#include "vm/numbers/dual.h"
 
 #include <math.h>
 

@@ -9,7 +9,7 @@
 #ifndef VS_DUAL_H
 #define VS_DUAL_H
 
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 
 enum { VS_DUAL_DEPTH = 24 }; /* so many duals may lie in one another: the work doubles with each */
 

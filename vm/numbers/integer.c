@@ -5,10 +5,12 @@
    zeros and makes a fixnum where one fits. A bignum may thus have a word or two of unused capacity behind its limbs.
    GMP takes scratch of its own inside mpn_mul, mpn_tdiv_qr and mpn_gcd; it is bounded by a small multiple of the
    operands. */
-#include "vm/values/integer.h"
+#include "vm/numbers/integer.h"
 
 #include <float.h>
 #include <math.h>
+
+#include "vm/machine/native.h"
 
 _Static_assert(GMP_LIMB_BITS == 64 && GMP_NAIL_BITS == 0, "limbs are the bignum's 64-bit words");
 
@@ -60,7 +62,7 @@ static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   return v;
 }
 
-bool vs_number_from_uint64(vs_scheme *vm, uint64_t n, vs_value *out) {
+bool vs_int_from_uint64(vs_scheme *vm, uint64_t n, vs_value *out) {
   if (n <= (uint64_t)VS_FIXNUM_MAX) return *out = vs_fix((int64_t)n), true;
   vs_value v;
   if (!int_new(vm, 1, &v)) return false;
@@ -69,7 +71,7 @@ bool vs_number_from_uint64(vs_scheme *vm, uint64_t n, vs_value *out) {
   return true;
 }
 
-bool vs_number_from_int64(vs_scheme *vm, int64_t n, vs_value *out) {
+bool vs_int_from_int64(vs_scheme *vm, int64_t n, vs_value *out) {
   if (vs_fits_fixnum(n)) return *out = vs_fix(n), true;
   vs_value v;
   if (!int_new(vm, 1, &v)) return false;
@@ -81,7 +83,7 @@ bool vs_number_from_int64(vs_scheme *vm, int64_t n, vs_value *out) {
 /* a + b, or a - b with flip */
 static bool int_sum(vs_scheme *vm, vs_value a, vs_value b, bool flip, vs_value *out) {
   if (vs_is_fixnum(a) && vs_is_fixnum(b))
-    return vs_number_from_int64(vm, flip ? vs_fixnum(a) - vs_fixnum(b) : vs_fixnum(a) + vs_fixnum(b), out);
+    return vs_int_from_int64(vm, flip ? vs_fixnum(a) - vs_fixnum(b) : vs_fixnum(a) + vs_fixnum(b), out);
   VS_ROOTS(vm, r, 3);
   r[0] = a;
   r[1] = b;
@@ -115,7 +117,7 @@ bool vs_int_negate(vs_scheme *vm, vs_value a, vs_value *out) { return int_sum(vm
 bool vs_int_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
     int64_t product;
-    if (!__builtin_mul_overflow(vs_fixnum(a), vs_fixnum(b), &product)) return vs_number_from_int64(vm, product, out);
+    if (!__builtin_mul_overflow(vs_fixnum(a), vs_fixnum(b), &product)) return vs_int_from_int64(vm, product, out);
   }
   VS_ROOTS(vm, r, 3);
   r[0] = a;
@@ -140,7 +142,7 @@ bool vs_int_divide(vs_scheme *vm, vs_value a, vs_value b, vs_value *quotient, vs
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
     int64_t n = vs_fixnum(a), d = vs_fixnum(b);
     if (remainder) *remainder = vs_fix(n % d);
-    return !quotient || vs_number_from_int64(vm, n / d, quotient);       /* the least fixnum by -1 does not fit */
+    return !quotient || vs_int_from_int64(vm, n / d, quotient);       /* the least fixnum by -1 does not fit */
   }
   VS_ROOTS(vm, r, 4);
   r[0] = a;
@@ -220,11 +222,11 @@ bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   vs_int_look(b, &y);
   if (x.n == 0) return y.negative ? vs_int_negate(vm, b, out) : (*out = b, true);
   if (y.n == 0) return x.negative ? vs_int_negate(vm, a, out) : (*out = a, true);
-  if (x.n == 1 && y.n == 1) return vs_number_from_uint64(vm, gcd_words(x.at[0], y.at[0]), out);
+  if (x.n == 1 && y.n == 1) return vs_int_from_uint64(vm, gcd_words(x.at[0], y.at[0]), out);
   if (x.n == 1 || y.n == 1) {      /* the usual case when fractions are reduced: one small operand */
     mp_limb_t one = x.n == 1 ? x.at[0] : y.at[0];
     mp_limb_t rest = x.n == 1 ? mpn_mod_1(y.at, y.n, one) : mpn_mod_1(x.at, x.n, one);
-    return vs_number_from_uint64(vm, gcd_words(one, rest), out);
+    return vs_int_from_uint64(vm, gcd_words(one, rest), out);
   }
   for (int i = 0; i < 8; i++)
     if (!int_poll(vm, x.n + y.n)) return false;
@@ -445,7 +447,7 @@ static bool piece_from_digits(vs_scheme *vm, const unsigned char *digits, size_t
   if (n <= 12) {                     /* 36^12 < 2^63 */
     int64_t v = 0;
     for (size_t i = 0; i < n; i++) v = v * radix + digits[i];
-    return vs_number_from_int64(vm, v, out);
+    return vs_int_from_int64(vm, v, out);
   }
   mp_size_t limbs = (mp_size_t)((double)n * log2(radix) / 64.0) + 2;
   vs_value v;
@@ -546,6 +548,6 @@ bool vs_int_from_double(vs_scheme *vm, double d, vs_value *out) {
   int e;
   double m = frexp(fabs(d), &e);
   VS_ROOTS(vm, r, 1);
-  return vs_number_from_int64(vm, (d < 0 ? -1 : 1) * (int64_t)ldexp(m, 53), &r[0]) &&
+  return vs_int_from_int64(vm, (d < 0 ? -1 : 1) * (int64_t)ldexp(m, 53), &r[0]) &&
          vs_int_shift(vm, r[0], e - 53, out);
 }

@@ -6,7 +6,7 @@
 
 #include <gmp.h>
 
-#include "vm/values/number.h"
+#include "vm/values/text.h"
 
 enum { VS_INT_MAX_LIMBS = 1 << 21 };     /* 40 million decimal digits: one multiplication of that size takes about a
                                             second */
@@ -16,6 +16,8 @@ enum { VS_INT_MAX_LIMBS = 1 << 21 };     /* 40 million decimal digits: one multi
 typedef struct vs_int_view { const mp_limb_t *at; mp_size_t n; bool negative; mp_limb_t small; } vs_int_view;
 void vs_int_look(vs_value v, vs_int_view *w);
 
+bool vs_int_from_int64(vs_scheme *vm, int64_t n, vs_value *out);
+bool vs_int_from_uint64(vs_scheme *vm, uint64_t n, vs_value *out);
 bool vs_int_add(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_int_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_int_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);

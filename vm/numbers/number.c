@@ -2,12 +2,12 @@
 
    Order of cases everywhere: doubles first (one double makes the result a double), then flat records, then exact
    numbers, where a ratio makes it a matter of numerators and denominators. */
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 
 #include <math.h>
 
-#include "vm/values/dual.h"
-#include "vm/values/integer.h"
+#include "vm/numbers/dual.h"
+#include "vm/numbers/integer.h"
 
 static const char *const op_name[] = {[VS_OP_ADD] = "+", [VS_OP_SUB] = "-", [VS_OP_MUL] = "*", [VS_OP_DIV] = "/"};
 
@@ -70,7 +70,7 @@ bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out) {
   int e;
   double m = frexp(d, &e);                       /* |e| small or negative: the value has a fraction */
   VS_ROOTS(vm, r, 2);
-  return vs_number_from_int64(vm, (int64_t)ldexp(m, 53), &r[0]) && vs_int_shift(vm, vs_fix(1), 53 - e, &r[1]) &&
+  return vs_int_from_int64(vm, (int64_t)ldexp(m, 53), &r[0]) && vs_int_shift(vm, vs_fix(1), 53 - e, &r[1]) &&
          vs_number_ratio(vm, r[0], r[1], out);
 }
 
@@ -117,6 +117,37 @@ static bool ratio_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs
     case VS_OP_COUNT: break;
   }
   return vs_fail(vm, vm->sym.internal, "no such operator");
+}
+
+bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
+  double x[VS_FLAT_FIELDS], y[VS_FLAT_FIELDS];
+  uint32_t ta = vs_is(a, VS_T_FLAT) ? vs_as_flat(a)->h.flags : 0, tb = vs_is(b, VS_T_FLAT) ? vs_as_flat(b)->h.flags : 0;
+  const char *word[] = {"add", "subtract", "multiply", "divide"};
+  const char *joint[] = {"and", "from", "and", "by"};
+  if (vm->flat && vm->flat->at[op][ta][tb].rule == VS_RULE_CALL) {
+    const vs_value both[2] = {a, b};
+    return vm->flat->call(vm, (const char *const[]){"+", "-", "*", "/"}[op], both, 2, out);
+  }
+  double number = 0;   /* the operand that is no record; a ratio or a bignum too */
+  vs_value other = ta ? b : a;
+  bool numbers = (ta && tb) || (vs_is_number(other) && vs_number_double(vm, other, &number));
+  int rule = vm->flat && numbers ? vm->flat->at[op][ta][tb].rule : VS_RULE_NONE;
+  if (op == VS_OP_SUB && !ta && a != vs_fix(0)) rule = VS_RULE_NONE;   /* only (- x), which is 0 - x */
+  if (rule == VS_RULE_NONE) {
+    if (op == VS_OP_SUB) return vs_fail(vm, vm->sym.type, "cannot subtract %s from %s", vs_noun(vm, b), vs_noun(vm, a));
+    return vs_fail(vm, vm->sym.type, "cannot %s %s %s %s", word[op], vs_noun(vm, a), joint[op], vs_noun(vm, b));
+  }
+  if (rule == VS_RULE_DIV && !tb && number == 0) return vs_fail(vm, vm->sym.divide, "division by zero");
+  size_t n = ta ? vs_flat_count(vs_as_flat(a)) : vs_flat_count(vs_as_flat(b));
+  for (size_t i = 0; i < n; i++) {
+    x[i] = ta ? vs_as_flat(a)->at[i] : number;
+    y[i] = tb ? vs_as_flat(b)->at[i] : number;
+    x[i] = rule == VS_RULE_ADD   ? x[i] + y[i]
+           : rule == VS_RULE_SUB ? x[i] - y[i]
+           : rule == VS_RULE_MUL ? x[i] * y[i]
+                                 : x[i] / y[i];
+  }
+  return vs_make_flat(vm, vm->flat->at[op][ta][tb].tag, x, n, out);
 }
 
 static bool number_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {

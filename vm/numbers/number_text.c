@@ -8,7 +8,9 @@
 #include <float.h>
 #include <math.h>
 
-#include "vm/values/integer.h"
+#include "vm/numbers/integer.h"
+
+#include "vm/numbers/number.h"
 
 /* ---- a double as digits ---- */
 
@@ -236,7 +238,7 @@ static bool integer_of(const scan *in, const char *from, const char *to, vs_valu
   if (n <= 12) {
     int64_t v = 0;
     for (; from < to; from++) v = v * in->radix + digit_value(*from, in->radix);
-    return vs_number_from_int64(in->vm, v, out);
+    return vs_int_from_int64(in->vm, v, out);
   }
   unsigned char *digits = vs_mem(in->vm, NULL, 0, n);
   if (!digits) return vs_fail_memory(in->vm);

@@ -7,7 +7,7 @@
  * A frame's level is its distance from the bottom of the stack, the parts in the heap counted. A callee's is larger
  * than its caller's, and that of a frame which replaces another by a tail call the same. Stepping over an
  * expression means to look away from all frames above its own until it has its value. */
-#include "vm/machine/step.h"
+#include "vm/stepping/step.h"
 
 #include "vm/compiler/code.h"
 #include "vm/front/environment.h"

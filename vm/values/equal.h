@@ -2,7 +2,7 @@
 #ifndef VS_EQUAL_H
 #define VS_EQUAL_H
 
-#include "vm/values/number.h"
+#include "vm/numbers/number.h"
 
 static inline bool vs_eqv(vs_value a, vs_value b) {
   return a == b || (vs_is_object(a) && vs_is_object(b) && vs_number_eqv(a, b));

@@ -10,7 +10,7 @@
 
 #include <utf8proc.h>
 
-#include "vm/values/dual.h"
+#include "vm/numbers/dual.h"
 
 typedef enum {
   ITEM,        /* print v */

@@ -1,5 +1,7 @@
 /* Owns the making and unmaking of an interpreter. Its libraries are the business of the layer that loads them
  * (environments). */
+#include "vm/machine/open_vm.h"
+
 #include <stdlib.h>
 
 #include "vm/values/gc.h"
@@ -88,4 +90,10 @@ void vs_replace_vm(vs_scheme *vm, vs_scheme *fresh) {
   close_contents(vm);
   *vm = *fresh;
   free_shell(fresh);
+}
+
+bool vs_flat_register(vs_scheme *vm, const vs_flat_rules *rules) {
+  if (!vm->flat && !(vm->flat = vs_mem(vm, NULL, 0, sizeof *vm->flat))) return false;
+  *vm->flat = *rules;
+  return true;
 }
