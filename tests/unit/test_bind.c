@@ -11,6 +11,7 @@
 #include "bind/bind.h"
 #include "vm/values/printer.h"
 #include "vm/machine/open_vm.h"
+#include "vm/machine/run.h"
 
 enum { NAMES = 512 };
 typedef struct {
