@@ -8,10 +8,11 @@
 #include <sys/stat.h>
 
 #include "cli/messages.h"
-#include "knowledge/checks.h"
+#include "knowledge/checks/checks.h"
 #include "knowledge/site.h"
 #include "knowledge/translate/translate.h"
 #include "knowledge/tree_report.h"
+#include "knowledge/resolve_names.h"
 
 typedef struct { knowledge k; cli_reporter reporter; } study;
 

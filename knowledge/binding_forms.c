@@ -575,23 +575,6 @@ static const struct { const char *name; void (*walk)(form *f); } rows[] = {
 #include "knowledge/binding_forms.def"
 };
 
-uint16_t know_form_row(const char *name) {
-  for (uint16_t i = 0; i < sizeof rows / sizeof *rows; i++)
-    if (!strcmp(rows[i].name, name)) return (uint16_t)(i + 1);
-  return 0;
-}
-
-bool know_form_defines(uint16_t row) {
-  void (*walk)(form *) = rows[row - 1].walk;
-  return walk == walk_DEFINE || walk == walk_DEFINE_VALUES || walk == walk_DEFINE_RECORD || walk == walk_STRUCT ||
-      walk == walk_DEFINE_SYNTAX ||
-         walk == walk_DEFINE_PARAMETER || walk == walk_DEFINE_PRIMITIVE || walk == walk_DEFINE_RULE ||
-             walk == walk_IMPORT ||
-         walk == walk_LIBRARY || walk == walk_LOAD || walk == walk_COND_EXPAND;
-}
-
-bool know_form_splices(uint16_t row) { return !strcmp(rows[row - 1].name, "begin"); }
-
 void know_form_walk(know_walk *w, know_index node, know_index scope, uint16_t row) {
   form f = {w, w->k, node, scope, w->k->nodes[node].first, know_nth(w->k, node, 1), know_nth(w->k, node, 2)};
   rows[row - 1].walk(&f);

@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "knowledge/name_walk.h"
-#include "knowledge/source_tree.h"
 #include "model/store/array.h"
 
 struct know_memory { struct know_memory *next; size_t used, room; };
@@ -210,13 +208,7 @@ const char *know_kind_word(know_kind kind) {
 
 /* ---- the whole ---- */
 
-bool know_read(knowledge *k, vs_scheme *scheme, const char *path, const char *library_path) {
-  return know_read_given(k, scheme, path, NULL, 0, library_path);
-}
-
-bool know_read_given(knowledge *k, vs_scheme *scheme, const char *path, const char *text, size_t length,
-    const char *library_path) {
-  *k = (knowledge){.scheme = scheme, .library_path = library_path, .given = text, .given_length = length};
+bool know_open(knowledge *k) {
   /* element 0 of each array is nobody */
   know_index none = know_node_new(k, KNOW_OTHER);
   none |= know_name_of(k, "", 0, 0, 0);
@@ -227,8 +219,7 @@ bool know_read_given(knowledge *k, vs_scheme *scheme, const char *path, const ch
   if (!*k->trouble && VS_GROW(k->comments, k->comment_room, 1)) memset(&k->comments[k->comment_count++], 0,
       sizeof *k->comments);
   if (*k->trouble || none || !k->symbol_count || !k->comment_count) return no_memory(k);
-  know_index file = know_read_file(k, path, 0);
-  return file != UINT32_MAX && !*k->trouble && know_resolve(k) && !*k->trouble;
+  return true;
 }
 
 void know_free(knowledge *k) {

@@ -149,14 +149,7 @@ typedef struct {
 
 enum { KNOW_MOST_NESTING = 10000, KNOW_MOST_NODES = 20000000, KNOW_MOST_MADE = 1000000, KNOW_MOST_BYTES = 64 << 20 };
 
-/* Reads and analyses the program in the file, and what it loads and includes. False: k->trouble says why, or the
- * interpreter's host was told; k->outcome is the exit code. know_free in either case. scheme must have no program of
- * its own yet. */
-/* library_path: as in vs_options, or NULL. */
-bool know_read(knowledge *k, vs_scheme *scheme, const char *path, const char *library_path);
-/* As know_read, but the program's own text is the one given, as an editor has it before it is saved. */
-bool know_read_given(knowledge *k, vs_scheme *scheme, const char *path, const char *text, size_t length,
-    const char *library_path);
+bool know_open(knowledge *k); /* the arrays of an analysis that is new; false: trouble */
 void know_free(knowledge *k);
 
 /* ---- for the parts of this layer ---- */

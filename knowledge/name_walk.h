@@ -1,4 +1,4 @@
-/* Owns the walk through a program that finds out what its names mean. */
+/* Owns the scopes of the walk through a program, and what the forms do with the names in them. */
 #ifndef VS_KNOWLEDGE_NAME_WALK_H
 #define VS_KNOWLEDGE_NAME_WALK_H
 
@@ -17,10 +17,8 @@ typedef struct {
   bool begun;
 } know_walk;
 
-/* Walks the first file and what it loads. False: trouble. */
-bool know_resolve(knowledge *k);
+enum { KNOW_LANGUAGE = 1, KNOW_PROGRAM = 2 }; /* the first two scopes */
 
-/* ---- for the forms ---- */
 void know_later(know_walk *w, know_task_kind kind, know_index node, know_index scope);
 /* The node and those behind it as expressions. */
 void know_later_each(know_walk *w, know_index first, know_index scope);
@@ -42,6 +40,9 @@ know_index know_find(know_walk *w, know_index name, know_index scope);
 void know_refer(know_walk *w, know_index node, know_index scope, know_role role, bool called);
 /* Reads the file that the string at node names, and leaves its forms for later as a body of scope. */
 void know_load(know_walk *w, know_index node, know_index scope);
+/* Calls each(k, node, context) for the node and all below it. */
+void know_each_in(knowledge *k, know_index root, void (*each)(knowledge *k, know_index node, void *context), void *context);
+know_index know_file_named(know_walk *w, know_index node); /* the file that the string names; UINT32_MAX: none */
 know_index know_written(const knowledge *k, know_index node); /* the node of the text that a macro's copy stands for */
 
 #endif

@@ -1,6 +1,6 @@
 /* Owns the checks of calls: how many arguments, of which types, and what the language itself says of calls of
  * constants. */
-#include "knowledge/argument_checks.h"
+#include "knowledge/checks/argument_checks.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ enum { MOST_ANSWERS = 3000, MOST_TEXT = 2000, MOST_DEPTH = 60 };
 
 static const struct { const char *name; know_type type; } plain[] = {
 #define KNOW_PLAIN(name, type) {name, KNOW_TYPE_##type},
-#include "knowledge/plain_calls.def"
+#include "knowledge/checks/plain_calls.def"
 };
 
 const char *know_type_word(know_type type) {

@@ -3,7 +3,7 @@
 #ifndef VS_KNOWLEDGE_ARGUMENT_CHECKS_H
 #define VS_KNOWLEDGE_ARGUMENT_CHECKS_H
 
-#include "knowledge/checks.h"
+#include "knowledge/checks/checks.h"
 
 typedef enum {
   KNOW_TYPE_UNKNOWN, KNOW_TYPE_NUMBER, KNOW_TYPE_STRING, KNOW_TYPE_BOOLEAN, KNOW_TYPE_CHARACTER, KNOW_TYPE_SYMBOL,

@@ -1,13 +1,13 @@
 /* Owns `vs check`: what looks wrong in a program that has been read and not run. A finding must be worth a look in
  * every program of a careful author, so each check leaves out the cases in which the same text is right somewhere. */
-#include "knowledge/checks.h"
+#include "knowledge/checks/checks.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "knowledge/argument_checks.h"
+#include "knowledge/checks/argument_checks.h"
 #include "knowledge/source_tree.h"
 #include "knowledge/tree_report.h"
 #include "model/store/array.h"
@@ -16,7 +16,7 @@ enum { PROGRAM = 2 };
 
 static const char *const names[] = {
 #define KNOW_CHECK(id, name, meaning) name,
-#include "knowledge/checks.def"
+#include "knowledge/checks/checks.def"
 };
 
 void know_found(know_findings *f, know_check check, know_index node, const char *format, ...) {

@@ -7,7 +7,7 @@
 
 typedef enum {
 #define KNOW_CHECK(id, name, meaning) KNOW_CHECK_##id,
-#include "knowledge/checks.def"
+#include "knowledge/checks/checks.def"
   KNOW_CHECKS
 } know_check;
 

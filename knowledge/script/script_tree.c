@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "javascript/parser.h"
-#include "knowledge/binding_forms.h"
+#include "knowledge/form_table.h"
 #include "model/store/array.h"
 
 typedef struct enclosing {

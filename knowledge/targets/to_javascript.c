@@ -11,6 +11,7 @@
 #include "knowledge/translate/lift_procedures.h"
 #include "knowledge/translate/text_plan.h"
 #include "knowledge/translate/value_kinds.h"
+#include "knowledge/translate/words.h"
 
 /* Pieces of statements: TR_PIECE_STATEMENTS gives the value back, TR_PIECE_DRAW drops it. */
 

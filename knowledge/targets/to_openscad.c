@@ -11,6 +11,7 @@
 #include "knowledge/translate/value_kinds.h"
 #include "knowledge/translate/lift_procedures.h"
 #include "knowledge/translate/text_plan.h"
+#include "knowledge/translate/words.h"
 
 static const tr_node *at(const tr_writer *w, tr_index n) { return &w->t->nodes[n]; }
 static const tr_variable *var(const tr_writer *w, tr_index n) { return &w->t->variables[at(w, n)->variable]; }

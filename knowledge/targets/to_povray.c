@@ -13,6 +13,7 @@
 #include "knowledge/translate/lift_procedures.h"
 #include "knowledge/translate/text_plan.h"
 #include "knowledge/translate/value_kinds.h"
+#include "knowledge/translate/words.h"
 
 /* Pieces of statements: TR_PIECE_STATEMENTS are the turns of a loop, TR_PIECE_DRAW statements that draw. */
 

@@ -2,7 +2,7 @@
 #ifndef VS_KNOWLEDGE_TARGETS_TO_POVRAY_H
 #define VS_KNOWLEDGE_TARGETS_TO_POVRAY_H
 
-#include "knowledge/translate/words.h"
+#include "knowledge/translate/target.h"
 
 void tr_povray_program(tr_writer *w);
 

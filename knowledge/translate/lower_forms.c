@@ -318,7 +318,7 @@ static void native_call(lowering *l, know_index n, tr_index into) {
   know_index target = know_nth(l->k, know_nth(l->k, n, 1), 1), text = know_nth(l->k, n, 2), other = 0;
   for (know_index i = text; i; i = next(l, i))
     if (l->k->nodes[i].kind == KNOW_KEYWORD) other = next(l, i);
-  if (target && know_is(l->k, target, tr_target_native(l->t->target))) {
+  if (target && know_is(l->k, target, l->t->target->name)) {
     become(l, into, TR_PRIMITIVE, "native");
     part(l, into, text);
   } else if (other) push(l, other, into, AS_EXPRESSION);

@@ -12,6 +12,7 @@
 #include "knowledge/translate/lift_procedures.h"
 #include "knowledge/translate/lower_forms.h"
 #include "knowledge/translate/spell_names.h"
+#include "knowledge/translate/words.h"
 #include "knowledge/tree_report.h"
 #include "model/store/array.h"
 

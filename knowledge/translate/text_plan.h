@@ -8,7 +8,7 @@
 #define VS_KNOWLEDGE_TRANSLATE_TEXT_PLAN_H
 
 #include "knowledge/translate/core_tree.h"
-#include "knowledge/translate/words.h"
+#include "knowledge/translate/target.h"
 
 typedef enum { TR_PIECE_TEXT, TR_PIECE_VALUE, TR_PIECE_TEST, TR_PIECE_SINGLE, TR_PIECE_STATEMENTS, TR_PIECE_DRAW,
   TR_PIECE_LINE, TR_PIECE_IN, TR_PIECE_OUT, TR_PIECE_SOFT, TR_PIECE_BEHIND, TR_PIECE_COMMENTS } tr_piece_kind;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "knowledge/translate/text_plan.h"
+#include "knowledge/targets/target_table.h"
 
 const char *know_language(const char *name, const char *path) {
   const tr_target *target = name ? tr_target_named(name) : path ? tr_target_of_file(path) : NULL;

@@ -1,36 +1,9 @@
-/* Owns the target languages, and the tables of what the language's names are called in them. */
+/* Owns the tables of what the language's names are called in the target languages. */
 #include "knowledge/translate/words.h"
 
 #include <string.h>
 
 #include "knowledge/translate/value_kinds.h"
-#include "knowledge/translate/text_plan.h"
-#include "knowledge/targets/to_javascript.h"
-#include "knowledge/targets/to_openscad.h"
-#include "knowledge/targets/to_povray.h"
-
-static const tr_target targets[] = {
-#define TR_TARGET(...) {__VA_ARGS__},
-#include "knowledge/targets/translate_targets.def"
-};
-enum { TARGETS = sizeof targets / sizeof *targets };
-
-const tr_target *tr_target_named(const char *name) {
-  for (size_t i = 0; i < TARGETS; i++)
-    if (!strcmp(targets[i].name, name)) return &targets[i];
-  return NULL;
-}
-
-const tr_target *tr_target_of_file(const char *path) {
-  const char *dot = strrchr(path, '.');
-  for (size_t i = 0; dot && i < TARGETS; i++)
-    if (!strcmp(targets[i].ending, dot)) return &targets[i];
-  return NULL;
-}
-
-const char *tr_target_native(const tr_target *target) { return target->name; }
-
-/* ---- words ---- */
 
 typedef struct { const char *name, *arguments, *result, *keys, *texts[3]; } row;
 static const row rows[] = {
@@ -42,7 +15,7 @@ enum { ROWS = sizeof rows / sizeof *rows };
 
 tr_word tr_word_row(const tr_target *target, uint16_t at) {
   const row *r = &rows[at - 1];
-  return (tr_word){r->name, r->arguments, r->result, r->keys, r->texts[target - targets]};
+  return (tr_word){r->name, r->arguments, r->result, r->keys, r->texts[target->column]};
 }
 
 uint16_t tr_word_next(const char *name, uint16_t at) {
@@ -90,14 +63,14 @@ static bool fits(const translation *t, tr_index primitive, const row *r) {
 
 uint16_t tr_word_find(const translation *t, tr_index primitive, uint16_t at) {
   while ((at = tr_word_next(t->nodes[primitive].text, at)) != 0)
-    if (rows[at - 1].texts[t->target - targets] && fits(t, primitive, &rows[at - 1])) return at;
+    if (rows[at - 1].texts[t->target->column] && fits(t, primitive, &rows[at - 1])) return at;
   return 0;
 }
 
 int tr_word_arguments(const tr_target *target, const char *name) {
   for (uint16_t at = 0; (at = tr_word_next(name, at)) != 0;) {
     const row *r = &rows[at - 1];
-    if (!r->texts[target - targets]) continue;
+    if (!r->texts[target->column]) continue;
     if (!strcmp(r->arguments, "=")) return -1;
     int count = 0;
     for (const char *a = r->arguments; *a; a++)

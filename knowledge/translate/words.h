@@ -1,35 +1,9 @@
-/* Owns the target languages, and the tables of what the language's names are called in them. */
+/* Owns the tables of what the language's names are called in the target languages. */
 #ifndef VS_KNOWLEDGE_TRANSLATE_WORDS_H
 #define VS_KNOWLEDGE_TRANSLATE_WORDS_H
 
 #include "knowledge/translate/core_tree.h"
-
-typedef struct tr_writer tr_writer;
-typedef enum {
-  TR_LIFTS_NOTHING,
-  TR_LIFTS_SOLIDS, /* what makes solids, or calls itself */
-  TR_LIFTS_PROCEDURES
-} tr_lifts;
-typedef struct tr_target {
-  const char *name, *title; /* as --to says, and as people do */
-  const char *ending;       /* of its files */
-  uint8_t lifts;            /* what of local definitions goes to top level */
-  bool assigns;             /* variables can be set */
-  bool helpers_first;       /* what the program needs besides must stand before it */
-  const char *key;          /* what stands between a keyword and its value */
-  const char *x, *y, *z;    /* the axes as vectors */
-  const char *together;     /* what stands before the braces around several solids */
-  bool capitals;            /* names begin with capital letters, which no word of the language does */
-  const char *comment;      /* what begins a line of comment */
-  const char *reserved;     /* words that no name may be, each between blanks */
-  void (*program)(tr_writer *w);
-} tr_target;
-
-/* NULL: there is none of that name, or ending. */
-const tr_target *tr_target_named(const char *name);
-const tr_target *tr_target_of_file(const char *path);
-/* The word that (native 'word ...) has for the target. */
-const char *tr_target_native(const tr_target *target);
+#include "knowledge/translate/target.h"
 
 typedef struct { const char *name, *arguments, *result, *keys, *text; } tr_word;
 
