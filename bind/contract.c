@@ -12,6 +12,7 @@
 
 #include "vm/machine/arguments.h"
 #include "vm/numbers/number.h"
+#include "model/looks/ready_materials.h"
 
 /* ---- the tables ---- */
 

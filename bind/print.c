@@ -2,6 +2,8 @@
  * is no matter. */
 #include "bind/bind.h"
 
+#include "model/walk.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 

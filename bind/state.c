@@ -5,6 +5,7 @@
 #include "model/store/cache.h"
 #include "bind/rules/lineage.h"
 #include "model/store/nodemap.h"
+#include "model/walk.h"
 
 bool vs_bind_open(vs_bind *b, vs_scheme *vm, vs_store *store) {
   *b = (vs_bind){ .vm = vm, .store = vs_store_retain(store), .refused = b->refused };

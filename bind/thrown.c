@@ -8,6 +8,7 @@
 #include "bind/bind.h"
 
 #include "model/store/nodemap.h"
+#include "model/walk.h"
 
 void vs_bind_forget_dropped(vs_bind *b) {
   for (size_t i = 0; i < b->dropped_count; i++) vs_node_release(b->dropped[i].node);

@@ -7,7 +7,6 @@
 #include "geometry/profiles/revolve.h"
 #include "geometry/primitives/solid_triangles.h"
 #include "geometry/primitives/shape.h"
-#include "geometry/shapes/hull.h"
 #include "geometry/profiles/surface.h"
 #include "geometry/profiles/swept.h"
 #include "geometry/profiles/thicken.h"
@@ -41,7 +40,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, 
     case VS_HULL:
       if (n->class_ == VS_SOLID) {
         vs_cloud cloud = { 0 };
-        bool gathered = vs_hull_cloud(n, f, &cloud, e);
+        bool gathered = vs_hull_points(n, f, &cloud, e);
         ok = gathered && vs_cloud_hull(&cloud, out);
         vs_cloud_free(&cloud);
         if (!gathered) return false;
@@ -122,4 +121,19 @@ bool vs_tessellate(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error 
   }
   vs_mesh_transform_from(out, &placed, first_vertex, first_triangle);
   return true;
+}
+
+static bool hull_corners(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_cloud *out, vs_error *e) {
+  if (n->class_ == VS_CURVE || n->class_ == VS_REGION_CLASS) return vs_planar_corners(n, placed, f, out, e);
+  if (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the hull of an intersection or a difference needs its mesh");
+  if (n->class_ != VS_SOLID && n->class_ != VS_SURFACE) return true;
+  vs_mesh m = { 0 };
+  bool ok = vs_tessellate(n, f, &m, e) && vs_cloud_add_all(out, placed, m.vertices, m.vertex_count, e);
+  vs_mesh_free(&m);
+  return ok;
+}
+
+bool vs_hull_points(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_error *e) {
+  return vs_hull_cloud(hull, hull_corners, f, out, e);
 }

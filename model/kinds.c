@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "model/store/store.h"
+#include "model/store/store_inside.h"
 
 #define VS_CLASS_NOTHING VS_NOTHING
 #define VS_CLASS_CURVE VS_CURVE

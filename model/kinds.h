@@ -8,7 +8,5 @@ uint64_t vs_payload_settle(vs_kind kind, void *data); /* of a new node: retains 
 bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b);
 void vs_payload_drop(vs_kind kind, vs_store *s, const void *data); /* releases its arrays */
 size_t vs_payload_array_bytes(vs_kind kind, const void *data);
-size_t vs_points_bytes(const vs_points *p);
-size_t vs_faces_bytes(const vs_faces *f);
 
 #endif

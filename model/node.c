@@ -8,7 +8,8 @@
 #include <string.h>
 
 #include "model/kinds.h"
-#include "model/store/store.h"
+#include "model/store/store_inside.h"
+#include "model/store/piece.h"
 
 /* ---- arrays ---- */
 
@@ -122,11 +123,21 @@ static void node_join_family(vs_node_family *f, const vs_node *child) {
   else if (f->together != c) f->together = VS_MIXED;
 }
 
+/* Are all children curves and regions? Those are flat by themselves; a flat surface is known by its mesh. */
+static bool node_holds_planar(const vs_node *n) {
+  bool planar = true;
+  for (uint32_t i = 0; planar && i < n->child_count; i++) {
+    vs_class c = (vs_class)n->children[i].node->class_;
+    planar = c == VS_CURVE || c == VS_REGION_CLASS || c == VS_NOTHING;
+  }
+  return planar;
+}
+
 static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
   bool carved =
       (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
-  bool unresolved = vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && carved);
+  bool unresolved = vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && (carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n))));
   bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS,
        all = n->child_count && f->all & VS_NODE_ENDLESS;
   bool is = n->kind == VS_HALF_SPACE || (n->kind == VS_INTERSECTION ? all

@@ -1,4 +1,4 @@
-/* Owns the model tree: immutable, hashed, reference-counted nodes; the store that they live in; origins and materials.
+/* Owns the model tree: immutable, hashed, reference-counted nodes.
  *
  * A node is plain data: kind, payload (the fields of prims.def as a struct), child references, a structural hash made
  * when it is built. Two nodes are equal by value when kind, payload and children's nodes are; origins do not count. A
@@ -12,39 +12,10 @@
 #include <stdint.h>
 
 #include "model/assert.h"
-#include "model/looks/material.h"
+#include "model/store/store.h"
 #include "model/vec.h"
 
-typedef struct vs_store vs_store;
 typedef struct vs_node vs_node;
-typedef struct vs_cache vs_cache; /* cache.h */
-
-/* ---- errors that C layers return: one message, and where in the user's model (NULL: nowhere) ---- */
-typedef struct vs_origin vs_origin;
-typedef enum {
-  VS_ERROR_NONE,
-  VS_ERROR_MODEL /* exit 1 */,
-  VS_ERROR_FILE /* 2 */,
-  VS_ERROR_WORKER /* 3 */,
-  VS_ERROR_MEMORY /* 4 */,
-  VS_ERROR_INTERRUPT /* 130 */
-} vs_error_kind;
-typedef struct {
-  vs_error_kind kind;
-  const vs_origin *origin;
-  char message[512]; /* UTF-8, cut at a character */
-} vs_error;
-/* Fills e (may be NULL) and returns false, so that `return vs_error_set(...)` reads well. */
-bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-bool vs_error_memory(vs_error *e, const vs_origin *origin); /* the same, "out of memory" */
-
-/* ---- origins: interned chains, owned by the store ---- */
-struct vs_origin {
-  const char *file; /* interned in the store */
-  uint32_t line, column; /* from 1 */
-  const vs_origin *caller; /* the call that led here, or NULL */
-};
 
 /* ---- shared arrays: immutable once made, reference counted ---- */
 typedef struct { uint32_t refs, count; vs_vec3 at[]; } vs_points;
@@ -220,41 +191,6 @@ static inline bool vs_node_is_dress(const vs_node *n) {
   return n->child_count == 1 && vs_node_role(n) == VS_ROLE_DRESS;
 }
 
-/* ---- the store ---- */
-/* as realloc; new_size 0 frees; NULL: failed */
-typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size);
-vs_store *vs_store_new(vs_alloc_fn *alloc, void *context); /* alloc NULL: the C library's. A reference. NULL: out of
-                                                            * memory */
-vs_store *vs_store_retain(vs_store *s);
-void vs_store_release(vs_store *s);
-size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: counts towards the interpreter's memory
-                                           * budget */
-/* Who is asked in what works long whether to go on, the error's word then being that it was interrupted. NULL:
- * nobody. */
-void vs_store_watch(vs_store *s, bool (*going)(void *context), void *context);
-bool vs_store_going(vs_store *s, uint32_t work, vs_error *e); /* asks once a million steps of a nanosecond or some have
-                                                               * come together; s NULL: goes on */
-void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size); /* accounted; new_size 0 frees */
-/* Makes room for `need` elements of `size` bytes in the store's array whose address stands in *slot; *room is in
- * elements. False: no memory, nothing is changed. */
-bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size);
-/* Small things of which there may be millions (piece.c); freed with the size they were asked for. NULL: out of
- * memory. */
-void *vs_store_piece(vs_store *s, size_t bytes);
-void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);
-void vs_store_fail_at(vs_store *s, size_t n); /* tests: the n-th allocation from now fails and so do those after it; 0:
-                                               * none */
-/* A place for geometry/ to keep what took time to get (fonts) for as long as the store lives; NULL at first. let_go
- * frees it then. */
-void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept));
-/* interned, NUL-terminated; NULL: out of memory */
-const char *vs_store_text(vs_store *s, const char *text, size_t length);
-/* interned; NULL: oom */
-const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column,
-                                 const vs_origin *caller);
-/* interned by value; NULL: out of memory */
-const vs_material *vs_store_material(vs_store *s, const vs_material *m);
-
 /* ---- building. All return one new reference to the caller, NULL when out of memory. ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count);
@@ -262,9 +198,6 @@ vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const 
 vs_faces *vs_faces_turned(vs_store *s, const vs_faces *f);
 vs_ticket *vs_ticket_new(vs_store *s, uint32_t id);
 void vs_ticket_release(vs_store *s, const vs_ticket *t);
-/* gone(context, id) is called when the last reference to a ticket goes; NULL: nobody asks any more. It must not touch
- * nodes. */
-void vs_store_on_ticket(vs_store *s, void (*gone)(void *context, uint32_t id), void *context);
 vs_points *vs_points_retain(vs_points *p);
 vs_faces *vs_faces_retain(vs_faces *f);
 void vs_points_release(vs_store *s, const vs_points *p);
@@ -278,13 +211,7 @@ void vs_node_release(vs_node *n); /* iterative: the depth of the tree does not m
  * answer then false. */
 bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok);
 size_t vs_node_bytes(const vs_node *n); /* of this node alone, its arrays included */
-
-/* ---- walking a DAG without recursion: every path, parents before children (enter) and after (leave) ---- */
-typedef enum { VS_WALK_ENTER, VS_WALK_LEAVE, VS_WALK_DONE, VS_WALK_FAILED } vs_walk_event;
-typedef struct vs_walk vs_walk;
-vs_walk *vs_walk_new(vs_store *s, vs_ref root);
-vs_walk_event vs_walk_next(vs_walk *w, vs_ref *ref, size_t *depth); /* FAILED: out of memory */
-void vs_walk_skip(vs_walk *w); /* after ENTER: do not go into this node's children (LEAVE still comes) */
-void vs_walk_free(vs_walk *w);
+size_t vs_points_bytes(const vs_points *p);
+size_t vs_faces_bytes(const vs_faces *f);
 
 #endif

@@ -1,7 +1,7 @@
 /* Owns the walk that numbers distinct nodes, on a stack of its own. See order.h. */
 #include "model/order.h"
 
-#include "model/store/store.h"
+#include "model/store/store_inside.h"
 
 typedef struct { vs_ref ref; uint32_t next; bool inner; } order_level;
 

@@ -1,7 +1,7 @@
 /* Owns the account of a run: see tally.h. */
 #include "model/tally.h"
 
-#include "model/store/store.h"
+#include "model/store/store_inside.h"
 
 vs_tally *vs_store_tally(const vs_store *s) { return s->tally; }
 void vs_store_set_tally(vs_store *s, vs_tally *t) { s->tally = t; }

@@ -1,5 +1,5 @@
 /* Owns the walk through a DAG by every path, on a stack of its own: 200,000 nested unions are as good as two. */
-#include "model/node.h"
+#include "model/walk.h"
 
 typedef struct { vs_ref ref; uint32_t next; } vs_walk_level;
 

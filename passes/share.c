@@ -25,7 +25,7 @@
 #include <string.h>
 
 #include "passes/rewrite.h"
-#include "model/store/store.h"
+#include "model/store/hashes.h"
 
 typedef struct { uint64_t a, b; } vs_share_key;
 typedef struct {

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "passes/rewrite.h"
-#include "model/store/store.h"
+#include "model/store/hashes.h"
 
 enum { PAIRS_MOST = 20000 };
 

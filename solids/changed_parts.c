@@ -10,6 +10,7 @@
 #include "geometry/measure/node_measures.h"
 #include "solids/solid_measures.h"
 #include "solids/solid_meshes.h"
+#include "model/walk.h"
 
 enum { PART_WORK = 300 /* nanoseconds that a part takes, about: between questions whether to go on */ };
 

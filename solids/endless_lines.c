@@ -5,6 +5,7 @@
 #include "geometry/measure/node_measures.h"
 #include "solids/resolve.h"
 #include "model/store/array.h"
+#include "model/walk.h"
 
 typedef struct {
   vs_vec3 p, way;

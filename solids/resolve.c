@@ -12,6 +12,7 @@
 #include "solids/deformed.h"
 #include "solids/sections.h"
 #include "model/store/array.h"
+#include "model/walk.h"
 
 typedef struct {
   vs_store *store;
@@ -228,6 +229,23 @@ static vs_node *polyface(vs_store *s, const vs_mesh *m, bool closed) {
   return n;
 }
 
+/* A flat hull of surfaces becomes that of their corners. */
+static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
+  struct vs_hull d = *VS_AS(hull, ref->node);
+  vs_facets f;
+  vs_cloud cloud = { 0 };
+  vs_node *made = NULL;
+  if (facets_for(r, ref->node, &f) && vs_hull_points(ref->node, &f, &cloud, r->error)) {
+    vs_points *corners = vs_points_new(r->store, cloud.at, cloud.count);
+    d.points = corners;
+    made = corners ? vs_node_new(r->store, VS_HULL, &d, NULL, 0) : NULL;
+    vs_points_release(r->store, corners);
+    if (!made) vs_error_memory(r->error, ref->origin);
+  }
+  vs_cloud_free(&cloud);
+  return made;
+}
+
 /* A hull whose carved parts are meshes */
 static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
   const vs_node *n = ref->node;
@@ -245,6 +263,11 @@ static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
   }
   vs_node *made = ok ? vs_node_new(r->store, VS_HULL, vs_node_data(n), kids, n->child_count) : NULL;
   if (ok && !made) vs_error_memory(r->error, ref->origin);
+  if (made && made->flags & VS_NODE_UNRESOLVED) {
+    vs_node *flat = flat_hull_of(r, &(vs_ref){ made, ref->origin });
+    vs_node_release(made);
+    made = flat;
+  }
   for (uint32_t i = 0; kids && i < n->child_count; i++) vs_node_release(kids[i].node);
   free(kids);
   return made;

@@ -16,6 +16,7 @@
 #include "solids/primitive_meshes.h"
 #include "model/store/cache.h"
 #include "model/tally.h"
+#include "model/walk.h"
 
 typedef struct {
   vs_affine placement;

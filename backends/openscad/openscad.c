@@ -15,6 +15,7 @@
 #include "geometry/frame.h"
 #include "geometry/plane/plane.h"
 #include "geometry/profiles/revolve.h"
+#include "model/walk.h"
 
 static vs_emit_status scad_done(vs_emitter *e) { return e->out->failed ? VS_FAILED : VS_EMITTED; }
 static void scad_point(vs_emitter *e, vs_vec3 p) { vs_put_triple(e->out, "[", p, ", ", "]"); }

@@ -7,6 +7,7 @@
 #include "geometry/plane/join.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
+#include "geometry/tessellate.h"
 #include "geometry/plane/slice.h"
 #include "solids/resolve.h"
 #include "geometry/plane/plane.h"
@@ -260,7 +261,7 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
   vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) }; /* what it resolves to shows how far it spans */
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
   if (!vs_resolve(&whole, 1, &(vs_facets){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) ||
-      !vs_hull_cloud(whole.node, &(vs_facets){ .tolerance = vs_facets_tolerance(&b) }, &cloud, &e))
+      !vs_hull_points(whole.node, &(vs_facets){ .tolerance = vs_facets_tolerance(&b) }, &cloud, &e))
     ok = vs_bind_error(f, &e);
   else d.dimension = vs_cloud_dimension(&cloud);
   if (ok && d.dimension == 1) {

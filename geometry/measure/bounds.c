@@ -1,4 +1,6 @@
 /* Owns bounds: of leaves under an affine map exactly, of sets from those of their parts. */
+#include "geometry/measure/bounds.h"
+
 #include <stdlib.h>
 
 #include "geometry/plane/curve.h"
@@ -6,7 +8,6 @@
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/measure/reach.h"
 #include "geometry/primitives/half_space.h"
-#include "geometry/measure/node_measures.h"
 #include "geometry/primitives/shape.h"
 #include "geometry/profiles/revolve.h"
 #include "geometry/plane/areas.h"

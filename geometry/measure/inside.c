@@ -8,17 +8,22 @@
  * Between the sections S_0 and S_1 of a sweep a point p lies in the section t where g(t) = (X_t x Y_t) . (p - O_t) = 0,
  * a cubic; its roots in [0, 1] give (u, v) in the profile's plane. Polyface meshes, lofts and thickened surfaces are
  * told by facets. */
+#include "geometry/measure/inside.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 #include "geometry/measure/ray_crossings.h"
 #include "geometry/tessellate.h"
 #include "geometry/frame.h"
-#include "geometry/measure/node_measures.h"
+#include "geometry/measure/bounds.h"
+#include "geometry/plane/areas.h"
+#include "geometry/plane/planar_evaluation.h"
 #include "geometry/primitives/shape.h"
 #include "geometry/profiles/revolve.h"
 #include "geometry/profiles/swept.h"
 #include "model/store/array.h"
+#include "model/walk.h"
 
 typedef struct {
   const vs_node *node;
@@ -396,4 +401,23 @@ bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool
   }
   *inside = vs_inside_test(*slot, p);
   return true;
+}
+
+bool vs_region_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
+  vs_bounds b;
+  vs_outline o;
+  vs_area a = { 0 };
+  *inside = false;
+  if (!vs_node_bounds(n, &b, e)) return false;
+  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
+  if (!vs_region_outline(n, &f, &o, e)) return false;
+  bool ok = vs_area_of_outline(&o, &o.frame, &a) || vs_error_memory(e, NULL);
+  vs_vec3 x = { o.frame.m[0][0], o.frame.m[1][0], o.frame.m[2][0] },
+          y = { o.frame.m[0][1], o.frame.m[1][1], o.frame.m[2][1] };
+  vs_vec3 d = vs_v3_sub(p, vs_v3(o.frame.m[0][3], o.frame.m[1][3], o.frame.m[2][3]));
+  if (ok && fabs(vs_v3_dot(d, o.normal)) <= 1e-9 * vs_bounds_diagonal(&b))
+    *inside = vs_area_holds(&a, vs_v3_dot(d, x), vs_v3_dot(d, y));
+  vs_area_free(&a);
+  vs_outline_free(&o);
+  return ok;
 }

@@ -11,6 +11,7 @@
 #include "geometry/profiles/revolve.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "model/store/array.h"
+#include "model/walk.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -43,6 +44,13 @@ static bool measure_curve(const vs_node *n, const vs_affine *placed, vs_measure 
   m->known = true;
   vs_path_free(&path);
   return true;
+}
+
+static bool measure_revolution(const vs_node *n, vs_measure *m, vs_error *e) {
+  vs_bounds profile;
+  if (!vs_node_bounds(n->children[0].node, &profile, e)) return false;
+  vs_facets f = { fmax(vs_bounds_diagonal(&profile) * 1e-7, 1e-300), 0 };
+  return vs_revolve_measure(n, &f, m, e);
 }
 
 static bool measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
@@ -272,7 +280,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       return true;
     }
     case VS_REVOLVE:
-      if (!vs_revolve_measure(n, m, e)) return false;
+      if (!measure_revolution(n, m, e)) return false;
       break;
     case VS_HULL:
       if (n->class_ == VS_REGION_CLASS) return measure_region(whole, m, e);

@@ -9,9 +9,7 @@
 #include "geometry/plane/planar_evaluation.h"
 
 #include "geometry/plane/curve.h"
-#include "geometry/measure/node_measures.h"
 #include "geometry/plane/areas.h"
-#include "geometry/shapes/hull.h"
 #include "geometry/text/typeset.h"
 #include "model/store/array.h"
 
@@ -75,7 +73,7 @@ static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fac
   vs_cloud cloud = { 0 };
   *out = (vs_outline){ .loops = calloc(1, sizeof *out->loops), .hole = calloc(1, sizeof *out->hole), .count = 1 };
   bool ok = (out->loops && out->hole) || vs_error_memory(e, NULL);
-  ok = ok && vs_hull_cloud(n, &inner, &cloud, e) &&
+  ok = ok && vs_hull_cloud(n, vs_planar_corners, &inner, &cloud, e) &&
        (vs_cloud_polygon(&cloud, &out->loops[0]) || vs_error_memory(e, NULL));
   for (size_t i = 0; ok && i < out->loops[0].count; i++)
     out->loops[0].at[i] = vs_affine_point(placed, out->loops[0].at[i]);
@@ -427,30 +425,28 @@ bool vs_region_outline(const vs_node *n, const vs_facets *f, vs_outline *out, vs
   return ok;
 }
 
-bool vs_region_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
-  vs_bounds b;
-  vs_outline o;
-  vs_area a = { 0 };
-  *inside = false;
-  if (!vs_node_bounds(n, &b, e)) return false;
-  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
-  if (!vs_region_outline(n, &f, &o, e)) return false;
-  bool ok = vs_area_of_outline(&o, &o.frame, &a) || vs_error_memory(e, NULL);
-  vs_vec3 x = { o.frame.m[0][0], o.frame.m[1][0], o.frame.m[2][0] },
-          y = { o.frame.m[0][1], o.frame.m[1][1], o.frame.m[2][1] };
-  vs_vec3 d = vs_v3_sub(p, vs_v3(o.frame.m[0][3], o.frame.m[1][3], o.frame.m[2][3]));
-  if (ok && fabs(vs_v3_dot(d, o.normal)) <= 1e-9 * vs_bounds_diagonal(&b))
-    *inside = vs_area_holds(&a, vs_v3_dot(d, x), vs_v3_dot(d, y));
-  vs_area_free(&a);
-  vs_outline_free(&o);
-  return ok;
-}
-
 bool vs_curve_sample(const vs_node *curve, const vs_facets *f, vs_polyline *out, vs_error *e) {
   vs_path path = { 0 };
   vs_affine identity = vs_affine_identity();
   bool ok =
       vs_curve_path(curve, &identity, f, &path, e) && (vs_polyline_from_path(&path, out) || vs_error_memory(e, NULL));
   vs_path_free(&path);
+  return ok;
+}
+
+bool vs_planar_corners(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_cloud *out, vs_error *e) {
+  bool ok = true;
+  if (n->class_ == VS_CURVE) {
+    vs_polyline p = { 0 };
+    ok = vs_curve_sample(n, f, &p, e) && vs_cloud_add_all(out, placed, p.at, p.count, e);
+    vs_polyline_free(&p);
+  } else if (n->class_ == VS_REGION_CLASS) {
+    vs_outline o;
+    if (!vs_region_outline(n, f, &o, e)) return false;
+    for (size_t i = 0; ok && i < o.count; i++) ok = vs_cloud_add_all(out, placed, o.loops[i].at, o.loops[i].count, e);
+    vs_outline_free(&o);
+  } else if (n->class_ != VS_NOTHING) {
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "a flat hull of a surface is made by solids/resolve.c before");
+  }
   return ok;
 }

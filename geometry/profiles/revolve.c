@@ -218,12 +218,9 @@ double vs_profile_circle(const vs_node *n) {
   return even ? k * VS_AS(circle, n)->radius : 0;
 }
 
-bool vs_revolve_measure(const vs_node *n, vs_measure *m, vs_error *e) {
+bool vs_revolve_measure(const vs_node *n, const vs_facets *f, vs_measure *m, vs_error *e) {
   vs_revolve r;
-  vs_bounds b;
-  if (!vs_node_bounds(n->children[0].node, &b, e)) return false;
-  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
-  if (!vs_revolve_plan(n, &f, &r, e)) return false;
+  if (!vs_revolve_plan(n, f, &r, e)) return false;
   revolve_moments area = { 0 }, line = { 0 };
   if (r.filled) revolve_area_moments(&r, &area);
   revolve_line_moments(&r, &line);

@@ -3,7 +3,7 @@
 #ifndef VS_GEOMETRY_REVOLVE_H
 #define VS_GEOMETRY_REVOLVE_H
 
-#include "geometry/measure/node_measures.h"
+#include "geometry/measure/measure.h"
 #include "geometry/tolerance.h"
 #include "model/mesh.h"
 #include "model/node.h"
@@ -31,7 +31,7 @@ bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out); /* append
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b);
 bool vs_revolve_holds(const vs_revolve *r, vs_vec3 p); /* of a solid */
 /* Pappus, with the moments of the plan's polygon; where that stands for a circle, exactly. */
-bool vs_revolve_measure(const vs_node *n, vs_measure *m, vs_error *e);
+bool vs_revolve_measure(const vs_node *n, const vs_facets *f, vs_measure *m, vs_error *e);
 /* Is the profile one circle, placed so that it stays round? Its radius then, else 0. */
 double vs_profile_circle(const vs_node *profile);
 /* even-odd, in the plane of loops */

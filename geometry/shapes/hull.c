@@ -10,12 +10,11 @@
  *
  * In a plane: Andrew's chain, on the same grid. Cost: n log n for points as models have them. */
 #include "geometry/shapes/hull.h"
-#include "geometry/plane/planar_evaluation.h"
-#include "geometry/tessellate.h"
-#include "model/store/array.h"
 
 #include <stdlib.h>
 #include <string.h>
+
+#include "model/store/array.h"
 
 __extension__ typedef __int128 vs_wide;
 
@@ -314,35 +313,13 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
 
 typedef struct { const vs_ref *ref; vs_affine placed; } vs_hull_part;
 
-static bool hull_add_points(vs_cloud *out, const vs_affine *placed, const vs_vec3 *at, size_t count, vs_error *e) {
+bool vs_cloud_add_all(vs_cloud *out, const vs_affine *placed, const vs_vec3 *at, size_t count, vs_error *e) {
   for (size_t i = 0; i < count; i++)
     if (!vs_cloud_add(out, vs_affine_point(placed, at[i]))) return vs_error_memory(e, NULL);
   return true;
 }
 
-static bool hull_add_leaf(vs_cloud *out, const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_error *e) {
-  vs_facets inner = vs_facets_placed(f, placed);
-  bool ok = true;
-  if (n->class_ == VS_CURVE) {
-    vs_polyline p = { 0 };
-    ok = vs_curve_sample(n, &inner, &p, e) && hull_add_points(out, placed, p.at, p.count, e);
-    vs_polyline_free(&p);
-  } else if (n->class_ == VS_REGION_CLASS) {
-    vs_outline o;
-    if (!vs_region_outline(n, &inner, &o, e)) return false;
-    for (size_t i = 0; ok && i < o.count; i++) ok = hull_add_points(out, placed, o.loops[i].at, o.loops[i].count, e);
-    vs_outline_free(&o);
-  } else if (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) {
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the hull of an intersection or a difference needs its mesh");
-  } else if (n->class_ == VS_SOLID || n->class_ == VS_SURFACE) {
-    vs_mesh m = { 0 };
-    ok = vs_tessellate(n, &inner, &m, e) && hull_add_points(out, placed, m.vertices, m.vertex_count, e);
-    vs_mesh_free(&m);
-  }
-  return ok;
-}
-
-bool vs_hull_cloud(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_error *e) {
+bool vs_hull_cloud(const vs_node *hull, vs_hull_leaf *leaf, const vs_facets *f, vs_cloud *out, vs_error *e) {
   vs_ref root = { (vs_node *)(uintptr_t)hull, NULL };
   vs_hull_part *stack = malloc(sizeof *stack);
   size_t depth = 0, room = 1;
@@ -353,12 +330,13 @@ bool vs_hull_cloud(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_er
     const vs_node *n = part.ref->node;
     if (n->kind == VS_TRANSFORM) part.placed = vs_affine_multiply(&part.placed, &VS_AS(transform, n)->matrix);
     if (n->kind == VS_HULL)
-      ok = hull_add_points(out, &part.placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count, e);
+      ok = vs_cloud_add_all(out, &part.placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count, e);
     if (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || n->kind == VS_UNION || n->kind == VS_HULL) {
       if (ok && !VS_GROW(stack, room, depth + n->child_count)) ok = vs_error_memory(e, NULL);
       for (uint32_t i = n->child_count; ok && i-- > 0;) stack[depth++] = (vs_hull_part){ &n->children[i], part.placed };
     } else if (ok) {
-      ok = hull_add_leaf(out, n, &part.placed, f, e);
+      vs_facets inner = vs_facets_placed(f, &part.placed);
+      ok = leaf(n, &part.placed, &inner, out, e);
       if (!ok && e && !e->origin) e->origin = part.ref->origin;
     }
   }

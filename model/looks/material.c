@@ -1,19 +1,9 @@
-/* Owns the materials that exist by name: the ready ones, the CSS colours and "#rrggbb". */
+/* Owns materials as values: those of plain colour, their patterns, their hash. */
 #include "model/looks/material.h"
 
 #include <string.h>
 
-#include "model/node.h"
-
-static const struct { const char *name; vs_material material; } ready[] = {
-#define VS_READY_MATERIAL(name, r, g, b, roughness, metallic, transparency, ior, kind, r2, g2, b2, size, angle) \
-  { name, { name, r, g, b, roughness, metallic, transparency, ior, { VS_PATTERN_##kind, r2, g2, b2, size, angle } } },
-#include "model/looks/materials.def"
-};
-static const struct { const char *name; unsigned rgb; } colors[] = {
-#define VS_COLOR(name, rgb) { #name, rgb },
-#include "model/looks/colors.def"
-};
+#include "model/store/hashes.h"
 
 static const struct { const char *name; double size; } patterns[VS_PATTERN_COUNT] = {
   { "none", 1 },
@@ -37,43 +27,13 @@ bool vs_pattern_find(const char *name, vs_pattern *out) {
   return false;
 }
 
-static const vs_material *material_hex(vs_store *s, unsigned rgb, const char *name) {
-  vs_material m = vs_material_of_color((rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
-  m.name = name;
-  return vs_store_material(s, &m);
-}
-
-static int material_hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-static bool material_same_name(const char *table, const char *given) { /* CSS names are read in any case */
-  for (; *table && *given; table++, given++)
-    if (*table != (*given >= 'A' && *given <= 'Z' ? *given + 32 : *given)) return false;
-  return *table == *given;
-}
-
-const vs_material *vs_store_ready_material(vs_store *s, const char *name) {
-  for (size_t i = 0; i < sizeof ready / sizeof *ready; i++)
-    if (!strcmp(name, ready[i].name)) return vs_store_material(s, &ready[i].material);
-  if (name[0] == '#' && strlen(name) == 7) {
-    unsigned rgb = 0;
-    for (int i = 1; i < 7; i++) {
-      int digit = material_hex_digit(name[i]);
-      if (digit < 0) return NULL;
-      rgb = rgb << 4 | (unsigned)digit;
-    }
-    return material_hex(s, rgb, "");
-  }
-  for (size_t i = 0; i < sizeof colors / sizeof *colors; i++)
-    if (material_same_name(colors[i].name, name)) return material_hex(s, colors[i].rgb, colors[i].name);
-  return NULL;
-}
-
-const char *vs_ready_material_name(size_t i) {
-  size_t materials = sizeof ready / sizeof *ready;
-  if (i < materials) return ready[i].name;
-  return i < materials + sizeof colors / sizeof *colors ? colors[i - materials].name : NULL;
+uint64_t vs_material_hash(const vs_material *m) {
+  uint64_t h = vs_hash_bytes(2, m->name, strlen(m->name));
+  const double fields[] = { m->red, m->green, m->blue, m->roughness, m->metallic, m->transparency, m->ior };
+  const vs_material_pattern *p = &m->pattern;
+  const double pattern[] = { p->kind, p->red, p->green, p->blue, p->size, p->angle };
+  for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) h = vs_hash_real(h, fields[i]);
+  if (p->kind == VS_PATTERN_NONE) return h;
+  for (size_t i = 0; i < sizeof pattern / sizeof *pattern; i++) h = vs_hash_real(h, pattern[i]);
+  return h;
 }

@@ -5,8 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-
-struct vs_store;
+#include <stdint.h>
 
 typedef enum {
   VS_PATTERN_NONE,
@@ -32,11 +31,8 @@ typedef struct {
   vs_material_pattern pattern;
 } vs_material;
 
+uint64_t vs_material_hash(const vs_material *m);
 vs_material vs_material_of_color(double red, double green, double blue); /* sRGB; matt paint, no name, no pattern */
-/* The material of a name: concrete, glass, ... or a CSS colour, or "#rrggbb". NULL: there is none, or out of memory. */
-const vs_material *vs_store_ready_material(struct vs_store *s, const char *name);
-const char *vs_ready_material_name(size_t i); /* those names one by one, NULL after the last */
-
 const char *vs_pattern_name(vs_pattern p);               /* "none" of VS_PATTERN_NONE */
 bool vs_pattern_find(const char *name, vs_pattern *out); /* false: there is none of that name */
 double vs_pattern_size(const vs_material_pattern *p);    /* in metres: the material's own, or else the pattern's */

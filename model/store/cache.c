@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "model/store/nodemap.h"
-#include "model/store/store.h"
+#include "model/store/store_inside.h"
 
 typedef struct entry entry;
 struct entry {

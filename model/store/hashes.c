@@ -1,4 +1,4 @@
-/* Owns the hashes that nodes, texts and materials are known by. */
+/* Owns the hashes that what is interned is known by. */
 #include "model/store/hashes.h"
 
 #include <string.h>
@@ -21,15 +21,4 @@ uint64_t vs_hash_real(uint64_t h, double d) {
   d += 0.0; /* -0 is 0 */
   memcpy(&v, &d, sizeof v);
   return vs_hash_mix(h, v);
-}
-
-uint64_t vs_material_hash(const vs_material *m) {
-  uint64_t h = vs_hash_bytes(2, m->name, strlen(m->name));
-  const double fields[] = { m->red, m->green, m->blue, m->roughness, m->metallic, m->transparency, m->ior };
-  const vs_material_pattern *p = &m->pattern;
-  const double pattern[] = { p->kind, p->red, p->green, p->blue, p->size, p->angle };
-  for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) h = vs_hash_real(h, fields[i]);
-  if (p->kind == VS_PATTERN_NONE) return h;
-  for (size_t i = 0; i < sizeof pattern / sizeof *pattern; i++) h = vs_hash_real(h, pattern[i]);
-  return h;
 }

@@ -1,8 +1,9 @@
-/* Owns the hashes that nodes, texts and materials are known by. */
+/* Owns the hashes that what is interned is known by. */
 #ifndef VS_MODEL_HASHES_H
 #define VS_MODEL_HASHES_H
 
-#include "model/node.h"
+#include <stddef.h>
+#include <stdint.h>
 
 static inline uint64_t vs_hash_mix(uint64_t h, uint64_t v) {
   h = (h ^ v) * UINT64_C(0x9E3779B97F4A7C15);
@@ -12,6 +13,5 @@ static inline uint64_t vs_hash_mix(uint64_t h, uint64_t v) {
 }
 uint64_t vs_hash_bytes(uint64_t h, const void *bytes, size_t size);
 uint64_t vs_hash_real(uint64_t h, double d);
-uint64_t vs_material_hash(const vs_material *m);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "model/store/store.h"
+#include "model/store/store_inside.h"
 
 static size_t nodemap_place(const vs_nodemap *m, const void *key) {
   size_t at = (size_t)vs_hash_mix(5, (uintptr_t)key) & (m->room - 1);

@@ -5,7 +5,11 @@
  * with what there is, up to SLAB_MOST, and go when the last piece has gone (but one, for the next). Under a sanitizer
  * and in the stress build each piece is an allocation of its own, so that a use after its end, and a refusal anywhere,
  * shows. */
-#include "model/store/store.h"
+#include "model/store/piece.h"
+
+#include "model/store/store_inside.h"
+
+#include "model/store/piece.h"
 
 #include <string.h>
 

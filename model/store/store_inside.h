@@ -1,9 +1,9 @@
 /* Owns the inside of the store, for model/ alone: accounting, the hash that everything interned is found by, and the
  * arena. */
-#ifndef VS_MODEL_STORE_H
-#define VS_MODEL_STORE_H
+#ifndef VS_MODEL_STORE_INSIDE_H
+#define VS_MODEL_STORE_INSIDE_H
 
-#include "model/node.h"
+#include "model/store/store.h"
 #include "model/store/hashes.h"
 
 typedef struct { void **slots; size_t count, room; } vs_intern; /* open addressing, room a power of two */
@@ -35,7 +35,6 @@ struct vs_store {
   vs_piece *given_back[VS_PIECE_MOST / 8 + 1]; /* by size in words */
 };
 
-void vs_store_slabs_free(vs_store *s);
-uint64_t vs_text_hash(const char *interned); /* kept with the text */
+void vs_store_slabs_free(vs_store *s); /* piece.c */
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "backends/export.h"
 #include "geometry/files/polyface.h"
+#include "model/looks/ready_materials.h"
 
 typedef struct {
   vs_store *s;

@@ -4,6 +4,8 @@
 
 #include "model/scene.h"
 
+#include "model/looks/ready_materials.h"
+
 typedef struct { vs_store *store; vs_scene scene; } test_model;
 
 static inline test_model *test_model_open(test_model *m) {

@@ -10,6 +10,9 @@
 
 #include "model/node.h"
 
+#include "model/walk.h"
+#include "model/looks/ready_materials.h"
+
 static vs_node *sphere(vs_store *s, double x, double r) {
   struct vs_sphere data = { .center = { x, 0, 0 }, .radius = r };
   return vs_node_new(s, VS_SPHERE, &data, NULL, 0);

@@ -1,0 +1,14 @@
+/* Owns walking a DAG without recursion: every path, parents before children (enter) and after (leave). */
+#ifndef VS_MODEL_WALK_H
+#define VS_MODEL_WALK_H
+
+#include "model/node.h"
+
+typedef enum { VS_WALK_ENTER, VS_WALK_LEAVE, VS_WALK_DONE, VS_WALK_FAILED } vs_walk_event;
+typedef struct vs_walk vs_walk;
+vs_walk *vs_walk_new(vs_store *s, vs_ref root);
+vs_walk_event vs_walk_next(vs_walk *w, vs_ref *ref, size_t *depth); /* FAILED: out of memory */
+void vs_walk_skip(vs_walk *w); /* after ENTER: do not go into this node's children (LEAVE still comes) */
+void vs_walk_free(vs_walk *w);
+
+#endif
