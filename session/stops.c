@@ -10,6 +10,7 @@
 #include "vm/machine/run.h"
 #include "vm/machine/activation.h"
 #include "vm/stepping/step.h"
+#include "vm/stepping/resume.h"
 
 void vs_session_arm(vs_session *s, unsigned flags) {
   vs_scheme *vm = s->bind.vm;

@@ -26,6 +26,7 @@
 #include "vm/machine/program.h"
 #include "vm/machine/open_vm.h"
 #include "vm/stepping/step.h"
+#include "vm/stepping/resume.h"
 
 extern const vs_shipped vs_shipped_library[]; /* library/, which the Makefile puts into the program */
 extern const vs_image vs_library_image; /* the library, loaded at build time (scripts/stage0.c) */

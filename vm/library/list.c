@@ -119,7 +119,8 @@ static vs_status list_path(vs_scheme *vm, vs_value *a, const char *path, size_t 
 }
 
 #define PATHS(P)                                                                                                       \
-  P(a) P(d) P(aa) P(ad) P(da) P(dd) P(aaa) P(aad) P(ada) P(add) P(daa) P(dad) P(dda) P(ddd) P(aaaa) P(aaad) P(aada) P(aadd) P(adaa) \
+  P(a) P(d) P(aa) P(ad) P(da) P(dd) P(aaa) P(aad) P(ada) P(add) P(daa) P(dad) P(dda) P(ddd) P(aaaa) \
+  P(aaad) P(aada) P(aadd) P(adaa) \
   P(adad) P(adda) P(addd) P(daaa) P(daad) P(dada) P(dadd) P(ddaa) P(ddad) P(ddda) P(dddd)
 #define P(path)                                                                     \
   static vs_status list_c##path##r(vs_scheme *vm, vs_value *a, int n, vs_value *out) {     \
@@ -362,7 +363,7 @@ static vs_status list_each_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* procedure list | what came so far, turned round; continuations at the start. The call of these two is an
- * instruction wherever the frame has registers left for it (run.c). */
+ * instruction wherever the frame has registers left for it (run_loop.c). */
 static vs_status list_map_each(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) a[2] = VS_NIL, a[3] = vs_captures(vm);
   else if (!vs_cons(vm, *out, a[2], &a[2])) return VS_ERROR;

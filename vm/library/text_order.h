@@ -9,8 +9,10 @@ typedef enum { VS_LESS, VS_LESS_EQUAL, VS_EQUAL, VS_GREATER_EQUAL, VS_GREATER } 
 
 /* O(name, order, folded) */
 #define VS_ORDERS(O) \
-  O(lt, VS_LESS, false) O(le, VS_LESS_EQUAL, false) O(eq, VS_EQUAL, false) O(ge, VS_GREATER_EQUAL, false) O(gt, VS_GREATER, false) \
-  O(ci_lt, VS_LESS, true) O(ci_le, VS_LESS_EQUAL, true) O(ci_eq, VS_EQUAL, true) O(ci_ge, VS_GREATER_EQUAL, true) O(ci_gt, VS_GREATER, true)
+  O(lt, VS_LESS, false) O(le, VS_LESS_EQUAL, false) O(eq, VS_EQUAL, false) O(ge, VS_GREATER_EQUAL, false) \
+  O(gt, VS_GREATER, false) \
+  O(ci_lt, VS_LESS, true) O(ci_le, VS_LESS_EQUAL, true) O(ci_eq, VS_EQUAL, true) O(ci_ge, VS_GREATER_EQUAL, true) \
+  O(ci_gt, VS_GREATER, true)
 
 /* sign: of the first compared with the second; below 0 where it comes earlier */
 static inline bool vs_order_holds(vs_order order, int sign) {

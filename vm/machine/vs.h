@@ -21,7 +21,8 @@
   A(program)       /* the host's program environment */ \
   A(required)      /* list of (path . #t) of the files that were required; #f instead while one is being loaded */ \
   A(lib)           /* vm-lib: whatever must last */ \
-  A(nearby)        /* identifier table or #f: names not defined where they are used -> a local name like it; bound by a let around which nothing is -> itself; for messages */ \
+  A(nearby)        /* identifier table or #f, for messages: names not defined where they are used -> a local name */ \
+                   /* like it; names bound by a let around which nothing is -> themselves */ \
   A(host)          /* bind: whatever must last */ \
   A(standard_out) A(standard_in) A(standard_error)    /* ports */ \
   A(flat_names)    /* vector: tag -> constructor's name (symbol) or #f */ \
@@ -99,7 +100,7 @@ struct vs_scheme {
   char *nursery;
   size_t nursery_bytes;
 
-  /* stack of the run loop (run.c) */
+  /* stack of the run loop (run_loop.c) */
   vs_value *stack, *stack_end;     /* the working stretch */
   vs_value *base, *top;            /* current frame's registers; first slot not in use: everything below is traced */
   vs_value under;                  /* STACK object with the frames below the working stretch, or #f */

@@ -2,7 +2,7 @@
  *
  * A program that stops leaves the run loop. Its whole state is a continuation, held by a condition of the kind `stop`;
  * vs_run returns false with that condition. The host may run whatever it likes and then enter the continuation again
- * with vs_step_resume. No C frame waits for a user who thinks, and a program may stop while another is stopped. */
+ * with vs_step_resume (resume.h). No C frame waits for a user who thinks, and a program may stop while another is stopped. */
 #ifndef VS_STEP_H
 #define VS_STEP_H
 
@@ -32,10 +32,6 @@ typedef enum { VS_LOOK_GO, VS_LOOK_STOP, VS_LOOK_FAILED } vs_look;
 /* Looks at the instruction at pc of the frame at base before it runs. STOP: vm->condition says why. FAILED: memory
    is out. */
 vs_look vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc);
-
-/* Goes on with a stopped program: to its next stop (which one, `mode` says; SAME: as before), its end or an error,
-   as vs_run does. */
-bool vs_step_resume(vs_scheme *vm, vs_value stop, vs_step_mode mode, vs_value *out);
 
 bool vs_is_stop(const vs_scheme *vm, vs_value condition);
 

@@ -223,7 +223,7 @@ typedef struct { vs_object h; vs_value kind /* symbol */, message /* string */, 
 /* Captured frames, immutable: `at` is a copy of the stack; below it lies `under`, up to its slot `depth`. */
 typedef struct { vs_object h; vs_value under; uint64_t depth, count,
     total /* slots, with those of all stretches below */; vs_value at[]; } vs_stack;
-/* `ret` is the return information of the frame it returns into (run.c) */
+/* `ret` is the return information of the frame it returns into (run_loop.c) */
 typedef struct {
   vs_object h;
   vs_value stack;

@@ -1,0 +1,10 @@
+/* Owns the run loop, for vs_run. */
+#ifndef VS_RUN_LOOP_H
+#define VS_RUN_LOOP_H
+
+#include "vm/machine/vs.h"
+
+/* Runs what the window w (at the stack's bottom) calls, until its frame returns. False: vm->condition was raised. */
+bool vs_run_loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out);
+
+#endif
