@@ -41,7 +41,8 @@ void know_refer(know_walk *w, know_index node, know_index scope, know_role role,
 /* Reads the file that the string at node names, and leaves its forms for later as a body of scope. */
 void know_load(know_walk *w, know_index node, know_index scope);
 /* Calls each(k, node, context) for the node and all below it. */
-void know_each_in(knowledge *k, know_index root, void (*each)(knowledge *k, know_index node, void *context), void *context);
+void know_each_in(knowledge *k, know_index root, void (*each)(knowledge *k, know_index node, void *context),
+                  void *context);
 know_index know_file_named(know_walk *w, know_index node); /* the file that the string names; UINT32_MAX: none */
 know_index know_written(const knowledge *k, know_index node); /* the node of the text that a macro's copy stands for */
 

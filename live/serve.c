@@ -29,8 +29,10 @@ enum { BODY_MOST = 16 << 20, CONNECTIONS = 32, WINDOWS = 12, SILENCE = 30, EXPOR
 ASSET(live_html) ASSET(live_js) ASSET(live_css)
 #undef ASSET
 
-#define POLICY(styles) "default-src 'none'; script-src 'self'; style-src 'self'" styles "; style-src-attr 'unsafe-inline'; " \
-  "connect-src 'self'; img-src 'self' blob: data:; media-src blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+#define POLICY(styles) \
+  "default-src 'none'; script-src 'self'; style-src 'self'" styles "; style-src-attr 'unsafe-inline'; " \
+  "connect-src 'self'; img-src 'self' blob: data:; media-src blob:; base-uri 'none'; form-action 'none'; " \
+  "frame-ancestors 'none'"
 
 typedef struct { live_text body; bool too_long, began; } request;
 

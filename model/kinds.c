@@ -27,7 +27,8 @@ const vs_kind_info *vs_kind_get(vs_kind kind) {
 #define VS_FIELD(type, member, argument) { #member, argument, VS_FIELD_##type, offsetof(here_, member) },
 #define VS_KIND_END(upper, lower)                                                                      \
       { NULL, NULL, VS_FIELD_real, 0 } };                                                              \
-    static const vs_kind_info info_ = { name_, (vs_class)class_here_, (vs_level)level_here_, sizeof(here_), sizeof fields_ / sizeof *fields_ - 1, fields_ }; \
+    static const vs_kind_info info_ = { name_, (vs_class)class_here_, (vs_level)level_here_, sizeof(here_), \
+                                        sizeof fields_ / sizeof *fields_ - 1, fields_ }; \
     return &info_;                                                                                     \
   }
 #include "model/prims.def"

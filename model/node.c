@@ -137,7 +137,9 @@ static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
   bool carved =
       (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
-  bool unresolved = vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && (carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n))));
+  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* of a hull: its parts are */
+  bool unresolved =
+      vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && meshed);
   bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS,
        all = n->child_count && f->all & VS_NODE_ENDLESS;
   bool is = n->kind == VS_HALF_SPACE || (n->kind == VS_INTERSECTION ? all

@@ -15,7 +15,8 @@ static bool mesh_begin(vs_emitter *e) { return !e->out->failed; }
 static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
 
 #define MESH_OMIT(format)                                                                                              \
-  .omit = { [VS_CURVE] = format " holds solids: curves are left out", [VS_REGION_CLASS] = format " holds solids: flat regions are left out", \
+  .omit = { [VS_CURVE] = format " holds solids: curves are left out", \
+            [VS_REGION_CLASS] = format " holds solids: flat regions are left out", \
             [VS_SURFACE] = format " holds solids: open surfaces are left out" }
 
 /* The number of the triangle's part; part_count where it has none. */

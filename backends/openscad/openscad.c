@@ -655,17 +655,22 @@ static bool scad_end(vs_emitter *e) { return !e->out->failed; }
 
 const vs_backend vs_backend_openscad = {
   .highlights = VS_MARKS_KEEP, .ghosts = VS_MARKS_KEEP, .native = "openscad",
-  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use, .hulls = true, .area_sets = true, .keeps_text = true,
+  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use, .hulls = true, .area_sets = true,
+  .keeps_text = true,
   .emit = {
     [VS_LINE] = { scad_line, "OpenSCAD programs hold solids: curves are drawn as thin rods" },
     [VS_TEXT] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },
     [VS_REGION] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },
-    [VS_BOX] = { scad_box, NULL }, [VS_SPHERE] = { scad_sphere, NULL }, [VS_CYLINDER] = { scad_cylinder, NULL }, [VS_CONE] = { scad_cone, NULL },
+    [VS_BOX] = { scad_box, NULL }, [VS_SPHERE] = { scad_sphere, NULL }, [VS_CYLINDER] = { scad_cylinder, NULL },
+    [VS_CONE] = { scad_cone, NULL },
     [VS_HALF_SPACE] = { scad_half_space, NULL }, [VS_HULL] = { scad_hull, NULL },
     [VS_E_CONE] = { scad_e_cone, NULL },
-    [VS_CUT_CONE] = { scad_cut_cone, NULL }, [VS_PYRAMID] = { scad_pyramid, NULL }, [VS_TORUS] = { scad_torus, NULL }, [VS_REVOLVE] = { scad_revolve, NULL },
-    [VS_POLYFACE_MESH] = { scad_polyface, NULL }, [VS_EXTRUDE] = { scad_extrude, NULL }, [VS_TRANSFORM] = { scad_transform, NULL },
-    [VS_MATERIAL] = { scad_through, NULL }, [VS_LAYER] = { scad_through, NULL }, [VS_NATIVE] = { scad_native, NULL }, [VS_HIGHLIGHT] = { scad_mark, NULL }, [VS_GHOST] = { scad_mark, NULL }, [VS_UNION] = { scad_csg, NULL },
+    [VS_CUT_CONE] = { scad_cut_cone, NULL }, [VS_PYRAMID] = { scad_pyramid, NULL },
+    [VS_TORUS] = { scad_torus, NULL }, [VS_REVOLVE] = { scad_revolve, NULL },
+    [VS_POLYFACE_MESH] = { scad_polyface, NULL }, [VS_EXTRUDE] = { scad_extrude, NULL },
+    [VS_TRANSFORM] = { scad_transform, NULL },
+    [VS_MATERIAL] = { scad_through, NULL }, [VS_LAYER] = { scad_through, NULL }, [VS_NATIVE] = { scad_native, NULL },
+    [VS_HIGHLIGHT] = { scad_mark, NULL }, [VS_GHOST] = { scad_mark, NULL }, [VS_UNION] = { scad_csg, NULL },
     [VS_INTERSECTION] = { scad_csg, NULL }, [VS_DIFFERENCE] = { scad_csg, NULL },
   },
 };

@@ -343,18 +343,25 @@ bool vs_povray_begin(vs_emitter *e) {
 bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
 
 #define POVRAY_SHARED                                                                                                  \
-  .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, .use = vs_povray_use,                \
-  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, .family = "povray", .native = "povray", .inks = true, .groups = true, .keeps_text = true, .frames = true, \
+  .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, \
+  .use = vs_povray_use, \
+  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, \
+  .family = "povray", .native = "povray", .inks = true, .groups = true, .keeps_text = true, .frames = true, \
   .emit = {                                                                                                            \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                             \
     [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                             \
-    [VS_REGION] = { vs_povray_region, NULL }, [VS_TEXT] = { vs_povray_region, NULL }, [VS_BOX] = { vs_povray_box, NULL }, [VS_SPHERE] = { vs_povray_sphere, NULL },                \
-    [VS_CYLINDER] = { vs_povray_cylinder, NULL }, [VS_CONE] = { vs_povray_cone, NULL }, [VS_CUT_CONE] = { vs_povray_cut_cone, NULL },      \
+    [VS_REGION] = { vs_povray_region, NULL }, [VS_TEXT] = { vs_povray_region, NULL }, \
+    [VS_BOX] = { vs_povray_box, NULL }, [VS_SPHERE] = { vs_povray_sphere, NULL }, \
+    [VS_CYLINDER] = { vs_povray_cylinder, NULL }, [VS_CONE] = { vs_povray_cone, NULL }, \
+    [VS_CUT_CONE] = { vs_povray_cut_cone, NULL }, \
     [VS_HALF_SPACE] = { vs_povray_half_space, NULL },                                                                  \
     [VS_E_CONE] = { vs_povray_e_cone, NULL }, [VS_SUPERELLIPSOID] = { vs_povray_superellipsoid, NULL },                \
-    [VS_TORUS] = { vs_povray_torus, NULL }, [VS_REVOLVE] = { vs_povray_revolve, NULL }, [VS_POLYFACE_MESH] = { vs_povray_polyface, NULL }, [VS_EXTRUDE] = { vs_povray_extrude, NULL }, \
-    [VS_TRANSFORM] = { vs_povray_transform, NULL }, [VS_MATERIAL] = { vs_povray_material, NULL }, [VS_LAYER] = { vs_povray_layer, NULL }, [VS_NATIVE] = { vs_povray_native, NULL },  \
-    [VS_UNION] = { vs_povray_csg, NULL }, [VS_INTERSECTION] = { vs_povray_csg, NULL }, [VS_DIFFERENCE] = { vs_povray_csg, NULL },          \
+    [VS_TORUS] = { vs_povray_torus, NULL }, [VS_REVOLVE] = { vs_povray_revolve, NULL }, \
+    [VS_POLYFACE_MESH] = { vs_povray_polyface, NULL }, [VS_EXTRUDE] = { vs_povray_extrude, NULL }, \
+    [VS_TRANSFORM] = { vs_povray_transform, NULL }, [VS_MATERIAL] = { vs_povray_material, NULL }, \
+    [VS_LAYER] = { vs_povray_layer, NULL }, [VS_NATIVE] = { vs_povray_native, NULL }, \
+    [VS_UNION] = { vs_povray_csg, NULL }, [VS_INTERSECTION] = { vs_povray_csg, NULL }, \
+    [VS_DIFFERENCE] = { vs_povray_csg, NULL }, \
   }
 
 const vs_backend vs_backend_povray = { POVRAY_SHARED };

@@ -16,8 +16,10 @@
 /* ---- libzip ---- */
 
 #define ZIP_FUNCTIONS(X)                                                                                               \
-  X(zip_source_buffer_create) X(zip_open_from_source) X(zip_source_buffer) X(zip_file_add) X(zip_file_set_dostime) X(zip_close) X(zip_discard) \
-  X(zip_set_file_compression) X(zip_register_cancel_callback_with_state) X(zip_source_keep) X(zip_source_free) X(zip_source_open) X(zip_source_read) X(zip_source_close)
+  X(zip_source_buffer_create) X(zip_open_from_source) X(zip_source_buffer) X(zip_file_add) X(zip_file_set_dostime) \
+  X(zip_close) X(zip_discard) \
+  X(zip_set_file_compression) X(zip_register_cancel_callback_with_state) X(zip_source_keep) X(zip_source_free) \
+  X(zip_source_open) X(zip_source_read) X(zip_source_close)
 
 typedef struct {
 #define ZIP_MEMBER(name) __typeof__(&name) name;

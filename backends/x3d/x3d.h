@@ -90,7 +90,8 @@ vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* made if there a
 
 #define VS_X3D_BACKEND(begin_, end_)                                                                                   \
   .begin = begin_, .end = end_, .close = vs_x3d_close, .define = vs_x3d_define, .use = vs_x3d_use_template,            \
-  .family = "x3d", .frames = true, .highlights = VS_MARKS_PAINT, VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean)
+  .family = "x3d", .frames = true, .highlights = VS_MARKS_PAINT, \
+  VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean)
 
 /* ---- text.c: nodes and fields in the notation of e->state ---- */
 

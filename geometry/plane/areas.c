@@ -57,11 +57,15 @@ bool vs_area_loop(vs_area *a, bool hole) { return area_close(a, area_ended(a), h
 /* ---- GEOS ---- */
 
 #define VS_GEOS(X)                                                                                                     \
-  X(GEOS_init_r) X(GEOS_finish_r) X(GEOSContext_setErrorMessageHandler_r) X(GEOSContext_setNoticeMessageHandler_r) X(GEOSCoordSeq_create_r) \
+  X(GEOS_init_r) X(GEOS_finish_r) X(GEOSContext_setErrorMessageHandler_r) X(GEOSContext_setNoticeMessageHandler_r) \
+  X(GEOSCoordSeq_create_r) \
   X(GEOSCoordSeq_setXY_r) X(GEOSCoordSeq_getXY_r) X(GEOSCoordSeq_getSize_r) X(GEOSGeom_createLinearRing_r)             \
-  X(GEOSGeom_createPolygon_r) X(GEOSGeom_createCollection_r) X(GEOSGeom_destroy_r) X(GEOSGeomTypeId_r) X(GEOSGetNumGeometries_r)             \
-  X(GEOSGetGeometryN_r) X(GEOSGetExteriorRing_r) X(GEOSGetNumInteriorRings_r) X(GEOSGetInteriorRingN_r) X(GEOSGeom_getCoordSeq_r)            \
-  X(GEOSUnaryUnion_r) X(GEOSIntersection_r) X(GEOSDifference_r) X(GEOSMakeValid_r) X(GEOSGeom_createLineString_r) X(GEOSPolygonize_r)         \
+  X(GEOSGeom_createPolygon_r) X(GEOSGeom_createCollection_r) X(GEOSGeom_destroy_r) X(GEOSGeomTypeId_r) \
+  X(GEOSGetNumGeometries_r) \
+  X(GEOSGetGeometryN_r) X(GEOSGetExteriorRing_r) X(GEOSGetNumInteriorRings_r) X(GEOSGetInteriorRingN_r) \
+  X(GEOSGeom_getCoordSeq_r) \
+  X(GEOSUnaryUnion_r) X(GEOSIntersection_r) X(GEOSDifference_r) X(GEOSMakeValid_r) X(GEOSGeom_createLineString_r) \
+  X(GEOSPolygonize_r) \
   X(GEOSisEmpty_r) X(GEOSCoordSeq_destroy_r) X(GEOSPointOnSurface_r) X(GEOSGeomGetX_r) X(GEOSGeomGetY_r) \
   X(GEOSDelaunayTriangulation_r)
 
