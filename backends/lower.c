@@ -108,19 +108,11 @@ static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
     if (ref->node->class_ == VS_REGION_CLASS) return lower_region(e, ref); /* fall through */
   case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN:
     return lower_polyline(e, ref);
-#include "model/shape_cases.def"
+#include "model/cases/shape_cases.def"
     if (ref->node->kind == VS_HALF_SPACE) return lower_half_space(e, ref);
     /* fall through */
   case VS_HULL:
-  case VS_EXTRUDE:
-  case VS_REVOLVE:
-  case VS_LOFT:
-  case VS_RULED_LOFT:
-  case VS_GUIDED_LOFT:
-  case VS_GRID_MESH:
-  case VS_GRID_SURFACE:
-  case VS_SWEEP:
-  case VS_THICKEN:
+#include "model/cases/body_cases.def"
   case VS_REGION:
   case VS_TEXT:
   case VS_UNION:

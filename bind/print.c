@@ -183,7 +183,7 @@ static bool opening(const sink *k, const vs_node *n) {
       return text(k, "(make-polyface-mesh") && named(k, n, (const char *const[]){ "points", "faces", NULL });
     case VS_REGION: return text(k, "(make-region");
     case VS_TEXT: return letters(k, n);
-#include "model/shape_cases.def"
+#include "model/cases/shape_cases.def"
       if (n->kind == VS_HALF_SPACE) return half_space(k, VS_AS(half_space, n));
       if (n->kind == VS_HEIGHT_FIELD) return height_field(k, VS_AS(height_field, n)); /* fall through */
     case VS_ARC: case VS_CIRCLE: case VS_XLINE: case VS_RAY: return by_row(k, n);

@@ -32,7 +32,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, 
       return vs_error_set(e, VS_ERROR_MODEL, NULL,
                           "%s has no drawing function: (register-drawing-function %s? ...) gives it one",
                           VS_AS(custom, n)->name, VS_AS(custom, n)->name);
-#include "model/shape_cases.def"
+#include "model/cases/shape_cases.def"
       return vs_shape_of(n)->triangles(n, f, out, e);
     case VS_POLYFACE_MESH:
       ok = vs_solid_polyface(out, VS_AS(polyface_mesh, n)->points, VS_AS(polyface_mesh, n)->faces);
@@ -93,14 +93,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, 
     case VS_CIRCLE:
     case VS_SPLINE:
       return vs_error_set(e, VS_ERROR_MODEL, NULL, "a %s has no faces", vs_kind_get((vs_kind)n->kind)->name);
-    case VS_TRANSFORM:
-    case VS_MATERIAL:
-    case VS_LAYER:
-    case VS_UNION:
-    case VS_INTERSECTION:
-    case VS_DIFFERENCE:
-    case VS_KIND_COUNT:
-    case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY:
+#include "model/cases/passed_cases.def"
       return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s is not one solid: its parts are to be meshed apart",
                           vs_kind_get((vs_kind)n->kind)->name);
   }

@@ -153,7 +153,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
   const vs_node *first = n->child_count ? n->children[0].node : NULL;
   n->class_ = (uint8_t)info->class_;
   switch ((vs_kind)n->kind) {
-#include "model/shape_cases.def"
+#include "model/cases/shape_cases.def"
     case VS_EMPTY: case VS_GHOST: case VS_ARC: break;
     case VS_LINE: if (VS_AS(line, n)->closed) n->flags |= VS_NODE_CLOSED; break;
     case VS_SPLINE: if (VS_AS(spline, n)->closed) n->flags |= VS_NODE_CLOSED; break;

@@ -53,7 +53,7 @@ vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
       d.end += turn;
       return vs_node_new(w->store, VS_ARC, &d, NULL, 0);
     }
-#include "model/shape_cases.def"
+#include "model/cases/shape_cases.def"
       return vs_shape_of(n)->moved(w->store, n, a, &f, fits);
     case VS_POLYFACE_MESH:
       if (!(fabs(vs_affine_determinant(a)) > 0)) return NULL;

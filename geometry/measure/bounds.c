@@ -154,7 +154,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
       return true;
     case VS_SPLINE: return bounds_spline(b, a, n, e);
     case VS_TEXT: return vs_text_bounds(n, a, b, e);
-#include "model/shape_cases.def"
+#include "model/cases/shape_cases.def"
       return vs_shape_of(n)->bounds(n, a, b, e);
     case VS_POLYFACE_MESH:
       vs_reach_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count);
@@ -176,13 +176,8 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_DEFORM:
     case VS_HULL:
     case VS_REGION:
-    case VS_TRANSFORM:
-    case VS_MATERIAL:
-    case VS_LAYER:
-    case VS_UNION:
-    case VS_INTERSECTION:
-    case VS_DIFFERENCE:
-    case VS_NATIVE: case VS_HIGHLIGHT: case VS_ONLY: case VS_KIND_COUNT: break;
+#include "model/cases/passed_cases.def"
+      break;
   }
   *leaf = false;
   return true;

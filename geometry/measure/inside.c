@@ -119,7 +119,7 @@ static bool inside_swept(const vs_inside_part *part, vs_vec3 p) {
 static bool inside_leaf(const vs_inside_part *part, vs_vec3 p) {
   const vs_node *n = part->node;
   switch ((vs_kind)n->kind) {
-#include "model/shape_cases.def"
+#include "model/cases/shape_cases.def"
       return vs_shape_of(n)->holds(n, p, vs_affine_point(&part->inverse, p), part->height);
   case VS_EXTRUDE:
   case VS_SWEEP:
@@ -141,11 +141,8 @@ static bool inside_leaf(const vs_inside_part *part, vs_vec3 p) {
   case VS_EDGES:
   case VS_SLICE:
   case VS_DEFORM:
-  case VS_NATIVE:
   case VS_CUSTOM:
-  case VS_HIGHLIGHT:
   case VS_GHOST:
-  case VS_ONLY:
   case VS_EMPTY:
   case VS_LINE:
   case VS_ARC:
@@ -153,13 +150,8 @@ static bool inside_leaf(const vs_inside_part *part, vs_vec3 p) {
   case VS_SPLINE:
   case VS_REGION:
   case VS_TEXT:
-  case VS_TRANSFORM:
-  case VS_MATERIAL:
-  case VS_LAYER:
-  case VS_UNION:
-  case VS_INTERSECTION:
-  case VS_DIFFERENCE:
-  case VS_KIND_COUNT: break;
+#include "model/cases/passed_cases.def"
+    break;
   }
   return false;
 }
@@ -222,7 +214,7 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_er
     case VS_EMPTY: case VS_GHOST: case VS_SLICE: case VS_DEFORM: return true;
     /* nothing is inside them; a profile's parts */
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true;
-#include "model/shape_cases.def"
+#include "model/cases/shape_cases.def"
       return inside_prepare_axis(part);
     case VS_EXTRUDE: case VS_SWEEP:
       /* its walls are plane */

@@ -267,7 +267,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
       return true;
     }
     case VS_TEXT: case VS_REGION: return measure_region(whole, m, e);
-#include "model/shape_cases.def"
+#include "model/cases/shape_cases.def"
       if (!vs_shape_of(n)->measure(n, vs_affine_even(&placed, &(double){ 0 }), m, e)) return false;
       if (m->known) break;
       *m = (vs_measure){ 0 };

@@ -136,21 +136,13 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fa
         return flat_fail(f, ref,
                          n->class_ == VS_CURVE ? "expected one curve, which join-curves makes of several"
                                                : "expected a curve or a region");
-#include "model/shape_cases.def"
+#include "model/cases/shape_cases.def"
       case VS_SLICE:
       case VS_DEFORM:
-      case VS_REVOLVE:
-      case VS_LOFT:
-      case VS_RULED_LOFT:
-      case VS_GUIDED_LOFT:
-      case VS_GRID_MESH:
-      case VS_GRID_SURFACE:
       case VS_EMPTY:
       case VS_GHOST:
       case VS_POLYFACE_MESH:
-      case VS_EXTRUDE:
-      case VS_SWEEP:
-      case VS_THICKEN:
+#include "model/cases/body_cases.def"
       case VS_KIND_COUNT: break;
     }
     return flat_fail(f, ref, "expected a curve or a region");

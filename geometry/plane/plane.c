@@ -120,19 +120,11 @@ vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out) {
         return found;
       }
       case VS_XLINE: case VS_RAY: case VS_EDGES: case VS_DEFORM: return VS_PLANE_NONE;
-#include "model/shape_cases.def"
-      case VS_REVOLVE:
-      case VS_LOFT:
-      case VS_RULED_LOFT:
-      case VS_GUIDED_LOFT:
-      case VS_GRID_MESH:
-      case VS_GRID_SURFACE:
+#include "model/cases/shape_cases.def"
       case VS_EMPTY:
       case VS_GHOST:
       case VS_POLYFACE_MESH:
-      case VS_EXTRUDE:
-      case VS_SWEEP:
-      case VS_THICKEN:
+#include "model/cases/body_cases.def"
       case VS_KIND_COUNT: return VS_PLANE_NONE;
     }
     uint32_t first = 0;
