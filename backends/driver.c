@@ -147,7 +147,7 @@ static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
   if (n->kind == VS_HULL || n->kind == VS_UNION) return entry->shown == 0;
   if (n->kind == VS_INTERSECTION) return n->child_count == 0 || entry->some_vain;
   bool one = n->kind == VS_DIFFERENCE || n->kind == VS_GHOST || vs_node_role(n) == VS_ROLE_PLACED ||
-             vs_node_role(n) == VS_ROLE_DRESS;
+             vs_node_role(n) == VS_ROLE_WRAPPER;
   return one && (n->child_count == 0 || entry->first_vain);
 }
 
@@ -565,7 +565,7 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
                                 .context = e,
                                 .max_bytes = e->options->mesh_bytes,
                                 .max_triangles = e->options->mesh_triangles };
-  while (vs_node_is_dress(n)) n = n->children[0].node;
+  while (vs_node_is_wrapper(n)) n = n->children[0].node;
   bool parts = n->kind == VS_UNION && n->child_count + e->box_count <= most;
   size_t count = parts ? n->child_count : 1;
   if (!vs_emit_grow(e, &e->boxes, &e->box_room, e->box_count + count, sizeof *e->boxes)) return false;

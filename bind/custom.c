@@ -90,13 +90,13 @@ static const char *class_noun(const vs_node *n) {
   return "a union of several kinds";
 }
 
-/* The same operation on other children, made where the old ones were. Placements, dresses and unions take anything;
+/* The same operation on other children, made where the old ones were. Placements, wrappers and unions take anything;
  * others what they had. */
 vs_status vs_p_object_with(vs_frame *f, vs_value *out) {
   const vs_ref *o = &f->arg[0].ref, *kids = f->arg[1].refs.at;
   const vs_node *n = o->node;
   size_t count = f->arg[1].refs.count;
-  bool free = n->kind == VS_TRANSFORM || n->kind == VS_UNION || n->kind == VS_GHOST || vs_node_is_dress(n);
+  bool free = n->kind == VS_TRANSFORM || n->kind == VS_UNION || n->kind == VS_GHOST || vs_node_is_wrapper(n);
   if (count != n->child_count)
     return vs_fail(f->vm, f->vm->sym.error, "a %s has %lu children, not %lu", vs_kind_get((vs_kind)n->kind)->name,
                    (unsigned long)n->child_count, (unsigned long)count);

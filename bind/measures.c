@@ -105,7 +105,7 @@ static vs_status measure_any(vs_frame *f, vs_measure *m, vs_ask ask) {
   if (!vs_node_measure(n, m, &e)) return vs_bind_error(f, &e);
   if (m->known && (ask != VS_ASK_AREA || m->area_known)) return VS_OK;
   if (n->class_ == VS_SOLID) return measure_solid(f, m, ask);
-  bool placed = n->kind == VS_TRANSFORM || vs_node_is_dress(n) || n->kind == VS_UNION;
+  bool placed = n->kind == VS_TRANSFORM || vs_node_is_wrapper(n) || n->kind == VS_UNION;
   if (n->class_ == VS_SURFACE && (placed || vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION))
     return measure_surface(f, m);
   const char *kind = vs_kind_get((vs_kind)n->kind)->name;

@@ -142,7 +142,7 @@ bool vs_bind_finish(vs_bind *b) {
 /* ---- counting: sums, one per shared node, so that a DAG costs what it has nodes ---- */
 
 static bool is_transparent(const vs_node *n) {
-  return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
+  return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
 }
 
 static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, const vs_bind_counts *sums) {

@@ -16,7 +16,7 @@
 static const vs_ref *tessellate_below(const vs_node *n, vs_affine *placed) {
   switch (vs_node_role(n)) {
     case VS_ROLE_PLACED: *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix); return &n->children[0];
-    case VS_ROLE_DRESS: return n->child_count ? &n->children[0] : NULL;
+    case VS_ROLE_WRAPPER: return n->child_count ? &n->children[0] : NULL;
     case VS_ROLE_SET: return n->child_count == 1 ? &n->children[0] : NULL;
     case VS_ROLE_SHAPE: case VS_ROLE_LEAF: case VS_ROLE_MADE: break;
   }

@@ -99,7 +99,7 @@ typedef struct {
 const vs_kind_info *vs_kind_get(vs_kind kind);
 
 /* The last two columns of prims.def, for walks of the tree: vs_node_role, vs_node_has. */
-typedef enum { VS_ROLE_SHAPE, VS_ROLE_LEAF, VS_ROLE_MADE, VS_ROLE_PLACED, VS_ROLE_DRESS, VS_ROLE_SET } vs_role;
+typedef enum { VS_ROLE_SHAPE, VS_ROLE_LEAF, VS_ROLE_MADE, VS_ROLE_PLACED, VS_ROLE_WRAPPER, VS_ROLE_SET } vs_role;
 enum {
   VS_IS_ROUND = 1,        /* its triangles stand for a smooth surface */
   VS_IS_SHORT = 2,        /* every format writes it in some words, whatever its numbers */
@@ -187,8 +187,8 @@ static inline bool vs_node_has(const vs_node *n, unsigned trait) { return (vs_ki
 static inline bool vs_node_is_set(const vs_node *n) { return vs_node_role(n) == VS_ROLE_SET; }
 
 /* Kinds that are in space what their one child is. (A GHOST is nothing.) */
-static inline bool vs_node_is_dress(const vs_node *n) {
-  return n->child_count == 1 && vs_node_role(n) == VS_ROLE_DRESS;
+static inline bool vs_node_is_wrapper(const vs_node *n) {
+  return n->child_count == 1 && vs_node_role(n) == VS_ROLE_WRAPPER;
 }
 
 /* ---- building. All return one new reference to the caller, NULL when out of memory. ---- */

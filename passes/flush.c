@@ -133,7 +133,7 @@ static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool 
     place at = f->todo[--f->todo_count];
     const vs_node *n = at.node;
     bool set = vs_node_is_set(n);
-    if (!set && n->kind != VS_TRANSFORM && !vs_node_is_dress(n)) {
+    if (!set && n->kind != VS_TRANSFORM && !vs_node_is_wrapper(n)) {
       if (!add_part(f, n, &at.placed, number)) return false;
       *too_many = f->part_count >= PARTS_MOST;
       continue;

@@ -32,11 +32,11 @@ static bool fold_lone(const vs_rewrite *w, const vs_node *new) {
   return !vs_nodemap_get(&((const fold_state *)w->state)->shared, new);
 }
 
-static bool fold_is_dress(const vs_node *n) { return n->kind == VS_MATERIAL || n->kind == VS_LAYER; }
+static bool fold_is_wrapper(const vs_node *n) { return n->kind == VS_MATERIAL || n->kind == VS_LAYER; }
 
 /* ---- placements ---- */
 
-typedef struct { int dresses; bool set; } fold_way; /* how many dresses it may still go through, and whether a set */
+typedef struct { int wrappers; bool set; } fold_way; /* how many wrappers it may still go through, and whether a set */
 
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin);
@@ -74,8 +74,8 @@ static vs_node *fold_carry_placement(vs_rewrite *w, const vs_affine *a, const vs
 }
 
 /* n under a without a command more, as a new reference. NULL: with *fits false where it takes no placement in, else out
- * of memory. *origin: set where what n places stands in its place. It calls itself as deep as profiles, dresses and one
- * set are. */
+ * of memory. *origin: set where what n places stands in its place. It calls itself as deep as profiles, wrappers and
+ * one set are. */
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin) {
   if (n->kind == VS_TRANSFORM) {
@@ -83,12 +83,13 @@ static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
     return fold_carry_placement(w, a, n, origin);
   }
   *fits = false;
-  if (fold_is_dress(n))
-    return way.dresses > 0 ? fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ way.dresses - 1, way.set }, fits)
-                           : NULL;
+  if (fold_is_wrapper(n))
+    return way.wrappers > 0
+               ? fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ way.wrappers - 1, way.set }, fits)
+               : NULL;
   if (vs_node_is_set(n))
     return way.set && n->class_ == VS_SOLID
-               ? fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ way.dresses, false }, fits)
+               ? fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ way.wrappers, false }, fits)
                : NULL;
   if (n->kind == VS_REGION && vs_fold_is_upright(a))
     return fold_carry_children(w, a, n, vs_node_data(n), (fold_way){ 0, false }, fits);
@@ -122,44 +123,44 @@ static vs_node *fold_placed(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
 
 /* ---- paint and layers ---- */
 
-static bool fold_same_dress(const vs_node *a, const vs_node *b) {
+static bool fold_same_wrapper(const vs_node *a, const vs_node *b) {
   if (a->kind != b->kind) return false;
   return a->kind == VS_MATERIAL ? VS_AS(material, a)->material == VS_AS(material, b)->material
                                 : VS_AS(layer, a)->name == VS_AS(layer, b)->name;
 }
 
 static bool fold_may_rise(const vs_rewrite *w, const vs_node *n) {
-  return fold_is_dress(n) && n->class_ == VS_SOLID &&
+  return fold_is_wrapper(n) && n->class_ == VS_SOLID &&
          (n->kind == VS_LAYER || !(VS_AS(material, n)->material->transparency > 0)) && fold_lone(w, n);
 }
 
-/* How many members from kids[at] on are in one dress that may rise. */
+/* How many members from kids[at] on are in one wrapper that may rise. */
 static uint32_t fold_run(const vs_rewrite *w, const vs_ref *kids, uint32_t at, uint32_t count) {
   uint32_t end = at;
   if (!fold_may_rise(w, kids[at].node)) return 0;
-  while (end < count && fold_same_dress(kids[at].node, kids[end].node) && fold_may_rise(w, kids[end].node)) end++;
+  while (end < count && fold_same_wrapper(kids[at].node, kids[end].node) && fold_may_rise(w, kids[end].node)) end++;
   return end - at;
 }
 
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth);
 
-/* All kids are in one dress: that, over the set of what it dresses. */
+/* All kids are in one wrapper: that, over the set of what it holds. */
 static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                            int depth) {
-  const vs_node *dress = kids[0].node;
+  const vs_node *wrapper = kids[0].node;
   vs_ref *members = vs_store_realloc(w->store, NULL, 0, count * sizeof *members);
   if (!members) return NULL;
   for (uint32_t i = 0; i < count; i++) members[i] = kids[i].node->children[0];
   vs_ref below = { fold_members(w, set, kind, members, count, depth), w->order.at[vs_order_of(set)].origin };
   vs_store_realloc(w->store, members, count * sizeof *members, 0);
-  vs_node *made = below.node ? vs_node_new(w->store, (vs_kind)dress->kind, vs_node_data(dress), &below, 1) : NULL;
+  vs_node *made = below.node ? vs_node_new(w->store, (vs_kind)wrapper->kind, vs_node_data(wrapper), &below, 1) : NULL;
   vs_node_release(below.node);
   return made;
 }
 
-/* The set of kids, with dresses that neighbours share round them; new nodes in it have the origin of `set`. It calls
- * itself twice for each dress below another, and goes no deeper than depth of them. */
+/* The set of kids, with wrappers that neighbours share round them; new nodes in it have the origin of `set`. It calls
+ * itself twice for each wrapper below another, and goes no deeper than depth of them. */
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth) {
   if (depth > 0 && fold_run(w, kids, 0, count) == count) return fold_raise(w, set, kind, kids, count, depth - 1);
@@ -191,7 +192,7 @@ static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   /* lone leaves alone wear nothing */
   if (n->child_count < 2 || kids == n->children) return vs_rewrite_keep(w, n, kids);
   for (uint32_t i = 1; !any && n->kind == VS_UNION && i < n->child_count; i++)
-    any = fold_is_dress(kids[i].node) && fold_same_dress(kids[i - 1].node, kids[i].node) &&
+    any = fold_is_wrapper(kids[i].node) && fold_same_wrapper(kids[i - 1].node, kids[i].node) &&
           fold_run(w, kids, i - 1, i + 1) == 2;
   if (!any && fold_run(w, kids, 0, n->child_count) < n->child_count) return vs_rewrite_keep(w, n, kids);
   w->changed++;
@@ -199,7 +200,7 @@ static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
 }
 
 /* The innermost wins: of one right over another of its kind nothing is seen. */
-static vs_node *fold_dress(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
+static vs_node *fold_wrapper(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   if (kids[0].node->kind != n->kind || !fold_lone(w, kids[0].node)) return vs_rewrite_keep(w, n, kids);
   w->changed++;
   *origin = kids[0].origin;
@@ -209,7 +210,7 @@ static vs_node *fold_dress(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
 vs_node *vs_pass_fold(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   fold_state *f = w->state;
   vs_node *new = n->kind == VS_TRANSFORM ? fold_placed(w, n, kids, origin)
-                 : fold_is_dress(n)      ? fold_dress(w, n, kids, origin)
+                 : fold_is_wrapper(n)      ? fold_wrapper(w, n, kids, origin)
                  : vs_node_is_set(n)     ? fold_set(w, n, kids)
                                          : vs_rewrite_keep(w, n, kids);
   if (new && !vs_rewrite_lone(w, n) && !vs_nodemap_put(&f->shared, new, NULL)) {

@@ -1,4 +1,4 @@
-/* Owns settling: one walk that gathers what stands beside the drawing, then one pass that takes the dresses off.
+/* Owns settling: one walk that gathers what stands beside the drawing, then one pass that takes the wrappers off.
  *
  * The walk goes every path to sugar, since each placement counts, but into nothing else; a drawing that shares a ghost
  * so often that there would be more than MARKS_MOST of them keeps the first. */
@@ -82,7 +82,7 @@ static vs_node *settle_around(vs_store *s, vs_node *node, const vs_origin *origi
 
 static vs_node *settle_bare(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
-  if (!vs_node_is_dress(n) || n->kind == VS_LAYER) return vs_rewrite_keep(w, n, kids);
+  if (!vs_node_is_wrapper(n) || n->kind == VS_LAYER) return vs_rewrite_keep(w, n, kids);
   *origin = kids[0].origin;
   return vs_node_retain(kids[0].node);
 }
@@ -190,14 +190,14 @@ static bool settle_speaks(const vs_settle_options *o, const vs_node *n) {
 
 static vs_node *settle_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   const vs_settle_options *o = w->state;
-  bool undress = false;
-  if (n->kind == VS_CUSTOM) undress = n->child_count == 1;
-  if (n->kind == VS_ONLY) undress = true;
-  if (n->kind == VS_HIGHLIGHT) undress = o->highlights != VS_MARKS_KEEP;
+  bool unwrap = false;
+  if (n->kind == VS_CUSTOM) unwrap = n->child_count == 1;
+  if (n->kind == VS_ONLY) unwrap = true;
+  if (n->kind == VS_HIGHLIGHT) unwrap = o->highlights != VS_MARKS_KEEP;
   if (n->kind == VS_NATIVE)
-    undress = (o->muted || !settle_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
+    unwrap = (o->muted || !settle_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
-  if (!undress) return vs_rewrite_keep(w, n, kids);
+  if (!unwrap) return vs_rewrite_keep(w, n, kids);
   *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* of a custom thing, the place that asked for it is the
                                                            * user's */
   return vs_node_retain(kids[0].node);

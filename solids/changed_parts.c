@@ -17,7 +17,7 @@ enum { PART_WORK = 300 /* nanoseconds that a part takes, about: between question
 /* ---- taking a drawing apart ---- */
 
 static bool is_wrapper(const vs_node *n) {
-  return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
+  return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
 }
 
 /* The properties that a part inherits from the unions, placements and materials that it stands in. */

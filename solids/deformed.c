@@ -74,7 +74,7 @@ bool vs_take_apart(vs_ref object, const vs_facets *facets, const vs_kernel_optio
     open_node o = stack[--count];
     vs_node *n = o.ref.node;
     if (n->class_ == VS_NOTHING) continue;
-    if (n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n)) {
+    if (n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n)) {
       if (n->kind == VS_TRANSFORM) o.map = vs_affine_multiply(&o.map, &VS_AS(transform, n)->matrix);
       if (n->kind == VS_MATERIAL || n->kind == VS_LAYER) put_look(&o, n);
       ok = VS_GROW(stack, room, count + n->child_count) || vs_error_memory(e, object.origin);

@@ -29,7 +29,9 @@ static bool push_children(node_stack *s, const vs_node *n) {
   return true;
 }
 
-static bool spreads(const vs_node *n) { return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n); }
+static bool spreads(const vs_node *n) {
+  return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
+}
 
 /* ---- are the formula's bounds exact? ---- */
 
@@ -52,7 +54,7 @@ static bool box_is_exact(const vs_node *n, bool *exact) {
     if (n->kind == VS_TRANSFORM) {
       vs_affine placed = vs_affine_identity();
       int steps = 0;
-      for (; steps < 16 && (n->kind == VS_TRANSFORM || vs_node_is_dress(n)); steps++) {
+      for (; steps < 16 && (n->kind == VS_TRANSFORM || vs_node_is_wrapper(n)); steps++) {
         if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
         n = n->children[0].node;
       }
@@ -188,7 +190,7 @@ bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_facets *face
     s.count = 0;
     for (const vs_node *n = refs[i].node; ok; n = s.at[--s.count]) {
       vs_bounds one;
-      if (n->kind == VS_UNION || vs_node_is_dress(n)) {
+      if (n->kind == VS_UNION || vs_node_is_wrapper(n)) {
         ok = push_children(&s, n) || vs_error_memory(e, refs[i].origin);
       } else {
         ok = vs_drawn_bounds(&(vs_ref){ (vs_node *)(uintptr_t)n, refs[i].origin }, facets, options, &budget, &one,

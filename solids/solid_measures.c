@@ -46,7 +46,7 @@ static void add(measuring *m, double volume, double area, vs_vec3 centroid, doub
 
 static vs_ref below(vs_ref at, vs_affine *placed) { /* through placements and appearance */
   while (at.node->child_count == 1 &&
-         (at.node->kind == VS_TRANSFORM || at.node->kind == VS_UNION || vs_node_is_dress(at.node))) {
+         (at.node->kind == VS_TRANSFORM || at.node->kind == VS_UNION || vs_node_is_wrapper(at.node))) {
     if (at.node->kind == VS_TRANSFORM) *placed = vs_affine_multiply(placed, &VS_AS(transform, at.node)->matrix);
     at = at.node->children[0];
   }

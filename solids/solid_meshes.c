@@ -369,7 +369,7 @@ static bool bound_half_spaces(builder *b) {
 static bool goes_in(const vs_node *n) {
   vs_role role = vs_node_role(n);
   return role == VS_ROLE_PLACED || role == VS_ROLE_SET ||
-         (role == VS_ROLE_DRESS && (n->child_count || n->kind != VS_CUSTOM));
+         (role == VS_ROLE_WRAPPER && (n->child_count || n->kind != VS_CUSTOM));
 }
 
 static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {

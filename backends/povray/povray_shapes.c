@@ -372,7 +372,7 @@ vs_emit_status vs_povray_region(vs_emitter *e, const vs_ref *ref, vs_phase phase
 /* Where every loop is straight lines, the walls are planes and a prism shows them; round walls are better as shaded
  * triangles. */
 static bool pov_is_straight(const vs_node *profile) {
-  while (profile->kind == VS_TRANSFORM || vs_node_is_dress(profile)) profile = profile->children[0].node;
+  while (profile->kind == VS_TRANSFORM || vs_node_is_wrapper(profile)) profile = profile->children[0].node;
   if (profile->kind == VS_LINE) return true;
   if (profile->kind != VS_REGION || profile->child_count == 0) return false;
   for (size_t i = 0; i < profile->child_count; i++)

@@ -100,7 +100,7 @@ static bool add_object(faces *all, vs_ref root) {
     open o = stack[--count];
     vs_node *n = o.ref.node;
     if (n->kind == VS_EMPTY) continue;
-    bool through = n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
+    bool through = n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
     if (!through) {
       if (!add_leaf(all, o.ref, &o.map)) return false;
       continue;

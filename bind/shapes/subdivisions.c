@@ -21,7 +21,7 @@ static bool add_face(void *list, const vs_vec3 *corner, uint32_t n) {
 static vs_status faces_of(vs_frame *f, vs_ref object, vs_face_list *l) {
   vs_affine map = vs_affine_identity();
   vs_node *n = object.node;
-  while (n->kind == VS_TRANSFORM || vs_node_is_dress(n)) {
+  while (n->kind == VS_TRANSFORM || vs_node_is_wrapper(n)) {
     if (n->kind == VS_TRANSFORM) map = vs_affine_multiply(&map, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }

@@ -321,7 +321,7 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
     if (at->kind == VS_TRANSFORM) {
       level[top].map = vs_affine_multiply(&level[top].map, &VS_AS(transform, at)->matrix);
       level[top].node = at->children[0].node;
-    } else if (vs_node_is_dress(at)) {
+    } else if (vs_node_is_wrapper(at)) {
       level[top].node = at->children[0].node;
     } else if (down) {
       level[depth].node = at->children[level[top].next++].node;
@@ -353,7 +353,7 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
   if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps are looked through, or chains
                                   * cost their square */
     const vs_node *below = n;
-    for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_dress(below)); steps++) {
+    for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_wrapper(below)); steps++) {
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
       below = below->children[0].node;
     }

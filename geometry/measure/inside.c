@@ -311,7 +311,7 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
 /* ---- asking ---- */
 
 static bool inside_is_set(const vs_node *n) {
-  return vs_node_is_set(n) || n->kind == VS_TRANSFORM || vs_node_is_dress(n);
+  return vs_node_is_set(n) || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
 }
 
 bool vs_inside_test(vs_inside *v, vs_vec3 p) {

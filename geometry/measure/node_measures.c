@@ -223,7 +223,7 @@ bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   const vs_node *whole = n;
   *m = (vs_measure){ 0 };
-  while (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || (n->kind == VS_UNION && n->child_count == 1)) {
+  while (n->kind == VS_TRANSFORM || vs_node_is_wrapper(n) || (n->kind == VS_UNION && n->child_count == 1)) {
     if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }

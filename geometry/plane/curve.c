@@ -277,7 +277,7 @@ bool vs_curve_leaf(const vs_node *n, const vs_affine *map, const vs_facets *f, v
 }
 
 bool vs_curve_is_straight(const vs_node *n) {
-  while (n->kind == VS_TRANSFORM || vs_node_is_dress(n)) n = n->children[0].node;
+  while (n->kind == VS_TRANSFORM || vs_node_is_wrapper(n)) n = n->children[0].node;
   return n->kind == VS_LINE;
 }
 

@@ -251,7 +251,7 @@ bool vs_offset_round(const vs_node *n, vs_affine *place, vs_offset_exact *out) {
       scale *= k;
       *place = vs_affine_multiply(place, m);
     } else if (n->kind == VS_CIRCLE || n->kind == VS_ARC) break;
-    else if (!vs_node_is_dress(n) && !(n->kind == VS_REGION && n->child_count == 1)) return false;
+    else if (!vs_node_is_wrapper(n) && !(n->kind == VS_REGION && n->child_count == 1)) return false;
     n = n->children[0].node;
   }
   if (n->kind == VS_CIRCLE) {

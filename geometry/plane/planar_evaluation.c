@@ -96,7 +96,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fa
         ref = &n->children[0];
         continue;
       case VS_MATERIAL: case VS_LAYER: case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY:
-        if (!vs_node_is_dress(n)) break;
+        if (!vs_node_is_wrapper(n)) break;
         ref = &n->children[0];
         continue;
       case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: {

@@ -7,7 +7,7 @@ const vs_shape *vs_shape_of(const vs_node *n) {
 #define VS_ENTRY_LEAF(lower) NULL
 #define VS_ENTRY_MADE(lower) NULL
 #define VS_ENTRY_PLACED(lower) NULL
-#define VS_ENTRY_DRESS(lower) NULL
+#define VS_ENTRY_WRAPPER(lower) NULL
 #define VS_ENTRY_SET(lower) NULL
 #define VS_KIND(upper, lower, name, class_, level, role, traits) [VS_##upper] = VS_ENTRY_##role(lower),
 #define VS_FIELD(type, member, argument)

@@ -53,7 +53,7 @@ const vs_shape *vs_shape_of(const vs_node *n); /* NULL: its role is another */
 #define VS_SHAPE_LEAF(lower)
 #define VS_SHAPE_MADE(lower)
 #define VS_SHAPE_PLACED(lower)
-#define VS_SHAPE_DRESS(lower)
+#define VS_SHAPE_WRAPPER(lower)
 #define VS_SHAPE_SET(lower)
 #define VS_KIND(upper, lower, name, class_, level, role, traits) VS_SHAPE_##role(lower)
 #define VS_FIELD(type, member, argument)
@@ -63,7 +63,7 @@ const vs_shape *vs_shape_of(const vs_node *n); /* NULL: its role is another */
 #undef VS_SHAPE_LEAF
 #undef VS_SHAPE_MADE
 #undef VS_SHAPE_PLACED
-#undef VS_SHAPE_DRESS
+#undef VS_SHAPE_WRAPPER
 #undef VS_SHAPE_SET
 
 #endif

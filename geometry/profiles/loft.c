@@ -36,7 +36,7 @@ void vs_loft_free(vs_loft *l) {
 
 static const vs_node *loft_bare(const vs_node *n, vs_affine *placed) {
   *placed = vs_affine_identity();
-  while (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || (n->kind == VS_REGION && n->child_count == 1)) {
+  while (n->kind == VS_TRANSFORM || vs_node_is_wrapper(n) || (n->kind == VS_REGION && n->child_count == 1)) {
     if (n->kind == VS_TRANSFORM) *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }

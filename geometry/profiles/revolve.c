@@ -206,7 +206,7 @@ static void revolve_line_moments(const vs_revolve *p, revolve_moments *m) {
 
 double vs_profile_circle(const vs_node *n) {
   vs_affine placed = vs_affine_identity();
-  while (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || (n->kind == VS_REGION && n->child_count == 1)) {
+  while (n->kind == VS_TRANSFORM || vs_node_is_wrapper(n) || (n->kind == VS_REGION && n->child_count == 1)) {
     if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
     n = n->children[0].node;
   }

@@ -273,9 +273,9 @@ vs_node *vs_bend_node(vs_store *s, const vs_bend_leaf *leaf, const vs_mesh *mesh
   }
   for (int i = leaf->look_count; n && i-- > 0;) {
     vs_ref child = { n, leaf->origin };
-    vs_node *dressed = vs_node_new(s, (vs_kind)leaf->looks[i]->kind, vs_node_data(leaf->looks[i]), &child, 1);
+    vs_node *wrapped = vs_node_new(s, (vs_kind)leaf->looks[i]->kind, vs_node_data(leaf->looks[i]), &child, 1);
     vs_node_release(n);
-    n = dressed;
+    n = wrapped;
   }
   return n;
 }

@@ -331,7 +331,7 @@ bool vs_hull_cloud(const vs_node *hull, vs_hull_leaf *leaf, const vs_facets *f, 
     if (n->kind == VS_TRANSFORM) part.placed = vs_affine_multiply(&part.placed, &VS_AS(transform, n)->matrix);
     if (n->kind == VS_HULL)
       ok = vs_cloud_add_all(out, &part.placed, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count, e);
-    if (n->kind == VS_TRANSFORM || vs_node_is_dress(n) || n->kind == VS_UNION || n->kind == VS_HULL) {
+    if (n->kind == VS_TRANSFORM || vs_node_is_wrapper(n) || n->kind == VS_UNION || n->kind == VS_HULL) {
       if (ok && !VS_GROW(stack, room, depth + n->child_count)) ok = vs_error_memory(e, NULL);
       for (uint32_t i = n->child_count; ok && i-- > 0;) stack[depth++] = (vs_hull_part){ &n->children[i], part.placed };
     } else if (ok) {

@@ -216,7 +216,7 @@
 (define (resource m)
   (let ((p (and (symbol? m) (property-find (node-current) m))))
     (and p (material? (property-value p)) (property-value p))))
-(define (dressed m o)
+(define (painted m o)
   (let ((known (cond ((resource m) => (lambda (r) (lambda (o) (with-material r o))))
                      (else (hash-ref materials m 'new)))))
     (if (eq? known 'new)
@@ -334,7 +334,7 @@
                                         (and (edge-sharp e) (< a b) (list a b))))
                                     edges))
                (o (if (every edge-sharp edges) o (make-subdivision o (subdivisions) #:creases creases))))
-          (if (and material (not (eq? material 'none))) (dressed material o) o)))))
+          (if (and material (not (eq? material 'none))) (painted material o) o)))))
 
 (define (model-objects m)
   (let ((seen (make-hasheq)))

@@ -1,6 +1,6 @@
 /* Owns what a random drawing is, apart from how its tree is written: see drawings.h.
  *
- * A look is the tree with every path on its own: sets and, below them, places: primitives with the map, paint and dress that the path gives them. Two
+ * A look is the tree with every path on its own: sets and, below them, places: primitives with the map, paint and wrapper that the path gives them. Two
  * looks are compared place by place, and at points: a point belongs to the first member of a union that holds it, to all members of an intersection, to
  * what is cut of a difference; a point that was cut away, to the first cutter that holds it. A pass that changes an order, a paint or a part's
  * place is seen, whatever it does to the tree. */
@@ -20,7 +20,7 @@ typedef struct {
   vs_affine back;
   const vs_material *material; /* the innermost; NULL: none */
   const char *layer;
-  uint64_t dress;          /* of native, custom, highlight, only and ghost on the way */
+  uint64_t wrapper;          /* of native, custom, highlight, only and ghost on the way */
   vs_bounds bounds;
   size_t path, path_count; /* origins of the references to it, in `paths` */
   size_t shared;           /* path_count, or where on it the first node with several users is */
@@ -143,7 +143,7 @@ static bool look_at(looker *w, vs_ref ref, part here) { /* test trees are shallo
   if (n->kind == VS_LAYER) here.layer = VS_AS(layer, n)->name;
   bool through = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_SUGAR;
   if (vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_SUGAR) { /* its own words, and where they are said */
-    here.dress = here.dress * 31 + n->kind + 1;
+    here.wrapper = here.wrapper * 31 + n->kind + 1;
     here.ghost = here.ghost || n->kind == VS_GHOST;
     if (n->kind == VS_NATIVE) look_part(w, ref, &here);
   }
@@ -285,7 +285,7 @@ static const char *difference_of(const part *a, const part *b) {
   if (a->node->kind != b->node->kind) return "kind";
   if (a->material != b->material) return "material";
   if (a->layer != b->layer) return "layer";
-  if (a->dress != b->dress) return "dress";
+  if (a->wrapper != b->wrapper) return "wrapper";
   if (a->node->kind == VS_NATIVE) return VS_AS(native, a->node)->code == VS_AS(native, b->node)->code && same_map(&a->map, &b->map) ? NULL : "place of native text";
   const vs_kind_info *info = vs_kind_get((vs_kind)a->node->kind);
   for (size_t i = 0; i < info->field_count; i++) { /* what no map changes */

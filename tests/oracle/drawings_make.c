@@ -259,7 +259,7 @@ static vs_ref solid_leaf(maker *m) {
   }
 }
 
-static vs_ref dressed(maker *m, vs_ref kid) {
+static vs_ref wrapped(maker *m, vs_ref kid) {
   static const char *const paints[] = { "red", "green", "glass", "concrete" }, *const layers[] = { "walls", "roof", "glass" };
   switch (any(m, 10)) {
     case 0: case 1: case 2: case 3: {
@@ -312,7 +312,7 @@ static vs_ref copies(maker *m) {
     for (size_t k = 0; k < count; k++) {
       m->more = i == 1 && k == odd;
       m->nudge = m->more && n == 3 ? 0.0625 : 0;
-      parts[k] = any(m, 6) ? solid_leaf(m) : dressed(m, solid_leaf(m));
+      parts[k] = any(m, 6) ? solid_leaf(m) : wrapped(m, solid_leaf(m));
     }
     m->nudge = 0;
     m->more = false;
@@ -332,7 +332,7 @@ static vs_ref fresh(maker *m, int depth) {
   if (depth == 0) return any(m, 3) ? solid_leaf(m) : placed(m, any_map(m), solid_leaf(m));
   for (size_t i = 0; i < n; i++) {
     kids[i] = fresh(m, depth - 1);
-    if (any(m, 3) == 0) kids[i] = dressed(m, kids[i]);
+    if (any(m, 3) == 0) kids[i] = wrapped(m, kids[i]);
     if (any(m, 3) == 0) kids[i] = placed(m, any_map(m), kids[i]);
   }
   return solid_set(m, kids, n);
@@ -352,12 +352,12 @@ static vs_ref solid_tree(maker *m) {
     size_t n = 1 + any(m, 4);
     for (size_t k = 0; k < n; k++) {
       kids[k] = any(m, 3) ? again(m, stock[any(m, i)]) : fresh(m, (int)any(m, 3));
-      if (any(m, 3) == 0) kids[k] = dressed(m, kids[k]);
+      if (any(m, 3) == 0) kids[k] = wrapped(m, kids[k]);
       if (any(m, 3) == 0) kids[k] = placed(m, any_map(m), kids[k]);
     }
     stock[i] = solid_set(m, kids, n);
     if (any(m, 3) == 0) stock[i] = placed(m, any_map(m), stock[i]);
-    if (any(m, 4) == 0) stock[i] = dressed(m, stock[i]);
+    if (any(m, 4) == 0) stock[i] = wrapped(m, stock[i]);
     if (any(m, 3) == 0) stock[i] = placed(m, any_map(m), stock[i]);
   }
   vs_ref top = again(m, stock[ALL - 1]);
@@ -368,7 +368,7 @@ static vs_ref solid_tree(maker *m) {
 static vs_ref beside(maker *m) {
   vs_ref r = any(m, 3) == 0 ? region_tree(m) : any(m, 2) ? curve(m) : surface(m);
   if (any(m, 2)) r = placed(m, any_map(m), r);
-  if (any(m, 2)) r = dressed(m, r);
+  if (any(m, 2)) r = wrapped(m, r);
   return any(m, 2) ? placed(m, any_map(m), r) : r;
 }
 
