@@ -631,7 +631,7 @@ static bool drive_bounds(vs_emitter *e) {
   e->facets = e->drawing_facets;
   double most = 0;
   for (int i = 0; i < 3; i++) most = fmax(most, fmax(fabs(low[i]), fabs(high[i])));
-  bool single = e->backend->numbers == VS_NUMBERS_SINGLE || e->backend->numbers == VS_NUMBERS_SOUP;
+  bool single = e->backend->numbers == VS_NUMBERS_SINGLE || e->backend->numbers == VS_NUMBERS_LOOSE;
   double step = ldexp(1, ilogb(most > 0 ? most : 1) - 23);
   if (single && step > vs_facets_tolerance(&e->bounds) / 8 && e->options->warn != NULL) {
     char message[200];
@@ -652,8 +652,8 @@ static bool drive_all_vain(vs_emitter *e) {
 
 /* Corners that the format's numbers cannot hold apart become one; what they fold is said. */
 static bool drive_settle(vs_emitter *e, vs_mesh *m) {
-  vs_settled what = { 0 };
-  return vs_emit_settle(e, m, e->backend->numbers, &what) && vs_emit_settled(e, &what);
+  vs_rounded what = { 0 };
+  return vs_emit_round(e, m, e->backend->numbers, &what) && vs_emit_rounded(e, &what);
 }
 
 /* Walks what is no solid, of a format that gets the union of all solids besides. *any: something was walked. */

@@ -248,11 +248,11 @@ static bool settle_bounds(void *context, const vs_node *n, vs_bounds *out, vs_er
 
 const char *vs_export_family(const vs_format *format) { return format->backend->family; }
 
-bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
+bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
   const vs_backend *b = format->backend;
   char output[24];
   snprintf(output, sizeof output, ".%.20s", format->suffix);
-  vs_settle_options o = { .output = output,
+  vs_sugar_options o = { .output = output,
                           .strict = options->strict,
                           .highlights = b->highlights,
                           .ghosts = b->ghosts,
@@ -262,7 +262,7 @@ bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_
                           .said_context = options->context,
                           .bounds = settle_bounds };
   if (b->ghosts_in_drafts && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
-  return vs_scene_settle(scene, &o, e);
+  return vs_scene_sugar(scene, &o, e);
 }
 
 static vs_emitter export_emitter(const vs_scene *scene, const vs_format *format, const vs_export_options *options,

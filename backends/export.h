@@ -58,7 +58,7 @@ const char *vs_export_family(const vs_format *format); /* "povray" for .png; NUL
 
 /* Returns the drawing as this format gets it: only, ghost, highlight, native and user-defined kinds settled
  * (passes/sugar.h). Before the passes. */
-bool vs_export_settle(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e);
+bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e);
 
 /* Writes the drawing to a file, which appears whole or not at all ("-": standard output). format NULL: by the path's
  * ending. On false *e says why and where; nothing is left behind. */

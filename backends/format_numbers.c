@@ -7,14 +7,14 @@
 
 static bool going_on(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
 
-bool vs_emit_settle(vs_emitter *e, vs_mesh *m, vs_numbers numbers, vs_settled *sum) {
-  vs_settled what;
+bool vs_emit_round(vs_emitter *e, vs_mesh *m, vs_numbers numbers, vs_rounded *sum) {
+  vs_rounded what;
   vs_tally *tally = vs_store_tally(e->scene->store);
   vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
   vs_kernel_error why;
   vs_kernel_counts counts = { 0 };
   vs_kernel_options options = { .progress = going_on, .context = e, .counts = &counts };
-  bool settled = vs_mesh_settle(m, numbers, &options, &what, &why);
+  bool settled = vs_mesh_round(m, numbers, &options, &what, &why);
   vs_tally_enter(tally, was);
   vs_solid_tally_steps(e->scene->store, &counts);
   if (!settled) return why.status == VS_KERNEL_INTERRUPTED ? false : vs_emit_no_memory(e);
@@ -25,7 +25,7 @@ bool vs_emit_settle(vs_emitter *e, vs_mesh *m, vs_numbers numbers, vs_settled *s
   return true;
 }
 
-bool vs_emit_settled(vs_emitter *e, const vs_settled *what) {
+bool vs_emit_rounded(vs_emitter *e, const vs_rounded *what) {
   char message[160];
   vs_vec3 at = what->dropped_at;
   if (e->options->warn == NULL) return true;

@@ -177,7 +177,7 @@ static size_t plane_count(const vs_cluster *c) { return c->planes.all.count; }
 
 bool vs_holds_grid(const vs_cluster *c) {
   for (size_t i = 0; i < c->triangles.count; i++) {
-    const vs_soup_triangle *t = &c->triangles.at[i];
+    const vs_grid_triangle *t = &c->triangles.at[i];
     if (t->v[0] == t->v[1] || t->v[1] == t->v[2] || t->v[2] == t->v[0]) return false;
     for (int j = 0; j < 3; j++)
       if (t->v[j] >= point_count(c)) return false;

@@ -37,7 +37,7 @@ typedef struct {
   uint32_t source; /* which of its mesh's triangles */
   bool flip;       /* the leaf's outward normal is the plane's reversed */
   uint8_t inner;   /* bit i: the edge from v[i] to the next lies inside the facet; VS_BESIDE_FLAT */
-} vs_soup_triangle;
+} vs_grid_triangle;
 
 typedef struct {
   uint32_t leaf, place, plane, first; /* place: of the leaf in the cluster; first: into facet_triangles, up to the next
@@ -130,7 +130,7 @@ typedef struct {
                                   * else VS_NONE */
   vs_points_table points;
   vs_planes_table planes;
-  VS_LIST(vs_soup_triangle) triangles;
+  VS_LIST(vs_grid_triangle) triangles;
   VS_LIST(vs_facet) facets;
   VS_LIST(uint32_t) facet_triangles;
   VS_LIST(vs_patch) patches;
@@ -193,7 +193,7 @@ static inline bool vs_too_hidden(const vs_cluster *c, size_t cuts, size_t crosse
 
 /* The steps, in order. All false on error. */
 bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *local_to_frame /* one a leaf of the cluster */);
-bool vs_soup_build(vs_kernel *k, vs_cluster *c);                       /* frame, weld, grid; and the next two */
+bool vs_snap_to_grid(vs_kernel *k, vs_cluster *c);                       /* frame, weld, grid; and the next two */
 bool vs_plain_find(vs_kernel *k, vs_cluster *c);                       /* fate */
 bool vs_facets_build(vs_kernel *k, vs_cluster *c);                     /* triangles, facets */
 bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* lids; within soup_build */

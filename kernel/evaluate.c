@@ -221,7 +221,7 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   for (uint32_t i = 0; i < count; i++) triangles += w->problem->leaves[leaves[i]].mesh->triangle_count;
   if (triangles < SERIAL) k->threads = 1;
   vs_check check = { .leaves = { 0 } };
-  bool ok = vs_soup_build(k, &c) && vs_check_leaves(k, &c, &check, &w->counts) && vs_kernel_lap(k, VS_STEP_GRID);
+  bool ok = vs_snap_to_grid(k, &c) && vs_check_leaves(k, &c, &check, &w->counts) && vs_kernel_lap(k, VS_STEP_GRID);
   VS_ASSERT(!ok || vs_holds_grid(&c));
   if (c.triangles.count + c.plain_count < SERIAL) k->threads = 1;
   for (uint32_t i = 0; ok && i < count; i++) c.crowd += can_be_layered(&c, i);

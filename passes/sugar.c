@@ -1,4 +1,4 @@
-/* Owns settling: one walk that gathers what stands beside the drawing, then one pass that takes the wrappers off.
+/* Owns the taking off of sugar: one walk that gathers what stands beside the drawing, then one pass that takes the wrappers off.
  *
  * The walk goes every path to sugar, since each placement counts, but into nothing else; a drawing that shares a ghost
  * so often that there would be more than MARKS_MOST of them keeps the first. */
@@ -16,25 +16,25 @@ typedef struct {
   vs_affine placed;
   const vs_material *material; /* the innermost so far, or NULL */
   bool cut; /* what is here is taken away, or cut by others */
-} settle_level;
+} sugar_level;
 
 typedef struct {
   vs_store *store;
-  const vs_settle_options *options;
+  const vs_sugar_options *options;
   vs_error *error;
-  settle_level *levels;
+  sugar_level *levels;
   size_t depth, room;
   vs_ref *found; /* gathered, each a reference of our own */
   size_t count, found_room;
-} settle_walk;
+} sugar_walk;
 
-static bool settle_memory(const settle_walk *w) { return vs_error_memory(w->error, NULL); }
+static bool sugar_memory(const sugar_walk *w) { return vs_error_memory(w->error, NULL); }
 
-static bool settle_push(settle_walk *w, settle_level level) {
+static bool sugar_push(sugar_walk *w, sugar_level level) {
   if (w->depth == w->room) {
     size_t room = w->room ? 2 * w->room : 64;
-    settle_level *grown = vs_store_realloc(w->store, w->levels, w->room * sizeof *grown, room * sizeof *grown);
-    if (!grown) return settle_memory(w);
+    sugar_level *grown = vs_store_realloc(w->store, w->levels, w->room * sizeof *grown, room * sizeof *grown);
+    if (!grown) return sugar_memory(w);
     w->levels = grown;
     w->room = room;
   }
@@ -43,24 +43,24 @@ static bool settle_push(settle_walk *w, settle_level level) {
 }
 
 /* Takes the node over. */
-static bool settle_found(settle_walk *w, vs_node *node, const vs_origin *origin) {
+static bool sugar_found(sugar_walk *w, vs_node *node, const vs_origin *origin) {
   if (node && w->count == w->found_room) {
     size_t room = w->found_room ? 2 * w->found_room : 16;
     vs_ref *grown = vs_store_realloc(w->store, w->found, w->found_room * sizeof *grown, room * sizeof *grown);
     if (!grown) {
       vs_node_release(node);
-      return settle_memory(w);
+      return sugar_memory(w);
     }
     w->found = grown;
     w->found_room = room;
   }
-  if (!node) return settle_memory(w);
+  if (!node) return sugar_memory(w);
   w->found[w->count++] = (vs_ref){ node, origin };
   return true;
 }
 
 /* node in a paint and a place; takes it over. NULL: out of memory, or it was NULL. */
-static vs_node *settle_around(vs_store *s, vs_node *node, const vs_origin *origin, const vs_material *material,
+static vs_node *sugar_around(vs_store *s, vs_node *node, const vs_origin *origin, const vs_material *material,
                               const vs_affine *placed) {
   if (node && material) {
     vs_node *painted =
@@ -80,17 +80,17 @@ static vs_node *settle_around(vs_store *s, vs_node *node, const vs_origin *origi
 
 /* ---- without paint of its own, for what is shown in one colour ---- */
 
-static vs_node *settle_bare(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
+static vs_node *sugar_bare(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
   if (!vs_node_is_wrapper(n) || n->kind == VS_LAYER) return vs_rewrite_keep(w, n, kids);
   *origin = kids[0].origin;
   return vs_node_retain(kids[0].node);
 }
 
-static vs_node *settle_strip(settle_walk *w, vs_ref ref) {
+static vs_node *sugar_strip(sugar_walk *w, vs_ref ref) {
   vs_rewrite r = { .store = w->store, .error = w->error };
   vs_node_retain(ref.node);
-  if (vs_rewrite_alone(&r, settle_bare, &ref, 1)) return ref.node;
+  if (vs_rewrite_alone(&r, sugar_bare, &ref, 1)) return ref.node;
   vs_node_release(ref.node);
   return NULL;
 }
@@ -99,7 +99,7 @@ static vs_node *settle_strip(settle_walk *w, vs_ref ref) {
 
 /* A highlight that is shown where it is cut away shares its faces with the hole: a thousandth smaller it is seen
  * whole. */
-static bool settle_shrink(const settle_walk *w, const vs_node *n, vs_affine *placed) {
+static bool sugar_shrink(const sugar_walk *w, const vs_node *n, vs_affine *placed) {
   vs_bounds b;
   if (!w->options->bounds) return true;
   if (!w->options->bounds(w->options->bounds_context, n, &b, w->error)) return false;
@@ -109,54 +109,54 @@ static bool settle_shrink(const settle_walk *w, const vs_node *n, vs_affine *pla
   return true;
 }
 
-static bool settle_mark(settle_walk *w, const settle_level *at, bool ghost) {
+static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   static const double colors[2][3] = { { .86, .16, .12 }, { .55, .58, .62 } };
   vs_marks how = ghost ? w->options->ghosts : w->options->highlights;
   vs_ref child = at->ref.node->children[0];
   vs_affine placed = at->placed;
   if (w->count >= MARKS_MOST) return true;
-  vs_node *bare = settle_strip(w, child);
+  vs_node *bare = sugar_strip(w, child);
   if (!bare) return false;
   if (how == VS_MARKS_KEEP) { /* a ghost, beside the drawing */
     vs_node *kept = vs_node_new(w->store, VS_GHOST, NULL, &(vs_ref){ bare, child.origin }, 1);
     vs_node_release(bare);
-    if (!kept) return settle_memory(w);
-    vs_node *whole = settle_around(w->store, kept, at->ref.origin, NULL, &placed);
-    return settle_found(w, whole, at->ref.origin);
+    if (!kept) return sugar_memory(w);
+    vs_node *whole = sugar_around(w->store, kept, at->ref.origin, NULL, &placed);
+    return sugar_found(w, whole, at->ref.origin);
   }
   vs_material look = vs_material_of_color(colors[ghost][0], colors[ghost][1], colors[ghost][2]);
   look.transparency = 0.7;
   look.ior = 1; /* seen through, not bent */
   const vs_material *m = vs_store_material(w->store, &look);
-  bool ok = (m || settle_memory(w)) && (ghost || settle_shrink(w, bare, &placed));
-  if (ok) return settle_found(w, settle_around(w->store, bare, child.origin, m, &placed), at->ref.origin);
+  bool ok = (m || sugar_memory(w)) && (ghost || sugar_shrink(w, bare, &placed));
+  if (ok) return sugar_found(w, sugar_around(w->store, bare, child.origin, m, &placed), at->ref.origin);
   vs_node_release(bare);
   return false;
 }
 
 /* Goes below one thing drawn. only: gathers what stands in an ONLY; else the marks. */
-static bool settle_below(settle_walk *w, vs_ref root, bool only) {
+static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
   size_t steps = 0;
   w->depth = 0;
   if (!(root.node->flags & VS_NODE_SUGAR)) return true;
-  if (!settle_push(w, (settle_level){ .ref = root, .placed = vs_affine_identity() })) return false;
+  if (!sugar_push(w, (sugar_level){ .ref = root, .placed = vs_affine_identity() })) return false;
   while (w->depth) {
-    settle_level *top = &w->levels[w->depth - 1];
+    sugar_level *top = &w->levels[w->depth - 1];
     const vs_node *n = top->ref.node;
     if (top->next == 0) {
       if (only && n->kind == VS_ONLY) {
         vs_ref inner = n->children[0];
-        settle_level at = *top;
+        sugar_level at = *top;
         w->depth--;
         vs_node_retain(inner.node);
-        if (!settle_found(w, settle_around(w->store, inner.node, inner.origin, at.material, &at.placed), at.ref.origin))
+        if (!sugar_found(w, sugar_around(w->store, inner.node, inner.origin, at.material, &at.placed), at.ref.origin))
           return false;
         continue; /* an only in it changes nothing */
       }
       bool ghost = n->kind == VS_GHOST,
            marked = (ghost && w->options->ghosts != VS_MARKS_DROP) ||
                     (n->kind == VS_HIGHLIGHT && top->cut && w->options->highlights == VS_MARKS_PAINT);
-      if (!only && marked && !settle_mark(w, top, ghost)) return false;
+      if (!only && marked && !sugar_mark(w, top, ghost)) return false;
       if (ghost) { /* what is in it is shown with it, and part of nothing */
         w->depth--;
         continue;
@@ -168,11 +168,11 @@ static bool settle_below(settle_walk *w, vs_ref root, bool only) {
     }
     uint32_t i = top->next++;
     if (!(n->children[i].node->flags & VS_NODE_SUGAR)) continue;
-    settle_level below = { .ref = n->children[i], .placed = top->placed, .material = top->material, .cut = top->cut };
+    sugar_level below = { .ref = n->children[i], .placed = top->placed, .material = top->material, .cut = top->cut };
     if (n->kind == VS_TRANSFORM) below.placed = vs_affine_multiply(&top->placed, &VS_AS(transform, n)->matrix);
     if (n->kind == VS_MATERIAL) below.material = VS_AS(material, n)->material;
     if (n->kind == VS_INTERSECTION || (n->kind == VS_DIFFERENCE && i)) below.cut = true;
-    if (!settle_push(w, below)) return false;
+    if (!sugar_push(w, below)) return false;
   }
   return true;
 }
@@ -180,7 +180,7 @@ static bool settle_below(settle_walk *w, vs_ref root, bool only) {
 /* ---- the pass ---- */
 
 /* Is this text for the format's own program? */
-static bool settle_speaks(const vs_settle_options *o, const vs_node *n) {
+static bool sugar_speaks(const vs_sugar_options *o, const vs_node *n) {
   const char *target = VS_AS(native, n)->target;
   size_t i = 0;
   if (!o->target) return false;
@@ -188,14 +188,14 @@ static bool settle_speaks(const vs_settle_options *o, const vs_node *n) {
   return target[i] == o->target[i];
 }
 
-static vs_node *settle_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
-  const vs_settle_options *o = w->state;
+static vs_node *sugar_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
+  const vs_sugar_options *o = w->state;
   bool unwrap = false;
   if (n->kind == VS_CUSTOM) unwrap = n->child_count == 1;
   if (n->kind == VS_ONLY) unwrap = true;
   if (n->kind == VS_HIGHLIGHT) unwrap = o->highlights != VS_MARKS_KEEP;
   if (n->kind == VS_NATIVE)
-    unwrap = (o->muted || !settle_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
+    unwrap = (o->muted || !sugar_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
   if (!unwrap) return vs_rewrite_keep(w, n, kids);
   *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* of a custom thing, the place that asked for it is the
@@ -204,15 +204,15 @@ static vs_node *settle_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
 }
 
 /* native: the first for this program */
-typedef struct { const vs_settle_options *options; bool only; vs_ref native; } settle_kinds;
+typedef struct { const vs_sugar_options *options; bool only; vs_ref native; } sugar_kinds;
 
 /* Native text for another program, without anything for this one: says that the output lacks it, or fails if that is
  * not allowed. */
-static bool settle_lacks(const settle_kinds *k, vs_ref ref, vs_error *e) {
-  const vs_settle_options *o = k->options;
+static bool sugar_lacks(const sugar_kinds *k, vs_ref ref, vs_error *e) {
+  const vs_sugar_options *o = k->options;
   const vs_node *n = ref.node;
   char message[240];
-  if (!o->output || n->children[0].node->kind != VS_EMPTY || (settle_speaks(o, n) && !o->muted)) return true;
+  if (!o->output || n->children[0].node->kind != VS_EMPTY || (sugar_speaks(o, n) && !o->muted)) return true;
   snprintf(message, sizeof message,
            "native: this text is for %.20s alone; %.20s is written without it (#:otherwise gives other formats "
            "something to show)",
@@ -222,14 +222,14 @@ static bool settle_lacks(const settle_kinds *k, vs_ref ref, vs_error *e) {
   return true;
 }
 
-static bool settle_look(settle_kinds *k, const vs_scene *scene, vs_error *e) {
+static bool sugar_look(sugar_kinds *k, const vs_scene *scene, vs_error *e) {
   vs_order o = { .store = scene->store };
   if (!vs_order_make(&o, scene->drawn, scene->drawn_count, e)) return false;
   bool ok = true;
   for (size_t i = 0; ok && i < o.count; i++) {
     k->only |= o.at[i].node->kind == VS_ONLY;
-    if (o.at[i].node->kind == VS_NATIVE) ok = settle_lacks(k, o.at[i], e);
-    if (!k->native.node && o.at[i].node->kind == VS_NATIVE && settle_speaks(k->options, o.at[i].node))
+    if (o.at[i].node->kind == VS_NATIVE) ok = sugar_lacks(k, o.at[i], e);
+    if (!k->native.node && o.at[i].node->kind == VS_NATIVE && sugar_speaks(k->options, o.at[i].node))
       k->native = o.at[i];
   }
   vs_order_free(&o);
@@ -237,7 +237,7 @@ static bool settle_look(settle_kinds *k, const vs_scene *scene, vs_error *e) {
 }
 
 /* The scene draws these, whose references become its own. */
-static void settle_take(vs_scene *scene, settle_walk *w) {
+static void sugar_take(vs_scene *scene, sugar_walk *w) {
   for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
   vs_store_realloc(scene->store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
   scene->drawn = w->found;
@@ -247,27 +247,27 @@ static void settle_take(vs_scene *scene, settle_walk *w) {
   w->count = w->found_room = 0;
 }
 
-bool vs_scene_settle(vs_scene *scene, const vs_settle_options *options, vs_error *e) {
-  settle_walk w = { .store = scene->store, .options = options, .error = e };
-  settle_kinds kinds = { .options = options };
+bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *e) {
+  sugar_walk w = { .store = scene->store, .options = options, .error = e };
+  sugar_kinds kinds = { .options = options };
   bool sugar = false, ok = true;
   for (size_t i = 0; i < scene->drawn_count; i++) sugar |= (scene->drawn[i].node->flags & VS_NODE_SUGAR) != 0;
   if (!sugar) return true;
-  ok = settle_look(&kinds, scene, e);
+  ok = sugar_look(&kinds, scene, e);
   if (ok && options->muted && kinds.native.node && options->said)
     options->said(options->said_context, kinds.native.origin,
                   "native: text for other programs is switched off here; what #:otherwise gives is drawn");
-  for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = settle_below(&w, scene->drawn[i], true);
+  for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = sugar_below(&w, scene->drawn[i], true);
   if (ok && w.count) { /* an only in a ghost is none */
     if (options->said)
       options->said(options->said_context, w.found[0].origin, "only: nothing else of the drawing is shown");
-    settle_take(scene, &w);
+    sugar_take(scene, &w);
   }
   size_t before = scene->drawn_count;
-  for (size_t i = 0; ok && i < before; i++) ok = settle_below(&w, scene->drawn[i], false);
-  vs_settle_options all = *options;
+  for (size_t i = 0; ok && i < before; i++) ok = sugar_below(&w, scene->drawn[i], false);
+  vs_sugar_options all = *options;
   vs_rewrite r = { .store = scene->store, .error = e, .state = &all };
-  ok = ok && vs_rewrite_alone(&r, settle_node, scene->drawn, before);
+  ok = ok && vs_rewrite_alone(&r, sugar_node, scene->drawn, before);
   for (size_t i = 0; ok && i < w.count; i++) ok = vs_scene_draw(scene, w.found[i]) || vs_error_memory(e, NULL);
   for (size_t i = 0; i < w.count; i++) vs_node_release(w.found[i].node);
   vs_store_realloc(w.store, w.found, w.found_room * sizeof *w.found, 0);

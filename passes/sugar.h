@@ -6,8 +6,8 @@
  * highlight is its child; a format that shows previews gets it once more beside the drawing, where it is cut away
  * native   stays for the program that it speaks to, and is its child for all others
  * custom   is its child */
-#ifndef VS_MODEL_PASSES_SETTLE_H
-#define VS_MODEL_PASSES_SETTLE_H
+#ifndef VS_PASSES_SUGAR_H
+#define VS_PASSES_SUGAR_H
 
 #include "passes/passes.h"
 #include "model/scene.h"
@@ -32,10 +32,10 @@ typedef struct {
   void *said_context;
   bool (*bounds)(void *context, const vs_node *n, vs_bounds *out, vs_error *e);
   void *bounds_context;
-} vs_settle_options;
+} vs_sugar_options;
 
 /* Rewrites what the scene draws (its array belongs to the store). A scene without sugar costs one look at each thing
  * drawn. */
-bool vs_scene_settle(vs_scene *scene, const vs_settle_options *options, vs_error *e);
+bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *e);
 
 #endif

@@ -193,9 +193,9 @@ static bool stage_hand_over(vs_job *j) {
 }
 
 static bool stage_sugar(vs_job *j) {
-  static const vs_settle_options solids_only = { .highlights = VS_MARKS_DROP, .keeps_text = true };
-  return j->format ? vs_export_settle(&j->scene, j->format, &j->export, &j->error)
-                   : vs_scene_settle(&j->scene, &solids_only, &j->error);
+  static const vs_sugar_options solids_only = { .highlights = VS_MARKS_DROP, .keeps_text = true };
+  return j->format ? vs_export_sugar(&j->scene, j->format, &j->export, &j->error)
+                   : vs_scene_sugar(&j->scene, &solids_only, &j->error);
 }
 
 /* Appends to message the names of the model's views. */

@@ -45,7 +45,7 @@ typedef struct {
   size_t open_count, open_room;
   vs_nodemap shapes;           /* model node -> geometry + 1 */
   vs_gltf_turns units[VS_UNIT_COUNT];
-  vs_settled settled; /* what 32-bit numbers have done to shapes */
+  vs_rounded settled; /* what 32-bit numbers have done to shapes */
 } vs_gltf;
 
 /* ---- collect.c ---- */

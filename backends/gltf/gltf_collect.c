@@ -215,10 +215,10 @@ static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *
   vs_gltf *g = e->state;
   vs_solid copy = { .parts = m->parts, .part_count = m->part_count };
   static const vs_affine here = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
-  vs_settled what = { 0 };
+  vs_rounded what = { 0 };
   bool ok = vs_mesh_copy(&m->mesh, &copy.mesh) || vs_emit_no_memory(e);
   if (ok) vs_mesh_transform(&copy.mesh, place);
-  ok = ok && vs_emit_settle(e, &copy.mesh, VS_NUMBERS_SOUP, &what) && gltf_add_solid(e, &copy, &here, crease, number);
+  ok = ok && vs_emit_round(e, &copy.mesh, VS_NUMBERS_LOOSE, &what) && gltf_add_solid(e, &copy, &here, crease, number);
   if (g->settled.met == 0) g->settled.at = vs_affine_point(there, what.at);
   if (g->settled.dropped == 0) g->settled.dropped_at = vs_affine_point(there, what.dropped_at);
   g->settled.met += what.met;

@@ -275,7 +275,7 @@ static bool gltf_chunks(const gltf_file *f) {
 bool vs_gltf_write(vs_emitter *e) {
   const vs_gltf *g = e->state;
   vs_store *store = e->scene->store;
-  if (!vs_emit_settled(e, &g->settled)) return false;
+  if (!vs_emit_rounded(e, &g->settled)) return false;
   const size_t lengths[VIEW_COUNT] = { g->positions.count, g->normals.count, g->narrow.count, g->wide.count };
   size_t layers = g->layer_count + 1, room = (g->node_count + 1) * sizeof(uint32_t),
          starts_room = (layers + 1) * sizeof(size_t);

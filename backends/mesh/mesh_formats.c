@@ -136,10 +136,10 @@ static bool stl_ascii_solid(vs_emitter *e, const vs_solid *solid) {
 }
 
 const vs_backend vs_backend_stl_ascii = {
-  .begin = mesh_begin, .end = mesh_end, .solid = stl_ascii_solid, .numbers = VS_NUMBERS_SOUP, MESH_OMIT("STL")
+  .begin = mesh_begin, .end = mesh_end, .solid = stl_ascii_solid, .numbers = VS_NUMBERS_LOOSE, MESH_OMIT("STL")
 };
 const vs_backend vs_backend_stl = {
-  .begin = mesh_begin, .end = mesh_end, .solid = stl_solid, .numbers = VS_NUMBERS_SOUP, MESH_OMIT("STL")
+  .begin = mesh_begin, .end = mesh_end, .solid = stl_solid, .numbers = VS_NUMBERS_LOOSE, MESH_OMIT("STL")
 };
 
 /* ---- OFF ---- */

@@ -177,7 +177,7 @@ static bool add_facet(plane_work *w, const vs_facet *f) {
   }
   if (w->c->sides.count) return true;
   for (uint32_t i = f[0].first; i < f[1].first; i++) {
-    const vs_soup_triangle *t = &w->c->triangles.at[w->c->facet_triangles.at[i]];
+    const vs_grid_triangle *t = &w->c->triangles.at[w->c->facet_triangles.at[i]];
     for (int j = 0; j < 3; j++) {
       uint32_t p, q;
       if (t->inner >> j & 1) continue;
@@ -608,7 +608,7 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
     if (!VS_PUSH(w->k, to->uses, use) || !VS_PUSH(w->k, to->lines, s->line)) return false;
   }
   for (uint32_t i = f[0].first; !sided && i < f[1].first; i++) {
-    const vs_soup_triangle *t = &c->triangles.at[c->facet_triangles.at[i]];
+    const vs_grid_triangle *t = &c->triangles.at[c->facet_triangles.at[i]];
     for (int j = 0; j < 3; j++) {
       uint32_t a = t->v[j], b = t->v[(j + 1) % 3];
       if (t->inner >> j & 1) continue;

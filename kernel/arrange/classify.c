@@ -34,7 +34,7 @@ typedef struct {
   VS_LIST(uint32_t) place;
   VS_LIST(uint32_t) owner;  /* of a cell inside the result: the earliest leaf that makes it so */
   uint32_t cells;
-  size_t settling;          /* leaves we are in that settle the result */
+  size_t lids;              /* leaves we are in that settle the result */
   bool owned;               /* some leaf may give way to a cell's owner: `owner` is wanted */
   /* the line */
   uint32_t face;
@@ -428,7 +428,7 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
   bool before = w->e->winding.at[leaf] > 0;
   if (!vs_expression_add(w->k, w->e, leaf, delta)) return false;
   bool now = w->e->winding.at[leaf] > 0;
-  if (before != now && w->e->forces.at[leaf]) w->settling += now ? 1 : SIZE_MAX;
+  if (before != now && w->e->forces.at[leaf]) w->lids += now ? 1 : SIZE_MAX;
   if (before == now || w->e->taken_off.at[leaf]) return true;
   if (now) {
     w->place.at[leaf] = (uint32_t)w->active.count;
@@ -457,7 +457,7 @@ static bool find_owner(walk *w, uint32_t cell) {
 }
 
 static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
-  bool joining = w->c->joining != NULL, settled = w->settling > 0 || (!joining && vs_expression_gated(w->e));
+  bool joining = w->c->joining != NULL, settled = w->lids > 0 || (!joining && vs_expression_gated(w->e));
   bool inside = joining ? settled : vs_expression_value(w->e);
   w->sum.at[cell] = sum;
   w->state.at[cell] = (uint8_t)(3 | (inside ? 4 : 0) | (settled ? 8 : 0));

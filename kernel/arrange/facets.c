@@ -129,7 +129,7 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
  * they can be fetched ahead. */
 static bool give_points(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
-  vs_soup_triangle *to = c->triangles.at; /* NULL where there is none: nothing may be added to it */
+  vs_grid_triangle *to = c->triangles.at; /* NULL where there is none: nothing may be added to it */
   if (f->given > 0) to += f->given;
   for (size_t index = 0; index < f->spans.count; index++) {
     const span *s = &f->spans.at[index];
@@ -160,7 +160,7 @@ static bool give_points(vs_kernel *k, facets *f) {
 /* The rest of them, facets and their planes, of all spans. */
 static bool give_facets(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
-  vs_soup_triangle *to = c->triangles.at + f->given;
+  vs_grid_triangle *to = c->triangles.at + f->given;
   for (size_t index = 0; index < f->spans.count; index++) {
     const span *s = &f->spans.at[index];
     uint32_t leaf = c->leaves[s->place];

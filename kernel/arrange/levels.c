@@ -130,7 +130,7 @@ static bool add_outlines(levels *l, uint32_t place, vs_outlines *to) {
     f.first = (uint32_t)to->sides.count;
     if (!VS_PUSH(k, to->facets, f)) return false;
     for (uint32_t j = begin; j < end; j++) {
-      const vs_soup_triangle *t = &c->triangles.at[c->facet_triangles.at[j]];
+      const vs_grid_triangle *t = &c->triangles.at[c->facet_triangles.at[j]];
       for (uint32_t n = 0; n < 3; n++) {
         if (t->inner >> n & 1) continue;
         vs_line line;

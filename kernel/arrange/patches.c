@@ -79,7 +79,7 @@ static bool facet_patch(building *b, uint32_t facet, bool *whole) {
   bool simple = true;
   b->border.count = 0;
   for (uint32_t i = f[0].first; i < f[1].first; i++) {
-    const vs_soup_triangle *t = &c->triangles.at[c->facet_triangles.at[i]];
+    const vs_grid_triangle *t = &c->triangles.at[c->facet_triangles.at[i]];
     for (int j = 0; j < 3; j++) {
       if (t->inner >> j & 1) continue;
       if (b->next.at[t->v[j]] != VS_NONE) simple = false;
@@ -123,7 +123,7 @@ static bool make_chunk(vs_kernel *k, void *context, size_t index) {
     bool whole = false;
     if (!vs_kernel_poll(k, 0.1) || (end - first > 1 && !facet_patch(b, (uint32_t)i, &whole))) return false;
     for (uint32_t t = first; !whole && t < end; t++) {
-      const vs_soup_triangle *triangle = &c->triangles.at[c->facet_triangles.at[t]];
+      const vs_grid_triangle *triangle = &c->triangles.at[c->facet_triangles.at[t]];
       uint32_t at = (uint32_t)to->corners.count;
       for (int j = 0; j < 3; j++)
         if (!add_corner(b, triangle->v[j])) return false;

@@ -28,7 +28,7 @@ typedef struct {
   VS_LIST(border) borders;      /* of one axis */
   double near[3];               /* in steps: what is closer shares a line */
   double steps[3];              /* how wide all of it is */
-} soup;
+} snapping;
 
 static double coordinate(const vs_vec3 *v, int axis) { return axis == 0 ? v->x : axis == 1 ? v->y : v->z; }
 
@@ -53,12 +53,12 @@ static void choose_step(vs_grid *g, double half, double far) {
   }
 }
 
-static size_t chunk_end(const soup *s, size_t index) {
+static size_t chunk_end(const snapping *s, size_t index) {
   return (index + 1) * SPAN < s->placed.count ? (index + 1) * SPAN : s->placed.count;
 }
 
 static bool place_chunk(vs_kernel *k, void *context, size_t index) {
-  soup *s = context;
+  snapping *s = context;
   vs_cluster *c = s->c;
   chunk *to = &s->chunks.at[index];
   uint32_t leaf = 0, beyond = c->leaf_count;
@@ -85,7 +85,7 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, 0);
 }
 
-static bool place(vs_kernel *k, vs_cluster *c, soup *s) {
+static bool place(vs_kernel *k, vs_cluster *c, snapping *s) {
   size_t sum = 0;
   if (!VS_ROOM(k, s->to_frame, s->to_frame_room, c->leaf_count) ||
       !VS_ROOM(k, c->placed.at, c->placed.room, (size_t)c->leaf_count + 1) || !vs_frame_choose(k, c, s->to_frame))
@@ -106,7 +106,7 @@ static bool place(vs_kernel *k, vs_cluster *c, soup *s) {
 }
 
 static bool grid_chunk(vs_kernel *k, void *context, size_t index) {
-  soup *s = context;
+  snapping *s = context;
   const vs_grid *g = &s->c->grid;
   for (int a = 0; a < 3; a++) {
     double offset = g->offset[a], border_at = 0.5 - s->near[a];
@@ -135,7 +135,7 @@ static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[
 }
 
 /* Only what spans two axes for 2^63 square steps can have a triangle whose normal does not fit. */
-static bool normals_fit(const vs_cluster *c, const soup *s) {
+static bool normals_fit(const vs_cluster *c, const snapping *s) {
   static const double SAFE = 0x1p62;
   if (s->steps[0] * s->steps[1] < SAFE && s->steps[1] * s->steps[2] < SAFE && s->steps[2] * s->steps[0] < SAFE)
     return true;
@@ -153,7 +153,7 @@ static bool normals_fit(const vs_cluster *c, const soup *s) {
   return true;
 }
 
-static bool weld(vs_kernel *k, vs_cluster *c, soup *s) {
+static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
   double low[3], high[3], half = 0, far = 0;
   size_t n = s->placed.count;
   if (n == 0) return true;
@@ -198,7 +198,7 @@ static bool weld(vs_kernel *k, vs_cluster *c, soup *s) {
 
 /* Boxes of the leaves, in steps; and whether the middle of a star still sees all of it from inside. */
 static bool find_shape(vs_kernel *k, void *context, size_t index) {
-  const soup *s = context;
+  const snapping *s = context;
   const vs_cluster *c = s->c;
   double step = c->grid.unit / c->grid.scale;
   vs_placed *p = &c->placed.at[index];
@@ -225,8 +225,8 @@ static bool find_shape(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_poll(k, 0);
 }
 
-bool vs_soup_build(vs_kernel *k, vs_cluster *c) {
-  soup s = { .c = c };
+bool vs_snap_to_grid(vs_kernel *k, vs_cluster *c) {
+  snapping s = { .c = c };
   bool ok = place(k, c, &s) && weld(k, c, &s) && vs_kernel_run(k, c->leaf_count, find_shape, &s) &&
             vs_cull_prepare(k, c, s.to_frame);
   for (size_t i = 0; i < s.chunks.count; i++)

@@ -112,7 +112,7 @@ static bool holds(void *context, uint32_t patch) {
   if (f->plane != s->c->faces.at[s->face].plane) return true;
   const vs_plane *p = &s->c->planes.all.at[f->plane];
   for (uint32_t t = f[0].first; t < f[1].first; t++) {
-    const vs_soup_triangle *triangle = &s->c->triangles.at[s->c->facet_triangles.at[t]];
+    const vs_grid_triangle *triangle = &s->c->triangles.at[s->c->facet_triangles.at[t]];
     bool left = true, right = true;
     for (int i = 0; i < 3; i++) {
       const vs_point *a = &s->c->points.all.at[triangle->v[i]], *b = &s->c->points.all.at[triangle->v[(i + 1) % 3]];
@@ -361,7 +361,7 @@ bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs
   ok = ok && (good || parts.all.at[0].twins || open_edges(&k, mesh, out));
   out->volume = vs_mesh_volume(mesh);
   if (ok && !good && !out->open_count) {
-    ok = vs_expression_build(&k, &e, &problem) && vs_soup_build(&k, &c) && vs_patches_build(&k, &c) &&
+    ok = vs_expression_build(&k, &e, &problem) && vs_snap_to_grid(&k, &c) && vs_patches_build(&k, &c) &&
          vs_meet_patches(&k, &c) && vs_arrange_planes(&k, &c) && vs_classify_faces(&k, &c, &e);
     for (size_t i = 0; ok && i < c.wound.count; i++)
       if (c.wound.at[i] == 1) out->most = 1;

@@ -8,7 +8,7 @@ typedef enum {
   VS_NUMBERS_DOUBLE,
   VS_NUMBERS_DIGITS /* 12 significant */,
   VS_NUMBERS_SINGLE /* 32 bits */,
-  VS_NUMBERS_SOUP /* the same, without indices */
+  VS_NUMBERS_LOOSE /* the same, without indices */
 } vs_numbers;
 
 typedef struct {
@@ -19,6 +19,6 @@ typedef struct {
   vs_vec3 at;             /* of the first of them */
   size_t dropped;         /* shells thinner than the numbers tell apart */
   vs_vec3 dropped_at;
-} vs_settled;
+} vs_rounded;
 
 #endif

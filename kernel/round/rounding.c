@@ -1,4 +1,4 @@
-/* Owns the settling of a rounded mesh.
+/* Owns the mending of a mesh that is rounded.
  *
  * The exact result may have corners that lie closer together than the format's numbers: where four planes nearly meet
  * in one point there are two corners, and where a corner all but lies on another's edge there is a triangle without
@@ -26,7 +26,7 @@
 
 enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */ };
 
-typedef vs_settling settling;
+typedef vs_rounding rounding;
 
 static double unit(double x, vs_numbers numbers) {
   int exponent;
@@ -39,18 +39,18 @@ static double unit(double x, vs_numbers numbers) {
 
 static double rounded(double x, vs_numbers numbers) {
   switch (numbers) {
-  case VS_NUMBERS_SINGLE: case VS_NUMBERS_SOUP: return vs_single(x);
+  case VS_NUMBERS_SINGLE: case VS_NUMBERS_LOOSE: return vs_single(x);
   case VS_NUMBERS_DIGITS: return vs_digits_rounded(x);
   case VS_NUMBERS_DOUBLE: break;
   }
   return x;
 }
-vs_vec3 vs_settling_corner(const vs_settling *s, uint32_t v) {
+vs_vec3 vs_rounding_corner(const vs_rounding *s, uint32_t v) {
   vs_vec3 p = s->m->vertices[v];
   return vs_v3(rounded(p.x, s->numbers), rounded(p.y, s->numbers), rounded(p.z, s->numbers));
 }
 
-static vs_vec3 corner(const settling *s, uint32_t v) { return vs_settling_corner(s, v); }
+static vs_vec3 corner(const rounding *s, uint32_t v) { return vs_rounding_corner(s, v); }
 
 static bool near(double a, double b, vs_numbers numbers) {
   double d = fabs(a - b), most = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
@@ -58,7 +58,7 @@ static bool near(double a, double b, vs_numbers numbers) {
   return d == 0 || d < 2 * unit(most, numbers);
 }
 
-static bool too_short(const settling *s, uint32_t a, uint32_t b) {
+static bool too_short(const rounding *s, uint32_t a, uint32_t b) {
   vs_vec3 p = s->m->vertices[a], q = s->m->vertices[b];
   return near(p.x, q.x, s->numbers) && near(p.y, q.y, s->numbers) && near(p.z, q.z, s->numbers);
 }
@@ -70,22 +70,22 @@ static double reach(vs_vec3 p) { return larger(larger(fabs(p.x), fabs(p.y)), fab
 
 /* Shorter than what rounding may move its ends by: fine where all that hangs on it is rounded alike, as on faces along
  * the axes. */
-static bool unsure(const settling *s, uint32_t a, uint32_t b) {
+static bool unsure(const rounding *s, uint32_t a, uint32_t b) {
   vs_vec3 p = s->m->vertices[a], q = s->m->vertices[b];
   return vs_v3_length(vs_v3_sub(p, q)) < 2 * unit(fmax(reach(p), reach(q)), s->numbers);
 }
 
 /* Does rounding turn the triangle by more than two or three degrees, or make it nothing? */
-static bool bent(const settling *s, uint32_t t) {
+static bool bent(const rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   const vs_vec3 *x = s->m->vertices;
   vs_vec3 n = normal(x[v[0]], x[v[1]], x[v[2]]), r = normal(corner(s, v[0]), corner(s, v[1]), corner(s, v[2]));
   return !(vs_v3_dot(n, r) > 0.999 * vs_v3_length(n) * vs_v3_length(r));
 }
 
-static const uint32_t *around(const settling *s, uint32_t v) { return s->around.at + s->fans.at[v].first; }
+static const uint32_t *around(const rounding *s, uint32_t v) { return s->around.at + s->fans.at[v].first; }
 
-static bool is_neighbour(const settling *s, uint32_t v, uint32_t other) {
+static bool is_neighbour(const rounding *s, uint32_t v, uint32_t other) {
   for (uint32_t i = 0; i < s->fans.at[v].count; i++) {
     const uint32_t *t = s->m->triangles[around(s, v)[i]];
     if (t[0] == other || t[1] == other || t[2] == other) return true;
@@ -93,7 +93,7 @@ static bool is_neighbour(const settling *s, uint32_t v, uint32_t other) {
   return false;
 }
 
-static bool too_thin(const settling *s, uint32_t t) {
+static bool too_thin(const rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]], ab = vs_v3_sub(b, a),
           bc = vs_v3_sub(c, b), ca = vs_v3_sub(a, c), n = vs_v3_cross(ab, bc);
@@ -104,15 +104,15 @@ static bool too_thin(const settling *s, uint32_t t) {
 }
 
 /* Doubles have been rounded already, and nobody knows what they were. */
-bool vs_settling_is_noise(const vs_settling *s, uint32_t t) {
+bool vs_rounding_is_noise(const vs_rounding *s, uint32_t t) {
   return too_thin(s, t) && (s->numbers == VS_NUMBERS_DOUBLE || bent(s, t));
 }
 
 /* Triangles beside noise: where it has turned over, these may cross each other, though they look the same way. */
-static void suspect_neighbours(vs_settling *s) {
+static void suspect_neighbours(vs_rounding *s) {
   for (size_t i = 0; i < s->look.count; i++) {
     uint32_t t = s->look.at[i];
-    if (s->gone.at[t] || !vs_settling_is_noise(s, t)) continue;
+    if (s->gone.at[t] || !vs_rounding_is_noise(s, t)) continue;
     for (int j = 0; j < 3; j++)
       for (uint32_t k = 0, v = s->m->triangles[t][j]; k < s->fans.at[v].count; k++) {
         uint8_t *mark = &s->changed.at[around(s, v)[k]];
@@ -122,7 +122,7 @@ static void suspect_neighbours(vs_settling *s) {
 }
 
 /* Has it an edge that may be too short? */
-static bool has_short(const settling *s, uint32_t t) {
+static bool has_short(const rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   for (int j = 0; j < 3; j++) {
     uint32_t a = v[j], b = v[(j + 1) % 3];
@@ -137,14 +137,14 @@ static bool has_short(const settling *s, uint32_t t) {
 enum { TASK = 1 << 13 };
 typedef struct { VS_LIST(uint32_t) look; VS_LIST(vs_storey) storeys; bool noise, level; } found_some;
 typedef struct {
-  settling *s;
+  rounding *s;
   bool noise; /* any is */
   found_some found[VS_PIPELINE_WINDOW];
 } scan;
 
 /* Notes the plane across an axis that the triangle lies in, unless it is the one that was noted last for that axis.
  * False: no memory; *level: there is one. */
-static bool find_storey(vs_kernel *k, const settling *s, uint32_t t, vs_storey last[3], found_some *to, bool *level) {
+static bool find_storey(vs_kernel *k, const rounding *s, uint32_t t, vs_storey last[3], found_some *to, bool *level) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
   int axis = a.x == b.x && a.x == c.x ? 0 : a.y == b.y && a.y == c.y ? 1 : 2;
@@ -157,7 +157,7 @@ static bool find_storey(vs_kernel *k, const settling *s, uint32_t t, vs_storey l
 
 static bool scan_some(vs_kernel *k, void *context, size_t index) {
   scan *c = context;
-  const settling *s = c->s;
+  const rounding *s = c->s;
   size_t begin = index * TASK, end = s->m->triangle_count - begin < TASK ? s->m->triangle_count : begin + TASK;
   found_some *to = &c->found[index % VS_PIPELINE_WINDOW];
   vs_storey last[3] = { { NAN, 0 }, { NAN, 0 }, { NAN, 0 } };
@@ -165,7 +165,7 @@ static bool scan_some(vs_kernel *k, void *context, size_t index) {
   to->noise = false;
   to->level = true;
   for (size_t t = begin; t < end; t++) {
-    bool noise = vs_settling_is_noise(s, (uint32_t)t), level;
+    bool noise = vs_rounding_is_noise(s, (uint32_t)t), level;
     to->noise = to->noise || noise;
     if ((noise || has_short(s, (uint32_t)t)) && !VS_PUSH(k, to->look, (uint32_t)t)) return false;
     if (!find_storey(k, s, (uint32_t)t, last, to, &level)) return false;
@@ -219,7 +219,7 @@ static bool order_storeys(vs_kernel *k, vs_storey *at, size_t count) {
   return ok;
 }
 
-static bool sort_storeys(settling *s) {
+static bool sort_storeys(rounding *s) {
   size_t kept = 0;
   bool near = false;
   if (!order_storeys(s->k, s->storeys.at, s->storeys.count)) return false;
@@ -235,7 +235,7 @@ static bool sort_storeys(settling *s) {
   return vs_kernel_report(s->k, 1);
 }
 
-size_t vs_settling_storey(const vs_settling *s, int axis, double value) {
+size_t vs_rounding_storey(const vs_rounding *s, int axis, double value) {
   vs_storey sought = { value, axis };
   size_t low = 0, high = s->storeys.count;
   while (low < high) {
@@ -247,7 +247,7 @@ size_t vs_settling_storey(const vs_settling *s, int axis, double value) {
 }
 
 /* *any: is there any noise? */
-static bool find_look(settling *s, bool *any) {
+static bool find_look(rounding *s, bool *any) {
   scan c = { .s = s };
   s->look.count = s->storeys.count = 0;
   s->level = true;
@@ -261,7 +261,7 @@ static bool find_look(settling *s, bool *any) {
   return ok;
 }
 
-static bool look_at(settling *s, uint32_t t) {
+static bool look_at(rounding *s, uint32_t t) {
   if (s->listed.at[t] & 1) return true;
   s->listed.at[t] |= 1;
   return VS_PUSH(s->k, s->look, t);
@@ -273,7 +273,7 @@ static int number_order(const void *a, const void *b) {
 }
 
 /* A round begins: nothing is busy, and what has come to be looked at stands in its place. */
-static void begin_round(settling *s) {
+static void begin_round(rounding *s) {
   memset(s->busy.at, 0, s->m->vertex_count);
   for (size_t i = 1; i < s->look.count; i++)
     if (s->look.at[i - 1] > s->look.at[i]) {
@@ -283,7 +283,7 @@ static void begin_round(settling *s) {
 }
 
 /* Fans anew, and marks of what is looked at. */
-static bool index_mesh(settling *s) {
+static bool index_mesh(rounding *s) {
   const vs_mesh *m = s->m;
   size_t n = m->vertex_count, triangles = m->triangle_count;
   if (!VS_ROOM(s->k, s->fans.at, s->fans.room, n + 1) ||
@@ -311,7 +311,7 @@ static bool index_mesh(settling *s) {
 }
 
 /* The triangle has the corner now; has it no longer. */
-static bool give(settling *s, uint32_t v, uint32_t t) {
+static bool give(rounding *s, uint32_t v, uint32_t t) {
   vs_fan *f = &s->fans.at[v];
   if (f->first + f->count != s->around.count) { /* to where there is room behind it */
     if (!VS_ROOM(s->k, s->around.at, s->around.room, s->around.count + f->count + 1)) return false;
@@ -323,7 +323,7 @@ static bool give(settling *s, uint32_t v, uint32_t t) {
   return VS_PUSH(s->k, s->around, t);
 }
 
-static void take_off(settling *s, uint32_t v, uint32_t t) {
+static void take_off(rounding *s, uint32_t v, uint32_t t) {
   vs_fan *f = &s->fans.at[v];
   uint32_t *at = s->around.at + f->first, kept = 0;
   for (uint32_t i = 0; i < f->count; i++)
@@ -334,7 +334,7 @@ static void take_off(settling *s, uint32_t v, uint32_t t) {
 /* ---- short edges ---- */
 
 /* May b become a? Every triangle around b that stays must keep its side, as far as it had one. */
-static bool allowed(const settling *s, uint32_t a, uint32_t b) {
+static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
   uint32_t common = 0, both = 0;
   vs_vec3 to = s->m->vertices[a];
   for (uint32_t i = 0; i < s->fans.at[b].count; i++) {
@@ -349,7 +349,7 @@ static bool allowed(const settling *s, uint32_t a, uint32_t b) {
                                           * two of the edge's triangles */
     vs_vec3 before = normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]),
             after = normal(to, s->m->vertices[p], s->m->vertices[q]);
-    if (vs_v3_dot(before, after) < 0 && !vs_settling_is_noise(s, other)) return false; /* noise may turn */
+    if (vs_v3_dot(before, after) < 0 && !vs_rounding_is_noise(s, other)) return false; /* noise may turn */
   }
   /* around b, next corners: a, then p of each other triangle; the two apexes are neighbours of a, and one of them is
    * counted above */
@@ -370,7 +370,7 @@ static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3
 /* A triangle lower than rounding moves its corners may turn over. Its longest edge is given to its top instead: the
  * neighbour behind that edge is cut in two there, and what was thin is gone. Neither may become as thin, or turn over,
  * before or after rounding. */
-static bool flip(settling *s, uint32_t t) {
+static bool flip(rounding *s, uint32_t t) {
   vs_mesh *m = s->m;
   const uint32_t *v = m->triangles[t];
   double length[3];
@@ -405,18 +405,18 @@ static bool flip(settling *s, uint32_t t) {
 }
 
 /* The rounds count what they have done; false: out of memory. */
-static bool flip_round(settling *s, size_t *done) {
+static bool flip_round(rounding *s, size_t *done) {
   begin_round(s);
   *done = 0;
   for (size_t i = 0, n = s->look.count; i < n; i++) {
     if (!vs_kernel_poll(s->k, 1)) return false;
-    if (!s->gone.at[s->look.at[i]] && vs_settling_is_noise(s, s->look.at[i])) *done += flip(s, s->look.at[i]);
+    if (!s->gone.at[s->look.at[i]] && vs_rounding_is_noise(s, s->look.at[i])) *done += flip(s, s->look.at[i]);
   }
   return s->k->error->status == VS_KERNEL_FINE;
 }
 
 /* Takes out of the mesh what is gone. */
-static void squeeze(settling *s) {
+static void squeeze(rounding *s) {
   size_t kept = 0;
   for (size_t t = 0; t < s->m->triangle_count; t++)
     if (!s->gone.at[t]) s->changed.at[kept++] = s->changed.at[t];
@@ -424,7 +424,7 @@ static void squeeze(settling *s) {
 }
 
 /* b becomes a: the two triangles along their edge go. */
-static bool collapse(settling *s, uint32_t a, uint32_t b) {
+static bool collapse(rounding *s, uint32_t a, uint32_t b) {
   vs_mesh *m = s->m;
   for (int end = 0; end < 2; end++)
     for (uint32_t i = 0, v = end ? b : a; i < s->fans.at[v].count; i++)
@@ -446,7 +446,7 @@ static bool collapse(settling *s, uint32_t a, uint32_t b) {
   return true;
 }
 
-static bool collapse_round(settling *s, size_t *done) {
+static bool collapse_round(rounding *s, size_t *done) {
   const vs_mesh *m = s->m;
   begin_round(s);
   *done = 0;
@@ -467,13 +467,13 @@ static bool collapse_round(settling *s, size_t *done) {
 
 /* ---- blades ---- */
 
-static bool is_blade(const settling *s, const vs_shell *of) {
+static bool is_blade(const rounding *s, const vs_shell *of) {
   return fabs(of->volume) < of->area * unit(of->reach, s->numbers);
 }
 
 /* Shells that are thinner than two units all over, and that rounding bends, would be sheets on sheets: they go, unless
  * nothing else is there. (A thin plate far from the origin, along the axes, stays as it is.) False: out of memory. */
-static bool drop_blades(settling *s, vs_settled *out) {
+static bool drop_blades(rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
   vs_shells shells;
   bool ok = vs_shells_find(m, &shells) && vs_kernel_report(s->k, 1);
@@ -523,7 +523,7 @@ static sheet sheet_of(const uint32_t v[3], uint32_t t) {
   return s;
 }
 
-static bool is_met(const settling *s, uint32_t t) { /* near one that meets another */
+static bool is_met(const rounding *s, uint32_t t) { /* near one that meets another */
   const uint32_t *v = s->m->triangles[t];
   return s->near_met.at[v[0]] || s->near_met.at[v[1]] || s->near_met.at[v[2]];
 }
@@ -531,7 +531,7 @@ static bool is_met(const settling *s, uint32_t t) { /* near one that meets anoth
 /* Corners within a few units of each other, joined by edges of triangles that rounding bends (or all) near where
  * something meets, become one; what then is an edge, or two sheets on each other, goes. A map of corners keeps a closed
  * chain closed, but it need not be a manifold by index any more: for formats without indices. False: out of memory. */
-static bool contract(settling *s, double near_units, bool all, size_t *count) {
+static bool contract(rounding *s, double near_units, bool all, size_t *count) {
   vs_mesh *m = s->m;
   size_t sheets_count = 0;
   uint32_t *parent = malloc((m->vertex_count + 1) * sizeof *parent);
@@ -588,7 +588,7 @@ static bool contract(settling *s, double near_units, bool all, size_t *count) {
 
 /* ---- all of it ---- */
 
-static bool drop_vertices(settling *s) {
+static bool drop_vertices(rounding *s) {
   vs_mesh *m = s->m;
   uint32_t count = 0;
   VS_LIST(uint32_t) number = { 0 };
@@ -607,12 +607,12 @@ static bool drop_vertices(settling *s) {
 }
 
 /* Numbers have changed: everything is looked at anew. */
-static bool begin_again(settling *s) {
+static bool begin_again(rounding *s) {
   bool any;
   return find_look(s, &any) && index_mesh(s);
 }
 
-static bool settle(vs_settling *s, vs_settled *out) {
+static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
   size_t n = m->vertex_count, collapsed, flipped, more;
   bool any = false, ok = true;
@@ -632,7 +632,7 @@ static bool settle(vs_settling *s, vs_settled *out) {
   if (!any) {
     memset(s->gone.at, 0, m->triangle_count);
     memset(s->listed.at, 0, m->triangle_count);
-    if (!vs_settling_count_met(s, out)) return false;
+    if (!vs_rounding_count_met(s, out)) return false;
     if (!out->met || !s->places) return true;
   }
   if (!drop_blades(s, out) || !(out->dropped ? begin_again(s) : index_mesh(s))) return false;
@@ -649,7 +649,7 @@ static bool settle(vs_settling *s, vs_settled *out) {
     if (!collapsed && !flipped) break;
   }
   if (ok) suspect_neighbours(s);
-  ok = ok && vs_settling_count_met(s, out);
+  ok = ok && vs_rounding_count_met(s, out);
   if (ok) squeeze(s);
   for (int round = 0; ok && s->places && out->met && round < ROUNDS; round++) {
     size_t contracted = 0;
@@ -658,13 +658,13 @@ static bool settle(vs_settling *s, vs_settled *out) {
     out->collapsed += contracted;
     ok = begin_again(s) && flip_round(s, &flipped);
     if (ok) suspect_neighbours(s);
-    ok = ok && vs_settling_count_met(s, out);
+    ok = ok && vs_rounding_count_met(s, out);
     out->flipped += flipped;
   }
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
 }
 
-bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_settled *out,
+bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_rounded *out,
                     vs_kernel_error *error) {
   enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
   vs_kernel_error ignored;
@@ -672,13 +672,13 @@ bool vs_mesh_settle(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opt
                   .error = error ? error : &ignored,
                   .threads = m->triangle_count < SERIAL ? 1 : vs_kernel_threads(options),
                   .done = 1 };
-  bool places = numbers == VS_NUMBERS_SOUP;
-  vs_settling s = { .k = &k, .m = m, .numbers = places ? VS_NUMBERS_SINGLE : numbers, .places = places };
+  bool places = numbers == VS_NUMBERS_LOOSE;
+  vs_rounding s = { .k = &k, .m = m, .numbers = places ? VS_NUMBERS_SINGLE : numbers, .places = places };
   *k.error = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
-  *out = (vs_settled){ 0 };
+  *out = (vs_rounded){ 0 };
   vs_kernel_time(&k, options && options->counts ? options->counts->seconds : NULL);
-  bool ok = settle(&s, out);
-  vs_kernel_lap(&k, VS_STEP_SETTLE);
+  bool ok = round_mesh(&s, out);
+  vs_kernel_lap(&k, VS_STEP_ROUND);
   VS_DROP(&k, s.fans);
   VS_DROP(&k, s.around);
   VS_DROP(&k, s.look);

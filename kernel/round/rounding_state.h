@@ -1,7 +1,7 @@
-/* Owns the state of settling a rounded mesh (rounding.c), shared with the search for self-contacts
+/* Owns the state of rounding a mesh (rounding.c), shared with the search for self-contacts
  * after rounding (self_contacts.c). */
-#ifndef VS_KERNEL_SETTLING_H
-#define VS_KERNEL_SETTLING_H
+#ifndef VS_KERNEL_ROUNDING_STATE_H
+#define VS_KERNEL_ROUNDING_STATE_H
 
 #include "model/mesh.h"
 #include "kernel/memory.h"
@@ -14,7 +14,7 @@ typedef struct { double value; int axis; } vs_storey; /* a plane across an axis 
 typedef struct {
   vs_kernel *k;
   vs_mesh *m;
-  vs_numbers numbers;      /* SOUP is SINGLE here */
+  vs_numbers numbers;      /* LOOSE is SINGLE here */
   /* triangles are given by places, without indices: those of which two corners are one place are left out */
   bool places;
   vs_bounds bounds;
@@ -34,18 +34,18 @@ typedef struct {
             * any more; VS_SUSPECT beside one that may have turned over, or at a place
             * where the surface touches itself */
   VS_LIST(uint8_t) near_met; /* of a vertex: 1: of a triangle that meets another; 2, 3: one and two triangles further */
-} vs_settling;
+} vs_rounding;
 
 enum { VS_CHANGED = 1, VS_SUSPECT = 2 };
 
-vs_vec3 vs_settling_corner(const vs_settling *s, uint32_t v); /* rounded */
+vs_vec3 vs_rounding_corner(const vs_rounding *s, uint32_t v); /* rounded */
 /* Counts the triangles that intersect another triangle after rounding; each is counted once. */
-bool vs_settling_count_met(vs_settling *s, vs_settled *out);
+bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out);
 
 /* Where the first storey of the axis stands that is not below the value, or would. */
-size_t vs_settling_storey(const vs_settling *s, int axis, double value);
+size_t vs_rounding_storey(const vs_rounding *s, int axis, double value);
 
 /* Is it lower than rounding may move its corners by, and turned by that more than two or three degrees? */
-bool vs_settling_is_noise(const vs_settling *s, uint32_t t);
+bool vs_rounding_is_noise(const vs_rounding *s, uint32_t t);
 
 #endif

@@ -5,7 +5,7 @@
  * the same way there is another, and where they end beside each other, so do the walls at their ends. Therefore
  * triangles that look the same way are not tried, which are nearly all that touch: the triangles of one plane, and
  * neighbours on what is round. Triangles lower than some units are tried against everything, for which way they look is
- * chance; and so are those that settling has given other corners, since the sheet between two others, or the way
+ * chance; and so are those that rounding has given other corners, since the sheet between two others, or the way
  * between two planes, may be what it took away.
  *   run      up to 16 triangles that stand in a row in the mesh, touch, and look the same way but for 15 degrees; or a
  *   low one by itself slab     the stretch along a run's middle normal in which all its corners lie
@@ -68,8 +68,8 @@ typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places;
 typedef struct { uint32_t a, b; } pair;
 
 typedef struct {
-  vs_settling *s;
-  vs_settled *out;
+  vs_rounding *s;
+  vs_rounded *out;
   vs_vec3 middle;
   double step;                   /* of boxes */
   double low;                    /* triangles lower than that are low */
@@ -104,13 +104,13 @@ static void measure(sheet *to) {
   to->flat = !(area > 1e-28 * error) && vs_triangle_is_flat(to->at);
 }
 
-static void load(const vs_settling *s, uint32_t t, sheet *to) {
+static void load(const vs_rounding *s, uint32_t t, sheet *to) {
   to->triangle = t;
-  for (int i = 0; i < 3; i++) to->at[i] = vs_settling_corner(s, s->m->triangles[t][i]);
+  for (int i = 0; i < 3; i++) to->at[i] = vs_rounding_corner(s, s->m->triangles[t][i]);
   measure(to);
 }
 
-static void load_exact(const vs_settling *s, uint32_t t, sheet *to) {
+static void load_exact(const vs_rounding *s, uint32_t t, sheet *to) {
   to->triangle = t;
   for (int i = 0; i < 3; i++) to->at[i] = s->m->vertices[s->m->triangles[t][i]];
   measure(to);
@@ -210,11 +210,11 @@ static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis ==
 
 /* Has it corners on either side of a storey, or off it by less than the margin? Else what is level is apart from it. */
 static bool is_busy(const search *c, const run *r, const vs_bounds *box, const corners *four) {
-  const vs_settling *s = c->s;
+  const vs_rounding *s = c->s;
   if (r->is_low || r->is_changed) return true;
   for (int axis = 0; axis < 3; axis++) {
     double low = coordinate(box->min, axis), high = coordinate(box->max, axis);
-    for (size_t i = vs_settling_storey(s, axis, low - c->margin); i < s->storeys.count; i++) {
+    for (size_t i = vs_rounding_storey(s, axis, low - c->margin); i < s->storeys.count; i++) {
       double value = s->storeys.at[i].value;
       if (s->storeys.at[i].axis != axis || value > high + c->margin) break;
       if (value != low && value != high) return true;
@@ -254,7 +254,7 @@ static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
              : b->min.z == b->max.z     ? 2
                                         : NOT_LEVEL;
   r->value = coordinate(b->min, r->level);
-  size_t storey = r->level == NOT_LEVEL ? 0 : vs_settling_storey(c->s, r->level, r->value);
+  size_t storey = r->level == NOT_LEVEL ? 0 : vs_rounding_storey(c->s, r->level, r->value);
   if (r->level != NOT_LEVEL && (storey == c->s->storeys.count || c->s->storeys.at[storey].value != r->value))
     r->level = NOT_LEVEL;
   r->busy = r->level == NOT_LEVEL && is_busy(c, r, b, g->four);
@@ -486,7 +486,7 @@ typedef struct { vs_kernel *k; search *c; size_t at; const run *level; } looking
 
 /* changed: one of them has been given other corners, so that there is no pair before rounding. */
 static bool try_triangles(looking *l, const sheet *x, const sheet *y, bool changed) {
-  const vs_settling *s = l->c->s;
+  const vs_rounding *s = l->c->s;
   if (x->flat || y->flat || apart(x, y)) return true;
   vs_meeting meeting = vs_triangles_meet(x->at, y->at);
   if (meeting == VS_MEET_NOT) return true;
@@ -563,7 +563,7 @@ static bool look_level(void *context, uint32_t busy) {
 }
 
 /* The triangles that contracting may touch: the corners of those that meet, and those two triangles further. */
-static bool mark_around(vs_settling *s) {
+static bool mark_around(vs_rounding *s) {
   for (uint8_t ring = 1; ring <= 2; ring++)
     for (size_t t = 0; t < s->m->triangle_count; t++) {
       const uint32_t *v = s->m->triangles[t];
@@ -598,11 +598,11 @@ static bool look(vs_kernel *k, void *context, size_t index) {
 }
 
 static void count_once(const search *c, uint32_t t) {
-  vs_settling *s = c->s;
+  vs_rounding *s = c->s;
   if (s->listed.at[t] & 2) return;
   s->listed.at[t] |= 2;
   for (int j = 0; j < 3; j++) s->near_met.at[s->m->triangles[t][j]] = 1;
-  if (c->out->met++ == 0) c->out->at = vs_settling_corner(s, s->m->triangles[t][0]);
+  if (c->out->met++ == 0) c->out->at = vs_rounding_corner(s, s->m->triangles[t][0]);
 }
 
 static bool take(vs_kernel *k, void *context, size_t index) {
@@ -630,9 +630,9 @@ static bool count_flat(vs_kernel *k, const search *c) {
   return true;
 }
 
-static vs_vec3 rounded_corner(const void *state, uint32_t vertex) { return vs_settling_corner(state, vertex); }
+static vs_vec3 rounded_corner(const void *state, uint32_t vertex) { return vs_rounding_corner(state, vertex); }
 
-bool vs_settling_count_met(vs_settling *s, vs_settled *out) {
+bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out) {
   enum { LOW = 4 /* twice as many units */, MARGIN = 128 };
   vs_kernel *k = s->k;
   vs_vec3 size = vs_v3_sub(s->bounds.max, s->bounds.min);

@@ -16,17 +16,17 @@ static uint64_t place_hash(vs_vec3 p) {
 }
 
 /* Does the triangle lie in a plane across an axis that is one of the storeys? */
-static bool is_level(const vs_settling *s, uint32_t t) {
+static bool is_level(const vs_rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
   int axis = a.x == b.x && a.x == c.x ? 0 : a.y == b.y && a.y == c.y ? 1 : 2;
   double value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
   if (axis == 2 && (a.z != b.z || a.z != c.z)) return false;
-  size_t storey = vs_settling_storey(s, axis, value);
+  size_t storey = vs_rounding_storey(s, axis, value);
   return storey < s->storeys.count && s->storeys.at[storey].axis == axis && s->storeys.at[storey].value == value;
 }
 
-bool vs_rounding_suspect_touching(vs_settling *s) {
+bool vs_rounding_suspect_touching(vs_rounding *s) {
   const vs_mesh *m = s->m;
   VS_LIST(uint32_t) slots = { 0 }; /* a vertex and 1, by its place; 0: free */
   VS_LIST(uint8_t) touches = { 0 };

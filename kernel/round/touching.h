@@ -6,6 +6,6 @@
 
 /* Marks the triangles at places that two corners share, but for those that lie in a storey: there rounding keeps them.
  * False: out of memory, or interrupted. */
-bool vs_rounding_suspect_touching(vs_settling *s);
+bool vs_rounding_suspect_touching(vs_rounding *s);
 
 #endif

@@ -137,11 +137,11 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
   char detail[300];
   bool touches = false;
   results++;
-  for (int numbers = VS_NUMBERS_DOUBLE; numbers <= VS_NUMBERS_SOUP; numbers++) {
-    vs_settled settled;
+  for (int numbers = VS_NUMBERS_DOUBLE; numbers <= VS_NUMBERS_LOOSE; numbers++) {
+    vs_rounded settled;
     crossings_found found;
     vs_mesh own = { 0 }, *m = &own;
-    bool fine = vs_mesh_copy(whole, m) && vs_mesh_settle(m, (vs_numbers)numbers, NULL, &settled, NULL);
+    bool fine = vs_mesh_copy(whole, m) && vs_mesh_round(m, (vs_numbers)numbers, NULL, &settled, NULL);
     crossings_point *at = malloc((m->vertex_count + 1) * sizeof *at);
     crossings_triangle *triangles = malloc((m->triangle_count + 1) * sizeof *triangles);
     size_t count = 0;

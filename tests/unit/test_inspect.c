@@ -126,7 +126,7 @@ static bool count_polls(void *context, double done) { return (void)done, ++*(siz
 static size_t polls_of_stair(size_t boxes, double step) {
   vs_mesh m = { 0 };
   size_t polls = 0;
-  vs_settled s;
+  vs_rounded s;
   vs_kernel_error e;
   for (size_t i = 0; i < boxes; i++) {
     double at = step * (double)i;
@@ -141,7 +141,7 @@ static size_t polls_of_stair(size_t boxes, double step) {
     assert_true(vs_mesh_add_triangle(&m, base + face[0], base + face[1], base + face[2]));
   }
   vs_kernel_options o = { .progress = count_polls, .context = &polls, .threads = 1 };
-  assert_true(vs_mesh_settle(&m, VS_NUMBERS_DIGITS, &o, &s, &e));
+  assert_true(vs_mesh_round(&m, VS_NUMBERS_DIGITS, &o, &s, &e));
   vs_mesh_free(&m);
   return polls;
 }
@@ -157,12 +157,12 @@ static void test_storeys_are_interrupted(void **state) {
 static void test_settle(void **state) {
   (void)state;
   vs_mesh m = { 0 };
-  vs_settled s;
+  vs_rounded s;
   bool sure;
   join(&m, "(sphere 2 32)", 9);
   size_t triangles = m.triangle_count, vertices = m.vertex_count;
   double volume = vs_mesh_volume(&m);
-  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
+  assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed + s.flipped + s.met, 0);
   assert_int_equal(m.triangle_count, triangles);
   for (uint32_t t = 0; t < triangles; t += 211) { /* an edge of a few triangles becomes all but nothing: pulled to its other end */
@@ -170,9 +170,9 @@ static void test_settle(void **state) {
     m.vertices[v[1]] = vs_v3_add(m.vertices[v[0]], vs_v3(1e-9, 0, -1e-9));
   }
   double pulled = vs_mesh_volume(&m);
-  assert_true(vs_mesh_settle(&m, VS_NUMBERS_DIGITS, NULL, &s, NULL));
+  assert_true(vs_mesh_round(&m, VS_NUMBERS_DIGITS, NULL, &s, NULL));
   assert_int_equal(s.collapsed, 0); /* 12 digits hold them apart */
-  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
+  assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed, 5);
   assert_int_equal(m.triangle_count, triangles - 2 * s.collapsed);
   assert_int_equal(m.vertex_count, vertices - s.collapsed);
@@ -181,7 +181,7 @@ static void test_settle(void **state) {
   vs_mesh_free(&m);
   join(&m, "(cyl 1 1 0 3)", 9); /* a tetrahedron smaller than its numbers stays one: nothing may be left of it but sheets */
   for (size_t i = 0; i < m.vertex_count; i++) m.vertices[i] = vs_v3_add(vs_v3(1000, 1000, 1000), vs_v3_scale(m.vertices[i], 1e-6));
-  assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
+  assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(m.triangle_count, 4);
   assert_true(vs_mesh_closed(&m, &sure));
   vs_mesh_free(&m);
@@ -193,7 +193,7 @@ static void test_between(void **state) {
   static const double gaps[] = { 1e-9, 1e-3 };
   for (int i = 0; i < 2; i++) {
     vs_mesh m = { 0 };
-    vs_settled s;
+    vs_rounded s;
     join(&m, "(union (rotate 33 21 17 (translate 20 1 5 (box 2 2 2))) (rotate 33 21 17 (translate 20 1 5 (box 2 2 2))))", 9);
     size_t n = m.vertex_count / 2;
     vs_vec3 along[3];
@@ -203,7 +203,7 @@ static void test_between(void **state) {
     }
     for (size_t v = n; v < 2 * n; v++)
       m.vertices[v] = vs_v3_add(m.vertices[v], vs_v3_add(vs_v3_scale(along[0], 1 + gaps[i] / 2), vs_v3_add(vs_v3_scale(along[1], 0.31), vs_v3_scale(along[2], 0.17))));
-    assert_true(vs_mesh_settle(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
+    assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
     assert_int_equal(s.collapsed + s.flipped + s.dropped, 0);
     assert_int_equal(s.met > 0, i == 0);
     vs_mesh_free(&m);
@@ -221,7 +221,7 @@ static void test_ends(void **state) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     sx_problem p;
     vs_mesh m = { 0 };
-    vs_settled s;
+    vs_rounded s;
     vs_kernel_error e;
     vs_affine turn = vs_affine_rotation(vs_v3(1, 2, 3), vs_v3(3, 1, 2), 1);
     assert_true(sx_parse(ring, &p));
@@ -232,7 +232,7 @@ static void test_ends(void **state) {
       if (fabs(m.vertices[v].z - 2.5) < 1e-6) m.vertices[v].z = 2 + cases[i].gap, moved++;
     assert_int_equal(moved, 4);
     if (cases[i].turned) vs_mesh_transform(&m, &turn);
-    assert_true(vs_mesh_settle(&m, cases[i].numbers, NULL, &s, NULL));
+    assert_true(vs_mesh_round(&m, cases[i].numbers, NULL, &s, NULL));
     assert_int_equal(s.collapsed + s.flipped + s.dropped, 0);
     assert_int_equal(s.met > 0, cases[i].meets);
     vs_mesh_free(&m);

@@ -617,7 +617,7 @@ static void test_self_check(void **state) {
       vs_kernel_counts counts = { 0 };
       vs_cluster c = { .problem = &p.problem, .parts = &parts, .expression = &expression, .leaves = leaves, .leaf_count = n };
       e = (vs_kernel_error){ VS_KERNEL_FINE, 0, "" };
-      assert_true(vs_parts_prepare(&k, &parts, &p.problem, leaves, same, n) && vs_expression_build(&k, &expression, &p.problem) && vs_soup_build(&k, &c));
+      assert_true(vs_parts_prepare(&k, &parts, &p.problem, leaves, same, n) && vs_expression_build(&k, &expression, &p.problem) && vs_snap_to_grid(&k, &c));
       assert_true(vs_check_leaves(&k, &c, &check, &counts));
       assert_int_equal(counts.coarse, 0);
       if (fault == 1) m.triangle_count = 0;

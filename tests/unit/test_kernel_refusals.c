@@ -48,8 +48,8 @@ static bool perform(const sx_problem *p, uint32_t threads, vs_kernel_status *why
   vs_kernel_options options = { .threads = threads, .progress = again };
   vs_kernel_error e = { VS_KERNEL_FINE, 0, "" };
   vs_mesh m = { 0 };
-  vs_settled settled;
-  bool ok = vs_kernel_evaluate(&p->problem, &options, &m, &e) && vs_mesh_settle(&m, VS_NUMBERS_SOUP, &options, &settled, &e);
+  vs_rounded settled;
+  bool ok = vs_kernel_evaluate(&p->problem, &options, &m, &e) && vs_mesh_round(&m, VS_NUMBERS_LOOSE, &options, &settled, &e);
   *why = e.status;
   vs_mesh_free(&m);
   return ok;
