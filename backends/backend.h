@@ -51,8 +51,8 @@ struct vs_emitter {
   vs_error *error;
   const char *path;    /* of the file being made, for names beside it; NULL: there is none */
   void *state;         /* the back-end's own, made by begin and freed by close */
-  vs_facets drawing_facets; /* of what stands unplaced */
-  vs_facets facets;    /* in the coordinates of what is being written: finer where its placement makes it larger */
+  vs_fineness drawing_facets; /* of what stands unplaced */
+  vs_fineness facets;    /* in the coordinates of what is being written: finer where its placement makes it larger */
   vs_bounds bounds;    /* of everything drawn; never empty */
   vs_pen pen;          /* POV-Ray: how thick curves are drawn */
   double unit;         /* POV-Ray: how long a model unit is in its scene; see scene.c */

@@ -403,7 +403,7 @@ static bool drive_reach(vs_emitter *e, const vs_node *n) {
 /* A node below a placement is cut into facets as fine as it comes out: the kernel does the same. */
 static void drive_place(vs_emitter *e, const vs_affine *placement) {
   e->placement = *placement;
-  e->facets = vs_facets_placed(&e->drawing_facets, placement);
+  e->facets = vs_fineness_placed(&e->drawing_facets, placement);
 }
 
 /* Shows one reference that is not vain: a template's use, a leaf, or an operation, which then lies on the stack. */
@@ -627,13 +627,13 @@ static bool drive_bounds(vs_emitter *e) {
     if (!isfinite(low[i]) || !isfinite(high[i]))
       return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing is infinitely large");
   e->drawing_facets.segments = e->scene->segments;
-  e->drawing_facets.tolerance = e->scene->tolerance > 0 ? e->scene->tolerance : vs_facets_tolerance(&e->bounds);
+  e->drawing_facets.tolerance = e->scene->tolerance > 0 ? e->scene->tolerance : vs_fineness_tolerance(&e->bounds);
   e->facets = e->drawing_facets;
   double most = 0;
   for (int i = 0; i < 3; i++) most = fmax(most, fmax(fabs(low[i]), fabs(high[i])));
   bool single = e->backend->numbers == VS_NUMBERS_SINGLE || e->backend->numbers == VS_NUMBERS_LOOSE;
   double step = ldexp(1, ilogb(most > 0 ? most : 1) - 23);
-  if (single && step > vs_facets_tolerance(&e->bounds) / 8 && e->options->warn != NULL) {
+  if (single && step > vs_fineness_tolerance(&e->bounds) / 8 && e->options->warn != NULL) {
     char message[200];
     snprintf(message, sizeof message,
              "the drawing is far from the origin for its size: this format's numbers have steps of %.3g there; move it "

@@ -29,7 +29,7 @@ vs_status vs_p_drawing(vs_frame *f, vs_value *out) {
 
 /* ---- an object in simpler kinds ---- */
 
-static vs_status lower_triangles(vs_frame *f, const vs_facets *facets, vs_node **made) {
+static vs_status lower_triangles(vs_frame *f, const vs_fineness *facets, vs_node **made) {
   const vs_ref *ref = &f->arg[0].ref;
   vs_error e = { 0 };
   bool ok;
@@ -56,11 +56,11 @@ vs_status vs_p_lowered(vs_frame *f, vs_value *out) {
   bool worked_out = (f->arg[0].ref.node->flags & VS_NODE_UNRESOLVED) != 0;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
-  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
   if (vs_bind_is_empty(n) || n->kind == VS_LINE || n->kind == VS_POLYFACE_MESH)
     return vs_bind_node(f, vs_node_retain(f->arg[0].ref.node), out);
   if (!vs_node_bounds(n, &bounds, &e)) return vs_bind_error(f, &e);
-  if (facets.tolerance <= 0) facets.tolerance = vs_facets_tolerance(&bounds);
+  if (facets.tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&bounds);
   vs_node *made = NULL;
   if (n->class_ == VS_CURVE) {
     vs_polyline p = { .count = 0 };

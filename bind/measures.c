@@ -22,9 +22,9 @@ vs_status vs_bind_resolve(vs_frame *f, int i) {
   vs_bounds b;
   vs_ref *ref = &f->arg[i].ref, made = *ref;
   if (!(ref->node->flags & VS_NODE_UNRESOLVED)) return VS_OK;
-  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
   if (facets.tolerance <= 0 && vs_node_bounds(ref->node, &b, &e) && vs_bounds_diagonal(&b) > 0)
-    facets.tolerance = vs_facets_tolerance(&b) / 16;
+    facets.tolerance = vs_fineness_tolerance(&b) / 16;
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
   vs_node_retain(made.node);
   e = (vs_error){ 0 };
@@ -39,7 +39,7 @@ vs_status vs_bind_resolve(vs_frame *f, int i) {
 
 enum { SOLID_MEASURE /* and one for each vs_ask */ };
 
-static bool known(vs_frame *f, uint64_t what, const vs_facets *facets, void *out, size_t size) {
+static bool known(vs_frame *f, uint64_t what, const vs_fineness *facets, void *out, size_t size) {
   vs_cache *cache = vs_store_cache(f->bind->store);
   const uint64_t words[] = { what, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
   const vs_cached *held = vs_cache_find(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3, 0 });
@@ -49,7 +49,7 @@ static bool known(vs_frame *f, uint64_t what, const vs_facets *facets, void *out
   return true;
 }
 
-static void keep(vs_frame *f, uint64_t what, const vs_facets *facets, const void *at, size_t size) {
+static void keep(vs_frame *f, uint64_t what, const vs_fineness *facets, const void *at, size_t size) {
   vs_cache *cache = vs_store_cache(f->bind->store);
   const uint64_t words[] = { what, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
   vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3, 0 },
@@ -58,7 +58,7 @@ static void keep(vs_frame *f, uint64_t what, const vs_facets *facets, const void
 
 static vs_status measure_solid(vs_frame *f, vs_measure *m, vs_ask ask) {
   vs_error e = { 0 };
-  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
   uint64_t what = SOLID_MEASURE + (uint64_t)ask;
   if (known(f, what, &facets, m, sizeof *m)) return VS_OK;
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
@@ -73,7 +73,7 @@ static vs_status measure_surface(vs_frame *f, vs_measure *m) {
   vs_error e = { 0 };
   vs_bounds b;
   vs_mesh mesh = { 0 };
-  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
   vs_vec3 sum = { 0, 0, 0 };
   if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
   if (facets.tolerance <= 0) facets.tolerance = fmax(vs_bounds_diagonal(&b) / 65536, 1e-300);
@@ -176,7 +176,7 @@ vs_status vs_p_bounding_box(vs_frame *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
   if (!vs_drawn_bounds(&f->arg[0].ref, &facets, &options, NULL, &b, NULL, &e))
     return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);

@@ -23,7 +23,7 @@ static const vs_ref *tessellate_below(const vs_node *n, vs_affine *placed) {
   return NULL;
 }
 
-static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   bool ok = false;
   if (n->class_ == VS_NOTHING) return true;
   switch ((vs_kind)n->kind) {
@@ -100,11 +100,11 @@ static bool tessellate_leaf(const vs_node *n, const vs_facets *f, vs_mesh *out, 
   return ok || vs_error_memory(e, NULL);
 }
 
-bool vs_tessellate(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   const vs_origin *origin = NULL;
   for (const vs_ref *below; (below = tessellate_below(n, &placed)) != NULL; n = below->node) origin = below->origin;
-  vs_facets inner = vs_facets_placed(f, &placed);
+  vs_fineness inner = vs_fineness_placed(f, &placed);
   size_t first_vertex = out->vertex_count, first_triangle = out->triangle_count;
   if (!tessellate_leaf(n, &inner, out, e)) {
     out->vertex_count = first_vertex;
@@ -116,7 +116,7 @@ bool vs_tessellate(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error 
   return true;
 }
 
-static bool hull_corners(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_cloud *out, vs_error *e) {
+static bool hull_corners(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_cloud *out, vs_error *e) {
   if (n->class_ == VS_CURVE || n->class_ == VS_REGION_CLASS) return vs_planar_corners(n, placed, f, out, e);
   if (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)
     return vs_error_set(e, VS_ERROR_MODEL, NULL, "the hull of an intersection or a difference needs its mesh");
@@ -127,6 +127,6 @@ static bool hull_corners(const vs_node *n, const vs_affine *placed, const vs_fac
   return ok;
 }
 
-bool vs_hull_points(const vs_node *hull, const vs_facets *f, vs_cloud *out, vs_error *e) {
+bool vs_hull_points(const vs_node *hull, const vs_fineness *f, vs_cloud *out, vs_error *e) {
   return vs_hull_cloud(hull, hull_corners, f, out, e);
 }

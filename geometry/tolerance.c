@@ -3,13 +3,13 @@
 
 enum { LEAST_TURN = 32, MOST_TURN = 4096 };
 
-double vs_facets_tolerance(const vs_bounds *drawing) {
+double vs_fineness_tolerance(const vs_bounds *drawing) {
   double diagonal = vs_bounds_diagonal(drawing);
   if (!(diagonal > 0) || !isfinite(diagonal)) return ldexp(1, -12);
   return ldexp(1, (int)nearbyint(log2(diagonal / 4000)));
 }
 
-int vs_facets_turn_least(const vs_facets *f, double r, int least) {
+int vs_fineness_turn_least(const vs_fineness *f, double r, int least) {
   if (!(r > f->tolerance)) return least;
   /* r (1 - cos(pi/n)) <= tolerance */
   double half_angle = acos(1 - f->tolerance / r);
@@ -19,19 +19,19 @@ int vs_facets_turn_least(const vs_facets *f, double r, int least) {
   return whole < least ? least : whole;
 }
 
-int vs_facets_turn(const vs_facets *f, double r, int segments) {
+int vs_fineness_turn(const vs_fineness *f, double r, int segments) {
   if (!segments) segments = f->segments;
   if (segments > 0) return segments < 3 ? 3 : segments > MOST_TURN ? MOST_TURN : segments;
-  return vs_facets_turn_least(f, r, LEAST_TURN);
+  return vs_fineness_turn_least(f, r, LEAST_TURN);
 }
 
-vs_facets vs_facets_placed(const vs_facets *f, const vs_affine *a) {
+vs_fineness vs_fineness_placed(const vs_fineness *f, const vs_affine *a) {
   double most = 0;
   for (int j = 0; j < 3; j++) {
     double length = vs_v3_length(vs_v3(a->m[0][j], a->m[1][j], a->m[2][j]));
     if (length > most) most = length;
   }
-  vs_facets placed = *f;
+  vs_fineness placed = *f;
   if (most > 0 && isfinite(most)) placed.tolerance = ldexp(f->tolerance, -(int)ceil(log2(most) - 1e-6));
   return placed;
 }

@@ -81,7 +81,7 @@ static bool starved(const vs_error *e) { return e->kind != VS_ERROR_NONE && e->k
 
 /* Adds the planes of one part, each once. A part that cannot be meshed here has none. */
 static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32_t operand) {
-  static const vs_facets coarse = { 1e300, 32 };
+  static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
   vs_error ignored = { 0 };
   size_t from = f->count;
@@ -173,7 +173,7 @@ static void mark(flush *f, bool difference, unsigned char *marked, size_t operan
 
 /* The middle of what has a mesh, else of its box; and its box. False: nothing to grow, or *failed: out of memory. */
 static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *failed) {
-  static const vs_facets coarse = { 1e300, 32 };
+  static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
   vs_error ignored = { 0 };
   vs_vec3 sum = vs_v3(0, 0, 0);

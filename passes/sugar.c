@@ -1,4 +1,5 @@
-/* Owns the taking off of sugar: one walk that gathers what stands beside the drawing, then one pass that takes the wrappers off.
+/* Owns the taking off of sugar: one walk that gathers what stands beside the drawing, then one pass that takes the
+ * wrappers off.
  *
  * The walk goes every path to sugar, since each placement counts, but into nothing else; a drawing that shares a ghost
  * so often that there would be more than MARKS_MOST of them keeps the first. */

@@ -22,7 +22,7 @@ static size_t meets_mesh(const vs_mesh *m, vs_vec3 from, vs_vec3 direction, doub
   return nearest;
 }
 
-static bool meets_solid(vs_bind *b, vs_ref ref, const vs_facets *facets, vs_vec3 from, vs_vec3 direction,
+static bool meets_solid(vs_bind *b, vs_ref ref, const vs_fineness *facets, vs_vec3 from, vs_vec3 direction,
                         vs_ray_hit *hit, vs_error *e) {
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
   vs_solid solid;
@@ -34,7 +34,7 @@ static bool meets_solid(vs_bind *b, vs_ref ref, const vs_facets *facets, vs_vec3
   return true;
 }
 
-static bool meets_surface(vs_ref ref, const vs_facets *facets, vs_vec3 from, vs_vec3 direction, vs_ray_hit *hit,
+static bool meets_surface(vs_ref ref, const vs_fineness *facets, vs_vec3 from, vs_vec3 direction, vs_ray_hit *hit,
     vs_error *e) {
   vs_ref *parts;
   size_t count;
@@ -54,13 +54,13 @@ static bool meets_surface(vs_ref ref, const vs_facets *facets, vs_vec3 from, vs_
 
 bool vs_ray_meets(vs_bind *b, vs_ref object, vs_vec3 from, vs_vec3 direction, vs_ray_hit *hit, vs_error *e) {
   *hit = (vs_ray_hit){ INFINITY, NULL };
-  vs_facets facets = { .tolerance = vs_bind_tolerance(b) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(b) };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
   vs_bounds bounds;
   if (object.node->class_ == VS_NOTHING) return true;
   if (!vs_node_bounds(object.node, &bounds, e)) return false;
   if (vs_bounds_is_empty(&bounds) || !vs_ray_meets_box(&bounds, from, direction, INFINITY)) return true;
-  if (facets.tolerance <= 0) facets.tolerance = vs_facets_tolerance(&bounds);
+  if (facets.tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&bounds);
   vs_node_retain(object.node);
   bool ok = !(object.node->flags & VS_NODE_UNRESOLVED) || vs_resolve(&object, 1, &facets, &options, e);
   vs_class c = (vs_class)object.node->class_;

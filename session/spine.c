@@ -359,7 +359,7 @@ vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *fo
 static bool summarise(vs_session *s, const vs_scene *scene, vs_summary *out, vs_error *e) {
   vs_bounds all;
   vs_bind_counts sum = { 0 }, c;
-  vs_facets facets = { .tolerance = scene->tolerance, .segments = scene->segments };
+  vs_fineness facets = { .tolerance = scene->tolerance, .segments = scene->segments };
   vs_kernel_options options = { .progress = keep_resolving, .context = s };
   for (size_t i = 0; i < scene->drawn_count; i++) {
     if (!vs_bind_count(scene->drawn[i], &c)) return vs_error_memory(e, scene->drawn[i].origin);

@@ -79,7 +79,7 @@ static bool tell_object(vs_session *s, vs_value v) {
   vs_bounds b;
   vs_error e = { 0 };
   bool at_most = false;
-  vs_facets facets = { .tolerance = vs_bind_tolerance(&s->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(&s->bind) };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
   size_t budget = VS_DRAWN_BOUNDS_MOST;
   object = vs_bind_ref(r[0]);

@@ -446,12 +446,12 @@ static vs_node *mesh_node(vs_store *s, const vs_mesh *m) {
 
 bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options *options, vs_node **out, vs_error *e) {
   refs solids = { .store = n->store }, shown = { .store = n->store };
-  vs_facets facets = { .tolerance = tolerance };
+  vs_fineness facets = { .tolerance = tolerance };
   vs_solid solid = { 0 };
   *out = NULL;
   vs_bounds whole;
   bool ok = vs_node_bounds(n, &whole, e) && part_solids(n, &solids, &shown, e);
-  if (ok && tolerance <= 0) facets.tolerance = vs_facets_tolerance(&whole);
+  if (ok && tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&whole);
   double reach = facets.tolerance / 2; /* facets lie four times as near, so that they reach out everywhere */
   facets.tolerance /= 8;
   if (ok && solids.count) ok = vs_solid_evaluate(solids.at, solids.count, &facets, options, &solid, e);

@@ -25,13 +25,13 @@ typedef struct {
   int look_count;
 } open_node;
 
-static bool mesh_leaf(vs_ref ref, const vs_affine *map, const vs_facets *asked, const vs_kernel_options *options,
+static bool mesh_leaf(vs_ref ref, const vs_affine *map, const vs_fineness *asked, const vs_kernel_options *options,
                       const char *no_regions, vs_bend_leaf *l, vs_error *e) {
   vs_node *n = ref.node;
-  vs_facets facets = *asked;
+  vs_fineness facets = *asked;
   vs_bounds b;
   bool ok = true;
-  if (facets.tolerance <= 0 && vs_node_bounds(n, &b, NULL)) facets.tolerance = vs_facets_tolerance(&b);
+  if (facets.tolerance <= 0 && vs_node_bounds(n, &b, NULL)) facets.tolerance = vs_fineness_tolerance(&b);
   if (!(facets.tolerance > 0)) facets.tolerance = 1;
   if (n->class_ == VS_SOLID) {
     vs_solid solid = { 0 };
@@ -63,7 +63,7 @@ static void put_look(open_node *o, vs_node *n) {
   if (i == o->look_count) o->look_count++;
 }
 
-bool vs_take_apart(vs_ref object, const vs_facets *facets, const vs_kernel_options *options, const char *no_regions,
+bool vs_take_apart(vs_ref object, const vs_fineness *facets, const vs_kernel_options *options, const char *no_regions,
                    vs_bend_leaves *out, vs_error *e) {
   open_node *stack = NULL;
   size_t count = 0, room = 0;
@@ -161,7 +161,7 @@ typedef struct {
 
 struct vs_deformer {
   vs_store *store;
-  const vs_facets *facets;
+  const vs_fineness *facets;
   const vs_kernel_options *options;
   vs_nodemap children; /* child -> its number among the subjects + 1 */
   subject *subjects;
@@ -171,7 +171,7 @@ struct vs_deformer {
   size_t shape_count, shape_room;
 };
 
-vs_deformer *vs_deformer_new(vs_store *s, const vs_facets *facets, const vs_kernel_options *options) {
+vs_deformer *vs_deformer_new(vs_store *s, const vs_fineness *facets, const vs_kernel_options *options) {
   vs_deformer *d = NULL;
   size_t room = 0;
   if (!VS_GROW(d, room, 1)) return NULL;
@@ -327,7 +327,7 @@ vs_node *vs_deformer_apply(vs_deformer *d, const struct vs_deform *deform, vs_re
   if (!shape_room(d)) return vs_error_memory(e, child.origin), NULL;
   shape *slot = shape_slot(d->shapes, d->shape_room, &want);
   if (!slot->node) {
-    vs_facets own = { .segments = d->facets->segments };
+    vs_fineness own = { .segments = d->facets->segments };
     if (!sub->apart && !vs_take_apart(child, &own, d->options,
                                       "a hexahedron deforms solids, surfaces and curves, not regions: do-extrude them",
                                       &sub->leaves, e))

@@ -13,7 +13,7 @@
 /* Takes an object apart into leaves with their looks and origins, each a mesh in the object's coordinates; facets
  * without tolerance: each leaf at its own default. no_regions: the error that a region is, or NULL: regions are
  * surfaces. The object is resolved (solids/resolve.h). */
-bool vs_take_apart(vs_ref object, const vs_facets *facets, const vs_kernel_options *options, const char *no_regions,
+bool vs_take_apart(vs_ref object, const vs_fineness *facets, const vs_kernel_options *options, const char *no_regions,
                    vs_bend_leaves *out, vs_error *e);
 
 /* Is the deformation of an object with these bounds affine? Then *out is its map. */
@@ -22,7 +22,7 @@ bool vs_deform_is_affine(const struct vs_deform *d, const vs_bounds *bounds, vs_
 typedef struct vs_deformer vs_deformer;
 
 /* facets without tolerance: a two-hundredth of each hexahedron. All three outlive it. NULL: out of memory. */
-vs_deformer *vs_deformer_new(vs_store *s, const vs_facets *facets, const vs_kernel_options *options);
+vs_deformer *vs_deformer_new(vs_store *s, const vs_fineness *facets, const vs_kernel_options *options);
 void vs_deformer_free(vs_deformer *d); /* NULL is fine */
 /* Returns the child deformed, as placements and meshes; the child is resolved. NULL: e is set. */
 vs_node *vs_deformer_apply(vs_deformer *d, const struct vs_deform *corners, vs_ref child, vs_error *e);

@@ -112,7 +112,7 @@ static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
 
 /* ---- the bounds of the points that a drawing of it has ---- */
 
-static bool drawn_solid(const vs_ref *ref, const vs_facets *facets, const vs_kernel_options *options, vs_bounds *out,
+static bool drawn_solid(const vs_ref *ref, const vs_fineness *facets, const vs_kernel_options *options, vs_bounds *out,
                         vs_error *e) {
   vs_solid solid = { 0 };
   vs_cache *cache = vs_store_cache(ref->node->store);
@@ -136,7 +136,7 @@ static bool drawn_solid(const vs_ref *ref, const vs_facets *facets, const vs_ker
   return true;
 }
 
-static bool drawn_region(const vs_node *n, const vs_facets *facets, vs_bounds *out, vs_error *e) {
+static bool drawn_region(const vs_node *n, const vs_fineness *facets, vs_bounds *out, vs_error *e) {
   vs_outline o = { .count = 0 };
   if (!vs_region_outline(n, facets, &o, e)) return false;
   for (size_t i = 0; i < o.count; i++)
@@ -147,11 +147,11 @@ static bool drawn_region(const vs_node *n, const vs_facets *facets, vs_bounds *o
 
 static double drawn_in(double wide, double drawn, double near) { return fabs(wide - drawn) <= near ? wide : drawn; }
 
-bool vs_drawn_bounds(const vs_ref *ref, const vs_facets *facets, const vs_kernel_options *options, size_t *budget,
+bool vs_drawn_bounds(const vs_ref *ref, const vs_fineness *facets, const vs_kernel_options *options, size_t *budget,
                      vs_bounds *out, bool *at_most, vs_error *e) {
   const vs_node *n = ref->node;
   vs_bounds drawn = vs_bounds_empty();
-  vs_facets f = *facets;
+  vs_fineness f = *facets;
   bool exact;
   size_t cost = 0;
   if (!vs_node_bounds(n, out, e)) return false;
@@ -164,7 +164,7 @@ bool vs_drawn_bounds(const vs_ref *ref, const vs_facets *facets, const vs_kernel
     return true;
   }
   if (budget) *budget -= cost;
-  if (f.tolerance <= 0) f.tolerance = vs_facets_tolerance(out);
+  if (f.tolerance <= 0) f.tolerance = vs_fineness_tolerance(out);
   if (!(n->class_ == VS_SOLID ? drawn_solid(ref, &f, options, &drawn, e) : drawn_region(n, &f, &drawn, e))) {
     /* A format without meshes draws a solid that the mesher refuses; one with meshes reports the refusal itself. */
     if (e->kind != VS_ERROR_MODEL) return false;
@@ -181,7 +181,7 @@ bool vs_drawn_bounds(const vs_ref *ref, const vs_facets *facets, const vs_kernel
   return true;
 }
 
-bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                          size_t budget, vs_bounds *out, bool *at_most, vs_error *e) {
   node_stack s = { 0 };
   bool ok = true;

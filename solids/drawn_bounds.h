@@ -14,10 +14,10 @@ enum { VS_DRAWN_BOUNDS_MOST = 400 }; /* a budget (below) that takes some hundred
  * facets->tolerance 0: by the rule of drawings. budget: how many shapes may be combined for it, less what this call
  * used; NULL: any number. Where more would be needed the bounds are those of the operands, and *at_most (may be NULL)
  * becomes true. False: *e says why. */
-bool vs_drawn_bounds(const vs_ref *ref, const vs_facets *facets, const vs_kernel_options *options, size_t *budget,
+bool vs_drawn_bounds(const vs_ref *ref, const vs_fineness *facets, const vs_kernel_options *options, size_t *budget,
                      vs_bounds *out, bool *at_most, vs_error *e);
 /* The same of several things drawn, united. Unions are gone into, so that what is not cut in them costs nothing. */
-bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                          size_t budget, vs_bounds *out, bool *at_most, vs_error *e);
 
 #endif

@@ -93,7 +93,7 @@ static void widen(vs_bounds *b, double by) {
 
 bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, const vs_resolve_notes *notes, vs_error *e) {
   bool needed = false, ok = true;
-  vs_facets facets = { scene->tolerance, scene->segments };
+  vs_fineness facets = { scene->tolerance, scene->segments };
   endless_list lines = { 0 };
   vs_bounds all;
   for (size_t i = 0; i < scene->drawn_count; i++) needed = needed || scene->drawn[i].node->flags & VS_NODE_UNRESOLVED;

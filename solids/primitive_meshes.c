@@ -50,7 +50,7 @@ static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   return ok;
 }
 
-bool vs_primitive_overlaps(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, bool *overlaps,
+bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
                            vs_error *e) {
   vs_mesh m = { 0 };
   vs_mesh_flaws flaws = { 0 };
@@ -76,7 +76,7 @@ bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_e
   return flaws.wound_count == 0 || drop_flakes(m, 1e-6 * vs_bounds_diagonal(&b), e);
 }
 
-static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out,
+static bool primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,
                            vs_error *e) {
   size_t limit = options ? options->max_triangles : 0;
   out->most = limit * VS_ON_THE_WAY;
@@ -88,7 +88,7 @@ static bool primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel
   return !may_overlap(n) || vs_mesh_without_overlaps(out, options, e);
 }
 
-bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out,
+bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,
                        vs_error *e) {
   vs_tally *tally = vs_store_tally(n->store);
   vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
@@ -122,19 +122,19 @@ static void keep(vs_cache *cache, const vs_cache_key *key, vs_mesh *out, const v
   view(*held, out);
 }
 
-bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held) {
+bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_fineness *f, vs_mesh *out, const vs_cached **held) {
   const uint64_t words[] = { vs_cache_real(f->tolerance), (uint64_t)(int64_t)f->segments };
   *held = cache ? vs_cache_find(cache, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 }) : NULL;
   if (*held) view(*held, out);
   return *held != NULL;
 }
 
-void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held) {
+void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_fineness *f, vs_mesh *out, const vs_cached **held) {
   const uint64_t words[] = { vs_cache_real(f->tolerance), (uint64_t)(int64_t)f->segments };
   if (cache) keep(cache, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 }, out, held);
 }
 
-bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options,
+bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_fineness *f, const vs_kernel_options *options,
                          vs_mesh *out, const vs_cached **held, vs_error *e) {
   if (vs_primitive_find(cache, n, f, out, held)) return true;
   if (!vs_primitive_mesh(n, f, options, out, e)) return false;

@@ -10,7 +10,7 @@
 
 /* As vs_tessellate, into an empty mesh; where a sweep, loft or surface overlaps itself, it becomes what it winds around
  * more than 0 times. The error has no origin where geometry/ gave none. options may be NULL. */
-bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, vs_mesh *out,
+bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,
                        vs_error *e);
 
 /* A closed mesh that overlaps or touches itself becomes what it winds around more than 0 times; any other stays as it
@@ -18,17 +18,17 @@ bool vs_primitive_mesh(const vs_node *n, const vs_facets *f, const vs_kernel_opt
 bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e);
 
 /* Does the mesh of such a node, as geometry/ makes it, overlap itself? */
-bool vs_primitive_overlaps(const vs_node *n, const vs_facets *f, const vs_kernel_options *options, bool *overlaps,
+bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
                            vs_error *e);
 
 /* The same as vs_primitive_mesh, looked up in the cache and kept there: *held then is what out's arrays lie in, until
  * the caller lets it go, and out must be neither changed nor freed. *held NULL: out is the caller's own. cache NULL:
  * there is none. */
-bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_facets *f, const vs_kernel_options *options,
+bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_fineness *f, const vs_kernel_options *options,
                          vs_mesh *out, const vs_cached **held, vs_error *e);
 /* The same in parts: is it kept, *held NULL where it is not; and keeping one that was made. */
-bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held);
-void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_facets *f, vs_mesh *out, const vs_cached **held);
+bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_fineness *f, vs_mesh *out, const vs_cached **held);
+void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_fineness *f, vs_mesh *out, const vs_cached **held);
 /* The same for the part of a half-space that is in reach. False: out of memory. */
 bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held);
 

@@ -16,7 +16,7 @@
 
 typedef struct {
   vs_store *store;
-  const vs_facets *facets;
+  const vs_fineness *facets;
   const vs_kernel_options *options;
   const vs_resolve_notes *notes; /* or NULL */
   vs_error *error;
@@ -82,17 +82,17 @@ static vs_node *of_lines(vs_store *s, vs_kind kind, const vs_polyline *lines, si
 
 /* ---- meshes ---- */
 
-static bool facets_for(const resolver *r, const vs_node *n, vs_facets *f) {
+static bool facets_for(const resolver *r, const vs_node *n, vs_fineness *f) {
   vs_bounds b;
   *f = *r->facets;
   if (f->tolerance > 0) return true;
   if (!vs_node_bounds(n, &b, r->error)) return false;
-  f->tolerance = vs_facets_tolerance(&b);
+  f->tolerance = vs_fineness_tolerance(&b);
   return true;
 }
 
 /* Surfaces that stand beside each other as one mesh */
-static bool surfaces(const resolver *r, vs_ref root, const vs_facets *f, vs_mesh *out) {
+static bool surfaces(const resolver *r, vs_ref root, const vs_fineness *f, vs_mesh *out) {
   typedef struct { vs_affine placed; } level;
   vs_walk *w = vs_walk_new(root.node->store, root);
   level *levels = NULL;
@@ -123,7 +123,7 @@ static bool surfaces(const resolver *r, vs_ref root, const vs_facets *f, vs_mesh
 }
 
 static bool mesh_of(const resolver *r, vs_ref ref, vs_solid *out) {
-  vs_facets f;
+  vs_fineness f;
   *out = (vs_solid){ .part_count = 0 };
   if (!facets_for(r, ref.node, &f)) return false;
   if (ref.node->class_ == VS_SURFACE) return surfaces(r, ref, &f, &out->mesh);
@@ -232,7 +232,7 @@ static vs_node *polyface(vs_store *s, const vs_mesh *m, bool closed) {
 /* A flat hull of surfaces becomes that of their corners. */
 static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
   struct vs_hull d = *VS_AS(hull, ref->node);
-  vs_facets f;
+  vs_fineness f;
   vs_cloud cloud = { 0 };
   vs_node *made = NULL;
   if (facets_for(r, ref->node, &f) && vs_hull_points(ref->node, &f, &cloud, r->error)) {
@@ -307,7 +307,7 @@ static bool keep_line(void *context, const vs_polyline *piece) {
 static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
   const vs_node *n = part.node;
   vs_store *s = p->r->store;
-  vs_facets f;
+  vs_fineness f;
   if (n->class_ == VS_NOTHING) return true;
   vs_ref whole = { vs_node_new(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = *placed }, &part, 1), part.origin };
   if (!whole.node) return vs_error_memory(p->r->error, part.origin);
@@ -449,11 +449,11 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
   return remember(r, n, made);
 }
 
-bool vs_resolve(vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_error *e) {
+bool vs_resolve(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options, vs_error *e) {
   return vs_resolve_noting(refs, count, facets, options, NULL, e);
 }
 
-bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        const vs_resolve_notes *notes, vs_error *e) {
   bool ok = true;
   resolver r = { .facets = facets, .options = options, .notes = notes, .error = e };

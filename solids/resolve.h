@@ -10,13 +10,13 @@
 /* Replaces each of refs, whose nodes the caller owns, by one without such nodes, at facets (tolerance 0: each solid at
  * its own default); lines without end become nothing. Each distinct node is worked out once. Nodes that hold nothing of
  * the kind stay as they are: VS_NODE_UNRESOLVED tells. */
-bool vs_resolve(vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options, vs_error *e);
+bool vs_resolve(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options, vs_error *e);
 /* Who is told of what comes to nothing: edges of what has none, lines that pass by the drawing. May be NULL. */
 typedef struct {
   void (*warn)(void *context, const vs_origin *origin, const char *message);
   void *context;
 } vs_resolve_notes;
-bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        const vs_resolve_notes *notes, vs_error *e);
 /* All that the scene draws, at its tolerance; lines without end become lines as long as the rest of the drawing
  * reaches, drawn last. */

@@ -64,7 +64,7 @@ static bool formula(measuring *m, vs_node *n, vs_measure *out) {
   if (!out->known && m->ask != VS_ASK_CENTROID && (n->kind == VS_SWEEP || n->kind == VS_THICKEN)) {
     vs_bounds b;
     if (!vs_sweep_measure(n, out, m->error) || !vs_bounds_memo_get(&m->boxes, n, &b, m->error)) return false;
-    vs_facets f = { m->tolerance > 0 ? m->tolerance : vs_facets_tolerance(&b), 0 };
+    vs_fineness f = { m->tolerance > 0 ? m->tolerance : vs_fineness_tolerance(&b), 0 };
     if (out->known && !vs_primitive_overlaps(n, &f, m->k.options, &overlaps, m->error)) return false;
     out->known = out->known && !overlaps;
     m->rough = m->rough || overlaps;
@@ -298,7 +298,7 @@ static bool take_apart(measuring *m, job j) {
 
 static bool mesh_rest(measuring *m, int which, const vs_bounds *drawing) {
   const vs_ref *refs = m->rest[which].at;
-  vs_facets f = { m->tolerance > 0 ? m->tolerance : vs_facets_tolerance(drawing), 0 };
+  vs_fineness f = { m->tolerance > 0 ? m->tolerance : vs_fineness_tolerance(drawing), 0 };
   vs_measure one;
   for (int again = 0; again < 2; again++) {
     vs_solid solid = { 0 };

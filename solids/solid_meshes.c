@@ -32,7 +32,7 @@ typedef struct {
 } level;
 typedef struct {
   const vs_node *node;
-  vs_facets facets;
+  vs_fineness facets;
   vs_mesh *mesh;
   const vs_cached *held; /* mesh's arrays are the cache's; NULL: its own */
   size_t next;           /* one more; 0: none */
@@ -44,7 +44,7 @@ typedef struct { uint32_t leaf, scope; } scoped;
 
 typedef struct {
   vs_kernel k;
-  const vs_facets *facets;
+  const vs_fineness *facets;
   vs_error *error;
   VS_LIST(vs_kernel_leaf) leaves;
   VS_LIST(const vs_origin *) origins; /* of the leaves */
@@ -163,7 +163,7 @@ static bool count_made(vs_kernel *k, _Atomic size_t *made, size_t triangles) {
          vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, VS_SHAPES_OVER, limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);
 }
 
-static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_facets *facets, vs_mesh **mesh,
+static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fineness *facets, vs_mesh **mesh,
                     uint32_t *number) {
   bool endless = ref->node->kind == VS_HALF_SPACE;
   if (!buckets_grow(b)) return false;
@@ -302,7 +302,7 @@ static bool twins_grow(builder *b) {
 }
 
 static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
-  vs_facets facets = vs_facets_placed(b->facets, &at->placement);
+  vs_fineness facets = vs_fineness_placed(b->facets, &at->placement);
   vs_kernel_leaf leaf = { NULL, at->placement, 0, at->material == NULL };
   vs_mesh *mesh = NULL;
   if (b->leaves.count >= UINT32_MAX - 1) return full(b);
@@ -463,7 +463,7 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
 }
 
 /* The caller wants either of the two. */
-static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                      vs_solid *one, vs_solid_copies *many, vs_error *error) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   builder *b = calloc(1, sizeof *b);
@@ -559,7 +559,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, 
   return ok;
 }
 
-bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        vs_solid *out, vs_error *error) {
   *out = (vs_solid){ .part_count = 0 };
   if (evaluate(refs, count, facets, options, out, NULL, error)) return true;
@@ -567,7 +567,7 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets
   return false;
 }
 
-bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_facets *facets,
+bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_fineness *facets,
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error) {
   *out = (vs_solid_copies){ .part_count = 0 };
   return evaluate(refs, count, facets, options, NULL, out, error); /* the kernel leaves nothing behind where it fails */

@@ -33,10 +33,10 @@ typedef struct {
 /* The union of the solids in refs; curves and surfaces beside them are left out. out need not be initialised; it is
  * empty after a failure. options may be NULL. A face made by a subtraction has the cutter's material, or that of what
  * was cut where the cutter has none; where solids overlap the earlier wins. */
-bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_facets *facets, const vs_kernel_options *options,
+bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        vs_solid *out, vs_error *error);
 void vs_solid_free(vs_solid *s);
-bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_facets *facets,
+bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_fineness *facets,
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error);
 void vs_solid_copies_free(vs_solid_copies *s);
 /* Adds the seconds of the kernel's steps to the account of whoever owns the store. */

@@ -91,7 +91,7 @@ static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase pha
   scad_open(e, ref->node);
   scad_translate(e, s->center);
   scad_number(e, "sphere(r = ", s->radius);
-  vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, s->radius, s->segments));
+  vs_putf(e->out, ", $fn = %d);\n", vs_fineness_turn(&e->facets, s->radius, s->segments));
   return scad_done(e);
 }
 
@@ -117,20 +117,21 @@ static vs_emit_status scad_cylinder(vs_emitter *e, const vs_ref *ref, vs_phase p
   (void)phase;
   const struct vs_cylinder *c = VS_AS(cylinder, ref->node);
   return scad_turned(e, ref->node, c->base, c->radius, c->top, c->radius,
-                     vs_facets_turn(&e->facets, c->radius, c->segments));
+                     vs_fineness_turn(&e->facets, c->radius, c->segments));
 }
 
 static vs_emit_status scad_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_cone *c = VS_AS(cone, ref->node);
-  return scad_turned(e, ref->node, c->base, c->radius, c->apex, 0, vs_facets_turn(&e->facets, c->radius, c->segments));
+  return scad_turned(e, ref->node, c->base, c->radius, c->apex, 0,
+                     vs_fineness_turn(&e->facets, c->radius, c->segments));
 }
 
 static vs_emit_status scad_cut_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_cut_cone *c = VS_AS(cut_cone, ref->node);
   return scad_turned(e, ref->node, c->base, c->base_radius, c->top, c->top_radius,
-                     vs_facets_turn(&e->facets, fmax(c->base_radius, c->top_radius), c->segments));
+                     vs_fineness_turn(&e->facets, fmax(c->base_radius, c->top_radius), c->segments));
 }
 
 static vs_emit_status scad_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
@@ -146,7 +147,7 @@ static vs_emit_status scad_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase pha
   scad_number(e, ", r1 = ", c->base_radius);
   scad_number(e, ", r2 = ", c->top_radius);
   vs_putf(e->out, ", $fn = %d);\n",
-          vs_facets_turn(&e->facets, fmax(1, wide) * fmax(c->base_radius, c->top_radius), c->segments));
+          vs_fineness_turn(&e->facets, fmax(1, wide) * fmax(c->base_radius, c->top_radius), c->segments));
   return scad_done(e);
 }
 
@@ -183,10 +184,10 @@ static vs_emit_status scad_torus(vs_emitter *e, const vs_ref *ref, vs_phase phas
   if (t->tube_radius >= t->radius) return VS_LOWER; /* rotate_extrude takes nothing that crosses the axis */
   scad_open(e, ref->node);
   scad_translate(e, t->center);
-  vs_putf(e->out, "rotate_extrude($fn = %d) ", vs_facets_turn(&e->facets, t->radius + t->tube_radius, t->segments));
+  vs_putf(e->out, "rotate_extrude($fn = %d) ", vs_fineness_turn(&e->facets, t->radius + t->tube_radius, t->segments));
   scad_number(e, "translate([", t->radius);
   scad_number(e, ", 0]) circle(r = ", t->tube_radius);
-  vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, t->tube_radius, t->segments));
+  vs_putf(e->out, ", $fn = %d);\n", vs_fineness_turn(&e->facets, t->tube_radius, t->segments));
   return scad_done(e);
 }
 
@@ -399,7 +400,7 @@ static bool scad_flat_leaf(vs_emitter *e, const vs_node *n) {
     const struct vs_circle *c = VS_AS(circle, only);
     scad_translate(e, vs_v3(c->center.x, c->center.y, 0));
     scad_number(e, "circle(r = ", c->radius);
-    return vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, c->radius, c->segments));
+    return vs_putf(e->out, ", $fn = %d);\n", vs_fineness_turn(&e->facets, c->radius, c->segments));
   }
   if (!vs_region_outline(n, &e->facets, &o, e->error)) return false;
   if (o.count > 0) scad_polygon(e, &o, &back);
@@ -463,7 +464,7 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
     scad_translate(e, vs_v3_add(c->center, start));
     scad_number(e, "linear_extrude(height = ", x->along.z);
     scad_number(e, ") circle(r = ", c->radius);
-    vs_putf(e->out, ", $fn = %d);\n", vs_facets_turn(&e->facets, c->radius, c->segments));
+    vs_putf(e->out, ", $fn = %d);\n", vs_fineness_turn(&e->facets, c->radius, c->segments));
     return scad_done(e);
   }
   double z;

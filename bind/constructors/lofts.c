@@ -22,7 +22,7 @@ static vs_status tried(vs_frame *f, vs_node *n) {
     if (!vs_node_bounds(n->children[i].node, &child, &e)) return vs_bind_error(f, &e);
     vs_bounds_unite(&b, &child);
   }
-  vs_facets coarse = { fmax(vs_bounds_diagonal(&b) / 64, 1e-300), 0 };
+  vs_fineness coarse = { fmax(vs_bounds_diagonal(&b) / 64, 1e-300), 0 };
   bool ok = vs_tessellate(n, &coarse, &m, &e);
   double size = vs_bounds_diagonal(&b);
   bool thin = ok && !(vs_mesh_area(&m) > 1e-12 * size * size),
@@ -50,7 +50,7 @@ vs_status vs_p_do_revolve(vs_frame *f, vs_value *out) {
   vs_node *n = vs_node_new(f->bind->store, VS_REVOLVE, &d, &f->arg[0].ref, 1);
   if (!vs_bind_keep(f, n)) return VS_ERROR;
   if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
-  vs_facets coarse = { fmax(vs_bounds_diagonal(&b) / 64, 1e-300), 0 };
+  vs_fineness coarse = { fmax(vs_bounds_diagonal(&b) / 64, 1e-300), 0 };
   if (!vs_revolve_plan(n, &coarse, &plan, &e)) return vs_bind_error(f, &e);
   bool nothing = plan.count == 0;
   vs_revolve_free(&plan);

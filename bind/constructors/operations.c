@@ -260,8 +260,8 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
   vs_status ok = VS_OK;
   vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) }; /* what it resolves to shows how far it spans */
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
-  if (!vs_resolve(&whole, 1, &(vs_facets){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) ||
-      !vs_hull_points(whole.node, &(vs_facets){ .tolerance = vs_facets_tolerance(&b) }, &cloud, &e))
+  if (!vs_resolve(&whole, 1, &(vs_fineness){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) ||
+      !vs_hull_points(whole.node, &(vs_fineness){ .tolerance = vs_fineness_tolerance(&b) }, &cloud, &e))
     ok = vs_bind_error(f, &e);
   else d.dimension = vs_cloud_dimension(&cloud);
   if (ok && d.dimension == 1) {
@@ -307,7 +307,7 @@ static vs_status check_profile(vs_frame *f, vs_plane *plane, bool *empty, vs_val
 /* A coarse look at a curve: does it leave the plane through its start with this normal, or the line along it? */
 typedef enum { LEAVES_PLANE, LEAVES_LINE } leaving;
 static vs_status leaves(vs_frame *f, const vs_node *curve, leaving what, vs_vec3 direction, bool *out) {
-  vs_facets coarse = { 1e300, 8 };
+  vs_fineness coarse = { 1e300, 8 };
   vs_polyline line = { 0 };
   vs_error e = { 0 };
   if (!vs_curve_sample(curve, &coarse, &line, &e)) return vs_polyline_free(&line), vs_bind_error(f, &e);
@@ -325,7 +325,7 @@ static vs_status leaves(vs_frame *f, const vs_node *curve, leaving what, vs_vec3
 
 /* Is the curve one straight line, and from where to where? */
 static vs_status is_straight(vs_frame *f, const vs_node *curve, vs_vec3 *way, bool *out) {
-  vs_facets coarse = { .segments = 32 };
+  vs_fineness coarse = { .segments = 32 };
   vs_polyline line = { 0 };
   vs_error e = { 0 };
   bool bent = true;
@@ -350,7 +350,7 @@ static bool check_taper(vs_frame *f, const struct vs_extrude *d) {
 
 /* A taper counts by the height above the profile's plane: its curve must lead away from it all the way. */
 static bool check_rising(vs_frame *f, const vs_node *curve, vs_vec3 normal) {
-  vs_facets coarse = { .segments = 64 };
+  vs_fineness coarse = { .segments = 64 };
   vs_polyline line = { 0 };
   vs_error e = { 0 };
   bool rising = true;

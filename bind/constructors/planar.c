@@ -175,7 +175,7 @@ static bool what_is_left(const vs_node *n, size_t *count, vs_error *e) {
   *count = 1;
   if (vs_offset_round(n, &place, &exact)) return true;
   if (!vs_node_bounds(n->children[0].node, &b, e)) return false;
-  vs_facets facets = { vs_facets_tolerance(&b), 0 };
+  vs_fineness facets = { vs_fineness_tolerance(&b), 0 };
   if (is_closed(n->children[0].node)) {
     vs_outline o;
     if (!vs_region_outline(n, &facets, &o, e)) return false;

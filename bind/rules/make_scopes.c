@@ -105,7 +105,7 @@ vs_status vs_p_make_polygon_scope(vs_frame *f, vs_value *out) {
   vs_outline o = { 0 };
   vs_error e = { 0 };
   const vs_node *n = f->arg[0].ref.node;
-  vs_facets facets = vs_bend_facets(f->bind, n);
+  vs_fineness facets = vs_bend_facets(f->bind, n);
   if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED))
     return vs_bind_refuse(f, "region", "a region or a closed curve", f->arg[0].value);
   if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(f, &e);
@@ -143,7 +143,7 @@ vs_status vs_p_make_triangle_scope(vs_frame *f, vs_value *out) {
 vs_status vs_p_make_curve_scope(vs_frame *f, vs_value *out) {
   vs_polyline p = { 0 };
   vs_error e = { 0 };
-  vs_facets facets = vs_bend_facets(f->bind, f->arg[0].ref.node);
+  vs_fineness facets = vs_bend_facets(f->bind, f->arg[0].ref.node);
   if (!vs_curve_sample(f->arg[0].ref.node, &facets, &p, &e)) return vs_bind_error(f, &e);
   if (p.count < 2)
     return vs_polyline_free(&p), vs_bind_refuse(f, "curve", "a curve that has a length", f->arg[0].value);

@@ -54,7 +54,7 @@ static bool add_leaf(faces *all, vs_ref ref, const vs_affine *map) {
     vs_polygons_result r = vs_polygons_each(n, map, add_face, all);
     return r == VS_POLYGONS_MEMORY ? vs_fail_memory(all->f->vm) : r == VS_POLYGONS_GIVEN;
   }
-  vs_facets facets = vs_bend_facets(all->f->bind, n);
+  vs_fineness facets = vs_bend_facets(all->f->bind, n);
   if (n->class_ == VS_REGION_CLASS || n->class_ == VS_CURVE) {
     vs_outline o = { 0 };
     if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED))

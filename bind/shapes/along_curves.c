@@ -15,7 +15,7 @@ vs_status vs_bind_stations(vs_frame *f, int i, vs_stations *out) {
   vs_node *curve = f->arg[i].ref.node;
   if (curve->class_ != VS_CURVE || vs_bind_is_empty(curve)) return vs_bind_refuse(f, "c", "a curve", f->arg[i].value);
   if (!vs_node_bounds(curve, &b, &e)) return vs_bind_error(f, &e);
-  const vs_facets facets = { .tolerance = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300) };
+  const vs_fineness facets = { .tolerance = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300) };
   return vs_stations_open(curve, &facets, out, &e) ? VS_OK : vs_bind_error(f, &e);
 }
 
@@ -143,7 +143,7 @@ static bool pipe_open(vs_frame *f, vs_pipe *p, vs_error *e) {
   vs_node *curve = f->arg[0].ref.node;
   if (!vs_node_bounds(curve, &b, e)) return false;
   double tolerance = vs_bind_tolerance(f->bind);
-  if (!(tolerance > 0)) tolerance = fmax(vs_facets_tolerance(&b), 1e-300);
+  if (!(tolerance > 0)) tolerance = fmax(vs_fineness_tolerance(&b), 1e-300);
   return vs_pipe_open(curve, segments ? segments : RINGS, tolerance, p, e);
 }
 

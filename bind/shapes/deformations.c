@@ -38,7 +38,7 @@ vs_status vs_p_deform(vs_frame *f, vs_value *out) {
   *d = (deformation){ .bind = f->bind };
   if (!vs_bend_take_apart(f->bind, f->arg[0].ref, NULL, &d->leaves)) return deformation_free(d), VS_ERROR;
   double size = vs_bounds_diagonal(&b), tolerance = vs_bind_tolerance(f->bind);
-  if (!(tolerance > 0)) tolerance = fmax(vs_facets_tolerance(&b), 1e-300);
+  if (!(tolerance > 0)) tolerance = fmax(vs_fineness_tolerance(&b), 1e-300);
   bool ok = VS_GROW(d->at, d->room, d->leaves.count + 1);
   if (ok) memset(d->at, 0, d->room * sizeof *d->at);
   for (size_t i = 0; ok && i < d->leaves.count; i++)

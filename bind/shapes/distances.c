@@ -33,7 +33,7 @@ vs_status vs_p_distance_field(vs_frame *f, vs_value *out) {
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_ref ref = f->arg[0].ref;
   if (ref.node->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
-  vs_facets facets = vs_bend_facets(f->bind, ref.node);
+  vs_fineness facets = vs_bend_facets(f->bind, ref.node);
   facets.tolerance /= 4;
   vs_solid solid = { 0 };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };

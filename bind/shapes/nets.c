@@ -184,8 +184,8 @@ vs_status vs_p_pack_circles(vs_frame *f, vs_value *out) {
     return vs_bind_refuse(f, "region", "a region or a closed curve", f->arg[0].value);
   if (!vs_bind_uncrossed(f, f->arg[0].ref, "region")) return VS_ERROR;
   if (!vs_node_bounds(region, &b, &e)) return vs_bind_error(f, &e);
-  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
-  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_facets_tolerance(&b) / 4, 1e-300);
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
+  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_fineness_tolerance(&b) / 4, 1e-300);
   if (!vs_region_outline(region, &facets, &o, &e)) return vs_bind_error(f, &e);
   vs_packed *circles = vs_bind_scratch(f, (n + 1) * sizeof *circles);
   bool stopped = false, ok = circles != NULL;

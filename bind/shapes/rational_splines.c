@@ -111,7 +111,7 @@ vs_status vs_p_make_nurbs_surface(vs_frame *f, vs_value *out) {
   vs_error e = { 0 };
   for (size_t i = 0; i < n->u.count * n->v.count; i++) vs_bounds_add(&b, n->points[i]);
   double chord = vs_bind_tolerance(f->bind), *u, *v;
-  if (!(chord > 0)) chord = fmax(vs_facets_tolerance(&b), 1e-300);
+  if (!(chord > 0)) chord = fmax(vs_fineness_tolerance(&b), 1e-300);
   size_t rows = parameters(n, false, f->arg[1].integer, chord, &u);
   size_t columns = parameters(n, true, f->arg[2].integer, chord, &v);
   vs_node *node = NULL;

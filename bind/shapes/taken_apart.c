@@ -9,11 +9,11 @@
 #include "solids/resolve.h"
 #include "solids/solid_meshes.h"
 
-vs_facets vs_bend_facets(vs_bind *b, const vs_node *n) {
+vs_fineness vs_bend_facets(vs_bind *b, const vs_node *n) {
   vs_bounds bounds;
   vs_error e = { 0 };
-  vs_facets facets = { .tolerance = vs_bind_tolerance(b), .segments = vs_bind_segments(b) };
-  if (facets.tolerance <= 0 && vs_node_bounds(n, &bounds, &e)) facets.tolerance = vs_facets_tolerance(&bounds);
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(b), .segments = vs_bind_segments(b) };
+  if (facets.tolerance <= 0 && vs_node_bounds(n, &bounds, &e)) facets.tolerance = vs_fineness_tolerance(&bounds);
   if (!(facets.tolerance > 0)) facets.tolerance = 1;
   return facets;
 }
@@ -26,14 +26,14 @@ static bool ended(vs_bind *b, bool ok, const vs_error *e) {
 
 bool vs_bend_resolve(vs_bind *b, vs_ref *ref) {
   vs_error e = { 0 };
-  vs_facets facets = { .tolerance = vs_bind_tolerance(b), .segments = vs_bind_segments(b) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(b), .segments = vs_bind_segments(b) };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
   return ended(b, vs_resolve(ref, 1, &facets, &options, &e), &e);
 }
 
 bool vs_bend_take_apart(vs_bind *b, vs_ref object, const char *no_regions, vs_bend_leaves *out) {
   vs_error e = { 0 };
-  vs_facets facets = { .tolerance = vs_bind_tolerance(b), .segments = vs_bind_segments(b) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(b), .segments = vs_bind_segments(b) };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
   vs_node_retain(object.node);
   *out = (vs_bend_leaves){ 0 };
@@ -52,9 +52,9 @@ bool vs_bend_solid(vs_bind *b, vs_mesh *m) {
 vs_status vs_bend_triangles(vs_frame *f, vs_ref ref, vs_mesh *out) {
   vs_error e = { 0 };
   vs_bounds b;
-  vs_facets facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
   if (!vs_node_bounds(ref.node, &b, &e)) return vs_bind_error(f, &e);
-  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_facets_tolerance(&b) / 4, 1e-300);
+  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_fineness_tolerance(&b) / 4, 1e-300);
   if (ref.node->class_ == VS_SOLID) {
     vs_solid solid = { 0 };
     vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };

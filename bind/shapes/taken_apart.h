@@ -10,7 +10,7 @@
 
 /* The fineness at which what is kept as triangles or points is sampled: the program's own, else the drawing rule at
  * the object's size. */
-vs_facets vs_bend_facets(vs_bind *b, const vs_node *n);
+vs_fineness vs_bend_facets(vs_bind *b, const vs_node *n);
 /* Replaces ref's node, which the caller owns, as vs_resolve does (solids/resolve.h). False: the condition is set. */
 bool vs_bend_resolve(vs_bind *b, vs_ref *ref);
 /* As vs_take_apart (solids/deformed.h), of an object that need not be resolved. False: the condition is set. */

@@ -42,7 +42,7 @@ static double bounds_fineness(const vs_bounds *b) { /* for what has to be sample
  * together. */
 static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
                              vs_error *e) {
-  vs_facets f = { bounds_fineness(children), 0 };
+  vs_fineness f = { bounds_fineness(children), 0 };
   vs_swept plan;
   if (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_SURFACE) {
     vs_mesh m = { 0 };
@@ -80,7 +80,7 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
 
 static bool bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
                                vs_error *e) {
-  vs_facets f = { bounds_fineness(children), 0 };
+  vs_fineness f = { bounds_fineness(children), 0 };
   vs_revolve plan;
   if (!vs_revolve_plan(n, &f, &plan, e)) return false;
   vs_revolve_bounds(&plan, a, b);
@@ -91,7 +91,7 @@ static bool bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *
 /* Where only facets tell: of fine ones */
 static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
                               vs_error *e) {
-  vs_facets f = { bounds_fineness(children) * 8, 0 };
+  vs_fineness f = { bounds_fineness(children) * 8, 0 };
   vs_mesh m = { 0 };
   bool ok = vs_tessellate(n, &f, &m, e);
   if (ok) vs_reach_points(b, a, m.vertices, m.vertex_count);
@@ -109,7 +109,7 @@ static bool bounds_add_offset(vs_bounds *b, const vs_affine *a, const vs_node *n
     else bounds_add_arc(b, &place, &exact.arc);
     return true;
   }
-  vs_facets f = { bounds_fineness(children), 0 };
+  vs_fineness f = { bounds_fineness(children), 0 };
   if (n->class_ == VS_CURVE) {
     vs_polyline line = { 0 };
     bool ok = vs_curve_sample(n, &f, &line, e);
@@ -128,7 +128,7 @@ static bool bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs
   vs_bounds knots = vs_bounds_empty();
   vs_polyline line = { 0 };
   vs_reach_points(&knots, a, VS_AS(spline, n)->points->at, VS_AS(spline, n)->points->count);
-  vs_facets f = { bounds_fineness(&knots), 0 };
+  vs_fineness f = { bounds_fineness(&knots), 0 };
   bool ok = vs_curve_sample(n, &f, &line, e);
   if (ok) vs_reach_points(b, a, line.at, line.count);
   vs_polyline_free(&line);
@@ -442,7 +442,7 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
 
 /* Intersections and differences of regions: what the operands' boxes leave open, the outline knows. */
 static bool bounds_of_set(const vs_node *n, vs_bounds *b, vs_error *e) {
-  vs_facets f = { bounds_fineness(b), 0 };
+  vs_fineness f = { bounds_fineness(b), 0 };
   vs_outline o;
   if (!vs_region_outline(n, &f, &o, e)) return false;
   *b = vs_bounds_empty();

@@ -159,7 +159,7 @@ static bool inside_leaf(const vs_inside_part *part, vs_vec3 p) {
 /* ---- preparing ---- */
 
 static bool inside_prepare_swept(vs_inside_part *part, vs_error *e) {
-  vs_facets f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
+  vs_fineness f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
   part->plan = calloc(1, sizeof *part->plan);
   if (!part->plan) return vs_error_memory(e, NULL);
   if (!vs_swept_plan(part->node, &f, part->plan, e)) return false;
@@ -181,7 +181,7 @@ static bool inside_prepare_swept(vs_inside_part *part, vs_error *e) {
 }
 
 static bool inside_prepare_facets(vs_inside_part *part, vs_error *e) {
-  vs_facets f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
+  vs_fineness f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
   part->facets = calloc(1, sizeof *part->facets);
   if (!part->facets) return vs_error_memory(e, NULL);
   return vs_tessellate(part->node, &f, &part->facets->mesh, e) &&
@@ -189,7 +189,7 @@ static bool inside_prepare_facets(vs_inside_part *part, vs_error *e) {
 }
 
 static bool inside_prepare_revolve(vs_inside_part *part, vs_error *e) {
-  vs_facets f = { fmax(vs_bounds_diagonal(&part->bounds) / 65536, 1e-300), 0 };
+  vs_fineness f = { fmax(vs_bounds_diagonal(&part->bounds) / 65536, 1e-300), 0 };
   part->turned = calloc(1, sizeof *part->turned);
   return part->turned ? vs_revolve_plan(part->node, &f, part->turned, e) : vs_error_memory(e, NULL);
 }
@@ -401,7 +401,7 @@ bool vs_region_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) 
   vs_area a = { 0 };
   *inside = false;
   if (!vs_node_bounds(n, &b, e)) return false;
-  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
+  vs_fineness f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
   if (!vs_region_outline(n, &f, &o, e)) return false;
   bool ok = vs_area_of_outline(&o, &o.frame, &a) || vs_error_memory(e, NULL);
   vs_vec3 x = { o.frame.m[0][0], o.frame.m[1][0], o.frame.m[2][0] },

@@ -29,7 +29,7 @@ static bool measure_curve(const vs_node *n, const vs_affine *placed, vs_measure 
   vs_path path = { 0 };
   vs_vec3 sum = { 0, 0, 0 };
   if (!vs_node_bounds(n, &b, e)) return false;
-  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-8, 1e-300), 0 };
+  vs_fineness f = { fmax(vs_bounds_diagonal(&b) * 1e-8, 1e-300), 0 };
   if (!vs_curve_path(n, placed, &f, &path, e)) {
     vs_path_free(&path);
     return false;
@@ -49,7 +49,7 @@ static bool measure_curve(const vs_node *n, const vs_affine *placed, vs_measure 
 static bool measure_revolution(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_bounds profile;
   if (!vs_node_bounds(n->children[0].node, &profile, e)) return false;
-  vs_facets f = { fmax(vs_bounds_diagonal(&profile) * 1e-7, 1e-300), 0 };
+  vs_fineness f = { fmax(vs_bounds_diagonal(&profile) * 1e-7, 1e-300), 0 };
   return vs_revolve_measure(n, &f, m, e);
 }
 
@@ -57,7 +57,7 @@ static bool measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_bounds b;
   vs_outline o;
   if (!vs_node_bounds(n, &b, e)) return false;
-  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
+  vs_fineness f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
   if (!vs_region_outline(n, &f, &o, e)) return false;
   bool exact, ok = vs_region_moments(n, &o, &m->area, &m->centroid, &exact, e);
   if (ok && !exact) m->area = o.count ? vs_outline_measure(&o, &m->centroid) : 0;
@@ -109,7 +109,7 @@ static bool measure_straight(const vs_node *curve, vs_vec3 *along, bool *straigh
   vs_path path = { 0 };
   *straight = vs_curve_is_straight(curve);
   if (!*straight) return true;
-  bool ok = vs_curve_path(curve, &identity, &(vs_facets){ 1, 0 }, &path, e);
+  bool ok = vs_curve_path(curve, &identity, &(vs_fineness){ 1, 0 }, &path, e);
   *straight = ok && path.count == 2 && !path.closed;
   if (*straight) *along = vs_v3_sub(path.at[1].at, path.at[0].at);
   vs_path_free(&path);
@@ -129,7 +129,7 @@ static bool measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_err
   if (*known && n->child_count > 1 && !measure_straight(n->children[1].node, &along, known, e)) return false;
   if (!*known) return true;
   if (!vs_node_bounds(profile, &b, e) || !measure_region(profile, m, e)) return false;
-  vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
+  vs_fineness f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
   if (!vs_region_outline(profile, &f, &o, e)) return false;
   double height = fabs(vs_v3_dot(o.normal, along)), lean = fabs(vs_v3_length(along) - height);
   for (size_t l = 0; l < o.count; l++)
@@ -162,7 +162,7 @@ static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
   vs_affine identity = vs_affine_identity();
   *way = (vs_way){ 0 };
   if (!vs_node_measure(curve, &m, e) || !vs_node_bounds(curve, &b, e)) return false;
-  vs_facets f = { vs_facets_tolerance(&b), 0 };
+  vs_fineness f = { vs_fineness_tolerance(&b), 0 };
   bool ok = vs_curve_path(curve, &identity, &f, &path, e);
   way->length = m.length;
   way->closed = path.closed;
@@ -198,7 +198,7 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     vs_bounds b;
     vs_vec3 middle = { 0, 0, 0 };
     if (!vs_node_bounds(profile, &b, e) || !measure_region(profile, m, e)) return false;
-    vs_facets f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
+    vs_fineness f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
     if (!vs_region_outline(profile, &f, &o, e)) return false;
     for (size_t l = 0; l < o.count; l++)
       for (size_t i = 0; i < o.loops[l].count; i++) {

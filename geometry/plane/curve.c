@@ -187,7 +187,7 @@ static bool spline_turn(const vs_spline_work *w, size_t i, double from, double t
 
 static double spline_angle(vs_vec3 a, vs_vec3 b) { return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b)); }
 
-static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_facets *f) {
+static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_fineness *f) {
   size_t given = s->points->count;
   vs_spline_work w = { .closed = s->closed };
   w.p = malloc((given + 1) * sizeof *w.p);
@@ -250,9 +250,9 @@ static void curve_place(vs_path *out, const vs_affine *map) {
   vs_path_measure(out);
 }
 
-bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_facets *f, vs_path *out) {
-  vs_facets inner = vs_facets_placed(f, map);
-  int turn = vs_facets_turn(&inner, a->radius, a->segments);
+bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_fineness *f, vs_path *out) {
+  vs_fineness inner = vs_fineness_placed(f, map);
+  int turn = vs_fineness_turn(&inner, a->radius, a->segments);
   if (!(circle ? curve_circle(out, a->center, a->radius, turn)
                : curve_arc(out, a->center, a->radius, a->start, a->end, turn)))
     return false;
@@ -260,8 +260,8 @@ bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, c
   return true;
 }
 
-bool vs_curve_leaf(const vs_node *n, const vs_affine *map, const vs_facets *f, vs_path *out) {
-  vs_facets inner = vs_facets_placed(f, map);
+bool vs_curve_leaf(const vs_node *n, const vs_affine *map, const vs_fineness *f, vs_path *out) {
+  vs_fineness inner = vs_fineness_placed(f, map);
   bool ok = false;
   if (n->kind == VS_ARC) return vs_curve_round(VS_AS(arc, n), false, map, f, out);
   if (n->kind == VS_CIRCLE) {

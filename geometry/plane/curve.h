@@ -18,13 +18,13 @@ void vs_path_free(vs_path *p);
 bool vs_path_add(vs_path *p, vs_vec3 at, vs_vec3 arriving, vs_vec3 leaving); /* false: out of memory */
 void vs_path_measure(vs_path *p); /* fills along and length */
 /* A line, arc, circle or spline with map applied; false: out of memory. */
-bool vs_curve_leaf(const vs_node *curve, const vs_affine *map, const vs_facets *f, vs_path *out);
+bool vs_curve_leaf(const vs_node *curve, const vs_affine *map, const vs_fineness *f, vs_path *out);
 /* The same of an arc, or of the whole circle that it is part of. */
-bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_facets *f, vs_path *out);
+bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_fineness *f, vs_path *out);
 bool vs_path_of_polyline(const vs_polyline *p, vs_path *out); /* out is empty before; false: out of memory */
 /* Any curve, with `placed` applied; placements, appearance and regions of one loop are followed
  * (planar_evaluation.c). */
-bool vs_curve_path(const vs_node *curve, const vs_affine *placed, const vs_facets *f, vs_path *out, vs_error *e);
+bool vs_curve_path(const vs_node *curve, const vs_affine *placed, const vs_fineness *f, vs_path *out, vs_error *e);
 bool vs_curve_is_straight(const vs_node *curve); /* is it a polyline, placed or bare? */
 bool vs_polyline_from_path(const vs_path *path, vs_polyline *out);
 /* p turned to run the other way */

@@ -13,7 +13,7 @@
 #include "geometry/plane/areas.h"
 
 bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *size, vs_error *e) {
-  vs_facets coarse = { 1, 8 };
+  vs_fineness coarse = { 1, 8 };
   vs_polyline p = { 0 };
   if (!vs_curve_sample(curve, &coarse, &p, e)) return false;
   vs_bounds b = vs_bounds_empty();
@@ -193,7 +193,7 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
   for (size_t i = 0; ok && i < count; i++) {
     vs_bounds b;
     ok = vs_node_bounds(refs[i].node, &b, e);
-    vs_facets f = { vs_facets_tolerance(&b), 0 };
+    vs_fineness f = { vs_fineness_tolerance(&b), 0 };
     size = fmax(size, vs_bounds_diagonal(&b));
     ok = ok && vs_curve_sample(refs[i].node, &f, &loops[i], e);
     total += loops[i].count;
@@ -214,7 +214,7 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
     bool straight = vs_curve_is_straight(refs[i].node);
     vs_bounds b = vs_bounds_empty();
     for (size_t k = 0; k < loops[i].count; k++) vs_bounds_add(&b, loops[i].at[k]);
-    double slack = fmax(1e-9 * size, straight ? 0 : 2 * vs_facets_tolerance(&b));
+    double slack = fmax(1e-9 * size, straight ? 0 : 2 * vs_fineness_tolerance(&b));
     for (size_t k = 0; k < loops[i].count; k++) {
       vs_vec3 p = vs_affine_point(&back, loops[i].at[k]),
               q = vs_affine_point(&back, loops[i].at[(k + 1) % loops[i].count]);

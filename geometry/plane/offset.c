@@ -141,14 +141,14 @@ static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool clo
   return ok;
 }
 
-static vs_offsetter offset_begin(vs_area *strips, double d, double hand, vs_offset_corners corners, const vs_facets *f,
-                                 int segments) {
+static vs_offsetter offset_begin(vs_area *strips, double d, double hand, vs_offset_corners corners,
+                                 const vs_fineness *f, int segments) {
   return (vs_offsetter){
-    .strips = strips, .d = d, .hand = hand, .corners = corners, .turn = vs_facets_turn(f, d, segments)
+    .strips = strips, .d = d, .hand = hand, .corners = corners, .turn = vs_fineness_turn(f, d, segments)
   };
 }
 
-bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, const vs_facets *f, int segments,
+bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, const vs_fineness *f, int segments,
                     vs_area *out, vs_error *e) {
   vs_area parts[2] = { *in, { 0 } };
   vs_offsetter o = offset_begin(&parts[1], fabs(d), d > 0 ? -1 : 1, corners, f, segments);
@@ -209,7 +209,7 @@ static bool offset_border(const vs_area *border, const vs_vec2 *at, size_t n, co
 }
 
 bool vs_line_offset(const vs_vec2 *at, size_t n, const vs_vec2 ways[2], double d, vs_offset_corners corners,
-                    const vs_facets *f, int segments, vs_polyline *out, vs_error *e) {
+                    const vs_fineness *f, int segments, vs_polyline *out, vs_error *e) {
   vs_area strips = { 0 }, border = { 0 };
   double hand = d > 0 ? 1 : -1;
   vs_offsetter o = offset_begin(&strips, fabs(d), hand, corners, f, segments);

@@ -25,7 +25,7 @@ typedef struct {
   size_t first;        /* of its children's values */
   vs_affine map;       /* of its children */
   vs_affine after;     /* an offset's: of its result */
-  vs_facets facets;
+  vs_fineness facets;
 } vs_flat_frame;
 
 typedef struct {
@@ -52,14 +52,15 @@ static vs_flat_value *flat_push(vs_flat *f) {
   return &f->values[f->value_count++];
 }
 
-static bool flat_open(vs_flat *f, const vs_ref *ref, const vs_affine *map, const vs_facets *facets) {
+static bool flat_open(vs_flat *f, const vs_ref *ref, const vs_affine *map, const vs_fineness *facets) {
   if (!VS_GROW(f->frames, f->frame_room, f->frame_count + 1)) return vs_error_memory(f->error, NULL);
   f->frames[f->frame_count++] = (vs_flat_frame){ ref, 0, f->value_count, *map, vs_affine_identity(), *facets };
   return true;
 }
 
 /* The loops of a text are nested already; none is left where the letters have no ink. */
-static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
+static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_outline *out,
+                         vs_error *e) {
   if (!vs_text_loops(n, placed, f, out, e)) return false;
   if (!out->count) return true;
   if (!vs_outline_plane(out, e)) return vs_outline_free(out), false;
@@ -68,8 +69,9 @@ static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_fac
 }
 
 /* The outline of a flat hull. */
-static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
-  vs_facets inner = vs_facets_placed(f, placed);
+static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_outline *out,
+                         vs_error *e) {
+  vs_fineness inner = vs_fineness_placed(f, placed);
   vs_cloud cloud = { 0 };
   *out = (vs_outline){ .loops = calloc(1, sizeof *out->loops), .hole = calloc(1, sizeof *out->hole), .count = 1 };
   bool ok = (out->loops && out->hole) || vs_error_memory(e, NULL);
@@ -87,7 +89,7 @@ static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fac
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v);
 
 /* A leaf becomes a value, what has children a frame. */
-static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_facets *facets) {
+static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fineness *facets) {
   for (;;) {
     const vs_node *n = ref->node;
     switch ((vs_kind)n->kind) {
@@ -114,8 +116,8 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fa
             return false;
           return n->class_ == VS_CURVE || flat_fill(f, ref, v);
         }
-        vs_facets inner = vs_facets_placed(facets, &map); /* the distance is in the offset's own coordinates: there it
-                                                           * is made */
+        vs_fineness inner = vs_fineness_placed(facets, &map); /* the distance is in the offset's own coordinates: there
+                                                           * it is made */
         return flat_open(f, ref, &identity, &inner) && (f->frames[f->frame_count - 1].after = map, true);
       }
       case VS_HULL: if (n->class_ != VS_REGION_CLASS) break; /* fall through */
@@ -358,7 +360,7 @@ static bool flat_leave(vs_flat *f) {
   return place != NULL;
 }
 
-static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_facets *facets, vs_flat_value *out,
+static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_fineness *facets, vs_flat_value *out,
                           vs_error *e) {
   vs_flat f = { .error = e };
   vs_ref root = { (vs_node *)(uintptr_t)n, NULL };
@@ -367,7 +369,7 @@ static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_fa
     vs_flat_frame *top = &f.frames[f.frame_count - 1];
     if (top->next < top->ref->node->child_count) {
       const vs_ref *child = &top->ref->node->children[top->next++];
-      vs_facets inner = top->facets;
+      vs_fineness inner = top->facets;
       /* nothing adds and takes nothing */
       if (child->node->class_ != VS_NOTHING) ok = flat_enter(&f, child, top->map, &inner);
     } else ok = flat_leave(&f);
@@ -381,7 +383,7 @@ static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_fa
 
 /* ---- what the others ask for ---- */
 
-bool vs_curve_path(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_path *out, vs_error *e) {
+bool vs_curve_path(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_path *out, vs_error *e) {
   vs_flat_value v = { 0 };
   *out = (vs_path){ 0 };
   if (!flat_evaluate(n, placed, f, &v, e)) return false;
@@ -396,7 +398,7 @@ bool vs_curve_path(const vs_node *n, const vs_affine *placed, const vs_facets *f
   return ok;
 }
 
-bool vs_region_outline(const vs_node *n, const vs_facets *f, vs_outline *out, vs_error *e) {
+bool vs_region_outline(const vs_node *n, const vs_fineness *f, vs_outline *out, vs_error *e) {
   vs_flat_value v = { 0 };
   vs_affine identity = vs_affine_identity();
   *out = (vs_outline){ 0 };
@@ -417,7 +419,7 @@ bool vs_region_outline(const vs_node *n, const vs_facets *f, vs_outline *out, vs
   return ok;
 }
 
-bool vs_curve_sample(const vs_node *curve, const vs_facets *f, vs_polyline *out, vs_error *e) {
+bool vs_curve_sample(const vs_node *curve, const vs_fineness *f, vs_polyline *out, vs_error *e) {
   vs_path path = { 0 };
   vs_affine identity = vs_affine_identity();
   bool ok =
@@ -426,7 +428,7 @@ bool vs_curve_sample(const vs_node *curve, const vs_facets *f, vs_polyline *out,
   return ok;
 }
 
-bool vs_planar_corners(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_cloud *out, vs_error *e) {
+bool vs_planar_corners(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_cloud *out, vs_error *e) {
   bool ok = true;
   if (n->class_ == VS_CURVE) {
     vs_polyline p = { 0 };

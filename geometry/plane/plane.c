@@ -96,7 +96,7 @@ vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out) {
       case VS_SLICE:
       case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: break;
       case VS_HULL: {
-        vs_facets coarse = { 1, 12 };
+        vs_fineness coarse = { 1, 12 };
         vs_outline o = { 0 };
         vs_plane_count found = VS_PLANE_NONE;
         if (n->class_ == VS_REGION_CLASS && vs_region_outline(n, &coarse, &o, NULL) && o.count) {
@@ -108,7 +108,7 @@ vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out) {
         return found;
       }
       case VS_JOIN: { /* points of the curve */
-        vs_facets coarse = { 1, 12 };
+        vs_fineness coarse = { 1, 12 };
         vs_polyline line = { 0 };
         vs_plane_count found = VS_PLANE_NONE;
         if (vs_curve_sample(n, &coarse, &line, NULL)) {

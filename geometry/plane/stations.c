@@ -28,7 +28,7 @@ static double span_length(const vs_path_point *p, const vs_path_point *q) {
   return half > 1e-8 ? chord * half / sin(half) : chord;
 }
 
-bool vs_stations_open(const vs_node *curve, const vs_facets *f, vs_stations *out, vs_error *e) {
+bool vs_stations_open(const vs_node *curve, const vs_fineness *f, vs_stations *out, vs_error *e) {
   vs_affine identity = vs_affine_identity();
   *out = (vs_stations){ 0 };
   if (!vs_curve_path(curve, &identity, f, &out->path, e)) return vs_stations_close(out), false;

@@ -19,7 +19,7 @@ typedef struct {
 } vs_station;
 
 /* Samples the curve as f says. False: *e says why; what has no length is an error too. */
-bool vs_stations_open(const vs_node *curve, const vs_facets *f, vs_stations *out, vs_error *e);
+bool vs_stations_open(const vs_node *curve, const vs_fineness *f, vs_stations *out, vs_error *e);
 void vs_stations_close(vs_stations *s);
 /* The station at a distance from the start, which is taken as from 0 to s->length. */
 vs_station vs_station_at(const vs_stations *s, double distance);

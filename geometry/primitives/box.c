@@ -13,7 +13,7 @@ static bool box_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_er
   return true;
 }
 
-static bool box_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool box_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   (void)f;
   return vs_solid_box(out, VS_AS(box, n)->p, VS_AS(box, n)->q) || vs_error_memory(e, NULL);
 }

@@ -29,9 +29,9 @@ static bool capsule_rings(const struct vs_capsule *x, const vs_affine *frame, in
   return ok;
 }
 
-static bool capsule_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool capsule_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   const struct vs_capsule *x = VS_AS(capsule, n);
-  int turn = vs_facets_turn(f, x->radius, x->segments), rows = turn / 4 < 1 ? 1 : turn / 4;
+  int turn = vs_fineness_turn(f, x->radius, x->segments), rows = turn / 4 < 1 ? 1 : turn / 4;
   vs_affine frame = vs_frame_on_axis(x->base, vs_v3_sub(x->top, x->base));
   vs_vec3 up = vs_affine_vector(&frame, vs_v3(0, 0, x->radius));
   uint32_t first = (uint32_t)out->vertex_count, around = (uint32_t)turn, last = 2 * (uint32_t)rows - 1, south, north;

@@ -19,10 +19,10 @@ static bool e_cone_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs
   return true;
 }
 
-static bool e_cone_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool e_cone_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   const struct vs_e_cone *x = VS_AS(e_cone, n);
   double widest = fmax(x->base_radius, x->base_across) * fmax(1, x->top_radius / x->base_radius);
-  int turn = vs_facets_turn(f, widest, x->segments);
+  int turn = vs_fineness_turn(f, widest, x->segments);
   bool ok = vs_solid_oval_frustum(out, x->base, x->base_radius, x->base_across, x->top, x->top_radius, top_across(x),
                                   turn, true);
   return ok || vs_error_memory(e, NULL);

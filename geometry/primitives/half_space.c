@@ -50,7 +50,7 @@ static bool half_space_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b
   return true;
 }
 
-static bool half_space_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool half_space_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   (void)n, (void)f, (void)out;
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "a half-space is endless: it has no faces of its own");
 }

@@ -122,7 +122,7 @@ static bool height_field_bounds(const vs_node *n, const vs_affine *a, vs_bounds 
   return true;
 }
 
-static bool height_field_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool height_field_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   (void)f;
   return vs_height_field_mesh(out, VS_AS(height_field, n)) || vs_error_memory(e, NULL);
 }

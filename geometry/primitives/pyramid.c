@@ -7,7 +7,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-static bool pyramid_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool pyramid_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   const struct vs_pyramid *x = VS_AS(pyramid, n);
   (void)f;
   return vs_solid_frustum(out, x->base, x->base_radius, x->top, x->top_radius, x->sides, false) ||
@@ -15,7 +15,7 @@ static bool pyramid_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out
 }
 
 static bool pyramid_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e) {
-  static const vs_facets any = { 1, 0 };
+  static const vs_fineness any = { 1, 0 };
   vs_mesh m = { 0 };
   bool ok = pyramid_triangles(n, &any, &m, e);
   if (ok) vs_reach_points(b, a, m.vertices, m.vertex_count);

@@ -53,9 +53,9 @@ bool vs_round_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_erro
   return true;
 }
 
-bool vs_round_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+bool vs_round_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   frustum x = frustum_of(n);
-  int turn = vs_facets_turn(f, fmax(x.base_radius, x.top_radius), x.segments);
+  int turn = vs_fineness_turn(f, fmax(x.base_radius, x.top_radius), x.segments);
   return vs_solid_frustum(out, x.base, x.base_radius, x.top, x.top_radius, turn, true) || vs_error_memory(e, NULL);
 }
 

@@ -13,7 +13,7 @@ bool vs_frustum_holds(vs_vec3 q, double height, double base_radius, double top_r
 /* The answers of the cylinder, the cone and the cut cone, as the entries of vs_shape have them: all three are cut
  * cones, whose radii are equal or of which one is 0. */
 bool vs_round_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e);
-bool vs_round_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e);
+bool vs_round_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
 bool vs_round_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e);
 bool vs_round_holds(const vs_node *n, vs_vec3 p, vs_vec3 q, double height);
 void vs_round_axis(const vs_node *n, vs_vec3 *base, vs_vec3 *top);

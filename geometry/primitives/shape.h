@@ -18,7 +18,7 @@ typedef struct {
   /* Adds the bounds of n under a to b, exactly. False: failed. */
   bool (*bounds)(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e);
   /* Appends the triangles, closed and facing outwards. False: failed. */
-  bool (*triangles)(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e);
+  bool (*triangles)(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
   /* Computes volume, area and centroid of a measure that says they are known; clears `known` where there is no formula.
    * area false: nobody asks for the area, and 0 will do. False: failed. */
   bool (*measure)(const vs_node *n, bool area, vs_measure *m, vs_error *e);

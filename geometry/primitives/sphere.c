@@ -9,9 +9,9 @@ static bool sphere_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs
   return true;
 }
 
-static bool sphere_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool sphere_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   const struct vs_sphere *x = VS_AS(sphere, n);
-  int turn = vs_facets_turn(f, x->radius, x->segments);
+  int turn = vs_fineness_turn(f, x->radius, x->segments);
   return vs_solid_fits(turn, turn / 2, "sphere", e) &&
          (vs_solid_sphere(out, x->center, x->radius, turn) || vs_error_memory(e, NULL));
 }

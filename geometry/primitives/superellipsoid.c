@@ -44,13 +44,13 @@ static void oval_quarter(double p, int half, vs_oval_point *at) {
 
 /* Facets a turn, a multiple of eight, so that axes and diagonals hold corners. Off the circle the chords of equal
  * shares are up to three times as high as a circle's of as many facets. */
-static int oval_turn(const struct vs_superellipsoid *s, double exponent, const vs_facets *f) {
-  int n = vs_facets_turn(f, s->size, s->segments);
+static int oval_turn(const struct vs_superellipsoid *s, double exponent, const vs_fineness *f) {
+  int n = vs_fineness_turn(f, s->size, s->segments);
   if (exponent != 1 && s->segments == 0 && f->segments == 0) n = 7 * n / 4;
   return (n + 7) / 8 * 8;
 }
 
-static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs_facets *f) {
+static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs_fineness *f) {
   int around = oval_turn(s, s->e, f), profile = oval_turn(s, s->n, f),
       half = profile / 4; /* rings from the equator to a pole */
   vs_oval_point *section = malloc((size_t)(around / 4 + 1) * sizeof *section),
@@ -162,7 +162,7 @@ static bool superellipsoid_bounds(const vs_node *n, const vs_affine *a, vs_bound
   return true;
 }
 
-static bool superellipsoid_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool superellipsoid_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   return solid_mesh(out, VS_AS(superellipsoid, n), f) || vs_error_memory(e, NULL);
 }
 

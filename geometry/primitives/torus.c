@@ -11,10 +11,10 @@ static bool torus_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_
   return true;
 }
 
-static bool torus_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool torus_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   const struct vs_torus *x = VS_AS(torus, n);
-  int around = vs_facets_turn(f, x->radius + x->tube_radius, x->segments),
-      across = vs_facets_turn(f, x->tube_radius, x->segments);
+  int around = vs_fineness_turn(f, x->radius + x->tube_radius, x->segments),
+      across = vs_fineness_turn(f, x->tube_radius, x->segments);
   if (!vs_solid_fits(around, across, "torus", e)) return false;
   return vs_solid_torus(out, x->center, x->radius, x->tube_radius, around, across) || vs_error_memory(e, NULL);
 }

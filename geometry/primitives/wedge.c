@@ -14,7 +14,7 @@ static bool wedge_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_
   return true;
 }
 
-static bool wedge_triangles(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+static bool wedge_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   (void)f;
   return vs_solid_wedge(out, VS_AS(wedge, n)->p, VS_AS(wedge, n)->q) || vs_error_memory(e, NULL);
 }

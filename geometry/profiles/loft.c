@@ -51,7 +51,7 @@ static bool loft_is_circle(const vs_node *n) {
 
 /* ---- reading sections ---- */
 
-static bool loft_read(const vs_node *n, const vs_facets *f, loft_section *s, vs_error *e) {
+static bool loft_read(const vs_node *n, const vs_fineness *f, loft_section *s, vs_error *e) {
   vs_affine placed;
   const vs_node *bare = loft_bare(n, &placed);
   vs_outline_free(&s->outline);
@@ -83,7 +83,7 @@ static size_t loft_points(const loft_section *s) {
 }
 
 /* Circles of one loft are cut alike: all as the one that needs most. */
-static bool loft_read_all(const vs_node *n, size_t count, const vs_facets *f, loft_section *s, vs_error *e) {
+static bool loft_read_all(const vs_node *n, size_t count, const vs_fineness *f, loft_section *s, vs_error *e) {
   size_t most = 0;
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) {
@@ -98,7 +98,7 @@ static bool loft_read_all(const vs_node *n, size_t count, const vs_facets *f, lo
   }
   for (size_t i = 0; ok && i < count; i++)
     if (loft_is_circle(n->children[i].node) && loft_points(&s[i]) < most) {
-      vs_facets same = { f->tolerance, (int)most };
+      vs_fineness same = { f->tolerance, (int)most };
       ok = loft_read(n->children[i].node, &same, &s[i], e);
     }
   return ok;
@@ -516,7 +516,7 @@ static bool loft_again(const loft_section *a, const loft_section *b, double near
   return true;
 }
 
-bool vs_loft_match(const vs_node *n, size_t count, const vs_facets *f, vs_loft *out, vs_error *e) {
+bool vs_loft_match(const vs_node *n, size_t count, const vs_fineness *f, vs_loft *out, vs_error *e) {
   *out = (vs_loft){ 0 };
   loft_section *s = calloc(count + 1, sizeof *s);
   size_t first = 0, rows = count;

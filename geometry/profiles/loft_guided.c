@@ -129,7 +129,7 @@ static vs_vec3 guided_slope(const vs_vec3 *local, const double *s, size_t n, siz
 }
 
 static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, const double *s, const vs_vec3 *local,
-                        const vs_facets *f, vs_loft_rows *out) {
+                        const vs_fineness *f, vs_loft_rows *out) {
   size_t n = l->columns, wide = n + GUIDED_EXTRA, stations = l->rows + l->joined;
   vs_vec3 *between = malloc(wide * sizeof *between);
   bool ok = between != NULL;
@@ -141,7 +141,7 @@ static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, co
       if (c == n + GUIDED_LEAN) { /* the section's points go along arcs of this angle */
         double turn = vs_v3_length(vs_v3_sub(local[(i + 1) * wide + c], local[i * wide + c])), far = 0;
         for (size_t q = 0; q < n; q++) far = fmax(far, vs_v3_length(local[i * wide + q]));
-        steps = fmax(steps, (double)vs_facets_turn(f, far, 0) * turn / 6.283185307179586);
+        steps = fmax(steps, (double)vs_fineness_turn(f, far, 0) * turn / 6.283185307179586);
       } else {
         steps = fmax(steps, vs_loft_hermite_steps(local[i * wide + c], local[(i + 1) * wide + c], m, k, f));
       }
@@ -184,7 +184,7 @@ static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, co
   return ok && (last || l->joined);
 }
 
-bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_facets *f, vs_loft_rows *out, vs_error *e) {
+bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_fineness *f, vs_loft_rows *out, vs_error *e) {
   vs_path p = { 0 };
   vs_affine identity = vs_affine_identity();
   size_t stations = l->rows + l->joined;
@@ -252,7 +252,7 @@ static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_
   return least;
 }
 
-static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, const vs_facets *f, guided_line *g,
+static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, const vs_fineness *f, guided_line *g,
                              vs_error *e) {
   vs_affine identity = vs_affine_identity();
   g->s = malloc((l->rows + 1) * sizeof *g->s);
@@ -425,7 +425,7 @@ static double guided_line_steps(const guided_line *g, size_t i) {
   return n > 256 ? 256 : (double)n;
 }
 
-bool vs_loft_along_guides(const vs_node *n, const vs_loft *l, const vs_facets *f, vs_loft_rows *out, vs_error *e) {
+bool vs_loft_along_guides(const vs_node *n, const vs_loft *l, const vs_fineness *f, vs_loft_rows *out, vs_error *e) {
   size_t sections = (size_t)VS_AS(guided_loft, n)->section_count, guides = n->child_count - sections;
   guided_line *g = calloc(guides + 1, sizeof *g);
   guided_pin *pins = malloc((guides + 1) * sizeof *pins);

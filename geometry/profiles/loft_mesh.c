@@ -65,7 +65,7 @@ vs_vec3 vs_loft_hermite(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, double t) {
   return vs_v3_add(vs_v3_add(vs_v3_scale(p, a), vs_v3_scale(q, b)), vs_v3_add(vs_v3_scale(m, c), vs_v3_scale(k, d)));
 }
 
-double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const vs_facets *f) {
+double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const vs_fineness *f) {
   vs_vec3 d = vs_v3_sub(q, p);
   vs_vec3 start = vs_v3_sub(vs_v3_scale(d, 6), vs_v3_add(vs_v3_scale(m, 4), vs_v3_scale(k, 2)));
   vs_vec3 end = vs_v3_sub(vs_v3_add(vs_v3_scale(m, 2), vs_v3_scale(k, 4)), vs_v3_scale(d, 6));
@@ -85,7 +85,7 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
  * middle. It is cut into k pieces from row to row, the same everywhere, and each edge of a section into as many as its
  * own twist asks for then: the error falls by the product of both. Edges are as many as columns, in their order; open
  * sections have one that is nobody's at each loop's end. k: 1 to 64. */
-static double loft_saddle(const vs_loft *l, const vs_facets *f, uint32_t *edges) {
+static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edges) {
   enum { MOST = 64 };
   double most = 0;
   size_t pieces = l->joined ? l->rows : l->rows - 1, n = l->columns;
@@ -252,7 +252,7 @@ void vs_loft_smooth_row(const vs_loft_smooth *s, size_t i, double t, vs_vec3 *ro
           vs_loft_hermite(l->at[i * n + c], l->at[next * n + c], s->slope_out[i * n + c], s->slope_in[next * n + c], t);
 }
 
-double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_facets *f) {
+double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_fineness *f) {
   const vs_loft *l = s->loft;
   size_t n = l->columns, next = (i + 1) % l->rows;
   double steps = 1;
@@ -267,7 +267,7 @@ static uint32_t loft_row_work(const vs_loft *l) { /* nanoseconds, told to vs_sto
 }
 
 /* False: e is set. */
-static bool loft_smooth_rows(const vs_node *n, const vs_loft *l, const vs_facets *f, double least, vs_loft_rows *out,
+static bool loft_smooth_rows(const vs_node *n, const vs_loft *l, const vs_fineness *f, double least, vs_loft_rows *out,
                              vs_error *e) {
   vs_loft_smooth s;
   bool ok = vs_loft_smooth_make(l, &s) || vs_error_memory(e, NULL);
@@ -312,7 +312,7 @@ static bool loft_straight_rows(const vs_node *n, const vs_loft *l, double k, vs_
 
 /* ---- triangles ---- */
 
-bool vs_loft_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+bool vs_loft_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   vs_loft l;
   vs_loft_rows rows = { 0 };
   size_t first = out->triangle_count,

@@ -17,7 +17,7 @@ void vs_pipe_close(vs_pipe *p) {
 }
 
 bool vs_pipe_open(const vs_node *curve, int segments, double tolerance, vs_pipe *out, vs_error *e) {
-  const vs_facets f = { .tolerance = tolerance, .segments = segments };
+  const vs_fineness f = { .tolerance = tolerance, .segments = segments };
   *out = (vs_pipe){ 0 };
   if (!vs_stations_open(curve, &f, &out->stations, e)) return false;
   const vs_stations *s = &out->stations;

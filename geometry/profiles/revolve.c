@@ -80,7 +80,7 @@ static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   return true;
 }
 
-bool vs_revolve_plan(const vs_node *n, const vs_facets *f, vs_revolve *r, vs_error *e) {
+bool vs_revolve_plan(const vs_node *n, const vs_fineness *f, vs_revolve *r, vs_error *e) {
   const struct vs_revolve *d = VS_AS(revolve, n);
   vs_outline o;
   size_t points = 0;
@@ -101,8 +101,8 @@ bool vs_revolve_plan(const vs_node *n, const vs_facets *f, vs_revolve *r, vs_err
   return ok;
 }
 
-size_t vs_revolve_steps(const vs_revolve *r, const vs_facets *f, int segments) {
-  double n = ceil(vs_facets_turn(f, r->reach, segments) * fabs(r->angle) / turn - 1e-9);
+size_t vs_revolve_steps(const vs_revolve *r, const vs_fineness *f, int segments) {
+  double n = ceil(vs_fineness_turn(f, r->reach, segments) * fabs(r->angle) / turn - 1e-9);
   return n < 1 ? 1 : (size_t)n;
 }
 
@@ -218,7 +218,7 @@ double vs_profile_circle(const vs_node *n) {
   return even ? k * VS_AS(circle, n)->radius : 0;
 }
 
-bool vs_revolve_measure(const vs_node *n, const vs_facets *f, vs_measure *m, vs_error *e) {
+bool vs_revolve_measure(const vs_node *n, const vs_fineness *f, vs_measure *m, vs_error *e) {
   vs_revolve r;
   if (!vs_revolve_plan(n, f, &r, e)) return false;
   revolve_moments area = { 0 }, line = { 0 };

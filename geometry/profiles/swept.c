@@ -62,7 +62,7 @@ static bool swept_room(vs_swept *s, size_t points, size_t loops) {
   return s->profile && s->sizes && s->hole;
 }
 
-static bool swept_profile(vs_swept *s, const vs_node *profile, const vs_facets *f, const vs_vec3 *base,
+static bool swept_profile(vs_swept *s, const vs_node *profile, const vs_fineness *f, const vs_vec3 *base,
                           vs_profile_plane *plane, vs_error *e) {
   vs_outline o;
   if (!vs_region_outline(profile, f, &o, e)) return false;
@@ -113,7 +113,7 @@ static bool swept_disc(vs_swept *s, double radius, int n) {
  * Therefore a twist cuts the whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that
  * l/k twist/n / 4 keeps the tolerance, n and k alike large; and no fewer steps than facets in as much of a turn. With
  * segments given the edges stay whole. 0: no memory. */
-static size_t swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_facets *f) {
+static size_t swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_fineness *f) {
   enum { MOST = 2000, MOST_STEPS = 200000, MOST_POINTS = 10000000 };
   double widest = fmax(1, fabs(scale)), longest = 0;
   if (twist == 0) return 1;
@@ -122,7 +122,7 @@ static size_t swept_refine(vs_swept *s, double twist, double scale, double reach
       vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % s->sizes[l]];
       longest = fmax(longest, hypot(q.x - p.x, q.y - p.y));
     }
-  double n = ceil(fabs(twist) / full_turn * vs_facets_turn(f, reach * widest, 0) - 1e-9),
+  double n = ceil(fabs(twist) / full_turn * vs_fineness_turn(f, reach * widest, 0) - 1e-9),
          saddle = fabs(twist) * widest / (4 * f->tolerance);
   if (f->segments <= 0) n = fmax(n, ceil(sqrt(saddle * longest)));
   n = fmax(fmin(n, fmin(MOST_STEPS, MOST_POINTS / (double)(s->profile_count ? s->profile_count : 1))), 1);
@@ -241,7 +241,7 @@ static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs
 /* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start;
  * upright, where it is not NULL, says it everywhere. */
 static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright *upright, double twist, double scale,
-                        vs_vec2 base, double reach, const vs_facets *f, vs_error *e) {
+                        vs_vec2 base, double reach, const vs_fineness *f, vs_error *e) {
   vs_path fine = { 0 };
   vs_vec3 *carried = NULL;
   bool ok = true;
@@ -303,7 +303,7 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
 
 /* The path, sampled so that what the profile draws on the outside of its bends keeps the tolerance too: a stretch that
  * turns by d rises over its chord by 1 - cos(d/2) of the radius, there the path's own and the profile's reach. */
-static bool swept_path(const vs_node *curve, const vs_facets *f, double reach, vs_path *path, vs_error *e) {
+static bool swept_path(const vs_node *curve, const vs_fineness *f, double reach, vs_path *path, vs_error *e) {
   vs_affine identity = vs_affine_identity();
   double most = 0;
   if (!vs_curve_path(curve, &identity, f, path, e)) return false;
@@ -314,7 +314,7 @@ static bool swept_path(const vs_node *curve, const vs_facets *f, double reach, v
     most = fmax(most, turn * turn / 8 * (reach + vs_v3_length(vs_v3_sub(q->at, p->at)) / fmax(turn, 1e-9)));
   }
   if (most <= f->tolerance * 1.01) return true;
-  vs_facets fine = { f->tolerance * fmax(f->tolerance / most, 1.0 / 4096), 0 };
+  vs_fineness fine = { f->tolerance * fmax(f->tolerance / most, 1.0 / 4096), 0 };
   vs_path_free(path);
   *path = (vs_path){ 0 };
   return vs_curve_path(curve, &identity, &fine, path, e);
@@ -348,7 +348,7 @@ static bool swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_pa
 }
 
 /* along a vector, or along a path without turning */
-static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   vs_profile_plane plane = { 0 };
   vs_path path = { 0 };
@@ -406,7 +406,7 @@ static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_facets *f, vs_
   return ok;
 }
 
-static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_error *e) {
   const struct vs_sweep *w = VS_AS(sweep, n);
   vs_profile_plane plane = { 0 };
   vs_path path = { 0 };
@@ -430,7 +430,7 @@ static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_facets *f, vs_er
   return ok;
 }
 
-static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, vs_error *e) {
+static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_error *e) {
   const struct vs_thicken *t = VS_AS(thicken, n);
   const vs_node *what = n->children[0].node;
   if (what->class_ != VS_CURVE) {
@@ -444,7 +444,7 @@ static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, vs_
   vs_path path = { 0 };
   bool ok = swept_path(what, f, t->width / 2, &path, e);
   if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-thicken: the curve is a point");
-  ok = ok && (swept_disc(s, t->width / 2, vs_facets_turn(f, t->width / 2, t->segments)) || vs_error_memory(e, NULL));
+  ok = ok && (swept_disc(s, t->width / 2, vs_fineness_turn(f, t->width / 2, t->segments)) || vs_error_memory(e, NULL));
   if (ok) {
     vs_affine square = vs_frame_on_axis(path.at[0].at, path.at[0].leaving);
     vs_vec3 x = { square.m[0][0], square.m[1][0], square.m[2][0] };
@@ -454,7 +454,7 @@ static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_facets *f, vs_
   return ok;
 }
 
-bool vs_swept_plan(const vs_node *n, const vs_facets *f, vs_swept *out, vs_error *e) {
+bool vs_swept_plan(const vs_node *n, const vs_fineness *f, vs_swept *out, vs_error *e) {
   *out = (vs_swept){ 0 };
   bool ok = n->kind == VS_EXTRUDE ? swept_extrude(out, n, f, e)
             : n->kind == VS_SWEEP ? swept_sweep(out, n, f, e)

@@ -29,7 +29,7 @@ typedef struct {
 
 void vs_swept_free(vs_swept *s);
 /* n: an extrude, sweep or thicken (of a curve or region). */
-bool vs_swept_plan(const vs_node *n, const vs_facets *f, vs_swept *out, vs_error *e);
+bool vs_swept_plan(const vs_node *n, const vs_fineness *f, vs_swept *out, vs_error *e);
 bool vs_swept_mesh(const vs_swept *s, vs_mesh *out); /* appends; false: out of memory */
 /* The map between two neighbouring sections, 0 <= t <= 1 */
 vs_section vs_section_between(const vs_section *a, const vs_section *b, double t);

@@ -438,12 +438,12 @@ static bool taper_top(taper *t) {
   return ok;
 }
 
-bool vs_taper_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+bool vs_taper_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   return n->child_count > 1 ? vs_taper_path_mesh(n, f, out, e)
                             : vs_taper_straight(n, VS_AS(extrude, n)->along, f, out, e);
 }
 
-bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_facets *f, vs_mesh *out, vs_error *e) {
+bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   vs_outline o;
   if (!vs_region_outline(n->children[0].node, f, &o, e)) return false;

@@ -92,7 +92,7 @@ static void move_along(vs_mesh *m, size_t first, vs_vec3 origin, vs_vec3 normal,
   }
 }
 
-bool vs_taper_path_mesh(const vs_node *n, const vs_facets *f, vs_mesh *out, vs_error *e) {
+bool vs_taper_path_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   vs_polyline path = { 0 };
   vs_outline o = { .count = 0 };
   cut_table table = { 0 };

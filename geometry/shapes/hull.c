@@ -319,7 +319,7 @@ bool vs_cloud_add_all(vs_cloud *out, const vs_affine *placed, const vs_vec3 *at,
   return true;
 }
 
-bool vs_hull_cloud(const vs_node *hull, vs_hull_leaf *leaf, const vs_facets *f, vs_cloud *out, vs_error *e) {
+bool vs_hull_cloud(const vs_node *hull, vs_hull_leaf *leaf, const vs_fineness *f, vs_cloud *out, vs_error *e) {
   vs_ref root = { (vs_node *)(uintptr_t)hull, NULL };
   vs_hull_part *stack = malloc(sizeof *stack);
   size_t depth = 0, room = 1;
@@ -335,7 +335,7 @@ bool vs_hull_cloud(const vs_node *hull, vs_hull_leaf *leaf, const vs_facets *f, 
       if (ok && !VS_GROW(stack, room, depth + n->child_count)) ok = vs_error_memory(e, NULL);
       for (uint32_t i = n->child_count; ok && i-- > 0;) stack[depth++] = (vs_hull_part){ &n->children[i], part.placed };
     } else if (ok) {
-      vs_facets inner = vs_facets_placed(f, &part.placed);
+      vs_fineness inner = vs_fineness_placed(f, &part.placed);
       ok = leaf(n, &part.placed, &inner, out, e);
       if (!ok && e && !e->origin) e->origin = part.ref->origin;
     }

@@ -21,8 +21,8 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out);
 bool vs_cloud_add_all(vs_cloud *out, const vs_affine *placed, const vs_vec3 *at, size_t count, vs_error *e);
 
 /* Adds the corners of a node that is no placement and no union, as finely as f asks in its own coordinates. */
-typedef bool vs_hull_leaf(const vs_node *n, const vs_affine *placed, const vs_facets *f, vs_cloud *out, vs_error *e);
+typedef bool vs_hull_leaf(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_cloud *out, vs_error *e);
 /* The points whose hull the node's is, in its own coordinates: what leaf adds for each part that it holds. */
-bool vs_hull_cloud(const vs_node *hull, vs_hull_leaf *leaf, const vs_facets *f, vs_cloud *out, vs_error *e);
+bool vs_hull_cloud(const vs_node *hull, vs_hull_leaf *leaf, const vs_fineness *f, vs_cloud *out, vs_error *e);
 
 #endif

@@ -16,13 +16,13 @@ static vs_affine unit_on_axis(vs_vec3 base, vs_vec3 top, double radius, double a
   return vs_affine_multiply(&frame, &size);
 }
 
-static bool unit_round(vs_unit unit, const vs_facets *f, double radius, int segments, vs_affine place,
+static bool unit_round(vs_unit unit, const vs_fineness *f, double radius, int segments, vs_affine place,
                        vs_unit_copy *out) {
-  *out = (vs_unit_copy){ unit, vs_facets_turn(f, radius, segments), segments > 0, place };
+  *out = (vs_unit_copy){ unit, vs_fineness_turn(f, radius, segments), segments > 0, place };
   return true;
 }
 
-bool vs_unit_of(const vs_node *n, const vs_facets *f, vs_unit_copy *out) {
+bool vs_unit_of(const vs_node *n, const vs_fineness *f, vs_unit_copy *out) {
   if (n->kind == VS_BOX) {
     *out = (vs_unit_copy){ .unit = VS_UNIT_BOX, .place = unit_between(VS_AS(box, n)->p, VS_AS(box, n)->q) };
     return true;

@@ -18,7 +18,7 @@ typedef struct {
 } vs_unit_copy;
 
 /* false: the node is no copy of a unit form */
-bool vs_unit_of(const vs_node *n, const vs_facets *f, vs_unit_copy *out);
+bool vs_unit_of(const vs_node *n, const vs_fineness *f, vs_unit_copy *out);
 bool vs_unit_mesh(vs_unit unit, int turn, vs_mesh *out); /* appended; false: out of memory */
 
 #endif

@@ -186,9 +186,9 @@ static bool text_outline(const vs_flat_loops *flat, vs_vec3 p, const vs_affine *
   return true;
 }
 
-bool vs_text_loops(const vs_node *text, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e) {
+bool vs_text_loops(const vs_node *text, const vs_affine *placed, const vs_fineness *f, vs_outline *out, vs_error *e) {
   const struct vs_letters *t = VS_AS(letters, text);
-  vs_facets inner = vs_facets_placed(f, placed);
+  vs_fineness inner = vs_fineness_placed(f, placed);
   vs_flat_loops flat = { 0 };
   vs_text_plan plan;
   *out = (vs_outline){ 0 };

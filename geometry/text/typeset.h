@@ -25,7 +25,7 @@ bool vs_text_lay(vs_store *s, const struct vs_letters *t, vs_text_plan *out, vs_
 /* Loops under `placed` as vs_region_outline has them, but with nothing but loops and hole filled in, and turned as if
  * seen unplaced from above: none crosses another, holes follow their outer loops (GEOS is asked where letters
  * overlap). */
-bool vs_text_loops(const vs_node *text, const vs_affine *placed, const vs_facets *f, vs_outline *out, vs_error *e);
+bool vs_text_loops(const vs_node *text, const vs_affine *placed, const vs_fineness *f, vs_outline *out, vs_error *e);
 /* Exact bounds of the ink under `placed`, added to b. */
 bool vs_text_bounds(const vs_node *text, const vs_affine *placed, vs_bounds *b, vs_error *e);
 

@@ -138,7 +138,7 @@ static bool mesh_drawn(job *j, double tolerance, vs_mesh *out, vs_error *e) {
   vs_session *s = j->session;
   vs_ref *refs;
   size_t count;
-  vs_facets facets = { .tolerance = tolerance, .segments = vs_bind_segments(&s->bind) };
+  vs_fineness facets = { .tolerance = tolerance, .segments = vs_bind_segments(&s->bind) };
   if (tolerance <= 0) facets.tolerance = vs_bind_tolerance(&s->bind);
   if (facets.tolerance <= 0) {
     vs_summary sum;
@@ -146,7 +146,7 @@ static bool mesh_drawn(job *j, double tolerance, vs_mesh *out, vs_error *e) {
     if (outcome != VS_OUTCOME_DONE) return failed(j, outcome, e);
     if (!sum.has_bounds) return true;
     vs_bounds b = { vs_v3(sum.min[0], sum.min[1], sum.min[2]), vs_v3(sum.max[0], sum.max[1], sum.max[2]) };
-    facets.tolerance = vs_facets_tolerance(&b);
+    facets.tolerance = vs_fineness_tolerance(&b);
   }
   vs_outcome outcome = vs_session_take(s, &refs, &count);
   if (outcome != VS_OUTCOME_DONE) return failed(j, outcome, e);

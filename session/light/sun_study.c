@@ -386,12 +386,12 @@ static bool keep_going(void *session, double done) {
 /* The mesh of what is drawn, and the tree of its triangles. refs are those of the drawing. */
 static bool take_model(study *t, const vs_ref *refs, size_t count) {
   const vs_scene *scene = &t->session->bind.scene;
-  vs_facets facets = { .tolerance = vs_bind_tolerance(&t->session->bind), .segments = scene->segments };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(&t->session->bind), .segments = scene->segments };
   vs_kernel_options options = { .progress = keep_going, .context = t->session };
   vs_bounds all;
   bool most;
   if (!vs_drawn_bounds_all(refs, count, &facets, &options, VS_DRAWN_BOUNDS_MOST, &all, &most, &t->error)) return false;
-  if (facets.tolerance <= 0) facets.tolerance = vs_facets_tolerance(&all);
+  if (facets.tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&all);
   if (!vs_solid_evaluate(refs, count, &facets, &options, &t->solid, &t->error)) return false;
   if (!t->solid.mesh.triangle_count)
     return vs_error_set(&t->error, VS_ERROR_MODEL, NULL, "the model has no solids for the sun to shine on");

@@ -54,7 +54,7 @@ static vs_node *curve(vs_store *s, bool spline) {
 }
 
 static bool task(const vs_node *n, vs_error *e) {
-  vs_facets f = { 0.01, 0 };
+  vs_fineness f = { 0.01, 0 };
   vs_mesh m = { 0 };
   vs_bounds b;
   bool inside, closed_ok, ok = vs_tessellate(n, &f, &m, e);

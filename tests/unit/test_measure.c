@@ -56,7 +56,7 @@ static void agree(vs_node *n, bool formula) {
   vs_bounds b, of_mesh;
   vs_measure by_formula, by_mesh;
   assert_true(vs_node_bounds(n, &b, &e));
-  vs_facets f = { vs_bounds_diagonal(&b) / 40000, 0 };
+  vs_fineness f = { vs_bounds_diagonal(&b) / 40000, 0 };
   if (!vs_tessellate(n, &f, &m, &e)) fail_msg("%s", e.message);
   of_mesh = vs_mesh_bounds(&m);
   double slack = vs_bounds_diagonal(&b) * 1e-4, deviation;

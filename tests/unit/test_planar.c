@@ -15,7 +15,7 @@
 #include "geometry/plane/ear_clipping.h"
 #include "solids/sections.h"
 
-static const vs_facets fine = { 1e-5, 0 };
+static const vs_fineness fine = { 1e-5, 0 };
 
 static vs_area rectangle(double x0, double y0, double x1, double y1) {
   vs_area a = { 0 };

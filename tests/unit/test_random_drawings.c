@@ -37,7 +37,7 @@ static double fraction(uint64_t *state) {
 }
 
 static bool mesh_volume(const drawing *d, double *volume, double *area) {
-  static const vs_facets facets = { 0.02, 0 };
+  static const vs_fineness facets = { 0.02, 0 };
   vs_solid m;
   vs_error e = { 0 };
   vs_kernel_options options = { .max_triangles = 2000000 };

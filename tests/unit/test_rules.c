@@ -101,7 +101,7 @@ static const struct vs_deform frustum = {
 static double volume_below(const vs_node *placed, const vs_node **mesh) {
   assert_int_equal(placed->kind, VS_TRANSFORM);
   *mesh = placed->children[0].node;
-  vs_facets f = { 0.01, 0 };
+  vs_fineness f = { 0.01, 0 };
   vs_error e = { 0 };
   vs_solid solid = { 0 };
   vs_kernel_options options = { 0 };
@@ -116,7 +116,7 @@ static double volume_below(const vs_node *placed, const vs_node **mesh) {
 static void deformed_objects(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
-  vs_facets facets = { 0.01, 0 };
+  vs_fineness facets = { 0.01, 0 };
   vs_kernel_options options = { 0 };
   vs_error e = { 0 };
   struct vs_box unit = { .p = { 0, 0, 0 }, .q = { 1, 1, 1 } };
@@ -163,7 +163,7 @@ static void deformed_objects(void **state) {
 static void leaves_keep_their_looks(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
-  vs_facets facets = { 0.01, 0 };
+  vs_fineness facets = { 0.01, 0 };
   vs_kernel_options options = { 0 };
   vs_error e = { 0 };
   struct vs_box unit = { .p = { 0, 0, 0 }, .q = { 1, 1, 1 } };
@@ -189,7 +189,7 @@ static void leaves_keep_their_looks(void **state) {
 /* Each allocation of the store fails once: a message or the whole, and nothing is lost. */
 static void refused_memory(void **state) {
   (void)state;
-  vs_facets facets = { 0.01, 0 };
+  vs_fineness facets = { 0.01, 0 };
   vs_kernel_options options = { 0 };
   bool whole = false;
   for (size_t k = 1; k < 200 && !whole; k++) {

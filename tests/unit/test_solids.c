@@ -11,12 +11,12 @@
 #include "geometry/tessellate.h"
 
 static const double pi = 3.14159265358979323846;
-static const vs_facets fine = { 1e-4, 0 };
+static const vs_fineness fine = { 1e-4, 0 };
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
 
 /* Releases n. */
-static void check(vs_node *n, const vs_facets *f, double volume, double relative) {
+static void check(vs_node *n, const vs_fineness *f, double volume, double relative) {
   vs_mesh m = { 0 };
   vs_error e = { 0 };
   bool ok;
@@ -64,7 +64,7 @@ static void segments_are_inscribed(void **state) {
     check(NODE(cylinder, CYLINDER, o, up, 1, n), &fine, n * sin(2 * pi / n), 1e-14);
     check(NODE(pyramid, PYRAMID, o, 1, n, up, 1), &fine, n * sin(2 * pi / n), 1e-14);
   }
-  vs_facets six = { 1e-4, 6 };
+  vs_fineness six = { 1e-4, 6 };
   check(NODE(cylinder, CYLINDER, o, up, 1, 0), &six, 6 * sin(pi / 3), 1e-14);
   vs_store_release(s);
 }
@@ -72,15 +72,15 @@ static void segments_are_inscribed(void **state) {
 static void facets_keep_their_height(void **state) {
   (void)state;
   for (double r = 1e-3; r < 1e6; r *= 3) {
-    int n = vs_facets_turn(&fine, r, 0);
+    int n = vs_fineness_turn(&fine, r, 0);
     assert_true(n >= 32 && n % 4 == 0);
     if (n < 4096) assert_true(r * (1 - cos(pi / n)) <= 1e-4 * (1 + 1e-9));
   }
   vs_bounds b = { { 0, 0, 0 }, { 3, 4, 0 } };
-  assert_true(vs_facets_tolerance(&b) == 1.0 / 1024);
+  assert_true(vs_fineness_tolerance(&b) == 1.0 / 1024);
   vs_affine turned = vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(1, 2, 3), 0.7), doubled = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(2, 2, 2));
-  assert_true(vs_facets_placed(&fine, &turned).tolerance == fine.tolerance);
-  assert_true(vs_facets_placed(&fine, &doubled).tolerance == fine.tolerance / 2);
+  assert_true(vs_fineness_placed(&fine, &turned).tolerance == fine.tolerance);
+  assert_true(vs_fineness_placed(&fine, &doubled).tolerance == fine.tolerance / 2);
 }
 
 static void mirrors_turn_the_facets(void **state) {

@@ -12,7 +12,7 @@
 #include "geometry/tessellate.h"
 
 static const double pi = 3.14159265358979323846;
-static const vs_facets fine = { 1e-4, 0 };
+static const vs_fineness fine = { 1e-4, 0 };
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
 
@@ -169,7 +169,7 @@ static void lofts_are_interrupted(void **state) {
   (void)state;
   static const int segments[3][2] = { { 4000, 4000 }, { 300, 301 }, { 40000, 40001 } };
   vs_store *s = vs_store_new(NULL, NULL);
-  vs_facets f = { .tolerance = 0.01 };
+  vs_fineness f = { .tolerance = 0.01 };
   for (int i = 0; i < 3; i++) {
     size_t asked = 0;
     vs_node *n = over(s, VS_RULED_LOFT, NULL, NODE(circle, CIRCLE, { 0, 0, 0 }, 1, segments[i][0]),

@@ -2,7 +2,8 @@
  *
  * A program that stops leaves the run loop. Its whole state is a continuation, held by a condition of the kind `stop`;
  * vs_run returns false with that condition. The host may run whatever it likes and then enter the continuation again
- * with vs_step_resume (resume.h). No C frame waits for a user who thinks, and a program may stop while another is stopped. */
+ * with vs_step_resume (resume.h). No C frame waits for a user who thinks, and a program may stop while another is
+ * stopped. */
 #ifndef VS_STEP_H
 #define VS_STEP_H
 
