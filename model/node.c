@@ -123,7 +123,7 @@ static void node_join_family(vs_node_family *f, const vs_node *child) {
   else if (f->together != c) f->together = VS_MIXED;
 }
 
-/* Are all children curves and regions? Those are flat by themselves; a flat surface is known by its mesh. */
+/* Are all children curves and regions? A flat surface among them is known by its mesh alone. */
 static bool node_holds_planar(const vs_node *n) {
   bool planar = true;
   for (uint32_t i = 0; planar && i < n->child_count; i++) {

@@ -76,6 +76,19 @@ if [ -z "$missing" ]; then echo "ok manual/command:prompt"; else echo "not ok ma
 table model/tally.def VS_PHASE '| phase |'
 table model/steps.def VS_STEP '| step |'
 table session/stages.def VS_STAGE '| stage |'
+# The walk names files that exist, and functions that stand in them.
+awk -F' *[|] *' '/^\| step \|/ { next } /^\| stage \|/ { next } /^\|--/ || !/^\|/ || $3 !~ /`/ { next } { print $3 "|" $4 }' manual/walk.md |
+  while IFS='|' read -r files functions; do
+    folder= paths=
+    for file in $(echo "$files" | tr -d '`,'); do
+      case $file in */*) folder=${file%/*}/ ;; *) file=$folder$file ;; esac
+      [ -f "$file" ] && paths="$paths $file" || echo "there is no file $file"
+    done
+    for function in $(echo "$functions" | tr -d '`,'); do
+      grep -qE "^[a-z].*\b$function\(" $paths /dev/null || echo "no function $function begins a line of$paths"
+    done
+  done > "$work/why"
+result manual/walk "$work/why"
 # The page on materials names each ready one, and has each pattern with its size.
 sed -n 's/^VS_READY_MATERIAL("\([a-z-]*\)".*/\1/p' model/looks/materials.def | sort > "$work/wanted"
 sed -n '/^!\[Samples/,/^Fourteen/p' manual/materials.md | grep '^[- ]' | grep -o '`[a-z-]*`' | tr -d '\140' | sort > "$work/shown"
