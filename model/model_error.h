@@ -13,7 +13,7 @@ struct vs_origin {
   const vs_origin *caller; /* the call that led here, or NULL */
 };
 
-/* One message, and where in the user's model (NULL: nowhere). */
+/* An error is one message, and where in the user's model (NULL: nowhere). */
 typedef enum {
   VS_ERROR_NONE,
   VS_ERROR_MODEL /* exit 1 */,
