@@ -165,7 +165,7 @@ class Live {
     this.printed.textContent = said.length > 20000 ? "…" + said.slice(-20000) : said;
     this.printed.hidden = said === "";
     this.printed.scrollTop = this.printed.scrollHeight;
-    this.parameters.show(state.parameters);
+    this.parameters.show(state.good ? state.parameters : this.#known(state.parameters));
     this.viewPlace.classList.toggle("stale", !state.good);
     this.note.hidden = state.good || !this.viewer.model;
     this.note.textContent = state.good ? "" : "This is the last model that could be made.";
@@ -198,6 +198,12 @@ class Live {
       await ask("/input?kind=" + next.kind, { method: "POST", body: next.body });
     }
     this.inputting = false;
+  }
+
+  // A run that failed has met the parameters up to its failure: the others stay as they were.
+  #known(met) {
+    const now = new Map(met.map((p) => [p.name, p])), before = this.parameters.infos || [], names = new Set(before.map((p) => p.name));
+    return [...before.map((p) => now.get(p.name) || p), ...met.filter((p) => !names.has(p.name))];
   }
 
   #isModel(file) { return file && (file === this.state?.model || file.split("/").pop() === this.state?.model.split("/").pop()); }
@@ -255,6 +261,7 @@ class Live {
     return this.made.promise;
   }
   async #construct() {
+    if (this.model.count === 0) return new Construction(this.model);
     const answer = await ask("/export?format=x3d-steps");
     if (!answer.ok) throw new Error((await answer.text()).trim());
     return new Construction(modelFromPacked(readPacked(await answer.arrayBuffer())));

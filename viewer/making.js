@@ -28,7 +28,7 @@ export class Making {
     this.said = el("p", { class: "said", role: "status" });
     this.cancelButton = el("button", { type: "button", class: "button", hidden: true, onclick: () => this.cancel?.abort() }, "Cancel");
     this.starters = [button("Render", () => this.render()), button("Make a sheet", () => this.sheet()), button("Make a film", () => this.film())];
-    this.sweep = el("div", {}, el("h3", {}, "Contact sheet of a parameter"), el("div", { class: "line" }, this.swept, this.from, el("span", {}, "to"), this.to), el("div", { class: "line" }, this.count, el("span", {}, "pictures"), this.starters[1]));
+    this.sweep = el("div", {}, el("h3", {}, "Contact sheet of a parameter"), el("div", { class: "line" }, this.swept), el("div", { class: "line" }, this.from, el("span", {}, "to"), this.to), el("div", { class: "line" }, this.count, el("span", {}, "pictures"), this.starters[1]));
     this.list = el("div", { class: "made-list" });
     this.root = el("section", { class: "making glass", "aria-label": "Pictures", hidden: true, tabindex: "-1" },
       el("header", {}, el("b", {}, "Pictures"), button("Close", () => this.toggle())),

@@ -139,7 +139,8 @@ export class Model {
   }
   origin(o) {
     const at = this.origins.at;
-    return { file: this.origins.files[at[4 * (o - 1)]], line: at[4 * (o - 1) + 1], column: at[4 * (o - 1) + 2], number: o };
+    const file = this.origins.files[at[4 * (o - 1)]];
+    return { file, name: file.replace(/.*\//, ""), line: at[4 * (o - 1) + 1], column: at[4 * (o - 1) + 2], number: o };
   }
   where(i) { return this.made[i] > 0 ? this.origin(this.made[i]) : null; }
 }

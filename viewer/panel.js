@@ -101,7 +101,7 @@ export class Panel {
       }
       return found;
     };
-    const place = (o) => { if (!o) return ""; const at = m.origin(o); return `  ${at.file}:${at.line}`; };
+    const place = (o) => { if (!o) return ""; const at = m.origin(o); return `  ${at.name}:${at.line}`; };
     const add = (p, depth) => {
       for (const child of this.pathsIn(p)) {
         if (rows.length >= ROWS) return;

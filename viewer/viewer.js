@@ -288,7 +288,7 @@ export class Viewer {
 
   describe(i) {
     const m = this.model, where = m.where(i);
-    return (m.kinds[m.kind[i]] || "part") + (where ? ` at ${where.file}, line ${where.line}` : "");
+    return (m.kinds[m.kind[i]] || "part") + (where ? ` at ${where.name}, line ${where.line}` : "");
   }
 
   #card() {
@@ -300,14 +300,14 @@ export class Viewer {
     this.card.replaceChildren(
       el("button", { type: "button", class: "close", "aria-label": "Let go", onclick: () => this.select([]) }, icon("close")),
       el("h2", {}, kind), el("p", {}, words),
-      el("div", { class: "path" }, chain.slice(0, 8).map((o) => el("button", { type: "button", title: "Choose all that this line made", onclick: () => this.selectOrigin(o) }, `${o.file}:${o.line}`))));
+      el("div", { class: "path" }, chain.slice(0, 8).map((o) => el("button", { type: "button", title: `Choose all that ${o.file}:${o.line} made`, onclick: () => this.selectOrigin(o) }, `${o.name}:${o.line}`))));
   }
 
   // Says of what is chosen that it came otherwise than by the part's own call.
   explain(kind, chain) {
     this.explained = { kind, chain };
     this.#card();
-    this.say(kind + (chain.length > 0 ? ` at ${chain[0].file}, line ${chain[0].line}` : ""));
+    this.say(kind + (chain.length > 0 ? ` at ${chain[0].name}, line ${chain[0].line}` : ""));
   }
 
   // All parts that the call at an origin's place made.

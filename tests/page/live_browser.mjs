@@ -95,6 +95,10 @@ await test("an error dims the last good model and heals", async (want) => {
   await page.locator(".message.error button").first().click();
   const line = await page.evaluate(() => window.live.source.position(window.live.source.view.state.selection.main.head).line);
   want(line === 7, `the message leads to line ${line}`);
+  // A parameter that fails takes none of the controls away.
+  await after(() => writeFileSync(model, source.replace("roofed #t", "roofed (sqroot 2)")));
+  const names = await page.evaluate(() => window.live.parameters.infos.map((p) => p.name).join());
+  want(names === "height,roofed,style" && await page.locator("#parameter-style").count() === 1, `parameters that are left: ${names}`);
   await after(() => writeFileSync(model, source));
   f = await facts();
   want(f.good && await page.locator(".view.stale").count() === 0, "it did not heal");
@@ -103,6 +107,12 @@ await test("an error dims the last good model and heals", async (want) => {
 await test("a program that draws nothing is an empty picture", async (want) => {
   await after(() => writeFileSync(model, "; nothing yet\n"));
   await page.waitForFunction(() => window.visualscheme.model.count === 0 && window.live.state.good, null, { timeout: 10000 });
+  await page.evaluate(() => window.visualscheme.canvas.focus());
+  for (const open of [true, false]) { // Neither has it a construction.
+    await page.keyboard.press("b");
+    await page.waitForFunction((open) => window.live.timeline.isOpen === open, open, { timeout: 5000 });
+    await page.waitForTimeout(300);
+  }
   want(page.troubles.length === 0, page.troubles.join("; "));
   await after(() => writeFileSync(model, source));
   await page.waitForFunction(() => window.visualscheme.model.count === 4, null, { timeout: 10000 });
@@ -118,6 +128,7 @@ await test("a click on a face marks its line, the path climbs", async (want) => 
   want(made.startsWith("(make-cylinder"), `marked: ${made}`);
   const climb = page.locator(".card .path button");
   want(await climb.count() >= 2, "the card has no path");
+  want(/^towers\.vs:\d+$/.test(await climb.first().textContent()), `the path begins with ${await climb.first().textContent()}`);
   await climb.nth(1).click();
   const called = await page.locator(".cm-line .made").first().textContent();
   want(/tower/.test(called), `the caller marked: ${called}`);

@@ -157,6 +157,11 @@ try {
     if (!((await state()).far < left.far)) faults.push("the plus key does not go nearer");
     await page.keyboard.press("f");
     faults.push(...framed(await page.evaluate(() => window.seen())).map((f) => "key F: " + f));
+    await page.keyboard.press("?");
+    const help = await page.locator(".help").textContent();
+    if (!/Turn.*drag.*Walk/s.test(help) || help.includes("[object")) faults.push(`the help says: ${help}`);
+    await page.keyboard.press("Escape");
+    await page.locator("canvas").focus();
     await page.keyboard.press("g");
     const eye = await page.evaluate(() => { const v = window.visualscheme; return (v.control.eye().z - (v.model.ground ? v.model.ground.z - v.model.middle[2] : v.model.box.min[2])) * v.control.metre(); });
     if (Math.abs(eye - 1.65) > 0.01) faults.push(`walking, the eye is ${eye} m above the floor`);
