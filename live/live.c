@@ -260,13 +260,20 @@ static size_t option_of(const live *l, const char *name) {
   return 0;
 }
 
+/* Are they the same text, or the same number, as 6 and 6.0 are? */
+static bool same_value(const char *a, const char *b) {
+  char *a_end, *b_end;
+  double x = strtod(a, &a_end), y = strtod(b, &b_end);
+  return strcmp(a, b) == 0 || (a_end != a && *a_end == 0 && b_end != b && *b_end == 0 && x - y == 0);
+}
+
 /* Forgets values that are what the source says anyway: when the source changes, the parameter follows it. Values of the
  * command line stay until a window sets the parameter. */
 static void forget_defaults(live *l) {
   vs_parameter_info p;
   for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++) {
     size_t option = option_of(l, p.name);
-    if (strcmp(p.value, p.default_value) == 0 && (option == 0 || l->released.at[option - 1] != 0))
+    if (same_value(p.value, p.default_value) && (option == 0 || l->released.at[option - 1] != 0))
       vs_parameter_unset(l->scheme, p.name);
   }
 }

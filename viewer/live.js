@@ -57,6 +57,7 @@ class Live {
       back: () => { this.source.mark([]); if (this.model) this.viewer.show(this.model, true); },
     });
 
+    this.viewer.addHelp([["Source", "B goes through how the model is made; Alt and a drag turn a number, as do Ctrl and the up and down arrows"]]);
     this.source = new Source(this.editorPlace, {
       changed: () => { this.saveButton.disabled = !this.source.dirty; },
       save: () => this.save(),

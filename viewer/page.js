@@ -6,6 +6,7 @@ import { modelFromX3D } from "./x3d.js";
 import { el } from "./dom.js";
 
 const viewer = new Viewer(document.getElementById("viewer"));
+viewer.addHelp([["Open", "drop an .x3d file here"]]);
 window.visualscheme = viewer; // For tests, and for who looks in the console.
 const scene = document.getElementById("scene");
 viewer.show(modelFromPacked(readPacked(decode64(scene.textContent.trim()))));

@@ -10,6 +10,9 @@ function roundStep(span) {
 // A value of a file or a link as the language writes it.
 const written = (value) => value === true ? "#t" : value === false ? "#f" : String(value);
 
+// Is a value of a parameter another than the source's? 6 and 6.0 are the same.
+const differs = (p, value = p.value) => value !== p.default && !(["real", "integer"].includes(p.type) && Number(value) === Number(p.default));
+
 // The coordinates of a point as the language writes it, or null.
 export function pointOf(text) {
   const m = /^\(xyz ([^ ()]+) ([^ ()]+) ([^ ()]+)\)$/.exec(text), xyz = m && m.slice(1).map((x) => x.includes("/") ? x.split("/").reduce((a, b) => a / b) : Number(x));
@@ -72,7 +75,7 @@ export class Parameters {
   #chosen() { return [...this.sets].filter(([, s]) => s.chosen).map(([name, s]) => ({ name, values: s.values, said: this.#differences(s.values) })); }
   // The values of a set that differ from the source.
   #differences(values) {
-    return this.infos.filter((p) => p.name in values && values[p.name] !== p.default).map((p) => `${p.label} ${values[p.name]}`).join(" · ") || "as the source says";
+    return this.infos.filter((p) => p.name in values && differs(p, values[p.name])).map((p) => `${p.label} ${values[p.name]}`).join(" · ") || "as the source says";
   }
   #remember() {
     try {
@@ -106,7 +109,7 @@ export class Parameters {
   // The points among them, as handles of the view: { name, at, drag(xyz) }.
   points() { return this.infos.filter((p) => this.rows.get(p.name).drag).map((p) => ({ name: p.label, at: pointOf(p.value) || [0, 0, 0], drag: this.rows.get(p.name).drag })); }
 
-  changed() { return (this.infos || []).filter((p) => p.value !== p.default); }
+  changed() { return (this.infos || []).filter((p) => differs(p)); }
 
   show(infos) {
     this.infos = infos;
@@ -128,7 +131,7 @@ export class Parameters {
     for (const p of infos) {
       const row = this.rows.get(p.name);
       row.info = p;
-      row.root.classList.toggle("changed", p.value !== p.default);
+      row.root.classList.toggle("changed", differs(p));
       if (!row.root.contains(document.activeElement) || document.activeElement.type === "button") row.put(p.value);
       else if (row.sent === p.value) row.put(p.value);
     }

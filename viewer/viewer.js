@@ -151,9 +151,9 @@ export class Viewer {
     this.help = el("div", { class: "help glass", role: "dialog", "aria-label": "Help", hidden: true },
       el("button", { type: "button", class: "close", "aria-label": "Close", onclick: () => this.toggleHelp() }, icon("close")),
       el("h2", {}, "Moving about"),
-      el("dl", {}, [["Turn", "drag, one finger, or the arrow keys"], ["Move", "right or middle drag, shift-drag, two fingers, or shift and arrows"], ["Zoom", "wheel or pinch, towards the pointer; plus and minus"],
-        ["Go to", "double click"], ["Choose", "click; H hides what is chosen, F frames it, Esc lets it go"], ["Walk", "W A S D or arrows, drag to look, Q and E down and up"], ["Open", "drop an .x3d file here"]]
-        .map(([a, b]) => [el("dt", {}, a), el("dd", {}, b)])));
+      this.helpList = el("dl"));
+    this.addHelp([["Turn", "drag, one finger, or the arrow keys"], ["Move", "right or middle drag, shift-drag, two fingers, or shift and arrows"], ["Zoom", "wheel or pinch, towards the pointer; plus and minus"],
+        ["Go to", "double click"], ["Choose", "click; H hides what is chosen, F frames it, Esc lets it go"], ["Walk", "W A S D or arrows, drag to look, Q and E down and up"], ["Keys", "X section, M measure, P parallel, G walk, 1 3 7 0 views, L lists, E edges, D dark"]]);
     this.says = el("div", { class: "live", role: "status", "aria-live": "polite" });
     this.panel = new Panel(this);
     this.root.append(this.head, this.panel.root, this.card, this.sectionStrip, this.measureStrip, this.menus.views, this.menus.display, this.bar, this.help, this.says);
@@ -167,6 +167,7 @@ export class Viewer {
     if (key) this.keys[key.toLowerCase()] = () => button.click();
     return button;
   }
+  addHelp(rows) { this.helpList.append(...rows.flatMap(([name, words]) => [el("dt", {}, name), el("dd", {}, words)])); }
   addKeys(keys) { Object.assign(this.keys, keys); }
 
   say(text) { this.says.textContent = text; }

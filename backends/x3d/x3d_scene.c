@@ -25,7 +25,10 @@ static double scene_axis(const double q[4], vs_vec3 *axis) {
   return angle > half_turn ? angle - 2 * half_turn : angle;
 }
 
-/* ---- materials ---- */
+/* ---- materials ----
+ *
+ * Material, not X3D 4's PhysicalMaterial: that is lit by an EnvironmentLight's pictures, and without them X_ITE shows
+ * metal black and all else at half its brightness. */
 
 static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line) {
   char name[32];

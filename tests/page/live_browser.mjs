@@ -52,9 +52,19 @@ await test("a check mark and a choice evaluate", async (want) => {
   want((await facts()).size.join() === "10,2,6", (await facts()).size.join());
 });
 
-await test("reset goes back to what the source says", async () => {
+await test("reset goes back to what the source says", async (want) => {
   for (const label of ["Reset Height of the towers", "Reset roofed", "Reset style"]) await page.locator(`button[aria-label^="${label}"]`).click();
   await page.waitForFunction(() => window.visualscheme.model.count === 4 && window.visualscheme.model.size[2] === 5, null, { timeout: 20000 });
+  // A slider that is back where the source has it has changed nothing: the parameter follows the source.
+  const slider = page.locator('input[type=range][data-parameter=height]');
+  await after(() => slider.fill("6"));
+  await after(() => slider.fill("3"));
+  await page.waitForFunction(() => window.visualscheme.model.size[2] === 5, null, { timeout: 20000 });
+  want(await page.locator(".parameter.changed").count() === 0, "3 is told to be another value than 3.0");
+  await after(() => writeFileSync(model, source.replace("height 3.0", "height 4.0")));
+  await page.waitForFunction(() => window.visualscheme.model.size[2] === 6, null, { timeout: 20000 });
+  await after(() => writeFileSync(model, source));
+  await page.waitForFunction(() => window.visualscheme.model.size[2] === 5, null, { timeout: 20000 });
 });
 
 await test("write to source changes the literals alone", async (want) => {
