@@ -233,6 +233,46 @@ try {
     await page.close();
   }
 
+  // The wheel keeps what lies under the pointer there; what is chosen is framed; wireframe and dark show; the section's handle is dragged.
+  if (wanted("means")) {
+    const page = await open(context, `file://${folder}/doric-columns.html`), faults = [];
+    await page.evaluate(() => { window.visualscheme.stage.options.refine = false; window.visualscheme.view("front"); });
+    const at = (p) => page.evaluate((p) => { const { stage } = window.visualscheme, q = stage.camera.position.clone().set(...p).project(stage.camera); return [(q.x + 1) / 2 * stage.canvas.clientWidth, (1 - q.y) / 2 * stage.canvas.clientHeight]; }, p);
+    const corner = await page.evaluate(() => { const { box } = window.visualscheme.model; return [box.min[0], box.min[1], box.max[2]]; }), before = await at(corner);
+    await page.mouse.move(before[0], before[1]);
+    await page.evaluate((p) => { window.visualscheme.control.depthAt = () => window.visualscheme.stage.camera.position.clone().set(...p); }, corner);
+    await page.mouse.wheel(0, -240);
+    await page.waitForTimeout(300);
+    const after = await at(corner);
+    if (Math.hypot(after[0] - before[0], after[1] - before[1]) > 2) faults.push(`the wheel moves what is under the pointer from ${before} to ${after}`);
+    const whole = await page.evaluate(() => { const v = window.visualscheme; v.select([]); v.fit(); return v.control.state.distance; });
+    const one = await page.evaluate(() => { const v = window.visualscheme; let least = 0; for (let i = 0; i < v.model.count; i++) if (v.model.ball[4 * i + 3] < v.model.ball[4 * least + 3]) least = i; v.select([least]); v.fit(); return v.control.state.distance; });
+    if (!(one < 0.9 * whole)) faults.push(`one part is framed from ${one}, the whole from ${whole}`);
+    await page.locator("canvas").focus();
+    await page.keyboard.press("Escape");
+    const all = await page.evaluate(() => { window.visualscheme.fit(); return window.seen().count; });
+    await page.keyboard.press("w");
+    const lines = await page.evaluate(() => window.seen().count);
+    if (!(lines < 0.9 * all)) faults.push(`as wires ${lines} of ${all} pixels show`);
+    await page.keyboard.press("w");
+    const paper = () => page.evaluate(() => getComputedStyle(document.querySelector(".bar")).backgroundColor);
+    const light = await paper();
+    await page.keyboard.press("d");
+    if ((await paper()) === light) faults.push("dark is no other colour");
+    await page.keyboard.press("d");
+    for (const axis of ["x", "y", "z"]) {
+      await page.evaluate((axis) => { const v = window.visualscheme; v.setSection({ axis, at: 0.5, flip: false }); v.view("iso"); v.stage.draw(); }, axis);
+      const box = await page.locator("[data-handle]").first().boundingBox(), from = await page.evaluate(() => window.visualscheme.stage.section.constant);
+      await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(box.x + box.width / 2 + 20, box.y + box.height / 2 + 25, { steps: 3 });
+      await page.mouse.up();
+      if ((await page.evaluate(() => window.visualscheme.stage.section.constant)) === from) faults.push(`the handle of ${axis} does not move the plane`);
+    }
+    judge("means", [...faults, ...page.troubles]);
+    await page.close();
+  }
+
   // Ten thousand copies: near a corner most of them are out of sight and are not drawn, and the picture is the same as with all of them.
   if (wanted("crowd")) {
     const page = await open(context, `file://${folder}/crowd.html`), faults = [];
