@@ -50,6 +50,7 @@ struct vs_emitter {
   const vs_backend *backend;
   vs_error *error;
   const char *path;    /* of the file being made, for names beside it; NULL: there is none */
+  const char *folder;  /* of a worker, for files that its text names; NULL: there is none */
   void *state;         /* the back-end's own, made by begin and freed by close */
   vs_fineness drawing_facets; /* of what stands unplaced */
   vs_fineness facets;    /* in the coordinates of what is being written: finer where its placement makes it larger */
@@ -102,6 +103,7 @@ struct vs_backend {
   bool frames;          /* shows the drawing through a camera that frames it */
   bool loose;           /* with solid or copies: what is no solid is walked first, by the rows of emit */
   bool inks;            /* thin things without a material are painted dark before (ink.h) */
+  bool lays;            /* its patterns lie on faces rightly where no placement turns them (lay.h) */
   bool groups;          /* large sets are handed over as trees of boxes (vs_sets_group) */
   bool area_sets;       /* is asked about sets of regions before they are lowered to one region */
   bool

@@ -6,6 +6,7 @@
 #define _XOPEN_SOURCE 700
 #include "backends/export.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -142,6 +143,16 @@ bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e)) 
   return f.problem != 0 ? export_problem(e->error, path, f.problem) : ok;
 }
 
+/* A worker's folder holds files alone. */
+static void export_clear(const char *folder) {
+  DIR *d = opendir(folder);
+  const struct dirent *entry;
+  while (d != NULL && (entry = readdir(d)) != NULL)
+    if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0) unlinkat(dirfd(d), entry->d_name, 0);
+  if (d != NULL) closedir(d);
+  rmdir(folder);
+}
+
 /* The scene of a rendered format into a private folder, the worker, and the picture at output. */
 static bool export_render(vs_emitter *e, const char *output) {
   const char *base = getenv("TMPDIR");
@@ -156,6 +167,7 @@ static bool export_render(vs_emitter *e, const char *output) {
     vs_emit_no_memory(e);
   } else {
     int file = open(text, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    e->folder = folder;
     ok = file >= 0 ? export_to_file(e, file, text, false) : export_problem(e->error, text, errno);
     if (file >= 0 && close(file) != 0 && ok) ok = export_problem(e->error, text, errno);
     vs_tally *tally = vs_store_tally(e->scene->store);
@@ -165,8 +177,8 @@ static bool export_render(vs_emitter *e, const char *output) {
     if (ok && tally != NULL && stat(output, &picture) == 0) tally->written += (uint64_t)picture.st_size;
     vs_tally_enter(tally, was);
   }
-  if (text != NULL) unlink(text);
-  if (made) rmdir(folder);
+  e->folder = NULL;
+  if (made) export_clear(folder);
   free(text);
   free(folder);
   return ok;

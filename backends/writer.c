@@ -122,6 +122,19 @@ bool vs_put_spaces(vs_writer *w, size_t count) {
   return !w->failed;
 }
 
+bool vs_put_base64(vs_writer *w, const unsigned char *bytes, size_t count) {
+  static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (size_t i = 0; i < count && !w->failed; i += 3) {
+    size_t left = count - i;
+    const uint32_t x = (uint32_t)bytes[i] << 16 | (uint32_t)(left > 1 ? bytes[i + 1] : 0) << 8 |
+                       (left > 2 ? bytes[i + 2] : 0);
+    const char four[4] = { digits[x >> 18], digits[x >> 12 & 63], left > 1 ? digits[x >> 6 & 63] : '=',
+                           left > 2 ? digits[x & 63] : '=' };
+    vs_put(w, four, 4);
+  }
+  return !w->failed;
+}
+
 void vs_put_xml(vs_writer *w, const char *text) {
   for (; *text != '\0'; text++) switch (*text) {
     case '<': vs_puts(w, "&lt;"); break;

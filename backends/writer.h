@@ -60,6 +60,7 @@ bool vs_put_number(vs_writer *w, double x);
 bool vs_put_triple(vs_writer *w, const char *open, vs_vec3 v, const char *between, const char *close);
 bool vs_put_spaces(vs_writer *w, size_t count);
 bool vs_put_u32(vs_writer *w, uint32_t x); /* decimal digits */
+bool vs_put_base64(vs_writer *w, const unsigned char *bytes, size_t count); /* = at the end, if not of threes */
 void vs_put_xml(vs_writer *w, const char *text); /* escaped for XML and HTML, attributes too */
 /* Little-endian bytes, as the binary formats have them; each returns the place behind them. */
 static inline unsigned char *vs_le_u32(unsigned char *to, uint32_t x) {

@@ -153,7 +153,7 @@ typedef enum {
 #undef VS_CONTRACT
 } vs_contract;
 
-enum { VS_MAX_ARGUMENTS = 16, VS_MAX_FORMS = 4, VS_MAX_KEYS = 10 };
+enum { VS_MAX_ARGUMENTS = 16, VS_MAX_FORMS = 4, VS_MAX_KEYS = 11 };
 
 typedef enum { VS_ARG_END, VS_ARG_REQUIRED, VS_ARG_OPTIONAL, VS_ARG_REST } vs_parameter_mode;
 typedef struct { char name[14]; uint8_t mode, contract; } vs_bind_param;
@@ -245,10 +245,6 @@ const vs_bind_back_end *vs_bind_back_end_find(const vs_bind *b, const char *text
 /* Calls its procedure with these objects: *text holds *bytes bytes and room for one more, from vs_mem, the caller's to
  * free. False: the condition is set. */
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text, size_t *bytes);
-
-/* ---- files (files.c) ---- */
-/* All of a file beside the program that names it, as a bytevector; *shown: its name without folders, the store's. */
-vs_status vs_bind_file(vs_frame *f, const vs_arg *name, vs_value *bytes, const char **shown);
 
 /* ---- building, for the functions of procedures.def (build.c) ---- */
 vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);

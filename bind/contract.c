@@ -4,11 +4,13 @@
  * Cost of a call: one pass over the form's parameters; nothing is allocated unless an argument is a list. Memory that
  * the checks allocate hangs off the frame and goes when the call ends, whatever its outcome. */
 #include "bind/functions/dual_points.h"
+#include "bind/constructors/files.h"
 #include "bind/rules/derivation.h"
 #include "vm/library/kept.h"
 #include "vm/numbers/dual.h"
 
 #include <stdio.h>
+#include <strings.h>
 
 #include "vm/machine/arguments.h"
 #include "vm/numbers/number.h"
@@ -548,6 +550,21 @@ static vs_status refuse_parts(vs_frame *f, const vs_bind_param *p, vs_value got)
 }
 
 /* a material from a paint, or from a name; a colour also from three numbers */
+static bool is_photograph(const char *name) {
+  const char *dot = strrchr(name, '.');
+  return dot && (!strcasecmp(dot, ".png") || !strcasecmp(dot, ".jpg") || !strcasecmp(dot, ".jpeg"));
+}
+
+/* A material by its photograph: a matt surface, the picture a metre wide. */
+static vs_status convert_photograph(vs_frame *f, vs_value v, vs_arg *out) {
+  vs_material m = { .roughness = 0.9, .ior = 1.5, .pattern = { .kind = VS_PATTERN_PICTURE } };
+  double mean[3];
+  if (vs_bind_picture(f, v, &m.pattern.picture, &m.name, mean) != VS_OK) return VS_ERROR;
+  m.red = mean[0], m.green = mean[1], m.blue = mean[2];
+  out->material = vs_store_material(f->bind->store, &m);
+  return out->material ? VS_OK : vs_fail_memory(f->vm);
+}
+
 static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->material = vs_foreign_get(v, &vs_paint_type);
   if (out->material) return VS_OK;
@@ -563,6 +580,8 @@ static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value 
   if (!vs_is_string(v) && !vs_is_symbol(v)) return refuse_kind(f, p, v);
   vs_arg name;
   if (!convert_text(f, p, v, &name)) return VS_ERROR;
+  if (p->contract == VS_C_MATERIAL && vs_is_string(v) && is_photograph(name.text.at))
+    return convert_photograph(f, v, out);
   size_t refused = f->bind->refused;
   out->material = vs_store_ready_material(f->bind->store, name.text.at);
   return out->material                 ? VS_OK

@@ -249,11 +249,35 @@
   (define ks (hash-ref said 'Ks '(0 0 0)))
   (define metal? (and (every zero? kd) (not (every zero? ks)) (not (= (one 'illum 2) 1))))
   (define shine (max 0 (min 1 (/ (- (one 'Ns 51.5) 2) 198))))
-  (make-material #:name name #:color (if metal? ks kd)
-    #:roughness (one 'Pr (if (< (one 'illum 2) 2) 1 (- 1 (sqrt shine))))
-    #:metallic (one 'Pm (if metal? 1 0))
-    #:transparency (one 'Tr (- 1 (one 'd 1)))
-    #:ior (if (>= (one 'Ni 1.5) 1) (one 'Ni 1.5) 1.5)))
+  (define picture (hash-ref said 'map_Kd #f))
+  (define roughness (one 'Pr (if (< (one 'illum 2) 2) 1 (- 1 (sqrt shine)))))
+  (define metallic (one 'Pm (if metal? 1 0)))
+  (define transparency (one 'Tr (- 1 (one 'd 1))))
+  (define ior (if (>= (one 'Ni 1.5) 1) (one 'Ni 1.5) 1.5))
+  (if picture
+      (make-material #:name name #:roughness roughness #:metallic metallic #:transparency transparency #:ior ior
+        #:image (car picture) #:pattern-size (cdr picture))
+      (make-material #:name name #:roughness roughness #:metallic metallic #:transparency transparency #:ior ior
+        #:color (if metal? ks kd))))
+
+; The picture of a line `map_Kd -s 2 2 1 wall.jpg`: its file, beside that of the materials, and its width in metres. The format counts in
+; parts of a surface, of which a metre is taken; -s repeats the picture as often on it. Other options say nothing of how large it is.
+(define (%mtl-picture file line words)
+  (let next ((words words) (repeats 1))
+    (define (number i) (and (> (length words) i) (%csv-number (list-ref words i) #f)))
+    (cond ((null? words) (%mtl-fail file line "map_Kd names no file"))
+          ((and (pair? (cdr words)) (char=? (string-ref (car words) 0) #\-))
+           (let ((values (let count ((i 1)) (if (and (< i 4) (number i)) (count (+ i 1)) (- i 1)))))
+             (next (list-tail words (+ 1 (if (= values 0) 1 values)))
+                   (if (and (string=? (car words) "-s") (> values 0))
+                       (if (positive? (number 1)) (number 1) (%mtl-fail file line "-s repeats a picture a positive number of times"))
+                       repeats))))
+          (else (let ((name (string-join words " ")))
+                  (cons (string-append (%folder-of file) name) (/ 1 repeats)))))))
+
+(define (%folder-of file)
+  (let at ((i (string-length file)))
+    (cond ((= i 0) "") ((char=? (string-ref file (- i 1)) #\/) (substring file 0 i)) (else (at (- i 1))))))
 
 ; What is read of a material: its key, how many numbers, and from what to what they may be. All else is passed over.
 (define %mtl-keys
@@ -275,6 +299,9 @@
                  (if (string=? new "") (%mtl-fail path line "a name is missing behind newmtl"))
                  (if (hash-ref materials new #f) (%mtl-fail path line (format "the material ~s is there already" new)))
                  (next (cdr lines) (+ line 1) new (make-hasheq))))
+              ((and name (pair? words) (string=? (car words) "map_Kd"))
+               (hash-set! said 'map_Kd (%mtl-picture path line (cdr words)))
+               (next (cdr lines) (+ line 1) name said))
               ((not key) (next (cdr lines) (+ line 1) name said))
               ((not name) (%mtl-fail path line (format "~a comes before the first newmtl" (car words))))
               ((not (= (length (cdr words)) (cadr key)))

@@ -1,5 +1,6 @@
 /* Owns drawing, looks and view: what of the program's objects is shown, in which material, seen from where. */
 #include "bind/bind.h"
+#include "bind/constructors/files.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -119,10 +120,23 @@ vs_status vs_p_ghost(vs_frame *f, vs_value *out) {
 }
 vs_status vs_p_only(vs_frame *f, vs_value *out) { return around(f, VS_ONLY, &(struct vs_only){ 0 }, &f->arg[0], out); }
 
-/* The pattern's keywords, the four from k. The second colour is a darker shade of the first unless it is given. */
-static vs_status pattern_of(vs_frame *f, const vs_arg *k, vs_material *m) {
+/* A picture of a file on the surface. Its colour from afar is the material's, unless that was given. */
+static vs_status picture_of(vs_frame *f, const vs_arg *image, bool colored, vs_material *m) {
+  const char *shown;
+  double mean[3];
+  if (vs_bind_picture(f, image->value, &m->pattern.picture, &shown, mean) != VS_OK) return VS_ERROR;
+  m->pattern.kind = VS_PATTERN_PICTURE;
+  if (!colored) m->red = mean[0], m->green = mean[1], m->blue = mean[2];
+  return VS_OK;
+}
+
+/* The pattern's keywords, the five from k. The second colour is a darker shade of the first unless it is given. */
+static vs_status pattern_of(vs_frame *f, const vs_arg *k, bool colored, vs_material *m) {
   vs_material_pattern *p = &m->pattern;
   const double darker = 0.75;
+  if (k[4].given && (k[0].given || k[1].given))
+    return vs_fail(f->vm, f->vm->sym.arity, "takes #:image or #:pattern and #:pattern-color, not both");
+  if (k[4].given && picture_of(f, &k[4], colored, m) != VS_OK) return VS_ERROR;
   if (k[0].given && !vs_pattern_find(k[0].text.at, &p->kind))
     return vs_bind_refuse(f, "pattern", "one of 'none"
 #define VS_PATTERN(id, name, size, shows) " '" name
@@ -137,7 +151,7 @@ static vs_status pattern_of(vs_frame *f, const vs_arg *k, vs_material *m) {
 }
 
 vs_status vs_p_make_material(vs_frame *f, vs_value *out) {
-  const vs_arg *k = f->key; /* name color roughness metallic transparency ior, and the pattern's four */
+  const vs_arg *k = f->key; /* name color roughness metallic transparency ior, the pattern's four, and image */
   vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5, { 0 } };
   if (k[0].given && !(m.name = vs_store_text(f->bind->store, k[0].text.at, k[0].text.length)))
     return vs_fail_memory(f->vm);
@@ -146,7 +160,7 @@ vs_status vs_p_make_material(vs_frame *f, vs_value *out) {
   if (k[3].given) m.metallic = k[3].real;
   if (k[4].given) m.transparency = k[4].real;
   if (k[5].given) m.ior = k[5].real;
-  if (pattern_of(f, &k[6], &m) != VS_OK) return VS_ERROR;
+  if (pattern_of(f, &k[6], k[1].given, &m) != VS_OK) return VS_ERROR;
   const vs_material *kept = vs_store_material(f->bind->store, &m);
   if (!kept) return vs_fail_memory(f->vm);
   return vs_make_foreign(f->vm, &vs_paint_type, (void *)(uintptr_t)kept, 0, out);
@@ -226,32 +240,6 @@ vs_status vs_p_sun(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-/* The file stands beside the program; what it is shows in its first bytes. */
-static vs_status sky_image(vs_frame *f, const vs_arg *image) {
-  static const struct { const char *format; unsigned char bytes[4]; size_t count;
-  } kinds[] = {
-    { "png", { 0x89, 'P', 'N', 'G' }, 4 },
-    { "jpeg", { 0xFF, 0xD8, 0xFF, 0 }, 3 },
-    { "exr", { 0x76, 0x2F, 0x31, 0x01 }, 4 },
-    { "hdr", { '#', '?', 'R', 'A' }, 4 },
-  };
-  vs_scheme *vm = f->vm;
-  vs_text path;
-  const char *name = NULL, *format = NULL;
-  VS_ROOTS(vm, r, 1);
-  vs_text_open(vm, &path, 0);
-  bool ok = vs_source_path(vm, image->value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path);
-  if (ok && !(name = vs_store_text(f->bind->store, path.at, path.count))) ok = vs_fail_memory(vm);
-  ok = ok && vs_io_read_file(vm, name, &r[0]);
-  for (size_t i = 0; ok && i < sizeof kinds / sizeof *kinds; i++)
-    if ((size_t)vs_as_bytes(r[0])->length > 16 && !memcmp(vs_as_bytes(r[0])->at, kinds[i].bytes, kinds[i].count))
-      format = kinds[i].format;
-  vs_text_close(&path);
-  if (ok && !format) return vs_bind_refuse(f, "image", "a PNG, JPEG, EXR or HDR file", image->value);
-  if (ok && !f->bind->handing) f->bind->scene.sky_image = name, f->bind->scene.sky_format = format;
-  return ok ? VS_OK : VS_ERROR;
-}
-
 vs_status vs_p_sky(vs_frame *f, vs_value *out) {
   vs_scene *s = &f->bind->scene;
   (void)out;
@@ -260,9 +248,10 @@ vs_status vs_p_sky(vs_frame *f, vs_value *out) {
     return vs_fail(f->vm, f->vm->sym.arity, "takes #:color, #:image or both, or #:turbidity alone");
   if (turbidity->given && !(turbidity->real >= VS_TURBIDITY_LEAST && turbidity->real <= VS_TURBIDITY_MOST))
     return vs_bind_refuse(f, "turbidity", "from 2 (very clear) to 10 (haze)", turbidity->value);
-  if (f->key[1].given && !sky_image(f, &f->key[1])) return VS_ERROR;
+  const vs_picture *image = NULL;
+  if (f->key[1].given && vs_bind_sky_picture(f, f->key[1].value, &image) != VS_OK) return VS_ERROR;
   if (f->bind->handing) return VS_OK;
-  if (!f->key[1].given) s->sky_image = NULL;
+  s->sky_image = image;
   s->turbidity = turbidity->given ? turbidity->real : 0;
   if (!f->key[0].given) return VS_OK;
   const vs_material *m = f->key[0].material;

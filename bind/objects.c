@@ -53,7 +53,10 @@ static bool paint_print(vs_scheme *vm, const void *object, bool (*put)(void *to,
                    "(make-material #:name \"%.100s\" #:color (list %s %s %s) #:roughness %s #:metallic %s "
                    "#:transparency %s #:ior %s",
                    m->name, c[0], c[1], c[2], v[0], v[1], v[2], v[3]);
-  if (n > 0 && (size_t)n < sizeof text && p->kind != VS_PATTERN_NONE)
+  if (n > 0 && (size_t)n < sizeof text && p->picture)
+    n += snprintf(text + n, sizeof text - (size_t)n, " #:image \"%.500s\" #:pattern-size %s #:pattern-angle %s",
+                  p->picture->path, q[3], q[4]);
+  else if (n > 0 && (size_t)n < sizeof text && p->kind != VS_PATTERN_NONE)
     n += snprintf(text + n, sizeof text - (size_t)n,
                   " #:pattern '%s #:pattern-color (list %s %s %s) #:pattern-size %s #:pattern-angle %s",
                   vs_pattern_name(p->kind), q[0], q[1], q[2], q[3], q[4]);

@@ -69,8 +69,7 @@ typedef struct {
   bool has_sky;
   double sky[3];             /* sRGB */
   double turbidity;          /* of the physical sky (geometry/sky_light.h); 0: none */
-  const char *sky_image;     /* a file with the whole sky, twice as wide as high; NULL: none */
-  const char *sky_format;    /* of it: "png" "jpeg" "exr" "hdr" */
+  const vs_picture *sky_image; /* the whole sky, twice as wide as high; NULL: none */
   bool has_ground;
   double ground_z;
   const vs_material *ground_material; /* or NULL */

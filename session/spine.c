@@ -20,6 +20,7 @@
 #include "passes/cut_away.h"
 #include "passes/flush.h"
 #include "passes/ink.h"
+#include "passes/lay.h"
 #include "passes/optimise.h"
 #include "passes/sugar.h"
 #include "session/comparison.h"
@@ -237,6 +238,8 @@ static bool stage_optimise(vs_job *j) {
 }
 
 static bool stage_ink(vs_job *j) { return vs_scene_ink(&j->scene, &j->error); }
+
+static bool stage_lay(vs_job *j) { return vs_scene_lay(&j->scene, &j->error); }
 
 static bool stage_flush(vs_job *j) { return vs_scene_part_flush(&j->scene, &j->error); }
 

@@ -186,6 +186,13 @@ export function determinant(m, o = 0) {
 }
 
 // Makes a Model of the tree that readPacked returns.
+// A number of the bytes, by which a picture is known again when the model has changed.
+function sumOf(bytes) {
+  let sum = bytes.length;
+  for (let i = 0; i < bytes.length; i++) sum = (31 * sum + bytes[i]) | 0;
+  return sum;
+}
+
 export function modelFromPacked(root) {
   const model = new Model(), nodes = new Map(), layers = new Map([["", 0]]), kinds = new Map([["", 0]]);
   const numbered = (map, list, word) => {
@@ -285,7 +292,7 @@ export function modelFromPacked(root) {
         if (f.table) model.daylight = { table: f.table, columns: f.columns, rows: f.rows, sun: f.sun, level: f.level };
         break;
       case "Ground": model.ground = { z: f.z[0], paint: f.paint || 0 }; break;
-      case "PhysicalMaterial": model.materials.push({ name: f.name, color: Array.from(f.baseColor), roughness: f.roughness[0], metallic: f.metallic[0], transparency: f.transparency[0], ior: f.ior[0], pattern: f.pattern ? { name: f.pattern, color: Array.from(f.patternColor), size: f.patternSize[0], angle: f.patternAngle[0] } : null }); break;
+      case "PhysicalMaterial": model.materials.push({ name: f.name, color: Array.from(f.baseColor), roughness: f.roughness[0], metallic: f.metallic[0], transparency: f.transparency[0], ior: f.ior[0], pattern: f.pattern ? { name: f.pattern, color: Array.from(f.patternColor), size: f.patternSize[0], angle: f.patternAngle[0], picture: f.picture ? { sum: sumOf(f.picture), type: f.pictureType, bytes: f.picture, height: f.pictureHeight[0] } : null } : null }); break;
       case "Origins": model.origins = { files: f.file || [], at: f.at }; break;
       default: if (node.use !== undefined || node.type === "Transform" || node.type === "Group") walk([node]);
     }

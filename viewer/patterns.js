@@ -3,7 +3,9 @@
 // A pattern is a function of a place in the model, in metres, and of the face's normal: on floors it lies along x and y, on walls it stands
 // upright, with walls that look in eight directions told apart, as in POV-Ray's pictures (backends/povray/povray_materials.c). Where a
 // unit is smaller than two pixels the material's own colour is shown, so that nothing flickers from afar.
-const numbers = ["bricks", "english", "flemish", "ashlar", "tiles", "boards", "grain", "ribbed", "brushed", "mottled", "speckled", "veined", "pebbled", "rippled", "grassy"];
+import * as THREE from "three";
+
+const numbers = ["bricks", "english", "flemish", "ashlar", "tiles", "boards", "grain", "ribbed", "brushed", "mottled", "speckled", "veined", "pebbled", "rippled", "grassy", "picture"];
 
 const vertexHead = "varying vec3 vsPlace;\nuniform vec3 vsMiddle;\nuniform float vsMetres;\n";
 const vertexBody = `
@@ -18,6 +20,10 @@ const fragmentHead = `
 varying vec3 vsPlace;
 uniform vec3 vsSecond;
 uniform float vsSize, vsAngle;
+#if VS_PATTERN == 16
+uniform float vsHeight;
+uniform sampler2D vsPicture;
+#endif
 float vsHash(vec3 p) {
   p = fract(p * vec3(0.1031, 0.11369, 0.13787));
   p += dot(p, p.yzx + 19.19);
@@ -98,6 +104,21 @@ vec3 vsThrough(vec3 c, vec3 p) {
     return t < 0.5 ? mix(0.55 * c, 0.95 * c, smoothstep(0.2, 0.5, t)) : mix(0.95 * c, vsSecond, smoothstep(0.5, 0.8, t));
   #endif
 }
+#if VS_PATTERN == 16
+// As in model/looks/picture.c: directions in steps of 22.5 degrees.
+vec2 vsLaid(vec3 p, vec3 across, vec3 up) {
+  vec2 q = vec2(dot(p, across), dot(p, up));
+  return vec2(cos(vsAngle) * q.x + sin(vsAngle) * q.y, cos(vsAngle) * q.y - sin(vsAngle) * q.x) / vec2(vsSize, vsHeight);
+}
+vec3 vsPattern(vec3 c) {
+  vec3 right = dFdx(vsPlace), down = dFdy(vsPlace), n = normalize(cross(right, down));
+  const float turn = 0.392699082;
+  float tilt = floor(atan(length(n.xy), n.z) / turn + 0.5) * turn, a = floor(atan(n.y, n.x) / turn + 0.5) * turn;
+  if (tilt < 0.5 * turn || tilt > 7.5 * turn) a = -1.570796327;
+  vec3 across = vec3(-sin(a), cos(a), 0.0), up = vec3(-cos(tilt) * cos(a), -cos(tilt) * sin(a), sin(tilt));
+  return textureGrad(vsPicture, vsLaid(vsPlace, across, up), vsLaid(right, across, up), vsLaid(down, across, up)).rgb;
+}
+#else
 vec3 vsPattern(vec3 c) {
   vec3 across = dFdx(vsPlace), down = dFdy(vsPlace), n = normalize(cross(across, down));
   float pixel = 0.5 * (length(across) + length(down)), unit = VS_PATTERN == 15 ? 40.0 * vsSize : vsSize;
@@ -115,24 +136,48 @@ vec3 vsPattern(vec3 c) {
     return mix(c, vsThrough(c, vsPlace), fine);
   #endif
 }
+#endif
 `;
 
 const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 
 // The part of a material's key that its pattern adds: materials of one key are drawn as one.
 export function patternKey(m) {
-  return m.pattern ? [m.pattern.name, ...m.pattern.color, m.pattern.size, m.pattern.angle].join(":") : "";
+  return m.pattern ? [m.pattern.name, ...m.pattern.color, m.pattern.size, m.pattern.angle, m.pattern.picture ? m.pattern.picture.sum : ""].join(":") : "";
+}
+
+// The texture of a picture. It has the material's own colour until the browser has decoded it, and then asks for a frame.
+function textureOf(m, redraw) {
+  const picture = m.pattern.picture;
+  if (!picture.shown) {
+    const plain = new THREE.DataTexture(new Uint8Array([...m.color.map((c) => Math.round(255 * c)), 255]), 1, 1);
+    plain.colorSpace = THREE.SRGBColorSpace;
+    plain.needsUpdate = true;
+    picture.shown = { value: plain };
+    createImageBitmap(new Blob([picture.bytes], { type: "image/" + picture.type }), { imageOrientation: "flipY" }).then((image) => {
+      const texture = new THREE.Texture(image);
+      texture.flipY = false;
+      texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
+      texture.colorSpace = THREE.SRGBColorSpace;
+      texture.anisotropy = 8;
+      texture.needsUpdate = true;
+      picture.shown.value = texture;
+      redraw();
+    });
+  }
+  return picture.shown;
 }
 
 // Makes a three.js material show the pattern of m, if it has one. place: uniforms that are shared, middle: the model's, which its places are given from; metres: of
-// a length of 1.
-export function addPattern(material, m, place) {
+// a length of 1. redraw: called when a picture is there.
+export function addPattern(material, m, place, redraw) {
   const number = m.pattern ? numbers.indexOf(m.pattern.name) + 1 : 0;
   if (number === 0) return;
   const before = material.onBeforeCompile, values = {
     vsMiddle: place.middle, vsMetres: place.metres, vsSecond: { value: m.pattern.color.map(linear) },
     vsSize: { value: m.pattern.size }, vsAngle: { value: m.pattern.angle * Math.PI / 180 },
   };
+  if (m.pattern.picture) values.vsPicture = textureOf(m, redraw), values.vsHeight = { value: m.pattern.picture.height };
   material.onBeforeCompile = (shader, renderer) => {
     before.call(material, shader, renderer);
     Object.assign(shader.uniforms, values);

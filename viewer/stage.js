@@ -306,7 +306,7 @@ export class Stage {
     geometry.scale(reach, reach, 1);
     this.groundMesh = new THREE.Mesh(geometry, this.#plain("ground " + patternKey(m), () => {
       const material = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true, side: THREE.DoubleSide });
-      addPattern(material, m, this.place);
+      addPattern(material, m, this.place, () => this.touch());
       return material;
     }));
     this.groundMesh.position.set(this.center.x, this.center.y, model.ground.z - model.middle[2] - 2e-4 * model.diagonal);
@@ -337,7 +337,7 @@ export class Stage {
       material.opacity = 1 - 0.8 * m.transparency;
       material.depthWrite = false;
     }
-    addPattern(material, m, this.place);
+    addPattern(material, m, this.place, () => this.touch());
     material.wireframe = this.options.wireframe;
     material.clippingPlanes = this.clip;
     this.surfaceCache.set(key, material);

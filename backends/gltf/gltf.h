@@ -18,6 +18,8 @@ typedef struct {
   bool lines;
   bool wide;                   /* indices of 32 bits, else of 16 */
   uint32_t vertex_count, index_count;
+  uint32_t pictured;           /* its number, from 1, among those whose vertices have places on a picture; 0 */
+  size_t places;               /* offset into places */
   size_t vertices, indices;    /* offsets into positions (and normals), into the indices of that width, bytes */
   float min[3], max[3];        /* of the positions */
 } vs_gltf_primitive;
@@ -30,9 +32,10 @@ typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
 typedef struct { uint32_t *at; size_t count, room; } vs_gltf_turns; /* geometry + 1 by facets a turn */
 
 typedef struct {
-  vs_gltf_bytes positions, normals, narrow, wide;
+  vs_gltf_bytes positions, normals, places, narrow, wide;
   vs_gltf_primitive *primitives;
   size_t primitive_count, primitive_room;
+  uint32_t pictured_count;
   vs_gltf_geometry *geometries;
   size_t geometry_count, geometry_room;
   vs_gltf_mesh *meshes;

@@ -26,7 +26,7 @@ bool vs_gltf_open(vs_emitter *e) {
 void vs_gltf_close(vs_emitter *e) {
   vs_gltf *g = e->state;
   if (g == NULL) return;
-  vs_gltf_bytes *bytes[] = { &g->positions, &g->normals, &g->narrow, &g->wide };
+  vs_gltf_bytes *bytes[] = { &g->positions, &g->normals, &g->places, &g->narrow, &g->wide };
   for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) vs_emit_release(e, bytes[i]->at, bytes[i]->room, 1);
   for (size_t i = 0; i < VS_UNIT_COUNT; i++)
     vs_emit_release(e, g->units[i].at, g->units[i].room, sizeof *g->units[i].at);
@@ -120,17 +120,57 @@ static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_
          memcmp(at[2], at[0], sizeof at[0]) == 0;
 }
 
+/* Corners that lie on a picture: each triangle has its own, since the picture may end at its edges. there: from the
+ * vertices to the drawing, by which pictures lie. The first triangle of a primitive makes it. */
+static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[3], const vs_vec3 normals[3],
+                          const vs_affine *there, const vs_material *m) {
+  vs_gltf *g = e->state;
+  double metres = vs_scene_metres(e->scene);
+  vs_vec3 placed[3];
+  for (int k = 0; k < 3; k++) placed[k] = vs_v3_scale(vs_affine_point(there, at[k]), metres);
+  vs_vec3 n = vs_v3_cross(vs_v3_sub(placed[1], placed[0]), vs_v3_sub(placed[2], placed[0]));
+  int direction = vs_picture_direction(n.x, n.y, n.z);
+  for (int k = 0; k < 3; k++) {
+    const double xyz[] = { placed[k].x, placed[k].y, placed[k].z };
+    double place[2];
+    vs_picture_place(vs_pattern_size(&m->pattern), vs_pattern_height(&m->pattern), m->pattern.angle, direction, xyz,
+                     place);
+    unsigned char *to = gltf_room(e, &g->places, 8);
+    if (to == NULL || !gltf_vertex(e, p, at[k], normals[k])) return false;
+    vs_le_float(vs_le_float(to, place[0]), 1 - place[1]); /* glTF counts from the upper left */
+  }
+  return true;
+}
+
 /* The triangles of one paint; at: room for the shading's normals. Corners that share a normal share a vertex. */
-static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *place, uint32_t paint,
-                          uint32_t *at, uint32_t *index) {
+static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *place,
+                          const vs_affine *there, uint32_t paint, uint32_t *at, uint32_t *index) {
+  vs_gltf *g = e->state;
   const vs_mesh *mesh = &m->mesh;
   bool mirrored = vs_affine_determinant(place) < 0;
   vs_gltf_primitive *p = NULL;
   size_t count = 0;
+  const vs_material *look = paint > 0 ? vs_emit_material_at(e, paint) : e->material;
+  bool pictured = there != NULL && look != NULL && look->pattern.picture != NULL;
   memset(at, 0xff, s->normal_count * sizeof *at);
   for (size_t i = 0; i < mesh->triangle_count; i++) {
     if (gltf_paint_of(e, m, i) != paint || gltf_is_edge(place, mesh, mesh->triangles[i])) continue;
-    if (p == NULL && (p = gltf_primitive_new(e, paint)) == NULL) return false;
+    if (p == NULL) {
+      if ((p = gltf_primitive_new(e, paint)) == NULL) return false;
+      p->pictured = pictured ? ++g->pictured_count : 0, p->places = g->places.count;
+    }
+    if (pictured) {
+      vs_vec3 corners[3], normals[3];
+      for (int k = 0; k < 3; k++) {
+        int to = mirrored ? 2 - k : k;
+        corners[to] = vs_affine_point(place, mesh->vertices[mesh->triangles[i][k]]);
+        normals[to] = vs_affine_normal(place, s->normals[s->corners[i][k]]);
+        index[count + (size_t)k] = p->vertex_count + (uint32_t)k;
+      }
+      if (!gltf_pictured(e, p, corners, normals, there, look)) return false;
+      count += 3;
+      continue;
+    }
     for (int k = 0; k < 3; k++) {
       uint32_t corner = s->corners[i][k];
       if (at[corner] == UINT32_MAX) {
@@ -146,7 +186,9 @@ static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s,
   return p == NULL || (vs_emit_triangles(e, count / 3) && gltf_indices(e, p, index, count));
 }
 
-static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *place, double crease, uint32_t *number) {
+/* there: from the geometry to the drawing, where pictures lie; NULL: the geometry has none. */
+static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
+                           double crease, uint32_t *number) {
   vs_gltf *g = e->state;
   const vs_mesh *mesh = &m->mesh;
   vs_shading s;
@@ -161,7 +203,7 @@ static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *pl
   bool ok = scratch != NULL || vs_emit_no_memory(e);
   for (uint32_t paint = 0; ok && paint <= vs_emit_material_count(e); paint++) {
     bool any = paint == 0 || m->part_count > 0; /* without parts all is of the place's colour */
-    ok = !any || gltf_add_part(e, m, &s, place, paint, scratch, scratch + s.normal_count);
+    ok = !any || gltf_add_part(e, m, &s, place, there, paint, scratch, scratch + s.normal_count);
   }
   vs_emit_release(e, scratch, room + 1, sizeof *scratch);
   vs_shading_free(&s);
@@ -202,7 +244,7 @@ static bool gltf_unit(vs_emitter *e, vs_unit unit, int turn, uint32_t *number) {
   static const vs_affine here = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
   bool ok = (vs_unit_mesh(unit, turn, &form.mesh) ||
              (form.mesh.over ? vs_emit_triangles(e, form.mesh.most + 1) : vs_emit_no_memory(e))) &&
-            gltf_add_solid(e, &form, &here, vs_shade_crease(turn > 0), number);
+            gltf_add_solid(e, &form, &here, NULL, vs_shade_crease(turn > 0), number);
   vs_solid_free(&form);
   if (ok) t->at[turn] = *number + 1;
   return ok;
@@ -218,7 +260,8 @@ static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *
   vs_rounded what = { 0 };
   bool ok = vs_mesh_copy(&m->mesh, &copy.mesh) || vs_emit_no_memory(e);
   if (ok) vs_mesh_transform(&copy.mesh, place);
-  ok = ok && vs_emit_round(e, &copy.mesh, VS_NUMBERS_LOOSE, &what) && gltf_add_solid(e, &copy, &here, crease, number);
+  ok = ok && vs_emit_round(e, &copy.mesh, VS_NUMBERS_LOOSE, &what) &&
+       gltf_add_solid(e, &copy, &here, there, crease, number);
   if (g->settled.met == 0) g->settled.at = vs_affine_point(there, what.at);
   if (g->settled.dropped == 0) g->settled.dropped_at = vs_affine_point(there, what.dropped_at);
   g->settled.met += what.met;
@@ -227,11 +270,19 @@ static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *
   return ok;
 }
 
+/* Pictures lie by the drawing's axes: what has one in it stands for its place alone. */
+static bool gltf_has_picture(const vs_emitter *e, const vs_node *n) {
+  if (e->material != NULL && e->material->pattern.picture != NULL) return true;
+  for (size_t i = vs_emit_is_painted(e, n) ? vs_emit_material_count(e) : 0; i > 0; i--)
+    if (vs_emit_material_at(e, i)->pattern.picture != NULL) return true;
+  return false;
+}
+
 /* Triangles that stand where e->placement puts them, about their own middle: a viewer's 32-bit numbers are finest near
  * zero. */
 static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
   vs_gltf *g = e->state;
-  bool placeable = vs_affine_is_placement(&e->placement);
+  bool placeable = vs_affine_is_placement(&e->placement) && !gltf_has_picture(e, ref->node);
   bool found = false;
   uint64_t *known = placeable ? vs_nodemap_put_held(&g->shapes, ref->node, &found) : NULL;
   if (placeable && known == NULL) return vs_emit_no_memory(e);
@@ -252,7 +303,7 @@ static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
     if (m == NULL) return false;
     bool solid = ref->node->class_ == VS_SOLID;
     if (!(solid ? gltf_add_settled(e, m, &home, &where, crease, &number)
-                : gltf_add_solid(e, m, &home, crease, &number)))
+                : gltf_add_solid(e, m, &home, &where, crease, &number)))
       return false;
     known = placeable ? vs_nodemap_get(&g->shapes, ref->node) : NULL;
     if (known != NULL) *known = (uint64_t)number + 1;
@@ -265,7 +316,7 @@ vs_emit_status vs_gltf_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   vs_unit_copy copy;
   uint32_t number;
-  if (vs_unit_of(ref->node, &e->facets, &copy)) {
+  if (!gltf_has_picture(e, ref->node) && vs_unit_of(ref->node, &e->facets, &copy)) {
     vs_affine place = vs_affine_multiply(&e->placement, &copy.place);
     if (vs_affine_is_placement(&place))
       return gltf_unit(e, copy.unit, copy.turn, &number) && gltf_place(e, number, &place) ? VS_EMITTED : VS_FAILED;

@@ -12,10 +12,10 @@ typedef struct {
   vs_emitter *e;
   const uint32_t *order; /* nodes by layer */
   const size_t *starts;
-  size_t views[4], view_count;
+  size_t views[5], view_count; /* VIEW_COUNT; those of pictures follow */
 } gltf_file;
 
-enum { VIEW_POSITIONS, VIEW_NORMALS, VIEW_NARROW, VIEW_WIDE, VIEW_COUNT };
+enum { VIEW_POSITIONS, VIEW_NORMALS, VIEW_PLACES, VIEW_NARROW, VIEW_WIDE, VIEW_COUNT };
 static const size_t none = (size_t)-1;
 
 /* ---- small parts of JSON ---- */
@@ -55,6 +55,23 @@ static double gltf_linear(double x) { return x <= 0.04045 ? x / 12.92 : pow((x +
 
 /* ---- its parts ---- */
 
+static size_t padded(size_t n) { return (n + 3) & ~(size_t)3; }
+
+/* Pictures come in the order of the materials that have them. */
+static size_t gltf_picture_number(const vs_emitter *e, size_t material) {
+  size_t before = 0;
+  for (size_t i = 1; i < material; i++) before += vs_emit_material_at(e, i)->pattern.picture != NULL;
+  return before;
+}
+static size_t gltf_picture_bytes(const vs_emitter *e) {
+  size_t bytes = 0;
+  for (size_t i = 1; i <= vs_emit_material_count(e); i++) {
+    const vs_picture *p = vs_emit_material_at(e, i)->pattern.picture;
+    if (p != NULL) bytes += padded(p->size);
+  }
+  return bytes;
+}
+
 /* Material i is that of number i; the list ends with the lines' own, one a number: a line has no shape for light to
  * show. */
 static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines) {
@@ -64,8 +81,12 @@ static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines
                             : vs_v3(0.86, 0.85, 0.83);
   vs_puts(w, "{\"name\":");
   json_text(w, m != NULL ? m->name : "plain");
-  vs_puts(w, ",\"pbrMetallicRoughness\":{\"baseColorFactor\":");
-  vs_put_triple(w, "[", vs_v3(gltf_linear(color.x), gltf_linear(color.y), gltf_linear(color.z)), ",", ",");
+  vs_puts(w, ",\"pbrMetallicRoughness\":{");
+  bool pictured = m != NULL && m->pattern.picture != NULL && !lines;
+  if (pictured) vs_putf(w, "\"baseColorTexture\":{\"index\":%zu},", gltf_picture_number(e, number));
+  vs_puts(w, "\"baseColorFactor\":");
+  if (pictured) vs_puts(w, "[1,1,1,");
+  else vs_put_triple(w, "[", vs_v3(gltf_linear(color.x), gltf_linear(color.y), gltf_linear(color.z)), ",", ",");
   vs_put_number(w, m != NULL ? 1 - 0.8 * m->transparency : 1);
   vs_puts(w, "],\"metallicFactor\":");
   vs_put_number(w, m != NULL ? m->metallic : 0);
@@ -77,6 +98,24 @@ static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines
   vs_puts(w, "}");
 }
 
+/* A texture, an image and a bufferView for each material with a picture. */
+static void gltf_pictures(vs_writer *w, const gltf_file *f) {
+  size_t count = 0;
+  for (size_t i = 1; i <= vs_emit_material_count(f->e); i++) {
+    const vs_picture *p = vs_emit_material_at(f->e, i)->pattern.picture;
+    if (p == NULL) continue;
+    vs_puts(w, count == 0 ? ",\"images\":[" : ",");
+    vs_putf(w, "{\"bufferView\":%zu,\"mimeType\":\"image/%s\"}", f->view_count + count++, p->format);
+  }
+  if (count == 0) return;
+  vs_puts(w, "],\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987}],\"textures\":[");
+  for (size_t i = 0; i < count; i++) {
+    json_between(w, i);
+    vs_putf(w, "{\"sampler\":0,\"source\":%zu}", i);
+  }
+  vs_puts(w, "]");
+}
+
 static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, size_t view, size_t offset, size_t count,
                           const vs_gltf_primitive *bounds) {
   bool indices = view == VIEW_NARROW || view == VIEW_WIDE;
@@ -86,7 +125,7 @@ static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, size_
           view == VIEW_NARROW ? 5123
           : view == VIEW_WIDE ? 5125
                               : 5126,
-          count, indices ? "SCALAR" : "VEC3");
+          count, indices ? "SCALAR" : view == VIEW_PLACES ? "VEC2" : "VEC3");
   if (bounds != NULL) {
     json_vector(w, "min", vs_v3(bounds->min[0], bounds->min[1], bounds->min[2]));
     json_vector(w, "max", vs_v3(bounds->max[0], bounds->max[1], bounds->max[2]));
@@ -102,6 +141,10 @@ static void gltf_accessors(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
     gltf_accessor(w, f, &index, VIEW_POSITIONS, p->vertices, p->vertex_count, p);
     gltf_accessor(w, f, &index, VIEW_NORMALS, p->vertices, p->vertex_count, NULL);
     gltf_accessor(w, f, &index, p->wide ? VIEW_WIDE : VIEW_NARROW, p->indices, p->index_count, NULL);
+  }
+  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* then those of places, which few have */
+    const vs_gltf_primitive *p = &g->primitives[i];
+    if (p->pictured) gltf_accessor(w, f, &index, VIEW_PLACES, p->places, p->vertex_count, NULL);
   }
   vs_puts(w, "]");
 }
@@ -120,9 +163,11 @@ static void gltf_meshes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
       if (p->lines)
         vs_putf(w, "{\"mode\":3,\"attributes\":{\"POSITION\":%zu},\"indices\":%zu,\"material\":%zu}", first, first + 2,
                 materials + paint);
-      else
-        vs_putf(w, "{\"attributes\":{\"POSITION\":%zu,\"NORMAL\":%zu},\"indices\":%zu,\"material\":%zu}", first,
-                first + 1, first + 2, paint);
+      else {
+        vs_putf(w, "{\"attributes\":{\"POSITION\":%zu,\"NORMAL\":%zu", first, first + 1);
+        if (p->pictured > 0) vs_putf(w, ",\"TEXCOORD_0\":%zu", 3 * g->primitive_count + p->pictured - 1);
+        vs_putf(w, "},\"indices\":%zu,\"material\":%zu}", first + 2, paint);
+      }
     }
     vs_puts(w, "]}");
   }
@@ -189,12 +234,11 @@ static void gltf_nodes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   vs_puts(w, "]");
 }
 
-static size_t padded(size_t n) { return (n + 3) & ~(size_t)3; }
-
 static void gltf_json(vs_writer *w, const gltf_file *f) {
   vs_emitter *e = f->e;
   const vs_gltf *g = e->state;
-  const size_t lengths[VIEW_COUNT] = { g->positions.count, g->normals.count, g->narrow.count, g->wide.count };
+  const size_t lengths[VIEW_COUNT] = { g->positions.count, g->normals.count, g->places.count, g->narrow.count,
+                                       g->wide.count };
   bool lines = false;
   for (size_t i = 0; i < g->primitive_count; i++) lines |= g->primitives[i].lines;
   vs_puts(w, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"VisualScheme\"}");
@@ -208,15 +252,26 @@ static void gltf_json(vs_writer *w, const gltf_file *f) {
     vs_puts(w, ",");
     gltf_material(e, w, i, true);
   }
-  vs_puts(w, "],\"buffers\":[{\"byteLength\":");
-  size_t total = 0;
+  vs_puts(w, "]");
+  gltf_pictures(w, f);
+  vs_puts(w, ",\"buffers\":[{\"byteLength\":");
+  size_t total = gltf_picture_bytes(e), offset = 0, count = 0;
   for (int i = 0; i < VIEW_COUNT; i++) total += padded(lengths[i]);
   vs_putf(w, "%zu}],\"bufferViews\":[", total);
-  for (size_t i = 0, offset = 0, count = 0; i < VIEW_COUNT; offset += padded(lengths[i++])) {
+  for (size_t i = 0; i < VIEW_COUNT; offset += padded(lengths[i++])) {
     if (f->views[i] == none) continue;
     json_between(w, count++);
     vs_putf(w, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu,%s}", offset, lengths[i],
-            i <= VIEW_NORMALS ? "\"byteStride\":12,\"target\":34962" : "\"target\":34963");
+            i <= VIEW_NORMALS  ? "\"byteStride\":12,\"target\":34962"
+            : i == VIEW_PLACES ? "\"byteStride\":8,\"target\":34962"
+                               : "\"target\":34963");
+  }
+  for (size_t i = 1; i <= vs_emit_material_count(e); i++) {
+    const vs_picture *picture = vs_emit_material_at(e, i)->pattern.picture;
+    if (picture == NULL) continue;
+    json_between(w, count++);
+    vs_putf(w, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}", offset, picture->size);
+    offset += padded(picture->size);
   }
   vs_puts(w, "]");
   gltf_accessors(w, f, g);
@@ -247,10 +302,11 @@ static uint64_t gltf_measure(const gltf_file *f) {
 static bool gltf_chunks(const gltf_file *f) {
   const vs_gltf *g = f->e->state;
   vs_writer *w = f->e->out;
-  const vs_gltf_bytes *parts[VIEW_COUNT] = { &g->positions, &g->normals, &g->narrow, &g->wide };
+  const vs_gltf_bytes *parts[VIEW_COUNT] = { &g->positions, &g->normals, &g->places, &g->narrow, &g->wide };
   uint64_t json = gltf_measure(f), spaces = (4 - json % 4) % 4, binary = 0;
   if (json == 0) return false;
   for (int i = 0; i < VIEW_COUNT; i++) binary += padded(parts[i]->count);
+  binary += gltf_picture_bytes(f->e);
   uint64_t total = 12 + 8 + json + spaces + 8 + binary;
   if (total > UINT32_MAX)
     return vs_error_set(f->e->error, VS_ERROR_MODEL, NULL, "the drawing is larger than the 4 GB of a .glb file");
@@ -264,10 +320,16 @@ static bool gltf_chunks(const gltf_file *f) {
   vs_le_u32(head, (uint32_t)binary);
   memcpy(head + 4, "BIN", 4);
   vs_put(w, head, 8);
+  static const unsigned char zeros[4] = { 0 };
   for (int i = 0; i < VIEW_COUNT; i++) {
-    static const unsigned char zeros[4] = { 0 };
     vs_put(w, parts[i]->at, parts[i]->count);
     vs_put(w, zeros, padded(parts[i]->count) - parts[i]->count);
+  }
+  for (size_t i = 1; i <= vs_emit_material_count(f->e); i++) {
+    const vs_picture *p = vs_emit_material_at(f->e, i)->pattern.picture;
+    if (p == NULL) continue;
+    vs_put(w, p->bytes, p->size);
+    vs_put(w, zeros, padded(p->size) - p->size);
   }
   return !w->failed;
 }
@@ -276,7 +338,8 @@ bool vs_gltf_write(vs_emitter *e) {
   const vs_gltf *g = e->state;
   vs_store *store = e->scene->store;
   if (!vs_emit_rounded(e, &g->settled)) return false;
-  const size_t lengths[VIEW_COUNT] = { g->positions.count, g->normals.count, g->narrow.count, g->wide.count };
+  const size_t lengths[VIEW_COUNT] = { g->positions.count, g->normals.count, g->places.count, g->narrow.count,
+                                       g->wide.count };
   size_t layers = g->layer_count + 1, room = (g->node_count + 1) * sizeof(uint32_t),
          starts_room = (layers + 1) * sizeof(size_t);
   uint32_t *order = vs_store_realloc(store, NULL, 0, room);

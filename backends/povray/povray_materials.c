@@ -3,10 +3,12 @@
  * A pattern is either solid (noise through space, for what has no direction) or lies on faces. The latter is written
  * as a pigment in the plane of x and z and laid on each face by its normal: on floors along x and y, on walls upright,
  * with walls that look in eight directions told apart, so that a unit's width is at most 8 percent off on those
- * between (cos 22.5 degrees). */
+ * between (cos 22.5 degrees). A picture lies in the plane of x and y there, and is laid on faces by the directions of
+ * model/looks/picture.h. */
 #include <math.h>
 
 #include "backends/povray/povray.h"
+#include "backends/povray/povray_files.h"
 #include "model/scene.h"
 
 void vs_povray_name(vs_writer *w, const char *text) {
@@ -197,7 +199,7 @@ static void put_courses(vs_emitter *e, const vs_material *m, const courses *c) {
   vs_puts(w, "))) }\n ");
   PUT_MAP(w, { 0, joint }, { 0.05, joint }, { 0.05, times(first, 1 - 0.2 * v) }, { 0.45, first },
           { 0.82, times(first, 1 + 0.1 * v) }, { 1, times(first, 1 - 0.26 * v) });
-  put_word(w, "\n  rotate y*", m->pattern.angle, "");
+  put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* anticlockwise, seen from -y */
   put_word(w, " scale ", metre_of(e), "\n}\n");
   vs_puts(w, "#undef VS_A\n#undef VS_L\n#undef VS_C\n"); /* a function may not be declared twice */
 }
@@ -208,7 +210,7 @@ static void put_grain(vs_emitter *e, const vs_material *m, const char *function,
   vs_puts(w, function);
   vs_puts(w, " }\n ");
   put_map(w, stops, count);
-  put_word(w, "\n  rotate y*", m->pattern.angle, "");
+  put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* anticlockwise, seen from -y */
   put_word(w, " scale ", metre_of(e), "\n}\n");
 }
 
@@ -240,6 +242,45 @@ static void put_face_pigment(vs_emitter *e, const vs_material *m) {
     break;
   default: put_courses(e, m, &courses_of[m->pattern.kind]); break;
   }
+}
+
+/* ---- pictures ---- */
+
+/* VS_Laid turns the picture P to the faces of a tilt and an azimuth; VS_Side tells the azimuths of a half turn apart,
+ * S being 1 for those north of it and -1 for the others, and VS_Picture the tilts. Numbers of a slope are (1 + cosine)
+ * / 2. Half the steps of a turn are told apart by each, as in model/looks/picture.c. */
+static const char picture_helpers[] =
+    "#ifndef (VS_Step)\n"
+    "#declare VS_Step = 22.5;\n"
+    "#macro VS_Share(S, A) [.5 + .5*S*cos(radians(A)) #end\n"
+    "#macro VS_Laid(P, T, A) P rotate x*T rotate z*(A + 90)] #end\n"
+    "#macro VS_Side(P, T, S) slope { x } pigment_map {\n"
+    "  #local I = 8; #while (I >= 0)\n"
+    "    #local D = sin(radians(T));\n"
+    "    #if (I < 8) VS_Share(D, (I + .5)*VS_Step) VS_Laid(P, T, S*I*VS_Step) #end\n"
+    "    #if (I > 0) VS_Share(D, (I - .5)*VS_Step) VS_Laid(P, T, S*I*VS_Step) #end\n"
+    "  #local I = I - 1; #end } #end\n"
+    "#macro VS_Around(P, T) slope { y } pigment_map { [.5 VS_Side(P, T, -1)] [.5 VS_Side(P, T, 1)] } #end\n"
+    "#macro VS_Picture(P) slope { z } pigment_map {\n"
+    "  VS_Share(1, 7.5*VS_Step) P rotate x*180]\n"
+    "  #local J = 7; #while (J >= 1)\n"
+    "    VS_Share(1, (J + .5)*VS_Step) VS_Around(P, J*VS_Step)]\n"
+    "    VS_Share(1, (J - .5)*VS_Step) VS_Around(P, J*VS_Step)]\n"
+    "  #local J = J - 1; #end\n"
+    "  VS_Share(1, .5*VS_Step) P] } #end\n"
+    "#end\n";
+
+/* Declares VS_P, the picture in the plane of x and y, upright, one size for all the plane. */
+static void put_picture_pigment(vs_emitter *e, const vs_material *m) {
+  vs_writer *w = e->out;
+  vs_puts(w, picture_helpers);
+  vs_puts(w, "#declare VS_P = pigment { image_map { ");
+  if (!vs_povray_put_picture(e, m->pattern.picture, vs_emit_material_number(e, m))) w->failed = true;
+  vs_puts(w, " interpolate 2 } ");
+  put_word(w, "scale <", vs_pattern_size(&m->pattern), ", ");
+  put_word(w, "", vs_pattern_height(&m->pattern), ", 1> ");
+  put_word(w, "rotate z*", m->pattern.angle, "");
+  put_word(w, " scale ", metre_of(e), " }\n");
 }
 
 /* ---- patterns through space ---- */
@@ -298,7 +339,9 @@ static bool shows(const vs_emitter *e, const vs_material *m, double pixel) {
 }
 
 void vs_povray_prepare_texture(vs_emitter *e, const vs_material *m, double pixel) {
-  if (shows(e, m, pixel) && lies_on_faces(m->pattern.kind)) put_face_pigment(e, m);
+  if (!shows(e, m, pixel)) return;
+  if (m->pattern.picture != NULL) put_picture_pigment(e, m);
+  else if (lies_on_faces(m->pattern.kind)) put_face_pigment(e, m);
 }
 
 void vs_povray_texture(vs_emitter *e, const vs_material *m, double pixel) {
@@ -307,7 +350,9 @@ void vs_povray_texture(vs_emitter *e, const vs_material *m, double pixel) {
     vs_puts(w, "    pigment { ");
     put_color(w, first_of(m));
     vs_puts(w, " }\n");
-  } else if (lies_on_faces(m->pattern.kind))
+  } else if (m->pattern.picture != NULL)
+    vs_puts(w, "    pigment { VS_Picture(VS_P) }\n");
+  else if (lies_on_faces(m->pattern.kind))
     vs_puts(w, "    pigment { VS_Faces(VS_P) }\n");
   else
     put_solid_pigment(e, m);

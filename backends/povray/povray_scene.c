@@ -4,12 +4,10 @@
  * Looks: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky
  * sphere that radiosity turns into fill light, no ambient term. Nothing of the user's text gets in but as letters and
  * digits of names. */
-#define _XOPEN_SOURCE 700 /* realpath */
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #include "backends/povray/povray.h"
+#include "backends/povray/povray_files.h"
 #include "backends/povray/povray_sky.h"
 #include "backends/view.h"
 
@@ -143,20 +141,12 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   }
 }
 
-/* Its middle lies in the north, +Y. POV-Ray looks for files in the folder it is started in: the name is absolute. In
- * its strings quotes and backslashes are escaped. */
+/* Its middle lies in the north, +Y. */
 static void pov_sky_image(vs_emitter *e) {
   vs_writer *w = e->out;
-  char *whole = realpath(e->scene->sky_image, NULL);
   vs_puts(w, "sky_sphere {\n  pigment { image_map { ");
-  vs_puts(w, e->scene->sky_format);
-  vs_puts(w, " \"");
-  for (const char *c = whole != NULL ? whole : e->scene->sky_image; *c != '\0'; c++) {
-    if (*c == '"' || *c == '\\') vs_puts(w, "\\");
-    if ((unsigned char)*c >= ' ') vs_put(w, c, 1);
-  }
-  vs_puts(w, "\" map_type 1 interpolate 2 } rotate x*90 rotate -z*90 }\n}\n");
-  free(whole);
+  if (!vs_povray_put_picture(e, e->scene->sky_image, 0)) w->failed = true;
+  vs_puts(w, " map_type 1 interpolate 2 } rotate x*90 rotate -z*90 }\n}\n");
 }
 
 typedef struct { vs_vec3 zenith, haze; } pov_air;
@@ -346,7 +336,8 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, \
   .use = vs_povray_use, \
   .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, \
-  .family = "povray", .native = "povray", .inks = true, .groups = true, .keeps_text = true, .frames = true, \
+  .family = "povray", .native = "povray", .inks = true, .lays = true, .groups = true, .keeps_text = true, \
+  .frames = true, \
   .emit = {                                                                                                            \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                             \
     [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                             \

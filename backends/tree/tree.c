@@ -29,7 +29,7 @@ static bool tree_material(vs_writer *w, const vs_material *m) {
   vs_puts(w, " ");
   tree_text(w, m->name);
   tree_numbers(w, numbers, sizeof numbers / sizeof *numbers);
-  if (m->pattern.kind == VS_PATTERN_NONE) return !w->failed;
+  if (m->pattern.kind == VS_PATTERN_NONE || m->pattern.picture) return !w->failed;
   const double pattern[] = { m->pattern.red, m->pattern.green, m->pattern.blue, m->pattern.size, m->pattern.angle };
   vs_puts(w, " ");
   tree_text(w, vs_pattern_name(m->pattern.kind));

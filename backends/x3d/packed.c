@@ -223,6 +223,13 @@ static void packed_material(vs_emitter *e, size_t number) {
   packed_double(e, "ior", m->ior);
   if (m->pattern.kind != VS_PATTERN_NONE) {
     packed_text(e, "pattern", vs_pattern_name(m->pattern.kind));
+    if (m->pattern.picture != NULL) {
+      const vs_picture *picture = m->pattern.picture;
+      packed_text(e, "pictureType", picture->format);
+      packed_double(e, "pictureHeight", vs_pattern_height(&m->pattern));
+      packed_words_begin(e, "picture", picture->size, 1);
+      vs_put(e->out, picture->bytes, picture->size);
+    }
     packed_place_of(e, "patternColor", vs_v3(m->pattern.red, m->pattern.green, m->pattern.blue));
     packed_double(e, "patternSize", vs_pattern_size(&m->pattern));
     packed_double(e, "patternAngle", m->pattern.angle);

@@ -15,27 +15,18 @@ ASSET(page_html) ASSET(viewer_css) ASSET(viewer_js)
  * e->state. */
 typedef struct { vs_writer inner, *outer; unsigned char left[3]; size_t left_count; } page_coder;
 
-static const char digits64[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-static bool page_four(vs_writer *w, const unsigned char b[3], size_t count) {
-  const uint32_t x = (uint32_t)b[0] << 16 | (uint32_t)b[1] << 8 | b[2];
-  const char four[4] = { digits64[x >> 18], digits64[x >> 12 & 63], count > 1 ? digits64[x >> 6 & 63] : '=',
-                         count > 2 ? digits64[x & 63] : '=' };
-  return vs_put(w, four, 4);
-}
-
 static bool page_encode(void *context, const void *bytes, size_t count) {
   page_coder *c = context;
   const unsigned char *at = bytes, *end = at + count;
   while (at < end) {
     if (c->left_count == 0 && end - at >= 3) {
-      page_four(c->outer, at, 3);
+      vs_put_base64(c->outer, at, 3);
       at += 3;
       continue;
     }
     c->left[c->left_count++] = *at++;
     if (c->left_count == 3) {
-      page_four(c->outer, c->left, 3);
+      vs_put_base64(c->outer, c->left, 3);
       c->left_count = 0;
     }
   }
@@ -104,7 +95,7 @@ static bool page_end(vs_emitter *e) {
   bool ok = vs_packed_finish(e) && vs_writer_flush(&c->inner);
   if (c->left_count > 0) {
     memset(c->left + c->left_count, 0, 3 - c->left_count);
-    page_four(c->outer, c->left, c->left_count);
+    vs_put_base64(c->outer, c->left, c->left_count);
   }
   const char *at = vs_asset_page_html;
   while (at < vs_asset_page_html_end && memcmp(at, "<!--scene-->", 12) != 0) at++;

@@ -201,6 +201,9 @@ vs_emit_status vs_x3d_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_x3d_group *g = collect_group(e);
   vs_x3d_form form = VS_X3D_BOX;
   vs_affine place;
+  /* Pictures lie on triangles, and a template's paint is not known here. */
+  for (size_t i = vs_emit_material_count(e); i > 0; i--)
+    if (vs_emit_material_at(e, i)->pattern.picture != NULL) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
   if (!vs_x3d_form_of(e, ref->node, &form, &place)) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
   place = vs_affine_multiply(&e->placement, &place);
   if (!vs_affine_is_placement(&place)) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;

@@ -30,6 +30,18 @@ static double scene_axis(const double q[4], vs_vec3 *axis) {
  * Material, not X3D 4's PhysicalMaterial: that is lit by an EnvironmentLight's pictures, and without them X_ITE shows
  * metal black and all else at half its brightness. */
 
+static void scene_picture(vs_emitter *e, const vs_picture *p) {
+  vs_x3d_node(e, "texture", "ImageTexture", NULL);
+  vs_x3d_field(e, "url", true);
+  vs_puts(e->out, "\"data:image/");
+  vs_puts(e->out, p->format);
+  vs_puts(e->out, ";base64,");
+  vs_put_base64(e->out, p->bytes, p->size);
+  vs_puts(e->out, "\"");
+  vs_x3d_field_end(e, true);
+  vs_x3d_end(e, "ImageTexture", false);
+}
+
 static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line) {
   char name[32];
   snprintf(name, sizeof name, "%s%zu", line ? "L" : "M", number);
@@ -58,6 +70,7 @@ static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line
     if (m != NULL && m->transparency > 0) vs_x3d_number(e, "transparency", 0.72 * m->transparency);
   }
   vs_x3d_end(e, "Material", false);
+  if (m != NULL && m->pattern.picture != NULL && !line) scene_picture(e, m->pattern.picture);
   vs_x3d_end(e, "Appearance", false);
 }
 
@@ -161,10 +174,58 @@ static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool lin
   return !name->again;
 }
 
+/* Triangles with a picture, each with corners of its own: the picture may end at its edges. It lies by the axes of
+ * what is written, a template's where it stands in one. */
+static void scene_pictured(vs_emitter *e, const vs_material *m, const vs_x3d_batch *b) {
+  static const char *const fields[][3] = {
+      { "coord", "Coordinate", "point" }, { "normal", "Normal", "vector" },
+      { "texCoord", "TextureCoordinate", "point" } };
+  vs_writer *w = e->out;
+  double metres = vs_scene_metres(e->scene), steps = scene_steps(e);
+  vs_x3d_field(e, "index", true);
+  for (size_t i = 0; i < 3 * b->triangle_count && !w->failed; i++) {
+    scene_wrap(w, i, 36);
+    vs_put_u32(w, (uint32_t)i);
+  }
+  vs_x3d_field_end(e, true);
+  for (int what = 0; what < 3; what++) {
+    vs_x3d_node(e, fields[what][0], fields[what][1], NULL);
+    vs_x3d_field(e, fields[what][2], true);
+    for (size_t i = 0; i < b->triangle_count && !w->failed; i++) {
+      vs_vec3 at[3];
+      for (int k = 0; k < 3; k++) at[k] = b->vertices[b->triangles[i][k]];
+      vs_vec3 n = vs_v3_cross(vs_v3_sub(at[1], at[0]), vs_v3_sub(at[2], at[0]));
+      int direction = vs_picture_direction(n.x, n.y, n.z);
+      for (int k = 0; k < 3; k++) {
+        const double xyz[] = { at[k].x * metres, at[k].y * metres, at[k].z * metres };
+        double place[2];
+        scene_wrap(w, 3 * i + (size_t)k, 9);
+        if (what == 0) scene_rounded(w, at[k], steps);
+        if (what == 1) scene_rounded(w, b->normals[b->triangles[i][k]], 1000);
+        if (what < 2) continue;
+        vs_picture_place(vs_pattern_size(&m->pattern), vs_pattern_height(&m->pattern), m->pattern.angle, direction, xyz,
+                         place);
+        vs_put_number(w, place[0]);
+        vs_puts(w, " ");
+        vs_put_number(w, place[1]);
+      }
+    }
+    vs_x3d_field_end(e, true);
+    vs_x3d_end(e, fields[what][1], false);
+  }
+}
+
 static void scene_triangles(vs_emitter *e, size_t number, const vs_x3d_batch *b, bool *said, const scene_name *name) {
+  const vs_material *m = number > 0 ? vs_emit_material_at(e, number) : NULL;
   if (scene_begin_shape(e, number, said, false, "IndexedTriangleSet", name)) {
     if (!vs_emit_triangles(e, b->triangle_count)) e->out->failed = true;
     vs_x3d_words(e, "solid", "false"); /* open surfaces are seen from both sides */
+    if (m != NULL && m->pattern.picture != NULL) {
+      scene_pictured(e, m, b);
+      vs_x3d_end(e, "IndexedTriangleSet", false);
+      vs_x3d_end(e, "Shape", false);
+      return;
+    }
     vs_x3d_field(e, "index", true);
     for (size_t i = 0; i < b->triangle_count && !e->out->failed; i++) {
       scene_wrap(e->out, i, 12);

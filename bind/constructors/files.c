@@ -1,24 +1,77 @@
-/* Owns the reading of files that a program names for its geometry: meshes and pictures. */
-#include "bind/bind.h"
+/* Owns the reading of files that a program names for its geometry and its looks: meshes and pictures. */
+#include "bind/constructors/files.h"
+
+#include "geometry/pictures/photograph.h"
 
 #include "vm/library/port.h"
 #include "vm/front/source.h"
 
-vs_status vs_bind_file(vs_frame *f, const vs_arg *name, vs_value *bytes, const char **shown) {
+/* whole: where the file is, the store's */
+static vs_status file_of(vs_frame *f, vs_value name, vs_value *bytes, const char **shown, const char **whole) {
   vs_scheme *vm = f->vm;
   vs_text path, own;
   vs_text_open(vm, &path, 0);
   vs_text_open(vm, &own, 0);
-  bool ok = vs_text_string(&own, name->value) && vs_text_end(&own); /* before anything is made: the name may move
+  bool ok = vs_text_string(&own, name) && vs_text_end(&own); /* before anything is made: the name may move
                                                                      * then */
-  ok = ok && vs_source_path(vm, name->value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path) &&
+  ok = ok && vs_source_path(vm, name, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path) &&
        vs_io_read_file(vm, path.at, bytes);
   if (ok) {
     const char *slash = strrchr(own.at, '/');
     const char *last = slash ? slash + 1 : own.at;
-    ok = (*shown = vs_store_text(f->bind->store, last, strlen(last))) || vs_fail_memory(vm);
+    *shown = vs_store_text(f->bind->store, last, strlen(last));
+    *whole = vs_store_text(f->bind->store, path.at, path.count);
+    ok = (*shown && *whole) || vs_fail_memory(vm);
   }
   vs_text_close(&path);
   vs_text_close(&own);
   return ok ? VS_OK : VS_ERROR;
+}
+
+vs_status vs_bind_file(vs_frame *f, const vs_arg *name, vs_value *bytes, const char **shown) {
+  const char *whole;
+  return file_of(f, name->value, bytes, shown, &whole);
+}
+
+static vs_status keep_picture(vs_frame *f, const char *format, const char *whole, const vs_bytes *bytes,
+                              uint32_t columns, uint32_t rows, const vs_picture **out) {
+  *out = vs_store_picture(f->bind->store, &(vs_picture){ .path = whole,
+                                                         .format = format,
+                                                         .bytes = bytes->at,
+                                                         .size = (size_t)bytes->length,
+                                                         .columns = columns,
+                                                         .rows = rows });
+  return *out ? VS_OK : vs_fail_memory(f->vm);
+}
+
+vs_status vs_bind_picture(vs_frame *f, vs_value name, const vs_picture **out, const char **shown, double mean[3]) {
+  vs_error e = { 0 };
+  vs_photograph read;
+  const char *whole;
+  VS_ROOTS(f->vm, r, 1);
+  if (file_of(f, name, &r[0], shown, &whole) != VS_OK) return VS_ERROR;
+  const vs_bytes *bytes = vs_as_bytes(r[0]);
+  if (!vs_photograph_read(f->bind->store, *shown, bytes->at, (size_t)bytes->length, &read, &e))
+    return vs_bind_error(f, &e);
+  for (int i = 0; i < 3; i++) mean[i] = read.mean[i];
+  return keep_picture(f, read.format, whole, bytes, read.columns, read.rows, out);
+}
+
+/* The format shows in the first bytes. */
+vs_status vs_bind_sky_picture(vs_frame *f, vs_value name, const vs_picture **out) {
+  static const struct { const char *format; unsigned char bytes[4]; size_t count;
+  } kinds[] = {
+    { "png", { 0x89, 'P', 'N', 'G' }, 4 },
+    { "jpeg", { 0xFF, 0xD8, 0xFF, 0 }, 3 },
+    { "exr", { 0x76, 0x2F, 0x31, 0x01 }, 4 },
+    { "hdr", { '#', '?', 'R', 'A' }, 4 },
+  };
+  const char *shown, *whole, *format = NULL;
+  VS_ROOTS(f->vm, r, 1);
+  if (file_of(f, name, &r[0], &shown, &whole) != VS_OK) return VS_ERROR;
+  const vs_bytes *bytes = vs_as_bytes(r[0]);
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+    if ((size_t)bytes->length > 16 && !memcmp(bytes->at, kinds[i].bytes, kinds[i].count)) format = kinds[i].format;
+  if (!format) return vs_bind_refuse(f, "image", "a PNG, JPEG, EXR or HDR file", name);
+  return keep_picture(f, format, whole, bytes, 0, 0, out);
 }

@@ -1,5 +1,6 @@
 /* Owns height fields: from rows of numbers, or from a picture beside the program. */
 #include "bind/bind.h"
+#include "bind/constructors/files.h"
 
 #include "geometry/files/raster.h"
 

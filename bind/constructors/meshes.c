@@ -1,5 +1,6 @@
 /* Owns objects made of faces: given one by one, or read from a file; checked, and mended where that is asked for. */
 #include "bind/bind.h"
+#include "bind/constructors/files.h"
 
 #include <stdio.h>
 #include <stdlib.h>

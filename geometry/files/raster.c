@@ -9,10 +9,14 @@ void vs_raster_free(vs_raster *r) {
   r->columns = r->rows = 0;
 }
 
+bool vs_raster_size(const char *name, uint64_t columns, uint64_t rows, vs_error *e) {
+  return (columns && rows && columns <= VS_RASTER_MOST / rows) ||
+         vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the picture has %llu x %llu pixels; up to %d are read", name,
+                      (unsigned long long)columns, (unsigned long long)rows, VS_RASTER_MOST);
+}
+
 bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t rows, vs_error *e) {
-  if (!columns || !rows || columns > VS_RASTER_MOST / rows)
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the picture has %llu x %llu pixels; up to %d are read", name,
-                        (unsigned long long)columns, (unsigned long long)rows, VS_RASTER_MOST);
+  if (!vs_raster_size(name, columns, rows, e)) return false;
   r->at = vs_store_realloc(r->store, NULL, 0, (size_t)(columns * rows) * sizeof *r->at);
   if (!r->at) return vs_error_memory(e, NULL);
   memset(r->at, 0, (size_t)(columns * rows) * sizeof *r->at);

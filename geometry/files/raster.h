@@ -21,6 +21,8 @@ void vs_raster_free(vs_raster *r);
 bool vs_raster_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_raster *out,
                     vs_error *e);
 
+/* Is there room for such a picture? False: the error says how many pixels are read. */
+bool vs_raster_size(const char *name, uint64_t columns, uint64_t rows, vs_error *e);
 /* The two readers; room for the pixels comes from vs_raster_room. */
 bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t rows, vs_error *e);
 bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);

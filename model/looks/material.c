@@ -9,6 +9,7 @@ static const struct { const char *name; double size; } patterns[VS_PATTERN_COUNT
   { "none", 1 },
 #define VS_PATTERN(id, name, size, shows) { name, size },
 #include "model/looks/patterns.def"
+  { "picture", 1 },
 };
 
 static const double plain_roughness = 0.6, plain_ior = 1.5; /* of a material that is just a colour: matt paint */
@@ -21,8 +22,12 @@ vs_material vs_material_of_color(double red, double green, double blue) {
 const char *vs_pattern_name(vs_pattern p) { return patterns[p].name; }
 double vs_pattern_size(const vs_material_pattern *p) { return p->size > 0 ? p->size : patterns[p->kind].size; }
 
+double vs_pattern_height(const vs_material_pattern *p) {
+  return p->picture ? vs_pattern_size(p) * p->picture->rows / p->picture->columns : vs_pattern_size(p);
+}
+
 bool vs_pattern_find(const char *name, vs_pattern *out) {
-  for (int p = 0; p < VS_PATTERN_COUNT; p++)
+  for (int p = 0; p < VS_PATTERN_PICTURE; p++)
     if (!strcmp(name, patterns[p].name)) return *out = (vs_pattern)p, true;
   return false;
 }
@@ -35,5 +40,6 @@ uint64_t vs_material_hash(const vs_material *m) {
   for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) h = vs_hash_real(h, fields[i]);
   if (p->kind == VS_PATTERN_NONE) return h;
   for (size_t i = 0; i < sizeof pattern / sizeof *pattern; i++) h = vs_hash_real(h, pattern[i]);
+  if (p->picture) h = vs_hash_mix(h, p->picture->hash);
   return h;
 }

@@ -7,10 +7,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "model/looks/picture.h"
+
 typedef enum {
   VS_PATTERN_NONE,
 #define VS_PATTERN(id, name, size, shows) VS_PATTERN_##id,
 #include "model/looks/patterns.def"
+  VS_PATTERN_PICTURE, /* a picture of a file: it has no row there, since it is not chosen by name */
   VS_PATTERN_COUNT
 } vs_pattern;
 
@@ -19,8 +22,9 @@ typedef enum {
 typedef struct {
   vs_pattern kind;
   double red, green, blue;     /* the second colour: of joints, veins, grain; sRGB, 0..1 */
-  double size;                 /* the width of one unit in metres; 0: the pattern's own */
-  double angle;                /* its turn on the face, in degrees */
+  double size;                 /* the width of one unit, or of a picture, in metres; 0: the pattern's own */
+  double angle;                /* its turn on the face in degrees, anticlockwise as one looks at it */
+  const vs_picture *picture;   /* of VS_PATTERN_PICTURE; NULL: none */
 } vs_material_pattern;
 
 typedef struct {
@@ -36,5 +40,8 @@ vs_material vs_material_of_color(double red, double green, double blue); /* sRGB
 const char *vs_pattern_name(vs_pattern p);               /* "none" of VS_PATTERN_NONE */
 bool vs_pattern_find(const char *name, vs_pattern *out); /* false: there is none of that name */
 double vs_pattern_size(const vs_material_pattern *p);    /* in metres: the material's own, or else the pattern's */
+
+/* The height of the pattern's picture in metres. */
+double vs_pattern_height(const vs_material_pattern *p);
 
 #endif

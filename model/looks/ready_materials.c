@@ -4,8 +4,9 @@
 #include <string.h>
 
 static const struct { const char *name; vs_material material; } ready[] = {
-#define VS_READY_MATERIAL(name, r, g, b, roughness, metallic, transparency, ior, kind, r2, g2, b2, size, angle) \
-  { name, { name, r, g, b, roughness, metallic, transparency, ior, { VS_PATTERN_##kind, r2, g2, b2, size, angle } } },
+#define VS_READY_MATERIAL(name, r, g, b, roughness, metallic, transparency, ior, kind, r2, g2, b2, size, angle)        \
+  { name, { name, r, g, b, roughness, metallic, transparency, ior,                                                     \
+            { VS_PATTERN_##kind, r2, g2, b2, size, angle, NULL } } },
 #include "model/looks/materials.def"
 };
 static const struct { const char *name; unsigned rgb; } colors[] = {

@@ -213,7 +213,7 @@ static uint64_t material_slot_hash(const void *item) { return vs_material_hash(i
 
 static bool same_pattern(const vs_material_pattern *a, const vs_material_pattern *b) {
   return a->kind == b->kind && a->red == b->red && a->green == b->green && a->blue == b->blue && a->size == b->size &&
-         a->angle == b->angle;
+         a->angle == b->angle && a->picture == b->picture;
 }
 
 static bool material_same(const void *item, const void *key) {
@@ -237,6 +237,23 @@ const vs_material *vs_store_material(vs_store *s, const vs_material *m) {
     s->materials.count++;
   }
   return *slot;
+}
+
+const vs_picture *vs_store_picture(vs_store *s, const vs_picture *p) {
+  vs_picture key = *p;
+  key.path = vs_store_text(s, p->path, strlen(p->path));
+  if (!key.path) return NULL;
+  key.hash = vs_hash_bytes(vs_hash_bytes(3, p->path, strlen(p->path)), p->bytes, p->size);
+  for (const vs_picture *i = s->pictures; i; i = i->next)
+    if (i->hash == key.hash && i->path == key.path && i->size == key.size && !memcmp(i->bytes, p->bytes, p->size))
+      return i;
+  vs_picture *kept = store_keep(s, sizeof *kept);
+  unsigned char *bytes = kept ? store_keep(s, p->size) : NULL;
+  if (!bytes) return NULL;
+  memcpy(bytes, p->bytes, p->size);
+  key.bytes = bytes, key.next = s->pictures;
+  *kept = key;
+  return s->pictures = kept;
 }
 
 bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size) {

@@ -39,6 +39,8 @@ const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, u
                                  const vs_origin *caller);
 /* interned by value; NULL: out of memory */
 const vs_material *vs_store_material(vs_store *s, const vs_material *m);
+/* A copy of the picture and its bytes, interned by path and bytes; NULL: out of memory. */
+const vs_picture *vs_store_picture(vs_store *s, const vs_picture *p);
 uint64_t vs_text_hash(const char *interned); /* kept with the text */
 /* gone(context, id) is called when the last reference to a ticket goes; NULL: nobody asks any more. It must not touch
  * nodes. */

@@ -20,6 +20,7 @@ struct vs_store {
   size_t fail_at; /* counts down; the allocation that reaches 0 fails, as do all after it until it is set again */
   bool failing;
   vs_intern texts, origins, materials;
+  const vs_picture *pictures; /* few: a list */
   void *kept;           /* what geometry/ keeps as long as the store lives (fonts); let_go frees it before the rest */
   void (*let_go)(vs_store *s, void *kept);
   bool (*going)(void *context); /* who may stop what works long; NULL: nobody */

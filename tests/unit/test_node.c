@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -161,6 +162,32 @@ static void long_messages_are_cut_at_a_character(void **state) {
   assert_int_equal(strlen(e.message), 511);
 }
 
+/* Directions of pictures: a face is turned from the plane of its direction by at most 11.25 degrees each way, the axes
+ * of the plane are square to each other, and seen from outside the one goes right where the other goes up. */
+static void pictures_lie_by_directions(void **state) {
+  (void)state;
+  uint32_t seed = 7;
+  for (int i = 0; i < 20000; i++) {
+    double n[3], across[3], up[3], length = 0, off = 0, normal = 0, size = 0;
+    for (int k = 0; k < 3; k++) n[k] = (double)((seed = seed * 1664525u + 1013904223u) >> 8) / (1 << 23) - 1, length += n[k] * n[k];
+    if (length < 0.01) continue;
+    vs_picture_axes(vs_picture_direction(n[0], n[1], n[2]), across, up);
+    for (int k = 0; k < 3; k++) {
+      const double out = across[(k + 1) % 3] * up[(k + 2) % 3] - across[(k + 2) % 3] * up[(k + 1) % 3];
+      off += across[k] * up[k], normal += out * n[k] / sqrt(length), size += out * out;
+    }
+    assert_true(fabs(off) < 1e-12 && fabs(size - 1) < 1e-12);
+    assert_true(normal > cos(11.3 * 3.14159265358979 / 180) * cos(11.3 * 3.14159265358979 / 180));
+  }
+  double place[2];
+  vs_picture_place(2, 1, 0, vs_picture_direction(0, -1, 0), (double[]){ 1, 7, 0.25 }, place); /* a wall to the south */
+  assert_true(fabs(place[0] - 0.5) < 1e-12 && fabs(place[1] - 0.25) < 1e-12);
+  vs_picture_place(2, 1, 0, vs_picture_direction(0, 1, 0), (double[]){ 1, 7, 0.25 }, place); /* and to the north */
+  assert_true(fabs(place[0] + 0.5) < 1e-12 && fabs(place[1] - 0.25) < 1e-12);
+  vs_picture_place(2, 1, 90, vs_picture_direction(0, 0, 1), (double[]){ 1, 3, 7 }, place); /* a floor, turned */
+  assert_true(fabs(place[0] - 1.5) < 1e-12 && fabs(place[1] + 1) < 1e-12);
+}
+
 /* ---- each allocation of a small task fails in turn; nothing may be lost ---- */
 
 typedef struct { size_t held; } ledger;
@@ -178,7 +205,8 @@ static void *ledger_alloc(void *context, void *old, size_t old_size, size_t new_
 }
 
 static bool small_task(vs_store *s) {
-  bool ok = vs_store_origin(s, "f.vs", 1, 1, NULL) && vs_store_ready_material(s, "steel");
+  bool ok = vs_store_origin(s, "f.vs", 1, 1, NULL) && vs_store_ready_material(s, "steel") &&
+            vs_store_picture(s, &(vs_picture){ "a.png", "png", (const unsigned char *)"abc", 3, 1, 1, 0, NULL });
   vs_vec3 corners[] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } };
   vs_points *at = ok ? vs_points_new(s, corners, 3) : NULL;
   struct vs_line data = { .points = at, .closed = true };
@@ -219,7 +247,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(equal_by_value), cmocka_unit_test(origins_do_not_count), cmocka_unit_test(every_kind_has_its_row),
     cmocka_unit_test(two_hundred_thousand_deep), cmocka_unit_test(wide_dags_compare_by_node), cmocka_unit_test(curves_know_whether_they_close),
-    cmocka_unit_test(materials_by_name), cmocka_unit_test(long_messages_are_cut_at_a_character), cmocka_unit_test(every_allocation_fails_in_turn),
+    cmocka_unit_test(materials_by_name), cmocka_unit_test(pictures_lie_by_directions), cmocka_unit_test(long_messages_are_cut_at_a_character), cmocka_unit_test(every_allocation_fails_in_turn),
   };
   return cmocka_run_group_tests_name("model nodes", tests, NULL, NULL);
 }

@@ -1,0 +1,132 @@
+/* Owns reading JPEG pictures by libjpeg, loaded at the first one.
+ *
+ * Nothing of a picture is kept but its size and its colours: programs that show it get its file. All of it is read all
+ * the same, so that a file that is cut off or broken is refused here and not half shown there. */
+#include "geometry/files/jpeg_read.h"
+
+#include <setjmp.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <jpeglib.h>
+
+#include "geometry/dynamic.h"
+#include "geometry/files/raster.h"
+
+enum { SCANS_MOST = 200, CODE_MOST = 1024 /* pixels that a byte stands for, at most */ };
+
+typedef struct {
+  struct jpeg_error_mgr *(*errors)(struct jpeg_error_mgr *);
+  void (*create)(j_decompress_ptr, int, size_t);
+  void (*source)(j_decompress_ptr, const unsigned char *, unsigned long);
+  int (*header)(j_decompress_ptr, boolean);
+  boolean (*start)(j_decompress_ptr);
+  JDIMENSION (*lines)(j_decompress_ptr, JSAMPARRAY, JDIMENSION);
+  boolean (*finish)(j_decompress_ptr);
+  void (*destroy)(j_decompress_ptr);
+} jpeg_functions;
+
+static const vs_dynamic_name jpeg_names[] = {
+  { "jpeg_std_error", offsetof(jpeg_functions, errors) },
+  { "jpeg_CreateDecompress", offsetof(jpeg_functions, create) },
+  { "jpeg_mem_src", offsetof(jpeg_functions, source) },
+  { "jpeg_read_header", offsetof(jpeg_functions, header) },
+  { "jpeg_start_decompress", offsetof(jpeg_functions, start) },
+  { "jpeg_read_scanlines", offsetof(jpeg_functions, lines) },
+  { "jpeg_finish_decompress", offsetof(jpeg_functions, finish) },
+  { "jpeg_destroy_decompress", offsetof(jpeg_functions, destroy) },
+};
+#if JPEG_LIB_VERSION >= 80
+static const char *const jpeg_files[] = { "libjpeg.so.8", "libjpeg.so", NULL };
+#else
+static const char *const jpeg_files[] = { "libjpeg.so.62", "libjpeg.so", NULL };
+#endif
+static const vs_dynamic_library jpeg_library = { jpeg_files, "libjpeg62-turbo", "JPEG pictures" };
+
+/* libjpeg ends an error by a jump, and goes on after a warning, which a whole file has none of. */
+typedef struct {
+  struct jpeg_error_mgr errors; /* first: libjpeg knows this alone */
+  struct jpeg_progress_mgr progress;
+  jmp_buf out;
+  char said[JMSG_LENGTH_MAX];
+} jpeg_run;
+
+static void jpeg_fail(j_common_ptr j) {
+  jpeg_run *run = (jpeg_run *)j->err;
+  j->err->format_message(j, run->said);
+  longjmp(run->out, 1);
+}
+static void jpeg_say(j_common_ptr j, int level) {
+  if (level < 0) jpeg_fail(j);
+}
+/* A small file may ask for a large picture again and again. */
+static void jpeg_progress(j_common_ptr j) {
+  jpeg_run *run = (jpeg_run *)j->err;
+  if (((j_decompress_ptr)j)->input_scan_number <= SCANS_MOST) return;
+  snprintf(run->said, sizeof run->said, "more scans than a picture needs");
+  longjmp(run->out, 1);
+}
+
+/* Apart from its caller, whose locals a jump would make indefinite. */
+static bool jpeg_decode(const jpeg_functions *call, jpeg_run *run, struct jpeg_decompress_struct *j,
+                        const unsigned char *bytes, size_t size, unsigned char *line, size_t room,
+                        uint64_t count[3][256]) {
+  if (setjmp(run->out)) return false;
+  call->source(j, bytes, (unsigned long)size);
+  if (line == NULL) return call->header(j, TRUE) == JPEG_HEADER_OK;
+  call->header(j, TRUE);
+  j->scale_num = 1, j->scale_denom = 8;
+  j->out_color_space = j->num_components == 1 ? JCS_GRAYSCALE : JCS_RGB;
+  call->start(j);
+  if ((size_t)j->output_width * (size_t)j->output_components > room) return false;
+  while (j->output_scanline < j->output_height) {
+    call->lines(j, &line, 1);
+    for (size_t i = 0; i < j->output_width; i++)
+      for (int k = 0; k < 3; k++)
+        count[k][j->output_components == 1 ? line[i] : line[3 * i + (size_t)k]]++;
+  }
+  return call->finish(j);
+}
+
+bool vs_jpeg_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, uint32_t *columns,
+                  uint32_t *rows, uint64_t count[3][256], vs_error *e) {
+  jpeg_functions call;
+  unsigned char *line = NULL;
+  size_t room = 0;
+  if (!vs_dynamic_load(&jpeg_library, jpeg_names, sizeof jpeg_names / sizeof *jpeg_names, &call, e)) return false;
+  memset(count, 0, 3 * sizeof *count);
+  bool ok = true;
+  for (int pass = 0; ok && pass < 2; pass++) { /* the header alone, then all */
+    struct jpeg_decompress_struct j;
+    jpeg_run run = { .said = "" };
+    memset(&j, 0, sizeof j);
+    j.err = call.errors(&run.errors);
+    run.errors.error_exit = jpeg_fail, run.errors.emit_message = jpeg_say;
+    run.progress.progress_monitor = jpeg_progress;
+    call.create(&j, JPEG_LIB_VERSION, sizeof j);
+    j.progress = &run.progress;
+    j.mem->max_memory_to_use = 1L << 30;
+    ok = jpeg_decode(&call, &run, &j, bytes, size, line, room, count);
+    if (!ok)
+      vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the JPEG file is cut off or broken%s%s", name,
+                   *run.said ? ": " : "", run.said);
+    else if (pass == 0) {
+      *columns = j.image_width, *rows = j.image_height;
+      ok = vs_raster_size(name, *columns, *rows, e);
+      if (ok && (uint64_t)*columns * *rows > (uint64_t)size * CODE_MOST)
+        ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the JPEG file is too short for a picture of %u x %u pixels",
+                          name, *columns, *rows);
+      if (ok && j.num_components != 1 && j.num_components != 3)
+        ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the JPEG picture has %d colours; 1 and 3 are shown", name,
+                          j.num_components);
+    }
+    call.destroy(&j);
+    if (ok && pass == 0) {
+      room = 3 * ((size_t)*columns / 8 + 2);
+      line = vs_store_realloc(store, NULL, 0, room);
+      ok = line || vs_error_memory(e, NULL);
+    }
+  }
+  if (line) vs_store_realloc(store, line, room, 0);
+  return ok;
+}

@@ -1,0 +1,107 @@
+/* Owns reading PNG pictures by libpng, loaded at the first one.
+ *
+ * libpng's simple interface reports errors by its results. It would bend the numbers by what a file says of gamma and
+ * colour profiles; heights are numbers as they stand, so it is handed a copy of the file with the critical chunks
+ * alone. Eight bits then come as they are, and sixteen, which it takes for linear, too. */
+#include "geometry/files/png_read.h"
+
+#include <png.h>
+#include <string.h>
+
+#include "geometry/dynamic.h"
+#include "geometry/files/raster.h"
+
+/* Deflate packs at most so many bytes into one: a size that the file has no room for is a lie, and no memory is asked
+ * for it. */
+enum { DEFLATE_MOST = 1032 };
+
+typedef struct {
+  int (*begin)(png_imagep, png_const_voidp, size_t);
+  int (*finish)(png_imagep, png_const_colorp, void *, png_int_32, void *);
+  void (*free)(png_imagep);
+} png_functions;
+
+static const vs_dynamic_name png_names[] = {
+  { "png_image_begin_read_from_memory", offsetof(png_functions, begin) },
+  { "png_image_finish_read", offsetof(png_functions, finish) },
+  { "png_image_free", offsetof(png_functions, free) },
+};
+
+static const char *const png_files[] = { "libpng16.so.16", "libpng16.so", NULL };
+const vs_dynamic_library vs_png_library = { png_files, "libpng16-16", "PNG pictures" };
+
+static uint32_t png_number(const unsigned char *b) {
+  return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | (uint32_t)b[3];
+}
+
+/* Copies signature and critical chunks (capital first letter). Returns the size; 0: it is cut off or does not begin
+ * with its header. */
+static size_t png_bare(const unsigned char *bytes, size_t size, unsigned char *to) {
+  size_t at = 8, kept = 8;
+  memcpy(to, bytes, 8);
+  if (size < 33 || memcmp(bytes + 12, "IHDR", 4) || png_number(bytes + 8) != 13) return 0;
+  while (size - at >= 12) {
+    size_t length = png_number(bytes + at);
+    if (length > size - at - 12) return 0;
+    if (!(bytes[at + 4] & 0x20)) {
+      memcpy(to + kept, bytes + at, length + 12);
+      kept += length + 12;
+    }
+    if (!memcmp(bytes + at + 4, "IEND", 4)) return kept;
+    at += length + 12;
+  }
+  return 0;
+}
+
+bool vs_png_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_png_pixels *out,
+                 vs_error *e) {
+  png_functions call;
+  *out = (vs_png_pixels){ NULL };
+  if (!vs_dynamic_load(&vs_png_library, png_names, sizeof png_names / sizeof *png_names, &call, e)) return false;
+  unsigned char *bare = vs_store_realloc(store, NULL, 0, size);
+  if (!bare) return vs_error_memory(e, NULL);
+  size_t kept = png_bare(bytes, size, bare);
+  if (!kept)
+    return vs_store_realloc(store, bare, size, 0),
+           vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the PNG file is cut off or broken", name);
+  bool alpha = bare[25] & 4;
+  out->deep = bare[24] == 16, out->color = bare[25] & 2;
+  out->channels = (out->color ? 3u : 1u) + (alpha ? 1u : 0u);
+  png_image image;
+  memset(&image, 0, sizeof image);
+  image.version = PNG_IMAGE_VERSION;
+  uint64_t columns = png_number(bare + 16), high = png_number(bare + 20), most = (uint64_t)kept * DEFLATE_MOST;
+  bool lies = columns && high && high <= VS_RASTER_MOST / columns && high > most * 8 / columns;
+  bool ok = !lies || vs_error_set(e, VS_ERROR_MODEL, NULL,
+                                  "%.100s: the PNG file is too short for a picture of %llu x %llu pixels", name,
+                                  (unsigned long long)columns, (unsigned long long)high);
+  ok = ok && vs_raster_size(name, columns, high, e);
+  if (ok) {
+    out->columns = (uint32_t)columns, out->high = (uint32_t)high;
+    out->room = (size_t)columns * out->channels * (out->deep ? 2 : 1) * high;
+    out->rows = vs_store_realloc(store, NULL, 0, out->room);
+    ok = out->rows || vs_error_memory(e, NULL);
+  }
+  bool read = ok && call.begin(&image, bare, kept);
+  image.format = (out->color ? PNG_FORMAT_FLAG_COLOR : 0u) | (alpha ? PNG_FORMAT_FLAG_ALPHA : 0u) |
+                 (out->deep ? PNG_FORMAT_FLAG_LINEAR : 0u);
+  read = read && image.width == out->columns && image.height == out->high && call.finish(&image, NULL, out->rows, 0,
+                                                                                         NULL);
+  /* "out of memory", "insufficient memory" */
+  if (ok && !read && strstr(image.message, "memory")) ok = vs_error_memory(e, NULL);
+  else if (ok && !read)
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", name,
+                      *image.message ? image.message : "the PNG file is broken");
+  call.free(&image);
+  vs_store_realloc(store, bare, size, 0);
+  if (!ok && out->rows) vs_store_realloc(store, out->rows, out->room, 0), out->rows = NULL;
+  return ok;
+}
+
+double vs_png_at(const vs_png_pixels *p, size_t pixel, unsigned channel) {
+  size_t at = pixel * p->channels + channel;
+  uint16_t two;
+  if (!p->deep) return p->rows[at] / 255.0;
+  memcpy(&two, p->rows + 2 * at, 2);
+  return two / 65535.0;
+}

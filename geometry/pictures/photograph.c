@@ -1,0 +1,46 @@
+/* Owns judging pictures that are to lie on surfaces: are they whole, how large are they, and which colour have they
+ * from afar? */
+#include "geometry/pictures/photograph.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "geometry/files/jpeg_read.h"
+#include "geometry/files/png_read.h"
+
+/* IEC 61966-2-1 */
+static double light_of(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); }
+static double screen_of(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055; }
+
+static void mean_of(const uint64_t count[3][256], double out[3]) {
+  for (int k = 0; k < 3; k++) {
+    double sum = 0, all = 0;
+    for (int i = 0; i < 256; i++) sum += (double)count[k][i] * light_of(i / 255.0), all += (double)count[k][i];
+    out[k] = all > 0 ? fmin(1, screen_of(sum / all)) : 0;
+  }
+}
+
+static bool read_png(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_photograph *out,
+                     uint64_t count[3][256], vs_error *e) {
+  vs_png_pixels p;
+  if (!vs_png_read(store, name, bytes, size, &p, e)) return false;
+  out->format = "png", out->columns = p.columns, out->rows = p.high;
+  for (size_t i = 0; i < (size_t)p.columns * p.high; i++)
+    for (unsigned k = 0; k < 3; k++) count[k][lround(255 * vs_png_at(&p, i, p.color ? k : 0))]++;
+  vs_store_realloc(store, p.rows, p.room, 0);
+  return true;
+}
+
+bool vs_photograph_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_photograph *out,
+                        vs_error *e) {
+  uint64_t count[3][256] = { { 0 } };
+  *out = (vs_photograph){ .format = "jpeg" };
+  if (size >= 8 && !memcmp(bytes, "\x89PNG\r\n\x1a\n", 8)) {
+    if (!read_png(store, name, bytes, size, out, count, e)) return false;
+  } else if (size >= 3 && !memcmp(bytes, "\xff\xd8\xff", 3)) {
+    if (!vs_jpeg_read(store, name, bytes, size, &out->columns, &out->rows, count, e)) return false;
+  } else
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: this is neither a PNG nor a JPEG picture", name);
+  mean_of((const uint64_t(*)[256])count, out->mean);
+  return true;
+}
