@@ -83,12 +83,15 @@ vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bo
   return l;
 }
 
+bool vs_look_sun_is_pictured(const vs_scene *scene) { return scene->sky_sunless != NULL && !scene->has_sun; }
+
 vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look) {
   const double degree = 3.14159265358979323846 / 180;
   if (scene->has_sun) {
     double azimuth = scene->sun_azimuth * degree, altitude = scene->sun_altitude * degree;
     return vs_v3(sin(azimuth) * cos(altitude), cos(azimuth) * cos(altitude), sin(altitude));
   }
+  if (vs_look_sun_is_pictured(scene)) return scene->picture_sun;
   /* Towards the viewer and to the left of the line of sight; seen from above, from the upper left as on maps. */
   vs_vec3 near = vs_v3(-look->forward.x, -look->forward.y, 0), left = vs_v3(-look->right.x, -look->right.y, 0);
   if (vs_v3_length(near) < 0.2) near = vs_v3(look->up.x, look->up.y, 0);

@@ -22,7 +22,10 @@ vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bo
  * */
 void vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row, vs_vec3 *from,
                  vs_vec3 *direction);
-/* Unit vector towards the sun; without a sun in the scene a good one for this look: over the viewer's left shoulder. */
+/* Is the sun that of the sky's picture? A sun of the program's own goes before it. */
+bool vs_look_sun_is_pictured(const vs_scene *scene);
+/* Unit vector towards the sun; without a sun in the scene or its sky's picture a good one for this look: over the
+ * viewer's left shoulder. */
 vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look);
 
 #endif

@@ -249,14 +249,39 @@ vs_status vs_p_sky(vs_frame *f, vs_value *out) {
   if (turbidity->given && !(turbidity->real >= VS_TURBIDITY_LEAST && turbidity->real <= VS_TURBIDITY_MOST))
     return vs_bind_refuse(f, "turbidity", "from 2 (very clear) to 10 (haze)", turbidity->value);
   const vs_picture *image = NULL;
-  if (f->key[1].given && vs_bind_sky_picture(f, f->key[1].value, &image) != VS_OK) return VS_ERROR;
+  vs_panorama_sun sun = { { 0, 0, 1 }, { 0, 0, 0 } };
+  const vs_picture *sunless = NULL;
+  if (f->key[1].given && vs_bind_sky_picture(f, f->key[1].value, &image, &sunless, &sun) != VS_OK) return VS_ERROR;
   if (f->bind->handing) return VS_OK;
-  s->sky_image = image;
+  s->sky_image = image, s->sky_sunless = sunless;
+  s->picture_sun = sun.direction, s->picture_sun_light = sun.light;
   s->turbidity = turbidity->given ? turbidity->real : 0;
   if (!f->key[0].given) return VS_OK;
   const vs_material *m = f->key[0].material;
   s->has_sky = true, s->sky[0] = m->red, s->sky[1] = m->green, s->sky[2] = m->blue;
   return VS_OK;
+}
+
+vs_status vs_p_lamp(vs_frame *f, vs_value *out) {
+  const vs_arg *k = f->key; /* ies lumens to turn dim color */
+  vs_scene_lamp l = { .at = f->arg[0].point, .dim = k[4].given ? k[4].real : 1, .color = { 1, 1, 1 } };
+  (void)out;
+  l.to = k[2].given ? k[2].point : vs_v3_add(l.at, vs_v3(0, 0, -1));
+  l.turn = k[3].given ? k[3].real : 0;
+  if (k[0].given == k[1].given) return vs_fail(f->vm, f->vm->sym.arity, "takes #:ies or #:lumens");
+  if (vs_v3_equal(l.to, l.at)) return vs_bind_refuse(f, "to", "another point than p", k[2].value);
+  l.lumens = k[1].given ? k[1].real * l.dim : 0;
+  if (k[0].given && vs_bind_lamp_file(f, k[0].value, &l.ies) != VS_OK) return VS_ERROR;
+  if (k[5].given) {
+    const vs_material *m = k[5].material;
+    const double c[] = { m->red, m->green, m->blue };
+    double x[3];
+    for (int i = 0; i < 3; i++) x[i] = c[i] <= 0.04045 ? c[i] / 12.92 : pow((c[i] + 0.055) / 1.055, 2.4);
+    double bright = 0.2126 * x[0] + 0.7152 * x[1] + 0.0722 * x[2];
+    if (!(bright > 0)) return vs_bind_refuse(f, "color", "brighter than black", k[5].value);
+    l.color = vs_v3_scale(vs_v3(x[0], x[1], x[2]), 1 / bright);
+  }
+  return f->bind->handing || vs_scene_add_lamp(&f->bind->scene, &l) ? VS_OK : vs_fail_memory(f->vm);
 }
 
 vs_status vs_p_ground(vs_frame *f, vs_value *out) {

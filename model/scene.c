@@ -37,6 +37,7 @@ void vs_scene_free(vs_scene *scene) {
   vs_store_realloc(scene->store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
   vs_store_realloc(scene->store, scene->views, scene->view_room * sizeof *scene->views, 0);
   vs_store_realloc(scene->store, scene->notes, scene->note_room * sizeof *scene->notes, 0);
+  vs_store_realloc(scene->store, scene->lamps, scene->lamp_room * sizeof *scene->lamps, 0);
   vs_store_release(scene->store);
   *scene = (vs_scene){ 0 };
 }
@@ -52,6 +53,12 @@ bool vs_scene_add_view(vs_scene *scene, const vs_scene_view *view) {
 bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note) {
   if (!vs_store_grow(scene->store, &scene->notes, &scene->note_room, scene->note_count + 1, sizeof *note)) return false;
   scene->notes[scene->note_count++] = *note;
+  return true;
+}
+
+bool vs_scene_add_lamp(vs_scene *scene, const vs_scene_lamp *lamp) {
+  if (!vs_store_grow(scene->store, &scene->lamps, &scene->lamp_room, scene->lamp_count + 1, sizeof *lamp)) return false;
+  scene->lamps[scene->lamp_count++] = *lamp;
   return true;
 }
 

@@ -49,6 +49,16 @@ typedef struct {
   const char *view;          /* interned: the one view that shows it; NULL: all that can */
 } vs_scene_note;
 
+/* A lamp: a point that shines. */
+typedef struct {
+  vs_vec3 at, to;            /* its middle direction, down of one that hangs, goes from at to to */
+  double turn;               /* degrees round that direction, anticlockwise as seen from above a lamp that hangs */
+  const vs_picture *ies;     /* the file of its intensities by direction; NULL: as bright all round */
+  double lumens;             /* without a file */
+  double dim;                /* with a file: the part of its light */
+  vs_vec3 color;             /* of its light, linear, of luminance 1 */
+} vs_scene_lamp;
+
 typedef struct {
   vs_store *store;           /* retained */
   vs_ref *drawn;             /* in drawing order; nodes retained */
@@ -64,12 +74,17 @@ typedef struct {
   size_t view_count, view_room;
   vs_scene_note *notes;
   size_t note_count, note_room;
+  vs_scene_lamp *lamps;
+  size_t lamp_count, lamp_room;
   bool has_sun;              /* else each back-end's pleasant default */
   double sun_azimuth, sun_altitude; /* degrees; azimuth clockwise from +Y */
   bool has_sky;
   double sky[3];             /* sRGB */
   double turbidity;          /* of the physical sky (geometry/sky_light.h); 0: none */
   const vs_picture *sky_image; /* the whole sky, twice as wide as high; NULL: none */
+  const vs_picture *sky_sunless; /* the same without its sun; NULL: it has none */
+  vs_vec3 picture_sun, picture_sun_light; /* unit, towards it; a surface square to it gets so much, in the picture's
+                                           * numbers times solid angles */
   bool has_ground;
   double ground_z;
   const vs_material *ground_material; /* or NULL */
@@ -84,6 +99,7 @@ double vs_scene_metres(const vs_scene *scene);        /* how many metres a lengt
 void vs_scene_free(vs_scene *scene);
 /* Names a view; one of that name is replaced. The view's texts are interned in the store. False: out of memory. */
 bool vs_scene_add_view(vs_scene *scene, const vs_scene_view *view);
+bool vs_scene_add_lamp(vs_scene *scene, const vs_scene_lamp *lamp); /* false: out of memory */
 bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* false: out of memory */
 /* The view of that name, or NULL. */
 const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name);

@@ -8,6 +8,7 @@
 
 #include "backends/povray/povray.h"
 #include "backends/povray/povray_files.h"
+#include "backends/povray/povray_lamps.h"
 #include "backends/povray/povray_sky.h"
 #include "backends/view.h"
 
@@ -111,6 +112,9 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
     vs_povray_daylight day = pov_daylight(e, l);
     vs_put_triple(w, "\n  color rgb <", day.sun, ", ", ">");
     fill *= day.fill / 0.75; /* what a level surface gets from the plain sky */
+  } else if (vs_look_sun_is_pictured(e->scene)) { /* a surface's number is its light over pi */
+    vs_vec3 light = vs_v3_scale(e->scene->picture_sun_light, 1 / 3.14159265358979323846);
+    vs_put_triple(w, "\n  color rgb <", light, ", ", ">");
   } else {
     vs_puts(w, pov_is_developed(e) ? "\n  color rgb <1, 0.95, 0.87>" : "\n  color rgb <1, 0.94, 0.84>");
     pov_word(w, " * ", pov_sun_strength(e), "");
@@ -145,7 +149,8 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
 static void pov_sky_image(vs_emitter *e) {
   vs_writer *w = e->out;
   vs_puts(w, "sky_sphere {\n  pigment { image_map { ");
-  if (!vs_povray_put_picture(e, e->scene->sky_image, 0)) w->failed = true;
+  bool taken = vs_look_sun_is_pictured(e->scene) && e->folder != NULL;
+  if (!vs_povray_put_picture(e, taken ? e->scene->sky_sunless : e->scene->sky_image, 0)) w->failed = true;
   vs_puts(w, " map_type 1 interpolate 2 } rotate x*90 rotate -z*90 }\n}\n");
 }
 
@@ -323,6 +328,7 @@ bool vs_povray_begin(vs_emitter *e) {
   pov_camera(e, &look);
   pov_sun(e, &look, diagonal);
   pov_sky(e, &look);
+  if (!vs_povray_lamps(e, pov_is_developed(e) ? 1e-4 : 1e-4 * 1.25 / 3.2)) return false;
   vs_puts(w, "\n");
   for (size_t i = 1; i <= vs_emit_material_count(e); i++)
     vs_povray_declare_material(e, vs_emit_material_at(e, i), pixel);

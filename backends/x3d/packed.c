@@ -325,6 +325,7 @@ bool vs_packed_open(vs_emitter *e) {
   if (e->scene->sky_image != NULL &&
       !vs_emit_warn_once(e, NULL, "a sky with an image is shown by POV-Ray alone: here it has one colour"))
     return false;
+  if (e->scene->lamp_count > 0 && !vs_emit_warn_once(e, NULL, "lamps shine in POV-Ray's pictures alone")) return false;
   packed_head(e);
   return !e->out->failed;
 }

@@ -323,6 +323,7 @@ static void scene_templates(vs_emitter *e, bool *said) {
 static void scene_background(vs_emitter *e) {
   if (e->scene->sky_image != NULL)
     vs_emit_warn_once(e, NULL, "a sky with an image is shown by POV-Ray alone: here it has one colour");
+  if (e->scene->lamp_count > 0) vs_emit_warn_once(e, NULL, "lamps shine in POV-Ray's pictures alone");
   if (e->scene->turbidity > 0)
     vs_emit_warn_once(e, NULL, "a physical sky is shown by POV-Ray and web pages: here it has plain colours");
   double c[3] = { 0.62, 0.76, 0.92 };

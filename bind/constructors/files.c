@@ -1,6 +1,10 @@
 /* Owns the reading of files that a program names for its geometry and its looks: meshes and pictures. */
 #include "bind/constructors/files.h"
 
+#include "geometry/light/ies.h"
+#include "geometry/light/panorama_sun.h"
+#include "geometry/light/radiance.h"
+#include "geometry/files/exr_read.h"
 #include "geometry/pictures/photograph.h"
 
 #include "vm/library/port.h"
@@ -57,8 +61,31 @@ vs_status vs_bind_picture(vs_frame *f, vs_value name, const vs_picture **out, co
   return keep_picture(f, read.format, whole, bytes, read.columns, read.rows, out);
 }
 
+/* Takes the sun out of a picture of light: *out is what is left of it, NULL where it has none. */
+static vs_status take_sun(vs_frame *f, const char *shown, const char *whole, const vs_bytes *bytes, bool exr,
+                          const vs_picture **out, vs_panorama_sun *sun) {
+  static const char *const wanted[] = { "R", "G", "B", NULL };
+  vs_store *store = f->bind->store;
+  vs_error e = { 0 };
+  vs_exr x = { .store = store };
+  unsigned char *left = NULL;
+  size_t size = 0, room = 0, length = (size_t)bytes->length;
+  if (!(exr ? vs_exr_read(store, shown, bytes->at, length, wanted, &x, &e)
+            : vs_radiance_read(store, shown, bytes->at, length, &x, &e)))
+    return vs_bind_error(f, &e);
+  bool found = vs_panorama_take_sun(&x, sun), ok = !found || vs_exr_write(&x, &left, &size, &room, &e);
+  if (ok && found) {
+    *out = vs_store_picture(store, &(vs_picture){ whole, "exr", left, size, x.columns, x.rows, 0, NULL });
+    if (!*out) ok = vs_error_memory(&e, NULL);
+  }
+  if (left) vs_store_realloc(store, left, room, 0);
+  vs_exr_free(&x);
+  return ok ? VS_OK : vs_bind_error(f, &e);
+}
+
 /* The format shows in the first bytes. */
-vs_status vs_bind_sky_picture(vs_frame *f, vs_value name, const vs_picture **out) {
+vs_status vs_bind_sky_picture(vs_frame *f, vs_value name, const vs_picture **out, const vs_picture **sunless,
+                              vs_panorama_sun *sun) {
   static const struct { const char *format; unsigned char bytes[4]; size_t count;
   } kinds[] = {
     { "png", { 0x89, 'P', 'N', 'G' }, 4 },
@@ -72,6 +99,22 @@ vs_status vs_bind_sky_picture(vs_frame *f, vs_value name, const vs_picture **out
   const vs_bytes *bytes = vs_as_bytes(r[0]);
   for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
     if ((size_t)bytes->length > 16 && !memcmp(bytes->at, kinds[i].bytes, kinds[i].count)) format = kinds[i].format;
+  *sunless = NULL;
   if (!format) return vs_bind_refuse(f, "image", "a PNG, JPEG, EXR or HDR file", name);
-  return keep_picture(f, format, whole, bytes, 0, 0, out);
+  bool exr = !strcmp(format, "exr");
+  if ((exr || !strcmp(format, "hdr")) && take_sun(f, shown, whole, bytes, exr, sunless, sun) != VS_OK) return VS_ERROR;
+  return keep_picture(f, format, whole, vs_as_bytes(r[0]), 0, 0, out);
+}
+
+vs_status vs_bind_lamp_file(vs_frame *f, vs_value name, const vs_picture **out) {
+  const char *shown, *whole;
+  vs_error e = { 0 };
+  vs_ies read;
+  VS_ROOTS(f->vm, r, 1);
+  if (file_of(f, name, &r[0], &shown, &whole) != VS_OK) return VS_ERROR;
+  const vs_bytes *bytes = vs_as_bytes(r[0]);
+  if (!vs_ies_read(f->bind->store, shown, (const char *)bytes->at, (size_t)bytes->length, &read, &e))
+    return vs_bind_error(f, &e);
+  vs_ies_free(&read);
+  return keep_picture(f, "ies", whole, bytes, 0, 0, out);
 }

@@ -10,7 +10,8 @@ static const char begin[] = "(define (stl) (load-mesh \"a.stl\")) (define (obj) 
                             "(define (ttf) (make-text (xyz 0 0 0) 1 \"aV\" #:font \"a.ttf\")) (define (otf) (make-text "
                             "(xyz 0 0 0) 1 \"fi\" #:font \"a.otf\"))"
                             "(define (hdr) (sky #:image \"a.hdr\")) (define (vs) (load \"a.vs\")) (define (json) "
-                            "(load-json \"a.json\")) (define (csv) (load-csv \"a.csv\")) (define (photo) (make-material #:image \"a.jpg\"))";
+                            "(load-json \"a.json\")) (define (csv) (load-csv \"a.csv\")) (define (photo) (make-material "
+                            "#:image \"a.jpg\")) (define (ies) (lamp (xyz 0 0 9) #:ies \"a.ies\"))";
 
 enum { TTF = 8, OTF = 13 };
 
@@ -42,7 +43,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   static const char *const readers[] = { "(stl)",          "(obj)",  "(off)", "(ply)", "(stl-repaired)",
                                          "(ply-repaired)", "(png)",  "(exr)", "(ttf)", "(hdr)",
                                          "(vs)",           "(json)", "(csv)", "(otf)",
-                                         "(photo)" };
+                                         "(photo)", "(ies)" };
   enum { READERS = sizeof readers / sizeof *readers };
   static fuzz_file file;
   if (size < 1) return 0;

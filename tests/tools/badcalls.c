@@ -71,7 +71,8 @@ static const samples contracts[] = {
 
 /* Good arguments that one procedure wants: "procedure", "parameter". NULL: the parameter is left to tests/bad/calls.txt. */
 static const struct { const char *procedure, *parameter, *good; } special[] = {
-  { "make-material", "pattern", "'bricks" }, { "make-matrix", "m00", "1" }, { "make-matrix", "m11", "1" }, { "make-matrix", "m22", "1" }, { "make-matrix", "m33", "1" },
+  { "make-material", "pattern", "'bricks" }, { "make-material", "image", NULL }, { "lamp", "p", "origin #:lumens 800" }, { "lamp", "ies", NULL }, { "lamp", "lumens", NULL },
+  { "lamp", "to", NULL }, { "lamp", "turn", NULL }, { "lamp", "dim", NULL }, { "lamp", "color", NULL }, { "make-matrix", "m00", "1" }, { "make-matrix", "m11", "1" }, { "make-matrix", "m22", "1" }, { "make-matrix", "m33", "1" },
   { "make-matrix", "m30", "0" }, { "make-matrix", "m31", "0" }, { "make-matrix", "m32", "0" },
   { "make-torus", "r", "3" }, { "make-rectangle", "q", "(xyz 3 2 0)" },
   { "make-plane", "r", "(xyz 0 5 1)" }, { "v+v", "v", "ux" }, { "matrix*", "b", "(scaling-matrix 2)" },

@@ -1,0 +1,10 @@
+/* Declares lamps as POV-Ray's lights. */
+#ifndef VS_BACKENDS_POVRAY_LAMPS_H
+#define VS_BACKENDS_POVRAY_LAMPS_H
+
+#include "backends/backend.h"
+
+/* Puts out the scene's lamps. per_candela: the scene's number of 1 cd/m2. False: the error is set. */
+bool vs_povray_lamps(vs_emitter *e, double per_candela);
+
+#endif

@@ -1,0 +1,110 @@
+/* Owns taking the sun out of a picture of a sky.
+ *
+ * A small disc of a hundred thousand times the sky's light is found by few of the rays that gather light, so that a
+ * scene that is lit by it is blotched; as a light of its own it is exact, and throws a shadow. The sun is what exceeds
+ * the light round it: within REACH of the brightest pixel all that is above the ring between REACH and RING is the
+ * sun's, its glare too; the direction is the middle of that light. */
+#include "geometry/light/panorama_sun.h"
+
+#include <math.h>
+
+static const double pi = 3.14159265358979323846;
+static const double reach = 2.5, ring = 4; /* degrees from the sun's middle */
+static const double times = 20;            /* the brightest pixel is so many times as bright as the ring, at least */
+
+typedef struct { const float *plane[3]; uint32_t columns, rows; } panorama;
+
+static double luminance_at(const panorama *p, size_t i) {
+  double sum = 0;
+  for (int k = 0; k < 3; k++) sum += vs_raster_share[k] * p->plane[k][i];
+  return isfinite(sum) ? sum : 0;
+}
+
+static double height_of(const panorama *p, uint32_t row) { return pi / 2 - (row + 0.5) * pi / p->rows; }
+static vs_vec3 direction_of(const panorama *p, uint32_t row, uint32_t column) {
+  double up = height_of(p, row), east = ((column + 0.5) / p->columns - 0.5) * 2 * pi;
+  return vs_v3(cos(up) * sin(east), cos(up) * cos(east), sin(up));
+}
+/* A pixel's solid angle: between two heights and two meridians. */
+static double angle_of(const panorama *p, uint32_t row) {
+  double top = pi / 2 - row * pi / p->rows, bottom = pi / 2 - (row + 1) * pi / p->rows;
+  return 2 * pi / p->columns * (sin(top) - sin(bottom));
+}
+
+static bool brightest(const panorama *p, uint32_t *row, uint32_t *column) {
+  double most = 0;
+  for (uint32_t y = 0; y < p->rows; y++)
+    for (uint32_t x = 0; x < p->columns; x++) {
+      double here = luminance_at(p, (size_t)y * p->columns + x);
+      if (here > most) most = here, *row = y, *column = x;
+    }
+  return most > 0;
+}
+
+typedef void each_fn(void *to, const panorama *p, size_t pixel, double angle, vs_vec3 direction);
+
+/* Calls with each pixel from `from` to `end` degrees off a direction: only the rows that may hold some are walked. */
+static void within(const panorama *p, vs_vec3 middle, double from, double end, each_fn *each, void *to) {
+  double high = asin(fmax(-1, fmin(1, middle.z)));
+  for (uint32_t y = 0; y < p->rows; y++) {
+    if (fabs(height_of(p, y) - high) * 180 / pi > end + 180. / p->rows) continue;
+    for (uint32_t x = 0; x < p->columns; x++) {
+      vs_vec3 d = direction_of(p, y, x);
+      double off = acos(fmax(-1, fmin(1, vs_v3_dot(d, middle)))) * 180 / pi;
+      if (off >= from && off < end) each(to, p, (size_t)y * p->columns + x, angle_of(p, y), d);
+    }
+  }
+}
+
+typedef struct { double light[3], angle; vs_vec3 middle; double weight, around[3]; float *plane[3]; } gathered;
+
+static void add_light(void *to, const panorama *p, size_t i, double angle, vs_vec3 d) {
+  gathered *g = to;
+  (void)d;
+  g->angle += angle;
+  for (int k = 0; k < 3; k++) g->light[k] += angle * (isfinite(p->plane[k][i]) ? p->plane[k][i] : 0);
+}
+
+static void add_excess(void *to, const panorama *p, size_t i, double angle, vs_vec3 d) {
+  gathered *g = to;
+  double sum = 0;
+  for (int k = 0; k < 3; k++) {
+    double more = fmax(0, (isfinite(p->plane[k][i]) ? p->plane[k][i] : 0) - g->around[k]) * angle;
+    g->light[k] += more;
+    sum += vs_raster_share[k] * more;
+  }
+  g->middle = vs_v3_add(g->middle, vs_v3_scale(d, sum));
+  g->weight += sum;
+}
+
+static void cover(void *to, const panorama *p, size_t i, double angle, vs_vec3 d) {
+  gathered *g = to;
+  (void)p, (void)angle, (void)d;
+  for (int k = 0; k < 3; k++)
+    if (!(g->plane[k][i] <= g->around[k])) g->plane[k][i] = (float)g->around[k];
+}
+
+bool vs_panorama_take_sun(vs_exr *x, vs_panorama_sun *sun) {
+  gathered g = { .plane = { vs_exr_find(x, "R"), vs_exr_find(x, "G"), vs_exr_find(x, "B") } };
+  panorama p = { { g.plane[0], g.plane[1], g.plane[2] }, x->columns, x->rows };
+  uint32_t row = 0, column = 0;
+  if (!p.plane[0] || !p.plane[1] || !p.plane[2] || x->columns < 64 || !brightest(&p, &row, &column)) return false;
+  double peak = luminance_at(&p, (size_t)row * x->columns + column);
+  vs_vec3 middle = direction_of(&p, row, column);
+  for (int turn = 0; turn < 2; turn++) { /* from the brightest pixel, then from the middle of the light */
+    g.angle = 0, g.weight = 0, g.middle = vs_v3(0, 0, 0);
+    for (int k = 0; k < 3; k++) g.light[k] = 0;
+    within(&p, middle, reach, ring, add_light, &g);
+    if (!(g.angle > 0)) return false;
+    double around = 0;
+    for (int k = 0; k < 3; k++) g.around[k] = g.light[k] / g.angle, around += vs_raster_share[k] * g.around[k];
+    if (peak < times * around) return false;
+    for (int k = 0; k < 3; k++) g.light[k] = 0;
+    within(&p, middle, 0, reach, add_excess, &g);
+    if (!(g.weight > 0)) return false;
+    middle = vs_v3_unit(g.middle);
+  }
+  *sun = (vs_panorama_sun){ middle, vs_v3(g.light[0], g.light[1], g.light[2]) };
+  within(&p, middle, 0, reach, cover, &g);
+  return true;
+}

@@ -1,0 +1,17 @@
+/* Declares the sun in a picture of a whole sky. */
+#ifndef VS_GEOMETRY_PANORAMA_SUN_H
+#define VS_GEOMETRY_PANORAMA_SUN_H
+
+#include "geometry/files/exr.h"
+#include "model/vec.h"
+
+typedef struct {
+  vs_vec3 direction; /* unit, towards it; the picture's middle is the north, +Y, its top the zenith */
+  vs_vec3 light;     /* the light that a surface square to it gets: the picture's numbers times their solid angles */
+} vs_panorama_sun;
+
+/* Finds the sun in a picture of light, twice as wide as high, and puts the light round it in its place. False: the
+ * picture has none, and is as it was. */
+bool vs_panorama_take_sun(vs_exr *x, vs_panorama_sun *sun);
+
+#endif

@@ -1,0 +1,12 @@
+/* Declares the reading of Radiance pictures (.hdr), in which panoramas of skies come. */
+#ifndef VS_GEOMETRY_RADIANCE_H
+#define VS_GEOMETRY_RADIANCE_H
+
+#include "geometry/files/exr.h"
+
+/* All of a file that is in memory, as channels R, G and B. name: for messages, without folders. out need not be
+ * initialised and is empty after a failure. */
+bool vs_radiance_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_exr *out,
+                      vs_error *e);
+
+#endif

@@ -1,0 +1,36 @@
+# Owns the test that a lamp lights a floor as its IES file says: luminance at some angles, in a room whose walls send nothing back, beside
+# candelas times the cube of the cosine by the height's square.
+. tests/report.sh
+
+wanted lamps || exit 0
+command -v povray > /dev/null || { echo "skip lamps: no povray (package povray)"; exit 0; }
+cp tests/lang/lib/lamps/spot.ies tests/lang/lib/lamps/asym.ies "$work"
+
+room() { # WHAT: a lamp 2 m above a grey floor, seen from 3.5 m by a lens that shows 7 m
+  echo '(define grey (make-material #:color "#808080" #:roughness 1)) (define dark (make-material #:color "#000000" #:roughness 1))'
+  echo '(draw (with-material grey (make-box (xyz -6 -6 -1/10) (xyz 6 6 0))))'
+  echo '(draw (with-material dark (subtract (make-box (xyz -6 -6 0) (xyz 6 6 4)) (make-box (xyz -5.9 -5.9 -1) (xyz 5.9 5.9 3.9)))))'
+  echo "(lamp (xyz 0 0 2) $1) (camera (xyz 0 0 3.5) origin #:lens 18)"
+}
+# CASE LAMP COLUMN ROW CANDELAS...: a floor of linear grey 0.2159 of which 0.82 goes back; the number 1 is 10,000 cd/m2
+holds() {
+  name=$1; : > "$work/why"
+  room "$2" > "$work/$name.vs"
+  "$vs" --quiet --size 200x200 "$work/$name.vs" -o "$work/$name.exr" 2>> "$work/why"
+  shift 2
+  while [ $# -ge 3 ]; do
+    "$vs" pick "$work/$name.exr" "$1" "$2" 2> /dev/null | awk -v x="$1" -v y="$2" -v candelas="$3" '
+      $1 == "light" { got = $2 } END {
+      px = ((x + .5) / 100 - 1) * 3.5; py = ((y + .5) / 100 - 1) * 3.5; away = sqrt(px * px + py * py + 4)
+      want = candelas * (2 / away) ^ 3 / 4 / 31415.93 * .82 * .2159
+      if (!(got > .98 * want && got < 1.02 * want)) print "at " x ", " y ": " got ", and " want " is wanted, within 2 percent" }' >> "$work/why"
+    shift 3
+  done
+  result "lamps:$name" "$work/why"
+}
+# intensities at the angles of these places, between the files' rows
+holds round '#:ies "spot.ies"' 100 100 998 110 100 966 130 100 776 150 100 562 170 100 396
+holds even '#:lumens 12566.37' 100 100 1000 150 100 1000
+holds dimmed '#:ies "spot.ies" #:dim 0.5' 110 100 483
+holds turned '#:ies "asym.ies" #:turn 90' 100 43 801 43 100 504
+holds straight '#:ies "asym.ies"' 157 100 797 100 43 504
