@@ -16,6 +16,7 @@
 #include "cli/prompt/repl.h"
 #include "cli/limits.h"
 #include "cli/nearby.h"
+#include "cli/batch/render_command.h"
 #include "cli/command.h"
 #include "cli/difference.h"
 #include "cli/light/exr_commands.h"
@@ -473,6 +474,12 @@ int main(int argc, char **argv) {
     vs_outcome outcome = view_model(&options);
     cli_options_free(&options);
     return (int)outcome;
+  }
+  if (options.command == CLI_COMMAND_render) {
+    hear_signals();
+    vs_outcome outcome = cli_render_command(&options, &interrupts);
+    cli_options_free(&options);
+    return fflush(stdout) == 0 || outcome != VS_OUTCOME_DONE ? (int)outcome : VS_OUTCOME_USAGE;
   }
   if (options.command == CLI_COMMAND_ast || options.command == CLI_COMMAND_check ||
       options.command == CLI_COMMAND_doc || options.command == CLI_COMMAND_translate) {

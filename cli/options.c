@@ -328,6 +328,15 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_CHECK: o->check = true; return true;
   case OPTION_JSON: o->json = true; return true;
   case OPTION_HOLD: o->held[o->held_count++] = v; return *v || bad("--hold", "''", "the name of a parameter");
+  case OPTION_SET:
+    o->sets[o->set_count++] = v;
+    return (strchr(v, '=') && *v != '=') || bad("--set", v, "NAME=VALUE, or several with commas between them");
+  case OPTION_JOBS:
+    if (!parse_whole(v, 1, 256, &whole)) return bad("--jobs", v, "a whole number from 1 to 256");
+    o->jobs = (size_t)whole;
+    return true;
+  case OPTION_MANIFEST: o->manifest = v; return *v || bad("--manifest", "''", "a file name");
+  case OPTION_SHEET: o->sheet = v; return *v || bad("--sheet", "''", "a file name");
   case OPTION_PLACED: return o->placed = true;
   case OPTION_POINTS:
     if (!parse_whole(v, 100, 100000000, &whole)) return bad("--points", v, "a whole number, 100 or more");
@@ -481,9 +490,27 @@ static bool picture_files(const cli_options *o, unsigned takes) {
   return false;
 }
 
+static bool batch_files(const cli_options *o) {
+  bool files = o->source_count > 0 && o->target_count <= 1;
+  for (size_t i = 0; i < o->source_count; i++)
+    files = files && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
+  if (!files || (o->target_count && (!*o->targets[0].path || !strcmp(o->targets[0].path, "-")))) {
+    fputs("vs render: give the files of models, and a file or a folder for the pictures, as in vs render a.vs b.vs -o "
+          "pictures\n", stderr);
+    return false;
+  }
+  if (o->interactive || o->check || (o->untrusted && o->all_views)) {
+    fprintf(stderr, "vs render: %s is for vs FILE alone\n", o->interactive ? "-i" : o->check ? "--check"
+            : "--all-views of an untrusted model");
+    return false;
+  }
+  return true;
+}
+
 /* Has the command the files that it takes, and -o only where it writes something? False: said on standard error. */
 static bool command_files(const cli_options *o, unsigned takes) {
   if (takes & CLI_TAKES_PICTURE) return picture_files(o, takes);
+  if (takes & CLI_TAKES_MANY) return batch_files(o);
   const char *name = commands[o->command - 1].name;
   size_t want = takes & (CLI_TAKES_TWO | CLI_TAKES_SCAN) ? 2 : 1;
   bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;
@@ -510,6 +537,15 @@ static bool is_command(const char *word, const char *name) {
   return !*name;
 }
 
+/* Does vs render say this itself to the run of each picture? */
+static bool is_of_batch(const char *word) {
+  static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet", "quiet"};
+  if (word[1] != '-') return word[1] == 'o' || word[1] == 'q';
+  for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+    if (strlen(own[i]) == strcspn(word + 2, "=") && !strncmp(word + 2, own[i], strlen(own[i]))) return true;
+  return false;
+}
+
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   size_t room = (size_t)argc + 1;
   cli_verdict verdict = CLI_GO;
@@ -517,12 +553,12 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   o->sources = calloc(room, sizeof *o->sources);
   o->targets = calloc(room, sizeof *o->targets);
   o->defines = calloc(room, sizeof *o->defines);
-  o->words = calloc(2 * room, sizeof *o->words);
+  o->words = calloc(4 * room, sizeof *o->words);
   if (!o->sources || !o->targets || !o->defines || !o->words) {
     fputs("vs: out of memory\n", stderr);
     return CLI_BAD_USAGE;
   }
-  o->held = o->words + room;
+  o->held = o->words + room, o->sets = o->held + room, o->passed = o->sets + room;
   bool names_only = false; /* after a -- that no model stands before */
   o->words[o->word_count++] = "vs";
   int first = 1;
@@ -539,8 +575,12 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     } else if (names_only || word[0] != '-' || !word[1])
       o->sources[o->source_count++] = (cli_source){ CLI_SOURCE_FILE, word };
     else if (strcmp(word, "--") == 0) names_only = true;
-    else if (!read_option(o, argc, argv, &i, &verdict)) return CLI_BAD_USAGE;
-    else if (verdict != CLI_GO) return verdict;
+    else {
+      int from = i;
+      if (!read_option(o, argc, argv, &i, &verdict)) return CLI_BAD_USAGE;
+      if (verdict != CLI_GO) return verdict;
+      for (; !is_of_batch(word) && from <= i; from++) o->passed[o->passed_count++] = argv[from];
+    }
   }
   unsigned takes = o->command ? commands[o->command - 1].takes : 0;
   if ((o->json && !(takes & CLI_TAKES_JSON)) || (o->xml && !(takes & CLI_TAKES_XML))) {
@@ -565,6 +605,10 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   }
   if (o->command != CLI_COMMAND_fit && (o->placed || o->held_count || o->points)) {
     fprintf(stderr, "vs: --%s is for vs fit\n", o->placed ? "placed" : o->held_count ? "hold" : "points");
+    return CLI_BAD_USAGE;
+  }
+  if (o->command != CLI_COMMAND_render && (o->set_count || o->jobs || o->manifest || o->sheet)) {
+    fputs("vs: --set, --jobs, --manifest and --sheet are for vs render\n", stderr);
     return CLI_BAD_USAGE;
   }
   bool file_first = !o->command && o->source_count && argc > 1 && o->sources[0].text == argv[1];
@@ -597,7 +641,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0) o->words[0] = o->sources[i].text;
   o->interpreter.command_line = o->words;
   o->interpreter.command_line_count = o->word_count;
-  bool formats = !(takes & (CLI_TAKES_FOLDER | CLI_TAKES_LANGUAGE));
+  bool formats = !(takes & (CLI_TAKES_FOLDER | CLI_TAKES_LANGUAGE | CLI_TAKES_MANY));
   for (size_t i = 0; formats && i < o->target_count; i++)
     if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
   for (size_t i = 0; takes & CLI_TAKES_SCAN && i < o->target_count; i++) {

@@ -29,7 +29,8 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI
        CLI_TAKES_PICTURE = 64 /* its files are EXR pictures */, CLI_TAKES_POINT = 128 /* two numbers behind the file */,
        CLI_TAKES_TARGET = 256 /* -o, once and always */,
        CLI_TAKES_SCAN = 512 /* a second file, that is read as points */,
-       CLI_TAKES_SUN = 1024 /* --place, --date and hours */ };
+       CLI_TAKES_SUN = 1024 /* --place, --date and hours */,
+       CLI_TAKES_MANY = 2048 /* any number of files; -o of a file or a folder */ };
 
 /* --frames: count runs of the model, 0 without it, in which the parameter goes in equal steps from `from` to `to`. */
 typedef struct { long count; char parameter[64]; double from, to; bool resume; } cli_frames;
@@ -51,6 +52,10 @@ typedef struct {
   double candelas;              /* cd/m2 of the number 1 in a picture; 0: not said */
   const char **held; size_t held_count; /* --hold, of vs fit; behind `words` */
   size_t points;                       /* --points; 0: the usual */
+  /* of vs render; the first two behind `held` */
+  const char **sets, **passed; size_t set_count, passed_count; /* passed: the options that are every picture's */
+  size_t jobs;                         /* 0: not said */
+  const char *manifest, *sheet;        /* NULL: not said */
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
   bool placed;
 } cli_options;

@@ -57,6 +57,7 @@ bool vs_povray_put_picture(vs_emitter *e, const vs_picture *p, size_t number) {
   }
   char *whole = realpath(p->path, NULL);
   put_string(e->out, whole != NULL ? whole : p->path);
+  vs_putf(e->out, " /* %016llx */", (unsigned long long)p->hash); /* another file is another text */
   free(whole);
   return true;
 }

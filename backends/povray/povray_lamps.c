@@ -103,6 +103,7 @@ bool vs_povray_lamps(vs_emitter *e, double per_candela) {
     vs_put_triple(w, "light_source {\n  <", vs_v3_scale(l->at, e->unit), ", ", ">\n  color rgb ");
     vs_put_triple(w, "<", vs_v3_scale(l->color, candelas * per_candela / pi / (2 * globe * globe)), ", ", ">\n");
     put_number(w, "  fade_distance ", radius, " fade_power 2\n}\n");
+    if (round) vs_putf(w, "/* %016llx */\n", (unsigned long long)l->ies->hash); /* another file is another text */
     bool ok = l->ies == NULL || round || put_globe(e, l, &ies, i + 1, radius);
     vs_ies_free(&ies);
     if (round &&

@@ -1,0 +1,397 @@
+/* Owns `vs render`: one picture for each model, set of parameters and view.
+ *
+ * A picture is up to date where the manifest of the last run has it with the same scene, the same options and the
+ * same bytes as its file has now. The scene is what the picture is rendered from, the text of its .pov: so a change of
+ * any file that the model reads is seen, and one that changes nothing to be seen is not. Every picture is a process of
+ * this program for itself, so that a model that fails takes no other with it; `--jobs` of them run at a time. */
+#define _GNU_SOURCE
+#include "cli/batch/render_command.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "cli/json.h"
+
+enum { PATH_ROOM = 4096, MOST = 100000 };
+
+typedef enum { MADE, STANDS, FAILED, NOT_TRIED } fate;
+typedef struct { uint64_t scene, bytes; double seconds; int code; fate fate; } result;
+typedef struct {
+  const char *model, *set; /* set: "a=1,b=2", or NULL */
+  char *view, *file;       /* view NULL: the model's own */
+  pid_t process;
+  int told;                /* the end of a pipe that brings the result */
+  result result;
+} picture;
+typedef struct {
+  const cli_options *options;
+  picture *at;
+  size_t count, room;
+  char *manifest, program[PATH_ROOM];
+} batch;
+
+static bool no_memory(void) { return fputs("vs: out of memory\n", stderr), false; }
+
+/* ---- which pictures ---- */
+
+/* "name" of "models/name.vs", what a file's name may not hold left out. */
+static void put_word(char *to, size_t room, const char *text, bool stem) {
+  const char *slash = strrchr(text, '/'), *from = stem && slash ? slash + 1 : text;
+  const char *dot = stem ? strrchr(from, '.') : NULL;
+  size_t used = strlen(to), length = dot && dot > from ? (size_t)(dot - from) : strlen(from);
+  for (size_t i = 0; i < length && used + 1 < room; i++) {
+    unsigned char c = (unsigned char)from[i];
+    to[used++] = c <= ' ' || c == '/' || c == 127 ? '_' : (char)c;
+  }
+  to[used] = 0;
+}
+
+static bool add_picture(batch *b, const char *model, const char *set, const char *view, const char *file) {
+  if (b->count == b->room) {
+    size_t room = 2 * b->room + 16;
+    picture *more = room <= MOST ? reallocarray(b->at, room, sizeof *more) : NULL;
+    if (!more) return no_memory();
+    b->at = more, b->room = room;
+  }
+  picture p = {.model = model, .set = set, .told = -1, .view = view ? strdup(view) : NULL, .file = strdup(file),
+               .result = {.fate = NOT_TRIED}};
+  if (!p.file || (view && !p.view)) return no_memory();
+  for (size_t i = 0; i < b->count; i++)
+    if (!strcmp(b->at[i].file, file)) {
+      fprintf(stderr, "vs render: %s would be two pictures: models of one name need folders of their own\n", file);
+      return false;
+    }
+  b->at[b->count++] = p;
+  return true;
+}
+
+/* The picture's name: of a folder FOLDER/model-set-view.png, of a file a.png a-set-view.png. */
+static bool name_picture(const batch *b, const char *model, size_t set, const char *view, char name[PATH_ROOM]) {
+  const cli_options *o = b->options;
+  const char *out = o->target_count ? o->targets[0].path : NULL, *ending = ".png";
+  struct stat is;
+  size_t length = out ? strlen(out) : 0;
+  bool folder = out && (o->source_count > 1 || out[length - 1] == '/' || (stat(out, &is) == 0 && S_ISDIR(is.st_mode)));
+  *name = 0;
+  if (folder) {
+    snprintf(name, PATH_ROOM - 200, "%s%s", out, out[length - 1] == '/' ? "" : "/");
+    put_word(name, PATH_ROOM - 200, model, true);
+  } else if (out) {
+    const char *slash = strrchr(out, '/'), *dot = strrchr(out, '.');
+    if (dot && (!slash || dot > slash)) ending = dot;
+    snprintf(name, PATH_ROOM - 200, "%.*s", (int)(dot && (!slash || dot > slash) ? dot - out : (ptrdiff_t)length), out);
+  } else { /* beside the model */
+    const char *slash = strrchr(model, '/'), *dot = strrchr(model, '.');
+    snprintf(name, PATH_ROOM - 200, "%.*s", (int)(dot && (!slash || dot > slash) ? dot - model
+                                                                                  : (ptrdiff_t)strlen(model)), model);
+  }
+  if (o->set_count) snprintf(name + strlen(name), PATH_ROOM - strlen(name), "-%zu", set + 1);
+  if (view) {
+    snprintf(name + strlen(name), PATH_ROOM - strlen(name), "-");
+    put_word(name, PATH_ROOM - 20, view, false);
+  }
+  if (strlen(name) + strlen(ending) + 1 >= PATH_ROOM)
+    return fprintf(stderr, "vs render: %s: the name is too long\n", model), false;
+  strcat(name, ending);
+  return true;
+}
+
+static void say(void *context, const vs_diagnostic *d) {
+  if (d->severity == VS_SEVERITY_ERROR)
+    fprintf(stderr, "%s:%u:%u: %s\n", d->at.file ? d->at.file : (const char *)context, d->at.line, d->at.column,
+            d->message);
+}
+
+/* With --all-views the model is run once here, for the names of its views. */
+static vs_outcome add_model(batch *b, const char *model, size_t set) {
+  const cli_options *o = b->options;
+  const char *given = o->set_count ? o->sets[set] : NULL, *view;
+  char name[PATH_ROOM];
+  if (!o->all_views)
+    return name_picture(b, model, set, NULL, name) && add_picture(b, model, given, o->output.view, name)
+               ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
+  vs_options interpreter = o->interpreter;
+  interpreter.host = (vs_host){.context = (void *)(uintptr_t)model, .diagnose = say};
+  vs_scheme *s = vs_new(&interpreter);
+  vs_outcome outcome = s ? vs_eval_file(s, model, VS_EVAL_PASS) : VS_OUTCOME_MACHINE;
+  size_t i = 0;
+  for (; outcome == VS_OUTCOME_DONE && (view = vs_view_name(s, i)) != NULL; i++)
+    if (!name_picture(b, model, set, view, name) || !add_picture(b, model, given, view, name))
+      outcome = VS_OUTCOME_USAGE;
+  if (outcome == VS_OUTCOME_DONE && i == 0 && (!name_picture(b, model, set, NULL, name) ||
+      !add_picture(b, model, given, NULL, name))) outcome = VS_OUTCOME_USAGE;
+  vs_free(s);
+  return outcome;
+}
+
+/* ---- the manifest of the last run ---- */
+
+static uint64_t hash_more(uint64_t h, const void *bytes, size_t count) { /* FNV-1a */
+  for (const unsigned char *c = bytes; count-- > 0; c++) h = (h ^ *c) * UINT64_C(0x100000001b3);
+  return h;
+}
+static const uint64_t hash_begin = UINT64_C(0xcbf29ce484222325);
+
+static bool hash_file(const char *path, uint64_t *out) {
+  unsigned char part[1 << 14];
+  FILE *f = fopen(path, "rb");
+  size_t n;
+  *out = hash_begin;
+  while (f && (n = fread(part, 1, sizeof part, f)) > 0) *out = hash_more(*out, part, n);
+  bool ok = f && !ferror(f);
+  if (f) fclose(f);
+  return ok;
+}
+
+static char *read_text(const char *path) {
+  FILE *f = fopen(path, "rb");
+  char *text = NULL;
+  size_t room = 0;
+  if (f && getdelim(&text, &room, 0, f) < 0) free(text), text = NULL;
+  if (f) fclose(f);
+  return text;
+}
+
+/* Is the file in the manifest with this scene, and are its bytes those of then? The manifest has a line a picture, as
+ * write_manifest makes it: one of other hands only costs a rendering. */
+static bool is_up_to_date(const batch *b, const picture *p, uint64_t scene) {
+  char *key = NULL, wanted[80];
+  size_t size = 0;
+  uint64_t bytes;
+  FILE *to = b->manifest && hash_file(p->file, &bytes) ? open_memstream(&key, &size) : NULL;
+  if (!to) return false;
+  fputs("{\"file\": ", to);
+  cli_json_text(to, p->file);
+  fputs(", ", to);
+  bool ok = fclose(to) == 0;
+  snprintf(wanted, sizeof wanted, "\"scene\": \"%016" PRIx64 "\", \"hash\": \"%016" PRIx64 "\"", scene, bytes);
+  const char *line = ok ? strstr(b->manifest, key) : NULL, *end = line ? strchr(line, '\n') : NULL;
+  const char *found = line ? strstr(line, wanted) : NULL;
+  free(key);
+  return found && (!end || found < end);
+}
+
+static void manifest_picture(FILE *to, const picture *p) {
+  static const char *const fates[] = {"made", "up to date", "failed", "not tried"};
+  fputs("{\"file\": ", to);
+  cli_json_text(to, p->file);
+  fputs(", \"model\": ", to);
+  cli_json_text(to, p->model);
+  fputs(", \"view\": ", to);
+  if (p->view) cli_json_text(to, p->view);
+  else fputs("null", to);
+  fputs(", \"parameters\": ", to);
+  if (p->set) cli_json_text(to, p->set);
+  else fputs("null", to);
+  fprintf(to, ", \"scene\": \"%016" PRIx64 "\", \"hash\": \"%016" PRIx64 "\", \"seconds\": ", p->result.scene,
+          p->result.bytes);
+  cli_json_number(to, p->result.seconds);
+  fprintf(to, ", \"outcome\": \"%s\"}", fates[p->result.fate]);
+}
+
+/* Writes by `fill` and takes the name last. */
+static bool write_whole(const batch *b, const char *path, void (*fill)(const batch *b, FILE *to)) {
+  char part[PATH_ROOM];
+  int n = snprintf(part, sizeof part, "%s.part", path);
+  FILE *to = n > 0 && n < (int)sizeof part ? fopen(part, "wb") : NULL;
+  if (to) fill(b, to);
+  bool ok = to && !ferror(to);
+  if (to && fclose(to) != 0) ok = false;
+  ok = ok && rename(part, path) == 0;
+  if (!ok) fprintf(stderr, "vs render: cannot write %s: %s\n", path, strerror(errno));
+  if (!ok && to) remove(part);
+  return ok;
+}
+
+static void fill_manifest(const batch *b, FILE *to) {
+  fprintf(to, "{\"vs\": \"%s\", \"pictures\": [\n", vs_version());
+  for (size_t i = 0; i < b->count; i++) {
+    manifest_picture(to, &b->at[i]);
+    fputs(i + 1 < b->count ? ",\n" : "\n", to);
+  }
+  fputs("]}\n", to);
+}
+
+static void put_html(FILE *to, const char *text) {
+  for (; *text; text++) {
+    if (*text == '<' || *text == '>' || *text == '&' || *text == '"' || *text == '\'') fprintf(to, "&#%d;", *text);
+    else fputc(*text, to);
+  }
+}
+
+/* The pictures stand in the page by their names, as seen from its folder: below it, or by their whole names. */
+static void fill_sheet(const batch *b, FILE *to) {
+  const char *sheet = b->options->sheet, *slash = strrchr(sheet, '/');
+  size_t folder = slash ? (size_t)(slash + 1 - sheet) : 0;
+  fputs("<!doctype html><meta charset=\"utf-8\"><title>Contact sheet</title>\n<style>body{font:13px sans-serif;"
+        "margin:24px;display:grid;grid-template-columns:repeat(auto-fill,minmax(300px,1fr));gap:24px}figure{margin:0}"
+        "img{width:100%;height:auto;display:block}figcaption{padding-top:6px;color:#444}</style>\n", to);
+  for (size_t i = 0; i < b->count; i++) {
+    const picture *p = &b->at[i];
+    if (p->result.fate != MADE && p->result.fate != STANDS) continue;
+    char *whole = strncmp(p->file, sheet, folder) != 0 ? realpath(p->file, NULL) : NULL;
+    fputs("<figure><img loading=\"lazy\" src=\"", to);
+    for (const char *c = whole ? whole : p->file + folder; *c; c++) {
+      if (strchr("%#?\"<>&\\ '", *c)) fprintf(to, "%%%02X", (unsigned char)*c);
+      else fputc(*c, to);
+    }
+    free(whole);
+    fputs("\"><figcaption>", to);
+    put_html(to, p->model);
+    if (p->view) fputs(", ", to), put_html(to, p->view);
+    if (p->set) fputs(", ", to), put_html(to, p->set);
+    fputs("</figcaption></figure>\n", to);
+  }
+}
+
+/* ---- one picture ---- */
+
+/* This program with the model, its options and what else the picture wants. Allocated; NULL: out of memory. */
+static const char **words_of(const batch *b, const picture *p, char **defines, bool scene) {
+  const cli_options *o = b->options;
+  size_t n = 0, room = o->passed_count + 2 * strlen(p->set ? p->set : "") + 16;
+  const char **w = reallocarray(NULL, room, sizeof *w);
+  *defines = p->set ? strdup(p->set) : NULL;
+  if (!w || (p->set && !*defines)) return free(w), NULL;
+  w[n++] = b->program;
+  for (size_t i = 0; i < o->passed_count; i++) w[n++] = o->passed[i];
+  char *rest = *defines, *one;
+  while (rest && (one = strsep(&rest, ",")) != NULL) w[n++] = "-D", w[n++] = one;
+  if (p->view) w[n++] = "--view", w[n++] = p->view;
+  w[n++] = "-q";
+  w[n++] = "-o";
+  w[n++] = scene ? "-" : p->file;
+  if (scene) w[n++] = "--format", w[n++] = "pov";
+  w[n++] = "--";
+  w[n++] = p->model;
+  w[n] = NULL;
+  return w;
+}
+
+/* Runs it; *hash: of what it writes on standard output, where that is wanted. Its exit code. */
+static int run(const batch *b, const picture *p, uint64_t *hash) {
+  int ends[2] = {-1, -1}, status = 0;
+  char *defines = NULL;
+  const char **words = words_of(b, p, &defines, hash != NULL);
+  if (!words || (hash && pipe(ends) != 0)) return free(words), free(defines), VS_OUTCOME_MACHINE;
+  pid_t child = fork();
+  if (child == 0) {
+    if (hash) dup2(ends[1], STDOUT_FILENO), close(ends[0]), close(ends[1]);
+    execv(b->program, (char **)(uintptr_t)words);
+    _exit(VS_OUTCOME_MACHINE);
+  }
+  if (hash) close(ends[1]);
+  unsigned char part[1 << 14];
+  for (ssize_t n = 1; hash && child > 0 && n != 0;) {
+    n = read(ends[0], part, sizeof part);
+    if (n > 0) *hash = hash_more(*hash, part, (size_t)n);
+    else if (n < 0 && errno != EINTR) break;
+  }
+  if (hash) close(ends[0]);
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  free(words), free(defines);
+  return child < 0 ? VS_OUTCOME_MACHINE : WIFEXITED(status) ? WEXITSTATUS(status) : VS_OUTCOME_INTERRUPTED;
+}
+
+static result make(const batch *b, const picture *p) {
+  const cli_options *o = b->options;
+  struct timespec from, to;
+  result r = {.scene = hash_begin, .fate = FAILED};
+  clock_gettime(CLOCK_MONOTONIC, &from);
+  const char *version = vs_version();
+  r.scene = hash_more(r.scene, version, strlen(version));
+  for (size_t i = 0; i < o->passed_count; i++) r.scene = hash_more(r.scene, o->passed[i], strlen(o->passed[i]) + 1);
+  r.code = run(b, p, &r.scene);
+  if (r.code == VS_OUTCOME_DONE && is_up_to_date(b, p, r.scene)) r.fate = STANDS;
+  else if (r.code == VS_OUTCOME_DONE && (r.code = run(b, p, NULL)) == VS_OUTCOME_DONE) r.fate = MADE;
+  if (r.code == VS_OUTCOME_DONE) hash_file(p->file, &r.bytes);
+  clock_gettime(CLOCK_MONOTONIC, &to);
+  r.seconds = (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);
+  return r;
+}
+
+/* ---- all of them ---- */
+
+static bool start(batch *b, picture *p) {
+  int ends[2];
+  if (pipe(ends) != 0) return false;
+  p->process = fork();
+  if (p->process == 0) {
+    close(ends[0]);
+    result r = make(b, p);
+    ssize_t sent = write(ends[1], &r, sizeof r);
+    _exit(sent == sizeof r ? 0 : 1);
+  }
+  close(ends[1]);
+  p->told = ends[0];
+  return p->process > 0;
+}
+
+static void finish(const batch *b, picture *p) {
+  result r;
+  p->result.fate = FAILED, p->result.code = VS_OUTCOME_INTERRUPTED;
+  if (read(p->told, &r, sizeof r) == sizeof r) p->result = r;
+  close(p->told);
+  p->process = 0;
+  if (b->options->quiet) return;
+  if (p->result.fate == STANDS) printf("%s: up to date\n", p->file);
+  else if (p->result.fate == MADE) printf("%s: made in %.1f s\n", p->file, p->result.seconds);
+  else printf("%s: failed\n", p->file);
+  fflush(stdout);
+}
+
+static void run_all(batch *b, const volatile sig_atomic_t *ended) {
+  size_t next = 0, running = 0, jobs = b->options->jobs > 0 ? b->options->jobs : 1;
+  while (running > 0 || (next < b->count && !*ended)) {
+    if (next < b->count && running < jobs && !*ended) {
+      if (start(b, &b->at[next])) running++;
+      else b->at[next].result.fate = FAILED, b->at[next].result.code = VS_OUTCOME_MACHINE;
+      next++;
+      continue;
+    }
+    pid_t one = waitpid(-1, NULL, 0);
+    if (one < 0 && errno != EINTR) break;
+    for (size_t i = 0; one > 0 && i < b->count; i++)
+      if (b->at[i].process == one) finish(b, &b->at[i]), running--;
+  }
+}
+
+vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t *ended) {
+  batch b = {.options = o};
+  vs_outcome outcome = VS_OUTCOME_DONE;
+  ssize_t length = readlink("/proc/self/exe", b.program, sizeof b.program - 1);
+  if (length <= 0) return fputs("vs render: where this program is cannot be found\n", stderr), VS_OUTCOME_MACHINE;
+  for (size_t i = 0; outcome == VS_OUTCOME_DONE && i < o->source_count; i++)
+    for (size_t k = 0; outcome == VS_OUTCOME_DONE && k < (o->set_count ? o->set_count : 1); k++)
+      outcome = add_model(&b, o->sources[i].text, k);
+  struct stat is;
+  const char *out = o->target_count ? o->targets[0].path : NULL;
+  bool folder = out && (o->source_count > 1 || out[strlen(out) - 1] == '/') && stat(out, &is) != 0;
+  if (outcome == VS_OUTCOME_DONE && folder && mkdir(out, 0777) != 0) {
+    fprintf(stderr, "vs render: %s: %s\n", out, strerror(errno));
+    outcome = VS_OUTCOME_USAGE;
+  }
+  if (outcome == VS_OUTCOME_DONE) {
+    char beside[PATH_ROOM];
+    const char *manifest = o->manifest;
+    if (!manifest && out && stat(out, &is) == 0 && S_ISDIR(is.st_mode) &&
+        snprintf(beside, sizeof beside, "%s/manifest.json", out) < (int)sizeof beside) manifest = beside;
+    b.manifest = manifest ? read_text(manifest) : NULL;
+    run_all(&b, ended);
+    for (size_t i = b.count; i-- > 0;)
+      if (b.at[i].result.fate == FAILED) outcome = (vs_outcome)b.at[i].result.code;
+    if (*ended) outcome = VS_OUTCOME_INTERRUPTED;
+    if (manifest && !write_whole(&b, manifest, fill_manifest) && outcome == VS_OUTCOME_DONE)
+      outcome = VS_OUTCOME_USAGE;
+    if (o->sheet && !write_whole(&b, o->sheet, fill_sheet) && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
+  }
+  for (size_t i = 0; i < b.count; i++) free(b.at[i].view), free(b.at[i].file);
+  free(b.at), free(b.manifest);
+  return outcome;
+}

@@ -1,0 +1,5 @@
+(define-parameter h 2)
+(load "shape.vs")
+(view "front door" #:from (xyz 3 -6 1.6) #:to (xyz 0.5 0.5 1))
+(view "above" 'plan)
+(draw (shape h))
