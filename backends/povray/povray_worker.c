@@ -5,13 +5,12 @@
  * wrapped at 80 columns with one space in front of what continues. It ends with 0 after warnings that mean a wrong
  * picture, so any is a failure here. A message's line leads, by the table that the driver kept, to the place in the
  * user's model. It stays in our process group: what ends us from outside (the terminal, timeout) ends it too. */
-#define _GNU_SOURCE /* prlimit */
+#define _GNU_SOURCE /* prlimit, execvpe, pipe2 */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,6 +20,7 @@
 #include <unistd.h>
 
 #include "backends/povray/povray.h"
+#include "backends/povray/povray_confine.h"
 #include "backends/povray/povray_picture.h"
 
 enum { POV_TEXT_ROOM = 1 << 16, POV_PATH_ROOM = 4096 };
@@ -129,6 +129,43 @@ static void run_quote(char *out, size_t room, const char *option, const char *na
   snprintf(out, room, "%s%c%s%c", option, quote, name, quote);
 }
 
+/* The child's part: what it hears, what it may do, and what it becomes. Only calls that are safe in a child of a
+ * process with threads. */
+static void run_become(const pov_run *r, const int errors[2], char *const *arguments, char *const *environment) {
+  static const int usual[] = { SIGINT, SIGPIPE, SIGTERM, SIGHUP };
+  sigset_t none;
+  int nothing = open("/dev/null", O_RDWR);
+  setpgid(0, 0); /* a group of its own, so that what it has started ends with it */
+  for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) signal(usual[i], SIG_DFL);
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, NULL);
+  if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(nothing, 1) < 0 || dup2(errors[1], 2) < 0) return;
+  if (nothing > 2) close(nothing);
+  close(errors[0]);
+  if (errors[1] > 2) close(errors[1]);
+  vs_povray_confine(r->folder);
+  execvpe("povray", arguments, environment);
+}
+
+/* Starts it. 0, or errno where it did not. */
+static int run_start(pov_run *r, const int errors[2], char *const *arguments, char *const *environment) {
+  int said[2], problem = 0;
+  if (pipe2(said, O_CLOEXEC) != 0) return errno;
+  r->process = fork();
+  if (r->process == 0) {
+    run_become(r, errors, arguments, environment);
+    problem = errno;
+    _exit(write(said[1], &problem, sizeof problem) < 0 ? 126 : 127);
+  }
+  if (r->process < 0) problem = errno;
+  close(said[1]);
+  while (r->process > 0 && read(said[0], &problem, sizeof problem) < 0 && errno == EINTR) continue;
+  close(said[0]);
+  if (r->process > 0) setpgid(r->process, r->process);
+  if (r->process > 0 && problem != 0) waitpid(r->process, NULL, 0);
+  return problem;
+}
+
 static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "cannot talk to POV-Ray: no pipe");
@@ -160,28 +197,7 @@ static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene) {
   for (int i = 0; i < 4 && crop[2]; i++) arguments[count++] = part[i];
   for (int i = 0; i < 3 && smooth[i]; i++) arguments[count++] = smooth[i];
   char *environment[] = { home, ini, path, "LC_ALL=C", NULL };
-  posix_spawn_file_actions_t files;
-  posix_spawnattr_t attributes;
-  sigset_t signals;
-  posix_spawn_file_actions_init(&files);
-  posix_spawnattr_init(&attributes);
-  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&files, pipe_ends[1], 2);
-  posix_spawn_file_actions_addclose(&files, pipe_ends[0]);
-  if (pipe_ends[1] > 2) posix_spawn_file_actions_addclose(&files, pipe_ends[1]);
-  sigemptyset(&signals);
-  posix_spawnattr_setsigmask(&attributes, &signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGPIPE);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGHUP);
-  posix_spawnattr_setsigdefault(&attributes, &signals);
-  /* A group of its own, so that what it has started ends with it. */
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-  int problem = posix_spawnp(&r->process, "povray", &files, &attributes, arguments, environment);
-  posix_spawn_file_actions_destroy(&files);
-  posix_spawnattr_destroy(&attributes);
+  int problem = run_start(r, pipe_ends, arguments, environment);
   close(pipe_ends[1]);
   r->errors = pipe_ends[0];
   if (problem == 0) {

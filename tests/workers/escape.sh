@@ -1,0 +1,55 @@
+# Owns the tests that a scene does not get out: POV-Ray, which a program may hand text of its own (native), writes no file but in its private folder
+# and opens no socket; and 10,000 strings of chance, as names of materials and layers and as a file's, never become directives of a scene.
+. tests/report.sh
+
+wanted escape || exit 0
+command -v povray > /dev/null || { echo "skip escape: no povray (package povray)"; exit 0; }
+
+: > "$work/why"
+for name in "$work/ESCAPED" /tmp/visualscheme-escaped; do
+  printf '(draw (native (quote povray) "#fopen F \\"%s\\" write\\n#write(F, \\"x\\")\\n#fclose F\\nsphere { 0, 1 }" #:otherwise (make-sphere origin 1)))\n' "$name" > "$work/escape.vs"
+  "$vs" -q "$work/escape.vs" -o "$work/escape.png" --size 40x30 --quality draft > /dev/null 2> "$work/err"
+  status=$?
+  if [ -e "$name" ]; then
+    rm -f "$name"
+    # a kernel without Landlock keeps nothing from being written
+    if grep -qs landlock /sys/kernel/security/lsm; then echo "$name was written" >> "$work/why"; else echo "skip escape:files: no Landlock"; break; fi
+  else
+    [ $status = 3 ] || echo "ended with $status" >> "$work/why"
+    grep -q 'escape.vs:1:7: POV-Ray: Cannot open user file' "$work/err" || { echo "said:"; cat "$work/err"; } >> "$work/why"
+  fi
+done
+result escape:files "$work/why"
+
+: > "$work/why"
+if command -v strace > /dev/null && strace -o /dev/null true 2> /dev/null; then
+  echo '(draw (make-sphere origin 1))' > "$work/ball.vs"
+  strace -f -o "$work/trace" -e trace=socket,connect "$vs" -q "$work/ball.vs" -o "$work/ball.png" --size 40x30 --quality draft 2>> "$work/why"
+  grep -a 'socket(.*= [0-9]' "$work/trace" >> "$work/why"
+  result escape:network "$work/why"
+fi
+
+# Words of POV-Ray, quotes, comments and bytes of all kinds, put together by chance; a scene's text, without its strings and comments, has the words of the
+# same scene with plain names and no others.
+: > "$work/why"
+for names in plain strange; do
+  cat > "$work/$names.vs" << PROGRAM
+(define seed 20260621)
+(define (chance n) (set! seed (modulo (+ (* 1103515245 seed) 12345) 2147483648)) (modulo (quotient seed 1000) n))
+(define pieces (vector "\"" "\\\\" "\n" "\r" "\t" "*/" "/*" "//" "#include \"/etc/passwd\"" "#write(F, 1)" "#end" "#macro X()" "#declare A = 1;" "}" "{" "union {" ";" "'" "\`" "\$(id)" "%s%n" "é" "\x2028;" "\x7f;" "\x1;" "</script>" "]]>" "global_settings" "+O/tmp/x" "-rf" " " "a" "Z9" "_" "<1,2>" "::" "&quot;"))
+(define (word) (apply string-append (for/list ((i (+ 1 (chance 6)))) (vector-ref pieces (chance (vector-length pieces))))))
+(define (name i) (let ((w (word))) (if (string=? "$names" "plain") "plain" w)))
+(draw (for/list ((i 5000)) (layer (name i) (with-material (make-material #:name (name i) #:color (list (/ (modulo i 50) 50) 0.5 0.5)) (make-box (xyz i 0 0) (xyz (+ i 1/2) 1 1))))))
+PROGRAM
+  file=$work/$names; [ $names = plain ] || file="$work/#include \"a\" } strange"
+  [ $names = plain ] || mv "$work/strange.vs" "$file.vs"
+  "$vs" -q "$file.vs" -o "$work/$names.pov" 2>> "$work/why"
+  # Strings first, since a // within is none; then comments; then the words and signs, of names of materials the number alone
+  sed 's/"\(\\.\|[^"\\]\)*"/STRING/g; s,//.*,,; s,/\*[^*]*\*/,,g' "$work/$names.pov" | sed 's/\bM\([0-9]*\)_*[A-Za-z0-9_]*\b/M\1/g' | grep -o '#*[A-Za-z_][A-Za-z0-9_]*\|[{}"#]' | sort | uniq -c | sort -k2 |
+    grep -v ' [MT][0-9]*$' > "$work/$names.words"
+done
+[ "$(grep -c 'box {' "$work/strange.pov")" = 5000 ] || echo "the scene has not its 5000 boxes" >> "$work/why"
+cut -c9- "$work/plain.words" > "$work/plain.set"; cut -c9- "$work/strange.words" > "$work/strange.set"
+diff "$work/plain.set" "$work/strange.set" >> "$work/why"
+"$vs" -q "$file.vs" -o "$work/strange.png" --size 60x40 --quality draft 2>> "$work/why" || echo "POV-Ray does not take the scene" >> "$work/why"
+result escape:names "$work/why"
