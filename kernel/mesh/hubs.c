@@ -7,7 +7,12 @@
  * counter-clockwise, where det(p, q, d) > 0. If that holds for all, each follows another along an edge, and the angles
  * come to one turn in all, none overlaps another. d is the mean normal, the determinants' signs are held to their
  * error, and the sum to a whole number of turns, of which it is a multiple: so one look around proves it, in n log n
- * for the order. Pairs without a proof are tried as ever. */
+ * for the order. Pairs without a proof are tried as ever.
+ *
+ * Of a cone in a cone all boxes meet, too. If the triangles around a hub bend one way everywhere, they bound a convex
+ * cone; a triangle whose corners lie within is apart from all of them. A corner is within where it is on the inner side
+ * of the triangle that it is before, as seen along d, and its angle tells which triangle this is. Hubs that lie in each
+ * other become one family, again in n log n. */
 #include "kernel/mesh/hubs.h"
 
 #include <math.h>
@@ -104,6 +109,130 @@ static size_t end_of_hub(const search *c, size_t i) {
   return end;
 }
 
+/* ---- hubs within hubs ---- */
+
+enum { NESTED = 64 }; /* hubs that are tried against each other, at most */
+
+/* The triangles around a hub in their order, where they bound a convex cone: its edges, as seen from the hub. */
+typedef struct {
+  vs_vec3 hub, d, u, v; /* u, v: across d */
+  double side;          /* the cone is on that side of the hub, along d */
+  size_t first, count;  /* of the edges, their far corners and their angles */
+  bool convex;
+} cone;
+typedef struct {
+  VS_LIST(vs_vec3) edges;
+  VS_LIST(vs_vec3) corners;
+  VS_LIST(double) angles;
+  VS_LIST(cone) cones;
+} cones;
+
+static int turn_of(vs_vec3 p, vs_vec3 q, vs_vec3 d) { return turns(p, q, d) ? 1 : turns(q, p, d) ? -1 : 0; }
+
+/* Is x, as seen from the hub, surely on the inner side of the triangle between that edge and the next? */
+static bool under(const cones *c, const cone *w, size_t i, vs_vec3 x) {
+  return turn_of(c->edges.at[w->first + i % w->count], c->edges.at[w->first + (i + 1) % w->count], x) == w->side;
+}
+
+static double angle_of(const cone *w, vs_vec3 x) { return atan2(vs_v3_dot(x, w->v), vs_v3_dot(x, w->u)); }
+
+/* The spokes [first, end), which go round their hub once, as a cone. */
+static bool make_cone(vs_kernel *k, const search *s, size_t first, size_t end, cones *c) {
+  cone w = { .hub = s->m->corner(s->m->context, at(s, first)->hub), .first = c->edges.count };
+  for (size_t i = first; i < end; i++)
+    w.d = vs_v3_add(w.d, vs_v3_unit(vs_v3_cross(vs_v3_sub(s->m->corner(s->m->context, at(s, i)->next), w.hub),
+                                                vs_v3_sub(s->m->corner(s->m->context, at(s, i)->last), w.hub))));
+  w.d = vs_v3_unit(w.d);
+  const spoke *x = at(s, first);
+  for (size_t i = first; i < end; i++, x = following(s, first, end, x->last)) {
+    vs_vec3 far = s->m->corner(s->m->context, x->next);
+    if (!VS_PUSH(k, c->corners, far) || !VS_PUSH(k, c->edges, vs_v3_sub(far, w.hub))) return false;
+  }
+  const vs_vec3 *p = c->edges.at + w.first;
+  size_t n = w.count = end - first;
+  w.side = vs_v3_dot(p[0], w.d) > 0 ? 1 : -1;
+  w.convex = true;
+  for (size_t i = 0; w.convex && i < n; i++) {
+    double along = vs_v3_dot(p[i], w.d) * w.side;
+    w.convex = along > 1e-14 * (fabs(p[i].x * w.d.x) + fabs(p[i].y * w.d.y) + fabs(p[i].z * w.d.z)) &&
+               turn_of(p[i], p[(i + 1) % n], p[(i + 2) % n]) == w.side;
+  }
+  w.u = vs_v3_unit(vs_v3_sub(p[0], vs_v3_scale(w.d, vs_v3_dot(p[0], w.d))));
+  w.v = vs_v3_cross(w.d, w.u);
+  for (size_t i = 0; i < n; i++) {
+    double angle = i ? angle_of(&w, p[i]) : 0;
+    if (!VS_PUSH(k, c->angles, angle < 0 ? angle + 6.283185307179586 : angle)) return false;
+  }
+  return VS_PUSH(k, c->cones, w);
+}
+
+/* Is the place surely within? It has to be so for three triangles, in whose angle together it surely is. */
+static bool within(const cones *c, const cone *w, vs_vec3 place) {
+  vs_vec3 x = vs_v3_sub(place, w->hub);
+  double angle = angle_of(w, x);
+  if (angle < 0) angle += 6.283185307179586;
+  size_t low = 0, high = w->count; /* the last edge that begins before */
+  while (high - low > 1) {
+    size_t middle = low + (high - low) / 2;
+    if (c->angles.at[w->first + middle] <= angle) low = middle;
+    else high = middle;
+  }
+  size_t from = low + w->count - 1; /* the edge before */
+  vs_vec3 p = c->edges.at[w->first + from % w->count], q = c->edges.at[w->first + (from + 3) % w->count];
+  return turns(p, q, w->d) && turns(p, x, w->d) && turns(x, q, w->d) && under(c, w, from, x) &&
+         under(c, w, from + 1, x) && under(c, w, from + 2, x);
+}
+
+/* Does all that is around hub b lie within the cone of a? The hub itself is held against every triangle: it may lie on
+ * d. */
+static bool holds(const cones *c, const cone *a, const cone *b) {
+  vs_vec3 x = vs_v3_sub(b->hub, a->hub);
+  if (!a->convex) return false;
+  for (size_t i = 0; i < a->count; i++)
+    if (!under(c, a, i, x)) return false;
+  for (size_t i = 0; i < b->count; i++)
+    if (!within(c, a, c->corners.at[b->first + i])) return false;
+  return true;
+}
+
+/* Hubs that lie in each other become one family: that of the first of them. */
+static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
+  size_t count = out->corners.count;
+  cones c = { .cones = { 0 } };
+  uint32_t family[NESTED];
+  bool ok = true, any = false;
+  if (count < 2 || count > NESTED) return true;
+  for (size_t i = 0, end, hub = 0; ok && hub < count; i = end) {
+    end = end_of_hub(s, i);
+    if (at(s, i)->hub != out->corners.at[hub]) continue;
+    ok = make_cone(k, s, i, end, &c);
+    hub++;
+  }
+  for (size_t i = 0; ok && i < count; i++) {
+    family[i] = (uint32_t)i;
+    for (size_t f = 0; family[i] == i && f < i; f++) {
+      if (family[f] != f) continue;
+      bool apart = true; /* from all that are in the family */
+      for (size_t j = f; apart && j < i; j++)
+        apart = family[j] != f || holds(&c, &c.cones.at[j], &c.cones.at[i]) ||
+                holds(&c, &c.cones.at[i], &c.cones.at[j]);
+      if (apart) family[i] = (uint32_t)f, any = true;
+    }
+    ok = vs_kernel_report(k, k->part);
+  }
+  for (size_t t = 0; ok && any && t < out->of.count; t++) {
+    size_t hub = 0;
+    if (out->of.at[t] == UINT32_MAX) continue;
+    while (out->corners.at[hub] != out->of.at[t]) hub++;
+    out->of.at[t] = out->corners.at[family[hub]];
+  }
+  VS_DROP(k, c.edges);
+  VS_DROP(k, c.corners);
+  VS_DROP(k, c.angles);
+  VS_DROP(k, c.cones);
+  return ok;
+}
+
 static bool prove(vs_kernel *k, const search *c, vs_hubs *out) {
   if (!VS_ROOM(k, out->of.at, out->of.room, c->m->triangle_count)) return false;
   memset(out->of.at, 0xff, c->m->triangle_count * sizeof *out->of.at); /* none */
@@ -121,7 +250,7 @@ static bool prove(vs_kernel *k, const search *c, vs_hubs *out) {
     out->edges += edges_within(c, out, i, end);
     hub++;
   }
-  return true;
+  return join_nested(k, c, out);
 }
 
 bool vs_hubs_find(vs_kernel *k, const vs_fans *m, vs_hubs *out) {

@@ -14,7 +14,8 @@ typedef struct {
   const void *context;
 } vs_fans;
 
-/* Hubs around which all triangles meet in their edges alone. */
+/* Hubs around which all triangles meet in their edges alone; those of a hub that lies within another's convex cone are
+ * apart from that one's and may have its name. */
 typedef struct {
   VS_LIST(uint32_t) of;      /* of each triangle: such a corner of it, or UINT32_MAX. Empty: there are none */
   VS_LIST(uint32_t) corners; /* the hubs */

@@ -16,6 +16,7 @@
 #include "kernel/mesh/bvh.h"
 #include "kernel/mesh/hubs.h"
 #include "kernel/mesh/inspect.h"
+#include "kernel/mesh/triangles_apart.h"
 #include "tests/oracle/sx.c"
 #include "visualscheme.h"
 
@@ -160,6 +161,84 @@ static void test_hubs(void **state) {
     assert_false(is_proven(OPEN, n));
   }
   assert_false(is_proven(CONE, 60)); /* so few are tried */
+}
+
+/* A cone about hub `tip`, with a rim of n corners round a place; its radius swings by `waves` of itself. */
+static void add_cone(vs_mesh *m, vs_vec3 tip, vs_vec3 middle, double radius, double waves, uint32_t n, bool inwards) {
+  uint32_t hub, first = (uint32_t)m->vertex_count + 1, id;
+  assert_true(vs_mesh_add_vertex(m, tip, &hub));
+  for (uint32_t i = 0; i < n; i++) {
+    double angle = 2 * acos(-1) * i / n, r = radius * (1 + waves * cos(5 * angle));
+    assert_true(vs_mesh_add_vertex(m, vs_v3_add(middle, vs_v3(r * cos(angle), r * sin(angle), 0)), &id));
+  }
+  for (uint32_t i = 0; i < n; i++) {
+    uint32_t p = first + i, q = first + (i + 1) % n;
+    assert_true(vs_mesh_add_triangle(m, hub, inwards ? q : p, inwards ? p : q));
+  }
+}
+
+/* How many families the mesh's triangles are, 0: some are of no hub. Every two of one family share an edge or are told
+ * to be apart. */
+static size_t families_in(vs_mesh *m) {
+  vs_kernel_options options = { .threads = 1 };
+  vs_kernel_error e = { 0 };
+  vs_kernel k = { .options = &options, .error = &e, .threads = 1 };
+  vs_fans fans = { (const uint32_t (*)[3])m->triangles, m->triangle_count, m->vertex_count, NULL, corner_of, m };
+  vs_hubs hubs = { .edges = 0 };
+  size_t count = 0;
+  int shared;
+  assert_true(vs_hubs_find(&k, &fans, &hubs));
+  assert_int_equal(hubs.of.count, m->triangle_count);
+  bool all = hubs.edges == m->triangle_count; /* of each hub by itself */
+  for (uint32_t a = 0; a < m->triangle_count; a++) {
+    count += a == 0 || hubs.of.at[a] > hubs.of.at[a - 1];
+    for (uint32_t b = 0; b < a; b++) {
+      bool tried = hubs.of.at[a] == UINT32_MAX || hubs.of.at[a] != hubs.of.at[b];
+      if (tried || m->triangles[a][0] == m->triangles[b][0]) continue;
+      vs_vec3 x[3], y[3];
+      for (int j = 0; j < 3; j++) x[j] = m->vertices[m->triangles[a][j]], y[j] = m->vertices[m->triangles[b][j]];
+      assert_true(vs_triangles_apart(x, y, &shared) && shared == 0);
+    }
+  }
+  vs_hubs_free(&k, &hubs);
+  assert_int_equal(k.bytes, 0);
+  vs_mesh_free(m);
+  return all ? count : 0;
+}
+
+static size_t two_cones(vs_vec3 tip, vs_vec3 middle, double radius, double waves, bool inwards) {
+  vs_mesh m = { 0 };
+  add_cone(&m, vs_v3(0, 0, 2), vs_v3(0, 0, 0), 1, waves, 100, false);
+  add_cone(&m, tip, middle, radius, 0, 90, inwards);
+  return families_in(&m);
+}
+
+static void test_hubs_in_hubs(void **state) {
+  (void)state;
+  for (int inwards = 0; inwards < 2; inwards++) {
+    assert_int_equal(two_cones(vs_v3(0, 0, 1.99), vs_v3(0, 0, 0), 0.99, 0, inwards), 1); /* a thin shell */
+    assert_int_equal(two_cones(vs_v3(0.1, 0.2, 1), vs_v3(0.1, 0, 0.2), 0.5, 0, inwards), 1);
+    assert_int_equal(two_cones(vs_v3(0, 0, -3), vs_v3(0, 0, -1), 1.3, 0, inwards), 1);        /* below the rim */
+    assert_int_equal(two_cones(vs_v3(0, 0, 2.01), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);       /* through the tip */
+    assert_int_equal(two_cones(vs_v3(0, 0, 1.9), vs_v3(0.3, 0, 0), 0.75, 0, inwards), 2);     /* through a side */
+    assert_int_equal(two_cones(vs_v3(0, 0, 2), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);          /* touches the tip */
+    assert_int_equal(two_cones(vs_v3(0, 0, 1.5), vs_v3(0, 0, 0), 0.5, 0.3, inwards), 2);      /* not convex */
+    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -10), 9, 0.3, inwards), 2);       /* nothing round it */
+    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -1), 9, 0.3, inwards), 1);        /* round the other */
+  }
+  vs_mesh m = { 0 };
+  for (int i = 0; i < 4; i++) add_cone(&m, vs_v3(1e3, 0, 2 - 0.01 * i), vs_v3(1e3, 0, 0), 1 - 0.02 * i, 0, 80, i % 2);
+  add_cone(&m, vs_v3(1e3 + 0.9, 0, 1.5), vs_v3(1e3 + 0.9, 0, 0), 0.5, 0, 80, false); /* through their walls */
+  assert_int_equal(families_in(&m), 2);
+  size_t within = 0, apart = 0;
+  for (uint32_t i = 0; i < 300; i++) { /* at random: no false proof */
+    double at[6];
+    for (int j = 0; j < 6; j++) at[j] = (double)((i * 6 + (uint32_t)j + 1) * 2654435761u % 1000) / 1000;
+    vs_vec3 tip = vs_v3(at[0] - 0.5, at[1] - 0.5, 2 * at[2]), middle = vs_v3(at[3] - 0.5, at[4] - 0.5, 0);
+    size_t families = two_cones(tip, middle, 0.1 + at[5] / 2, 0, i % 2);
+    within += families == 1, apart += families == 2;
+  }
+  assert_true(within > 20 && apart > 20);
 }
 
 /* A cup: fans about the middles of its bottom, which are hubs, and walls between four rings. Its middle does not see
@@ -323,7 +402,7 @@ static void test_many_meshes(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_levels), cmocka_unit_test(test_crowd_is_found),
-      cmocka_unit_test(test_hubs), cmocka_unit_test(test_meshes_with_hubs),
+      cmocka_unit_test(test_hubs), cmocka_unit_test(test_hubs_in_hubs), cmocka_unit_test(test_meshes_with_hubs),
       cmocka_unit_test(test_combined_with_hubs), cmocka_unit_test(test_families), cmocka_unit_test(test_many_meshes) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
