@@ -35,7 +35,7 @@ for name in light daylight evening; do
   if command -v povray > /dev/null; then "$BUILD/vs" --quiet "$work/$name.vs" --size 480x360 -o "$work/$name.png" || echo "not ok page/$name: ended with $?"
   else echo "skip page/$name: no POV-Ray (package povray)"; fi
 done
-timeout 600 node tests/page/page.mjs "$work" || echo "not ok page: ended with $?"
+timeout 1500 node tests/page/page.mjs "$work" || echo "not ok page: ended with $?"
 
 # .x3d files: what each kind of node becomes, instances, and two examples.
 mkdir "$work/x3d"
