@@ -92,7 +92,7 @@ struct vs_backend {
   bool (*render)(vs_emitter *e, const char *text_path, const char *output_path);
   /* Writes what belongs beside e->path (an .mtl), after the text. NULL: nothing. */
   bool (*beside)(vs_emitter *e);
-  vs_marks highlights, ghosts; /* how it shows them (settle.h) */
+  vs_mark_style highlights, ghosts; /* how it shows them (passes/sugar.h) */
   bool ghosts_in_drafts;   /* and ghosts in pictures of the draft quality alone */
   const char *family;      /* a name for several formats, beside their own; NULL: its own alone */
   const char *native;      /* whose text of `native` it takes, of targets.def; NULL: none */

@@ -66,7 +66,7 @@ static bool lower_is_area_set(const vs_node *n) {
 }
 
 bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {
-  vs_plane plane, other;
+  vs_shape_plane plane, other;
   if (!lower_is_area_set(n)) return false;
   if (n->kind != VS_UNION) return true;
   if (vs_emit_is_painted(e, n) || vs_node_plane(n, &plane) != VS_PLANE_ONE) return false;

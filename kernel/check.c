@@ -19,7 +19,7 @@ static double step_volume(const vs_grid *g) {
   return step * step * step * fabs(vs_affine_determinant(&g->frame));
 }
 
-static double box_volume(const vs_box *b) {
+static double box_volume(const vs_bvh_box *b) {
   double v = 1;
   for (int a = 0; a < 3; a++) v *= (double)b->max[a] - b->min[a];
   return v > 0 ? v : 0;
@@ -69,8 +69,8 @@ bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kern
   return true;
 }
 
-static vs_box common_box(const vs_box *x, const vs_box *y) {
-  vs_box b;
+static vs_bvh_box common_box(const vs_bvh_box *x, const vs_bvh_box *y) {
+  vs_bvh_box b;
   for (int a = 0; a < 3; a++)
     b.min[a] = x->min[a] > y->min[a] ? x->min[a] : y->min[a], b.max[a] = x->max[a] < y->max[a] ? x->max[a] : y->max[a];
   for (int a = 0; a < 3; a++)
@@ -78,19 +78,19 @@ static vs_box common_box(const vs_box *x, const vs_box *y) {
   return b;
 }
 
-static void unite_box(vs_box *x, const vs_box *y) {
+static void unite_box(vs_bvh_box *x, const vs_bvh_box *y) {
   for (int a = 0; a < 3; a++) {
     if (y->min[a] < x->min[a]) x->min[a] = y->min[a];
     if (y->max[a] > x->max[a]) x->max[a] = y->max[a];
   }
 }
 
-typedef struct { double least, most; vs_box box; } bounds; /* of a leaf or a term, in steps; other clusters' leaves hold
-                                                            * nothing here */
+typedef struct { double least, most; vs_bvh_box box; } bounds; /* of a leaf or a term, in steps; other clusters' leaves
+                                                            * hold nothing here */
 
 /* A term's, of its operands'. */
 static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
-  vs_box both = common_box(&a.box, &b->box);
+  vs_bvh_box both = common_box(&a.box, &b->box);
   switch (kind) {
   case VS_TERM_UNION:
     a.least = fmax(a.least, b->least);
@@ -200,7 +200,7 @@ bool vs_holds_patches(const vs_cluster *c) {
 
 bool vs_holds_cuts(const vs_cluster *c) {
   for (size_t i = 0; i < c->cuts.count; i++) {
-    const vs_cut *cut = &c->cuts.at[i];
+    const vs_facet_cut *cut = &c->cuts.at[i];
     if (cut->facet >= c->facets.count || cut->p >= point_count(c) || cut->q >= point_count(c)) return false;
     if (cut->plane != VS_NONE && cut->plane >= plane_count(c)) return false;
   }

@@ -59,7 +59,8 @@ typedef struct { int32_t at[2][3]; } vs_line;        /* an edge of the input, by
 #define VS_LINE (UINT32_C(1) << 31)
 
 typedef struct { uint32_t low, high; } vs_edge; /* input vertices */
-typedef struct { uint32_t facet, p, q, plane; } vs_cut; /* p to q lies in the facet, and in plane; p == q: a point */
+typedef struct { uint32_t facet, p, q, plane; } vs_facet_cut; /* p to q lies in the facet, and in plane; p == q: a
+                                                               * point */
 
 typedef struct { uint32_t leaf; int32_t delta; } vs_cover;
 typedef struct {
@@ -92,7 +93,7 @@ typedef struct {
   uint32_t first;     /* of its mesh's vertices, in `corners` */
   size_t first_triangle; /* in `fate` */
   bool searched;      /* some may be plain */
-  vs_box box;         /* in steps */
+  vs_bvh_box box;         /* in steps */
   vs_affine to_local; /* steps -> where its part lies; filled where it is a lid */
   double margin;      /* two steps, there */
   double middle[3];   /* of the part, in steps; and squares of radii about it, in steps: within the first (less the
@@ -103,7 +104,7 @@ typedef struct {
   uint32_t lids_first, lids_count; /* into `lids`, from a multiple of four on: those whose boxes meet its own */
   uint32_t lines;     /* that a large leaf was asked for; and the index of its triangles, made when they were many */
   vs_bvh bvh;
-  vs_box *bvh_boxes;
+  vs_bvh_box *bvh_boxes;
   size_t bvh_box_room;
 } vs_placed;
 
@@ -119,7 +120,7 @@ typedef struct {
   int32_t (*corners)[3];  /* of every leaf's mesh, on the grid */
   size_t corner_room;
   vs_bvh leaf_bvh;        /* over placed[].box */
-  VS_LIST(vs_box) leaf_boxes;
+  VS_LIST(vs_bvh_box) leaf_boxes;
   VS_LIST(uint32_t) lids; /* places in `leaves` */
   VS_LIST(vs_pack) lid_boxes; /* theirs, by four */
   VS_LIST(_Atomic uint8_t) fate; /* of every leaf's mesh's triangles; empty: all are arranged */
@@ -135,9 +136,9 @@ typedef struct {
   VS_LIST(uint32_t) facet_triangles;
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) patch_corners;
-  VS_LIST(vs_box) boxes; /* of the patches */
+  VS_LIST(vs_bvh_box) boxes; /* of the patches */
   vs_bvh bvh;
-  VS_LIST(vs_cut) cuts;
+  VS_LIST(vs_facet_cut) cuts;
   VS_LIST(vs_edge) edge_of; /* of a point: one that it lies on, where meeting made it; else both ends are 0. Until
                              * planes are arranged */
   VS_LIST(vs_face) faces;
@@ -163,7 +164,7 @@ typedef struct {
 } vs_cluster;
 
 /* Widens the box, in steps, to hold the point. A coordinate that is no whole step is less than the greatest one. */
-static inline void vs_box_add_point(vs_box *b, const vs_point *p) {
+static inline void vs_box_add_point(vs_bvh_box *b, const vs_point *p) {
   for (int a = 0; a < 3; a++) {
     bool whole = vs_point_exact(p) && !(p->fixed[a] & (((int64_t)1 << VS_FIXED_BITS) - 1));
     int32_t low = (int32_t)(p->fixed[a] >> VS_FIXED_BITS), high = low + !whole;
@@ -222,7 +223,7 @@ enum { VS_LIDS = 48 };
 bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks);
 bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* false: all masks would be 0 */
 /* Shrinks the box of a patch of the leaf to what the balls within lids leave of it. */
-void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *corners, uint32_t count, vs_box *box);
+void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *corners, uint32_t count, vs_bvh_box *box);
 /* Is the point, in steps, well inside a lid that is near the leaf at that place? */
 bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]);
 /* Is the segment, in steps, well inside a lid that is near the leaf at that place, but not the other leaf? */

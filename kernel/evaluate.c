@@ -54,7 +54,7 @@ static bool bound_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bo
  * out; parent: beside it, which cluster. */
 static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent,
                           uint32_t *order, uint32_t *count) {
-  vs_box *boxes = NULL;
+  vs_bvh_box *boxes = NULL;
   uint32_t *scratch = NULL;
   size_t box_room = 0, scratch_room = 0;
   vs_bvh bvh = { 0 };

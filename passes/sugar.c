@@ -112,7 +112,7 @@ static bool sugar_shrink(const sugar_walk *w, const vs_node *n, vs_affine *place
 
 static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   static const double colors[2][3] = { { .86, .16, .12 }, { .55, .58, .62 } };
-  vs_marks how = ghost ? w->options->ghosts : w->options->highlights;
+  vs_mark_style how = ghost ? w->options->ghosts : w->options->highlights;
   vs_ref child = at->ref.node->children[0];
   vs_affine placed = at->placed;
   if (w->count >= MARKS_MOST) return true;

@@ -16,10 +16,10 @@ typedef enum {
   VS_MARKS_DROP,  /* solids: nothing is shown that is not there */
   VS_MARKS_PAINT, /* beside the drawing, in translucent red (highlight) and grey (ghost) */
   VS_MARKS_KEEP   /* the target has words of its own: highlight stays where it is, ghosts stand beside the drawing */
-} vs_marks;
+} vs_mark_style;
 
 typedef struct {
-  vs_marks highlights, ghosts;
+  vs_mark_style highlights, ghosts;
   const char *target; /* of targets.def, or NULL: no native text */
   const char *output; /* what the format is called in messages: ".stl"; NULL: what native text has nothing for it is not
                        * spoken of */

@@ -5,7 +5,7 @@
 #   arrows     an include follows scripts/layers.list
 #   globals    no object of the library has mutable data (cli/ has some: a signal handler gets no context)
 #   rooms      a folder of a layer holds at most 25 files, and each has a README.md
-#   names      no two source files of different folders share a base name (live/ has three that do)
+#   names      no two source files of different folders share a base name, and no two headers have a type of one name
 #   ratchets   the counts of scripts/layers.limits: what cannot be zero at once may only fall
 set -u
 build=$1
@@ -55,6 +55,15 @@ find $layers -name '*.[ch]' -o -name '*.def' -o -name '*.scm' | awk '{
     if (!(base in seen)) seen[base] = folder
     else if (seen[base] != folder) print $0 ": " seen[base] " has a file of this base name already"
   }' > "$work/names"
+
+grep '\.h$' "$work/sources" | xargs grep -HoE '^\} vs_[a-z_0-9]+;|^typedef [^(]*[ *]vs_[a-z_0-9]+;' | sed -E 's/^([^:]*):.*[ *](vs_[a-z_0-9]+);$/\2 \1/' | sort -u | awk '
+  $1 == type && $2 != header && !/_s$/ { print $2 ": the type " type " stands in " header " already" }
+  { type = $1; header = $2 }' > "$work/types"
+while read -r line; do
+  # a name that is announced before it is defined is one type
+  type=$(echo "$line" | sed 's/.*the type \(vs_[a-z_0-9]*\) .*/\1/')
+  [ "$(xargs grep -lE "^\} $type;|^struct $type \{|^typedef (struct|enum)[a-z_ ]*\{.*\} $type;" < "$work/sources" | grep -c '\.h$')" -le 1 ] || echo "$line" >> "$work/wrong"
+done < "$work/types"
 
 # ---- ratchets ----
 limit() { # NAME COUNT WHERE: what the count is of, and where to look

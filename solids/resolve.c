@@ -330,7 +330,7 @@ static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
     vs_bounds b;
     ok = vs_region_outline(whole.node, &f, &o, p->r->error);
     if (ok) {
-      vs_plane flat = { .point = o.point, .normal = o.normal };
+      vs_shape_plane flat = { .point = o.point, .normal = o.normal };
       ok = vs_node_bounds(whole.node, &b, p->r->error) &&
            (!o.count || keep_piece(p, vs_slice_region(whole, &flat, &b, p->plane->point, p->plane->normal)));
       vs_outline_free(&o);

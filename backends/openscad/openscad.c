@@ -367,7 +367,7 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
  * in *z. */
 static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   enum { MOST = 2000, DEEPEST = 60 };
-  vs_plane plane;
+  vs_shape_plane plane;
   const vs_node *n = root->node, *set = n;
   while (set->kind == VS_TRANSFORM || set->kind == VS_LAYER || set->kind == VS_MATERIAL) set = set->children[0].node;
   if (!vs_node_is_set(set) || n->class_ != VS_REGION_CLASS || n->depth > DEEPEST || vs_emit_is_painted(e, n) ||

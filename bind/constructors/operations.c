@@ -26,7 +26,7 @@ static vs_status same(vs_frame *f, vs_ref ref, vs_value *out) { return vs_bind_n
 typedef enum { AREAS_NOT, AREAS_APART, AREAS_ONE_PLANE } areas;
 
 /* Are these (empty ones aside) areas, and of one plane? a and b: two whose planes differ. */
-static areas look_at_areas(const vs_ref *ref, size_t n, vs_plane *a, vs_plane *b) {
+static areas look_at_areas(const vs_ref *ref, size_t n, vs_shape_plane *a, vs_shape_plane *b) {
   bool any = false;
   for (size_t i = 0; i < n; i++) {
     const vs_node *o = ref[i].node;
@@ -34,7 +34,7 @@ static areas look_at_areas(const vs_ref *ref, size_t n, vs_plane *a, vs_plane *b
     if (o->class_ != VS_REGION_CLASS && !(o->class_ == VS_CURVE && (o->flags & VS_NODE_CLOSED))) return AREAS_NOT;
   }
   for (size_t i = 0; i < n; i++) {
-    vs_plane here;
+    vs_shape_plane here;
     if (ref[i].node->class_ == VS_NOTHING) continue;
     if (vs_node_plane(ref[i].node, &here) != VS_PLANE_ONE) return AREAS_NOT;
     if (!any) *a = here;
@@ -74,7 +74,7 @@ static vs_status fill(vs_frame *f, vs_ref *ref, size_t n) {
 }
 
 vs_status vs_bind_fill(vs_frame *f, vs_ref *ref, size_t n) {
-  vs_plane a, b;
+  vs_shape_plane a, b;
   return look_at_areas(ref, n, &a, &b) == AREAS_ONE_PLANE ? fill(f, ref, n) : VS_OK;
 }
 
@@ -86,7 +86,7 @@ vs_status vs_p_unite(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, f->arg[0].refs.at, n, out);
 }
 
-static void plane_text(const vs_plane *p, char out[160]) {
+static void plane_text(const vs_shape_plane *p, char out[160]) {
   char n[6][32];
   vs_vec3 at = vs_v3_scale(p->normal, vs_v3_dot(p->normal, p->point)); /* its point nearest the origin: the same for all
                                                                         * that lies in it */
@@ -100,7 +100,7 @@ static void plane_text(const vs_plane *p, char out[160]) {
  * become regions in place. */
 static vs_status filled(vs_frame *f, vs_ref *ref, size_t n) {
   bool planar = false, solid = false;
-  vs_plane a, b;
+  vs_shape_plane a, b;
   for (size_t i = 0; i < n; i++) {
     const vs_node *o = ref[i].node;
     if (o->class_ == VS_SOLID) solid = true;
@@ -182,7 +182,7 @@ vs_status vs_p_do_slice(vs_frame *f, vs_value *out) {
   struct vs_half_space h = { .point = f->arg[1].line.at, .normal = vs_v3_unit(f->arg[1].line.direction) };
   vs_ref pair[2] = { f->arg[0].ref };
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
-  vs_plane flat;
+  vs_shape_plane flat;
   vs_bounds b;
   vs_error e = { 0 };
   if (NODE(0)->class_ == VS_REGION_CLASS && !(NODE(0)->flags & VS_NODE_UNRESOLVED) && NODE(0)->kind != VS_UNION &&
@@ -291,7 +291,7 @@ static vs_status check_twist(vs_frame *f, double twist, vs_value got) {
 }
 
 /* Closed profiles and regions lie in one plane. *empty: they enclose nothing, and *out is that. */
-static vs_status check_profile(vs_frame *f, vs_plane *plane, bool *empty, vs_value *out) {
+static vs_status check_profile(vs_frame *f, vs_shape_plane *plane, bool *empty, vs_value *out) {
   const vs_node *n = NODE(0);
   *empty = false;
   plane->normal = vs_v3(0, 0, 0); /* none: an open curve */
@@ -372,7 +372,7 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
                           .center = f->key[2].given && f->key[2].boolean };
   vs_ref child[2] = { f->arg[0].ref };
   bool path = vs_bind_ref(f->arg[1].value).node != NULL;
-  vs_plane plane;
+  vs_shape_plane plane;
   bool empty, leaving_it;
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_extrude, out);
@@ -432,7 +432,7 @@ vs_status vs_p_do_sweep(vs_frame *f, vs_value *out) {
   vs_ref child[2] = { f->arg[0].ref, f->arg[1].ref };
   if (vs_bind_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
   if (vs_bind_is_empty(NODE(1))) return vs_bind_empty(f, "the path is empty", out);
-  vs_plane plane;
+  vs_shape_plane plane;
   bool empty;
   if (!check_twist(f, d.twist, f->arg[2].value) || !check_profile(f, &plane, &empty, out)) return VS_ERROR;
   if (empty) return VS_OK;

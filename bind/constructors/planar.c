@@ -120,7 +120,7 @@ vs_status vs_p_make_region(vs_frame *f, vs_value *out) {
   vs_ref *c;
   size_t n, kept = 0;
   vs_error e = { 0 };
-  vs_plane first = { .size = 0 }, here;
+  vs_shape_plane first = { .size = 0 }, here;
   char text[112];
   if (!joined(f, &c, &n)) return VS_ERROR;
   if (n == 0) return vs_bind_empty(f, f->arg[0].refs.count ? "every curve is empty" : "there are no curves", out);
@@ -196,7 +196,7 @@ vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
   struct vs_offset d = { .distance = f->arg[1].real,
                          .segments = f->key[1].given ? (int32_t)f->key[1].integer : vs_bind_segments(f->bind) };
   vs_error e = { 0 };
-  vs_plane plane;
+  vs_shape_plane plane;
   size_t i = 0, left;
   vs_ref whole = f->arg[0].ref;
   while (i < 3 && strcmp(corners, names[i])) i++;

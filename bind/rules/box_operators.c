@@ -87,7 +87,7 @@ vs_status vs_p_scope_split(vs_frame *f, vs_value *out) {
         sum, whole, 'x' + axis);
   if (left <= slack) left = 0;
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, (uint32_t)n, true) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, (uint32_t)n, true) : NULL;
   if (!t) return VS_ERROR;
   double at = 0;
   uint32_t i = 0;
@@ -128,7 +128,7 @@ vs_status vs_p_scope_repeat(vs_frame *f, vs_value *out) {
   double whole = size_along(s, axis);
   if (!count_parts(f, whole, f->arg[2].real, &n)) return VS_ERROR;
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, n, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, n, false) : NULL;
   if (!t) return VS_ERROR;
   t->rules[0] = r[0];
   for (uint32_t i = 0; i < n; i++) {
@@ -214,7 +214,7 @@ static vs_status box_components(vs_frame *f, const char *of, vs_value *out) {
     return vs_bind_refuse(f, "#:of", "one of 'faces 'sides 'edges 'vertices 'front 'back 'left 'right 'top 'bottom",
                           f->key[0].value);
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, n, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, n, false) : NULL;
   if (!t) return VS_ERROR;
   t->rules[0] = r[0];
   bool flat = edges || vertices;
@@ -274,7 +274,7 @@ static vs_status loop_components(vs_frame *f, const char *of, vs_value *out) {
     return vs_bind_refuse(f, "#:of", "'edges or 'vertices, for a polygon or a triangle", f->key[0].value);
   uint32_t n = s->loops->points->count;
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, n, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, n, false) : NULL;
   if (!t) return VS_ERROR;
   t->rules[0] = r[0];
   vs_vec3 z = vs_affine_column(&s->as.box.frame, 2);
@@ -317,7 +317,7 @@ vs_status vs_p_scope_extrude(vs_frame *f, vs_value *out) {
   if (!(h > 0)) return vs_bind_refuse(f, "h", "positive", f->arg[1].value);
   uint32_t sides = s->loops->points->count;
   vs_derivation *d = vs_rules_begin(f, &r[3]);
-  vs_task *t = d ? vs_task_new(d, sides + 2, true) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, sides + 2, true) : NULL;
   if (!t) return VS_ERROR;
   vs_vec3 z = vs_affine_column(&s->as.box.frame, 2), up = vs_v3_scale(z, h);
   for (uint32_t i = 0; i < sides && r[0] != VS_FALSE; i++) {

@@ -19,7 +19,7 @@ vs_status vs_p_scope_prism(vs_frame *f, vs_value *out) {
   r[0] = f->arg[2].value;
   if (!(angle < 3.14159)) return vs_bind_refuse(f, "angle", "under pi", f->arg[1].value);
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, 1, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   *out = r[1];
   t->rules[0] = r[0];
@@ -50,7 +50,7 @@ vs_status vs_p_scope_round_corner(vs_frame *f, vs_value *out) {
     return vs_bind_refuse(f, "approx", "larger: there would be more than 10000 wedges", f->arg[2].value);
   uint32_t n = angle > 0 && x > 0 ? (uint32_t)parts : 0;
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, n, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, n, false) : NULL;
   if (!t) return VS_ERROR;
   t->rules[0] = r[0];
   for (uint32_t i = 0; i < n; i++) {
@@ -64,7 +64,7 @@ vs_status vs_p_scope_round_corner(vs_frame *f, vs_value *out) {
 }
 
 /* A triangle scope of three points as child i of n. False: the error is set. */
-static bool add_triangle(vs_derivation *d, vs_task *t, vs_scope *parent, const char *op, uint32_t i,
+static bool add_triangle(vs_derivation *d, vs_rule_task *t, vs_scope *parent, const char *op, uint32_t i,
                          const vs_vec3 p[3]) {
   vs_scope *c = t->child[i] = vs_rules_child(d, parent, VS_SCOPE_TRIANGLE, op, i, t->count);
   if (!c) return false;
@@ -94,7 +94,7 @@ vs_status vs_p_scope_triangulate(vs_frame *f, vs_value *out) {
   for (uint32_t i = 0; i < l->count; i++) sizes[i] = l->start[i + 1] - l->start[i];
   if (!vs_triangulate(flat, sizes, l->count, &m, index, false)) return vs_mesh_free(&m), vs_fail_memory(f->vm);
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, (uint32_t)m.triangle_count, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, (uint32_t)m.triangle_count, false) : NULL;
   if (t) t->rules[0] = r[0];
   for (uint32_t i = 0; t && i < m.triangle_count; i++) {
     vs_vec3 p[3];
@@ -117,7 +117,7 @@ vs_status vs_p_scope_subdivide(vs_frame *f, vs_value *out) {
   for (int i = 0; i < 3; i++) m[i] = vs_v3_scale(vs_v3_add(p[i], p[(i + 1) % 3]), .5);
   const vs_vec3 all[4][3] = { { p[0], m[0], m[2] }, { m[0], p[1], m[1] }, { m[2], m[1], p[2] }, { m[0], m[1], m[2] } };
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, 4, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, 4, false) : NULL;
   if (!t) return VS_ERROR;
   t->rules[0] = r[0];
   for (uint32_t i = 0; i < 4; i++)

@@ -9,7 +9,7 @@
 
 /* ---- life ---- */
 
-static void mark_task(vs_scheme *vm, vs_task *t, void (*mark)(vs_scheme *vm, vs_value *slot)) {
+static void mark_task(vs_scheme *vm, vs_rule_task *t, void (*mark)(vs_scheme *vm, vs_value *slot)) {
   if (!t->many) mark(vm, &t->rules[0]);
   for (uint32_t i = t->next; t->many && i < t->count; i++) mark(vm, &t->rules[i]);
 }
@@ -20,7 +20,7 @@ static void derivation_trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme
   for (size_t i = 0; i < d->waiting_count; i++) mark_task(vm, d->waiting[i].task, mark);
 }
 
-void vs_task_drop(vs_derivation *d, vs_task *t) {
+void vs_task_drop(vs_derivation *d, vs_rule_task *t) {
   for (uint32_t i = t->next; i < t->count; i++) vs_scope_release(t->child[i]);
   vs_store_realloc(d->bind->store, t, t->bytes, 0);
 }
@@ -104,10 +104,10 @@ vs_derivation *vs_rules_begin(vs_frame *f, vs_value *holder) {
 
 /* ---- the stack ---- */
 
-vs_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
+vs_rule_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
   size_t rules = many && count ? count : 1;
-  size_t bytes = sizeof(vs_task) + (size_t)count * sizeof(vs_scope *) + rules * sizeof(vs_value);
-  vs_task *t = vs_store_realloc(d->bind->store, NULL, 0, bytes);
+  size_t bytes = sizeof(vs_rule_task) + (size_t)count * sizeof(vs_scope *) + rules * sizeof(vs_value);
+  vs_rule_task *t = vs_store_realloc(d->bind->store, NULL, 0, bytes);
   if (!t) return (void)vs_fail_memory(d->bind->vm), NULL;
   memset(t, 0, bytes);
   t->bytes = bytes, t->many = many, t->rules = (vs_value *)(void *)(t->child + count);
@@ -117,7 +117,7 @@ vs_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
 }
 
 /* Notes in the record that the rule that runs made t. False: out of memory. */
-static bool record(vs_derivation *d, vs_task *t, const char *rule, const char *op) {
+static bool record(vs_derivation *d, vs_rule_task *t, const char *rule, const char *op) {
   uint32_t index = t->count == 1 && t->child[0] ? t->child[0]->index : 0;
   return vs_lineage_add(d->lineage,
                        (vs_lineage_entry){
@@ -125,7 +125,7 @@ static bool record(vs_derivation *d, vs_task *t, const char *rule, const char *o
                        rule, op, &t->entry);
 }
 
-bool vs_task_push(vs_derivation *d, vs_task *t) {
+bool vs_task_push(vs_derivation *d, vs_rule_task *t) {
   const char *op = NULL;
   for (uint32_t i = 0; i < t->count && !op; i++)
     if (t->child[i]) op = t->child[i]->op;
@@ -261,14 +261,14 @@ vs_status vs_p_derivation_next(vs_frame *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   VS_ROOTS(f->vm, r, 2);
   for (size_t low = d->begun, high = d->count; low + 1 < high; low++, high--) {
-    vs_task *t = d->stack[low];
+    vs_rule_task *t = d->stack[low];
     d->stack[low] = d->stack[high - 1], d->stack[high - 1] = t;
   }
   for (;;) {
     d->begun = d->count;
     if (!d->count && !waiting_begin(d)) return VS_ERROR;
     if (!d->count) return *out = VS_FALSE, VS_OK;
-    vs_task *t = d->stack[d->count - 1];
+    vs_rule_task *t = d->stack[d->count - 1];
     if (t->next == t->count) {
       d->count--;
       vs_task_drop(d, t);
@@ -370,7 +370,7 @@ vs_status vs_p_derivation(vs_frame *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = f->arg[1].value;
   vs_derivation *d = derivation_new(f->bind, &r[1]);
-  vs_task *t = d ? vs_task_new(d, 1, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   d->most = (uint32_t)f->arg[2].integer;
   t->child[0] = vs_scope_retain(f->arg[0].scope);
@@ -430,7 +430,7 @@ vs_status vs_p_rule_enter(vs_frame *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = f->arg[2].value;
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, 1, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   t->body = true, t->name = name, t->rules[0] = r[0];
   if (live) { /* the rule's scope is one level down: two calls on one scope differ */
@@ -460,7 +460,7 @@ vs_status vs_p_scope_await(vs_frame *f, vs_value *out) {
   const char *name = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);
   if (!name) return vs_fail_memory(f->vm);
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, 1, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   t->rules[0] = r[0];
   vs_scope *c = t->child[0] = vs_rules_child(d, s, (vs_scope_class)s->class_, "await", 0, 1);

@@ -17,7 +17,7 @@
 #include "model/mesh.h"
 
 /* Scopes that wait, in order, each for its rule. */
-typedef struct vs_task {
+typedef struct vs_rule_task {
   size_t bytes;
   uint32_t entry;       /* in the record */
   uint32_t count, next; /* child[next ...] are left */
@@ -27,17 +27,17 @@ typedef struct vs_task {
   const vs_origin *origin; /* where the operator stands */
   vs_value *rules;         /* behind the children */
   vs_scope *child[];
-} vs_task;
+} vs_rule_task;
 
 /* A scope that waits until nothing else is left, for signals of this name. */
 typedef struct {
-  vs_task *task;
+  vs_rule_task *task;
   const char *name; /* the store's */
 } vs_waiting;
 
 typedef struct vs_derivation {
   vs_bind *bind;
-  vs_task **stack;
+  vs_rule_task **stack;
   size_t count, room;
   size_t begun; /* tasks that were there when the rule that runs began: those above it come in the order of its forms */
   vs_ref *made; /* references of our own */
@@ -73,10 +73,10 @@ bool vs_is_rule(vs_value v);
  * *holder then. *holder is what the operator returns, and must be rooted. NULL: the error is set. */
 vs_derivation *vs_rules_begin(vs_frame *f, vs_value *holder);
 /* Room for count scopes. many: each with its own rule. The caller fills child[] and rules[], and pushes or drops it. */
-vs_task *vs_task_new(vs_derivation *d, uint32_t count, bool many);
-void vs_task_drop(vs_derivation *d, vs_task *t);
+vs_rule_task *vs_task_new(vs_derivation *d, uint32_t count, bool many);
+void vs_task_drop(vs_derivation *d, vs_rule_task *t);
 /* Puts it on the stack. False: it is dropped, the error is set. */
-bool vs_task_push(vs_derivation *d, vs_task *t);
+bool vs_task_push(vs_derivation *d, vs_rule_task *t);
 /* A copy of parent, or a new scope of class c, as child index of count of the operator op: path, depth and flags are
  * set. NULL: the error is set: no memory, or the path is too long. */
 vs_scope *vs_rules_child(vs_derivation *d, vs_scope *parent, vs_scope_class c, const char *op, uint32_t index,

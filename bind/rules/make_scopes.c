@@ -290,7 +290,7 @@ vs_status vs_p_with_flags(vs_frame *f, vs_value *out) {
       return vs_fail_memory(f->vm);
   }
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, 1, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   t->rules[0] = r[0];
   vs_scope *c = t->child[0] = vs_rules_child(d, s, (vs_scope_class)s->class_, "flags", 0, 1);

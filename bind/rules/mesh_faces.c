@@ -126,7 +126,7 @@ vs_status vs_mesh_components(vs_frame *f, const char *of, vs_value *out) {
     return vs_bind_refuse(f, "#:of", "'faces, for a mesh: the edges are those of its faces", f->key[0].value);
   bool ok = add_object(&all, s->object);
   vs_derivation *d = ok ? vs_rules_begin(f, &r[1]) : NULL;
-  vs_task *t = d ? vs_task_new(d, (uint32_t)all.count, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, (uint32_t)all.count, false) : NULL;
   if (t) t->rules[0] = r[0];
   for (size_t i = 0; t && i < all.count; i++) {
     vs_scope *c = t->child[i] =

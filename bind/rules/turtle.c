@@ -82,7 +82,7 @@ vs_status vs_p_turtle_front(vs_frame *f, vs_value *out) {
   if (!s->backed)
     return vs_fail(f->vm, f->vm->sym.error, "the turtle has no back yet: (turtle-back) sets it before it goes forward");
   vs_derivation *d = vs_rules_begin(f, &r[1]);
-  vs_task *t = d ? vs_task_new(d, 1, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   t->rules[0] = r[0];
   vs_scope *c = t->child[0] = vs_rules_child(d, s, VS_SCOPE_FFD, "front", 0, 1);

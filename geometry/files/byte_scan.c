@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool vs_scan_fail(const vs_scan *s, const char *format, ...) {
+bool vs_scan_fail(const vs_byte_scan *s, const char *format, ...) {
   char text[300];
   va_list args;
   va_start(args, format);
@@ -16,7 +16,7 @@ bool vs_scan_fail(const vs_scan *s, const char *format, ...) {
   return vs_error_set(s->error, VS_ERROR_MODEL, NULL, "%.100s: byte %zu: %s", s->name, s->at, text);
 }
 
-bool vs_scan_poll(vs_scan *s) {
+bool vs_scan_poll(vs_byte_scan *s) {
   if ((++s->ticks & 0xffff) || !s->poll || s->poll(s->context)) return true;
   return vs_error_set(s->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
@@ -25,18 +25,18 @@ static bool scan_blank(unsigned char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == 0;
 }
 
-bool vs_scan_line_end(vs_scan *s) {
+bool vs_scan_line_end(vs_byte_scan *s) {
   while (s->at < s->size && scan_blank(s->bytes[s->at])) s->at++;
   return s->at == s->size || s->bytes[s->at] == '\n';
 }
 
-void vs_scan_next_line(vs_scan *s) {
+void vs_scan_next_line(vs_byte_scan *s) {
   const unsigned char *end = s->at < s->size ? memchr(s->bytes + s->at, '\n', s->size - s->at) : NULL;
   s->at = end ? (size_t)(end - s->bytes) + 1 : s->size;
   s->line++;
 }
 
-void vs_scan_word(vs_scan *s, bool lines, char comment, char word[VS_SCAN_WORD]) {
+void vs_scan_word(vs_byte_scan *s, bool lines, char comment, char word[VS_SCAN_WORD]) {
   size_t n = 0;
   for (;;) {
     bool end = vs_scan_line_end(s);
@@ -59,7 +59,7 @@ void vs_scan_word(vs_scan *s, bool lines, char comment, char word[VS_SCAN_WORD])
 }
 
 /* The text that stands where something else was expected, fit to be shown */
-static bool scan_refuse(const vs_scan *s, const char *expected, const char *word) {
+static bool scan_refuse(const vs_byte_scan *s, const char *expected, const char *word) {
   char shown[VS_SCAN_WORD];
   size_t n = 0;
   for (; word[n] && n < 32; n++) shown[n] = word[n] >= ' ' && word[n] < 127 ? word[n] : '?';
@@ -68,7 +68,7 @@ static bool scan_refuse(const vs_scan *s, const char *expected, const char *word
                : vs_scan_fail(s, "expected %s, but %s", expected, s->at == s->size ? "the file ends" : "the line ends");
 }
 
-bool vs_scan_real(vs_scan *s, bool lines, char comment, double *out) {
+bool vs_scan_real(vs_byte_scan *s, bool lines, char comment, double *out) {
   char word[VS_SCAN_WORD], *end;
   vs_scan_word(s, lines, comment, word);
   *out = strtod(word, &end);
@@ -76,14 +76,14 @@ bool vs_scan_real(vs_scan *s, bool lines, char comment, double *out) {
   return isfinite(*out) || s->nowhere || scan_refuse(s, "a finite number", word);
 }
 
-bool vs_scan_integer(vs_scan *s, bool lines, char comment, int64_t *out) {
+bool vs_scan_integer(vs_byte_scan *s, bool lines, char comment, int64_t *out) {
   char word[VS_SCAN_WORD], *end;
   vs_scan_word(s, lines, comment, word);
   *out = strtoll(word, &end, 10);
   return (*word && !*end) || scan_refuse(s, "a whole number", word);
 }
 
-bool vs_scan_point(vs_scan *s, bool lines, char comment, vs_vec3 *out) {
+bool vs_scan_point(vs_byte_scan *s, bool lines, char comment, vs_vec3 *out) {
   return vs_scan_real(s, lines, comment, &out->x) && vs_scan_real(s, lines, comment, &out->y) &&
          vs_scan_real(s, lines, comment, &out->z);
 }

@@ -37,7 +37,7 @@ bool vs_face_list_close(vs_face_list *l) {
   return true;
 }
 
-static bool face_list_memory(const vs_scan *s, bool ok) { return ok || vs_error_memory(s->error, NULL); }
+static bool face_list_memory(const vs_byte_scan *s, bool ok) { return ok || vs_error_memory(s->error, NULL); }
 
 /* ---- STL ---- */
 
@@ -48,7 +48,7 @@ static float little_float(const unsigned char *b) {
   return f;
 }
 
-static bool read_stl_bytes(vs_scan *s, uint32_t count, vs_face_list *out) {
+static bool read_stl_bytes(vs_byte_scan *s, uint32_t count, vs_face_list *out) {
   for (uint32_t i = 0; i < count; i++) {
     const unsigned char *b = s->bytes + 84 + (size_t)50 * i + 12; /* the normal says nothing that the corners do not */
     for (int k = 0; k < 3; k++, b += 12) {
@@ -64,7 +64,7 @@ static bool read_stl_bytes(vs_scan *s, uint32_t count, vs_face_list *out) {
   return true;
 }
 
-static bool read_stl_words(vs_scan *s, vs_face_list *out) {
+static bool read_stl_words(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD];
   vs_vec3 p;
   s->line = 1;
@@ -93,7 +93,7 @@ static bool read_stl_words(vs_scan *s, vs_face_list *out) {
 
 /* In bytes: 80 of any text, the count, 50 for each triangle. Many such files begin with "solid" too: it is the size
  * that tells. */
-static bool read_stl(vs_scan *s, vs_face_list *out) {
+static bool read_stl(vs_byte_scan *s, vs_face_list *out) {
   uint32_t count = s->size >= 84 ? (uint32_t)s->bytes[80] | (uint32_t)s->bytes[81] << 8 | (uint32_t)s->bytes[82] << 16 |
                                        (uint32_t)s->bytes[83] << 24
                                  : 0;
@@ -115,7 +115,7 @@ static bool read_stl(vs_scan *s, vs_face_list *out) {
 
 /* ---- OBJ ---- */
 
-static bool read_obj_face(vs_scan *s, vs_face_list *out) {
+static bool read_obj_face(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD], *end;
   while (!vs_scan_line_end(s) && s->bytes[s->at] != '#') {
     if (s->bytes[s->at] == '\\') { /* the face goes on in the next line */
@@ -136,7 +136,7 @@ static bool read_obj_face(vs_scan *s, vs_face_list *out) {
   return face_list_memory(s, vs_face_list_close(out));
 }
 
-static bool read_obj(vs_scan *s, vs_face_list *out) {
+static bool read_obj(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD];
   vs_vec3 p;
   for (s->line = 1; s->at < s->size; vs_scan_next_line(s)) {
@@ -155,7 +155,7 @@ static bool read_obj(vs_scan *s, vs_face_list *out) {
 
 /* [ST][C][N]OFF, the counts of points, faces and edges, then the points (with colours and such behind them), then the
  * faces. */
-static bool read_off(vs_scan *s, vs_face_list *out) {
+static bool read_off(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD];
   int64_t points, faces, edges, corners, index;
   vs_vec3 p;
@@ -196,7 +196,7 @@ static bool read_off(vs_scan *s, vs_face_list *out) {
 
 /* ---- by the ending ---- */
 
-typedef bool mesh_reader(vs_scan *s, vs_face_list *out);
+typedef bool mesh_reader(vs_byte_scan *s, vs_face_list *out);
 
 static mesh_reader *reader_of(const char *name) {
   static const struct {
@@ -225,8 +225,13 @@ static const char *base_name(const char *name) {
 
 bool vs_points_file_read(const char *name, const unsigned char *bytes, size_t size, bool (*poll)(void *context),
                          void *context, bool nowhere, vs_face_list *out, vs_error *e) {
-  vs_scan s = { .name = base_name(name), .bytes = bytes, .size = size, .poll = poll, .context = context, .error = e,
-                .nowhere = nowhere };
+  vs_byte_scan s = { .name = base_name(name),
+                     .bytes = bytes,
+                     .size = size,
+                     .poll = poll,
+                     .context = context,
+                     .error = e,
+                     .nowhere = nowhere };
   mesh_reader *read = reader_of(name);
   if (!read)
     return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the name must end in .stl, .obj, .off or .ply", s.name);

@@ -21,7 +21,7 @@ typedef enum { PLY_WORDS, PLY_LITTLE, PLY_BIG } ply_form;
 
 static const unsigned char ply_width[PLY_TYPES] = { 1, 1, 2, 2, 4, 4, 4, 8 };
 
-static bool ply_type_of(const vs_scan *s, const char *word, ply_type *out) {
+static bool ply_type_of(const vs_byte_scan *s, const char *word, ply_type *out) {
   static const char *const names[PLY_TYPES][2] = { { "char", "int8" },     { "uchar", "uint8" },   { "short", "int16" },
                                                    { "ushort", "uint16" }, { "int", "int32" },     { "uint", "uint32" },
                                                    { "float", "float32" }, { "double", "float64" } };
@@ -32,7 +32,7 @@ static bool ply_type_of(const vs_scan *s, const char *word, ply_type *out) {
 
 /* ---- the header ---- */
 
-static bool ply_header_property(vs_scan *s, ply_element *e) {
+static bool ply_header_property(vs_byte_scan *s, ply_element *e) {
   char word[VS_SCAN_WORD];
   if (!e) return vs_scan_fail(s, "a property stands before any element");
   if (e->properties == PLY_PROPERTIES) return vs_scan_fail(s, "an element has more than %d properties", PLY_PROPERTIES);
@@ -57,7 +57,7 @@ static bool ply_header_property(vs_scan *s, ply_element *e) {
   return true;
 }
 
-static bool ply_header(vs_scan *s, ply_form *form, ply_element *elements, size_t *count) {
+static bool ply_header(vs_byte_scan *s, ply_form *form, ply_element *elements, size_t *count) {
   char word[VS_SCAN_WORD];
   bool formed = false;
   s->line = 1;
@@ -96,7 +96,7 @@ static bool ply_header(vs_scan *s, ply_form *form, ply_element *elements, size_t
 
 /* ---- the elements ---- */
 
-static bool ply_value(vs_scan *s, ply_form form, ply_type type, double *out) {
+static bool ply_value(vs_byte_scan *s, ply_form form, ply_type type, double *out) {
   if (form == PLY_WORDS) return vs_scan_real(s, true, 0, out);
   size_t width = ply_width[type];
   if (s->size - s->at < width) return vs_scan_fail(s, "the file is cut off");
@@ -124,7 +124,7 @@ static bool ply_value(vs_scan *s, ply_form form, ply_type type, double *out) {
   return true;
 }
 
-static bool ply_one(vs_scan *s, ply_form form, const ply_element *e, uint64_t number, uint64_t points,
+static bool ply_one(vs_byte_scan *s, ply_form form, const ply_element *e, uint64_t number, uint64_t points,
                     vs_face_list *out) {
   double xyz[3] = { 0, 0, 0 }, value, items;
   bool ok = true;
@@ -157,7 +157,7 @@ static bool ply_one(vs_scan *s, ply_form form, const ply_element *e, uint64_t nu
   return (ok || vs_error_memory(s->error, NULL)) && vs_scan_poll(s);
 }
 
-bool vs_ply_read(vs_scan *s, vs_face_list *out) {
+bool vs_ply_read(vs_byte_scan *s, vs_face_list *out) {
   ply_element elements[PLY_ELEMENTS];
   ply_form form = PLY_WORDS;
   size_t count = 0;

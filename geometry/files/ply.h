@@ -5,6 +5,6 @@
 #include "geometry/files/byte_scan.h"
 #include "geometry/files/meshfile.h"
 
-bool vs_ply_read(vs_scan *s, vs_face_list *out);
+bool vs_ply_read(vs_byte_scan *s, vs_face_list *out);
 
 #endif

@@ -5,7 +5,7 @@
 #include "geometry/frame.h"
 #include "geometry/plane/planar_evaluation.h"
 
-bool vs_plane_same(const vs_plane *a, const vs_plane *b) {
+bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b) {
   vs_vec3 between = vs_v3_sub(b->point, a->point);
   double reach = a->size + b->size + vs_v3_length(between);
   return vs_v3_length(vs_v3_cross(a->normal, b->normal)) <= 1e-6 && fabs(vs_v3_dot(a->normal, between)) <= 1e-6 * reach;
@@ -19,10 +19,10 @@ static vs_vec3 plane_point(const vs_plane_points *p, size_t i) {
   return vs_affine_point(&p->map, i < p->count ? p->at[i] : p->more[i - p->count]);
 }
 
-static vs_plane_count plane_through_points(const vs_plane_points *p, vs_plane *out) {
+static vs_plane_count plane_through_points(const vs_plane_points *p, vs_shape_plane *out) {
   size_t n = p->count + p->more_count;
   vs_vec3 o = plane_point(p, 0), along = { 0, 0, 0 }, normal = { 0, 0, 0 };
-  *out = (vs_plane){ .point = o };
+  *out = (vs_shape_plane){ .point = o };
   for (size_t i = 1; i < n; i++) {
     vs_vec3 d = vs_v3_sub(plane_point(p, i), o);
     if (vs_v3_length(d) > out->size) {
@@ -41,7 +41,7 @@ static vs_plane_count plane_through_points(const vs_plane_points *p, vs_plane *o
   return VS_PLANE_ONE;
 }
 
-vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out) {
+vs_plane_count vs_node_plane(const vs_node *n, vs_shape_plane *out) {
   vs_plane_points p = { .map = vs_affine_identity() };
   for (;;) {
     switch ((vs_kind)n->kind) {

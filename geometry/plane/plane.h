@@ -12,10 +12,10 @@ typedef enum {
 typedef struct {
   vs_vec3 point, normal; /* unit; up, or along +Y, or along +X */
   double size;           /* of what lies in it */
-} vs_plane;
+} vs_shape_plane;
 
 /* Sets answer for their first part that is not nothing: their makers see to the others. */
-vs_plane_count vs_node_plane(const vs_node *n, vs_plane *out);
-bool vs_plane_same(const vs_plane *a, const vs_plane *b); /* within 1e-6 of their sizes */
+vs_plane_count vs_node_plane(const vs_node *n, vs_shape_plane *out);
+bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b); /* within 1e-6 of their sizes */
 
 #endif

@@ -80,7 +80,7 @@ bool vs_slice_mesh(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_mesh *out
   return ok;
 }
 
-vs_node *vs_slice_region(vs_ref region, const vs_plane *flat, const vs_bounds *b, vs_vec3 point, vs_vec3 normal) {
+vs_node *vs_slice_region(vs_ref region, const vs_shape_plane *flat, const vs_bounds *b, vs_vec3 point, vs_vec3 normal) {
   vs_store *s = region.node->store;
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5), n = vs_v3_unit(normal), f = vs_v3_unit(flat->normal);
   middle = vs_v3_sub(middle, vs_v3_scale(f, vs_v3_dot(f, vs_v3_sub(middle, flat->point))));

@@ -14,6 +14,6 @@ bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal,
 bool vs_slice_mesh(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_mesh *out);
 /* Cuts a region in the plane `flat`, within b: returns itself, the empty object, or its intersection with a rectangle,
  * as a new reference; NULL if memory ran out. */
-vs_node *vs_slice_region(vs_ref region, const vs_plane *flat, const vs_bounds *b, vs_vec3 point, vs_vec3 normal);
+vs_node *vs_slice_region(vs_ref region, const vs_shape_plane *flat, const vs_bounds *b, vs_vec3 point, vs_vec3 normal);
 
 #endif

@@ -20,7 +20,7 @@ bool vs_grid_cap(const vs_vec2 *flat, const size_t *sizes, const bool *hole, siz
 
 /* A row's points in its own plane: that of its first loop, which so turns counter-clockwise. NULL: out of memory, or
  * the row has no area. */
-static vs_vec2 *grid_flatten(const vs_grid *g, const vs_vec3 *row, bool *ok) {
+static vs_vec2 *grid_flatten(const vs_quad_grid *g, const vs_vec3 *row, bool *ok) {
   vs_vec3 area = { 0, 0, 0 };
   *ok = true;
   for (size_t i = 1; i + 1 < g->sizes[0]; i++)
@@ -37,7 +37,7 @@ static vs_vec2 *grid_flatten(const vs_grid *g, const vs_vec3 *row, bool *ok) {
   return flat;
 }
 
-static bool grid_fill(const vs_grid *g, const vs_vec3 *at, const uint32_t *row, vs_mesh *out, bool turned) {
+static bool grid_fill(const vs_quad_grid *g, const vs_vec3 *at, const uint32_t *row, vs_mesh *out, bool turned) {
   bool ok = true;
   if (g->flat) {
     bool point = true; /* a section scaled to nothing */
@@ -51,8 +51,8 @@ static bool grid_fill(const vs_grid *g, const vs_vec3 *at, const uint32_t *row, 
 }
 
 /* The vertices of one row; below: those of the row before it, or NULL. */
-static bool grid_row(const vs_grid *g, const vs_vec3 *at, const vs_vec3 *before, const uint32_t *below, uint32_t *row,
-                     vs_mesh *out) {
+static bool grid_row(const vs_quad_grid *g, const vs_vec3 *at, const vs_vec3 *before, const uint32_t *below,
+                     uint32_t *row, vs_mesh *out) {
   bool ok = true;
   for (size_t l = 0, first = 0; ok && l < g->loop_count; first += g->sizes[l], l++)
     for (size_t i = first; ok && i < first + g->sizes[l]; i++) {
@@ -74,7 +74,7 @@ static double grid_distance(const vs_mesh *m, uint32_t a, uint32_t b) {
   return vs_v3_dot(d, d);
 }
 
-bool vs_grid_mesh(const vs_grid *g, vs_mesh *out) {
+bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out) {
   size_t n = g->columns, rows = g->rows + g->joined;
   uint32_t *index = malloc((3 * n + 1) * sizeof *index), *low = index, *high = index ? index + n : NULL,
            *start = index ? index + 2 * n : NULL;

@@ -17,11 +17,11 @@ typedef struct {
   const size_t *seam;  /* else NULL, or: the last row stands where the first does, its point i where that has seam[i] */
   bool capped;         /* the first and the last row are filled */
   const vs_vec2 *flat; /* one row in its plane, for the caps; NULL: each in the plane that its points tell */
-} vs_grid;
+} vs_quad_grid;
 
 /* Appends the triangles: facing away from the side that a row's loops turn counter-clockwise about. Neighbours in
  * exactly one place become one vertex, so that poles and apexes close. False: out of memory. */
-bool vs_grid_mesh(const vs_grid *g, vs_mesh *out);
+bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out);
 
 /* Fills loops whose points are the vertices row[]; outer loops counter-clockwise in `flat`. */
 bool vs_grid_cap(const vs_vec2 *flat, const size_t *sizes, const bool *hole, size_t loop_count, const uint32_t *row,

@@ -486,7 +486,7 @@ bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
   for (size_t first = 0, end; ok && first < rows; first = end + 1) {
     size_t first_triangle = out->triangle_count;
     for (end = first; end + 1 < rows && !turns[end] && !(end < s->section_count && s->sections[end].ends); end++) {}
-    vs_grid g = { at + first * n, end + 1 - first,        n,         s->sizes,  s->hole, s->loop_count, s->filled,
+    vs_quad_grid g = { at + first * n, end + 1 - first,        n,         s->sizes,  s->hole, s->loop_count, s->filled,
                   joined,         steps ? NULL : s->seam, s->filled, s->profile };
     ok = end == first || vs_grid_mesh(&g, out);
     vs_mesh added = { .vertices = out->vertices,

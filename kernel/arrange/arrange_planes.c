@@ -56,7 +56,7 @@ typedef struct {
   VS_LIST(uint32_t) families;    /* of segments: 0 where they are tried against each other already */
   VS_LIST(uint32_t) through;     /* of a point: the first of `holds` that has a segment it is on, as an end or within */
   VS_LIST(incidence) holds;      /* point: the next of them */
-  VS_LIST(vs_box) boxes;
+  VS_LIST(vs_bvh_box) boxes;
   vs_bvh bvh;
   VS_LIST(uint32_t) list, scratch;
   VS_LIST(uint32_t) local;       /* of a point: its place in the sweep */
@@ -290,7 +290,7 @@ static bool crossings(plane_work *w, uint32_t tried) {
   if (n == tried) return true;
   if (!VS_ROOM(w->k, w->boxes.at, w->boxes.room, n)) return false;
   for (uint32_t i = 0; i < n; i++) {
-    vs_box *b = &w->boxes.at[i];
+    vs_bvh_box *b = &w->boxes.at[i];
     const vs_point *p = &w->points.at[w->segments.at[i].p], *q = &w->points.at[w->segments.at[i].q];
     for (int a = 0; a < 3; a++) {
       int64_t x = p->fixed[a], y = q->fixed[a];
@@ -654,10 +654,10 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   vs_keyed *at = w->keyed.at;
   size_t left = c->cuts.count - a->cut_first.at[root];
   for (uint32_t j = 0; j < cut_count; j++) {
-    const vs_cut *cut = &c->cuts.at[cuts[j]];
+    const vs_facet_cut *cut = &c->cuts.at[cuts[j]];
     if (j + AHEAD < left) { /* the next group's, too */
       __builtin_prefetch(&c->cuts.at[cuts[j + AHEAD]]);
-      const vs_cut *near = &c->cuts.at[cuts[j + NEAR]];
+      const vs_facet_cut *near = &c->cuts.at[cuts[j + NEAR]];
       __builtin_prefetch(&c->points.all.at[near->p]);
       __builtin_prefetch(&c->points.all.at[near->q]);
       __builtin_prefetch(&w->known.at[near->p], 1);

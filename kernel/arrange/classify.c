@@ -42,7 +42,7 @@ typedef struct {
   bool degenerate;
   vs_homogeneous at;
   int64_t u, v;
-  vs_box column;
+  vs_bvh_box column;
   vs_use probe[3];          /* the border of a region's triangle */
 } walk;
 
@@ -314,7 +314,7 @@ static bool index_leaf(walk *w, vs_placed *p) {
   const vs_mesh *m = p->part->mesh;
   if (!VS_ROOM(w->k, p->bvh_boxes, p->bvh_box_room, m->triangle_count)) return false;
   for (size_t t = 0; t < m->triangle_count; t++) {
-    vs_box *b = &p->bvh_boxes[t];
+    vs_bvh_box *b = &p->bvh_boxes[t];
     for (int a = 0; a < 3; a++) {
       b->min[a] = INT32_MAX;
       b->max[a] = INT32_MIN;
@@ -392,7 +392,7 @@ static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *sid
     bool inside = strictly_inside(vs_points_of(&c->points), o, (uint32_t)c->points.all.count - 1, au, av);
     c->points.all.count--;
     if (!inside) continue;
-    vs_box *box = &w->column;
+    vs_bvh_box *box = &w->column;
     box->min[w->axis] = INT32_MIN;
     box->max[w->axis] = INT32_MAX;
     box->min[au] = (int32_t)(w->u >> VS_FIXED_BITS);

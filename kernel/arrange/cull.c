@@ -29,7 +29,7 @@ static bool note(void *context, uint32_t a, uint32_t b) {
   return !p->lid || (VS_PUSH(f->k, f->pairs, b) && VS_PUSH(f->k, f->pairs, a));
 }
 
-static double box_size(const vs_box *b) {
+static double box_size(const vs_bvh_box *b) {
   return ((double)b->max[0] - b->min[0]) * ((double)b->max[1] - b->min[1]) * ((double)b->max[2] - b->min[2]);
 }
 
@@ -136,7 +136,7 @@ static bool gate_box(const vs_cluster *c, double low[3], double high[3]) {
   return true;
 }
 
-static bool in_box(const vs_box *b, const double p[3]) {
+static bool in_box(const vs_bvh_box *b, const double p[3]) {
   return p[0] > b->min[0] && p[0] < b->max[0] && p[1] > b->min[1] && p[1] < b->max[1] && p[2] > b->min[2] &&
          p[2] < b->max[2];
 }
@@ -208,7 +208,7 @@ bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]) {
 
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
   const vs_placed *leaf = &c->placed.at[place];
-  vs_box box; /* well inside a lid is a step inside its box, or more */
+  vs_bvh_box box; /* well inside a lid is a step inside its box, or more */
   for (int a = 0; a < 3 && leaf->lids_count; a++)
     box.min[a] = (int32_t)floor(p[a] < q[a] ? p[a] : q[a]), box.max[a] = (int32_t)ceil(p[a] > q[a] ? p[a] : q[a]);
   for (uint32_t i = 0; i < leaf->lids_count; i += 4)
@@ -251,7 +251,7 @@ static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3
   return count;
 }
 
-void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *corners, uint32_t count, vs_box *box) {
+void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *corners, uint32_t count, vs_bvh_box *box) {
   enum { ROOM = 48 };
   const vs_placed *leaf = &c->placed.at[place];
   double at[2 * ROOM][3];

@@ -232,7 +232,7 @@ static bool meet(void *context, uint32_t a, uint32_t b) {
 typedef struct {
   vs_cluster *c;
   vs_bvh bvh;
-  VS_LIST(vs_box) boxes;
+  VS_LIST(vs_bvh_box) boxes;
   VS_LIST(uint32_t) families, group, ids;
   chunk chunks[VS_PIPELINE_WINDOW];
   working *works; /* one a thread */
@@ -253,7 +253,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
 
 static bool leave(vs_kernel *k, vs_cluster *c, uint32_t facet, uint32_t p, uint32_t q, uint32_t plane) {
   c->facets.at[facet].touched = true;
-  return VS_PUSH(k, c->cuts, ((vs_cut){ facet, p, q, plane }));
+  return VS_PUSH(k, c->cuts, ((vs_facet_cut){ facet, p, q, plane }));
 }
 
 static bool absorb(vs_kernel *k, void *context, size_t index) {
@@ -286,7 +286,7 @@ static bool index_facets(vs_kernel *k, meeting *m) {
     return false;
   vs_disjoint(m->group.at, n);
   for (uint32_t f = 0; f < n; f++) {
-    vs_box *b = &m->boxes.at[f];
+    vs_bvh_box *b = &m->boxes.at[f];
     *b = vs_box_nowhere;
     for (uint32_t i = c->facets.at[f].first; i < c->facets.at[f + 1].first; i++) {
       vs_box_add_point(b, &c->points.all.at[c->sides.at[i].from]);

@@ -427,7 +427,7 @@ typedef struct {
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
   m->c->facets.at[t->facet].touched = true;
-  return VS_PUSH(m->k, m->c->cuts, ((vs_cut){ t->facet, p, q, plane }));
+  return VS_PUSH(m->k, m->c->cuts, ((vs_facet_cut){ t->facet, p, q, plane }));
 }
 
 /* Will there be very many cuts, nearly all of which are hidden, left out or not? As the chunks so far tell. Where most

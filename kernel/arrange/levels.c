@@ -24,7 +24,7 @@
 typedef struct {
   vs_points_table points; /* without what finds them */
   vs_outlines outlines;   /* in their numbers */
-  vs_box box;
+  vs_bvh_box box;
   uint32_t solid;         /* one of its leaves */
 } shell;
 

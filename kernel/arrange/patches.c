@@ -19,7 +19,7 @@ typedef struct {
 typedef struct made { /* of a chunk of facets; corners count from 0 */
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) corners;
-  VS_LIST(vs_box) boxes;
+  VS_LIST(vs_bvh_box) boxes;
 } made;
 
 typedef struct {
@@ -33,7 +33,7 @@ static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner
   const vs_cluster *c = b->c;
   const vs_facet *f = &c->facets.at[facet];
   vs_patch p = { facet, f->place, f->plane, first, (uint32_t)b->to->corners.count - first, f->flip, inner };
-  vs_box box = { { INT32_MAX, INT32_MAX, INT32_MAX }, { INT32_MIN, INT32_MIN, INT32_MIN } };
+  vs_bvh_box box = { { INT32_MAX, INT32_MAX, INT32_MAX }, { INT32_MIN, INT32_MIN, INT32_MIN } };
   for (uint32_t i = first; i < b->to->corners.count; i++)
     for (int a = 0; a < 3; a++) {
       int32_t x = b->to->corners.at[i].at[a];

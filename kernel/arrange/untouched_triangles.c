@@ -37,7 +37,7 @@ typedef struct {
   VS_LIST(span) spans;
   VS_LIST(uint64_t) masks;      /* of every vertex */
   VS_LIST(block) blocks;
-  VS_LIST(vs_box) boxes;        /* of the blocks */
+  VS_LIST(vs_bvh_box) boxes;        /* of the blocks */
   vs_bvh bvh;
   VS_LIST(_Atomic uint8_t) fans; /* of a vertex: 1 has one simple fan of triangles; 2 or more: does not; PROVEN: of
                                   * many */
@@ -132,13 +132,13 @@ static bool fill_blocks(vs_kernel *k, void *context, size_t index) {
   uint32_t first, end = s->first, to = s->blocks;
   while (next_block(p, s, &first, &end)) {
     block *b = &p->blocks.at[to];
-    vs_box all = vs_box_nowhere;
+    vs_bvh_box all = vs_box_nowhere;
     b->place = s->place;
     b->first = first;
     b->hub = hub_of(p, s->place, first);
     for (uint32_t i = 0; i < BLOCK; i++) {
       uint32_t t = first + i;
-      vs_box box = vs_box_nowhere;
+      vs_bvh_box box = vs_box_nowhere;
       for (int j = 0; j < 3 && t < end && fate_of(p->c, s->place, t) != VS_CULLED; j++) {
         const int32_t *at = corner_at(p->c, s->place, triangle_at(p->c, s->place, t)[j]);
         for (int a = 0; a < 3; a++) {
@@ -159,15 +159,15 @@ static bool fill_blocks(vs_kernel *k, void *context, size_t index) {
 
 /* ---- what meets ---- */
 
-static uint32_t lanes_meeting(const block *b, const vs_box *box) {
+static uint32_t lanes_meeting(const block *b, const vs_bvh_box *box) {
   uint32_t set = 0;
   for (uint32_t i = 0; i < PACKS; i++) set |= vs_pack_bits(vs_pack_meeting(&b->packs[i], box)) << LANES * i;
   return set;
 }
 
-static vs_box lane_box(const block *b, uint32_t lane) {
+static vs_bvh_box lane_box(const block *b, uint32_t lane) {
   const vs_pack *p = &b->packs[lane / LANES];
-  vs_box box;
+  vs_bvh_box box;
   for (int a = 0; a < 3; a++) box.min[a] = p->min[a][lane % LANES], box.max[a] = p->max[a][lane % LANES];
   return box;
 }
@@ -196,7 +196,7 @@ static bool meet_blocks(void *context, uint32_t first, uint32_t second) {
   uint32_t of_a = lanes_meeting(a, &s->p->boxes.at[second]);
   for (uint32_t of_b = of_a ? lanes_meeting(b, &s->p->boxes.at[first]) : 0; of_b; of_b &= of_b - 1) {
     uint32_t j = (uint32_t)__builtin_ctz(of_b);
-    vs_box box = lane_box(b, j);
+    vs_bvh_box box = lane_box(b, j);
     for (uint32_t set = lanes_meeting(a, &box) & of_a; set; set &= set - 1)
       look_at_pair(s->p->c, a->place, a->first + (uint32_t)__builtin_ctz(set), b->place, b->first + j);
   }
@@ -218,7 +218,7 @@ static bool meet_within(vs_kernel *k, void *context, size_t index) { /* a span's
   for (uint32_t i = s->blocks; i < end; i++) {
     const block *b = &p->blocks.at[i];
     for (uint32_t j = 1; j < BLOCK; j++) {
-      vs_box box = lane_box(b, j);
+      vs_bvh_box box = lane_box(b, j);
       for (uint32_t set = lanes_meeting(b, &box) & ((1u << j) - 1); set; set &= set - 1)
         look_at_pair(p->c, s->place, b->first + (uint32_t)__builtin_ctz(set), s->place, b->first + j);
     }

@@ -54,7 +54,7 @@ static bool code_chunk(vs_kernel *k, void *context, size_t index) {
   (void)k;
   coding *c = context;
   for (uint32_t i = (uint32_t)index * CHUNK, end = chunk_end(c->t, index); i < end; i++) {
-    const vs_box *b = &c->t->boxes[i];
+    const vs_bvh_box *b = &c->t->boxes[i];
     uint64_t code = 0;
     for (int j = 0; j < 3; j++) code |= spread((uint64_t)((int64_t)b->min[j] + b->max[j] - c->low[j]) >> c->shift) << j;
     c->code[i] = code << 32 | i;
@@ -135,8 +135,8 @@ static bool sort_morton(vs_kernel *k, vs_bvh *t) {
   return ok;
 }
 
-static vs_box around(const vs_pack *p) {
-  vs_box b;
+static vs_bvh_box around(const vs_pack *p) {
+  vs_bvh_box b;
   for (int j = 0; j < 3; j++) {
     b.min[j] = p->min[j][0];
     b.max[j] = p->max[j][0];
@@ -159,7 +159,7 @@ static int32_t family_below(const vs_bvh *t, uint32_t level, uint32_t block) {
   return family;
 }
 
-bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) {
+bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_bvh_box *boxes, uint32_t count) {
   uint32_t n = (count + BLOCK - 1) / BLOCK, all = 0;
   t->boxes = boxes;
   t->count = count;
@@ -179,7 +179,7 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) 
     memset(to[t->size[level] - 1].min, 0x7f, sizeof to->min); /* some may be missing in the last */
     memset(to[t->size[level] - 1].max, 0x80, sizeof to->max);
     for (uint32_t i = 0; i < t->size[level - 1]; i++) {
-      vs_box b = around(&below[i]);
+      vs_bvh_box b = around(&below[i]);
       vs_pack_put(&to[i / BLOCK], i % BLOCK, &b);
       if (t->families) t->family[t->first[level] + i / BLOCK][i % BLOCK] = family_below(t, level - 1, i);
     }
@@ -189,8 +189,8 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_box *boxes, uint32_t count) 
   return ok;
 }
 
-static vs_box box_of(const vs_pack *p, uint32_t lane) {
-  return (vs_box){ { p->min[0][lane], p->min[1][lane], p->min[2][lane] },
+static vs_bvh_box box_of(const vs_pack *p, uint32_t lane) {
+  return (vs_bvh_box){ { p->min[0][lane], p->min[1][lane], p->min[2][lane] },
                    { p->max[0][lane], p->max[1][lane], p->max[2][lane] } };
 }
 
@@ -203,14 +203,14 @@ static uint32_t next_bit(uint32_t *set) {
 /* A walk over the blocks from `from` on in which something meets the box, in order. */
 typedef struct {
   const vs_bvh *t;
-  vs_box box;
+  vs_bvh_box box;
   uint32_t from;
   int32_t family; /* what is all of this one is passed over; -1: nothing is */
   struct { uint32_t level, i; } stack[STACK];
   int top;
 } descent;
 
-static void begin(descent *d, const vs_bvh *t, const vs_box *box, uint32_t from, int32_t family) {
+static void begin(descent *d, const vs_bvh *t, const vs_bvh_box *box, uint32_t from, int32_t family) {
   d->t = t;
   d->box = *box;
   d->from = from;
@@ -251,9 +251,9 @@ bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn 
   if (end > blocks) end = blocks;
   for (uint32_t from = first; from < end; from += GROUP) {
     uint32_t stop = from + GROUP < end ? from + GROUP : end;
-    vs_box all = around(&t->packs[from]);
+    vs_bvh_box all = around(&t->packs[from]);
     for (uint32_t a = from + 1; a < stop; a++) {
-      vs_box b = around(&t->packs[a]);
+      vs_bvh_box b = around(&t->packs[a]);
       for (int j = 0; j < 3; j++) {
         if (b.min[j] < all.min[j]) all.min[j] = b.min[j];
         if (b.max[j] > all.max[j]) all.max[j] = b.max[j];
@@ -267,7 +267,7 @@ bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn 
     while (next(&d, &block, &met))
       for (uint32_t left = met; left;) {
         uint32_t j = next_bit(&left);
-        vs_box box = box_of(&t->packs[block], j);
+        vs_bvh_box box = box_of(&t->packs[block], j);
         for (uint32_t a = from; a < stop && a <= block; a++) {
           vs_lanes meets = vs_pack_meeting(&t->packs[a], &box);
           if (t->has_families) {
@@ -282,7 +282,7 @@ bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn 
   return true;
 }
 
-bool vs_bvh_query(const vs_bvh *t, const vs_box *box, vs_bvh_hit_fn *fn, void *context) {
+bool vs_bvh_query(const vs_bvh *t, const vs_bvh_box *box, vs_bvh_hit_fn *fn, void *context) {
   descent d;
   uint32_t block, met;
   begin(&d, t, box, 0, -1);

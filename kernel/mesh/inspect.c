@@ -210,7 +210,7 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
     if (winding > out->most) out->most = winding;
     search s = { k, c, i / 2, { 0 }, VS_NONE };
     inside_of(c, i / 2, s.at);
-    vs_box box;
+    vs_bvh_box box;
     for (int j = 0; j < 3; j++) box.min[j] = (int32_t)(s.at[j] >> VS_FIXED_BITS) - 1, box.max[j] = box.min[j] + 3;
     ok = vs_bvh_query(&c->bvh, &box, holds, &s) && vs_kernel_poll(k, 0.9);
     if (s.found == VS_NONE || named.at[s.found]) continue;

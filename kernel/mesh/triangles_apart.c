@@ -135,7 +135,7 @@ typedef struct {
   const vs_mesh *m;
   vs_bounds all;
   double step; /* of boxes */
-  VS_LIST(vs_box) boxes;
+  VS_LIST(vs_bvh_box) boxes;
   vs_bvh bvh;
   _Atomic bool met;
   _Atomic size_t edges;
@@ -180,7 +180,7 @@ static bool box_some(vs_kernel *k, void *context, size_t index) {
     corners(s->m, (uint32_t)t, v);
     for (int i = 0; i < 3; i++) vs_bounds_add(&w, v[i]);
     s->boxes.at[t] =
-        (vs_box){ { (int32_t)((w.min.x - from.x) / s->step), (int32_t)((w.min.y - from.y) / s->step),
+        (vs_bvh_box){ { (int32_t)((w.min.x - from.x) / s->step), (int32_t)((w.min.y - from.y) / s->step),
                     (int32_t)((w.min.z - from.z) / s->step) },
                   { (int32_t)((w.max.x - from.x) / s->step) + 1, (int32_t)((w.max.y - from.y) / s->step) + 1,
                     (int32_t)((w.max.z - from.z) / s->step) + 1 } };

@@ -36,7 +36,7 @@ static bool leaves(int axis, const vs_vec3 t[3], vs_vec3 from, vs_vec3 to) {
 }
 
 /* Of a segment that lies in the triangle's plane. */
-static vs_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q) {
+static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q) {
   int axis = open_axis(t), left = 0, right = 0;
   if (holds(axis, t, p)) return leaves(axis, t, p, q) ? VS_MEET_TOUCH : VS_MEET_CROSS;
   if (holds(axis, t, q)) return leaves(axis, t, q, p) ? VS_MEET_TOUCH : VS_MEET_CROSS;
@@ -55,7 +55,7 @@ static vs_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q) {
 }
 
 /* from, to: sides of the triangle's plane that the segment's ends lie on */
-static vs_meeting segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q, int from, int to) {
+static vs_triangle_meeting segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q, int from, int to) {
   if (from * to > 0) return VS_MEET_NOT;
   if (from == 0 && to == 0) return flat_segment(t, p, q);
   if (from == 0 || to == 0) return holds(open_axis(t), t, from == 0 ? p : q) ? VS_MEET_TOUCH : VS_MEET_NOT;
@@ -69,9 +69,9 @@ static vs_meeting segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q, int from, in
   return left && right ? VS_MEET_NOT : border ? VS_MEET_TOUCH : VS_MEET_CROSS;
 }
 
-static vs_meeting worse(vs_meeting a, vs_meeting b) { return a > b ? a : b; }
+static vs_triangle_meeting worse(vs_triangle_meeting a, vs_triangle_meeting b) { return a > b ? a : b; }
 
-vs_meeting vs_triangles_meet(const vs_vec3 a[3], const vs_vec3 b[3]) {
+vs_triangle_meeting vs_triangles_meet(const vs_vec3 a[3], const vs_vec3 b[3]) {
   int of_a[3], of_b[3], shared = 0, over_a[3] = { 0 },
                         over_b[3] = { 0 }; /* over_a: sides of a's plane that b's corners lie on */
   for (int i = 0; i < 3; i++)
@@ -94,7 +94,7 @@ vs_meeting vs_triangles_meet(const vs_vec3 a[3], const vs_vec3 b[3]) {
     int i = (of_a[0] + 1) % 3, j = (of_a[0] + 2) % 3, k = (of_b[0] + 1) % 3, l = (of_b[0] + 2) % 3;
     return worse(segment(b, a[i], a[j], over_b[i], over_b[j]), segment(a, b[k], b[l], over_a[k], over_a[l]));
   }
-  vs_meeting all = VS_MEET_NOT;
+  vs_triangle_meeting all = VS_MEET_NOT;
   for (int i = 0; i < 3 && all != VS_MEET_CROSS; i++) {
     int j = (i + 1) % 3;
     all = worse(all, worse(segment(b, a[i], a[j], over_b[i], over_b[j]), segment(a, b[i], b[j], over_a[i], over_a[j])));

@@ -63,7 +63,7 @@ typedef struct {
  * within the margin of the least, or of the greatest. */
 typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: low or changed */ } reach;
 
-typedef struct { VS_LIST(run) at; VS_LIST(vs_box) boxes; } runs;
+typedef struct { VS_LIST(run) at; VS_LIST(vs_bvh_box) boxes; } runs;
 typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: OPEN, LEVEL */
 typedef struct { uint32_t a, b; } pair;
 
@@ -76,7 +76,7 @@ typedef struct {
   float margin;                  /* beyond a slab is further than that; errors of floats are less */
   made all;
   VS_LIST(uint32_t) busy;        /* open runs */
-  VS_LIST(vs_box) busy_boxes;
+  VS_LIST(vs_bvh_box) busy_boxes;
   VS_LIST(reach) reaches;        /* of the busy ones */
   vs_hubs around;                /* as rounded */
   VS_LIST(uint32_t) hubs;        /* of the open runs */
@@ -169,12 +169,12 @@ static bool alike(vs_vec3 a, vs_vec3 b) {
   return d > 0 && d * d > 0.933 * vs_v3_dot(a, a) * vs_v3_dot(b, b);
 }
 
-static vs_box box_of(const search *c, const vs_bounds *w) {
+static vs_bvh_box box_of(const search *c, const vs_bounds *w) {
   double wide = 2 * c->s->coarsest, scale = 1 / c->step;
   vs_vec3 low = vs_v3_scale(vs_v3_sub(w->min, c->middle), scale),
           high = vs_v3_scale(vs_v3_sub(w->max, c->middle), scale);
   int32_t more = (int32_t)(wide * scale) + 1;
-  return (vs_box){ { (int32_t)low.x - more, (int32_t)low.y - more, (int32_t)low.z - more },
+  return (vs_bvh_box){ { (int32_t)low.x - more, (int32_t)low.y - more, (int32_t)low.z - more },
                    { (int32_t)high.x + more, (int32_t)high.y + more, (int32_t)high.z + more } };
 }
 
@@ -488,7 +488,7 @@ typedef struct { vs_kernel *k; search *c; size_t at; const run *level; } looking
 static bool try_triangles(looking *l, const sheet *x, const sheet *y, bool changed) {
   const vs_rounding *s = l->c->s;
   if (x->flat || y->flat || apart(x, y)) return true;
-  vs_meeting meeting = vs_triangles_meet(x->at, y->at);
+  vs_triangle_meeting meeting = vs_triangles_meet(x->at, y->at);
   if (meeting == VS_MEET_NOT) return true;
   if (meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) {
     if (changed) return true;

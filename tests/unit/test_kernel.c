@@ -62,7 +62,7 @@ static void test_doubles(void **state) {
     crossings_triangle triangles[2] = { { 0, 1, 2 }, { 3, 4, 5 } };
     assert_true(crossings_find((const crossings_point *)at, 6, (const crossings_triangle *)triangles, 2, &found));
     size_t touching = found.count[CROSSINGS_TOUCHING], all = crossings_sum(&found);
-    vs_meeting want = all > touching ? VS_MEET_CROSS : touching ? VS_MEET_TOUCH : VS_MEET_NOT;
+    vs_triangle_meeting want = all > touching ? VS_MEET_CROSS : touching ? VS_MEET_TOUCH : VS_MEET_NOT;
     kinds[want]++;
     assert_int_equal(vs_triangles_meet(p, p + 3), want);
   }

@@ -16,13 +16,13 @@
 
 enum { MOST_LOOPS = 24 /* one in another or beside it: any may be compiled inside any */, MOST_DEPTH = 1500 };
 
-struct tail { struct tail *parent; vs_node *fix; vs_var *var; /* the body of var's lambda, or (NULL) of fix */ };
-struct job { struct job *next; vs_node *lambda; struct tail *tail; int loops; };
+struct tail { struct tail *parent; vs_core_node *fix; vs_var *var; /* the body of var's lambda, or (NULL) of fix */ };
+struct job { struct job *next; vs_core_node *lambda; struct tail *tail; int loops; };
 struct needs { struct needs *next; vs_var *loop, *through; };
 
 struct analysis { vs_ast *ast; struct job *jobs; struct needs *needs; uint32_t now; };
 
-static bool add_job(struct analysis *a, vs_node *lambda, struct tail *tail, int loops) {
+static bool add_job(struct analysis *a, vs_core_node *lambda, struct tail *tail, int loops) {
   struct job *j = vs_ast_alloc(a->ast, sizeof *j);
   if (!j) return false;
   *j = (struct job){a->jobs, lambda, tail, loops};
@@ -37,13 +37,13 @@ static vs_var_info *bind(struct analysis *a, vs_var *v) {
   return v->extra = vs_ast_alloc(a->ast, sizeof(vs_var_info));
 }
 
-static struct tail *scope(struct analysis *a, struct tail *parent, vs_node *fix, vs_var *var) {
+static struct tail *scope(struct analysis *a, struct tail *parent, vs_core_node *fix, vs_var *var) {
   struct tail *t = vs_ast_alloc(a->ast, sizeof *t);
   if (t) *t = (struct tail){parent, fix, var};
   return t;
 }
 
-static bool plain(const vs_node *lambda) {
+static bool plain(const vs_core_node *lambda) {
   if (lambda->as.lambda.rest) return false;
   for (uint32_t i = 0; i < lambda->count; i++)
     if (lambda->as.lambda.params[i].fallback || lambda->as.lambda.params[i].keyword) return false;
@@ -51,7 +51,7 @@ static bool plain(const vs_node *lambda) {
 }
 
 /* ---- first pass ---- */
-static bool called(struct analysis *a, vs_var *v, const vs_node *call, struct tail *t) {
+static bool called(struct analysis *a, vs_var *v, const vs_core_node *call, struct tail *t) {
   vs_var_info *info = vs_info(v);
   v->calls++;
   if (!info->loop) return true;
@@ -69,7 +69,7 @@ static bool called(struct analysis *a, vs_var *v, const vs_node *call, struct ta
 }
 
 /* t: the chain of scopes this is in tail position of, or NULL */
-static bool find_loops(struct analysis *a, vs_node *n, struct tail *t, int depth, int loops) {
+static bool find_loops(struct analysis *a, vs_core_node *n, struct tail *t, int depth, int loops) {
   if (!n) return true;
   if (!vs_poll(a->ast->vm, 16)) return false;
   depth++;
@@ -93,10 +93,10 @@ static bool find_loops(struct analysis *a, vs_node *n, struct tail *t, int depth
         if (!find_loops(a, n->as.seq.at[i], i + 1 == n->count ? t : NULL, depth, loops)) return false;
       return true;
     case VS_AST_CALL: {
-      vs_node *f = n->as.call.callee;
+      vs_core_node *f = n->as.call.callee;
       if (f->kind == VS_AST_LAMBDA && f->count && f->count == n->count && plain(f) && !n->as.call.keywords &&
           depth < MOST_DEPTH / 3) {
-        vs_node *list = vs_ast_list(a->ast, VS_AST_LET, n->count, n->pos);      /* ((lambda (x ...) body) v ...) */
+        vs_core_node *list = vs_ast_list(a->ast, VS_AST_LET, n->count, n->pos);      /* ((lambda (x ...) body) v ...) */
         if (!list) return false;
         for (uint32_t i = 0; i < n->count; i++) {
           list->as.let.vars[i] = f->as.lambda.params[i].var;
@@ -155,7 +155,7 @@ static bool find_loops(struct analysis *a, vs_node *n, struct tail *t, int depth
 }
 
 static bool find_loops_in(struct analysis *a, const struct job *j) {
-  vs_node *l = j->lambda;
+  vs_core_node *l = j->lambda;
   for (uint32_t i = 0; i < l->count; i++)
     if (!bind(a, l->as.lambda.params[i].var)) return false;
   if (l->as.lambda.rest && !bind(a, l->as.lambda.rest)) return false;
@@ -165,9 +165,9 @@ static bool find_loops_in(struct analysis *a, const struct job *j) {
 }
 
 /* ---- second pass ---- */
-static vs_frame_info *frame_of(vs_node *lambda) { return lambda->as.lambda.extra; }
+static vs_frame_info *frame_of(vs_core_node *lambda) { return lambda->as.lambda.extra; }
 
-static bool make_frame(struct analysis *a, vs_node *lambda, vs_node *parent, uint32_t made) {
+static bool make_frame(struct analysis *a, vs_core_node *lambda, vs_core_node *parent, uint32_t made) {
   vs_frame_info *f = vs_ast_alloc(a->ast, sizeof *f);
   if (!f) return false;
   f->parent = parent;
@@ -221,7 +221,7 @@ static bool capture(struct analysis *a, vs_frame_info *f, vs_var *v) {
 }
 
 /* v is used in frame `in`, now; *early: perhaps before it has a value */
-static bool use(struct analysis *a, vs_node *in, vs_var *v, bool *early) {
+static bool use(struct analysis *a, vs_core_node *in, vs_var *v, bool *early) {
   vs_var_info *info = vs_info(v);
   *early = false;
   if (info->frame == in) {
@@ -229,7 +229,7 @@ static bool use(struct analysis *a, vs_node *in, vs_var *v, bool *early) {
   } else {
     v->captured = true;
     /* up to a frame that captures it already, which knows the answer, or to the outermost one */
-    vs_node *at = in;
+    vs_core_node *at = in;
     uint32_t known;
     for (;; at = frame_of(at)->parent) {
       vs_frame_info *f = frame_of(at);
@@ -238,14 +238,15 @@ static bool use(struct analysis *a, vs_node *in, vs_var *v, bool *early) {
       if (f->parent == info->frame) { *early = f->made < info->ready; known = f->free_count - 1; break; }
     }
     frame_of(at)->early[known] = *early;
-    for (vs_node *f = in; f != at; f = frame_of(f)->parent) frame_of(f)->early[frame_of(f)->free_count - 1] = *early;
+    for (vs_core_node *f = in; f != at; f = frame_of(f)->parent)
+      frame_of(f)->early[frame_of(f)->free_count - 1] = *early;
     if (*early) info->boxed = true;
   }
   if (*early) info->early = true;
   return true;
 }
 
-static bool find_frames(struct analysis *a, vs_node *n, vs_node *in) {
+static bool find_frames(struct analysis *a, vs_core_node *n, vs_core_node *in) {
   if (!n) return true;
   if (!vs_poll(a->ast->vm, 16)) return false;
   bool early;
@@ -317,7 +318,7 @@ static bool find_frames(struct analysis *a, vs_node *n, vs_node *in) {
   return true;
 }
 
-static bool find_frames_in(struct analysis *a, vs_node *l) {
+static bool find_frames_in(struct analysis *a, vs_core_node *l) {
   for (uint32_t i = 0; i < l->count; i++) vs_info(l->as.lambda.params[i].var)->frame = l;
   if (l->as.lambda.rest) vs_info(l->as.lambda.rest)->frame = l;
   for (uint32_t i = 0; i < l->count; i++)
@@ -325,7 +326,7 @@ static bool find_frames_in(struct analysis *a, vs_node *l) {
   return find_frames(a, l->as.lambda.body, l);
 }
 
-bool vs_analyse(vs_ast *ast, vs_node *top) {
+bool vs_analyse(vs_ast *ast, vs_core_node *top) {
   struct analysis a = {ast, NULL, NULL, 0};
   if (!add_job(&a, top, NULL, 0)) return false;
   while (a.jobs) {

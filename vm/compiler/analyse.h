@@ -8,8 +8,8 @@
 
 /* vs_var.extra */
 typedef struct vs_var_info {
-  vs_node *frame;            /* the LAMBDA in whose frame it has a register */
-  vs_node *fix;              /* the FIX that binds it, or NULL */
+  vs_core_node *frame;            /* the LAMBDA in whose frame it has a register */
+  vs_core_node *fix;              /* the FIX that binds it, or NULL */
   uint32_t ready;            /* moment from which it has its value; 0 for parameters and LET */
   bool boxed;                /* captured before it has a value; so its register holds a box, as that of every assigned
                               * variable does */
@@ -19,9 +19,9 @@ typedef struct vs_var_info {
   uint32_t top;              /* loop: index of its first instruction */
 } vs_var_info;
 
-/* vs_node.as.lambda.extra of every LAMBDA that has a frame of its own */
+/* vs_core_node.as.lambda.extra of every LAMBDA that has a frame of its own */
 typedef struct vs_frame_info {
-  vs_node *parent;           /* the frame around it, or NULL */
+  vs_core_node *parent;           /* the frame around it, or NULL */
   uint32_t made;             /* moment its closure is made, in the parent */
   vs_var **free; uint32_t free_count, free_room;
   bool *early;               /* of each of them: was the frame made before it had a value? */
@@ -35,6 +35,6 @@ static inline vs_var_info *vs_info(const vs_var *v) { return v->extra; }
 
 /* Prepares the tree whose outermost frame is `top` (a LAMBDA). A LOCAL with flag set afterwards needs the check for a
  * value. */
-bool vs_analyse(vs_ast *ast, vs_node *top);
+bool vs_analyse(vs_ast *ast, vs_core_node *top);
 
 #endif

@@ -19,11 +19,11 @@
 #define EFFECT (UINT32_MAX - 1)
 #define TAIL (UINT32_MAX - 2)
 
-struct job { struct job *next; vs_node *lambda; };
+struct job { struct job *next; vs_core_node *lambda; };
 typedef struct compiler { vs_emit e; struct job *jobs; } compiler;
 
-static bool gen(compiler *c, vs_node *n, uint32_t to);
-static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list);
+static bool gen(compiler *c, vs_core_node *n, uint32_t to);
+static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list);
 
 /* Assigned variables are places, also for a continuation that copies the frame back: they live in the heap. But a
    variable that is said to be in a register, and is not captured, stays there. */
@@ -64,7 +64,7 @@ static bool load_raw(compiler *c, const vs_var *v, uint32_t to) {
   return vs_emit_op(&c->e, VS_O_FREE, to, free_index(c, v), 0);
 }
 
-static bool load_var(compiler *c, const vs_node *n, uint32_t to) {
+static bool load_var(compiler *c, const vs_core_node *n, uint32_t to) {
   const vs_var *v = n->as.var;
   vs_emit *e = &c->e;
   if (boxed(v)) {
@@ -81,14 +81,14 @@ static bool load_var(compiler *c, const vs_node *n, uint32_t to) {
          vs_emit_op1(e, VS_O_DEFINED, to, 0, 0, name);
 }
 
-static bool load_global(compiler *c, const vs_node *n, uint32_t to) {
+static bool load_global(compiler *c, const vs_core_node *n, uint32_t to) {
   uint32_t k;
   return vs_emit_constant(&c->e, n->as.global.cell, &k) && vs_emit_place(&c->e, n->pos) &&
          vs_emit_op1(&c->e, VS_O_GLOBAL, to, 0, 0, k);
 }
 
 /* a register that holds n's value for the next instruction: a local's own, or a temporary */
-static bool operand(compiler *c, vs_node *n, uint32_t *reg) {
+static bool operand(compiler *c, vs_core_node *n, uint32_t *reg) {
   if (n->kind == VS_AST_LOCAL && !n->flag && !boxed(n->as.var) && vs_info(n->as.var)->frame == c->e.frame) {
     *reg = n->as.var->reg;
     return true;
@@ -97,7 +97,7 @@ static bool operand(compiler *c, vs_node *n, uint32_t *reg) {
 }
 
 /* may working out n assign v, which lies in a register? (true when in doubt) */
-static bool writes(const vs_node *n, const vs_var *v, int depth) {
+static bool writes(const vs_core_node *n, const vs_var *v, int depth) {
   if (!n) return false;
   if (depth > 6) return true;
   switch (n->kind) {
@@ -115,8 +115,8 @@ static bool writes(const vs_node *n, const vs_var *v, int depth) {
 }
 
 /* operand of argument i of a call: a copy of a variable that a later argument may assign */
-static bool operand_of(compiler *c, vs_node *call, uint32_t i, uint32_t *reg) {
-  vs_node *n = call->as.call.at[i];
+static bool operand_of(compiler *c, vs_core_node *call, uint32_t i, uint32_t *reg) {
+  vs_core_node *n = call->as.call.at[i];
   bool written = false;
   if (n->kind == VS_AST_LOCAL && n->as.var->assigned)
     for (uint32_t j = i + 1; !written && j < call->count; j++) written = writes(call->as.call.at[j], n->as.var, 0);
@@ -124,7 +124,7 @@ static bool operand_of(compiler *c, vs_node *call, uint32_t i, uint32_t *reg) {
 }
 
 /* ---- calls that are opcodes ---- */
-static bool small(const compiler *c, const vs_node *n, uint32_t *bits) {
+static bool small(const compiler *c, const vs_core_node *n, uint32_t *bits) {
   if (n->kind != VS_AST_CONST) return false;
   vs_value v = pool(c, n->as.constant);
   if (!vs_is_fixnum(v) || vs_fixnum(v) < INT8_MIN || vs_fixnum(v) > INT8_MAX) return false;
@@ -133,8 +133,8 @@ static bool small(const compiler *c, const vs_node *n, uint32_t *bits) {
 }
 
 /* the row for this call, or NULL; *native is what the cell holds */
-static const vs_inline_row *row_of(const compiler *c, const vs_node *n, const vs_native **native) {
-  const vs_node *f = n->as.call.callee;
+static const vs_inline_row *row_of(const compiler *c, const vs_core_node *n, const vs_native **native) {
+  const vs_core_node *f = n->as.call.callee;
   if (n->kind != VS_AST_CALL || f->kind != VS_AST_GLOBAL || n->as.call.keywords) return NULL;
   const vs_cell *cell = vs_as_cell(pool(c, f->as.global.cell));
   if (!(cell->h.flags & VS_F_CONSTANT) || !vs_is(cell->value, VS_T_NATIVE)) return NULL;
@@ -142,12 +142,12 @@ static const vs_inline_row *row_of(const compiler *c, const vs_node *n, const vs
   return (*native)->inlined ? vs_inline_get((*native)->inlined) : NULL;
 }
 
-static bool is_test(const vs_inline_row *row, const vs_node *n) {
+static bool is_test(const vs_inline_row *row, const vs_core_node *n) {
   return row && (row->way == VS_WAY_TEST || row->way == VS_WAY_TYPE) && n->count == row->args;
 }
 
 /* notes that the next instruction stands for the call n */
-static bool stands_for(compiler *c, const vs_node *n) {
+static bool stands_for(compiler *c, const vs_core_node *n) {
   uint32_t k;
   return vs_emit_constant(&c->e, n->as.call.callee->as.global.cell, &k) && vs_emit_place(&c->e, n->pos) &&
          vs_emit_inlined(&c->e, k);
@@ -163,8 +163,8 @@ static bool near(compiler *c, uint32_t *reg, unsigned i) {
   return true;
 }
 
-static bool emit_value_op(compiler *c, const vs_node *n, unsigned op, uint32_t to, uint32_t b, uint32_t cc, bool b_reg,
-                          bool c_reg) {
+static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint32_t to, uint32_t b, uint32_t cc,
+                          bool b_reg, bool c_reg) {
   uint32_t target = to;
   if (to >= VS_NEAR) target = VS_NEAR + 4;
   if ((b_reg && !near(c, &b, 1)) || (c_reg && !near(c, &cc, 2)) || !stands_for(c, n)) return false;
@@ -175,7 +175,7 @@ static bool emit_value_op(compiler *c, const vs_node *n, unsigned op, uint32_t t
 }
 
 /* arguments in a row of new near registers; false in *ok if there is no room for that */
-static bool in_a_row(compiler *c, vs_node *n, uint32_t *first, bool *ok) {
+static bool in_a_row(compiler *c, vs_core_node *n, uint32_t *first, bool *ok) {
   *ok = c->e.next + n->count < VS_NEAR;
   if (!*ok) return true;
   for (uint32_t i = 0; i < n->count; i++) {
@@ -187,7 +187,7 @@ static bool in_a_row(compiler *c, vs_node *n, uint32_t *first, bool *ok) {
 }
 
 /* *done: n was a call that is an opcode, and has been emitted */
-static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
+static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
   const vs_native *native;
   const vs_inline_row *row = row_of(c, n, &native);
   vs_emit *e = &c->e;
@@ -271,7 +271,7 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
     case VS_WAY_RECORD: {              /* (%record-ref record type index name), (%record-set! record type index value
                                           name) */
       bool set = row->op == VS_O_RECSET;
-      vs_node *index = n->as.call.at[2], *name = n->as.call.at[row->args - 1];
+      vs_core_node *index = n->as.call.at[2], *name = n->as.call.at[row->args - 1];
       uint32_t k;
       if (n->count != row->args || index->kind != VS_AST_CONST || name->kind != VS_AST_CONST ||
           !vs_is_fixnum(pool(c, index->as.constant)) || (uint64_t)vs_fixnum(pool(c, index->as.constant)) > 255)
@@ -316,7 +316,7 @@ static bool gen_inline(compiler *c, vs_node *n, uint32_t to, bool *done) {
 }
 
 /* ---- tests: jumps (into list) if the truth of n is `sense`, else goes on ---- */
-static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
+static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, r[2], bits;
   const vs_native *native;
@@ -325,7 +325,7 @@ static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
       return (pool(c, n->as.constant) != VS_FALSE) != sense || vs_emit_branch(e, VS_O_JUMP, 0, 0, 0, list);
     case VS_AST_IF: {
       vs_jumps no = 0, end = 0;
-      vs_node *otherwise = n->as.branch.otherwise;
+      vs_core_node *otherwise = n->as.branch.otherwise;
       /* and */
       if (!sense && otherwise && otherwise->kind == VS_AST_CONST && pool(c, otherwise->as.constant) == VS_FALSE)
         return test(c, n->as.branch.test, false, list) && test(c, n->as.branch.then, false, list);
@@ -338,7 +338,7 @@ static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
       return true;
     }
     case VS_AST_LET: {                         /* or: (let ((t a)) (if t t b)) */
-      vs_node *b = n->as.let.body;
+      vs_core_node *b = n->as.let.body;
       vs_var *v = n->count == 1 ? n->as.let.vars[0] : NULL;
       if (!v || b->kind != VS_AST_IF || v->refs != 2 || v->assigned || v->captured || !b->as.branch.otherwise ||
           b->as.branch.test->kind != VS_AST_LOCAL || b->as.branch.test->as.var != v ||
@@ -357,7 +357,7 @@ static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
     case VS_AST_CALL: {
       const vs_inline_row *row = row_of(c, n, &native);
       if (!is_test(row, n)) break;
-      vs_node *x = n->as.call.at[0];
+      vs_core_node *x = n->as.call.at[0];
       if (row->op == VS_O_JNOT && (x->kind == VS_AST_IF || is_test(row_of(c, x, &native), x)))
         return test(c, x, !sense, list);
       if (!operand_of(c, n, 0, &r[0])) return false;
@@ -384,7 +384,7 @@ static bool test(compiler *c, vs_node *n, bool sense, vs_jumps *list) {
 }
 
 /* ---- lambda ---- */
-static bool code_for(compiler *c, vs_node *lambda, uint32_t *index) {
+static bool code_for(compiler *c, vs_core_node *lambda, uint32_t *index) {
   vs_scheme *vm = c->e.ast->vm;
   vs_frame_info *f = lambda->as.lambda.extra;
   vs_code *code = (vs_code *)(void *)vs_gc_alloc_old(vm, VS_T_CODE, VS_WORDS(vs_code));
@@ -400,7 +400,7 @@ static bool code_for(compiler *c, vs_node *lambda, uint32_t *index) {
   return true;
 }
 
-static bool gen_lambda(compiler *c, vs_node *lambda, uint32_t to) {
+static bool gen_lambda(compiler *c, vs_core_node *lambda, uint32_t to) {
   vs_emit *e = &c->e;
   vs_frame_info *f = lambda->as.lambda.extra;
   uint32_t index, k, target = to < VS_NEAR ? to : VS_NEAR + 4;
@@ -417,7 +417,7 @@ static bool gen_lambda(compiler *c, vs_node *lambda, uint32_t to) {
 }
 
 /* ---- calls ---- */
-static bool gen_loop_call(compiler *c, vs_node *n, uint32_t to);
+static bool gen_loop_call(compiler *c, vs_core_node *n, uint32_t to);
 
 /* window of n registers beyond procedure and return slot, from `first` (already taken) or the next free one */
 static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_t *first) {
@@ -435,16 +435,16 @@ static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_
 
 /* A word of another language, or of a library that was not imported, that nobody defined: looked up before the
    operands, so that (defun f (x) x) complains of defun and not of f. */
-static bool unknown_word(const compiler *c, const vs_node *global) {
+static bool unknown_word(const compiler *c, const vs_core_node *global) {
   const vs_cell *cell = vs_as_cell(pool(c, global->as.global.cell));
   return cell->value == VS_UNDEFINED && vs_is_symbol(cell->name) &&
          (vs_is_foreign_word(cell->name) ||
           vs_idtable_get(vs_as_environment(c->e.ast->vm->at.core)->table, cell->name) != VS_VACANT);
 }
 
-static bool gen_call(compiler *c, vs_node *n, uint32_t to, bool fresh) {
+static bool gen_call(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   vs_emit *e = &c->e;
-  vs_node *f = n->as.call.callee;
+  vs_core_node *f = n->as.call.callee;
   uint32_t keep = e->next, w, k = 0, kw = 0;
   if (f->kind == VS_AST_LOCAL && vs_info(f->as.var)->loop) return gen_loop_call(c, n, to);
   bool done;
@@ -481,7 +481,7 @@ static bool gen_call(compiler *c, vs_node *n, uint32_t to, bool fresh) {
 }
 
 /* does evaluating n read v? (true when in doubt) */
-static bool reads(const vs_node *n, const vs_var *v, int depth) {
+static bool reads(const vs_core_node *n, const vs_var *v, int depth) {
   if (!n) return false;
   if (depth > 6) return true;
   switch (n->kind) {
@@ -497,7 +497,7 @@ static bool reads(const vs_node *n, const vs_var *v, int depth) {
 }
 
 /* may n be compiled straight into a register that it reads itself? Only what writes it with its last instruction. */
-static bool lands_last(compiler *c, const vs_node *n) {
+static bool lands_last(compiler *c, const vs_core_node *n) {
   const vs_native *native;
   if (n->kind != VS_AST_CALL)
     return n->kind == VS_AST_CONST || n->kind == VS_AST_GLOBAL || (n->kind == VS_AST_LOCAL && !n->flag);
@@ -506,17 +506,17 @@ static bool lands_last(compiler *c, const vs_node *n) {
          n->count == row->args;
 }
 
-static bool gen_loop_call(compiler *c, vs_node *n, uint32_t to) {
+static bool gen_loop_call(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   vs_var *loop = n->as.call.callee->as.var;
   vs_var_info *info = vs_info(loop);
-  vs_node *lambda = loop->value;
+  vs_core_node *lambda = loop->value;
   uint32_t keep = e->next;
   struct move { uint32_t from, to; } *moves = vs_ast_alloc(e->ast, n->count * sizeof *moves);
   if (!moves) return false;
   size_t count = 0;
   for (uint32_t i = 0; i < n->count; i++) {
-    vs_node *arg = n->as.call.at[i];
+    vs_core_node *arg = n->as.call.at[i];
     vs_var *p = lambda->as.lambda.params[i].var;
     if (arg->kind == VS_AST_LOCAL && arg->as.var == p && !boxed(p)) continue;
     bool direct = lands_last(c, arg);
@@ -549,7 +549,7 @@ static bool gen_loop_call(compiler *c, vs_node *n, uint32_t to) {
 }
 
 /* ---- binding ---- */
-static bool gen_let(compiler *c, vs_node *n, uint32_t to) {
+static bool gen_let(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next;
   size_t scope = e->variable_count;
@@ -567,7 +567,7 @@ static bool gen_let(compiler *c, vs_node *n, uint32_t to) {
 }
 
 /* the lambdas [from, to) of a FIX, which may capture each other */
-static bool gen_run(compiler *c, vs_node *n, uint32_t from, uint32_t to) {
+static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, temp;
   for (uint32_t i = from; i < to; i++) {
@@ -601,7 +601,7 @@ static bool gen_run(compiler *c, vs_node *n, uint32_t from, uint32_t to) {
   return true;
 }
 
-static bool gen_fix(compiler *c, vs_node *n, uint32_t to) {
+static bool gen_fix(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next;
   size_t scope = e->variable_count;
@@ -637,7 +637,7 @@ static bool gen_fix(compiler *c, vs_node *n, uint32_t to) {
   return true;
 }
 
-static bool gen_set(compiler *c, vs_node *n, uint32_t to) {
+static bool gen_set(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   vs_var *v = n->as.set.var;
   uint32_t keep = e->next, value, box;
@@ -663,7 +663,7 @@ static bool gen_set(compiler *c, vs_node *n, uint32_t to) {
   return true;
 }
 
-static bool gen_global_set(compiler *c, vs_node *n, uint32_t to) {
+static bool gen_global_set(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, value, k;
   if (!vs_emit_register(e, &value) || !gen(c, n->as.global.value, value) ||
@@ -677,10 +677,10 @@ static bool gen_global_set(compiler *c, vs_node *n, uint32_t to) {
   return true;
 }
 
-static bool gen_check(compiler *c, vs_node *n, uint32_t to, bool fresh) {
+static bool gen_check(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   vs_emit *e = &c->e;
   vs_scheme *vm = e->ast->vm;
-  vs_node *p = n->as.check.predicate;
+  vs_core_node *p = n->as.check.predicate;
   if (p->kind == VS_AST_GLOBAL) {
     vs_value v = vs_as_cell(pool(c, p->as.global.cell))->value;
     if (vs_as_cell(pool(c, p->as.global.cell))->h.flags & VS_F_CONSTANT && vs_is(v, VS_T_NATIVE) &&
@@ -712,7 +712,7 @@ static bool gen_check(compiler *c, vs_node *n, uint32_t to, bool fresh) {
   return finish(c, w, to);
 }
 
-static bool gen_case(compiler *c, vs_node *n, uint32_t to) {
+static bool gen_case(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, r, first = 0, target;
   if (e->next + n->count + 1 >= VS_NEAR)
@@ -728,7 +728,7 @@ static bool gen_case(compiler *c, vs_node *n, uint32_t to) {
   return true;
 }
 
-static bool gen_if(compiler *c, vs_node *n, uint32_t to, bool fresh) {
+static bool gen_if(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   vs_emit *e = &c->e;
   vs_jumps no = 0, end = 0;
   if (!test(c, n->as.branch.test, false, &no)) return false;
@@ -749,7 +749,7 @@ static bool gen_if(compiler *c, vs_node *n, uint32_t to, bool fresh) {
   return true;
 }
 
-static bool gen(compiler *c, vs_node *n, uint32_t to) {
+static bool gen(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   if (!vs_poll(e->ast->vm, 16)) return false;
   bool fresh = e->fresh == to;
@@ -802,7 +802,7 @@ static bool gen(compiler *c, vs_node *n, uint32_t to) {
 }
 
 /* ---- a whole procedure ---- */
-static bool set_parameters(compiler *c, vs_node *l, vs_value code) {
+static bool set_parameters(compiler *c, vs_core_node *l, vs_value code) {
   vs_scheme *vm = c->e.ast->vm;
   vs_vector *names =
       (vs_vector *)(void *)vs_gc_alloc_old(vm, VS_T_VECTOR, 2 + l->count + (l->as.lambda.rest ? 1u : 0u));
@@ -822,7 +822,7 @@ static bool set_parameters(compiler *c, vs_node *l, vs_value code) {
   return true;
 }
 
-static bool gen_parameters(compiler *c, vs_node *l) {
+static bool gen_parameters(compiler *c, vs_core_node *l) {
   vs_emit *e = &c->e;
   uint32_t count = l->count + (l->as.lambda.rest ? 1u : 0u);
   if (count >= VS_NEAR)
@@ -854,10 +854,10 @@ static bool gen_parameters(compiler *c, vs_node *l) {
 }
 
 /* The procedure's description of itself: a string at the beginning of its body, with more behind it; else #f. */
-static vs_value doc_of(const compiler *c, const vs_node *body) {
+static vs_value doc_of(const compiler *c, const vs_core_node *body) {
   if (body->kind == VS_AST_SEQ && body->count > 1 && body->as.seq.at[0]->kind == VS_AST_CHECK)
     body = body->as.seq.at[body->count - 1];
-  const vs_node *first = NULL;
+  const vs_core_node *first = NULL;
   if (body->kind == VS_AST_SEQ && body->count > 1) first = body->as.seq.at[0];
   if (body->kind == VS_AST_FIX && body->count > 0) {      /* before definitions: body.c gives expressions there the name
                                                              _ */
@@ -868,7 +868,7 @@ static vs_value doc_of(const compiler *c, const vs_node *body) {
   return text ? pool(c, first->as.constant) : VS_FALSE;
 }
 
-static bool compile_procedure(compiler *c, vs_node *l) {
+static bool compile_procedure(compiler *c, vs_core_node *l) {
   vs_ast *ast = c->e.ast;
   vs_value code = ast->pool[((vs_frame_info *)l->as.lambda.extra)->code - 1];
   c->e = (vs_emit){.ast = ast, .frame = l, .fresh = VS_NO_REGISTER};
@@ -882,15 +882,15 @@ static bool compile_procedure(compiler *c, vs_node *l) {
   return ok;
 }
 
-bool vs_compile(vs_scheme *vm, vs_ast *ast, vs_node *body, vs_value *out) {
+bool vs_compile(vs_scheme *vm, vs_ast *ast, vs_core_node *body, vs_value *out) {
   compiler c = {.e = {.ast = ast}};
-  vs_node *top = vs_ast_list(ast, VS_AST_LAMBDA, 0, body->pos);
+  vs_core_node *top = vs_ast_list(ast, VS_AST_LAMBDA, 0, body->pos);
   if (!top) return false;
   top->as.lambda.body = body;
   uint32_t index;
   if (!vs_analyse(ast, top) || !code_for(&c, top, &index)) return false;
   while (c.jobs) {
-    vs_node *l = c.jobs->lambda;
+    vs_core_node *l = c.jobs->lambda;
     c.jobs = c.jobs->next;
     if (!compile_procedure(&c, l)) return false;
   }

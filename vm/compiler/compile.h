@@ -6,6 +6,6 @@
 
 /* *out = a procedure of no arguments that does what `body` says when called. The tree may be cleared afterwards.
    Literals in the pool are used as they are (the expander has stripped aliases from quoted data). */
-bool vs_compile(vs_scheme *vm, vs_ast *ast, vs_node *body, vs_value *out);
+bool vs_compile(vs_scheme *vm, vs_ast *ast, vs_core_node *body, vs_value *out);
 
 #endif

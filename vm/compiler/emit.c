@@ -133,7 +133,7 @@ static bool worth_showing(const vs_emit *e, const vs_var *v) {
 bool vs_emit_variable(vs_emit *e, const vs_var *v) {
   if (!worth_showing(e, v)) return true;
   if (!grow(e, &e->variables, &e->variable_room, e->variable_count, sizeof *e->variables)) return false;
-  e->variables[e->variable_count++] = (vs_variable){v->name, v->reg, (uint32_t)e->count, UINT32_MAX};
+  e->variables[e->variable_count++] = (vs_named_register){v->name, v->reg, (uint32_t)e->count, UINT32_MAX};
   return true;
 }
 
@@ -148,7 +148,7 @@ static bool captured_variables(vs_emit *e) {
   for (uint32_t i = 0; i < f->free_count; i++) {
     if (!worth_showing(e, f->free[i])) continue;
     if (!grow(e, &e->variables, &e->variable_room, e->variable_count, sizeof *e->variables)) return false;
-    e->variables[e->variable_count++] = (vs_variable){f->free[i]->name, -1 - (int64_t)i, 0, UINT32_MAX};
+    e->variables[e->variable_count++] = (vs_named_register){f->free[i]->name, -1 - (int64_t)i, 0, UINT32_MAX};
   }
   return true;
 }

@@ -78,25 +78,25 @@ vs_var *vs_ast_var(vs_ast *ast, vs_value symbol) {
   return v && vs_ast_const(ast, symbol, &v->name) ? v : NULL;
 }
 
-vs_node *vs_ast_node(vs_ast *ast, int kind, vs_pos pos) {
-  vs_node *n = vs_ast_alloc(ast, sizeof *n);
+vs_core_node *vs_ast_node(vs_ast *ast, int kind, vs_pos pos) {
+  vs_core_node *n = vs_ast_alloc(ast, sizeof *n);
   if (n) { n->kind = (uint8_t)kind; n->pos = pos; }
   return n;
 }
 
-vs_node *vs_ast_constant(vs_ast *ast, vs_value v, vs_pos pos) {
-  vs_node *n = vs_ast_node(ast, VS_AST_CONST, pos);
+vs_core_node *vs_ast_constant(vs_ast *ast, vs_value v, vs_pos pos) {
+  vs_core_node *n = vs_ast_node(ast, VS_AST_CONST, pos);
   return n && vs_ast_const(ast, v, &n->as.constant) ? n : NULL;
 }
 
-vs_node *vs_ast_local(vs_ast *ast, vs_var *var, vs_pos pos) {
-  vs_node *n = vs_ast_node(ast, VS_AST_LOCAL, pos);
+vs_core_node *vs_ast_local(vs_ast *ast, vs_var *var, vs_pos pos) {
+  vs_core_node *n = vs_ast_node(ast, VS_AST_LOCAL, pos);
   if (n) n->as.var = var;
   return n;
 }
 
-vs_node *vs_ast_list(vs_ast *ast, int kind, size_t count, vs_pos pos) {
-  vs_node *n = vs_ast_node(ast, kind, pos);
+vs_core_node *vs_ast_list(vs_ast *ast, int kind, size_t count, vs_pos pos) {
+  vs_core_node *n = vs_ast_node(ast, kind, pos);
   if (!n || count > UINT32_MAX) return NULL;
   n->count = (uint32_t)count;
   size_t bytes = (count ? count : 1) * sizeof(void *);

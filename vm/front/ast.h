@@ -24,7 +24,7 @@ enum {
 };
 enum { VS_AST_DEPTH = 400 };
 
-typedef struct vs_node vs_node;
+typedef struct vs_core_node vs_core_node;
 
 typedef struct vs_var {
   uint32_t name;             /* constant index of its symbol */
@@ -34,20 +34,20 @@ typedef struct vs_var {
   /* the compiler's */
   bool assigned, captured, known;
   uint32_t refs, calls;
-  vs_node *owner, *value;    /* the LAMBDA it lives in; FIX: its initial LAMBDA */
+  vs_core_node *owner, *value;    /* the LAMBDA it lives in; FIX: its initial LAMBDA */
   uint32_t reg;
   void *extra;
 } vs_var;
 
 typedef struct vs_param {    /* one parameter of a lambda, in the order required, optional, keyword */
   vs_var *var;
-  vs_node *fallback;         /* NULL: required. Else evaluated when it was not given, in the scope of the parameters
-                                before it */
+  vs_core_node *fallback;         /* NULL: required. Else evaluated when it was not given, in the scope of the
+                                parameters before it */
   uint32_t keyword;          /* 0, or 1 + constant index of the keyword's symbol (the name without #:). A keyword
                                 parameter with fallback NULL must be given */
 } vs_param;
 
-struct vs_node {
+struct vs_core_node {
   uint8_t kind;
   bool flag;
   uint32_t count;            /* of `at` */
@@ -55,29 +55,30 @@ struct vs_node {
   union {
     uint32_t constant;                                            /* CONST: index */
     vs_var *var;                                                  /* LOCAL */
-    struct { vs_var *var; vs_node *value; } set;                  /* SETLOCAL; its value is #unspecific */
-    struct { uint32_t cell; vs_node *value; } global;             /* GLOBAL, SETGLOBAL, DEFGLOBAL: constant index of a
-                                                                     CELL. GLOBAL of a cell holding VS_UNDEFINED is the
-                                                                     error "NAME is not defined" */
-    struct { vs_node *test, *then, *otherwise; } branch;          /* IF; otherwise NULL: #unspecific */
-    struct { vs_node **at; } seq;                                 /* SEQ; count 0: #unspecific */
-    struct { vs_node *callee; vs_node **at; uint32_t keywords; } call;  /* CALL; keywords: 0 or 1 + constant index of a
-                                                                     KEYWORDS object that names the last arguments.
-                                                                     Evaluated left to right, callee first */
-    struct { vs_var **vars; vs_node **values; vs_node *body; } let;     /* LET (values outside the scope), FIX (letrec*:
-                                                                     in order, all in scope; a reference too early is an
-                                                                     error); count variables. Internal defines are FIX.
-                                                                     Named let and do: FIX of one LAMBDA whose body is a
-                                                                     CALL of it: the compiler makes it a loop */
+    struct { vs_var *var; vs_core_node *value; } set;                  /* SETLOCAL; its value is #unspecific */
+    struct { uint32_t cell; vs_core_node *value; } global;             /* GLOBAL, SETGLOBAL, DEFGLOBAL: constant index
+                                                                     of a CELL. GLOBAL of a cell holding VS_UNDEFINED is
+                                                                     the error "NAME is not defined" */
+    struct { vs_core_node *test, *then, *otherwise; } branch;          /* IF; otherwise NULL: #unspecific */
+    struct { vs_core_node **at; } seq;                                 /* SEQ; count 0: #unspecific */
+    struct { vs_core_node *callee; vs_core_node **at; uint32_t keywords; } call;  /* CALL; keywords: 0 or 1 + constant
+                                                                     index of a KEYWORDS object that names the last
+                                                                     arguments. Evaluated left to right, callee first */
+    struct { vs_var **vars; vs_core_node **values; vs_core_node *body; } let;     /* LET (values outside the scope), FIX
+                                                                     (letrec*: in order, all in scope; a reference too
+                                                                     early is an error); count variables. Internal
+                                                                     defines are FIX. Named let and do: FIX of one
+                                                                     LAMBDA whose body is a CALL of it: the compiler
+                                                                     makes it a loop */
     struct {
       uint32_t name;                                              /* 0 or 1 + constant index of a symbol */
       vs_param *params;                                           /* count of them */
       vs_var *rest;                                               /* or NULL */
-      vs_node *body;
+      vs_core_node *body;
       void *extra;                                                /* the compiler's */
     } lambda;                                                     /* LAMBDA */
-    struct { uint32_t name; vs_node **at; } clauses;              /* CASE: case-lambda, LAMBDAs */
-    struct { vs_node *predicate, *value; uint32_t name, text, who; } check;
+    struct { uint32_t name; vs_core_node **at; } clauses;              /* CASE: case-lambda, LAMBDAs */
+    struct { vs_core_node *predicate, *value; uint32_t name, text, who; } check;
       /* CHECK: a contract. Value of `value` if (predicate value) is true; else the error "WHO: NAME must be TEXT, got
          VALUE". A predicate that raises counts as false, one that is no procedure makes the message show [NAME TEXT].
          name, text: constants (symbol, any datum as written); who: constant (symbol or #f). The expander evaluates the
@@ -104,11 +105,11 @@ void *vs_ast_alloc(vs_ast *ast, size_t bytes);
 /* the same immediate or object may share an index */
 bool vs_ast_const(vs_ast *ast, vs_value v, uint32_t *index);
 vs_var *vs_ast_var(vs_ast *ast, vs_value symbol);
-vs_node *vs_ast_node(vs_ast *ast, int kind, vs_pos pos);                    /* fields zero */
+vs_core_node *vs_ast_node(vs_ast *ast, int kind, vs_pos pos);                    /* fields zero */
 /* shorthands; NULL when memory is out */
-vs_node *vs_ast_constant(vs_ast *ast, vs_value v, vs_pos pos);
-vs_node *vs_ast_local(vs_ast *ast, vs_var *var, vs_pos pos);
+vs_core_node *vs_ast_constant(vs_ast *ast, vs_value v, vs_pos pos);
+vs_core_node *vs_ast_local(vs_ast *ast, vs_var *var, vs_pos pos);
 /* SEQ, CALL, CASE, LET, FIX, LAMBDA with room for n */
-vs_node *vs_ast_list(vs_ast *ast, int kind, size_t n, vs_pos pos);
+vs_core_node *vs_ast_list(vs_ast *ast, int kind, size_t n, vs_pos pos);
 
 #endif

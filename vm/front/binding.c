@@ -38,7 +38,8 @@ static bool bind_names(vs_expansion *x, vs_value list, vs_value scope, vs_var **
   return true;
 }
 
-static bool push_values(vs_expansion *x, vs_value list, vs_value env, vs_node **values, vs_var **vars, uint32_t depth) {
+static bool push_values(vs_expansion *x, vs_value list, vs_value env, vs_core_node **values, vs_var **vars,
+                        uint32_t depth) {
   bool ok = true;
   for (size_t i = 0; ok && vs_is_pair(list); list = vs_cdr(list), i++) {
     vs_value l = vs_cdr(vs_car(list));
@@ -56,7 +57,7 @@ static bool named_let(vs_expansion *x) {
   if (!check_bindings(x, list, x->now.pos, VS_FORM_let, false)) return false;
   size_t n = (size_t)vs_list_length(list);
   vs_pos pos = x->now.pos;
-  vs_node *fix = vs_expand_many(x, VS_AST_FIX, 1, pos), *lambda = vs_expand_many(x, VS_AST_LAMBDA, n, pos),
+  vs_core_node *fix = vs_expand_many(x, VS_AST_FIX, 1, pos), *lambda = vs_expand_many(x, VS_AST_LAMBDA, n, pos),
           *call = vs_expand_many(x, VS_AST_CALL, n, pos);
   if (!fix || !lambda || !call || !vs_expand_scope(x, x->now.env, &r[0]) ||
       !vs_expand_var(x, id, r[0], &fix->as.let.vars[0]) || !vs_expand_scope(x, r[0], &r[1]) ||
@@ -103,7 +104,8 @@ static size_t returning_again(vs_value list) {
 
 /* A letrec with `again` values that may come a second time. Their names are places in the heap, and get their values
  * when all of these are there: FIX (procedure value) ... (a' value) ... (a a') ... with names a' that nobody sees. */
-static bool letrec_apart(vs_expansion *x, vs_node *fix, vs_var **vars, size_t again, vs_value env, uint32_t depth) {
+static bool letrec_apart(vs_expansion *x, vs_core_node *fix, vs_var **vars, size_t again, vs_value env,
+                         uint32_t depth) {
   VS_ROOTS(x->vm, r, 2);
   r[0] = vs_car(vs_cdr(x->now.form)); r[1] = env;
   size_t n = (size_t)vs_list_length(r[0]), direct = 0, first = n - again;
@@ -142,7 +144,7 @@ static bool binding_form(vs_expansion *x, int form, int kind) {
   if (!n) return vs_expand_body(x, vs_cdr(l), x->now.env, pos, x->now.into, x->now.depth);
   VS_ROOTS(x->vm, r, 1);
   size_t again = form == VS_FORM_letrec ? returning_again(vs_car(l)) : 0;
-  vs_node *node = vs_expand_many(x, kind, n + again, pos);
+  vs_core_node *node = vs_expand_many(x, kind, n + again, pos);
   vs_var **vars = again ? vs_ast_alloc(&x->ast, n * sizeof *vars) : node ? node->as.let.vars : NULL;
   if (!node || !vars || !vs_expand_scope(x, x->now.env, &r[0]) ||
       !bind_names(x, vs_car(vs_cdr(x->now.form)), r[0], vars))
@@ -160,7 +162,7 @@ bool vs_form_let(vs_expansion *x) { return binding_form(x, VS_FORM_let, VS_AST_L
 /* A let whose variables may be assigned where they lie, in registers: nothing in it makes a continuation that returns
    twice. */
 bool vs_form_let_registers(vs_expansion *x) {
-  vs_node **into = x->now.into;
+  vs_core_node **into = x->now.into;
   if (!binding_form(x, VS_FORM_let_registers, VS_AST_LET)) return false;
   if ((*into)->kind == VS_AST_LET)
     for (uint32_t i = 0; i < (*into)->count; i++) (*into)->as.let.vars[i]->in_register = true;
@@ -179,7 +181,7 @@ bool vs_form_let_star(vs_expansion *x) {
   vs_value list = vs_car(l);
   if (list == VS_NIL) return vs_expand_body(x, vs_cdr(l), x->now.env, pos, x->now.into, x->now.depth);
   VS_ROOTS(x->vm, r, 3);
-  vs_node *node = vs_expand_many(x, VS_AST_LET, 1, pos);
+  vs_core_node *node = vs_expand_many(x, VS_AST_LET, 1, pos);
   if (!node || !vs_expand_scope(x, x->now.env, &r[0])) return false;
   *x->now.into = node;
   r[1] = vs_car(vs_car(vs_car(vs_cdr(x->now.form))));
@@ -214,7 +216,7 @@ bool vs_form_do(vs_expansion *x) {
   if (results < 1)
     return vs_expand_fail(x, vs_element_pos(vs_cdr(l), false, pos), end, "the end of do is (test result ...), not");
   size_t n = (size_t)vs_list_length(list), steps = (size_t)vs_list_length(body);
-  vs_node *fix = vs_expand_many(x, VS_AST_FIX, 1, pos), *lambda = vs_expand_many(x, VS_AST_LAMBDA, n, pos),
+  vs_core_node *fix = vs_expand_many(x, VS_AST_FIX, 1, pos), *lambda = vs_expand_many(x, VS_AST_LAMBDA, n, pos),
           *call = vs_expand_many(x, VS_AST_CALL, n, pos), *again = vs_expand_many(x, VS_AST_CALL, n, pos),
           *seq = vs_expand_many(x, VS_AST_SEQ, steps + 1, pos), *test = vs_expand_node(x, VS_AST_IF, pos);
   vs_var **vars = vs_ast_alloc(&x->ast, (n + 1) * sizeof *vars);
@@ -246,7 +248,7 @@ bool vs_form_do(vs_expansion *x) {
   end = vs_car(vs_cdr(l));
   if (results == 1) ok = ok && (test->as.branch.then = vs_expand_many(x, VS_AST_SEQ, 0, pos)) != NULL;
   else {
-    vs_node *result = vs_expand_many(x, VS_AST_SEQ, (size_t)results - 1, pos);
+    vs_core_node *result = vs_expand_many(x, VS_AST_SEQ, (size_t)results - 1, pos);
     if (!result) return false;
     test->as.branch.then = result;
     ok = ok && vs_expand_list(x, vs_cdr(end), r[0], result->as.seq.at, 3);

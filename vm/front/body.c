@@ -137,7 +137,7 @@ static bool keep(vs_expansion *x, vs_value variable, vs_value form, vs_pos pos, 
   return vs_cons(vm, r[2], x->now.acc, &x->now.acc);
 }
 
-static bool expand_kept(vs_expansion *x, vs_value kept, vs_node **into, uint32_t depth) {
+static bool expand_kept(vs_expansion *x, vs_value kept, vs_core_node **into, uint32_t depth) {
   VS_ROOTS(x->vm, r, 2);
   const vs_vector *v = vs_as_vector(kept);
   vs_pos pos = vs_pos_of(v->at[2]);
@@ -169,7 +169,7 @@ static bool finish_body(vs_expansion *x) {
   VS_ROOTS(vm, r, 1);
   r[0] = x->now.acc;
   size_t rest = total - defined;
-  vs_node *seq = NULL, *fix = NULL, **into = x->now.into;
+  vs_core_node *seq = NULL, *fix = NULL, **into = x->now.into;
   vs_pos pos = x->now.pos;
   if (defined) {
     if (!(fix = vs_expand_many(x, VS_AST_FIX, defined, pos))) return false;
@@ -321,7 +321,7 @@ bool vs_top_step(vs_expansion *x) {
     bool procedure;
     vs_value cell;
     if (!vs_define_parts(x, r[0], x->now.env, &r[1], &r[2], &r[3], &procedure)) return false;
-    vs_node *n = vs_expand_node(x, VS_AST_DEFGLOBAL, pos);
+    vs_core_node *n = vs_expand_node(x, VS_AST_DEFGLOBAL, pos);
     if (!n || !vs_environment_define(vm, x->now.env, r[1], &cell) || !vs_ast_const(&x->ast, cell, &n->as.global.cell))
       return false;
     *x->now.into = n;

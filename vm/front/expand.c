@@ -87,7 +87,7 @@ static bool push_task(vs_expansion *x, const vs_task *t) {
   return true;
 }
 
-bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_node **into,
+bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_core_node **into,
                     uint32_t depth) {
   vs_task t = {
     .kind = (uint8_t)kind, .depth = depth, .pos = pos, .into = into, .form = form, .env = env, .acc = VS_NIL
@@ -130,15 +130,17 @@ bool vs_expand_shape(vs_expansion *x, int form) {
 }
 
 /* ---- nodes ---- */
-vs_node *vs_expand_node(vs_expansion *x, int kind, vs_pos pos) { return vs_ast_node(&x->ast, kind, pos); }
-vs_node *vs_expand_many(vs_expansion *x, int kind, size_t n, vs_pos pos) { return vs_ast_list(&x->ast, kind, n, pos); }
+vs_core_node *vs_expand_node(vs_expansion *x, int kind, vs_pos pos) { return vs_ast_node(&x->ast, kind, pos); }
+vs_core_node *vs_expand_many(vs_expansion *x, int kind, size_t n, vs_pos pos) {
+  return vs_ast_list(&x->ast, kind, n, pos);
+}
 
-static vs_node *global(vs_expansion *x, int kind, vs_value cell, vs_pos pos) {
-  vs_node *n = vs_ast_node(&x->ast, kind, pos);
+static vs_core_node *global(vs_expansion *x, int kind, vs_value cell, vs_pos pos) {
+  vs_core_node *n = vs_ast_node(&x->ast, kind, pos);
   return n && vs_ast_const(&x->ast, cell, &n->as.global.cell) ? n : NULL;
 }
 
-vs_node *vs_expand_core(vs_expansion *x, const char *name, vs_pos pos) {
+vs_core_node *vs_expand_core(vs_expansion *x, const char *name, vs_pos pos) {
   vs_value id, cell;
   if (!vs_intern_c(x->vm, name, &id)) return NULL;
   vs_meaning m = vs_environment_find(x->vm->at.core, id);
@@ -149,8 +151,8 @@ vs_node *vs_expand_core(vs_expansion *x, const char *name, vs_pos pos) {
   return vs_environment_cell(x->vm, &m, &cell) ? global(x, VS_AST_GLOBAL, cell, pos) : NULL;
 }
 
-vs_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos pos) {
-  vs_node *call = vs_ast_list(&x->ast, VS_AST_CALL, n, pos);
+vs_core_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos pos) {
+  vs_core_node *call = vs_ast_list(&x->ast, VS_AST_CALL, n, pos);
   return call && (call->as.call.callee = vs_expand_core(x, name, pos)) ? call : NULL;
 }
 
@@ -223,7 +225,7 @@ static bool near_local(vs_expansion *x, vs_value env, vs_meaning *m) {
   return ok;
 }
 
-vs_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos) {
+vs_core_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos) {
   vs_meaning m = vs_environment_find(env, id);
   if (m.kind == VS_MEANS_MACRO) { not_an_expression(x, id, &m, pos); return NULL; }
   if (m.kind == VS_MEANS_LOCAL) {
@@ -244,21 +246,21 @@ bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var) {
   return *var && vs_environment_bind(x->vm, scope, id, vs_fix((int64_t)(uintptr_t)*var));
 }
 
-bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_node **into) {
+bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_core_node **into) {
   vs_value l = x->now.form;
   for (int64_t i = 0; i < nth; i++) l = vs_cdr(l);
   return vs_expand_push(x, VS_TASK_EXPR, vs_car(l), env, vs_element_pos(l, nth == 0, x->now.pos), into,
                         x->now.depth + 1);
 }
 
-bool vs_expand_list(vs_expansion *x, vs_value list, vs_value env, vs_node **at, uint32_t depth) {
+bool vs_expand_list(vs_expansion *x, vs_value list, vs_value env, vs_core_node **at, uint32_t depth) {
   bool ok = true;
   for (size_t i = 0; ok && vs_is_pair(list); list = vs_cdr(list), i++)
     ok = vs_expand_push(x, VS_TASK_EXPR, vs_car(list), env, vs_element_pos(list, false, x->now.pos), &at[i], depth);
   return ok;
 }
 
-bool vs_expand_body(vs_expansion *x, vs_value forms, vs_value env, vs_pos pos, vs_node **into, uint32_t depth) {
+bool vs_expand_body(vs_expansion *x, vs_value forms, vs_value env, vs_pos pos, vs_core_node **into, uint32_t depth) {
   VS_ROOTS(x->vm, r, 2);
   r[0] = forms;
   return vs_expand_scope(x, env, &r[1]) && vs_expand_push(x, VS_TASK_BODY, r[0], r[1], pos, into, depth);
@@ -271,7 +273,7 @@ bool vs_form_set(vs_expansion *x) {
   vs_value id = vs_car(vs_cdr(form));
   vs_pos pos = vs_element_pos(vs_cdr(form), false, x->now.pos);
   vs_meaning m = vs_environment_find(x->now.env, id);
-  vs_node *n;
+  vs_core_node *n;
   if (m.kind == VS_MEANS_MACRO) return not_an_expression(x, id, &m, pos);
   if (m.kind == VS_MEANS_LOCAL) {
     vs_var *var = local(x, &m, id, pos);
@@ -299,7 +301,7 @@ static bool is_keyword(vs_value v) {
 static bool long_application(vs_expansion *x, size_t n) {
   vs_pos pos = x->now.pos;
   size_t lists = (n + MOST_ARGUMENTS - 1) / MOST_ARGUMENTS;
-  vs_node *apply = vs_expand_call(x, "apply", 2, pos), *append = vs_expand_call(x, "append", lists, pos);
+  vs_core_node *apply = vs_expand_call(x, "apply", 2, pos), *append = vs_expand_call(x, "append", lists, pos);
   if (!apply || !append) return false;
   *x->now.into = apply;
   apply->as.call.at[1] = append;
@@ -309,7 +311,7 @@ static bool long_application(vs_expansion *x, size_t n) {
     size_t count = n - i * MOST_ARGUMENTS < MOST_ARGUMENTS ? n - i * MOST_ARGUMENTS : MOST_ARGUMENTS;
     VS_ROOTS(x->vm, r, 1);
     r[0] = l;
-    vs_node *list = append->as.call.at[i] = vs_expand_call(x, "list", count, pos);
+    vs_core_node *list = append->as.call.at[i] = vs_expand_call(x, "list", count, pos);
     if (!list) return false;
     l = r[0];
     for (size_t k = 0; ok && k < count; k++, l = vs_cdr(l))
@@ -324,7 +326,7 @@ static bool given_twice(vs_expansion *x, vs_value name) {
   char text[300];
   VS_ROOTS(x->vm, r, 1);
   int n = snprintf(text, sizeof text, "#:%.200s is given twice", vs_as_symbol(name)->name);
-  vs_node *call = vs_expand_call(x, "error", 1, x->now.pos);
+  vs_core_node *call = vs_expand_call(x, "error", 1, x->now.pos);
   return call && (*x->now.into = call) && vs_string_from_utf8(x->vm, text, (size_t)n, &r[0]) &&
          (call->as.call.at[0] = vs_ast_constant(&x->ast, r[0], x->now.pos)) != NULL;
 }
@@ -345,7 +347,7 @@ static bool application(vs_expansion *x) {
   }
   size_t n = (size_t)length - 1 - keys, plain = 0, keyed = n - keys;
   if (n > MOST_ARGUMENTS && !keys) return long_application(x, n);
-  vs_node *call = vs_expand_many(x, VS_AST_CALL, n, x->now.pos);
+  vs_core_node *call = vs_expand_many(x, VS_AST_CALL, n, x->now.pos);
   if (!call) return false;
   *x->now.into = call;
   if (keys) {
@@ -375,7 +377,7 @@ static bool application(vs_expansion *x) {
   uint32_t depth = x->now.depth + 1;
   bool ok = vs_expand_nth(x, 0, x->now.env, &call->as.call.callee);
   for (vs_value l = vs_cdr(x->now.form); ok && vs_is_pair(l); l = vs_cdr(l)) {
-    vs_node **into = &call->as.call.at[plain];
+    vs_core_node **into = &call->as.call.at[plain];
     if (is_keyword(vs_car(l))) { l = vs_cdr(l); into = &call->as.call.at[keyed++]; }
     else plain++;
     ok = vs_expand_push(x, VS_TASK_EXPR, vs_car(l), x->now.env, vs_element_pos(l, false, x->now.pos), into, depth);
@@ -431,7 +433,7 @@ bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *po
 
 bool vs_expand_outline(vs_expansion *x) {
   if (x->now.depth <= DEPTH_LIMIT) return true;
-  vs_node *call = vs_expand_many(x, VS_AST_CALL, 0, x->now.pos),
+  vs_core_node *call = vs_expand_many(x, VS_AST_CALL, 0, x->now.pos),
           *thunk = vs_expand_many(x, VS_AST_LAMBDA, 0, x->now.pos);
   if (!call || !thunk) return false;
   call->as.call.callee = thunk;

@@ -41,7 +41,7 @@ typedef struct vs_task {
   bool chained;      /* the rest of a form whose shape has been checked: (and b c) of (and a b c) */
   uint32_t depth, n;
   vs_pos pos;        /* of the form, if the form does not know better */
-  vs_node **into;
+  vs_core_node **into;
   vs_var *var;
   vs_value form, env, acc;
 } vs_task;
@@ -62,7 +62,7 @@ typedef struct vs_expansion {
   vs_task now, *tasks;
   size_t count, room;
   int64_t serial;          /* of the top-level form: scopes of another one are dead */
-  vs_node *root;
+  vs_core_node *root;
   vs_expand_result result;
   bool definition;         /* NODE: of a definition: no value worth telling */
   vs_value procedure, args;   /* CALL, RUN: what to call and the list of arguments */
@@ -84,32 +84,32 @@ bool vs_expansion_begin(vs_expansion *x, vs_value form, vs_value env, vs_pos pos
 vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value);
 
 /* ---- for the forms ---- */
-bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_node **into,
+bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_core_node **into,
                     uint32_t depth);
 vs_task *vs_expand_top(vs_expansion *x);                               /* the task pushed last */
 /* the cadr-th element of the current form as an expression one level down */
-bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_node **into);
+bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_core_node **into);
 /* the elements of `list` (a tail of the current form) into a node's `at` */
-bool vs_expand_list(vs_expansion *x, vs_value list, vs_value env, vs_node **at, uint32_t depth);
+bool vs_expand_list(vs_expansion *x, vs_value list, vs_value env, vs_core_node **at, uint32_t depth);
 /* Past some depth the task's form goes into a procedure called on the spot, so that what recurses over the tree stays
    shallow. */
 bool vs_expand_outline(vs_expansion *x);
 /* a body: definitions and expressions, in a new scope of env */
-bool vs_expand_body(vs_expansion *x, vs_value forms, vs_value env, vs_pos pos, vs_node **into, uint32_t depth);
+bool vs_expand_body(vs_expansion *x, vs_value forms, vs_value env, vs_pos pos, vs_core_node **into, uint32_t depth);
 
-vs_node *vs_expand_node(vs_expansion *x, int kind, vs_pos pos);
-vs_node *vs_expand_many(vs_expansion *x, int kind, size_t n, vs_pos pos);
+vs_core_node *vs_expand_node(vs_expansion *x, int kind, vs_pos pos);
+vs_core_node *vs_expand_many(vs_expansion *x, int kind, size_t n, vs_pos pos);
 /* a reference to the library's own variable */
-vs_node *vs_expand_core(vs_expansion *x, const char *name, vs_pos pos);
+vs_core_node *vs_expand_core(vs_expansion *x, const char *name, vs_pos pos);
 /* a call of it with room for n arguments */
-vs_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos pos);
-vs_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos);
+vs_core_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos pos);
+vs_core_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos);
 bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var);     /* a new variable, bound in scope */
 bool vs_expand_scope(vs_expansion *x, vs_value env, vs_value *out);
 /* A parameter list and a body become a LAMBDA, in a LET of its contracts if need be. tail: the list stood behind a
    name, as in (define (name . params) ...): then [ ] around all of it is a rest parameter with its predicate. */
 bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name,
-                      vs_pos pos, vs_node **into);
+                      vs_pos pos, vs_core_node **into);
 /* the transformer spec to a MACRO, or a call that yields it. *done false: it must be called (x->procedure), put
    `waiting` */
 bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done);

@@ -1,8 +1,8 @@
 /* Owns the core syntax of choice and sequence: quote if begin cond case and or when unless assert, quasiquote. */
 #include "vm/front/expand.h"
 
-static vs_node *put(vs_expansion *x, vs_node *n) { return *x->now.into = n; }
-static vs_node *unspecific(vs_expansion *x, vs_pos pos) { return vs_expand_many(x, VS_AST_SEQ, 0, pos); }
+static vs_core_node *put(vs_expansion *x, vs_core_node *n) { return *x->now.into = n; }
+static vs_core_node *unspecific(vs_expansion *x, vs_pos pos) { return vs_expand_many(x, VS_AST_SEQ, 0, pos); }
 
 bool vs_form_quote(vs_expansion *x) {
   if (vs_list_length(x->now.form) != 2) return vs_expand_shape(x, VS_FORM_quote);
@@ -11,12 +11,12 @@ bool vs_form_quote(vs_expansion *x) {
          put(x, vs_ast_constant(&x->ast, r[0], x->now.pos)) != NULL;
 }
 
-static vs_node *branch(vs_expansion *x) { return put(x, vs_expand_node(x, VS_AST_IF, x->now.pos)); }
+static vs_core_node *branch(vs_expansion *x) { return put(x, vs_expand_node(x, VS_AST_IF, x->now.pos)); }
 
 bool vs_form_if(vs_expansion *x) {
   int64_t n = vs_list_length(x->now.form);
   if (n != 3 && n != 4) return vs_expand_shape(x, VS_FORM_if);
-  vs_node *node = branch(x);
+  vs_core_node *node = branch(x);
   bool test = x->now.test;
   if (!node) return false;
   if (n == 4) {
@@ -31,11 +31,11 @@ bool vs_form_if(vs_expansion *x) {
 }
 
 /* expressions in sequence, the last one where the form stands */
-static bool sequence(vs_expansion *x, vs_value forms, vs_pos pos, vs_node **into, uint32_t depth) {
+static bool sequence(vs_expansion *x, vs_value forms, vs_pos pos, vs_core_node **into, uint32_t depth) {
   int64_t n = vs_list_length(forms);
   if (n == 1)
     return vs_expand_push(x, VS_TASK_EXPR, vs_car(forms), x->now.env, vs_element_pos(forms, false, pos), into, depth);
-  vs_node *seq = vs_expand_many(x, VS_AST_SEQ, n > 0 ? (size_t)n : 0, pos);
+  vs_core_node *seq = vs_expand_many(x, VS_AST_SEQ, n > 0 ? (size_t)n : 0, pos);
   if (!seq) return false;
   *into = seq;
   return vs_expand_list(x, forms, x->now.env, seq->as.seq.at, depth + 1);
@@ -47,7 +47,7 @@ bool vs_form_begin(vs_expansion *x) {
 }
 
 /* the rest of a chain (and, or, cond): the same keyword over fewer parts */
-static bool chain(vs_expansion *x, vs_value rest, vs_node **into, bool test) {
+static bool chain(vs_expansion *x, vs_value rest, vs_core_node **into, bool test) {
   VS_ROOTS(x->vm, r, 1);
   vs_pos pos = vs_is_pair(rest) ? vs_element_pos(rest, false, x->now.pos) : x->now.pos;
   if (!vs_cons_at(x->vm, vs_car(x->now.form), rest, pos, &r[0]) ||
@@ -75,7 +75,7 @@ bool vs_form_and(vs_expansion *x) {
     vs_expand_top(x)->test = x->now.test;
     return true;
   }
-  vs_node *node = branch(x);
+  vs_core_node *node = branch(x);
   if (!node || !(node->as.branch.otherwise = vs_ast_constant(&x->ast, VS_FALSE, x->now.pos))) return false;
   if (!chain(x, vs_cdr(vs_cdr(x->now.form)), &node->as.branch.then, x->now.test)) return false;
   if (!vs_expand_nth(x, 1, x->now.env, &node->as.branch.test)) return false;
@@ -84,9 +84,9 @@ bool vs_form_and(vs_expansion *x) {
 }
 
 /* LET with one anonymous variable; the value is the caller's to push */
-static vs_node *let_temporary(vs_expansion *x, const char *name, vs_pos pos) {
+static vs_core_node *let_temporary(vs_expansion *x, const char *name, vs_pos pos) {
   vs_value symbol;
-  vs_node *let = vs_expand_many(x, VS_AST_LET, 1, pos);
+  vs_core_node *let = vs_expand_many(x, VS_AST_LET, 1, pos);
   if (!let || !vs_intern_c(x->vm, name, &symbol) || !(let->as.let.vars[0] = vs_ast_var(&x->ast, symbol))) return NULL;
   return let;
 }
@@ -100,7 +100,7 @@ bool vs_form_or(vs_expansion *x) {
     vs_expand_top(x)->test = x->now.test;
     return true;
   }
-  vs_node *let = NULL, *node = vs_expand_node(x, VS_AST_IF, x->now.pos);
+  vs_core_node *let = NULL, *node = vs_expand_node(x, VS_AST_IF, x->now.pos);
   if (!node) return false;
   bool test = x->now.test;
   if (test) {
@@ -123,7 +123,7 @@ bool vs_form_or(vs_expansion *x) {
 
 static bool when_unless(vs_expansion *x, bool when, int form) {
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, form);
-  vs_node *node = branch(x), *nothing = when ? NULL : unspecific(x, x->now.pos);
+  vs_core_node *node = branch(x), *nothing = when ? NULL : unspecific(x, x->now.pos);
   if (!node || (!when && !nothing)) return false;
   if (!when) node->as.branch.then = nothing;
   /* a body: definitions may stand in it */
@@ -142,8 +142,8 @@ bool vs_form_assert(vs_expansion *x) {
   int64_t n = vs_list_length(x->now.form);
   if (n < 2) return vs_expand_shape(x, VS_FORM_assert);
   VS_ROOTS(x->vm, r, 1);
-  vs_node *node = branch(x), *nothing = unspecific(x, x->now.pos);
-  vs_node *fail = vs_expand_call(x, "%assertion-failed", (size_t)n - 1, x->now.pos);
+  vs_core_node *node = branch(x), *nothing = unspecific(x, x->now.pos);
+  vs_core_node *fail = vs_expand_call(x, "%assertion-failed", (size_t)n - 1, x->now.pos);
   if (!node || !fail || !nothing || !vs_strip(x->vm, vs_car(vs_cdr(x->now.form)), &r[0]) ||
       !(fail->as.call.at[0] = vs_ast_constant(&x->ast, r[0], x->now.pos))) return false;
   node->as.branch.then = nothing;
@@ -172,11 +172,11 @@ bool vs_form_cond(vs_expansion *x) {
     if (n == 1) return vs_expand_fail(x, pos, VS_ABSENT, "an expression is missing in this else");
     return sequence(x, vs_cdr(clause), pos, x->now.into, x->now.depth);
   }
-  vs_node *node = vs_expand_node(x, VS_AST_IF, pos), *let = NULL;
+  vs_core_node *node = vs_expand_node(x, VS_AST_IF, pos), *let = NULL;
   if (!node) return false;
   bool arrow = n > 1 && vs_is_form(env, vs_car(vs_cdr(clause)), VS_FORM_arrow);
   if (arrow && n != 3) return vs_expand_fail(x, pos, clause, "behind => stands one procedure:");
-  vs_node **test = &node->as.branch.test;
+  vs_core_node **test = &node->as.branch.test;
   if (arrow || n == 1) {
     if (!(let = let_temporary(x, "cond", pos)) || !(*test = vs_ast_local(&x->ast, let->as.let.vars[0], pos)))
       return false;
@@ -188,7 +188,7 @@ bool vs_form_cond(vs_expansion *x) {
   r[0] = clause;
   if (more != VS_NIL && !chain(x, more, &node->as.branch.otherwise, x->now.test)) return false;
   if (arrow) {
-    vs_node *call = vs_expand_many(x, VS_AST_CALL, 1, pos);
+    vs_core_node *call = vs_expand_many(x, VS_AST_CALL, 1, pos);
     if (!call || !(call->as.call.at[0] = vs_ast_local(&x->ast, let->as.let.vars[0], pos))) return false;
     node->as.branch.then = call;
     vs_value l = vs_cdr(vs_cdr(r[0]));
@@ -210,7 +210,7 @@ bool vs_form_cond(vs_expansion *x) {
 bool vs_form_case(vs_expansion *x) {
   int64_t n = vs_list_length(x->now.form);
   if (n < 2) return vs_expand_shape(x, VS_FORM_case);
-  vs_node *let = let_temporary(x, "key", x->now.pos);
+  vs_core_node *let = let_temporary(x, "key", x->now.pos);
   if (!let) return false;
   put(x, let);
   if (!vs_expand_push(x, VS_TASK_CASE, vs_cdr(vs_cdr(x->now.form)), x->now.env, x->now.pos, &let->as.let.body,
@@ -221,28 +221,28 @@ bool vs_form_case(vs_expansion *x) {
 }
 
 /* (or (eqv? key 'd) ...) with eq? where that is the same; many data are looked up with memv */
-static vs_node *key_test(vs_expansion *x, vs_value data, vs_pos pos) {
+static vs_core_node *key_test(vs_expansion *x, vs_value data, vs_pos pos) {
   VS_ROOTS(x->vm, r, 2);
   int64_t n = vs_list_length(data);
   if (n == 0) return vs_ast_constant(&x->ast, VS_FALSE, pos);
   if (!vs_strip(x->vm, data, &r[0])) return NULL;
   if (n > 6) {
-    vs_node *call = vs_expand_call(x, "memv", 2, pos);
+    vs_core_node *call = vs_expand_call(x, "memv", 2, pos);
     return call && (call->as.call.at[0] = vs_ast_local(&x->ast, x->now.var, pos)) &&
                    (call->as.call.at[1] = vs_ast_constant(&x->ast, r[0], pos))
                ? call
                : NULL;
   }
-  vs_node *first = NULL, **into = &first;
+  vs_core_node *first = NULL, **into = &first;
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
     vs_value d = vs_car(r[0]);
     bool same = !vs_is_double(d) && (!vs_is_object(d) || vs_is_symbol(d));
-    vs_node *call = vs_expand_call(x, same ? "eq?" : "eqv?", 2, pos);
+    vs_core_node *call = vs_expand_call(x, same ? "eq?" : "eqv?", 2, pos);
     if (!call || !(call->as.call.at[0] = vs_ast_local(&x->ast, x->now.var, pos)) ||
         !(call->as.call.at[1] = vs_ast_constant(&x->ast, vs_car(r[0]), pos)))
       return NULL;
     if (vs_cdr(r[0]) == VS_NIL) { *into = call; break; }
-    vs_node *node = vs_expand_node(x, VS_AST_IF, pos);
+    vs_core_node *node = vs_expand_node(x, VS_AST_IF, pos);
     if (!node || !(node->as.branch.then = vs_ast_constant(&x->ast, VS_TRUE, pos))) return NULL;
     node->as.branch.test = call;
     *into = node;
@@ -262,12 +262,12 @@ bool vs_case_step(vs_expansion *x) {
   if (n < 2 || (!last && vs_list_length(vs_car(clause)) < 0))
     return vs_expand_fail(x, pos, clause, "a clause of case is ((datum ...) value ...), not");
   if (last && more != VS_NIL) return vs_expand_fail(x, pos, VS_ABSENT, "else must be the last clause of case");
-  vs_node **value = x->now.into;
+  vs_core_node **value = x->now.into;
   uint32_t depth = x->now.depth;
   VS_ROOTS(x->vm, r, 1);
   r[0] = clause;
   if (!last) {
-    vs_node *node = vs_expand_node(x, VS_AST_IF, pos);
+    vs_core_node *node = vs_expand_node(x, VS_AST_IF, pos);
     if (!node || !(node->as.branch.test = key_test(x, vs_car(clause), pos))) return false;
     put(x, node);
     if (!vs_expand_push(x, VS_TASK_CASE, vs_cdr(x->now.form), x->now.env, x->now.pos, &node->as.branch.otherwise,
@@ -280,7 +280,7 @@ bool vs_case_step(vs_expansion *x) {
   vs_value body = vs_cdr(r[0]);
   if (!vs_is_form(x->now.env, vs_car(body), VS_FORM_arrow)) return sequence(x, body, pos, value, depth);
   if (n != 3) return vs_expand_fail(x, pos, r[0], "behind => stands one procedure:");
-  vs_node *call = vs_expand_many(x, VS_AST_CALL, 1, pos);
+  vs_core_node *call = vs_expand_many(x, VS_AST_CALL, 1, pos);
   if (!call || !(call->as.call.at[0] = vs_ast_local(&x->ast, x->now.var, pos))) return false;
   *value = call;
   body = vs_cdr(vs_cdr(r[0]));
@@ -320,7 +320,7 @@ static int quasi_kind(vs_value env, vs_value v) {
   return k == VS_FORM_quasiquote || k == VS_FORM_unquote || k == VS_FORM_unquote_splicing ? (int)k : -1;
 }
 
-static bool push_quasi(vs_expansion *x, vs_value form, vs_pos pos, vs_node **into, uint32_t level) {
+static bool push_quasi(vs_expansion *x, vs_value form, vs_pos pos, vs_core_node **into, uint32_t level) {
   if (!vs_expand_push(x, VS_TASK_QUASI, form, x->now.env, pos, into, x->now.depth + 1)) return false;
   vs_expand_top(x)->n = level;
   return true;
@@ -333,7 +333,7 @@ bool vs_quasi_step(vs_expansion *x) {
   vs_pos pos = vs_form_pos(form, x->now.pos);
   VS_ROOTS(vm, r, 3);
   if (vs_is_vector(form)) {
-    vs_node *call = vs_expand_call(x, "list->vector", 1, pos);
+    vs_core_node *call = vs_expand_call(x, "list->vector", 1, pos);
     if (!call) return false;
     r[0] = VS_NIL;
     for (size_t i = vs_as_vector(x->now.form)->length; i-- > 0;)
@@ -355,7 +355,7 @@ bool vs_quasi_step(vs_expansion *x) {
   if (kind >= 0 && !(spliced && kind != VS_FORM_quasiquote)) {
     if (kind == VS_FORM_unquote_splicing && level == 1)
       return vs_expand_fail(x, pos, VS_ABSENT, ",@ stands only inside a list");
-    vs_node *call = vs_expand_call(x, "list", 2, pos);
+    vs_core_node *call = vs_expand_call(x, "list", 2, pos);
     if (!call) return false;
     put(x, call);
     r[0] = vs_identifier_symbol(vs_car(x->now.form));
@@ -378,12 +378,12 @@ bool vs_quasi_step(vs_expansion *x) {
     elements++;
   }
   bool tail = l != VS_NIL;
-  vs_node *outer = NULL;
+  vs_core_node *outer = NULL;
   if (splices || tail || runs > 1) {
     if (!(outer = vs_expand_call(x, "append", splices + runs + tail, pos))) return false;
     put(x, outer);
   }
-  vs_node *run = NULL;
+  vs_core_node *run = NULL;
   size_t segment = 0, inside = 0;
   r[0] = x->now.form;
   for (size_t i = 0; i < elements; i++, r[0] = vs_cdr(r[0])) {

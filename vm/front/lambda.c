@@ -115,7 +115,7 @@ bool vs_predicate_step(vs_expansion *x) {
   if (!procedure)
     return vs_expand_push(x, VS_TASK_EXPR, x->now.form, x->now.env, x->now.pos, x->now.into, x->now.depth);
   if (!vs_expand_outline(x)) return false;
-  vs_node *call = vs_expand_call(x, procedure, (size_t)vs_list_length(x->now.form) - 1, x->now.pos);
+  vs_core_node *call = vs_expand_call(x, procedure, (size_t)vs_list_length(x->now.form) - 1, x->now.pos);
   if (!call) return false;
   *x->now.into = call;
   size_t i = 0;
@@ -144,8 +144,8 @@ static void reload(parameters *p, vs_value list) {
   }
 }
 
-static vs_node *check(vs_expansion *x, const parameter *q, vs_value env, uint32_t name) {
-  vs_node *n = vs_expand_node(x, VS_AST_CHECK, q->pos);
+static vs_core_node *check(vs_expansion *x, const parameter *q, vs_value env, uint32_t name) {
+  vs_core_node *n = vs_expand_node(x, VS_AST_CHECK, q->pos);
   if (!n || !(n->as.check.value = vs_ast_local(&x->ast, q->var, q->pos))) return NULL;
   n->as.check.name = q->var->name;
   VS_ROOTS(x->vm, r, 2);
@@ -166,8 +166,8 @@ static bool is_constant(vs_value form, vs_value env) {
 }
 
 /* *outer: where the LET of the contracts goes, and then its body */
-static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs_pos pos, vs_node ***outer,
-                  vs_node **into) {
+static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs_pos pos, vs_core_node ***outer,
+                  vs_core_node **into) {
   /* r: 0 list, 1 body, 2 env, 3 the scope of the lambda, 4 scratch */
   vs_scheme *vm = x->vm;
   uint32_t who;
@@ -178,7 +178,7 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
     checks += p->at[i].predicate != VS_ABSENT;
     contracts += p->at[i].predicate != VS_ABSENT && !is_constant(p->at[i].predicate, r[2]);
   }
-  vs_node *let = NULL;
+  vs_core_node *let = NULL;
   if (contracts) {
     if (!(let = vs_expand_many(x, VS_AST_LET, contracts, pos))) return false;
     bool same = *outer == into;
@@ -186,7 +186,7 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
     *outer = &let->as.let.body;
     if (same) into = *outer;
   }
-  vs_node *lambda = vs_expand_many(x, VS_AST_LAMBDA, p->count - p->rest, pos);
+  vs_core_node *lambda = vs_expand_many(x, VS_AST_LAMBDA, p->count - p->rest, pos);
   if (!lambda) return false;
   *into = lambda;
   if (name != VS_FALSE) lambda->as.lambda.name = 1 + who;
@@ -206,12 +206,12 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
     }
     vs_param *param = i == p->count - 1 && p->rest ? NULL : &lambda->as.lambda.params[i];
     if (param && q->fallback != VS_ABSENT) {           /* sees the parameters before it */
-      vs_node **at = &param->fallback;
+      vs_core_node **at = &param->fallback;
       size_t before = 0;
       bool plain = !vs_is_pair(q->fallback) && !vs_is_identifier(q->fallback);
       for (size_t k = 0; !plain && k < i; k++) before += p->at[k].predicate != VS_ABSENT;
       if (before) {
-        vs_node *seq = vs_expand_many(x, VS_AST_SEQ, before + 1, q->pos);
+        vs_core_node *seq = vs_expand_many(x, VS_AST_SEQ, before + 1, q->pos);
         if (!seq) return false;
         for (size_t k = 0, j = 0; k < i; k++) {
           if (p->at[k].predicate == VS_ABSENT) continue;
@@ -237,7 +237,7 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
   }
   into = &lambda->as.lambda.body;
   if (checks) {
-    vs_node *seq = vs_expand_many(x, VS_AST_SEQ, checks + 1, pos);
+    vs_core_node *seq = vs_expand_many(x, VS_AST_SEQ, checks + 1, pos);
     if (!seq) return false;
     size_t j = 0;
     for (size_t i = 0; i < p->count; i++) {
@@ -251,7 +251,7 @@ static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs
 }
 
 static bool expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name,
-                          vs_pos pos, vs_node ***outer, vs_node **into) {
+                          vs_pos pos, vs_core_node ***outer, vs_core_node **into) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   r[0] = params; r[1] = body; r[2] = env;
@@ -262,8 +262,8 @@ static bool expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value 
 }
 
 bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name,
-                      vs_pos pos, vs_node **into) {
-  vs_node **outer = into;
+                      vs_pos pos, vs_core_node **into) {
+  vs_core_node **outer = into;
   return expand_lambda(x, params, tail, body, env, name, pos, &outer, into);
 }
 
@@ -279,7 +279,7 @@ bool vs_form_lambda_letter(vs_expansion *x) { return vs_form_lambda(x); }
 bool vs_form_case_lambda(vs_expansion *x) {
   int64_t n = vs_list_length(x->now.form);
   if (n < 2) return vs_expand_shape(x, VS_FORM_case_lambda);
-  vs_node *node = vs_expand_many(x, VS_AST_CASE, (size_t)n - 1, x->now.pos);
+  vs_core_node *node = vs_expand_many(x, VS_AST_CASE, (size_t)n - 1, x->now.pos);
   if (!node) return false;
   vs_value name = task_name(x);
   if (name != VS_FALSE) {
@@ -290,7 +290,7 @@ bool vs_form_case_lambda(vs_expansion *x) {
   VS_ROOTS(x->vm, r, 1);
   bool ok = true;
   size_t i = 0;
-  vs_node **outer = x->now.into;        /* the LETs of all clauses' contracts stand around the whole */
+  vs_core_node **outer = x->now.into;        /* the LETs of all clauses' contracts stand around the whole */
   for (r[0] = vs_cdr(x->now.form); ok && vs_is_pair(r[0]); r[0] = vs_cdr(r[0]), i++) {
     vs_value clause = vs_car(r[0]);
     if (vs_list_length(clause) < 2)

@@ -82,7 +82,7 @@ static bool jump(vs_translation *t, uint32_t i);
 
 /* Behind a try: on, or to where the number says. */
 static bool outcome(vs_translation *t, const vs_then *then) {
-  vs_frame *f = then->frame;
+  vs_jump_target *f = then->frame;
   const vs_script_node *n = node(t, f->node);
   if (n->d)
     TRY(vs_translate_call(t, "js:if") && vs_translate_call(t, "js:thrown?") &&
@@ -94,7 +94,7 @@ static bool outcome(vs_translation *t, const vs_then *then) {
     if (f->exits[e])
       TRY(jump(t, f->exits[e]));
     else { /* a return, whose value waits */
-      vs_frame *outer = f->up;
+      vs_jump_target *outer = f->up;
       while (outer && !outer->guard) outer = outer->up;
       if (!outer)
         TRY(vs_translate_made(t, "value:", f->number));
@@ -132,7 +132,7 @@ static bool go(vs_translation *t, const vs_then *then) {
 /* A break or continue: to where its statement says, or by a number where a try lies between. */
 static bool jump(vs_translation *t, uint32_t i) {
   uint32_t to = t->k->targets[i];
-  for (vs_frame *f = t->frames; f; f = f->up) {
+  for (vs_jump_target *f = t->frames; f; f = f->up) {
     if (f->guard) {
       size_t at = 0;
       bool again = node(t, i)->kind == VS_SCRIPT_CONTINUE;
@@ -162,7 +162,7 @@ static bool kept_value(vs_translation *t, uint32_t i) {
 }
 
 static bool give_back(vs_translation *t, const vs_script_node *n) {
-  vs_frame *f = t->frames;
+  vs_jump_target *f = t->frames;
   while (f && !f->guard) f = f->up;
   if (!f) return n->a ? kept_value(t, n->a) : vs_translate_word(t, "js:undefined");
   size_t at = 0;
@@ -206,7 +206,7 @@ static bool turns(vs_translation *t, uint32_t i, uint32_t number, const vs_then 
   bool opened = false, turned = false, in = n->kind == VS_SCRIPT_FOR_IN;
   uint32_t test = n->kind == VS_SCRIPT_WHILE ? n->a : n->kind == VS_SCRIPT_FOR ? n->b : 0;
   vs_then on = *then;
-  vs_frame frame = { .up = t->frames, .node = i, .number = number };
+  vs_jump_target frame = { .up = t->frames, .node = i, .number = number };
   vs_then again = { .kind = VS_THEN_LOOP, .node = i, .number = number, .on = &on };
   if (fact(t, i, VS_BROKEN) || n->kind == VS_SCRIPT_DO) TRY(name_it(t, then, &on, &opened));
   frame.broken = on;
@@ -256,7 +256,7 @@ static bool switch_statement(vs_translation *t, uint32_t i, const vs_then *then)
   t->numbers += n->count + 1;
   bool opened;
   vs_then on;
-  vs_frame frame = { .up = t->frames, .node = i, .number = number };
+  vs_jump_target frame = { .up = t->frames, .node = i, .number = number };
   TRY(vs_translate_call(t, "js:let") && vs_translate_open(t) && vs_translate_open(t) &&
       vs_translate_made(t, "switch:", number) && vs_translate_value(t, n->a) && vs_translate_close(t) &&
       vs_translate_close(t));
@@ -308,7 +308,7 @@ static bool thunk(vs_translation *t, uint32_t block) {
 static bool try_statement(vs_translation *t, uint32_t i, const vs_then *then) {
   const vs_script_node *n = node(t, i);
   uint32_t outer = t->scope;
-  vs_frame frame = { .up = t->frames, .node = i, .guard = true, .number = t->numbers++ };
+  vs_jump_target frame = { .up = t->frames, .node = i, .guard = true, .number = t->numbers++ };
   TRY(vs_translate_call(t, "js:let") && vs_translate_open(t) && vs_translate_open(t) &&
       vs_translate_made(t, "value:", frame.number) && vs_translate_word(t, "js:undefined") && vs_translate_close(t) &&
       vs_translate_close(t));
@@ -375,7 +375,7 @@ static bool leaving_part(vs_translation *t, uint32_t i, const vs_then *then) {
   case VS_SCRIPT_TRY: return try_statement(t, i, then);
   case VS_SCRIPT_LABEL: {
     bool opened;
-    vs_frame frame = { .up = t->frames, .node = i };
+    vs_jump_target frame = { .up = t->frames, .node = i };
     TRY(name_it(t, then, &frame.broken, &opened));
     t->frames = &frame;
     vs_then on = frame.broken;
@@ -575,7 +575,7 @@ bool vs_translate_function(vs_translation *t, uint32_t i, bool direct) {
   bool own = n->c && !n->flag, all = t->k->scopes[scope].uses_arguments;
   if (t->functions > 300)
     return vs_script_fail(t->s, n->at, "functions stand within each other more than 300 levels deep");
-  vs_frame *frames = t->frames;
+  vs_jump_target *frames = t->frames;
   unsigned depth = t->depth;
   t->at = n->at;
   if (own)

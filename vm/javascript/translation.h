@@ -44,20 +44,20 @@ typedef struct vs_then {
   vs_then_kind kind;
   const char *word;
   uint32_t number, node, stop;
-  struct vs_frame *frame;
+  struct vs_jump_target *frame;
   const struct vs_then *on;
 } vs_then;
 
 /* A statement that jumps go to or leave. Of a try: everything that leaves its parts does it by a number. */
-typedef struct vs_frame {
-  struct vs_frame *up;
+typedef struct vs_jump_target {
+  struct vs_jump_target *up;
   uint32_t node;
   vs_then broken, continued;
   bool guard;
   uint32_t *exits;
   size_t exit_count, exit_room; /* jump nodes, 0 for a return: number i + 1 */
   uint32_t number;
-} vs_frame;
+} vs_jump_target;
 
 typedef struct {
   vs_script *s;
@@ -68,7 +68,7 @@ typedef struct {
   uint32_t scope, numbers;
   unsigned depth, functions; /* around the place */
   vs_script_place at;
-  vs_frame *frames;
+  vs_jump_target *frames;
 } vs_translation;
 
 typedef enum { VS_TYPE_ANY, VS_TYPE_NUMBER, VS_TYPE_STRING, VS_TYPE_BOOLEAN } vs_static_type;

@@ -50,7 +50,7 @@ CASE(upcase, char_up) CASE(downcase, char_down) CASE(foldcase, char_fold)
 
 /* ---- order ---- */
 
-static vs_status char_compare(vs_scheme *vm, const vs_value *a, int n, vs_order order, bool fold, vs_value *out) {
+static vs_status char_compare(vs_scheme *vm, const vs_value *a, int n, vs_text_order order, bool fold, vs_value *out) {
   bool holds = true;
   for (int i = 0; i < n; i++)
     if (!arg_char(vm, a, i)) return VS_ERROR;

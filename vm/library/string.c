@@ -264,7 +264,7 @@ static bool string_fold(vs_scheme *vm, vs_value *s) {
   return ok;
 }
 
-static vs_status string_compare(vs_scheme *vm, vs_value *a, int n, vs_order order, bool fold, vs_value *out) {
+static vs_status string_compare(vs_scheme *vm, vs_value *a, int n, vs_text_order order, bool fold, vs_value *out) {
   bool holds = true;
   for (int i = 0; i < n; i++)
     if (!arg_string(vm, a, i)) return VS_ERROR;

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-typedef enum { VS_LESS, VS_LESS_EQUAL, VS_EQUAL, VS_GREATER_EQUAL, VS_GREATER } vs_order;
+typedef enum { VS_LESS, VS_LESS_EQUAL, VS_EQUAL, VS_GREATER_EQUAL, VS_GREATER } vs_text_order;
 
 /* O(name, order, folded) */
 #define VS_ORDERS(O) \
@@ -15,7 +15,7 @@ typedef enum { VS_LESS, VS_LESS_EQUAL, VS_EQUAL, VS_GREATER_EQUAL, VS_GREATER } 
   O(ci_gt, VS_GREATER, true)
 
 /* sign: of the first compared with the second; below 0 where it comes earlier */
-static inline bool vs_order_holds(vs_order order, int sign) {
+static inline bool vs_order_holds(vs_text_order order, int sign) {
   switch (order) {
   case VS_LESS: return sign < 0;
   case VS_LESS_EQUAL: return sign <= 0;

@@ -36,7 +36,7 @@ static vs_status call_list(vs_scheme *vm, vs_value procedure, vs_value list) {
 /* root -> (let ((value root)) value) */
 static bool keep_frame(vs_expansion *x) {
   vs_value name;
-  vs_node *let = vs_expand_many(x, VS_AST_LET, 1, x->root->pos);
+  vs_core_node *let = vs_expand_many(x, VS_AST_LET, 1, x->root->pos);
   if (!let || !vs_intern_c(x->vm, "value", &name) || !(let->as.let.vars[0] = vs_ast_var(&x->ast, name)) ||
       !(let->as.let.body = vs_ast_local(&x->ast, let->as.let.vars[0], x->root->pos))) return false;
   let->as.let.values[0] = x->root;

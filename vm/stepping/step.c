@@ -130,8 +130,8 @@ static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   return true;
 }
 
-static vs_look stop(vs_scheme *vm, vs_value *base, uint32_t at, uint32_t shown, vs_stop_kind kind, vs_value subject,
-    uint64_t level) {
+static vs_step_verdict stop(vs_scheme *vm, vs_value *base, uint32_t at, uint32_t shown, vs_stop_kind kind,
+                            vs_value subject, uint64_t level) {
   const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
   const uint32_t *ins = vs_code_ins(code);
   VS_ROOTS(vm, r, 3);
@@ -160,7 +160,7 @@ static bool is_own(const vs_scheme *vm, const vs_code *code, uint32_t at) {
   return vs_pos_file(vs_code_place(code, at)) >= vm->step.first_file;
 }
 
-vs_look vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc) {
+vs_step_verdict vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc) {
   vs_stepping *s = &vm->step;
   const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
   const uint32_t *ins = vs_code_ins(code);

@@ -28,11 +28,11 @@ enum {
   VS_STOP_WORDS
 };
 
-typedef enum { VS_LOOK_GO, VS_LOOK_STOP, VS_LOOK_FAILED } vs_look;
+typedef enum { VS_LOOK_GO, VS_LOOK_STOP, VS_LOOK_FAILED } vs_step_verdict;
 
 /* Looks at the instruction at pc of the frame at base before it runs. STOP: vm->condition says why. FAILED: memory
    is out. */
-vs_look vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc);
+vs_step_verdict vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc);
 
 bool vs_is_stop(const vs_scheme *vm, vs_value condition);
 
