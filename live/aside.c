@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "live/files.h"
+#include "live/model_files.h"
 
 enum { WAIT_MS = 1000 };
 

@@ -6,7 +6,7 @@
 #include <pthread.h>
 
 #include "live/live_options.h"
-#include "live/publish.h"
+#include "live/published.h"
 
 typedef struct {
   const live_options *options;

@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "live/aside.h"
-#include "live/files.h"
+#include "live/model_files.h"
 #include "live/scene_host.h"
 #include "live/serve.h"
 

@@ -2,7 +2,7 @@
 #ifndef VS_LIVE_SCENE_HOST_H
 #define VS_LIVE_SCENE_HOST_H
 
-#include "live/text.h"
+#include "live/live_text.h"
 #include "visualscheme.h"
 
 /* Adds {"frames":..., "input":..., "gizmos":[...]} to t. Returns whether something is done in each frame. */

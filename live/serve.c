@@ -20,7 +20,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "live/files.h"
+#include "live/model_files.h"
 #include "live/live_options.h"
 
 enum { BODY_MOST = 16 << 20, CONNECTIONS = 32, WINDOWS = 12, SILENCE = 30, EXPORT_SECONDS = 3600 };

@@ -3,7 +3,7 @@
 #define VS_LIVE_SERVE_H
 
 #include "live/http.h"
-#include "live/publish.h"
+#include "live/published.h"
 #include "live/waiting.h"
 
 typedef struct live_server {

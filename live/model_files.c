@@ -2,7 +2,7 @@
  * asked, some twenty times a second, rather than watched, since editors save by renaming, by writing twice or on file
  * systems that tell nobody. */
 #define _XOPEN_SOURCE 700 /* realpath */
-#include "live/files.h"
+#include "live/model_files.h"
 
 #include <dirent.h>
 #include <errno.h>

@@ -1,5 +1,5 @@
 /* Owns growing text and JSON's spelling of strings. See text.h. */
-#include "live/text.h"
+#include "live/live_text.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,11 +1,11 @@
 /* Owns what windows are told. See publish.h. */
-#include "live/publish.h"
+#include "live/published.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include "live/files.h"
+#include "live/model_files.h"
 
 bool live_publish_open(live_publish *p) {
   memset(p, 0, sizeof *p);

@@ -6,7 +6,7 @@
 #include <pthread.h>
 
 #include "live/chunks.h"
-#include "live/text.h"
+#include "live/live_text.h"
 #include "visualscheme.h"
 
 enum { LIVE_EVENTS = 64, LIVE_VERSIONS = 8, LIVE_WISHES = 64 };
