@@ -335,17 +335,17 @@ static void test_families(void **state) {
   vs_kernel_options options = { .threads = 1 };
   vs_kernel_error e = { 0 };
   vs_kernel k = { .options = &options, .error = &e, .threads = 1 };
-  vs_box *boxes = malloc((OF_ONE + ALONE) * sizeof *boxes);
+  vs_bvh_box *boxes = malloc((OF_ONE + ALONE) * sizeof *boxes);
   uint32_t *families = malloc((OF_ONE + ALONE) * sizeof *families);
   assert_non_null(boxes);
   assert_non_null(families);
   for (int32_t i = 0; i < OF_ONE; i++) { /* from the origin to places all around */
     int32_t x = (int32_t)(1e8 * cos(i * 2e-5)), y = (int32_t)(1e8 * sin(i * 2e-5));
-    boxes[i] = (vs_box){ { x < 0 ? x : 0, y < 0 ? y : 0, 0 }, { x > 0 ? x : 0, y > 0 ? y : 0, 1000 } };
+    boxes[i] = (vs_bvh_box){ { x < 0 ? x : 0, y < 0 ? y : 0, 0 }, { x > 0 ? x : 0, y > 0 ? y : 0, 1000 } };
     families[i] = 7;
   }
   for (int32_t i = OF_ONE; i < OF_ONE + ALONE; i++) { /* around the origin, and through all */
-    boxes[i] = (vs_box){ { -i, -i, -i }, { i, i, i } };
+    boxes[i] = (vs_bvh_box){ { -i, -i, -i }, { i, i, i } };
     families[i] = UINT32_MAX;
   }
   vs_bvh tree = { .families = families };
