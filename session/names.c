@@ -164,9 +164,9 @@ bool vs_disassemble(vs_scheme *vm, const char *name, bool (*each)(void *context,
 const vs_value *vs_session_call(vs_session *s, vs_value frames, size_t index, vs_span *at) {
   if (!vs_is_vector(frames)) return NULL;
   const vs_vector *v = vs_as_vector(frames);
-  for (size_t i = 0; i < v->length && vs_is(v->at[i + VS_FRAME_PROCEDURE], VS_T_CLOSURE); i += VS_FRAME_WORDS)
+  for (size_t i = 0; i < v->length && vs_is(v->at[i + VS_CALL_PROCEDURE], VS_T_CLOSURE); i += VS_CALL_WORDS)
     /* the library's own calls are not the user's business */
-    if (vs_session_span(s, vs_pos_of(v->at[i + VS_FRAME_PLACE]), at) && !index--) return v->at + i;
+    if (vs_session_span(s, vs_pos_of(v->at[i + VS_CALL_PLACE]), at) && !index--) return v->at + i;
   return NULL;
 }
 
@@ -187,13 +187,13 @@ bool vs_frame_get(vs_scheme *vm, size_t index, vs_frame_info *out) {
   r[0] = vs_as_condition(vm->condition)->frames;
   const vs_value *call = vs_session_call(s, r[0], index, &out->at);
   if (!call) return false;
-  const vs_code *code = vs_as_code(vs_as_closure(call[VS_FRAME_PROCEDURE])->code);
+  const vs_code *code = vs_as_code(vs_as_closure(call[VS_CALL_PROCEDURE])->code);
   if (vs_is_symbol(code->name)) out->procedure = vs_as_symbol(code->name)->name;
   size_t first = (size_t)(call - vs_as_vector(r[0])->at);
   vs_text t;
   vs_text_open(vm, &t, 600);
   bool ok = true;
-  for (size_t k = first + VS_FRAME_VARIABLES; ok && k < first + VS_FRAME_WORDS; k += 2) {
+  for (size_t k = first + VS_CALL_VARIABLES; ok && k < first + VS_CALL_WORDS; k += 2) {
     vs_value symbol = vs_as_vector(r[0])->at[k];     /* read anew each time: printing may move the vector */
     if (!vs_is_symbol(symbol)) break;
     ok = put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") &&

@@ -91,7 +91,7 @@ bool vs_session_bindings(vs_session *s, vs_value *out) {
   r[1] = VS_NIL;
   const vs_value *call = vs_session_call(s, r[0], 0, &at);
   size_t first = call ? (size_t)(call - vs_as_vector(r[0])->at) : 0;
-  for (size_t k = first + VS_FRAME_VARIABLES; call && k < first + VS_FRAME_WORDS; k += 2) {
+  for (size_t k = first + VS_CALL_VARIABLES; call && k < first + VS_CALL_WORDS; k += 2) {
     const vs_value *pair = vs_as_vector(r[0])->at + k;
     if (!vs_is_symbol(pair[0])) break;
     if (!vs_cons(vm, pair[0], pair[1], &r[2]) || !vs_cons(vm, r[2], r[1], &r[1])) return false;
@@ -156,7 +156,7 @@ bool vs_stop_get(vs_scheme *vm, vs_stop_info *out) {
   out->kind = kind == VS_STOP_CALL ? VS_STOPPED_CALL : kind == VS_STOP_VALUE ? VS_STOPPED_VALUE : VS_STOPPED_BREAK;
   const vs_value *call = vs_session_call(s, vs_as_condition(r[0])->frames, 0, &out->at);
   if (call) {
-    const vs_code *code = vs_as_code(vs_as_closure(call[VS_FRAME_PROCEDURE])->code);
+    const vs_code *code = vs_as_code(vs_as_closure(call[VS_CALL_PROCEDURE])->code);
     if (vs_is_symbol(code->name)) out->procedure = vs_as_symbol(code->name)->name;
     char line[2048];
     if (vs_session_source_line(s, out->at.file, out->at.line, line, sizeof line)) {

@@ -5,7 +5,7 @@
      winders     vectors (before after handlers parameters), innermost first
      handlers    procedures; a list of a continuation among them is a contract's: the continuation is thrown #f to
      parameters  (parameter . value)
-   The natives here keep their state in their frames (native.h, VS_CALL), so that every one may be left and entered
+   The natives here keep their state in their activations (native.h, VS_CALL), so that every one may be left and entered
    again. */
 #include "vm/machine/activation.h"
 #include "vm/machine/native.h"
@@ -16,9 +16,9 @@
 
 /* ---- continuations ---- */
 
-/* the continuation of the native whose arguments are at vm->base; the frame moves */
+/* the continuation of the native whose arguments are at vm->base; the activation moves */
 static bool capture(vs_scheme *vm, vs_value *out) {
-  if (!vs_frame_flush(vm, vm->base - 2, (size_t)(vm->top - vm->base), 16)) return false;
+  if (!vs_activation_flush(vm, vm->base - 2, (size_t)(vm->top - vm->base), 16)) return false;
   vm->base = vm->stack + 2;
   vs_continuation *k = (vs_continuation *)(void *)vs_gc_alloc(vm, VS_T_CONTINUATION, VS_WORDS(vs_continuation));
   if (!k) return false;

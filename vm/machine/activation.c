@@ -1,4 +1,4 @@
-/* Owns moving frames between the working stretch and the heap, and walking them for the call chain. */
+/* Owns moving activations between the working stretch and the heap, and walking them for the call chain. */
 #include "vm/machine/activation.h"
 
 #include "vm/compiler/code.h"
@@ -6,7 +6,7 @@
 #include "vm/machine/native.h"
 #include "vm/front/source.h"
 
-/* a walk over frames, innermost first; holds addresses, so nothing may be allocated meanwhile */
+/* a walk over activations, innermost first; holds addresses, so nothing may be allocated meanwhile */
 struct walk { const vs_value *base; vs_value under; uint64_t depth; bool force; };
 
 /* goes to the caller; *pc is that of the call; false at the end */
@@ -32,11 +32,11 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
 }
 
 struct link { vs_value name; vs_pos place; const vs_value *base; size_t pc; bool gap;
-    /* calls between this one and the one before left no frames */ };
+    /* calls between this one and the one before left no activations */ };
 
-/* Does the frame above stand where another procedure was called? Then that one ended with a tail call, or those it led
-   to. Asked of calls by the program's own names only: what a local variable held when it was called is not known any
-   more, and the library's tail calls of what it was given would say nothing. pc: behind the call. */
+/* Does the activation above stand where another procedure was called? Then that one ended with a tail call, or those it
+   led to. Asked of calls by the program's own names only: what a local variable held when it was called is not known
+   any more, and the library's tail calls of what it was given would say nothing. pc: behind the call. */
 static bool ended_in_tail_call(const vs_code *code, size_t pc, vs_value running) {
   const uint32_t *ins = vs_code_ins(code);
   if (pc < 2 || (ins[pc - 2] & 255) != VS_O_CALLG || ins[pc - 1] >= vs_as_vector(code->consts)->length ||
@@ -74,7 +74,7 @@ static size_t chain(vs_scheme *vm, struct link *at, size_t max) {
   return count;
 }
 
-/* the window is the innermost frame that is whole: the error's call chain begins with its caller */
+/* the window is the innermost activation that is whole: the error's call chain begins with its caller */
 static vs_value *flush_failed(vs_scheme *vm, vs_value *w) {
   vm->base = w + 2;
   vm->pc = NULL;
@@ -108,7 +108,7 @@ static bool fail_endless(vs_scheme *vm) {
   return vs_fail(vm, vm->sym.recursion, "%s calls itself without end here; is there an `if` that stops it?", name);
 }
 
-vs_value *vs_frame_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need) {
+vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need) {
   size_t count = (size_t)(w - vm->stack);
   vm->top = w + 2 + n;
   size_t below = (size_t)vs_slots_below(vm);
@@ -130,8 +130,8 @@ vs_value *vs_frame_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need) {
     vm->top = w + 2 + n;
   }
   size_t room = (size_t)(vm->stack_end - vm->stack);
-  if (need + VS_FRAME_SLACK > room) {
-    size_t more = need + need / 2 + VS_FRAME_SLACK;
+  if (need + VS_ACTIVATION_SLACK > room) {
+    size_t more = need + need / 2 + VS_ACTIVATION_SLACK;
     vs_value *stack = vs_mem(vm, vm->stack, room * sizeof *stack, more * sizeof *stack);
     if (!stack) return flush_failed(vm, w);
     vm->stack = stack;
@@ -160,14 +160,14 @@ bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out) {
 static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value name, vs_value x, bool captured) {
   if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value; /* assigned variables lie in boxes */
   if (!vs_is_symbol(name) || x == VS_UNDEFINED || x == VS_ABSENT || vs_is(x, VS_T_STACK)) return;
-  vs_value *to = call + VS_FRAME_VARIABLES, *end = call + VS_FRAME_WORDS;
+  vs_value *to = call + VS_CALL_VARIABLES, *end = call + VS_CALL_WORDS;
   while (to < end && vs_is_symbol(to[0]) && to[0] != name) to += 2;
   if (to == end || (captured && to[0] == name)) return;
   vs_gc_store(vm, v, &to[0], name);
   vs_gc_store(vm, v, &to[1], x);
 }
 
-/* A vector, VS_FRAME_WORDS a call, innermost first: the procedure, its place as a fixnum, then names and values of its
+/* A vector, VS_CALL_WORDS a call, innermost first: the procedure, its place as a fixnum, then names and values of its
  * variables: parameters, those of let, do and definitions that the call was in the scope of, captured ones. #f for a
  * name: no more.
  * Parameters' registers that were given back since may hold something else. */
@@ -175,16 +175,16 @@ bool vs_call_variables(vs_scheme *vm, vs_value *out) {
   enum { MOST = 24 };
   struct link at[MOST];
   VS_ROOTS(vm, r, 1);
-  if (!vs_make_vector(vm, MOST * VS_FRAME_WORDS, VS_FALSE, &r[0])) return false;
+  if (!vs_make_vector(vm, MOST * VS_CALL_WORDS, VS_FALSE, &r[0])) return false;
   size_t n = chain(vm, at, MOST);
   vs_vector *v = vs_as_vector(r[0]);
   for (size_t i = 0; i < n; i++) {
-    vs_value *to = v->at + i * VS_FRAME_WORDS;
+    vs_value *to = v->at + i * VS_CALL_WORDS;
     const vs_closure *closure = vs_as_closure(at[i].base[-2]);
     const vs_code *code = vs_as_code(closure->code);
     const vs_vector *params = vs_as_vector(code->params), *more = vs_code_variables(code);
-    vs_gc_store(vm, v, &to[VS_FRAME_PROCEDURE], at[i].base[-2]);
-    vs_gc_store(vm, v, &to[VS_FRAME_PLACE], vs_fix((int64_t)at[i].place));
+    vs_gc_store(vm, v, &to[VS_CALL_PROCEDURE], at[i].base[-2]);
+    vs_gc_store(vm, v, &to[VS_CALL_PLACE], vs_fix((int64_t)at[i].place));
     size_t keywords = (size_t)code->required + code->optional; /* they are in the table, by their variables' names */
     for (size_t k = 0; k < params->length; k++)
       if (k < keywords || k >= keywords + code->keywords) note_variable(vm, v, to, params->at[k], at[i].base[k], false);

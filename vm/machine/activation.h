@@ -1,14 +1,15 @@
-/* Owns the layout of frames on the stack, shared by the run loop and control, and the chain of the calls now active.
+/* Owns the layout of activations on the stack, shared by the run loop and control, and the chain of the calls now
+   active.
 
-   A frame: slot base[-2] is the procedure, base[-1] how to return, base[0...] arguments and registers. A call is
+   An activation: slot base[-2] is the procedure, base[-1] how to return, base[0...] arguments and registers. A call is
    prepared in a window of the caller's registers: procedure, a free slot, arguments; so window = callee's base - 2 and
    the result replaces the procedure. How to return is a fixnum: bits 0..26 the caller's pc, flags, from bit 32 the
    window's distance from the caller's base.
 
-   The working stretch begins with a frame whose caller, if it has the flag UNDER, is the last frame in the STACK object
-   vm->under below slot vm->under_depth. Segments are never changed: returning copies one frame up. */
-#ifndef VS_FRAME_H
-#define VS_FRAME_H
+   The working stretch begins with an activation whose caller, if it has the flag UNDER, is the last activation in the
+   STACK object vm->under below slot vm->under_depth. Segments are never changed: returning copies one activation up. */
+#ifndef VS_ACTIVATION_H
+#define VS_ACTIVATION_H
 
 #include "vm/machine/vs.h"
 
@@ -20,7 +21,8 @@
                                                  operands say */
 #define VS_RET_UNDER   UINT64_C(0x80000000)
 #define VS_RET_FLAGS   UINT64_C(0xF8000000)
-enum { VS_FRAME_SLACK = 300 };                /* slots above a frame's registers that may be written without asking */
+enum { VS_ACTIVATION_SLACK = 300 };                /* slots above an activation's registers that may be written without
+                                                      asking */
 
 static inline vs_value vs_ret_make(size_t distance, size_t pc) {
   return VS_TAG_FIXNUM << 48 | (uint64_t)distance << 32 | (uint64_t)pc;
@@ -30,7 +32,7 @@ static inline size_t vs_ret_pc(vs_value ret) { return (size_t)(ret & 0x07FFFFFF)
 
 /* Moves everything below the window w, which has n arguments, into the heap, and the window to the bottom of the
    stretch, which then has room for `need` slots from w on. The window's new place, NULL when memory is out. */
-vs_value *vs_frame_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
+vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
 
 /* How many slots lie below the working stretch. */
 static inline uint64_t vs_slots_below(const vs_scheme *vm) {
@@ -38,18 +40,18 @@ static inline uint64_t vs_slots_below(const vs_scheme *vm) {
   return s ? s->total - s->count + vm->under_depth : 0;
 }
 
-/* The level of the frame at base, a frame of the working stretch: how many slots lie below it in all. */
-static inline uint64_t vs_frame_level(const vs_scheme *vm, const vs_value *base) {
+/* The level of the activation at base, an activation of the working stretch: how many slots lie below it in all. */
+static inline uint64_t vs_activation_level(const vs_scheme *vm, const vs_value *base) {
   return vs_slots_below(vm) + (uint64_t)(base - vm->stack);
 }
 
 /* The chain of calls now active, innermost first, at most `max`: list of (name . place) pairs; name symbol or #f, place
-   a fixnum vs_pos; (#t . 0) before one stands for calls in between that ended with tail calls and left no frames. For
-   natives such as `error`; conditions made by vs_fail have it already. */
+   a fixnum vs_pos; (#t . 0) before one stands for calls in between that ended with tail calls and left no activations.
+   For natives such as `error`; conditions made by vs_fail have it already. */
 bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out);
 /* The innermost calls with their variables, for vs_condition.frames (activation.c says how they lie). False: out of
  * memory. */
-enum { VS_FRAME_PROCEDURE, VS_FRAME_PLACE, VS_FRAME_VARIABLES, VS_FRAME_WORDS = VS_FRAME_VARIABLES + 2 * 64 };
+enum { VS_CALL_PROCEDURE, VS_CALL_PLACE, VS_CALL_VARIABLES, VS_CALL_WORDS = VS_CALL_VARIABLES + 2 * 64 };
 bool vs_call_variables(vs_scheme *vm, vs_value *out);
 /* The chain without allocating, names and places apart: how many were written. */
 size_t vs_call_links(vs_scheme *vm, vs_value *name, vs_pos *place, size_t max);

@@ -5,8 +5,8 @@
 
 #include "vm/machine/native.h"
 
-/* a[0..n) in a frame that has room for all parameters (and VS_FRAME_SLACK); kw: a KEYWORDS object or #f. vm->top, base,
-   pc are the caller's business. false: the error is set. */
+/* a[0..n) in an activation that has room for all parameters (and VS_ACTIVATION_SLACK); kw: a KEYWORDS object or #f.
+   vm->top, base, pc are the caller's business. false: the error is set. */
 bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_t n, vs_value kw);
 /* *given: positional arguments; *total: slots in use afterwards */
 bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given,

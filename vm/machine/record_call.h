@@ -1,7 +1,7 @@
 /* Owns calls of the procedures that define-record-type makes. Their code is one instruction between the type and the
- * return, and a frame costs several times as much as that instruction: so the run loop reads here what the code says,
- * and makes no frame. Whatever is not as usual (another number of arguments, a record of another type, a full nursery)
- * is for the code itself, which words the error. */
+ * return, and an activation costs several times as much as that instruction: so the run loop reads here what the code
+ * says, and makes no activation. Whatever is not as usual (another number of arguments, a record of another type, a
+ * full nursery) is for the code itself, which words the error. */
 #ifndef VS_RECORD_CALL_H
 #define VS_RECORD_CALL_H
 
@@ -31,7 +31,7 @@ static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value t
 }
 
 /* Calls f, a closure whose code has a flag of VS_CODE_RECORD, with n arguments at `at`. Returns false, with nothing
- * done, if its code has to run. It counts as a call: the limit of steps is that of calls with frames. */
+ * done, if its code has to run. It counts as a call: the limit of steps is that of calls with activations. */
 static inline bool vs_record_call(vs_scheme *vm, vs_value f, const vs_value *at, size_t n, vs_value *out) {
   const vs_closure *c = vs_as_closure(f);
   const vs_code *code = vs_as_code(c->code);

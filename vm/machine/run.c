@@ -41,9 +41,9 @@ static void fail_memory_placed(vs_scheme *vm) {
 bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out) {
   if (vm->base) return vs_fail(vm, vm->sym.internal, "the interpreter is running already");
   vm->value = procedure;
-  if ((size_t)(vm->stack_end - vm->stack) < n + 2 + VS_FRAME_SLACK) {
+  if ((size_t)(vm->stack_end - vm->stack) < n + 2 + VS_ACTIVATION_SLACK) {
     vm->top = vm->stack;
-    if (!vs_frame_flush(vm, vm->stack, 0, n + 2)) return false;
+    if (!vs_activation_flush(vm, vm->stack, 0, n + 2)) return false;
   }
   vs_value *w = vm->stack;
   w[0] = procedure;

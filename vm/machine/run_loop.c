@@ -1,9 +1,9 @@
-/* Owns the run loop: instructions, calls, returns, and what happens when something fails. (frame.h has the layout of
-   the stack.)
+/* Owns the run loop: instructions, calls, returns, and what happens when something fails. (activation.h has the layout
+   of the stack.)
 
-   Registers of the machine are C locals: base (the frame's registers), pc, k (its constants). Whatever can allocate or
-   fail is given them first: SAVE. After anything that can allocate, values are read again from registers; code and
-   constants do not move.
+   Registers of the machine are C locals: base (the activation's registers), pc, k (its constants). Whatever can
+   allocate or fail is given them first: SAVE. After anything that can allocate, values are read again from registers;
+   code and constants do not move.
 
    step_loop.c compiles the loop a second time, with VS_STEPPING: it looks at every instruction before it runs, for
    programs that are stepped through (step.h). All others pay nothing for that. */
@@ -72,10 +72,10 @@ static void trace(const uint32_t *ins, const vs_value *base) {
 #define trace(ins, base) ((void)0)
 #endif
 
-/* Runs what the window w (at the stack's bottom) calls, until its frame returns. */
+/* Runs what the window w (at the stack's bottom) calls, until its activation returns. */
 static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
-  vs_value *base = w;                 /* no frame yet */
-  const uint32_t *pc = NULL, *start = NULL;      /* start: the first instruction of the frame's code */
+  vs_value *base = w;                 /* no activation yet */
+  const uint32_t *pc = NULL, *start = NULL;      /* start: the first instruction of the activation's code */
   vs_value *k = NULL;
   vs_value ret = VS_TAG_FIXNUM << 48 | VS_RET_STOP, kw = VS_FALSE, v;
   bool tail = false;
@@ -113,7 +113,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 #define PLAIN(callee, count, at)                                                                           \
   ((callee)->flags & VS_CODE_SIMPLE && (callee)->required == (count) &&                                    \
    (const char *)vm->stack_end - (const char *)(at) >=                                                     \
-       (ptrdiff_t)(((size_t)(callee)->registers + 2 + VS_FRAME_SLACK) * sizeof(vs_value)))
+       (ptrdiff_t)(((size_t)(callee)->registers + 2 + VS_ACTIVATION_SLACK) * sizeof(vs_value)))
 #define CALLEE(f) vs_as_code(vs_as_closure(f)->code)
 #define RUN_CODE(code) (start = vs_code_ins(code), k = vs_code_consts(code))
 #define ENTER(callee) do {                                                                                 \
@@ -613,14 +613,14 @@ call_case: {
     goto call;
   }
 
-  /* Calls the procedure of a record in w[0] with w[2..2+n): it needs no frame. */
+  /* Calls the procedure of a record in w[0] with w[2..2+n): it needs no activation. */
 call_record:
   if (vs_record_call(vm, w[0], w + 2, n, &w[0])) NEXT;
   ret = vs_ret_make(A, HERE); kw = VS_FALSE; tail = false;
   goto call;
 
-  /* Calls w[0] with w[2..2+n), keywords kw. Not tail: the result is for `ret`, the caller is the frame at base (or none
-     yet). Tail: the frame at base is given up. */
+  /* Calls w[0] with w[2..2+n), keywords kw. Not tail: the result is for `ret`, the caller is the activation at base (or
+     none yet). Tail: the activation at base is given up. */
 call: {
     vs_value f = w[0];
     if (!vs_is_object(f)) goto no_procedure;
@@ -635,8 +635,8 @@ call: {
           goto give;
         }
         size_t need = n > code->registers ? n : code->registers;
-        if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_FRAME_SLACK)) {
-          if (tail) {                             /* out of the frame first, so that it is not kept */
+        if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_ACTIVATION_SLACK)) {
+          if (tail) {                             /* out of the activation first, so that it is not kept */
             memmove(base, w + 2, n * sizeof *w);
             base[-2] = f;
             w = base - 2; ret = base[-1];
@@ -645,8 +645,8 @@ call: {
           pc = NULL;
           w[1] = ret;
           vm->native = NULL;
-          if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_FRAME_SLACK)) {
-            vs_value *moved = vs_frame_flush(vm, w, n, need + 2);
+          if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_ACTIVATION_SLACK)) {
+            vs_value *moved = vs_activation_flush(vm, w, n, need + 2);
             if (!moved) goto stack_full;
             w = moved; ret = w[1];
             base = w + 2;                         /* the caller is in the heap now, or given up */
@@ -675,8 +675,8 @@ call: {
         const vs_native *native = vs_as_native(f);
         size_t given = n, total = n;
         bool laid_out = vs_native_laid_out(native);
-        if (tail && native->def->slots) {                   /* apply, call/cc ... must not keep the frame; plain ones
-                                                               keep it for the error's place */
+        if (tail && native->def->slots) {                   /* apply, call/cc ... must not keep the activation; plain
+                                                               ones keep it for the error's place */
           memmove(base, w + 2, n * sizeof *w);
           base[-2] = f;
           w = base - 2; ret = base[-1];
@@ -689,9 +689,9 @@ call: {
         vm->top = w + 2 + n;
         vm->pc = pc;
         if (laid_out || n < native->min || n > native->max || kw != VS_FALSE) {
-          if (vm->stack_end - w < (ptrdiff_t)(n + 2 + VS_FRAME_SLACK)) {
+          if (vm->stack_end - w < (ptrdiff_t)(n + 2 + VS_ACTIVATION_SLACK)) {
             vm->native = NULL;
-            w = vs_frame_flush(vm, w, n, n + 2 + VS_FRAME_SLACK);
+            w = vs_activation_flush(vm, w, n, n + 2 + VS_ACTIVATION_SLACK);
             if (!w) goto stack_full;
           }
           vm->base = w + 2;
@@ -706,7 +706,7 @@ call: {
         vm->native = NULL;
         if (status == VS_OK) {
           if (tail) { v = vm->value; goto give; }
-          if (pc && !(ret & VS_RET_FLAGS)) { w[0] = vm->value; NEXT; }      /* back in the frame at base, at pc */
+          if (pc && !(ret & VS_RET_FLAGS)) { w[0] = vm->value; NEXT; }      /* back in the activation at base, at pc */
         } else if (status == VS_SEVERAL && tail) {
           v = vm->value;
           goto give_several;
@@ -774,7 +774,7 @@ fail_above:                               /* an error of the caller at base, fou
   ret = w[1];                             /* the caller is a native or in the heap: in place of what it called */
   goto raise;
 
-  /* A native's function has returned `status`; its frame is at base (== vm->base), its last slot below vm->top. */
+  /* A native's function has returned `status`; its activation is at base (== vm->base), its last slot below vm->top. */
 native_done:
   w = base - 2;
   switch (status) {
@@ -796,9 +796,9 @@ native_done:
         ret = w[1];
       }
       w[1] = ret;
-      if (vm->stack_end - w < (ptrdiff_t)(n + 2 + VS_FRAME_SLACK)) {
+      if (vm->stack_end - w < (ptrdiff_t)(n + 2 + VS_ACTIVATION_SLACK)) {
         w[0] = VS_FALSE;
-        w = vs_frame_flush(vm, w, 0, n + 2 + VS_FRAME_SLACK);
+        w = vs_activation_flush(vm, w, 0, n + 2 + VS_ACTIVATION_SLACK);
         if (!w) goto stack_full;
         ret = w[1];
       }
@@ -807,7 +807,7 @@ native_done:
       vm->call_count = 0;
       vm->call_procedure = VS_FALSE;
       base = w + 2;
-      pc = NULL;                              /* no code frame at base */
+      pc = NULL;                              /* no code activation at base */
       goto call;
     }
     case VS_THROW: {
@@ -826,8 +826,8 @@ native_done:
     default: goto uncaught;
   }
 
-  /* Returns v, several values, from the frame at base. Natives and the host take any number; code is asked here, or
-     below in `give` where its frame has to be found first. */
+  /* Returns v, several values, from the activation at base. Natives and the host take any number; code is asked here,
+     or below in `give` where its activation has to be found first. */
 give_several:
   ret = base[-1];
   if (!(ret & VS_RET_FLAGS)) {
@@ -844,7 +844,7 @@ give_several:
   }
   goto give;
 
-  /* Returns v from the frame at base. */
+  /* Returns v from the activation at base. */
 give: {
     ret = base[-1];
     size_t distance = vs_ret_distance(ret);
@@ -883,9 +883,9 @@ give: {
         goto native_done;
       }
       const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
-      if (ret & VS_RET_UNDER && vm->stack_end - base < (ptrdiff_t)(code->registers + VS_FRAME_SLACK)) {
+      if (ret & VS_RET_UNDER && vm->stack_end - base < (ptrdiff_t)(code->registers + VS_ACTIVATION_SLACK)) {
         vm->value = v;
-        if (!vs_frame_flush(vm, vm->stack, distance, code->registers + 2)) goto stack_full;
+        if (!vs_activation_flush(vm, vm->stack, distance, code->registers + 2)) goto stack_full;
         base = vm->stack + 2;
         v = vm->value;
       }

@@ -4,9 +4,9 @@
  * that are opcodes count as calls. An expression is shown when its operands have their values: (* 4 2), and then
  * with what it gave. Everything of the library runs through.
  *
- * A frame's level is its distance from the bottom of the stack, the parts in the heap counted. A callee's is larger
- * than its caller's, and that of a frame which replaces another by a tail call the same. Stepping over an
- * expression means to look away from all frames above its own until it has its value. */
+ * An activation's level is its distance from the bottom of the stack, the parts in the heap counted. A callee's is
+ * larger than its caller's, and that of an activation which replaces another by a tail call the same. Stepping over an
+ * expression means to look away from all activations above its own until it has its value. */
 #include "vm/stepping/step.h"
 
 #include "vm/compiler/code.h"
@@ -36,8 +36,8 @@ static bool is_branch(uint32_t op) {
 
 static uint32_t length_of(uint32_t op) { return 1 + vs_op_extra(op); }
 
-/* The value that the call at ins gave, when the frame has come to `at` (both indices): false where it gives none to
-   speak of. */
+/* The value that the call at ins gave, when the activation has come to `at` (both indices): false where it gives none
+   to speak of. */
 static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, uint32_t at, vs_value *out) {
   const uint32_t *ins = vs_code_ins(code) + call;
   uint32_t op = *ins & 255;
@@ -55,7 +55,7 @@ static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, u
   }
 }
 
-/* The procedure and the arguments of the call at ins; args: room behind the frame's registers. Returns how many
+/* The procedure and the arguments of the call at ins; args: room behind the activation's registers. Returns how many
    there are. */
 static size_t operands_of(const vs_code *code, vs_value *base, const uint32_t *ins, vs_value *procedure,
                           const vs_value **args, vs_value *keywords) {
@@ -117,7 +117,7 @@ static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint
 static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   VS_ROOTS(vm, r, 1);
   r[0] = vm->condition;
-  if (!vs_frame_flush(vm, w, n, 16)) return false;
+  if (!vs_activation_flush(vm, w, n, 16)) return false;
   vm->base = vm->stack + 2;
   vs_continuation *k = (vs_continuation *)(void *)vs_gc_alloc(vm, VS_T_CONTINUATION, VS_WORDS(vs_continuation));
   if (!k) return false;
@@ -151,7 +151,8 @@ static vs_step_verdict stop(vs_scheme *vm, vs_value *base, uint32_t at, uint32_t
   vs_value *w = base + code->registers;
   w[0] = VS_FALSE;
   w[1] = vs_ret_make(code->registers, at);
-  hold(vm, w, 0);       /* where memory is out the frames may lie in the heap already: then nobody can handle that */
+  hold(vm, w, 0);       /* where memory is out the activations may lie in the heap already: then nobody can handle
+                         * that */
   return VS_LOOK_STOP;
 }
 
@@ -165,7 +166,7 @@ vs_step_verdict vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc) 
   const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
   const uint32_t *ins = vs_code_ins(code);
   uint32_t at = (uint32_t)(pc - ins), before = s->seen_at;
-  uint64_t level = vs_frame_level(vm, base);
+  uint64_t level = vs_activation_level(vm, base);
   bool returned = s->seen_level > level, same = s->seen_level == level && s->seen_code == code;
   uint8_t told = s->told;
   s->seen_level = level, s->seen_code = code, s->seen_at = at;
@@ -195,7 +196,7 @@ static vs_status break_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   }
   VS_ROOTS(vm, r, 3);
   r[0] = r[2] = VS_FALSE; r[1] = VS_NIL;
-  uint64_t level = vs_frame_level(vm, vm->base) - 2 - vs_ret_distance(vm->base[-1]);
+  uint64_t level = vs_activation_level(vm, vm->base) - 2 - vs_ret_distance(vm->base[-1]);
   return make_stop(vm, VS_STOP_BREAK, r, level, false) && hold(vm, vm->base - 2, (size_t)(vm->top - vm->base)) ?
       VS_UNCAUGHT : VS_ERROR;
 }

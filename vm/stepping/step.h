@@ -2,7 +2,7 @@
  *
  * A program that stops leaves the run loop. Its whole state is a continuation, held by a condition of the kind `stop`;
  * vs_run returns false with that condition. The host may run whatever it likes and then enter the continuation again
- * with vs_step_resume (resume.h). No C frame waits for a user who thinks, and a program may stop while another is
+ * with vs_step_resume (resume.h). No C activation waits for a user who thinks, and a program may stop while another is
  * stopped. */
 #ifndef VS_STEP_H
 #define VS_STEP_H
@@ -20,7 +20,7 @@ enum {
   VS_STOP_SUBJECT,       /* CALL: the procedure; VALUE: the value */
   VS_STOP_ARGUMENTS,     /* CALL: a list of its arguments */
   VS_STOP_KEYWORDS,      /* CALL: a KEYWORDS object with the names of the last of them, or #f */
-  VS_STOP_LEVEL,         /* where the frame lies, as a fixnum: those of its callers are smaller */
+  VS_STOP_LEVEL,         /* where the activation lies, as a fixnum: those of its callers are smaller */
   VS_STOP_TAIL,          /* CALL: it is a tail call */
   VS_STOP_MODE,          /* how it was being stepped through, a vs_step_mode as a fixnum, and how far: */
   VS_STOP_TARGET,
@@ -30,7 +30,7 @@ enum {
 
 typedef enum { VS_LOOK_GO, VS_LOOK_STOP, VS_LOOK_FAILED } vs_step_verdict;
 
-/* Looks at the instruction at pc of the frame at base before it runs. STOP: vm->condition says why. FAILED: memory
+/* Looks at the instruction at pc of the activation at base before it runs. STOP: vm->condition says why. FAILED: memory
    is out. */
 vs_step_verdict vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc);
 
