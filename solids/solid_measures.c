@@ -152,7 +152,7 @@ static bool cluster(measuring *m, uint32_t *set) {
   uint32_t n = (uint32_t)m->parts.count;
   vs_bounds all = vs_bounds_empty();
   vs_bvh bvh = { 0 };
-  vs_box *boxes = malloc((n + (size_t)1) * sizeof *boxes);
+  vs_bvh_box *boxes = malloc((n + (size_t)1) * sizeof *boxes);
   int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* steps that a box is smaller by */
   vs_disjoint(set, n);
   for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box);
