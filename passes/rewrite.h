@@ -32,7 +32,8 @@ vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids);
 bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* named once: no template */
 /* Lone leaves (order.h) are not shown to a pass. Where a node has no other children, kids are the node's own array. */
 
-vs_rewrite_fn vs_pass_flatten, vs_pass_fold, vs_pass_prune, vs_pass_share;
+#define VS_PASS(upper, lower, begin, end, doc) vs_rewrite_fn vs_pass_##lower;
+#include "passes/passes.def"
 /* The primitive n under a; NULL: with *fits false where that is no primitive of its kind, else out of memory. */
 vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, bool *fits);
 /* Does a only shift, and make all alike larger or smaller? */
