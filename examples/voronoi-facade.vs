@@ -10,16 +10,16 @@
 (define points (map (lambda (i) (xy (random-range 0.0 wide) (* high (expt (random-range 0.0 1.0) 1.8)))) (iota count)))
 (define cells (remove empty-object? (voronoi points wall)))
 
-; what is left of a cell between its frames is open; small ones stay shut
-(define wide-cells (filter (lambda (c) (> (area c) 0.35)) cells))
-(define openings (map (lambda (c) (do-offset c -0.09)) wide-cells))
+; what is left of a cell between its frames is open; the smallest ones stay shut
+(define wide-cells (filter (lambda (c) (> (area c) 0.12)) cells))
+(define openings (remove empty-object? (map (lambda (c) (do-offset c -0.08)) wide-cells)))
 (define screen (do-extrude (subtract wall openings) 0.35))
 
 (define (stand o) (do-rotate o 'x pi/2))
 (draw (with-material 'white (stand screen)))
 (draw (with-material 'glass (stand (do-extrude (do-move wall (vxyz 0 0 -1)) 0.1))))
-(draw (with-material 'concrete (make-box (xyz 0 0.9 0) (xyz wide 9 0.3)) (make-box (xyz 0 0.9 high) (xyz wide 9 (+ high 0.4)))
-        (make-box (xyz 0 0.9 5.8) (xyz wide 9 6.1)) (make-box (xyz 0 8.7 0) (xyz wide 9 high))))
-(ground 0)
+(draw (with-material 'concrete (make-box (xyz 0 1.1 0) (xyz wide 9 0.3)) (make-box (xyz 0 0.3 high) (xyz wide 9 (+ high 0.4)))
+        (make-box (xyz 0 1.1 5.8) (xyz wide 9 6.1)) (make-box (xyz 0 8.7 0) (xyz wide 9 high))))
+(ground 0 #:material 'stone)
 (sun #:azimuth 205 #:altitude 38)
-(camera (xyz 33 -24 7) (xyz 11.5 0 5.2) #:lens 35)
+(camera (xyz 32 -25 1.7) (xyz 12.5 0 5.4) #:lens 28)

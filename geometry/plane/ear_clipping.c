@@ -46,6 +46,7 @@ typedef struct {
   size_t *idle;      /* corners that go at once */
   size_t idle_count;
   double flat; /* twice the area under which a triangle counts as none */
+  double blur; /* the distance under which a line is taken to meet a corner */
 } vs_ring;
 
 static vs_vec2 ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
@@ -213,22 +214,27 @@ static bool bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t s
   return true;
 }
 
-/* A corner of the ring that the hole's leftmost corner can be joined to: shoot a ray to -x, take the edge it meets
- * first, and of that edge's end and the corners within the triangle the one at the smallest angle to the ray. Of equals
- * the one with the smallest number. */
+/* A corner of the ring that the hole's leftmost corner h can be joined to: shoot a ray to -x, take the edge it meets
+ * first, and of that edge's end m and the corners within the triangle the one at the smallest angle to the ray. Of
+ * those at equal angles the nearest, and of those at one place the one with the smallest number. A bridge must not
+ * pass beside a corner so closely that rounding could put it on either side: so a ray meets what it passes within
+ * `blur`, and angles are equal that part lines by no more than that. */
 typedef struct {
   const vs_ring *ring;
   const uint32_t *copies;
-  vs_vec2 h, m;
-  double hit_x, least;
+  vs_vec2 h, m, hit;
+  double least, slack; /* slopes; within the slack two are equal */
+  bool choosing;       /* the least slope is known */
   size_t best;
 } vs_sight;
 
-static bool sight_has(const vs_sight *s, vs_vec2 p) { /* within the triangle of h, the place that is hit, and m */
-  double ax = s->h.y < s->m.y ? s->h.x : s->hit_x, cx = s->h.y < s->m.y ? s->hit_x : s->h.x;
-  return p.x < s->h.x && p.x >= s->m.x && (cx - p.x) * (s->h.y - p.y) >= (ax - p.x) * (s->h.y - p.y) &&
-         (ax - p.x) * (s->m.y - p.y) >= (s->m.x - p.x) * (s->h.y - p.y) &&
-         (s->m.x - p.x) * (s->h.y - p.y) >= (cx - p.x) * (s->m.y - p.y);
+/* Within the triangle of h, the place that is hit, and m, or as near to its side from h to m as the slack says. */
+static bool sight_has(const vs_sight *s, vs_vec2 p, double *slope) {
+  double up = s->m.y < s->h.y ? s->h.y - p.y : p.y - s->h.y, side = vs_vec2_turn(s->m, s->hit, p);
+  if (!(p.x < s->h.x && p.x >= s->m.x && up >= 0)) return false;
+  *slope = up / (s->h.x - p.x);
+  if (*slope > fabs(s->m.y - s->h.y) / (s->h.x - s->m.x) + s->slack) return false;
+  return vs_vec2_turn(s->m, s->hit, s->h) < 0 ? side <= 0 : side >= 0;
 }
 
 /* The places before and behind a corner along the ring: where a bridge has no length, those beyond its other end. */
@@ -254,14 +260,14 @@ static bool ring_sees(const vs_ring *r, size_t corner, vs_vec2 h) {
 static void sight_look(void *context, size_t point) {
   vs_sight *s = context;
   const vs_ring *r = s->ring;
-  vs_vec2 p = r->at[point], h = s->h;
-  double slope = fabs(h.y - p.y) / (h.x - p.x);
-  if (!sight_has(s, p) || slope > s->least) return;
+  vs_vec2 p = r->at[point];
+  double slope;
+  if (!sight_has(s, p, &slope) || slope > s->least + s->slack) return;
   for (size_t i = point;; i = s->copies[i] - 1) {
-    double best_x = ring_at(r, s->best).x;
-    if (ring_sees(r, i, h) && (slope < s->least || p.x > best_x || (p.x == best_x && i < s->best))) {
-      s->best = i;
-      s->least = slope;
+    if (ring_sees(r, i, s->h)) {
+      double best_x = s->best == none ? -INFINITY : ring_at(r, s->best).x;
+      if (!s->choosing) s->least = fmin(s->least, slope);
+      else if (p.x > best_x || (p.x == best_x && i < s->best)) s->best = i;
     }
     if (!s->copies[i]) return;
   }
@@ -276,35 +282,61 @@ static void touch_look(void *context, size_t point) {
   }
 }
 
-/* The ring's corner that the hole's corner touches, or none. */
-static size_t ring_touch(const vs_ring *r, const vs_bands *b, size_t hole) {
-  vs_vec2 p = ring_at(r, hole);
-  vs_sight s = { .ring = r, .copies = b->copies, .h = ring_at(r, r->corners[hole].next), .best = none };
+/* The ring's corner at the place p that sees h, or none. */
+static size_t ring_seeing(const vs_ring *r, const vs_bands *b, vs_vec2 p, vs_vec2 h) {
+  vs_sight s = { .ring = r, .copies = b->copies, .h = h, .best = none };
   vs_point_tree_each(&b->points, &(vs_point_box){ p.x, p.y, p.x, p.y, 0 }, touch_look, &s);
   return s.best;
 }
 
-static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, size_t hole) {
-  vs_vec2 h = ring_at(r, hole);
-  double best_x = -INFINITY;
-  size_t edge = none;
-  for (size_t node = b->leaves + band_of(b, h.y); node > 0; node /= 2) {
+/* The ring's corner that the hole's corner touches, or none. */
+static size_t ring_touch(const vs_ring *r, const vs_bands *b, size_t hole) {
+  return ring_seeing(r, b, ring_at(r, hole), ring_at(r, r->corners[hole].next));
+}
+
+/* The edge that the ray from h to -x meets first, among those of a band; *x: where. */
+static void band_meet(const vs_ring *r, const vs_bands *b, size_t band, vs_vec2 h, double blur, size_t *edge,
+                      double *x) {
+  for (size_t node = b->leaves + band; node > 0; node /= 2) {
     for (size_t l = b->first[node]; l; l = b->links[l].next) {
       size_t i = b->links[l].edge;
       vs_vec2 p = ring_at(r, i), q = ring_at(r, r->corners[i].next);
-      if (p.y < h.y || q.y > h.y) continue;
-      double x = p.x + (h.y - p.y) * (q.x - p.x) / (q.y - p.y);
-      if (x <= h.x && (x > best_x || (x == best_x && i < edge))) best_x = x, edge = i;
+      if (p.y < h.y - blur || q.y > h.y + blur) continue;
+      double share = fmin(1, fmax(0, (h.y - p.y) / (q.y - p.y))), at = p.x + share * (q.x - p.x);
+      if (p.y - q.y <= 2 * blur) at = fmax(p.x, q.x) <= h.x ? fmax(p.x, q.x) : fmin(p.x, q.x);
+      if (at <= h.x && (at > *x || (at == *x && i < *edge))) *x = at, *edge = i;
     }
+  }
+}
+
+static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, size_t hole) {
+  vs_vec2 h = ring_at(r, hole);
+  double best_x = -INFINITY, blur = r->blur;
+  size_t edge = none, last = none;
+  for (int side = -1; side <= 1; side++) {
+    size_t band = band_of(b, h.y + side * blur);
+    if (band != last) band_meet(r, b, band, h, blur, &edge, &best_x);
+    last = band;
   }
   if (edge == none) return start; /* a hole outside its ring: any bridge keeps the boundary right */
   size_t next = r->corners[edge].next;
-  if (best_x == h.x) return h.y == ring_at(r, edge).y ? edge : next;
-  vs_sight s = { .ring = r, .copies = b->copies, .h = h, .hit_x = best_x, .least = INFINITY };
-  s.best = ring_at(r, edge).x < ring_at(r, next).x ? edge : next;
-  s.m = ring_at(r, s.best);
-  vs_point_tree_each(&b->points, &(vs_point_box){ s.m.x, fmin(s.m.y, h.y), h.x, fmax(s.m.y, h.y), 0 }, sight_look, &s);
-  return s.best;
+  vs_vec2 p = ring_at(r, edge), q = ring_at(r, next);
+  bool at_p = fabs(p.y - h.y) <= blur && p.x <= h.x, at_q = fabs(q.y - h.y) <= blur && q.x <= h.x;
+  if (at_p || at_q) {
+    size_t end = at_p && !(at_q && q.x > p.x) ? edge : next, seeing = ring_seeing(r, b, ring_at(r, end), h);
+    return seeing == none ? end : seeing;
+  }
+  if (best_x == h.x) return h.y == p.y ? edge : next;
+  vs_sight s = { .ring = r, .copies = b->copies, .h = h, .hit = { best_x, h.y }, .least = INFINITY, .best = none };
+  size_t end = p.x < q.x ? edge : next;
+  s.m = ring_at(r, end);
+  s.slack = blur / (h.x - s.m.x);
+  vs_point_box box = { s.m.x, fmin(s.m.y, h.y), h.x, fmax(s.m.y, h.y), 0 };
+  box.min_y -= blur, box.max_y += blur;
+  vs_point_tree_each(&b->points, &box, sight_look, &s);
+  s.choosing = true;
+  vs_point_tree_each(&b->points, &box, sight_look, &s);
+  return s.best == none ? end : s.best;
 }
 
 /* before ring corner a -> copy of a -> hole corner b -> round the hole -> copy of b -> a -> on */
@@ -465,7 +497,7 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
   if (loop_count == 0 || sizes[0] < 3) return true;
   size_t most = total + 2 * loop_count;
   if (most > UINT32_MAX) return false; /* a mesh has no more vertices */
-  vs_ring r = { .at = at, .flat = 1e-14 * extent * extent };
+  vs_ring r = { .at = at, .flat = 1e-14 * extent * extent, .blur = 1e-12 * extent };
   r.corners = malloc(most * sizeof *r.corners);
   r.ears = malloc(most * sizeof *r.ears);
   r.by_place = malloc(3 * most * sizeof *r.by_place);

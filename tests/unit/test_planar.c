@@ -209,10 +209,65 @@ static void holes_touch_corners(void **state) {
   }
 }
 
+/* Sheets at any angle whose holes stand in rows, so that many corners lie on one line, and rounding bends that line: a
+ * bridge along it has corners beside it by less than a rounding. */
+static void holes_in_rows(void **state) {
+  (void)state;
+  enum { ROWS = 9, MOST = ROWS * ROWS * 9 + 4 };
+  static vs_vec2 at[MOST];
+  static size_t sizes[ROWS * ROWS + 1];
+  static uint32_t index[MOST];
+  for (uint32_t i = 0; i < MOST; i++) index[i] = i;
+  for (uint64_t seed = 1; seed <= 3000; seed++) {
+    uint64_t random = seed * 0x9e3779b97f4a7c15u;
+    size_t columns = 1 + (size_t)(chance(&random) * ROWS), rows = 1 + (size_t)(chance(&random) * ROWS), n = 0, loops = 0;
+    double angle = seed % 3 ? 6.3 * chance(&random) : 0, wide = 1 + 30 * chance(&random), high = 1 + 30 * chance(&random);
+    double c = cos(angle), s = sin(angle), area = 0, wanted = 0;
+    vs_mesh m = { 0 };
+#define PUT(x, y) (at[n++] = (vs_vec2){ (x) * c - (y) * s, (x) * s + (y) * c })
+    PUT(0, 0), PUT(wide, 0), PUT(wide, high), PUT(0, high);
+    sizes[loops++] = 4;
+    for (size_t i = 0; i < columns; i++)
+      for (size_t j = 0; j < rows; j++) {
+        if (chance(&random) < 0.2) continue;
+        double x = wide * ((double)i + 0.1) / (double)columns, y = high * ((double)j + 0.1) / (double)rows;
+        double dx = wide * 0.8 / (double)columns, dy = high * 0.8 / (double)rows, tilt = 1e-16 * high * chance(&random);
+        size_t begin = n;
+        switch (seed % 4) {
+        case 0: /* a notch in the upper side */
+          PUT(x, y + tilt), PUT(x, y + dy), PUT(x + dx / 2, y + dy / 2), PUT(x + dx, y + dy + tilt), PUT(x + dx, y);
+          break;
+        case 1: {
+          size_t sides = 3 + (size_t)(chance(&random) * 6);
+          for (size_t k = 0; k < sides; k++) {
+            double turn = -6.283185307179586 * (double)k / (double)sides;
+            PUT(x + dx / 2 * (1 + cos(turn)), y + dy / 2 * (1 + sin(turn)));
+          }
+          break;
+        }
+        default: /* rows of one height, or of two */
+          if (seed % 4 == 3 && chance(&random) < 0.5) x += dx / 4, dx -= dx / 4;
+          if (seed % 4 == 3 && chance(&random) < 0.5) dy *= 0.6;
+          PUT(x, y + tilt), PUT(x, y + dy), PUT(x + dx, y + dy + tilt), PUT(x + dx, y);
+        }
+        sizes[loops++] = n - begin;
+      }
+#undef PUT
+    for (size_t l = 0, first = 0; l < loops; first += sizes[l++]) wanted += turns_of(at + first, sizes[l]);
+    for (size_t i = 0; i < n; i++) assert_true(vs_mesh_add_vertex(&m, vs_v3(at[i].x, at[i].y, 0), NULL));
+    assert_true(vs_triangulate(at, sizes, loops, &m, index, false));
+    for (size_t i = 0; i < m.triangle_count; i++)
+      area += fabs(vs_vec2_turn(at[m.triangles[i][0]], at[m.triangles[i][1]], at[m.triangles[i][2]]));
+    if (fabs(area - wanted) > 1e-9 * wide * high)
+      fail_msg("seed %llu: the triangles' area is %.12g, the sheet's %.12g", (unsigned long long)seed, area, wanted);
+    vs_mesh_free(&m);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(sets_of_areas), cmocka_unit_test(offsets), cmocka_unit_test(chains_wind), cmocka_unit_test(read_off_meshes), cmocka_unit_test(sheets_of_holes),
-    cmocka_unit_test(holes_touch_corners),
+    cmocka_unit_test(holes_touch_corners), cmocka_unit_test(holes_in_rows),
   };
   return cmocka_run_group_tests_name("areas in a plane", tests, NULL, NULL);
 }
