@@ -274,7 +274,14 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
     ok = vs_bind_empty(f, d.dimension ? "there is nothing to hold" : "all of it is one point", out);
   else if (ok && d.dimension == 2) {
     d.points = VS_AS(hull, made)->points;
-    ok = vs_bind_make(f, VS_HULL, &d, child, count, out);
+    bool planar = true; /* curves and regions stay; a surface gives its corners: planar evaluation has no meshes */
+    for (size_t i = 0; i < count; i++)
+      planar = planar && (child[i].node->class_ == VS_CURVE || child[i].node->class_ == VS_REGION_CLASS);
+    vs_points *corners = planar ? NULL : vs_points_new(f->bind->store, cloud.at, cloud.count);
+    if (corners) d.points = corners;
+    ok = !planar && !corners ? vs_fail_memory(f->vm)
+                             : vs_bind_make(f, VS_HULL, &d, planar ? child : NULL, planar ? count : 0, out);
+    if (corners) vs_points_release(f->bind->store, corners);
   } else if (ok) ok = vs_bind_node(f, vs_node_retain(made), out);
   vs_cloud_free(&cloud);
   vs_node_release(whole.node);
