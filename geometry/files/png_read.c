@@ -56,7 +56,7 @@ static size_t png_bare(const unsigned char *bytes, size_t size, unsigned char *t
 bool vs_png_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_png_pixels *out,
                  vs_error *e) {
   png_functions call;
-  *out = (vs_png_pixels){ NULL };
+  *out = (vs_png_pixels){ 0 };
   if (!vs_dynamic_load(&vs_png_library, png_names, sizeof png_names / sizeof *png_names, &call, e)) return false;
   unsigned char *bare = vs_store_realloc(store, NULL, 0, size);
   if (!bare) return vs_error_memory(e, NULL);
