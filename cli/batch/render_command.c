@@ -59,14 +59,14 @@ static bool add_picture(batch *b, const char *model, const char *set, const char
     if (!more) return no_memory();
     b->at = more, b->room = room;
   }
-  picture p = {.model = model, .set = set, .told = -1, .view = view ? strdup(view) : NULL, .file = strdup(file),
-               .result = {.fate = NOT_TRIED}};
-  if (!p.file || (view && !p.view)) return no_memory();
   for (size_t i = 0; i < b->count; i++)
     if (!strcmp(b->at[i].file, file)) {
       fprintf(stderr, "vs render: %s would be two pictures: models of one name need folders of their own\n", file);
       return false;
     }
+  picture p = {.model = model, .set = set, .told = -1, .view = view ? strdup(view) : NULL, .file = strdup(file),
+               .result = {.fate = NOT_TRIED}};
+  if (!p.file || (view && !p.view)) return free(p.file), free(p.view), no_memory();
   b->at[b->count++] = p;
   return true;
 }

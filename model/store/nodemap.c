@@ -43,7 +43,7 @@ uint64_t *vs_nodemap_put(vs_nodemap *m, const void *key, bool *found) {
 }
 
 uint64_t *vs_nodemap_put_held(vs_nodemap *m, vs_node *key, bool *found) {
-  bool there;
+  bool there = false;
   uint64_t *value = vs_nodemap_put(m, key, &there);
   if (value && !there) vs_node_retain(key);
   if (found) *found = there;
