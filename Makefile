@@ -59,7 +59,7 @@ $(BUILD)/obj/functions/%.o $(BUILD)/obj/kernel/%.o $(BUILD)/obj/solids/%.o: OPT 
 
 # gcc would make the ends of all instructions one: a jump to a jump, and one guess where to go next instead of one each.
 # Values that gcse shares over the whole function fill the registers, and the frame's address is left without one.
-$(BUILD)/obj/vm/machine/run.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping -fno-gcse -fno-tree-pre -fno-ivopts --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
+$(BUILD)/obj/vm/machine/run_loop.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping -fno-gcse -fno-tree-pre -fno-ivopts --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
 
 LIVE_ASSETS = viewer/live.html $(BUILD)/live.css $(BUILD)/live.js
 

@@ -5,6 +5,7 @@
 #   arrows     an include follows scripts/layers.list
 #   globals    no object of the library has mutable data (cli/ has some: a signal handler gets no context)
 #   rooms      a folder of a layer holds at most 25 files, and each has a README.md
+#   Makefile   the objects that it names have sources
 #   names      no two source files of different folders share a base name, and no two headers have a type of one name
 #   ratchets   the counts of scripts/layers.limits: what cannot be zero at once may only fall
 set -u
@@ -64,6 +65,12 @@ while read -r line; do
   type=$(echo "$line" | sed 's/.*the type \(vs_[a-z_0-9]*\) .*/\1/')
   [ "$(xargs grep -lE "^\} $type;|^struct $type \{|^typedef (struct|enum)[a-z_ ]*\{.*\} $type;" < "$work/sources" | grep -c '\.h$')" -le 1 ] || echo "$line" >> "$work/wrong"
 done < "$work/types"
+
+# ---- the Makefile: what it says of an object whose source has moved is lost without a word ----
+made='^(assets|library_image|manual_text|shipped)$' # objects whose sources are made
+grep -oE '\$\(BUILD\)/obj/[a-z_/]+\.o' Makefile | sort -u | sed 's/^\$(BUILD)\/obj\///; s/\.o$//' | grep -vE "$made" | while read -r object; do
+  [ -f "$object.c" ] || echo "Makefile: $object.o has no source $object.c"
+done >> "$work/wrong"
 
 # ---- ratchets ----
 limit() { # NAME COUNT WHERE: what the count is of, and where to look
