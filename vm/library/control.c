@@ -18,15 +18,8 @@
 
 /* the continuation of the native whose arguments are at vm->base; the activation moves */
 static bool capture(vs_scheme *vm, vs_value *out) {
-  if (!vs_activation_flush(vm, vm->base - 2, (size_t)(vm->top - vm->base), 16)) return false;
-  vm->base = vm->stack + 2;
-  vs_continuation *k = (vs_continuation *)(void *)vs_gc_alloc(vm, VS_T_CONTINUATION, VS_WORDS(vs_continuation));
-  if (!k) return false;
-  k->stack = vm->under; k->depth = vm->under_depth;
-  k->winders = vm->winders; k->handlers = vm->handlers; k->parameters = vm->parameters;
-  k->ret = vm->base[-1];
+  if (!vs_activation_capture(vm, vm->base - 2, (size_t)(vm->top - vm->base), out)) return false;
   vm->captures++;
-  *out = vs_from_object(k);
   return true;
 }
 

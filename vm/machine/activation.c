@@ -142,6 +142,18 @@ vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need)
   return vm->stack;
 }
 
+bool vs_activation_capture(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
+  if (!vs_activation_flush(vm, w, n, 16)) return false;
+  vm->base = vm->stack + 2;
+  vs_continuation *k = (vs_continuation *)(void *)vs_gc_alloc(vm, VS_T_CONTINUATION, VS_WORDS(vs_continuation));
+  if (!k) return false;
+  k->stack = vm->under; k->depth = vm->under_depth;
+  k->winders = vm->winders; k->handlers = vm->handlers; k->parameters = vm->parameters;
+  k->ret = vm->base[-1];
+  *out = vs_from_object(k);
+  return true;
+}
+
 bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out) {
   enum { MOST = 64 };
   struct link at[MOST];

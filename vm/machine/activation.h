@@ -34,6 +34,11 @@ static inline size_t vs_ret_pc(vs_value ret) { return (size_t)(ret & 0x07FFFFFF)
    stretch, which then has room for `need` slots from w on. The window's new place, NULL when memory is out. */
 vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
 
+/* Makes *out the continuation of the window w, which has n arguments and whose slot 1 says how to return. The window
+ * moves to the bottom of the stretch, and vm->base with it. False when memory is out; the activations may lie in the heap
+ * then. */
+bool vs_activation_capture(vs_scheme *vm, vs_value *w, size_t n, vs_value *out);
+
 /* How many slots lie below the working stretch. */
 static inline uint64_t vs_slots_below(const vs_scheme *vm) {
   const vs_stack *s = vs_is(vm->under, VS_T_STACK) ? vs_as_stack(vm->under) : NULL;

@@ -117,15 +117,10 @@ static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint
 static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   VS_ROOTS(vm, r, 1);
   r[0] = vm->condition;
-  if (!vs_activation_flush(vm, w, n, 16)) return false;
-  vm->base = vm->stack + 2;
-  vs_continuation *k = (vs_continuation *)(void *)vs_gc_alloc(vm, VS_T_CONTINUATION, VS_WORDS(vs_continuation));
-  if (!k) return false;
-  k->stack = vm->under; k->depth = vm->under_depth;
-  k->winders = vm->winders; k->handlers = vm->handlers; k->parameters = vm->parameters;
-  k->ret = vm->base[-1];
+  vs_value k;
+  if (!vs_activation_capture(vm, w, n, &k)) return false;
   vs_vector *v = vs_as_vector(vs_as_condition(r[0])->payload);
-  vs_gc_store(vm, v, &v->at[VS_STOP_CONTINUATION], vs_from_object(k));
+  vs_gc_store(vm, v, &v->at[VS_STOP_CONTINUATION], k);
   vm->condition = r[0];
   return true;
 }
