@@ -8,7 +8,6 @@
 #include "model/store/array.h"
 
 enum { LEAF = 4, DEPTH = 64 };
-#define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
 
 typedef struct {
   vs_vec3 corner[3], face, edge[3], point[3]; /* normals, of the edge from corner k to the next */
@@ -44,7 +43,7 @@ static int compare_sides(const void *p, const void *q) {
 static bool normals(const vs_mesh *m, vs_mesh_distance *d) {
   vs_vec3 *point = NULL;
   side *sides = NULL;
-  if (!FRESH(point, m->vertex_count + 1) || !FRESH(sides, 3 * m->triangle_count + 1)) return free(point), false;
+  if (!VS_FRESH(point, m->vertex_count + 1) || !VS_FRESH(sides, 3 * m->triangle_count + 1)) return free(point), false;
   memset(point, 0, (m->vertex_count + 1) * sizeof *point);
   for (uint32_t i = 0; i < m->triangle_count; i++) {
     facet *f = &d->facets[i];
@@ -98,9 +97,10 @@ static int compare_z(const void *p, const void *q) {
 
 vs_mesh_distance *vs_mesh_distance_new(const vs_mesh *m) {
   vs_mesh_distance *d = NULL;
-  if (!FRESH(d, 1)) return NULL;
+  if (!VS_FRESH(d, 1)) return NULL;
   *d = (vs_mesh_distance){ .count = m->triangle_count };
-  bool ok = FRESH(d->facets, m->triangle_count + 1) && FRESH(d->boxes, 2 * m->triangle_count + 2) && normals(m, d);
+  bool ok =
+      VS_FRESH(d->facets, m->triangle_count + 1) && VS_FRESH(d->boxes, 2 * m->triangle_count + 2) && normals(m, d);
   if (!ok) return vs_mesh_distance_free(d), NULL;
   d->boxes[d->box_count++] = (box){ bounds_of(d->facets, d->count), 0, (uint32_t)d->count };
   for (size_t i = 0; i < d->box_count; i++) { /* halved at the middle of the longest side, until few are left */

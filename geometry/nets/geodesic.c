@@ -15,7 +15,6 @@
 #include "model/store/array.h"
 
 #define PI 3.14159265358979323846
-#define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
 #define NONE VS_MESH_NONE /* no point, edge or triangle */
 enum { STOPS = 3, SWEEPS = 4000, SWEEPS_TO_COMPARE = 60, TURNS = 200 };
 
@@ -30,7 +29,8 @@ static void links_free(links *l) { free(l->first), free(l->to), free(l->length);
 
 static bool links_make(links *l, const vs_way *ways, size_t count, size_t points) {
   *l = (links){ 0 };
-  if (!FRESH(l->first, points + 2) || !FRESH(l->to, 2 * count + 1) || !FRESH(l->length, 2 * count + 1)) return false;
+  if (!VS_FRESH(l->first, points + 2) || !VS_FRESH(l->to, 2 * count + 1) || !VS_FRESH(l->length, 2 * count + 1))
+    return false;
   memset(l->first, 0, (points + 2) * sizeof *l->first);
   for (size_t i = 0; i < count; i++) l->first[ways[i].a + 2]++, l->first[ways[i].b + 2]++;
   for (size_t i = 2; i <= points + 1; i++) l->first[i] += l->first[i - 1];
@@ -71,7 +71,7 @@ bool vs_ways_shortest(const vs_way *ways, size_t way_count, size_t points, uint3
   visit *heap = NULL;
   size_t room = 0, waiting = 0;
   *out = NULL, *count = 0;
-  bool ok = links_make(&l, ways, way_count, points) && FRESH(far, points + 1) && FRESH(before, points + 1) &&
+  bool ok = links_make(&l, ways, way_count, points) && VS_FRESH(far, points + 1) && VS_FRESH(before, points + 1) &&
             VS_GROW(heap, room, 1);
   for (size_t i = 0; ok && i < points; i++) far[i] = INFINITY, before[i] = NONE;
   if (ok) far[from] = 0, heap[waiting++] = (visit){ 0, from };
@@ -90,7 +90,7 @@ bool vs_ways_shortest(const vs_way *ways, size_t way_count, size_t points, uint3
   if (ok && isfinite(far[to])) {
     size_t n = 1;
     for (uint32_t i = to; before[i] != NONE; i = before[i]) n++;
-    ok = FRESH(*out, n);
+    ok = VS_FRESH(*out, n);
     if (ok) *count = n;
     for (uint32_t i = to; ok && n-- > 0; i = before[i]) (*out)[n] = i;
   }
@@ -120,7 +120,7 @@ static bool first_way(const surface *s, uint32_t ta, vs_vec3 p, uint32_t tb, vs_
   size_t points = EACH * s->edge_count + 2, n = 0, room = 0;
   vs_way *ways = NULL;
   uint32_t *seen = NULL;
-  bool ok = points < NONE && FRESH(seen, s->m->vertex_count + 1);
+  bool ok = points < NONE && VS_FRESH(seen, s->m->vertex_count + 1);
   for (size_t i = 0; ok && i < s->m->vertex_count; i++) seen[i] = NONE;
   for (uint32_t e = 0; ok && e < s->edge_count; e++)
     for (int end = 0; ok && end < 2; end++) {
@@ -380,7 +380,7 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
       }
     }
     size_t points = whole ? r.count + 2 : stops;
-    ok = ok && FRESH(*out, points + 1);
+    ok = ok && VS_FRESH(*out, points + 1);
     for (size_t i = 0; ok && i < points; i++)
       (*out)[(*count)++] = i == 0            ? r.p
                            : i == points - 1 ? r.q

@@ -6,7 +6,6 @@
 
 #include "model/store/array.h"
 
-#define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
 
 void vs_mesh_edges_free(vs_mesh_edges *s) { free(s->corner), free(s->edges), free(s->of); }
 
@@ -39,8 +38,8 @@ bool vs_mesh_edges_make(vs_mesh_edges *s, const vs_mesh *m) {
   half *h = NULL;
   size_t n = m->vertex_count, t = m->triangle_count;
   *s = (vs_mesh_edges){ .m = m };
-  bool ok = FRESH(p, n + 1) && FRESH(h, 3 * t + 1) && FRESH(s->corner, n + 1) && FRESH(s->edges, 3 * t + 1) &&
-            FRESH(s->of, t + 1);
+  bool ok = VS_FRESH(p, n + 1) && VS_FRESH(h, 3 * t + 1) && VS_FRESH(s->corner, n + 1) &&
+            VS_FRESH(s->edges, 3 * t + 1) && VS_FRESH(s->of, t + 1);
   for (uint32_t i = 0; ok && i < n; i++) p[i] = (placed){ m->vertices[i], i };
   if (ok) qsort(p, n, sizeof *p, by_place);
   for (size_t i = 0, first = 0; ok && i < n; i++) {

@@ -6,7 +6,6 @@
 
 #include "model/store/array.h"
 
-#define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
 
 void vs_stations_close(vs_stations *s) {
   vs_path_free(&s->path);
@@ -33,7 +32,8 @@ bool vs_stations_open(const vs_node *curve, const vs_fineness *f, vs_stations *o
   *out = (vs_stations){ 0 };
   if (!vs_curve_path(curve, &identity, f, &out->path, e)) return vs_stations_close(out), false;
   size_t n = out->path.count;
-  if (!FRESH(out->along, n + 1) || !FRESH(out->across, n + 1)) return vs_stations_close(out), vs_error_memory(e, NULL);
+  if (!VS_FRESH(out->along, n + 1) || !VS_FRESH(out->across, n + 1))
+    return vs_stations_close(out), vs_error_memory(e, NULL);
   double length = 0;
   out->along[0] = 0;
   for (size_t i = 0; n && i < span_count(out); i++)

@@ -7,7 +7,6 @@
 
 #include "model/store/array.h"
 
-#define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
 
 void vs_voronoi_free(vs_voronoi *v) {
   free(v->at), free(v->start);
@@ -34,7 +33,7 @@ static int compare_along(const void *p, const void *q) { /* of points by x, then
 /* Points on one line have no triangles: each is a neighbour of the next. z holds the number. */
 static bool links_along(const vs_vec2 *points, size_t n, link *links, size_t *count) {
   vs_vec3 *sorted = NULL;
-  if (!FRESH(sorted, n + 1)) return false;
+  if (!VS_FRESH(sorted, n + 1)) return false;
   for (size_t i = 0; i < n; i++) sorted[i] = vs_v3(points[i].x, points[i].y, (double)i);
   qsort(sorted, n, sizeof *sorted, compare_along);
   size_t last = 0;
@@ -75,7 +74,7 @@ bool vs_voronoi_make(const vs_vec2 *points, size_t n, const vs_vec2 box[2], vs_v
   *out = (vs_voronoi){ 0 };
   if (n > 1 && !vs_points_delaunay(points, n, &triangles, &triangle_count, e)) return false;
   size_t most = 6 * triangle_count + 2 * n;
-  bool ok = FRESH(links, most + 1) && FRESH(out->start, n + 1) && FRESH(known, n + 1);
+  bool ok = VS_FRESH(links, most + 1) && VS_FRESH(out->start, n + 1) && VS_FRESH(known, n + 1);
   if (ok) memset(known, 0, n + 1);
   for (size_t i = 0; ok && i < triangle_count; i++)
     for (int k = 0; k < 3; k++) {
@@ -87,7 +86,7 @@ bool vs_voronoi_make(const vs_vec2 *points, size_t n, const vs_vec2 box[2], vs_v
   if (ok) qsort(links, link_count, sizeof *links, compare_links);
   for (size_t i = 0; i < link_count; i++) known[links[i].from] = 1;
   if (ok && !link_count) known[0] = 1; /* one place alone */
-  ok = ok && FRESH(cell, link_count + 8) && FRESH(next, link_count + 8);
+  ok = ok && VS_FRESH(cell, link_count + 8) && VS_FRESH(next, link_count + 8);
   size_t at = 0;
   for (uint32_t i = 0; ok && i < n; i++) {
     out->start[i] = out->count;

@@ -6,7 +6,6 @@
 
 #include "model/store/array.h"
 
-#define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
 
 enum { TERMS = VS_NURBS_DEGREE + 1, SPLITS = 10, LINES = 24 };
 
@@ -144,7 +143,7 @@ size_t vs_nurbs_parameters(const vs_nurbs *n, bool along_v, double chord, double
       across[i] = vs_nurbs_low(other) + (vs_nurbs_high(other) - vs_nurbs_low(other)) * (double)i / LINES;
   }
   *out = NULL;
-  if (!FRESH(ends, k->count + 2)) return 0;
+  if (!VS_FRESH(ends, k->count + 2)) return 0;
   size_t spans = break_points(k, ends) - 1;
   bool ok = true;
   for (size_t i = 0; ok && i < spans; i++) {
@@ -227,7 +226,7 @@ static bool sample_span(const vs_nurbs *n, size_t span, double a, double b, doub
 static vs_node *spline_node(vs_store *s, const sample *at, size_t count, bool closed) {
   vs_vec3 *points = NULL;
   size_t kept = 0;
-  if (!FRESH(points, count + 1)) return NULL;
+  if (!VS_FRESH(points, count + 1)) return NULL;
   for (size_t i = 0; i < count; i++)
     if (!kept || !vs_v3_equal(points[kept - 1], at[i].at)) points[kept++] = at[i].at;
   vs_points *p = vs_points_new(s, points, kept);
@@ -244,14 +243,14 @@ static vs_node *line_node(vs_store *s, const vs_nurbs *n, double near) {
   samples all = { 0 };
   bool ok = true;
   double *ends = NULL;
-  size_t count = FRESH(ends, n->u.count + 2) ? break_points(&n->u, ends) : 0;
+  size_t count = VS_FRESH(ends, n->u.count + 2) ? break_points(&n->u, ends) : 0;
   for (size_t i = 0; ok && i < count; i++)
     ok = append(&all, (sample){ .at = vs_nurbs_point(n, ends[i], 0, NULL, NULL) });
   bool closed = all.count > 3 && vs_v3_length(vs_v3_sub(all.at[0].at, all.at[all.count - 1].at)) <= near;
   vs_node *made = NULL;
   if (ends && ok) {
     vs_vec3 *at = NULL;
-    if (!FRESH(at, all.count + 1)) count = 0;
+    if (!VS_FRESH(at, all.count + 1)) count = 0;
     for (size_t i = 0; at && i < all.count; i++) at[i] = all.at[i].at;
     vs_points *p = at ? vs_points_new(s, at, all.count - closed) : NULL;
     if (p) {

@@ -6,7 +6,6 @@
 
 #include "model/store/array.h"
 
-#define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
 
 enum { LEAST_RINGS = 64 };
 
@@ -22,7 +21,7 @@ bool vs_pipe_open(const vs_node *curve, int segments, double tolerance, vs_pipe 
   if (!vs_stations_open(curve, &f, &out->stations, e)) return false;
   const vs_stations *s = &out->stations;
   size_t spans = s->path.count - (s->path.closed ? 0 : 1);
-  if (!FRESH(out->at, spans + LEAST_RINGS + 2)) return vs_pipe_close(out), vs_error_memory(e, NULL);
+  if (!VS_FRESH(out->at, spans + LEAST_RINGS + 2)) return vs_pipe_close(out), vs_error_memory(e, NULL);
   for (size_t i = 0; i < spans; i++) {
     double from = s->along[i], length = s->along[i + 1] - from;
     int pieces = (int)ceil(length / s->length * LEAST_RINGS - 1e-9);

@@ -11,7 +11,6 @@
 #include "model/store/array.h"
 
 enum { CORNERS_MOST = 4000000 };
-#define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
 
 /* ---- the object's leaves ---- */
 
@@ -61,7 +60,7 @@ void vs_bending_free(vs_bending *b) {
 vs_bending *vs_bending_new(const vs_bend_leaf *leaf, double tolerance, double longest, int rounds) {
   vs_bending *b = NULL;
   const vs_mesh *m = &leaf->mesh;
-  if (!FRESH(b, 1)) return NULL;
+  if (!VS_FRESH(b, 1)) return NULL;
   *b = (vs_bending){ .tolerance = tolerance, .longest = longest, .rounds = rounds };
   b->curve = leaf->curve, b->closed = leaf->closed;
   bool ok = vs_mesh_reserve(&b->mesh, m->vertex_count, m->triangle_count) &&
@@ -94,7 +93,7 @@ static bool table_room(vs_bending *b) {
   if (2 * (b->used + 4) < b->size) return true;
   size_t size = b->size ? 2 * b->size : 1024;
   half *table = NULL;
-  if (!FRESH(table, size)) return false;
+  if (!VS_FRESH(table, size)) return false;
   memset(table, 0, size * sizeof *table);
   for (size_t i = 0; i < b->size; i++)
     if (b->table[i].edge) *half_of(table, size, b->table[i].edge) = b->table[i];
@@ -157,7 +156,7 @@ static bool cut_triangles(vs_bending *b) {
 static bool cut_line(vs_bending *b) {
   uint32_t *line = NULL;
   size_t count = 0, n = b->line_count;
-  if (!FRESH(line, 2 * n + 1)) return false;
+  if (!VS_FRESH(line, 2 * n + 1)) return false;
   for (size_t i = 0; i < n; i++) {
     line[count++] = b->line[i];
     if (i + 1 == n && !b->closed) break;
@@ -230,9 +229,9 @@ static vs_node *mesh_node(vs_store *s, const vs_mesh *m, bool closed) {
   size_t faces = 0, points = 0;
   vs_points *p = NULL;
   vs_faces *f = NULL;
-  if (!FRESH(place, m->vertex_count + 1) || !vs_polyface_merge(m->vertices, m->vertex_count, place)) goto done;
-  if (!FRESH(number, m->vertex_count + 1) || !FRESH(start, m->triangle_count + 1)) goto done;
-  if (!FRESH(corner, 3 * m->triangle_count + 1) || !FRESH(kept, m->vertex_count + 1)) goto done;
+  if (!VS_FRESH(place, m->vertex_count + 1) || !vs_polyface_merge(m->vertices, m->vertex_count, place)) goto done;
+  if (!VS_FRESH(number, m->vertex_count + 1) || !VS_FRESH(start, m->triangle_count + 1)) goto done;
+  if (!VS_FRESH(corner, 3 * m->triangle_count + 1) || !VS_FRESH(kept, m->vertex_count + 1)) goto done;
   memset(number, 0xFF, (m->vertex_count + 1) * sizeof *number);
   for (size_t i = 0; i < m->triangle_count; i++) {
     const uint32_t *t = m->triangles[i];

@@ -7,7 +7,6 @@
 
 #include "model/store/array.h"
 
-#define FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array)) /* of an array that is NULL */
 static const double full_turn = 6.28318530717958647693;
 
 typedef struct {
@@ -43,7 +42,7 @@ static uint32_t *slot_of(const topology *t, uint32_t a, uint32_t b) {
 static bool topology_of(const vs_face_list *l, const vs_crease *creases, size_t crease_count, topology *t) {
   *t = (topology){ .l = l, .size = 64 };
   while (t->size < 2 * l->corner_count + 2) t->size *= 2;
-  if (!FRESH(t->slots, t->size) || !FRESH(t->of_corner, l->corner_count + 1) ||
+  if (!VS_FRESH(t->slots, t->size) || !VS_FRESH(t->of_corner, l->corner_count + 1) ||
       !VS_GROW(t->edges, t->room, l->corner_count + 1))
     return topology_free(t), false;
   memset(t->slots, 0, t->size * sizeof *t->slots);
@@ -125,7 +124,7 @@ static bool step(const vs_face_list *l, const crease_list *creases, bool loop, v
   gathered *g = NULL;
   vs_vec3 *middle = NULL; /* of each face */
   if (!topology_of(l, creases->at, creases->count, &t)) return false;
-  bool ok = FRESH(g, l->point_count + 1) && FRESH(middle, l->face_count + 1);
+  bool ok = VS_FRESH(g, l->point_count + 1) && VS_FRESH(middle, l->face_count + 1);
   if (ok) memset(g, 0, (l->point_count + 1) * sizeof *g), gather_edges(&t, g);
   for (size_t f = 0; ok && f < l->face_count; f++) {
     vs_vec3 sum = { 0, 0, 0 };
@@ -199,7 +198,7 @@ static bool to_limit(vs_face_list *l, const crease_list *creases, bool loop) {
   gathered *g = NULL;
   vs_vec3 *moved = NULL;
   if (!topology_of(l, creases->at, creases->count, &t)) return false;
-  bool ok = FRESH(g, l->point_count + 1) && FRESH(moved, l->point_count + 1);
+  bool ok = VS_FRESH(g, l->point_count + 1) && VS_FRESH(moved, l->point_count + 1);
   if (ok) memset(g, 0, (l->point_count + 1) * sizeof *g), gather_edges(&t, g);
   for (size_t f = 0; ok && !loop && f < l->face_count; f++) { /* the corners opposite, of squares */
     const uint32_t *c = l->corners + l->starts[f];

@@ -13,4 +13,8 @@ bool vs_room_grow(void *slot, size_t *room, size_t need, size_t size);
 
 #define VS_GROW(array, room, need) ((need) <= (room) || vs_room_grow(&(array), &(room), need, sizeof *(array)))
 
+/* Allocates n elements for an array that keeps its size and is NULL before. False when there is no memory: it stays
+ * NULL then. */
+#define VS_FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array))
+
 #endif

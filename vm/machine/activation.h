@@ -35,8 +35,8 @@ static inline size_t vs_ret_pc(vs_value ret) { return (size_t)(ret & 0x07FFFFFF)
 vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
 
 /* Makes *out the continuation of the window w, which has n arguments and whose slot 1 says how to return. The window
- * moves to the bottom of the stretch, and vm->base with it. False when memory is out; the activations may lie in the heap
- * then. */
+ * moves to the bottom of the stretch, and vm->base with it. False when memory is out; the activations may lie in the
+ * heap then. */
 bool vs_activation_capture(vs_scheme *vm, vs_value *w, size_t n, vs_value *out);
 
 /* How many slots lie below the working stretch. */
