@@ -81,6 +81,15 @@ cp -r python "$work/package"
 if ! "$python" -m pip install -q --no-index --no-build-isolation --no-deps --target "$work/site" "$work/package" > "$work/log" 2>&1; then
   echo "not ok embed:python: pip"; tail -n 10 "$work/log" | sed 's/^/    /'; exit
 fi
+cover() {
+  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$work/site" VISUALSCHEME_LIBRARY="$work/usr/lib/libvisualscheme.so" "$python" tests/embed/python_covers.py "$@"
+}
+if cover sizes > "$work/sizes.c" && ${CC:-cc} -std=c11 -I"$work/usr/include" "$work/sizes.c" -o "$work/sizes"; then
+  "$work/sizes" > "$work/sizes.txt"
+  cover "$work/declared" "$work/sizes.txt" || true
+else
+  echo "not ok embed:python_covers did not run"
+fi
 host=$PWD/tests/embed/python_host.py
 (cd "$work" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$work/site" VISUALSCHEME_LIBRARY="$work/usr/lib/libvisualscheme.so" timeout 60 "$python" "$host" > "$work/out" 2>&1)
 code=$?

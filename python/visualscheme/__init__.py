@@ -6,7 +6,12 @@
         for mesh in s.meshes():
             print(mesh.points.shape, mesh.triangles.shape)
 """
+import codecs
+import contextlib
 import ctypes
+import signal
+import sys
+import threading
 from collections import namedtuple
 from ctypes import byref, c_double
 
@@ -14,26 +19,42 @@ import numpy
 
 from . import _library as c
 
-__all__ = ["Scheme", "SchemeError", "Value", "Symbol", "Mesh", "Part", "Hit"]
+__all__ = ["Scheme", "SchemeError", "Value", "Symbol", "Mesh", "Part", "Hit", "Gizmo", "Parameter"]
 
-Part = namedtuple("Part", "material color painted roughness metallic ior layer file line column")
-Hit = namedtuple("Hit", "distance point node file line column")
-# change: "removed", "changed" or "added". points (n, 3), triangles (m, 3), normals (k, 3), normal_corners (m, 3); parts, and
-# in part_of the number of each triangle's, or None; places (p, 3, 4), from the mesh's coordinates to the drawing's. All
-# arrays are Python's own.
+Part = namedtuple("Part", "material material_id color painted roughness metallic ior layer file line column")
+Hit = namedtuple("Hit", "distance point node path file line column")
+# kind: "trigger", "slider", "arrow" or "tripod". value, low and high: a number, of a tripod arrays of three; handles
+# and axes (n, 3), in the world's coordinates.
+Gizmo = namedtuple("Gizmo", "node kind at size value low high step handles axes")
+# value, default and choices are written data, as a program has them; min, max and step are None without a range.
+Parameter = namedtuple("Parameter", "name label group type value default min max step choices")
+# change: "removed", "changed" or "added". points (n, 3), triangles (m, 3), normals (k, 3), normal_corners (m, 3);
+# parts, and in part_of the number of each triangle's, or None; places (p, 3, 4), from the mesh's coordinates to the
+# drawing's. All arrays are Python's own.
 Mesh = namedtuple("Mesh", "change id points triangles normals normal_corners parts part_of places")
 
 _NONE, _BOOLEAN, _NUMBER, _TEXT, _SYMBOL, _LIST, _POINT, _VECTOR, _MATRIX = range(9)
 _CHANGES = ("removed", "changed", "added")
+_GIZMOS = ("trigger", "slider", "arrow", "tripod")
+_INPUTS = ("press", "drag", "release", "move", "key")
+_BUTTONS = ("left", "middle", "right", "none")
+_TYPES = ("boolean", "integer", "real", "string", "datum")
+_QUALITIES = ("draft", "good", "final")
+
+
+def _placed(message, file, line, column):
+    return "%s:%d:%d: %s" % (file, line, column, message) if file else message
 
 
 class SchemeError(Exception):
-    """A program or a call was at fault: message; file, line, column (None, 0, 0: nowhere); outcome, the exit code."""
+    """A program or a call was at fault: message; file, line, column (None, 0, 0: nowhere); outcome, the exit code;
+    notes, texts: the calls that led there, innermost first, and hints."""
 
-    def __init__(self, message, file=None, line=0, column=0, outcome=1):
-        place = "%s:%d:%d: " % (file, line, column) if file else ""
-        super().__init__(place + message)
+    def __init__(self, message, file=None, line=0, column=0, outcome=1, notes=()):
+        text = _placed(message, file, line, column)
+        super().__init__("".join([text] + ["\n  " + note for note in notes]))
         self.message, self.file, self.line, self.column, self.outcome = message, file, line, column, outcome
+        self.notes = list(notes)
 
 
 class Symbol(str):
@@ -44,11 +65,11 @@ class Value:
     """A value that has no like in Python: an object, a node, a procedure; held as long as this is."""
 
     def __init__(self, scheme, handle):
-        self._scheme, self.handle = scheme, handle
+        self._scheme, self.handle, self._age = scheme, handle, scheme._age
 
     def __del__(self):
-        if self._scheme._s:
-            self._scheme._c.vs_handle_release(self._scheme._s, self.handle)
+        if self._scheme._pointer and self._age == self._scheme._age:
+            self._scheme._c.vs_handle_release(self._scheme._pointer, self.handle)
 
     def __call__(self, *arguments):
         return self._scheme._apply(self.handle, arguments)
@@ -71,20 +92,31 @@ def _array(pointer, rows, width, kind):
 
 
 class Scheme:
-    """An interpreter. Used by one thread at a time; `with` ends it."""
+    """An interpreter. Used by one thread at a time; `with` ends it. output is called with the texts that the program
+    prints; None: they go to sys.stdout."""
+
+    _pointer, _age = None, 0
+    _running, _called = 0, 0  # calls of the library, and of Python's functions by it, that have not ended
 
     def __init__(self, output=None, limit_time=0.0, limit_memory=0, limit_steps=0, untrusted=False):
-        self._s, self._c = None, c.load()
-        self._errors, self._kept, self.warnings = [], [], []
-        self._output = output
+        self._c = c.load()
+        self._errors, self._kept, self.warnings = [], {}, []
+        self._output, self._decoder = output, codecs.getincrementaldecoder("utf-8")("replace")
         options = self._c.vs_options_default()
-        self._host = (c.OutputFn(self._print), c.DiagnoseFn(self._diagnose))
-        options.host.output, options.host.diagnose = self._host
+        # The poll gives Python the opportunity to run its handlers of signals, Ctrl-C's among them.
+        self._host = (c.OutputFn(self._print), c.DiagnoseFn(self._diagnose), c.PollFn(lambda _: False))
+        options.host.output, options.host.diagnose, options.host.poll = self._host
         options.limit_time, options.limit_memory, options.limit_steps = limit_time, limit_memory, limit_steps
         options.untrusted = untrusted
-        self._s = self._c.vs_new(byref(options))
-        if not self._s:
+        self._pointer = self._c.vs_new(byref(options))
+        if not self._pointer:
             raise MemoryError("no interpreter")
+
+    @property
+    def _s(self):
+        if not self._pointer:
+            raise SchemeError("the interpreter was closed", outcome=2)
+        return self._pointer
 
     def __enter__(self):
         return self
@@ -93,22 +125,52 @@ class Scheme:
         self.close()
 
     def close(self):
-        if self._s:
-            self._c.vs_free(self._s)
-            self._s = None
+        """Ends the interpreter, with all its values."""
+        if self._running:
+            raise SchemeError("the interpreter is at work: close() may not be called from it", outcome=2)
+        if self._pointer:
+            self._c.vs_free(self._pointer)
+            self._pointer = None
 
     __del__ = close
+
+    @contextlib.contextmanager
+    def _runs(self):
+        """While the interpreter is at work, Ctrl-C stops it; it becomes a KeyboardInterrupt afterwards."""
+        pressed = []
+        mine = (threading.current_thread() is threading.main_thread() and
+                signal.getsignal(signal.SIGINT) is signal.default_int_handler)
+
+        def press(*_):
+            pressed.append(True)
+            self._c.vs_interrupt(self._s)
+            if self._called:  # ends Python's function, too
+                raise KeyboardInterrupt
+        self._errors = []
+        if mine:
+            signal.signal(signal.SIGINT, press)
+        self._running += 1
+        try:
+            yield
+        finally:
+            self._running -= 1
+            if mine:
+                signal.signal(signal.SIGINT, signal.default_int_handler)
+            if pressed:
+                self._c.vs_interrupt_clear(self._s)
+                self._errors = []
+                raise KeyboardInterrupt
 
     # ---- what the library calls ----
 
     def _print(self, _, text, count):
-        if self._output:
-            self._output(ctypes.string_at(text, count).decode("utf-8", "replace"))
+        (self._output or sys.stdout.write)(self._decoder.decode(ctypes.string_at(text, count)))
         return True
 
     def _diagnose(self, _, pointer):
         d = pointer.contents
-        error = SchemeError(_text(d.message), _text(d.at.file), d.at.line, d.at.column, d.outcome)
+        notes = [_placed(_text(n.message), _text(n.at.file), n.at.line, n.at.column) for n in d.notes[:d.note_count]]
+        error = SchemeError(_text(d.message), _text(d.at.file), d.at.line, d.at.column, d.outcome, notes)
         (self._errors if d.severity == 0 else self.warnings).append(error)
 
     def _check(self, fine, outcome=2):
@@ -176,31 +238,48 @@ class Scheme:
         return self._take(self._c.vs_handle_retain(self._s, handle))
 
     def _apply(self, procedure, arguments):
-        handles = [self._give(a) for a in arguments]
-        result = c.Handle(0)
-        outcome = self._c.vs_apply(self._s, procedure, (c.Handle * len(handles))(*handles), len(handles), byref(result))
-        for handle in handles:
-            self._c.vs_handle_release(self._s, handle)
+        handles, result = [], c.Handle(0)
+        try:
+            handles.extend(self._give(a) for a in arguments)
+            with self._runs():
+                outcome = self._c.vs_apply(self._s, procedure, (c.Handle * len(handles))(*handles), len(handles),
+                                           byref(result))
+        finally:
+            for handle in handles:
+                self._c.vs_handle_release(self._s, handle)
         self._check(outcome == 0, outcome)
-        return self._take(result.value)
+        return self._take(result.value) if result.value else None
+
+    def _do(self, function, *arguments):
+        """A call that runs something and tells how it ended."""
+        with self._runs():
+            outcome = function(self._s, *arguments)
+        self._check(outcome == 0, outcome)
+
+    def _got(self, function, *arguments):
+        """A call that gives a handle: its value."""
+        handle = function(self._s, *arguments)
+        self._check(handle)
+        return self._take(handle)
 
     # ---- programs ----
 
     def run(self, text, name="python"):
         """Every form of the text."""
         data = text.encode()
-        outcome = self._c.vs_eval_text(self._s, name.encode(), 1, data, len(data), 0)
-        self._check(outcome == 0, outcome)
+        self._do(self._c.vs_eval_text, name.encode(), 1, data, len(data), 0)
 
     def run_file(self, path):
-        outcome = self._c.vs_eval_file(self._s, str(path).encode(), 0)
-        self._check(outcome == 0, outcome)
+        self._do(self._c.vs_eval_file, str(path).encode(), 0)
+
+    def restart(self):
+        """Begins anew, as a new interpreter would; values of parameters stay. What was held of it is void."""
+        self._do(self._c.vs_restart)
+        self._age += 1
 
     def __getitem__(self, name):
         """What the name means in the program: a value, or a Value to call."""
-        handle = self._c.vs_lookup(self._s, name.encode())
-        self._check(handle)
-        return self._take(handle)
+        return self._got(self._c.vs_lookup, name.encode())
 
     def __setitem__(self, name, value):
         """Defines the name; a Python function becomes a procedure."""
@@ -219,17 +298,24 @@ class Scheme:
 
     def _callback(self, function):
         def called(_, scheme, arguments, count, result):
+            self._called += 1
             try:
                 value = function(*[self._borrowed(arguments[i]) for i in range(count)])
                 if value is not None:
                     result[0] = self._give(value)
                 return True
-            except Exception as error:  # Python's error becomes the program's
-                self._c.vs_host_fail(self._s, str(error).encode())
+            except (Exception, KeyboardInterrupt) as error:  # Python's error becomes the program's
+                self._errors = []
+                self._c.vs_host_fail(self._s, (str(error) or type(error).__name__).encode())
                 return False
-        kept = c.HostFn(called)
-        self._kept.append(kept)  # the library calls it as long as the interpreter lives
-        return kept
+            finally:
+                self._called -= 1
+        return self._keep(c.HostFn(called))
+
+    def _keep(self, callback, key=None):
+        """The library may call it as long as the interpreter lives."""
+        self._kept[key or len(self._kept)] = callback
+        return callback
 
     def _procedure(self, name, function):
         handle = self._c.vs_host_procedure(self._s, name.encode(), self._callback(function), None)
@@ -237,21 +323,88 @@ class Scheme:
         return handle
 
     def parameter(self, name, value):
-        """Sets a parameter of the next run, as -D does."""
-        self._check(self._c.vs_parameter_set(self._s, name.encode(), str(value).encode()))
+        """Sets a parameter of the next run, as -D does; None: its default again."""
+        if value is None:
+            self._c.vs_parameter_unset(self._s, name.encode())
+        else:
+            text = ("#f", "#t")[value] if isinstance(value, bool) else str(value)
+            self._check(self._c.vs_parameter_set(self._s, name.encode(), text.encode()))
+
+    def parameters(self):
+        """What (define-parameter ...) has made: Parameter after Parameter."""
+        found, p = [], c.ParameterInfo()
+        for i in range(self._c.vs_parameter_count(self._s)):
+            self._c.vs_parameter_get(self._s, i, byref(p))
+            reach = (p.min, p.max, p.step) if p.has_range else (None, None, None)
+            choices = [_text(x) for x in p.choices[:p.choice_count]] if p.choices else None
+            found.append(Parameter(_text(p.name), _text(p.label), _text(p.group), _TYPES[p.type], _text(p.value),
+                                   _text(p.default_value), *reach, choices))
+        return found
+
+    def unused_parameters(self):
+        """Names that parameter() gave a value, and no program has taken."""
+        found = []
+        while True:
+            name = self._c.vs_parameter_unused(self._s, len(found))
+            if name is None:
+                return found
+            found.append(_text(name))
 
     def clear(self):
         self._c.vs_drawing_clear(self._s)
 
-    def write(self, path, format=None):
-        outcome = self._c.vs_write_drawing(self._s, str(path).encode(), format.encode() if format else None, None)
-        self._check(outcome == 0, outcome)
+    def summary(self):
+        """A dict: counts of objects, solids, surfaces, regions and curves; bounds, two arrays or None; units."""
+        out = c.Summary()
+        self._do(self._c.vs_drawing_summary, byref(out))
+        counts = {name: getattr(out, name) for name in ("objects", "solids", "surfaces", "regions", "curves")}
+        bounds = (numpy.array(out.min), numpy.array(out.max)) if out.has_bounds else None
+        return dict(counts, bounds=bounds, units=_text(out.units))
+
+    def statistics(self):
+        """A dict from a key to (value, unit), since the interpreter was made."""
+        count = self._c.vs_statistics(self._s, None, 0)
+        out = (c.Statistic * count)()
+        self._c.vs_statistics(self._s, out, count)
+        return {_text(x.key): (x.value, _text(x.unit)) for x in out}
+
+    def _options(self, width=0, height=0, quality=None, view=None, camera=None, sun=None, tolerance=0.0, segments=0,
+                 layers=False, strict=False):
+        o = self._c.vs_output_options_default()
+        o.width, o.height, o.tolerance, o.segments = width, height, tolerance, segments
+        o.layers, o.strict = layers, strict
+        if quality is not None:
+            o.quality = _QUALITIES.index(quality)
+        if view is not None:
+            o.view = view.encode()
+        if camera is not None:  # eye, target, lens
+            o.has_camera, o.camera = True, (c_double * 7)(*camera)
+        if sun is not None:  # azimuth, altitude
+            o.has_sun, o.sun = True, (c_double * 2)(*sun)
+        return o
+
+    def write(self, path, format=None, **options):
+        """The file of the path's ending, or of the format. width, height, quality ("draft", "good", "final"), view,
+        camera (eye, target and lens, seven numbers), sun (azimuth, altitude), tolerance, segments, layers, strict."""
+        self._do(self._c.vs_write_drawing, str(path).encode(), format.encode() if format else None,
+                 byref(self._options(**options)))
+
+    def bytes(self, format, **options):
+        """The same as bytes, without a file: IPython.display.Image(s.bytes("png")) shows a picture in a notebook."""
+        pieces = []
+
+        def take(_, data, count):
+            pieces.append(ctypes.string_at(data, count))
+            return True
+        self._do(self._c.vs_write_drawing_to, format.encode(), byref(self._options(**options)), c.WriteFn(take), None)
+        return b"".join(pieces)
 
     # ---- meshes ----
 
-    def meshes(self):
-        """What differs from what was handed over before: Mesh after Mesh."""
-        outcome = self._c.vs_meshes_begin(self._s, None)
+    def meshes(self, **options):
+        """What differs from what was handed over before: Mesh after Mesh. tolerance and segments say how fine."""
+        with self._runs():
+            outcome = self._c.vs_meshes_begin(self._s, byref(self._options(**options)))
         errors, self._errors = self._errors, []
         info, found = c.MeshInfo(), []
         while self._c.vs_mesh_next(self._s, byref(info)):
@@ -261,12 +414,24 @@ class Scheme:
         return found
 
     def forget_meshes(self):
+        """The next meshes() hands over everything. The materials' function goes, too."""
         self._c.vs_meshes_forget(self._s)
+
+    def materials(self, function):
+        """The function is asked once for each material's name and gives Python's own number for it, material_id."""
+        def ask(_, name):
+            try:
+                return int(function(_text(name)))
+            except Exception as error:  # it has no way to the program: the mesh is plain
+                self.warnings.append(SchemeError("materials: %s" % error))
+                return 0
+        self._c.vs_material_handler(self._s, self._keep(c.MaterialFn(ask), "materials"), None)
 
     @staticmethod
     def _mesh(m):
-        parts = [Part(_text(p.material), tuple(p.color), p.painted, p.roughness, p.metallic, p.ior, _text(p.layer),
-                      _text(p.file), p.line, p.column) for p in m.parts[:m.part_count]] if m.part_count else []
+        parts = [Part(_text(p.material), p.material_id, tuple(p.color), p.painted, p.roughness, p.metallic, p.ior,
+                      _text(p.layer), _text(p.file), p.line, p.column)
+                 for p in m.parts[:m.part_count]] if m.part_count else []
         part_of = _array(m.part_of, m.triangle_count, 1, numpy.uint32)[:, 0] if m.part_of else None
         return Mesh(_CHANGES[m.change], m.id, _array(m.points, m.point_count, 3, numpy.float64),
                     _array(m.corners, m.triangle_count, 3, numpy.uint32),
@@ -277,30 +442,86 @@ class Scheme:
     # ---- the scene ----
 
     @property
-    def root(self):
-        return self._take(self._c.vs_node_root(self._s))
+    def controller(self):
+        """Its properties are the scene's events: subscribe(s.controller, "Node.create", function)."""
+        return self._got(self._c.vs_scene_controller)
 
-    def node(self, name=None, parent=None, drawing=None, translate=None, rotate=None, scale=None):
+    @property
+    def root(self):
+        return self._got(self._c.vs_node_root)
+
+    @property
+    def focus(self):
+        """The node that the program draws in."""
+        return self._got(self._c.vs_node_focus)
+
+    @contextlib.contextmanager
+    def within(self, node):
+        """`with s.within(node):` what is drawn in it is the node's."""
+        self._do(self._c.vs_node_begin, node.handle)
+        try:
+            yield node
+        finally:
+            self._do(self._c.vs_node_end)
+
+    def run_in(self, node, text):
+        """Every form of the text in the node's own program; the last one's value."""
+        value = c.Handle(0)
+        self._do(self._c.vs_node_eval, node.handle, text.encode(), byref(value))
+        return self._take(value.value) if value.value else None
+
+    def node(self, name=None, parent=None, drawing=None, translate=None, rotate=None, scale=None, type=None):
         """A new node; degrees about X, Y and Z."""
-        handle = self._c.vs_node_create(self._s, None, name.encode() if name else None, parent.handle if parent else 0)
-        self._check(handle)
-        node = self._take(handle)
+        node = self._got(self._c.vs_node_create, type.encode() if type else None, name.encode() if name else None,
+                         parent.handle if parent is not None else 0)
         if drawing is not None:
             self.draw(node, drawing)
         self.place(node, translate, rotate, scale)
         return node
 
-    def find(self, name):
-        handle = self._c.vs_node_find(self._s, name.encode())
+    def _perhaps(self, function, *arguments):
+        """A call that may give no handle: its value, or None where nothing has failed."""
+        self._errors = []
+        handle = function(self._s, *arguments)
+        self._check(handle or not self._errors)
         return self._take(handle) if handle else None
 
+    def find(self, name):
+        return self._perhaps(self._c.vs_node_find, name.encode())
+
+    def parent(self, node):
+        return self._perhaps(self._c.vs_node_parent, node.handle)
+
+    def children(self, node):
+        return self._got(self._c.vs_node_children, node.handle)
+
+    def name(self, node):
+        self._errors = []
+        name = _text(self._c.vs_node_name(self._s, node.handle))
+        self._check(not self._errors)
+        return name
+
+    def add(self, parent, child):
+        self._do(self._c.vs_node_add_child, parent.handle, child.handle)
+
+    def remove(self, parent, child):
+        self._do(self._c.vs_node_remove_child, parent.handle, child.handle)
+
+    def object(self, node):
+        """All that the node shows, as one object."""
+        return self._got(self._c.vs_node_object, node.handle)
+
     def draw(self, node, drawing):
-        self.call("node-setdrawing", node, drawing)
+        """An object, or a list of objects, becomes the node's own drawing."""
+        handle = self._give(drawing)
+        try:
+            self._do(self._c.vs_node_set_drawing, node.handle, handle)
+        finally:
+            self._c.vs_handle_release(self._s, handle)
 
     def place(self, node, translate=None, rotate=None, scale=None):
         three = [(c_double * 3)(*v) if v is not None else None for v in (translate, rotate, scale)]
-        outcome = self._c.vs_node_place(self._s, node.handle, *three)
-        self._check(outcome == 0, outcome)
+        self._do(self._c.vs_node_place, node.handle, *three)
 
     def matrix(self, node, world=True):
         out = (c_double * 16)()
@@ -309,42 +530,80 @@ class Scheme:
 
     def get(self, node, name):
         value = c.Handle(0)
-        outcome = self._c.vs_property_get(self._s, node.handle, name.encode(), byref(value))
-        self._check(outcome == 0, outcome)
+        self._do(self._c.vs_property_get, node.handle, name.encode(), byref(value))
         return self._take(value.value)
 
     def put(self, node, name, value):
         handle = self._give(value)
-        outcome = self._c.vs_property_put(self._s, node.handle, name.encode(), handle)
-        self._c.vs_handle_release(self._s, handle)
-        self._check(outcome == 0, outcome)
+        try:
+            self._do(self._c.vs_property_put, node.handle, name.encode(), handle)
+        finally:
+            self._c.vs_handle_release(self._s, handle)
+
+    @contextlib.contextmanager
+    def _property(self, node, name):
+        handle = self._c.vs_property_of(self._s, node.handle, name.encode())
+        self._check(handle)
+        try:
+            yield handle
+        finally:
+            self._c.vs_handle_release(self._s, handle)
 
     def subscribe(self, node, name, function):
         """The function is called with each new value. Gives the subscription's number."""
-        handle = self._c.vs_property_of(self._s, node.handle, name.encode())
-        self._check(handle)
-        number = self._c.vs_property_subscribe(self._s, handle, self._callback(function), None)
-        self._c.vs_handle_release(self._s, handle)
+        with self._property(node, name) as handle:
+            number = self._c.vs_property_subscribe(self._s, handle, self._callback(function), None)
         self._check(number)
         return number
 
+    def unsubscribe(self, node, name, number):
+        with self._property(node, name) as handle:
+            self._do(self._c.vs_property_unsubscribe, handle, number)
+
     def post(self, node, name, value):
         """Leaves a change for the next update; also where the interpreter is at work."""
-        raise_after = self._c.vs_property_of(self._s, node.handle, name.encode())
-        self._check(raise_after)
-        handle = self._give(value)
-        fine = self._c.vs_post(self._s, raise_after, handle)
-        for held in (handle, raise_after):
-            self._c.vs_handle_release(self._s, held)
+        with self._property(node, name) as handle:
+            given = self._give(value)
+            fine = self._c.vs_post(self._s, handle, given)
+            self._c.vs_handle_release(self._s, given)
         self._check(fine)
 
     def update(self):
-        outcome = self._c.vs_update(self._s)
-        self._check(outcome == 0, outcome)
+        self._do(self._c.vs_update)
 
     def frame(self, seconds):
-        outcome = self._c.vs_scene_frame(self._s, seconds)
-        self._check(outcome == 0, outcome)
+        self._do(self._c.vs_scene_frame, seconds)
+
+    def action(self, name, node):
+        """The action goes through the tree from the node on."""
+        self._do(self._c.vs_action_apply, name.encode(), node.handle)
+
+    def gizmos(self):
+        """All gizmos below the root. Their values are their nodes' properties "value": put, get, subscribe."""
+        found = []
+
+        def take(_, scheme, pointer):
+            g = pointer.contents
+            several = g.value_count == 3
+            value, low, high = (numpy.array(x) if several else x[0] for x in (g.value, g.low, g.high))
+            handles, axes = (numpy.array(x)[:g.handle_count] for x in (g.handles, g.axes))
+            found.append(Gizmo(self._borrowed(g.node), _GIZMOS[g.kind], numpy.array(g.at), g.size, value, low, high,
+                               g.step, handles, axes))
+            return True
+        self._do(self._c.vs_gizmos, c.GizmoFn(take), None)
+        return found
+
+    def input(self, kind, button="none", start=None, direction=None, key=None):
+        """An event: "press", "drag", "release" or "move" of a button, with the ray under the mouse; or "key". Gives
+        the node that it went to, or None."""
+        if kind not in _INPUTS or button not in _BUTTONS:
+            raise SchemeError("an event is one of %s with a button of %s, got %r and %r" % (
+                ", ".join(_INPUTS), ", ".join(_BUTTONS), kind, button), outcome=2)
+        ray = [(c_double * 3)(*v) if v is not None else None for v in (start, direction)]
+        node = c.Handle(0)
+        self._do(self._c.vs_input, _INPUTS.index(kind), _BUTTONS.index(button), *ray, key.encode() if key else None,
+                 byref(node))
+        return self._take(node.value) if node.value else None
 
     def pick(self, start, direction):
         """What the ray meets, nearest first."""
@@ -352,8 +611,8 @@ class Scheme:
 
         def take(_, scheme, pointer):
             h = pointer.contents
-            hits.append(Hit(h.distance, numpy.array(h.point), self._borrowed(h.node), _text(h.file), h.line, h.column))
+            hits.append(Hit(h.distance, numpy.array(h.point), self._borrowed(h.node), self._borrowed(h.path),
+                            _text(h.file), h.line, h.column))
             return True
-        outcome = self._c.vs_pick(self._s, (c_double * 3)(*start), (c_double * 3)(*direction), c.HitFn(take), None)
-        self._check(outcome == 0, outcome)
+        self._do(self._c.vs_pick, (c_double * 3)(*start), (c_double * 3)(*direction), c.HitFn(take), None)
         return hits

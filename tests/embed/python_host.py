@@ -1,9 +1,13 @@
 """Owns the proof that the Python package runs models, hands over meshes, holds a scene, and turns every fault into an
 exception. Its lines are the test's."""
+import contextlib
+import io
 import math
+import signal
+import threading
 
 import numpy
-from visualscheme import Scheme, SchemeError
+from visualscheme import Scheme, SchemeError, Symbol
 
 failures = 0
 
@@ -55,6 +59,13 @@ with Scheme(output=said.append) as s:
           ball.normal_corners.shape == ball.triangles.shape)
     paint = ball.parts[0]
     check("its paint and origin", (paint.material, paint.file, paint.line) == ("gold", "python", 1))
+    asked = []
+    s.forget_meshes()
+    s.materials(lambda name: asked.append(name) or 77)
+    again, = s.meshes(segments=12)
+    check("materials by their numbers", again.parts[0].material_id == 77 and asked == ["gold"])
+    check("coarser", again.change == "added" and len(again.points) < len(ball.points))
+    s.meshes()
     check("nothing changed", s.meshes() == [])
     s.clear()  # what is round is made anew where the drawing's size changes how fine that is
     s.run("(define part (subtract (make-box (xyz 0 0 0) (xyz 4 4 4)) (make-box (xyz 1 1 2) (xyz 3 3 5))))")
@@ -66,6 +77,7 @@ with Scheme(output=said.append) as s:
     check("moved", (moved.change, moved.id, len(moved.points), moved.places[2, 2, 3]) == ("changed", parts.id, 0, 50))
     hits = s.pick((10.5, 0.5, 100), (0, 0, -1))
     check("picked", len(hits) == 1 and hits[0].node == rows[1] and hits[0].distance == 96)
+    check("its path", [s.name(n) for n in hits[0].path] == ["root", "row1"])
     check("a matrix", s.matrix(rows[1])[0, 3] == 10 and s.find("row1") == rows[1] and s.find("none") is None)
 
     heard = []
@@ -86,4 +98,111 @@ with Scheme(output=said.append) as s:
 
 with Scheme(limit_steps=10000) as s:
     check("limits", raises(lambda: s.run("(let loop () (loop))"), "the limit"))
+
+# the tree, its events, focus, programs of nodes
+with Scheme() as s:
+    told = []
+    for event in ("Node.create", "Node.addChild"):
+        number = s.subscribe(s.controller, event, lambda node, event=event: told.append(event))
+    shelf, lamp = s.node("shelf"), s.node("lamp")
+    s.add(s.root, shelf)
+    s.add(shelf, lamp)
+    check("events", told == ["Node.create", "Node.create", "Node.addChild", "Node.addChild"])
+    s.unsubscribe(s.controller, "Node.addChild", number)
+    s.remove(shelf, lamp)
+    s.add(shelf, lamp)
+    check("unsubscribed", len(told) == 4)
+    check("the tree", s.parent(lamp) == shelf and s.children(shelf) == [lamp] and s.parent(s.root) is None and
+          s.name(lamp) == "lamp")
+    check("a loop is refused", raises(lambda: s.add(lamp, shelf), "cannot hang below itself"))
+    with s.within(lamp):
+        check("the focus", s.focus == lamp)
+        s.run("(draw (make-box (xyz 0 0 0) (xyz 1 2 3)))")
+    check("the root again", s.focus == s.root and s.call("volume", s.object(shelf)) == 6)
+    check("a program of its own", s.run_in(lamp, "(define height 7) (+ height 1)") == 8 and
+          raises(lambda: s["height"], "not defined"))
+    s.run("(define turned 0) (node-on (node-find \"lamp\") 'turn (lambda (node) (set! turned (+ 1 turned))))")
+    s.action("turn", s.root)
+    check("an action", s["turned"] == 1)
+    check("a summary", s.summary()["solids"] == 1 and s.summary()["bounds"][1][2] == 3)
+
+    # gizmos: set, dragged, followed
+    s.run("(define width (make-slider (xyz 0 0 50) (xyz 10 0 50) 0 20 #:value 8 #:step 2 #:size 1 #:name \"width\""
+          "                           #:parent (node-getroot)))"
+          "(make-tripod (xyz 0 90 0) (vxyz 1 0 2) #:parent (node-getroot))")
+    slider, tripod = s.gizmos()
+    check("a slider's data", slider[1] == "slider" and slider[4:8] == (8, 0, 20, 2) and
+          numpy.array_equal(slider.handles, [[4, 0, 50]]) and numpy.array_equal(slider.axes, [[10, 0, 0]]))
+    check("a tripod's data", tripod.kind == "tripod" and numpy.array_equal(tripod.high, [1, 0, 2]) and
+          tripod.axes.shape == (2, 3))
+    moves, down = [], (0, 0, -1)
+    s.subscribe(slider.node, "value", moves.append)
+    check("taken hold of", s.input("press", "left", (4, 0, 99), down) == slider.node)
+    s.input("drag", "left", (8.6, 0, 99), down)
+    s.input("release", "left", (8.6, 0, 99), down)
+    s.put(slider.node, "value", 4)
+    check("dragged in steps, and put", moves == [18, 4] and s.gizmos()[0].value == 4)
+    check("out of range", raises(lambda: s.put(slider.node, "value", 3), "within?"))
+    check("no such event", raises(lambda: s.input("wink"), "an event is one of"))
+    s.run("(define key #f) (node-on (node-getroot) 'key (lambda (node k) (set! key k)))")
+    check("a key", s.input("key", key="g") == s.root and s["key"] == "g" and s.input("move") is None)
+
+# parameters, files as bytes, statistics, and what becomes of values when their program is gone
+with Scheme() as s:
+    s.parameter("n", 5)
+    s.parameter("nobody", True)
+    text = ('(define-parameter n 3 #:min 1 #:max 9 #:label "how many")'
+            " (define-parameter kind 'thin #:choices '(thin thick))"
+            " (draw (make-box (xyz 0 0 0) (xyz n 1 1)))")
+    s.run(text)
+    n, kind = s.parameters()
+    check("parameters", n[:8] == ("n", "how many", "", "integer", "5", "3", 1, 9) and
+          kind.choices == ["thin", "thick"] and s.unused_parameters() == ["nobody"])
+    check("a file as bytes", len(s.bytes("stl")) == 84 + 12 * 50 and b"make-box" not in s.bytes("obj"))
+    check("no such format", raises(lambda: s.bytes("nothing"), "nothing"))
+    held = s["n"], s["+"]
+    s.parameter("n", None)
+    s.restart()
+    check("a value from before", raises(lambda: held[1](1, 2), "vs_restart"))
+    s.run(text)
+    check("restarted", s["n"] == 3 and s.summary()["bounds"][1][0] == 3)
+    check("statistics", s.statistics()["objects.drawn"] == (1, "") and s.statistics()["time.total"][1] == "s")
+    gold, = s.call("list", Symbol("gold"))
+    check("a symbol", gold == "gold" and isinstance(gold, Symbol))
+
+    # an error has its calls; a program is stopped by Ctrl-C; what it calls may not call back
+    try:
+        s.run("(define (f x)\n  (+ 1 (car x)))\n(f 5)", "m.vs")
+    except SchemeError as error:
+        calls = any("m.vs:3:1" in note for note in error.notes)
+        check("an error has its calls", (error.line, error.column) == (2, 8) and calls)
+    threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT)).start()
+    try:
+        s.run("(let loop () (loop))")
+        check("Ctrl-C", False)
+    except KeyboardInterrupt:
+        check("Ctrl-C", s.call("+", 1, 2) == 3)
+    s["again"] = lambda: s.run("(+ 1 2)")
+    check("re-entry", raises(lambda: s.run("(again)"), "at work"))
+    s["end"] = s.close
+    check("closed while at work", raises(lambda: s.run("(end)"), "at work") and s.call("+", 1, 2) == 3)
+check("closed", raises(lambda: s.run("1"), "was closed") and raises(lambda: held[1](1, 2), "was closed"))
+with contextlib.redirect_stdout(io.StringIO()) as printed, Scheme() as s:
+    s.run('(display "naïve – ") (display 1/3)')
+check("what is printed", printed.getvalue() == "naïve – 1/3")
+
+
+def count(text, results):
+    with Scheme() as s:
+        s.run(text)
+        results.append(sum(len(m.triangles) for m in s.meshes()))
+
+
+results = []
+many = [threading.Thread(target=count, args=("(draw (make-sphere (xyz 0 0 0) 1))", results)) for _ in range(4)]
+for t in many:
+    t.start()
+for t in many:
+    t.join()
+check("four interpreters in four threads", len(results) == 4 and len(set(results)) == 1)
 raise SystemExit(failures != 0)
