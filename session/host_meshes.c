@@ -23,7 +23,7 @@ typedef struct {
   double (*places)[3][4];
   bool made;               /* this round: the host does not have it, its mesh is here */
   vs_mesh mesh;            /* arrays of the session's memory */
-  vs_shading shading;      /* of malloc, by vs_shading_make */
+  vs_shading shading;      /* of the session's memory */
   vs_mesh_part *parts;
   size_t part_count;
 } shape;
@@ -179,8 +179,8 @@ static bool keep(vs_emitter *e, shape *f, const vs_solid *from, const vs_origin 
     const vs_origin *o = p && p->leaf.origin ? p->leaf.origin : origin;
     paint(&f->parts[i], p && p->material ? p->material : e->material, p && p->layer ? p->layer : layer_of(m), o);
   }
-  return vs_shading_make(e, f->mesh.vertices, f->mesh.vertex_count, (const uint32_t (*)[3])f->mesh.triangles,
-      f->mesh.triangle_count, crease, &f->shading);
+  return vs_shading_make_in(e, vs_session_memory, s, f->mesh.vertices, f->mesh.vertex_count,
+                            (const uint32_t (*)[3])f->mesh.triangles, f->mesh.triangle_count, crease, &f->shading);
 }
 
 /* The shape with this id in the round, new to it or not; *make: its mesh is wanted. NULL: out of memory. */

@@ -150,10 +150,15 @@ static void test_random_calls(void **unused) {
 
 /* ---- memory ---- */
 
-typedef struct { long left; /* allocations until one is refused; negative: never */ size_t blocks; } budget;
+typedef struct {
+  long left; /* allocations until one is refused; negative: never */
+  size_t blocks, bytes;
+} budget;
 static void *take(void *context, void *old, size_t old_size, size_t new_size) {
   budget *b = context;
   if (new_size > old_size && b->left >= 0 && b->left-- == 0) return NULL;
+  if (old) b->bytes -= old_size;
+  b->bytes += new_size;
   if (new_size == 0) {
     if (old) b->blocks--;
     free(old);
@@ -204,8 +209,30 @@ static void test_refused_memory(void **unused) {
   }
 }
 
+/* All arrays of a mesh, normals too, are memory of the host's allocator, which limits count, and go with the next
+ * call. */
+static void test_counted_meshes(void **unused) {
+  (void)unused;
+  budget b = { .left = -1 };
+  vs_options o = vs_options_default();
+  o.alloc = take, o.alloc_context = &b;
+  vs_scheme *s = vs_new(&o);
+  static const char text[] = "(draw (make-sphere (xyz 0 0 0) 1 #:segments 200))";
+  assert_int_equal(vs_eval_text(s, "t", 1, text, sizeof text - 1, 0), VS_OUTCOME_DONE);
+  assert_int_equal(vs_meshes_begin(s, NULL), VS_OUTCOME_DONE);
+  vs_mesh_info m;
+  assert_true(vs_mesh_next(s, &m));
+  size_t held = b.bytes, arrays = m.point_count * sizeof *m.points + m.triangle_count * sizeof *m.corners +
+                                  m.normal_count * sizeof *m.normals + m.triangle_count * sizeof *m.normal_corners;
+  assert_true(arrays > 1000000);
+  assert_false(vs_mesh_next(s, &m));
+  assert_true(held - b.bytes >= arrays && held - b.bytes < arrays + arrays / 4);
+  vs_free(s);
+  assert_int_equal(b.blocks, 0);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_rays), cmocka_unit_test(test_random_calls),
-                                      cmocka_unit_test(test_refused_memory) };
+                                      cmocka_unit_test(test_refused_memory), cmocka_unit_test(test_counted_meshes) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
