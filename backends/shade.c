@@ -25,7 +25,7 @@ static double shade_angle(const vs_vec3 *v, const uint32_t t[3], int corner) {
   return acos(fmax(-1, fmin(1, vs_v3_dot(a, b))));
 }
 
-/* What is needed while normals are made. */
+/* Arrays that are needed while normals are made. */
 typedef struct {
   vs_vec3 *faces;             /* a triangle's unit normal */
   double *angles;             /* at each corner */

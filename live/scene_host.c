@@ -1,19 +1,38 @@
-/* Owns the live view as a host of the scene. See scene_host.h. The language's own (scene-needs) says what there is. */
+/* Owns the live view as a host of the scene. See scene_host.h. The language's own (scene-needs) says whether there is
+ * something to do; vs_gizmos hands the gizmos over. */
 #include "live/scene_host.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static void add_numbers(vs_scheme *s, live_text *t, vs_handle h) {
-  double x[3];
-  size_t count = vs_handle_get_numbers(s, h, x, 3);
+static void add_numbers(live_text *t, const double *x, size_t count) {
   live_puts(t, "[");
-  for (size_t i = 0; i < count && i < 3; i++) {
+  for (size_t i = 0; i < count; i++) {
     if (i > 0) live_puts(t, ",");
     live_number(t, x[i]);
   }
   live_puts(t, "]");
+}
+
+typedef struct { live_text *text; size_t count; } gizmos_told;
+
+static bool add_gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
+  static const char *const kinds[] = { "trigger", "slider", "arrow", "tripod" }; /* as vs_gizmo_kind counts */
+  gizmos_told *to = context;
+  live_text *t = to->text;
+  (void)s;
+  live_putf(t, "%s{\"kind\":\"%s\",\"value\":", to->count++ > 0 ? "," : "", kinds[g->kind]);
+  add_numbers(t, g->value, g->value_count);
+  live_puts(t, ",\"size\":");
+  add_numbers(t, &g->size, 1);
+  live_puts(t, ",\"handles\":[");
+  for (size_t i = 0; i < g->handle_count; i++) {
+    if (i > 0) live_puts(t, ",");
+    add_numbers(t, g->handles[i], 3);
+  }
+  live_puts(t, "]}");
+  return true;
 }
 
 static bool flag_at(vs_scheme *s, vs_handle list, size_t index) {
@@ -23,42 +42,13 @@ static bool flag_at(vs_scheme *s, vs_handle list, size_t index) {
   return flag;
 }
 
-/* (kind value size (handle ...)) */
-static void add_gizmo(vs_scheme *s, live_text *t, vs_handle gizmo) {
-  vs_handle kind = vs_handle_item(s, gizmo, 0), value = vs_handle_item(s, gizmo, 1), size = vs_handle_item(s, gizmo, 2),
-            handles = vs_handle_item(s, gizmo, 3);
-  live_puts(t, "{\"kind\":");
-  live_json(t, vs_handle_get_text(s, kind));
-  live_puts(t, ",\"value\":");
-  add_numbers(s, t, value);
-  live_puts(t, ",\"size\":");
-  add_numbers(s, t, size);
-  live_puts(t, ",\"handles\":[");
-  for (size_t i = 0; i < vs_handle_count(s, handles); i++) {
-    vs_handle at = vs_handle_item(s, handles, i);
-    if (i > 0) live_puts(t, ",");
-    add_numbers(s, t, at);
-    vs_handle_release(s, at);
-  }
-  live_puts(t, "]}");
-  const vs_handle all[] = { kind, value, size, handles };
-  for (size_t i = 0; i < 4; i++) vs_handle_release(s, all[i]);
-}
-
 bool live_scene_needs(vs_scheme *s, live_text *t) {
   vs_handle asked = vs_lookup(s, "scene-needs"), needs = 0;
   bool ok = asked != 0 && vs_apply(s, asked, NULL, 0, &needs) == VS_OUTCOME_DONE, frames = ok && flag_at(s, needs, 0);
   live_putf(t, "{\"frames\":%s,\"input\":%s,\"gizmos\":[", frames ? "true" : "false",
             ok && flag_at(s, needs, 1) ? "true" : "false");
-  vs_handle gizmos = ok ? vs_handle_item(s, needs, 2) : 0;
-  for (size_t i = 0; gizmos != 0 && i < vs_handle_count(s, gizmos); i++) {
-    vs_handle gizmo = vs_handle_item(s, gizmos, i);
-    if (i > 0) live_puts(t, ",");
-    add_gizmo(s, t, gizmo);
-    vs_handle_release(s, gizmo);
-  }
+  if (ok) vs_gizmos(s, add_gizmo, &(gizmos_told){ .text = t });
   live_puts(t, "]}");
-  vs_handle_release(s, gizmos);
   vs_handle_release(s, needs);
   vs_handle_release(s, asked);
   return frames;

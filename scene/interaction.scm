@@ -149,24 +149,17 @@
         (error 'gizmo-values! "there are ~a gizmos, got ~a values" (length all) (length values)))
     (for-each (lambda (n v) (property-set! (property-ref n 'value) v)) all values)))
 
-; The facts that a host needs to show the scene: is anything done in each frame, does a node wait for picks or other input, and of each
-; gizmo its kind, value, size and handles.
+; The facts that tell a host whether it has to run frames, and to hand on what the mouse does: is anything done in each
+; frame, does a node wait for picks or other input. Gizmos wait for input as well: scene-gizmos lists them.
 (define (scene-needs)
-  (let ((frames %active-viewer) (input #f))
+  (let ((frames (and %active-viewer #t)) (input #f))
+    (define (has? known actions) (any (lambda (action) (hash-ref known action #f)) actions))
     (%walk (%root)
       (lambda (n)
         (let ((known (%node-actions n)))
-          (if known
-              (begin
-                (if (or (hash-ref known 'update #f) (hash-ref known 'draw #f) (hash-ref known 'finish #f)) (set! frames #t))
-                (if (or (hash-ref known 'pick #f) (hash-ref known 'drag #f) (hash-ref known 'release #f) (hash-ref known 'input #f))
-                    (set! input #t)))))))
-    (list (if frames #t #f) (if input #t #f)
-          (map (lambda (n)
-                 (let* ((g (hash-ref %gizmos n)) (world (node-worldtransform n)))
-                   (list (%gizmo-kind g) (property-get n 'value) (%gizmo-size g)
-                         (map (lambda (h) (%matrix-point world (cadr h))) (%handles n g)))))
-               (scene-gizmos)))))
+          (if (and known (has? known %frame-actions)) (set! frames #t))
+          (if (and known (has? known '(pick drag release input))) (set! input #t)))))
+    (list frames input)))
 
 ; ---- what the ray meets of them ----
 
