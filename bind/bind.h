@@ -44,7 +44,7 @@ struct vs_bind {
   vs_store *store;
   vs_scene scene;
   /* top-level values: the model if nothing was drawn; each may be a list. `returned` are references of our own */
-  /* shown: printed at the prompt, so not thrown away */
+  /* shown: printed at the prompt, or drawn until another drawing took its place: so not thrown away */
   struct { vs_node *node; const vs_origin *origin; bool shown; } *returned;
   size_t returned_count, returned_room;
   bool drew;                       /* draw was called: what was returned does not count */

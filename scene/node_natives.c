@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bind/functions/function_values.h"
+#include "model/store/nodemap.h"
 #include "scene/ray_hits.h"
 #include "vm/front/environment.h"
 #include "vm/machine/program.h"
@@ -127,12 +128,30 @@ static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
+/* The root's drawing is about to be replaced: objects of it that the program's expressions returned, or parts of what
+ * they returned, were not thrown away. Without memory for the question the warnings stay. */
+static void was_shown(vs_bind *b) {
+  if (b->returned_count == 0 || b->scene.drawn_count == 0) return;
+  vs_nodemap all = { .store = b->store };
+  bool known = true;
+  for (size_t i = 0; known && i < b->scene.drawn_count; i++)
+    known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
+  for (size_t i = 0; known && i < b->returned_count; i++) {
+    const vs_node *n = b->returned[i].node;
+    bool parts = n->kind == VS_UNION; /* (draw a list) returns the union */
+    for (uint32_t k = 0; parts && k < n->child_count; k++) parts = vs_nodemap_get(&all, n->children[k].node) != NULL;
+    if (parts || vs_nodemap_get(&all, n)) b->returned[i].shown = true;
+  }
+  vs_nodemap_free(&all);
+}
+
 /* objects, a list: what is drawn now; away: it is not the root's. The value is what was drawn before. */
 static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_bind *b = vs_bind_of(vm);
   VS_ROOTS(vm, r, 1);
   if (!drawing_list(vm, a, n, &r[0])) return VS_ERROR;
   size_t before = b->scene.drawn_count, kept = 0;
+  if (!b->away && a[1] == VS_FALSE) was_shown(b);
   for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* behind what stands there, so that a refusal loses nothing */
     if (!vs_scene_draw(&b->scene, vs_bind_ref(vs_car(l)))) {
       while (b->scene.drawn_count > before) vs_node_release(b->scene.drawn[--b->scene.drawn_count].node);

@@ -262,7 +262,7 @@
 (define (node-setdrawing node drawing)
   (%need-node 'node-setdrawing 'node node)
   (let ((objects (%need-objects 'node-setdrawing 'drawing drawing)))
-    (if (eq? node (%focus)) (%drawing-swap! objects (not (eq? node (%root)))))
+    (if (eq? node (%focus)) (pair? (%drawing-swap! objects (not (eq? node (%root)))))) ; what was drawn is not its value
     (%set-node-drawing! node objects)
     (%touch node)))
 

@@ -227,11 +227,22 @@
 
 ; ---- going about, asking, moving ----
 
+; edge faceCCW, or edge number faceCCW: so many steps.
+(define-syntax edge-steps
+  (syntax-rules ()
+    ((_ (name f) ...)
+     (begin (operator (name e) (if (number? e) (steps 'name f e) (begin (need-edge 'name e) (f e)))) ...))))
+(define (steps who f n)
+  (need-count who n)
+  (let ((e (gml:pop who)))
+    (need-edge who e)
+    (let turn ((e e) (n n)) (if (= n 0) e (turn (f e) (- n 1))))))
+(edge-steps (faceCCW edge-next) (faceCW edge-previous) (vertexCW vertex-cw) (vertexCCW vertex-ccw))
+
 (define-syntax edge-operators
   (syntax-rules () ((_ (name f) ...) (begin (operator (name e) (need-edge 'name e) (f e)) ...))))
 (edge-operators
-  (edgemate edge-mate) (edgeflip edge-mate) (faceCCW edge-next) (faceCW edge-previous) (vertexCW vertex-cw)
-    (vertexCCW vertex-ccw)
+  (edgemate edge-mate) (edgeflip edge-mate)
   (vertexpos edge-place) (edgedirection (lambda (e) (v- (edge-place (edge-next e)) (edge-place e))))
   (valence (lambda (e) (length (vertex-edges e)))) (facedegree (lambda (e) (length (face-edges e))))
   (facenormal (lambda (e) (normal-of 'facenormal (face-places e))))

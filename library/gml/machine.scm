@@ -1,8 +1,8 @@
 ; The machine of GML: values, the operand stack, the stack of dictionaries, and how a value is executed.
 ;
 ; Numbers, strings and points (vectors of three) are the language's own; a literal name is a symbol; a dictionary is a
-; table, and so is a node of the
-; scene. A procedure { ... } is a closure that the reader compiled, with the tokens that it was made of.
+; table; a node of the scene is one as well, and so is the controller.
+; A procedure { ... } is a closure that the reader compiled, with the tokens that it was made of.
 
 (define-record-type <block> (make-block tokens thunk) block? (tokens block-tokens) (thunk block-thunk))
 (define-record-type <array> (make-array items count) array? (items array-items set-array-items!)
@@ -76,6 +76,7 @@
     ((hash-table? v) "a dictionary")
     ((procedure? v) "an operator")
     ((edge? v) "an edge")
+    ((eq? v (node-controller)) "the controller")
     (else (format "~a" v))))
 
 (define (refuse who expected v) (error who (string-append expected ", got " (show v))))
@@ -86,7 +87,7 @@
 (define dictionaries (list user-dictionary)) ; the innermost first
 (define operators (make-hasheq))
 
-(define (dictionary? v) (or (hash-table? v) (node? v)))
+(define (dictionary? v) (or (hash-table? v) (property-group? v)))
 
 (define (entry d name)
   (cond
@@ -94,7 +95,11 @@
     ((memq name (property-names d)) (property-get d name))
     (else gml:unset)))
 
-(define (set-entry! d name v) (if (hash-table? d) (hash-set! d name v) (property-put! d name v)))
+; A procedure that the controller is given becomes one that hosts may call.
+(define (set-entry! d name v)
+  (cond ((hash-table? d) (hash-set! d name v))
+        ((and (block? v) (eq? d (node-controller))) (property-put! d name (in-place v)))
+        (else (property-put! d name v))))
 
 (define (like name)
   (let ((wanted (string-downcase (symbol->string name))))

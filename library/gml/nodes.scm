@@ -36,6 +36,7 @@
     (gml:push n)))
 (operator! (node-setname n name) (need-scene-node 'node-setname n) (node-setname n (text-of 'node-setname name)))
 (operator (node-getname n) (need-scene-node 'node-getname n) (or (node-getname n) ""))
+(operator (node-controller) (node-controller))
 (operator (node-current) (node-current))
 (operator (node-getroot) (node-getroot))
 
@@ -43,13 +44,17 @@
   (syntax-rules ()
     ((_ (name set) ...) (begin (operator! (name n v) (need-scene-node 'name n) (set n (as-gvector 'name v))) ...))))
 (frame-operators
-  (node-translate node-translate) (node-rotate node-rotate) (node-scale node-scale)
+  (node-transform node-transform) (node-translate node-translate) (node-rotate node-rotate) (node-scale node-scale)
   (set-translate node-translate) (set-rotate node-rotate) (set-scale node-scale))
 (define-syntax frame-readers
   (syntax-rules () ((_ (name get) ...) (begin (operator (name n) (need-scene-node 'name n) (gvector->point (get n)))
                                          ...))))
 (frame-readers
-  (node-gettranslate node-gettranslate) (node-getrotate node-getrotate) (node-getscale node-getscale))
+  (node-gettransform node-gettranslate) (node-gettranslate node-gettranslate) (node-getrotate node-getrotate) (node-getscale node-getscale))
+
+; ---- viewers, by their names ----
+
+(operator! (viewer-activate name) (viewer-activate (string->symbol (text-of 'viewer-activate name))))
 
 ; ---- gizmos ----
 
@@ -58,9 +63,30 @@
     (let loop ((l pairs)) (if (pair? l) (begin (hash-set! d (car l) (cadr l)) (loop (cddr l)))))
     d))
 
-; A callback runs in the context and with the dictionaries that it was made in; what it leaves on the
-; stack
-; is dropped.
+; The root's model was drawn at the end of its file. A callback that changes it has the objects drawn anew.
+(define root-model #f)
+(define root-drawn '())
+(define (with-root-model thunk)
+  (let ((root (node-getroot)))
+    (if (and root-model (not (hash-ref models root #f))) (hash-set! models root root-model))
+    (thunk)
+    (let ((m (hash-ref models root #f)) (others (without root-drawn (node-getdrawing root))))
+      (if m (keep-root-drawn! m))
+      (node-setdrawing root (append others root-drawn)))))
+(define (without some objects) ; each as often as it is there
+  (let ((counts (make-hash)))
+    (for-each (lambda (o) (hash-set! counts o (+ 1 (hash-ref counts o 0)))) some)
+    (filter (lambda (o)
+              (let ((n (hash-ref counts o 0)))
+                (if (> n 0) (hash-set! counts o (- n 1)))
+                (= n 0)))
+      objects)))
+(define (keep-root-drawn! m)
+  (set! root-model m)
+  (set! root-drawn (model-objects m))
+  (hash-remove! models (node-getroot)))
+
+; A callback runs in the context and with the dictionaries that it was made in; operands that it leaves are dropped.
 (define (in-place p)
   (let ((context (node-current)) (begun dictionaries))
     (lambda ()
@@ -69,8 +95,9 @@
           (lambda () (set! dictionaries begun) (set! leave #f))
           (lambda ()
             (with-node context
-              (execute p)
-              (if (not (eq? context (node-getroot))) (keep-drawing context))))
+              (if (eq? context (node-getroot))
+                  (with-root-model (lambda () (execute p)))
+                  (begin (execute p) (keep-drawing context)))))
           (lambda () (set! dictionaries outer) (set! leave outer-leave)))
         (let drop () (if (> depth bottom) (begin (pop) (drop))))))))
 
@@ -137,4 +164,4 @@
   (let unwind ()
     (if (not (eq? (node-current) (node-getroot))) (begin (keep-drawing (node-current)) (node-end) (unwind))))
   (let ((m (hash-ref models (node-getroot) #f)))
-    (if m (let ((l (model-objects m))) (if (pair? l) (begin (hash-remove! models (node-getroot)) (apply draw l)))))))
+    (if m (begin (keep-root-drawn! m) (if (pair? root-drawn) (apply draw root-drawn))))))

@@ -50,3 +50,9 @@
 (define before (length (node-getdrawing root)))
 (draw (make-box (xyz 0 0 0) (xyz 1 1 1)))
 (show (- (length (node-getdrawing root)) before) " " (eq? (node-current) root) " " (length (drawing))) ; expect: 1 #t 1
+
+; ---- a drawing that takes another's place: what was drawn before is not said to be thrown away ----
+(define (update n) (node-setdrawing root (map (lambda (i) (make-box (xyz i 0 0) (xyz (+ i 0.5) 1 n))) (iota n))) n)
+(update 2)
+(update 3)
+(show (length (node-getdrawing root)))   ; expect: 3

@@ -33,3 +33,12 @@ clear 10 20 30 2 index print 3 -1 roll print clear
 [ (1,1,5) (2,1,5) ] (0,0,1) (0,0,1) -1 project_polyplane == (5,5,0) (0,0,0) (1,0,0) project_ptline print
 7 2 div print 7 2 idiv print 7 3 mod print -7 3 mod print 2 10 pow print
 "text" " and more" concat print count print
+% so many steps at once; another way round is the rest of them
+(0,0,0) (0,0,1) 1 8 circle 3 poly2doubleface dup 3 faceCCW exch 5 faceCW eq print % 1
+newmacro (9,0,0) (0,0,1) 1 4 circle 3 poly2doubleface (0,1,3) extrude dup 3 vertexCCW sameEdge print % 1
+node-controller /answer 42 put node-controller /answer get print % 42
+node-getroot node-controller /host known print % 0
+node-getroot pop
+/gmlcontext node-create dup (1,2,3) node-transform node-gettransform print % (1.0,2.0,3.0)
+node-controller print
+currentmacro deletemacro
