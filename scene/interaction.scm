@@ -208,9 +208,11 @@
                (p (%matrix-point world h)) (line (p-p (%matrix-point world (p+v h a)) p)))
           (%make-hold node axis p line (or (%along p line from direction) 0) (property-get node 'value))))))
 
+; Whole steps of exact numbers are exact: a slider of storeys counts.
 (define (%stepped g v)
-  (let* ((step (%gizmo-step g)) (low (%gizmo-low g)) (v (if step (+ low (* step (round (/ (- v low) step)))) v)))
-    (max low (min (%gizmo-high g) v))))
+  (let* ((step (%gizmo-step g)) (low (%gizmo-low g)) (high (%gizmo-high g))
+         (v (if step (+ low (* step (exact (round (/ (- v low) step))))) v)))
+    (cond ((<= v low) low) ((>= v high) high) (else v))))
 
 (define (%drag-gizmo h from direction)
   (let* ((node (%hold-node h)) (g (hash-ref %gizmos node)) (t (%along (%hold-place h) (%hold-line h) from direction)))

@@ -264,7 +264,7 @@ bool vs_session_advise_empty(vs_session *s, vs_text *t) {
   /* The program that ran last; the libraries that it imported were read after it, and their text defines no procedure
    * outside of define-library. */
   for (size_t i = s->source_count; i-- > 0 && !n.count && n.ok;)
-    vs_outline_each(s->sources[i].text, s->sources[i].length, name_procedure, &n);
+    if (!s->sources[i].before) vs_outline_each(s->sources[i].text, s->sources[i].length, name_procedure, &n);
   if (!n.ok) return false;
   if (!n.count) {
     t->count = before;

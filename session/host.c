@@ -174,6 +174,7 @@ static bool continue_source(vs_session *s, vs_source *old, unsigned first_line, 
   old->text = grown;
   memset(grown + old->length, '\n', gap);
   memcpy(grown + old->length + gap, text, length);
+  old->before = false;
   old->length += gap + length;
   old->lines += gap + count_lines(text, length);
   grown[old->length] = 0;

@@ -22,6 +22,7 @@ typedef struct {
   char *name, *text;
   size_t name_bytes, length, room, lines /* that end in it */;
   unsigned first_line;
+  bool before; /* it was read before vs_restart, and not since */
 } vs_source;
 
 enum { VS_STREAMS = 64 };

@@ -298,6 +298,7 @@ vs_outcome vs_restart(vs_scheme *vm) {
   vs_replace_vm(vm, fresh); /* lets go of the objects, which hold nodes */
   vs_bind_restart(&s->bind);
   vs_session_forget_handles(s);
+  for (size_t i = 0; i < s->source_count; i++) s->sources[i].before = true;
   s->exit_requested = false;
   s->results = 0;
   s->profile_count = 0; /* names of the old heap */

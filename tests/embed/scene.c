@@ -180,6 +180,11 @@ int main(void) {
   CHECK(vs_property_put(s, group, "cylinder", 0) == VS_OUTCOME_USAGE && strstr(h.said, "vs_property_put: this is no handle but 0"));
   CHECK(vs_lookup(s, "no-such-name") == 0 && strstr(h.said, "not defined"));
   CHECK(vs_restart(s) == VS_OUTCOME_DONE && vs_node_parent(s, group) == 0 && strstr(h.said, "older than vs_restart"));
+
+  /* a program of before has no say in the next */
+  CHECK(run(s, "(define (of-before x) x)") == VS_OUTCOME_DONE && vs_restart(s) == VS_OUTCOME_DONE);
+  CHECK(vs_eval_text(s, "next", 1, "(define x 5)", 12, 0) == VS_OUTCOME_DONE && vs_meshes_begin(s, NULL) == VS_OUTCOME_MODEL);
+  CHECK(strstr(h.said, "nothing is drawn") && !strstr(h.said, "of-before"));
   vs_free(t);
   vs_free(s);
   return failures != 0;
