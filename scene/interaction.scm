@@ -37,6 +37,8 @@
     (and (real? v) (<= low v high)
          (or (not step) (= v high)
              (let ((turns (/ (- v low) step))) (<= (abs (- turns (round turns))) 1e-9)))))
+  (hash-set! %wants within?
+    (string-append (format "be from ~a to ~a" low high) (if step (format " by steps of ~a" step) "")))
   within?)
 
 (define (make-trigger at procedure #:size [size any? 0.2] #:name [name any? #f] #:parent [parent any? #f])

@@ -18,7 +18,9 @@
 (define (%check-property who p value)
   (let ((fits? (%property-type p)))
     (if (and fits? (not (fits? value)))
-        (error who "~a must satisfy ~a, got ~s" (%property-name p) (%predicate-name fits?) value))))
+        (error who "~a must ~a, got ~s" (%property-name p)
+          (hash-ref %wants fits? (lambda () (string-append "satisfy " (%predicate-name fits?)))) value))))
+(define %wants (make-hasheq)) ; the words for types of gizmos' values, which messages tell
 
 ; As messages show it: positive?, not #<procedure positive?>.
 (define (%predicate-name f)

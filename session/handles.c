@@ -269,10 +269,14 @@ vs_handle vs_lookup(vs_scheme *vm, const char *name) {
 static vs_outcome run(vs_session *s, const vs_value *procedure, size_t count, const vs_value *argv, vs_value *result) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 1);
+  uint64_t stopped = vm->top_place; /* of a program that stands still meanwhile */
   vs_session_begin(s, 0);
+  vm->top_place = 0; /* the call stands in no text */
   bool ok = vs_run(vm, *procedure, count, argv, &r[0]);
   if (ok && result) *result = r[0];
-  return vs_session_finish(s, ok, false);
+  vs_outcome outcome = vs_session_finish(s, ok, false);
+  vm->top_place = stopped;
+  return outcome;
 }
 
 vs_outcome vs_session_invoke(vs_session *s, const char *name, size_t count, const vs_value *argv, vs_value *result) {

@@ -90,8 +90,10 @@ if cover sizes > "$work/sizes.c" && ${CC:-cc} -std=c11 -I"$work/usr/include" "$w
 else
   echo "not ok embed:python_covers did not run"
 fi
-host=$PWD/tests/embed/python_host.py
+top=$PWD host=$PWD/tests/embed/python_host.py
 (cd "$work" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$work/site" VISUALSCHEME_LIBRARY="$work/usr/lib/libvisualscheme.so" timeout 60 "$python" "$host" > "$work/out" 2>&1)
 code=$?
 grep '^ok \|^not ok ' "$work/out"
 [ $code = 0 ] || { echo "not ok embed:python ended with $code"; grep -v '^ok \|^not ok ' "$work/out" | sed 's/^/    /'; }
+(cd "$work" && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$work/site" VISUALSCHEME_LIBRARY="$work/usr/lib/libvisualscheme.so" timeout 60 "$python" "$top/examples/hosts/notebook.py" > "$work/out" 2>&1)
+if diff "$top/tests/embed/notebook.want" "$work/out" > "$work/diff"; then echo "ok embed:notebook"; else echo "not ok embed:notebook"; sed 's/^/    /' "$work/diff"; fi

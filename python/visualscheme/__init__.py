@@ -19,7 +19,7 @@ import numpy
 
 from . import _library as c
 
-__all__ = ["Scheme", "SchemeError", "Value", "Symbol", "Mesh", "Part", "Hit", "Gizmo", "Parameter"]
+__all__ = ["Scheme", "SchemeError", "Value", "Vector", "Symbol", "Mesh", "Part", "Hit", "Gizmo", "Parameter"]
 
 Part = namedtuple("Part", "material material_id color painted roughness metallic ior layer file line column")
 Hit = namedtuple("Hit", "distance point node path file line column")
@@ -61,6 +61,18 @@ class Symbol(str):
     """A symbol of the language, where a str is a text."""
 
 
+class Vector(numpy.ndarray):
+    """Three numbers that are a gvector of the language, where another array of three is a point. What NumPy works out
+    with it is a plain array."""
+
+    def __new__(cls, numbers):
+        return numpy.array(numbers, float).reshape(3).view(cls)
+
+    def __array_ufunc__(self, function, method, *inputs, **others):
+        plain = [x.view(numpy.ndarray) if isinstance(x, Vector) else x for x in inputs]
+        return getattr(function, method)(*plain, **others)
+
+
 class Value:
     """A value that has no like in Python: an object, a node, a procedure; held as long as this is."""
 
@@ -79,6 +91,15 @@ class Value:
             self._scheme._s, self.handle, other.handle)
 
     __hash__ = None
+
+    def __repr__(self):
+        text = ""
+        if self._scheme._pointer and not self._scheme._running:
+            try:
+                text = " %s" % self._scheme.call("format", "~s", self)
+            except SchemeError:
+                pass  # it is of a program of before
+        return "<visualscheme.Value%s>" % (text if len(text) < 200 else text[:200] + " ...")
 
 
 def _text(bytes_or_none):
@@ -196,6 +217,11 @@ class Scheme:
             handle = f.vs_handle_symbol(s, value.encode())
         elif isinstance(value, str):
             handle = f.vs_handle_text(s, value.encode())
+        elif isinstance(value, Vector):
+            handle = f.vs_handle_vector(s, *(float(x) for x in value))
+        elif isinstance(value, numpy.ndarray) and value.shape == (4, 4):
+            with self._named("make-matrix") as make:
+                handle = self._apply_to(make, [float(x) for x in value.flat])
         elif isinstance(value, numpy.ndarray) and value.shape == (3,):
             handle = f.vs_handle_point(s, *(float(x) for x in value))
         elif isinstance(value, (list, tuple)):
@@ -231,13 +257,30 @@ class Scheme:
             value = numpy.array(numbers[:count])
             if kind == _MATRIX:
                 value = value.reshape(4, 4)
+            elif kind == _VECTOR:
+                value = Vector(value)
         f.vs_handle_release(s, handle)
         return value
 
     def _borrowed(self, handle):
         return self._take(self._c.vs_handle_retain(self._s, handle))
 
+    @contextlib.contextmanager
+    def _named(self, name):
+        """The handle of what the name means in the program."""
+        handle = self._c.vs_lookup(self._s, name.encode())
+        self._check(handle)
+        try:
+            yield handle
+        finally:
+            self._c.vs_handle_release(self._s, handle)
+
     def _apply(self, procedure, arguments):
+        result = self._apply_to(procedure, arguments)
+        return self._take(result) if result else None
+
+    def _apply_to(self, procedure, arguments):
+        """The handle of what the procedure gives."""
         handles, result = [], c.Handle(0)
         try:
             handles.extend(self._give(a) for a in arguments)
@@ -248,7 +291,7 @@ class Scheme:
             for handle in handles:
                 self._c.vs_handle_release(self._s, handle)
         self._check(outcome == 0, outcome)
-        return self._take(result.value) if result.value else None
+        return result.value
 
     def _do(self, function, *arguments):
         """A call that runs something and tells how it ended."""
@@ -289,12 +332,8 @@ class Scheme:
         self._check(fine)
 
     def call(self, name, *arguments):
-        handle = self._c.vs_lookup(self._s, name.encode())
-        self._check(handle)
-        try:
+        with self._named(name) as handle:
             return self._apply(handle, arguments)
-        finally:
-            self._c.vs_handle_release(self._s, handle)
 
     def _callback(self, function):
         def called(_, scheme, arguments, count, result):

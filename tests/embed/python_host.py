@@ -7,7 +7,7 @@ import signal
 import threading
 
 import numpy
-from visualscheme import Scheme, SchemeError, Symbol
+from visualscheme import Scheme, SchemeError, Symbol, Vector
 
 failures = 0
 
@@ -18,10 +18,10 @@ def check(what, holds):
     print(("ok" if holds else "not ok") + " embed:python " + what)
 
 
-def raises(function, text):
+def raises(function, text, kind=SchemeError):
     try:
         function()
-    except SchemeError as error:
+    except kind as error:
         return text in str(error)
     return False
 
@@ -142,7 +142,7 @@ with Scheme() as s:
     s.input("release", "left", (8.6, 0, 99), down)
     s.put(slider.node, "value", 4)
     check("dragged in steps, and put", moves == [18, 4] and s.gizmos()[0].value == 4)
-    check("out of range", raises(lambda: s.put(slider.node, "value", 3), "within?"))
+    check("out of range", raises(lambda: s.put(slider.node, "value", 3), "from 0 to 20 by steps of 2"))
     check("no such event", raises(lambda: s.input("wink"), "an event is one of"))
     s.run("(define key #f) (node-on (node-getroot) 'key (lambda (node k) (set! key k)))")
     check("a key", s.input("key", key="g") == s.root and s["key"] == "g" and s.input("move") is None)
@@ -182,6 +182,20 @@ with Scheme() as s:
         check("Ctrl-C", False)
     except KeyboardInterrupt:
         check("Ctrl-C", s.call("+", 1, 2) == 3)
+    try:
+        s.call("make-sphere", numpy.zeros(3), "wide")
+    except SchemeError as error:
+        check("a call from outside stands in no text", error.file is None and "r must be" in error.message)
+    s.run("(define up (vxyz 0 0 2)) (define turn (rotation-matrix 'z pi/2)) (define h (make-hash))")
+    up, turn = s["up"], s["turn"]
+    check("vectors stay vectors", isinstance(up, Vector) and s.call("vlength", up) == 2)
+    check("vectors from arrays", s.call("vlength", Vector(numpy.array([0, 3, 4]))) == 5)
+    check("matrices go back", numpy.allclose(s.call("matrix*", turn, turn), numpy.diag([-1, -1, 1, 1]), atol=1e-12))
+    moved = numpy.ones(3) + up
+    check("sums are points", not isinstance(moved, Vector) and numpy.array_equal(s.call("list", moved)[0], [1, 1, 3]))
+    ball = s.call("make-sphere", numpy.zeros(3), 2)
+    check("values are shown", repr(ball).startswith("<visualscheme.Value (make-sphere ") and "+" in repr(s["+"]))
+    check("an array of no kind", raises(lambda: s.call("list", numpy.zeros(7)), "has no like", TypeError))
     s["again"] = lambda: s.run("(+ 1 2)")
     check("re-entry", raises(lambda: s.run("(again)"), "at work"))
     s["end"] = s.close

@@ -24,8 +24,8 @@
 (mouse 'release (xyz 99 0 0))
 (mouse 'drag (xyz 1 0 0))
 (show (value s))                         ; expect: 20
-(fails (property-set! (property-ref s 'value) 21)) ; expect: property-set!: value must satisfy within?, got 21
-(fails (property-set! (property-ref s 'value) 3.5)) ; expect: property-set!: value must satisfy within?, got 3.5
+(fails (property-set! (property-ref s 'value) 21)) ; expect: property-set!: value must be from 0 to 20 by steps of 1, got 21
+(fails (property-set! (property-ref s 'value) 3.5)) ; expect: property-set!: value must be from 0 to 20 by steps of 1, got 3.5
 (node-translate s (vxyz 0 5 0))
 (show (handle s))                        ; expect: (xyz 10 5 0)
 
