@@ -35,7 +35,8 @@ static bool write_all(const char *path, const unsigned char *bytes, size_t size)
   return file >= 0 && close(file) != 0 ? false : ok;
 }
 
-bool vs_povray_put_own_file(vs_emitter *e, const char *name, const unsigned char *bytes, size_t size) {
+/* Writes the bytes into the worker's folder under that name, and puts the whole of it out as a string. */
+static bool put_own_file(vs_emitter *e, const char *name, const unsigned char *bytes, size_t size) {
   size_t room = strlen(e->folder) + strlen(name) + 2;
   char *path = vs_store_realloc(e->scene->store, NULL, 0, room);
   if (path == NULL) return vs_emit_no_memory(e);
@@ -53,7 +54,7 @@ bool vs_povray_put_picture(vs_emitter *e, const vs_picture *p, size_t number) {
   vs_puts(e->out, " ");
   if (e->folder != NULL) {
     snprintf(name, sizeof name, "picture%zu.%s", number, p->format);
-    return vs_povray_put_own_file(e, name, p->bytes, p->size);
+    return put_own_file(e, name, p->bytes, p->size);
   }
   char *whole = realpath(p->path, NULL);
   put_string(e->out, whole != NULL ? whole : p->path);

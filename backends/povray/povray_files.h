@@ -4,8 +4,6 @@
 
 #include "backends/backend.h"
 
-/* Writes the bytes into the worker's folder under that name, and puts the whole of it out as a string. */
-bool vs_povray_put_own_file(vs_emitter *e, const char *name, const unsigned char *bytes, size_t size);
 /* Puts out the format and the name of a picture: of its copy in the worker's folder, or where there is none of the
  * picture itself. number: tells the copies apart. */
 bool vs_povray_put_picture(vs_emitter *e, const vs_picture *p, size_t number);

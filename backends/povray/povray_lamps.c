@@ -2,7 +2,9 @@
  *
  * A lamp is a point of light that fades by the square of the distance, within a small globe that nobody sees. The globe
  * lets through, in each direction, the share of the brightest direction's light that the lamp's file says: its pigment
- * is a picture, made here, of that share all round, as transparency, which POV-Ray takes for light in proportion.
+ * has that share as transparency, which POV-Ray takes for light in proportion. It is a map of maps, by the horizontal
+ * angle and by the vertical one, with an entry for each of the file's; between entries POV-Ray goes by proportion, as
+ * the file means it. The light thus stands in the scene itself, and a .pov needs no file beside it.
  *
  * A white surface square to a light of 1 has the number 1; its luminance is the illuminance over pi. POV-Ray's light
  * fades as 2 / (1 + (distance / fade_distance)^2), which is the inverse square but for one in ten thousand at a
@@ -10,15 +12,14 @@
 #include "backends/povray/povray_lamps.h"
 
 #include <math.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "backends/povray/povray_files.h"
-#include "geometry/files/exr.h"
 #include "geometry/light/ies.h"
 
-enum { COLUMNS = 720, ROWS = 360 }; /* half a degree */
-static const double pi = 3.14159265358979323846, globe = 0.01 /* metres: its radius, and fade_distance */;
+enum { ENTRIES = 254 };
+static const double pi = 3.14159265358979323846, globe = 0.01 /* metres: its radius, and fade_distance */,
+                    margin = 0.001 /* of a pattern's values */;
 
 static void put_number(vs_writer *w, const char *before, double x, const char *after) {
   vs_puts(w, before);
@@ -45,48 +46,96 @@ static lamp_axes axes_of(const vs_scene_lamp *l) {
                       vs_v3_sub(vs_v3_scale(y, cos(t)), vs_v3_scale(x, sin(t))) };
 }
 
-/* The share of the brightest intensity in all directions, as a panorama in an EXR file: in its middle what is down, on
- * top the first direction, for POV-Ray blends the top and the bottom of a picture, and these are alike as a rule. */
-static bool put_shares(vs_emitter *e, const vs_ies *ies, size_t number) {
-  vs_exr x = { .store = e->scene->store, .columns = COLUMNS, .rows = ROWS };
-  float *planes[3];
-  static const char *const names[] = { "B", "G", "R" };
-  for (int k = 0; k < 3; k++) {
-    planes[k] = vs_exr_add(&x, names[k], VS_EXR_HALF, e->error);
-    if (planes[k] == NULL) return vs_exr_free(&x), false;
-  }
-  for (int row = 0; row < ROWS; row++)
-    for (int column = 0; column < COLUMNS; column++) {
-      double up = pi / 2 - (row + 0.5) * pi / ROWS, east = ((column + 0.5) / COLUMNS - 0.5) * 2 * pi;
-      double down = cos(up) * cos(east), first = sin(up), second = -cos(up) * sin(east);
-      double vertical = acos(fmax(-1, fmin(1, down))) * 180 / pi, horizontal = atan2(second, first) * 180 / pi;
-      float share = (float)(vs_ies_candelas(ies, vertical, horizontal) / ies->most);
-      for (int k = 0; k < 3; k++) planes[k][row * COLUMNS + column] = share;
-    }
-  unsigned char *bytes = NULL;
-  size_t size = 0, room = 0;
-  char name[32];
-  snprintf(name, sizeof name, "lamp%zu.exr", number);
-  bool ok = vs_exr_write(&x, &bytes, &size, &room, e->error) && vs_povray_put_own_file(e, name, bytes, size);
-  if (bytes != NULL) vs_store_realloc(e->scene->store, bytes, room, 0);
-  vs_exr_free(&x);
-  return ok;
+/* The angles at which a globe's maps have entries, ascending. POV-Ray takes 256 at most: of a file with more they are
+ * steps of the same size. */
+typedef struct { double at[ENTRIES]; uint32_t count; } globe_angles;
+
+static globe_angles verticals_of(const vs_ies *ies) {
+  globe_angles a = { .count = ies->verticals };
+  const double *file = ies->at;
+  if (a.count <= ENTRIES) return memcpy(a.at, file, a.count * sizeof *file), a;
+  double from = file[0], to = file[ies->verticals - 1];
+  for (a.count = 0; a.count < ENTRIES; a.count++) a.at[a.count] = from + (to - from) * a.count / (ENTRIES - 1);
+  return a;
 }
 
-static bool put_globe(vs_emitter *e, const vs_scene_lamp *l, const vs_ies *ies, size_t number, double radius) {
+static int ascending(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* The file's horizontal angles and what its symmetry makes of them, once round from 0 to 360; one of them says that the
+ * lamp shines alike all round. */
+static globe_angles horizontals_of(const vs_ies *ies) {
+  globe_angles a = { .count = 0 };
+  const double *file = ies->at + ies->verticals;
+  if (ies->horizontals == 1) return a.count = 1, a;
+  a.at[a.count++] = 0, a.at[a.count++] = 360;
+  bool fits = ies->horizontals <= (ENTRIES - 2) / 4;
+  for (uint32_t i = 0; fits && i < ies->horizontals; i++) {
+    const double images[4] = { file[i], 180 - file[i], 180 + file[i], 360 - file[i] };
+    for (int k = 0; k < 4; k++) a.at[a.count++] = fmod(images[k] + 360, 360);
+  }
+  qsort(a.at, a.count, sizeof *a.at, ascending);
+  uint32_t kept = 1;
+  for (uint32_t i = 1; i < a.count; i++)
+    if (a.at[i] > a.at[kept - 1] + 1e-9) a.at[kept++] = a.at[i];
+  a.count = kept;
+  if (fits) return a;
+  for (a.count = 0; a.count < ENTRIES; a.count++) a.at[a.count] = 360. * a.count / (ENTRIES - 1);
+  return a;
+}
+
+/* A pattern's value for an angle: away from 0 and 1, where POV-Ray begins anew. */
+static double entry_at(double angle, double whole) { return margin + (1 - 2 * margin) * angle / whole; }
+
+static void put_entry(vs_writer *w, double at, double share) {
+  put_number(w, "[", at, " rgbt <0, 0, 0, ");
+  put_number(w, "", share, ">]");
+}
+
+/* The pigment along one meridian: transparent by the share of the brightest intensity, by the angle from down. */
+static void put_meridian(vs_writer *w, const vs_ies *ies, const globe_angles *verticals, double horizontal) {
+  const double *at = verticals->at, last = at[verticals->count - 1];
+  vs_puts(w, "function { ");
+  put_number(w, "", margin, " + ");
+  put_number(w, "", (1 - 2 * margin) / pi, " * acos(max(-1, min(1, z / max(sqrt(x*x + y*y + z*z), 1e-30)))) }\n"
+                                           "      color_map { ");
+  if (at[0] > 0) put_entry(w, entry_at(at[0], 180), 0);
+  for (uint32_t i = 0; i < verticals->count; i++) {
+    if (i > 0 && i % 4 == 0) vs_puts(w, "\n        ");
+    put_entry(w, entry_at(at[i], 180), vs_ies_candelas(ies, at[i], horizontal) / ies->most);
+  }
+  if (last < 180) put_entry(w, entry_at(last, 180), 0);
+  vs_puts(w, " }");
+}
+
+/* In the globe's own space x is the first direction, y the second and z down. */
+static void put_globe(vs_emitter *e, const vs_scene_lamp *l, const vs_ies *ies, double radius) {
   vs_writer *w = e->out;
   vs_vec3 at = vs_v3_scale(l->at, e->unit);
-  vs_put_triple(w, "sphere {\n  <", at, ", ", ">, ");
-  put_number(w, "", radius, "\n  texture {\n    pigment {\n      image_pattern { exr ");
-  if (!put_shares(e, ies, number)) return false;
-  vs_puts(w, " map_type 1 interpolate 2 }\n      color_map { [0 rgbt <0, 0, 0, 0>] [1 rgbt <0, 0, 0, 1>] }\n"
-             "      rotate x*90 rotate -z*90 matrix <");
-  lamp_axes a = axes_of(l); /* the panorama's east, north and zenith, and its place */
-  vs_put_triple(w, "", vs_v3_scale(a.second, -1), ", ", ", ");
-  vs_put_triple(w, "", a.down, ", ", ", ");
+  globe_angles verticals = verticals_of(ies), horizontals = horizontals_of(ies);
+  put_number(w, "sphere {\n  0, ", radius, "\n  texture {\n    pigment {\n      ");
+  if (horizontals.count > 1) {
+    vs_puts(w, "function { ");
+    put_number(w, "", margin, " + ");
+    put_number(w, "", (1 - 2 * margin) / (2 * pi), " * (atan2(y, x) + select(y, 2*pi, 0)) }\n      pigment_map {\n");
+    for (uint32_t i = 0; i < horizontals.count; i++) {
+      put_number(w, "      [", entry_at(horizontals.at[i], 360), " ");
+      put_meridian(w, ies, &verticals, horizontals.at[i]);
+      vs_puts(w, "]\n");
+    }
+    vs_puts(w, "      }\n");
+  } else {
+    put_meridian(w, ies, &verticals, 0);
+    vs_puts(w, "\n");
+  }
+  lamp_axes a = axes_of(l);
+  vs_puts(w, "    }\n    finish { ambient 0 diffuse 0 }\n  }\n  matrix <");
   vs_put_triple(w, "", a.first, ", ", ", ");
-  vs_put_triple(w, "", at, ", ", ">\n    }\n    finish { ambient 0 diffuse 0 }\n  }\n");
-  return vs_puts(w, "  no_image no_reflection no_radiosity\n}\n");
+  vs_put_triple(w, "", a.second, ", ", ", ");
+  vs_put_triple(w, "", a.down, ", ", ", ");
+  vs_put_triple(w, "", at, ", ", ">\n  no_image no_reflection no_radiosity\n}\n");
 }
 
 bool vs_povray_lamps(vs_emitter *e, double per_candela) {
@@ -98,18 +147,12 @@ bool vs_povray_lamps(vs_emitter *e, double per_candela) {
     double candelas = l->lumens / (4 * pi);
     if (l->ies != NULL && !vs_ies_read(e->scene->store, "", (const char *)l->ies->bytes, l->ies->size, &ies, e->error))
       return false;
-    bool round = l->ies != NULL && e->folder == NULL;
-    if (l->ies != NULL) candelas = l->dim * (round ? vs_ies_lumens(&ies) / (4 * pi) : ies.most);
+    if (l->ies != NULL) candelas = l->dim * ies.most;
     vs_put_triple(w, "light_source {\n  <", vs_v3_scale(l->at, e->unit), ", ", ">\n  color rgb ");
     vs_put_triple(w, "<", vs_v3_scale(l->color, candelas * per_candela / pi / (2 * globe * globe)), ", ", ">\n");
     put_number(w, "  fade_distance ", radius, " fade_power 2\n}\n");
-    if (round) vs_putf(w, "/* %016llx */\n", (unsigned long long)l->ies->hash); /* another file is another text */
-    bool ok = l->ies == NULL || round || put_globe(e, l, &ies, i + 1, radius);
+    if (l->ies != NULL) put_globe(e, l, &ies, radius);
     vs_ies_free(&ies);
-    if (round &&
-        !vs_emit_warn_once(e, NULL, "in a .pov a lamp's light goes round evenly: its IES file is for pictures"))
-      return false;
-    if (!ok) return false;
   }
   return !w->failed;
 }

@@ -7,7 +7,7 @@
 #include <string.h>
 
 enum { ANGLES_MOST = 2000, LINE_MOST = 4096, WORD_MOST = 64 };
-static const double pi = 3.14159265358979323846, candelas_most = 1e9;
+static const double candelas_most = 1e9;
 
 typedef struct {
   const char *name, *at, *end;
@@ -179,15 +179,4 @@ double vs_ies_candelas(const vs_ies *x, double vertical, double horizontal) {
   if (!between(h, x->horizontals, horizontal, &k, &round)) return 0;
   double a = along(x, k, i, down);
   return round > 0 ? a + round * (along(x, k + 1, i, down) - a) : a;
-}
-
-double vs_ies_lumens(const vs_ies *x) {
-  enum { DOWN = 720, ROUND = 360 };
-  double sum = 0;
-  for (int i = 0; i < DOWN; i++) {
-    double vertical = (i + 0.5) * 180 / DOWN, row = 0;
-    for (int k = 0; k < ROUND; k++) row += vs_ies_candelas(x, vertical, (k + 0.5) * 360 / ROUND);
-    sum += row * sin(vertical * pi / 180);
-  }
-  return sum * (pi / DOWN) * (2 * pi / ROUND);
 }

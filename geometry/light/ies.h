@@ -22,6 +22,5 @@ void vs_ies_free(vs_ies *ies);
 /* The intensity in a direction, between the file's angles by proportion; 0 where the file has none. Symmetries are the
  * file's: by a quarter, a half, or all round. */
 double vs_ies_candelas(const vs_ies *ies, double vertical, double horizontal);
-double vs_ies_lumens(const vs_ies *ies); /* all of its light */
 
 #endif
