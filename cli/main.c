@@ -232,11 +232,10 @@ static vs_outcome write_views(cli_session *c, const cli_target *t) {
   return outcome;
 }
 
-/* OUT-007.png: of seven figures, three at least, so that the names stand in order. */
+/* OUT-007.png */
 static bool frame_path(const char *path, const cli_frames *f, long frame, char name[PATH_ROOM]) {
-  char number[24];
-  int digits = snprintf(number, sizeof number, "%ld", f->count);
-  snprintf(number, sizeof number, "%0*ld", digits < 3 ? 3 : digits, frame);
+  char number[CLI_FRAME_ROOM];
+  cli_frame_number(f, frame, number);
   return path_with(path, number, name);
 }
 
@@ -328,12 +327,9 @@ static bool frame_stands(const cli_session *c, long frame) {
   return true;
 }
 
-/* Sets the parameter for a frame: a whole number where the step falls on one, since a parameter may be exact. */
 static bool set_frame(cli_session *c, const cli_frames *f) {
-  char value[40];
-  double x = f->count > 1 ? f->from + (f->to - f->from) * (double)(c->frame - 1) / (double)(f->count - 1) : f->from;
-  if (x == floor(x) && fabs(x) < 1e15) snprintf(value, sizeof value, "%.0f", x + 0.0);
-  else snprintf(value, sizeof value, "%.17g", x);
+  char value[CLI_FRAME_ROOM];
+  cli_frame_value(f, c->frame, value);
   return vs_parameter_set(c->scheme, f->parameter, value);
 }
 

@@ -335,6 +335,10 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     if (!parse_whole(v, 1, 256, &whole)) return bad("--jobs", v, "a whole number from 1 to 256");
     o->jobs = (size_t)whole;
     return true;
+  case OPTION_FILM:
+    if (!parse_whole(v, 1, 1000, &whole)) return bad("--film", v, "frames a second, from 1 to 1000, as in 24");
+    o->film = (long)whole;
+    return true;
   case OPTION_MANIFEST: o->manifest = v; return *v || bad("--manifest", "''", "a file name");
   case OPTION_SHEET: o->sheet = v; return *v || bad("--sheet", "''", "a file name");
   case OPTION_PLACED: return o->placed = true;
@@ -539,11 +543,18 @@ static bool is_command(const char *word, const char *name) {
 
 /* Does vs render say this itself to the run of each picture? */
 static bool is_of_batch(const char *word) {
-  static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet", "quiet"};
+  static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet",
+                                    "frames", "resume", "film", "quiet"};
   if (word[1] != '-') return word[1] == 'o' || word[1] == 'q';
   for (size_t i = 0; i < sizeof own / sizeof *own; i++)
     if (strlen(own[i]) == strcspn(word + 2, "=") && !strncmp(word + 2, own[i], strlen(own[i]))) return true;
   return false;
+}
+
+/* A folder is made with pictures .png. */
+static bool is_png_or_folder(const char *path) {
+  const char *ending = ending_of(path);
+  return !ending || strcmp(ending, ".png") == 0 || path[strlen(path) - 1] == '/';
 }
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
@@ -607,8 +618,8 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fprintf(stderr, "vs: --%s is for vs fit\n", o->placed ? "placed" : o->held_count ? "hold" : "points");
     return CLI_BAD_USAGE;
   }
-  if (o->command != CLI_COMMAND_render && (o->set_count || o->jobs || o->manifest || o->sheet)) {
-    fputs("vs: --set, --jobs, --manifest and --sheet are for vs render\n", stderr);
+  if (o->command != CLI_COMMAND_render && (o->set_count || o->jobs || o->manifest || o->sheet || o->film)) {
+    fputs("vs: --set, --jobs, --manifest, --sheet and --film are for vs render\n", stderr);
     return CLI_BAD_USAGE;
   }
   bool file_first = !o->command && o->source_count && argc > 1 && o->sources[0].text == argv[1];
@@ -659,11 +670,19 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs("vs: --resume is for --frames\n", stderr);
     return CLI_BAD_USAGE;
   }
-  if (o->frames.count && o->command != CLI_COMMAND_NONE) {
-    fprintf(stderr, "vs %s: --frames is for vs FILE alone\n", argv[1]);
+  if (o->frames.count && o->command != CLI_COMMAND_NONE && o->command != CLI_COMMAND_render) {
+    fprintf(stderr, "vs %s: --frames is for vs FILE and vs render FILE\n", argv[1]);
     return CLI_BAD_USAGE;
   }
-  if (o->frames.count && (o->interactive || o->to_stdout || o->target_count == 0)) {
+  if (o->film && (!o->frames.count || (o->target_count && !is_png_or_folder(o->targets[0].path)))) {
+    fputs("vs render: --film is for --frames that are .png pictures\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  if (o->frames.resume && o->command == CLI_COMMAND_render) {
+    fputs("vs render: --resume is for vs FILE: here the manifest tells which frames are up to date\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  if (o->frames.count && o->command == CLI_COMMAND_NONE && (o->interactive || o->to_stdout || o->target_count == 0)) {
     fputs(o->interactive ? "vs: --frames and -i do not go together\n"
           : "vs: --frames writes files: name them by -o, as in -o tower.png for tower-001.png and so on\n", stderr);
     return CLI_BAD_USAGE;

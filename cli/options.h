@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "cli/batch/film_frames.h"
 #include "visualscheme.h"
 
 typedef struct {
@@ -32,9 +33,6 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI
        CLI_TAKES_SUN = 1024 /* --place, --date and hours */,
        CLI_TAKES_MANY = 2048 /* any number of files; -o of a file or a folder */ };
 
-/* --frames: count runs of the model, 0 without it, in which the parameter goes in equal steps from `from` to `to`. */
-typedef struct { long count; char parameter[64]; double from, to; bool resume; } cli_frames;
-
 typedef struct {
   cli_command command;
   /* Texts point into argv. The arrays have room for argc entries and belong to the options. */
@@ -56,6 +54,7 @@ typedef struct {
   const char **sets, **passed; size_t set_count, passed_count; /* passed: the options that are every picture's */
   size_t jobs;                         /* 0: not said */
   const char *manifest, *sheet;        /* NULL: not said */
+  long film;                           /* frames a second; 0: none is wanted */
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
   bool placed;
 } cli_options;

@@ -1,4 +1,4 @@
-/* Owns `vs render`: one picture for each model, set of parameters and view.
+/* Owns `vs render`: one picture for each model, set of parameters, view and frame, and films of the frames.
  *
  * A picture is up to date where the manifest of the last run has it with the same scene, the same options and the
  * same bytes as its file has now. The scene is what the picture is rendered from, the text of its .pov: so a change of
@@ -16,6 +16,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "cli/batch/film.h"
+#include "cli/batch/film_frames.h"
 #include "cli/json.h"
 
 enum { PATH_ROOM = 4096, MOST = 100000 };
@@ -23,8 +25,9 @@ enum { PATH_ROOM = 4096, MOST = 100000 };
 typedef enum { MADE, STANDS, FAILED, NOT_TRIED } fate;
 typedef struct { uint64_t scene, bytes; double seconds; int code; fate fate; } result;
 typedef struct {
-  const char *model, *set; /* set: "a=1,b=2", or NULL */
-  char *view, *file;       /* view NULL: the model's own */
+  const char *model;
+  char *set, *view, *file; /* set: "a=1,b=2", or NULL; view NULL: the model's own */
+  long frame;              /* of --frames, from 1; 0: none. The frames of a film stand one behind the other. */
   pid_t process;
   int told;                /* the end of a pipe that brings the result */
   result result;
@@ -52,7 +55,7 @@ static void put_word(char *to, size_t room, const char *text, bool stem) {
   to[used] = 0;
 }
 
-static bool add_picture(batch *b, const char *model, const char *set, const char *view, const char *file) {
+static bool add_picture(batch *b, const char *model, const char *set, const char *view, long frame, const char *file) {
   if (b->count == b->room) {
     size_t room = 2 * b->room + 16;
     picture *more = room <= MOST ? reallocarray(b->at, room, sizeof *more) : NULL;
@@ -64,15 +67,16 @@ static bool add_picture(batch *b, const char *model, const char *set, const char
       fprintf(stderr, "vs render: %s would be two pictures: models of one name need folders of their own\n", file);
       return false;
     }
-  picture p = {.model = model, .set = set, .told = -1, .view = view ? strdup(view) : NULL, .file = strdup(file),
-               .result = {.fate = NOT_TRIED}};
-  if (!p.file || (view && !p.view)) return free(p.file), free(p.view), no_memory();
+  picture p = {.model = model, .set = set ? strdup(set) : NULL, .told = -1, .view = view ? strdup(view) : NULL,
+               .file = strdup(file), .frame = frame, .result = {.fate = NOT_TRIED}};
+  if (!p.file || (view && !p.view) || (set && !p.set)) return free(p.file), free(p.view), free(p.set), no_memory();
   b->at[b->count++] = p;
   return true;
 }
 
-/* The picture's name: of a folder FOLDER/model-set-view.png, of a file a.png a-set-view.png. */
-static bool name_picture(const batch *b, const char *model, size_t set, const char *view, char name[PATH_ROOM]) {
+/* The picture's name: of a folder FOLDER/model-set-view-frame.png, of a file a.png a-set-view-frame.png. */
+static bool name_picture(const batch *b, const char *model, size_t set, const char *view, long frame,
+                         char name[PATH_ROOM]) {
   const cli_options *o = b->options;
   const char *out = o->target_count ? o->targets[0].path : NULL, *ending = ".png";
   struct stat is;
@@ -94,7 +98,12 @@ static bool name_picture(const batch *b, const char *model, size_t set, const ch
   if (o->set_count) snprintf(name + strlen(name), PATH_ROOM - strlen(name), "-%zu", set + 1);
   if (view) {
     snprintf(name + strlen(name), PATH_ROOM - strlen(name), "-");
-    put_word(name, PATH_ROOM - 20, view, false);
+    put_word(name, PATH_ROOM - 60, view, false);
+  }
+  if (frame) {
+    char number[CLI_FRAME_ROOM];
+    cli_frame_number(&o->frames, frame, number);
+    snprintf(name + strlen(name), PATH_ROOM - strlen(name), "-%s", number);
   }
   if (strlen(name) + strlen(ending) + 1 >= PATH_ROOM)
     return fprintf(stderr, "vs render: %s: the name is too long\n", model), false;
@@ -108,24 +117,37 @@ static void say(void *context, const vs_diagnostic *d) {
             d->message);
 }
 
+/* Adds a picture, or a picture for each frame: the parameter's value there stands behind the values of the set. */
+static bool add_frames(batch *b, const char *model, size_t set, const char *view) {
+  const cli_options *o = b->options;
+  const char *given = o->set_count ? o->sets[set] : NULL;
+  char name[PATH_ROOM];
+  bool ok = true;
+  for (long frame = o->frames.count > 0; ok && frame <= o->frames.count; frame++) {
+    char value[CLI_FRAME_ROOM], *with = NULL;
+    if (frame) cli_frame_value(&o->frames, frame, value);
+    if (frame && asprintf(&with, "%s%s%s=%s", given ? given : "", given ? "," : "", o->frames.parameter, value) < 0)
+      return no_memory();
+    ok = name_picture(b, model, set, view, frame, name) &&
+         add_picture(b, model, frame ? with : given, view, frame, name);
+    free(with);
+  }
+  return ok;
+}
+
 /* With --all-views the model is run once here, for the names of its views. */
 static vs_outcome add_model(batch *b, const char *model, size_t set) {
   const cli_options *o = b->options;
-  const char *given = o->set_count ? o->sets[set] : NULL, *view;
-  char name[PATH_ROOM];
-  if (!o->all_views)
-    return name_picture(b, model, set, NULL, name) && add_picture(b, model, given, o->output.view, name)
-               ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
+  const char *view;
+  if (!o->all_views) return add_frames(b, model, set, o->output.view) ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
   vs_options interpreter = o->interpreter;
   interpreter.host = (vs_host){.context = (void *)(uintptr_t)model, .diagnose = say};
   vs_scheme *s = vs_new(&interpreter);
   vs_outcome outcome = s ? vs_eval_file(s, model, VS_EVAL_PASS) : VS_OUTCOME_MACHINE;
   size_t i = 0;
   for (; outcome == VS_OUTCOME_DONE && (view = vs_view_name(s, i)) != NULL; i++)
-    if (!name_picture(b, model, set, view, name) || !add_picture(b, model, given, view, name))
-      outcome = VS_OUTCOME_USAGE;
-  if (outcome == VS_OUTCOME_DONE && i == 0 && (!name_picture(b, model, set, NULL, name) ||
-      !add_picture(b, model, given, NULL, name))) outcome = VS_OUTCOME_USAGE;
+    if (!add_frames(b, model, set, view)) outcome = VS_OUTCOME_USAGE;
+  if (outcome == VS_OUTCOME_DONE && i == 0 && !add_frames(b, model, set, NULL)) outcome = VS_OUTCOME_USAGE;
   vs_free(s);
   return outcome;
 }
@@ -158,23 +180,33 @@ static char *read_text(const char *path) {
   return text;
 }
 
-/* Is the file in the manifest with this scene, and are its bytes those of then? The manifest has a line a picture, as
- * write_manifest makes it: one of other hands only costs a rendering. */
-static bool is_up_to_date(const batch *b, const picture *p, uint64_t scene) {
-  char *key = NULL, wanted[80];
+/* The line of the file in the manifest of the last run, without its comma and its end; NULL: there is none. The
+ * manifest has a line a picture, as write_manifest makes it: one of other hands only costs a rendering. */
+static const char *line_of(const batch *b, const picture *p, size_t *length) {
+  char *key = NULL;
   size_t size = 0;
-  uint64_t bytes;
-  FILE *to = b->manifest && hash_file(p->file, &bytes) ? open_memstream(&key, &size) : NULL;
-  if (!to) return false;
+  FILE *to = b->manifest ? open_memstream(&key, &size) : NULL;
+  if (!to) return NULL;
   fputs("{\"file\": ", to);
   cli_json_text(to, p->file);
   fputs(", ", to);
-  bool ok = fclose(to) == 0;
-  snprintf(wanted, sizeof wanted, "\"scene\": \"%016" PRIx64 "\", \"hash\": \"%016" PRIx64 "\"", scene, bytes);
-  const char *line = ok ? strstr(b->manifest, key) : NULL, *end = line ? strchr(line, '\n') : NULL;
-  const char *found = line ? strstr(line, wanted) : NULL;
+  const char *line = fclose(to) == 0 ? strstr(b->manifest, key) : NULL;
   free(key);
-  return found && (!end || found < end);
+  *length = line ? strcspn(line, "\n") : 0;
+  if (*length > 0 && line[*length - 1] == ',') --*length;
+  return line;
+}
+
+/* Is the file in the manifest with this scene, and are its bytes those of then? */
+static bool is_up_to_date(const batch *b, const picture *p, uint64_t scene) {
+  char wanted[80];
+  uint64_t bytes;
+  size_t length;
+  const char *line = line_of(b, p, &length);
+  if (!line || !hash_file(p->file, &bytes)) return false;
+  snprintf(wanted, sizeof wanted, "\"scene\": \"%016" PRIx64 "\", \"hash\": \"%016" PRIx64 "\"", scene, bytes);
+  const char *found = strstr(line, wanted);
+  return found && found < line + length;
 }
 
 static void manifest_picture(FILE *to, const picture *p) {
@@ -212,7 +244,11 @@ static bool write_whole(const batch *b, const char *path, void (*fill)(const bat
 static void fill_manifest(const batch *b, FILE *to) {
   fprintf(to, "{\"vs\": \"%s\", \"pictures\": [\n", vs_version());
   for (size_t i = 0; i < b->count; i++) {
-    manifest_picture(to, &b->at[i]);
+    /* of a picture that this run has not come to the last one's line holds */
+    size_t length = 0;
+    const char *line = b->at[i].result.fate == NOT_TRIED ? line_of(b, &b->at[i], &length) : NULL;
+    if (line) fwrite(line, 1, length, to);
+    else manifest_picture(to, &b->at[i]);
     fputs(i + 1 < b->count ? ",\n" : "\n", to);
   }
   fputs("]}\n", to);
@@ -346,10 +382,21 @@ static void finish(const batch *b, picture *p) {
   fflush(stdout);
 }
 
+/* Is it a frame of a film of which one has failed? The next frames would meet the same. */
+static bool is_of_failed_film(const batch *b, size_t i) {
+  for (size_t k = i; b->at[i].frame && k-- > 0 && b->at[k].frame < b->at[k + 1].frame;)
+    if (b->at[k].result.fate == FAILED) return true;
+  return false;
+}
+
 static void run_all(batch *b, const volatile sig_atomic_t *ended) {
   size_t next = 0, running = 0, jobs = b->options->jobs > 0 ? b->options->jobs : 1;
   while (running > 0 || (next < b->count && !*ended)) {
     if (next < b->count && running < jobs && !*ended) {
+      if (is_of_failed_film(b, next)) {
+        next++;
+        continue;
+      }
       if (start(b, &b->at[next])) running++;
       else b->at[next].result.fate = FAILED, b->at[next].result.code = VS_OUTCOME_MACHINE;
       next++;
@@ -360,6 +407,29 @@ static void run_all(batch *b, const volatile sig_atomic_t *ended) {
     for (size_t i = 0; one > 0 && i < b->count; i++)
       if (b->at[i].process == one) finish(b, &b->at[i]), running--;
   }
+}
+
+/* ---- films ---- */
+
+/* Makes a film of each run of frames, where a frame is new or there is no film. */
+static vs_outcome make_films(const batch *b) {
+  vs_outcome outcome = VS_OUTCOME_DONE;
+  for (size_t from = 0, to; outcome == VS_OUTCOME_DONE && from < b->count; from = to) {
+    for (to = from + 1; to < b->count && b->at[to].frame > b->at[to - 1].frame;) to++;
+    bool stands = true;
+    for (size_t i = from; i < to; i++) stands = stands && b->at[i].result.fate == STANDS;
+    cli_film film = {b->at[from].file, to - from, b->options->film, stands, b->options->quiet};
+    outcome = cli_film_make(&film);
+  }
+  return outcome;
+}
+
+/* The manifest of frames that go into no folder of their own: f.manifest.json of f.png, since a model may read
+ * f.json. */
+static const char *manifest_beside(const char *path, char name[PATH_ROOM]) {
+  const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
+  size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
+  return snprintf(name, PATH_ROOM, "%.*s.manifest.json", (int)stem, path) < PATH_ROOM ? name : NULL;
 }
 
 vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t *ended) {
@@ -382,6 +452,7 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
     const char *manifest = o->manifest;
     if (!manifest && out && stat(out, &is) == 0 && S_ISDIR(is.st_mode) &&
         snprintf(beside, sizeof beside, "%s/manifest.json", out) < (int)sizeof beside) manifest = beside;
+    else if (!manifest && o->frames.count) manifest = manifest_beside(out ? out : o->sources[0].text, beside);
     b.manifest = manifest ? read_text(manifest) : NULL;
     run_all(&b, ended);
     for (size_t i = b.count; i-- > 0;)
@@ -389,9 +460,10 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
     if (*ended) outcome = VS_OUTCOME_INTERRUPTED;
     if (manifest && !write_whole(&b, manifest, fill_manifest) && outcome == VS_OUTCOME_DONE)
       outcome = VS_OUTCOME_USAGE;
+    if (o->film > 0 && outcome == VS_OUTCOME_DONE) outcome = make_films(&b);
     if (o->sheet && !write_whole(&b, o->sheet, fill_sheet) && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
   }
-  for (size_t i = 0; i < b.count; i++) free(b.at[i].view), free(b.at[i].file);
+  for (size_t i = 0; i < b.count; i++) free(b.at[i].view), free(b.at[i].file), free(b.at[i].set);
   free(b.at), free(b.manifest);
   return outcome;
 }

@@ -1,0 +1,34 @@
+# Owns the test of films: frames that POV-Ray makes become one by ffmpeg, of their size, number and rate; it is made anew when a frame is; without
+# ffmpeg the frames stand and the lack is said.
+. tests/report.sh
+
+wanted film || exit 0
+command -v povray > /dev/null || { echo "skip film: no povray (package povray)"; exit 0; }
+cat > "$work/tower.vs" <<'EOF'
+(define-parameter t 0.0)
+(view "street" #:from (xyz 6 -9 3) #:to (xyz 0 0 2))
+(draw (do-rotate (make-box (xyz -1 -1 0) (xyz 1 1 4)) 'z t))
+EOF
+film() { "$vs" render "$work/tower.vs" -o "$work/100% a.png" --view street --frames 4 --film 12 --quality draft --size 81x61 --exposure 0; }
+
+: > "$work/why"
+mkdir "$work/bin" && for program in povray sh; do ln -s "$(command -v $program)" "$work/bin/"; done
+(PATH=$work/bin; film) > "$work/said" 2> "$work/err"; status=$?
+[ $status = 3 ] || echo "without ffmpeg it ended with $status" >> "$work/why"
+grep -q 'there is no ffmpeg (package ffmpeg) to make the film; the frames stand' "$work/err" || cat "$work/err" >> "$work/why"
+[ "$(find "$work" -name '*street-00[1-4].png' | wc -l)" = 4 ] || echo "the frames do not stand" >> "$work/why"
+result film:without "$work/why"
+
+command -v ffprobe > /dev/null || { echo "skip film:made: no ffmpeg (package ffmpeg)"; exit 0; }
+: > "$work/why"
+film > "$work/said" 2>> "$work/why" || echo "ended with $?" >> "$work/why"
+grep -q 'a-street.mp4: a film of 4 frames' "$work/said" || { echo "no film"; cat "$work/said"; } >> "$work/why"
+[ "$(grep -c 'up to date' "$work/said")" = 4 ] || echo "the frames were made again" >> "$work/why"
+shown=$(ffprobe -v error -show_entries stream=width,height,nb_frames,r_frame_rate -of csv=p=0 "$work/100% a-street.mp4" 2>&1)
+[ "$shown" = 82,62,12/1,4 ] || echo "the film is $shown" >> "$work/why"
+film > "$work/said" 2>> "$work/why"
+[ "$(grep -c 'up to date' "$work/said")" = 5 ] || { echo "not all is up to date"; cat "$work/said"; } >> "$work/why"
+rm "$work/100% a-street-002.png"
+film > "$work/said" 2>> "$work/why"
+[ "$(grep -c 'up to date' "$work/said")" = 3 ] || { echo "the film of a new frame is old"; cat "$work/said"; } >> "$work/why"
+result film:made "$work/why"
