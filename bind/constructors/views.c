@@ -77,13 +77,22 @@ static vs_status take_aperture(vs_frame *f, vs_scene_view *v, const vs_arg *aper
   return VS_OK;
 }
 
+/* Do verticals stay vertical? */
+static vs_status take_upright(vs_frame *f, vs_scene_view *v, const vs_arg *upright) {
+  vs_vec3 ahead = vs_v3_sub(v->target, v->eye);
+  v->upright = upright->given && upright->boolean;
+  if (v->upright && hypot(ahead.x, ahead.y) < 0.05 * vs_v3_length(ahead))
+    return vs_bind_refuse(f, "upright", "#f where the view looks straight up or down", upright->value);
+  return VS_OK;
+}
+
 vs_status vs_p_camera(vs_frame *f, vs_value *out) {
-  const vs_arg *k = f->key; /* lens aperture focus */
+  const vs_arg *k = f->key; /* lens upright aperture focus */
   vs_scene_view v = { .view = VS_VIEW_CAMERA, .eye = f->arg[0].point, .target = f->arg[1].point };
   (void)out;
   if (vs_v3_equal(v.eye, v.target)) return vs_bind_refuse(f, "target", "another point than eye", f->arg[1].value);
   v.lens = k[0].given ? k[0].real : 35;
-  if (take_aperture(f, &v, &k[1], &k[2]) != VS_OK) return VS_ERROR;
+  if (take_aperture(f, &v, &k[2], &k[3]) != VS_OK || take_upright(f, &v, &k[1]) != VS_OK) return VS_ERROR;
   if (!f->bind->handing) vs_scene_look(&f->bind->scene, &v);
   return VS_OK;
 }
@@ -105,9 +114,7 @@ vs_status vs_p_view(vs_frame *f, vs_value *out) {
     return vs_fail(f->vm, f->vm->sym.arity, "#:lens, #:upright, #:aperture and #:focus are for perspective views");
   if (v.view == VS_VIEW_CAMERA && take_aperture(f, &v, &k[8], &k[9]) != VS_OK) return VS_ERROR;
   if (k[2].given) v.lens = k[2].real;
-  v.upright = k[3].given && k[3].boolean;
-  if (v.upright && hypot(v.target.x - v.eye.x, v.target.y - v.eye.y) < 0.05 * vs_v3_length(vs_v3_sub(v.target, v.eye)))
-    return vs_bind_refuse(f, "upright", "#f where the view looks straight up or down", k[3].value);
+  if (take_upright(f, &v, &k[3]) != VS_OK) return VS_ERROR;
   if (take_cut(f, &v, &k[4]) != VS_OK) return VS_ERROR;
   if (k[5].given) v.scale = k[5].real;
   if (k[6].given && !is_sheet(k[6].text.at)) return vs_bind_refuse(f, "sheet",
