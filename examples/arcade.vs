@@ -41,6 +41,12 @@
            (vxyz (/ length-of-all 2) 0 (- (bay-top one) 1.1)))))
 (draw (with-material stone (make-box (xyz -2 -1.5 -0.2) (xyz (+ length-of-all 2) 2.5 0))))
 
-(ground -0.2)
-(sun #:azimuth 220 #:altitude 38)
-(camera (xyz 1 -15 1.8) (xyz (- (/ length-of-all 2) 0.8) 0 3.0) #:lens 24)
+; who comes to the market
+(define (stand o x y [turn any? 0] [z any? 0]) (do-move (do-rotate o 'z (degrees->radians turn)) (vxyz x y z)))
+(draw (stand (prefab "person" #:stride 0.22) 4.6 -0.9 70) (stand (prefab "person" #:height 1.62 #:coat "#8c4a3a" #:stride 0.1) 9.4 -0.7 20)
+      (stand (prefab "person" #:height 1.8 #:coat "#c9b68f" #:stride 0.15) 10.5 -1.25 -60) (stand (prefab "person" #:height 1.15 #:coat "#39708a" #:stride 0.3) 13.6 1.6 160))
+(draw (stand (prefab "tree" #:height 9 #:seed 4) 0.5 13 0 -0.2) (stand (prefab "tree" #:height 8 #:seed 2) 17.5 12 0 -0.2))
+
+(ground -0.2 #:material 'paving)
+(sun #:azimuth 232 #:altitude 36)
+(camera (xyz 3.2 -14.6 1.6) (xyz (- (/ length-of-all 2) 0.6) 0 3.6) #:lens 22 #:upright #t)

@@ -49,6 +49,12 @@
 (printf "~a panels, ~,1f m2 of them open~%" (length panels)
   (apply + (map (lambda (panel) (* 0.6 (data-ref panel 'opening) width height)) panels)))
 
-(ground -0.15 #:material concrete)
-(sun #:azimuth 215 #:altitude 38)
-(camera (xyz -10 -31 7) (xyz 9.4 2 10.8) #:lens 30)
+; the back wall and the core, the ground floor's people and a tree
+(draw (with-material 'white-concrete (make-box (xyz 0 5.8 0) (xyz (* columns width) 6 (* storeys height)))
+        (make-box (xyz 6 3.4 0) (xyz 10 5.8 (+ 2.4 (* storeys height))))))
+(define (stand o x y [turn any? 0]) (do-move (do-rotate o 'z (degrees->radians turn)) (vxyz x y -0.15)))
+(draw (stand (prefab "person" #:stride 0.25) 2 -4 80) (stand (prefab "person" #:height 1.62 #:coat "#8c4a3a" #:stride 0.15) 9.5 -3 -60)
+      (stand (prefab "tree" #:height 9 #:seed 4) -5 -1) (stand (prefab "tree" #:height 8 #:seed 2) 20.5 -2))
+(ground -0.15 #:material 'paving)
+(sun #:azimuth 228 #:altitude 40)
+(camera (xyz -2 -27 1.6) (xyz 8 2 10.4) #:lens 23 #:upright #t)

@@ -37,7 +37,7 @@
 (define ground-rows
   (for/list ([j 25]) (for/list ([i 31]) (let ([x (* 2 (- i 15))] [y (* 2 (- j 12))]) (+ (* 0.4 (sin (/ x 9))) (* 0.3 (cos (/ y 7))))))))
 
-(draw (color "#a9a583" (make-height-field ground-rows (xyz -30 -24 0) (xyz 30 24 0) #:low -2)))
+(draw (with-material 'grass (make-height-field ground-rows (xyz -30 -24 0) (xyz 30 24 0) #:low -2)))
 (draw (map tree-object trees))
 (draw (with-material plaster (make-box (xyz -7 -5 -1) (xyz 7 5 4)))
       (color "#a4553f" (make-irregular-pyramid (list (xyz -7.4 -5.4 4) (xyz 7.4 -5.4 4) (xyz 7.4 5.4 4) (xyz -7.4 5.4 4)) (xyz 0 0 7.2))))
@@ -48,5 +48,6 @@
     (printf "  ~8a ~3d, ~,1f m high on average~%" kind (length of-kind)
       (/ (apply + (map height-of of-kind)) (length of-kind)))))
 
-(sun #:azimuth 235 #:altitude 40)
-(camera (xyz -38 -44 26) (xyz 0 0 1.5) #:lens 38)
+(ground -1.1 #:material 'grass)
+(sun #:azimuth 245 #:altitude 38)
+(camera (xyz -27 -38 9) (xyz 0 0 3.6) #:lens 32)

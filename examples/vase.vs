@@ -40,6 +40,6 @@
 (draw (marbled vase))
 (draw (with-material stone plinth))
 
-(ground -2.4 #:material plaster)
-(sun #:azimuth 215 #:altitude 40)
-(camera (xyz 2.5 -9 1.6) (xyz 0 0 0.7) #:lens 34)
+(ground -2.4 #:material 'gravel)
+(sun #:azimuth 238 #:altitude 34)
+(camera (xyz 2.6 -10 0.6) (xyz 0 0 0.55) #:lens 38)

@@ -49,6 +49,12 @@
 
 (draw (with-material plaster (do-slice hall (make-plane (xyz 0 (* 0.48 side) 0) uy))))
 
-(ground -0.4)
+; a floor of stone, and visitors who show how high the vaults are
+(draw (with-material 'limestone (make-box (xyz 0 (* 0.48 side) 0) (xyz width depth 0.01))))
+(define (visitor x y turn height coat)
+  (do-move (do-rotate (prefab "person" #:height height #:coat coat #:stride 0.15) 'z (degrees->radians turn)) (vxyz (* x width) (* y depth) 0.01)))
+(draw (visitor 0.44 0.55 30 1.76 "#5a6470") (visitor 0.49 0.52 -60 1.64 "#8c4a3a") (visitor 0.69 0.7 170 1.7 "#c9b68f"))
+
+(ground -0.4 #:material 'grass)
 (sun #:azimuth 216 #:altitude 26)
-(camera (xyz (* 0.62 width) -8.5 1.9) (xyz (* 0.5 width) (/ depth 2) 3.2) #:lens 24)
+(camera (xyz (* 0.64 width) (* 0.2 side) 1.6) (xyz (* 0.52 width) depth 3.6) #:lens 19 #:upright #t)

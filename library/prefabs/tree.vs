@@ -34,8 +34,8 @@
 (define tuft (/ 0.36 forks))
 (define (crown p)
   (let ((r (* tuft (between 0.75 1.1))))
-    (do-move (do-rotate (do-scale (make-sphere origin 1 #:segments 14) origin (list r (* r (between 0.8 1)) (* r (between 0.6 0.8)))) 'z (between 0 pi)) (p->q origin p))))
+    (do-move (do-rotate (do-scale (make-sphere origin 1 #:segments 20) origin (list r (* r (between 0.8 1)) (* r (between 0.6 0.8)))) 'z (between 0 pi)) (p->q origin p))))
 (define model
   (unite (color bark wood)
-         (if leaves (color green (map crown ends)) (empty-object))))
+         (if leaves (with-material (make-material #:name "leaves" #:color green #:roughness 1 #:pattern 'mottled #:pattern-size 0.25) (map crown ends)) (empty-object))))
 (draw (do-scale model origin (/ height (+ reach (if leaves (* tuft 0.7) 0)))))
