@@ -1,7 +1,7 @@
-/* Owns the measure of handing a drawing's meshes to a host, by the public header alone: handover FILE
+/* Owns the measure of handing a drawing's meshes to a host, by the public header alone: handover FILE [OUT]
  * One line: meshes, places, triangles at all places, MB of the library's arrays, processor seconds from the drawing to
  * the last mesh, seconds of the host's own copy of it all, MB that the library's memory grew by, seconds of a second
- * round in which nothing changed. */
+ * round in which nothing changed. OUT: the meshes as numbers, for handover_occt.cc. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,11 +28,28 @@ static size_t keep(void **to, const void *from, size_t bytes) {
   return bytes;
 }
 
+static bool write_mesh(FILE *to, const vs_mesh_info *m) {
+  const uint64_t counts[] = { m->point_count, m->triangle_count, m->place_count };
+  return fwrite(counts, sizeof counts, 1, to) == 1 &&
+         fwrite(m->points, sizeof *m->points, m->point_count, to) == m->point_count &&
+         fwrite(m->corners, sizeof *m->corners, m->triangle_count, to) == m->triangle_count &&
+         fwrite(m->places, sizeof *m->places, m->place_count, to) == m->place_count;
+}
+
+/* Instead of the measure. */
+static int write_all(vs_scheme *s, const char *path) {
+  FILE *to = fopen(path, "wb");
+  bool ok = to && vs_meshes_begin(s, NULL) == VS_OUTCOME_DONE;
+  for (vs_mesh_info m; ok && vs_mesh_next(s, &m);) ok = write_mesh(to, &m);
+  return !(to && fclose(to) == 0 && ok);
+}
+
 int main(int count, char **words) {
   vs_options o = vs_options_default();
   o.alloc = take;
-  vs_scheme *s = count == 2 ? vs_new(&o) : NULL;
+  vs_scheme *s = count == 2 || count == 3 ? vs_new(&o) : NULL;
   if (!s || vs_eval_file(s, words[1], VS_EVAL_PROGRAM) != VS_OUTCOME_DONE) return 1;
+  if (count == 3) return write_all(s, words[2]);
   size_t before = most = held, bytes = 0, meshes = 0, places = 0, triangles = 0;
   double began = seconds(), copying = 0;
   if (vs_meshes_begin(s, NULL) != VS_OUTCOME_DONE) return 1;

@@ -26,6 +26,19 @@ for file in "$work/sphere.vs" "$work/boxes.vs" examples/city.vs; do
   echo "| $(basename "$file" .vs) | $(medians) |"
 done
 echo
+# OpenCASCADE, where its headers are (Debian: libocct-visualization-dev, libocct-modeling-data-dev); OCCT: their folder
+occt=${OCCT:-/usr/include/opencascade}
+if [ -f "$occt/BRep_Builder.hxx" ] && "${CXX:-c++}" -O2 -w -I"$occt" bench/handover_occt.cc -o "$work/occt" \
+     -l:libTKBRep.so.7 -l:libTKMath.so.7 -l:libTKernel.so.7 -l:libTKG3d.so.7; then
+  LD_LIBRARY_PATH=$work/usr/lib "$work/handover" examples/city.vs "$work/city" || exit 1
+  echo "| OpenCASCADE | meshes | places | MB | filled s | MB of it | s |"
+  echo "|---|--:|--:|--:|--:|--:|--:|"
+  for run in 1 2 3; do "$work/occt" "$work/city"; done > "$work/figures"
+  echo "| city | $(medians) |"
+  echo
+else
+  echo "OpenCASCADE was not found" >&2
+fi
 modules=build/bench-kernel
 [ -f $modules/node_modules/manifold-3d/manifold.js ] || {
   mkdir -p $modules && cp bench/kernel/package.json $modules &&
