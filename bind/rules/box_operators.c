@@ -181,15 +181,11 @@ static void lay_face(vs_scope *child, const vs_scope *s, int face) {
   child->as.box.size = vs_v3(size[ax], size[ay], 0);
 }
 
-/* An edge from corner a to corner b: a box along x without height and depth. */
+/* The edge from corner a to corner b; edges along y have x for their up. */
 static void lay_edge(vs_scope *child, const vs_scope *s, int a, int b) {
   vs_affine frame = vs_scope_frame(s);
   vs_vec3 from = vs_scope_corner(s, a & 1, a >> 1 & 1, a >> 2), to = vs_scope_corner(s, b & 1, b >> 1 & 1, b >> 2);
-  vs_vec3 d = vs_v3_sub(to, from), x = vs_v3_unit(d), y = vs_affine_column(&frame, a ^ b ^ 2 ? 1 : 0);
-  if (vs_v3_length(x) == 0) x = vs_affine_column(&frame, 0);
-  y = vs_v3_unit(vs_v3_sub(y, vs_v3_scale(x, vs_v3_dot(x, y))));
-  child->as.box.frame = vs_affine_columns(x, y, vs_v3_cross(x, y), from);
-  child->as.box.size = vs_v3(vs_v3_length(d), 0, 0);
+  vs_scope_lay_edge(child, &frame, a ^ b ^ 2 ? 1 : 0, from, to);
 }
 
 static vs_status box_components(vs_frame *f, const char *of, vs_value *out) {

@@ -314,7 +314,8 @@ static bool refuse_of_rule(vs_frame *f, const char *what, const char *expected, 
                       expected);
 }
 
-static bool gather_value(vs_frame *f, vs_derivation *d, const vs_scope *s, vs_value v, const char *what) {
+static bool gather_value(vs_frame *f, vs_derivation *d, const vs_scope *s, vs_value v, const char *what,
+                         const char *expected) {
   vs_scope_flags *flags = s ? s->flags : NULL;
   if (v == VS_UNSPECIFIC) return true;
   vs_ref ref = vs_bind_ref(v), *refs;
@@ -325,20 +326,23 @@ static bool gather_value(vs_frame *f, vs_derivation *d, const vs_scope *s, vs_va
   if (vs_is_pair(v)) {
     if (!vs_bind_refs(f, v, &refs, &n, &bad)) {
       if (bad == VS_ABSENT) return false;
-      return refuse_of_rule(f, what, "a scope, an object or a list of objects", bad);
+      return refuse_of_rule(f, what, expected, bad);
     }
     for (size_t i = 0; i < n; i++)
       if (!vs_rules_gather(d, refs[i], flags)) return false;
     return true;
   }
-  return refuse_of_rule(f, what, "a scope, an object or a list of objects", v);
+  return refuse_of_rule(f, what, expected, v);
 }
 
 /* (%derivation-made d value): what a procedure that is no rule made of its scope. */
 vs_status vs_p_derivation_made(vs_frame *f, vs_value *out) {
   (void)out;
   vs_derivation *d = derivation_of(f);
-  return gather_value(f, d, d->now, f->arg[1].value, "what a rule gives") ? VS_OK : VS_ERROR;
+  vs_value v = f->arg[1].value;
+  const char *expected = vs_bind_scope(v) ? "an object or a list of objects (scope-place puts one into the scope)"
+                                          : "an object or a list of objects";
+  return gather_value(f, d, d->now, v, "what a rule gives", expected) ? VS_OK : VS_ERROR;
 }
 
 /* (%derivation-object d): all that was made, as one object. */
@@ -513,7 +517,10 @@ vs_status vs_p_took(vs_frame *f, vs_value *out) {
   if (v == VS_UNSPECIFIC) return VS_OK;
   if (vs_bind_scope(v)) return *out = v, VS_OK;
   if (!f->bind->growing) return vs_fail(f->vm, f->vm->sym.error, "no rule is being derived");
-  return gather_value(f, f->bind->growing, vs_bind_scope(*out), v, "what a form of a rule gives") ? VS_OK : VS_ERROR;
+  return gather_value(f, f->bind->growing, vs_bind_scope(*out), v, "what a form of a rule gives",
+                      "a scope, an object or a list of objects")
+             ? VS_OK
+             : VS_ERROR;
 }
 
 /* (%choose p ...): which of the sequences of a clause is taken; each p a chance or #f, which shares what is left

@@ -1,11 +1,14 @@
-/* Owns the faces of mesh scopes: the polygons of an object, each a polygon scope.
+/* Owns the components of mesh scopes: the polygons of an object, each a polygon scope, and their edges and vertices.
  *
  * Faces of polyface meshes and boxes are theirs; regions and closed curves are one face for each of their areas; all
- * other solids and surfaces give the triangles of their mesh. */
+ * other solids and surfaces give the triangles of their mesh. An edge that several faces share is given once, and so
+ * is a vertex. */
 #include "bind/rules/derivation.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
 
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "geometry/measure/node_measures.h"
@@ -117,26 +120,91 @@ static bool add_object(faces *all, vs_ref root) {
   return true;
 }
 
+/* An edge of a face, from a to b as the face goes round; a vertex where both are the same. */
+typedef struct { vs_vec3 a, b; size_t order; } face_edge;
+
+static int by_place(vs_vec3 p, vs_vec3 q) {
+  if (p.x != q.x) return p.x < q.x ? -1 : 1;
+  if (p.y != q.y) return p.y < q.y ? -1 : 1;
+  return p.z == q.z ? 0 : p.z < q.z ? -1 : 1;
+}
+
+/* Whichever way an edge runs. */
+static int compare_edges(const face_edge *p, const face_edge *q) {
+  bool p_back = by_place(p->a, p->b) > 0, q_back = by_place(q->a, q->b) > 0;
+  int low = by_place(p_back ? p->b : p->a, q_back ? q->b : q->a);
+  return low ? low : by_place(p_back ? p->a : p->b, q_back ? q->a : q->b);
+}
+
+static int by_ends(const void *p, const void *q) {
+  const face_edge *e = p, *f = q;
+  int ends = compare_edges(e, f);
+  return ends ? ends : (e->order > f->order) - (e->order < f->order);
+}
+
+static int by_order(const void *p, const void *q) {
+  const face_edge *e = p, *f = q;
+  return (e->order > f->order) - (e->order < f->order);
+}
+
+/* The edges or vertices of all faces, each once, in the faces' order: *out, *count, in scratch. */
+static bool edges_once(const faces *all, bool vertices, face_edge **out, size_t *count) {
+  size_t n = 0, kept = 0;
+  for (size_t i = 0; i < all->count; i++) n += all->at[i]->points->count;
+  face_edge *e = *out = vs_bind_scratch(all->f, (n ? n : 1) * sizeof *e);
+  if (!e) return false;
+  n = 0;
+  for (size_t i = 0; i < all->count; i++) {
+    const vs_scope_loops *l = all->at[i];
+    for (uint32_t k = 0; k < l->count; k++)
+      for (uint32_t from = l->start[k], end = l->start[k + 1], j = from; j < end; j++, n++)
+        e[n] = (face_edge){ l->points->at[j], l->points->at[vertices ? j : j + 1 < end ? j + 1 : from], n };
+  }
+  if (n) qsort(e, n, sizeof *e, by_ends);
+  for (size_t i = 0; i < n; i++)
+    if (!kept || compare_edges(&e[kept - 1], &e[i])) e[kept++] = e[i];
+  if (kept) qsort(e, kept, sizeof *e, by_order);
+  *count = kept;
+  return true;
+}
+
+/* The i-th component: a face, which keeps its loops, or an edge or a vertex in the mesh's own frame. An edge that
+ * stands upright has x for its up. */
+static bool lay_component(vs_scope *c, const vs_scope *s, faces *all, const face_edge *edges, size_t i) {
+  if (!edges) {
+    c->loops = all->at[i], all->at[i] = NULL;
+    return vs_scope_frame_loops(c);
+  }
+  vs_affine frame = vs_scope_frame(s);
+  vs_vec3 d = vs_v3_unit(vs_v3_sub(edges[i].b, edges[i].a));
+  bool upright = fabs(vs_v3_dot(d, vs_affine_column(&frame, 1))) > 1 - 1e-9;
+  vs_scope_lay_edge(c, &frame, upright ? 0 : 1, edges[i].a, edges[i].b);
+  return true;
+}
+
 vs_status vs_mesh_components(vs_frame *f, const char *of, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
   faces all = { .f = f };
+  face_edge *edges = NULL;
+  bool whole = !strcmp(of, "faces"), vertices = !strcmp(of, "vertices");
   r[0] = f->arg[1].value;
-  if (strcmp(of, "faces"))
-    return vs_bind_refuse(f, "#:of", "'faces, for a mesh: the edges are those of its faces", f->key[0].value);
+  if (!whole && !vertices && strcmp(of, "edges"))
+    return vs_bind_refuse(f, "#:of", "one of 'faces 'edges 'vertices, for a mesh", f->key[0].value);
   bool ok = add_object(&all, s->object);
+  size_t n = all.count;
+  if (ok && !whole) ok = edges_once(&all, vertices, &edges, &n);
   vs_derivation *d = ok ? vs_rules_begin(f, &r[1]) : NULL;
-  vs_rule_task *t = d ? vs_task_new(d, (uint32_t)all.count, false) : NULL;
+  vs_rule_task *t = d ? vs_task_new(d, (uint32_t)n, false) : NULL;
   if (t) t->rules[0] = r[0];
-  for (size_t i = 0; t && i < all.count; i++) {
-    vs_scope *c = t->child[i] =
-        vs_rules_child(d, s, VS_SCOPE_POLYGON, vs_rules_operator(f), (uint32_t)i, (uint32_t)all.count);
+  for (size_t i = 0; t && i < n; i++) {
+    vs_scope *c = t->child[i] = vs_rules_child(d, s, whole ? VS_SCOPE_POLYGON : VS_SCOPE_BOX, vs_rules_operator(f),
+                                               (uint32_t)i, (uint32_t)n);
     if (!c) {
       vs_task_drop(d, t), t = NULL;
       break;
     }
-    c->loops = all.at[i], all.at[i] = NULL;
-    if (!vs_scope_frame_loops(c)) vs_scope_release(c), t->child[i] = NULL; /* a face without area */
+    if (!lay_component(c, s, &all, edges, i)) vs_scope_release(c), t->child[i] = NULL; /* a face without area */
   }
   for (size_t i = 0; i < all.count; i++) vs_scope_loops_release(f->bind->store, all.at[i]);
   *out = r[1];

@@ -277,6 +277,14 @@ vs_affine vs_scope_frame(const vs_scope *s) {
   return vs_affine_columns(x, y, vs_v3_cross(x, y), s->as.corner[0]);
 }
 
+void vs_scope_lay_edge(vs_scope *s, const vs_affine *frame, int up, vs_vec3 from, vs_vec3 to) {
+  vs_vec3 d = vs_v3_sub(to, from), x = vs_v3_unit(d), y = vs_affine_column(frame, up);
+  if (vs_v3_length(x) == 0) x = vs_affine_column(frame, 0), y = vs_affine_column(frame, 1);
+  y = vs_v3_unit(vs_v3_sub(y, vs_v3_scale(x, vs_v3_dot(x, y))));
+  s->as.box.frame = vs_affine_columns(x, y, vs_v3_cross(x, y), from);
+  s->as.box.size = vs_v3(vs_v3_length(d), 0, 0);
+}
+
 bool vs_scope_frame_loops(vs_scope *s) {
   const vs_vec3 *at = s->loops->points->at;
   uint32_t n = s->loops->start[1];

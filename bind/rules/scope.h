@@ -121,6 +121,9 @@ vs_vec3 vs_scope_size(const vs_scope *s);
  * edges. */
 vs_affine vs_scope_frame(const vs_scope *s);
 
+/* s, a box just made, gets the place of an edge: x along it, y nearest that axis of the frame, no height, no depth. */
+void vs_scope_lay_edge(vs_scope *s, const vs_affine *frame, int up, vs_vec3 from, vs_vec3 to);
+
 /* Loops of a polygon scope. The points are copied. NULL: out of memory. */
 vs_scope_loops *vs_scope_loops_new(vs_store *store, const vs_vec3 *at, const uint32_t *start, uint32_t count);
 void vs_scope_loops_release(vs_store *store, vs_scope_loops *l);
