@@ -249,7 +249,7 @@
   (define ks (hash-ref said 'Ks '(0 0 0)))
   (define metal? (and (every zero? kd) (not (every zero? ks)) (not (= (one 'illum 2) 1))))
   (define shine (max 0 (min 1 (/ (- (one 'Ns 51.5) 2) 198))))
-  (define picture (hash-ref said 'map_Kd #f))
+  (define picture (%mtl-found name (hash-ref said 'map_Kd #f)))
   (define roughness (one 'Pr (if (< (one 'illum 2) 2) 1 (- 1 (sqrt shine)))))
   (define metallic (one 'Pm (if metal? 1 0)))
   (define transparency (one 'Tr (- 1 (one 'd 1))))
@@ -259,6 +259,13 @@
         #:image (car picture) #:pattern-size (cdr picture))
       (make-material #:name name #:roughness roughness #:metallic metallic #:transparency transparency #:ior ior
         #:color (if metal? ks kd))))
+
+; A palette often comes without its pictures: what is not there is a warning, and the material has its plain colour. A picture that is
+; there and broken is an error, as of any material.
+(define (%mtl-found name picture)
+  (cond ((not picture) #f)
+        ((file-exists? (car picture)) picture)
+        (else (%warn (format "load-mtl: no such picture: ~a; ~a has its plain colour" (car picture) name)) #f)))
 
 ; The picture of a line `map_Kd -s 2 2 1 wall.jpg`: its file, beside that of the materials, and its width in metres. The format counts in
 ; parts of a surface, of which a metre is taken; -s repeats the picture as often on it. Other options say nothing of how large it is.

@@ -205,3 +205,11 @@ static double current(vs_bind *b, size_t which) {
 }
 int32_t vs_bind_segments(vs_bind *b) { return (int32_t)current(b, CURRENT_SEGMENTS); }
 double vs_bind_tolerance(vs_bind *b) { return current(b, CURRENT_TOLERANCE); }
+
+/* ---- warnings of the library in Scheme ---- */
+
+vs_status vs_p_warn(vs_frame *f, vs_value *out) {
+  (void)out;
+  vs_bind_warn(f->bind, f->arg[0].text.at, "%s", f->arg[0].text.at);
+  return VS_OK;
+}

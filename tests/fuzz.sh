@@ -16,8 +16,8 @@ for name in ${FUZZ:-reader text program forms script import emit calls live}; do
   # importers: each file of the tests behind the number of its reader
   if [ "$name" = import ]; then
     i=0
-    for kind in stl obj off ply stl ply png exr ttf hdr vs json csv otf; do
-      for f in tests/lang/lib/meshes/*.$kind tests/lang/lib/pictures/*.$kind tests/lang/lib/data/*.$kind; do
+    for kind in stl obj off ply stl ply png exr ttf hdr vs json csv otf jpg ies mtl; do
+      for f in tests/lang/lib/meshes/*.$kind tests/lang/lib/pictures/*.$kind tests/lang/lib/data/*.$kind tests/lang/lib/lamps/*.$kind; do
         [ -f "$f" ] && [ "$(wc -c < "$f")" -lt 20000 ] && { printf "\\$(printf %03o $i)"; cat "$f"; } > "$corpus/$kind-$i-$(basename "$f")"
       done
       i=$((i + 1))

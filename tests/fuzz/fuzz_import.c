@@ -11,7 +11,8 @@ static const char begin[] = "(define (stl) (load-mesh \"a.stl\")) (define (obj) 
                             "(xyz 0 0 0) 1 \"fi\" #:font \"a.otf\"))"
                             "(define (hdr) (sky #:image \"a.hdr\")) (define (vs) (load \"a.vs\")) (define (json) "
                             "(load-json \"a.json\")) (define (csv) (load-csv \"a.csv\")) (define (photo) (make-material "
-                            "#:image \"a.jpg\")) (define (ies) (lamp (xyz 0 0 9) #:ies \"a.ies\"))";
+                            "#:image \"a.jpg\")) (define (ies) (lamp (xyz 0 0 9) #:ies \"a.ies\"))"
+                            "(define (mtl) (load-mtl \"a.mtl\"))";
 
 enum { TTF = 8, OTF = 13 };
 
@@ -43,7 +44,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   static const char *const readers[] = { "(stl)",          "(obj)",  "(off)", "(ply)", "(stl-repaired)",
                                          "(ply-repaired)", "(png)",  "(exr)", "(ttf)", "(hdr)",
                                          "(vs)",           "(json)", "(csv)", "(otf)",
-                                         "(photo)", "(ies)" };
+                                         "(photo)",       "(ies)",  "(mtl)" };
   enum { READERS = sizeof readers / sizeof *readers };
   static fuzz_file file;
   if (size < 1) return 0;

@@ -1,5 +1,5 @@
 # Owns the tests that a scene does not get out: POV-Ray, which a program may hand text of its own (native), writes no file but in its private folder
-# and opens no socket; and 10,000 strings of chance, as names of materials and layers and as a file's, never become directives of a scene.
+# and opens no socket; and 10,000 strings of chance, as names of materials and layers, as texts and as a file's, never become directives of a scene.
 . tests/report.sh
 
 wanted escape || exit 0
@@ -40,10 +40,14 @@ for names in plain strange; do
 (define (word) (apply string-append (for/list ((i (+ 1 (chance 6)))) (vector-ref pieces (chance (vector-length pieces))))))
 (define (name i) (let ((w (word))) (if (string=? "$names" "plain") "plain" w)))
 (draw (for/list ((i 5000)) (layer (name i) (with-material (make-material #:name (name i) #:color (list (/ (modulo i 50) 50) 0.5 0.5)) (make-box (xyz i 0 0) (xyz (+ i 1/2) 1 1))))))
+(draw (for/list ((i 1000)) (make-text (xyz (* 4 i) 5 0) 1 (string-append "t" (name i)))))
+(for ((i 1000)) (label (xyz (* 4 i) 8 0) (name i)))
 PROGRAM
   file=$work/$names; [ $names = plain ] || file="$work/#include \"a\" } strange"
   [ $names = plain ] || mv "$work/strange.vs" "$file.vs"
-  "$vs" -q "$file.vs" -o "$work/$names.pov" 2>> "$work/why"
+  "$vs" -q "$file.vs" -o "$work/$names.pov" -o "$work/$names.svg" -o "$work/$names.x3d" 2>> "$work/why"
+  command -v xmllint > /dev/null || continue
+  xmllint --huge --noout "$work/$names.svg" "$work/$names.x3d" > "$work/said" 2>&1 || head -n 3 "$work/said" >> "$work/why"
   # Strings first, since a // within is none; then comments; then the words and signs, of names of materials the number alone
   sed 's/"\(\\.\|[^"\\]\)*"/STRING/g; s,//.*,,; s,/\*[^*]*\*/,,g' "$work/$names.pov" | sed 's/\bM\([0-9]*\)_*[A-Za-z0-9_]*\b/M\1/g' | grep -o '#*[A-Za-z_][A-Za-z0-9_]*\|[{}"#]' | sort | uniq -c | sort -k2 |
     grep -v ' [MT][0-9]*$' > "$work/$names.words"
