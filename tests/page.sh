@@ -57,6 +57,16 @@ if [ "$size" -le 900000 ]; then echo "ok page/size of an almost empty page"; els
 for name in arcade doric-columns; do "$BUILD/vs" --quiet examples/$name.vs -o "$work/x3d/$name.x3d" || echo "not ok page/x3d:$name: ended with $?"; done
 if [ -d node_modules/x_ite ]; then timeout 300 node tests/page/x3d.mjs "$work/x3d" || echo "not ok page/x3d: ended with $?"
 else echo "skip page/x3d: no X_ITE (npm ci --ignore-scripts)"; fi
+# Photographs on surfaces in other viewers.
+mkdir "$work/photographs" && cp tests/lang/lib/pictures/halves.png "$work/photographs/"
+cat > "$work/photographs/wall.vs" <<'EOF'
+(draw (with-material (make-material #:image "halves.png" #:roughness 0.9 #:pattern-size 1) (make-box origin (xyz 2 0.2 2))))
+(camera (xyz 1 -6 1) (xyz 1 0 1) #:lens 100)
+(sun #:azimuth 200 #:altitude 40)
+EOF
+"$BUILD/vs" --quiet "$work/photographs/wall.vs" -o "$work/photographs/wall.glb" -o "$work/photographs/wall.x3d" || echo "not ok page/photographs: ended with $?"
+if [ -d node_modules/x_ite ]; then timeout 300 node tests/page/photographs.mjs "$work/photographs" || echo "not ok page/photographs: ended with $?"
+else echo "skip page/photographs: no X_ITE (npm ci --ignore-scripts)"; fi
 # The Web3D Consortium's schema is in no package: X3D_SCHEMA is its x3d-4.0.xsd, with the files that it includes beside it.
 if [ -f "${X3D_SCHEMA:-}" ]; then
   for name in kinds gare arcade doric-columns; do
