@@ -52,6 +52,14 @@
 (frame-readers
   (node-gettransform node-gettranslate) (node-gettranslate node-gettranslate) (node-getrotate node-getrotate) (node-getscale node-getscale))
 
+; ---- the scene graph of the host, which is the same tree ----
+
+(operator (osg-ctxconvert n) (need-scene-node 'osg-ctxconvert n) n)
+(operator (osg-getroot) (node-getroot))
+(operator! (osg-addchild parent child)
+  (need-scene-node 'osg-addchild parent) (need-scene-node 'osg-addchild child)
+  (node-addchild parent child))
+
 ; ---- viewers, by their names ----
 
 (operator! (viewer-activate name) (viewer-activate (string->symbol (text-of 'viewer-activate name))))

@@ -39,6 +39,19 @@ static bool area(void *context, vs_scheme *s, const vs_handle *arguments, size_t
   *result = vs_handle_number(s, a * b);
   return *result != 0;
 }
+typedef struct { host *h; const char *part; } view;
+static view seen[5];
+static bool viewed(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
+  view *v = context;
+  (void)s, (void)arguments, (void)count, (void)result;
+  strcat(strcat(v->h->log, v->part), " ");
+  return true;
+}
+static bool fit_out(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
+  (void)result;
+  strcpy(((host *)context)->log, count == 1 && vs_handle_kind_of(s, arguments[0]) == VS_HANDLE_NODE ? "fitted " : "?");
+  return true;
+}
 static bool reenter(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   (void)context, (void)arguments, (void)count, (void)result;
   return run(s, "(+ 1 2)") == VS_OUTCOME_USAGE && vs_node_root(s) == 0 && vs_update(s) == VS_OUTCOME_USAGE;
@@ -158,6 +171,28 @@ int main(void) {
   CHECK(vs_define(s, "host-area", procedure) && run(s, "(if (not (= (host-area 3 4) 12)) (car 5))") == VS_OUTCOME_DONE);
   CHECK(run(s, "(host-area 3)") == VS_OUTCOME_MODEL && strcmp(h.said, "host-area: two numbers are wanted") == 0);
   CHECK(vs_define(s, "again", again) && run(s, "(again)") == VS_OUTCOME_DONE && strstr(h.said, "the interpreter is at work"));
+
+  /* the host's own types of nodes, and its viewer: procedures of its own, by name */
+  vs_handle fit = vs_host_procedure(s, "fit-out", fit_out, &h), kind = vs_handle_symbol(s, "lamp");
+  vs_handle make = vs_lookup(s, "register-node-type");
+  CHECK(vs_apply(s, make, (vs_handle[]){ kind, fit }, 2, NULL) == VS_OUTCOME_DONE);
+  vs_handle lamp = vs_node_create(s, "lamp", "fitted", root);
+  CHECK(lamp && strncmp(h.log, "fitted ", 7) == 0 && vs_node_create(s, "table", NULL, 0) == 0 && strstr(h.said, "(context lamp)"));
+  static const char *const parts[] = { "show", "hide", "prepare", "draw", "finish" };
+  for (size_t i = 0; i < 5; i++) {
+    char name[20];
+    seen[i] = (view){ &h, parts[i] };
+    snprintf(name, sizeof name, "host-%s", parts[i]);
+    vs_handle viewing = vs_host_procedure(s, name, viewed, &seen[i]);
+    CHECK(vs_define(s, name, viewing));
+    vs_handle_release(s, viewing);
+  }
+  CHECK(run(s, "(register-viewer 'window #:show host-show #:hide host-hide #:prepare host-prepare #:draw host-draw"
+               " #:finish host-finish)") == VS_OUTCOME_DONE);
+  h.log[0] = 0;
+  CHECK(run(s, "(viewer-activate 'window)") == VS_OUTCOME_DONE && vs_scene_frame(s, 0.1) == VS_OUTCOME_DONE);
+  CHECK(run(s, "(viewer-activate #f)") == VS_OUTCOME_DONE && vs_scene_frame(s, 0.1) == VS_OUTCOME_DONE);
+  CHECK(strcmp(h.log, "show prepare draw finish hide ") == 0);
 
   /* a program in a node's own environment */
   vs_handle value = 0;

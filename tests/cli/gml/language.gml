@@ -40,5 +40,7 @@ node-controller /answer 42 put node-controller /answer get print % 42
 node-getroot node-controller /host known print % 0
 node-getroot pop
 /gmlcontext node-create dup (1,2,3) node-transform node-gettransform print % (1.0,2.0,3.0)
+osg-getroot /gmlcontext node-create osg-ctxconvert dup /converted node-setname osg-addchild
+/converted node-find node-getparent node-getname print % root
 node-controller print
 currentmacro deletemacro
