@@ -1,5 +1,5 @@
 // Owns the tests of the live view as a host of scenes, in a browser: frames, picks, gizmos, coarse drags. `live_scene.mjs VS FOLDER`.
-import { mkdirSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, writeFileSync } from "node:fs";
 import { session } from "./live_session.mjs";
 
 const [, , vs, folder] = process.argv;
@@ -68,6 +68,20 @@ await test("a slow model is coarser while its slider moves", async (want) => {
   want(await triangles() < fine / 2, `${fine} triangles became ${await triangles()}`);
   await page.evaluate(() => document.querySelector("input[type=range][data-parameter=r]").dispatchEvent(new Event("change")));
   await page.waitForFunction((fine) => window.visualscheme.model.geometries.reduce((sum, g) => sum + g.triangles, 0) >= fine, fine, { timeout: 15000 });
+});
+
+await test("Grimaldo's spiral grows by a part a click", async (want) => {
+  copyFileSync("tests/cli/gml-scenes/spiral.gml", `${folder}/spiral.gml`);
+  await after(() => writeFileSync(model, "(load \"spiral.gml\")\n"));
+  await page.waitForFunction(() => window.live.scened?.gizmos.length === 1 && window.live.scened.gizmos[0].kind === "trigger", null, { timeout: 15000 });
+  const top = () => page.evaluate(() => window.visualscheme.model ? window.visualscheme.model.box.max[2] + window.visualscheme.model.middle[2] : 0);
+  for (let clicks = 1; clicks <= 3; clicks++) {
+    const at = await page.evaluate(() => { const r = document.querySelector(".overlay .gizmo").getBoundingClientRect(); return { x: r.x + r.width / 2, y: r.y + r.height / 2 }; });
+    await page.mouse.click(at.x, at.y);
+    await page.waitForFunction((n) => window.live.scened.gizmos[0].value[0] === n, clicks, { timeout: 8000 });
+    await page.waitForFunction((n) => Math.abs(window.visualscheme.model.box.max[2] + window.visualscheme.model.middle[2] - n - 1) < 0.05, clicks, { timeout: 8000 }).catch(async () => want(false, `after ${clicks} clicks the top is at ${await top()}`));
+  }
+
 });
 
 await test("no script of the scene's page has failed", async (want) => { want(page.troubles.length === 0, page.troubles.join("; ")); });
