@@ -15,6 +15,7 @@
 #include <cmocka.h>
 
 #include "passes/flush.h"
+#include "backends/backend.h"
 #include "backends/export.h"
 #include "backends/tree/tree_reader.h"
 #include "tests/unit/scenes.h"
@@ -717,9 +718,28 @@ static void test_openscad_takes_all(void **state) {
   test_model_close(&m);
 }
 
+/* A format that gets the union of the solids alone says of each other class that it leaves it out: nothing is lost
+ * without a word. */
+static void test_tells_what_is_left_out(void **state) {
+  (void)state;
+  static const struct { const char *name; const vs_backend *backend; } all[] = {
+#define VS_FORMAT(suffix, backend, name, worker, binary, doc) { name, &vs_backend_##backend },
+#include "backends/backends.def"
+  };
+  size_t solids_alone = 0;
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    const vs_backend *b = all[i].backend;
+    if ((!b->solid && !b->copies) || b->loose) continue;
+    solids_alone++;
+    for (int class_ = VS_CURVE; class_ < VS_MIXED; class_++)
+      if (class_ != VS_SOLID && !b->omit[class_]) fail_msg("%s: no word on leaving out class %d", all[i].name, class_);
+  }
+  assert_true(solids_alone > 1);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_numbers), cmocka_unit_test(test_numbers_locale), cmocka_unit_test(test_tree_reads_back), cmocka_unit_test(test_tree_golden),
+    cmocka_unit_test(test_tells_what_is_left_out), cmocka_unit_test(test_numbers), cmocka_unit_test(test_numbers_locale), cmocka_unit_test(test_tree_reads_back), cmocka_unit_test(test_tree_golden),
     cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
     cmocka_unit_test(test_left_out), cmocka_unit_test(test_templates), cmocka_unit_test(test_singular), cmocka_unit_test(test_deep),
     cmocka_unit_test(test_no_memory), cmocka_unit_test(test_files), cmocka_unit_test(test_formats), cmocka_unit_test(test_povray_missing),
