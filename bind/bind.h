@@ -114,7 +114,7 @@ void vs_bind_tell_dropped(vs_bind *b);    /* warns of those that did not become 
 void vs_bind_forget_dropped(vs_bind *b);
 void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origin, bool in_body);
 
-/* ---- objects (object.c) ---- */
+/* ---- objects (objects.c) ---- */
 extern const vs_foreign_type vs_shape_type, vs_paint_type; /* a shape owns a reference to a node, with its origin; a
                                                             * paint wraps an interned vs_material */
 /* Returns the reference that a Scheme object holds, not retained; its node is NULL if v is no object. */

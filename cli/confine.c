@@ -22,7 +22,7 @@
 
 /* ---- files ---- */
 
-/* Landlock's numbers, which older headers of the system do not have: linux/landlock.h. */
+/* Landlock's numbers, which older headers of the system do not have. */
 enum { RULESET_CREATE = 444, RULESET_ADD = 445, RULESET_RESTRICT = 446, RULESET_VERSION = 1, RULE_BENEATH = 1 };
 enum {
   FS_EXECUTE = 1 << 0,

@@ -1,4 +1,4 @@
-/* Owns the copying of meshes into results. See place.h. */
+/* Owns the copying of meshes into results. See assemble.h. */
 #include "kernel/assemble.h"
 
 #include <string.h>

@@ -17,7 +17,7 @@ typedef struct {
                          * anything */
   bool convex;          /* star, and so but for rounding; where it is joined */
   uint32_t *starts;     /* convex: a triangle at or near each of some directions from the middle, by cells of a cube's
-                         * sides; see part.c */
+                         * sides; see distinct_meshes.c */
   size_t start_room;
   uint32_t start_cells; /* along a side's edge; 0: of so few triangles that any will do */
   double inner, outer;  /* convex: radii about the middle of a ball within and a ball without */

@@ -37,7 +37,7 @@ typedef struct vs_tally {
   size_t from, high;              /* held when this phase came; the most since: whoever hands out memory keeps it */
   vs_phase_use of[VS_WORK_COUNT];
   uint64_t written;               /* bytes of outputs */
-  uint64_t clusters, combined, copied, remembered; /* of solids that touch (kernel.h) */
+  uint64_t clusters, combined, copied, remembered; /* of solids that touch (kernel/cluster.h) */
   uint64_t triangles;             /* written: those of outputs, as their formats have them */
   double steps[VS_STEP_COUNT];    /* seconds, of MESH's */
   uint64_t texts, texts_found, bytes_found; /* runs of text that were looked for in the world cache; of those, found;

@@ -1,4 +1,4 @@
-/* Owns, for fold (carry.c), the primitives: what each becomes under a map.
+/* Owns, for fold (fold.c), the primitives: what each becomes under a map.
  *
  * A kind is closed under some maps only: a box under those that keep axes, a round solid under those that keep circles,
  * polyhedra and polylines under all. Where the modeller gave the facets (segments) a turn would move their corners:

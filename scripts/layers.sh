@@ -7,6 +7,7 @@
 #   rooms      a folder of a layer holds at most 25 files, and each has a README.md
 #   Makefile   the objects that it names have sources
 #   names      no two source files of different folders share a base name, and no two headers have a type of one name
+#   files      a file that a comment names is there
 #   ratchets   the counts of scripts/layers.limits: what cannot be zero at once may only fall
 set -u
 build=$1
@@ -85,6 +86,22 @@ limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [
 
 # Sentences of comments that begin with What, That, One, Those or So: a sentence's subject is a noun of the field.
 limit vague-openers "$(xargs grep -hE '(/\*+|^ *\*|//|\.) +(What|That|One|Those|So) ' < "$work/sources" | wc -l)" "comments with a sentence that begins with What, That, One, Those or So"
+
+# Files that a comment or a table names, by name or by the end of a path, and that are not there.
+{ find . -name node_modules -prune -o -name '.git' -prune -o -path "./${build#./}" -prune -o -name '*.[ch]' -print; echo ==; cat "$work/sources"; } | awk '
+  /^==$/ { reading = 1; next }
+  !reading { sub(/^\.\//, ""); for (path = $0; ; ) { have[path] = 1; if (!sub(/^[^\/]*\//, "", path)) break }; next }
+  { while ((getline line < $0) > 0) {
+      if (line ~ /^[ \t]*#/) continue
+      while (match(line, /[A-Za-z_>.\/][a-z_\/0-9]*[a-z_0-9][a-z_0-9][a-z_0-9]\.[ch]([^A-Za-z_0-9.(\[]|\.[^a-z]|\.?$)/)) {
+        name = substr(line, RSTART, RLENGTH); line = substr(line, RSTART + RLENGTH)
+        if (name ~ /^[>.A-Z]/) continue
+        sub(/\.[^a-z]?$/, "", name); sub(/[^a-z]+$/, "", name)
+        if (!(name in have)) print $0 ": " name
+      }
+    }
+    close($0) }' | sort -u > "$work/unknown-files"
+[ ! -s "$work/unknown-files" ] || sed 's/: \(.*\)/ names \1, and there is no such file/' "$work/unknown-files" >> "$work/wrong"
 
 # Externals of a .c file that the header of its name does not declare, nor the public header; vs_p_ are natives, which the table of procedures
 # declares.

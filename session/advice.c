@@ -1,7 +1,7 @@
 /* Owns the advice that an error gets when it is shown: what the program's own text, and the arguments of the call,
  * say about what was meant.
- * An error keeps what is needed: the call in its payload (vm/arguments.c), #t where what was called is no procedure
- * (vm/run.c). */
+ * An error keeps what is needed: the call in its payload (vm/machine/arguments.c), #t where what was called is no
+ * procedure (vm/machine/run_failures.h). */
 #include "session/session.h"
 
 #include <stdarg.h>

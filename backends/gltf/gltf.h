@@ -1,5 +1,5 @@
-/* Owns what the files of the glTF back-end share: collect.c makes meshes and nodes of the drawing, write.c the file of
- * them.
+/* Owns what the files of the glTF back-end share: gltf_collect.c makes meshes and nodes of the drawing, gltf_file.c the
+ * file of them.
  *
  * A geometry is triangles or lines in coordinates of its own, once in the file. A mesh is a geometry in the colour of
  * one place (glTF's nodes cannot paint). A node places a mesh: a million copies are a million nodes and one mesh. */
@@ -51,12 +51,12 @@ typedef struct {
   vs_rounded settled; /* what 32-bit numbers have done to shapes */
 } vs_gltf;
 
-/* ---- collect.c ---- */
+/* ---- gltf_collect.c ---- */
 bool vs_gltf_open(vs_emitter *e);
 void vs_gltf_close(vs_emitter *e);
 vs_emit_fn vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean;
 
-/* ---- write.c ---- */
+/* ---- gltf_file.c ---- */
 bool vs_gltf_write(vs_emitter *e);
 
 #endif

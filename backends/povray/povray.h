@@ -1,5 +1,5 @@
-/* Owns what the files of the POV-Ray back-end share. scene.c: begin and end; shapes.c: one function a kind; run.c: the
- * worker. */
+/* Owns what the files of the POV-Ray back-end share. povray_scene.c: begin and end; povray_shapes.c:
+ * one function a kind; povray_worker.c: the worker. */
 #ifndef VS_BACKENDS_POVRAY_H
 #define VS_BACKENDS_POVRAY_H
 

@@ -18,7 +18,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-/* Landlock's numbers, which older headers of the system do not have: linux/landlock.h. */
+/* Landlock's numbers, which older headers of the system do not have. */
 enum { RULESET_CREATE = 444, RULESET_ADD = 445, RULESET_RESTRICT = 446, RULESET_VERSION = 1, RULE_BENEATH = 1 };
 enum { WRITE = 1 << 1, REMOVE_AND_MAKE = ((1 << 13) - 1) & ~((1 << 4) - 1), REFER = 1 << 13, TRUNCATE = 1 << 14 };
 typedef struct { uint64_t files; } ruleset;

@@ -1,4 +1,4 @@
-/* Owns the tree dump: the model as nested lists, written from the table of kinds alone. tree/read.c reads it back.
+/* Owns the tree dump: the model as nested lists, written from the table of kinds alone. tree_reader.c reads it back.
  *
  *   (tree 1 "house"
  *     (define t1 (sweep (twist 0) ... (circle ...) (line ...)))

@@ -1,7 +1,7 @@
-/* Owns what the files of the X3D back-end share. collect.c: the drawing as groups of shapes; repeats.c: what repeats
- * becomes templates; bake.c: which groups become triangles;
- * text.c: the two notations; scene.c: what is written. Beside them, with collecting of its own: packed.c, the tree as
- * bytes for our own viewer; page.c, the web page round that.
+/* Owns what the files of the X3D back-end share. x3d_collect.c: the drawing as groups of shapes; repeats.c: what
+ * repeats becomes templates; bake.c: which groups become triangles;
+ * x3d_notation.c: the two notations; x3d_scene.c: what is written. Beside them, with collecting of its own: packed.c,
+ * the tree as bytes for our own viewer; page.c, the web page round that.
  *
  * Viewers draw a Shape slowly and a triangle fast: past some ten thousand Shapes they crawl. Therefore everything is
  * collected first. Few enough boxes, spheres, cylinders and cones become nodes of their own; all else becomes one
@@ -23,7 +23,7 @@ enum { VS_X3D_COARSEST = 8 };        /* facets a turn */
 #define VS_X3D_COARSE_CREASE 1.0     /* radians: more than from one such facet to the next, less than from a wall to its
                                       * lid */
 
-/* ---- collect.c ---- */
+/* ---- x3d_collect.c ---- */
 
 /* unit forms: half sizes 1, on X3D's Y */
 typedef enum { VS_X3D_BOX, VS_X3D_SPHERE, VS_X3D_CYLINDER, VS_X3D_CONE } vs_x3d_form;

@@ -2,10 +2,10 @@
  *
  * A triangle of a large leaf is plain where the box of no other leaf's triangle meets its own, where the rest of its
  * leaf shares with it what the mesh says, corners and edges, and where it is coplanar with none of its neighbours. In a
- * star the second holds; elsewhere triangles without a common corner are proven apart (apart.c), and those around a
- * corner are seen from somewhere as a fan that goes round once. All of it is asked of corners on the grid, which
- * doubles hold exactly, and where the answer is not sure the triangle is arranged like any other: so nothing but time
- * hangs on the answers that are no.
+ * star the second holds; elsewhere triangles without a common corner are proven apart (triangles_apart.c), and those
+ * around a corner are seen from somewhere as a fan that goes round once. All of it is asked of corners on the grid,
+ * which doubles hold exactly, and where the answer is not sure the triangle is arranged like any other: so nothing but
+ * time hangs on the answers that are no.
  *
  * Connected plain triangles are a region. It is one face for the classification, with uses along its rim alone; what
  * lies across the rim is the facet of one arranged triangle, so every edge there has two uses, and the region needs no

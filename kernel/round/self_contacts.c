@@ -17,7 +17,7 @@
  * The index has the open runs' boxes; those that a storey may touch or go through have one of their own, for what is
  * level. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share.
  * Of the rest the pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and
- * planes, and apart.c has what these do not tell. */
+ * planes, and triangles_apart.c has what these do not tell. */
 #include "kernel/mesh/triangles_apart.h"
 #include "kernel/mesh/triangles_meet.h"
 #include "kernel/mesh/bvh.h"
