@@ -65,7 +65,8 @@ export class Viewer {
 
   // keep: the camera stays, for a new version of what is shown already. aside: this model only tells more of the one whose name and size stand.
   show(model, keep = false, aside = false) {
-    const first = !this.model || !keep, was = this.model;
+    const was = this.model, grown = was?.count === 0 && model.count > 0; // out of nothing: there was no view to keep
+    const first = !was || !keep || grown;
     this.model = model;
     const same = !first && was?.count === model.count && !aside; // Parts that moved, as in a frame of what is animated.
     if (first) for (const set of Object.values(this.hidden)) set.clear();
@@ -79,7 +80,7 @@ export class Viewer {
     this.stage.setModel(model, (i) => this.isShown(i));
     if (this.chosen.length > 0) this.#showMarks();
     if (first) {
-      this.touched = false;
+      this.touched = this.handlesFramed = false;
       this.setSection(null);
       this.control.reset();
     } else {
@@ -421,7 +422,20 @@ export class Viewer {
 
   setHandles(handles) {
     this.handles = this.grip ? handles.map((h) => h.name === this.grip.name ? { ...h, at: this.grip.at } : h) : handles;
+    this.#frameHandles();
     this.#drawOverlay();
+  }
+  // Handles that stand outside of the picture are framed with the model, once, unless the user has looked about.
+  #frameHandles() {
+    if (!this.model || this.touched || this.handlesFramed || this.handles.length === 0) return;
+    this.handlesFramed = true;
+    const empty = this.model.count === 0, points = this.handles.map((h) => this.#fromModel(h.at));
+    const seen = (p) => { const q = p.clone().project(this.stage.camera); return Math.abs(q.x) < 0.9 && Math.abs(q.y) < 0.8 && q.z < 1; };
+    this.stage.camera.updateMatrixWorld();
+    if (!empty && points.every(seen)) return;
+    const { min, max } = this.model.box, room = empty ? 1 : 0;
+    const ends = (k, end) => (empty ? [] : [end === Math.min ? min[k] : max[k]]).concat(points.map((p) => p.getComponent(k) + (end === Math.min ? -room : room)));
+    this.control.fit({ min: [0, 1, 2].map((k) => Math.min(...ends(k, Math.min))), max: [0, 1, 2].map((k) => Math.max(...ends(k, Math.max))) });
   }
   #handleShapes(handle, at) {
     const p = at(this.#fromModel(handle.at));

@@ -73,10 +73,13 @@ await test("a slow model is coarser while its slider moves", async (want) => {
 await test("Grimaldo's spiral grows by a part a click", async (want) => {
   copyFileSync("tests/cli/gml-scenes/spiral.gml", `${folder}/spiral.gml`);
   await after(() => writeFileSync(model, "(load \"spiral.gml\")\n"));
+  await page.reload(); // as a user who opens it: the page begins with nothing but the trigger
+  await page.waitForFunction(() => window.live?.finished > 0);
   await page.waitForFunction(() => window.live.scened?.gizmos.length === 1 && window.live.scened.gizmos[0].kind === "trigger", null, { timeout: 15000 });
   const top = () => page.evaluate(() => window.visualscheme.model ? window.visualscheme.model.box.max[2] + window.visualscheme.model.middle[2] : 0);
   for (let clicks = 1; clicks <= 3; clicks++) {
     const at = await page.evaluate(() => { const r = document.querySelector(".overlay .gizmo").getBoundingClientRect(); return { x: r.x + r.width / 2, y: r.y + r.height / 2 }; });
+    want(at.x > 450 && at.x < 1100 && at.y > 0 && at.y < 580, `the handle is outside of the picture, at ${at.x} ${at.y}`);
     await page.mouse.click(at.x, at.y);
     await page.waitForFunction((n) => window.live.scened.gizmos[0].value[0] === n, clicks, { timeout: 8000 });
     await page.waitForFunction((n) => Math.abs(window.visualscheme.model.box.max[2] + window.visualscheme.model.middle[2] - n - 1) < 0.05, clicks, { timeout: 8000 }).catch(async () => want(false, `after ${clicks} clicks the top is at ${await top()}`));
