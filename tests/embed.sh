@@ -40,6 +40,13 @@ for program in host format scene meshes pictures fit; do
   [ $code -le 1 ] || echo "not ok embed:$program ended with $code"
 done
 
+# A host in a hundred lines of C, whose output says what a graphics card would hold.
+if ${CC:-cc} -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$work/usr/include" examples/hosts/console.c -o "$work/console" \
+     -L"$work/usr/lib" -lvisualscheme > "$work/diff" 2>&1 &&
+   LD_LIBRARY_PATH=$work/usr/lib timeout 60 "$work/console" examples/hosts/table.vs > "$work/out" 2>&1 &&
+   diff tests/embed/console.want "$work/out" > "$work/diff"; then echo "ok embed:console"
+else echo "not ok embed:console"; sed 's/^/    /' "$work/diff"; fi
+
 # The viewer in SDL2 and OpenGL, on a screen that is none and with a graphics card that is none: a user is played, and
 # the pixels are counted. Numbers of a line that begins with `covered` may be off by a fiftieth, or by 3.
 missing=
