@@ -11,6 +11,8 @@
 #include "backends/povray/povray_lamps.h"
 #include "backends/povray/povray_sky.h"
 #include "backends/view.h"
+#include "geometry/measure/bounds.h"
+#include "geometry/measure/inside.h"
 
 static void pov_vector(vs_writer *w, const char *before, vs_vec3 v) {
   vs_puts(w, before);
@@ -300,6 +302,25 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
   return fmax(sqrt(square), least) * 2 * tan(l->angle / 2) / width;
 }
 
+/* An eye within matter sees nothing but its dark inside: a warning at the object that holds it. False: the error is
+ * set. */
+static bool pov_tell_eye(vs_emitter *e, const vs_look *look) {
+  for (size_t i = 0; !look->parallel && i < e->scene->drawn_count; i++) {
+    const vs_ref *r = &e->scene->drawn[i];
+    vs_vec3 p = look->eye;
+    vs_bounds b;
+    bool inside = false;
+    vs_error none = { 0 }; /* curves and surfaces have no inside */
+    if (!vs_node_bounds(r->node, &b, &none) || p.x < b.min.x || p.y < b.min.y || p.z < b.min.z || p.x > b.max.x ||
+        p.y > b.max.y || p.z > b.max.z)
+      continue;
+    if (vs_node_contains(r->node, p, &inside, &none) && inside &&
+        !vs_emit_warn_once(e, r, "the camera stands within this object, and shows its inside"))
+      return false;
+  }
+  return true;
+}
+
 bool vs_povray_begin(vs_emitter *e) {
   vs_writer *w = e->out;
   int width = e->options->width > 0 ? e->options->width : 1024,
@@ -316,6 +337,7 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient ");
   pov_word(w, "", vs_povray_ambient(e), " diffuse 0.82 } } }\n\n");
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, (double)width / height);
+  if (pov_is_developed(e) && !pov_tell_eye(e, &look)) return false;
   e->pen = pov_pen(e, &look, width);
   look.eye = vs_v3_scale(look.eye, e->unit), look.target = vs_v3_scale(look.target, e->unit), look.width *= e->unit;
   diagonal *= e->unit;
