@@ -1,19 +1,25 @@
 /* Owns the web page: viewer/page.html with its marks filled in, the viewer and the scene inside, nothing to load.
  *
  * A mark is <!--NAME-->. The parts come from the library itself: the Makefile bundles viewer/ with three.js and puts
- * the result into it. The scene is packed (packed.c) and stands in the page in base 64, so that no text of the user's
- * is ever read as HTML or script. */
+ * the result into it. The scene is packed (packed.c), squeezed (squeeze.c) and stands in the page in base 64, so that
+ * no text of the user's is ever read as HTML or script. */
 #include <string.h>
 
 #include "backends/x3d/packed.h"
+#include "backends/x3d/squeeze.h"
 
 #define ASSET(name) extern const char vs_asset_##name[], vs_asset_##name##_end[];
 ASSET(page_html) ASSET(viewer_css) ASSET(viewer_js)
 #undef ASSET
 
-/* The page's writer while the scene goes through another one, whose sink is page_encode. The packed notation has
- * e->state. */
-typedef struct { vs_writer inner, *outer; unsigned char left[3]; size_t left_count; } page_coder;
+/* The page's writer while the scene goes through others: `inner`, whose sink is the squeeze, and `squeezed`, whose sink
+ * is page_encode. The packed notation has e->state. */
+typedef struct {
+  vs_writer inner, squeezed, *outer;
+  vs_squeeze squeeze;
+  unsigned char left[3];
+  size_t left_count;
+} page_coder;
 
 static bool page_encode(void *context, const void *bytes, size_t count) {
   page_coder *c = context;
@@ -81,7 +87,11 @@ static bool page_begin(vs_emitter *e) {
   c->left_count = 0;
   memset(c->left, 0, sizeof c->left);
   page_until_scene(e, c->outer, vs_asset_page_html);
-  vs_writer_init(&c->inner, page_encode, c);
+  memset(&c->squeeze, 0, sizeof c->squeeze);
+  c->squeeze.to = &c->squeezed;
+  vs_writer_init(&c->squeezed, page_encode, c);
+  vs_writer_init(&c->inner, vs_squeeze_put, &c->squeeze);
+  vs_puts(&c->squeezed, VS_SQUEEZED);
   e->out = &c->inner;
   bool ok = vs_packed_open(e);
   if (e->state != NULL) return ok; /* page_close tidies up */
@@ -92,7 +102,8 @@ static bool page_begin(vs_emitter *e) {
 
 static bool page_end(vs_emitter *e) {
   page_coder *c = (page_coder *)e->out; /* its first member */
-  bool ok = vs_packed_finish(e) && vs_writer_flush(&c->inner);
+  bool ok = vs_packed_finish(e) && vs_writer_flush(&c->inner) && vs_squeeze_end(&c->squeeze) &&
+            vs_writer_flush(&c->squeezed);
   if (c->left_count > 0) {
     memset(c->left + c->left_count, 0, 3 - c->left_count);
     vs_put_base64(c->outer, c->left, c->left_count);
