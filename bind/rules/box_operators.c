@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define BOXES (VS_SCOPE_BIT(BOX) | VS_SCOPE_BIT(FFD))
+#define LOOPS (VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE) | VS_SCOPE_BIT(CURVE))
 
 static vs_vec3 between(vs_vec3 a, vs_vec3 b, double t) { return vs_v3_add(a, vs_v3_scale(vs_v3_sub(b, a), t)); }
 
@@ -239,7 +240,7 @@ static vs_status box_components(vs_frame *f, const char *of, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* ---- loops: polygons and triangles ---- */
+/* ---- loops: polygons, triangles and curves ---- */
 
 static double outer_angle(vs_vec3 before, vs_vec3 at, vs_vec3 after, vs_vec3 normal) {
   vs_vec3 a = vs_v3_sub(at, before), b = vs_v3_sub(after, at);
@@ -261,14 +262,29 @@ static side side_of(const vs_scope *s, uint32_t k) {
   return (side){ a, b, outer_angle(p, a, b, z), outer_angle(a, b, q, z) };
 }
 
+/* Edge i of a curve's samples, upright as those of meshes are; of an open curve the last vertex has the last edge's
+ * frame. */
+static void lay_sample(vs_scope *c, const vs_scope *s, uint32_t i, bool vertex) {
+  const vs_points *p = s->loops->points;
+  bool end = !s->closed && i + 1 == p->count;
+  vs_vec3 a = p->at[end ? i - 1 : i], b = p->at[end ? i : (i + 1) % p->count], z = vs_v3(0, 0, 1);
+  vs_affine upright = vs_affine_columns(vs_v3(1, 0, 0), z, vs_v3(0, -1, 0), vs_v3(0, 0, 0));
+  bool along = fabs(vs_v3_unit(vs_v3_sub(b, a)).z) > 1 - 1e-9;
+  vs_scope_lay_edge(c, &upright, along ? 0 : 1, a, b);
+  if (!vertex) return;
+  c->as.box.size.x = 0;
+  for (int k = 0; end && k < 3; k++) c->as.box.frame.m[k][3] = (&b.x)[k];
+}
+
 static vs_status loop_components(vs_frame *f, const char *of, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
   bool vertices = !strcmp(of, "vertices");
   r[0] = f->arg[1].value;
   if (!vertices && strcmp(of, "edges"))
-    return vs_bind_refuse(f, "#:of", "'edges or 'vertices, for a polygon or a triangle", f->key[0].value);
-  uint32_t n = s->loops->points->count;
+    return vs_bind_refuse(f, "#:of", "'edges or 'vertices, for a polygon, a triangle or a curve", f->key[0].value);
+  bool curve = s->class_ == VS_SCOPE_CURVE;
+  uint32_t n = s->loops->points->count - (curve && !s->closed && !vertices);
   vs_derivation *d = vs_rules_begin(f, &r[1]);
   vs_rule_task *t = d ? vs_task_new(d, n, false) : NULL;
   if (!t) return VS_ERROR;
@@ -278,6 +294,10 @@ static vs_status loop_components(vs_frame *f, const char *of, vs_value *out) {
     vs_scope *c = vs_rules_child(d, s, VS_SCOPE_BOX, vs_rules_operator(f), i, n);
     if (!c) return vs_task_drop(d, t), VS_ERROR;
     t->child[i] = c;
+    if (curve) {
+      lay_sample(c, s, i, vertices);
+      continue;
+    }
     side e = side_of(s, i);
     lay_box(c, e.a, e.b, vs_v3_add(e.a, z));
     c->as.box.size.y = 0;
@@ -291,11 +311,9 @@ static vs_status loop_components(vs_frame *f, const char *of, vs_value *out) {
 vs_status vs_p_scope_component(vs_frame *f, vs_value *out) {
   const char *of = f->key[0].given ? f->key[0].text.at : NULL;
   const vs_scope *s = f->arg[0].scope;
-  if (!vs_rules_class(f, 0, BOXES | VS_SCOPE_BIT(MESH) | VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE)))
-    return VS_ERROR;
+  if (!vs_rules_class(f, 0, BOXES | LOOPS | VS_SCOPE_BIT(MESH))) return VS_ERROR;
   if (s->class_ == VS_SCOPE_MESH) return vs_mesh_components(f, of ? of : "faces", out);
-  if (s->class_ == VS_SCOPE_POLYGON || s->class_ == VS_SCOPE_TRIANGLE)
-    return loop_components(f, of ? of : "edges", out);
+  if (LOOPS & 1u << s->class_) return loop_components(f, of ? of : "edges", out);
   return box_components(f, of ? of : "faces", out);
 }
 

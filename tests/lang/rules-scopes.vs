@@ -87,9 +87,16 @@
 (displayln (counts (make-mesh-scope (make-rectangle (xy 0 0) (xy 4 4))) 'faces 'edges 'vertices)) ; expect: (1 4 4)
 (displayln (counts (make-mesh-scope (empty-object)) 'faces 'edges 'vertices)) ; expect: (0 0 0)
 (fails (made (make-mesh-scope cube) 'front)) ; expect: scope-component: #:of must be one of 'faces 'edges 'vertices, for a mesh, got front
-(fails (made (list-ref all 4) 'faces))      ; expect: scope-component: #:of must be 'edges or 'vertices, for a polygon or a triangle, got faces
-(fails (made (list-ref all 6) 'edges))      ; expect: scope-component: s must be a box scope, an FFD scope, a mesh scope, a polygon scope or a triangle scope, got #<curve-scope root>
-(fails (made turtle 'faces))                ; expect: scope-component: s must be a box scope, an FFD scope, a mesh scope, a polygon scope or a triangle scope, got #<turtle-scope root>
+(fails (made (list-ref all 4) 'faces))      ; expect: scope-component: #:of must be 'edges or 'vertices, for a polygon, a triangle or a curve, got faces
+(fails (made (list-ref all 6) 'faces))      ; expect: scope-component: #:of must be 'edges or 'vertices, for a polygon, a triangle or a curve, got faces
+(fails (made turtle 'faces))                ; expect: scope-component: s must be a box scope, an FFD scope, a mesh scope, a polygon scope, a triangle scope or a curve scope, got #<turtle-scope root>
+; a curve's samples: an open one has an edge less than vertices; edges stand upright, z to the right of the way, whichever way they lead
+(define way (make-curve-scope (make-line (xyz 0 0 0) (xyz 3 4 0) (xyz 3 4 5))))
+(displayln (append (counts way 'edges 'vertices) (counts (make-curve-scope (make-polygon (xy 0 0) (xy 1 0) (xy 0 1))) 'edges 'vertices))) ; expect: (2 3 3 3)
+(displayln (map scope-size-x (made way 'edges)))                 ; expect: (5.0 5.0)
+(displayln (near? (scope-frame (first (made way 'edges))) (make-matrix 0.6 0 0.8 0 0.8 0 -0.6 0 0 1 0 0 0 0 0 1))) ; expect: #t
+(displayln (map (lambda (c) (scope-corner c 0 0 0)) (made (scope-move way 1 0 0) 'vertices))) ; expect: ((xyz 1 0 0) (xyz 4 4 0) (xyz 4 4 5))
+(displayln (near? (apply + (map scope-size-x (made (make-curve-scope (make-circle origin 1)) 'edges))) 2pi 0.01)) ; expect: #t
 ; a mesh as a floor plan: its face raised, as G2 loads meshes
 (define-rule (site [self mesh-scope?]) [(=> (scope-component plot))])
 (define-rule (plot [self polygon-scope?]) [(=> (scope-extrude 3 #:side wall #:top (lambda (s) (note s 'roof) '())))])
