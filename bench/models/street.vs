@@ -2,7 +2,8 @@
 ; instances of 276,226 triangles; 2: 58,653 of 1,346,280; 3: 281,607 of 6,914,247; 4: 556,629 of 3,114,704. A part is a box in a facade, or a ball (a
 ; bunch of leaves) in scenes 1 to 3, whose triangles an instance are what theirs are.
 (define-parameter scene 1 #:choices '(1 2 3 4))
-(define wanted (list-ref '(11035 58653 281607 556629) (- scene 1)))
+(define-parameter times 1 #:min 1) ; as many instances: what one more costs
+(define wanted (* times (list-ref '(11035 58653 281607 556629) (- scene 1))))
 (define stone (make-box (xyz 0 0 0) (xyz 1 1 1)))
 (define ball (make-sphere origin 0.5 #:segments 8))
 (define-rule (street [self box-scope?]) [(=> (scope-repeat 'x 12 house))])
