@@ -64,17 +64,27 @@ bool vs_publish_begin(vs_publish *p, const char *target, bool named) {
   return false;
 }
 
+/* Of a file without a name: it gets one, and the target's at once after it, so that a process that is killed in between
+ * hardly ever leaves the first. Returns 0, or the errno of what failed. Such files are local: closing them later tells
+ * nothing new. */
+static int place_nameless(vs_publish *p) {
+  bool done = false;
+  if (!give_name(p, &done)) return errno;
+  if (done || rename(p->name, p->target) == 0) return 0;
+  int problem = errno;
+  unlink(p->name);
+  return problem;
+}
+
 bool vs_publish_end(vs_publish *p, bool whole) {
   int problem = 0;
-  bool done = false;
   sigset_t all, was;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &was); /* nothing ends the process between the name and its change */
-  if (whole && p->nameless && !give_name(p, &done)) problem = errno;
-  bool stands = !done && (!p->nameless || (whole && !problem)); /* under p->name */
+  if (whole && p->nameless) problem = place_nameless(p);
   if (close(p->file) != 0 && !problem) problem = errno;
-  if (whole && !done && !problem && rename(p->name, p->target) != 0) problem = errno;
-  if (stands && (!whole || problem)) unlink(p->name);
+  if (!p->nameless && whole && !problem && rename(p->name, p->target) != 0) problem = errno;
+  if (!p->nameless && (!whole || problem)) unlink(p->name);
   pthread_sigmask(SIG_SETMASK, &was, NULL);
   free(p->target), free(p->name);
   *p = (vs_publish){ .file = -1 };
