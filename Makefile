@@ -23,7 +23,7 @@ say       = $(if $(V),@:,@echo "  $(1)")
 pkg       = $(shell pkg-config --libs $(1) 2>/dev/null || echo $(2))
 LDLIBS   += $(call pkg,gmp libutf8proc,-lgmp -lutf8proc) -lm -lpthread -ldl
 PNG_LIBS  = $(call pkg,libpng,-lpng)
-UNIT_LIBS = $(call pkg,cmocka jansson,-lcmocka -ljansson)
+UNIT_LIBS = $(call pkg,cmocka jansson zlib,-lcmocka -ljansson -lz)
 
 LAYERS    = javascript vm model functions geometry fitting kernel solids passes bind scene backends session
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))

@@ -12,7 +12,7 @@ for name in facade-stages plans cornice-corners four-trees lily massive-street; 
   case $name in massive-street) set -- -D lots=4 ;; *) set -- ;; esac
   "$BUILD/vs" --quiet "$@" "examples/rules/$name.vs" -o "$work/rules-$name.html" || echo "not ok page/rules-$name: ended with $?"
 done
-# Parts that are alike cost a page little: 2,000,000 bytes at most for a street whose scene has 4 MB before it is squeezed.
+# Parts that are alike cost a page little: 2,000,000 bytes at most for a street whose scene has 4 MB before it is compressed.
 size=$(wc -c < "$work/rules-massive-street.html")
 if [ "$size" -le 2000000 ]; then echo "ok page/size of a street"; else echo "not ok page/size of a street"; echo "    $size bytes"; fi
 "$BUILD/vs" --quiet examples/doric-columns.vs -o "$work/doric-columns.x3d"

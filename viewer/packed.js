@@ -1,6 +1,8 @@
 // Reads the packed notation (backends/x3d/packed.c says what it looks like) into a tree: { type, def, fields, children }.
 // A node that stands for another one is { use: number }.
 
+import { unzlibSync } from "three/examples/jsm/libs/fflate.module.js";
+
 const decoder = new TextDecoder();
 
 export function readPacked(packed) {
@@ -66,44 +68,10 @@ export function readPacked(packed) {
   return root;
 }
 
-// The scene of a squeezed one (backends/x3d/squeeze.c says what it looks like), or of one that is not squeezed itself.
+// The scene of a page is zlib's, which begins with an x; the server's is as it is.
 function expanded(buffer) {
   const bytes = new Uint8Array(buffer);
-  if (decoder.decode(bytes.subarray(0, 4)) !== "VSL1") return buffer;
-  let at = 4, out = new Uint8Array(4 * bytes.length), end = 0;
-  function count() {
-    let value = 0, factor = 1;
-    for (;;) {
-      if (at === bytes.length) throw new Error("The scene ends too early.");
-      const byte = bytes[at++];
-      value += (byte & 127) * factor;
-      if (byte < 128) return value;
-      factor *= 128;
-    }
-  }
-  function reserve(more) {
-    if (end + more <= out.length) return;
-    const wider = new Uint8Array(Math.max(2 * out.length, end + more));
-    wider.set(out);
-    out = wider;
-  }
-  while (at < bytes.length) {
-    const literal = count();
-    if (at + literal > bytes.length) throw new Error("The scene ends too early.");
-    reserve(literal);
-    out.set(bytes.subarray(at, at + literal), end);
-    at += literal;
-    end += literal;
-    const match = count();
-    if (match === 0) continue;
-    const back = count();
-    if (back === 0 || back > end) throw new Error(`The scene cannot be read at byte ${at}.`);
-    reserve(match);
-    if (back >= match) out.copyWithin(end, end - back, end - back + match);
-    else for (let i = end; i < end + match; i++) out[i] = out[i - back]; // A match that reaches into itself.
-    end += match;
-  }
-  return out.buffer.slice(0, end);
+  return bytes[0] === 120 ? unzlibSync(bytes).buffer : buffer;
 }
 
 export function decode64(text) {

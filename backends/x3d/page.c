@@ -1,22 +1,22 @@
 /* Owns the web page: viewer/page.html with its marks filled in, the viewer and the scene inside, nothing to load.
  *
  * A mark is <!--NAME-->. The parts come from the library itself: the Makefile bundles viewer/ with three.js and puts
- * the result into it. The scene is packed (packed.c), squeezed (squeeze.c) and stands in the page in base 64, so that
+ * the result into it. The scene is packed (packed.c), compressed (deflate.c) and stands in the page in base 64, so that
  * no text of the user's is ever read as HTML or script. */
 #include <string.h>
 
+#include "backends/x3d/deflate.h"
 #include "backends/x3d/packed.h"
-#include "backends/x3d/squeeze.h"
 
 #define ASSET(name) extern const char vs_asset_##name[], vs_asset_##name##_end[];
 ASSET(page_html) ASSET(viewer_css) ASSET(viewer_js)
 #undef ASSET
 
-/* The page's writer while the scene goes through others: `inner`, whose sink is the squeeze, and `squeezed`, whose sink
- * is page_encode. The packed notation has e->state. */
+/* The page's writer while the scene goes through others: `inner`, whose sink is zlib, and `deflated`, whose sink is
+ * page_encode. The packed notation has e->state. */
 typedef struct {
-  vs_writer inner, squeezed, *outer;
-  vs_squeeze squeeze;
+  vs_writer inner, deflated, *outer;
+  vs_deflate *deflate;
   unsigned char left[3];
   size_t left_count;
 } page_coder;
@@ -87,14 +87,13 @@ static bool page_begin(vs_emitter *e) {
   c->left_count = 0;
   memset(c->left, 0, sizeof c->left);
   page_until_scene(e, c->outer, vs_asset_page_html);
-  memset(&c->squeeze, 0, sizeof c->squeeze);
-  c->squeeze.to = &c->squeezed;
-  vs_writer_init(&c->squeezed, page_encode, c);
-  vs_writer_init(&c->inner, vs_squeeze_put, &c->squeeze);
-  vs_puts(&c->squeezed, VS_SQUEEZED);
+  vs_writer_init(&c->deflated, page_encode, c);
+  c->deflate = vs_deflate_begin(e->scene->store, &c->deflated, e->error);
+  vs_writer_init(&c->inner, vs_deflate_put, c->deflate);
   e->out = &c->inner;
-  bool ok = vs_packed_open(e);
-  if (e->state != NULL) return ok; /* page_close tidies up */
+  bool ok = c->deflate != NULL && vs_packed_open(e);
+  if (c->deflate != NULL && e->state != NULL) return ok; /* page_close tidies up */
+  vs_deflate_end(c->deflate);
   e->out = c->outer;
   vs_emit_release(e, c, 1, sizeof *c);
   return false;
@@ -102,8 +101,8 @@ static bool page_begin(vs_emitter *e) {
 
 static bool page_end(vs_emitter *e) {
   page_coder *c = (page_coder *)e->out; /* its first member */
-  bool ok = vs_packed_finish(e) && vs_writer_flush(&c->inner) && vs_squeeze_end(&c->squeeze) &&
-            vs_writer_flush(&c->squeezed);
+  bool ok = vs_packed_finish(e) && vs_writer_flush(&c->inner) && vs_deflate_finish(c->deflate) &&
+            vs_writer_flush(&c->deflated);
   if (c->left_count > 0) {
     memset(c->left + c->left_count, 0, 3 - c->left_count);
     vs_put_base64(c->outer, c->left, c->left_count);
@@ -118,6 +117,7 @@ static void page_close(vs_emitter *e) {
   if (e->state == NULL) return;
   page_coder *c = (page_coder *)e->out;
   vs_packed_close(e);
+  vs_deflate_end(c->deflate);
   e->out = c->outer;
   vs_emit_release(e, c, 1, sizeof *c);
 }

@@ -13,12 +13,13 @@
 #include <unistd.h>
 
 #include <cmocka.h>
+#include <zlib.h>
 
 #include "passes/flush.h"
 #include "backends/backend.h"
 #include "backends/export.h"
 #include "backends/tree/tree_reader.h"
-#include "backends/x3d/squeeze.h"
+#include "backends/x3d/deflate.h"
 #include "tests/unit/scenes.h"
 
 /* ---- a sink into memory ---- */
@@ -203,59 +204,45 @@ static void test_tree_refuses(void **state) {
 
 /* ---- each format's words ---- */
 
-/* ---- squeezing ---- */
+/* ---- deflating ---- */
 
-static size_t squeezed_number(const unsigned char **at) {
-  size_t n = 0, shift = 0;
-  for (; **at > 127; shift += 7) n |= (size_t)(*(*at)++ & 127) << shift;
-  return n | (size_t)*(*at)++ << shift;
-}
-
-/* Squeezes bytes in pieces of `step`, expands them again and compares. Returns the squeezed size. */
-static size_t squeeze_and_back(const unsigned char *bytes, size_t count, size_t step) {
+/* Deflates bytes in pieces of `step` and lets zlib's other half expand them. Returns the deflated size. */
+static size_t deflate_and_back(vs_store *store, const unsigned char *bytes, size_t count, size_t step) {
   memory to = { 0 };
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
   vs_writer *w = malloc(sizeof *w);
-  vs_squeeze *s = calloc(1, sizeof *s);
   unsigned char *back = malloc(count + 1);
-  assert_true(w && s && back);
+  assert_true(w && back);
   vs_writer_init(w, memory_sink, &to);
-  s->to = w;
-  for (size_t i = 0; i < count; i += step) assert_true(vs_squeeze_put(s, bytes + i, count - i < step ? count - i : step));
-  assert_true(vs_squeeze_end(s) && vs_writer_flush(w));
-  const unsigned char *at = (const unsigned char *)to.text, *end = at + to.used;
-  size_t n = 0;
-  while (at < end) {
-    size_t literal = squeezed_number(&at);
-    assert_true(literal <= (size_t)(end - at) && n + literal <= count);
-    memcpy(back + n, at, literal);
-    at += literal, n += literal;
-    size_t match = squeezed_number(&at), far = match ? squeezed_number(&at) : 1;
-    assert_true(far > 0 && (match == 0 || far <= n) && n + match <= count);
-    for (size_t k = 0; k < match; k++, n++) back[n] = back[n - far];
-  }
+  vs_deflate *d = vs_deflate_begin(store, w, &e);
+  if (!d) fail_msg("%s", e.message);
+  for (size_t i = 0; i < count; i += step) assert_true(vs_deflate_put(d, bytes + i, count - i < step ? count - i : step));
+  assert_true(vs_deflate_finish(d) && vs_writer_flush(w));
+  vs_deflate_end(d);
+  uLongf n = count + 1;
+  assert_int_equal(uncompress(back, &n, (const Bytef *)to.text, to.used), Z_OK);
   assert_int_equal(n, count);
   assert_true(count == 0 || memcmp(bytes, back, count) == 0);
   size_t size = to.used;
-  free(to.text), free(back), free(s), free(w);
+  free(to.text), free(back), free(w);
   return size;
 }
 
-static void test_squeeze(void **state) {
+static void test_deflate(void **state) {
   (void)state;
-  size_t room = 5 * (size_t)VS_SQUEEZE_WINDOW + 1234;
+  test_model m;
+  test_model_open(&m);
+  size_t room = 1 << 20;
   unsigned char *bytes = malloc(room);
   assert_non_null(bytes);
   uint32_t seed = 1;
   for (size_t i = 0; i < room; i++) bytes[i] = (unsigned char)((seed = seed * 1664525u + 1013904223u) >> 24);
-  for (size_t n = 0; n < 40; n++) squeeze_and_back(bytes, n, 3);
-  assert_true(squeeze_and_back(bytes, room, 70000) < room + room / 100); /* what repeats nothing grows little */
+  for (size_t n = 0; n < 40; n++) deflate_and_back(m.store, bytes, n, 3);
+  assert_true(deflate_and_back(m.store, bytes, room, 70000) < room + room / 100); /* noise grows little */
   for (size_t i = 1000; i < room; i++) bytes[i] = bytes[i - 1000];
-  assert_true(squeeze_and_back(bytes, room, 4097) < 2000);
-  for (size_t i = 0; i < room; i += 97) bytes[i] = (unsigned char)i;
-  assert_true(squeeze_and_back(bytes, room, room) < room / 5);
-  memset(bytes, 7, room); /* a match reaches into itself */
-  assert_true(squeeze_and_back(bytes, room, 1) < 100);
+  assert_true(deflate_and_back(m.store, bytes, room, 4097) < room / 50);
   free(bytes);
+  test_model_close(&m);
 }
 
 static void test_povray_words(void **state) {
@@ -796,7 +783,7 @@ static void test_tells_what_is_left_out(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_tells_what_is_left_out), cmocka_unit_test(test_numbers), cmocka_unit_test(test_numbers_locale), cmocka_unit_test(test_tree_reads_back), cmocka_unit_test(test_tree_golden),
-    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_squeeze), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
+    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_deflate), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
     cmocka_unit_test(test_left_out), cmocka_unit_test(test_templates), cmocka_unit_test(test_singular), cmocka_unit_test(test_deep),
     cmocka_unit_test(test_no_memory), cmocka_unit_test(test_files), cmocka_unit_test(test_formats), cmocka_unit_test(test_povray_missing),
     cmocka_unit_test(test_povray_complains), cmocka_unit_test(test_povray_stops), cmocka_unit_test(test_povray_picture),
