@@ -2,17 +2,16 @@
  *
  * Plan. The leaves are the cells that the surface crosses. Eight neighbours are a node of level 1, eight of those one
  * of level 2, and so on. From level to level, the parts of the surface in a node's children that go on in each other
- * become one part. The node is merged, its parts having a point each from then on, where all its children were and
- * where each part
+ * become one part. A node is merged where all its children were merged and where each part
  *   1. is a disc: rings less the sides between them and the quads within them make 1 (Euler's characteristic); it
- *   crosses each edge of the
- * node once at most, and each side of it in one line. Then two parts never meet along two lines, and the mesh of the
- * merged nodes is a manifold (S. Schaefer, T. Ju, J. Warren, Manifold dual contouring, 2007);
- *   2. has a point that is near the planes through all its crossings, and all its rings' points near the planes at that
- *   one. It is
- * the point of one of its rings, the one with the least sum of squares (T. Ju and others, Dual contouring of Hermite
- * data, 2002): so edges and corners stay where they are, and every point lies on the surface and in its node.
- * A node which is not merged ends the matter for all above it. */
+ *      crosses each edge of the node once at most, and each side of it in one line. Then two parts never meet along
+ *      two lines, and the mesh of the merged nodes is a manifold (S. Schaefer, T. Ju, J. Warren, Manifold dual
+ *      contouring, 2007);
+ *   2. has a point that is near the planes through all its crossings, while the points of all its rings are near the
+ *      planes at that point. It is the point of the ring with the least sum of squares (T. Ju and others, Dual
+ *      contouring of Hermite data, 2002). So edges and corners stay where they are, and every point lies on the
+ *      surface and in its node.
+ * Each part of a merged node has one point. Where a node is not merged, no node above it is. */
 #include "functions/octree.h"
 
 #include <math.h>

@@ -3,20 +3,22 @@
  * Notation.
  *   facet   a maximal set of coplanar triangles of one leaf that hang together by edges; cut and classified as one
  *   group   facets of one plane that touch: they are arranged together
- *   face    a region of the arrangement in one plane, not cut by anything; its + side is where the plane's normal
- *   points cover   for each leaf that has the face: w(-side) = w(+side) + delta, w the leaf's winding number (inside: w
- *   > 0) use     a boundary edge of a face, directed so that the face lies left of it as seen from the + side
+ *   face    a region of the arrangement in one plane, which nothing cuts; its + side is where the plane's normal points
+ *   cover   of a face, for each leaf that has it: w(-side) = w(+side) + delta, where w is the leaf's winding number
+ *           (inside: w > 0)
+ *   use     a boundary edge of a face, directed so that the face lies left of it as seen from the + side
  *   cell    a region of space: a set of sides of faces
- *   plain   a triangle of a leaf that nothing meets: it has no facet nor face of its own; see untouched_triangles.c
+ *   plain   of a triangle: untouched by other leaves; it has neither facet nor face of its own (untouched_triangles.c)
  *   region  plain triangles of a leaf that hang together: one face, which lies in no plane; its + side is outside of
- *   the leaf patch   a convex piece of a facet: all of it where it is convex, else one of its triangles; what is tested
- *   against each other side    a border edge of a facet, where facets are given by these and not by triangles: see
- *   levels.c line    of a side: an edge of the input that it lies on, or the second plane that it lies in
- *   settled of places inside a leaf that makes the whole true (or false) by itself, or outside of a gate: what lies in
- *   there cannot show.
- *           Triangles and cuts that are well inside settled space are left out from the start, so in there the
- *           arrangement is not to be trusted; its border is always complete, because what lies on the border is not
- *           inside. */
+ *           the leaf
+ *   patch   the part of a facet that is tested against others in one piece: all of a convex facet, else one of its
+ *           triangles
+ *   side    a border edge of a facet, where facets are given by their borders and not by triangles: see levels.c
+ *   line    of a side: the edge of the input that it lies on, or the second plane that it lies in
+ *   settled of places inside a leaf that makes the whole true (or false) by itself, or outside of a gate: nothing
+ *           there can show. Triangles and cuts that are well inside settled space are left out from the start, so
+ *           the arrangement is not complete there. It is complete on the border of that space, because a triangle
+ *           that reaches the border is not well inside. */
 #ifndef VS_KERNEL_CLUSTER_H
 #define VS_KERNEL_CLUSTER_H
 

@@ -1,14 +1,12 @@
 /* Owns the sections of a loft: which point of one belongs to which point of the next.
  *
  * 1. Each section becomes loops in its plane (or one open line, or a point). Its normal is turned to where the loft
- * goes; its outer loops run
- *    counter-clockwise about that. Holes go to the nearest holes of the section before.
- * 2. Where a loop has equally many points in all sections, they are matched one by one; else by arc length, with the
- * points of all of them
- *    kept in each, so that no corner is cut.
- * 3. A loop starts where it is least twisted against the one before it: where the sum of the products of matching
- * points, about the
- *    centres and turned from normal to normal by the smallest rotation, is largest. */
+ *    goes; its outer loops run counter-clockwise about the normal. Holes are matched with the nearest holes of the
+ *    section before.
+ * 2. Where a loop has equally many points in all sections, they are matched one by one. Else they are matched by arc
+ *    length, and each section gets the points of all others, so that no corner is cut.
+ * 3. A loop starts where it is least twisted against the one before it: where the sum of the scalar products of
+ *    matching points, about the centres and turned from normal to normal by the smallest rotation, is largest. */
 #include "geometry/profiles/loft.h"
 #include "geometry/plane/planar_evaluation.h"
 

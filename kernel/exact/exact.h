@@ -3,13 +3,13 @@
  * Notation. Coordinates are counted in steps of the cluster's grid; input vertices are integers, |x| < 2^31.
  *   plane   n.x = d, n primitive: |n| < 2^63, |d| < 2^96. (A normal of two edges of 2^32 steps could
  *           have 64 bits: snap_to_grid.c then takes a coarser grid.)
- *   point   X/W, W > 0. Of an input vertex W = 1; of edge x plane |X| < 2^130, W < 2^97; of three planes |X| < 2^226, W
- *   < 2^192. fixed   floor(X/W * 2^30) per coordinate: a number of 62 bits that every point has, the same for equal
- *   points whatever their
- *           names. It is key and filter in one: a predicate on the fixed numbers in __int128 has an error of a few
- *           units that is known, so it falls back to the wide integers only where points lie within 2^-30 steps of each
- *           other, a line or a plane. All of it fits in 127 bits: n.x - d has |n| |x| 3 < 2^126, |d| 2^30 < 2^126; a
- *           turn in a plane two products of differences below 2^62.
+ *   point   X/W, W > 0. Of an input vertex W = 1; of edge x plane |X| < 2^130, W < 2^97; of three planes
+ *           |X| < 2^226, W < 2^192.
+ *   fixed   floor(X/W * 2^30) per coordinate: a number of 62 bits that every point has; equal points have equal
+ *           numbers, whatever they are made of. It is key and filter in one: a predicate on the fixed numbers in
+ *           __int128 has a known error of a few units, so the wide integers are needed only where points lie within
+ *           2^-30 steps of each other, of a line or of a plane. All of it fits in 127 bits: n.x - d has
+ *           |n| |x| 3 < 2^126 and |d| 2^30 < 2^126; a turn in a plane is two products of differences below 2^62.
  * A point whose three remainders are zero is `exact`: its fixed numbers are all there is, and nothing is stored beside
  * them. Widest results: a point against a plane 292 bits; one coordinate of two points 420; the orientation of three in
  * a plane 648. Numbers that are small, as they are where triangles are small against the cluster, take the short way in

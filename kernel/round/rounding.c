@@ -3,12 +3,13 @@
  * The exact result may have corners that lie closer together than the format's numbers: where four planes nearly meet
  * in one point there are two corners, and where a corner all but lies on another's edge there is a triangle without
  * height. Rounded, such an edge is nothing or noise, and such a triangle may turn over and cross its neighbours.
- *   collapse  an edge of less than two units goes onto its lower corner where the link condition holds (the corners'
- *   neighbours in common are the two opposite the
- *             edge: the surface stays a manifold of the same kind) and no triangle around it turns over
- *   flip      a triangle lower than two units gives its longest edge to its top: the neighbour behind that edge is cut
- *   in two there drop      a shell that is thinner than two units all over
- * Then what may still meet something that it does not meet before rounding is looked for everywhere (self_contacts.c).
+ *   collapse  an edge of less than two units goes onto its lower corner where no triangle around it turns over and the
+ *             link condition holds: the two corners have in common only the two neighbours opposite the edge, so the
+ *             surface stays a manifold of the same kind
+ *   flip      a triangle lower than two units gives its longest edge to its top: the neighbour behind that edge is
+ *             cut in two there
+ *   drop      a shell that is thinner than two units all over is left out
+ * Then triangles that meet after rounding, and did not before, are looked for everywhere (self_contacts.c).
  *
  * A look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked
  * at, and what has changed since. */

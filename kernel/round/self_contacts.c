@@ -7,13 +7,17 @@
  * neighbours on what is round. Triangles lower than some units are tried against everything, for which way they look is
  * chance; and so are those that rounding has given other corners, since the sheet between two others, or the way
  * between two planes, may be what it took away.
- *   run      up to 16 triangles that stand in a row in the mesh, touch, and look the same way but for 15 degrees; or a
- *   low one by itself slab     the stretch along a run's middle normal in which all its corners lie
- *   level    of runs: in a plane across an axis; the others are open. Such a plane stays one when each coordinate is
- *   rounded by itself, and coordinates keep
- *            their order: so two that are level do not come to cross, and what is in a level run's plane stays there.
- *            (Where two such planes are less than two units apart, nothing counts as level.) A mesh's planes of that
- *            kind are its storeys
+ *
+ * Notation.
+ *   run      up to 16 triangles that follow each other in the mesh, touch, and look the same way but for 15 degrees;
+ *            or one low triangle by itself
+ *   slab     the stretch along a run's middle normal in which all its corners lie
+ *   level    of a run: it lies in a plane across an axis. The other runs are open. Each coordinate is rounded by
+ *            itself, and coordinates keep their order. So such a plane stays a plane, two level runs do not come to
+ *            cross, and a corner in a level run's plane stays in it. (Where two such planes are less than two units
+ *            apart, nothing counts as level.)
+ *   storey   a plane across an axis in which level runs lie
+ *
  * The index has the open runs' boxes; those that a storey may touch or go through have one of their own, for what is
  * level. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share.
  * Of the rest the pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and
