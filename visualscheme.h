@@ -703,8 +703,7 @@ VS_API void vs_material_handler(vs_scheme *s, uint64_t (*ask)(void *context, con
  * changes nothing.
  *
  * While a program runs, what it calls back may make, read and release handles and call vs_post; everything that would
- * run
- * something in the same interpreter is refused with VS_OUTCOME_USAGE. */
+ * run something in the same interpreter is refused with VS_OUTCOME_USAGE. */
 
 typedef uint64_t vs_handle;
 

@@ -1,4 +1,4 @@
-/* Owns what the files of the driver share. driver.c: plan and walk; run.c: the runs whose text is kept. Nobody else
+/* Owns what the files of the driver share. driver.c: plan and walk; text_runs.c: the runs whose text is kept. Nobody else
  * includes this. */
 #ifndef VS_BACKENDS_DRIVE_H
 #define VS_BACKENDS_DRIVE_H
@@ -15,8 +15,8 @@ typedef struct {
   uint32_t uses, height; /* of an operation while its children are met: the highest of them */
   uint32_t shown;       /* of an operation: children that are not vain */
   uint32_t definition;  /* template number from 1, or 0 */
-  uint32_t weight;      /* about how many shapes' text it is, with one for a template's use; up to HEAVY of run.c. Only
-                         * where runs are looked for. */
+  uint32_t weight;      /* about how many shapes' text it is, with one for a template's use; up to HEAVY of text_runs.c.
+                         * Only where runs are looked for. */
   bool vain, cut;
   bool first_vain, some_vain; /* of its children */
   bool bare, painted;   /* something in it has no material of its own; something has */
@@ -65,7 +65,7 @@ struct vs_drive {
                              * was told */
   vs_solid scratch; /* the mesh of a node without entry, until the next is asked for */
   uint32_t ticks;
-  vs_reuse reuse;       /* runs (run.c) */
+  vs_reuse reuse;       /* runs (text_runs.c) */
   size_t run_frames, run_until; /* of the one being written: how many frames were open; the child before which it
                                  * ends */
   size_t run_line, run_first;   /* the line it begins on; how many lines had an origin before it */
@@ -116,7 +116,7 @@ static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
   return v;
 }
 
-/* ---- run.c ---- */
+/* ---- text_runs.c ---- */
 
 void vs_drive_find_short(vs_drive *d); /* sets brief and facets_at */
 void vs_drive_weigh(vs_emitter *e); /* after the plan */

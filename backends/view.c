@@ -1,10 +1,9 @@
 /* Owns the camera's framing and the sun's place. See view.h.
  *
- * Framing: with the view's axes fixed (right r, up u, forward f), each corner of the bounds bounds the eye from two
- * sides: a corner at
- * (x, y, z) along the axes is inside the picture where |x - ex| <= (z + D) tan(half angle). The greatest x - z t and
- * -x - z t over the
- * corners give the smallest distance D and the eye's shift ex together; the same for y; the greater D wins. */
+ * Framing: with the view's axes fixed (right r, up u, forward f), each corner of the bounds limits the eye from two
+ * sides: a corner at (x, y, z) along the axes is inside the picture where |x - ex| <= (z + D) t, t the tangent of half
+ * the angle. The greatest x - z t and -x - z t over the corners give the smallest distance D and the eye's shift ex
+ * together. The same is done for y; the greater D is taken. */
 #include "backends/view.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns text on its way out: a buffered writer over any sink, numbers in their one spelling (number_text.c),
+/* Owns text on its way out: a buffered writer over any sink, numbers in their one spelling (number_spelling.c),
  * indentation, line counting.
  *
  * A writer remembers its first failure; every call after that does nothing and returns false, so an emitter may print

@@ -260,8 +260,7 @@ vs_status vs_bind_uncrossed(vs_frame *f, vs_ref ref, const char *what); /* a clo
 vs_status vs_bind_fill(vs_frame *f, vs_ref *ref, size_t n); /* where all are regions and closed curves of one plane, the
                                                              * curves become regions */
 /* The figure *out, drawn as in the plane XY, stands in the plane instead (#:plane): about its place where the form
- * takes one point, else as
- * the plane's own coordinates say. */
+ * takes one point, else as the plane's own coordinates say. */
 vs_status vs_bind_stand(vs_frame *f, const vs_arg *plane, vs_value *out);
 vs_status vs_bind_point(vs_frame *f, vs_vec3 p, vs_value *out);
 vs_status vs_bind_vector(vs_frame *f, vs_vec3 p, vs_value *out);

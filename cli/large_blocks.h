@@ -1,4 +1,4 @@
-/* Owns where the command's large blocks come from: see memory.c. */
+/* Owns where the command's large blocks come from: see large_blocks.c. */
 #ifndef CLI_MEMORY_H
 #define CLI_MEMORY_H
 

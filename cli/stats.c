@@ -1,9 +1,8 @@
 /* Owns what --stats prints: tables for people, one line of JSON for programs.
  *
- * Both are made of the library's keys alone. Phases are those with a memory.NAME.peak, stages
- * those with a time.stage.NAME, steps those with a time.mesh.NAME, passes those of vs_pass_list, kept kinds those with
- * a cache.NAME.hits: a new one shows without a word here. The row of the program is what the outputs leave of the
- * whole. */
+ * Both are made of the library's keys alone. Each NAME with a key memory.NAME.peak is a phase, with time.stage.NAME
+ * a stage, with time.mesh.NAME a step, with cache.NAME.hits a kind of kept results; passes are those of vs_pass_list.
+ * A new one shows without a change here. The row of the program is the whole less the outputs. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

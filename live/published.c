@@ -1,4 +1,4 @@
-/* Owns what windows are told. See publish.h. */
+/* Owns what windows are told. See published.h. */
 #include "live/published.h"
 
 #include <stdlib.h>

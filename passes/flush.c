@@ -1,4 +1,6 @@
-/* Facets tell which parts are flush: every part's triangles at a coarse fixed fineness, each plane once, as four whole
+/* Owns the parting of faces that lie in one plane (flush.h).
+ *
+ * Facets tell which parts are flush: every part's triangles at a coarse fixed fineness, each plane once, as four whole
  * numbers; equal numbers are one plane. This finds round walls too, where they lie in each other, since equal round
  * parts have equal facets. Parts whose boxes do not meet do not matter.
  *

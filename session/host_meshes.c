@@ -1,10 +1,9 @@
 /* Owns the meshes in the public header: a back-end that writes nothing and keeps, of each distinct shape, one mesh and
  * its places, and the comparison with what the host was handed before.
  *
- * A shape's id is made of its node's hash,
-     the fineness and its paint. Thus a shape that the host has is recognised before
- * it is meshed. Memory is the session's, so limits hold. The mesh of a new shape is copied once,
-     out of the driver's. */
+ * A shape's id is made of its node's hash, the fineness and its paint. Thus a shape that the host has is recognised
+ * before it is meshed. Memory is the session's, so limits hold. The mesh of a new shape is copied once, out of the
+ * driver's. */
 #include "session/host_meshes.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Owns looking at a source text as it was written. It knows strings, characters, comments and parentheses of all
- * three shapes, nothing else of
- * the language: what it finds is for messages, where a wrong guess costs a hint. */
+ * three shapes, and nothing else of the language: what it finds is for messages, where a wrong guess costs only a
+ * hint. */
 #include "session/source_outline.h"
 
 #include <string.h>

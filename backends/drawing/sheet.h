@@ -2,9 +2,8 @@
  * laid out on.
  *
  * The way of a drawing: choose_views.c says which views; flat_view.c makes each flat, in model units, by the kernel's
- * mesh and solids/hidden_lines.h; sheet.c finds scale
- * and sheet and puts marks on it, in millimetres from the sheet's lower left corner; notes.c adds dimensions and the
- * like; svg.c, pdf.c and dxf.c write the marks. */
+ * mesh and solids/hidden_lines.h; sheet.c finds scale and sheet and puts marks on it, in millimetres from the sheet's
+ * lower left corner; notes.c adds dimensions and the like; svg.c, pdf.c and dxf.c write the marks. */
 #ifndef VS_BACKENDS_SHEET_H
 #define VS_BACKENDS_SHEET_H
 

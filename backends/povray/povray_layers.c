@@ -1,6 +1,5 @@
 /* Owns the look at every pixel by a ray of our own: POV-Ray has no output of depth, normals or names. The kernel's
- * mesh of
- * the drawing is looked at, through the same camera. */
+ * mesh of the drawing is looked at, through the same camera. */
 #include "backends/povray/povray_layers.h"
 
 #include <math.h>

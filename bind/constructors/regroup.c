@@ -4,8 +4,7 @@
 #include <stdio.h>
 
 /* Writes the call that was meant where numbers stand for a point, a gvector or a list of factors: (do-move o 1 0 0)
- * is (do-move o (vxyz 1 0 0)). False: no form
- * of the procedure is to be had so. */
+ * is (do-move o (vxyz 1 0 0)). False: no such grouping makes a form of the procedure. */
 static bool group_numbers(vs_scheme *vm, const vs_form *form, const char *name, const vs_value *a, int n, char *text,
     size_t room) {
   int used = 0, groups = 0;

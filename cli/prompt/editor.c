@@ -1,10 +1,8 @@
 /* Owns the editing of lines on a terminal by libedit: what its keys do not do by themselves.
  *
  * libedit edits one buffer; a newline in it is shown as one, so that an expression recalled from the history is
- * edited as the several lines that it
- * is. Lines typed one by one are handed over one by one, under a prompt that says what is open; the up key on an
- * empty one takes them all back
- * into the buffer. */
+ * edited as the several lines that it is. Lines typed one by one are handed over one by one, under a prompt that says
+ * what is open; the up key on an empty line takes them all back into the buffer. */
 #include "cli/prompt/editor.h"
 #include "cli/prompt/line_buffer.h"
 #include "geometry/dynamic.h"

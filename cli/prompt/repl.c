@@ -2,8 +2,7 @@
  * not end it.
  *
  * On a terminal editor.c edits the lines. Without one (a pipe) lines are read as they come and no prompt is shown. A
- * line that begins with a comma is
- * a command to the prompt itself, also where an expression is open. */
+ * line that begins with a comma is a command to the prompt itself, also where an expression is open. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>

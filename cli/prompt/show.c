@@ -1,8 +1,7 @@
 /* Owns ,show: a picture of the drawing on the terminal. Its triangles come from the PLY writer, each with its
- * colour; a small rasteriser with a depth for each
- * pixel draws them, seen from the front left above; sixel, kitty's and iTerm's protocols show pixels, everywhere
- * else each character is two of them, one
- * above the other (the upper half block in 24-bit colour). */
+ * colour. A small rasteriser with a depth for each pixel draws them, seen from the front left above. The protocols of
+ * sixel, kitty and iTerm show pixels; everywhere else each character is two of them, one above the other (the upper
+ * half block in 24-bit colour). */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

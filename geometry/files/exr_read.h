@@ -5,8 +5,7 @@
 #include "geometry/files/exr.h"
 
 /* Reads a file that is in memory. wanted: the names of channels, NULL at the end; what is missing is no error. NULL:
- * all
- * of them. name: for messages, without folders. out need not be initialised and is empty after a failure. */
+ * all of them. name: for messages, without folders. out need not be initialised and is empty after a failure. */
 bool vs_exr_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, const char *const *wanted,
                  vs_exr *out, vs_error *e);
 

@@ -1,5 +1,5 @@
-/* Owns the state of rounding a mesh (rounding.c), shared with the search for self-contacts
- * after rounding (self_contacts.c). */
+/* Owns the state of rounding a mesh (rounding.c), shared with the search for self-contacts after rounding
+ * (self_contacts.c). */
 #ifndef VS_KERNEL_ROUNDING_STATE_H
 #define VS_KERNEL_ROUNDING_STATE_H
 

@@ -1,6 +1,5 @@
 /* Owns the advice for names that are not defined: tokens that were meant as numbers, words of other programs
- * (foreign.def), the right
- * stem with another prefix, and near names. */
+ * (foreign.def), the right stem with another prefix, and near names. */
 #include "vm/front/suggest.h"
 #include "vm/front/environment.h"
 #include "vm/machine/native.h"

@@ -207,7 +207,7 @@ static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out
 }
 
 /* parameters values thunk | phase (0 converting, 1 running), bindings so far or the list outside
-   What parameterize expands to: lists of parameters and of new values. */
+   Runs the form parameterize, which expands to a call of this with lists of parameters and of new values. */
 static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n < 0 && a[3] == vs_fix(1)) { vm->parameters = a[4]; return VS_OK; }
   VS_ROOTS(vm, r, 1);

@@ -1,4 +1,4 @@
-/* Owns the running of programs: the frame %run, which expands, compiles and runs one top-level form after the other,
+/* Owns the running of programs: the native %run, which expands, compiles and runs one top-level form after the other,
    and what is made of it: eval, load, require, libraries, the host's entries. */
 #include "vm/machine/program.h"
 
@@ -13,7 +13,7 @@
 
 #include <stdio.h>
 
-/* ---- %run: all state is in the frame, so that a continuation may enter it again ---- */
+/* ---- %run: all state is in its activation, so that a continuation may enter it again ---- */
 enum {
   RUN_FORMS,
   RUN_ENV,
@@ -86,7 +86,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
     case VS_EXPAND_CALL: a[RUN_PHASE] = vs_fix(TRANSFORMING); return call_list(vm, x->procedure, x->args);
     case VS_EXPAND_NODE: {
       VS_ROOTS(vm, r, 1);
-      /* a call at top level keeps its frame, so that errors can tell where they were called from */
+      /* a call at top level keeps its activation, so that errors can tell where they were called from */
       if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_frame(x)) return VS_ERROR;
       vs_enter_phase(vm, VS_VM_COMPILE);
       if (!vs_compile(vm, &x->ast, x->root, &r[0])) return VS_ERROR;

@@ -1,7 +1,7 @@
 /* Owns the running of programs: environments for them, files, texts, top-level forms one after the other.
 
-   The natives %run, eval, load and the like are frames of the run loop, so that call/cc, errors and limits work through
-   them; C code outside the run loop uses the functions here. */
+   The natives %run, eval, load and the like are activations of the run loop, so that call/cc, errors and limits work
+   through them; C code outside the run loop uses the functions here. */
 #ifndef VS_PROGRAM_H
 #define VS_PROGRAM_H
 
@@ -25,7 +25,7 @@ bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char 
                      vs_value *last);
 /* The same with names for values: each expression of the text, though no definition, sees the bindings, a list of
    (symbol . value), as local
-   variables. In this way the prompt looks at a frame of a program that is stopped. */
+   variables. In this way the prompt looks at an activation of a program that is stopped. */
 bool vs_program_within(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size,
     vs_value bindings, vs_value *last);
 bool vs_program_file(vs_scheme *vm, const char *path, vs_value *last);
