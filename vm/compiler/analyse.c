@@ -1,5 +1,7 @@
 /* Owns the analysis of core trees, in two passes.
 
+   A frame here is a LAMBDA whose calls have an activation of their own, as all have but loops.
+
    Loops: which FIX-bound lambdas can run in the frame they are defined in. All their references must be calls with the
    right number of arguments, in tail position of the FIX's body or of their own body. Scopes (struct tail) are chained
    from the inside out: a call is such a tail call if the chain from it reaches the FIX. Where it passes through another

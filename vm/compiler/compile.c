@@ -4,8 +4,8 @@
    it). Registers are a stack: locals below, temporaries above, so a call's window is simply the next free ones, and
    everything below it is live. A target is written only when all that the expression reads has been read.
 
-   A FIX variable found to be a loop (analyse.h) has no value: its parameters are registers of the frame, its body is
-   compiled in place of the first call, later calls move the arguments and jump there. */
+   A FIX variable found to be a loop (analyse.h) has no value: its parameters are registers of the activation around
+   it, its body is compiled in place of the first call, later calls move the arguments and jump there. */
 #include "vm/compiler/compile.h"
 
 #include "vm/compiler/analyse.h"
@@ -25,7 +25,7 @@ typedef struct compiler { vs_emit e; struct job *jobs; } compiler;
 static bool gen(compiler *c, vs_core_node *n, uint32_t to);
 static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list);
 
-/* Assigned variables are places, also for a continuation that copies the frame back: they live in the heap. But a
+/* Assigned variables are places, also for a continuation that copies the activation back: they live in the heap. But a
    variable that is said to be in a register, and is not captured, stays there. */
 static bool boxed(const vs_var *v) { return vs_info(v)->boxed || (v->assigned && !(v->in_register && !v->captured)); }
 static bool is_value(uint32_t to) { return to < TAIL; }

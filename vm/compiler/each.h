@@ -1,6 +1,6 @@
 /* Owns the row of registers that EACH and MORE work on: a procedure called with one element of a list after the other.
  * The result of the row is returned. The window of the call ends it, so that what is needed for the next call lies at
- * fixed places below the frame of the procedure that returns.
+ * fixed places below the activation of the procedure that returns.
  *
  * Results are kept as a list that grows at its end, while nobody can come back to where it was shorter. Once a
  * continuation was made since the start somebody can: from then on it grows at its front, turned round, no pair of it
@@ -25,10 +25,10 @@ bool vs_each_keep(vs_scheme *vm, vs_value *row);
 /* Ends the row: row[VS_EACH_RESULTS] is what all of it gives. False as above. */
 bool vs_each_end(vs_scheme *vm, vs_value *row);
 
-/* The procedure of the row below is about to return v from the frame at base, and the element for which it was called
- * is done; nobody has made a continuation meanwhile, as that would have moved the row. Returns 0, with nothing done,
- * where MORE has to see to it; 1: the frame has the next element; 2: there is none. Nothing is allocated but from the
- * nursery, and nothing moves. */
+/* The procedure of the row below is about to return v from the activation at base, and the element for which it was
+ * called is done; nobody has made a continuation meanwhile, as that would have moved the row. Returns 0, with nothing
+ * done, where MORE has to see to it; 1: the activation has the next element; 2: there is none. Nothing is allocated but
+ * from the nursery, and nothing moves. */
 static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   vs_value *row = base - 2 - VS_EACH_WINDOW, last = row[VS_EACH_LAST], list = row[VS_EACH_LIST];
   if (base[-2] != row[VS_EACH_PROCEDURE] || vm->fuel <= 1) return 0;
@@ -52,7 +52,7 @@ static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   return 1;
 }
 
-/* A register of the row, seen from the base of the called frame. */
+/* A register of the row, seen from the base of the called activation. */
 #define VS_EACH_BELOW(base, which) ((base)[(which) - VS_EACH_WINDOW - 2])
 
 #endif

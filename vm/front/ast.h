@@ -29,7 +29,7 @@ typedef struct vs_core_node vs_core_node;
 typedef struct vs_var {
   uint32_t name;             /* constant index of its symbol */
   bool introduced;           /* a macro's own: nobody wrote it, nobody is shown it */
-  bool in_register;          /* unless captured, it is assigned where it lies: no continuation enters its frame twice */
+  bool in_register;          /* unless captured, it is assigned where it lies: no continuation enters it twice */
   bool given_again;          /* FIX: its value may come a second time, to the same place: as if it were assigned */
   /* the compiler's */
   bool assigned, captured, known;

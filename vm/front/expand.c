@@ -296,8 +296,8 @@ static bool is_keyword(vs_value v) {
   return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2);
 }
 
-/* More arguments than a frame should hold: (apply f (append (list ...) (list ...) ...)), as in a mesh written out as
-   data. */
+/* More arguments than an activation should hold: (apply f (append (list ...) (list ...) ...)), as in a mesh
+   written out as data. */
 static bool long_application(vs_expansion *x, size_t n) {
   vs_pos pos = x->now.pos;
   size_t lists = (n + MOST_ARGUMENTS - 1) / MOST_ARGUMENTS;

@@ -14,7 +14,7 @@
    slots. A native with keywords and ". rest" finds the keywords' values behind the n that were given: a[n], a[n + 1]
    and so on. (One with slots may not have ". rest".) Without them only a[0..n-1] exist; test n.
    A native that may return VS_TAILCALL has slots, or -1 there (which lays nothing out): so it gives up its caller's
-   frame.
+   activation.
 
    It returns
      VS_OK         *out is the value (a native may leave it: #unspecific)
@@ -26,8 +26,8 @@
 
    Natives never call Scheme otherwise. A native that returns VS_CALL is `slots` > 0: its last `slots` elements of a[]
    are private, #f at first entry; n is -1 when it is entered again; state must be kept there (a phase number as a
-   fixnum in the first, say) because a continuation may copy the frame and enter it twice. This is how load, eval, the
-   expander with its macro calls, dynamic-wind and call/cc work:
+   fixnum in the first, say) because a continuation may copy the activation and enter it twice. This is how load, eval,
+   the expander with its macro calls, dynamic-wind and call/cc work:
      static vs_status load_(vs_scheme *vm, vs_value *a, int n, vs_value *out)  {  // "file", slots 2
        if (a[1] == VS_FALSE) open: make the reader/unit, vs_gc_store not needed: a[1] = unit (foreign object);
        else the last form's value is *out;

@@ -28,7 +28,7 @@
   A(flat_names)    /* vector: tag -> constructor's name (symbol) or #f */ \
   A(raise) A(check) A(throw) A(guarded) /* natives the run loop calls by itself */ \
   A(no_memory)     /* the condition raised when there is no room to make one */ \
-  A(stop)          /* procedure of the bottom frame */ \
+  A(stop)          /* procedure of the bottom activation */ \
   A(stops)         /* list of the conditions of programs that are stopped (step.h), the last one first */
 
 /* of source text; RUN: the program itself */
@@ -72,8 +72,7 @@ typedef struct vs_config {
 } vs_config;
 
 /* How a program is stepped through (step.h): not at all; to the next call of its own text; to the next in this
-   frame or its callers'; in
-   its callers'. SAME, for going on: as before. */
+   activation or its callers'; to the next in its callers'. SAME, for going on: as before. */
 typedef enum { VS_STEP_CONTINUE, VS_STEP_ENTER, VS_STEP_OVER, VS_STEP_OUT, VS_STEP_SAME } vs_step_mode;
 
 typedef struct vs_stepping {
@@ -82,8 +81,8 @@ typedef struct vs_stepping {
   bool passes;               /* else: it says nothing of that */
   uint8_t told;              /* of the instruction looked at next, to a host that goes on from there: */
   uint32_t first_file;       /* files with smaller numbers are the library's */
-  uint64_t target;           /* frames above this level are run through */
-  uint64_t seen_level;       /* where the last look was: the frame's level, its code, the instruction's index */
+  uint64_t target;           /* activations above this level are run through */
+  uint64_t seen_level;       /* where the last look was: the activation's level, its code, the instruction's index */
   const void *seen_code;
   uint32_t seen_at;
 } vs_stepping;
@@ -102,10 +101,10 @@ struct vs_scheme {
 
   /* stack of the run loop (run_loop.c) */
   vs_value *stack, *stack_end;     /* the working stretch */
-  vs_value *base, *top;            /* current frame's registers; first slot not in use: everything below is traced */
-  vs_value under;                  /* STACK object with the frames below the working stretch, or #f */
+  vs_value *base, *top;            /* current activation's registers; first slot not in use: all below is traced */
+  vs_value under;                  /* STACK object with the activations below the working stretch, or #f */
   uint64_t under_depth;            /* how many of its slots are still to be returned into */
-  const uint32_t *pc;              /* of the current frame when a native or the collector runs */
+  const uint32_t *pc;              /* of the current activation when a native or the collector runs */
 
   /* dynamic state, part of every continuation */
   vs_value winders, handlers, parameters;
