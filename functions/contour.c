@@ -2,21 +2,23 @@
  *
  * Plan. The box, with half a cell around it, is a grid of cubic cells; the value there is the larger of the tape's and
  * of the distance to the box's inside, so that all on the grid's border is outside and the mesh closes.
- *   1. Blocks of 8 x 8 x 8 cells are found from the whole grid downwards: where bounds of the value (enclosure.h) do
- * not hold 0, nothing is looked at. The others are sampled.
+ *   1. Blocks of 8 x 8 x 8 cells are found from the whole grid downwards: where the bounds of the value (enclosure.h)
+ *      do not hold 0, nothing is looked at. The others are sampled.
  *   2. A cell whose corners differ in sign is kept, with the edges at its lowest corner that the surface crosses. On
- * each of those edges the root is found, and there the gradient.
+ *      each of those edges the root is found, and the gradient there.
  *   3. The crossed edges of a cell, joined through its faces, make one ring or several; each is a piece of the surface
- * and gets a point of its own. Where a face has four crossings and both cells have them on one ring, the face is joined
- * the other way, which parts both rings: else two sheets would share an edge (R. Wenger, Isosurfaces, 2013, chapter 3).
+ *      and gets a point of its own. Where a face has four crossings and both cells have them on one ring, the face is
+ *      joined the other way, which parts both rings: else two sheets would share an edge (R. Wenger, Isosurfaces,
+ *      2013, chapter 3).
  *   4. A ring's point is where the planes through its crossings meet best (T. Ju and others, Dual contouring of Hermite
- * data, 2002), held within the cell: so edges and corners stay sharp. Then the surface is looked at once more beside
- * that point, so that crooked edges are met, too.
- *   5. Each crossed edge is a face between the four rings around it, cut along that diagonal which passes nearer to the
- * crossing.
+ *      data, 2002), held within the cell: so edges and corners stay sharp. Then the surface is looked at once more
+ *      beside that point, so that crooked edges are met, too.
+ *   5. Each crossed edge becomes a face between the four rings around it, cut along the diagonal that passes nearer to
+ *      the crossing.
  *   6. Where the surface is flat enough, cells are merged to larger ones of an octree (octree.h), and the faces are
- *   made anew of
- * what is left of their rings. Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell
+ *      made anew of the rings that are left.
+ *
+ * Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell
  * runs along axis a; the two bits of s say where it lies along the next two axes. Face 2 a + s is across axis a, low or
  * high. */
 #include "functions/contour.h"

@@ -1,4 +1,4 @@
-/* Owns what a cluster is held to that costs next to nothing.
+/* Owns the check of a cluster's result by its volume, which costs next to nothing.
  *
  * The volume of an expression lies between bounds that follow from its leaves' volumes: a union holds at least its
  * largest operand and at most their sum, an intersection at most its smallest, a difference at most its first and at

@@ -1,5 +1,5 @@
-/* Owns the cutting down of leaves that are far larger than the place where they matter: the ground of a kilometre that
- * a ball of a centimetre is cut off at.
+/* Owns the cutting down of leaves that are far larger than the place where they matter, such as a
+ * ground of a kilometre by which a ball of a centimetre is cut off.
  *
  * All coordinates of a cluster share one grid, so what is far larger than the rest would make it coarse. Where a leaf
  * matters follows from the expression: an operand of an intersection within the bounds of the others, what is taken off

@@ -1,5 +1,5 @@
-/* Owns the face of the mesh kernel: exact booleans of closed triangle meshes; knows nothing of nodes
- * (solids/solid_meshes.h does).
+/* Owns the interface of the mesh kernel: exact booleans of closed triangle meshes. The kernel knows nothing of nodes;
+ * solids/solid_meshes.h does.
  *
  * The expression is a list of terms, operands before users, the last term the root: a DAG of any width and depth.
  * Everything is evaluated in one exact arrangement per cluster of leaves that touch, not pair by pair; see

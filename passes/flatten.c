@@ -1,8 +1,8 @@
 /* Owns flatten: n-ary unions and intersections of their own kind's members, (a - b) - c as a - (b c), sets of one as
  * their member.
  *
- * Only through nodes that are named once: a shared union is a template and stays. Order is kept, and with it the rule
- * that where solids overlap the earlier one's material wins.
+ * Only sets that one reference names are dissolved: a shared union is a template and stays. Order is kept, and
+ * with it the rule that where solids overlap the earlier one's material wins.
  *
  * A set that will dissolve into the one above is passed on as it is and noted; the topmost gathers all below it in one
  * go. Therefore a chain of n binary unions costs n, not n^2. */

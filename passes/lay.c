@@ -1,4 +1,4 @@
-/* Owns laying: what becomes of bricks, boards and pictures on objects that are turned.
+/* Owns laying: bricks, boards and pictures on objects that are turned.
  *
  * POV-Ray tells faces apart by their normals in the scene, and turns a texture with its object: both agree where no
  * placement but a shift stands round a material. A placement round one goes down, a step a round, until it is below

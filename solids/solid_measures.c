@@ -3,7 +3,7 @@
  * A list of jobs: pieces of the object that share no space with each other, each with its placement and a sign. A piece
  * that has a formula is added up. A union becomes its parts; those whose boxes no other part meets are jobs of their
  * own. A difference loses cutters that do not meet it, and where they all lie inside of a convex body it is that body
- * less what the cutters unite to. The parts that none of this helps with are gathered, and meshed at once. Boxes that
+ * less what the cutters unite to. All other parts are gathered, and meshed at once. Boxes that
  * share less than 2^-28 of the whole stand apart for volumes, and touch for areas. Nothing recurses. */
 #include "solids/solid_measures.h"
 

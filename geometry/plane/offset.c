@@ -1,13 +1,13 @@
 /* Owns offsets in a plane: areas made larger or smaller, open lines moved to one side.
  *
  * An area grows by the union with strips along its outside, shrinks by what strips along its inside take away: so
- * self-overlaps and holes that close are the union's business, and what is exact stays exact. A strip follows edges a
- * -> b on one side (hand +1: the left of travel), its far side runs at the distance d through
- *   b + d n1, b + d n2        at a corner that opens on that side, with the corner's join between them;
- *   b + d (n1 + n2)/(1 + n1.n2) at a corner that closes, where the edges are long enough for their far sides to meet
- *   there;
- * n the edges' normals to that side. A strip ends where they are not long enough, and before it has turned by more than
- * a right angle: so none crosses itself. An open line's offset is the border of its strips' union without the line
+ * self-overlaps and holes that close are the union's business, and what is exact stays exact. A strip follows edges
+ * a -> b on one side (hand +1: the left of travel). Its far side runs at the distance d; with n1 and n2 the normals of
+ * two neighbouring edges to that side, it goes through
+ *   b + d n1, b + d n2           at a corner that opens on that side, with the corner's join between them;
+ *   b + d (n1 + n2)/(1 + n1.n2)  at a corner that closes, where the edges are long enough for their far sides to meet.
+ * A strip ends where they are not long enough, and before it has turned by more than a right angle: so no strip crosses
+ * itself. An open line's offset is the border of its strips' union without the line
  * itself and the ends. */
 #include <stdlib.h>
 

@@ -5,9 +5,11 @@
  * rotation that takes the path's direction to the section's normal. Between the sections the three go smoothly from the
  * one to the next, and the frames carry them. Interpolating the points alone would narrow the loft where two sections
  * lean against each other: halfway their tilts cancel, and the chords between them are shorter. Sections stand still:
- * only what lies between follows. By guides: the free loft between two sections is moved so that its wall meets every
- * guide. A motion that all guides ask for alike (a shift; with two a turn and a scale; with three or more any affine
- * map of the section's plane) moves the whole row, the rest fades from guide to guide. */
+ * only the rows between them follow the path.
+ *
+ * By guides: the free loft between two sections is moved so that its wall meets every guide. A motion that all guides
+ * ask for alike (a shift; with two guides a turn and a scale; with three or more any affine map of the section's plane)
+ * moves the whole row; the rest of each guide's motion fades towards the next guide. */
 #include <stdlib.h>
 
 #include "geometry/plane/curve.h"

@@ -1,5 +1,5 @@
-/* Owns extrusions whose walls lean: every edge of the profile moves inwards (outwards) at one speed, its wall is the
- * plane that it runs in.
+/* Owns extrusions whose walls lean: every edge of the profile moves inwards (outwards) at one speed, and its wall is
+ * the plane that it runs in.
  *
  * In the profile's plane edge i lies on the line sign (n_i . x - c_i) = d, n_i its unit normal into the material, d
  * growing from 0 to its end. Two neighbours meet in a corner that moves with the speed sign (n_i + n_j) / (1 + n_i .
@@ -7,8 +7,9 @@
  * other vanishes when they meet, and its neighbours become neighbours; a corner that runs ahead of its edges hits the
  * edge of another wall and splits it, and with it the loop (or joins a hole to the loop round it). A loop of two edges
  * is at its end: a point, or, where opposite edges fall together, a ridge. Events wait in a heap; each is looked at
- * again when its turn comes, since what it spoke of may have changed. Each wall is one plane polygon: its edge below,
- * the tracks of the corners to both sides of it, of its pieces where it was split, and what of them is left above.
+ * again when its turn comes, since the edges that it is about may have changed. Each wall is one plane polygon: its
+ * edge below, the tracks of the corners on both sides of it, or of its pieces where it was split, and the parts of the
+ * edge that are left above.
  * Cost: corners that run ahead times edges, times a logarithm. */
 #include "geometry/profiles/taper.h"
 #include "geometry/plane/planar_evaluation.h"

@@ -1,10 +1,11 @@
-/* Owns what can be left out before anything is cut: triangles and cuts that lie well inside settled space.
+/* Owns the leaving out, before anything is cut, of triangles and cuts that lie well inside settled space.
  *
  * A lid is a convex leaf that settles the result where it is true: a union's part, or a hole of a difference. A
  * triangle whose corners are all more than two steps inside one lid is inside of it also on the grid, where every
- * corner has moved by less than one. The same for a box that holds all of a gate, a term outside of which the result is
- * false: it is what clips an operand far larger than the result. Boxes of patches, by which pairs are found, are those
- * of what lids leave of them: the rod that ends in two joints is seen between them alone. */
+ * corner has moved by less than one. The same holds outside of a box around a gate, a term outside of which the result
+ * is false: this clips an operand that is far larger than the result. The boxes of patches, by which
+ * pairs are found, are those of the parts that lids leave of them: a rod that ends in two joints has the box of the
+ * stretch between the joints. */
 #include "kernel/cluster.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* Owns what nothing meets: plain triangles, which need no planes, facets, patches, nor faces of their own.
+/* Owns the search for plain (untouched) triangles, which nothing meets and which need no planes,
+ * facets, patches, nor faces of their own.
  *
  * A triangle of a large leaf is plain where the box of no other leaf's triangle meets its own, where the rest of its
  * leaf shares with it what the mesh says, corners and edges, and where it is coplanar with none of its neighbours. In a

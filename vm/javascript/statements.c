@@ -4,8 +4,8 @@
  * statement that jumps leave (a return within an if, a continue) stands in tail position, and is told where control
  * goes when it is done (vs_then): what follows it in the text is translated there, in its branches. Where several
  * branches go to one place, that is made a procedure without parameters and called; a loop is such a procedure, too.
- * All of these calls are in tail position, so that the compiler makes them jumps within one activation, and nothing is ever
- * captured or unwound.
+ * All of these calls are in tail position, so that the compiler makes them jumps within one activation, and nothing is
+ * ever captured or unwound.
  *
  * The parts of a try are procedures that something else calls. A jump that leaves them gives a number, 0 where they
  * just end; and behind the try control goes where the number says. */
