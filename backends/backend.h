@@ -56,7 +56,7 @@ struct vs_emitter {
   vs_fineness facets;    /* in the coordinates of what is being written: finer where its placement makes it larger */
   vs_bounds bounds;    /* of everything drawn; never empty */
   vs_pen pen;          /* POV-Ray: how thick curves are drawn */
-  double unit;         /* POV-Ray: how long a model unit is in its scene; see scene.c */
+  double unit;         /* POV-Ray: how long a model unit is in its scene; see povray_scene.c */
   vs_bounds framed;    /* what a camera frames: without what is cut away */
   vs_bounds *boxes;    /* of its parts: tighter together than the one; what a camera frames */
   size_t box_count, box_room;

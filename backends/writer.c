@@ -1,4 +1,4 @@
-/* Owns the writer. See emit.h. */
+/* Owns the writer. See writer.h. */
 #include "backends/writer.h"
 
 #include <stdarg.h>

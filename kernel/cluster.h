@@ -199,7 +199,7 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *local_to_frame /* o
 bool vs_snap_to_grid(vs_kernel *k, vs_cluster *c);                       /* frame, weld, grid; and the next two */
 bool vs_plain_find(vs_kernel *k, vs_cluster *c);                       /* fate */
 bool vs_facets_build(vs_kernel *k, vs_cluster *c);                     /* triangles, facets */
-bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* lids; within soup_build */
+bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* lids; within vs_snap_to_grid */
 bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* patches, boxes, bvh */
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* cuts, groups */
 bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* faces, uses */

@@ -70,7 +70,7 @@ typedef struct {
   size_t batch_count;          /* of each group that has batches */
   uint64_t collected;          /* triangles, of all batches */
   int least;                   /* facets a turn, at least, of round forms that are baked; 0: as everywhere */
-  /* text.c */
+  /* x3d_notation.c */
   size_t depth;
   bool in_tag;
 } vs_x3d;
@@ -93,7 +93,7 @@ vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* made if there a
   .family = "x3d", .frames = true, .highlights = VS_MARKS_PAINT, \
   VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean)
 
-/* ---- text.c: nodes and fields in the notation of e->state ---- */
+/* ---- x3d_notation.c: nodes and fields in the notation of e->state ---- */
 
 /* field: the parent's field that the node stands in; NULL: in its list of children. def NULL: no name. */
 void vs_x3d_node(vs_emitter *e, const char *field, const char *type, const char *def);
@@ -109,7 +109,7 @@ void vs_x3d_number(vs_emitter *e, const char *name, double value);
 void vs_x3d_vector(vs_emitter *e, const char *name, vs_vec3 value);
 void vs_x3d_turn(vs_emitter *e, const char *name, vs_vec3 axis, double angle);
 
-/* ---- scene.c ---- */
+/* ---- x3d_scene.c ---- */
 bool vs_x3d_scene(vs_emitter *e); /* the Scene's content */
 
 #endif

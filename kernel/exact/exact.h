@@ -41,7 +41,7 @@ typedef struct {
 typedef struct {
   int64_t fixed[3];
   uint32_t big; /* which vs_homogeneous (with VS_POINT_MORE: of a view's `more`), or VS_POINT_EXACT */
-  uint32_t next; /* of the chains that plane.c makes in a group */
+  uint32_t next; /* of the chains that arrange_planes.c makes in a group */
 } vs_point;
 
 /* A view of all points, for the predicates. */

@@ -1,9 +1,9 @@
 /* Owns the exact answer to the question what two triangles have in common.
  *
  * The common part is looked for edge by edge. The intersection of two triangles without a common corner is bounded by
- * places where an edge of one meets the other. An intersection beside a common corner reaches from there to the far edge of one of
- * the two; so only these edges are tried. Beside a common edge it is all or nothing: they are folded onto each other
- * where the other corners lie in one plane with it, and on one side. */
+ * places where an edge of one meets the other. An intersection beside a common corner reaches from there to the far
+ * edge of one of the two; so only these edges are tried. Beside a common edge it is all or nothing: the triangles are
+ * folded onto each other where their other corners lie in one plane with the edge, and on one side of it. */
 #include "kernel/mesh/triangles_meet.h"
 
 #include "kernel/exact/doubles.h"

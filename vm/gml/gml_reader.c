@@ -10,8 +10,8 @@
      { ... }      (gml:push (gml:procedure '#(tokens) (lambda () forms ... #t)))
 
    A register is a variable of the nearest braces around it that say usereg, or else of the file. The last #t of a body
-   keeps the frame of the call before it, which an error at that call is told from. Braces are frames of an explicit
-   stack. */
+   keeps the activation of the call before it, from which an error at that call is told. Open braces wait on an
+   explicit stack. */
 #include "vm/gml/gml_reader.h"
 #include "vm/front/environment.h"
 #include "vm/front/reader.h"
