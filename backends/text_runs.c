@@ -1,5 +1,4 @@
-/* Owns the runs of a drawing whose text is kept: where they begin and end, and all that decides what they are written
- * as.
+/* Owns the runs of a drawing whose text is kept: where they begin and end, and the keys by which their text is found.
  *
  * A run is some neighbours in one operation, in what is drawn, or a template's body. Its length is decided by weights,
  * about the number of shapes in it, and its end by the hash of the last of them: so after something is put in or taken

@@ -1,7 +1,7 @@
 /* Owns the side of a live view. See aside.h.
  *
- * Its interpreter runs the text that the session runs, from the start, for each wish: what the prompt has added is the
- * session's alone. Results of one run serve the next, as the library keeps them. */
+ * Its interpreter runs the text that the session runs, from the start, for each wish: additions at the prompt stay with
+ * the session. Results of one run serve the next, as the library keeps them. */
 #include "live/aside.h"
 
 #include <math.h>

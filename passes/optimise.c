@@ -1,4 +1,4 @@
-/* Owns the passes as a drawing is given them before it is written. */
+/* Owns the running of the passes over a drawing before it is written. */
 #include "passes/optimise.h"
 
 #include "geometry/measure/node_measures.h"

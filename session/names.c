@@ -1,5 +1,5 @@
-/* Owns what a host may ask about a program: what a name means, what the last error ended, which procedures take the
- * time. */
+/* Owns the answers to a host's questions about a program: what a name means, which calls the last error ended, and
+ * which procedures take the time. */
 #include "session/names.h"
 
 #include <stdio.h>

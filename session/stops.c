@@ -1,4 +1,4 @@
-/* Owns what a host may ask about a program that is stopped, and how it goes on (vm/stepping/step.h). */
+/* Owns the answers to a host's questions about a stopped program, and the going on with it (vm/stepping/step.h). */
 #include "session/stops.h"
 
 #include <string.h>

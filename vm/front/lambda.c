@@ -1,9 +1,10 @@
 /* Owns parameter lists: lambda, case-lambda and the procedures of define; contracts, optional and keyword parameters.
 
-   A parameter is   name   [name predicate]   [name predicate default]   and behind #:key the same;   . name or . [name
-   predicate]   is the rest. The predicate is evaluated once, outside the lambda: a LET around it, unless it is a
-   constant of the library. The checks are a SEQ in front of the body, one CHECK a parameter, in order; a default that
-   is computed is preceded by the checks of the parameters it can see. */
+   A parameter is one of
+     name   [name predicate]   [name predicate default]
+   and behind #:key the same;   . name   or   . [name predicate]   is the rest. The predicate is evaluated once, outside
+   the lambda: a LET around it, unless it is a constant of the library. The checks are a SEQ in front of the body, one
+   CHECK a parameter, in order; a default that is computed is preceded by the checks of the parameters it can see. */
 #include "vm/front/expand.h"
 
 typedef struct {

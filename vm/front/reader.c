@@ -6,10 +6,10 @@
 
    An unclosed parenthesis is found at the end of the text, too late to be of help. Therefore the reader remembers the
    first line that begins at or left of the column of a parenthesis that is still open: by the indentation, that one
-   should have been closed on the line before. And the text is then read once more, each (define at the left margin
-   beginning anew (`anew`), so that every form that was left open is reported and not the first alone. A quote that is
-   missing turns all strings behind it inside out; so the reader remembers the first string over several lines whose end
-   touches a word: that is where it probably began. */
+   should have been closed on the line before. The text is then read once more, and reading begins anew at each (define
+   at the left margin (`anew`), so that every form that was left open is reported and not the first alone. A quote that
+   is missing turns all strings behind it inside out; so the reader remembers the first string over several lines whose
+   end touches a word: the missing quote is probably there. */
 #include "vm/front/reader.h"
 #include "vm/numbers/number.h"
 #include "vm/values/text.h"
