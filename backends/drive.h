@@ -1,5 +1,5 @@
-/* Owns what the files of the driver share. driver.c: plan and walk; text_runs.c: the runs whose text is kept. Nobody else
- * includes this. */
+/* Owns what the files of the driver share. driver.c: plan and walk; text_runs.c: the runs whose text is kept. Nobody
+ * else includes this. */
 #ifndef VS_BACKENDS_DRIVE_H
 #define VS_BACKENDS_DRIVE_H
 
