@@ -1,6 +1,6 @@
 /* Owns the model's files. See model_files.h. Looking whether a few files have changed costs a microsecond each: they
- * are asked, some twenty times a second, rather than watched, since editors save by renaming, by writing twice or on file
- * systems that tell nobody. */
+ * are asked, some twenty times a second, rather than watched, since editors save by renaming, by writing twice or on
+ * file systems that tell nobody. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "live/model_files.h"
 
