@@ -46,7 +46,8 @@ void tr_put(tr_writer *w, const char *text, size_t length);
 
 /* The row's text with the primitive's arguments: $1, %1 and #1 a value (loose, tight, as tight as the row),
  * $* all values, $n how many, ~1 an angle in degrees, $k keywords, @1 a solid, @2+ the solids from the second on as
- * one statement, @*1 those from the first on each by itself, within braces. "7:..." says how strongly it holds; "=6 + " is an operator. */
+ * one statement, @*1 those from the first on each by itself, within braces. "7:..." says how strongly it holds;
+ * "=6 + " is an operator. */
 void tr_plan_row(tr_writer *w, tr_index primitive, int level);
 /* How strongly the row holds its parts together. */
 bool tr_row_has_block(const char *text);
