@@ -9,7 +9,7 @@
  *      contouring, 2007);
  *   2. has a point that is near the planes through all its crossings, while the points of all its rings are near the
  *      planes at that point. It is the point of the ring with the least sum of squares (T. Ju and others, Dual
- *      contouring of Hermite data, 2002). So edges and corners stay where they are, and every point lies on the
+ *      contouring of Hermite data, 2002). Edges and corners therefore stay where they are, and every point lies on the
  *      surface and in its node.
  * Each part of a merged node has one point. Where a node is not merged, no node above it is. */
 #include "functions/octree.h"

@@ -13,8 +13,8 @@
  *            or one low triangle by itself
  *   slab     the stretch along a run's middle normal in which all its corners lie
  *   level    of a run: it lies in a plane across an axis. The other runs are open. Each coordinate is rounded by
- *            itself, and coordinates keep their order. So such a plane stays a plane, two level runs do not come to
- *            cross, and a corner in a level run's plane stays in it. (Where two such planes are less than two units
+ *            itself, and coordinates keep their order. Such a plane therefore stays a plane, two level runs do not come
+ *            to cross, and a corner in a level run's plane stays in it. (Where two such planes are less than two units
  *            apart, nothing counts as level.)
  *   storey   a plane across an axis in which level runs lie
  *
