@@ -371,6 +371,30 @@ static void walk_DEFINE(form *f) {
   }
   body(f, forms, scope);
 }
+/* (define-function (f x ...) #:x (from to steps) expression): the ranges are lists of expressions. */
+static void walk_DEFINE_FUNCTION(form *f) {
+  know_index name = first_of(f, f->second), expression = 0;
+  if (!is_symbol(f, name)) {
+    walk_DEFINE(f);
+    return;
+  }
+  know_index s = know_bind(f->w, name, f->scope, KNOW_FUNCTION, f->node);
+  know_index scope = know_scope_new(f->k, f->scope, KNOW_SCOPE_PROCEDURE, f->node);
+  know_arity arity;
+  know_bind_parameters(f->w, f->second, next(f, name), scope, f->scope, s, &arity);
+  for (know_index i = f->third; i; i = next(f, i)) {
+    know_index range = next(f, i);
+    if (f->k->nodes[i].kind != KNOW_KEYWORD) {
+      expression = i;
+      one(f, i, scope);
+    } else if (is_list(f, range)) {
+      know_mark(f->k, range, KNOW_SYNTAX, 0, f->scope);
+      each(f, first_of(f, range), f->scope);
+      i = range;
+    }
+  }
+  if (s) f->k->symbols[s].arity = arity, f->k->symbols[s].parameters = f->second, f->k->symbols[s].body = expression;
+}
 static void walk_DEFINE_VALUES(form *f) {
   formals(f, f->second, f->scope, KNOW_VARIABLE, f->node);
   each(f, f->third, f->scope);
@@ -481,7 +505,7 @@ static void rule_parts(form *f, know_index node, know_index scope) {
     if (f->k->nodes[i].kind == KNOW_KEYWORD || know_is(f->k, i, "=>")) word(f, i);
     else if (is_symbol(f, head) && !know_is(f->k, head, "quote") && know_is(f->k, first_of(f, node), "=>")) {
       know_mark(f->k, i, KNOW_SYNTAX, 0, scope); /* a call with one argument more than is written */
-      know_refer(f->w, head, scope, KNOW_REFERENCE, false);
+      one(f, head, scope); /* later, when what follows the rule has defined its names */
       each(f, next(f, head), scope);
     } else one(f, i, scope);
   }

@@ -65,7 +65,7 @@ know_type know_type_of(const knowledge *k, know_index node) {
           : kind == KNOW_STRING ? KNOW_TYPE_STRING : KNOW_TYPE_UNKNOWN;
       }
       int row = n->form ? -1 : plain_row(k, k->nodes[head].symbol);
-      if (row < 0) return KNOW_TYPE_UNKNOWN;
+      if (row < 0 || (n->count == 2 && know_is(k, head, "subtract"))) return KNOW_TYPE_UNKNOWN; /* waits for the rest */
       if (plain[row].type || row > 3) return plain[row].type;
       for (know_index i = k->nodes[head].next; i; i = k->nodes[i].next) /* + - * / of numbers: one level is enough */
         if (k->nodes[i].kind != KNOW_NUMBER) return KNOW_TYPE_UNKNOWN;
@@ -139,7 +139,10 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
     if ((own ? s->arity.any_keyword : *s->keywords != 0) && !known) {
       know_found(f, KNOW_CHECK_ARGUMENTS, i, "%s takes no %s", s->text, name);
       ok = false;
-    } else if (own && !s->arity.any_keyword) return ok; /* a keyword is passed as a value */
+    } else if (own && !s->arity.any_keyword && s->arity.most != UINT32_MAX) {
+      know_found(f, KNOW_CHECK_ARGUMENTS, i, "%s has no keyword %s", s->text, name);
+      return false;
+    } else if (own && !s->arity.any_keyword) return ok; /* the rest may hold it */
     i = k->nodes[i].next;
     if (!i) return ok;
   }

@@ -46,10 +46,15 @@ static bool within(const knowledge *k, know_index node, know_index form) {
 static bool used_outside(const knowledge *k, const know_symbol *s) {
   for (know_index u = s->first_use; u; u = k->uses[u].next)
     if ((k->uses[u].role == KNOW_REFERENCE || k->uses[u].role == KNOW_OPAQUE) &&
-        (s->kind == KNOW_PARAMETER || s->kind == KNOW_LOOP_VARIABLE || k->nodes[s->form].made ||
-         !within(k, k->uses[u].node, s->form)))
+        (s->kind == KNOW_PARAMETER || s->kind == KNOW_LOOP_VARIABLE || s->kind == KNOW_MACRO ||
+         k->nodes[s->form].made || !within(k, k->uses[u].node, s->form)))
       return true;
   return false;
+}
+
+/* (rec name value) is worth what the name stands for, so that the name is used. */
+static bool is_own_value(const knowledge *k, const know_symbol *s) {
+  return s->form && !k->script && know_is(k, k->nodes[s->form].first, "rec");
 }
 
 /* A procedure that is handed on as a value has the parameters that its caller gives it. */
@@ -142,7 +147,8 @@ static void check_names(know_findings *f) {
     } else if (top) {
       if (program && !k->nodes[s->definition].at.file && s->kind != KNOW_RULE)
         know_found(f, KNOW_CHECK_UNREFERENCED, s->definition, "nothing uses the %s %s", noun(s), s->text);
-    } else if (s->kind != KNOW_LOOP_VARIABLE ? s->value || s->kind == KNOW_FUNCTION : s->owner != 0)
+    } else if (!is_own_value(k, s) &&
+               (s->kind != KNOW_LOOP_VARIABLE ? s->value || s->kind == KNOW_FUNCTION : s->owner != 0))
       know_found(f, KNOW_CHECK_UNUSED, s->definition, "nothing uses the %s %s", noun(s), s->text);
   }
   if (k->open) return;
