@@ -251,8 +251,8 @@ vs_outcome cli_study(const cli_options *o) {
   study s = {0};
   vs_options interpreter = o->interpreter;
   const char *language = vs_language_of(o->sources[0].text);
-  if (language && (o->command == CLI_COMMAND_translate || strcmp(language, "JavaScript") != 0)) {
-    fprintf(stderr, "vs: %s is in %s: it can be run, but only programs in Scheme are %s\n",
+  if (language && strcmp(language, "JavaScript") != 0) {
+    fprintf(stderr, "vs: %s is in %s: it can be run, but only programs in Scheme and JavaScript are %s\n",
         o->sources[0].text, language, o->command == CLI_COMMAND_translate ? "translated" : "looked into");
     return VS_OUTCOME_USAGE;
   }

@@ -7,6 +7,7 @@
 #include "knowledge/targets/to_javascript.h"
 #include "knowledge/targets/to_openscad.h"
 #include "knowledge/targets/to_povray.h"
+#include "knowledge/targets/script_to_javascript.h"
 
 static const tr_target targets[] = {
 #define TR_TARGET(...) {__VA_ARGS__},

@@ -1,5 +1,5 @@
-/* Owns the lowering of definitions and bodies. Records become lists, procedures of several clauses a procedure each,
- * and for/fold a procedure that calls itself. */
+/* Owns the lowering of definitions and bodies. Records become lists, which begin with the type's name where that is
+ * asked, procedures of several clauses a procedure each, and for/fold a procedure that calls itself. */
 #include "knowledge/translate/lower_definitions.h"
 
 #include <stdlib.h>
@@ -30,8 +30,12 @@ static bool one_name(const lowering *l, know_index a, know_index b) {
   return same(l->k->names[l->k->nodes[a].name].text, l->k->names[l->k->nodes[b].name].text);
 }
 
-/* The constructor takes its arguments in their own order, the list has the fields'. */
-static void constructor(lowering *l, know_index n, know_index made, know_index fields, tr_index parent) {
+static const char *type_name(const lowering *l, know_index n) {
+  return l->k->names[l->k->nodes[know_nth(l->k, n, 1)].name].text;
+}
+
+/* The constructor takes its arguments in their own order, the list has the fields'; tagged: behind the type's name. */
+static void constructor(lowering *l, know_index n, know_index made, know_index fields, tr_index parent, bool tagged) {
   enum { MOST = 64 };
   tr_index variables[MOST], count = 0;
   know_index first = is_list(l, made) ? next(l, first_of(l, made)) : fields;
@@ -39,6 +43,7 @@ static void constructor(lowering *l, know_index n, know_index made, know_index f
   for (know_index i = first; i && count < MOST; i = next(l, i))
     variables[count++] = bind(l, add(l, p, TR_PARAMETER, i), 0, l->k->names[l->k->nodes[field_name(l, i)].name].text);
   tr_index list = add(l, p, TR_LIST, n);
+  if (tagged) become(l, add(l, list, TR_NOTHING, n), TR_STRING, type_name(l, n));
   for (know_index field = fields; field; field = next(l, field)) {
     tr_index at_field = 0, nth = 0;
     for (know_index i = first; i && nth < MOST && !at_field; i = next(l, i), nth++)
@@ -48,21 +53,40 @@ static void constructor(lowering *l, know_index n, know_index made, know_index f
   }
 }
 
+/* Sets the list's element, which only a target with values that change can say. */
+static void modifier(lowering *l, know_index named, uint32_t nth, tr_index parent) {
+  char text[16];
+  int length = snprintf(text, sizeof text, "%u", nth);
+  tr_index p = add(l, define(l, parent, named, NULL, named), TR_PROCEDURE, named);
+  tr_index r = bind(l, add(l, p, TR_PARAMETER, named), 0, "r"), v = bind(l, add(l, p, TR_PARAMETER, named), 0, "value");
+  tr_index set = primitive(l, p, "a record's modifier", named);
+  name(l, set, r, named);
+  number(l, set, know_text(l->k, text, (size_t)length), named);
+  name(l, set, v, named);
+}
+
 static void record(lowering *l, know_index n, tr_index parent) {
   know_index made = know_nth(l->k, n, 2), asked = know_nth(l->k, n, 3), fields = asked ? next(l, asked) : 0;
   if (!asked || is_list(l, know_nth(l->k, n, 1)) || l->k->nodes[made].kind == KNOW_BOOLEAN) {
     unable(l, n, "this record type");
     return;
   }
-  constructor(l, n, made, fields, parent);
-  if (is_symbol(l, asked) && used(l, asked)) unable(l, asked, "the predicate of a record type");
-  uint32_t nth = 0;
+  bool tagged = is_symbol(l, asked) && used(l, asked);
+  constructor(l, n, made, fields, parent, tagged);
+  if (tagged) {
+    tr_index p = add(l, define(l, parent, asked, NULL, asked), TR_PROCEDURE, asked);
+    tr_index r = bind(l, add(l, p, TR_PARAMETER, asked), 0, "r");
+    tr_index is = primitive(l, p, "a record's predicate", asked);
+    name(l, is, r, asked);
+    become(l, add(l, is, TR_NOTHING, asked), TR_STRING, type_name(l, n));
+  }
+  uint32_t nth = tagged;
   for (know_index field = fields; field; field = next(l, field), nth++) {
     know_index get = next(l, field_name(l, field)), set = get ? next(l, get) : 0;
     if (!is_list(l, field) || !get) continue;
     tr_index p = add(l, define(l, parent, get, NULL, field), TR_PROCEDURE, field);
     list_element(l, p, bind(l, add(l, p, TR_PARAMETER, field), 0, "r"), nth, field);
-    if (set && used(l, set)) unable(l, set, "the modifier of a record's field");
+    if (set && used(l, set)) modifier(l, set, nth, parent);
   }
 }
 
@@ -154,8 +178,14 @@ void tr_lower_values(lowering *l, tr_index parent, know_index names, know_index 
   }
 }
 
-/* The number that stands behind the keyword in the form; missing: there is none. */
+/* The number that stands behind the keyword in the form, in a script at its place; missing: there is none. */
 static double bound(const lowering *l, know_index n, const char *keyword, double missing) {
+  know_index given = l->k->script ? know_nth(l->k, n, same(keyword, "min") ? 3 : 4) : 0;
+  if (given && l->k->nodes[given].kind == KNOW_NUMBER) {
+    size_t length;
+    const char *text = know_spelling(l->k, given, &length);
+    return strtod(know_text(l->k, text, length), NULL);
+  }
   for (know_index i = l->k->nodes[n].first; i; i = next(l, i)) {
     const char *key = l->k->nodes[i].kind == KNOW_KEYWORD ? l->k->names[l->k->nodes[i].name].text : "";
     know_index value = next(l, i);
@@ -212,7 +242,7 @@ void tr_lower_settings(lowering *l) {
   }
 }
 
-static void parameter_form(lowering *l, know_index n, tr_index parent) {
+void tr_lower_parameter(lowering *l, know_index n, tr_index parent) {
   tr_index d = define(l, parent, know_nth(l->k, n, 1), NULL, n), v = at(l, d)->variable;
   l->t->variables[v].model_parameter = true;
   const know_setting *set = setting_of(l, l->t->variables[v].text);
@@ -225,8 +255,9 @@ static bool definition(lowering *l, know_index n, tr_index parent) {
   const char *word = form_word(l, n);
   if (!word) return false;
   if (same(word, "define")) value_of_define(l, n, parent);
-  else if (same(word, "define-parameter")) parameter_form(l, n, parent);
+  else if (same(word, "define-parameter")) tr_lower_parameter(l, n, parent);
   else if (same(word, "define-record-type")) record(l, n, parent);
+  else if (same(word, "define-primitive") && is_list(l, know_nth(l->k, n, 1))) value_of_define(l, n, parent);
   else if (same(word, "define-values")) tr_lower_values(l, parent, know_nth(l->k, n, 1), know_nth(l->k, n, 2), n);
   else if (!same(word, "define-syntax") && !same(word, "define-syntax-rule") && !same(word, "provide") &&
       !same(word, "import")) {
@@ -306,13 +337,13 @@ static know_index counted(const lowering *l, know_index value) {
 /* How many turns there are: of the shortest sequence. */
 static tr_index turns(lowering *l, know_index clauses, tr_index into, sequence *sequences, size_t most) {
   size_t count = 0;
-  know_index guard = 0;
-  for (know_index i = clauses; i && !guard; i = next(l, i)) {
-    if (l->k->nodes[i].kind == KNOW_KEYWORD || !is_symbol(l, first_of(l, i)) || count == most) guard = i;
+  know_index other = 0;
+  for (know_index i = clauses; i && !other && l->k->nodes[i].kind != KNOW_KEYWORD; i = next(l, i)) {
+    if (!is_symbol(l, first_of(l, i)) || count == most) other = i;
     else sequences[count++].clause = i;
   }
-  if (guard || !count) {
-    unable(l, guard ? guard : clauses, "this clause of for/fold");
+  if (other || !count) {
+    unable(l, other ? other : clauses, "this clause of for/fold");
     return 0;
   }
   for (size_t i = 0; i < count; i++) {
@@ -329,6 +360,39 @@ static tr_index turns(lowering *l, know_index clauses, tr_index into, sequence *
     else part(l, least, counted(l, value));
   }
   return at(l, many)->variable;
+}
+
+/* Where the body of a turn goes: into the arm of an IF with the #:when and #:unless of the clauses, else into
+ * parent. */
+static tr_index guarded(lowering *l, know_index clauses, tr_index parent, know_index source) {
+  tr_index test = 0;
+  for (know_index i = clauses; i; i = next(l, i)) {
+    if (l->k->nodes[i].kind != KNOW_KEYWORD) continue;
+    const char *word = l->k->names[l->k->nodes[i].name].text;
+    if (!next(l, i)) return parent;
+    if (!test) test = add(l, add(l, parent, TR_IF, source), TR_AND, source);
+    know_index asked = next(l, i);
+    if (next(l, asked) && l->k->nodes[next(l, asked)].kind != KNOW_KEYWORD)
+      unable(l, next(l, asked), "a clause of for/fold behind a test");
+    part(l, strstr(word, "unless") ? primitive(l, test, "not", asked) : test, asked);
+    i = asked;
+  }
+  if (!test) return parent;
+  tr_index choice = at(l, test)->parent;
+  if (at(l, test)->count == 1) { /* one test needs no AND */
+    tr_index only = at(l, test)->first;
+    at(l, choice)->first = at(l, choice)->last = only;
+    at(l, only)->parent = choice;
+  }
+  return choice;
+}
+
+/* The other arm of a turn's IF: the values stay as they are. */
+static void unguarded(lowering *l, tr_index choice, tr_index parent, const tr_index *values, tr_index count,
+                      know_index source) {
+  if (choice == parent) return;
+  tr_index stay = count == 1 ? choice : add(l, choice, TR_LIST, source);
+  for (tr_index i = 0; i < count; i++) name(l, stay, values[i], source);
 }
 
 void tr_lower_fold(lowering *l, know_index n, tr_index into) {
@@ -362,13 +426,19 @@ void tr_lower_fold(lowering *l, know_index n, tr_index into) {
   if (count != 1) {
     tr_index made = define(l, again, 0, "values", forms);
     several = at(l, made)->variable;
-    tr_lower_body(l, forms, add(l, made, TR_NOTHING, forms));
+    tr_index kept = guarded(l, first_of(l, clauses), made, forms);
+    tr_lower_body(l, forms, add(l, kept, TR_NOTHING, forms));
+    unguarded(l, kept, made, values, count, forms);
   }
   tr_index call = add(l, again, TR_CALL, n), following = 0;
   name(l, call, loop, n);
   following = primitive(l, call, "1+", n);
   name(l, following, turn, n);
-  if (count == 1) tr_lower_body(l, forms, add(l, call, TR_NOTHING, forms));
+  if (count == 1) {
+    tr_index kept = guarded(l, first_of(l, clauses), call, forms);
+    tr_lower_body(l, forms, add(l, kept, TR_NOTHING, forms));
+    unguarded(l, kept, call, values, count, forms);
+  }
   for (tr_index i = 0; i < count && several; i++) list_element(l, call, several, i, forms);
   tr_index begin = add(l, into, TR_CALL, n);
   name(l, begin, loop, n);

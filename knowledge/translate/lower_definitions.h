@@ -13,6 +13,8 @@ void tr_lower_procedure(lowering *l, tr_index into, know_index list, know_index 
 void tr_lower_sequence(lowering *l, know_index first, tr_index into);
 /* Definitions of names that stand for the elements of a list, one each. */
 void tr_lower_values(lowering *l, tr_index parent, know_index names, know_index value, know_index source);
+/* (define-parameter name default ...), or the script's var name = gui_number(default, ...). */
+void tr_lower_parameter(lowering *l, know_index n, tr_index parent);
 /* Trouble if the user sets a parameter that the program does not have. */
 void tr_lower_settings(lowering *l);
 

@@ -8,6 +8,7 @@
 
 #include "knowledge/translate/literals.h"
 #include "knowledge/translate/lower_definitions.h"
+#include "knowledge/script/lower_script.h"
 #include "knowledge/translate/words.h"
 
 /* ---- forms ---- */
@@ -479,8 +480,7 @@ static void expression(lowering *l, know_index n, tr_index into) {
   unable(l, n, f.word);
 }
 
-bool tr_lower(translation *t) {
-  lowering l = {.t = t, .k = t->k};
+bool tr_lower_nothing(translation *t) {
   tr_node_new(t, 0, TR_NOTHING, 0); /* element 0 is nobody */
   for (size_t i = 0; i < t->k->symbol_count && !*t->k->trouble; i++) {
     const know_symbol *s = &t->k->symbols[i];
@@ -490,9 +490,16 @@ bool tr_lower(translation *t) {
     t->variables[i].set = i && s->kind != KNOW_BUILTIN && s->kind != KNOW_MACRO && s->definitions > 1;
   }
   t->root = *t->k->trouble ? 0 : tr_node_new(t, 0, TR_BODY, t->k->files[0].root);
-  if (t->root) {
-    t->nodes[t->root].plain = true;
-    tr_lower_sequence(&l, t->k->nodes[t->k->files[0].root].first, t->root);
+  if (t->root) t->nodes[t->root].plain = true;
+  return t->root != 0;
+}
+
+bool tr_lower(translation *t) {
+  lowering l = {.t = t, .k = t->k};
+  if (tr_lower_nothing(t)) {
+    know_index first = t->k->nodes[t->k->files[0].root].first;
+    if (t->k->script) tr_lower_script(&l, first, t->root);
+    else tr_lower_sequence(&l, first, t->root);
   }
   while (l.count && !*t->k->trouble) {
     task next_task = l.tasks[--l.count];

@@ -24,6 +24,7 @@ typedef struct tr_target {
   const char *comment;      /* what begins a line of comment */
   const char *reserved;     /* words that no name may be, each between blanks */
   void (*program)(tr_writer *w);
+  void (*script)(tr_writer *w); /* a program that is a script, NULL: as any other */
   uint8_t column;           /* of translated_words.def */
 } tr_target;
 

@@ -328,11 +328,12 @@ void tr_comment_behind(tr_writer *w, know_index source) {
 
 /* ---- helpers ---- */
 
-/* Is the word called in the text? */
-static bool word_in(const char *text, size_t length, const char *word) {
+/* Is the word called in the text? In a script it may be handed over, too. */
+static bool word_in(const char *text, size_t length, const char *word, bool script) {
   size_t n = strlen(word);
   for (size_t i = 0; i + n < length; i++) {
-    if (text[i] != *word || memcmp(text + i, word, n) || text[i + n] != '(') continue;
+    if (text[i] != *word || memcmp(text + i, word, n)) continue;
+    if (script ? isalnum((unsigned char)text[i + n]) || text[i + n] == '_' : text[i + n] != '(') continue;
     if (!i || !(isalnum((unsigned char)text[i - 1]) || text[i - 1] == '_')) return true;
   }
   return false;
@@ -340,16 +341,16 @@ static bool word_in(const char *text, size_t length, const char *word) {
 
 /* Adds what the program uses, and what that uses, and what is there for others to use. */
 static void put_helpers(tr_writer *w) {
-  enum { MOST = 128 };
+  enum { MOST = 256 };
   bool used[MOST] = {false};
   for (bool more = true, first = true; more; first = false) {
     more = false;
     for (size_t i = 0; i < MOST && tr_helper_name(w->target, i); i++) {
       const char *own = tr_helper_text(w->target, i), *name = tr_helper_name(w->target, i);
-      if (first) used[i] = !strncmp(own, "export ", 7) || word_in(w->out, w->out_count, name);
+      if (first) used[i] = !strncmp(own, "export ", 7) || word_in(w->out, w->out_count, name, w->t->k->script);
       for (size_t j = 0; !used[i] && j < MOST && tr_helper_name(w->target, j); j++) {
         const char *text = tr_helper_text(w->target, j);
-        if (j != i && used[j] && word_in(text, strlen(text), name)) used[i] = more = true;
+        if (j != i && used[j] && word_in(text, strlen(text), name, false)) used[i] = more = true;
       }
       more = more || (first && used[i]);
     }
@@ -375,8 +376,10 @@ static void put_helpers(tr_writer *w) {
 
 char *tr_write_program(translation *t, uint32_t segments, size_t *length) {
   tr_writer w = {.t = t, .target = t->target, .segments = segments};
-  bool ok = tr_lower(t) && tr_find_kinds(t) && tr_lift(t) && tr_spell_names(t);
-  if (ok) t->target->program(&w);
+  bool copied = t->k->script && t->target->script;
+  bool ok = copied ? tr_lower_nothing(t) : tr_lower(t) && tr_find_kinds(t) && tr_lift(t) && tr_spell_names(t);
+  if (ok && copied) t->target->script(&w);
+  else if (ok) t->target->program(&w);
   if (ok && !*t->k->trouble && !t->complaint_count) put_helpers(&w);
   free(w.pieces);
   free(w.plan);

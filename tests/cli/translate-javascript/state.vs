@@ -16,3 +16,7 @@
                 (unite (make-cylinder p q (* n 2)) (tree (- n 1) (+x q n))))]))
 (draw (tree 3 (xyz -60 0 0)))
 (draw (make-box (xyz 0 -90 0) 10 (and (> total 9) total) (or #f (next!))))
+(define-record-type tally (make-tally count) tally? (count tally-count set-tally-count!))
+(define score (make-tally 1))
+(set-tally-count! score (+ (tally-count score) (volume (make-box (xyz 0 0 0) (xyz 1 2 1)))))
+(draw (make-box (xyz 0 90 0) (xyz 1 91 (tally-count score))))
