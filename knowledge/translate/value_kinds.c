@@ -358,6 +358,8 @@ static void complain_of(translation *t) {
     tr_node n = t->nodes[i];
     if (n.kind == TR_SET && !t->target->assigns)
       tr_complain(t, i, "set! cannot be translated to %s", t->target->title);
+    if (n.kind == TR_NAME && !t->variables[n.variable].define) /* a form defines it that was lowered without it */
+      tr_complain(t, i, "%s cannot be translated to %s", t->variables[n.variable].text, t->target->title);
     if (n.kind != TR_PRIMITIVE || n.row) continue;
     bool known = false;
     for (uint16_t row = 0; !known && (row = tr_word_next(n.text, row)) != 0;)
