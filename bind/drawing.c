@@ -181,7 +181,7 @@ vs_status vs_p_view_from(vs_frame *f, vs_value *out) {
   (void)out;
   for (size_t i = 0; i < sizeof views / sizeof *views; i++)
     if (!strcmp(views[i].name, f->arg[0].text.at)) {
-      if (!f->bind->handing) f->bind->scene.view = views[i].view;
+      if (!f->bind->handing) f->bind->scene.view = views[i].view, f->bind->scene.looked = true;
       return VS_OK;
     }
   return vs_bind_refuse(f, "side", "one of 'top 'bottom 'front 'back 'left 'right 'iso", f->arg[0].value);
@@ -189,7 +189,7 @@ vs_status vs_p_view_from(vs_frame *f, vs_value *out) {
 
 vs_status vs_p_zoom_extents(vs_frame *f, vs_value *out) {
   (void)out;
-  if (!f->bind->handing) f->bind->scene.view = VS_VIEW_EXTENTS;
+  if (!f->bind->handing) f->bind->scene.view = VS_VIEW_EXTENTS, f->bind->scene.looked = true;
   return VS_OK;
 }
 

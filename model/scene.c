@@ -68,7 +68,17 @@ const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name)
   return NULL;
 }
 
+const vs_scene_view *vs_scene_own_view(const vs_scene *scene) {
+  for (size_t i = 0; i < scene->view_count && !scene->looked; i++) {
+    const vs_scene_view *v = &scene->views[i];
+    bool section = v->view == VS_VIEW_ALONG && v->cut == VS_CUT_PLANE;
+    if (!section && (v->view == VS_VIEW_CAMERA || v->view == VS_VIEW_ALONG || v->view == VS_VIEW_ISO)) return v;
+  }
+  return scene->view_count > 0 && !scene->looked ? scene->views : NULL;
+}
+
 void vs_scene_look(vs_scene *scene, const vs_scene_view *view) {
+  scene->looked = true;
   scene->view = view->view;
   scene->eye = view->eye, scene->target = view->target;
   scene->lens = view->lens;

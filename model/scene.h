@@ -64,6 +64,7 @@ typedef struct {
   vs_ref *drawn;             /* in drawing order; nodes retained */
   size_t drawn_count, drawn_room;
   const char *title;         /* interned; the model file's name without folder, or "model" */
+  bool looked;               /* the program said how: camera, view-from, zoom-extents */
   vs_view view;
   vs_vec3 eye, target;       /* VS_VIEW_CAMERA */
   double lens;               /* mm, 35 mm equivalent; 35 by default */
@@ -103,6 +104,9 @@ bool vs_scene_add_lamp(vs_scene *scene, const vs_scene_lamp *lamp); /* false: ou
 bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* false: out of memory */
 /* The view of that name, or NULL. */
 const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name);
+/* The view that a picture without a word on it is taken by: the first that is a perspective or an axonometry, else the
+ * first; NULL where the program said how to look, or named no view. */
+const vs_scene_view *vs_scene_own_view(const vs_scene *scene);
 /* Makes the scene look as the view says; its cut is the caller's to make. */
 void vs_scene_look(vs_scene *scene, const vs_scene_view *view);
 

@@ -211,8 +211,12 @@ static void list_views(const vs_scene *scene, char *message, size_t room) {
 static bool stage_view(vs_job *j) {
   vs_scene *scene = &j->scene;
   const char *name = j->record ? j->options->view : NULL;
-  if (!name || !strcmp(name, "*") || j->format->backend->draws) return true; /* a drawing finds its own */
-  const vs_scene_view *view = vs_scene_find_view(scene, name);
+  /* A drawing finds its own. */
+  if (!j->format || j->format->backend->draws || (name && !strcmp(name, "*"))) return true;
+  const vs_scene_view *view = name ? vs_scene_find_view(scene, name) : j->options->has_camera ? NULL
+      : vs_scene_own_view(scene);
+  /* A view that nobody asked for cuts away nothing of a mesh or a page. */
+  if (!name && (!view || (view->cut == VS_CUT_PLANE && !j->format->backend->frames))) return true;
   if (!view) {
     char message[400];
     snprintf(message, sizeof message, "the model has no view \"%.100s\"", name);

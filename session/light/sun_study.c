@@ -408,6 +408,7 @@ static bool count_hours(study *t, const vs_output_options *o, size_t *faces) {
   const vs_scene_view *named = o->view ? vs_scene_find_view(&scene, o->view) : NULL;
   if (o->view && !named)
     return vs_error_set(&t->error, VS_ERROR_FILE, NULL, "the model has no view \"%.100s\"", o->view);
+  if (!named) named = vs_scene_own_view(&scene);
   if (named) vs_scene_look(&scene, named);
   vs_session_aim(o, &scene);
   vs_look plan = plan_look(t, wide, high), look = vs_look_find(&scene, &t->bounds, &t->bounds, 1, (double)wide / high);

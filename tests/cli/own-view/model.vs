@@ -1,0 +1,12 @@
+; a model with views of every kind and, where it is asked for, a camera
+(define-parameter camera-set 0)
+(define-parameter drawings-only 0)
+(draw (make-box origin (xyz 4 3 2)))
+(view "plan" 'plan)
+(view "cut" 'section #:cut (make-plane (xyz 0 1.5 0) uy))
+(when (= drawings-only 0)
+  (view "street" #:from (xyz -6 -9 1.6) #:to (xyz 2 1 1.5) #:lens 28 #:upright #t)
+  (view "above" 'isometric))
+(when (= camera-set 1) (camera (xyz 9 -9 3) origin))
+(when (= camera-set 2) (view-from 'front))
+(when (= camera-set 3) (zoom-extents))
