@@ -20,13 +20,15 @@
 #include "cli/batch/film_frames.h"
 #include "cli/json.h"
 
-enum { PATH_ROOM = 4096, MOST = 100000 };
+enum { PATH_ROOM = 4096, MOST = 100000, EXPOSURE_ROOM = 24 };
 
 typedef enum { MADE, STANDS, FAILED, NOT_TRIED } fate;
 typedef struct { uint64_t scene, bytes; double seconds; int code; fate fate; } result;
 typedef struct {
   const char *model;
   char *set, *view, *file; /* set: "a=1,b=2", or NULL; view NULL: the model's own */
+  char exposure[EXPOSURE_ROOM]; /* of a film's frame, in stops: that of all its frames; empty: the options' */
+  uint64_t metered;        /* the scene that it was found in: the first frame's */
   long frame;              /* of --frames, from 1; 0: none. The frames of a film stand one behind the other. */
   pid_t process;
   int told;                /* the end of a pipe that brings the result */
@@ -221,6 +223,8 @@ static void manifest_picture(FILE *to, const picture *p) {
   fputs(", \"parameters\": ", to);
   if (p->set) cli_json_text(to, p->set);
   else fputs("null", to);
+  if (*p->exposure)
+    fprintf(to, ", \"exposure\": %s, \"metered\": \"%016" PRIx64 "\"", p->exposure, p->metered);
   fprintf(to, ", \"scene\": \"%016" PRIx64 "\", \"hash\": \"%016" PRIx64 "\", \"seconds\": ", p->result.scene,
           p->result.bytes);
   cli_json_number(to, p->result.seconds);
@@ -288,10 +292,11 @@ static void fill_sheet(const batch *b, FILE *to) {
 
 /* ---- one picture ---- */
 
-/* This program with the model, its options and what else the picture wants. Allocated; NULL: out of memory. */
-static const char **words_of(const batch *b, const picture *p, char **defines, bool scene) {
+/* This program with the model, its options and what else the picture wants, to write `file`, "-" for its scene.
+ * Allocated; NULL: out of memory. */
+static const char **words_of(const batch *b, const picture *p, char **defines, const char *file) {
   const cli_options *o = b->options;
-  size_t n = 0, room = o->passed_count + 2 * strlen(p->set ? p->set : "") + 16;
+  size_t n = 0, room = o->passed_count + 2 * strlen(p->set ? p->set : "") + 20;
   const char **w = reallocarray(NULL, room, sizeof *w);
   *defines = p->set ? strdup(p->set) : NULL;
   if (!w || (p->set && !*defines)) return free(w), NULL;
@@ -300,10 +305,11 @@ static const char **words_of(const batch *b, const picture *p, char **defines, b
   char *rest = *defines, *one;
   while (rest && (one = strsep(&rest, ",")) != NULL) w[n++] = "-D", w[n++] = one;
   if (p->view) w[n++] = "--view", w[n++] = p->view;
+  if (*p->exposure) w[n++] = "--exposure", w[n++] = p->exposure;
   w[n++] = "-q";
   w[n++] = "-o";
-  w[n++] = scene ? "-" : p->file;
-  if (scene) w[n++] = "--format", w[n++] = "pov";
+  w[n++] = file;
+  if (!strcmp(file, "-")) w[n++] = "--format", w[n++] = "pov";
   w[n++] = "--";
   w[n++] = p->model;
   w[n] = NULL;
@@ -311,10 +317,10 @@ static const char **words_of(const batch *b, const picture *p, char **defines, b
 }
 
 /* Runs it; *hash: of what it writes on standard output, where that is wanted. Its exit code. */
-static int run(const batch *b, const picture *p, uint64_t *hash) {
+static int run(const batch *b, const picture *p, const char *file, uint64_t *hash) {
   int ends[2] = {-1, -1}, status = 0;
   char *defines = NULL;
-  const char **words = words_of(b, p, &defines, hash != NULL);
+  const char **words = words_of(b, p, &defines, file);
   if (!words || (hash && pipe(ends) != 0)) return free(words), free(defines), VS_OUTCOME_MACHINE;
   pid_t child = fork();
   if (child == 0) {
@@ -335,21 +341,87 @@ static int run(const batch *b, const picture *p, uint64_t *hash) {
   return child < 0 ? VS_OUTCOME_MACHINE : WIFEXITED(status) ? WEXITSTATUS(status) : VS_OUTCOME_INTERRUPTED;
 }
 
-static result make(const batch *b, const picture *p) {
+/* The hash of the picture's scene and of the options that it is made by. The exit code of the model's run. */
+static int hash_scene(const batch *b, const picture *p, uint64_t *out) {
   const cli_options *o = b->options;
+  const char *version = vs_version();
+  *out = hash_more(hash_begin, version, strlen(version));
+  for (size_t i = 0; i < o->passed_count; i++) *out = hash_more(*out, o->passed[i], strlen(o->passed[i]) + 1);
+  *out = hash_more(*out, p->exposure, strlen(p->exposure));
+  return run(b, p, "-", out);
+}
+
+static result make(const batch *b, const picture *p) {
   struct timespec from, to;
   result r = {.scene = hash_begin, .fate = FAILED};
   clock_gettime(CLOCK_MONOTONIC, &from);
-  const char *version = vs_version();
-  r.scene = hash_more(r.scene, version, strlen(version));
-  for (size_t i = 0; i < o->passed_count; i++) r.scene = hash_more(r.scene, o->passed[i], strlen(o->passed[i]) + 1);
-  r.code = run(b, p, &r.scene);
+  r.code = hash_scene(b, p, &r.scene);
   if (r.code == VS_OUTCOME_DONE && is_up_to_date(b, p, r.scene)) r.fate = STANDS;
-  else if (r.code == VS_OUTCOME_DONE && (r.code = run(b, p, NULL)) == VS_OUTCOME_DONE) r.fate = MADE;
+  else if (r.code == VS_OUTCOME_DONE && (r.code = run(b, p, p->file, NULL)) == VS_OUTCOME_DONE) r.fate = MADE;
   if (r.code == VS_OUTCOME_DONE) hash_file(p->file, &r.bytes);
   clock_gettime(CLOCK_MONOTONIC, &to);
   r.seconds = (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);
   return r;
+}
+
+/* ---- the exposure of a film ----
+ *
+ * An exposure that sets itself is another in each frame, and the film flickers. The first frame is therefore rendered
+ * once more, as light, and what its histogram asks for is the exposure of all. The manifest keeps it, by the hash of
+ * the first frame's scene: a run that goes on takes it from there. */
+
+/* The exposure of the last run, where the first frame's scene is the same. */
+static bool recall_exposure(const batch *b, picture *p) {
+  char wanted[60];
+  size_t length, n = 0;
+  const char *line = line_of(b, p, &length), *from = line ? strstr(line, ", \"exposure\": ") : NULL;
+  if (!from || from >= line + length) return false;
+  from += strlen(", \"exposure\": ");
+  n = strspn(from, "-.0123456789");
+  snprintf(wanted, sizeof wanted, ", \"metered\": \"%016" PRIx64 "\"", p->metered);
+  if (n == 0 || n >= EXPOSURE_ROOM || strncmp(from + n, wanted, strlen(wanted)) != 0) return false;
+  memcpy(p->exposure, from, n), p->exposure[n] = 0;
+  return true;
+}
+
+/* Renders the frame as light, and finds its exposure. */
+static int meter(const batch *b, picture *p) {
+  char light[PATH_ROOM + 20], developed[PATH_ROOM + 20];
+  double stops = 0;
+  snprintf(light, sizeof light, "%s.light.exr", p->file);
+  snprintf(developed, sizeof developed, "%s.light.png", p->file);
+  int code = run(b, p, light, NULL);
+  vs_options interpreter = b->options->interpreter;
+  interpreter.host = (vs_host){.context = light, .diagnose = say};
+  vs_scheme *s = code == VS_OUTCOME_DONE ? vs_new(&interpreter) : NULL;
+  if (code == VS_OUTCOME_DONE)
+    code = s ? vs_picture_tone(s, light, developed, &b->options->output.development, &stops) : VS_OUTCOME_MACHINE;
+  vs_free(s);
+  remove(light), remove(developed);
+  if (code == VS_OUTCOME_DONE) snprintf(p->exposure, sizeof p->exposure, "%.2f", stops + 0.0);
+  return code;
+}
+
+static bool is_png(const char *file) {
+  const char *dot = strrchr(file, '.');
+  return dot && !strcmp(dot, ".png");
+}
+
+/* Where the first frame fails, it is marked so. */
+static void expose_films(batch *b, const volatile sig_atomic_t *ended) {
+  for (size_t from = 0, to; from < b->count && !*ended; from = to) {
+    picture *p = &b->at[from];
+    for (to = from + 1; to < b->count && b->at[to].frame > b->at[to - 1].frame;) to++;
+    if (!p->frame || !is_png(p->file) || b->options->output.development.fixed) continue;
+    int code = hash_scene(b, p, &p->metered);
+    if (code == VS_OUTCOME_DONE && !recall_exposure(b, p)) code = meter(b, p);
+    if (code != VS_OUTCOME_DONE && !*ended) {
+      p->result.fate = FAILED, p->result.code = code;
+      if (!b->options->quiet) printf("%s: failed\n", p->file);
+    }
+    for (size_t i = from + 1; i < to; i++)
+      strcpy(b->at[i].exposure, p->exposure), b->at[i].metered = p->metered;
+  }
 }
 
 /* ---- all of them ---- */
@@ -393,7 +465,7 @@ static void run_all(batch *b, const volatile sig_atomic_t *ended) {
   size_t next = 0, running = 0, jobs = b->options->jobs > 0 ? b->options->jobs : 1;
   while (running > 0 || (next < b->count && !*ended)) {
     if (next < b->count && running < jobs && !*ended) {
-      if (is_of_failed_film(b, next)) {
+      if (b->at[next].result.fate == FAILED || is_of_failed_film(b, next)) {
         next++;
         continue;
       }
@@ -454,6 +526,7 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
         snprintf(beside, sizeof beside, "%s/manifest.json", out) < (int)sizeof beside) manifest = beside;
     else if (!manifest && o->frames.count) manifest = manifest_beside(out ? out : o->sources[0].text, beside);
     b.manifest = manifest ? read_text(manifest) : NULL;
+    expose_films(&b, ended);
     run_all(&b, ended);
     for (size_t i = b.count; i-- > 0;)
       if (b.at[i].result.fate == FAILED) outcome = (vs_outcome)b.at[i].result.code;

@@ -19,6 +19,30 @@ grep -q 'there is no ffmpeg (package ffmpeg) to make the film; the frames stand'
 [ "$(find "$work" -name '*street-00[1-4].png' | wc -l)" = 4 ] || echo "the frames do not stand" >> "$work/why"
 result film:without "$work/why"
 
+# A film whose wall turns dark has one exposure, that of its first frame, also where it goes on.
+: > "$work/why"
+cat > "$work/day.vs" <<'EOF'
+(define-parameter t 0.0)
+(view "street" #:from (xyz 6 -9 3) #:to (xyz 0 0 2))
+(draw (color (if (< t 0.5) "white" "#202020") (make-box (xyz -9 0 0) (xyz 9 1 9))))
+EOF
+day() { "$vs" render "$work/day.vs" -o "$work/day.png" --frames 3 --quality draft --size 40x30 "$@" > "$work/said" 2>> "$work/why" || echo "ended with $?" >> "$work/why"; }
+exposures() { grep -o '"exposure": [-0-9.]*' "$work/day.manifest.json" | sort | uniq -c | tr -s ' '; }
+day
+[ "$(exposures | wc -l)" = 1 ] && [ "$(exposures | cut -d' ' -f2)" = 3 ] || { echo "the exposures are"; exposures; } >> "$work/why"
+stops=$(exposures | sed 's/.*: //'); cp "$work/day-003.png" "$work/third.png"; cp "$work/day-001.png" "$work/first.png"
+"$vs" -q "$work/day.vs" -D t=1 -o "$work/fixed.png" --quality draft --size 40x30 --exposure "$stops" 2>> "$work/why"
+"$vs" -q "$work/day.vs" -D t=1 -o "$work/alone.png" --quality draft --size 40x30 2>> "$work/why"
+cmp "$work/fixed.png" "$work/third.png" >> "$work/why" 2>&1
+cmp -s "$work/alone.png" "$work/third.png" && echo "the dark frame alone has the same exposure: the test says nothing" >> "$work/why"
+day; [ "$(grep -c 'up to date' "$work/said")" = 3 ] || { echo "the frames were made again"; cat "$work/said"; } >> "$work/why"
+rm "$work/day-003.png"; day; cmp "$work/day-003.png" "$work/third.png" >> "$work/why" 2>&1
+[ "$(grep -c 'up to date' "$work/said")" = 2 ] || { echo "not two stand"; cat "$work/said"; } >> "$work/why"
+[ -z "$(find "$work" -name '*.light.*')" ] || echo "the metered light is left behind" >> "$work/why"
+day --exposure auto-1; exposures | grep -q " $(awk "BEGIN { printf \"%.2f\", $stops - 1 }")$" || { echo "auto-1 of $stops is"; exposures; } >> "$work/why"
+day --exposure 1; [ -z "$(exposures)" ] || echo "a number given was metered" >> "$work/why"
+result film:exposure "$work/why"
+
 command -v ffprobe > /dev/null || { echo "skip film:made: no ffmpeg (package ffmpeg)"; exit 0; }
 : > "$work/why"
 film > "$work/said" 2>> "$work/why" || echo "ended with $?" >> "$work/why"
