@@ -21,8 +21,10 @@ static bool add_gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
   static const char *const kinds[] = { "trigger", "slider", "arrow", "tripod" }; /* as vs_gizmo_kind counts */
   gizmos_told *to = context;
   live_text *t = to->text;
-  (void)s;
-  live_putf(t, "%s{\"kind\":\"%s\",\"value\":", to->count++ > 0 ? "," : "", kinds[g->kind]);
+  const char *name = vs_node_name(s, g->node);
+  live_putf(t, "%s{\"kind\":\"%s\",\"name\":", to->count++ > 0 ? "," : "", kinds[g->kind]);
+  live_json(t, name ? name : "");
+  live_puts(t, ",\"value\":");
   add_numbers(t, g->value, g->value_count);
   live_puts(t, ",\"size\":");
   add_numbers(t, &g->size, 1);

@@ -258,6 +258,8 @@ vs_handle vs_lookup(vs_scheme *vm, const char *name) {
   VS_ROOTS(vm, r, 1);
   if (!vs_intern(vm, name, strlen(name), &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
   vs_meaning m = vs_environment_find(vm->at.program, r[0]);
+  /* a program in another language has no name of this one; the language's own procedures, %..., stay hidden */
+  if (m.kind != VS_MEANS_CELL && name[0] != '%') m = vs_environment_find(vm->at.core, r[0]);
   if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED)
     return usage(vs_session_of(vm), "vs_lookup: %.200s is not defined", name), 0;
   r[0] = vs_as_cell(m.value)->value;

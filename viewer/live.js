@@ -182,7 +182,7 @@ class Live {
   #scene(scene) {
     this.scened = scene;
     if (!this.viewer.model) return;
-    const gizmos = (scene?.gizmos || []).flatMap((g, n) => g.handles.map((at, k) => ({ name: `${g.kind} ${n + 1}${g.handles.length > 1 ? "xyz"[k] : ""}`, gizmo: true, at, words: g.value.map((x) => Number(x.toPrecision(4))).join(" "),
+    const gizmos = (scene?.gizmos || []).flatMap((g, n) => g.handles.map((at, k) => ({ name: `${g.kind} ${n + 1}${g.handles.length > 1 ? "xyz"[k] : ""}`, gizmo: true, at, words: [...(g.name ? [g.name] : []), ...g.value.map((x) => Number(x.toPrecision(4)))].join(" "),
       ray: (kind, ray) => this.#input(kind, ray) })));
     this.viewer.setHandles([...this.parameters.points(), ...gizmos]);
   }

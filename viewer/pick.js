@@ -63,7 +63,7 @@ function hitPart(stage, model, i, origin, direction, best) {
 
 export function toScreen(stage, point) {
   const p = point.clone().project(stage.camera);
-  return { x: (p.x + 1) / 2 * stage.canvas.clientWidth, y: (1 - p.y) / 2 * stage.canvas.clientHeight, behind: p.z > 1 || p.z < -1 };
+  return { x: (p.x + 1) / 2 * stage.canvas.clientWidth, y: (1 - p.y) / 2 * stage.canvas.clientHeight, behind: !stage.camera.isOrthographicCamera && point.clone().applyMatrix4(stage.camera.matrixWorldInverse).z >= 0 };
 }
 
 // The target of a pointer near a corner, an edge or a face: { kind: "point" | "edge" | "face", ... } in the model's coordinates about its middle.

@@ -71,7 +71,7 @@ await test("a slow model is coarser while its slider moves", async (want) => {
 });
 
 await test("Grimaldo's spiral grows by a part a click", async (want) => {
-  copyFileSync("tests/cli/gml-scenes/spiral.gml", `${folder}/spiral.gml`);
+  copyFileSync("examples/scenes/spiral.gml", `${folder}/spiral.gml`);
   await after(() => writeFileSync(model, "(load \"spiral.gml\")\n"));
   await page.reload(); // as a user who opens it: the page begins with nothing but the trigger
   await page.waitForFunction(() => window.live?.finished > 0);

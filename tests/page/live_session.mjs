@@ -2,10 +2,11 @@
 import { spawn } from "node:child_process";
 import { browser, open } from "./browser.mjs";
 
-export async function session(vs, model, options = []) {
+// A browser that is given is shared; else the session starts its own.
+export async function session(vs, model, options = [], shared = null) {
   const server = spawn(vs, ["view", "-q", ...options, model], { stdio: ["ignore", "pipe", "pipe"] });
   const url = await new Promise((go) => server.stdout.once("data", (d) => go(String(d).trim())));
-  const chromium = await browser(), context = await chromium.newContext({ viewport: { width: 1100, height: 640 }, reducedMotion: "reduce", acceptDownloads: true });
+  const chromium = shared || await browser(), context = await chromium.newContext({ viewport: { width: 1100, height: 640 }, reducedMotion: "reduce", acceptDownloads: true });
   const page = await open(context, url), only = process.env.ONLY || "", pictures = process.env.PICTURES;
 
   async function test(name, body) {
@@ -37,10 +38,14 @@ export async function session(vs, model, options = []) {
     const { view } = window.live.source, at = view.state.doc.toString().indexOf(text) + 2;
     view.dispatch({ selection: { anchor: at }, userEvent: "select" });
   }, text);
+  async function close() {
+    await context.close();
+    server.kill();
+  }
   async function end() {
     await chromium.close();
     server.kill();
     process.exit(0);
   }
-  return { server, url, context, page, test, after, onScreen, cursor, end };
+  return { server, url, context, page, test, after, onScreen, cursor, close, end };
 }

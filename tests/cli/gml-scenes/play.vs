@@ -1,11 +1,11 @@
 ; Plays a user: finds the gizmos, clicks and drags them, and tells what the scene is then.
 (define (click gizmo)
   (define at (first (data-ref (gizmo-data gizmo) 'handles)))
-  (define eye (+z at -50)) ; from below: nothing of the model is in the way
-  (node-input 'press 'left eye (vxyz 0 0 1))
-  (node-input 'release 'left eye (vxyz 0 0 1)))
+  (define eye (+y at -50)) ; from the front: nothing of the model is in the way
+  (node-input 'press 'left eye uy)
+  (node-input 'release 'left eye uy))
 (define (told v) (map (lambda (c) (/ (round (* 1e4 c)) 1e4)) (list (cx v) (cy v) (cz v))))
-(load "spiral.gml")
+(load (string-append (get-environment-variable "TOP") "/examples/scenes/spiral.gml"))
 (define trigger (first (scene-gizmos)))
 (for ([i (in-range 3)]) (click trigger))
 (let loop ((n (node-getparent trigger)))
@@ -19,7 +19,7 @@
 (displayln (length (delete-duplicates (map (lambda (n) (node-getdrawing n)) (filter (lambda (n) (pair? (node-getdrawing n))) (let all ((n (node-getroot))) (cons n (append-map all (node-getchildren n)))))))))
 
 (node-clear)
-(load "wall.gml")
+(load (string-append (get-environment-variable "TOP") "/examples/scenes/wall.gml"))
 (define (gizmos kind) (filter (lambda (g) (eq? (data-ref (gizmo-data g) 'kind) kind)) (scene-gizmos)))
 (click (first (gizmos 'trigger)))
 (click (first (gizmos 'trigger)))
@@ -44,7 +44,7 @@
 
 ; the engine: the host reads and sets its parameters, and calls model-update: one update a change, for a thousand moves of a slider
 (node-clear)
-(load "engine.gml")
+(load (string-append (get-environment-variable "TOP") "/examples/scenes/engine.gml"))
 (define parameters (property-get (node-controller) 'parameters))
 (define updates 0)
 (define (model-update)

@@ -32,7 +32,7 @@
   } def
   /gizmos {
     model sliders 5
-    { (0,-6,0) 0 }
+    { (0,-6,3) 0 } % above the ground, which would hide it
     { } { create-scene }
     GIZMOS.gizmo-trigger
     model node-begin
