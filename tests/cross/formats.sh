@@ -33,7 +33,7 @@ for format in pov scad x3d html glb 3mf obj ply off stl tree; do
   case $format in
     3mf) "$tools/zipped" "$work/looks.3mf" > "$work/looks.words" ;;
     obj) cat "$work/looks.obj" "$work/looks.mtl" > "$work/looks.words" ;;
-    html) sed -n 's/.*id="scene">\([^<]*\)<.*/\1/p' "$work/looks.html" | base64 -d > "$work/looks.words" ;;
+    html) node tests/tools/scene.mjs "$work/looks.html" > "$work/looks.words" ;;
     *) cp "$work/looks.$format" "$work/looks.words" ;;
   esac
   printf '| `.%s`' $format
