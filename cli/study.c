@@ -10,6 +10,7 @@
 #include "cli/messages.h"
 #include "knowledge/checks/checks.h"
 #include "knowledge/site.h"
+#include "knowledge/source_tree.h"
 #include "knowledge/translate/translate.h"
 #include "knowledge/tree_report.h"
 #include "knowledge/resolve_names.h"
@@ -81,6 +82,7 @@ static void report_unreadable(const draft *t, FILE *to) {
 bool cli_study_check_text(const vs_options *interpreter, const char *path, const char *text, size_t length, FILE *to) {
   draft t = {0};
   know_findings found = {0};
+  if (!know_reads(path)) return know_report_findings_json(&found, to), true;
   vs_options o = *interpreter;
   o.host = (vs_host){.context = &t, .diagnose = keep_error};
   o.limit_time = CHECK_SECONDS, o.limit_memory = CHECK_MEMORY;
@@ -250,10 +252,10 @@ vs_outcome cli_study(const cli_options *o) {
   if (!has_language(o)) return VS_OUTCOME_USAGE;
   study s = {0};
   vs_options interpreter = o->interpreter;
-  const char *language = vs_language_of(o->sources[0].text);
-  if (language && strcmp(language, "JavaScript") != 0) {
+  if (!know_reads(o->sources[0].text)) {
     fprintf(stderr, "vs: %s is in %s: it can be run, but only programs in Scheme and JavaScript are %s\n",
-        o->sources[0].text, language, o->command == CLI_COMMAND_translate ? "translated" : "looked into");
+        o->sources[0].text, vs_language_of(o->sources[0].text),
+        o->command == CLI_COMMAND_translate ? "translated" : "looked into");
     return VS_OUTCOME_USAGE;
   }
   interpreter.host = (vs_host){.context = &s, .diagnose = diagnose};

@@ -10,7 +10,8 @@
 vs_outcome cli_study(const cli_options *o);
 
 /* The findings of vs check in a text that stands in place of the file's, as JSON; a text that cannot be read is a
- * finding "unreadable". May be called by any thread. False: out of memory. */
+ * finding "unreadable"; a program in a language that is not looked into has none. May be called by any thread.
+ * False: out of memory. */
 bool cli_study_check_text(const vs_options *interpreter, const char *path, const char *text, size_t length, FILE *to);
 
 #endif

@@ -195,17 +195,11 @@ void know_bind_parameters(know_walk *w, know_index list, know_index first, know_
 
 /* ---- files ---- */
 
-/* A program in a language whose files are not looked into, and which defines no names of Scheme: GML. */
-static bool is_foreign(const char *path) {
-  const char *language = vs_language_of(path);
-  return language && strcmp(language, "JavaScript") != 0;
-}
-
 /* The file that the string names. */
 know_index know_file_named(know_walk *w, know_index node) {
   char path[KNOW_PATH];
   know_index string = know_written(w->k, node);
-  if (!know_find_file(w->k, string, path) || is_foreign(path)) return UINT32_MAX;
+  if (!know_find_file(w->k, string, path) || !know_reads(path)) return UINT32_MAX;
   return know_read_file(w->k, path, string);
 }
 

@@ -363,6 +363,11 @@ static size_t folder_of(const char *path) {
   return slash ? (size_t)(slash - path + 1) : 0;
 }
 
+bool know_reads(const char *path) {
+  const char *language = vs_language_of(path);
+  return !language || strcmp(language, "JavaScript") == 0;
+}
+
 bool know_find_file(const knowledge *k, know_index node, char path[KNOW_PATH]) {
   size_t n;
   const char *s = know_spelling(k, node, &n), *from = k->files[k->nodes[node].at.file].path, *own = k->files[0].path;

@@ -4,6 +4,9 @@
 
 #include "knowledge/knowledge.h"
 
+/* Is the file in a language that is looked into: Scheme or JavaScript? By its name; false for GML. */
+bool know_reads(const char *path);
+
 /* Reads the file and adds it to k->files, its root set. loaded_by: the node that loads it; then a file that is there
  * already is not read again. Returns its index; UINT32_MAX with trouble. Errors in the text are told to the
  * interpreter's host, by the language's own reader. */

@@ -401,4 +401,14 @@ await test("a phone's width holds it all", async (want) => {
 
 await test("no script of the page has failed", async (want) => { want(page.troubles.filter((t) => !/403|409/.test(t)).length === 0, page.troubles.join("; ")); });
 
+const script = `${folder}/script.js`;
+writeFileSync(script, "var x = 3;\nfunction twice(a, b) { return a + a; }\ntwice(1, 2);\n");
+const other = await session(vs, script, [], page.context().browser());
+await other.test("a model in JavaScript is checked", async (want) => {
+  await other.page.waitForFunction(() => window.live.source?.found.length >= 2, null, { timeout: 10000 });
+  const found = await other.page.evaluate(() => window.live.source.found.map((f) => f.at.line + " " + f.message).join("; "));
+  want(found === "1 nothing uses the variable x; 2 twice does not use its parameter b", found);
+});
+await other.close();
+
 await end();
