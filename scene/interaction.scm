@@ -23,23 +23,22 @@
   (if (not (and (gvector? x) (< 0 (vlength x) +inf.0)))
       (error who "~a must be a gvector longer than 0, got ~s" what x)))
 
-(define (%new-gizmo who name parent gizmo value type)
+(define (%new-gizmo who name parent gizmo value type [wanted any? #f])
   (if name (%need-string who name))
   (if parent (%need-node who 'parent parent))
   (let ((node (node-create #:name name #:parent parent)))
     (hash-set! %gizmos node gizmo)
-    (property-add! node (make-property 'value value #:type type))
+    (property-add! node (%typed-property who 'value value type wanted))
     node))
 
-; The type of a value, which messages name.
+; The type of a value within bounds, and the words that messages use for it.
 (define (%between low high [step any? #f])
-  (define (within? v)
+  (lambda (v)
     (and (real? v) (<= low v high)
          (or (not step) (= v high)
-             (let ((turns (/ (- v low) step))) (<= (abs (- turns (round turns))) 1e-9)))))
-  (hash-set! %wants within?
-    (string-append (format "be from ~a to ~a" low high) (if step (format " by steps of ~a" step) "")))
-  within?)
+             (let ((turns (/ (- v low) step))) (<= (abs (- turns (round turns))) 1e-9))))))
+(define (%between-words low high [step any? #f])
+  (string-append (format "be from ~a to ~a" low high) (if step (format " by steps of ~a" step) "")))
 
 (define (make-trigger at procedure #:size [size any? 0.2] #:name [name any? #f] #:parent [parent any? #f])
   (%need-point 'make-trigger 'at at)
@@ -62,7 +61,8 @@
     (%need-number 'make-slider 'value value)
     (if (not (<= low value high)) (error 'make-slider "value must be from ~s to ~s, got ~s" low high value))
     (%new-gizmo 'make-slider name parent
-      (%make-gizmo 'slider from (list (p-p to from)) low high step size #f) value (%between low high step))))
+      (%make-gizmo 'slider from (list (p-p to from)) low high step size #f) value
+      (%between low high step) (%between-words low high step))))
 
 (define (make-arrow at direction low high #:value [value any? 0] #:size [size any? 1] #:name [name any? #f]
                     #:parent [parent any? #f])
@@ -74,7 +74,8 @@
   (if (not (<= low value high)) (error 'make-arrow "value must be from ~s to ~s, got ~s" low high value))
   (%need-size 'make-arrow size)
   (%new-gizmo 'make-arrow name parent
-    (%make-gizmo 'arrow at (list (unitize direction)) low high #f size #f) value (%between low high)))
+    (%make-gizmo 'arrow at (list (unitize direction)) low high #f size #f) value (%between low high)
+    (%between-words low high)))
 
 ; Three arrows along X, Y and Z; the value is a gvector. constraint: how far one drag may go along each, either way; 0
 ; takes the arrow away.
@@ -343,7 +344,7 @@
 (define (scene-quality)
   (or %quality
       (begin
-        (set! %quality (make-property 'quality 1.0 #:type (%between 0.1 1.0)))
+        (set! %quality (%typed-property 'scene-quality 'quality 1.0 (%between 0.1 1.0) (%between-words 0.1 1.0)))
         (property-add! (node-controller) %quality)
         %quality)))
 

@@ -36,7 +36,7 @@
 (define (node-controller)
   (or %the-controller
       (let* ((root (%new-node "root" 'context)) (c (%make-controller root (list root) (make-hasheq) (make-hasheq))))
-        (for-each (lambda (name) (hash-set! (%controller-properties c) name (%make-property name #f #f (make-hasheqv)))) %events)
+        (for-each (lambda (name) (hash-set! (%controller-properties c) name (%make-property name #f #f #f (make-hasheqv)))) %events)
         (hash-set! (%controller-types c) 'context (lambda (node) node))
         (set! %the-controller c)
         (%host-set! 4 %scene-objects)

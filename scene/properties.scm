@@ -6,10 +6,11 @@
 
 (define (%need-symbol who what x) (if (not (symbol? x)) (error who "~a must be a symbol, got ~s" what x)))
 
-(define-record-type %property (%make-property name value %type %subscribers) property?
+(define-record-type %property (%make-property name value %type %wanted %subscribers) property?
   (name %property-name)
   (value %property-value %set-property-value!)
   (%type %property-type)
+  (%wanted %property-wanted) ; the words for the type that messages use, or #f
   (%subscribers %property-subscribers)) ; a table from the number of a subscription to its procedure, in their order
 
 (define (%need-property who x) (if (not (property? x)) (error who "property must be a property, got ~s" x)))
@@ -19,8 +20,7 @@
   (let ((fits? (%property-type p)))
     (if (and fits? (not (fits? value)))
         (error who "~a must ~a, got ~s" (%property-name p)
-          (hash-ref %wants fits? (lambda () (string-append "satisfy " (%predicate-name fits?)))) value))))
-(define %wants (make-hasheq)) ; the words for types of gizmos' values, which messages tell
+          (or (%property-wanted p) (string-append "satisfy " (%predicate-name fits?))) value))))
 
 ; As messages show it: positive?, not #<procedure positive?>.
 (define (%predicate-name f)
@@ -30,8 +30,12 @@
 (define (make-property name value #:type [type any? #f])
   (%need-symbol 'make-property 'name name)
   (if type (%need-procedure 'make-property 'type type))
-  (let ((p (%make-property name value type (make-hasheqv))))
-    (%check-property 'make-property p value)
+  (%typed-property 'make-property name value type #f))
+
+; wanted: the words that messages use for the type, or #f for its name
+(define (%typed-property who name value type wanted)
+  (let ((p (%make-property name value type wanted (make-hasheqv))))
+    (%check-property who p value)
     p))
 
 (define (property-name property) (%need-property 'property-name property) (%property-name property))
