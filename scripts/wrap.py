@@ -149,6 +149,10 @@ def main(words):
         other = [name for name in names if name.endswith('.c') and tokens(old, name) != tokens(new, name)]
         print('\n'.join(other + ['%d files, %d differ' % (len(names), len(other))]))
         return 1 if other else 0
+    strange = [path for path in words if not path.endswith(('.c', '.h', '.def'))]
+    if strange:
+        print('wrap.py: %s: only C is broken into lines (.c, .h, .def)' % strange[0], file=sys.stderr)
+        return 2
     for path in words:
         while wrap_comments(path):
             pass
