@@ -1,3 +1,8 @@
+/* Owns the walk that finds the curves or surfaces of a set.
+ *
+ * Placements, materials and layers may stand above a set, between sets, and above a part. The walk takes a set apart by
+ * giving each of its children the wrappers that stood above the set; a child that is a set itself is taken apart next.
+ * The stack of what is still to do holds references, so that a deep tree costs no C stack. */
 #include "geometry/parts.h"
 
 #include <stdlib.h>

@@ -1,3 +1,7 @@
+/* Owns what the scene's Scheme asks of C: matrices, rays, and the drawing that a node holds.
+ *
+ * There is one drawing at work, to which `draw` adds. When the focus moves to another node, drawing_swap gives the
+ * objects of the old node as a list and takes up those of the new one. */
 #include "scene/node_natives.h"
 
 #include <math.h>

@@ -1,3 +1,7 @@
+/* Owns the meeting of a ray and an object.
+ *
+ * A ray that misses the object's bounds costs no mesh. Otherwise solids are evaluated to one mesh, whose triangles know
+ * the source they came from, and surfaces are tessellated one after the other; the nearest triangle decides. */
 #include "scene/ray_hits.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
 #   rooms      a folder of a layer holds at most 25 files, and each has a README.md
 #   Makefile   the objects that it names have sources
 #   names      no two source files of different folders share a base name, and no two headers have a type of one name
-#   files      a file that a comment names is there
+#   files      a file that a comment names is there, and each source begins with a comment: what it owns
 #   ratchets   the counts of scripts/layers.limits: what cannot be zero at once may only fall
 set -u
 build=$1
@@ -72,6 +72,9 @@ made='^(assets|library_image|manual_text|shipped)$' # objects whose sources are 
 grep -oE '\$\(BUILD\)/obj/[a-z_/]+\.o' Makefile | sort -u | sed 's/^\$(BUILD)\/obj\///; s/\.o$//' | grep -vE "$made" | while read -r object; do
   [ -f "$object.c" ] || echo "Makefile: $object.o has no source $object.c"
 done >> "$work/wrong"
+
+# ---- openings ----
+xargs awk 'FNR == 1 && !/^\/\*/ { print FILENAME ": begins without a comment that says what the file owns" }' < "$work/sources" >> "$work/wrong"
 
 # ---- ratchets ----
 limit() { # NAME COUNT WHERE: what the count is of, and where to look

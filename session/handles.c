@@ -1,3 +1,8 @@
+/* Owns the table of a host's handles, and what hosts do with values.
+ *
+ * A handle is a place in the table and the stamp that the place was given when it was taken; the stamps of each
+ * interpreter begin at another number. Therefore a handle that was released, or is another interpreter's, is refused.
+ * The values themselves stand in a vector of the heap, where the collector finds and moves them. */
 #include "session/handles.h"
 
 #include <stdarg.h>

@@ -1,3 +1,5 @@
+/* Owns how far an array grows: to twice its room, to FIRST_ROOM elements, or to what is needed, whichever is largest.
+ * An array that cannot grow stays as it was. */
 #include "model/store/array.h"
 
 #include <stdint.h>

@@ -1,3 +1,7 @@
+/* Owns how work is counted against the limits of steps and time.
+ *
+ * The machine counts turns down from POLL_TURNS; at 0 the clock and the host's interrupt are asked. Natives report
+ * their own work in steps, 64 of which cost one turn, and move or fill large memory in pieces. */
 #include "vm/machine/poll.h"
 
 #include <string.h>
