@@ -134,8 +134,8 @@ typedef struct {
   size_t limit_triangles; /* of the mesh of one output */
   size_t cache;           /* bytes of results kept for later drawings and outputs (meshes): 0: 256 MB, or a quarter of
                            * limit_memory; SIZE_MAX: keep nothing */
-  /* an error keeps its calls' parameters, for vs_frame_get: a prompt's wish, it costs every error some time */
-  bool keep_frames;
+  /* an error keeps its calls' parameters, for vs_call_get: a prompt's wish, it costs every error some time */
+  bool keep_calls;
   bool untrusted;         /* no file access but read_file and list_folder, no native text */
   const char *library_path; /* folders for load, require and import, ':' between them, after the folders of the file
                              * that asks and of the program; NULL: none */
@@ -258,7 +258,7 @@ typedef struct {
   const char *procedure;  /* that the expression stands in; "" */
   const char *text;       /* CALL: "(area 3 4)", with the values of its arguments; VALUE: the value; BREAK: "" */
 } vs_stop_info;
-/* The texts live until the next call of any function of this interpreter. False: nothing is stopped. vs_frame_get tells
+/* The texts live until the next call of any function of this interpreter. False: nothing is stopped. vs_call_get tells
  * of its calls until something else fails. */
 VS_API bool vs_stop_get(vs_scheme *s, vs_stop_info *out);
 /* How many are stopped, one on top of the other. */
@@ -277,15 +277,15 @@ VS_API vs_outcome vs_resume(vs_scheme *s, vs_resume_way way);
 /* Gives up what was stopped last. */
 VS_API void vs_stop_drop(vs_scheme *s);
 
-/* ---- the calls that the last error ended, with their variables (vs_options.keep_frames) ---- */
+/* ---- the calls that the last error ended, with their variables (vs_options.keep_calls) ---- */
 
 typedef struct {
   const char *procedure;  /* "": it has no name */
   const char *variables;  /* "n = 3, points = (...)": parameters, local and captured variables where it was */
   vs_span at;             /* the call it was in */
-} vs_frame_info;
+} vs_call_info;
 /* Innermost first. False: there are no more, or there was no error. */
-VS_API bool vs_frame_get(vs_scheme *s, size_t index, vs_frame_info *out);
+VS_API bool vs_call_get(vs_scheme *s, size_t index, vs_call_info *out);
 
 /* ---- where time goes ---- */
 

@@ -14,7 +14,7 @@
 
 /* ---- the drawing as a value ---- */
 
-vs_status vs_p_drawing(vs_frame *f, vs_value *out) {
+vs_status vs_p_drawing(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   size_t n = b->drew ? b->scene.drawn_count : b->returned_count;
   VS_ROOTS(f->vm, r, 2);
@@ -29,7 +29,7 @@ vs_status vs_p_drawing(vs_frame *f, vs_value *out) {
 
 /* ---- an object in simpler kinds ---- */
 
-static vs_status lower_triangles(vs_frame *f, const vs_fineness *facets, vs_node **made) {
+static vs_status lower_triangles(vs_args *f, const vs_fineness *facets, vs_node **made) {
   const vs_ref *ref = &f->arg[0].ref;
   vs_error e = { 0 };
   bool ok;
@@ -49,7 +49,7 @@ static vs_status lower_triangles(vs_frame *f, const vs_fineness *facets, vs_node
   return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
 }
 
-vs_status vs_p_lowered(vs_frame *f, vs_value *out) {
+vs_status vs_p_lowered(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_bounds bounds;
   /* a shadow becomes its outline before that becomes triangles */
@@ -92,7 +92,7 @@ const vs_bind_back_end *vs_bind_back_end_find(const vs_bind *b, const char *text
 
 static bool same_name(const vs_bind_back_end *a, const char *name) { return !strcmp(a->name, name); }
 
-vs_status vs_p_back_end(vs_frame *f, vs_value *out) {
+vs_status vs_p_back_end(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   vs_bind_back_end made = { vs_store_text(b->store, f->arg[0].text.at, f->arg[0].text.length),
                             vs_store_text(b->store, f->arg[1].text.at, f->arg[1].text.length),

@@ -183,16 +183,16 @@ typedef struct {
 } vs_arg;
 
 struct vs_procedure;
-typedef struct vs_call_frame {
+typedef struct vs_args {
   vs_scheme *vm;
   vs_bind *bind;
   const struct vs_procedure *procedure;
   int form, count;              /* which form; how many positional arguments (a rest counts as one) */
   vs_arg arg[VS_MAX_ARGUMENTS], key[VS_MAX_KEYS];
   struct vs_scratch *scratch;   /* freed when the call ends */
-} vs_frame;
+} vs_args;
 
-typedef vs_status vs_procedure_fn(vs_frame *f, vs_value *out);
+typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 typedef struct vs_procedure {
   vs_form form[VS_MAX_FORMS];
   vs_bind_param key[VS_MAX_KEYS + 1];
@@ -203,36 +203,36 @@ extern const vs_procedure vs_bind_procedures[];
 /* The function of each row. Apart from the rows: 320 KB without an address in them are not written, nor read, when the
  * program is loaded. */
 extern vs_procedure_fn *const vs_bind_functions[];
-static inline vs_procedure_fn *vs_bind_function(const vs_frame *f) {
+static inline vs_procedure_fn *vs_bind_function(const vs_args *f) {
   return vs_bind_functions[f->procedure - vs_bind_procedures];
 }
 extern const vs_native_def vs_bind_defs[];
 
-void vs_bind_scratch_free(vs_frame *f);
-void *vs_bind_scratch(vs_frame *f, size_t bytes);  /* NULL: out of memory, error set */
-bool vs_bind_keep(vs_frame *f, vs_node *node);     /* releases it when the call ends; NULL gives the memory error */
+void vs_bind_scratch_free(vs_args *f);
+void *vs_bind_scratch(vs_args *f, size_t bytes);  /* NULL: out of memory, error set */
+bool vs_bind_keep(vs_args *f, vs_node *node);     /* releases it when the call ends; NULL gives the memory error */
 bool vs_bind_number(vs_scheme *vm, vs_value v, double *out);      /* any real number; false: not one */
 /* false: *bad is no object, or error set and *bad absent */
-bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad);
+bool vs_bind_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad);
 
 /* For what works long in the layers below: polls; false: the condition is set. context is the vs_scheme */
 bool vs_bind_keep_going(void *vm, double done);
 /* "NAME: PARAM must be EXPECTED, got VALUE" */
-vs_status vs_bind_error(vs_frame *f, const vs_error *e); /* what a layer below said */
+vs_status vs_bind_error(vs_args *f, const vs_error *e); /* what a layer below said */
 /* Objects: what unions hold, each placement counted; any other operation is one. By class (index VS_CURVE ...); false:
  * out of memory */
 typedef struct { double all, of[VS_INHERIT]; } vs_bind_counts;
 bool vs_bind_count(vs_ref ref, vs_bind_counts *out);
 int32_t vs_bind_segments(vs_bind *b);                   /* (current-segments), 0: by tolerance */
 double vs_bind_tolerance(vs_bind *b);                   /* (current-tolerance), 0: by the drawing size */
-vs_status vs_bind_finite(vs_frame *f, int i);           /* argument i, an object, has an end; else the error says what
+vs_status vs_bind_finite(vs_args *f, int i);           /* argument i, an object, has an end; else the error says what
                                                          * to do */
 /* The call of p, under this name, that was meant where numbers stand for points, gvectors or factors, into text;
  * false: there is none (regroup.c). */
 bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
     size_t room);
 #define VS_BIND_NO_VALUE "one expression gave no value" /* in messages about lists of objects */
-vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, vs_value got);
+vs_status vs_bind_refuse(vs_args *f, const char *param, const char *expected, vs_value got);
 
 /* Objects as drawing functions want them for a format of these names (NULL at the end): in place, new references for
  * old. False: the condition is set. Needs one registered. */
@@ -247,25 +247,25 @@ const vs_bind_back_end *vs_bind_back_end_find(const vs_bind *b, const char *text
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text, size_t *bytes);
 
 /* ---- building, for the functions of procedures.def (build.c) ---- */
-vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);
+vs_status vs_bind_make(vs_args *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);
 /* For argument 0 that is several curves or surfaces (geometry/parts.h): the union of what one makes of each. */
-vs_status vs_bind_each_part(vs_frame *f, vs_procedure_fn *one, vs_value *out);
-vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out); /* the empty object, with a warning once a
+vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out);
+vs_status vs_bind_empty(vs_args *f, const char *why, vs_value *out); /* the empty object, with a warning once a
                                                                        * place */
-vs_status vs_bind_resolve(vs_frame *f, int i); /* sections, shadows and edges in argument i become what they are in
+vs_status vs_bind_resolve(vs_args *f, int i); /* sections, shadows and edges in argument i become what they are in
                                                 * space */
-vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out);    /* takes the reference over */
-vs_status vs_bind_uncrossed(vs_frame *f, vs_ref ref, const char *what); /* a closed curve that crosses itself is
+vs_status vs_bind_node(vs_args *f, vs_node *node, vs_value *out);    /* takes the reference over */
+vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what); /* a closed curve that crosses itself is
                                                                          * refused; what: what it is */
-vs_status vs_bind_fill(vs_frame *f, vs_ref *ref, size_t n); /* where all are regions and closed curves of one plane, the
+vs_status vs_bind_fill(vs_args *f, vs_ref *ref, size_t n); /* where all are regions and closed curves of one plane, the
                                                              * curves become regions */
 /* The figure *out, drawn as in the plane XY, stands in the plane instead (#:plane): about its place where the form
  * takes one point, else as the plane's own coordinates say. */
-vs_status vs_bind_stand(vs_frame *f, const vs_arg *plane, vs_value *out);
-vs_status vs_bind_point(vs_frame *f, vs_vec3 p, vs_value *out);
-vs_status vs_bind_vector(vs_frame *f, vs_vec3 p, vs_value *out);
-vs_status vs_bind_real(vs_frame *f, double d, vs_value *out);
-vs_status vs_bind_matrix(vs_frame *f, const vs_affine *m, vs_value *out);
+vs_status vs_bind_stand(vs_args *f, const vs_arg *plane, vs_value *out);
+vs_status vs_bind_point(vs_args *f, vs_vec3 p, vs_value *out);
+vs_status vs_bind_vector(vs_args *f, vs_vec3 p, vs_value *out);
+vs_status vs_bind_real(vs_args *f, double d, vs_value *out);
+vs_status vs_bind_matrix(vs_args *f, const vs_affine *m, vs_value *out);
 vs_affine vs_bind_affine(const double *sixteen); /* the upper three rows */
 static inline bool vs_bind_is_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
 

@@ -3,19 +3,19 @@
 #include "bind/bind.h"
 #include "geometry/parts.h"
 
-vs_status vs_bind_point(vs_frame *f, vs_vec3 p, vs_value *out) {
+vs_status vs_bind_point(vs_args *f, vs_vec3 p, vs_value *out) {
   return vs_make_flat(f->vm, VS_FLAT_POINT, (const double[]){ p.x, p.y, p.z }, 3, out);
 }
-vs_status vs_bind_vector(vs_frame *f, vs_vec3 p, vs_value *out) {
+vs_status vs_bind_vector(vs_args *f, vs_vec3 p, vs_value *out) {
   return vs_make_flat(f->vm, VS_FLAT_VECTOR, (const double[]){ p.x, p.y, p.z }, 3, out);
 }
-vs_status vs_bind_real(vs_frame *f, double d, vs_value *out) {
+vs_status vs_bind_real(vs_args *f, double d, vs_value *out) {
   (void)f;
   *out = vs_flonum(d);
   return VS_OK;
 }
 
-vs_status vs_bind_matrix(vs_frame *f, const vs_affine *m, vs_value *out) {
+vs_status vs_bind_matrix(vs_args *f, const vs_affine *m, vs_value *out) {
   double d[16] = { 0 };
   memcpy(d, m->m, 12 * sizeof *d);
   d[15] = 1;
@@ -51,7 +51,7 @@ static const char *largest_field(vs_kind kind, const void *data) {
 }
 
 /* A placement's matrix comes from the last argument, unless that is what was given. */
-static vs_status refuse_large(vs_frame *f, const char *field) {
+static vs_status refuse_large(vs_args *f, const char *field) {
   const vs_bind_param *p = f->procedure->form[f->form].at;
   bool given = strcmp(field, "matrix") != 0;
   for (int i = 0; !given && p[i].mode != VS_ARG_END; i++) given = strcmp(p[i].name, field) == 0;
@@ -59,19 +59,19 @@ static vs_status refuse_large(vs_frame *f, const char *field) {
   return vs_fail(f->vm, f->vm->sym.range, "%s is too large: lengths end at 1e60", field);
 }
 
-vs_status vs_bind_node(vs_frame *f, vs_node *node, vs_value *out) {
+vs_status vs_bind_node(vs_args *f, vs_node *node, vs_value *out) {
   const char *large = node ? largest_field((vs_kind)node->kind, vs_node_data(node)) : NULL;
   if (large) return vs_node_release(node), refuse_large(f, large);
   return vs_bind_wrap(f->bind, node, out);
 }
 
-vs_status vs_bind_make(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out) {
+vs_status vs_bind_make(vs_args *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out) {
   const char *large = data ? largest_field(kind, data) : NULL;
   if (large) return refuse_large(f, large);
   return vs_bind_wrap(f->bind, vs_node_new(f->bind->store, kind, data, children, n), out);
 }
 
-vs_status vs_bind_each_part(vs_frame *f, vs_procedure_fn *one, vs_value *out) {
+vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out) {
   vs_ref whole = f->arg[0].ref, *parts;
   size_t count, made = 0;
   vs_status status = VS_OK;
@@ -89,7 +89,7 @@ vs_status vs_bind_each_part(vs_frame *f, vs_procedure_fn *one, vs_value *out) {
   return status;
 }
 
-vs_status vs_bind_empty(vs_frame *f, const char *why, vs_value *out) {
+vs_status vs_bind_empty(vs_args *f, const char *why, vs_value *out) {
   if (why) {
     const char *name = vs_bind_defs[f->procedure - vs_bind_procedures].name;
     if (*name == '%') name++;
@@ -113,7 +113,7 @@ static void plane_directions(vs_vec3 normal, vs_vec3 *u, vs_vec3 *v) {
   if (u->x < -1e-12 || (u->x <= 1e-12 && u->y < 0)) *u = vs_v3_scale(*u, -1);
 }
 
-vs_status vs_bind_stand(vs_frame *f, const vs_arg *plane, vs_value *out) {
+vs_status vs_bind_stand(vs_args *f, const vs_arg *plane, vs_value *out) {
   vs_ref ref = vs_bind_ref(*out);
   if (!ref.node || vs_bind_is_empty(ref.node)) return VS_OK;
   if (!vs_bind_keep(f, vs_node_retain(ref.node))) return VS_ERROR;
@@ -129,7 +129,7 @@ vs_status vs_bind_stand(vs_frame *f, const vs_arg *plane, vs_value *out) {
 }
 
 /* (%stand object plane), for the figures that geometry.scm makes */
-vs_status vs_p_stand(vs_frame *f, vs_value *out) {
+vs_status vs_p_stand(vs_args *f, vs_value *out) {
   *out = f->arg[0].value;
   return vs_bind_stand(f, &f->arg[1], out);
 }

@@ -2,7 +2,7 @@
  * what was wrong.
  *
  * Cost of a call: one pass over the form's parameters; nothing is allocated unless an argument is a list. Memory that
- * the checks allocate hangs off the frame and goes when the call ends, whatever its outcome. */
+ * the checks allocate hangs off the arguments and goes when the call ends, whatever its outcome. */
 #include "bind/functions/dual_points.h"
 #include "bind/constructors/files.h"
 #include "bind/rules/derivation.h"
@@ -75,7 +75,7 @@ static const struct { const char *noun, *condition; } contracts[] = {
 #undef VS_CONTRACT
 };
 
-static const char *own_name(const vs_frame *f, char room[64]) { /* the first of its names */
+static const char *own_name(const vs_args *f, char room[64]) { /* the first of its names */
   const char *names = vs_bind_defs[f->procedure - vs_bind_procedures].name;
   size_t n = strcspn(names, " ");
   if (n > 63) n = 63;
@@ -94,19 +94,19 @@ struct vs_scratch {
   max_align_t data[];
 };
 
-static struct vs_scratch *scratch_new(vs_frame *f, size_t bytes) {
+static struct vs_scratch *scratch_new(vs_args *f, size_t bytes) {
   struct vs_scratch *s = vs_mem(f->vm, NULL, 0, sizeof *s + bytes);
   if (!s) return (void)vs_fail_memory(f->vm), NULL;
   *s = (struct vs_scratch){ .next = f->scratch, .bytes = sizeof *s + bytes };
   return f->scratch = s;
 }
 
-void *vs_bind_scratch(vs_frame *f, size_t bytes) {
+void *vs_bind_scratch(vs_args *f, size_t bytes) {
   struct vs_scratch *s = scratch_new(f, bytes);
   return s ? (void *)s->data : NULL;
 }
 
-bool vs_bind_keep(vs_frame *f, vs_node *node) {
+bool vs_bind_keep(vs_args *f, vs_node *node) {
   if (!node) return vs_fail_memory(f->vm);
   struct vs_scratch *s = scratch_new(f, 0);
   if (!s) return vs_node_release(node), false;
@@ -114,7 +114,7 @@ bool vs_bind_keep(vs_frame *f, vs_node *node) {
   return true;
 }
 
-void vs_bind_scratch_free(vs_frame *f) {
+void vs_bind_scratch_free(vs_args *f) {
   while (f->scratch) {
     struct vs_scratch *s = f->scratch;
     f->scratch = s->next;
@@ -125,20 +125,20 @@ void vs_bind_scratch_free(vs_frame *f) {
 
 /* ---- refusing ---- */
 
-vs_status vs_bind_refuse(vs_frame *f, const char *param, const char *expected, vs_value got) {
+vs_status vs_bind_refuse(vs_args *f, const char *param, const char *expected, vs_value got) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = got;
   if (!vs_cons(f->vm, r[0], VS_NIL, &r[1])) return VS_ERROR;
   return vs_fail_with(f->vm, f->vm->sym.type, r[1], "%s must be %s, got", param, expected);
 }
 
-static vs_status refuse_hint(vs_frame *f, const char *param, const char *expected, vs_value got, const char *hint) {
+static vs_status refuse_hint(vs_args *f, const char *param, const char *expected, vs_value got, const char *hint) {
   char text[256];
   snprintf(text, sizeof text, "%s (%s?)", expected, hint);
   return vs_bind_refuse(f, param, text, got);
 }
 
-static vs_status convert_text(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out);
+static vs_status convert_text(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out);
 
 /* Two or three numbers in a list or a vector; how many, 0: it is something else. */
 static int listed_numbers(vs_scheme *vm, vs_value v, double d[3]) {
@@ -154,7 +154,7 @@ static int listed_numbers(vs_scheme *vm, vs_value v, double d[3]) {
 }
 
 /* A procedure where its result is wanted: "..., got the procedure wall; call it: (wall length)". False: v is none. */
-static bool refuse_uncalled(vs_frame *f, const vs_bind_param *p, vs_value v) {
+static bool refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v) {
   char form[120];
   if (!vs_is(v, VS_T_CLOSURE) && !vs_is(v, VS_T_NATIVE)) return false;
   const char *call = vs_procedure_form(v, form, sizeof form);
@@ -170,7 +170,7 @@ static bool refuse_uncalled(vs_frame *f, const vs_bind_param *p, vs_value v) {
 }
 
 /* The kind is wrong. Where a point and a gvector were taken for each other, say how to write the other. */
-static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) {
+static vs_status refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) {
   if (vs_is_dual(got))
     return vs_fail(f->vm, f->vm->sym.type,
                    "%s is a number that is being differentiated; objects hold plain numbers, so derivatives end here",
@@ -209,7 +209,7 @@ static vs_status refuse_kind(vs_frame *f, const vs_bind_param *p, vs_value got) 
   }
   return vs_bind_refuse(f, p->name, contracts[p->contract].noun, got);
 }
-static vs_status refuse_condition(vs_frame *f, const vs_bind_param *p, vs_value got) {
+static vs_status refuse_condition(vs_args *f, const vs_bind_param *p, vs_value got) {
   return vs_bind_refuse(f, p->name, contracts[p->contract].condition, got);
 }
 
@@ -257,8 +257,8 @@ static bool convert_plane(vs_value v, vs_arg *out) { /* its normal */
  * it; add takes one item. False: *bad is what is neither, or absent and the error is set. Nothing here allocates Scheme
  * objects, so plain locals are safe. A list that contains itself makes the stack grow for ever, its lists coming round
  * again; so each new one is compared with the one at the highest power of two below (Brent's way). */
-static bool flatten(vs_frame *f, const vs_value *values, size_t count,
-                    bool (*add)(vs_frame *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
+static bool flatten(vs_args *f, const vs_value *values, size_t count,
+                    bool (*add)(vs_args *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
   struct open { vs_value list, rest; } fixed[32], *open = fixed;
   size_t room = 32;
   for (size_t i = 0; i < count; i++) {
@@ -294,7 +294,7 @@ static bool flatten(vs_frame *f, const vs_value *values, size_t count,
 /* a growing array in scratch: in its place where it is the newest there, else anew, and the old one stays until the
  * call ends */
 typedef struct { void *at; size_t count, room, size; } grow;
-static void *grow_push(vs_frame *f, grow *g) {
+static void *grow_push(vs_args *f, grow *g) {
   if (g->count == g->room) {
     size_t room = g->room ? g->room * 2 : 8;
     struct vs_scratch *last = f->scratch;
@@ -315,7 +315,7 @@ static void *grow_push(vs_frame *f, grow *g) {
   return (char *)g->at + g->size * g->count++;
 }
 
-static bool add_ref(vs_frame *f, vs_value v, void *to, bool *oom) {
+static bool add_ref(vs_args *f, vs_value v, void *to, bool *oom) {
   vs_ref ref = vs_bind_ref(v);
   if (!ref.node) return false;
   vs_ref *slot = grow_push(f, to);
@@ -323,12 +323,12 @@ static bool add_ref(vs_frame *f, vs_value v, void *to, bool *oom) {
   *slot = ref;
   return true;
 }
-static bool add_curve(vs_frame *f, vs_value v, void *to, bool *oom) {
+static bool add_curve(vs_args *f, vs_value v, void *to, bool *oom) {
   const vs_node *n = vs_bind_ref(v).node;
   return n && (n->class_ == VS_CURVE || vs_bind_is_empty(n)) && add_ref(f, v, to, oom);
 }
 /* a section: a curve, a region, or a point, which becomes a line of one point */
-static bool add_section(vs_frame *f, vs_value v, void *to, bool *oom) {
+static bool add_section(vs_args *f, vs_value v, void *to, bool *oom) {
   const vs_node *object = vs_bind_ref(v).node;
   if (object)
     return (object->class_ == VS_CURVE || object->class_ == VS_REGION_CLASS || vs_bind_is_empty(object)) &&
@@ -343,7 +343,7 @@ static bool add_section(vs_frame *f, vs_value v, void *to, bool *oom) {
   *slot = (vs_ref){ n, NULL };
   return true;
 }
-static bool add_point(vs_frame *f, vs_value v, void *to, bool *oom) {
+static bool add_point(vs_args *f, vs_value v, void *to, bool *oom) {
   if (!vs_is_flat(v, VS_FLAT_POINT) || !finite3(vs_as_flat(v)->at)) return false;
   vs_vec3 *slot = grow_push(f, to);
   if (!slot) return *oom = true, false;
@@ -352,12 +352,12 @@ static bool add_point(vs_frame *f, vs_value v, void *to, bool *oom) {
 }
 
 typedef struct { grow refs, points; } grow_things;
-static bool add_thing(vs_frame *f, vs_value v, void *to, bool *oom) {
+static bool add_thing(vs_args *f, vs_value v, void *to, bool *oom) {
   grow_things *g = to;
   return vs_bind_ref(v).node ? add_ref(f, v, &g->refs, oom) : add_point(f, v, &g->points, oom);
 }
 
-bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad) {
+bool vs_bind_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad) {
   grow g = { .size = sizeof(vs_ref) };
   if (!flatten(f, &list, 1, add_ref, &g, bad)) return false;
   *out = g.at, *count = g.count;
@@ -367,7 +367,7 @@ bool vs_bind_refs(vs_frame *f, vs_value list, vs_ref **out, size_t *count, vs_va
 /* Writes what numbers where points belong seem to mean, as (make-polygon (xy 0 0) (xy 1 0)) for 0 0 1 0, for (0 0) (1
  * 0) or for a list of either, and (list (xy 0 0) (xy 1 0)) where the points are one argument among others. False:
  * something else stands among them. */
-static bool points_meant(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, char *text, size_t room) {
+static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, char *text, size_t room) {
   enum { MOST = 64, SHOWN = 4 };
   vs_value item[MOST];
   double all[3 * MOST], d[3];
@@ -401,7 +401,7 @@ static bool points_meant(vs_frame *f, const vs_bind_param *p, const vs_value *v,
 }
 
 /* An `if` without else, a `for-each` in place of a `map`: the commonest ways to get no value. */
-static vs_status refuse_item(vs_frame *f, const vs_bind_param *p, const vs_value *given, size_t count, vs_value bad,
+static vs_status refuse_item(vs_args *f, const vs_bind_param *p, const vs_value *given, size_t count, vs_value bad,
                              const char *item) {
   if (bad == VS_ABSENT) return VS_ERROR; /* the error is set */
   if (bad == VS_UNSPECIFIC)
@@ -423,7 +423,7 @@ static vs_status refuse_item(vs_frame *f, const vs_bind_param *p, const vs_value
   return vs_bind_refuse(f, p->name, text, bad);
 }
 
-static vs_status convert_refs(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
+static vs_status convert_refs(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
   grow g = { .size = sizeof(vs_ref) };
   vs_value bad;
   bool curves = p->contract == VS_C_CURVES, sections = p->contract == VS_C_SECTIONS;
@@ -433,7 +433,7 @@ static vs_status convert_refs(vs_frame *f, const vs_bind_param *p, const vs_valu
   return VS_OK;
 }
 
-static vs_status convert_points(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
+static vs_status convert_points(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
   grow g = { .size = sizeof(vs_vec3) };
   vs_value bad;
   if (!flatten(f, v, n, add_point, &g, &bad)) return refuse_item(f, p, v, n, bad, "point");
@@ -441,7 +441,7 @@ static vs_status convert_points(vs_frame *f, const vs_bind_param *p, const vs_va
   return VS_OK;
 }
 
-static vs_status convert_things(vs_frame *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
+static vs_status convert_things(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out) {
   grow_things g = { { .size = sizeof(vs_ref) }, { .size = sizeof(vs_vec3) } };
   vs_value bad;
   if (!flatten(f, v, n, add_thing, &g, &bad)) return refuse_item(f, p, v, n, bad, "object");
@@ -451,7 +451,7 @@ static vs_status convert_things(vs_frame *f, const vs_bind_param *p, const vs_va
 }
 
 /* one object, or the union of a list */
-static vs_status convert_object(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+static vs_status convert_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->ref = vs_bind_ref(v);
   if (out->ref.node) return VS_OK;
   vs_arg list;
@@ -488,7 +488,7 @@ static bool has_three(vs_value v) {
   return v == VS_NIL;
 }
 
-static vs_status convert_faces(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+static vs_status convert_faces(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   int64_t count = vs_list_length(v);
   if (count < 0) return refuse_kind(f, p, v);
   grow starts = { .size = sizeof(uint32_t) }, corners = { .size = sizeof(uint32_t) };
@@ -514,7 +514,7 @@ static vs_status convert_faces(vs_frame *f, const vs_bind_param *p, vs_value v, 
   return VS_OK;
 }
 
-static vs_status convert_text(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+static vs_status convert_text(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   char *text;
   size_t bytes;
   if (!vs_is_string(v) && !vs_is_symbol(v)) return refuse_kind(f, p, v);
@@ -527,7 +527,7 @@ static vs_status convert_text(vs_frame *f, const vs_bind_param *p, vs_value v, v
 }
 
 /* The spelling that was meant: "#f80", or a name with a slip. */
-static vs_status refuse_material(vs_frame *f, const vs_bind_param *p, vs_value got, const char *name) {
+static vs_status refuse_material(vs_args *f, const vs_bind_param *p, vs_value got, const char *name) {
   char hint[64];
   const char *near = vs_nearest_word(name, vs_ready_material_name);
   if (name[0] == '#' && strlen(name) == 4 && strspn(name + 1, "0123456789abcdefABCDEF") == 3)
@@ -538,7 +538,7 @@ static vs_status refuse_material(vs_frame *f, const vs_bind_param *p, vs_value g
 }
 
 /* Three numbers, not all from 0 to 1: from 0 to 255, and not all small, they are what other programs take. */
-static vs_status refuse_parts(vs_frame *f, const vs_bind_param *p, vs_value got) {
+static vs_status refuse_parts(vs_args *f, const vs_bind_param *p, vs_value got) {
   double c[3];
   char hint[96];
   vs_value l = got;
@@ -556,7 +556,7 @@ static bool is_photograph(const char *name) {
 }
 
 /* A material by its photograph: a matt surface, the picture a metre wide. */
-static vs_status convert_photograph(vs_frame *f, vs_value v, vs_arg *out) {
+static vs_status convert_photograph(vs_args *f, vs_value v, vs_arg *out) {
   vs_material m = { .roughness = 0.9, .ior = 1.5, .pattern = { .kind = VS_PATTERN_PICTURE } };
   double mean[3];
   if (vs_bind_picture(f, v, &m.pattern.picture, &m.name, mean) != VS_OK) return VS_ERROR;
@@ -565,7 +565,7 @@ static vs_status convert_photograph(vs_frame *f, vs_value v, vs_arg *out) {
   return out->material ? VS_OK : vs_fail_memory(f->vm);
 }
 
-static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+static vs_status convert_material(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->material = vs_foreign_get(v, &vs_paint_type);
   if (out->material) return VS_OK;
   if (vs_is_pair(v) && p->contract == VS_C_COLOR && vs_list_length(v) == 3) {
@@ -589,13 +589,13 @@ static vs_status convert_material(vs_frame *f, const vs_bind_param *p, vs_value 
                                        : refuse_material(f, p, v, name.text.at);
 }
 
-static vs_status convert_real(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+static vs_status convert_real(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (!vs_bind_number(f->vm, v, &out->real)) return refuse_kind(f, p, v);
   if (!isfinite(out->real)) return vs_bind_refuse(f, p->name, "finite", v);
   return VS_OK;
 }
 
-static vs_status convert_integer(vs_frame *f, const vs_bind_param *p, vs_value v, int64_t low, int64_t high,
+static vs_status convert_integer(vs_args *f, const vs_bind_param *p, vs_value v, int64_t low, int64_t high,
                                  vs_arg *out) {
   if (!vs_is_fixnum(v)) return refuse_kind(f, p, v);
   out->integer = vs_fixnum(v);
@@ -603,7 +603,7 @@ static vs_status convert_integer(vs_frame *f, const vs_bind_param *p, vs_value v
   return out->integer >= low && out->integer <= high ? VS_OK : refuse_condition(f, p, v);
 }
 
-static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+static vs_status convert(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->given = true, out->value = v;
   switch ((vs_contract)p->contract) {
     case VS_C_ANY: return VS_OK;
@@ -720,7 +720,7 @@ static vs_status convert(vs_frame *f, const vs_bind_param *p, vs_value v, vs_arg
 /* ---- choosing the form ---- */
 
 /* Is v of this contract's kind, by a look that cannot fail? Only what tells the forms of one procedure apart. */
-static bool looks_like(vs_frame *f, vs_contract c, vs_value v) {
+static bool looks_like(vs_args *f, vs_contract c, vs_value v) {
   vs_arg unused;
   if (c == VS_C_POINT) return vs_is_flat(v, VS_FLAT_POINT);
   if (c == VS_C_VECTOR || c == VS_C_DIRECTION) return vs_is_flat(v, VS_FLAT_VECTOR);
@@ -736,7 +736,7 @@ static size_t append(char *text, size_t room, size_t at, const char *more) {
 }
 
 /* No form takes so many arguments: show them all, and what beginners mean by three numbers. */
-static vs_status refuse_count(vs_frame *f, const vs_value *a, int n) {
+static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
   char name[64], text[512];
   size_t at = append(text, sizeof text, 0, "takes ");
   own_name(f, name);
@@ -768,7 +768,7 @@ static vs_status refuse_count(vs_frame *f, const vs_value *a, int n) {
 
 /* How many of n arguments look like the form's first parameters (0 where there is no other form); -1: it takes fewer,
  * or more. */
-static int form_fits(vs_frame *f, const vs_form *form, const vs_value *a, int n) {
+static int form_fits(vs_args *f, const vs_form *form, const vs_value *a, int n) {
   int fits = f->procedure->form[1].used ? 0 : -1;
   const vs_bind_param *p = form->at;
   for (int i = 0; i < n && p->mode != VS_ARG_REST; i++, p++) {
@@ -781,7 +781,7 @@ static int form_fits(vs_frame *f, const vs_form *form, const vs_value *a, int n)
 }
 
 /* the number of the form, or -1 with the error set */
-static int choose_form(vs_frame *f, const vs_value *a, int n) {
+static int choose_form(vs_args *f, const vs_value *a, int n) {
   int best = -1, best_fits = -1;
   for (int i = 0; i < VS_MAX_FORMS && f->procedure->form[i].used; i++) {
     int fits = form_fits(f, &f->procedure->form[i], a, n);
@@ -815,7 +815,7 @@ static inline quick convert_quickly(const vs_bind_param *p, vs_value v, vs_arg *
   return isfinite(out->real) && (p->contract == VS_C_REAL || out->real > 0) ? QUICK_FITS : QUICK_UNSURE;
 }
 
-static bool enter_quickly(vs_frame *f, const vs_value *a, int n) {
+static bool enter_quickly(vs_args *f, const vs_value *a, int n) {
   for (f->form = 0; f->form < VS_MAX_FORMS && f->procedure->form[f->form].used; f->form++) {
     const vs_bind_param *p = f->procedure->form[f->form].at;
     quick fits = QUICK_FITS;
@@ -835,7 +835,7 @@ static bool enter_quickly(vs_frame *f, const vs_value *a, int n) {
 /* ---- the one native ---- */
 
 /* The form's arguments, one by one. */
-static bool enter_slowly(vs_frame *f, const vs_value *a, int given) {
+static bool enter_slowly(vs_args *f, const vs_value *a, int given) {
   f->form = choose_form(f, a, given);
   if (f->form < 0) return false;
   const vs_form *form = &f->procedure->form[f->form];
@@ -859,7 +859,7 @@ static bool enter_slowly(vs_frame *f, const vs_value *a, int given) {
   return true;
 }
 
-static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
+static vs_status run(vs_args *f, vs_value *a, int n, vs_value *out) {
   bool keyed = f->procedure->key[0].mode != VS_ARG_END;
   int given = n, places = n;
   /* a[] holds every positional place, then the keywords; behind a rest just these */
@@ -886,7 +886,7 @@ static vs_status run(vs_frame *f, vs_value *a, int n, vs_value *out) {
 }
 
 vs_status vs_bind_enter(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
-  vs_frame f; /* arguments are set one by one: clearing all of it would cost more than most procedures */
+  vs_args f; /* arguments are set one by one: clearing all of it would cost more than most procedures */
   f.vm = vm, f.bind = vs_bind_of(vm), f.scratch = NULL, f.count = 0;
   f.procedure = &vs_bind_procedures[vm->native->def - vs_bind_defs];
   vs_status s = run(&f, a, n, out);

@@ -33,7 +33,7 @@ static bool tickets_grow(vs_bind *b, size_t need) {
   return true;
 }
 
-vs_status vs_p_custom_new(vs_frame *f, vs_value *out) {
+vs_status vs_p_custom_new(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   uint32_t number = (uint32_t)f->arg[2].integer;
   vs_ref child = vs_bind_ref(f->arg[3].value);
@@ -52,7 +52,7 @@ vs_status vs_p_custom_new(vs_frame *f, vs_value *out) {
 }
 
 /* A number that no node holds any more, or #f. */
-vs_status vs_p_custom_gone(vs_frame *f, vs_value *out) {
+vs_status vs_p_custom_gone(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   /* one that has been made again since */
   while (b->gone_count && b->tickets[b->gone[b->gone_count - 1]]) b->gone_count--;
@@ -60,20 +60,20 @@ vs_status vs_p_custom_gone(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-vs_status vs_p_custom_number(vs_frame *f, vs_value *out) {
+vs_status vs_p_custom_number(vs_args *f, vs_value *out) {
   const vs_node *n = vs_bind_ref(f->arg[0].value).node;
   *out = n && n->kind == VS_CUSTOM ? vs_fix(VS_AS(custom, n)->values->id) : VS_FALSE;
   return VS_OK;
 }
 
-vs_status vs_p_custom_open(vs_frame *f, vs_value *out) {
+vs_status vs_p_custom_open(vs_args *f, vs_value *out) {
   const vs_node *n = vs_bind_ref(f->arg[0].value).node;
   *out = vs_bool(n && n->flags & VS_NODE_OPEN);
   return VS_OK;
 }
 
 /* The node itself, as a number: what is one node has one. */
-vs_status vs_p_node_number(vs_frame *f, vs_value *out) {
+vs_status vs_p_node_number(vs_args *f, vs_value *out) {
   *out = vs_fix((int64_t)((uintptr_t)f->arg[0].ref.node >> 3));
   return VS_OK;
 }
@@ -92,7 +92,7 @@ static const char *class_noun(const vs_node *n) {
 
 /* The same operation on other children, made where the old ones were. Placements, wrappers and unions take anything;
  * others what they had. */
-vs_status vs_p_object_with(vs_frame *f, vs_value *out) {
+vs_status vs_p_object_with(vs_args *f, vs_value *out) {
   const vs_ref *o = &f->arg[0].ref, *kids = f->arg[1].refs.at;
   const vs_node *n = o->node;
   size_t count = f->arg[1].refs.count;
@@ -119,13 +119,13 @@ vs_status vs_p_object_with(vs_frame *f, vs_value *out) {
 }
 
 /* Says whether drawing functions are at work; returns what held before. */
-vs_status vs_p_handing(vs_frame *f, vs_value *out) {
+vs_status vs_p_handing(vs_args *f, vs_value *out) {
   *out = vs_bool(f->bind->handing);
   f->bind->handing = f->arg[0].value != VS_FALSE;
   return VS_OK;
 }
 
-vs_status vs_p_is_format(vs_frame *f, vs_value *out) {
+vs_status vs_p_is_format(vs_args *f, vs_value *out) {
   *out = vs_bool(f->bind->is_format && f->bind->is_format(f->bind, f->arg[0].text.at));
   return VS_OK;
 }

@@ -34,7 +34,7 @@ static void warn_drawn_twice(vs_bind *b, size_t before, const vs_ref *ref, size_
       "this object is drawn already and now stands there twice: what a procedure has drawn needs no second draw");
 }
 
-vs_status vs_p_draw(vs_frame *f, vs_value *out) {
+vs_status vs_p_draw(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   size_t n = f->arg[0].refs.count;
   vs_ref *ref = f->arg[0].refs.at;
@@ -55,7 +55,7 @@ vs_status vs_p_draw(vs_frame *f, vs_value *out) {
 
 /* A drawn object that is one of the objects, or equal to one, goes; an object that does not stand in the drawing is
  * an error. */
-vs_status vs_p_erase(vs_frame *f, vs_value *out) {
+vs_status vs_p_erase(vs_args *f, vs_value *out) {
   (void)out;
   vs_scene *scene = &f->bind->scene;
   for (size_t i = 0; i < f->arg[0].refs.count && !f->bind->handing; i++) {
@@ -75,7 +75,7 @@ vs_status vs_p_erase(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-vs_status vs_p_erase_all(vs_frame *f, vs_value *out) {
+vs_status vs_p_erase_all(vs_args *f, vs_value *out) {
   (void)out;
   if (!f->bind->handing) vs_bind_clear_drawing(f->bind);
   return VS_OK;
@@ -83,7 +83,7 @@ vs_status vs_p_erase_all(vs_frame *f, vs_value *out) {
 
 /* ---- looks: a node above the objects ---- */
 
-static vs_status around(vs_frame *f, vs_kind kind, const void *data, const vs_arg *objects, vs_value *out) {
+static vs_status around(vs_args *f, vs_kind kind, const void *data, const vs_arg *objects, vs_value *out) {
   vs_ref child;
   if (objects->refs.count == 0) return vs_bind_empty(f, NULL, out);
   if (objects->refs.count == 1) child = objects->refs.at[0];
@@ -97,31 +97,31 @@ static vs_status around(vs_frame *f, vs_kind kind, const void *data, const vs_ar
   return vs_bind_make(f, kind, data, &child, 1, out);
 }
 
-vs_status vs_p_with_material(vs_frame *f, vs_value *out) {
+vs_status vs_p_with_material(vs_args *f, vs_value *out) {
   return around(f, VS_MATERIAL, &(struct vs_material){ .material = f->arg[0].material }, &f->arg[1], out);
 }
 
 /* a ready colour has a name of its own only where it is a material; color takes the colour alone */
-vs_status vs_p_color(vs_frame *f, vs_value *out) {
+vs_status vs_p_color(vs_args *f, vs_value *out) {
   return around(f, VS_MATERIAL, &(struct vs_material){ .material = f->arg[0].material }, &f->arg[1], out);
 }
 
-vs_status vs_p_layer(vs_frame *f, vs_value *out) {
+vs_status vs_p_layer(vs_args *f, vs_value *out) {
   const char *name = vs_store_text(f->bind->store, f->arg[0].text.at, f->arg[0].text.length);
   if (!name) return vs_fail_memory(f->vm);
   return around(f, VS_LAYER, &(struct vs_layer){ .name = name }, &f->arg[1], out);
 }
 
-vs_status vs_p_highlight(vs_frame *f, vs_value *out) {
+vs_status vs_p_highlight(vs_args *f, vs_value *out) {
   return around(f, VS_HIGHLIGHT, &(struct vs_highlight){ 0 }, &f->arg[0], out);
 }
-vs_status vs_p_ghost(vs_frame *f, vs_value *out) {
+vs_status vs_p_ghost(vs_args *f, vs_value *out) {
   return around(f, VS_GHOST, &(struct vs_ghost){ 0 }, &f->arg[0], out);
 }
-vs_status vs_p_only(vs_frame *f, vs_value *out) { return around(f, VS_ONLY, &(struct vs_only){ 0 }, &f->arg[0], out); }
+vs_status vs_p_only(vs_args *f, vs_value *out) { return around(f, VS_ONLY, &(struct vs_only){ 0 }, &f->arg[0], out); }
 
 /* A picture of a file on the surface. Its colour from afar is the material's, unless that was given. */
-static vs_status picture_of(vs_frame *f, const vs_arg *image, bool colored, vs_material *m) {
+static vs_status picture_of(vs_args *f, const vs_arg *image, bool colored, vs_material *m) {
   const char *shown;
   double mean[3];
   if (vs_bind_picture(f, image->value, &m->pattern.picture, &shown, mean) != VS_OK) return VS_ERROR;
@@ -131,7 +131,7 @@ static vs_status picture_of(vs_frame *f, const vs_arg *image, bool colored, vs_m
 }
 
 /* The pattern's keywords, the five from k. The second colour is a darker shade of the first unless it is given. */
-static vs_status pattern_of(vs_frame *f, const vs_arg *k, bool colored, vs_material *m) {
+static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_material *m) {
   vs_material_pattern *p = &m->pattern;
   const double darker = 0.75;
   if (k[4].given && (k[0].given || k[1].given))
@@ -150,7 +150,7 @@ static vs_status pattern_of(vs_frame *f, const vs_arg *k, bool colored, vs_mater
   return VS_OK;
 }
 
-vs_status vs_p_make_material(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_material(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* name color roughness metallic transparency ior, the pattern's four, and image */
   vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5, { 0 } };
   if (k[0].given && !(m.name = vs_store_text(f->bind->store, k[0].text.at, k[0].text.length)))
@@ -166,14 +166,14 @@ vs_status vs_p_make_material(vs_frame *f, vs_value *out) {
   return vs_make_foreign(f->vm, &vs_paint_type, (void *)(uintptr_t)kept, 0, out);
 }
 
-vs_status vs_p_is_material(vs_frame *f, vs_value *out) {
+vs_status vs_p_is_material(vs_args *f, vs_value *out) {
   *out = vs_bool(vs_foreign_get(f->arg[0].value, &vs_paint_type) != NULL);
   return VS_OK;
 }
 
 /* ---- the view ---- */
 
-vs_status vs_p_view_from(vs_frame *f, vs_value *out) {
+vs_status vs_p_view_from(vs_args *f, vs_value *out) {
   static const struct { const char *name; vs_view view; } views[] = {
     { "top", VS_VIEW_TOP },     { "bottom", VS_VIEW_BOTTOM }, { "front", VS_VIEW_FRONT }, { "back", VS_VIEW_BACK },
     { "left", VS_VIEW_LEFT },   { "right", VS_VIEW_RIGHT },   { "iso", VS_VIEW_ISO },
@@ -187,7 +187,7 @@ vs_status vs_p_view_from(vs_frame *f, vs_value *out) {
   return vs_bind_refuse(f, "side", "one of 'top 'bottom 'front 'back 'left 'right 'iso", f->arg[0].value);
 }
 
-vs_status vs_p_zoom_extents(vs_frame *f, vs_value *out) {
+vs_status vs_p_zoom_extents(vs_args *f, vs_value *out) {
   (void)out;
   if (!f->bind->handing) f->bind->scene.view = VS_VIEW_EXTENTS, f->bind->scene.looked = true;
   return VS_OK;
@@ -209,7 +209,7 @@ static bool read_time(const char *text, double longitude, double *hours) {
   return true;
 }
 
-vs_status vs_p_sun(vs_frame *f, vs_value *out) {
+vs_status vs_p_sun(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* azimuth altitude latitude longitude date time */
   vs_scene *s = &f->bind->scene;
   double azimuth, altitude;
@@ -240,7 +240,7 @@ vs_status vs_p_sun(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-vs_status vs_p_sky(vs_frame *f, vs_value *out) {
+vs_status vs_p_sky(vs_args *f, vs_value *out) {
   vs_scene *s = &f->bind->scene;
   (void)out;
   const vs_arg *turbidity = &f->key[2];
@@ -262,7 +262,7 @@ vs_status vs_p_sky(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-vs_status vs_p_lamp(vs_frame *f, vs_value *out) {
+vs_status vs_p_lamp(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* ies lumens to turn dim color */
   vs_scene_lamp l = { .at = f->arg[0].point, .dim = k[4].given ? k[4].real : 1, .color = { 1, 1, 1 } };
   (void)out;
@@ -284,7 +284,7 @@ vs_status vs_p_lamp(vs_frame *f, vs_value *out) {
   return f->bind->handing || vs_scene_add_lamp(&f->bind->scene, &l) ? VS_OK : vs_fail_memory(f->vm);
 }
 
-vs_status vs_p_ground(vs_frame *f, vs_value *out) {
+vs_status vs_p_ground(vs_args *f, vs_value *out) {
   vs_scene *s = &f->bind->scene;
   (void)out;
   if (f->bind->handing) return VS_OK;
@@ -293,7 +293,7 @@ vs_status vs_p_ground(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-vs_status vs_p_units(vs_frame *f, vs_value *out) {
+vs_status vs_p_units(vs_args *f, vs_value *out) {
   static const char *const known[] = { "m", "mm", "cm", "in", "ft" };
   (void)out;
   for (size_t i = 0; i < sizeof known / sizeof *known; i++)

@@ -17,7 +17,7 @@ bool vs_bind_keep_going(void *vm, double done) {
   return vs_poll(vm, UINT64_C(1) << 20); /* false: the condition is set */
 }
 
-vs_status vs_bind_resolve(vs_frame *f, int i) {
+vs_status vs_bind_resolve(vs_args *f, int i) {
   vs_error e = { 0 };
   vs_bounds b;
   vs_ref *ref = &f->arg[i].ref, made = *ref;
@@ -39,7 +39,7 @@ vs_status vs_bind_resolve(vs_frame *f, int i) {
 
 enum { SOLID_MEASURE /* and one for each vs_ask */ };
 
-static bool known(vs_frame *f, uint64_t what, const vs_fineness *facets, void *out, size_t size) {
+static bool known(vs_args *f, uint64_t what, const vs_fineness *facets, void *out, size_t size) {
   vs_cache *cache = vs_store_cache(f->bind->store);
   const uint64_t words[] = { what, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
   const vs_cached *held = vs_cache_find(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3, 0 });
@@ -49,14 +49,14 @@ static bool known(vs_frame *f, uint64_t what, const vs_fineness *facets, void *o
   return true;
 }
 
-static void keep(vs_frame *f, uint64_t what, const vs_fineness *facets, const void *at, size_t size) {
+static void keep(vs_args *f, uint64_t what, const vs_fineness *facets, const void *at, size_t size) {
   vs_cache *cache = vs_store_cache(f->bind->store);
   const uint64_t words[] = { what, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
   vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3, 0 },
                                        &(vs_cache_piece){ at, size }, 1));
 }
 
-static vs_status measure_solid(vs_frame *f, vs_measure *m, vs_ask ask) {
+static vs_status measure_solid(vs_args *f, vs_measure *m, vs_ask ask) {
   vs_error e = { 0 };
   vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
   uint64_t what = SOLID_MEASURE + (uint64_t)ask;
@@ -69,7 +69,7 @@ static vs_status measure_solid(vs_frame *f, vs_measure *m, vs_ask ask) {
 }
 
 /* a surface, or several: area and its centre, of fine triangles */
-static vs_status measure_surface(vs_frame *f, vs_measure *m) {
+static vs_status measure_surface(vs_args *f, vs_measure *m) {
   vs_error e = { 0 };
   vs_bounds b;
   vs_mesh mesh = { 0 };
@@ -97,7 +97,7 @@ static vs_status measure_surface(vs_frame *f, vs_measure *m) {
   return VS_OK;
 }
 
-static vs_status measure_any(vs_frame *f, vs_measure *m, vs_ask ask) {
+static vs_status measure_any(vs_args *f, vs_measure *m, vs_ask ask) {
   vs_error e = { 0 };
   const vs_node *n = f->arg[0].ref.node;
   *m = (vs_measure){ 0 };
@@ -113,7 +113,7 @@ static vs_status measure_any(vs_frame *f, vs_measure *m, vs_ask ask) {
                  strchr("aeiou", *kind) ? "an" : "a", kind);
 }
 
-static vs_status measure(vs_frame *f, vs_measure *m, vs_ask ask) {
+static vs_status measure(vs_args *f, vs_measure *m, vs_ask ask) {
   if (!measure_any(f, m, ask)) return VS_ERROR;
   vs_vec3 c = m->centroid;
   if (isfinite(m->volume) && isfinite(ask == VS_ASK_AREA ? m->area : 0) && isfinite(m->length) && isfinite(c.x) &&
@@ -122,7 +122,7 @@ static vs_status measure(vs_frame *f, vs_measure *m, vs_ask ask) {
   return vs_bind_refuse(f, "o", "smaller: what is asked for is beyond all numbers", f->arg[0].value);
 }
 
-vs_status vs_p_volume(vs_frame *f, vs_value *out) {
+vs_status vs_p_volume(vs_args *f, vs_value *out) {
   vs_measure m;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
   if (c == VS_CURVE || c == VS_REGION_CLASS || c == VS_SURFACE)
@@ -134,7 +134,7 @@ vs_status vs_p_volume(vs_frame *f, vs_value *out) {
   return measure(f, &m, VS_ASK_VOLUME) && vs_bind_real(f, m.volume, out);
 }
 
-vs_status vs_p_area(vs_frame *f, vs_value *out) {
+vs_status vs_p_area(vs_args *f, vs_value *out) {
   vs_measure m;
   if (f->arg[0].ref.node->class_ != VS_CURVE && !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
@@ -151,14 +151,14 @@ vs_status vs_p_area(vs_frame *f, vs_value *out) {
   return measure(f, &m, VS_ASK_AREA) && vs_bind_real(f, m.area, out);
 }
 
-vs_status vs_p_curve_length(vs_frame *f, vs_value *out) {
+vs_status vs_p_curve_length(vs_args *f, vs_value *out) {
   vs_measure m;
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   if (f->arg[0].ref.node->class_ == VS_NOTHING) return vs_bind_real(f, 0, out);
   return measure(f, &m, VS_ASK_VOLUME) && vs_bind_real(f, m.length, out);
 }
 
-vs_status vs_p_centroid(vs_frame *f, vs_value *out) {
+vs_status vs_p_centroid(vs_args *f, vs_value *out) {
   vs_measure m;
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_bounds b;
@@ -172,7 +172,7 @@ vs_status vs_p_centroid(vs_frame *f, vs_value *out) {
 
 /* ---- the bounding box ---- */
 
-vs_status vs_p_bounding_box(vs_frame *f, vs_value *out) {
+vs_status vs_p_bounding_box(vs_args *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;

@@ -208,7 +208,7 @@ double vs_bind_tolerance(vs_bind *b) { return current(b, CURRENT_TOLERANCE); }
 
 /* ---- warnings of the library in Scheme ---- */
 
-vs_status vs_p_warn(vs_frame *f, vs_value *out) {
+vs_status vs_p_warn(vs_args *f, vs_value *out) {
   (void)out;
   vs_bind_warn(f->bind, f->arg[0].text.at, "%s", f->arg[0].text.at);
   return VS_OK;

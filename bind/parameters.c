@@ -36,7 +36,7 @@ bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum) {
 }
 
 /* the value's text, as the host sees it; NULL: error set */
-static const char *written(vs_frame *f, vs_value v) {
+static const char *written(vs_args *f, vs_value v) {
   vs_text t;
   const char *text = NULL;
   vs_text_open(f->vm, &t, 0);
@@ -67,14 +67,14 @@ static const char *type_name(vs_bind_parameter_type t) {
 
 /* set: the value is the command line's and so is the fault (exit 2); the report then shows the definition's place as a
  * note. */
-static vs_status wrong(vs_frame *f, bool set, const char *name, const char *must, const char *got) {
+static vs_status wrong(vs_args *f, bool set, const char *name, const char *must, const char *got) {
   f->bind->bad_parameter = set;
   return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s, got %s", name,
                     must, got);
 }
 
 /* (xyz x y z) or (xy x y), as it was read, becomes the point. False: it is none. */
-static bool point_setting(const vs_frame *f, const char *datum, vs_value list, double xyz[3]) {
+static bool point_setting(const vs_args *f, const char *datum, vs_value list, double xyz[3]) {
   const char *name = datum + strspn(datum, " (");
   size_t length = strcspn(name, " ()"), count = 0;
   xyz[2] = 0;
@@ -85,7 +85,7 @@ static bool point_setting(const vs_frame *f, const char *datum, vs_value list, d
 }
 
 /* The setting as a value like the default: exact stays exact, a real takes any number, a string is the bare text. */
-static vs_status read_setting(vs_frame *f, const char *name, const char *datum, vs_value like, vs_value *out) {
+static vs_status read_setting(vs_args *f, const char *name, const char *datum, vs_value like, vs_value *out) {
   vs_bind_parameter_type t = type_of(like);
   if (t == VS_P_STRING) return vs_string_from_utf8(f->vm, datum, strlen(datum), out);
   size_t bytes = strlen(datum), used = 0;
@@ -129,7 +129,7 @@ static vs_status read_setting(vs_frame *f, const char *name, const char *datum, 
   return fits ? VS_OK : wrong(f, true, name, type_name(t), datum);
 }
 
-static vs_status in_range(vs_frame *f, const vs_bind_parameter *p, vs_value v, bool set) {
+static vs_status in_range(vs_args *f, const vs_bind_parameter *p, vs_value v, bool set) {
   double d;
   char low[32], high[32], must[96];
   if (f->key[KEY_CHOICES].given) {
@@ -155,7 +155,7 @@ static vs_status in_range(vs_frame *f, const vs_bind_parameter *p, vs_value v, b
   return wrong(f, set, p->name, must, p->value);
 }
 
-static vs_status read_choices(vs_frame *f, vs_bind_parameter *p) {
+static vs_status read_choices(vs_args *f, vs_bind_parameter *p) {
   vs_value list = f->key[KEY_CHOICES].value;
   int64_t n = vs_list_length(list);
   if (n < 1) return vs_bind_refuse(f, "#:choices", "a list of values", list);
@@ -169,7 +169,7 @@ static vs_status read_choices(vs_frame *f, vs_bind_parameter *p) {
   return VS_OK;
 }
 
-static void set_range(vs_frame *f, vs_bind_parameter *p, double d) {
+static void set_range(vs_args *f, vs_bind_parameter *p, double d) {
   const vs_arg *k = f->key;
   p->has_range = true;
   p->least = k[KEY_MIN].given, p->most = k[KEY_MAX].given;
@@ -182,7 +182,7 @@ static void set_range(vs_frame *f, vs_bind_parameter *p, double d) {
 }
 
 /* a definition made again (in the REPL) takes the place of the first */
-static vs_status keep(vs_frame *f, const vs_bind_parameter *p) {
+static vs_status keep(vs_args *f, const vs_bind_parameter *p) {
   vs_bind *b = f->bind;
   for (size_t i = 0; i < b->parameter_count; i++)
     if (b->parameters[i].name == p->name) {
@@ -200,7 +200,7 @@ static vs_status keep(vs_frame *f, const vs_bind_parameter *p) {
   return VS_OK;
 }
 
-static vs_status define(vs_frame *f, vs_bind_parameter *p, vs_value *value, vs_value first) {
+static vs_status define(vs_args *f, vs_bind_parameter *p, vs_value *value, vs_value first) {
   const vs_arg *k = f->key;
   vs_store *s = f->bind->store;
   if (!(p->name = vs_store_text(s, f->arg[0].text.at, f->arg[0].text.length))) return vs_fail_memory(f->vm);
@@ -231,7 +231,7 @@ static vs_status define(vs_frame *f, vs_bind_parameter *p, vs_value *value, vs_v
 }
 
 /* (%parameter 'name default #:min ...): the value to define the name with */
-vs_status vs_p_parameter(vs_frame *f, vs_value *out) {
+vs_status vs_p_parameter(vs_args *f, vs_value *out) {
   vs_bind_parameter p = { 0 };
   VS_ROOTS(f->vm, r, 2);
   r[0] = r[1] = f->arg[1].value;

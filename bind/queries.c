@@ -8,36 +8,36 @@ static vs_status truth(bool b, vs_value *out) {
   *out = vs_bool(b);
   return VS_OK;
 }
-static const vs_node *node_of(const vs_frame *f) { /* NULL: argument 0 is no object */
+static const vs_node *node_of(const vs_args *f) { /* NULL: argument 0 is no object */
   return vs_bind_ref(f->arg[0].value).node;
 }
-static vs_status is_class(const vs_frame *f, vs_class c, vs_value *out) {
+static vs_status is_class(const vs_args *f, vs_class c, vs_value *out) {
   return truth(node_of(f) && node_of(f)->class_ == c, out);
 }
 
-vs_status vs_p_is_object(vs_frame *f, vs_value *out) { return truth(node_of(f) != NULL, out); }
-vs_status vs_p_is_curve(vs_frame *f, vs_value *out) { return is_class(f, VS_CURVE, out); }
-vs_status vs_p_is_region(vs_frame *f, vs_value *out) { return is_class(f, VS_REGION_CLASS, out); }
-vs_status vs_p_is_surface(vs_frame *f, vs_value *out) { return is_class(f, VS_SURFACE, out); }
-vs_status vs_p_is_solid(vs_frame *f, vs_value *out) { return is_class(f, VS_SOLID, out); }
-vs_status vs_p_is_empty(vs_frame *f, vs_value *out) { return truth(node_of(f) && node_of(f)->kind == VS_EMPTY, out); }
+vs_status vs_p_is_object(vs_args *f, vs_value *out) { return truth(node_of(f) != NULL, out); }
+vs_status vs_p_is_curve(vs_args *f, vs_value *out) { return is_class(f, VS_CURVE, out); }
+vs_status vs_p_is_region(vs_args *f, vs_value *out) { return is_class(f, VS_REGION_CLASS, out); }
+vs_status vs_p_is_surface(vs_args *f, vs_value *out) { return is_class(f, VS_SURFACE, out); }
+vs_status vs_p_is_solid(vs_args *f, vs_value *out) { return is_class(f, VS_SOLID, out); }
+vs_status vs_p_is_empty(vs_args *f, vs_value *out) { return truth(node_of(f) && node_of(f)->kind == VS_EMPTY, out); }
 
 static bool is_operation(const vs_node *n) {
   vs_level level = vs_kind_get((vs_kind)n->kind)->level;
   return level == VS_LEVEL_OPERATION || level == VS_LEVEL_SWEPT;
 }
-vs_status vs_p_is_csg(vs_frame *f, vs_value *out) { return truth(node_of(f) && vs_node_is_set(node_of(f)), out); }
-vs_status vs_p_is_operation(vs_frame *f, vs_value *out) { return truth(node_of(f) && is_operation(node_of(f)), out); }
-vs_status vs_p_is_primitive(vs_frame *f, vs_value *out) { return truth(node_of(f) && !is_operation(node_of(f)), out); }
+vs_status vs_p_is_csg(vs_args *f, vs_value *out) { return truth(node_of(f) && vs_node_is_set(node_of(f)), out); }
+vs_status vs_p_is_operation(vs_args *f, vs_value *out) { return truth(node_of(f) && is_operation(node_of(f)), out); }
+vs_status vs_p_is_primitive(vs_args *f, vs_value *out) { return truth(node_of(f) && !is_operation(node_of(f)), out); }
 
-vs_status vs_p_object_kind(vs_frame *f, vs_value *out) {
+vs_status vs_p_object_kind(vs_args *f, vs_value *out) {
   const vs_node *n = f->arg[0].ref.node;
   return vs_intern_c(f->vm, n->kind == VS_CUSTOM ? VS_AS(custom, n)->name : vs_kind_get((vs_kind)n->kind)->name, out);
 }
 
 /* ---- fields as values ---- */
 
-static vs_status list_points(vs_frame *f, const vs_points *p, vs_value *out) {
+static vs_status list_points(vs_args *f, const vs_points *p, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (uint32_t i = p->count; i-- > 0;)
@@ -46,7 +46,7 @@ static vs_status list_points(vs_frame *f, const vs_points *p, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status list_faces(vs_frame *f, const vs_faces *g, vs_value *out) {
+static vs_status list_faces(vs_args *f, const vs_faces *g, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (uint32_t i = g->count; i-- > 0;) {
@@ -59,7 +59,7 @@ static vs_status list_faces(vs_frame *f, const vs_faces *g, vs_value *out) {
   return VS_OK;
 }
 
-static vs_status field_value(vs_frame *f, const vs_field_info *i, const vs_node *n, vs_value *out) {
+static vs_status field_value(vs_args *f, const vs_field_info *i, const vs_node *n, vs_value *out) {
   const void *at = (const char *)vs_node_data(n) + i->offset;
   switch (i->type) {
     case VS_FIELD_real: return vs_bind_real(f, *(const double *)at, out);
@@ -82,7 +82,7 @@ static vs_status field_value(vs_frame *f, const vs_field_info *i, const vs_node 
 }
 
 /* segments are left out where they follow the tolerance: then they were not given */
-vs_status vs_p_object_arguments(vs_frame *f, vs_value *out) {
+vs_status vs_p_object_arguments(vs_args *f, vs_value *out) {
   const vs_node *n = f->arg[0].ref.node;
   const vs_kind_info *k = vs_kind_get((vs_kind)n->kind);
   VS_ROOTS(f->vm, r, 2);
@@ -97,7 +97,7 @@ vs_status vs_p_object_arguments(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-vs_status vs_p_object_children(vs_frame *f, vs_value *out) {
+vs_status vs_p_object_children(vs_args *f, vs_value *out) {
   vs_ref ref = f->arg[0].ref;
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
@@ -109,7 +109,7 @@ vs_status vs_p_object_children(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-vs_status vs_p_object_count(vs_frame *f, vs_value *out) {
+vs_status vs_p_object_count(vs_args *f, vs_value *out) {
   vs_bind_counts c;
   if (!vs_bind_count(f->arg[0].ref, &c)) return vs_fail_memory(f->vm);
   *out = c.all < (double)VS_FIXNUM_MAX ? vs_fix((int64_t)c.all) : vs_flonum(c.all);
@@ -118,7 +118,7 @@ vs_status vs_p_object_count(vs_frame *f, vs_value *out) {
 
 /* ---- measures ---- */
 
-vs_status vs_bind_error(vs_frame *f, const vs_error *e) {
+vs_status vs_bind_error(vs_args *f, const vs_error *e) {
   switch (e->kind) {
     case VS_ERROR_MEMORY: return vs_fail_memory(f->vm);
     case VS_ERROR_INTERRUPT: return vs_fail(f->vm, f->vm->sym.interrupt, "interrupted");
@@ -128,7 +128,7 @@ vs_status vs_bind_error(vs_frame *f, const vs_error *e) {
   return vs_fail(f->vm, f->vm->sym.error, "%s", *e->message ? e->message : "cannot be worked out");
 }
 
-vs_status vs_bind_finite(vs_frame *f, int i) {
+vs_status vs_bind_finite(vs_args *f, int i) {
   const vs_arg *a = &f->arg[i];
   if (!(a->ref.node->flags & VS_NODE_ENDLESS)) return VS_OK;
   return vs_bind_refuse(f, f->procedure->form[f->form].at[i].name,
@@ -136,7 +136,7 @@ vs_status vs_bind_finite(vs_frame *f, int i) {
                         a->value);
 }
 
-vs_status vs_p_contains(vs_frame *f, vs_value *out) {
+vs_status vs_p_contains(vs_args *f, vs_value *out) {
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
   bool inside = false;

@@ -23,7 +23,7 @@ static vs_status refuse(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* the same for syntax, which geometry.scm defines */
-vs_status vs_p_reserved(vs_frame *f, vs_value *out) {
+vs_status vs_p_reserved(vs_args *f, vs_value *out) {
   (void)out;
   return vs_fail_at(f->vm, f->vm->sym.unbound, vs_call_place(f->vm), VS_NIL,
                     "%s: this name is reserved: it is not there yet; %s", f->arg[0].text.at, f->arg[1].text.at);

@@ -102,7 +102,7 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   vs_ref one = vs_bind_ref(v);
   if (one.node) return remember(b, one, shown);
   if (!vs_is_pair(v)) return true;
-  vs_frame f = { .vm = b->vm, .bind = b };
+  vs_args f = { .vm = b->vm, .bind = b };
   vs_ref *ref;
   size_t n;
   vs_value bad = VS_ABSENT;
@@ -201,7 +201,7 @@ bool vs_bind_count(vs_ref ref, vs_bind_counts *out) {
 
 enum { HOST_VALUES = 6 };
 
-vs_status vs_p_host_set(vs_frame *f, vs_value *out) {
+vs_status vs_p_host_set(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   (void)out;
   if (f->arg[0].integer >= HOST_VALUES) return vs_bind_refuse(f, "index", "smaller", f->arg[0].value);

@@ -507,7 +507,7 @@ int main(int argc, char **argv) {
   if (options.untrusted) options.interpreter.host.read_file = read_untrusted;
   if (options.untrusted) options.interpreter.host.list_folder = list_untrusted;
   if (!TIDY) options.interpreter.alloc = cli_memory;
-  options.interpreter.keep_frames = options.verbose || options.interactive || options.source_count == 0;
+  options.interpreter.keep_calls = options.verbose || options.interactive || options.source_count == 0;
   if (options.interpreter.limit_memory) cli_limits_memory(options.interpreter.limit_memory);
   session.watch.limit = options.interpreter.limit_time;
   session.watch.prompt = options.interactive || options.source_count == 0;

@@ -125,20 +125,20 @@ void cli_report_stop(cli_reporter *r, vs_scheme *scheme, const vs_stop_info *sto
     fprintf(stderr, "=> %s\n", stop->text);
     return;
   }
-  vs_frame_info frame;
+  vs_call_info call;
   vs_diagnostic d = {.at = stop->at, .source_line = stop->source_line};
   print_place(&stop->at);
   fprintf(stderr, "%s", stop->kind == VS_STOPPED_BREAK ? "stopped" : "next");
   if (*stop->procedure) fprintf(stderr, ", in %s", stop->procedure);
-  if (vs_frame_get(scheme, 0, &frame) && *frame.variables) fprintf(stderr, ": %s", frame.variables);
+  if (vs_call_get(scheme, 0, &call) && *call.variables) fprintf(stderr, ": %s", call.variables);
   fputc('\n', stderr);
   if (d.source_line && d.at.line) print_source(&d, *stop->text ? stop->text : NULL);
 }
 
 bool cli_report_calls(vs_scheme *scheme, FILE *to) {
-  vs_frame_info f;
+  vs_call_info f;
   size_t i = 0;
-  for (; vs_frame_get(scheme, i, &f); i++) {
+  for (; vs_call_get(scheme, i, &f); i++) {
     fprintf(to, "  %zu  %s", i + 1, *f.procedure ? f.procedure : "(no name)");
     if (f.at.file) fprintf(to, ", %s:%u:%u", f.at.file, (unsigned)f.at.line, (unsigned)f.at.column);
     fprintf(to, "%s%s\n", *f.variables ? ": " : "", f.variables);

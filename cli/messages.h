@@ -20,7 +20,7 @@ void cli_report_settle(cli_reporter *r); /* takes the progress line away */
  * call that comes next with the values of its arguments. Of a value: the expression and what it gave. */
 void cli_report_stop(cli_reporter *r, vs_scheme *scheme, const vs_stop_info *stop);
 /* The calls that the last error ended, innermost first, each with the parameters it had, a line a call. Returns false
- * if there were none. The interpreter keeps them if vs_options.keep_frames says so. */
+ * if there were none. The interpreter keeps them if vs_options.keep_calls says so. */
 bool cli_report_calls(vs_scheme *scheme, FILE *to);
 /* "house.vs: 3 solids, 4 x 5.5 x 2 m, from (0 0 0) to (4 5.5 2)" */
 void cli_report_summary(const char *title, const vs_summary *s);

@@ -161,9 +161,9 @@ bool vs_disassemble(vs_scheme *vm, const char *name, bool (*each)(void *context,
 
 /* ---- the calls that an error ended ---- */
 
-const vs_value *vs_session_call(vs_session *s, vs_value frames, size_t index, vs_span *at) {
-  if (!vs_is_vector(frames)) return NULL;
-  const vs_vector *v = vs_as_vector(frames);
+const vs_value *vs_session_call(vs_session *s, vs_value calls, size_t index, vs_span *at) {
+  if (!vs_is_vector(calls)) return NULL;
+  const vs_vector *v = vs_as_vector(calls);
   for (size_t i = 0; i < v->length && vs_is(v->at[i + VS_CALL_PROCEDURE], VS_T_CLOSURE); i += VS_CALL_WORDS)
     /* the library's own calls are not the user's business */
     if (vs_session_span(s, vs_pos_of(v->at[i + VS_CALL_PLACE]), at) && !index--) return v->at + i;
@@ -179,12 +179,12 @@ bool vs_session_put_value(vs_scheme *vm, vs_text *t, vs_value v, size_t most) {
   return ok;
 }
 
-bool vs_frame_get(vs_scheme *vm, size_t index, vs_frame_info *out) {
+bool vs_call_get(vs_scheme *vm, size_t index, vs_call_info *out) {
   vs_session *s = vs_session_of(vm);
   VS_ROOTS(vm, r, 1);
-  *out = (vs_frame_info){ .procedure = "", .variables = "" };
+  *out = (vs_call_info){ .procedure = "", .variables = "" };
   if (!vs_is(vm->condition, VS_T_CONDITION)) return false;
-  r[0] = vs_as_condition(vm->condition)->frames;
+  r[0] = vs_as_condition(vm->condition)->calls;
   const vs_value *call = vs_session_call(s, r[0], index, &out->at);
   if (!call) return false;
   const vs_code *code = vs_as_code(vs_as_closure(call[VS_CALL_PROCEDURE])->code);

@@ -87,7 +87,7 @@ bool vs_session_bindings(vs_session *s, vs_value *out) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 3);
   vs_span at;
-  r[0] = vs_as_condition(vs_car(vm->at.stops))->frames;
+  r[0] = vs_as_condition(vs_car(vm->at.stops))->calls;
   r[1] = VS_NIL;
   const vs_value *call = vs_session_call(s, r[0], 0, &at);
   size_t first = call ? (size_t)(call - vs_as_vector(r[0])->at) : 0;
@@ -154,7 +154,7 @@ bool vs_stop_get(vs_scheme *vm, vs_stop_info *out) {
   r[0] = vs_car(vm->at.stops);
   vs_stop_kind kind = (vs_stop_kind)vs_fixnum(details(r[0])->at[VS_STOP_KIND]);
   out->kind = kind == VS_STOP_CALL ? VS_STOPPED_CALL : kind == VS_STOP_VALUE ? VS_STOPPED_VALUE : VS_STOPPED_BREAK;
-  const vs_value *call = vs_session_call(s, vs_as_condition(r[0])->frames, 0, &out->at);
+  const vs_value *call = vs_session_call(s, vs_as_condition(r[0])->calls, 0, &out->at);
   if (call) {
     const vs_code *code = vs_as_code(vs_as_closure(call[VS_CALL_PROCEDURE])->code);
     if (vs_is_symbol(code->name)) out->procedure = vs_as_symbol(code->name)->name;

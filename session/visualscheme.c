@@ -252,7 +252,7 @@ vs_scheme *vs_new(const vs_options *options) {
     .tables = vs_nodes_tables(),
     .image = &vs_library_image,
     .io = &vs_session_io,
-    .keep_frames = o.keep_frames,
+    .keep_calls = o.keep_calls,
     .value = take_value,
     .dropped = vs_bind_dropped,
     .warn = warn_program,

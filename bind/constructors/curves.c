@@ -5,7 +5,7 @@
 #define POINT(i) (f->arg[i].point)
 #define TURN 6.283185307179586
 
-static int32_t segments(const vs_frame *f) {
+static int32_t segments(const vs_args *f) {
   return f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind);
 }
 
@@ -40,7 +40,7 @@ static bool tidy(vs_vec3 *at, size_t *count) {
   return closed;
 }
 
-static vs_status polyline(vs_frame *f, vs_vec3 *at, size_t n, bool close, vs_value *out) {
+static vs_status polyline(vs_args *f, vs_vec3 *at, size_t n, bool close, vs_value *out) {
   if (n < 2) {
     VS_ROOTS(f->vm, r, 1);
     r[0] = VS_NIL;
@@ -56,14 +56,14 @@ static vs_status polyline(vs_frame *f, vs_vec3 *at, size_t n, bool close, vs_val
   return vs_bind_node(f, points_node(f->bind->store, VS_LINE, at, n, closed, NULL), out);
 }
 
-vs_status vs_p_make_line(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_line(vs_args *f, vs_value *out) {
   return polyline(f, f->arg[0].points.at, f->arg[0].points.count, false, out);
 }
-vs_status vs_p_make_polygon(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_polygon(vs_args *f, vs_value *out) {
   return polyline(f, f->arg[0].points.at, f->arg[0].points.count, true, out);
 }
 
-vs_status vs_p_make_rectangle(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_rectangle(vs_args *f, vs_value *out) {
   vs_vec3 p = POINT(0), q = POINT(1), at[4] = { p, p, q, q };
   if (p.z == q.z) at[1].x = q.x, at[3].x = p.x;
   else if (p.y == q.y) at[1].x = q.x, at[3].x = p.x;
@@ -75,7 +75,7 @@ vs_status vs_p_make_rectangle(vs_frame *f, vs_value *out) {
   return polyline(f, at, 4, true, out);
 }
 
-vs_status vs_p_make_regular_polygon(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_regular_polygon(vs_args *f, vs_value *out) {
   size_t n = (size_t)f->arg[2].integer;
   double from = f->arg[3].given ? REAL(3) : 0;
   if (REAL(1) == 0) return vs_bind_empty(f, "r is 0", out);
@@ -95,12 +95,12 @@ static vs_node *circle(vs_store *s, vs_vec3 c, double r, int32_t n) {
   return vs_node_new(s, VS_CIRCLE, &(struct vs_circle){ .center = c, .radius = r, .segments = n }, NULL, 0);
 }
 
-vs_status vs_p_make_circle(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_circle(vs_args *f, vs_value *out) {
   if (REAL(1) == 0) return vs_bind_empty(f, "r is 0", out);
   return vs_bind_node(f, circle(f->bind->store, POINT(0), REAL(1), segments(f)), out);
 }
 
-vs_status vs_p_make_arc(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_arc(vs_args *f, vs_value *out) {
   struct vs_arc d = { .center = POINT(0), .radius = REAL(1), .segments = segments(f) };
   if (f->form == 1) d.start = REAL(2);
   d.end = f->form == 0 ? REAL(2) : REAL(3);
@@ -112,7 +112,7 @@ vs_status vs_p_make_arc(vs_frame *f, vs_value *out) {
 }
 
 /* an ellipse is a circle made wider or narrower across */
-vs_status vs_p_make_ellipse(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
   double rx = REAL(1), ry = REAL(2);
   if (rx == 0 || ry == 0) return vs_bind_empty(f, "rx or ry is 0", out);
   vs_node *c = circle(f->bind->store, POINT(0), rx, segments(f));
@@ -126,7 +126,7 @@ vs_status vs_p_make_ellipse(vs_frame *f, vs_value *out) {
 
 /* ---- splines ---- */
 
-static vs_status tangent(vs_frame *f, int i, const char *name, vs_vec3 *out) { /* #f: natural */
+static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) { /* #f: natural */
   vs_value v = f->arg[i].value;
   double angle, s, c;
   *out = vs_v3(0, 0, 0);
@@ -144,7 +144,7 @@ static vs_status tangent(vs_frame *f, int i, const char *name, vs_vec3 *out) { /
 }
 
 /* (%make-spline points start end segments): geometry.scm has sorted the forms out */
-vs_status vs_p_make_spline(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   vs_vec3 *at = f->arg[0].points.at;
   size_t n = f->arg[0].points.count;
   struct vs_spline d = { .segments = f->arg[3].integer ? (int32_t)f->arg[3].integer : vs_bind_segments(f->bind) };
@@ -160,7 +160,7 @@ vs_status vs_p_make_spline(vs_frame *f, vs_value *out) {
 
 /* ---- regions ---- */
 
-vs_status vs_p_make_donut(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_donut(vs_args *f, vs_value *out) {
   double outer = fmax(REAL(1), REAL(2)), inner = fmin(REAL(1), REAL(2));
   if (outer == 0 || outer == inner) return vs_bind_empty(f, "the ring has no width", out);
   const vs_origin *o = vs_bind_origin(f->bind);

@@ -11,7 +11,7 @@
 #include "vm/front/source.h"
 
 /* whole: where the file is, the store's */
-static vs_status file_of(vs_frame *f, vs_value name, vs_value *bytes, const char **shown, const char **whole) {
+static vs_status file_of(vs_args *f, vs_value name, vs_value *bytes, const char **shown, const char **whole) {
   vs_scheme *vm = f->vm;
   vs_text path, own;
   vs_text_open(vm, &path, 0);
@@ -32,12 +32,12 @@ static vs_status file_of(vs_frame *f, vs_value name, vs_value *bytes, const char
   return ok ? VS_OK : VS_ERROR;
 }
 
-vs_status vs_bind_file(vs_frame *f, const vs_arg *name, vs_value *bytes, const char **shown) {
+vs_status vs_bind_file(vs_args *f, const vs_arg *name, vs_value *bytes, const char **shown) {
   const char *whole;
   return file_of(f, name->value, bytes, shown, &whole);
 }
 
-static vs_status keep_picture(vs_frame *f, const char *format, const char *whole, const vs_bytes *bytes,
+static vs_status keep_picture(vs_args *f, const char *format, const char *whole, const vs_bytes *bytes,
                               uint32_t columns, uint32_t rows, const vs_picture **out) {
   *out = vs_store_picture(f->bind->store, &(vs_picture){ .path = whole,
                                                          .format = format,
@@ -48,7 +48,7 @@ static vs_status keep_picture(vs_frame *f, const char *format, const char *whole
   return *out ? VS_OK : vs_fail_memory(f->vm);
 }
 
-vs_status vs_bind_picture(vs_frame *f, vs_value name, const vs_picture **out, const char **shown, double mean[3]) {
+vs_status vs_bind_picture(vs_args *f, vs_value name, const vs_picture **out, const char **shown, double mean[3]) {
   vs_error e = { 0 };
   vs_photograph read;
   const char *whole;
@@ -62,7 +62,7 @@ vs_status vs_bind_picture(vs_frame *f, vs_value name, const vs_picture **out, co
 }
 
 /* Takes the sun out of a picture of light: *out is what is left of it, NULL where it has none. */
-static vs_status take_sun(vs_frame *f, const char *shown, const char *whole, const vs_bytes *bytes, bool exr,
+static vs_status take_sun(vs_args *f, const char *shown, const char *whole, const vs_bytes *bytes, bool exr,
                           const vs_picture **out, vs_panorama_sun *sun) {
   static const char *const wanted[] = { "R", "G", "B", NULL };
   vs_store *store = f->bind->store;
@@ -84,7 +84,7 @@ static vs_status take_sun(vs_frame *f, const char *shown, const char *whole, con
 }
 
 /* The format shows in the first bytes. */
-vs_status vs_bind_sky_picture(vs_frame *f, vs_value name, const vs_picture **out, const vs_picture **sunless,
+vs_status vs_bind_sky_picture(vs_args *f, vs_value name, const vs_picture **out, const vs_picture **sunless,
                               vs_panorama_sun *sun) {
   static const struct { const char *format; unsigned char bytes[4]; size_t count;
   } kinds[] = {
@@ -106,7 +106,7 @@ vs_status vs_bind_sky_picture(vs_frame *f, vs_value name, const vs_picture **out
   return keep_picture(f, format, whole, vs_as_bytes(r[0]), 0, 0, out);
 }
 
-vs_status vs_bind_lamp_file(vs_frame *f, vs_value name, const vs_picture **out) {
+vs_status vs_bind_lamp_file(vs_args *f, vs_value name, const vs_picture **out) {
   const char *shown, *whole;
   vs_error e = { 0 };
   vs_ies read;

@@ -5,7 +5,7 @@
 #include "geometry/files/raster.h"
 
 /* Rows of numbers, the first at the least y. The samples come as a raster, from the top down as a picture's. */
-static vs_status rows_of(vs_frame *f, vs_value rows, vs_raster *out) {
+static vs_status rows_of(vs_args *f, vs_value rows, vs_raster *out) {
   int64_t count = vs_list_length(rows), columns = count > 0 ? vs_list_length(vs_car(rows)) : 0;
   if (count < 0 || (count > 0 && columns < 0))
     return vs_bind_refuse(f, "source", "the name of a PNG or EXR file, or a list of rows, each a list of numbers",
@@ -34,7 +34,7 @@ static vs_status rows_of(vs_frame *f, vs_value rows, vs_raster *out) {
   return VS_OK;
 }
 
-static vs_status picture_of(vs_frame *f, const char **name, vs_raster *out) {
+static vs_status picture_of(vs_args *f, const char **name, vs_raster *out) {
   vs_error e = { 0 };
   VS_ROOTS(f->vm, r, 1);
   if (!vs_bind_file(f, &f->arg[0], &r[0], name)) return VS_ERROR;
@@ -47,7 +47,7 @@ static vs_status picture_of(vs_frame *f, const char **name, vs_raster *out) {
 }
 
 /* Heights over the rectangle; scaled: numbers from 0 to 1 stand for low to high. */
-static vs_status field(vs_frame *f, const char *name, const vs_raster *r, bool scaled, double low, double high,
+static vs_status field(vs_args *f, const char *name, const vs_raster *r, bool scaled, double low, double high,
                        vs_value *out) {
   vs_vec3 p = f->arg[1].point, q = f->arg[2].point, least = { fmin(p.x, q.x), fmin(p.y, q.y), p.z },
           most = { fmax(p.x, q.x), fmax(p.y, q.y), p.z };
@@ -83,7 +83,7 @@ static vs_status field(vs_frame *f, const char *name, const vs_raster *r, bool s
   return ok;
 }
 
-vs_status vs_p_make_height_field(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_height_field(vs_args *f, vs_value *out) {
   vs_value source = f->arg[0].value;
   vs_vec3 p = f->arg[1].point, q = f->arg[2].point;
   double low = f->key[0].given ? f->key[0].real : 0, high = f->key[1].given ? f->key[1].real : 1;

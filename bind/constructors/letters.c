@@ -8,7 +8,7 @@
 #include "vm/front/source.h"
 
 /* A file stands beside the program that names it, as one that it loads does, and is read by the host's own means. */
-static vs_status font_file(vs_frame *f, const vs_arg *font, const char **out) {
+static vs_status font_file(vs_args *f, const vs_arg *font, const char **out) {
   vs_scheme *vm = f->vm;
   vs_text path;
   vs_error e = { 0 };
@@ -25,7 +25,7 @@ static vs_status font_file(vs_frame *f, const vs_arg *font, const char **out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-static vs_status font_of(vs_frame *f, const vs_arg *font, const char **out) {
+static vs_status font_of(vs_args *f, const vs_arg *font, const char **out) {
   vs_error e = { 0 };
   if (font->given && vs_font_is_path(font->text.at)) return font_file(f, font, out);
   *out = vs_store_text(f->bind->store, font->given ? font->text.at : "", font->given ? font->text.length : 0);
@@ -34,7 +34,7 @@ static vs_status font_of(vs_frame *f, const vs_arg *font, const char **out) {
 }
 
 /* Returns one of the words, which is text of the program's own; NULL if it is refused. */
-static const char *word_of(vs_frame *f, const char *param, const vs_arg *a, const char *const *words,
+static const char *word_of(vs_args *f, const char *param, const vs_arg *a, const char *const *words,
                            const char *expected) {
   if (!a->given) return words[0];
   for (; *words; words++)
@@ -44,13 +44,13 @@ static const char *word_of(vs_frame *f, const char *param, const vs_arg *a, cons
 }
 
 /* The British and the common spelling are one; what is stored lies in the store, as every text of a node. */
-static bool kept_word(vs_frame *f, const char **word) {
+static bool kept_word(vs_args *f, const char **word) {
   if (!strcmp(*word, "centre")) *word = "center";
   *word = vs_store_text(f->bind->store, *word, strlen(*word));
   return *word || vs_fail_memory(f->vm);
 }
 
-static void tell_missing(vs_frame *f, uint32_t c) {
+static void tell_missing(vs_args *f, uint32_t c) {
   char shown[8] = { 0 };
   if (c < 0x80) shown[0] = (char)c;
   else if (c < 0x800) shown[0] = (char)(0xC0 | c >> 6), shown[1] = (char)(0x80 | (c & 63));
@@ -64,7 +64,7 @@ static void tell_missing(vs_frame *f, uint32_t c) {
                (unsigned)c);
 }
 
-vs_status vs_p_make_text(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_text(vs_args *f, vs_value *out) {
   static const char *const aligns[] = { "left", "center", "centre", "right", NULL };
   static const char *const valigns[] = { "baseline", "top", "center", "centre", "bottom", NULL };
   struct vs_letters t = { .p = f->arg[0].point,
@@ -88,7 +88,7 @@ vs_status vs_p_make_text(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_TEXT, &t, NULL, 0, out);
 }
 
-vs_status vs_p_text_width(vs_frame *f, vs_value *out) {
+vs_status vs_p_text_width(vs_args *f, vs_value *out) {
   struct vs_letters t = {
     .size = f->arg[0].real, .align = "left", .valign = "baseline", .spacing = f->key[1].given ? f->key[1].real : 1
   };

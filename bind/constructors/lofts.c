@@ -14,7 +14,7 @@
 #define TURN 6.283185307179586
 
 /* Fails where the node cannot be meshed. */
-static vs_status tried(vs_frame *f, vs_node *n) {
+static vs_status tried(vs_args *f, vs_node *n) {
   vs_bounds b = vs_bounds_empty(), child;
   vs_error e = { 0 };
   vs_mesh m = { 0 };
@@ -35,7 +35,7 @@ static vs_status tried(vs_frame *f, vs_node *n) {
 
 /* ---- revolutions ---- */
 
-vs_status vs_p_do_revolve(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_revolve(vs_args *f, vs_value *out) {
   struct vs_revolve d = { .at = f->arg[1].line.at, .direction = vs_v3_unit(f->arg[1].line.direction), .end = TURN };
   vs_revolve plan;
   vs_error e = { 0 };
@@ -61,7 +61,7 @@ vs_status vs_p_do_revolve(vs_frame *f, vs_value *out) {
 /* ---- lofts ---- */
 
 /* Empty sections are left out. *count 0: fewer than two are left, and *out is the empty object. */
-static vs_status sections(vs_frame *f, vs_ref *all, size_t *count, vs_value *out) {
+static vs_status sections(vs_args *f, vs_ref *all, size_t *count, vs_value *out) {
   size_t given = *count, n = 0;
   const vs_origin *origin = vs_bind_origin(f->bind);
   *count = 0;
@@ -80,14 +80,14 @@ static vs_status sections(vs_frame *f, vs_ref *all, size_t *count, vs_value *out
   return n < 2 ? vs_bind_empty(f, "fewer than two sections are more than nothing", out) : VS_OK;
 }
 
-static vs_status loft(vs_frame *f, vs_kind kind, const void *data, const vs_ref *children, size_t count,
+static vs_status loft(vs_args *f, vs_kind kind, const void *data, const vs_ref *children, size_t count,
                       vs_value *out) {
   vs_node *n = vs_node_new(f->bind->store, kind, data, children, count);
   if (!vs_bind_keep(f, n) || !tried(f, n)) return VS_ERROR;
   return vs_bind_node(f, vs_node_retain(n), out);
 }
 
-vs_status vs_p_do_loft(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_loft(vs_args *f, vs_value *out) {
   struct vs_loft d = { .start_angle = f->arg[1].given ? REAL(1) : 0, .start_hold = f->arg[2].given ? REAL(2) : 0,
                        .end_angle = f->arg[3].given ? REAL(3) : 0, .end_hold = f->arg[4].given ? REAL(4) : 0 };
   size_t n = f->arg[0].refs.count;
@@ -97,19 +97,19 @@ vs_status vs_p_do_loft(vs_frame *f, vs_value *out) {
   return n ? loft(f, VS_LOFT, &d, f->arg[0].refs.at, n, out) : VS_OK;
 }
 
-vs_status vs_p_loft_objects(vs_frame *f, vs_value *out) {
+vs_status vs_p_loft_objects(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].refs.count;
   if (!sections(f, f->arg[0].refs.at, &n, out)) return VS_ERROR;
   return n ? loft(f, VS_LOFT, &(struct vs_loft){ 0 }, f->arg[0].refs.at, n, out) : VS_OK;
 }
 
-vs_status vs_p_do_ruled_loft(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_ruled_loft(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].refs.count;
   if (!sections(f, f->arg[0].refs.at, &n, out)) return VS_ERROR;
   return n ? loft(f, VS_RULED_LOFT, &(struct vs_ruled_loft){ 0 }, f->arg[0].refs.at, n, out) : VS_OK;
 }
 
-vs_status vs_p_do_guided_loft(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_guided_loft(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].refs.count, guides = f->arg[1].refs.count;
   bool path = vs_bind_ref(f->arg[1].value).node != NULL;
   if (!sections(f, f->arg[0].refs.at, &n, out)) return VS_ERROR;
@@ -132,7 +132,7 @@ vs_status vs_p_do_guided_loft(vs_frame *f, vs_value *out) {
 typedef struct { vs_vec3 *at; size_t rows, columns; vs_value bad; size_t bad_row, bad_column; bool bad_point; } grid;
 
 /* Rows of points; VS_ERROR: the error is set, or g->bad_point and the place of what is none. */
-static vs_status read_rows(vs_frame *f, vs_value v, grid *g) {
+static vs_status read_rows(vs_args *f, vs_value v, grid *g) {
   int64_t rows = vs_list_length(v), columns = rows > 0 ? vs_list_length(vs_car(v)) : 0;
   *g = (grid){ 0 };
   if (rows < 0) return vs_bind_refuse(f, "rows", "a list of lists of points", v);
@@ -166,7 +166,7 @@ static vs_status read_rows(vs_frame *f, vs_value v, grid *g) {
   return VS_OK;
 }
 
-static vs_status make_grid(vs_frame *f, vs_kind kind, const grid *g, vs_value *out) {
+static vs_status make_grid(vs_args *f, vs_kind kind, const grid *g, vs_value *out) {
   vs_error e = { 0 };
   vs_node *n = vs_surface_make(f->bind->store, kind, g->at, g->rows, g->columns, f->key[0].given && f->key[0].boolean,
                                f->key[1].given && f->key[1].boolean, &e);
@@ -176,7 +176,7 @@ static vs_status make_grid(vs_frame *f, vs_kind kind, const grid *g, vs_value *o
   return vs_bind_empty(f, "all points lie on one line", out);
 }
 
-static vs_status bad_point(vs_frame *f, const grid *g) {
+static vs_status bad_point(vs_args *f, const grid *g) {
   if (!g->bad_point) return VS_ERROR;
   char text[96];
   snprintf(text, sizeof text, "lists of points of finite coordinates; in row %zu, place %zu", g->bad_row + 1,
@@ -184,13 +184,13 @@ static vs_status bad_point(vs_frame *f, const grid *g) {
   return vs_bind_refuse(f, "rows", text, g->bad);
 }
 
-vs_status vs_p_make_mesh(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_mesh(vs_args *f, vs_value *out) {
   grid g;
   return read_rows(f, f->arg[0].value, &g) ? make_grid(f, VS_GRID_MESH, &g, out) : bad_point(f, &g);
 }
 
 /* (%make-surface rows u0 u1 v0 v1): rows are what the procedure gave over these ranges; #f: they are the user's own */
-vs_status vs_p_make_surface(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_surface(vs_args *f, vs_value *out) {
   grid g;
   double range[4];
   if (read_rows(f, f->arg[0].value, &g)) return make_grid(f, VS_GRID_SURFACE, &g, out);

@@ -40,7 +40,7 @@ static void place_text(char text[112], vs_vec3 p) {
 
 /* mesh: the triangles of a closed polyface mesh, tagged by face, or empty: then they are made. *flawless: nothing
  * overlaps. */
-static vs_status inspect(vs_frame *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
+static vs_status inspect(vs_args *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
   const struct vs_polyface_mesh *d = VS_AS(polyface_mesh, n);
   vs_kernel_counts counts = { 0 };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm, .counts = &counts };
@@ -69,7 +69,7 @@ static vs_status inspect(vs_frame *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *
   return VS_OK;
 }
 
-static vs_status refuse_flaws(vs_frame *f, const char *file, const vs_mesh *mesh, const vs_mesh_flaws *flaws) {
+static vs_status refuse_flaws(vs_args *f, const char *file, const vs_mesh *mesh, const vs_mesh_flaws *flaws) {
   char at[112], more[64] = "";
   const vs_mesh_flaw *first = flaws->wound_count ? &flaws->wound[0] : &flaws->open[0];
   size_t others = flaws->wound_count ? flaws->wound_count : flaws->open_count;
@@ -84,7 +84,7 @@ static vs_status refuse_flaws(vs_frame *f, const char *file, const vs_mesh *mesh
                  mesh->tags[first->triangle] + 1, at, more);
 }
 
-static vs_status refuse_open(vs_frame *f, const char *file, const vs_face_list *l) {
+static vs_status refuse_open(vs_args *f, const char *file, const vs_face_list *l) {
   vs_open_edges open;
   char from[112], to[112], more[64] = "";
   vs_error e = { VS_ERROR_NONE, NULL, "" };
@@ -120,7 +120,7 @@ static size_t note(char *text, size_t room, size_t at, size_t count, const char 
 }
 
 /* l mended, as a node (a new reference), with a note of what was done; what is left may be empty */
-static vs_status repaired(vs_frame *f, const char *file, vs_face_list *l, vs_node **out) {
+static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, vs_node **out) {
   vs_repair_notes notes;
   vs_error e = { 0 };
   vs_mesh mesh = { 0 }, whole = { 0 };
@@ -166,13 +166,13 @@ static vs_status repaired(vs_frame *f, const char *file, vs_face_list *l, vs_nod
 
 /* ---- faces given one by one ---- */
 
-static vs_status finished(vs_frame *f, vs_node *n, vs_value *out) { /* takes n over */
+static vs_status finished(vs_args *f, vs_node *n, vs_value *out) { /* takes n over */
   if (!vs_bind_is_empty(n)) return vs_bind_node(f, n, out);
   vs_node_release(n);
   return vs_bind_empty(f, "the faces have no area", out);
 }
 
-static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, const uint32_t *starts, const uint32_t *corner,
+static vs_status polyface(vs_args *f, const vs_vec3 *at, size_t points, const uint32_t *starts, const uint32_t *corner,
                           size_t count, vs_value *out) {
   vs_error e = { 0 };
   if (points > UINT32_MAX || count > UINT32_MAX) return vs_fail_memory(f->vm);
@@ -204,7 +204,7 @@ static vs_status polyface(vs_frame *f, const vs_vec3 *at, size_t points, const u
   return finished(f, n, out);
 }
 
-vs_status vs_p_make_polyface_mesh(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_polyface_mesh(vs_args *f, vs_value *out) {
   size_t points = f->arg[0].points.count, count = f->arg[1].faces.count;
   const uint32_t *starts = f->arg[1].faces.starts, *corner = f->arg[1].faces.corners;
   for (size_t i = 0; i < count; i++)
@@ -233,7 +233,7 @@ vs_status vs_p_make_polyface_mesh(vs_frame *f, vs_value *out) {
   return polyface(f, f->arg[0].points.at, points, f->arg[1].faces.starts, f->arg[1].faces.corners, count, out);
 }
 
-vs_status vs_p_make_irregular_pyramid(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count;
   if (n < 3) return vs_bind_refuse(f, "points", "three or more corners of the base", f->arg[0].value);
   vs_vec3 *at = vs_bind_scratch(f, (n + 1) * sizeof *at);
@@ -274,7 +274,7 @@ vs_status vs_p_make_irregular_pyramid(vs_frame *f, vs_value *out) {
   return polyface(f, at, n + 1, starts, corner, n + 1, out);
 }
 
-vs_status vs_p_make_3dface(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_3dface(vs_args *f, vs_value *out) {
   vs_vec3 at[4];
   uint32_t n = 0, starts[3] = { 0, 3, 6 }, corner[6] = { 0, 1, 2, 0, 2, 3 };
   for (int i = 0; i < 4; i++)
@@ -295,7 +295,7 @@ vs_status vs_p_make_3dface(vs_frame *f, vs_value *out) {
 
 static bool keep_reading(void *vm) { return vs_poll(vm, 1 << 16); } /* false: the condition is set */
 
-static vs_status read_list(vs_frame *f, const char **name, vs_face_list *l) {
+static vs_status read_list(vs_args *f, const char **name, vs_face_list *l) {
   vs_error e = { 0 };
   VS_ROOTS(f->vm, r, 1);
   if (!vs_bind_file(f, &f->arg[0], &r[0], name)) return VS_ERROR;
@@ -304,7 +304,7 @@ static vs_status read_list(vs_frame *f, const char **name, vs_face_list *l) {
   return vs_face_list_compact(l) ? VS_OK : vs_fail_memory(f->vm);
 }
 
-vs_status vs_p_load_mesh(vs_frame *f, vs_value *out) {
+vs_status vs_p_load_mesh(vs_args *f, vs_value *out) {
   const char *name = f->arg[0].text.at;
   vs_face_list l = { 0 };
   vs_node *n = NULL;

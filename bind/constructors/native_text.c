@@ -65,7 +65,7 @@ static const char *trouble(const native_target *t, const char *text) {
   return depth ? "whose brackets match" : directives ? "whose #if and #end match" : NULL;
 }
 
-vs_status vs_p_native(vs_frame *f, vs_value *out) {
+vs_status vs_p_native(vs_args *f, vs_value *out) {
   vs_store *s = f->bind->store;
   const native_target *target = NULL;
   for (size_t i = 0; i < sizeof targets / sizeof *targets; i++)

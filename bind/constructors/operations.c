@@ -19,7 +19,7 @@
 
 /* ---- booleans ---- */
 
-static vs_status same(vs_frame *f, vs_ref ref, vs_value *out) { return vs_bind_node(f, vs_node_retain(ref.node), out); }
+static vs_status same(vs_args *f, vs_ref ref, vs_value *out) { return vs_bind_node(f, vs_node_retain(ref.node), out); }
 
 /* ---- sets of areas: regions, and closed curves taken as filled ---- */
 
@@ -45,7 +45,7 @@ static areas look_at_areas(const vs_ref *ref, size_t n, vs_shape_plane *a, vs_sh
 }
 
 /* A region was looked at when it was made; open curves may do as they like; circles need no look. */
-vs_status vs_bind_uncrossed(vs_frame *f, vs_ref ref, const char *what) {
+vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what) {
   const vs_node *n = ref.node;
   vs_crossing x;
   vs_error e = { 0 };
@@ -62,7 +62,7 @@ vs_status vs_bind_uncrossed(vs_frame *f, vs_ref ref, const char *what) {
 }
 
 /* Closed curves become regions, in place. */
-static vs_status fill(vs_frame *f, vs_ref *ref, size_t n) {
+static vs_status fill(vs_args *f, vs_ref *ref, size_t n) {
   for (size_t i = 0; i < n; i++)
     if (ref[i].node->class_ == VS_CURVE) {
       if (!vs_bind_uncrossed(f, ref[i], "a closed curve that is taken as filled")) return VS_ERROR;
@@ -73,12 +73,12 @@ static vs_status fill(vs_frame *f, vs_ref *ref, size_t n) {
   return VS_OK;
 }
 
-vs_status vs_bind_fill(vs_frame *f, vs_ref *ref, size_t n) {
+vs_status vs_bind_fill(vs_args *f, vs_ref *ref, size_t n) {
   vs_shape_plane a, b;
   return look_at_areas(ref, n, &a, &b) == AREAS_ONE_PLANE ? fill(f, ref, n) : VS_OK;
 }
 
-vs_status vs_p_unite(vs_frame *f, vs_value *out) {
+vs_status vs_p_unite(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].refs.count;
   if (n == 0) return vs_bind_empty(f, NULL, out);
   if (n == 1) return same(f, f->arg[0].refs.at[0], out);
@@ -98,7 +98,7 @@ static void plane_text(const vs_shape_plane *p, char out[160]) {
 
 /* Checks the operands of intersect and subtract: solids, or regions and closed curves (taken as filled) alone. Curves
  * become regions in place. */
-static vs_status filled(vs_frame *f, vs_ref *ref, size_t n) {
+static vs_status filled(vs_args *f, vs_ref *ref, size_t n) {
   bool planar = false, solid = false;
   vs_shape_plane a, b;
   for (size_t i = 0; i < n; i++) {
@@ -128,7 +128,7 @@ static vs_status filled(vs_frame *f, vs_ref *ref, size_t n) {
   return vs_fail(f->vm, f->vm->sym.type, "regions must lie in one plane; one lies in %s, one in %s", one, other);
 }
 
-vs_status vs_p_intersect(vs_frame *f, vs_value *out) {
+vs_status vs_p_intersect(vs_args *f, vs_value *out) {
   vs_ref *ref = f->arg[0].refs.at;
   size_t n = f->arg[0].refs.count;
   if (n == 0)
@@ -141,7 +141,7 @@ vs_status vs_p_intersect(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_INTERSECTION, &(struct vs_intersection){ 0 }, ref, n, out);
 }
 
-vs_status vs_p_subtract(vs_frame *f, vs_value *out) {
+vs_status vs_p_subtract(vs_args *f, vs_value *out) {
   size_t n = f->arg[1].refs.count;
   if (n == 0 || vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   vs_ref *ref = vs_bind_scratch(f, (n + 1) * sizeof *ref);
@@ -154,7 +154,7 @@ vs_status vs_p_subtract(vs_frame *f, vs_value *out) {
 
 /* ---- placements ---- */
 
-static vs_status placed(vs_frame *f, vs_affine m, vs_value *out) {
+static vs_status placed(vs_args *f, vs_affine m, vs_value *out) {
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 4; j++)
       if (!isfinite(m.m[i][j]))
@@ -164,21 +164,21 @@ static vs_status placed(vs_frame *f, vs_affine m, vs_value *out) {
   return vs_bind_make(f, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &f->arg[0].ref, 1, out);
 }
 
-vs_status vs_p_do_move(vs_frame *f, vs_value *out) { return placed(f, vs_affine_translation(POINT(1)), out); }
-vs_status vs_p_do_rotate(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_move(vs_args *f, vs_value *out) { return placed(f, vs_affine_translation(POINT(1)), out); }
+vs_status vs_p_do_rotate(vs_args *f, vs_value *out) {
   if (f->form == 0) return placed(f, vs_affine_rotation(f->arg[1].line.at, f->arg[1].line.direction, REAL(2)), out);
   return placed(f, vs_affine_rotation(POINT(1), POINT(2), REAL(3)), out);
 }
-vs_status vs_p_do_scale(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_scale(vs_args *f, vs_value *out) {
   if (f->form == 0) return placed(f, vs_affine_scaling(vs_v3(0, 0, 0), POINT(1)), out);
   return placed(f, vs_affine_scaling(POINT(1), POINT(2)), out);
 }
-vs_status vs_p_do_mirror(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_mirror(vs_args *f, vs_value *out) {
   return placed(f, vs_affine_mirror(f->arg[1].line.at, f->arg[1].line.direction), out);
 }
 /* Of solids: the intersection with the half-space; of regions: with what of their plane lies there. Of curves and
  * surfaces: a kind of its own. */
-vs_status vs_p_do_slice(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_slice(vs_args *f, vs_value *out) {
   struct vs_half_space h = { .point = f->arg[1].line.at, .normal = vs_v3_unit(f->arg[1].line.direction) };
   vs_ref pair[2] = { f->arg[0].ref };
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
@@ -197,7 +197,7 @@ vs_status vs_p_do_slice(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_INTERSECTION, &(struct vs_intersection){ 0 }, pair, 2, out);
 }
 
-vs_status vs_p_do_transform(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_transform(vs_args *f, vs_value *out) {
   double d = vs_affine_determinant(&f->arg[1].matrix);
   if (d == 0 || !isfinite(d))
     return vs_bind_refuse(f, "matrix", "a matrix that does not flatten space", f->arg[1].value);
@@ -206,7 +206,7 @@ vs_status vs_p_do_transform(vs_frame *f, vs_value *out) {
 
 /* (do-resize o dx dy dz): the bounds get these sizes, the least corner stays; #f keeps the proportion of the others'
  * mean */
-vs_status vs_p_do_resize(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_resize(vs_args *f, vs_value *out) {
   static const char *const names[] = { "o", "dx", "dy", "dz" };
   vs_bounds b;
   vs_error e = { 0 };
@@ -235,7 +235,7 @@ vs_status vs_p_do_resize(vs_frame *f, vs_value *out) {
 }
 
 /* (hull o ...): of what spans space, a solid; of what lies in one plane, a region; on one line, a line */
-vs_status vs_p_hull(vs_frame *f, vs_value *out) {
+vs_status vs_p_hull(vs_args *f, vs_value *out) {
   vs_ref *child = f->arg[0].things.at;
   size_t count = 0;
   bool solid = false;
@@ -292,13 +292,13 @@ vs_status vs_p_hull(vs_frame *f, vs_value *out) {
 
 enum { MOST_TURNS = 1000 };
 
-static vs_status check_twist(vs_frame *f, double twist, vs_value got) {
+static vs_status check_twist(vs_args *f, double twist, vs_value got) {
   if (fabs(twist) <= 2 * 3.14159265358979 * MOST_TURNS) return VS_OK;
   return vs_bind_refuse(f, "twist", "at most 1000 turns (6283 radians)", got);
 }
 
 /* Closed profiles and regions lie in one plane. *empty: they enclose nothing, and *out is that. */
-static vs_status check_profile(vs_frame *f, vs_shape_plane *plane, bool *empty, vs_value *out) {
+static vs_status check_profile(vs_args *f, vs_shape_plane *plane, bool *empty, vs_value *out) {
   const vs_node *n = NODE(0);
   *empty = false;
   plane->normal = vs_v3(0, 0, 0); /* none: an open curve */
@@ -313,7 +313,7 @@ static vs_status check_profile(vs_frame *f, vs_shape_plane *plane, bool *empty, 
 
 /* A coarse look at a curve: does it leave the plane through its start with this normal, or the line along it? */
 typedef enum { LEAVES_PLANE, LEAVES_LINE } leaving;
-static vs_status leaves(vs_frame *f, const vs_node *curve, leaving what, vs_vec3 direction, bool *out) {
+static vs_status leaves(vs_args *f, const vs_node *curve, leaving what, vs_vec3 direction, bool *out) {
   vs_fineness coarse = { 1e300, 8 };
   vs_polyline line = { 0 };
   vs_error e = { 0 };
@@ -331,7 +331,7 @@ static vs_status leaves(vs_frame *f, const vs_node *curve, leaving what, vs_vec3
 }
 
 /* Is the curve one straight line, and from where to where? */
-static vs_status is_straight(vs_frame *f, const vs_node *curve, vs_vec3 *way, bool *out) {
+static vs_status is_straight(vs_args *f, const vs_node *curve, vs_vec3 *way, bool *out) {
   vs_fineness coarse = { .segments = 32 };
   vs_polyline line = { 0 };
   vs_error e = { 0 };
@@ -346,7 +346,7 @@ static vs_status is_straight(vs_frame *f, const vs_node *curve, vs_vec3 *way, bo
 }
 
 /* False: an error has been raised. */
-static bool check_taper(vs_frame *f, const struct vs_extrude *d) {
+static bool check_taper(vs_args *f, const struct vs_extrude *d) {
   if (d->twist != 0 || d->scale != 1) return vs_fail(f->vm, f->vm->sym.range,
       "a taper does not go with #:twist or #:scale"), false;
   if (NODE(0)->class_ == VS_CURVE && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_refuse(f, "profile",
@@ -356,7 +356,7 @@ static bool check_taper(vs_frame *f, const struct vs_extrude *d) {
 }
 
 /* A taper counts by the height above the profile's plane: its curve must lead away from it all the way. */
-static bool check_rising(vs_frame *f, const vs_node *curve, vs_vec3 normal) {
+static bool check_rising(vs_args *f, const vs_node *curve, vs_vec3 normal) {
   vs_fineness coarse = { .segments = 64 };
   vs_polyline line = { 0 };
   vs_error e = { 0 };
@@ -372,7 +372,7 @@ static bool check_rising(vs_frame *f, const vs_node *curve, vs_vec3 normal) {
   return rising;
 }
 
-vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_extrude(vs_args *f, vs_value *out) {
   struct vs_extrude d = { .taper = f->arg[2].given ? REAL(2) : 0,
                           .twist = f->key[0].given ? f->key[0].real : 0,
                           .scale = f->key[1].given ? f->key[1].real : 1,
@@ -430,7 +430,7 @@ vs_status vs_p_do_extrude(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_EXTRUDE, &d, child, 1, out);
 }
 
-vs_status vs_p_do_sweep(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_sweep(vs_args *f, vs_value *out) {
   struct vs_sweep d = { .twist = f->arg[2].given ? REAL(2) : 0,
                         .scale = f->arg[3].given ? REAL(3) : 1,
                         .has_base = f->key[0].given };
@@ -446,7 +446,7 @@ vs_status vs_p_do_sweep(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_SWEEP, &d, child, 2, out);
 }
 
-vs_status vs_p_do_thicken(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_thicken(vs_args *f, vs_value *out) {
   struct vs_thicken d = { .width = REAL(1),
                           .segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind) };
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);

@@ -29,8 +29,8 @@ static const char *point_text(vs_vec3 p, char out[112]) {
 /* ---- curves that meet end to end ---- */
 
 /* Curves that were united stand beside each other, and so do edges of a solid: each counts for itself. References hang
- * off the frame. */
-static vs_status each_apart(vs_frame *f) {
+ * off the arguments. */
+static vs_status each_apart(vs_args *f) {
   vs_arg given = f->arg[0];
   vs_ref *refs = given.refs.at, *all = NULL;
   size_t count = 0, room = 0;
@@ -63,8 +63,8 @@ static vs_status each_apart(vs_frame *f) {
 }
 
 /* The curves of the first argument, those that are nothing left out, open ones joined; new references hang off the
- * frame. */
-static vs_status joined(vs_frame *f, vs_ref **out, size_t *count) {
+ * arguments. */
+static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
   if (!each_apart(f)) return VS_ERROR;
   vs_ref *c = f->arg[0].refs.at;
   vs_error e = { 0 };
@@ -84,7 +84,7 @@ static vs_status joined(vs_frame *f, vs_ref **out, size_t *count) {
   return status;
 }
 
-static vs_status open_end(vs_frame *f, const vs_node *n) {
+static vs_status open_end(vs_args *f, const vs_node *n) {
   vs_vec3 start, end;
   double size;
   vs_error e = { 0 };
@@ -96,7 +96,7 @@ static vs_status open_end(vs_frame *f, const vs_node *n) {
                  point_text(start, one), point_text(end, other));
 }
 
-vs_status vs_p_join_curves(vs_frame *f, vs_value *out) {
+vs_status vs_p_join_curves(vs_args *f, vs_value *out) {
   vs_ref *c;
   size_t n;
   for (size_t i = 0; i < f->arg[0].refs.count; i++)
@@ -116,7 +116,7 @@ vs_status vs_p_join_curves(vs_frame *f, vs_value *out) {
 
 /* ---- regions ---- */
 
-vs_status vs_p_make_region(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_region(vs_args *f, vs_value *out) {
   vs_ref *c;
   size_t n, kept = 0;
   vs_error e = { 0 };
@@ -156,12 +156,12 @@ vs_status vs_p_make_region(vs_frame *f, vs_value *out) {
 
 /* ---- lines without end ---- */
 
-vs_status vs_p_make_xline(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_xline(vs_args *f, vs_value *out) {
   if (vs_v3_equal(POINT(0), POINT(1))) return vs_bind_empty(f, "p and q are the same point", out);
   return vs_bind_make(f, VS_XLINE, &(struct vs_xline){ .p = POINT(0), .q = POINT(1) }, NULL, 0, out);
 }
 
-vs_status vs_p_make_ray(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_ray(vs_args *f, vs_value *out) {
   return vs_bind_make(f, VS_RAY, &(struct vs_ray){ .p = POINT(0), .v = POINT(1) }, NULL, 0, out);
 }
 
@@ -190,7 +190,7 @@ static bool what_is_left(const vs_node *n, size_t *count, vs_error *e) {
   return ok;
 }
 
-vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_offset(vs_args *f, vs_value *out) {
   static const char *const names[] = { "mitre", "round", "square" };
   const char *corners = f->key[0].given ? f->key[0].text.at : names[0];
   struct vs_offset d = { .distance = f->arg[1].real,
@@ -230,7 +230,7 @@ vs_status vs_p_do_offset(vs_frame *f, vs_value *out) {
 
 /* ---- sections, shadows, edges ---- */
 
-vs_status vs_p_do_section(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_section(vs_args *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
@@ -248,14 +248,14 @@ vs_status vs_p_do_section(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_SECTION, &d, &f->arg[0].ref, 1, out);
 }
 
-vs_status vs_p_do_project(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_project(vs_args *f, vs_value *out) {
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
   struct vs_project d = { .point = f->arg[1].line.at, .normal = f->arg[1].line.direction };
   return vs_bind_make(f, VS_PROJECT, &d, &f->arg[0].ref, 1, out);
 }
 
-vs_status vs_p_do_edges(vs_frame *f, vs_value *out) {
+vs_status vs_p_do_edges(vs_args *f, vs_value *out) {
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
   if (NODE(0)->class_ != VS_SOLID && NODE(0)->class_ != VS_SURFACE)

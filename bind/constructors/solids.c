@@ -4,14 +4,14 @@
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)
 
-static int32_t segments(const vs_frame *f) { /* 0: by tolerance */
+static int32_t segments(const vs_args *f) { /* 0: by tolerance */
   return f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind);
 }
 
 /* ---- boxes ---- */
 
 /* the corners of a box or wedge by either form; false: no volume */
-static bool corners(const vs_frame *f, vs_vec3 *least, vs_vec3 *most) {
+static bool corners(const vs_args *f, vs_vec3 *least, vs_vec3 *most) {
   vs_vec3 p = POINT(0), q;
   if (f->form == 0) q = POINT(1);
   else {
@@ -24,7 +24,7 @@ static bool corners(const vs_frame *f, vs_vec3 *least, vs_vec3 *most) {
 }
 
 /* sizes are not negative (a corner may be anywhere) */
-static vs_status refuse_sizes(vs_frame *f) {
+static vs_status refuse_sizes(vs_args *f) {
   static const char *const names[] = { "c", "dx", "dy", "dz" };
   if (f->form == 1)
     for (int i = 1; i < 4; i++)
@@ -32,13 +32,13 @@ static vs_status refuse_sizes(vs_frame *f) {
   return VS_OK;
 }
 
-vs_status vs_p_make_box(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_box(vs_args *f, vs_value *out) {
   struct vs_box d = { 0 };
   if (!refuse_sizes(f)) return VS_ERROR;
   if (!corners(f, &d.p, &d.q)) return vs_bind_empty(f, "a box without width, depth or height", out);
   return vs_bind_make(f, VS_BOX, &d, NULL, 0, out);
 }
-vs_status vs_p_make_wedge(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_wedge(vs_args *f, vs_value *out) {
   struct vs_wedge d = { 0 };
   if (!refuse_sizes(f)) return VS_ERROR;
   if (!corners(f, &d.p, &d.q)) return vs_bind_empty(f, "a wedge without width, depth or height", out);
@@ -47,14 +47,14 @@ vs_status vs_p_make_wedge(vs_frame *f, vs_value *out) {
 
 /* ---- round solids ---- */
 
-vs_status vs_p_make_sphere(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_sphere(vs_args *f, vs_value *out) {
   if (REAL(1) == 0) return vs_bind_empty(f, "r is 0", out);
   return vs_bind_make(f, VS_SPHERE,
                       &(struct vs_sphere){ .center = POINT(0), .radius = REAL(1), .segments = segments(f) }, NULL, 0,
                       out);
 }
 
-vs_status vs_p_make_cylinder(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_cylinder(vs_args *f, vs_value *out) {
   struct vs_cylinder d = { .base = POINT(0), .radius = REAL(2), .segments = segments(f) };
   d.top = f->form == 0 ? POINT(1) : vs_v3(d.base.x, d.base.y, d.base.z + REAL(1));
   if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
@@ -63,14 +63,14 @@ vs_status vs_p_make_cylinder(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_CYLINDER, &d, NULL, 0, out);
 }
 
-vs_status vs_p_make_cone(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_cone(vs_args *f, vs_value *out) {
   struct vs_cone d = { .base = POINT(0), .apex = POINT(1), .radius = REAL(2), .segments = segments(f) };
   if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
   if (vs_v3_equal(d.base, d.apex)) return vs_bind_empty(f, "base and apex are the same point", out);
   return vs_bind_make(f, VS_CONE, &d, NULL, 0, out);
 }
 
-vs_status vs_p_make_cut_cone(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_cut_cone(vs_args *f, vs_value *out) {
   struct vs_cut_cone d = {
     .base = POINT(0), .base_radius = REAL(1), .top = POINT(2), .top_radius = REAL(3), .segments = segments(f)
   };
@@ -79,7 +79,7 @@ vs_status vs_p_make_cut_cone(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_CUT_CONE, &d, NULL, 0, out);
 }
 
-vs_status vs_p_make_capsule(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_capsule(vs_args *f, vs_value *out) {
   struct vs_capsule d = { .base = POINT(0), .top = POINT(1), .radius = REAL(2), .segments = segments(f) };
   if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
   if (!vs_v3_equal(d.base, d.top)) return vs_bind_make(f, VS_CAPSULE, &d, NULL, 0, out);
@@ -87,7 +87,7 @@ vs_status vs_p_make_capsule(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_SPHERE, &ball, NULL, 0, out);
 }
 
-vs_status vs_p_make_e_cone(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_e_cone(vs_args *f, vs_value *out) {
   struct vs_e_cone d = { .base = POINT(0),
                          .base_radius = REAL(1),
                          .base_across = REAL(2),
@@ -99,7 +99,7 @@ vs_status vs_p_make_e_cone(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_E_CONE, &d, NULL, 0, out);
 }
 
-vs_status vs_p_make_superellipsoid(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_superellipsoid(vs_args *f, vs_value *out) {
   struct vs_superellipsoid d = { .e = REAL(0), .n = REAL(1), .size = REAL(2), .segments = segments(f) };
   const double least = 0.001, most = 20; /* beyond, it is a box or nothing to the last digit, and powers over- and
                                           * underflow */
@@ -109,12 +109,12 @@ vs_status vs_p_make_superellipsoid(vs_frame *f, vs_value *out) {
   return vs_bind_make(f, VS_SUPERELLIPSOID, &d, NULL, 0, out);
 }
 
-vs_status vs_p_make_half_space(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_half_space(vs_args *f, vs_value *out) {
   struct vs_half_space d = { .point = f->arg[0].line.at, .normal = vs_v3_unit(f->arg[0].line.direction) };
   return vs_bind_make(f, VS_HALF_SPACE, &d, NULL, 0, out);
 }
 
-vs_status vs_p_make_torus(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_torus(vs_args *f, vs_value *out) {
   struct vs_torus d = { .center = POINT(0), .radius = REAL(1), .tube_radius = REAL(2), .segments = segments(f) };
   if (d.tube_radius == 0) return vs_bind_empty(f, "tube-r is 0", out);
   if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
@@ -125,7 +125,7 @@ vs_status vs_p_make_torus(vs_frame *f, vs_value *out) {
 
 /* ---- pyramids ---- */
 
-static vs_status pyramid(vs_frame *f, double top_radius, vs_value *out) {
+static vs_status pyramid(vs_args *f, double top_radius, vs_value *out) {
   struct vs_pyramid d = { .base = POINT(0),
                           .base_radius = REAL(1),
                           .sides = (int32_t)f->arg[2].integer,
@@ -135,7 +135,7 @@ static vs_status pyramid(vs_frame *f, double top_radius, vs_value *out) {
   if (vs_v3_equal(d.base, d.top)) return vs_bind_empty(f, "c1 and c2 are the same point", out);
   return vs_bind_make(f, VS_PYRAMID, &d, NULL, 0, out);
 }
-vs_status vs_p_make_pyramid(vs_frame *f, vs_value *out) { return pyramid(f, f->arg[4].given ? REAL(4) : 0, out); }
-vs_status vs_p_make_prism(vs_frame *f, vs_value *out) { return pyramid(f, REAL(1), out); }
+vs_status vs_p_make_pyramid(vs_args *f, vs_value *out) { return pyramid(f, f->arg[4].given ? REAL(4) : 0, out); }
+vs_status vs_p_make_prism(vs_args *f, vs_value *out) { return pyramid(f, REAL(1), out); }
 
-vs_status vs_p_empty_object(vs_frame *f, vs_value *out) { return vs_bind_empty(f, NULL, out); }
+vs_status vs_p_empty_object(vs_args *f, vs_value *out) { return vs_bind_empty(f, NULL, out); }

@@ -18,7 +18,7 @@ static const char kinds_told[] =
     "one of 'perspective 'axonometric 'isometric 'plan 'section 'top 'bottom 'front 'back 'left 'right";
 
 /* The argument's text, interned in the store; *out is NULL where it was not given. False: out of memory. */
-static bool keep_text(vs_frame *f, const vs_arg *a, const char **out) {
+static bool keep_text(vs_args *f, const vs_arg *a, const char **out) {
   *out = NULL;
   if (a->given && !(*out = vs_store_text(f->bind->store, a->text.at, a->text.length))) return vs_fail_memory(f->vm);
   return true;
@@ -38,7 +38,7 @@ static bool is_sheet(const char *name) {
 }
 
 /* Where the view stands, by its kind and #:from and #:to. */
-static vs_status take_place(vs_frame *f, vs_scene_view *v, const vs_arg *from, const vs_arg *to) {
+static vs_status take_place(vs_args *f, vs_scene_view *v, const vs_arg *from, const vs_arg *to) {
   bool pointed = v->view == VS_VIEW_CAMERA || (v->view == VS_VIEW_ALONG && v->cut != VS_CUT_PLANE);
   if (!pointed) {
     if (from->given || to->given) return vs_fail(f->vm, f->vm->sym.arity,
@@ -53,7 +53,7 @@ static vs_status take_place(vs_frame *f, vs_scene_view *v, const vs_arg *from, c
   return VS_OK;
 }
 
-static vs_status take_cut(vs_frame *f, vs_scene_view *v, const vs_arg *cut) {
+static vs_status take_cut(vs_args *f, vs_scene_view *v, const vs_arg *cut) {
   if (v->cut == VS_CUT_PLANE && !(cut->given && cut->value != VS_FALSE))
     return vs_fail(f->vm, f->vm->sym.arity, "a section takes #:cut, the plane that it is cut in "
                                                "and looked at along the normal of");
@@ -67,7 +67,7 @@ static vs_status take_cut(vs_frame *f, vs_scene_view *v, const vs_arg *cut) {
 }
 
 /* The aperture of a lens at v's eye, and what it is sharp at: the target unless the program says another point. */
-static vs_status take_aperture(vs_frame *f, vs_scene_view *v, const vs_arg *aperture, const vs_arg *focus) {
+static vs_status take_aperture(vs_args *f, vs_scene_view *v, const vs_arg *aperture, const vs_arg *focus) {
   v->focus = focus->given ? focus->point : v->target;
   v->aperture = aperture->given ? aperture->real : 0;
   if (focus->given && !aperture->given)
@@ -78,7 +78,7 @@ static vs_status take_aperture(vs_frame *f, vs_scene_view *v, const vs_arg *aper
 }
 
 /* Do verticals stay vertical? */
-static vs_status take_upright(vs_frame *f, vs_scene_view *v, const vs_arg *upright) {
+static vs_status take_upright(vs_args *f, vs_scene_view *v, const vs_arg *upright) {
   vs_vec3 ahead = vs_v3_sub(v->target, v->eye);
   v->upright = upright->given && upright->boolean;
   if (v->upright && hypot(ahead.x, ahead.y) < 0.05 * vs_v3_length(ahead))
@@ -86,7 +86,7 @@ static vs_status take_upright(vs_frame *f, vs_scene_view *v, const vs_arg *uprig
   return VS_OK;
 }
 
-vs_status vs_p_camera(vs_frame *f, vs_value *out) {
+vs_status vs_p_camera(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* lens upright aperture focus */
   vs_scene_view v = { .view = VS_VIEW_CAMERA, .eye = f->arg[0].point, .target = f->arg[1].point };
   (void)out;
@@ -97,7 +97,7 @@ vs_status vs_p_camera(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-vs_status vs_p_view(vs_frame *f, vs_value *out) {
+vs_status vs_p_view(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* from to lens upright cut scale sheet hidden aperture focus */
   vs_scene_view v = { .view = VS_VIEW_CAMERA, .cut = VS_CUT_NONE, .lens = 35 };
   (void)out;
@@ -126,12 +126,12 @@ vs_status vs_p_view(vs_frame *f, vs_value *out) {
 
 /* ---- notes ---- */
 
-static vs_status add_note(vs_frame *f, vs_scene_note note, const vs_arg *text, const vs_arg *view) {
+static vs_status add_note(vs_args *f, vs_scene_note note, const vs_arg *text, const vs_arg *view) {
   if (!keep_text(f, text, &note.text) || !keep_text(f, view, &note.view)) return VS_ERROR;
   return f->bind->handing || vs_scene_add_note(&f->bind->scene, &note) ? VS_OK : vs_fail_memory(f->vm);
 }
 
-vs_status vs_p_dimension(vs_frame *f, vs_value *out) {
+vs_status vs_p_dimension(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* offset text view */
   (void)out;
   if (vs_v3_equal(f->arg[0].point, f->arg[1].point)) return vs_bind_refuse(f, "q", "another point than p",
@@ -141,18 +141,18 @@ vs_status vs_p_dimension(vs_frame *f, vs_value *out) {
   return add_note(f, note, &k[1], &k[2]);
 }
 
-vs_status vs_p_label(vs_frame *f, vs_value *out) {
+vs_status vs_p_label(vs_args *f, vs_value *out) {
   (void)out;
   return add_note(f, (vs_scene_note){ .kind = VS_NOTE_LABEL, .p = f->arg[0].point }, &f->arg[1], &f->key[0]);
 }
 
-vs_status vs_p_level(vs_frame *f, vs_value *out) {
+vs_status vs_p_level(vs_args *f, vs_value *out) {
   (void)out;
   return add_note(f, (vs_scene_note){ .kind = VS_NOTE_LEVEL, .p = vs_v3(0, 0, f->arg[0].real) }, &f->arg[1],
       &f->key[0]);
 }
 
-vs_status vs_p_grid_axis(vs_frame *f, vs_value *out) {
+vs_status vs_p_grid_axis(vs_args *f, vs_value *out) {
   (void)out;
   if (vs_v3_equal(f->arg[1].point, f->arg[2].point)) return vs_bind_refuse(f, "q", "another point than p",
       f->arg[2].value);

@@ -181,7 +181,7 @@ static bool compute(vs_scheme *vm, size_t row, const char *shape, int n, vs_valu
   return ok && together(vm, rows[row].tag, to, out);
 }
 
-bool vs_dual_points(vs_frame *f, vs_value *a, int n, vs_value *out, vs_status *status) {
+bool vs_dual_points(vs_args *f, vs_value *a, int n, vs_value *out, vs_status *status) {
   size_t row = 0, count = sizeof rows / sizeof *rows;
   while (row < count && rows[row].fn != vs_bind_function(f)) row++;
   if (row == count || n != (int)strlen(rows[row].shape)) return false;

@@ -7,6 +7,6 @@
 
 /* Calls f's procedure with n arguments, one of them dual, where it is one that points are made and taken apart by.
  * Returns false, without an error, where it is another: objects hold plain numbers. *status is the call's otherwise. */
-bool vs_dual_points(vs_frame *f, vs_value *a, int n, vs_value *out, vs_status *status);
+bool vs_dual_points(vs_args *f, vs_value *a, int n, vs_value *out, vs_status *status);
 
 #endif

@@ -11,7 +11,7 @@
 
 enum { FIRST_CELLS = 24 };
 
-static vs_status refuse(vs_frame *f, vs_contour_outcome outcome, const vs_contour *c) {
+static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour *c) {
   char x[32], y[32], z[32];
   vs_bind_number_text(x, c->at.x), vs_bind_number_text(y, c->at.y), vs_bind_number_text(z, c->at.z);
   switch (outcome) {
@@ -31,7 +31,7 @@ static vs_status refuse(vs_frame *f, vs_contour_outcome outcome, const vs_contou
 }
 
 /* Contours with more and more cells until triangles' middles lie as near as is wanted. */
-static vs_contour_outcome refined(vs_frame *f, const vs_tape *t, double tolerance, vs_contour *c) {
+static vs_contour_outcome refined(vs_args *f, const vs_tape *t, double tolerance, vs_contour *c) {
   int cells = FIRST_CELLS;
   for (;;) {
     vs_contour_outcome outcome =
@@ -52,7 +52,7 @@ static vs_contour_outcome refined(vs_frame *f, const vs_tape *t, double toleranc
 }
 
 /* (%make-isosurface tape p q #:cells #:tolerance) */
-vs_status vs_p_make_isosurface(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_isosurface(vs_args *f, vs_value *out) {
   const vs_tape *t = vs_foreign_get(f->arg[0].value, &vs_tape_type);
   vs_vec3 p = f->arg[1].point, q = f->arg[2].point;
   static const char *const expected = "a corner beyond p along each axis";

@@ -44,7 +44,7 @@ typedef struct {
 } part;
 
 /* (absolute n rule) and its like are vectors #(kind number rule), kind one of absolute, relative, rest. */
-static bool read_part(vs_frame *f, vs_value v, double whole, part *out) {
+static bool read_part(vs_args *f, vs_value v, double whole, part *out) {
   const vs_vector *p = vs_is_vector(v) && vs_as_vector(v)->length == 3 ? vs_as_vector(v) : NULL;
   double n;
   if (!p || !vs_is_symbol(p->at[0]) || !vs_bind_number(f->vm, p->at[1], &n) || !vs_is_rule(p->at[2]))
@@ -58,7 +58,7 @@ static bool read_part(vs_frame *f, vs_value v, double whole, part *out) {
   return true;
 }
 
-vs_status vs_p_scope_split(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_split(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 2);
   if (!vs_rules_class(f, 0, BOXES)) return VS_ERROR;
@@ -109,7 +109,7 @@ vs_status vs_p_scope_split(vs_frame *f, vs_value *out) {
 
 /* ---- repeat ---- */
 
-static bool count_parts(vs_frame *f, double whole, double approx, uint32_t *n) {
+static bool count_parts(vs_args *f, double whole, double approx, uint32_t *n) {
   double parts = floor(whole / approx + .5);
   if (parts < 1) parts = 1;
   if (parts > VS_RULES_PARTS)
@@ -119,7 +119,7 @@ static bool count_parts(vs_frame *f, double whole, double approx, uint32_t *n) {
   return true;
 }
 
-vs_status vs_p_scope_repeat(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_repeat(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   uint32_t n = 0;
   if (!vs_rules_class(f, 0, BOXES)) return VS_ERROR;
@@ -189,7 +189,7 @@ static void lay_edge(vs_scope *child, const vs_scope *s, int a, int b) {
   vs_scope_lay_edge(child, &frame, a ^ b ^ 2 ? 1 : 0, from, to);
 }
 
-static vs_status box_components(vs_frame *f, const char *of, vs_value *out) {
+static vs_status box_components(vs_args *f, const char *of, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
   r[0] = f->arg[1].value;
@@ -276,7 +276,7 @@ static void lay_sample(vs_scope *c, const vs_scope *s, uint32_t i, bool vertex) 
   for (int k = 0; end && k < 3; k++) c->as.box.frame.m[k][3] = (&b.x)[k];
 }
 
-static vs_status loop_components(vs_frame *f, const char *of, vs_value *out) {
+static vs_status loop_components(vs_args *f, const char *of, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
   bool vertices = !strcmp(of, "vertices");
@@ -308,7 +308,7 @@ static vs_status loop_components(vs_frame *f, const char *of, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-vs_status vs_p_scope_component(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_component(vs_args *f, vs_value *out) {
   const char *of = f->key[0].given ? f->key[0].text.at : NULL;
   const vs_scope *s = f->arg[0].scope;
   if (!vs_rules_class(f, 0, BOXES | LOOPS | VS_SCOPE_BIT(MESH))) return VS_ERROR;
@@ -321,7 +321,7 @@ vs_status vs_p_scope_component(vs_frame *f, vs_value *out) {
 
 /* A polygon becomes boxes without depth round it, h high, and the polygon at the top; the polygon below it looks
  * down. A flat box is the polygon of its corners. */
-vs_status vs_p_scope_extrude(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_extrude(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 4);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;

@@ -11,7 +11,7 @@ static vs_vec3 at_angle(const vs_scope *s, double x, double angle, int j) {
 
 /* The front rectangle of a box with its edge at x-max moved out along z: half of a corner of that angle. A corner that
  * turns inwards, or not at all, has nothing to fill. */
-vs_status vs_p_scope_prism(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_prism(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(BOX))) return VS_ERROR;
   vs_scope *s = f->arg[0].scope;
@@ -37,7 +37,7 @@ vs_status vs_p_scope_prism(vs_frame *f, vs_value *out) {
 }
 
 /* The front rectangle turned about its y edge at x = 0, from x towards z: wedges of about approx each. */
-vs_status vs_p_scope_round_corner(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_round_corner(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(BOX))) return VS_ERROR;
   vs_scope *s = f->arg[0].scope;
@@ -74,7 +74,7 @@ static bool add_triangle(vs_derivation *d, vs_rule_task *t, vs_scope *parent, co
   return true;
 }
 
-vs_status vs_p_scope_triangulate(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_triangulate(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;
   vs_scope *s = f->arg[0].scope;
@@ -107,7 +107,7 @@ vs_status vs_p_scope_triangulate(vs_frame *f, vs_value *out) {
 }
 
 /* A triangle becomes four by the middles of its edges: the corners' first, the middle one last. */
-vs_status vs_p_scope_subdivide(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_subdivide(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;
   vs_scope *s = f->arg[0].scope;

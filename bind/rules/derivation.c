@@ -92,7 +92,7 @@ static vs_derivation *derivation_new(vs_bind *b, vs_value *holder) {
                                                                            : NULL; /* released there where that fails */
 }
 
-vs_derivation *vs_rules_begin(vs_frame *f, vs_value *holder) {
+vs_derivation *vs_rules_begin(vs_args *f, vs_value *holder) {
   bool run;
   vs_bind *b = f->bind;
   if (!is_live(b, f->arg[0].value, &run)) return derivation_new(b, holder);
@@ -175,7 +175,7 @@ vs_scope *vs_rules_child(vs_derivation *d, vs_scope *parent, vs_scope_class c, c
   return s;
 }
 
-bool vs_rules_class(vs_frame *f, int i, unsigned classes) {
+bool vs_rules_class(vs_args *f, int i, unsigned classes) {
   const vs_scope *s = f->arg[i].scope;
   if (classes >> s->class_ & 1) return true;
   char wanted[200] = "";
@@ -190,7 +190,7 @@ bool vs_rules_class(vs_frame *f, int i, unsigned classes) {
   return vs_bind_refuse(f, f->procedure->form[f->form].at[i].name, wanted, f->arg[i].value);
 }
 
-const char *vs_rules_operator(vs_frame *f) {
+const char *vs_rules_operator(vs_args *f) {
   const char *name = vs_bind_defs[f->procedure - vs_bind_procedures].name;
   if (*name == '%') name++;
   return !strncmp(name, "scope-", 6) ? name + 6 : name;
@@ -214,14 +214,14 @@ bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags) {
 
 /* ---- the loop's steps, called by rules.scm ---- */
 
-static vs_derivation *derivation_of(vs_frame *f) { return vs_foreign_get(f->arg[0].value, &vs_derivation_type); }
+static vs_derivation *derivation_of(vs_args *f) { return vs_foreign_get(f->arg[0].value, &vs_derivation_type); }
 
-vs_status vs_p_is_derivation(vs_frame *f, vs_value *out) {
+vs_status vs_p_is_derivation(vs_args *f, vs_value *out) {
   *out = vs_bool(derivation_of(f) != NULL);
   return VS_OK;
 }
 
-vs_status vs_p_derivation_enter(vs_frame *f, vs_value *out) {
+vs_status vs_p_derivation_enter(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   (void)out;
   if (!d || d->over)
@@ -232,7 +232,7 @@ vs_status vs_p_derivation_enter(vs_frame *f, vs_value *out) {
   return vs_random_keep(f->vm, d->random) ? VS_OK : VS_ERROR;
 }
 
-vs_status vs_p_derivation_leave(vs_frame *f, vs_value *out) {
+vs_status vs_p_derivation_leave(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   (void)out;
   f->bind->growing = d->outer;
@@ -257,7 +257,7 @@ static bool waiting_begin(vs_derivation *d) {
 
 /* (%derivation-next d): the next scope whose rule is a procedure, which %derivation-rule then gives; #f: all is
  * done. Objects in place of rules are placed here. */
-vs_status vs_p_derivation_next(vs_frame *f, vs_value *out) {
+vs_status vs_p_derivation_next(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   VS_ROOTS(f->vm, r, 2);
   for (size_t low = d->begun, high = d->count; low + 1 < high; low++, high--) {
@@ -298,13 +298,13 @@ vs_status vs_p_derivation_next(vs_frame *f, vs_value *out) {
   }
 }
 
-vs_status vs_p_derivation_rule(vs_frame *f, vs_value *out) {
+vs_status vs_p_derivation_rule(vs_args *f, vs_value *out) {
   *out = derivation_of(f)->rule;
   return VS_OK;
 }
 
 /* An error whose text begins with the name of the rule that runs, not with that of the library's helper. */
-static bool refuse_of_rule(vs_frame *f, const char *what, const char *expected, vs_value got) {
+static bool refuse_of_rule(vs_args *f, const char *what, const char *expected, vs_value got) {
   VS_ROOTS(f->vm, r, 2);
   const vs_derivation *d = f->bind->growing;
   r[0] = got;
@@ -314,7 +314,7 @@ static bool refuse_of_rule(vs_frame *f, const char *what, const char *expected, 
                       expected);
 }
 
-static bool gather_value(vs_frame *f, vs_derivation *d, const vs_scope *s, vs_value v, const char *what,
+static bool gather_value(vs_args *f, vs_derivation *d, const vs_scope *s, vs_value v, const char *what,
                          const char *expected) {
   vs_scope_flags *flags = s ? s->flags : NULL;
   if (v == VS_UNSPECIFIC) return true;
@@ -336,7 +336,7 @@ static bool gather_value(vs_frame *f, vs_derivation *d, const vs_scope *s, vs_va
 }
 
 /* (%derivation-made d value): what a procedure that is no rule made of its scope. */
-vs_status vs_p_derivation_made(vs_frame *f, vs_value *out) {
+vs_status vs_p_derivation_made(vs_args *f, vs_value *out) {
   (void)out;
   vs_derivation *d = derivation_of(f);
   vs_value v = f->arg[1].value;
@@ -346,7 +346,7 @@ vs_status vs_p_derivation_made(vs_frame *f, vs_value *out) {
 }
 
 /* (%derivation-object d): all that was made, as one object. */
-vs_status vs_p_derivation_object(vs_frame *f, vs_value *out) {
+vs_status vs_p_derivation_object(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   vs_store *s = f->bind->store;
   if (d->over) return vs_fail(f->vm, f->vm->sym.error, "the derivation is over");
@@ -370,7 +370,7 @@ vs_status vs_p_derivation_object(vs_frame *f, vs_value *out) {
 }
 
 /* (%derive s rule depth): one that begins with a rule on s; what `derive` runs. */
-vs_status vs_p_derivation(vs_frame *f, vs_value *out) {
+vs_status vs_p_derivation(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = f->arg[1].value;
   vs_derivation *d = derivation_new(f->bind, &r[1]);
@@ -390,21 +390,21 @@ vs_status vs_p_derivation(vs_frame *f, vs_value *out) {
 /* ---- rules ---- */
 
 /* (%marked procedure): the procedure, marked as one that knows live scopes: a rule, or an operator. */
-vs_status vs_p_marked(vs_frame *f, vs_value *out) {
+vs_status vs_p_marked(vs_args *f, vs_value *out) {
   if (vs_is(f->arg[0].value, VS_T_CLOSURE)) vs_object_of(f->arg[0].value)->flags |= VS_F_MARKED;
   *out = f->arg[0].value;
   return VS_OK;
 }
 
 /* (%marked-as procedure like): the procedure, marked if the other is. */
-vs_status vs_p_marked_as(vs_frame *f, vs_value *out) {
+vs_status vs_p_marked_as(vs_args *f, vs_value *out) {
   vs_value like = f->arg[1].value;
   *out = f->arg[0].value;
   return vs_is(like, VS_T_CLOSURE) && vs_object_of(like)->flags & VS_F_MARKED ? vs_p_marked(f, out) : VS_OK;
 }
 
 /* (%live procedure s): s as a form of a sequence hands it to the procedure: live if that knows live scopes. */
-vs_status vs_p_live(vs_frame *f, vs_value *out) {
+vs_status vs_p_live(vs_args *f, vs_value *out) {
   vs_value procedure = f->arg[0].value, self = f->arg[1].value;
   *out = self;
   if (!f->bind->growing || !vs_is(procedure, VS_T_CLOSURE) || !(vs_object_of(procedure)->flags & VS_F_MARKED))
@@ -418,7 +418,7 @@ vs_status vs_p_live(vs_frame *f, vs_value *out) {
 
 /* (%enter self name body): how a rule goes on: #t: with its body now; #f: later, it is on the stack; else by the
  * derivation given. */
-vs_status vs_p_rule_enter(vs_frame *f, vs_value *out) {
+vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   vs_scope *s = f->arg[0].scope;
   vs_value symbol = f->arg[1].value;
@@ -457,7 +457,7 @@ vs_status vs_p_rule_enter(vs_frame *f, vs_value *out) {
 /* ---- signals ---- */
 
 /* (%scope-await s name rule): the rule waits until nothing else is left to be derived. */
-vs_status vs_p_scope_await(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_await(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
   r[0] = f->arg[2].value;
@@ -481,7 +481,7 @@ vs_status vs_p_scope_await(vs_frame *f, vs_value *out) {
 }
 
 /* (scope-signal s name): to all that wait for it where s is. */
-vs_status vs_p_scope_signal(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_signal(vs_args *f, vs_value *out) {
   vs_scope *s = f->arg[0].scope;
   const char *name = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);
   if (!name) return vs_fail_memory(f->vm);
@@ -499,7 +499,7 @@ vs_status vs_p_scope_signal(vs_frame *f, vs_value *out) {
 }
 
 /* (scope-signals s): the scopes that sent one, in their order. */
-vs_status vs_p_scope_signals(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_signals(vs_args *f, vs_value *out) {
   const vs_scope_extra *e = f->arg[0].scope->extra;
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
@@ -511,7 +511,7 @@ vs_status vs_p_scope_signals(vs_frame *f, vs_value *out) {
 }
 
 /* (%took self value): what a form of a sequence gave: a scope is the next self, objects are gathered. */
-vs_status vs_p_took(vs_frame *f, vs_value *out) {
+vs_status vs_p_took(vs_args *f, vs_value *out) {
   vs_value v = f->arg[1].value;
   *out = f->arg[0].value;
   if (v == VS_UNSPECIFIC) return VS_OK;
@@ -525,7 +525,7 @@ vs_status vs_p_took(vs_frame *f, vs_value *out) {
 
 /* (%choose p ...): which of the sequences of a clause is taken; each p a chance or #f, which shares what is left
  * with the others of its kind. Where all chances are given and sum to less than 1, the rest is for none of them: -1. */
-vs_status vs_p_choose(vs_frame *f, vs_value *out) {
+vs_status vs_p_choose(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].values.count, open = 0;
   const vs_value *v = f->arg[0].values.at;
   double sum = 0, p, x;
@@ -569,7 +569,7 @@ static vs_pos position_of(vs_scheme *vm, const vs_origin *o) {
 
 /* (%rule-refuses name predicate place self): the scope is not of the rule's class. Named are both places: that of
  * the operator that applies the rule, which the error has, and that of the rule. */
-vs_status vs_p_rule_refuses(vs_frame *f, vs_value *out) {
+vs_status vs_p_rule_refuses(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   vs_bind *b = f->bind;
   (void)out;
@@ -602,14 +602,14 @@ vs_status vs_p_rule_refuses(vs_frame *f, vs_value *out) {
 }
 
 /* (%cons-at form head tail): a pair that stands where the form does, for macros whose output is shown in messages. */
-vs_status vs_p_cons_at(vs_frame *f, vs_value *out) {
+vs_status vs_p_cons_at(vs_args *f, vs_value *out) {
   vs_value form = f->arg[0].value;
   vs_pos pos = vs_is_pair(form) ? vs_pair_pos(form) : 0;
   if (!pos) return vs_cons(f->vm, f->arg[1].value, f->arg[2].value, out);
   return vs_cons_at(f->vm, f->arg[1].value, f->arg[2].value, pos, out);
 }
 /* (%place-of form): where the form stands, as a number. */
-vs_status vs_p_place_of(vs_frame *f, vs_value *out) {
+vs_status vs_p_place_of(vs_args *f, vs_value *out) {
   vs_value form = f->arg[0].value;
   *out = vs_fix(vs_is_pair(form) ? (int64_t)vs_pair_pos(form) : 0);
   return VS_OK;

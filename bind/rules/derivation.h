@@ -71,7 +71,7 @@ bool vs_is_rule(vs_value v);
 
 /* The derivation that the operator f works for: the one under way if argument 0 is live, else a new one, which is
  * *holder then. *holder is what the operator returns, and must be rooted. NULL: the error is set. */
-vs_derivation *vs_rules_begin(vs_frame *f, vs_value *holder);
+vs_derivation *vs_rules_begin(vs_args *f, vs_value *holder);
 /* Room for count scopes. many: each with its own rule. The caller fills child[] and rules[], and pushes or drops it. */
 vs_rule_task *vs_task_new(vs_derivation *d, uint32_t count, bool many);
 void vs_task_drop(vs_derivation *d, vs_rule_task *t);
@@ -87,11 +87,11 @@ bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags);
  * set. */
 bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs_origin *origin);
 /* The classes that an operator works on, else the error. */
-bool vs_rules_class(vs_frame *f, int i, unsigned classes);
-const char *vs_rules_operator(vs_frame *f); /* its name in a path: that of the procedure without "scope-" */
-vs_status vs_mesh_components(vs_frame *f, const char *of,
+bool vs_rules_class(vs_args *f, int i, unsigned classes);
+const char *vs_rules_operator(vs_args *f); /* its name in a path: that of the procedure without "scope-" */
+vs_status vs_mesh_components(vs_args *f, const char *of,
                              vs_value *out); /* mesh_faces.c: scope-component of a mesh scope */
 /* make_scopes.c: the loops of one area of an outline, NULL: the error is set */
-vs_scope_loops *vs_rules_outline_loops(vs_frame *f, const vs_outline *o, size_t *next);
+vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *next);
 
 #endif

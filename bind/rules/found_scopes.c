@@ -56,7 +56,7 @@ typedef struct {
 } placed;
 
 /* (%find-scopes o): a list of (number . matrix), in order: what was made with the number, moved by the matrix. */
-vs_status vs_p_marks(vs_frame *f, vs_value *out) {
+vs_status vs_p_marks(vs_args *f, vs_value *out) {
   vs_nodemap known = { .store = f->bind->store };
   placed *stack = NULL, *found = NULL;
   size_t count = 0, room = 0, found_count = 0, found_room = 0;
@@ -90,7 +90,7 @@ vs_status vs_p_marks(vs_frame *f, vs_value *out) {
 }
 
 /* A copy of s with the mark of the number. NULL: the error is set. */
-static vs_scope *with_mark(vs_frame *f, vs_scope *s, int64_t number) {
+static vs_scope *with_mark(vs_args *f, vs_scope *s, int64_t number) {
   const vs_bind *b = f->bind;
   vs_scope *c = NULL;
   if ((uint64_t)number >= b->ticket_count || !b->tickets[number])
@@ -103,7 +103,7 @@ static vs_scope *with_mark(vs_frame *f, vs_scope *s, int64_t number) {
 }
 
 /* (%scope-mark s mark): the mark becomes part of what is being made; gives s with it. */
-vs_status vs_p_scope_mark(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_mark(vs_args *f, vs_value *out) {
   const vs_node *n = f->arg[1].ref.node;
   vs_derivation *d = f->bind->growing;
   if (!d) return vs_fail(f->vm, f->vm->sym.error, "stands in a rule: outside of one nothing is being made");
@@ -113,7 +113,7 @@ vs_status vs_p_scope_mark(vs_frame *f, vs_value *out) {
 }
 
 /* (%scope-found s number matrix): s where the matrix has brought it, with its mark. */
-vs_status vs_p_scope_found(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_found(vs_args *f, vs_value *out) {
   vs_scope *s = with_mark(f, f->arg[0].scope, f->arg[1].integer);
   if (!s) return VS_ERROR;
   vs_scope *at = vs_scope_placed(s, &f->arg[2].matrix);
@@ -122,7 +122,7 @@ vs_status vs_p_scope_found(vs_frame *f, vs_value *out) {
 }
 
 /* (%scope-mark-number s): of its mark, or #f. */
-vs_status vs_p_scope_mark_number(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_mark_number(vs_args *f, vs_value *out) {
   const vs_scope_extra *e = f->arg[0].scope->extra;
   *out = e && e->mark ? vs_fix(e->mark->id) : VS_FALSE;
   return VS_OK;

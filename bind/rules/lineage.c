@@ -84,7 +84,7 @@ static bool symbol_or_false(vs_scheme *vm, const char *name, vs_value *out) {
 
 /* (%derivation-record o): #f, or a vector of six for each entry, in their order, parents first: the parent, the
  * position there, how many scopes, the index of one, rule, operator. */
-vs_status vs_p_derivation_record(vs_frame *f, vs_value *out) {
+vs_status vs_p_derivation_record(vs_args *f, vs_value *out) {
   const vs_lineage *r = record_of(f->bind, f->arg[0].ref.node);
   VS_ROOTS(f->vm, v, 2);
   if (!r) return *out = VS_FALSE, VS_OK;

@@ -17,14 +17,14 @@ static void stand_in(vs_scope *s, const vs_derivation *d, const char *op) {
   s->hash = vs_scope_mix(d->now->hash, s->hash);
 }
 
-static vs_status made(vs_frame *f, vs_scope *s, vs_vec3 at, vs_value *out) {
+static vs_status made(vs_args *f, vs_scope *s, vs_vec3 at, vs_value *out) {
   const vs_derivation *d = f->bind->growing;
   if (s) vs_scope_plant(s, at);
   if (s && d && d->now) stand_in(s, d, vs_rules_operator(f));
   return vs_scope_wrap(f->bind, s, out);
 }
 
-vs_status vs_p_make_box_scope(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_box_scope(vs_args *f, vs_value *out) {
   vs_scope *s = vs_scope_fresh(f->bind->store, VS_SCOPE_BOX);
   if (s) {
     s->as.box.frame = vs_affine_columns(vs_v3(1, 0, 0), vs_v3(0, 0, 1), vs_v3(0, -1, 0), f->arg[0].point);
@@ -33,13 +33,13 @@ vs_status vs_p_make_box_scope(vs_frame *f, vs_value *out) {
   return made(f, s, f->arg[0].point, out);
 }
 
-vs_status vs_p_make_ffd_scope(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_ffd_scope(vs_args *f, vs_value *out) {
   vs_scope *s = vs_scope_fresh(f->bind->store, VS_SCOPE_FFD);
   for (int c = 0; s && c < 8; c++) s->as.corner[c] = f->arg[c].point;
   return made(f, s, f->arg[0].point, out);
 }
 
-vs_status vs_p_make_turtle_scope(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_turtle_scope(vs_args *f, vs_value *out) {
   vs_vec3 z = vs_v3_unit(f->arg[1].point), y = f->arg[2].point;
   y = vs_v3_sub(y, vs_v3_scale(z, vs_v3_dot(y, z)));
   if (vs_v3_length(y) < 1e-9 * vs_v3_length(f->arg[2].point))
@@ -54,7 +54,7 @@ vs_status vs_p_make_turtle_scope(vs_frame *f, vs_value *out) {
 }
 
 /* Sets frame and size of a scope to the object's bounds, as a root box has them. */
-static bool box_around(vs_frame *f, vs_scope *s, vs_ref object) {
+static bool box_around(vs_args *f, vs_scope *s, vs_ref object) {
   vs_bounds b;
   vs_error e = { 0 };
   if (!vs_node_bounds(object.node, &b, &e)) return vs_bind_error(f, &e);
@@ -65,7 +65,7 @@ static bool box_around(vs_frame *f, vs_scope *s, vs_ref object) {
   return true;
 }
 
-static vs_status object_scope(vs_frame *f, vs_scope_class c, vs_value *out) {
+static vs_status object_scope(vs_args *f, vs_scope_class c, vs_value *out) {
   vs_scope *s = vs_scope_fresh(f->bind->store, c);
   if (!s) return vs_fail_memory(f->vm);
   s->object = f->arg[0].ref;
@@ -74,16 +74,16 @@ static vs_status object_scope(vs_frame *f, vs_scope_class c, vs_value *out) {
   return made(f, s, vs_affine_column(&s->as.box.frame, 3), out);
 }
 
-vs_status vs_p_make_mesh_scope(vs_frame *f, vs_value *out) { return object_scope(f, VS_SCOPE_MESH, out); }
+vs_status vs_p_make_mesh_scope(vs_args *f, vs_value *out) { return object_scope(f, VS_SCOPE_MESH, out); }
 
-vs_status vs_p_make_surface_scope(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_surface_scope(vs_args *f, vs_value *out) {
   if (f->arg[0].ref.node->class_ != VS_SURFACE) return vs_bind_refuse(f, "surface", "a surface", f->arg[0].value);
   return object_scope(f, VS_SCOPE_SURFACE, out);
 }
 
 /* The loops of one area of a region: an outer loop and the holes behind it. *next is where it begins, and then the
  * next. NULL: the error is set. */
-vs_scope_loops *vs_rules_outline_loops(vs_frame *f, const vs_outline *o, size_t *next) {
+vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *next) {
   size_t first = *next, end = first + 1, points = 0;
   while (end < o->count && o->hole[end]) end++;
   for (size_t l = first; l < end; l++) points += o->loops[l].count;
@@ -101,7 +101,7 @@ vs_scope_loops *vs_rules_outline_loops(vs_frame *f, const vs_outline *o, size_t 
   return loops;
 }
 
-vs_status vs_p_make_polygon_scope(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_polygon_scope(vs_args *f, vs_value *out) {
   vs_outline o = { 0 };
   vs_error e = { 0 };
   const vs_node *n = f->arg[0].ref.node;
@@ -130,7 +130,7 @@ vs_status vs_p_make_polygon_scope(vs_frame *f, vs_value *out) {
   return made(f, s, s->loops->points->at[0], out);
 }
 
-vs_status vs_p_make_triangle_scope(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_triangle_scope(vs_args *f, vs_value *out) {
   const vs_vec3 at[3] = { f->arg[0].point, f->arg[1].point, f->arg[2].point };
   vs_scope *s = vs_scope_fresh(f->bind->store, VS_SCOPE_TRIANGLE);
   if (!s || !(s->loops = vs_scope_loops_new(s->store, at, (const uint32_t[]){ 0, 3 }, 1)))
@@ -140,7 +140,7 @@ vs_status vs_p_make_triangle_scope(vs_frame *f, vs_value *out) {
   return made(f, s, at[0], out);
 }
 
-vs_status vs_p_make_curve_scope(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_curve_scope(vs_args *f, vs_value *out) {
   vs_polyline p = { 0 };
   vs_error e = { 0 };
   vs_fineness facets = vs_bend_facets(f->bind, f->arg[0].ref.node);
@@ -160,34 +160,34 @@ vs_status vs_p_make_curve_scope(vs_frame *f, vs_value *out) {
 
 /* ---- what a scope says of itself ---- */
 
-static vs_status is_class(vs_frame *f, vs_scope_class c, vs_value *out) {
+static vs_status is_class(vs_args *f, vs_scope_class c, vs_value *out) {
   const vs_scope *s = vs_bind_scope(f->arg[0].value);
   *out = vs_bool(s && s->class_ == c);
   return VS_OK;
 }
-vs_status vs_p_is_scope(vs_frame *f, vs_value *out) {
+vs_status vs_p_is_scope(vs_args *f, vs_value *out) {
   return *out = vs_bool(vs_bind_scope(f->arg[0].value) != NULL), VS_OK;
 }
-vs_status vs_p_is_box_scope(vs_frame *f, vs_value *out) { return is_class(f, VS_SCOPE_BOX, out); }
-vs_status vs_p_is_ffd_scope(vs_frame *f, vs_value *out) { return is_class(f, VS_SCOPE_FFD, out); }
-vs_status vs_p_is_turtle_scope(vs_frame *f, vs_value *out) { return is_class(f, VS_SCOPE_TURTLE, out); }
-vs_status vs_p_is_mesh_scope(vs_frame *f, vs_value *out) { return is_class(f, VS_SCOPE_MESH, out); }
-vs_status vs_p_is_polygon_scope(vs_frame *f, vs_value *out) { return is_class(f, VS_SCOPE_POLYGON, out); }
-vs_status vs_p_is_triangle_scope(vs_frame *f, vs_value *out) { return is_class(f, VS_SCOPE_TRIANGLE, out); }
-vs_status vs_p_is_curve_scope(vs_frame *f, vs_value *out) { return is_class(f, VS_SCOPE_CURVE, out); }
-vs_status vs_p_is_surface_scope(vs_frame *f, vs_value *out) { return is_class(f, VS_SCOPE_SURFACE, out); }
+vs_status vs_p_is_box_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_BOX, out); }
+vs_status vs_p_is_ffd_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_FFD, out); }
+vs_status vs_p_is_turtle_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_TURTLE, out); }
+vs_status vs_p_is_mesh_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_MESH, out); }
+vs_status vs_p_is_polygon_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_POLYGON, out); }
+vs_status vs_p_is_triangle_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_TRIANGLE, out); }
+vs_status vs_p_is_curve_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_CURVE, out); }
+vs_status vs_p_is_surface_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_SURFACE, out); }
 
-vs_status vs_p_scope_size_x(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_size_x(vs_args *f, vs_value *out) {
   return vs_bind_real(f, vs_scope_size(f->arg[0].scope).x, out);
 }
-vs_status vs_p_scope_size_y(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_size_y(vs_args *f, vs_value *out) {
   return vs_bind_real(f, vs_scope_size(f->arg[0].scope).y, out);
 }
-vs_status vs_p_scope_size_z(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_size_z(vs_args *f, vs_value *out) {
   return vs_bind_real(f, vs_scope_size(f->arg[0].scope).z, out);
 }
 
-vs_status vs_p_scope_corner(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_corner(vs_args *f, vs_value *out) {
   static const char *const names[] = { "i", "j", "k" };
   for (int i = 1; i < 4; i++)
     if (f->arg[i].integer > 1) return vs_bind_refuse(f, names[i - 1], "0 or 1", f->arg[i].value);
@@ -195,29 +195,29 @@ vs_status vs_p_scope_corner(vs_frame *f, vs_value *out) {
       f, vs_scope_corner(f->arg[0].scope, (int)f->arg[1].integer, (int)f->arg[2].integer, (int)f->arg[3].integer), out);
 }
 
-vs_status vs_p_scope_frame(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_frame(vs_args *f, vs_value *out) {
   vs_affine m = vs_scope_frame(f->arg[0].scope);
   return vs_bind_matrix(f, &m, out);
 }
 
-vs_status vs_p_scope_index(vs_frame *f, vs_value *out) { return *out = vs_fix(f->arg[0].scope->index), VS_OK; }
-vs_status vs_p_scope_count(vs_frame *f, vs_value *out) { return *out = vs_fix(f->arg[0].scope->count), VS_OK; }
-vs_status vs_p_scope_first(vs_frame *f, vs_value *out) { return *out = vs_bool(f->arg[0].scope->index == 0), VS_OK; }
-vs_status vs_p_scope_last(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_index(vs_args *f, vs_value *out) { return *out = vs_fix(f->arg[0].scope->index), VS_OK; }
+vs_status vs_p_scope_count(vs_args *f, vs_value *out) { return *out = vs_fix(f->arg[0].scope->count), VS_OK; }
+vs_status vs_p_scope_first(vs_args *f, vs_value *out) { return *out = vs_bool(f->arg[0].scope->index == 0), VS_OK; }
+vs_status vs_p_scope_last(vs_args *f, vs_value *out) {
   return *out = vs_bool(f->arg[0].scope->index + 1 == f->arg[0].scope->count), VS_OK;
 }
-vs_status vs_p_scope_left_angle(vs_frame *f, vs_value *out) { return vs_bind_real(f, f->arg[0].scope->left, out); }
-vs_status vs_p_scope_right_angle(vs_frame *f, vs_value *out) { return vs_bind_real(f, f->arg[0].scope->right, out); }
-vs_status vs_p_scope_depth(vs_frame *f, vs_value *out) { return *out = vs_fix(f->arg[0].scope->depth), VS_OK; }
+vs_status vs_p_scope_left_angle(vs_args *f, vs_value *out) { return vs_bind_real(f, f->arg[0].scope->left, out); }
+vs_status vs_p_scope_right_angle(vs_args *f, vs_value *out) { return vs_bind_real(f, f->arg[0].scope->right, out); }
+vs_status vs_p_scope_depth(vs_args *f, vs_value *out) { return *out = vs_fix(f->arg[0].scope->depth), VS_OK; }
 
-vs_status vs_p_scope_parent(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_parent(vs_args *f, vs_value *out) {
   vs_scope *parent = f->arg[0].scope->parent;
   if (!parent) return *out = VS_FALSE, VS_OK;
   return vs_scope_wrap(f->bind, vs_scope_retain(parent), out);
 }
 
 /* A list, from the root, of (rule operator index); the rule is #f where an operator was called outside of any. */
-vs_status vs_p_scope_path(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_path(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 3);
   r[0] = VS_NIL;
@@ -235,7 +235,7 @@ vs_status vs_p_scope_path(vs_frame *f, vs_value *out) {
 }
 
 /* (scope-region s): what the loops of a polygon or triangle scope enclose. */
-vs_status vs_p_scope_region(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_region(vs_args *f, vs_value *out) {
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;
   const vs_scope_loops *l = f->arg[0].scope->loops;
   vs_store *s = f->bind->store;
@@ -253,14 +253,14 @@ vs_status vs_p_scope_region(vs_frame *f, vs_value *out) {
 
 /* ---- flags ---- */
 
-vs_status vs_p_flag(vs_frame *f, vs_value *out) {
+vs_status vs_p_flag(vs_args *f, vs_value *out) {
   const char *name = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);
   if (!name) return vs_fail_memory(f->vm);
   *out = vs_bool(vs_scope_has_flag(f->arg[0].scope, name));
   return VS_OK;
 }
 
-vs_status vs_p_scope_flags(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_flags(vs_args *f, vs_value *out) {
   const vs_scope_flags *flags = f->arg[0].scope->flags;
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
@@ -271,7 +271,7 @@ vs_status vs_p_scope_flags(vs_frame *f, vs_value *out) {
 }
 
 /* (%with-flags s flags rule): flags is a list of symbols, and of pairs of a symbol and whether it holds. */
-vs_status vs_p_with_flags(vs_frame *f, vs_value *out) {
+vs_status vs_p_with_flags(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
   r[0] = f->arg[2].value;

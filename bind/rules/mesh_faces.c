@@ -16,7 +16,7 @@
 #include "solids/solid_meshes.h"
 
 typedef struct {
-  vs_frame *f;
+  vs_args *f;
   vs_scope_loops **at; /* scratch */
   size_t count, room;
 } faces;
@@ -182,7 +182,7 @@ static bool lay_component(vs_scope *c, const vs_scope *s, faces *all, const face
   return true;
 }
 
-vs_status vs_mesh_components(vs_frame *f, const char *of, vs_value *out) {
+vs_status vs_mesh_components(vs_args *f, const char *of, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
   faces all = { .f = f };

@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* A changed scope has its path still: it is the same one. NULL: the error is set. */
-static vs_scope *changed(vs_frame *f) {
+static vs_scope *changed(vs_args *f) {
   vs_scope *s = vs_scope_copy(f->arg[0].scope);
   if (!s) vs_fail_memory(f->vm);
   return s;
@@ -86,14 +86,14 @@ vs_scope *vs_scope_placed(const vs_scope *of, const vs_affine *m) {
   return sheared;
 }
 
-static vs_status give_moved(vs_frame *f, const vs_affine *m, vs_value *out) {
+static vs_status give_moved(vs_args *f, const vs_affine *m, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   if (!moved(s, m)) return vs_scope_release(s), vs_fail_memory(f->vm);
   return vs_scope_wrap(f->bind, s, out);
 }
 
-vs_status vs_p_scope_move(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_move(vs_args *f, vs_value *out) {
   vs_affine frame = vs_scope_frame(f->arg[0].scope);
   vs_affine m = vs_affine_translation(vs_affine_vector(&frame, vs_v3(f->arg[1].real, f->arg[2].real, f->arg[3].real)));
   return give_moved(f, &m, out);
@@ -101,7 +101,7 @@ vs_status vs_p_scope_move(vs_frame *f, vs_value *out) {
 
 /* A hexahedron stays where it is and its axes take other edges: by a quarter about axis a, the new axis after a is the
  * old one after that, and the next is the old one reversed. */
-static vs_status turn_hexahedron(vs_frame *f, int a, int quarters, vs_value *out) {
+static vs_status turn_hexahedron(vs_args *f, int a, int quarters, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -117,7 +117,7 @@ static vs_status turn_hexahedron(vs_frame *f, int a, int quarters, vs_value *out
   return vs_scope_wrap(f->bind, s, out);
 }
 
-vs_status vs_p_scope_turn(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_turn(vs_args *f, vs_value *out) {
   if (f->arg[0].scope->class_ == VS_SCOPE_FFD) {
     double quarters = f->arg[2].real / 1.5707963267948966, n = floor(quarters + .5);
     if (fabs(quarters - n) > 1e-9 || fabs(n) > 1000)
@@ -134,7 +134,7 @@ vs_status vs_p_scope_turn(vs_frame *f, vs_value *out) {
 
 /* Sizes along x, y, z, and -1 for what stays. The first corner stays; a turtle's cross-section grows from its
  * middle. */
-static vs_status give_sized(vs_frame *f, vs_vec3 size, vs_value *out) {
+static vs_status give_sized(vs_args *f, vs_vec3 size, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   bool turtle = s->class_ == VS_SCOPE_TURTLE;
@@ -145,7 +145,7 @@ static vs_status give_sized(vs_frame *f, vs_vec3 size, vs_value *out) {
   return vs_scope_wrap(f->bind, s, out);
 }
 
-vs_status vs_p_scope_size(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_size(vs_args *f, vs_value *out) {
   static const char *const names[] = { "dx", "dy", "dz" };
   double d[3];
   if (!vs_rules_class(f, 0, SIZED)) return VS_ERROR;
@@ -159,12 +159,12 @@ vs_status vs_p_scope_size(vs_frame *f, vs_value *out) {
   return give_sized(f, vs_v3(d[0], d[1], d[2]), out);
 }
 
-vs_status vs_p_scope_height(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_height(vs_args *f, vs_value *out) {
   if (!vs_rules_class(f, 0, SIZED)) return VS_ERROR;
   return give_sized(f, vs_v3(-1, f->arg[1].real, -1), out);
 }
 
-vs_status vs_p_scope_scale(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_scale(vs_args *f, vs_value *out) {
   if (!vs_rules_class(f, 0, SIZED)) return VS_ERROR;
   vs_vec3 size = vs_scope_size(f->arg[0].scope), k = vs_v3(f->arg[1].real, f->arg[1].real, f->arg[1].real);
   if (f->count > 2 && f->arg[2].given) k = vs_v3(f->arg[1].real, f->arg[2].real, f->arg[3].real);

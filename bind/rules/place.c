@@ -74,7 +74,7 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
   return ok;
 }
 
-vs_status vs_p_scope_place(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_place(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 1);
   vs_scope *s = f->arg[0].scope;
   if (!vs_bind_finite(f, 1)) return VS_ERROR;

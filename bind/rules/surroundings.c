@@ -349,7 +349,7 @@ static bool leaf_point(const vs_bend_leaf *l, const vs_affine *map, vs_vec3 *out
 }
 
 typedef struct {
-  vs_frame *f;
+  vs_args *f;
   body body;
   bool inside; /* the question is whether it lies inside; else whether it touches */
   const char *flag;
@@ -465,7 +465,7 @@ static bool any_waits(question *q, const vs_derivation *d) {
   return touch;
 }
 
-static vs_status ask(vs_frame *f, bool inside, vs_value *out) {
+static vs_status ask(vs_args *f, bool inside, vs_value *out) {
   question q = { .f = f, .inside = inside };
   bool yes = false;
   if (f->key[0].given && !(q.flag = vs_store_text(f->bind->store, f->key[0].text.at, f->key[0].text.length)))
@@ -483,12 +483,12 @@ static vs_status ask(vs_frame *f, bool inside, vs_value *out) {
   return q.failed ? VS_ERROR : VS_OK;
 }
 
-vs_status vs_p_scope_touches(vs_frame *f, vs_value *out) { return ask(f, false, out); }
-vs_status vs_p_scope_is_inside(vs_frame *f, vs_value *out) { return ask(f, true, out); }
+vs_status vs_p_scope_touches(vs_args *f, vs_value *out) { return ask(f, false, out); }
+vs_status vs_p_scope_is_inside(vs_args *f, vs_value *out) { return ask(f, true, out); }
 
 /* (scope-overlap s other): the part of s's box that the other's bounds along s's own axes take: two points in s's own
  * coordinates, or #f. */
-vs_status vs_p_scope_overlap(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   vs_affine frame = vs_scope_frame(f->arg[0].scope), back;
   vs_vec3 size = vs_scope_size(f->arg[0].scope), corner[8];
   vs_bounds b = vs_bounds_empty();
@@ -510,7 +510,7 @@ vs_status vs_p_scope_overlap(vs_frame *f, vs_value *out) {
 
 /* (scope-detail s #:width): how many pixels long the scope's diagonal is on a picture of that width that the drawing's
  * camera takes, where the scope is nearest; +inf where the camera is in it, or there is none yet. */
-vs_status vs_p_scope_detail(vs_frame *f, vs_value *out) {
+vs_status vs_p_scope_detail(vs_args *f, vs_value *out) {
   const vs_scene *scene = &f->bind->scene;
   vs_vec3 corner[8], middle = { 0, 0, 0 };
   double width = f->key[0].given ? f->key[0].real : 640, reach = 0;

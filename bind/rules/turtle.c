@@ -7,7 +7,7 @@
 
 #define TURTLE VS_SCOPE_BIT(TURTLE)
 
-static vs_scope *changed(vs_frame *f) {
+static vs_scope *changed(vs_args *f) {
   if (!vs_rules_class(f, 0, TURTLE)) return NULL;
   vs_scope *s = vs_scope_copy(f->arg[0].scope);
   if (!s) vs_fail_memory(f->vm);
@@ -16,7 +16,7 @@ static vs_scope *changed(vs_frame *f) {
 
 static vs_affine *frame_of(vs_scope *s) { return &s->as.turtle.frame; }
 
-vs_status vs_p_turtle_forward(vs_frame *f, vs_value *out) {
+vs_status vs_p_turtle_forward(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   vs_affine *m = frame_of(s);
@@ -25,7 +25,7 @@ vs_status vs_p_turtle_forward(vs_frame *f, vs_value *out) {
 }
 
 /* Turns about the turtle's own axis, through its place. */
-static vs_status turned(vs_frame *f, int axis, double angle, vs_value *out) {
+static vs_status turned(vs_args *f, int axis, double angle, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   vs_affine *m = frame_of(s);
@@ -33,17 +33,17 @@ static vs_status turned(vs_frame *f, int axis, double angle, vs_value *out) {
   *m = vs_affine_multiply(&turn, m);
   return vs_scope_wrap(f->bind, s, out);
 }
-vs_status vs_p_turtle_yaw(vs_frame *f, vs_value *out) { return turned(f, 1, f->arg[1].real, out); }
-vs_status vs_p_turtle_pitch(vs_frame *f, vs_value *out) { return turned(f, 0, -f->arg[1].real, out); }
-vs_status vs_p_turtle_roll(vs_frame *f, vs_value *out) { return turned(f, 2, f->arg[1].real, out); }
+vs_status vs_p_turtle_yaw(vs_args *f, vs_value *out) { return turned(f, 1, f->arg[1].real, out); }
+vs_status vs_p_turtle_pitch(vs_args *f, vs_value *out) { return turned(f, 0, -f->arg[1].real, out); }
+vs_status vs_p_turtle_roll(vs_args *f, vs_value *out) { return turned(f, 2, f->arg[1].real, out); }
 
-vs_status vs_p_turtle_width(vs_frame *f, vs_value *out) {
+vs_status vs_p_turtle_width(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   s->as.turtle.width = f->arg[1].real;
   return vs_scope_wrap(f->bind, s, out);
 }
-vs_status vs_p_turtle_height(vs_frame *f, vs_value *out) {
+vs_status vs_p_turtle_height(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   s->as.turtle.height = f->arg[1].real;
@@ -51,7 +51,7 @@ vs_status vs_p_turtle_height(vs_frame *f, vs_value *out) {
 }
 
 /* Tropism: the heading turns towards the vector, by the strength's part of the angle between them. */
-vs_status vs_p_turtle_toward(vs_frame *f, vs_value *out) {
+vs_status vs_p_turtle_toward(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   vs_affine *m = frame_of(s);
@@ -65,7 +65,7 @@ vs_status vs_p_turtle_toward(vs_frame *f, vs_value *out) {
 }
 
 /* The cross-section is the back of the next hexahedron. */
-vs_status vs_p_turtle_back(vs_frame *f, vs_value *out) {
+vs_status vs_p_turtle_back(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   for (int c = 0; c < 4; c++) s->as.turtle.back[c] = vs_scope_corner(s, c & 1, c >> 1, 1);
@@ -74,7 +74,7 @@ vs_status vs_p_turtle_back(vs_frame *f, vs_value *out) {
 }
 
 /* The cross-section is the front of a hexahedron, which gets the rule. */
-vs_status vs_p_turtle_front(vs_frame *f, vs_value *out) {
+vs_status vs_p_turtle_front(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, TURTLE)) return VS_ERROR;
   vs_scope *s = f->arg[0].scope;

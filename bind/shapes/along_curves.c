@@ -8,7 +8,7 @@
 #include "geometry/profiles/surface.h"
 #include "model/store/array.h"
 
-vs_status vs_bind_stations(vs_frame *f, int i, vs_stations *out) {
+vs_status vs_bind_stations(vs_args *f, int i, vs_stations *out) {
   vs_error e = { 0 };
   vs_bounds b;
   if (!vs_bind_finite(f, i) || !vs_bind_resolve(f, i)) return VS_ERROR;
@@ -20,7 +20,7 @@ vs_status vs_bind_stations(vs_frame *f, int i, vs_stations *out) {
 }
 
 /* The station at argument 1, a distance; round a closed curve as often as it takes. */
-static vs_status station(vs_frame *f, vs_station *out) {
+static vs_status station(vs_args *f, vs_station *out) {
   vs_stations s;
   double at = f->arg[1].real;
   if (!vs_bind_stations(f, 0, &s)) return VS_ERROR;
@@ -37,22 +37,22 @@ static vs_status station(vs_frame *f, vs_station *out) {
   return outside ? vs_bind_refuse(f, "s", expected, f->arg[1].value) : VS_OK;
 }
 
-vs_status vs_p_curve_point(vs_frame *f, vs_value *out) {
+vs_status vs_p_curve_point(vs_args *f, vs_value *out) {
   vs_station s;
   return station(f, &s) && vs_bind_point(f, s.at, out);
 }
 
-vs_status vs_p_curve_tangent(vs_frame *f, vs_value *out) {
+vs_status vs_p_curve_tangent(vs_args *f, vs_value *out) {
   vs_station s;
   return station(f, &s) && vs_bind_vector(f, s.tangent, out);
 }
 
-vs_status vs_p_curve_curvature(vs_frame *f, vs_value *out) {
+vs_status vs_p_curve_curvature(vs_args *f, vs_value *out) {
   vs_station s;
   return station(f, &s) && vs_bind_real(f, s.curvature, out);
 }
 
-vs_status vs_p_curve_frame(vs_frame *f, vs_value *out) {
+vs_status vs_p_curve_frame(vs_args *f, vs_value *out) {
   vs_station s;
   if (!station(f, &s)) return VS_ERROR;
   vs_vec3 x = s.across, z = s.tangent, y = vs_v3_cross(z, x);
@@ -61,7 +61,7 @@ vs_status vs_p_curve_frame(vs_frame *f, vs_value *out) {
 }
 
 /* (curve-division c n): n + 1 points, as far from each other along the curve */
-vs_status vs_p_curve_division(vs_frame *f, vs_value *out) {
+vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   enum { MOST = 1000000 };
   int64_t n = f->arg[1].integer;
   vs_stations s;
@@ -88,7 +88,7 @@ static void walk_free(void *p) {
 static const vs_foreign_type walk_type = { .name = "a curve's places", .release = walk_free };
 
 /* (%curve-walk c) */
-vs_status vs_p_curve_walk(vs_frame *f, vs_value *out) {
+vs_status vs_p_curve_walk(vs_args *f, vs_value *out) {
   vs_stations *s = NULL;
   size_t room = 0;
   if (!VS_GROW(s, room, 1)) return vs_fail_memory(f->vm);
@@ -99,7 +99,7 @@ vs_status vs_p_curve_walk(vs_frame *f, vs_value *out) {
 /* Returns the place at the share arg[1] of the length of the walk arg[0]; *along is how far straight on, from the
  * curve's end, the point asked for lies beyond it: 0 on the curve, below 0 before its start. A closed curve goes
  * round. */
-static vs_station walk_station(const vs_frame *f, double *along) {
+static vs_station walk_station(const vs_args *f, double *along) {
   const vs_stations *w = vs_foreign_get(f->arg[0].value, &walk_type);
   double share = f->arg[1].real;
   if (w->path.closed) share -= floor(share);
@@ -109,14 +109,14 @@ static vs_station walk_station(const vs_frame *f, double *along) {
 }
 
 /* Answers the point that lies arg[2] along x, arg[3] along y and `along` along the tangent from the place s. */
-static vs_status walk_point(vs_frame *f, const vs_station *s, vs_vec3 x, vs_vec3 y, double along, vs_value *out) {
+static vs_status walk_point(vs_args *f, const vs_station *s, vs_vec3 x, vs_vec3 y, double along, vs_value *out) {
   vs_vec3 across = vs_v3_add(vs_v3_scale(x, f->arg[2].real), vs_v3_scale(y, f->arg[3].real));
   return vs_bind_point(f, vs_v3_add(vs_v3_add(s->at, vs_v3_scale(s->tangent, along)), across), out);
 }
 
 /* (%walk-place walk s x y): x and y across the curve at the share s of its length; beyond an open
  * one's ends straight on */
-vs_status vs_p_walk_place(vs_frame *f, vs_value *out) {
+vs_status vs_p_walk_place(vs_args *f, vs_value *out) {
   double along;
   vs_station s = walk_station(f, &along);
   return walk_point(f, &s, s.across, vs_v3_cross(s.tangent, s.across), along, out);
@@ -124,7 +124,7 @@ vs_status vs_p_walk_place(vs_frame *f, vs_value *out) {
 
 /* (%walk-upright walk s x y up): the same with y towards `up`, as far as the curve's direction allows, and x to the
  * left of whoever walks along; #f where the curve runs along `up` */
-vs_status vs_p_walk_upright(vs_frame *f, vs_value *out) {
+vs_status vs_p_walk_upright(vs_args *f, vs_value *out) {
   double along;
   vs_station s = walk_station(f, &along);
   vs_vec3 up = vs_v3_unit(f->arg[4].point), y = vs_v3_sub(up, vs_v3_scale(s.tangent, vs_v3_dot(up, s.tangent)));
@@ -137,7 +137,7 @@ vs_status vs_p_walk_upright(vs_frame *f, vs_value *out) {
 
 enum { AROUND = 128, RINGS = 192 };
 
-static bool pipe_open(vs_frame *f, vs_pipe *p, vs_error *e) {
+static bool pipe_open(vs_args *f, vs_pipe *p, vs_error *e) {
   vs_bounds b;
   int segments = f->arg[1].given && f->arg[1].integer ? (int)f->arg[1].integer : vs_bind_segments(f->bind);
   vs_node *curve = f->arg[0].ref.node;
@@ -148,7 +148,7 @@ static bool pipe_open(vs_frame *f, vs_pipe *p, vs_error *e) {
 }
 
 /* (%pipe-places c segments): where the rings of a pipe stand, as shares of the length from 0 to 1 */
-vs_status vs_p_pipe_places(vs_frame *f, vs_value *out) {
+vs_status vs_p_pipe_places(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_pipe p;
   VS_ROOTS(f->vm, r, 1);
@@ -163,7 +163,7 @@ vs_status vs_p_pipe_places(vs_frame *f, vs_value *out) {
 }
 
 /* (%make-pipe c segments radii): a ring of each radius at the places */
-vs_status vs_p_make_pipe(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_pipe p;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;

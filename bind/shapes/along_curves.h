@@ -7,6 +7,6 @@
 
 /* Opens argument i, a curve, sampled to a millionth of its size. VS_ERROR: the error is set and there is nothing to
  * close. */
-vs_status vs_bind_stations(vs_frame *f, int i, vs_stations *out);
+vs_status vs_bind_stations(vs_args *f, int i, vs_stations *out);
 
 #endif

@@ -9,7 +9,7 @@
 #include "model/store/array.h"
 
 /* (make-crust o thickness #:side): 'in, 'out or 'both */
-vs_status vs_p_make_crust(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_crust(vs_args *f, vs_value *out) {
   double t = f->arg[1].real, outwards = 0, inwards = t;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_node *o = f->arg[0].ref.node;

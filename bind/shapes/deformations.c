@@ -24,10 +24,10 @@ static void deformation_free(void *p) {
   free(d);
 }
 static const vs_foreign_type deformation_type = { .name = "a deformation", .release = deformation_free };
-static deformation *given(vs_frame *f) { return vs_foreign_get(f->arg[0].value, &deformation_type); }
+static deformation *given(vs_args *f) { return vs_foreign_get(f->arg[0].value, &deformation_type); }
 
 /* (%deform o): the object taken apart */
-vs_status vs_p_deform(vs_frame *f, vs_value *out) {
+vs_status vs_p_deform(vs_args *f, vs_value *out) {
   deformation *d = NULL;
   size_t one = 0;
   vs_bounds b;
@@ -48,7 +48,7 @@ vs_status vs_p_deform(vs_frame *f, vs_value *out) {
 }
 
 /* (%deform-wanted d): the points whose images are wanted, as a list; () at the end */
-vs_status vs_p_deform_wanted(vs_frame *f, vs_value *out) {
+vs_status vs_p_deform_wanted(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   VS_ROOTS(f->vm, r, 2);
   r[1] = VS_NIL;
@@ -63,14 +63,14 @@ vs_status vs_p_deform_wanted(vs_frame *f, vs_value *out) {
 }
 
 /* (%deform-give d images): as many points as were wanted */
-vs_status vs_p_deform_give(vs_frame *f, vs_value *out) {
+vs_status vs_p_deform_give(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   (void)out;
   return vs_bending_give(d->at[d->now], f->arg[1].points.at) ? VS_OK : vs_fail_memory(f->vm);
 }
 
 /* (%deform-by-tape d t): all of it by a tape of three inputs and outputs; #t, or a point at which it has no value */
-vs_status vs_p_deform_by_tape(vs_frame *f, vs_value *out) {
+vs_status vs_p_deform_by_tape(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   const vs_tape *t = vs_foreign_get(f->arg[1].value, &vs_tape_type);
   vs_sampler *s = vs_sampler_new(t, 0);
@@ -106,7 +106,7 @@ vs_status vs_p_deform_by_tape(vs_frame *f, vs_value *out) {
 }
 
 /* (%deformed d): the object that came of it */
-vs_status vs_p_deformed(vs_frame *f, vs_value *out) {
+vs_status vs_p_deformed(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   vs_store *s = f->bind->store;
   size_t n = d->leaves.count, made = 0;

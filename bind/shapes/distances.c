@@ -26,7 +26,7 @@ static void release(vs_tape_field *f) {
 }
 
 /* (%distance-field o): the field of a solid, of its mesh at a quarter of the usual tolerance */
-vs_status vs_p_distance_field(vs_frame *f, vs_value *out) {
+vs_status vs_p_distance_field(vs_args *f, vs_value *out) {
   distance_field *d = NULL;
   size_t room = 0;
   vs_error e = { 0 };
@@ -48,7 +48,7 @@ vs_status vs_p_distance_field(vs_frame *f, vs_value *out) {
 }
 
 /* (%field-value field x y z) */
-vs_status vs_p_field_value(vs_frame *f, vs_value *out) {
+vs_status vs_p_field_value(vs_args *f, vs_value *out) {
   const vs_tape_field *field = vs_foreign_get(f->arg[0].value, &vs_tape_field_type);
   return vs_bind_real(f, field->value(field, (const double[]){ f->arg[1].real, f->arg[2].real, f->arg[3].real }, NULL),
                       out);

@@ -23,7 +23,7 @@ static double next(vs_scheme *vm, vs_value *l) {
 }
 
 /* The list of n points in *out. */
-static bool point_list(vs_frame *f, const vs_vec3 *at, size_t n, vs_value *out) {
+static bool point_list(vs_args *f, const vs_vec3 *at, size_t n, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = n; i-- > 0;)
@@ -33,7 +33,7 @@ static bool point_list(vs_frame *f, const vs_vec3 *at, size_t n, vs_value *out) 
   return true;
 }
 
-static vs_status unsettled(vs_frame *f, vs_relax_outcome outcome, const vs_relax_report *report, const vs_net *n) {
+static vs_status unsettled(vs_args *f, vs_relax_outcome outcome, const vs_relax_report *report, const vs_net *n) {
   char a[32], b[32];
   switch (outcome) {
   case VS_RELAX_LOOSE:
@@ -62,7 +62,7 @@ static vs_status unsettled(vs_frame *f, vs_relax_outcome outcome, const vs_relax
 
 /* (%form-find points members fixed loads weight stiffness tolerance): the list of points, members' forces, residual and
  * steps. members: a flat list of numbers, four each: from, to (from 0), length and density; loads: gvectors. */
-vs_status vs_p_form_find(vs_frame *f, vs_value *out) {
+vs_status vs_p_form_find(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count;
   vs_value l = f->arg[1].value;
   int64_t numbers = vs_list_length(l);
@@ -102,7 +102,7 @@ vs_status vs_p_form_find(vs_frame *f, vs_value *out) {
 
 /* (%planarise points faces fixed tolerance): the points moved, and how far the worst corner lies from its face.
  * faces: a flat list of numbers: how many corners, then these, from 0. */
-vs_status vs_p_planarise(vs_frame *f, vs_value *out) {
+vs_status vs_p_planarise(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count, corners = 0, faces = 0;
   int64_t numbers = vs_list_length(f->arg[1].value);
   if (numbers < 0) return vs_fail(f->vm, f->vm->sym.type, "faces must be a list");
@@ -146,7 +146,7 @@ vs_status vs_p_planarise(vs_frame *f, vs_value *out) {
 
 /* (%shortest-path ways n from to): the numbers of the points on the way, from 0; ways: a flat list, three numbers
  * each */
-vs_status vs_p_shortest_path(vs_frame *f, vs_value *out) {
+vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
   int64_t numbers = vs_list_length(f->arg[0].value);
   size_t count = numbers > 0 ? (size_t)numbers / 3 : 0, found;
   vs_way *ways = vs_bind_scratch(f, (count + 1) * sizeof *ways);
@@ -172,7 +172,7 @@ vs_status vs_p_shortest_path(vs_frame *f, vs_value *out) {
 }
 
 /* (%pack-circles region n least gap): a list of pairs, centre and radius, the largest first */
-vs_status vs_p_pack_circles(vs_frame *f, vs_value *out) {
+vs_status vs_p_pack_circles(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_outline o = { 0 };
   vs_affine back;

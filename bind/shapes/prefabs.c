@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* (prefab-names): in the order of the alphabet, in which the program holds its files */
-vs_status vs_p_prefab_names(vs_frame *f, vs_value *out) {
+vs_status vs_p_prefab_names(vs_args *f, vs_value *out) {
   static const char folder[] = "prefabs/", ending[] = ".vs";
   const size_t before = sizeof folder - 1, after = sizeof ending - 1;
   size_t count = 0;

@@ -17,7 +17,7 @@
 /* ---- curves with curves ---- */
 
 /* (curve-intersections a b): points in the order of a */
-vs_status vs_p_curve_intersections(vs_frame *f, vs_value *out) {
+vs_status vs_p_curve_intersections(vs_args *f, vs_value *out) {
   vs_stations a, b;
   vs_meeting *found = NULL;
   size_t count = 0;
@@ -62,7 +62,7 @@ static void probe_free(void *p) {
 static const vs_foreign_type probe_type = { .name = "an object's triangles", .release = probe_free };
 
 /* (%probe o) */
-vs_status vs_p_probe(vs_frame *f, vs_value *out) {
+vs_status vs_p_probe(vs_args *f, vs_value *out) {
   probe *w = NULL;
   size_t room = 0;
   vs_error e = { 0 };
@@ -82,7 +82,7 @@ vs_status vs_p_probe(vs_frame *f, vs_value *out) {
 }
 
 /* (%probe-near probe p): the point of its triangles that is nearest to p */
-vs_status vs_p_probe_near(vs_frame *f, vs_value *out) {
+vs_status vs_p_probe_near(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_vec3 p = f->arg[1].point, slope = { 0, 0, 0 };
   double d = vs_mesh_distance_at(w->distance, p, &slope);
@@ -90,7 +90,7 @@ vs_status vs_p_probe_near(vs_frame *f, vs_value *out) {
 }
 
 /* (%probe-ray probe p v): the first point from p on in the direction v; #f */
-vs_status vs_p_probe_ray(vs_frame *f, vs_value *out) {
+vs_status vs_p_probe_ray(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_vec3 p = f->arg[1].point, v = vs_v3_unit(f->arg[2].point);
   double at;
@@ -120,7 +120,7 @@ static double passes(const probe *w, const vs_stations *c, size_t t, double low,
 }
 
 /* (%probe-curve probe c): the points at which the curve passes through its triangles, in the curve's order */
-vs_status vs_p_probe_curve(vs_frame *f, vs_value *out) {
+vs_status vs_p_probe_curve(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_stations c;
   double *found = NULL;
@@ -159,7 +159,7 @@ vs_status vs_p_probe_curve(vs_frame *f, vs_value *out) {
 }
 
 /* (%curve-near c p): the distance along the curve of its point that is nearest to p */
-vs_status vs_p_curve_near(vs_frame *f, vs_value *out) {
+vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
   vs_stations c;
   vs_vec3 p = f->arg[1].point;
   if (!vs_bind_stations(f, 0, &c)) return VS_ERROR;
@@ -184,7 +184,7 @@ vs_status vs_p_curve_near(vs_frame *f, vs_value *out) {
 }
 
 /* (%probe-geodesic probe p q): the points of the shortest way over its triangles; the empty list: none leads there */
-vs_status vs_p_probe_geodesic(vs_frame *f, vs_value *out) {
+vs_status vs_p_probe_geodesic(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_vec3 *at;
   size_t count;
@@ -210,7 +210,7 @@ static bool polled(void *context) {
 }
 
 /* (%probe-offset probe c d n): the lines of the curve's offset over its triangles, each a list of points */
-vs_status vs_p_probe_offset(vs_frame *f, vs_value *out) {
+vs_status vs_p_probe_offset(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_stations c;
   vs_mesh_edges edges = { 0 };

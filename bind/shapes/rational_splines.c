@@ -24,7 +24,7 @@ static void spline_free(void *p) {
 static const vs_foreign_type spline_type = { .name = "a spline", .release = spline_free };
 
 /* The numbers of a list into *out, which the caller frees; NULL for #f. False: the error is set. */
-static bool numbers(vs_frame *f, vs_value l, double **out, size_t *count) {
+static bool numbers(vs_args *f, vs_value l, double **out, size_t *count) {
   size_t room = 0;
   *out = NULL, *count = 0;
   for (; vs_is_pair(l); l = vs_cdr(l)) {
@@ -37,7 +37,7 @@ static bool numbers(vs_frame *f, vs_value l, double **out, size_t *count) {
 }
 
 /* (%nurbs points degree-u degree-v weights knots-u knots-v): the value, or a list (what-is-wrong direction number) */
-vs_status vs_p_nurbs(vs_frame *f, vs_value *out) {
+vs_status vs_p_nurbs(vs_args *f, vs_value *out) {
   spline *s = NULL;
   size_t room = 0, points_room = 0, n = f->arg[0].points.count, weights, ku, kv;
   if (!VS_GROW(s, room, 1)) return vs_fail_memory(f->vm);
@@ -61,18 +61,18 @@ vs_status vs_p_nurbs(vs_frame *f, vs_value *out) {
          vs_cons(f->vm, vs_fix((int64_t)fault), r[0], out);
 }
 
-static const vs_nurbs *given(vs_frame *f) { return &((spline *)vs_foreign_get(f->arg[0].value, &spline_type))->n; }
+static const vs_nurbs *given(vs_args *f) { return &((spline *)vs_foreign_get(f->arg[0].value, &spline_type))->n; }
 static double within(const vs_nurbs_knots *k, double t) { return fmin(fmax(t, vs_nurbs_low(k)), vs_nurbs_high(k)); }
 
 /* (%nurbs-point n u v): v of a curve is not looked at */
-vs_status vs_p_nurbs_point(vs_frame *f, vs_value *out) {
+vs_status vs_p_nurbs_point(vs_args *f, vs_value *out) {
   const vs_nurbs *n = given(f);
   double v = n->v.count ? within(&n->v, f->arg[2].real) : 0;
   return vs_bind_point(f, vs_nurbs_point(n, within(&n->u, f->arg[1].real), v, NULL, NULL), out);
 }
 
 /* (%nurbs-range n): the list u0 u1, and of a surface v0 v1 behind them */
-vs_status vs_p_nurbs_range(vs_frame *f, vs_value *out) {
+vs_status vs_p_nurbs_range(vs_args *f, vs_value *out) {
   const vs_nurbs *n = given(f);
   double ends[4] = { vs_nurbs_low(&n->u), vs_nurbs_high(&n->u) };
   if (n->v.count) ends[2] = vs_nurbs_low(&n->v), ends[3] = vs_nurbs_high(&n->v);
@@ -84,7 +84,7 @@ vs_status vs_p_nurbs_range(vs_frame *f, vs_value *out) {
   return VS_OK;
 }
 
-vs_status vs_p_make_nurbs_curve(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_nurbs_curve(vs_args *f, vs_value *out) {
   vs_node *node = vs_nurbs_curve_node(f->bind->store, given(f));
   if (!node) return vs_fail_memory(f->vm);
   if (!vs_bind_is_empty(node)) return vs_bind_node(f, node, out);
@@ -105,7 +105,7 @@ static size_t parameters(const vs_nurbs *n, bool along_v, int64_t steps, double 
 }
 
 /* (%make-nurbs-surface n nu nv): 0 leaves the number of samples to the tolerance */
-vs_status vs_p_make_nurbs_surface(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_nurbs_surface(vs_args *f, vs_value *out) {
   const vs_nurbs *n = given(f);
   vs_bounds b = vs_bounds_empty();
   vs_error e = { 0 };

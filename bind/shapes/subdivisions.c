@@ -18,7 +18,7 @@ static bool add_face(void *list, const vs_vec3 *corner, uint32_t n) {
   return ok && vs_face_list_close(l);
 }
 
-static vs_status faces_of(vs_frame *f, vs_ref object, vs_face_list *l) {
+static vs_status faces_of(vs_args *f, vs_ref object, vs_face_list *l) {
   vs_affine map = vs_affine_identity();
   vs_node *n = object.node;
   while (n->kind == VS_TRANSFORM || vs_node_is_wrapper(n)) {
@@ -70,7 +70,7 @@ static bool share_points(vs_face_list *l) {
   return ok;
 }
 
-static bool point_number(vs_frame *f, const vs_face_list *l, vs_value v, uint32_t *out) {
+static bool point_number(vs_args *f, const vs_face_list *l, vs_value v, uint32_t *out) {
   if (vs_is_fixnum(v) && vs_fixnum(v) >= 1 && vs_fixnum(v) <= (int64_t)l->point_count)
     return *out = (uint32_t)vs_fixnum(v) - 1, true;
   if (!vs_is_flat(v, VS_FLAT_POINT)) return vs_bind_refuse(f, "creases", "of points of the mesh", v);
@@ -86,7 +86,7 @@ static bool point_number(vs_frame *f, const vs_face_list *l, vs_value v, uint32_
 }
 
 /* A list of lists of two points, or their numbers from 1, and the sharpness, if it has an end. */
-static bool creases_of(vs_frame *f, const vs_face_list *l, vs_crease **out, size_t *count) {
+static bool creases_of(vs_args *f, const vs_face_list *l, vs_crease **out, size_t *count) {
   static const char *const expected = "lists of two points of an edge, or their numbers, and how sharp it is";
   size_t room = 0;
   for (vs_value c = f->arg[2].value; vs_is_pair(c); c = vs_cdr(c)) {
@@ -123,7 +123,7 @@ static bool going(void *context, double done) {
 }
 
 /* (%make-subdivision o n creases #:scheme #:limit) */
-vs_status vs_p_make_subdivision(vs_frame *f, vs_value *out) {
+vs_status vs_p_make_subdivision(vs_args *f, vs_value *out) {
   vs_face_list l = { 0 };
   vs_crease *creases = NULL;
   size_t crease_count = 0;

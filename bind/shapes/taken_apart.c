@@ -49,7 +49,7 @@ bool vs_bend_solid(vs_bind *b, vs_mesh *m) {
   return ended(b, vs_mesh_without_overlaps(m, &options, &e), &e);
 }
 
-vs_status vs_bend_triangles(vs_frame *f, vs_ref ref, vs_mesh *out) {
+vs_status vs_bend_triangles(vs_args *f, vs_ref ref, vs_mesh *out) {
   vs_error e = { 0 };
   vs_bounds b;
   vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };

@@ -18,6 +18,6 @@ bool vs_bend_take_apart(vs_bind *b, vs_ref object, const char *no_regions, vs_be
 /* As vs_mesh_without_overlaps (solids/primitive_meshes.h). False: the condition is set. */
 bool vs_bend_solid(vs_bind *b, vs_mesh *m);
 /* The triangles of a solid or surface: of what is round a quarter as coarse as in drawings, since they are kept. */
-vs_status vs_bend_triangles(vs_frame *f, vs_ref ref, vs_mesh *out);
+vs_status vs_bend_triangles(vs_args *f, vs_ref ref, vs_mesh *out);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "geometry/plane/voronoi.h"
 
-static vs_vec2 *flat_points(vs_frame *f, const vs_affine *to_plane) {
+static vs_vec2 *flat_points(vs_args *f, const vs_affine *to_plane) {
   size_t n = f->arg[0].points.count;
   vs_vec2 *flat = vs_bind_scratch(f, (n + 1) * sizeof *flat);
   for (size_t i = 0; flat && i < n; i++) {
@@ -17,7 +17,7 @@ static vs_vec2 *flat_points(vs_frame *f, const vs_affine *to_plane) {
 }
 
 /* (delaunay points): triangles as lists of three of the points, counter-clockwise seen from above */
-vs_status vs_p_delaunay(vs_frame *f, vs_value *out) {
+vs_status vs_p_delaunay(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count, count;
   vs_affine identity = vs_affine_identity();
   uint32_t(*triangles)[3];
@@ -41,7 +41,7 @@ vs_status vs_p_delaunay(vs_frame *f, vs_value *out) {
 }
 
 /* An area of the plane as a region node: loops are polylines. NULL: out of memory. */
-static vs_node *region_of(vs_frame *f, const vs_area *a, const vs_affine *frame) {
+static vs_node *region_of(vs_args *f, const vs_area *a, const vs_affine *frame) {
   vs_store *s = f->bind->store;
   if (!a->loop_count) return vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
   vs_ref *loops = vs_bind_scratch(f, a->loop_count * sizeof *loops);
@@ -59,7 +59,7 @@ static vs_node *region_of(vs_frame *f, const vs_area *a, const vs_affine *frame)
 }
 
 /* (voronoi points region): a region for each point, in their order; empty where nothing of a cell lies in the region */
-vs_status vs_p_voronoi(vs_frame *f, vs_value *out) {
+vs_status vs_p_voronoi(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count;
   vs_error e = { 0 };
   vs_outline o = { 0 };

@@ -468,9 +468,9 @@ static void backtrace(cli_session *c) {
 }
 
 static void locals(cli_session *c, const char *number) {
-  vs_frame_info f;
+  vs_call_info f;
   long n = *number ? strtol(number, NULL, 10) : 1;
-  if (n < 1 || !vs_frame_get(c->scheme, (size_t)n - 1, &f)) {
+  if (n < 1 || !vs_call_get(c->scheme, (size_t)n - 1, &f)) {
     puts("; there is no such call; ,backtrace lists them");
     return;
   }

@@ -193,7 +193,7 @@ vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *t
   cli_report_settle(&c->reporter);
   fflush(stdout);
   vs_interrupt_clear(c->scheme);
-  vs_frame_info frame;
+  vs_call_info call;
   if (outcome == VS_OUTCOME_STOPPED) {
     line_buffer copy = {0};
     cli_line_buffer_add(&copy, text, length);
@@ -206,7 +206,7 @@ vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *t
         first_line)) fputs("vs: out of memory\n", stderr);
   } else if (outcome == VS_OUTCOME_MODEL) {
     advise(c, text, length, true);
-    if (c->editor && vs_frame_get(c->scheme, 1, &frame))
+    if (c->editor && vs_call_get(c->scheme, 1, &call))
       fputs("; ,backtrace shows the calls, ,locals 1 what the first was called with\n", stderr);
   }
   return outcome;

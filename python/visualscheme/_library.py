@@ -38,7 +38,7 @@ class Options(Structure):
     _fields_ = [("host", Host), ("alloc", c_void_p), ("alloc_context", c_void_p), ("limit_time", c_double),
                 ("limit_memory", c_size_t), ("limit_steps", c_uint64), ("limit_output", c_size_t),
                 ("limit_worker", c_double), ("limit_triangles", c_size_t), ("cache", c_size_t),
-                ("keep_frames", c_bool), ("untrusted", c_bool), ("library_path", c_char_p),
+                ("keep_calls", c_bool), ("untrusted", c_bool), ("library_path", c_char_p),
                 ("command_line", c_void_p), ("command_line_count", c_size_t)]
 
 
@@ -162,7 +162,7 @@ _FUNCTIONS = {
 LEFT_OUT = {
     "a prompt, an editor or a debugger calls these, and Python has its own": (
         "vs_exit_requested vs_read_check vs_complete vs_name_get vs_name_advice vs_disassemble vs_stop_get "
-        "vs_stop_depth vs_resume vs_stop_drop vs_frame_get vs_profile vs_profile_get vs_language_of"),
+        "vs_stop_depth vs_resume vs_stop_drop vs_call_get vs_profile vs_profile_get vs_language_of"),
     "an error or the manual lists the formats and passes": (
         "vs_format_list vs_format_endings vs_format_find vs_format_of vs_pass_list vs_output_statistics vs_view_name"),
     "the command vs does this with files, and no value of the program takes part": (

@@ -128,10 +128,10 @@ static void test_stops(void **state) {
   enum { STOP = VS_EVAL_STOP | VS_EVAL_PRINT | VS_EVAL_WITHIN };
   char last[100] = "";
   vs_options o = vs_options_default();
-  o.keep_frames = true, o.host.context = last, o.host.value = shown;
+  o.keep_calls = true, o.host.context = last, o.host.value = shown;
   vs_scheme *s = vs_new(&o);
   vs_stop_info stop;
-  vs_frame_info frame;
+  vs_call_info call;
   assert_false(vs_stop_get(s, &stop));
   assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_USAGE);
   assert_int_equal(run(s, stepped, 0), VS_OUTCOME_DONE);
@@ -142,8 +142,8 @@ static void test_stops(void **state) {
   assert_int_equal(stop.kind, VS_STOPPED_BREAK);
   assert_string_equal(stop.procedure, "wall");
   assert_int_equal(stop.at.line, 2);
-  assert_true(vs_frame_get(s, 0, &frame));
-  assert_string_equal(frame.variables, "n = 4, a = 8, b = 9");
+  assert_true(vs_call_get(s, 0, &call));
+  assert_string_equal(call.variables, "n = 4, a = 8, b = 9");
   /* what is asked there sees the variables; collections move what is stopped; a second one stops on top */
   assert_int_equal(run(s, "(list b a)", STOP), VS_OUTCOME_DONE);
   assert_string_equal(last, "(9 8)");
@@ -183,7 +183,7 @@ static void test_stops(void **state) {
 static bool step_session(budget *b) {
   vs_options o = vs_options_default();
   o.alloc = take, o.alloc_context = b;
-  o.keep_frames = true, o.host.context = b, o.host.diagnose = told;
+  o.keep_calls = true, o.host.context = b, o.host.diagnose = told;
   vs_scheme *s = vs_new(&o);
   bool ok = s && run(s, stepped, 0) == VS_OUTCOME_DONE;
   vs_outcome outcome = ok ? run(s, "(wall 3)", VS_EVAL_STOP | VS_EVAL_STEP) : VS_OUTCOME_MACHINE;

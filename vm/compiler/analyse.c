@@ -1,17 +1,18 @@
 /* Owns the analysis of core trees, in two passes.
 
-   A frame here is a LAMBDA whose calls have an activation of their own, as all have but loops.
+   A home is a LAMBDA whose calls have an activation of their own, as all have but loops.
 
-   Loops: which FIX-bound lambdas can run in the frame they are defined in. All their references must be calls with the
-   right number of arguments, in tail position of the FIX's body or of their own body. Scopes (struct tail) are chained
-   from the inside out: a call is such a tail call if the chain from it reaches the FIX. Where it passes through another
-   candidate's body, it holds only if that one becomes a loop too; these conditions are kept and resolved at the end.
+   Loops: which FIX-bound lambdas can run in the activation they are defined in. All their references must be calls with
+   the right number of arguments, in tail position of the FIX's body or of their own body. Scopes (struct tail) are
+   chained from the inside out: a call is such a tail call if the chain from it reaches the FIX. Where it passes through
+   another candidate's body, it holds only if that one becomes a loop too; these conditions are kept and resolved at the
+   end.
 
-   Frames: which frame each variable lives in, what every lambda captures, and what must be boxed. Moments are counted
+   Homes: which LAMBDA each variable lives in, what every lambda captures, and what must be boxed. Moments are counted
    per tree; a lambda made at a moment before a variable is ready, which captures it, makes it boxed and its references
    checked. Consecutive lambdas of a FIX are made at one moment: they may capture each other, the compiler patches them.
 
-   Both recurse within a frame only (VS_AST_DEPTH times the few loops nested in it); lambdas wait on a list. */
+   Both recurse within a home only (VS_AST_DEPTH times the few loops nested in it); lambdas wait on a list. */
 #include "vm/compiler/analyse.h"
 
 #include "vm/machine/native.h"
@@ -167,10 +168,10 @@ static bool find_loops_in(struct analysis *a, const struct job *j) {
 }
 
 /* ---- second pass ---- */
-static vs_frame_info *frame_of(vs_core_node *lambda) { return lambda->as.lambda.extra; }
+static vs_lambda_info *info_of(vs_core_node *lambda) { return lambda->as.lambda.extra; }
 
-static bool make_frame(struct analysis *a, vs_core_node *lambda, vs_core_node *parent, uint32_t made) {
-  vs_frame_info *f = vs_ast_alloc(a->ast, sizeof *f);
+static bool make_info(struct analysis *a, vs_core_node *lambda, vs_core_node *parent, uint32_t made) {
+  vs_lambda_info *f = vs_ast_alloc(a->ast, sizeof *f);
   if (!f) return false;
   f->parent = parent;
   f->made = made;
@@ -178,17 +179,17 @@ static bool make_frame(struct analysis *a, vs_core_node *lambda, vs_core_node *p
   return add_job(a, lambda, NULL, 0);
 }
 
-static uint32_t home(const vs_frame_info *f, const vs_var *v) {
+static uint32_t home(const vs_lambda_info *f, const vs_var *v) {
   return (uint32_t)((uintptr_t)v >> 4) * 2654435761u & (f->index_room - 1);
 }
 
-static void index_put(vs_frame_info *f, uint32_t i) {
+static void index_put(vs_lambda_info *f, uint32_t i) {
   uint32_t at = home(f, f->free[i]);
   while (f->index[at]) at = (at + 1) & (f->index_room - 1);
   f->index[at] = i + 1;
 }
 
-uint32_t vs_free_index(const vs_frame_info *f, const vs_var *v) {
+uint32_t vs_free_index(const vs_lambda_info *f, const vs_var *v) {
   if (!f->index_room) {
     for (uint32_t i = 0; i < f->free_count; i++)
       if (f->free[i] == v) return i;
@@ -200,7 +201,7 @@ uint32_t vs_free_index(const vs_frame_info *f, const vs_var *v) {
 }
 
 /* v is not there yet */
-static bool capture(struct analysis *a, vs_frame_info *f, vs_var *v) {
+static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
   if (f->free_count == f->free_room) {
     uint32_t room = f->free_room ? f->free_room * 2 : 4;
     vs_var **at = vs_ast_alloc(a->ast, room * sizeof(vs_var *));
@@ -222,33 +223,33 @@ static bool capture(struct analysis *a, vs_frame_info *f, vs_var *v) {
   return true;
 }
 
-/* v is used in frame `in`, now; *early: perhaps before it has a value */
+/* v is used in the home `in`, now; *early: perhaps before it has a value */
 static bool use(struct analysis *a, vs_core_node *in, vs_var *v, bool *early) {
   vs_var_info *info = vs_info(v);
   *early = false;
-  if (info->frame == in) {
+  if (info->lambda == in) {
     *early = info->ready == VS_NOT_READY;
   } else {
     v->captured = true;
-    /* up to a frame that captures it already, which knows the answer, or to the outermost one */
+    /* up to a home that captures it already, which knows the answer, or to the outermost one */
     vs_core_node *at = in;
     uint32_t known;
-    for (;; at = frame_of(at)->parent) {
-      vs_frame_info *f = frame_of(at);
+    for (;; at = info_of(at)->parent) {
+      vs_lambda_info *f = info_of(at);
       if ((known = vs_free_index(f, v)) != UINT32_MAX) { *early = f->early[known]; break; }
       if (!capture(a, f, v)) return false;
-      if (f->parent == info->frame) { *early = f->made < info->ready; known = f->free_count - 1; break; }
+      if (f->parent == info->lambda) { *early = f->made < info->ready; known = f->free_count - 1; break; }
     }
-    frame_of(at)->early[known] = *early;
-    for (vs_core_node *f = in; f != at; f = frame_of(f)->parent)
-      frame_of(f)->early[frame_of(f)->free_count - 1] = *early;
+    info_of(at)->early[known] = *early;
+    for (vs_core_node *f = in; f != at; f = info_of(f)->parent)
+      info_of(f)->early[info_of(f)->free_count - 1] = *early;
     if (*early) info->boxed = true;
   }
   if (*early) info->early = true;
   return true;
 }
 
-static bool find_frames(struct analysis *a, vs_core_node *n, vs_core_node *in) {
+static bool find_homes(struct analysis *a, vs_core_node *n, vs_core_node *in) {
   if (!n) return true;
   if (!vs_poll(a->ast->vm, 16)) return false;
   bool early;
@@ -259,31 +260,31 @@ static bool find_frames(struct analysis *a, vs_core_node *n, vs_core_node *in) {
       n->flag = early;
       return true;
     case VS_AST_SETLOCAL:
-      return find_frames(a, n->as.set.value, in) && use(a, in, n->as.set.var, &early);
-    case VS_AST_SETGLOBAL: case VS_AST_DEFGLOBAL: return find_frames(a, n->as.global.value, in);
+      return find_homes(a, n->as.set.value, in) && use(a, in, n->as.set.var, &early);
+    case VS_AST_SETGLOBAL: case VS_AST_DEFGLOBAL: return find_homes(a, n->as.global.value, in);
     case VS_AST_IF:
-      return find_frames(a, n->as.branch.test, in) && find_frames(a, n->as.branch.then, in) &&
-             find_frames(a, n->as.branch.otherwise, in);
+      return find_homes(a, n->as.branch.test, in) && find_homes(a, n->as.branch.then, in) &&
+             find_homes(a, n->as.branch.otherwise, in);
     case VS_AST_SEQ:
       for (uint32_t i = 0; i < n->count; i++)
-        if (!find_frames(a, n->as.seq.at[i], in)) return false;
+        if (!find_homes(a, n->as.seq.at[i], in)) return false;
       return true;
     case VS_AST_CALL:
       if (!(n->as.call.callee->kind == VS_AST_LOCAL && vs_info(n->as.call.callee->as.var)->loop) &&
-          !find_frames(a, n->as.call.callee, in))
+          !find_homes(a, n->as.call.callee, in))
         return false;
       for (uint32_t i = 0; i < n->count; i++)
-        if (!find_frames(a, n->as.call.at[i], in)) return false;
+        if (!find_homes(a, n->as.call.at[i], in)) return false;
       return true;
     case VS_AST_LET:
       for (uint32_t i = 0; i < n->count; i++) {
-        vs_info(n->as.let.vars[i])->frame = in;
-        if (!find_frames(a, n->as.let.values[i], in)) return false;
+        vs_info(n->as.let.vars[i])->lambda = in;
+        if (!find_homes(a, n->as.let.values[i], in)) return false;
       }
-      return find_frames(a, n->as.let.body, in);
+      return find_homes(a, n->as.let.body, in);
     case VS_AST_FIX: {
       for (uint32_t i = 0; i < n->count; i++) {
-        vs_info(n->as.let.vars[i])->frame = in;
+        vs_info(n->as.let.vars[i])->lambda = in;
         vs_info(n->as.let.vars[i])->ready = VS_NOT_READY;
       }
       bool run = false;
@@ -294,10 +295,10 @@ static bool find_frames(struct analysis *a, vs_core_node *n, vs_core_node *in) {
         if (v->value) {                       /* a run of lambdas is one moment */
           if (!run) a->now++;
           run = true;
-          if (!make_frame(a, v->value, in, a->now)) return false;
+          if (!make_info(a, v->value, in, a->now)) return false;
         } else {
           run = false;
-          if (!find_frames(a, n->as.let.values[i], in)) return false;
+          if (!find_homes(a, n->as.let.values[i], in)) return false;
           a->now++;
         }
         info->ready = a->now;
@@ -305,27 +306,27 @@ static bool find_frames(struct analysis *a, vs_core_node *n, vs_core_node *in) {
       for (uint32_t i = 0; i < n->count; i++) {
         vs_var *v = n->as.let.vars[i];
         if (!vs_info(v)->loop) continue;
-        for (uint32_t p = 0; p < v->value->count; p++) vs_info(v->value->as.lambda.params[p].var)->frame = in;
-        if (!find_frames(a, v->value->as.lambda.body, in)) return false;
+        for (uint32_t p = 0; p < v->value->count; p++) vs_info(v->value->as.lambda.params[p].var)->lambda = in;
+        if (!find_homes(a, v->value->as.lambda.body, in)) return false;
       }
-      return find_frames(a, n->as.let.body, in);
+      return find_homes(a, n->as.let.body, in);
     }
-    case VS_AST_LAMBDA: return make_frame(a, n, in, ++a->now);
+    case VS_AST_LAMBDA: return make_info(a, n, in, ++a->now);
     case VS_AST_CASE:
       for (uint32_t i = 0; i < n->count; i++)
-        if (!make_frame(a, n->as.clauses.at[i], in, ++a->now)) return false;
+        if (!make_info(a, n->as.clauses.at[i], in, ++a->now)) return false;
       return true;
-    case VS_AST_CHECK: return find_frames(a, n->as.check.predicate, in) && find_frames(a, n->as.check.value, in);
+    case VS_AST_CHECK: return find_homes(a, n->as.check.predicate, in) && find_homes(a, n->as.check.value, in);
   }
   return true;
 }
 
-static bool find_frames_in(struct analysis *a, vs_core_node *l) {
-  for (uint32_t i = 0; i < l->count; i++) vs_info(l->as.lambda.params[i].var)->frame = l;
-  if (l->as.lambda.rest) vs_info(l->as.lambda.rest)->frame = l;
+static bool find_homes_in(struct analysis *a, vs_core_node *l) {
+  for (uint32_t i = 0; i < l->count; i++) vs_info(l->as.lambda.params[i].var)->lambda = l;
+  if (l->as.lambda.rest) vs_info(l->as.lambda.rest)->lambda = l;
   for (uint32_t i = 0; i < l->count; i++)
-    if (!find_frames(a, l->as.lambda.params[i].fallback, l)) return false;
-  return find_frames(a, l->as.lambda.body, l);
+    if (!find_homes(a, l->as.lambda.params[i].fallback, l)) return false;
+  return find_homes(a, l->as.lambda.body, l);
 }
 
 bool vs_analyse(vs_ast *ast, vs_core_node *top) {
@@ -341,11 +342,11 @@ bool vs_analyse(vs_ast *ast, vs_core_node *top) {
     for (struct needs *n = a.needs; n; n = n->next)
       if (vs_info(n->loop)->loop && !vs_info(n->through)->loop) { vs_info(n->loop)->loop = false; changed = true; }
   }
-  if (!make_frame(&a, top, NULL, 0)) return false;
+  if (!make_info(&a, top, NULL, 0)) return false;
   while (a.jobs) {
     struct job *j = a.jobs;
     a.jobs = j->next;
-    if (!find_frames_in(&a, j->lambda)) return false;
+    if (!find_homes_in(&a, j->lambda)) return false;
   }
   return true;
 }

@@ -1,4 +1,4 @@
-/* Owns what the compiler must know of a tree before it emits code: frames, free variables, boxes, loops. */
+/* Owns what the compiler must know of a tree before it emits code: homes, free variables, boxes, loops. */
 #ifndef VS_ANALYSE_H
 #define VS_ANALYSE_H
 
@@ -8,32 +8,32 @@
 
 /* vs_var.extra */
 typedef struct vs_var_info {
-  vs_core_node *frame;            /* the LAMBDA in whose frame it has a register */
+  vs_core_node *lambda;           /* the LAMBDA in whose activation it has a register */
   vs_core_node *fix;              /* the FIX that binds it, or NULL */
   uint32_t ready;            /* moment from which it has its value; 0 for parameters and LET */
   bool boxed;                /* captured before it has a value; so its register holds a box, as that of every assigned
                               * variable does */
   bool early;                /* some reference may come before it has its value */
-  bool loop;                 /* bound to a LAMBDA that runs in the frame; calls of it are jumps */
+  bool loop;                 /* bound to a LAMBDA that runs in the activation; calls of it are jumps */
   bool emitted;              /* loop: `top` is known */
   uint32_t top;              /* loop: index of its first instruction */
 } vs_var_info;
 
-/* vs_core_node.as.lambda.extra of every LAMBDA that has a frame of its own */
-typedef struct vs_frame_info {
-  vs_core_node *parent;           /* the frame around it, or NULL */
+/* vs_core_node.as.lambda.extra of every LAMBDA that has an activation of its own */
+typedef struct vs_lambda_info {
+  vs_core_node *parent;           /* the LAMBDA around it, or NULL */
   uint32_t made;             /* moment its closure is made, in the parent */
   vs_var **free; uint32_t free_count, free_room;
-  bool *early;               /* of each of them: was the frame made before it had a value? */
+  bool *early;               /* of each of them: was the closure made before it had a value? */
   uint32_t *index, index_room;   /* of `free`, 1 + place by hash, once they are many */
   uint32_t code;             /* constant index of its code object, 1 + */
-} vs_frame_info;
+} vs_lambda_info;
 
-/* the number of a captured variable in its frame, UINT32_MAX: not captured */
-uint32_t vs_free_index(const vs_frame_info *f, const vs_var *v);
+/* the number of a captured variable in its closure, UINT32_MAX: not captured */
+uint32_t vs_free_index(const vs_lambda_info *f, const vs_var *v);
 static inline vs_var_info *vs_info(const vs_var *v) { return v->extra; }
 
-/* Prepares the tree whose outermost frame is `top` (a LAMBDA). A LOCAL with flag set afterwards needs the check for a
+/* Prepares the tree whose outermost LAMBDA is `top`. A LOCAL with flag set afterwards needs the check for a
  * value. */
 bool vs_analyse(vs_ast *ast, vs_core_node *top);
 

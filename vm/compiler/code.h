@@ -19,11 +19,11 @@ enum {
 #define VS_C(i) ((i) >> 24)
 #define VS_BX(i) ((i) >> 16)
 
-/* code->places: in order of pc, one entry for every instruction that can fail. In the heap image a fixnum instead, one
-   place for all of the procedure: nobody is shown places in the language's own sources, only that they are in those.
-   Where the interpreter keeps the frames of errors, a pair of the entries and a vector of variables, VS_VARIABLE_WORDS
-   each: a symbol; the register, or -1 - i for the i-th captured one; the instructions [from, to) in which the variable
-   has its value. */
+/* code->places: in order of pc, one entry for every instruction that can fail. In the heap image a fixnum instead,
+   one place for all of the procedure: nobody is shown places in the language's own sources, only that they are in
+   those. Where the interpreter keeps the calls that errors end, a pair of the entries and a vector of variables,
+   VS_VARIABLE_WORDS each: a symbol; the register, or -1 - i for the i-th captured one; the instructions [from, to) in
+   which the variable has its value. */
 typedef struct vs_place { uint32_t pc, high, low; } vs_place;
 enum { VS_VARIABLE_WORDS = 4 };
 /* code->inlined: the cell (constant index) whose procedure the instruction at pc stands for */

@@ -56,11 +56,13 @@ static bool load_value(compiler *c, vs_value v, uint32_t to) {
   return k <= UINT16_MAX ? vs_emit_op(e, VS_O_CONST, to, k, 0) : vs_emit_op1(e, VS_O_CONSTX, to, 0, 0, k);
 }
 
-static uint32_t free_index(const compiler *c, const vs_var *v) { return vs_free_index(c->e.frame->as.lambda.extra, v); }
+static uint32_t free_index(const compiler *c, const vs_var *v) {
+  return vs_free_index(c->e.lambda->as.lambda.extra, v);
+}
 
 /* the variable's register or captured value as it is: a box if it is boxed */
 static bool load_raw(compiler *c, const vs_var *v, uint32_t to) {
-  if (vs_info(v)->frame == c->e.frame) return to == v->reg || vs_emit_op(&c->e, VS_O_MOVE, to, v->reg, 0);
+  if (vs_info(v)->lambda == c->e.lambda) return to == v->reg || vs_emit_op(&c->e, VS_O_MOVE, to, v->reg, 0);
   return vs_emit_op(&c->e, VS_O_FREE, to, free_index(c, v), 0);
 }
 
@@ -69,7 +71,7 @@ static bool load_var(compiler *c, const vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   if (boxed(v)) {
     uint32_t box = to;
-    if (vs_info(v)->frame == e->frame) box = v->reg;
+    if (vs_info(v)->lambda == e->lambda) box = v->reg;
     else if (!load_raw(c, v, to)) return false;
     if (!vs_emit_op(e, VS_O_UNBOX, to, box, 0)) return false;
   } else if (!load_raw(c, v, to)) {
@@ -89,7 +91,7 @@ static bool load_global(compiler *c, const vs_core_node *n, uint32_t to) {
 
 /* a register that holds n's value for the next instruction: a local's own, or a temporary */
 static bool operand(compiler *c, vs_core_node *n, uint32_t *reg) {
-  if (n->kind == VS_AST_LOCAL && !n->flag && !boxed(n->as.var) && vs_info(n->as.var)->frame == c->e.frame) {
+  if (n->kind == VS_AST_LOCAL && !n->flag && !boxed(n->as.var) && vs_info(n->as.var)->lambda == c->e.lambda) {
     *reg = n->as.var->reg;
     return true;
   }
@@ -386,7 +388,7 @@ static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
 /* ---- lambda ---- */
 static bool code_for(compiler *c, vs_core_node *lambda, uint32_t *index) {
   vs_scheme *vm = c->e.ast->vm;
-  vs_frame_info *f = lambda->as.lambda.extra;
+  vs_lambda_info *f = lambda->as.lambda.extra;
   vs_code *code = (vs_code *)(void *)vs_gc_alloc_old(vm, VS_T_CODE, VS_WORDS(vs_code));
   if (!code) return false;
   code->name = lambda->as.lambda.name ? pool(c, lambda->as.lambda.name - 1) : VS_FALSE;
@@ -402,13 +404,13 @@ static bool code_for(compiler *c, vs_core_node *lambda, uint32_t *index) {
 
 static bool gen_lambda(compiler *c, vs_core_node *lambda, uint32_t to) {
   vs_emit *e = &c->e;
-  vs_frame_info *f = lambda->as.lambda.extra;
+  vs_lambda_info *f = lambda->as.lambda.extra;
   uint32_t index, k, target = to < VS_NEAR ? to : VS_NEAR + 4;
   if (!code_for(c, lambda, &index) || !vs_emit_constant(e, index, &k) || !vs_emit_place(e, lambda->pos) ||
       !vs_emit_word(e, VS_INS(VS_O_CLOSURE, target, 0, 0)) || !vs_emit_word(e, k)) return false;
   for (uint32_t i = 0; i < f->free_count; i++) {
     const vs_var *v = f->free[i];
-    uint32_t word = vs_info(v)->frame == e->frame ? v->reg : 1u << 16 | free_index(c, v);
+    uint32_t word = vs_info(v)->lambda == e->lambda ? v->reg : 1u << 16 | free_index(c, v);
     if (!vs_emit_word(e, word)) return false;
   }
   if (target == to) return true;
@@ -584,10 +586,10 @@ static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
   for (uint32_t i = from; i < to; i++) {
     vs_var *v = n->as.let.vars[i];
     if (vs_info(v)->loop) continue;
-    const vs_frame_info *f = v->value->as.lambda.extra;
+    const vs_lambda_info *f = v->value->as.lambda.extra;
     for (uint32_t s = 0; s < f->free_count; s++) {
       const vs_var *g = f->free[s];
-      if (vs_info(g)->fix != n || boxed(g) || vs_info(g)->frame != e->frame) continue;
+      if (vs_info(g)->fix != n || boxed(g) || vs_info(g)->lambda != e->lambda) continue;
       uint32_t j = i;
       while (j < to && n->as.let.vars[j] != g) j++;
       if (j == to) continue;                   /* was there when it was captured */
@@ -641,7 +643,7 @@ static bool gen_set(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   vs_var *v = n->as.set.var;
   uint32_t keep = e->next, value, box;
-  if (!boxed(v)) {                             /* in a register of this frame: whoever captures it boxes it */
+  if (!boxed(v)) {                             /* in a register of this activation: whoever captures it boxes it */
     value = v->reg;
     bool direct = lands_last(c, n->as.set.value);
     if ((!direct && !vs_emit_register(e, &value)) || !gen(c, n->as.set.value, value) ||
@@ -654,7 +656,7 @@ static bool gen_set(compiler *c, vs_core_node *n, uint32_t to) {
   }
   if (!vs_emit_register(e, &value) || !gen(c, n->as.set.value, value)) return false;
   box = v->reg;
-  if (vs_info(v)->frame != e->frame && (!vs_emit_register(e, &box) || !load_raw(c, v, box))) return false;
+  if (vs_info(v)->lambda != e->lambda && (!vs_emit_register(e, &box) || !load_raw(c, v, box))) return false;
   if (!vs_emit_op(e, VS_O_SETBOX, box, value, 0)) return false;
   if (to != EFFECT &&
       (!load_value(c, VS_UNSPECIFIC, is_value(to) ? to : value) || !finish(c, is_value(to) ? to : value, to)))
@@ -870,8 +872,8 @@ static vs_value doc_of(const compiler *c, const vs_core_node *body) {
 
 static bool compile_procedure(compiler *c, vs_core_node *l) {
   vs_ast *ast = c->e.ast;
-  vs_value code = ast->pool[((vs_frame_info *)l->as.lambda.extra)->code - 1];
-  c->e = (vs_emit){.ast = ast, .frame = l, .fresh = VS_NO_REGISTER};
+  vs_value code = ast->pool[((vs_lambda_info *)l->as.lambda.extra)->code - 1];
+  c->e = (vs_emit){.ast = ast, .lambda = l, .fresh = VS_NO_REGISTER};
   vs_gc_store(ast->vm, vs_as_code(code), &vs_as_code(code)->doc, doc_of(c, l->as.lambda.body));
   bool ok = set_parameters(c, l, code) && gen_parameters(c, l) && gen(c, l->as.lambda.body, TAIL) &&
             vs_emit_finish(&c->e, code);

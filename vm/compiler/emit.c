@@ -27,7 +27,7 @@ void vs_emit_close(vs_emit *e) {
 bool vs_emit_register(vs_emit *e, uint32_t *out) {
   if (e->next >= VS_NEAR && e->next < VS_FAR) e->next = VS_FAR;
   if (e->next >= VS_MOST_REGISTERS)
-    return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, e->frame->pos, VS_NIL,
+    return vs_fail_at(e->ast->vm, e->ast->vm->sym.syntax, e->lambda->pos, VS_NIL,
                       "this procedure is too large: split it");
   *out = e->fresh = e->next++;
   if (e->next > e->most) e->most = e->next;
@@ -126,7 +126,7 @@ bool vs_emit_inlined(vs_emit *e, uint32_t cell) {
    are not. */
 static bool worth_showing(const vs_emit *e, const vs_var *v) {
   vs_value name = e->ast->pool[v->name];
-  return e->ast->vm->config.keep_frames && !v->introduced && !v->value && vs_is_symbol(name) &&
+  return e->ast->vm->config.keep_calls && !v->introduced && !v->value && vs_is_symbol(name) &&
          strcmp(vs_as_symbol(name)->name, "_") != 0;
 }
 
@@ -144,7 +144,7 @@ void vs_emit_scope_end(vs_emit *e, size_t first) {
 
 /* the captured variables behind the others */
 static bool captured_variables(vs_emit *e) {
-  const vs_frame_info *f = e->frame->as.lambda.extra;
+  const vs_lambda_info *f = e->lambda->as.lambda.extra;
   for (uint32_t i = 0; i < f->free_count; i++) {
     if (!worth_showing(e, f->free[i])) continue;
     if (!grow(e, &e->variables, &e->variable_room, e->variable_count, sizeof *e->variables)) return false;
@@ -187,7 +187,7 @@ bool vs_emit_finish(vs_emit *e, vs_value code) {
   VS_ROOTS(vm, r, 1);
   vs_code *c = vs_as_code(code);              /* old: stays where it is */
   if (e->count >= 1u << 28)
-    return vs_fail_at(vm, vm->sym.syntax, e->frame->pos, VS_NIL, "this procedure is too large: split it");
+    return vs_fail_at(vm, vm->sym.syntax, e->lambda->pos, VS_NIL, "this procedure is too large: split it");
   vs_vector *consts = (vs_vector *)(void *)vs_gc_alloc_old(vm, VS_T_VECTOR, 2 + e->const_count);
   if (!consts) return false;
   consts->length = e->const_count;

@@ -15,7 +15,7 @@ typedef struct vs_named_register { uint32_t name; int64_t where; uint32_t from, 
 
 typedef struct vs_emit {
   vs_ast *ast;
-  vs_core_node *frame;                     /* the LAMBDA being compiled */
+  vs_core_node *lambda;                     /* the LAMBDA being compiled */
   uint32_t next, most;                /* first free register; how many are used */
   uint32_t fresh;                     /* a register just taken for the expression about to be compiled, and nothing else
                                          yet */
@@ -23,7 +23,7 @@ typedef struct vs_emit {
   uint32_t *consts; size_t const_count, const_room;          /* indices into the tree's pool */
   vs_place *places; size_t place_count, place_room;
   vs_inlined *inlined; size_t inlined_count, inlined_room;
-  vs_named_register *variables; size_t variable_count, variable_room;     /* only where errors keep their frames */
+  vs_named_register *variables; size_t variable_count, variable_room;     /* only where errors keep their calls */
 } vs_emit;
 
 typedef uint32_t vs_jumps;            /* 0, or 1 + index of the last offset word to be filled in; that holds the one

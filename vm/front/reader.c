@@ -29,7 +29,7 @@ typedef struct {
   uint8_t dot;               /* LIST: 1 the next datum is the tail, 2 the tail is there */
   vs_pos pos;
   quote_kind quote;
-} frame;
+} level;
 
 typedef struct {
   vs_scheme *vm;
@@ -39,12 +39,12 @@ typedef struct {
   size_t line_start;         /* offset of the current line */
   size_t col_at; uint32_t col;   /* column of an offset in this line, moving forward */
   bool located, fold, blank_line;   /* blank_line: only blanks so far on this line */
-  frame *frames; size_t depth, room;
-  vs_value *slots;           /* two a frame, then the labels */
+  level *levels; size_t depth, room;
+  vs_value *slots;           /* two a level, then the labels */
   struct vs_roots roots;
   vs_value labels;           /* list of (number . box); rooted by vs_read_... */
   bool label_used;
-  size_t quasi;              /* how many of the frames are quasiquotes */
+  size_t quasi;              /* how many of the levels are quasiquotes */
   size_t problems; bool more;
   struct { vs_pos pos; char text[PROBLEM_TEXT]; } problem[PROBLEMS];
   /* the first line whose indentation contradicts the parentheses */
@@ -149,18 +149,18 @@ static bool skip(reader *r) {
 static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind quote) {
   if (r->depth == r->room) {
     size_t room = r->room ? 2 * r->room : 32;
-    frame *frames = vs_mem(r->vm, r->frames, r->room * sizeof *frames, room * sizeof *frames);
-    if (!frames) return false;
-    r->frames = frames;
+    level *levels = vs_mem(r->vm, r->levels, r->room * sizeof *levels, room * sizeof *levels);
+    if (!levels) return false;
+    r->levels = levels;
     vs_value *slots = vs_mem(r->vm, r->slots, 2 * r->room * sizeof *slots, 2 * room * sizeof *slots);
     if (!slots) {   /* keep the two in step */
-      r->frames = vs_mem(r->vm, frames, room * sizeof *frames, r->room * sizeof *frames);
+      r->levels = vs_mem(r->vm, levels, room * sizeof *levels, r->room * sizeof *levels);
       return false;
     }
     r->slots = r->roots.slots = slots;
     r->room = room;
   }
-  r->frames[r->depth] = (frame){kind, open, 0, pos, quote};
+  r->levels[r->depth] = (level){kind, open, 0, pos, quote};
   r->slots[2 * r->depth] = r->slots[2 * r->depth + 1] = VS_NIL;
   r->roots.count = 2 * ++r->depth;
   r->quasi += quote == QUASI;
@@ -168,7 +168,7 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
 }
 
 static void pop(reader *r) {
-  frame *f = &r->frames[--r->depth];
+  level *f = &r->levels[--r->depth];
   r->quasi -= f->quote == QUASI;
   r->roots.count = 2 * r->depth;
 }
@@ -182,7 +182,7 @@ static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   *done = false;
   for (;;) {
     if (!r->depth) { *done = true; return true; }
-    frame *f = &r->frames[r->depth - 1];
+    level *f = &r->levels[r->depth - 1];
     vs_value *slot = &r->slots[2 * (r->depth - 1)];
     switch (f->kind) {
     case COMMENT: pop(r); return true;
@@ -227,9 +227,9 @@ static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   }
 }
 
-/* the finished value of the frame on top, popped */
+/* the finished value of the level on top, popped */
 static bool close_frame(reader *r, vs_value *out) {
-  frame f = r->frames[r->depth - 1];
+  level f = r->levels[r->depth - 1];
   vs_value head = r->slots[2 * (r->depth - 1)];
   if (f.kind == LIST && head != VS_NIL && f.open == '[') vs_object_of(head)->flags |= VS_F_SQUARE;
   if (f.kind == LIST && f.dot == 1) problem(r, f.pos, "a datum is missing behind the . of this list");
@@ -417,7 +417,7 @@ static bool read_symbol(reader *r, vs_value *out) {
     if (ok && vs_is_number(*out) && !r->quasi && peek(r, 0) == ',' && peek(r, 1) >= '0' && peek(r, 1) <= '9') {
       size_t more = 1;
       while (peek(r, more) >= '0' && peek(r, more) <= '9') more++;
-      if (peek(r, more) == ',' || (r->depth && r->frames[r->depth - 1].open == '[')) {      /* [1,2,3] */
+      if (peek(r, more) == ',' || (r->depth && r->levels[r->depth - 1].open == '[')) {      /* [1,2,3] */
         problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3), or (xyz 1 2 3) for a point");
         while (peek(r, more) >= 0 &&
                (peek(r, more) == ',' || peek(r, more) == '.' || (peek(r, more) >= '0' && peek(r, more) <= '9')))
@@ -513,11 +513,11 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
 /* A closing parenthesis of the kind c. *out is the datum if *got. */
 static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) {
   *got = false;
-  while (r->depth && r->frames[r->depth - 1].kind >= QUOTE) {     /* '), #;) */
-    if (r->frames[r->depth - 1].quote == QUOTE_PLAIN)
-      problem(r, r->frames[r->depth - 1].pos,
+  while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* '), #;) */
+    if (r->levels[r->depth - 1].quote == QUOTE_PLAIN)
+      problem(r, r->levels[r->depth - 1].pos,
               "a datum is missing behind this '; a text stands between double quotes, \"like this\"");
-    else problem(r, r->frames[r->depth - 1].pos, "a datum is missing here, before the %c", c);
+    else problem(r, r->levels[r->depth - 1].pos, "a datum is missing here, before the %c", c);
     pop(r);
   }
   if (!r->depth) {
@@ -529,7 +529,7 @@ static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) 
     else problem(r, pos, "this %c closes nothing", c);
     return true;
   }
-  frame *f = &r->frames[r->depth - 1];
+  level *f = &r->levels[r->depth - 1];
   if ((f->open == '(') != (c == ')'))
     problem(r, pos, "the %c of line %u, column %u is closed by %c; %c belongs here", f->open, vs_pos_line(f->pos),
             vs_pos_col(f->pos), c, f->open == '(' ? ')' : ']');
@@ -542,9 +542,9 @@ static void watch_indentation(reader *r, vs_pos pos) {
   uint32_t col = vs_pos_col(pos);
   if (r->depth && !r->suspect) {
     for (size_t i = 0; i < r->depth; i++)
-      if (r->frames[i].kind <= BYTEVECTOR && col <= vs_pos_col(r->frames[i].pos) &&
-          vs_pos_line(r->frames[i].pos) < r->line) {
-        r->suspect = r->frames[i].pos;
+      if (r->levels[i].kind <= BYTEVECTOR && col <= vs_pos_col(r->levels[i].pos) &&
+          vs_pos_line(r->levels[i].pos) < r->line) {
+        r->suspect = r->levels[i].pos;
         r->suspect_line = r->content_line;
         break;
       }
@@ -560,12 +560,12 @@ static void watch_indentation(reader *r, vs_pos pos) {
 static void never_closed(reader *r, size_t count) {
   if (!count) return;
   r->left_open = true;
-  const frame *f = &r->frames[count - 1];
+  const level *f = &r->levels[count - 1];
   char close = f->open == '(' ? ')' : ']';
   if (r->suspect)
     problem(r, r->suspect, "this parenthesis is never closed; by the indentation a %c is missing at the end of line %u",
             close, r->suspect_line);
-  else if (count > 1 && r->frames[0].kind <= BYTEVECTOR)
+  else if (count > 1 && r->levels[0].kind <= BYTEVECTOR)
     problem(r, f->pos, "this parenthesis is never closed (%zu are open at the end): a %c is missing", count, close);
   else problem(r, f->pos, "this parenthesis is never closed: a %c is missing", close);
 }
@@ -575,7 +575,7 @@ static void begin_anew(reader *r, vs_pos pos) {
   static const char word[] = "(define";
   if (vs_pos_col(pos) != 1 || r->size - r->at < sizeof word || memcmp(r->text + r->at, word, sizeof word - 1)) return;
   size_t count = r->depth;
-  while (count > 0 && r->frames[count - 1].kind >= QUOTE) count--;
+  while (count > 0 && r->levels[count - 1].kind >= QUOTE) count--;
   never_closed(r, count);
   while (r->depth) pop(r);
   r->suspect = 0;
@@ -603,7 +603,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
     case ')': case ']':
       r->at++;
       {
-        vs_pos opened = r->depth ? r->frames[r->depth - 1].pos : pos;
+        vs_pos opened = r->depth ? r->levels[r->depth - 1].pos : pos;
         ok = read_close(r, c, pos, out, &got);
         pos = opened;
       }
@@ -645,7 +645,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
       if (same(r, ".")) {
         r->at++;
         got = false;
-        frame *f = r->depth ? &r->frames[r->depth - 1] : NULL;
+        level *f = r->depth ? &r->levels[r->depth - 1] : NULL;
         if (!f || f->kind != LIST || r->slots[2 * (r->depth - 1)] == VS_NIL)
           problem(r, pos, "a . stands only before the last datum of a list");
         else if (f->dot) problem(r, pos, "a second . in one list");
@@ -662,8 +662,8 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
   }
   if (r->depth && !r->cut) {
     size_t i = r->depth;
-    while (i > 0 && r->frames[i - 1].kind >= QUOTE) i--;
-    if (i != r->depth) problem(r, r->frames[r->depth - 1].pos, "a datum is missing behind this");
+    while (i > 0 && r->levels[i - 1].kind >= QUOTE) i--;
+    if (i != r->depth) problem(r, r->levels[r->depth - 1].pos, "a datum is missing behind this");
     never_closed(r, i);
   }
   return 0;
@@ -731,7 +731,7 @@ static bool start(reader *r, vs_scheme *vm, const char *text, size_t size, uint3
 
 static void finish(reader *r) {
   vs_gc_unlink(&r->roots);
-  if (r->frames) vs_mem(r->vm, r->frames, r->room * sizeof *r->frames, 0);
+  if (r->levels) vs_mem(r->vm, r->levels, r->room * sizeof *r->levels, 0);
   if (r->slots) vs_mem(r->vm, r->slots, 2 * r->room * sizeof *r->slots, 0);
 }
 

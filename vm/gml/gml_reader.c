@@ -24,16 +24,16 @@
    registers. */
 enum { FORMS, FORMS_LAST, TOKENS, TOKENS_LAST, LITERALS, LITERALS_LAST, REGISTERS, SLOTS };
 
-typedef struct { vs_pos pos, literals; bool usereg; } frame;
+typedef struct { vs_pos pos, literals; bool usereg; } level;
 
 typedef struct {
   vs_scheme *vm;
   const char *text;
   size_t size, at;
   uint32_t file, line, col;
-  frame *frames;
+  level *levels;
   size_t depth, room;
-  struct vs_roots roots;   /* SLOTS a frame */
+  struct vs_roots roots;   /* SLOTS a level */
 } reader;
 
 static vs_pos place(const reader *r) { return vs_pos_make(r->file, r->line, r->col); }
@@ -103,7 +103,7 @@ static bool flush(reader *r) {
   vs_value *literals = slot(r, LITERALS);
   if (*literals == VS_NIL) return true;
   VS_ROOTS(r->vm, p, 1);
-  vs_pos pos = r->frames[r->depth - 1].literals;
+  vs_pos pos = r->levels[r->depth - 1].literals;
   bool one = vs_cdr(*literals) == VS_NIL;
   p[0] = one ? vs_car(*literals) : *literals;
   if (!quoted(r, &p[0], pos, &p[0]) || !emit(r, one ? "gml:push" : "gml:push-all", &p[0], NULL, pos)) return false;
@@ -112,7 +112,7 @@ static bool flush(reader *r) {
 }
 
 static bool literal(reader *r, const vs_value *v, vs_pos pos) {
-  if (*slot(r, LITERALS) == VS_NIL) r->frames[r->depth - 1].literals = pos;
+  if (*slot(r, LITERALS) == VS_NIL) r->levels[r->depth - 1].literals = pos;
   return append(r, LITERALS, *v, pos) && append(r, TOKENS, *v, pos);
 }
 
@@ -148,24 +148,24 @@ static bool read_register(reader *r, int mark, vs_pos pos) {
 static bool open_frame(reader *r, vs_pos pos) {
   if (r->depth == r->room) {
     size_t room = r->room ? 2 * r->room : 16;
-    frame *frames = vs_mem(r->vm, r->frames, r->room * sizeof *frames, room * sizeof *frames);
-    if (!frames) return false;
-    r->frames = frames;
+    level *levels = vs_mem(r->vm, r->levels, r->room * sizeof *levels, room * sizeof *levels);
+    if (!levels) return false;
+    r->levels = levels;
     vs_value *slots = vs_mem(r->vm, r->roots.slots, r->room * SLOTS * sizeof *slots, room * SLOTS * sizeof *slots);
     if (!slots) { /* the two stay in step */
-      r->frames = vs_mem(r->vm, frames, room * sizeof *frames, r->room * sizeof *frames);
+      r->levels = vs_mem(r->vm, levels, room * sizeof *levels, r->room * sizeof *levels);
       return false;
     }
     r->roots.slots = slots;
     r->room = room;
   }
-  r->frames[r->depth++] = (frame){ .pos = pos };
+  r->levels[r->depth++] = (level){ .pos = pos };
   for (int i = 0; i < SLOTS; i++) *slot(r, i) = VS_NIL;
   r->roots.count = r->depth * SLOTS;
   return vs_idtable_new(r->vm, slot(r, REGISTERS));
 }
 
-/* ((!x gml:unset) ...), or (define !x gml:unset) forms, of the frame's registers, before `rest` */
+/* ((!x gml:unset) ...), or (define !x gml:unset) forms, of the level's registers, before `rest` */
 static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *out) {
   VS_ROOTS(r->vm, p, 4);
   p[0] = rest;
@@ -197,7 +197,7 @@ static bool pass_registers(reader *r) {
 static bool close_frame(reader *r) {
   vs_scheme *vm = r->vm;
   VS_ROOTS(vm, p, 5);
-  const frame f = r->frames[r->depth - 1];
+  const level f = r->levels[r->depth - 1];
   vs_pos pos = f.pos;
   if (!flush(r) || !append(r, FORMS, VS_TRUE, pos)) return false;
   p[0] = *slot(r, FORMS);
@@ -330,7 +330,7 @@ static bool read_name(reader *r, vs_pos pos) {
   if (count > 1) return active(r, "gml:path", &p[0], "path", pos);
   p[0] = vs_car(p[0]);
   if (!strcmp(vs_as_symbol(p[0])->name, "usereg")) {
-    r->frames[r->depth - 1].usereg = true;
+    r->levels[r->depth - 1].usereg = true;
     return true;
   }
   return active(r, "gml:call", &p[0], "call", pos);
@@ -386,11 +386,11 @@ bool vs_gml_read(vs_scheme *vm, const char *text, size_t size, uint32_t file, ui
   bool ok = open_frame(&r, vs_pos_make(file, line, 1));
   if (ok && size >= 3 && !memcmp(text, "\xEF\xBB\xBF", 3)) r.at = 3;
   while (ok && (skip(&r), r.at < size)) ok = read_token(&r);
-  if (ok && r.depth > 1) ok = refuse(&r, r.frames[r.depth - 1].pos, "this { is never closed");
+  if (ok && r.depth > 1) ok = refuse(&r, r.levels[r.depth - 1].pos, "this { is never closed");
   vs_value out = VS_NIL;
   ok = ok && flush(&r) && emit(&r, "gml:finish", NULL, NULL, place(&r)) &&
        declare(&r, true, place(&r), *slot(&r, FORMS), &out) && import(&r, out, &out);
-  if (r.frames) vs_mem(vm, r.frames, r.room * sizeof *r.frames, 0);
+  if (r.levels) vs_mem(vm, r.levels, r.room * sizeof *r.levels, 0);
   vs_value *slots = r.roots.slots;
   vs_gc_unlink(&r.roots);
   if (slots) vs_mem(vm, slots, r.room * SLOTS * sizeof *slots, 0);

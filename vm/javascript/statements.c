@@ -82,7 +82,7 @@ static bool jump(vs_translation *t, uint32_t i);
 
 /* Behind a try: on, or to where the number says. */
 static bool outcome(vs_translation *t, const vs_then *then) {
-  vs_jump_target *f = then->frame;
+  vs_jump_target *f = then->target;
   const vs_script_node *n = node(t, f->node);
   if (n->d)
     TRY(vs_translate_call(t, "js:if") && vs_translate_call(t, "js:thrown?") &&
@@ -132,7 +132,7 @@ static bool go(vs_translation *t, const vs_then *then) {
 /* A break or continue: to where its statement says, or by a number where a try lies between. */
 static bool jump(vs_translation *t, uint32_t i) {
   uint32_t to = t->k->targets[i];
-  for (vs_jump_target *f = t->frames; f; f = f->up) {
+  for (vs_jump_target *f = t->targets; f; f = f->up) {
     if (f->guard) {
       size_t at = 0;
       bool again = node(t, i)->kind == VS_SCRIPT_CONTINUE;
@@ -162,7 +162,7 @@ static bool kept_value(vs_translation *t, uint32_t i) {
 }
 
 static bool give_back(vs_translation *t, const vs_script_node *n) {
-  vs_jump_target *f = t->frames;
+  vs_jump_target *f = t->targets;
   while (f && !f->guard) f = f->up;
   if (!f) return n->a ? kept_value(t, n->a) : vs_translate_word(t, "js:undefined");
   size_t at = 0;
@@ -206,24 +206,24 @@ static bool turns(vs_translation *t, uint32_t i, uint32_t number, const vs_then 
   bool opened = false, turned = false, in = n->kind == VS_SCRIPT_FOR_IN;
   uint32_t test = n->kind == VS_SCRIPT_WHILE ? n->a : n->kind == VS_SCRIPT_FOR ? n->b : 0;
   vs_then on = *then;
-  vs_jump_target frame = { .up = t->frames, .node = i, .number = number };
+  vs_jump_target target = { .up = t->targets, .node = i, .number = number };
   vs_then again = { .kind = VS_THEN_LOOP, .node = i, .number = number, .on = &on };
   if (fact(t, i, VS_BROKEN) || n->kind == VS_SCRIPT_DO) TRY(name_it(t, then, &on, &opened));
-  frame.broken = on;
-  frame.continued = again;
+  target.broken = on;
+  target.continued = again;
   TRY(vs_translate_call(t, "js:letrec") && vs_translate_open(t) && vs_translate_open(t));
   TRY(vs_translate_made(t, "loop:", number) && vs_translate_call(t, "js:lambda") && vs_translate_open(t));
   TRY((!in || vs_translate_made(t, "all:", number)) && vs_translate_close(t));
   if (in) TRY(take_key(t, n, number));
   if (test) TRY(vs_translate_call(t, "js:if") && vs_translate_test(t, test));
-  if (fact(t, i, VS_CONTINUED)) TRY(name_it(t, &again, &frame.continued, &turned));
-  t->frames = &frame;
-  vs_then next = frame.continued;
+  if (fact(t, i, VS_CONTINUED)) TRY(name_it(t, &again, &target.continued, &turned));
+  t->targets = &target;
+  vs_then next = target.continued;
   if (fact(t, n->d, VS_JUMPS_OUT))
     TRY(leaving(t, n->d, &next));
   else
     TRY(vs_translate_call(t, "js:begin") && done(t, n->d) && go(t, &next) && vs_translate_close(t));
-  t->frames = frame.up;
+  t->targets = target.up;
   if (turned) TRY(vs_translate_close(t));
   if (in) TRY(vs_translate_close(t));
   if (in || test) TRY(go(t, &on) && vs_translate_close(t));
@@ -256,14 +256,14 @@ static bool switch_statement(vs_translation *t, uint32_t i, const vs_then *then)
   t->numbers += n->count + 1;
   bool opened;
   vs_then on;
-  vs_jump_target frame = { .up = t->frames, .node = i, .number = number };
+  vs_jump_target target = { .up = t->targets, .node = i, .number = number };
   TRY(vs_translate_call(t, "js:let") && vs_translate_open(t) && vs_translate_open(t) &&
       vs_translate_made(t, "switch:", number) && vs_translate_value(t, n->a) && vs_translate_close(t) &&
       vs_translate_close(t));
   t->at = n->at;
   TRY(name_it(t, then, &on, &opened));
-  frame.broken = on;
-  t->frames = &frame;
+  target.broken = on;
+  t->targets = &target;
   TRY(vs_translate_call(t, "js:letrec") && vs_translate_open(t));
   uint32_t k = 1;
   for (uint32_t c = n->b; c; c = node(t, c)->next, k++) {
@@ -294,7 +294,7 @@ static bool switch_statement(vs_translation *t, uint32_t i, const vs_then *then)
   }
   TRY(fallback ? made_call(t, "case:", fallback) : go(t, &on));
   while (tests--) TRY(vs_translate_close(t));
-  t->frames = frame.up;
+  t->targets = target.up;
   return vs_translate_close(t) && (!opened || vs_translate_close(t)) && vs_translate_close(t);
 }
 
@@ -308,13 +308,13 @@ static bool thunk(vs_translation *t, uint32_t block) {
 static bool try_statement(vs_translation *t, uint32_t i, const vs_then *then) {
   const vs_script_node *n = node(t, i);
   uint32_t outer = t->scope;
-  vs_jump_target frame = { .up = t->frames, .node = i, .guard = true, .number = t->numbers++ };
+  vs_jump_target target = { .up = t->targets, .node = i, .guard = true, .number = t->numbers++ };
   TRY(vs_translate_call(t, "js:let") && vs_translate_open(t) && vs_translate_open(t) &&
-      vs_translate_made(t, "value:", frame.number) && vs_translate_word(t, "js:undefined") && vs_translate_close(t) &&
+      vs_translate_made(t, "value:", target.number) && vs_translate_word(t, "js:undefined") && vs_translate_close(t) &&
       vs_translate_close(t));
   TRY(vs_translate_call(t, "js:let") && vs_translate_open(t) && vs_translate_open(t) &&
-      vs_translate_made(t, "came:", frame.number));
-  t->frames = &frame;
+      vs_translate_made(t, "came:", target.number));
+  t->targets = &target;
   bool ok = true;
   if (n->d) ok = vs_translate_call(t, "js:protect");
   if (ok && n->d && n->c) ok = vs_translate_call(t, "js:lambda") && vs_translate_open(t) && vs_translate_close(t);
@@ -329,14 +329,14 @@ static bool try_statement(vs_translation *t, uint32_t i, const vs_then *then) {
   }
   if (ok && n->d && n->c) ok = vs_translate_close(t);
   if (ok && n->d) ok = vs_translate_close(t);
-  t->frames = frame.up;
+  t->targets = target.up;
   ok = ok && vs_translate_close(t) && vs_translate_close(t);
-  vs_then after = { .kind = VS_THEN_OUTCOME, .frame = &frame, .on = then };
+  vs_then after = { .kind = VS_THEN_OUTCOME, .target = &target, .on = then };
   if (ok && n->d)
     ok = range(t, n->d, node(t, n->d)->next, &after);
   else if (ok)
     ok = go(t, &after);
-  if (frame.exits) t->s->resize(t->s->context, frame.exits, frame.exit_room * sizeof *frame.exits, 0);
+  if (target.exits) t->s->resize(t->s->context, target.exits, target.exit_room * sizeof *target.exits, 0);
   return ok && vs_translate_close(t) && vs_translate_close(t);
 }
 
@@ -375,12 +375,12 @@ static bool leaving_part(vs_translation *t, uint32_t i, const vs_then *then) {
   case VS_SCRIPT_TRY: return try_statement(t, i, then);
   case VS_SCRIPT_LABEL: {
     bool opened;
-    vs_jump_target frame = { .up = t->frames, .node = i };
-    TRY(name_it(t, then, &frame.broken, &opened));
-    t->frames = &frame;
-    vs_then on = frame.broken;
+    vs_jump_target target = { .up = t->targets, .node = i };
+    TRY(name_it(t, then, &target.broken, &opened));
+    t->targets = &target;
+    vs_then on = target.broken;
     TRY(one_to(t, n->b, &on));
-    t->frames = frame.up;
+    t->targets = target.up;
     return !opened || vs_translate_close(t);
   }
   default: return false;
@@ -575,7 +575,7 @@ bool vs_translate_function(vs_translation *t, uint32_t i, bool direct) {
   bool own = n->c && !n->flag, all = t->k->scopes[scope].uses_arguments;
   if (t->functions > 300)
     return vs_script_fail(t->s, n->at, "functions stand within each other more than 300 levels deep");
-  vs_jump_target *frames = t->frames;
+  vs_jump_target *targets = t->targets;
   unsigned depth = t->depth;
   t->at = n->at;
   if (own)
@@ -603,7 +603,7 @@ bool vs_translate_function(vs_translation *t, uint32_t i, bool direct) {
   } else {
     t->scope = scope;
     t->functions++;
-    t->frames = NULL;
+    t->targets = NULL;
     t->depth = 0;
     if (all) {
       TRY(vs_translate_call(t, "js:let") && vs_translate_open(t) && vs_translate_open(t) &&
@@ -624,7 +624,7 @@ bool vs_translate_function(vs_translation *t, uint32_t i, bool direct) {
     if (all) TRY(vs_translate_close(t));
     t->scope = outer;
     t->functions--;
-    t->frames = frames;
+    t->targets = targets;
     t->depth = depth;
   }
   TRY(vs_translate_close(t));

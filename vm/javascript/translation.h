@@ -37,14 +37,14 @@ typedef enum {
   VS_THEN_MADE,       /* to the procedure word:number */
   VS_THEN_STATEMENTS, /* to the statements from `node` up to `stop`, and then on */
   VS_THEN_LOOP,       /* to the next turn of the loop `node`, of that number */
-  VS_THEN_OUTCOME     /* behind the finally of `frame`: to wherever its parts were going */
+  VS_THEN_OUTCOME     /* behind the finally of `target`: to wherever its parts were going */
 } vs_then_kind;
 
 typedef struct vs_then {
   vs_then_kind kind;
   const char *word;
   uint32_t number, node, stop;
-  struct vs_jump_target *frame;
+  struct vs_jump_target *target;
   const struct vs_then *on;
 } vs_then;
 
@@ -68,7 +68,7 @@ typedef struct {
   uint32_t scope, numbers;
   unsigned depth, functions; /* around the place */
   vs_script_place at;
-  vs_jump_target *frames;
+  vs_jump_target *targets;
 } vs_translation;
 
 typedef enum { VS_TYPE_ANY, VS_TYPE_NUMBER, VS_TYPE_STRING, VS_TYPE_BOOLEAN } vs_static_type;

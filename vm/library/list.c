@@ -363,7 +363,7 @@ static vs_status list_each_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* procedure list | what came so far, turned round; continuations at the start. The call of these two is an
- * instruction wherever the frame has registers left for it (run_loop.c). */
+ * instruction wherever the activation has registers left for it (run_loop.c). */
 static vs_status list_map_each(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) a[2] = VS_NIL, a[3] = vs_captures(vm);
   else if (!vs_cons(vm, *out, a[2], &a[2])) return VS_ERROR;

@@ -54,7 +54,7 @@ static inline uint64_t vs_activation_level(const vs_scheme *vm, const vs_value *
    a fixnum vs_pos; (#t . 0) before one stands for calls in between that ended with tail calls and left no activations.
    For natives such as `error`; conditions made by vs_fail have it already. */
 bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out);
-/* The innermost calls with their variables, for vs_condition.frames (activation.c says how they lie). False: out of
+/* The innermost calls with their variables, for vs_condition.calls (activation.c says how they lie). False: out of
  * memory. */
 enum { VS_CALL_PROCEDURE, VS_CALL_PLACE, VS_CALL_VARIABLES, VS_CALL_WORDS = VS_CALL_VARIABLES + 2 * 64 };
 bool vs_call_variables(vs_scheme *vm, vs_value *out);

@@ -71,10 +71,10 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   va_end(again);
   r[3] = VS_NIL;
   if (!ok || (!place && !vs_call_chain(vm, 64, &r[3]))) return VS_ERROR;
-  if (!place && vm->config.keep_frames && !vs_call_variables(vm, &r[4])) return VS_ERROR;
+  if (!place && vm->config.keep_calls && !vs_call_variables(vm, &r[4])) return VS_ERROR;
   vs_condition *c = (vs_condition *)(void *)vs_gc_alloc(vm, VS_T_CONDITION, VS_WORDS(vs_condition));
   if (!c) return VS_ERROR;
-  c->frames = r[4];
+  c->calls = r[4];
   c->kind = r[0]; c->irritants = r[1]; c->message = r[2]; c->chain = r[3];
   c->payload = VS_FALSE;
   c->place = place ? *place : vs_call_place(vm);

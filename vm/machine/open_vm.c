@@ -35,7 +35,7 @@ static bool fresh(vs_scheme *vm) {
   if (!vs_string_from_utf8(vm, "out of memory", 13, &r[0])) return false;
   vs_condition *c = (vs_condition *)(void *)vs_gc_alloc(vm, VS_T_CONDITION, VS_WORDS(vs_condition));
   if (!c) return false;
-  c->kind = vm->sym.memory; c->message = r[0]; c->irritants = c->chain = VS_NIL; c->payload = c->frames = VS_FALSE;
+  c->kind = vm->sym.memory; c->message = r[0]; c->irritants = c->chain = VS_NIL; c->payload = c->calls = VS_FALSE;
   vm->at.no_memory = vs_from_object(c);
   return vs_make_vector(vm, 1, VS_FALSE, &vm->at.files) && vs_native_define(vm, &vs_control_natives, keep, NULL);
 }

@@ -34,7 +34,7 @@ static vs_status call_list(vs_scheme *vm, vs_value procedure, vs_value list) {
 }
 
 /* root -> (let ((value root)) value) */
-static bool keep_frame(vs_expansion *x) {
+static bool keep_call(vs_expansion *x) {
   vs_value name;
   vs_core_node *let = vs_expand_many(x, VS_AST_LET, 1, x->root->pos);
   if (!let || !vs_intern_c(x->vm, "value", &name) || !(let->as.let.vars[0] = vs_ast_var(&x->ast, name)) ||
@@ -87,7 +87,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
     case VS_EXPAND_NODE: {
       VS_ROOTS(vm, r, 1);
       /* a call at top level keeps its activation, so that errors can tell where they were called from */
-      if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_frame(x)) return VS_ERROR;
+      if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_call(x)) return VS_ERROR;
       vs_enter_phase(vm, VS_VM_COMPILE);
       if (!vs_compile(vm, &x->ast, x->root, &r[0])) return VS_ERROR;
       vs_ast_clear(&x->ast);

@@ -42,7 +42,7 @@ typedef struct vs_config {
   uint64_t step_limit;       /* calls and loop turns, 0 = none */
   uint64_t output_limit;     /* bytes that the program may print or write, 0 = none */
   double time_limit;         /* seconds by the clock below, 0 = none */
-  bool keep_frames;          /* errors keep the parameters of the calls they end (vs_condition.frames) */
+  bool keep_calls;          /* errors keep the parameters of the calls they end (vs_condition.calls) */
   vs_vm_phase (*phase)(void *user, vs_vm_phase phase); /* told when another begins, says which one ends; NULL: nobody
                                                           asks */
   double (*clock)(void *user);                 /* seconds, monotonic; NULL: no time limit */

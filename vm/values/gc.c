@@ -400,7 +400,7 @@ static inline void gc_visit_range(vs_scheme *vm, vs_value *at, size_t n, gc_visi
 static void gc_visit_roots(vs_scheme *vm, gc_visit *visit) {
   if (vm->stack) {
     gc_visit_range(vm, vm->stack, (size_t)(vm->top - vm->stack), visit);
-    /* what lies above is dead, but would be taken for live when a frame grows over it before writing there */
+    /* what lies above is dead, but would be taken for live when an activation grows over it before writing there */
     memset(vm->top, 0, (size_t)((char *)vm->stack_end - (char *)vm->top));
   }
   visit(vm, &vm->under);

@@ -149,7 +149,7 @@ enum {
   VS_CODE_GET = 4,              /* what define-record-type makes: a field's accessor, its modifier, */
   VS_CODE_SET = 8,
   VS_CODE_TEST = 16,            /* the predicate, */
-  VS_CODE_MAKE = 32,            /* the constructor: run without a frame (record_call.h) */
+  VS_CODE_MAKE = 32,            /* the constructor: run without an activation (record_call.h) */
   VS_CODE_RECORD = VS_CODE_GET | VS_CODE_SET | VS_CODE_TEST | VS_CODE_MAKE
 };
 
@@ -218,12 +218,12 @@ typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
    `chain` is a list of (procedure-name . position fixnum), innermost first; `place` the position of the failing
    call. */
 typedef struct { vs_object h; vs_value kind /* symbol */, message /* string */, irritants /* list */, chain, payload,
-    frames /* activation.c; #f: not kept */; vs_pos place; } vs_condition;
+    calls /* activation.c; #f: not kept */; vs_pos place; } vs_condition;
 
-/* Captured frames, immutable: `at` is a copy of the stack; below it lies `under`, up to its slot `depth`. */
+/* Captured activations, immutable: `at` is a copy of the stack; below it lies `under`, up to its slot `depth`. */
 typedef struct { vs_object h; vs_value under; uint64_t depth, count,
     total /* slots, with those of all stretches below */; vs_value at[]; } vs_stack;
-/* `ret` is the return information of the frame it returns into (run_loop.c) */
+/* `ret` is the return information of the activation it returns into (run_loop.c) */
 typedef struct {
   vs_object h;
   vs_value stack;
