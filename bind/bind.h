@@ -47,7 +47,7 @@ struct vs_bind {
   /* shown: printed at the prompt, or drawn until another drawing took its place: so not thrown away */
   struct { vs_node *node; const vs_origin *origin; bool shown; } *returned;
   size_t returned_count, returned_room;
-  bool drew;                       /* draw was called: what was returned does not count */
+  bool drew;                       /* the root has a drawing: what was returned does not count */
   const vs_node *drawn_last;       /* what draw gave back last: an address to compare with, not a reference */
   const vs_node *drawn_away;       /* the same, of draw in a node whose focus has ended since */
   struct { vs_node *node; const vs_origin *origin; } dropped[16]; /* objects that bodies threw away, one a place

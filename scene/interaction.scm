@@ -15,8 +15,6 @@
   (size %gizmo-size)           ; of a handle, across; an arrow's and a tripod's are as long from the place itself
   (procedure %gizmo-procedure)) ; a trigger's
 
-(define %gizmos (make-hasheq)) ; from a node to what it is
-
 (define (%need-size who x)
   (if (not (and (real? x) (finite? x) (> x 0))) (error who "size must be a number above 0, got ~s" x)))
 (define (%need-direction who what x)
@@ -27,7 +25,7 @@
   (if name (%need-string who name))
   (if parent (%need-node who 'parent parent))
   (let ((node (node-create #:name name #:parent parent)))
-    (hash-set! %gizmos node gizmo)
+    (%set-node-gizmo! node gizmo)
     (property-add! node (%typed-property who 'value value type wanted))
     node))
 
@@ -87,7 +85,7 @@
   (%new-gizmo 'make-tripod name parent
     (%make-gizmo 'tripod at (list ux uy uz) constraint constraint #f size #f) %zero gvector?))
 
-(define (gizmo? x) (and (node? x) (hash-ref %gizmos x #f) #t))
+(define (gizmo? x) (and (node? x) (%node-gizmo x) #t))
 (define (%need-gizmo who x) (if (not (gizmo? x)) (error who "gizmo must be a gizmo, got ~s" x)))
 
 ; ---- where the handles are ----
@@ -113,7 +111,7 @@
 ; The rows that a host draws: a row for data-ref, points in the world's coordinates.
 (define (gizmo-data gizmo)
   (%need-gizmo 'gizmo-data gizmo)
-  (let* ((g (hash-ref %gizmos gizmo)) (world (node-worldtransform gizmo)) (place (lambda (p) (%matrix-point world p))))
+  (let* ((g (%node-gizmo gizmo)) (world (node-worldtransform gizmo)) (place (lambda (p) (%matrix-point world p))))
     (list (cons 'kind (%gizmo-kind g))
           (cons 'value (property-get gizmo 'value))
           (cons 'low (%gizmo-low g))
@@ -177,7 +175,7 @@
   (let ((best #f))
     (for-each
       (lambda (node)
-        (let* ((g (hash-ref %gizmos node)) (world (node-worldtransform node)) (radius (/ (%gizmo-size g) 2)))
+        (let* ((g (%node-gizmo node)) (world (node-worldtransform node)) (radius (/ (%gizmo-size g) 2)))
           (for-each
             (lambda (h)
               (let ((d (%meets-ball from direction (%matrix-point world (cadr h)) radius)))
@@ -203,7 +201,7 @@
 (define %held #f)
 
 (define (%take-gizmo node axis from direction)
-  (let ((g (hash-ref %gizmos node)))
+  (let ((g (%node-gizmo node)))
     (if (not axis)
         (%make-hold node #f #f #f #f #f)
         (let* ((world (node-worldtransform node)) (h (cadr (assv axis (%handles node g))))
@@ -218,7 +216,7 @@
     (cond ((<= v low) low) ((>= v high) high) (else v))))
 
 (define (%drag-gizmo h from direction)
-  (let* ((node (%hold-node h)) (g (hash-ref %gizmos node)) (t (%along (%hold-place h) (%hold-line h) from direction)))
+  (let* ((node (%hold-node h)) (g (%node-gizmo node)) (t (%along (%hold-place h) (%hold-line h) from direction)))
     (if t
         (let* ((moved (- t (%hold-start h))) (was (%hold-value h)))
           (property-set! (property-ref node 'value)
@@ -256,7 +254,7 @@
        (let ((h %held))
          (set! %held #f)
          (and h
-              (let* ((node (%hold-node h)) (g (hash-ref %gizmos node #f)) (over (and g (%gizmo-on from way))))
+              (let* ((node (%hold-node h)) (g (%node-gizmo node)) (over (and g (%gizmo-on from way))))
                 (cond ((not g) (%call-action node 'release from way))
                       ((and (eq? (%gizmo-kind g) 'trigger) over (eq? (cadr over) node)) (%click node g)))
                 node))))

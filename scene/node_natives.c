@@ -168,6 +168,7 @@ static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   if (b->drawn_last) b->drawn_away = b->drawn_last;
   b->drawn_last = NULL;
   b->away = a[1] != VS_FALSE;
+  b->drew = b->drew || (!b->away && kept > 0); /* node-setdrawing may give the root a drawing, without a call of draw */
   *out = r[0];
   return VS_OK;
 }

@@ -5,7 +5,7 @@
 ; A node that is placed often shares its drawing's objects, which are stored once. The picture of a node is one object, which is kept until the node or what
 ; hangs below it changes: so after a change only the nodes on the way up are made anew.
 
-(define-record-type %node (%make-node name type %parent %children %translate %rotate %scale %drawing %table %shown %actions %program) node?
+(define-record-type %node (%make-node name type %parent %children %translate %rotate %scale %drawing %table %shown %actions %program %gizmo) node?
   (name %node-name %set-node-name!)
   (type %node-type)
   (%parent %node-parent %set-node-parent!)       ; a node or #f
@@ -17,7 +17,8 @@
   (%table %node-table)                           ; its properties
   (%shown %node-shown %set-node-shown!)          ; the object that all of it is in the parent's frame, or #f. If it is there, those below are too
   (%actions %node-actions %set-node-actions!)    ; a table from an action to the procedure for it, or #f
-  (%program %node-program %set-node-program!))   ; the environment of its own program, or #f
+  (%program %node-program %set-node-program!)    ; the environment of its own program, or #f
+  (%gizmo %node-gizmo %set-node-gizmo!))         ; its handles, where it is a gizmo; else #f
 
 (define %zero (vxyz 0 0 0))
 (define %one (vxyz 1 1 1))
@@ -84,7 +85,7 @@
 ; ---- making ----
 
 (define (%new-node name type)
-  (%make-node name type #f (make-hasheq) %zero %zero %one '() (make-hasheq) #f #f #f))
+  (%make-node name type #f (make-hasheq) %zero %zero %one '() (make-hasheq) #f #f #f #f))
 
 (define (node-create [type any? 'context] #:name [name any? #f] #:drawing [drawing any? '()] #:parent [parent any? #f]
                      #:translate [translate any? #f] #:rotate [rotate any? #f] #:scale [scale any? #f])
@@ -96,7 +97,7 @@
            (translate (if translate (%need-place 'node-create 'translate translate) %zero))
            (rotate (if rotate (%need-place 'node-create 'rotate rotate) %zero))
            (scale (if scale (%need-factors 'node-create 'scale scale) %one))
-           (node (%make-node name type #f (make-hasheq) translate rotate scale objects (make-hasheq) #f #f #f)))
+           (node (%make-node name type #f (make-hasheq) translate rotate scale objects (make-hasheq) #f #f #f #f)))
       (make node)
       (%emit 'Node.create node)
       (if parent (node-addchild parent node))
