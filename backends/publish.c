@@ -3,6 +3,7 @@
  * process is killed. */
 #define _GNU_SOURCE /* O_TMPFILE */
 #include "backends/publish.h"
+#include "model/signals.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -78,14 +79,13 @@ static int place_nameless(vs_publish *p) {
 
 bool vs_publish_end(vs_publish *p, bool whole) {
   int problem = 0;
-  sigset_t all, was;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &was); /* nothing ends the process between the name and its change */
+  sigset_t was;
+  vs_signals_hold(&was); /* nothing ends the process between the name and its change */
   if (whole && p->nameless) problem = place_nameless(p);
   if (close(p->file) != 0 && !problem) problem = errno;
   if (!p->nameless && whole && !problem && rename(p->name, p->target) != 0) problem = errno;
   if (!p->nameless && (!whole || problem)) unlink(p->name);
-  pthread_sigmask(SIG_SETMASK, &was, NULL);
+  vs_signals_release(&was);
   free(p->target), free(p->name);
   *p = (vs_publish){ .file = -1 };
   errno = problem;

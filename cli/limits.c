@@ -21,6 +21,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "model/signals.h"
 #include "visualscheme.h"
 
 #define GRACE 0.3         /* seconds past the limit, and without a poll */
@@ -125,7 +126,7 @@ bool cli_limits_watch(cli_watch *w) {
   pthread_attr_t how;
   if (pthread_attr_init(&how) != 0) return false;
   pthread_attr_setstacksize(&how, STACK);
-  w->watching = sem_init(&w->closed, 0, 0) == 0 && pthread_create(&w->thread, &how, look_on, w) == 0;
+  w->watching = sem_init(&w->closed, 0, 0) == 0 && vs_thread_start(&w->thread, &how, look_on, w) == 0;
   pthread_attr_destroy(&how);
   return w->watching;
 }

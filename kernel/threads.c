@@ -2,6 +2,7 @@
  * number alone, so the result does not depend on who did it. The caller's thread works too, and is the only one that
  * reports progress. And the clock, which only accounts are made by. */
 #include "kernel/memory.h"
+#include "model/signals.h"
 
 #include <errno.h>
 #include <pthread.h>
@@ -168,7 +169,7 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
     pthread_mutex_lock(&c.lock);
     c.running++;
     pthread_mutex_unlock(&c.lock);
-    if (pthread_create(&threads[started], small ? &how : NULL, begin, w) != 0) { /* with fewer, then */
+    if (vs_thread_start(&threads[started], small ? &how : NULL, begin, w) != 0) { /* with fewer, then */
       pthread_mutex_lock(&c.lock);
       c.running--;
       pthread_mutex_unlock(&c.lock);

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "live/model_files.h"
+#include "model/signals.h"
 
 enum { WAIT_MS = 1000 };
 
@@ -150,7 +151,7 @@ static void *aside_run(void *context) {
 }
 
 bool live_aside_open(live_aside *a) {
-  a->started = pthread_create(&a->thread, NULL, aside_run, a) == 0;
+  a->started = vs_thread_start(&a->thread, NULL, aside_run, a) == 0;
   if (!a->started) fprintf(stderr, "vs: no thread for the live view\n");
   return a->started;
 }

@@ -22,6 +22,7 @@
 
 #include "live/model_files.h"
 #include "live/live_options.h"
+#include "model/signals.h"
 
 enum { BODY_MOST = 16 << 20, CONNECTIONS = 32, WINDOWS = 12, SILENCE = 30, EXPORT_SECONDS = 3600 };
 
@@ -489,12 +490,15 @@ bool live_server_open(live_server *s) {
   live_waiting_open(&s->waiting);
   s->names = vs_new(NULL);
   pthread_mutex_lock(&s->publish->lock); /* who asks at once waits for the port and the names that are written below */
+  sigset_t was;
+  vs_signals_hold(&was); /* its threads are no place for the command's handlers */
   s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG,
                                    0, NULL, NULL, handle, s, MHD_OPTION_EXTERNAL_LOGGER, quiet, NULL,
                                    MHD_OPTION_SOCK_ADDR, (struct sockaddr *)&loopback, MHD_OPTION_CONNECTION_LIMIT,
                                    (unsigned)CONNECTIONS, MHD_OPTION_CONNECTION_TIMEOUT, (unsigned)SILENCE,
                                    MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)32768, MHD_OPTION_NOTIFY_COMPLETED,
                                    completed, s, MHD_OPTION_NOTIFY_CONNECTION, connected, s, MHD_OPTION_END);
+  vs_signals_release(&was);
   const union MHD_DaemonInfo *info =
       s->daemon != NULL ? s->http.get_daemon_info(s->daemon, MHD_DAEMON_INFO_BIND_PORT) : NULL;
   s->port = info != NULL ? info->port : 0;

@@ -1,12 +1,20 @@
-/* Owns the test that interpreters share nothing: several threads, each with its own, make at once what one makes alone, byte
- * for byte, while another thread interrupts one of them. `make tsan` runs it under the thread sanitizer. */
+/* Owns the tests of threads: interpreters share nothing, so that several threads, each with its own, make at once what
+ * one makes alone, byte for byte, while another thread interrupts one of them; and no thread that the library starts
+ * takes a signal of the host. `make tsan` runs it under the thread sanitizer. */
+#define _GNU_SOURCE /* gettid, pthread_tryjoin_np */
+#include <dirent.h>
 #include <pthread.h>
 #include <setjmp.h>
+#include <signal.h>
+#include <stdatomic.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
+#include <unistd.h>
 #include <cmocka.h>
 
 #include "visualscheme.h"
@@ -151,7 +159,50 @@ static void test_interrupted(void **state) {
   vs_free(s);
 }
 
+static atomic_int host; /* the thread that evaluates */
+
+static void *evaluate(void *s) {
+  static const char solids[] =
+      "(volume (unite (map (lambda (i) (unite (make-sphere (xyz (* 9 i) 0 0) (+ 1 (/ i 999)))"
+      "  (make-sphere (xyz (+ (* 9 i) 1) 0 0) 1))) (iota 200))))";
+  atomic_store(&host, gettid());
+  return vs_eval_text(s, "solids", 1, solids, sizeof solids - 1, 0) == VS_OUTCOME_DONE ? s : NULL;
+}
+
+/* Does the thread of this process hear the signal? One that has ended does not. */
+static bool hears(const char *thread, int signal_number) {
+  char path[300], line[200];
+  unsigned long long held = ~0ull;
+  int threads = 0; /* what the system says of one that has just ended */
+  snprintf(path, sizeof path, "/proc/self/task/%s/status", thread);
+  FILE *f = fopen(path, "r");
+  while (f && fgets(line, sizeof line, f)) sscanf(line, "Threads: %d", &threads), sscanf(line, "SigBlk: %llx", &held);
+  if (f) fclose(f);
+  return threads > 0 && !(held >> (signal_number - 1) & 1);
+}
+
+/* Signals reach the host's threads, and none that the library has started. */
+static void test_signals(void **state) {
+  (void)state;
+  pthread_t thread;
+  void *done = NULL;
+  vs_scheme *s = vs_new(NULL);
+  assert_non_null(s);
+  assert_int_equal(pthread_create(&thread, NULL, evaluate, s), 0);
+  while (pthread_tryjoin_np(thread, &done) != 0) {
+    DIR *threads = opendir("/proc/self/task");
+    assert_non_null(threads);
+    for (struct dirent *e; (e = readdir(threads));)
+      if (atoi(e->d_name) > 0 && atoi(e->d_name) != getpid() && atomic_load(&host) && atoi(e->d_name) != host)
+        if (hears(e->d_name, SIGINT) || hears(e->d_name, SIGTERM)) fail_msg("thread %s hears signals", e->d_name);
+    closedir(threads);
+  }
+  assert_ptr_equal(done, s);
+  vs_free(s);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(test_apart), cmocka_unit_test(test_interrupted) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_apart), cmocka_unit_test(test_interrupted),
+                                      cmocka_unit_test(test_signals) };
   return cmocka_run_group_tests_name("threads", tests, NULL, NULL);
 }
