@@ -2,10 +2,17 @@
  *
  * Sheets that look the same way are not tried against each other (self_contacts.c), since there is another one between
  * them, unless the surface meets itself. It does so where two corners are one place: there the sheet between two others
- * may end, and rounding the corners around it tilts thin triangles of these two into each other. */
+ * may end, and rounding the corners around it tilts thin triangles of these two into each other.
+ *
+ * Triangles of a storey stay in it and as they are, whatever is rounded. But the corners are doubles already, and two
+ * planes whose corners differ by less than doubles tell are one here: where a thin wedge lay between them, a triangle
+ * lies on another one that looks against it, and their corners are one place. */
 #include "kernel/round/touching.h"
 
+#include <stdlib.h>
 #include <string.h>
+
+#include "kernel/mesh/triangles_meet.h"
 
 static uint64_t place_hash(vs_vec3 p) {
   uint64_t bits[3], h = 0;
@@ -15,40 +22,108 @@ static uint64_t place_hash(vs_vec3 p) {
   return h;
 }
 
-/* Does the triangle lie in a plane across an axis that is one of the storeys? */
-static bool is_level(const vs_rounding *s, uint32_t t) {
+enum { NOT_LEVEL = 3 };
+
+/* The axis across which the triangle lies in a storey; NOT_LEVEL: it lies in none. */
+static int level_of(const vs_rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
   int axis = a.x == b.x && a.x == c.x ? 0 : a.y == b.y && a.y == c.y ? 1 : 2;
   double value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
-  if (axis == 2 && (a.z != b.z || a.z != c.z)) return false;
+  if (axis == 2 && (a.z != b.z || a.z != c.z)) return NOT_LEVEL;
   size_t storey = vs_rounding_storey(s, axis, value);
-  return storey < s->storeys.count && s->storeys.at[storey].axis == axis && s->storeys.at[storey].value == value;
+  bool is = storey < s->storeys.count && s->storeys.at[storey].axis == axis && s->storeys.at[storey].value == value;
+  return is ? axis : NOT_LEVEL;
+}
+
+/* A triangle of a storey, at a place that two corners share. */
+typedef struct {
+  uint32_t place, triangle; /* the place: the first of its corners */
+  uint8_t axis;
+  bool up;                  /* its normal goes along the axis */
+} level_corner;
+
+static int by_place(const void *a, const void *b) {
+  const level_corner *x = a, *y = b;
+  if (x->place != y->place) return x->place < y->place ? -1 : 1;
+  if (x->axis != y->axis) return x->axis < y->axis ? -1 : 1;
+  if (x->up != y->up) return x->up ? 1 : -1;
+  return x->triangle < y->triangle ? -1 : x->triangle > y->triangle;
+}
+
+static bool overlap(const vs_rounding *s, uint32_t t, uint32_t u) {
+  vs_vec3 a[3], b[3];
+  const vs_vec3 *at = s->m->vertices;
+  for (int i = 0; i < 3; i++) a[i] = at[s->m->triangles[t][i]], b[i] = at[s->m->triangles[u][i]];
+  return !vs_triangle_is_flat(a) && !vs_triangle_is_flat(b) && vs_triangles_meet(a, b) == VS_MEET_CROSS;
+}
+
+/* Of the storeys' triangles around one place, which all lie in one plane: those that look down come first. Very many
+ * are not tried in pairs but marked. */
+static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
+  enum { MANY = 1 << 12 };
+  size_t down = 0;
+  while (down < count && !at[down].up) down++;
+  for (size_t i = 0; i < down; i++)
+    for (size_t j = down; j < count; j++) {
+      if (down * (count - down) <= MANY && !overlap(s, at[i].triangle, at[j].triangle)) continue;
+      s->changed.at[at[i].triangle] = s->changed.at[at[j].triangle] = VS_SUSPECT;
+      if (!vs_kernel_poll(s->k, 1)) return false;
+      if (down * (count - down) > MANY && i) break; /* all that look up are marked */
+    }
+  return true;
+}
+
+/* Marks triangles of one storey that overlap and look against each other, beside a place that two corners share: two
+ * planes that were one only after their corners had become doubles. */
+static bool suspect_folds(vs_rounding *s, const uint32_t *place) {
+  VS_LIST(level_corner) all = { 0 };
+  bool ok = true;
+  for (uint32_t t = 0; ok && t < s->m->triangle_count; t++) {
+    const uint32_t *v = s->m->triangles[t];
+    if (place[v[0]] == UINT32_MAX && place[v[1]] == UINT32_MAX && place[v[2]] == UINT32_MAX) continue;
+    int axis = level_of(s, t);
+    if (axis == NOT_LEVEL) continue;
+    vs_vec3 a = s->m->vertices[v[0]],
+            n = vs_v3_cross(vs_v3_sub(s->m->vertices[v[1]], a), vs_v3_sub(s->m->vertices[v[2]], a));
+    bool up = (axis == 0 ? n.x : axis == 1 ? n.y : n.z) > 0;
+    for (int i = 0; ok && i < 3; i++)
+      if (place[v[i]] != UINT32_MAX) ok = VS_PUSH(s->k, all, ((level_corner){ place[v[i]], t, (uint8_t)axis, up }));
+  }
+  if (ok && all.count) qsort(all.at, all.count, sizeof *all.at, by_place);
+  for (size_t i = 0, end; ok && i < all.count; i = end) {
+    for (end = i + 1; end < all.count && all.at[end].place == all.at[i].place && all.at[end].axis == all.at[i].axis;)
+      end++;
+    ok = look_around(s, all.at + i, end - i) && vs_kernel_poll(s->k, 1);
+  }
+  VS_DROP(s->k, all);
+  return ok;
 }
 
 bool vs_rounding_suspect_touching(vs_rounding *s) {
   const vs_mesh *m = s->m;
   VS_LIST(uint32_t) slots = { 0 }; /* a vertex and 1, by its place; 0: free */
-  VS_LIST(uint8_t) touches = { 0 };
+  VS_LIST(uint32_t) places = { 0 }; /* of a vertex: the first one that stands where it does, if there are several */
   size_t size = 16, any = 0;
   while (size < 2 * m->vertex_count) size *= 2;
-  bool ok = VS_ROOM(s->k, slots.at, slots.room, size) && VS_ROOM(s->k, touches.at, touches.room, m->vertex_count + 1);
+  bool ok = VS_ROOM(s->k, slots.at, slots.room, size) && VS_ROOM(s->k, places.at, places.room, m->vertex_count + 1);
   if (ok) memset(slots.at, 0, size * sizeof *slots.at);
-  if (ok) memset(touches.at, 0, m->vertex_count);
   for (uint32_t v = 0; ok && v < m->vertex_count; v++) {
     size_t at = place_hash(m->vertices[v]) & (size - 1);
     while (slots.at[at] && !vs_v3_equal(m->vertices[slots.at[at] - 1], m->vertices[v])) at = (at + 1) & (size - 1);
-    if (slots.at[at]) touches.at[v] = touches.at[slots.at[at] - 1] = 1, any++;
+    places.at[v] = UINT32_MAX;
+    if (slots.at[at]) places.at[v] = places.at[slots.at[at] - 1] = slots.at[at] - 1, any++;
     else slots.at[at] = v + 1;
     ok = vs_kernel_poll(s->k, 1);
   }
   for (uint32_t t = 0; ok && any && t < m->triangle_count; t++) {
-    const uint32_t *v = m->triangles[t];
-    bool at_touch = touches.at[v[0]] || touches.at[v[1]] || touches.at[v[2]];
-    if (at_touch && !is_level(s, t) && !s->changed.at[t]) s->changed.at[t] = VS_SUSPECT;
+    const uint32_t *v = m->triangles[t], *place = places.at;
+    bool at_touch = place[v[0]] != UINT32_MAX || place[v[1]] != UINT32_MAX || place[v[2]] != UINT32_MAX;
+    if (at_touch && level_of(s, t) == NOT_LEVEL && !s->changed.at[t]) s->changed.at[t] = VS_SUSPECT;
     ok = vs_kernel_poll(s->k, 1);
   }
+  ok = ok && (!any || suspect_folds(s, places.at));
   VS_DROP(s->k, slots);
-  VS_DROP(s->k, touches);
+  VS_DROP(s->k, places);
   return ok;
 }

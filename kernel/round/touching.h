@@ -4,7 +4,8 @@
 
 #include "kernel/round/rounding_state.h"
 
-/* Marks the triangles at places that two corners share, but for those that lie in a storey: there rounding keeps them.
+/* Marks the triangles at places that two corners share, but of those that lie in a storey only the ones that overlap:
+ * the others stay apart, however they are rounded.
  * False: out of memory, or interrupted. */
 bool vs_rounding_suspect_touching(vs_rounding *s);
 
