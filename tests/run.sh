@@ -21,8 +21,8 @@ trap 'exit 130' INT TERM
 
 # cmocka's TAP: `ok 1 - name`, `not ok 1 - name`, `not ok 1 # SKIP name`. A program that dies has failed, whatever it said before.
 suite_unit() { # PROGRAM of BUILD/unit
-  # A unit test may run workers: seconds, not minutes; unless many seeds were asked for, or a sanitizer slows it down.
-  CMOCKA_MESSAGE_OUTPUT=TAP timeout "$([ -z "${SEEDS:-}" ] && echo "${UNIT_SECONDS:-300}" || echo 36000)" "$BUILD/unit/$1" > "$work/out" 2> "$work/err"
+  # A unit test may run workers: seconds, not minutes; unless all cases or many seeds were asked for, or a sanitizer slows it down.
+  CMOCKA_MESSAGE_OUTPUT=TAP timeout "$([ -z "${SEEDS:-}${LONG:-}" ] && echo "${UNIT_SECONDS:-300}" || echo 36000)" "$BUILD/unit/$1" > "$work/out" 2> "$work/err"
   status=$?
   awk -v name="unit/$1" '
     /^(not )?ok [0-9]+ .*# *SKIP/ { sub(/^.*# *SKIP */, ""); print "skip " name ":" $0; next }
