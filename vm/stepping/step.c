@@ -156,6 +156,18 @@ static bool is_own(const vs_scheme *vm, const vs_code *code, uint32_t at) {
   return vs_pos_file(vs_code_place(code, at)) >= vm->step.first_file;
 }
 
+/* Is it a call that a form of the library has put there? Its procedure has a name that programs cannot write. */
+static bool is_hidden(const vs_code *code, const uint32_t *ins) {
+  if ((*ins & 255) != VS_O_CALLG && (*ins & 255) != VS_O_TAILG) return false;
+  vs_value name = vs_as_cell(vs_code_consts(code)[ins[1]])->name;
+  return vs_is_symbol(name) && vs_as_symbol(name)->name[0] == '%';
+}
+
+/* Is it a call that the program's own text writes? */
+static bool is_written(const vs_scheme *vm, const vs_code *code, const uint32_t *ins) {
+  return is_call(*ins & 255) && is_own(vm, code, (uint32_t)(ins - vs_code_ins(code))) && !is_hidden(code, ins);
+}
+
 vs_step_verdict vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc) {
   vs_stepping *s = &vm->step;
   const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
@@ -171,11 +183,11 @@ vs_step_verdict vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc) 
     vs_value v;
     if (returned) before = at ? vs_code_place_start(code, at - 1) : 0;
     uint32_t op = ins[before] & 255;
-    bool done = at > before && is_call(op) && (returned || at == before + length_of(op) || is_branch(op));
-    if (done && is_own(vm, code, before) && value_of(code, base, before, at, &v) && v != VS_UNSPECIFIC)
+    bool done = at > before && (returned || at == before + length_of(op) || is_branch(op));
+    if (done && is_written(vm, code, ins + before) && value_of(code, base, before, at, &v) && v != VS_UNSPECIFIC)
       return stop(vm, base, at, before, VS_STOP_VALUE, v, level);
   }
-  if (told < VS_TOLD_CALL && is_call(*pc & 255) && is_own(vm, code, at))
+  if (told < VS_TOLD_CALL && is_written(vm, code, pc))
     return stop(vm, base, at, at, VS_STOP_CALL, VS_FALSE, level);
   return VS_LOOK_GO;
 }
