@@ -94,19 +94,21 @@ static bool is_neighbour(const rounding *s, uint32_t v, uint32_t other) {
   return false;
 }
 
-static bool too_thin(const rounding *s, uint32_t t) {
+/* Is it lower than such numbers, of the format or finer ones, may move its corners by? */
+static bool too_thin(const rounding *s, uint32_t t, vs_numbers numbers) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]], ab = vs_v3_sub(b, a),
           bc = vs_v3_sub(c, b), ca = vs_v3_sub(a, c), n = vs_v3_cross(ab, bc);
   double longest = larger(vs_v3_dot(ab, ab), larger(vs_v3_dot(bc, bc), vs_v3_dot(ca, ca))), square = vs_v3_dot(n, n);
   if (square >= s->coarsest * s->coarsest * longest) return false; /* nearly all are */
-  double least = 2 * unit(larger(larger(reach(a), reach(b)), reach(c)), s->numbers);
+  double least = 2 * unit(larger(larger(reach(a), reach(b)), reach(c)), numbers);
   return square < least * least * longest;
 }
 
-/* Doubles have been rounded already, and nobody knows what they were. */
+/* Doubles have been rounded already, and nobody knows what they were: a triangle lower than their error may have turned
+ * over then, and no format's numbers turn it any more. */
 bool vs_rounding_is_noise(const vs_rounding *s, uint32_t t) {
-  return too_thin(s, t) && (s->numbers == VS_NUMBERS_DOUBLE || bent(s, t));
+  return too_thin(s, t, s->numbers) && (bent(s, t) || too_thin(s, t, VS_NUMBERS_DOUBLE));
 }
 
 /* Triangles beside noise: where it has turned over, these may cross each other, though they look the same way. */

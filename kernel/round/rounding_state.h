@@ -45,7 +45,8 @@ bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out);
 /* Where the first storey of the axis stands that is not below the value, or would. */
 size_t vs_rounding_storey(const vs_rounding *s, int axis, double value);
 
-/* Is it lower than rounding may move its corners by, and turned by that more than two or three degrees? */
+/* Is it lower than rounding may move its corners by, and turned by that more than two or three degrees; or lower than
+ * its doubles tell, so that nobody knows which way it looked? */
 bool vs_rounding_is_noise(const vs_rounding *s, uint32_t t);
 
 #endif

@@ -484,6 +484,9 @@ static void turned_examples_are_right(void **state) {
     "(degrees->radians -2e-7)) (do-rotate (unite (make-box (xyz 0 2 -1) (xyz 3 4 0)) (do-rotate (make-box (xyz 2 -1 0) "
     "(xyz 4 2 2)) 'y (degrees->radians 7e-5)) (do-rotate (make-box (xyz -1 -1 -4) (xyz 2 3 -3)) 'y (degrees->radians "
     "6e-6))) (vxyz 2 -1 1) (degrees->radians 3e-5)))",
+    /* a triangle so low that doubles turn it over, and 12 digits no more */
+    "(unite (make-prism (xyz 1 -2 -3) 1 15 (xyz 1 -2 0)) (do-rotate (make-prism (xyz 1 -2 -3) 1 15 (xyz 1 -2 0)) (vxyz "
+    "2 2 1) (degrees->radians -2e-7)) (make-pyramid (xyz -1 -1 -3) 2 8 (xyz -1 -1 1) 2))",
     /* a wedge whose two planes are one as soon as their corners are doubles */
     "(subtract (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) 'z "
     "(degrees->radians -7e-6))) (do-rotate (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 "
