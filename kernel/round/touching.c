@@ -6,7 +6,7 @@
  *
  * Triangles of a storey stay in it and as they are, whatever is rounded. But the corners are doubles already, and two
  * planes whose corners differ by less than doubles tell are one here: where a thin wedge lay between them, a triangle
- * lies on another one that looks against it, and their corners are one place. */
+ * lies on another one that looks against it, and the two have a corner's place in common. */
 #include "kernel/round/touching.h"
 
 #include <stdlib.h>
@@ -24,19 +24,36 @@ static uint64_t place_hash(vs_vec3 p) {
 
 enum { NOT_LEVEL = 3 };
 
-/* The axis across which the triangle lies in a storey; NOT_LEVEL: it lies in none. */
-static int level_of(const vs_rounding *s, uint32_t t) {
-  const uint32_t *v = s->m->triangles[t];
-  vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
-  int axis = a.x == b.x && a.x == c.x ? 0 : a.y == b.y && a.y == c.y ? 1 : 2;
-  double value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
-  if (axis == 2 && (a.z != b.z || a.z != c.z)) return NOT_LEVEL;
-  size_t storey = vs_rounding_storey(s, axis, value);
-  bool is = storey < s->storeys.count && s->storeys.at[storey].axis == axis && s->storeys.at[storey].value == value;
-  return is ? axis : NOT_LEVEL;
+/* The axis across which the triangle lies, whether in a storey or not, or NOT_LEVEL; *up: its normal goes along it. */
+static int across(const vs_mesh *m, uint32_t t, bool *up) {
+  const uint32_t *v = m->triangles[t];
+  vs_vec3 a = m->vertices[v[0]], b = m->vertices[v[1]], c = m->vertices[v[2]];
+  int axis = a.x == b.x && a.x == c.x   ? 0
+             : a.y == b.y && a.y == c.y ? 1
+             : a.z == b.z && a.z == c.z ? 2
+                                        : NOT_LEVEL;
+  *up = false;
+  if (axis == NOT_LEVEL) return axis;
+  vs_vec3 n = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
+  *up = (axis == 0 ? n.x : axis == 1 ? n.y : n.z) > 0;
+  return axis;
 }
 
-/* A triangle of a storey, at a place that two corners share. */
+/* Does a triangle across that axis lie in a storey? */
+static bool in_storey(const vs_rounding *s, uint32_t t, int axis) {
+  vs_vec3 a = s->m->vertices[s->m->triangles[t][0]];
+  double value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+  size_t storey = vs_rounding_storey(s, axis, value);
+  return storey < s->storeys.count && s->storeys.at[storey].axis == axis && s->storeys.at[storey].value == value;
+}
+
+static bool is_level(const vs_rounding *s, uint32_t t) {
+  bool up;
+  int axis = across(s->m, t, &up);
+  return axis != NOT_LEVEL && in_storey(s, t, axis);
+}
+
+/* A triangle of a storey, at a place where such triangles look either way. */
 typedef struct {
   uint32_t place, triangle; /* the place: the first of its corners */
   uint8_t axis;
@@ -74,21 +91,41 @@ static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
   return true;
 }
 
-/* Marks triangles of one storey that overlap and look against each other, beside a place that two corners share: two
- * planes that were one only after their corners had become doubles. */
+static uint32_t place_of(const uint32_t *place, uint32_t v) { return place[v] == UINT32_MAX ? v : place[v]; }
+
+/* Notes for each place how the triangles across the axes look there, two bits an axis. *mixed: somewhere they look both
+ * ways along one, which is rare. */
+static bool look_ways(vs_rounding *s, const uint32_t *place, uint8_t *ways, bool *mixed) {
+  for (uint32_t t = 0; t < s->m->triangle_count; t++) {
+    bool up;
+    int axis = across(s->m, t, &up);
+    for (int i = 0; axis != NOT_LEVEL && i < 3; i++) {
+      uint8_t *to = &ways[place_of(place, s->m->triangles[t][i])];
+      *to |= (uint8_t)(1 << (2 * axis + up));
+      *mixed = *mixed || (*to >> (2 * axis) & 3) == 3;
+    }
+    if (!vs_kernel_poll(s->k, 1)) return false;
+  }
+  return true;
+}
+
+/* Marks triangles of one storey that overlap and look against each other, beside a place that both have: two planes
+ * that were one only after their corners had become doubles. */
 static bool suspect_folds(vs_rounding *s, const uint32_t *place) {
   VS_LIST(level_corner) all = { 0 };
-  bool ok = true;
-  for (uint32_t t = 0; ok && t < s->m->triangle_count; t++) {
-    const uint32_t *v = s->m->triangles[t];
-    if (place[v[0]] == UINT32_MAX && place[v[1]] == UINT32_MAX && place[v[2]] == UINT32_MAX) continue;
-    int axis = level_of(s, t);
-    if (axis == NOT_LEVEL) continue;
-    vs_vec3 a = s->m->vertices[v[0]],
-            n = vs_v3_cross(vs_v3_sub(s->m->vertices[v[1]], a), vs_v3_sub(s->m->vertices[v[2]], a));
-    bool up = (axis == 0 ? n.x : axis == 1 ? n.y : n.z) > 0;
-    for (int i = 0; ok && i < 3; i++)
-      if (place[v[i]] != UINT32_MAX) ok = VS_PUSH(s->k, all, ((level_corner){ place[v[i]], t, (uint8_t)axis, up }));
+  VS_LIST(uint8_t) ways = { 0 };
+  bool mixed = false, ok = VS_ROOM(s->k, ways.at, ways.room, s->m->vertex_count + 1);
+  if (ok) memset(ways.at, 0, s->m->vertex_count);
+  ok = ok && look_ways(s, place, ways.at, &mixed);
+  for (uint32_t t = 0; ok && mixed && t < s->m->triangle_count; t++) {
+    bool up;
+    int axis = across(s->m, t, &up);
+    for (int i = 0; ok && axis != NOT_LEVEL && i < 3; i++) {
+      uint32_t at = place_of(place, s->m->triangles[t][i]);
+      if ((ways.at[at] >> (2 * axis) & 3) == 3 && in_storey(s, t, axis))
+        ok = VS_PUSH(s->k, all, ((level_corner){ at, t, (uint8_t)axis, up }));
+    }
+    ok = ok && vs_kernel_poll(s->k, 1);
   }
   if (ok && all.count) qsort(all.at, all.count, sizeof *all.at, by_place);
   for (size_t i = 0, end; ok && i < all.count; i = end) {
@@ -97,6 +134,7 @@ static bool suspect_folds(vs_rounding *s, const uint32_t *place) {
     ok = look_around(s, all.at + i, end - i) && vs_kernel_poll(s->k, 1);
   }
   VS_DROP(s->k, all);
+  VS_DROP(s->k, ways);
   return ok;
 }
 
@@ -119,10 +157,10 @@ bool vs_rounding_suspect_touching(vs_rounding *s) {
   for (uint32_t t = 0; ok && any && t < m->triangle_count; t++) {
     const uint32_t *v = m->triangles[t], *place = places.at;
     bool at_touch = place[v[0]] != UINT32_MAX || place[v[1]] != UINT32_MAX || place[v[2]] != UINT32_MAX;
-    if (at_touch && level_of(s, t) == NOT_LEVEL && !s->changed.at[t]) s->changed.at[t] = VS_SUSPECT;
+    if (at_touch && !is_level(s, t) && !s->changed.at[t]) s->changed.at[t] = VS_SUSPECT;
     ok = vs_kernel_poll(s->k, 1);
   }
-  ok = ok && (!any || suspect_folds(s, places.at));
+  ok = ok && suspect_folds(s, places.at);
   VS_DROP(s->k, slots);
   VS_DROP(s->k, places);
   return ok;

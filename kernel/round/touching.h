@@ -4,8 +4,8 @@
 
 #include "kernel/round/rounding_state.h"
 
-/* Marks the triangles at places that two corners share, but of those that lie in a storey only the ones that overlap:
- * the others stay apart, however they are rounded.
+/* Marks the triangles at places that two corners share, but those that lie in a storey: they stay apart, however they
+ * are rounded. Of these it marks the ones that overlap, look against each other, and have a place in common.
  * False: out of memory, or interrupted. */
 bool vs_rounding_suspect_touching(vs_rounding *s);
 

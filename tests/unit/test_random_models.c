@@ -491,6 +491,10 @@ static void turned_examples_are_right(void **state) {
     "(subtract (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) 'z "
     "(degrees->radians -7e-6))) (do-rotate (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 "
     "-1 -4) (xyz 3 3 -2)) 'z (degrees->radians -7e-6))) 'y (degrees->radians 3e-7)))",
+    /* the same, where the two triangles are neighbours and nothing else touches */
+    "(unite (subtract (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 2)) (do-rotate (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 "
+    "2)) (vxyz 0 1 1) (degrees->radians 5e-7)) (make-box (xyz 2 -1 -4) (xyz 5 2 -1))) (do-rotate (make-box (xyz 0 -1 "
+    "-1) (xyz 3 0 3)) 'z (degrees->radians 4e-6)))",
   };
   static trial t;
   begin(&t);
