@@ -1,5 +1,6 @@
 /* Owns .pdf: the sheet as one page of its true size, text as text in the default font, by libharu, which is loaded
  * when the first PDF is written. */
+#define _GNU_SOURCE /* memmem */
 #include <hpdf.h>
 #include <math.h>
 #include <stddef.h>
@@ -122,15 +123,41 @@ static bool put_all(vs_emitter *e, const writing *w) {
   return true;
 }
 
+/* The table by which a reader of the .pdf finds the letters' Unicode. libharu writes the one that finds their glyphs in
+ * its place (operators `cidrange`), which readers warn of and do without. The letters are stored as Unicode, so that
+ * the right table is one line; it is stored plainly in the room of the other, and no place in the file moves. A table
+ * that a libharu writes otherwise stays as it is. */
+static void mend_unicode(char *file, size_t size) {
+  static const char table[] = "/CIDInit /ProcSet findresource begin\n12 dict begin\nbegincmap\n"
+                              "/CMapName /UTF-8 def\n/CMapType 2 def\n"
+                              "1 begincodespacerange\n<0000> <FFFF>\nendcodespacerange\n"
+                              "1 beginbfrange\n<0000> <FFFF> <0000>\nendbfrange\nendcmap\nend\nend\n";
+  static const char kind[] = "/Type /CMap\n/CMapName /UTF-8\n", packed[] = "/Filter [ /FlateDecode ]",
+                    begin[] = "stream\r\n", close[] = "\nendstream";
+  const size_t length = sizeof table - 1;
+  char *at = memmem(file, size, kind, sizeof kind - 1), *past = file + size;
+  char *filter = at ? memmem(at, (size_t)(past - at), packed, sizeof packed - 1) : NULL;
+  char *from = filter ? memmem(filter, (size_t)(past - filter), begin, sizeof begin - 1) : NULL;
+  char *to = from ? memmem(from, (size_t)(past - from), close, sizeof close - 1) : NULL;
+  if (!to || filter - at > 400 || from - filter > 60) return;
+  from += sizeof begin - 1;
+  if ((size_t)(to - from) < length) return;
+  memset(filter, ' ', sizeof packed - 1);
+  memcpy(from, table, length);
+  memset(from + length, '\n', (size_t)(to - from) - length);
+}
+
 static bool hand_over(vs_emitter *e, const pdf_library *lib, HPDF_Doc doc) {
-  HPDF_BYTE part[8192];
+  const size_t size = lib->HPDF_GetStreamSize(doc);
+  char *file = vs_store_realloc(e->scene->store, NULL, 0, size + 1);
+  if (!file) return vs_emit_no_memory(e);
   lib->HPDF_ResetStream(doc);
-  for (;;) {
-    HPDF_UINT32 count = sizeof part;
-    HPDF_STATUS status = lib->HPDF_ReadFromStream(doc, part, &count);
-    if (count > 0 && !vs_put(e->out, part, count)) return false;
-    if (status != HPDF_OK || count < sizeof part) return true; /* the stream's end is a status as well */
-  }
+  HPDF_UINT32 count = (HPDF_UINT32)size;
+  lib->HPDF_ReadFromStream(doc, (HPDF_BYTE *)file, &count); /* the stream's end is a status as well */
+  mend_unicode(file, count);
+  const bool ok = vs_put(e->out, file, count);
+  vs_store_realloc(e->scene->store, file, size + 1, 0);
+  return ok;
 }
 
 bool vs_sheet_write_pdf(vs_emitter *e, const vs_sheet *s) {

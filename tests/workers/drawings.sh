@@ -77,10 +77,12 @@ else
 fi
 
 if command -v pdftotext > /dev/null; then
-  { pdftotext sheet.pdf - 2> /dev/null | tr '\n' ' ' > words
+  { pdftotext sheet.pdf - 2>&1 | tr '\n' ' ' > words
+    grep -o 'Syntax .*' words # what poppler warns of
     for word in hall cube street 10.00 '+0.30 f & <g>' 'Salão {\} ^' 1:100; do grep -q -F -e "$word" words || echo "the text '$word' is not in sheet.pdf"; done
     pdfinfo sheet.pdf 2> /dev/null | grep -q 'Pages: *1$' || echo 'sheet.pdf has not one page'
     pdfinfo sheet.pdf 2> /dev/null | grep -i date
+    ! command -v qpdf > /dev/null || qpdf --check sheet.pdf > checked 2>&1 || cat checked
   } > said
   result drawings/pdf said
 else
