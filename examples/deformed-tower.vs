@@ -24,6 +24,13 @@
 (define (bent p) (twist (taper p)))
 
 (draw (do-deform (list (map storey (iota storeys)) mullions) bent))
-(ground 0 #:material concrete)
+
+; trees and people on the square before it, to see how high it is
+(define lime (prefab "tree" #:height 9.0))
+(define walker (prefab "person"))
+(draw (map (lambda (x y k) (do-move (do-rotate (do-scale lime k) 'z k) (vxyz x y 0)))
+           '(-46 -31 -20 22 31 44 58 -38 -26 38) '(4 14 24 16 6 20 8 34 -14 34) '(1 1.1 0.9 1 1.2 0.9 1.1 1 0.8 1))
+      (map (lambda (x y) (do-move walker (vxyz x y 0))) '(20 21 38 6 -2 26 44) '(-22 -22.5 -62 -15 -19 -40 -50)))
+(ground 0 #:material 'paving)
 (sun #:azimuth 225 #:altitude 35)
-(camera (xyz 84 -92 16) (xyz 7 0 (* 0.46 height)) #:lens 29)
+(camera (xyz 52 -78 1.7) (xyz 2 0 (* 0.49 height)) #:lens 25 #:upright #t)

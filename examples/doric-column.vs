@@ -36,5 +36,5 @@
         (unite (step) (unite (map shaft (iota shaft-steps))) (echinus) (abacus))))
 
 (ground (* -0.5 foot-radius) #:material grass)
-(sun #:azimuth 238 #:altitude 32)
-(camera (xyz 4 -9 2.5) (xyz 0 0 2.7) #:lens 40)
+(sun #:azimuth 222 #:altitude 36)
+(camera (xyz 3.6 -8.4 1.6) (xyz 0 0 2.85) #:lens 36 #:upright #t)

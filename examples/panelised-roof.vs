@@ -21,6 +21,6 @@
 (define (fact name) (cdr (assq name report)))
 (printf "~a panels of ~a kinds; ~a leave their plane by more than 10 mm, at most ~a mm; the longest edge is ~a m\n"
   (fact 'panels) (fact 'kinds) (fact 'bent) (round (* 1000 (fact 'worst))) (/ (round (* 100 (fact 'longest))) 100))
-(ground 0 #:material 'stone)
+(ground 0 #:material 'grass)
 (sun #:azimuth 210 #:altitude 48)
 (camera (xyz 50 -30 20) (xyz 16 9 3) #:lens 48)

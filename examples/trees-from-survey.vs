@@ -18,15 +18,21 @@
   (let ([at (data-ref tree 'at)])
     (xyz (vector-ref at 0) (vector-ref at 1) (vector-ref at 2))))
 
-(define (trunk tree h) (with-material wood (make-cut-cone (+z (foot tree) -1) (data-ref tree 'trunk) (+z (foot tree) h) (* 0.5 (data-ref tree 'trunk)))))
+(define (trunk tree h) (color "#6b5443" (make-cut-cone (+z (foot tree) -1) (data-ref tree 'trunk) (+z (foot tree) h) (* 0.5 (data-ref tree 'trunk)))))
 
+; A fir has tiers that become shorter; other trees have clumps of leaves round about, each turned on from the last one by the golden angle, in the
+; room of an egg.
 (define (crown tree)
   (let ([p (foot tree)] [h (height-of tree)] [r (/ (data-ref tree 'crown) 2)] [kind (kind-of tree)])
-    (color (data-ref kind 'colour)
-      (if (equal? (data-ref kind 'form) "cone")
-          (for/list ([i 3])
-            (make-cone (+z p (* h (+ 0.2 (* 0.22 i)))) (+z p (* h (+ 0.56 (* 0.22 i)))) (* r (- 1 (* 0.25 i)))))
-          (list (do-scale (make-sphere (+z p (* 0.65 h)) r) (+z p (* 0.65 h)) (list 1 1 (/ (* 0.42 h) r))))))))
+    (define (tier i)
+      (let ([z (* h (+ 0.14 (* 0.11 i)))])
+        (make-cone (+z p z) (+z p (+ z (* h 0.2))) (* r (- 1 (* 0.13 i))))))
+    (define (clump i)
+      (let* ([up (- (/ (+ i 0.5) 9) 1)] [out (sqrt (- 1 (* up up)))] [angle (+ (cx p) (* 2.39996 i))]
+             [q (+xyz p (* 0.6 r out (cos angle)) (* 0.6 r out (sin angle)) (* h (+ 0.65 (* 0.23 up))))])
+        (do-scale (make-sphere q (* 0.46 r)) q (list 1 1 (max 0.8 (/ (* 0.15 h) (* 0.46 r)))))))
+    (with-material (make-material #:name (data-ref tree 'species) #:color (data-ref kind 'colour) #:roughness 1)
+      (if (equal? (data-ref kind 'form) "cone") (for/list ([i 7]) (tier i)) (for/list ([i 18]) (clump i))))))
 
 (define (tree-object tree)
   (if (felled? tree)

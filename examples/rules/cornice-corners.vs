@@ -28,4 +28,4 @@
 (draw (pier (plan 0) sharp-half) (pier (plan 5.5) round-half))
 (ground 0 #:material stone)
 (sun #:azimuth 232 #:altitude 27)
-(camera (xyz 4 -8 1.6) (xyz 4.25 0 1.75) #:lens 36)
+(camera (xyz 0 -9.5 1.6) (xyz 4 0.5 1.9) #:lens 36 #:upright #t)

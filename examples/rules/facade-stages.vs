@@ -49,4 +49,4 @@
 (draw (paving (make-box-scope (xyz -16 0.6 -0.1) 112 0.1 52)))
 (ground -0.1 #:material (make-material #:name "mortar" #:color "#7d776c" #:roughness 1))
 (sun #:azimuth 238 #:altitude 40)
-(camera (xyz 79 -43 6) (xyz 44.5 0 6.5) #:lens 25)
+(camera (xyz 86 -29 1.7) (xyz 61 0 7.2) #:lens 28 #:upright #t)
