@@ -488,14 +488,14 @@ static const sheet *sheet_of(const search *c, piece *p) {
 
 typedef struct { vs_kernel *k; search *c; size_t at; const run *level; } looking;
 
-/* changed: one of them has been given other corners, so that there is no pair before rounding. */
-static bool try_triangles(looking *l, const sheet *x, const sheet *y, bool changed) {
+/* The mended mesh tells whether two triangles touched before rounding: if those that were given other corners do not
+ * touch there, they do so by rounding. */
+static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   const vs_rounding *s = l->c->s;
   if (x->flat || y->flat || apart(x, y)) return true;
   vs_triangle_meeting meeting = vs_triangles_meet(x->at, y->at);
   if (meeting == VS_MEET_NOT) return true;
   if (meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) {
-    if (changed) return true;
     sheet p, q;
     load_exact(s, x->triangle, &p);
     load_exact(s, y->triangle, &q);
@@ -512,8 +512,7 @@ static bool try_runs(looking *l, const run *a, const run *b) {
   for (uint32_t i = 0; i < a_count; i++)
     for (uint32_t j = 0; j < b_count; j++)
       if (pieces_touch(&of_a[i], &of_b[j]) &&
-          !try_triangles(l, sheet_of(c, &of_a[i]), sheet_of(c, &of_b[j]),
-                         a->is_changed == VS_CHANGED || b->is_changed == VS_CHANGED))
+          !try_triangles(l, sheet_of(c, &of_a[i]), sheet_of(c, &of_b[j])))
         return false;
   return true;
 }
