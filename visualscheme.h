@@ -648,12 +648,10 @@ VS_API bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *
 
 /* ---- meshes for hosts that draw ----
  *
- * vs_meshes_begin works out what the drawing is, the scene's nodes with it, as triangles and curves;
-     then vs_mesh_next hands
- * over, one by one, what differs from what it handed over before: first what is gone,
-     then what is new or stands elsewhere.
- * Equal shapes are one mesh with several places. A shape that the host has is not meshed again; what is round is
- * another mesh where it is to be finer, as it may be in a larger drawing. */
+ * vs_meshes_begin works out what the drawing is, the scene's nodes with it, as triangles and curves; then vs_mesh_next
+ * hands over, one by one, what differs from what it handed over before: first what is gone, then what is new or stands
+ * elsewhere. Equal shapes are one mesh with several places. A shape that the host has is not meshed again; what is
+ * round is another mesh where it is to be finer, as it may be in a larger drawing. */
 
 typedef enum {
   VS_MESH_REMOVED, /* the id alone is told */
@@ -676,8 +674,8 @@ typedef struct {
   vs_mesh_change change;
   uint64_t id;           /* equal for equal shapes of one fineness and paint, in every run */
   const double (*points)[3]; size_t point_count;
-  const uint32_t (*corners)[3]; size_t triangle_count; /* counter-clockwise from outside; none: points are a curve's, in
-      their order */
+  /* counter-clockwise from outside; none: points are a curve's, in their order */
+  const uint32_t (*corners)[3]; size_t triangle_count;
   /* A unit normal for each corner of each triangle: round where the shape is round, sharp at its creases. */
   const double (*normals)[3]; size_t normal_count; const uint32_t (*normal_corners)[3];
   const uint32_t *part_of; /* of each triangle; NULL: all are of the first */
@@ -711,7 +709,8 @@ typedef enum {
   VS_HANDLE_NONE, /* the handle is none */
   VS_HANDLE_BOOLEAN, VS_HANDLE_NUMBER, VS_HANDLE_TEXT, VS_HANDLE_SYMBOL, VS_HANDLE_LIST, VS_HANDLE_POINT,
       VS_HANDLE_VECTOR,
-  VS_HANDLE_MATRIX, VS_HANDLE_OBJECT, VS_HANDLE_NODE, VS_HANDLE_PROPERTY, VS_HANDLE_PROCEDURE, VS_HANDLE_OTHER
+  VS_HANDLE_MATRIX, VS_HANDLE_OBJECT, VS_HANDLE_NODE, VS_HANDLE_PROPERTY, VS_HANDLE_PROCEDURE, VS_HANDLE_OTHER,
+  VS_HANDLE_HOST /* what vs_handle_host made */
 } vs_handle_kind;
 
 VS_API vs_handle vs_handle_retain(vs_scheme *s, vs_handle h); /* gives h */
@@ -725,6 +724,14 @@ VS_API vs_handle vs_handle_symbol(vs_scheme *s, const char *name);
 VS_API vs_handle vs_handle_point(vs_scheme *s, double x, double y, double z);
 VS_API vs_handle vs_handle_vector(vs_scheme *s, double x, double y, double z);
 VS_API vs_handle vs_handle_list(vs_scheme *s, const vs_handle *items, size_t count);
+
+/* An object of the host's own: programs hand it around and cannot look into it. As the value of a property it goes
+ * where the node goes. Owned: release is called with it once nothing holds it any more, at the end of a later
+ * evaluation, by vs_restart or by vs_free; it may call nothing of the interpreter. Not owned: release is NULL, and the
+ * object has to live as long as the interpreter. */
+VS_API vs_handle vs_handle_host(vs_scheme *s, void *object, void (*release)(void *context, void *object),
+    void *context);
+VS_API void *vs_handle_get_host(vs_scheme *s, vs_handle h); /* NULL: it is none */
 
 VS_API vs_handle_kind vs_handle_kind_of(vs_scheme *s, vs_handle h);
 VS_API bool vs_handle_get_boolean(vs_scheme *s, vs_handle h); /* all but #f is true */

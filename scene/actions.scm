@@ -35,9 +35,10 @@
 
 ; ---- picking ----
 
-; The hits of the ray in a node's own drawing: ((distance . d) (point . p) (node . n) (path . nodes) (place . (file line column))), or #f.
+; Where the ray meets a node itself: ((distance . d) (point . p) (node . n) (path . nodes) (place . (file line column))), or #f.
+; A node whose host draws it otherwise has a procedure for the action intersect, which knows.
 (define (%pick-in node path matrix from direction)
-  (let loop ((objects (%own-drawing node)) (best #f))
+  (let loop ((objects (%own-drawing node)) (best (%own-hit node from direction)))
     (if (pair? objects)
         (let ((hit (%ray-meets (car objects) matrix from direction)))
           (loop (cdr objects) (if (and hit (or (not best) (< (car hit) (car best)))) hit best)))
@@ -47,6 +48,13 @@
                    (cons 'node node)
                    (cons 'path (reverse path))
                    (cons 'place (cdr best)))))))
+
+; (distance . #f), or #f.
+(define (%own-hit node from direction)
+  (let* ((f (and (%node-actions node) (hash-ref (%node-actions node) 'intersect #f))) (d (and f (f node from direction))))
+    (if (and d (not (and (real? d) (finite? d) (>= d 0))))
+        (error 'node-intersect "the procedure of ~s for the action intersect must give a distance from 0 on or #f, got ~s" node d))
+    (and d (cons d #f))))
 
 (define (%picked from direction node)
   (let loop ((waiting (list (vector node '() (if (%node-parent node) (node-worldtransform (%node-parent node)) (translation-matrix %zero))))) (hits '()))

@@ -120,9 +120,60 @@ void vs_handle_release(vs_scheme *vm, vs_handle h) {
   s->handles->free = (uint32_t)i + 1;
 }
 
+/* ---- objects of the host's ---- */
+
+/* A foreign object of the heap holds one. When the collector lets it go, it waits in the list of the gone: the host
+ * is called when the collection is over. */
+struct vs_host_object {
+  vs_session *session;
+  void *object;
+  void (*release)(void *context, void *object);
+  void *context;
+  vs_host_object *next;
+};
+
+static void host_object_gone(void *object) {
+  vs_host_object *o = object;
+  o->next = o->session->handles->gone;
+  o->session->handles->gone = o;
+}
+static const vs_foreign_type host_object_type = { "an object of the host's", host_object_gone, NULL, NULL, NULL, NULL,
+    false };
+
+void vs_session_release_objects(vs_session *s) {
+  const char *phase = s->phase;
+  for (vs_host_object *o; s->handles && (o = s->handles->gone) != NULL;) {
+    s->handles->gone = o->next;
+    s->phase = "evaluating"; /* the host's function finds the interpreter at work */
+    if (o->release) o->release(o->context, o->object);
+    s->phase = phase;
+    vs_session_memory(s, o, sizeof *o, 0);
+  }
+}
+
+vs_handle vs_handle_host(vs_scheme *vm, void *object, void (*release)(void *context, void *object), void *context) {
+  vs_session *s = vs_session_of(vm);
+  VS_ROOTS(vm, r, 1);
+  vs_host_object *o = table(s) ? vs_session_memory(s, NULL, 0, sizeof *o) : NULL;
+  if (!o) return vs_session_out_of_memory(s), 0;
+  *o = (vs_host_object){ .session = s, .object = object }; /* where the rest fails, the object stays the host's */
+  if (!vs_make_foreign(vm, &host_object_type, o, sizeof *o, &r[0])) return vs_session_out_of_memory(s), 0;
+  vs_handle made = vs_session_hold(s, r);
+  if (made) o->release = release, o->context = context;
+  return made;
+}
+
+void *vs_handle_get_host(vs_scheme *vm, vs_handle h) {
+  vs_value v;
+  if (!vs_session_held(vs_session_of(vm), "vs_handle_get_host", h, &v)) return NULL;
+  const vs_host_object *o = vs_foreign_get(v, &host_object_type);
+  return o ? o->object : NULL;
+}
+
 void vs_session_forget_handles(vs_session *s) {
   vs_handles *t = s->handles;
   if (!t) return;
+  vs_session_release_objects(s);
   t->count = t->free = 0;
   t->procedure_count = t->posted_count = 0;
 }
@@ -130,6 +181,7 @@ void vs_session_forget_handles(vs_session *s) {
 void vs_session_free_handles(vs_session *s) {
   vs_handles *t = s->handles;
   if (!t) return;
+  vs_session_release_objects(s);
   vs_session_memory(s, t->at, t->room * sizeof *t->at, 0);
   vs_session_memory(s, t->procedures, t->procedure_room * sizeof *t->procedures, 0);
   vs_session_memory(s, t->posted, t->posted_room * sizeof *t->posted, 0);
@@ -202,6 +254,7 @@ vs_handle_kind vs_handle_kind_of(vs_scheme *vm, vs_handle h) {
   if (vs_bind_ref(v).node) return VS_HANDLE_OBJECT;
   if (is_record(v, "%node")) return VS_HANDLE_NODE;
   if (is_record(v, "%property")) return VS_HANDLE_PROPERTY;
+  if (vs_foreign_get(v, &host_object_type)) return VS_HANDLE_HOST;
   return vs_is(v, VS_T_NATIVE) || vs_is(v, VS_T_CLOSURE) || vs_is(v, VS_T_CASE) ? VS_HANDLE_PROCEDURE : VS_HANDLE_OTHER;
 }
 

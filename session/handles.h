@@ -12,6 +12,8 @@ typedef struct { vs_host_fn *fn; void *context; const char *name; /* the store's
 
 typedef struct { vs_handle property, value; } vs_posted;
 
+typedef struct vs_host_object vs_host_object;
+
 struct vs_handles {
   vs_held *at;
   size_t count, room;
@@ -24,10 +26,13 @@ struct vs_handles {
   char *text;         /* what vs_handle_text gave last */
   size_t text_bytes;
   char failure[256];  /* what vs_host_fail said */
+  vs_host_object *gone; /* objects of the host's that nothing holds any more; it has not been told yet */
 };
 
 void vs_session_forget_handles(vs_session *s); /* of a heap that is gone */
 void vs_session_free_handles(vs_session *s);
+/* Tells the host of its objects that the collector let go of. */
+void vs_session_release_objects(vs_session *s);
 
 /* The value of a handle. False: it is none of this interpreter's, or was released; the host has been told. */
 bool vs_session_held(vs_session *s, const char *who, vs_handle h, vs_value *out);

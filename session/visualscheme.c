@@ -359,6 +359,7 @@ vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
   vs_scheme *vm = s->bind.vm;
   ok = vs_session_pass(s, ok);
   vm->step.mode = VS_STEP_CONTINUE, vm->step.stops = false; /* what the drawing calls later is run through */
+  vs_session_release_objects(s);
   s->phase = NULL;
   vs_tally_enter(&s->tally, VS_WORK_NONE);
   s->evaluate_seconds += vs_session_clock(s) - vm->started;

@@ -1,6 +1,6 @@
 /* A viewer in SDL2 and OpenGL: a host of visualscheme.h that shows a model's scene, one buffer of the graphics card for
  * each distinct mesh. The left button takes hold of gizmos, picks what is under it, or turns the view; the wheel comes
- * nearer. What the program does in each frame is run.
+ * nearer. What the program does in each frame is run. Where frames take long, what is round is drawn coarser.
  *
  *   cc viewer.c -o viewer -lvisualscheme -lSDL2 -lGL -lm
  *   ./viewer model.vs               shows the model
@@ -110,10 +110,24 @@ static bool take_gizmo(void *context, vs_scheme *s, const vs_gizmo *gizmo) {
   return v->gizmo_count < MOST_GIZMOS;
 }
 
+/* Facets a turn, by the quality that the last frames' times leave; 0: by tolerance. There are few steps, since at each
+ * everything round is meshed again. */
+static int facets(viewer *v) {
+  vs_handle controller = vs_scene_controller(v->scheme), value = 0;
+  double quality = 1;
+  if (vs_property_get(v->scheme, controller, "quality", &value) == VS_OUTCOME_DONE)
+    vs_handle_get_numbers(v->scheme, value, &quality, 1);
+  vs_handle_release(v->scheme, value);
+  vs_handle_release(v->scheme, controller);
+  return quality > 0.6 ? 0 : quality > 0.3 ? 16 : 8;
+}
+
 /* What changed since the last time: nothing else is handed over. */
 static void update(viewer *v) {
   vs_mesh_info m;
-  vs_meshes_begin(v->scheme, NULL);
+  vs_output_options o = vs_output_options_default();
+  o.segments = facets(v);
+  vs_meshes_begin(v->scheme, &o);
   while (vs_mesh_next(v->scheme, &m)) {
     shape *to = shape_of(v, m.id);
     if (m.change == VS_MESH_REMOVED) {
@@ -345,9 +359,10 @@ static int play(viewer *v, const char *path) {
     else if (sscanf(text, "pixels %d %d", &a, &b) == 2) tell_pixels(a, b, NULL);
     else if (sscanf(text, "save %255s", file) == 1) tell_pixels(0, 0, file);
     else if (strncmp(text, "buffers", 7) == 0) {
-      size_t places = 0;
-      for (size_t i = 0; i < v->shape_count; i++) places += v->shapes[i].place_count;
-      printf("%zu buffers at %zu places, %zu gizmos\n", v->shape_count, places, v->gizmo_count);
+      size_t places = 0, corners = 0;
+      for (size_t i = 0; i < v->shape_count; i++)
+        places += v->shapes[i].place_count, corners += (size_t)v->shapes[i].count;
+      printf("%zu buffers at %zu places, %zu gizmos, %zu corners\n", v->shape_count, places, v->gizmo_count, corners);
     } else return fprintf(stderr, "this line means nothing: %s", text), fclose(script), 2;
     frame(v, 0);
   }
@@ -375,6 +390,9 @@ int main(int count, char **words) {
   v.scheme = vs_new(&o);
   int code = v.scheme ? (int)vs_eval_file(v.scheme, words[1], VS_EVAL_PROGRAM) : VS_OUTCOME_MACHINE;
   if (code == VS_OUTCOME_DONE) {
+    vs_handle adapt = vs_lookup(v.scheme, "scene-quality"); /* from the first call on, it follows the frames' times */
+    vs_apply(v.scheme, adapt, NULL, 0, NULL);
+    vs_handle_release(v.scheme, adapt);
     look_at_all(&v);
     Uint32 before = SDL_GetTicks();
     if (count == 4) frame(&v, 0), code = play(&v, words[3]);

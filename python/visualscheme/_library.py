@@ -163,6 +163,8 @@ LEFT_OUT = {
     "a prompt, an editor or a debugger calls these, and Python has its own": (
         "vs_exit_requested vs_read_check vs_complete vs_name_get vs_name_advice vs_disassemble vs_stop_get "
         "vs_stop_depth vs_resume vs_stop_drop vs_call_get vs_profile vs_profile_get vs_language_of"),
+    "a Python object is kept in a table of the host's, under a number that the program has": (
+        "vs_handle_host vs_handle_get_host"),
     "an error or the manual lists the formats and passes": (
         "vs_format_list vs_format_endings vs_format_find vs_format_of vs_pass_list vs_output_statistics vs_view_name"),
     "the command vs does this with files, and no value of the program takes part": (

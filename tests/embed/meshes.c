@@ -1,6 +1,5 @@
-/* Owns the proof that a host can draw by meshes: equal shapes are one, what changed is told and nothing else,
-    volumes and
- * normals are right, materials are asked for once, failures lose nothing. Public header alone.
+/* Owns the proof that a host can draw by meshes: equal shapes are one, what changed is told and nothing else, volumes
+ * and normals are right, materials are asked for once, failures lose nothing. Public header alone.
  * With a file's name as argument it hands the file's drawing over instead, and tells how long that took. */
 #include <math.h>
 #include <stdio.h>
@@ -112,6 +111,27 @@ static void share(vs_scheme *s, round_of *r) {
   }
 }
 
+/* The detail follows the time of the frames: slow ones lower the scene's quality, and with it the host's facets. */
+static void adapt(vs_scheme *s) {
+  size_t triangles[3];
+  vs_mesh_info m;
+  double quality[3];
+  CHECK(run(s, "(erase-all) (node-clear) (define quality (scene-quality)) (draw (make-sphere (xyz 0 0 0) 1))") == VS_OUTCOME_DONE);
+  for (size_t i = 0; i < 3; i++) {
+    for (int k = 0; k < 4 * (int)i; k++) vs_scene_frame(s, i == 1 ? 0.1 : 0.005);
+    vs_handle q = 0;
+    vs_output_options o = vs_output_options_default();
+    if (vs_property_get(s, vs_scene_controller(s), "quality", &q) == VS_OUTCOME_DONE) vs_handle_get_numbers(s, q, &quality[i], 1);
+    o.segments = (int)(48 * quality[i]);
+    triangles[i] = 0;
+    vs_meshes_begin(s, &o);
+    while (vs_mesh_next(s, &m))
+      if (m.change == VS_MESH_ADDED) triangles[i] += m.triangle_count;
+  }
+  CHECK(quality[0] == 1 && fabs(quality[1] - 0.4096) < 1e-9 && quality[2] == 1);
+  CHECK(triangles[0] > 4 * triangles[1] && triangles[1] > 100 && triangles[2] == triangles[0]);
+}
+
 static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; } /* of the processor */
 
 static int measure(vs_scheme *s, const char *file, round_of *r) {
@@ -184,6 +204,7 @@ int main(int count, char **words) {
   CHECK(run(s, "(draw (make-sphere (xyz 0 0 0) 2))") == VS_OUTCOME_DONE && go(s, &r) == VS_OUTCOME_DONE &&
       r.added == 1);
   share(s, &r);
+  adapt(s);
   vs_free(s);
   return failures != 0;
 }

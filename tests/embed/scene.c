@@ -119,6 +119,31 @@ static void hold_gizmos(vs_scheme *s, host *h) {
   CHECK(last.axes[0][0] == 1 && last.axes[1][2] == 1 && last.handles[1][2] == 10);
 }
 
+static char freed[60];
+static void free_own(void *context, void *object) { /* the interpreter is at work, and says so */
+  if (context && vs_update(context) != VS_OUTCOME_USAGE) strcat(freed, "?");
+  strcat(strcat(freed, object), " ");
+}
+/* The host's own objects as values of properties: owned by them, or not. */
+static void hold_own(vs_scheme *s, host *h) {
+  static char own[] = "buffer", bare[] = "window", other[] = "texture";
+  vs_handle node = vs_node_create(s, NULL, "owner", vs_node_root(s)), five = vs_handle_integer(s, 5);
+  vs_handle owned = vs_handle_host(s, own, free_own, s), not_owned = vs_handle_host(s, bare, NULL, NULL), again;
+  CHECK(vs_handle_kind_of(s, owned) == VS_HANDLE_HOST && vs_handle_get_host(s, owned) == own && !vs_handle_get_host(s, five));
+  CHECK(vs_property_put(s, node, "buffer", owned) == VS_OUTCOME_DONE && vs_property_put(s, node, "window", not_owned) == VS_OUTCOME_DONE);
+  vs_handle_release(s, owned), vs_handle_release(s, not_owned);
+  CHECK(vs_handle_get_host(s, owned) == NULL && strstr(h->said, "was released")); /* the handle is gone, the object is the property's */
+  CHECK(run(s, "(gc) (define kept (property-get (node-find \"owner\") 'buffer))") == VS_OUTCOME_DONE && !*freed);
+  CHECK(vs_property_get(s, node, "window", &again) == VS_OUTCOME_DONE && vs_handle_get_host(s, again) == bare);
+  CHECK(vs_property_put(s, node, "buffer", five) == VS_OUTCOME_DONE && vs_property_put(s, node, "window", five) == VS_OUTCOME_DONE);
+  vs_handle_release(s, again);
+  CHECK(run(s, "(gc)") == VS_OUTCOME_DONE && !*freed); /* the program holds it still */
+  CHECK(run(s, "(define kept #f) (gc)") == VS_OUTCOME_DONE && run(s, "(gc)") == VS_OUTCOME_DONE);
+  CHECK(strcmp(freed, "buffer ") == 0); /* once, and that one alone */
+  CHECK(vs_property_put(s, node, "buffer", owned = vs_handle_host(s, other, free_own, s)) == VS_OUTCOME_DONE);
+  vs_handle_release(s, node);
+}
+
 int main(void) {
   static host h, other;
   vs_options o = vs_options_default();
@@ -203,6 +228,7 @@ int main(void) {
   char file[40] = "";
   CHECK(vs_pick(s, (double[]){ -5, 0, 0.5 }, (double[]){ 1, 0, 0 }, named, file) == VS_OUTCOME_DONE && strcmp(file, "model:1") == 0);
   hold_gizmos(s, &h);
+  hold_own(s, &h);
 
   /* misuse */
   CHECK(vs_node_add_child(s, group, group) == VS_OUTCOME_MODEL && strstr(h.said, "cannot hang below itself"));
@@ -215,12 +241,16 @@ int main(void) {
   CHECK(vs_property_put(s, group, "cylinder", 0) == VS_OUTCOME_USAGE && strstr(h.said, "vs_property_put: this is no handle but 0"));
   CHECK(vs_lookup(s, "no-such-name") == 0 && strstr(h.said, "not defined"));
   CHECK(vs_restart(s) == VS_OUTCOME_DONE && vs_node_parent(s, group) == 0 && strstr(h.said, "older than vs_restart"));
+  CHECK(strcmp(freed, "buffer texture ") == 0);
 
   /* a program of before has no say in the next */
   CHECK(run(s, "(define (of-before x) x)") == VS_OUTCOME_DONE && vs_restart(s) == VS_OUTCOME_DONE);
   CHECK(vs_eval_text(s, "next", 1, "(define x 5)", 12, 0) == VS_OUTCOME_DONE && vs_meshes_begin(s, NULL) == VS_OUTCOME_MODEL);
   CHECK(strstr(h.said, "nothing is drawn") && !strstr(h.said, "of-before"));
+  static char last_one[] = "last";
+  vs_handle_host(s, last_one, free_own, NULL);
   vs_free(t);
   vs_free(s);
+  CHECK(strcmp(freed, "buffer texture last ") == 0);
   return failures != 0;
 }

@@ -55,6 +55,18 @@
 (define sheet (node-create #:parent root #:name "sheet" #:translate (vxyz 20 0 0)
                            #:drawing (make-surface (lambda (u v) (xyz u v 0)) 0 1 0 1 #:nu 2 #:nv 2)))
 (show (names (node-intersect (xyz 20.3 0.3 5) down)) (names (node-intersect (xyz 20.3 0.3 -5) (vxyz 0 0 1)))) ; expect: (sheet)(sheet)
+; a node of a host's that shows no drawing says where it is met; of a drawing and that, the nearer counts
+(define bare (node-create #:parent root #:name "bare"))
+(node-on bare 'intersect (lambda (node from direction) (tell (node-getname node) from direction) (and (= (cx from) 60) (- (cz from) 2))))
+(show (names (node-intersect (xyz 60 0 5) down)) (distances (node-pick (xyz 60 0 5) down)) chosen) ; expect: (bare)(3.0)(bare high)
+(show (first (told!)))                                                ; expect: (bare (xyz 60 0 5) (vxyz 0 0 -1))
+(show (data-ref (first (node-intersect (xyz 60 0 5) down)) 'point) (data-ref (first (node-intersect (xyz 60 0 5) down)) 'place)) ; expect: (xyz 60 0 2)#f
+(node-setdrawing bare (make-box (xyz 59 -1 2.5) (xyz 61 1 4)))
+(show (distances (node-intersect (xyz 60 0 5) down)) (names (node-intersect (xyz 60.5 0 5) down bare))) ; expect: (1.0)(bare)
+(node-on bare 'intersect (lambda (node from direction) -1))
+(fails (node-intersect (xyz 60 0 5) down bare))                       ; expect: node-intersect: the procedure of #<node name="bare" type=context> for the action intersect must give a distance from 0 on or #f, got -1
+(node-on bare 'intersect #f)
+(told!)
 (fails (node-intersect origin 'z))                                    ; expect: node-intersect: direction must be a gvector longer than 0, got z
 (fails (node-pick 3 down))                                            ; expect: node-pick: from must be a point of finite coordinates, got 3
 

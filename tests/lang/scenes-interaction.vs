@@ -73,6 +73,15 @@
 (node-on ear 'input (lambda (node kind button from way key) (set! heard (cons (list kind button) heard))))
 (node-input 'move 'none) (node-input 'press 'right (xyz 500 0 9) down)
 (show heard)                             ; expect: ((press right) (move none))
+; the nine words of Grimaldo's events: three buttons or none; pressed, released or dragged; a key or none
+(set! heard '())
+(node-on ear 'input (lambda (node kind button from way key) (set! heard (cons (list kind button key) heard))))
+(define up (vxyz 0 0 1))
+(for ([button '(left middle right)]) (for ([kind '(press drag release)]) (node-input kind button (xyz 500 0 9) up)))
+(node-input 'move 'none (xyz 500 0 9) up)
+(node-input 'key 'none #f #f "F1")
+(show (reverse heard)) ; expect: ((press left #f) (drag left #f) (release left #f) (press middle #f) (drag middle #f) (release middle #f) (press right #f) (drag right #f) (release right #f) (move none #f) (key none F1))
+(fails (node-input 'press 'thumb (xyz 0 0 9) up)) ; expect: node-input: button must be one of (left middle right none), got thumb
 (fails (node-input 'wink))               ; expect: node-input: kind must be one of (press drag release move key), got wink
 (fails (node-input 'press))              ; expect: node-input: from must be a point of finite coordinates, got #f
 (fails (on-pick 5 show))                 ; expect: on-pick: object must be an object or a node, got 5
