@@ -239,7 +239,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   }
   while (open-- > 0) text[used++] = ')';
   if (getenv("FUZZ_TELL")) fprintf(stderr, "%.*s\n", (int)used, text);
-  vs_scheme *s = fuzz_interpreter(&none, data, size, 50, NULL);
+  vs_scheme *s = fuzz_interpreter(&none, data, size, 500, NULL);
   vs_eval_text(s, "fuzz", 1, text, used, VS_EVAL_PRINT);
   return 0;
 }
