@@ -650,10 +650,30 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
-/* Corners that the format's numbers cannot hold apart become one; what they fold is said. */
-static bool drive_settle(vs_emitter *e, vs_mesh *m) {
-  vs_rounded what = { 0 };
-  return vs_emit_round(e, m, e->backend->numbers, &what) && vs_emit_rounded(e, &what);
+/* All solids as one mesh, settled: corners that the format's numbers cannot hold apart become one, and the writer says
+ * where that folds the mesh. Without bends, unless that makes triangles meet. */
+static bool drive_solid(vs_emitter *e, bool loose, vs_solid *out) {
+  for (vs_bends bends = VS_STRAIGHT;; bends = VS_BENT_AGAIN) {
+    vs_rounded what = { 0 };
+    if (!vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, bends, out) ||
+        !(out->mesh.triangle_count > 0 || loose || drive_nothing(e)) ||
+        !vs_emit_round(e, &out->mesh, e->backend->numbers, &what))
+      return false;
+    if (bends != VS_STRAIGHT || !what.met || !out->straightened) return vs_emit_rounded(e, &what);
+    vs_solid_free(out);
+  }
+}
+
+/* The same, with clusters that are copies of each other once. */
+static bool drive_copies(vs_emitter *e, vs_solid_copies *out) {
+  for (vs_bends bends = VS_STRAIGHT;; bends = VS_BENT_AGAIN) {
+    vs_rounded what = { 0 };
+    if (!vs_lower_copies(e, bends, out) || !(out->meshes.copy_count > 0 || drive_nothing(e))) return false;
+    for (size_t i = 0; i < out->meshes.mesh_count; i++)
+      if (!vs_emit_round(e, &out->meshes.meshes[i], e->backend->numbers, &what)) return false;
+    if (bends != VS_STRAIGHT || !what.met || !out->straightened) return vs_emit_rounded(e, &what);
+    vs_solid_copies_free(out);
+  }
 }
 
 /* Walks what is no solid, of a format that gets the union of all solids besides. *any: something was walked. */
@@ -694,17 +714,13 @@ bool vs_drive_scene(vs_emitter *e) {
   if (e->backend->loose && !drive_loose(e, &loose)) return false;
   if (e->backend->solid != NULL) {
     vs_solid mesh = { .part_count = 0 };
-    bool ok = vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, &mesh) &&
-              (mesh.mesh.triangle_count > 0 || loose || drive_nothing(e)) && drive_settle(e, &mesh.mesh) &&
-              e->backend->solid(e, &mesh);
+    bool ok = drive_solid(e, loose, &mesh) && e->backend->solid(e, &mesh);
     vs_solid_free(&mesh);
     return ok && e->backend->end(e);
   }
   if (e->backend->copies != NULL) {
     vs_solid_copies parts = { .part_count = 0 };
-    bool ok = vs_lower_copies(e, &parts) && (parts.meshes.copy_count > 0 || drive_nothing(e));
-    for (size_t i = 0; ok && i < parts.meshes.mesh_count; i++) ok = drive_settle(e, &parts.meshes.meshes[i]);
-    ok = ok && e->backend->copies(e, &parts);
+    bool ok = drive_copies(e, &parts) && e->backend->copies(e, &parts);
     vs_solid_copies_free(&parts);
     return ok && e->backend->end(e);
   }

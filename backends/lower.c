@@ -161,16 +161,17 @@ static void lower_warn(void *context, const vs_origin *origin, const char *messa
 }
 static bool lower_progress(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
 
-static vs_kernel_options lower_options(vs_emitter *e) {
+static vs_kernel_options lower_options(vs_emitter *e, vs_bends bends) {
   return (vs_kernel_options){ .progress = lower_progress,
                               .context = e,
-                              .warn = lower_warn,
+                              .warn = bends == VS_BENT_AGAIN ? NULL : lower_warn,
+                              .straight = bends == VS_STRAIGHT,
                               .max_bytes = e->options->mesh_bytes,
                               .max_triangles = e->options->mesh_triangles };
 }
 
-bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid *out) {
-  vs_kernel_options options = lower_options(e);
+bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends bends, vs_solid *out) {
+  vs_kernel_options options = lower_options(e, bends);
   return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
 }
 
@@ -203,16 +204,16 @@ static bool lower_primitive(vs_emitter *e, vs_node *n, const vs_kernel_options *
 
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
   if (vs_kind_get((vs_kind)ref->node->kind)->level == VS_LEVEL_OPERATION && ref->node->class_ != VS_REGION_CLASS)
-    return vs_lower_solids(e, ref, 1, out);
+    return vs_lower_solids(e, ref, 1, VS_BENT, out);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  vs_kernel_options options = lower_options(e);
+  vs_kernel_options options = lower_options(e, VS_BENT);
   if (lower_primitive(e, ref->node, &options, &out->mesh, &why)) return true;
   *e->error = why;
   if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
   return false;
 }
 
-bool vs_lower_copies(vs_emitter *e, vs_solid_copies *out) {
-  vs_kernel_options options = lower_options(e);
+bool vs_lower_copies(vs_emitter *e, vs_bends bends, vs_solid_copies *out) {
+  vs_kernel_options options = lower_options(e, bends);
   return vs_solid_evaluate_copies(e->scene->drawn, e->scene->drawn_count, &e->facets, &options, out, e->error);
 }

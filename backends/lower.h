@@ -13,9 +13,12 @@ bool vs_lower_as_area(const vs_emitter *e, const vs_node *n);
 /* Triangles of a node, as vs_emit_mesh but made anew; out is empty before, and the caller's to free also after a
  * failure. */
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out);
+/* Whether cuts through planar facets keep the bends that the kernel's grid gives them (kernel_options.h); AGAIN: with
+ * them and without warnings, since those were said before. */
+typedef enum { VS_BENT, VS_STRAIGHT, VS_BENT_AGAIN } vs_bends;
 /* The union of the solids among these; of all that are drawn, with equal parts once. */
-bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_solid *out);
-bool vs_lower_copies(vs_emitter *e, vs_solid_copies *out);
+bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends bends, vs_solid *out);
+bool vs_lower_copies(vs_emitter *e, vs_bends bends, vs_solid_copies *out);
 /* Is this node's shape round somewhere, so that its triangles should be shaded smoothly? */
 bool vs_lower_is_round(const vs_node *n);
 

@@ -2,6 +2,10 @@
  *
  * Notation.
  *   facet   a maximal set of coplanar triangles of one leaf that hang together by edges; cut and classified as one
+ *   sheet   facets of one leaf that hang together and nearly lie in one plane: a planar facet of the input, of which
+ *   the
+ *           grid has made several
+ *   bend    a corner of the result where a cut through a sheet passes from one of its facets to the next
  *   group   facets of one plane that touch: they are arranged together
  *   face    a region of the arrangement in one plane, which nothing cuts; its + side is where the plane's normal points
  *   cover   of a face, for each leaf that has it: w(-side) = w(+side) + delta, where w is the leaf's winding number
@@ -136,6 +140,11 @@ typedef struct {
   VS_LIST(vs_grid_triangle) triangles;
   VS_LIST(vs_facet) facets;
   VS_LIST(uint32_t) facet_triangles;
+  /* of a facet: the first of the facets of its leaf that hang together and nearly lie in one plane; empty where bends
+   * are kept */
+  VS_LIST(uint32_t) sheets;
+  uint32_t corner_points; /* the first points are corners of the leaves */
+  size_t straightened;    /* bends that the result has lost */
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) patch_corners;
   VS_LIST(vs_bvh_box) boxes; /* of the patches */

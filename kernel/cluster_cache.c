@@ -53,7 +53,7 @@ bool vs_remember_key(vs_kernel *k, vs_remember *r, vs_copies *c, const uint32_t 
   for (uint32_t i = 0; *known && i < count; i++) *known = c->problem->identities[leaves[i]] != 0;
   if (!*known) return true;
   r->words.count = r->tags.count = r->paints.count = 0;
-  bool ok = put(k, r, count) && put(k, r, c->expression->forced);
+  bool ok = put(k, r, (uint64_t)o->straight << 32 | count) && put(k, r, c->expression->forced);
   for (uint32_t i = 0; ok && i < count; i++) ok = put_leaf(k, r, c, leaves[i]) && vs_kernel_poll(k, 0);
   for (size_t i = 0; i < r->tags.count; i++) r->tag_place.at[r->tags.at[i]] = VS_NONE;
   for (size_t i = 0; i < r->paints.count; i++) r->paint_place.at[r->paints.at[i]] = VS_NONE;

@@ -115,6 +115,7 @@ void vs_cluster_free(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->triangles);
   VS_DROP(k, c->facets);
   VS_DROP(k, c->facet_triangles);
+  VS_DROP(k, c->sheets);
   VS_DROP(k, c->patches);
   VS_DROP(k, c->patch_corners);
   VS_DROP(k, c->boxes);
@@ -237,6 +238,7 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   VS_ASSERT(!ok || vs_holds_kept(&c));
   ok = ok && vs_kernel_lap(k, VS_STEP_CLASSIFY) && vs_kernel_report(k, 0.9);
   ok = ok && vs_output_faces(k, &c, out) && vs_check_result(k, &c, &check, out, first);
+  w->counts.straightened += c.straightened;
   VS_ASSERT(!ok || vs_holds_result(out, first));
   k->threads = threads;
   if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the nearest thing to a place */
@@ -336,6 +338,7 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32
     return false;
   if (asked && !vs_remember_find(k, &w->remember, out, &found)) return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
+  w->counts.straightened += found && k->options->straight; /* nobody knows how many */
   return found || (run_cluster(k, w, leaves, count, out) &&
                    (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }
@@ -405,6 +408,7 @@ static void count_in(vs_kernel_counts *sum, const vs_kernel_counts *c, size_t pe
   if (sum->coarse == 0)
     sum->coarse_leaf = c->coarse_leaf, sum->coarse_step = c->coarse_step, sum->coarse_by = c->coarse_by;
   sum->coarse += c->coarse;
+  sum->straightened += c->straightened;
   for (int i = 0; i < VS_STEP_COUNT; i++) sum->seconds[i] += c->seconds[i];
   if (peak > sum->peak) sum->peak = peak;
 }

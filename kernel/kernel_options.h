@@ -18,6 +18,7 @@ typedef struct {
   size_t coarse;     /* leaves whose volume the grid has changed by more than a hundredth: too small for what they
                       * touch; and of the first of them: */
   uint32_t coarse_leaf;
+  size_t straightened; /* bends that were left out; see `straight` */
   double coarse_step, coarse_by; /* how wide a step is; how much it changed the volume, as a part of that */
   double seconds[VS_STEP_COUNT]; /* of its steps */
 } vs_kernel_counts;
@@ -37,6 +38,9 @@ typedef struct {
   void (*warn)(void *context, const vs_origin *origin, const char *message);
   vs_kernel_counts *counts; /* added to, but for the peak, which only rises; NULL: nobody asks */
   bool in_levels;       /* for tests: every cluster goes the way of crowded ones (arrange/levels.c), as far as it can */
+  bool straight;        /* cuts through a planar facet of which the grid has made several planes may lose their bends.
+                         * For callers who look for contacts afterwards (round/rounding.h) and, where there are any, ask
+                         * again without this */
   uint32_t threads;     /* 0: as many as there are processors; the result is the same. progress is called from the
                          * caller's alone */
 } vs_kernel_options;

@@ -520,6 +520,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets
   if (ok) {
     *(one ? &one->parts : &many->parts) = b->parts.at;
     *(one ? &one->part_count : &many->part_count) = b->parts.count;
+    *(one ? &one->straightened : &many->straightened) = counts.straightened;
     b->parts.at = NULL;
   } else if (why.status != VS_KERNEL_FINE) {
     bool placed = why.status == VS_KERNEL_OPEN || why.status == VS_KERNEL_INSIDE_OUT ||

@@ -21,6 +21,7 @@ typedef struct {
   vs_mesh mesh;         /* triangle i belongs to parts[mesh.tags[i]] */
   vs_solid_part *parts; /* owned */
   size_t part_count;
+  size_t straightened;  /* bends that were left out (kernel_options.h) */
 } vs_solid;
 
 /* The same with clusters that are copies of each other standing once. */
@@ -28,6 +29,7 @@ typedef struct {
   vs_kernel_copies meshes;
   vs_solid_part *parts;
   size_t part_count;
+  size_t straightened;
 } vs_solid_copies;
 
 /* The union of the solids in refs; curves and surfaces beside them are left out. out need not be initialised; it is

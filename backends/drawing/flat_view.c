@@ -168,7 +168,7 @@ static bool add_solids(seen *s, const vs_solid *whole) {
   vs_ref ref = { cut_node(s->e, (const vs_vec3 (*)[2])planes, count), NULL };
   vs_solid cut = { .part_count = 0 };
   if (!ref.node) return vs_emit_no_memory(s->e);
-  bool ok = vs_lower_solids(s->e, &ref, 1, &cut) && add_triangles(s, &cut.mesh, &cut, NULL);
+  bool ok = vs_lower_solids(s->e, &ref, 1, VS_BENT, &cut) && add_triangles(s, &cut.mesh, &cut, NULL);
   vs_solid_free(&cut);
   vs_node_release(ref.node);
   return ok;

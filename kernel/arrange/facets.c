@@ -7,6 +7,7 @@
  * planes that only culled or flat triangles have are never made. */
 #include "kernel/cluster.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { SPAN = 1 << 12, BATCH = 1 << 17 /* triangles */ };
@@ -40,6 +41,8 @@ typedef struct {
   size_t span_count;            /* that were ever made: they keep their room */
   VS_LIST(uint32_t) number;     /* of a mesh's triangle: among those that its span found; FLAT, GONE */
   VS_LIST(_Atomic uint32_t) sets; /* of found triangles: which hang together in one plane */
+  bool straight;                  /* sheets are wanted */
+  VS_LIST(_Atomic uint32_t) sheets; /* the same of those that nearly lie in one plane, where they are */
   VS_LIST(uint32_t) facet;      /* of found triangles that are the first of theirs */
   VS_LIST(uint32_t) ids;        /* point numbers of one leaf's vertices, or VS_NONE */
   VS_LIST(uint32_t) twins;      /* of leaves whose part has none */
@@ -100,10 +103,33 @@ static bool same_plane(const found_triangle *a, const found_triangle *b) {
          a->plane.d == b->plane.d && a->flip == b->flip;
 }
 
+/* Could the grid have made two planes of one? at: the leaf's corners; v, w: the corners of the mesh's triangles. */
+static bool nearly_one_plane(int32_t (*at)[3], const found_triangle *a, const uint32_t v[3], const found_triangle *b,
+                             const uint32_t w[3]) {
+  static const double OFF = 4, ALIKE = 0.999; /* steps that three corners' rounding may put a fourth off; cosine */
+  double n = 0, m = 0, both = 0, above = 0, below = 0;
+  for (int i = 0; i < 3; i++) {
+    double x = (double)a->plane.n[i], y = (double)b->plane.n[i];
+    n += x * x, m += y * y, both += a->flip == b->flip ? x * y : -x * y;
+  }
+  if (!(both > 0) || both * both < ALIKE * ALIKE * n * m) return false;
+  for (int j = 0; j < 3; j++) {
+    double over = 0, under = 0;
+    for (int i = 0; i < 3; i++) {
+      over += (double)a->plane.n[i] * ((double)at[w[j]][i] - at[v[0]][i]);
+      under += (double)b->plane.n[i] * ((double)at[v[j]][i] - at[w[0]][i]);
+    }
+    above = fmax(above, fabs(over)), below = fmax(below, fabs(under));
+  }
+  return above * above <= OFF * OFF * n && below * below <= OFF * OFF * m;
+}
+
 static bool join_span(vs_kernel *k, void *context, size_t index) {
   facets *f = context;
   const span *s = &f->spans.at[index];
   const batch_leaf *l = &f->leaves.at[s->place - f->first];
+  const vs_placed *p = &f->c->placed.at[s->place];
+  const uint32_t(*corners)[3] = (const uint32_t(*)[3])p->part->mesh->triangles;
   for (uint32_t i = 0; i < s->found.count; i++) {
     found_triangle *a = &s->found.at[i];
     for (uint32_t j = 0; j < 3; j++) {
@@ -115,7 +141,11 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
       if (number >= GONE) continue;
       const span *other = &f->spans.at[l->span + twin / 3 / SPAN];
       const found_triangle *b = &other->found.at[number];
-      if (!same_plane(a, b)) continue;
+      bool same = same_plane(a, b);
+      if (f->straight && a->source < b->source &&
+          (same || nearly_one_plane(f->c->corners + p->first, a, corners[a->source], b, corners[b->source])))
+        vs_unite_shared(f->sheets.at, s->base + i, other->base + number);
+      if (!same) continue;
       a->inner |= (uint8_t)(1u << j); /* the other one finds the same */
       if (a->source < b->source) vs_unite_shared(f->sets.at, s->base + i, other->base + number);
     }
@@ -174,6 +204,8 @@ static bool give_facets(vs_kernel *k, facets *f) {
         f->facet.at[root] = (uint32_t)c->facets.count;
         if (!vs_planes_add(k, &c->planes, &from->plane, from->hash, &made.plane) || !VS_PUSH(k, c->facets, made))
           return false;
+        /* the first triangle of a sheet is the first of its facet, too */
+        if (f->straight && !VS_PUSH(k, c->sheets, f->facet.at[vs_find_shared(f->sheets.at, root)])) return false;
       }
       to->leaf = leaf;
       to->source = from->source;
@@ -243,9 +275,11 @@ static bool do_batch(vs_kernel *k, facets *f) {
     f->spans.at[i].base = (uint32_t)found;
     found += f->spans.at[i].found.count;
   }
-  if (!VS_ROOM(k, f->sets.at, f->sets.room, found + 1) || !VS_ROOM(k, f->facet.at, f->facet.room, found + 1))
+  if (!VS_ROOM(k, f->sets.at, f->sets.room, found + 1) || !VS_ROOM(k, f->facet.at, f->facet.room, found + 1) ||
+      (f->straight && !VS_ROOM(k, f->sheets.at, f->sheets.room, found + 1)))
     return false;
   for (uint32_t i = 0; i < found; i++) atomic_init(&f->sets.at[i], i);
+  for (uint32_t i = 0; f->straight && i < found; i++) atomic_init(&f->sheets.at[i], i);
   f->given = c->triangles.count;
   if (!vs_kernel_run(k, f->spans.count, join_span, f)) return false;
   for (uint32_t i = 0; i < found; i++) roots += vs_find_shared(f->sets.at, i) == i;
@@ -277,9 +311,10 @@ static bool index_facets(vs_kernel *k, vs_cluster *c) {
 }
 
 bool vs_facets_build(vs_kernel *k, vs_cluster *c) {
-  facets f = { .c = c };
+  facets f = { .c = c, .straight = k->options && k->options->straight && !c->layered };
   bool ok = true;
   size_t triangles = 0;
+  c->sheets.count = 0;
   for (uint32_t i = 0; ok && i < c->leaf_count; i++) {
     triangles += c->placed.at[i].part->mesh->triangle_count;
     f.end = i + 1;
@@ -293,9 +328,11 @@ bool vs_facets_build(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, f.spans);
   VS_DROP(k, f.number);
   VS_DROP(k, f.sets);
+  VS_DROP(k, f.sheets);
   VS_DROP(k, f.facet);
   VS_DROP(k, f.ids);
   VS_DROP(k, f.fresh);
   VS_DROP(k, f.twins);
+  c->corner_points = (uint32_t)c->points.all.count;
   return ok && index_facets(k, c);
 }

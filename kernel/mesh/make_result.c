@@ -4,41 +4,9 @@
  * A corner is needless where exactly two borders of merged faces end, with the same faces beside both, in one line:
  * every face there drops it alike, so no T-junction appears. A facet that nothing touched and nothing merged with keeps
  * its own triangles. */
-#include "kernel/cluster.h"
-#include "kernel/mesh/triangulate.h"
+#include "kernel/mesh/straighten.h"
 
 #include <string.h>
-
-typedef struct { VS_LIST(uint32_t) uses, firsts; } found_edges; /* of a range */
-typedef struct { uint32_t v[3], tag, look; } cut_triangle; /* v: points; look: 2 * plane + against its normal */
-typedef struct { VS_LIST(cut_triangle) at; } cut_chunk;
-
-typedef struct {
-  vs_kernel *k;
-  vs_cluster *c;
-  VS_LIST(found_edges) found;
-  VS_LIST(uint32_t) uses;            /* of kept faces, sorted by edge */
-  VS_LIST(uint32_t) edge_first;      /* of edges that stay, into uses; one more */
-  VS_LIST(_Atomic uint32_t) sets;    /* of faces, union-find */
-  VS_LIST(uint32_t) parent;          /* of a face: the first of those it is merged with */
-  VS_LIST(uint32_t) edges;           /* of a point: two numbers, the first edges that stay */
-  VS_LIST(uint8_t) degree;           /* of a point: 0, 1, 2, 3 for more; 4: needless */
-  VS_LIST(uint8_t) rim;              /* of a point, where there are regions: 1 a kept one's rim goes through it */
-  size_t rim_edges;
-  VS_LIST(uint32_t) edge_of;         /* of a use of the cluster: its edge, or VS_NONE where that does not stay */
-  VS_LIST(uint32_t) next;            /* of a face: the next that is merged with it, or VS_NONE */
-  VS_LIST(_Atomic uint8_t) whole;    /* a face: 1 still its own triangles */
-  VS_LIST(uint32_t) out;             /* of a point: its vertex in the result */
-  VS_LIST(uint32_t) points;          /* of the result's new vertices */
-  VS_LIST(uint32_t) looks;           /* of its new triangles: 2 * plane + against its normal */
-  VS_LIST(uint32_t) chunk_first;     /* of chunks of faces; one more */
-  cut_chunk chunks[VS_PIPELINE_WINDOW];
-  VS_LIST(vs_triangulation) cutters; /* one a thread */
-  vs_mesh *mesh;
-  size_t first_vertex;               /* of the mesh, that is ours */
-} writer;
-
-static const vs_use *use_at(const writer *w, size_t i) { return &w->c->uses.at[w->uses.at[i]]; }
 
 /* in a level tags are leaves, which are painted later */
 static bool same_paint(const vs_cluster *c, uint32_t a, uint32_t b) {
@@ -59,10 +27,10 @@ VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
 
 /* Merges over the edges between two coplanar faces of one paint that look the same way; the other edges stay. */
 static bool merge_range(vs_kernel *k, void *context, size_t range) {
-  writer *w = context;
+  vs_result_state *w = context;
   const vs_cluster *c = w->c;
   const vs_halves *h = &c->edges;
-  found_edges *to = &w->found.at[range];
+  vs_found_edges *to = &w->found.at[range];
   uint32_t low = vs_halves_begin(h, range), stop = h->first.at[vs_halves_begin(h, range + 1)];
   for (uint32_t i = h->first.at[low], end; i < stop; i = end) {
     while (i >= h->first.at[low + 1]) low++;
@@ -84,13 +52,16 @@ static bool merge_range(vs_kernel *k, void *context, size_t range) {
         continue;
       }
     }
+    if (count == 2 && vs_sheets_seam(w, &c->uses.at[to->uses.at[first]], &c->uses.at[to->uses.at[first + 1]]) &&
+        !VS_PUSH(k, to->seams, (uint32_t)to->firsts.count))
+      return false;
     if (count && !VS_PUSH(k, to->firsts, first)) return false;
     if (!vs_kernel_poll(k, 0.9)) return false;
   }
   return true;
 }
 
-static bool merge(writer *w) {
+static bool merge(vs_result_state *w) {
   vs_cluster *c = w->c;
   vs_kernel *k = w->k;
   size_t faces = c->faces.count, ranges = c->edges.ranges, uses = 0, edges = 0;
@@ -110,50 +81,69 @@ static bool merge(writer *w) {
     return false;
   for (uint32_t f = 0; f < faces; f++) w->parent.at[f] = vs_find_shared(w->sets.at, f);
   for (size_t i = 0; i < ranges; i++) {
-    found_edges *from = &w->found.at[i];
+    vs_found_edges *from = &w->found.at[i];
+    for (size_t e = 0; e < from->seams.count; e++)
+      if (!VS_PUSH(k, w->seams, (uint32_t)w->edge_first.count + from->seams.at[e])) return false;
     for (size_t e = 0; e < from->firsts.count; e++)
       w->edge_first.at[w->edge_first.count++] = from->firsts.at[e] + (uint32_t)w->uses.count;
     for (size_t u = 0; u < from->uses.count; u++) w->uses.at[w->uses.count++] = from->uses.at[u];
     VS_DROP(k, from->uses);
     VS_DROP(k, from->firsts);
+    VS_DROP(k, from->seams);
     if (!vs_kernel_report(k, 0.9)) return false;
   }
   vs_halves_free(k, &c->edges); /* nobody asks again */
   return VS_PUSH(k, w->edge_first, (uint32_t)uses);
 }
 
-/* Have two edges the same merged faces beside them? */
-static bool same_faces(writer *w, uint32_t e, uint32_t f, bool *flat) {
+/* Have two edges the same merged faces beside them? *flat: in one plane; *bent: in other planes beside one of them than
+ * beside the other. */
+static bool same_faces(vs_result_state *w, uint32_t e, uint32_t f, bool *flat, bool *bent) {
   uint32_t eb = w->edge_first.at[e], ee = w->edge_first.at[e + 1], fb = w->edge_first.at[f],
            fe = w->edge_first.at[f + 1];
   if (ee - eb != fe - fb) return false;
   *flat = true;
+  *bent = false;
   for (uint32_t i = eb; i < ee; i++) {
-    uint32_t root = w->parent.at[use_at(w, i)->face], here = 0, there = 0;
-    for (uint32_t j = eb; j < ee; j++) here += w->parent.at[use_at(w, j)->face] == root;
-    for (uint32_t j = fb; j < fe; j++) there += w->parent.at[use_at(w, j)->face] == root;
+    uint32_t root = w->parent.at[vs_result_use(w, i)->face], here = 0, there = 0;
+    for (uint32_t j = eb; j < ee; j++) here += w->parent.at[vs_result_use(w, j)->face] == root;
+    for (uint32_t j = fb; j < fe; j++) there += w->parent.at[vs_result_use(w, j)->face] == root;
     if (here != there) return false;
-    if (w->c->faces.at[use_at(w, i)->face].plane != w->c->faces.at[use_at(w, eb)->face].plane) *flat = false;
+    uint32_t plane = w->c->faces.at[vs_result_use(w, i)->face].plane;
+    if (plane != w->c->faces.at[vs_result_use(w, eb)->face].plane) *flat = false;
+    for (uint32_t j = fb; w->bent.count && j < fe; j++) {
+      uint32_t face = vs_result_use(w, j)->face;
+      if (w->parent.at[face] == root && w->c->faces.at[face].plane != plane) *bent = true;
+    }
   }
   return true;
 }
 
-static uint32_t other_end(const vs_use *u, uint32_t p) { return u->from == p ? u->to : u->from; }
+/* Has the edge two faces that are not merged? */
+static bool are_two(const vs_result_state *w, uint32_t e) {
+  uint32_t begin = w->edge_first.at[e];
+  return w->edge_first.at[e + 1] - begin == 2 &&
+         w->parent.at[vs_result_use(w, begin)->face] != w->parent.at[vs_result_use(w, begin + 1)->face];
+}
 
 enum { POINTS = 1 << 14 };
 static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
-  writer *w = context;
+  vs_result_state *w = context;
   const vs_cluster *c = w->c;
   size_t n = c->points.all.count, begin = chunk * POINTS, end = n - begin < POINTS ? n : begin + POINTS;
   for (size_t p = begin; p < end; p++) {
-    bool flat;
-    if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat)) continue;
-    const vs_use *a = use_at(w, w->edge_first.at[w->edges.at[2 * p]]),
-                 *b = use_at(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
+    bool flat, bent;
+    if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat, &bent)) continue;
+    const vs_use *a = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p]]),
+                 *b = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
+    if (bent) { /* straighten.c asks whether that is safe */
+      if (flat || w->stays.at[p] || !are_two(w, w->edges.at[2 * p])) continue;
+      w->bent.at[p] = 1;
+    }
     if (flat) { /* not on the line of two planes */
       const vs_plane *plane = &c->planes.all.at[c->faces.at[a->face].plane];
-      if (vs_orient2d(vs_points_of(&c->points), other_end(a, (uint32_t)p), (uint32_t)p, other_end(b, (uint32_t)p),
-                      plane->u, plane->v) != 0)
+      if (vs_orient2d(vs_points_of(&c->points), vs_result_other_end(a, (uint32_t)p), (uint32_t)p,
+                      vs_result_other_end(b, (uint32_t)p), plane->u, plane->v) != 0)
         continue;
     }
     w->degree.at[p] = 4;
@@ -161,22 +151,24 @@ static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
   return vs_kernel_report(k, 0.9);
 }
 
-VS_AHEAD corners_ahead(const writer *w, uint32_t e, size_t edges) {
+VS_AHEAD corners_ahead(const vs_result_state *w, uint32_t e, size_t edges) {
   enum { USE = 24, POINT = 12 };
   if (e + USE >= edges) return;
-  __builtin_prefetch(use_at(w, w->edge_first.at[e + USE]));
-  const vs_use *u = use_at(w, w->edge_first.at[e + POINT]);
+  __builtin_prefetch(vs_result_use(w, w->edge_first.at[e + USE]));
+  const vs_use *u = vs_result_use(w, w->edge_first.at[e + POINT]);
   uint32_t p = u->from < u->to ? u->to : u->from; /* the smaller ends come in order */
   __builtin_prefetch(&w->degree.at[p], 1);
   __builtin_prefetch(&w->edges.at[2 * p], 1);
 }
 
-static bool drop_corners(writer *w) {
+static bool drop_corners(vs_result_state *w) {
   vs_cluster *c = w->c;
   size_t n = c->points.all.count, edges = w->edge_first.count - 1;
   if (!VS_ROOM(w->k, w->edges.at, w->edges.room, 2 * n + 1) || !VS_ROOM(w->k, w->degree.at, w->degree.room, n + 1))
     return false;
   memset(w->degree.at, 0, n);
+  if (w->bent.count) memset(w->bent.at, 0, n);
+  w->rim_edges = 0;
   if (c->regions.count) {
     if (!VS_ROOM(w->k, w->rim.at, w->rim.room, n + 1)) return false;
     memset(w->rim.at, 0, n + 1);
@@ -184,10 +176,11 @@ static bool drop_corners(writer *w) {
   }
   for (uint32_t e = 0; e < edges; e++) {
     corners_ahead(w, e, edges);
-    const vs_use *u = use_at(w, w->edge_first.at[e]);
+    if (w->gone.count && w->gone.at[e]) continue;
+    const vs_use *u = vs_result_use(w, w->edge_first.at[e]);
     /* plain triangles have these corners, and others */
     for (uint32_t i = w->edge_first.at[e]; w->rim.count && i < w->edge_first.at[e + 1]; i++)
-      if (c->faces.at[use_at(w, i)->face].plane == VS_NONE)
+      if (c->faces.at[vs_result_use(w, i)->face].plane == VS_NONE)
         w->degree.at[u->from] = w->degree.at[u->to] = 3, w->rim.at[u->from] = w->rim.at[u->to] = 1, w->rim_edges++;
     for (int i = 0; i < 2; i++) {
       uint32_t p = i ? u->to : u->from;
@@ -201,15 +194,16 @@ static bool drop_corners(writer *w) {
 
 enum { EDGES = 1 << 14 };
 static bool name_edges(vs_kernel *k, void *context, size_t chunk) {
-  writer *w = context;
+  vs_result_state *w = context;
   size_t n = w->edge_first.count - 1, begin = chunk * EDGES, end = n - begin < EDGES ? n : begin + EDGES;
   for (size_t e = begin; e < end; e++)
-    for (uint32_t i = w->edge_first.at[e]; i < w->edge_first.at[e + 1]; i++) w->edge_of.at[w->uses.at[i]] = (uint32_t)e;
+    for (uint32_t i = w->edge_first.at[e]; !(w->gone.count && w->gone.at[e]) && i < w->edge_first.at[e + 1]; i++)
+      w->edge_of.at[w->uses.at[i]] = (uint32_t)e;
   return vs_kernel_report(k, 0.9);
 }
 
 /* The links from a face to its border. */
-static bool link_faces(writer *w) {
+static bool link_faces(vs_result_state *w) {
   const vs_cluster *c = w->c;
   size_t faces = c->faces.count, uses = c->uses.count;
   if (!VS_ROOM(w->k, w->edge_of.at, w->edge_of.room, uses + 1) || !VS_ROOM(w->k, w->next.at, w->next.room, faces + 1))
@@ -225,18 +219,26 @@ static bool link_faces(writer *w) {
 }
 
 /* Does the face keep all of its corners? */
-static bool has_all_corners(const writer *w, uint32_t f) {
+static bool has_all_corners(const vs_result_state *w, uint32_t f) {
   const vs_face *face = &w->c->faces.at[f];
   for (uint32_t i = face->use; i < face->use + face->use_count; i++)
     if (w->degree.at[w->c->uses.at[i].from] == 4) return false;
   return true;
 }
 
+/* Is the outside of its leaf behind the face's plane? Asked of faces of one sheet alone. */
+static bool is_turned(const vs_result_state *w, uint32_t f) {
+  uint32_t facet = vs_result_facet(w, &w->c->faces.at[f]);
+  return facet != VS_NONE && w->c->facets.at[facet].flip;
+}
+
 /* The border of what the face is merged with, from corner to corner; and the lines of its sides, if it has any. */
-static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangulation *t) {
+static bool gather_sides(vs_kernel *k, const vs_result_state *w, uint32_t f, vs_triangulation *t) {
   const vs_cluster *c = w->c;
   t->sides.count = t->list.count = 0;
+  bool turned = is_turned(w, f);
   for (; f != VS_NONE; f = w->next.at[f]) {
+    bool reverse = is_turned(w, f) != turned; /* planes of one sheet may be written the other way round */
     if (!vs_kernel_poll(k, 0.9)) return false;
     for (uint32_t i = c->faces.at[f].use, end = i + c->faces.at[f].use_count; i < end; i++) {
       const vs_use *u = &c->uses.at[i];
@@ -244,9 +246,9 @@ static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangula
       if (edge == VS_NONE || w->degree.at[u->from] == 4) continue;
       while (w->degree.at[at] == 4) {
         edge = w->edges.at[2 * at] == edge ? w->edges.at[2 * at + 1] : w->edges.at[2 * at];
-        at = other_end(use_at(w, w->edge_first.at[edge]), at);
+        at = vs_result_other_end(vs_result_use(w, w->edge_first.at[edge]), at);
       }
-      if (!VS_PUSH(k, t->sides, ((vs_border){ u->from, at })) ||
+      if (!VS_PUSH(k, t->sides, (reverse ? (vs_border){ at, u->from } : (vs_border){ u->from, at })) ||
           (c->use_line.count && !VS_PUSH(k, t->list, c->use_line.at[i])))
         return false;
     }
@@ -256,17 +258,17 @@ static bool gather_sides(vs_kernel *k, const writer *w, uint32_t f, vs_triangula
 
 /* ---- triangles ---- */
 
-static bool is_shown(const writer *w, uint32_t f) {
+static bool is_shown(const vs_result_state *w, uint32_t f) {
   return w->c->kept.at[f] && w->parent.at[f] == f && w->c->faces.at[f].plane != VS_NONE;
 }
 
-static size_t facet_size(const writer *w, uint32_t f) {
+static size_t facet_size(const vs_result_state *w, uint32_t f) {
   const vs_facet *facet = &w->c->facets.at[w->c->faces.at[f].facet];
   return facet[1].first - facet[0].first;
 }
 
 /* Faces, in chunks of about so many borders. */
-static bool make_chunks(writer *w) {
+static bool make_chunks(vs_result_state *w) {
   enum { CHUNK = 8192 };
   size_t sum = 0;
   uint32_t faces = (uint32_t)w->c->faces.count;
@@ -275,17 +277,18 @@ static bool make_chunks(writer *w) {
     if (w->c->kept.at[f]) sum += w->c->faces.at[f].use_count;
     if (sum >= CHUNK) sum = 0;
   }
-  if (!VS_PUSH(w->k, w->chunk_first, faces) || !VS_ROOM(w->k, w->cutters.at, w->cutters.room, w->k->threads))
-    return false;
+  if (!VS_PUSH(w->k, w->chunk_first, faces)) return false;
+  if (w->cutters.count) return true;
+  if (!VS_ROOM(w->k, w->cutters.at, w->cutters.room, w->k->threads)) return false;
   memset(w->cutters.at, 0, w->k->threads * sizeof *w->cutters.at);
   w->cutters.count = w->k->threads;
   return true;
 }
 
 static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
-  writer *w = context;
+  vs_result_state *w = context;
   const vs_cluster *c = w->c;
-  cut_chunk *to = &w->chunks[index % VS_PIPELINE_WINDOW];
+  vs_cut_chunk *to = &w->chunks[index % VS_PIPELINE_WINDOW];
   vs_triangulation *t = &w->cutters.at[k->worker];
   to->at.count = 0;
   for (uint32_t f = w->chunk_first.at[index]; f < w->chunk_first.at[index + 1]; f++) {
@@ -297,8 +300,11 @@ static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
       turned = against != c->facets.at[face->facet].flip;
       n = facet_size(w, f);
     } else {
-      if (!gather_sides(k, w, f, t) || !vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane]))
-        return false;
+      bool simple = true;
+      if (!gather_sides(k, w, f, t) || (w->sheets && !vs_sheets_simple(w, f, k, t, &simple))) return false;
+      if (!simple) continue; /* all of this is made again */
+      if (!vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane])) return false;
+      if (w->sheets) vs_sheets_mend(w, f, t);
       n = t->triangles.count;
     }
     if (!VS_ROOM(k, to->at.at, to->at.room, to->at.count + n)) return false;
@@ -306,20 +312,20 @@ static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
       const uint32_t *v =
           whole ? c->triangles.at[c->facet_triangles.at[c->facets.at[face->facet].first + i]].v : t->triangles.at[i];
       to->at.at[to->at.count++] =
-          (cut_triangle){ { v[turned ? 2 : 0], v[1], v[turned ? 0 : 2] }, face->tag, face->plane * 2 + against };
+          (vs_cut_triangle){ { v[turned ? 2 : 0], v[1], v[turned ? 0 : 2] }, face->tag, face->plane * 2 + against };
     }
     if (!vs_kernel_poll(k, 0.9)) return false;
   }
   return true;
 }
 
-static bool no_room(const writer *w) {
+static bool no_room(const vs_result_state *w) {
   return vs_kernel_fail(w->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
 }
 
 enum { PLACES = 1 << 14 };
 static bool place_chunk(vs_kernel *k, void *context, size_t index) {
-  writer *w = context;
+  vs_result_state *w = context;
   size_t begin = index * PLACES, end = w->points.count - begin < PLACES ? w->points.count : begin + PLACES;
   for (size_t i = begin; i < end; i++)
     w->mesh->vertices[w->first_vertex + i] = vs_grid_world(&w->c->grid, &w->c->points.all.at[w->points.at[i]]);
@@ -327,12 +333,12 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
 }
 
 /* In large steps, since clusters come one after the other into one mesh. */
-static bool reserve(const writer *w, vs_mesh *out, size_t triangles) {
+static bool reserve(const vs_result_state *w, vs_mesh *out, size_t triangles) {
   return triangles <= out->triangle_room ||
          vs_mesh_reserve(out, 0, out->triangle_count ? triangles + triangles / 2 : triangles) || no_room(w);
 }
 
-static bool make_room(const writer *w, vs_mesh *out, size_t more) {
+static bool make_room(const vs_result_state *w, vs_mesh *out, size_t more) {
   size_t limit = w->k->options ? w->k->options->max_triangles : 0, all = out->triangle_count + more;
   if (limit && all > limit)
     return vs_kernel_fail(w->k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
@@ -342,14 +348,14 @@ static bool make_room(const writer *w, vs_mesh *out, size_t more) {
 
 /* Writes what was cut; points are numbered as they come. */
 static bool take_chunk(vs_kernel *k, void *context, size_t index) {
-  writer *w = context;
-  const cut_chunk *from = &w->chunks[index % VS_PIPELINE_WINDOW];
+  vs_result_state *w = context;
+  const vs_cut_chunk *from = &w->chunks[index % VS_PIPELINE_WINDOW];
   vs_mesh *out = w->mesh;
   if (!make_room(w, out, from->at.count) ||
       !VS_ROOM(k, w->looks.at, w->looks.room, w->looks.count + from->at.count + 1))
     return false;
   for (size_t i = 0; i < from->at.count; i++) {
-    const cut_triangle *t = &from->at.at[i];
+    const vs_cut_triangle *t = &from->at.at[i];
     uint32_t *to = out->triangles[out->triangle_count];
     for (int j = 0; j < 3; j++) {
       uint32_t *number = &w->out.at[t->v[j]];
@@ -365,7 +371,7 @@ static bool take_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, 0.9);
 }
 
-static bool write(writer *w, vs_mesh *out) {
+static bool write(vs_result_state *w, vs_mesh *out) {
   size_t points = w->c->points.all.count, corners = 0;
   size_t limit = w->k->options ? w->k->options->max_triangles : 0;
   for (size_t p = 0; p < points; p++) corners += w->degree.at[p] % 4 != 0;
@@ -385,15 +391,16 @@ static bool write(writer *w, vs_mesh *out) {
   return vs_kernel_run(w->k, (w->points.count + PLACES - 1) / PLACES, place_chunk, w);
 }
 
-static bool copy_plain(writer *w, vs_mesh *out) {
+static bool copy_plain(vs_result_state *w, vs_mesh *out) {
   size_t more = vs_plain_kept(w->c);
   return more == 0 || (make_room(w, out, more) && vs_plain_copy(w->k, w->c, out, w->out.at));
 }
 
-static void writer_free(vs_kernel *k, writer *w) {
+static void writer_free(vs_kernel *k, vs_result_state *w) {
   for (size_t i = 0; i < w->found.count; i++) {
     VS_DROP(k, w->found.at[i].uses);
     VS_DROP(k, w->found.at[i].firsts);
+    VS_DROP(k, w->found.at[i].seams);
   }
   VS_DROP(k, w->found);
   VS_DROP(k, w->sets);
@@ -413,21 +420,55 @@ static void writer_free(vs_kernel *k, writer *w) {
   for (size_t i = 0; i < w->cutters.count; i++) vs_triangulation_free(k, &w->cutters.at[i]);
   VS_DROP(k, w->chunk_first);
   VS_DROP(k, w->cutters);
+  vs_sheets_free(k, w);
+}
+
+/* Merges and drops until all that is left is safe. */
+static bool merge_sheets(vs_result_state *w) {
+  enum { TIMES = 8 };
+  bool again = true;
+  for (int i = 0; again; i++) {
+    if (i == TIMES) vs_sheets_give_up(w);
+    if (!vs_sheets_merge(w, &again) || !drop_corners(w) || (again && !vs_sheets_check(w, &again))) return false;
+  }
+  return true;
+}
+
+static bool write_all(vs_result_state *w, vs_mesh *out) {
+  size_t vertices = out->vertex_count, triangles = out->triangle_count;
+  w->c->straightened = 0;
+  if (w->sheets ? !merge_sheets(w) : !drop_corners(w)) return false;
+  return link_faces(w) && write(w, out) && vs_kernel_report(w->k, 0.95) &&
+         (vs_sheets_spoiled(w) || (vs_split_touching(w->k, w->c, out, vertices, triangles, w->looks.at, w->points.at,
+                                                     w->rim.count ? w->rim.at : NULL, w->rim_edges) &&
+                                   copy_plain(w, out)));
 }
 
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
-  writer w = { .k = k, .c = c };
+  enum { TIMES = 3 };
+  vs_result_state w = { .k = k, .c = c };
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
-  bool ok = merge(&w) && drop_corners(&w) && link_faces(&w) && write(&w, out) && vs_kernel_report(k, 0.95) &&
-            vs_split_touching(k, c, out, vertices, triangles, w.looks.at, w.points.at, w.rim.count ? w.rim.at : NULL,
-                              w.rim_edges) &&
-            copy_plain(&w, out);
+  bool ok = vs_sheets_begin(&w) && merge(&w) && vs_sheets_plan(&w);
+  for (int i = 0; ok; i++) {
+    ok = write_all(&w, out);
+    bool failed = !ok && w.sheets && k->error->status == VS_KERNEL_INTERNAL;
+    if (ok && !vs_sheets_spoiled(&w)) break;
+    if (!ok && !failed) break;
+    if (failed) { /* with its bends it is what it was proven to be */
+      k->error->status = VS_KERNEL_FINE;
+      atomic_store(&k->stop, false);
+    }
+    if (failed || i == TIMES) vs_sheets_give_up(&w);
+    ok = true;
+    out->vertex_count = vertices, out->triangle_count = triangles;
+    w.points.count = w.looks.count = w.chunk_first.count = 0;
+  }
   writer_free(k, &w);
   return ok;
 }
 
 bool vs_output_outlines(vs_kernel *k, vs_cluster *c, vs_outlines *out) {
-  writer w = { .k = k, .c = c };
+  vs_result_state w = { .k = k, .c = c };
   vs_triangulation t = { .sides = { 0 } };
   bool ok = merge(&w) && drop_corners(&w) && link_faces(&w);
   for (uint32_t f = 0; ok && f < c->faces.count; f++) {

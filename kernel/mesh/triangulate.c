@@ -95,14 +95,25 @@ static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   return extend_tail(c, x, v) && extend_head(c, y, v);
 }
 
+/* Going up through these edges from a place that is inside or not: is that what each of them says? */
+static bool agree(const vs_boundary *edges, const uint32_t *at, uint32_t count, bool under, bool over) {
+  for (uint32_t i = 0; i < count; i++) {
+    if ((bool)(edges[at[i]].inside & 2) != under) return false;
+    under = edges[at[i]].inside & 1;
+  }
+  return under == over;
+}
+
 static bool step(cutter *c, const vs_sweep_event *e) {
   vs_triangulation *t = c->t;
   const vs_boundary *edges = t->boundary.at;
   uint32_t v = e->vertex, m = e->left_count, n = e->right_count;
   bool under = e->below != VS_NONE && (edges[e->below].inside & 1), over = under;
+  if (m) over = edges[e->lefts[m - 1]].inside & 1;
+  if (!agree(edges, e->lefts, m, under, over) || !agree(edges, e->rights, n, under, over))
+    return VS_BROKEN(c->k, "a face lies on itself");
   if (m) {
     uint32_t last = e->lefts[m - 1];
-    over = edges[last].inside & 1;
     if (under && !extend_tail(c, &t->chains.at[e->below], v)) return false;
     for (uint32_t i = 0; i + 1 < m; i++) {
       vs_chain *x = &t->chains.at[e->lefts[i]];

@@ -33,6 +33,7 @@ typedef struct {
   changed; /* of a triangle: VS_CHANGED where it has been given other corners, so that it is none of the exact result's
             * any more; VS_SUSPECT beside one that may have turned over, or at a place
             * where the surface touches itself */
+  VS_LIST(uint8_t) folded; /* of a vertex: 1: of two triangles that lie on each other but for some units */
   VS_LIST(uint8_t) near_met; /* of a vertex: 1: of a triangle that meets another; 2, 3: one and two triangles further */
 } vs_rounding;
 

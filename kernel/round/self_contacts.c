@@ -86,7 +86,8 @@ typedef struct {
   VS_LIST(uint32_t) hubs;        /* of the open runs */
   vs_bvh bvh, busy_bvh;          /* of the open ones */
   made found[VS_PIPELINE_WINDOW];
-  struct { VS_LIST(pair) at; } met[VS_PIPELINE_WINDOW];
+  struct { VS_LIST(pair) at, folds; } met[VS_PIPELINE_WINDOW]; /* folds: see is_fold */
+  bool folds;                    /* some were found */
 } search;
 
 /* ---- pairs of triangles ---- */
@@ -488,10 +489,28 @@ static const sheet *sheet_of(const search *c, piece *p) {
 
 typedef struct { vs_kernel *k; search *c; size_t at; const run *level; } looking;
 
+/* Do the triangles share an edge, look against each other, and lie so near that rounding may turn them past each other?
+ * Then what lies beyond them comes to cross, and that may look the same way. */
+static bool is_fold(const search *c, const sheet *x, const sheet *y) {
+  enum { UNITS = 16 };
+  double along = vs_v3_dot(x->normal, y->normal), n = vs_v3_dot(x->normal, x->normal);
+  if (!(along < 0) || along * along < 0.99 * n * vs_v3_dot(y->normal, y->normal)) return false;
+  const uint32_t *v = c->s->m->triangles[x->triangle], *w = c->s->m->triangles[y->triangle];
+  int shared = 0;
+  double height = 0;
+  for (int i = 0; i < 3; i++) {
+    bool is_shared = w[i] == v[0] || w[i] == v[1] || w[i] == v[2];
+    shared += is_shared;
+    if (!is_shared) height = vs_v3_dot(x->normal, vs_v3_sub(y->at[i], x->at[0]));
+  }
+  return shared == 2 && height * height < UNITS * c->s->coarsest * (UNITS * c->s->coarsest) * n;
+}
+
 /* The mended mesh tells whether two triangles touched before rounding: if those that were given other corners do not
  * touch there, they do so by rounding. */
 static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   const vs_rounding *s = l->c->s;
+  if (is_fold(l->c, x, y) && !VS_PUSH(l->k, l->c->met[l->at].folds, ((pair){ x->triangle, y->triangle }))) return false;
   if (x->flat || y->flat || apart(x, y)) return true;
   vs_triangle_meeting meeting = vs_triangles_meet(x->at, y->at);
   if (meeting == VS_MEET_NOT) return true;
@@ -589,7 +608,7 @@ static bool look(vs_kernel *k, void *context, size_t index) {
   const runs *level = &c->all.kinds[LEVEL];
   looking l = { k, c, index % VS_PIPELINE_WINDOW, NULL };
   size_t open = open_tasks(c), begin = (index - open) * QUERIES, end = begin + QUERIES;
-  c->met[l.at].at.count = 0;
+  c->met[l.at].at.count = c->met[l.at].folds.count = 0;
   if (index < open)
     return vs_bvh_pairs(&c->bvh, (uint32_t)index * BLOCKS, ((uint32_t)index + 1) * BLOCKS, look_open, &l) &&
            vs_kernel_report(k, 1);
@@ -609,8 +628,13 @@ static void count_once(const search *c, uint32_t t) {
 }
 
 static bool take(vs_kernel *k, void *context, size_t index) {
-  const search *c = context;
+  search *c = context;
   (void)k;
+  for (size_t i = 0; i < c->met[index % VS_PIPELINE_WINDOW].folds.count; i++) {
+    pair p = c->met[index % VS_PIPELINE_WINDOW].folds.at[i];
+    for (int j = 0; j < 6; j++) c->s->folded.at[c->s->m->triangles[j < 3 ? p.a : p.b][j % 3]] = 1;
+    c->folds = true;
+  }
   for (size_t i = 0; i < c->met[index % VS_PIPELINE_WINDOW].at.count; i++) {
     pair p = c->met[index % VS_PIPELINE_WINDOW].at.at[i];
     count_once(c, p.a);
@@ -635,7 +659,7 @@ static bool count_flat(vs_kernel *k, const search *c) {
 
 static vs_vec3 rounded_corner(const void *state, uint32_t vertex) { return vs_rounding_corner(state, vertex); }
 
-bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out) {
+static bool count_met(vs_rounding *s, vs_rounded *out, bool *folds) {
   enum { LOW = 4 /* twice as many units */, MARGIN = 128 };
   vs_kernel *k = s->k;
   vs_vec3 size = vs_v3_sub(s->bounds.max, s->bounds.min);
@@ -664,7 +688,10 @@ bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out) {
        vs_kernel_pipeline(k, open_tasks(&c) + (c.busy.count ? (level->at.count + QUERIES - 1) / QUERIES : 0), look,
                           take, &c) &&
        count_flat(k, &c);
-  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) VS_DROP(k, c.met[i].at);
+  for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
+    VS_DROP(k, c.met[i].at);
+    VS_DROP(k, c.met[i].folds);
+  }
   vs_bvh_free(k, &c.bvh);
   vs_bvh_free(k, &c.busy_bvh);
   VS_DROP(k, c.busy);
@@ -673,5 +700,28 @@ bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out) {
   VS_DROP(k, c.hubs);
   vs_hubs_free(k, &c.around);
   drop_made(k, &c.all);
-  return ok && (!out->met || mark_around(s));
+  *folds = c.folds;
+  return ok;
+}
+
+/* Suspects the triangles around folds. *any: some that nobody had suspected. */
+static bool suspect_folds(vs_rounding *s, bool *any) {
+  *any = false;
+  for (size_t t = 0; t < s->m->triangle_count; t++) {
+    const uint32_t *v = s->m->triangles[t];
+    if (!vs_kernel_poll(s->k, 1)) return false;
+    if (s->gone.at[t] || s->changed.at[t] || !(s->folded.at[v[0]] || s->folded.at[v[1]] || s->folded.at[v[2]]))
+      continue;
+    s->changed.at[t] = VS_SUSPECT;
+    *any = true;
+  }
+  return true;
+}
+
+bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out) {
+  bool folds = false, any = false;
+  if (!VS_ROOM(s->k, s->folded.at, s->folded.room, s->m->vertex_count + 1)) return false;
+  memset(s->folded.at, 0, s->m->vertex_count);
+  return count_met(s, out, &folds) && (!folds || suspect_folds(s, &any)) && (!any || count_met(s, out, &folds)) &&
+         (!out->met || mark_around(s));
 }

@@ -109,6 +109,7 @@ static void add_tree(program *t, seed_kind k, int depth, cells *c) { /* depth at
 }
 
 static bool verbose, failed;
+static uint64_t straightened, told_of; /* bends that went; results without them that are made again */
 static uint64_t results, said; /* how many there were; of them, how many meet themselves in the numbers of a format, with a warning */
 static void complain(const char *what, const program *t, const char *detail) {
   failed = true;
@@ -131,8 +132,8 @@ static bool manifold(const vs_mesh *m) { /* by index: each directed edge once */
   return twice == 0;
 }
 
-/* Nothing may meet anything in the numbers of any format, settled for them as writers do; but where the solid itself touches a face with a corner. */
-static void look_at_crossings(const char *what, const program *t, const vs_mesh *whole) {
+/* Without bends what the search tells of is made again with them; with them nothing may meet anything in the numbers of any format, settled for them as writers do; but where the solid itself touches a face with a corner. */
+static void look_at_crossings(const char *what, const program *t, const vs_mesh *whole, bool straight) {
   static const char *const as[] = { "doubles", "12 digits", "32 bits", "32 bits without indices" };
   char detail[300];
   bool touches = false;
@@ -163,6 +164,8 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
       complain(what, t, "out of memory");
     } else if (numbers == VS_NUMBERS_DOUBLE && crossings_sum(&found) == found.count[CROSSINGS_TOUCHING]) {
       touches = found.count[CROSSINGS_TOUCHING] > 0;
+    } else if (straight && settled.met) {
+      told_of++;
     } else if (numbers != VS_NUMBERS_DOUBLE && crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0) && settled.met) {
       said++; /* what those numbers cannot hold apart: the writer warns */
     } else if (crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0)) {
@@ -178,6 +181,32 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
 }
 
 static bool in_levels; /* the way of crowded clusters */
+
+/* The same without bends: a closed manifold of the same volume that meets itself nowhere, or tells. */
+static void look_straight(const char *what, const program *t, const vs_kernel_problem *problem, const vs_mesh *bent) {
+  vs_mesh m = { 0 };
+  vs_kernel_error e;
+  vs_kernel_counts counts = { 0 };
+  vs_kernel_options options = { .threads = 1, .straight = true, .counts = &counts };
+  double v = vs_mesh_volume(bent);
+  bool sure = true;
+  char detail[200];
+  if (!vs_kernel_evaluate(problem, &options, &m, &e)) {
+    complain(what, t, e.message);
+  } else if (counts.straightened) {
+    straightened += counts.straightened;
+    if (m.triangle_count + 2 * counts.straightened > bent->triangle_count || !vs_mesh_closed(&m, &sure) || !manifold(&m)) {
+      snprintf(detail, sizeof detail, "without %zu bends it is no closed manifold of less triangles: %zu, not %zu", counts.straightened, m.triangle_count, bent->triangle_count);
+      complain(what, t, detail);
+    }
+    if (fabs(vs_mesh_volume(&m) - v) > 1e-6 * fmax(1, v)) {
+      snprintf(detail, sizeof detail, "without bends its volume is %.12g, not %.12g", vs_mesh_volume(&m), v);
+      complain(what, t, detail);
+    }
+    look_at_crossings(what, t, &m, true);
+  }
+  vs_mesh_free(&m);
+}
 
 static double volume(const char *what, const program *t) {
   sx_problem p;
@@ -211,7 +240,8 @@ static double volume(const char *what, const program *t) {
     complain(what, t, detail);
   }
   v = vs_mesh_volume(&m[0]);
-  look_at_crossings(what, t, &m[0]);
+  look_at_crossings(what, t, &m[0], false);
+  if (!in_levels) look_straight(what, t, &p.problem, &m[0]);
 done:
   vs_mesh_free(&m[0]);
   vs_mesh_free(&m[1]);
@@ -308,6 +338,7 @@ int main(int argc, char **argv) {
     }
   }
   printf("%llu times one of %llu results meets itself in a format's numbers, and says so\n", (unsigned long long)said, (unsigned long long)results);
+  printf("%llu bends were left out; %llu times that was told to meet itself\n", (unsigned long long)straightened, (unsigned long long)told_of);
   printf("%llu of %llu seeds failed\n", (unsigned long long)bad, (unsigned long long)count);
   return bad != 0 || said * FEW > results;
 }

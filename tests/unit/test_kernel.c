@@ -902,6 +902,45 @@ static void test_limit_on_the_way(void **state) {
   free(text);
 }
 
+/* Without bends a result has the corners that its solids have and meet in, no more; so many triangles are counted here by Euler's formula. With them it has
+ * more, of the same volume. */
+static void test_facets_stay_whole(void **state) {
+  (void)state;
+  static const struct {
+    const char *text;
+    size_t triangles; /* 0: unknown, but less */
+  } cases[] = {
+    { "(difference (box 4 4 4) (translate 2 2 2 (rotate 33 21 17 (cbox 1 1 9))))", 32 },
+    { "(difference (rotate 33 21 17 (box 4 4 4)) (translate 0 0 1 (box 1 1 9)) (rotate 33 21 17 (translate 9 0 0 (box 1 1 1))))", 0 },
+    { "(union (cbox 1 1 9) (rotate 90 0 0 (cbox .5 .5 9)) (rotate 77 31 12 (cbox .75 .75 9)))", 0 },
+    { "(union (rotate 10 20 30 (cyl 6 1 1 12)) (rotate 95 3 40 (translate 0 0 -3 (cyl 6 .8 .6 12))) (rotate 50 103 7 (translate 0 0 -2 (cyl 6 .7 .7 12))))", 0 },
+    { "(intersection (rotate 10 20 30 (cbox 3 3 3)) (rotate 40 50 60 (cbox 3 3 3)) (rotate 70 15 25 (cbox 3 3 3)))", 0 },
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    sx_problem p;
+    vs_kernel_error e;
+    vs_mesh m[2] = { { 0 } };
+    vs_kernel_counts counts[2] = { { 0 } };
+    crossings_found found;
+    assert_true(sx_parse(cases[i].text, &p));
+    for (int straight = 0; straight < 2; straight++) {
+      vs_kernel_options options = { .straight = straight, .counts = &counts[straight] };
+      if (!vs_kernel_evaluate(&p.problem, &options, &m[straight], &e)) fail_msg("%s: %s", cases[i].text, e.message);
+      check_manifold(&m[straight]);
+      assert_true(crossings_find((const crossings_point *)m[straight].vertices, m[straight].vertex_count, (const crossings_triangle *)m[straight].triangles,
+                                 m[straight].triangle_count, &found));
+      assert_int_equal(crossings_sum(&found), 0);
+    }
+    near(vs_mesh_volume(&m[1]), vs_mesh_volume(&m[0]), 1e-8);
+    assert_int_equal(counts[0].straightened, 0);
+    assert_true(counts[1].straightened > 0);
+    assert_int_equal(m[1].triangle_count + 2 * counts[1].straightened, m[0].triangle_count);
+    if (cases[i].triangles) assert_int_equal(m[1].triangle_count, cases[i].triangles);
+    for (int straight = 0; straight < 2; straight++) vs_mesh_free(&m[straight]);
+    sx_free(&p);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_doubles),
@@ -921,6 +960,7 @@ int main(void) {
     cmocka_unit_test(test_far_larger),
     cmocka_unit_test(test_self_check),
     cmocka_unit_test(test_tags),
+    cmocka_unit_test(test_facets_stay_whole),
     cmocka_unit_test(test_wide_and_deep),
     cmocka_unit_test(test_places),
     cmocka_unit_test(test_threads),

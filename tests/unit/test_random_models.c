@@ -408,6 +408,9 @@ static void wrong_examples_are_right(void **state) {
     "(do-transform (subtract (make-e-cone (xyz 0.75 -2.25 2.2) 1.125 1.875 (xyz 1.5 -1.5 0.75) 1.875) (do-rotate "
     "(make-e-cone (xyz 0.75 -2.25 2.25) 1.125 1.88 (xyz 1.5 -1.5 0.75) 1.875) (vxyz 1 2 3) 3e-10)) (make-matrix 1 0 0 0 "
     " 0 1 0 0  .25 0 1 0  0 0 0 1))",
+    /* a surface that lies on itself three times over, between whose layers there is less than 12 digits tell */
+    "(intersect (scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 1.5) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 "
+    "0) (xyz -1 -1 3) (xyz 2 2 3)) (make-box (xyz -2 -3 2) (xyz 0 0.8 -2))) (make-half-space (vxyz 1 2 3)))",
     /* a hexahedron that is folded; a path that turns back in cusps, where it has no direction */
     "(scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 3) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) (xyz -1 "
     "-1 3) (xyz -0.5 1.5 0)) (make-box (xyz 0.9 1e-3 1e-6) 0.5 0.5 1))",
