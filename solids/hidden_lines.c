@@ -14,13 +14,14 @@
  * short side's direction would no longer say anything.
  *
  * Cost. The triangles that may hide something lie in a binary tree of boxes on the picture, which know the least
- * depth below them. It is built by halving at the median: n log n. An edge visits the nearer half first, no box that
- * is further away than the edge, and ends when all of it is hidden. */
+ * depth below them. It is built by halving at the median of the longest of width, height and depth: n log n. An edge
+ * first asks the triangles that hid the edges before it; then it visits the nearer half first, no box that is further
+ * away than the edge, and ends when all of it is hidden. */
 #include "solids/hidden_lines.h"
 
 #include <math.h>
 
-enum { LEAF = 4, STACK = 128 };
+enum { LEAF = 4, STACK = 128, KEPT = 8 };
 
 typedef struct { double low[2], high[2], depth; } box; /* on the picture; depth: the least below */
 typedef struct { box b; uint32_t first, count, right; } node;
@@ -38,6 +39,7 @@ typedef struct {
   span *spans;       /* what is hidden of the edge at hand: sorted, apart */
   size_t span_count, span_room;
   size_t turns;
+  uint32_t kept[KEPT]; /* of boxes: triangles that hid whole edges, the last that did so first */
 } sight;
 
 static bool going(sight *v) { return (++v->turns & 0xfff) != 0 || v->host->going == NULL ||
@@ -82,7 +84,10 @@ static bool may_hide(const vs_sight *s, uint32_t i) {
   return towards > 1e-9 || (towards < -1e-9 && i >= s->closed);
 }
 
-static double middle(const sight *v, uint32_t i, int axis) { return v->boxes[i].low[axis] + v->boxes[i].high[axis]; }
+static double middle(const sight *v, uint32_t i, int axis) {
+  const box *b = &v->boxes[i];
+  return axis == 2 ? b->depth : b->low[axis] + b->high[axis];
+}
 
 /* Reorders order[first, first + count) so that the half with the lesser middles comes first. */
 static void split(sight *v, size_t first, size_t count, int axis) {
@@ -120,10 +125,16 @@ static bool build(sight *v) {
     node *n = &v->nodes[here];
     if (parent != UINT32_MAX) v->nodes[parent].right = here;
     *n = (node){ nowhere, first, count, 0 };
-    for (uint32_t i = 0; i < count; i++) widen(&n->b, &v->boxes[v->order[first + i]]);
+    double deepest = -INFINITY;
+    for (uint32_t i = 0; i < count; i++) {
+      widen(&n->b, &v->boxes[v->order[first + i]]);
+      deepest = fmax(deepest, v->boxes[v->order[first + i]].depth);
+    }
     if (count <= LEAF) continue;
     n->count = 0;
-    split(v, first, count, n->b.high[0] - n->b.low[0] < n->b.high[1] - n->b.low[1]);
+    double wide = n->b.high[0] - n->b.low[0], high = n->b.high[1] - n->b.low[1], deep = deepest - n->b.depth;
+    if (v->s->perspective) deep /= deepest;
+    split(v, first, count, deep > wide && deep > high ? 2 : wide < high);
     uint32_t half = count / 2;
     stack[depth].first = first + half, stack[depth].count = count - half, stack[depth++].parent = here;
     stack[depth].first = first, stack[depth].count = half, stack[depth++].parent = UINT32_MAX;
@@ -191,10 +202,21 @@ static vs_vec3 side_normal(const vs_sight *s, vs_vec3 a, vs_vec3 b) {
   return length > 0 ? vs_v3_scale(n, 1 / length) : vs_v3(0, 0, 0);
 }
 
+/* Does the triangle lie to one side of the line from a to b on the picture? Most of those whose boxes meet it do. */
+static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], const double b[2], double slack) {
+  double across = b[0] - a[0], up = b[1] - a[1], least = INFINITY, most = -INFINITY;
+  for (int k = 0; k < 3; k++) {
+    double at[2];
+    on_picture(s, c[k], at);
+    double off = (at[0] - a[0]) * up - (at[1] - a[1]) * across;
+    least = fmin(least, off), most = fmax(most, off);
+  }
+  slack *= fabs(across) + fabs(up);
+  return least > slack || most < -slack;
+}
+
 /* The part of l that the triangle hides, as l->from and l->to. */
-static bool hides(const vs_sight *s, uint32_t triangle, const box *b, line *l) {
-  vs_vec3 c[3];
-  corners_of(s, triangle, c);
+static bool hides(const vs_sight *s, const vs_vec3 c[3], const box *b, line *l) {
   vs_vec3 n = vs_v3_unit(vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0])));
   if (vs_v3_dot(n, s->perspective ? c[0] : vs_v3(0, 0, 1)) < 0) n = vs_v3_scale(n, -1);
       /* away from the viewer: behind is positive */
@@ -247,12 +269,18 @@ static bool crosses(const double a[2], const double b[2], const box *x, double s
   return fabs(mx * up - my * across) <= wide * fabs(up) + high * fabs(across);
 }
 
+static void keep_hider(sight *v, uint32_t which) {
+  for (int i = KEPT - 1; i > 0; i--) v->kept[i] = v->kept[i - 1];
+  v->kept[0] = which;
+}
+
 /* Fills v->spans for the edge. *on false: interrupted. */
 static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   const vs_sight *s = v->s;
   line l = { .p = edge->p, .d = vs_v3_sub(edge->q, edge->p), .slack = fmax(edge->slack, s->slack) };
   uint32_t stack[STACK], depth = 0;
   double a[2], b[2], slack = s->slack;
+  vs_vec3 c[3];
   on_picture(s, edge->p, a);
   on_picture(s, edge->q, b);
   if (s->perspective) slack /= fmin(edge->p.z, edge->q.z);
@@ -260,6 +288,14 @@ static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   l.far = fmax(edge->p.z, edge->q.z);
   v->span_count = 0;
   if (v->node_count == 0) return true;
+  for (int i = 0; i < KEPT; i++) { /* edges that follow each other are often hidden by one triangle */
+    uint32_t which = v->kept[i];
+    if (!meets(&l, &v->boxes[which], slack)) continue;
+    corners_of(s, v->number[which], c);
+    if (passes(s, c, a, b, slack) || !hides(s, c, &v->boxes[which], &l) || l.from > gap || l.to < 1 - gap) continue;
+    v->kept[i] = v->kept[0], v->kept[0] = which;
+    return add_span(v, l.from, l.to, gap);
+  }
   stack[depth++] = 0;
   while (depth > 0) {
     const node *n = &v->nodes[stack[--depth]];
@@ -274,8 +310,11 @@ static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
     }
     for (uint32_t i = 0; i < n->count; i++) {
       uint32_t which = v->order[n->first + i];
-      if (!meets(&l, &v->boxes[which], slack) || !hides(s, v->number[which], &v->boxes[which], &l)) continue;
+      if (!meets(&l, &v->boxes[which], slack)) continue;
+      corners_of(s, v->number[which], c);
+      if (passes(s, c, a, b, slack) || !hides(s, c, &v->boxes[which], &l)) continue;
       if (!add_span(v, l.from, l.to, gap)) return false;
+      if (l.from <= gap && l.to >= 1 - gap) keep_hider(v, which);
       if (v->spans[0].from <= gap && v->spans[0].to >= 1 - gap) return true;
     }
   }
