@@ -9,6 +9,7 @@
 
 #include "cli/messages.h"
 #include "knowledge/checks/checks.h"
+#include "knowledge/first_calls.h"
 #include "knowledge/site.h"
 #include "knowledge/source_tree.h"
 #include "knowledge/translate/translate.h"
@@ -100,16 +101,22 @@ bool cli_study_check_text(const vs_options *interpreter, const char *path, const
 /* ---- vs doc ---- */
 
 enum { PICTURE_SECONDS = 20 /* that a program, and each of its procedures, may take for a picture */ };
-typedef struct { const cli_options *options; vs_scheme *scheme; bool failed, worker_missing; } painter;
+typedef struct {
+  const cli_options *options;
+  const knowledge *k;
+  vs_scheme *scheme;
+  bool failed, worker_missing;
+} painter;
 
 /* The output of a procedure that is tried is not for the page. */
 static void ignore(void *context, const vs_diagnostic *d) { (void)context, (void)d; }
 
-static bool run_model(painter *p) {
+static bool begin_model(painter *p) {
   const cli_options *o = p->options;
   vs_options interpreter = o->interpreter;
   interpreter.host = (vs_host){.diagnose = ignore};
   if (interpreter.limit_time <= 0) interpreter.limit_time = PICTURE_SECONDS;
+  vs_free(p->scheme);
   p->scheme = vs_new(&interpreter);
   bool ok = p->scheme != NULL;
   for (size_t i = 0; ok && i < o->define_count; i++) {
@@ -118,7 +125,17 @@ static bool run_model(painter *p) {
     snprintf(name, sizeof name, "%.*s", (int)(equals - o->defines[i]), o->defines[i]);
     ok = vs_parameter_set(p->scheme, name, equals + 1);
   }
-  return ok && vs_eval_file(p->scheme, o->sources[0].text, VS_EVAL_PASS) == VS_OUTCOME_DONE;
+  return ok;
+}
+
+/* Runs the program so that it remembers what its procedures first give; where that does not do, as it is. */
+static bool run_model(painter *p) {
+  const char *path = p->options->sources[0].text;
+  size_t length = 0;
+  char *text = know_remembering(p->k, &length);
+  bool ok = text && begin_model(p) && vs_eval_text(p->scheme, path, 1, text, length, VS_EVAL_PASS) == VS_OUTCOME_DONE;
+  free(text);
+  return ok || (begin_model(p) && vs_eval_file(p->scheme, path, VS_EVAL_PASS) == VS_OUTCOME_DONE);
 }
 
 /* A picture of the model, or of what an expression of it gives, which is looked at as a whole. */
@@ -168,7 +185,7 @@ static bool make_folder(const char *path) {
 static vs_outcome document(study *s, const cli_options *o) {
   const char *folder = o->targets[0].path, *file = o->sources[0].text, *slash = strrchr(file, '/');
   char pictures[4096], title[200];
-  painter p = {.options = o};
+  painter p = {.options = o, .k = &s->k};
   int n = snprintf(pictures, sizeof pictures, "%s/pictures", folder);
   if (n < 0 || n >= (int)sizeof pictures) return errno = ENAMETOOLONG, no_folder(folder);
   if (!make_folder(folder)) return no_folder(folder);

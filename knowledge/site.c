@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "knowledge/first_calls.h"
 #include "knowledge/notation.h"
 #include "knowledge/site_assets.h"
 #include "knowledge/tree_report.h"
@@ -44,22 +45,45 @@ static void link_place(FILE *f, const knowledge *k, const know_place *at, bool n
   fprintf(f, "%u</a>", (unsigned)at->line);
 }
 
-/* Comments as paragraphs: a line without text parts them. */
-static void put_comments(FILE *f, const knowledge *k, know_index first, know_index end) {
-  bool open = false;
-  for (know_index i = first; i && i < end; i++) {
-    size_t n;
-    const char *text = know_comment_text(k, i, &n);
-    if (!n) {
-      if (open) fputs("</p>\n", f);
-      open = false;
-      continue;
-    }
-    fputs(open ? " " : "<p>", f);
-    know_xml_text(f, text, n);
-    open = true;
+/* A line of a comment; what stands in `...` is code. */
+static void put_line(FILE *f, const char *text, size_t n) {
+  bool code = false;
+  for (size_t i = 0; i < n;) {
+    const char *tick = memchr(text + i, '`', n - i);
+    size_t end = tick ? (size_t)(tick - text) : n;
+    know_xml_text(f, text + i, end - i);
+    if (!tick) break;
+    if (!code && !memchr(tick + 1, '`', n - end - 1)) fputc('`', f);
+    else fputs(code ? "</code>" : "<code>", f), code = !code;
+    i = end + 1;
   }
-  if (open) fputs("</p>\n", f);
+}
+
+/* Comments as paragraphs: a line without text parts them. Lines further in, behind such a one or behind others that
+ * are, stand as they are written. */
+static void put_comments(FILE *f, const knowledge *k, know_index first, know_index end) {
+  enum { CLOSED, PARAGRAPH, AS_WRITTEN } open = CLOSED;
+  static const char *const close[] = {"", "</p>\n", "</pre>\n"};
+  for (know_index i = first; i && i < end; i++) {
+    size_t n, length;
+    const char *text = know_comment_text(k, i, &n), *stop = text + n;
+    if (!n) fputs(close[open], f), open = CLOSED;
+    for (size_t inwards = 0; text < stop; text += length + (text + length < stop)) {
+      const char *before = text;
+      length = strcspn(text, "\n");
+      if (length > (size_t)(stop - text)) length = (size_t)(stop - text);
+      if (k->script)
+        while (length && strchr(" \t*", *text)) text++, length--;
+      while (before > k->files[k->comments[i].file].text && before[-1] == ' ') before--;
+      inwards = (size_t)(text - before);
+      bool as_written = open != PARAGRAPH && inwards > 2;
+      if (open == AS_WRITTEN && !as_written) fputs(close[open], f), open = CLOSED;
+      fputs(open == CLOSED ? as_written ? "<pre>" : "<p>" : open == AS_WRITTEN ? "\n" : " ", f);
+      if (as_written) know_xml_text(f, text, length), open = AS_WRITTEN;
+      else put_line(f, text, length), open = PARAGRAPH;
+    }
+  }
+  fputs(close[open], f);
 }
 
 /* ---- pages ---- */
@@ -484,18 +508,23 @@ static bool index_page(site *s) {
   }
   if (any) fputs("</table></div>\n", f);
   any = false;
-  for (know_index i = 1; i < k->symbol_count; i++) {
-    const know_symbol *y = &k->symbols[i];
-    if (!is_shown(y) || !is_function(y) || k->scopes[y->scope].kind != KNOW_SCOPE_PROGRAM) continue;
-    if (!any) fputs("<h2>Functions</h2>\n<div class=\"grid\">\n", f);
-    any = true;
-    fprintf(f, "<a href=\"functions.html#s%u\">", (unsigned)i);
-    if (s->pictured[i]) fprintf(f, "<img src=\"pictures/s%u.png\" alt=\"\" />", (unsigned)i);
-    fputs("<span>", f);
-    puts_to(f, y->text);
-    fputs("</span></a>\n", f);
+  for (int pass = 0; pass < 2; pass++) { /* those with a picture first */
+    bool begun = false;
+    for (know_index i = 1; i < k->symbol_count; i++) {
+      const know_symbol *y = &k->symbols[i];
+      if (!is_shown(y) || !is_function(y) || k->scopes[y->scope].kind != KNOW_SCOPE_PROGRAM ||
+          s->pictured[i] != !pass) continue;
+      if (!any) fputs("<h2>Functions</h2>\n", f);
+      if (!begun) fputs("<div class=\"grid\">\n", f);
+      any = begun = true;
+      fprintf(f, "<a href=\"functions.html#s%u\">", (unsigned)i);
+      if (s->pictured[i]) fprintf(f, "<img src=\"pictures/s%u.png\" alt=\"\" />", (unsigned)i);
+      fputs("<span>", f);
+      puts_to(f, y->text);
+      fputs("</span></a>\n", f);
+    }
+    if (begun) fputs("</div>\n", f);
   }
-  if (any) fputs("</div>\n", f);
   return close_page(s, f, "index.html");
 }
 
@@ -547,13 +576,18 @@ static bool stands_alone(const knowledge *k, know_index node) {
   return node <= k->text_nodes;
 }
 
-/* Calls it with its defaults, else as the program first does with what is known at top level. */
+/* Calls it with its defaults, else shows what it gave when the program first called it; else calls it as the program
+ * does with what is known at top level. */
 static bool picture_of(site *s, know_index symbol, know_picture *picture, void *context, const char *path) {
   const knowledge *k = s->k;
   const know_symbol *y = &k->symbols[symbol];
   char text[2000];
   if (y->arity.known && y->arity.least == 0) {
     snprintf(text, sizeof text, "(%.1900s)", y->text);
+    if (picture(context, text, path)) return true;
+  }
+  if (know_remembers(k, symbol)) {
+    know_first_result(symbol, text);
     if (picture(context, text, path)) return true;
   }
   int tries = 0;
