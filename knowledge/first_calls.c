@@ -60,8 +60,8 @@ static void put_memory(builder *b, const knowledge *k, know_index symbol) {
   const char *name = know_spelling(k, k->symbols[symbol].definition, &n);
   know_first_result(symbol, kept);
   put_words(b, " (define %s #f) (set! %n (let ([own %n]) (lambda all (set! %n own) (call-with-values "
-               "(lambda () (apply own all)) (lambda them (set! %s (and (pair? them) (car them))) (apply values them))))))",
-            kept, name, n);
+               "(lambda () (apply own all)) (lambda them (set! %s (and (pair? them) (car them))) "
+               "(apply values them))))))", kept, name, n);
 }
 
 typedef struct { know_index form, symbol; } memory;

@@ -1,14 +1,17 @@
 /* Owns programs in POV-Ray's scene language.
  *
- * Macros stand for procedures: what their text makes is their value, so that directives may stand within expressions:
- * (#if (a) b #else c #end). Solids are objects, points are vectors, lists are arrays of one or more numbers, points or
- * strings. Macros see no variables but their own and those of the file, and nest a hundred deep at most; so local
- * procedures move to top level, and those that call themselves only at their end become loops. */
+ * Macros stand for procedures: what their text makes is their value, so that directives may stand within
+ * expressions: (#if (a) b #else c #end). Solids are objects, points are vectors, lists are arrays of one or more
+ * numbers, points, strings or arrays. The array that a macro gives can be neither indexed nor measured where it stands,
+ * nor stand in the braces of another: item, count_of and statements do that. Macros see no variables but their own and
+ * those of the file, and nest a hundred deep at most; so local procedures move to top level, and those that call
+ * themselves only at their end become loops. */
 #include "knowledge/targets/to_povray.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "knowledge/translate/lift_procedures.h"
 #include "knowledge/translate/text_plan.h"
@@ -22,14 +25,13 @@ static tr_variable *var(const tr_writer *w, tr_index n) { return &w->t->variable
 static const char *name(const tr_writer *w, tr_index n) { return var(w, n)->name ? var(w, n)->name : "none"; }
 
 static bool is_list(const tr_writer *w, tr_index n) {
-  return at(w, n)->type >= TR_LIST_OF || at(w, n)->type == TR_A_CURVE;
+  uint8_t type = at(w, n)->type;
+  return type >= TR_LIST_OF || type == TR_A_CURVE || type == TR_A_PATH;
 }
 
-static void one_level(tr_writer *w, tr_index n) {
-  uint8_t type = at(w, n)->type;
-  bool flat = type < 2 * TR_LIST_OF && type != TR_LIST_OF + TR_A_CURVE;
-  if (is_list(w, n) && !flat) tr_complain(w->t, n, "POV-Ray's arrays hold no lists");
-  else if (type == TR_LIST_OF + TR_A_PROCEDURE) tr_complain(w->t, n, "POV-Ray's macros are no values");
+static void no_macros(tr_writer *w, tr_index n) {
+  if (at(w, n)->type >= TR_LIST_OF && at(w, n)->type % TR_LIST_OF == TR_A_PROCEDURE)
+    tr_complain(w->t, n, "POV-Ray's macros are no values");
 }
 
 /* ---- values ---- */
@@ -184,17 +186,54 @@ static bool is_colour(const tr_writer *w, tr_index n) {
   return p->kind == TR_PRIMITIVE && p->first == n && (!strcmp(p->text, "color") || !strcmp(p->text, "with-material"));
 }
 
-/* "#rrggbb" */
+/* "#rrggbb", or a colour of CSS, in any case. */
+static bool find_colour(const char *text, unsigned *rgb) {
+  static const struct { const char *name; unsigned rgb; } colours[] = {
+#define VS_COLOR(name, value) {#name, value},
+#include "model/looks/colors.def"
+#undef VS_COLOR
+  };
+  if (*text == '#' && strlen(text) == 7 && strspn(text + 1, "0123456789abcdefABCDEF") == 6)
+    return *rgb = (unsigned)strtoul(text + 1, NULL, 16), true;
+  for (size_t i = 0; i < sizeof colours / sizeof *colours; i++)
+    if (!strcasecmp(colours[i].name, text)) return *rgb = colours[i].rgb, true;
+  return false;
+}
+
 static void plan_colour(tr_writer *w, tr_index n) {
   const char *text = at(w, n)->text;
-  unsigned red, green, blue;
+  unsigned rgb;
   char out[80];
-  if (strlen(text) != 7 || sscanf(text, "#%2x%2x%2x", &red, &green, &blue) != 3) {
-    tr_complain(w->t, n, "a colour by name cannot be translated to POV-Ray: say \"#rrggbb\"");
+  for (uint16_t row = 0; (row = tr_word_next(text, row)) != 0;)
+    if (!strcmp(tr_word_row(w->target, row).result, "m") && !strcmp(tr_word_row(w->target, row).arguments, "=")) {
+      tr_plan(w, "%s", tr_word_row(w->target, row).text);
+      return;
+    }
+  if (!find_colour(text, &rgb)) {
+    tr_complain(w->t, n, "POV-Ray knows no colour \"%s\": say \"#rrggbb\"", text);
     return;
   }
-  int size = snprintf(out, sizeof out, "srgb <%.4g, %.4g, %.4g>", red / 255.0, green / 255.0, blue / 255.0);
+  int size = snprintf(out, sizeof out, "srgb <%.4g, %.4g, %.4g>", (rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0,
+                      (rgb & 255) / 255.0);
   tr_plan(w, "%s", know_text(w->t->k, out, (size_t)size));
+}
+
+/* A string; POV-Ray takes but short ones where they are written. */
+static void plan_text(tr_writer *w, const char *text) {
+  enum { MOST = 200 };
+  size_t length = strlen(text);
+  if (length <= MOST) {
+    tr_plan_quoted(w, text);
+    return;
+  }
+  tr_plan(w, "concat(");
+  for (size_t from = 0, n; from < length; from += n) {
+    n = length - from < MOST ? length - from : MOST;
+    while (n > 1 && ((unsigned char)text[from + n] & 0xc0) == 0x80) n--; /* not within a character */
+    if (from) tr_plan(w, ",%_");
+    tr_plan_quoted(w, know_text(w->t->k, text + from, n));
+  }
+  tr_plan(w, ")");
 }
 
 static void plan_or(tr_writer *w, tr_index n, int level) {
@@ -213,8 +252,68 @@ static void plan_or(tr_writer *w, tr_index n, int level) {
   tr_plan(w, ")");
 }
 
+/* Can it be indexed where it stands: a name, or what a name's index gives? */
+static bool indexable(const tr_writer *w, tr_index n) {
+  while (at(w, n)->kind == TR_PRIMITIVE && at(w, n)->row &&
+         !strncmp(tr_word_row(w->target, at(w, n)->row).text, "$1[", 3)) n = at(w, n)->first;
+  return at(w, n)->kind == TR_NAME;
+}
+
+/* Can it stand in the braces of an array? */
+static bool writable(const tr_writer *w, tr_index n) {
+  if (!is_list(w, n) || at(w, n)->kind == TR_NAME) return true;
+  if (at(w, n)->kind != TR_LIST) return indexable(w, n);
+  for (tr_index i = at(w, n)->first; i; i = at(w, i)->next)
+    if (is_list(w, i) && !indexable(w, i)) return false;
+  return true;
+}
+
+/* The children as an array; outlines: paths give their points. */
+static void plan_array(tr_writer *w, tr_index n, bool outlines) {
+  char text[40], name[40];
+  bool plain = true;
+  for (tr_index i = at(w, n)->first; i; i = at(w, i)->next)
+    plain = plain && writable(w, i) && !(outlines && at(w, i)->type == TR_A_PATH);
+  int size = snprintf(text, sizeof text, "array[%u]", at(w, n)->count);
+  int length = snprintf(name, sizeof name, "list__%u", n);
+  const char *array = know_text(w->t->k, text, (size_t)size), *list = know_text(w->t->k, name, (size_t)length);
+  if (plain) {
+    tr_plan(w, "%s {", array);
+    for (tr_index i = at(w, n)->first; i; i = at(w, i)->next)
+      tr_plan(w, i == at(w, n)->first ? " %v" : ",%_%v", i);
+    tr_plan(w, " }");
+    return;
+  }
+  uint32_t nth = 0;
+  tr_plan(w, "#local %s = %s;", list, array);
+  for (tr_index i = at(w, n)->first; i; i = at(w, i)->next, nth++) {
+    size = snprintf(text, sizeof text, "%u", nth);
+    tr_plan(w, outlines && at(w, i)->type == TR_A_PATH ? "%_#local %s[%s] = points_of(%v);" : "%_#local %s[%s] = %v;",
+            list, know_text(w->t->k, text, (size_t)size), i);
+  }
+  tr_plan(w, " %s", list);
+}
+
+/* An element, or the length, of what cannot be asked for it where it stands; all else as its row says. */
+static void plan_primitive(tr_writer *w, tr_index n, int level) {
+  const char *text = tr_word_row(w->target, at(w, n)->row).text;
+  tr_index list = at(w, n)->first;
+  bool element = !strncmp(text, "$1[", 3), length = !strcmp(text, "dimension_size($1, 1)");
+  if ((!element && !length) || !list || (element ? indexable(w, list) : at(w, list)->kind == TR_NAME)) {
+    tr_plan_row(w, n, level);
+    return;
+  }
+  if (length) tr_plan(w, "count_of(%v)", list);
+  else if (text[3] == '$') tr_plan(w, "item(%v, %v)", list, at(w, list)->next);
+  else tr_plan(w, "item(%v, %s)", list, know_text(w->t->k, text + 3, strcspn(text + 3, "]")));
+}
+
 static void plan_value(tr_writer *w, tr_index n, int level) {
   const tr_node *node = at(w, n);
+  if (level == TR_AS_LIST) {
+    plan_array(w, n, true);
+    return;
+  }
   if (tr_is_solid(w->t, n) && node->kind != TR_PRIMITIVE) {
     tr_plan(w, "%o", n);
     return;
@@ -223,13 +322,13 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
   case TR_NUMBER: tr_plan(w, strpbrk(node->text, "/-") && level > TR_LOOSE ? "(%s)" : "%s", node->text); break;
   case TR_STRING:
     if (is_colour(w, n)) plan_colour(w, n);
-    else tr_plan_quoted(w, node->text);
+    else plan_text(w, node->text);
     break;
   case TR_BOOLEAN: tr_plan(w, node->yes ? "true" : "false"); break;
   case TR_NAME: plan_name(w, n); break;
   case TR_PRIMITIVE:
-    if (!strcmp(node->text, "native")) tr_plan(w, "%s", at(w, node->first)->text);
-    else if (node->row) one_level(w, n), tr_plan_row(w, n, level);
+    if (!strcmp(node->text, "native")) tr_plan(w, "%o", n);
+    else if (node->row) no_macros(w, n), plan_primitive(w, n, level);
     break;
   case TR_CALL: plan_call(w, n); break;
   case TR_PROCEDURE: tr_complain(w->t, n, "POV-Ray's macros are no values: a procedure cannot be handed over"); break;
@@ -260,18 +359,12 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
       tr_plan(w, ">");
       break;
     }
-    one_level(w, n);
+    no_macros(w, n);
     if (!node->count) tr_complain(w->t, n, "POV-Ray has no empty lists");
-    {
-      char text[40];
-      int size = snprintf(text, sizeof text, "array[%u] {", node->count);
-      tr_plan(w, "%s", know_text(w->t->k, text, (size_t)size));
-    }
-    for (tr_index i = node->first; i; i = at(w, i)->next) tr_plan(w, i == node->first ? " %v" : ",%_%v", i);
-    tr_plan(w, " }");
+    plan_array(w, n, false);
     break;
   case TR_MAP:
-    one_level(w, n);
+    no_macros(w, n);
     plan_map(w, n);
     break;
   case TR_KEYWORD: tr_plan_value(w, node->first, level); break;
@@ -282,6 +375,21 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
 }
 
 /* ---- solids ---- */
+
+/* Text of the program's own for POV-Ray. With one of these words at its begin it says how the object behind
+ * #:otherwise looks; any other is an object. */
+static void plan_native(tr_writer *w, tr_index n) {
+  static const char *const looks[] = {"texture", "pigment", "normal", "finish", "interior", "material", "photons",
+    "no_shadow", "hollow"};
+  tr_index other = at(w, at(w, n)->first)->next;
+  const char *text = at(w, at(w, n)->first)->text, *begin = text + strspn(text, " \n\t\r");
+  size_t word = strspn(begin, "abcdefghijklmnopqrstuvwxyz_");
+  bool look = false;
+  for (size_t i = 0; i < sizeof looks / sizeof *looks; i++)
+    look = look || (strlen(looks[i]) == word && !strncmp(begin, looks[i], word));
+  if (look && other) tr_plan(w, "object {%>%n%o%n%s%<%n}", other, text);
+  else tr_plan(w, "%s", text);
+}
 
 static bool unites(const tr_writer *w, tr_index n) {
   if (at(w, n)->kind == TR_LIST) return true;
@@ -328,7 +436,7 @@ static void plan_solid(tr_writer *w, tr_index n) {
     tr_plan(w, "%<%n}");
     break;
   case TR_PRIMITIVE:
-    if (!strcmp(node->text, "native")) tr_plan(w, "%s", at(w, node->first)->text);
+    if (!strcmp(node->text, "native")) plan_native(w, n);
     else if (node->row) tr_plan_row(w, n, TR_LOOSE);
     break;
   case TR_NOTHING: case TR_ABSENT: tr_plan(w, "nothing()"); break;
@@ -421,7 +529,7 @@ static void plan_turn(tr_writer *w, tr_index n) {
     for (tr_index i = p; a && at(w, i)->kind == TR_PARAMETER; i = at(w, i)->next, a = at(w, a)->next)
       tr_plan(w, "%n"), plan_set(w, "#local ", name(w, i), "__next", a, var(w, i)->type == TR_A_SOLID);
     for (tr_index i = p; at(w, i)->kind == TR_PARAMETER; i = at(w, i)->next)
-      tr_plan(w, "%n#local %s__now = %s__next;", name(w, i), name(w, i));
+      tr_plan(w, i == p ? "%n#local %s = %s__next;" : " #local %s = %s__next;", name(w, i), name(w, i));
   } else tr_plan(w, solid_result(w, n) ? "%n#local result = %o #local done = 1;" :
                  "%n#local result = %v; #local done = 1;", n);
 }
@@ -439,10 +547,8 @@ static void plan_macro(tr_writer *w, tr_index define) {
   if (v->loops) {
     tr_plan(w, "%n#local done = 0;");
     for (tr_index p = at(w, procedure)->first; at(w, p)->kind == TR_PARAMETER; p = at(w, p)->next)
-      tr_plan(w, " #local %s__now = %s__from;", name(w, p), name(w, p));
+      tr_plan(w, " #local %s = %s__from;", name(w, p), name(w, p));
     tr_plan(w, "%n#while (done = 0)%>");
-    for (tr_index p = at(w, procedure)->first; at(w, p)->kind == TR_PARAMETER; p = at(w, p)->next)
-      tr_plan(w, "%n#local %s = %s__now;", name(w, p), name(w, p));
     tr_plan(w, "%l%<%n#end", body);
     tr_plan(w, v->gives == TR_A_SOLID ? "%nobject { result }" : in_brackets(v->gives) ? "%n(result)" : "%nresult");
   } else if (at(w, procedure)->draws) tr_plan(w, "%d", body);

@@ -314,14 +314,26 @@ static void apply_call(lowering *l, know_index n, tr_index into) {
   }
 }
 
-/* (native 'target "text" #:otherwise o): the text where it is meant, else the object. */
+/* The string at the node, or that a variable which is never set stands for; 0: what is there is no plain text. */
+static know_index plain_text(const lowering *l, know_index n) {
+  know_index s = is_symbol(l, n) ? symbol_of(l, n) : 0;
+  if (s && l->k->symbols[s].definitions == 1 && !l->k->symbols[s].sets) n = l->k->symbols[s].value;
+  return n && l->k->nodes[n].kind == KNOW_STRING ? n : 0;
+}
+
+/* (native 'target "text" #:otherwise o): the text where it is meant, and the object behind it; else the object. */
 static void native_call(lowering *l, know_index n, tr_index into) {
   know_index target = know_nth(l->k, know_nth(l->k, n, 1), 1), text = know_nth(l->k, n, 2), other = 0;
   for (know_index i = text; i; i = next(l, i))
     if (l->k->nodes[i].kind == KNOW_KEYWORD) other = next(l, i);
   if (target && know_is(l->k, target, l->t->target->name)) {
+    if (!plain_text(l, text)) {
+      unable(l, text, "native text that is not written as text");
+      return;
+    }
     become(l, into, TR_PRIMITIVE, "native");
-    part(l, into, text);
+    part(l, into, plain_text(l, text));
+    if (other) part(l, into, other);
   } else if (other) push(l, other, into, AS_EXPRESSION);
   else become(l, into, TR_PRIMITIVE, "empty-object");
 }

@@ -135,6 +135,14 @@ static tr_index argument(const translation *t, tr_index primitive, uint32_t nth)
   return 0;
 }
 
+/* The value of the keyword; 0: it is not given. */
+static tr_index keyword(const translation *t, tr_index primitive, const char *name, size_t length) {
+  for (tr_index i = t->nodes[primitive].first; i; i = t->nodes[i].next)
+    if (t->nodes[i].kind == TR_KEYWORD && strlen(t->nodes[i].text) == length &&
+        !strncmp(t->nodes[i].text, name, length)) return t->nodes[i].first;
+  return 0;
+}
+
 /* keys: "segments=$fn:n": as the program says, as the target does, and as it does in braces. */
 static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool alone) {
   const translation *t = w->t;
@@ -190,7 +198,7 @@ static void plan_solids(tr_writer *w, tr_index primitive, uint32_t from, bool ap
   }
   tr_plan(w, apart ? "{%>" : "%s{%>", w->target->together);
   for (uint32_t i = from; (first = argument(w->t, primitive, i)) != 0; i++)
-    tr_plan(w, apart ? "%n%o" : "%l", first);
+    tr_plan(w, apart || *w->target->together ? "%n%o" : "%l", first);
   tr_plan(w, "%<%n}");
 }
 
@@ -222,7 +230,14 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
     char mark = *at, what = at[1];
     uint32_t nth = isdigit((unsigned char)what) ? (uint32_t)(what - '1') : 0;
     at += what ? 2 : 1;
-    if (mark == '$' && what == '*') {
+    if (mark == '$' && what == '[') {
+      size_t name = strcspn(at, "|"), end = strcspn(at, "]");
+      tr_index given = keyword(t, primitive, at, name);
+      if (given) tr_plan(w, "%v", given);
+      else plan_text(w, at + name + 1, end - name - 1);
+      at += end + 1;
+    } else if (mark == '$' && what == 'l') plan(w, TR_PIECE_VALUE, primitive, TR_AS_LIST, NULL);
+    else if (mark == '$' && what == '*') {
       for (uint32_t i = 0; argument(t, primitive, i); i++) tr_plan(w, i ? ",%_%v" : "%v", argument(t, primitive, i));
     } else if (mark == '$' && what == 'n') {
       char text[16];

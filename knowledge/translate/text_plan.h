@@ -16,7 +16,8 @@ typedef struct { uint8_t kind, level; tr_index node; const char *text; } tr_piec
 
 /* How strongly operators hold their operands; what holds less than is asked for goes into parentheses. */
 enum { TR_LOOSE = 0, TR_CHOICE = 1, TR_EITHER = 2, TR_BOTH = 3, TR_EQUAL = 4, TR_ORDER = 5, TR_SUM = 6, TR_PRODUCT = 7,
-  TR_SIGN = 8, TR_TIGHT = 9 };
+  TR_SIGN = 8, TR_TIGHT = 9,
+  TR_AS_LIST = 10 /* the arguments of a primitive, as a list of outlines (to_povray.c) */ };
 
 struct tr_writer {
   translation *t;
@@ -45,7 +46,8 @@ void tr_write_statement(tr_writer *w, size_t before, know_index source);
 void tr_put(tr_writer *w, const char *text, size_t length);
 
 /* The row's text with the primitive's arguments: $1, %1 and #1 a value (loose, tight, as tight as the row),
- * $* all values, $n how many, ~1 an angle in degrees, $k keywords, @1 a solid, @2+ the solids from the second on as
+ * $* all values, $n how many, $l all as a list of outlines, $[key|0] what a
+ * keyword gives, or else 0, ~1 an angle in degrees, $k keywords, @1 a solid, @2+ the solids from the second on as
  * one statement, @*1 those from the first on each by itself, within braces. "7:..." says how strongly it holds;
  * "=6 + " is an operator. */
 void tr_plan_row(tr_writer *w, tr_index primitive, int level);
