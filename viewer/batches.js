@@ -311,7 +311,8 @@ export function leaveOut(root, { camera, pixels, across, lined, lit, most }) {
     if (!edges) o.castShadow = casts && size > LEAST_POINTS * across;
     o.visible = edges ? lined && spacing * near > FADED_PIXELS : size * near > LEAST_PIXELS;
     if (!o.visible || !frustum.intersectsSphere(around.sphere)) return;
-    found.push({ o, size: pixels(Math.max(0.1 * radius, distance)) * (edges ? size / 4 : size), cost }); // Lines go before the faces that they lie on.
+    // By the nearest copy, since copies of a piece of bark stand along a whole street. Lines go before the faces that they lie on.
+    found.push({ o, size: near * (edges ? size / 4 : size), cost });
     sum += cost;
   });
   if (sum > most) {

@@ -32,6 +32,21 @@ static bool scene_gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
   if (g->handle_count > 3 || vs_handle_kind_of(s, g->node) != VS_HANDLE_NODE) abort();
   return true;
 }
+/* A host's own object is let go once, when the interpreter is at work, or gone. */
+static void scene_released(void *context, void *object) {
+  (void)context;
+  if ((*(unsigned *)object)-- != 1) abort();
+  free(object);
+}
+static vs_handle scene_own(vs_scheme *s) {
+  unsigned *object = malloc(sizeof *object);
+  if (!object) return 0;
+  *object = 1;
+  vs_handle made = vs_handle_host(s, object, scene_released, NULL);
+  if (!made) free(object); /* it stayed ours */
+  else if (vs_handle_get_host(s, made) != object) abort();
+  return made;
+}
 static uint64_t scene_material(void *context, const char *name) { return (void)context, (uint64_t)strlen(name); }
 
 /* All bytes that are handed over can be read. */
@@ -70,7 +85,9 @@ static void scene_call(fuzz_scene *f, unsigned what, unsigned with) {
     made = with % 3 ? vs_node_create(s, with % 5 ? NULL : "chair", "n", with % 2 ? a : 0) : vs_node_root(s);
     break;
   case 2: made = with % 2 ? vs_lookup(s, "f") : vs_host_procedure(s, "called", scene_called, f); break;
-  case 3: made = with % 2 ? vs_handle_number(s, three[0]) : vs_handle_list(s, (vs_handle[]){ a, b }, 2); break;
+  case 3:
+    made = with % 3 == 2 ? scene_own(s) : with % 2 ? vs_handle_number(s, three[0]) : vs_handle_list(s, (vs_handle[]){ a, b }, 2);
+    break;
   case 4: vs_apply(s, a, (vs_handle[]){ b }, with % 2, &made); break;
   case 5: if (with % 2) vs_node_add_child(s, a, b); else vs_node_remove_child(s, a, b); break;
   case 6:
