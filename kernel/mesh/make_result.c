@@ -166,6 +166,7 @@ static bool drop_corners(vs_result_state *w) {
   size_t n = c->points.all.count, edges = w->edge_first.count - 1;
   if (!VS_ROOM(w->k, w->edges.at, w->edges.room, 2 * n + 1) || !VS_ROOM(w->k, w->degree.at, w->degree.room, n + 1))
     return false;
+  if (!vs_kernel_report(w->k, 0.9)) return false;
   memset(w->degree.at, 0, n);
   if (w->bent.count) memset(w->bent.at, 0, n);
   w->rim_edges = 0;
@@ -189,6 +190,7 @@ static bool drop_corners(vs_result_state *w) {
     }
     if (!vs_kernel_poll(w->k, 0.9)) return false;
   }
+  if (!vs_kernel_report(w->k, 0.9)) return false;
   return vs_kernel_run(w->k, (n + POINTS - 1) / POINTS, drop_some_corners, w);
 }
 
@@ -208,8 +210,10 @@ static bool link_faces(vs_result_state *w) {
   size_t faces = c->faces.count, uses = c->uses.count;
   if (!VS_ROOM(w->k, w->edge_of.at, w->edge_of.room, uses + 1) || !VS_ROOM(w->k, w->next.at, w->next.room, faces + 1))
     return false;
+  if (!vs_kernel_report(w->k, 0.9)) return false;
   memset(w->edge_of.at, 0xff, uses * sizeof *w->edge_of.at); /* VS_NONE */
   memset(w->next.at, 0xff, faces * sizeof *w->next.at);
+  if (!vs_kernel_report(w->k, 0.9)) return false;
   for (size_t f = faces; f-- > 0;) {
     uint32_t root = w->parent.at[f];
     if (root != f) w->next.at[f] = w->next.at[root], w->next.at[root] = (uint32_t)f;

@@ -187,6 +187,7 @@ bool vs_sheets_plan(vs_result_state *w) {
   w->bent.count = points;
   memset(w->stays.at, 0, points);
   w->gone.count = w->edge_first.count - 1;
+  if (!vs_kernel_report(w->k, 0.9)) return false;
   memset(s->of.at, 0xff, facets * sizeof *s->of.at); /* VS_NONE */
   for (size_t i = 0; i < w->seams.count; i++) {
     if (!is_cut(w, w->seams.at[i])) continue;
@@ -194,7 +195,7 @@ bool vs_sheets_plan(vs_result_state *w) {
     uint32_t *of = &s->of.at[c->sheets.at[facet]];
     if (*of != VS_NONE) continue;
     *of = (uint32_t)s->all.count;
-    if (!VS_PUSH(w->k, s->all, ((sheet){ .corners = 0 }))) return false;
+    if (!vs_kernel_poll(w->k, 0.9) || !VS_PUSH(w->k, s->all, ((sheet){ .corners = 0 }))) return false;
   }
   for (uint32_t f = 0; f < facets; f++) s->of.at[f] = s->of.at[c->sheets.at[f]]; /* firsts come first */
   for (uint32_t p = 0; p < planes; p++) s->key.at[p] = p;
@@ -204,7 +205,7 @@ bool vs_sheets_plan(vs_result_state *w) {
     if (w->lone.at[c->facets.at[f].plane] != f) give_up(w, s->of.at[f]);
     else s->key.at[c->facets.at[f].plane] = c->facets.at[first].plane;
   }
-  return measure(w);
+  return vs_kernel_report(w->k, 0.9) && measure(w);
 }
 
 bool vs_sheets_merge(vs_result_state *w, bool *any) {
@@ -220,10 +221,14 @@ bool vs_sheets_merge(vs_result_state *w, bool *any) {
     s->fresh = s->fresh || (given && s->merged);
     s->merged = !given;
   }
-  for (uint32_t f = 0; f < faces; f++) w->parent.at[f] = vs_find_shared(w->sets.at, f);
+  for (uint32_t f = 0; f < faces; f++) {
+    w->parent.at[f] = vs_find_shared(w->sets.at, f);
+    if (!vs_kernel_poll(w->k, 0.9)) return false;
+  }
   for (size_t i = 0; i < w->seams.count; i++) {
     uint32_t e = w->seams.at[i];
     const vs_use *a = vs_result_use(w, w->edge_first.at[e]), *b = vs_result_use(w, w->edge_first.at[e] + 1);
+    if (!vs_kernel_poll(w->k, 0.9)) return false;
     if (merged_sheet_of(w, a->face) == VS_NONE) continue;
     w->gone.at[e] = 1;
     *any = true;
@@ -231,7 +236,10 @@ bool vs_sheets_merge(vs_result_state *w, bool *any) {
     atomic_store_explicit(&w->whole.at[a->face], 0, memory_order_relaxed);
     atomic_store_explicit(&w->whole.at[b->face], 0, memory_order_relaxed);
   }
-  for (uint32_t f = 0; *any && f < faces; f++) w->parent.at[f] = vs_find(w->parent.at, f);
+  for (uint32_t f = 0; *any && f < faces; f++) {
+    w->parent.at[f] = vs_find(w->parent.at, f);
+    if (!vs_kernel_poll(w->k, 0.9)) return false;
+  }
   return vs_kernel_report(w->k, 0.9);
 }
 
@@ -439,6 +447,7 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   for (size_t i = 0; i < s->all.count; i++) s->all.at[i].bends = 0;
   memset(s->cut_of.at, 0xff, points * sizeof *s->cut_of.at); /* VS_NONE */
   for (size_t p = 0; p < points; p++) dropped += w->bent.at[p];
+  if (!vs_kernel_report(w->k, 0.9)) return false;
   w->c->straightened = dropped;
   if (!check_lines(w, &bends)) return false;
   if (bends != dropped) vs_sheets_give_up(w); /* a border of bends alone */
