@@ -650,30 +650,50 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
+static bool drive_solid_with(vs_emitter *e, bool loose, vs_bends bends, vs_solid *out, vs_rounded *what) {
+  return vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, bends, out) &&
+         (out->mesh.triangle_count > 0 || loose || drive_nothing(e)) &&
+         vs_emit_round(e, &out->mesh, e->backend->numbers, what);
+}
+
 /* All solids as one mesh, settled: corners that the format's numbers cannot hold apart become one, and the writer says
- * where that folds the mesh. Without bends, unless that makes triangles meet. */
+ * where that folds the mesh. Without bends, unless less triangles meet with them. */
 static bool drive_solid(vs_emitter *e, bool loose, vs_solid *out) {
-  for (vs_bends bends = VS_STRAIGHT;; bends = VS_BENT_AGAIN) {
-    vs_rounded what = { 0 };
-    if (!vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, bends, out) ||
-        !(out->mesh.triangle_count > 0 || loose || drive_nothing(e)) ||
-        !vs_emit_round(e, &out->mesh, e->backend->numbers, &what))
-      return false;
-    if (bends != VS_STRAIGHT || !what.met || !out->straightened) return vs_emit_rounded(e, &what);
-    vs_solid_free(out);
+  vs_rounded what = { 0 }, bent_what = { 0 };
+  bool ok = drive_solid_with(e, loose, VS_STRAIGHT, out, &what);
+  if (ok && what.met && out->straightened) {
+    vs_solid bent = { .part_count = 0 };
+    ok = drive_solid_with(e, loose, VS_BENT_AGAIN, &bent, &bent_what);
+    if (ok && bent_what.met < what.met) {
+      vs_solid straight = *out;
+      *out = bent, bent = straight, what = bent_what;
+    }
+    vs_solid_free(&bent);
   }
+  return ok && vs_emit_rounded(e, &what);
+}
+
+static bool drive_copies_with(vs_emitter *e, vs_bends bends, vs_solid_copies *out, vs_rounded *what) {
+  bool ok = vs_lower_copies(e, bends, out) && (out->meshes.copy_count > 0 || drive_nothing(e));
+  for (size_t i = 0; ok && i < out->meshes.mesh_count; i++)
+    ok = vs_emit_round(e, &out->meshes.meshes[i], e->backend->numbers, what);
+  return ok;
 }
 
 /* The same, with clusters that are copies of each other once. */
 static bool drive_copies(vs_emitter *e, vs_solid_copies *out) {
-  for (vs_bends bends = VS_STRAIGHT;; bends = VS_BENT_AGAIN) {
-    vs_rounded what = { 0 };
-    if (!vs_lower_copies(e, bends, out) || !(out->meshes.copy_count > 0 || drive_nothing(e))) return false;
-    for (size_t i = 0; i < out->meshes.mesh_count; i++)
-      if (!vs_emit_round(e, &out->meshes.meshes[i], e->backend->numbers, &what)) return false;
-    if (bends != VS_STRAIGHT || !what.met || !out->straightened) return vs_emit_rounded(e, &what);
-    vs_solid_copies_free(out);
+  vs_rounded what = { 0 }, bent_what = { 0 };
+  bool ok = drive_copies_with(e, VS_STRAIGHT, out, &what);
+  if (ok && what.met && out->straightened) {
+    vs_solid_copies bent = { .part_count = 0 };
+    ok = drive_copies_with(e, VS_BENT_AGAIN, &bent, &bent_what);
+    if (ok && bent_what.met < what.met) {
+      vs_solid_copies straight = *out;
+      *out = bent, bent = straight, what = bent_what;
+    }
+    vs_solid_copies_free(&bent);
   }
+  return ok && vs_emit_rounded(e, &what);
 }
 
 /* Walks what is no solid, of a format that gets the union of all solids besides. *any: something was walked. */

@@ -15,7 +15,7 @@
  * between the line and the bends must end there, or leave through the straight line a second time. By (3) a merged face
  * is one layer over its plane, within a step of it, and leaves it by less than 2.6 degrees; by (1) and (2) whatever
  * shares an edge with it rises faster. Faces that share none may come to cross where they lay within two steps of each
- * other: the caller looks for that (round/self_contacts.c), and has the result made again with all bends. */
+ * other: the caller looks for that (round/self_contacts.c), and has the result made again with all bends, too. */
 #include "kernel/mesh/straighten.h"
 
 #include <math.h>
