@@ -59,7 +59,7 @@ bool vs_remember_key(vs_kernel *k, vs_remember *r, vs_copies *c, const uint32_t 
   for (size_t i = 0; i < r->paints.count; i++) r->paint_place.at[r->paints.at[i]] = VS_NONE;
   size_t first = c->keys.count;
   ok = ok && vs_copies_put_terms(k, c, leaves, count);
-  for (size_t i = first; ok && i < c->keys.count; i++) ok = put(k, r, c->keys.at[i]);
+  for (size_t i = first; ok && i < c->keys.count; i++) ok = put(k, r, c->keys.at[i]) && vs_kernel_poll(k, 0);
   c->keys.count = first;
   return ok && (!gate || (put_real(k, r, gate->min.x) && put_real(k, r, gate->min.y) && put_real(k, r, gate->min.z) &&
                           put_real(k, r, gate->max.x) && put_real(k, r, gate->max.y) && put_real(k, r, gate->max.z)));

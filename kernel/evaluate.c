@@ -221,11 +221,15 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   size_t triangles = 0, first = out->triangle_count;
   for (uint32_t i = 0; i < count; i++) triangles += w->problem->leaves[leaves[i]].mesh->triangle_count;
   if (triangles < SERIAL) k->threads = 1;
+  if (!vs_kernel_report(k, 0)) return k->threads = threads, false;
   vs_check check = { .leaves = { 0 } };
-  bool ok = vs_snap_to_grid(k, &c) && vs_check_leaves(k, &c, &check, &w->counts) && vs_kernel_lap(k, VS_STEP_GRID);
+  bool ok = vs_snap_to_grid(k, &c) && vs_kernel_report(k, 0) && vs_check_leaves(k, &c, &check, &w->counts) && vs_kernel_lap(k, VS_STEP_GRID);
   VS_ASSERT(!ok || vs_holds_grid(&c));
   if (c.triangles.count + c.plain_count < SERIAL) k->threads = 1;
-  for (uint32_t i = 0; ok && i < count; i++) c.crowd += can_be_layered(&c, i);
+  for (uint32_t i = 0; ok && i < count; i++) {
+    c.crowd += can_be_layered(&c, i);
+    ok = vs_kernel_poll(k, 0);
+  }
   c.crowded = k->options && k->options->in_levels && c.crowd > 0;
   bool arranged = ok && !c.crowded && arrange_at_once(k, &c);
   bool too_much = ok && !arranged && c.crowded && k->error->status == VS_KERNEL_FINE;
@@ -336,7 +340,8 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32
   if (asked &&
       !vs_remember_key(k, &w->remember, copies, leaves, count, gate_cuts(w, leaves, count) ? &w->gate : NULL, &asked))
     return false;
-  if (asked && !vs_remember_find(k, &w->remember, out, &found)) return false;
+  if (asked && !(vs_kernel_report(k, 0) && vs_remember_find(k, &w->remember, out, &found) && vs_kernel_report(k, 0)))
+    return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
   w->counts.straightened += found && k->options->straight; /* nobody knows how many */
   return found || (run_cluster(k, w, leaves, count, out) &&

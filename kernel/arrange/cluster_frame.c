@@ -86,7 +86,6 @@ static double plate_area(const vs_cluster *c, uint32_t leaf) {
 }
 
 bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
-  (void)k;
   candidate all[CANDIDATES] = {
     { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { 1, 1, 1 }, 0, 0 }
   };
@@ -110,6 +109,7 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
     }
     all[j].plates += plate_area(c, c->leaves[i]);
     all[j].votes++;
+    if (!vs_kernel_poll(k, 0)) return false;
   }
   for (int j = 1; j < count; j++)
     if (all[j].plates > all[best].plates || (!(all[j].plates < all[best].plates) && all[j].votes > all[best].votes))
@@ -129,6 +129,7 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
   for (uint32_t i = 0; i < c->leaf_count; i++) {
     const vs_affine *a = &c->problem->leaves[c->leaves[i]].placement;
     vs_affine *o = &to_frame[i];
+    if (!vs_kernel_poll(k, 0)) return false;
     bool member = split(a, r, scale) && permutation(f->back, r, p);
     for (int x = 0; x < 3; x++)
       for (int y = 0; y < 4; y++) {

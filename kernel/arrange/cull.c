@@ -78,6 +78,7 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
              find_local(&c->grid, &to_frame[i], p);
     any = any || p->lid;
     p->lids_count = 0;
+    if (!vs_kernel_poll(k, 0)) return false;
   }
   if (!vs_bvh_build(k, &c->leaf_bvh, c->leaf_boxes.at, n)) return false;
   if (!any) return true;

@@ -94,6 +94,7 @@ static bool place(vs_kernel *k, vs_cluster *c, snapping *s) {
     vs_placed p = { .part = &c->parts->all.at[c->parts->of_leaf.at[c->leaves[i]]], .first = (uint32_t)sum };
     c->placed.at[c->placed.count++] = p;
     sum += p.part->mesh->vertex_count;
+    if (!vs_kernel_poll(k, 0)) return false;
     if (sum >= UINT32_MAX / 4) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many vertices");
   }
   size_t chunks = (sum + SPAN - 1) / SPAN;
