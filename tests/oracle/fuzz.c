@@ -187,7 +187,8 @@ static void look_straight(const char *what, const program *t, const vs_kernel_pr
   vs_mesh m = { 0 };
   vs_kernel_error e;
   vs_kernel_counts counts = { 0 };
-  vs_kernel_options options = { .threads = 1, .straight = true, .counts = &counts };
+  vs_kernel_options options = { .threads = 1, .straight = true, .counts = &counts }, three = { .threads = 3, .straight = true };
+  vs_mesh by_three = { 0 };
   double v = vs_mesh_volume(bent);
   bool sure = true;
   char detail[200];
@@ -195,6 +196,9 @@ static void look_straight(const char *what, const program *t, const vs_kernel_pr
     complain(what, t, e.message);
   } else if (counts.straightened) {
     straightened += counts.straightened;
+    if (!vs_kernel_evaluate(problem, &three, &by_three, &e) || by_three.vertex_count != m.vertex_count || by_three.triangle_count != m.triangle_count ||
+        memcmp(by_three.vertices, m.vertices, m.vertex_count * sizeof *m.vertices) != 0 || memcmp(by_three.triangles, m.triangles, m.triangle_count * sizeof *m.triangles) != 0)
+      complain(what, t, "without bends three threads make something else than one");
     if (m.triangle_count + 2 * counts.straightened > bent->triangle_count || !vs_mesh_closed(&m, &sure) || !manifold(&m)) {
       snprintf(detail, sizeof detail, "without %zu bends it is no closed manifold of less triangles: %zu, not %zu", counts.straightened, m.triangle_count, bent->triangle_count);
       complain(what, t, detail);
@@ -205,6 +209,7 @@ static void look_straight(const char *what, const program *t, const vs_kernel_pr
     }
     look_at_crossings(what, t, &m, true);
   }
+  vs_mesh_free(&by_three);
   vs_mesh_free(&m);
 }
 
