@@ -223,7 +223,8 @@ static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t
   if (triangles < SERIAL) k->threads = 1;
   if (!vs_kernel_report(k, 0)) return k->threads = threads, false;
   vs_check check = { .leaves = { 0 } };
-  bool ok = vs_snap_to_grid(k, &c) && vs_kernel_report(k, 0) && vs_check_leaves(k, &c, &check, &w->counts) && vs_kernel_lap(k, VS_STEP_GRID);
+  bool ok = vs_snap_to_grid(k, &c) && vs_kernel_report(k, 0) && vs_check_leaves(k, &c, &check, &w->counts) &&
+            vs_kernel_lap(k, VS_STEP_GRID);
   VS_ASSERT(!ok || vs_holds_grid(&c));
   if (c.triangles.count + c.plain_count < SERIAL) k->threads = 1;
   for (uint32_t i = 0; ok && i < count; i++) {
