@@ -45,4 +45,6 @@
 (define clos '()) (do ((i 0 (+ i 1))) ((= i 3)) (set! clos (cons (lambda () i) clos))) (check '(2 1 0) (map (lambda (f) (f)) clos))
 (check "λ" (symbol->string 'λ)) (check 1 ((λ (x) x) 1))
 (check '(unquote x) ',x)
+(define (written v) (let ((p (open-output-string))) (write v p) (get-output-string p)))
+(check "(unquote @x)" (written '(unquote @x))) (check ",x" (written '(unquote x))) (check ",@x" (written '(unquote-splicing x)))
 (display failures) (newline)   ; expect: 0

@@ -410,9 +410,11 @@ static bool put_atom(printer *p, vs_value v) {
 
 /* ---- compounds ---- */
 
+/* The characters that stand for (quote x) and its like, or NULL: (unquote @x) has none, since ,@x is (unquote-splicing x). */
 static const char *abbreviation(const vs_scheme *vm, vs_value v) {
   if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL) return NULL;
-  vs_value head = vs_car(v);
+  vs_value head = vs_car(v), quoted = vs_car(vs_cdr(v));
+  if (head == vm->sym.unquote && vs_is_symbol(quoted) && vs_as_symbol(quoted)->name[0] == '@') return NULL;
   return head == vm->sym.quote              ? "'"
          : head == vm->sym.quasiquote       ? "`"
          : head == vm->sym.unquote          ? ","
