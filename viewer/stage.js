@@ -1,6 +1,7 @@
 // Owns the picture: renderer, light, sky, ground, the model's batches, the section, what is marked; and when to draw.
 //
-// While anything moves, a frame is drawn with the sun, a light from above and a pale fill. When all is still, frames are drawn for single
+// While anything moves, a frame is drawn with the sun, a light from above and a pale fill; where that takes long, with a quarter of the points and no
+// new shadows, and whole as soon as nothing else has changed for a moment. When all is still, frames are drawn for single
 // directions of the sky and of the sun's disc, each with its own shadow, a little beside each other, and their mean is shown: so soft
 // shadows, darkness in corners and smooth edges come from the same few lines. POV-Ray's picture is lit alike (backends/povray/scene.c).
 import * as THREE from "three";
@@ -11,7 +12,8 @@ import { buildBatches, disposeBatches, leaveOut, mergeParts, meshGeometry } from
 const SUN = new THREE.Color(1, 0.95, 0.87), DIFFUSE = 0.82, SKY_POWER = 1.6, SUN_POWER = 2 * SKY_POWER, EXPOSURE = 0.62;
 const LIT = 3.9; // The light that the plain sun and sky give a surface across the sun: the exposure is for it.
 const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // The light that walls and the ground send on, in parts of the sky's and the sun's light.
-const MOVING_MOST = 1.2e6, STILL_MOST = 2e6; // triangles and lines of a picture in software; a graphics card gets more
+const COARSE_MOST = 4e5, MOVING_MOST = 1.2e6, STILL_MOST = 2e6; // triangles and lines of a picture in software; a graphics card gets more
+const SLOW = 60; // Milliseconds of a picture, from which on coarse ones are drawn while anything changes.
 
 // Bright colours are compressed and turn pale, others stay as they are: Khronos' neutral curve without its toe, which takes contrast from what is dark.
 THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace("vec3 CustomToneMapping( vec3 color ) { return color; }", `vec3 CustomToneMapping( vec3 color ) {
@@ -56,7 +58,8 @@ export class Stage {
     this.software = /swiftshader|llvmpipe|software/i.test(info ? probe.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
     probe.getExtension("WEBGL_lose_context")?.loseContext();
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.software, stencil: true, powerPreference: "high-performance" });
-    this.renderer.setPixelRatio(this.software ? 1 : Math.min(2, window.devicePixelRatio || 1));
+    this.ratio = this.software ? 1 : Math.min(2, window.devicePixelRatio || 1);
+    this.renderer.setPixelRatio(this.ratio);
     this.renderer.toneMapping = THREE.CustomToneMapping;
     this.renderer.toneMappingExposure = EXPOSURE;
     this.renderer.shadowMap.enabled = true;
@@ -81,7 +84,10 @@ export class Stage {
       merged: new THREE.LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
       instanced: new THREE.LineBasicMaterial({ color: 0x05070a, transparent: true, opacity: 0.55, depthWrite: false }),
     };
+    this.half = 400; // Half the picture's height.
     this.pixels = { value: 400 };
+    this.took = 0; // Milliseconds that the last whole picture has taken, as far as that is known.
+    this.owed = false; // Was the last picture a coarse one?
     for (const m of Object.values(this.lineMaterials)) m.onBeforeCompile = fading(this.pixels);
     this.#lights();
     this.#sky();
@@ -520,12 +526,22 @@ export class Stage {
   }
 
   resize() {
-    const w = Math.max(1, this.canvas.clientWidth), h = Math.max(1, this.canvas.clientHeight);
+    const w = Math.max(1, this.canvas.clientWidth), h = Math.max(1, this.canvas.clientHeight), sized = w + " " + h;
+    if (sized === this.sized) return;
+    this.sized = sized;
+    this.#points(1);
     this.renderer.setSize(w, h, false);
-    this.pixels.value = h / 2;
+    this.half = this.pixels.value = h / 2;
     const size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
     for (const t of [this.one, ...this.mean]) t.setSize(size.x, size.y);
     this.touch();
+  }
+
+  // The canvas gets so many of its points along a side.
+  #points(share) {
+    if (this.renderer.getPixelRatio() === share * this.ratio) return;
+    this.renderer.setPixelRatio(share * this.ratio);
+    this.pixels.value = share * this.half; // A line is as wide as a point.
   }
 
   // Something has changed: the next frame shows it. shadows: also what is lit.
@@ -550,23 +566,42 @@ export class Stage {
 
   #leaveOut(most) { // most: triangles and lines
     if (!this.batches) return;
-    const half = this.pixels.value * this.renderer.getPixelRatio() * this.camera.projectionMatrix.elements[5], parallel = this.camera.isOrthographicCamera;
+    const half = this.half * this.renderer.getPixelRatio() * this.camera.projectionMatrix.elements[5], parallel = this.camera.isOrthographicCamera;
     leaveOut(this.batches, { camera: this.camera, pixels: (distance) => parallel ? half : half / Math.max(1e-9, distance), across: 2.04 * this.radius / this.sun.shadow.mapSize.x,
       lined: this.options.edges && !this.options.wireframe, lit: this.renderer.shadowMap.needsUpdate, most: most * (this.software ? 1 : 8) });
   }
 
-  draw() {
+  draw(coarse = false) {
+    this.#points(coarse ? 0.5 : 1);
     this.#light(-1);
-    if (!this.shadowsDirty) this.renderer.shadowMap.needsUpdate = false;
-    this.shadowsDirty = false;
+    if (coarse && this.shadowsDirty) this.sun.shadow.intensity = this.above.shadow.intensity = 0; // Those of the model before would be worse than none.
+    if (coarse || !this.shadowsDirty) this.renderer.shadowMap.needsUpdate = false;
+    if (!coarse) this.shadowsDirty = false;
+    this.owed = coarse;
     this.renderer.setRenderTarget(null);
     this.renderer.info.reset();
-    this.#leaveOut(MOVING_MOST);
+    this.#leaveOut(coarse ? COARSE_MOST : MOVING_MOST);
     this.renderer.render(this.scene, this.camera);
     this.drawCalls = this.renderer.info.render.calls;
   }
 
+  // How long the graphics card needs for a picture is known some frames later.
+  #timed() {
+    const gl = this.renderer.getContext();
+    if (!this.timing || gl.getSyncParameter(this.timing.end, gl.SYNC_STATUS) !== gl.SIGNALED) return;
+    this.took = performance.now() - this.timing.from;
+    gl.deleteSync(this.timing.end);
+    this.timing = null;
+  }
+  #time(from) {
+    const gl = this.renderer.getContext();
+    if (this.timing) gl.deleteSync(this.timing.end);
+    this.timing = { from, end: gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0) };
+    gl.flush();
+  }
+
   #accumulate() {
+    this.#points(1);
     const i = this.count++, size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
     this.shadowsDirty = true;
     this.#light(i);
@@ -591,13 +626,17 @@ export class Stage {
     this.frame = 0;
     if (!this.camera || !this.model) return;
     let moving = false;
+    this.#timed();
     for (const listener of this.listeners) moving = listener(time) || moving;
-    if (moving || this.dirty) {
-      const from = performance.now();
+    if (moving || this.dirty || (this.owed && performance.now() >= this.still)) {
+      const from = performance.now(), coarse = (moving || this.dirty) && this.took > SLOW;
       this.dirty = false;
-      this.draw();
+      this.draw(coarse);
+      if (!coarse) this.#time(from);
       this.count = 0;
       this.still = performance.now() + Math.min(600, 140 + 2 * (performance.now() - from));
+      this.wake();
+    } else if (this.owed) {
       this.wake();
     } else if (this.count < this.samples && this.options.refine !== false) {
       if (performance.now() < this.still) return this.wake();
@@ -611,7 +650,7 @@ export class Stage {
 
   // The whole picture at once, for who takes it from the canvas: the mean of so many directions of light.
   paint(samples = this.samples) {
-    this.dirty = false;
+    this.dirty = this.owed = false;
     this.count = 0;
     while (this.count < samples) this.#accumulate();
     this.shower.uniforms.sum.value = this.mean[samples % 2].texture;
@@ -632,5 +671,5 @@ export class Stage {
     this.renderer.forceContextLoss();
   }
 
-  get finished() { return !this.dirty && this.count >= this.samples; }
+  get finished() { return !this.dirty && !this.owed && this.count >= this.samples; }
 }

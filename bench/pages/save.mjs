@@ -1,5 +1,5 @@
 // Measures the way from a save to pixels in the live view: `save.mjs VS [NAME ...]`. A number of the source is changed and the file saved, as an editor does;
-// the time runs until the first picture of the new model has been read back. Prints a table for bench/README.md: medians of RUNS saves (7).
+// the time runs until the first picture of the new model has been read back (a coarse one where pictures are slow, and then until the whole one). Prints a table for bench/README.md: medians of RUNS saves (7).
 //
 // Parts that the page spends are of its one thread by the clock, their processor time where they are told apart by process: vs, the page, and the process
 // that draws (WebGL in software). PROFILE=FILE writes what V8 sampled during the saves, for a browser's developer tools.
@@ -38,7 +38,7 @@ function spent(server) {
 }
 const median = (list) => [...list].sort((a, b) => a - b)[Math.floor(list.length / 2)];
 
-console.log("| model | KB sent | save to pixels ms | noticed | evaluated, encoded | fetched, read | made ready | drawn | vs cpu ms | page cpu ms | drawing cpu ms |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
+console.log("| model | KB sent | save to pixels ms | noticed | evaluated, encoded | fetched, read | made ready | drawn | whole picture | vs cpu ms | page cpu ms | drawing cpu ms |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
 for (const [name, source, options, number, step] of models) {
   const folder = mkdtempSync(`${tmpdir()}/vs-save-`), model = `${folder}/model.vs`;
   copyFileSync(resolve(root, source), model);
@@ -54,10 +54,12 @@ for (const [name, source, options, number, step] of models) {
       const state = live.parameters.show.bind(live.parameters), show = viewer.show.bind(viewer), draw = stage.draw.bind(stage);
       live.parameters.show = (list) => { times.told = now(); state(list); };
       viewer.show = (...a) => { times.read = now(); show(...a); times.ready = now(); };
-      stage.draw = () => {
-        draw();
+      stage.draw = (coarse) => {
+        draw(coarse);
         gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-        if (times.ready) times.drawn = now();
+        if (!times.ready) return;
+        times.drawn ||= now();
+        if (!coarse) times.whole ||= now();
       };
     });
     const profiler = process.env.PROFILE && await context.newCDPSession(page);
@@ -71,8 +73,10 @@ for (const [name, source, options, number, step] of models) {
       const from = Date.now();
       renameSync(model + ".new", model);
       await page.waitForFunction(() => window.times.drawn, null, { timeout: 300000, polling: 50 });
-      const after = spent(server.pid), t = await page.evaluate(() => ({ ...window.times, run: 1000 * window.live.state.seconds, sent: window.live.travelled / 1000 }));
-      const row = [t.sent, t.drawn - from, t.told - from - t.run, t.run, t.read - t.told, t.ready - t.read, t.drawn - t.ready, ...["vs", "page", "drawing"].map((key) => after[key] - before[key])];
+      const after = spent(server.pid);
+      await page.waitForFunction(() => window.times.whole, null, { timeout: 300000, polling: 50 });
+      const t = await page.evaluate(() => ({ ...window.times, run: 1000 * window.live.state.seconds, sent: window.live.travelled / 1000 }));
+      const row = [t.sent, t.drawn - from, t.told - from - t.run, t.run, t.read - t.told, t.ready - t.read, t.drawn - t.ready, t.whole - from, ...["vs", "page", "drawing"].map((key) => after[key] - before[key])];
       if (run > 0) rows.push(row); // The first warms the compilers up.
     }
     if (profiler) writeFileSync(process.env.PROFILE, JSON.stringify((await profiler.send("Profiler.stop")).profile));

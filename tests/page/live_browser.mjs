@@ -95,6 +95,30 @@ await test("a save makes no shader anew", async (want) => {
   await after(() => writeFileSync(model, source));
 });
 
+await test("a coarse picture comes first where pictures take long, then the whole one", async (want) => {
+  const drawn = async (took, action) => {
+    await page.waitForFunction(() => !window.visualscheme.stage.dirty && !window.visualscheme.stage.owed, null, { timeout: 20000 });
+    await page.evaluate((took) => {
+      const { stage } = window.visualscheme, draw = Object.getPrototypeOf(stage).draw;
+      window.drawn = [];
+      Object.defineProperty(stage, "took", { get: () => took, set: () => {}, configurable: true });
+      stage.draw = (coarse = false) => {
+        draw.call(stage, coarse);
+        window.drawn.push({ coarse, share: stage.canvas.width / Math.floor(stage.canvas.clientWidth * stage.ratio), shadow: stage.sun.shadow.intensity });
+      };
+    }, took);
+    await after(action);
+    await page.waitForFunction(() => window.drawn.length > 0 && !window.drawn.at(-1).coarse, null, { timeout: 20000 });
+    return page.evaluate(() => { delete window.visualscheme.stage.draw; return window.drawn; });
+  };
+  const slow = await drawn(1000, () => writeFileSync(model, source.replace("height 3.0", "height 3.5"))), first = slow[0], last = slow.at(-1);
+  want(first.coarse && Math.abs(first.share - 0.5) < 0.01 && first.shadow === 0, "the first picture is not coarse: " + JSON.stringify(first));
+  want(last.share === 1 && last.shadow === 1, "the last picture is not whole: " + JSON.stringify(last));
+  const quick = await drawn(10, () => writeFileSync(model, source));
+  want(quick.every((d) => !d.coarse && d.share === 1), "coarse although pictures are quick: " + JSON.stringify(quick));
+  await page.evaluate(() => delete window.visualscheme.stage.took);
+});
+
 await test("an error dims the last good model and heals", async (want) => {
   await after(() => writeFileSync(model, source.replace("(make-cylinder at height 1)", "(make-cylinder at heigth 1)")));
   let f = await facts();
@@ -264,8 +288,8 @@ await test("sets of values are kept, compared and taken", async (want) => {
   const turned = await looks();
   want(new Set(turned).size === 1 && turned[0] !== before[0], "turning one does not turn all: " + turned.join(" / "));
   const shown = await page.evaluate(() => window.live.compare.panes.map(({ stage }) => { // Pixels that are not the background's, by column.
-    const gl = stage.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, bytes = new Uint8Array(4 * w * h);
     stage.draw();
+    const gl = stage.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, bytes = new Uint8Array(4 * w * h);
     gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     let red = 0;
     for (let i = 0; i < bytes.length; i += 4) if (bytes[i] > 2 * bytes[i + 1] && bytes[i] > 60) red++;

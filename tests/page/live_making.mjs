@@ -39,8 +39,9 @@ async function clicked(p, from = "top") {
     path: [...document.querySelectorAll(".card:not([hidden]) .path button")].map((b) => Number(b.textContent.split(":").pop())) }));
 }
 const redness = () => page.evaluate(() => { // Pixels that a ghost has made red.
-  const { stage } = window.visualscheme, gl = stage.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, bytes = new Uint8Array(4 * w * h);
+  const { stage } = window.visualscheme;
   stage.draw();
+  const gl = stage.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, bytes = new Uint8Array(4 * w * h);
   gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
   let red = 0;
   for (let i = 0; i < bytes.length; i += 4) if (bytes[i] > bytes[i + 1] + 30 && bytes[i + 1] < bytes[i + 2] + 12) red++;

@@ -277,7 +277,9 @@ try {
   if (wanted("crowd")) {
     const page = await open(context, `file://${folder}/crowd.html`), faults = [];
     const seen = await page.evaluate(() => {
-      const v = window.visualscheme, { stage } = v, gl = stage.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight;
+      const v = window.visualscheme, { stage } = v;
+      stage.draw();
+      const gl = stage.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight;
       const picture = () => {
         const bytes = new Uint8Array(4 * w * h);
         stage.shadowsDirty = true;

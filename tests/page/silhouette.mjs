@@ -32,6 +32,7 @@ try {
     control.apply();
     stage.draw();
   });
+  await page.waitForFunction(() => !window.visualscheme.stage.dirty && !window.visualscheme.stage.owed, null, { timeout: 120000 });
   await page.waitForTimeout(300);
   await page.screenshot({ path: out, timeout: 120000 }); // drawn in software: a busy machine takes long
 } finally {

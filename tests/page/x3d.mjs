@@ -125,7 +125,9 @@ async function dropped(text) {
   data.items.add(new File([text], "model.x3d"));
   dispatchEvent(new DragEvent("drop", { dataTransfer: data }));
   while (v.model === was) await new Promise((go) => setTimeout(go, 50));
-  const { stage } = v, gl = stage.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, bytes = new Uint8Array(4 * w * h), mask = new Uint8Array(w * h), colour = [0, 0, 0];
+  const { stage } = v;
+  stage.draw(); // The canvas has all of its points.
+  const gl = stage.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, bytes = new Uint8Array(4 * w * h), mask = new Uint8Array(w * h), colour = [0, 0, 0];
   stage.dome.visible = false;
   if (stage.groundMesh) stage.groundMesh.visible = false;
   stage.renderer.setClearColor(0xff00ff, 1);
