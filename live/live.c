@@ -19,7 +19,7 @@
 
 extern char **environ;
 
-enum { LOOK_MS = 40, PRINTED_MOST = 1 << 20, COARSE_SEGMENTS = 12 };
+enum { LOOK_MS = 40, PRINTED_MOST = 1 << 20, COARSE_SEGMENTS = 12, BROWSER_WORDS = 30 };
 
 typedef struct live_follower {
   const live_options *options;
@@ -405,24 +405,50 @@ static void serve(live *l) {
   }
 }
 
-/* $BROWSER, or xdg-open where there is a screen. Its output is not our business. */
+/* Starts a browser by one command of $BROWSER: words, the address in place of %s, else behind them. Its output is not
+ * our business. False: there is no such program. */
+static bool start_browser(char *command, const char *address) {
+  char *words[BROWSER_WORDS + 2] = { NULL }, *rest;
+  live_text put = { 0 };
+  posix_spawn_file_actions_t actions;
+  pid_t child;
+  int count = 0;
+  bool placed = false, started = false;
+  for (char *word = strtok_r(command, " ", &rest); word != NULL && count < BROWSER_WORDS;
+       word = strtok_r(NULL, " ", &rest)) {
+    char *at = placed ? NULL : strstr(word, "%s");
+    if (at != NULL) {
+      live_putf(&put, "%.*s%s%s", (int)(at - word), word, address, at + 2);
+      placed = true;
+    }
+    words[count++] = at != NULL ? put.at : word;
+  }
+  char *last = strdup(address);
+  if (!placed) words[count] = last;
+  if (count > 0 && last != NULL && !put.failed && posix_spawn_file_actions_init(&actions) == 0) {
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 1 /* O_WRONLY */, 0);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", 1, 0);
+    started = posix_spawnp(&child, words[0], &actions, NULL, words, environ) == 0;
+    posix_spawn_file_actions_destroy(&actions);
+  }
+  free(last);
+  live_text_free(&put);
+  return started;
+}
+
+/* $BROWSER, commands with colons between them of which the first that there is counts; or xdg-open where there is a
+ * screen. */
 static void open_browser(const char *address) {
   const char *browser = getenv("BROWSER");
   if (browser == NULL || *browser == 0) {
     if (getenv("DISPLAY") == NULL && getenv("WAYLAND_DISPLAY") == NULL) return;
     browser = "xdg-open";
   }
-  char *copies[] = { strdup(browser), strdup(address), NULL };
-  posix_spawn_file_actions_t actions;
-  pid_t child;
-  if (copies[0] != NULL && copies[1] != NULL && posix_spawn_file_actions_init(&actions) == 0) {
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 1 /* O_WRONLY */, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", 1, 0);
-    posix_spawnp(&child, browser, &actions, NULL, copies, environ);
-    posix_spawn_file_actions_destroy(&actions);
-  }
-  free(copies[0]);
-  free(copies[1]);
+  char *copy = strdup(browser), *rest;
+  for (char *command = copy != NULL ? strtok_r(copy, ":", &rest) : NULL; command != NULL;
+       command = strtok_r(NULL, ":", &rest))
+    if (start_browser(command, address)) break;
+  free(copy);
 }
 
 static void tell_address(const live *l) {

@@ -1,6 +1,6 @@
 // Owns the tests of the live view's server, by HTTP alone: `live.mjs VS FOLDER`. Prints lines as tests/run.sh wants them.
 import { spawn } from "node:child_process";
-import { writeFileSync, readFileSync, symlinkSync } from "node:fs";
+import { mkdirSync, writeFileSync, readFileSync, symlinkSync } from "node:fs";
 import http from "node:http";
 import net from "node:net";
 
@@ -268,6 +268,29 @@ try {
       if (i === Math.floor(rounds / 3)) after = bytes();
     }
     check(bytes() < after + 8000, `${after} KB became ${bytes()} KB`);
+  });
+
+  await test("the browser is opened", async (check) => {
+    const said = `${folder}/said`, bin = `${folder}/bin`;
+    mkdirSync(bin);
+    for (const name of ["browser", "xdg-open"]) writeFileSync(`${bin}/${name}`, `#!/bin/sh\n{ printf '%s' "\${0##*/}"; printf ' <%s>' "$@"; echo; } >> '${said}'\n`, { mode: 0o755 });
+    const rows = [
+      [{ BROWSER: "browser" }, [], "browser <@>"],
+      [{ BROWSER: "no-such-browser %s:browser --new  --app=%s after:xdg-open" }, [], "browser <--new> <--app=@> <after>"],
+      [{ BROWSER: "", DISPLAY: ":9" }, [], "xdg-open <@>"],
+      [{}, [], ""], [{ BROWSER: "no-such-browser" }, [], ""], [{ BROWSER: "browser" }, ["-q"], ""],
+    ];
+    for (const [names, options, wanted] of rows) {
+      const { BROWSER, DISPLAY, WAYLAND_DISPLAY, ...env } = process.env;
+      writeFileSync(said, "");
+      const other = spawn(vs, ["view", ...options, model], { env: { ...env, PATH: `${bin}:${env.PATH}`, ...names }, stdio: ["ignore", "pipe", "ignore"] });
+      const address = await new Promise((go) => other.stdout.once("data", (d) => go(String(d).trim())));
+      for (let k = 0; k < 100 && wanted && readFileSync(said, "utf8") === ""; k++) await new Promise((go) => setTimeout(go, 50));
+      if (!wanted) await new Promise((go) => setTimeout(go, 200));
+      other.kill();
+      const now = readFileSync(said, "utf8").trim().replace(address, "@");
+      check(now === wanted, `${JSON.stringify(names)} ${options} started "${now}"`);
+    }
   });
 
   await test("it ends when told to", async (check) => {
