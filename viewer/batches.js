@@ -15,27 +15,35 @@ function surfaceKey(m) {
 }
 
 function sheared(m, o) {
-  const dot = (a, b) => m[o + a] * m[o + b] + m[o + a + 4] * m[o + b + 4] + m[o + a + 8] * m[o + b + 8];
-  const most = 1e-5 * Math.max(dot(0, 0), dot(1, 1), dot(2, 2));
-  return Math.abs(dot(0, 1)) > most || Math.abs(dot(0, 2)) > most || Math.abs(dot(1, 2)) > most;
+  const a = m[o], b = m[o + 1], c = m[o + 2], d = m[o + 4], e = m[o + 5], f = m[o + 6], g = m[o + 8], h = m[o + 9], i = m[o + 10];
+  const most = 1e-5 * Math.max(a * a + d * d + g * g, b * b + e * e + h * h, c * c + f * f + i * i);
+  return Math.abs(a * b + d * e + g * h) > most || Math.abs(a * c + d * f + g * i) > most || Math.abs(b * c + e * f + h * i) > most;
 }
 
-// groups: { geometry, surface, mirrored, parts[] }
+// groups: { geometry, surface, mirrored, parts }, parts being numbers of parts that rise.
 function collect(model, shown) {
   const groups = new Map(), keys = model.materials.map(surfaceKey), numbers = new Map(), paints = keys.map((key) => numbers.get(key) ?? (numbers.set(key, numbers.size), numbers.size - 1));
+  const groupOf = new Uint32Array(model.count); // One more than its group's number, 0: not shown.
   for (let i = 0; i < model.count; i++) {
     if (!shown(i)) continue;
     const number = model.geometry[i], g = model.geometries[number], mirrored = determinant(model.matrix, 12 * i) < 0;
     const apart = sheared(model.matrix, 12 * i);
-    const key = 4 * (number * paints.length + (g.lines ? 0 : paints[model.paint[i]])) + 2 * mirrored + apart;
+    const key = 4 * (number * paints.length + (g.lines ? 0 : paints[model.paint[i]])) + (mirrored ? 2 : 0) + (apart ? 1 : 0);
     let group = groups.get(key);
     if (!group) {
       const surface = g.lines ? "lines" : keys[model.paint[i]] + (g.solid ? "" : ",open");
-      groups.set(key, group = { geometry: g, surface, mirrored, merge: apart || g.lines, material: model.materials[model.paint[i]], parts: [] });
+      groups.set(key, group = { number: groups.size + 1, geometry: g, surface, mirrored, merge: apart || g.lines, material: model.materials[model.paint[i]], count: 0, parts: null });
     }
-    group.parts.push(i);
+    groupOf[i] = group.number;
+    group.count++;
   }
   const list = [...groups.values()];
+  for (const group of list) group.parts = new Uint32Array(group.count), group.count = 0;
+  for (let i = 0; i < model.count; i++) {
+    if (groupOf[i] === 0) continue;
+    const group = list[groupOf[i] - 1];
+    group.parts[group.count++] = i;
+  }
   // The smallest are merged first, until few things are left to draw or what is merged is large.
   list.sort((a, b) => a.geometry.triangles * a.parts.length - b.geometry.triangles * b.parts.length);
   let left = list.filter((group) => !group.merge).length, merged = 0;
@@ -153,14 +161,12 @@ function wide(normal) { // Three shorts are padded to four: graphics cards read 
 
 function matrices(model, parts, mirrored) {
   const array = new Float32Array(16 * parts.length), sign = mirrored ? -1 : 1, m = model.matrix;
-  for (let k = 0; k < parts.length; k++) {
+  for (let k = 0; k < parts.length; k++) { // A mirrored part is drawn by a parent that mirrors back.
     const o = 12 * parts[k], t = 16 * k;
-    for (let c = 0; c < 4; c++) {
-      array[t + 4 * c] = sign * m[o + c]; // A mirrored part is drawn by a parent that mirrors back.
-      array[t + 4 * c + 1] = m[o + 4 + c];
-      array[t + 4 * c + 2] = m[o + 8 + c];
-    }
-    array[t + 15] = 1;
+    array[t] = sign * m[o], array[t + 1] = m[o + 4], array[t + 2] = m[o + 8];
+    array[t + 4] = sign * m[o + 1], array[t + 5] = m[o + 5], array[t + 6] = m[o + 9];
+    array[t + 8] = sign * m[o + 2], array[t + 9] = m[o + 6], array[t + 10] = m[o + 10];
+    array[t + 12] = sign * m[o + 3], array[t + 13] = m[o + 7], array[t + 14] = m[o + 11], array[t + 15] = 1;
   }
   return new THREE.InstancedBufferAttribute(array, 16);
 }
@@ -168,14 +174,13 @@ function matrices(model, parts, mirrored) {
 // Very many parts in lists of those that are about as large and lie together: halves along the longer side, by the middle.
 function cells(model, parts) {
   if (parts.length <= 2 * CELL) return [parts];
-  const found = [], ball = model.ball, sizes = new Map();
-  for (let k = 0; k < parts.length; k++) {
-    const size = Math.round(Math.log2(ball[4 * parts[k] + 3]));
-    let alike = sizes.get(size);
-    if (!alike) sizes.set(size, alike = []);
-    alike.push(parts[k]);
-  }
-  for (const alike of sizes.values()) halve(ball, Uint32Array.from(alike), found);
+  const found = [], ball = model.ball, ends = new Uint32Array(257), order = new Uint32Array(parts.length);
+  const sizeOf = (i) => Math.min(255, Math.max(0, 128 + Math.round(Math.log2(ball[4 * i + 3]))));
+  for (let k = 0; k < parts.length; k++) ends[sizeOf(parts[k]) + 1]++;
+  for (let size = 0; size < 256; size++) ends[size + 1] += ends[size];
+  const next = ends.slice();
+  for (let k = 0; k < parts.length; k++) order[next[sizeOf(parts[k])]++] = parts[k];
+  for (let size = 0; size < 256; size++) if (ends[size] < ends[size + 1]) halve(ball, order.subarray(ends[size], ends[size + 1]), found);
   return found;
 }
 
@@ -248,7 +253,10 @@ export function buildBatches(model, shown, surfaces, lines) {
     }
     for (const parts of cells(model, group.parts)) {
       const count = parts.length, place = matrices(model, parts, group.mirrored), color = new Float32Array(3 * count), around = extent(model, parts);
-      parts.forEach((i, k) => { const c = paints[model.paint[i]]; color[3 * k] = c[0], color[3 * k + 1] = c[1], color[3 * k + 2] = c[2]; });
+      for (let k = 0; k < count; k++) {
+        const c = paints[model.paint[parts[k]]];
+        color[3 * k] = c[0], color[3 * k + 1] = c[1], color[3 * k + 2] = c[2];
+      }
       const mesh = new THREE.InstancedMesh(geometry, surfaces.get(group.surface, group.material, false), 0);
       mesh.instanceMatrix = place;
       mesh.instanceColor = new THREE.InstancedBufferAttribute(color, 3);

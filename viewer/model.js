@@ -47,25 +47,30 @@ export class Model {
     }
   }
 
+  growPaths(need) {
+    if (need <= this.pathParent.length) return;
+    const room = Math.max(need, 2 * this.pathParent.length);
+    for (const key of ["pathParent", "pathOrigin", "pathKind"]) {
+      const was = this[key];
+      this[key] = new was.constructor(room);
+      this[key].set(was);
+    }
+  }
+
   addPath(parent, origin, kind) {
     const p = this.pathCount++;
-    if (p >= this.pathParent.length)
-      for (const key of ["pathParent", "pathOrigin", "pathKind"]) {
-        const was = this[key];
-        this[key] = new was.constructor(2 * was.length);
-        this[key].set(was);
-      }
+    this.growPaths(p + 1);
     this.pathParent[p] = parent;
     this.pathOrigin[p] = origin;
     this.pathKind[p] = kind;
     return p;
   }
 
-  // m: twelve numbers, three rows of an affine map.
-  add(geometry, m, paint, layer, path, kind, made) {
+  // m from its number `at` on: three rows of an affine map.
+  add(geometry, m, at, paint, layer, path, kind, made) {
     const i = this.count;
     this.grow(i + 1);
-    this.matrix.set(m, 12 * i);
+    for (let k = 0, to = 12 * i; k < 12; k++) this.matrix[to + k] = m[at + k];
     this.geometry[i] = geometry;
     this.paint[i] = paint;
     this.layer[i] = layer;
@@ -185,7 +190,6 @@ export function determinant(m, o = 0) {
   return m[o] * (m[o + 5] * m[o + 10] - m[o + 6] * m[o + 9]) - m[o + 1] * (m[o + 4] * m[o + 10] - m[o + 6] * m[o + 8]) + m[o + 2] * (m[o + 4] * m[o + 9] - m[o + 5] * m[o + 8]);
 }
 
-// Makes a Model of the tree that readPacked returns.
 // A number of the bytes, by which a picture is known again when the model has changed.
 function sumOf(bytes) {
   let sum = bytes.length;
@@ -193,6 +197,30 @@ function sumOf(bytes) {
   return sum;
 }
 
+const none = [];
+const makesPath = (f) => f.origin !== undefined || f.kind !== undefined || !!(f.item || f.result || f.operation || f.cut);
+
+// How many parts and paths there are below a node, a template's as often as it is used. { parts, paths } is kept at each node, and counted once.
+function counted(root, nodes) {
+  for (const open = [root]; open.length > 0;) {
+    const node = open[open.length - 1], children = node.use !== undefined ? nodes.get(node.use)?.children || none : node.children;
+    if (!node.counted) {
+      node.counted = { parts: 0, paths: 0, ready: false };
+      for (const child of children) if (!child.counted) open.push(child);
+      continue;
+    }
+    open.pop();
+    if (node.counted.ready) continue;
+    const sum = node.counted;
+    sum.ready = true;
+    if (node.type === "Shape") sum.parts = 1;
+    else for (const child of children) sum.parts += child.counted.parts, sum.paths += child.counted.paths;
+    if ((node.type === "Transform" || node.type === "Group") && makesPath(node.fields)) sum.paths++;
+  }
+  return root.counted;
+}
+
+// Makes a Model of the tree that readPacked returns.
 export function modelFromPacked(root) {
   const model = new Model(), nodes = new Map(), layers = new Map([["", 0]]), kinds = new Map([["", 0]]);
   const numbered = (map, list, word) => {
@@ -214,32 +242,55 @@ export function modelFromPacked(root) {
     }
     return node.geometry;
   };
-  const kindOf = (node) => node.kind ??= numbered(kinds, model.kinds, node.fields.kind || "");
+  // What a node does, told once however often it is walked over: a million parts are made of few nodes.
+  const stepOf = (node) => {
+    const step = { children: none, place: null, paint: 0, layer: -1, path: false, origin: 0, kind: 0, role: "", cut: false, item: 0, geometry: -1 }, f = node.fields;
+    node.step = step;
+    if (node.use !== undefined) step.children = nodes.get(node.use)?.children || none;
+    else if (node.type === "Transform" || node.type === "Group") {
+      step.children = node.children;
+      step.place = f.matrix || f.translation || null;
+      step.role = f.item ? "item" : f.result ? "result" : f.operation ? "operation" : "";
+      step.path = makesPath(f);
+      step.item = f.item || 0;
+    } else if (node.type === "Shape") {
+      const used = nodes.get(node.children[0].use);
+      if (used) step.geometry = geometryOf(used);
+    }
+    if (!f) return step;
+    if (f.layer !== undefined) step.layer = numbered(layers, model.layers, f.layer);
+    if (step.path || step.geometry >= 0) step.kind = numbered(kinds, model.kinds, f.kind || "");
+    step.paint = f.paint || 0, step.origin = f.origin || 0, step.cut = !!f.cut;
+    return step;
+  };
 
   // A stack of its own, in arrays by depth: templates may be nested as deeply as the user likes, and used a million times.
-  const lists = [], nexts = [], paints = [], layersAt = [], paths = [];
-  let places = new Float64Array(12 * 64), depth = -1;
+  const lists = [], nexts = [], paints = [], layersAt = [], paths = [], placesAt = []; // placesAt: where the depth's place begins, which may be its parent's
+  let places = Float64Array.from(identity), depth = -1;
   const push = (children, place, paint, layer, path) => {
-    const from = 12 * depth++, to = from + 12;
+    const from = depth < 0 ? 0 : placesAt[depth], to = place ? from + 12 : from;
+    depth++;
     if (places.length < to + 12) {
-      const grown = new Float64Array(2 * places.length);
+      const grown = new Float64Array(2 * places.length + 12 * 64);
       grown.set(places);
       places = grown;
     }
-    const p = places;
-    if (from < 0) p.set(identity);
-    else if (!place) p.copyWithin(to, from, from + 12);
-    else if (place.length === 3) {
-      p.copyWithin(to, from, from + 12);
-      for (let k = 0; k < 12; k += 4) p[to + k + 3] += p[from + k] * place[0] + p[from + k + 1] * place[1] + p[from + k + 2] * place[2];
-    } else {
+    if (place) {
+      const p = places, whole = place.length !== 3;
       for (let k = 0; k < 12; k += 4) {
-        const a = p[from + k], b = p[from + k + 1], c = p[from + k + 2];
-        for (let q = 0; q < 4; q++) p[to + k + q] = a * place[q] + b * place[4 + q] + c * place[8 + q];
-        p[to + k + 3] += p[from + k + 3];
+        const a = p[from + k], b = p[from + k + 1], c = p[from + k + 2], d = p[from + k + 3];
+        if (whole) {
+          p[to + k] = a * place[0] + b * place[4] + c * place[8];
+          p[to + k + 1] = a * place[1] + b * place[5] + c * place[9];
+          p[to + k + 2] = a * place[2] + b * place[6] + c * place[10];
+          p[to + k + 3] = a * place[3] + b * place[7] + c * place[11] + d;
+        } else {
+          p[to + k] = a, p[to + k + 1] = b, p[to + k + 2] = c;
+          p[to + k + 3] = d + (a * place[0] + b * place[1] + c * place[2]);
+        }
       }
     }
-    lists[depth] = children, nexts[depth] = 0, paints[depth] = paint, layersAt[depth] = layer, paths[depth] = path;
+    lists[depth] = children, nexts[depth] = 0, paints[depth] = paint, layersAt[depth] = layer, paths[depth] = path, placesAt[depth] = to;
   };
   const walk = (children) => {
     depth = -1;
@@ -250,23 +301,14 @@ export function modelFromPacked(root) {
         depth--;
         continue;
       }
-      const node = list[nexts[depth]++];
-      if (node.use !== undefined) {
-        const used = nodes.get(node.use);
-        if (used) push(used.children, null, paints[depth], layersAt[depth], paths[depth]);
-        continue;
-      }
-      const f = node.fields;
-      if (node.type === "Transform" || node.type === "Group") {
-        const layer = f.layer !== undefined ? node.layer ??= numbered(layers, model.layers, f.layer) : layersAt[depth];
-        const role = f.item ? "item" : f.result ? "result" : f.operation ? "operation" : "";
-        const path = f.origin === undefined && f.kind === undefined && !role && !f.cut ? paths[depth] : model.addPath(paths[depth], f.origin || 0, kindOf(node));
-        if (role || f.cut) model.roles.set(path, { role, cut: !!f.cut, item: f.item || 0 });
-        push(node.children, f.matrix || f.translation || null, f.paint || paints[depth], layer, path);
-      } else if (node.type === "Shape") {
-        const used = nodes.get(node.children[0].use), layer = f.layer !== undefined ? node.layer ??= numbered(layers, model.layers, f.layer) : layersAt[depth];
-        if (used && f.cut) model.cuts.add(model.count);
-        if (used) model.add(geometryOf(used), places.subarray(12 * depth, 12 * depth + 12), f.paint || paints[depth], layer, paths[depth], kindOf(node), f.origin || 0);
+      const node = list[nexts[depth]++], step = node.step || stepOf(node), layer = step.layer < 0 ? layersAt[depth] : step.layer, paint = step.paint || paints[depth];
+      if (step.geometry >= 0) {
+        if (step.cut) model.cuts.add(model.count);
+        model.add(step.geometry, places, placesAt[depth], paint, layer, paths[depth], step.kind, step.origin);
+      } else {
+        const path = step.path ? model.addPath(paths[depth], step.origin, step.kind) : paths[depth];
+        if (step.role || step.cut) model.roles.set(path, { role: step.role, cut: step.cut, item: step.item });
+        push(step.children, step.place, paint, layer, path);
       }
     }
   };
@@ -281,6 +323,9 @@ export function modelFromPacked(root) {
     }
   };
   define(root.children);
+  const { parts, paths: pathsMade } = counted(root, nodes);
+  model.grow(parts);
+  model.growPaths(1 + pathsMade);
   for (const node of root.children) {
     const f = node.fields;
     switch (node.type) {

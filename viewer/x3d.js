@@ -114,7 +114,7 @@ export function modelFromX3D(text, name = "model") {
           model.ground = { z: point(top.m, [...model.geometries[geometryOf(g)[0]].position.slice(0, 3)])[2], paint: materialOf(node) };
           break;
         }
-        if (g) for (const number of geometryOf(g)) model.add(number, top.m, materialOf(node), 0, 0, 0, 0);
+        if (g) for (const number of geometryOf(g)) model.add(number, top.m, 0, materialOf(node), 0, 0, 0, 0);
         break;
       }
       case "DirectionalLight": lights.push({ power: field(node, "intensity", [1])[0], direction: vector(top.m, field(node, "direction", [0, 0, -1])) }); break;
