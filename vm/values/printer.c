@@ -410,7 +410,8 @@ static bool put_atom(printer *p, vs_value v) {
 
 /* ---- compounds ---- */
 
-/* The characters that stand for (quote x) and its like, or NULL: (unquote @x) has none, since ,@x is (unquote-splicing x). */
+/* The characters that stand for (quote x) and its like, or NULL: (unquote @x) has none, since ,@x is
+ * (unquote-splicing x). */
 static const char *abbreviation(const vs_scheme *vm, vs_value v) {
   if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL) return NULL;
   vs_value head = vs_car(v), quoted = vs_car(vs_cdr(v));
