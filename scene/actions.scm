@@ -5,12 +5,12 @@
 
 (define %frame-actions '(update draw finish))
 
-(define (node-on node action procedure)
+(define (node-on node action handler)
   (%need-node 'node-on 'node node)
   (%need-symbol 'node-on 'action action)
-  (if procedure (%need-procedure 'node-on 'procedure procedure))
+  (if handler (%need-procedure 'node-on 'handler handler))
   (let ((known (or (%node-actions node) (begin (%set-node-actions! node (make-hasheq)) (%node-actions node)))))
-    (if procedure (hash-set! known action procedure) (hash-remove! known action))))
+    (if handler (hash-set! known action handler) (hash-remove! known action))))
 
 (define (%apply-action action node arguments)
   (%walk node

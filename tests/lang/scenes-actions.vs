@@ -22,7 +22,7 @@
 (action-apply 'paint root)
 (show (told!)) ; expect: ()
 (fails (action-apply "paint" root))      ; expect: action-apply: action must be a symbol, got "paint"
-(fails (node-on a 'paint 3))             ; expect: node-on: procedure must be a procedure, got 3
+(fails (node-on a 'paint 3))             ; expect: node-on: handler must be a procedure, got 3
 (fails (node-frame 'soon))               ; expect: node-frame: seconds must be a number of 0 or more, got soon
 ; a node that a procedure takes away is not come to
 (node-on a 'sweep (lambda (node) (node-removechildren node)))
