@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "knowledge/translate/value_kinds.h"
+#include "knowledge/targets/target_colours.h"
 #include "knowledge/translate/lift_procedures.h"
 #include "knowledge/translate/text_plan.h"
 #include "knowledge/translate/words.h"
@@ -248,7 +249,10 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
   const tr_node *node = at(w, n);
   switch ((tr_node_kind)node->kind) {
   case TR_NUMBER: tr_plan_number(w, node->text, level); break;
-  case TR_STRING: tr_plan_quoted(w, node->text); break;
+  case TR_STRING:
+    if (tr_is_colour(w, n)) tr_plan_css_colour(w, n);
+    else tr_plan_quoted(w, node->text);
+    break;
   case TR_BOOLEAN: tr_plan(w, node->yes ? "true" : "false"); break;
   case TR_NAME: plan_name(w, n); break;
   case TR_PRIMITIVE:

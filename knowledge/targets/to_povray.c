@@ -9,10 +9,10 @@
 #include "knowledge/targets/to_povray.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "knowledge/targets/target_colours.h"
 #include "knowledge/translate/lift_procedures.h"
 #include "knowledge/translate/text_plan.h"
 #include "knowledge/translate/value_kinds.h"
@@ -179,42 +179,13 @@ static bool in_brackets(uint8_t type) {
   return type == TR_A_NUMBER || type == TR_A_BOOLEAN || type == TR_A_POINT || type == TR_UNKNOWN;
 }
 
-/* Is it said as a colour: of an object, or of a material? */
-static bool is_colour(const tr_writer *w, tr_index n) {
-  const tr_node *p = at(w, at(w, n)->parent);
-  if (p->kind == TR_KEYWORD) return !strcmp(p->text, "color");
-  return p->kind == TR_PRIMITIVE && p->first == n && (!strcmp(p->text, "color") || !strcmp(p->text, "with-material"));
-}
-
-/* "#rrggbb", or a colour of CSS, in any case. */
-static bool find_colour(const char *text, unsigned *rgb) {
-  static const struct { const char *name; unsigned rgb; } colours[] = {
-#define VS_COLOR(name, value) {#name, value},
-#include "model/looks/colors.def"
-#undef VS_COLOR
-  };
-  if (*text == '#' && strlen(text) == 7 && strspn(text + 1, "0123456789abcdefABCDEF") == 6)
-    return *rgb = (unsigned)strtoul(text + 1, NULL, 16), true;
-  for (size_t i = 0; i < sizeof colours / sizeof *colours; i++)
-    if (!strcasecmp(colours[i].name, text)) return *rgb = colours[i].rgb, true;
-  return false;
-}
-
 static void plan_colour(tr_writer *w, tr_index n) {
-  const char *text = at(w, n)->text;
-  unsigned rgb;
-  char out[80];
-  for (uint16_t row = 0; (row = tr_word_next(text, row)) != 0;)
-    if (!strcmp(tr_word_row(w->target, row).result, "m") && !strcmp(tr_word_row(w->target, row).arguments, "=")) {
-      tr_plan(w, "%s", tr_word_row(w->target, row).text);
-      return;
-    }
-  if (!find_colour(text, &rgb)) {
-    tr_complain(w->t, n, "POV-Ray knows no colour \"%s\": say \"#rrggbb\"", text);
-    return;
-  }
-  int size = snprintf(out, sizeof out, "srgb <%.4g, %.4g, %.4g>", (rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0,
-                      (rgb & 255) / 255.0);
+  tr_colour c;
+  char out[100];
+  if (!tr_find_colour(w, n, &c)) return;
+  int size = c.transparency > 0
+                 ? snprintf(out, sizeof out, "srgbt <%.4g, %.4g, %.4g, %.4g>", c.r, c.g, c.b, c.transparency)
+                 : snprintf(out, sizeof out, "srgb <%.4g, %.4g, %.4g>", c.r, c.g, c.b);
   tr_plan(w, "%s", know_text(w->t->k, out, (size_t)size));
 }
 
@@ -321,7 +292,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
   switch ((tr_node_kind)node->kind) {
   case TR_NUMBER: tr_plan(w, strpbrk(node->text, "/-") && level > TR_LOOSE ? "(%s)" : "%s", node->text); break;
   case TR_STRING:
-    if (is_colour(w, n)) plan_colour(w, n);
+    if (tr_is_colour(w, n)) plan_colour(w, n);
     else plan_text(w, node->text);
     break;
   case TR_BOOLEAN: tr_plan(w, node->yes ? "true" : "false"); break;
@@ -353,7 +324,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
   }
   case TR_AND: case TR_OR: plan_or(w, n, level); break;
   case TR_LIST:
-    if (is_colour(w, n)) {
+    if (tr_is_colour(w, n)) {
       tr_plan(w, "srgb <");
       for (tr_index i = node->first; i; i = at(w, i)->next) tr_plan(w, i == node->first ? "%v" : ", %v", i);
       tr_plan(w, ">");

@@ -1,0 +1,6 @@
+(draw (with-material "oak" (make-box (xyz 0 0 0) 1 1 1)))
+(draw (with-material 'thin-glass (make-sphere (xyz 3 0 0) 1)))
+(draw (color "SteelBlue" (make-sphere (xyz 6 0 0) 1)))
+(draw (color gold (make-sphere (xyz 9 0 0) 1)))
+(draw (color "#ff8000" (make-sphere (xyz 12 0 0) 1)))
+(draw (with-material (make-material #:color "tomato" #:roughness 0.2) (make-sphere (xyz 15 0 0) 1)))
