@@ -109,6 +109,36 @@ static bool swept_disc(vs_swept *s, double radius, int n) {
 
 /* ---- along a path ---- */
 
+static size_t swept_count(double n, size_t most) { /* the next whole number, from 1 on */
+  n = ceil(n - 1e-9);
+  return n > (double)most ? most : n > 1 ? (size_t)n : 1;
+}
+
+/* Cuts the edge from each point of the profile to the next into so many equal pieces. False: out of memory. */
+static bool swept_split(vs_swept *s, const size_t *pieces) {
+  size_t total = 0, end = 0;
+  for (size_t i = 0; i < s->profile_count; i++) total += pieces[i];
+  vs_vec2 *fine = malloc((total ? total : 1) * sizeof *fine);
+  if (!fine) return false;
+  for (size_t l = 0, first = 0; l < s->loop_count; l++) {
+    size_t size = s->sizes[l], begin = end;
+    for (size_t i = 0; i < size; i++) {
+      vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % size];
+      size_t k = !s->filled && i + 1 == size ? 1 : pieces[first + i]; /* an open profile ends there */
+      for (size_t j = 0; j < k; j++) {
+        double t = (double)j / (double)k;
+        fine[end++] = (vs_vec2){ p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t };
+      }
+    }
+    first += size;
+    s->sizes[l] = end - begin;
+  }
+  free(s->profile);
+  s->profile = fine;
+  s->profile_count = end;
+  return true;
+}
+
 /* A straight edge of length l that turns by da becomes a saddle, which two triangles miss by l da / 4 in its middle.
  * Therefore a twist cuts the whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that
  * l/k twist/n / 4 keeps the tolerance, n and k alike large; and no fewer steps than facets in as much of a turn. With
@@ -127,30 +157,16 @@ static size_t swept_refine(vs_swept *s, double twist, double scale, double reach
   if (f->segments <= 0) n = fmax(n, ceil(sqrt(saddle * longest)));
   n = fmax(fmin(n, fmin(MOST_STEPS, MOST_POINTS / (double)(s->profile_count ? s->profile_count : 1))), 1);
   if (f->segments > 0) return (size_t)n;
-  vs_vec2 *fine = NULL;
-  size_t total = 0;
-  for (int pass = 0; pass < 2; pass++) { /* count, then fill */
-    if (pass && !(fine = malloc(total * sizeof *fine))) return 0;
-    total = 0;
-    for (size_t l = 0, first = 0; l < s->loop_count; l++) {
-      size_t size = s->sizes[l], begin = total;
-      for (size_t i = 0; i < size; i++) {
-        vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % size];
-        double pieces = ceil(saddle * hypot(q.x - p.x, q.y - p.y) / n - 1e-9);
-        size_t k = pieces < 1 || (!s->filled && i + 1 == size) ? 1 : pieces > MOST ? MOST : (size_t)pieces;
-        for (size_t j = 0; j < k; j++, total++) {
-          double t = (double)j / (double)k;
-          if (pass) fine[total] = (vs_vec2){ p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t };
-        }
-      }
-      first += size;
-      if (pass) s->sizes[l] = total - begin;
+  size_t *pieces = malloc((s->profile_count ? s->profile_count : 1) * sizeof *pieces);
+  if (!pieces) return 0;
+  for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
+    for (size_t i = 0; i < s->sizes[l]; i++) {
+      vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % s->sizes[l]];
+      pieces[first + i] = swept_count(saddle * hypot(q.x - p.x, q.y - p.y) / n, MOST);
     }
-  }
-  free(s->profile);
-  s->profile = fine;
-  s->profile_count = total;
-  return (size_t)n;
+  bool ok = swept_split(s, pieces);
+  free(pieces);
+  return ok ? (size_t)n : 0;
 }
 
 static size_t swept_share(size_t steps, double share) { /* of the steps, those of a stretch that is this part of the
@@ -238,6 +254,74 @@ static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs
   return true;
 }
 
+/* By how much two triangles miss, in its middle, the surface that an edge of the profile draws from one section to the
+ * next: a quarter of what keeps its four corners from being a plane's. */
+static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, vs_vec2 q) {
+  vs_vec3 at[2][2], most = { 0, 0, 0 };
+  for (int i = 0; i < 2; i++) {
+    const vs_section *s = i ? b : a;
+    at[i][0] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at);
+    at[i][1] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, q.x), vs_v3_scale(s->y, q.y)), s->at);
+  }
+  for (int c = 0; c < 4; c++) { /* the normal at the corner where it is surest */
+    int i = c / 2, j = c % 2;
+    vs_vec3 n = vs_v3_cross(vs_v3_sub(at[1][j], at[0][j]), vs_v3_sub(at[i][1], at[i][0]));
+    if (vs_v3_length(n) > vs_v3_length(most)) most = n;
+  }
+  vs_vec3 bend = vs_v3_add(vs_v3_sub(at[1][1], at[1][0]), vs_v3_sub(at[0][0], at[0][1]));
+  double length = vs_v3_length(most);
+  return length > 0 ? fabs(vs_v3_dot(bend, most)) / length / 4 : 0;
+}
+
+/* A profile that is kept upright turns where its path climbs out of a bend, within one stretch of it. As with a twist,
+ * such stretches are cut into n steps and the edges into k pieces, so that what triangles miss, n k times less, keeps
+ * the tolerance. Where the profile comes to lie on itself (seam) the edges stay whole. */
+static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
+  enum { MOST = 200 };
+  size_t count = s->section_count, total = 0;
+  size_t *pieces = malloc((s->profile_count + 1) * sizeof *pieces), *steps = malloc((count + 1) * sizeof *steps);
+  bool ok = pieces && steps, split = !s->seam, bends = false;
+  for (size_t i = 0; ok && i < s->profile_count; i++) pieces[i] = 1;
+  for (size_t r = 0; ok && r < count; r++) {
+    const vs_section *a = &s->sections[r], *b = &s->sections[r + 1 == count ? 0 : r + 1];
+    bool goes = !a->ends && (s->joined || r + 1 < count);
+    for (int pass = 0; pass < 2; pass++) { /* the steps by the edge that bends most, then the pieces of each edge */
+      double most = 0;
+      for (size_t l = 0, first = 0; goes && l < s->loop_count; first += s->sizes[l], l++)
+        for (size_t i = 0; i + !s->filled < s->sizes[l]; i++) {
+          double d = swept_saddle(a, b, s->profile[first + i], s->profile[first + (i + 1) % s->sizes[l]]);
+          most = fmax(most, d / f->tolerance);
+          if (!pass || !split) continue;
+          size_t k = swept_count(d / f->tolerance / (double)steps[r], MOST);
+          if (k > pieces[first + i]) pieces[first + i] = k;
+        }
+      if (!pass) steps[r] = swept_count(split ? sqrt(most) : most, MOST);
+    }
+    bends = bends || steps[r] > 1;
+    total += steps[r];
+  }
+  if (ok && bends) {
+    vs_section *fine = malloc(total * sizeof *fine);
+    ok = fine && (!split || swept_split(s, pieces));
+    size_t n = 0;
+    for (size_t r = 0; ok && r < count; r++) {
+      const vs_section *a = &s->sections[r], *b = &s->sections[r + 1 == count ? 0 : r + 1];
+      fine[n++] = *a;
+      for (size_t k = 1; k < steps[r]; k++) fine[n++] = vs_section_between(a, b, (double)k / (double)steps[r]);
+    }
+    if (ok) {
+      free(s->sections);
+      s->sections = fine;
+      s->section_count = s->section_room = n;
+    } else {
+      free(fine);
+    }
+  }
+  free(pieces);
+  free(steps);
+  return ok;
+}
+
 /* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start;
  * upright, where it is not NULL, says it everywhere. */
 static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright *upright, double twist, double scale,
@@ -296,6 +380,7 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
   }
   s->joined = joins && !broken;
   s->across = true;
+  if (ok && stands && upright && f->segments <= 0) ok = swept_flatten(s, f);
   vs_path_free(&fine);
   free(carried);
   return stands && (ok || vs_error_memory(e, NULL));

@@ -170,6 +170,11 @@
 (displayln (near? (tops (do-sweep frieze wall-top #:base origin #:up 'z)) '(3 3.8) 1e-9)) ; expect: #t
 (displayln (near? (tops (do-sweep frieze (make-line (xyz 0 0 3) (xyz 0 -4 3)) #:base origin #:up (vxyz 0 0 7))) '(3 3.8) 1e-9)) ; expect: #t
 (displayln (near? (tops (do-sweep frieze (make-line (xyz 0 0 3) (xyz 0 -4 3)) #:base origin #:up (vxyz 0 0 -1))) '(3 3.8) 1e-9)) ; expect: #t
+; a path that climbs out of a bend turns the profile within one stretch: its mesh follows, and `contains?` with it
+(define climbing (do-sweep (make-polygon (xy 2 0) (xy 2 1) (xy 0 1)) (make-line (xyz 0 0 0) (xyz 0 0 2) (xyz 2 1 3)) #:up (vxyz 1 0 1)))
+(define turned-past (xyz 0.30972331948391801 -0.52303890684779009 0.98982107639312744)) ; between the surface and two triangles in its place
+(displayln (contains? climbing turned-past)) ; expect: #f
+(displayln (volume (intersect climbing (make-box (+xyz turned-past -5e-4 -5e-4 -5e-4) 1e-3 1e-3 1e-3)))) ; expect: 0.0
 ; printed and read again it is the same
 (displayln (equal? along-z (do-sweep plank helix #:up (vxyz 0 0 1))))  ; expect: #t
 (displayln (do-sweep plank (make-line origin (xyz 5 0 0)) #:up 'z))    ; expect: (do-sweep (make-polygon (list (xyz -0.03 -0.3 0) (xyz 0.03 -0.3 0) (xyz 0.03 0.3 0) (xyz -0.03 0.3 0))) (make-line (list (xyz 0 0 0) (xyz 5 0 0))) #:up (vxyz 0 0 1))
