@@ -1,10 +1,13 @@
 /* Owns fuzzing without libFuzzer: hands each file named to the fuzzer that it is linked with, and then, with `-n COUNT`, so many inputs made of them by chance, the same ones
  * each time; `-s NUMBER` others. Every input that once crashed is kept in tests/fuzz/corpus.
  * With `-k FILE` each input is written there first, so that the one that crashes is known; `-j FILE` hands over those of
- * a journal (fuzz.h). An input that takes more than SLOW seconds ends the process. */
+ * a journal (fuzz.h). An input that takes more than SLOW seconds of the processor, or WAITS by the clock, ends the process:
+ * on a busy machine the clock alone would call inputs slow that only waited for their turn. */
 #include "tests/fuzz/fuzz.h"
 
-enum { MOST = 1 << 20, FILES = 4096, GROWTH = 4096, SLOW = 30 };
+#include <sys/time.h>
+
+enum { MOST = 1 << 20, FILES = 4096, GROWTH = 4096, SLOW = 30, WAITS = 600 };
 typedef struct { uint8_t *at; size_t count; } input;
 
 static uint64_t state = 88172645463325252u;
@@ -20,7 +23,8 @@ static void hand(const uint8_t *from, size_t count, const char *keep) {
   if (!exact) abort();
   memcpy(exact, from, count);
   if (f) fwrite(from, 1, count, f), fclose(f);
-  alarm(SLOW);
+  setitimer(ITIMER_PROF, &(struct itimerval){ .it_value.tv_sec = SLOW }, NULL);
+  alarm(WAITS);
   LLVMFuzzerTestOneInput(exact, count);
   free(exact);
 }
