@@ -117,9 +117,9 @@ static size_t swept_count(double n, size_t most) { /* the next whole number, fro
 /* Cuts the edge from each point of the profile to the next into so many equal pieces. False: out of memory. */
 static bool swept_split(vs_swept *s, const size_t *pieces) {
   size_t total = 0, end = 0;
+  vs_vec2 *fine = NULL;
   for (size_t i = 0; i < s->profile_count; i++) total += pieces[i];
-  vs_vec2 *fine = malloc((total ? total : 1) * sizeof *fine);
-  if (!fine) return false;
+  if (!VS_FRESH(fine, total + 1)) return false;
   for (size_t l = 0, first = 0; l < s->loop_count; l++) {
     size_t size = s->sizes[l], begin = end;
     for (size_t i = 0; i < size; i++) {
@@ -157,8 +157,8 @@ static size_t swept_refine(vs_swept *s, double twist, double scale, double reach
   if (f->segments <= 0) n = fmax(n, ceil(sqrt(saddle * longest)));
   n = fmax(fmin(n, fmin(MOST_STEPS, MOST_POINTS / (double)(s->profile_count ? s->profile_count : 1))), 1);
   if (f->segments > 0) return (size_t)n;
-  size_t *pieces = malloc((s->profile_count ? s->profile_count : 1) * sizeof *pieces);
-  if (!pieces) return 0;
+  size_t *pieces = NULL;
+  if (!VS_FRESH(pieces, s->profile_count + 1)) return 0;
   for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
     for (size_t i = 0; i < s->sizes[l]; i++) {
       vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % s->sizes[l]];
@@ -278,9 +278,9 @@ static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, 
  * the tolerance. Where the profile comes to lie on itself (seam) the edges stay whole. */
 static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   enum { MOST = 200 };
-  size_t count = s->section_count, total = 0;
-  size_t *pieces = malloc((s->profile_count + 1) * sizeof *pieces), *steps = malloc((count + 1) * sizeof *steps);
-  bool ok = pieces && steps, split = !s->seam, bends = false;
+  size_t count = s->section_count, total = 0, *pieces = NULL, *steps = NULL;
+  bool ok = VS_FRESH(pieces, s->profile_count + 1) && VS_FRESH(steps, count + 1);
+  bool split = !s->seam, bends = false;
   for (size_t i = 0; ok && i < s->profile_count; i++) pieces[i] = 1;
   for (size_t r = 0; ok && r < count; r++) {
     const vs_section *a = &s->sections[r], *b = &s->sections[r + 1 == count ? 0 : r + 1];
@@ -301,9 +301,9 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
     total += steps[r];
   }
   if (ok && bends) {
-    vs_section *fine = malloc(total * sizeof *fine);
-    ok = fine && (!split || swept_split(s, pieces));
+    vs_section *fine = NULL;
     size_t n = 0;
+    ok = VS_FRESH(fine, total) && (!split || swept_split(s, pieces));
     for (size_t r = 0; ok && r < count; r++) {
       const vs_section *a = &s->sections[r], *b = &s->sections[r + 1 == count ? 0 : r + 1];
       fine[n++] = *a;
