@@ -480,7 +480,7 @@ typedef struct {
   int width, height;     /* pixels; 0: 1024 by 768, or what keeps 4:3 with the other */
   vs_quality quality;
   vs_development development; /* of a .png */
-  bool layers;           /* an .exr has depth, normal, albedo and id as well, by which it can be picked and denoised */
+  bool layers;           /* an .exr has depth, normal, albedo, id, material and ambient occlusion as well */
   const char *view;      /* the name of one of the model's views, or NULL; "*": all of them, on a drawing's sheet */
   bool has_camera;       /* over what the model and the view say */
   double camera[7];      /* eye, target, lens in mm of a 35 mm film */
@@ -522,6 +522,11 @@ VS_API vs_outcome vs_picture_tone(vs_scheme *s, const char *from, const char *to
 VS_API vs_outcome vs_picture_false_color(vs_scheme *s, const char *from, const char *to, double unit, double *least,
     double *most);
 
+/* The same of the illuminance of floors, from a picture with the layers of albedo and normal. unit: as above, so that
+ * it is lux. */
+VS_API vs_outcome vs_picture_illuminance(vs_scheme *s, const char *from, const char *to, double unit, double *least,
+    double *most);
+
 typedef struct {
   double color[3];       /* linear light */
   double depth;          /* channel Z; a NaN: the picture has none */
@@ -529,6 +534,9 @@ typedef struct {
   double normal[3];
   long id;               /* channel id; 0: nothing was met there; negative: the picture has no such channel */
   char place[512];       /* "house.vs:12:3", what made it; "": not known */
+  char material[128];    /* its name, "#rrggbb" of a plain colour; "": none */
+  double openness;       /* channel AO: 1 on an open field, 0 in a crack; a NaN: the picture has none */
+  double illuminance;    /* of a matt surface, in the picture's numbers; a NaN: not known */
 } vs_picture_point;
 /* The data that a picture has of a pixel, columns and rows counted from 0 at the upper left. */
 VS_API vs_outcome vs_picture_pick(vs_scheme *s, const char *from, long column, long row, vs_picture_point *out);

@@ -19,7 +19,7 @@ typedef struct {
                        * all of it */
   vs_render_quality quality;
   vs_tone tone;       /* how light becomes the numbers of a .png */
-  bool layers;        /* an .exr has depth, normal, albedo and id beside the light */
+  bool layers;        /* an .exr has depth, normal, albedo, id, material and ambient occlusion, too */
   const char *view;   /* of a drawing: the name of what it shows; "*": all views; NULL: by the file's name */
   uint64_t byte_limit; /* of one output; 0: none */
   double worker_seconds; /* a worker program is stopped after so long; 0: never */

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+static const double pi = 3.14159265358979323846;
+
 static vs_vec3 look_unit(vs_vec3 v) {
   double length = vs_v3_length(v);
   return length > 0 ? vs_v3_scale(v, 1 / length) : vs_v3(0, 0, 1);
@@ -68,6 +70,11 @@ vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bo
     look_axes(&l, vs_v3_sub(l.target, l.eye), up);
     l.upright = scene->upright;
     return l;
+  case VS_VIEW_PANORAMA:
+    l.eye = scene->eye, l.target = scene->target, l.angle = pi / 2, l.panorama = true;
+    vs_vec3 ahead = vs_v3_sub(l.target, l.eye);
+    look_axes(&l, vs_v3(ahead.x, ahead.y, 0), up);
+    return l;
   case VS_VIEW_ALONG: l.parallel = true; look_axes(&l, vs_v3_sub(scene->target, scene->eye), up); break;
   case VS_VIEW_EXTENTS: look_axes(&l, vs_v3(-0.62, 1, -0.5), up); break;
   case VS_VIEW_TOP: l.parallel = true; look_axes(&l, vs_v3(0, 0, -1), north); break;
@@ -85,7 +92,7 @@ vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bo
 bool vs_look_sun_is_pictured(const vs_scene *scene) { return scene->sky_sunless != NULL && !scene->has_sun; }
 
 vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look) {
-  const double degree = 3.14159265358979323846 / 180;
+  const double degree = pi / 180;
   if (scene->has_sun) {
     double azimuth = scene->sun_azimuth * degree, altitude = scene->sun_altitude * degree;
     return vs_v3(sin(azimuth) * cos(altitude), cos(azimuth) * cos(altitude), sin(altitude));
@@ -98,9 +105,18 @@ vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look) {
   return vs_v3(across.x * cos(44 * degree), across.y * cos(44 * degree), sin(44 * degree));
 }
 
+double vs_look_height(uint32_t columns, uint32_t rows) { return fmin(2 * pi * rows / columns, pi); }
+
 void vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row, vs_vec3 *from,
                  vs_vec3 *direction) {
   double x = (column + 0.5) / columns * 2 - 1, y = (1 - (row + 0.5) / rows * 2) * rows / columns;
+  if (look->panorama) {
+    double round = x * pi, above = (0.5 - (row + 0.5) / rows) * vs_look_height(columns, rows);
+    vs_vec3 level = vs_v3_add(vs_v3_scale(look->forward, cos(round)), vs_v3_scale(look->right, sin(round)));
+    *from = look->eye;
+    *direction = vs_v3_add(vs_v3_scale(level, cos(above)), vs_v3_scale(look->up, sin(above)));
+    return;
+  }
   double half = look->parallel ? look->width / 2 : tan(look->angle / 2);
   vs_vec3 ahead = look->forward, up = look->up;
   if (look->upright && !look->parallel) { /* the picture's plane is vertical */

@@ -289,6 +289,7 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_CURVE: return parse_curve(v, &o->output.development);
   case OPTION_EXPOSURE: return parse_exposure(v, &o->output.development);
   case OPTION_LAYERS: return o->output.layers = true;
+  case OPTION_LUX: return o->lux = true;
   case OPTION_CANDELAS:
     return (parse_real(v, 0, &o->candelas) && o->candelas > 0) || bad("--candelas", v, "a number above 0");
   case OPTION_TOLERANCE:

@@ -48,6 +48,7 @@ typedef struct {
   cli_frames frames;
   const char *place, *date, *from, *step; /* of vs sunstudy, with language for --to; NULL: not given */
   double candelas;              /* cd/m2 of the number 1 in a picture; 0: not said */
+  bool lux;                     /* illuminance of floors, not luminance */
   const char **held; size_t held_count; /* --hold, of vs fit; behind `words` */
   size_t points;                       /* --points; 0: the usual */
   /* of vs render; the first two behind `held` */

@@ -72,7 +72,8 @@ const vs_scene_view *vs_scene_own_view(const vs_scene *scene) {
   for (size_t i = 0; i < scene->view_count && !scene->looked; i++) {
     const vs_scene_view *v = &scene->views[i];
     bool section = v->view == VS_VIEW_ALONG && v->cut == VS_CUT_PLANE;
-    if (!section && (v->view == VS_VIEW_CAMERA || v->view == VS_VIEW_ALONG || v->view == VS_VIEW_ISO)) return v;
+    bool eye = v->view == VS_VIEW_CAMERA || v->view == VS_VIEW_PANORAMA;
+    if (!section && (eye || v->view == VS_VIEW_ALONG || v->view == VS_VIEW_ISO)) return v;
   }
   return scene->view_count > 0 && !scene->looked ? scene->views : NULL;
 }

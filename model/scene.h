@@ -14,7 +14,8 @@ typedef enum {
   VS_VIEW_LEFT,
   VS_VIEW_RIGHT,
   VS_VIEW_ISO,
-  VS_VIEW_ALONG /* parallel, from eye towards target */
+  VS_VIEW_ALONG,   /* parallel, from eye towards target */
+  VS_VIEW_PANORAMA /* all round from eye, target in the middle */
 } vs_view;
 
 /* A view that the program named: how a picture or a drawing is looked at. Lengths in model units. */
@@ -22,7 +23,7 @@ typedef enum { VS_CUT_OWN /* of a plan alone: where the drawing finds best */, V
 typedef struct {
   const char *name;          /* interned */
   vs_view view;
-  vs_vec3 eye, target;       /* VS_VIEW_CAMERA, VS_VIEW_ALONG */
+  vs_vec3 eye, target;       /* VS_VIEW_CAMERA, VS_VIEW_ALONG, VS_VIEW_PANORAMA */
   double lens;               /* mm, 35 mm equivalent */
   bool upright;              /* VS_VIEW_CAMERA: what is vertical stays so on the picture */
   double aperture;           /* VS_VIEW_CAMERA: the lens's f-number; 0: all is sharp */
@@ -66,7 +67,7 @@ typedef struct {
   const char *title;         /* interned; the model file's name without folder, or "model" */
   bool looked;               /* the program said how: camera, view-from, zoom-extents */
   vs_view view;
-  vs_vec3 eye, target;       /* VS_VIEW_CAMERA */
+  vs_vec3 eye, target;       /* VS_VIEW_CAMERA, VS_VIEW_PANORAMA */
   double lens;               /* mm, 35 mm equivalent; 35 by default */
   bool upright;              /* VS_VIEW_CAMERA: verticals stay vertical */
   double aperture;           /* VS_VIEW_CAMERA: f-number; 0: all is sharp */

@@ -40,6 +40,9 @@ static vs_scene_view own_view(const vs_emitter *e, size_t i) {
 
 static bool add(vs_emitter *e, vs_flat_view **out, size_t *count, size_t *room, vs_scene_view view) {
   if (!vs_emit_grow(e, out, room, *count + 1, sizeof **out)) return false;
+  if (view.view == VS_VIEW_PANORAMA)
+    return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the view \"%.100s\" is a panorama, which only pictures show",
+                        view.name);
   if (view.cut == VS_CUT_OWN) cut_plan(e, &view);
   (*out)[(*count)++] = (vs_flat_view){ .spec = view, .has_cut = view.cut == VS_CUT_PLANE };
   return true;
@@ -85,8 +88,9 @@ bool vs_drawing_choose(vs_emitter *e, vs_flat_view **out, size_t *count, size_t 
   }
   if (!all) return add(e, out, count, room, v);
   bool ok = true;
-  for (size_t i = 0; ok && i < e->scene->view_count; i++) ok = add(e, out, count, room, e->scene->views[i]);
-  for (size_t i = 0; ok && e->scene->view_count == 0 && i < sizeof own / sizeof *own; i++)
+  for (size_t i = 0; ok && i < e->scene->view_count; i++)
+    ok = e->scene->views[i].view == VS_VIEW_PANORAMA || add(e, out, count, room, e->scene->views[i]);
+  for (size_t i = 0, named_views = *count; ok && named_views == 0 && i < sizeof own / sizeof *own; i++)
     if (own[i].whole) ok = add(e, out, count, room, own_view(e, i));
   return ok;
 }

@@ -6,17 +6,25 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "backends/povray/povray.h"
 #include "backends/view.h"
-#include "geometry/measure/ray_tree.h"
+#include "backends/writer.h"
+#include "geometry/measure/bounds.h"
+#include "geometry/measure/openness.h"
+#include "kernel/memory.h"
 
-enum { DEPTH, NX, NY, NZ, RED, GREEN, BLUE, ID, LAYERS };
+enum { DEPTH, NX, NY, NZ, RED, GREEN, BLUE, ID, MATERIAL, OPEN, LAYERS };
 
 typedef struct {
   vs_emitter *e;
   vs_look look;
   vs_solid solid;
   vs_ray_tree tree;
-  uint32_t *id;         /* of each part; 0: not known where it was made */
+  uint32_t *id, *material; /* of each part; 0: not known where it was made, no material */
+  uint32_t ground_material;
+  vs_surrounding round; /* what shades a place; ground: where there is one */
+  double hair;          /* above a surface, its own facets are not met */
+  vs_exr *x;
   float *at[LAYERS];
   uint32_t columns, rows; /* of the whole picture */
 } layers;
@@ -24,18 +32,18 @@ typedef struct {
 /* IEC 61966-2-1. */
 static float linear(double s) { return (float)(s <= 0.04045 ? s / 12.92 : pow((s + 0.055) / 1.055, 2.4)); }
 
-static void put(layers *l, size_t i, double depth, vs_vec3 n, const double paint[3], uint32_t id) {
-  l->at[DEPTH][i] = (float)depth;
+static void put(const layers *l, size_t i, vs_vec3 n, const double paint[3],
+                double diffuse) {
   l->at[NX][i] = (float)n.x, l->at[NY][i] = (float)n.y, l->at[NZ][i] = (float)n.z;
-  for (int k = 0; k < 3; k++) l->at[RED + k][i] = linear(paint[k]);
-  l->at[ID][i] = (float)id;
+  for (int k = 0; k < 3; k++) l->at[RED + k][i] = linear(paint[k]) * (float)diffuse;
 }
 
-static void look_at(layers *l, const vs_exr *x, uint32_t column, uint32_t row) {
+static void look_at(const layers *l, uint32_t column, uint32_t row) {
   static const double bare[3] = { 0.86, 0.85, 0.83 }, earth[3] = { 0.77, 0.76, 0.73 }; /* as povray_scene.c has them */
+  const double earth_diffuse = 0.8;
   const vs_scene *scene = l->e->scene;
   const vs_mesh *m = &l->solid.mesh;
-  size_t i = (size_t)row * x->columns + column;
+  size_t i = (size_t)row * l->x->columns + column;
   vs_vec3 from, direction;
   double below = INFINITY, at;
   const int *crop = l->e->options->crop;
@@ -44,87 +52,190 @@ static void look_at(layers *l, const vs_exr *x, uint32_t column, uint32_t row) {
   if (!(below > 0)) below = INFINITY;
   size_t hit = vs_ray_tree_meet(&l->tree, from, direction, below, false, &at);
   if (!isfinite(at)) {
-    l->at[DEPTH][i] = INFINITY;
+    l->at[DEPTH][i] = INFINITY, l->at[OPEN][i] = 1;
     return;
   }
-  double depth = at * vs_v3_dot(direction, l->look.forward);
+  l->at[DEPTH][i] = (float)(l->look.panorama ? at : at * vs_v3_dot(direction, l->look.forward));
   const vs_material *paint = scene->ground_material;
   vs_vec3 normal = vs_v3(0, 0, 1);
-  uint32_t id = 0;
+  l->at[MATERIAL][i] = (float)l->ground_material;
   if (hit < m->triangle_count) {
     const vs_vec3 *p[3];
     for (int k = 0; k < 3; k++) p[k] = &m->vertices[m->triangles[hit][k]];
     normal = vs_v3_unit(vs_v3_cross(vs_v3_sub(*p[1], *p[0]), vs_v3_sub(*p[2], *p[0])));
     uint32_t part = m->tags ? m->tags[hit] : 0;
-    paint = l->solid.parts[part].material, id = l->id[part];
+    paint = l->solid.parts[part].material;
+    l->at[ID][i] = (float)l->id[part], l->at[MATERIAL][i] = (float)l->material[part];
   }
   if (vs_v3_dot(normal, direction) > 0) normal = vs_v3_scale(normal, -1);
   const double *plain = hit < m->triangle_count ? bare : earth;
   double color[3] = { paint ? paint->red : plain[0], paint ? paint->green : plain[1], paint ? paint->blue : plain[2] };
-  put(l, i, depth, normal, color, id);
+  put(l, i, normal, color, plain == bare || paint ? vs_povray_diffuse(paint) : earth_diffuse);
+  vs_vec3 place = vs_v3_add(vs_v3_add(from, vs_v3_scale(direction, at)), vs_v3_scale(normal, l->hair));
+  vs_surrounding round = l->round;
+  if (place.z < round.ground) round.ground = -INFINITY; /* a cellar */
+  l->at[OPEN][i] = (float)vs_openness(&round, place, normal, (row + (uint32_t)crop[1]) * l->columns + column +
+                                      (uint32_t)crop[0]);
 }
 
-/* A place in the program by its address, since they are interned; in a table with room for twice as many, a power of
- * two. */
-typedef struct { const vs_origin *origin; uint32_t id; } place;
-
-static place *find_place(place *table, size_t room, const vs_origin *o) {
-  size_t at = (size_t)(((uint64_t)(uintptr_t)o >> 4) * UINT64_C(0x9E3779B97F4A7C15) >> 20) & (room - 1);
-  while (table[at].origin && table[at].origin != o) at = (at + 1) & (room - 1);
-  return &table[at];
+/* A task of the threads. */
+static bool look_along(vs_kernel *k, void *context, size_t row) {
+  const layers *l = context;
+  for (uint32_t column = 0; column < l->x->columns; column++) look_at(l, column, (uint32_t)row);
+  return vs_kernel_report(k, (double)row / l->x->rows);
 }
 
-/* Numbers the places in the order of the parts, and lists them. */
-static bool number_places(layers *l, vs_exr *x) {
-  size_t count = l->solid.part_count, room = 16, length = 1;
-  while (room < 2 * count) room *= 2;
-  place *table = vs_store_realloc(x->store, NULL, 0, room * sizeof *table);
-  if (!table) return vs_emit_no_memory(l->e);
-  memset(table, 0, room * sizeof *table);
-  uint32_t places = 0;
-  for (size_t i = 0; i < count; i++) {
-    const vs_origin *o = l->solid.parts[i].leaf.origin;
-    place *p = o ? find_place(table, room, o) : NULL;
-    if (p && !p->origin) *p = (place){ o, ++places }, length += strlen(o->file) + 32;
-    l->id[i] = p ? p->id : 0;
-  }
-  vs_store_realloc(x->store, table, room * sizeof *table, 0);
-  x->sources = vs_store_realloc(x->store, NULL, 0, length);
-  if (!x->sources) return vs_emit_no_memory(l->e);
-  x->sources_room = length;
-  char *to = x->sources;
-  *to = 0;
-  uint32_t next = 1;
-  for (size_t i = 0; i < count; i++) {
-    const vs_origin *o = l->solid.parts[i].leaf.origin;
-    if (!o || l->id[i] != next) continue;
-    next++;
-    to += snprintf(to, length - (size_t)(to - x->sources), "%s:%u:%u\n", o->file, o->line, o->column);
-  }
+/* A text of the picture, as a writer fills it. */
+typedef struct { vs_exr *x; vs_exr_text kind; vs_error *e; } words;
+
+static bool say_more(void *to, const void *bytes, size_t count) {
+  const words *t = to;
+  return vs_exr_add_text(t->x, t->kind, bytes, count, t->e);
+}
+
+/* Places and materials are interned: one is known by its address. Numbers are looked up in a table with room for twice
+ * as many, a power of two. */
+typedef struct { const void *what; uint32_t number; } entry;
+typedef struct { entry *at; size_t room; uint32_t count; words to; vs_writer text; } list;
+
+static entry *find_entry(const list *t, const void *what) {
+  size_t at = (size_t)(((uint64_t)(uintptr_t)what >> 4) * UINT64_C(0x9E3779B97F4A7C15) >> 20) & (t->room - 1);
+  while (t->at[at].what && t->at[at].what != what) at = (at + 1) & (t->room - 1);
+  return &t->at[at];
+}
+
+static bool begin_list(list *t, vs_exr *x, vs_exr_text kind, size_t most, vs_error *e) {
+  *t = (list){ .room = 16, .to = { x, kind, e } };
+  vs_writer_init(&t->text, say_more, &t->to);
+  while (t->room < 2 * most) t->room *= 2;
+  t->at = vs_store_realloc(x->store, NULL, 0, t->room * sizeof *t->at);
+  if (!t->at) return vs_error_memory(e, NULL);
+  memset(t->at, 0, t->room * sizeof *t->at);
   return true;
 }
 
+/* The number of what is told by a line of text; *fresh: it has none of those before, and the line is to be written. */
+static uint32_t number_of(list *t, const void *what, bool *fresh) {
+  entry *n = find_entry(t, what);
+  *fresh = !n->what;
+  if (*fresh) *n = (entry){ what, ++t->count };
+  return n->number;
+}
+
+/* Line breaks and the like would part a name. */
+static void put_name(vs_writer *w, const char *name) {
+  for (; *name; name++) vs_put(w, (unsigned char)*name < ' ' ? " " : name, 1);
+}
+
+static uint32_t number_of_material(list *t, const vs_material *m) {
+  bool fresh = false;
+  uint32_t n = m ? number_of(t, m, &fresh) : 0;
+  if (fresh && *m->name) put_name(&t->text, m->name);
+  else if (fresh)
+    vs_putf(&t->text, "#%02x%02x%02x", (unsigned)lround(255 * m->red), (unsigned)lround(255 * m->green),
+            (unsigned)lround(255 * m->blue));
+  if (fresh) vs_puts(&t->text, "\n");
+  return n;
+}
+
+static uint32_t number_of_place(list *t, const vs_origin *o) {
+  bool fresh = false;
+  uint32_t n = o ? number_of(t, o, &fresh) : 0;
+  if (fresh) put_name(&t->text, o->file), vs_putf(&t->text, ":%u:%u\n", o->line, o->column);
+  return n;
+}
+
+static bool end_list(list *t) {
+  bool ok = t->at && vs_writer_flush(&t->text);
+  if (t->at) vs_store_realloc(t->to.x->store, t->at, t->room * sizeof *t->at, 0);
+  return ok;
+}
+
+/* Numbers the places and the materials in the order of the parts, and lists them. */
+static bool number_parts(layers *l) {
+  list places = { .at = NULL }, materials = { .at = NULL };
+  size_t count = l->solid.part_count;
+  vs_error *e = l->e->error;
+  bool ok = begin_list(&places, l->x, VS_EXR_SOURCES, count, e) &&
+            begin_list(&materials, l->x, VS_EXR_MATERIALS, count + 1, e);
+  for (size_t i = 0; ok && i < count; i++) {
+    l->id[i] = number_of_place(&places, l->solid.parts[i].leaf.origin);
+    l->material[i] = number_of_material(&materials, l->solid.parts[i].material);
+  }
+  if (ok && l->e->scene->has_ground) l->ground_material = number_of_material(&materials, l->e->scene->ground_material);
+  bool listed = end_list(&places), told = end_list(&materials);
+  return ok && ((listed && told) || vs_emit_no_memory(l->e));
+}
+
+/* ---- what the picture says in words ---- */
+
+static void say_place(vs_writer *w, const char *what, vs_vec3 v) {
+  vs_puts(w, what);
+  vs_put_triple(w, " ", v, " ", "");
+}
+static void say_number(vs_writer *w, const char *what, double x) {
+  vs_puts(w, what);
+  vs_put_number(w, x);
+}
+
+static void say_camera(vs_writer *w, const vs_scene *s, const vs_look *l) {
+  vs_puts(w, l->panorama ? "panorama" : l->parallel ? "parallel" : l->upright ? "upright" : "perspective");
+  say_place(w, " eye", l->eye);
+  if (l->parallel || l->panorama) say_place(w, " forward", l->forward), say_place(w, " up", l->up);
+  else say_place(w, " target", l->target), say_number(w, " lens ", 18 / tan(l->angle / 2));
+  if (l->parallel) say_number(w, " width ", l->width);
+  if (s->view == VS_VIEW_CAMERA && s->aperture > 0) say_number(w, " f-number ", s->aperture);
+  vs_puts(w, " units ");
+  vs_puts(w, s->units);
+}
+
+bool vs_povray_say_view(vs_emitter *e, vs_exr *x, uint32_t columns, uint32_t rows) {
+  const double degree = 3.14159265358979323846 / 180;
+  vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, (double)columns / rows);
+  vs_vec3 sun = vs_look_sun(e->scene, &look);
+  double azimuth = atan2(sun.x, sun.y) / degree;
+  words to = { x, VS_EXR_CAMERA, e->error };
+  vs_writer w;
+  vs_writer_init(&w, say_more, &to);
+  say_camera(&w, e->scene, &look);
+  bool ok = vs_writer_flush(&w);
+  to.kind = VS_EXR_SUN;
+  say_number(&w, "azimuth ", azimuth < 0 ? azimuth + 360 : azimuth);
+  say_number(&w, " altitude ", asin(fmax(fmin(sun.z, 1), -1)) / degree);
+  if (e->scene->turbidity > 0) say_number(&w, " turbidity ", e->scene->turbidity);
+  return ok && vs_writer_flush(&w);
+}
+
+/* ---- the layers ---- */
+
 static bool keep_going(void *emitter, double done) { return vs_emit_progress(emitter, "meshing", done); }
+static bool keep_looking(void *emitter, double done) { return vs_emit_progress(emitter, "layers", done); }
 
 bool vs_povray_layers(vs_emitter *e, vs_exr *x, uint32_t columns, uint32_t rows) {
   static const struct { const char *name; vs_exr_type type; } channels[LAYERS] = {
       [DEPTH] = { "Z", VS_EXR_FLOAT }, [NX] = { "N.X", VS_EXR_HALF }, [NY] = { "N.Y", VS_EXR_HALF },
       [NZ] = { "N.Z", VS_EXR_HALF }, [RED] = { "albedo.R", VS_EXR_HALF }, [GREEN] = { "albedo.G", VS_EXR_HALF },
-      [BLUE] = { "albedo.B", VS_EXR_HALF }, [ID] = { "id", VS_EXR_WHOLE } };
+      [BLUE] = { "albedo.B", VS_EXR_HALF }, [ID] = { "id", VS_EXR_WHOLE }, [MATERIAL] = { "material", VS_EXR_WHOLE },
+      [OPEN] = { "AO", VS_EXR_HALF } };
   const vs_scene *scene = e->scene;
   vs_kernel_options options = { .progress = keep_going, .context = e };
-  layers l = { .e = e, .columns = columns, .rows = rows };
+  layers l = { .e = e, .columns = columns, .rows = rows, .x = x };
   bool ok = vs_solid_evaluate(scene->drawn, scene->drawn_count, &e->drawing_facets, &options, &l.solid, e->error);
-  size_t bytes = (l.solid.part_count + 1) * sizeof *l.id;
+  size_t bytes = 2 * (l.solid.part_count + 1) * sizeof *l.id;
   if (ok && !(l.id = vs_store_realloc(scene->store, NULL, 0, bytes))) ok = vs_emit_no_memory(e);
-  ok = ok && number_places(&l, x) && vs_ray_tree_make(&l.tree, scene->store, &l.solid.mesh, e->error);
+  if (ok) l.material = l.id + l.solid.part_count + 1;
+  ok = ok && number_parts(&l) && vs_ray_tree_make(&l.tree, scene->store, &l.solid.mesh, e->error);
   for (int k = 0; ok && k < LAYERS; k++) ok = (l.at[k] = vs_exr_add(x, channels[k].name, channels[k].type,
       e->error)) != NULL;
   l.look = vs_look_find(scene, &e->framed, e->boxes, e->box_count, (double)columns / rows);
-  for (uint32_t row = 0; ok && row < x->rows; row++) {
-    for (uint32_t column = 0; column < x->columns; column++) look_at(&l, x, column, row);
-    ok = vs_emit_progress(e, "layers", (double)row / x->rows);
-  }
+  double diagonal = vs_bounds_diagonal(&e->framed);
+  l.hair = 1e-6 * diagonal;
+  l.round = (vs_surrounding){ &l.tree, scene->has_ground ? scene->ground_z : -INFINITY, diagonal / 10 };
+  vs_kernel_error problem = { VS_KERNEL_FINE, 0, "" };
+  options.progress = keep_looking;
+  vs_kernel k = { .options = &options, .error = &problem, .threads = vs_kernel_threads(&options), .share = 1 };
+  if (ok && !vs_kernel_run(&k, x->rows, look_along, &l))
+    ok = e->error->kind != VS_ERROR_NONE ? false : vs_emit_no_memory(e);
   vs_ray_tree_free(&l.tree);
   if (l.id) vs_store_realloc(scene->store, l.id, bytes, 0);
   vs_solid_free(&l.solid);

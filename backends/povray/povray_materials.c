@@ -49,8 +49,8 @@ static void put_finish(vs_emitter *e, const vs_material *m) {
   vs_writer *w = e->out;
   double gloss = 1 - m->roughness;
   put_word(w, "    finish { ambient ", vs_povray_ambient(e), " ");
+  put_word(w, "diffuse ", vs_povray_diffuse(m), "");
   if (m->transparency > 0) {
-    put_word(w, "diffuse ", 0.8 * (1 - m->transparency), "");
     /* POV-Ray's fresnel term goes by the interior's index, and thin glass has 1 there. */
     if (is_thin(m))
       put_word(w, " specular ", 0.8 * gloss * gloss,
@@ -58,12 +58,10 @@ static void put_finish(vs_emitter *e, const vs_material *m) {
     else
       vs_puts(w, " specular 0.8 roughness 0.001 reflection { 0.02, 0.9 fresnel on } conserve_energy }\n");
   } else if (m->metallic > 0.5) {
-    put_word(w, "diffuse ", 0.35 + 0.35 * m->roughness, "");
     put_word(w, " brilliance 2 specular ", 0.3 + 0.6 * gloss, "");
     put_word(w, " roughness ", 0.002 + 0.1 * m->roughness * m->roughness, " metallic");
     put_word(w, " reflection { ", 0.12 + 0.5 * gloss * gloss, " metallic } }\n");
   } else {
-    put_word(w, "diffuse ", 0.82, "");
     put_word(w, " specular ", 0.5 * gloss * gloss, "");
     put_word(w, " roughness ", 0.004 + 0.15 * m->roughness * m->roughness, "");
     if (gloss > 0.75) vs_puts(w, " reflection { 0, 0.25 fresnel on } conserve_energy");

@@ -1,10 +1,8 @@
-/* Owns what becomes of POV-Ray's picture before it is handed on: it is copied without what differs from one run to the
- * next.
+/* Owns what becomes of POV-Ray's picture before it is handed on.
  *
- * POV-Ray always renders an EXR, linear light in half floats. It writes the date, its version and the platform into
- * attributes of the header, which are left out; the table behind it holds where in the file each block of lines begins,
- * so these numbers go down by as much as the header becomes shorter. All else is copied byte by byte. A PNG is made of
- * the light here (geometry/pictures/tone.c): POV-Ray would cut off what is brighter than white. */
+ * POV-Ray always renders an EXR, linear light in half floats. Its header has the date, its version and the platform in
+ * it: an .exr is written anew by OpenEXR's library, the same numbers with what was seen from where in what sun. A PNG
+ * is made of the light here (geometry/pictures/tone.c): POV-Ray would cut off what is brighter than white. */
 #include "backends/povray/povray_picture.h"
 
 #include <errno.h>
@@ -55,48 +53,6 @@ static bool picture_write(vs_emitter *e, const char *path, const picture_bytes *
                             problem == ENOSPC ? "the disk is full" : strerror(problem));
 }
 
-/* Takes `count` bytes out of the picture. */
-static void picture_cut(picture_bytes *p, size_t from, size_t count) {
-  memmove(p->at + from, p->at + from + count, p->count - from - count);
-  p->count -= count;
-}
-
-static uint64_t picture_little(const unsigned char *at, int bytes) {
-  uint64_t x = 0;
-  while (bytes-- > 0) x = x << 8 | at[bytes];
-  return x;
-}
-
-/* An attribute is its name, its type, both ending in a zero, the count of its bytes in four, and the bytes. Returns its
- * size; 0: there is none, or it is cut off. */
-static size_t picture_attribute(const unsigned char *at, size_t left) {
-  const unsigned char *name = memchr(at, 0, left);
-  if (!name || name == at) return 0;
-  const unsigned char *type = memchr(name + 1, 0, left - (size_t)(name + 1 - at));
-  size_t head = type ? (size_t)(type + 5 - at) : left + 1;
-  if (head > left) return 0;
-  size_t whole = head + (size_t)picture_little(type + 1, 4);
-  return whole <= left ? whole : 0;
-}
-
-static void picture_plain_exr(picture_bytes *p) {
-  static const char *const dated[] = { "creation", "comments", "software" };
-  size_t at = 8, less = 0, size;
-  while ((size = picture_attribute(p->at + at, p->count - at)) > 0) {
-    bool cut = false;
-    for (size_t i = 0; i < sizeof dated / sizeof *dated; i++)
-      cut = cut || strcmp((const char *)p->at + at, dated[i]) == 0;
-    if (cut) picture_cut(p, at, size), less += size;
-    else at += size;
-  }
-  if (++at + 8 > p->count || less == 0) return;
-  uint64_t first = picture_little(p->at + at, 8) - less; /* the first block follows the table */
-  for (size_t entry = at; entry + 8 <= first && entry + 8 <= p->count; entry += 8) {
-    uint64_t where = picture_little(p->at + entry, 8) - less;
-    for (int i = 0; i < 8; i++) p->at[entry + (size_t)i] = (unsigned char)(where >> (8 * i));
-  }
-}
-
 /* Of a part POV-Ray makes a picture of the whole's size, black elsewhere. */
 static bool picture_part(vs_emitter *e, vs_exr *x) {
   const int *c = e->options->crop;
@@ -105,8 +61,8 @@ static bool picture_part(vs_emitter *e, vs_exr *x) {
   return !c[2] || vs_exr_crop(x, (uint32_t)c[0], (uint32_t)c[1], (uint32_t)c[2], (uint32_t)c[3], e->error);
 }
 
-/* The light, a part of it or with the layers, written anew. */
-static bool picture_anew(vs_emitter *e, const char *from, const char *to) {
+/* The light, written anew: all of it or a part, with the layers if they are wanted. */
+bool vs_povray_take_picture(vs_emitter *e, const char *from, const char *to) {
   vs_store *store = e->scene->store;
   picture_bytes p = { NULL, 0 };
   vs_exr x = { .store = store };
@@ -115,21 +71,11 @@ static bool picture_anew(vs_emitter *e, const char *from, const char *to) {
   bool ok = picture_read(e, from, &p) && vs_exr_read(store, "POV-Ray's picture", p.at, p.count, NULL, &x, e->error);
   free(p.at);
   uint32_t columns = x.columns, rows = x.rows;
-  ok = ok && picture_part(e, &x) && (!e->options->layers || vs_povray_layers(e, &x, columns, rows)) &&
+  ok = ok && picture_part(e, &x) && vs_povray_say_view(e, &x, columns, rows) &&
+       (!e->options->layers || vs_povray_layers(e, &x, columns, rows)) &&
        vs_exr_write(&x, &exr, &size, &room, e->error) && picture_write(e, to, &(picture_bytes){ exr, size });
   if (exr) vs_store_realloc(store, exr, room, 0);
   vs_exr_free(&x);
-  return ok;
-}
-
-bool vs_povray_take_picture(vs_emitter *e, const char *from, const char *to) {
-  static const unsigned char exr[] = { 0x76, 0x2F, 0x31, 0x01 };
-  picture_bytes p = { NULL, 0 };
-  if (e->options->layers || e->options->crop[2]) return picture_anew(e, from, to);
-  bool ok = picture_read(e, from, &p);
-  if (ok && p.count > 8 && memcmp(p.at, exr, sizeof exr) == 0) picture_plain_exr(&p);
-  ok = ok && picture_write(e, to, &p);
-  free(p.at);
   return ok;
 }
 

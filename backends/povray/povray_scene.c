@@ -14,6 +14,8 @@
 #include "geometry/measure/bounds.h"
 #include "geometry/measure/inside.h"
 
+static const double pi = 3.14159265358979323846;
+
 static void pov_vector(vs_writer *w, const char *before, vs_vec3 v) {
   vs_puts(w, before);
   vs_put_triple(w, "<", v, ", ", ">");
@@ -67,7 +69,7 @@ static void pov_focus(vs_emitter *e, const vs_look *l) {
   vs_puts(e->out, "\n");
 }
 
-static void pov_camera(vs_emitter *e, const vs_look *l) {
+static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
   vs_writer *w = e->out;
   vs_puts(w, "camera {\n");
   if (l->parallel) { /* look_at turns the axes: written as vectors their last digits would not be perpendicular
@@ -79,6 +81,17 @@ static void pov_camera(vs_emitter *e, const vs_look *l) {
     pov_word(w, "  up y*", l->width, "*image_height/image_width\n");
     pov_vector(w, "  look_at ", l->target);
     vs_puts(w, "\n}\n");
+    return;
+  }
+  if (l->panorama) {
+    uint32_t columns = (uint32_t)width, rows = (uint32_t)height;
+    vs_puts(w, "  spherical\n");
+    pov_vector(w, "  location ", l->eye);
+    pov_vector(w, "\n  direction ", l->forward);
+    /* rays are turned about these two, the way of a left-handed space */
+    pov_vector(w, "\n  right ", vs_v3_scale(l->right, -1));
+    pov_vector(w, "\n  up ", vs_v3_scale(l->up, -1));
+    pov_word(w, "\n  angle 360 ", vs_look_height(columns, rows) * (180 / pi), "\n}\n");
     return;
   }
   if (l->upright) { /* the picture's plane is vertical, and the target in its middle: vectors that are not
@@ -96,7 +109,7 @@ static void pov_camera(vs_emitter *e, const vs_look *l) {
   pov_vector(w, "  location ", l->eye);
   pov_vector(w, "\n  sky ", fabs(l->forward.z) > 0.999999 ? l->up : vs_v3(0, 0, 1));
   vs_puts(w, "\n  right -x*image_width/image_height\n");
-  pov_word(w, "  angle ", l->angle * (180 / 3.14159265358979323846), "\n");
+  pov_word(w, "  angle ", l->angle * (180 / pi), "\n");
   pov_vector(w, "  look_at ", l->target);
   vs_puts(w, "\n");
   pov_focus(e, l);
@@ -115,7 +128,7 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
     vs_put_triple(w, "\n  color rgb <", day.sun, ", ", ">");
     fill *= day.fill / 0.75; /* what a level surface gets from the plain sky */
   } else if (vs_look_sun_is_pictured(e->scene)) { /* a surface's number is its light over pi */
-    vs_vec3 light = vs_v3_scale(e->scene->picture_sun_light, 1 / 3.14159265358979323846);
+    vs_vec3 light = vs_v3_scale(e->scene->picture_sun_light, 1 / pi);
     vs_put_triple(w, "\n  color rgb <", light, ", ", ">");
   } else {
     vs_puts(w, pov_is_developed(e) ? "\n  color rgb <1, 0.95, 0.87>" : "\n  color rgb <1, 0.94, 0.84>");
@@ -275,13 +288,16 @@ static double pov_unit(double diagonal) {
   return diagonal > 0.1 && diagonal < 1e5 ? 1 : pow(10, 1 - floor(log10(diagonal)));
 }
 
+/* Half the width of a picture at the distance 1; of a panorama half the way round. */
+static double pov_half_width(const vs_look *l) { return l->panorama ? pi : tan(l->angle / 2); }
+
 /* Curves are drawn two pixels wide and more: 1/450 of the picture's width, so that they do not get lost in large
  * ones. Places nearer than a
  * thousandth of the drawing, or behind the camera, count as that near. */
 static vs_pen pov_pen(const vs_emitter *e, const vs_look *l, int width) {
   double across = fmax(2. / width, 1. / 450); /* of the picture's width */
   if (l->parallel) return (vs_pen){ .least = across * l->width / 2 };
-  double share = across * tan(l->angle / 2);
+  double share = across * pov_half_width(l);
   return (vs_pen){ .eye = l->eye, .forward = l->forward, .share = share,
       .least = share * 1e-3 * vs_bounds_diagonal(&e->bounds) };
 }
@@ -299,7 +315,7 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
     square += out * out;
   }
   double least = 0.02 * vs_bounds_diagonal(&e->bounds) * e->unit; /* of an eye among the walls */
-  return fmax(sqrt(square), least) * 2 * tan(l->angle / 2) / width;
+  return fmax(sqrt(square), least) * 2 * pov_half_width(l) / width;
 }
 
 /* An eye within matter sees nothing but its dark inside: a warning at the object that holds it. False: the error is
@@ -347,7 +363,7 @@ bool vs_povray_begin(vs_emitter *e) {
     vs_put_number(w, 1 / e->unit);
     vs_puts(w, " units of the model are one here\n");
   }
-  pov_camera(e, &look);
+  pov_camera(e, &look, width, height);
   pov_sun(e, &look, diagonal);
   pov_sky(e, &look);
   if (!vs_povray_lamps(e, pov_is_developed(e) ? 1e-4 : 1e-4 * 1.25 / 3.2)) return false;

@@ -280,7 +280,7 @@ static void packed_head(vs_emitter *e) {
   packed_place_of(e, "eye", look.eye);
   packed_place_of(e, "target", look.target);
   packed_place_of(e, "up", look.up);
-  packed_number(e, "given", s->view == VS_VIEW_CAMERA);
+  packed_number(e, "given", s->view == VS_VIEW_CAMERA || s->view == VS_VIEW_PANORAMA);
   packed_number(e, "parallel", look.parallel);
   packed_double(e, "width", look.width);
   packed_double(e, "angle", look.angle);

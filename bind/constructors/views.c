@@ -6,8 +6,8 @@
 
 /* The kinds of `view`, and how each looks at the model. */
 static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
-  { "perspective", VS_VIEW_CAMERA, VS_CUT_NONE }, { "axonometric", VS_VIEW_ALONG, VS_CUT_NONE },
-      { "isometric", VS_VIEW_ISO, VS_CUT_NONE },
+  { "perspective", VS_VIEW_CAMERA, VS_CUT_NONE }, { "panorama", VS_VIEW_PANORAMA, VS_CUT_NONE },
+  { "axonometric", VS_VIEW_ALONG, VS_CUT_NONE },  { "isometric", VS_VIEW_ISO, VS_CUT_NONE },
   { "plan", VS_VIEW_TOP, VS_CUT_OWN },            { "section", VS_VIEW_ALONG, VS_CUT_PLANE },
          { "top", VS_VIEW_TOP, VS_CUT_NONE },
   { "bottom", VS_VIEW_BOTTOM, VS_CUT_NONE },      { "front", VS_VIEW_FRONT, VS_CUT_NONE },
@@ -15,7 +15,7 @@ static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
   { "left", VS_VIEW_LEFT, VS_CUT_NONE },          { "right", VS_VIEW_RIGHT, VS_CUT_NONE },
 };
 static const char kinds_told[] =
-    "one of 'perspective 'axonometric 'isometric 'plan 'section 'top 'bottom 'front 'back 'left 'right";
+    "one of 'perspective 'panorama 'axonometric 'isometric 'plan 'section 'top 'bottom 'front 'back 'left 'right";
 
 /* The argument's text, interned in the store; *out is NULL where it was not given. False: out of memory. */
 static bool keep_text(vs_args *f, const vs_arg *a, const char **out) {
@@ -39,17 +39,22 @@ static bool is_sheet(const char *name) {
 
 /* Where the view stands, by its kind and #:from and #:to. */
 static vs_status take_place(vs_args *f, vs_scene_view *v, const vs_arg *from, const vs_arg *to) {
-  bool pointed = v->view == VS_VIEW_CAMERA || (v->view == VS_VIEW_ALONG && v->cut != VS_CUT_PLANE);
+  bool round = v->view == VS_VIEW_PANORAMA;
+  bool pointed = round || v->view == VS_VIEW_CAMERA || (v->view == VS_VIEW_ALONG && v->cut != VS_CUT_PLANE);
   if (!pointed) {
     if (from->given || to->given) return vs_fail(f->vm, f->vm->sym.arity,
-        "#:from and #:to are for 'perspective and 'axonometric views");
+        "#:from and #:to are for 'perspective, 'panorama and 'axonometric views");
     return VS_OK;
   }
   if (!from->given || !to->given)
     return vs_fail(f->vm, f->vm->sym.arity, v->view == VS_VIEW_CAMERA ? "a perspective view takes #:from and #:to" :
+        round ? "a panorama takes #:from and #:to, what lies in its middle" :
         "an axonometric view takes #:from and #:to");
   if (vs_v3_equal(from->point, to->point)) return vs_bind_refuse(f, "to", "another point than from", to->value);
   v->eye = from->point, v->target = to->point;
+  vs_vec3 ahead = vs_v3_sub(v->target, v->eye);
+  if (round && hypot(ahead.x, ahead.y) < 1e-6 * vs_v3_length(ahead))
+    return vs_bind_refuse(f, "to", "a point that is not straight above or below", to->value);
   return VS_OK;
 }
 

@@ -38,11 +38,18 @@ static vs_outcome tone(const job *j) {
  * white and faces it has 100,000 / pi cd/m2, and the number 3.2. */
 enum { CANDELAS_OF_ONE = 10000 };
 
+static double candelas_of_one(const job *j) {
+  return j->options->candelas > 0 ? j->options->candelas : CANDELAS_OF_ONE;
+}
+
 static vs_outcome false_color(const job *j) {
-  double least = 0, most = 0, unit = j->options->candelas > 0 ? j->options->candelas : CANDELAS_OF_ONE;
-  vs_outcome outcome = vs_picture_false_color(j->scheme, file_of(j, 0), target_of(j), unit, &least, &most);
+  double least = 0, most = 0, unit = candelas_of_one(j);
+  vs_outcome outcome =
+      j->options->lux ? vs_picture_illuminance(j->scheme, file_of(j, 0), target_of(j), unit, &least, &most)
+                      : vs_picture_false_color(j->scheme, file_of(j, 0), target_of(j), unit, &least, &most);
   if (outcome == VS_OUTCOME_DONE && !j->options->quiet)
-    fprintf(stderr, "%s: %.4g to %.4g cd/m2; the number 1 is %.6g cd/m2\n", target_of(j), least, most, unit);
+    fprintf(stderr, "%s: %.4g to %.4g %s; the number 1 is %.6g cd/m2\n", target_of(j), least, most,
+            j->options->lux ? "lx" : "cd/m2", unit);
   return outcome;
 }
 
@@ -81,6 +88,9 @@ static vs_outcome pick(const job *j) {
     if (!isnan(p.depth)) json_number("depth", p.depth);
     if (p.has_normal) json_numbers("normal", p.normal, 3);
     if (p.id >= 0) printf(",\n  \"id\": %ld", p.id);
+    if (*p.material) fputs(",\n  \"material\": ", stdout), cli_json_text(stdout, p.material);
+    if (!isnan(p.openness)) json_number("openness", p.openness);
+    if (!isnan(p.illuminance)) json_number("illuminance", p.illuminance * candelas_of_one(j));
     if (*p.place) fputs(",\n  \"place\": ", stdout), cli_json_text(stdout, p.place);
     puts("\n}");
   } else {
@@ -89,6 +99,9 @@ static vs_outcome pick(const job *j) {
     printf("light %.6g %.6g %.6g\n", p.color[0], p.color[1], p.color[2]);
     if (!isnan(p.depth)) printf("depth %.6g\n", p.depth);
     if (p.has_normal) printf("normal %.4g %.4g %.4g\n", p.normal[0], p.normal[1], p.normal[2]);
+    if (*p.material) printf("material %s\n", p.material);
+    if (!isnan(p.openness)) printf("openness %.4g\n", p.openness);
+    if (!isnan(p.illuminance)) printf("illuminance %.4g lx\n", p.illuminance * candelas_of_one(j));
   }
   if (p.id == 0 || *p.place) return VS_OUTCOME_DONE;
   fflush(stdout);

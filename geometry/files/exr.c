@@ -8,13 +8,18 @@ static const char *const exr_files[] = { "libOpenEXRCore-3_1.so.30", "libOpenEXR
     NULL };
 const vs_dynamic_library vs_exr_library = { exr_files, "libopenexr-3-1-30", "EXR pictures" };
 
+const char *const vs_exr_text_names[VS_EXR_TEXTS] = {
+    [VS_EXR_SOURCES] = "visualscheme.sources", [VS_EXR_MATERIALS] = "visualscheme.materials",
+    [VS_EXR_CAMERA] = "visualscheme.camera", [VS_EXR_SUN] = "visualscheme.sun" };
+
 /* ---- in memory ---- */
 
 static size_t exr_plane_bytes(const vs_exr *x) { return (size_t)x->columns * x->rows * sizeof(float); }
 
 void vs_exr_free(vs_exr *x) {
   for (size_t i = 0; i < x->count; i++) vs_store_realloc(x->store, x->channels[i].at, exr_plane_bytes(x), 0);
-  if (x->sources) vs_store_realloc(x->store, x->sources, x->sources_room, 0);
+  for (int i = 0; i < VS_EXR_TEXTS; i++)
+    if (x->texts[i].at) vs_store_realloc(x->store, x->texts[i].at, x->texts[i].room, 0);
   *x = (vs_exr){ .store = x->store };
 }
 
@@ -40,6 +45,16 @@ float *vs_exr_add(vs_exr *x, const char *channel, vs_exr_type type, vs_error *e)
   size_t length = strlen(channel);
   memcpy(c->name, channel, length < VS_EXR_NAME ? length : VS_EXR_NAME - 1);
   return at;
+}
+
+bool vs_exr_add_text(vs_exr *x, vs_exr_text text, const char *at, size_t length, vs_error *e) {
+  size_t used = x->texts[text].at ? x->texts[text].room - 1 : 0;
+  char *all = vs_store_realloc(x->store, x->texts[text].at, x->texts[text].room, used + length + 1);
+  if (!all) return vs_error_memory(e, NULL);
+  memcpy(all + used, at, length);
+  all[used + length] = 0;
+  x->texts[text].at = all, x->texts[text].room = used + length + 1;
+  return true;
 }
 
 bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint32_t rows, vs_error *e) {
@@ -129,7 +144,8 @@ static exr_result_t exr_put_header(const exr_functions *call, exr_context_t c, c
     result = call->required(c, 0, (int32_t)x->columns, (int32_t)x->rows, EXR_COMPRESSION_ZIP);
   for (size_t i = 0; result == EXR_ERR_SUCCESS && i < x->count; i++)
     result = call->channel(c, 0, x->channels[i].name, types[x->channels[i].type], EXR_PERCEPTUALLY_LINEAR, 1, 1);
-  if (result == EXR_ERR_SUCCESS && x->sources) result = call->text(c, 0, VS_EXR_SOURCES, x->sources);
+  for (int i = 0; result == EXR_ERR_SUCCESS && i < VS_EXR_TEXTS; i++)
+    if (x->texts[i].at) result = call->text(c, 0, vs_exr_text_names[i], x->texts[i].at);
   return result == EXR_ERR_SUCCESS ? call->header(c) : result;
 }
 

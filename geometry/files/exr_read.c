@@ -220,10 +220,12 @@ static bool exr_choose(exr_reader *r, vs_exr_choose *choose, void *context, vs_e
     view.channels[view.count++] = (vs_exr_seen){ entry->name.str, type };
   }
   view.more = r->all->num_channels > VS_EXR_CHANNELS;
-  const char *text = NULL;
-  int32_t length = 0;
-  if (r->call.text(r->c, 0, VS_EXR_SOURCES, &length, &text) == EXR_ERR_SUCCESS && length > 0)
-    view.sources = text, view.sources_length = (size_t)length;
+  for (int i = 0; i < VS_EXR_TEXTS; i++) {
+    const char *text = NULL;
+    int32_t length = 0;
+    if (r->call.text(r->c, 0, vs_exr_text_names[i], &length, &text) == EXR_ERR_SUCCESS && length > 0)
+      view.texts[i].at = text, view.texts[i].length = (size_t)length;
+  }
   return choose(context, &view, r->targets, &r->count, e);
 }
 
@@ -286,13 +288,10 @@ static bool exr_choose_planes(void *context, const vs_exr_view *view, vs_exr_tar
     if (!plane) return false;
     targets[(*used)++] = (vs_exr_target){ .name = l->out->channels[l->out->count - 1].name, .plane = plane };
   }
-  if (!view->sources) return true;
-  l->out->sources = vs_store_realloc(l->out->store, NULL, 0, view->sources_length + 1);
-  if (!l->out->sources) return vs_error_memory(e, NULL);
-  memcpy(l->out->sources, view->sources, view->sources_length);
-  l->out->sources[view->sources_length] = 0;
-  l->out->sources_room = view->sources_length + 1;
-  return true;
+  bool ok = true;
+  for (int i = 0; ok && i < VS_EXR_TEXTS; i++)
+    ok = !view->texts[i].at || vs_exr_add_text(l->out, (vs_exr_text)i, view->texts[i].at, view->texts[i].length, e);
+  return ok;
 }
 
 bool vs_exr_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, const char *const *wanted,

@@ -19,7 +19,7 @@ typedef struct {
   vs_exr_seen channels[VS_EXR_CHANNELS];
   size_t count;
   bool more;              /* there are more channels */
-  const char *sources; size_t sources_length;
+  struct { const char *at; size_t length; } texts[VS_EXR_TEXTS]; /* NULL: there is none */
 } vs_exr_view;
 /* Sees what the file has, makes room, and says which channels go where. */
 typedef bool vs_exr_choose(void *context, const vs_exr_view *view, vs_exr_target *targets, size_t *used, vs_error *e);

@@ -10,7 +10,7 @@ typedef struct {
   double least, most;
   bool logarithmic;
   int steps;
-  const char *unit; /* digits and the letters of "cd/m2 h" */
+  const char *unit; /* digits and the letters of "cd/m2 h lx" */
 } vs_color_scale;
 
 /* The range of all numbers but the hundredth at either end; logarithmic: of those above 0, at most six powers of

@@ -16,6 +16,7 @@
 #include "geometry/files/png_write.h"
 #include "geometry/pictures/denoise.h"
 #include "geometry/pictures/false_color.h"
+#include "geometry/pictures/illuminance.h"
 #include "geometry/pictures/picture_difference.h"
 #include "session/handles.h"
 #include "session/session.h"
@@ -149,26 +150,55 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
   return end(s, ok, &e);
 }
 
+/* Writes numbers as false colours by their logarithm, with a legend, and says its ends. */
+static bool write_scaled(vs_exr *x, const char *to, const float *at, const char *unit, double *least, double *most,
+                         vs_error *e) {
+  vs_color_scale scale = vs_color_scale_of(at, (size_t)x->columns * x->rows, true, unit);
+  if (least) *least = scale.least;
+  if (most) *most = scale.most;
+  return write_false(x->store, to, at, x, &scale, e);
+}
+
 vs_outcome vs_picture_false_color(vs_scheme *vm, const char *from, const char *to, double unit, double *least,
                                   double *most) {
   vs_session *s = vs_session_of(vm);
   if (vs_session_busy(s, "vs_picture_false_color")) return VS_OUTCOME_USAGE;
-  vs_store *store = s->bind.store;
   vs_error e = { VS_ERROR_NONE, NULL, "" };
   vs_exr x;
   vs_light light;
   float *at = NULL;
-  bool ok = take(store, from, colors, &x, &e) && light_of(&x, from, &light, &e);
+  bool ok = take(s->bind.store, from, colors, &x, &e) && light_of(&x, from, &light, &e);
   ok = ok && (at = vs_exr_add(&x, "luminance", VS_EXR_FLOAT, &e)) != NULL;
-  if (ok) {
-    for (size_t i = 0; i < light.count; i++)
-      at[i] = (float)(unit * (vs_raster_share[0] * (double)light.red[i] + vs_raster_share[1] * (double)light.green[i] +
-                              vs_raster_share[2] * (double)light.blue[i]));
-    vs_color_scale scale = vs_color_scale_of(at, light.count, true, "cd/m2");
-    if (least) *least = scale.least;
-    if (most) *most = scale.most;
-    ok = write_false(store, to, at, &x, &scale, &e);
+  for (size_t i = 0; ok && i < light.count; i++)
+    at[i] = (float)(unit * (vs_raster_share[0] * (double)light.red[i] + vs_raster_share[1] * (double)light.green[i] +
+                            vs_raster_share[2] * (double)light.blue[i]));
+  ok = ok && write_scaled(&x, to, at, "cd/m2", least, most, &e);
+  vs_exr_free(&x);
+  return end(s, ok, &e);
+}
+
+vs_outcome vs_picture_illuminance(vs_scheme *vm, const char *from, const char *to, double unit, double *least,
+                                  double *most) {
+  static const char *const wanted[] = { "R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.Z", NULL };
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_picture_illuminance")) return VS_OUTCOME_USAGE;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_exr x;
+  float *at = NULL;
+  bool ok = take(s->bind.store, from, wanted, &x, &e);
+  vs_lit_surfaces lit = vs_lit_surfaces_of(&x);
+  if (ok && !vs_lit_surfaces_are_known(&lit))
+    ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s: illuminance is found by the layers of albedo and normal, "
+                      "which pictures made with --layers have", bare(from));
+  ok = ok && (at = vs_exr_add(&x, "illuminance", VS_EXR_FLOAT, &e)) != NULL;
+  size_t floors = 0;
+  for (size_t i = 0; ok && i < (size_t)x.columns * x.rows; i++) {
+    at[i] = vs_is_floor(&lit, i) ? (float)(unit * vs_illuminance_at(&lit, i)) : NAN;
+    floors += isfinite(at[i]) != 0;
   }
+  if (ok && !floors)
+    ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s shows no floor: nothing that looks up", bare(from));
+  ok = ok && write_scaled(&x, to, at, "lx", least, most, &e);
   vs_exr_free(&x);
   return end(s, ok, &e);
 }
@@ -187,13 +217,14 @@ static bool line_of(const char *text, size_t n, char *to, size_t room) {
 }
 
 vs_outcome vs_picture_pick(vs_scheme *vm, const char *from, long column, long row, vs_picture_point *out) {
-  static const char *const wanted[] = { "R", "G", "B", "Y", "Z", "N.X", "N.Y", "N.Z", "id", NULL };
+  static const char *const wanted[] = { "R", "G", "B", "Y", "Z", "N.X", "N.Y", "N.Z", "id", "material", "AO",
+                                         "albedo.R", "albedo.G", "albedo.B", NULL };
   vs_session *s = vs_session_of(vm);
   if (vs_session_busy(s, "vs_picture_pick")) return VS_OUTCOME_USAGE;
   vs_error e = { VS_ERROR_NONE, NULL, "" };
   vs_exr x;
   vs_light light;
-  *out = (vs_picture_point){ .id = -1, .depth = NAN };
+  *out = (vs_picture_point){ .id = -1, .depth = NAN, .openness = NAN, .illuminance = NAN };
   bool ok = take(s->bind.store, from, wanted, &x, &e) && light_of(&x, from, &light, &e);
   if (ok && (column < 0 || row < 0 || column >= (long)x.columns || row >= (long)x.rows))
     ok = vs_error_set(&e, VS_ERROR_FILE, NULL, "%.100s has no pixel %ld %ld: its columns are 0 to %u, its rows 0 to %u",
@@ -201,13 +232,19 @@ vs_outcome vs_picture_pick(vs_scheme *vm, const char *from, long column, long ro
   if (ok) {
     size_t i = (size_t)row * x.columns + (size_t)column;
     const float *depth = vs_exr_find(&x, "Z"), *id = vs_exr_find(&x, "id");
+    const float *material = vs_exr_find(&x, "material"), *openness = vs_exr_find(&x, "AO");
     const float *normal[3] = { vs_exr_find(&x, "N.X"), vs_exr_find(&x, "N.Y"), vs_exr_find(&x, "N.Z") };
     out->color[0] = (double)light.red[i], out->color[1] = (double)light.green[i], out->color[2] = (double)light.blue[i];
     if (depth) out->depth = (double)depth[i];
     out->has_normal = normal[0] && normal[1] && normal[2];
     for (int k = 0; out->has_normal && k < 3; k++) out->normal[k] = (double)normal[k][i];
+    vs_lit_surfaces lit = vs_lit_surfaces_of(&x);
+    if (vs_lit_surfaces_are_known(&lit)) out->illuminance = vs_illuminance_at(&lit, i);
+    if (openness) out->openness = (double)openness[i];
+    if (material && material[i] > 0 && material[i] < 1e9f)
+      line_of(x.texts[VS_EXR_MATERIALS].at, (size_t)material[i], out->material, sizeof out->material);
     if (id) out->id = id[i] > 0 && id[i] < 1e9f ? (long)id[i] : 0;
-    if (out->id > 0) line_of(x.sources, (size_t)out->id, out->place, sizeof out->place);
+    if (out->id > 0) line_of(x.texts[VS_EXR_SOURCES].at, (size_t)out->id, out->place, sizeof out->place);
   }
   vs_exr_free(&x);
   return end(s, ok, &e);

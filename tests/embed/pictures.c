@@ -55,6 +55,9 @@ int main(int argc, char **argv) {
   CHECK(least > 0 && least < most);
   CHECK(vs_picture_pick(s, in(folder, "a.exr"), 16, 12, &p) == VS_OUTCOME_DONE);
   CHECK(p.id == 1 && !strcmp(p.place, "box.vs:1:20") && p.has_normal && p.depth > 0 && p.color[0] > p.color[2]);
+  CHECK(!strcmp(p.material, "red") && p.openness > 0 && p.openness <= 1 && p.illuminance > 0);
+  CHECK(vs_picture_illuminance(s, in(folder, "a.exr"), in(folder, "l.png"), 1e4, &least, &most) == VS_OUTCOME_DONE);
+  CHECK(least > 1 && least < most);
   CHECK(vs_picture_pick(s, in(folder, "a.exr"), 32, 12, &p) == VS_OUTCOME_USAGE && strstr(said, "0 to 31"));
   CHECK(vs_picture_denoise(s, in(folder, "a.exr"), in(folder, "b.exr"), &layers) == VS_OUTCOME_DONE && layers);
   CHECK(vs_picture_compare(s, in(folder, "a.exr"), in(folder, "b.exr"), NULL, &d) == VS_OUTCOME_DONE);

@@ -33,7 +33,7 @@ int main(int argc, char **argv) {
     float *id = vs_exr_add(&x, "id", VS_EXR_WHOLE, &e), *depth = vs_exr_add(&x, "Z", VS_EXR_FLOAT, &e);
     for (size_t i = 0; id && depth && i < pixels; i++)
       id[i] = i % x.columns == 0 ? 0 : i < pixels / 2 ? 1 : 2, depth[i] = (float)(3 + (double)i / (double)pixels);
-    x.sources = "a.vs:1:2\nb.vs:30:4\n";
+    vs_exr_add_text(&x, VS_EXR_SOURCES, "a.vs:1:2\nb.vs:30:4\n", 19, &e);
   }
   unsigned char *bytes;
   size_t size, room;
@@ -41,7 +41,6 @@ int main(int argc, char **argv) {
   if (!f || !vs_exr_write(&x, &bytes, &size, &room, &e)) return fprintf(stderr, "exrmake: %s\n", e.message), 1;
   bool ok = fwrite(bytes, 1, size, f) == size;
   vs_store *store = x.store;
-  x.sources = NULL;
   vs_exr_free(&x);
   vs_store_realloc(store, bytes, room, 0);
   vs_store_release(store);

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "geometry/files/exr_read.h"
-#include "geometry/measure/ray_tree.h"
+#include "geometry/measure/openness.h"
 #include "geometry/pictures/denoise.h"
 #include "geometry/pictures/false_color.h"
 #include "geometry/pictures/picture_difference.h"
@@ -138,9 +138,7 @@ static void make_picture(vs_store *store, vs_exr *x, double noise) {
   float *id = vs_exr_add(x, "id", VS_EXR_WHOLE, &e), *depth = vs_exr_add(x, "Z", VS_EXR_FLOAT, &e);
   for (size_t i = 0; i < PIXELS; i++) id[i] = (float)(i * 11000), depth[i] = 1 / (1 + (float)i);
   static const char sources[] = "a.vs:1:2\nb.vs:3:4\n";
-  x->sources = vs_store_realloc(store, NULL, 0, sizeof sources);
-  x->sources_room = sizeof sources;
-  memcpy(x->sources, sources, sizeof sources);
+  assert_true(vs_exr_add_text(x, VS_EXR_SOURCES, sources, sizeof sources - 1, &e));
 }
 
 static void test_exr_round_trip(void **state) {
@@ -158,7 +156,7 @@ static void test_exr_round_trip(void **state) {
   assert_int_equal(y.columns, WIDE);
   assert_int_equal(y.rows, HIGH);
   assert_int_equal(y.count, x.count);
-  assert_string_equal(y.sources, x.sources);
+  assert_string_equal(y.texts[VS_EXR_SOURCES].at, x.texts[VS_EXR_SOURCES].at);
   assert_memory_equal(vs_exr_find(&y, "id"), vs_exr_find(&x, "id"), PIXELS * sizeof(float));
   assert_memory_equal(vs_exr_find(&y, "Z"), vs_exr_find(&x, "Z"), PIXELS * sizeof(float));
   for (size_t i = 0; i < PIXELS; i++)
@@ -330,13 +328,55 @@ static void test_ray_tree(void **state) {
   vs_store_release(store);
 }
 
+/* Beside a wall at the distance d that reaches farther than `far`, the directions that meet it within `far` are those
+ * whose part towards it is more than c = d / far: seen from above a segment of the unit disc, of the area acos c - c
+ * sqrt(1 - c c). Beside a wall of the height h without `far`: half of 1 - d / sqrt(d d + h h). */
+static void test_openness(void **state) {
+  (void)state;
+  vs_store *store = vs_store_new(NULL, NULL);
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_mesh m;
+  vs_ray_tree t, none;
+  m = (vs_mesh){ 0 };
+  const double wide = 1e5, high = 2;
+  for (int i = 0; i < 4; i++)
+    assert_true(vs_mesh_add_vertex(&m, vs_v3(1, i & 1 ? wide : -wide, i & 2 ? high : 0), NULL));
+  assert_true(vs_mesh_add_triangle(&m, 0, 1, 3) && vs_mesh_add_triangle(&m, 0, 3, 2));
+  vs_mesh empty;
+  empty = (vs_mesh){ 0 };
+  assert_true(vs_ray_tree_make(&t, store, &m, &e) && vs_ray_tree_make(&none, store, &empty, &e));
+  const struct { vs_surrounding round; vs_vec3 from, normal; double open; } cases[] = {
+    { { &none, -INFINITY, 1 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },
+    { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(1, 0, 0), 0.5 },        /* a wall on a ground without end */
+    { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(0, 0, -1), 0 },         /* its underside */
+    { { &t, -INFINITY, 2 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 - (acos(0.5) - 0.5 * sqrt(0.75)) / acos(-1) },
+    { { &t, -INFINITY, 1e9 }, vs_v3(-1, 0, 0), vs_v3(0, 0, 1), 1 - 0.5 * (1 - 2 / sqrt(8)) },
+    { { &t, -INFINITY, 0.9 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },     /* too far away to count */
+  };
+  for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+    double sum = 0;
+    enum { SEEDS = 500 };
+    for (uint32_t seed = 0; seed < SEEDS; seed++) {
+      double open = vs_openness(&cases[c].round, cases[c].from, cases[c].normal, seed);
+      assert_true(open == vs_openness(&cases[c].round, cases[c].from, cases[c].normal, seed));
+      assert_true(fabs(open - cases[c].open) < 0.09);
+      sum += open / SEEDS;
+    }
+    assert_true(fabs(sum - cases[c].open) < 0.004);
+  }
+  vs_ray_tree_free(&t);
+  vs_mesh_free(&m);
+  vs_mesh_free(&empty);
+  vs_store_release(store);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_linear), cmocka_unit_test(test_neutral),  cmocka_unit_test(test_filmic),
     cmocka_unit_test(test_agx),    cmocka_unit_test(test_exposure), cmocka_unit_test(test_odd_light),
     cmocka_unit_test(test_exr_round_trip), cmocka_unit_test(test_denoise), cmocka_unit_test(test_gap),
     cmocka_unit_test(test_false_color), cmocka_unit_test(test_ray_tree),
-    cmocka_unit_test(test_ray_box),
+    cmocka_unit_test(test_ray_box), cmocka_unit_test(test_openness),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-# Owns the test that a lamp lights a floor as its IES file says: luminance at some angles, in a room whose walls send nothing back, beside
+# Owns the test that a lamp lights a floor as its IES file says: luminance and illuminance at some angles, in a room whose walls send nothing back, beside
 # candelas times the cube of the cosine by the height's square; in pictures, and in a .pov that POV-Ray alone renders.
 . tests/report.sh
 
@@ -35,3 +35,20 @@ holds even '#:lumens 12566.37' 100 100 1000 150 100 1000
 holds dimmed '#:ies "spot.ies" #:dim 0.5' 110 100 483
 holds turned '#:ies "asym.ies" #:turn 90' 100 43 801 43 100 504
 holds straight '#:ies "asym.ies"' 157 100 797 100 43 504
+
+# Illuminance: of a lamp of 1,000 cd at 2 m, 1,000 cos^3 / 4 lx. The least and the most are those of all pixels but a hundredth at either end.
+: > "$work/why"
+room '#:lumens 12566.37' > "$work/lux.vs"
+"$vs" --quiet --size 200x200 "$work/lux.vs" -o "$work/lux.exr" --layers 2>> "$work/why"
+"$vs" falsecolor --lux "$work/lux.exr" -o "$work/lux.png" > "$work/said" 2>&1 || cat "$work/said" >> "$work/why"
+awk 'BEGIN { for (x = 0; x < 200; x++) for (y = 0; y < 200; y++) { px = ((x + .5) / 100 - 1) * 3.5; py = ((y + .5) / 100 - 1) * 3.5
+  print 1000 * (2 / sqrt(px * px + py * py + 4)) ^ 3 / 4 } }' | sort -n | awk '{ e[NR] = $1 } END { print e[401], e[39600] }' > "$work/want"
+awk 'NR == FNR { least = $1; most = $2; next } { if (!($2 > .98 * least && $2 < 1.02 * least && $4 > .98 * most && $4 < 1.02 * most && $5 == "lx;"))
+  print "said: " $0 "; wanted: " least " to " most " within 2 percent" }' "$work/want" "$work/said" >> "$work/why"
+for at in "100 100 250" "150 100 105.6" "157 100 88.2"; do
+  # shellcheck disable=SC2086
+  set -- $at; "$vs" pick "$work/lux.exr" "$1" "$2" | awk -v want="$3" '$1 == "illuminance" { got = $2 } END { if (!(got > .98 * want && got < 1.02 * want)) print "illuminance " got ", not " want }' >> "$work/why"
+done
+"$vs" falsecolor --lux "$work/even.exr" -o "$work/no.png" > "$work/said" 2>&1 && echo "a picture without layers has illuminances" >> "$work/why"
+grep -q "made with --layers" "$work/said" || cat "$work/said" >> "$work/why"
+result lamps:illuminance "$work/why"

@@ -1,0 +1,47 @@
+/* Owns the rays of ambient occlusion. Places on a unit disc that stand evenly, lifted onto the half sphere, are
+ * directions that stand as the cosine (Malley's method); the disc's places are those of a square's 8 by 8 cells,
+ * brought onto it without breaking their neighbourhood (Shirley and Chiu, A Low Distortion Map Between Disk and
+ * Square, Journal of Graphics Tools 2(3), 1997) and shifted within the square round its borders (Cranley and
+ * Patterson, 1976). */
+#include "geometry/measure/openness.h"
+
+#include <math.h>
+
+enum { SIDE = 8 };
+
+/* Scatters the bits of a number (the last step of MurmurHash3). */
+static uint32_t scatter(uint32_t x) {
+  x ^= x >> 16, x *= 0x85ebca6bu;
+  x ^= x >> 13, x *= 0xc2b2ae35u;
+  return x ^ x >> 16;
+}
+
+/* A place of the unit square on the unit disc. */
+static void to_disc(double u, double v, double *x, double *y) {
+  const double quarter = 0.78539816339744831;
+  double a = 2 * u - 1, b = 2 * v - 1;
+  bool wide = fabs(a) > fabs(b);
+  double radius = wide ? a : b;
+  double angle = wide ? quarter * (b / a) : b != 0 ? 2 * quarter - quarter * (a / b) : 0;
+  *x = radius * cos(angle), *y = radius * sin(angle);
+}
+
+static double part_of(uint32_t bits) { return bits * 0x1p-32; }
+
+double vs_openness(const vs_surrounding *s, vs_vec3 from, vs_vec3 normal, uint32_t seed) {
+  vs_vec3 other = fabs(normal.z) < 0.9 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0);
+  vs_vec3 right = vs_v3_unit(vs_v3_cross(other, normal)), up = vs_v3_cross(normal, right);
+  double shift_u = part_of(scatter(2 * seed)), shift_v = part_of(scatter(2 * seed + 1));
+  int open = 0;
+  for (int i = 0; i < SIDE; i++)
+    for (int k = 0; k < SIDE; k++) {
+      double u = (i + shift_u) / SIDE, v = (k + shift_v) / SIDE, x, y, at;
+      to_disc(u, v, &x, &y);
+      double z = sqrt(fmax(1 - x * x - y * y, 0));
+      vs_vec3 d = vs_v3_add(vs_v3_scale(normal, z), vs_v3_add(vs_v3_scale(right, x), vs_v3_scale(up, y)));
+      if (d.z < 0 && from.z + s->far * d.z < s->ground) continue;
+      size_t hit = vs_ray_tree_meet(s->tree, from, d, s->far, true, &at);
+      open += hit == s->tree->mesh->triangle_count;
+    }
+  return (double)open / (SIDE * SIDE);
+}

@@ -1,0 +1,6 @@
+(draw (color "blue" (make-box (xyz -1 9 -1) (xyz 1 10 9))))
+(draw (color "red" (make-box (xyz 9 -1 -1) (xyz 10 1 9))))
+(draw (color "yellow" (make-box (xyz -10 -1 -1) (xyz -9 1 9))))
+(draw (color "green" (make-box (xyz -1 -10 -1) (xyz 1 -9 9))))
+(ground -1 #:material grass)
+(view "round" 'panorama #:from (xyz 0 0 1) #:to (xyz 0 10 5))
