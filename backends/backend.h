@@ -99,7 +99,8 @@ struct vs_backend {
   bool keep_origins;    /* the text's lines are remembered with the origins of what they hold */
   bool parts_flush;     /* its program keeps skins where faces in one plane are cut: they are parted before (flush.h) */
   bool hulls; /* knows hulls of solids: they are shown as operations; all others, and elsewhere all, as one shape */
-  bool draws;           /* makes drawings: it chooses among the scene's views and cuts by itself */
+  bool draws;           /* makes drawings: it chooses among the scene's views, cuts by itself, and asks for the
+                         * solids (vs_lower_drawing): `solid` gets none */
   bool frames;          /* shows the drawing through a camera that frames it */
   bool loose;           /* with solid or copies: what is no solid is walked first, by the rows of emit */
   bool inks;            /* thin things without a material are painted dark before (ink.h) */

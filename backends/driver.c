@@ -650,29 +650,6 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
-static bool drive_solid_with(vs_emitter *e, bool loose, vs_bends bends, vs_solid *out, vs_rounded *what) {
-  return vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, bends, out) &&
-         (out->mesh.triangle_count > 0 || loose || drive_nothing(e)) &&
-         vs_emit_round(e, &out->mesh, e->backend->numbers, what);
-}
-
-/* All solids as one mesh, settled: corners that the format's numbers cannot hold apart become one, and the writer says
- * where that folds the mesh. Without bends, unless less triangles meet with them. */
-static bool drive_solid(vs_emitter *e, bool loose, vs_solid *out) {
-  vs_rounded what = { 0 }, bent_what = { 0 };
-  bool ok = drive_solid_with(e, loose, VS_STRAIGHT, out, &what);
-  if (ok && what.met && out->straightened) {
-    vs_solid bent = { .part_count = 0 };
-    ok = drive_solid_with(e, loose, VS_BENT_AGAIN, &bent, &bent_what);
-    if (ok && bent_what.met < what.met) {
-      vs_solid straight = *out;
-      *out = bent, bent = straight, what = bent_what;
-    }
-    vs_solid_free(&bent);
-  }
-  return ok && vs_emit_rounded(e, &what);
-}
-
 static bool drive_copies_with(vs_emitter *e, vs_bends bends, vs_solid_copies *out, vs_rounded *what) {
   bool ok = vs_lower_copies(e, bends, out) && (out->meshes.copy_count > 0 || drive_nothing(e));
   for (size_t i = 0; ok && i < out->meshes.mesh_count; i++)
@@ -680,7 +657,7 @@ static bool drive_copies_with(vs_emitter *e, vs_bends bends, vs_solid_copies *ou
   return ok;
 }
 
-/* The same, with clusters that are copies of each other once. */
+/* As vs_lower_drawing, with clusters that are copies of each other once. */
 static bool drive_copies(vs_emitter *e, vs_solid_copies *out) {
   vs_rounded what = { 0 }, bent_what = { 0 };
   bool ok = drive_copies_with(e, VS_STRAIGHT, out, &what);
@@ -734,7 +711,9 @@ bool vs_drive_scene(vs_emitter *e) {
   if (e->backend->loose && !drive_loose(e, &loose)) return false;
   if (e->backend->solid != NULL) {
     vs_solid mesh = { .part_count = 0 };
-    bool ok = drive_solid(e, loose, &mesh) && e->backend->solid(e, &mesh);
+    bool ok = e->backend->draws || (vs_lower_drawing(e, &mesh) && (mesh.mesh.triangle_count > 0 || loose ||
+                                                                   drive_nothing(e)));
+    ok = ok && e->backend->solid(e, &mesh);
     vs_solid_free(&mesh);
     return ok && e->backend->end(e);
   }

@@ -7,6 +7,7 @@
 #include "backends/lower.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "backends/backend.h"
+#include "backends/format_numbers.h"
 #include "geometry/plane/plane.h"
 #include "geometry/shapes/simple_nodes.h"
 #include "solids/primitive_meshes.h"
@@ -173,6 +174,26 @@ static vs_kernel_options lower_options(vs_emitter *e, vs_bends bends) {
 bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends bends, vs_solid *out) {
   vs_kernel_options options = lower_options(e, bends);
   return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
+}
+
+static bool lower_drawing_with(vs_emitter *e, vs_bends bends, vs_solid *out, vs_rounded *what) {
+  return vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, bends, out) &&
+         vs_emit_round(e, &out->mesh, e->backend->numbers, what);
+}
+
+bool vs_lower_drawing(vs_emitter *e, vs_solid *out) {
+  vs_rounded what = { 0 }, bent_what = { 0 };
+  bool ok = lower_drawing_with(e, VS_STRAIGHT, out, &what);
+  if (ok && what.met && out->straightened) {
+    vs_solid bent = { .part_count = 0 };
+    ok = lower_drawing_with(e, VS_BENT_AGAIN, &bent, &bent_what);
+    if (ok && bent_what.met < what.met) {
+      vs_solid straight = *out;
+      *out = bent, bent = straight, what = bent_what;
+    }
+    vs_solid_free(&bent);
+  }
+  return ok && vs_emit_rounded(e, &what);
 }
 
 /* A result that takes longer to make than to find is kept for other outputs. */

@@ -158,13 +158,26 @@ static vs_node *cut_node(vs_emitter *e, const vs_vec3 (*planes)[2], size_t count
   return made;
 }
 
-static bool add_solids(seen *s, const vs_solid *whole) {
+/* Are there solids among what is drawn? */
+static bool has_solids(const vs_scene *scene) {
+  bool any = false;
+  for (size_t i = 0; !any && i < scene->drawn_count; i++) any = scene->drawn[i].node->class_ == VS_SOLID;
+  return any;
+}
+
+/* A view that cuts has no use for the solids as a whole: those of a city take longer than its plan. */
+static bool add_solids(seen *s, vs_flat_whole *whole) {
   vs_vec3 planes[2][2];
   size_t count = 0;
   const vs_scene_view *spec = &s->v->spec;
   if (s->v->has_cut) planes[count][0] = spec->cut_point, planes[count++][1] = spec->cut_normal;
   if (near_plane(s->v, s->e, &planes[count][0], &planes[count][1])) count++;
-  if (count == 0 || whole->mesh.triangle_count == 0) return add_triangles(s, &whole->mesh, whole, NULL);
+  if (count == 0 || !has_solids(s->e->scene)) {
+    if (!whole->made && !vs_lower_drawing(s->e, &whole->solid)) return false;
+    whole->made = true;
+    if (count == 0 || whole->solid.mesh.triangle_count == 0)
+      return add_triangles(s, &whole->solid.mesh, &whole->solid, NULL);
+  }
   vs_ref ref = { cut_node(s->e, (const vs_vec3 (*)[2])planes, count), NULL };
   vs_solid cut = { .part_count = 0 };
   if (!ref.node) return vs_emit_no_memory(s->e);
@@ -407,7 +420,7 @@ static void measure(vs_flat_view *v) {
   if (v->point_count == 0) v->low = v->high = (vs_sheet_point){ 0, 0 };
 }
 
-bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, const vs_solid *whole) {
+bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs_flat_whole *whole) {
   seen s = { .e = e, .v = v, .host = { e->scene->store, going, e } };
   vs_scene scene = *e->scene;
   vs_scene_look(&scene, &v->spec);

@@ -38,7 +38,9 @@ typedef struct {
   vs_sheet_point at;
 } vs_flat_view;
 
-bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, const vs_solid *whole);
+/* The drawing's solids, made for the first view that cuts nothing; the caller's to free. */
+typedef struct { vs_solid solid; bool made; } vs_flat_whole;
+bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs_flat_whole *whole);
 void vs_flat_view_free(vs_emitter *e, vs_flat_view *v);
 /* Where a place of the model is seen, in the view's plane. Of a parallel view: a place behind a perspective view's
  * eye has none. */
