@@ -284,6 +284,16 @@ vs_status vs_p_lamp(vs_args *f, vs_value *out) {
   return f->bind->handing || vs_scene_add_lamp(&f->bind->scene, &l) ? VS_OK : vs_fail_memory(f->vm);
 }
 
+vs_status vs_p_fog(vs_args *f, vs_value *out) {
+  vs_scene *s = &f->bind->scene;
+  (void)out;
+  if (f->bind->handing) return VS_OK;
+  s->fog_visibility = f->arg[0].real;
+  s->fog_height = f->key[0].given ? f->key[0].real : INFINITY;
+  s->fog_color = f->key[1].given ? f->key[1].material : NULL;
+  return VS_OK;
+}
+
 vs_status vs_p_ground(vs_args *f, vs_value *out) {
   vs_scene *s = &f->bind->scene;
   (void)out;

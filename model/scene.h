@@ -87,6 +87,9 @@ typedef struct {
   const vs_picture *sky_sunless; /* the same without its sun; NULL: it has none */
   vs_vec3 picture_sun, picture_sun_light; /* unit, towards it; a surface square to it gets so much, in the picture's
                                            * numbers times solid angles */
+  double fog_visibility;     /* so far away a dark thing has a twentieth of its contrast left; 0: no fog */
+  double fog_height;         /* above the ground, from which on it thins out; INFINITY: never */
+  const vs_material *fog_color; /* or NULL: as the sky at the horizon */
   bool has_ground;
   double ground_z;
   const vs_material *ground_material; /* or NULL */

@@ -247,6 +247,34 @@ static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, do
   pov_word(w, " }\n    finish { ambient 0 diffuse 0 emission ", physical ? 1 : pov_sky_strength(e), " }\n  }\n");
 }
 
+/* The light of fog: as the sky at the horizon; under a physical sky it is a cloud that sends 0.7 of the sun's and the
+ * sky's light on, where a floor of grey sends 0.3. */
+static vs_vec3 pov_fog_light(const vs_emitter *e, const vs_look *l) {
+  if (pov_is_physical(e)) return vs_v3_scale(pov_daylight(e, l).floor, 0.7 / 0.3);
+  return pov_light_of(pov_air_of(e->scene).haze, e->scene->sky_image == NULL ? pov_sky_strength(e) : 1);
+}
+
+/* Light falls by the distance as exp(-x / distance), and a twentieth of it is left where visibility ends (the
+ * meteorological optical range of the WMO). Above its height fog of the type 2 thins out by the square of the height,
+ * so that the sky overhead is seen. */
+static void pov_fog(vs_emitter *e, const vs_look *l) {
+  const vs_scene *s = e->scene;
+  vs_writer *w = e->out;
+  if (!(s->fog_visibility > 0)) return;
+  const vs_material *m = s->fog_color;
+  vs_vec3 light = m ? pov_light_of(vs_v3(m->red, m->green, m->blue), pov_sky_strength(e)) : pov_fog_light(e, l);
+  bool level = isfinite(s->fog_height);
+  vs_puts(w, level ? "fog {\n  fog_type 2" : "fog {\n ");
+  pov_word(w, " distance ", s->fog_visibility * e->unit / log(20), "");
+  vs_put_triple(w, " color rgb <", light, ", ", ">");
+  if (level) {
+    double foot = s->has_ground ? s->ground_z : e->bounds.min.z;
+    pov_word(w, " up z fog_offset ", (foot + s->fog_height) * e->unit, "");
+    pov_word(w, " fog_alt ", s->fog_height * e->unit, "");
+  }
+  vs_puts(w, "\n}\n");
+}
+
 /* A plane without end. A picture as the sky has a horizon of its own: no haze is laid over the ground. */
 static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double pixel) {
   vs_writer *w = e->out;
@@ -366,6 +394,7 @@ bool vs_povray_begin(vs_emitter *e) {
   pov_camera(e, &look, width, height);
   pov_sun(e, &look, diagonal);
   pov_sky(e, &look);
+  pov_fog(e, &look);
   if (!vs_povray_lamps(e, pov_is_developed(e) ? 1e-4 : 1e-4 * 1.25 / 3.2)) return false;
   vs_puts(w, "\n");
   for (size_t i = 1; i <= vs_emit_material_count(e); i++)

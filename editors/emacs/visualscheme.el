@@ -14,7 +14,7 @@
 
 (defconst visualscheme-forms '("define-parameter" "define-primitive" "register-drawing-function") "Forms that define something.")
 (defconst visualscheme-operations
-  '("draw" "unite" "intersect" "subtract" "with-material" "color" "layer" "highlight" "ghost" "only" "hull" "camera" "sun" "sky" "ground" "units")
+  '("draw" "unite" "intersect" "subtract" "with-material" "color" "layer" "highlight" "ghost" "only" "hull" "camera" "sun" "sky" "fog" "ground" "units")
   "Words that stand at the head of most expressions of a model.")
 
 (defvar visualscheme-font-lock-keywords

@@ -5,7 +5,7 @@ endif
 runtime! syntax/scheme.vim
 unlet! b:current_syntax
 syn keyword vsForm define-parameter define-primitive register-drawing-function
-syn match vsOperation /\v[(\[]@<=(draw|unite|intersect|subtract|with-material|color|layer|highlight|ghost|only|hull|camera|sun|sky|ground|units)>/
+syn match vsOperation /\v[(\[]@<=(draw|unite|intersect|subtract|with-material|color|layer|highlight|ghost|only|hull|camera|sun|sky|fog|ground|units)>/
 syn match vsMake /\v[(\[]@<=(make|do)-[a-z0-9*-]+/
 syn match vsKeyword /#:[a-z0-9-]\+/
 syn cluster schemeBaseListCluster add=vsForm,vsOperation,vsMake,vsKeyword
