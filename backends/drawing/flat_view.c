@@ -409,6 +409,43 @@ static bool add_fills(seen *s) {
   return ok;
 }
 
+/* ---- labels ---- */
+
+/* Does a triangle lie before this place of the view? */
+static bool is_covered(const seen *s, vs_vec3 p) {
+  for (size_t i = 0; i < s->triangle_count; i++) {
+    vs_vec3 c[3];
+    for (int k = 0; k < 3; k++) c[k] = vs_v3_sub(s->points[s->triangles[i][k]], p);
+    double part[3], all = 0;
+    for (int k = 0; k < 3; k++) {
+      const vs_vec3 *a = &c[(k + 1) % 3], *b = &c[(k + 2) % 3];
+      all += part[k] = a->x * b->y - a->y * b->x;
+    }
+    if (all == 0 || part[0] / all < 0 || part[1] / all < 0 || part[2] / all < 0) continue;
+    if ((part[0] * c[0].z + part[1] * c[1].z + part[2] * c[2].z) / all < -16 * s->slack) return true;
+  }
+  return false;
+}
+
+/* A label is no part of what a cut has taken away, and elevations and sections show it where its place is seen: a
+ * room's name does not stand on the house's front. */
+static bool find_labels(seen *s) {
+  const vs_scene *scene = s->e->scene;
+  vs_flat_view *v = s->v;
+  const vs_scene_view *spec = &v->spec;
+  if (!scene->note_count) return true;
+  v->labelled = vs_store_realloc(scene->store, NULL, 0, scene->note_count);
+  if (!v->labelled) return vs_emit_no_memory(s->e);
+  for (size_t i = 0; i < scene->note_count; i++) {
+    const vs_scene_note *n = &scene->notes[i];
+    bool upright = fabs(v->look.forward.z) < 1e-6;
+    double kept = v->has_cut ? vs_v3_dot(vs_v3_sub(n->p, spec->cut_point), spec->cut_normal) : 0;
+    v->labelled[i] = n->kind == VS_NOTE_LABEL && kept >= -s->slack &&
+                     (n->view || !upright || !is_covered(s, into_view(&v->look, n->p)));
+  }
+  return true;
+}
+
 /* ---- the whole ---- */
 
 static void measure(vs_flat_view *v) {
@@ -440,7 +477,7 @@ bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs
                          .perspective = !v->look.parallel, .slack = s.slack };
   ok = ok && vs_sight_find_edges(&s.host, &sight, &s.edges, e->error) &&
        vs_sight_find_visible(&s.host, &sight, &s.edges, v->spec.hidden, &s.pieces, e->error) && add_lines(&s) &&
-           add_fills(&s);
+           add_fills(&s) && find_labels(&s);
   measure(v);
   vs_sight_edges_free(&s.host, &s.edges);
   vs_sight_pieces_free(&s.host, &s.pieces);
@@ -456,4 +493,5 @@ void vs_flat_view_free(vs_emitter *e, vs_flat_view *v) {
   vs_emit_release(e, v->lines, v->line_room, sizeof *v->lines);
   vs_emit_release(e, v->fills, v->fill_room, sizeof *v->fills);
   vs_emit_release(e, v->loops, v->loop_room, sizeof *v->loops);
+  if (v->labelled) vs_store_realloc(e->scene->store, v->labelled, e->scene->note_count, 0);
 }

@@ -33,6 +33,7 @@ typedef struct {
   size_t point_count, point_room, line_count, line_room, fill_count, fill_room, loop_count, loop_room;
   vs_sheet_point low, high; /* of all of it */
   double cut_area;        /* of the fills */
+  bool *labelled;         /* of each of the scene's notes: a label whose place is seen here; NULL: there are none */
   /* where sheet.c puts it: millimetres = (place - low) * mm + at */
   double mm, scale;
   vs_sheet_point at;

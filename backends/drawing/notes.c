@@ -2,7 +2,8 @@
  * and sections.
  *
  * A note is shown in the views where it says something true: a dimension where its length is seen unshortened, a
- * level where heights are, an axis where it is seen along its whole length, or from its end, as an upright line. */
+ * level where heights are, an axis on plans, and where it is seen from its end, as an upright line. Next to the model
+ * stand the dimensions, then the levels on the left and the axes' circles below. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,22 +12,23 @@
 #include "backends/drawing/notes.h"
 
 static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* mm: an axis' circle, and the height of capitals */
+static const double away = 9; /* mm: from the model to a dimension */
 
 static bool is_upright(const vs_flat_view *v) { return v->look.parallel && fabs(v->look.forward.z) < 1e-6;
     } /* an elevation or a section */
 static bool shows(const vs_flat_view *v, const vs_scene_note *n) { return v->look.parallel &&
     (!n->view || strcmp(n->view, v->spec.name) == 0); }
 
-/* Is the note drawn in the view at all? */
-static bool fits(const vs_flat_view *v, const vs_scene_note *n) {
+/* Is the note drawn in the view at all? It is one of the scene's. */
+static bool fits(const vs_emitter *e, const vs_flat_view *v, const vs_scene_note *n) {
   if (!shows(v, n)) return false;
   vs_vec3 d = vs_v3_sub(n->q, n->p);
   double along = fabs(vs_v3_dot(d, v->look.forward)), length = vs_v3_length(d);
   switch (n->kind) {
   case VS_NOTE_DIMENSION: return along <= 1e-6 * length;
-  case VS_NOTE_LABEL: return true;
+  case VS_NOTE_LABEL: return v->labelled[n - e->scene->notes];
   case VS_NOTE_LEVEL: return is_upright(v);
-  case VS_NOTE_AXIS: return along <= 1e-6 * length || along >= length * (1 - 1e-9);
+  case VS_NOTE_AXIS: return (!is_upright(v) && along <= 1e-6 * length) || along >= length * (1 - 1e-9);
   }
   return false;
 }
@@ -57,19 +59,39 @@ static double levels_width(const vs_emitter *e, const vs_flat_view *v) {
   char text[160];
   for (size_t i = 0; i < e->scene->note_count; i++) {
     const vs_scene_note *n = &e->scene->notes[i];
-    if (n->kind != VS_NOTE_LEVEL || !fits(v, n)) continue;
+    if (n->kind != VS_NOTE_LEVEL || !fits(e, v, n)) continue;
     level_text(e, n, text, sizeof text);
     most = fmax(most, about_width(text, level_cap) + 4);
   }
   return most;
 }
 
-double vs_sheet_notes_room(const vs_emitter *e, const vs_flat_view *v) {
-  double room = 2;
+static vs_sheet_point middle_of(const vs_flat_view *v) {
+  return (vs_sheet_point){ (v->low.x + v->high.x) / 2, (v->low.y + v->high.y) / 2 };
+}
+
+/* How much of the paper the dimensions take that stand by themselves on the view's left, or below it. */
+static double dimensions_width(const vs_emitter *e, const vs_flat_view *v, bool below) {
+  vs_sheet_point middle = middle_of(v);
+  for (size_t i = 0; i < e->scene->note_count; i++) {
+    const vs_scene_note *n = &e->scene->notes[i];
+    if (n->kind != VS_NOTE_DIMENSION || !isnan(n->offset) || !fits(e, v, n)) continue;
+    vs_sheet_point p = vs_flat_view_project(v, n->p), q = vs_flat_view_project(v, n->q);
+    bool level = fabs(q.y - p.y) < fabs(q.x - p.x);
+    if (level == below && (below ? p.y < middle.y : p.x < middle.x)) return away + 2;
+  }
+  return 0;
+}
+
+vs_sheet_room vs_sheet_notes_room(const vs_emitter *e, const vs_flat_view *v) {
+  vs_sheet_room room = { 2, 2 };
   for (size_t i = 0; i < e->scene->note_count; i++) {
     vs_note_kind kind = e->scene->notes[i].kind;
-    if (!fits(v, &e->scene->notes[i]) || kind == VS_NOTE_LABEL) continue;
-    room = fmax(room, kind == VS_NOTE_LEVEL ? levels_width(e, v) + 4 : 20);
+    if (!fits(e, v, &e->scene->notes[i]) || kind == VS_NOTE_LABEL) continue;
+    bool ends = kind == VS_NOTE_AXIS && is_upright(v);
+    double left = kind == VS_NOTE_LEVEL ? levels_width(e, v) + 3 + dimensions_width(e, v, false) : 20;
+    room.across = fmax(room.across, left);
+    room.up = fmax(room.up, kind == VS_NOTE_LEVEL ? 6 : ends ? 2 * bubble + 4 + dimensions_width(e, v, true) : 20);
   }
   return room;
 }
@@ -93,7 +115,7 @@ static bool dimension(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_
   dx /= length, dy /= length;
   vs_sheet_point middle = { v->at.x + (v->high.x - v->low.x) * v->mm / 2,
       v->at.y + (v->high.y - v->low.y) * v->mm / 2 };
-  double nx = -dy, ny = dx, out = 9;
+  double nx = -dy, ny = dx, out = away;
   if (isnan(n->offset)) {
     if ((p.x - middle.x) * nx + (p.y - middle.y) * ny < -1e-9) out = -out;
   } else {
@@ -122,12 +144,12 @@ static bool dimension(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_
 
 static bool level(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_note *n) {
   const vs_flat_view *v = &s->views[view];
-  double y = seen_at(v, n->p).y, x = v->at.x - levels_width(e, v) - 2;
+  double end = v->at.x - 2 - dimensions_width(e, v, false), y = seen_at(v, n->p).y, x = end - levels_width(e, v);
   vs_sheet_point mark[3] = { { x + 2, y }, { x + 0.7, y + 1.9 }, { x + 3.3, y + 1.9 } };
   char text[160];
   level_text(e, n, text, sizeof text);
   return vs_sheet_line(e, s, view, VS_DRAWN_DIMENSION, mark, 3, true) &&
-         stroke(e, s, view, VS_DRAWN_DIMENSION, (vs_sheet_point){ x, y }, (vs_sheet_point){ v->at.x - 2, y }) &&
+         stroke(e, s, view, VS_DRAWN_DIMENSION, (vs_sheet_point){ x, y }, (vs_sheet_point){ end, y }) &&
          vs_sheet_text(e, s, view, VS_DRAWN_TEXT, (vs_sheet_point){ x, y + 2.8 }, level_cap, 0, 0, text);
 }
 
@@ -146,7 +168,8 @@ static bool axis(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_note 
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q), first = p;
   double dx = q.x - p.x, dy = q.y - p.y, length = hypot(dx, dy);
   if (length < 1e-3) { /* seen from its end: upright, over the whole view */
-    p.y = v->at.y - 3, q = (vs_sheet_point){ p.x, v->at.y + (v->high.y - v->low.y) * v->mm + 3 };
+    p.y = v->at.y - 3 - dimensions_width(e, v, true);
+    q = (vs_sheet_point){ p.x, v->at.y + (v->high.y - v->low.y) * v->mm + 3 };
     dx = 0, dy = 1, first = p;
   } else {
     dx /= length, dy /= length;
@@ -164,7 +187,7 @@ static bool ground(vs_emitter *e, vs_sheet *s, uint32_t view) {
   const vs_flat_view *v = &s->views[view];
   if (!e->scene->has_ground || !is_upright(v)) return true;
   double y = seen_at(v, vs_v3(0, 0, e->scene->ground_z)).y, x0 = v->at.x, x1 = x0 + (v->high.x - v->low.x) * v->mm,
-      more = fmin(8, vs_sheet_notes_room(e, v) + 4);
+      more = fmin(8, vs_sheet_notes_room(e, v).across + 4);
   return stroke(e, s, view, VS_DRAWN_GROUND, (vs_sheet_point){ x0 - more, y }, (vs_sheet_point){ x1 + more, y });
 }
 
@@ -172,7 +195,7 @@ bool vs_sheet_notes(vs_emitter *e, vs_sheet *s, uint32_t view) {
   bool ok = ground(e, s, view);
   for (size_t i = 0; ok && i < e->scene->note_count; i++) {
     const vs_scene_note *n = &e->scene->notes[i];
-    if (!fits(&s->views[view], n)) continue;
+    if (!fits(e, &s->views[view], n)) continue;
     switch (n->kind) {
     case VS_NOTE_DIMENSION: ok = dimension(e, s, view, n); break;
     case VS_NOTE_LABEL: ok = label(e, s, view, n); break;

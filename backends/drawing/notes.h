@@ -6,7 +6,8 @@
 
 /* Puts on what the program asked for in the view, and the ground's line. */
 bool vs_sheet_notes(vs_emitter *e, vs_sheet *s, uint32_t view);
-/* How much room a view's notes need beside it, in millimetres. */
-double vs_sheet_notes_room(const vs_emitter *e, const vs_flat_view *v);
+/* How much room a view's notes need on its left and right, and below and above it, in millimetres. */
+typedef struct { double across, up; } vs_sheet_room;
+vs_sheet_room vs_sheet_notes_room(const vs_emitter *e, const vs_flat_view *v);
 
 #endif

@@ -55,10 +55,10 @@ static bool is_flat(const vs_flat_view *v) { return v->look.parallel; }
  * it be. */
 static double millimetres(const vs_emitter *e, const vs_sheet *s, const vs_flat_view *v, double scale) {
   if (is_flat(v)) return vs_drawing_unit(e->scene) / scale;
-  double wide = v->high.x - v->low.x, high = v->high.y - v->low.y, share = s->view_count > 1 ? 0.45 : 1,
-      room = 2 * vs_sheet_notes_room(e, v);
-  double across = share * (s->right - s->left - 2 * gap - room),
-      up = share * (s->top - s->bottom - title_height - 2 * gap - room - caption);
+  double wide = v->high.x - v->low.x, high = v->high.y - v->low.y, share = s->view_count > 1 ? 0.45 : 1;
+  vs_sheet_room room = vs_sheet_notes_room(e, v);
+  double across = share * (s->right - s->left - 2 * gap - 2 * room.across),
+      up = share * (s->top - s->bottom - title_height - 2 * gap - 2 * room.up - caption);
   return fmin(across / fmax(wide, 1e-9 * high), up / fmax(high, 1e-9 * wide));
 }
 
@@ -68,12 +68,14 @@ static bool place_all(vs_emitter *e, vs_sheet *s, double scale) {
   size_t first = 0;
   for (size_t i = 0; i <= s->view_count; i++) {
     vs_flat_view *v = &s->views[i];
-    double room = 0, wide = 0, high = 0;
+    vs_sheet_room room = { 0, 0 };
+    double wide = 0, high = 0;
     if (i < s->view_count) {
       v->scale = is_flat(v) ? (v->spec.scale > 0 ? v->spec.scale : scale) : 0;
       v->mm = millimetres(e, s, v, v->scale > 0 ? v->scale : 1);
       room = vs_sheet_notes_room(e, v);
-      wide = (v->high.x - v->low.x) * v->mm + 2 * room, high = (v->high.y - v->low.y) * v->mm + 2 * room + caption;
+      wide = (v->high.x - v->low.x) * v->mm + 2 * room.across;
+      high = (v->high.y - v->low.y) * v->mm + 2 * room.up + caption;
       if (wide > s->right - s->left - 2 * gap + 1e-6) return false;
     }
     /* the row ends: its views stand on one line, the row in the middle */
@@ -85,7 +87,7 @@ static bool place_all(vs_emitter *e, vs_sheet *s, double scale) {
       row = 0, x = s->left + gap, first = i;
       if (i == s->view_count) break;
     }
-    v->at = (vs_sheet_point){ x + room, room + caption };
+    v->at = (vs_sheet_point){ x + room.across, room.up + caption };
     x += wide + gap;
     row = fmax(row, high);
     if (y - row < least - 1e-6) return false;
@@ -214,7 +216,7 @@ static bool captions(vs_emitter *e, vs_sheet *s) {
   bool ok = true;
   for (size_t i = 0; ok && i < s->view_count; i++) {
     const vs_flat_view *v = &s->views[i];
-    double room = vs_sheet_notes_room(e, v), x = v->at.x + (v->high.x - v->low.x) * v->mm / 2,
+    double room = vs_sheet_notes_room(e, v).up, x = v->at.x + (v->high.x - v->low.x) * v->mm / 2,
         y = v->at.y - room - caption + 3;
     char text[160], scale[32];
     snprintf(text, sizeof text, "%.100s%s%s", v->spec.name, v->scale > 0 ? "   " : "", scale_text(v->scale, scale));

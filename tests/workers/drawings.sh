@@ -102,3 +102,40 @@ if command -v rsvg-convert > /dev/null; then
 else
   echo "skip drawings/svg: no rsvg-convert (package librsvg2-bin)"
 fi
+
+# A house's sheet: no text lies on another, room names and axes stand where they say something, and it all fits A3.
+cat > sheet-of-a-house.vs <<'EOF'
+(define brick-walls
+  (with-material brick
+    (subtract (make-box origin (xyz 10 8 3)) (make-box (xyz 0.4 0.4 0.3) (xyz 9.6 7.6 4)))))
+(define inner (with-material plaster (make-box (xyz 5.5 0.4 0.3) (xyz 5.65 7.6 3))))
+(define openings (list (make-box (xyz 6 -1 0.3) (xyz 7 1 2.4)) (make-box (xyz 1.5 -1 1.2) (xyz 3.5 1 2.4)) (make-box (xyz 2 7 1.2) (xyz 4 9 2.4)) (make-box (xyz 5 3 0.3) (xyz 6 4 2.4)) (make-box (xyz 9 2 1.2) (xyz 11 4 2.4))))
+(draw (subtract (unite brick-walls inner) openings))
+(draw (with-material concrete (make-box (xyz -0.5 -0.5 3) (xyz 10.5 8.5 3.25))))
+(draw (with-material 'oak (make-box (xyz 7.5 5 0.3) (xyz 9 6 1.05))))
+(ground 0)
+(view "ground floor" 'plan #:cut 1.5)
+(view "section A" 'section #:cut (make-plane (xyz 2.5 4 0) ux))
+(view "front" 'front)
+(view "left" 'left)
+(dimension origin (xyz 10 0 0))
+(dimension origin (xyz 0 8 0))
+(dimension (xyz 1.5 0 1.2) (xyz 3.5 0 1.2) #:offset 0.6)
+(dimension (xyz 6 0 1.2) (xyz 7 0 1.2) #:offset 0.6)
+(dimension (xyz 0 0 0) (xyz 0 0 3.25))
+(level 0.3 "floor") (level 3.25 "roof")
+(grid-axis "A" (xyz 0.2 -1 0) (xyz 0.2 9 0)) (grid-axis "B" (xyz 5.57 -1 0) (xyz 5.57 9 0)) (grid-axis "C" (xyz 9.8 -1 0) (xyz 9.8 9 0))
+(grid-axis "1" (xyz -1 0.2 0) (xyz 11 0.2 0)) (grid-axis "2" (xyz -1 7.8 0) (xyz 11 7.8 0))
+(label (xyz 3 4 0.3) "living room") (label (xyz 7.5 4 0.3) "kitchen")
+EOF
+{ "$vs" -q sheet-of-a-house.vs -o sheet.svg --all-views
+  grep '<text' sheet.svg | sed 's/.* x="\([-0-9.]*\)" y="\([-0-9.]*\)" font-size="\([0-9.]*\)"\([^>]*\)>\(.*\)<.text>/\1|\2|\3|\4|\5/' > texts
+  awk -F'|' '{
+      wide = 0.6 * $3 * length($5); x = $4 ~ /middle/ ? $1 - wide / 2 : $1; y = $2 - 0.75 * $3; w = wide; h = 0.75 * $3
+      if ($4 ~ /rotate/) { x = $1 - h; y = $2 - wide / 2; w = h; h = wide }
+      for (i = 1; i < NR; i++) if (x < X[i] + W[i] && X[i] < x + w && y < Y[i] + H[i] && Y[i] < y + h) print "\"" $5 "\" lies on \"" T[i] "\""
+      X[NR] = x; Y[NR] = y; W[NR] = w; H[NR] = h; T[NR] = $5; n[$5]++ }
+    END { split("kitchen 1 living_room 1 A 2 B 2 C 2 1 4 2 3 10.00 2 8.00 3 3.25 3 +3.25__roof 3 A3 1", want, " ")
+      for (i = 1; want[i]; i += 2) { t = want[i]; gsub("_", " ", t); if (n[t] != want[i + 1]) print "\"" t "\" stands " n[t] + 0 " times, not " want[i + 1] } }' texts
+} > said 2>&1
+result drawings/house said
