@@ -13,6 +13,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
+#include <time.h>
 
 enum { WINDOW = 120, BEFORE = 60 }; /* characters shown of a long source line, and how many of them before the caret */
 
@@ -146,11 +147,36 @@ bool cli_report_calls(vs_scheme *scheme, FILE *to) {
   return i > 0;
 }
 
+/* Seconds of a clock that only goes forwards. */
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* How long the rest of a phase takes if it goes on as it went, once that can be told. */
+static void time_left(cli_reporter *r, const vs_progress *p, char *text, size_t room) {
+  double at = now();
+  *text = 0;
+  if (!r->shown || strncmp(r->phase, p->phase, sizeof r->phase - 1) != 0) {
+    snprintf(r->phase, sizeof r->phase, "%s", p->phase);
+    r->begun = at;
+  }
+  double gone = at - r->begun;
+  if (p->fraction < 0.02 || p->fraction >= 1 || gone < 2) return;
+  double left = gone * (1 - p->fraction) / p->fraction;
+  if (left < 90) snprintf(text, room, ", %.0f s left", ceil(left));
+  else if (left < 5400) snprintf(text, room, ", %.0f min left", ceil(left / 60));
+  else snprintf(text, room, ", %.1f h left", left / 3600);
+}
+
 void cli_report_progress(cli_reporter *r, const vs_progress *p) {
   if (!r->progress) return;
-  char line[sizeof r->line], percent[16] = "";
+  char line[sizeof r->line], percent[16] = "", left[32];
+  time_left(r, p, left, sizeof left);
   if (p->fraction >= 0) snprintf(percent, sizeof percent, " %.0f%%", floor(p->fraction * 100));
-  snprintf(line, sizeof line, "%s%s%s%s", p->subject ? p->subject : "", p->subject ? ": " : "", p->phase, percent);
+  snprintf(line, sizeof line, "%.120s%s%s%s%s", p->subject ? p->subject : "", p->subject ? ": " : "", p->phase,
+           percent, left);
   if (r->shown && strcmp(line, r->line) == 0) return;
   memcpy(r->line, line, sizeof line);
   fprintf(stderr, "\r\033[K%s", line);

@@ -10,6 +10,8 @@ typedef struct {
   bool progress;      /* show the line: standard error is a terminal and nobody asked for quiet */
   bool shown;         /* a progress line stands on the terminal and must go before anything else is printed */
   char line[200];     /* that line: the same is not printed again */
+  char phase[32];     /* of the line, and when it began, in seconds of a clock that only goes forwards */
+  double begun;
   size_t errors, warnings;
 } cli_reporter;
 

@@ -9,6 +9,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -36,6 +37,7 @@ typedef struct {
 } picture;
 typedef struct {
   const cli_options *options;
+  const volatile sig_atomic_t *ended; /* a signal ended the run: those below get it, too */
   picture *at;
   size_t count, room;
   char *manifest, program[PATH_ROOM];
@@ -316,6 +318,17 @@ static const char **words_of(const batch *b, const picture *p, char **defines, c
   return w;
 }
 
+/* Waits for a process; who has asked us to end may not have asked it: a terminal does, another program need not. */
+static void await(const batch *b, pid_t process, int *status) {
+  bool asked = false;
+  for (pid_t one = 0; one == 0;) {
+    one = waitpid(process, status, *b->ended && asked ? 0 : WNOHANG);
+    if (one < 0 && errno == EINTR) one = 0;
+    if (one == 0 && *b->ended && !asked) asked = true, kill(process, SIGTERM);
+    else if (one == 0) nanosleep(&(struct timespec){.tv_nsec = 10000000}, NULL);
+  }
+}
+
 /* Runs it; *hash: of what it writes on standard output, where that is wanted. Its exit code. */
 static int run(const batch *b, const picture *p, const char *file, uint64_t *hash) {
   int ends[2] = {-1, -1}, status = 0;
@@ -336,7 +349,7 @@ static int run(const batch *b, const picture *p, const char *file, uint64_t *has
     else if (n < 0 && errno != EINTR) break;
   }
   if (hash) close(ends[0]);
-  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (child > 0) await(b, child, &status);
   free(words), free(defines);
   return child < 0 ? VS_OUTCOME_MACHINE : WIFEXITED(status) ? WEXITSTATUS(status) : VS_OUTCOME_INTERRUPTED;
 }
@@ -462,6 +475,7 @@ static bool is_of_failed_film(const batch *b, size_t i) {
 }
 
 static void run_all(batch *b, const volatile sig_atomic_t *ended) {
+  bool asked = false;
   size_t next = 0, running = 0, jobs = b->options->jobs > 0 ? b->options->jobs : 1;
   while (running > 0 || (next < b->count && !*ended)) {
     if (next < b->count && running < jobs && !*ended) {
@@ -474,8 +488,12 @@ static void run_all(batch *b, const volatile sig_atomic_t *ended) {
       next++;
       continue;
     }
-    pid_t one = waitpid(-1, NULL, 0);
+    pid_t one = waitpid(-1, NULL, WNOHANG);
     if (one < 0 && errno != EINTR) break;
+    for (size_t i = 0; *ended && !asked && i < b->count; i++)
+      if (b->at[i].process > 0) kill(b->at[i].process, SIGTERM);
+    asked = *ended;
+    if (one == 0) nanosleep(&(struct timespec){.tv_nsec = 10000000}, NULL);
     for (size_t i = 0; one > 0 && i < b->count; i++)
       if (b->at[i].process == one) finish(b, &b->at[i]), running--;
   }
@@ -505,7 +523,7 @@ static const char *manifest_beside(const char *path, char name[PATH_ROOM]) {
 }
 
 vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t *ended) {
-  batch b = {.options = o};
+  batch b = {.options = o, .ended = ended};
   vs_outcome outcome = VS_OUTCOME_DONE;
   ssize_t length = readlink("/proc/self/exe", b.program, sizeof b.program - 1);
   if (length <= 0) return fputs("vs render: where this program is cannot be found\n", stderr), VS_OUTCOME_MACHINE;

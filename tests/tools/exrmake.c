@@ -1,6 +1,7 @@
-/* Owns small EXR pictures for tests: `exrmake WIDTH HEIGHT OUT.exr [plain|noisy|layers|grey]`. Light goes from 0.01 at the
+/* Owns small EXR pictures for tests: `exrmake WIDTH HEIGHT OUT.exr [plain|noisy|layers|grey|sun]`. Light goes from 0.01 at the
  * left to 4 at the right by its logarithm; noisy: with noise of a tenth; layers: albedo, normal, depth and id besides,
- * whose places are a.vs:1:2 and b.vs:30:4 in the upper and the lower half; grey: a channel Y alone. */
+ * whose places are a.vs:1:2 and b.vs:30:4 in the upper and the lower half; grey: a channel Y alone; sun: a sky of 0.2 all round, the north in the
+ * middle, with a disc of 1 degree at azimuth 250, altitude 30, whose light on a surface square to it is 3. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,20 +14,28 @@ static double chance(uint32_t *seed) {
   return (*seed >> 8) / 16777216.0;
 }
 
+static double sky(const vs_exr *x, size_t pixel) {
+  const double pi = 3.14159265358979323846, degree = pi / 180;
+  double up = pi / 2 - ((double)(pixel / x->columns) + 0.5) * pi / x->rows;
+  double east = (((double)(pixel % x->columns) + 0.5) / x->columns - 0.5) * 2 * pi, a = 250 * degree, h = 30 * degree;
+  double cosine = sin(up) * sin(h) + cos(up) * cos(h) * cos(east - a), radius = degree;
+  return 0.2 + (cosine > cos(radius) ? 3 / (2 * pi * (1 - cos(radius))) : 0);
+}
+
 int main(int argc, char **argv) {
   static const char *const names[] = { "R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z" };
   const char *kind = argc > 4 ? argv[4] : "plain";
-  bool layers = !strcmp(kind, "layers"), noisy = strcmp(kind, "plain") != 0, grey = !strcmp(kind, "grey");
+  bool layers = !strcmp(kind, "layers"), noisy = strcmp(kind, "plain") != 0, sun = !strcmp(kind, "sun"), grey = !strcmp(kind, "grey");
   vs_error e = { VS_ERROR_NONE, NULL, "" };
   uint32_t seed = 1;
   if (argc < 4) return fputs("exrmake: WIDTH HEIGHT OUT [KIND]\n", stderr), 2;
   vs_exr x = { .store = vs_store_new(NULL, NULL), .columns = (uint32_t)atoi(argv[1]), .rows = (uint32_t)atoi(argv[2]) };
   size_t pixels = (size_t)x.columns * x.rows;
   for (size_t k = 0; k < (grey ? 1u : layers ? 9u : 3u); k++) {
-    float *at = vs_exr_add(&x, grey ? "Y" : names[k], VS_EXR_HALF, &e);
+    float *at = vs_exr_add(&x, grey ? "Y" : names[k], sun ? VS_EXR_FLOAT : VS_EXR_HALF, &e);
     for (size_t i = 0; at && i < pixels; i++) {
       double light = 0.01 * pow(400, (double)(i % x.columns) / fmax(x.columns - 1, 1));
-      at[i] = (float)(k < 3 ? light * (1 + (noisy ? 0.2 * (chance(&seed) - 0.5) : 0)) : k < 6 ? 0.5 : k == 8);
+      at[i] = (float)(sun ? sky(&x, i) : k < 3 ? light * (1 + (noisy ? 0.2 * (chance(&seed) - 0.5) : 0)) : k < 6 ? 0.5 : k == 8);
     }
   }
   if (layers) {

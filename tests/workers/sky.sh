@@ -36,3 +36,29 @@ sed -n '/^light_source/,/}/s/^  color rgb <\(.*\)>$/\1/p' "$work/look.pov" | awk
   { lux = 1e4 * 3.14159265 * 3.2 / 1.25 * (0.2126 * $1 + 0.7152 * $2 + 0.0722 * $3); expected = 127500 * exp(-0.21 / sqrt(0.5)) }
   END { if (!((lux - expected)^2 < (0.05 * expected)^2)) print "the sun gives " lux " lx, not " expected }' >> "$work/why"
 result sky:sun "$work/why"
+
+# A sky of 0.2 with a sun of 3 in a picture: the sun becomes a light, so that the floor gets 3 sin 30 + 0.2 pi, and in a wall's shadow less than the sky's.
+if [ -x "$BUILD/tools/exrmake" ]; then
+  : > "$work/why"
+  "$BUILD/tools/exrmake" 2048 1024 "$work/sun.exr" sun
+  cat > "$work/hdr.vs" <<'EOF'
+(define grey (make-material #:color "#808080" #:roughness 1))
+(draw (with-material grey (make-box (xyz -40 -40 -1) (xyz 40 40 0))))
+(draw (with-material grey (do-rotate (make-box (xyz -0.5 -4 0) (xyz 0.5 4 2)) 'z (* pi 1/9))))
+(sky #:image "sun.exr")
+(camera (xyz 0 0 20) origin #:lens 36)
+EOF
+  "$vs" -q --size 80x80 "$work/hdr.vs" -o "$work/hdr.exr" --layers 2>> "$work/why"
+  # 20 m are 80 pixels; the sun stands in the west by south, at 250 degrees: the shadow lies east by north, 2 / tan 30 = 3.46 m long
+  while read -r name column row least most; do
+    "$vs" pick "$work/hdr.exr" "$column" "$row" --candelas 1 | awk -v name="$name" -v least="$least" -v most="$most" '
+      $1 == "illuminance" { got = $2 } END { if (!(got >= least && got <= most)) print name ": illuminance " got ", wanted " least " to " most }' >> "$work/why"
+  done <<'EOF'
+sunny 8 50 2.04 2.22
+shadow 50 36 0.25 0.63
+behind-it 60 32 1.95 2.22
+EOF
+  result sky:picture-with-sun "$work/why"
+else
+  echo "skip sky:picture-with-sun: no exrmake (make build/tools/exrmake)"
+fi

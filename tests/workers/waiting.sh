@@ -1,0 +1,45 @@
+# Owns the test of what is seen and may be done while POV-Ray works: a terminal shows the share that is done and the time that is left, and Ctrl-C
+# ends a run of pictures with 130, without POV-Ray and without half a picture, and the next run makes what lacks.
+. tests/report.sh
+
+wanted waiting || exit 0
+command -v povray > /dev/null || { echo "skip waiting: no povray (package povray)"; exit 0; }
+
+cat > "$work/slow.vs" <<'EOF'
+(define glass-ball (with-material 'glass (make-sphere origin 1)))
+(for* ((i 6) (j 6)) (draw (do-move glass-ball (vxyz (* 2 i) (* 2 j) 1))))
+(ground 0)
+(sky #:turbidity 3)
+(view "one" #:from (xyz -6 -6 4) #:to (xyz 5 5 1))
+(view "two" #:from (xyz 16 -6 4) #:to (xyz 5 5 1))
+EOF
+
+if command -v script > /dev/null; then
+  : > "$work/why"
+  (cd "$work" && timeout -s INT 60 script -qec "$vs slow.vs -o slow.png --quality good --size 640x480" /dev/null) 2>&1 < /dev/null | tr '\r' '\n' > "$work/said"
+  grep -q 'slow.png: rendering [0-9]*%, [0-9.]* \(s\|min\) left' "$work/said" || { echo "no time left is told:"; tail -n 5 "$work/said"; } >> "$work/why"
+  rm -f "$work/slow.png"
+  result waiting:time-left "$work/why"
+else
+  echo "skip waiting:time-left: no script (package bsdutils)"
+fi
+
+if command -v pgrep > /dev/null; then
+  : > "$work/why"
+  mkdir -p "$work/out" "$work/tmp"
+  TMPDIR=$work/tmp env --default-signal=INT "$vs" render "$work/slow.vs" -o "$work/out/" --all-views --jobs 2 --size 640x480 --manifest "$work/out/m.json" > "$work/said" 2>&1 & process=$!
+  for i in $(seq 200); do [ -n "$(pgrep -P "$process")" ] && [ -n "$(ls "$work/tmp")" ] && break; sleep 0.05; done
+  sleep 1
+  children=$(pgrep -P "$process"; for c in $(pgrep -P "$process"); do pgrep -P "$c"; done)
+  kill -INT "$process"; wait "$process"; status=$?
+  [ "$status" = 130 ] || echo "ended with $status" >> "$work/why"
+  sleep 0.5
+  for c in $children; do ! kill -0 "$c" 2> /dev/null || { echo "process $c goes on" >> "$work/why"; kill "$c"; }; done
+  left=$(ls -A "$work/tmp"; ls -A "$work/out" | grep -v '^m.json$')
+  [ -z "$left" ] || echo "left behind: $left" >> "$work/why"
+  "$vs" render "$work/slow.vs" -o "$work/out/" --all-views --quality draft --size 64x48 --manifest "$work/out/m.json" > "$work/said" 2>&1 || cat "$work/said" >> "$work/why"
+  [ "$(ls "$work/out" | grep -c '\.png$')" = 2 ] || echo "the next run makes $(ls "$work/out" | tr '\n' ' ')" >> "$work/why"
+  result waiting:ctrl-c "$work/why"
+else
+  echo "skip waiting:ctrl-c: no pgrep (package procps)"
+fi
