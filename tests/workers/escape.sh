@@ -57,3 +57,20 @@ cut -c9- "$work/plain.words" > "$work/plain.set"; cut -c9- "$work/strange.words"
 diff "$work/plain.set" "$work/strange.set" >> "$work/why"
 "$vs" -q "$file.vs" -o "$work/strange.png" --size 60x40 --quality draft 2>> "$work/why" || echo "POV-Ray does not take the scene" >> "$work/why"
 result escape:names "$work/why"
+
+# Names of models' files and of what they write, put together by chance of the same pieces: the same scene but for its title's letters, and no other files.
+: > "$work/why"
+mkdir -p "$work/files" && (
+  cd "$work/files" || exit 1
+  awk 'BEGIN { srand(20260621); n = split("\"|#include \"a\"|}|{|;|\x27|`|$(touch x)|%s%n|é|*~+O~|-rf|--|+I|union {|#end|\t|&quot;|<1,2>|a b|.pov|", pieces, "|")
+    for (i = 0; i < 60; i++) { name = "m" i; for (k = 0; k < 5; k++) name = name pieces[1 + int(rand() * n)]; print name } }' > ../file-names
+  echo '(draw (make-box origin (xyz 1 1 1)))' > plain.vs && "$vs" -q plain.vs -o plain.pov && tail -n +2 plain.pov > ../plain-scene
+  while IFS= read -r name; do
+    cp plain.vs "$name.vs" && "$vs" -q "$name.vs" -o "$name.pov" || echo "not made: $name"
+    tail -n +2 "$name.pov" | cmp -s - ../plain-scene || { echo "another scene: $name"; head -n 2 "$name.pov"; }
+    head -n 1 "$name.pov" | grep -q '^// [^#{}"]*$' || { echo "a title with signs:"; head -n 1 "$name.pov"; }
+  done < ../file-names
+  name=$(sed -n 7p ../file-names); "$vs" -q "$name.vs" -o "$name.png" --size 40x30 --quality draft || echo "no picture: $name"
+  [ "$(ls -A | wc -l)" = 123 ] || { echo "files: "; ls -A | head -n 20; }
+) >> "$work/why" 2>&1
+result escape:file-names "$work/why"
