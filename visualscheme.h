@@ -314,6 +314,7 @@ typedef struct {
   const char *const *choices;           /* written as value is; NULL: any */
   size_t choice_count;
   vs_span at;
+  const char *unit;                     /* what stands behind the number, as "m"; "" if none was given */
 } vs_parameter_info;
 
 /* Sets what a later (define-parameter name ...) will hold. datum is one datum, read and never evaluated, or bare text

@@ -25,7 +25,7 @@ typedef struct vs_bind vs_bind;
 /* as the public header's */
 typedef enum { VS_P_BOOLEAN, VS_P_INTEGER, VS_P_REAL, VS_P_STRING, VS_P_DATUM } vs_bind_parameter_type;
 typedef struct vs_bind_parameter {
-  const char *name, *label, *group; /* texts are the store's */
+  const char *name, *label, *group, *unit; /* texts are the store's */
   vs_bind_parameter_type type;
   const char *value, *default_value; /* written data; strings bare */
   bool has_range;

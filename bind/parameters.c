@@ -8,7 +8,7 @@
 #include "vm/values/printer.h"
 #include "vm/front/reader.h"
 
-enum { KEY_MIN, KEY_MAX, KEY_STEP, KEY_CHOICES, KEY_LABEL, KEY_GROUP };
+enum { KEY_MIN, KEY_MAX, KEY_STEP, KEY_CHOICES, KEY_LABEL, KEY_GROUP, KEY_UNIT };
 
 static void unset(vs_bind *b, const char *name) {
   for (size_t i = 0; i < b->setting_count; i++)
@@ -206,7 +206,8 @@ static vs_status define(vs_args *f, vs_bind_parameter *p, vs_value *value, vs_va
   if (!(p->name = vs_store_text(s, f->arg[0].text.at, f->arg[0].text.length))) return vs_fail_memory(f->vm);
   p->label = k[KEY_LABEL].given ? vs_store_text(s, k[KEY_LABEL].text.at, k[KEY_LABEL].text.length) : p->name;
   p->group = k[KEY_GROUP].given ? vs_store_text(s, k[KEY_GROUP].text.at, k[KEY_GROUP].text.length) : "";
-  if (!p->label || !p->group) return vs_fail_memory(f->vm);
+  p->unit = k[KEY_UNIT].given ? vs_store_text(s, k[KEY_UNIT].text.at, k[KEY_UNIT].text.length) : "";
+  if (!p->label || !p->group || !p->unit) return vs_fail_memory(f->vm);
   p->type = type_of(first);
   p->at = vs_call_place(f->vm);
   double d;

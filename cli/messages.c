@@ -252,6 +252,8 @@ void cli_report_parameters(FILE *to, vs_scheme *s) {
     cli_json_text(to, p.label);
     fputs(", \"group\": ", to);
     cli_json_text(to, p.group);
+    fputs(", \"unit\": ", to);
+    cli_json_text(to, p.unit);
     fprintf(to, ", \"type\": \"%s\", \"value\": ", types[p.type]);
     json_datum(to, p.type, p.value);
     fputs(", \"default\": ", to);

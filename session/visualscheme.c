@@ -555,6 +555,7 @@ bool vs_parameter_get(vs_scheme *vm, size_t index, vs_parameter_info *out) {
     .step = p->step,
     .choices = p->choices,
     .choice_count = p->choice_count,
+    .unit = p->unit,
   };
   vs_session_span(s, p->at, &out->at);
   return true;

@@ -8,7 +8,7 @@
 ; values, `parameters` lists (name default min max), newest first, and `drawn` objects, newest first.
 (define (%prefab-parameter who name-of state)
   (lambda (name default #:min [low any? #f] #:max [high any? #f] #:step [step any? #f] #:choices [choices any? #f]
-                #:label [label any? #f] #:group [group any? #f])
+                #:label [label any? #f] #:group [group any? #f] #:unit [unit any? #f])
     (let* ((given (assq name (vector-ref state 0))) (v (if given (cdr given) default)))
       (vector-set! state 1 (cons (list name default low high) (vector-ref state 1)))
       (cond

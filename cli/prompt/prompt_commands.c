@@ -128,7 +128,7 @@ static void list_parameters(cli_session *c) {
     if (p.choices) {
       for (size_t k = 0; k < p.choice_count; k++) printf("%s%s", k ? " " : "one of ", p.choices[k]);
     } else if (p.has_range) {
-      printf("%.6g to %.6g", p.min, p.max);
+      printf("%.6g to %.6g%s%s", p.min, p.max, *p.unit ? " " : "", p.unit);
     }
     if (strcmp(p.label, p.name) != 0) printf("  (%s)", p.label);
     putchar('\n');

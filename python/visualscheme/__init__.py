@@ -27,7 +27,7 @@ Hit = namedtuple("Hit", "distance point node path file line column")
 # and axes (n, 3), in the world's coordinates.
 Gizmo = namedtuple("Gizmo", "node kind at size value low high step handles axes")
 # value, default and choices are written data, as a program has them; min, max and step are None without a range.
-Parameter = namedtuple("Parameter", "name label group type value default min max step choices")
+Parameter = namedtuple("Parameter", "name label group type value default min max step choices unit")
 # change: "removed", "changed" or "added". points (n, 3), triangles (m, 3), normals (k, 3), normal_corners (m, 3);
 # parts, and in part_of the number of each triangle's, or None; places (p, 3, 4), from the mesh's coordinates to the
 # drawing's. All arrays are Python's own.
@@ -377,7 +377,7 @@ class Scheme:
             reach = (p.min, p.max, p.step) if p.has_range else (None, None, None)
             choices = [_text(x) for x in p.choices[:p.choice_count]] if p.choices else None
             found.append(Parameter(_text(p.name), _text(p.label), _text(p.group), _TYPES[p.type], _text(p.value),
-                                   _text(p.default_value), *reach, choices))
+                                   _text(p.default_value), *reach, choices, _text(p.unit)))
         return found
 
     def unused_parameters(self):

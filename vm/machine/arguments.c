@@ -7,7 +7,11 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *name_of(vs_value name) { return vs_is_symbol(name) ? vs_as_symbol(name)->name : "the procedure"; }
+/* Names of our own begin with %, which messages leave out, as vs_fail does. */
+static const char *name_of(vs_value name) {
+  const char *text = vs_is_symbol(name) ? vs_as_symbol(name)->name : "the procedure";
+  return text + (text[0] == '%' && text[1]);
+}
 
 /* what is asked for, as it is written: " (from to [step])"; too much to show is left out */
 typedef struct { char text[160]; size_t used; } wanted;

@@ -1,4 +1,4 @@
-(define-parameter height 12 #:min 3 #:max 40 #:label "height of the tower" #:group "size")
+(define-parameter height 12 #:min 3 #:max 40 #:label "height of the tower" #:group "size" #:unit "m")
 (define-parameter ratio 0.5)
 (define-parameter name "tower \"one\"")
 (define-parameter flat #f)
