@@ -34,13 +34,15 @@ typedef struct live_follower {
   bool coarse;         /* a value is on its way: what is round is shown coarse where nobody asked for a fineness */
   bool frames;         /* the scene does something in each frame */
   double last_frame;   /* when, in seconds */
+  bool good;           /* what is published is what the last run of the model has drawn */
+  const char *asked;   /* what was typed at the prompt, while that is published */
   bool prompted;       /* the prompt has run something since the model did: the drawing may be another than the
                         * text's */
   live_text printed, messages, values; /* of the run under way */
   size_t message_count, errors;
   bool busy_told;
   double began;
-  unsigned version;
+  unsigned version, run; /* of the scene; of what is evaluated */
   live_text export;    /* bytes of the output under way */
   bool exporting;
 } live;
@@ -142,6 +144,8 @@ static void add_parameters(live *l, live_text *t) {
     live_json(t, p.label);
     live_puts(t, ",\"group\":");
     live_json(t, p.group);
+    live_puts(t, ",\"unit\":");
+    live_json(t, p.unit);
     live_putf(t, ",\"type\":\"%s\",\"value\":", types[p.type]);
     live_json(t, p.value);
     live_puts(t, ",\"default\":");
@@ -172,7 +176,7 @@ static void add_parameters(live *l, live_text *t) {
 static void publish_state(live *l, bool good, vs_outcome outcome) {
   live_text t = { 0 };
   const char *const yes[] = { "false", "true" };
-  live_putf(&t, "{\"version\":%u,\"good\":%s,\"stopped\":%s,", l->version, yes[good],
+  live_putf(&t, "{\"version\":%u,\"run\":%u,\"good\":%s,\"stopped\":%s,", l->version, l->run, yes[good],
             yes[outcome == VS_OUTCOME_INTERRUPTED]);
   live_putf(&t, "\"prompted\":%s,\"follows\":%s,\"seconds\":", yes[l->prompted], yes[l->follows]);
   live_number(&t, now() - l->began);
@@ -184,6 +188,8 @@ static void publish_state(live *l, bool good, vs_outcome outcome) {
   live_json_bytes(&t, l->printed.at != NULL ? l->printed.at : "", l->printed.length);
   live_puts(&t, ",\"values\":");
   live_json_bytes(&t, l->values.at != NULL ? l->values.at : "", l->values.length);
+  live_puts(&t, ",\"asked\":");
+  live_json(&t, l->asked != NULL ? l->asked : "");
   live_puts(&t, ",\"parameters\":");
   add_parameters(l, &t);
   live_puts(&t, ",\"scene\":");
@@ -242,12 +248,14 @@ static void begin(live *l) {
   if (l->messages.at != NULL) l->messages.at[0] = 0;
   l->message_count = l->errors = 0;
   l->busy_told = false;
+  l->run++;
   l->began = now();
 }
 
 static void finish(live *l, vs_outcome outcome) {
   if (outcome == VS_OUTCOME_DONE) outcome = publish_drawing(l, false);
-  publish_state(l, outcome == VS_OUTCOME_DONE, outcome);
+  l->good = outcome == VS_OUTCOME_DONE;
+  publish_state(l, l->good, outcome);
   vs_interrupt_clear(l->scheme);
 }
 
@@ -334,7 +342,16 @@ static void run_input(live *l, const live_wish *w) {
 static void run_prompt(live *l, const char *text) {
   begin(l);
   l->prompted = true;
-  finish(l, vs_eval_text(l->scheme, "prompt", 1, text, strlen(text), VS_EVAL_PRINT));
+  l->asked = text;
+  vs_outcome outcome = vs_eval_text(l->scheme, "prompt", 1, text, strlen(text), VS_EVAL_PRINT);
+  if (outcome == VS_OUTCOME_DONE || !l->good) {
+    finish(l, outcome);
+  } else { /* An error of what was typed is none of the model, which stands, with what was drawn before the error. */
+    vs_interrupt_clear(l->scheme);
+    l->good = publish_drawing(l, true) == VS_OUTCOME_DONE;
+    publish_state(l, l->good, outcome);
+  }
+  l->asked = NULL;
 }
 
 static unsigned pass_mask(const char *name) {

@@ -280,6 +280,26 @@ static enum MHD_Result serve_names(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
+/* How a name of the language is called, for the line below the source; an empty object: there is no such name. */
+static enum MHD_Result serve_name(live_server *s, struct MHD_Connection *c) {
+  const char *name = query(s, c, "of");
+  vs_name_info info;
+  live_text t = { 0 };
+  live_puts(&t, "{");
+  pthread_mutex_lock(&s->names_lock);
+  if (s->names != NULL && name != NULL && vs_name_get(s->names, name, &info)) {
+    live_puts(&t, "\"call\":");
+    live_json(&t, info.call);
+    live_puts(&t, ",\"keywords\":");
+    live_json(&t, info.keywords);
+    live_puts(&t, ",\"doc\":");
+    live_json(&t, info.doc);
+  }
+  pthread_mutex_unlock(&s->names_lock);
+  live_puts(&t, "}");
+  return answer_live_text(s, c, "application/json", &t);
+}
+
 /* The findings in a text that a window is writing. */
 static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, const live_text *body) {
   char *bytes = NULL;
@@ -401,6 +421,7 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
   if (get && strcmp(url, "/scene") == 0) return serve_scene(s, c);
   if (get && strcmp(url, "/source") == 0) return serve_source(s, c);
   if (get && strcmp(url, "/names") == 0) return serve_names(s, c);
+  if (get && strcmp(url, "/name") == 0) return serve_name(s, c);
   if ((get || post) && strcmp(url, "/export") == 0) return export(s, c, post ? body : NULL);
   if (post && strcmp(url, "/cancel") == 0 && query(s, c, "id") != NULL) {
     live_wish_cancel(s->publish, query(s, c, "id"));

@@ -20,17 +20,18 @@ class Live {
   constructor() {
     const root = document.getElementById("live");
     this.name = el("b", {}, "…");
-    this.status = el("span", { class: "status", role: "status" }, "connecting");
+    this.status = el("span", { class: "status", role: "status", title: "How long the last run took" }, "connecting");
     this.saveButton = el("button", { type: "button", class: "button save", title: "Save (Ctrl S)", disabled: true, onclick: () => this.save() }, "Save");
     this.stopButton = el("button", { type: "button", class: "button", title: "Stop what runs", disabled: true, onclick: () => ask("/stop", { method: "POST" }) }, "Stop");
     this.editorPlace = el("div", { class: "editor" });
+    this.hintPlace = el("div");
     this.messages = el("div", { class: "messages", role: "log", "aria-label": "Messages", hidden: true });
     this.printed = el("pre", { hidden: true });
     this.prompt = el("input", { type: "text", autocomplete: "off", autocapitalize: "off", spellcheck: "false", "aria-label": "Prompt", placeholder: "(draw (make-sphere (xyz 0 0 0) 1))" });
     const consoleArea = el("div", { class: "console" }, this.printed, el("label", {}, "›", this.prompt));
     this.viewPlace = el("div", { class: "view" });
     this.split = el("button", { type: "button", class: "split", "aria-label": "Width of the source: left and right arrow keys" });
-    root.append(el("section", { class: "pane", "aria-label": "Source" }, el("div", { class: "top" }, this.name, this.status, this.stopButton, this.saveButton), this.editorPlace, this.messages, consoleArea), this.split, this.viewPlace);
+    root.append(el("section", { class: "pane", "aria-label": "Source" }, el("div", { class: "top" }, this.name, this.status, this.stopButton, this.saveButton), this.editorPlace, this.hintPlace, this.messages, consoleArea), this.split, this.viewPlace);
 
     this.viewer = new Viewer(this.viewPlace);
     window.visualscheme = this.viewer;
@@ -67,13 +68,16 @@ class Live {
         const answer = await ask("/check", { method: "POST", body: text });
         return answer.ok ? (await answer.json()).findings : [];
       },
+      describe: async (name) => (await ask("/name?of=" + encodeURIComponent(name))).json(),
       complete: async (prefix) => (await ask("/names?prefix=" + encodeURIComponent(prefix))).json(),
     });
+    this.hintPlace.replaceWith(this.source.hint);
     this.prompt.addEventListener("keydown", (event) => this.#promptKey(event));
     this.history = [];
     this.pieces = new Map();
     this.telling = new Map(); // Who hears of the progress of what is made aside, by its word.
     this.version = 0;
+    this.talk = this.before = ""; // What is printed; the part of it before the last run.
     // Where a button has gone away with its strip nobody has the keys: they are the viewer's.
     addEventListener("keydown", (event) => {
       if (event.target !== document.body || event.key === "Tab") return;
@@ -162,19 +166,28 @@ class Live {
     this.#outcome(state);
     this.#messages(state.messages);
     this.source.diagnose(state.messages.filter((m) => this.#isModel(m.at.file)));
-    const said = state.printed + state.values;
-    this.printed.textContent = said.length > 20000 ? "…" + said.slice(-20000) : said;
-    this.printed.hidden = said === "";
-    this.printed.scrollTop = this.printed.scrollHeight;
+    this.#said(state);
     this.parameters.show(state.good ? state.parameters : this.#known(state.parameters));
     this.viewPlace.classList.toggle("stale", !state.good);
-    this.note.hidden = state.good || !this.viewer.model;
-    this.note.textContent = state.good ? "" : "This is the last model that could be made.";
+    this.note.hidden = state.good;
+    this.note.textContent = state.good ? "" : this.viewer.model ? "The last model that could be made" : "Nothing can be shown yet: the program has an error.";
     if (state.version !== this.version && state.version > 0) await this.#fetchScene();
     if (state.good) this.compare.renew();
     this.#scene(state.scene);
     if (!this.source.dirty && this.source.text !== undefined) await this.readSource(true);
     this.finished = (this.finished || 0) + 1; // For tests: how many states were shown.
+  }
+
+  // What the model prints, and below it what was typed at the prompt since, with what came of it.
+  #said(state) {
+    const asked = state.asked ? "› " + state.asked.trim() + "\n" : "";
+    if (!state.prompted) this.before = "";
+    else if (state.run !== this.said) this.before = this.talk; // Else the same is told again.
+    this.said = state.run;
+    this.talk = (this.before + (this.before && !this.before.endsWith("\n") ? "\n" : "") + asked + state.printed + state.values).slice(-20000);
+    this.printed.textContent = this.talk;
+    this.printed.hidden = this.talk === "";
+    this.printed.scrollTop = this.printed.scrollHeight;
   }
 
   // ---- the program's own scene: frames, gizmos, nodes that wait for a click ----
@@ -212,9 +225,10 @@ class Live {
   #messages(list) {
     this.messages.hidden = list.length === 0;
     this.messages.replaceChildren(...list.map((m) => {
-      const at = m.at.file && m.at.line ? el("button", { type: "button", onclick: () => this.source.go(m.at.line, m.at.column) }, `${m.at.file.split("/").pop()}:${m.at.line}:${m.at.column}`) : null;
+      const lead = (at, words) => this.#isModel(at.file) ? el("button", { type: "button", onclick: () => this.source.go(at.line, at.column) }, words) : el("span", {}, words);
+      const at = m.at.file && m.at.line ? lead(m.at, `${m.at.file.split("/").pop()}:${m.at.line}:${m.at.column}`) : null;
       const caret = m.source && m.at.column ? el("pre", {}, m.source + "\n" + " ".repeat(m.at.column - 1) + "^".repeat(Math.max(1, m.at.endLine === m.at.line ? m.at.endColumn - m.at.column : 1))) : null;
-      return el("div", { class: "message " + m.severity }, el("p", {}, at, at ? " " : "", m.message), caret, m.notes.map((n) => el("p", {}, n.message, " ", n.at.line ? el("button", { type: "button", onclick: () => this.source.go(n.at.line, n.at.column) }, `${(n.at.file || "").split("/").pop()}:${n.at.line}`) : null)));
+      return el("div", { class: "message " + m.severity }, el("p", {}, at, at ? " " : "", m.message), caret, m.notes.map((n) => el("p", {}, n.message, " ", n.at.line ? lead(n.at, `${(n.at.file || "").split("/").pop()}:${n.at.line}`) : null)));
     }));
   }
 

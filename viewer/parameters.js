@@ -114,7 +114,7 @@ export class Parameters {
   show(infos) {
     this.infos = infos;
     this.root.hidden = infos.length === 0;
-    const shape = JSON.stringify(infos.map((p) => [p.name, p.label, p.group, p.type, p.min, p.max, p.step, p.choices]));
+    const shape = JSON.stringify(infos.map((p) => [p.name, p.label, p.group, p.type, p.min, p.max, p.step, p.choices, p.unit]));
     if (shape !== this.shape) {
       this.shape = shape;
       this.rows.clear();
@@ -141,7 +141,13 @@ export class Parameters {
   #row(p) {
     const row = { info: p }, id = "parameter-" + p.name, send = (value, moving) => { row.sent = String(value); row.moving = !!moving; this.set(p.name, String(value), !!moving); };
     const reset = el("button", { type: "button", class: "reset", title: "Back to " + p.default, "aria-label": `Reset ${p.label} to ${p.default}`, onclick: () => { row.put(row.info.default); send(row.info.default); } }, "↺");
-    const label = el("label", { for: id, title: p.name }, p.label);
+    const label = el("label", { for: id, title: p.name }, p.label), unit = p.unit ? el("span", { class: "unit" }, p.unit) : null;
+    // A box is as wide as its number.
+    const box = (attributes) => {
+      const input = el("input", attributes);
+      input.put = (x) => { input.value = x, input.style.width = Math.min(22, Math.max(9, input.value.length + 3)) + "ch"; };
+      return input;
+    };
     let controls;
     if (p.type === "boolean") {
       const box = el("input", { type: "checkbox", id, onchange: () => send(box.checked ? "#t" : "#f") });
@@ -152,26 +158,31 @@ export class Parameters {
       row.put = (v) => { select.value = v; };
       controls = [label, select, reset];
     } else if (p.min !== undefined) {
-      const number = el("input", { type: "number", id, min: p.min, max: p.max, step: p.step || "any" });
+      const number = box({ type: "number", id, min: p.min, max: p.max, step: p.step || "any" });
       const range = el("input", { type: "range", min: p.min, max: p.max, step: p.step || roundStep(p.max - p.min), "aria-label": p.label, "data-parameter": p.name });
       const exact = (x) => p.type === "integer" ? String(Math.round(x)) : String(Number(Number(x).toPrecision(6)));
-      range.addEventListener("input", () => { number.value = exact(range.value); send(exact(range.value), true); });
+      range.addEventListener("input", () => { number.put(exact(range.value)); send(exact(range.value), true); });
       range.addEventListener("change", () => { if (row.moving) send(exact(range.value)); });
       number.addEventListener("change", () => { if (number.value !== "" && Number.isFinite(Number(number.value))) { range.value = number.value; send(exact(number.value)); } });
-      row.put = (v) => { const x = v.includes("/") ? v.split("/").reduce((a, b) => a / b) : Number(v); number.value = range.value = x; };
-      controls = [label, number, reset, range];
+      row.put = (v) => { const x = v.includes("/") ? v.split("/").reduce((a, b) => a / b) : Number(v); range.value = x, number.put(x); };
+      controls = [label, number, unit, reset, range];
     } else if (pointOf(p.default)) {
-      const boxes = ["x", "y", "z"].map((axis, k) => el("input", { type: "number", step: "any", id: k === 0 ? id : id + "-" + axis, "aria-label": `${p.label} ${axis}`, onchange: () => {
+      const boxes = ["x", "y", "z"].map((axis, k) => box({ type: "number", step: "any", id: k === 0 ? id : id + "-" + axis, "aria-label": `${p.label} ${axis}`, onchange: () => {
         const xyz = boxes.map((b) => Number(b.value));
         if (boxes.every((b) => b.value !== "") && xyz.every(Number.isFinite)) send(pointText(xyz));
       } }));
-      row.put = (v) => (pointOf(v) || [0, 0, 0]).forEach((x, k) => { boxes[k].value = String(Number(x.toPrecision(9))); });
+      const places = el("div", { class: "xyz" }, boxes);
+      row.put = (v) => {
+        const texts = (pointOf(v) || [0, 0, 0]).map((x) => String(Number(x.toPrecision(9))));
+        texts.forEach((text, k) => { boxes[k].value = text; });
+        places.classList.toggle("long", texts.some((text) => text.length > 8)); // One below the other.
+      };
       row.drag = (xyz, moving) => { const text = pointText(xyz); row.put(text); send(text, moving); };
-      controls = [label, el("span", { class: "hint" }, "drag it in the view"), reset, el("div", { class: "xyz" }, boxes)];
+      controls = [label, el("span", { class: "hint" }, "drag it in the view"), reset, places];
     } else {
       const text = el("input", { type: "text", id, onchange: () => send(text.value) });
       row.put = (v) => { text.value = v; };
-      controls = [label, text, reset];
+      controls = [label, unit, reset, text];
     }
     row.root = el("div", { class: "parameter" }, controls);
     row.put(p.value);

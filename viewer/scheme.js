@@ -74,3 +74,19 @@ export function around(text, at) {
   }
   return found;
 }
+
+// What a text defines at its top level, by name: "(name a b)" for procedures, "" for values.
+export function definitions(text) {
+  const found = new Map();
+  for (const m of text.matchAll(/^[([](?:define|define-\w+)[ \t]+/gm)) {
+    const at = m.index + m[0].length;
+    if (text[at] !== "(") {
+      const name = /^[^\s()[\]"';]+/.exec(text.slice(at, at + 200));
+      if (name) found.set(name[0], "");
+      continue;
+    }
+    const parts = items(text, at).map(([from, to]) => text.slice(from, to));
+    if (parts.length > 0) found.set(parts[0].replace(/^[([]+/, ""), `(${parts.join(" ").replace(/\s+/g, " ")})`);
+  }
+  return found;
+}

@@ -7,7 +7,8 @@ import { autocompletion, completionKeymap, closeBrackets, closeBracketsKeymap } 
 import { StreamLanguage, HighlightStyle, syntaxHighlighting, bracketMatching, indentUnit, indentService } from "@codemirror/language";
 import { setDiagnostics, lintGutter } from "@codemirror/lint";
 import { tags } from "@lezer/highlight";
-import { items, around, tokens } from "./scheme.js";
+import { items, around, tokens, definitions } from "./scheme.js";
+import { el } from "./dom.js";
 
 const FORMS = new Set("define define-parameter define-syntax define-record-type define-primitive lambda let let* letrec letrec* named-lambda if cond case when unless begin do set! and or else syntax-rules guard parameterize load require include import import".split(" "));
 
@@ -107,17 +108,23 @@ const marks = StateField.define({
 });
 
 export class Source {
-  constructor(place, { changed, save, cursor, complete, check, attempt }) {
+  // describe(name) tells how a name of the language is called: { call, keywords, doc }.
+  constructor(place, { changed, save, cursor, complete, check, attempt, describe }) {
     this.base = undefined;
     this.check = check;
     this.attempt = attempt;
+    this.describe = describe;
+    this.descriptions = new Map(); // by name
+    this.hint = el("div", { class: "hint-line", role: "status", "aria-label": "How it is called", hidden: true });
     this.told = []; // The messages of the last run about this text.
     this.found = []; // The findings in the text as it stands.
     const names = async (context) => {
       const word = context.matchBefore(/[^\s()\[\]{}"';`,]+/);
       if (!word || (word.from === word.to && !context.explicit)) return null;
-      const found = await complete(word.text);
-      return { from: word.from, options: found.slice(0, 300).map((label) => ({ label })), validFor: /^[^\s()\[\]{}"';`,]*$/ };
+      const own = [...definitions(this.text || "").keys()].filter((name) => name !== word.text), found = await complete(word.text), known = new Set(own);
+      const info = async ({ label }) => this.#described(await this.#describe(label), -1);
+      return { from: word.from, options: [...own.map((label) => ({ label, info, boost: 1 })), ...found.slice(0, 300).filter((label) => !known.has(label)).map((label) => ({ label, info }))],
+        validFor: /^[^\s()\[\]{}"';`,]*$/ };
     };
     this.view = new EditorView({
       parent: place,
@@ -132,6 +139,10 @@ export class Source {
             clearTimeout(this.checking);
             this.checking = setTimeout(() => this.#look(), 350);
           }
+          if (update.docChanged || update.selectionSet) {
+            clearTimeout(this.hinting);
+            this.hinting = setTimeout(() => this.#hint(), 80);
+          }
           const byUser = update.transactions.some((t) => t.isUserEvent("select"));
           if (byUser) {
             clearTimeout(this.waiting);
@@ -140,6 +151,39 @@ export class Source {
         }), EditorView.contentAttributes.of({ "aria-label": "Source" }),
         EditorView.cspNonce.of(document.querySelector("script[nonce]")?.nonce ?? "")] }),
     });
+  }
+
+  // ---- how what is being written is called ----
+
+  // Definitions of this text come before the language's.
+  async #describe(name) {
+    const own = definitions(this.text || "").get(name);
+    if (own !== undefined) return own && { call: own, keywords: "", doc: "" };
+    if (!this.descriptions.has(name)) this.descriptions.set(name, this.describe(name).catch(() => null));
+    return this.descriptions.get(name);
+  }
+  // One line a way to call it, the argument at hand (from 1) set off; null: nothing is known.
+  #described(told, argument) {
+    if (!told?.call) return null;
+    const line = (call) => el("p", {}, call.replace(/^\(|\)$/g, "").split(/\s+(?![^([]*[)\]])/).map((word, k) => [k > 0 ? " " : "", k === argument && k > 0 ? el("b", {}, word) : word]));
+    const keywords = told.keywords && !told.call.includes("#:") ? el("p", { class: "soft" }, told.keywords) : null;
+    return el("div", { class: "described" }, told.call.split("\n").slice(0, 4).map(line), keywords, told.doc ? el("p", { class: "soft" }, told.doc) : null);
+  }
+  // Below the source: the call round the cursor whose form is known.
+  async #hint() {
+    const text = this.text || "", at = this.view.state.selection.main.head;
+    let shown = null;
+    for (const from of around(text, at).slice(0, 6)) {
+      if (at === from) continue;
+      const inside = items(text, from), name = inside.length > 0 && /[([]/.test(text[from]) ? text.slice(...inside[0]) : "";
+      if (!name || /^[([#"\d'`,-]/.test(name)) continue;
+      const last = inside.findLastIndex(([begin]) => begin <= at);
+      shown = this.#described(await this.#describe(name), last >= 0 && at > inside[last][1] ? last + 1 : last);
+      if (shown) break;
+    }
+    if (at !== this.view.state.selection.main.head) return;
+    this.hint.hidden = !shown;
+    this.hint.replaceChildren(...(shown ? [shown] : []));
   }
 
   get text() { return this.base === undefined ? undefined : this.view.state.doc.toString(); }

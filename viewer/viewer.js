@@ -429,7 +429,8 @@ export class Viewer {
   #frameHandles() {
     if (!this.model || this.touched || this.handlesFramed || this.handles.length === 0) return;
     this.handlesFramed = true;
-    const empty = this.model.count === 0, points = this.handles.map((h) => this.#fromModel(h.at));
+    // One that lies far off would make the model a speck.
+    const empty = this.model.count === 0, near = (p) => empty || p.distanceTo(this.stage.center) < 3 * this.stage.radius, points = this.handles.map((h) => this.#fromModel(h.at)).filter(near);
     const seen = (p) => { const q = p.clone().project(this.stage.camera); return Math.abs(q.x) < 0.9 && Math.abs(q.y) < 0.8 && q.z < 1; };
     this.stage.camera.updateMatrixWorld();
     if (!empty && points.every(seen)) return;

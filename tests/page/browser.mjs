@@ -14,14 +14,14 @@ export async function browser() {
   });
 }
 
-// A page with the viewer in it, when its first picture stands. Errors of the page's scripts are collected in page.troubles.
-export async function open(context, url, settle = false) {
+// A page with the viewer in it, when its first picture stands; or, where nothing is drawn, when it is there. Errors of the page's scripts are collected in page.troubles.
+export async function open(context, url, settle = false, drawn = true) {
   const page = await context.newPage();
   page.troubles = [];
   page.on("pageerror", (error) => page.troubles.push(String(error)));
   page.on("console", (message) => { if (message.type() === "error") page.troubles.push(message.text()); });
   await page.goto(url, { waitUntil: "load", timeout: 120000 });
-  await page.waitForFunction(() => window.visualscheme?.stage.drawCalls > 0, null, { timeout: 120000 });
+  await page.waitForFunction((drawn) => window.visualscheme && (!drawn || window.visualscheme.stage.drawCalls > 0), drawn, { timeout: 120000 });
   if (settle) await settled(page);
   return page;
 }

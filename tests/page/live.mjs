@@ -146,9 +146,19 @@ try {
     await until((s) => s.good && s.parameters[0].default === "7.5", "the saved text's run");
   });
 
+  await test("how a name is called", async (check) => {
+    const told = await (async () => JSON.parse((await ask("/name?of=make-cylinder")).body))();
+    check(/\(make-cylinder /.test(told.call) && told.doc !== undefined, JSON.stringify(told));
+    check((await ask("/name?of=no-such-name")).body.toString() === "{}", "a name that is none");
+    check((await ask("/name?of=make-cylinder", { headers: {} })).status === 403, "without the token");
+  });
+
   await test("prompt", async (check) => {
     await ask("/prompt", { method: "POST", body: "(* 6 other)" });
     check((await until((s) => s.values !== "", "a value")).values.trim() === "18.0", "another value");
+    await ask("/prompt", { method: "POST", body: "(begin (draw (make-sphere (xyz 0 9 0) 1)) (car 5))" });
+    const s = await until((x) => x.messages.length > 0, "an error");
+    check(s.good && s.asked.startsWith("(begin (draw") && s.version > 1, "an error of what was typed is told as the model's: " + JSON.stringify(s).slice(0, 300));
   });
 
   await test("stop", async (check) => {
@@ -157,7 +167,8 @@ try {
     const from = Date.now();
     await ask("/stop", { method: "POST" });
     const s = await until((x) => x.stopped, "the end of a loop");
-    check(Date.now() - from < 5000 && !s.good, `it took ${Date.now() - from} ms`);
+    check(Date.now() - from < 5000 && s.asked === "(let loop () (loop))", `it took ${Date.now() - from} ms`);
+    check(s.good, "what was typed has taken the model away");
     await ask("/prompt", { method: "POST", body: "'alive" });
     check((await until((x) => x.values !== "", "life after it")).values.trim() === "alive", "it does not live on");
   });

@@ -218,6 +218,13 @@ await test("the prompt shares the session", async (want) => {
   await page.locator(".console input").fill("(draw (make-sphere (xyz 4 0 6) 1))");
   await after(() => page.keyboard.press("Enter"));
   want((await facts()).count === 5, `${(await facts()).count} parts`);
+  await page.locator(".console input").fill("(car 5)");
+  await after(() => page.keyboard.press("Enter"));
+  const talk = await page.locator(".console pre").textContent();
+  want(talk.includes("› (* 6 7)\n42\n› (draw (make-sphere"), "what was typed before is gone: " + talk);
+  want((await page.locator(".message.error").textContent()).includes("car"), "the error is not told");
+  want(await page.locator(".view.stale").count() === 0 && (await facts()).count === 5, "an error of what was typed takes the model away");
+  want(await page.locator(".message.error button").count() === 0, "a place at the prompt leads into the source");
   await after(() => writeFileSync(model, source + "\n"));
   await after(() => writeFileSync(model, source));
 });
@@ -227,7 +234,25 @@ await test("completion comes from the interpreter", async (want) => {
   await page.keyboard.type("(make-cyl");
   await page.waitForSelector(".cm-tooltip-autocomplete", { timeout: 5000 });
   want((await page.locator(".cm-tooltip-autocomplete").textContent()).includes("make-cylinder"), "make-cylinder is not offered");
+  await page.waitForSelector(".cm-completionInfo", { timeout: 5000 });
+  want(/^make-cylinder /.test(await page.locator(".cm-completionInfo").textContent()), await page.locator(".cm-completionInfo").textContent());
   await page.keyboard.press("Escape");
+  await page.keyboard.type(" (tow");
+  await page.waitForFunction(() => document.querySelector(".cm-tooltip-autocomplete")?.textContent.includes("tower"), null, { timeout: 5000 });
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => window.live.source.load(window.live.source.base));
+});
+
+await test("how a call is written stands below the source, its argument set off", async (want) => {
+  const put = async (text) => {
+    await page.evaluate((text) => { const s = window.live.source, v = s.view, at = text.indexOf("|"); v.dispatch({ changes: { from: 0, to: v.state.doc.length, insert: s.base + text.replace("|", "") } }); v.dispatch({ selection: { anchor: s.base.length + at } }); }, text);
+    await page.waitForTimeout(400);
+    return page.evaluate(() => { const h = document.querySelector(".hint-line"); return h.hidden ? "" : h.querySelector("p").textContent + " / " + [...h.querySelectorAll("p:first-child b")].map((b) => b.textContent); });
+  };
+  want(/^make-cylinder .* \/ c2$/.test(await put("(make-cylinder (xyz 0 0 0) |)")), "of the language: " + await put("(make-cylinder (xyz 0 0 0) |)"));
+  want(await put("(tower |") === "tower at / at", "of the program: " + await put("(tower |"));
+  want(/^xyz /.test(await put("(tower (xyz 1 |))")), "the innermost: " + await put("(tower (xyz 1 |))"));
+  want(await put("(list 1 2)\n|") === "", "outside of calls");
   await page.evaluate(() => window.live.source.load(window.live.source.base));
 });
 
@@ -424,6 +449,48 @@ await test("a phone's width holds it all", async (want) => {
 });
 
 await test("no script of the page has failed", async (want) => { want(page.troubles.filter((t) => !/403|409/.test(t)).length === 0, page.troubles.join("; ")); });
+
+// A model of its own, with parameters of all kinds.
+const kinds = `${folder}/kinds.vs`;
+writeFileSync(kinds, `(define-parameter span 0.30000001192092896 #:min 0.1 #:max 1 #:unit "m")
+(define-parameter budget 123456789.25)
+(define-parameter door (xyz 12.3456789 -6 0))
+(define-parameter far (xyz 900 0 0))
+(define-parameter finish "white plaster" #:choices '("white plaster" "oak"))
+(define-parameter title "A pavilion for the garden")
+(define-parameter open #t)
+(draw (make-box (xyz 0 0 0) (xyz 2 2 spam)))
+`);
+const all = await session(vs, kinds, [], page.context().browser(), false);
+await all.test("a program that fails at first says so, and then shows", async (want) => {
+  await all.page.waitForFunction(() => window.live.finished > 0);
+  want(/Nothing can be shown yet/.test(await all.page.locator(".stale-note").textContent()), await all.page.locator(".stale-note").textContent());
+  await all.after(() => writeFileSync(kinds, readFileSync(kinds, "utf8").replace("spam", "span")));
+  await all.page.waitForFunction(() => window.visualscheme.stage.drawCalls > 0, null, { timeout: 20000 });
+  want(await all.page.locator(".stale-note:visible").count() === 0, "the note stays");
+});
+await all.test("parameters show whole numbers and units, in controls that can be hit", async (want) => {
+  for (const width of [1100, 390]) {
+    await all.page.setViewportSize({ width, height: 800 });
+    await all.page.evaluate(() => { document.querySelector(".parameters").open = true; });
+    const seen = await all.page.evaluate(() => {
+      const controls = [...document.querySelectorAll(".parameters input, .parameters button, .parameters select")].filter((e) => e.offsetParent && getComputedStyle(e).visibility === "visible");
+      return { cut: controls.filter((e) => e.type !== "range" && e.scrollWidth > e.clientWidth + 1).map((e) => e.id || e.textContent),
+        small: controls.filter((e) => { const r = e.getBoundingClientRect(); return Math.min(r.width, r.height) < 18; }).map((e) => e.id || e.getAttribute("aria-label")),
+        out: controls.filter((e) => e.getBoundingClientRect().right > innerWidth + 0.5).map((e) => e.id), units: [...document.querySelectorAll(".parameters .unit")].map((e) => e.textContent) };
+    });
+    want(seen.cut.length === 0 && seen.small.length === 0 && seen.out.length === 0 && seen.units.join() === "m", width + ": " + JSON.stringify(seen));
+  }
+});
+await all.test("a point far off does not make the model a speck", async (want) => {
+  await all.page.setViewportSize({ width: 1100, height: 640 });
+  const again = await open(all.context, all.url);
+  await again.waitForFunction(() => window.visualscheme.handles.length === 2, null, { timeout: 10000 });
+  const share = await again.evaluate(() => { const { stage } = window.visualscheme, c = stage.camera; return stage.radius / c.position.distanceTo(stage.center); });
+  want(share > 0.1, `radius to distance ${share}`);
+  await again.close();
+});
+await all.close();
 
 const script = `${folder}/script.js`;
 writeFileSync(script, "var x = 3;\nfunction twice(a, b) { return a + a; }\ntwice(1, 2);\n");

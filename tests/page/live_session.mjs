@@ -2,12 +2,12 @@
 import { spawn } from "node:child_process";
 import { browser, open } from "./browser.mjs";
 
-// A browser that is given is shared; else the session starts its own.
-export async function session(vs, model, options = [], shared = null) {
+// A browser that is given is shared; else the session starts its own. drawn: the page is waited for until it shows something.
+export async function session(vs, model, options = [], shared = null, drawn = true) {
   const server = spawn(vs, ["view", "-q", ...options, model], { stdio: ["ignore", "pipe", "pipe"] });
   const url = await new Promise((go) => server.stdout.once("data", (d) => go(String(d).trim())));
   const chromium = shared || await browser(), context = await chromium.newContext({ viewport: { width: 1100, height: 640 }, reducedMotion: "reduce", acceptDownloads: true });
-  const page = await open(context, url), only = process.env.ONLY || "", pictures = process.env.PICTURES;
+  const page = await open(context, url, false, drawn), only = process.env.ONLY || "", pictures = process.env.PICTURES;
 
   async function test(name, body) {
     if (!("live/browser:" + name).includes(only)) return;
