@@ -168,14 +168,23 @@ function matrices(model, parts, mirrored) {
     array[t + 8] = sign * m[o + 2], array[t + 9] = m[o + 6], array[t + 10] = m[o + 10];
     array[t + 12] = sign * m[o + 3], array[t + 13] = m[o + 7], array[t + 14] = m[o + 11], array[t + 15] = 1;
   }
-  return new THREE.InstancedBufferAttribute(array, 16);
+  return array;
+}
+
+function colours(model, parts, paints) {
+  const array = new Float32Array(3 * parts.length);
+  for (let k = 0; k < parts.length; k++) {
+    const c = paints[model.paint[parts[k]]];
+    array[3 * k] = c[0], array[3 * k + 1] = c[1], array[3 * k + 2] = c[2];
+  }
+  return array;
 }
 
 // Very many parts in lists of those that are about as large and lie together: halves along the longer side, by the middle.
 function cells(model, parts) {
   if (parts.length <= 2 * CELL) return [parts];
-  const found = [], ball = model.ball, ends = new Uint32Array(257), order = new Uint32Array(parts.length);
-  const sizeOf = (i) => Math.min(255, Math.max(0, 128 + Math.round(Math.log2(ball[4 * i + 3]))));
+  const found = [], ball = model.ball, ends = new Uint32Array(257), order = new Uint32Array(parts.length), bits = new Uint32Array(ball.buffer, ball.byteOffset, ball.length);
+  const sizeOf = (i) => (bits[4 * i + 3] + 0x400000) >>> 23; // a float's exponent, rounded
   for (let k = 0; k < parts.length; k++) ends[sizeOf(parts[k]) + 1]++;
   for (let size = 0; size < 256; size++) ends[size + 1] += ends[size];
   const next = ends.slice();
@@ -252,25 +261,27 @@ export function buildBatches(model, shown, surfaces, lines) {
       lined.setAttribute("spacing", new THREE.BufferAttribute(new Float32Array(edges.length / 3).fill(g.spacing), 1));
     }
     for (const parts of cells(model, group.parts)) {
-      const count = parts.length, place = matrices(model, parts, group.mirrored), color = new Float32Array(3 * count), around = extent(model, parts);
-      for (let k = 0; k < count; k++) {
-        const c = paints[model.paint[parts[k]]];
-        color[3 * k] = c[0], color[3 * k + 1] = c[1], color[3 * k + 2] = c[2];
-      }
+      const count = parts.length, around = extent(model, parts), place = new THREE.InstancedBufferAttribute(new Float32Array(0), 16), color = new THREE.InstancedBufferAttribute(new Float32Array(0), 3);
+      // Of very many copies most are never in a picture: their places are worked out when the first picture has them.
+      const fill = () => {
+        if (place.count > 0) return;
+        place.array = matrices(model, parts, group.mirrored), place.count = count;
+        color.array = colours(model, parts, paints), color.count = count;
+      };
       const mesh = new THREE.InstancedMesh(geometry, surfaces.get(group.surface, group.material, false), 0);
       mesh.instanceMatrix = place;
-      mesh.instanceColor = new THREE.InstancedBufferAttribute(color, 3);
+      mesh.instanceColor = color;
       mesh.count = count;
       finish(mesh, group.surface, group.material);
       mesh.frustumCulled = true;
       mesh.boundingSphere = group.mirrored ? mirrored(around.sphere) : around.sphere;
-      Object.assign(mesh.userData, { around, cost: count * g.triangles });
+      Object.assign(mesh.userData, { around, fill, cost: count * g.triangles });
       (group.mirrored ? mirror : root).add(mesh);
       if (!lined) continue;
       const line = new THREE.LineSegments(lined, lines.instanced);
       // A line set with a matrix a copy: the renderer asks no more of an object than these.
       Object.assign(line, { isInstancedMesh: true, instanceMatrix: place, instanceColor: null, morphTexture: null, count, boundingSphere: mesh.boundingSphere });
-      line.userData = { edges: true, around, spacing: g.spacing * around.scale, cost: count * edges.length / 6 };
+      line.userData = { edges: true, around, fill, spacing: g.spacing * around.scale, cost: count * edges.length / 6 };
       (group.mirrored ? mirror : root).add(line);
     }
   }
@@ -309,6 +320,7 @@ function finish(mesh, surface, material) {
 // than a few points of theirs; and of more than the picture may hold, in triangles and lines in sight, what is smallest. pixels(distance): how many a length of 1 takes
 // there; across: the length of a light's point; lit: the lights' pictures are made anew.
 const LEAST_PIXELS = 0.5, LEAST_POINTS = 4, FADED_PIXELS = 5; // stage.js fades the lines
+const wider = new THREE.Sphere();
 export function leaveOut(root, { camera, pixels, across, lined, lit, most }) {
   const found = [], eye = camera.position, frustum = new THREE.Frustum().setFromProjectionMatrix(new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
   let sum = root.userData.merged;
@@ -331,7 +343,13 @@ export function leaveOut(root, { camera, pixels, across, lined, lit, most }) {
       sum -= cost;
     }
   }
-  if (lit) root.traverse((o) => { if (o.userData.around && o.castShadow) o.visible = true; });
+  root.traverse((o) => {
+    if (!o.userData.around) return;
+    if (lit && o.castShadow) o.visible = true;
+    if (!o.visible || !o.userData.fill) return;
+    const { center, radius } = o.userData.around.sphere; // The renderer's own test of it must not find more.
+    if (lit || frustum.intersectsSphere(wider.set(center, 1.01 * radius))) o.userData.fill();
+  });
 }
 
 export function disposeBatches(root) {

@@ -11,47 +11,77 @@ export function featureEdges(g) {
     for (let i = 0; i + 5 < position.length; i += 3) out.set(position.subarray(i, i + 6), 2 * i);
     return out;
   }
-  const vertices = position.length / 3, uses = new Map(); // Of an index edge: its triangle, or -1 where it has two.
-  for (let i = 0; i < index.length; i += 3)
+  // Index edges in the order in which they are met: their ends, the smaller first, and their triangle, or -1 where they have two.
+  const count = index.length, low = new Uint32Array(count), high = new Uint32Array(count), owner = new Int32Array(count), slots = table(count), mask = slots.length - 1;
+  let edges = 0;
+  for (let i = 0; i < count; i += 3)
     for (let k = 0; k < 3; k++) {
-      const a = index[i + k], b = index[i + (k + 1) % 3], key = a < b ? a * vertices + b : b * vertices + a;
-      uses.set(key, uses.has(key) ? -1 : i);
+      const a = index[i + k], b = index[k < 2 ? i + k + 1 : i], from = a < b ? a : b, to = a < b ? b : a;
+      let s = mix(from, to) & mask, e;
+      while ((e = slots[s]) >= 0 && (low[e] !== from || high[e] !== to)) s = (s + 1) & mask;
+      if (e >= 0) owner[e] = -1;
+      else slots[s] = edges, low[edges] = from, high[edges] = to, owner[edges++] = i;
     }
-  // Corners at one place get one number.
-  const places = new Map(), place = new Uint32Array(vertices);
-  const words = new Uint32Array(position.buffer, position.byteOffset, position.length);
-  const placeOf = (v) => {
-    if (place[v] > 0) return place[v];
-    const key = words[3 * v] + "," + words[3 * v + 1] + "," + words[3 * v + 2];
-    let number = places.get(key);
-    if (number === undefined) places.set(key, number = places.size + 1);
-    return place[v] = number;
-  };
+  let open = 0; // Those with one triangle are gathered in front.
+  for (let e = 0; e < edges; e++) if (owner[e] >= 0) low[open] = low[e], high[open] = high[e], owner[open++] = owner[e];
+  // Corners at one place get the number of the first of them.
+  const place = placesOf(position, low, high, open);
   // A round side's corners may be several at its tip: where the normals at one end agree, the surface goes on.
-  const N = g.normal, seen = new Map(), out = [], sides = [], corners = [], alike = (u, v) => {
+  const N = g.normal, alike = (u, v) => {
     const x = 3 * u, y = 3 * v, dot = N[x] * N[y] + N[x + 1] * N[y + 1] + N[x + 2] * N[y + 2];
     return dot > 0 && dot * dot > 0.96 * (N[x] ** 2 + N[x + 1] ** 2 + N[x + 2] ** 2) * (N[y] ** 2 + N[y + 1] ** 2 + N[y + 2] ** 2);
   };
-  for (const [key, triangle] of uses) {
-    if (triangle < 0) continue;
-    const b = key % vertices, a = (key - b) / vertices, p = placeOf(a), q = placeOf(b);
+  const seen = table(open), seenMask = seen.length - 1, first = new Uint32Array(open), second = new Uint32Array(open), smooth = new Uint8Array(open), sides = new Float64Array(6 * open);
+  let lines = 0, kept = 0;
+  for (let e = 0; e < open; e++) {
+    const a = low[e], b = high[e], p = place[a], q = place[b];
     if (p === q) continue;
-    const name = p < q ? p * 0x4000000 + q : q * 0x4000000 + p, before = seen.get(name);
-    if (before !== undefined) {
-      const [u, v] = [corners[before / 3], corners[before / 3 + 1]];
-      if (N && (alike(u, placeOf(u) === p ? a : b) || alike(v, placeOf(v) === q ? b : a))) corners[before / 3] = -1;
-      if (sides[before + 3] === 0 && sides[before + 4] === 0 && sides[before + 5] === 0) normalOf(position, index, triangle, sides, before + 3);
+    const from = p < q ? p : q, to = p < q ? q : p;
+    let s = mix(from, to) & seenMask, before;
+    while ((before = seen[s]) >= 0 && !(place[first[before]] === from && place[second[before]] === to) && !(place[first[before]] === to && place[second[before]] === from)) s = (s + 1) & seenMask;
+    if (before >= 0) {
+      const u = first[before], v = second[before], at = 6 * before + 3;
+      if (N && !smooth[before] && (alike(u, place[u] === p ? a : b) || alike(v, place[v] === q ? b : a))) smooth[before] = 1, kept--;
+      if (sides[at] === 0 && sides[at + 1] === 0 && sides[at + 2] === 0) normalOf(position, index, owner[e], sides, at);
       continue;
     }
-    seen.set(name, sides.length);
-    normalOf(position, index, triangle, sides, sides.length);
-    sides.push(0, 0, 0);
-    corners.push(a, b);
-    out.push(position[3 * a], position[3 * a + 1], position[3 * a + 2], position[3 * b], position[3 * b + 1], position[3 * b + 2]);
+    seen[s] = lines, first[lines] = a, second[lines] = b;
+    normalOf(position, index, owner[e], sides, 6 * lines++);
+    kept++;
   }
-  const kept = (_, i) => corners[2 * Math.floor(i / 6)] >= 0;
-  g.edgeSides = Float32Array.from(sides.filter(kept));
-  return Float32Array.from(out.filter(kept));
+  const out = new Float32Array(6 * kept), outSides = new Float32Array(6 * kept);
+  for (let l = 0, to = 0; l < lines; l++) {
+    if (smooth[l]) continue;
+    for (let k = 0; k < 3; k++) out[to + k] = position[3 * first[l] + k], out[to + 3 + k] = position[3 * second[l] + k];
+    for (let k = 0; k < 6; k++) outSides[to + k] = sides[6 * l + k];
+    to += 6;
+  }
+  g.edgeSides = outSides;
+  return out;
+}
+
+// Slots of a hash table for so many things; -1: free.
+function table(count) { return new Int32Array(2 << Math.max(2, 32 - Math.clz32(count))).fill(-1); }
+function mix(a, b) {
+  let h = Math.imul(a, 0x9e3779b1) ^ Math.imul(b, 0x85ebca77);
+  h = Math.imul(h ^ (h >>> 15), 0x2c1b3c6d);
+  return h ^ (h >>> 13);
+}
+
+// For each corner at the ends of edges, the first corner that lies at the same place.
+function placesOf(position, low, high, count) {
+  const words = new Uint32Array(position.buffer, position.byteOffset, position.length), vertices = position.length / 3;
+  const place = new Uint32Array(vertices), known = new Uint8Array(vertices), slots = table(2 * count < vertices ? 2 * count : vertices), mask = slots.length - 1;
+  const find = (v) => {
+    if (known[v]) return;
+    const x = words[3 * v], y = words[3 * v + 1], z = words[3 * v + 2];
+    let s = mix(mix(x, y), z) & mask, w;
+    while ((w = slots[s]) >= 0 && (words[3 * w] !== x || words[3 * w + 1] !== y || words[3 * w + 2] !== z)) s = (s + 1) & mask;
+    if (w < 0) slots[s] = v;
+    known[v] = 1, place[v] = w < 0 ? v : w;
+  };
+  for (let e = 0; e < count; e++) find(low[e]), find(high[e]);
+  return place;
 }
 
 function normalOf(P, I, t, to, at) {

@@ -244,9 +244,9 @@ export function modelFromPacked(root) {
   };
   // What a node does, told once however often it is walked over: a million parts are made of few nodes.
   const stepOf = (node) => {
-    const step = { children: none, place: null, paint: 0, layer: -1, path: false, origin: 0, kind: 0, role: "", cut: false, item: 0, geometry: -1 }, f = node.fields;
+    const step = { children: none, place: null, paint: 0, layer: -1, path: false, origin: 0, kind: 0, role: "", cut: false, item: 0, geometry: -1, leaf: undefined, plain: false }, f = node.fields;
     node.step = step;
-    if (node.use !== undefined) step.children = nodes.get(node.use)?.children || none;
+    if (node.use !== undefined) step.children = nodes.get(node.use)?.children || none, step.plain = true;
     else if (node.type === "Transform" || node.type === "Group") {
       step.children = node.children;
       step.place = f.matrix || f.translation || null;
@@ -267,9 +267,9 @@ export function modelFromPacked(root) {
   // A stack of its own, in arrays by depth: templates may be nested as deeply as the user likes, and used a million times.
   const lists = [], nexts = [], paints = [], layersAt = [], paths = [], placesAt = []; // placesAt: where the depth's place begins, which may be its parent's
   let places = Float64Array.from(identity), depth = -1;
-  const push = (children, place, paint, layer, path) => {
+  // Works a place out within that of the depth at hand; where it begins.
+  const within = (place) => {
     const from = depth < 0 ? 0 : placesAt[depth], to = place ? from + 12 : from;
-    depth++;
     if (places.length < to + 12) {
       const grown = new Float64Array(2 * places.length + 12 * 64);
       grown.set(places);
@@ -290,7 +290,19 @@ export function modelFromPacked(root) {
         }
       }
     }
+    return to;
+  };
+  const push = (children, place, paint, layer, path) => {
+    const to = within(place);
+    depth++;
     lists[depth] = children, nexts[depth] = 0, paints[depth] = paint, layersAt[depth] = layer, paths[depth] = path, placesAt[depth] = to;
+  };
+  // The step of the one shape that a node places, as most nodes do: it goes without the stack.
+  const leafOf = (step) => {
+    const alone = (list) => list.length === 1 ? list[0].step || stepOf(list[0]) : null;
+    let leaf = alone(step.children);
+    while (leaf && leaf.geometry < 0) leaf = leaf.plain ? alone(leaf.children) : null;
+    return step.leaf = leaf;
   };
   const walk = (children) => {
     depth = -1;
@@ -308,7 +320,12 @@ export function modelFromPacked(root) {
       } else {
         const path = step.path ? model.addPath(paths[depth], step.origin, step.kind) : paths[depth];
         if (step.role || step.cut) model.roles.set(path, { role: step.role, cut: step.cut, item: step.item });
-        push(step.children, step.place, paint, layer, path);
+        const leaf = step.leaf === undefined ? leafOf(step) : step.leaf;
+        if (leaf) {
+          if (leaf.cut) model.cuts.add(model.count);
+          const to = within(step.place); // Which may move the places: this comes first.
+          model.add(leaf.geometry, places, to, leaf.paint || paint, leaf.layer < 0 ? layer : leaf.layer, path, leaf.kind, leaf.origin);
+        } else push(step.children, step.place, paint, layer, path);
       }
     }
   };

@@ -13,6 +13,8 @@ const SUN = new THREE.Color(1, 0.95, 0.87), DIFFUSE = 0.82, SKY_POWER = 1.6, SUN
 const LIT = 3.9; // The light that the plain sun and sky give a surface across the sun: the exposure is for it.
 const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // The light that walls and the ground send on, in parts of the sky's and the sun's light.
 const COARSE_MOST = 4e5, MOVING_MOST = 1.2e6, STILL_MOST = 2e6; // triangles and lines of a picture in software; a graphics card gets more
+const GUESSED = 2000; // triangles that software draws in a millisecond, more or less
+const COARSE_SHARE = 0.5; // of the points along a side
 const SLOW = 60; // Milliseconds of a picture, from which on coarse ones are drawn while anything changes.
 
 // Bright colours are compressed and turn pale, others stay as they are: Khronos' neutral curve without its toe, which takes contrast from what is dark.
@@ -49,14 +51,22 @@ const quadVertex = "varying vec2 at; void main() { at = uv; gl_Position = vec4(p
 // The sky's light is paler than it looks: what it lights would else drown in blue. The mean is what a level surface gets.
 const paler = (c, share) => { const grey = (c.r + c.g + c.b) / 3; return c.lerp(new THREE.Color(grey, grey, grey), share); };
 
+// Is WebGL drawn in software? Asked once: it takes a context of its own.
+let software;
+function isSoftware() {
+  if (software !== undefined) return software;
+  const probe = document.createElement("canvas").getContext("webgl2");
+  if (!probe) throw new Error("This browser shows no WebGL 2.");
+  const info = probe.getExtension("WEBGL_debug_renderer_info");
+  software = /swiftshader|llvmpipe|software/i.test(info ? probe.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
+  probe.getExtension("WEBGL_lose_context")?.loseContext();
+  return software;
+}
+
 export class Stage {
   constructor(canvas) {
     this.canvas = canvas;
-    const probe = document.createElement("canvas").getContext("webgl2");
-    if (!probe) throw new Error("This browser shows no WebGL 2.");
-    const info = probe.getExtension("WEBGL_debug_renderer_info");
-    this.software = /swiftshader|llvmpipe|software/i.test(info ? probe.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
-    probe.getExtension("WEBGL_lose_context")?.loseContext();
+    this.software = isSoftware();
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.software, stencil: true, powerPreference: "high-performance" });
     this.ratio = this.software ? 1 : Math.min(2, window.devicePixelRatio || 1);
     this.renderer.setPixelRatio(this.ratio);
@@ -84,6 +94,7 @@ export class Stage {
       merged: new THREE.LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
       instanced: new THREE.LineBasicMaterial({ color: 0x05070a, transparent: true, opacity: 0.55, depthWrite: false }),
     };
+    this.share = 1;
     this.half = 400; // Half the picture's height.
     this.pixels = { value: 400 };
     this.took = 0; // Milliseconds that the last whole picture has taken, as far as that is known.
@@ -311,7 +322,7 @@ export class Stage {
     geometry.setAttribute("color", new THREE.BufferAttribute(color, 4));
     geometry.scale(reach, reach, 1);
     this.groundMesh = new THREE.Mesh(geometry, this.#plain("ground " + patternKey(m), () => {
-      const material = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true, side: THREE.DoubleSide });
+      const material = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true, side: THREE.DoubleSide, forceSinglePass: true });
       addPattern(material, m, this.place, () => this.touch());
       return material;
     }));
@@ -379,6 +390,7 @@ export class Stage {
     this.#ground(model);
     this.used = new Set();
     this.refresh();
+    if (this.took === 0 && this.software) this.took = this.batches.userData.triangles / GUESSED; // Until a picture has been timed.
     for (const [key, material] of this.surfaceCache) // Those of models before, which no part has any more.
       if (!this.used.has(key)) material.dispose(), this.surfaceCache.delete(key);
     this.used = null;
@@ -476,6 +488,7 @@ export class Stage {
     const back = counter(THREE.BackSide, THREE.IncrementWrapStencilOp), front = counter(THREE.FrontSide, THREE.DecrementWrapStencilOp);
     this.batches.traverse((o) => {
       if (!o.isMesh || !o.userData.solid) return;
+      o.userData.fill?.();
       for (const material of [back, front]) {
         let copy;
         if (o.isInstancedMesh) {
@@ -509,6 +522,7 @@ export class Stage {
     const plain = { type: THREE.HalfFloatType, depthBuffer: true, stencilBuffer: true, generateMipmaps: false };
     const precise = { type: THREE.FloatType, depthBuffer: false, generateMipmaps: false, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
     this.one = new THREE.WebGLRenderTarget(1, 1, plain);
+    this.small = new THREE.WebGLRenderTarget(1, 1, plain);
     this.mean = [new THREE.WebGLRenderTarget(1, 1, precise), new THREE.WebGLRenderTarget(1, 1, precise)];
     this.mixer = new THREE.ShaderMaterial({
       uniforms: { sum: { value: null }, one: { value: null }, part: { value: 1 } }, vertexShader: quadVertex, depthTest: false, depthWrite: false, toneMapped: false,
@@ -534,13 +548,13 @@ export class Stage {
     this.half = this.pixels.value = h / 2;
     const size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
     for (const t of [this.one, ...this.mean]) t.setSize(size.x, size.y);
+    this.small.setSize(Math.ceil(COARSE_SHARE * size.x), Math.ceil(COARSE_SHARE * size.y));
     this.touch();
   }
 
-  // The canvas gets so many of its points along a side.
+  // The picture has so many of the canvas' points along a side.
   #points(share) {
-    if (this.renderer.getPixelRatio() === share * this.ratio) return;
-    this.renderer.setPixelRatio(share * this.ratio);
+    this.share = share;
     this.pixels.value = share * this.half; // A line is as wide as a point.
   }
 
@@ -566,23 +580,46 @@ export class Stage {
 
   #leaveOut(most) { // most: triangles and lines
     if (!this.batches) return;
-    const half = this.half * this.renderer.getPixelRatio() * this.camera.projectionMatrix.elements[5], parallel = this.camera.isOrthographicCamera;
+    const half = this.half * this.share * this.ratio * this.camera.projectionMatrix.elements[5], parallel = this.camera.isOrthographicCamera;
     leaveOut(this.batches, { camera: this.camera, pixels: (distance) => parallel ? half : half / Math.max(1e-9, distance), across: 2.04 * this.radius / this.sun.shadow.mapSize.x,
       lined: this.options.edges && !this.options.wireframe, lit: this.renderer.shadowMap.needsUpdate, most: most * (this.software ? 1 : 8) });
   }
 
   draw(coarse = false) {
-    this.#points(coarse ? 0.5 : 1);
+    this.#points(coarse ? COARSE_SHARE : 1);
     this.#light(-1);
     if (coarse && this.shadowsDirty) this.sun.shadow.intensity = this.above.shadow.intensity = 0; // Those of the model before would be worse than none.
     if (coarse || !this.shadowsDirty) this.renderer.shadowMap.needsUpdate = false;
     if (!coarse) this.shadowsDirty = false;
     this.owed = coarse;
-    this.renderer.setRenderTarget(null);
+    const restore = coarse && this.shadowsDirty ? this.#simplify() : null;
+    this.renderer.setRenderTarget(coarse ? this.small : null); // A canvas that changes its size would wait for all that is being drawn.
     this.renderer.info.reset();
     this.#leaveOut(coarse ? COARSE_MOST : MOVING_MOST);
     this.renderer.render(this.scene, this.camera);
     this.drawCalls = this.renderer.info.render.calls;
+    restore?.();
+    if (!coarse) return;
+    this.shower.uniforms.sum.value = this.small.texture;
+    this.#quad(this.shower, null);
+  }
+
+  // For a coarse picture without shadows all surfaces get a few plain materials, which take a third less time, and above all few shaders: those of
+  // patterns and shadows are made when the picture is whole. Returns what puts the own materials back.
+  #simplify() {
+    const changed = [], simple = (o) => {
+      const { vertexColors, transparent, opacity, side, wireframe, polygonOffset } = o.material, key = ["simple", vertexColors, transparent ? opacity.toFixed(1) : "", polygonOffset].join(" ");
+      changed.push(o, o.material);
+      o.material = this.#plain(key, () => new THREE.MeshLambertMaterial({ vertexColors, transparent, opacity, side, depthWrite: o.material.depthWrite, forceSinglePass: true, polygonOffset, polygonOffsetFactor: 1, polygonOffsetUnits: 1, clippingPlanes: this.clip }));
+      o.material.wireframe = wireframe;
+    };
+    this.batches?.traverse((o) => { if (o.isMesh) simple(o); });
+    if (this.groundMesh) simple(this.groundMesh);
+    this.sun.castShadow = this.above.castShadow = false;
+    return () => {
+      for (let i = 0; i < changed.length; i += 2) changed[i].material = changed[i + 1];
+      this.sun.castShadow = this.above.castShadow = true;
+    };
   }
 
   // How long the graphics card needs for a picture is known some frames later.
@@ -665,7 +702,7 @@ export class Stage {
     if (this.batches) disposeBatches(this.batches);
     this.#dropSurfaces();
     for (const m of this.plainCache.values()) m.dispose();
-    for (const target of [this.one, ...this.mean]) target.dispose();
+    for (const target of [this.one, this.small, ...this.mean]) target.dispose();
     this.environmentMap?.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();

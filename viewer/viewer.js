@@ -90,6 +90,14 @@ export class Viewer {
     this.panel.refresh();
   }
 
+  // When the next picture has been drawn, or after a moment: a window that nobody sees draws nothing.
+  drawn() {
+    return new Promise((go) => {
+      const late = setTimeout(go, 150);
+      requestAnimationFrame(() => setTimeout(() => { clearTimeout(late); go(); }));
+    });
+  }
+
   isShown(i) {
     const m = this.model, h = this.hidden;
     return !(h.layers.has(m.layers[m.layer[i]]) || h.materials.has(m.paint[i]) || h.parts.has(i)) && (!this.filter || this.filter(i));

@@ -102,14 +102,17 @@ await test("a coarse picture comes first where pictures take long, then the whol
       const { stage } = window.visualscheme, draw = Object.getPrototypeOf(stage).draw;
       window.drawn = [];
       Object.defineProperty(stage, "took", { get: () => took, set: () => {}, configurable: true });
+      const { renderer } = stage, render = Object.getPrototypeOf(renderer).render || renderer.render, targets = []; // How wide what is drawn into is.
+      renderer.render = (scene, camera) => { if (scene === stage.scene) targets.push((renderer.getRenderTarget() || stage.canvas).width); render.call(renderer, scene, camera); };
+      window.unspy = () => { renderer.render = render; };
       stage.draw = (coarse = false) => {
         draw.call(stage, coarse);
-        window.drawn.push({ coarse, share: stage.canvas.width / Math.floor(stage.canvas.clientWidth * stage.ratio), shadow: stage.sun.shadow.intensity });
+        window.drawn.push({ coarse, share: targets.at(-1) / Math.floor(stage.canvas.clientWidth * stage.ratio), shadow: stage.sun.shadow.intensity });
       };
     }, took);
     await after(action);
     await page.waitForFunction(() => window.drawn.length > 0 && !window.drawn.at(-1).coarse, null, { timeout: 20000 });
-    return page.evaluate(() => { delete window.visualscheme.stage.draw; return window.drawn; });
+    return page.evaluate(() => { delete window.visualscheme.stage.draw; window.unspy(); return window.drawn; });
   };
   const slow = await drawn(1000, () => writeFileSync(model, source.replace("height 3.0", "height 3.5"))), first = slow[0], last = slow.at(-1);
   want(first.coarse && Math.abs(first.share - 0.5) < 0.01 && first.shadow === 0, "the first picture is not coarse: " + JSON.stringify(first));

@@ -297,6 +297,7 @@ try {
         stage.batches.traverse((o) => {
           if (!o.userData.around) return;
           around.push([o, o.userData.around]);
+          o.userData.fill();
           o.userData.around = null, o.frustumCulled = false, o.visible = true;
         });
         const all = picture();
