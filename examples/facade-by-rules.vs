@@ -69,8 +69,8 @@
 
 (draw (facade (make-box-scope (xyz 0 0 0) 17 13.6 0.4) 2.7 3.3 4.2 0.09 tile door cornice shop))
 ; the street before it
-(draw (with-material 'paving (make-box (xyz -200 -3.2 -0.16) (xyz 200 0 -0.01)) (make-box (xyz -200 -20 -0.16) (xyz 200 -11 -0.01)))
-      (with-material 'asphalt (make-box (xyz -200 -11 -0.3) (xyz 200 -3.2 -0.16))))
+(draw (with-material 'paving (make-box (xyz -40 -3.2 -0.16) (xyz 40 0 -0.01)) (make-box (xyz -40 -20 -0.16) (xyz 40 -11 -0.01)))
+      (with-material 'asphalt (make-box (xyz -40 -11 -0.3) (xyz 40 -3.2 -0.16))))
 (define (stand o x y [turn any? 0] [z any? -0.01]) (do-move (do-rotate o 'z (degrees->radians turn)) (vxyz x y z)))
 (draw (stand (prefab "person" #:stride 0.25) 5.2 -1.6 80) (stand (prefab "person" #:height 1.62 #:coat "#8c4a3a" #:stride 0.15) 11.6 -1.3 -80)
       (stand (prefab "car" #:colour "#2f5d7c") 14.5 -4.6 90 -0.16) (stand (prefab "tree" #:height 7.5 #:seed 4) -3 -2.2))
