@@ -233,6 +233,40 @@ try {
     await page.close();
   }
 
+  // What each kind of measuring says, of a box of 2 x 2 x 2.5 m; and each way of showing changes the picture.
+  if (wanted("measures")) {
+    const page = await open(context, `file://${folder}/light.html`), faults = [];
+    await page.evaluate(() => { const v = window.visualscheme; v.stage.options.refine = false; v.view("front"); v.setMeasuring(true); });
+    const click = async (p) => { // two points inside of the box's face
+      const at = await page.evaluate((p) => { const { stage, model } = window.visualscheme, on = (p) => { const q = stage.camera.position.clone().set(...p.map((x, k) => x - model.middle[k])).project(stage.camera); return [(q.x + 1) / 2 * stage.canvas.clientWidth, (1 - q.y) / 2 * stage.canvas.clientHeight]; }; const a = on(p), b = on([-2, -1, 1.25]); return a.map((x, k) => x + 2 * Math.sign(Math.round(b[k] - x))); }, p);
+      await page.mouse.click(...at);
+      await page.waitForTimeout(100);
+      return page.locator(".reading").first().textContent({ timeout: 5000 }).catch(() => "nothing");
+    };
+    const again = () => page.keyboard.press("Escape"), said = (got, want, of) => { if (got !== want) faults.push(`${of}: ${got}, not ${want}`); };
+    said(await click([-2, -1, 1.25]), "5 m²", "a face");
+    await again();
+    said(await click([-2, -1, 2.5]), "2 m", "an edge");
+    said(await click([-3, -1, 1.25]), "90.0°", "two edges");
+    await again();
+    said(await click([-3, -1, 2.5]), "-3, -1, 2.5", "a corner");
+    said(await click([-1, -1, 2.5]), "2 m", "two corners");
+    await page.evaluate(() => { const v = window.visualscheme; v.setMeasuring(false); v.view("start"); });
+    const picture = () => page.evaluate(() => { const { stage } = window.visualscheme, gl = stage.renderer.getContext(), bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight); stage.shadowsDirty = true; stage.draw(); gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes); let sum = 0; for (let i = 0; i < bytes.length; i += 4) sum = (Math.imul(31, sum) + bytes[i] + bytes[i + 1] + bytes[i + 2]) | 0; return sum; });
+    const first = await picture();
+    for (const name of ["edges", "shadows", "occlusion"]) {
+      const press = async () => { await page.locator('[data-do="display"]').click(); await page.locator(`[data-show="${name}"]`).click(); await page.keyboard.press("Escape"); };
+      await press();
+      if ((await picture()) === first) faults.push(`${name}: the picture is the same without`);
+      await press();
+      if ((await picture()) !== first) faults.push(`${name}: the picture is not the same with it again`);
+    }
+    await page.locator('[data-do="parallel"]').click();
+    if (!(await page.waitForFunction(() => window.visualscheme.stage.camera.isOrthographicCamera, null, { timeout: 15000 }).catch(() => null))) faults.push("no parallel projection");
+    judge("measures", [...faults, ...page.troubles]);
+    await page.close();
+  }
+
   // The wheel keeps what lies under the pointer there; what is chosen is framed; wireframe and dark show; the section's handle is dragged.
   if (wanted("means")) {
     const page = await open(context, `file://${folder}/doric-columns.html`), faults = [];
