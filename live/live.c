@@ -180,6 +180,11 @@ static void publish_state(live *l, bool good, vs_outcome outcome) {
             yes[outcome == VS_OUTCOME_INTERRUPTED]);
   live_putf(&t, "\"prompted\":%s,\"follows\":%s,\"seconds\":", yes[l->prompted], yes[l->follows]);
   live_number(&t, now() - l->began);
+  if (l->files.count > 0) { /* the model's file as it was read: windows read the source anew where this is another */
+    const live_file *f = &l->files.at[0];
+    live_putf(&t, ",\"file\":\"%lld.%ld.%lld.%llu\"", (long long)f->seconds, (long)f->nanoseconds, (long long)f->size,
+              (unsigned long long)f->inode);
+  }
   live_puts(&t, ",\"model\":");
   live_json(&t, l->follows ? "prompt" : l->options->model);
   live_puts(&t, ",\"messages\":[");

@@ -174,8 +174,10 @@ class Live {
     if (state.version !== this.version && state.version > 0) await this.#fetchScene();
     if (state.good) this.compare.renew();
     this.#scene(state.scene);
-    if (this.viewer.stage.dirty) await this.viewer.drawn(); // The picture comes first: the editor takes some time for a new text.
-    if (!this.source.dirty && this.source.text !== undefined) await this.readSource(true);
+    if (!this.source.dirty && this.source.text !== undefined && state.file !== this.file) {
+      if (this.viewer.stage.dirty) await this.viewer.drawn(); // The picture comes first: the editor takes some time for a new text.
+      if (!this.source.dirty) await this.readSource(true), this.file = state.file;
+    }
     this.finished = (this.finished || 0) + 1; // For tests: how many states were shown.
   }
 
