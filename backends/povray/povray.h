@@ -9,9 +9,10 @@
 bool vs_povray_begin(vs_emitter *e);
 bool vs_povray_end(vs_emitter *e);
 
-/* The part of white light that a matt surface sends back, times its colour; NULL: what has no material. */
+/* The part of white light that a matt surface sends back, times its colour; NULL: what has no material. Clear glass
+ * scatters nothing: POV-Ray would gather the bounced light of every pane that a ray goes through. */
 static inline double vs_povray_diffuse(const vs_material *m) {
-  if (m && m->transparency > 0) return 0.8 * (1 - m->transparency);
+  if (m && m->transparency > 0) return m->transparency < 0.9 ? 0.8 * (1 - m->transparency) : 0;
   return m && m->metallic > 0.5 ? 0.35 + 0.35 * m->roughness : 0.82;
 }
 double vs_povray_ambient(const vs_emitter *e); /* of the light that comes from nowhere: in drafts alone */

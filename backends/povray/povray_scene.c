@@ -201,9 +201,14 @@ static void pov_sky(vs_emitter *e, const vs_look *l) {
   }
   pov_air air = pov_air_of(e->scene);
   double above = pov_sky_strength(e), floor = pov_is_developed(e) ? 2.8 : 1; /* the floor lies in the sun */
-  const struct { double at, strength; vs_vec3 color; } bands[] = {
-      { 0, floor, vs_v3(0.78, 0.78, 0.77) }, { 0.36, floor, vs_v3(0.9, 0.9, 0.89) },
-      { 0.5, above, air.haze }, { 0.8, above, air.zenith } };
+  struct { double at, strength; vs_vec3 color; } bands[] = {
+      { 0, floor, vs_v3(0.78, 0.78, 0.77) }, { 0.36, floor, vs_v3(0.9, 0.9, 0.89) }, { 0.5, above, air.haze },
+      { 0.56, above, air.haze }, { 0.63, above, air.haze }, { 0.71, above, air.haze }, { 0.8, above, air.haze },
+      { 0.9, above, air.haze }, { 1, above, air.zenith } };
+  for (size_t i = 3; i < sizeof bands / sizeof *bands; i++) { /* evenly bent: a kink would be seen as an edge */
+    double share = 1 - pow(2 - 2 * bands[i].at, 2.2);
+    bands[i].color = vs_v3_add(vs_v3_scale(air.haze, 1 - share), vs_v3_scale(air.zenith, share));
+  }
   vs_puts(w, "sky_sphere {\n  pigment {\n    gradient z\n    color_map {\n");
   for (size_t i = 0; i < sizeof bands / sizeof *bands; i++) {
     vs_putf(w, "      [%.2f color ", bands[i].at);
@@ -296,13 +301,16 @@ static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double 
 /* The light that sky and walls throw on each other, without which rooms are dark. A room with a small window asks for
  * many rays, few of which find it; samples that are used as far as they hold (error_bound 1) and many at a time
  * (nearest_count) cost less than more of them, and leave no blotches on its walls. minimum_reuse, in parts of the
- * picture's width, keeps detail out of doors from taking a sample a pixel: the station takes a third of the time. */
+ * picture's width, keeps detail out of doors from taking a sample a pixel: the station takes a third of the time.
+ * adc_bailout ends a gathering ray that carries less than a tenth, which is what panes of glass reflect: half the
+ * station's time again. always_sample off leaves what pretrace has not sampled to its neighbours. */
 static const char *pov_radiosity(vs_render_quality q) {
   switch (q) {
   case VS_RENDER_DRAFT: break;
   case VS_RENDER_GOOD:
     return "radiosity { count 150 error_bound 1 recursion_limit 3 nearest_count 20 low_error_factor 0.7 "
-           "minimum_reuse 0.04 pretrace_start 0.08 pretrace_end 0.02 gray_threshold 0.3 brightness 1 }\n";
+           "minimum_reuse 0.04 pretrace_start 0.08 pretrace_end 0.02 gray_threshold 0.3 brightness 1 "
+           "adc_bailout 0.1 always_sample off }\n";
   case VS_RENDER_FINAL:
     return "radiosity { count 600 error_bound 0.8 recursion_limit 3 nearest_count 20 low_error_factor 0.6 "
            "pretrace_start 0.08 pretrace_end 0.01 gray_threshold 0.3 brightness 1 }\n";
