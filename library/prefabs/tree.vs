@@ -4,7 +4,7 @@
 (define-parameter forks 4 #:min 2 #:max 6 #:label "forks from the ground to the leaves")
 (define-parameter leaves #t #:label "leaves")
 (define-parameter seed 2 #:min 0 #:max 9999 #:label "seed")
-(define-parameter green "#5c7d3a" #:label "colour of the leaves")
+(define-parameter green "#667a4c" #:label "colour of the leaves")
 (define-parameter bark "#6b5443" #:label "colour of the bark")
 
 ; Numbers from 0 to 1 that the seed decides, and nothing else in the program.
