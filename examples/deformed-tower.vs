@@ -30,7 +30,11 @@
 (define walker (prefab "person"))
 (draw (map (lambda (x y k) (do-move (do-rotate (do-scale lime k) 'z k) (vxyz x y 0)))
            '(-46 -31 -20 22 31 44 58 -38 -26 38) '(4 14 24 16 6 20 8 34 -14 34) '(1 1.1 0.9 1 1.2 0.9 1.1 1 0.8 1))
-      (map (lambda (x y) (do-move walker (vxyz x y 0))) '(20 21 38 6 -2 26 44) '(-22 -22.5 -62 -15 -19 -40 -50)))
+      (map (lambda (x y) (do-move walker (vxyz x y 0))) '(20 21 30 6 -2 19 34) '(-24 -24.5 -47 -17 -19 -36 -30)))
+; the town round it, in white card
+(draw (with-material 'white
+        (map (lambda (x y wide deep high) (make-box (xyz x y 0) wide deep high))
+             '(-92 -60 -8 36 72 -90) '(30 64 78 52 22 -24) '(30 40 36 30 34 30) '(26 26 30 30 40 36) '(16 26 14 30 20 12))))
 (ground 0 #:material 'paving)
 (sun #:azimuth 225 #:altitude 35)
-(camera (xyz 52 -78 1.7) (xyz 2 0 (* 0.49 height)) #:lens 25 #:upright #t)
+(camera (xyz 44 -66 1.6) (xyz 4 0 (* 0.5 height)) #:lens 22 #:upright #t)

@@ -131,10 +131,19 @@
 (draw (unite (map platform (iota rows))))
 (draw (unite (map tracks (iota rows))))
 
+; Travellers on the platforms and on the square, simple enough to show how high it is.
+(define (person x y z coat)
+  (let ([at (lambda (aside high) (xyz (+ x aside) (- y aside) (+ z high)))])
+    (unite (color "#3b3f4a" (make-cut-cone (at -0.09 0) 0.06 (at -0.06 0.86) 0.09) (make-cut-cone (at 0.09 0) 0.06 (at 0.06 0.86) 0.09))
+           (color coat (make-cut-cone (at 0 0.76) 0.2 (at 0 1.42) 0.17) (make-sphere (at 0 1.4) 0.175))
+           (color "#c99d7c" (make-sphere (at 0 1.66) 0.115)))))
+(draw (person -4 9 0 "#5a6470") (person -3.6 10.2 0 "#8c4a3a") (person 3 8.4 0 "#c9b68f") (person 16 15 0 "#39708a"))
+(draw (person -3 -5 -1.1 "#c9b68f") (person 5 -3 -1.1 "#8c4a3a") (person 6 -3.4 -1.1 "#39708a") (person 24 -1 -1.1 "#5a6470"))
+
 (units 'm)
 ; A square of slabs of four metres in the afternoon's sun, seen by somebody who walks towards the station.
 (define slabs
   (make-material #:name "slabs" #:color "#a3a3a1" #:pattern 'tiles #:pattern-size 4 #:pattern-color "#868684"))
 (ground -1.1 #:material slabs)
 (sun #:azimuth 222 #:altitude 38)
-(camera (xyz -30 -24 1.2) (xyz 40 33 13) #:lens 28)
+(camera (xyz -22 -15 0.5) (xyz 30 28 16) #:lens 22 #:upright #t)

@@ -38,6 +38,16 @@
 (draw (with-material concrete (floors)))
 (draw (with-material concrete (make-cylinder origin (+ height 1) 3)))
 
-(ground 0 #:material grass)
+; The street it stands in: neighbours of white card, trees, passers-by, a car.
+(define (stand o x y turn) (do-move (do-rotate o 'z (degrees->radians turn)) (vxyz x y 0)))
+(define (neighbour x y wide deep high) (make-box (xyz x y 0) wide deep high))
+(draw (with-material 'white
+        (neighbour -58 22 30 24 24) (neighbour -22 40 26 22 15) (neighbour 20 34 24 26 21) (neighbour 50 20 30 30 30) (neighbour -64 -22 20 30 18)))
+(define (poplar x)
+  (unite (make-cut-cone (xyz x -13 0) 0.3 (xyz x -13 3) 1.2) (make-cut-cone (xyz x -13 3) 1.2 (xyz x -13 10) 0.15)))
+(draw (with-material (make-material #:name "leaves" #:color "#4c6136" #:roughness 1 #:pattern 'mottled #:pattern-size 0.4 #:pattern-color "#33441f")
+        (map poplar '(-34 -28 -22 19 25 31 37 43)))
+      (map (lambda (x y turn) (stand (prefab "person" #:stride 0.2) x y turn)) '(9 10 24 -6 18) '(-22 -21.6 -34 -16 -17) '(80 100 -30 170 60)))
+(ground 0 #:material 'paving)
 (sun #:azimuth 230 #:altitude 35)
-(camera (xyz 48 -88 8) (xyz 0 0 (* 0.48 height)) #:lens 38)
+(camera (xyz 28 -60 1.6) (xyz 4 0 (* 0.5 height)) #:lens 22 #:upright #t)

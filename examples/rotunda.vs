@@ -100,11 +100,16 @@
                                80)
                    'z (degrees->radians -72)))))
 
+; Visitors, simple enough to show how high it is.
+(define (visitor x y)
+  (unite (make-cut-cone (xyz x y 0) 0.3 (xyz x y 1.45) 0.15) (make-sphere (xyz x y 1.6) 0.14)))
+
 (draw (with-material plaster (subtract (unite mass (subtract porch (make-cylinder (xyz 0 0 -1) 60 (+ r 1))))
                                        air wedge)))
 (draw (with-material stone (make-cylinder (xyz 0 0 -0.6) (xyz 0 0 0) (+ r wall 22))))
+(draw (color "#3d4653" (map visitor '(4 5 -7 -8.2 -3 12 13 -14.5 1 8 -1.2) '(2 2.6 -6 -5 9 -9 -8 3 -20 -17 -19.2))))
 
 (units 'm)
 (ground -0.6 #:material grass)
 (sun #:azimuth 147 #:altitude 40)
-(camera (xyz 30 -104 40) (xyz -7 0 16.5) #:lens 41)
+(camera (xyz 13 -47 1.6) (xyz -2 0 19.5) #:lens 19 #:upright #t)

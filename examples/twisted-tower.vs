@@ -46,7 +46,19 @@
 (draw (with-material plaster (make-cylinder (xyz 0 0 0) (xyz 0 0 -1.2) (* side 1.3))))
 (draw (with-material stone (make-cylinder (xyz 0 0 -1.2) (xyz 0 0 -2.2) (* side 1.6))))
 
+; The town round it in white card, poplars along the street, and people to show its size.
+(define (poplar x y)
+  (unite (make-cut-cone (xyz x y -2.2) 0.6 (xyz x y 2.5) 1.7) (make-cut-cone (xyz x y 2.5) 1.7 (xyz x y 11) 0.2)))
+(define (figure x y)
+  (unite (make-cut-cone (xyz x y -2.2) 0.28 (xyz x y -0.75) 0.15) (make-sphere (xyz x y -0.6) 0.13)))
+(draw (with-material white
+        (map (lambda (x y wide deep high) (make-box (xyz x y -2.2) wide deep high))
+             '(-110 -62 -8 44 86 -120) '(40 76 84 62 30 -30) '(36 40 38 32 40 44) '(30 28 30 40 50 40) '(22 34 18 40 27 16))))
+(define leaves (make-material #:name "leaves" #:color "#4c6136" #:roughness 1 #:pattern 'mottled #:pattern-size 0.5 #:pattern-color "#33441f"))
+(draw (with-material leaves (map poplar '(-70 -60 -50 52 60 68 76 84) '(-26 -26 -26 -26 -26 -26 -26 -26))))
+(draw (color "#3d4653" (map figure '(40 41 28 24 8 14 62) '(-52 -52.6 -64 -46 -50 -63 -50))))
+
 (units 'm)
-(ground -2.2 #:material grass)
-(sun #:azimuth 205 #:altitude 36)
-(camera (xyz 118 -168 20) (xyz 2 0 57) #:lens 33)
+(ground -2.2 #:material 'paving)
+(sun #:azimuth 215 #:altitude 36)
+(camera (xyz 64 -116 -0.6) (xyz 6 0 62) #:lens 22 #:upright #t)

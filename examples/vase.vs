@@ -40,6 +40,12 @@
 (draw (marbled vase))
 (draw (with-material stone plinth))
 
+; It stands in a court of gravel before a clipped hedge.
+(define hedge (make-material #:name "hedge" #:color "#3f5a2c" #:roughness 1 #:pattern 'mottled #:pattern-size 0.12 #:pattern-color "#26391b"))
+(draw (with-material hedge
+        (make-box (xyz -16 4 -2.4) (xyz 16 5.4 1.2))
+        (make-cone (xyz -4.4 2.4 -2.4) (xyz -4.4 2.4 0.4) 0.85) (make-cone (xyz 4.6 2.4 -2.4) (xyz 4.6 2.4 0.4) 0.85)))
+
 (ground -2.4 #:material 'gravel)
 (sun #:azimuth 238 #:altitude 34)
-(camera (xyz 2.6 -10 0.6) (xyz 0 0 0.55) #:lens 38)
+(camera (xyz 2.2 -9.2 -0.8) (xyz 0.2 0 0.6) #:lens 32 #:upright #t)

@@ -20,6 +20,12 @@
 (draw (with-material 'glass (stand (do-extrude (do-move wall (vxyz 0 0 -1)) 0.1))))
 (draw (with-material 'concrete (make-box (xyz 0 1.1 0) (xyz wide 9 0.3)) (make-box (xyz 0 0.3 high) (xyz wide 9 (+ high 0.4)))
         (make-box (xyz 0 1.1 5.8) (xyz wide 9 6.1)) (make-box (xyz 0 8.7 0) (xyz wide 9 high))))
-(ground 0 #:material 'stone)
-(sun #:azimuth 205 #:altitude 38)
-(camera (xyz 32 -25 1.7) (xyz 12.5 0 5.4) #:lens 28)
+
+; passers-by, and trees of the square behind
+(define (placed o x y turn) (do-move (do-rotate o 'z (degrees->radians turn)) (vxyz x y 0)))
+(draw (placed (prefab "person" #:stride 0.2) 1 -9.5 80) (placed (prefab "person" #:coat "#8c4a3a" #:height 1.64) 13 -2.6 150)
+      (placed (prefab "person" #:coat "#c9b68f") 13.9 -2.9 210) (placed (prefab "person" #:coat "#39708a" #:stride 0.25) 7 -5 -50)
+      (placed (prefab "tree" #:height 9 #:seed 4) 29 -1 0) (placed (prefab "tree" #:height 8) 38 5 0))
+(ground 0 #:material 'paving)
+(sun #:azimuth 218 #:altitude 36)
+(camera (xyz -5 -16.5 1.6) (xyz 10.5 0 6.8) #:lens 22 #:upright #t)
