@@ -83,6 +83,7 @@ bool tr_kind_fits(const translation *t, tr_index argument, char letter) {
   case 'b': return type == TR_A_BOOLEAN || (open && !depth_of(type));
   case 's': return type == TR_A_STRING || (open && !depth_of(type));
   case 'p': return type == TR_A_POINT || open || type == TR_LIST_OF + TR_A_NUMBER;
+  case 'V': return type == TR_LIST_OF + TR_A_NUMBER;
   case 'P': return type == TR_LIST_OF + TR_A_POINT || type == TR_A_CURVE || (open && depth_of(type) < 2);
   case 'c': return type == TR_A_CURVE || (open && !depth_of(type));
   case 'w': return type == TR_A_PATH || (open && !depth_of(type));
