@@ -139,8 +139,8 @@ typedef struct {
   bool untrusted;         /* no file access but read_file and list_folder, no native text */
   const char *library_path; /* folders for load, require and import, ':' between them, after the folders of the file
                              * that asks and of the program; NULL: none */
-  const char *const *command_line; size_t command_line_count; /* what (command-line) gives: the program's name, then its
-                                                               * arguments; 0: "vs" */
+  /* what (command-line) gives: the program's name, then its arguments; 0: "vs" */
+  const char *const *command_line; size_t command_line_count;
 } vs_options;
 
 VS_API vs_options vs_options_default(void);

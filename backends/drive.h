@@ -24,8 +24,8 @@ typedef struct {
   vs_solid *mesh;
 } drive_entry;
 
-typedef struct { size_t entry; uint32_t next; } drive_step; /* of the plan: an entry whose children from next on are to
-                                                             * be met */
+/* of the plan: an entry whose children from next on are to be met */
+typedef struct { size_t entry; uint32_t next; } drive_step;
 
 typedef struct {
   vs_ref ref;

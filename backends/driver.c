@@ -616,8 +616,8 @@ static bool drive_bounds(vs_emitter *e) {
     if (ref->node->flags & VS_NODE_ENDLESS) return vs_emit_fail(e, ref, VS_ENDLESS_MESSAGE);
     if (!drive_boxes(e, ref, &e->drive->bounds, NULL, &e->bounds)) return false;
   }
-  if (e->box_count == 0 && drive_has_native(e)) { /* text whose size nobody knows: it is framed as if it were of the
-                                                   * size 2 about the origin */
+  /* text whose size nobody knows: it is framed as if it were of the size 2 about the origin */
+  if (e->box_count == 0 && drive_has_native(e)) {
     if (!vs_emit_grow(e, &e->boxes, &e->box_room, 1, sizeof *e->boxes)) return false;
     e->bounds = e->boxes[e->box_count++] = (vs_bounds){ vs_v3(-1, -1, -1), vs_v3(1, 1, 1) };
   }

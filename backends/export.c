@@ -206,8 +206,8 @@ static bool export_named(vs_emitter *e, const char *path) {
   bool exists = stat(path, &info) == 0;
   if (exists && S_ISDIR(info.st_mode))
     return vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: it is a folder", path);
-  if (exists && !S_ISREG(info.st_mode) && e->backend->render == NULL) { /* a pipe or /dev/full: nothing to rename
-                                                                         * over */
+  /* a pipe or /dev/full: nothing to rename over */
+  if (exists && !S_ISREG(info.st_mode) && e->backend->render == NULL) {
     int file = open(path, O_WRONLY | O_CLOEXEC);
     bool ok = file >= 0 ? export_to_file(e, file, path, true) : export_problem(e->error, path, errno);
     if (file >= 0 && close(file) != 0 && ok) ok = export_problem(e->error, path, errno);

@@ -10,8 +10,8 @@
 #include "model/store/cache.h"
 #include "model/tally.h"
 
-enum { LIGHT = 48, USUAL = 256, HEAVY = 1024 }; /* weights: less is not worth a run; most runs; more is no run, but for
-                                                 * one shape */
+/* weights: less is not worth a run; most runs; more is no run, but for one shape */
+enum { LIGHT = 48, USUAL = 256, HEAVY = 1024 };
 
 void vs_drive_find_short(vs_drive *d) {
   for (int kind = 0; kind < VS_KIND_COUNT; kind++) {

@@ -31,8 +31,8 @@ typedef struct {
   bool (*going)(void *context); /* asked each time the buffer is full; false: fails, and who was asked knows why. NULL:
                                  * goes on */
   void *going_context;
-  void (*tap)(void *context, const void *bytes, size_t count); /* gets a copy of what leaves the buffer, from tap_from
-                                                                * on; NULL: nobody does */
+  /* gets a copy of what leaves the buffer, from tap_from on; NULL: nobody does */
+  void (*tap)(void *context, const void *bytes, size_t count);
   void *tap_context;
   size_t tap_from;
   char buffer[VS_WRITER_ROOM];

@@ -50,13 +50,13 @@ struct vs_bind {
   bool drew;                       /* the root has a drawing: what was returned does not count */
   const vs_node *drawn_last;       /* what draw gave back last: an address to compare with, not a reference */
   const vs_node *drawn_away;       /* the same, of draw in a node whose focus has ended since */
-  struct { vs_node *node; const vs_origin *origin; } dropped[16]; /* objects that bodies threw away, one a place
-                                                                   * (thrown.c); references of our own */
+  /* objects that bodies threw away, one a place (thrown.c); references of our own */
+  struct { vs_node *node; const vs_origin *origin; } dropped[16];
   size_t dropped_count;
   uint64_t *told;                  /* warnings given: hashes of place and kind, open addressing, 0 free */
   size_t told_count, told_room;
-  struct { uint64_t key; const vs_origin *origin; } recent[64]; /* origins of call chains seen last, since that
-                                                                 * collection */
+  /* origins of call chains seen last, since that collection */
+  struct { uint64_t key; const vs_origin *origin; } recent[64];
   uint64_t recent_collection;
   vs_bind_parameter *parameters;
   size_t parameter_count, parameter_room;
@@ -115,8 +115,8 @@ void vs_bind_forget_dropped(vs_bind *b);
 void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origin, bool in_body);
 
 /* ---- objects (objects.c) ---- */
-extern const vs_foreign_type vs_shape_type, vs_paint_type; /* a shape owns a reference to a node, with its origin; a
-                                                            * paint wraps an interned vs_material */
+/* a shape owns a reference to a node, with its origin; a paint wraps an interned vs_material */
+extern const vs_foreign_type vs_shape_type, vs_paint_type;
 /* Returns the reference that a Scheme object holds, not retained; its node is NULL if v is no object. */
 static inline vs_ref vs_bind_ref(vs_value v) {
   vs_node *node = (vs_node *)vs_foreign_get(v, &vs_shape_type);
@@ -225,8 +225,8 @@ typedef struct { double all, of[VS_INHERIT]; } vs_bind_counts;
 bool vs_bind_count(vs_ref ref, vs_bind_counts *out);
 int32_t vs_bind_segments(vs_bind *b);                   /* (current-segments), 0: by tolerance */
 double vs_bind_tolerance(vs_bind *b);                   /* (current-tolerance), 0: by the drawing size */
-vs_status vs_bind_finite(vs_args *f, int i);           /* argument i, an object, has an end; else the error says what
-                                                         * to do */
+/* argument i, an object, has an end; else the error says what to do */
+vs_status vs_bind_finite(vs_args *f, int i);
 /* The call of p, under this name, that was meant where numbers stand for points, gvectors or factors, into text;
  * false: there is none (regroup.c). */
 bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
@@ -250,15 +250,15 @@ bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, si
 vs_status vs_bind_make(vs_args *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);
 /* For argument 0 that is several curves or surfaces (geometry/parts.h): the union of what one makes of each. */
 vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out);
-vs_status vs_bind_empty(vs_args *f, const char *why, vs_value *out); /* the empty object, with a warning once a
-                                                                       * place */
-vs_status vs_bind_resolve(vs_args *f, int i); /* sections, shadows and edges in argument i become what they are in
-                                                * space */
+/* the empty object, with a warning once a place */
+vs_status vs_bind_empty(vs_args *f, const char *why, vs_value *out);
+/* sections, shadows and edges in argument i become what they are in space */
+vs_status vs_bind_resolve(vs_args *f, int i);
 vs_status vs_bind_node(vs_args *f, vs_node *node, vs_value *out);    /* takes the reference over */
-vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what); /* a closed curve that crosses itself is
-                                                                         * refused; what: what it is */
-vs_status vs_bind_fill(vs_args *f, vs_ref *ref, size_t n); /* where all are regions and closed curves of one plane, the
-                                                             * curves become regions */
+/* a closed curve that crosses itself is refused; what: what it is */
+vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what);
+/* where all are regions and closed curves of one plane, the curves become regions */
+vs_status vs_bind_fill(vs_args *f, vs_ref *ref, size_t n);
 /* The figure *out, drawn as in the plane XY, stands in the plane instead (#:plane): about its place where the form
  * takes one point, else as the plane's own coordinates say. */
 vs_status vs_bind_stand(vs_args *f, const vs_arg *plane, vs_value *out);

@@ -305,8 +305,8 @@ bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, s
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_ref ref;
   size_t depth, printed = 0;
-  uint32_t *left = calloc((size_t)n->depth + 1, sizeof *left); /* at each depth: sections that a guided loft still has,
-                                                                * and one */
+  /* at each depth: sections that a guided loft still has, and one */
+  uint32_t *left = calloc((size_t)n->depth + 1, sizeof *left);
   bool ok = w != NULL && left != NULL;
   while (ok) {
     vs_walk_event e = vs_walk_next(w, &ref, &depth);

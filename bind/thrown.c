@@ -70,8 +70,8 @@ static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, si
 void vs_bind_tell_dropped(vs_bind *b) {
   size_t count = b->dropped_count;
   if (count == 0) return;
-  bool left[sizeof b->dropped / sizeof *b->dropped], ok = true; /* without memory for the question the warnings are left
-                                                                 * out */
+  /* without memory for the question the warnings are left out */
+  bool left[sizeof b->dropped / sizeof *b->dropped], ok = true;
   for (size_t i = 0; i < count; i++) left[i] = true;
   vs_nodemap seen = { .store = b->store };
   size_t roots = b->drew ? b->scene.drawn_count : b->returned_count;

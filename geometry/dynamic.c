@@ -19,8 +19,8 @@ bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *n
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) {
     void *found = dlsym(handle, names[i].symbol);
-    memcpy((char *)functions + names[i].offset, &found, sizeof found); /* ISO C has no cast from an object's address to
-                                                                        * a function's */
+    /* ISO C has no cast from an object's address to a function's */
+    memcpy((char *)functions + names[i].offset, &found, sizeof found);
     if (!found)
       ok = vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is too old: it has no %s", library->purpose,
                         library->files[0], names[i].symbol);

@@ -35,8 +35,8 @@ static double sweep_of(double x[3][3]) {
 }
 
 bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kernel_counts *counts) {
-  static const double CHANGED = 0.01, SOLID = 1e-9; /* of its volume; of its box: less is not known well enough to
-                                                     * compare */
+  /* of its volume; of its box: less is not known well enough to compare */
+  static const double CHANGED = 0.01, SOLID = 1e-9;
   if (!VS_ROOM(k, check->leaves.at, check->leaves.room, (size_t)c->leaf_count + 1)) return false;
   double unit = step_volume(&c->grid);
   for (uint32_t i = 0; i < c->leaf_count; i++) {
@@ -85,8 +85,8 @@ static void unite_box(vs_bvh_box *x, const vs_bvh_box *y) {
   }
 }
 
-typedef struct { double least, most; vs_bvh_box box; } bounds; /* of a leaf or a term, in steps; other clusters' leaves
-                                                            * hold nothing here */
+/* of a leaf or a term, in steps; other clusters' leaves hold nothing here */
+typedef struct { double least, most; vs_bvh_box box; } bounds;
 
 /* A term's, of its operands'. */
 static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {

@@ -6,8 +6,8 @@
 #include "kernel/problem.h"
 #include "kernel/cluster.h"
 
-typedef struct { double least, most; } vs_leaf_volume; /* what a leaf holds on the grid, in steps: at least and at
-                                                        * most */
+/* what a leaf holds on the grid, in steps: at least and at most */
+typedef struct { double least, most; } vs_leaf_volume;
 typedef struct { VS_LIST(vs_leaf_volume) leaves; } vs_check;
 
 /* Measures the cluster's leaves on the grid; those that it has changed by more than a hundredth are counted in *counts,

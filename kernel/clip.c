@@ -17,8 +17,8 @@
 /* A leaf so much larger than where it matters is cut: less costs the grid no more than 6 of its 32 bits. */
 static const double FAR = 64;
 
-typedef struct { uint32_t low, high; int32_t number; } edge; /* number: of its middle, or 1 where it runs from low to
-                                                              * high, else -1 */
+/* number: of its middle, or 1 where it runs from low to high, else -1 */
+typedef struct { uint32_t low, high; int32_t number; } edge;
 typedef struct {
   vs_kernel *k;
   VS_LIST(vs_vec3) vertices;

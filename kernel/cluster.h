@@ -65,8 +65,8 @@ typedef struct { int32_t at[2][3]; } vs_line;        /* an edge of the input, by
 #define VS_LINE (UINT32_C(1) << 31)
 
 typedef struct { uint32_t low, high; } vs_edge; /* input vertices */
-typedef struct { uint32_t facet, p, q, plane; } vs_facet_cut; /* p to q lies in the facet, and in plane; p == q: a
-                                                               * point */
+/* p to q lies in the facet, and in plane; p == q: a point */
+typedef struct { uint32_t facet, p, q, plane; } vs_facet_cut;
 
 typedef struct { uint32_t leaf; int32_t delta; } vs_cover;
 typedef struct {

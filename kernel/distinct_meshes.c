@@ -36,8 +36,8 @@ bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, s
       if (!pass)
         for (size_t i = 2; i < vertex_count + 2; i++) first[i] += first[i - 1];
     }
-    for (size_t v = 0; ok && v < vertex_count; v++) { /* few in each: each looks for the nearest before it that runs the
-                                                       * other way and is free */
+    /* few in each: each looks for the nearest before it that runs the other way and is free */
+    for (size_t v = 0; ok && v < vertex_count; v++) {
       uint32_t low = first[v], high = first[v + 1];
       enum { MANY = 64 };
       if (high - low > MANY) {

@@ -21,8 +21,8 @@ typedef struct {
   size_t start_room;
   uint32_t start_cells; /* along a side's edge; 0: of so few triangles that any will do */
   double inner, outer;  /* convex: radii about the middle of a ball within and a ball without */
-  enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone; /* of one that is no star: may it stand as it is where nothing
-                                                    * touches it? */
+  /* of one that is no star: may it stand as it is where nothing touches it? */
+  enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone;
   bool joined;          /* a leaf of it touches another; a star that is not has no twins and does not know whether it is
                          * convex: it stands as it is */
 } vs_part;

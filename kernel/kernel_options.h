@@ -27,8 +27,8 @@ enum { VS_ON_THE_WAY = 8 };
 #define VS_SHAPES_OVER "the shapes have more than %zu triangles, %d times the limit of %zu for the result"
 
 typedef struct {
-  bool (*progress)(void *context, double done); /* done in 0..1; false stops the work; may be NULL. Called some hundred
-                                                 * times a second */
+  /* done in 0..1; false stops the work; may be NULL. Called some hundred times a second */
+  bool (*progress)(void *context, double done);
   void *context;
   size_t max_bytes;     /* of the kernel's own memory; 0: no limit */
   size_t max_triangles; /* of the result; 0: no limit. On the way to it there may be VS_ON_THE_WAY times as many, of

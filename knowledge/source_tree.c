@@ -136,8 +136,8 @@ static bool push(reader *r, know_index node, char close) {
   return true;
 }
 
-static void drop(reader *r, know_index node) { /* what #;
-    hides is no part of the program: the node stays without a parent */
+/* what #; hides is no part of the program: the node stays without a parent */
+static void drop(reader *r, know_index node) {
   r->k->nodes[node].parent = 0;
 }
 

@@ -19,8 +19,8 @@ typedef struct live_options {
   bool open_browser;
   FILE *told;                           /* gets the address, a line */
   const volatile sig_atomic_t *ended;   /* not 0: end */
-  void (*running)(vs_scheme *scheme);          /* told of the interpreter, so that a signal can interrupt it; NULL at
-                                                * the end; may be NULL itself */
+  /* told of the interpreter, so that a signal can interrupt it; NULL at the end; may be NULL itself */
+  void (*running)(vs_scheme *scheme);
 } live_options;
 
 #endif

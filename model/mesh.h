@@ -28,8 +28,8 @@ double vs_mesh_volume(const vs_mesh *m); /* signed, by the divergence theorem; c
 double vs_mesh_area(const vs_mesh *m);
 vs_bounds vs_mesh_bounds(const vs_mesh *m);
 vs_bounds vs_mesh_placed_bounds(const vs_mesh *m, const vs_affine *a); /* of all its corners there, used or not */
-bool vs_mesh_closed(const vs_mesh *m, bool *ok); /* every directed edge has its opposite, by index; ok false: out of
-                                                  * memory */
+/* every directed edge has its opposite, by index; ok false: out of memory */
+bool vs_mesh_closed(const vs_mesh *m, bool *ok);
 void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* in place; turns the triangles round where it mirrors */
 /* the rest stays */
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle);

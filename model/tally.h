@@ -40,8 +40,8 @@ typedef struct vs_tally {
   uint64_t clusters, combined, copied, remembered; /* of solids that touch (kernel/cluster.h) */
   uint64_t triangles;             /* written: those of outputs, as their formats have them */
   double steps[VS_STEP_COUNT];    /* seconds, of MESH's */
-  uint64_t texts, texts_found, bytes_found; /* runs of text that were looked for in the world cache; of those, found;
-                                             * their bytes */
+  /* runs of text that were looked for in the world cache; of those, found; their bytes */
+  uint64_t texts, texts_found, bytes_found;
 } vs_tally;
 
 /* The phase becomes p; what it was, for the way back. t NULL: nothing is counted. */

@@ -41,8 +41,8 @@ static inline vs_vec3 vs_affine_vector(const vs_affine *a, vs_vec3 v) { /* the l
 static inline vs_vec3 vs_affine_column(const vs_affine *a, int c) { return vs_v3(a->m[0][c], a->m[1][c], a->m[2][c]); }
 vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at); /* where the axes and the origin go */
 vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b); /* a after b */
-double vs_affine_determinant(const vs_affine *a);                     /* of the linear part; negative where it
-                                                                       * mirrors */
+/* of the linear part; negative where it mirrors */
+double vs_affine_determinant(const vs_affine *a);
 bool vs_affine_invert(const vs_affine *a, vs_affine *out);            /* false where singular */
 /* The image of a plane, its normal pointing to the image of the same side. False: the map is singular; nothing is
  * changed. */
@@ -78,8 +78,8 @@ static inline bool vs_bounds_is_empty(const vs_bounds *b) { return b->min.x > b-
 static inline vs_bounds vs_bounds_empty(void) {
   return (vs_bounds){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } };
 }
-static inline void vs_bounds_add(vs_bounds *b, vs_vec3 p) { /* what is not a number is left out, as by fmin, which is a
-                                                             * call */
+/* what is not a number is left out, as by fmin, which is a call */
+static inline void vs_bounds_add(vs_bounds *b, vs_vec3 p) {
   b->min = vs_v3(p.x < b->min.x ? p.x : b->min.x, p.y < b->min.y ? p.y : b->min.y, p.z < b->min.z ? p.z : b->min.z);
   b->max = vs_v3(p.x > b->max.x ? p.x : b->max.x, p.y > b->max.y ? p.y : b->max.y, p.z > b->max.z ? p.z : b->max.z);
 }

@@ -146,8 +146,8 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
     vs_rewrite w = { .store = s, .options = options, .error = e, .order = order };
     ok = pass_once((vs_pass_kind)k, &w, work, count);
     if (stats) stats->changed[k] += w.changed;
-    if (ok && w.changed) ok = vs_order_make(&order, work, count, e); /* else the drawing is what it was, node for
-                                                                      * node */
+    /* else the drawing is what it was, node for node */
+    if (ok && w.changed) ok = vs_order_make(&order, work, count, e);
     if (k == VS_PASS_FOLD && w.nests && !nests && options->passes >> VS_PASS_FLATTEN & 1) {
       nests = true;
       k = VS_PASS_FLATTEN - 1; /* once more from there: what was between sets is gone */

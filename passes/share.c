@@ -157,8 +157,8 @@ static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *i
 }
 
 static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
-  vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor; /* the profile of a sweep and its base stay where they
-                                                                 * are drawn */
+  /* the profile of a sweep and its base stay where they are drawn */
+  vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor;
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     switch (info->fields[i].type) {

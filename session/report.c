@@ -149,8 +149,8 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
         vs_value link = vs_car(l);
         if (vs_is_pair(link) && vs_is_fixnum(vs_cdr(link))) vs_session_span(s, vs_pos_of(vs_cdr(link)), &at);
       }
-    if (!at.file) vs_session_span(s, vm->top_place, &at); /* a macro's procedure that the library calls: the use of the
-                                                           * macro */
+    /* a macro's procedure that the library calls: the use of the macro */
+    if (!at.file) vs_session_span(s, vm->top_place, &at);
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
     printed = printed && vs_session_advise(s, r[0], at, &t);
     if (s->bind.bad_parameter) { /* what was set from outside is at fault, not the line that defines it */

@@ -47,8 +47,8 @@ typedef struct {
   vs_tally tally;           /* the differences that it made; peaks its own */
   double nodes, distinct;   /* of the drawing, as a tree; by value */
   vs_pass_stats passes;
-  double alone[VS_PASS_COUNT], without[VS_PASS_COUNT]; /* commands with this pass only; with all others that were asked
-                                                        * for */
+  /* commands with this pass only; with all others that were asked for */
+  double alone[VS_PASS_COUNT], without[VS_PASS_COUNT];
   vs_cache_stats cache;     /* hits and misses: the differences */
   double stages[VS_STAGE_COUNT]; /* seconds of each stage; NAN: the format does without it, or the output had failed
                                   * before */

@@ -117,8 +117,8 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || r[0] == VS_UNSPECIFIC) return true;
   if (s->flags & VS_EVAL_NUMBER && !name_result(s, r[0])) return false;
   if (s->flags & VS_EVAL_NUMBER && vs_bind_ref(r[0]).node) return tell_object(s, r[0]);
-  enum { MOST = 4000, MOST_NUMBERED = 1000 }; /* bytes: a drawing of thousands of parts is no answer to read; what has a
-                                               * number can be asked further */
+  /* bytes: a drawing of thousands of parts is no answer to read; what has a number can be asked further */
+  enum { MOST = 4000, MOST_NUMBERED = 1000 };
   vs_text shown, t;
   vs_text_open(vm, &shown, s->flags & VS_EVAL_NUMBER ? MOST_NUMBERED : MOST);
   vs_text_open(vm, &t, 0);

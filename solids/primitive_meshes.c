@@ -99,8 +99,8 @@ bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_o
 
 /* ---- shared ---- */
 
-typedef struct { uint64_t vertices, triangles; } header; /* then the vertices, then the corners, each at a sixteen
-                                                          * (cache.c) */
+/* then the vertices, then the corners, each at a sixteen (cache.c) */
+typedef struct { uint64_t vertices, triangles; } header;
 
 static void view(const vs_cached *held, vs_mesh *out) {
   header h;

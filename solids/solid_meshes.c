@@ -345,8 +345,8 @@ static bool bound_half_spaces(builder *b) {
   for (size_t i = 0; ok && i < b->leaves.count; i++)
     b->within.at[i] = b->meshes.at[b->mesh_numbers.at[i]].node->kind == VS_HALF_SPACE ? vs_bounds_empty()
                     : (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
-  for (size_t i = 0; ok && i < b->scoped.count; i++) { /* own[] of a half-space: what it must reach, over all its
-                                                        * places */
+  /* own[] of a half-space: what it must reach, over all its places */
+  for (size_t i = 0; ok && i < b->scoped.count; i++) {
     const scoped *s = &b->scoped.at[i];
     vs_affine back;
     size_t m = b->mesh_numbers.at[s->leaf];

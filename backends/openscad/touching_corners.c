@@ -28,8 +28,8 @@ typedef struct {
   const vs_vec3 *points;
   const uint32_t *starts, *corners;
   size_t face_count, corner_count, point_count;
-  uint32_t *place, *next, *face, *group, *of; /* place: of a point; the others of a corner; group: disjoint sets of
-                                               * corners; of: a first corner's fan */
+  /* place: of a point; the others of a corner; group: disjoint sets of corners; of: a first corner's fan */
+  uint32_t *place, *next, *face, *group, *of;
   side *sides;
   fan *fans;
 } apart;

@@ -102,8 +102,8 @@ void vs_x3d_children(vs_emitter *e); /* a list of children follows; fields must 
 void vs_x3d_end(vs_emitter *e, const char *type, bool had_children);
 void vs_x3d_field(vs_emitter *e, const char *name, bool many); /* then the value, then: */
 void vs_x3d_field_end(vs_emitter *e, bool many);
-void vs_x3d_words(vs_emitter *e, const char *name, const char *value); /* a field in both notations alike: numbers,
-                                                                        * true, false */
+/* a field in both notations alike: numbers, true, false */
+void vs_x3d_words(vs_emitter *e, const char *name, const char *value);
 void vs_x3d_text(vs_emitter *e, const char *name, const char *value, bool many);   /* a string */
 void vs_x3d_number(vs_emitter *e, const char *name, double value);
 void vs_x3d_vector(vs_emitter *e, const char *name, vs_vec3 value);

@@ -16,8 +16,8 @@ static vs_status file_of(vs_args *f, vs_value name, vs_value *bytes, const char 
   vs_text path, own;
   vs_text_open(vm, &path, 0);
   vs_text_open(vm, &own, 0);
-  bool ok = vs_text_string(&own, name) && vs_text_end(&own); /* before anything is made: the name may move
-                                                                     * then */
+  /* before anything is made: the name may move then */
+  bool ok = vs_text_string(&own, name) && vs_text_end(&own);
   ok = ok && vs_source_path(vm, name, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path) &&
        vs_io_read_file(vm, path.at, bytes);
   if (ok) {

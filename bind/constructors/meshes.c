@@ -244,8 +244,8 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   vs_vec3 spread = { 0, 0, 0 }; /* six volumes, against the base's first corner */
   for (size_t i = 1; i + 1 < n; i++)
     spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
-  double size = 0, up = 0, off = 0, widest = 0; /* of the base; the apex's height; how far corners leave the plane; the
-                                                 * widest triangle */
+  /* of the base; the apex's height; how far corners leave the plane; the widest triangle */
+  double size = 0, up = 0, off = 0, widest = 0;
   vs_vec3 normal = vs_v3_unit(spread);
   for (size_t i = 1; i < n; i++) {
     vs_vec3 d = vs_v3_sub(at[i], at[0]);
@@ -263,8 +263,8 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   up = fabs(vs_v3_dot(normal, vs_v3_sub(at[n], at[0])));
   if (up <= 1e-12 * size) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
   starts[0] = 0;
-  for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i); /* the base, seen from below; all of it is turned if
-                                                                     * need be */
+  /* the base, seen from below; all of it is turned if need be */
+  for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i);
   starts[1] = (uint32_t)n;
   for (size_t i = 0; i < n; i++) {
     uint32_t *c = corner + n + 3 * i;

@@ -88,8 +88,8 @@ vs_status vs_p_unite(vs_args *f, vs_value *out) {
 
 static void plane_text(const vs_shape_plane *p, char out[160]) {
   char n[6][32];
-  vs_vec3 at = vs_v3_scale(p->normal, vs_v3_dot(p->normal, p->point)); /* its point nearest the origin: the same for all
-                                                                        * that lies in it */
+  /* its point nearest the origin: the same for all that lies in it */
+  vs_vec3 at = vs_v3_scale(p->normal, vs_v3_dot(p->normal, p->point));
   const double d[6] = { p->normal.x, p->normal.y, p->normal.z, at.x, at.y, at.z };
   for (int i = 0; i < 6; i++) vs_bind_number_text(n[i], round(d[i] * 1e6) / 1e6 + 0.0);
   snprintf(out, 160, "(make-plane (xyz %.20s %.20s %.20s) (vxyz %.20s %.20s %.20s))", n[3], n[4], n[5], n[0], n[1],

@@ -11,8 +11,8 @@ bool vs_exr_read(vs_store *store, const char *name, const unsigned char *bytes, 
 
 /* ---- what readers share ---- */
 
-typedef struct { const char *name; double share; double *sum; float *plane; } vs_exr_target; /* share times the number
-    is added to sum; where that is NULL the number goes into plane */
+/* share times the number is added to sum; where that is NULL the number goes into plane */
+typedef struct { const char *name; double share; double *sum; float *plane; } vs_exr_target;
 typedef struct { const char *name; vs_exr_type type; } vs_exr_seen;
 typedef struct {
   uint64_t columns, rows; /* as the file has them: unchecked */

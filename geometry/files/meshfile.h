@@ -15,8 +15,8 @@ typedef struct {
 void vs_face_list_free(vs_face_list *l);
 bool vs_face_list_point(vs_face_list *l, vs_vec3 p);      /* false: out of memory */
 bool vs_face_list_corner(vs_face_list *l, uint32_t point); /* of the face that is being made */
-bool vs_face_list_close(vs_face_list *l);                 /* the face ends; one of fewer than three corners is
-                                                           * dropped */
+/* the face ends; one of fewer than three corners is dropped */
+bool vs_face_list_close(vs_face_list *l);
 
 /* By the name's ending; false: none of the four. */
 bool vs_mesh_file_is(const char *name);

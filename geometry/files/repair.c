@@ -69,8 +69,8 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
   bool closed, ok = place && number && turned && vs_polyface_merge(l->points, l->point_count, place);
   *out = (vs_open_edges){ 0 };
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  for (uint32_t f = 0; ok && f < l->face_count; f++) { /* as it is seen when the node is made: equal points are one,
-                                                        * neighbours agree */
+  /* as it is seen when the node is made: equal points are one, neighbours agree */
+  for (uint32_t f = 0; ok && f < l->face_count; f++) {
     for (uint32_t c = l->starts[f]; ok && c < l->starts[f + 1]; c++)
       ok = vs_face_list_corner(&own, place[l->corners[c]]);
     number[own.face_count] = f;

@@ -32,8 +32,8 @@ static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc
   }
 }
 
-static double bounds_fineness(const vs_bounds *b) { /* for what has to be sampled: finer than any default drawing of
-                                                     * it */
+/* for what has to be sampled: finer than any default drawing of it */
+static double bounds_fineness(const vs_bounds *b) {
   double d = vs_bounds_diagonal(b);
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
 }
@@ -63,8 +63,8 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     }
   }
   vs_swept_free(&plan);
-  if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) { /* inwards within the straight one, which also bounds
-                                                                 * what crosses itself */
+  /* inwards within the straight one, which also bounds what crosses itself */
+  if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) {
     vs_bounds leaning = vs_bounds_empty();
     vs_mesh m = { 0 };
     bool ok = vs_tessellate(n, &f, &m, e);

@@ -380,8 +380,8 @@ void vs_inside_cache_free(vs_inside_cache *c) {
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
   if (!*cache && !(*cache = calloc(1, sizeof **cache))) return vs_error_memory(e, NULL);
   vs_inside_cache *c = *cache;
-  vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS]; /* equal nodes are one shape: either's answer
-                                                                       * serves */
+  /* equal nodes are one shape: either's answer serves */
+  vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS];
   if (!*slot || ((*slot)->root != n && !((*slot)->root->hash == n->hash && vs_node_equal((*slot)->root, n, NULL)))) {
     vs_inside *new = vs_inside_new(n, e);
     if (!new) return false;

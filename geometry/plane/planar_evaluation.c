@@ -116,8 +116,8 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
             return false;
           return n->class_ == VS_CURVE || flat_fill(f, ref, v);
         }
-        vs_fineness inner = vs_fineness_placed(facets, &map); /* the distance is in the offset's own coordinates: there
-                                                           * it is made */
+        /* the distance is in the offset's own coordinates: there it is made */
+        vs_fineness inner = vs_fineness_placed(facets, &map);
         return flat_open(f, ref, &identity, &inner) && (f->frames[f->frame_count - 1].after = map, true);
       }
       case VS_HULL: if (n->class_ != VS_REGION_CLASS) break; /* fall through */

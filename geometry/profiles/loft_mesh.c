@@ -26,8 +26,8 @@ vs_vec3 *vs_loft_rows_add(vs_loft_rows *r) {
 
 /* ---- slopes ---- */
 
-static double loft_harmonic(double p, double q, double h, double k) { /* of two slopes >= 0, as Fritsch and Butland
-                                                                       * weigh them */
+/* of two slopes >= 0, as Fritsch and Butland weigh them */
+static double loft_harmonic(double p, double q, double h, double k) {
   double w = 2 * k + h, v = k + 2 * h;
   return p > 0 && q > 0 ? (w + v) * p * q / (w * q + v * p) : 0;
 }

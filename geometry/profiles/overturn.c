@@ -44,8 +44,8 @@ static double crossing(const turning *t, size_t r, size_t i, size_t j) {
   return count > 0 ? sum / count : 0;
 }
 
-typedef struct { size_t i, j; bool cut; } corner; /* a point of the profile, or where the line crosses a side, from the
-                                                   * lower number to the higher */
+/* a point of the profile, or where the line crosses a side, from the lower number to the higher */
+typedef struct { size_t i, j; bool cut; } corner;
 
 static vs_vec3 corner_at(const turning *t, size_t r, const corner *c) {
   const vs_vec3 *row = t->at + r * t->s->profile_count;

@@ -169,8 +169,8 @@ static size_t swept_refine(vs_swept *s, double twist, double scale, double reach
   return ok ? (size_t)n : 0;
 }
 
-static size_t swept_share(size_t steps, double share) { /* of the steps, those of a stretch that is this part of the
-                                                         * way */
+/* of the steps, those of a stretch that is this part of the way */
+static size_t swept_share(size_t steps, double share) {
   double n = ceil((double)steps * share - 1e-9);
   return n < 1 ? 1 : (size_t)n;
 }

@@ -242,8 +242,8 @@ static bool taper_split(taper *t, size_t p, size_t wall, double d) {
   size_t q = t->edges[p].after;
   vs_vec2 at = taper_corner(t, p, d);
   size_t ahead = taper_piece_at(t, wall, at, d, p, q);
-  if (ahead == SIZE_MAX || t->count >= 3 * t->walls) return true; /* each corner splits once; more is rounding's
-                                                                   * doing */
+  /* each corner splits once; more is rounding's doing */
+  if (ahead == SIZE_MAX || t->count >= 3 * t->walls) return true;
   if (!VS_GROW(t->edges, t->room, t->count + 1)) return false;
   size_t behind = t->count++;
   taper_edge *e = &t->edges[ahead], *l = &t->edges[behind];
@@ -374,8 +374,8 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
   return ok;
 }
 
-typedef struct { size_t first, size; double area; } taper_ring; /* of the loops at the top: points first .. first +
-                                                                 * size */
+/* of the loops at the top: points first .. first + size */
+typedef struct { size_t first, size; double area; } taper_ring;
 
 static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) {
   bool inside = false;
@@ -484,8 +484,8 @@ bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_fineness *f, vs_m
   t.walls = t.count;
   ok = ok && (taper_run(&t) || vs_error_memory(e, NULL));
   for (size_t i = 0; ok && i < t.walls; i++) ok = taper_wall(&t, i) || vs_error_memory(e, NULL);
-  for (size_t l = 0, from = 0; ok && l < o.count;) { /* the profile itself, seen from below; `below` begins with each
-                                                      * loop's second point */
+  /* the profile itself, seen from below; `below` begins with each loop's second point */
+  for (size_t l = 0, from = 0; ok && l < o.count;) {
     size_t end = l + 1, count = sizes[l];
     while (end < o.count && o.hole[end]) count += sizes[end++];
     for (size_t i = 0; i < count; i++) flat[from + i] = t.flat[below[from + i] - t.first];

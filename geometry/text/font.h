@@ -33,8 +33,8 @@ bool vs_font_is_path(const char *name);
 double vs_font_capital(const vs_font *f);    /* height of a capital H */
 double vs_font_line(const vs_font *f);       /* from line to line */
 double vs_font_descent(const vs_font *f);    /* what hangs below the base line, positive */
-uint32_t vs_font_index(const vs_font *f, uint32_t character);  /* of its glyph; 0: the font has none, and glyph 0 is
-                                                                * what it shows instead */
+/* of its glyph; 0: the font has none, and glyph 0 is what it shows instead */
+uint32_t vs_font_index(const vs_font *f, uint32_t character);
 const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e); /* NULL: failed */
 double vs_font_kerning(const vs_font *f, uint32_t left, uint32_t right); /* to be added to left's advance */
 

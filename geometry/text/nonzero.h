@@ -6,8 +6,8 @@
 #include "geometry/plane/ear_clipping.h"
 #include "model/node.h"
 
-typedef struct { size_t first, count; bool hole; } vs_flat_loop; /* points of vs_flat_loops.at; closed, the first is not
-                                                                  * repeated */
+/* points of vs_flat_loops.at; closed, the first is not repeated */
+typedef struct { size_t first, count; bool hole; } vs_flat_loop;
 typedef struct {
   vs_vec2 *at;
   size_t point_count, point_room;
@@ -15,8 +15,8 @@ typedef struct {
   size_t count, room;
 } vs_flat_loops; /* zeroed is empty */
 
-bool vs_flat_loops_begin(vs_flat_loops *l);               /* a loop, in which add puts points; false: out of memory, as
-                                                           * add */
+/* a loop, in which add puts points; false: out of memory, as add */
+bool vs_flat_loops_begin(vs_flat_loops *l);
 bool vs_flat_loops_add(vs_flat_loops *l, vs_vec2 p);      /* a point equal to the last is left out */
 void vs_flat_loops_free(vs_flat_loops *l);
 

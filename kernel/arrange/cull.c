@@ -228,8 +228,8 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
  * not meet, and the chord's ends are on edges. A corner on the ball, as another ball of the same kind leaves it, stays:
  * one too many does no harm. 0: nothing is left, or it cannot be told. */
 static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {
-  static const double SURELY = 1e-6, FAR = 1e6; /* of the radius squared: what rounding cannot undo, up to so far
-                                                 * away */
+  /* of the radius squared: what rounding cannot undo, up to so far away */
+  static const double SURELY = 1e-6, FAR = 1e6;
   double (*out)[3] = at + room; /* the other half of the caller's array */
   uint32_t count = 0;
   for (uint32_t i = 0; i < n; i++) {

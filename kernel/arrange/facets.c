@@ -136,8 +136,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
       uint32_t twin = l->twins[3 * (size_t)a->source + turned_edge(l->mirrored, j)];
       if (twin == VS_NONE || twin / 3 == a->source) continue;
       uint32_t number = f->number.at[l->triangles + twin / 3];
-      if (number == FLAT) a->inner |= VS_BESIDE_FLAT; /* a triangle that has become a line lies here: this one may have
-                                                       * to be split along it */
+      /* a triangle that has become a line lies here: this one may have to be split along it */
+      if (number == FLAT) a->inner |= VS_BESIDE_FLAT;
       if (number >= GONE) continue;
       const span *other = &f->spans.at[l->span + twin / 3 / SPAN];
       const found_triangle *b = &other->found.at[number];

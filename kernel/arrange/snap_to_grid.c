@@ -37,8 +37,8 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->index < y->index ? -1 : x->index > y->index;
 }
 
-static const double MOST = (double)(INT64_C(1) << VS_GRID_BITS) - 64; /* steps either way: boxes grow by some, and stay
-                                                                       * numbers of 32 bits */
+/* steps either way: boxes grow by some, and stay numbers of 32 bits */
+static const double MOST = (double)(INT64_C(1) << VS_GRID_BITS) - 64;
 
 static void choose_step(vs_grid *g, double half, double far) {
   double least = half / MOST > far * 0x1p-51 ? half / MOST : far * 0x1p-51;

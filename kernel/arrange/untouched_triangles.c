@@ -70,8 +70,8 @@ static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 :
 
 /* ---- what is left out ---- */
 
-static bool mask_span(vs_kernel *k, void *context, size_t index) { /* the vertices are shared out among the leaf's
-                                                                    * spans */
+/* the vertices are shared out among the leaf's spans */
+static bool mask_span(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   const span *s = &p->spans.at[index];
   const vs_mesh *m = mesh_at(p->c, s->place);

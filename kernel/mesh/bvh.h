@@ -9,8 +9,8 @@
 
 typedef struct { int32_t min[3], max[3]; } vs_bvh_box;
 
-static inline bool vs_box_meet(const vs_bvh_box *a, const vs_bvh_box *b) { /* without a jump: which of them fails is as
-                                                                    * good as random */
+/* without a jump: which of them fails is as good as random */
+static inline bool vs_box_meet(const vs_bvh_box *a, const vs_bvh_box *b) {
   return (a->min[0] <= b->max[0]) & (b->min[0] <= a->max[0]) & (a->min[1] <= b->max[1]) & (b->min[1] <= a->max[1]) &
          (a->min[2] <= b->max[2]) & (b->min[2] <= a->max[2]);
 }

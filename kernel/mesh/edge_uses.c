@@ -59,8 +59,8 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   uint32_t *first = h->first.at + from, n = end - from;
   memset(first, 0, n * sizeof *first); /* the next range's is filled by that one */
   for (uint32_t i = low; i < high; i++) first[s->loose.at[i].low - from]++;
-  for (uint32_t p = 0, sum = low; p < n; p++) { /* where each ends; filled from the end, each moves down to its
-                                                 * beginning */
+  /* where each ends; filled from the end, each moves down to its beginning */
+  for (uint32_t p = 0, sum = low; p < n; p++) {
     sum += first[p];
     first[p] = sum;
   }

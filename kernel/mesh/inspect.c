@@ -184,8 +184,8 @@ static void measure_cells(const vs_cluster *c, cell *cells) {
       double height = 0;
       for (int j = 0; j < 3; j++) height += n[j] * ((double)(o->fixed[j] - x->origin->fixed[j]) * 0x1p-30);
       x->area += area;
-      x->volume += (side ? area : -area) * height / length / 3; /* the plane's normal points out of the cell on the -
-                                                                 * side */
+      /* the plane's normal points out of the cell on the - side */
+      x->volume += (side ? area : -area) * height / length / 3;
     }
   }
 }

@@ -24,8 +24,8 @@ bool vs_shells_find(const vs_mesh *m, vs_shells *out) {
     vs_vec3 a = m->vertices[v[0]], b = m->vertices[v[1]], c = m->vertices[v[2]];
     if (s->area == 0 && s->reach == 0) s->from = a;
     vs_vec3 normal = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
-    s->volume += vs_v3_dot(normal, vs_v3_sub(a, s->from)) / 6; /* seen from a corner of its own: little is lost far from
-                                                                * the origin */
+    /* seen from a corner of its own: little is lost far from the origin */
+    s->volume += vs_v3_dot(normal, vs_v3_sub(a, s->from)) / 6;
     s->area += vs_v3_length(normal) / 2;
     s->reach = fmax(s->reach, fmax(reach(a), fmax(reach(b), reach(c))));
   }

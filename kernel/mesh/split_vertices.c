@@ -10,8 +10,8 @@
 
 #include <string.h>
 
-typedef struct { VS_LIST(uint32_t) at; } crowded; /* of a range: the halves where edges with other than two triangles
-                                                   * begin */
+/* of a range: the halves where edges with other than two triangles begin */
+typedef struct { VS_LIST(uint32_t) at; } crowded;
 
 typedef struct {
   vs_kernel *k;
@@ -154,8 +154,8 @@ static bool find_twins(splitter *s) {
 }
 
 enum { VERTICES = 1 << 14 };
-static bool count_fans(vs_kernel *k, void *context, size_t chunk) { /* where one fan of each vertex has all corners,
-                                                                     * nothing touches itself */
+/* where one fan of each vertex has all corners, nothing touches itself */
+static bool count_fans(vs_kernel *k, void *context, size_t chunk) {
   splitter *s = context;
   size_t begin = chunk * VERTICES, end = s->vertices - begin < VERTICES ? s->vertices : begin + VERTICES, n = 0;
   for (size_t v = begin; v < end; v++) {

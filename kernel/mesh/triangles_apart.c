@@ -70,8 +70,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* spanned by 
     c[i][1] = axis == 0 ? v.z : axis == 1 ? v.x : v.y;
   }
   int own[2] = { sign2(c[0], c[1]), sign2(c[2], c[3]) };
-  for (int i = 0; own[0] && own[1] && i < 4; i++) { /* a line along one of the directions, its own cone on one side, the
-                                                     * other on the other */
+  /* a line along one of the directions, its own cone on one side, the other on the other */
+  for (int i = 0; own[0] && own[1] && i < 4; i++) {
     int mine = i % 2 ? -own[i / 2] : own[i / 2], other = i < 2 ? 2 : 0;
     if (sign2(c[i], c[other]) == -mine && sign2(c[i], c[other + 1]) == -mine) return true;
   }
@@ -80,8 +80,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* spanned by 
 
 /* ---- nothing in common ---- */
 
-static bool parted(vs_vec3 d, const vs_vec3 a[3], const vs_vec3 b[3]) { /* along d; corners as seen from somewhere
-                                                                         * near */
+/* along d; corners as seen from somewhere near */
+static bool parted(vs_vec3 d, const vs_vec3 a[3], const vs_vec3 b[3]) {
   double low[2], high[2], error = 0;
   for (int i = 0; i < 6; i++) {
     vs_vec3 p = i < 3 ? a[i] : b[i - 3];

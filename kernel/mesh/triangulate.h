@@ -13,8 +13,8 @@ typedef struct { uint32_t l, r; uint8_t inside; } vs_boundary; /* inside: bit 0 
 typedef struct {
   VS_LIST(vs_border) sides;              /* in: directed so that the inside lies to the left as seen from the plane's
                                           * normal; points */
-  struct { uint32_t (*at)[3]; size_t count, room; } triangles; /* out: counter-clockwise as seen from the normal;
-                                                                * points */
+  /* out: counter-clockwise as seen from the normal; points */
+  struct { uint32_t (*at)[3]; size_t count, room; } triangles;
   vs_sweep sweep;
   VS_LIST(uint32_t) list, scratch, local;
   VS_LIST(vs_boundary) boundary;

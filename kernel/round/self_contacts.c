@@ -44,8 +44,8 @@ typedef struct {
 
 typedef float floats __attribute__((vector_size(16)));
 typedef int32_t truths __attribute__((vector_size(16)));
-typedef struct { floats x, y, z; uint32_t corner[4]; } corners; /* four of a run's, as seen from the mesh's middle; the
-                                                                 * last one again where there are fewer */
+/* four of a run's, as seen from the mesh's middle; the last one again where there are fewer */
+typedef struct { floats x, y, z; uint32_t corner[4]; } corners;
 enum { FOURS = (3 * RUN + 3) / 4 };
 
 typedef struct {

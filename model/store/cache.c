@@ -195,8 +195,8 @@ static entry *keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *p
   size_t size = 0, words = (key->count * sizeof *key->words + 15) & ~(size_t)15, held;
   for (size_t i = 0; i < count; i++) size += (pieces[i].size + 15) & ~(size_t)15;
   size_t own = sizeof(entry) + words + size;
-  if (key->node && key->node->flags & VS_NODE_SUGAR) return NULL; /* tickets are the program's: nothing that outlives it
-                                                                   * may hold one */
+  /* tickets are the program's: nothing that outlives it may hold one */
+  if (key->node && key->node->flags & VS_NODE_SUGAR) return NULL;
   if (own > c->limit / 2 || !node_bytes(key->node, c->limit / 2, &held) || !make_room(c, own + held) || !grow(c))
     return NULL;
   entry *e = vs_store_realloc(c->store, NULL, 0, own);

@@ -43,8 +43,8 @@ vs_cache *vs_cache_new(vs_store *s, size_t limit);
 void vs_cache_free(vs_cache *c); /* nothing may be held */
 vs_cache *vs_store_cache(const vs_store *s); /* NULL: there is none */
 
-void vs_cache_turn(vs_cache *c, bool keeps); /* a new turn begins; keeps false: nothing new is kept in it, for nothing
-                                              * will be asked after it */
+/* a new turn begins; keeps false: nothing new is kept in it, for nothing will be asked after it */
+void vs_cache_turn(vs_cache *c, bool keeps);
 bool vs_cache_keeps(const vs_cache *c);      /* is it worth making a key for something to keep? */
 bool vs_cache_asks(const vs_cache *c);       /* is it worth making a key to ask with? */
 

@@ -55,8 +55,8 @@ static void test_rays(void **unused) {
     for (int k = 0; k < 3; k++) away += pow(from[k] + along * way[k] - centre[k], 2);
     double outside = 0;
     for (int k = 0; k < 3; k++) outside += pow(from[k] - centre[k], 2);
-    if (sqrt(outside) < radius * 1.01 || fabs(sqrt(away) - radius) < 0.05) continue; /* within,
-        or too near the rim to tell */
+    /* within, or too near the rim to tell */
+    if (sqrt(outside) < radius * 1.01 || fabs(sqrt(away) - radius) < 0.05) continue;
     vs_hit hit = { .distance = -1 };
     assert_int_equal(vs_pick(s, from, way, take_first, &hit), VS_OUTCOME_DONE);
     if (away > radius * radius) { assert_true(hit.distance == -1); continue; }

@@ -861,8 +861,8 @@ static vs_value doc_of(const compiler *c, const vs_core_node *body) {
     body = body->as.seq.at[body->count - 1];
   const vs_core_node *first = NULL;
   if (body->kind == VS_AST_SEQ && body->count > 1) first = body->as.seq.at[0];
-  if (body->kind == VS_AST_FIX && body->count > 0) {      /* before definitions: body.c gives expressions there the name
-                                                             _ */
+  /* before definitions: body.c gives expressions there the name _ */
+  if (body->kind == VS_AST_FIX && body->count > 0) {
     vs_value name = pool(c, body->as.let.vars[0]->name);
     if (vs_is_symbol(name) && strcmp(vs_as_symbol(name)->name, "_") == 0) first = body->as.let.values[0];
   }

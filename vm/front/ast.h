@@ -56,20 +56,18 @@ struct vs_core_node {
     uint32_t constant;                                            /* CONST: index */
     vs_var *var;                                                  /* LOCAL */
     struct { vs_var *var; vs_core_node *value; } set;                  /* SETLOCAL; its value is #unspecific */
-    struct { uint32_t cell; vs_core_node *value; } global;             /* GLOBAL, SETGLOBAL, DEFGLOBAL: constant index
-                                                                     of a CELL. GLOBAL of a cell holding VS_UNDEFINED is
-                                                                     the error "NAME is not defined" */
+    /* GLOBAL, SETGLOBAL, DEFGLOBAL: constant index of a CELL. GLOBAL of a cell holding VS_UNDEFINED is the error
+     * "NAME is not defined" */
+    struct { uint32_t cell; vs_core_node *value; } global;
     struct { vs_core_node *test, *then, *otherwise; } branch;          /* IF; otherwise NULL: #unspecific */
     struct { vs_core_node **at; } seq;                                 /* SEQ; count 0: #unspecific */
-    struct { vs_core_node *callee; vs_core_node **at; uint32_t keywords; } call;  /* CALL; keywords: 0 or 1 + constant
-                                                                     index of a KEYWORDS object that names the last
-                                                                     arguments. Evaluated left to right, callee first */
-    struct { vs_var **vars; vs_core_node **values; vs_core_node *body; } let;     /* LET (values outside the scope), FIX
-                                                                     (letrec*: in order, all in scope; a reference too
-                                                                     early is an error); count variables. Internal
-                                                                     defines are FIX. Named let and do: FIX of one
-                                                                     LAMBDA whose body is a CALL of it: the compiler
-                                                                     makes it a loop */
+    /* CALL; keywords: 0 or 1 + constant index of a KEYWORDS object that names the last arguments. Evaluated left to
+     * right, callee first */
+    struct { vs_core_node *callee; vs_core_node **at; uint32_t keywords; } call;
+    /* LET (values outside the scope), FIX (letrec*: in order, all in scope; a reference too early is an error);
+     * count variables. Internal defines are FIX. Named let and do: FIX of one LAMBDA whose body is a CALL of it: the
+     * compiler makes it a loop */
+    struct { vs_var **vars; vs_core_node **values; vs_core_node *body; } let;
     struct {
       uint32_t name;                                              /* 0 or 1 + constant index of a symbol */
       vs_param *params;                                           /* count of them */
@@ -95,8 +93,8 @@ typedef struct vs_ast {
   vs_value *pool; size_t pool_count, pool_room;   /* constants; roots */
 } vs_ast;
 
-bool vs_ast_open(vs_scheme *vm, vs_ast *ast);      /* links it into vm->asts; the struct is the caller's (in a foreign
-                                                      object of the expander) */
+/* links it into vm->asts; the struct is the caller's (in a foreign object of the expander) */
+bool vs_ast_open(vs_scheme *vm, vs_ast *ast);
 void vs_ast_close(vs_ast *ast);             /* frees everything; also after a failed open */
 void vs_ast_clear(vs_ast *ast);             /* for the next top-level form */
 

@@ -473,8 +473,8 @@ bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *c
     if (vs_object_of(own)->flags & VS_F_CONSTANT) vs_cell_redefine(own);
     return true;
   }
-  vs_meaning m = vs_environment_find(env, id);      /* (define sqrt (traced sqrt)): until then it is what was
-                                                       imported */
+  /* (define sqrt (traced sqrt)): until then it is what was imported */
+  vs_meaning m = vs_environment_find(env, id);
   vs_value before =
       own == VS_VACANT && m.foreign && m.kind == VS_MEANS_CELL ? vs_as_cell(m.value)->value : VS_UNDEFINED;
   if (!vs_make_cell(vm, vs_identifier_symbol(id), before, &r[2])) return false;

@@ -804,8 +804,8 @@ static bool read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file
   vs_pos reached = place(&r, r.at);
   vm->roots = labels.next;
   finish(&r);
-  if (!ok && vm->condition == vm->at.no_memory) {       /* what was read is given up; then there is room to say how far
-                                                           it went */
+  /* what was read is given up; then there is room to say how far it went */
+  if (!ok && vm->condition == vm->at.no_memory) {
     v[0] = v[1] = v[2] = VS_NIL;
     bool over_limit = vm->over_limit;
     vs_gc_major(vm);

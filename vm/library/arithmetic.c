@@ -281,8 +281,8 @@ typedef enum { TO_FLOOR, TO_CEILING, TO_ZERO, TO_NEAREST } rounding;
 static bool round_ratio(vs_scheme *vm, rounding how, vs_value *r, vs_value *out) {
   r[1] = vs_as_ratio(r[0])->num, r[2] = vs_as_ratio(r[0])->den;
   bool negative = vs_int_sign(r[1]) < 0;
-  if (how == TO_NEAREST) {                       /* floor((2 num + den) / (2 den)), and back to even from a tie: den =
-                                                  * 2 */
+  /* floor((2 num + den) / (2 den)), and back to even from a tie: den = 2 */
+  if (how == TO_NEAREST) {
     bool tie = r[2] == vs_fix(2);
     if (!vs_int_add(vm, r[1], r[1], &r[1]) || !vs_int_add(vm, r[1], r[2], &r[1]) ||
         !vs_int_add(vm, r[2], r[2], &r[2]) || !vs_int_divide(vm, r[1], r[2], &r[1], &r[3]) ||

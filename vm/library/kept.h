@@ -25,8 +25,8 @@ static inline void vs_lib_set(vs_scheme *vm, int slot, vs_value v) {
 /* ---- random numbers, for the layers above (system.c). All return false when memory is out. ---- */
 bool vs_random_keep(vs_scheme *vm, uint64_t state[4]);          /* copies the generator's state out */
 bool vs_random_restore(vs_scheme *vm, const uint64_t state[4]); /* puts such a copy back */
-bool vs_random_branch(vs_scheme *vm, uint64_t key);             /* starts the generator anew from the program's seed and
-                                                                 * a key */
+/* starts the generator anew from the program's seed and a key */
+bool vs_random_branch(vs_scheme *vm, uint64_t key);
 bool vs_random_unit(vs_scheme *vm, double *out);                /* the next number in [0, 1) */
 
 #endif

@@ -204,8 +204,8 @@ bool vs_library_import(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_import);
-  if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {        /* a program that begins with an import sees what
-                                                                        it imports */
+  /* a program that begins with an import sees what it imports */
+  if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {
     vs_environment_forget_imports(x->now.env);
     vs_environment_set_intake(x->now.env, VS_INTAKE_STRICT);
   }

@@ -198,8 +198,8 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
     bool number = strchr("boxef", d) != NULL;
     bool ok = number ? format_number(vm, v, d, &field, to)
                      : vs_print(vm, v, d == 'a' || d == 'd' || d == 'c' ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, to);
-    if (ok && to == &own) {                       /* numbers stand to the right of their field, the rest to the left,
-                                                     unless @ says otherwise */
+    /* numbers stand to the right of their field, the rest to the left, unless @ says otherwise */
+    if (ok && to == &own) {
       int64_t shown = 0;
       for (size_t k = 0; k < own.count; k++) shown += ((unsigned char)own.at[k] & 0xC0) != 0x80;
       bool before = field.before || number || d == 'd';

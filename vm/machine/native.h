@@ -140,17 +140,16 @@ bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes);
 /* ---- foreign objects ---- */
 typedef struct vs_foreign_type {
   const char *name;                                             /* "an object": for messages */
-  void (*release)(void *object);                                /* one reference; must not call back; may not recurse
-                                                                   deeply */
+  /* one reference; must not call back; may not recurse deeply */
+  void (*release)(void *object);
   bool (*equal)(const void *a, const void *b);                  /* equal?, or NULL: identity */
   uint64_t (*hash)(const void *object);                         /* agrees with equal, or NULL */
   /* text for the printer, UTF-8, appended through put; NULL prints #<name> */
   bool (*print)(vs_scheme *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to);
-  void (*trace)(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_value *slot));   /* Scheme values inside, or
-                                                                                  NULL. If not NULL the object is
-                                                                                  treated as always just written to */
-  bool callable_image;                                          /* reserved, false: foreign objects are not in the heap
-                                                                   image */
+  /* Scheme values inside, or NULL. If not NULL the object is treated as always just written to */
+  void (*trace)(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_value *slot));
+  /* reserved, false: foreign objects are not in the heap image */
+  bool callable_image;
 } vs_foreign_type;
 
 /* the host pointer if v is a foreign object of this type, else NULL */

@@ -675,8 +675,8 @@ call: {
         const vs_native *native = vs_as_native(f);
         size_t given = n, total = n;
         bool laid_out = vs_native_laid_out(native);
-        if (tail && native->def->slots) {                   /* apply, call/cc ... must not keep the activation; plain
-                                                               ones keep it for the error's place */
+        /* apply, call/cc ... must not keep the activation; plain ones keep it for the error's place */
+        if (tail && native->def->slots) {
           memmove(base, w + 2, n * sizeof *w);
           base[-2] = f;
           w = base - 2; ret = base[-1];

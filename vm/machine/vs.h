@@ -43,15 +43,15 @@ typedef struct vs_config {
   uint64_t output_limit;     /* bytes that the program may print or write, 0 = none */
   double time_limit;         /* seconds by the clock below, 0 = none */
   bool keep_calls;          /* errors keep the parameters of the calls they end (vs_condition.calls) */
-  vs_vm_phase (*phase)(void *user, vs_vm_phase phase); /* told when another begins, says which one ends; NULL: nobody
-                                                          asks */
+  /* told when another begins, says which one ends; NULL: nobody asks */
+  vs_vm_phase (*phase)(void *user, vs_vm_phase phase);
   double (*clock)(void *user);                 /* seconds, monotonic; NULL: no time limit */
   bool (*interrupted)(void *user);             /* polled; true once = raise an interrupt */
-  const struct vs_native_table *const *tables; /* natives besides the VM's own, NULL-terminated; same order as when the
-                                                  image was made */
+  /* natives besides the VM's own, NULL-terminated; same order as when the image was made */
+  const struct vs_native_table *const *tables;
   const struct vs_image *image;                /* a heap image to start from, or NULL */
-  const struct vs_io *io;                      /* files, console, time of day (port.h), called with `user`; NULL: none
-                                                  of them */
+  /* files, console, time of day (port.h), called with `user`; NULL: none of them */
+  const struct vs_io *io;
   const char *library_path;  /* folders for load, include, require and import, ':' between them, or NULL; living as long
                                 as the interpreter */
   const struct vs_shipped *shipped; /* libraries in Scheme that come with the language (program.h), or NULL */

@@ -363,8 +363,8 @@ bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out) {
   }
   double d;
   if (!vs_number_double(vm, r[0], &d)) return false;
-  if (isinf(d) || d == 0) {                      /* out of range though the root is not: take it in integers, 64 bits or
-                                                    more of it */
+  /* out of range though the root is not: take it in integers, 64 bits or more of it */
+  if (isinf(d) || d == 0) {
     ratio_part(r[0], false, &r[1]), ratio_part(r[0], true, &r[2]);
     int64_t up = ((int64_t)vs_int_bits(r[2]) - (int64_t)vs_int_bits(r[1]) + 256) & ~INT64_C(1);
     if (up > 0 ? !vs_int_shift(vm, r[1], up, &r[1]) : !vs_int_shift(vm, r[2], -up, &r[2])) return false;

@@ -23,8 +23,8 @@ bool vs_number_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);    /* exact by exact 0 is an error */
 /* a+b etc. if one of them is a flat record: true and *out, or false with the error naming both kinds. */
 bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out);
-typedef enum { VS_LT, VS_LE, VS_EQ, VS_GE, VS_GT } vs_relation;       /* exact between exact and inexact; false with
-                                                                         NaN */
+/* exact between exact and inexact; false with NaN */
+typedef enum { VS_LT, VS_LE, VS_EQ, VS_GE, VS_GT } vs_relation;
 bool vs_number_test(vs_scheme *vm, vs_relation relation, vs_value a, vs_value b, bool *out);
 bool vs_number_quotient(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_remainder(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
@@ -38,8 +38,8 @@ bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out);                /* 
 bool vs_number_double(vs_scheme *vm, vs_value v, double *out);
 /* v is a number; infinities and NaN are errors */
 bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out);
-bool vs_number_to_int64(vs_value v, int64_t *out);                    /* an exact integer, or a double that is one, in
-                                                                         range */
+/* an exact integer, or a double that is one, in range */
+bool vs_number_to_int64(vs_value v, int64_t *out);
 /* exact integers, den not 0; lowest terms */
 bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out);
 /* the same of two that have no divisor in common */

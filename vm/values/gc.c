@@ -23,8 +23,8 @@ enum {
   BLOCK_DATA = BLOCK - 32,
   CHUNK_BLOCKS = 64,
   CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* bytes of larger chunks */
-  STARVED = 64,                                     /* one so many'th of the heap must fit between two collections for
-                                                       refused memory */
+  /* one so many'th of the heap must fit between two collections for refused memory */
+  STARVED = 64,
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
 /* Collecting at every allocation costs what the roots cost, and a deep recursion or nest has a million of them: past
@@ -67,12 +67,12 @@ struct vs_gc {
   struct { struct free_cell *free; struct vs_gc_block *bump; } of[CLASSES];
   uint8_t class_of[CLASS_MAX + 1];              /* by words */
   struct vs_gc_large *large;
-  char *nursery_end;                            /* vm->end, unless that is held down so that every allocation comes
-                                                   here */
+  /* vm->end, unless that is held down so that every allocation comes here */
+  char *nursery_end;
   bool ready;                                   /* the spare blocks for the next minor collection are there */
   size_t old_bytes, major_at;                   /* in old objects now; when a major collection is due */
-  size_t granted;                               /* bytes of old objects since memory was last refused and all was
-                                                   collected for it */
+  /* bytes of old objects since memory was last refused and all was collected for it */
+  size_t granted;
   size_t external, external_minor;              /* host bytes now; when they force a minor collection */
   vs_object **remembered; size_t remembered_count, remembered_room; bool remembered_lost;
   vs_object **young_foreign; size_t young_count, young_room;
@@ -81,8 +81,8 @@ struct vs_gc {
   struct mark_entry *marks; size_t mark_count, mark_room; bool mark_lost;
   char *image; size_t image_bytes;              /* objects loaded from a heap image */
   void (*release_image)(vs_scheme *vm, void *image, size_t bytes);
-  size_t visits, minor_in, whole_in;            /* under VS_DEBUG_STRESS: what the last minor collection visited;
-                                                   allocations until the next ones */
+  /* under VS_DEBUG_STRESS: what the last minor collection visited; allocations until the next ones */
+  size_t visits, minor_in, whole_in;
 };
 
 /* ---- memory from the host ---- */
@@ -273,8 +273,8 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words) {
   if (!gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered)) return NULL;
   bool stopped = false;
   vs_object *o = words <= CLASS_MAX ? gc_born_old(vm, words) : gc_large(vm, words, &stopped);
-  if (!o) {                                    /* refused: perhaps there is garbage, unless all was collected a moment
-                                                  ago */
+  /* refused: perhaps there is garbage, unless all was collected a moment ago */
+  if (!o) {
     if (stopped || gc->granted < gc->old_bytes / STARVED) return NULL;
     gc->granted = 0;
     vs_gc_major(vm);
@@ -517,8 +517,8 @@ void vs_gc_minor(vs_scheme *vm) {
   vs_value was = vm->condition;
   gc->ready = gc_reserve(vm);
   vm->condition = was;
-  if (gc->ready) gc_hold_down(vm); else vm->end = vm->free;   /* closed: the next allocation tries again, and fails if
-                                                                 it must */
+  /* closed: the next allocation tries again, and fails if it must */
+  if (gc->ready) gc_hold_down(vm); else vm->end = vm->free;
   if (VS_DEBUG_CHECK && !vs_gc_check(vm)) __builtin_trap();
 }
 
@@ -636,8 +636,8 @@ static void major_sweep(vs_scheme *vm) {
   for (size_t i = 0; i < gc->image_bytes;) {
     vs_object *o = (vs_object *)(void *)(gc->image + i);
     size_t slots = 0;
-    if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) { /* the image is not swept: what is dead in it must not be taken for a user
-                                                of what it named */
+    /* the image is not swept: what is dead in it must not be taken for a user of what it named */
+    if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) {
       vs_value *slot = vs_layout_slots(o, &slots);
       while (!(o->gc & GC_MARK) && slots > 0) slot[--slots] = VS_FALSE;
     }
@@ -673,8 +673,8 @@ void vs_gc_major(vs_scheme *vm) {
   for (size_t i = 0; i < gc->tracing_count; i++)
     if (gc->tracing[i]->gc & GC_MARK) gc->tracing[kept++] = gc->tracing[i];
   gc->tracing_count = kept;
-  kept = 0;                                    /* after the minor collection nothing is remembered, but a hook may have
-                                                  stored */
+  /* after the minor collection nothing is remembered, but a hook may have stored */
+  kept = 0;
   for (size_t i = 0; i < gc->remembered_count; i++)
     if (gc->remembered[i]->gc & GC_MARK) gc->remembered[kept++] = gc->remembered[i];
   gc->remembered_count = kept;
