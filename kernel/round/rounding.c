@@ -471,7 +471,7 @@ static bool collapse_round(rounding *s, size_t *done) {
 /* ---- blades ---- */
 
 static bool is_blade(const rounding *s, const vs_shell *of) {
-  return fabs(of->volume) < of->area * unit(of->reach, s->numbers);
+  return fabs(of->volume) <= of->area * unit(of->reach, s->numbers); /* alike: all of it is one point */
 }
 
 /* Shells that are thinner than two units all over, and that rounding bends, would be sheets on sheets: they go, unless

@@ -498,6 +498,9 @@ static void turned_examples_are_right(void **state) {
     "(unite (subtract (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 2)) (do-rotate (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 "
     "2)) (vxyz 0 1 1) (degrees->radians 5e-7)) (make-box (xyz 2 -1 -4) (xyz 5 2 -1))) (do-rotate (make-box (xyz 0 -1 "
     "-1) (xyz 3 0 3)) 'z (degrees->radians 4e-6)))",
+    /* a shell whose corners are one place as soon as they are doubles */
+    "(unite (make-sphere (xyz -2 1 -1) 2) (do-rotate (subtract (make-sphere (xyz 1 0 -4) 2) (do-rotate (make-box (xyz "
+    "1 -1 -4) (xyz 3 2 0)) 'x (degrees->radians 9e-7))) 'y (degrees->radians -1e-5)))",
   };
   static trial t;
   begin(&t);
