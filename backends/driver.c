@@ -661,7 +661,7 @@ static bool drive_copies_with(vs_emitter *e, vs_bends bends, vs_solid_copies *ou
 static bool drive_copies(vs_emitter *e, vs_solid_copies *out) {
   vs_rounded what = { 0 }, bent_what = { 0 };
   bool ok = drive_copies_with(e, VS_STRAIGHT, out, &what);
-  if (ok && what.met && out->straightened) {
+  if (ok && what.met_before && out->straightened) {
     vs_solid_copies bent = { .part_count = 0 };
     ok = drive_copies_with(e, VS_BENT_AGAIN, &bent, &bent_what);
     if (ok && bent_what.met < what.met) {

@@ -22,6 +22,7 @@ bool vs_emit_round(vs_emitter *e, vs_mesh *m, vs_numbers numbers, vs_rounded *su
   if (sum->met == 0) sum->at = what.at;
   sum->dropped += what.dropped;
   sum->met += what.met;
+  sum->met_before += what.met_before;
   return true;
 }
 

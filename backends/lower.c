@@ -184,7 +184,7 @@ static bool lower_drawing_with(vs_emitter *e, vs_bends bends, vs_solid *out, vs_
 bool vs_lower_drawing(vs_emitter *e, vs_solid *out) {
   vs_rounded what = { 0 }, bent_what = { 0 };
   bool ok = lower_drawing_with(e, VS_STRAIGHT, out, &what);
-  if (ok && what.met && out->straightened) {
+  if (ok && what.met_before && out->straightened) {
     vs_solid bent = { .part_count = 0 };
     ok = lower_drawing_with(e, VS_BENT_AGAIN, &bent, &bent_what);
     if (ok && bent_what.met < what.met) {

@@ -17,6 +17,8 @@ typedef struct {
   size_t met;             /* triangles that, rounded, may meet others near where edges were too short or triangles too
                            * low; as far as doubles can tell */
   vs_vec3 at;             /* of the first of them */
+  size_t met_before;      /* pairs of them that meet before rounding as well, so that it is not the numbers that are to
+                           * blame; all of them where the numbers are finer than what is exact */
   size_t dropped;         /* shells thinner than the numbers tell apart */
   vs_vec3 dropped_at;
 } vs_rounded;

@@ -617,7 +617,7 @@ static bool begin_again(rounding *s) {
 
 static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
-  size_t n = m->vertex_count, collapsed, flipped, more;
+  size_t n = m->vertex_count, collapsed, flipped, more, before = 0;
   bool any = false, ok = true;
   if (!vs_kernel_report(s->k, 1)) return false;
   s->bounds = vs_mesh_bounds(m);
@@ -637,6 +637,7 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
     memset(s->listed.at, 0, m->triangle_count);
     if (!vs_rounding_count_met(s, out)) return false;
     if (!out->met || !s->places) return true;
+    before = out->met_before;
   }
   if (!drop_blades(s, out) || !(out->dropped ? begin_again(s) : index_mesh(s))) return false;
   for (int round = 0; ok && round < ROUNDS; round++) {
@@ -653,6 +654,7 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   }
   if (ok) suspect_neighbours(s);
   ok = ok && vs_rounding_count_met(s, out);
+  if (ok && out->met_before > before) before = out->met_before;
   if (ok) squeeze(s);
   for (int round = 0; ok && s->places && out->met && round < ROUNDS; round++) {
     size_t contracted = 0;
@@ -664,6 +666,7 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
     ok = ok && vs_rounding_count_met(s, out);
     out->flipped += flipped;
   }
+  out->met_before = before; /* contracting makes triangles cross by itself */
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
 }
 
@@ -681,6 +684,7 @@ bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opti
   *out = (vs_rounded){ 0 };
   vs_kernel_time(&k, options && options->counts ? options->counts->seconds : NULL);
   bool ok = round_mesh(&s, out);
+  if (s.numbers != VS_NUMBERS_SINGLE) out->met_before = out->met;
   vs_kernel_lap(&k, VS_STEP_ROUND);
   VS_DROP(&k, s.fans);
   VS_DROP(&k, s.around);

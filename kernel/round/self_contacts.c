@@ -69,7 +69,7 @@ typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /*
 
 typedef struct { VS_LIST(run) at; VS_LIST(vs_bvh_box) boxes; } runs;
 typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: OPEN, LEVEL */
-typedef struct { uint32_t a, b; } pair;
+typedef struct { uint32_t a, b; bool before; } pair; /* before: they meet before rounding, too */
 
 typedef struct {
   vs_rounding *s;
@@ -510,18 +510,17 @@ static bool is_fold(const search *c, const sheet *x, const sheet *y) {
  * touch there, they do so by rounding. */
 static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   const vs_rounding *s = l->c->s;
-  if (is_fold(l->c, x, y) && !VS_PUSH(l->k, l->c->met[l->at].folds, ((pair){ x->triangle, y->triangle }))) return false;
+  if (is_fold(l->c, x, y) && !VS_PUSH(l->k, l->c->met[l->at].folds, ((pair){ x->triangle, y->triangle, false })))
+    return false;
   if (x->flat || y->flat || apart(x, y)) return true;
   vs_triangle_meeting meeting = vs_triangles_meet(x->at, y->at);
   if (meeting == VS_MEET_NOT) return true;
-  if (meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) {
-    sheet p, q;
-    load_exact(s, x->triangle, &p);
-    load_exact(s, y->triangle, &q);
-    if (!apart(&p, &q) && (p.flat || q.flat || vs_triangles_meet(p.at, q.at) != VS_MEET_NOT))
-      return true; /* they touch as it is */
-  }
-  return VS_PUSH(l->k, l->c->met[l->at].at, ((pair){ x->triangle, y->triangle }));
+  sheet p, q;
+  load_exact(s, x->triangle, &p);
+  load_exact(s, y->triangle, &q);
+  bool before = !apart(&p, &q) && (p.flat || q.flat || vs_triangles_meet(p.at, q.at) != VS_MEET_NOT);
+  if (before && meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) return true; /* as it is */
+  return VS_PUSH(l->k, l->c->met[l->at].at, ((pair){ x->triangle, y->triangle, before }));
 }
 
 static bool try_runs(looking *l, const run *a, const run *b) {
@@ -639,6 +638,7 @@ static bool take(vs_kernel *k, void *context, size_t index) {
     pair p = c->met[index % VS_PIPELINE_WINDOW].at.at[i];
     count_once(c, p.a);
     count_once(c, p.b);
+    c->out->met_before += p.before;
   }
   return true;
 }
@@ -671,7 +671,7 @@ static bool count_met(vs_rounding *s, vs_rounded *out, bool *folds) {
                .low = LOW * s->coarsest,
                .margin = (float)(MARGIN * s->coarsest + 16 * 0x1p-24 * extent) };
   const runs *level = &c.all.kinds[LEVEL], *open = &c.all.kinds[OPEN];
-  out->met = 0;
+  out->met = out->met_before = 0;
   for (size_t t = 0; t < s->m->triangle_count; t++) s->listed.at[t] &= 1;
   vs_fans fans = {
     (const uint32_t(*)[3])s->m->triangles, s->m->triangle_count, s->m->vertex_count, s->gone.at, rounded_corner, s
