@@ -2,7 +2,7 @@
 # at what came. `sh tests/cross/formats.sh` prints the page.
 #
 # native: in the format's own words. triangles: lowered to them. lines: to polylines. With "or": some forms of the kind one way, some the other.
-# Text in italics is the warning with which the format leaves the kind out or shows it as something else.
+# Text in italics is, in short, the warning with which the format leaves the kind out or shows it as something else.
 . tests/report.sh
 sheet=tests/cross/sheet.vs
 
@@ -15,7 +15,7 @@ EOF
 echo '| ending | |'
 echo '|---|---|'
 sed -n 's/^VS_\(FORMAT\|NOTATION\)(\([^,]*\), [^,]*, "\([^"]*\)", [^,]*, [^,]*, "\(.*\)")$/\1 \2 \3 \4/p' backends/backends.def | while read -r sort suffix name doc; do
-  if [ "$sort" = FORMAT ]; then echo "| \`.$suffix\` | $doc |"; else echo "| \`--format $name\` | $doc |"; fi
+  if [ "$sort" = FORMAT ]; then echo "| \`.$suffix\` | $doc |"; else echo "| \`--format $name\` | ${doc%: --format *} |"; fi
 done
 
 # The looks of an object that come along: one box of a made material, in a layer, in millimetres; the words by which it is known again.
@@ -45,16 +45,16 @@ for format in pov scad x3d html glb 3mf obj ply off stl tree; do
 done
 cat <<'EOF'
 
-*native*: in the format's own words, so that it stays round and can be edited there. *triangles*: lowered to them, as fine as `--tolerance` says. *lines*: to
-straight pieces. Where several stand, it depends on the form: a tapered extrusion is triangles where a straight one is not. What is in italics is
-the warning that the program gives: no shape is left out in silence, but looks that a format has no words for are. `.png` and `.exr` are POV-Ray's; `.x3dv` and `.html` hold the shapes that `.x3d` does;
-all that is made of bare triangles (`.stl .3mf .obj .ply .off`) holds the union of the drawing's solids; `.obj`, `.ply` and `.off` hold regions
-and open surfaces as open faces, besides, and the first two curves as lines. [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids,
+*native*: in the format's own words, so that a round shape stays round and can be edited there. *triangles*, *lines*: replaced by triangles or straight pieces, as fine as
+`--tolerance` says. Where a cell has several, it depends on the object: a straight extrusion can be native where a tapered one is triangles. *Italics*: the program warns of
+it. No shape is left out without a warning; colours and names that a format cannot hold are.
+
+`.png` and `.exr` are POV-Ray's; `.x3dv` and `.html` hold the shapes that `.x3d` does. Formats of bare triangles, the column *meshes* (`.stl .3mf .obj .ply .off`), hold the union of all solids;
+`.obj`, `.ply` and `.off` also hold regions and open surfaces, as open faces, and `.obj` and `.ply` curves, as lines. [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids,
 surfaces and curves by their lines. `.tree` holds everything as it is.
 
-One rule holds for all formats: a thing of a class that a format cannot show is shown thin where that can be read as what it is (`.pov .scad`), else left out, and a
-warning names the first place. Others in the drawing are written all the same; with `--strict` it is an error. In pictures (`.png .exr`, and `.pov`) curves are two pixels
-wide and more, and curves, flat regions, text and open surfaces without a material are dark.
+What a format cannot show is shown thin where that can be understood (`.pov .scad`: rods and slabs), else left out; a warning names the first place, and all other objects are
+written. With `--strict` it is an error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide, and curves, flat regions, text and open surfaces without a material are dark.
 
 EOF
 
@@ -119,7 +119,8 @@ awk -F '\t' -v found="$work/found" -v formats='pov scad x3d glb stl' '
     count = split(formats, format, " ")
     while ((getline line < found) > 0) {
       split(line, part, "\t")
-      sub(/^\*STL holds/, "*meshes hold", part[3])
+      sub(/^\*the drawing holds nothing that this format can show/, "*nothing to show", part[3])
+      sub(/^\*[^:]*: /, "*", part[3]); sub(/ are drawn as /, " as ", part[3]); sub(/ are left out/, " left out", part[3])
       key = part[1] SUBSEP part[2]
       met[part[1]] = 1
       word = part[3] == "both" ? "native\ttriangles" : part[3]
