@@ -90,7 +90,7 @@ log=$work/log
 : > "$log"
 for suite in $SUITES; do
   case $suite in
-    unit)    (cd "$BUILD" && for program in unit/test_*; do case $program in *.d) ;; *"$ONLY"*) echo "$program" ;; esac; done) ;;
+    unit)    (cd "$BUILD" && for program in unit/test_*; do case $program in *.d|*.gcno|*.gcda) ;; *"$ONLY"*) echo "$program" ;; esac; done) ;;
     workers) (cd tests && ls workers/*.sh) ;;
     *)       echo "$suite" ;;
   esac
