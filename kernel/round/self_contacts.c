@@ -18,6 +18,9 @@
  *            apart, nothing counts as level.)
  *   storey   a plane across an axis in which level runs lie
  *
+ * Meshes given by places were moved to where they are written, which rounds to doubles: what lay nearly in a level
+ * run's plane may lie in it since, in the midst of the run. There nothing is passed over for lying in such a plane.
+ *
  * The index has the open runs' boxes; those that a storey may touch or go through have one of their own, for what is
  * level. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share.
  * Of the rest the pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and
@@ -222,7 +225,7 @@ static bool is_busy(const search *c, const run *r, const vs_bounds *box, const c
     for (size_t i = vs_rounding_storey(s, axis, low - c->margin); i < s->storeys.count; i++) {
       double value = s->storeys.at[i].value;
       if (s->storeys.at[i].axis != axis || value > high + c->margin) break;
-      if (value != low && value != high) return true;
+      if (s->places || (value != low && value != high)) return true;
       for (uint32_t j = 0; j < 4u * r->fours; j++) {
         double x = coordinate(s->m->vertices[four[j / 4].corner[j % 4]], axis);
         if (x != value && fabs(x - value) <= c->margin) return true;
@@ -406,7 +409,8 @@ static bool beyond(const search *c, const run *a, const run *b) {
       uint32_t at = 4 * i + (uint32_t)__builtin_ctz(within), corner = four[i].corner[at % 4];
       touches = true;
       slopes = slopes || a->level == NOT_LEVEL;
-      if (a->level != NOT_LEVEL && !b->is_changed && coordinate(c->s->m->vertices[corner], a->level) == a->value)
+      if (a->level != NOT_LEVEL && !c->s->places && !b->is_changed &&
+          coordinate(c->s->m->vertices[corner], a->level) == a->value)
         continue;
       if ((in[at] = place_of(c, a, corner)) == NOT_ITS) return false;
       shared |= UINT64_C(1) << at;
@@ -572,7 +576,7 @@ static bool is_busy_at(const search *c, const reach *r, int axis, double value) 
   double low = r->low[axis], high = r->high[axis];
   if (r->any) return true;
   if (value == low || value == high)
-    return (value == low && r->near_low[axis]) || (value == high && r->near_high[axis]);
+    return c->s->places || (value == low && r->near_low[axis]) || (value == high && r->near_high[axis]);
   return low - value <= c->margin && value - high <= c->margin;
 }
 

@@ -431,6 +431,9 @@ static void wrong_examples_are_right(void **state) {
     "(do-rotate (do-scale (let ((bow (make-spline (xyz 1 0 0) (xyz 2.625 0 2) (xyz 1 0 4)))) (do-guided-loft (list "
     "(make-circle origin 1) (make-circle (xyz 0 0 4) 1)) (list bow (do-rotate bow 'z pi)))) (list 1 1 100)) 'z "
     "7e-7)) 'z 9e-6))",
+    /* a folded hexahedron that nearly touches its own floor, and touches it in single floats */
+    "(scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 0.375) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) "
+    "(xyz -1 -1 3) (xyz -0.5 1 0)) (make-box (xyz -2 -1 -1) 4 2 0.05))",
     "(do-mirror (make-polyface-mesh (list (xyz 0 0 0) (xyz 2 0 0) (xyz 2 2 0) (xyz 0 2 2) (xyz 0 0 2) (xyz 2 0 2) "
     "(xyz 2 2 2) (xyz 0 2 2)) '((1 4 3 2) (4 1 5 8)) #:repair #t) 'yz)",
   };
