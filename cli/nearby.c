@@ -2,6 +2,8 @@
 #include "cli/nearby.h"
 
 #include <ctype.h>
+#include <dirent.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { LONGEST = 48 }; /* longer names have no near ones */
@@ -38,4 +40,33 @@ void cli_nearby_offer(cli_nearby *n, const char *name) {
     n->distance = d;
     n->best = name;
   }
+}
+
+static bool is_program(const char *name) {
+  const char *dot = strrchr(name, '.');
+  return dot && dot > name && (!strcmp(dot, ".vs") || !strcmp(dot, ".js") || !strcmp(dot, ".gml"));
+}
+
+bool cli_nearby_program(const char *path, char *room, size_t size) {
+  const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+  int folder = slash ? (int)(slash + 1 - path) : 0;
+  bool bare = !strchr(name, '.');
+  char near[LONGEST + 1] = "";
+  if (!*name || (!bare && !is_program(name)) || strlen(path) >= size) return false;
+  snprintf(room, size, "%.*s.", folder, path);
+  DIR *d = opendir(room);
+  if (!d) return false;
+  size_t length = strcspn(name, ".");
+  cli_nearby n = { .wanted = name, .distance = smaller(length / 3 + 1, 3) }; /* the ending says nothing */
+  for (struct dirent *e; (e = readdir(d));) {
+    const char *found = e->d_name;
+    if (!is_program(found) || strlen(found) > LONGEST) continue;
+    if (bare) n.best = !strncmp(found, name, length) && found + length == strrchr(found, '.') ? found : NULL;
+    else cli_nearby_offer(&n, found);
+    if (n.best == found) strcpy(near, found);
+    n.best = NULL; /* the entry is gone with the next one; the distance stays */
+  }
+  closedir(d);
+  int put = *near ? snprintf(room, size, "%.*s%s", folder, path, near) : -1;
+  return put > 0 && (size_t)put < size;
 }

@@ -474,7 +474,9 @@ static bool reachable(const cli_target *t) {
   strcpy(folder + length, slash ? (length ? "" : "/") : ".");
   bool found = stat(folder, &status) == 0, ok = found && S_ISDIR(status.st_mode) && access(folder, W_OK | X_OK) == 0;
   if (found && !S_ISDIR(status.st_mode)) errno = ENOTDIR;
-  if (!ok) fprintf(stderr, "vs: %s: cannot write into %s: %s\n", t->path, folder, strerror(errno));
+  if (!ok && errno == ENOENT) fprintf(stderr, "vs: %s: there is no folder %s\n", t->path, folder);
+  else if (!ok && errno == ENOTDIR) fprintf(stderr, "vs: %s: %s is no folder\n", t->path, folder);
+  else if (!ok) fprintf(stderr, "vs: %s: cannot write into %s: %s\n", t->path, folder, strerror(errno));
   free(folder);
   return ok;
 }
@@ -623,17 +625,30 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs("vs: --set, --jobs, --manifest, --sheet and --film are for vs render\n", stderr);
     return CLI_BAD_USAGE;
   }
+  for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE)) && i < o->source_count; i++) {
+    const char *path = o->sources[i].text;
+    char near[4096];
+    if (o->sources[i].kind != CLI_SOURCE_FILE || access(path, F_OK) == 0 ||
+        !cli_nearby_program(path, near, sizeof near)) continue;
+    fprintf(stderr, "vs: %s: no such file; perhaps %s\n", path, near);
+    return CLI_BAD_USAGE;
+  }
   bool file_first = !o->command && o->source_count && argc > 1 && o->sources[0].text == argv[1];
-  if (file_first && access(argv[1], F_OK) != 0 && cli_command_suggest(argv[1], stderr)) return CLI_BAD_USAGE;
+  if (file_first && access(argv[1], F_OK) != 0 && !strpbrk(argv[1], "./") && strcmp(argv[1], "-")) {
+    if (!cli_command_suggest(argv[1], stderr))
+      fprintf(stderr, "vs: %s is neither a command nor a file; vs --help lists the commands\n", argv[1]);
+    return CLI_BAD_USAGE;
+  }
   /* vs model.vs a.stl */
   for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_SCAN)) && i < o->source_count; i++) {
     const char *path = o->sources[i].text;
     const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;
     if (!f) continue;
     fprintf(stderr, "vs: %s is no program but a name for what is written; with -o before it it is: vs", path);
+    size_t programs = 0;
     for (size_t k = 0; k < o->source_count; k++)
-      if (k != i && o->sources[k].kind == CLI_SOURCE_FILE) fprintf(stderr, " %s", o->sources[k].text);
-    fprintf(stderr, " -o %s\n", path);
+      if (k != i && o->sources[k].kind == CLI_SOURCE_FILE) programs++, fprintf(stderr, " %s", o->sources[k].text);
+    fprintf(stderr, "%s -o %s\n", programs ? "" : " model.vs", path);
     return CLI_BAD_USAGE;
   }
   if (o->command != CLI_COMMAND_NONE && !command_files(o, takes)) return CLI_BAD_USAGE;

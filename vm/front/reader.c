@@ -746,8 +746,11 @@ bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, 
     if (!n) {
       uint32_t col = 1;
       for (size_t k = begin; k < i; k++) col += ((unsigned char)text[k] & 0xC0) != 0x80;
+      /* FF FE and FE FF begin a text in UTF-16, as some editors save it */
+      bool wide = i == 0 && size > 1 && (!memcmp(text, "\xFF\xFE", 2) || !memcmp(text, "\xFE\xFF", 2));
       return vs_fail_at(vm, vm->sym.read, vs_pos_make(file, line, col), VS_NIL,
-                        "this is not a text in UTF-8 (byte %02X at offset %zu)", c, i);
+                        "this is not a text in UTF-8 (byte %02X at offset %zu)%s", c, i,
+                        wide ? "; the editor has saved it as UTF-16: save it as UTF-8" : "");
     }
     i += n;
   }
