@@ -157,7 +157,7 @@
     ((_ . other) (%for-written))))
 (define-syntax %for-written
   (syntax-rules ()
-    ((_) (syntax-error "a loop is written (for ([name sequence] ...) body ...), with #:when test between its clauses where wanted"))))
+    ((_) (syntax-error "a loop is written (for ([name sequence] ...) body ...), as in (for ([i 10]) ...) and (for ([i (in-range 2 10)]) ...), with #:when test between its clauses where wanted"))))
 (define-syntax %for-each
   (syntax-rules ()
     ((_ () action) action)

@@ -231,6 +231,8 @@ vs_status vs_bind_finite(vs_args *f, int i);
  * false: there is none (regroup.c). */
 bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
     size_t room);
+/* "takes (make-plane point normal) or (make-plane p q r)": the ways to call it. */
+void vs_bind_forms(const vs_procedure *procedure, const char *name, char *text, size_t room);
 #define VS_BIND_NO_VALUE "one expression gave no value" /* in messages about lists of objects */
 vs_status vs_bind_refuse(vs_args *f, const char *param, const char *expected, vs_value got);
 

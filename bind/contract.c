@@ -195,6 +195,12 @@ static vs_status refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) {
   }
   if (refuse_uncalled(f, p, got)) return VS_ERROR;
   const vs_bind_param *first = f->procedure->form[0].at;
+  if (wants_point && vs_bind_number(f->vm, got, d) && (!strcmp(p->name, "apex") || !strcmp(p->name, "c2"))) {
+    char number[32], hint[96]; /* a height where the solid's other end is due */
+    vs_bind_number_text(number, d[0]);
+    snprintf(hint, sizeof hint, "(+z %s %s)", first->name, number);
+    return refuse_hint(f, p->name, contracts[p->contract].noun, got, hint);
+  }
   if (p->contract == VS_C_ANGLE && first->mode != VS_ARG_END && first->contract == VS_C_SECTIONS &&
       vs_bind_ref(got).node)
     return refuse_hint(f, p->name, contracts[p->contract].noun, got,
@@ -735,22 +741,24 @@ static size_t append(char *text, size_t room, size_t at, const char *more) {
   return n < 0 ? at : at + (size_t)n < room ? at + (size_t)n : room - 1;
 }
 
+void vs_bind_forms(const vs_procedure *procedure, const char *name, char *text, size_t room) {
+  size_t at = append(text, room, 0, "takes ");
+  for (int i = 0; i < VS_MAX_FORMS && procedure->form[i].used; i++) {
+    if (i) at = append(text, room, at, " or ");
+    at = append(text, room, append(text, room, at, "("), name);
+    for (const vs_bind_param *p = procedure->form[i].at; p->mode != VS_ARG_END; p++) {
+      at = append(text, room, at, p->mode == VS_ARG_OPTIONAL ? " [" : " ");
+      at = append(text, room, at, p->name);
+      at = append(text, room, at, p->mode == VS_ARG_OPTIONAL ? "]" : p->mode == VS_ARG_REST ? " ..." : "");
+    }
+    at = append(text, room, at, ")");
+  }
+}
+
 /* No form takes so many arguments: show them all, and what beginners mean by three numbers. */
 static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
-  char name[64], text[512];
-  size_t at = append(text, sizeof text, 0, "takes ");
-  own_name(f, name);
-  for (int i = 0; i < VS_MAX_FORMS && f->procedure->form[i].used; i++) {
-    if (i) at = append(text, sizeof text, at, " or ");
-    at = append(text, sizeof text, append(text, sizeof text, at, "("), name);
-    for (const vs_bind_param *p = f->procedure->form[i].at; p->mode != VS_ARG_END; p++) {
-      at = append(text, sizeof text, at, p->mode == VS_ARG_OPTIONAL ? " [" : " ");
-      at = append(text, sizeof text, at, p->name);
-      at = append(text, sizeof text, at, p->mode == VS_ARG_OPTIONAL ? "]" : p->mode == VS_ARG_REST ? " ..." : "");
-    }
-    at = append(text, sizeof text, at, ")");
-  }
-  char hint[300];
+  char name[64], text[512], hint[300];
+  vs_bind_forms(f->procedure, own_name(f, name), text, sizeof text);
   double d[3];
   bool two_corners = f->procedure->form[1].used && f->procedure->form[0].at[1].contract == VS_C_POINT &&
       f->procedure->form[0].at[2].mode == VS_ARG_END;

@@ -280,7 +280,7 @@
 
 (define-syntax define-parameter
   (syntax-rules ()
-    ((_ name default . options) (define name (%parameter 'name default . options)))))
+    ((_ name default . options) (define name (%define-parameter 'name default . options)))))
 
 ; ---- watching a program ----
 

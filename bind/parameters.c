@@ -231,7 +231,7 @@ static vs_status define(vs_args *f, vs_bind_parameter *p, vs_value *value, vs_va
   return keep(f, p);
 }
 
-/* (%parameter 'name default #:min ...): the value to define the name with */
+/* (%define-parameter 'name default #:min ...): the value to define the name with */
 vs_status vs_p_parameter(vs_args *f, vs_value *out) {
   vs_bind_parameter p = { 0 };
   VS_ROOTS(f->vm, r, 2);

@@ -2,7 +2,7 @@
  * say about what was meant.
  * An error keeps what is needed: the call in its payload (vm/machine/arguments.c), #t where what was called is no
  * procedure (vm/machine/run_failures.h). */
-#include "session/session.h"
+#include "session/advice.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -10,6 +10,7 @@
 #include "session/source_outline.h"
 #include "vm/values/printer.h"
 #include "vm/front/environment.h"
+#include "vm/front/source.h"
 #include "vm/front/suggest.h"
 
 /* ---- the text around a place ---- */
@@ -75,24 +76,91 @@ static bool is_assignment(place p, size_t name, const char **value, size_t *leng
   return *length > 0 && *length < 100;
 }
 
+static bool is_word_of(const char *words, const char *word, size_t n) {
+  for (const char *w = words; n && *w; w += *w == ' ') {
+    size_t length = strcspn(w, " ");
+    if (length == n && !memcmp(w, word, n)) return true;
+    w += length;
+  }
+  return false;
+}
+
+/* Finds the operator of the call that the name at `p` stands in, and the word right before the name, which may be a
+ * keyword. A parenthesis within a text counts too: then another operator is found, and mostly no advice. */
+static const char *operator_around(place p, size_t *length, const char **before, size_t *before_length) {
+  const char *start = p.source->text, *at = p.at;
+  while (at > start && (at[-1] == ' ' || at[-1] == '\t' || at[-1] == '\n')) at--;
+  const char *end = at;
+  while (at > start && !strchr(" \t\r\n()[]\"';", at[-1])) at--;
+  *before = at, *before_length = (size_t)(end - at);
+  for (size_t depth = 0; at > start; at--) {
+    if (at[-1] == ')' || at[-1] == ']') depth++;
+    else if ((at[-1] == '(' || at[-1] == '[') && depth-- == 0) {
+      *length = vs_outline_word(at, p.end);
+      return at;
+    }
+  }
+  return NULL;
+}
+
+/* Calls and keywords in which a name without quotes was meant as a text or as a quoted word: (color crimson o),
+ * (units cm), #:align center. A row with words is for these alone, and replaces other advice. `first`: as the first
+ * argument. */
+static const struct { const char *operators, *keywords, *words; bool first; const char *mark, *what; } meant[] = {
+  { "color", "#:color #:pattern-color", NULL, true, "\"", "the name of a colour is a text" },
+  { "layer", "", NULL, true, "\"", "the name of a layer is a text" },
+  { "make-text text-width display displayln", "#:text #:label #:unit", NULL, false, "\"",
+    "a text stands between double quotes" },
+  { "with-material", "#:material", NULL, true, "'",
+    "the name of a material that is no variable has a quote before it" },
+  { "do-rotate rotate do-revolve do-sweep make-plane rotation-matrix scope-split scope-repeat scope-turn", "#:up",
+    "x y z", false, "'", "the name of an axis has a quote before it" },
+  { "", "#:align #:valign", "left right center centre top bottom baseline", false, "'",
+    "a word that stands for itself has a quote before it" },
+  { "view-from view", "",
+    "top bottom front back left right iso isometric plan section perspective panorama axonometric", false, "'",
+    "a word that stands for itself has a quote before it" },
+  { "units", "", "m mm cm in ft", true, "'", "the name of a unit has a quote before it" },
+};
+
+static bool advise_word(place p, size_t n, size_t bare, vs_text *t) {
+  const char *before;
+  size_t length, m;
+  const char *operator = operator_around(p, &length, &before, &m);
+  if (!operator) return true;
+  for (size_t i = 0; i < sizeof meant / sizeof *meant; i++) {
+    bool keyword = is_word_of(meant[i].keywords, before, m);
+    if (!keyword && (!is_word_of(meant[i].operators, operator, length) || (meant[i].first && before != operator)))
+      continue;
+    if (meant[i].words ? !is_word_of(meant[i].words, p.at, n) : t->count > bare) continue;
+    t->count = bare;
+    return put(t, "; %s: %s%.*s%s", meant[i].what, meant[i].mark, (int)n, p.at, *meant[i].mark == '"' ? "\"" : "");
+  }
+  return true;
+}
+
 static bool advise_unbound(place p, vs_span at, vs_text *t) {
   size_t n = vs_outline_word(p.at, p.end), m;
   const char *value;
   uint32_t unused = 0;
   bool call = n == 0 && *p.at == '(';
+  size_t bare;
   if (call) p.at = vs_outline_blanks(p.at + 1, p.end, &unused), n = vs_outline_word(p.at, p.end);
   if (!n || n > 100) return true;
   static const char is_not[] = " is not defined";
   if (t->count < n + sizeof is_not - 1 || memcmp(t->at, p.at, n) || memcmp(t->at + n, is_not,
       sizeof is_not - 1)) return true;
   uint32_t line = defined_on(p.source, p.at, n);
+  bare = n + sizeof is_not - 1;
   if (line >= at.line && line) {
-    t->count = n + sizeof is_not - 1; /* a name like it is not what was meant */
+    t->count = bare; /* a name like it is not what was meant */
     return put(t, " yet: line %u defines it, after this use; what is used stands further up", (unsigned)line);
   }
-  if (!call && is_assignment(p, n, &value, &m)) return put(t, "; (define %.*s %.*s) names a value", (int)n, p.at,
-      (int)m, value);
-  return true;
+  if (is_assignment(p, n, &value, &m)) {
+    while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--; /* (x = 5) */
+    return !m || put(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
+  }
+  return call || advise_word(p, n, bare, t);
 }
 
 /* ---- what was called is no procedure ---- */
@@ -161,6 +229,10 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
     return vs_text_puts(t, ")");
   }
   if (p && vs_bind_grouped(vm, p, name, a, n, text, sizeof text)) return put(t, "; perhaps %s", text);
+  if (p && p->form[1].used) { /* the count alone does not say that there are two ways to call it */
+    vs_bind_forms(p, name, text, sizeof text);
+    return put(t, "; it %s", text);
+  }
   return vs_foreign_advice(name, t);
 }
 
@@ -241,6 +313,38 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
   if (vs_text_end(t) && strstr(t->at, VS_BIND_NO_VALUE) && valueless(p, &line, &why)) return put(t, "; line %u: %s",
       (unsigned)line, why);
   return true;
+}
+
+/* ---- a call without its parentheses ---- */
+
+void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
+  const vs_scheme *vm = s->bind.vm;
+  vs_span at;
+  place p;
+  char text[300];
+  if (!vs_is_procedure(v) || !vm->config.warn || !vs_session_span(s, pos, &at) || vs_source_language(at.file)) return;
+  if (!find_place(s, at, &p)) return;
+  size_t n = vs_outline_word(p.at, p.end);
+  const char *more = p.at + n;
+  while (more < p.end && (*more == ' ' || *more == '\t')) more++;
+  if (!n || n > 80 || more == p.end || strchr("\r\n;)]", *more)) return;
+  uint32_t line = 0;
+  const char *end = more; /* of what stands behind the name on its line */
+  for (const char *next = more; !line && next < p.end && *next != ')' && *next != ']';) {
+    end = vs_outline_datum(next, p.end, &line);
+    next = vs_outline_blanks(end, p.end, &line);
+    if (next == p.end) break;
+  }
+  if (n <= 2 && strspn(p.at, "+-*/<>=") >= n) /* 3 + 4, which stands behind what it is to work on */
+    snprintf(text, sizeof text, "%.*s is only named here, and not called: the operator stands first, (%.*s a b)",
+             (int)n, p.at, (int)n, p.at);
+  else {
+    bool shown = end > more && end - more < 100 && !memchr(more, '\n', (size_t)(end - more));
+    snprintf(text, sizeof text,
+             "%.*s is only named here, and not called: the parenthesis stands before it, (%.*s %.*s)", (int)n, p.at,
+             (int)n, p.at, shown ? (int)(end - more) : 3, shown ? more : "...");
+  }
+  vm->config.warn(s->bind.vm, pos, text);
 }
 
 /* ---- a drawing of nothing ---- */

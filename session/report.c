@@ -1,5 +1,6 @@
 /* Owns what a host is told when something is wrong: conditions, errors of the layers below, warnings; each with its
  * place, the line of the source, and the user's own calls that led there. */
+#include "session/advice.h"
 #include "session/session.h"
 #include "vm/front/source.h"
 

@@ -133,10 +133,6 @@ void vs_session_free_outputs(vs_session *s);
 const char *vs_session_source_line(const vs_session *s, const char *file, uint32_t line, char *room, size_t size);
 vs_outcome vs_session_report_condition(vs_session *s, vs_value condition,
                                        bool usage /* its own fault is the caller's: exit 2 */);
-/* Appends to t, the error's text, what the program's own text says about the error, or replaces t by something better
- * (advice.c). at: where the error is shown. False: out of memory. */
-bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t);
-bool vs_session_advise_empty(vs_session *s, vs_text *t); /* the same for a drawing without objects */
 bool vs_session_span(vs_session *s, vs_pos place, vs_span *out); /* false: nowhere in the user sources */
 vs_outcome vs_session_report_error(vs_session *s, const vs_error *e);
 void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin,

@@ -10,6 +10,7 @@
  *
  * The first four happen form by form in vs_eval_text and vs_eval_file (visualscheme.c). Everything after them is in
  * this file, from top to bottom. */
+#include "session/advice.h"
 #include "session/spine.h"
 
 #include <stdio.h>

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "session/advice.h"
 #include "session/handles.h"
 #include "session/host_meshes.h"
 #include "session/names.h"
@@ -109,11 +110,11 @@ static size_t objects_in_list(vs_value v) {
 /* A top-level expression's value: the model if nothing is drawn, and what the prompt shows. */
 static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
-  (void)place;
   const vs_host *h = &s->options.host;
   VS_ROOTS(vm, r, 1); /* naming the value may move it */
   r[0] = v;
   if (!vs_bind_returned(&s->bind, r[0], s->flags & VS_EVAL_PRINT)) return false;
+  if (!(s->flags & VS_EVAL_PRINT)) vs_session_advise_named(s, r[0], place);
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || r[0] == VS_UNSPECIFIC) return true;
   if (s->flags & VS_EVAL_NUMBER && !name_result(s, r[0])) return false;
   if (s->flags & VS_EVAL_NUMBER && vs_bind_ref(r[0]).node) return tell_object(s, r[0]);

@@ -495,4 +495,4 @@
   (if (not (string? name)) (error 'range-control "name must be a string, got ~s" name))
   (if (not (and (real? low) (real? high) (finite? low) (finite? high) (< low high)))
       (error 'range-control "low and high must be numbers, low below high, got ~s and ~s" low high))
-  (%parameter (string->symbol name) (or default (/ (+ low high) 2)) #:min low #:max high))
+  (%define-parameter (string->symbol name) (or default (/ (+ low high) 2)) #:min low #:max high))

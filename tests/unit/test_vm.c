@@ -127,7 +127,7 @@ static const struct example examples[] = {
   {"((lambda (x #:k [y any? 2]) (list x y)) 1)", "(1 2)"},
   {"(define (f x #:k [y any? 2] . r) (list x y r)) (f 1 2 #:k 3)", "(1 3 (2))"},
   {"(define (f x) x) (f 1 2)", "error: f needs 1 argument (x), got 2"},
-  {"(define (f x) x) (f #:y 2)", "error: f needs 1 argument (x), got 0"},
+  {"(define (f x) x) (f #:y 2)", "error: f has no keyword #:y"},
   {"(define (f x) x) (f 1 #:y 2)", "error: f has no keyword #:y"},
   {"(define (f x #:turn t #:size [s 1]) x) (f 1 #:sise 2)", "error: f has no keyword #:sise; it has #:turn #:size"},
   {"(5 5)", "error: a number cannot be called (a list is written (list 1 2 3), a point (xyz 1 2 3), a gvector (vxyz 1 2 3)): 5"},

@@ -271,6 +271,24 @@ static bool advise_number(const char *name, vs_text *t) {
   return vs_text_puts(t, text);
 }
 
+/* A keyword as other languages write it, azimuth: or :azimuth; and the name of a file without quotes. */
+static bool advise_spelling(const char *name, vs_text *t) {
+  static const char *const endings[] = {"vs",   "js",  "gml", "stl", "obj",  "off", "ply", "png", "jpg", "jpeg",
+                                        "exr",  "hdr", "csv", "json", "mtl", "ies", "txt", "ttf", "otf"};
+  size_t n = strlen(name);
+  const char *dot = strrchr(name, '.'), *word = name;
+  bool last = n > 1 && name[n - 1] == ':' && isalpha((unsigned char)*name);
+  if (last || (*name == ':' && isalpha((unsigned char)name[1]))) {
+    if (last) n--;
+    else word++, n--;
+    return vs_text_puts(t, "; a keyword is written #:") && vs_text_put(t, word, n);
+  }
+  for (size_t i = 0; dot > name && i < sizeof endings / sizeof *endings; i++)
+    if (!strcasecmp(dot + 1, endings[i]))
+      return vs_text_puts(t, "; the name of a file is a text: \"") && vs_text_puts(t, name) && vs_text_puts(t, "\"");
+  return true;
+}
+
 static bool put_foreign(int i, vs_text *t) {
   if (!foreign[i].name) return vs_text_puts(t, "; there is no such thing here yet: ") && vs_text_puts(t,
       foreign[i].form);
@@ -302,6 +320,7 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (i >= 0) return put_foreign(i, t);
   if (!advise_angle(wanted->name, t)) return false;
   if (t->count == before && !advise_number(wanted->name, t)) return false;
+  if (t->count == before && !advise_spelling(wanted->name, t)) return false;
   if (t->count > before) return true;
   size_t sign = strcspn(wanted->name, "+*/<>=");          /* i+1, n*2, a<b: one name, because no blanks are in it */
   const char *name = wanted->name;
@@ -312,7 +331,10 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
         strcspn(name + sign + width, "+*/<>=") == wanted->length - sign - width)
       return vs_text_puts(t, "; it is one name; write (") && vs_text_put(t, name + sign, width) &&
              vs_text_puts(t, " ") && vs_text_put(t, name, sign) && vs_text_puts(t, " ") &&
-             vs_text_puts(t, name + sign + width) && vs_text_puts(t, ")");
+             vs_text_puts(t, name + sign + width) && vs_text_puts(t, ")") &&
+             (width > 1 || name[sign] != '=' || !isalpha((unsigned char)*name) ||
+              (vs_text_puts(t, " to compare; a keyword is written #:") && vs_text_put(t, name, sign) &&
+               vs_text_puts(t, " ") && vs_text_puts(t, name + sign + 1)));
   }
   if (!vs_library_advice(vm, symbol, false, t)) return false;
   if (t->count > before || !vs_is(env, VS_T_ENVIRONMENT) || wanted->length < 2) return true;

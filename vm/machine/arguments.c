@@ -69,15 +69,31 @@ static bool keep_call(vs_scheme *vm, vs_value callee, const vs_value *a, size_t 
   return false;
 }
 
-static bool fail_count(vs_scheme *vm, vs_value name, size_t min, size_t max, const char *names, size_t got) {
+/* "; the others go by keyword: #:segments #:plane", of a call with more arguments than have a place */
+static const char *want_keywords(const vs_value *names, size_t count, wanted *w) {
+  for (size_t i = 0; i < count && w->used < sizeof w->text; i++) {
+    const char *name = name_of(names[i]);
+    if (!w->used) want(w, "; the others go by keyword: #:", name, strlen(name), "");
+    else want(w, "#:", name, strlen(name), "");
+  }
+  if (!w->used || w->used >= sizeof w->text) return "";
+  return w->text + 2; /* without the parenthesis that a list of names begins with */
+}
+
+/* names: what is asked for; keywords: `count` symbols */
+static bool fail_count(vs_scheme *vm, vs_value name, size_t min, size_t max, const char *names, size_t got,
+                       const vs_value *keywords, size_t count) {
   const char *who = name_of(name);
+  wanted w = {.used = 0};
+  const char *others = max && got > max ? want_keywords(keywords, count, &w) : "";
   if (max == SIZE_MAX)
     return vs_fail(vm, vm->sym.arity, "%s needs at least %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s",
                    names, got);
   if (min == max && min == 0) return vs_fail(vm, vm->sym.arity, "%s takes no arguments, got %zu", who, got);
   if (min == max)
-    return vs_fail(vm, vm->sym.arity, "%s needs %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s", names, got);
-  return vs_fail(vm, vm->sym.arity, "%s needs %zu to %zu arguments%s, got %zu", who, min, max, names, got);
+    return vs_fail(vm, vm->sym.arity, "%s needs %zu argument%s%s, got %zu%s", who, min, min == 1 ? "" : "s", names, got,
+                   others);
+  return vs_fail(vm, vm->sym.arity, "%s needs %zu to %zu arguments%s, got %zu%s", who, min, max, names, got, others);
 }
 
 /* names: of the keywords that there are, `count` symbols */
@@ -96,6 +112,18 @@ static bool fail_keyword(vs_scheme *vm, vs_value name, vs_value keyword, const v
       (int)strlen(there) - 3, there + 2, more);
   vs_text_close(&advice);
   return false;
+}
+
+/* Returns the first keyword of a call that is not among those that there are, or NULL. A call of too few arguments is
+ * told of it first: (make-sphere p #:radius 2). */
+static const vs_value *unknown_keyword(vs_value kw, const vs_value *names, size_t count) {
+  const vs_keywords *k = vs_as_keywords(kw);
+  for (size_t i = 0; i < k->count; i++) {
+    size_t j = 0;
+    while (j < count && names[j] != k->name[i]) j++;
+    if (j == count) return &k->name[i];
+  }
+  return NULL;
 }
 
 const char *vs_procedure_form(vs_value f, char *room, size_t size) {
@@ -158,9 +186,13 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, given = n - named;
   size_t most = code->required + code->optional, rest = most + code->keywords;
   bool has_rest = (code->flags & VS_CODE_REST) != 0;
-  if (given < code->required || (given > most && !has_rest))
+  if (given < code->required || (given > most && !has_rest)) {
+    const vs_value *names = vs_as_vector(code->params)->at + most, *unknown;
+    if (named && given < code->required && (unknown = unknown_keyword(kw, names, code->keywords)))
+      return fail_keyword(vm, code->name, *unknown, names, code->keywords);
     return fail_count(vm, code->name, code->required, has_rest ? SIZE_MAX : most, want_closure(code, &(wanted){ 0 }),
-                      given);
+                      given, names, code->keywords);
+  }
   if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0], NULL, 0);
   if (named && !stash(vm, a, n, named)) return false;
   VS_ROOTS(vm, r, 1);
@@ -181,8 +213,13 @@ bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, si
   size_t max = native->max == UINT32_MAX ? SIZE_MAX : native->max;
   *given = *total = positional;
   if (positional < native->min || positional > max) {
+    const vs_vector *names = native->keywords == VS_FALSE ? NULL : vs_as_vector(native->keywords);
+    const vs_value *list = names ? names->at : NULL, *unknown;
+    size_t count = names ? names->length : 0;
     vm->top = a + n;
-    fail_count(vm, native->name, native->min, max, want_native(native, &(wanted){0}), positional);
+    if (named && positional < native->min && (unknown = unknown_keyword(kw, list, count)))
+      return fail_keyword(vm, native->name, *unknown, list, count);
+    fail_count(vm, native->name, native->min, max, want_native(native, &(wanted){0}), positional, list, count);
     return keep_call(vm, vs_from_object(native), a, positional);
   }
   if (named && native->keywords == VS_FALSE)

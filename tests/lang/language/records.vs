@@ -45,7 +45,7 @@
 (told (apply make-spot '(1 2 3)))                            ; expect: ("make-spot needs 2 arguments (x y), got 3")
 (told (spot? ))                                              ; expect: ("spot? needs 1 argument (record), got 0")
 (told (set-spot-x! s))                                       ; expect: ("set-spot-x! needs 2 arguments (record value), got 1")
-(told (spot-x #:of s))                                       ; expect: ("spot-x needs 1 argument (record), got 0")
+(told (spot-x #:of s))                                       ; expect: ("spot-x has no keyword #:of")
 ; a name that is defined anew, or assigned, means what it means then
 (define old-x spot-x)
 (define (both s) (list (old-x s) (spot-x s)))
