@@ -123,14 +123,50 @@ static const char *find_section(const char *word) {
   return NULL;
 }
 
+/* Is the word one of a cell, "point, gvector", or several of one, "radians"? */
+static bool has_word(part cell, const char *word) {
+  size_t n = strlen(word);
+  for (const char *p = cell.at; p < cell.end;) {
+    const char *comma = memchr(p, ',', (size_t)(cell.end - p)), *end = comma ? comma : cell.end;
+    size_t length = (size_t)(end - p);
+    bool several = n == length + 1 && (word[length] == 's' || word[length] == 'S');
+    if (length && !strncasecmp(p, word, length) && (n == length || several)) return true;
+    p = comma ? comma + 1 : end;
+    while (p < cell.end && *p == ' ') p++;
+  }
+  return false;
+}
+
+/* Prints what the page of words for beginners has on the word: "radian: the angle whose ...". False: nothing. */
+static bool print_meaning(const char *word, FILE *to) {
+  bool on = false;
+  for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
+    part line = line_at(at);
+    at = after(line);
+    if (*line.at == '\001') on = same(page_name(line), "words");
+    if (!on || line.end - line.at < 6 || memcmp(line.at, "| ", 2) != 0) continue;
+    part cell = { line.at + 2, memchr(line.at + 2, '|', (size_t)(line.end - line.at - 2)) };
+    char text[600];
+    if (!cell.end || cell.end[-1] != ' ' || !has_word((part){ cell.at, cell.end - 1 }, word)) continue;
+    const char *meaning = cell.end + 2, *end = line.end - 2; /* before the last " |" */
+    int n = meaning < end ? snprintf(text, sizeof text, "%.*s: %.*s\n", (int)(cell.end - 1 - cell.at), cell.at,
+                                     (int)(end - meaning), meaning) : -1;
+    if (n < 0 || (size_t)n >= sizeof text) continue;
+    return cli_markdown_print(text, (size_t)n, cli_terminal_width(), to == stdout && cli_colours(1), to);
+  }
+  return false;
+}
+
 bool cli_manual_print(const char *word, FILE *to) {
   if (!*word) return false;
   const char *entry = find_entry(word), *page = find_page(word);
+  bool known = print_meaning(word, to);
+  if (known && (entry || page)) fputc('\n', to);
   if (entry) {
     if (print_section(entry, to, false) && page) fputc('\n', to);
   }
   if (page) print_section(page, to, true);
-  if (entry || page) return true;
+  if (known || entry || page) return true;
   const char *section = find_section(word);
   if (section) print_section(section, to, false);
   return section != NULL;

@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Prints what the manual has on the word: the entry of a name of the language, a page, or the sections whose
- * headings have it. False: nothing. */
+/* Prints what the manual has on the word: its meaning, if a beginner may not know it, the entry of a name of the
+ * language, a page, or else the section whose heading has it. False: nothing. */
 bool cli_manual_print(const char *word, FILE *to);
 /* Finds the text on `vs WORD`: the page of that name, else the section whose heading has the command. False:
  * nothing. */
