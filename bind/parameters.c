@@ -208,6 +208,8 @@ static vs_status define(vs_args *f, vs_bind_parameter *p, vs_value *value, vs_va
   p->group = k[KEY_GROUP].given ? vs_store_text(s, k[KEY_GROUP].text.at, k[KEY_GROUP].text.length) : "";
   p->unit = k[KEY_UNIT].given ? vs_store_text(s, k[KEY_UNIT].text.at, k[KEY_UNIT].text.length) : "";
   if (!p->label || !p->group || !p->unit) return vs_fail_memory(f->vm);
+  if (vs_is_procedure(first))
+    return vs_bind_refuse(f, "default", "a number, a text between double quotes, a point, #t or #f", first);
   p->type = type_of(first);
   p->at = vs_call_place(f->vm);
   double d;

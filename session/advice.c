@@ -109,7 +109,8 @@ static const char *operator_around(place p, size_t *length, const char **before,
 static const struct { const char *operators, *keywords, *words; bool first; const char *mark, *what; } meant[] = {
   { "color", "#:color #:pattern-color", NULL, true, "\"", "the name of a colour is a text" },
   { "layer", "", NULL, true, "\"", "the name of a layer is a text" },
-  { "make-text text-width display displayln", "#:text #:label #:unit", NULL, false, "\"",
+  { "view grid-axis", "", NULL, true, "\"", "a name that is a text stands between double quotes" },
+  { "make-text text-width display displayln label level", "#:text #:label #:unit", NULL, false, "\"",
     "a text stands between double quotes" },
   { "with-material", "#:material", NULL, true, "'",
     "the name of a material that is no variable has a quote before it" },
@@ -292,6 +293,15 @@ static size_t quoted_word(place p, const char **word) {
   return 0;
 }
 
+/* Is an argument of the call at p a call behind a quote, (draw '(make-sphere p 1))? */
+static bool is_quoted_call(place p) {
+  uint32_t unused = 0;
+  const char *stop = vs_outline_datum(p.at, p.end, &unused);
+  for (const char *at = p.at; at + 2 < stop; at++)
+    if (*at == '\'' && at[1] == '(' && (!strncmp(at + 2, "make-", 5) || !strncmp(at + 2, "do-", 3))) return true;
+  return false;
+}
+
 bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 1);
@@ -305,6 +315,10 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
   if (c->kind != vm->sym.type) return true;
   if (c->payload == VS_TRUE) return advise_callee(p, at, c->irritants, t, vm);
   const char *word, *why;
+  if (vs_text_end(t) && !strncmp(t->at, "+: expected a number, got \"", 27))
+    return put(t, "; (string-append a b) joins texts");
+  if (t->at && strstr(t->at, "must be an object") && is_quoted_call(p))
+    return put(t, "; the ' before a parenthesis hands on what stands there, and does not call it: leave it out");
   size_t n = quoted_word(p, &word);
   if (n) return put(t, "; a text stands between double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
   if (vs_text_end(t) && !strncmp(t->at, "display", 7) && strstr(t->at, "port must be an output port"))

@@ -61,5 +61,5 @@
 (trouble "\"open")      ; expect: this string is never closed: a " is missing
 (trouble "#| open")     ; expect: this comment #| is never closed by |#
 (trouble "#5#")         ; expect: the label #5= comes nowhere before
-(trouble "#zz")         ; expect: #zz is not known here: # begins #t, #f, #\a (a character), #(1 2) (a vector), #:name (a keyword) and #;, #| (comments)
+(trouble "#zz")         ; expect: #zz is not known here: # begins #t, #f, #\a (a character), #(1 2) (a vector), #:name (a keyword) and #;, #| (comments); ; begins a comment to the end of the line
 (trouble "\"\\q\"")     ; expect: \q means nothing in a string; a backslash is written \\

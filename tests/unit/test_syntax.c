@@ -76,7 +76,7 @@ static void test_messages(void **state) {
     {"(let ((x 1)))", "1:1 a body is missing: (let ((name value) ...) body ...)"},
     {"(let ((x 1) (x 2)) x)", "1:13 x is bound twice here"},
     {"(lambda (x x) 1)", "1:12 two parameters are called x"},
-    {"(define (f [n 10]) n)\n(f 5)", "1:12 f: in [n 10] stands no predicate; [n any? 10] gives n a default and checks nothing"},
+    {"(define (f [n 10]) n)\n(f 5)", "1:12 a default stands behind a predicate, [name any? value] or [name positive? value], not (n 10)"},
     {"(define (f) (define x 1))", "1:1 this body ends with a definition; an expression must follow, whose value it has"},
     {"(if 1)", "1:1 if is written (if test then else), not (if 1)"},
     {"(if 1 (define y 1) 2)", "1:7 define cannot stand here, only at top level or in the body of a procedure, let, when and the like; for a name inside an expression use let"},

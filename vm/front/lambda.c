@@ -49,6 +49,11 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
                                : "a parameter is a name, [name predicate] or [name predicate default], not");
   vs_value id = vs_car(spec), predicate = vs_car(vs_cdr(spec)),
            fallback = n == 3 ? vs_car(vs_cdr(vs_cdr(spec))) : VS_ABSENT;
+  /* [width 5], as other Schemes write a default: told where it stands, since a call without the argument fails first */
+  if (n == 2 && (vs_is_fixnum(predicate) || vs_is_double(predicate) || vs_is(predicate, VS_T_STRING) ||
+                 predicate == VS_TRUE || predicate == VS_FALSE))
+    return vs_expand_fail(x, pos, spec,
+                          "a default stands behind a predicate, [name any? value] or [name positive? value], not");
   return add(p, id, predicate, fallback, pos, keyword);
 }
 

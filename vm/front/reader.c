@@ -410,7 +410,7 @@ static bool read_symbol(reader *r, vs_value *out) {
     if (ok && *out == VS_FALSE && c == '#') {
       problem(r, pos,
               "%.*s is not known here: # begins #t, #f, #\\a (a character), #(1 2) (a vector), #:name (a keyword) and "
-              "#;, #| (comments)",
+              "#;, #| (comments); ; begins a comment to the end of the line",
               (int)(length > 60 ? 60 : length), s);
       *out = VS_UNSPECIFIC;
     }
@@ -663,7 +663,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
   if (r->depth && !r->cut) {
     size_t i = r->depth;
     while (i > 0 && r->levels[i - 1].kind >= QUOTE) i--;
-    if (i != r->depth) problem(r, r->levels[r->depth - 1].pos, "a datum is missing behind this");
+    if (i != r->depth) problem(r, r->levels[r->depth - 1].pos, "an expression is missing behind this");
     never_closed(r, i);
   }
   return 0;

@@ -70,8 +70,11 @@
 (define (picky [x (lambda (v) (car v))]) 'fine)
 (check (picky '(1)) => fine)
 (check-error (picky 5))
-(define (mistaken [n 10]) n)
-(check (string-contains? (message (lambda () (mistaken 5))) "[n any? 10]") => #t)
+(define ten 10)
+(define (mistaken [n ten]) n)
+(check (string-contains? (message (lambda () (mistaken 5))) "[n any? ten]") => #t)
+(define (written) (eval '(lambda ([n 10]) n) (interaction-environment))) ; a constant is told where it stands
+(check (string-contains? (message written) "a default stands behind a predicate") => #t)
 
 ; the predicate is the definition's, evaluated once
 (define limit 10)
@@ -87,4 +90,4 @@
 (check (apply tower '(a)) => (a 10 3))
 
 (checked)
-; expect: all hold: 46
+; expect: all hold: 47
