@@ -605,6 +605,17 @@ static bool drive_frame_boxes(vs_emitter *e) {
 }
 
 static bool drive_nothing(vs_emitter *e) {
+  const vs_ref *empty = NULL; /* every format shows solids: where there are some, they are empty */
+  bool other = false;
+  for (size_t i = 0; i < e->scene->drawn_count; i++) {
+    const vs_ref *ref = &e->scene->drawn[i];
+    if (!empty && (ref->node->class_ == VS_SOLID || ref->node->class_ == VS_NOTHING)) empty = ref;
+    other = other || (ref->node->class_ != VS_SOLID && ref->node->class_ != VS_NOTHING);
+  }
+  if (empty && !other)
+    return vs_error_set(e->error, VS_ERROR_MODEL, empty->origin,
+                        "all that is drawn is empty: ghosts, objects without an extent, solids that are cut away "
+                        "whole, or that do not meet where they are intersected");
   return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
 }
 

@@ -119,7 +119,7 @@ awk -F '\t' -v found="$work/found" -v formats='pov scad x3d glb stl' '
     count = split(formats, format, " ")
     while ((getline line < found) > 0) {
       split(line, part, "\t")
-      sub(/^\*the drawing holds nothing that this format can show/, "*nothing to show", part[3])
+      sub(/^\*(the drawing holds nothing that this format can show|all that is drawn is empty[^*]*)/, "*nothing to show", part[3])
       sub(/^\*[^:]*: /, "*", part[3]); sub(/ are drawn as /, " as ", part[3]); sub(/ are left out/, " left out", part[3])
       key = part[1] SUBSEP part[2]
       met[part[1]] = 1
