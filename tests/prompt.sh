@@ -121,6 +121,8 @@ ctrl-D gives up what is stopped|(leg 7)\n|stopped, in leg: h = 7
 ,render|,render out.png\n\w|; wrote out.png
 ,view|,view\n\w|; the page follows the drawing
 ,write|,write out.stl\n|; wrote out.stl
+,write with quotes round the name|,write "quoted.stl"\n|; wrote quoted.stl
+,run of a name with a slip|,run modle.vs\n|modle.vs: no such file; perhaps model.vs
 END
 cat > "$work/model.vs" <<'END'
 (displayln "the model is loaded")

@@ -15,6 +15,14 @@
 
 /* ---- files ---- */
 
+/* A file's name, which needs no quotes here, without those that it has. */
+static char *unquoted(char *name) {
+  size_t n = strlen(name);
+  if (n < 2 || name[0] != '"' || name[n - 1] != '"') return name;
+  name[n - 1] = 0;
+  return name + 1;
+}
+
 static void write_file(cli_session *c, const char *path, const char *command) {
   vs_format_info format;
   cli_target target = {path, *path && vs_format_of(c->scheme, path, &format) ? format.name : NULL};
@@ -31,7 +39,11 @@ static void write_file(cli_session *c, const char *path, const char *command) {
 static vs_outcome run_model(cli_session *c, const char *path) {
   const cli_options *o = c->options;
   if (*path && access(path, R_OK) != 0) {
-    fprintf(stderr, "%s: %s\n", path, strerror(errno));
+    int error = errno;
+    char near[1200];
+    if (error == ENOENT && cli_nearby_program(path, near, sizeof near))
+      fprintf(stderr, "%s: no such file; perhaps %s\n", path, near);
+    else fprintf(stderr, "%s: %s\n", path, error == ENOENT ? "no such file" : strerror(error));
     return VS_OUTCOME_USAGE;
   }
   if (*path) {
