@@ -79,8 +79,9 @@ static void print_help(void) {
   for (size_t i = 0; i < count; i++)
     printf("  .%-6s %s%s%s%s\n", formats[i].suffix, formats[i].doc, formats[i].worker ? " (needs " : "",
            formats[i].worker ? formats[i].worker : "", formats[i].worker ? ")" : "");
-  puts("\nExit code: 0 done, 1 the model is at fault, 2 bad usage or a file that cannot be read or written,");
-  puts("3 a worker program is missing or failed, 4 the machine is at fault, 130 interrupted.");
+  puts("\nExit code: 0 done, 1 an error in the model, 2 an error in the command, or a file that cannot be read or "
+       "written,");
+  puts("3 a worker program is missing or failed, 4 out of memory or past a limit, 130 interrupted.");
 }
 
 /* ---- values ---- */
