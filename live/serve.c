@@ -111,7 +111,28 @@ static const char *refuse(const live_server *s, struct MHD_Connection *c, bool s
 
 /* ---- events ---- */
 
-typedef struct { live_server *server; unsigned long next; live_text text; size_t sent; bool first; } listener;
+typedef struct {
+  live_server *server;
+  int socket;
+  unsigned long next;
+  live_text text;
+  size_t sent;
+  bool first;
+} listener;
+
+/* Has the window closed its side? A write would find it out, but there may be nothing to say for long. */
+static bool gone(int socket) {
+  char byte;
+  ssize_t got = recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+  return got == 0 || (got < 0 && socket >= 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
+}
+
+static struct timespec in_seconds(int seconds) {
+  struct timespec until;
+  clock_gettime(CLOCK_MONOTONIC, &until);
+  until.tv_sec += seconds;
+  return until;
+}
 
 static ssize_t listener_read(void *context, uint64_t position, char *buffer, size_t most) {
   listener *l = context;
@@ -130,11 +151,13 @@ static ssize_t listener_read(void *context, uint64_t position, char *buffer, siz
       }
       l->first = false;
     } else if (l->next == p->event_count && !p->ended) {
-      struct timespec until;
-      clock_gettime(CLOCK_MONOTONIC, &until);
-      until.tv_sec += 5;
+      struct timespec until = in_seconds(5);
       /* finds out whether the window is still there */
       if (pthread_cond_timedwait(&p->changed, &p->lock, &until) == ETIMEDOUT) live_puts(&l->text, ": here\n\n");
+      if (gone(l->socket)) {
+        pthread_mutex_unlock(&p->lock);
+        return MHD_CONTENT_READER_END_WITH_ERROR;
+      }
     }
     if (p->event_count - l->next > LIVE_EVENTS) { /* too slow: the newest state says all that was missed */
       l->next = p->event_count;
@@ -160,6 +183,7 @@ static void listener_free(void *context) {
   listener *l = context;
   pthread_mutex_lock(&l->server->publish->lock);
   l->server->publish->windows--;
+  pthread_cond_broadcast(&l->server->publish->changed); /* one may wait for the place */
   pthread_mutex_unlock(&l->server->publish->lock);
   live_text_free(&l->text);
   free(l);
@@ -168,9 +192,16 @@ static void listener_free(void *context) {
 static enum MHD_Result serve_events(live_server *s, struct MHD_Connection *c) {
   listener *l = calloc(1, sizeof *l);
   if (l == NULL) return MHD_NO;
+  const union MHD_ConnectionInfo *info = s->http.get_connection_info(c, MHD_CONNECTION_INFO_CONNECTION_FD);
   l->server = s;
+  l->socket = info != NULL ? info->connect_fd : -1;
   l->first = true;
   pthread_mutex_lock(&s->publish->lock);
+  /* A page that is loaded again and again leaves windows behind: all are asked, and those that are gone make room. */
+  struct timespec until = in_seconds(1);
+  if (s->publish->windows >= WINDOWS) pthread_cond_broadcast(&s->publish->changed);
+  while (s->publish->windows >= WINDOWS && !s->publish->ended)
+    if (pthread_cond_timedwait(&s->publish->changed, &s->publish->lock, &until) == ETIMEDOUT) break;
   bool room = s->publish->windows < WINDOWS;
   if (room) s->publish->windows++;
   pthread_mutex_unlock(&s->publish->lock);

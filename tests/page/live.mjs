@@ -1,6 +1,6 @@
 // Owns the tests of the live view's server, by HTTP alone: `live.mjs VS FOLDER`. Prints lines as tests/run.sh wants them.
 import { spawn } from "node:child_process";
-import { mkdirSync, writeFileSync, readFileSync, symlinkSync } from "node:fs";
+import { mkdirSync, writeFileSync, readFileSync, readdirSync, symlinkSync } from "node:fs";
 import http from "node:http";
 import net from "node:net";
 
@@ -279,6 +279,41 @@ try {
       if (i === Math.floor(rounds / 3)) after = bytes();
     }
     check(bytes() < after + 8000, `${after} KB became ${bytes()} KB`);
+  });
+
+  // A window that is opened and gone at once, a thousand times: what a page asks first, and its stream of events.
+  await test("a thousand quick reloads without a leak", async (check) => {
+    const held = () => ({ kilobytes: Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${server.pid}/status`, "utf8"))[1]), threads: readdirSync(`/proc/${server.pid}/task`).length, files: readdirSync(`/proc/${server.pid}/fd`).length });
+    let first;
+    for (let i = 1; i <= 1000; i++) {
+      for (const path of ["/", "/live.js", "/live.css", "/source", "/scene"]) {
+        const answer = await ask(path);
+        check(answer.status === 200, `${path}, round ${i}: ${answer.status}`);
+      }
+      await new Promise((go) => {
+        const events = http.get({ host: "127.0.0.1", port, path: "/events", headers: { "X-VS-Token": token } }, (answer) => { check(answer.statusCode === 200, `events, round ${i}: ${answer.statusCode}`); answer.on("error", () => {}); answer.once("data", () => { events.destroy(); go(); }); });
+        events.on("error", () => go());
+      });
+      if (i === 300) first = held();
+    }
+    await new Promise((go) => setTimeout(go, 500));
+    const last = held();
+    check(last.kilobytes < first.kilobytes + 6000 && last.threads <= first.threads + 4 && last.files <= first.files + 4, `${JSON.stringify(first)} became ${JSON.stringify(last)}`);
+  });
+
+  await test("a model that never ends, with a limit", async (check) => {
+    const path = `${folder}/endless.vs`, at = [];
+    writeFileSync(path, "(draw (make-box (xyz 0 0 0) (xyz 1 1 1)))\n(let loop () (loop))\n");
+    const held = spawn(vs, ["view", "-q", "--limit-time", "0.5", path], { stdio: ["ignore", "pipe", "ignore"] }), from = Date.now();
+    at.push(new URL(await new Promise((go) => held.stdout.once("data", (d) => go(String(d).trim())))));
+    const answer = await new Promise((go) => http.get({ host: "127.0.0.1", port: at[0].port, path: "/events", headers: { "X-VS-Token": at[0].hash.slice(1) } }, (a) => {
+      let all = "";
+      a.setEncoding("utf8");
+      a.on("data", (d) => { all += d; const state = /event: state\ndata: (.*)\n/.exec(all); if (state) a.destroy(), go(JSON.parse(state[1])); });
+      a.on("error", () => {});
+    }));
+    check(!answer.good && answer.messages.some((m) => /time|limit/i.test(m.message)) && Date.now() - from < 10000, `after ${Date.now() - from} ms: ${JSON.stringify(answer.messages)}`);
+    held.kill();
   });
 
   await test("the browser is opened", async (check) => {
