@@ -3,10 +3,12 @@ case page in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v chromium > /dev/null || { echo "skip page: no chromium (package chromium)"; exit 0; }
 [ -d node_modules/playwright-core ] && [ -d node_modules/three ] || { echo "skip page: no playwright-core or no viewer (npm ci --ignore-scripts)"; exit 0; }
 . tests/report.sh
-# What is left out of a picture needs no browser; in one file, because the viewer's own are modules without saying so.
-if node_modules/.bin/esbuild tests/page/budget.mjs --bundle --platform=node --format=esm --log-level=error --outfile="$work/budget.mjs"; then
-  node "$work/budget.mjs" || echo "not ok page/budget: ended with $?"
-else echo "not ok page/budget: esbuild"; fi
+# What is left out of a picture, and how a tree becomes parts, need no browser; in one file, because the viewer's own are modules without saying so.
+for name in budget parts; do
+  if node_modules/.bin/esbuild tests/page/$name.mjs --bundle --platform=node --format=esm --log-level=error --outfile="$work/$name.mjs"; then
+    node "$work/$name.mjs" || echo "not ok page/$name: ended with $?"
+  else echo "not ok page/$name: esbuild"; fi
+done
 for model in examples/*.vs; do
   name=$(basename "$model" .vs)
   case $name in city) set -- -D blocks=2 -D tallest=6 ;; *) set -- ;; esac

@@ -1,10 +1,11 @@
 // Turns a model's parts into few things to draw: copies of one geometry are instances, all else is merged, a mesh a kind of surface.
 import * as THREE from "three";
 import { determinant } from "./model.js";
-import { featureEdges, seams } from "./edges.js";
+import { featureEdges, lengthOf, seams } from "./edges.js";
 import { patternKey } from "./patterns.js";
 
 const MERGED_TRIANGLES = 150000, FEW_GROUPS = 10, SMALL = 20000, SEAMS_SOUGHT = 200000; // lines of one merged batch among which seams are looked for
+const FEW_KINDS = 1 << 20; // of geometry and surface, which a table may hold
 const CELL = 4096; // Of more copies than twice as many, those that lie together are drawn at once: what is out of sight or too small to see is left out.
 
 const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
@@ -14,36 +15,27 @@ function surfaceKey(m) {
   return [Math.round(m.roughness * 20), Math.round(m.metallic * 10), Math.round(m.transparency * 20), patternKey(m)].join();
 }
 
-function sheared(m, o) {
-  const a = m[o], b = m[o + 1], c = m[o + 2], d = m[o + 4], e = m[o + 5], f = m[o + 6], g = m[o + 8], h = m[o + 9], i = m[o + 10];
-  const most = 1e-5 * Math.max(a * a + d * d + g * g, b * b + e * e + h * h, c * c + f * f + i * i);
-  return Math.abs(a * b + d * e + g * h) > most || Math.abs(a * c + d * f + g * i) > most || Math.abs(b * c + e * f + h * i) > most;
-}
-
 // groups: { geometry, surface, mirrored, parts }, parts being numbers of parts that rise.
 function collect(model, shown) {
-  const groups = new Map(), keys = model.materials.map(surfaceKey), numbers = new Map(), paints = keys.map((key) => numbers.get(key) ?? (numbers.set(key, numbers.size), numbers.size - 1));
+  const list = [], keys = model.materials.map(surfaceKey), numbers = new Map(), paints = keys.map((key) => numbers.get(key) ?? (numbers.set(key, numbers.size), numbers.size - 1));
   const groupOf = new Uint32Array(model.count); // One more than its group's number, 0: not shown.
+  const { geometry, paint, volume, sheared } = model, lines = Uint8Array.from(model.geometries, (g) => g.lines ? 1 : 0), kinds = 4 * paints.length * model.geometries.length;
+  const found = kinds <= FEW_KINDS ? new Uint32Array(kinds) : [], counts = []; // by kind, one more than its group's number
   for (let i = 0; i < model.count; i++) {
-    if (!shown(i)) continue;
-    const number = model.geometry[i], g = model.geometries[number], mirrored = determinant(model.matrix, 12 * i) < 0;
-    const apart = sheared(model.matrix, 12 * i);
-    const key = 4 * (number * paints.length + (g.lines ? 0 : paints[model.paint[i]])) + (mirrored ? 2 : 0) + (apart ? 1 : 0);
-    let group = groups.get(key);
-    if (!group) {
-      const surface = g.lines ? "lines" : keys[model.paint[i]] + (g.solid ? "" : ",open");
-      groups.set(key, group = { number: groups.size + 1, geometry: g, surface, mirrored, merge: apart || g.lines, material: model.materials[model.paint[i]], count: 0, parts: null });
+    if (shown && !shown(i)) continue;
+    const number = geometry[i], mirrored = volume[i] < 0, key = 4 * (number * paints.length + (lines[number] ? 0 : paints[paint[i]])) + (mirrored ? 2 : 0) + sheared[i];
+    if (!found[key]) {
+      const g = model.geometries[number], surface = g.lines ? "lines" : keys[paint[i]] + (g.solid ? "" : ",open");
+      list.push({ geometry: g, surface, mirrored, merge: sheared[i] > 0 || g.lines, material: model.materials[paint[i]], parts: null });
+      counts.push(0);
+      found[key] = list.length;
     }
-    groupOf[i] = group.number;
-    group.count++;
+    groupOf[i] = found[key];
+    counts[found[key] - 1]++;
   }
-  const list = [...groups.values()];
-  for (const group of list) group.parts = new Uint32Array(group.count), group.count = 0;
-  for (let i = 0; i < model.count; i++) {
-    if (groupOf[i] === 0) continue;
-    const group = list[groupOf[i] - 1];
-    group.parts[group.count++] = i;
-  }
+  const order = new Uint32Array(model.count), next = new Uint32Array(list.length);
+  for (let k = 0, from = 0; k < list.length; k++) list[k].parts = order.subarray(from, from + counts[k]), next[k] = from, from += counts[k];
+  for (let i = 0; i < model.count; i++) if (groupOf[i] > 0) order[next[groupOf[i] - 1]++] = i;
   // The smallest are merged first, until few things are left to draw or what is merged is large.
   list.sort((a, b) => a.geometry.triangles * a.parts.length - b.geometry.triangles * b.parts.length);
   let left = list.filter((group) => !group.merge).length, merged = 0;
@@ -70,10 +62,10 @@ function spacingOf(g) {
   if (g.lines) return 1e30;
   const P = g.position, E = g.edges, I = g.index;
   let area = 0, length = 0;
-  for (let k = 0; k < E.length; k += 6) length += Math.hypot(E[k + 3] - E[k], E[k + 4] - E[k + 1], E[k + 5] - E[k + 2]);
+  for (let k = 0; k < E.length; k += 6) length += lengthOf(E[k + 3] - E[k], E[k + 4] - E[k + 1], E[k + 5] - E[k + 2]);
   for (let t = 0; t < I.length; t += 3) {
     const a = 3 * I[t], b = 3 * I[t + 1], c = 3 * I[t + 2], ux = P[b] - P[a], uy = P[b + 1] - P[a + 1], uz = P[b + 2] - P[a + 2], vx = P[c] - P[a], vy = P[c + 1] - P[a + 1], vz = P[c + 2] - P[a + 2];
-    area += Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+    area += lengthOf(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
   }
   return length > 0 ? (E.length < 6 * FEW_LINES ? 3 : 1) * area / length : 1e30;
 }
@@ -108,7 +100,7 @@ export function mergeParts(model, parts, colors = true) {
         position[3 * v + 2] = m[8] * x + m[9] * y + m[10] * z + m[11];
         const nx = N[k], ny = N[k + 1], nz = N[k + 2];
         const ax = n[0] * nx + n[1] * ny + n[2] * nz, ay = n[3] * nx + n[4] * ny + n[5] * nz, az = n[6] * nx + n[7] * ny + n[8] * nz;
-        const s = 32767 / (Math.hypot(ax, ay, az) || 1);
+        const s = 32767 / (lengthOf(ax, ay, az) || 1);
         normal[4 * v] = ax * s, normal[4 * v + 1] = ay * s, normal[4 * v + 2] = az * s;
         if (color) color[4 * v] = rgb[0], color[4 * v + 1] = rgb[1], color[4 * v + 2] = rgb[2], color[4 * v + 3] = 65535;
       }
@@ -133,7 +125,7 @@ export function mergeParts(model, parts, colors = true) {
       const S = g.edgeSides;
       let to = 3 * (e - E.length / 3);
       for (let k = 0; k < S.length; k += 3, to += 3) {
-        const x = n[0] * S[k] + n[1] * S[k + 1] + n[2] * S[k + 2], y = n[3] * S[k] + n[4] * S[k + 1] + n[5] * S[k + 2], z = n[6] * S[k] + n[7] * S[k + 1] + n[8] * S[k + 2], s = 1 / (Math.hypot(x, y, z) || 1);
+        const x = n[0] * S[k] + n[1] * S[k + 1] + n[2] * S[k + 2], y = n[3] * S[k] + n[4] * S[k + 1] + n[5] * S[k + 2], z = n[6] * S[k] + n[7] * S[k + 1] + n[8] * S[k + 2], s = 1 / (lengthOf(x, y, z) || 1);
         sides[to] = x * s, sides[to + 1] = y * s, sides[to + 2] = z * s;
       }
       paints.fill(model.paint[i] + 1, (e - E.length / 3) / 2, e / 2);
@@ -147,8 +139,8 @@ export function meshGeometry(m) {
   const g = new THREE.BufferGeometry();
   g.setAttribute("position", new THREE.BufferAttribute(m.position, 3));
   const normals = new THREE.InterleavedBuffer(m.normal, 4);
-  g.setAttribute("normal", new THREE.InterleavedBufferAttribute(normals, 3, 0, true));
-  if (m.color) g.setAttribute("color", new THREE.InterleavedBufferAttribute(new THREE.InterleavedBuffer(m.color, 4), 3, 0, true));
+  g.setAttribute("normal", new THREE.InterleavedBufferAttribute(normals, 4, 0, true));
+  if (m.color) g.setAttribute("color", new THREE.InterleavedBufferAttribute(new THREE.InterleavedBuffer(m.color, 4), 4, 0, true));
   g.setIndex(new THREE.BufferAttribute(m.index, 1));
   return g;
 }
@@ -180,7 +172,7 @@ function colours(model, parts, paints) {
   return array;
 }
 
-// Very many parts in lists of those that are about as large and lie together: halves along the longer side, by the middle.
+// Very many parts in lists of those that are about as large and lie together.
 function cells(model, parts) {
   if (parts.length <= 2 * CELL) return [parts];
   const found = [], ball = model.ball, ends = new Uint32Array(257), order = new Uint32Array(parts.length), bits = new Uint32Array(ball.buffer, ball.byteOffset, ball.length);
@@ -189,34 +181,38 @@ function cells(model, parts) {
   for (let size = 0; size < 256; size++) ends[size + 1] += ends[size];
   const next = ends.slice();
   for (let k = 0; k < parts.length; k++) order[next[sizeOf(parts[k])]++] = parts[k];
-  for (let size = 0; size < 256; size++) if (ends[size] < ends[size + 1]) halve(ball, order.subarray(ends[size], ends[size + 1]), found);
+  for (let size = 0; size < 256; size++) if (ends[size] < ends[size + 1]) together(ball, order.subarray(ends[size], ends[size + 1]), found);
   return found;
 }
 
-function halve(ball, order, found) {
-  for (const open = [[0, order.length]]; open.length > 0;) {
-    const [from, to] = open.pop();
-    if (to - from <= CELL) {
-      found.push(order.subarray(from, to));
-      continue;
-    }
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    for (let k = from; k < to; k++)
-      for (let c = 0; c < 3; c++) {
-        const x = ball[4 * order[k] + c];
-        if (x < low[c]) low[c] = x;
-        if (x > high[c]) high[c] = x;
-      }
-    const side = [0, 1, 2].reduce((a, b) => high[b] - low[b] > high[a] - low[a] ? b : a), middle = (low[side] + high[side]) / 2;
-    let split = from;
-    for (let k = from; k < to; k++)
-      if (ball[4 * order[k] + side] < middle) {
-        const other = order[split];
-        order[split++] = order[k];
-        order[k] = other;
-      }
-    if (split === from || split === to) split = (from + to) >> 1; // All lie at one place.
-    open.push([from, split], [split, to]);
+// Bits of a number from 0 to 31, with room for two others between them.
+const SPREAD = Uint16Array.from({ length: 32 }, (_, x) => (x & 1) | ((x & 2) << 2) | ((x & 4) << 4) | ((x & 8) << 6) | ((x & 16) << 8));
+
+// Parts by where they lie: sorted once by the small cubes of a grid, whose numbers tell by their bits in which half, half of a half ... of the whole each is.
+function together(ball, parts, found) {
+  if (parts.length <= CELL) return found.push(parts);
+  let x = Infinity, y = Infinity, z = Infinity, x1 = -Infinity, y1 = -Infinity, z1 = -Infinity;
+  for (let k = 0; k < parts.length; k++) {
+    const o = 4 * parts[k], u = ball[o], v = ball[o + 1], w = ball[o + 2];
+    if (u < x) x = u;
+    if (u > x1) x1 = u;
+    if (v < y) y = v;
+    if (v > y1) y1 = v;
+    if (w < z) z = w;
+    if (w > z1) z1 = w;
+  }
+  const scale = 31.999 / (Math.max(x1 - x, y1 - y, z1 - z) || 1), cubes = new Uint16Array(parts.length), ends = new Uint32Array(32769), order = new Uint32Array(parts.length);
+  for (let k = 0; k < parts.length; k++) {
+    const o = 4 * parts[k], cube = 4 * SPREAD[((ball[o] - x) * scale) | 0] + 2 * SPREAD[((ball[o + 1] - y) * scale) | 0] + SPREAD[((ball[o + 2] - z) * scale) | 0];
+    ends[(cubes[k] = cube) + 1]++;
+  }
+  for (let cube = 0; cube < 32768; cube++) ends[cube + 1] += ends[cube];
+  const next = ends.slice();
+  for (let k = 0; k < parts.length; k++) order[next[cubes[k]]++] = parts[k];
+  for (const open = [[0, 32768]]; open.length > 0;) {
+    const [from, to] = open.pop(), middle = (from + to) >> 1;
+    if (ends[to] - ends[from] > CELL && to - from > 1) open.push([from, middle], [middle, to]);
+    else for (let k = ends[from]; k < ends[to]; k += CELL) found.push(order.subarray(k, Math.min(k + CELL, ends[to])));
   }
 }
 
@@ -224,18 +220,20 @@ const mirrored = (sphere) => new THREE.Sphere(sphere.center.clone().setX(-sphere
 
 // A ball about parts, the largest radius among them, and by how much at most they are scaled.
 function extent(model, parts) {
-  const ball = model.ball, low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  let most = 0, scale = 0;
+  const { ball, volume } = model;
+  let most = 0, scale = 0, x0 = Infinity, y0 = Infinity, z0 = Infinity, x1 = -Infinity, y1 = -Infinity, z1 = -Infinity;
   for (let k = 0; k < parts.length; k++) {
-    const o = 4 * parts[k], r = ball[o + 3];
-    for (let c = 0; c < 3; c++) {
-      if (ball[o + c] - r < low[c]) low[c] = ball[o + c] - r;
-      if (ball[o + c] + r > high[c]) high[c] = ball[o + c] + r;
-    }
+    const o = 4 * parts[k], x = ball[o], y = ball[o + 1], z = ball[o + 2], r = ball[o + 3], v = Math.abs(volume[parts[k]]);
+    if (x - r < x0) x0 = x - r;
+    if (y - r < y0) y0 = y - r;
+    if (z - r < z0) z0 = z - r;
+    if (x + r > x1) x1 = x + r;
+    if (y + r > y1) y1 = y + r;
+    if (z + r > z1) z1 = z + r;
     if (r > most) most = r;
-    scale = Math.max(scale, Math.abs(determinant(model.matrix, 12 * parts[k])));
+    if (v > scale) scale = v;
   }
-  const sphere = new THREE.Sphere(new THREE.Vector3(...low).add(new THREE.Vector3(...high)).multiplyScalar(0.5), Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2);
+  const sphere = new THREE.Sphere(new THREE.Vector3((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2), lengthOf(x1 - x0, y1 - y0, z1 - z0) / 2);
   return { sphere, most, scale: Math.cbrt(scale) };
 }
 
@@ -245,7 +243,7 @@ export function buildBatches(model, shown, surfaces, lines) {
   mirror.scale.x = -1;
   root.add(mirror);
   const merged = new Map(), paints = model.materials.map((m) => m.color.map(linear));
-  let triangles = 0, mergedTriangles = 0;
+  let triangles = 0, mergedTriangles = 0, edgeLines = 0;
   for (const group of collect(model, shown)) {
     triangles += group.geometry.triangles * group.parts.length;
     if (group.merge) {
@@ -278,6 +276,7 @@ export function buildBatches(model, shown, surfaces, lines) {
       Object.assign(mesh.userData, { around, fill, cost: count * g.triangles });
       (group.mirrored ? mirror : root).add(mesh);
       if (!lined) continue;
+      edgeLines += count * edges.length / 6;
       const line = new THREE.LineSegments(lined, lines.instanced);
       // A line set with a matrix a copy: the renderer asks no more of an object than these.
       Object.assign(line, { isInstancedMesh: true, instanceMatrix: place, instanceColor: null, morphTexture: null, count, boundingSphere: mesh.boundingSphere });
@@ -299,12 +298,14 @@ export function buildBatches(model, shown, surfaces, lines) {
       line.geometry.setAttribute("spacing", new THREE.BufferAttribute(m.spacing, 1));
       line.geometry.setAttribute("color", new THREE.BufferAttribute(m.edgeColor, 4, true));
       line.userData.edges = surface !== "lines";
+      if (line.userData.edges) edgeLines += m.edges.length / 6;
       line.frustumCulled = false;
       root.add(line);
     }
   }
   root.userData.triangles = triangles;
   root.userData.merged = mergedTriangles;
+  root.userData.lines = edgeLines;
   return root;
 }
 

@@ -110,6 +110,7 @@ export class Compare {
       for (const pane of [...this.panes]) {
         if (!this.panes.includes(pane) || this.wanted) break;
         if (!pane.set.values) {
+          this.viewer.model.kept = true;
           this.#show(pane, this.viewer.model);
           continue;
         }

@@ -4,6 +4,8 @@
 // has a triangle on one side only. Both sides of a crease say so: an edge is kept once, told apart by the place of its ends. The normals of both
 // sides are kept beside it (g.edgeSides, six numbers an edge; zeros for a border's missing side).
 
+export function lengthOf(x, y, z) { return Math.sqrt(x * x + y * y + z * z); } // Math.hypot takes ten times as long.
+
 export function featureEdges(g) {
   const { index, position } = g;
   if (g.lines) {
@@ -86,7 +88,7 @@ function placesOf(position, low, high, count) {
 
 function normalOf(P, I, t, to, at) {
   const a = 3 * I[t], b = 3 * I[t + 1], c = 3 * I[t + 2], ux = P[b] - P[a], uy = P[b + 1] - P[a + 1], uz = P[b + 2] - P[a + 2], vx = P[c] - P[a], vy = P[c + 1] - P[a + 1], vz = P[c + 2] - P[a + 2];
-  const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx, s = 1 / (Math.hypot(x, y, z) || 1);
+  const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx, s = 1 / (lengthOf(x, y, z) || 1);
   to[at] = x * s, to[at + 1] = y * s, to[at + 2] = z * s;
 }
 

@@ -265,12 +265,14 @@ class Live {
     this.travelled = buffer.byteLength;
     this.pieces = pieces;
     this.version = version;
-    const first = !this.viewer.model;
-    this.model = length === 0 ? new Model().measure() : modelFromPacked(readPacked(whole.buffer)); // A program may draw nothing.
+    const first = !this.viewer.model, before = this.model;
+    this.model = length === 0 ? new Model().measure() : modelFromPacked(readPacked(whole.buffer), this.spare); // A program may draw nothing.
+    this.spare = null;
     this.made = null;
     if (this.timeline.isOpen) return this.timeline.renew();
     this.viewer.setGhosts([]);
     this.viewer.show(this.model, !first);
+    this.spare = before;
   }
 
   // How what is drawn now is made. It is asked for once a version.

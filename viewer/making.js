@@ -190,10 +190,11 @@ export class Making {
     return this.#run("The film", async (told) => {
       const rate = 24, frames = Math.round(rate * Math.min(60, Math.max(1, Number(this.seconds.value) || 4))), { clientWidth, clientHeight } = this.viewer.canvas;
       const width = 2 * Math.round(Math.min(1280, Math.max(480, clientWidth)) / 2), height = 2 * Math.round(width * clientHeight / clientWidth / 2), model = this.viewer.model;
+      model.kept = true;
       const blob = await this.#studio(width, height, async (stage, control, canvas) => {
         const film = new Film(width, height, rate), yaw = this.viewer.control.state.yaw;
         try {
-          stage.setModel(model, (i) => this.viewer.isShown(i));
+          stage.setModel(model, this.viewer.shown);
           for (let i = 0; i < frames; i++) {
             told(i / frames, `${i + 1} of ${frames},`);
             this.#look(stage, control, { yaw: yaw + 2 * Math.PI * i / frames });

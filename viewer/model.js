@@ -4,6 +4,8 @@
 // A path has a parent, an origin and a kind; parts that stand in one operation share their path. There may be a million of each: all are arrays
 // of numbers.
 
+const PART_ARRAYS = ["geometry", "paint", "layer", "path", "kind", "made", "matrix"], PATH_ARRAYS = ["pathParent", "pathOrigin", "pathKind"], MEASURED = ["ball", "volume", "sheared"];
+
 export class Model {
   constructor() {
     this.title = "model";
@@ -25,6 +27,7 @@ export class Model {
     this.pathKind = new Uint16Array(64);
     this.roles = new Map(); // Of a scene that shows how it is made (timeline.js): what a path stands for.
     this.cuts = new Set(); // And the parts that are taken away.
+    this.kept = false; // Others than the viewer look at it: it stays as it is when the next has come.
     this.count = 0;
     this.matrix = new Float32Array(12 * 64);
     this.geometry = new Uint32Array(64);
@@ -40,21 +43,22 @@ export class Model {
   grow(need) {
     if (need <= this.geometry.length) return;
     const room = Math.max(need, 2 * this.geometry.length);
-    for (const key of ["geometry", "paint", "layer", "path", "kind", "made", "matrix"]) {
-      const was = this[key], now = new was.constructor(key === "matrix" ? 12 * room : room);
-      now.set(was);
-      this[key] = now;
-    }
+    for (const key of PART_ARRAYS) this.#enlarge(key, key === "matrix" ? 12 * room : room);
   }
-
   growPaths(need) {
     if (need <= this.pathParent.length) return;
     const room = Math.max(need, 2 * this.pathParent.length);
-    for (const key of ["pathParent", "pathOrigin", "pathKind"]) {
-      const was = this[key];
-      this[key] = new was.constructor(room);
-      this[key].set(was);
-    }
+    for (const key of PATH_ARRAYS) this.#enlarge(key, room);
+  }
+  #enlarge(key, room) {
+    const was = this[key];
+    this[key] = new was.constructor(room);
+    this[key].set(was);
+  }
+
+  // Takes the arrays of a model that nobody looks at any more: to have the system clear a hundred megabytes takes as long as to fill them.
+  inherit(other) {
+    for (const key of [...PART_ARRAYS, ...PATH_ARRAYS, ...MEASURED]) this[key] = other[key], other[key] = null;
   }
 
   addPath(parent, origin, kind) {
@@ -80,30 +84,33 @@ export class Model {
     this.count = i + 1;
   }
 
-  // Bounds of each part as a ball, and of everything as a box; relative to the middle.
+  // What is told of each part by its matrix: bounds as a ball, the volume of a unit's cube (negative: mirrored), and whether it is sheared; and bounds of
+  // everything as a box, relative to the middle. One pass, since a million matrices are more than the processor keeps at hand.
   measure() {
-    const n = this.count, m = this.matrix, ball = this.ball = new Float32Array(4 * n);
-    this.box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
-    const { min, max } = this.box;
+    const n = this.count, m = this.matrix, geometry = this.geometry;
+    if (!this.sheared || this.sheared.length < n) this.ball = new Float32Array(4 * n), this.volume = new Float32Array(n), this.sheared = new Uint8Array(n);
+    const { ball, volume, sheared } = this;
+    const half = new Float64Array(6 * this.geometries.length); // of each geometry's box the middle and half its size
+    this.geometries.forEach((g, at) => { for (let k = 0; k < 3; k++) half[6 * at + k] = (g.min[k] + g.max[k]) / 2, half[6 * at + 3 + k] = (g.max[k] - g.min[k]) / 2; });
+    let x0 = Infinity, y0 = Infinity, z0 = Infinity, x1 = -Infinity, y1 = -Infinity, z1 = -Infinity;
     for (let i = 0, o = 0; i < n; i++, o += 12) {
-      const g = this.geometries[this.geometry[i]];
-      let square = 0;
-      for (let k = 0; k < 3; k++) {
-        const r = o + 4 * k;
-        let low = m[r + 3], high = low;
-        for (let c = 0; c < 3; c++) {
-          const a = m[r + c] * g.min[c], b = m[r + c] * g.max[c];
-          if (a < b) low += a, high += b;
-          else low += b, high += a;
-        }
-        if (low < min[k]) min[k] = low;
-        if (high > max[k]) max[k] = high;
-        ball[4 * i + k] = (low + high) / 2;
-        square += (high - low) * (high - low);
-      }
-      ball[4 * i + 3] = Math.sqrt(square) / 2;
+      const a = m[o], b = m[o + 1], c = m[o + 2], d = m[o + 4], e = m[o + 5], f = m[o + 6], g = m[o + 8], h = m[o + 9], l = m[o + 10];
+      const at = 6 * geometry[i], p = half[at], q = half[at + 1], r = half[at + 2], u = half[at + 3], v = half[at + 4], w = half[at + 5];
+      const x = a * p + b * q + c * r + m[o + 3], y = d * p + e * q + f * r + m[o + 7], z = g * p + h * q + l * r + m[o + 11];
+      const dx = Math.abs(a) * u + Math.abs(b) * v + Math.abs(c) * w, dy = Math.abs(d) * u + Math.abs(e) * v + Math.abs(f) * w, dz = Math.abs(g) * u + Math.abs(h) * v + Math.abs(l) * w;
+      if (x - dx < x0) x0 = x - dx;
+      if (y - dy < y0) y0 = y - dy;
+      if (z - dz < z0) z0 = z - dz;
+      if (x + dx > x1) x1 = x + dx;
+      if (y + dy > y1) y1 = y + dy;
+      if (z + dz > z1) z1 = z + dz;
+      const to = 4 * i;
+      ball[to] = x, ball[to + 1] = y, ball[to + 2] = z, ball[to + 3] = Math.sqrt(dx * dx + dy * dy + dz * dz);
+      volume[i] = a * (e * l - f * h) - b * (d * l - f * g) + c * (d * h - e * g);
+      const first = a * a + d * d + g * g, second = b * b + e * e + h * h, third = c * c + f * f + l * l, most = 1e-5 * (first > second ? first > third ? first : third : second > third ? second : third);
+      sheared[i] = Math.abs(a * b + d * e + g * h) > most || Math.abs(a * c + d * f + g * l) > most || Math.abs(b * c + e * f + h * l) > most ? 1 : 0;
     }
-    if (n === 0) this.box = { min: [-1, -1, -1], max: [1, 1, 1] };
+    this.box = n === 0 ? { min: [-1, -1, -1], max: [1, 1, 1] } : { min: [x0, y0, z0], max: [x1, y1, z1] };
     this.size = [0, 1, 2].map((k) => this.box.max[k] - this.box.min[k]);
     this.diagonal = Math.hypot(...this.size) || 1;
     this.outer = null;
@@ -200,8 +207,10 @@ function sumOf(bytes) {
 const none = [];
 const makesPath = (f) => f.origin !== undefined || f.kind !== undefined || !!(f.item || f.result || f.operation || f.cut);
 
-// How many parts and paths there are below a node, a template's as often as it is used. { parts, paths } is kept at each node, and counted once.
+// How many parts and paths there are below a node, a template's as often as it is used. { parts, paths } is kept at each node, and counted once. Templates
+// that are used more than once have their counts as `again`.
 function counted(root, nodes) {
+  const used = new Set();
   for (const open = [root]; open.length > 0;) {
     const node = open[open.length - 1], children = node.use !== undefined ? nodes.get(node.use)?.children || none : node.children;
     if (!node.counted) {
@@ -213,15 +222,58 @@ function counted(root, nodes) {
     if (node.counted.ready) continue;
     const sum = node.counted;
     sum.ready = true;
+    if (node.use !== undefined) {
+      const template = nodes.get(node.use);
+      if (used.has(template)) template.again = sum;
+      else if (template) used.add(template);
+    }
     if (node.type === "Shape") sum.parts = 1;
-    else for (const child of children) sum.parts += child.counted.parts, sum.paths += child.counted.paths;
+    else for (const child of children) if (child.type !== "Template") sum.parts += child.counted.parts, sum.paths += child.counted.paths;
     if ((node.type === "Transform" || node.type === "Group") && makesPath(node.fields)) sum.paths++;
   }
   return root.counted;
 }
 
-// Makes a Model of the tree that readPacked returns.
-export function modelFromPacked(root) {
+// The parts and paths of a template by themselves, in arrays like a Model's: to be copied to each of its places. Where a layer is INHERITED, and a paint or a
+// path 0, it is that of the place.
+const INHERITED = 0xffffffff;
+function room(parts, paths) {
+  return { count: 0, matrix: new Float64Array(12 * parts), geometry: new Uint32Array(parts), paint: new Uint32Array(parts), layer: new Uint32Array(parts), path: new Uint32Array(parts), kind: new Uint16Array(parts), made: new Uint32Array(parts),
+    pathCount: 1, pathParent: new Uint32Array(1 + paths), pathOrigin: new Uint32Array(1 + paths), pathKind: new Uint16Array(1 + paths), roles: new Map(), cuts: new Set() };
+}
+
+// Copies a template's parts into the model, which has the room: place from its number `at` on.
+function copyParts(from, to, place, at, paint, layer, path) {
+  const { matrix, count } = from, into = to.matrix, first = to.count, before = to.pathCount - 1;
+  const a = place[at], b = place[at + 1], c = place[at + 2], x = place[at + 3], d = place[at + 4], e = place[at + 5], f = place[at + 6], y = place[at + 7], g = place[at + 8], h = place[at + 9], l = place[at + 10], z = place[at + 11];
+  for (let i = 0, o = 0, t = 12 * first; i < count; i++, o += 12, t += 12) {
+    for (let k = 0; k < 3; k++) {
+      const p = matrix[o + k], q = matrix[o + 4 + k], r = matrix[o + 8 + k];
+      into[t + k] = a * p + b * q + c * r, into[t + 4 + k] = d * p + e * q + f * r, into[t + 8 + k] = g * p + h * q + l * r;
+    }
+    const p = matrix[o + 3], q = matrix[o + 7], r = matrix[o + 11];
+    into[t + 3] = a * p + b * q + c * r + x, into[t + 7] = d * p + e * q + f * r + y, into[t + 11] = g * p + h * q + l * r + z;
+  }
+  for (let i = 0, t = first; i < count; i++, t++) {
+    const own = from.paint[i], level = from.layer[i], way = from.path[i];
+    to.paint[t] = own > 0 ? own : paint;
+    to.layer[t] = level === INHERITED ? layer : level;
+    to.path[t] = way > 0 ? before + way : path;
+    to.geometry[t] = from.geometry[i], to.kind[t] = from.kind[i], to.made[t] = from.made[i];
+  }
+  to.count += count;
+  for (let p = 1, t = before + 1; p < from.pathCount; p++, t++) {
+    const parent = from.pathParent[p];
+    to.pathParent[t] = parent > 0 ? before + parent : path;
+    to.pathOrigin[t] = from.pathOrigin[p], to.pathKind[t] = from.pathKind[p];
+  }
+  to.pathCount += from.pathCount - 1;
+  for (const i of from.cuts) to.cuts.add(first + i);
+  for (const [p, role] of from.roles) to.roles.set(before + p, role);
+}
+
+// Makes a Model of the tree that readPacked returns. spare: a model whose arrays it may take, or none.
+export function modelFromPacked(root, spare = null) {
   const model = new Model(), nodes = new Map(), layers = new Map([["", 0]]), kinds = new Map([["", 0]]);
   const numbered = (map, list, word) => {
     let number = map.get(word);
@@ -244,9 +296,9 @@ export function modelFromPacked(root) {
   };
   // What a node does, told once however often it is walked over: a million parts are made of few nodes.
   const stepOf = (node) => {
-    const step = { children: none, place: null, paint: 0, layer: -1, path: false, origin: 0, kind: 0, role: "", cut: false, item: 0, geometry: -1, leaf: undefined, plain: false }, f = node.fields;
+    const step = { children: none, place: null, paint: 0, layer: -1, path: false, origin: 0, kind: 0, role: "", cut: false, item: 0, geometry: -1, leaf: undefined, plain: false, template: null }, f = node.fields;
     node.step = step;
-    if (node.use !== undefined) step.children = nodes.get(node.use)?.children || none, step.plain = true;
+    if (node.use !== undefined) step.children = nodes.get(node.use)?.children || none, step.plain = true, step.template = nodes.get(node.use) || null;
     else if (node.type === "Transform" || node.type === "Group") {
       step.children = node.children;
       step.place = f.matrix || f.translation || null;
@@ -304,30 +356,44 @@ export function modelFromPacked(root) {
     while (leaf && leaf.geometry < 0) leaf = leaf.plain ? alone(leaf.children) : null;
     return step.leaf = leaf;
   };
-  const walk = (children) => {
-    depth = -1;
-    push(children, null, 0, 0, 0);
-    while (depth >= 0) {
+  const add = (to, leaf, at, paint, layer, path) => {
+    const i = to.count++, m = to.matrix;
+    for (let k = 0, o = 12 * i; k < 12; k++) m[o + k] = places[at + k];
+    if (leaf.cut) to.cuts.add(i);
+    to.geometry[i] = leaf.geometry, to.paint[i] = paint, to.layer[i] = layer, to.path[i] = path, to.kind[i] = leaf.kind, to.made[i] = leaf.origin;
+  };
+  // Adds what nodes stand for to the model or to a template's parts, which have the room for it.
+  const walk = (children, to, outerLayer) => {
+    const bottom = depth, still = depth < 0 ? 0 : placesAt[depth] + 12; // A template's parts may be asked for in the middle of another walk.
+    push(children, identity, 0, outerLayer, 0);
+    places.set(identity, placesAt[depth] = still);
+    while (depth > bottom) {
       const list = lists[depth];
       if (nexts[depth] >= list.length) {
         depth--;
         continue;
       }
       const node = list[nexts[depth]++], step = node.step || stepOf(node), layer = step.layer < 0 ? layersAt[depth] : step.layer, paint = step.paint || paints[depth];
-      if (step.geometry >= 0) {
-        if (step.cut) model.cuts.add(model.count);
-        model.add(step.geometry, places, placesAt[depth], paint, layer, paths[depth], step.kind, step.origin);
-      } else {
-        const path = step.path ? model.addPath(paths[depth], step.origin, step.kind) : paths[depth];
-        if (step.role || step.cut) model.roles.set(path, { role: step.role, cut: step.cut, item: step.item });
+      if (step.geometry >= 0) add(to, step, placesAt[depth], paint, layer, paths[depth]);
+      else if (to === model && step.template?.again) copyParts(step.template.copied || partsOf(step.template), to, places, placesAt[depth], paint, layer, paths[depth]);
+      else {
+        let path = paths[depth];
+        if (step.path) {
+          path = to.pathCount++;
+          to.pathParent[path] = paths[depth], to.pathOrigin[path] = step.origin, to.pathKind[path] = step.kind;
+        }
+        if (step.role || step.cut) to.roles.set(path, { role: step.role, cut: step.cut, item: step.item });
         const leaf = step.leaf === undefined ? leafOf(step) : step.leaf;
-        if (leaf) {
-          if (leaf.cut) model.cuts.add(model.count);
-          const to = within(step.place); // Which may move the places: this comes first.
-          model.add(leaf.geometry, places, to, leaf.paint || paint, leaf.layer < 0 ? layer : leaf.layer, path, leaf.kind, leaf.origin);
-        } else push(step.children, step.place, paint, layer, path);
+        if (leaf) add(to, leaf, within(step.place), leaf.paint || paint, leaf.layer < 0 ? layer : leaf.layer, path);
+        else push(step.children, step.place, paint, layer, path);
       }
     }
+  };
+  const partsOf = (template) => {
+    const { parts, paths: own } = template.again;
+    template.copied = room(parts, own);
+    walk(template.children, template.copied, INHERITED);
+    return template.copied;
   };
   // Geometries may be defined anywhere, also within templates that are used later.
   const define = (list) => {
@@ -341,6 +407,7 @@ export function modelFromPacked(root) {
   };
   define(root.children);
   const { parts, paths: pathsMade } = counted(root, nodes);
+  if (spare && !spare.kept) model.inherit(spare);
   model.grow(parts);
   model.growPaths(1 + pathsMade);
   for (const node of root.children) {
@@ -356,7 +423,7 @@ export function modelFromPacked(root) {
       case "Ground": model.ground = { z: f.z[0], paint: f.paint || 0 }; break;
       case "PhysicalMaterial": model.materials.push({ name: f.name, color: Array.from(f.baseColor), roughness: f.roughness[0], metallic: f.metallic[0], transparency: f.transparency[0], ior: f.ior[0], pattern: f.pattern ? { name: f.pattern, color: Array.from(f.patternColor), size: f.patternSize[0], angle: f.patternAngle[0], picture: f.picture ? { sum: sumOf(f.picture), type: f.pictureType, bytes: f.picture, height: f.pictureHeight[0] } : null } : null }); break;
       case "Origins": model.origins = { files: f.file || [], at: f.at }; break;
-      default: if (node.use !== undefined || node.type === "Transform" || node.type === "Group") walk([node]);
+      default: if (node.use !== undefined || node.type === "Transform" || node.type === "Group") walk([node], model, 0);
     }
   }
   return model.measure();

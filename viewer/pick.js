@@ -17,7 +17,7 @@ export function pick(stage, x, y) {
   for (let i = 0; i < model.count; i++) {
     const dx = ball[4 * i] - origin.x, dy = ball[4 * i + 1] - origin.y, dz = ball[4 * i + 2] - origin.z, r = ball[4 * i + 3];
     const along = dx * direction.x + dy * direction.y + dz * direction.z, off = dx * dx + dy * dy + dz * dz - along * along;
-    if (off > r * r || !stage.shown(i)) continue;
+    if (off > r * r || (stage.shown && !stage.shown(i))) continue;
     const half = Math.sqrt(Math.max(0, r * r - off));
     if (stage.camera.isOrthographicCamera || along + half > 0) near.push([along - half, i]);
   }

@@ -374,7 +374,7 @@ export class Stage {
 
   // ---- the model ----
 
-  setModel(model, shown = () => true) {
+  setModel(model, shown = null) { // shown: is part i in the picture? null: all are.
     this.model = model;
     this.shown = shown;
     const b = model.box;

@@ -77,7 +77,7 @@ export class Viewer {
     this.heading.textContent = model.title;
     if (!aside) this.facts.textContent = model.count === 0 ? "" : model.size.map((s) => length(s)).join(" × ") + " " + model.units;
     this.stage.resize();
-    this.stage.setModel(model, (i) => this.isShown(i));
+    this.stage.setModel(model, this.shown);
     if (this.chosen.length > 0) this.#showMarks();
     if (first) {
       this.touched = this.handlesFramed = false;
@@ -102,7 +102,9 @@ export class Viewer {
     const m = this.model, h = this.hidden;
     return !(h.layers.has(m.layers[m.layer[i]]) || h.materials.has(m.paint[i]) || h.parts.has(i)) && (!this.filter || this.filter(i));
   }
-  refresh() { this.stage.refresh((i) => this.isShown(i)); }
+  // isShown for who asks it of a million parts: null where all are.
+  get shown() { return this.filter || Object.values(this.hidden).some((set) => set.size > 0) ? (i) => this.isShown(i) : null; }
+  refresh() { this.stage.refresh(this.shown); }
 
   select(parts, quietly = false) {
     this.chosen = parts;
