@@ -30,6 +30,22 @@ mkdir "$work/<img src=x onerror=owned=1>" && cp "$work/hostile.vs" "$work/<img s
 "$BUILD/vs" --quiet "$work/<img src=x onerror=owned=1>/<b>&amp;.vs" -o "$work/hostile.html" || echo "not ok page/hostile: ended with $?"
 echo '(for*/list ([i (in-range 120)] [j (in-range 100)]) (draw (make-box (xyz i j 0) (xyz (+ i 0.4) (+ j 0.4) 1))))' > "$work/crowd.vs"
 "$BUILD/vs" --quiet "$work/crowd.vs" -o "$work/crowd.html" || echo "not ok page/crowd: ended with $?"
+cat > "$work/flat.vs" <<'EOF'
+(draw (color "red" (make-circle (xy 0 0) 2)))
+(draw (make-line (xy 4 0) (xy 8 2)))
+(draw (make-spline (xy 9 0) (xy 10 2) (xy 11 3)))
+(draw (color "blue" (make-region (make-rectangle (xy 3 3) (xy 8 8)) (make-rectangle (xy 4 4) (xy 6 6)))))
+EOF
+cat > "$work/tree.vs" <<'EOF'
+(units 'mm)
+(define (tower x)
+  (unite (make-box (xyz x 0 0) (xyz (+ x 1) 1 3)) (make-sphere (xyz (+ x 0.5) 0.5 4) 0.5)))
+(draw (tower 0) (tower 3))
+(draw (make-sphere (xyz 6 0 1) 1))
+EOF
+for name in flat tree; do
+  "$BUILD/vs" --quiet "$work/$name.vs" -o "$work/$name.html" || echo "not ok page/$name: ended with $?"
+done
 cat > "$work/light.vs" <<'EOF'
 (ground 0)
 (camera (xyz 6 -12 5) (xyz 0 0 1.2) #:lens 40)

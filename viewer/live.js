@@ -159,7 +159,10 @@ class Live {
   }
 
   async #state(state) {
+    this.heard = performance.now(); // For bench/pages/save.mjs.
     this.state = state;
+    // The picture comes first: words that change have all of the page drawn anew, and what draws would be at that.
+    if (state.version !== this.version && state.version > 0) await this.#fetchScene();
     this.stopButton.disabled = true;
     this.name.textContent = state.model.split("/").pop();
     document.getElementById("live").classList.toggle("follows", state.follows); // A prompt in a terminal: there is no source.
@@ -171,7 +174,6 @@ class Live {
     this.viewPlace.classList.toggle("stale", !state.good);
     this.note.hidden = state.good;
     this.note.textContent = state.good ? "" : this.viewer.model ? "The last model that could be made" : "Nothing can be shown yet: the program has an error.";
-    if (state.version !== this.version && state.version > 0) await this.#fetchScene();
     if (state.good) this.compare.renew();
     this.#scene(state.scene);
     if (!this.source.dirty && this.source.text !== undefined && state.file !== this.file) {

@@ -6,25 +6,20 @@
 // shadows, darkness in corners and smooth edges come from the same few lines. POV-Ray's picture is lit alike (backends/povray/scene.c).
 import * as THREE from "three";
 import { addPattern, patternKey } from "./patterns.js";
+import { aimCoarseLight, coarseLight, coarseMaterial, TONE, TONED } from "./coarse.js";
 import { buildBatches, disposeBatches, leaveOut, mergeParts, meshGeometry } from "./batches.js";
 
 // Radiances and colours are POV-Ray's, linear; a light of intensity pi makes a white surface across it as bright as its colour.
 const SUN = new THREE.Color(1, 0.95, 0.87), DIFFUSE = 0.82, SKY_POWER = 1.6, SUN_POWER = 2 * SKY_POWER, EXPOSURE = 0.62;
 const LIT = 3.9; // The light that the plain sun and sky give a surface across the sun: the exposure is for it.
 const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // The light that walls and the ground send on, in parts of the sky's and the sun's light.
-const COARSE_MOST = 4e5, MOVING_MOST = 1.2e6, STILL_MOST = 2e6; // triangles and lines of a picture in software; a graphics card gets more
+const PLAIN_MOST = 3e5, COARSE_MOST = 4e5, MOVING_MOST = 1.2e6, STILL_MOST = 2e6; // triangles and lines of a picture in software; a graphics card gets more
 const GUESSED = 2000; // triangles that software draws in a millisecond, more or less
 const COARSE_SHARE = 0.5; // of the points along a side
+const COARSE_LINES = 3000; // With more edges they are left out of a picture without shadows: a line takes software twice as long as a triangle, and these are rough.
 const SLOW = 60; // Milliseconds of a picture, from which on coarse ones are drawn while anything changes.
 
-// Bright colours are compressed and turn pale, others stay as they are: Khronos' neutral curve without its toe, which takes contrast from what is dark.
-THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace("vec3 CustomToneMapping( vec3 color ) { return color; }", `vec3 CustomToneMapping( vec3 color ) {
-  color *= toneMappingExposure;
-  float peak = max( color.r, max( color.g, color.b ) );
-  if ( peak < 0.76 ) return color;
-  float now = 1.0 - 0.24 * 0.24 / ( peak + 0.24 - 0.76 );
-  return mix( vec3( now ), color * now / peak, 1.0 / ( 0.15 * ( peak - now ) + 1.0 ) );
-}`);
+THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace("vec3 CustomToneMapping( vec3 color ) { return color; }", `vec3 CustomToneMapping( vec3 color ) ${TONE}`);
 
 // The light from above is one direction of the whole sky, or stands for it: as a point it would sparkle in all that shines, so only the sun is mirrored.
 // Both lights always have a shadow map, because three.js would else change their order.
@@ -45,6 +40,29 @@ const fading = (pixels) => (parameters) => { // pixels: half the picture's heigh
   parameters.fragmentShader = parameters.fragmentShader.replace("#include <common>", "#include <common>\nvarying float shownLine;")
     .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.a *= shownLine;");
 };
+
+// Where each point of the picture looks to. Parallel rays would all see one colour: there the sky is that of a lens.
+const SKY_WAY = `vec3 skyWay() {
+  vec2 reach = vec2(1.0 / projectionMatrix[0][0], 1.0 / projectionMatrix[1][1]);
+  if (isOrthographic) reach *= 0.45 / reach.y;
+  return transpose(mat3(viewMatrix)) * vec3(position.xy * reach, -1.0);
+}`;
+// And the sky there.
+const SKY_COLOUR = `uniform sampler2D daylight; uniform vec2 sunWay; uniform vec3 zenith, horizon, near, below;
+vec3 daylightAt(vec3 d) { // The table's columns go from the sun's side to the other, its rows by the root of the height.
+  vec2 level = d.xy / max(1e-6, length(d.xy));
+  vec2 at = vec2(acos(clamp(dot(level, sunWay), -1.0, 1.0)) / PI, sqrt(asin(clamp(d.z, 0.0, 1.0)) * 2.0 / PI));
+  vec2 count = vec2(textureSize(daylight, 0));
+  return texture2D(daylight, (at * (count - 1.0) + 0.5) / count).rgb;
+}
+vec3 skyColour(vec3 way) {
+  float h = way.z;
+  if (sunWay != vec2(0.0)) return h > 0.0 ? daylightAt(way) : h > -0.28 ? mix(daylightAt(way), near, -h / 0.28) : mix(near, below, (-h - 0.28) / 0.72);
+  vec3 c = h > 0.0 ? mix(horizon, zenith, min(1.0, h / 0.6)) : h > -0.28 ? mix(horizon, near, -h / 0.28) : mix(near, below, (-h - 0.28) / 0.72);
+  float peak = max(c.r, max(c.g, c.b)); // The sky's colours are those of the screen: what exposure and curve will do is undone.
+  if (peak > 0.76) c *= (0.24 * 0.24 / (1.0 - min(peak, 0.995)) - 0.24 + 0.76) / peak;
+  return c / ${EXPOSURE.toFixed(2)};
+}`;
 
 const quadVertex = "varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }";
 
@@ -85,9 +103,11 @@ export class Stage {
     this.scene.add(this.world, this.marks);
     this.clip = [];
     this.section = null;
+    this.inside = false; // Is the eye within the model's box?
     this.frame = 0;
     this.listeners = new Set();
     this.surfaceCache = new Map();
+    this.coarseLight = coarseLight();
     this.plainCache = new Map(); // Materials of marks and of the section, kept since a shader takes a tenth of a second to make.
     this.place = { middle: { value: [0, 0, 0] }, metres: { value: 1 } };
     this.lineMaterials = {
@@ -175,44 +195,22 @@ export class Stage {
   // ---- sky and ground ----
 
   #sky() {
-    this.skyMaterial = new THREE.ShaderMaterial({
-      uniforms: { daylight: { value: null }, sunWay: { value: new THREE.Vector2() }, zenith: { value: new THREE.Color() }, horizon: { value: new THREE.Color() }, near: { value: new THREE.Color() }, below: { value: new THREE.Color() } },
-      // Where each pixel looks to. Parallel rays would all see one colour: there the sky is that of a lens.
-      vertexShader: `varying vec3 way;
-        void main() {
-          vec2 reach = vec2(1.0 / projectionMatrix[0][0], 1.0 / projectionMatrix[1][1]);
-          if (isOrthographic) reach *= 0.45 / reach.y;
-          way = transpose(mat3(viewMatrix)) * vec3(position.xy * reach, -1.0);
-          gl_Position = vec4(position.xy, 0.999999, 1.0);
-        }`,
+    const uniforms = { daylight: { value: null }, sunWay: { value: new THREE.Vector2() }, zenith: { value: new THREE.Color() }, horizon: { value: new THREE.Color() }, near: { value: new THREE.Color() }, below: { value: new THREE.Color() } };
+    this.skyMaterial = new THREE.ShaderMaterial({ uniforms, vertexShader: `varying vec3 way; ${SKY_WAY} void main() { way = skyWay(); gl_Position = vec4(position.xy, 0.999999, 1.0); }`,
       fragmentShader: `#include <common>
-        uniform sampler2D daylight; uniform vec2 sunWay; uniform vec3 zenith, horizon, near, below; varying vec3 way;
-        vec3 daylightAt(vec3 d) { // The table's columns go from the sun's side to the other, its rows by the root of the height.
-          vec2 level = d.xy / max(1e-6, length(d.xy));
-          vec2 at = vec2(acos(clamp(dot(level, sunWay), -1.0, 1.0)) / PI, sqrt(asin(clamp(d.z, 0.0, 1.0)) * 2.0 / PI));
-          vec2 count = vec2(textureSize(daylight, 0));
-          return texture2D(daylight, (at * (count - 1.0) + 0.5) / count).rgb;
-        }
+        varying vec3 way; ${SKY_COLOUR}
         void main() {
-          float h = normalize(way).z;
-          if (sunWay != vec2(0.0)) {
-            vec3 seen = daylightAt(normalize(way));
-            gl_FragColor = vec4(h > 0.0 ? seen : h > -0.28 ? mix(seen, near, -h / 0.28) : mix(near, below, (-h - 0.28) / 0.72), 1.0);
-            #include <tonemapping_fragment>
-            #include <colorspace_fragment>
-            return;
-          }
-          vec3 c = h > 0.0 ? mix(horizon, zenith, min(1.0, h / 0.6)) : h > -0.28 ? mix(horizon, near, -h / 0.28) : mix(near, below, (-h - 0.28) / 0.72);
-          float peak = max(c.r, max(c.g, c.b)); // The sky's colours are those of the screen: what exposure and curve will do is undone.
-          if (peak > 0.76) c *= (0.24 * 0.24 / (1.0 - min(peak, 0.995)) - 0.24 + 0.76) / peak;
-          gl_FragColor = vec4(c / ${EXPOSURE.toFixed(2)}, 1.0);
+          gl_FragColor = vec4(skyColour(normalize(way)), 1.0);
           #include <tonemapping_fragment>
           #include <colorspace_fragment>
-        }`,
-      depthWrite: false, depthTest: false,
-    });
-    this.dome = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), this.skyMaterial);
-    this.dome.renderOrder = -10;
+        }`, depthWrite: false });
+    // Of a coarse picture it is worked out at the corners of a net.
+    this.coarseSky = new THREE.ShaderMaterial({ uniforms: { ...uniforms, toneMappingExposure: this.coarseLight.toneMappingExposure }, toneMapped: false, vertexShader: `#include <common>
+        uniform float toneMappingExposure; varying vec3 seen; ${TONED} ${SKY_WAY} ${SKY_COLOUR}
+        void main() { seen = toned(skyColour(normalize(skyWay()))); gl_Position = vec4(position.xy, 0.999999, 1.0); }`,
+      fragmentShader: "varying vec3 seen; void main() { gl_FragColor = vec4(seen, 1.0); }", depthWrite: false });
+    this.dome = new THREE.Mesh(new THREE.PlaneGeometry(2, 2, 24, 40), this.skyMaterial);
+    this.dome.renderOrder = 1000; // Behind all that is opaque: only the points that show it are worked out.
     this.dome.frustumCulled = false;
     this.scene.add(this.dome);
     this.skyMean = new THREE.Color();
@@ -340,7 +338,7 @@ export class Stage {
     if (this.surfaceCache.has(key)) return this.surfaceCache.get(key);
     const shiny = !this.software && (m.metallic > 0.3 || m.transparency > 0.05 || m.roughness < 0.35); // Mirrored light is worked out by the graphics card: in software it would take seconds.
     const material = new THREE.MeshStandardMaterial({
-      vertexColors: merged, roughness: Math.max(0.06, m.roughness), metalness: this.software ? 0.35 * m.metallic : m.metallic, side: THREE.DoubleSide,
+      vertexColors: merged, roughness: Math.max(0.06, m.roughness), metalness: this.software ? 0.35 * m.metallic : m.metallic, shadowSide: THREE.DoubleSide,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     });
     material.onBeforeCompile = sunAloneShines;
@@ -357,8 +355,19 @@ export class Stage {
     addPattern(material, m, this.place, () => this.touch());
     material.wireframe = this.options.wireframe;
     material.clippingPlanes = this.clip;
+    material.userData.closed = !surface.endsWith(",open") && !material.transparent;
+    this.#side(material);
     this.surfaceCache.set(key, material);
     return material;
+  }
+
+  // The backs of what is closed are seen by nobody, but where it is cut, through its wires, and by who stands in it.
+  #side(material) { material.side = material.userData.closed && !this.section && !material.wireframe && !this.inside ? THREE.FrontSide : THREE.DoubleSide; }
+  #lookInside() {
+    const { min, max } = this.model.box, eye = this.camera.position.toArray(), inside = !this.camera.isOrthographicCamera && eye.every((x, k) => x > min[k] && x < max[k]);
+    if (inside === this.inside) return;
+    this.inside = inside;
+    for (const m of this.surfaceCache.values()) this.#side(m), m.needsUpdate = true;
   }
 
   // The material of a key, made once.
@@ -421,7 +430,7 @@ export class Stage {
     this.touch(true);
   }
   #options() {
-    for (const m of this.surfaceCache.values()) if (m.wireframe !== this.options.wireframe) m.wireframe = this.options.wireframe;
+    for (const m of this.surfaceCache.values()) if (m.wireframe !== this.options.wireframe) m.wireframe = this.options.wireframe, this.#side(m), m.needsUpdate = true;
     this.batches?.traverse((o) => { if (o.userData.edges) o.visible = this.options.edges && !this.options.wireframe; });
     if (this.model) this.#light(-1);
   }
@@ -467,7 +476,7 @@ export class Stage {
     this.clip.length = 0;
     if (plane) this.clip.push(new THREE.Plane(plane.normal.clone(), plane.constant));
     if (had !== (plane !== null)) {
-      for (const m of this.surfaceCache.values()) m.clippingPlanes = this.clip, m.clipShadows = true, m.needsUpdate = true;
+      for (const m of this.surfaceCache.values()) m.clippingPlanes = this.clip, m.clipShadows = true, this.#side(m), m.needsUpdate = true;
       for (const m of Object.values(this.lineMaterials)) m.clippingPlanes = this.clip, m.needsUpdate = true;
     }
     this.#caps();
@@ -522,7 +531,6 @@ export class Stage {
     const plain = { type: THREE.HalfFloatType, depthBuffer: true, stencilBuffer: true, generateMipmaps: false };
     const precise = { type: THREE.FloatType, depthBuffer: false, generateMipmaps: false, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
     this.one = new THREE.WebGLRenderTarget(1, 1, plain);
-    this.small = new THREE.WebGLRenderTarget(1, 1, plain);
     this.mean = [new THREE.WebGLRenderTarget(1, 1, precise), new THREE.WebGLRenderTarget(1, 1, precise)];
     this.mixer = new THREE.ShaderMaterial({
       uniforms: { sum: { value: null }, one: { value: null }, part: { value: 1 } }, vertexShader: quadVertex, depthTest: false, depthWrite: false, toneMapped: false,
@@ -546,14 +554,17 @@ export class Stage {
     this.#points(1);
     this.renderer.setSize(w, h, false);
     this.half = this.pixels.value = h / 2;
-    const size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
+    const size = this.#size();
     for (const t of [this.one, ...this.mean]) t.setSize(size.x, size.y);
-    this.small.setSize(Math.ceil(COARSE_SHARE * size.x), Math.ceil(COARSE_SHARE * size.y));
     this.touch();
   }
 
-  // The picture has so many of the canvas' points along a side.
+  #size() { return this.renderer.getDrawingBufferSize(new THREE.Vector2()); }
+
+  // The picture has so many of the canvas' points along a side. The canvas itself has then: to draw a picture of its own over all of it would take as long as
+  // what is in it.
   #points(share) {
+    if (share !== this.share) this.renderer.setPixelRatio(this.ratio * share);
     this.share = share;
     this.pixels.value = share * this.half; // A line is as wide as a point.
   }
@@ -578,46 +589,53 @@ export class Stage {
     this.renderer.render(this.quadScene, this.quadCamera);
   }
 
-  #leaveOut(most) { // most: triangles and lines
+  #leaveOut(most, lined = this.options.edges && !this.options.wireframe) { // most: triangles and lines; lined: with edges
     if (!this.batches) return;
     const half = this.half * this.share * this.ratio * this.camera.projectionMatrix.elements[5], parallel = this.camera.isOrthographicCamera;
     leaveOut(this.batches, { camera: this.camera, pixels: (distance) => parallel ? half : half / Math.max(1e-9, distance), across: 2.04 * this.radius / this.sun.shadow.mapSize.x,
-      lined: this.options.edges && !this.options.wireframe, lit: this.renderer.shadowMap.needsUpdate, most: most * (this.software ? 1 : 8) });
+      lined, lit: this.renderer.shadowMap.needsUpdate, most: most * (this.software ? 1 : 8) });
   }
 
   draw(coarse = false) {
+    this.#lookInside();
     this.#points(coarse ? COARSE_SHARE : 1);
     this.#light(-1);
     if (coarse && this.shadowsDirty) this.sun.shadow.intensity = this.above.shadow.intensity = 0; // Those of the model before would be worse than none.
     if (coarse || !this.shadowsDirty) this.renderer.shadowMap.needsUpdate = false;
     if (!coarse) this.shadowsDirty = false;
     this.owed = coarse;
-    const restore = coarse && this.shadowsDirty ? this.#simplify() : null;
-    this.renderer.setRenderTarget(coarse ? this.small : null); // A canvas that changes its size would wait for all that is being drawn.
+    const plainly = coarse && this.shadowsDirty, lined = this.options.edges && !this.options.wireframe && !(plainly && this.batches?.userData.lines > COARSE_LINES);
+    const restore = plainly ? this.#simplify(lined) : null;
+    this.renderer.setRenderTarget(null);
     this.renderer.info.reset();
-    this.#leaveOut(coarse ? COARSE_MOST : MOVING_MOST);
+    this.#leaveOut(plainly ? PLAIN_MOST : coarse ? COARSE_MOST : MOVING_MOST, lined);
     this.renderer.render(this.scene, this.camera);
     this.drawCalls = this.renderer.info.render.calls;
     restore?.();
-    if (!coarse) return;
-    this.shower.uniforms.sum.value = this.small.texture;
-    this.#quad(this.shower, null);
   }
 
-  // For a coarse picture without shadows all surfaces get a few plain materials, which take a third less time, and above all few shaders: those of
+  // For a coarse picture without shadows all surfaces get a few plain materials, which take a fifth of the time, and above all few shaders: those of
   // patterns and shadows are made when the picture is whole. Returns what puts the own materials back.
-  #simplify() {
+  #simplify(lined) {
+    aimCoarseLight(this.coarseLight, this, this.camera);
     const changed = [], simple = (o) => {
-      const { vertexColors, transparent, opacity, side, wireframe, polygonOffset } = o.material, key = ["simple", vertexColors, transparent ? opacity.toFixed(1) : "", polygonOffset].join(" ");
-      changed.push(o, o.material);
-      o.material = this.#plain(key, () => new THREE.MeshLambertMaterial({ vertexColors, transparent, opacity, side, depthWrite: o.material.depthWrite, forceSinglePass: true, polygonOffset, polygonOffsetFactor: 1, polygonOffsetUnits: 1, clippingPlanes: this.clip }));
+      const { material } = o, { transparent, opacity, wireframe } = material, closed = material.side === THREE.FrontSide;
+      changed.push(o, material);
+      o.material = this.#plain(["coarse", material.vertexColors, transparent ? opacity.toFixed(1) : "", material.polygonOffset, closed, !!material.clippingPlanes].join(" "), () => coarseMaterial(this.coarseLight, material, closed));
       o.material.wireframe = wireframe;
     };
-    this.batches?.traverse((o) => { if (o.isMesh) simple(o); });
+    const hidden = [];
+    this.batches?.traverse((o) => {
+      if (o.isMesh) simple(o);
+      else if (o.userData.edges && o.visible && !lined) o.visible = false, hidden.push(o);
+    });
     if (this.groundMesh) simple(this.groundMesh);
+    changed.push(this.dome, this.skyMaterial);
+    this.dome.material = this.coarseSky;
     this.sun.castShadow = this.above.castShadow = false;
     return () => {
       for (let i = 0; i < changed.length; i += 2) changed[i].material = changed[i + 1];
+      for (const o of hidden) o.visible = true;
       this.sun.castShadow = this.above.castShadow = true;
     };
   }
@@ -638,8 +656,9 @@ export class Stage {
   }
 
   #accumulate() {
+    this.#lookInside();
     this.#points(1);
-    const i = this.count++, size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
+    const i = this.count++, size = this.#size();
     this.shadowsDirty = true;
     this.#light(i);
     this.camera.setViewOffset(size.x, size.y, ((i * 0.7548776662466927 + 0.5) % 1) - 0.5, ((i * 0.5698402909980532 + 0.5) % 1) - 0.5, size.x, size.y);
@@ -657,6 +676,13 @@ export class Stage {
       this.#quad(this.shower, null);
     }
     this.renderer.setRenderTarget(null);
+  }
+
+  // Begins with the picture that is due, not at the browser's next frame: it takes longer than that.
+  now() {
+    if (this.lost) return;
+    cancelAnimationFrame(this.frame);
+    this.#tick(performance.now());
   }
 
   #tick(time) {
@@ -702,7 +728,7 @@ export class Stage {
     if (this.batches) disposeBatches(this.batches);
     this.#dropSurfaces();
     for (const m of this.plainCache.values()) m.dispose();
-    for (const target of [this.one, this.small, ...this.mean]) target.dispose();
+    for (const target of [this.one, ...this.mean]) target.dispose();
     this.environmentMap?.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();

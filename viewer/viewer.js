@@ -34,6 +34,7 @@ export class Viewer {
       this.root.append(el("p", { class: "notice" }, "The model cannot be shown: " + error.message));
       throw error;
     }
+    document.documentElement.classList.toggle("software", this.stage.software);
     this.control = new CameraControl(this.stage);
     this.hidden = { layers: new Set(), materials: new Set(), parts: new Set() };
     this.chosen = [];
@@ -86,6 +87,7 @@ export class Viewer {
     } else {
       if (this.section) this.setSection(this.section);
       this.control.apply();
+      this.stage.now();
     }
     this.panel.refresh();
   }

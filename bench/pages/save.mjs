@@ -51,9 +51,9 @@ for (const [name, source, options, number, step] of models) {
       const { live, visualscheme: viewer } = window, { stage } = viewer, gl = stage.renderer.getContext(), times = window.times = {};
       const now = () => performance.timeOrigin + performance.now();
       stage.options.refine = false; // What follows the first picture is no part of it.
-      const state = live.parameters.show.bind(live.parameters), show = viewer.show.bind(viewer), draw = stage.draw.bind(stage);
-      live.parameters.show = (list) => { times.told = now(); state(list); };
-      viewer.show = (...a) => { times.read = now(); show(...a); times.ready = now(); };
+      const show = viewer.show.bind(viewer), set = stage.setModel.bind(stage), draw = stage.draw.bind(stage);
+      viewer.show = (...a) => { times.told = performance.timeOrigin + live.heard; times.read = now(); show(...a); };
+      stage.setModel = (...a) => { set(...a); times.ready = now(); };
       stage.draw = (coarse) => {
         draw(coarse);
         gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));

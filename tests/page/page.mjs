@@ -1,9 +1,9 @@
-// Owns the tests of pages: `page.mjs FOLDER` with FOLDER/NAME.html for every example, FOLDER/hostile.html, FOLDER/crowd.html, FOLDER/doric-columns.x3d, FOLDER/light.html, daylight.html, evening.html and, where POV-Ray is, a .png of each. Prints lines as tests/run.sh wants them.
+// Owns the tests of pages: `page.mjs FOLDER` with FOLDER/NAME.html for every example, FOLDER/hostile.html, FOLDER/crowd.html, FOLDER/doric-columns.x3d, FOLDER/flat.html, FOLDER/tree.html, FOLDER/light.html, daylight.html, evening.html and, where POV-Ray is, a .png of each. Prints lines as tests/run.sh wants them.
 import { readdirSync } from "node:fs";
 import { browser, open } from "./browser.mjs";
 
 const folder = process.argv[2], chromium = await browser(), only = process.env.ONLY || "";
-const pages = readdirSync(folder).filter((f) => f.endsWith(".html") && !["hostile.html", "crowd.html", "light.html", "daylight.html", "evening.html"].includes(f)).map((f) => f.slice(0, -5)).sort();
+const pages = readdirSync(folder).filter((f) => f.endsWith(".html") && !["hostile.html", "crowd.html", "light.html", "daylight.html", "evening.html", "flat.html", "tree.html"].includes(f)).map((f) => f.slice(0, -5)).sort();
 
 function judge(name, faults) {
   console.log((faults.length ? "not ok page/" : "ok page/") + name);
@@ -252,7 +252,7 @@ try {
     said(await click([-3, -1, 2.5]), "-3, -1, 2.5", "a corner");
     said(await click([-1, -1, 2.5]), "2 m", "two corners");
     await page.evaluate(() => { const v = window.visualscheme; v.setMeasuring(false); v.view("start"); });
-    const picture = () => page.evaluate(() => { const { stage } = window.visualscheme, gl = stage.renderer.getContext(), bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight); stage.shadowsDirty = true; stage.draw(); gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes); let sum = 0; for (let i = 0; i < bytes.length; i += 4) sum = (Math.imul(31, sum) + bytes[i] + bytes[i + 1] + bytes[i + 2]) | 0; return sum; });
+    const picture = () => page.evaluate(() => { const { stage } = window.visualscheme, gl = stage.renderer.getContext(); stage.shadowsDirty = true; stage.draw(); const bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight); gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes); let sum = 0; for (let i = 0; i < bytes.length; i += 4) sum = (Math.imul(31, sum) + bytes[i] + bytes[i + 1] + bytes[i + 2]) | 0; return sum; });
     const first = await picture();
     for (const name of ["edges", "shadows", "occlusion"]) {
       const press = async () => { await page.locator('[data-do="display"]').click(); await page.locator(`[data-show="${name}"]`).click(); await page.keyboard.press("Escape"); };
@@ -346,6 +346,134 @@ try {
     if (seen.some((s) => s.apart > 0.002)) faults.push(`${seen.map((s) => (100 * s.apart).toFixed(2)).join(" and ")} % of the pixels differ from those with all copies`);
     if (!(seen[1].some < 0.5 * seen[1].all)) faults.push(`${seen[1].some} of ${seen[1].all} triangles are drawn near a corner`);
     judge("crowd", [...faults, ...page.troubles]);
+    await page.close();
+  }
+
+  // A coarse picture, of a quarter of the points, has the colours of the whole one without its shadows and lines; also of what is cut.
+  if (wanted("coarse")) {
+    const faults = [];
+    for (const name of ["light", "evening", "doric-columns"]) {
+      if (!readdirSync(folder).includes(`${name}.html`)) continue;
+      const page = await open(context, `file://${folder}/${name}.html`);
+      for (const cut of [false, true]) {
+        const [apart, shares] = await page.evaluate((cut) => {
+          const v = window.visualscheme, { stage } = v, small = document.createElement("canvas"), to = small.getContext("2d", { willReadFrequently: true });
+          stage.options.refine = false;
+          if (cut) v.setSection({ axis: "y", at: 0.5, flip: false });
+          v.stage.setOptions({ shadows: false, occlusion: false, edges: false });
+          small.width = 24, small.height = 20, to.imageSmoothingQuality = "high";
+          const squares = (coarse) => { stage.shadowsDirty = true; stage.draw(coarse); to.drawImage(stage.canvas, 0, 0, 24, 20); return [to.getImageData(0, 0, 24, 20).data, stage.canvas.width / stage.canvas.clientWidth]; };
+          const [whole, all] = squares(false), [coarse, some] = squares(true);
+          return [[...whole].map((x, i) => Math.abs(x - coarse[i])), [all, some]];
+        }, cut);
+        const mean = apart.reduce((a, b) => a + b) / apart.length, most = Math.max(...apart);
+        if (process.env.TELL) console.log(`# coarse ${name} ${cut ? "cut" : ""}: mean difference ${mean.toFixed(1)} of 255, largest ${most}`);
+        if (mean > 2.5 || most > 60) faults.push(`${name}${cut ? ", cut" : ""}: they differ by ${mean.toFixed(1)} of 255 in the mean, ${most} at most`);
+        if (shares.join() !== "1,0.5") faults.push(`${name}: pictures of ${shares} of the points along a side`);
+      }
+      faults.push(...page.troubles);
+      await page.close();
+    }
+    judge("coarse", faults);
+  }
+
+  // Each standard view looks where its name says, from the menu and by its key.
+  if (wanted("views")) {
+    const page = await open(context, `file://${folder}/light.html`), faults = [], third = 1 / Math.sqrt(3);
+    await page.evaluate(() => { window.visualscheme.stage.options.refine = false; });
+    const looks = { top: [0, 0, 1, "7"], bottom: [0, 0, -1], front: [0, -1, 0, "1"], back: [0, 1, 0], left: [-1, 0, 0], right: [1, 0, 0, "3"], iso: [third, -third, third, "0"], start: [null, null, null, "r"] };
+    const eye = () => page.evaluate(() => { const { control } = window.visualscheme; return control.direction().toArray(); }), first = await eye();
+    for (const [name, [x, y, z, key]] of Object.entries(looks)) {
+      const want = x === null ? first : [x, y, z], off = async (how) => { const d = await eye(); if (Math.hypot(...d.map((c, k) => c - want[k])) > 1e-6) faults.push(`${name} ${how} looks from ${d}`); };
+      await page.locator('[data-do="views"]').click();
+      await page.locator(`[data-view="${name}"]`).click();
+      await off("of the menu");
+      if (!key) continue;
+      await page.evaluate(() => { window.visualscheme.control.turn(70, 20); window.visualscheme.canvas.focus(); });
+      await page.keyboard.press(key);
+      await off("by its key");
+    }
+    judge("views", [...faults, ...page.troubles]);
+    await page.close();
+  }
+
+  // Curves, regions and text lie flat, and show: each in the colour that it has.
+  if (wanted("flat")) {
+    const page = await open(context, `file://${folder}/flat.html`), faults = [];
+    const near = (p, how) => page.evaluate(([p, how]) => { // The pixel farthest from the sky's colour within 3 of where a point is.
+      const { stage, model } = window.visualscheme, gl = stage.renderer.getContext(), q = stage.camera.position.clone().set(...p.map((x, k) => x - model.middle[k])).project(stage.camera);
+      stage.draw();
+      const x = Math.round((q.x + 1) / 2 * gl.drawingBufferWidth) - 3, y = Math.round((q.y + 1) / 2 * gl.drawingBufferHeight) - 3, bytes = new Uint8Array(4 * 49);
+      gl.readPixels(x, y, 7, 7, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      let best = -Infinity;
+      for (let i = 0; i < bytes.length; i += 4) best = Math.max(best, how === "red" ? bytes[i] - bytes[i + 1] : how === "blue" ? bytes[i + 2] - bytes[i] : 255 - bytes[i + 1]);
+      return best;
+    }, [p, how]);
+    await page.evaluate(() => { const v = window.visualscheme; v.stage.options.refine = false; });
+    for (const view of ["top", "iso"]) {
+      await page.evaluate((view) => window.visualscheme.view(view), view);
+      for (const [what, p, how, least] of [["a circle", [2, 0, 0], "red", 60], ["a line", [6, 1, 0], "dark", 120], ["a spline's end", [11, 3, 0], "dark", 120], ["a region", [5, 6, 0], "blue", 40]]) {
+        const found = await near(p, how);
+        if (!(found >= least)) faults.push(`${view}: ${what} shows as ${found} of ${least}`);
+      }
+      const hole = await near([5, 5, 0], "blue"), filled = await near([3.4, 5, 0], "blue");
+      if (!(filled > hole + 20)) faults.push(`${view}: the region is ${filled} blue, its hole ${hole}`);
+    }
+    judge("flat", [...faults, ...page.troubles]);
+    await page.close();
+  }
+
+  // The parts as a tree: operations unfold, a row chooses, its box hides and shows again.
+  if (wanted("tree")) {
+    const page = await open(context, `file://${folder}/tree.html`), faults = [];
+    await page.evaluate(() => { window.visualscheme.stage.options.refine = false; });
+    await page.keyboard.press("l");
+    await page.locator('[data-tab="parts"]').click();
+    const rows = () => page.locator(".list .row .name").allTextContents(), folded = await rows(), all = await page.evaluate(() => window.seen().count);
+    await page.getByRole("button", { name: "Unfold" }).first().click();
+    const unfolded = await rows();
+    if (!(unfolded.length > folded.length) || !unfolded.some((name) => /^(box|sphere) +tree\.vs:\d+$/.test(name))) faults.push(`unfolded: ${unfolded.join(", ")} after ${folded.join(", ")}`);
+    await page.locator(".list [data-part] .name").first().click();
+    const card = await page.locator(".card").textContent();
+    if (!/tree\.vs:\d+/.test(card)) faults.push(`a row of the tree tells: ${card}`);
+    await page.keyboard.press("Escape");
+    const group = page.locator(".list .row").filter({ has: page.locator(".fold") }).first();
+    await group.locator("input").uncheck();
+    const hidden = await page.evaluate(() => window.seen().count);
+    await page.locator(".list .row").filter({ has: page.locator(".fold") }).first().locator("input").check();
+    const again = await page.evaluate(() => window.seen().count);
+    if (!(hidden < 0.9 * all) || again !== all) faults.push(`${hidden} of ${all} pixels without a group, ${again} with it again`);
+    await page.getByRole("button", { name: "Fold", exact: true }).first().click();
+    if ((await rows()).length !== folded.length) faults.push("it does not fold");
+    await page.locator("canvas").focus();
+    await page.keyboard.press("g"); // In a model in millimetres, too, eyes are 1.65 m above what they stand on.
+    const eye = await page.evaluate(() => { const { control, model } = window.visualscheme; return control.eye().z - model.box.min[2]; });
+    // Who stands in a closed body sees it all round.
+    const inside = await page.evaluate(() => { const v = window.visualscheme, { state } = v.control, b = v.model.ball; v.control.walking = false; state.target.set(b[0], b[1], b[2]), state.distance = 0.01, v.control.apply(); const { part } = window.seen(); state.distance = 30, v.control.apply(); window.seen(); return [part, [...v.stage.surfaceCache.values()].some((m) => m.side === 0)]; });
+    if (!(inside[0] > 0.99)) faults.push(`from inside of a box ${(100 * inside[0]).toFixed(0)} % of the picture show it`);
+    if (!inside[1]) faults.push("from outside, backs are drawn, too");
+    if (Math.abs(eye - 1650) > 5) faults.push(`walking, the eye is ${eye} mm above the floor`);
+    judge("tree", [...faults, ...page.troubles]);
+    await page.close();
+  }
+
+  // By double click, without a network: nothing is asked for but the page itself. And all that can be worked has a name for screen readers.
+  if (wanted("alone")) {
+    const page = await context.newPage(), faults = [], asked = [];
+    page.on("request", (request) => { if (!/^(data|blob):/.test(request.url())) asked.push(request.url()); });
+    page.on("pageerror", (error) => faults.push(String(error)));
+    await context.setOffline(true);
+    await page.goto(`file://${folder}/light.html`);
+    await page.waitForFunction(() => window.visualscheme?.stage.drawCalls > 0, null, { timeout: 60000 });
+    await page.evaluate(() => { const v = window.visualscheme; v.stage.options.refine = false; v.togglePanel(); v.setSection({ axis: "y", at: 0.5, flip: false }); v.buttons.display.click(); });
+    await context.setOffline(false);
+    if (asked.length !== 1) faults.push("it asks for " + asked.join(", "));
+    const system = await context.newCDPSession(page), { nodes } = await system.send("Accessibility.getFullAXTree");
+    const works = nodes.filter((n) => !n.ignored && ["button", "checkbox", "slider", "textbox", "combobox", "menuitem", "menuitemcheckbox", "tab", "link"].includes(n.role?.value));
+    if (works.length < 15) faults.push(`only ${works.length} things can be worked`);
+    for (const n of works) if (!n.name?.value?.trim()) faults.push(`a ${n.role.value} without a name`);
+    if (!nodes.some((n) => n.role?.value === "image" && /model/i.test(n.name?.value || ""))) faults.push("the picture has no name");
+    judge("alone", faults);
     await page.close();
   }
 
