@@ -19,7 +19,9 @@
 
 extern char **environ;
 
-enum { LOOK_MS = 40, PRINTED_MOST = 1 << 20, COARSE_SEGMENTS = 12, BROWSER_WORDS = 30 };
+/* How often files are looked at, while a window waits for it; where nobody looks; and between frames. */
+enum { LOOK_MS = 8, LOOK_ALONE_MS = 40, FRAME_MS = 40 };
+enum { PRINTED_MOST = 1 << 20, COARSE_SEGMENTS = 12, BROWSER_WORDS = 30 };
 
 typedef struct live_follower {
   const live_options *options;
@@ -325,13 +327,18 @@ static void tell_frame(live *l, vs_outcome outcome) {
   live_text_free(&t);
 }
 
+/* Is a window open? */
+static bool seen(live *l) {
+  pthread_mutex_lock(&l->publish.lock);
+  bool any = l->publish.windows > 0;
+  pthread_mutex_unlock(&l->publish.lock);
+  return any;
+}
+
 static void run_frame(live *l) {
   double seconds = now() - l->last_frame;
   l->last_frame = now();
-  pthread_mutex_lock(&l->publish.lock);
-  bool seen = l->publish.windows > 0;
-  pthread_mutex_unlock(&l->publish.lock);
-  if (!seen) return; /* time stands still where nobody looks */
+  if (!seen(l)) return; /* time stands still where nobody looks */
   l->began = l->last_frame;
   tell_frame(l, vs_scene_frame(l->scheme, seconds < FRAME_MOST ? seconds : FRAME_MOST));
   vs_interrupt_clear(l->scheme);
@@ -395,7 +402,8 @@ static void serve(live *l) {
       live_files_settle(&l->files);
       live_trial_put(&l->publish, NULL);
     }
-    live_wish *w = again ? NULL : live_wish_take(&l->publish, &l->publish.wishes, LOOK_MS);
+    const long pause = l->frames ? FRAME_MS : seen(l) ? LOOK_MS : LOOK_ALONE_MS;
+    live_wish *w = again ? NULL : live_wish_take(&l->publish, &l->publish.wishes, pause);
     while (w != NULL) { /* all that waits, before one run */
       if (w->kind == LIVE_SET) {
         again |= set_parameter(l, w->name, w->value);

@@ -16,7 +16,9 @@
 
 const char LIVE_NEWER[] = "the file has changed on disk since it was read here";
 enum { MOST_BYTES = 256 << 20 };
-enum { SETTLE = 20, SETTLE_EMPTY = 150, SETTLE_MOST = 300 }; /* milliseconds */
+/* Milliseconds. A file's time may lag by one tick of the system's clock, ten of them at most: in a file that has been
+ * at rest for longer, a later change shows. */
+enum { SETTLE = 12, SETTLE_EMPTY = 150, SETTLE_MOST = 300, SETTLE_LOOK = 2 };
 
 bool live_file_read(const char *path, char **text, size_t *length, const char **why) {
   struct stat s;
@@ -122,8 +124,8 @@ bool live_files_changed(const live_files *f) {
 }
 
 void live_files_settle(const live_files *f) {
-  for (int waited = 0; waited < SETTLE_MOST; waited += 5) {
-    struct timespec pause = { .tv_nsec = 5000000 };
+  for (int waited = 0; waited < SETTLE_MOST; waited += SETTLE_LOOK) {
+    struct timespec pause = { .tv_nsec = SETTLE_LOOK * 1000000L };
     double youngest = SETTLE_MOST;
     bool empty = false;
     for (size_t i = 0; i < f->count; i++) {

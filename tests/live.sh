@@ -1,4 +1,4 @@
-# Owns the test of the live view: its server by HTTP (tests/page/live.mjs), in a browser (live_browser.mjs, live_making.mjs, live_scene.mjs, live_examples.mjs,
+# Owns the test of the live view: its server by HTTP (tests/page/live.mjs), in a browser (live_browser.mjs, live_words.mjs, live_making.mjs, live_scene.mjs, live_examples.mjs,
 # live_output.mjs), and `vs params`.
 case live in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v node > /dev/null || { echo "skip live: no node (package nodejs)"; exit 0; }
@@ -13,6 +13,7 @@ if command -v chromium > /dev/null && [ -d node_modules/playwright-core ]; then
   mkdir "$work/tutorial"
   timeout 400 node tests/page/tutorial.mjs "$BUILD/vs" "$work/tutorial" || echo "not ok live/browser:tutorial: ended with $?"
   timeout 400 node tests/page/live_browser.mjs "$BUILD/vs" "$work/browser" || echo "not ok live/browser: ended with $?"
+  timeout 400 node tests/page/live_words.mjs "$BUILD/vs" "$work/words" || echo "not ok live/browser: words ended with $?"
   timeout 200 node tests/page/live_making.mjs "$BUILD/vs" "$work/making" || echo "not ok live/browser: making ended with $?"
   timeout 200 node tests/page/live_scene.mjs "$BUILD/vs" "$work/scene" || echo "not ok live/browser: scene ended with $?"
   timeout 400 node tests/page/live_examples.mjs "$BUILD/vs" "$work/examples" || echo "not ok live/browser: examples ended with $?"

@@ -87,7 +87,7 @@ const rainbow = ViewPlugin.fromClass(class {
 
 // A list's lines stand under its second item, or two further in where its head is a form.
 const indentation = indentService.of((context, at) => {
-  const line = context.state.doc.lineAt(at), text = context.state.doc.sliceString(0, line.from), open = [];
+  const broken = context.simulatedBreak === at, text = context.state.doc.sliceString(0, broken ? at : context.state.doc.lineAt(at).from), open = []; // Enter asks before the line is broken.
   tokens(text, (kind, from) => { if (kind === "open") open.push(from); else if (kind === "close") open.pop(); });
   if (open.length === 0) return 0;
   const from = open[open.length - 1], start = context.state.doc.lineAt(from), column = from - start.from, inside = items(text + ")".repeat(open.length), from);
