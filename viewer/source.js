@@ -96,6 +96,22 @@ const indentation = indentService.of((context, at) => {
   return column + inside[1][0] - from;
 });
 
+// Lines that are too long go on below, two columns further in than they begin.
+const hanging = ViewPlugin.fromClass(class {
+  constructor(view) { this.decorations = this.make(view); }
+  update(update) { if (update.docChanged || update.viewportChanged) this.decorations = this.make(update.view); }
+  make(view) {
+    const builder = new RangeSetBuilder();
+    for (const { from, to } of view.visibleRanges)
+      for (let at = from; at <= to;) {
+        const line = view.state.doc.lineAt(at), columns = Math.min(24, line.text.search(/\S|$/)) + 2;
+        builder.add(line.from, line.from, Decoration.line({ attributes: { style: `text-indent:-${columns}ch;padding-left:calc(${columns}ch + 6px)` } }));
+        at = line.to + 1;
+      }
+    return builder.finish();
+  }
+}, { decorations: (p) => p.decorations });
+
 const setMarks = StateEffect.define();
 const marks = StateField.define({
   create: () => Decoration.none,
@@ -128,7 +144,7 @@ export class Source {
     };
     this.view = new EditorView({
       parent: place,
-      state: EditorState.create({ doc: "", extensions: [lineNumbers(), lintGutter(), history(), drawSelection(), highlightActiveLine(), highlightActiveLineGutter(), bracketMatching(), closeBrackets(), indentation, indentUnit.of("  "), scheme, syntaxHighlighting(colours), theme, rainbow, marks,
+      state: EditorState.create({ doc: "", extensions: [lineNumbers(), lintGutter(), history(), drawSelection(), highlightActiveLine(), highlightActiveLineGutter(), bracketMatching(), closeBrackets(), indentation, indentUnit.of("  "), scheme, syntaxHighlighting(colours), theme, EditorView.lineWrapping, hanging, rainbow, marks,
         highlightSelectionMatches(), autocompletion({ override: [names], activateOnTypingDelay: 250 }),
         EditorView.domEventHandlers({ mousedown: (event, view) => event.altKey && this.#drag(event, view) }),
         keymap.of([{ key: "Ctrl-ArrowUp", run: () => this.#step(1) }, { key: "Ctrl-ArrowDown", run: () => this.#step(-1) },

@@ -115,6 +115,7 @@ export class Stage {
       instanced: new THREE.LineBasicMaterial({ color: 0x05070a, transparent: true, opacity: 0.55, depthWrite: false }),
     };
     this.share = 1;
+    this.extent = [canvas.clientWidth || 300, canvas.clientHeight || 150]; // of the canvas on the page
     this.half = 400; // Half the picture's height.
     this.pixels = { value: 400 };
     this.took = 0; // Milliseconds that the last whole picture has taken, as far as that is known.
@@ -551,21 +552,19 @@ export class Stage {
     const w = Math.max(1, this.canvas.clientWidth), h = Math.max(1, this.canvas.clientHeight), sized = w + " " + h;
     if (sized === this.sized) return;
     this.sized = sized;
-    this.#points(1);
-    this.renderer.setSize(w, h, false);
-    this.half = this.pixels.value = h / 2;
-    const size = this.#size();
-    for (const t of [this.one, ...this.mean]) t.setSize(size.x, size.y);
+    this.extent = [w, h];
+    this.share = 0; // The canvas follows with the next picture.
+    this.half = h / 2;
+    for (const t of [this.one, ...this.mean]) t.setSize(Math.floor(w * this.ratio), Math.floor(h * this.ratio));
     this.touch();
   }
-
-  #size() { return this.renderer.getDrawingBufferSize(new THREE.Vector2()); }
 
   // The picture has so many of the canvas' points along a side. The canvas itself has then: to draw a picture of its own over all of it would take as long as
   // what is in it.
   #points(share) {
-    if (share !== this.share) this.renderer.setPixelRatio(this.ratio * share);
+    if (share === this.share) return;
     this.share = share;
+    this.renderer.setDrawingBufferSize(...this.extent, this.ratio * share);
     this.pixels.value = share * this.half; // A line is as wide as a point.
   }
 
@@ -658,7 +657,7 @@ export class Stage {
   #accumulate() {
     this.#lookInside();
     this.#points(1);
-    const i = this.count++, size = this.#size();
+    const i = this.count++, size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
     this.shadowsDirty = true;
     this.#light(i);
     this.camera.setViewOffset(size.x, size.y, ((i * 0.7548776662466927 + 0.5) % 1) - 0.5, ((i * 0.5698402909980532 + 0.5) % 1) - 0.5, size.x, size.y);

@@ -1,6 +1,7 @@
 // Owns the tests of the live view's text in a browser: the source pane as an editor, what is said to screen readers, words of the user that look like HTML, and
 // that saves and reloads leave nothing behind. `live_words.mjs VS FOLDER`.
 import { mkdirSync, writeFileSync } from "node:fs";
+import { open } from "./browser.mjs";
 import { session } from "./live_session.mjs";
 
 const [, , vs, folder] = process.argv, evil = "<img src=x onerror=window.owned=1>", LONG = Boolean(process.env.LONG);
@@ -47,6 +48,29 @@ await test("a new line is indented as its list is", async (want) => {
     want(line.search(/x/) === columns, `after ${before} a line begins in column ${line.search(/x/)}, not ${columns}`);
   }
   want(await page.evaluate(() => window.live.source.text === window.live.source.base), "it is not undone");
+});
+
+await test("long lines go on below, further in than they begin", async (want) => {
+  const seen = await page.evaluate(() => {
+    const { view } = window.live.source, scroller = view.scrollDOM, at = view.state.doc.toString().indexOf("(draw (layer"), line = view.state.doc.lineAt(at);
+    const [first, last] = [view.coordsAtPos(line.from), view.coordsAtPos(line.to)], second = view.posAtCoords({ x: scroller.getBoundingClientRect().left, y: first.bottom + 5 });
+    return { wide: scroller.scrollWidth - scroller.clientWidth, lines: (last.top - first.top) / (first.bottom - first.top), begins: view.coordsAtPos(second, 1).left - first.left };
+  });
+  want(seen.wide <= 1 && seen.lines > 0.9 && seen.begins > 8, JSON.stringify(seen));
+});
+
+await test("on a phone nothing lies on anything else", async (want) => {
+  const phone = await page.context().browser().newContext({ viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true, reducedMotion: "reduce" }), other = await open(phone, url);
+  const bad = await other.evaluate(() => {
+    const seen = [...document.querySelectorAll(".bar, .exports, .parameters, .title h1, .console, .top")].filter((e) => e.offsetParent).map((e) => [e.className || e.tagName, e.getBoundingClientRect()]), found = [];
+    for (let i = 0; i < seen.length; i++) for (let k = i + 1; k < seen.length; k++) {
+      const [a, p] = seen[i], [b, q] = seen[k];
+      if (p.left < q.right - 1 && q.left < p.right - 1 && p.top < q.bottom - 1 && q.top < p.bottom - 1) found.push(`${a} / ${b}`);
+    }
+    return matchMedia("(pointer: coarse)").matches ? found : [...found, "no fingers"];
+  });
+  want(bad.length === 0, "these overlap: " + bad.join(", "));
+  await phone.close();
 });
 
 await test("the source is searched", async (want) => {
