@@ -68,10 +68,13 @@ static void exr_quiet(exr_const_context_t c, exr_result_t code, const char *mess
 /* ---- numbers ---- */
 
 static double exr_half(unsigned bits) {
-  unsigned exponent = bits >> 10 & 31, fraction = bits & 1023;
-  double value = exponent == 31 ? (fraction ? (double)NAN : (double)INFINITY)
-      : exponent ? ldexp(1024 + fraction, (int)exponent - 25) : ldexp(fraction, -24);
-  return bits & 0x8000 ? -value : value;
+  uint32_t exponent = bits >> 10 & 31, fraction = bits & 1023, sign = (uint32_t)(bits & 0x8000) << 16;
+  if (exponent == 0) return (bits & 0x8000 ? -0x1p-24 : 0x1p-24) * fraction;
+  /* a float's exponent is larger by 112, and its fraction has 13 digits more; both say infinity and no number alike */
+  uint32_t wide = sign | (exponent == 31 ? 255 : exponent + 112) << 23 | fraction << 13;
+  float value;
+  memcpy(&value, &wide, sizeof value);
+  return (double)value;
 }
 
 static double exr_number(const unsigned char *at, uint16_t type) {

@@ -53,7 +53,11 @@ double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
 
 /* ---- curves: linear light to linear light of a screen, 0 to 1 ---- */
 
-static double cut(double x) { return x > 0 ? (x < 1 ? x : 1) : 0; }
+/* Of numbers that are none of them no number: fmin and fmax ask for that, and are calls. */
+static inline double lesser(double a, double b) { return a < b ? a : b; }
+static inline double greater(double a, double b) { return a > b ? a : b; }
+
+static inline double cut(double x) { return x > 0 ? (x < 1 ? x : 1) : 0; }
 
 static void linear(const double in[3], double out[3]) {
   for (int k = 0; k < 3; k++) out[k] = cut(in[k]);
@@ -63,9 +67,9 @@ static void linear(const double in[3], double out[3]) {
  * colour, brighter light is drawn in below white and loses its colour. */
 static void neutral(const double in[3], double out[3]) {
   const double start = 0.8 - 0.04, desaturation = 0.15;
-  double least = fmax(fmin(in[0], fmin(in[1], in[2])), 0);
+  double least = greater(lesser(in[0], lesser(in[1], in[2])), 0);
   double offset = least < 0.08 ? least - 6.25 * least * least : 0.04;
-  double peak = fmax(in[0], fmax(in[1], in[2])) - offset;
+  double peak = greater(in[0], greater(in[1], in[2])) - offset;
   double d = 1 - start, drawn = peak < start ? peak : 1 - d * d / (peak + d - start);
   double pale = peak < start ? 0 : 1 - 1 / (desaturation * (peak - drawn) + 1);
   double gain = peak < start ? 1 : drawn / peak;
@@ -119,22 +123,42 @@ static void agx(const double in[3], double out[3]) {
 
 /* ---- a picture ---- */
 
-/* IEC 61966-2-1. */
-static unsigned char screen(double x) {
-  double s = x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
-  return (unsigned char)lround(255 * cut(s));
+/* The numbers of a screen by IEC 61966-2-1, without its power for each of them: `at` has the light from which on each
+ * number is the nearest one, and `first` where to begin among these, for each of COARSE parts of the range. */
+enum { COARSE = 4096 };
+typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
+
+static void screen_prepare(screen_steps *s) {
+  int b = 0;
+  s->at[0] = 0;
+  for (int i = 1; i < 256; i++) {
+    double v = (i - 0.5) / 255;
+    s->at[i] = v <= 12.92 * 0.0031308 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+  }
+  for (int i = 0; i <= COARSE; i++) {
+    while (b < 255 && s->at[b + 1] <= (double)i / COARSE) b++;
+    s->first[i] = (unsigned char)b;
+  }
+}
+
+static unsigned char screen(const screen_steps *s, double x) { /* 0 to 1 */
+  unsigned b = s->first[(size_t)(x * COARSE)];
+  while (b < 255 && s->at[b + 1] <= x) b++;
+  return (unsigned char)b;
 }
 
 double vs_tone_apply(const vs_light *light, const vs_tone *tone, unsigned char *rgb) {
   static void (*const curves[])(const double in[3], double out[3]) = {
       [VS_TONE_NEUTRAL] = neutral, [VS_TONE_AGX] = agx, [VS_TONE_FILMIC] = filmic, [VS_TONE_LINEAR] = linear };
   double stops = tone->stops + (tone->fixed ? 0 : vs_tone_exposure(light, tone->curve)), gain = exp2(stops);
+  screen_steps steps;
+  screen_prepare(&steps);
   for (size_t i = 0; i < light->count; i++) {
     const float from[3] = { light->red[i], light->green[i], light->blue[i] };
     double in[3], out[3];
-    for (int k = 0; k < 3; k++) in[k] = isnan(from[k]) ? 0 : fmin(fmax((double)from[k], 0), 1e6) * gain;
+    for (int k = 0; k < 3; k++) in[k] = isnan(from[k]) ? 0 : lesser(greater((double)from[k], 0), 1e6) * gain;
     curves[tone->curve](in, out);
-    for (int k = 0; k < 3; k++) rgb[3 * i + (size_t)k] = screen(out[k]);
+    for (int k = 0; k < 3; k++) rgb[3 * i + (size_t)k] = screen(&steps, cut(out[k]));
   }
   return stops;
 }

@@ -12,6 +12,8 @@
 
 #include "geometry/files/exr_read.h"
 #include "geometry/measure/openness.h"
+#include "geometry/files/png_read.h"
+#include "geometry/files/png_write.h"
 #include "geometry/pictures/denoise.h"
 #include "geometry/pictures/false_color.h"
 #include "geometry/pictures/picture_difference.h"
@@ -39,6 +41,18 @@ static void test_linear(void **state) {
   assert_int_equal(grey(VS_TONE_LINEAR, 1, 0.5f), 255);
   assert_int_equal(grey(VS_TONE_LINEAR, 0, 7), 255);
   assert_int_equal(grey(VS_TONE_LINEAR, 0, -7), 0);
+}
+
+/* Every number of the screen is the nearest one to the standard's formula, dark ones in its straight part too. */
+static void test_screen(void **state) {
+  (void)state;
+  for (int i = 0; i <= 200000; i++) {
+    float x = (float)(i % 2 ? i / 200000. : pow(i / 200000., 4));
+    double v = (double)x <= 0.0031308 ? 12.92 * (double)x : 1.055 * pow((double)x, 1 / 2.4) - 0.055;
+    unsigned char rgb[3];
+    screen(VS_TONE_LINEAR, 0, x, x, x, rgb);
+    assert_true(rgb[1] == lround(255 * v) || fabs(255 * v - floor(255 * v) - 0.5) < 1e-9);
+  }
 }
 
 /* Khronos: what is below .76 stays but for .04, the reflection of dielectrics; a peak of 1.72 behind it is drawn in to
@@ -183,6 +197,59 @@ static void test_exr_round_trip(void **state) {
   free(copy);
   for (int i = 0; i < 2; i++) vs_store_realloc(store, bytes[i], room[i], 0);
   vs_exr_free(&x);
+  vs_store_release(store);
+}
+
+/* All 65,536 half floats come back as what IEEE 754 says they are. */
+static void test_halves(void **state) {
+  (void)state;
+  enum { SIDE = 256 };
+  vs_store *store = vs_store_new(NULL, NULL);
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  vs_exr x = { .store = store, .columns = SIDE, .rows = SIDE }, y;
+  unsigned char *bytes = NULL;
+  size_t size = 0, room = 0;
+  float *plane = vs_exr_add(&x, "Y", VS_EXR_HALF, &e);
+  assert_non_null(plane);
+  for (int i = 0; i < SIDE * SIDE; i++) {
+    int exponent = i >> 10 & 31, fraction = i & 1023;
+    double value = exponent == 31 ? (fraction ? (double)NAN : (double)INFINITY)
+                   : exponent     ? ldexp(1024 + fraction, exponent - 25)
+                                  : ldexp(fraction, -24);
+    plane[i] = (float)(i & 0x8000 ? -value : value);
+  }
+  assert_true(vs_exr_write(&x, &bytes, &size, &room, &e));
+  assert_true(vs_exr_read(store, "x", bytes, size, NULL, &y, &e));
+  const float *back = vs_exr_find(&y, "Y");
+  for (int i = 0; i < SIDE * SIDE; i++)
+    assert_true(isnan(plane[i]) ? isnan(back[i]) : back[i] == plane[i] && signbit(back[i]) == signbit(plane[i]));
+  vs_exr_free(&x);
+  vs_exr_free(&y);
+  vs_store_realloc(store, bytes, room, 0);
+  vs_store_release(store);
+}
+
+/* What is written as PNG is read as the same pixels: noise, and one row of one pixel. */
+static void test_png(void **state) {
+  (void)state;
+  vs_store *store = vs_store_new(NULL, NULL);
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  const uint32_t sizes[][2] = { { 301, 97 }, { 1, 1 } };
+  for (int k = 0; k < 2; k++) {
+    uint32_t columns = sizes[k][0], rows = sizes[k][1], seed = 5;
+    size_t count = (size_t)columns * rows, size = 0, room = 0;
+    unsigned char *rgb = malloc(3 * count), *bytes = NULL;
+    for (size_t i = 0; i < 3 * count; i++) rgb[i] = (unsigned char)(i % 7 < 3 ? 256 * chance(&seed) : 40);
+    assert_true(vs_png_write(store, rgb, columns, rows, &bytes, &size, &room, &e));
+    vs_png_pixels p;
+    assert_true(vs_png_read(store, "x", bytes, size, &p, &e));
+    assert_true(p.columns == columns && p.high == rows);
+    for (size_t i = 0; i < count; i++)
+      for (unsigned c = 0; c < 3; c++) assert_true(lround(255 * vs_png_at(&p, i, c)) == rgb[3 * i + c]);
+    vs_store_realloc(store, p.rows, p.room, 0);
+    vs_store_realloc(store, bytes, room, 0);
+    free(rgb);
+  }
   vs_store_release(store);
 }
 
@@ -376,6 +443,7 @@ int main(void) {
     cmocka_unit_test(test_agx),    cmocka_unit_test(test_exposure), cmocka_unit_test(test_odd_light),
     cmocka_unit_test(test_exr_round_trip), cmocka_unit_test(test_denoise), cmocka_unit_test(test_gap),
     cmocka_unit_test(test_false_color), cmocka_unit_test(test_ray_tree),
+    cmocka_unit_test(test_screen), cmocka_unit_test(test_halves), cmocka_unit_test(test_png),
     cmocka_unit_test(test_ray_box), cmocka_unit_test(test_openness),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
