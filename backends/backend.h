@@ -56,6 +56,7 @@ struct vs_emitter {
   vs_fineness facets;    /* in the coordinates of what is being written: finer where its placement makes it larger */
   vs_bounds bounds;    /* of everything drawn; never empty */
   vs_pen pen;          /* POV-Ray: how thick curves are drawn */
+  double chord;        /* POV-Ray: how fine solids are that pictures get as triangles, in parts of the fineness */
   double unit;         /* POV-Ray: how long a model unit is in its scene; see povray_scene.c */
   vs_bounds framed;    /* what a camera frames: without what is cut away */
   vs_bounds *boxes;    /* of its parts: tighter together than the one; what a camera frames */
@@ -67,6 +68,7 @@ struct vs_emitter {
   const vs_node *parent; /* the operation round this node, or NULL */
   bool smooth;         /* this mesh stands for a curved thing: shade it round */
   bool in_boolean;     /* inside an intersection or a difference */
+  bool carved;         /* at VS_PHASE_ENTER: the node stands in one somewhere in the drawing, here or elsewhere */
   /* Everything painted or placed so far on the way down. */
   const vs_material *material; /* or NULL */
   vs_affine placement;

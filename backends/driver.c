@@ -256,10 +256,26 @@ static bool drive_plan_below(vs_emitter *e, const vs_ref *ref) {
   return true;
 }
 
+/* Marks what stands in an intersection or a difference; parents first. */
+static void drive_plan_carved(vs_emitter *e) {
+  vs_drive *d = e->drive;
+  for (size_t i = d->order_count; i-- > 0;) {
+    const drive_entry *entry = &d->entries[d->order[i]];
+    const vs_node *n = entry->ref.node;
+    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue; /* nothing below is asked for */
+    if (!entry->carved && n->kind != VS_INTERSECTION && n->kind != VS_DIFFERENCE) continue;
+    for (uint32_t k = 0; k < n->child_count; k++) {
+      drive_entry *child = drive_find(e, n->children[k].node);
+      if (child != NULL) child->carved = true;
+    }
+  }
+}
+
 static bool drive_plan(vs_emitter *e) {
   vs_drive *d = e->drive;
   for (size_t i = 0; i < e->scene->drawn_count; i++)
     if (!drive_plan_below(e, &e->scene->drawn[i])) return false;
+  drive_plan_carved(e);
   if (e->backend->define == NULL) return true;
   uint32_t id = 0;
   for (size_t i = 0; i < d->order_count; i++) {
@@ -435,6 +451,7 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
     }
     if (n->kind == VS_MATERIAL) e->material = VS_AS(material, n)->material;
     if (n->flags & VS_NODE_CUT && !drive_reach(e, n)) return false;
+    e->carved = view.entry != NULL && view.entry->carved;
     bool area = !e->backend->verbatim && vs_lower_as_area(e, n);
     vs_emit_status status = fn != NULL && !(area && !e->backend->area_sets) ? fn(e, ref, VS_PHASE_ENTER) : VS_LOWER;
     if (status != VS_EMITTED) {

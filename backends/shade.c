@@ -29,6 +29,7 @@ static double shade_angle(const vs_vec3 *v, const uint32_t t[3], int corner) {
 typedef struct {
   vs_vec3 *faces;             /* a triangle's unit normal */
   double *angles;             /* at each corner */
+  const uint32_t *groups;     /* a triangle's; NULL: all are one */
   uint32_t *starts, *around;  /* the corners round vertex v are around[starts[v]] to around[starts[v + 1] - 1] */
 } shade_work;
 
@@ -49,6 +50,10 @@ static bool shade_work_new(vs_shading *s, shade_work *w, size_t vertices, size_t
          (s->corners = s->memory(s->context, NULL, 0, s->corner_room * sizeof *s->corners));
 }
 
+static bool shade_together(const shade_work *w, uint32_t a, uint32_t b) {
+  return w->groups == NULL || a == b || (w->groups[a] == w->groups[b] && w->groups[a] != VS_SHADE_FLAT);
+}
+
 /* The normals at vertex v, and which of them its corners have. */
 static void shade_vertex(const shade_work *w, size_t v, double least, vs_shading *out) {
   size_t first_normal = out->normal_count;
@@ -57,7 +62,8 @@ static void shade_vertex(const shade_work *w, size_t v, double least, vs_shading
     vs_vec3 own = w->faces[corner / 3], sum = vs_v3(0, 0, 0);
     for (uint32_t k = w->starts[v]; k < w->starts[v + 1]; k++) {
       vs_vec3 other = w->faces[w->around[k] / 3];
-      if (vs_v3_dot(own, other) >= least) sum = vs_v3_add(sum, vs_v3_scale(other, w->angles[w->around[k]]));
+      if (shade_together(w, corner / 3, w->around[k] / 3) && vs_v3_dot(own, other) >= least)
+        sum = vs_v3_add(sum, vs_v3_scale(other, w->angles[w->around[k]]));
     }
     vs_vec3 normal = shade_unit(sum);
     if (vs_v3_length(normal) < 0.5) normal = own;
@@ -76,10 +82,10 @@ static void shade_trim(vs_shading *s) {
   if (less) s->normals = less, s->normal_room = room;
 }
 
-bool vs_shading_make_in(vs_emitter *e, vs_shade_memory *memory, void *context, const vs_vec3 *vertices,
-                        size_t vertex_count, const uint32_t (*triangles)[3], size_t triangle_count, double crease,
-                        vs_shading *out) {
-  shade_work w = { .faces = NULL };
+static bool shade_make(vs_emitter *e, vs_shade_memory *memory, void *context, const vs_vec3 *vertices,
+                       size_t vertex_count, const uint32_t (*triangles)[3], const uint32_t *groups,
+                       size_t triangle_count, double crease, vs_shading *out) {
+  shade_work w = { .groups = groups };
   size_t corner_count = 3 * triangle_count;
   *out = (vs_shading){ .memory = memory, .context = context };
   bool ok = shade_work_new(out, &w, vertex_count, triangle_count) || vs_emit_no_memory(e);
@@ -111,12 +117,24 @@ done:
   return ok;
 }
 
+bool vs_shading_make_in(vs_emitter *e, vs_shade_memory *memory, void *context, const vs_vec3 *vertices,
+                        size_t vertex_count, const uint32_t (*triangles)[3], size_t triangle_count, double crease,
+                        vs_shading *out) {
+  return shade_make(e, memory, context, vertices, vertex_count, triangles, NULL, triangle_count, crease, out);
+}
+
 static void *shade_store(void *store, void *old, size_t old_bytes, size_t new_bytes) {
   return vs_store_realloc(store, old, old_bytes, new_bytes);
 }
 
+bool vs_shading_make_grouped(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count,
+                             const uint32_t (*triangles)[3], const uint32_t *groups, size_t triangle_count,
+                             double crease, vs_shading *out) {
+  return shade_make(e, shade_store, e->scene->store, vertices, vertex_count, triangles, groups, triangle_count, crease,
+                    out);
+}
+
 bool vs_shading_make(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count, const uint32_t (*triangles)[3],
                      size_t triangle_count, double crease, vs_shading *out) {
-  return vs_shading_make_in(e, shade_store, e->scene->store, vertices, vertex_count, triangles, triangle_count, crease,
-                            out);
+  return vs_shading_make_grouped(e, vertices, vertex_count, triangles, NULL, triangle_count, crease, out);
 }

@@ -22,6 +22,11 @@ typedef struct {
  * error says. The memory is that of e's store. Free with vs_shading_free. */
 bool vs_shading_make(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count, const uint32_t (*triangles)[3],
                      size_t triangle_count, double crease, vs_shading *out);
+/* The same where a triangle's corners are smooth with those of its own group alone; groups NULL: all are one. */
+#define VS_SHADE_FLAT UINT32_MAX /* a group: each of its triangles has the normal of its face */
+bool vs_shading_make_grouped(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count,
+                             const uint32_t (*triangles)[3], const uint32_t *groups, size_t triangle_count,
+                             double crease, vs_shading *out);
 /* The same in other memory, for who keeps it longer than e's store lives. */
 bool vs_shading_make_in(vs_emitter *e, vs_shade_memory *memory, void *context, const vs_vec3 *vertices,
                         size_t vertex_count, const uint32_t (*triangles)[3], size_t triangle_count, double crease,

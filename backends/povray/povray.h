@@ -1,5 +1,5 @@
 /* Owns what the files of the POV-Ray back-end share. povray_scene.c: begin and end; povray_shapes.c:
- * one function a kind; povray_worker.c: the worker. */
+ * one function a kind; povray_meshes.c: triangles; povray_worker.c: the worker. */
 #ifndef VS_BACKENDS_POVRAY_H
 #define VS_BACKENDS_POVRAY_H
 
@@ -23,7 +23,7 @@ bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref);
 bool vs_povray_item(vs_emitter *e, size_t index, bool end);
 vs_emit_fn vs_povray_line, vs_povray_region, vs_povray_box, vs_povray_sphere, vs_povray_cylinder, vs_povray_cone,
     vs_povray_cut_cone, vs_povray_half_space, vs_povray_e_cone, vs_povray_superellipsoid, vs_povray_revolve,
-    vs_povray_torus, vs_povray_polyface, vs_povray_extrude, vs_povray_transform, vs_povray_material, vs_povray_layer,
+    vs_povray_torus, vs_povray_extrude, vs_povray_transform, vs_povray_material, vs_povray_layer,
     vs_povray_csg, vs_povray_native;
 
 /* The worker. */

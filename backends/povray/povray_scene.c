@@ -9,6 +9,7 @@
 #include "backends/povray/povray.h"
 #include "backends/povray/povray_files.h"
 #include "backends/povray/povray_lamps.h"
+#include "backends/povray/povray_meshes.h"
 #include "backends/povray/povray_sky.h"
 #include "backends/view.h"
 #include "geometry/measure/bounds.h"
@@ -354,6 +355,12 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
   return fmax(sqrt(square), least) * 2 * pov_half_width(l) / width;
 }
 
+/* In parts of the drawing's fineness: half a pixel where the drawing is nearest, but no coarser, and sixteen times as
+ * fine at most. */
+static double pov_chord(const vs_emitter *e, double pixel) {
+  return fmin(1, fmax(1. / 16, pixel / 2 / e->unit / e->drawing_facets.tolerance));
+}
+
 /* An eye within matter sees nothing but its dark inside: a warning at the object that holds it. False: the error is
  * set. */
 static bool pov_tell_eye(vs_emitter *e, const vs_look *look) {
@@ -394,6 +401,7 @@ bool vs_povray_begin(vs_emitter *e) {
   look.eye = vs_v3_scale(look.eye, e->unit), look.target = vs_v3_scale(look.target, e->unit), look.width *= e->unit;
   diagonal *= e->unit;
   double pixel = pov_pixel(e, &look, width);
+  e->chord = pov_chord(e, pixel);
   if (e->unit != 1) {
     vs_puts(w, "// ");
     vs_put_number(w, 1 / e->unit);
@@ -417,7 +425,7 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, \
   .use = vs_povray_use, \
   .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, \
-  .family = "povray", .native = "povray", .inks = true, .lays = true, .groups = true, .keeps_text = true, \
+  .family = "povray", .native = "povray", .inks = true, .lays = true, .groups = true, \
   .frames = true, \
   .emit = {                                                                                                            \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                             \
@@ -436,6 +444,8 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
     [VS_DIFFERENCE] = { vs_povray_csg, NULL }, \
   }
 
-const vs_backend vs_backend_povray = { POVRAY_SHARED };
+/* Text is kept where it is the output. A picture's depends on more than keys hold, and takes no time beside the
+ * rendering. */
+const vs_backend vs_backend_povray = { POVRAY_SHARED, .keeps_text = true };
 const vs_backend vs_backend_povray_png = { POVRAY_SHARED, .render = vs_povray_render_png, .keep_origins = true };
 const vs_backend vs_backend_povray_exr = { POVRAY_SHARED, .render = vs_povray_render_exr, .keep_origins = true };

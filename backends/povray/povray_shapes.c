@@ -1,26 +1,17 @@
 /* Owns the POV-Ray text of every kind. Objects that POV-Ray draws wrong without a word (degenerate shapes, lone
- * operands) never get here: the constructors refuse them or the driver leaves them out. Triangles take part in CSG by
- * their inside_vector. */
+ * operands) never get here: the constructors refuse them or the driver leaves them out. Triangles are in
+ * povray_meshes.c. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "backends/povray/povray.h"
+#include "backends/povray/povray_meshes.h"
+#include "backends/povray/povray_text.h"
 #include "geometry/plane/outline.h"
 #include "geometry/plane/planar_evaluation.h"
-#include "backends/shade.h"
 #include "geometry/frame.h"
 #include "geometry/profiles/revolve.h"
 
-static void pov_indent(vs_emitter *e) { vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40)); }
-static void pov_open(vs_emitter *e, const char *word) {
-  pov_indent(e);
-  vs_puts(e->out, word);
-}
-static vs_emit_status pov_close(vs_emitter *e, const char *word) {
-  vs_puts(e->out, word);
-  return e->out->failed ? VS_FAILED : VS_EMITTED;
-}
 /* Primitives are what a drawing may have a million of: their text is made in the writer's own buffer. */
 enum { POV_POINT_ROOM = 3 * VS_NUMBER_ROOM + 8, POV_SHAPE_ROOM = 80 + 32 + 2 * POV_POINT_ROOM + 2 * VS_NUMBER_ROOM };
 
@@ -58,10 +49,6 @@ static vs_emit_status pov_finish(vs_emitter *e, char *to) {
   return vs_writer_filled(e->out, to) ? VS_EMITTED : VS_FAILED;
 }
 
-/* Lengths and places in the units of the scene */
-static vs_vec3 pov_at(const vs_emitter *e, vs_vec3 p) { return e->unit == 1 ? p : vs_v3_scale(p, e->unit); }
-
-static void pov_point(vs_emitter *e, vs_vec3 p) { vs_put_triple(e->out, "<", p, ", ", ">"); }
 static void pov_comma_point(vs_emitter *e, vs_vec3 p) {
   vs_puts(e->out, ", ");
   pov_point(e, p);
@@ -198,100 +185,6 @@ vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase p
   pov_point(e, out);
   pov_comma(e, vs_v3_dot(out, h->point) * e->unit);
   return pov_close(e, " }\n");
-}
-
-/* ---- triangles ---- */
-
-static bool pov_needle(const vs_vec3 *v, const uint32_t t[3]) {
-  vs_vec3 a = vs_v3_sub(v[t[1]], v[t[0]]), b = vs_v3_sub(v[t[2]], v[t[0]]);
-  double longest = fmax(vs_v3_length(a), vs_v3_length(b));
-  return !(vs_v3_length(vs_v3_cross(a, b)) > 1e-12 * longest * longest);
-}
-
-/* Index triples, ten a line; needles are left out: POV-Ray complains of them and they show nothing. */
-static void pov_triples(vs_emitter *e, const char *word, const vs_vec3 *v, const uint32_t (*keep)[3],
-                        const uint32_t (*triples)[3], size_t count, size_t kept) {
-  pov_open(e, word);
-  vs_put_u32(e->out, (uint32_t)kept);
-  for (size_t i = 0, shown = 0; i < count; i++) {
-    if (pov_needle(v, keep[i])) continue;
-    vs_puts(e->out, shown++ % 10 == 0 ? ",\n" : ", ");
-    if (shown % 10 == 1) pov_indent(e);
-    for (int k = 0; k < 3; k++) {
-      vs_puts(e->out, k == 0 ? "<" : ",");
-      vs_put_u32(e->out, triples[i][k]);
-    }
-    vs_puts(e->out, ">");
-  }
-  vs_puts(e->out, "\n");
-  pov_indent(e);
-  vs_puts(e->out, "}\n");
-}
-
-static void pov_points(vs_emitter *e, const char *word, const vs_vec3 *at, size_t count, vs_vec3 from, double unit) {
-  pov_open(e, word);
-  vs_put_u32(e->out, (uint32_t)count);
-  for (size_t i = 0; i < count; i++) {
-    vs_puts(e->out, i % 4 == 0 ? ",\n" : ", ");
-    if (i % 4 == 0) pov_indent(e);
-    vs_put_triple(e->out, "<", unit == 1 ? vs_v3_sub(at[i], from) : vs_v3_scale(vs_v3_sub(at[i], from), unit), ",",
-                  ">");
-  }
-  vs_puts(e->out, "\n");
-  pov_indent(e);
-  vs_puts(e->out, "}\n");
-}
-
-/* POV-Ray keeps the corners of meshes in single precision: those of what is far away for its size are written from its
- * first corner on. */
-static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
-  vs_bounds b = vs_bounds_empty();
-  for (size_t i = 0; i < count; i++) vs_bounds_add(&b, v[i]);
-  vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
-  return count > 0 && vs_v3_length(middle) > 100 * vs_bounds_diagonal(&b) ? v[0] : vs_v3(0, 0, 0);
-}
-
-static vs_emit_status pov_mesh(vs_emitter *e, const vs_vec3 *v, size_t vertex_count, const uint32_t (*t)[3],
-                               size_t count, bool closed) {
-  size_t kept = 0;
-  for (size_t i = 0; i < count; i++) kept += !pov_needle(v, t[i]);
-  if (kept == 0) return VS_EMITTED; /* nothing that could be seen */
-  if (!vs_emit_triangles(e, kept)) return VS_FAILED;
-  vs_shading s = { .normal_count = 0 };
-  const double crease = 0.6; /* radians, some 35 degrees */
-  if (e->smooth && !vs_shading_make(e, v, vertex_count, t, count, crease, &s)) return VS_FAILED;
-  pov_open(e, "mesh2 {\n");
-  e->depth++;
-  vs_vec3 from = pov_far(v, vertex_count);
-  pov_points(e, "vertex_vectors { ", v, vertex_count, from, e->unit);
-  if (e->smooth) pov_points(e, "normal_vectors { ", s.normals, s.normal_count, vs_v3(0, 0, 0), 1);
-  pov_triples(e, "face_indices { ", v, t, t, count, kept);
-  if (e->smooth) pov_triples(e, "normal_indices { ", v, t, (const uint32_t (*)[3])s.corners, count, kept);
-  if (closed) pov_open(e, "inside_vector <0.2317, 0.4951, 0.8372>\n"); /* askew, so that it seldom runs along an edge */
-  if (!vs_v3_equal(from, vs_v3(0, 0, 0))) {
-    pov_open(e, "translate ");
-    pov_point(e, pov_at(e, from));
-    vs_puts(e->out, "\n");
-  }
-  e->depth--;
-  vs_shading_free(&s);
-  pov_open(e, "}\n");
-  return pov_close(e, "");
-}
-
-vs_emit_status vs_povray_polyface(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
-  (void)phase;
-  const struct vs_polyface_mesh *p = VS_AS(polyface_mesh, ref->node);
-  bool triangles = p->faces->corner_count == 3 * p->faces->count;
-  const uint32_t *starts = vs_faces_starts(p->faces);
-  for (uint32_t i = 0; i < p->faces->count && triangles; i++) triangles = starts[i] == 3 * i;
-  if (triangles)
-    return pov_mesh(e, p->points->at, p->points->count, (const uint32_t(*)[3])(const void *)vs_faces_corners(p->faces),
-                    p->faces->count, p->closed);
-  const vs_solid *m = vs_emit_mesh(e, ref);
-  if (m == NULL) return VS_FAILED;
-  return pov_mesh(e, m->mesh.vertices, m->mesh.vertex_count, (const uint32_t(*)[3])m->mesh.triangles,
-                  m->mesh.triangle_count, p->closed);
 }
 
 /* ---- curves and regions ---- */
@@ -551,6 +444,8 @@ vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
     pov_open(e, "}\n");
     return pov_close(e, "");
   }
+  vs_emit_status solid = n->kind == VS_UNION ? VS_LOWER : vs_povray_solid(e, ref);
+  if (solid != VS_LOWER) return solid;
   bool clear = e->material != NULL && e->material->transparency > 0 && n->class_ == VS_SOLID && e->child_count <= 200;
   pov_open(e, n->kind == VS_INTERSECTION ? "intersection {\n"
               : n->kind == VS_DIFFERENCE ? "difference {\n"

@@ -286,6 +286,90 @@ static void test_povray_skins(void **state) {
   test_model_close(&m);
 }
 
+/* ---- solids that pictures get as triangles ---- */
+
+static memory scene_text;
+static bool keep_scene(vs_emitter *e, const char *scene, const char *output) {
+  (void)e, (void)output;
+  char part[4096];
+  size_t count;
+  FILE *f = fopen(scene, "r");
+  scene_text.used = 0;
+  while ((count = fread(part, 1, sizeof part, f)) > 0) memory_sink(&scene_text, part, count);
+  return fclose(f) == 0;
+}
+
+/* The scene that POV-Ray would get for a picture; valid until the next. */
+static const char *pictured(test_model *m) {
+  vs_backend instead = vs_backend_povray_png;
+  instead.render = keep_scene;
+  vs_format format = *vs_export_format_find("png");
+  format.backend = &instead;
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  memory out = { NULL, 0, 0 };
+  if (!vs_export_to(&m->scene, &format, memory_sink, &out, NULL, &e)) fail_msg("%s", e.message);
+  free(out.text);
+  return scene_text.text;
+}
+
+/* A wall with `holes` round openings; of the colour "red" where painted. */
+static vs_ref wall_of(test_model *m, int holes, const char *paint) {
+  vs_ref parts[9] = { test_box(m, 0, 0, 0, 10, 3, 1) };
+  if (paint) parts[0] = test_paint(m, paint, parts[0]);
+  for (int i = 1; i <= holes; i++) parts[i] = test_cylinder(m, vs_v3(i, 1.5, -1), vs_v3(i, 1.5, 2), 0.4);
+  return test_node(m, 1, VS_DIFFERENCE, &(struct vs_difference){ 0 }, parts, (size_t)holes + 1);
+}
+
+static size_t times_in(const char *text, const char *part) {
+  size_t count = 0;
+  for (const char *at = text; (at = strstr(at, part)) != NULL; at++) count++;
+  return count;
+}
+
+/* What takes POV-Ray long is one mesh in a picture, shaded round where the openings are; a .pov has the operation. */
+static void test_povray_solids(void **state) {
+  (void)state;
+  test_model m;
+  test_model_open(&m);
+  test_draw(&m, wall_of(&m, 6, NULL));
+  assert_lacks(pictured(&m), "difference");
+  assert_int_equal(times_in(scene_text.text, "mesh2"), 1);
+  assert_holds(scene_text.text, "normal_vectors");
+  char *text = written(&m, "pov");
+  assert_holds(text, "difference");
+  assert_lacks(text, "mesh2");
+  free(text);
+  test_model_close(&m);
+  /* with paint of its own each part is a mesh of that paint */
+  test_model_open(&m);
+  test_draw(&m, test_paint(&m, "blue", test_pair(&m, VS_INTERSECTION, test_box(&m, 0, 0, 0, 9, 9, 9), wall_of(&m, 6, "red"))));
+  assert_lacks(pictured(&m), "intersection");
+  assert_int_equal(times_in(scene_text.text, "mesh2"), 2);
+  test_model_close(&m);
+}
+
+/* What stays an operation: few parts, glass round it or in it, a pattern that was moved with its part, an operand. */
+static void test_povray_solids_left(void **state) {
+  (void)state;
+  test_model m;
+  for (int i = 0; i < 5; i++) {
+    test_model_open(&m);
+    vs_ref moved = test_move(&m, 1, 0, 0, test_paint(&m, "brick", test_box(&m, 0, 0, 0, 1, 2, 3)));
+    vs_ref wall = wall_of(&m, i == 0 ? 2 : 6, i == 1 ? "glass" : NULL);
+    if (i == 2) wall = test_paint(&m, "glass", wall);
+    if (i == 3) wall = test_pair(&m, VS_DIFFERENCE, wall, moved);
+    else vs_node_release(moved.node);
+    if (i == 4) { /* drawn by itself, and as what a larger sphere of glass lacks */
+      vs_node_retain(wall.node);
+      test_draw(&m, test_paint(&m, "glass", test_pair(&m, VS_DIFFERENCE, test_sphere(&m, 0, 0, 0, 20), wall)));
+    }
+    test_draw(&m, wall);
+    assert_lacks(pictured(&m), "mesh2");
+    assert_holds(scene_text.text, "difference");
+    test_model_close(&m);
+  }
+}
+
 static void test_openscad_words(void **state) {
   (void)state;
   test_model m;
@@ -783,7 +867,7 @@ static void test_tells_what_is_left_out(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_tells_what_is_left_out), cmocka_unit_test(test_numbers), cmocka_unit_test(test_numbers_locale), cmocka_unit_test(test_tree_reads_back), cmocka_unit_test(test_tree_golden),
-    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_deflate), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
+    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_deflate), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_povray_solids), cmocka_unit_test(test_povray_solids_left), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
     cmocka_unit_test(test_left_out), cmocka_unit_test(test_templates), cmocka_unit_test(test_singular), cmocka_unit_test(test_deep),
     cmocka_unit_test(test_no_memory), cmocka_unit_test(test_files), cmocka_unit_test(test_formats), cmocka_unit_test(test_povray_missing),
     cmocka_unit_test(test_povray_complains), cmocka_unit_test(test_povray_stops), cmocka_unit_test(test_povray_picture),
