@@ -392,6 +392,8 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_putf(w, ": a scene for POV-Ray 3.7, made by VisualScheme\n// povray +W%d +H%d +A0.1 THIS-FILE\n#version 3.7;\n",
           width, height);
   vs_puts(w, "global_settings {\n  assumed_gamma 1\n  max_trace_level 12\n  ");
+  /* Between the faces of a pane light goes to and fro; what carries less than a fiftieth of a pixel is not followed. */
+  if (pov_is_developed(e) && e->options->quality != VS_RENDER_FINAL) vs_puts(w, "adc_bailout 0.02\n  ");
   vs_puts(w, pov_radiosity(e->options->quality));
   vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient ");
   pov_word(w, "", vs_povray_ambient(e), " diffuse 0.82 } } }\n\n");
