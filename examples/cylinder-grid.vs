@@ -19,6 +19,16 @@
 
 (draw (with-material plaster grid))
 
-(ground 0 #:material stone)
-(sun #:azimuth 285 #:altitude 22)
-(camera (xyz (* count -0.06) (* count -0.16) (* count 0.25)) (xyz (* count 0.42) (* count 0.4) 0) #:lens 32)
+; Somebody to show the size: a cylinder is a little higher than a person.
+(define (visitor x y coat)
+  (let ([at (lambda (aside ahead high) (xyz (+ x aside) (+ y ahead) high))])
+    (unite (color "#3b3f4a" (make-cut-cone (at -0.08 0.1 0) 0.05 (at -0.075 0 0.82) 0.085) (make-cut-cone (at 0.08 -0.1 0) 0.05 (at 0.075 0 0.82) 0.085))
+           (color coat (make-cut-cone (at 0 0 0.72) 0.17 (at 0 0 1.04) 0.145) (make-cut-cone (at 0 0 1.04) 0.145 (at 0 0 1.36) 0.19) (make-cut-cone (at 0 0 1.36) 0.19 (at 0 0 1.48) 0.07)
+                       (make-cut-cone (at -0.24 0.05 0.84) 0.035 (at -0.18 0 1.38) 0.06) (make-cut-cone (at 0.24 -0.05 0.84) 0.035 (at 0.18 0 1.38) 0.06))
+           (color "#c99d7c" (make-cut-cone (at 0 0 1.42) 0.06 (at 0 0 1.56) 0.055) (make-sphere (at 0 0 1.6) 0.085) (make-sphere (at 0 0.01 1.64) 0.09))
+           (color "#2a2320" (make-sphere (at 0 0.025 1.665) 0.092)))))
+(draw (map visitor '(-1.6 -2.3 4.5 10.5 11.3) '(3.4 9.2 -1.6 -1.4 -1.8) '("#7d4a3e" "#5a6470" "#b3a484" "#476b7c" "#5a6470")))
+
+(ground 0 #:material 'paving)
+(sun #:azimuth 285 #:altitude 30)
+(camera (xyz -8 -7.5 4.2) (xyz 8 6.5 0.4) #:lens 26 #:upright #t)

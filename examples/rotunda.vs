@@ -100,14 +100,20 @@
                                80)
                    'z (degrees->radians -72)))))
 
-; Visitors, simple enough to show how high it is.
-(define (visitor x y)
-  (unite (make-cut-cone (xyz x y 0) 0.3 (xyz x y 1.45) 0.15) (make-sphere (xyz x y 1.6) 0.14)))
+; Visitors, simple enough to show how high it is: two legs, a coat with its arms, a head with hair.
+(define (visitor x y coat)
+  (let ([at (lambda (aside ahead high) (xyz (+ x aside) (+ y ahead) high))])
+    (unite (color "#3b3f4a" (make-cut-cone (at -0.08 0.1 0) 0.05 (at -0.075 0 0.82) 0.085) (make-cut-cone (at 0.08 -0.1 0) 0.05 (at 0.075 0 0.82) 0.085))
+           (color coat (make-cut-cone (at 0 0 0.72) 0.17 (at 0 0 1.04) 0.145) (make-cut-cone (at 0 0 1.04) 0.145 (at 0 0 1.36) 0.19) (make-cut-cone (at 0 0 1.36) 0.19 (at 0 0 1.48) 0.07)
+                       (make-cut-cone (at -0.24 0.05 0.84) 0.035 (at -0.18 0 1.38) 0.06) (make-cut-cone (at 0.24 -0.05 0.84) 0.035 (at 0.18 0 1.38) 0.06))
+           (color "#c99d7c" (make-cut-cone (at 0 0 1.42) 0.06 (at 0 0 1.56) 0.055) (make-sphere (at 0 0 1.6) 0.085) (make-sphere (at 0 0.01 1.64) 0.09))
+           (color "#2a2320" (make-sphere (at 0 0.025 1.665) 0.092)))))
 
 (draw (with-material plaster (subtract (unite mass (subtract porch (make-cylinder (xyz 0 0 -1) 60 (+ r 1))))
                                        air wedge)))
 (draw (with-material stone (make-cylinder (xyz 0 0 -0.6) (xyz 0 0 0) (+ r wall 22))))
-(draw (color "#3d4653" (map visitor '(4 5 -7 -8.2 -3 12 13 -14.5 1 8 -1.2) '(2 2.6 -6 -5 9 -9 -8 3 -20 -17 -19.2))))
+(draw (map visitor '(4 5 -7 -8.2 -3 12 13.2 -14.5 1 8 -1.2 2.6 7) '(2 2.6 -6 -5 9 -9 -8.4 3 -20 -17 -19.2 -29 -37)
+           '("#5a6470" "#8c4a3a" "#c9b68f" "#39708a" "#5a6470" "#8c4a3a" "#5b4a5e" "#c9b68f" "#39708a" "#8c4a3a" "#5a6470" "#c9b68f" "#4f5d4a")))
 
 (units 'm)
 (ground -0.6 #:material grass)
