@@ -129,7 +129,7 @@ static const struct example examples[] = {
   {"(define (f x) x) (f 1 2)", "error: f needs 1 argument (x), got 2"},
   {"(define (f x) x) (f #:y 2)", "error: f has no keyword #:y"},
   {"(define (f x) x) (f 1 #:y 2)", "error: f has no keyword #:y"},
-  {"(define (f x #:turn t #:size [s 1]) x) (f 1 #:sise 2)", "error: f has no keyword #:sise; it has #:turn #:size"},
+  {"(define (f x #:turn t #:size [s any? 1]) x) (f 1 #:sise 2)", "error: f has no keyword #:sise; it has #:turn #:size"},
   {"(5 5)", "error: a number cannot be called (a list is written (list 1 2 3), a point (xyz 1 2 3), a gvector (vxyz 1 2 3)): 5"},
   {"(define k #f) (define n 0) (define l '()) (let ((v (call/cc (lambda (c) (set! k c) 0)))) (set! l (cons v l)) (set! n (+ n 1)) (if (< n 3) (k n) l))", "(2 1 0)"},
   {"(define (deep n) (if (= n 0) 0 (+ 1 (deep (- n 1))))) (deep 1000000)", "1000000"},
