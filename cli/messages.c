@@ -192,6 +192,8 @@ static void count_of(size_t n, const char *one, const char *many, bool *any) {
   *any = true;
 }
 
+#define LARGEST_BUILDING 4000 /* metres: what is larger is a landscape, or has been drawn in other units */
+
 void cli_report_summary(const char *title, const vs_summary *s) {
   bool any = false;
   fprintf(stderr, "%s: ", title);
@@ -218,6 +220,11 @@ void cli_report_summary(const char *title, const vs_summary *s) {
             s->max[0] + 0.0, s->max[1] + 0.0, s->max[2] + 0.0);
   }
   fputc('\n', stderr);
+  double largest = 0;
+  for (int i = 0; i < 3 && s->has_bounds && !s->bounds_at_most; i++) largest = fmax(largest, s->max[i] - s->min[i]);
+  if (largest >= LARGEST_BUILDING && strcmp(s->units, "m") == 0) /* a house drawn in millimetres */
+    fprintf(stderr, "%s: that is %.3g km; (units 'mm), or 'cm, says that lengths are not in metres\n", title,
+            largest / 1000);
 }
 
 /* ---- parameters ---- */
