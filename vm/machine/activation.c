@@ -81,11 +81,12 @@ static vs_value *flush_failed(vs_scheme *vm, vs_value *w) {
   return NULL;
 }
 
-/* Calls that are not tail calls, one inside the other, may take a gigabyte: some 20 million calls of a small procedure.
- * Deeper ones have no end. Of a limited memory they may take a third, since the collector copies them: of more it would
- * run out first, and the message would not say why. */
+/* Calls that are not tail calls, one inside the other, may take 256 MB: some 5 million calls of a small procedure.
+ * Deeper ones have no end, and who forgot to end them is to hear so at once, also on a small computer. Of a limited
+ * memory they may take a third, since the collector copies them: of more it would run out first, and the message would
+ * not say why. */
 static size_t most_slots(const vs_scheme *vm) {
-  size_t bytes = VS_DEBUG_STRESS ? (size_t)256 << 20 : (size_t)1 << 30;
+  size_t bytes = (size_t)256 << 20;
   if (vm->config.memory_limit && vm->config.memory_limit / 3 < bytes) bytes = vm->config.memory_limit / 3;
   return bytes / sizeof(vs_value);
 }
