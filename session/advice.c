@@ -388,6 +388,6 @@ bool vs_session_advise_empty(vs_session *s, vs_text *t) {
     t->count = before;
     return put(t, "; (draw object) draws one");
   }
-  return put(t, "%s and calls none of it; (draw (%.*s ...)) draws what one makes", n.count > 4 ? " and others" : "",
+  return put(t, "%s and draws nothing; (draw (%.*s ...)) draws what one makes", n.count > 4 ? " and others" : "",
       (int)n.last_length, n.last);
 }
