@@ -41,17 +41,22 @@
   (make-box (xyz (- -1.5 (* n 0.5)) (- -1.5 (* n 0.5)) (* n -0.35))
             (xyz (+ 16.5 (* n 0.5)) (+ 1.5 (* n 0.5)) (* (+ n -1) -0.35))))
 
-; Another family: visitors, who show how high the columns are. Their arguments are a place and the colour of a coat.
-(define (visitor p coat)
-  (let ([at (lambda (aside ahead high) (+xyz p aside ahead high))])
-    (unite (color "#3b3f4a" (make-cut-cone (at -0.08 0.1 0) 0.05 (at -0.075 0 0.82) 0.085) (make-cut-cone (at 0.08 -0.1 0) 0.05 (at 0.075 0 0.82) 0.085))
-           (color coat (make-cut-cone (at 0 0 0.72) 0.17 (at 0 0 1.04) 0.145) (make-cut-cone (at 0 0 1.04) 0.145 (at 0 0 1.36) 0.19) (make-cut-cone (at 0 0 1.36) 0.19 (at 0 0 1.48) 0.07)
-                       (make-cut-cone (at -0.24 0.05 0.84) 0.035 (at -0.18 0 1.38) 0.06) (make-cut-cone (at 0.24 -0.05 0.84) 0.035 (at 0.18 0 1.38) 0.06))
-           (color "#c99d7c" (make-cut-cone (at 0 0 1.42) 0.06 (at 0 0 1.56) 0.055) (make-sphere (at 0 0 1.6) 0.085) (make-sphere (at 0 0.01 1.64) 0.09))
-           (color "#2a2320" (make-sphere (at 0 0.025 1.665) 0.092)))))
+; Another family: visitors, who show how high the columns are. What they wear is made apart, for each colour its own.
+(define (at p aside ahead high) (+xyz p aside ahead high))
+(define (legs p)
+  (list (make-cut-cone (at p -0.08 0.1 0) 0.05 (at p -0.075 0 0.82) 0.085) (make-cut-cone (at p 0.08 -0.1 0) 0.05 (at p 0.075 0 0.82) 0.085)))
+(define (coat p)
+  (list (make-cut-cone (at p 0 0 0.72) 0.17 (at p 0 0 1.04) 0.145) (make-cut-cone (at p 0 0 1.04) 0.145 (at p 0 0 1.36) 0.19) (make-cut-cone (at p 0 0 1.36) 0.19 (at p 0 0 1.48) 0.07)
+        (make-cut-cone (at p -0.24 0.05 0.84) 0.035 (at p -0.18 0 1.38) 0.06) (make-cut-cone (at p 0.24 -0.05 0.84) 0.035 (at p 0.18 0 1.38) 0.06)))
+(define (head p)
+  (list (make-cut-cone (at p 0 0 1.42) 0.06 (at p 0 0 1.56) 0.055) (make-sphere (at p 0 0.01 1.63) 0.092)))
+(define (hair p)
+  (make-sphere (at p 0 0.025 1.66) 0.093))
 
 (draw (with-material plaster columns))
-(draw (visitor (xyz 1.5 -1 0) "#5a6470") (visitor (xyz 10.4 -0.6 0) "#8c4a3a") (visitor (xyz 11.2 -0.9 0) "#c9b68f") (visitor (xyz 5.4 -6 -1.05) "#39708a"))
+(define people (list (xyz 1.5 -1 0) (xyz 10.4 -0.6 0) (xyz 11.2 -0.9 0) (xyz 5.4 -6 -1.05)))
+(draw (color "#3b3f4a" (map legs people)) (color "#c99d7c" (map head people)) (color "#2a2320" (map hair people))
+      (color "#5a6470" (coat (xyz 1.5 -1 0))) (color "#7d4a3e" (coat (xyz 10.4 -0.6 0))) (color "#b3a484" (coat (xyz 11.2 -0.9 0))) (color "#476b7c" (coat (xyz 5.4 -6 -1.05))))
 (draw (with-material stone (unite (map step '(1 2 3)))))
 
 (ground -1.05 #:material grass)
