@@ -43,7 +43,7 @@
 (define (neighbour x y wide deep high) (make-box (xyz x y 0) wide deep high))
 (draw (with-material 'white
         (neighbour -58 22 30 24 24) (neighbour -22 40 26 22 15) (neighbour 20 34 24 26 21) (neighbour 50 20 30 30 30) (neighbour -64 -22 20 30 18)))
-(define lime (prefab "tree" #:height 9.0 #:spread 0.35 #:forks 5 #:green "#5d6b47"))
+(define lime (prefab "tree" #:height 9.0 #:spread 0.35 #:forks 3 #:green "#5d6b47"))
 (draw (map (lambda (x k turn) (do-move (do-rotate (do-scale lime k) 'z turn) (vxyz x -13 0))) '(-34 -26 -18 18 26 34 42) '(1 0.9 1.1 1 1.15 0.95 1.05) '(0 2 4 1 3 5 2.5))
       (map (lambda (x y turn) (stand (prefab "person" #:stride 0.2) x y turn)) '(9 10 24 -6 18) '(-22 -21.6 -34 -16 -17) '(80 100 -30 170 60)))
 (ground 0 #:material 'paving)

@@ -69,8 +69,10 @@
 (draw (with-material plaster (make-box (xyz -7 -5 -1) (xyz 7 5 4)))
       (color "#84503f" (make-irregular-pyramid (list (xyz -7.4 -5.4 4) (xyz 7.4 -5.4 4) (xyz 7.4 5.4 4) (xyz -7.4 5.4 4)) (xyz 0 0 7.2))))
 
-(for ([x '(-9.5 -8.6 12)] [y '(-9 -9.4 -14)] [turn '(30 60 -70)] [coat '("#5a6470" "#8c4a3a" "#b3a484")])   ; people in the garden
-  (draw (do-move (do-rotate (prefab "person" #:coat coat #:stride 0.15) 'z (degrees->radians turn)) (vxyz x y (+ (* 0.4 (sin (/ x 9))) (* 0.3 (cos (/ y 7))))))))
+; people in the garden
+(draw (map (lambda (x y turn coat)
+             (do-move (do-rotate (prefab "person" #:coat coat #:stride 0.15) 'z (degrees->radians turn)) (vxyz x y (+ (* 0.4 (sin (/ x 9))) (* 0.3 (cos (/ y 7)))))))
+           '(-9.5 -8.6 12) '(-9 -9.4 -14) '(30 60 -70) '("#5a6470" "#8c4a3a" "#b3a484")))
 
 (printf "~a trees of ~a, surveyed on ~a~%" (length trees) (data-ref survey 'survey 'site) (data-ref survey 'survey 'date))
 (for ([kind (map car (data-ref survey 'species))])

@@ -5,7 +5,7 @@
 # name, samples for the volume, then what makes it small
 examples='doric-columns 100000
 doric-column 100000
-cylinder-grid 20000 -D count=9
+cylinder-grid 100000 -D count=9
 twisted-tower 200000 -D floors=6
 rotunda 400000
 arcade 200000
