@@ -27,7 +27,7 @@
 (define (stand what x y turn) (do-move (do-rotate what 'z (degrees->radians turn)) (vxyz x y 0)))
 (define (walker coat height) (prefab "person" #:coat coat #:height height #:stride 0.18))
 (draw (stand (walker "#5a6470" 1.76) 21 -2.4 70) (stand (walker "#8c4a3a" 1.64) 22 -2.1 75) (stand (walker "#c9b68f" 1.8) 13 5 -30)
-      (stand (walker "#39708a" 1.7) 25 8 200) (stand (walker "#5b4a5e" 1.68) 9 2 20) (stand (walker "#4f5d4a" 1.74) 29 -4.5 -150))
+      (stand (walker "#39708a" 1.7) 25 8 200) (stand (walker "#5b4a5e" 1.68) 9 2 20) (stand (walker "#4f5d4a" 1.74) 27.5 -2.5 -150))
 (ground -0.12 #:material 'grass)
 (sun #:azimuth 210 #:altitude 48)
 (camera (xyz 45 -25 9.5) (xyz 15.5 8.6 2.6) #:lens 38)
