@@ -48,6 +48,7 @@ await test("a point is dragged in the view", async (want) => {
 });
 
 await test("the point goes into the source by its literal", async (want) => {
+  await page.waitForFunction(() => window.live.parameters.rows.get("peak").sent === window.live.state.parameters[0].value, null, { timeout: 20000 }); // Where it was let go.
   const value = await peak();
   await page.getByRole("button", { name: "Write to source" }).click();
   await page.waitForFunction(() => !window.live.source.dirty);
