@@ -18,7 +18,7 @@ const char LIVE_NEWER[] = "the file has changed on disk since it was read here";
 enum { MOST_BYTES = 256 << 20 };
 /* Milliseconds. A file's time may lag by one tick of the system's clock, ten of them at most: in a file that has been
  * at rest for longer, a later change shows. */
-enum { SETTLE = 12, SETTLE_EMPTY = 150, SETTLE_MOST = 300, SETTLE_LOOK = 2 };
+enum { SETTLE = 12, SETTLE_EMPTY = 500, SETTLE_MOST = 700, SETTLE_LOOK = 2 };
 
 bool live_file_read(const char *path, char **text, size_t *length, const char **why) {
   struct stat s;
