@@ -66,7 +66,7 @@ typedef struct { step *steps; size_t count, room; bool cut, thin; size_t shapes;
 
 enum { MOST_SHAPES = 1 << 16 }; /* in one key: what is inside of a shape may be a tree that names its parts many
                                  * times */
-enum { TAG_WHOLE = 1u << 16, TAG_TEMPLATE = 1u << 17, TAG_SHOWN = 1u << 18 };
+enum { TAG_WHOLE = 1u << 16, TAG_TEMPLATE = 1u << 17, TAG_SHOWN = 1u << 18, TAG_CARVED = 1u << 19 };
 
 static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) {
   return n == NULL ? 0 : 1 | (uint64_t)vs_emit_is_bare(e, n) << 1 | (uint64_t)vs_emit_is_painted(e, n) << 2;
@@ -75,7 +75,8 @@ static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) {
 /* The surroundings of the run; the words that depend on what is in it follow at the end. */
 static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
   vs_reuse *r = &e->drive->reuse;
-  const double reals[] = { e->unit, e->drawing_facets.tolerance, e->facets.tolerance };
+  const double reals[] = { e->unit, e->drawing_facets.tolerance, e->facets.tolerance,
+                           e->backend->render ? e->chord : 0 };
   vs_reuse_put(r, (uintptr_t)e->backend);
   vs_reuse_put(r, e->depth << 1 | (body ? 1 : 0));
   vs_reuse_put(r, (uint64_t)(uint32_t)e->drawing_facets.segments << 32 | (uint32_t)e->facets.segments);
@@ -117,7 +118,8 @@ static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view v
   s->thin = s->thin || (inside && !whole && n->class_ != VS_SOLID);
   uint32_t shown = inside ? n->child_count : view.entry != NULL ? view.entry->shown : UINT32_MAX;
   if (shown == UINT32_MAX || ++s->shapes > MOST_SHAPES) r->unfit = true;
-  vs_reuse_put(r, (uint64_t)shown << 32 | (inside ? TAG_WHOLE : TAG_SHOWN) | n->kind);
+  uint32_t carved = e->backend->render && view.entry != NULL && view.entry->carved ? TAG_CARVED : 0;
+  vs_reuse_put(r, (uint64_t)shown << 32 | (inside ? TAG_WHOLE : TAG_SHOWN) | carved | n->kind);
   vs_reuse_put_payload(r, vs_kind_get((vs_kind)n->kind), vs_node_data(n));
   if (n->kind == VS_MATERIAL)
     vs_reuse_put_number(r, VS_NUMBER_PAINT, (uint32_t)vs_emit_material_number(e, VS_AS(material, n)->material));

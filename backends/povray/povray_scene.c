@@ -427,7 +427,7 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, \
   .use = vs_povray_use, \
   .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, \
-  .family = "povray", .native = "povray", .inks = true, .lays = true, .groups = true, \
+  .family = "povray", .native = "povray", .inks = true, .lays = true, .groups = true, .keeps_text = true, \
   .frames = true, \
   .emit = {                                                                                                            \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                             \
@@ -446,8 +446,6 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
     [VS_DIFFERENCE] = { vs_povray_csg, NULL }, \
   }
 
-/* Text is kept where it is the output. A picture's depends on more than keys hold, and takes no time beside the
- * rendering. */
-const vs_backend vs_backend_povray = { POVRAY_SHARED, .keeps_text = true };
+const vs_backend vs_backend_povray = { POVRAY_SHARED };
 const vs_backend vs_backend_povray_png = { POVRAY_SHARED, .render = vs_povray_render_png, .keep_origins = true };
 const vs_backend vs_backend_povray_exr = { POVRAY_SHARED, .render = vs_povray_render_exr, .keep_origins = true };
