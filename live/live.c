@@ -299,13 +299,26 @@ static bool set_parameter(live *l, const char *name, const char *value) {
   return vs_parameter_set(l->scheme, name, value);
 }
 
-static void run_model(live *l) {
+static vs_outcome run_files(live *l) {
   begin(l);
   live_files_clear(&l->files);
   live_files_note(&l->files, l->options->model);
   l->prompted = false;
   vs_outcome outcome = vs_restart(l->scheme);
-  if (outcome == VS_OUTCOME_DONE) outcome = vs_eval_file(l->scheme, l->options->model, 0);
+  return outcome == VS_OUTCOME_DONE ? vs_eval_file(l->scheme, l->options->model, 0) : outcome;
+}
+
+/* Many editors empty a file before they write it. A file that has changed while it was read may have been nobody's
+ * text: it is read again before anything is shown, unless it took so long that a second save is likelier. */
+static void run_model(live *l) {
+  enum { TIMES = 3 };
+  const double quick = 0.5; /* seconds */
+  vs_outcome outcome = run_files(l);
+  for (int i = 1; i < TIMES && outcome != VS_OUTCOME_INTERRUPTED && now() - l->began < quick; i++) {
+    if (!live_files_changed(&l->files)) break;
+    live_files_settle(&l->files);
+    outcome = run_files(l);
+  }
   if (outcome == VS_OUTCOME_DONE) forget_defaults(l);
   finish(l, outcome);
 }
