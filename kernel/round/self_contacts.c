@@ -10,7 +10,8 @@
  *
  * Notation.
  *   run      up to 16 triangles that follow each other in the mesh, touch, and look the same way but for 15 degrees;
- *            or one low triangle by itself
+ *            or one triangle by itself that is low or that rounding has given other corners, since the triangles of a
+ *            run are not tried against each other
  *   slab     the stretch along a run's middle normal in which all its corners lie
  *   level    of a run: it lies in a plane across an axis. The other runs are open. Each coordinate is rounded by
  *            itself, and coordinates keep their order. Such a plane therefore stays a plane, two level runs do not come
@@ -56,7 +57,7 @@ typedef struct {
   uint8_t count, fours;          /* of triangles; of corners, by fours; of places there are three a triangle: which of
                                   * the corners */
   bool is_low;                   /* one triangle, a low one */
-  uint8_t is_changed;            /* its triangles' mark (VS_CHANGED ...), which is one */
+  uint8_t is_changed;            /* its triangle's mark (VS_CHANGED ...); 0: none of its triangles has one */
   bool busy;                     /* open, and goes through a storey or nearly touches one */
   uint8_t level;                 /* all of it has one x (0), y (1) or z (2), this one: */
   /* a corner that all of its triangles have, and around which nothing need be tried (hubs.h); else UINT32_MAX */
@@ -284,7 +285,7 @@ static bool make_runs(vs_kernel *k, void *context, size_t index) {
     if (c->s->gone.at[t]) continue;
     facet f = facet_of(c, (uint32_t)t);
     uint32_t hub = c->around.of.count ? c->around.of.at[t] : UINT32_MAX;
-    if (r->count && (r->count == RUN || hub != r->hub || f.low || r->is_low || r->is_changed != c->s->changed.at[t] ||
+    if (r->count && (r->count == RUN || hub != r->hub || f.low || r->is_low || r->is_changed || c->s->changed.at[t] ||
         t != r->first + r->count || !alike(f.normal, g.normal) || !bounds_touch(&g.box, &f.box))) {
       if (!end_run(k, c, to, &g)) return false;
       r->count = 0;

@@ -434,6 +434,10 @@ static void wrong_examples_are_right(void **state) {
     /* a folded hexahedron that nearly touches its own floor, and touches it in single floats */
     "(scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 0.375) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) "
     "(xyz -1 -1 3) (xyz -0.5 1 0)) (make-box (xyz -2 -1 -1) 4 2 0.05))",
+    /* in .glb an edge of a narrow slit turns past the other, and the floors beside it come to lie on each other */
+    "(subtract (unite (do-extrude (do-project (do-sweep (make-circle (xy 3 0) 0.25) (make-polygon (xy 1 0) (xy 3 0) "
+    "(xy 2 1.5)) (* 8 1/4 pi)) 'xy) 1) (make-box (xyz -0.5 -2 -0.125) 0.5 0.5 2.05) (make-box (xyz -0.5 -1.625 0) "
+    "1.5 1.5 0.05)) (do-scale (make-box (xyz -2 -0.875 -0.035149951465427876) 1.5 0.5 1.05) (list 1 1 .01)))",
     "(do-mirror (make-polyface-mesh (list (xyz 0 0 0) (xyz 2 0 0) (xyz 2 2 0) (xyz 0 2 2) (xyz 0 0 2) (xyz 2 0 2) "
     "(xyz 2 2 2) (xyz 0 2 2)) '((1 4 3 2) (4 1 5 8)) #:repair #t) 'yz)",
   };
