@@ -11,11 +11,7 @@
 
 static const tr_node *at(const tr_writer *w, tr_index n) { return &w->t->nodes[n]; }
 
-bool tr_is_colour(const tr_writer *w, tr_index n) {
-  const tr_node *p = at(w, at(w, n)->parent);
-  if (p->kind == TR_KEYWORD) return !strcmp(p->text, "color");
-  return p->kind == TR_PRIMITIVE && p->first == n && (!strcmp(p->text, "color") || !strcmp(p->text, "with-material"));
-}
+bool tr_is_colour(const tr_writer *w, tr_index n) { return at(w, n)->colour == 1; }
 
 static tr_colour of_rgb(unsigned rgb) {
   return (tr_colour){ (rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0, 0, false };

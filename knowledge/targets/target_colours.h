@@ -10,7 +10,7 @@ typedef struct {
   bool material;                /* a ready material, whose name no other language knows */
 } tr_colour;
 
-/* Is the node said as a colour: of an object, or of a material? */
+/* Is the node said as a colour, of an object or a material, there or by way of variables (colour_flow.h)? */
 bool tr_is_colour(const tr_writer *w, tr_index node);
 /* The colour that a string names. If it names none, an error is reported at the node, and the result is false. */
 bool tr_find_colour(tr_writer *w, tr_index node, tr_colour *colour);

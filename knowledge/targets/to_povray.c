@@ -36,11 +36,12 @@ static void no_macros(tr_writer *w, tr_index n) {
 
 /* ---- values ---- */
 
-/* Numbers and points end in a semicolon; all else must not where an #if made it. */
+/* Numbers, points and colours end in a semicolon; all else must not where an #if made it. */
 static void plan_set(tr_writer *w, const char *before, const char *what, const char *after, tr_index value,
                      bool solid) {
   tr_plan(w, solid ? "%s%s%s = %o" : "%s%s%s = %v", before, what, after, value);
-  if (!solid && at(w, value)->type != TR_A_STRING && !is_list(w, value)) tr_plan(w, ";");
+  bool plain = at(w, value)->type != TR_A_STRING && !is_list(w, value);
+  if (!solid && (plain || tr_is_colour(w, value))) tr_plan(w, ";");
 }
 
 static void plan_value(tr_writer *w, tr_index n, int level);
@@ -172,20 +173,22 @@ static void plan_locals(tr_writer *w, tr_index body) {
 static void plan_name(tr_writer *w, tr_index n) {
   if (var(w, n)->procedure || at(w, n)->type == TR_A_PROCEDURE)
     tr_complain(w->t, n, "%s: POV-Ray's macros are no values", var(w, n)->text);
+  else if (var(w, n)->colour == 1 && !at(w, n)->colour && var(w, n)->type == TR_A_STRING)
+    tr_complain(w->t, n, "%s is used as a colour and as text, and POV-Ray's colours are no text", var(w, n)->text);
   else tr_plan(w, "%s", name(w, n));
 }
 
-static bool in_brackets(uint8_t type) {
-  return type == TR_A_NUMBER || type == TR_A_BOOLEAN || type == TR_A_POINT || type == TR_UNKNOWN;
+static bool in_brackets(uint8_t type, uint8_t colour) {
+  return type == TR_A_NUMBER || type == TR_A_BOOLEAN || type == TR_A_POINT || type == TR_A_MATERIAL ||
+         type == TR_UNKNOWN || colour == 1;
 }
 
+/* A vector of red, green, blue and transparency: of POV-Ray's colours a test cannot choose one that gets a name. */
 static void plan_colour(tr_writer *w, tr_index n) {
   tr_colour c;
   char out[100];
   if (!tr_find_colour(w, n, &c)) return;
-  int size = c.transparency > 0
-                 ? snprintf(out, sizeof out, "srgbt <%.4g, %.4g, %.4g, %.4g>", c.r, c.g, c.b, c.transparency)
-                 : snprintf(out, sizeof out, "srgb <%.4g, %.4g, %.4g>", c.r, c.g, c.b);
+  int size = snprintf(out, sizeof out, "<%.4g, %.4g, %.4g, %.4g>", c.r, c.g, c.b, c.transparency);
   tr_plan(w, "%s", know_text(w->t->k, out, (size_t)size));
 }
 
@@ -304,7 +307,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
   case TR_CALL: plan_call(w, n); break;
   case TR_PROCEDURE: tr_complain(w->t, n, "POV-Ray's macros are no values: a procedure cannot be handed over"); break;
   case TR_BODY: {
-    bool brackets = in_brackets(node->type);
+    bool brackets = in_brackets(node->type, node->colour);
     if (brackets) tr_plan(w, "(");
     plan_locals(w, n);
     if (node->last && at(w, node->last)->kind != TR_DEFINE) tr_plan(w, "%v", node->last);
@@ -314,7 +317,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
   }
   case TR_IF: {
     tr_index then = tr_nth(w->t, n, 1), other = tr_nth(w->t, n, 2);
-    bool brackets = in_brackets(node->type);
+    bool brackets = in_brackets(node->type, node->colour);
     if (brackets) tr_plan(w, "(");
     tr_plan(w, "#if (%b)%_%v%_#else%_", node->first, then);
     if (other) tr_plan(w, "%v%_#end", other);
@@ -325,9 +328,9 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
   case TR_AND: case TR_OR: plan_or(w, n, level); break;
   case TR_LIST:
     if (tr_is_colour(w, n)) {
-      tr_plan(w, "srgb <");
+      tr_plan(w, "<");
       for (tr_index i = node->first; i; i = at(w, i)->next) tr_plan(w, i == node->first ? "%v" : ", %v", i);
-      tr_plan(w, ">");
+      tr_plan(w, node->count == 3 ? ", 0>" : ">");
       break;
     }
     no_macros(w, n);
@@ -521,11 +524,13 @@ static void plan_macro(tr_writer *w, tr_index define) {
       tr_plan(w, " #local %s = %s__from;", name(w, p), name(w, p));
     tr_plan(w, "%n#while (done = 0)%>");
     tr_plan(w, "%l%<%n#end", body);
-    tr_plan(w, v->gives == TR_A_SOLID ? "%nobject { result }" : in_brackets(v->gives) ? "%n(result)" : "%nresult");
+    bool brackets = in_brackets(v->gives, at(w, body)->colour);
+    tr_plan(w, v->gives == TR_A_SOLID ? "%nobject { result }" : brackets ? "%n(result)" : "%nresult");
   } else if (at(w, procedure)->draws) tr_plan(w, "%d", body);
   else if (tr_is_solid(w->t, body)) plan_lines(w, body);
   else {
-    bool brackets = in_brackets(at(w, body)->type) && at(w, body)->kind != TR_IF && at(w, body)->kind != TR_BODY;
+    bool brackets = in_brackets(at(w, body)->type, at(w, body)->colour) && at(w, body)->kind != TR_IF &&
+                    at(w, body)->kind != TR_BODY;
     tr_plan(w, brackets ? "%n(%v)" : "%n%v", body);
   }
   tr_plan(w, "%<%n#end");

@@ -45,6 +45,7 @@ typedef struct {
   know_index source;  /* of the text, or a macro's */
   tr_index variable;  /* NAME DEFINE PARAMETER SET */
   tr_index procedure; /* the PROCEDURE around it that becomes one of its own in the target; 0: top level */
+  uint8_t colour;     /* 1: said as a colour, 2: a list of colours, and so on; 0: neither (colour_flow.h) */
   uint16_t row;       /* PRIMITIVE: the row of translated_words.def that fits, counted from 1 */
   const char *text;
 } tr_node;
@@ -54,6 +55,7 @@ typedef struct {
   const char *name;   /* as the target says */
   know_index symbol;  /* 0: of the translation's own */
   uint8_t type, gives; /* gives: what a procedure's calls give */
+  uint8_t colour;     /* as of nodes */
   bool global, set, handed; /* handed: used otherwise than in calls */
   bool recursive, draws, loops; /* loops: JavaScript says it as a loop */
   bool lifted;        /* a local name that becomes a definition at top level */

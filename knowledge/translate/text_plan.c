@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "knowledge/translate/colour_flow.h"
 #include "knowledge/translate/value_kinds.h"
 #include "knowledge/translate/lift_procedures.h"
 #include "knowledge/translate/lower_forms.h"
@@ -393,6 +394,7 @@ char *tr_write_program(translation *t, uint32_t segments, size_t *length) {
   tr_writer w = {.t = t, .target = t->target, .segments = segments};
   bool copied = t->k->script && t->target->script;
   bool ok = copied ? tr_lower_nothing(t) : tr_lower(t) && tr_find_kinds(t) && tr_lift(t) && tr_spell_names(t);
+  if (ok && !copied) tr_find_colours(t);
   if (ok && copied) t->target->script(&w);
   else if (ok) t->target->program(&w);
   if (ok && !*t->k->trouble && !t->complaint_count) put_helpers(&w);
