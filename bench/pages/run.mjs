@@ -6,12 +6,13 @@
 // SHOTS=NAME keeps pictures.
 import { createServer } from "node:http";
 import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { dirname, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { browser } from "../../tests/page/browser.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url)), root = resolve(here, "../.."), [, , vs, out, ...only] = process.argv, folder = resolve(out), LIMIT = Number(process.env.LIMIT || 120);
+mkdirSync(folder, { recursive: true });
 const models = [["gare", "examples/gare-do-oriente.vs"], ["grid 51 x 51", "examples/cylinder-grid.vs"], ["vaulted hall", "examples/vaulted-hall.vs"], ["city", "examples/city.vs"]]
   .filter(([name]) => only.length === 0 || only.some((o) => name.startsWith(o)));
 
