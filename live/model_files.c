@@ -118,7 +118,9 @@ bool live_files_changed(const live_files *f) {
     live_file now = file_now(was->path);
     if (now.there != was->there || now.device != was->device || now.inode != was->inode || now.size != was->size ||
         now.seconds != was->seconds || now.nanoseconds != was->nanoseconds) return true;
-    if (was->young && file_age(&now) > SETTLE) return true; /* read once more: then it is noted as old */
+    double age = file_age(&now);
+    if (was->young && age > SETTLE) return true; /* read once more: then it is noted as old */
+    if (was->there && was->size == 0 && age >= 0 && age < SETTLE_EMPTY) return true; /* it is being written, probably */
   }
   return false;
 }

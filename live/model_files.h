@@ -26,7 +26,8 @@ bool live_file_read(const char *path, char **text, size_t *length, const char **
 bool live_folder_list(const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
                       const char **why);
 bool live_files_note(live_files *f, const char *path); /* as it is now, before it is read; false: out of memory */
-bool live_files_changed(const live_files *f);          /* is one of them another than it was? */
+/* Is one of them another than it was, or was one of them met between being emptied and written? */
+bool live_files_changed(const live_files *f);
 /* Waits until the files have been left alone for a moment, at most a third of a second. A file whose last change is
  * younger than the clock of the file system's times could change once more and look the same; an empty one is probably
  * being written. */

@@ -91,7 +91,7 @@ await test("a save makes no shader anew", async (want) => {
     stage.shadowsDirty = true;
     stage.draw(true);
     stage.draw();
-    stage.paint(1);
+    stage.paint(2);
     return stage.renderer.info.programs.map((p) => p.id);
   });
   const before = await programs();
