@@ -1,0 +1,39 @@
+# Owns the test that solids which pictures draw as meshes look as POV-Ray's operations do: a wall of brick with many openings and a round one, and a ball
+# with many bores. With a part of glass where nothing is left, which shows nowhere, they stay operations. A draft is not smoothed, so that a pixel at an edge may
+# fall on either side of it.
+. tests/report.sh
+
+wanted meshes || exit 0
+command -v povray > /dev/null || { echo "skip meshes: no povray (package povray)"; exit 0; }
+: > "$work/why"
+cat > "$work/holes.vs" <<'V'
+(define-parameter operations #f)
+(define (bead p) (if operations (list (with-material 'glass (make-sphere p 0.05))) '()))
+(define middle (xyz 2.5 -3 1.2))
+(define (opening i j) (let ([p (xyz (+ 0.4 (* 2.2 i)) -1 (+ 0.6 (* 1.8 j)))]) (make-box p (+xyz p 1.2 3 1.2))))
+(define openings (for*/list ([i 4] [j 2]) (opening i j)))
+(define bores (for/list ([i 8]) (make-cylinder middle (+pol middle 2 (* i pi 1/4)) 0.3)))
+(draw (with-material 'brick (apply subtract (make-box origin (xyz 9 0.6 5)) (make-cylinder (xyz 4.5 -1 4.3) (xyz 4.5 3 4.3) 0.4)
+                                   (append openings (bead (xyz 1 0.3 1.2))))))
+(draw (color "steelblue" (apply subtract (make-sphere middle 1.2) (append bores (bead (+x middle 1))))))
+(ground 0)
+(sun #:azimuth 215 #:altitude 40)
+(camera (xyz 1 -12 2.5) (xyz 4.5 0 2.2))
+V
+# A program in POV-Ray's place says how many meshes the scene has.
+mkdir "$work/counting"
+cat > "$work/counting/povray" <<'S'
+#!/bin/sh
+for a; do case $a in +I*) echo "meshes: $(grep -c 'mesh2 {' "$(echo "${a#+I}" | tr -d '"')")" >&2 ;; esac; done
+exit 1
+S
+chmod +x "$work/counting/povray"
+for way in '#f 2' '#t 0'; do
+  said=$(PATH=$work/counting:$PATH "$vs" --quiet --quality draft -D operations=${way% *} "$work/holes.vs" -o "$work/none.png" 2>&1)
+  echo "$said" | grep -q "meshes: ${way#* }" || echo "operations=${way% *}: not ${way#* } meshes: $said" >> "$work/why"
+  "$vs" --quiet --quality draft --size 200x150 -D operations=${way% *} "$work/holes.vs" -o "$work/${way#* }.exr" 2>> "$work/why"
+done
+# all, those that differ, mean, largest
+"$BUILD/tools/exrdiff" "$work/2.exr" "$work/0.exr" 2>> "$work/why" |
+  awk '!($1 == 30000 && $3 * 100 < $1 && $6 + 0 < 0.002) { print "they look otherwise: " $0 }' >> "$work/why"
+result meshes "$work/why"
