@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "knowledge/translate/colour_flow.h"
+#include "knowledge/targets/colour_flow.h"
 #include "knowledge/translate/value_kinds.h"
 #include "knowledge/translate/lift_procedures.h"
 #include "knowledge/translate/lower_forms.h"

@@ -4,7 +4,7 @@
  * language takes a colour, and so is what is called by a variable that is said there, handed to a parameter, given by a
  * procedure, or an element of a list of colours. Marks only rise; loops over the nodes carry them on until nothing
  * changes. */
-#include "knowledge/translate/colour_flow.h"
+#include "knowledge/targets/colour_flow.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Owns which texts of a lowered tree name colours. */
-#ifndef VS_KNOWLEDGE_TRANSLATE_COLOUR_FLOW_H
-#define VS_KNOWLEDGE_TRANSLATE_COLOUR_FLOW_H
+#ifndef VS_KNOWLEDGE_TARGETS_COLOUR_FLOW_H
+#define VS_KNOWLEDGE_TARGETS_COLOUR_FLOW_H
 
 #include "knowledge/translate/core_tree.h"
 
