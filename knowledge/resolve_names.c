@@ -250,6 +250,20 @@ static void find_comments(knowledge *k) {
 
 /* ---- the whole ---- */
 
+/* Where the program evaluates data, or loads a file that only running it can name, other names may be defined. */
+static void find_openness(knowledge *k) {
+  for (know_index i = 1; i < k->node_count && !k->script; i++) {
+    const know_node *n = &k->nodes[i];
+    if (n->kind != KNOW_SYMBOL || n->role != KNOW_REFERENCE || !n->symbol) continue;
+    const know_symbol *s = &k->symbols[n->symbol];
+    if (s->kind != KNOW_BUILTIN) continue;
+    bool loads = !strcmp(s->text, "load");
+    bool followed = loads && n->parent && k->nodes[n->parent].first == i && k->nodes[n->parent].statement &&
+                    is_load(k, n->parent);
+    if ((loads && !followed) || !strcmp(s->text, "eval")) k->open = true;
+  }
+}
+
 static bool resolve(knowledge *k) {
   know_walk w = {.k = k};
   know_scope_new(k, 0, KNOW_SCOPE_LANGUAGE, 0);
@@ -269,7 +283,7 @@ static bool resolve(knowledge *k) {
     k->symbols[s].arity.least = 0; /* what is left out is undefined */
   for (know_index i = 1; i < k->node_count; i++) /* what the patterns of macros took as words */
     if (k->nodes[i].kind == KNOW_SYMBOL && k->nodes[i].role == KNOW_EXPRESSION) k->nodes[i].role = KNOW_SYNTAX;
-  if (!*k->trouble) find_comments(k);
+  if (!*k->trouble) find_openness(k), find_comments(k);
   free(w.tasks);
   free(w.later);
   free(w.unknown);
