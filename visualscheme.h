@@ -315,6 +315,7 @@ typedef struct {
   size_t choice_count;
   vs_span at;
   const char *unit;                     /* what stands behind the number, as "m"; "" if none was given */
+  bool has_min, has_max;                /* the program says min, max; an end that it does not say goes by the default */
 } vs_parameter_info;
 
 /* Sets what a later (define-parameter name ...) will hold. datum is one datum, read and never evaluated, or bare text

@@ -15,8 +15,14 @@ typedef struct {
   vs_summary summary;                       /* its units and advice are not kept */
 } model;
 
+/* As far as the program says it: an end that it does not say goes by the default, which may have changed alone. */
 static void put_range(FILE *to, const vs_parameter_info *p) {
-  if (p->has_range) fprintf(to, "%.15g to %.15g by %.15g", p->min, p->max, p->step);
+  if (p->has_range) {
+    if (p->has_min && p->has_max) fprintf(to, "%.15g to %.15g", p->min, p->max);
+    else if (p->has_min) fprintf(to, "%.15g and more", p->min);
+    else if (p->has_max) fprintf(to, "to %.15g", p->max);
+    if (p->step > 0) fprintf(to, "%sby %.15g", p->has_min || p->has_max ? " " : "", p->step);
+  }
   for (size_t i = 0; i < p->choice_count; i++) fprintf(to, "%s%s", i ? " " : "", p->choices[i]);
   fputc(0, to);
 }

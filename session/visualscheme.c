@@ -557,6 +557,8 @@ bool vs_parameter_get(vs_scheme *vm, size_t index, vs_parameter_info *out) {
     .choices = p->choices,
     .choice_count = p->choice_count,
     .unit = p->unit,
+    .has_min = p->least,
+    .has_max = p->most,
   };
   vs_session_span(s, p->at, &out->at);
   return true;

@@ -71,7 +71,7 @@ class ParameterInfo(Structure):
     _fields_ = [("name", c_char_p), ("label", c_char_p), ("group", c_char_p), ("type", c_int), ("value", c_char_p),
                 ("default_value", c_char_p), ("has_range", c_bool), ("min", c_double), ("max", c_double),
                 ("step", c_double), ("choices", POINTER(c_char_p)), ("choice_count", c_size_t), ("at", Span),
-                ("unit", c_char_p)]
+                ("unit", c_char_p), ("has_min", c_bool), ("has_max", c_bool)]
 
 
 class Summary(Structure):
