@@ -56,7 +56,7 @@ struct vs_emitter {
   vs_fineness facets;    /* in the coordinates of what is being written: finer where its placement makes it larger */
   vs_bounds bounds;    /* of everything drawn; never empty */
   vs_pen pen;          /* POV-Ray: how thick curves are drawn */
-  double chord;        /* POV-Ray: how fine solids are that pictures get as triangles, in parts of the fineness */
+  double chord;        /* how high chords are, in parts of the drawing's tolerance: 1, or less in a picture */
   double unit;         /* POV-Ray: how long a model unit is in its scene; see povray_scene.c */
   vs_bounds framed;    /* what a camera frames: without what is cut away */
   vs_bounds *boxes;    /* of its parts: tighter together than the one; what a camera frames */

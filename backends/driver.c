@@ -416,10 +416,12 @@ static bool drive_reach(vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-/* A node below a placement is cut into facets as fine as it comes out: the kernel does the same. */
+/* A node below a placement is cut into facets as fine as it comes out: the kernel does the same. Pictures have finer
+ * ones. */
 static void drive_place(vs_emitter *e, const vs_affine *placement) {
   e->placement = *placement;
   e->facets = vs_fineness_placed(&e->drawing_facets, placement);
+  e->facets.tolerance *= e->chord;
 }
 
 /* Shows one reference that is not vain: a template's use, a leaf, or an operation, which then lies on the stack. */
@@ -657,6 +659,7 @@ static bool drive_bounds(vs_emitter *e) {
   e->drawing_facets.segments = e->scene->segments;
   e->drawing_facets.tolerance = e->scene->tolerance > 0 ? e->scene->tolerance : vs_fineness_tolerance(&e->bounds);
   e->facets = e->drawing_facets;
+  e->chord = 1;
   double most = 0;
   for (int i = 0; i < 3; i++) most = fmax(most, fmax(fabs(low[i]), fabs(high[i])));
   bool single = e->backend->numbers == VS_NUMBERS_SINGLE || e->backend->numbers == VS_NUMBERS_LOOSE;

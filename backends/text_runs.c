@@ -75,8 +75,7 @@ static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) {
 /* The surroundings of the run; the words that depend on what is in it follow at the end. */
 static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
   vs_reuse *r = &e->drive->reuse;
-  const double reals[] = { e->unit, e->drawing_facets.tolerance, e->facets.tolerance,
-                           e->backend->render ? e->chord : 0 };
+  const double reals[] = { e->unit, e->drawing_facets.tolerance, e->facets.tolerance };
   vs_reuse_put(r, (uintptr_t)e->backend);
   vs_reuse_put(r, e->depth << 1 | (body ? 1 : 0));
   vs_reuse_put(r, (uint64_t)(uint32_t)e->drawing_facets.segments << 32 | (uint32_t)e->facets.segments);

@@ -180,12 +180,9 @@ static bool pov_is_dear(vs_emitter *e, const vs_node *n) {
  * than being interrupted ends it is a reason to let POV-Ray combine it. */
 static bool pov_combine(vs_emitter *e, const vs_ref *ref, vs_solid *out, bool *fits) {
   vs_error why = { VS_ERROR_NONE, NULL, "" }, *was = e->error;
-  vs_fineness facets = e->facets;
-  e->facets.tolerance *= e->chord;
   e->error = &why;
   *fits = vs_lower_solids(e, ref, 1, VS_BENT_AGAIN, out);
   e->error = was;
-  e->facets = facets;
   size_t limit = e->options->mesh_triangles, count = out->mesh.triangle_count;
   if (*fits) *fits = count > 0 && (!limit || e->triangles + 2 * count <= limit);
   if (why.kind != VS_ERROR_INTERRUPT) return true;

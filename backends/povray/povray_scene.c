@@ -357,10 +357,12 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
   return fmax(sqrt(square), least) * 2 * pov_half_width(l) / width;
 }
 
-/* In parts of the drawing's fineness: half a pixel where the drawing is nearest, but no coarser, and sixteen times as
- * fine at most. */
+/* In parts of the drawing's tolerance: an eighth of a pixel where the drawing is nearest, but no coarser, and sixteen
+ * times as fine at most. Outlines would do with half a pixel. But where a round surface turns from the sun, each facet
+ * is dark as a whole as soon as its own plane is, though the shading has not got there: steps of a facet's width and of
+ * half its angle's light, which half a pixel leaves plain to see. */
 static double pov_chord(const vs_emitter *e, double pixel) {
-  return fmin(1, fmax(1. / 16, pixel / 2 / e->unit / e->drawing_facets.tolerance));
+  return fmin(1, fmax(1. / 16, pixel / 8 / e->unit / e->drawing_facets.tolerance));
 }
 
 /* An eye within matter sees nothing but its dark inside: a warning at the object that holds it. False: the error is
@@ -405,7 +407,7 @@ bool vs_povray_begin(vs_emitter *e) {
   look.eye = vs_v3_scale(look.eye, e->unit), look.target = vs_v3_scale(look.target, e->unit), look.width *= e->unit;
   diagonal *= e->unit;
   double pixel = pov_pixel(e, &look, width);
-  e->chord = pov_chord(e, pixel);
+  if (pov_is_developed(e)) e->facets.tolerance *= e->chord = pov_chord(e, pixel);
   if (e->unit != 1) {
     vs_puts(w, "// ");
     vs_put_number(w, 1 / e->unit);
