@@ -360,8 +360,10 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
 /* In parts of the drawing's tolerance: an eighth of a pixel where the drawing is nearest, but no coarser, and sixteen
  * times as fine at most. Outlines would do with half a pixel. But where a round surface turns from the sun, each facet
  * is dark as a whole as soon as its own plane is, though the shading has not got there: steps of a facet's width and of
- * half its angle's light, which half a pixel leaves plain to see. */
+ * half its angle's light, which half a pixel leaves plain to see. A limit of triangles is for what the model says, not
+ * for finer facets of ours. */
 static double pov_chord(const vs_emitter *e, double pixel) {
+  if (e->options->mesh_triangles > 0) return 1;
   return fmin(1, fmax(1. / 16, pixel / 8 / e->unit / e->drawing_facets.tolerance));
 }
 

@@ -53,4 +53,8 @@ for turned in '#f' '#t'; do
 done
 "$BUILD/tools/exrdiff" "$work/ball#f.exr" "$work/ball#t.exr" 2>> "$work/why" |
   awk '!($1 == 120000 && $3 < 500 && $6 + 0 < 0.0015) { print "they look otherwise: " $0 }' >> "$work/why"
+# A limit that a file keeps to holds for its picture.
+for suffix in stl png; do
+  "$vs" --quiet --quality draft --size 40x30 --limit-triangles 2000 -D turned='#t' "$work/ball.vs" -o "$work/ball.$suffix" 2>> "$work/why"
+done
 result meshes:turned "$work/why"
