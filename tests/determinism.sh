@@ -2,7 +2,7 @@
 # Owns the test that neither compiler, optimisation, number of threads nor chance is seen in a file: every example in every
 # format that needs no worker, RUNS (5) times on each of THREADS (1 2 8) by each of BUILDS (gcc and clang at -O0, -O2, -O3),
 # which are built beside $BUILD. An example that takes the reference more than HEAVY (0.5) seconds of processor time runs once on each; large ones are
-# made smaller by their parameters. EXAMPLES: only these. Part of `make check`; an hour and a half of processor time.
+# made smaller by their parameters. EXAMPLES: only these. Part of `make check`; two hours of processor time and more, half an hour of which are rules/four-trees.
 case determinism in *"${ONLY:-}"*) ;; *) exit 0 ;; esac
 . tests/report.sh
 threads=${THREADS:-1 2 8} heavy=${HEAVY:-0.5}
