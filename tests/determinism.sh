@@ -31,6 +31,18 @@ for b in ${BUILDS:-gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3}; do
   else echo "not ok determinism/$b: does not build"; tail -n 5 "$work/log" | sed 's/^/    /'; fi
 done
 
+# What makes an example small that would take minutes in all formats. Copies, twists and holes stay, which the test of passes goes without.
+smaller() {
+  case $1 in
+  examples/city.vs) echo "-D blocks=3 -D tallest=8" ;;
+  examples/gare-do-oriente.vs) echo "-D columns=2 -D rows=2" ;;
+  examples/thesis/5.5-gare.vs) echo "-D x=2 -D y=1" ;;
+  examples/panelised-roof.vs) echo "-D nu=4 -D nv=4" ;;
+  examples/deformed-tower.vs) echo "-D storeys=8" ;;
+  examples/rules/massive-street.vs) echo "-D lots=3" ;;
+  esac
+}
+
 # sums EXAMPLE BUILD THREADS FILE: the sum of each output, and of what was printed
 sums() {
   rm -rf "$work/out"; mkdir "$work/out"
@@ -58,7 +70,7 @@ for example in $examples; do
           times > "$work/before"
           sums "$example" "$b" "$t" "$work/reference"
           times > "$work/after"
-          [ "$(cat "$work/out/code")" != 124 ] || echo "not ok determinism: $example is not done in 900 s"
+          if [ "$(cat "$work/out/code")" = 124 ]; then echo "not ok determinism: $example is not done in 900 s"; continue 4; fi
           [ "$(awk "BEGIN { print ($(spent after) - $(spent before) > $heavy) }")" = 1 ] && again=1
           continue
         fi

@@ -4,6 +4,21 @@
 
 examples='doric-columns cylinder-grid rotunda gare-do-oriente'
 [ -z "${LONG:-}" ] || examples=$(ls examples/*.vs | sed 's|examples/||; s|\.vs$||')
+# What makes an example small: its pictures and meshes are made five times over.
+smaller() {
+  case $1 in
+  city) echo "-D blocks=2 -D tallest=6" ;;
+  cylinder-grid) echo "-D count=9" ;;
+  deformed-tower) echo "-D storeys=6" ;;
+  gare-do-oriente) echo "-D columns=1 -D rows=1" ;;
+  gyroid-pavilion) echo "-D fineness=40" ;;
+  hanging-shell) echo "-D n=8" ;;
+  lofted-tower) echo "-D height=20 -D turn=0" ;;
+  panelised-roof) echo "-D nu=4 -D nv=4" ;;
+  twisted-tower) echo "-D floors=6" ;;
+  vaulted-hall) echo "-D bays-long=2 -D bays-deep=2" ;;
+  esac
+}
 ways='-O'
 [ -z "${LONG:-}" ] || ways='-O -Ofold -Oshare -Oflatten -Oprune'
 
@@ -32,7 +47,7 @@ if wanted passes/switches; then
 fi
 
 for name in $examples; do
-  test=passes/$name arguments=$(smaller examples/$name.vs)
+  test=passes/$name arguments=$(smaller "$name")
   wanted "$test" || continue
   if ! command -v povray > /dev/null; then echo "skip $test: no povray (package povray)"; continue; fi
   : > "$work/why"
