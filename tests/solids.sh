@@ -32,6 +32,18 @@ END
   if grep -q 'triangles meet others' "$work/said" && grep -q ' triangles, volume ' "$work/why" && ! grep -q ' crossing (' "$work/why"; then echo "ok solids/fine"
   else echo "not ok solids/fine"; cat "$work/said" "$work/why" | sed 's/^/    /'; fi ;;
 esac
+case solids/radial in *"$ONLY"*) # holes whose flat ends meet in one axis: slivers along it, of which nothing is left that crosses anything
+  cat > "$work/radial.vs" <<'END'
+(define (hole i)
+  (define z (+ 4 (* i 0.4)))
+  (do-rotate (make-pyramid (xyz 0 0 z) 0.8 24 (xyz 0 -15 z) 0.8) 'z (degrees->radians (* i 137.5))))
+(draw (apply subtract (make-box (xyz -5 -5 0) (xyz 5 5 60)) (map hole (iota 4))))
+END
+  timeout 60 "$vs" --quiet "$work/radial.vs" -o "$work/radial.off" -o "$work/radial.stl" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
+  timeout 60 "$BUILD/tools/crossings" -q "$work/radial.off" "$work/radial.stl" > "$work/why" 2>&1
+  if [ ! -s "$work/why" ] && ! grep -q 'triangles meet others' "$work/said"; then echo "ok solids/radial"
+  else echo "not ok solids/radial"; cat "$work/said" "$work/why" | sed 's/^/    /'; fi ;;
+esac
 if ! command -v node > /dev/null; then echo "skip solids: no node (package nodejs)"; exit; fi
 node $here/gen.mjs "$work" > "$work/said" 2>&1 || { echo "not ok solids: the workloads cannot be made"; exit; }
 small='b_grid_overlap_5 c_wall_50 d_menger_2 e_sphere_minus_32 e2_sphere_nearcoinc_32 f_spheres_20 g_cubes_5 g2_checker_8 h_torus_64 i_twist_40 i_twist_200 j_truss_512 k_tower_5 l_drill_50 m_arcade_10'

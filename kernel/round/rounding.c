@@ -659,7 +659,8 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   for (int round = 0; ok && s->places && out->met && round < ROUNDS; round++) {
     size_t contracted = 0;
     ok = contract(s, 4 << round, round == ROUNDS - 1, &contracted);
-    if (!ok || !contracted) break;
+    if (!ok) break;
+    if (!contracted) continue; /* the next round's are coarser */
     out->collapsed += contracted;
     ok = begin_again(s) && flip_round(s, &flipped);
     if (ok) suspect_neighbours(s);
