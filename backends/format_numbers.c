@@ -20,7 +20,9 @@ bool vs_emit_round(vs_emitter *e, vs_mesh *m, vs_numbers numbers, vs_rounded *su
   if (!settled) return why.status == VS_KERNEL_INTERRUPTED ? false : vs_emit_no_memory(e);
   if (sum->dropped == 0) sum->dropped_at = what.dropped_at;
   if (sum->met == 0) sum->at = what.at;
+  if (sum->lost == 0) sum->lost_at = what.lost_at;
   sum->dropped += what.dropped;
+  sum->lost += what.lost;
   sum->met += what.met;
   sum->met_before += what.met_before;
   return true;
@@ -34,6 +36,13 @@ bool vs_emit_rounded(vs_emitter *e, const vs_rounded *what) {
     snprintf(message, sizeof message,
              "%zu slivers are left out: thinner than this format's numbers tell apart, the first near %g %g %g",
              what->dropped, at.x, at.y, at.z);
+    e->options->warn(e->options->context, NULL, message);
+  }
+  if (what->lost != 0) {
+    at = what->lost_at;
+    snprintf(message, sizeof message,
+             "details are left out that are finer than this format's numbers: %zu corners, the first near %g %g %g",
+             what->lost, at.x, at.y, at.z);
     e->options->warn(e->options->context, NULL, message);
   }
   if (what->met == 0) return true;

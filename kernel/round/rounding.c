@@ -19,44 +19,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "kernel/exact/digits.h"
 #include "kernel/mesh/shells.h"
+#include "kernel/round/contraction.h"
 #include "kernel/round/rounding_state.h"
 #include "kernel/round/touching.h"
-#include "model/store/disjoint.h"
 
-enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */ };
+enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */, CONTRACTIONS = 8 };
 
 typedef vs_rounding rounding;
-
-static double unit(double x, vs_numbers numbers) {
-  int exponent;
-  if (x == 0) return 0;
-  if (numbers == VS_NUMBERS_DIGITS) return pow(10, floor(log10(fabs(x))) - 11);
-  frexp(x, &exponent);
-  enum { SINGLE = 24, DOUBLE = 51 /* of 53: two are lost on the way out of a frame */ };
-  return ldexp(1, exponent - (numbers == VS_NUMBERS_SINGLE ? SINGLE : DOUBLE));
-}
-
-static double rounded(double x, vs_numbers numbers) {
-  switch (numbers) {
-  case VS_NUMBERS_SINGLE: case VS_NUMBERS_LOOSE: return vs_single(x);
-  case VS_NUMBERS_DIGITS: return vs_digits_rounded(x);
-  case VS_NUMBERS_DOUBLE: break;
-  }
-  return x;
-}
-vs_vec3 vs_rounding_corner(const vs_rounding *s, uint32_t v) {
-  vs_vec3 p = s->m->vertices[v];
-  return vs_v3(rounded(p.x, s->numbers), rounded(p.y, s->numbers), rounded(p.z, s->numbers));
-}
 
 static vs_vec3 corner(const rounding *s, uint32_t v) { return vs_rounding_corner(s, v); }
 
 static bool near(double a, double b, vs_numbers numbers) {
   double d = fabs(a - b), most = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
   if (d > most * 1e-6) return false; /* nearly all are: no format's unit is that large */
-  return d == 0 || d < 2 * unit(most, numbers);
+  return d == 0 || d < 2 * vs_rounding_unit(most, numbers);
 }
 
 static bool too_short(const rounding *s, uint32_t a, uint32_t b) {
@@ -66,22 +43,11 @@ static bool too_short(const rounding *s, uint32_t a, uint32_t b) {
 
 static vs_vec3 normal(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)); }
 
-static double larger(double a, double b) { return a > b ? a : b; }
-static double reach(vs_vec3 p) { return larger(larger(fabs(p.x), fabs(p.y)), fabs(p.z)); }
-
 /* Shorter than what rounding may move its ends by: fine where all that hangs on it is rounded alike, as on faces along
  * the axes. */
 static bool unsure(const rounding *s, uint32_t a, uint32_t b) {
-  vs_vec3 p = s->m->vertices[a], q = s->m->vertices[b];
-  return vs_v3_length(vs_v3_sub(p, q)) < 2 * unit(fmax(reach(p), reach(q)), s->numbers);
-}
-
-/* Does rounding turn the triangle by more than two or three degrees, or make it nothing? */
-static bool bent(const rounding *s, uint32_t t) {
-  const uint32_t *v = s->m->triangles[t];
-  const vs_vec3 *x = s->m->vertices;
-  vs_vec3 n = normal(x[v[0]], x[v[1]], x[v[2]]), r = normal(corner(s, v[0]), corner(s, v[1]), corner(s, v[2]));
-  return !(vs_v3_dot(n, r) > 0.999 * vs_v3_length(n) * vs_v3_length(r));
+  double length = vs_v3_length(vs_v3_sub(s->m->vertices[a], s->m->vertices[b]));
+  return length < 2 * fmax(vs_rounding_unit_at(s, a), vs_rounding_unit_at(s, b));
 }
 
 static const uint32_t *around(const rounding *s, uint32_t v) { return s->around.at + s->fans.at[v].first; }
@@ -92,23 +58,6 @@ static bool is_neighbour(const rounding *s, uint32_t v, uint32_t other) {
     if (t[0] == other || t[1] == other || t[2] == other) return true;
   }
   return false;
-}
-
-/* Is it lower than such numbers, of the format or finer ones, may move its corners by? */
-static bool too_thin(const rounding *s, uint32_t t, vs_numbers numbers) {
-  const uint32_t *v = s->m->triangles[t];
-  vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]], ab = vs_v3_sub(b, a),
-          bc = vs_v3_sub(c, b), ca = vs_v3_sub(a, c), n = vs_v3_cross(ab, bc);
-  double longest = larger(vs_v3_dot(ab, ab), larger(vs_v3_dot(bc, bc), vs_v3_dot(ca, ca))), square = vs_v3_dot(n, n);
-  if (square >= s->coarsest * s->coarsest * longest) return false; /* nearly all are */
-  double least = 2 * unit(larger(larger(reach(a), reach(b)), reach(c)), numbers);
-  return square < least * least * longest;
-}
-
-/* Doubles have been rounded already, and nobody knows what they were: a triangle lower than their error may have turned
- * over then, and no format's numbers turn it any more. */
-bool vs_rounding_is_noise(const vs_rounding *s, uint32_t t) {
-  return too_thin(s, t, s->numbers) && (bent(s, t) || too_thin(s, t, VS_NUMBERS_DOUBLE));
 }
 
 /* Triangles beside noise: where it has turned over, these may cross each other, though they look the same way. */
@@ -376,9 +325,7 @@ static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3
 static bool flip(rounding *s, uint32_t t) {
   vs_mesh *m = s->m;
   const uint32_t *v = m->triangles[t];
-  double length[3];
-  for (int j = 0; j < 3; j++) length[j] = vs_v3_length(vs_v3_sub(m->vertices[v[(j + 1) % 3]], m->vertices[v[j]]));
-  int base = length[0] >= length[1] && length[0] >= length[2] ? 0 : length[1] >= length[2] ? 1 : 2;
+  int base = vs_rounding_longest(s, t);
   uint32_t p = v[base], q = v[(base + 1) % 3], top = v[(base + 2) % 3], other = UINT32_MAX, far = 0;
   for (uint32_t i = 0; i < s->fans.at[p].count; i++) {
     const uint32_t *w = m->triangles[around(s, p)[i]];
@@ -458,7 +405,7 @@ static bool collapse_round(rounding *s, size_t *done) {
     if (!vs_kernel_poll(s->k, 1)) return false;
     for (int j = 0; j < 3 && !s->gone.at[t]; j++) {
       uint32_t a = m->triangles[t][j], b = m->triangles[t][(j + 1) % 3], low = a < b ? a : b, high = a < b ? b : a;
-      if (s->busy.at[a] || s->busy.at[b] || !(too_short(s, a, b) || (unsure(s, a, b) && bent(s, t))) ||
+      if (s->busy.at[a] || s->busy.at[b] || !(too_short(s, a, b) || (unsure(s, a, b) && vs_rounding_bends(s, t))) ||
           !allowed(s, low, high))
         continue;
       if (!collapse(s, low, high)) return false;
@@ -471,7 +418,7 @@ static bool collapse_round(rounding *s, size_t *done) {
 /* ---- blades ---- */
 
 static bool is_blade(const rounding *s, const vs_shell *of) {
-  return fabs(of->volume) <= of->area * unit(of->reach, s->numbers); /* alike: all of it is one point */
+  return fabs(of->volume) <= of->area * vs_rounding_unit(of->reach, s->numbers); /* alike: all of it is one point */
 }
 
 /* Shells that are thinner than two units all over, and that rounding bends, would be sheets on sheets: they go, unless
@@ -485,7 +432,7 @@ static bool drop_blades(rounding *s, vs_rounded *out) {
   ok = goes != NULL;
   for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
     uint32_t shell = shells.of[m->triangles[t][0]];
-    if (!goes[shell] && is_blade(s, &shells.at[shell]) && bent(s, t)) goes[shell] = 1;
+    if (!goes[shell] && is_blade(s, &shells.at[shell]) && vs_rounding_bends(s, t)) goes[shell] = 1;
     ok = vs_kernel_poll(s->k, 1);
   }
   for (uint32_t i = 0; ok && i < shells.count; i++) {
@@ -499,93 +446,6 @@ static bool drop_blades(rounding *s, vs_rounded *out) {
   }
   vs_shells_free(&shells);
   free(goes);
-  return ok;
-}
-
-/* ---- where nothing else helps: corners become one place ---- */
-
-typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corners in order; odd: that turned it over */
-
-static int sheet_order(const void *a, const void *b) {
-  const sheet *x = a, *y = b;
-  for (int i = 0; i < 3; i++)
-    if (x->corner[i] != y->corner[i]) return x->corner[i] < y->corner[i] ? -1 : 1;
-  if (x->odd != y->odd) return x->odd ? 1 : -1;
-  return x->triangle < y->triangle ? -1 : 1;
-}
-
-static sheet sheet_of(const uint32_t v[3], uint32_t t) {
-  sheet s = { { v[0], v[1], v[2] }, t, false };
-  for (int i = 0; i < 3; i++) { /* 0 1, 1 2, 0 1 */
-    int j = i % 2;
-    if (s.corner[j] < s.corner[j + 1]) continue;
-    uint32_t swap = s.corner[j];
-    s.corner[j] = s.corner[j + 1], s.corner[j + 1] = swap;
-    s.odd = !s.odd;
-  }
-  return s;
-}
-
-static bool is_met(const rounding *s, uint32_t t) { /* near one that meets another */
-  const uint32_t *v = s->m->triangles[t];
-  return s->near_met.at[v[0]] || s->near_met.at[v[1]] || s->near_met.at[v[2]];
-}
-
-/* Corners within a few units of each other, joined by edges of triangles that rounding bends (or all) near where
- * something meets, become one; what then is an edge, or two sheets on each other, goes. A map of corners keeps a closed
- * chain closed, but it need not be a manifold by index any more: for formats without indices. False: out of memory. */
-static bool contract(rounding *s, double near_units, bool all, size_t *count) {
-  vs_mesh *m = s->m;
-  size_t sheets_count = 0;
-  uint32_t *parent = malloc((m->vertex_count + 1) * sizeof *parent);
-  vs_bounds *boxes = malloc((m->vertex_count + 1) * sizeof *boxes);
-  sheet *sheets = malloc((m->triangle_count + 1) * sizeof *sheets);
-  bool ok = parent && boxes && sheets;
-  *count = 0;
-  for (uint32_t v = 0; ok && v < m->vertex_count; v++)
-    parent[v] = v, boxes[v] = (vs_bounds){ m->vertices[v], m->vertices[v] };
-  for (uint32_t t = 0; ok && t < m->triangle_count; t++)
-    for (int j = 0; is_met(s, t) && (bent(s, t) || all) && j < 3; j++) {
-      uint32_t a = vs_find(parent, m->triangles[t][j]), b = vs_find(parent, m->triangles[t][(j + 1) % 3]),
-               low = a < b ? a : b, high = a < b ? b : a;
-      vs_vec3 p = m->vertices[m->triangles[t][j]], q = m->vertices[m->triangles[t][(j + 1) % 3]];
-      double step = unit(fmax(reach(p), reach(q)), s->numbers);
-      vs_bounds both = boxes[a];
-      vs_bounds_unite(&both, &boxes[b]);
-      if (a == b || vs_v3_length(vs_v3_sub(p, q)) >= near_units * step ||
-          vs_bounds_diagonal(&both) >= 3 * near_units * step)
-        continue;
-      parent[high] = low;
-      boxes[low] = both;
-      ++*count;
-    }
-  for (uint32_t t = 0; ok && *count && t < m->triangle_count; t++) {
-    uint32_t *v = m->triangles[t];
-    bool moved = false;
-    for (int j = 0; j < 3; j++) {
-      uint32_t to = vs_find(parent, v[j]);
-      moved = moved || to != v[j];
-      v[j] = to;
-    }
-    if (moved) s->changed.at[t] = VS_CHANGED;
-    s->gone.at[t] = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
-    for (int j = 0; j < 3; j++) moved = moved || !vs_v3_equal(boxes[v[j]].min, boxes[v[j]].max);
-    if (moved && !s->gone.at[t]) sheets[sheets_count++] = sheet_of(v, t);
-  }
-  if (sheets_count) qsort(sheets, sheets_count, sizeof *sheets, sheet_order);
-  for (size_t i = 0, end; i < sheets_count; i = end) { /* of one place: as many of either side go */
-    size_t even = i, odd;
-    for (end = i; end < sheets_count && memcmp(sheets[end].corner, sheets[i].corner, sizeof sheets[i].corner) == 0;
-         end++)
-      even += !sheets[end].odd;
-    odd = even;
-    for (size_t j = i; j < even && odd < end; j++, odd++)
-      s->gone.at[sheets[j].triangle] = s->gone.at[sheets[odd].triangle] = 1;
-  }
-  if (ok && *count) squeeze(s);
-  free(parent);
-  free(boxes);
-  free(sheets);
   return ok;
 }
 
@@ -621,7 +481,8 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   bool any = false, ok = true;
   if (!vs_kernel_report(s->k, 1)) return false;
   s->bounds = vs_mesh_bounds(m);
-  s->coarsest = 2 * unit(larger(reach(s->bounds.min), reach(s->bounds.max)), s->numbers);
+  s->coarsest =
+      2 * vs_rounding_unit(fmax(vs_rounding_reach(s->bounds.min), vs_rounding_reach(s->bounds.max)), s->numbers);
   if (!find_look(s, &any)) return false;
   if (!any && s->level) return true;
   if (!VS_ROOM(s->k, s->busy.at, s->busy.room, n + 1) || !VS_ROOM(s->k, s->near_met.at, s->near_met.room, n + 1) ||
@@ -656,12 +517,15 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   ok = ok && vs_rounding_count_met(s, out);
   if (ok && out->met_before > before) before = out->met_before;
   if (ok) squeeze(s);
-  for (int round = 0; ok && s->places && out->met && round < ROUNDS; round++) {
+  /* Each round contracts more coarsely, and from the third on all that is near. Where that makes others meet, the next
+   * one goes on. */
+  for (int round = 0; ok && s->places && out->met && round < CONTRACTIONS; round++) {
+    enum { ALL = 2 };
     size_t contracted = 0;
-    ok = contract(s, 4 << round, round == ROUNDS - 1, &contracted);
-    if (!ok) break;
-    if (!contracted) continue; /* the next round's are coarser */
-    out->collapsed += contracted;
+    ok = vs_rounding_contract(s, 4 << (round < ALL ? round : ALL), round >= ALL, out, &contracted);
+    if (!ok || (!contracted && round >= ALL)) break;
+    if (!contracted) continue;
+    squeeze(s);
     ok = begin_again(s) && flip_round(s, &flipped);
     if (ok) suspect_neighbours(s);
     ok = ok && vs_rounding_count_met(s, out);

@@ -1,5 +1,5 @@
 /* Owns the state of rounding a mesh (rounding.c), shared with the search for self-contacts after rounding
- * (self_contacts.c). */
+ * (self_contacts.c) and with what mends them (contraction.c). */
 #ifndef VS_KERNEL_ROUNDING_STATE_H
 #define VS_KERNEL_ROUNDING_STATE_H
 
@@ -40,6 +40,13 @@ typedef struct {
 enum { VS_CHANGED = 1, VS_SUSPECT = 2 };
 
 vs_vec3 vs_rounding_corner(const vs_rounding *s, uint32_t v); /* rounded */
+/* The unit of the last place of a number; what doubles lost on the way out of a frame counts as lost. */
+double vs_rounding_unit(double x, vs_numbers numbers);
+double vs_rounding_reach(vs_vec3 p); /* its largest coordinate, without the sign */
+double vs_rounding_unit_at(const vs_rounding *s, uint32_t v); /* the unit of that coordinate of a corner */
+int vs_rounding_longest(const vs_rounding *s, uint32_t t); /* the first corner of the triangle's longest edge: 0 to 2 */
+/* Does rounding turn the triangle by more than two or three degrees, or make it nothing? */
+bool vs_rounding_bends(const vs_rounding *s, uint32_t t);
 /* Counts the triangles that intersect another triangle after rounding; each is counted once. */
 bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out);
 
@@ -47,7 +54,8 @@ bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out);
 size_t vs_rounding_storey(const vs_rounding *s, int axis, double value);
 
 /* Is it lower than rounding may move its corners by, and turned by that more than two or three degrees; or lower than
- * its doubles tell, so that nobody knows which way it looked? */
+ * its doubles tell? Doubles have been rounded already: such a triangle may have turned over then, and no format's
+ * numbers turn it any more. */
 bool vs_rounding_is_noise(const vs_rounding *s, uint32_t t);
 
 #endif

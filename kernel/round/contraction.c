@@ -1,0 +1,280 @@
+/* Owns what is done where rounding makes triangles meet and nothing gentler has helped (contraction.h).
+ *
+ * A mesh whose corners are only places need not be a manifold by index: it is enough that its triangles are a closed
+ * chain, in which each edge is passed as often one way as the other. Two steps keep a chain closed, whatever they meet:
+ *   unite   corners a few units apart become one. Triangles of which two corners are one are edges, and go
+ *   reroute the longest edge of a triangle that is lower than a few units is led through the triangle's third corner,
+ *           in all triangles that have the edge. The low one becomes nothing, and its neighbour is cut in two there.
+ *           Low triangles without a short edge, which mesh repair calls caps, vanish only by this
+ * Of triangles with the same three corners, as many of either side go: they are one sheet on another. */
+#include "kernel/round/contraction.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/store/disjoint.h"
+
+static bool is_met(const vs_rounding *s, uint32_t t) { /* near one that meets another */
+  const uint32_t *v = s->m->triangles[t];
+  return s->near_met.at[v[0]] || s->near_met.at[v[1]] || s->near_met.at[v[2]];
+}
+
+static vs_vec3 place(const vs_rounding *s, uint32_t v) { return s->m->vertices[v]; }
+
+/* ---- sheets on each other ---- */
+
+typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corners in order; odd: that turned it over */
+
+static int sheet_order(const void *a, const void *b) {
+  const sheet *x = a, *y = b;
+  for (int i = 0; i < 3; i++)
+    if (x->corner[i] != y->corner[i]) return x->corner[i] < y->corner[i] ? -1 : 1;
+  if (x->odd != y->odd) return x->odd ? 1 : -1;
+  return x->triangle < y->triangle ? -1 : 1;
+}
+
+static sheet sheet_of(const uint32_t v[3], uint32_t t) {
+  sheet s = { { v[0], v[1], v[2] }, t, false };
+  for (int i = 0; i < 3; i++) { /* 0 1, 1 2, 0 1 */
+    int j = i % 2;
+    if (s.corner[j] < s.corner[j + 1]) continue;
+    uint32_t swap = s.corner[j];
+    s.corner[j] = s.corner[j + 1], s.corner[j + 1] = swap;
+    s.odd = !s.odd;
+  }
+  return s;
+}
+
+/* Among the triangles at corners that are busy. */
+static bool cancel_sheets(vs_rounding *s) {
+  const vs_mesh *m = s->m;
+  VS_LIST(sheet) sheets = { 0 };
+  bool ok = true;
+  for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
+    const uint32_t *v = m->triangles[t];
+    if (!s->gone.at[t] && (s->busy.at[v[0]] || s->busy.at[v[1]] || s->busy.at[v[2]]))
+      ok = VS_PUSH(s->k, sheets, sheet_of(v, t));
+  }
+  if (ok && sheets.count) qsort(sheets.at, sheets.count, sizeof *sheets.at, sheet_order);
+  for (size_t i = 0, end; ok && i < sheets.count; i = end) {
+    const sheet *at = sheets.at;
+    size_t even = i, odd;
+    for (end = i; end < sheets.count && memcmp(at[end].corner, at[i].corner, sizeof at[i].corner) == 0; end++)
+      even += !at[end].odd;
+    odd = even;
+    for (size_t j = i; j < even && odd < end; j++, odd++)
+      s->gone.at[at[j].triangle] = s->gone.at[at[odd].triangle] = 1;
+  }
+  VS_DROP(s->k, sheets);
+  return ok;
+}
+
+/* ---- corners that become one ---- */
+
+static void lose(vs_rounded *out, vs_vec3 at) {
+  if (out->lost++ == 0) out->lost_at = at;
+}
+
+/* Unites corners within so many units of each other that an edge of a triangle near what meets joins: of triangles that
+ * rounding bends, or of all. */
+static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
+  vs_mesh *m = s->m;
+  VS_LIST(uint32_t) parent = { 0 };
+  VS_LIST(vs_bounds) boxes = { 0 };
+  bool ok = VS_ROOM(s->k, parent.at, parent.room, m->vertex_count + 1) &&
+            VS_ROOM(s->k, boxes.at, boxes.room, m->vertex_count + 1);
+  if (ok) vs_disjoint(parent.at, (uint32_t)m->vertex_count);
+  for (uint32_t v = 0; ok && v < m->vertex_count; v++) boxes.at[v] = (vs_bounds){ place(s, v), place(s, v) };
+  for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
+    if (!is_met(s, t) || !(all || vs_rounding_bends(s, t))) continue;
+    for (int j = 0; j < 3; j++) {
+      uint32_t v = m->triangles[t][j], w = m->triangles[t][(j + 1) % 3], a = vs_find(parent.at, v),
+               b = vs_find(parent.at, w), low = a < b ? a : b;
+      double most = units * fmax(vs_rounding_unit_at(s, v), vs_rounding_unit_at(s, w));
+      vs_bounds both = boxes.at[a];
+      vs_bounds_unite(&both, &boxes.at[b]);
+      if (a == b || vs_v3_length(vs_v3_sub(place(s, v), place(s, w))) >= most || vs_bounds_diagonal(&both) >= 3 * most)
+        continue;
+      vs_unite(parent.at, a, b);
+      boxes.at[low] = both;
+      s->busy.at[low] = 1;
+      ++*count;
+    }
+  }
+  for (uint32_t v = 0; ok && *count && v < m->vertex_count; v++) {
+    vs_vec3 way = vs_v3_sub(place(s, v), place(s, vs_find(parent.at, v)));
+    if (vs_v3_length(way) > vs_rounding_unit_at(s, v)) lose(out, place(s, v));
+  }
+  for (uint32_t t = 0; ok && *count && t < m->triangle_count; t++) {
+    uint32_t *v = m->triangles[t];
+    for (int j = 0; j < 3; j++) {
+      uint32_t to = vs_find(parent.at, v[j]);
+      if (to != v[j]) s->changed.at[t] = VS_CHANGED;
+      v[j] = to;
+    }
+    s->gone.at[t] = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+  }
+  VS_DROP(s->k, parent);
+  VS_DROP(s->k, boxes);
+  return ok;
+}
+
+/* ---- edges that go another way ---- */
+
+/* A low triangle: the ends of its longest edge, in order, and its third corner, which stands so far along that edge. */
+typedef struct { uint32_t low, high, top; double along; } cap;
+typedef VS_LIST(cap) caps;
+typedef VS_LIST(uint32_t) corners;
+
+static int cap_order(const void *a, const void *b) {
+  const cap *x = a, *y = b;
+  if (x->low != y->low) return x->low < y->low ? -1 : 1;
+  if (x->high != y->high) return x->high < y->high ? -1 : 1;
+  if (x->along != y->along) return x->along < y->along ? -1 : 1;
+  return x->top < y->top ? -1 : x->top > y->top;
+}
+
+static double double_area(vs_vec3 a, vs_vec3 b, vs_vec3 c) {
+  return vs_v3_length(vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)));
+}
+
+/* At most so many are put on one edge at a time. */
+enum { TOPS = 16, LOOP = 3 + 3 * TOPS };
+
+static bool find_caps(vs_rounding *s, double units, bool all, vs_rounded *out, caps *to) {
+  const vs_mesh *m = s->m;
+  for (uint32_t t = 0; t < m->triangle_count; t++) {
+    if (s->gone.at[t] || !is_met(s, t) || !(all || vs_rounding_bends(s, t))) continue;
+    const uint32_t *v = m->triangles[t];
+    int base = vs_rounding_longest(s, t);
+    uint32_t p = v[base], q = v[(base + 1) % 3];
+    cap n = { p < q ? p : q, p < q ? q : p, v[(base + 2) % 3], 0 };
+    vs_vec3 a = place(s, n.low), edge = vs_v3_sub(place(s, n.high), a), up = vs_v3_sub(place(s, n.top), a);
+    double length = vs_v3_length(edge), unit = fmax(vs_rounding_unit_at(s, p), vs_rounding_unit_at(s, q)),
+           height = length > 0 ? vs_v3_length(vs_v3_cross(edge, up)) / length : INFINITY;
+    n.along = vs_v3_dot(edge, up) / (length * length);
+    if (height >= units * unit || !(n.along > 0 && n.along < 1)) continue;
+    if (height > unit) lose(out, place(s, n.top));
+    if (!VS_PUSH(s->k, *to, n)) return false;
+  }
+  if (to->count == 0) return true;
+  qsort(to->at, to->count, sizeof *to->at, cap_order);
+  size_t kept = 0, tops = 0;
+  for (size_t i = 0; i < to->count; i++) {
+    const cap *n = &to->at[i], *last = kept ? &to->at[kept - 1] : NULL;
+    bool same = last && last->low == n->low && last->high == n->high;
+    if (same && last->top == n->top) continue;
+    tops = same ? tops + 1 : 1;
+    if (tops <= TOPS) to->at[kept++] = *n;
+  }
+  to->count = kept;
+  return true;
+}
+
+/* The corners that the edge from p to q is led through, from p on. */
+static size_t route_of(const caps *all, uint32_t p, uint32_t q, uint32_t *to) {
+  uint32_t a = p < q ? p : q, b = p < q ? q : p;
+  size_t low = 0, high = all->count, count = 0;
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    const cap *n = &all->at[middle];
+    if (n->low < a || (n->low == a && n->high < b)) low = middle + 1;
+    else high = middle;
+  }
+  while (low + count < all->count && all->at[low + count].low == a && all->at[low + count].high == b) count++;
+  for (size_t i = 0; i < count; i++) to[i] = all->at[low + (p < q ? i : count - 1 - i)].top;
+  return count;
+}
+
+/* Cuts a loop, in which each corner stands once, into triangles round that corner of it where the lowest is highest. */
+static bool cut_loop(vs_rounding *s, const uint32_t *loop, size_t count, corners *to) {
+  size_t from = 0;
+  double best = -1;
+  if (count < 3) return true;
+  for (size_t i = 0; i < count && count > 3; i++) {
+    double least = INFINITY;
+    for (size_t j = 1; j + 1 < count; j++) {
+      vs_vec3 a = place(s, loop[i]), b = place(s, loop[(i + j) % count]), c = place(s, loop[(i + j + 1) % count]);
+      double longest = fmax(vs_v3_length(vs_v3_sub(a, b)),
+                            fmax(vs_v3_length(vs_v3_sub(b, c)), vs_v3_length(vs_v3_sub(c, a))));
+      least = fmin(least, longest > 0 ? double_area(a, b, c) / longest : 0);
+    }
+    if (least > best) best = least, from = i;
+  }
+  for (size_t j = 1; j + 1 < count; j++)
+    if (!VS_PUSH(s->k, *to, loop[from]) || !VS_PUSH(s->k, *to, loop[(from + j) % count]) ||
+        !VS_PUSH(s->k, *to, loop[(from + j + 1) % count]))
+      return false;
+  return true;
+}
+
+/* A loop that comes back to a corner is two. */
+static bool cut_loops(vs_rounding *s, const uint32_t *loop, size_t count, corners *to) {
+  uint32_t open[LOOP];
+  size_t n = 0;
+  for (size_t i = 0; i < count; i++) {
+    size_t before = 0;
+    while (before < n && open[before] != loop[i]) before++;
+    if (before < n && !cut_loop(s, open + before, n - before, to)) return false;
+    n = before;
+    open[n++] = loop[i];
+  }
+  return cut_loop(s, open, n, to);
+}
+
+/* Triangles in place of t: three corners each, of which there may be none. */
+static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
+  vs_mesh *m = s->m;
+  size_t more = by->count > 3 ? by->count / 3 - 1 : 0, all = m->triangle_count + more + 1;
+  s->gone.at[t] = by->count == 0;
+  if (more && !vs_mesh_reserve(m, m->vertex_count, m->triangle_count + more)) return false;
+  if (!VS_ROOM(s->k, s->gone.at, s->gone.room, all) || !VS_ROOM(s->k, s->listed.at, s->listed.room, all) ||
+      !VS_ROOM(s->k, s->changed.at, s->changed.room, all))
+    return false;
+  for (size_t i = 0; i < by->count; i += 3) {
+    uint32_t to = i == 0 ? t : (uint32_t)m->triangle_count++;
+    memcpy(m->triangles[to], by->at + i, sizeof m->triangles[to]);
+    if (m->tags) m->tags[to] = m->tags[t];
+    s->gone.at[to] = s->listed.at[to] = 0;
+    s->changed.at[to] = VS_CHANGED;
+  }
+  return true;
+}
+
+/* Leads the longest edges of triangles lower than so many units, near what meets, through their third corners: of
+ * those that rounding bends, or of all. */
+static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
+  vs_mesh *m = s->m;
+  caps found = { 0 };
+  corners cut = { 0 };
+  bool ok = find_caps(s, units, all, out, &found);
+  for (size_t i = 0; ok && i < found.count; i++)
+    s->busy.at[found.at[i].low] = s->busy.at[found.at[i].high] = s->busy.at[found.at[i].top] = 1;
+  for (uint32_t t = 0, n = (uint32_t)m->triangle_count; ok && found.count && t < n; t++) {
+    const uint32_t *v = m->triangles[t];
+    uint32_t loop[LOOP];
+    size_t corners_count = 0;
+    if (s->gone.at[t] || s->busy.at[v[0]] + s->busy.at[v[1]] + s->busy.at[v[2]] < 2) continue;
+    for (int j = 0; j < 3; j++) {
+      loop[corners_count++] = v[j];
+      corners_count += route_of(&found, v[j], v[(j + 1) % 3], loop + corners_count);
+    }
+    if (corners_count == 3) continue;
+    cut.count = 0;
+    ok = cut_loops(s, loop, corners_count, &cut) && replace(s, t, &cut);
+  }
+  *count += found.count;
+  VS_DROP(s->k, found);
+  VS_DROP(s->k, cut);
+  return ok;
+}
+
+bool vs_rounding_contract(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
+  *count = 0;
+  memset(s->busy.at, 0, s->m->vertex_count);
+  memset(s->gone.at, 0, s->m->triangle_count);
+  bool ok = unite(s, units, all, out, count) && reroute(s, units, all, out, count) && (!*count || cancel_sheets(s));
+  out->collapsed += *count;
+  return ok;
+}
