@@ -41,8 +41,8 @@ bool vs_emit_rounded(vs_emitter *e, const vs_rounded *what) {
   if (what->lost != 0) {
     at = what->lost_at;
     snprintf(message, sizeof message,
-             "details are left out that are finer than this format's numbers: %zu corners, the first near %g %g %g",
-             what->lost, at.x, at.y, at.z);
+             "details are left out that are finer than this format's numbers: %zu corner%s, the first near %g %g %g",
+             what->lost, what->lost == 1 ? "" : "s", at.x, at.y, at.z);
     e->options->warn(e->options->context, NULL, message);
   }
   if (what->met == 0) return true;

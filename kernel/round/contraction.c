@@ -70,11 +70,23 @@ static bool cancel_sheets(vs_rounding *s) {
   return ok;
 }
 
-/* ---- corners that become one ---- */
+/* ---- details ---- */
+
+enum { DETAIL = 8 /* units: in singles less than a millionth of the coordinate */ };
+
+/* A corner of a triangle goes to another place, or its plane is led through it: is that off its plane by so many units
+ * that a detail is lost? Along a surface that is finely cut, corners may go further than that, and nothing is lost. */
+static bool leaves(const vs_rounding *s, const uint32_t t[3], uint32_t corner, uint32_t to) {
+  vs_vec3 n = vs_v3_cross(vs_v3_sub(place(s, t[1]), place(s, t[0])), vs_v3_sub(place(s, t[2]), place(s, t[0])));
+  double off = fabs(vs_v3_dot(n, vs_v3_sub(place(s, to), place(s, corner))));
+  return off > DETAIL * vs_rounding_unit_at(s, to) * vs_v3_length(n);
+}
 
 static void lose(vs_rounded *out, vs_vec3 at) {
   if (out->lost++ == 0) out->lost_at = at;
 }
+
+/* ---- corners that become one ---- */
 
 /* Unites corners within so many units of each other that an edge of a triangle near what meets joins: of triangles that
  * rounding bends, or of all. */
@@ -102,17 +114,17 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
       ++*count;
     }
   }
-  for (uint32_t v = 0; ok && *count && v < m->vertex_count; v++) {
-    vs_vec3 way = vs_v3_sub(place(s, v), place(s, vs_find(parent.at, v)));
-    if (vs_v3_length(way) > vs_rounding_unit_at(s, v)) lose(out, place(s, v));
-  }
   for (uint32_t t = 0; ok && *count && t < m->triangle_count; t++) {
-    uint32_t *v = m->triangles[t];
+    uint32_t *v = m->triangles[t], to[3];
     for (int j = 0; j < 3; j++) {
-      uint32_t to = vs_find(parent.at, v[j]);
-      if (to != v[j]) s->changed.at[t] = VS_CHANGED;
-      v[j] = to;
+      to[j] = vs_find(parent.at, v[j]);
+      if (to[j] == v[j]) continue;
+      s->changed.at[t] = VS_CHANGED;
+      if (s->busy.at[v[j]] || !leaves(s, v, v[j], to[j])) continue;
+      s->busy.at[v[j]] = 1; /* is counted, and goes */
+      lose(out, place(s, v[j]));
     }
+    memcpy(v, to, sizeof to);
     s->gone.at[t] = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
   }
   VS_DROP(s->k, parent);
@@ -142,7 +154,7 @@ static double double_area(vs_vec3 a, vs_vec3 b, vs_vec3 c) {
 /* At most so many are put on one edge at a time. */
 enum { TOPS = 16, LOOP = 3 + 3 * TOPS };
 
-static bool find_caps(vs_rounding *s, double units, bool all, vs_rounded *out, caps *to) {
+static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
   const vs_mesh *m = s->m;
   for (uint32_t t = 0; t < m->triangle_count; t++) {
     if (s->gone.at[t] || !is_met(s, t) || !(all || vs_rounding_bends(s, t))) continue;
@@ -151,12 +163,11 @@ static bool find_caps(vs_rounding *s, double units, bool all, vs_rounded *out, c
     uint32_t p = v[base], q = v[(base + 1) % 3];
     cap n = { p < q ? p : q, p < q ? q : p, v[(base + 2) % 3], 0 };
     vs_vec3 a = place(s, n.low), edge = vs_v3_sub(place(s, n.high), a), up = vs_v3_sub(place(s, n.top), a);
-    double length = vs_v3_length(edge), unit = fmax(vs_rounding_unit_at(s, p), vs_rounding_unit_at(s, q)),
-           height = length > 0 ? vs_v3_length(vs_v3_cross(edge, up)) / length : INFINITY;
+    double length = vs_v3_length(edge),
+           most = units * fmax(vs_rounding_unit_at(s, p), vs_rounding_unit_at(s, q));
+    if (length <= 0 || vs_v3_length(vs_v3_cross(edge, up)) >= most * length) continue;
     n.along = vs_v3_dot(edge, up) / (length * length);
-    if (height >= units * unit || !(n.along > 0 && n.along < 1)) continue;
-    if (height > unit) lose(out, place(s, n.top));
-    if (!VS_PUSH(s->k, *to, n)) return false;
+    if (n.along > 0 && n.along < 1 && !VS_PUSH(s->k, *to, n)) return false;
   }
   if (to->count == 0) return true;
   qsort(to->at, to->count, sizeof *to->at, cap_order);
@@ -248,7 +259,7 @@ static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, siz
   vs_mesh *m = s->m;
   caps found = { 0 };
   corners cut = { 0 };
-  bool ok = find_caps(s, units, all, out, &found);
+  bool ok = find_caps(s, units, all, &found);
   for (size_t i = 0; ok && i < found.count; i++)
     s->busy.at[found.at[i].low] = s->busy.at[found.at[i].high] = s->busy.at[found.at[i].top] = 1;
   for (uint32_t t = 0, n = (uint32_t)m->triangle_count; ok && found.count && t < n; t++) {
@@ -258,7 +269,10 @@ static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, siz
     if (s->gone.at[t] || s->busy.at[v[0]] + s->busy.at[v[1]] + s->busy.at[v[2]] < 2) continue;
     for (int j = 0; j < 3; j++) {
       loop[corners_count++] = v[j];
-      corners_count += route_of(&found, v[j], v[(j + 1) % 3], loop + corners_count);
+      size_t tops = route_of(&found, v[j], v[(j + 1) % 3], loop + corners_count);
+      for (size_t i = 0; i < tops; i++)
+        if (leaves(s, v, v[j], loop[corners_count + i])) lose(out, place(s, loop[corners_count + i]));
+      corners_count += tops;
     }
     if (corners_count == 3) continue;
     cut.count = 0;
