@@ -27,7 +27,7 @@
 (entry "Line" (make-line (list (xyz 0 0 0) (xyz 3 0 0) (xyz 3 4 0))) curve-length 7)
 (entry "Parametric surface" (make-surface (lambda (u v) (xyz u v 0)) 0 2 0 3) area 6)
 (entry "Parametric surface" (make-surface (lambda (u v) (xyz (* 2 u) (* 3 v) 0))) area 6)
-(entry "Parametric surface" (make-surface (lambda (u v) u) (lambda (u v) v) (lambda (u v) (* 3/4 u))) area 5/4)
+(entry "Parametric surface" (make-surface (lambda (u v) u) (lambda (u v) v) (lambda (u v) (* -3/4 u))) area 5/4)
 (entry "Parametric surface" (make-surface (lambda (u v) u) (lambda (u v) v) (lambda (u v) 1) 0 2 0 2) area 4)
 (entry "Ray" (make-ray (xyz 1 0 0) (vxyz 0 1 0)) object-kind 'ray)
 (entry "Spline" (make-spline (list (xyz 0 0 0) (xyz 2 0 0) (xyz 4 0 0)) 0 0) curve-length 4)

@@ -78,7 +78,7 @@ static long pixel_cell(const camera *c, const lattice *l, int x, int y) {
 }
 
 /* Sets the bit of every pixel whose place (dx, dy) the triangle covers. */
-static void fill(const camera *c, const triangle *t, double dx, double dy, unsigned char bit, unsigned char *mask) {
+static void fill(const camera *c, const triangle *t, double dx, double dy, uint16_t bit, uint16_t *mask) {
   double x[3], y[3];
   for (int k = 0; k < 3; k++) project(c, vec_of(t->v[k]), &x[k], &y[k]);
   int top = (int)fmax(0, ceil(fmin(fmin(y[0], y[1]), y[2]) - dy)), bottom = (int)fmin(c->height - 1, floor(fmax(fmax(y[0], y[1]), y[2]) - dy));
@@ -137,16 +137,18 @@ int main(int argc, char **argv) {
   image.format = PNG_FORMAT_RGBA;
   c.width = (int)image.width, c.height = (int)image.height;
   size_t pixels = (size_t)image.width * image.height;
-  unsigned char *picture = malloc(PNG_IMAGE_SIZE(image)), *seen = calloc(pixels, 1), *mask = calloc(pixels, 1), *touched = calloc(pixels, 1);
+  unsigned char *picture = malloc(PNG_IMAGE_SIZE(image)), *seen = calloc(pixels, 1), *touched = calloc(pixels, 1);
+  uint16_t *mask = calloc(pixels, sizeof *mask);
   if (!picture || !seen || !mask || !touched || !png_image_finish_read(&image, NULL, picture, 0, NULL)) {
     printf("not ok cross/%s\n    %s\n", argv[5], image.message);
     return 2;
   }
   for (size_t i = 0; i < pixels; i++) seen[i] = povray ? picture[4 * i + 3] > 25 : page_seen(picture, i, image.width, pixels);
-  static const double places[5][2] = {{0.5, 0.5}, {0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
+  /* the middle, half way to the corners, and all but the corners: a pixel is of the mesh where all are in it, off it where none is */
+  static const double places[9][2] = {{0.5, 0.5}, {0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}, {0.02, 0.02}, {0.98, 0.02}, {0.02, 0.98}, {0.98, 0.98}};
   for (size_t i = 0; i < mesh.count; i++)
-    for (int k = 0; k < 5; k++) fill(&c, &mesh.at[i], places[k][0], places[k][1], (unsigned char)(1 << k), mask);
-  for (size_t i = 0; i < pixels; i++) touched[i] = mask[i] != 0, mask[i] = mask[i] == 0 ? 0 : mask[i] == 31 ? 1 : seen[i]; /* the outline passes: as the picture has it */
+    for (int k = 0; k < 9; k++) fill(&c, &mesh.at[i], places[k][0], places[k][1], (uint16_t)(1 << k), mask);
+  for (size_t i = 0; i < pixels; i++) touched[i] = mask[i] != 0, mask[i] = mask[i] == 0 ? 0 : mask[i] == 511 ? 1 : seen[i]; /* the outline passes: as the picture has it */
   int rod = povray ? (int)ceil(fmax(1, c.width / 900.)) : 0;
 
   static long whole[CELLS_MOST], rods[CELLS_MOST], only_picture[CELLS_MOST], only_mesh[CELLS_MOST], far[CELLS_MOST];
