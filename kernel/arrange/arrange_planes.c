@@ -824,7 +824,10 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   size_t least = c->facets.count; /* as many faces, or nearly */
   ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) &&
        VS_ROOM(k, c->covers.at, c->covers.room, least) && VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) &&
-       vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a) && vs_points_append(k, &c->points, &a.points);
+       vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a);
+  vs_points_forget(k, &c->points);
+  vs_points_forget(k, &a.points);
+  ok = ok && vs_points_append(k, &c->points, &a.points);
   if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* it was too much */
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);

@@ -231,6 +231,7 @@ static bool meet(void *context, uint32_t a, uint32_t b) {
 
 typedef struct {
   vs_cluster *c;
+  vs_points_table points; /* the new ones: the tasks read the cluster's */
   vs_bvh bvh;
   VS_LIST(vs_bvh_box) boxes;
   VS_LIST(uint32_t) families, group, ids;
@@ -261,7 +262,8 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   vs_cluster *c = m->c;
   const chunk *from = &m->chunks[index % VS_PIPELINE_WINDOW];
   if (!VS_ROOM(k, m->ids.at, m->ids.room, from->fresh.count + 1) ||
-      !vs_points_add_all(k, &c->points, NULL, from->fresh.at, from->fresh.count, m->ids.at)) return false;
+      !vs_points_add_all(k, &m->points, &c->points, from->fresh.at, from->fresh.count, m->ids.at))
+    return false;
   for (size_t i = 0; i < from->contacts.count; i++) {
     const contact *x = &from->contacts.at[i];
     if (!x->cut) {
@@ -303,7 +305,8 @@ bool vs_meet_facets(vs_kernel *k, vs_cluster *c) {
   bool ok = VS_ROOM(k, m.works, works, k->threads);
   if (ok) memset(m.works, 0, works * sizeof *m.works);
   ok = ok && index_facets(k, &m) &&
-      vs_kernel_pipeline(k, ((size_t)vs_bvh_blocks(&m.bvh) + CHUNK - 1) / CHUNK, meet_chunk, absorb, &m);
+      vs_kernel_pipeline(k, ((size_t)vs_bvh_blocks(&m.bvh) + CHUNK - 1) / CHUNK, meet_chunk, absorb, &m) &&
+      vs_points_append(k, &c->points, &m.points);
   for (uint32_t i = 0; ok && i < c->facets.count; i++) c->facets.at[i].group = vs_find(m.group.at, i);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, m.chunks[i].contacts);
@@ -319,6 +322,7 @@ bool vs_meet_facets(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, m.families);
   VS_DROP(k, m.group);
   VS_DROP(k, m.ids);
+  vs_points_free(k, &m.points);
   vs_bvh_free(k, &m.bvh);
   return ok;
 }

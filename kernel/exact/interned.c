@@ -115,10 +115,18 @@ bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *
 }
 
 bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more) {
-  uint32_t big = (uint32_t)t->big.count;
+  uint32_t big = (uint32_t)t->big.count, all = (uint32_t)t->all.count;
   bool ok = VS_ROOM(k, t->all.at, t->all.room, t->all.count + more->all.count + 1) &&
-            VS_ROOM(k, t->big.at, t->big.room, t->big.count + more->big.count + 1);
-  for (size_t i = 0; ok && i < more->all.count; i++) { /* in no chain: nothing is looked for any more */
+            VS_ROOM(k, t->big.at, t->big.room, t->big.count + more->big.count + 1) &&
+            (!more->slots.count || slots_grow(k, &t->slots, t->all.count + more->all.count));
+  for (size_t i = 0; ok && i < more->slots.count; i++) {
+    vs_slot from = more->slots.at[i];
+    if (from.item == VS_NONE) continue;
+    size_t to = from.tag >> t->slots.shift;
+    while (t->slots.at[to].item != VS_NONE) to = (to + 1) & (t->slots.count - 1);
+    t->slots.at[to] = (vs_slot){ from.tag, all + from.item };
+  }
+  for (size_t i = 0; ok && i < more->all.count; i++) {
     vs_point p = more->all.at[i];
     if (p.big != VS_POINT_EXACT) p.big += big;
     p.next = VS_NONE;
@@ -126,9 +134,10 @@ bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more) {
   }
   for (size_t i = 0; ok && i < more->big.count; i++) t->big.at[t->big.count++] = more->big.at[i];
   vs_points_free(k, more);
-  slots_free(k, &t->slots);
   return ok;
 }
+
+void vs_points_forget(vs_kernel *k, vs_points_table *t) { slots_free(k, &t->slots); }
 
 bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], uint32_t *id) {
   int64_t fixed[3];

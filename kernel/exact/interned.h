@@ -56,8 +56,9 @@ void vs_fresh_fill(vs_fresh_point *f); /* the rest from `at` */
  * has base's count added. */
 bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *base, const vs_fresh_point *fresh,
                        size_t count, uint32_t *ids);
-/* more was made on top of t, and is empty afterwards */
+/* more was made on top of t, and is empty afterwards. If it had forgotten its points, they are not found in t. */
 bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more);
+void vs_points_forget(vs_kernel *k, vs_points_table *t); /* nothing is looked for any more: the slots go */
 void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* of an input vertex */
 void vs_points_free(vs_kernel *k, vs_points_table *t);
 

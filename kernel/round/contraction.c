@@ -72,7 +72,7 @@ static bool cancel_sheets(vs_rounding *s) {
 
 /* ---- details ---- */
 
-enum { DETAIL = 8 /* units: in singles less than a millionth of the coordinate */ };
+enum { DETAIL = 16 /* units, as far as edges are contracted: in singles a millionth of the coordinate */ };
 
 /* A corner of a triangle goes to another place, or its plane is led through it: is that off its plane by so many units
  * that a detail is lost? Along a surface that is finely cut, corners may go further than that, and nothing is lost. */

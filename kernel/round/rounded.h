@@ -19,7 +19,7 @@ typedef struct {
   vs_vec3 at;             /* of the first of them */
   size_t met_before;      /* pairs of them that meet before rounding as well, so that it is not the numbers that are to
                            * blame; all of them where the numbers are finer than what is exact */
-  size_t lost;            /* corners where mending moved the surface by more than eight units */
+  size_t lost;            /* corners where mending moved the surface by more than sixteen units */
   vs_vec3 lost_at;
   size_t dropped;         /* shells thinner than the numbers tell apart */
   vs_vec3 dropped_at;

@@ -88,6 +88,8 @@ static void test_levels(void **state) {
     { "(union (difference (cbox 12 12 12) (cbox 11 11 30))", "(cbox 10 10 10)", ")", 8, 5 },
     /* equal planes throughout */
     { "(union", "(cbox 10 10 10)", ")", 5, 90 },
+    /* as many facets as are met by several threads, whose new points make the table of points grow again and again */
+    { "(union", "(sphere 10 64)", ")", 4, 0.05 },
   };
   for (size_t i = 0; i < sizeof crowds / sizeof *crowds; i++) {
     char *text = turned(crowds[i].before, crowds[i].form, crowds[i].count, crowds[i].by, crowds[i].after);
