@@ -239,7 +239,7 @@ static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   vs_mesh *m = s->m;
   size_t more = by->count > 3 ? by->count / 3 - 1 : 0, all = m->triangle_count + more + 1;
   s->gone.at[t] = by->count == 0;
-  if (more && !vs_mesh_reserve(m, m->vertex_count, m->triangle_count + more)) return false;
+  if (all > m->triangle_room && !vs_mesh_reserve(m, m->vertex_count, all + all / 8)) return false;
   if (!VS_ROOM(s->k, s->gone.at, s->gone.room, all) || !VS_ROOM(s->k, s->listed.at, s->listed.room, all) ||
       !VS_ROOM(s->k, s->changed.at, s->changed.room, all))
     return false;

@@ -33,11 +33,12 @@ typedef struct {
   changed; /* of a triangle: VS_CHANGED where it has been given other corners, so that it is none of the exact result's
             * any more; VS_SUSPECT beside one that may have turned over, or at a place
             * where the surface touches itself */
+  bool searched;           /* all pairs of triangles have been looked at once (self_contacts.c) */
   VS_LIST(uint8_t) folded; /* of a vertex: 1: of two triangles that lie on each other but for some units */
   VS_LIST(uint8_t) near_met; /* of a vertex: 1: of a triangle that meets another; 2, 3: one and two triangles further */
 } vs_rounding;
 
-enum { VS_CHANGED = 1, VS_SUSPECT = 2 };
+enum { VS_CHANGED = 1, VS_SUSPECT = 2, VS_SEEN = 4 /* with one of these: a search has seen it so */ };
 
 vs_vec3 vs_rounding_corner(const vs_rounding *s, uint32_t v); /* rounded */
 /* The unit of the last place of a number; what doubles lost on the way out of a frame counts as lost. */

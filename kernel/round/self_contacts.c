@@ -59,6 +59,7 @@ typedef struct {
   bool is_low;                   /* one triangle, a low one */
   uint8_t is_changed;            /* its triangle's mark (VS_CHANGED ...); 0: none of its triangles has one */
   bool busy;                     /* open, and goes through a storey or nearly touches one */
+  bool anew;                     /* is tried against all: see is_anew */
   uint8_t level;                 /* all of it has one x (0), y (1) or z (2), this one: */
   /* a corner that all of its triangles have, and around which nothing need be tried (hubs.h); else UINT32_MAX */
   uint32_t hub;
@@ -271,6 +272,14 @@ static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
   return VS_PUSH(k, kind->at, *r) && VS_PUSH(k, kind->boxes, box_of(c, b));
 }
 
+/* Was the triangle changed since the last search, or has it a corner of one that met another then? Two others are as
+ * they were when all were looked at, and need not be tried again. */
+static bool is_anew(const vs_rounding *s, uint32_t t) {
+  const uint32_t *v = s->m->triangles[t];
+  return !s->searched || (s->changed.at[t] && !(s->changed.at[t] & VS_SEEN)) || s->near_met.at[v[0]] == 1 ||
+         s->near_met.at[v[1]] == 1 || s->near_met.at[v[2]] == 1;
+}
+
 static bool make_runs(vs_kernel *k, void *context, size_t index) {
   search *c = context;
   made *to = &c->found[index % VS_PIPELINE_WINDOW];
@@ -299,6 +308,7 @@ static bool make_runs(vs_kernel *k, void *context, size_t index) {
       memset(g.last, 0xff, sizeof g.last);
     }
     r->count++;
+    r->anew = r->anew || is_anew(c->s, (uint32_t)t);
     r->height = fminf(r->height, (float)f.height), r->longest = fmaxf(r->longest, (float)f.longest);
     g.normal = vs_v3_add(g.normal, f.normal);
     vs_bounds_unite(&g.box, &f.box);
@@ -542,6 +552,7 @@ static bool try_runs(looking *l, const run *a, const run *b) {
 
 static bool look_pair(looking *l, const run *a, const run *b) {
   if (!vs_kernel_poll(l->k, 1)) return false;
+  if (!a->anew && !b->anew) return true;
   float same = a->normal[0] * b->normal[0] + a->normal[1] * b->normal[1] + a->normal[2] * b->normal[2];
   return (same > ALIKE && !a->is_low && !b->is_low && !a->is_changed && !b->is_changed) || beyond(l->c, a, b) ||
          beyond(l->c, b, a) || try_runs(l, a, b);
@@ -706,6 +717,9 @@ static bool count_met(vs_rounding *s, vs_rounded *out, bool *folds) {
   vs_hubs_free(k, &c.around);
   drop_made(k, &c.all);
   *folds = c.folds;
+  s->searched = s->searched || ok;
+  for (size_t t = 0; t < s->m->triangle_count; t++)
+    if (s->changed.at[t]) s->changed.at[t] |= VS_SEEN;
   return ok;
 }
 
