@@ -477,7 +477,7 @@ static bool begin_again(rounding *s) {
 
 static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
-  size_t n = m->vertex_count, collapsed, flipped, more, before = 0, last = 0;
+  size_t n = m->vertex_count, collapsed, flipped, more, before = 0;
   bool any = false, ok = true;
   if (!vs_kernel_report(s->k, 1)) return false;
   s->bounds = vs_mesh_bounds(m);
@@ -518,9 +518,11 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   if (ok && out->met_before > before) before = out->met_before;
   if (ok) squeeze(s);
   /* Each round contracts more coarsely, and from the third on all that is near. Where that makes others meet, the next
-   * one goes on, unless it only did what the last one did. */
+   * one goes on as long as fewer do. Where a large part of a large mesh meets, its facets are finer than the numbers,
+   * and nothing mends that. */
   for (int round = 0; ok && s->places && out->met && round < CONTRACTIONS; round++) {
-    enum { ALL = 2 };
+    enum { ALL = 2, MANY = 10000, PART = 16 };
+    if (out->met > MANY && out->met > m->triangle_count / PART) break;
     size_t contracted = 0, met = out->met;
     ok = vs_rounding_contract(s, 4 << (round < ALL ? round : ALL), round >= ALL, out, &contracted);
     if (!ok || (!contracted && round >= ALL)) break;
@@ -530,8 +532,7 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
     if (ok) suspect_neighbours(s);
     ok = ok && vs_rounding_count_met(s, out);
     out->flipped += flipped;
-    if (round > ALL && contracted == last && out->met == met) break;
-    last = contracted;
+    if (round > ALL && out->met >= met) break;
   }
   out->met_before = before; /* contracting makes triangles cross by itself */
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
