@@ -77,7 +77,7 @@ enum { DETAIL = 16 /* units, as far as edges are contracted: in singles a millio
 /* A corner of a triangle goes to another place, or its plane is led through it: is that off its plane by so many units
  * that a detail is lost? Along a surface that is finely cut, corners may go further than that, and nothing is lost. */
 static bool leaves(const vs_rounding *s, const uint32_t t[3], uint32_t corner, uint32_t to) {
-  vs_vec3 n = vs_v3_cross(vs_v3_sub(place(s, t[1]), place(s, t[0])), vs_v3_sub(place(s, t[2]), place(s, t[0])));
+  vs_vec3 n = vs_rounding_normal(place(s, t[0]), place(s, t[1]), place(s, t[2]));
   double off = fabs(vs_v3_dot(n, vs_v3_sub(place(s, to), place(s, corner))));
   return off > DETAIL * vs_rounding_unit_at(s, to) * vs_v3_length(n);
 }
@@ -147,10 +147,6 @@ static int cap_order(const void *a, const void *b) {
   return x->top < y->top ? -1 : x->top > y->top;
 }
 
-static double double_area(vs_vec3 a, vs_vec3 b, vs_vec3 c) {
-  return vs_v3_length(vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)));
-}
-
 /* At most so many are put on one edge at a time. */
 enum { TOPS = 16, LOOP = 3 + 3 * TOPS };
 
@@ -207,9 +203,7 @@ static bool cut_loop(vs_rounding *s, const uint32_t *loop, size_t count, corners
     double least = INFINITY;
     for (size_t j = 1; j + 1 < count; j++) {
       vs_vec3 a = place(s, loop[i]), b = place(s, loop[(i + j) % count]), c = place(s, loop[(i + j + 1) % count]);
-      double longest = fmax(vs_v3_length(vs_v3_sub(a, b)),
-                            fmax(vs_v3_length(vs_v3_sub(b, c)), vs_v3_length(vs_v3_sub(c, a))));
-      least = fmin(least, longest > 0 ? double_area(a, b, c) / longest : 0);
+      least = fmin(least, vs_rounding_height(a, b, c));
     }
     if (least > best) best = least, from = i;
   }

@@ -9,7 +9,8 @@
  *   flip      a triangle lower than two units gives its longest edge to its top: the neighbour behind that edge is
  *             cut in two there
  *   drop      a shell that is thinner than two units all over is left out
- * Then triangles that meet after rounding, and did not before, are looked for everywhere (self_contacts.c).
+ * Then triangles that meet after rounding, and did not before, are looked for everywhere (self_contacts.c). In formats
+ * without indices, the surface near them is contracted (contraction.c).
  *
  * A look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked
  * at, and what has changed since. */
@@ -40,8 +41,6 @@ static bool too_short(const rounding *s, uint32_t a, uint32_t b) {
   vs_vec3 p = s->m->vertices[a], q = s->m->vertices[b];
   return near(p.x, q.x, s->numbers) && near(p.y, q.y, s->numbers) && near(p.z, q.z, s->numbers);
 }
-
-static vs_vec3 normal(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)); }
 
 /* Shorter than what rounding may move its ends by: fine where all that hangs on it is rounded alike, as on faces along
  * the axes. */
@@ -299,8 +298,8 @@ static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
     }
     if (is_neighbour(s, a, p)) common++; /* p stands once as the next of b: each neighbour is counted once, but for the
                                           * two of the edge's triangles */
-    vs_vec3 before = normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]),
-            after = normal(to, s->m->vertices[p], s->m->vertices[q]);
+    vs_vec3 before = vs_rounding_normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]),
+            after = vs_rounding_normal(to, s->m->vertices[p], s->m->vertices[q]);
     if (vs_v3_dot(before, after) < 0 && !vs_rounding_is_noise(s, other)) return false; /* noise may turn */
   }
   /* around b, next corners: a, then p of each other triangle; the two apexes are neighbours of a, and one of them is
@@ -311,13 +310,9 @@ static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
 
 /* ---- thin triangles ---- */
 
-static double height(vs_vec3 a, vs_vec3 b, vs_vec3 c) { /* the least of three */
-  double longest =
-      fmax(vs_v3_length(vs_v3_sub(b, a)), fmax(vs_v3_length(vs_v3_sub(c, b)), vs_v3_length(vs_v3_sub(a, c))));
-  return longest > 0 ? vs_v3_length(normal(a, b, c)) / longest : 0;
+static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
+  return vs_v3_dot(n, vs_rounding_normal(a, b, c)) > 0;
 }
-
-static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(n, normal(a, b, c)) > 0; }
 
 /* A triangle lower than rounding moves its corners may turn over. Its longest edge is given to its top instead: the
  * neighbour behind that edge is cut in two there, and what was thin is gone. Neither may become as thin, or turn over,
@@ -336,12 +331,12 @@ static bool flip(rounding *s, uint32_t t) {
   if (other == UINT32_MAX || far == top || busy[p] || busy[q] || busy[top] || busy[far] || is_neighbour(s, top, far))
     return false;
   const vs_vec3 *x = m->vertices;
-  vs_vec3 before = normal(x[q], x[p], x[far]), rp = corner(s, p), rq = corner(s, q), rt = corner(s, top),
+  vs_vec3 before = vs_rounding_normal(x[q], x[p], x[far]), rp = corner(s, p), rq = corner(s, q), rt = corner(s, top),
           rf = corner(s, far);
   if (!same_side(before, x[p], x[far], x[top]) || !same_side(before, x[far], x[q], x[top])) return false;
   if (!same_side(before, rp, rf, rt) || !same_side(before, rf, rq, rt)) return false;
-  double old = fmin(height(x[p], x[q], x[top]), height(x[q], x[p], x[far])),
-         now = fmin(height(x[p], x[far], x[top]), height(x[far], x[q], x[top]));
+  double old = fmin(vs_rounding_height(x[p], x[q], x[top]), vs_rounding_height(x[q], x[p], x[far])),
+         now = fmin(vs_rounding_height(x[p], x[far], x[top]), vs_rounding_height(x[far], x[q], x[top]));
   if (now <= old) return false;
   uint32_t one[3] = { p, far, top }, two[3] = { far, q, top };
   memcpy(m->triangles[t], one, sizeof one);

@@ -42,13 +42,17 @@ int vs_rounding_longest(const vs_rounding *s, uint32_t t) {
   return length[0] >= length[1] && length[0] >= length[2] ? 0 : length[1] >= length[2] ? 1 : 2;
 }
 
-static vs_vec3 normal(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)); }
+double vs_rounding_height(vs_vec3 a, vs_vec3 b, vs_vec3 c) {
+  double longest =
+      fmax(vs_v3_length(vs_v3_sub(b, a)), fmax(vs_v3_length(vs_v3_sub(c, b)), vs_v3_length(vs_v3_sub(a, c))));
+  return longest > 0 ? vs_v3_length(vs_rounding_normal(a, b, c)) / longest : 0;
+}
 
 bool vs_rounding_bends(const vs_rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   const vs_vec3 *x = s->m->vertices;
-  vs_vec3 n = normal(x[v[0]], x[v[1]], x[v[2]]),
-          r = normal(vs_rounding_corner(s, v[0]), vs_rounding_corner(s, v[1]), vs_rounding_corner(s, v[2]));
+  vs_vec3 n = vs_rounding_normal(x[v[0]], x[v[1]], x[v[2]]),
+          r = vs_rounding_normal(vs_rounding_corner(s, v[0]), vs_rounding_corner(s, v[1]), vs_rounding_corner(s, v[2]));
   return !(vs_v3_dot(n, r) > 0.999 * vs_v3_length(n) * vs_v3_length(r));
 }
 

@@ -46,6 +46,11 @@ double vs_rounding_unit(double x, vs_numbers numbers);
 double vs_rounding_reach(vs_vec3 p); /* its largest coordinate, without the sign */
 double vs_rounding_unit_at(const vs_rounding *s, uint32_t v); /* the unit of that coordinate of a corner */
 int vs_rounding_longest(const vs_rounding *s, uint32_t t); /* the first corner of the triangle's longest edge: 0 to 2 */
+/* Of three corners: across their triangle, twice as long as its area; and the least of its three heights. */
+static inline vs_vec3 vs_rounding_normal(vs_vec3 a, vs_vec3 b, vs_vec3 c) {
+  return vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
+}
+double vs_rounding_height(vs_vec3 a, vs_vec3 b, vs_vec3 c);
 /* Does rounding turn the triangle by more than two or three degrees, or make it nothing? */
 bool vs_rounding_bends(const vs_rounding *s, uint32_t t);
 /* Counts the triangles that intersect another triangle after rounding; each is counted once. */
