@@ -188,7 +188,7 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   if (!measure_way(bar ? profile : n->children[1].node, &way, e)) return false;
   double twist = bar ? 0 : VS_AS(sweep, n)->twist, scale = bar ? 1 : VS_AS(sweep, n)->scale, border = 0;
   bool upright = !bar && vs_v3_length(VS_AS(sweep, n)->up) > 0; /* it may spin, differently on a corner's two sides */
-  if (way.back || !(way.length > 0) || (way.corners && (twist != 0 || scale != 1 || upright))) return true;
+  if (way.back || !(way.length > 0) || (way.corners && upright)) return true;
   double radius = bar ? VS_AS(thicken, n)->width / 2 : vs_profile_circle(profile);
   bool even = true;
   if (radius > 0) {

@@ -175,17 +175,40 @@ static size_t swept_share(size_t steps, double share) {
   return n < 1 ? 1 : (size_t)n;
 }
 
-static vs_section swept_section(const vs_path_point *p, vs_vec3 x, double angle, double scale, vs_vec2 base) {
+static bool swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
+
+/* How a section leans against the plane across `way`, one of the two directions of a corner: what the profile has along
+ * this vector it stands back along the way. */
+static vs_vec3 swept_lean(const vs_path_point *p, vs_vec3 way) {
+  vs_vec3 m = vs_v3_add(p->arriving, p->leaving);
+  if (vs_v3_equal(p->arriving, p->leaving) || swept_turns_back(p)) return vs_v3(0, 0, 0);
+  return vs_v3_sub(vs_v3_scale(m, 1 / vs_v3_dot(way, m)), way);
+}
+
+/* How sections lean in the stretch from p to q, 0 < t < 1 of its way: less and less from each mitre on, and not at all
+ * from twice as far from the corner as the mitre takes the profile along the way. A stretch without room for this at
+ * both ends leans linearly from one mitre to the other. In either case each point of the profile goes one way from mitre
+ * to mitre. Sections that stood square up to a corner would pass its mitre on the inner side, further the finer the
+ * steps are. */
+static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q, double t, double reach) {
+  vs_vec3 a = swept_lean(p, p->leaving), b = swept_lean(q, q->arriving);
+  double length = vs_v3_length(vs_v3_sub(q->at, p->at)), from = 2 * reach * vs_v3_length(a) / length,
+         to = 2 * reach * vs_v3_length(b) / length;
+  if (from + to > 1) from = to = 1;
+  return vs_v3_add(vs_v3_scale(a, t < from ? 1 - t / from : 0), vs_v3_scale(b, 1 - t < to ? 1 - (1 - t) / to : 0));
+}
+
+/* The section at a point of the way; x and what `way` x x gives are the profile's directions before it turns and
+ * leans. */
+static vs_section swept_section(const vs_path_point *p, vs_vec3 lean, vs_vec3 x, double angle, double scale,
+                                vs_vec2 base) {
   double sine, cosine;
   vs_sincos(angle, &sine, &cosine);
-  vs_vec3 b = p->leaving, y = vs_v3_cross(b, x), m = vs_v3_add(p->arriving, b);
+  vs_vec3 b = p->leaving, y = vs_v3_cross(b, x);
   vs_vec3 u = vs_v3_scale(vs_v3_add(vs_v3_scale(x, cosine), vs_v3_scale(y, sine)), scale);
   vs_vec3 v = vs_v3_scale(vs_v3_add(vs_v3_scale(y, cosine), vs_v3_scale(x, -sine)), scale);
-  double along = vs_v3_dot(b, m);
-  if (!vs_v3_equal(p->arriving, b)) {
-    u = vs_v3_sub(u, vs_v3_scale(b, vs_v3_dot(u, m) / along));
-    v = vs_v3_sub(v, vs_v3_scale(b, vs_v3_dot(v, m) / along));
-  }
+  u = vs_v3_sub(u, vs_v3_scale(b, vs_v3_dot(u, lean)));
+  v = vs_v3_sub(v, vs_v3_scale(b, vs_v3_dot(v, lean)));
   vs_vec3 at = vs_v3_sub(p->at, vs_v3_add(vs_v3_scale(u, base.x), vs_v3_scale(v, base.y)));
   return (vs_section){ u, v, at, false };
 }
@@ -218,8 +241,6 @@ static bool swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
   else free(seam);
   return ok;
 }
-
-static bool swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
 
 /* Keeps a profile upright: `side`, of length 1, is its upper side among its own directions, which goes as far towards
  * `up` as the path allows. */
@@ -273,9 +294,10 @@ static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, 
   return length > 0 ? fabs(vs_v3_dot(bend, most)) / length / 4 : 0;
 }
 
-/* A profile that is kept upright turns where its path climbs out of a bend, within one stretch of it. As with a twist,
- * such stretches are cut into n steps and the edges into k pieces, so that what triangles miss, n k times less, keeps
- * the tolerance. Where the profile comes to lie on itself (seam) the edges stay whole. */
+/* A profile that is kept upright turns where its path climbs out of a bend, within one stretch of it; and one that
+ * grows or shrinks from mitre to mitre has walls that are not plane. As with a twist, such stretches are cut into n
+ * steps and the edges into k pieces, so that what triangles miss, n k times less, keeps the tolerance. Where the
+ * profile comes to lie on itself (seam) the edges stay whole. */
 static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   enum { MOST = 200 };
   size_t count = s->section_count, total = 0, *pieces = NULL, *steps = NULL;
@@ -327,7 +349,8 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
 static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright *upright, double twist, double scale,
                         vs_vec2 base, double reach, const vs_fineness *f, vs_error *e) {
   vs_path fine = { 0 };
-  vs_vec3 *carried = NULL;
+  vs_vec3 *carried = NULL, *lean = NULL;
+  size_t leans = 0;
   bool ok = true;
   double rest = twist - full_turn * nearbyint(twist / full_turn);
   bool meets = path->closed && scale == 1, joins = meets && fabs(rest) < 1e-9;
@@ -344,16 +367,21 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
     const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
     vs_vec3 way = vs_v3_sub(q->at, p->at);
     size_t steps = swept_share(all_steps, vs_v3_length(way) / path->length);
-    ok = vs_path_add(&fine, p->at, p->arriving, p->leaving);
+    ok = vs_path_add(&fine, p->at, p->arriving, p->leaving) && VS_GROW(lean, leans, fine.count + steps);
+    if (ok) lean[fine.count - 1] = swept_lean(p, p->leaving);
     for (size_t k = 1; ok && k < steps; k++) {
       double t = (double)k / (double)steps;
       vs_vec3 d = vs_v3_unit(vs_v3_add(vs_v3_scale(p->leaving, 1 - t), vs_v3_scale(q->arriving, t)));
       ok = vs_path_add(&fine, vs_v3_add(p->at, vs_v3_scale(way, t)), d, d);
+      if (ok) lean[fine.count - 1] = swept_lean_between(p, q, t, reach * fmax(1, fabs(scale)));
     }
   }
   const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];
   bool ends = !joins; /* a closed path whose ends do not match gets its first point again */
-  if (ends) ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
+  if (ends) {
+    ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
+    if (ok) lean[fine.count - 1] = swept_lean(last, last->leaving);
+  }
   fine.closed = joins;
   if (ok) vs_path_measure(&fine);
   carried = ok ? malloc(fine.count * sizeof *carried) : NULL;
@@ -371,18 +399,19 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
       vs_path_point end = { p.at, p.arriving, p.arriving, p.along };
       vs_vec3 across = carried[i ? i - 1 : 0];
       across = vs_v3_unit(vs_v3_sub(across, vs_v3_scale(p.arriving, vs_v3_dot(across, p.arriving))));
-      ok = swept_add(s, swept_section(&end, across, twist * t, 1 + (scale - 1) * t, base));
+      ok = swept_add(s, swept_section(&end, vs_v3(0, 0, 0), across, twist * t, 1 + (scale - 1) * t, base));
       if (ok) s->sections[s->section_count - 1].ends = true;
       if (round || (ends && i + 1 == fine.count)) break;
     }
-    if (swept_turns_back(&p)) p.arriving = p.leaving;
-    ok = ok && swept_add(s, swept_section(&p, carried[round ? 0 : i], twist * t, 1 + (scale - 1) * t, base));
+    ok = ok && swept_add(s, swept_section(&p, lean[round ? 0 : i], carried[round ? 0 : i], twist * t,
+                                          1 + (scale - 1) * t, base));
   }
   s->joined = joins && !broken;
   s->across = true;
-  if (ok && stands && upright && f->segments <= 0) ok = swept_flatten(s, f);
+  if (ok && stands && (upright || scale != 1) && f->segments <= 0) ok = swept_flatten(s, f);
   vs_path_free(&fine);
   free(carried);
+  free(lean);
   return stands && (ok || vs_error_memory(e, NULL));
 }
 

@@ -147,6 +147,29 @@
 (ok? "a frame" (volume (do-sweep (make-region (make-rectangle (xy -2 -1) (xy 2 1)) (make-rectangle (xy -1 -1/2) (xy 1 1/2))) (make-arc origin 1/2 pi/2)))
      (* pi/4 (- (* 2 (+ 9/4 25/4)) (+ 1/4 9/4))) 3e-3)
 
+; corners with a twist: arms go from mitre to mitre and no further, so that the solid does not depend on how finely it is cut
+(define zigzag (make-line origin (xyz 8 0 0) (xyz 8 9 0) (xyz 4 9 7)))
+(define way (+ 17 (sqrt 65)))
+(define plate (make-rectangle (xy 0 0) (xy 1 2)))
+(ok? "a twist round corners" (volume (do-sweep plate zigzag 6)) (* 2 way))
+(ok? "a scale round corners" (volume (do-sweep plate zigzag 1 1/2)) (* 7/6 way))
+(for ([t '(0.05 0.01 0.002)]) ; measured on their meshes: those with a base have no formula
+  (parameterize ([current-tolerance t])
+    (define (close? name o want) (ok? name (volume o) want t))
+    (close? "twisted, its mesh" (do-sweep plate zigzag 6 #:base (xy 1/2 1)) (* 2 way))
+    (close? "and scaled" (do-sweep plate zigzag 1 1/2 #:base (xy 1/2 1)) (* 7/6 way))
+    (close? "scaled, its mesh" (do-sweep plate zigzag 0 1/2 #:base (xy 1/2 1)) (* 7/6 way))))
+; here the profile is further inside of sharp corners than the arms are long: all of it goes backwards
+(define inward (do-sweep (make-circle (xy 0 0) 0.25) (do-offset (make-polygon (xy 1 0) (xy 3 0) (xy 2 1.5)) 1.5) -0.31898241117596626 #:base (xyz 0 3 -0.75)))
+(define (by-chance o n)
+  (let* ([box (bounding-box o)] [p (first box)] [q (second box)])
+    (let loop ([i 0] [in 0])
+      (if (= i n) (/ (* in (- (cx q) (cx p)) (- (cy q) (cy p)) (- (cz q) (cz p))) n)
+          (loop (+ i 1) (if (contains? o (one-of-box box)) (+ in 1) in))))))
+(ok? "backwards round corners" (volume inward) 1.6324 1e-3)
+(ok? "its points" (by-chance inward 40000) 1.6324 0.05)
+(for ([t '(0.01 0.001)]) (parameterize ([current-tolerance t]) (ok? "its mesh" (volume inward) 1.6324 (* 10 t))))
+
 ; closed paths with a twist after which the profile is itself again
 (define ring-path (make-circle origin 6))
 (ok? "a square after a quarter turn" (area (do-sweep (make-rectangle (xy -1 -1) (xy 1 1)) ring-path pi/2)) (* 8 12 pi) 6e-3)
