@@ -1,5 +1,6 @@
 // node families.mjs FOLDER: writes the families in which many solids lie over one place to FOLDER/sx, one file a member; run.sh takes them by name. Deterministic.
 //   spheres  N spheres of 4,096 triangles about one centre, turned by i * 1e-5 radians about an axis that is none of theirs
+//   balls    the same, of 256 triangles each
 //   boxes    N boxes about one centre, turned by up to 0.01 degrees about each axis
 //   rods     N rods of 16 sides through one point
 //   wedges   N thin wedges around one axis, each over its two neighbours on either side
@@ -18,14 +19,15 @@ const list = (n, make) => { seed = 7; return Array.from({ length: n }, (_, i) =>
 const write = (name, n, root) => fs.writeFileSync(`${out}${name}_${n}.sx`, root + '\n');
 
 const degrees = 180 / Math.PI, s = Math.SQRT1_2;
-const sphere = i => { // about (1, 1, 0): columns of Rodrigues' matrix
+const sphere = sides => i => { // about (1, 1, 0): columns of Rodrigues' matrix
   const a = i * 1e-5, c = Math.cos(a), t = 1 - c, k = Math.sin(a) * s;
-  return node('multmatrix', [c + t / 2, t / 2, k, 0, t / 2, c + t / 2, -k, 0, -k, k, c, 0], '(sphere 10 64)'); };
+  return node('multmatrix', [c + t / 2, t / 2, k, 0, t / 2, c + t / 2, -k, 0, -k, k, c, 0], `(sphere 10 ${sides})`); };
 const box = () => node('rotate', [0, 0, 0].map(() => (2 * random() - 1) * 0.01), node('translate', [-5, -5, -5], '(box 10 10 10)'));
 const rod = () => node('rotate', [0, degrees * Math.acos(2 * random() - 1), 360 * random()], node('translate', [0, 0, -10], '(cyl 20 0.3 0.3 16)'));
 const wedge = (i, n) => node('rotate', [0, 0, 360 * i / n], node('scale', [10 / 1.5, 100 * Math.PI / n / Math.sqrt(0.75) / 5 * 1.2, 5], node('translate', [1, 0, 0], node('rotate', [0, 0, 180], '(cyl 1 1 1 3)'))));
 const step = i => node('translate', [0, 0, i * 0.02], node('rotate', [0, 0, 3.7 * i], node('translate', [-1, -0.5, 0], '(box 10 1 1)')));
-for (const n of [25, 50, 100]) write('spheres', n, node('union', [], ...list(n, sphere)));
+for (const n of [25, 50, 100]) write('spheres', n, node('union', [], ...list(n, sphere(64))));
+for (const n of [50, 100, 200]) write('balls', n, node('union', [], ...list(n, sphere(16))));
 for (const n of [50, 100, 200, 400]) write('boxes', n, node('union', [], ...list(n, box)));
 for (const n of [100, 200, 400]) write('rods', n, node('union', [], ...list(n, rod)));
 for (const n of [250, 500, 1000]) write('wedges', n, node('union', [], ...list(n, i => wedge(i, n))));

@@ -55,6 +55,7 @@ static bool cancel_sheets(vs_rounding *s) {
     const uint32_t *v = m->triangles[t];
     if (!s->gone.at[t] && (s->busy.at[v[0]] || s->busy.at[v[1]] || s->busy.at[v[2]]))
       ok = VS_PUSH(s->k, sheets, sheet_of(v, t));
+    ok = ok && vs_kernel_poll(s->k, 1);
   }
   if (ok && sheets.count) qsort(sheets.at, sheets.count, sizeof *sheets.at, sheet_order);
   for (size_t i = 0, end; ok && i < sheets.count; i = end) {
@@ -99,6 +100,7 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
   if (ok) vs_disjoint(parent.at, (uint32_t)m->vertex_count);
   for (uint32_t v = 0; ok && v < m->vertex_count; v++) boxes.at[v] = (vs_bounds){ place(s, v), place(s, v) };
   for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
+    ok = vs_kernel_poll(s->k, 1);
     if (!is_met(s, t) || !(all || vs_rounding_bends(s, t))) continue;
     for (int j = 0; j < 3; j++) {
       uint32_t v = m->triangles[t][j], w = m->triangles[t][(j + 1) % 3], a = vs_find(parent.at, v),
@@ -126,6 +128,7 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
     }
     memcpy(v, to, sizeof to);
     s->gone.at[t] = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+    ok = vs_kernel_poll(s->k, 1);
   }
   VS_DROP(s->k, parent);
   VS_DROP(s->k, boxes);
@@ -153,6 +156,7 @@ enum { TOPS = 16, LOOP = 3 + 3 * TOPS };
 static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
   const vs_mesh *m = s->m;
   for (uint32_t t = 0; t < m->triangle_count; t++) {
+    if (!vs_kernel_poll(s->k, 1)) return false;
     if (s->gone.at[t] || !is_met(s, t) || !(all || vs_rounding_bends(s, t))) continue;
     const uint32_t *v = m->triangles[t];
     int base = vs_rounding_longest(s, t);
@@ -260,6 +264,7 @@ static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, siz
     const uint32_t *v = m->triangles[t];
     uint32_t loop[LOOP];
     size_t corners_count = 0;
+    ok = vs_kernel_poll(s->k, 1);
     if (s->gone.at[t] || s->busy.at[v[0]] + s->busy.at[v[1]] + s->busy.at[v[2]] < 2) continue;
     for (int j = 0; j < 3; j++) {
       loop[corners_count++] = v[j];
@@ -270,7 +275,7 @@ static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, siz
     }
     if (corners_count == 3) continue;
     cut.count = 0;
-    ok = cut_loops(s, loop, corners_count, &cut) && replace(s, t, &cut);
+    ok = ok && cut_loops(s, loop, corners_count, &cut) && replace(s, t, &cut);
   }
   *count += found.count;
   VS_DROP(s->k, found);
