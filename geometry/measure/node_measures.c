@@ -152,8 +152,8 @@ static bool measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_err
   return true;
 }
 
-/* The way of a sweep: how long, whether it closes, has corners, or turns back somewhere */
-typedef struct { double length; bool closed, corners, back; } vs_way;
+/* The way of a sweep: how long, whether it closes, or turns back somewhere */
+typedef struct { double length; bool closed, back; } vs_way;
 
 static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
   vs_measure m;
@@ -167,9 +167,7 @@ static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
   way->length = m.length;
   way->closed = path.closed;
   for (size_t i = path.closed ? 0 : 1; ok && i + !path.closed < path.count; i++) {
-    double turn = vs_v3_dot(path.at[i].arriving, path.at[i].leaving);
-    way->corners = way->corners || turn < 1 - 1e-12;
-    way->back = way->back || turn < -0.99;
+    way->back = way->back || vs_v3_dot(path.at[i].arriving, path.at[i].leaving) < -0.99;
   }
   vs_path_free(&path);
   return ok;
@@ -187,8 +185,8 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     return true;
   if (!measure_way(bar ? profile : n->children[1].node, &way, e)) return false;
   double twist = bar ? 0 : VS_AS(sweep, n)->twist, scale = bar ? 1 : VS_AS(sweep, n)->scale, border = 0;
-  bool upright = !bar && vs_v3_length(VS_AS(sweep, n)->up) > 0; /* it may spin, differently on a corner's two sides */
-  if (way.back || !(way.length > 0) || (way.corners && upright)) return true;
+  bool upright = !bar && vs_v3_length(VS_AS(sweep, n)->up) > 0; /* it turns about the way */
+  if (way.back || !(way.length > 0)) return true;
   double radius = bar ? VS_AS(thicken, n)->width / 2 : vs_profile_circle(profile);
   bool even = true;
   if (radius > 0) {

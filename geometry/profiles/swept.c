@@ -139,12 +139,14 @@ static bool swept_split(vs_swept *s, const size_t *pieces) {
   return true;
 }
 
+enum { MOST_STEPS = 200000 };
+
 /* A straight edge of length l that turns by da becomes a saddle, which two triangles miss by l da / 4 in its middle.
  * Therefore a twist cuts the whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that
  * l/k twist/n / 4 keeps the tolerance, n and k alike large; and no fewer steps than facets in as much of a turn. With
  * segments given the edges stay whole. 0: no memory. */
 static size_t swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_fineness *f) {
-  enum { MOST = 2000, MOST_STEPS = 200000, MOST_POINTS = 10000000 };
+  enum { MOST = 2000, MOST_POINTS = 10000000 };
   double widest = fmax(1, fabs(scale)), longest = 0;
   if (twist == 0) return 1;
   for (size_t l = 0, first = 0; l < s->loop_count; first += s->sizes[l], l++)
@@ -187,9 +189,9 @@ static vs_vec3 swept_lean(const vs_path_point *p, vs_vec3 way) {
 
 /* How sections lean in the stretch from p to q, 0 < t < 1 of its way: less and less from each mitre on, and not at all
  * from twice as far from the corner as the mitre takes the profile along the way. A stretch without room for this at
- * both ends leans linearly from one mitre to the other. In either case each point of the profile goes one way from mitre
- * to mitre. Sections that stood square up to a corner would pass its mitre on the inner side, further the finer the
- * steps are. */
+ * both ends leans linearly from one mitre to the other. In either case each point of the profile goes one way from
+ * mitre to mitre. Sections that stood square up to a corner would pass its mitre on the inner side, further the finer
+ * the steps are. */
 static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q, double t, double reach) {
   vs_vec3 a = swept_lean(p, p->leaving), b = swept_lean(q, q->arriving);
   double length = vs_v3_length(vs_v3_sub(q->at, p->at)), from = 2 * reach * vs_v3_length(a) / length,
@@ -259,20 +261,35 @@ static vs_upright swept_upright(const vs_profile_plane *plane, vs_vec3 up) {
   return (vs_upright){ up, { x / length, y / length } };
 }
 
-/* The profile's first direction at every point of the path. False: the path runs along `up`, and the error says
- * where. */
+/* The profile's first direction where the path goes along `way`; nothing where that is `up`. */
+static vs_vec3 swept_stood(const vs_upright *u, vs_vec3 way) {
+  vs_vec3 up = vs_v3_sub(u->up, vs_v3_scale(way, vs_v3_dot(u->up, way)));
+  if (vs_v3_length(up) < 1e-6) return vs_v3(0, 0, 0);
+  up = vs_v3_unit(up);
+  return vs_v3_add(vs_v3_scale(up, u->side.x), vs_v3_scale(vs_v3_cross(up, way), u->side.y));
+}
+
+/* The same at every point of the path. False: the path runs along `up`, and the error says where. */
 static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs_error *e) {
   for (size_t i = 0; i < path->count; i++) {
-    vs_vec3 along = path->at[i].leaving, at = path->at[i].at;
-    vs_vec3 up = vs_v3_sub(u->up, vs_v3_scale(along, vs_v3_dot(u->up, along)));
-    if (vs_v3_length(up) < 1e-6)
+    vs_vec3 at = path->at[i].at;
+    x[i] = swept_stood(u, path->at[i].leaving);
+    if (vs_v3_equal(x[i], vs_v3(0, 0, 0)))
       return vs_error_set(e, VS_ERROR_MODEL, NULL,
                           "do-sweep: the path runs along #:up at (xyz %.6g %.6g %.6g), where nothing can be upright",
                           at.x, at.y, at.z);
-    up = vs_v3_unit(up);
-    x[i] = vs_v3_add(vs_v3_scale(up, u->side.x), vs_v3_scale(vs_v3_cross(up, along), u->side.y));
   }
   return true;
+}
+
+/* A profile that stands upright in the arm behind a corner is not upright before it: mirrored in the mitre it is turned
+ * by this angle about the way there. Along the arm before the corner the profile turns so far, evenly. */
+static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
+  vs_vec3 a = corner->arriving, m = vs_v3_add(a, corner->leaving), before = swept_stood(u, a),
+          x = swept_stood(u, corner->leaving);
+  if (vs_v3_equal(a, corner->leaving) || swept_turns_back(corner)) return 0;
+  x = vs_v3_sub(x, vs_v3_scale(m, 2 * vs_v3_dot(x, m) / vs_v3_dot(m, m)));
+  return atan2(vs_v3_dot(a, vs_v3_cross(before, x)), vs_v3_dot(before, x));
 }
 
 /* By how much two triangles miss, in its middle, the surface that an edge of the profile draws from one section to the
@@ -349,10 +366,11 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
 static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright *upright, double twist, double scale,
                         vs_vec2 base, double reach, const vs_fineness *f, vs_error *e) {
   vs_path fine = { 0 };
-  vs_vec3 *carried = NULL, *lean = NULL;
-  size_t leans = 0;
+  vs_vec3 *carried = NULL;
+  struct { vs_vec3 lean; double spin; } *stance = NULL; /* at each point of fine */
+  size_t stances = 0;
   bool ok = true;
-  double rest = twist - full_turn * nearbyint(twist / full_turn);
+  double widest = fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn);
   bool meets = path->closed && scale == 1, joins = meets && fabs(rest) < 1e-9;
   size_t stretches = path->closed ? path->count : path->count - 1, all_steps = swept_refine(s, twist, scale, reach, f);
   ok = all_steps > 0;
@@ -366,21 +384,25 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
   for (size_t i = 0; ok && i < stretches; i++) {
     const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
     vs_vec3 way = vs_v3_sub(q->at, p->at);
-    size_t steps = swept_share(all_steps, vs_v3_length(way) / path->length);
-    ok = vs_path_add(&fine, p->at, p->arriving, p->leaving) && VS_GROW(lean, leans, fine.count + steps);
-    if (ok) lean[fine.count - 1] = swept_lean(p, p->leaving);
+    double share = vs_v3_length(way) / path->length, spin = upright ? swept_spin(upright, q) : 0,
+           turned = (fabs(twist) * share + fabs(spin)) / full_turn * vs_fineness_turn(f, reach * widest, 0);
+    size_t steps = swept_share(all_steps, share);
+    if (spin != 0 && steps < turned) steps = swept_count(turned, MOST_STEPS);
+    ok = vs_path_add(&fine, p->at, p->arriving, p->leaving) && VS_GROW(stance, stances, fine.count + steps);
+    if (ok) stance[fine.count - 1].lean = swept_lean(p, p->leaving), stance[fine.count - 1].spin = 0;
     for (size_t k = 1; ok && k < steps; k++) {
       double t = (double)k / (double)steps;
       vs_vec3 d = vs_v3_unit(vs_v3_add(vs_v3_scale(p->leaving, 1 - t), vs_v3_scale(q->arriving, t)));
       ok = vs_path_add(&fine, vs_v3_add(p->at, vs_v3_scale(way, t)), d, d);
-      if (ok) lean[fine.count - 1] = swept_lean_between(p, q, t, reach * fmax(1, fabs(scale)));
+      if (ok) stance[fine.count - 1].lean = swept_lean_between(p, q, t, reach * widest);
+      if (ok) stance[fine.count - 1].spin = spin * t;
     }
   }
   const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];
   bool ends = !joins; /* a closed path whose ends do not match gets its first point again */
   if (ends) {
     ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
-    if (ok) lean[fine.count - 1] = swept_lean(last, last->leaving);
+    if (ok) stance[fine.count - 1].lean = swept_lean(last, last->leaving), stance[fine.count - 1].spin = 0;
   }
   fine.closed = joins;
   if (ok) vs_path_measure(&fine);
@@ -403,7 +425,8 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
       if (ok) s->sections[s->section_count - 1].ends = true;
       if (round || (ends && i + 1 == fine.count)) break;
     }
-    ok = ok && swept_add(s, swept_section(&p, lean[round ? 0 : i], carried[round ? 0 : i], twist * t,
+    size_t at = round ? 0 : i;
+    ok = ok && swept_add(s, swept_section(&p, stance[at].lean, carried[at], twist * t + stance[at].spin,
                                           1 + (scale - 1) * t, base));
   }
   s->joined = joins && !broken;
@@ -411,7 +434,7 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
   if (ok && stands && (upright || scale != 1) && f->segments <= 0) ok = swept_flatten(s, f);
   vs_path_free(&fine);
   free(carried);
-  free(lean);
+  free(stance);
   return stands && (ok || vs_error_memory(e, NULL));
 }
 
