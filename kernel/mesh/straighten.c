@@ -36,16 +36,21 @@ typedef struct {
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
+typedef struct { uint32_t near, point; } corner;
 
 struct vs_sheets {
   VS_LIST(sheet) all;
   VS_LIST(uint32_t) of;       /* of a facet: which, or VS_NONE */
+  VS_LIST(uint32_t) of_face;  /* of a face: the same */
+  VS_LIST(uint32_t) face_key; /* of a face: the key of its plane, or VS_NONE */
   VS_LIST(cut) cuts;
   VS_LIST(uint32_t) cut_of;   /* of a bend */
   VS_LIST(uint32_t) key;      /* of a plane: the plane that stands for its sheet */
   VS_LIST(uint32_t) near;     /* of such a plane that has cuts: which of `first`, or VS_NONE */
   VS_LIST(uint32_t) first;    /* into placed: the corners of faces there, in the order of x; one more */
   VS_LIST(placed) corners;
+  VS_LIST(corner) hits;       /* corners on their way there */
+  VS_LIST(uint8_t) free;      /* of a cut: 1: nothing else is within its band */
   size_t near_count, room;  /* room: of this structure */
   bool kept;                /* bends that stay were found in this round */
   bool looked;              /* at bands: from then on only those beside fresh sheets change */
@@ -96,13 +101,9 @@ bool vs_sheets_seam(const vs_result_state *w, const vs_use *a, const vs_use *b) 
          (f->tag == g->tag || (p->paints && p->paints[f->tag] == p->paints[g->tag]));
 }
 
-static uint32_t sheet_of(const vs_result_state *w, uint32_t face) {
-  uint32_t facet = vs_result_facet(w, &w->c->faces.at[face]);
-  return facet == VS_NONE ? VS_NONE : w->sheets->of.at[facet];
-}
-/* The same, of those that are merged. */
+/* The sheet of a face, where it is merged. */
 static uint32_t merged_sheet_of(const vs_result_state *w, uint32_t face) {
-  uint32_t s = sheet_of(w, face);
+  uint32_t s = w->sheets->of_face.at[face];
   return s == VS_NONE || !w->sheets->all.at[s].merged ? VS_NONE : s;
 }
 static void give_up(vs_result_state *w, uint32_t s) {
@@ -205,6 +206,17 @@ bool vs_sheets_plan(vs_result_state *w) {
     if (w->lone.at[c->facets.at[f].plane] != f) give_up(w, s->of.at[f]);
     else s->key.at[c->facets.at[f].plane] = c->facets.at[first].plane;
   }
+  /* asked for each edge in each round: faces, planes and facets are all over the memory */
+  if (!VS_ROOM(w->k, s->of_face.at, s->of_face.room, c->faces.count + 1) ||
+      !VS_ROOM(w->k, s->face_key.at, s->face_key.room, c->faces.count + 1))
+    return false;
+  for (size_t i = 0; i < c->faces.count; i++) {
+    const vs_face *f = &c->faces.at[i];
+    uint32_t facet = vs_result_facet(w, f);
+    s->of_face.at[i] = facet == VS_NONE ? VS_NONE : s->of.at[facet];
+    s->face_key.at[i] = f->plane == VS_NONE ? VS_NONE : s->key.at[f->plane];
+    if (!vs_kernel_poll(w->k, 0.9)) return false;
+  }
   return vs_kernel_report(w->k, 0.9) && measure(w);
 }
 
@@ -246,7 +258,7 @@ bool vs_sheets_merge(vs_result_state *w, bool *any) {
 /* ---- what is safe ---- */
 
 static bool is_fresh(const vs_result_state *w, uint32_t face) {
-  uint32_t s = sheet_of(w, face);
+  uint32_t s = w->sheets->of_face.at[face];
   return s != VS_NONE && w->sheets->all.at[s].fresh;
 }
 
@@ -324,7 +336,7 @@ static bool check_line(vs_result_state *w, uint32_t edge, uint32_t p, size_t *be
   for (int i = 0; i < 2; i++) {
     if (!safe) give_up(w, made.sheets[i]);
     else if (bent && straight && made.sheets[i] != VS_NONE) s->all.at[made.sheets[i]].bends += bent;
-    made.keys[i] = s->key.at[w->c->faces.at[faces[i]].plane];
+    made.keys[i] = s->face_key.at[faces[i]];
   }
   made.wide += BESIDE;
   if (!bent || !safe) return true;
@@ -341,7 +353,7 @@ static bool check_lines(vs_result_state *w, size_t *bends) {
     for (uint32_t i = begin; i < begin + count; i++) {
       uint32_t face = vs_result_use(w, i)->face;
       any = any || merged_sheet_of(w, face) != VS_NONE;
-      plain = plain || w->c->faces.at[face].plane == VS_NONE;
+      plain = plain || w->sheets->face_key.at[face] == VS_NONE;
     }
     if (!any) continue;
     bool borders = count == 2 && !plain &&
@@ -364,7 +376,7 @@ static int by_place(const void *a, const void *b) {
 /* The corners of faces in planes and sheets that have cuts with bends. */
 static bool find_near(vs_result_state *w) {
   vs_sheets *s = w->sheets;
-  size_t sum = 0, planes = w->c->planes.all.count;
+  size_t planes = w->c->planes.all.count;
   s->near_count = 0;
   memset(s->near.at, 0xff, planes * sizeof *s->near.at); /* VS_NONE */
   for (size_t i = 0; i < s->cuts.count; i++)
@@ -372,21 +384,23 @@ static bool find_near(vs_result_state *w) {
       if (s->near.at[s->cuts.at[i].keys[j]] == VS_NONE) s->near.at[s->cuts.at[i].keys[j]] = (uint32_t)s->near_count++;
   if (!VS_ROOM(w->k, s->first.at, s->first.room, s->near_count + 2)) return false;
   memset(s->first.at, 0, (s->near_count + 2) * sizeof *s->first.at);
-  for (int fill = 0; fill < 2; fill++) {
-    for (uint32_t e = 0; e < w->gone.count; e++)
-      for (uint32_t i = w->edge_first.at[e]; !w->gone.at[e] && i < w->edge_first.at[e + 1]; i++) {
-        const vs_use *u = vs_result_use(w, i);
-        uint32_t plane = w->c->faces.at[u->face].plane,
-                 near = plane == VS_NONE ? VS_NONE : s->near.at[s->key.at[plane]];
-        if (near == VS_NONE) continue;
-        if (!fill) s->first.at[near + 2]++, sum++;
-        else
-          s->corners.at[s->first.at[near + 1]++] =
-              (placed){ (double)w->c->points.all.at[u->from].fixed[0] * 0x1p-30, u->from };
-        if (!vs_kernel_poll(w->k, 0.9)) return false;
-      }
-    for (size_t i = 2; !fill && i < s->near_count + 2; i++) s->first.at[i] += s->first.at[i - 1];
-    if (!fill && !VS_ROOM(w->k, s->corners.at, s->corners.room, sum + 1)) return false;
+  s->hits.count = 0;
+  for (uint32_t e = 0; e < w->gone.count; e++)
+    for (uint32_t i = w->edge_first.at[e]; !w->gone.at[e] && i < w->edge_first.at[e + 1]; i++) {
+      const vs_use *u = vs_result_use(w, i);
+      uint32_t key = s->face_key.at[u->face], near = key == VS_NONE ? VS_NONE : s->near.at[key];
+      if (!vs_kernel_poll(w->k, 0.9)) return false;
+      if (near == VS_NONE) continue;
+      s->first.at[near + 2]++;
+      if (!VS_PUSH(w->k, s->hits, ((corner){ near, u->from }))) return false;
+    }
+  for (size_t i = 2; i < s->near_count + 2; i++) s->first.at[i] += s->first.at[i - 1];
+  if (!VS_ROOM(w->k, s->corners.at, s->corners.room, s->hits.count + 1)) return false;
+  for (size_t i = 0; i < s->hits.count; i++) {
+    corner h = s->hits.at[i];
+    double x = (double)w->c->points.all.at[h.point].fixed[0] * 0x1p-30;
+    s->corners.at[s->first.at[h.near + 1]++] = (placed){ x, h.point };
+    if (!vs_kernel_poll(w->k, 0.9)) return false;
   }
   for (size_t i = 0; i < s->near_count; i++) {
     enum { FEW = 24 };
@@ -428,6 +442,18 @@ static bool is_free(const vs_result_state *w, uint32_t number, int side) {
   return true;
 }
 
+enum { CUTS = 1024 };
+
+static bool find_free(vs_kernel *k, void *context, size_t index) {
+  const vs_result_state *w = context;
+  vs_sheets *s = w->sheets;
+  for (size_t i = index * CUTS; i < s->cuts.count && i < (index + 1) * CUTS; i++) {
+    s->free.at[i] = is_free(w, (uint32_t)i, 0) && is_free(w, (uint32_t)i, 1);
+    if (!vs_kernel_poll(k, 0.9)) return false;
+  }
+  return true;
+}
+
 /* Sheets that are merged and given up, or have no bends. */
 static bool give_up_idle(vs_result_state *w) {
   bool any = false;
@@ -454,12 +480,11 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   *again = give_up_idle(w) || s->kept;
   if (*again) return true; /* cuts will be others */
   if (!find_near(w)) return false;
-  for (uint32_t i = 0; i < s->cuts.count; i++) {
-    const cut *c = &s->cuts.at[i];
-    bool both = is_free(w, i, 0) && is_free(w, i, 1);
-    if (!both) keep_bends(w, c->edge, c->p);
-    if (!vs_kernel_poll(w->k, 0.9)) return false;
-  }
+  if (!VS_ROOM(w->k, s->free.at, s->free.room, s->cuts.count + 1) ||
+      !vs_kernel_run(w->k, (s->cuts.count + CUTS - 1) / CUTS, find_free, w))
+    return false;
+  for (uint32_t i = 0; i < s->cuts.count; i++)
+    if (!s->free.at[i]) keep_bends(w, s->cuts.at[i].edge, s->cuts.at[i].p);
   s->looked = true;
   for (size_t i = 0; i < s->all.count; i++) s->all.at[i].fresh = false;
   *again = s->kept;
@@ -587,12 +612,16 @@ void vs_sheets_free(vs_kernel *k, vs_result_state *w) {
   if (!s) return;
   VS_DROP(k, s->all);
   VS_DROP(k, s->of);
+  VS_DROP(k, s->of_face);
+  VS_DROP(k, s->face_key);
   VS_DROP(k, s->cuts);
   VS_DROP(k, s->cut_of);
   VS_DROP(k, s->key);
   VS_DROP(k, s->near);
   VS_DROP(k, s->first);
   VS_DROP(k, s->corners);
+  VS_DROP(k, s->hits);
+  VS_DROP(k, s->free);
   size_t room = s->room;
   VS_FREE(k, w->sheets, room);
 }

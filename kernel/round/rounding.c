@@ -558,6 +558,7 @@ bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opti
   VS_DROP(&k, s.changed);
   VS_DROP(&k, s.near_met);
   VS_DROP(&k, s.folded);
+  VS_DROP(&k, s.alone);
   VS_DROP(&k, s.storeys);
   return ok || (vs_kernel_fail(&k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"), false);
 }

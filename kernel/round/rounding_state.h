@@ -34,6 +34,7 @@ typedef struct {
             * any more; VS_SUSPECT beside one that may have turned over, or at a place
             * where the surface touches itself */
   bool searched;           /* all pairs of triangles have been looked at once (self_contacts.c) */
+  VS_LIST(uint8_t) alone;  /* of a vertex, in the first search: see stars.h; else empty */
   VS_LIST(uint8_t) folded; /* of a vertex: 1: of two triangles that lie on each other but for some units */
   VS_LIST(uint8_t) near_met; /* of a vertex: 1: of a triangle that meets another; 2, 3: one and two triangles further */
 } vs_rounding;

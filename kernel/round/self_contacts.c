@@ -31,6 +31,7 @@
 #include "kernel/mesh/bvh.h"
 #include "kernel/mesh/hubs.h"
 #include "kernel/round/rounding_state.h"
+#include "kernel/round/stars.h"
 
 #include <math.h>
 #include <string.h>
@@ -291,7 +292,7 @@ static bool make_runs(vs_kernel *k, void *context, size_t index) {
   for (int i = 0; i < 2; i++) to->kinds[i].at.count = to->kinds[i].boxes.count = 0;
   to->fours.count = to->places.count = 0;
   for (size_t t = begin; t < end; t++) {
-    if (c->s->gone.at[t]) continue;
+    if (c->s->gone.at[t] || (c->s->alone.count && c->s->alone.at[c->s->m->triangles[t][0]])) continue;
     facet f = facet_of(c, (uint32_t)t);
     uint32_t hub = c->around.of.count ? c->around.of.at[t] : UINT32_MAX;
     if (r->count && (r->count == RUN || hub != r->hub || f.low || r->is_low || r->is_changed || c->s->changed.at[t] ||
@@ -692,7 +693,8 @@ static bool count_met(vs_rounding *s, vs_rounded *out, bool *folds) {
   vs_fans fans = {
     (const uint32_t(*)[3])s->m->triangles, s->m->triangle_count, s->m->vertex_count, s->gone.at, rounded_corner, s
   };
-  bool ok = vs_hubs_find(k, &fans, &c.around) &&
+  s->alone.count = 0;
+  bool ok = (s->searched || vs_rounding_find_alone(s, c.margin)) && vs_hubs_find(k, &fans, &c.around) &&
       vs_kernel_pipeline(k, (s->m->triangle_count + TRIANGLES - 1) / TRIANGLES, make_runs, take_runs, &c);
   for (int i = 0; i < VS_PIPELINE_WINDOW; i++) drop_made(k, &c.found[i]);
   for (size_t i = 0; ok && c.around.of.count && i < open->at.count; i++) ok = VS_PUSH(k, c.hubs, open->at.at[i].hub);

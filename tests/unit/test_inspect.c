@@ -239,6 +239,49 @@ static void test_ends(void **state) {
   }
 }
 
+/* Two cones, foot to foot, over a ring of so many turns in steps of a seventh: seen from within, all triangles look away. From step `first` on, the ring comes round again
+ * elsewhere: nearer at first, then further out. Closed or open. */
+static size_t met_by_turns(int turns, int steps, int first, bool closed) {
+  vs_mesh m = { 0 };
+  vs_rounded s;
+  for (int i = 0; i < 2; i++) assert_true(vs_mesh_add_vertex(&m, vs_v3(0, 0, i ? 1 : -1), NULL));
+  for (int i = 0; i <= steps; i++) {
+    double angle = 6.283185307179586 * i / 7, out = turns > 1 ? 1.2 + 0.05 * (i % 7) * (i < 7 ? 1 : -1) - (i < 7 ? 0.15 : 0) : 1;
+    assert_true(vs_mesh_add_vertex(&m, vs_v3(out * cos(angle), out * sin(angle), 0), NULL));
+  }
+  for (int i = 0; i < steps; i++) { /* the first triangles: of step `first` */
+    uint32_t k = 2 + (uint32_t)((i + first) % steps), next = closed && k == (uint32_t)steps + 1 ? 2 : k + 1;
+    assert_true(vs_mesh_add_triangle(&m, k, next, 1) && vs_mesh_add_triangle(&m, next, k, 0));
+  }
+  if (closed) m.vertex_count--; /* the last one is the first */
+  assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
+  vs_mesh_free(&m);
+  return s.met;
+}
+
+static size_t met_by(const char *parts, double pull) {
+  vs_mesh m = { 0 };
+  vs_rounded s;
+  join(&m, parts, 9);
+  m.vertices[0] = vs_v3_scale(m.vertices[0], 1 - pull); /* of a ball about the origin: towards its other side, and past it */
+  assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
+  vs_mesh_free(&m);
+  return s.met;
+}
+
+/* Shells that stand alone, and are stars as seen from their middle, are not searched; those that only look like it are. */
+static void test_stars(void **state) {
+  (void)state;
+  assert_int_equal(met_by_turns(1, 7, 0, true), 0);
+  assert_true(met_by_turns(2, 14, 0, true) > 0);   /* seen twice in each direction */
+  assert_true(met_by_turns(2, 11, 5, false) > 0);  /* open: seen once where its first triangle is */
+  assert_int_equal(met_by("(sphere 2 32)", 0), 0);
+  assert_int_equal(met_by("(sphere 2 32)", 0.7), 0); /* a dent: no star of a ball, and does not meet itself */
+  assert_true(met_by("(sphere 2 32)", 2.5) > 0);
+  assert_int_equal(met_by("(union (sphere 2 32) (translate 9 0 0 (sphere 2 16)))", 0), 0);
+  assert_true(met_by("(union (sphere 2 32) (translate 3 0 0 (sphere 2 16)))", 0) > 0);
+}
+
 /* Triangles that are said to be apart in doubles are apart: random triangles with corners in few places, and a little off them, against exact signs. */
 static void test_apart(void **state) {
   (void)state;
@@ -275,6 +318,6 @@ static void test_apart(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_simple), cmocka_unit_test(test_wound), cmocka_unit_test(test_open), cmocka_unit_test(test_settle),
-    cmocka_unit_test(test_storeys_are_interrupted), cmocka_unit_test(test_between), cmocka_unit_test(test_ends), cmocka_unit_test(test_apart) };
+    cmocka_unit_test(test_storeys_are_interrupted), cmocka_unit_test(test_between), cmocka_unit_test(test_ends), cmocka_unit_test(test_stars), cmocka_unit_test(test_apart) };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,130 @@
+/* Owns which shells need no search for self-contacts (stars.h).
+ *
+ * Of a closed shell a point c off it sees the same number of triangles in each direction, those that it sees from their
+ * outer side taken off. Where c sees every triangle from its inner side, and one of them in some direction, it sees one
+ * in every direction. No two of them then have more in common than corners and edges: the shell is a star, and does not
+ * meet itself. All of this is asked of its rounded corners, with c in their middle; most that people build and that
+ * stands alone is convex, and a star as seen from there. Of two shells whose boxes are further apart than the margin no
+ * triangles meet.
+ *
+ * A shell is closed where each edge is passed as often one way as the other. Each edge has a number of 64 bits, as good
+ * as random; the sum of those passed one way less those passed the other is 0 for closed shells, and for others once in
+ * 2^64. */
+#include "kernel/round/stars.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kernel/mesh/bvh.h"
+#include "kernel/mesh/shells.h"
+
+typedef struct {
+  vs_vec3 middle, way; /* of its corners; towards one of its triangles */
+  vs_bounds box;
+  uint32_t corners, seen; /* seen: triangles in that direction */
+  uint64_t edges;      /* their sum */
+  double least;        /* a volume that rounding errors do not reach */
+  bool is_star, has_way;
+} star;
+
+static double volume(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(vs_v3_cross(a, b), c); } /* six times */
+
+static uint64_t number_of(uint32_t from, uint32_t to) { /* the finalizer of splitmix64 */
+  uint64_t x = (from < to ? (uint64_t)from << 32 | to : (uint64_t)to << 32 | from) + UINT64_C(0x9e3779b97f4a7c15);
+  x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+  x = (x ^ x >> 27) * UINT64_C(0x94d049bb133111eb);
+  x ^= x >> 31;
+  return from < to ? x : -x;
+}
+
+static bool not_alone(void *context, uint32_t a, uint32_t b) {
+  star *all = context;
+  all[a].is_star = all[b].is_star = false;
+  return true;
+}
+
+/* Is the shell's triangle seen from its inner side, and does it cover the way, or surely not? */
+static bool fits(star *of, const vs_vec3 *corner) {
+  vs_vec3 a = vs_v3_sub(corner[0], of->middle), b = vs_v3_sub(corner[1], of->middle),
+          c = vs_v3_sub(corner[2], of->middle);
+  if (!(volume(a, b, c) > of->least)) return false;
+  if (!of->has_way) {
+    of->way = vs_v3_scale(vs_v3_add(vs_v3_add(a, b), c), 1.0 / 3);
+    of->has_way = true;
+    of->seen = 1;
+    return true;
+  }
+  double x = volume(a, b, of->way), y = volume(b, c, of->way), z = volume(c, a, of->way);
+  if (x < -of->least || y < -of->least || z < -of->least) return true;
+  of->seen++;
+  return x > of->least && y > of->least && z > of->least;
+}
+
+/* Boxes that are further apart than the margin do not touch in the index's whole numbers. */
+static bool part(vs_rounding *s, star *all, uint32_t count, double margin) {
+  VS_LIST(vs_bvh_box) boxes = { 0 };
+  vs_bvh bvh = { 0 };
+  vs_vec3 size = vs_v3_sub(s->bounds.max, s->bounds.min),
+          middle = vs_v3_scale(vs_v3_add(s->bounds.min, s->bounds.max), 0.5);
+  double step = (fmax(fmax(size.x, size.y), size.z) + 4 * margin) * 0x1p-28;
+  bool ok = VS_ROOM(s->k, boxes.at, boxes.room, count + 1);
+  for (uint32_t i = 0; ok && i < count; i++) {
+    vs_vec3 low = vs_v3_sub(all[i].box.min, middle), high = vs_v3_sub(all[i].box.max, middle);
+    boxes.at[i] = vs_box_nowhere;
+    if (all[i].corners)
+      boxes.at[i] =
+          (vs_bvh_box){ { (int32_t)floor((low.x - margin) / step), (int32_t)floor((low.y - margin) / step),
+                          (int32_t)floor((low.z - margin) / step) },
+                        { (int32_t)ceil((high.x + margin) / step), (int32_t)ceil((high.y + margin) / step),
+                          (int32_t)ceil((high.z + margin) / step) } };
+  }
+  ok = ok && vs_bvh_build(s->k, &bvh, boxes.at, count) &&
+       vs_bvh_pairs(&bvh, 0, vs_bvh_blocks(&bvh), not_alone, all) && vs_kernel_report(s->k, 1);
+  vs_bvh_free(s->k, &bvh);
+  VS_DROP(s->k, boxes);
+  return ok;
+}
+
+bool vs_rounding_find_alone(vs_rounding *s, double margin) {
+  const vs_mesh *m = s->m;
+  vs_shells shells;
+  VS_LIST(vs_vec3) at = { 0 };
+  VS_LIST(star) all = { 0 };
+  bool ok = vs_shells_find(m, &shells) && vs_kernel_report(s->k, 1) &&
+            VS_ROOM(s->k, at.at, at.room, m->vertex_count + 1) && VS_ROOM(s->k, all.at, all.room, shells.count + 1) &&
+            VS_ROOM(s->k, s->alone.at, s->alone.room, m->vertex_count + 1);
+  for (uint32_t i = 0; ok && i < shells.count; i++) all.at[i] = (star){ .box = vs_bounds_empty(), .is_star = true };
+  for (uint32_t v = 0; ok && v < m->vertex_count; v++) {
+    star *of = &all.at[shells.of[v]];
+    at.at[v] = vs_rounding_corner(s, v);
+    vs_bounds_add(&of->box, at.at[v]);
+    of->corners++;
+    ok = vs_kernel_poll(s->k, 1);
+  }
+  for (uint32_t i = 0; ok && i < shells.count; i++) {
+    star *of = &all.at[i];
+    vs_vec3 c = vs_v3_scale(vs_v3_add(of->box.min, of->box.max), 0.5);
+    double size = vs_bounds_diagonal(&of->box),
+           reach = fmax(vs_rounding_reach(of->box.min), vs_rounding_reach(of->box.max));
+    of->middle = vs_v3(vs_single(c.x), vs_single(c.y), vs_single(c.z)); /* corners less it lose next to nothing */
+    of->least = size * size * (1e-14 * size + 0x1p-50 * reach);
+  }
+  for (size_t t = 0; ok && t < m->triangle_count; t++) {
+    const uint32_t *v = m->triangles[t];
+    star *of = &all.at[shells.of[v[0]]];
+    ok = vs_kernel_poll(s->k, 1);
+    if (s->gone.at[t] || !of->is_star) continue;
+    of->is_star = fits(of, (vs_vec3[]){ at.at[v[0]], at.at[v[1]], at.at[v[2]] });
+    of->edges += number_of(v[0], v[1]) + number_of(v[1], v[2]) + number_of(v[2], v[0]);
+  }
+  for (uint32_t i = 0; ok && i < shells.count; i++)
+    all.at[i].is_star = all.at[i].is_star && all.at[i].seen == 1 && all.at[i].edges == 0;
+  ok = ok && (shells.count < 2 || part(s, all.at, shells.count, margin));
+  for (uint32_t v = 0; ok && v < m->vertex_count; v++) s->alone.at[v] = all.at[shells.of[v]].is_star;
+  if (ok) s->alone.count = m->vertex_count;
+  vs_shells_free(&shells);
+  VS_DROP(s->k, at);
+  VS_DROP(s->k, all);
+  return ok;
+}

@@ -1,0 +1,11 @@
+/* Owns which shells need no search for self-contacts: stars that stand alone. */
+#ifndef VS_KERNEL_STARS_H
+#define VS_KERNEL_STARS_H
+
+#include "kernel/round/rounding_state.h"
+
+/* Sets s->alone: of a vertex: 1: of a shell that, as rounded, does not meet itself, and comes nowhere near another.
+ * margin: how near. False: out of memory, or interrupted. */
+bool vs_rounding_find_alone(vs_rounding *s, double margin);
+
+#endif
