@@ -420,8 +420,8 @@ static bool is_blade(const rounding *s, const vs_shell *of) {
  * nothing else is there. (A thin plate far from the origin, along the axes, stays as it is.) False: out of memory. */
 static bool drop_blades(rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
-  vs_shells shells;
-  bool ok = vs_shells_find(m, &shells) && vs_kernel_report(s->k, 1);
+  bool ok = vs_rounding_find_shells(s);
+  vs_shells shells = s->shells;
   uint8_t *goes = ok ? calloc((size_t)shells.count + 1, 1) : NULL;
   uint32_t going = 0;
   ok = goes != NULL;
@@ -439,7 +439,6 @@ static bool drop_blades(rounding *s, vs_rounded *out) {
     squeeze(s);
     out->dropped = going;
   }
-  vs_shells_free(&shells);
   free(goes);
   return ok;
 }
@@ -559,6 +558,7 @@ bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *opti
   VS_DROP(&k, s.near_met);
   VS_DROP(&k, s.folded);
   VS_DROP(&k, s.alone);
+  vs_shells_free(&s.shells);
   VS_DROP(&k, s.storeys);
   return ok || (vs_kernel_fail(&k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids"), false);
 }

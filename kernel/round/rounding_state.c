@@ -5,6 +5,10 @@
 
 #include "kernel/exact/digits.h"
 
+bool vs_rounding_find_shells(vs_rounding *s) {
+  return s->shells.of || (vs_shells_find(s->m, &s->shells) && vs_kernel_report(s->k, 1));
+}
+
 double vs_rounding_unit(double x, vs_numbers numbers) {
   int exponent;
   if (x == 0) return 0;

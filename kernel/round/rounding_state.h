@@ -5,6 +5,7 @@
 
 #include "model/mesh.h"
 #include "kernel/memory.h"
+#include "kernel/mesh/shells.h"
 #include "kernel/round/rounded.h"
 
 typedef struct { uint32_t first, count; } vs_fan;
@@ -34,6 +35,7 @@ typedef struct {
             * any more; VS_SUSPECT beside one that may have turned over, or at a place
             * where the surface touches itself */
   bool searched;           /* all pairs of triangles have been looked at once (self_contacts.c) */
+  vs_shells shells;        /* once they have been asked for; what collapses stays within its shell */
   VS_LIST(uint8_t) alone;  /* of a vertex, in the first search: see stars.h; else empty */
   VS_LIST(uint8_t) folded; /* of a vertex: 1: of two triangles that lie on each other but for some units */
   VS_LIST(uint8_t) near_met; /* of a vertex: 1: of a triangle that meets another; 2, 3: one and two triangles further */
@@ -41,6 +43,7 @@ typedef struct {
 
 enum { VS_CHANGED = 1, VS_SUSPECT = 2, VS_SEEN = 4 /* with one of these: a search has seen it so */ };
 
+bool vs_rounding_find_shells(vs_rounding *s); /* false: out of memory, or interrupted */
 vs_vec3 vs_rounding_corner(const vs_rounding *s, uint32_t v); /* rounded */
 /* The unit of the last place of a number; what doubles lost on the way out of a frame counts as lost. */
 double vs_rounding_unit(double x, vs_numbers numbers);

@@ -108,9 +108,10 @@ static void measure(sheet *to) {
   vs_vec3 e = vs_v3_sub(v[1], v[0]), f = vs_v3_sub(v[2], v[0]);
   to->normal = vs_v3_cross(e, f);
   to->size = magnitudes(e, f);
-  to->low[0] = fmin(fmin(v[0].x, v[1].x), v[2].x), to->high[0] = fmax(fmax(v[0].x, v[1].x), v[2].x);
-  to->low[1] = fmin(fmin(v[0].y, v[1].y), v[2].y), to->high[1] = fmax(fmax(v[0].y, v[1].y), v[2].y);
-  to->low[2] = fmin(fmin(v[0].z, v[1].z), v[2].z), to->high[2] = fmax(fmax(v[0].z, v[1].z), v[2].z);
+  vs_bounds box = vs_bounds_empty();
+  for (int i = 0; i < 3; i++) vs_bounds_add(&box, v[i]);
+  to->low[0] = box.min.x, to->low[1] = box.min.y, to->low[2] = box.min.z;
+  to->high[0] = box.max.x, to->high[1] = box.max.y, to->high[2] = box.max.z;
   double area = vs_v3_dot(to->normal, to->normal), error = vs_v3_dot(to->size, to->size);
   to->flat = !(area > 1e-28 * error) && vs_triangle_is_flat(to->at);
 }

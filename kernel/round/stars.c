@@ -13,16 +13,13 @@
 #include "kernel/round/stars.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "kernel/mesh/bvh.h"
-#include "kernel/mesh/shells.h"
 
 typedef struct {
   vs_vec3 middle, way; /* of its corners; towards one of its triangles */
   vs_bounds box;
-  uint32_t corners, seen; /* seen: triangles in that direction */
+  uint32_t seen;       /* triangles in that direction */
   uint64_t edges;      /* their sum */
   double least;        /* a volume that rounding errors do not reach */
   bool is_star, has_way;
@@ -45,9 +42,8 @@ static bool not_alone(void *context, uint32_t a, uint32_t b) {
 }
 
 /* Is the shell's triangle seen from its inner side, and does it cover the way, or surely not? */
-static bool fits(star *of, const vs_vec3 *corner) {
-  vs_vec3 a = vs_v3_sub(corner[0], of->middle), b = vs_v3_sub(corner[1], of->middle),
-          c = vs_v3_sub(corner[2], of->middle);
+static bool fits(star *of, vs_vec3 p, vs_vec3 q, vs_vec3 r) {
+  vs_vec3 a = vs_v3_sub(p, of->middle), b = vs_v3_sub(q, of->middle), c = vs_v3_sub(r, of->middle);
   if (!(volume(a, b, c) > of->least)) return false;
   if (!of->has_way) {
     of->way = vs_v3_scale(vs_v3_add(vs_v3_add(a, b), c), 1.0 / 3);
@@ -71,10 +67,9 @@ static bool part(vs_rounding *s, star *all, uint32_t count, double margin) {
   bool ok = VS_ROOM(s->k, boxes.at, boxes.room, count + 1);
   for (uint32_t i = 0; ok && i < count; i++) {
     vs_vec3 low = vs_v3_sub(all[i].box.min, middle), high = vs_v3_sub(all[i].box.max, middle);
-    boxes.at[i] = vs_box_nowhere;
-    if (all[i].corners)
-      boxes.at[i] =
-          (vs_bvh_box){ { (int32_t)floor((low.x - margin) / step), (int32_t)floor((low.y - margin) / step),
+    boxes.at[i] = vs_bounds_is_empty(&all[i].box)
+        ? vs_box_nowhere
+        : (vs_bvh_box){ { (int32_t)floor((low.x - margin) / step), (int32_t)floor((low.y - margin) / step),
                           (int32_t)floor((low.z - margin) / step) },
                         { (int32_t)ceil((high.x + margin) / step), (int32_t)ceil((high.y + margin) / step),
                           (int32_t)ceil((high.z + margin) / step) } };
@@ -88,43 +83,39 @@ static bool part(vs_rounding *s, star *all, uint32_t count, double margin) {
 
 bool vs_rounding_find_alone(vs_rounding *s, double margin) {
   const vs_mesh *m = s->m;
-  vs_shells shells;
-  VS_LIST(vs_vec3) at = { 0 };
   VS_LIST(star) all = { 0 };
-  bool ok = vs_shells_find(m, &shells) && vs_kernel_report(s->k, 1) &&
-            VS_ROOM(s->k, at.at, at.room, m->vertex_count + 1) && VS_ROOM(s->k, all.at, all.room, shells.count + 1) &&
+  bool ok = vs_rounding_find_shells(s) && VS_ROOM(s->k, all.at, all.room, s->shells.count + 1) &&
             VS_ROOM(s->k, s->alone.at, s->alone.room, m->vertex_count + 1);
-  for (uint32_t i = 0; ok && i < shells.count; i++) all.at[i] = (star){ .box = vs_bounds_empty(), .is_star = true };
+  const uint32_t *shell = s->shells.of, count = s->shells.count;
+  for (uint32_t i = 0; ok && i < count; i++) all.at[i] = (star){ .box = vs_bounds_empty(), .is_star = true };
   for (uint32_t v = 0; ok && v < m->vertex_count; v++) {
-    star *of = &all.at[shells.of[v]];
-    at.at[v] = vs_rounding_corner(s, v);
-    vs_bounds_add(&of->box, at.at[v]);
-    of->corners++;
+    vs_bounds_add(&all.at[shell[v]].box, m->vertices[v]);
     ok = vs_kernel_poll(s->k, 1);
   }
-  for (uint32_t i = 0; ok && i < shells.count; i++) {
+  ok = ok && (count < 2 || part(s, all.at, count, margin + s->coarsest));
+  for (uint32_t i = 0; ok && i < count; i++) {
     star *of = &all.at[i];
     vs_vec3 c = vs_v3_scale(vs_v3_add(of->box.min, of->box.max), 0.5);
-    double size = vs_bounds_diagonal(&of->box),
-           reach = fmax(vs_rounding_reach(of->box.min), vs_rounding_reach(of->box.max));
+    double size = vs_bounds_diagonal(&of->box) + 2 * s->coarsest,
+           reach = fmax(vs_rounding_reach(of->box.min), vs_rounding_reach(of->box.max)) + s->coarsest;
     of->middle = vs_v3(vs_single(c.x), vs_single(c.y), vs_single(c.z)); /* corners less it lose next to nothing */
     of->least = size * size * (1e-14 * size + 0x1p-50 * reach);
   }
   for (size_t t = 0; ok && t < m->triangle_count; t++) {
     const uint32_t *v = m->triangles[t];
-    star *of = &all.at[shells.of[v[0]]];
+    star *of = &all.at[shell[v[0]]];
     ok = vs_kernel_poll(s->k, 1);
     if (s->gone.at[t] || !of->is_star) continue;
-    of->is_star = fits(of, (vs_vec3[]){ at.at[v[0]], at.at[v[1]], at.at[v[2]] });
+    of->is_star = fits(of, vs_rounding_corner(s, v[0]), vs_rounding_corner(s, v[1]), vs_rounding_corner(s, v[2]));
     of->edges += number_of(v[0], v[1]) + number_of(v[1], v[2]) + number_of(v[2], v[0]);
   }
-  for (uint32_t i = 0; ok && i < shells.count; i++)
+  bool any = false;
+  for (uint32_t i = 0; ok && i < count; i++) {
     all.at[i].is_star = all.at[i].is_star && all.at[i].seen == 1 && all.at[i].edges == 0;
-  ok = ok && (shells.count < 2 || part(s, all.at, shells.count, margin));
-  for (uint32_t v = 0; ok && v < m->vertex_count; v++) s->alone.at[v] = all.at[shells.of[v]].is_star;
-  if (ok) s->alone.count = m->vertex_count;
-  vs_shells_free(&shells);
-  VS_DROP(s->k, at);
+    any = any || all.at[i].is_star;
+  }
+  for (uint32_t v = 0; ok && any && v < m->vertex_count; v++) s->alone.at[v] = all.at[shell[v]].is_star;
+  s->alone.count = ok && any ? m->vertex_count : 0;
   VS_DROP(s->k, all);
   return ok;
 }
