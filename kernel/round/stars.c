@@ -35,10 +35,13 @@ static uint64_t number_of(uint32_t from, uint32_t to) { /* the finalizer of spli
   return from < to ? x : -x;
 }
 
-static bool not_alone(void *context, uint32_t a, uint32_t b) {
-  star *all = context;
-  all[a].is_star = all[b].is_star = false;
-  return true;
+typedef struct { star *all; uint32_t one; } asking;
+
+static bool stands_alone(void *context, uint32_t other) { /* false, to stop, at the first other one */
+  asking *a = context;
+  if (other == a->one) return true;
+  a->all[a->one].is_star = a->all[other].is_star = false;
+  return false;
 }
 
 /* Is the shell's triangle seen from its inner side, and does it cover the way, or surely not? */
@@ -74,8 +77,11 @@ static bool part(vs_rounding *s, star *all, uint32_t count, double margin) {
                         { (int32_t)ceil((high.x + margin) / step), (int32_t)ceil((high.y + margin) / step),
                           (int32_t)ceil((high.z + margin) / step) } };
   }
-  ok = ok && vs_bvh_build(s->k, &bvh, boxes.at, count) &&
-       vs_bvh_pairs(&bvh, 0, vs_bvh_blocks(&bvh), not_alone, all) && vs_kernel_report(s->k, 1);
+  ok = ok && vs_bvh_build(s->k, &bvh, boxes.at, count);
+  for (uint32_t i = 0; ok && i < count; i++) {
+    if (all[i].is_star) vs_bvh_query(&bvh, &boxes.at[i], stands_alone, &(asking){ all, i });
+    ok = vs_kernel_poll(s->k, 1);
+  }
   vs_bvh_free(s->k, &bvh);
   VS_DROP(s->k, boxes);
   return ok;
