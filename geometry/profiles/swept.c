@@ -387,7 +387,7 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
     double share = vs_v3_length(way) / path->length, spin = upright ? swept_spin(upright, q) : 0,
            turned = (fabs(twist) * share + fabs(spin)) / full_turn * vs_fineness_turn(f, reach * widest, 0);
     size_t steps = swept_share(all_steps, share);
-    if (spin != 0 && steps < turned) steps = swept_count(turned, MOST_STEPS);
+    if (spin != 0 && (double)steps < turned) steps = swept_count(turned, MOST_STEPS);
     ok = vs_path_add(&fine, p->at, p->arriving, p->leaving) && VS_GROW(stance, stances, fine.count + steps);
     if (ok) stance[fine.count - 1].lean = swept_lean(p, p->leaving), stance[fine.count - 1].spin = 0;
     for (size_t k = 1; ok && k < steps; k++) {
