@@ -285,9 +285,9 @@ static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs
 /* A profile that stands upright in the arm behind a corner is not upright before it: mirrored in the mitre it is turned
  * by this angle about the way there. Along the arm before the corner the profile turns so far, evenly. */
 static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
+  if (vs_v3_equal(corner->arriving, corner->leaving) || swept_turns_back(corner)) return 0;
   vs_vec3 a = corner->arriving, m = vs_v3_add(a, corner->leaving), before = swept_stood(u, a),
           x = swept_stood(u, corner->leaving);
-  if (vs_v3_equal(a, corner->leaving) || swept_turns_back(corner)) return 0;
   x = vs_v3_sub(x, vs_v3_scale(m, 2 * vs_v3_dot(x, m) / vs_v3_dot(m, m)));
   return atan2(vs_v3_dot(a, vs_v3_cross(before, x)), vs_v3_dot(before, x));
 }
@@ -361,13 +361,17 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   return ok;
 }
 
+/* How the profile stands at a point of the way, besides what carries it there: how its section leans, and how far it is
+ * turned. */
+typedef struct { vs_vec3 lean; double spin; } swept_stance;
+
 /* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start;
  * upright, where it is not NULL, says it everywhere. */
 static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright *upright, double twist, double scale,
                         vs_vec2 base, double reach, const vs_fineness *f, vs_error *e) {
   vs_path fine = { 0 };
   vs_vec3 *carried = NULL;
-  struct { vs_vec3 lean; double spin; } *stance = NULL; /* at each point of fine */
+  swept_stance *stance = NULL; /* at each point of fine */
   size_t stances = 0;
   bool ok = true;
   double widest = fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn);
@@ -389,20 +393,19 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
     size_t steps = swept_share(all_steps, share);
     if (spin != 0 && (double)steps < turned) steps = swept_count(turned, MOST_STEPS);
     ok = vs_path_add(&fine, p->at, p->arriving, p->leaving) && VS_GROW(stance, stances, fine.count + steps);
-    if (ok) stance[fine.count - 1].lean = swept_lean(p, p->leaving), stance[fine.count - 1].spin = 0;
+    if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(p, p->leaving), 0 };
     for (size_t k = 1; ok && k < steps; k++) {
       double t = (double)k / (double)steps;
       vs_vec3 d = vs_v3_unit(vs_v3_add(vs_v3_scale(p->leaving, 1 - t), vs_v3_scale(q->arriving, t)));
       ok = vs_path_add(&fine, vs_v3_add(p->at, vs_v3_scale(way, t)), d, d);
-      if (ok) stance[fine.count - 1].lean = swept_lean_between(p, q, t, reach * widest);
-      if (ok) stance[fine.count - 1].spin = spin * t;
+      if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean_between(p, q, t, reach * widest), spin * t };
     }
   }
   const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];
   bool ends = !joins; /* a closed path whose ends do not match gets its first point again */
   if (ends) {
     ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
-    if (ok) stance[fine.count - 1].lean = swept_lean(last, last->leaving), stance[fine.count - 1].spin = 0;
+    if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(last, last->leaving), 0 };
   }
   fine.closed = joins;
   if (ok) vs_path_measure(&fine);

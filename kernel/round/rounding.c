@@ -421,21 +421,21 @@ static bool is_blade(const rounding *s, const vs_shell *of) {
 static bool drop_blades(rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
   bool ok = vs_rounding_find_shells(s);
-  vs_shells shells = s->shells;
-  uint8_t *goes = ok ? calloc((size_t)shells.count + 1, 1) : NULL;
+  const vs_shells *shells = &s->shells;
+  uint8_t *goes = ok ? calloc((size_t)shells->count + 1, 1) : NULL;
   uint32_t going = 0;
   ok = goes != NULL;
   for (uint32_t t = 0; ok && t < m->triangle_count; t++) {
-    uint32_t shell = shells.of[m->triangles[t][0]];
-    if (!goes[shell] && is_blade(s, &shells.at[shell]) && vs_rounding_bends(s, t)) goes[shell] = 1;
+    uint32_t shell = shells->of[m->triangles[t][0]];
+    if (!goes[shell] && is_blade(s, &shells->at[shell]) && vs_rounding_bends(s, t)) goes[shell] = 1;
     ok = vs_kernel_poll(s->k, 1);
   }
-  for (uint32_t i = 0; ok && i < shells.count; i++) {
+  for (uint32_t i = 0; ok && i < shells->count; i++) {
     if (!goes[i]) continue;
-    if (going++ == 0) out->dropped_at = shells.at[i].from;
+    if (going++ == 0) out->dropped_at = shells->at[i].from;
   }
-  if (ok && going && going < shells.count) {
-    for (size_t t = 0; t < m->triangle_count; t++) s->gone.at[t] = goes[shells.of[m->triangles[t][0]]];
+  if (ok && going && going < shells->count) {
+    for (size_t t = 0; t < m->triangle_count; t++) s->gone.at[t] = goes[shells->of[m->triangles[t][0]]];
     squeeze(s);
     out->dropped = going;
   }

@@ -3,9 +3,9 @@
  * Of a closed shell a point c off it sees the same number of triangles in each direction, those that it sees from their
  * outer side taken off. Where c sees every triangle from its inner side, and one of them in some direction, it sees one
  * in every direction. No two of them then have more in common than corners and edges: the shell is a star, and does not
- * meet itself. All of this is asked of its rounded corners, with c in their middle; most that people build and that
- * stands alone is convex, and a star as seen from there. Of two shells whose boxes are further apart than the margin no
- * triangles meet.
+ * meet itself. All of this is asked of its rounded corners, with c in the middle of their box; most that people build
+ * and that stands alone is convex, and a star as seen from there. Of two shells whose boxes are further apart than the
+ * margin no triangles meet.
  *
  * A shell is closed where each edge is passed as often one way as the other. Each edge has a number of 64 bits, as good
  * as random; the sum of those passed one way less those passed the other is 0 for closed shells, and for others once in
@@ -17,10 +17,10 @@
 #include "kernel/mesh/bvh.h"
 
 typedef struct {
-  vs_vec3 middle, way; /* of its corners; towards one of its triangles */
+  vs_vec3 middle, way; /* of its box; from there towards one of its triangles */
   vs_bounds box;
   uint32_t seen;       /* triangles in that direction */
-  uint64_t edges;      /* their sum */
+  uint64_t edges;      /* the sum of their numbers */
   double least;        /* a volume that rounding errors do not reach */
   bool is_star, has_way;
 } star;

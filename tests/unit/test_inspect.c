@@ -239,8 +239,8 @@ static void test_ends(void **state) {
   }
 }
 
-/* Two cones, foot to foot, over a ring of so many turns in steps of a seventh: seen from within, all triangles look away. From step `first` on, the ring comes round again
- * elsewhere: nearer at first, then further out. Closed or open. */
+/* How many triangles meet in two cones, foot to foot, over a ring that goes round in so many steps of a seventh, twice for `turns` 2: its second turn begins further out than the
+ * first and ends further in. Seen from the middle, all triangles look away. That of step `first` is the mesh's first. Closed or open. */
 static size_t met_by_turns(int turns, int steps, int first, bool closed) {
   vs_mesh m = { 0 };
   vs_rounded s;
