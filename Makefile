@@ -25,10 +25,10 @@ LDLIBS   += $(call pkg,gmp libutf8proc,-lgmp -lutf8proc) -lm -lpthread -ldl
 PNG_LIBS  = $(call pkg,libpng,-lpng)
 UNIT_LIBS = $(call pkg,cmocka jansson zlib,-lcmocka -ljansson -lz)
 
-LAYERS    = javascript vm model functions geometry fitting kernel solids passes bind scene backends session
+LAYERS    = languages/javascript vm model geometry kernel solids passes bind backends session
 LIB_SRC   = $(foreach d,$(LAYERS),$(wildcard $(d)/*.c $(d)/*/*.c))
 LIB_OBJ   = $(LIB_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/assets.o
-CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c cli/*/*.c live/*.c knowledge/*.c knowledge/*/*.c)) $(BUILD)/live_assets.o
+CLI_OBJ   = $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard cli/*.c cli/*/*.c live/*.c $(filter-out languages/javascript/%,$(wildcard languages/*/*.c)))) $(BUILD)/live_assets.o
 FUZZERS   = reader text program forms script import emit calls live
 UNIT_SRC  = $(wildcard tests/unit/test_*.c)
 UNIT_BIN  = $(UNIT_SRC:tests/unit/%.c=$(BUILD)/unit/%)
@@ -37,7 +37,7 @@ OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 
 # Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. They have a section of their
 # own, vs_files, so that the constants that a start reads lie together. The viewer's scripts are bundled with three.js by esbuild, both from npm (scripts/install.sh); without them the bundle is empty, and writing a page says so.
-ASSETS    = viewer/page.html viewer/viewer.css $(BUILD)/viewer.js
+ASSETS    = backends/page/page.html backends/page/viewer.css $(BUILD)/viewer.js
 BUNDLE    = node_modules/.bin/esbuild --bundle --minify --format=iife --target=es2022 --legal-comments=eof --log-level=warning
 
 
@@ -55,25 +55,25 @@ $(BUILD)/obj/%.o: %.c
 	$(Q)$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
 
 # A twentieth of the time of large models, and half of that of kept expressions; elsewhere -O3 gains nothing.
-$(BUILD)/obj/functions/%.o $(BUILD)/obj/kernel/%.o $(BUILD)/obj/solids/%.o: OPT := $(OPT:-O2=-O3)
+$(BUILD)/obj/geometry/functions/%.o $(BUILD)/obj/kernel/%.o $(BUILD)/obj/solids/%.o: OPT := $(OPT:-O2=-O3)
 
 # gcc would make the ends of all instructions one: a jump to a jump, and one guess where to go next instead of one each.
 # Values that gcse shares over the whole function fill the registers, and the frame's address is left without one.
 $(BUILD)/obj/vm/machine/run_loop.o: CFLAGS += $(if $(findstring clang,$(shell $(CC) --version)),,-fno-crossjumping -fno-gcse -fno-tree-pre -fno-ivopts --param max-goto-duplication-insns=20 --param max-grow-copy-bb-insns=50)
 
-LIVE_ASSETS = viewer/live.html $(BUILD)/live.css $(BUILD)/live.js
+LIVE_ASSETS = backends/page/live/live.html $(BUILD)/live.css $(BUILD)/live.js
 
-$(BUILD)/viewer.js: viewer/page.js $(wildcard viewer/*.js) package.json $(wildcard node_modules/.package-lock.json)
+$(BUILD)/viewer.js: backends/page/page.js $(wildcard backends/page/*.js) package.json $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)
 	@if [ -x node_modules/.bin/esbuild ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
 
-$(BUILD)/live.js: viewer/live.js $(wildcard viewer/*.js) package.json $(wildcard node_modules/.package-lock.json)
+$(BUILD)/live.js: backends/page/live/live.js $(wildcard backends/page/*.js backends/page/live/*.js) package.json $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)
 	@if [ -x node_modules/.bin/esbuild ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
 
-$(BUILD)/live.css: viewer/live.css viewer/viewer.css
+$(BUILD)/live.css: backends/page/live/live.css backends/page/viewer.css
 	@mkdir -p $(@D)
-	@{ cat viewer/viewer.css; sed '/^@import/d' viewer/live.css; } > $@
+	@{ cat backends/page/viewer.css; sed '/^@import/d' backends/page/live/live.css; } > $@
 
 assets    = for f in $(1); do n=vs_asset_$$(basename $$f | tr .- __); \
   printf '.section vs_files,"a"\n.globl %s\n.hidden %s\n%s:\n' $$n $$n $$n; \
@@ -97,7 +97,7 @@ $(BUILD)/obj/assets.o: $(BUILD)/assets.s
 	$(Q)$(CC) -c $< -o $@
 
 # The heap image: a stage-0 interpreter, made of the same objects, loads the language's own sources and writes down what it then holds.
-LIBRARY   = prelude.scm srfi.scm bind/geometry.scm bind/primitives.scm bind/data.scm bind/back_ends.scm bind/rules/rules.scm bind/functions/functions.scm bind/shapes/shapes.scm bind/shapes/maps.scm bind/shapes/implicits.scm bind/shapes/panels.scm bind/shapes/prefabs.scm bind/shapes/nets.scm bind/shapes/probes.scm scene/properties.scm scene/nodes.scm scene/actions.scm scene/contexts.scm scene/interaction.scm
+LIBRARY   = prelude.scm library/srfi.scm bind/geometry.scm bind/primitives.scm bind/data.scm bind/back_ends.scm bind/rules/rules.scm bind/functions/functions.scm bind/shapes/shapes.scm bind/shapes/maps.scm bind/shapes/implicits.scm bind/shapes/panels.scm bind/shapes/prefabs.scm bind/shapes/nets.scm bind/shapes/probes.scm bind/scene/properties.scm bind/scene/nodes.scm bind/scene/actions.scm bind/scene/contexts.scm bind/scene/interaction.scm
 STAGE0    = $(filter-out $(BUILD)/obj/session/%.o,$(LIB_OBJ)) $(BUILD)/obj/scripts/stage0.o
 
 $(BUILD)/stage0: $(STAGE0)
@@ -117,7 +117,7 @@ $(BUILD)/obj/library_image.o: $(BUILD)/library_image.c
 	$(Q)$(CC) $(CFLAGS) -c $< -o $@
 
 # The libraries in Scheme that come with the language: their texts, each under its name below library/, read when something imports them.
-SHIPPED   = $(sort $(wildcard library/*.s[lc]* library/*/*.s[lc]* library/*/*/*.s[lc]* library/prefabs/*.vs))
+SHIPPED   = $(sort $(filter-out library/srfi.scm,$(wildcard library/*.s[lc]* library/*/*.s[lc]* library/*/*/*.s[lc]* library/prefabs/*.vs)))
 
 $(BUILD)/shipped.c: $(SHIPPED) Makefile
 	@mkdir -p $(@D)

@@ -4,8 +4,8 @@
  * A writer remembers its first failure; every call after that does nothing and returns false, so an emitter may print
  * freely and look once. Numbers are the shortest text of at most 12 significant digits, a point as decimal sign
  * whatever the locale, never -0. */
-#ifndef VS_BACKENDS_EMIT_H
-#define VS_BACKENDS_EMIT_H
+#ifndef VS_BACKENDS_WRITER_H
+#define VS_BACKENDS_WRITER_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -5,8 +5,8 @@
  * vs_bind_enter: it finds the row of the running native, picks the form, checks and converts the arguments by
  * contract.c, and calls the row's C function with plain C data. Therefore no constructor tests anything that its row
  * already says. */
-#ifndef VS_BIND_H
-#define VS_BIND_H
+#ifndef VS_BIND_BIND_H
+#define VS_BIND_BIND_H
 
 #include "vm/machine/native.h"
 #include "vm/machine/activation.h"

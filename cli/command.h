@@ -1,7 +1,7 @@
 /* Owns one run of the command: the interpreter, its options, its console. Shared by main.c (batch) and repl.c (the
    prompt). */
-#ifndef VS_CLI_SESSION_H
-#define VS_CLI_SESSION_H
+#ifndef VS_CLI_COMMAND_H
+#define VS_CLI_COMMAND_H
 
 #include <signal.h>
 

@@ -1,6 +1,6 @@
 /* Owns where the command's large blocks come from: see large_blocks.c. */
-#ifndef CLI_MEMORY_H
-#define CLI_MEMORY_H
+#ifndef VS_CLI_LARGE_BLOCKS_H
+#define VS_CLI_LARGE_BLOCKS_H
 
 #include <stddef.h>
 

@@ -1,6 +1,6 @@
 /* Owns what the command says about a run on standard error: diagnostics, the progress line, the summary, statistics. */
-#ifndef VS_CLI_REPORT_H
-#define VS_CLI_REPORT_H
+#ifndef VS_CLI_MESSAGES_H
+#define VS_CLI_MESSAGES_H
 
 #include <stdio.h>
 

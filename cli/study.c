@@ -8,13 +8,13 @@
 #include <sys/stat.h>
 
 #include "cli/messages.h"
-#include "knowledge/checks/checks.h"
-#include "knowledge/first_calls.h"
-#include "knowledge/site.h"
-#include "knowledge/source_tree.h"
-#include "knowledge/translate/translate.h"
-#include "knowledge/tree_report.h"
-#include "knowledge/resolve_names.h"
+#include "languages/checks/checks.h"
+#include "languages/analysis/first_calls.h"
+#include "languages/site/site.h"
+#include "languages/analysis/source_tree.h"
+#include "languages/translate/translate.h"
+#include "languages/analysis/tree_report.h"
+#include "languages/analysis/resolve_names.h"
 
 typedef struct { knowledge k; cli_reporter reporter; } study;
 

@@ -1,7 +1,7 @@
 /* Owns what comes into the result by copying: meshes that stand as they are, and results once more elsewhere. Room for
  * each is made in order; threads fill it in the end, when all that they copy from is there. */
-#ifndef VS_KERNEL_PLACE_H
-#define VS_KERNEL_PLACE_H
+#ifndef VS_KERNEL_ASSEMBLE_H
+#define VS_KERNEL_ASSEMBLE_H
 
 #include "kernel/problem.h"
 #include "kernel/memory.h"

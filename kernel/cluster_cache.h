@@ -1,7 +1,7 @@
 /* Owns what the world cache (model/store/cache.h) knows of clusters: the key of one, its triangles as bytes, and
  * back. */
-#ifndef VS_KERNEL_REMEMBER_H
-#define VS_KERNEL_REMEMBER_H
+#ifndef VS_KERNEL_CLUSTER_CACHE_H
+#define VS_KERNEL_CLUSTER_CACHE_H
 
 #include "kernel/problem.h"
 #include "kernel/cluster_copies.h"

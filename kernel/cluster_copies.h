@@ -1,7 +1,7 @@
 /* Owns the search for clusters that are copies of each other: the same parts, placed alike among themselves, in the
  * same role. */
-#ifndef VS_KERNEL_COPIES_H
-#define VS_KERNEL_COPIES_H
+#ifndef VS_KERNEL_CLUSTER_COPIES_H
+#define VS_KERNEL_CLUSTER_COPIES_H
 
 #include "kernel/problem.h"
 #include "kernel/expression.h"

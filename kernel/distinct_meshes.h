@@ -1,7 +1,7 @@
 /* Owns what is worked out once for each distinct mesh, however many leaves place it: which edges belong together, and
  * whether a place in it can be told quickly to be inside. */
-#ifndef VS_KERNEL_PART_H
-#define VS_KERNEL_PART_H
+#ifndef VS_KERNEL_DISTINCT_MESHES_H
+#define VS_KERNEL_DISTINCT_MESHES_H
 
 #include "kernel/problem.h"
 #include "kernel/exact/interned.h"

@@ -1,6 +1,6 @@
 /* Owns what a caller of the kernel says and is told besides meshes: limits, progress, counts, errors. */
-#ifndef VS_KERNEL_OPTIONS_H
-#define VS_KERNEL_OPTIONS_H
+#ifndef VS_KERNEL_KERNEL_OPTIONS_H
+#define VS_KERNEL_KERNEL_OPTIONS_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -6,8 +6,8 @@
  * chunks.c: a scene in pieces, so that only what changed travels;
  * scene_host.c: the program's scene, its frames and gizmos; model_files.c: reading, watching and writing the model's
  * files. */
-#ifndef VS_LIVE_H
-#define VS_LIVE_H
+#ifndef VS_LIVE_LIVE_H
+#define VS_LIVE_LIVE_H
 
 #include "live/live_options.h"
 

@@ -1,6 +1,6 @@
 /* Owns what a live view is opened with. */
-#ifndef VS_LIVE_OPTIONS_H
-#define VS_LIVE_OPTIONS_H
+#ifndef VS_LIVE_LIVE_OPTIONS_H
+#define VS_LIVE_LIVE_OPTIONS_H
 
 #include <signal.h>
 #include <stdio.h>

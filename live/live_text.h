@@ -1,6 +1,6 @@
 /* Owns growing text and JSON's spelling of strings. */
-#ifndef VS_LIVE_TEXT_H
-#define VS_LIVE_TEXT_H
+#ifndef VS_LIVE_LIVE_TEXT_H
+#define VS_LIVE_LIVE_TEXT_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /* Owns the model's files: reading them for the interpreter while noting which they were, seeing that one has changed,
  * writing the source back. */
-#ifndef VS_LIVE_FILES_H
-#define VS_LIVE_FILES_H
+#ifndef VS_LIVE_MODEL_FILES_H
+#define VS_LIVE_MODEL_FILES_H
 
 #include <stdbool.h>
 #include <stddef.h>

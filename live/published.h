@@ -1,7 +1,7 @@
 /* Owns what windows are told: the state after each run as JSON, the scene in pieces, events in order; and what windows
  * ask for. A lock guards it. */
-#ifndef VS_LIVE_PUBLISH_H
-#define VS_LIVE_PUBLISH_H
+#ifndef VS_LIVE_PUBLISHED_H
+#define VS_LIVE_PUBLISHED_H
 
 #include <pthread.h>
 

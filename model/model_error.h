@@ -1,6 +1,6 @@
 /* Owns the errors that C layers return, and the origins that they point at. */
-#ifndef VS_MODEL_ERROR_H
-#define VS_MODEL_ERROR_H
+#ifndef VS_MODEL_MODEL_ERROR_H
+#define VS_MODEL_MODEL_ERROR_H
 
 #include <stdbool.h>
 #include <stdint.h>

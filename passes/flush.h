@@ -1,7 +1,7 @@
 /* Owns parting faces in one plane for formats whose programs cut by comparing surfaces, as POV-Ray does: there a hole
  * flush with a wall stays closed by a skin. */
-#ifndef VS_BACKENDS_FLUSH_H
-#define VS_BACKENDS_FLUSH_H
+#ifndef VS_PASSES_FLUSH_H
+#define VS_PASSES_FLUSH_H
 
 #include "model/scene.h"
 

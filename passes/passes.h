@@ -2,8 +2,8 @@
  *
  * A model is a DAG; each pass looks at every distinct node once, children first, and never recurses. A node that
  * several places name is a template: passes change it in itself but never dissolve it into its users. */
-#ifndef VS_MODEL_PASSES_PASSES_H
-#define VS_MODEL_PASSES_PASSES_H
+#ifndef VS_PASSES_PASSES_H
+#define VS_PASSES_PASSES_H
 
 #include "model/node.h"
 

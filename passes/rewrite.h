@@ -1,6 +1,6 @@
-/* Owns, for model/passes/ and passes/flush.c, the one loop that all passes are run by. */
-#ifndef VS_MODEL_PASSES_REWRITE_H
-#define VS_MODEL_PASSES_REWRITE_H
+/* Owns the one loop that runs all passes; passes/flush.c runs in it, too. */
+#ifndef VS_PASSES_REWRITE_H
+#define VS_PASSES_REWRITE_H
 
 #include "model/order.h"
 #include "passes/passes.h"

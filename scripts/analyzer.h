@@ -2,8 +2,8 @@
  * reports a failure returns false, and an array that has grown is there. The script includes it before each file;
  * ANALYZED_MODEL, ANALYZED_FILES and ANALYZED_SCRIPT say which layers a file belongs to, since some names are used by
  * several. */
-#ifndef VS_ANALYZER_H
-#define VS_ANALYZER_H
+#ifndef VS_SCRIPTS_ANALYZER_H
+#define VS_SCRIPTS_ANALYZER_H
 
 #include "model/store/array.h"
 #undef VS_GROW
@@ -11,7 +11,7 @@
   (((need) <= (room) || vs_room_grow(&(array), &(room), need, sizeof *(array))) && (array) != NULL)
 
 #if defined(ANALYZED_SCRIPT)
-#include "javascript/script.h"
+#include "languages/javascript/script.h"
 #define vs_script_fail(...) ((void)(vs_script_fail)(__VA_ARGS__), false)
 #elif defined(ANALYZED_MODEL)
 #include "bind/bind.h"

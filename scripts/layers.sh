@@ -26,13 +26,15 @@ built=$(wc -l < "$work/objects")
 
 # ---- arrows ----
 awk '
+  # The row that a file belongs to: the longest folder of its path that has a row; "" without.
+  function row(path) { while (sub(/\/[^\/]*$/, "", path)) if (path in allowed) return path; return "" }
   FILENAME == "scripts/layers.list" { if ($0 !~ /^#/ && split($0, part, ":") == 2) allowed[part[1]] = part[2]; next }
   /^[ \t]*#[ \t]*include[ \t]*"/ {
     header = $0; sub(/^[^"]*"/, "", header); sub(/".*/, "", header)
-    folder = FILENAME; sub(/\/.*/, "", folder)
-    ok = index(header, folder "/") == 1
+    folder = row(FILENAME); of = row(header)
+    ok = folder == of
     n = split(allowed[folder], prefix, " ")
-    for (i = 1; i <= n; i++) if (index(header, prefix[i]) == 1) ok = 1
+    for (i = 1; i <= n; i++) if (index(header, prefix[i]) == 1 && (of == "" || length(prefix[i]) > length(of))) ok = 1
     if (!ok) print FILENAME ":" FNR ": a file of " folder "/ may not include \"" header "\""
   }' scripts/layers.list $(cat "$work/sources") > "$work/wrong"
 
@@ -73,7 +75,16 @@ grep -oE '\$\(BUILD\)/obj/[a-z_/]+\.o' Makefile | sort -u | sed 's/^\$(BUILD)\/o
   [ -f "$object.c" ] || echo "Makefile: $object.o has no source $object.c"
 done >> "$work/wrong"
 
-# ---- openings ----
+# ---- openings: the comment that says what the file owns, the folders that it names, and the guard, which is the header's path ----
+grep '\.h$' "$work/sources" | while read -r header; do
+  guard=VS_$(echo "${header%.h}" | tr a-z/ A-Z_)_H
+  grep -qx "#ifndef $guard" "$header" && grep -qx "#define $guard" "$header" || echo "$header: its guard is not $guard"
+done >> "$work/wrong"
+xargs grep -m 1 -HoE '^/\* .*' < "$work/sources" | sed 's/:/ /' | while read -r source opening; do
+  for folder in $(echo "$opening" | grep -oE '(^|[ (])([a-z_0-9]+/)+([ .,;:)]|$)' | grep -oE '([a-z_0-9]+/)+'); do
+    [ -d "$folder" ] || [ -d "${source%%/*}/$folder" ] || [ -d "${source%/*}/$folder" ] || echo "$source: its first line names $folder, and there is no such folder"
+  done
+done >> "$work/wrong"
 xargs awk 'FNR == 1 && !/^\/\*/ { print FILENAME ": begins without a comment that says what the file owns" }' < "$work/sources" >> "$work/wrong"
 
 # ---- ratchets ----

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/node_natives.h"
+#include "bind/scene/node_natives.h"
 #include "vm/machine/image.h"
 #include "vm/values/printer.h"
 #include "vm/machine/program.h"

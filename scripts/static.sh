@@ -9,9 +9,9 @@ cd "$(dirname "$0")/.." || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 layers="javascript vm model geometry/files geometry/text geometry/dynamic.c bind session live cli backends"
-facing="javascript/*.c vm/javascript/*.c vm/front/*.c vm/values/*.c vm/library/*.c bind/data.c bind/constructors/files.c
+facing="languages/javascript/*.c vm/javascript/*.c vm/front/*.c vm/values/*.c vm/library/*.c bind/data.c bind/constructors/files.c
   bind/constructors/heights.c bind/constructors/letters.c bind/constructors/meshes.c geometry/files/*.c geometry/text/*.c
-  geometry/dynamic.c fitting/scan_points.c live/*.c session/host.c session/visualscheme.c cli/confine.c cli/untrusted.c cli/limits.c"
+  geometry/dynamic.c geometry/fitting/scan_points.c live/*.c session/host.c session/visualscheme.c cli/confine.c cli/untrusted.c cli/limits.c"
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -I. $(pkg-config --cflags freetype2 2>/dev/null) $(pkg-config --cflags-only-I OpenEXR 2>/dev/null)"
 export flags LC_ALL=C
 
@@ -28,8 +28,8 @@ for tool in ${*:-cppcheck clang gcc}; do
   clang)
     ls $facing | xargs -P "${JOBS:-$(nproc)}" -n 4 sh -c 'for f; do
       case $f in
-      vm/front/expand.c|geometry/files/byte_scan.c|javascript/script.c) layer= ;; # they define some of them
-      javascript/*) layer="-DANALYZED_SCRIPT -include scripts/analyzer.h" ;;
+      vm/front/expand.c|geometry/files/byte_scan.c|languages/javascript/script.c) layer= ;; # they define some of them
+      languages/javascript/*) layer="-DANALYZED_SCRIPT -include scripts/analyzer.h" ;;
       geometry/files/*) layer="-DANALYZED_MODEL -DANALYZED_FILES -include scripts/analyzer.h" ;;
       vm/*) layer="-include scripts/analyzer.h" ;;
       live/*|cli/*) layer= ;;

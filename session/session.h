@@ -12,7 +12,7 @@
 #include "passes/passes.h"
 #include "model/scene.h"
 #include "model/tally.h"
-#include "scene/node_natives.h"
+#include "bind/scene/node_natives.h"
 #include "visualscheme.h"
 #include "vm/library/port.h"
 #include "vm/values/text.h"

@@ -1,7 +1,7 @@
 /* Owns looking at a source text as it was written, for messages: where its top-level definitions stand, and what
  * forms a call is made of. */
-#ifndef VS_BIND_OUTLINE_H
-#define VS_BIND_OUTLINE_H
+#ifndef VS_SESSION_SOURCE_OUTLINE_H
+#define VS_SESSION_SOURCE_OUTLINE_H
 
 #include <stdbool.h>
 #include <stddef.h>

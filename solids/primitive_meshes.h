@@ -1,6 +1,6 @@
 /* Owns the triangles of one primitive as a good solid: what geometry/ makes of it, freed of its overlaps. */
-#ifndef VS_KERNEL_PRIMITIVE_H
-#define VS_KERNEL_PRIMITIVE_H
+#ifndef VS_SOLIDS_PRIMITIVE_MESHES_H
+#define VS_SOLIDS_PRIMITIVE_MESHES_H
 
 #include "geometry/tolerance.h"
 #include "model/mesh.h"

@@ -1,8 +1,8 @@
 /* Owns the way from sections, shadows and feature edges to the regions and curves that they are: these need a solid's
  * mesh, which geometry/ cannot make. Everything that goes from nodes to space is handed nodes that have been
  * resolved. */
-#ifndef VS_KERNEL_RESOLVE_H
-#define VS_KERNEL_RESOLVE_H
+#ifndef VS_SOLIDS_RESOLVE_H
+#define VS_SOLIDS_RESOLVE_H
 
 #include "solids/solid_meshes.h"
 #include "model/scene.h"

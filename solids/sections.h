@@ -1,6 +1,6 @@
 /* Owns what is read off a solid's mesh: its section with a plane, its shadow on one, its feature edges. */
-#ifndef VS_KERNEL_SECTION_H
-#define VS_KERNEL_SECTION_H
+#ifndef VS_SOLIDS_SECTIONS_H
+#define VS_SOLIDS_SECTIONS_H
 
 #include "geometry/plane/outline.h"
 #include "model/mesh.h"

@@ -1,7 +1,7 @@
 /* Owns measures of solids that no single formula has: sums over parts that stand apart, sweeps, and what is left from
  * meshes. */
-#ifndef VS_KERNEL_MEASURE_H
-#define VS_KERNEL_MEASURE_H
+#ifndef VS_SOLIDS_SOLID_MEASURES_H
+#define VS_SOLIDS_SOLID_MEASURES_H
 
 #include "geometry/measure/node_measures.h"
 #include "kernel/evaluate.h"

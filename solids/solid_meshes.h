@@ -1,7 +1,7 @@
 /* Owns the way from a model's nodes to solid meshes: distinct primitives tessellated once, placements and booleans
  * handed to the kernel. */
-#ifndef VS_KERNEL_SOLID_H
-#define VS_KERNEL_SOLID_H
+#ifndef VS_SOLIDS_SOLID_MESHES_H
+#define VS_SOLIDS_SOLID_MESHES_H
 
 #include "geometry/tolerance.h"
 #include "model/mesh.h"

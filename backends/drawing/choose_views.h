@@ -1,6 +1,6 @@
 /* Owns the choice of the views of a drawing. */
-#ifndef VS_BACKENDS_CHOOSE_VIEWS_H
-#define VS_BACKENDS_CHOOSE_VIEWS_H
+#ifndef VS_BACKENDS_DRAWING_CHOOSE_VIEWS_H
+#define VS_BACKENDS_DRAWING_CHOOSE_VIEWS_H
 
 #include "backends/drawing/flat_view.h"
 

@@ -1,6 +1,6 @@
 /* Owns writing a sheet as .dxf. */
-#ifndef VS_BACKENDS_DXF_H
-#define VS_BACKENDS_DXF_H
+#ifndef VS_BACKENDS_DRAWING_DXF_H
+#define VS_BACKENDS_DRAWING_DXF_H
 
 #include "backends/drawing/sheet_marks.h"
 

@@ -1,6 +1,6 @@
 /* Owns the shape of a view made flat: cut, seen, its lines joined, in model units. */
-#ifndef VS_BACKENDS_FLAT_VIEW_H
-#define VS_BACKENDS_FLAT_VIEW_H
+#ifndef VS_BACKENDS_DRAWING_FLAT_VIEW_H
+#define VS_BACKENDS_DRAWING_FLAT_VIEW_H
 
 #include "backends/backend.h"
 #include "backends/mesh/loose.h"

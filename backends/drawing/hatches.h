@@ -1,6 +1,6 @@
 /* Owns the fills of cut faces. */
-#ifndef VS_BACKENDS_HATCHES_H
-#define VS_BACKENDS_HATCHES_H
+#ifndef VS_BACKENDS_DRAWING_HATCHES_H
+#define VS_BACKENDS_DRAWING_HATCHES_H
 
 #include "backends/drawing/sheet_marks.h"
 

@@ -1,6 +1,6 @@
 /* Owns what a drawing shows besides the model. */
-#ifndef VS_BACKENDS_NOTES_H
-#define VS_BACKENDS_NOTES_H
+#ifndef VS_BACKENDS_DRAWING_NOTES_H
+#define VS_BACKENDS_DRAWING_NOTES_H
 
 #include "backends/drawing/sheet_marks.h"
 

@@ -1,6 +1,6 @@
 /* Owns writing a sheet as .pdf. */
-#ifndef VS_BACKENDS_PDF_H
-#define VS_BACKENDS_PDF_H
+#ifndef VS_BACKENDS_DRAWING_PDF_H
+#define VS_BACKENDS_DRAWING_PDF_H
 
 #include "backends/drawing/sheet_marks.h"
 

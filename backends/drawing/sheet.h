@@ -4,8 +4,8 @@
  * The way of a drawing: choose_views.c says which views; flat_view.c makes each flat, in model units, by the kernel's
  * mesh and solids/hidden_lines.h; sheet.c finds scale and sheet and puts marks on it, in millimetres from the sheet's
  * lower left corner; notes.c adds dimensions and the like; svg.c, pdf.c and dxf.c write the marks. */
-#ifndef VS_BACKENDS_SHEET_H
-#define VS_BACKENDS_SHEET_H
+#ifndef VS_BACKENDS_DRAWING_SHEET_H
+#define VS_BACKENDS_DRAWING_SHEET_H
 
 #include "backends/drawing/sheet_marks.h"
 

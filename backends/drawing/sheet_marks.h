@@ -1,7 +1,7 @@
 /* Owns the marks of a drawing: the sheet that holds them, and putting lines and texts on it, in millimetres from its
  * lower left corner. */
-#ifndef VS_BACKENDS_SHEET_MARKS_H
-#define VS_BACKENDS_SHEET_MARKS_H
+#ifndef VS_BACKENDS_DRAWING_SHEET_MARKS_H
+#define VS_BACKENDS_DRAWING_SHEET_MARKS_H
 
 #include "backends/drawing/flat_view.h"
 

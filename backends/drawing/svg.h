@@ -1,6 +1,6 @@
 /* Owns writing a sheet as .svg. */
-#ifndef VS_BACKENDS_SVG_H
-#define VS_BACKENDS_SVG_H
+#ifndef VS_BACKENDS_DRAWING_SVG_H
+#define VS_BACKENDS_DRAWING_SVG_H
 
 #include "backends/drawing/sheet_marks.h"
 

@@ -3,8 +3,8 @@
  *
  * A geometry is triangles or lines in coordinates of its own, once in the file. A mesh is a geometry in the colour of
  * one place (glTF's nodes cannot paint). A node places a mesh: a million copies are a million nodes and one mesh. */
-#ifndef VS_BACKENDS_GLTF_H
-#define VS_BACKENDS_GLTF_H
+#ifndef VS_BACKENDS_GLTF_GLTF_H
+#define VS_BACKENDS_GLTF_GLTF_H
 
 #include "backends/backend.h"
 #include "geometry/shapes/unit_forms.h"

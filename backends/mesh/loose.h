@@ -1,7 +1,7 @@
 /* Owns what stands beside the solids in a format of triangles that has words for it: curves as lines, regions and
  * open surfaces as open faces. */
-#ifndef VS_BACKENDS_LOOSE_H
-#define VS_BACKENDS_LOOSE_H
+#ifndef VS_BACKENDS_MESH_LOOSE_H
+#define VS_BACKENDS_MESH_LOOSE_H
 
 #include "backends/backend.h"
 

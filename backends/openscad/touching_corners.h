@@ -1,7 +1,7 @@
 /* Owns giving OpenSCAD's booleans polyhedra that do not touch themselves: they take each place for one corner, and
  * refuse what is no manifold then. */
-#ifndef VS_OPENSCAD_APART_H
-#define VS_OPENSCAD_APART_H
+#ifndef VS_BACKENDS_OPENSCAD_TOUCHING_CORNERS_H
+#define VS_BACKENDS_OPENSCAD_TOUCHING_CORNERS_H
 
 #include "model/node.h"
 

@@ -1,7 +1,7 @@
 /* Owns what the files of the POV-Ray back-end share. povray_scene.c: begin and end; povray_shapes.c:
  * one function a kind; povray_meshes.c: triangles; povray_worker.c: the worker. */
-#ifndef VS_BACKENDS_POVRAY_H
-#define VS_BACKENDS_POVRAY_H
+#ifndef VS_BACKENDS_POVRAY_POVRAY_H
+#define VS_BACKENDS_POVRAY_POVRAY_H
 
 #include "backends/povray/povray_materials.h"
 

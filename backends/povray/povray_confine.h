@@ -1,6 +1,6 @@
 /* Declares what POV-Ray's process may do. */
-#ifndef VS_BACKENDS_POVRAY_CONFINE_H
-#define VS_BACKENDS_POVRAY_CONFINE_H
+#ifndef VS_BACKENDS_POVRAY_POVRAY_CONFINE_H
+#define VS_BACKENDS_POVRAY_POVRAY_CONFINE_H
 
 /* Takes from this process, for good, the network and all writing but of files in the folder, as far as the system can
  * (Landlock, seccomp). For a child before it becomes POV-Ray: it allocates nothing. */

@@ -1,6 +1,6 @@
 /* Declares the files that a scene for POV-Ray names. */
-#ifndef VS_BACKENDS_POVRAY_FILES_H
-#define VS_BACKENDS_POVRAY_FILES_H
+#ifndef VS_BACKENDS_POVRAY_POVRAY_FILES_H
+#define VS_BACKENDS_POVRAY_POVRAY_FILES_H
 
 #include "backends/backend.h"
 

@@ -1,6 +1,6 @@
 /* Declares lamps as POV-Ray's lights. */
-#ifndef VS_BACKENDS_POVRAY_LAMPS_H
-#define VS_BACKENDS_POVRAY_LAMPS_H
+#ifndef VS_BACKENDS_POVRAY_POVRAY_LAMPS_H
+#define VS_BACKENDS_POVRAY_POVRAY_LAMPS_H
 
 #include "backends/backend.h"
 

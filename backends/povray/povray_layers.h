@@ -1,6 +1,6 @@
 /* Owns the layers that an EXR picture may have beside POV-Ray's light. */
-#ifndef VS_BACKENDS_POVRAY_LAYERS_H
-#define VS_BACKENDS_POVRAY_LAYERS_H
+#ifndef VS_BACKENDS_POVRAY_POVRAY_LAYERS_H
+#define VS_BACKENDS_POVRAY_POVRAY_LAYERS_H
 
 #include "backends/backend.h"
 #include "geometry/files/exr.h"

@@ -1,7 +1,7 @@
 /* Declares materials as POV-Ray's textures. `pixel` is the width of a pixel in the scene where the model is nearest: a
  * pattern whose unit is smaller is left out, and the material has its own colour. */
-#ifndef VS_BACKENDS_POVRAY_MATERIALS_H
-#define VS_BACKENDS_POVRAY_MATERIALS_H
+#ifndef VS_BACKENDS_POVRAY_POVRAY_MATERIALS_H
+#define VS_BACKENDS_POVRAY_POVRAY_MATERIALS_H
 
 #include "backends/backend.h"
 

@@ -1,6 +1,6 @@
 /* Declares triangles in POV-Ray's words. */
-#ifndef VS_BACKENDS_POVRAY_MESHES_H
-#define VS_BACKENDS_POVRAY_MESHES_H
+#ifndef VS_BACKENDS_POVRAY_POVRAY_MESHES_H
+#define VS_BACKENDS_POVRAY_POVRAY_MESHES_H
 
 #include "backends/povray/povray.h"
 

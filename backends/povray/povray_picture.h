@@ -1,6 +1,6 @@
 /* Owns what becomes of POV-Ray's picture before it is handed on. */
-#ifndef VS_BACKENDS_POVRAY_PICTURE_H
-#define VS_BACKENDS_POVRAY_PICTURE_H
+#ifndef VS_BACKENDS_POVRAY_POVRAY_PICTURE_H
+#define VS_BACKENDS_POVRAY_POVRAY_PICTURE_H
 
 #include "backends/backend.h"
 

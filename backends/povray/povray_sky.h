@@ -1,7 +1,7 @@
 /* Owns the physical sky of a POV-Ray scene: `(sky #:turbidity 3)`. The number 1 is 10,000 cd/m2, as vs falsecolor has
  * it, times the strength that the picture's light has. */
-#ifndef VS_BACKENDS_POVRAY_SKY_H
-#define VS_BACKENDS_POVRAY_SKY_H
+#ifndef VS_BACKENDS_POVRAY_POVRAY_SKY_H
+#define VS_BACKENDS_POVRAY_POVRAY_SKY_H
 
 #include "backends/backend.h"
 #include "geometry/sky_light.h"

@@ -1,6 +1,6 @@
 /* Owns the words that all shapes of the POV-Ray back-end have in common: indentation, places in the scene's units. */
-#ifndef VS_BACKENDS_POVRAY_TEXT_H
-#define VS_BACKENDS_POVRAY_TEXT_H
+#ifndef VS_BACKENDS_POVRAY_POVRAY_TEXT_H
+#define VS_BACKENDS_POVRAY_POVRAY_TEXT_H
 
 #include "backends/povray/povray.h"
 

@@ -1,7 +1,7 @@
 /* Owns the way back: a drawing from the tree dump that tree.c writes. For tests, and for handing models between
  * programs. */
-#ifndef VS_BACKENDS_TREE_READ_H
-#define VS_BACKENDS_TREE_READ_H
+#ifndef VS_BACKENDS_TREE_TREE_READER_H
+#define VS_BACKENDS_TREE_TREE_READER_H
 
 #include "model/scene.h"
 

@@ -1,5 +1,5 @@
 /* Owns deflating: the packed scene of a page repeats itself, because parts alike differ by their places alone. The text
- * is zlib's (RFC 1950), so that every platform expands it; viewer/packed.js does. */
+ * is zlib's (RFC 1950), so that every platform expands it; backends/page/packed.js does. */
 #include "backends/x3d/deflate.h"
 
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* Owns the interface of deflating: bytes on their way to a page are compressed by zlib, which is loaded for it. */
-#ifndef VS_BACKENDS_DEFLATE_H
-#define VS_BACKENDS_DEFLATE_H
+#ifndef VS_BACKENDS_X3D_DEFLATE_H
+#define VS_BACKENDS_X3D_DEFLATE_H
 
 #include "backends/writer.h"
 #include "model/node.h"

@@ -1,5 +1,5 @@
-/* Owns the packed notation: the X3D tree as bytes, written while the drawing is walked. The viewer (viewer/packed.js)
- * reads it.
+/* Owns the packed notation: the X3D tree as bytes, written while the drawing is walked. The viewer reads it
+ * (backends/page/packed.js).
  *
  * The text begins with "VSX1" and is a sequence of entries, each a letter and what belongs to it:
  *   N name            opens a node             E                  closes it

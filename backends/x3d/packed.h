@@ -1,6 +1,6 @@
 /* Owns the packed notation's interface: the X3D tree as bytes, for the viewer. packed.c says what it looks like. */
-#ifndef VS_BACKENDS_PACKED_H
-#define VS_BACKENDS_PACKED_H
+#ifndef VS_BACKENDS_X3D_PACKED_H
+#define VS_BACKENDS_X3D_PACKED_H
 
 #include "backends/backend.h"
 

@@ -1,8 +1,8 @@
-/* Owns the web page: viewer/page.html with its marks filled in, the viewer and the scene inside, nothing to load.
+/* Owns the web page: fills in the marks of backends/page/page.html. The page holds viewer and scene.
  *
- * A mark is <!--NAME-->. The parts come from the library itself: the Makefile bundles viewer/ with three.js and puts
- * the result into it. The scene is packed (packed.c), compressed (deflate.c) and stands in the page in base 64, so that
- * no text of the user's is ever read as HTML or script. */
+ * A mark is <!--NAME-->. The parts come from the library itself: the Makefile bundles backends/page/ with three.js and
+ * puts the result into it. The scene is packed (packed.c), compressed (deflate.c) and stands in the page in base 64, so
+ * that no text of the user's is ever read as HTML or script. */
 #include <string.h>
 
 #include "backends/x3d/deflate.h"

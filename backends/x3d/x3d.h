@@ -8,8 +8,8 @@
  * triangle set and one line set a material. A template is a group that stands once in the file (DEF) and is used (USE);
  * where there would be too many Shapes the innermost templates are baked first: that costs the least text, for they are
  * still said once. */
-#ifndef VS_BACKENDS_X3D_H
-#define VS_BACKENDS_X3D_H
+#ifndef VS_BACKENDS_X3D_X3D_H
+#define VS_BACKENDS_X3D_X3D_H
 
 #include "backends/backend.h"
 

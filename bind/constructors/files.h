@@ -1,6 +1,6 @@
 /* Declares the reading of files that a program names for its geometry and its looks. */
-#ifndef VS_BIND_FILES_H
-#define VS_BIND_FILES_H
+#ifndef VS_BIND_CONSTRUCTORS_FILES_H
+#define VS_BIND_CONSTRUCTORS_FILES_H
 
 #include "bind/bind.h"
 #include "geometry/light/panorama_sun.h"

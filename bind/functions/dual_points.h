@@ -1,7 +1,7 @@
 /* Owns points and gvectors made of dual numbers: what the procedures of points give when a number is being
  * differentiated. */
-#ifndef VS_DUAL_POINTS_H
-#define VS_DUAL_POINTS_H
+#ifndef VS_BIND_FUNCTIONS_DUAL_POINTS_H
+#define VS_BIND_FUNCTIONS_DUAL_POINTS_H
 
 #include "bind/bind.h"
 

@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "functions/enclosure.h"
-#include "functions/formula_text.h"
-#include "functions/sampling.h"
+#include "geometry/functions/enclosure.h"
+#include "geometry/functions/formula_text.h"
+#include "geometry/functions/sampling.h"
 #include "model/store/array.h"
 #include "vm/library/kept.h"
 #include "vm/numbers/dual.h"

@@ -1,9 +1,9 @@
 /* Owns the natives under functions.scm and the Scheme object that a tape is. */
-#ifndef VS_FUNCTION_VALUES_H
-#define VS_FUNCTION_VALUES_H
+#ifndef VS_BIND_FUNCTIONS_FUNCTION_VALUES_H
+#define VS_BIND_FUNCTIONS_FUNCTION_VALUES_H
 
 #include "bind/bind.h"
-#include "functions/tape.h"
+#include "geometry/functions/tape.h"
 
 extern const vs_native_table vs_function_table;
 extern const vs_foreign_type vs_tape_type; /* owns a vs_tape */

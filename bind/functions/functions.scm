@@ -3,7 +3,7 @@
 ;
 ; A function is a procedure with a note: #(name parameters tree values ranges expression). The tree is the expression with its names resolved:
 ; a number, (input i), (local i), (free i), (let i tree tree), (call i tree ...) and (operator tree ...). `values` is a procedure that gives the list of
-; what the expression's free names stand for now. %function-tape makes a tape of the tree, which C works out (functions/).
+; what the expression's free names stand for now. %function-tape makes a tape of the tree, which C works out (geometry/functions/).
 
 ; ---- derivatives ----
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "functions/contour.h"
+#include "geometry/functions/contour.h"
 #include "geometry/files/polyface.h"
 #include "model/store/array.h"
 

@@ -6,8 +6,8 @@
  *
  * How an operator knows: a form of a sequence hands over a live scope, one whose wrapper names the derivation under
  * way. Wrappers that programs see are plain; the operator or rule that gets a live one takes the mark away. */
-#ifndef VS_RULES_DERIVATION_H
-#define VS_RULES_DERIVATION_H
+#ifndef VS_BIND_RULES_DERIVATION_H
+#define VS_BIND_RULES_DERIVATION_H
 
 #include "bind/rules/lineage.h"
 #include "bind/rules/scope.h"

@@ -3,8 +3,8 @@
  *
  * The records of objects that are still there are kept beside them, in a table of the interpreter: it holds a reference
  * to each object, and when it has grown twofold it lets go of those that nobody else holds. */
-#ifndef VS_RULES_LINEAGE_H
-#define VS_RULES_LINEAGE_H
+#ifndef VS_BIND_RULES_LINEAGE_H
+#define VS_BIND_RULES_LINEAGE_H
 
 #include "bind/bind.h"
 

@@ -1,6 +1,6 @@
 /* Owns the declaration of scopes brought elsewhere by any affine map. */
-#ifndef VS_RULES_MOVE_SCOPES_H
-#define VS_RULES_MOVE_SCOPES_H
+#ifndef VS_BIND_RULES_MOVE_SCOPES_H
+#define VS_BIND_RULES_MOVE_SCOPES_H
 
 #include "bind/rules/scope.h"
 

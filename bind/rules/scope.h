@@ -7,8 +7,8 @@
  *
  * A scope's hash is a hash of its path: of the place of its root, and of rule, operator, step and index on each
  * level. Chance is drawn from it, so that an edited rule changes no other choice. */
-#ifndef VS_RULES_SCOPE_H
-#define VS_RULES_SCOPE_H
+#ifndef VS_BIND_RULES_SCOPE_H
+#define VS_BIND_RULES_SCOPE_H
 
 #include "bind/bind.h"
 

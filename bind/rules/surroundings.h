@@ -1,6 +1,6 @@
 /* Owns the declaration of what was made so far as rules ask of it: a tree of bounds, and objects taken apart. */
-#ifndef VS_RULES_SURROUNDINGS_H
-#define VS_RULES_SURROUNDINGS_H
+#ifndef VS_BIND_RULES_SURROUNDINGS_H
+#define VS_BIND_RULES_SURROUNDINGS_H
 
 #include "bind/rules/scope.h"
 

@@ -1,6 +1,6 @@
 /* Owns what the shapes of this room ask of curves. */
-#ifndef VS_BIND_ALONG_CURVES_H
-#define VS_BIND_ALONG_CURVES_H
+#ifndef VS_BIND_SHAPES_ALONG_CURVES_H
+#define VS_BIND_SHAPES_ALONG_CURVES_H
 
 #include "bind/bind.h"
 #include "geometry/plane/stations.h"

@@ -4,7 +4,7 @@
 
 #include "bind/functions/function_values.h"
 #include "bind/shapes/taken_apart.h"
-#include "functions/sampling.h"
+#include "geometry/functions/sampling.h"
 #include "model/store/array.h"
 
 enum { ROUNDS = 14, PART_OF_SIZE = 8 };

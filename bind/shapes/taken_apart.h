@@ -1,6 +1,6 @@
 /* Owns the way in which natives take objects apart: at the program's own fineness, with its conditions. */
-#ifndef VS_BIND_TAKEN_APART_H
-#define VS_BIND_TAKEN_APART_H
+#ifndef VS_BIND_SHAPES_TAKEN_APART_H
+#define VS_BIND_SHAPES_TAKEN_APART_H
 
 #include "bind/bind.h"
 #include "geometry/shapes/bending.h"

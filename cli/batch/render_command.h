@@ -1,6 +1,6 @@
 /* Owns `vs render`: pictures of many models, views and sets of parameters. */
-#ifndef VS_CLI_RENDER_COMMAND_H
-#define VS_CLI_RENDER_COMMAND_H
+#ifndef VS_CLI_BATCH_RENDER_COMMAND_H
+#define VS_CLI_BATCH_RENDER_COMMAND_H
 
 #include <signal.h>
 

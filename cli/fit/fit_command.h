@@ -1,6 +1,6 @@
 /* Owns `vs fit MODEL SCAN`. */
-#ifndef VS_CLI_FIT_COMMAND_H
-#define VS_CLI_FIT_COMMAND_H
+#ifndef VS_CLI_FIT_FIT_COMMAND_H
+#define VS_CLI_FIT_FIT_COMMAND_H
 
 #include "cli/command.h"
 

@@ -1,6 +1,6 @@
 /* Owns the commands on EXR pictures. */
-#ifndef VS_CLI_EXR_COMMANDS_H
-#define VS_CLI_EXR_COMMANDS_H
+#ifndef VS_CLI_LIGHT_EXR_COMMANDS_H
+#define VS_CLI_LIGHT_EXR_COMMANDS_H
 
 #include "cli/options.h"
 

@@ -1,6 +1,6 @@
 /* Owns `vs sunstudy`. */
-#ifndef VS_CLI_SUN_COMMAND_H
-#define VS_CLI_SUN_COMMAND_H
+#ifndef VS_CLI_LIGHT_SUN_COMMAND_H
+#define VS_CLI_LIGHT_SUN_COMMAND_H
 
 #include "cli/command.h"
 

@@ -1,6 +1,6 @@
 /* Owns the editing of lines on a terminal: keys, completion, history, paste (libedit). */
-#ifndef VS_CLI_EDITOR_H
-#define VS_CLI_EDITOR_H
+#ifndef VS_CLI_PROMPT_EDITOR_H
+#define VS_CLI_PROMPT_EDITOR_H
 
 #include "visualscheme.h"
 

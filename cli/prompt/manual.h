@@ -1,6 +1,6 @@
 /* Owns the manual that the command carries: the text of manual/, looked up by word. */
-#ifndef VS_CLI_MANUAL_H
-#define VS_CLI_MANUAL_H
+#ifndef VS_CLI_PROMPT_MANUAL_H
+#define VS_CLI_PROMPT_MANUAL_H
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Owns how a page of the manual reads in a terminal. Of Markdown it knows what the manual has: headings, paragraphs,
  * lists, tables, blocks of code, and `code`, **strong** and [links](to) within a line. */
-#ifndef VS_CLI_MARKDOWN_H
-#define VS_CLI_MARKDOWN_H
+#ifndef VS_CLI_PROMPT_MARKDOWN_H
+#define VS_CLI_PROMPT_MARKDOWN_H
 
 #include <stdbool.h>
 #include <stddef.h>

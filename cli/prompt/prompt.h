@@ -1,7 +1,7 @@
 /* Owns the prompt's own state, shared by its loop (repl.c), its commands (prompt_commands.c) and the pictures that
  * it shows (show.c). */
-#ifndef VS_CLI_PROMPT_H
-#define VS_CLI_PROMPT_H
+#ifndef VS_CLI_PROMPT_PROMPT_H
+#define VS_CLI_PROMPT_PROMPT_H
 
 #include "cli/command.h"
 #include "live/live.h"

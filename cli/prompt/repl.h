@@ -1,6 +1,6 @@
 /* Owns the prompt's loop, for the command (main.c), and what its own commands ask of it. */
-#ifndef VS_CLI_REPL_H
-#define VS_CLI_REPL_H
+#ifndef VS_CLI_PROMPT_REPL_H
+#define VS_CLI_PROMPT_REPL_H
 
 #include "cli/prompt/prompt.h"
 

@@ -1,7 +1,7 @@
 /* Owns, for the readers of mesh files, walking through bytes: words and numbers by line, numbers by their width.
  * Nothing reads past the end. */
-#ifndef VS_GEOMETRY_SCAN_H
-#define VS_GEOMETRY_SCAN_H
+#ifndef VS_GEOMETRY_FILES_BYTE_SCAN_H
+#define VS_GEOMETRY_FILES_BYTE_SCAN_H
 
 #include "model/node.h"
 

@@ -1,6 +1,6 @@
 /* Owns EXR pictures as planes of numbers, one for each channel, and writing them by OpenEXR's C library. */
-#ifndef VS_GEOMETRY_EXR_H
-#define VS_GEOMETRY_EXR_H
+#ifndef VS_GEOMETRY_FILES_EXR_H
+#define VS_GEOMETRY_FILES_EXR_H
 
 #include "geometry/dynamic.h"
 #include "geometry/files/raster.h"

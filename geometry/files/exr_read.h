@@ -1,6 +1,6 @@
 /* Owns reading EXR pictures by OpenEXR's C library. */
-#ifndef VS_GEOMETRY_EXR_READ_H
-#define VS_GEOMETRY_EXR_READ_H
+#ifndef VS_GEOMETRY_FILES_EXR_READ_H
+#define VS_GEOMETRY_FILES_EXR_READ_H
 
 #include "geometry/files/exr.h"
 

@@ -1,6 +1,6 @@
 /* Declares the reading of JPEG pictures. */
-#ifndef VS_GEOMETRY_JPEG_READ_H
-#define VS_GEOMETRY_JPEG_READ_H
+#ifndef VS_GEOMETRY_FILES_JPEG_READ_H
+#define VS_GEOMETRY_FILES_JPEG_READ_H
 
 #include "model/node.h"
 

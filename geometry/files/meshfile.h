@@ -1,7 +1,7 @@
 /* Owns reading mesh files: .stl and .ply, in words or in bytes, .obj and .off. Bytes become points and faces; whether
  * those are a solid is another's question. */
-#ifndef VS_GEOMETRY_MESHFILE_H
-#define VS_GEOMETRY_MESHFILE_H
+#ifndef VS_GEOMETRY_FILES_MESHFILE_H
+#define VS_GEOMETRY_FILES_MESHFILE_H
 
 #include "model/node.h"
 

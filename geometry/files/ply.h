@@ -1,6 +1,6 @@
 /* Owns reading PLY files. */
-#ifndef VS_GEOMETRY_PLY_H
-#define VS_GEOMETRY_PLY_H
+#ifndef VS_GEOMETRY_FILES_PLY_H
+#define VS_GEOMETRY_FILES_PLY_H
 
 #include "geometry/files/byte_scan.h"
 #include "geometry/files/meshfile.h"

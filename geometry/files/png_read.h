@@ -1,6 +1,6 @@
 /* Declares the reading of PNG pictures as they stand. */
-#ifndef VS_GEOMETRY_PNG_READ_H
-#define VS_GEOMETRY_PNG_READ_H
+#ifndef VS_GEOMETRY_FILES_PNG_READ_H
+#define VS_GEOMETRY_FILES_PNG_READ_H
 
 #include "model/node.h"
 

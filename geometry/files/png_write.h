@@ -1,6 +1,6 @@
 /* Owns writing PNG pictures. */
-#ifndef VS_GEOMETRY_PNG_WRITE_H
-#define VS_GEOMETRY_PNG_WRITE_H
+#ifndef VS_GEOMETRY_FILES_PNG_WRITE_H
+#define VS_GEOMETRY_FILES_PNG_WRITE_H
 
 #include "model/node.h"
 

@@ -1,6 +1,6 @@
 /* Owns what is to be known of points and faces before they become a node: do they close, and which way do they face? */
-#ifndef VS_GEOMETRY_POLYFACE_H
-#define VS_GEOMETRY_POLYFACE_H
+#ifndef VS_GEOMETRY_FILES_POLYFACE_H
+#define VS_GEOMETRY_FILES_POLYFACE_H
 
 #include "model/mesh.h"
 #include "model/node.h"

@@ -1,6 +1,6 @@
 /* Owns reading pictures as numbers: PNG and EXR, one number a pixel, for height fields. */
-#ifndef VS_GEOMETRY_RASTER_H
-#define VS_GEOMETRY_RASTER_H
+#ifndef VS_GEOMETRY_FILES_RASTER_H
+#define VS_GEOMETRY_FILES_RASTER_H
 
 #include "geometry/dynamic.h"
 #include "model/node.h"

@@ -1,6 +1,6 @@
 /* Owns what can be done for points and faces that do not close, and saying where they do not. */
-#ifndef VS_GEOMETRY_REPAIR_H
-#define VS_GEOMETRY_REPAIR_H
+#ifndef VS_GEOMETRY_FILES_REPAIR_H
+#define VS_GEOMETRY_FILES_REPAIR_H
 
 #include "geometry/files/meshfile.h"
 

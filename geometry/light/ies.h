@@ -1,6 +1,6 @@
 /* Declares how much a lamp shines which way, by its maker's file: IES LM-63. */
-#ifndef VS_GEOMETRY_IES_H
-#define VS_GEOMETRY_IES_H
+#ifndef VS_GEOMETRY_LIGHT_IES_H
+#define VS_GEOMETRY_LIGHT_IES_H
 
 #include "model/node.h"
 

@@ -1,6 +1,6 @@
 /* Declares the sun in a picture of a whole sky. */
-#ifndef VS_GEOMETRY_PANORAMA_SUN_H
-#define VS_GEOMETRY_PANORAMA_SUN_H
+#ifndef VS_GEOMETRY_LIGHT_PANORAMA_SUN_H
+#define VS_GEOMETRY_LIGHT_PANORAMA_SUN_H
 
 #include "geometry/files/exr.h"
 #include "model/vec.h"

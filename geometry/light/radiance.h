@@ -1,6 +1,6 @@
 /* Declares the reading of Radiance pictures (.hdr), in which panoramas of skies come. */
-#ifndef VS_GEOMETRY_RADIANCE_H
-#define VS_GEOMETRY_RADIANCE_H
+#ifndef VS_GEOMETRY_LIGHT_RADIANCE_H
+#define VS_GEOMETRY_LIGHT_RADIANCE_H
 
 #include "geometry/files/exr.h"
 

@@ -1,6 +1,6 @@
 /* Owns the bounds of nodes. */
-#ifndef VS_GEOMETRY_BOUNDS_H
-#define VS_GEOMETRY_BOUNDS_H
+#ifndef VS_GEOMETRY_MEASURE_BOUNDS_H
+#define VS_GEOMETRY_MEASURE_BOUNDS_H
 
 #include "model/mesh.h"
 #include "model/node.h"

@@ -1,6 +1,6 @@
 /* Owns the analytic answer to "is this point inside?". */
-#ifndef VS_GEOMETRY_INSIDE_H
-#define VS_GEOMETRY_INSIDE_H
+#ifndef VS_GEOMETRY_MEASURE_INSIDE_H
+#define VS_GEOMETRY_MEASURE_INSIDE_H
 
 #include "model/node.h"
 

@@ -1,6 +1,6 @@
 /* Owns the signed distance from a closed mesh. */
-#ifndef VS_GEOMETRY_MESH_DISTANCE_H
-#define VS_GEOMETRY_MESH_DISTANCE_H
+#ifndef VS_GEOMETRY_MEASURE_MESH_DISTANCE_H
+#define VS_GEOMETRY_MEASURE_MESH_DISTANCE_H
 
 #include "model/mesh.h"
 

@@ -1,6 +1,6 @@
 /* Owns areas and centroids of regions by formula. */
-#ifndef VS_GEOMETRY_MOMENTS_H
-#define VS_GEOMETRY_MOMENTS_H
+#ifndef VS_GEOMETRY_MEASURE_MOMENTS_H
+#define VS_GEOMETRY_MEASURE_MOMENTS_H
 
 #include "geometry/plane/outline.h"
 

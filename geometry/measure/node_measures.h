@@ -1,6 +1,6 @@
 /* Owns measures of nodes, from formulas. */
-#ifndef VS_GEOMETRY_MEASURE_H
-#define VS_GEOMETRY_MEASURE_H
+#ifndef VS_GEOMETRY_MEASURE_NODE_MEASURES_H
+#define VS_GEOMETRY_MEASURE_NODE_MEASURES_H
 
 #include "geometry/measure/bounds.h"
 #include "geometry/measure/inside.h"

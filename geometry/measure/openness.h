@@ -1,6 +1,6 @@
 /* Owns ambient occlusion: how open a place is, by rays that go out from it. */
-#ifndef VS_GEOMETRY_OPENNESS_H
-#define VS_GEOMETRY_OPENNESS_H
+#ifndef VS_GEOMETRY_MEASURE_OPENNESS_H
+#define VS_GEOMETRY_MEASURE_OPENNESS_H
 
 #include "geometry/measure/ray_tree.h"
 

@@ -1,6 +1,6 @@
 /* Owns, for geometry/ alone, the question "is this point inside?" put to a closed mesh, many times. */
-#ifndef VS_GEOMETRY_FACETS_H
-#define VS_GEOMETRY_FACETS_H
+#ifndef VS_GEOMETRY_MEASURE_RAY_CROSSINGS_H
+#define VS_GEOMETRY_MEASURE_RAY_CROSSINGS_H
 
 #include "model/mesh.h"
 

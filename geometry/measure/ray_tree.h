@@ -1,6 +1,6 @@
 /* Owns the question of what a ray meets first, put to the triangles of a mesh many times. */
-#ifndef VS_GEOMETRY_RAY_TREE_H
-#define VS_GEOMETRY_RAY_TREE_H
+#ifndef VS_GEOMETRY_MEASURE_RAY_TREE_H
+#define VS_GEOMETRY_MEASURE_RAY_TREE_H
 
 #include "model/mesh.h"
 #include "model/node.h"

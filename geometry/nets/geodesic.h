@@ -1,6 +1,6 @@
 /* Owns shortest ways: over the triangles of a mesh, and along members of a net. */
-#ifndef VS_GEOMETRY_GEODESIC_H
-#define VS_GEOMETRY_GEODESIC_H
+#ifndef VS_GEOMETRY_NETS_GEODESIC_H
+#define VS_GEOMETRY_NETS_GEODESIC_H
 
 #include "model/mesh.h"
 

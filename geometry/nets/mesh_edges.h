@@ -1,6 +1,6 @@
 /* Owns the edges between a mesh's triangles, for walks over it. */
-#ifndef VS_GEOMETRY_MESH_EDGES_H
-#define VS_GEOMETRY_MESH_EDGES_H
+#ifndef VS_GEOMETRY_NETS_MESH_EDGES_H
+#define VS_GEOMETRY_NETS_MESH_EDGES_H
 
 #include "model/mesh.h"
 

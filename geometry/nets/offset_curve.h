@@ -1,6 +1,6 @@
 /* Owns curves at a distance from others over the triangles of a mesh. */
-#ifndef VS_GEOMETRY_OFFSET_CURVE_H
-#define VS_GEOMETRY_OFFSET_CURVE_H
+#ifndef VS_GEOMETRY_NETS_OFFSET_CURVE_H
+#define VS_GEOMETRY_NETS_OFFSET_CURVE_H
 
 #include "geometry/nets/mesh_edges.h"
 

@@ -1,6 +1,6 @@
 /* Owns the packing of circles into an area. */
-#ifndef VS_GEOMETRY_PACKING_H
-#define VS_GEOMETRY_PACKING_H
+#ifndef VS_GEOMETRY_NETS_PACKING_H
+#define VS_GEOMETRY_NETS_PACKING_H
 
 #include "geometry/plane/areas.h"
 

@@ -1,6 +1,6 @@
 /* Owns the making of faces plane by moving their corners as little as it takes. */
-#ifndef VS_GEOMETRY_PLANARITY_H
-#define VS_GEOMETRY_PLANARITY_H
+#ifndef VS_GEOMETRY_NETS_PLANARITY_H
+#define VS_GEOMETRY_NETS_PLANARITY_H
 
 #include <stdbool.h>
 #include <stddef.h>

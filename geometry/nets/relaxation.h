@@ -1,6 +1,6 @@
 /* Owns the equilibrium of points that cables and forces hold: dynamic relaxation. */
-#ifndef VS_GEOMETRY_RELAXATION_H
-#define VS_GEOMETRY_RELAXATION_H
+#ifndef VS_GEOMETRY_NETS_RELAXATION_H
+#define VS_GEOMETRY_NETS_RELAXATION_H
 
 #include <stdbool.h>
 #include <stddef.h>

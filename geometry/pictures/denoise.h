@@ -1,6 +1,6 @@
 /* Owns taking noise out of pictures. */
-#ifndef VS_GEOMETRY_DENOISE_H
-#define VS_GEOMETRY_DENOISE_H
+#ifndef VS_GEOMETRY_PICTURES_DENOISE_H
+#define VS_GEOMETRY_PICTURES_DENOISE_H
 
 #include "geometry/files/exr.h"
 

@@ -1,6 +1,6 @@
 /* Owns false colours: a number a pixel as a colour, with a legend beside the picture. */
-#ifndef VS_GEOMETRY_FALSE_COLOR_H
-#define VS_GEOMETRY_FALSE_COLOR_H
+#ifndef VS_GEOMETRY_PICTURES_FALSE_COLOR_H
+#define VS_GEOMETRY_PICTURES_FALSE_COLOR_H
 
 #include "model/node.h"
 

@@ -1,7 +1,7 @@
 /* Owns illuminance by a picture: the light that reaches a surface, from the light that it sends and the part of it that
  * it sends back. */
-#ifndef VS_GEOMETRY_ILLUMINANCE_H
-#define VS_GEOMETRY_ILLUMINANCE_H
+#ifndef VS_GEOMETRY_PICTURES_ILLUMINANCE_H
+#define VS_GEOMETRY_PICTURES_ILLUMINANCE_H
 
 #include "geometry/files/exr.h"
 

@@ -1,6 +1,6 @@
 /* Declares what is asked of a picture that is to lie on a surface. */
-#ifndef VS_GEOMETRY_PHOTOGRAPH_H
-#define VS_GEOMETRY_PHOTOGRAPH_H
+#ifndef VS_GEOMETRY_PICTURES_PHOTOGRAPH_H
+#define VS_GEOMETRY_PICTURES_PHOTOGRAPH_H
 
 #include "model/node.h"
 

@@ -1,6 +1,6 @@
 /* Owns how far two pictures are apart. */
-#ifndef VS_GEOMETRY_PICTURE_DIFFERENCE_H
-#define VS_GEOMETRY_PICTURE_DIFFERENCE_H
+#ifndef VS_GEOMETRY_PICTURES_PICTURE_DIFFERENCE_H
+#define VS_GEOMETRY_PICTURES_PICTURE_DIFFERENCE_H
 
 #include "geometry/pictures/tone.h"
 #include "model/node.h"

@@ -1,6 +1,6 @@
 /* Owns the way from linear light to the numbers of a screen: exposure, a tone curve, sRGB. */
-#ifndef VS_GEOMETRY_TONE_H
-#define VS_GEOMETRY_TONE_H
+#ifndef VS_GEOMETRY_PICTURES_TONE_H
+#define VS_GEOMETRY_PICTURES_TONE_H
 
 #include <stdbool.h>
 #include <stddef.h>

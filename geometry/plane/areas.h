@@ -1,6 +1,6 @@
 /* Owns, for geometry/ alone, areas: closed loops in one plane's own coordinates, and what GEOS does with them. */
-#ifndef VS_GEOMETRY_PLANAR_H
-#define VS_GEOMETRY_PLANAR_H
+#ifndef VS_GEOMETRY_PLANE_AREAS_H
+#define VS_GEOMETRY_PLANE_AREAS_H
 
 #include "geometry/plane/outline.h"
 #include "geometry/tolerance.h"

@@ -1,7 +1,7 @@
 /* Owns, for geometry/ alone, curves as paths: sampled points that know the directions in which the curve arrives and
  * leaves. */
-#ifndef VS_GEOMETRY_CURVE_H
-#define VS_GEOMETRY_CURVE_H
+#ifndef VS_GEOMETRY_PLANE_CURVE_H
+#define VS_GEOMETRY_PLANE_CURVE_H
 
 #include "geometry/frame.h"
 #include "geometry/plane/outline.h"

@@ -1,6 +1,6 @@
 /* Owns the cutting of planar polygons with holes into triangles: caps, regions, polygonal faces. */
-#ifndef VS_GEOMETRY_TRIANGULATE_H
-#define VS_GEOMETRY_TRIANGULATE_H
+#ifndef VS_GEOMETRY_PLANE_EAR_CLIPPING_H
+#define VS_GEOMETRY_PLANE_EAR_CLIPPING_H
 
 #include "model/mesh.h"
 

@@ -1,7 +1,7 @@
 /* Owns what has to be known of curves before they bound a region: which open ones meet end to end, and whether any
  * cross. */
-#ifndef VS_GEOMETRY_JOIN_H
-#define VS_GEOMETRY_JOIN_H
+#ifndef VS_GEOMETRY_PLANE_JOIN_H
+#define VS_GEOMETRY_PLANE_JOIN_H
 
 #include "model/node.h"
 

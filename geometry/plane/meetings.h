@@ -1,6 +1,6 @@
 /* Owns the places where two curves meet in space. */
-#ifndef VS_GEOMETRY_MEETINGS_H
-#define VS_GEOMETRY_MEETINGS_H
+#ifndef VS_GEOMETRY_PLANE_MEETINGS_H
+#define VS_GEOMETRY_PLANE_MEETINGS_H
 
 #include "geometry/plane/stations.h"
 

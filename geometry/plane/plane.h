@@ -1,6 +1,6 @@
 /* Owns the answer to "in which plane does this curve or region lie?", from what it was made of, without sampling it. */
-#ifndef VS_GEOMETRY_PLANE_H
-#define VS_GEOMETRY_PLANE_H
+#ifndef VS_GEOMETRY_PLANE_PLANE_H
+#define VS_GEOMETRY_PLANE_PLANE_H
 
 #include "model/node.h"
 

@@ -1,6 +1,6 @@
 /* Owns the questions which of many points, some of them switched off, lie in a triangle or in a box. */
-#ifndef VS_GEOMETRY_POINT_TREE_H
-#define VS_GEOMETRY_POINT_TREE_H
+#ifndef VS_GEOMETRY_PLANE_POINT_TREE_H
+#define VS_GEOMETRY_PLANE_POINT_TREE_H
 
 #include "geometry/plane/ear_clipping.h"
 

@@ -1,6 +1,6 @@
 /* Owns cutting what is thin with a plane: of polylines, regions and surfaces what lies on the normal's side is kept. */
-#ifndef VS_GEOMETRY_SLICE_H
-#define VS_GEOMETRY_SLICE_H
+#ifndef VS_GEOMETRY_PLANE_SLICE_H
+#define VS_GEOMETRY_PLANE_SLICE_H
 
 #include "geometry/plane/plane.h"
 #include "geometry/plane/outline.h"

@@ -1,6 +1,6 @@
 /* Owns places on a curve by arc length: point, direction, frame and curvature at a distance from its start. */
-#ifndef VS_GEOMETRY_STATIONS_H
-#define VS_GEOMETRY_STATIONS_H
+#ifndef VS_GEOMETRY_PLANE_STATIONS_H
+#define VS_GEOMETRY_PLANE_STATIONS_H
 
 #include "geometry/plane/curve.h"
 

@@ -1,6 +1,6 @@
 /* Owns Voronoi cells: the places that are nearer to a point than to any other. */
-#ifndef VS_GEOMETRY_VORONOI_H
-#define VS_GEOMETRY_VORONOI_H
+#ifndef VS_GEOMETRY_PLANE_VORONOI_H
+#define VS_GEOMETRY_PLANE_VORONOI_H
 
 #include "geometry/plane/areas.h"
 

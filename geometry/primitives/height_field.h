@@ -1,6 +1,6 @@
 /* Owns, for geometry/ alone, the triangles of height fields. */
-#ifndef VS_GEOMETRY_HEIGHTS_H
-#define VS_GEOMETRY_HEIGHTS_H
+#ifndef VS_GEOMETRY_PRIMITIVES_HEIGHT_FIELD_H
+#define VS_GEOMETRY_PRIMITIVES_HEIGHT_FIELD_H
 
 #include "model/mesh.h"
 #include "model/node.h"

@@ -1,6 +1,6 @@
 /* Owns, for geometry/ alone, triangles that primitive solids are made of. All append to out; false: out of memory. */
-#ifndef VS_GEOMETRY_SOLIDS_H
-#define VS_GEOMETRY_SOLIDS_H
+#ifndef VS_GEOMETRY_PRIMITIVES_SOLID_TRIANGLES_H
+#define VS_GEOMETRY_PRIMITIVES_SOLID_TRIANGLES_H
 
 #include "geometry/tolerance.h"
 #include "model/mesh.h"

@@ -1,6 +1,6 @@
 /* Owns, for geometry/ alone, grids of points as meshes: what sweeps, revolutions, lofts and surfaces all come to. */
-#ifndef VS_GEOMETRY_GRID_H
-#define VS_GEOMETRY_GRID_H
+#ifndef VS_GEOMETRY_PROFILES_GRID_H
+#define VS_GEOMETRY_PROFILES_GRID_H
 
 #include "geometry/plane/ear_clipping.h"
 

@@ -1,6 +1,6 @@
 /* Owns, for geometry/ and bind/, lofts: solids and surfaces through sections. */
-#ifndef VS_GEOMETRY_LOFT_H
-#define VS_GEOMETRY_LOFT_H
+#ifndef VS_GEOMETRY_PROFILES_LOFT_H
+#define VS_GEOMETRY_PROFILES_LOFT_H
 
 #include "geometry/tolerance.h"
 #include "model/mesh.h"

@@ -2,8 +2,8 @@
  *
  * Notation: L. Piegl and W. Tiller, The NURBS Book (1997). A direction has `count` control points, a degree p and
  * count + p + 1 knots that do not fall; the parameter goes from knots[p] to knots[count]. */
-#ifndef VS_GEOMETRY_NURBS_H
-#define VS_GEOMETRY_NURBS_H
+#ifndef VS_GEOMETRY_PROFILES_NURBS_H
+#define VS_GEOMETRY_PROFILES_NURBS_H
 
 #include "model/node.h"
 

@@ -1,6 +1,6 @@
 /* Owns, for geometry/ alone, the steps of a sweep that bends more tightly than its profile is wide. */
-#ifndef VS_GEOMETRY_OVERTURN_H
-#define VS_GEOMETRY_OVERTURN_H
+#ifndef VS_GEOMETRY_PROFILES_OVERTURN_H
+#define VS_GEOMETRY_PROFILES_OVERTURN_H
 
 #include "geometry/profiles/swept.h"
 

@@ -1,6 +1,6 @@
 /* Owns round pipes along curves whose radius changes on the way. */
-#ifndef VS_GEOMETRY_PIPE_H
-#define VS_GEOMETRY_PIPE_H
+#ifndef VS_GEOMETRY_PROFILES_PIPE_H
+#define VS_GEOMETRY_PROFILES_PIPE_H
 
 #include "geometry/plane/stations.h"
 

@@ -1,7 +1,7 @@
 /* Owns, for geometry/ and the back-ends, revolutions: a profile as distances from an axis and heights along it, turned
  * about that axis. */
-#ifndef VS_GEOMETRY_REVOLVE_H
-#define VS_GEOMETRY_REVOLVE_H
+#ifndef VS_GEOMETRY_PROFILES_REVOLVE_H
+#define VS_GEOMETRY_PROFILES_REVOLVE_H
 
 #include "geometry/measure/measure.h"
 #include "geometry/tolerance.h"

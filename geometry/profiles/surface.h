@@ -1,6 +1,6 @@
 /* Owns grids of points as nodes: which of their borders meet, and whether they so close. */
-#ifndef VS_GEOMETRY_SURFACE_H
-#define VS_GEOMETRY_SURFACE_H
+#ifndef VS_GEOMETRY_PROFILES_SURFACE_H
+#define VS_GEOMETRY_PROFILES_SURFACE_H
 
 #include "model/mesh.h"
 #include "model/node.h"

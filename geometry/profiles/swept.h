@@ -1,6 +1,6 @@
 /* Owns, for geometry/ alone, what extrude, sweep and thicken have in common: a profile carried through sections. */
-#ifndef VS_GEOMETRY_SWEPT_H
-#define VS_GEOMETRY_SWEPT_H
+#ifndef VS_GEOMETRY_PROFILES_SWEPT_H
+#define VS_GEOMETRY_PROFILES_SWEPT_H
 
 #include "geometry/plane/outline.h"
 #include "geometry/tolerance.h"

@@ -1,6 +1,6 @@
 /* Owns, for geometry/ alone, extrusions whose walls lean. */
-#ifndef VS_GEOMETRY_TAPER_H
-#define VS_GEOMETRY_TAPER_H
+#ifndef VS_GEOMETRY_PROFILES_TAPER_H
+#define VS_GEOMETRY_PROFILES_TAPER_H
 
 #include "geometry/tolerance.h"
 #include "model/mesh.h"

@@ -1,6 +1,6 @@
 /* Owns the thickening of surfaces given as triangles. */
-#ifndef VS_GEOMETRY_THICKEN_H
-#define VS_GEOMETRY_THICKEN_H
+#ifndef VS_GEOMETRY_PROFILES_THICKEN_H
+#define VS_GEOMETRY_PROFILES_THICKEN_H
 
 #include "model/mesh.h"
 

@@ -1,8 +1,8 @@
 /* Owns what a map of space bends: leaves of objects as meshes, whose edges are cut in half until they follow the map,
  * and which are made objects again. solids/deformed.h takes objects apart. Whose the map is does not matter: images of
  * points are asked for. */
-#ifndef VS_GEOMETRY_BENDING_H
-#define VS_GEOMETRY_BENDING_H
+#ifndef VS_GEOMETRY_SHAPES_BENDING_H
+#define VS_GEOMETRY_SHAPES_BENDING_H
 
 #include "model/mesh.h"
 #include "model/node.h"

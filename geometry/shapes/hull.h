@@ -1,6 +1,6 @@
 /* Owns, for geometry/ alone, convex hulls: of points in space and in a plane, and of what a hull node holds. */
-#ifndef VS_GEOMETRY_HULL_H
-#define VS_GEOMETRY_HULL_H
+#ifndef VS_GEOMETRY_SHAPES_HULL_H
+#define VS_GEOMETRY_SHAPES_HULL_H
 
 #include "geometry/plane/outline.h"
 #include "geometry/tolerance.h"

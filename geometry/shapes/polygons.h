@@ -1,6 +1,6 @@
 /* Owns the faces of the kinds that are made of polygons: polyface meshes, grid meshes and boxes. */
-#ifndef VS_GEOMETRY_POLYGONS_H
-#define VS_GEOMETRY_POLYGONS_H
+#ifndef VS_GEOMETRY_SHAPES_POLYGONS_H
+#define VS_GEOMETRY_SHAPES_POLYGONS_H
 
 #include "model/node.h"
 

@@ -2,8 +2,8 @@
  *
  * Rules and limits: E. Catmull, J. Clark (1978); C. Loop (1987); creases of some sharpness: T. DeRose, M. Kass,
  * T. Truong (1998). Borders are creases; where three creases or more meet the point stays. */
-#ifndef VS_GEOMETRY_SUBDIVISION_H
-#define VS_GEOMETRY_SUBDIVISION_H
+#ifndef VS_GEOMETRY_SHAPES_SUBDIVISION_H
+#define VS_GEOMETRY_SHAPES_SUBDIVISION_H
 
 #include "geometry/files/meshfile.h"
 

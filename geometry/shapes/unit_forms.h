@@ -1,7 +1,7 @@
 /* Owns the unit forms: shapes of which every box, wedge, sphere, cylinder and cone is a placed copy. Formats of
  * instances keep one mesh a form and number of facets, whatever the sizes and directions of what is drawn. */
-#ifndef VS_GEOMETRY_UNIT_H
-#define VS_GEOMETRY_UNIT_H
+#ifndef VS_GEOMETRY_SHAPES_UNIT_FORMS_H
+#define VS_GEOMETRY_SHAPES_UNIT_FORMS_H
 
 #include "geometry/tolerance.h"
 #include "model/mesh.h"

@@ -3,8 +3,8 @@
  * and on every machine.
  *
  * Fonts live in the store and go with it. A glyph is read once. */
-#ifndef VS_GEOMETRY_FONT_H
-#define VS_GEOMETRY_FONT_H
+#ifndef VS_GEOMETRY_TEXT_FONT_H
+#define VS_GEOMETRY_TEXT_FONT_H
 
 #include "model/node.h"
 

@@ -1,7 +1,7 @@
 /* Owns, for geometry/ alone, kerning as OpenType fonts say it: pairs in the table GPOS. (The older table kern is
  * FreeType's business.) */
-#ifndef VS_GEOMETRY_KERNING_H
-#define VS_GEOMETRY_KERNING_H
+#ifndef VS_GEOMETRY_TEXT_KERNING_H
+#define VS_GEOMETRY_TEXT_KERNING_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* Owns, for geometry/ alone, loops in a plane that may cross themselves and each other, and what they bound by the rule
  * of fonts: ink is where the winding number is not 0. */
-#ifndef VS_GEOMETRY_NONZERO_H
-#define VS_GEOMETRY_NONZERO_H
+#ifndef VS_GEOMETRY_TEXT_NONZERO_H
+#define VS_GEOMETRY_TEXT_NONZERO_H
 
 #include "geometry/plane/ear_clipping.h"
 #include "model/node.h"

@@ -3,8 +3,8 @@
  * Set means: composed (a letter and the accent after it are one glyph where the font has it), kerned, from left to
  * right; a line break begins a line below, a tab is four spaces. Lengths are in model units from the text's point p
  * on. */
-#ifndef VS_GEOMETRY_TEXT_H
-#define VS_GEOMETRY_TEXT_H
+#ifndef VS_GEOMETRY_TEXT_TYPESET_H
+#define VS_GEOMETRY_TEXT_TYPESET_H
 
 #include "geometry/text/font.h"
 #include "geometry/plane/outline.h"

@@ -4,8 +4,8 @@
  * The plane is seen along its normal in the axes (u, v). Vertices are local numbers in lexicographic order of (u, v),
  * exact; an edge runs from its smaller vertex to its larger; `above` an edge is its left side, also where it is
  * vertical. The status is a treap threaded in order. */
-#ifndef VS_KERNEL_SWEEP_H
-#define VS_KERNEL_SWEEP_H
+#ifndef VS_KERNEL_ARRANGE_SWEEP_H
+#define VS_KERNEL_ARRANGE_SWEEP_H
 
 #include "kernel/exact/sort.h"
 #include "kernel/exact/interned.h"

@@ -1,6 +1,6 @@
 /* Owns the twelve significant digits that numbers are written with. */
-#ifndef VS_KERNEL_DIGITS_H
-#define VS_KERNEL_DIGITS_H
+#ifndef VS_KERNEL_EXACT_DIGITS_H
+#define VS_KERNEL_EXACT_DIGITS_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /* Owns exact signs of determinants of doubles, for meshes that are no longer, or not yet, on a grid. */
-#ifndef VS_KERNEL_DOUBLES_H
-#define VS_KERNEL_DOUBLES_H
+#ifndef VS_KERNEL_EXACT_DOUBLES_H
+#define VS_KERNEL_EXACT_DOUBLES_H
 
 #include "model/vec.h"
 

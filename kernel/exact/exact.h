@@ -14,8 +14,8 @@
  * them. Widest results: a point against a plane 292 bits; one coordinate of two points 420; the orientation of three in
  * a plane 648. Numbers that are small, as they are where triangles are small against the cluster, take the short way in
  * the wide half, too. */
-#ifndef VS_KERNEL_EXACT_H
-#define VS_KERNEL_EXACT_H
+#ifndef VS_KERNEL_EXACT_EXACT_H
+#define VS_KERNEL_EXACT_EXACT_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* Owns the tables of a cluster that make equal things one: points by their exact place, planes by their exact
  * equation. */
-#ifndef VS_KERNEL_TABLE_H
-#define VS_KERNEL_TABLE_H
+#ifndef VS_KERNEL_EXACT_INTERNED_H
+#define VS_KERNEL_EXACT_INTERNED_H
 
 #include "kernel/exact/exact.h"
 #include "kernel/memory.h"

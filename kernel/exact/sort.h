@@ -1,6 +1,6 @@
 /* Owns the sort of items by a whole number each, where a call for each comparison would cost more than the rest. */
-#ifndef VS_KERNEL_SORT_H
-#define VS_KERNEL_SORT_H
+#ifndef VS_KERNEL_EXACT_SORT_H
+#define VS_KERNEL_EXACT_SORT_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* Owns the index of boxes: all pairs that meet, and all that a box meets. It only finds candidates; nothing is ever cut
  * by it. */
-#ifndef VS_KERNEL_BVH_H
-#define VS_KERNEL_BVH_H
+#ifndef VS_KERNEL_MESH_BVH_H
+#define VS_KERNEL_MESH_BVH_H
 
 #include "kernel/memory.h"
 

@@ -1,6 +1,6 @@
 /* Owns the sorting of directed edges by their ends, for all who ask what meets along an edge. */
-#ifndef VS_KERNEL_HALVES_H
-#define VS_KERNEL_HALVES_H
+#ifndef VS_KERNEL_MESH_EDGE_USES_H
+#define VS_KERNEL_MESH_EDGE_USES_H
 
 #include "kernel/exact/interned.h"
 #include "model/store/disjoint.h"

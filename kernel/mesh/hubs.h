@@ -1,6 +1,6 @@
 /* Owns the corners in which very many triangles end: which of these need not be tried against each other. */
-#ifndef VS_KERNEL_HUBS_H
-#define VS_KERNEL_HUBS_H
+#ifndef VS_KERNEL_MESH_HUBS_H
+#define VS_KERNEL_MESH_HUBS_H
 
 #include "model/mesh.h"
 #include "kernel/memory.h"

@@ -1,7 +1,7 @@
 /* Owns the questions about one mesh that are asked before it may be a solid: is it closed, and does it wind around
  * every place at most once? */
-#ifndef VS_KERNEL_INSPECT_H
-#define VS_KERNEL_INSPECT_H
+#ifndef VS_KERNEL_MESH_INSPECT_H
+#define VS_KERNEL_MESH_INSPECT_H
 
 #include "model/mesh.h"
 #include "kernel/distinct_meshes.h"

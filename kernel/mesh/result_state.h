@@ -1,7 +1,7 @@
 /* Owns the state of making a result's mesh (make_result.c), shared with the question of which bends go
  * (straighten.c). */
-#ifndef VS_KERNEL_RESULT_STATE_H
-#define VS_KERNEL_RESULT_STATE_H
+#ifndef VS_KERNEL_MESH_RESULT_STATE_H
+#define VS_KERNEL_MESH_RESULT_STATE_H
 
 #include "kernel/cluster.h"
 #include "kernel/mesh/triangulate.h"

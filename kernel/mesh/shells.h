@@ -1,6 +1,6 @@
 /* Owns the shells of a mesh: what hangs together by corners. */
-#ifndef VS_KERNEL_SHELLS_H
-#define VS_KERNEL_SHELLS_H
+#ifndef VS_KERNEL_MESH_SHELLS_H
+#define VS_KERNEL_MESH_SHELLS_H
 
 #include "model/mesh.h"
 

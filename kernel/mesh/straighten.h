@@ -1,6 +1,6 @@
 /* Owns the interface of what decides which bends a result may lose. */
-#ifndef VS_KERNEL_STRAIGHTEN_H
-#define VS_KERNEL_STRAIGHTEN_H
+#ifndef VS_KERNEL_MESH_STRAIGHTEN_H
+#define VS_KERNEL_MESH_STRAIGHTEN_H
 
 #include "kernel/mesh/result_state.h"
 

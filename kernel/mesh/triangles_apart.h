@@ -1,7 +1,7 @@
 /* Owns the quick proof that a mesh does not meet itself: pairs of triangles, in doubles, with the errors that doubles
  * have. It says yes or does not know. */
-#ifndef VS_KERNEL_APART_H
-#define VS_KERNEL_APART_H
+#ifndef VS_KERNEL_MESH_TRIANGLES_APART_H
+#define VS_KERNEL_MESH_TRIANGLES_APART_H
 
 #include "model/mesh.h"
 #include "kernel/memory.h"

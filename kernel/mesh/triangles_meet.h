@@ -1,6 +1,6 @@
 /* Owns the exact answer what two triangles of a mesh have in common, as the doubles stand. */
-#ifndef VS_KERNEL_MEET_H
-#define VS_KERNEL_MEET_H
+#ifndef VS_KERNEL_MESH_TRIANGLES_MEET_H
+#define VS_KERNEL_MESH_TRIANGLES_MEET_H
 
 #include "model/vec.h"
 

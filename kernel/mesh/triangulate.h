@@ -1,6 +1,6 @@
 /* Owns the exact triangulation of a polygon with holes, touching corners and slits in one plane. */
-#ifndef VS_KERNEL_TRIANGULATE_H
-#define VS_KERNEL_TRIANGULATE_H
+#ifndef VS_KERNEL_MESH_TRIANGULATE_H
+#define VS_KERNEL_MESH_TRIANGULATE_H
 
 #include "kernel/cluster.h"
 #include "kernel/arrange/sweep.h"

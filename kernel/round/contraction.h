@@ -1,6 +1,6 @@
 /* Owns the last means against triangles that rounding makes meet: corners become one, and low triangles go. */
-#ifndef VS_KERNEL_CONTRACTION_H
-#define VS_KERNEL_CONTRACTION_H
+#ifndef VS_KERNEL_ROUND_CONTRACTION_H
+#define VS_KERNEL_ROUND_CONTRACTION_H
 
 #include "kernel/round/rounding_state.h"
 

@@ -1,6 +1,6 @@
 /* Owns the kinds of numbers that corners are rounded to, and what is counted when a mesh is. */
-#ifndef VS_KERNEL_ROUNDED_H
-#define VS_KERNEL_ROUNDED_H
+#ifndef VS_KERNEL_ROUND_ROUNDED_H
+#define VS_KERNEL_ROUND_ROUNDED_H
 
 #include "model/vec.h"
 

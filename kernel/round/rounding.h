@@ -1,7 +1,7 @@
 /* Owns what rounding to a format's numbers does to a mesh that was exact: edges that become too short for them go, the
  * rest is counted. */
-#ifndef VS_KERNEL_ROUNDING_H
-#define VS_KERNEL_ROUNDING_H
+#ifndef VS_KERNEL_ROUND_ROUNDING_H
+#define VS_KERNEL_ROUND_ROUNDING_H
 
 #include "kernel/kernel_options.h"
 #include "kernel/problem.h"

@@ -1,7 +1,7 @@
 /* Owns the state of rounding a mesh (rounding.c), shared with the search for self-contacts after rounding
  * (self_contacts.c) and with what mends them (contraction.c). */
-#ifndef VS_KERNEL_ROUNDING_STATE_H
-#define VS_KERNEL_ROUNDING_STATE_H
+#ifndef VS_KERNEL_ROUND_ROUNDING_STATE_H
+#define VS_KERNEL_ROUND_ROUNDING_STATE_H
 
 #include "model/mesh.h"
 #include "kernel/memory.h"

@@ -1,6 +1,6 @@
 /* Owns which shells need no search for self-contacts: stars that stand alone. */
-#ifndef VS_KERNEL_STARS_H
-#define VS_KERNEL_STARS_H
+#ifndef VS_KERNEL_ROUND_STARS_H
+#define VS_KERNEL_ROUND_STARS_H
 
 #include "kernel/round/rounding_state.h"
 

@@ -1,6 +1,6 @@
 /* Owns the marks of triangles at places where the exact surface touches itself. */
-#ifndef VS_KERNEL_TOUCHING_H
-#define VS_KERNEL_TOUCHING_H
+#ifndef VS_KERNEL_ROUND_TOUCHING_H
+#define VS_KERNEL_ROUND_TOUCHING_H
 
 #include "kernel/round/rounding_state.h"
 

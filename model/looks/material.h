@@ -1,7 +1,7 @@
 /* Declares materials: how a surface looks. Materials are interned by value in the store (vs_store_material) and live
  * as long as it. */
-#ifndef VS_MODEL_MATERIAL_H
-#define VS_MODEL_MATERIAL_H
+#ifndef VS_MODEL_LOOKS_MATERIAL_H
+#define VS_MODEL_LOOKS_MATERIAL_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* Declares pictures that lie on surfaces, and how they lie there. */
-#ifndef VS_MODEL_PICTURE_H
-#define VS_MODEL_PICTURE_H
+#ifndef VS_MODEL_LOOKS_PICTURE_H
+#define VS_MODEL_LOOKS_PICTURE_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /* Owns the materials that exist by name. */
-#ifndef VS_MODEL_READY_MATERIALS_H
-#define VS_MODEL_READY_MATERIALS_H
+#ifndef VS_MODEL_LOOKS_READY_MATERIALS_H
+#define VS_MODEL_LOOKS_READY_MATERIALS_H
 
 #include "model/store/store.h"
 

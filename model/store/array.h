@@ -1,7 +1,7 @@
 /* Owns arrays that grow: a pointer and how many elements it has room for. Arrays with a budget of their own grow by
  * other means: objects of a store by vs_store_grow, the kernel's working arrays by VS_ROOM of kernel/memory.h. */
-#ifndef VS_MODEL_ROOM_H
-#define VS_MODEL_ROOM_H
+#ifndef VS_MODEL_STORE_ARRAY_H
+#define VS_MODEL_STORE_ARRAY_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -8,8 +8,8 @@
  * output. A result that was asked for in this turn is not dropped for the sake of a later one of the same turn: a model
  * larger than the bound would else drop everything before it is asked for again. Refused memory loses the result, no
  * more. Used by one thread, as the store. */
-#ifndef VS_MODEL_CACHE_H
-#define VS_MODEL_CACHE_H
+#ifndef VS_MODEL_STORE_CACHE_H
+#define VS_MODEL_STORE_CACHE_H
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Owns disjoint sets of numbers, as a forest of parents: a set's root is its smallest member, so results do not depend
  * on the order of unions. */
-#ifndef VS_MODEL_DISJOINT_H
-#define VS_MODEL_DISJOINT_H
+#ifndef VS_MODEL_STORE_DISJOINT_H
+#define VS_MODEL_STORE_DISJOINT_H
 
 #include <stdatomic.h>
 #include <stdint.h>

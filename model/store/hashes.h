@@ -1,6 +1,6 @@
 /* Owns the hashes that what is interned is known by. */
-#ifndef VS_MODEL_HASHES_H
-#define VS_MODEL_HASHES_H
+#ifndef VS_MODEL_STORE_HASHES_H
+#define VS_MODEL_STORE_HASHES_H
 
 #include <stddef.h>
 #include <stdint.h>

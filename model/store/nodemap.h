@@ -1,6 +1,6 @@
 /* Owns a map from nodes (by address) to 64-bit words: what passes and measures remember of each shared node. */
-#ifndef VS_MODEL_NODEMAP_H
-#define VS_MODEL_NODEMAP_H
+#ifndef VS_MODEL_STORE_NODEMAP_H
+#define VS_MODEL_STORE_NODEMAP_H
 
 #include "model/node.h"
 

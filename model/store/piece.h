@@ -1,6 +1,6 @@
 /* Owns small pieces of a store's memory, of which there may be millions. */
-#ifndef VS_MODEL_PIECE_H
-#define VS_MODEL_PIECE_H
+#ifndef VS_MODEL_STORE_PIECE_H
+#define VS_MODEL_STORE_PIECE_H
 
 #include "model/store/store.h"
 

@@ -1,6 +1,6 @@
 /* Owns the store: the memory of a model, what is interned in it, and who may stop what works long. */
-#ifndef VS_MODEL_STORE_H
-#define VS_MODEL_STORE_H
+#ifndef VS_MODEL_STORE_STORE_H
+#define VS_MODEL_STORE_STORE_H
 
 #include <stddef.h>
 

@@ -1,7 +1,7 @@
 /* Owns the inside of the store, for model/ alone: accounting, the hash that everything interned is found by, and the
  * arena. */
-#ifndef VS_MODEL_STORE_INSIDE_H
-#define VS_MODEL_STORE_INSIDE_H
+#ifndef VS_MODEL_STORE_STORE_INSIDE_H
+#define VS_MODEL_STORE_STORE_INSIDE_H
 
 #include "model/store/store.h"
 #include "model/store/hashes.h"

@@ -1,5 +1,5 @@
-/* Owns the fit of a program to a scan in the public header: runs the program for fitting/, and tells what its result is
- * worth. */
+/* Owns the fit of a program to a scan in the public header: runs the program for geometry/fitting/, and reports
+ * the quality of the result. */
 #include "session/fit/scan_fit.h"
 
 #include <errno.h>
@@ -8,10 +8,10 @@
 #include <unistd.h>
 
 #include "backends/publish.h"
-#include "fitting/distance_map.h"
-#include "fitting/model_fit.h"
-#include "fitting/robust_squares.h"
-#include "fitting/scan_points.h"
+#include "geometry/fitting/distance_map.h"
+#include "geometry/fitting/model_fit.h"
+#include "geometry/fitting/robust_squares.h"
+#include "geometry/fitting/scan_points.h"
 #include "model/store/array.h"
 #include "session/handles.h"
 #include "session/spine.h"

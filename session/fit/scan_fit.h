@@ -1,6 +1,6 @@
 /* Owns what a session keeps of the last fit. */
-#ifndef VS_SESSION_SCAN_FIT_H
-#define VS_SESSION_SCAN_FIT_H
+#ifndef VS_SESSION_FIT_SCAN_FIT_H
+#define VS_SESSION_FIT_SCAN_FIT_H
 
 #include "session/session.h"
 

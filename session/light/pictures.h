@@ -1,6 +1,6 @@
 /* Owns the public functions on pictures in linear light: vs_picture_... of visualscheme.h. */
-#ifndef VS_SESSION_PICTURES_H
-#define VS_SESSION_PICTURES_H
+#ifndef VS_SESSION_LIGHT_PICTURES_H
+#define VS_SESSION_LIGHT_PICTURES_H
 
 #include "geometry/pictures/tone.h"
 #include "model/node.h"

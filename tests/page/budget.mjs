@@ -1,6 +1,6 @@
 // Owns the test of what a page leaves out where the model is more than a picture may hold: near things stay, also those whose copies stand far and wide.
 import * as THREE from "three";
-import { leaveOut } from "../../viewer/batches.js";
+import { leaveOut } from "../../backends/page/batches.js";
 
 const camera = new THREE.PerspectiveCamera(40, 1.5, 0.1, 2000);
 camera.position.set(0, 0, 2);

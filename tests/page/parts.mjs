@@ -1,9 +1,9 @@
 // Owns the test of how the packed tree becomes a model's parts, and those things to draw: templates within templates are what they would be walked over one by
 // one, arrays of an old model serve the next, and of very many copies each is drawn once, within the ball that is told of it.
 import * as THREE from "three";
-import { Model, modelFromPacked } from "../../viewer/model.js";
-import { buildBatches, mergeParts } from "../../viewer/batches.js";
-import { boxForm } from "../../viewer/forms.js";
+import { Model, modelFromPacked } from "../../backends/page/model.js";
+import { buildBatches, mergeParts } from "../../backends/page/batches.js";
+import { boxForm } from "../../backends/page/forms.js";
 
 let seed = 11;
 const random = (n) => (seed = seed * 48271 % 2147483647) % n;

@@ -1,7 +1,7 @@
 // How a file shades its triangles: `node normals.mjs FILE` prints the share of triangles whose three corners have different normals, of a .x3d,
 // .glb or .html (its packed scene). Of a round wall it is near 1, of a wall that is shaded facet by facet 0.
 import { readFileSync } from 'node:fs'
-import { readPacked } from '../../viewer/packed.js'
+import { readPacked } from '../../backends/page/packed.js'
 
 const file = process.argv[2], bytes = readFileSync(file)
 let all = 0, smooth = 0

@@ -1,4 +1,4 @@
-/* Owns the tests of fitting/: losses, motions, quantiles, and fits of a box that needs no interpreter. */
+/* Owns the tests of geometry/fitting/: losses, motions, quantiles, and fits of a box that needs no interpreter. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -9,10 +9,10 @@
 #include <string.h>
 #include <cmocka.h>
 
-#include "fitting/distance_map.h"
-#include "fitting/model_fit.h"
-#include "fitting/robust_squares.h"
-#include "fitting/scan_points.h"
+#include "geometry/fitting/distance_map.h"
+#include "geometry/fitting/model_fit.h"
+#include "geometry/fitting/robust_squares.h"
+#include "geometry/fitting/scan_points.h"
 
 static void near(double a, double b, double off) {
   if (!(fabs(a - b) <= off)) fail_msg("%.12g is not %.12g, give or take %g", a, b, off);

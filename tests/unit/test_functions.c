@@ -12,10 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "functions/contour.h"
-#include "functions/enclosure.h"
-#include "functions/formula_text.h"
-#include "functions/sampling.h"
+#include "geometry/functions/contour.h"
+#include "geometry/functions/enclosure.h"
+#include "geometry/functions/formula_text.h"
+#include "geometry/functions/sampling.h"
 
 static double drawn(uint64_t *seed, double a, double b) { /* xorshift: the same numbers in every run */
   *seed ^= *seed << 13;

@@ -1,6 +1,6 @@
 /* Owns what the compiler must know of a tree before it emits code: homes, free variables, boxes, loops. */
-#ifndef VS_ANALYSE_H
-#define VS_ANALYSE_H
+#ifndef VS_VM_COMPILER_ANALYSE_H
+#define VS_VM_COMPILER_ANALYSE_H
 
 #include "vm/front/ast.h"
 

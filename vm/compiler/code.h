@@ -1,6 +1,6 @@
 /* Owns the layout of compiled code: opcodes, instruction fields, the table of places. */
-#ifndef VS_CODE_H
-#define VS_CODE_H
+#ifndef VS_VM_COMPILER_CODE_H
+#define VS_VM_COMPILER_CODE_H
 
 #include "vm/values/value.h"
 

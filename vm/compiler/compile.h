@@ -1,6 +1,6 @@
 /* Owns the way from a core tree to a procedure. */
-#ifndef VS_COMPILE_H
-#define VS_COMPILE_H
+#ifndef VS_VM_COMPILER_COMPILE_H
+#define VS_VM_COMPILER_COMPILE_H
 
 #include "vm/front/ast.h"
 

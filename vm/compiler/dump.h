@@ -1,6 +1,6 @@
 /* Owns the instructions of a procedure as text. */
-#ifndef VS_DUMP_H
-#define VS_DUMP_H
+#ifndef VS_VM_COMPILER_DUMP_H
+#define VS_VM_COMPILER_DUMP_H
 
 #include "vm/values/value.h"
 

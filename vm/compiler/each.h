@@ -5,8 +5,8 @@
  * Results are kept as a list that grows at its end, while nobody can come back to where it was shorter. Once a
  * continuation was made since the start somebody can: from then on it grows at its front, turned round, no pair of it
  * is changed, and the end of the row copies it. */
-#ifndef VS_EACH_H
-#define VS_EACH_H
+#ifndef VS_VM_COMPILER_EACH_H
+#define VS_VM_COMPILER_EACH_H
 
 #include "vm/values/pairs.h"
 

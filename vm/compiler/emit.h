@@ -1,6 +1,6 @@
 /* Owns the making of one procedure's instructions: registers, constants, jumps, places. Used by compile.c only. */
-#ifndef VS_EMIT_H
-#define VS_EMIT_H
+#ifndef VS_VM_COMPILER_EMIT_H
+#define VS_VM_COMPILER_EMIT_H
 
 #include "vm/front/ast.h"
 #include "vm/compiler/code.h"

@@ -1,6 +1,6 @@
 /* Owns which natives are opcodes: rows of inline.def, and the host's flat record makers and getters. */
-#ifndef VS_INLINE_H
-#define VS_INLINE_H
+#ifndef VS_VM_COMPILER_INLINE_H
+#define VS_VM_COMPILER_INLINE_H
 
 #include "vm/compiler/code.h"
 

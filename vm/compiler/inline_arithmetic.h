@@ -1,8 +1,8 @@
 /* Owns the arithmetic that instructions do themselves, without a call: on fixnums and doubles, and on the host's flat
  * records (points and vectors). Whatever is not as usual (a fixnum that overflows, a result that is not finite, other
  * operands) is left to the library's procedure of the instruction, which words the error too. */
-#ifndef VS_INLINE_ARITHMETIC_H
-#define VS_INLINE_ARITHMETIC_H
+#ifndef VS_VM_COMPILER_INLINE_ARITHMETIC_H
+#define VS_VM_COMPILER_INLINE_ARITHMETIC_H
 
 #include "vm/machine/vs.h"
 #include "vm/numbers/number.h"

@@ -11,8 +11,8 @@
    compiler; the expander fills nothing but the name. A vs_var belongs to exactly one LAMBDA, LET or FIX.
 
    Every node has a place: that of the form it came from. For CALL it is what the error message and call chain show. */
-#ifndef VS_AST_H
-#define VS_AST_H
+#ifndef VS_VM_FRONT_AST_H
+#define VS_VM_FRONT_AST_H
 
 #include "vm/values/gc.h"
 

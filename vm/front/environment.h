@@ -20,8 +20,8 @@
    A program shares the cells of what it imports until it assigns or defines the name: constants (cells with
    VS_F_CONSTANT) are copied into a cell of its own at the first reference, so that all code of the program, also what
    was compiled before, sees a new definition and the library does not. */
-#ifndef VS_ENVIRONMENT_H
-#define VS_ENVIRONMENT_H
+#ifndef VS_VM_FRONT_ENVIRONMENT_H
+#define VS_VM_FRONT_ENVIRONMENT_H
 
 #include "vm/values/gc.h"
 

@@ -9,8 +9,8 @@
    procedure without parameters, called on the spot.
 
    Life: a vs_expansion is inside a foreign object, whose hooks trace and free it. */
-#ifndef VS_EXPAND_H
-#define VS_EXPAND_H
+#ifndef VS_VM_FRONT_EXPAND_H
+#define VS_VM_FRONT_EXPAND_H
 
 #include "vm/front/ast.h"
 #include "vm/front/environment.h"

@@ -3,8 +3,8 @@
    Data from source files are made of located pairs: the first pair of a list carries the place of its parenthesis,
    every further pair the place of its element, so that an atom's place follows from the pair that holds it (vs_form_pos
    in expand.h). `#:name` reads as the symbol "#:name". Nothing recurses on the C stack. */
-#ifndef VS_READER_H
-#define VS_READER_H
+#ifndef VS_VM_FRONT_READER_H
+#define VS_VM_FRONT_READER_H
 
 #include "vm/machine/native.h"
 

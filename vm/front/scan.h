@@ -1,6 +1,6 @@
 /* Owns the question whether a text is whole. */
-#ifndef VS_SCAN_H
-#define VS_SCAN_H
+#ifndef VS_VM_FRONT_SCAN_H
+#define VS_VM_FRONT_SCAN_H
 
 #include "vm/machine/native.h"
 

@@ -1,6 +1,6 @@
 /* Owns source files: the path that a name stands for, the language a file is in, and the reading of its forms. */
-#ifndef VS_SOURCE_H
-#define VS_SOURCE_H
+#ifndef VS_VM_FRONT_SOURCE_H
+#define VS_VM_FRONT_SOURCE_H
 
 #include "vm/values/text.h"
 

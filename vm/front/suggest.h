@@ -1,6 +1,6 @@
 /* Owns the advice for unknown names: names that are near, words of other programs, libraries that bring a name. */
-#ifndef VS_SUGGEST_H
-#define VS_SUGGEST_H
+#ifndef VS_VM_FRONT_SUGGEST_H
+#define VS_VM_FRONT_SUGGEST_H
 
 #include "vm/values/text.h"
 

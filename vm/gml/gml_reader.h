@@ -1,6 +1,6 @@
 /* Owns the way from a text in the Generative Modeling Language to forms of this language. */
-#ifndef VS_GML_READER_H
-#define VS_GML_READER_H
+#ifndef VS_VM_GML_GML_READER_H
+#define VS_VM_GML_GML_READER_H
 
 #include "vm/machine/native.h"
 

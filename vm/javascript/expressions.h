@@ -1,6 +1,6 @@
 /* Owns the translation of expressions. */
-#ifndef VS_VM_EXPRESSIONS_H
-#define VS_VM_EXPRESSIONS_H
+#ifndef VS_VM_JAVASCRIPT_EXPRESSIONS_H
+#define VS_VM_JAVASCRIPT_EXPRESSIONS_H
 
 #include "vm/javascript/translation.h"
 

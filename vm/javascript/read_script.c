@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "javascript/parser.h"
+#include "languages/javascript/parser.h"
 #include "vm/front/environment.h"
 #include "vm/front/expand.h"
 #include "vm/front/reader.h"

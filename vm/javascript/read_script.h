@@ -1,6 +1,6 @@
 /* Owns the way from a script's text to the data of a program. */
-#ifndef VS_VM_READ_SCRIPT_H
-#define VS_VM_READ_SCRIPT_H
+#ifndef VS_VM_JAVASCRIPT_READ_SCRIPT_H
+#define VS_VM_JAVASCRIPT_READ_SCRIPT_H
 
 #include "vm/machine/native.h"
 

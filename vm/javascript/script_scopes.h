@@ -1,10 +1,10 @@
 /* Owns what must be known of a script before it is translated: its scopes and variables, and where control goes.
  *
  * A scope is the program's, a function's, that of a function expression's own name, or a catch's. */
-#ifndef VS_VM_SCRIPT_SCOPES_H
-#define VS_VM_SCRIPT_SCOPES_H
+#ifndef VS_VM_JAVASCRIPT_SCRIPT_SCOPES_H
+#define VS_VM_JAVASCRIPT_SCRIPT_SCOPES_H
 
-#include "javascript/script.h"
+#include "languages/javascript/script.h"
 
 typedef enum {
   VS_VARIABLE_PARAMETER,

@@ -1,6 +1,6 @@
 /* Owns the translation of statements and functions. */
-#ifndef VS_VM_STATEMENTS_H
-#define VS_VM_STATEMENTS_H
+#ifndef VS_VM_JAVASCRIPT_STATEMENTS_H
+#define VS_VM_JAVASCRIPT_STATEMENTS_H
 
 #include "vm/javascript/translation.h"
 

@@ -2,8 +2,8 @@
  *
  * Words of the language and of its run-time library (library/javascript/runtime.sld) begin with js: , names that the
  * translation makes hold a colon, too, and names of the script never do; so nothing is mistaken for something else. */
-#ifndef VS_VM_TRANSLATION_H
-#define VS_VM_TRANSLATION_H
+#ifndef VS_VM_JAVASCRIPT_TRANSLATION_H
+#define VS_VM_JAVASCRIPT_TRANSLATION_H
 
 #include "vm/javascript/script_scopes.h"
 

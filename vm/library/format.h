@@ -1,7 +1,7 @@
 /* Owns the directives of format, printf and PLT's error: ~a ~d display, ~s ~w ~v written, ~c a character, ~b ~o ~x ~e
    number in a radix (~e: inexact), ~n ~% a newline, ~~ a tilde, ~ and a line's end nothing. */
-#ifndef VS_FORMAT_H
-#define VS_FORMAT_H
+#ifndef VS_VM_LIBRARY_FORMAT_H
+#define VS_VM_LIBRARY_FORMAT_H
 
 #include "vm/values/printer.h"
 

@@ -1,6 +1,6 @@
 /* Owns the list of what the library keeps between calls: the slots of the vector vm->at.lib. */
-#ifndef VS_KEPT_H
-#define VS_KEPT_H
+#ifndef VS_VM_LIBRARY_KEPT_H
+#define VS_VM_LIBRARY_KEPT_H
 
 #include "vm/values/gc.h"
 

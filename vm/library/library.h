@@ -1,6 +1,6 @@
 /* Owns libraries: their names, define-library, import, require. */
-#ifndef VS_LIBRARY_H
-#define VS_LIBRARY_H
+#ifndef VS_VM_LIBRARY_LIBRARY_H
+#define VS_VM_LIBRARY_LIBRARY_H
 
 #include "vm/front/expand.h"
 

@@ -1,5 +1,5 @@
 /* Owns pairs and lists: every list procedure that takes no procedure (the others are Scheme, in prelude.scm and
-   srfi.scm).
+   library/srfi.scm).
 
    New lists grow at the tail through a struct list_maker; its slots are roots. Lists of the user are measured before
    they are walked (vs_list_length), so an improper or circular one is an error and never a hang. */

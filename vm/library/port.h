@@ -2,8 +2,8 @@
 
    Output is not buffered here: each procedure that prints hands its whole text to the host at once. Files are read
    whole when opened; console input comes a line at a time. Text is UTF-8; bad bytes read as U+FFFD. */
-#ifndef VS_PORT_H
-#define VS_PORT_H
+#ifndef VS_VM_LIBRARY_PORT_H
+#define VS_VM_LIBRARY_PORT_H
 
 #include "vm/machine/native.h"
 #include "vm/values/text.h"

@@ -1,6 +1,6 @@
 /* Owns the optional [start end] arguments of the string, vector and bytevector procedures. */
-#ifndef VS_RANGE_H
-#define VS_RANGE_H
+#ifndef VS_VM_LIBRARY_RANGE_H
+#define VS_VM_LIBRARY_RANGE_H
 
 #include "vm/machine/native.h"
 

@@ -1,7 +1,7 @@
 /* Owns the five orders that characters and strings are compared by, as they are and with case folded: char<? …
  * string-ci>?. */
-#ifndef VS_ORDER_H
-#define VS_ORDER_H
+#ifndef VS_VM_LIBRARY_TEXT_ORDER_H
+#define VS_VM_LIBRARY_TEXT_ORDER_H
 
 #include <stdbool.h>
 

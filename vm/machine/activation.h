@@ -8,8 +8,8 @@
 
    The working stretch begins with an activation whose caller, if it has the flag UNDER, is the last activation in the
    STACK object vm->under below slot vm->under_depth. Segments are never changed: returning copies one activation up. */
-#ifndef VS_ACTIVATION_H
-#define VS_ACTIVATION_H
+#ifndef VS_VM_MACHINE_ACTIVATION_H
+#define VS_VM_MACHINE_ACTIVATION_H
 
 #include "vm/machine/vs.h"
 

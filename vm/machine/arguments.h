@@ -1,7 +1,7 @@
 /* Owns the arranging of arguments that are not simply as many as required: optional, keyword, rest; and the errors
  * about them. */
-#ifndef VS_ARGUMENTS_H
-#define VS_ARGUMENTS_H
+#ifndef VS_VM_MACHINE_ARGUMENTS_H
+#define VS_VM_MACHINE_ARGUMENTS_H
 
 #include "vm/machine/native.h"
 

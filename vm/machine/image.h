@@ -5,8 +5,8 @@
    It holds what is reachable from vm->sym and vm->at. Pointers are addresses of the place where it is mapped, natives
    are numbered through the tables they come from, so the binary that loads it must register the same tables in the same
    order (checked by a sum of their names). */
-#ifndef VS_IMAGE_H
-#define VS_IMAGE_H
+#ifndef VS_VM_MACHINE_IMAGE_H
+#define VS_VM_MACHINE_IMAGE_H
 
 #include "vm/machine/vs.h"
 

@@ -36,8 +36,8 @@
        at the end: *out = last value; return VS_OK; }
    An error inside what was called does not enter the native again: it unwinds. Memory that must be freed hangs off a
    foreign object or is restored by dynamic-wind. */
-#ifndef VS_NATIVE_H
-#define VS_NATIVE_H
+#ifndef VS_VM_MACHINE_NATIVE_H
+#define VS_VM_MACHINE_NATIVE_H
 
 #include "vm/values/flat.h"
 #include "vm/values/gc.h"

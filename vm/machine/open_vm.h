@@ -1,6 +1,6 @@
 /* Owns the making and unmaking of an interpreter. */
-#ifndef VS_OPEN_VM_H
-#define VS_OPEN_VM_H
+#ifndef VS_VM_MACHINE_OPEN_VM_H
+#define VS_VM_MACHINE_OPEN_VM_H
 
 #include "vm/values/flat.h"
 

@@ -1,7 +1,7 @@
 /* Owns the limits of steps and time, and interrupts. A program has fuel for so many turns; when it is used up the
  * limits are looked at. Natives that work long give up fuel by vs_poll and its like (native.h). */
-#ifndef VS_POLL_H
-#define VS_POLL_H
+#ifndef VS_VM_MACHINE_POLL_H
+#define VS_VM_MACHINE_POLL_H
 
 #include "vm/machine/vs.h"
 

@@ -2,8 +2,8 @@
 
    The natives %run, eval, load and the like are activations of the run loop, so that call/cc, errors and limits work
    through them; C code outside the run loop uses the functions here. */
-#ifndef VS_PROGRAM_H
-#define VS_PROGRAM_H
+#ifndef VS_VM_MACHINE_PROGRAM_H
+#define VS_VM_MACHINE_PROGRAM_H
 
 #include "vm/front/environment.h"
 #include "vm/values/text.h"

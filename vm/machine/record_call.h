@@ -2,8 +2,8 @@
  * return, and an activation costs several times as much as that instruction: so the run loop reads here what the code
  * says, and makes no activation. Whatever is not as usual (another number of arguments, a record of another type, a
  * full nursery) is for the code itself, which words the error. */
-#ifndef VS_RECORD_CALL_H
-#define VS_RECORD_CALL_H
+#ifndef VS_VM_MACHINE_RECORD_CALL_H
+#define VS_VM_MACHINE_RECORD_CALL_H
 
 #include "vm/compiler/code.h"
 #include "vm/machine/vs.h"

@@ -1,6 +1,6 @@
 /* Owns the entry into the run loop, and what the host sees of an error. */
-#ifndef VS_RUN_H
-#define VS_RUN_H
+#ifndef VS_VM_MACHINE_RUN_H
+#define VS_VM_MACHINE_RUN_H
 
 #include "vm/machine/native.h"
 

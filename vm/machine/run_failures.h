@@ -1,7 +1,7 @@
 /* Owns the failures that the run loop itself finds: names without a value, callees that cannot be called, several
  * values where one is expected. Each makes the condition and returns false. */
-#ifndef VS_RUN_FAILURES_H
-#define VS_RUN_FAILURES_H
+#ifndef VS_VM_MACHINE_RUN_FAILURES_H
+#define VS_VM_MACHINE_RUN_FAILURES_H
 
 #include "vm/machine/native.h"
 #include "vm/front/suggest.h"

@@ -1,6 +1,6 @@
 /* Owns the run loop, for vs_run. */
-#ifndef VS_RUN_LOOP_H
-#define VS_RUN_LOOP_H
+#ifndef VS_VM_MACHINE_RUN_LOOP_H
+#define VS_VM_MACHINE_RUN_LOOP_H
 
 #include "vm/machine/vs.h"
 

@@ -1,6 +1,6 @@
 /* Owns the reading of native signatures: "c r [start end] #:segments" (native.h says what it means). */
-#ifndef VS_SIGNATURE_H
-#define VS_SIGNATURE_H
+#ifndef VS_VM_MACHINE_SIGNATURE_H
+#define VS_VM_MACHINE_SIGNATURE_H
 
 #include <stdbool.h>
 #include <stddef.h>

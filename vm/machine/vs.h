@@ -1,6 +1,6 @@
 /* Owns struct vs_scheme: one interpreter, everything it has. There are no globals; two interpreters share nothing. */
-#ifndef VS_VS_H
-#define VS_VS_H
+#ifndef VS_VM_MACHINE_VS_H
+#define VS_VM_MACHINE_VS_H
 
 #include "vm/values/debug.h"
 #include "vm/values/value.h"

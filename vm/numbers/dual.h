@@ -6,8 +6,8 @@
    `value` and `slope` are numbers, duals of lower levels, or flat records (a point's slope is a gvector).
 
    Arithmetic finds duals where it would otherwise fail: fixnums, doubles and the exact numbers never come here. */
-#ifndef VS_DUAL_H
-#define VS_DUAL_H
+#ifndef VS_VM_NUMBERS_DUAL_H
+#define VS_VM_NUMBERS_DUAL_H
 
 #include "vm/numbers/number.h"
 

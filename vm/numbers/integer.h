@@ -1,8 +1,8 @@
 /* Owns exact integers of any size: fixnums and bignums, on GMP's mpn_ functions with limbs in our own heap. Sizes are
    known before the work, so limits are errors before memory is asked for. Arguments are exact integers; the caller has
    checked. */
-#ifndef VS_INTEGER_H
-#define VS_INTEGER_H
+#ifndef VS_VM_NUMBERS_INTEGER_H
+#define VS_VM_NUMBERS_INTEGER_H
 
 #include <gmp.h>
 

@@ -4,8 +4,8 @@
    All arithmetic takes any two values; what is no number gives the error `+: expected a number, got "x"`, and a flat
    record (points, vectors) goes through vs_flat_arith. Results may be the address of an argument's slot (`out` is
    written last). */
-#ifndef VS_NUMBER_H
-#define VS_NUMBER_H
+#ifndef VS_VM_NUMBERS_NUMBER_H
+#define VS_VM_NUMBERS_NUMBER_H
 
 #include "vm/machine/native.h"
 #include "vm/values/text.h"

@@ -1,6 +1,6 @@
 /* Owns going on with a stopped program. */
-#ifndef VS_RESUME_H
-#define VS_RESUME_H
+#ifndef VS_VM_STEPPING_RESUME_H
+#define VS_VM_STEPPING_RESUME_H
 
 #include "vm/stepping/step.h"
 

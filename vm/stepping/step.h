@@ -4,8 +4,8 @@
  * vs_run returns false with that condition. The host may run whatever it likes and then enter the continuation again
  * with vs_step_resume (resume.h). No C activation waits for a user who thinks, and a program may stop while another is
  * stopped. */
-#ifndef VS_STEP_H
-#define VS_STEP_H
+#ifndef VS_VM_STEPPING_STEP_H
+#define VS_VM_STEPPING_STEP_H
 
 #include "vm/machine/native.h"
 

@@ -1,6 +1,6 @@
 /* Owns the run loop of programs that are stepped through, for vs_run. */
-#ifndef VS_STEP_LOOP_H
-#define VS_STEP_LOOP_H
+#ifndef VS_VM_STEPPING_STEP_LOOP_H
+#define VS_VM_STEPPING_STEP_LOOP_H
 
 #include "vm/machine/vs.h"
 

@@ -1,6 +1,6 @@
 /* Owns the switches that make bugs show: set them with -D when building (make EXTRA=-DVS_DEBUG_STRESS=1). */
-#ifndef VS_DEBUG_H
-#define VS_DEBUG_H
+#ifndef VS_VM_VALUES_DEBUG_H
+#define VS_VM_VALUES_DEBUG_H
 
 #ifndef VS_DEBUG_STRESS        /* 1 = collect the nursery at every allocation (fewer while the stack is very deep), and
                                   the whole heap, with a check of it, once for so many (gc.c); what is freed is

@@ -1,6 +1,6 @@
 /* Owns equivalence: eqv?, equal? (cycles and any depth are safe) and the hashes that agree with them. */
-#ifndef VS_EQUAL_H
-#define VS_EQUAL_H
+#ifndef VS_VM_VALUES_EQUAL_H
+#define VS_VM_VALUES_EQUAL_H
 
 #include "vm/numbers/number.h"
 

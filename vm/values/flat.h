@@ -1,7 +1,7 @@
 /* Owns flat records: immutable, up to VS_FLAT_FIELDS doubles and a tag; their types and rules of arithmetic, which the
    host registers. */
-#ifndef VS_FLAT_H
-#define VS_FLAT_H
+#ifndef VS_VM_VALUES_FLAT_H
+#define VS_VM_VALUES_FLAT_H
 
 #include "vm/machine/vs.h"
 

@@ -15,8 +15,8 @@
    - Constructors return false when memory is out; the error is then in vm->condition and is passed on like any other:
        return vs_cons(vm, args[0], VS_NIL, &r[0]) && vs_cons(vm, args[1], r[0], result);
    - Stores into existing objects go through vs_gc_store(vm, object, &field, value). */
-#ifndef VS_GC_H
-#define VS_GC_H
+#ifndef VS_VM_VALUES_GC_H
+#define VS_VM_VALUES_GC_H
 
 #include "vm/machine/vs.h"
 

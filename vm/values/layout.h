@@ -1,6 +1,6 @@
 /* Owns where the traced words of each object type lie, for the collector and the image writer. */
-#ifndef VS_LAYOUT_H
-#define VS_LAYOUT_H
+#ifndef VS_VM_VALUES_LAYOUT_H
+#define VS_VM_VALUES_LAYOUT_H
 
 #include "vm/values/value.h"
 

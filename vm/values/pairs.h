@@ -1,6 +1,6 @@
 /* Owns lists that a loop builds from the back: turned round in their place where nobody else has them. */
-#ifndef VS_PAIRS_H
-#define VS_PAIRS_H
+#ifndef VS_VM_VALUES_PAIRS_H
+#define VS_VM_VALUES_PAIRS_H
 
 #include "vm/values/gc.h"
 

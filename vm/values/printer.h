@@ -1,6 +1,6 @@
 /* Owns the external representation of values: display, write, write-simple, write-shared, and the text of errors. */
-#ifndef VS_PRINTER_H
-#define VS_PRINTER_H
+#ifndef VS_VM_VALUES_PRINTER_H
+#define VS_VM_VALUES_PRINTER_H
 
 #include "vm/machine/native.h"
 #include "vm/values/text.h"

@@ -1,6 +1,6 @@
 /* Owns access to the characters of strings, 1 or 4 bytes each (value.h). */
-#ifndef VS_STRING_H
-#define VS_STRING_H
+#ifndef VS_VM_VALUES_STRING_CHARS_H
+#define VS_VM_VALUES_STRING_CHARS_H
 
 #include "vm/machine/native.h"
 

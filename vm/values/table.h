@@ -1,6 +1,6 @@
 /* Owns hash tables: insertion-ordered, keys by eq?, eqv?, equal? or string=?. */
-#ifndef VS_TABLE_H
-#define VS_TABLE_H
+#ifndef VS_VM_VALUES_TABLE_H
+#define VS_VM_VALUES_TABLE_H
 
 #include "vm/machine/native.h"
 

@@ -4,8 +4,8 @@
      bool ok = vs_text_puts(&t, "x = ") && vs_print(vm, v, VS_PRINT_WRITE, &t) && vs_string_from_utf8(vm, t.at, t.count,
      out); vs_text_close(&t);
    It holds no Scheme values, so collections do not concern it. */
-#ifndef VS_TEXT_H
-#define VS_TEXT_H
+#ifndef VS_VM_VALUES_TEXT_H
+#define VS_VM_VALUES_TEXT_H
 
 #include "vm/values/gc.h"
 

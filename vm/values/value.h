@@ -12,8 +12,8 @@
    the heap can be walked. Objects move once, out of the nursery: C code that allocates (or calls what allocates) must
    hold values in roots (gc.h), not in plain locals; raw pointers to objects do not survive an allocation.
    Fields of type vs_value are written only through vs_gc_store (gc.h), except in an object just allocated. */
-#ifndef VS_VALUE_H
-#define VS_VALUE_H
+#ifndef VS_VM_VALUES_VALUE_H
+#define VS_VM_VALUES_VALUE_H
 
 #include <stdbool.h>
 #include <stddef.h>

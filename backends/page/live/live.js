@@ -1,0 +1,468 @@
+// Owns the live view's page: the viewer, the source beside it, parameters, messages, the prompt, and the way to the server.
+import { Viewer } from "../viewer.js";
+import { readPacked } from "../packed.js";
+import { Model, modelFromPacked } from "../model.js";
+import { el } from "../dom.js";
+import { Source } from "./source.js";
+import { Parameters } from "./parameters.js";
+import { Construction, Timeline } from "./timeline.js";
+import { Making } from "./making.js";
+import { Compare } from "./compare.js";
+
+// The token stands behind the # of the address, which browsers send to nobody; it goes into a header. Other words there are values of parameters.
+const words = location.hash.slice(1).split("&").map((word) => { try { return decodeURIComponent(word); } catch { return word; } }), token = words[0];
+const ask = (path, options = {}) => fetch(path, { ...options, headers: { "X-VS-Token": token }, referrerPolicy: "no-referrer" });
+
+const SLOW_SECONDS = 0.12; // A model that takes longer does not follow a slider.
+const GHOSTS_MOST = 50000; // Parts of a model whose cuts are looked up when the cursor moves.
+
+class Live {
+  constructor() {
+    const root = document.getElementById("live");
+    this.name = el("b", {}, "…");
+    this.status = el("span", { class: "status", role: "status", title: "How long the last run took" }, "connecting");
+    this.saveButton = el("button", { type: "button", class: "button save", title: "Save (Ctrl S)", disabled: true, onclick: () => this.save() }, "Save");
+    this.stopButton = el("button", { type: "button", class: "button", title: "Stop what runs", disabled: true, onclick: () => ask("/stop", { method: "POST" }) }, "Stop");
+    this.editorPlace = el("div", { class: "editor" });
+    this.hintPlace = el("div");
+    this.messages = el("div", { class: "messages", role: "log", "aria-label": "Messages", hidden: true });
+    this.printed = el("pre", { hidden: true });
+    this.prompt = el("input", { type: "text", autocomplete: "off", autocapitalize: "off", spellcheck: "false", "aria-label": "Prompt", placeholder: "(draw (make-sphere (xyz 0 0 0) 1))" });
+    const consoleArea = el("div", { class: "console" }, this.printed, el("label", {}, "›", this.prompt));
+    this.viewPlace = el("div", { class: "view" });
+    this.split = el("button", { type: "button", class: "split", "aria-label": "Width of the source: left and right arrow keys" });
+    root.append(el("section", { class: "pane", "aria-label": "Source" }, el("div", { class: "top" }, this.name, this.status, this.stopButton, this.saveButton), this.editorPlace, this.hintPlace, this.messages, consoleArea), this.split, this.viewPlace);
+
+    this.viewer = new Viewer(this.viewPlace);
+    window.visualscheme = this.viewer;
+    window.live = this;
+    this.viewer.onSelect = (parts) => this.#selected(parts);
+    this.viewer.onRay = (ray) => { if (this.scened?.input) this.#input("press", ray), this.#input("release", ray); };
+    this.viewer.onOrigin = (o) => this.#showPlace(o);
+    this.note = el("div", { class: "stale-note glass", role: "alert", hidden: true });
+    this.formats = el("select", { "aria-label": "Format" }, ["stl", "3mf", "glb", "obj", "ply", "off", "svg", "pdf", "dxf", "html", "x3d", "scad", "pov", "exr", "tree"].map((f) => el("option", { value: f }, "." + f)));
+    this.exportButton = el("button", { type: "button", class: "button", onclick: () => this.export() }, "Export");
+    this.making = new Making(this.viewer, {
+      make: (format, values, options) => this.make(format, values, options), scene: (values, options) => this.scene(values, options),
+      parameters: () => this.parameters.infos || [], values: () => Object.fromEntries(this.parameters.changed().map((p) => [p.name, p.value])),
+    });
+    this.compare = new Compare(this.viewer, (values) => this.scene(values));
+    this.parameters = new Parameters({
+      set: (name, value, moving) => this.set(name, value, moving), write: () => this.writeParameters(), link: () => this.#link(),
+      compare: (sets) => this.compare.open(sets, (name) => this.parameters.use(name)), place: () => this.state.model,
+    });
+    this.viewer.root.append(el("div", { class: "exports glass" }, this.formats, this.exportButton, this.making.button), this.note);
+    this.viewPlace.append(this.parameters.root, this.compare.root, this.making.root, this.making.large);
+    this.timeline = new Timeline(this.viewer, {
+      construction: () => this.construction(), mark: (chain) => this.source.mark(chain.filter((o) => this.#isModel(o.file))),
+      back: () => { this.source.mark([]); if (this.model) this.viewer.show(this.model, true); },
+    });
+
+    this.viewer.addHelp([["Source", "B goes through how the model is made; Alt and a drag turn a number, as do Ctrl and the up and down arrows"]]);
+    this.source = new Source(this.editorPlace, {
+      changed: () => { this.saveButton.disabled = !this.source.dirty; },
+      save: () => this.save(),
+      cursor: (place) => this.#atCursor(place),
+      attempt: (text) => this.#attempt(text),
+      check: async (text) => {
+        const answer = await ask("/check", { method: "POST", body: text });
+        return answer.ok ? (await answer.json()).findings : [];
+      },
+      describe: async (name) => (await ask("/name?of=" + encodeURIComponent(name))).json(),
+      complete: async (prefix) => (await ask("/names?prefix=" + encodeURIComponent(prefix))).json(),
+    });
+    this.hintPlace.replaceWith(this.source.hint);
+    this.prompt.addEventListener("keydown", (event) => this.#promptKey(event));
+    this.history = [];
+    this.pieces = new Map();
+    this.telling = new Map(); // Who hears of the progress of what is made aside, by its word.
+    this.version = 0;
+    this.talk = this.before = ""; // What is printed; the part of it before the last run.
+    // Where a button has gone away with its strip nobody has the keys: they are the viewer's.
+    addEventListener("keydown", (event) => {
+      if (event.target !== document.body || event.key === "Tab") return;
+      this.viewer.canvas.focus();
+      this.viewer.canvas.dispatchEvent(new KeyboardEvent("keydown", event));
+    });
+    this.#splitter();
+    this.#start();
+  }
+
+  async #start() {
+    for (const word of words.slice(1)) {
+      const at = word.indexOf("=");
+      if (at > 0) await this.set(word.slice(0, at), word.slice(at + 1));
+    }
+    await this.readSource();
+    this.#listen();
+  }
+
+  // ---- events ----
+
+  async #listen() {
+    for (let wait = 250; ; wait = Math.min(4000, 2 * wait)) {
+      try {
+        const answer = await ask("/events");
+        if (answer.status === 403) {
+          this.#status("open the address that vs view has printed", true);
+          return;
+        }
+        if (!answer.ok) throw new Error(await answer.text());
+        const reader = answer.body.pipeThrough(new TextDecoderStream()).getReader();
+        let rest = "";
+        for (;;) {
+          const { value, done } = await reader.read();
+          if (done) break;
+          wait = 250;
+          rest += value;
+          const blocks = rest.split("\n\n");
+          rest = blocks.pop();
+          for (const block of blocks) {
+            const kind = /^event: (.*)$/m.exec(block), data = /^data: (.*)$/m.exec(block);
+            if (kind && data) await this.#event(kind[1], JSON.parse(data[1]));
+          }
+        }
+      } catch (error) {
+        console.info("the view's server is gone:", error.message);
+      }
+      this.#status("the server has ended", true);
+      await new Promise((go) => setTimeout(go, wait));
+    }
+  }
+
+  async #event(kind, data) {
+    if (kind === "busy") {
+      this.stopButton.disabled = false;
+      this.#status(data.phase + (data.fraction >= 0 ? " " + Math.round(100 * data.fraction) + " %" : " …"), false);
+    } else if (kind === "idle") {
+      this.stopButton.disabled = true;
+      if (this.state) this.#outcome(this.state);
+    } else if (kind === "progress") {
+      this.telling.get(data.id)?.(data.phase, data.fraction);
+    } else if (kind === "frame") {
+      if (this.timeline.isOpen) return; // Which shows one moment.
+      if (data.version > this.version) await this.#fetchScene();
+      this.#scene(data.scene);
+    } else if (kind === "state") {
+      await this.#state(data);
+    }
+  }
+
+  #status(text, bad) {
+    this.status.textContent = text;
+    this.status.classList.toggle("bad", bad);
+  }
+
+  #outcome(state) {
+    const errors = state.messages.filter((m) => m.severity === "error").length;
+    this.#status(state.stopped ? "stopped" : errors ? errors + (errors === 1 ? " error" : " errors") : (1000 * state.seconds).toFixed(0) + " ms", errors > 0 || state.stopped);
+  }
+
+  async #state(state) {
+    this.heard = performance.now(); // For bench/pages/save.mjs.
+    this.state = state;
+    // The picture comes first: words that change have all of the page drawn anew, and what draws would be at that.
+    if (state.version !== this.version && state.version > 0) await this.#fetchScene();
+    this.stopButton.disabled = true;
+    this.name.textContent = state.model.split("/").pop();
+    document.getElementById("live").classList.toggle("follows", state.follows); // A prompt in a terminal: there is no source.
+    this.#outcome(state);
+    this.#messages(state.messages);
+    this.source.diagnose(state.messages.filter((m) => this.#isModel(m.at.file)));
+    this.#said(state);
+    this.parameters.show(state.good ? state.parameters : this.#known(state.parameters));
+    this.viewPlace.classList.toggle("stale", !state.good);
+    this.note.hidden = state.good;
+    this.note.textContent = state.good ? "" : this.viewer.model ? "The last model that could be made" : "Nothing can be shown yet: the program has an error.";
+    if (state.good) this.compare.renew();
+    this.#scene(state.scene);
+    if (!this.source.dirty && this.source.text !== undefined && state.file !== this.file) {
+      if (this.viewer.stage.dirty) await this.viewer.drawn(); // The picture comes first: the editor takes some time for a new text.
+      if (!this.source.dirty) await this.readSource(true), this.file = state.file;
+    }
+    this.finished = (this.finished || 0) + 1; // For tests: how many states were shown.
+  }
+
+  // What the model prints, and below it what was typed at the prompt since, with what came of it.
+  #said(state) {
+    const asked = state.asked ? "› " + state.asked.trim() + "\n" : "";
+    if (!state.prompted) this.before = "";
+    else if (state.run !== this.said) this.before = this.talk; // Else the same is told again.
+    this.said = state.run;
+    this.talk = (this.before + (this.before && !this.before.endsWith("\n") ? "\n" : "") + asked + state.printed + state.values).slice(-20000);
+    this.printed.textContent = this.talk;
+    this.printed.hidden = this.talk === "";
+    this.printed.scrollTop = this.printed.scrollHeight;
+  }
+
+  // ---- the program's own scene: frames, gizmos, nodes that wait for a click ----
+
+  #scene(scene) {
+    this.scened = scene;
+    if (!this.viewer.model) return;
+    const gizmos = (scene?.gizmos || []).flatMap((g, n) => g.handles.map((at, k) => ({ name: `${g.kind} ${n + 1}${g.handles.length > 1 ? "xyz"[k] : ""}`, gizmo: true, at, words: [...(g.name ? [g.name] : []), ...g.value.map((x) => Number(x.toPrecision(4)))].join(" "),
+      ray: (kind, ray) => this.#input(kind, ray) })));
+    this.viewer.setHandles([...this.parameters.points(), ...gizmos]);
+  }
+  // A single request is under way at a time; of drags that wait the last alone counts.
+  async #input(kind, { origin, direction }) {
+    this.inputs ||= [];
+    const input = { kind, body: ["left", ...origin, ...direction].join(" ") };
+    if (kind === "drag" && this.inputs[this.inputs.length - 1]?.kind === "drag") this.inputs[this.inputs.length - 1] = input;
+    else this.inputs.push(input);
+    if (this.inputting) return;
+    this.inputting = true;
+    while (this.inputs.length > 0) {
+      const next = this.inputs.shift();
+      await ask("/input?kind=" + next.kind, { method: "POST", body: next.body });
+    }
+    this.inputting = false;
+  }
+
+  // A run that failed has met the parameters up to its failure: the others stay as they were.
+  #known(met) {
+    const now = new Map(met.map((p) => [p.name, p])), before = this.parameters.infos || [], names = new Set(before.map((p) => p.name));
+    return [...before.map((p) => now.get(p.name) || p), ...met.filter((p) => !names.has(p.name))];
+  }
+
+  #isModel(file) { return file && (file === this.state?.model || file.split("/").pop() === this.state?.model.split("/").pop()); }
+
+  #messages(list) {
+    this.messages.hidden = list.length === 0;
+    this.messages.replaceChildren(...list.map((m) => {
+      const lead = (at, words) => this.#isModel(at.file) ? el("button", { type: "button", onclick: () => this.source.go(at.line, at.column) }, words) : el("span", {}, words);
+      const at = m.at.file && m.at.line ? lead(m.at, `${m.at.file.split("/").pop()}:${m.at.line}:${m.at.column}`) : null;
+      const caret = m.source && m.at.column ? el("pre", {}, m.source + "\n" + " ".repeat(m.at.column - 1) + "^".repeat(Math.max(1, m.at.endLine === m.at.line ? m.at.endColumn - m.at.column : 1))) : null;
+      return el("div", { class: "message " + m.severity }, el("p", {}, at, at ? " " : "", m.message), caret, m.notes.map((n) => el("p", {}, n.message, " ", n.at.line ? lead(n.at, `${(n.at.file || "").split("/").pop()}:${n.at.line}`) : null)));
+    }));
+  }
+
+  // ---- the scene: only pieces that are not here yet travel ----
+
+  async #fetchScene() {
+    const answer = await ask("/scene?have=" + this.version);
+    if (!answer.ok) return;
+    const buffer = await answer.arrayBuffer(), view = new DataView(buffer), version = view.getUint32(4, true), count = view.getUint32(8, true);
+    let data = 12 + 12 * count, length = 0;
+    const list = [], pieces = new Map();
+    for (let i = 0; i < count; i++) {
+      const at = 12 + 12 * i, size = view.getUint32(at + 8, true), bytes = size & 0x7fffffff, key = view.getUint32(at, true) + "," + view.getUint32(at + 4, true) + "," + bytes;
+      let piece = this.pieces.get(key);
+      if (size >>> 31) {
+        piece = new Uint8Array(buffer, data, bytes);
+        data += bytes;
+      }
+      if (!piece) { // It was forgotten here: everything anew.
+        this.version = 0;
+        this.pieces.clear();
+        return this.#fetchScene();
+      }
+      pieces.set(key, piece);
+      list.push(piece);
+      length += bytes;
+    }
+    const whole = new Uint8Array(length);
+    let to = 0;
+    for (const piece of list) whole.set(piece, to), to += piece.length;
+    this.travelled = buffer.byteLength;
+    this.pieces = pieces;
+    this.version = version;
+    const first = !this.viewer.model, before = this.model;
+    this.model = length === 0 ? new Model().measure() : modelFromPacked(readPacked(whole.buffer), this.spare); // A program may draw nothing.
+    this.spare = null;
+    this.made = null;
+    if (this.timeline.isOpen) return this.timeline.renew();
+    this.viewer.setGhosts([]);
+    this.viewer.show(this.model, !first);
+    this.spare = before;
+  }
+
+  // How what is drawn now is made. It is asked for once a version.
+  async construction() {
+    if (this.made?.version !== this.version) this.made = { version: this.version, promise: this.#construct() };
+    return this.made.promise;
+  }
+  async #construct() {
+    if (this.model.count === 0) return new Construction(this.model);
+    const answer = await ask("/export?format=x3d-steps");
+    if (!answer.ok) throw new Error((await answer.text()).trim());
+    return new Construction(modelFromPacked(readPacked(await answer.arrayBuffer())));
+  }
+
+  // ---- the source ----
+
+  async readSource(quietly = false) {
+    const answer = await ask("/source");
+    if (!answer.ok) return;
+    const { text, hash } = await answer.json();
+    if (quietly && hash === this.hash) return;
+    this.hash = hash;
+    this.source.load(text);
+    this.saveButton.disabled = true;
+  }
+
+  async save(force = false) {
+    const text = this.source.text;
+    const answer = await ask("/source?hash=" + this.hash, { method: "POST", body: text });
+    if (answer.status === 409) {
+      if (!force && !confirm("The file has changed on disk since it was read here. Write over it?")) return;
+      const now = await (await ask("/source")).json();
+      this.hash = now.hash;
+      return this.save(true);
+    }
+    if (!answer.ok) return this.#status(await answer.text(), true);
+    this.hash = (await answer.json()).hash;
+    this.source.saved(text);
+    this.saveButton.disabled = !this.source.dirty;
+  }
+
+  // Has the model made from the text as it stands, unsaved. A single request is under way at a time; the last text is never left out.
+  async #attempt(text) {
+    this.wanted = text;
+    if (this.attempting) return;
+    this.attempting = true;
+    while (this.wanted !== undefined) {
+      const next = this.wanted;
+      this.wanted = undefined;
+      await ask("/try", { method: "POST", body: next === this.source.base ? "" : next });
+      await new Promise((go) => setTimeout(go, 30));
+    }
+    this.attempting = false;
+  }
+
+  // ---- parameters ----
+
+  // The model with other values of parameters than it has now, made beside it; { name: value } as the language writes them.
+  async scene(values, options) {
+    const buffer = await this.make("x3d-packed", values, options);
+    return modelFromPacked(readPacked(buffer));
+  }
+  // An output of the model with values; told(phase, fraction) hears how far it is, and an aborted signal ends it.
+  async make(format, values, { size = "", told, signal } = {}) {
+    const id = Math.random().toString(36).slice(2), body = Object.entries(values).map(([name, value]) => `${name}\x1f${value}\x1e`).join("");
+    const cancel = () => ask("/cancel?id=" + id, { method: "POST" });
+    if (told) this.telling.set(id, told);
+    signal?.addEventListener("abort", cancel, { once: true });
+    try {
+      const answer = await ask(`/export?format=${format}&size=${encodeURIComponent(size)}&id=${id}`, { method: "POST", body });
+      if (!answer.ok) throw new Error((await answer.text()).trim());
+      return await answer.arrayBuffer();
+    } finally {
+      this.telling.delete(id);
+      signal?.removeEventListener("abort", cancel);
+    }
+  }
+  // This page's address, with the values that are not the source's.
+  #link() {
+    const values = this.parameters.changed().map((p) => "&" + encodeURIComponent(p.name) + "=" + encodeURIComponent(p.value));
+    return location.origin + "/#" + token + values.join("");
+  }
+
+  // moving: the value is on its way; a slow model is shown coarser meanwhile.
+  set(name, value, moving = false) {
+    const moved = name + " " + value;
+    if (!moving && !this.coarse && this.moved === moved) return undefined; // Where it was let go it was already.
+    this.coarse = moving && (this.coarse || this.state?.seconds > SLOW_SECONDS);
+    this.moved = moving ? moved : undefined;
+    return ask("/set?name=" + encodeURIComponent(name) + (this.coarse ? "&coarse=1" : ""), { method: "POST", body: value });
+  }
+
+  // The literals of define-parameter become what the sliders say; nothing else of the text changes.
+  async writeParameters() {
+    let written = 0;
+    for (const p of this.parameters.changed()) if (this.#isModel(p.at.file) && this.source.replaceParameter(p.name, p.at, p.type === "string" ? JSON.stringify(p.value) : p.type === "real" && /^-?\d+$/.test(p.value) ? p.value + ".0" : p.value)) written++;
+    if (written > 0) await this.save();
+  }
+
+  // ---- both ways ----
+
+  #selected(parts) {
+    this.pointing = null;
+    if (!this.timeline?.isOpen) this.viewer.setGhosts([]);
+    const chain = parts.length > 0 ? this.viewer.model.chain(parts[0]).filter((o) => this.#isModel(o.file)) : [];
+    this.source.mark(chain);
+    if (parts.length === 1 && this.viewer.hit?.part === parts[0] && !this.timeline.isOpen) this.#cutHere(parts[0], this.viewer.hit.point);
+  }
+  // A face that something taken away has left: the place that made that is shown, with its ghost.
+  async #cutHere(part, point) {
+    const from = this.pointing = {}, m = this.model;
+    if (!this.#isCut() || !["subtract", "intersect"].includes(m.kinds[m.kind[part]])) return;
+    const made = await this.construction().catch(() => null);
+    if (!made || this.pointing !== from || this.model !== m || this.timeline.isOpen) return;
+    const cutter = made.cutterAt(m, point.toArray());
+    if (cutter < 0) return;
+    const chain = made.model.chain(cutter);
+    this.viewer.explain((made.model.kinds[made.model.kind[cutter]] || "part") + ", taken away", chain);
+    this.viewer.setGhosts([{ parts: [cutter], model: made.model, color: 0xd0342c, opacity: 0.32 }]);
+    this.source.mark(chain.filter((o) => this.#isModel(o.file)));
+  }
+  #showPlace(o) {
+    if (this.#isModel(o.file)) this.source.mark([o], true);
+  }
+  async #atCursor(places) { // the calls round the cursor, the innermost first
+    const { viewer } = this, from = this.pointing = {};
+    if (!viewer.model) return;
+    const at = (place) => (o) => this.#isModel(o.file) && o.line === place.line && o.column === place.column;
+    const lit = places.findIndex((place) => viewer.partsOf(at(place)).length > 0);
+    viewer.select(lit < 0 ? [] : viewer.partsOf(at(places[lit])), true);
+    if (this.timeline.isOpen) return;
+    viewer.setGhosts([]);
+    if (!this.#isCut()) return;
+    // A subtracted part has left no part of its own, or not all of it: a ghost shows the whole.
+    const { model, ghost } = await this.construction().catch(() => ({}));
+    if (!model || this.pointing !== from || this.timeline.isOpen) return;
+    for (let k = 0; k <= (lit < 0 ? places.length - 1 : lit); k++) {
+      const parts = viewer.partsOf(at(places[k]), model).filter((i) => ghost[i]);
+      if (parts.length === 0) continue;
+      if (k < lit) viewer.select([], true);
+      return viewer.setGhosts([{ parts, model, color: 0xd0342c, opacity: 0.32 }]);
+    }
+  }
+  // Is anything cut here, in a model that is not too large to be asked how?
+  #isCut() {
+    const m = this.model;
+    return m && m.count <= GHOSTS_MOST && ["subtract", "intersect"].some((kind) => m.kinds.includes(kind));
+  }
+
+  // ---- the prompt and what goes out ----
+
+  #promptKey(event) {
+    if (event.key === "Enter" && this.prompt.value.trim()) {
+      this.history.push(this.prompt.value);
+      this.back = this.history.length;
+      ask("/prompt", { method: "POST", body: this.prompt.value });
+      this.prompt.value = "";
+    } else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
+      this.back = Math.min(this.history.length, Math.max(0, (this.back ?? this.history.length) + (event.key === "ArrowUp" ? -1 : 1)));
+      this.prompt.value = this.history[this.back] || "";
+      event.preventDefault();
+    }
+  }
+
+  async export() {
+    const format = this.formats.value;
+    this.exportButton.disabled = true;
+    this.stopButton.disabled = false;
+    const answer = await ask(`/export?format=${format}&size=1280x800`);
+    this.exportButton.disabled = false;
+    if (!answer.ok) return this.#status(await answer.text(), true);
+    const url = URL.createObjectURL(await answer.blob());
+    el("a", { href: url, download: (this.state?.model || "model").split("/").pop().replace(/\.[^.]*$/, "") + "." + format }).click();
+    setTimeout(() => URL.revokeObjectURL(url), 60000);
+    this.#status("wrote ." + format, false);
+  }
+
+  #splitter() {
+    const set = (x) => document.getElementById("live").style.setProperty("--left", Math.min(75, Math.max(15, x)) + "%");
+    let now = 40;
+    this.split.addEventListener("pointerdown", (event) => {
+      this.split.setPointerCapture(event.pointerId);
+      const move = (e) => set(now = 100 * e.clientX / innerWidth);
+      this.split.addEventListener("pointermove", move);
+      this.split.addEventListener("pointerup", () => this.split.removeEventListener("pointermove", move), { once: true });
+    });
+    this.split.addEventListener("keydown", (event) => { if (event.key === "ArrowLeft") set(now -= 2); if (event.key === "ArrowRight") set(now += 2); });
+  }
+}
+
+new Live();

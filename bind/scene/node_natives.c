@@ -1,0 +1,229 @@
+/* Owns what the scene's Scheme asks of C: matrices, rays, and the drawing that a node holds.
+ *
+ * There is one drawing at work, to which `draw` adds. When the focus moves to another node, drawing_swap gives the
+ * objects of the old node as a list and takes up those of the new one. */
+#include "bind/scene/node_natives.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "bind/functions/function_values.h"
+#include "model/store/nodemap.h"
+#include "bind/scene/ray_hits.h"
+#include "vm/front/environment.h"
+#include "vm/machine/program.h"
+#include "vm/machine/run.h"
+
+const vs_native_table *const *vs_nodes_tables(void) {
+  static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, &vs_bind_data_table,
+                                                   &vs_function_table, &vs_node_table, NULL };
+  return tables;
+}
+
+/* ---- frames ---- */
+
+static const double degree = 3.141592653589793 / 180;
+
+static vs_status give_matrix(vs_scheme *vm, const vs_affine *m, vs_value *out) {
+  double d[16] = { 0 };
+  for (int i = 0; i < 12; i++) d[i] = m->m[i / 4][i % 4];
+  d[15] = 1;
+  return vs_make_flat(vm, VS_FLAT_MATRIX, d, 16, out);
+}
+
+/* translate rotate scale, gvectors: the matrix that scales, then turns about X, Y and Z in this order, then moves */
+static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  const double *t = vs_as_flat(a[0])->at, *r = vs_as_flat(a[1])->at, *s = vs_as_flat(a[2])->at;
+  const vs_vec3 origin = vs_v3(0, 0, 0), axis[] = { vs_v3(1, 0, 0), vs_v3(0, 1, 0), vs_v3(0, 0, 1) };
+  vs_affine m = vs_affine_scaling(origin, vs_v3(s[0], s[1], s[2])), next;
+  for (int i = 0; i < 3; i++) {
+    next = vs_affine_rotation(origin, axis[i], fmod(r[i], 360) * degree);
+    m = vs_affine_multiply(&next, &m);
+  }
+  next = vs_affine_translation(vs_v3(t[0], t[1], t[2]));
+  m = vs_affine_multiply(&next, &m);
+  return give_matrix(vm, &m, out);
+}
+
+/* The way back: a list of translate, rotate and scale, of which node_matrix makes the matrix again, or #f where its
+ * columns are not at right angles or one of them is 0. A mirror goes into the scale along X. */
+static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_affine m = vs_bind_affine(vs_as_flat(a[0])->at);
+  *out = VS_FALSE;
+  if (vs_affine_determinant(&m) == 0 || !vs_affine_is_placement(&m)) return VS_OK;
+  vs_vec3 move, scale, column[3];
+  double quaternion[4];
+  vs_affine_split(&m, &move, quaternion, &scale);
+  const double t[3] = { move.x, move.y, move.z }, s[3] = { scale.x, scale.y, scale.z };
+  for (int i = 0; i < 3; i++) column[i] = vs_v3_scale(vs_v3(m.m[0][i], m.m[1][i], m.m[2][i]), 1 / s[i]);
+  double flat = hypot(column[0].x, column[0].y), r[3] = { 0, atan2(-column[0].z, flat) / degree, 0 };
+  if (flat > 1e-12) {
+    r[0] = atan2(column[1].z, column[2].z) / degree;
+    r[2] = atan2(column[0].y, column[0].x) / degree;
+  } else r[0] = atan2(-column[2].y, column[1].y) / degree; /* X stands upright: turns about X and Z are one */
+  const double *const parts[3] = { t, r, s };
+  VS_ROOTS(vm, root, 2);
+  root[0] = VS_NIL;
+  for (int i = 3; i-- > 0;)
+    if (!vs_make_flat(vm, VS_FLAT_VECTOR, parts[i], 3, &root[1]) || !vs_cons(vm, root[1], root[0], &root[0]))
+      return VS_ERROR;
+  *out = root[0];
+  return VS_OK;
+}
+
+/* matrix point: where the matrix brings the point */
+static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_affine m = vs_bind_affine(vs_as_flat(a[0])->at);
+  const double *d = vs_as_flat(a[1])->at;
+  vs_vec3 p = vs_affine_point(&m, vs_v3(d[0], d[1], d[2]));
+  const double at[3] = { p.x, p.y, p.z };
+  return vs_make_flat(vm, VS_FLAT_POINT, at, 3, out);
+}
+
+/* ---- picking ---- */
+
+static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
+  if (e->kind == VS_ERROR_INTERRUPT) return VS_ERROR; /* the condition is set */
+  if (e->kind == VS_ERROR_MEMORY) return vs_fail_memory(vm);
+  return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "what the ray meets cannot be worked out");
+}
+
+/* object matrix from direction: where the ray, in the world's coordinates, meets the object that the matrix puts there
+ * from its own. #f: nowhere; else (lengths of direction . #f), or (lengths file line column) where the object's maker
+ * is known. */
+static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  vs_bind *b = vs_bind_of(vm);
+  vs_affine m = vs_bind_affine(vs_as_flat(a[1])->at), back;
+  const double *p = vs_as_flat(a[2])->at, *d = vs_as_flat(a[3])->at;
+  vs_ray_hit hit;
+  vs_error e = { 0 };
+  *out = VS_FALSE;
+  if (!vs_affine_invert(&m, &back)) return VS_OK; /* flat: there is nothing to meet */
+  vs_vec3 from = vs_affine_point(&back, vs_v3(p[0], p[1], p[2]));
+  vs_vec3 direction = vs_affine_vector(&back, vs_v3(d[0], d[1], d[2]));
+  if (!vs_ray_meets(b, vs_bind_ref(a[0]), from, direction, &hit, &e)) return fail_ray(vm, &e);
+  if (hit.at == INFINITY) return VS_OK;
+  VS_ROOTS(vm, r, 2);
+  r[0] = VS_FALSE;
+  if (hit.origin) {
+    r[0] = VS_NIL;
+    if (!vs_cons(vm, vs_fix(hit.origin->column), r[0], &r[0]) || !vs_cons(vm, vs_fix(hit.origin->line), r[0], &r[0]) ||
+        !vs_string_from_utf8(vm, hit.origin->file, strlen(hit.origin->file), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0]))
+      return VS_ERROR;
+  }
+  return vs_cons(vm, vs_flonum(hit.at), r[0], out);
+}
+
+/* ---- the drawing of whoever has the focus ---- */
+
+static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)a, (void)n;
+  vs_bind *b = vs_bind_of(vm);
+  VS_ROOTS(vm, r, 2);
+  r[0] = VS_NIL;
+  for (size_t i = b->scene.drawn_count; i-- > 0;) {
+    if (!vs_bind_wrap_ref(b, b->scene.drawn[i], &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])) return VS_ERROR;
+  }
+  *out = r[0];
+  return VS_OK;
+}
+
+/* The root's drawing is about to be replaced: objects of it that the program's expressions returned, or parts of what
+ * they returned, were not thrown away. Without memory for the question the warnings stay. */
+static void was_shown(vs_bind *b) {
+  if (b->returned_count == 0 || b->scene.drawn_count == 0) return;
+  vs_nodemap all = { .store = b->store };
+  bool known = true;
+  for (size_t i = 0; known && i < b->scene.drawn_count; i++)
+    known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
+  for (size_t i = 0; known && i < b->returned_count; i++) {
+    const vs_node *n = b->returned[i].node;
+    bool parts = n->kind == VS_UNION; /* (draw a list) returns the union */
+    for (uint32_t k = 0; parts && k < n->child_count; k++) parts = vs_nodemap_get(&all, n->children[k].node) != NULL;
+    if (parts || vs_nodemap_get(&all, n)) b->returned[i].shown = true;
+  }
+  vs_nodemap_free(&all);
+}
+
+/* objects, a list: what is drawn now; away: it is not the root's. The value is what was drawn before. */
+static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  vs_bind *b = vs_bind_of(vm);
+  VS_ROOTS(vm, r, 1);
+  if (!drawing_list(vm, a, n, &r[0])) return VS_ERROR;
+  size_t before = b->scene.drawn_count, kept = 0;
+  if (!b->away && a[1] == VS_FALSE) was_shown(b);
+  for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* behind what stands there, so that a refusal loses nothing */
+    if (!vs_scene_draw(&b->scene, vs_bind_ref(vs_car(l)))) {
+      while (b->scene.drawn_count > before) vs_node_release(b->scene.drawn[--b->scene.drawn_count].node);
+      return vs_fail_memory(vm);
+    }
+  for (size_t i = 0; i < b->scene.drawn_count; i++)
+    if (i < before) vs_node_release(b->scene.drawn[i].node);
+    else b->scene.drawn[kept++] = b->scene.drawn[i];
+  b->scene.drawn_count = kept;
+  if (b->drawn_last) b->drawn_away = b->drawn_last;
+  b->drawn_last = NULL;
+  b->away = a[1] != VS_FALSE;
+  b->drew = b->drew || (!b->away && kept > 0); /* node-setdrawing may give the root a drawing, without a call of draw */
+  *out = r[0];
+  return VS_OK;
+}
+
+/* ---- programs of their own ---- */
+
+static vs_status new_program(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)a, (void)n;
+  return vs_program_new(vm, out);
+}
+
+/* environment name: has the program given the name a value itself? */
+static vs_status program_defines(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)vm, (void)n;
+  vs_meaning m = vs_environment_find(a[0], a[1]);
+  *out = vs_bool(m.kind == VS_MEANS_CELL && !m.foreign && vs_as_cell(m.value)->value != VS_UNDEFINED);
+  return VS_OK;
+}
+
+/* ---- the host's procedures ---- */
+
+static vs_status host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  vs_bind *b = vs_bind_of(vm);
+  if (!b->host_call) return vs_fail(vm, vm->sym.error, "there is no host");
+  return b->host_call(vm, a, n, out);
+}
+
+/* ---- handing over ---- */
+
+enum { HOST_SCENE = 4 }; /* where nodes.scm put its procedure when the first node was asked for */
+
+bool vs_nodes_are_there(const vs_bind *b) {
+  vs_value host = b->vm->at.host;
+  return vs_is_vector(host) && vs_as_vector(host)->at[HOST_SCENE] != VS_FALSE;
+}
+
+bool vs_nodes_shown(vs_bind *b, bool *beside, vs_value *list) {
+  vs_scheme *vm = b->vm;
+  VS_ROOTS(vm, r, 1);
+  if (!vs_run(vm, vs_as_vector(vm->at.host)->at[HOST_SCENE], 0, NULL, &r[0])) return false;
+  *beside = vs_car(r[0]) != VS_FALSE;
+  *list = vs_cdr(r[0]);
+  return true;
+}
+
+static const vs_native_def defs[] = {
+  { "%node-matrix", "translate rotate scale", node_matrix, 0, NULL },
+  { "%matrix-parts", "matrix", matrix_parts, 0, NULL },
+  { "%matrix-point", "matrix point", matrix_point, 0, NULL },
+  { "%ray-meets", "object matrix from direction", ray_meets, 0, NULL },
+  { "%new-program", "", new_program, 0, NULL },
+  { "%program-defines?", "environment name", program_defines, 0, NULL },
+  { "%host-call", "number . arguments", host_call, 0, NULL },
+  { "%drawing-list", "", drawing_list, 0, NULL },
+  { "%drawing-swap!", "objects away", drawing_swap, 0, NULL },
+  { 0 },
+};
+const vs_native_table vs_node_table = { "node", defs };

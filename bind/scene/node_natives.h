@@ -1,0 +1,21 @@
+/* Owns what nodes need of C: their frames as matrices, the drawing that changes hands with the focus, and the objects
+ * that a scene shows when the drawing is handed over. nodes.scm is the rest. */
+#ifndef VS_BIND_SCENE_NODE_NATIVES_H
+#define VS_BIND_SCENE_NODE_NATIVES_H
+
+#include "bind/bind.h"
+
+extern const vs_native_table vs_node_table;
+
+/* All tables of natives above the VM, NULL-terminated: bind/'s and this layer's. For vs_config, here and where the
+ * image is made. */
+const vs_native_table *const *vs_nodes_tables(void);
+
+/* Is there a scene: has the program made or asked for a node? */
+bool vs_nodes_are_there(const vs_bind *b);
+
+/* Works out what the scene shows; runs Scheme. *list becomes the objects, a Scheme list; *beside: they stand beside
+ * what was drawn, else instead of it, since another node than the root has the focus. False: the condition is set. */
+bool vs_nodes_shown(vs_bind *b, bool *beside, vs_value *list);
+
+#endif

@@ -1,0 +1,75 @@
+/* Owns the meeting of a ray and an object.
+ *
+ * A ray that misses the object's bounds costs no mesh. Otherwise solids are evaluated to one mesh, whose triangles know
+ * the source they came from, and surfaces are tessellated one after the other; the nearest triangle decides. */
+#include "bind/scene/ray_hits.h"
+
+#include <math.h>
+
+#include "geometry/measure/node_measures.h"
+#include "geometry/measure/ray_tree.h"
+#include "geometry/parts.h"
+#include "geometry/tessellate.h"
+#include "solids/resolve.h"
+#include "solids/solid_meshes.h"
+
+/* The nearest triangle that the ray meets; its number, or count where it meets none. */
+static size_t meets_mesh(const vs_mesh *m, vs_vec3 from, vs_vec3 direction, double *at) {
+  size_t nearest = m->triangle_count;
+  *at = INFINITY;
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    const uint32_t *c = m->triangles[i];
+    const vs_vec3 p[3] = { m->vertices[c[0]], m->vertices[c[1]], m->vertices[c[2]] };
+    double t = vs_ray_meets_triangle(p, from, direction);
+    if (t < *at) *at = t, nearest = i;
+  }
+  return nearest;
+}
+
+static bool meets_solid(vs_bind *b, vs_ref ref, const vs_fineness *facets, vs_vec3 from, vs_vec3 direction,
+                        vs_ray_hit *hit, vs_error *e) {
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
+  vs_solid solid;
+  if (!vs_solid_evaluate(&ref, 1, facets, &options, &solid, e)) return false;
+  double at;
+  size_t nearest = meets_mesh(&solid.mesh, from, direction, &at);
+  if (at < hit->at) *hit = (vs_ray_hit){ at, solid.parts[solid.mesh.tags[nearest]].leaf.origin };
+  vs_solid_free(&solid);
+  return true;
+}
+
+static bool meets_surface(vs_ref ref, const vs_fineness *facets, vs_vec3 from, vs_vec3 direction, vs_ray_hit *hit,
+    vs_error *e) {
+  vs_ref *parts;
+  size_t count;
+  if (!vs_several_parts(ref, &parts, &count)) return vs_error_memory(e, ref.origin);
+  bool ok = true;
+  for (size_t i = 0; ok && i < count; i++) {
+    vs_mesh mesh = { 0 };
+    double at;
+    ok = vs_tessellate(parts[i].node, facets, &mesh, e);
+    if (ok && meets_mesh(&mesh, from, direction, &at) < mesh.triangle_count && at < hit->at)
+      *hit = (vs_ray_hit){ at, parts[i].origin };
+    vs_mesh_free(&mesh);
+  }
+  vs_several_free(parts, count);
+  return ok;
+}
+
+bool vs_ray_meets(vs_bind *b, vs_ref object, vs_vec3 from, vs_vec3 direction, vs_ray_hit *hit, vs_error *e) {
+  *hit = (vs_ray_hit){ INFINITY, NULL };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(b) };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
+  vs_bounds bounds;
+  if (object.node->class_ == VS_NOTHING) return true;
+  if (!vs_node_bounds(object.node, &bounds, e)) return false;
+  if (vs_bounds_is_empty(&bounds) || !vs_ray_meets_box(&bounds, from, direction, INFINITY)) return true;
+  if (facets.tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&bounds);
+  vs_node_retain(object.node);
+  bool ok = !(object.node->flags & VS_NODE_UNRESOLVED) || vs_resolve(&object, 1, &facets, &options, e);
+  vs_class c = (vs_class)object.node->class_;
+  if (ok && (c == VS_SOLID || c == VS_MIXED)) ok = meets_solid(b, object, &facets, from, direction, hit, e);
+  else if (ok && c == VS_SURFACE) ok = meets_surface(object, &facets, from, direction, hit, e);
+  vs_node_release(object.node);
+  return ok;
+}

@@ -1,0 +1,343 @@
+/* Owns the octree over the cells of a dual contour (octree.h).
+ *
+ * Plan. The leaves are the cells that the surface crosses. Eight neighbours are a node of level 1, eight of those one
+ * of level 2, and so on. From level to level, the parts of the surface in a node's children that go on in each other
+ * become one part. A node is merged where all its children were merged and where each part
+ *   1. is a disc: rings less the sides between them and the quads within them make 1 (Euler's characteristic); it
+ *      crosses each edge of the node once at most, and each side of it in one line. Then two parts never meet along
+ *      two lines, and the mesh of the merged nodes is a manifold (S. Schaefer, T. Ju, J. Warren, Manifold dual
+ *      contouring, 2007);
+ *   2. has a point that is near the planes through all its crossings, while the points of all its rings are near the
+ *      planes at that point. It is the point of the ring with the least sum of squares (T. Ju and others, Dual
+ *      contouring of Hermite data, 2002). Edges and corners therefore stay where they are, and every point lies on the
+ *      surface and in its node.
+ * Each part of a merged node has one point. Where a node is not merged, no node above it is. */
+#include "geometry/functions/octree.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/store/array.h"
+
+enum { LEVELS = 16, EDGES = 12 };
+#define NONE UINT32_MAX
+
+/* A node's size allows this much of it as distance: what bends more is not merged, however coarse the tolerance. */
+#define BEND .1
+/* Of points that are as near to the planes the one nearest to the part's middle is taken. */
+#define TO_MIDDLE 1e-7
+
+typedef struct {
+  int32_t at[3];
+  bool whole; /* all of it is merged, or may be */
+} node;
+
+/* A part of the surface that had a point of its own on the level below. */
+typedef struct {
+  uint32_t ring, node;
+  uint32_t up;            /* the part that it becomes one with, itself for the first */
+  uint32_t link;          /* the next of those that become one, in a circle */
+  uint32_t count;         /* of the first: how many they are */
+  uint32_t best;          /* of the first: the ring whose point they may have */
+  int32_t sides, inside;  /* of the first: twice the sides between them, and the quads within */
+  uint8_t rim[EDGES];     /* of the first: how often it crosses each edge of the node */
+} part;
+
+typedef struct {
+  const vs_octree_leaves *l;
+  double tolerance;
+  int level;
+  uint32_t *of;     /* a ring -> another one of its part, nearer to the first */
+  uint32_t *next;   /* the next ring of the part, in a circle */
+  uint32_t *rep;    /* of a part's first ring: the ring whose point it has */
+  uint32_t *number; /* of a part's first ring: its place in `parts`; NONE: it lies in a node that is not merged */
+  uint32_t *start, *list; /* the quads of ring r are list[start[r]] to list[start[r + 1] - 1] */
+  part *parts;
+  size_t part_count, part_room;
+  uint32_t *quads; /* those in which parts may still become one */
+  size_t quad_count;
+  node *nodes;
+  size_t node_count, node_room;
+  uint32_t *table; /* hash of a place -> the node's number + 1 */
+  size_t slots, table_room;
+  int32_t (*spoilt)[3]; /* nodes of the level below that are not merged */
+  size_t spoilt_count, spoilt_room;
+} octree;
+
+/* ---- nodes ---- */
+
+static uint64_t hash_place(const int32_t *at) {
+  uint64_t h = (uint64_t)at[0] << 42 ^ (uint64_t)at[1] << 21 ^ (uint64_t)at[2];
+  h = (h ^ h >> 31) * UINT64_C(0xBF58476D1CE4E5B9);
+  h = (h ^ h >> 27) * UINT64_C(0x94D049BB133111EB);
+  return h ^ h >> 31;
+}
+
+/* The node at this place, made where there is none; NONE: memory is out. The table has room for all. */
+static uint32_t node_at(octree *o, const int32_t *at) {
+  size_t h = hash_place(at) & (o->slots - 1);
+  for (; o->table[h]; h = (h + 1) & (o->slots - 1))
+    if (!memcmp(o->nodes[o->table[h] - 1].at, at, sizeof o->nodes->at)) return o->table[h] - 1;
+  if (!VS_GROW(o->nodes, o->node_room, o->node_count + 1)) return NONE;
+  o->nodes[o->node_count] = (node){ .at = { at[0], at[1], at[2] }, .whole = true };
+  o->table[h] = (uint32_t)++o->node_count;
+  return o->table[h] - 1;
+}
+
+/* The nodes of this level; those with a child that is not merged are not whole. */
+static bool make_nodes(octree *o) {
+  for (o->slots = 64; o->slots < 2 * (o->part_count + o->spoilt_count);) o->slots *= 2;
+  if (!VS_GROW(o->table, o->table_room, o->slots)) return false;
+  memset(o->table, 0, o->slots * sizeof *o->table);
+  o->node_count = 0;
+  for (size_t i = 0; i < o->spoilt_count; i++) {
+    const int32_t at[3] = { o->spoilt[i][0] >> 1, o->spoilt[i][1] >> 1, o->spoilt[i][2] >> 1 };
+    uint32_t n = node_at(o, at);
+    if (n == NONE) return false;
+    o->nodes[n].whole = false;
+  }
+  for (size_t i = 0; i < o->part_count; i++) {
+    part *p = &o->parts[i];
+    const int32_t *cell = o->l->place[p->ring];
+    const int32_t at[3] = { cell[0] >> o->level, cell[1] >> o->level, cell[2] >> o->level };
+    *p = (part){ .ring = p->ring, .node = node_at(o, at), .up = (uint32_t)i, .link = (uint32_t)i, .count = 1 };
+    if (p->node == NONE) return false;
+  }
+  return true;
+}
+
+/* ---- parts that become one ---- */
+
+static uint32_t first_ring(octree *o, uint32_t ring) {
+  while (o->of[ring] != ring) ring = o->of[ring] = o->of[o->of[ring]];
+  return ring;
+}
+
+static uint32_t first_part(octree *o, uint32_t p) {
+  while (o->parts[p].up != p) p = o->parts[p].up = o->parts[o->parts[p].up].up;
+  return p;
+}
+
+static void swap(uint32_t *a, uint32_t *b) {
+  uint32_t t = *a;
+  *a = *b, *b = t;
+}
+
+/* The parts around a quad, NONE where a node is not whole. */
+static void parts_around(octree *o, uint32_t quad, uint32_t *p) {
+  for (int k = 0; k < 4; k++) {
+    p[k] = o->number[first_ring(o, o->l->around[quad][k])];
+    if (p[k] != NONE && !o->nodes[o->parts[p[k]].node].whole) p[k] = NONE;
+  }
+}
+
+static void join(octree *o) {
+  for (size_t i = 0; i < o->quad_count; i++) {
+    uint32_t p[4];
+    parts_around(o, o->quads[i], p);
+    for (int k = 0; k < 4; k++) {
+      uint32_t a = p[k], b = p[(k + 1) % 4];
+      if (a == NONE || b == NONE || o->parts[a].node != o->parts[b].node) continue;
+      a = first_part(o, a), b = first_part(o, b);
+      if (a == b) continue;
+      o->parts[b].up = a;
+      o->parts[a].count += o->parts[b].count;
+      swap(&o->parts[a].link, &o->parts[b].link);
+    }
+  }
+}
+
+static void count(octree *o) {
+  int32_t mask = (1 << o->level) - 1;
+  for (size_t i = 0; i < o->quad_count; i++) {
+    uint32_t quad = o->quads[i], p[4], first[4];
+    const uint32_t *ring = o->l->around[quad];
+    const int32_t *at = o->l->place[ring[0]];
+    int axis = o->l->axis[quad], b = (axis + 1) % 3, d = (axis + 2) % 3;
+    bool rim = !(at[b] & mask) && !(at[d] & mask);
+    parts_around(o, quad, p);
+    for (int k = 0; k < 4; k++) first[k] = p[k] == NONE ? NONE : first_part(o, p[k]);
+    for (int k = 0; k < 4; k++) {
+      if (first[k] == NONE) continue;
+      part *to = &o->parts[first[k]];
+      if (first[k] == first[(k + 1) % 4] && p[k] != p[(k + 1) % 4]) to->sides++;
+      if (!rim) continue;
+      const int32_t *cell = o->l->place[ring[k]];
+      uint8_t *times = &to->rim[4 * axis + (cell[b] < at[b]) + 2 * (cell[d] < at[d])];
+      if (*times < 2) ++*times;
+    }
+    bool one = first[0] != NONE && first[0] == first[1] && first[0] == first[2] && first[0] == first[3];
+    if (one && !(p[0] == p[1] && p[0] == p[2] && p[0] == p[3])) o->parts[first[0]].inside++;
+  }
+}
+
+/* ---- may a part have one point? ---- */
+
+static bool is_disc(const part *p) {
+  int all = 0;
+  if ((int32_t)p->count - p->sides / 2 + p->inside != 1) return false;
+  for (int e = 0; e < EDGES; e++) {
+    if (p->rim[e] > 1) return false;
+    all += p->rim[e];
+  }
+  for (int face = 0; face < 6; face++) {
+    int b = (face / 2 + 1) % 3, d = (face / 2 + 2) % 3, side = face & 1;
+    /* an edge along b lies at bit 1 along d's next but one, which is this face's axis; one along d at bit 0 */
+    int lines =
+        p->rim[4 * b + 2 * side] + p->rim[4 * b + 2 * side + 1] + p->rim[4 * d + side] + p->rim[4 * d + side + 2];
+    if (lines != 0 && lines != 2) return false;
+  }
+  return all > 0;
+}
+
+/* The body is done for each ring r of the parts that become one with part p. */
+#define EACH_RING(o, p, r)                                                                                             \
+  for (uint32_t q_ = (p), once_ = 1; once_ || q_ != (p); q_ = (o)->parts[q_].link, once_ = 0)                          \
+    for (uint32_t r = (o)->parts[q_].ring, first_ = 1; first_ || r != (o)->parts[q_].ring; r = (o)->next[r], first_ = 0)
+
+/* Finds the ring whose point the parts joined to p may have, NONE where there is none near enough. */
+static uint32_t best_ring(const octree *o, uint32_t p) {
+  const vs_octree_leaves *l = o->l;
+  double limit = fmin(o->tolerance, BEND * l->size * (1 << o->level));
+  if (o->parts[p].count == 1) return o->rep[o->parts[p].ring];
+  vs_vec3 origin = l->point[o->parts[p].ring], middle = { 0, 0, 0 };
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, hx = 0, hy = 0, hz = 0, hh = 0, planes = 0, rings = 0;
+  EACH_RING(o, p, r) {
+    middle = vs_v3_add(middle, vs_v3_sub(l->point[r], origin)), rings++;
+    for (uint32_t k = o->start[r]; k < o->start[r + 1]; k++, planes++) {
+      vs_vec3 n = l->normal[o->list[k]];
+      double h = vs_v3_dot(n, vs_v3_sub(l->root[o->list[k]], origin));
+      xx += n.x * n.x, xy += n.x * n.y, xz += n.x * n.z, yy += n.y * n.y, yz += n.y * n.z, zz += n.z * n.z;
+      hx += h * n.x, hy += h * n.y, hz += h * n.z, hh += h * h;
+    }
+  }
+  middle = vs_v3_scale(middle, 1 / rings);
+  uint32_t best = NONE;
+  double least = INFINITY;
+  EACH_RING(o, p, r) {
+    vs_vec3 x = vs_v3_sub(l->point[r], origin), off = vs_v3_sub(x, middle);
+    double squares = x.x * (xx * x.x + 2 * (xy * x.y + xz * x.z - hx)) + x.y * (yy * x.y + 2 * (yz * x.z - hy)) +
+                     x.z * (zz * x.z - 2 * hz) + hh;
+    double cost = fmax(0, squares) / planes + TO_MIDDLE * vs_v3_dot(off, off);
+    if (cost < least) least = cost, best = r;
+  }
+  if (best == NONE) return NONE;
+  vs_vec3 to = l->point[best];
+  EACH_RING(o, p, r) {
+    double nearest = INFINITY;
+    for (uint32_t k = o->start[r]; k < o->start[r + 1]; k++)
+      if (fabs(vs_v3_dot(l->normal[o->list[k]], vs_v3_sub(to, l->root[o->list[k]]))) > limit) return NONE;
+    for (uint32_t k = o->start[best]; k < o->start[best + 1]; k++)
+      nearest = fmin(nearest, fabs(vs_v3_dot(l->normal[o->list[k]], vs_v3_sub(to, l->point[r]))));
+    if (nearest > limit) return NONE;
+  }
+  return best;
+}
+
+static bool judge(octree *o) {
+  for (size_t i = 0; i < o->part_count; i++) {
+    part *p = &o->parts[i];
+    node *n = &o->nodes[p->node];
+    if (i % 4096 == 4095 && !o->l->keep_going(o->l->context, .95)) return false;
+    if (p->up != i || !n->whole) continue;
+    p->best = is_disc(p) ? best_ring(o, (uint32_t)i) : NONE;
+    if (p->best == NONE) n->whole = false;
+  }
+  return true;
+}
+
+/* ---- levels ---- */
+
+/* Merges what may be merged; the parts that are left are those of the nodes. */
+static bool merge(octree *o) {
+  size_t parts = 0, quads = 0;
+  o->spoilt_count = 0;
+  for (size_t i = 0; i < o->node_count; i++) {
+    if (o->nodes[i].whole) continue;
+    if (!VS_GROW(o->spoilt, o->spoilt_room, o->spoilt_count + 1)) return false;
+    memcpy(o->spoilt[o->spoilt_count++], o->nodes[i].at, sizeof *o->spoilt);
+  }
+  for (size_t i = 0; i < o->part_count; i++) {
+    part *p = &o->parts[i];
+    o->number[p->ring] = NONE;
+    if (!o->nodes[p->node].whole) continue;
+    uint32_t first = o->parts[first_part(o, (uint32_t)i)].ring;
+    if (first == p->ring) continue;
+    o->of[p->ring] = first;
+    swap(&o->next[p->ring], &o->next[first]);
+  }
+  for (size_t i = 0; i < o->part_count; i++) {
+    part p = o->parts[i];
+    if (!o->nodes[p.node].whole || p.up != i) continue;
+    o->rep[p.ring] = p.best;
+    o->number[p.ring] = (uint32_t)parts;
+    o->parts[parts++].ring = p.ring; /* what is behind was read */
+  }
+  o->part_count = parts;
+  for (size_t i = 0; i < o->quad_count; i++) {
+    uint32_t quad = o->quads[i], first[4];
+    bool live = false, one = true;
+    for (int k = 0; k < 4; k++) {
+      first[k] = first_ring(o, o->l->around[quad][k]);
+      live = live || o->number[first[k]] != NONE;
+      one = one && first[k] == first[0];
+    }
+    if (live && !one) o->quads[quads++] = quad;
+  }
+  o->quad_count = quads;
+  return true;
+}
+
+/* The quads of each ring. */
+static bool list_quads(octree *o) {
+  const vs_octree_leaves *l = o->l;
+  size_t room[2] = { 0, 0 };
+  if (!VS_GROW(o->start, room[0], l->rings + 2) || !VS_GROW(o->list, room[1], 4 * l->quads + 1)) return false;
+  memset(o->start, 0, (l->rings + 2) * sizeof *o->start);
+  for (size_t i = 0; i < l->quads; i++)
+    for (int k = 0; k < 4; k++) o->start[l->around[i][k] + 2]++;
+  for (size_t r = 2; r < l->rings + 2; r++) o->start[r] += o->start[r - 1];
+  for (size_t i = 0; i < l->quads; i++)
+    for (int k = 0; k < 4; k++) o->list[o->start[l->around[i][k] + 1]++] = (uint32_t)i;
+  return true;
+}
+
+static bool begin(octree *o) {
+  const vs_octree_leaves *l = o->l;
+  size_t room[5] = { 0 };
+  if (!VS_GROW(o->of, room[0], l->rings) || !VS_GROW(o->next, room[1], l->rings) ||
+      !VS_GROW(o->rep, room[2], l->rings) || !VS_GROW(o->number, room[3], l->rings) ||
+      !VS_GROW(o->quads, room[4], l->quads) || !VS_GROW(o->parts, o->part_room, l->rings) || !list_quads(o))
+    return false;
+  for (uint32_t r = 0; r < l->rings; r++) {
+    o->of[r] = o->next[r] = o->rep[r] = r;
+    o->number[r] = l->barred[r] ? NONE : (uint32_t)o->part_count;
+    if (!l->barred[r])
+      o->parts[o->part_count++].ring = r;
+    else if (!VS_GROW(o->spoilt, o->spoilt_room, o->spoilt_count + 1))
+      return false;
+    else
+      memcpy(o->spoilt[o->spoilt_count++], l->place[r], sizeof *o->spoilt);
+  }
+  for (uint32_t i = 0; i < l->quads; i++) o->quads[i] = i;
+  o->quad_count = l->quads;
+  return true;
+}
+
+vs_octree_outcome vs_octree_merge(const vs_octree_leaves *leaves, double tolerance, uint32_t *stands_for) {
+  octree o = { .l = leaves, .tolerance = tolerance, .level = 1 };
+  bool ok = begin(&o), on = true;
+  for (; ok && on && o.level < LEVELS && o.part_count; o.level++) {
+    ok = make_nodes(&o);
+    if (!ok) break;
+    join(&o);
+    count(&o);
+    on = judge(&o);
+    ok = on && merge(&o);
+  }
+  for (uint32_t r = 0; ok && r < leaves->rings; r++) stands_for[r] = o.rep[first_ring(&o, r)];
+  free(o.of), free(o.next), free(o.rep), free(o.number), free(o.start), free(o.list);
+  free(o.parts), free(o.quads), free(o.nodes), free(o.table), free(o.spoilt);
+  return ok ? VS_OCTREE_DONE : on ? VS_OCTREE_MEMORY : VS_OCTREE_STOPPED;
+}

@@ -1,0 +1,39 @@
+/* Owns the working out of tapes in doubles: for many points at a time, alone or with slopes along some inputs. */
+#ifndef VS_GEOMETRY_FUNCTIONS_SAMPLING_H
+#define VS_GEOMETRY_FUNCTIONS_SAMPLING_H
+
+#include "geometry/functions/tape.h"
+
+enum { VS_SAMPLE_BATCH = 128, VS_SAMPLE_SLOPES = 3 };
+
+/* Working memory for one tape, which must live as long. A sampler is for one thread at a time. */
+typedef struct vs_sampler vs_sampler;
+
+/* `slopes`: along how many of the first inputs, 0 to VS_SAMPLE_SLOPES. NULL: out of memory. */
+vs_sampler *vs_sampler_new(const vs_tape *t, int slopes);
+void vs_sampler_free(vs_sampler *s);
+
+/* Works out n points. in[k][i] is input k of point i; out[k][i] becomes output k of it. A place without a value is
+ * NaN. */
+void vs_sample(vs_sampler *s, const double *const *in, size_t n, double *const *out);
+/* The same with slopes of the first output: slope[j][i] is that of point i along input j. A kink has one of its slopes.
+ */
+void vs_sample_slopes(vs_sampler *s, const double *const *in, size_t n, double *const *out, double *const *slope);
+
+/* The values of one parameter in a grid: n numbers from a to b, both ends among them. `at` is the number of the one
+ * that the walk is at. */
+enum { VS_SAMPLE_KNOWN = 256 };
+typedef struct {
+  double a, b;
+  int64_t n, at;
+  double known[VS_SAMPLE_KNOWN]; /* the first values */
+} vs_sample_range;
+void vs_sample_begin(vs_sample_range *r); /* a, b and n are set */
+
+/* Fills in[i][0 ... count) with the parameters of the next points of the grid, the last range innermost, and walks on.
+ */
+void vs_sample_points(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH], int count);
+/* Is one of them NaN? */
+bool vs_sample_nan(const double *at, int count);
+
+#endif

@@ -1,9 +1,0 @@
-/* Owns programs in POV-Ray's scene language. */
-#ifndef VS_KNOWLEDGE_TARGETS_TO_POVRAY_H
-#define VS_KNOWLEDGE_TARGETS_TO_POVRAY_H
-
-#include "knowledge/translate/target.h"
-
-void tr_povray_program(tr_writer *w);
-
-#endif

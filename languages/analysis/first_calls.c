@@ -1,0 +1,93 @@
+/* Owns the text of a program that remembers what its procedures give when they are first called (first_calls.h).
+ *
+ * Behind the top-level form that defines a procedure, or loads the file that does, a procedure of the same name takes
+ * its place until it is called: it puts the program's own back, calls that, and keeps what comes of it. */
+#include "languages/analysis/first_calls.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/store/array.h"
+
+typedef struct { char *text; size_t count, room; bool ok; } builder;
+
+static void put(builder *b, const char *text, size_t n) {
+  if (!b->ok || !VS_GROW(b->text, b->room, b->count + n + 1)) {
+    b->ok = false;
+    return;
+  }
+  memcpy(b->text + b->count, text, n);
+  b->count += n;
+}
+
+void know_first_result(know_index symbol, char *expression) {
+  snprintf(expression, KNOW_FIRST_ROOM, "%%first-result-%u", (unsigned)symbol);
+}
+
+/* Keywords are not handed on by a list of arguments, and what only running the program knows may be no procedure. */
+bool know_remembers(const knowledge *k, know_index symbol) {
+  const know_symbol *y = &k->symbols[symbol];
+  if (k->script || y->kind != KNOW_FUNCTION || y->made || !y->definition || !y->form || !y->parameters || y->sets ||
+      y->arity.any_keyword || y->definitions > 1 || k->scopes[y->scope].kind != KNOW_SCOPE_PROGRAM ||
+      !know_is(k, k->nodes[y->form].first, "define")) return false;
+  return true;
+}
+
+/* The form of the program's own file that brings the definition; 0: none does. */
+static know_index brought_by(const knowledge *k, know_index node) {
+  while (node && k->nodes[node].at.file) node = k->files[k->nodes[node].at.file].loaded_by;
+  while (node && k->nodes[node].parent && k->nodes[node].parent != k->files[0].root) node = k->nodes[node].parent;
+  return node;
+}
+
+/* The form with `kept` for each %s, and the name for each %n. */
+static void put_words(builder *b, const char *form, const char *kept, const char *name, size_t n) {
+  for (const char *p = form; *p;) {
+    size_t plain = strcspn(p, "%");
+    put(b, p, plain);
+    p += plain;
+    if (!*p) break;
+    if (p[1] == 's') put(b, kept, strlen(kept));
+    else put(b, name, n);
+    p += 2;
+  }
+}
+
+static void put_memory(builder *b, const knowledge *k, know_index symbol) {
+  char kept[KNOW_FIRST_ROOM];
+  size_t n;
+  const char *name = know_spelling(k, k->symbols[symbol].definition, &n);
+  know_first_result(symbol, kept);
+  put_words(b, " (define %s #f) (set! %n (let ([own %n]) (lambda all (set! %n own) (call-with-values "
+               "(lambda () (apply own all)) (lambda them (set! %s (and (pair? them) (car them))) "
+               "(apply values them))))))", kept, name, n);
+}
+
+typedef struct { know_index form, symbol; } memory;
+
+static int by_form(const void *a, const void *b) {
+  const memory *p = a, *q = b;
+  return p->form != q->form ? (p->form < q->form ? -1 : 1) : p->symbol < q->symbol ? -1 : p->symbol > q->symbol;
+}
+
+char *know_remembering(const knowledge *k, size_t *length) {
+  builder b = {.ok = true};
+  memory *all = NULL;
+  size_t room = 0, count = 0, next = 0, at = 0;
+  if (k->script || !k->file_count || !VS_GROW(all, room, k->symbol_count)) return NULL;
+  for (know_index i = 1; i < k->symbol_count; i++)
+    if (know_remembers(k, i)) all[count++] = (memory){brought_by(k, k->symbols[i].form), i};
+  if (count) qsort(all, count, sizeof *all, by_form);
+  for (know_index form = k->nodes[k->files[0].root].first; form; form = k->nodes[form].next) {
+    put(&b, k->files[0].text + at, k->nodes[form].at.to - at);
+    at = k->nodes[form].at.to;
+    while (next < count && all[next].form < form) next++;
+    for (; next < count && all[next].form == form; next++) put_memory(&b, k, all[next].symbol);
+  }
+  put(&b, k->files[0].text + at, k->files[0].size - at);
+  free(all);
+  if (!b.ok) free(b.text), b.text = NULL;
+  *length = b.count;
+  return b.text;
+}

@@ -1,0 +1,19 @@
+/* Owns the checks of calls: how many arguments, of which types, and what the language itself says of calls of
+ * constants. */
+#ifndef VS_LANGUAGES_CHECKS_ARGUMENT_CHECKS_H
+#define VS_LANGUAGES_CHECKS_ARGUMENT_CHECKS_H
+
+#include "languages/checks/checks.h"
+
+typedef enum {
+  KNOW_TYPE_UNKNOWN, KNOW_TYPE_NUMBER, KNOW_TYPE_STRING, KNOW_TYPE_BOOLEAN, KNOW_TYPE_CHARACTER, KNOW_TYPE_SYMBOL,
+      KNOW_TYPE_LIST,
+  KNOW_TYPE_VECTOR, KNOW_TYPE_PROCEDURE, KNOW_TYPE_POINT, KNOW_TYPE_GVECTOR, KNOW_TYPE_OBJECT
+} know_type;
+
+/* The type of an expression's value, as far as its text says it. */
+know_type know_type_of(const knowledge *k, know_index node);
+const char *know_type_word(know_type type); /* "a number" */
+void know_check_calls(know_findings *f);
+
+#endif

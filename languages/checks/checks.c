@@ -1,0 +1,437 @@
+/* Owns `vs check`: what looks wrong in a program that has been read and not run. A finding must be worth a look in
+ * every program of a careful author, so each check leaves out the cases in which the same text is right somewhere. */
+#include "languages/checks/checks.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "languages/checks/argument_checks.h"
+#include "languages/analysis/source_tree.h"
+#include "languages/analysis/tree_report.h"
+#include "model/store/array.h"
+
+enum { PROGRAM = 2 };
+
+static const char *const names[] = {
+#define KNOW_CHECK(id, name, meaning) name,
+#include "languages/checks/checks.def"
+};
+
+void know_found(know_findings *f, know_check check, know_index node, const char *format, ...) {
+  knowledge *k = f->k;
+  char text[400];
+  va_list list;
+  va_start(list, format);
+  vsnprintf(text, sizeof text, format, list);
+  va_end(list);
+  if (!VS_GROW(f->at, f->room, f->count + 1)) know_fail(k, NULL, VS_OUTCOME_MACHINE, "out of memory");
+  else f->at[f->count++] = (know_finding){(uint8_t)check, k->nodes[node].at, know_text(k, text, strlen(text))};
+}
+
+bool know_is_call(const knowledge *k, know_index node) {
+  const know_node *n = &k->nodes[node];
+  return n->kind == KNOW_LIST && n->walked && !n->made && !n->origin && !n->expansion && n->first;
+}
+
+/* ---- names ---- */
+
+static bool within(const knowledge *k, know_index node, know_index form) {
+  const know_place *a = &k->nodes[node].at, *b = &k->nodes[form].at;
+  return a->file == b->file && a->from >= b->from && a->to <= b->to;
+}
+
+/* Is the value used anywhere but in the definition itself? */
+static bool used_outside(const knowledge *k, const know_symbol *s) {
+  for (know_index u = s->first_use; u; u = k->uses[u].next)
+    if ((k->uses[u].role == KNOW_REFERENCE || k->uses[u].role == KNOW_OPAQUE) &&
+        (s->kind == KNOW_PARAMETER || s->kind == KNOW_LOOP_VARIABLE || s->kind == KNOW_MACRO ||
+         k->nodes[s->form].made || !within(k, k->uses[u].node, s->form)))
+      return true;
+  return false;
+}
+
+/* (rec name value) is worth what the name stands for, so that the name is used. */
+static bool is_own_value(const knowledge *k, const know_symbol *s) {
+  return s->form && !k->script && know_is(k, k->nodes[s->form].first, "rec");
+}
+
+/* A procedure that is handed on as a value has the parameters that its caller gives it. */
+static bool handed_on(const knowledge *k, const know_symbol *s) {
+  for (know_index u = s->first_use; u; u = k->uses[u].next)
+    if (k->uses[u].role != KNOW_DEFINITION && !k->uses[u].called) return true;
+  return false;
+}
+
+/* Is the file a library: does it draw nothing and run nothing but definitions? */
+static bool runs_something(const knowledge *k) {
+  for (size_t i = 1; i < k->symbol_count; i++)
+    if (k->symbols[i].kind == KNOW_BUILTIN && (!strcmp(k->symbols[i].text, "draw") ||
+        !strcmp(k->symbols[i].text, "geo_draw")) && k->symbols[i].calls) return true;
+  for (know_index i = k->nodes[k->files[0].root].first; i; i = k->nodes[i].next) {
+    know_index head = k->nodes[i].first, s = head ? k->nodes[head].symbol : 0;
+    if (k->nodes[i].kind == KNOW_LIST && !k->nodes[i].form && s && k->symbols[s].kind == KNOW_FUNCTION) return true;
+  }
+  return false;
+}
+
+static bool leaves_script(const knowledge *k, know_index node) {
+  know_index head = k->nodes[node].kind == KNOW_LIST ? k->nodes[node].first : 0;
+  return know_is(k, head, "return") || know_is(k, head, "throw") || know_is(k, head, "break") ||
+         know_is(k, head, "continue");
+}
+
+static bool leaves(const knowledge *k, know_index node);
+
+/* Does the procedure do nothing but fail? */
+static bool only_fails(const knowledge *k, const know_symbol *s) {
+  know_index head = k->script && s->body ? k->nodes[s->body].first : 0;
+  if (k->script && !know_is(k, head, "throw")) return false;
+  return s->body && !k->nodes[s->body].next && leaves(k, s->body);
+}
+
+/* Definitions of a library are there for others. */
+static bool of_library(const knowledge *k, const know_symbol *s) {
+  if (k->scopes[s->scope].procedure) return false;
+  for (know_index i = s->scope; i; i = k->scopes[i].parent) {
+    know_index node = k->scopes[i].node;
+    if (k->nodes[node].kind == KNOW_LIST && know_is(k, k->nodes[node].first, "define-library")) return true;
+  }
+  return false;
+}
+
+static bool by_name(const know_symbol *s) { return s->text[0] == '_' || s->text[0] == '%'; }
+
+static const char *noun(const know_symbol *s) {
+  switch (s->kind) {
+  case KNOW_FUNCTION: return "procedure";
+  case KNOW_MODEL_PARAMETER: return "parameter of the model";
+  case KNOW_RULE: return "rule";
+  case KNOW_MACRO: return "macro";
+  default: return "variable";
+  }
+}
+
+static know_index hiding(const knowledge *k, know_index hidden) {
+  for (know_index i = hidden + 1; i < k->symbol_count; i++)
+    if (k->symbols[i].hides == hidden && !k->symbols[i].made && k->symbols[i].definition &&
+        k->symbols[i].reads) return i;
+  return 0;
+}
+
+static void check_names(know_findings *f) {
+  knowledge *k = f->k;
+  bool program = runs_something(k);
+  for (know_index i = 1; i < k->symbol_count; i++) {
+    const know_symbol *s = &k->symbols[i];
+    if (!s->definition || s->made || by_name(s) || s->kind == KNOW_FIELD || s->kind == KNOW_LOOP) continue;
+    bool used = used_outside(k, s), top = s->scope == PROGRAM;
+    if (used || of_library(k, s)) continue;
+    if (s->sets && !s->reads && s->kind != KNOW_FUNCTION && s->kind != KNOW_MACRO) {
+      know_found(f, KNOW_CHECK_NEVER_READ, s->definition, "%s is set and never read", s->text);
+      continue;
+    }
+    if (s->sets) continue;
+    know_index other = top ? 0 : hiding(k, i);
+    if (other && (s->kind == KNOW_PARAMETER || s->value)) {
+      know_found(f, KNOW_CHECK_SHADOWED, k->symbols[other].definition,
+          "this %s hides the one of line %u, which nothing uses then",
+                 s->text, k->nodes[s->definition].at.line);
+    } else if (s->kind == KNOW_PARAMETER) {
+      const know_symbol *owner = &k->symbols[s->owner];
+      if (s->owner && owner->kind == KNOW_FUNCTION && !handed_on(k, owner) && !s->checked && !by_name(owner) &&
+          !only_fails(k, owner))
+        know_found(f, KNOW_CHECK_UNUSED_PARAMETER, s->definition, "%s does not use its parameter %s", owner->text,
+            s->text);
+    } else if (top) {
+      if (program && !k->nodes[s->definition].at.file && s->kind != KNOW_RULE)
+        know_found(f, KNOW_CHECK_UNREFERENCED, s->definition, "nothing uses the %s %s", noun(s), s->text);
+    } else if (!is_own_value(k, s) &&
+               (s->kind != KNOW_LOOP_VARIABLE ? s->value || s->kind == KNOW_FUNCTION : s->owner != 0))
+      know_found(f, KNOW_CHECK_UNUSED, s->definition, "nothing uses the %s %s", noun(s), s->text);
+  }
+  if (k->open) return;
+  for (know_index i = 1; i < k->node_count; i++) {
+    const know_node *n = &k->nodes[i];
+    if (n->kind == KNOW_SYMBOL && n->role == KNOW_UNBOUND && !n->made && !n->origin && *k->names[n->name].text != '%') {
+      const char *text = k->names[n->name].text, *advice = k->script ? "" : vs_name_advice(k->scheme, text);
+      know_found(f, KNOW_CHECK_UNBOUND, i, "%s is not defined%s%s", text, *advice ? "; " : "", advice);
+    }
+  }
+}
+
+/* ---- types and second definitions ---- */
+
+static know_index defined_value(const knowledge *k, know_index node) {
+  know_index parent = k->nodes[node].parent;
+  bool plain = parent && k->nodes[k->nodes[parent].first].next == node && k->nodes[parent].count == 3;
+  return plain ? k->nodes[node].next : 0;
+}
+
+static void check_changes(know_findings *f) {
+  const knowledge *k = f->k;
+  for (know_index i = 1; i < k->symbol_count; i++) {
+    const know_symbol *s = &k->symbols[i];
+    if (!s->definition || s->made) continue;
+    know_type type = KNOW_TYPE_UNKNOWN;
+    know_index first = 0;
+    for (know_index u = s->first_use; u; u = k->uses[u].next) {
+      const know_use *use = &k->uses[u];
+      if (use->role != KNOW_DEFINITION && use->role != KNOW_ASSIGNMENT) continue;
+      if (k->nodes[use->node].made) continue;
+      know_index value = use->node == s->definition && s->value ? s->value : defined_value(k, use->node);
+      if (use->node == s->definition && s->kind == KNOW_FUNCTION) {
+        type = KNOW_TYPE_PROCEDURE, first = use->node;
+        continue;
+      }
+      know_type now = value ? know_type_of(k, value) : KNOW_TYPE_UNKNOWN;
+      bool procedure = use->role == KNOW_DEFINITION && use->node != s->definition && s->kind == KNOW_FUNCTION && !value;
+      if (procedure) know_found(f, KNOW_CHECK_REDEFINED, use->node, "%s is defined on line %u already", s->text,
+                                k->nodes[first].at.line);
+      bool empty = type == KNOW_TYPE_BOOLEAN || now == KNOW_TYPE_BOOLEAN; /* #f is nothing yet */
+      if (type && now && now != type && !empty)
+        know_found(f, KNOW_CHECK_TYPE_CHANGE, use->node, "%s was %s on line %u and becomes %s", s->text,
+            know_type_word(type),
+                   k->nodes[first].at.line, know_type_word(now));
+      if (now && now != KNOW_TYPE_BOOLEAN) type = now, first = use->node;
+    }
+  }
+}
+
+/* ---- what is never reached, and what does nothing ---- */
+
+static bool is_form(const knowledge *k, know_index node, const char *word) {
+  return k->nodes[node].kind == KNOW_LIST && k->nodes[node].form && know_is(k, k->nodes[node].first, word);
+}
+
+/* Statements that may stand behind a jump: a function is there before anything runs, and a break is a habit. */
+static bool harmless(const knowledge *k, know_index node) {
+  know_index head = k->nodes[node].kind == KNOW_LIST ? k->nodes[node].first : 0;
+  return k->script && (know_is(k, head, "define") || know_is(k, head, "declared") || know_is(k, head, "break") ||
+         know_is(k, head, "empty"));
+}
+
+/* Does control never come back from it? */
+static bool leaves(const knowledge *k, know_index node) {
+  if (k->script) return leaves_script(k, node);
+  if (k->nodes[node].kind != KNOW_LIST || k->nodes[node].form || !k->nodes[node].walked) return false;
+  know_index head = k->nodes[node].first, s = head ? k->nodes[head].symbol : 0;
+  if (!s || k->nodes[head].role != KNOW_REFERENCE) return false;
+  const char *name = k->symbols[s].text;
+  if (k->symbols[s].kind == KNOW_BUILTIN) return !strcmp(name, "error") || !strcmp(name, "exit") || !strcmp(name,
+      "raise");
+  /* an escape: the k of (let/ec k ...) */
+  know_index form = k->symbols[s].form, parent = form ? k->nodes[form].parent : 0;
+  return k->symbols[s].kind == KNOW_LOCAL && parent && (is_form(k, parent, "let/ec") || is_form(k, parent, "let/cc")) &&
+         know_nth(k, parent, 1) == form;
+}
+
+static bool truth(const knowledge *k, know_index node, bool *value) {
+  const know_node *n = &k->nodes[node];
+  size_t length;
+  const char *s = know_spelling(k, node, &length);
+  if (n->kind == KNOW_BOOLEAN) return *value = s[*s == '#'] == 't', true;
+  if (k->script) return false; /* 0 and "" are not true there */
+  if (n->kind == KNOW_NUMBER || n->kind == KNOW_STRING) return *value = true, true;
+  return false;
+}
+
+static void check_clauses(know_findings *f, know_index node, uint32_t from) {
+  const knowledge *k = f->k;
+  bool done = false, value;
+  uint32_t line = 0;
+  for (know_index i = know_nth(k, node, from); i; i = k->nodes[i].next) {
+    know_index test = k->nodes[i].first;
+    if (done) {
+      know_found(f, KNOW_CHECK_UNREACHABLE, i, "the clause of line %u is always taken before this one", line);
+      return;
+    }
+    if (test && (know_is(k, test, "else") || (from == 1 && truth(k, test, &value) && value))) done = true,
+        line = k->nodes[i].at.line;
+  }
+}
+
+static bool same_text(const knowledge *k, know_index a, know_index b) {
+  size_t n, m;
+  const char *s = know_spelling(k, a, &n), *t = know_spelling(k, b, &m);
+  return n == m && !memcmp(s, t, n);
+}
+
+static void check_case(know_findings *f, know_index node) {
+  const knowledge *k = f->k;
+  for (know_index i = know_nth(k, node, 2); i; i = k->nodes[i].next)
+    for (know_index d = k->nodes[k->nodes[i].first].first; d; d = k->nodes[d].next)
+      for (know_index j = know_nth(k, node, 2); j && j != i; j = k->nodes[j].next)
+        for (know_index e = k->nodes[k->nodes[j].first].first; e; e = k->nodes[e].next)
+          if (same_text(k, d, e)) {
+            know_found(f, KNOW_CHECK_UNREACHABLE, d, "this datum stands in the clause of line %u already",
+                k->nodes[j].at.line);
+            return;
+          }
+}
+
+static void check_form(know_findings *f, know_index node) {
+  const knowledge *k = f->k;
+  know_index head = k->nodes[node].first, second = know_nth(k, node, 1);
+  bool value;
+  if (know_is(k, head, "cond")) check_clauses(f, node, 1);
+  else if (know_is(k, head, "case")) check_case(f, node), check_clauses(f, node, 2);
+  else if (know_is(k, head, "if") && second && truth(k, second, &value)) {
+    know_index dead = know_nth(k, node, value ? 3 : 2);
+    bool nothing = k->nodes[node].count == 3 && k->nodes[k->nodes[second].next].kind == KNOW_BOOLEAN;
+        /* (if #f #f): no value */
+    if (dead && !nothing) know_found(f, KNOW_CHECK_UNREACHABLE, dead, "the test is always %s",
+        value ? "true" : "false");
+  } else if ((know_is(k, head, "when") || know_is(k, head, "unless")) && second && truth(k, second, &value) &&
+             value == know_is(k, head, "unless") && know_nth(k, node, 2))
+    know_found(f, KNOW_CHECK_UNREACHABLE, know_nth(k, node, 2), "the test is always %s", value ? "true" : "false");
+}
+
+/* The last form of a body is its value; of all before it only the effect counts. */
+static void check_body(know_findings *f, know_index node) {
+  const knowledge *k = f->k;
+  know_index next = k->nodes[node].next;
+  if (!next || !k->nodes[next].statement) return;
+  const know_node *n = &k->nodes[node];
+  if (n->parent && know_is(k, k->nodes[n->parent].first, "if")) return; /* of two branches one runs, not both in turn */
+  if (leaves(k, node)) {
+    if (!harmless(k, next)) know_found(f, KNOW_CHECK_UNREACHABLE, next, "line %u never goes on to this", n->at.line);
+    return;
+  }
+  bool top = n->scope == PROGRAM;
+  if (top) return; /* a value at top level is shown, or drawn */
+  know_index parent = n->parent;
+  bool doc = n->kind == KNOW_STRING && parent && k->nodes[parent].first && k->nodes[know_nth(k, parent,
+      1)].next == node;
+  if (doc) return;
+  if (n->kind == KNOW_NUMBER || n->kind == KNOW_STRING || n->kind == KNOW_CHARACTER)
+    know_found(f, KNOW_CHECK_NO_EFFECT, node, "this value is not used");
+  else if (n->kind == KNOW_SYMBOL && n->role == KNOW_REFERENCE)
+    know_found(f, KNOW_CHECK_NO_EFFECT, node, "the value of %s is not used", k->names[n->name].text);
+  else if (know_is_call(k, node) && !n->form) {
+    know_type type = know_type_of(k, node);
+    if (type == KNOW_TYPE_OBJECT) know_found(f, KNOW_CHECK_NO_EFFECT, node,
+        "the object made here is not used; unite joins objects");
+    else if (type) know_found(f, KNOW_CHECK_NO_EFFECT, node, "%s is worked out here and not used",
+        know_type_word(type));
+  }
+}
+
+static void check_nodes(know_findings *f) {
+  const knowledge *k = f->k;
+  for (know_index i = 1; i < k->node_count && !*k->trouble; i++) {
+    const know_node *n = &k->nodes[i];
+    if (n->made || n->origin) continue;
+    if (n->statement) check_body(f, i);
+    if (know_is_call(k, i) && n->form) check_form(f, i);
+    if (n->kind == KNOW_STRING && n->parent && k->nodes[n->parent].kind == KNOW_LIST) {
+      know_index head = k->nodes[n->parent].first;
+      bool loads = (know_is(k, head, "load") || know_is(k, head, "require") || know_is(k, head, "include")) &&
+          know_nth(k, n->parent, 1) == i &&
+                   k->nodes[n->parent].walked;
+      char path[KNOW_PATH];
+      if (loads && !know_find_file(k, i, path) && *path)
+        know_found(f, KNOW_CHECK_MISSING_FILE, i, "%s: no such file", path);
+    }
+  }
+}
+
+/* ---- what a comment allows ---- */
+
+/* "check: allow NAME, NAME", "check: allow all", with "in this file" behind it. */
+static bool allows(const char *text, size_t n, const char *name, bool *whole_file) {
+  static const char word[] = "check: allow ", everywhere[] = "in this file";
+  if (n < sizeof word - 1 || memcmp(text, word, sizeof word - 1) != 0) return false;
+  size_t length = strlen(name);
+  *whole_file = false;
+  bool found = false;
+  for (size_t i = sizeof word - 1; i < n; i++) {
+    bool start = text[i - 1] == ' ' || text[i - 1] == ',';
+    if (start && n - i >= length && !memcmp(text + i, name, length) && (n - i == length || text[i + length] == ',' ||
+        text[i + length] == ' '))
+      found = true;
+    if (start && n - i >= 3 && !memcmp(text + i, "all", 3) && (n - i == 3 || text[i + 3] == ' ')) found = true;
+    if (start && n - i >= sizeof everywhere - 1 && !memcmp(text + i, everywhere,
+        sizeof everywhere - 1)) *whole_file = true;
+  }
+  return found;
+}
+
+/* Euclides' annotation, "euclides.suppress_warning_unreferenced_object.NAME;", anywhere in the script. */
+static bool annotated(const knowledge *k, const know_finding *f, const char *text, size_t n) {
+  static const char word[] = "euclides.suppress_warning_unreferenced_object.";
+  if (!k->script || (f->check != KNOW_CHECK_UNREFERENCED && f->check != KNOW_CHECK_UNUSED)) return false;
+  const char *name = k->files[f->at.file].text + f->at.from;
+  size_t length = f->at.to - f->at.from, before = sizeof word - 1;
+  for (size_t i = 0; i + before + length <= n; i++)
+    if (!memcmp(text + i, word, before) && !memcmp(text + i + before, name, length) &&
+        (i + before + length == n || strchr("; \n\r\t,", text[i + before + length]))) return true;
+  return false;
+}
+
+static bool allowed(const knowledge *k, const know_finding *f) {
+  const know_file *file = &k->files[f->at.file];
+  for (know_index c = file->first_comment; c < file->comment_end; c++) {
+    size_t n;
+    bool whole;
+    const char *text = know_comment_text(k, c, &n);
+    if (annotated(k, f, text, n)) return true;
+    if (!allows(text, n, names[f->check], &whole)) continue;
+    const know_comment *at = &k->comments[c];
+    if (whole || at->line == f->at.line || (at->alone && at->end_line + 1 == f->at.line)) return true;
+  }
+  return false;
+}
+
+static int by_place(const void *a, const void *b) {
+  const know_finding *x = a, *y = b;
+  if (x->at.file != y->at.file) return x->at.file < y->at.file ? -1 : 1;
+  if (x->at.from != y->at.from) return x->at.from < y->at.from ? -1 : 1;
+  return x->check != y->check ? x->check < y->check ? -1 : 1 : strcmp(x->details, y->details);
+}
+
+/* ---- the whole ---- */
+
+bool know_check_program(knowledge *k, know_findings *out) {
+  *out = (know_findings){.k = k};
+  check_names(out);
+  check_changes(out);
+  check_nodes(out);
+  know_check_calls(out);
+  if (*k->trouble) return false;
+  if (out->count) qsort(out->at, out->count, sizeof *out->at, by_place);
+  size_t kept = 0;
+  for (size_t i = 0; i < out->count; i++) {
+    if (kept && !by_place(&out->at[kept - 1], &out->at[i])) continue; /* a file that is loaded twice */
+    if (!allowed(k, &out->at[i])) out->at[kept++] = out->at[i];
+  }
+  out->count = kept;
+  return true;
+}
+
+void know_findings_free(know_findings *f) { free(f->at); }
+
+void know_report_findings(const know_findings *f, FILE *to) {
+  for (size_t i = 0; i < f->count; i++)
+    fprintf(to, "%s:%u:%u: %s: %s\n", f->k->files[f->at[i].at.file].path, f->at[i].at.line, f->at[i].at.column,
+        names[f->at[i].check],
+            f->at[i].details);
+}
+
+void know_report_findings_json(const know_findings *f, FILE *to) {
+  know_writer w;
+  know_write_start(&w, to, KNOW_JSON, "findings");
+  know_write_number(&w, "schema", KNOW_SCHEMA);
+  know_write_list(&w, "findings");
+  for (size_t i = 0; i < f->count; i++) {
+    const know_finding *at = &f->at[i];
+    know_write_item(&w, "finding");
+    know_write_word(&w, "type", names[at->check]);
+    know_write_place(&w, f->k, &at->at);
+    know_write_word(&w, "details", at->details);
+    know_write_item_end(&w, "finding");
+  }
+  know_write_list_end(&w, "findings");
+  know_write_end(&w, "findings");
+}

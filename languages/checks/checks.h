@@ -1,0 +1,34 @@
+/* Owns `vs check`: what looks wrong in a program that has been read and not run. */
+#ifndef VS_LANGUAGES_CHECKS_CHECKS_H
+#define VS_LANGUAGES_CHECKS_CHECKS_H
+
+#include "languages/analysis/analysis.h"
+#include "languages/analysis/notation.h"
+
+typedef enum {
+#define KNOW_CHECK(id, name, meaning) KNOW_CHECK_##id,
+#include "languages/checks/checks.def"
+  KNOW_CHECKS
+} know_check;
+
+typedef struct { uint8_t check; know_place at; const char *details; } know_finding;
+
+typedef struct {
+  knowledge *k;
+  know_finding *at; size_t count, room;
+} know_findings;
+
+/* Looks for everything in checks.def; findings come in the order of the text, without those that a comment allows.
+ * False: trouble. */
+bool know_check_program(knowledge *k, know_findings *out);
+void know_findings_free(know_findings *f);
+void know_report_findings(const know_findings *f, FILE *to);
+void know_report_findings_json(const know_findings *f, FILE *to);
+
+/* ---- for the parts of the checking ---- */
+void know_found(know_findings *f, know_check check, know_index node, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+/* Is the node an expression of the text itself, one that was walked? */
+bool know_is_call(const knowledge *k, know_index node);
+
+#endif

@@ -1,0 +1,49 @@
+/* Owns the way from a script's text to its tokens, and its comments. */
+#ifndef VS_LANGUAGES_JAVASCRIPT_SCANNER_H
+#define VS_LANGUAGES_JAVASCRIPT_SCANNER_H
+
+#include "languages/javascript/script.h"
+
+typedef enum {
+  VS_TOKEN_END,
+  VS_TOKEN_NAME,
+  VS_TOKEN_WORD,
+  VS_TOKEN_NUMBER,
+  VS_TOKEN_STRING,
+  VS_TOKEN_MARK,
+  VS_TOKEN_NATIVE
+} vs_token_kind;
+
+typedef enum {
+#define VS_SCRIPT_WORD(name, text, out) VS_WORD_##name,
+#include "languages/javascript/script_words.def"
+#undef VS_SCRIPT_WORD
+  VS_WORD_COUNT
+} vs_script_word;
+
+typedef struct {
+  uint8_t kind;
+  bool newline;          /* a line ended between it and the token before */
+  uint8_t word;          /* WORD: vs_script_word */
+  char mark[5];          /* MARK: as written */
+  uint32_t name;         /* NAME, WORD */
+  uint32_t text, length; /* STRING, NATIVE: of the script's texts */
+  double number;
+  vs_script_place at;
+} vs_token;
+
+typedef struct {
+  vs_script *s;
+  size_t at, line_start, column_at;
+  uint32_t line, column;
+  bool line_has_code;
+  vs_token token; /* the one read last */
+} vs_scanner;
+
+/* Checks that the text is one, and stands before its first token. False: trouble. */
+bool vs_scanner_open(vs_scanner *c, vs_script *s);
+/* Reads the next token. False: trouble. */
+bool vs_scanner_next(vs_scanner *c);
+const char *vs_script_word_out(vs_script_word word);
+
+#endif

@@ -1,0 +1,101 @@
+/* Owns the tree of a script, a program in JavaScript: nodes with places, names, texts and comments, all in arrays.
+ *
+ * An index names a node; 0 names none. Memory comes from the caller, who is also told how much of it there is. Every
+ * node knows its height, which is bounded, so that whoever walks the tree may do it by calling itself. */
+#ifndef VS_LANGUAGES_JAVASCRIPT_SCRIPT_H
+#define VS_LANGUAGES_JAVASCRIPT_SCRIPT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef enum {
+#define VS_SCRIPT_NODE(name, holds) VS_SCRIPT_##name,
+#include "languages/javascript/script_nodes.def"
+#undef VS_SCRIPT_NODE
+} vs_script_kind;
+
+typedef enum {
+#define VS_SCRIPT_OPERATOR(name, text, binds) VS_OPERATOR_##name,
+#include "languages/javascript/script_operators.def"
+#undef VS_SCRIPT_OPERATOR
+} vs_script_operator;
+
+/* The most levels of brackets and statements within each other, and the most levels of a tree. */
+enum { VS_SCRIPT_DEPTH = 400, VS_SCRIPT_HEIGHT = 1500 };
+
+/* from, to: bytes of the text. Lines from 1, columns from 1 in characters; the end is just behind. */
+typedef struct {
+  uint32_t from, to, line, column, end_line, end_column;
+} vs_script_place;
+
+typedef struct {
+  uint8_t kind, op;
+  bool flag;
+  uint16_t height;
+  uint32_t next, count;
+  uint32_t a, b, c, d;   /* script_nodes.def says what of */
+  uint32_t name;         /* NAME: of `names` */
+  uint32_t text, length; /* STRING, NATIVE: of `texts`, in UTF-8 */
+  double number;         /* NUMBER */
+  vs_script_place at;
+} vs_script_node;
+
+typedef struct {
+  uint32_t text, length, hash;
+} vs_script_name;
+typedef struct {
+  vs_script_place at;
+  bool alone; /* nothing stands before it in its line */
+} vs_script_comment;
+
+/* Resizes a block that has `used` bytes; at NULL: a new one; fresh 0: frees it. NULL: there is no memory. */
+typedef void *vs_script_resize(void *context, void *at, size_t used, size_t fresh);
+
+typedef struct {
+  const char *source; /* the caller's */
+  size_t size;
+  vs_script_resize *resize;
+  void *context;
+  vs_script_node *nodes;
+  size_t node_count, node_room;
+  vs_script_name *names;
+  size_t name_count, name_room;
+  uint32_t *name_table;
+  size_t name_slots;
+  char *texts;
+  size_t text_count, text_room;
+  vs_script_comment *comments;
+  size_t comment_count, comment_room;
+  uint32_t root; /* the PROGRAM */
+  bool no_memory;
+  char trouble[240]; /* what is wrong, "": nothing */
+  vs_script_place trouble_at;
+} vs_script;
+
+/* Takes the script apart again. */
+void vs_script_close(vs_script *s);
+
+/* ---- for the scanner and the parser ---- */
+
+/* False, for returning. The first trouble stays. */
+bool vs_script_fail(vs_script *s, vs_script_place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
+bool vs_script_room(vs_script *s, void *array, size_t *room, size_t count, size_t size);
+/* 0: out of memory. */
+uint32_t vs_script_node_new(vs_script *s, vs_script_kind kind, vs_script_place at);
+/* The index of the name; 0: out of memory. */
+uint32_t vs_script_name_of(vs_script *s, const char *text, size_t length);
+/* 0: the script has no such name. */
+uint32_t vs_script_name_known(const vs_script *s, const char *text, size_t length);
+/* Appends to `texts`. */
+bool vs_script_text(vs_script *s, const char *text, size_t length);
+
+/* ---- asking ---- */
+
+static inline const vs_script_node *vs_script_at(const vs_script *s, uint32_t node) { return &s->nodes[node]; }
+const char *vs_script_spelling(const vs_script *s, uint32_t name, size_t *length);
+bool vs_script_is(const vs_script *s, uint32_t name, const char *word);
+const char *vs_script_kind_word(vs_script_kind kind);
+const char *vs_script_operator_word(vs_script_operator op);
+
+#endif

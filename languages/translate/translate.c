@@ -1,0 +1,32 @@
+/* Owns `vs translate`: the program as a program in another language. */
+#include "languages/translate/translate.h"
+
+#include <stdlib.h>
+
+#include "languages/translate/text_plan.h"
+#include "languages/targets/target_table.h"
+
+const char *know_language(const char *name, const char *path) {
+  const tr_target *target = name ? tr_target_named(name) : path ? tr_target_of_file(path) : NULL;
+  return target ? target->name : NULL;
+}
+
+const char *know_languages(void) {
+  return ""
+#define TR_TARGET(name, ...) " " name
+#include "languages/targets/translate_targets.def"
+      ;
+}
+
+char *know_translate(knowledge *k, const char *language, unsigned segments, const know_setting *settings,
+                     size_t setting_count, know_complain *complain, void *context, size_t *length) {
+  translation t = {.k = k, .target = tr_target_named(language), .settings = settings, .setting_count = setting_count};
+  char *text = tr_write_program(&t, segments, length);
+  for (size_t i = 0; i < t.complaint_count; i++) complain(context, &t.complaints[i].at, t.complaints[i].text);
+  if (t.complaint_count && !*k->trouble) k->outcome = VS_OUTCOME_MODEL;
+  free(t.nodes);
+  free(t.variables);
+  free(t.complaints);
+  free(t.pairs);
+  return text;
+}
