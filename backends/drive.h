@@ -119,14 +119,6 @@ static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
 
 /* ---- text_runs.c ---- */
 
-void vs_drive_find_short(vs_drive *d); /* sets brief and facets_at */
-void vs_drive_weigh(vs_emitter *e); /* after the plan */
-/* Which of refs from `from` on are a run: up to *until, `shown` of them not vain. found: its text has been put out.
- * Else, where it is worth keeping, it is open until vs_drive_run_end. body: the one reference is a template's, whose
- * inside is meant. parent NULL: what is drawn itself. */
-bool vs_drive_run(vs_emitter *e, const vs_node *parent, const vs_ref *refs, size_t count, size_t from, bool body,
-                  size_t *until, size_t *shown, bool *found);
-void vs_drive_run_end(vs_emitter *e);
 /* what follows on this line and later ones is this origin's */
 bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin);
 

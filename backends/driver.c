@@ -12,9 +12,11 @@
 #include <string.h>
 
 #include "backends/lower.h"
+#include "backends/text_runs.h"
 #include "geometry/primitives/shape.h"
 #include "backends/drive.h"
 #include "backends/format_numbers.h"
+#include "model/kinds.h"
 #include "solids/drawn_bounds.h"
 #include "model/store/cache.h"
 #include "model/tally.h"

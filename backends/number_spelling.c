@@ -1,6 +1,8 @@
 /* Owns the one spelling of numbers: what %.12g says, without its trailing zeros, plus signs and exponents' zeros; a
  * point whatever the locale. The digits are those of kernel/exact/digits.h; whole numbers below 10^12 are their own.
  * Numbers above 10^12 and below 10^-16 go through printf. */
+#include "backends/number_spelling.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -2,6 +2,7 @@
 #include "backends/spans.h"
 
 #include "kernel/memory.h"
+#include "kernel/threads.h"
 
 enum { SPAN = 1 << 16 /* bytes */, TESTS = 1 << 14, SERIAL = 1 << 12 /* items that are not worth a thread */ };
 

@@ -6,6 +6,8 @@
  * of the walk, each node's kind and numbers, and which of the run's templates and paints stand where; before them all
  * of the emitter that emit functions look at. Where sets of regions are written as one region their whole inside is in
  * it. */
+#include "backends/text_runs.h"
+
 #include "backends/drive.h"
 #include "model/store/cache.h"
 #include "model/tally.h"

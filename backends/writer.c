@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "backends/number_spelling.h"
+
 void vs_writer_init(vs_writer *w, vs_sink_fn *sink, void *context) {
   w->sink = sink;
   w->context = context;

@@ -76,10 +76,4 @@ static inline unsigned char *vs_le_float(unsigned char *to, double x) { /* 32 bi
 }
 unsigned char *vs_le_double(unsigned char *to, double x);
 
-/* The number's text, NUL-terminated; its length. Not finite: "0" (callers check first; a format must not be broken by
- * it). */
-size_t vs_number_text(double x, char out[VS_NUMBER_ROOM]);
-/* The same without a NUL; the place behind it. Writes within VS_NUMBER_ROOM bytes, some behind the text. */
-char *vs_number_write(char *to, double x);
-
 #endif

@@ -1,7 +1,14 @@
 /* Owns, for programs, the drawing as a value and the back-ends that they bring: the list of them, which the session
  * asks, and the call of one of their procedures, which is an evaluation of the run loop. The procedures themselves are
  * back_ends.scm's. */
-#include "bind/bind.h"
+#include "bind/back_ends.h"
+
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/queries.h"
+#include "bind/state.h"
 #include "geometry/tessellate.h"
 #include "geometry/plane/planar_evaluation.h"
 
@@ -11,6 +18,7 @@
 #include "geometry/shapes/simple_nodes.h"
 #include "solids/solid_meshes.h"
 #include "vm/machine/run.h"
+#include "vm/values/heap.h"
 
 /* ---- the drawing as a value ---- */
 
@@ -37,12 +45,12 @@ static vs_status lower_triangles(vs_args *f, const vs_fineness *facets, vs_node 
     vs_solid solid = { 0 };
     vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
     ok = vs_solid_evaluate(ref, 1, facets, &options, &solid, &e);
-    if (ok) *made = vs_node_of_mesh(f->bind->store, &solid.mesh, true);
+    if (ok) *made = vs_node_of_mesh(f->store, &solid.mesh, true);
     vs_solid_free(&solid);
   } else {
     vs_mesh mesh = { 0 };
     ok = vs_tessellate(ref->node, facets, &mesh, &e);
-    if (ok) *made = vs_node_of_mesh(f->bind->store, &mesh, false);
+    if (ok) *made = vs_node_of_mesh(f->store, &mesh, false);
     vs_mesh_free(&mesh);
   }
   if (ok) return *made ? VS_OK : vs_fail_memory(f->vm);
@@ -65,13 +73,13 @@ vs_status vs_p_lowered(vs_args *f, vs_value *out) {
   if (n->class_ == VS_CURVE) {
     vs_polyline p = { .count = 0 };
     bool ok = vs_curve_sample(n, &facets, &p, &e);
-    if (ok) made = vs_node_of_polyline(f->bind->store, &p);
+    if (ok) made = vs_node_of_polyline(f->store, &p);
     vs_polyline_free(&p);
     if (!ok) return vs_bind_error(f, &e);
   } else if (n->class_ == VS_REGION_CLASS && (worked_out || !vs_node_is_outline(n))) {
     vs_outline o = { .count = 0 };
     bool ok = vs_region_outline(n, &facets, &o, &e);
-    if (ok) made = vs_node_of_outline(f->bind->store, &o, f->arg[0].ref.origin);
+    if (ok) made = vs_node_of_outline(f->store, &o, f->arg[0].ref.origin);
     vs_outline_free(&o);
     if (!ok) return vs_bind_error(f, &e);
   } else if (!lower_triangles(f, &facets, &made)) {

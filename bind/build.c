@@ -1,7 +1,13 @@
 /* Owns the small steps that every procedure of the geometry ends with: make a value, make a node, give the empty
  * object. */
-#include "bind/bind.h"
+#include "bind/build.h"
+
+#include "bind/call/scratch.h"
+#include "bind/objects.h"
+#include "bind/records.h"
 #include "geometry/parts.h"
+#include "model/kinds.h"
+#include "vm/values/heap.h"
 
 vs_status vs_bind_point(vs_args *f, vs_vec3 p, vs_value *out) {
   return vs_make_flat(f->vm, VS_FLAT_POINT, (const double[]){ p.x, p.y, p.z }, 3, out);
@@ -68,7 +74,7 @@ vs_status vs_bind_node(vs_args *f, vs_node *node, vs_value *out) {
 vs_status vs_bind_make(vs_args *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out) {
   const char *large = data ? largest_field(kind, data) : NULL;
   if (large) return refuse_large(f, large);
-  return vs_bind_wrap(f->bind, vs_node_new(f->bind->store, kind, data, children, n), out);
+  return vs_bind_wrap(f->bind, vs_node_new(f->store, kind, data, children, n), out);
 }
 
 vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out) {
@@ -91,7 +97,7 @@ vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out) {
 
 vs_status vs_bind_empty(vs_args *f, const char *why, vs_value *out) {
   if (why) {
-    const char *name = vs_bind_defs[f->procedure - vs_bind_procedures].name;
+    const char *name = f->names;
     if (*name == '%') name++;
     vs_bind_warn(f->bind, why, "%.*s: %s: nothing is made (the empty object)", (int)strcspn(name, " "), name, why);
   }

@@ -3,9 +3,13 @@
  *
  * A number's ticket is shared by all nodes that hold the number. When the last of them goes, the number joins those
  * that primitives.scm asks for, which then forgets what the objects were made with. */
-#include "bind/bind.h"
+#include "bind/custom.h"
 
+#include "bind/build.h"
+#include "bind/objects.h"
+#include "bind/state.h"
 #include "vm/machine/run.h"
+#include "vm/values/heap.h"
 
 void vs_bind_ticket_gone(void *bind, uint32_t number) {
   vs_bind *b = bind;
@@ -111,7 +115,7 @@ vs_status vs_p_object_with(vs_args *f, vs_value *out) {
                  vs_kind_get((vs_kind)n->kind)->name, class_noun(was));
     return vs_fail(f->vm, f->vm->sym.type, "%s", f->bind->handed.message);
   }
-  vs_node *made = vs_node_new(f->bind->store, (vs_kind)n->kind, vs_node_data(n), kids, count);
+  vs_node *made = vs_node_new(f->store, (vs_kind)n->kind, vs_node_data(n), kids, count);
   if (!made) return vs_fail_memory(f->vm);
   vs_status s = vs_bind_wrap_ref(f->bind, (vs_ref){ made, o->origin }, out);
   vs_node_release(made);

@@ -2,16 +2,20 @@
  *
  * Files are named relative to the program's own file, as load-mesh names them, and read through the VM's host (vs_io),
  * so that what confines that confines these. jansson, which parses JSON, is loaded when it is first needed. */
-#include "bind/bind.h"
+
+#include "bind/data.h"
 
 #include <jansson.h>
 
+#include "bind/objects.h"
 #include "geometry/dynamic.h"
 #include "vm/library/port.h"
 #include "vm/front/source.h"
+#include "vm/machine/fail.h"
 #include "vm/machine/run.h"
 #include "vm/numbers/number.h"
 #include "vm/numbers/integer.h"
+#include "vm/values/heap.h"
 
 /* The file of the innermost call that stands in no library of the language; 0: none. */
 static uint32_t calling_file(vs_scheme *vm) {

@@ -1,10 +1,14 @@
 /* Owns drawing, looks and view: what of the program's objects is shown, in which material, seen from where. */
-#include "bind/bind.h"
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
 #include "bind/constructors/files.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bind/objects.h"
+#include "bind/state.h"
 #include "geometry/sky_light.h"
 #include "geometry/sun_position.h"
 #include "vm/library/port.h"
@@ -89,7 +93,7 @@ static vs_status around(vs_args *f, vs_kind kind, const void *data, const vs_arg
   if (objects->refs.count == 1) child = objects->refs.at[0];
   else {
     child =
-        (vs_ref){ vs_node_new(f->bind->store, VS_UNION, &(struct vs_union){ 0 }, objects->refs.at, objects->refs.count),
+        (vs_ref){ vs_node_new(f->store, VS_UNION, &(struct vs_union){ 0 }, objects->refs.at, objects->refs.count),
                   vs_bind_origin(f->bind) };
     if (!vs_bind_keep(f, child.node)) return VS_ERROR;
   }
@@ -107,7 +111,7 @@ vs_status vs_p_color(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_layer(vs_args *f, vs_value *out) {
-  const char *name = vs_store_text(f->bind->store, f->arg[0].text.at, f->arg[0].text.length);
+  const char *name = vs_store_text(f->store, f->arg[0].text.at, f->arg[0].text.length);
   if (!name) return vs_fail_memory(f->vm);
   return around(f, VS_LAYER, &(struct vs_layer){ .name = name }, &f->arg[1], out);
 }
@@ -153,7 +157,7 @@ static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_materi
 vs_status vs_p_make_material(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* name color roughness metallic transparency ior, the pattern's four, and image */
   vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5, { 0 } };
-  if (k[0].given && !(m.name = vs_store_text(f->bind->store, k[0].text.at, k[0].text.length)))
+  if (k[0].given && !(m.name = vs_store_text(f->store, k[0].text.at, k[0].text.length)))
     return vs_fail_memory(f->vm);
   if (k[1].given) m.red = k[1].material->red, m.green = k[1].material->green, m.blue = k[1].material->blue;
   if (k[2].given) m.roughness = k[2].real;
@@ -161,7 +165,7 @@ vs_status vs_p_make_material(vs_args *f, vs_value *out) {
   if (k[4].given) m.transparency = k[4].real;
   if (k[5].given) m.ior = k[5].real;
   if (pattern_of(f, &k[6], k[1].given, &m) != VS_OK) return VS_ERROR;
-  const vs_material *kept = vs_store_material(f->bind->store, &m);
+  const vs_material *kept = vs_store_material(f->store, &m);
   if (!kept) return vs_fail_memory(f->vm);
   return vs_make_foreign(f->vm, &vs_paint_type, (void *)(uintptr_t)kept, 0, out);
 }

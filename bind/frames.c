@@ -1,5 +1,8 @@
 /* Owns axes, planes and matrices as values of the language. */
-#include "bind/bind.h"
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/records.h"
+#include "vm/values/heap.h"
 
 static vs_status line_value(vs_args *f, uint32_t tag, vs_vec3 at, vs_vec3 d, vs_value *out) {
   return vs_make_flat(f->vm, tag, (const double[]){ at.x, at.y, at.z, d.x, d.y, d.z }, 6, out);

@@ -1,9 +1,15 @@
 /* Owns the measures of objects: volume, area, length, centroid, by formula where geometry has one, else of the
  * solid mesh that every back-end would write. */
-#include "bind/bind.h"
+#include "bind/measures.h"
 
 #include <stdlib.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/constructors/operations.h"
+#include "bind/objects.h"
+#include "bind/queries.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
 #include "geometry/tessellate.h"
@@ -40,7 +46,7 @@ vs_status vs_bind_resolve(vs_args *f, int i) {
 enum { SOLID_MEASURE /* and one for each vs_ask */ };
 
 static bool known(vs_args *f, uint64_t what, const vs_fineness *facets, void *out, size_t size) {
-  vs_cache *cache = vs_store_cache(f->bind->store);
+  vs_cache *cache = vs_store_cache(f->store);
   const uint64_t words[] = { what, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
   const vs_cached *held = vs_cache_find(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3, 0 });
   if (!held) return false;
@@ -50,7 +56,7 @@ static bool known(vs_args *f, uint64_t what, const vs_fineness *facets, void *ou
 }
 
 static void keep(vs_args *f, uint64_t what, const vs_fineness *facets, const void *at, size_t size) {
-  vs_cache *cache = vs_store_cache(f->bind->store);
+  vs_cache *cache = vs_store_cache(f->store);
   const uint64_t words[] = { what, vs_cache_real(facets->tolerance), (uint64_t)(int64_t)facets->segments };
   vs_cache_let_go(cache, vs_cache_keep(cache, &(vs_cache_key){ VS_CACHED_MEASURE, f->arg[0].ref.node, words, 3, 0 },
                                        &(vs_cache_piece){ at, size }, 1));
@@ -141,7 +147,7 @@ vs_status vs_p_area(vs_args *f, vs_value *out) {
   if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
   if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* taken as filled */
     if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
-    vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
+    vs_node *region = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
     if (!vs_bind_keep(f, region)) return VS_ERROR;
     f->arg[0].ref.node = region;
     c = VS_REGION_CLASS;

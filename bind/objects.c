@@ -1,7 +1,10 @@
 /* Owns what Scheme sees of the model: objects (references to nodes), paints (materials), where they came from, and
  * warnings about them. */
-#include "bind/bind.h"
+#include "bind/objects.h"
 
+#include "bind/call/refuse.h"
+#include "bind/print.h"
+#include "bind/state.h"
 #include "vm/front/source.h"
 
 #include <stdarg.h>

@@ -1,10 +1,18 @@
 /* Owns define-parameter: values that a command line, a slider or a host may set before the program runs. */
-#include "bind/bind.h"
+#include "bind/parameters.h"
 
 #include <math.h>
 #include <stdio.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/objects.h"
+#include "bind/print.h"
+#include "bind/records.h"
+#include "bind/state.h"
+#include "vm/machine/fail.h"
 #include "vm/numbers/number.h"
+#include "vm/values/heap.h"
 #include "vm/values/printer.h"
 #include "vm/front/reader.h"
 
@@ -41,7 +49,7 @@ static const char *written(vs_args *f, vs_value v) {
   const char *text = NULL;
   vs_text_open(f->vm, &t, 0);
   if (vs_print(f->vm, v, vs_is_string(v) ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, &t)) {
-    text = vs_store_text(f->bind->store, t.at ? t.at : "", t.count);
+    text = vs_store_text(f->store, t.at ? t.at : "", t.count);
     if (!text) vs_fail_memory(f->vm);
   }
   vs_text_close(&t);
@@ -159,7 +167,7 @@ static vs_status read_choices(vs_args *f, vs_bind_parameter *p) {
   vs_value list = f->key[KEY_CHOICES].value;
   int64_t n = vs_list_length(list);
   if (n < 1) return vs_bind_refuse(f, "#:choices", "a list of values", list);
-  p->choices = vs_store_realloc(f->bind->store, NULL, 0, (size_t)n * sizeof *p->choices);
+  p->choices = vs_store_realloc(f->store, NULL, 0, (size_t)n * sizeof *p->choices);
   if (!p->choices) return vs_fail_memory(f->vm);
   p->choice_count = (size_t)n;
   VS_ROOTS(f->vm, r, 1);
@@ -202,7 +210,7 @@ static vs_status keep(vs_args *f, const vs_bind_parameter *p) {
 
 static vs_status define(vs_args *f, vs_bind_parameter *p, vs_value *value, vs_value first) {
   const vs_arg *k = f->key;
-  vs_store *s = f->bind->store;
+  vs_store *s = f->store;
   if (!(p->name = vs_store_text(s, f->arg[0].text.at, f->arg[0].text.length))) return vs_fail_memory(f->vm);
   p->label = k[KEY_LABEL].given ? vs_store_text(s, k[KEY_LABEL].text.at, k[KEY_LABEL].text.length) : p->name;
   p->group = k[KEY_GROUP].given ? vs_store_text(s, k[KEY_GROUP].text.at, k[KEY_GROUP].text.length) : "";
@@ -239,7 +247,7 @@ vs_status vs_p_parameter(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = r[1] = f->arg[1].value;
   vs_status s = define(f, &p, &r[0], r[1]);
-  if (!s) vs_store_realloc(f->bind->store, p.choices, p.choice_count * sizeof *p.choices, 0);
+  if (!s) vs_store_realloc(f->store, p.choices, p.choice_count * sizeof *p.choices, 0);
   *out = r[0];
   return s;
 }

@@ -1,5 +1,7 @@
 /* Owns points and gvectors as the language makes, takes apart and combines them (LANGUAGE: points and vectors). */
-#include "bind/bind.h"
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/records.h"
 
 #define X(i) (f->arg[i].real)
 #define P(i) (f->arg[i].point)

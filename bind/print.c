@@ -1,10 +1,11 @@
 /* Owns the text of an object: the expression that makes it, from the field table of prims.def; iterative, so the depth
  * is no matter. */
-#include "bind/bind.h"
+#include "bind/print.h"
 
 #include "model/walk.h"
 
 #include <stdio.h>
+#include <string.h>
 #include <stdlib.h>
 
 void vs_bind_number_text(char out[32], double d) {

@@ -1,8 +1,16 @@
 /* Owns what a program can ask of an object: its kind and parts, its bounds and measures. */
-#include "bind/bind.h"
+#include "bind/queries.h"
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/constructors/operations.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/plane/planar_evaluation.h"
+#include "vm/values/heap.h"
 
 static vs_status truth(bool b, vs_value *out) {
   *out = vs_bool(b);
@@ -118,16 +126,6 @@ vs_status vs_p_object_count(vs_args *f, vs_value *out) {
 
 /* ---- measures ---- */
 
-vs_status vs_bind_error(vs_args *f, const vs_error *e) {
-  switch (e->kind) {
-    case VS_ERROR_MEMORY: return vs_fail_memory(f->vm);
-    case VS_ERROR_INTERRUPT: return vs_fail(f->vm, f->vm->sym.interrupt, "interrupted");
-    case VS_ERROR_FILE: return vs_fail(f->vm, f->vm->sym.file, "%s", e->message);
-    case VS_ERROR_NONE: case VS_ERROR_MODEL: case VS_ERROR_WORKER: break;
-  }
-  return vs_fail(f->vm, f->vm->sym.error, "%s", *e->message ? e->message : "cannot be worked out");
-}
-
 vs_status vs_bind_finite(vs_args *f, int i) {
   const vs_arg *a = &f->arg[i];
   if (!(a->ref.node->flags & VS_NODE_ENDLESS)) return VS_OK;
@@ -146,7 +144,7 @@ vs_status vs_p_contains(vs_args *f, vs_value *out) {
     return vs_region_contains(n, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);
   if (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED) { /* taken as filled */
     if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
-    vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
+    vs_node *region = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
     if (!vs_bind_keep(f, region)) return VS_ERROR;
     return vs_region_contains(region, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);
   }

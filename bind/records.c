@@ -1,4 +1,6 @@
 /* Owns the flat record types of the language: which there are, how they print, which arithmetic they have. */
+#include "bind/records.h"
+
 #include "bind/functions/function_values.h"
 
 static const vs_flat_type types[] = {

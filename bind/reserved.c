@@ -1,5 +1,9 @@
 /* Owns the answer of names that are taken and not there yet. */
-#include "bind/bind.h"
+#include "bind/reserved.h"
+
+#include "bind/procedures.h"
+#include "vm/machine/activation.h"
+#include "vm/machine/fail.h"
 
 static const struct { const char *name, *instead; } reserved[] = {
 #define RESERVED(name, instead) { name, instead },

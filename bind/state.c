@@ -1,7 +1,15 @@
 /* Owns the life of what bind/ keeps besides the heap, and the rule of what a file's model is: what it drew, else what
  * its top-level expressions returned. */
-#include "bind/bind.h"
+#include "bind/state.h"
 
+#include "bind/back_ends.h"
+#include "bind/call/convert.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/custom.h"
+#include "bind/objects.h"
+#include "bind/parameters.h"
+#include "bind/thrown.h"
 #include "model/store/cache.h"
 #include "bind/rules/lineage.h"
 #include "model/store/nodemap.h"

@@ -5,8 +5,10 @@
  * that `draw` has just given back is nothing of note; of the rest the first at each place is kept, for a few places,
  * and looked for at the end of the evaluation: a program may have put it into a list of its own, and what is part of
  * the model in the end was not thrown away. */
-#include "bind/bind.h"
+#include "bind/thrown.h"
 
+#include "bind/objects.h"
+#include "bind/state.h"
 #include "model/store/nodemap.h"
 #include "model/walk.h"
 

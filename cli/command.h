@@ -35,13 +35,4 @@ typedef struct {
   unsigned results;           /* values shown since the program began: the last one's name is $results */
 } cli_session;
 
-/* vs_eval_text, watched. */
-vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length,
-                            unsigned flags);
-/* Runs what the command line named, or model, from the start: definitions, drawing and the rest are forgotten first.
-   Then the summary. */
-vs_outcome cli_session_run(cli_session *c);
-/* Writes the drawing as the target says. */
-vs_outcome cli_session_write(cli_session *c, const cli_target *t);
-
 #endif

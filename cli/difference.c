@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/json.h"
+#include "cli/main.h"
 
 /* ---- what a model was like, once the next runs ---- */
 

@@ -1,5 +1,7 @@
 /* Owns the command `vs`: runs what the command line names, then writes what it asks for. Exit codes are
  * vs_outcome's. */
+#include "cli/main.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -22,6 +24,7 @@
 #include "cli/light/exr_commands.h"
 #include "cli/fit/fit_command.h"
 #include "cli/light/sun_command.h"
+#include "cli/stats.h"
 #include "cli/study.h"
 #include "live/live.h"
 

@@ -26,7 +26,6 @@ void cli_report_stop(cli_reporter *r, vs_scheme *scheme, const vs_stop_info *sto
 bool cli_report_calls(vs_scheme *scheme, FILE *to);
 /* "house.vs: 3 solids, 4 x 5.5 x 2 m, from (0 0 0) to (4 5.5 2)" */
 void cli_report_summary(const char *title, const vs_summary *s);
-void cli_report_statistics(vs_scheme *s, bool json); /* statistics.c */
 void cli_report_parameters(FILE *to, vs_scheme *s); /* JSON */
 
 #endif

@@ -3,6 +3,8 @@
  * Both are made of the library's keys alone. Each NAME with a key memory.NAME.peak is a phase, with time.stage.NAME
  * a stage, with time.mesh.NAME a step, with cache.NAME.hits a kind of kept results; passes are those of vs_pass_list.
  * A new one shows without a change here. The row of the program is the whole less the outputs. */
+#include "cli/stats.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

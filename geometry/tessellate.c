@@ -4,6 +4,7 @@
 #include "geometry/tessellate.h"
 
 #include "geometry/profiles/loft.h"
+#include "geometry/profiles/loft_mesh.h"
 #include "geometry/profiles/revolve.h"
 #include "geometry/primitives/solid_triangles.h"
 #include "geometry/primitives/shape.h"

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "kernel/threads.h"
+
 enum { SERIAL = 10000 /* triangles that are not worth a thread */, CHUNK = 16 /* placements of a task */ };
 
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles) {

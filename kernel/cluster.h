@@ -203,59 +203,20 @@ static inline bool vs_too_hidden(const vs_cluster *c, size_t cuts, size_t crosse
       hidden > crossed / 4 * 3);
 }
 
-/* The steps, in order. All false on error. */
-bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *local_to_frame /* one a leaf of the cluster */);
-bool vs_snap_to_grid(vs_kernel *k, vs_cluster *c);                       /* frame, weld, grid; and the next two */
-bool vs_plain_find(vs_kernel *k, vs_cluster *c);                       /* fate */
-bool vs_facets_build(vs_kernel *k, vs_cluster *c);                     /* triangles, facets */
-bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* lids; within vs_snap_to_grid */
-bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* patches, boxes, bvh */
-bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* cuts, groups */
-bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* faces, uses */
-bool vs_plain_regions(vs_kernel *k, vs_cluster *c);                    /* regions, and their faces and uses */
-/* the same of facets that are given by their sides */
-bool vs_meet_facets(vs_kernel *k, vs_cluster *c);
-/* of a crowded cluster: facets, sides, cuts, groups */
-bool vs_unite_levels(vs_kernel *k, vs_cluster *c, vs_expression *e);
-bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e); /* kept */
-bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out);
 /* Keeps a result as facets of its own: appends to sides and facets, in the numbers of the cluster's points; a facet's
  * leaf is its face's tag. */
 typedef struct {
   VS_LIST(vs_facet) facets; /* one more behind them: where the last one's sides end */
   VS_LIST(vs_facet_side) sides;
 } vs_outlines;
-bool vs_output_outlines(vs_kernel *k, vs_cluster *c, vs_outlines *out);
 void vs_cluster_free(vs_kernel *k, vs_cluster *c);
 
 /* Bit b of masks[vertex]: the leaf's vertex is well inside its b-th lid, or (the last six bits) beyond one side of the
  * gate. */
 enum { VS_LIDS = 48 };
-bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks);
-bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* false: all masks would be 0 */
-/* Shrinks the box of a patch of the leaf to what the balls within lids leave of it. */
-void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *corners, uint32_t count, vs_bvh_box *box);
-/* Is the point, in steps, well inside a lid that is near the leaf at that place? */
-bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]);
-/* Is the segment, in steps, well inside a lid that is near the leaf at that place, but not the other leaf? */
-bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]);
-
-/* Of the kept regions: how many triangles; and appends them. number: of each point, its vertex in the result. */
-size_t vs_plain_kept(const vs_cluster *c);
-bool vs_plain_copy(vs_kernel *k, vs_cluster *c, vs_mesh *out, const uint32_t *number);
-
-vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p);
 
 /* The order of faces around the edge from `low` to `high`: sign and axes in which (x, y) of their normals is looked at;
  * see classify.c. */
 typedef struct { int64_t x, y; uint32_t ccw, cw; } vs_around; /* ccw, cw: the user's */
-int vs_around_axes(vs_points_view view, uint32_t low, uint32_t high, int *x, int *y);
-bool vs_around_before(const vs_around *a, const vs_around *b);
-
-/* Of the result's triangles from first_triangle on: sides: 2 * plane + looks against its normal, of each; points: of
- * the vertices from first_vertex on. rim: of a point: plain triangles go on from here, which have not been written yet;
- * so many edges are still without their second triangle. Or NULL. */
-bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle,
-                       const uint32_t *sides, const uint32_t *points, const uint8_t *rim, size_t rim_edges);
 
 #endif

@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "kernel/threads.h"
+
 /* ---- twins ---- */
 
 typedef struct { uint32_t high, corner; } half; /* corner: 2 * number + runs from high to low */

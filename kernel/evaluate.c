@@ -2,6 +2,14 @@
  *
  * Leaves whose boxes are apart cannot meet, so each cluster has its own frame and grid. The one expression serves all:
  * in a cluster's cells the leaves of the others are outside. */
+#include "kernel/arrange/arrange_planes.h"
+#include "kernel/arrange/classify.h"
+#include "kernel/arrange/facets.h"
+#include "kernel/arrange/intersect_patches.h"
+#include "kernel/arrange/levels.h"
+#include "kernel/arrange/patches.h"
+#include "kernel/arrange/snap_to_grid.h"
+#include "kernel/arrange/untouched_triangles.h"
 #include "kernel/check.h"
 #include "kernel/evaluate.h"
 #include "kernel/clip.h"
@@ -10,6 +18,8 @@
 #include "kernel/assemble.h"
 #include "kernel/cluster_cache.h"
 #include "kernel/mesh/inspect.h"
+#include "kernel/mesh/make_result.h"
+#include "kernel/threads.h"
 #include "model/store/cache.h"
 
 #include <math.h>

@@ -51,24 +51,16 @@ static inline bool vs_kernel_poll(vs_kernel *k, double part) {
   return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part);
 }
 
-/* A step ends, the first one begun by vs_kernel_time: its seconds are added to what it had. True, so that it may stand
- * between steps. */
-void vs_kernel_time(vs_kernel *k, double laps[VS_STEP_COUNT]);
-bool vs_kernel_lap(vs_kernel *k, vs_step step);
-
 /* For procedures that only prefetch: gcc takes one that is not inlined at once for one that does nothing. */
 #define VS_AHEAD static inline __attribute__((always_inline)) void
 
 /* Calls task(k, context, 0) to task(k, context, count - 1), in any order and at once where there are threads. k is not
  * the caller's in each of them. */
 typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
-bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context);
 /* The same, and taker(k, context, i) in the caller's thread for every i in order, after its task and while later ones
  * are still done. The result of a task may lie in place i % VS_PIPELINE_WINDOW: no more wait to be taken. Tasks must
  * not read what the taker changes. */
 enum { VS_PIPELINE_WINDOW = 64 };
-bool vs_kernel_pipeline(vs_kernel *k, size_t count, vs_task_fn *task, vs_task_fn *taker, void *context);
-uint32_t vs_kernel_threads(const vs_kernel_options *options); /* how many there may be */
 
 /* Stable merge sort of numbers by a strict order; scratch as large as the array. */
 typedef bool vs_less_fn(const void *context, uint32_t a, uint32_t b);

@@ -1,6 +1,8 @@
 /* Owns the threads: tasks handed out one by one to as many as there are processors. The result of a task depends on its
  * number alone, so the result does not depend on who did it. The caller's thread works too, and is the only one that
  * reports progress. And the clock, which only accounts are made by. */
+#include "kernel/threads.h"
+
 #include "kernel/memory.h"
 #include "model/signals.h"
 

@@ -117,8 +117,6 @@ enum {
 };
 extern const unsigned char vs_kind_roles[];   /* by kind: vs_role */
 extern const unsigned short vs_kind_traits[]; /* by kind: VS_IS_... */
-/* is no number of a payload, or of its points, larger either way, or none at all? */
-bool vs_kind_within(vs_kind kind, const void *data, double most);
 
 typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
 

@@ -6,6 +6,8 @@
  *
  * A set that will dissolve into the one above is passed on as it is and noted; the topmost gathers all below it in one
  * go. Therefore a chain of n binary unions costs n, not n^2. */
+#include "passes/flatten.h"
+
 #include <string.h>
 
 #include "model/store/nodemap.h"

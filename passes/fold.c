@@ -6,7 +6,10 @@
  * A placement goes through at most one set of CARRY_MOST members: so each node costs no more than that, and texts do
  * not fill with long numbers for one command less. Transparent paint stays on its parts: round a set it would make of
  * panes that touch one body of glass. */
+#include "passes/fold.h"
+
 #include "model/store/nodemap.h"
+#include "passes/moved_primitives.h"
 #include "passes/rewrite.h"
 
 enum { CARRY_MOST = 8, DRESS_MOST = 4 };

@@ -4,6 +4,8 @@
  * few are left; each half is the intersection of a box, a little larger than its parts, with their union. A point
  * outside of the box is then outside of all of them at once. Parts with a paint of their own, or without bounds, stay
  * where they are: order and paint do not change. */
+#include "passes/group.h"
+
 #include <math.h>
 #include <stdlib.h>
 

@@ -3,6 +3,8 @@
  * A kind is closed under some maps only: a box under those that keep axes, a round solid under those that keep circles,
  * polyhedra and polylines under all. Where the modeller gave the facets (segments) a turn would move their corners:
  * then only shifts and even scales fold. */
+#include "passes/moved_primitives.h"
+
 #include <math.h>
 
 #include "geometry/primitives/shape.h"

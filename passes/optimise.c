@@ -2,6 +2,8 @@
 #include "passes/optimise.h"
 
 #include "geometry/measure/node_measures.h"
+#include "passes/group.h"
+#include "passes/rewrite.h"
 
 /* Samples that a pass asks for in vain must not stop the drawing: what has no bounds is everywhere, and its own error
  * comes when it is meshed. */

@@ -28,16 +28,4 @@ typedef struct {
   size_t changed[VS_PASS_COUNT];                     /* nodes that each pass rewrote */
 } vs_pass_stats;
 
-/* Rewrites the references in place (new nodes retained, old ones released); on failure they are what they were. stats
- * may be NULL. */
-bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats,
-                   vs_error *e);
-/* Counts the commands that a target program has to be told: a primitive 1, a placement or material 1, a k-ary set k -
- * 1, a template 1 and each use of it 1. */
-bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *commands, vs_error *e);
-/* Not a pass of its own: for a target that tries every part of a set for every ray, what is taken off something in very
- * many parts becomes a tree of boxes (group.c). More commands, the same drawing. Rewrites as vs_passes_run does; bounds
- * are needed. */
-bool vs_sets_group(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_error *e);
-
 #endif

@@ -1,6 +1,9 @@
 /* Owns the one loop that all passes are run by: every distinct node once, children first, results remembered; and the
  * counting of commands. */
 #include "passes/rewrite.h"
+#include "passes/flatten.h"
+#include "passes/fold.h"
+#include "passes/share.h"
 
 /* what a node became; origin NULL: that of each reference */
 typedef struct { vs_node *node; const vs_origin *origin; } vs_rewritten;

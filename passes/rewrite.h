@@ -34,19 +34,13 @@ bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* named once: no
 
 #define VS_PASS(upper, lower, begin, end, doc) vs_rewrite_fn vs_pass_##lower;
 #include "passes/passes.def"
-/* The primitive n under a; NULL: with *fits false where that is no primitive of its kind, else out of memory. */
-vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, bool *fits);
-/* Does a only shift, and make all alike larger or smaller? */
-bool vs_fold_is_upright(const vs_affine *a);
-bool vs_fold_begin(vs_rewrite *w); /* makes w->state */
-void vs_fold_end(vs_rewrite *w);
-bool vs_flatten_begin(vs_rewrite *w); /* makes w->state */
-void vs_flatten_end(vs_rewrite *w);
-/* Is b a turned, mirrored and moved, within near? *turn: the map. *work grows by what it cost, in points. False with
- * *starved: out of memory. */
-bool vs_turn_find(vs_store *s, const vs_node *a, const vs_node *b, double near, vs_affine *turn, size_t *work,
-                  bool *starved);
-bool vs_share_begin(vs_rewrite *w); /* makes w->state */
-void vs_share_end(vs_rewrite *w);
+
+/* Rewrites the references in place (new nodes retained, old ones released); on failure they are what they were. stats
+ * may be NULL. */
+bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats,
+                   vs_error *e);
+/* Counts the commands that a target program has to be told: a primitive 1, a placement or material 1, a k-ary set k -
+ * 1, a template 1 and each use of it 1. */
+bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *commands, vs_error *e);
 
 #endif

@@ -20,12 +20,15 @@
  * d copies of c commands cost d*c apart and c + 2*d with a template, d uses and d - 1 placements: shared where that is
  * less. Of parts that are templates whatever becomes of the copies, a copy has the uses alone. The first copy met is
  * the template, so that parts of shared parts settle by themselves. */
+#include "passes/share.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "passes/rewrite.h"
 #include "model/store/hashes.h"
+#include "passes/turn.h"
 
 typedef struct { uint64_t a, b; } vs_share_key;
 typedef struct {

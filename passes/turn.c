@@ -5,6 +5,8 @@
  * corners), else the corner and the axes of its frame, and then its fields must be equal as they stand. Three of the
  * points far from each other, and the side on which a fourth lies, give the one rigid map that can be meant; then every
  * pair is held to it. Therefore a template is never wrong by more than rounding, whatever was tried. */
+#include "passes/turn.h"
+
 #include <math.h>
 #include <string.h>
 

@@ -5,6 +5,7 @@
 #ifndef VS_SCRIPTS_ANALYZER_H
 #define VS_SCRIPTS_ANALYZER_H
 
+#include "bind/call/refuse.h"
 #include "model/store/array.h"
 #undef VS_GROW
 #define VS_GROW(array, room, need) \
@@ -14,7 +15,6 @@
 #include "languages/javascript/script.h"
 #define vs_script_fail(...) ((void)(vs_script_fail)(__VA_ARGS__), false)
 #elif defined(ANALYZED_MODEL)
-#include "bind/bind.h"
 #define vs_error_set(...) ((void)(vs_error_set)(__VA_ARGS__), false)
 #define vs_error_memory(...) ((void)(vs_error_memory)(__VA_ARGS__), false)
 #define vs_bind_error(...) ((void)(vs_bind_error)(__VA_ARGS__), VS_ERROR)

@@ -4,7 +4,7 @@
 #
 #   arrows     an include follows scripts/layers.list
 #   globals    no object of the library has mutable data (cli/ has some: a signal handler gets no context)
-#   rooms      a folder of a layer holds at most 25 files, and each has a README.md
+#   rooms      a folder of a layer holds at most 21 names (a .c and its .h are one), and each has a README.md
 #   Makefile   the objects that it names have sources
 #   names      no two source files of different folders share a base name, and no two headers have a type of one name
 #   files      a file that a comment names is there, and each source begins with a comment: what it owns
@@ -49,9 +49,9 @@ grep -v "^$build/obj/cli/" "$work/objects" | xargs -r objdump -t | awk '
 
 # ---- rooms and names ----
 for room in $(find $layers -type d | sort); do
-  count=$(find "$room" -maxdepth 1 -type f ! -name README.md | wc -l)
+  count=$(find "$room" -maxdepth 1 -type f ! -name README.md | sed 's/\.[^.]*$//' | sort -u | wc -l)
   [ "$count" -gt 0 ] || continue
-  [ "$count" -le 25 ] || echo "$room/: $count files; a room holds at most 25" >> "$work/wrong"
+  [ "$count" -le 21 ] || echo "$room/: $count names; a room holds at most 21" >> "$work/wrong"
   case $room in backends/*) ;; *) [ -f "$room/README.md" ] || echo "$room/: no README.md says what the room owns" >> "$work/wrong" ;; esac
 done
 find $layers -name '*.[ch]' -o -name '*.def' -o -name '*.scm' | awk '{
@@ -117,36 +117,47 @@ limit vague-openers "$(xargs grep -hE '(/\*+|^ *\*|//|\.) +(What|That|One|Those|
     close($0) }' | sort -u > "$work/unknown-files"
 [ ! -s "$work/unknown-files" ] || sed 's/: \(.*\)/ names \1, and there is no such file/' "$work/unknown-files" >> "$work/wrong"
 
-# Externals of a .c file that the header of its name does not declare, nor the public header; vs_p_ are natives, which the table of procedures
-# declares.
+# Externals of a .c file that the header of its name does not declare, nor the public header. Tables declare the others: procedures.def the natives
+# vs_p_, forms.def the forms vs_form_, passes.def the passes vs_pass_.
 xargs -r nm -A --defined-only -g < "$work/objects" | awk -v build="$build/obj/" '
   $2 == "T" || $3 == "T" {
     file = $1; sub(/:.*/, "", file); symbol = $NF
     sub("^" build, "", file); sub(/\.o$/, ".h", file)
     if (!public) while ((getline line < "visualscheme.h") > 0) public = public line "\n"
     if (!(file in text)) { text[file] = " "; while ((getline line < file) > 0) text[file] = text[file] line "\n"; close(file) }
-    if (symbol != "main" && symbol !~ /^vs_p_/ && !match(text[file], "[^a-z0-9_]" symbol "\\(") && !match(public, "[^a-z0-9_]" symbol "\\(")) print file ": does not declare " symbol
+    if (symbol != "main" && symbol !~ /^vs_(p|form|pass)_/ && !match(text[file], "[^a-z0-9_]" symbol "\\(") && !match(public, "[^a-z0-9_]" symbol "\\(")) print file ": does not declare " symbol
   }' > "$work/elsewhere"
 [ "$built" -lt "$all" ] || limit declared-elsewhere "$(wc -l < "$work/elsewhere")" "external functions that the header of their file's name does not declare"
 
-# Circles of includes; a .c and the .h of its name are one.
-xargs grep -HE '^[ \t]*#[ \t]*include[ \t]*"' < "$work/sources" | awk -F: '{
-    from = $1; sub(/\.[ch]$/, "", from); to = $0; sub(/^[^"]*"/, "", to); sub(/".*/, "", to)
-    if (to !~ /\.h$/) next
-    sub(/\.h$/, "", to)
-    if (from == to || ((from, to) in have)) next
-    have[from, to] = 1; next_of[from] = next_of[from] " " to; node[from] = node[to] = 1
-  }
+# Circles of objects: each uses a symbol of the next. The expander is one machine in several files and has a limit of its own.
+[ "$built" -lt "$all" ] || xargs -r nm -A -g < "$work/objects" | awk -v build="$build/obj/" '
+  { object = $1; sub(/:.*/, "", object); sub("^" build, "", object); sub(/\.o$/, "", object) }
+  $(NF - 1) == "U" || $(NF - 1) ~ /:U$/ { uses[++count] = object " " $NF; next }
+  { owner[$NF] = object }
   END {
+    for (i = 1; i <= count; i++) {
+      split(uses[i], use, " ")
+      if (!(use[2] in owner) || owner[use[2]] == use[1]) continue
+      from = use[1]; to = owner[use[2]]
+      if (!((from, to) in have)) { have[from, to] = 1; next_of[from] = next_of[from] " " to; node[from] = node[to] = 1 }
+    }
     for (start in node) {
       split("", seen); top = 1; stack[1] = start
       while (top) { n = split(next_of[stack[top--]], out, " "); for (i = 1; i <= n; i++) if (!(out[i] in seen)) { seen[out[i]] = 1; stack[++top] = out[i] } }
       for (other in seen) reach[start, other] = 1
     }
-    for (a in node) { size = 0; for (b in node) if (((a, b) in reach) && ((b, a) in reach)) size++; if (size > most) most = size }
-    print most + 0
-  }' > "$work/circle"
-limit include-circle "$(cat "$work/circle")" "files in the widest circle of includes"
+    for (a in node) {
+      size = 0; text = ""; expander = 0
+      for (b in node) if (((a, b) in reach) && ((b, a) in reach)) { size++; text = text " " b; if (b == "vm/front/expand") expander = 1 }
+      if (expander) { if (size > machine) { machine = size; whole = text } }
+      else if (size > most) { most = size; widest = text }
+    }
+    print most + 0, widest; print machine + 0, whole
+  }' > "$work/circles"
+[ ! -s "$work/circles" ] || {
+  limit symbol-circle "$(sed -n '1s/ .*//p' "$work/circles")" "objects in the widest circle:$(sed -n '1s/^[0-9]*//p' "$work/circles")"
+  limit expander-circle "$(sed -n '2s/ .*//p' "$work/circles")" "objects in the circle of the expander:$(sed -n '2s/^[0-9]*//p' "$work/circles")"
+}
 
 # Words that the glossary has replaced (scripts/words.list: WORD MOST INSTEAD).
 while read -r word most instead; do

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bind/records.h"
 #include "bind/scene/node_natives.h"
 #include "vm/machine/image.h"
 #include "vm/values/printer.h"

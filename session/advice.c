@@ -7,7 +7,13 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "bind/call/contract.h"
+#include "bind/constructors/regroup.h"
+#include "bind/objects.h"
+#include "bind/procedures.h"
+#include "session/report.h"
 #include "session/source_outline.h"
+#include "vm/machine/fail.h"
 #include "vm/values/printer.h"
 #include "vm/front/environment.h"
 #include "vm/front/source.h"

@@ -4,7 +4,11 @@
 
 #include <string.h>
 
+#include "bind/objects.h"
+#include "bind/print.h"
 #include "session/handles.h"
+#include "session/host.h"
+#include "session/report.h"
 #include "session/spine.h"
 #include "solids/changed_parts.h"
 

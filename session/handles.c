@@ -8,10 +8,17 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "bind/objects.h"
+#include "bind/records.h"
+#include "session/evaluation.h"
+#include "session/host.h"
+#include "session/report.h"
 #include "vm/front/environment.h"
+#include "vm/machine/fail.h"
 #include "vm/machine/run.h"
 #include "vm/numbers/number.h"
 #include "vm/numbers/integer.h"
+#include "vm/values/heap.h"
 
 enum { HOST_HELD = 5 }; /* where the vector of held values lies in at.host */
 

@@ -1,5 +1,7 @@
 /* Owns what the interpreter asks of the system: memory, time, files, the console. Everything above goes through the
  * embedder's callbacks where it gave some. The VM has no system calls of its own; these are all there are. */
+#include "session/host.h"
+
 #include "session/names.h"
 #include "session/session.h"
 

@@ -14,6 +14,8 @@
 #include "geometry/shapes/unit_forms.h"
 #include "model/store/hashes.h"
 #include "session/handles.h"
+#include "session/host.h"
+#include "session/report.h"
 #include "session/spine.h"
 
 typedef struct {

@@ -5,10 +5,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bind/procedures.h"
+#include "session/report.h"
 #include "vm/machine/arguments.h"
 #include "vm/compiler/code.h"
 #include "vm/compiler/dump.h"
 #include "vm/front/environment.h"
+#include "vm/values/heap.h"
 #include "vm/values/printer.h"
 #include "vm/machine/run.h"
 #include "vm/machine/activation.h"

@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "session/handles.h"
+#include "session/host.h"
+#include "session/report.h"
 
 /* Calls the procedure with handles for its arguments; *result becomes a handle to its value, 0 where it failed. */
 static vs_outcome call(vs_scheme *vm, const char *who, const char *procedure, const vs_handle *arguments, size_t count,

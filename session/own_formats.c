@@ -3,6 +3,8 @@
  *
  * The driver walks the drawing and lowers what the host has no callback for, as it does for every format. Placements,
  * materials, layers and unions need no callback: a thing comes with its place, paint and layer. */
+#include "session/own_formats.h"
+
 #include <string.h>
 
 #include "backends/backend.h"

@@ -1,5 +1,8 @@
 /* Owns what a host is told when something is wrong: conditions, errors of the layers below, warnings; each with its
  * place, the line of the source, and the user's own calls that led there. */
+#include "session/report.h"
+
+#include "bind/objects.h"
 #include "session/advice.h"
 #include "session/session.h"
 #include "vm/front/source.h"
@@ -180,4 +183,9 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
       vs_mem(vm, text, bytes, 0);
     }
   return outcome;
+}
+
+vs_outcome vs_session_out_of_memory(vs_session *s) {
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
+  return VS_OUTCOME_MACHINE;
 }

@@ -7,12 +7,11 @@
 #include <stdio.h>
 
 #include "backends/export.h"
-#include "bind/bind.h"
+#include "bind/state.h"
 #include "model/store/cache.h"
 #include "passes/passes.h"
 #include "model/scene.h"
 #include "model/tally.h"
-#include "bind/scene/node_natives.h"
 #include "visualscheme.h"
 #include "vm/library/port.h"
 #include "vm/values/text.h"
@@ -97,48 +96,6 @@ typedef struct {
   size_t profile_count;
 } vs_session;
 
-/* ---- visualscheme.c ---- */
-/* Begins an evaluation: the limits count from here, and what the last one left behind is forgotten. */
-void vs_session_begin(vs_session *s, unsigned flags);
-/* Ends it: what it made is told, or its condition is; usage: its fault is the caller's, exit 2. */
-vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage);
-vs_outcome vs_session_out_of_memory(vs_session *s); /* Reports it to the host. */
-
 static inline vs_session *vs_session_of(const vs_scheme *vm) { return (vs_session *)vm->host; }
-
-/* ---- host.c ---- */
-void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes);  /* of the VM and of the store */
-double vs_session_clock(void *session);                                            /* seconds, monotonic */
-bool vs_session_interrupted(void *session);
-extern const vs_io vs_session_io;
-/* A whole file as malloc'ed text; false: *why. source: it is kept as one, for messages. */
-bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why);
-bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length);
-void vs_session_close_files(vs_session *s);
-void vs_session_free_sources(vs_session *s);
-
-/* ---- statistics.c ---- */
-/* Round an output: begin before anything is done for it, count when the drawing is ready for the passes, end when it is
- * written or has failed. False: out of memory. */
-/* The host's format of this name, ending or path; NULL: it brought none such. */
-const vs_format *vs_session_own_format(const vs_session *s, const char *text);
-void vs_session_free_own_formats(vs_session *s);
-bool vs_session_output_begin(vs_session *s, const char *path, const char *format);
-bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned passes, vs_error *e);
-void vs_session_output_end(vs_session *s, bool done);
-void vs_session_free_outputs(vs_session *s);
-
-/* ---- report.c ---- */
-/* Copies the line into room; NULL: the source is not kept or has no such line. */
-const char *vs_session_source_line(const vs_session *s, const char *file, uint32_t line, char *room, size_t size);
-vs_outcome vs_session_report_condition(vs_session *s, vs_value condition,
-                                       bool usage /* its own fault is the caller's: exit 2 */);
-bool vs_session_span(vs_session *s, vs_pos place, vs_span *out); /* false: nowhere in the user sources */
-vs_outcome vs_session_report_error(vs_session *s, const vs_error *e);
-void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin,
-                       const char *message);
-void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line,
-                          uint32_t column, const char *message);
-void vs_session_warn(void *session, const vs_origin *origin, const char *message); /* vs_bind.warn */
 
 #endif

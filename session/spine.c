@@ -10,6 +10,11 @@
  *
  * The first four happen form by form in vs_eval_text and vs_eval_file (visualscheme.c). Everything after them is in
  * this file, from top to bottom. */
+#include "bind/back_ends.h"
+#include "bind/custom.h"
+#include "bind/objects.h"
+#include "bind/scene/node_natives.h"
+#include "bind/state.h"
 #include "session/advice.h"
 #include "session/spine.h"
 
@@ -25,8 +30,13 @@
 #include "passes/optimise.h"
 #include "passes/sugar.h"
 #include "session/comparison.h"
+#include "session/evaluation.h"
+#include "session/host.h"
 #include "session/light/pictures.h"
+#include "session/report.h"
+#include "session/statistics.h"
 #include "solids/drawn_bounds.h"
+#include "solids/endless_lines.h"
 #include "solids/resolve.h"
 
 typedef struct {
@@ -415,4 +425,8 @@ vs_outcome vs_session_take(vs_session *s, vs_ref **out, size_t *count) {
   vs_tally_enter(&s->tally, VS_WORK_NONE);
   if (ok) *out = refs, *count = n;
   return outcome;
+}
+
+vs_output_options vs_output_options_default(void) {
+  return (vs_output_options){ .quality = VS_QUALITY_GOOD, .passes = VS_PASSES_ALL };
 }

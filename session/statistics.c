@@ -2,6 +2,9 @@
  * that both are told by.
  *
  * Phases share all time between them, so an output's add up to its time, and outputs and programs to the whole. */
+#include "session/statistics.h"
+
+#include "session/host.h"
 #include "session/session.h"
 
 #include <math.h>

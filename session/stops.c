@@ -3,10 +3,13 @@
 
 #include <string.h>
 
+#include "bind/objects.h"
 #include "session/names.h"
+#include "session/report.h"
 #include "session/source_outline.h"
 #include "vm/compiler/code.h"
 #include "vm/front/environment.h"
+#include "vm/machine/fail.h"
 #include "vm/machine/run.h"
 #include "vm/machine/activation.h"
 #include "vm/stepping/step.h"

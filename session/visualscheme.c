@@ -1,5 +1,18 @@
 /* Owns the implementation of visualscheme.h: ties interpreter, model, geometry's procedures and back-ends into one
  * object. */
+#include "bind/back_ends.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/parameters.h"
+#include "bind/records.h"
+#include "bind/scene/node_natives.h"
+#include "bind/state.h"
+#include "bind/thrown.h"
+#include "session/evaluation.h"
+#include "session/host.h"
+#include "session/own_formats.h"
+#include "session/report.h"
+#include "session/statistics.h"
 #include "visualscheme.h"
 
 #include <stdlib.h>
@@ -20,6 +33,7 @@
 #include "session/spine.h"
 #include "vm/machine/image.h"
 #include "vm/numbers/number.h"
+#include "vm/values/heap.h"
 #include "vm/values/printer.h"
 #include "vm/front/scan.h"
 #include "vm/machine/poll.h"
@@ -37,11 +51,6 @@ const char *vs_version(void) { return VS_VERSION; }
 /* ---- life ---- */
 
 vs_options vs_options_default(void) { return (vs_options){ .library_path = NULL }; }
-
-vs_outcome vs_session_out_of_memory(vs_session *s) {
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
-  return VS_OUTCOME_MACHINE;
-}
 
 /* The value gets the next of the names $1, $2 ... */
 static bool name_result(vs_session *s, vs_value v) {
@@ -330,55 +339,11 @@ void vs_interrupt_clear(vs_scheme *vm) { atomic_store(&vs_session_of(vm)->interr
 
 /* ---- running ---- */
 
-void vs_session_begin(vs_session *s, unsigned flags) {
-  s->flags = flags;
-  vs_cache_turn(vs_store_cache(s->bind.store), true);
-  vs_scheme *vm = s->bind.vm;
-  vs_tally_enter(&s->tally, VS_WORK_RUN);
-  vm->steps = vm->written = 0;
-  vm->started = vs_session_clock(s);
-  s->bind.bad_parameter = s->bind.handing = false;
-  s->phase = "evaluating", s->told_progress = vm->started;
-  vs_session_arm(s, flags);
-}
-
-/* (exit code) unwinds as a condition of its own */
-static bool is_exit(vs_value condition) {
-  if (!vs_is(condition, VS_T_CONDITION)) return false;
-  const vs_condition *c = vs_as_condition(condition);
-  return vs_is_symbol(c->kind) && !strcmp(vs_as_symbol(c->kind)->name, "exit") && vs_is_fixnum(c->payload);
-}
-
 /* an interrupt that came when nothing ran */
 static bool was_interrupted(vs_session *s) {
   if (!atomic_exchange(&s->interrupted, false)) return false;
   vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, NULL, 0, 0, "interrupted");
   return true;
-}
-
-vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
-  vs_scheme *vm = s->bind.vm;
-  ok = vs_session_pass(s, ok);
-  vm->step.mode = VS_STEP_CONTINUE, vm->step.stops = false; /* what the drawing calls later is run through */
-  vs_session_release_objects(s);
-  s->phase = NULL;
-  vs_tally_enter(&s->tally, VS_WORK_NONE);
-  s->evaluate_seconds += vs_session_clock(s) - vm->started;
-  if (!ok && is_exit(vm->condition)) {
-    s->exit_requested = ok = true;
-    s->exit_code = (int)vs_fixnum(vs_as_condition(vm->condition)->payload);
-  }
-  if (!ok && vs_is_stop(vm, vm->condition)) return vs_session_stopped(s);
-  if (ok) vs_bind_finish(&s->bind); /* tells what was thrown away */
-  /* its calls, not those of an error before */
-  if (ok && vs_is_pair(vm->at.stops)) vm->condition = vs_car(vm->at.stops);
-  if (ok) return VS_OUTCOME_DONE;
-  vs_outcome outcome = vs_session_report_condition(s, vm->condition, usage);
-  if (outcome == VS_OUTCOME_MACHINE) {
-    vm->condition = vm->value = VS_FALSE;
-    vs_gc_major(vm); /* what filled the memory is garbage now: the interpreter goes on */
-  }
-  return outcome;
 }
 
 /* An interrupt that came while nothing ran ends the next evaluation before it begins. */
@@ -638,10 +603,6 @@ const char *const *vs_pass_list(size_t *count) {
   };
   *count = sizeof names / sizeof *names;
   return names;
-}
-
-vs_output_options vs_output_options_default(void) {
-  return (vs_output_options){ .quality = VS_QUALITY_GOOD, .passes = VS_PASSES_ALL };
 }
 
 /* False: it has been said that the part lies outside of the picture, or is empty. */

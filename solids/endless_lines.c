@@ -1,5 +1,7 @@
 /* Owns lines without end: each is drawn as far as the drawing's box reaches, ten units to each side where the drawing
  * holds nothing else. */
+#include "solids/endless_lines.h"
+
 #include <stdlib.h>
 
 #include "geometry/measure/node_measures.h"

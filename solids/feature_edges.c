@@ -1,4 +1,6 @@
 /* Owns feature edges: which of a mesh's edges a draughtsman would draw, as polylines. */
+#include "solids/feature_edges.h"
+
 #include <stdlib.h>
 
 #include "geometry/files/polyface.h"

@@ -10,6 +10,7 @@
 #include "geometry/parts.h"
 #include "geometry/plane/slice.h"
 #include "solids/deformed.h"
+#include "solids/feature_edges.h"
 #include "solids/sections.h"
 #include "model/store/array.h"
 #include "model/walk.h"

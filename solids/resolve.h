@@ -18,8 +18,5 @@ typedef struct {
 } vs_resolve_notes;
 bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        const vs_resolve_notes *notes, vs_error *e);
-/* All that the scene draws, at its tolerance; lines without end become lines as long as the rest of the drawing
- * reaches, drawn last. */
-bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, const vs_resolve_notes *notes, vs_error *e);
 
 #endif

@@ -14,7 +14,6 @@ bool vs_mesh_shadow(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline 
 /* Edges where faces meet at more than 30 degrees, and borders, put together to polylines that end where three or more
  * meet or a corner turns by more than that. */
 typedef struct { vs_polyline *at; size_t count, room; } vs_polylines;
-void vs_polylines_free(vs_polylines *p);
 bool vs_mesh_edges(const vs_mesh *m, vs_polylines *out, vs_error *e); /* equal points count as one vertex */
 
 #endif

@@ -13,6 +13,7 @@
 
 #include "geometry/primitives/solid_triangles.h"
 #include "kernel/memory.h"
+#include "kernel/threads.h"
 #include "solids/primitive_meshes.h"
 #include "model/store/cache.h"
 #include "model/tally.h"

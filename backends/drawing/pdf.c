@@ -10,6 +10,7 @@
 #include "backends/drawing/pdf.h"
 #include "geometry/dynamic.h"
 #include "geometry/text/font.h"
+#include "geometry/text/fontfile.h"
 
 #define PDF_FUNCTIONS(X) \
   X(HPDF_NewEx) X(HPDF_Free) X(HPDF_SetCompressionMode) X(HPDF_AddPage) X(HPDF_Page_SetWidth) \

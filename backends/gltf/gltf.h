@@ -52,11 +52,6 @@ typedef struct {
 } vs_gltf;
 
 /* ---- gltf_collect.c ---- */
-bool vs_gltf_open(vs_emitter *e);
-void vs_gltf_close(vs_emitter *e);
 vs_emit_fn vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean;
-
-/* ---- gltf_file.c ---- */
-bool vs_gltf_write(vs_emitter *e);
 
 #endif

@@ -3,6 +3,8 @@
  * Which places share a geometry: copies of a unit form with as many facets; and places of one model node, which is what
  * the share pass makes of equal parts. A placement that shears cannot be said by a node: its triangles are made for
  * that place. */
+#include "backends/gltf/gltf_collect.h"
+
 #include <float.h>
 #include <math.h>
 #include <string.h>

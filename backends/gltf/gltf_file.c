@@ -2,11 +2,15 @@
  *
  * The JSON's length stands before it, so it is made twice: once to be measured and once to be written. Y is up in glTF
  * and lengths are metres: the root node turns and scales. Colours are linear there and sRGB here. */
+#include "backends/gltf/gltf_file.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "backends/format_numbers.h"
 #include "backends/gltf/gltf.h"
+#include "backends/gltf/gltf_collect.h"
+#include "backends/number_spelling.h"
 
 typedef struct {
   vs_emitter *e;

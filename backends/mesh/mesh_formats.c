@@ -9,6 +9,7 @@
 
 #include "backends/backend.h"
 #include "backends/mesh/loose.h"
+#include "backends/number_spelling.h"
 #include "backends/spans.h"
 
 static bool mesh_begin(vs_emitter *e) { return !e->out->failed; }

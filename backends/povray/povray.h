@@ -5,29 +5,16 @@
 
 #include "backends/povray/povray_materials.h"
 
-/* The scene's frame: camera, light, sky. */
-bool vs_povray_begin(vs_emitter *e);
-bool vs_povray_end(vs_emitter *e);
-
 /* The part of white light that a matt surface sends back, times its colour; NULL: what has no material. Clear glass
  * scatters nothing: POV-Ray would gather the bounced light of every pane that a ray goes through. */
 static inline double vs_povray_diffuse(const vs_material *m) {
   if (m && m->transparency > 0) return m->transparency < 0.9 ? 0.8 * (1 - m->transparency) : 0;
   return m && m->metallic > 0.5 ? 0.35 + 0.35 * m->roughness : 0.82;
 }
-double vs_povray_ambient(const vs_emitter *e); /* of the light that comes from nowhere: in drafts alone */
 
-/* Shapes. */
-bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
-bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref);
-bool vs_povray_item(vs_emitter *e, size_t index, bool end);
 vs_emit_fn vs_povray_line, vs_povray_region, vs_povray_box, vs_povray_sphere, vs_povray_cylinder, vs_povray_cone,
     vs_povray_cut_cone, vs_povray_half_space, vs_povray_e_cone, vs_povray_superellipsoid, vs_povray_revolve,
     vs_povray_torus, vs_povray_extrude, vs_povray_transform, vs_povray_material, vs_povray_layer,
     vs_povray_csg, vs_povray_native;
-
-/* The worker. */
-bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output);
-bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output);
 
 #endif

@@ -12,6 +12,7 @@
 #include "geometry/measure/bounds.h"
 #include "geometry/measure/openness.h"
 #include "kernel/memory.h"
+#include "kernel/threads.h"
 
 enum { DEPTH, NX, NY, NZ, RED, GREEN, BLUE, ID, MATERIAL, OPEN, LAYERS };
 

@@ -9,6 +9,7 @@
 
 #include "backends/povray/povray.h"
 #include "backends/povray/povray_files.h"
+#include "backends/povray/povray_scene.h"
 #include "model/scene.h"
 
 void vs_povray_name(vs_writer *w, const char *text) {

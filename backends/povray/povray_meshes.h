@@ -4,9 +4,10 @@
 
 #include "backends/povray/povray.h"
 
-vs_emit_fn vs_povray_polyface;
 /* Of a difference or an intersection in a picture: where POV-Ray takes long to combine it, writes it as triangles and
  * answers VS_WHOLE; else VS_LOWER, and nothing is written. */
 vs_emit_status vs_povray_solid(vs_emitter *e, const vs_ref *ref);
+
+vs_emit_fn vs_povray_polyface;
 
 #endif

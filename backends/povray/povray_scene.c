@@ -4,13 +4,17 @@
  * Looks: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky
  * sphere that radiosity turns into fill light, no ambient term. Nothing of the user's text gets in but as letters and
  * digits of names. */
+#include "backends/povray/povray_scene.h"
+
 #include <math.h>
 
 #include "backends/povray/povray.h"
 #include "backends/povray/povray_files.h"
 #include "backends/povray/povray_lamps.h"
 #include "backends/povray/povray_meshes.h"
+#include "backends/povray/povray_shapes.h"
 #include "backends/povray/povray_sky.h"
+#include "backends/povray/povray_worker.h"
 #include "backends/view.h"
 #include "geometry/measure/bounds.h"
 #include "geometry/measure/inside.h"

@@ -1,10 +1,13 @@
 /* Owns the POV-Ray text of every kind. Objects that POV-Ray draws wrong without a word (degenerate shapes, lone
  * operands) never get here: the constructors refuse them or the driver leaves them out. Triangles are in
  * povray_meshes.c. */
+#include "backends/povray/povray_shapes.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "backends/number_spelling.h"
 #include "backends/povray/povray_meshes.h"
 #include "backends/povray/povray_text.h"
 #include "geometry/plane/outline.h"

@@ -6,6 +6,8 @@
  * picture, so any is a failure here. A message's line leads, by the table that the driver kept, to the place in the
  * user's model. It stays in our process group: what ends us from outside (the terminal, timeout) ends it too. */
 #define _GNU_SOURCE /* prlimit, execvpe, pipe2 */
+#include "backends/povray/povray_worker.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>

@@ -7,6 +7,7 @@
 #include "backends/x3d/bake.h"
 
 #include "backends/x3d/repeats.h"
+#include "backends/x3d/x3d_collect.h"
 
 /* ---- one group into another ---- */
 

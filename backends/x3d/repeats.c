@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "backends/x3d/bake.h"
+#include "backends/x3d/x3d_collect.h"
 #include "model/store/hashes.h"
 
 enum { REPEAT_BLOCK = 8 }; /* letters in a block, at most */

@@ -75,41 +75,14 @@ typedef struct {
   bool in_tag;
 } vs_x3d;
 
-bool vs_x3d_open(vs_emitter *e, vs_x3d_notation notation); /* makes e->state */
 void vs_x3d_close(vs_emitter *e);
 vs_emit_fn vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean;
 bool vs_x3d_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
 bool vs_x3d_use_template(vs_emitter *e, uint32_t id, const vs_ref *ref);
-/* The X3D form that a node is, and its place in the node's own coordinates; false: it is none. */
-bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place);
-/* its triangles */
-bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint);
-bool vs_x3d_bake_item(vs_emitter *e, vs_x3d_group *to, const vs_x3d_item *item);
-int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least); /* a turn, of a round form baked so */
-vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* made if there are none; NULL: out of memory */
 
 #define VS_X3D_BACKEND(begin_, end_)                                                                                   \
   .begin = begin_, .end = end_, .close = vs_x3d_close, .define = vs_x3d_define, .use = vs_x3d_use_template,            \
   .family = "x3d", .frames = true, .highlights = VS_MARKS_PAINT, \
   VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean)
-
-/* ---- x3d_notation.c: nodes and fields in the notation of e->state ---- */
-
-/* field: the parent's field that the node stands in; NULL: in its list of children. def NULL: no name. */
-void vs_x3d_node(vs_emitter *e, const char *field, const char *type, const char *def);
-void vs_x3d_use(vs_emitter *e, const char *field, const char *type, const char *name);
-void vs_x3d_children(vs_emitter *e); /* a list of children follows; fields must have come before */
-void vs_x3d_end(vs_emitter *e, const char *type, bool had_children);
-void vs_x3d_field(vs_emitter *e, const char *name, bool many); /* then the value, then: */
-void vs_x3d_field_end(vs_emitter *e, bool many);
-/* a field in both notations alike: numbers, true, false */
-void vs_x3d_words(vs_emitter *e, const char *name, const char *value);
-void vs_x3d_text(vs_emitter *e, const char *name, const char *value, bool many);   /* a string */
-void vs_x3d_number(vs_emitter *e, const char *name, double value);
-void vs_x3d_vector(vs_emitter *e, const char *name, vs_vec3 value);
-void vs_x3d_turn(vs_emitter *e, const char *name, vs_vec3 axis, double angle);
-
-/* ---- x3d_scene.c ---- */
-bool vs_x3d_scene(vs_emitter *e); /* the Scene's content */
 
 #endif

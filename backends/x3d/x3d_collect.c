@@ -1,5 +1,7 @@
 /* Owns the drawing as groups: unit forms and uses of templates with their placement, and batches of triangles and lines
  * a material. */
+#include "backends/x3d/x3d_collect.h"
+
 #include <math.h>
 #include <string.h>
 

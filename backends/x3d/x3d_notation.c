@@ -1,4 +1,6 @@
 /* Owns X3D's notations: XML and classic (VRML's). */
+#include "backends/x3d/x3d_notation.h"
+
 #include <string.h>
 
 #include "backends/x3d/x3d.h"

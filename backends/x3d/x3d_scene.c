@@ -2,11 +2,15 @@
  *
  * Coordinates of triangle sets are rounded to a decimal step near 1e-7 of the drawing, normals to 1e-3: viewers hold
  * them as 32-bit numbers, and a page half the size opens twice as fast. */
+#include "backends/x3d/x3d_scene.h"
+
 #include <math.h>
 #include <stdio.h>
 
 #include "backends/view.h"
 #include "backends/x3d/bake.h"
+#include "backends/x3d/x3d_collect.h"
+#include "backends/x3d/x3d_notation.h"
 
 static const double half_turn = 3.14159265358979323846;
 

@@ -1,5 +1,9 @@
 /* Owns the constructors of curves and regions. */
-#include "bind/bind.h"
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/objects.h"
+#include "bind/records.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)
@@ -53,7 +57,7 @@ static vs_status polyline(vs_args *f, vs_vec3 *at, size_t n, bool close, vs_valu
     if (close) return vs_bind_empty(f, "fewer than three corners", out);
     closed = false;
   }
-  return vs_bind_node(f, points_node(f->bind->store, VS_LINE, at, n, closed, NULL), out);
+  return vs_bind_node(f, points_node(f->store, VS_LINE, at, n, closed, NULL), out);
 }
 
 vs_status vs_p_make_line(vs_args *f, vs_value *out) {
@@ -86,7 +90,7 @@ vs_status vs_p_make_regular_polygon(vs_args *f, vs_value *out) {
     vs_sincos(from + TURN * (double)i / (double)n, &s, &c);
     at[i] = vs_v3(POINT(0).x + REAL(1) * c, POINT(0).y + REAL(1) * s, POINT(0).z);
   }
-  return vs_bind_node(f, points_node(f->bind->store, VS_LINE, at, n, true, NULL), out);
+  return vs_bind_node(f, points_node(f->store, VS_LINE, at, n, true, NULL), out);
 }
 
 /* ---- round curves ---- */
@@ -97,7 +101,7 @@ static vs_node *circle(vs_store *s, vs_vec3 c, double r, int32_t n) {
 
 vs_status vs_p_make_circle(vs_args *f, vs_value *out) {
   if (REAL(1) == 0) return vs_bind_empty(f, "r is 0", out);
-  return vs_bind_node(f, circle(f->bind->store, POINT(0), REAL(1), segments(f)), out);
+  return vs_bind_node(f, circle(f->store, POINT(0), REAL(1), segments(f)), out);
 }
 
 vs_status vs_p_make_arc(vs_args *f, vs_value *out) {
@@ -107,7 +111,7 @@ vs_status vs_p_make_arc(vs_args *f, vs_value *out) {
   if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
   if (d.start == d.end) return vs_bind_empty(f, "the arc has no length", out);
   if (fabs(d.end - d.start) >= TURN * (1 - 1e-15))
-    return vs_bind_node(f, circle(f->bind->store, d.center, d.radius, d.segments), out);
+    return vs_bind_node(f, circle(f->store, d.center, d.radius, d.segments), out);
   return vs_bind_make(f, VS_ARC, &d, NULL, 0, out);
 }
 
@@ -115,7 +119,7 @@ vs_status vs_p_make_arc(vs_args *f, vs_value *out) {
 vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
   double rx = REAL(1), ry = REAL(2);
   if (rx == 0 || ry == 0) return vs_bind_empty(f, "rx or ry is 0", out);
-  vs_node *c = circle(f->bind->store, POINT(0), rx, segments(f));
+  vs_node *c = circle(f->store, POINT(0), rx, segments(f));
   if (!vs_bind_keep(f, c)) return VS_ERROR;
   vs_ref ref = { c, vs_bind_origin(f->bind) };
   if (rx == ry) return vs_bind_node(f, vs_node_retain(c), out);
@@ -155,7 +159,7 @@ vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   if (n < 2) return vs_bind_empty(f, "all points are the same", out);
   if (closed && n < 3) closed = false;
   if (closed) d.start_tangent = d.end_tangent = vs_v3(0, 0, 0); /* smooth all round */
-  return vs_bind_node(f, points_node(f->bind->store, VS_SPLINE, at, n, closed, &d), out);
+  return vs_bind_node(f, points_node(f->store, VS_SPLINE, at, n, closed, &d), out);
 }
 
 /* ---- regions ---- */
@@ -164,10 +168,10 @@ vs_status vs_p_make_donut(vs_args *f, vs_value *out) {
   double outer = fmax(REAL(1), REAL(2)), inner = fmin(REAL(1), REAL(2));
   if (outer == 0 || outer == inner) return vs_bind_empty(f, "the ring has no width", out);
   const vs_origin *o = vs_bind_origin(f->bind);
-  vs_ref c[2] = { { circle(f->bind->store, POINT(0), outer, segments(f)), o } };
+  vs_ref c[2] = { { circle(f->store, POINT(0), outer, segments(f)), o } };
   if (!vs_bind_keep(f, c[0].node)) return VS_ERROR;
   if (inner > 0) {
-    c[1] = (vs_ref){ circle(f->bind->store, POINT(0), inner, segments(f)), o };
+    c[1] = (vs_ref){ circle(f->store, POINT(0), inner, segments(f)), o };
     if (!vs_bind_keep(f, c[1].node)) return VS_ERROR;
   }
   return vs_bind_make(f, VS_REGION, &(struct vs_region){ 0 }, c, inner > 0 ? 2 : 1, out);

@@ -1,6 +1,7 @@
 /* Owns the reading of files that a program names for its geometry and its looks: meshes and pictures. */
 #include "bind/constructors/files.h"
 
+#include "bind/call/refuse.h"
 #include "geometry/light/ies.h"
 #include "geometry/light/panorama_sun.h"
 #include "geometry/light/radiance.h"
@@ -9,6 +10,7 @@
 
 #include "vm/library/port.h"
 #include "vm/front/source.h"
+#include "vm/machine/activation.h"
 
 /* whole: where the file is, the store's */
 static vs_status file_of(vs_args *f, vs_value name, vs_value *bytes, const char **shown, const char **whole) {
@@ -23,8 +25,8 @@ static vs_status file_of(vs_args *f, vs_value name, vs_value *bytes, const char 
   if (ok) {
     const char *slash = strrchr(own.at, '/');
     const char *last = slash ? slash + 1 : own.at;
-    *shown = vs_store_text(f->bind->store, last, strlen(last));
-    *whole = vs_store_text(f->bind->store, path.at, path.count);
+    *shown = vs_store_text(f->store, last, strlen(last));
+    *whole = vs_store_text(f->store, path.at, path.count);
     ok = (*shown && *whole) || vs_fail_memory(vm);
   }
   vs_text_close(&path);
@@ -39,7 +41,7 @@ vs_status vs_bind_file(vs_args *f, const vs_arg *name, vs_value *bytes, const ch
 
 static vs_status keep_picture(vs_args *f, const char *format, const char *whole, const vs_bytes *bytes,
                               uint32_t columns, uint32_t rows, const vs_picture **out) {
-  *out = vs_store_picture(f->bind->store, &(vs_picture){ .path = whole,
+  *out = vs_store_picture(f->store, &(vs_picture){ .path = whole,
                                                          .format = format,
                                                          .bytes = bytes->at,
                                                          .size = (size_t)bytes->length,
@@ -55,7 +57,7 @@ vs_status vs_bind_picture(vs_args *f, vs_value name, const vs_picture **out, con
   VS_ROOTS(f->vm, r, 1);
   if (file_of(f, name, &r[0], shown, &whole) != VS_OK) return VS_ERROR;
   const vs_bytes *bytes = vs_as_bytes(r[0]);
-  if (!vs_photograph_read(f->bind->store, *shown, bytes->at, (size_t)bytes->length, &read, &e))
+  if (!vs_photograph_read(f->store, *shown, bytes->at, (size_t)bytes->length, &read, &e))
     return vs_bind_error(f, &e);
   for (int i = 0; i < 3; i++) mean[i] = read.mean[i];
   return keep_picture(f, read.format, whole, bytes, read.columns, read.rows, out);
@@ -65,7 +67,7 @@ vs_status vs_bind_picture(vs_args *f, vs_value name, const vs_picture **out, con
 static vs_status take_sun(vs_args *f, const char *shown, const char *whole, const vs_bytes *bytes, bool exr,
                           const vs_picture **out, vs_panorama_sun *sun) {
   static const char *const wanted[] = { "R", "G", "B", NULL };
-  vs_store *store = f->bind->store;
+  vs_store *store = f->store;
   vs_error e = { 0 };
   vs_exr x = { .store = store };
   unsigned char *left = NULL;
@@ -113,7 +115,7 @@ vs_status vs_bind_lamp_file(vs_args *f, vs_value name, const vs_picture **out) {
   VS_ROOTS(f->vm, r, 1);
   if (file_of(f, name, &r[0], &shown, &whole) != VS_OK) return VS_ERROR;
   const vs_bytes *bytes = vs_as_bytes(r[0]);
-  if (!vs_ies_read(f->bind->store, shown, (const char *)bytes->at, (size_t)bytes->length, &read, &e))
+  if (!vs_ies_read(f->store, shown, (const char *)bytes->at, (size_t)bytes->length, &read, &e))
     return vs_bind_error(f, &e);
   vs_ies_free(&read);
   return keep_picture(f, "ies", whole, bytes, 0, 0, out);

@@ -2,7 +2,7 @@
 #ifndef VS_BIND_CONSTRUCTORS_FILES_H
 #define VS_BIND_CONSTRUCTORS_FILES_H
 
-#include "bind/bind.h"
+#include "bind/call/call.h"
 #include "geometry/light/panorama_sun.h"
 
 /* All of a file beside the program that names it, as a bytevector; *shown: its name without folders, the store's. */

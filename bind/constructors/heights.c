@@ -1,8 +1,12 @@
 /* Owns height fields: from rows of numbers, or from a picture beside the program. */
-#include "bind/bind.h"
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
 #include "bind/constructors/files.h"
 
+#include "bind/print.h"
 #include "geometry/files/raster.h"
+#include "vm/machine/fail.h"
 
 /* Rows of numbers, the first at the least y. The samples come as a raster, from the top down as a picture's. */
 static vs_status rows_of(vs_args *f, vs_value rows, vs_raster *out) {
@@ -38,7 +42,7 @@ static vs_status picture_of(vs_args *f, const char **name, vs_raster *out) {
   vs_error e = { 0 };
   VS_ROOTS(f->vm, r, 1);
   if (!vs_bind_file(f, &f->arg[0], &r[0], name)) return VS_ERROR;
-  if (!vs_raster_read(f->bind->store, *name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, out, &e))
+  if (!vs_raster_read(f->store, *name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, out, &e))
     return vs_bind_error(f, &e);
   if (out->columns < 2 || out->rows < 2)
     return vs_fail(f->vm, f->vm->sym.range, "%s: the picture must have two or more rows and columns, it has %u x %u",
@@ -70,7 +74,7 @@ static vs_status field(vs_args *f, const char *name, const vs_raster *r, bool sc
       at[(size_t)j * r->columns + i] = vs_v3(i + 1 == r->columns ? most.x : least.x + u * (most.x - least.x),
                                              j + 1 == r->rows ? most.y : least.y + v * (most.y - least.y), p.z + z);
     }
-  vs_points *points = vs_points_new(f->bind->store, at, count);
+  vs_points *points = vs_points_new(f->store, at, count);
   if (!points) return vs_fail_memory(f->vm);
   bool flat = true;
   for (size_t i = 0; flat && i < count; i++) flat = !(at[i].z > p.z + low);
@@ -79,7 +83,7 @@ static vs_status field(vs_args *f, const char *name, const vs_raster *r, bool sc
                                      &(struct vs_height_field){
                                          .points = points, .columns = (int32_t)r->columns, .low = p.z + low },
                                      NULL, 0, out);
-  vs_points_release(f->bind->store, points);
+  vs_points_release(f->store, points);
   return ok;
 }
 
@@ -97,7 +101,7 @@ vs_status vs_p_make_height_field(vs_args *f, vs_value *out) {
   if ((picture || f->key[1].given) && high < low)
     return vs_bind_refuse(f, "high", "#:low or more", f->key[1].given ? f->key[1].value : f->key[0].value);
   if (p.x == q.x || p.y == q.y) return vs_bind_empty(f, "the rectangle has no area", out);
-  vs_raster r = { .store = f->bind->store };
+  vs_raster r = { .store = f->store };
   vs_status ok = (picture ? picture_of(f, &name, &r) : rows_of(f, source, &r)) &&
                          field(f, name, &r, picture || f->key[1].given, low, high, out)
                      ? VS_OK

@@ -1,8 +1,10 @@
 /* Owns text: the font that a program means, and the object made of letters. */
-#include "bind/bind.h"
 
 #include <stdio.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/objects.h"
 #include "geometry/text/typeset.h"
 #include "vm/library/port.h"
 #include "vm/front/source.h"
@@ -15,10 +17,10 @@ static vs_status font_file(vs_args *f, const vs_arg *font, const char **out) {
   VS_ROOTS(vm, r, 1);
   vs_text_open(vm, &path, 0);
   bool ok = vs_source_path(vm, font->value, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path);
-  if (ok && !(*out = vs_store_text(f->bind->store, path.at, path.count))) ok = vs_fail_memory(vm);
-  if (ok && !vs_font_known(f->bind->store, *out)) {
+  if (ok && !(*out = vs_store_text(f->store, path.at, path.count))) ok = vs_fail_memory(vm);
+  if (ok && !vs_font_known(f->store, *out)) {
     ok = vs_io_read_file(vm, *out, &r[0]);
-    if (ok && !vs_font_add(f->bind->store, *out, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, &e))
+    if (ok && !vs_font_add(f->store, *out, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, &e))
       ok = vs_bind_error(f, &e);
   }
   vs_text_close(&path);
@@ -28,9 +30,9 @@ static vs_status font_file(vs_args *f, const vs_arg *font, const char **out) {
 static vs_status font_of(vs_args *f, const vs_arg *font, const char **out) {
   vs_error e = { 0 };
   if (font->given && vs_font_is_path(font->text.at)) return font_file(f, font, out);
-  *out = vs_store_text(f->bind->store, font->given ? font->text.at : "", font->given ? font->text.length : 0);
+  *out = vs_store_text(f->store, font->given ? font->text.at : "", font->given ? font->text.length : 0);
   if (!*out) return vs_fail_memory(f->vm);
-  return vs_font_get(f->bind->store, *out, &e) ? VS_OK : vs_bind_error(f, &e);
+  return vs_font_get(f->store, *out, &e) ? VS_OK : vs_bind_error(f, &e);
 }
 
 /* Returns one of the words, which is text of the program's own; NULL if it is refused. */
@@ -46,7 +48,7 @@ static const char *word_of(vs_args *f, const char *param, const vs_arg *a, const
 /* The British and the common spelling are one; what is stored lies in the store, as every text of a node. */
 static bool kept_word(vs_args *f, const char **word) {
   if (!strcmp(*word, "centre")) *word = "center";
-  *word = vs_store_text(f->bind->store, *word, strlen(*word));
+  *word = vs_store_text(f->store, *word, strlen(*word));
   return *word || vs_fail_memory(f->vm);
 }
 
@@ -72,7 +74,7 @@ vs_status vs_p_make_text(vs_args *f, vs_value *out) {
                           .spacing = f->key[3].given ? f->key[3].real : 1 };
   vs_error e = { 0 };
   vs_text_plan plan;
-  t.string = vs_store_text(f->bind->store, f->arg[2].text.at, f->arg[2].text.length);
+  t.string = vs_store_text(f->store, f->arg[2].text.at, f->arg[2].text.length);
   if (!t.string) return vs_fail_memory(f->vm);
   t.align = word_of(f, "align", &f->key[1], aligns, "one of 'left 'center 'right");
   if (!t.align || !kept_word(f, &t.align)) return VS_ERROR;
@@ -80,7 +82,7 @@ vs_status vs_p_make_text(vs_args *f, vs_value *out) {
   if (!t.valign || !kept_word(f, &t.valign)) return VS_ERROR;
   if (!font_of(f, &f->key[0], &t.font)) return VS_ERROR;
   if (t.size == 0) return vs_bind_empty(f, "the size is 0", out);
-  if (!vs_text_lay(f->bind->store, &t, &plan, &e)) return vs_bind_error(f, &e);
+  if (!vs_text_lay(f->store, &t, &plan, &e)) return vs_bind_error(f, &e);
   bool ink = plan.count > 0;
   if (plan.missing) tell_missing(f, plan.missing);
   vs_text_plan_free(&plan);
@@ -94,10 +96,10 @@ vs_status vs_p_text_width(vs_args *f, vs_value *out) {
   };
   vs_error e = { 0 };
   vs_text_plan plan;
-  t.string = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);
+  t.string = vs_store_text(f->store, f->arg[1].text.at, f->arg[1].text.length);
   if (!t.string) return vs_fail_memory(f->vm);
   if (!font_of(f, &f->key[0], &t.font)) return VS_ERROR;
-  if (!vs_text_lay(f->bind->store, &t, &plan, &e)) return vs_bind_error(f, &e);
+  if (!vs_text_lay(f->store, &t, &plan, &e)) return vs_bind_error(f, &e);
   double width = plan.width;
   vs_text_plan_free(&plan);
   return vs_bind_real(f, width, out);

@@ -1,13 +1,21 @@
 /* Owns the constructors of what is made from profiles and grids: revolutions, lofts, surfaces. Each is looked at once
  * when it is made, with coarse facets, so that an error stands where the model makes it. */
-#include "bind/bind.h"
 
 #include <stdio.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/constructors/operations.h"
+#include "bind/objects.h"
+#include "bind/print.h"
+#include "bind/records.h"
+#include "bind/state.h"
 #include "geometry/parts.h"
 #include "geometry/profiles/revolve.h"
 #include "geometry/profiles/surface.h"
 #include "geometry/tessellate.h"
+#include "vm/machine/fail.h"
 
 #define REAL(i) (f->arg[i].real)
 #define NODE(i) (f->arg[i].ref.node)
@@ -47,7 +55,7 @@ vs_status vs_p_do_revolve(vs_args *f, vs_value *out) {
   if (d.start == d.end) return vs_bind_empty(f, "start and end are the same", out);
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_revolve, out);
   if (!vs_bind_uncrossed(f, f->arg[0].ref, "s")) return VS_ERROR;
-  vs_node *n = vs_node_new(f->bind->store, VS_REVOLVE, &d, &f->arg[0].ref, 1);
+  vs_node *n = vs_node_new(f->store, VS_REVOLVE, &d, &f->arg[0].ref, 1);
   if (!vs_bind_keep(f, n)) return VS_ERROR;
   if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
   vs_fineness coarse = { fmax(vs_bounds_diagonal(&b) / 64, 1e-300), 0 };
@@ -82,7 +90,7 @@ static vs_status sections(vs_args *f, vs_ref *all, size_t *count, vs_value *out)
 
 static vs_status loft(vs_args *f, vs_kind kind, const void *data, const vs_ref *children, size_t count,
                       vs_value *out) {
-  vs_node *n = vs_node_new(f->bind->store, kind, data, children, count);
+  vs_node *n = vs_node_new(f->store, kind, data, children, count);
   if (!vs_bind_keep(f, n) || !tried(f, n)) return VS_ERROR;
   return vs_bind_node(f, vs_node_retain(n), out);
 }
@@ -168,7 +176,7 @@ static vs_status read_rows(vs_args *f, vs_value v, grid *g) {
 
 static vs_status make_grid(vs_args *f, vs_kind kind, const grid *g, vs_value *out) {
   vs_error e = { 0 };
-  vs_node *n = vs_surface_make(f->bind->store, kind, g->at, g->rows, g->columns, f->key[0].given && f->key[0].boolean,
+  vs_node *n = vs_surface_make(f->store, kind, g->at, g->rows, g->columns, f->key[0].given && f->key[0].boolean,
                                f->key[1].given && f->key[1].boolean, &e);
   if (!n) return vs_bind_error(f, &e);
   if (!vs_bind_is_empty(n)) return vs_bind_node(f, n, out);

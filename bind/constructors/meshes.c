@@ -1,10 +1,14 @@
 /* Owns objects made of faces: given one by one, or read from a file; checked, and mended where that is asked for. */
-#include "bind/bind.h"
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
 #include "bind/constructors/files.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bind/measures.h"
+#include "bind/objects.h"
 #include "geometry/files/polyface.h"
 #include "geometry/files/repair.h"
 #include "geometry/primitives/solid_triangles.h"
@@ -50,15 +54,15 @@ static vs_status inspect(vs_args *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *f
   *flaws = (vs_mesh_flaws){ .most = 1 };
   *flawless = true;
   if (is_convex(mesh)) return VS_OK;
-  vs_cache *cache = vs_store_cache(f->bind->store);
+  vs_cache *cache = vs_store_cache(f->store);
   const vs_cache_key key = { VS_CACHED_CHECK, n, NULL, 0, 0 };
   const vs_cached *held = vs_cache_find(cache, &key);
   vs_cache_let_go(cache, held);
   if (held) return VS_OK;
-  vs_work_phase was = vs_tally_enter(vs_store_tally(f->bind->store), VS_WORK_MESH);
+  vs_work_phase was = vs_tally_enter(vs_store_tally(f->store), VS_WORK_MESH);
   bool looked = vs_kernel_inspect(mesh, &options, flaws, &why);
-  vs_tally_enter(vs_store_tally(f->bind->store), was);
-  vs_solid_tally_steps(f->bind->store, &counts);
+  vs_tally_enter(vs_store_tally(f->store), was);
+  vs_solid_tally_steps(f->store, &counts);
   if (!looked) {
     if (why.status == VS_KERNEL_INTERRUPTED) return VS_ERROR; /* the condition is set */
     return why.status == VS_KERNEL_OUT_OF_MEMORY ? vs_fail_memory(f->vm)
@@ -88,7 +92,7 @@ static vs_status refuse_open(vs_args *f, const char *file, const vs_face_list *l
   vs_open_edges open;
   char from[112], to[112], more[64] = "";
   vs_error e = { VS_ERROR_NONE, NULL, "" };
-  if (!vs_face_list_open(f->bind->store, l, &open, &e)) return vs_bind_error(f, &e);
+  if (!vs_face_list_open(f->store, l, &open, &e)) return vs_bind_error(f, &e);
   if (!open.count)
     return vs_fail(f->vm, f->vm->sym.range, "%s: the faces enclose nothing, or have one side, as a Moebius strip",
                    file);
@@ -126,10 +130,10 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, vs_node
   vs_mesh mesh = { 0 }, whole = { 0 };
   vs_mesh_flaws flaws;
   bool flawless = true;
-  vs_status ok = vs_face_list_repair(f->bind->store, l, &notes, &e) ? VS_OK : vs_bind_error(f, &e);
+  vs_status ok = vs_face_list_repair(f->store, l, &notes, &e) ? VS_OK : vs_bind_error(f, &e);
   *out = NULL;
   static const uint32_t none[1] = { 0 };
-  if (ok && !(*out = vs_polyface_make(f->bind->store, l->points, l->point_count, l->face_count ? l->starts : none,
+  if (ok && !(*out = vs_polyface_make(f->store, l->points, l->point_count, l->face_count ? l->starts : none,
                                       l->face_count, l->corners, &e)))
     ok = vs_bind_error(f, &e);
   if (ok && (*out)->class_ == VS_SOLID) ok = inspect(f, *out, &mesh, &flaws, &flawless);
@@ -144,7 +148,7 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, vs_node
     vs_node_release(*out);
     *out = NULL;
     if (ok && !list_of_mesh(l, &whole)) ok = vs_fail_memory(f->vm);
-    if (ok && !(*out = vs_polyface_make(f->bind->store, l->points, l->point_count, l->face_count ? l->starts : none,
+    if (ok && !(*out = vs_polyface_make(f->store, l->points, l->point_count, l->face_count ? l->starts : none,
                                         l->face_count, l->corners, &e)))
       ok = vs_bind_error(f, &e);
   }
@@ -188,7 +192,7 @@ static vs_status polyface(vs_args *f, const vs_vec3 *at, size_t points, const ui
   }
   if (widest <= 1e-14 * size * size) return vs_bind_empty(f, "the faces have no area", out);
   vs_mesh mesh = { 0 };
-  vs_node *n = vs_polyface_make_mesh(f->bind->store, at, points, starts, count, corner, &mesh, &e);
+  vs_node *n = vs_polyface_make_mesh(f->store, at, points, starts, count, corner, &mesh, &e);
   if (!n) return vs_bind_error(f, &e);
   if (n->class_ == VS_SOLID) {
     vs_mesh_flaws flaws;
@@ -290,7 +294,6 @@ vs_status vs_p_make_3dface(vs_args *f, vs_value *out) {
   return polyface(f, at, n, starts, corner, n == 4 && b > nothing ? 2 : 1, out);
 }
 
-
 /* ---- faces from a file ---- */
 
 static bool keep_reading(void *vm) { return vs_poll(vm, 1 << 16); } /* false: the condition is set */
@@ -319,7 +322,7 @@ vs_status vs_p_load_mesh(vs_args *f, vs_value *out) {
     vs_mesh mesh = { 0 };
     vs_mesh_flaws flaws;
     bool flawless = true;
-    n = vs_polyface_make_mesh(f->bind->store, l.points, l.point_count, l.starts, l.face_count, l.corners, &mesh, &e);
+    n = vs_polyface_make_mesh(f->store, l.points, l.point_count, l.starts, l.face_count, l.corners, &mesh, &e);
     if (!n) ok = vs_bind_error(f, &e);
     else if (n->class_ != VS_SOLID) ok = refuse_open(f, name, &l);
     else ok = inspect(f, n, &mesh, &flaws, &flawless);

@@ -1,6 +1,9 @@
 /* Owns `native`: text of the user's that a target program gets as it is. To make sure that it cannot swallow or end
  * what stands round it, its braces, strings and comments must be whole. */
-#include "bind/bind.h"
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/objects.h"
 
 #include <stdio.h>
 
@@ -66,7 +69,7 @@ static const char *trouble(const native_target *t, const char *text) {
 }
 
 vs_status vs_p_native(vs_args *f, vs_value *out) {
-  vs_store *s = f->bind->store;
+  vs_store *s = f->store;
   const native_target *target = NULL;
   for (size_t i = 0; i < sizeof targets / sizeof *targets; i++)
     if (!strcmp(targets[i].name, f->arg[0].text.at)) target = &targets[i];

@@ -1,8 +1,16 @@
 /* Owns the operations: booleans, placements, and what is made from a profile. */
-#include "bind/bind.h"
+#include "bind/constructors/operations.h"
 
 #include <stdio.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/print.h"
+#include "bind/queries.h"
+#include "bind/records.h"
 #include "geometry/shapes/hull.h"
 #include "geometry/plane/join.h"
 #include "geometry/measure/node_measures.h"
@@ -66,7 +74,7 @@ static vs_status fill(vs_args *f, vs_ref *ref, size_t n) {
   for (size_t i = 0; i < n; i++)
     if (ref[i].node->class_ == VS_CURVE) {
       if (!vs_bind_uncrossed(f, ref[i], "a closed curve that is taken as filled")) return VS_ERROR;
-      vs_node *region = vs_node_new(f->bind->store, VS_REGION, &(struct vs_region){ 0 }, &ref[i], 1);
+      vs_node *region = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, &ref[i], 1);
       if (!vs_bind_keep(f, region)) return VS_ERROR;
       ref[i].node = region;
     }
@@ -192,7 +200,7 @@ vs_status vs_p_do_slice(vs_args *f, vs_value *out) {
   }
   if (NODE(0)->class_ != VS_SOLID)
     return vs_bind_make(f, VS_SLICE, &(struct vs_slice){ .point = h.point, .normal = h.normal }, pair, 1, out);
-  pair[1] = (vs_ref){ vs_node_new(f->bind->store, VS_HALF_SPACE, &h, NULL, 0), vs_bind_origin(f->bind) };
+  pair[1] = (vs_ref){ vs_node_new(f->store, VS_HALF_SPACE, &h, NULL, 0), vs_bind_origin(f->bind) };
   if (!vs_bind_keep(f, pair[1].node)) return VS_ERROR;
   return vs_bind_make(f, VS_INTERSECTION, &(struct vs_intersection){ 0 }, pair, 2, out);
 }
@@ -248,10 +256,10 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
     solid = solid || n->class_ == VS_SOLID || n->class_ == VS_MIXED;
     child[count++] = child[i];
   }
-  vs_points *points = vs_points_new(f->bind->store, f->arg[0].things.points, f->arg[0].things.point_count);
+  vs_points *points = vs_points_new(f->store, f->arg[0].things.points, f->arg[0].things.point_count);
   struct vs_hull d = { .points = points, .dimension = 3 };
-  vs_node *made = points ? vs_node_new(f->bind->store, VS_HULL, &d, child, count) : NULL;
-  if (points) vs_points_release(f->bind->store, points);
+  vs_node *made = points ? vs_node_new(f->store, VS_HULL, &d, child, count) : NULL;
+  if (points) vs_points_release(f->store, points);
   if (!vs_bind_keep(f, made)) return VS_ERROR;
   if (solid) return vs_bind_node(f, vs_node_retain(made), out);
   vs_bounds b;
@@ -266,9 +274,9 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
   else d.dimension = vs_cloud_dimension(&cloud);
   if (ok && d.dimension == 1) {
     vs_polyline ends = { 0 };
-    vs_points *two = vs_cloud_polygon(&cloud, &ends) ? vs_points_new(f->bind->store, ends.at, ends.count) : NULL;
+    vs_points *two = vs_cloud_polygon(&cloud, &ends) ? vs_points_new(f->store, ends.at, ends.count) : NULL;
     ok = two ? vs_bind_make(f, VS_LINE, &(struct vs_line){ .points = two }, NULL, 0, out) : vs_fail_memory(f->vm);
-    if (two) vs_points_release(f->bind->store, two);
+    if (two) vs_points_release(f->store, two);
     vs_polyline_free(&ends);
   } else if (ok && d.dimension < 1)
     ok = vs_bind_empty(f, d.dimension ? "there is nothing to hold" : "all of it is one point", out);
@@ -277,11 +285,11 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
     bool planar = true; /* curves and regions stay; a surface gives its corners: planar evaluation has no meshes */
     for (size_t i = 0; i < count; i++)
       planar = planar && (child[i].node->class_ == VS_CURVE || child[i].node->class_ == VS_REGION_CLASS);
-    vs_points *corners = planar ? NULL : vs_points_new(f->bind->store, cloud.at, cloud.count);
+    vs_points *corners = planar ? NULL : vs_points_new(f->store, cloud.at, cloud.count);
     if (corners) d.points = corners;
     ok = !planar && !corners ? vs_fail_memory(f->vm)
                              : vs_bind_make(f, VS_HULL, &d, planar ? child : NULL, planar ? count : 0, out);
-    if (corners) vs_points_release(f->bind->store, corners);
+    if (corners) vs_points_release(f->store, corners);
   } else if (ok) ok = vs_bind_node(f, vs_node_retain(made), out);
   vs_cloud_free(&cloud);
   vs_node_release(whole.node);

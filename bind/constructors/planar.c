@@ -1,5 +1,13 @@
 /* Owns the procedures that make regions of curves, join curves, and give curves and regions of other objects. */
-#include "bind/bind.h"
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/constructors/operations.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/print.h"
+#include "bind/queries.h"
+#include "geometry/plane/offset.h"
 #include "geometry/plane/planar_evaluation.h"
 
 #include <stdio.h>
@@ -75,7 +83,7 @@ static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
       return vs_fail(f->vm, f->vm->sym.type, "curves must have ends or be closed; one is without end");
     c[n++] = c[i];
   }
-  if (!vs_curves_join(f->bind->store, c, &n, &e)) return vs_bind_error(f, &e);
+  if (!vs_curves_join(f->store, c, &n, &e)) return vs_bind_error(f, &e);
   *out = c;
   *count = n;
   vs_status status = VS_OK;
@@ -214,8 +222,8 @@ vs_status vs_p_do_offset(vs_args *f, vs_value *out) {
     return vs_fail(f->vm, f->vm->sym.range, "the numbers are too large: the curve and d must stay below 1e100");
   f->arg[0].ref = whole;
   if (d.distance == 0) return vs_bind_node(f, vs_node_retain(NODE(0)), out);
-  if (!(d.corners = vs_store_text(f->bind->store, names[i], strlen(names[i])))) return vs_fail_memory(f->vm);
-  vs_node *made = vs_node_new(f->bind->store, VS_OFFSET, &d, &f->arg[0].ref, 1);
+  if (!(d.corners = vs_store_text(f->store, names[i], strlen(names[i])))) return vs_fail_memory(f->vm);
+  vs_node *made = vs_node_new(f->store, VS_OFFSET, &d, &f->arg[0].ref, 1);
   if (!vs_bind_keep(f, made)) return VS_ERROR;
   f->arg[0].ref.node = made;
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;

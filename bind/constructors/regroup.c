@@ -1,5 +1,8 @@
 /* Owns the advice on calls whose points were written as bare numbers. */
-#include "bind/bind.h"
+#include "bind/constructors/regroup.h"
+
+#include "bind/call/refuse.h"
+#include "bind/print.h"
 
 #include <stdio.h>
 

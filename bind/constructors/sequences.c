@@ -1,7 +1,7 @@
 /* Owns the sequences of numbers and points: what fills a range, a line, an arc. (Those that take procedures are in
  * geometry.scm.) */
-#include "bind/bind.h"
 
+#include "bind/build.h"
 #include "vm/numbers/number.h"
 
 #define X(i) (f->arg[i].real)

@@ -1,5 +1,7 @@
 /* Owns the constructors of solids. A solid without volume is the empty object, with a warning once a place. */
-#include "bind/bind.h"
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/objects.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)

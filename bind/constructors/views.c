@@ -2,7 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "bind/bind.h"
+#include "bind/call/refuse.h"
+#include "bind/state.h"
 
 /* The kinds of `view`, and how each looks at the model. */
 static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
@@ -20,7 +21,7 @@ static const char kinds_told[] =
 /* The argument's text, interned in the store; *out is NULL where it was not given. False: out of memory. */
 static bool keep_text(vs_args *f, const vs_arg *a, const char **out) {
   *out = NULL;
-  if (a->given && !(*out = vs_store_text(f->bind->store, a->text.at, a->text.length))) return vs_fail_memory(f->vm);
+  if (a->given && !(*out = vs_store_text(f->store, a->text.at, a->text.length))) return vs_fail_memory(f->vm);
   return true;
 }
 
@@ -34,6 +35,7 @@ static bool is_name(const vs_arg *a) {
 static bool is_sheet(const char *name) {
 #define SHEET(sheet, width, height) if (strcmp(name, sheet) == 0) return true;
 #include "model/sheets.def"
+
   return false;
 }
 

@@ -5,7 +5,10 @@
  * coordinates together again; so duals of any depth are right. Coordinates lie in roots. */
 #include "bind/functions/dual_points.h"
 
+#include "bind/procedures.h"
+#include "bind/records.h"
 #include "vm/numbers/dual.h"
+#include "vm/values/heap.h"
 
 /* Coordinate i of a point or gvector, dual or not. */
 static bool coordinate(vs_scheme *vm, vs_value v, int i, vs_value *out) {
@@ -183,7 +186,7 @@ static bool compute(vs_scheme *vm, size_t row, const char *shape, int n, vs_valu
 
 bool vs_dual_points(vs_args *f, vs_value *a, int n, vs_value *out, vs_status *status) {
   size_t row = 0, count = sizeof rows / sizeof *rows;
-  while (row < count && rows[row].fn != vs_bind_function(f)) row++;
+  while (row < count && rows[row].fn != f->function) row++;
   if (row == count || n != (int)strlen(rows[row].shape)) return false;
   VS_ROOTS(f->vm, r, 16);
   vs_value *record = r, *number = r + 6;

@@ -3,7 +3,7 @@
 #ifndef VS_BIND_FUNCTIONS_DUAL_POINTS_H
 #define VS_BIND_FUNCTIONS_DUAL_POINTS_H
 
-#include "bind/bind.h"
+#include "bind/call/call.h"
 
 /* Calls f's procedure with n arguments, one of them dual, where it is one that points are made and taken apart by.
  * Returns false, without an error, where it is another: objects hold plain numbers. *status is the call's otherwise. */

@@ -5,12 +5,15 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "bind/records.h"
 #include "geometry/functions/enclosure.h"
 #include "geometry/functions/formula_text.h"
 #include "geometry/functions/sampling.h"
 #include "model/store/array.h"
 #include "vm/library/kept.h"
+#include "vm/machine/fail.h"
 #include "vm/numbers/dual.h"
+#include "vm/values/heap.h"
 
 /* ---- dual numbers ---- */
 

@@ -2,8 +2,8 @@
 #ifndef VS_BIND_FUNCTIONS_FUNCTION_VALUES_H
 #define VS_BIND_FUNCTIONS_FUNCTION_VALUES_H
 
-#include "bind/bind.h"
 #include "geometry/functions/tape.h"
+#include "vm/machine/native.h"
 
 extern const vs_native_table vs_function_table;
 extern const vs_foreign_type vs_tape_type; /* owns a vs_tape */

@@ -1,10 +1,15 @@
 /* Owns solids made of functions: make-isosurface. */
+#include "bind/build.h"
+#include "bind/call/refuse.h"
 #include "bind/functions/function_values.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/print.h"
 #include "geometry/functions/contour.h"
 #include "geometry/files/polyface.h"
 #include "model/store/array.h"
@@ -75,7 +80,7 @@ vs_status vs_p_make_isosurface(vs_args *f, vs_value *out) {
   if (status) {
     for (size_t i = 0; i <= c.triangle_count; i++) starts[i] = (uint32_t)(3 * i);
     vs_error e = { 0 };
-    node = vs_polyface_make(f->bind->store, c.points, c.point_count, starts, c.triangle_count, &c.triangles[0][0], &e);
+    node = vs_polyface_make(f->store, c.points, c.point_count, starts, c.triangle_count, &c.triangles[0][0], &e);
     if (!node) status = vs_bind_error(f, &e);
   }
   if (status && c.capped)

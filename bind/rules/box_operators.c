@@ -3,7 +3,11 @@
  *
  * A part of a hexahedron between two planes of its own coordinates is a hexahedron again, since the map is linear
  * along each axis. */
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
 #include "bind/rules/derivation.h"
+#include "bind/rules/mesh_faces.h"
+#include "vm/machine/fail.h"
 
 #include <string.h>
 

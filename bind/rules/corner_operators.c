@@ -1,6 +1,9 @@
 /* Owns the operators of corners and of triangles: prism and round corner, triangulate, subdivide. */
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
 #include "bind/rules/derivation.h"
 
+#include "bind/state.h"
 #include "geometry/plane/ear_clipping.h"
 
 static vs_vec3 at_angle(const vs_scope *s, double x, double angle, int j) {

@@ -5,7 +5,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bind/call/convert.h"
+#include "bind/call/refuse.h"
+#include "bind/rules/place.h"
+#include "bind/state.h"
 #include "vm/library/kept.h"
+#include "vm/library/system.h"
+#include "vm/values/heap.h"
 
 /* ---- life ---- */
 
@@ -56,8 +62,6 @@ static void derivation_release(void *object) {
 }
 const vs_foreign_type vs_derivation_type = { "a derivation", derivation_release, NULL, NULL,
                                              NULL,           derivation_trace,   false };
-
-bool vs_is_rule(vs_value v) { return v == VS_FALSE || vs_is_procedure(v) || vs_bind_ref(v).node; }
 
 /* The mark on a live wrapper: the derivation, and in the lowest bit whether the rule is to run at once. */
 static const void *live_mark(const vs_derivation *d, bool run) { return (const char *)d + run; }
@@ -191,7 +195,7 @@ bool vs_rules_class(vs_args *f, int i, unsigned classes) {
 }
 
 const char *vs_rules_operator(vs_args *f) {
-  const char *name = vs_bind_defs[f->procedure - vs_bind_procedures].name;
+  const char *name = f->names;
   if (*name == '%') name++;
   return !strncmp(name, "scope-", 6) ? name + 6 : name;
 }
@@ -348,7 +352,7 @@ vs_status vs_p_derivation_made(vs_args *f, vs_value *out) {
 /* (%derivation-object d): all that was made, as one object. */
 vs_status vs_p_derivation_object(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
-  vs_store *s = f->bind->store;
+  vs_store *s = f->store;
   if (d->over) return vs_fail(f->vm, f->vm->sym.error, "the derivation is over");
   d->over = true;
   vs_node *n;
@@ -379,7 +383,7 @@ vs_status vs_p_derivation(vs_args *f, vs_value *out) {
   d->most = (uint32_t)f->arg[2].integer;
   t->child[0] = vs_scope_retain(f->arg[0].scope);
   t->rules[0] = r[0];
-  if (!vs_store_grow(f->bind->store, &d->stack, &d->room, 1, sizeof *d->stack))
+  if (!vs_store_grow(f->store, &d->stack, &d->room, 1, sizeof *d->stack))
     return vs_task_drop(d, t), vs_fail_memory(f->vm);
   t->origin = vs_bind_origin(f->bind);
   d->stack[d->count++] = t;
@@ -461,7 +465,7 @@ vs_status vs_p_scope_await(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
   r[0] = f->arg[2].value;
-  const char *name = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);
+  const char *name = vs_store_text(f->store, f->arg[1].text.at, f->arg[1].text.length);
   if (!name) return vs_fail_memory(f->vm);
   vs_derivation *d = vs_rules_begin(f, &r[1]);
   vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
@@ -472,7 +476,7 @@ vs_status vs_p_scope_await(vs_args *f, vs_value *out) {
   vs_scope_become(c, s);
   c->index = s->index, c->count = s->count, c->left = s->left, c->right = s->right;
   c->origin = t->origin = vs_bind_origin(f->bind);
-  if (!vs_store_grow(f->bind->store, &d->waiting, &d->waiting_room, d->waiting_count + 1, sizeof *d->waiting) ||
+  if (!vs_store_grow(f->store, &d->waiting, &d->waiting_room, d->waiting_count + 1, sizeof *d->waiting) ||
       !record(d, t, d->name, "await"))
     return vs_task_drop(d, t), vs_fail_memory(f->vm);
   d->waiting[d->waiting_count++] = (vs_waiting){ t, name };
@@ -483,7 +487,7 @@ vs_status vs_p_scope_await(vs_args *f, vs_value *out) {
 /* (scope-signal s name): to all that wait for it where s is. */
 vs_status vs_p_scope_signal(vs_args *f, vs_value *out) {
   vs_scope *s = f->arg[0].scope;
-  const char *name = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);
+  const char *name = vs_store_text(f->store, f->arg[1].text.at, f->arg[1].text.length);
   if (!name) return vs_fail_memory(f->vm);
   for (vs_derivation *d = f->bind->growing; d; d = d->outer)
     for (size_t i = 0; i < d->waiting_count; i++) {

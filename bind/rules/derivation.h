@@ -10,7 +10,6 @@
 #define VS_BIND_RULES_DERIVATION_H
 
 #include "bind/rules/lineage.h"
-#include "bind/rules/scope.h"
 #include "bind/rules/surroundings.h"
 #include "bind/shapes/taken_apart.h"
 #include "geometry/plane/outline.h"
@@ -66,9 +65,6 @@ extern const vs_foreign_type vs_derivation_type;
 
 enum { VS_RULES_DEPTH = 1000, VS_RULES_PARTS = 10000000 };
 
-/* Is v what an operator takes as a rule: a procedure, an object, or #f (nothing)? */
-bool vs_is_rule(vs_value v);
-
 /* The derivation that the operator f works for: the one under way if argument 0 is live, else a new one, which is
  * *holder then. *holder is what the operator returns, and must be rooted. NULL: the error is set. */
 vs_derivation *vs_rules_begin(vs_args *f, vs_value *holder);
@@ -83,15 +79,8 @@ vs_scope *vs_rules_child(vs_derivation *d, vs_scope *parent, vs_scope_class c, c
                          uint32_t count);
 /* Adds an object to what was made, in a scope with these flags. False: the error is set. */
 bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags);
-/* The object in the scope: fitted into its box, or deformed. Gathered; with the given origin. False: the error is
- * set. */
-bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs_origin *origin);
 /* The classes that an operator works on, else the error. */
 bool vs_rules_class(vs_args *f, int i, unsigned classes);
 const char *vs_rules_operator(vs_args *f); /* its name in a path: that of the procedure without "scope-" */
-vs_status vs_mesh_components(vs_args *f, const char *of,
-                             vs_value *out); /* mesh_faces.c: scope-component of a mesh scope */
-/* make_scopes.c: the loops of one area of an outline, NULL: the error is set */
-vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *next);
 
 #endif

@@ -1,12 +1,14 @@
 /* Owns the search for marked scopes in an object. A mark is an object of a kind of its own, without geometry, which
  * rules.scm makes as define-primitive makes its objects: it goes wherever what stands beside it is moved or copied.
  */
+#include "bind/build.h"
 #include "bind/rules/derivation.h"
 #include "bind/rules/move_scopes.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "bind/state.h"
 #include "model/store/array.h"
 #include "model/store/nodemap.h"
 
@@ -57,7 +59,7 @@ typedef struct {
 
 /* (%find-scopes o): a list of (number . matrix), in order: what was made with the number, moved by the matrix. */
 vs_status vs_p_marks(vs_args *f, vs_value *out) {
-  vs_nodemap known = { .store = f->bind->store };
+  vs_nodemap known = { .store = f->store };
   placed *stack = NULL, *found = NULL;
   size_t count = 0, room = 0, found_count = 0, found_room = 0;
   bool ok = note_marks(f->arg[0].ref.node, &known) && VS_GROW(stack, room, 1);

@@ -1,6 +1,10 @@
 /* Owns records of derivations (lineage.h) and the table that finds an object's. */
 #include "bind/rules/lineage.h"
 
+#include "bind/call/call.h"
+#include "bind/state.h"
+#include "vm/values/heap.h"
+
 vs_lineage *vs_lineage_new(vs_store *s) {
   vs_lineage *r = vs_store_realloc(s, NULL, 0, sizeof *r);
   if (r) *r = (vs_lineage){ .refs = 1, .store = vs_store_retain(s) };

@@ -6,7 +6,10 @@
 #ifndef VS_BIND_RULES_LINEAGE_H
 #define VS_BIND_RULES_LINEAGE_H
 
-#include "bind/bind.h"
+#include "model/node.h"
+#include "vm/machine/native.h"
+
+typedef struct vs_bind vs_bind;
 
 /* The scopes that one operator made of the scope at `position` of the entry `parent`. The first entry's parent is
  * itself: it is the root. */

@@ -1,10 +1,18 @@
 /* Owns the makers of scopes, and what a program can read of a scope. */
+#include "bind/rules/make_scopes.h"
+
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
 #include "bind/rules/derivation.h"
 
 #include <string.h>
 
+#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/plane/planar_evaluation.h"
+#include "vm/machine/fail.h"
+#include "vm/values/heap.h"
 
 /* ---- makers ---- */
 
@@ -25,7 +33,7 @@ static vs_status made(vs_args *f, vs_scope *s, vs_vec3 at, vs_value *out) {
 }
 
 vs_status vs_p_make_box_scope(vs_args *f, vs_value *out) {
-  vs_scope *s = vs_scope_fresh(f->bind->store, VS_SCOPE_BOX);
+  vs_scope *s = vs_scope_fresh(f->store, VS_SCOPE_BOX);
   if (s) {
     s->as.box.frame = vs_affine_columns(vs_v3(1, 0, 0), vs_v3(0, 0, 1), vs_v3(0, -1, 0), f->arg[0].point);
     s->as.box.size = vs_v3(f->arg[1].real, f->arg[2].real, f->arg[3].real);
@@ -34,7 +42,7 @@ vs_status vs_p_make_box_scope(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_make_ffd_scope(vs_args *f, vs_value *out) {
-  vs_scope *s = vs_scope_fresh(f->bind->store, VS_SCOPE_FFD);
+  vs_scope *s = vs_scope_fresh(f->store, VS_SCOPE_FFD);
   for (int c = 0; s && c < 8; c++) s->as.corner[c] = f->arg[c].point;
   return made(f, s, f->arg[0].point, out);
 }
@@ -45,7 +53,7 @@ vs_status vs_p_make_turtle_scope(vs_args *f, vs_value *out) {
   if (vs_v3_length(y) < 1e-9 * vs_v3_length(f->arg[2].point))
     return vs_bind_refuse(f, "up", "a gvector that does not lie along heading", f->arg[2].value);
   y = vs_v3_unit(y);
-  vs_scope *s = vs_scope_fresh(f->bind->store, VS_SCOPE_TURTLE);
+  vs_scope *s = vs_scope_fresh(f->store, VS_SCOPE_TURTLE);
   if (s) {
     s->as.turtle.frame = vs_affine_columns(vs_v3_cross(y, z), y, z, f->arg[0].point);
     s->as.turtle.width = f->arg[3].real, s->as.turtle.height = f->arg[4].real;
@@ -66,7 +74,7 @@ static bool box_around(vs_args *f, vs_scope *s, vs_ref object) {
 }
 
 static vs_status object_scope(vs_args *f, vs_scope_class c, vs_value *out) {
-  vs_scope *s = vs_scope_fresh(f->bind->store, c);
+  vs_scope *s = vs_scope_fresh(f->store, c);
   if (!s) return vs_fail_memory(f->vm);
   s->object = f->arg[0].ref;
   vs_node_retain(s->object.node);
@@ -95,7 +103,7 @@ vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *
     memcpy(at + start[l - first], o->loops[l].at, o->loops[l].count * sizeof *at);
     start[l - first + 1] = start[l - first] + (uint32_t)o->loops[l].count;
   }
-  vs_scope_loops *loops = vs_scope_loops_new(f->bind->store, at, start, (uint32_t)(end - first));
+  vs_scope_loops *loops = vs_scope_loops_new(f->store, at, start, (uint32_t)(end - first));
   if (!loops) vs_fail_memory(f->vm);
   *next = end;
   return loops;
@@ -114,7 +122,7 @@ vs_status vs_p_make_polygon_scope(vs_args *f, vs_value *out) {
   vs_status status = VS_ERROR;
   if (!o.count)
     vs_bind_refuse(f, "region", "a region that has an area", f->arg[0].value);
-  else if (!(s = vs_scope_fresh(f->bind->store, VS_SCOPE_POLYGON)))
+  else if (!(s = vs_scope_fresh(f->store, VS_SCOPE_POLYGON)))
     vs_fail_memory(f->vm);
   else if ((s->loops = vs_rules_outline_loops(f, &o, &next))) {
     if (next < o.count)
@@ -132,7 +140,7 @@ vs_status vs_p_make_polygon_scope(vs_args *f, vs_value *out) {
 
 vs_status vs_p_make_triangle_scope(vs_args *f, vs_value *out) {
   const vs_vec3 at[3] = { f->arg[0].point, f->arg[1].point, f->arg[2].point };
-  vs_scope *s = vs_scope_fresh(f->bind->store, VS_SCOPE_TRIANGLE);
+  vs_scope *s = vs_scope_fresh(f->store, VS_SCOPE_TRIANGLE);
   if (!s || !(s->loops = vs_scope_loops_new(s->store, at, (const uint32_t[]){ 0, 3 }, 1)))
     return vs_scope_release(s), vs_fail_memory(f->vm);
   if (!vs_scope_frame_loops(s))
@@ -147,7 +155,7 @@ vs_status vs_p_make_curve_scope(vs_args *f, vs_value *out) {
   if (!vs_curve_sample(f->arg[0].ref.node, &facets, &p, &e)) return vs_bind_error(f, &e);
   if (p.count < 2)
     return vs_polyline_free(&p), vs_bind_refuse(f, "curve", "a curve that has a length", f->arg[0].value);
-  vs_scope *s = vs_scope_fresh(f->bind->store, VS_SCOPE_CURVE);
+  vs_scope *s = vs_scope_fresh(f->store, VS_SCOPE_CURVE);
   const uint32_t start[2] = { 0, (uint32_t)p.count };
   if (s) s->loops = vs_scope_loops_new(s->store, p.at, start, 1), s->closed = p.closed;
   vs_polyline_free(&p);
@@ -238,7 +246,7 @@ vs_status vs_p_scope_path(vs_args *f, vs_value *out) {
 vs_status vs_p_scope_region(vs_args *f, vs_value *out) {
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;
   const vs_scope_loops *l = f->arg[0].scope->loops;
-  vs_store *s = f->bind->store;
+  vs_store *s = f->store;
   vs_ref *lines = vs_bind_scratch(f, l->count * sizeof *lines);
   if (!lines) return VS_ERROR;
   for (uint32_t i = 0; i < l->count; i++) {
@@ -254,7 +262,7 @@ vs_status vs_p_scope_region(vs_args *f, vs_value *out) {
 /* ---- flags ---- */
 
 vs_status vs_p_flag(vs_args *f, vs_value *out) {
-  const char *name = vs_store_text(f->bind->store, f->arg[1].text.at, f->arg[1].text.length);
+  const char *name = vs_store_text(f->store, f->arg[1].text.at, f->arg[1].text.length);
   if (!name) return vs_fail_memory(f->vm);
   *out = vs_bool(vs_scope_has_flag(f->arg[0].scope, name));
   return VS_OK;
@@ -286,7 +294,7 @@ vs_status vs_p_with_flags(vs_args *f, vs_value *out) {
     if (vs_is_pair(flag)) holds = vs_cdr(flag) != VS_FALSE, flag = vs_car(flag);
     if (!vs_is_symbol(flag)) return vs_bind_refuse(f, "flags", "a list of names and of (name test)", vs_car(l));
     if (holds &&
-        !(names[count++] = vs_store_text(f->bind->store, vs_as_symbol(flag)->name, vs_as_symbol(flag)->length)))
+        !(names[count++] = vs_store_text(f->store, vs_as_symbol(flag)->name, vs_as_symbol(flag)->length)))
       return vs_fail_memory(f->vm);
   }
   vs_derivation *d = vs_rules_begin(f, &r[1]);

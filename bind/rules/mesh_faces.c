@@ -3,7 +3,13 @@
  * Faces of polyface meshes and boxes are theirs; regions and closed curves are one face for each of their areas; all
  * other solids and surfaces give the triangles of their mesh. An edge that several faces share is given once, and so
  * is a vertex. */
+#include "bind/rules/mesh_faces.h"
+
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/measures.h"
 #include "bind/rules/derivation.h"
+#include "bind/rules/make_scopes.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
 
@@ -26,7 +32,7 @@ static bool add_loops(faces *all, vs_scope_loops *l) {
   if (all->count == all->room) {
     size_t room = all->room ? 2 * all->room : 64;
     vs_scope_loops **more = vs_bind_scratch(all->f, room * sizeof *more);
-    if (!more) return vs_scope_loops_release(all->f->bind->store, l), false;
+    if (!more) return vs_scope_loops_release(all->f->store, l), false;
     if (all->count) memcpy(more, all->at, all->count * sizeof *more);
     all->at = more, all->room = room;
   }
@@ -37,7 +43,7 @@ static bool add_loops(faces *all, vs_scope_loops *l) {
 static bool add_face(void *context, const vs_vec3 *corner, uint32_t n) {
   faces *all = context;
   const uint32_t start[2] = { 0, n };
-  return add_loops(all, vs_scope_loops_new(all->f->bind->store, corner, start, 1));
+  return add_loops(all, vs_scope_loops_new(all->f->store, corner, start, 1));
 }
 
 static bool add_mesh(faces *all, const vs_mesh *m, const vs_affine *map) {
@@ -206,7 +212,7 @@ vs_status vs_mesh_components(vs_args *f, const char *of, vs_value *out) {
     }
     if (!lay_component(c, s, &all, edges, i)) vs_scope_release(c), t->child[i] = NULL; /* a face without area */
   }
-  for (size_t i = 0; i < all.count; i++) vs_scope_loops_release(f->bind->store, all.at[i]);
+  for (size_t i = 0; i < all.count; i++) vs_scope_loops_release(f->store, all.at[i]);
   *out = r[1];
   return t && vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }

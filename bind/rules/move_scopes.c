@@ -2,6 +2,7 @@
  * scope.h. */
 #include "bind/rules/move_scopes.h"
 
+#include "bind/call/refuse.h"
 #include "bind/rules/derivation.h"
 
 #include <string.h>

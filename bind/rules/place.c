@@ -1,8 +1,11 @@
 /* Owns the placing of objects in scopes: the bounds of the object become the box of the scope. An object's X goes
  * along x, its Z (up) along y, and its front, which looks to -Y, out of the face: so it stands as it would in a root
  * scope. */
-#include "bind/rules/derivation.h"
+#include "bind/rules/place.h"
 
+#include "bind/queries.h"
+
+#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "solids/deformed.h"
 

@@ -1,6 +1,7 @@
 /* Owns the life of scopes: counting, copying, hashes of paths, flags, printing. */
 #include "bind/rules/scope.h"
 
+#include "bind/state.h"
 #include "model/store/piece.h"
 
 #include <stdio.h>

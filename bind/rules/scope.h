@@ -10,7 +10,11 @@
 #ifndef VS_BIND_RULES_SCOPE_H
 #define VS_BIND_RULES_SCOPE_H
 
-#include "bind/bind.h"
+#include "bind/objects.h"
+#include "model/node.h"
+#include "vm/machine/native.h"
+
+typedef struct vs_bind vs_bind;
 
 typedef enum {
 #define VS_SCOPE(upper, predicate, noun, printed) VS_SCOPE_##upper,
@@ -81,6 +85,9 @@ struct vs_scope {
 };
 
 extern const vs_foreign_type vs_scope_type;
+/* May v be a rule: a procedure of a scope, an object to place, or #f? */
+static inline bool vs_is_rule(vs_value v) { return v == VS_FALSE || vs_is_procedure(v) || vs_bind_ref(v).node; }
+
 /* Returns the scope that v is, or NULL. */
 static inline vs_scope *vs_bind_scope(vs_value v) { return (vs_scope *)vs_foreign_get(v, &vs_scope_type); }
 const char *vs_scope_noun(const vs_scope *s); /* "a box scope" */

@@ -8,11 +8,14 @@
  * outside, which one point decides; so does an object in a scope that is a closed mesh. */
 #include "bind/rules/surroundings.h"
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
 #include "bind/rules/derivation.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/plane/ear_clipping.h"
 
@@ -468,7 +471,7 @@ static bool any_waits(question *q, const vs_derivation *d) {
 static vs_status ask(vs_args *f, bool inside, vs_value *out) {
   question q = { .f = f, .inside = inside };
   bool yes = false;
-  if (f->key[0].given && !(q.flag = vs_store_text(f->bind->store, f->key[0].text.at, f->key[0].text.length)))
+  if (f->key[0].given && !(q.flag = vs_store_text(f->store, f->key[0].text.at, f->key[0].text.length)))
     return vs_fail_memory(f->vm);
   if (!body_of(f->bind, f->arg[0].scope, &q.body)) return VS_ERROR;
   if (f->key[1].given) {

@@ -7,12 +7,20 @@
 #include <math.h>
 #include <string.h>
 
+#include "bind/build.h"
+#include "bind/data.h"
 #include "bind/functions/function_values.h"
+#include "bind/objects.h"
+#include "bind/procedures.h"
+#include "bind/records.h"
+#include "bind/reserved.h"
+#include "bind/state.h"
 #include "model/store/nodemap.h"
 #include "bind/scene/ray_hits.h"
 #include "vm/front/environment.h"
 #include "vm/machine/program.h"
 #include "vm/machine/run.h"
+#include "vm/values/heap.h"
 
 const vs_native_table *const *vs_nodes_tables(void) {
   static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, &vs_bind_data_table,

@@ -3,7 +3,9 @@
 #ifndef VS_BIND_SCENE_NODE_NATIVES_H
 #define VS_BIND_SCENE_NODE_NATIVES_H
 
-#include "bind/bind.h"
+#include "vm/machine/native.h"
+
+typedef struct vs_bind vs_bind;
 
 extern const vs_native_table vs_node_table;
 

@@ -6,6 +6,9 @@
 
 #include <math.h>
 
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/measure/ray_tree.h"
 #include "geometry/parts.h"

@@ -3,7 +3,9 @@
 #ifndef VS_BIND_SCENE_RAY_HITS_H
 #define VS_BIND_SCENE_RAY_HITS_H
 
-#include "bind/bind.h"
+#include "model/node.h"
+
+typedef struct vs_bind vs_bind;
 
 /* Where a ray meets an object: after `at` lengths of its direction, on a part that was made at origin (NULL: that is
  * not known). at INFINITY: nowhere. */

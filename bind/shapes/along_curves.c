@@ -4,6 +4,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/print.h"
+#include "bind/queries.h"
+#include "bind/state.h"
 #include "geometry/profiles/pipe.h"
 #include "geometry/profiles/surface.h"
 #include "model/store/array.h"
@@ -188,6 +196,6 @@ vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
     vs_bind_number_text(x, at.x), vs_bind_number_text(y, at.y), vs_bind_number_text(z, at.z);
     return vs_fail(f->vm, f->vm->sym.range, "the curve turns back on itself at (xyz %s %s %s)", x, y, z);
   }
-  vs_node *node = vs_surface_make(f->bind->store, VS_GRID_SURFACE, grid, n + 2 * caps, around, caps == 0, true, &e);
+  vs_node *node = vs_surface_make(f->store, VS_GRID_SURFACE, grid, n + 2 * caps, around, caps == 0, true, &e);
   return node ? vs_bind_node(f, node, out) : vs_bind_error(f, &e);
 }

@@ -2,7 +2,7 @@
 #ifndef VS_BIND_SHAPES_ALONG_CURVES_H
 #define VS_BIND_SHAPES_ALONG_CURVES_H
 
-#include "bind/bind.h"
+#include "bind/call/call.h"
 #include "geometry/plane/stations.h"
 
 /* Opens argument i, a curve, sampled to a millionth of its size. VS_ERROR: the error is set and there is nothing to

@@ -1,4 +1,10 @@
 /* Owns shells: a surface with thickness, a solid made hollow. */
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/print.h"
+#include "bind/queries.h"
 #include "bind/shapes/taken_apart.h"
 
 #include <stdlib.h>
@@ -41,7 +47,7 @@ vs_status vs_p_make_crust(vs_args *f, vs_value *out) {
   if (status && !VS_GROW(starts, room, shell.triangle_count + 1)) status = vs_fail_memory(f->vm);
   for (size_t i = 0; status && i <= shell.triangle_count; i++) starts[i] = (uint32_t)(3 * i);
   if (status) {
-    node = vs_polyface_make(f->bind->store, shell.vertices, shell.vertex_count, starts, shell.triangle_count,
+    node = vs_polyface_make(f->store, shell.vertices, shell.vertex_count, starts, shell.triangle_count,
                             &shell.triangles[0][0], &e);
     if (!node) status = vs_bind_error(f, &e);
   }

@@ -2,8 +2,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
 #include "bind/functions/function_values.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/queries.h"
 #include "bind/shapes/taken_apart.h"
+#include "bind/state.h"
 #include "geometry/functions/sampling.h"
 #include "model/store/array.h"
 
@@ -108,7 +115,7 @@ vs_status vs_p_deform_by_tape(vs_args *f, vs_value *out) {
 /* (%deformed d): the object that came of it */
 vs_status vs_p_deformed(vs_args *f, vs_value *out) {
   deformation *d = given(f);
-  vs_store *s = f->bind->store;
+  vs_store *s = f->store;
   size_t n = d->leaves.count, made = 0;
   vs_ref *refs = vs_bind_scratch(f, (n + 1) * sizeof *refs);
   if (!refs) return VS_ERROR;

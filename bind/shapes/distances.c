@@ -1,7 +1,11 @@
 /* Owns the distance from a solid as a field that tapes may hold. */
 #include <stdlib.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
 #include "bind/functions/function_values.h"
+#include "bind/measures.h"
+#include "bind/queries.h"
 #include "bind/shapes/taken_apart.h"
 #include "geometry/measure/mesh_distance.h"
 #include "model/store/array.h"

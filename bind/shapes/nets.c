@@ -1,17 +1,25 @@
 /* Owns the natives under form-find and its like: a program's lists as nets of points and members. nets.scm checks
  * them. */
-#include "bind/bind.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/constructors/operations.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/print.h"
+#include "bind/state.h"
 #include "geometry/nets/geodesic.h"
 #include "geometry/nets/packing.h"
 #include "geometry/nets/planarity.h"
 #include "geometry/nets/relaxation.h"
 #include "geometry/plane/planar_evaluation.h"
+#include "vm/machine/fail.h"
 
 /* The next number of a list, which nets.scm has seen to. */
 static double next(vs_scheme *vm, vs_value *l) {

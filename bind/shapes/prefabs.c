@@ -1,6 +1,7 @@
 /* Owns the names of the prefabs that come with the language. prefabs.scm runs their files. */
-#include "bind/bind.h"
+#include "bind/call/call.h"
 #include "vm/front/source.h"
+#include "vm/values/heap.h"
 
 #include <string.h>
 

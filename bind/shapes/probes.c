@@ -1,10 +1,15 @@
 /* Owns the natives that ask where curves, rays and points meet objects: curve-intersections, and what probes.scm asks
  * of an object's triangles. */
-#include "bind/bind.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/print.h"
+#include "bind/queries.h"
 #include "bind/shapes/along_curves.h"
 #include "bind/shapes/taken_apart.h"
 #include "geometry/measure/mesh_distance.h"
@@ -77,7 +82,7 @@ vs_status vs_p_probe(vs_args *f, vs_value *out) {
   w->size = vs_bounds_diagonal(&b);
   w->distance = vs_mesh_distance_new(&w->mesh);
   if (!w->distance) return probe_free(w), vs_fail_memory(f->vm);
-  if (!vs_ray_tree_make(&w->tree, f->bind->store, &w->mesh, &e)) return probe_free(w), vs_bind_error(f, &e);
+  if (!vs_ray_tree_make(&w->tree, f->store, &w->mesh, &e)) return probe_free(w), vs_bind_error(f, &e);
   return vs_make_foreign(f->vm, &probe_type, w, 0, out);
 }
 

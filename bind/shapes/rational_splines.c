@@ -1,10 +1,12 @@
 /* Owns the natives under the Bezier and NURBS procedures: a rational B-spline as a value, its points, and the curves
  * and surfaces made of it. shapes.scm checks counts and says what is wrong. */
-#include "bind/bind.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/objects.h"
 #include "geometry/profiles/nurbs.h"
 #include "geometry/profiles/surface.h"
 #include "geometry/tolerance.h"
@@ -85,7 +87,7 @@ vs_status vs_p_nurbs_range(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_make_nurbs_curve(vs_args *f, vs_value *out) {
-  vs_node *node = vs_nurbs_curve_node(f->bind->store, given(f));
+  vs_node *node = vs_nurbs_curve_node(f->store, given(f));
   if (!node) return vs_fail_memory(f->vm);
   if (!vs_bind_is_empty(node)) return vs_bind_node(f, node, out);
   vs_node_release(node);
@@ -123,7 +125,7 @@ vs_status vs_p_make_nurbs_surface(vs_args *f, vs_value *out) {
     if (!vs_poll(f->vm, columns * 32)) status = VS_ERROR;
   }
   if (status) {
-    node = vs_surface_make(f->bind->store, VS_GRID_SURFACE, grid, rows, columns, false, false, &e);
+    node = vs_surface_make(f->store, VS_GRID_SURFACE, grid, rows, columns, false, false, &e);
     if (!node) status = vs_bind_error(f, &e);
   }
   free(u), free(v), free(grid);

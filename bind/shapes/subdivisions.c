@@ -2,11 +2,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/measures.h"
+#include "bind/queries.h"
+#include "bind/records.h"
 #include "bind/shapes/taken_apart.h"
 #include "geometry/files/polyface.h"
 #include "geometry/shapes/polygons.h"
 #include "geometry/shapes/subdivision.h"
 #include "model/store/array.h"
+#include "vm/machine/fail.h"
 
 enum { FACES_MOST = 4000000 };
 
@@ -151,7 +157,7 @@ vs_status vs_p_make_subdivision(vs_args *f, vs_value *out) {
     status = h.stopped ? VS_ERROR : vs_fail_memory(f->vm);
   vs_node *node = NULL;
   if (status) {
-    node = vs_polyface_make(f->bind->store, l.points, l.point_count, l.starts, l.face_count, l.corners, &e);
+    node = vs_polyface_make(f->store, l.points, l.point_count, l.starts, l.face_count, l.corners, &e);
     if (!node) status = vs_bind_error(f, &e);
   }
   vs_face_list_free(&l);

@@ -1,5 +1,9 @@
 /* Owns what natives share that take objects apart (taken_apart.h). */
 #include "bind/shapes/taken_apart.h"
+#include "bind/call/refuse.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/state.h"
 #include "geometry/tessellate.h"
 
 #include "geometry/measure/node_measures.h"

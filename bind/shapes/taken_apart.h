@@ -2,7 +2,7 @@
 #ifndef VS_BIND_SHAPES_TAKEN_APART_H
 #define VS_BIND_SHAPES_TAKEN_APART_H
 
-#include "bind/bind.h"
+#include "bind/call/call.h"
 #include "geometry/shapes/bending.h"
 #include "geometry/tolerance.h"
 #include "model/mesh.h"

@@ -1,5 +1,10 @@
 /* Owns the triangulations and cells of points in a plane. */
-#include "bind/bind.h"
+#include "bind/build.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/constructors/operations.h"
+#include "bind/objects.h"
+#include "bind/state.h"
 #include "geometry/plane/planar_evaluation.h"
 
 #include <stdlib.h>
@@ -42,7 +47,7 @@ vs_status vs_p_delaunay(vs_args *f, vs_value *out) {
 
 /* An area of the plane as a region node: loops are polylines. NULL: out of memory. */
 static vs_node *region_of(vs_args *f, const vs_area *a, const vs_affine *frame) {
-  vs_store *s = f->bind->store;
+  vs_store *s = f->store;
   if (!a->loop_count) return vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
   vs_ref *loops = vs_bind_scratch(f, a->loop_count * sizeof *loops);
   vs_vec3 *at = vs_bind_scratch(f, (a->count + 1) * sizeof *at);

@@ -30,15 +30,4 @@ typedef struct {
   bool told_stops;        /* how to go on has been said */
 } cli_prompt;
 
-/* NAME VALUE: a parameter of the model, which then runs again. */
-void cli_prompt_set(cli_session *c, char *rest);
-/* rest: what stands behind the comma, NUL-terminated; it is changed. */
-void cli_prompt_command(cli_session *c, cli_prompt *p, char *line);
-void cli_command_names(void (*each)(void *context, const char *name), void *context);
-/* Writes a line of help where the prompt has a command of this name, else nothing. */
-void cli_command_advise(const char *name, FILE *to);
-
-/* Prints the drawing as a picture on the terminal. size: "WxH" in characters, or "". */
-void cli_show(cli_session *c, const char *size);
-
 #endif

@@ -1,4 +1,6 @@
 /* Owns what the prompt's own commands do; prompt_commands.def lists them. */
+#include "cli/prompt/prompt_commands.h"
+
 #include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -7,11 +9,14 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "cli/main.h"
 #include "cli/prompt/editor.h"
 #include "cli/prompt/manual.h"
 #include "cli/nearby.h"
 #include "cli/prompt/line_buffer.h"
 #include "cli/prompt/repl.h"
+#include "cli/prompt/show.h"
+#include "cli/stats.h"
 
 /* ---- files ---- */
 

@@ -7,9 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/main.h"
 #include "cli/prompt/editor.h"
 #include "cli/prompt/line_buffer.h"
 #include "cli/prompt/repl.h"
+#include "cli/prompt/prompt_commands.h"
 #include "live/live.h"
 
 /* The next line with its newline, or NULL: the end, or an interrupt (errno EINTR). */

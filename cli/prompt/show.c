@@ -2,6 +2,8 @@
  * colour. A small rasteriser with a depth for each pixel draws them, seen from the front left above. The protocols of
  * sixel, kitty and iTerm show pixels; everywhere else each character is two of them, one above the other (the upper
  * half block in 24-bit colour). */
+#include "cli/prompt/show.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -3,6 +3,9 @@
 
 #include <string.h>
 
+#include "geometry/files/raster_exr.h"
+#include "geometry/files/raster_png.h"
+
 void vs_raster_free(vs_raster *r) {
   if (r->at) vs_store_realloc(r->store, r->at, (size_t)r->columns * r->rows * sizeof *r->at, 0);
   r->at = NULL;

@@ -25,8 +25,6 @@ bool vs_raster_read(vs_store *store, const char *name, const unsigned char *byte
 bool vs_raster_size(const char *name, uint64_t columns, uint64_t rows, vs_error *e);
 /* The two readers; room for the pixels comes from vs_raster_room. */
 bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t rows, vs_error *e);
-bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);
-bool vs_raster_exr(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);
 /* of red, green and blue in the luminance (Rec. 709) */
 static const double vs_raster_share[3] = { 0.2126, 0.7152, 0.0722 };
 

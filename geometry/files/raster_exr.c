@@ -1,4 +1,6 @@
 /* Owns which numbers of an EXR picture are its heights. */
+#include "geometry/files/raster_exr.h"
+
 #include <string.h>
 
 #include "geometry/files/exr_read.h"

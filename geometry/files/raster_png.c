@@ -1,4 +1,6 @@
 /* Owns PNG pictures as numbers: grey as it is, of colours the luminance. */
+#include "geometry/files/raster_png.h"
+
 #include "geometry/files/png_read.h"
 #include "geometry/files/raster.h"
 

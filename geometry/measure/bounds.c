@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "geometry/plane/curve.h"
+#include "geometry/plane/offset.h"
 #include "geometry/tessellate.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/measure/reach.h"

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "geometry/plane/areas.h"
+#include "geometry/plane/offset.h"
 #include "model/store/array.h"
 
 static const double turn = 6.28318530717958647693;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "geometry/plane/curve.h"
+#include "geometry/plane/offset.h"
 #include "geometry/primitives/round_formulas.h"
 #include "geometry/primitives/shape.h"
 #include "geometry/measure/moments.h"

@@ -4,6 +4,7 @@
  * unused curve that has an end there: quadratic in the number of curves. Crossings: edges sorted by their least
  * coordinate along the plane's first axis, each held against those that still reach it. */
 #include "geometry/plane/join.h"
+#include "geometry/plane/offset.h"
 #include "geometry/plane/planar_evaluation.h"
 
 #include <stdlib.h>

@@ -9,6 +9,8 @@
  * A strip ends where they are not long enough, and before it has turned by more than a right angle: so no strip crosses
  * itself. An open line's offset is the border of its strips' union without the line
  * itself and the ends. */
+#include "geometry/plane/offset.h"
+
 #include <stdlib.h>
 
 #include "geometry/frame.h"

@@ -10,6 +10,7 @@
 
 #include "geometry/plane/curve.h"
 #include "geometry/plane/areas.h"
+#include "geometry/plane/offset.h"
 #include "geometry/text/typeset.h"
 #include "model/store/array.h"
 

@@ -10,10 +10,13 @@
  * By guides: the free loft between two sections is moved so that its wall meets every guide. A motion that all guides
  * ask for alike (a shift; with two guides a turn and a scale; with three or more any affine map of the section's plane)
  * moves the whole row; the rest of each guide's motion fades towards the next guide. */
+#include "geometry/profiles/loft_guided.h"
+
 #include <stdlib.h>
 
 #include "geometry/plane/curve.h"
 #include "geometry/profiles/loft.h"
+#include "geometry/profiles/loft_mesh.h"
 
 /* ---- along a path ---- */
 

@@ -5,12 +5,15 @@
  * sections go round, but none where a neighbour is equal, so that equal sections have a straight wall between them and
  * nothing swings past a section (Fritsch and Carlson's idea, for vectors). The centres' slope is taken along the
  * section's normal and across it apart: a column of equal storeys that then leans stays upright. */
+#include "geometry/profiles/loft_mesh.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 #include "geometry/frame.h"
 #include "geometry/profiles/grid.h"
 #include "geometry/profiles/loft.h"
+#include "geometry/profiles/loft_guided.h"
 
 vs_vec3 *vs_loft_rows_add(vs_loft_rows *r) {
   if (r->rows == r->room) {

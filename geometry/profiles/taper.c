@@ -18,6 +18,7 @@
 #include <stdlib.h>
 
 #include "geometry/plane/ear_clipping.h"
+#include "geometry/profiles/taper_path.h"
 #include "model/store/array.h"
 
 typedef struct { uint32_t *at; size_t count, room; } taper_chain;

@@ -10,6 +10,5 @@
 bool vs_taper_mesh(const vs_node *extrude, const vs_fineness *f, vs_mesh *out, vs_error *e);
 /* Its parts: along a vector in the place of the node's own; along a bent curve, the second child (taper_path.c). */
 bool vs_taper_straight(const vs_node *extrude, vs_vec3 way, const vs_fineness *f, vs_mesh *out, vs_error *e);
-bool vs_taper_path_mesh(const vs_node *extrude, const vs_fineness *f, vs_mesh *out, vs_error *e);
 
 #endif

@@ -1,6 +1,8 @@
 /* Owns extrusions with a taper along a bent curve: the straight one of the same height, cut at the heights of the
  * curve's corners, and every height moved to where the curve is there. By Cavalieri's principle it has the volume of
  * the straight one. */
+#include "geometry/profiles/taper_path.h"
+
 #include <stdlib.h>
 #include <string.h>
 

@@ -17,6 +17,7 @@
 #include FT_TRUETYPE_TABLES_H
 
 #include "geometry/dynamic.h"
+#include "geometry/text/fontfile.h"
 #include "geometry/text/kerning.h"
 #include "model/store/nodemap.h"
 

@@ -38,12 +38,4 @@ uint32_t vs_font_index(const vs_font *f, uint32_t character);
 const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e); /* NULL: failed */
 double vs_font_kerning(const vs_font *f, uint32_t left, uint32_t right); /* to be added to left's advance */
 
-/* ---- fontfile.c ---- */
-
-/* The file of a family, or of the default font where the name is "". False: there is none, or no memory (then e says
- * so). */
-bool vs_font_file(const char *family, char *path, size_t room, vs_error *e);
-/* The families that there are, as "A, B, C ..." for messages; as many as fit. */
-void vs_font_families(char *text, size_t room);
-
 #endif

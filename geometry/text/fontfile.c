@@ -5,6 +5,8 @@
  * family without a style may be the file of its Regular or Book style. Thus a font is found without opening any.
  * Folders are searched in one order, files by name: the same machine gives the same file. */
 #define _XOPEN_SOURCE 700
+#include "geometry/text/fontfile.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <stdio.h>

@@ -10,8 +10,12 @@
  * A group numbers its points by itself, copies of the cluster's and new ones alike, so that groups can be worked on at
  * once; what they found is put together in the groups' order, and only there do new points get the cluster's
  * numbers. */
+#include "kernel/arrange/arrange_planes.h"
+
+#include "kernel/arrange/cull.h"
 #include "kernel/cluster.h"
 #include "kernel/arrange/sweep.h"
+#include "kernel/threads.h"
 
 #include <string.h>
 

@@ -11,7 +11,10 @@
  * to the left, in direction n x D; one against D in -n x D. Therefore, with m = n or -n the face lies at m x D, turning
  * counter-clockwise about D leaves it through the side that m points to, and faces come in the order of the angle of m,
  * seen along any axis in which D is not 0. */
+#include "kernel/arrange/classify.h"
+
 #include "kernel/cluster.h"
+#include "kernel/threads.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -9,6 +9,8 @@
  * Very thin plates come first: half a step on either side of a plate is a part of its thickness, and so of its volume,
  * while in its own frame its faces lie on the grid. Therefore the frame is that with the most area of such plates, and
  * the majority's where there are none. */
+#include "kernel/arrange/cluster_frame.h"
+
 #include "kernel/cluster.h"
 
 #include <math.h>

@@ -6,6 +6,8 @@
  * is false: this clips an operand that is far larger than the result. The boxes of patches, by which
  * pairs are found, are those of the parts that lids leave of them: a rod that ends in two joints has the box of the
  * stretch between the joints. */
+#include "kernel/arrange/cull.h"
+
 #include "kernel/cluster.h"
 
 #include <math.h>

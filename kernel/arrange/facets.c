@@ -5,7 +5,10 @@
  * that stay; (2) which neighbours lie in one plane. Then, one after the other, triangles get the numbers of their
  * points, planes and facets: so they do not depend on the threads; points are one task and the rest another. Points and
  * planes that only culled or flat triangles have are never made. */
+#include "kernel/arrange/facets.h"
+
 #include "kernel/cluster.h"
+#include "kernel/threads.h"
 
 #include <math.h>
 #include <string.h>

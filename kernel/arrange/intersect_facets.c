@@ -11,7 +11,10 @@
  *
  * As in intersect_patches.c, pairs are decided in chunks that do not know of each other, and points are numbered
  * afterwards, chunk by chunk. */
+#include "kernel/arrange/intersect_facets.h"
+
 #include "kernel/cluster.h"
+#include "kernel/threads.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -11,7 +11,11 @@
  *
  * Pairs are found and decided in chunks that do not know of each other; points are numbered afterwards, chunk by chunk:
  * one result for any number of threads. */
+#include "kernel/arrange/intersect_patches.h"
+
+#include "kernel/arrange/cull.h"
 #include "kernel/cluster.h"
+#include "kernel/threads.h"
 
 #include <math.h>
 #include <string.h>

@@ -16,7 +16,13 @@
  *
  * A level is a small cluster with points of its own. Nothing is left out in it for lying inside of a lid: what covers
  * it may be in another level. */
+#include "kernel/arrange/levels.h"
+
+#include "kernel/arrange/arrange_planes.h"
+#include "kernel/arrange/classify.h"
+#include "kernel/arrange/intersect_facets.h"
 #include "kernel/cluster.h"
+#include "kernel/mesh/make_result.h"
 
 #include <string.h>
 

@@ -2,7 +2,11 @@
  *
  * A facet that is convex is one patch, whatever triangles it came in: the wall of a box meets another in one segment
  * instead of up to four, and none of them ends in a new point on a diagonal that nobody asked for. */
+#include "kernel/arrange/patches.h"
+
+#include "kernel/arrange/cull.h"
 #include "kernel/cluster.h"
+#include "kernel/threads.h"
 
 #include <string.h>
 

@@ -5,7 +5,14 @@
  * decimal, because models are. A triangle that spans nearly all of the cluster, and lies across the axes, may have a
  * normal of 64 bits on it: then the next step is taken. Coordinates that differ by less than 2^-40 of the extent share
  * one grid line: that matters only next to the middle between two lines, so only coordinates there are sorted. */
+#include "kernel/arrange/snap_to_grid.h"
+
+#include "kernel/arrange/cluster_frame.h"
+#include "kernel/arrange/cull.h"
+#include "kernel/arrange/facets.h"
+#include "kernel/arrange/untouched_triangles.h"
 #include "kernel/cluster.h"
+#include "kernel/threads.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -14,9 +14,14 @@
  *
  * Boxes are looked at in blocks of up to 16 triangles that follow each other in the mesh and hang together, as they do
  * in meshes that programs make. */
+#include "kernel/arrange/untouched_triangles.h"
+
+#include "kernel/arrange/cluster_frame.h"
+#include "kernel/arrange/cull.h"
 #include "kernel/mesh/hubs.h"
 #include "kernel/mesh/triangles_apart.h"
 #include "kernel/cluster.h"
+#include "kernel/threads.h"
 
 #include <math.h>
 #include <string.h>

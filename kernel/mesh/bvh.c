@@ -7,6 +7,8 @@
 
 #include <string.h>
 
+#include "kernel/threads.h"
+
 enum { BLOCK = 4, STACK = 64 };
 
 static uint64_t spread(uint64_t x) { /* 21 bits to every third */

@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#include "kernel/threads.h"
+
 enum { CHUNK = 1 << 15, BLOCK = 256, LEAST = 10 /* a range has 1024 points or more */, RANGES = 256 };
 
 typedef struct { uint32_t low, high, item; } loose;

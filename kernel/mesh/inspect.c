@@ -4,6 +4,12 @@
  * Every cell of that arrangement has a winding number. A cell that has a wrong one but is thinner than two steps of the
  * grid is what rounding makes of faces that touch, and passes. Triangles beside the others are the ones to name. */
 #include "kernel/mesh/inspect.h"
+#include "kernel/arrange/arrange_planes.h"
+#include "kernel/arrange/classify.h"
+#include "kernel/arrange/cluster_frame.h"
+#include "kernel/arrange/intersect_patches.h"
+#include "kernel/arrange/patches.h"
+#include "kernel/arrange/snap_to_grid.h"
 #include "kernel/evaluate.h"
 
 #include <math.h>
@@ -12,6 +18,7 @@
 
 #include "kernel/mesh/triangles_apart.h"
 #include "kernel/cluster.h"
+#include "kernel/threads.h"
 
 /* ---- open edges ---- */
 

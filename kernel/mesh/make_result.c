@@ -4,7 +4,13 @@
  * A corner is needless where exactly two borders of merged faces end, with the same faces beside both, in one line:
  * every face there drops it alike, so no T-junction appears. A facet that nothing touched and nothing merged with keeps
  * its own triangles. */
+#include "kernel/mesh/make_result.h"
+
+#include "kernel/arrange/cluster_frame.h"
+#include "kernel/arrange/untouched_triangles.h"
+#include "kernel/mesh/split_vertices.h"
 #include "kernel/mesh/straighten.h"
+#include "kernel/threads.h"
 
 #include <string.h>
 

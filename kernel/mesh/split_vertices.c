@@ -6,7 +6,11 @@
  * two hollows that touch, they are joined across the air instead; and where that does not help either, the edge gets a
  * vertex in its middle, one for each pair. Who is next to whom is decided exactly, by the planes; see classify.c for
  * the order around an edge. */
+#include "kernel/mesh/split_vertices.h"
+
+#include "kernel/arrange/classify.h"
 #include "kernel/cluster.h"
+#include "kernel/threads.h"
 
 #include <string.h>
 

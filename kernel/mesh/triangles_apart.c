@@ -10,6 +10,7 @@
 
 #include "kernel/mesh/bvh.h"
 #include "kernel/mesh/hubs.h"
+#include "kernel/threads.h"
 
 #define SURE 1e-14
 

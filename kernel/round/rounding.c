@@ -23,7 +23,9 @@
 #include "kernel/mesh/shells.h"
 #include "kernel/round/contraction.h"
 #include "kernel/round/rounding_state.h"
+#include "kernel/round/self_contacts.h"
 #include "kernel/round/touching.h"
+#include "kernel/threads.h"
 
 enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */, CONTRACTIONS = 8 };
 

@@ -57,8 +57,6 @@ static inline vs_vec3 vs_rounding_normal(vs_vec3 a, vs_vec3 b, vs_vec3 c) {
 double vs_rounding_height(vs_vec3 a, vs_vec3 b, vs_vec3 c);
 /* Does rounding turn the triangle by more than two or three degrees, or make it nothing? */
 bool vs_rounding_bends(const vs_rounding *s, uint32_t t);
-/* Counts the triangles that intersect another triangle after rounding; each is counted once. */
-bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out);
 
 /* Where the first storey of the axis stands that is not below the value, or would. */
 size_t vs_rounding_storey(const vs_rounding *s, int axis, double value);

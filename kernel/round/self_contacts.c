@@ -26,12 +26,15 @@
  * level. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share.
  * Of the rest the pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and
  * planes, and triangles_apart.c has what these do not tell. */
+#include "kernel/round/self_contacts.h"
+
 #include "kernel/mesh/triangles_apart.h"
 #include "kernel/mesh/triangles_meet.h"
 #include "kernel/mesh/bvh.h"
 #include "kernel/mesh/hubs.h"
 #include "kernel/round/rounding_state.h"
 #include "kernel/round/stars.h"
+#include "kernel/threads.h"
 
 #include <math.h>
 #include <string.h>

@@ -8,4 +8,6 @@
 void *vs_store_piece(vs_store *s, size_t bytes);
 void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);
 
+void vs_store_slabs_free(vs_store *s); /* piece.c */
+
 #endif

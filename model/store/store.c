@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "model/store/hashes.h"
+#include "model/store/piece.h"
 #include "model/store/store_inside.h"
 
 enum { BLOCK_SIZE = 16 * 1024 };

@@ -36,6 +36,4 @@ struct vs_store {
   vs_piece *given_back[VS_PIECE_MOST / 8 + 1]; /* by size in words */
 };
 
-void vs_store_slabs_free(vs_store *s); /* piece.c */
-
 #endif

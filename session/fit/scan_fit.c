@@ -8,12 +8,16 @@
 #include <unistd.h>
 
 #include "backends/publish.h"
+#include "bind/objects.h"
+#include "bind/parameters.h"
 #include "geometry/fitting/distance_map.h"
 #include "geometry/fitting/model_fit.h"
 #include "geometry/fitting/robust_squares.h"
 #include "geometry/fitting/scan_points.h"
 #include "model/store/array.h"
 #include "session/handles.h"
+#include "session/host.h"
+#include "session/report.h"
 #include "session/spine.h"
 #include "solids/solid_meshes.h"
 

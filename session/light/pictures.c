@@ -19,6 +19,7 @@
 #include "geometry/pictures/illuminance.h"
 #include "geometry/pictures/picture_difference.h"
 #include "session/handles.h"
+#include "session/report.h"
 #include "session/session.h"
 
 vs_tone vs_session_tone(const vs_development *d) {

@@ -11,13 +11,16 @@
 #include <sys/stat.h>
 
 #include "backends/view.h"
+#include "bind/objects.h"
 #include "geometry/files/exr_read.h"
 #include "geometry/files/png_write.h"
 #include "geometry/measure/ray_tree.h"
 #include "geometry/pictures/false_color.h"
 #include "geometry/sun_position.h"
 #include "session/handles.h"
+#include "session/host.h"
 #include "session/light/pictures.h"
+#include "session/report.h"
 #include "session/session.h"
 #include "session/spine.h"
 #include "solids/drawn_bounds.h"

@@ -4,6 +4,7 @@
 #include "tests/fuzz/fuzz.h"
 
 #include "vm/numbers/number.h"
+#include "vm/numbers/number_text.h"
 #include "vm/values/text.h"
 
 static const char begin[] =

@@ -11,7 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bind/bind.h"
+#include "bind/call/call.h"
+#include "bind/procedures.h"
 
 typedef struct { const char *name, *class_; } kind_row;
 static const kind_row kinds[] = {
@@ -196,7 +197,6 @@ static void profile(maker *m, bool closed) {
   else if (which < 5) say(m, "%s", stars[which - 2]);
   else say(m, "(make-line (xyz 0 0 0) (xyz %g 0 2) (xyz 2 1 3))", (double)any(m, 3));
 }
-
 
 /* False: no sample of the contract is known. */
 static bool argument(maker *m, int contract, const char *name) {

@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bind/bind.h"
+#include "bind/call/call.h"
+#include "bind/procedures.h"
 #include "visualscheme.h"
 
 enum { BAD_MOST = 24, TEXT_MOST = 8000 };

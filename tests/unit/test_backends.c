@@ -15,6 +15,7 @@
 #include <cmocka.h>
 #include <zlib.h>
 
+#include "backends/number_spelling.h"
 #include "passes/flush.h"
 #include "backends/backend.h"
 #include "backends/export.h"

@@ -8,7 +8,9 @@
 
 #include <cmocka.h>
 
-#include "bind/bind.h"
+#include "bind/procedures.h"
+#include "bind/records.h"
+#include "bind/state.h"
 #include "vm/values/printer.h"
 #include "vm/machine/open_vm.h"
 #include "vm/machine/run.h"

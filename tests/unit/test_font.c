@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "geometry/text/font.h"
+#include "geometry/text/fontfile.h"
 #include "geometry/text/kerning.h"
 
 static uint32_t number(const unsigned char *at) { return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3]; }

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 #include <gmp.h>
 
+#include "kernel/arrange/snap_to_grid.h"
 #include "kernel/check.h"
 #include "kernel/exact/doubles.h"
 #include "kernel/exact/exact.h"

@@ -6,6 +6,7 @@
 
 #include <cmocka.h>
 
+#include "vm/numbers/number_text.h"
 #include "vm/values/printer.h"
 #include "vm/front/reader.h"
 #include "vm/machine/run.h"

@@ -10,9 +10,11 @@
 
 #include "geometry/measure/node_measures.h"
 #include "model/order.h"
+#include "passes/group.h"
 #include "passes/passes.h"
 #include "model/looks/ready_materials.h"
 #include "model/store/store_inside.h"
+#include "passes/rewrite.h"
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
 enum { ALL = (1 << VS_PASS_COUNT) - 1 };

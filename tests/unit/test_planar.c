@@ -10,9 +10,11 @@
 #include <cmocka.h>
 
 #include "geometry/plane/areas.h"
+#include "geometry/plane/offset.h"
 #include "geometry/plane/point_tree.h"
 #include "geometry/primitives/solid_triangles.h"
 #include "geometry/plane/ear_clipping.h"
+#include "solids/feature_edges.h"
 #include "solids/sections.h"
 
 static const vs_fineness fine = { 1e-5, 0 };

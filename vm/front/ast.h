@@ -110,4 +110,6 @@ vs_core_node *vs_ast_local(vs_ast *ast, vs_var *var, vs_pos pos);
 /* SEQ, CALL, CASE, LET, FIX, LAMBDA with room for n */
 vs_core_node *vs_ast_list(vs_ast *ast, int kind, size_t n, vs_pos pos);
 
+void vs_gc_visit_trees(vs_scheme *vm, vs_gc_visit *visit);             /* ast.c: constants of the trees being built */
+
 #endif

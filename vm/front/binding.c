@@ -1,7 +1,11 @@
 /* Owns the core syntax that binds: let let* letrec letrec* do, named let, let-syntax letrec-syntax. */
+#include "vm/front/body.h"
+#include "vm/front/derived_syntax.h"
 #include "vm/front/expand.h"
 #include "vm/front/suggest.h"
 #include "vm/front/environment.h"
+#include "vm/machine/fail.h"
+#include "vm/values/heap.h"
 
 /* The bindings of `what` are ((name value) ...); PLT's and beginners' mistakes get a message that shows the right
    form. */

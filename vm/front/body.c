@@ -5,7 +5,15 @@
    forms expanded: all definitions and the expressions between them become one FIX (letrec*), the rest its body. The
    definitions found are a list, newest first, of vectors: #(variable form place parameters), variable a fixnum address
    or #f for an expression, parameters VS_ABSENT for a plain value, else form is the procedure's body. */
+#include "vm/front/body.h"
+
+#include "vm/front/derived_syntax.h"
 #include "vm/front/expand.h"
+#include "vm/front/lambda.h"
+#include "vm/front/syntax_rules.h"
+#include "vm/library/library.h"
+#include "vm/machine/fail.h"
+#include "vm/values/heap.h"
 
 
 /* ---- what a define says ---- */

@@ -1,7 +1,12 @@
 /* Owns the syntax that turns into other syntax: define-record-type, include, cond-expand. */
+#include "vm/front/derived_syntax.h"
+
 #include "vm/front/expand.h"
 #include "vm/library/library.h"
 #include "vm/front/source.h"
+#include "vm/library/standard.h"
+#include "vm/machine/fail.h"
+#include "vm/values/heap.h"
 
 #include <stdio.h>
 

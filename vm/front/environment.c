@@ -2,6 +2,7 @@
 #include "vm/front/environment.h"
 #include "vm/compiler/code.h"
 #include "vm/machine/native.h"
+#include "vm/values/heap.h"
 
 /* ---- identifier tables ---- */
 enum { FIRST_ROOM = 4 };

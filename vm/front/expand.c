@@ -1,5 +1,12 @@
 /* Owns the expander's machine: tasks, expressions, applications, macro uses (expand.h). */
 #include "vm/front/expand.h"
+#include "vm/front/body.h"
+#include "vm/front/forms.h"
+#include "vm/front/lambda.h"
+#include "vm/front/syntax_rules.h"
+#include "vm/library/standard.h"
+#include "vm/machine/fail.h"
+#include "vm/values/heap.h"
 #include "vm/values/printer.h"
 #include "vm/front/suggest.h"
 #include "vm/front/environment.h"

@@ -106,15 +106,6 @@ vs_core_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos
 vs_core_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos);
 bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var);     /* a new variable, bound in scope */
 bool vs_expand_scope(vs_expansion *x, vs_value env, vs_value *out);
-/* A parameter list and a body become a LAMBDA, in a LET of its contracts if need be. tail: the list stood behind a
-   name, as in (define (name . params) ...): then [ ] around all of it is a rest parameter with its predicate. */
-bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name,
-                      vs_pos pos, vs_core_node **into);
-/* the transformer spec to a MACRO, or a call that yields it. *done false: it must be called (x->procedure), put
-   `waiting` */
-bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done);
-bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_value *macro);
-bool vs_rules_expand(vs_expansion *x, vs_value macro, vs_value form, vs_value env, vs_pos pos, vs_value *out);
 
 bool vs_is_form(vs_value env, vs_value id, int form);                  /* id means that syntax here */
 vs_pos vs_form_pos(vs_value form, vs_pos outer);                       /* of a pair */
@@ -123,9 +114,6 @@ vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer);        /* of the
 bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 bool vs_expand_shape(vs_expansion *x, int form);                       /* "this is written (...)" at the current form */
-/* an alias for a name of the library: what rewriting forms put into their output */
-bool vs_core_name(vs_scheme *vm, const char *name, vs_value *out);
-bool vs_make_form_list(vs_scheme *vm, vs_value *out, size_t n, const vs_value *items);   /* items in roots */
 
 /* Expands macros at the head of *form until it is core syntax, an application or no pair; *m is the head's meaning.
    False also when the task has to wait (x->now.waiting is set then). */
@@ -134,19 +122,6 @@ bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *po
 /* The words import and define-library structure a program also where nothing was imported that binds them: their form,
    or -1. m: what the head of a top-level form means. */
 int vs_unit_word(const vs_meaning *m);
-
-/* the steps of the tasks, and the value that one of them waited for */
-bool vs_body_step(vs_expansion *x);
-bool vs_top_step(vs_expansion *x);
-bool vs_quasi_step(vs_expansion *x);
-bool vs_case_step(vs_expansion *x);
-bool vs_predicate_step(vs_expansion *x);
-bool vs_body_resume(vs_expansion *x, vs_value value);
-bool vs_library_define(vs_expansion *x);
-bool vs_library_import(vs_expansion *x);
-bool vs_library_require(vs_expansion *x);
-bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *name, vs_value *params, vs_value *rest,
-                     bool *procedure);
 
 #define VS_FORM(id, name, kind, shape) VS_FORM_DECLARE_##kind(id)
 #define VS_FORM_DECLARE_CORE(id) bool vs_form_##id(vs_expansion *x);

@@ -1,5 +1,9 @@
 /* Owns the core syntax of choice and sequence: quote if begin cond case and or when unless assert, quasiquote. */
+#include "vm/front/forms.h"
+
 #include "vm/front/expand.h"
+#include "vm/machine/fail.h"
+#include "vm/values/heap.h"
 
 static vs_core_node *put(vs_expansion *x, vs_core_node *n) { return *x->now.into = n; }
 static vs_core_node *unspecific(vs_expansion *x, vs_pos pos) { return vs_expand_many(x, VS_AST_SEQ, 0, pos); }

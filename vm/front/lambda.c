@@ -5,7 +5,10 @@
    and behind #:key the same;   . name   or   . [name predicate]   is the rest. The predicate is evaluated once, outside
    the lambda: a LET around it, unless it is a constant of the library. The checks are a SEQ in front of the body, one
    CHECK a parameter, in order; a default that is computed is preceded by the checks of the parameters it can see. */
+#include "vm/front/lambda.h"
+
 #include "vm/front/expand.h"
+#include "vm/machine/fail.h"
 
 typedef struct {
   vs_value id, predicate, fallback;     /* predicate, fallback: forms, or VS_ABSENT */

@@ -12,6 +12,8 @@
    end touches a word: the missing quote is probably there. */
 #include "vm/front/reader.h"
 #include "vm/numbers/number.h"
+#include "vm/numbers/number_text.h"
+#include "vm/values/heap.h"
 #include "vm/values/text.h"
 
 #include <stdarg.h>

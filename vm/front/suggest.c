@@ -2,6 +2,7 @@
  * (foreign.def), the right stem with another prefix, and near names. */
 #include "vm/front/suggest.h"
 #include "vm/front/environment.h"
+#include "vm/library/standard.h"
 #include "vm/machine/native.h"
 
 #include <ctype.h>

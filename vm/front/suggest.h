@@ -12,13 +12,14 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t);
 bool vs_suggest_local(vs_scheme *vm, vs_value env, vs_value symbol);
 /* ... the symbol itself: a let binds it, and nothing does where the let's values stand. */
 bool vs_suggest_let_star(vs_scheme *vm, vs_value symbol);
-/* "; (import (scheme write)) brings it" appended to t, where a built-in or shipped library has the name; syntax: of the
-   shipped ones only where it is syntax, as match of (match) */
-bool vs_library_advice(vs_scheme *vm, vs_value symbol, bool syntax, vs_text *t);
 bool vs_is_foreign_word(vs_value symbol); /* of foreign.def */
 /* "; make-box is the name here: (make-box ...)" appended to t, where the word is one of another program's. */
 bool vs_foreign_advice(const char *word, vs_text *t);
 /* the same for a keyword that the called procedure does not have */
 bool vs_keyword_advice(const char *word, vs_text *t);
+
+/* Of the words nth(0), nth(1) ... to the first NULL, the one that is most like the wanted one, as in advice for names
+   that are not defined; NULL: none is. */
+const char *vs_nearest_word(const char *wanted, const char *(*nth)(size_t i));
 
 #endif

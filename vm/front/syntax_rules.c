@@ -4,6 +4,9 @@
    so that those of a subpattern are a range; under an ellipsis every slot of the range holds the list of its values. A
    rule is kept as #(pattern template variables depths), `variables` a vector of identifiers and `depths` how many
    ellipses each stands under. Recursion here goes with the depth of patterns and templates, which is limited. */
+#include "vm/front/syntax_rules.h"
+
+#include "vm/machine/fail.h"
 #include "vm/values/equal.h"
 #include "vm/front/expand.h"
 

@@ -16,6 +16,8 @@
 #include "vm/front/environment.h"
 #include "vm/front/reader.h"
 #include "vm/numbers/number.h"
+#include "vm/numbers/number_text.h"
+#include "vm/values/heap.h"
 #include "vm/values/text.h"
 
 #include <stdio.h>

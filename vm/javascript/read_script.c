@@ -14,6 +14,7 @@
 #include "vm/front/expand.h"
 #include "vm/front/reader.h"
 #include "vm/javascript/statements.h"
+#include "vm/values/heap.h"
 
 static void *resize(void *context, void *at, size_t used, size_t fresh) { return vs_mem(context, at, used, fresh); }
 

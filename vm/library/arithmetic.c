@@ -2,8 +2,10 @@
  * bits, texts. */
 #include <math.h>
 
+#include "vm/machine/fail.h"
 #include "vm/numbers/dual.h"
 #include "vm/numbers/integer.h"
+#include "vm/numbers/number_text.h"
 #include "vm/values/string_chars.h"
 
 /* ---- argument checks ---- */

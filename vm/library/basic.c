@@ -1,5 +1,7 @@
 /* Owns small things about any value: equivalence, booleans, boxes, records, and the procedures of hash tables. */
+#include "vm/machine/fail.h"
 #include "vm/values/equal.h"
+#include "vm/values/heap.h"
 #include "vm/values/table.h"
 
 /* ---- equivalence, booleans, kinds ---- */

@@ -8,6 +8,7 @@
    The natives here keep their state in their activations (native.h, VS_CALL), so that every one may be left and entered
    again. */
 #include "vm/machine/activation.h"
+#include "vm/machine/fail.h"
 #include "vm/machine/native.h"
 #include "vm/library/port.h"
 #include "vm/values/pairs.h"

@@ -2,6 +2,7 @@
    (exit). */
 #include "vm/library/format.h"
 #include "vm/numbers/number.h"
+#include "vm/values/heap.h"
 
 static bool is_condition(vs_value v) { return vs_is(v, VS_T_CONDITION); }
 

@@ -1,9 +1,11 @@
 /* Owns the procedures that read: characters, lines, bytes and data from ports, and what one may ask of a port or a
  * file. */
+#include "vm/machine/fail.h"
 #include "vm/numbers/number.h"
 #include "vm/library/port.h"
 #include "vm/front/reader.h"
 #include "vm/front/scan.h"
+#include "vm/values/heap.h"
 
 static bool in_port(vs_scheme *vm, const vs_value *a, int n, int i, uint32_t kind, vs_value *port) {
   *port = n > i ? a[i] : vs_port_current_input(vm);

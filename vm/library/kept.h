@@ -22,11 +22,4 @@ static inline void vs_lib_set(vs_scheme *vm, int slot, vs_value v) {
   vs_gc_store(vm, vs_as_vector(vm->at.lib), &vs_as_vector(vm->at.lib)->at[slot], v);
 }
 
-/* ---- random numbers, for the layers above (system.c). All return false when memory is out. ---- */
-bool vs_random_keep(vs_scheme *vm, uint64_t state[4]);          /* copies the generator's state out */
-bool vs_random_restore(vs_scheme *vm, const uint64_t state[4]); /* puts such a copy back */
-/* starts the generator anew from the program's seed and a key */
-bool vs_random_branch(vs_scheme *vm, uint64_t key);
-bool vs_random_unit(vs_scheme *vm, double *out);                /* the next number in [0, 1) */
-
 #endif

@@ -1,8 +1,12 @@
 /* Owns libraries: define-library becomes a run of its body in an environment of its own, import a mapping of names,
    require a run of a file. */
 #include "vm/library/library.h"
+#include "vm/front/derived_syntax.h"
+#include "vm/library/standard.h"
+#include "vm/machine/fail.h"
 #include "vm/values/equal.h"
 #include "vm/library/port.h"
+#include "vm/values/heap.h"
 #include "vm/values/printer.h"
 #include "vm/front/source.h"
 #include "vm/front/environment.h"

@@ -10,16 +10,13 @@ bool vs_library_find(vs_scheme *vm, vs_value name, vs_value *env);
 /* Is there such a library, or a file that may define it for an import in the file `from` (a file number) and the
    environment env? */
 bool vs_library_known(vs_scheme *vm, vs_value name, uint32_t from, vs_value env);
-/* those of libraries.def and the whole */
-bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env);
-bool vs_library_is_built_in(vs_value name);
-/* each(vm, context, n) for every (srfi n) there is, until it returns false */
-bool vs_library_each_srfi(vs_scheme *vm, bool (*each)(vs_scheme *vm, void *context, int number), void *context);
 bool vs_library_register(vs_scheme *vm, vs_value name, vs_value env);
 /* Imports an import set into env. *missing: the name of a library that is not there (then nothing happened), else
    VS_ABSENT. */
 bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing);
-bool vs_features(vs_scheme *vm, vs_value *out);
-bool vs_cond_expand(vs_expansion *x, vs_value form, vs_value *forms);
+
+bool vs_library_define(vs_expansion *x);
+bool vs_library_import(vs_expansion *x);
+bool vs_library_require(vs_expansion *x);
 
 #endif

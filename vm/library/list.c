@@ -3,6 +3,7 @@
 
    New lists grow at the tail through a struct list_maker; its slots are roots. Lists of the user are measured before
    they are walked (vs_list_length), so an improper or circular one is an error and never a hang. */
+#include "vm/machine/fail.h"
 #include "vm/values/equal.h"
 #include "vm/machine/native.h"
 #include "vm/numbers/number.h"

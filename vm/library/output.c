@@ -4,8 +4,12 @@
 #include <stdio.h>
 
 #include "vm/library/format.h"
+#include "vm/library/string.h"
+#include "vm/machine/fail.h"
 #include "vm/numbers/number.h"
 #include "vm/library/port.h"
+#include "vm/numbers/number_text.h"
+#include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
 /* The port among the arguments, or the current one; checked. */

@@ -6,6 +6,7 @@
 #include "vm/library/port.h"
 
 #include "vm/library/kept.h"
+#include "vm/values/heap.h"
 
 static bool port_new(vs_scheme *vm, uint32_t flags, int64_t host, const vs_value *name, vs_value *out) {
   vs_port *p = (vs_port *)(void *)vs_gc_alloc(vm, VS_T_PORT, VS_WORDS(vs_port));

@@ -1,10 +1,13 @@
 /* Owns the built-in libraries: (scheme base), (srfi 1) and the rest of libraries.def. Each is an environment whose own
    table holds the very cells and macros of the one library of the VM, made when it is first asked for. (visualscheme)
    is that one library itself. */
+#include "vm/library/standard.h"
+
 #include "vm/front/source.h"
 #include "vm/library/library.h"
 #include "vm/front/suggest.h"
 #include "vm/front/environment.h"
+#include "vm/values/heap.h"
 #include "vm/values/text.h"
 
 #include <stdio.h>

@@ -4,6 +4,11 @@
  * (vm/values/string_chars.h): string-ref takes constant time, string-set! may widen once. Procedures that build text of
  * unknown width use a vs_text (UTF-8) and turn it into a string at the end; those that know their length write in
  * place. Case and categories are utf8proc's. */
+#include "vm/library/string.h"
+
+#include "vm/machine/fail.h"
+#include "vm/machine/poll.h"
+#include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
 #include <utf8proc.h>

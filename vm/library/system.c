@@ -2,12 +2,17 @@
 
    Random numbers are xoshiro256** (Blackman and Vigna), seeded by splitmix64; the state is a bytevector in vm->at.lib,
    so it is part of the heap image and the same at every start. */
+#include "vm/library/system.h"
+
 #include <math.h>
 
+#include "vm/machine/fail.h"
 #include "vm/numbers/integer.h"
 #include "vm/library/kept.h"
 #include "vm/library/port.h"
 #include "vm/numbers/number.h"
+#include "vm/numbers/number_text.h"
+#include "vm/values/heap.h"
 
 enum { FIRST_SEED = 1 };
 

@@ -1,7 +1,10 @@
 /* Owns vectors and bytevectors: every procedure of theirs that takes no procedure. Literals do not change. */
+#include "vm/machine/fail.h"
 #include "vm/machine/native.h"
+#include "vm/machine/poll.h"
 #include "vm/numbers/number.h"
 #include "vm/library/range.h"
+#include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
 static const int64_t LONGEST = INT64_C(1) << 31; /* an object's size is 32 bits of words */

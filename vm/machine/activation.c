@@ -2,6 +2,7 @@
 #include "vm/machine/activation.h"
 
 #include "vm/compiler/code.h"
+#include "vm/machine/fail.h"
 #include "vm/values/gc.h"
 #include "vm/machine/native.h"
 #include "vm/front/source.h"
@@ -255,3 +256,5 @@ vs_pos vs_call_place(vs_scheme *vm) {
   struct link at[1];
   return chain(vm, at, 1) ? at[0].place : 0;
 }
+
+const vs_traceback vs_call_traceback = { vs_call_chain, vs_call_variables, vs_call_place };

@@ -68,4 +68,7 @@ uint64_t vs_call_key(vs_scheme *vm, size_t max);
 /* Place of the call that the running native was made from. */
 vs_pos vs_call_place(vs_scheme *vm);
 
+/* These functions, for errors (fail.h). */
+extern const struct vs_traceback vs_call_traceback;
+
 #endif

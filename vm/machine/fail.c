@@ -1,10 +1,12 @@
 /* Owns how a native fails: the making of conditions and the wording of the common errors. */
+#include "vm/machine/fail.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 
 #include "vm/machine/native.h"
-#include "vm/machine/activation.h"
 #include "vm/machine/signature.h"
+#include "vm/values/heap.h"
 
 const char *vs_noun(vs_scheme *vm, vs_value v) {
   static const char *const nouns[VS_T_COUNT] = {
@@ -70,14 +72,14 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   }
   va_end(again);
   r[3] = VS_NIL;
-  if (!ok || (!place && !vs_call_chain(vm, 64, &r[3]))) return VS_ERROR;
-  if (!place && vm->config.keep_calls && !vs_call_variables(vm, &r[4])) return VS_ERROR;
+  if (!ok || (!place && !vm->traceback->chain(vm, 64, &r[3]))) return VS_ERROR;
+  if (!place && vm->config.keep_calls && !vm->traceback->variables(vm, &r[4])) return VS_ERROR;
   vs_condition *c = (vs_condition *)(void *)vs_gc_alloc(vm, VS_T_CONDITION, VS_WORDS(vs_condition));
   if (!c) return VS_ERROR;
   c->calls = r[4];
   c->kind = r[0]; c->irritants = r[1]; c->message = r[2]; c->chain = r[3];
   c->payload = VS_FALSE;
-  c->place = place ? *place : vs_call_place(vm);
+  c->place = place ? *place : vm->traceback->place(vm);
   vm->condition = vs_from_object(c);
   return VS_ERROR;
 }

@@ -74,10 +74,6 @@ typedef struct vs_native_table {
 bool vs_native_define(vs_scheme *vm, const vs_native_table *table,
                       bool (*define)(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure), void *context);
 
-/* Of the words nth(0), nth(1) ... to the first NULL, the one that is most like the wanted one, as in advice for names
-   that are not defined; NULL: none is. */
-const char *vs_nearest_word(const char *wanted, const char *(*nth)(size_t i));
-
 /* ---- calling (see above). argv are copied. ---- */
 vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);       /* returns VS_CALL */
 vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);   /* returns VS_TAILCALL */
@@ -111,19 +107,8 @@ vs_status vs_fail_memory(vs_scheme *vm);
 vs_status vs_fail_object(vs_scheme *vm, vs_value object);
 
 /* ---- checked arguments: false and a type error, or the value ---- */
-/* fixnum or double; bignum and ratio via vm/numbers/number.h's vs_number_double */
-bool vs_arg_double(vs_scheme *vm, const vs_value *a, int arg, double *out);
 /* exact integer in [low, high] */
 bool vs_arg_index(vs_scheme *vm, const vs_value *a, int arg, int64_t low, int64_t high, int64_t *out);
-/* a VS_T_ type; the noun from object.def */
-bool vs_arg_type(vs_scheme *vm, const vs_value *a, int arg, int type);
-
-/* ---- lists ---- */
-/* Length of a proper list, -1 if improper or circular. */
-int64_t vs_list_length(vs_value list);
-/* The numbers of a proper list into a fresh vs_mem array (count * 8 bytes, the caller frees), false and a type error
-   for arg. */
-bool vs_list_doubles(vs_scheme *vm, vs_value list, int arg, double **out, size_t *count);
 
 /* ---- limits: call it in builtins that can be long, with the work done since last time (1 = a cheap inner step)
    ---- */
@@ -132,10 +117,6 @@ bool vs_poll(vs_scheme *vm, uint64_t work);
 static inline bool vs_poll_turn(vs_scheme *vm, uint64_t i, unsigned cost) {
   return (i & 1023) != 1023 || vs_poll(vm, 1024 * (uint64_t)cost);
 }
-/* memmove and memset in pieces, polling between them. A block larger than a piece is an object that does not move, or
-   no object. */
-bool vs_poll_move(vs_scheme *vm, void *to, const void *from, size_t bytes);
-bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes);
 
 /* ---- foreign objects ---- */
 typedef struct vs_foreign_type {
@@ -156,8 +137,5 @@ typedef struct vs_foreign_type {
 static inline void *vs_foreign_get(vs_value v, const vs_foreign_type *type) {
   return vs_is(v, VS_T_FOREIGN) && vs_as_foreign(v)->type == type ? vs_as_foreign(v)->object : NULL;
 }
-
-/* what v is, with article, for messages: "a string", "a point", "a number" */
-const char *vs_noun(vs_scheme *vm, vs_value v);
 
 #endif

@@ -4,9 +4,11 @@
 
 #include <stdlib.h>
 
+#include "vm/machine/activation.h"
 #include "vm/values/gc.h"
 #include "vm/machine/image.h"
 #include "vm/machine/native.h"
+#include "vm/values/heap.h"
 
 extern const vs_native_table vs_control_natives;
 
@@ -61,6 +63,7 @@ vs_scheme *vs_open_vm(const vs_config *config) {
     vm->top = vm->stack;
     memset(vm->stack, 0, STACK_SLOTS * sizeof *vm->stack);       /* slots are traced before they are written */
   }
+  vm->traceback = &vs_call_traceback;
   if (!vm->stack || !vs_gc_open(vm) || !(config->image ? vs_image_load(vm, config->image) : fresh(vm))) {
     vs_close_vm(vm);
     return NULL;

@@ -12,4 +12,9 @@ bool vs_poll_limits(vs_scheme *vm);
  * that the limit is exact. */
 void vs_refuel(vs_scheme *vm);
 
+/* memmove and memset in pieces, polling between them. A block larger than a piece is an object that does not move, or
+   no object. */
+bool vs_poll_move(vs_scheme *vm, void *to, const void *from, size_t bytes);
+bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes);
+
 #endif

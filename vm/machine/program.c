@@ -2,13 +2,16 @@
    and what is made of it: eval, load, require, libraries, the host's entries. */
 #include "vm/machine/program.h"
 
+#include "vm/front/derived_syntax.h"
 #include "vm/front/source.h"
 #include "vm/compiler/compile.h"
 #include "vm/front/expand.h"
 #include "vm/library/library.h"
 #include "vm/front/reader.h"
+#include "vm/library/string.h"
 #include "vm/machine/run.h"
 #include "vm/machine/activation.h"
+#include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
 #include <stdio.h>

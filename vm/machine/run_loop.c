@@ -25,6 +25,7 @@
 #include "vm/machine/run_failures.h"
 #include "vm/stepping/step.h"
 #include "vm/stepping/step_loop.h"
+#include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
 /* ---- the cases that the loop hands out ---- */

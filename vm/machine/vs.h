@@ -113,6 +113,7 @@ struct vs_scheme {
   const vs_native *native;         /* the native that is running: NULL outside; its name is in error messages */
   vs_value call_procedure;
   vs_value *call_args; size_t call_count, call_room;
+  const struct vs_traceback *traceback; /* how an error learns of the calls under way (activation.c) */
   vs_value condition;              /* what was raised, after a function returned false / VS_ERROR */
   vs_value value;                  /* a native's result */
 

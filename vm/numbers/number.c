@@ -6,8 +6,10 @@
 
 #include <math.h>
 
+#include "vm/machine/fail.h"
 #include "vm/numbers/dual.h"
 #include "vm/numbers/integer.h"
+#include "vm/values/heap.h"
 
 static const char *const op_name[] = {[VS_OP_ADD] = "+", [VS_OP_SUB] = "-", [VS_OP_MUL] = "*", [VS_OP_DIV] = "/"};
 

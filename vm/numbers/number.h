@@ -50,13 +50,6 @@ bool vs_number_eqv(vs_value a, vs_value b);
 uint64_t vs_number_hash(vs_value v);                                  /* agrees with eqv? */
 
 /* ---- text ---- */
-/* The number that these bytes spell in `radix` (2..36; #x and the like override it), or *out = #f if they spell none.
-   False only when memory is out or the number too large. */
-bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out);
-/* The shortest text that reads back as v, in radix 2..36. */
-bool vs_number_print(vs_scheme *vm, vs_value v, int radix, vs_text *t);
 enum { VS_DOUBLE_TEXT = 32 };
-/* The same for one double in base 10, zero-terminated; no allocation. Returns the length. */
-size_t vs_double_text(double d, char out[VS_DOUBLE_TEXT]);
 
 #endif

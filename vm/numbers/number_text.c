@@ -5,6 +5,8 @@
    double, and of those the nearest) on integers of at most some 20 limbs, which live on the C stack; two quick ways
    before it take integers and decimals of up to 15 digits, which cover what people type. Reading has Clinger's quick
    way (a mantissa and a power of ten that are both exact doubles round once), else an exact ratio correctly rounded. */
+#include "vm/numbers/number_text.h"
+
 #include <float.h>
 #include <math.h>
 

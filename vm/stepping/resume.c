@@ -3,6 +3,7 @@
 
 #include "vm/front/environment.h"
 #include "vm/machine/run.h"
+#include "vm/values/heap.h"
 
 bool vs_step_resume(vs_scheme *vm, vs_value stop, vs_step_mode mode, vs_value *out) {
   vs_stepping *s = &vm->step;

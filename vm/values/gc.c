@@ -15,6 +15,8 @@
 
 #include <stdlib.h>
 
+#include "vm/front/ast.h"
+#include "vm/machine/poll.h"
 #include "vm/values/layout.h"
 #include "vm/machine/native.h"
 

@@ -51,23 +51,13 @@ static inline void vs_gc_store(vs_scheme *vm, void *object, vs_value *field, vs_
 }
 
 bool vs_cons(vs_scheme *vm, vs_value car, vs_value cdr, vs_value *out);
-bool vs_cons_at(vs_scheme *vm, vs_value car, vs_value cdr, vs_pos pos, vs_value *out);       /* a located pair */
 bool vs_make_vector(vs_scheme *vm, size_t n, vs_value fill, vs_value *out);
-bool vs_make_bytes(vs_scheme *vm, size_t n, vs_value *out);                                  /* zeroed */
-bool vs_make_string(vs_scheme *vm, size_t length, uint32_t fill, vs_value *out);             /* wide when fill > 255 */
-/* bad bytes become U+FFFD */
-bool vs_string_from_utf8(vs_scheme *vm, const char *s, size_t bytes, vs_value *out);
-bool vs_make_box(vs_scheme *vm, vs_value v, vs_value *out);
-bool vs_make_cell(vs_scheme *vm, vs_value name, vs_value v, vs_value *out);
 /* `at` in roots or args; n = 1 gives at[0] */
 bool vs_make_values(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out);
-bool vs_make_flat(vs_scheme *vm, uint32_t tag, const double *at, size_t n, vs_value *out);
-bool vs_make_keywords(vs_scheme *vm, const vs_value *names, size_t n, vs_value *out);
 /* takes the one reference to `object` over; also when it fails (it is then released) */
 bool vs_make_foreign(vs_scheme *vm, const struct vs_foreign_type *type, void *object, size_t bytes, vs_value *out);
 /* The symbol of these UTF-8 bytes. */
 bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out);
-bool vs_intern_c(vs_scheme *vm, const char *name, vs_value *out);
 
 /* Plain objects with traced fields (environment, macro, alias, promise, parameter, record type, ratio ...): allocate
    with vs_gc_alloc(vm, VS_T_X, VS_WORDS(vs_x)) and set the fields before the next allocation. */
@@ -86,7 +76,6 @@ void vs_gc_fail_after(vs_scheme *vm, size_t n);      /* tests: refuse the n-th a
 
 /* ---- between the parts of vm/ ---- */
 typedef void vs_gc_visit(vs_scheme *vm, vs_value *slot);
-void vs_gc_visit_trees(vs_scheme *vm, vs_gc_visit *visit);             /* ast.c: constants of the trees being built */
 /* image.c: objects made elsewhere; release takes them back when the heap is closed */
 void vs_gc_adopt(vs_scheme *vm, void *image, size_t bytes, void (*release)(vs_scheme *vm, void *image, size_t bytes));
 bool vs_gc_open(vs_scheme *vm);

@@ -1,4 +1,7 @@
 /* Owns the constructors of the basic objects, and the table of symbols. */
+#include "vm/values/heap.h"
+
+#include "vm/machine/poll.h"
 #include "vm/values/gc.h"
 #include "vm/machine/native.h"
 

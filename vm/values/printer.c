@@ -11,6 +11,7 @@
 #include <utf8proc.h>
 
 #include "vm/numbers/dual.h"
+#include "vm/numbers/number_text.h"
 
 typedef enum {
   ITEM,        /* print v */

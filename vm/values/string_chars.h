@@ -22,11 +22,4 @@ static inline void vs_string_put(vs_value s, size_t k, uint32_t c) {
   vs_as_string(s)->hash = 0;
 }
 
-/* the same, widening the string first if need be; *s is a root. False: out of memory */
-bool vs_string_set(vs_scheme *vm, vs_value *s, size_t k, uint32_t c);
-/* characters start..end of *s (a root) as a fresh string */
-bool vs_string_slice(vs_scheme *vm, const vs_value *s, size_t start, size_t end, vs_value *out);
-/* below, equal or above 0 by code points */
-int vs_string_compare(vs_value a, vs_value b);
-
 #endif

@@ -7,6 +7,7 @@
 #include "vm/values/table.h"
 
 #include "vm/values/equal.h"
+#include "vm/values/heap.h"
 
 enum { TABLE_FIRST_ENTRIES = 8 };
 

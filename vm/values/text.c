@@ -2,6 +2,7 @@
 #include "vm/values/text.h"
 
 #include "vm/machine/native.h"
+#include "vm/values/heap.h"
 
 void vs_text_open(vs_scheme *vm, vs_text *t, size_t limit) {
   *t = (vs_text){.vm = vm, .limit = limit};

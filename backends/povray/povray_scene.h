@@ -1,0 +1,12 @@
+/* Owns the interface of povray_scene.c: the frame of a POV-Ray scene. */
+#ifndef VS_BACKENDS_POVRAY_POVRAY_SCENE_H
+#define VS_BACKENDS_POVRAY_POVRAY_SCENE_H
+
+#include "backends/povray/povray_materials.h"
+
+/* The scene's frame: camera, light, sky. */
+bool vs_povray_begin(vs_emitter *e);
+bool vs_povray_end(vs_emitter *e);
+double vs_povray_ambient(const vs_emitter *e); /* of the light that comes from nowhere: in drafts alone */
+
+#endif

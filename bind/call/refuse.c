@@ -1,0 +1,135 @@
+/* Owns the messages of a checked call that refuses an argument: its name, its contract, the value, and the form that
+ * was probably meant. */
+#include "bind/call/refuse.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "bind/call/convert.h"
+#include "bind/objects.h"
+#include "bind/print.h"
+#include "bind/records.h"
+#include "vm/machine/activation.h"
+#include "vm/machine/arguments.h"
+#include "vm/machine/fail.h"
+#include "vm/numbers/dual.h"
+#include "vm/numbers/number.h"
+#include "vm/values/heap.h"
+
+static const struct { const char *noun, *condition; } contracts[] = {
+#define VS_CONTRACT(name, noun, condition, convert) { noun, condition },
+#include "bind/call/contracts.def"
+#undef VS_CONTRACT
+};
+
+const char *vs_contract_noun(uint8_t contract) { return contracts[contract].noun; }
+const char *vs_contract_condition(uint8_t contract) { return contracts[contract].condition; }
+
+bool vs_bind_number(vs_scheme *vm, vs_value v, double *out) {
+  if (vs_is_double(v)) *out = vs_double(v);
+  else if (vs_is_fixnum(v)) *out = (double)vs_fixnum(v);
+  else return vs_is_number(v) && vs_number_double(vm, v, out);
+  return true;
+}
+
+vs_status vs_bind_refuse(vs_args *f, const char *param, const char *expected, vs_value got) {
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = got;
+  if (!vs_cons(f->vm, r[0], VS_NIL, &r[1])) return VS_ERROR;
+  return vs_fail_with(f->vm, f->vm->sym.type, r[1], "%s must be %s, got", param, expected);
+}
+
+vs_status vs_bind_refuse_hint(vs_args *f, const char *param, const char *expected, vs_value got, const char *hint) {
+  char text[256];
+  snprintf(text, sizeof text, "%s (%s?)", expected, hint);
+  return vs_bind_refuse(f, param, text, got);
+}
+
+/* Two or three numbers in a list or a vector; how many, 0: it is something else. */
+int vs_bind_listed_numbers(vs_scheme *vm, vs_value v, double d[3]) {
+  int n = 0;
+  d[0] = d[1] = d[2] = 0;
+  if (vs_is_vector(v)) {
+    const vs_vector *w = vs_as_vector(v);
+    while (w->length <= 3 && n < (int)w->length && vs_bind_number(vm, w->at[n], &d[n])) n++;
+    return w->length == (size_t)n && n >= 2 ? n : 0;
+  }
+  for (; vs_is_pair(v) && n < 3 && vs_bind_number(vm, vs_car(v), &d[n]); v = vs_cdr(v)) n++;
+  return v == VS_NIL && n >= 2 ? n : 0;
+}
+
+/* A procedure where its result is wanted: "..., got the procedure wall; call it: (wall length)". False: v is none. */
+bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v) {
+  char form[120];
+  if (!vs_is(v, VS_T_CLOSURE) && !vs_is(v, VS_T_NATIVE)) return false;
+  const char *call = vs_procedure_form(v, form, sizeof form);
+  if (!call)
+    return vs_is(v, VS_T_CLOSURE) && !vs_fail(f->vm, f->vm->sym.type,
+                                              "%s must be %s, got #<procedure>, which waits to be called: a lambda, or "
+                                              "a call that lacks arguments as (subtract a) does",
+                                              p->name, vs_contract_noun(p->contract));
+  size_t name = strcspn(call + 1, " )");
+  vs_fail(f->vm, f->vm->sym.type, "%s must be %s, got the procedure %.*s; call it: %s", p->name,
+      vs_contract_noun(p->contract), (int)name, call + 1, call);
+  return true;
+}
+
+/* The kind is wrong. Where a point and a gvector were taken for each other, say how to write the other. */
+vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) {
+  if (vs_is_dual(got))
+    return vs_fail(f->vm, f->vm->sym.type,
+                   "%s is a number that is being differentiated; objects hold plain numbers, so derivatives end here",
+                   p->name);
+  bool wants_vector = p->contract == VS_C_VECTOR || p->contract == VS_C_DIRECTION || p->contract == VS_C_PATH,
+       wants_point = p->contract == VS_C_POINT;
+  if ((wants_vector && vs_is_flat(got, VS_FLAT_POINT)) || (wants_point && vs_is_flat(got, VS_FLAT_VECTOR))) {
+    const double *d = vs_as_flat(got)->at;
+    char x[32], y[32], z[32], hint[128];
+    vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
+    snprintf(hint, sizeof hint, "(%s %s %s %s)", wants_vector ? "vxyz" : "xyz", x, y, z);
+    return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
+  }
+  double d[3];
+  int listed = wants_vector || wants_point ? vs_bind_listed_numbers(f->vm, got, d) : 0;
+  if (listed) {
+    char x[32], y[32], z[32], hint[128];
+    vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
+    if (listed == 2 && wants_point) snprintf(hint, sizeof hint, "(xy %s %s)", x, y);
+    else snprintf(hint, sizeof hint, "(%s %s %s %s)", wants_vector ? "vxyz" : "xyz", x, y, z);
+    return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
+  }
+  if (vs_bind_refuse_uncalled(f, p, got)) return VS_ERROR;
+  const vs_bind_param *first = f->procedure->form[0].at;
+  if (wants_point && vs_bind_number(f->vm, got, d) && (!strcmp(p->name, "apex") || !strcmp(p->name, "c2"))) {
+    char number[32], hint[96]; /* a height where the solid's other end is due */
+    vs_bind_number_text(number, d[0]);
+    snprintf(hint, sizeof hint, "(+z %s %s)", first->name, number);
+    return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
+  }
+  if (p->contract == VS_C_ANGLE && first->mode != VS_ARG_END && first->contract == VS_C_SECTIONS &&
+      vs_bind_ref(got).node)
+    return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got,
+                       "the sections stand in one list: (list section ...)");
+  vs_arg word; /* 'walls for "walls", "top" for 'top */
+  if (((p->contract == VS_C_TEXT && vs_is_symbol(got)) || (p->contract == VS_C_NAME && vs_is_string(got))) &&
+      vs_convert_text(f, p, got, &word) && word.text.length < 40 &&
+      strcspn(word.text.at, " \t\n\"'()") == word.text.length) {
+    char hint[64];
+    snprintf(hint, sizeof hint, p->contract == VS_C_TEXT ? "\"%s\"" : "'%s", word.text.at);
+    return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
+  }
+  return vs_bind_refuse(f, p->name, vs_contract_noun(p->contract), got);
+}
+vs_status vs_bind_refuse_condition(vs_args *f, const vs_bind_param *p, vs_value got) {
+  return vs_bind_refuse(f, p->name, vs_contract_condition(p->contract), got);
+}
+
+vs_status vs_bind_error(vs_args *f, const vs_error *e) {
+  switch (e->kind) {
+    case VS_ERROR_MEMORY: return vs_fail_memory(f->vm);
+    case VS_ERROR_INTERRUPT: return vs_fail(f->vm, f->vm->sym.interrupt, "interrupted");
+    case VS_ERROR_FILE: return vs_fail(f->vm, f->vm->sym.file, "%s", e->message);
+    case VS_ERROR_NONE: case VS_ERROR_MODEL: case VS_ERROR_WORKER: break;
+  }
+  return vs_fail(f->vm, f->vm->sym.error, "%s", *e->message ? e->message : "cannot be worked out");
+}

@@ -1,0 +1,29 @@
+/* Owns the interface of refuse.c: the errors of arguments. Each sets the error and returns VS_ERROR. */
+#ifndef VS_BIND_CALL_REFUSE_H
+#define VS_BIND_CALL_REFUSE_H
+
+#include "bind/call/call.h"
+
+/* The contract's two texts: the kind of thing, and the condition on it. */
+const char *vs_contract_noun(uint8_t contract);
+const char *vs_contract_condition(uint8_t contract);
+
+/* Reads any real number. Returns false, without an error, where v is none. */
+bool vs_bind_number(vs_scheme *vm, vs_value v, double *out);
+/* Reads two or three numbers from a list or a vector. Returns how many; 0: v is something else. */
+int vs_bind_listed_numbers(vs_scheme *vm, vs_value v, double d[3]);
+
+/* "PARAM must be EXPECTED, got GOT" */
+vs_status vs_bind_refuse(vs_args *f, const char *param, const char *expected, vs_value got);
+/* The same, with "(HINT?)" behind the expectation: the form that was probably meant. */
+vs_status vs_bind_refuse_hint(vs_args *f, const char *param, const char *expected, vs_value got, const char *hint);
+/* The value is of the wrong kind for p's contract. */
+vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got);
+/* The value is of the right kind and fails the contract's condition. */
+vs_status vs_bind_refuse_condition(vs_args *f, const vs_bind_param *p, vs_value got);
+/* A procedure is where its result belongs. Returns false, without an error, where v is no procedure. */
+bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v);
+/* "NAME: ..." with the message of a layer below. */
+vs_status vs_bind_error(vs_args *f, const vs_error *e);
+
+#endif

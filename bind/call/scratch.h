@@ -1,0 +1,19 @@
+/* Owns the memory of a checked call: blocks, nodes and growing arrays, all freed when the call ends. */
+#ifndef VS_BIND_CALL_SCRATCH_H
+#define VS_BIND_CALL_SCRATCH_H
+
+#include "bind/call/call.h"
+
+/* Returns a block of these bytes, freed when the call ends; NULL: out of memory, the error is set. */
+void *vs_bind_scratch(vs_args *f, size_t bytes);
+/* Takes over a reference to node and releases it when the call ends. False: node is NULL, and the memory error is
+ * set. */
+bool vs_bind_keep(vs_args *f, vs_node *node);
+void vs_bind_scratch_free(vs_args *f);
+
+/* A growing array: in its place where it is the newest block, else anew, and the old one stays until the call ends. */
+typedef struct { void *at; size_t count, room, size; } vs_growing;
+/* Returns the next element's place; NULL: out of memory, the error is set. */
+void *vs_bind_grow(vs_args *f, vs_growing *g);
+
+#endif

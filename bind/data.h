@@ -1,0 +1,9 @@
+/* Owns the interface of data.c: the reading of data beside a program. */
+#ifndef VS_BIND_DATA_H
+#define VS_BIND_DATA_H
+
+#include "vm/machine/native.h"
+
+extern const vs_native_table vs_bind_data_table;
+
+#endif

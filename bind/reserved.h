@@ -1,0 +1,9 @@
+/* Owns the interface of reserved.c: the answer of names that are taken and not there yet. */
+#ifndef VS_BIND_RESERVED_H
+#define VS_BIND_RESERVED_H
+
+#include "vm/machine/native.h"
+
+extern const vs_native_table vs_bind_reserved_table;
+
+#endif

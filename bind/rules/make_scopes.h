@@ -1,0 +1,12 @@
+/* Owns the interface of make_scopes.c: the makers of scopes, and what a program can read of a scope. */
+#ifndef VS_BIND_RULES_MAKE_SCOPES_H
+#define VS_BIND_RULES_MAKE_SCOPES_H
+
+#include "bind/call/call.h"
+#include "bind/rules/surroundings.h"
+#include "geometry/plane/outline.h"
+
+/* make_scopes.c: the loops of one area of an outline, NULL: the error is set */
+vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *next);
+
+#endif

@@ -1,0 +1,10 @@
+/* Owns the interface of mesh_faces.c: the components of mesh scopes. */
+#ifndef VS_BIND_RULES_MESH_FACES_H
+#define VS_BIND_RULES_MESH_FACES_H
+
+#include "bind/shapes/taken_apart.h"
+
+vs_status vs_mesh_components(vs_args *f, const char *of,
+                             vs_value *out); /* mesh_faces.c: scope-component of a mesh scope */
+
+#endif

@@ -1,0 +1,9 @@
+/* Owns the interface of stats.c: what --stats prints. */
+#ifndef VS_CLI_STATS_H
+#define VS_CLI_STATS_H
+
+#include "visualscheme.h"
+
+void cli_report_statistics(vs_scheme *s, bool json); /* statistics.c */
+
+#endif

@@ -1,0 +1,9 @@
+/* Owns the interface of raster_png.c: PNG pictures as numbers. */
+#ifndef VS_GEOMETRY_FILES_RASTER_PNG_H
+#define VS_GEOMETRY_FILES_RASTER_PNG_H
+
+#include "geometry/files/raster.h"
+
+bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);
+
+#endif

@@ -1,0 +1,9 @@
+/* Owns the interface of arrange_planes.c: the arrangement in one plane. */
+#ifndef VS_KERNEL_ARRANGE_ARRANGE_PLANES_H
+#define VS_KERNEL_ARRANGE_ARRANGE_PLANES_H
+
+#include "kernel/cluster.h"
+
+bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* faces, uses */
+
+#endif

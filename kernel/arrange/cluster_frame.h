@@ -1,0 +1,11 @@
+/* Owns the interface of cluster_frame.c: the cluster's frame. */
+#ifndef VS_KERNEL_ARRANGE_CLUSTER_FRAME_H
+#define VS_KERNEL_ARRANGE_CLUSTER_FRAME_H
+
+#include "kernel/cluster.h"
+
+/* The steps, in order. All false on error. */
+bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *local_to_frame /* one a leaf of the cluster */);
+vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p);
+
+#endif

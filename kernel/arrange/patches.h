@@ -1,0 +1,9 @@
+/* Owns the interface of patches.c: the patches. */
+#ifndef VS_KERNEL_ARRANGE_PATCHES_H
+#define VS_KERNEL_ARRANGE_PATCHES_H
+
+#include "kernel/cluster.h"
+
+bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* patches, boxes, bvh */
+
+#endif

@@ -1,0 +1,10 @@
+/* Owns the interface of flatten.c: flatten. */
+#ifndef VS_PASSES_FLATTEN_H
+#define VS_PASSES_FLATTEN_H
+
+#include "passes/rewrite.h"
+
+bool vs_flatten_begin(vs_rewrite *w); /* makes w->state */
+void vs_flatten_end(vs_rewrite *w);
+
+#endif

@@ -1,0 +1,10 @@
+/* Owns the interface of fold.c: fold. */
+#ifndef VS_PASSES_FOLD_H
+#define VS_PASSES_FOLD_H
+
+#include "passes/rewrite.h"
+
+bool vs_fold_begin(vs_rewrite *w); /* makes w->state */
+void vs_fold_end(vs_rewrite *w);
+
+#endif

@@ -1,0 +1,57 @@
+/* Owns the two ends of an evaluation: the limits that count from its begin, and the outcome of its end. */
+#include "session/evaluation.h"
+
+#include <string.h>
+
+#include "bind/state.h"
+#include "model/store/cache.h"
+#include "session/handles.h"
+#include "session/host.h"
+#include "session/report.h"
+#include "session/stops.h"
+#include "vm/machine/vs.h"
+#include "vm/stepping/step.h"
+
+void vs_session_begin(vs_session *s, unsigned flags) {
+  s->flags = flags;
+  vs_cache_turn(vs_store_cache(s->bind.store), true);
+  vs_scheme *vm = s->bind.vm;
+  vs_tally_enter(&s->tally, VS_WORK_RUN);
+  vm->steps = vm->written = 0;
+  vm->started = vs_session_clock(s);
+  s->bind.bad_parameter = s->bind.handing = false;
+  s->phase = "evaluating", s->told_progress = vm->started;
+  vs_session_arm(s, flags);
+}
+
+/* (exit code) unwinds as a condition of its own */
+static bool is_exit(vs_value condition) {
+  if (!vs_is(condition, VS_T_CONDITION)) return false;
+  const vs_condition *c = vs_as_condition(condition);
+  return vs_is_symbol(c->kind) && !strcmp(vs_as_symbol(c->kind)->name, "exit") && vs_is_fixnum(c->payload);
+}
+
+vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
+  vs_scheme *vm = s->bind.vm;
+  ok = vs_session_pass(s, ok);
+  vm->step.mode = VS_STEP_CONTINUE, vm->step.stops = false; /* what the drawing calls later is run through */
+  vs_session_release_objects(s);
+  s->phase = NULL;
+  vs_tally_enter(&s->tally, VS_WORK_NONE);
+  s->evaluate_seconds += vs_session_clock(s) - vm->started;
+  if (!ok && is_exit(vm->condition)) {
+    s->exit_requested = ok = true;
+    s->exit_code = (int)vs_fixnum(vs_as_condition(vm->condition)->payload);
+  }
+  if (!ok && vs_is_stop(vm, vm->condition)) return vs_session_stopped(s);
+  if (ok) vs_bind_finish(&s->bind); /* tells what was thrown away */
+  /* its calls, not those of an error before */
+  if (ok && vs_is_pair(vm->at.stops)) vm->condition = vs_car(vm->at.stops);
+  if (ok) return VS_OUTCOME_DONE;
+  vs_outcome outcome = vs_session_report_condition(s, vm->condition, usage);
+  if (outcome == VS_OUTCOME_MACHINE) {
+    vm->condition = vm->value = VS_FALSE;
+    vs_gc_major(vm); /* what filled the memory is garbage now: the interpreter goes on */
+  }
+  return outcome;
+}

@@ -1,0 +1,18 @@
+/* Owns the interface of host.c: what the interpreter asks of the system. */
+#ifndef VS_SESSION_HOST_H
+#define VS_SESSION_HOST_H
+
+#include "session/session.h"
+
+void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes);  /* of the VM and of the store */
+double vs_session_clock(void *session);                                            /* seconds, monotonic */
+bool vs_session_interrupted(void *session);
+/* A whole file as malloc'ed text; false: *why. source: it is kept as one, for messages. */
+bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why);
+bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length);
+void vs_session_close_files(vs_session *s);
+void vs_session_free_sources(vs_session *s);
+
+extern const vs_io vs_session_io;
+
+#endif

@@ -1,0 +1,11 @@
+/* Owns the interface of endless_lines.c: lines without end. */
+#ifndef VS_SOLIDS_ENDLESS_LINES_H
+#define VS_SOLIDS_ENDLESS_LINES_H
+
+#include "solids/resolve.h"
+
+/* All that the scene draws, at its tolerance; lines without end become lines as long as the rest of the drawing
+ * reaches, drawn last. */
+bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, const vs_resolve_notes *notes, vs_error *e);
+
+#endif

@@ -1,0 +1,9 @@
+/* Owns the interface of feature_edges.c: feature edges. */
+#ifndef VS_SOLIDS_FEATURE_EDGES_H
+#define VS_SOLIDS_FEATURE_EDGES_H
+
+#include "solids/sections.h"
+
+void vs_polylines_free(vs_polylines *p);
+
+#endif

@@ -1,0 +1,10 @@
+/* Owns the interface of forms.c: the core syntax of choice and sequence. */
+#ifndef VS_VM_FRONT_FORMS_H
+#define VS_VM_FRONT_FORMS_H
+
+#include "vm/front/expand.h"
+
+bool vs_quasi_step(vs_expansion *x);
+bool vs_case_step(vs_expansion *x);
+
+#endif
