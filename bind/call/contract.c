@@ -211,6 +211,6 @@ vs_status vs_bind_call(vs_scheme *vm, const vs_bind_row *row, vs_value *a, int n
   f.vm = vm, f.bind = vs_bind_of(vm), f.store = f.bind ? f.bind->store : NULL, f.scratch = NULL, f.count = 0;
   f.procedure = row->procedure, f.function = row->function, f.names = row->names;
   vs_status s = run(&f, row, a, n, out);
-  vs_bind_scratch_free(&f);
+  if (f.scratch) vs_bind_scratch_free(&f);
   return s;
 }
