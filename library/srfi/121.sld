@@ -1,8 +1,8 @@
-; SRFI 121, generators: those of SRFI 158, which includes it.
+; SRFI 121: the generators of SRFI 158 that it had first.
 (define-library (srfi 121)
-  (export generator make-iota-generator make-range-generator make-coroutine-generator list->generator vector->generator reverse-vector->generator
-          string->generator bytevector->generator make-for-each-generator make-unfold-generator gcons* gappend gcombine gfilter gremove gtake gdrop
-          gtake-while gdrop-while gdelete gdelete-neighbor-dups gindex gselect generator->list generator->reverse-list generator->vector
-          generator->vector! generator->string generator-fold generator-for-each generator-find generator-count generator-any generator-every
-          generator-unfold)
+  (export bytevector->generator gappend gcombine gcons* gdelete gdelete-neighbor-dups gdrop gdrop-while generator generator->list
+          generator->reverse-list generator->string generator->vector generator->vector! generator-any generator-count generator-every
+          generator-find generator-fold generator-for-each generator-unfold gfilter gindex gremove gselect gtake gtake-while list->generator
+          make-coroutine-generator make-for-each-generator make-iota-generator make-range-generator make-unfold-generator
+          reverse-vector->generator string->generator vector->generator)
   (import (srfi 158)))

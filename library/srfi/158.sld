@@ -1,27 +1,15 @@
-; SRFI 158, generators and accumulators: the reference implementation, under the MIT licence in 158/srfi-158-impl.scm.
+; SRFI 158: generators, which give one value at each call and then end-of-file objects, and accumulators, which take one at each call and
+; give the whole for an end-of-file object.
 (define-library (srfi 158)
-  (export
-    ;; Generator constructors
-    generator circular-generator make-iota-generator make-range-generator
-    make-coroutine-generator list->generator vector->generator
-    reverse-vector->generator string->generator bytevector->generator
-    make-for-each-generator make-unfold-generator 
-    
-    ;; Generator operations
-    gcons* gappend gflatten ggroup gmerge gmap gcombine gfilter gremove
-    gstate-filter gtake gdrop gtake-while gdrop-while gdelete
-    gdelete-neighbor-dups gindex gselect
-
-    ;; Consuming generated values
-    generator->list generator->reverse-list generator->vector
-    generator->vector! generator->string generator-fold generator-for-each
-    generator-map->list generator-find generator-count generator-any
-    generator-every generator-unfold 
-
-    ;; accumulator constructors
-    make-accumulator count-accumulator list-accumulator
-    reverse-list-accumulator vector-accumulator reverse-vector-accumulator
-    vector-accumulator! string-accumulator bytevector-accumulator
-    bytevector-accumulator! sum-accumulator product-accumulator)
-  (import (scheme base) (scheme case-lambda))
-  (include "158/srfi-158-impl.scm"))
+  (export bytevector->generator bytevector-accumulator bytevector-accumulator! circular-generator
+          count-accumulator gappend gcombine gcons* gdelete gdelete-neighbor-dups gdrop gdrop-while
+          generator generator->list generator->reverse-list generator->string generator->vector generator->vector!
+          generator-any generator-count generator-every generator-find generator-fold generator-for-each generator-map->list
+          generator-unfold gfilter gflatten ggroup gindex gmap gmerge gremove gselect gstate-filter gtake gtake-while
+          list->generator list-accumulator make-accumulator make-bits-generator make-coroutine-generator make-for-each-generator
+          make-iota-generator make-range-generator make-unfold-generator product-accumulator reverse-list-accumulator
+          reverse-vector->generator reverse-vector-accumulator string->generator string-accumulator sum-accumulator
+          vector->generator vector-accumulator vector-accumulator!)
+  (import (visualscheme))
+  (include "158/generators.scm")
+  (include "158/accumulators.scm"))

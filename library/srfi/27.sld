@@ -1,32 +1,44 @@
-; SRFI 27, sources of random bits: Sebastian Egner's reference implementation of L'Ecuyer's MRG32k3a, under SRFI 27's MIT licence.
-; Copyright (C) Sebastian Egner (2002). All Rights Reserved.
-;
-; Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
-; documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
-; rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit
-; persons to whom the Software is furnished to do so, subject to the following conditions:
-;
-; The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
-; Software.
-;
-; THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
-; WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
-; COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
-; OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+; SRFI 27: sources of random numbers. Each source has the state of a generator of its own, the one behind `random`; the default source is that of
+; `random` itself.
 (define-library (srfi 27)
-  (export random-integer random-real default-random-source make-random-source random-source? random-source-state-ref random-source-state-set!
-          random-source-randomize! random-source-pseudo-randomize! random-source-make-integers random-source-make-reals)
-  (import (scheme base) (scheme time) (scheme r5rs))
+  (export default-random-source make-random-source random-integer random-real random-source-make-integers random-source-make-reals
+          random-source-pseudo-randomize! random-source-randomize! random-source-state-ref random-source-state-set! random-source?)
+  (import (visualscheme) (visualscheme random))
   (begin
-    (define-record-type random-source
-      (:random-source-make state-ref state-set! randomize! pseudo-randomize! make-integers make-reals)
-      :random-source?
-      (state-ref :random-source-state-ref)
-      (state-set! :random-source-state-set!)
-      (randomize! :random-source-randomize!)
-      (pseudo-randomize! :random-source-pseudo-randomize!)
-      (make-integers :random-source-make-integers)
-      (make-reals :random-source-make-reals))
-    (define (:random-source-current-time) (current-jiffy)))
-  (include "27/mrg32k3a-a.scm")
-  (include "27/mrg32k3a.scm"))
+    ; The state is what random-state gives, a bytevector; #f: that of `random`.
+    (define-record-type random-source (source state) random-source? (state source-state set-source-state!))
+    (define default-random-source (source #f))
+    (define (make-random-source)
+      (let ((s (source (random-state)))) (random-source-pseudo-randomize! s 0 0) s))
+    ; What (draw) gives when the source's generator stands behind `random`.
+    (define (with-source s draw)
+      (if (not (source-state s))
+          (draw)
+          (let ((outer (random-state)))
+            (random-state! (source-state s))
+            (let ((x (draw)))
+              (set-source-state! s (random-state))
+              (random-state! outer)
+              x))))
+    (define (random-source-state-ref [s random-source?]) (with-source s random-state))
+    (define (random-source-state-set! [s random-source?] [state bytevector?])
+      (if (source-state s) (set-source-state! s (bytevector-copy state)) (random-state! state)))
+    (define (seed! s n) (with-source s (lambda () (random-seed! n))))
+    (define (random-source-randomize! [s random-source?]) (seed! s (exact (floor (* 1000000 (current-second))))))
+    (define (random-source-pseudo-randomize! [s random-source?] [i exact-integer?] [j exact-integer?])
+      (let ((sum (+ i j))) (seed! s (+ (quotient (* sum (+ sum 1)) 2) j))))
+    (define (random-source-make-integers [s random-source?])
+      (lambda (n)
+        (if (not (and (exact-integer? n) (> n 0))) (error "random-integer: n must be a positive exact integer, got" n))
+        (with-source s (lambda () (random n)))))
+    ; Between 0 and 1, both left out; with a unit, a multiple of a unit near it.
+    (define (random-source-make-reals [s random-source?] [unit any? #f])
+      (define count (and unit (exact (ceiling (/ 1 unit)))))
+      (lambda ()
+        (with-source s
+          (lambda ()
+            (if count
+                (/ (+ 1 (random (max 1 (- count 1)))) (if (exact? unit) count (inexact count)))
+                (let loop () (let ((x (random))) (if (> x 0) x (loop)))))))))
+    (define random-integer (random-source-make-integers default-random-source))
+    (define random-real (random-source-make-reals default-random-source))))

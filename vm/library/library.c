@@ -203,6 +203,42 @@ static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
   return true;
 }
 
+/* Returns what to use instead of a library that other Schemes have and this one has not; NULL for any other name. */
+static const char *instead_of(vs_value name) {
+  static const struct { int number; const char *instead; } absent[] = {
+#define VS_ABSENT_LIBRARY(number, instead) {number, instead},
+#include "vm/library/absent_libraries.def"
+#undef VS_ABSENT_LIBRARY
+  };
+  int number = 0;
+  if (vs_is_symbol(name)) {
+    if (sscanf(vs_as_symbol(name)->name, "srfi/%d", &number) != 1) return NULL;
+  } else {
+    if (!vs_is_pair(name) || !vs_is_pair(vs_cdr(name)) || !vs_is_symbol(vs_car(name)) ||
+        strcmp(vs_as_symbol(vs_car(name))->name, "srfi") != 0)
+      return NULL;
+    vs_value second = vs_car(vs_cdr(name));
+    if (vs_is_fixnum(second)) number = vs_fixnum(second) < 1000 ? (int)vs_fixnum(second) : 0;
+    else if (!vs_is_symbol(second) || sscanf(vs_as_symbol(second)->name, ":%d", &number) != 1) return NULL;
+  }
+  for (size_t i = 0; i < sizeof absent / sizeof *absent; i++)
+    if (absent[i].number == number) return absent[i].instead;
+  return NULL;
+}
+
+/* Fails: nothing here is called so. */
+static bool no_library(vs_expansion *x, vs_pos pos, vs_value name) {
+  const char *instead = instead_of(name);
+  if (!instead) return vs_expand_fail(x, pos, name, "import: there is no library");
+  vs_text t;
+  vs_text_open(x->vm, &t, 0);
+  bool ok = vs_text_puts(&t, "import: ") && vs_print(x->vm, name, VS_PRINT_WRITE, &t) &&
+            vs_text_puts(&t, " is not part of VisualScheme: ") && vs_text_puts(&t, instead) && vs_text_end(&t);
+  if (ok) vs_expand_fail(x, pos, VS_ABSENT, "%s", t.at);
+  vs_text_close(&t);
+  return false;
+}
+
 /* ---- import, at top level ---- */
 bool vs_library_import(vs_expansion *x) {
   vs_scheme *vm = x->vm;
@@ -225,7 +261,7 @@ bool vs_library_import(vs_expansion *x) {
     if (ok && found) ok = vs_text_to_string(&t, &r[2]);
     vs_text_close(&t);
     if (!ok) return false;
-    if (!found || x->now.n) return vs_expand_fail(x, pos, r[1], "import: there is no library");
+    if (!found || x->now.n) return no_library(x, pos, r[1]);
     VS_ROOTS(vm, quoted, 2);      /* (%load-library path 'name) */
     if (!vs_core_name(vm, "quote", &quoted[0]) || !vs_cons(vm, r[1], VS_NIL, &quoted[1]) ||
         !vs_cons(vm, quoted[0], quoted[1], &quoted[0]) || !vs_cons(vm, quoted[0], VS_NIL, &r[4]) ||

@@ -148,12 +148,13 @@ static bool defines_syntax(const vs_shipped *f, const vs_symbol *name) {
   return false;
 }
 
-/* The same of any file of a shipped library, given by the file that exports the name: what it includes is named
-   alike. */
+/* The same of any file of a shipped library, given by the file that exports the name: what it includes lies in the
+   folder of its name. */
 static bool exports_syntax(vs_scheme *vm, const vs_shipped *library, const vs_symbol *name) {
-  size_t stem = (size_t)(strstr(library->name, ".sld") - library->name) + 1;
+  size_t stem = (size_t)(strstr(library->name, ".sld") - library->name);
   for (const vs_shipped *part = vm->config.shipped; part->name; part++)
-    if (!strncmp(part->name, library->name, stem) && defines_syntax(part, name)) return true;
+    if (!strncmp(part->name, library->name, stem) && strchr("./", part->name[stem]) && defines_syntax(part, name))
+      return true;
   return false;
 }
 

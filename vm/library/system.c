@@ -14,7 +14,7 @@
 #include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 
-enum { FIRST_SEED = 1 };
+enum { FIRST_SEED = 1, RANDOM_BYTES = 40 /* of a state: four words, and the seed */ };
 
 /* ---- random numbers ---- */
 
@@ -33,7 +33,7 @@ static void seed_state(uint64_t s[4], uint64_t seed) {
 static uint64_t *random_state(vs_scheme *vm) {
   if (vs_lib_get(vm, VS_LIB_RANDOM) == VS_FALSE) {
     VS_ROOTS(vm, r, 1);
-    if (!vs_lib_open(vm) || !vs_make_bytes(vm, 40, &r[0])) return NULL;
+    if (!vs_lib_open(vm) || !vs_make_bytes(vm, RANDOM_BYTES, &r[0])) return NULL;
     uint64_t *s = (uint64_t *)(void *)vs_as_bytes(r[0])->at;
     seed_state(s, FIRST_SEED);
     s[4] = FIRST_SEED;
@@ -135,6 +135,29 @@ static vs_status random_seed(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!s) return VS_ERROR;
   s[4] = vs_is_fixnum(a[0]) ? (uint64_t)vs_fixnum(a[0]) : vs_number_hash(a[0]);
   seed_state(s, s[4]);
+  return VS_OK;
+}
+
+/* (%random-state): a copy of the generator's state; (%random-state! copy) puts it back. A state of zeros would stay
+ * so, and is refused. */
+static vs_status random_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)a, (void)n;
+  VS_ROOTS(vm, r, 1);
+  if (!random_state(vm) || !vs_make_bytes(vm, RANDOM_BYTES, &r[0])) return VS_ERROR;
+  const uint64_t *s = random_state(vm);
+  if (!s) return VS_ERROR;
+  memcpy(vs_as_bytes(r[0])->at, s, RANDOM_BYTES);
+  return *out = r[0], VS_OK;
+}
+static vs_status random_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n, (void)out;
+  uint64_t *s = random_state(vm), state[RANDOM_BYTES / sizeof(uint64_t)];
+  if (!s) return VS_ERROR;
+  if (!vs_is(a[0], VS_T_BYTES) || vs_as_bytes(a[0])->length != RANDOM_BYTES)
+    return vs_fail_type(vm, 0, "the state of a random source", a[0]);
+  memcpy(state, vs_as_bytes(a[0])->at, RANDOM_BYTES);
+  if (!(state[0] | state[1] | state[2] | state[3])) return vs_fail_type(vm, 0, "the state of a random source", a[0]);
+  memcpy(s, state, RANDOM_BYTES);
   return VS_OK;
 }
 
@@ -250,6 +273,8 @@ static vs_status generate_symbol(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 static const vs_native_def defs[] = {
     {"random", "[n]", random_, 0, "an exact integer below n, or a number below the inexact n (1.0 by default)"},
     {"random-range", "a b", random_range, 0, "a random integer from a to b, or number between them"},
+    {"%random-state", "", random_copy, 0, ""},
+    {"%random-state!", "state", random_set, 0, ""},
     {"random-seed! random-seed", "n", random_seed, 0, "start the random numbers anew from n"},
     {"current-second", "", current_second, 0, NULL},
     {"current-seconds", "", current_seconds, 0, NULL},
