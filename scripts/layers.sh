@@ -8,6 +8,7 @@
 #   Makefile   the objects that it names have sources
 #   names      no two source files of different folders share a base name, and no two headers have a type of one name
 #   files      a file that a comment names is there, and each source begins with a comment: what it owns
+#   ours       no file has a copyright line of others
 #   ratchets   the counts of scripts/layers.limits: what cannot be zero at once may only fall
 set -u
 build=$1
@@ -86,6 +87,11 @@ xargs grep -m 1 -HoE '^/\* .*' < "$work/sources" | sed 's/:/ /' | while read -r 
   done
 done >> "$work/wrong"
 xargs awk 'FNR == 1 && !/^\/\*/ { print FILENAME ": begins without a comment that says what the file owns" }' < "$work/sources" >> "$work/wrong"
+
+# ---- ours: LICENSE holds for every file, so none has another's copyright line; NOTICE names what comes from elsewhere ----
+find . \( -name node_modules -o -name .git -o -path "./${build#./}" -o -path ./build -o -path ./scripts -o -path ./manual -o -path ./debian \) -prune -o -type f -print |
+  sed 's/^\.\///' | grep -vxE 'LICENSE|NOTICE' | xargs -d '\n' grep -IlE '[Cc]opyright +(\([Cc]\)|©|[0-9]{4}|by )|\([Cc]\) *[12][0-9]{3} |[Aa]ll [Rr]ights [Rr]eserved|SPDX-' |
+  sed 's/$/: has a copyright line; code of others lives in packages, and NOTICE names what is embedded/' >> "$work/wrong"
 
 # ---- ratchets ----
 limit() { # NAME COUNT WHERE: what the count is of, and where to look
