@@ -119,6 +119,7 @@ typedef struct {
   know_index root;        /* a LIST of the top-level forms */
   know_index first_comment, comment_end;
   know_index loaded_by;   /* node: the (load ...), 0: the program's own */
+  bool run;               /* its forms are among the program's: a second load of it, in itself too, adds nothing */
 } know_file;
 
 typedef struct {

@@ -168,8 +168,11 @@ static void body(know_walk *w, know_index first, know_index scope) {
     } else {
       if (!row && is_load(k, settled)) {
         know_index file = know_file_named(w, second);
-        if (file != UINT32_MAX) follow(k, &c, k->nodes[k->files[file].root].first);
-        else k->open = true;
+        if (file == UINT32_MAX) k->open = true;
+        else if (!k->files[file].run) {
+          k->files[file].run = true;
+          follow(k, &c, k->nodes[k->files[file].root].first);
+        }
       }
       w->begun = true;
       know_later(w, KNOW_TASK_EXPRESSION, settled == node ? node : settled, scope);
@@ -269,6 +272,7 @@ static bool resolve(knowledge *k) {
   know_scope_new(k, 0, KNOW_SCOPE_LANGUAGE, 0);
   know_scope_new(k, KNOW_LANGUAGE, KNOW_SCOPE_PROGRAM, k->files[0].root);
   k->text_nodes = k->node_count ? k->node_count - 1 : 0; /* node 0 stands for none */
+  k->files[0].run = true;
   know_later_body(&w, k->nodes[k->files[0].root].first, KNOW_PROGRAM);
   run(&w);
   for (size_t i = 0; i < w.unknown_count && !*k->trouble; i++) {

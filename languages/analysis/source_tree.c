@@ -470,7 +470,7 @@ know_index know_read_file(knowledge *k, const char *path, know_index loaded_by) 
   }
   know_index file = (know_index)k->file_count++;
   k->files[file] = (know_file){know_text(k, path, strlen(path)), text, length, 0, (know_index)k->comment_count, 0,
-      loaded_by};
+      loaded_by, false};
   if (is_script(path)) {
     static const char import[] = "(import (javascript runtime))";
     k->script = true;

@@ -157,12 +157,9 @@ static bool include(vs_expansion *x, vs_value *form, bool fold) {
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
     if (!vs_is_string(vs_car(r[0])))
       return vs_expand_fail(x, pos, vs_car(r[0]), "include wants the name of a file as a string, not");
-    vs_text path;
-    vs_text_open(vm, &path, 0);
-    bool ok = vs_source_path(vm, vs_car(r[0]), vs_pos_file(pos), &path) && vs_text_end(&path) &&
-              vs_source_read(vm, path.at, fold, &r[2]);
-    vs_text_close(&path);
-    if (!ok) return false;
+    bool circle;
+    if (!vs_source_include(vm, vs_car(r[0]), vs_pos_file(pos), fold, &r[2], &circle))
+      return circle && vs_expand_fail(x, pos, vs_car(r[0]), "this file includes itself, without end, through");
     for (; vs_is_pair(r[2]); r[2] = vs_cdr(r[2]))
       if (!vs_cons_at(vm, vs_car(r[2]), r[1], vs_pair_pos(r[2]), &r[1])) return false;
   }

@@ -149,14 +149,58 @@ const char *vs_source_said(vs_scheme *vm, const char *name, vs_pos place) {
   return other ? name + 1 : name;
 }
 
+/* ---- files that include each other ---- */
+/* The pair of a file in vm->at.included, or #f. */
+static vs_value including(const vs_scheme *vm, uint32_t file) {
+  for (vs_value l = vm->at.included; vs_is_pair(l); l = vs_cdr(l))
+    if (vs_car(vs_car(l)) == vs_fix(file)) return vs_car(l);
+  return VS_FALSE;
+}
+
+/* Notes that text in `from` (0: none) includes `file`. */
+static bool note_included(vs_scheme *vm, uint32_t file, uint32_t from) {
+  VS_ROOTS(vm, r, 2);
+  vs_value pair = including(vm, file);
+  if (vs_is_pair(pair)) {
+    vs_as_pair(pair)->cdr = vs_fix(from); /* no object: nothing to tell the collector */
+    return true;
+  }
+  if (!from) return true;
+  r[1] = vs_is_pair(vm->at.included) ? vm->at.included : VS_NIL;
+  if (!vs_cons(vm, vs_fix(file), vs_fix(from), &r[0]) || !vs_cons(vm, r[0], r[1], &r[1])) return false;
+  vm->at.included = r[1];
+  return true;
+}
+
+static bool in_circle(const vs_scheme *vm, uint32_t file, uint32_t from) {
+  while (from && from != file) {
+    vs_value pair = including(vm, from);
+    from = vs_is_pair(pair) ? (uint32_t)vs_fixnum(vs_cdr(pair)) : 0;
+  }
+  return from != 0;
+}
+
+/* ---- reading ---- */
 bool vs_source_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold,
                       vs_value *forms) {
   uint32_t file;
   vs_vm_phase was = vs_enter_phase(vm, VS_VM_READ);
   const front_end *other = front_end_of(name);
-  bool ok = vs_file_number(vm, name, strlen(name), &file) &&
+  bool ok = vs_file_number(vm, name, strlen(name), &file) && note_included(vm, file, 0) &&
       (other ? other->read(vm, text, size, file, line, forms) : vs_read_all(vm, text, size, file, line, fold, forms));
   vs_enter_phase(vm, was);
+  return ok;
+}
+
+bool vs_source_include(vs_scheme *vm, vs_value name, uint32_t from, bool fold, vs_value *forms, bool *circle) {
+  vs_text path;
+  uint32_t file;
+  vs_text_open(vm, &path, 0);
+  bool ok = vs_source_path(vm, name, from, &path) && vs_text_end(&path) &&
+            vs_file_number(vm, path.at, path.count, &file);
+  *circle = ok && in_circle(vm, file, from);
+  ok = ok && !*circle && vs_source_read(vm, path.at, fold, forms) && note_included(vm, file, from);
+  vs_text_close(&path);
   return ok;
 }
 

@@ -22,6 +22,10 @@ bool vs_source_name(vs_scheme *vm, uint32_t file, vs_text *t);
 /* The forms of a file; fold: its letters are read as small ones (include-ci). */
 bool vs_source_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms);
 
+/* The forms of a file that text in the file `from` includes. *circle: it is included by itself, maybe by way of others;
+   nothing was read then, false is returned and no failure is set. */
+bool vs_source_include(vs_scheme *vm, vs_value name, uint32_t from, bool fold, vs_value *forms, bool *circle);
+
 /* The other language that a file of this name is in (front_ends.def), in words; NULL: it is in this one. */
 const char *vs_source_language(const char *name);
 /* Returns the name that messages call a procedure by, at a place in its text: that of a script's function is without

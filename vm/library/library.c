@@ -350,14 +350,11 @@ bool vs_library_define(vs_expansion *x) {
         if (!vs_cons(vm, vs_car(r[L_B]), r[L_LATER], &r[L_LATER])) return false;
     } else if (is_word(head, "include-library-declarations")) {
       for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A])) {
-        vs_text path;
-        vs_text_open(vm, &path, 0);
-        bool ok = vs_is_string(vs_car(r[L_A])) && vs_source_path(vm, vs_car(r[L_A]), vs_pos_file(pos), &path) &&
-                  vs_text_end(&path) && vs_source_read(vm, path.at, false, &r[L_B]);
-        vs_text_close(&path);
-        if (!ok)
-          return vs_is_string(vs_car(r[L_A])) ? false
-                                              : vs_expand_fail(x, pos, vs_car(r[L_A]), "a file name is a string, not");
+        bool circle;
+        if (!vs_is_string(vs_car(r[L_A])))
+          return vs_expand_fail(x, pos, vs_car(r[L_A]), "a file name is a string, not");
+        if (!vs_source_include(vm, vs_car(r[L_A]), vs_pos_file(pos), false, &r[L_B], &circle))
+          return circle && vs_expand_fail(x, pos, vs_car(r[L_A]), "this file includes itself, without end, through");
         r[L_C] = VS_NIL;
         for (; vs_is_pair(r[L_B]); r[L_B] = vs_cdr(r[L_B]))
           if (!vs_cons(vm, vs_car(r[L_B]), r[L_C], &r[L_C])) return false;

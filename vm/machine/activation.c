@@ -227,6 +227,20 @@ size_t vs_call_places(vs_scheme *vm, vs_pos *place, size_t max) {
   return n;
 }
 
+void vs_see_activations(vs_scheme *vm, vs_see_activation_fn *see, void *to) {
+  if (!vm->base) return;
+  struct walk w = {vm->base, vm->under, vm->under_depth, false};
+  size_t pc = 0;
+  bool native = !vm->pc || !vs_is(w.base[-2], VS_T_CLOSURE), more;
+  if (!native) pc = (size_t)(vm->pc - vs_code_ins(vs_as_code(vs_as_closure(w.base[-2])->code)));
+  do {
+    vs_pos place = 0;
+    if (!native && vs_is(w.base[-2], VS_T_CLOSURE))
+      place = vs_code_place(vs_as_code(vs_as_closure(w.base[-2])->code), (uint32_t)(pc ? pc - 1 : 0));
+    more = see(to, w.base[-2], w.base, place);
+  } while (more && walk_up(&w, &pc, &native));
+}
+
 uint64_t vs_call_key(vs_scheme *vm, size_t max) {
   if (!vm->base) return 0;
   struct walk w = {vm->base, vm->under, vm->under_depth, false};

@@ -65,6 +65,10 @@ size_t vs_call_places(vs_scheme *vm, vs_pos *place, size_t max);
 /* A hash of where those calls are, for less than the places cost; the same chain has the same until vm->collections
    changes. */
 uint64_t vs_call_key(vs_scheme *vm, size_t max);
+/* Shows the activations, innermost first, to `see` until it returns false: the procedure, its slots, and the place that
+   a closure is at, 0 for others. `see` allocates nothing. */
+typedef bool vs_see_activation_fn(void *to, vs_value procedure, const vs_value *base, vs_pos place);
+void vs_see_activations(vs_scheme *vm, vs_see_activation_fn *see, void *to);
 /* Place of the call that the running native was made from. */
 vs_pos vs_call_place(vs_scheme *vm);
 

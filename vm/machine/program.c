@@ -265,12 +265,54 @@ static vs_status syntax_to_datum(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 }
 
 /* ---- files ---- */
+/* A file that is loaded while it runs. Where each file on the way says so in a form of its own, whatever else there is,
+   the second time is like the first. Else a condition may end it: it has LOADS times for that. */
+typedef struct {
+  vs_value run;        /* the native %run */
+  uint32_t file;
+  unsigned calls;      /* activations since the last %run: the load itself, and what it was called from */
+  vs_pos place;        /* of the outermost of these calls */
+  bool plain;          /* so far each form was the call itself */
+  bool endless;
+  unsigned times, others;
+} nesting;
+enum { LOADS = 100 };
+
+static bool see_nesting(void *to, vs_value procedure, const vs_value *base, vs_pos place) {
+  nesting *n = to;
+  if (procedure != n->run) {
+    n->calls++;
+    if (place) n->place = place;
+    return true;
+  }
+  vs_pos form = vs_is_fixnum(base[RUN_PLACE]) ? vs_pos_of(base[RUN_PLACE]) : 0;
+  n->plain = n->plain && n->calls <= 2 && n->place == form;
+  n->calls = 0;
+  if (vs_pos_file(form) != n->file) return n->others++, true;
+  n->times++;
+  n->endless = n->plain || n->times >= LOADS;
+  return !n->endless;
+}
+
+/* False: the file runs already, and loading it again would have no end. */
+static bool may_load(vs_scheme *vm, const char *path) {
+  nesting n = {.plain = true};
+  if (!vs_file_number(vm, path, strlen(path), &n.file) || !core_value(vm, "%run", &n.run)) return false;
+  vs_see_activations(vm, see_nesting, &n);
+  if (!n.endless) return true;
+  if (!n.plain) return vs_fail(vm, vm->sym.recursion,
+      "%s has loaded itself %d times, one within the other; is there an `if` that stops it?", path, LOADS);
+  return vs_fail(vm, vm->sym.recursion, n.others ? "%s loads itself here, by way of others, without end"
+      : "%s loads itself here, without end", path);
+}
+
 static vs_status load_path(vs_scheme *vm, vs_value name, uint32_t from, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 2);
   r[1] = env;
   vs_text path;
   vs_text_open(vm, &path, 0);
-  bool ok = vs_source_path(vm, name, from, &path) && vs_text_end(&path) && vs_source_read(vm, path.at, false, &r[0]);
+  bool ok = vs_source_path(vm, name, from, &path) && vs_text_end(&path) && may_load(vm, path.at) &&
+            vs_source_read(vm, path.at, false, &r[0]);
   vs_text_close(&path);
   return ok ? tail_run(vm, r[0], r[1], tell) : VS_ERROR;
 }
