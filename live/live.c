@@ -5,7 +5,6 @@
  * last good scene. */
 #include "live/live.h"
 
-#include <errno.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +13,7 @@
 
 #include "live/aside.h"
 #include "live/model_files.h"
+#include "live/said.h"
 #include "live/scene_host.h"
 #include "live/serve.h"
 
@@ -21,7 +21,7 @@ extern char **environ;
 
 /* How often files are looked at, while a window waits for it; where nobody looks; and between frames. */
 enum { LOOK_MS = 8, LOOK_ALONE_MS = 40, FRAME_MS = 40 };
-enum { PRINTED_MOST = 1 << 20, COARSE_SEGMENTS = 12, BROWSER_WORDS = 30 };
+enum { COARSE_SEGMENTS = 12, BROWSER_WORDS = 30 };
 
 typedef struct live_follower {
   const live_options *options;
@@ -40,13 +40,15 @@ typedef struct live_follower {
   const char *asked;   /* what was typed at the prompt, while that is published */
   bool prompted;       /* the prompt has run something since the model did: the drawing may be another than the
                         * text's */
-  live_text printed, messages, values; /* of the run under way */
-  size_t message_count, errors;
+  live_said said;      /* by the run under way */
   bool busy_told;
   double began;
   unsigned version, run; /* of the scene; of what is evaluated */
-  live_text export;    /* bytes of the output under way */
-  bool exporting;
+  bool kept;           /* somebody waits for the output under way: Stop alone ends it */
+  bool overtaken;      /* what runs has been ended, since a window or a file wants another run */
+  bool ended_early;    /* the last run was ended so by a window */
+  double looked;       /* when it was last asked whether one does, and how long the last whole run took; seconds */
+  double whole;
 } live;
 
 static double now(void) {
@@ -61,45 +63,18 @@ static const double FRAME_MOST = 0.25; /* seconds: a frame that comes late is no
 
 static bool host_output(void *context, const char *text, size_t length) {
   live *l = context;
-  if (l->printed.length < PRINTED_MOST) live_add(&l->printed, text, length);
+  live_tail_add(&l->said.printed, text, length);
   return true;
 }
 
 static void host_value(void *context, const char *text, size_t length) {
   live *l = context;
-  live_add(&l->values, text, length);
-  live_puts(&l->values, "\n");
-}
-
-static void add_place(live_text *t, const vs_span *at) {
-  live_puts(t, "{\"file\":");
-  live_json(t, at->file);
-  live_putf(t, ",\"line\":%u,\"column\":%u,\"endLine\":%u,\"endColumn\":%u}", at->line, at->column, at->end_line,
-            at->end_column);
+  live_said_value(&l->said, text, length);
 }
 
 static void host_diagnose(void *context, const vs_diagnostic *d) {
-  static const char *const words[] = { "error", "warning", "note" };
   live *l = context;
-  live_text *t = &l->messages;
-  if (l->message_count >= 200) return;
-  if (l->message_count++ > 0) live_puts(t, ",");
-  if (d->severity == VS_SEVERITY_ERROR) l->errors++;
-  live_putf(t, "{\"severity\":\"%s\",\"message\":", words[d->severity]);
-  live_json(t, d->message);
-  live_puts(t, ",\"source\":");
-  live_json(t, d->source_line);
-  live_puts(t, ",\"at\":");
-  add_place(t, &d->at);
-  live_puts(t, ",\"notes\":[");
-  for (size_t i = 0; i < d->note_count && i < 40; i++) {
-    live_puts(t, i > 0 ? ",{\"message\":" : "{\"message\":");
-    live_json(t, d->notes[i].message);
-    live_puts(t, ",\"at\":");
-    add_place(t, &d->notes[i].at);
-    live_puts(t, "}");
-  }
-  live_puts(t, "]}");
+  live_said_diagnose(&l->said, d);
 }
 
 static void host_progress(void *context, const vs_progress *p) {
@@ -116,7 +91,29 @@ static void host_progress(void *context, const vs_progress *p) {
   live_text_free(&t);
 }
 
-static bool host_poll(void *context) { return *((live *)context)->options->ended != 0; }
+/* Seconds that a run has before a window's value or text ends it. A slider that moves wants pictures on its way, so a
+ * run that is likely to be done soon is waited for, and of two in a row one at least is. A program without an end has
+ * had its time soon. */
+static double patience(const live *l) {
+  const double least = 0.3, most = l->ended_early ? 3 : 1, likely = 2 * l->whole;
+  return likely < least ? least : likely < most ? likely : most;
+}
+
+/* Is there a newer wish than what runs? A saved file counts at once. */
+static bool overtaken(live *l) {
+  double time = now();
+  if (1e3 * (time - l->looked) < LOOK_MS) return false;
+  l->looked = time;
+  if (live_files_newer(&l->files)) return true;
+  if (time - l->began <= patience(l) || !live_wish_renews(&l->publish)) return false;
+  return l->ended_early = true;
+}
+
+static bool host_poll(void *context) {
+  live *l = context;
+  if (*l->options->ended != 0) return true;
+  return l->overtaken = l->overtaken || (!l->kept && overtaken(l));
+}
 
 static bool host_read(void *context, const char *path, char **text, size_t *length, const char **why) {
   live *l = context;
@@ -130,7 +127,28 @@ static bool host_list(void *context, const char *path, bool (*take)(void *to, co
   return live_folder_list(path, take, to, why);
 }
 
-static void stop(void *context) { vs_interrupt(((live *)context)->scheme); }
+/* Ends what runs or waits to be run. Where nothing does, nothing is asked: the next run is another one. Who follows
+ * forgets it when the next one begins. */
+static void stop(void *context) {
+  live *l = context;
+  pthread_mutex_lock(&l->publish.lock);
+  if (l->follows || l->publish.working || l->publish.wishes.count > 0) vs_interrupt(l->scheme);
+  pthread_mutex_unlock(&l->publish.lock);
+}
+
+/* From here on, until a wish is taken or `work` says so, Stop has nothing to end. */
+static void rest(live *l) {
+  pthread_mutex_lock(&l->publish.lock);
+  l->publish.working = l->publish.wishes.count > 0;
+  if (!l->publish.working) vs_interrupt_clear(l->scheme);
+  pthread_mutex_unlock(&l->publish.lock);
+}
+
+static void work(live *l) {
+  pthread_mutex_lock(&l->publish.lock);
+  l->publish.working = true;
+  pthread_mutex_unlock(&l->publish.lock);
+}
 
 /* ---- publishing ---- */
 
@@ -169,7 +187,7 @@ static void add_parameters(live *l, live_text *t) {
       live_puts(t, "]");
     }
     live_puts(t, ",\"at\":");
-    add_place(t, &p.at);
+    live_json_place(t, &p.at);
     live_puts(t, "}");
   }
   live_puts(t, "]");
@@ -189,12 +207,8 @@ static void publish_state(live *l, bool good, vs_outcome outcome) {
   }
   live_puts(&t, ",\"model\":");
   live_json(&t, l->follows ? "prompt" : l->options->model);
-  live_puts(&t, ",\"messages\":[");
-  live_puts(&t, l->messages.at != NULL ? l->messages.at : "");
-  live_puts(&t, "],\"printed\":");
-  live_json_bytes(&t, l->printed.at != NULL ? l->printed.at : "", l->printed.length);
-  live_puts(&t, ",\"values\":");
-  live_json_bytes(&t, l->values.at != NULL ? l->values.at : "", l->values.length);
+  live_puts(&t, ",");
+  live_said_write(&l->said, &t);
   live_puts(&t, ",\"asked\":");
   live_json(&t, l->asked != NULL ? l->asked : "");
   live_puts(&t, ",\"parameters\":");
@@ -251,16 +265,20 @@ static vs_outcome publish_drawing(live *l, bool another) {
 /* ---- running ---- */
 
 static void begin(live *l) {
-  l->printed.length = l->messages.length = l->values.length = 0;
-  if (l->messages.at != NULL) l->messages.at[0] = 0;
-  l->message_count = l->errors = 0;
-  l->busy_told = false;
+  if (l->follows) vs_interrupt_clear(l->scheme);
+  live_said_begin(&l->said);
+  l->busy_told = l->overtaken = false;
   l->run++;
   l->began = now();
 }
 
+/* Nothing is told of a run that was overtaken: the next one follows at once. */
 static void finish(live *l, vs_outcome outcome) {
   if (outcome == VS_OUTCOME_DONE) outcome = publish_drawing(l, false);
+  if (l->overtaken && outcome == VS_OUTCOME_INTERRUPTED) {
+    vs_interrupt_clear(l->scheme);
+    return;
+  }
   l->good = outcome == VS_OUTCOME_DONE;
   publish_state(l, l->good, outcome);
   vs_interrupt_clear(l->scheme);
@@ -301,6 +319,7 @@ static bool set_parameter(live *l, const char *name, const char *value) {
 
 static vs_outcome run_files(live *l) {
   begin(l);
+  if (live_files_newer(&l->files)) live_trial_put(&l->publish, NULL); /* saved since they were last looked at */
   live_files_clear(&l->files);
   live_files_note(&l->files, l->options->model);
   l->prompted = false;
@@ -321,6 +340,9 @@ static void run_model(live *l) {
   }
   if (outcome == VS_OUTCOME_DONE) forget_defaults(l);
   finish(l, outcome);
+  if (l->overtaken) return;
+  l->ended_early = false;
+  if (l->good) l->whole = now() - l->began;
 }
 
 /* Changes by a frame or a user's hand are told; an error ends the frames until the model runs again. */
@@ -328,6 +350,7 @@ static void tell_frame(live *l, vs_outcome outcome) {
   live_text t = { 0 };
   unsigned version = l->version;
   if (outcome == VS_OUTCOME_DONE) outcome = publish_drawing(l, true);
+  if (outcome == VS_OUTCOME_INTERRUPTED && l->overtaken) return;
   if (outcome != VS_OUTCOME_DONE) {
     publish_state(l, false, outcome);
     l->frames = false;
@@ -353,14 +376,16 @@ static void run_frame(live *l) {
   l->last_frame = now();
   if (!seen(l)) return; /* time stands still where nobody looks */
   l->began = l->last_frame;
+  l->overtaken = false;
   tell_frame(l, vs_scene_frame(l->scheme, seconds < FRAME_MOST ? seconds : FRAME_MOST));
   vs_interrupt_clear(l->scheme);
 }
 
 static void run_input(live *l, const live_wish *w) {
   l->began = now();
+  l->overtaken = false;
   vs_outcome outcome = live_scene_input(l->scheme, w->name, w->value);
-  if (outcome != VS_OUTCOME_USAGE || l->errors > 0) tell_frame(l, outcome);
+  if (outcome != VS_OUTCOME_USAGE || l->said.errors > 0) tell_frame(l, outcome);
   vs_interrupt_clear(l->scheme);
 }
 
@@ -369,7 +394,7 @@ static void run_prompt(live *l, const char *text) {
   l->prompted = true;
   l->asked = text;
   vs_outcome outcome = vs_eval_text(l->scheme, "prompt", 1, text, strlen(text), VS_EVAL_PRINT);
-  if (outcome == VS_OUTCOME_DONE || !l->good) {
+  if (outcome == VS_OUTCOME_DONE || !l->good || l->overtaken) {
     finish(l, outcome);
   } else { /* An error of what was typed is none of the model, which stands, with what was drawn before the error. */
     vs_interrupt_clear(l->scheme);
@@ -399,21 +424,27 @@ static void run_export(live *l, live_wish *w) {
   bool steps = strcmp(w->name, STEPS) == 0; /* a window looks: nobody is told */
   if (steps) o.passes = pass_mask("share");
   begin(l);
+  l->kept = !steps;
   vs_outcome outcome = vs_write_drawing_to(l->scheme, w->name, &o, scene_bytes, &bytes);
+  l->kept = false;
   vs_interrupt_clear(l->scheme);
-  if (l->message_count > 0 && !steps) publish_state(l, true, outcome);
+  if (l->said.shown > 0 && !steps) publish_state(l, true, outcome);
   if (l->busy_told || !steps) live_tell(&l->publish, "idle", "{}");
   live_wish_finish(&l->publish, w, outcome, bytes);
 }
 
 static void serve(live *l) {
+  work(l);
   run_model(l);
   while (!*l->options->ended) {
     bool again = live_files_changed(&l->files);
     l->coarse = false;
     if (again) {
+      work(l);
       live_files_settle(&l->files);
       live_trial_put(&l->publish, NULL);
+    } else {
+      rest(l);
     }
     const long pause = l->frames ? FRAME_MS : seen(l) ? LOOK_MS : LOOK_ALONE_MS;
     live_wish *w = again ? NULL : live_wish_take(&l->publish, &l->publish.wishes, pause);
@@ -444,7 +475,10 @@ static void serve(live *l) {
       w = live_wish_take(&l->publish, &l->publish.wishes, 0);
     }
     if (again && !*l->options->ended) run_model(l);
-    if (l->frames && !*l->options->ended) run_frame(l);
+    if (l->frames && !*l->options->ended) {
+      work(l);
+      run_frame(l);
+    }
   }
 }
 
@@ -513,9 +547,7 @@ static void close_view(live *l) {
   if (!l->follows) vs_free(l->scheme);
   live_files_clear(&l->files);
   live_text_free(&l->released);
-  live_text_free(&l->printed);
-  live_text_free(&l->messages);
-  live_text_free(&l->values);
+  live_said_free(&l->said);
   live_publish_close(&l->publish);
 }
 

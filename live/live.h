@@ -2,8 +2,8 @@
  *
  * live.c: the session, which evaluates in the calling thread; aside.c: a second interpreter in a thread of its own, for
  * outputs with other values; published.c: what windows are told, under one lock; serve.c: HTTP, a thread a
- * connection; waiting.c: how many clients may be slow; http.c: libmicrohttpd, loaded when the first view opens;
- * chunks.c: a scene in pieces, so that only what changed travels;
+ * connection; said.c: what a run prints and its messages; waiting.c: how many clients may be slow; http.c:
+ * libmicrohttpd, loaded when the first view opens; chunks.c: a scene in pieces, so that only what changed travels;
  * scene_host.c: the program's scene, its frames and gizmos; model_files.c: reading, watching and writing the model's
  * files. */
 #ifndef VS_LIVE_LIVE_H

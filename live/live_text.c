@@ -43,6 +43,10 @@ void live_json_bytes(live_text *t, const char *text, size_t length) {
     if (c == '"' || c == '\\') live_putf(t, "\\%c", c);
     else if (c == '\n') live_puts(t, "\\n");
     else if (c < 0x20 || c == 0x7f) live_putf(t, "\\u%04x", c);
+    else if (c == 0xe2 && length - i > 2 && text[i + 1] == '\x80' && (text[i + 2] & '\xfe') == '\xa8') {
+      live_puts(t, text[i + 2] & 1 ? "\\u2029" : "\\u2028"); /* which scripts may take for the end of a line */
+      i += 2;
+    }
     else live_add(t, &text[i], 1);
   }
   live_puts(t, "\"");

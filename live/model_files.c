@@ -112,12 +112,24 @@ bool live_files_note(live_files *f, const char *path) {
   return true;
 }
 
+static bool is_another(const live_file *a, const live_file *b) {
+  return a->there != b->there || a->device != b->device || a->inode != b->inode || a->size != b->size ||
+         a->seconds != b->seconds || a->nanoseconds != b->nanoseconds;
+}
+
+bool live_files_newer(const live_files *f) {
+  for (size_t i = 0; i < f->count; i++) {
+    live_file now = file_now(f->at[i].path);
+    if (is_another(&now, &f->at[i])) return true;
+  }
+  return false;
+}
+
 bool live_files_changed(const live_files *f) {
   for (size_t i = 0; i < f->count; i++) {
     const live_file *was = &f->at[i];
     live_file now = file_now(was->path);
-    if (now.there != was->there || now.device != was->device || now.inode != was->inode || now.size != was->size ||
-        now.seconds != was->seconds || now.nanoseconds != was->nanoseconds) return true;
+    if (is_another(&now, was)) return true;
     double age = file_age(&now);
     if (was->young && age > SETTLE) return true; /* read once more: then it is noted as old */
     if (was->there && was->size == 0 && age >= 0 && age < SETTLE_EMPTY) return true; /* it is being written, probably */

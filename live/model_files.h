@@ -28,6 +28,7 @@ bool live_folder_list(const char *path, bool (*take)(void *to, const char *name,
 bool live_files_note(live_files *f, const char *path); /* as it is now, before it is read; false: out of memory */
 /* Is one of them another than it was, or was one of them met between being emptied and written? */
 bool live_files_changed(const live_files *f);
+bool live_files_newer(const live_files *f); /* Is one of them another than it was? While they are in use. */
 /* Waits until the files have been left alone for a moment, at most a third of a second. A file whose last change is
  * younger than the clock of the file system's times could change once more and look the same; an empty one is probably
  * being written. */

@@ -142,6 +142,15 @@ bool live_wish_put(live_publish *p, live_queue *q, live_wish *w) {
   return ok;
 }
 
+bool live_wish_renews(live_publish *p) {
+  bool renews = false;
+  pthread_mutex_lock(&p->lock);
+  for (const live_wish *w = p->wishes.first; w != NULL && !renews; w = w->next)
+    renews = w->kind == LIVE_SET || w->kind == LIVE_TRY;
+  pthread_mutex_unlock(&p->lock);
+  return renews;
+}
+
 live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms) {
   pthread_mutex_lock(&p->lock);
   if (q->first == NULL && wait_ms > 0 && !p->ended) {
@@ -158,6 +167,7 @@ live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms) {
     q->count--;
     if (q->first == NULL) q->end = &q->first;
     if (q == &p->asides) p->aside_now = w;
+    else p->working = true;
   }
   pthread_mutex_unlock(&p->lock);
   return w;

@@ -55,6 +55,7 @@ typedef struct {
   unsigned past_version[LIVE_VERSIONS];
   char *trial;                    /* a text that stands in the model's place until the file changes, or NULL */
   live_queue wishes;              /* of the session */
+  bool working;                   /* the session is at something, which Stop ends */
   live_queue asides;              /* of the side (aside.h) */
   live_wish *aside_now;           /* which the side is at, or NULL */
   unsigned windows;
@@ -72,7 +73,9 @@ live_wish *live_wish_new(live_wish_kind kind, const char *name, const char *valu
 void live_wish_free(live_wish *w);
 /* Takes w; a setting or a text of the same name replaces one that waits. False: too many wait, w is freed. */
 bool live_wish_put(live_publish *p, live_queue *q, live_wish *w);
-/* the next, or NULL after so long without one */
+/* Is there a setting or a text among the session's wishes, so that the model has to run again? */
+bool live_wish_renews(live_publish *p);
+/* the next, or NULL after so long without one; with a wish the session works */
 live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms);
 /* takes result; lets go of w */
 void live_wish_finish(live_publish *p, live_wish *w, vs_outcome outcome, live_text result);

@@ -14,6 +14,9 @@ const words = location.hash.slice(1).split("&").map((word) => { try { return dec
 const ask = (path, options = {}) => fetch(path, { ...options, headers: { "X-VS-Token": token }, referrerPolicy: "no-referrer" });
 
 const SLOW_SECONDS = 0.12; // A model that takes longer does not follow a slider.
+const TALK_MOST = 20000; // Characters of what was printed that are shown.
+// The end of a text, from a whole character on.
+const tail = (text, most) => text.length <= most ? text : text.slice(-most).replace(/^[\udc00-\udfff]/, "");
 const GHOSTS_MOST = 50000; // Parts of a model whose cuts are looked up when the cursor moves.
 
 class Live {
@@ -78,6 +81,7 @@ class Live {
     this.telling = new Map(); // Who hears of the progress of what is made aside, by its word.
     this.version = 0;
     this.talk = this.before = ""; // What is printed; the part of it before the last run.
+    this.missing = this.lost = 0; // How many characters are missing before each.
     // Where a button has gone away with its strip nobody has the keys: they are the viewer's.
     addEventListener("keydown", (event) => {
       if (event.target !== document.body || event.key === "Tab") return;
@@ -118,8 +122,9 @@ class Live {
           const blocks = rest.split("\n\n");
           rest = blocks.pop();
           for (const block of blocks) {
-            const kind = /^event: (.*)$/m.exec(block), data = /^data: (.*)$/m.exec(block);
-            if (kind && data) await this.#event(kind[1], JSON.parse(data[1]));
+            const field = (name) => block.split("\n").find((line) => line.startsWith(name))?.slice(name.length); // Lines end in \n alone.
+            const kind = field("event: "), data = field("data: ");
+            if (kind && data) await this.#hear(kind, data);
           }
         }
       } catch (error) {
@@ -127,6 +132,16 @@ class Live {
       }
       this.#status("the server has ended", true);
       await new Promise((go) => setTimeout(go, wait));
+    }
+  }
+
+  // An event that cannot be shown is said to be one; those that follow are heard.
+  async #hear(kind, data) {
+    try {
+      await this.#event(kind, JSON.parse(data));
+    } catch (error) {
+      console.error(error);
+      this.#status("the page could not show this run: " + error.message, true);
     }
   }
 
@@ -167,7 +182,7 @@ class Live {
     this.name.textContent = state.model.split("/").pop();
     document.getElementById("live").classList.toggle("follows", state.follows); // A prompt in a terminal: there is no source.
     this.#outcome(state);
-    this.#messages(state.messages);
+    this.#messages(state.messages, state.more);
     this.source.diagnose(state.messages.filter((m) => this.#isModel(m.at.file)));
     this.#said(state);
     this.parameters.show(state.good ? state.parameters : this.#known(state.parameters));
@@ -186,11 +201,13 @@ class Live {
   // What the model prints, and below it what was typed at the prompt since, with what came of it.
   #said(state) {
     const asked = state.asked ? "› " + state.asked.trim() + "\n" : "";
-    if (!state.prompted) this.before = "";
-    else if (state.run !== this.said) this.before = this.talk; // Else the same is told again.
+    if (!state.prompted) this.before = "", this.lost = 0;
+    else if (state.run !== this.said) this.before = this.talk, this.lost = this.missing; // Else the same is told again.
     this.said = state.run;
-    this.talk = (this.before + (this.before && !this.before.endsWith("\n") ? "\n" : "") + asked + state.printed + state.values).slice(-20000);
-    this.printed.textContent = this.talk;
+    const whole = this.before + (this.before && !this.before.endsWith("\n") ? "\n" : "") + asked + state.printed + state.values;
+    this.talk = tail(whole, TALK_MOST);
+    this.missing = this.lost + state.missing + [...whole.slice(0, whole.length - this.talk.length)].length;
+    this.printed.textContent = (this.missing > 0 ? `(${this.missing.toLocaleString("en")} characters before these are not shown)\n` : "") + this.talk;
     this.printed.hidden = this.talk === "";
     this.printed.scrollTop = this.printed.scrollHeight;
   }
@@ -227,14 +244,14 @@ class Live {
 
   #isModel(file) { return file && (file === this.state?.model || file.split("/").pop() === this.state?.model.split("/").pop()); }
 
-  #messages(list) {
+  #messages(list, more) {
     this.messages.hidden = list.length === 0;
     this.messages.replaceChildren(...list.map((m) => {
       const lead = (at, words) => this.#isModel(at.file) ? el("button", { type: "button", onclick: () => this.source.go(at.line, at.column) }, words) : el("span", {}, words);
       const at = m.at.file && m.at.line ? lead(m.at, `${m.at.file.split("/").pop()}:${m.at.line}:${m.at.column}`) : null;
       const caret = m.source && m.at.column ? el("pre", {}, m.source + "\n" + " ".repeat(m.at.column - 1) + "^".repeat(Math.max(1, m.at.endLine === m.at.line ? m.at.endColumn - m.at.column : 1))) : null;
       return el("div", { class: "message " + m.severity }, el("p", {}, at, at ? " " : "", m.message), caret, m.notes.map((n) => el("p", {}, n.message, " ", n.at.line ? lead(n.at, `${(n.at.file || "").split("/").pop()}:${n.at.line}`) : null)));
-    }));
+    }), more > 0 ? el("p", {}, `and ${more} more`) : "");
   }
 
   // ---- the scene: only pieces that are not here yet travel ----
@@ -279,7 +296,10 @@ class Live {
 
   // How what is drawn now is made. It is asked for once a version.
   async construction() {
-    if (this.made?.version !== this.version) this.made = { version: this.version, promise: this.#construct() };
+    if (this.made?.version !== this.version) {
+      const made = this.made = { version: this.version, promise: this.#construct() };
+      made.promise.catch(() => { if (this.made === made) this.made = null; }); // A newer run has ended it: it may be asked for again.
+    }
     return this.made.promise;
   }
   async #construct() {
