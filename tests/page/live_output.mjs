@@ -38,6 +38,7 @@ async function drag(handle, dx, dy, shift = false) {
 await test("a point is dragged in the view", async (want) => {
   const off = await drag("peak", 60, 20);
   await page.waitForFunction(() => !/^\(xyz 2 1 5\)$/.test(window.live.state.parameters[0].value));
+  await page.waitForFunction(() => window.live.parameters.rows.get("peak").sent === window.live.state.parameters[0].value, null, { timeout: 20000 }); // Where it was let go.
   const [x, y, z] = (await peak()).slice(5, -1).split(" ").map(Number);
   want(z === 5 && (x !== 2 || y !== 1), `it is at ${x} ${y} ${z}`);
   want(off < 4, `the handle is ${off} pixels from the pointer`);

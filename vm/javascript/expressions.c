@@ -335,14 +335,14 @@ static bool arguments(vs_translation *t, uint32_t i) {
   return true;
 }
 
-/* ((js:if (js:procedure? f:) f: (js:not-callable "name")) this: arguments) */
+/* ((js:if (js:procedure? f:) f: (js:not-callable "name")) arguments #:this o:), the last where there is an object */
 static bool call_bound(vs_translation *t, const vs_script_node *n, const char *self, uint32_t name) {
   TRY(vs_translate_open(t) && vs_translate_call(t, "js:if") && vs_translate_call(t, "js:procedure?") &&
       vs_translate_word(t, "f:") && vs_translate_close(t) && vs_translate_word(t, "f:") &&
       vs_translate_call(t, "js:not-callable") && vs_translate_word(t, "f:"));
   TRY(name ? vs_translate_text(t, name) : vs_translate_word(t, "js:false"));
-  return vs_translate_close(t) && vs_translate_close(t) && vs_translate_word(t, self) && arguments(t, n->b) &&
-         vs_translate_close(t);
+  return vs_translate_close(t) && vs_translate_close(t) && arguments(t, n->b) &&
+         (!self || (vs_translate_word(t, "#:this") && vs_translate_word(t, self))) && vs_translate_close(t);
 }
 
 /* A call of a function that is known by its name: of the procedure behind it, with as many values as it has
@@ -391,7 +391,7 @@ static bool call(vs_translation *t, const vs_script_node *n) {
   }
   TRY(let_one(t, "f:") && vs_translate_value(t, n->a) && let_body(t));
   t->at = at;
-  return call_bound(t, n, "js:undefined", f->kind == VS_SCRIPT_NAME ? f->name : 0) && vs_translate_close(t);
+  return call_bound(t, n, NULL, f->kind == VS_SCRIPT_NAME ? f->name : 0) && vs_translate_close(t);
 }
 
 /* ---- literals ---- */

@@ -554,10 +554,17 @@ static bool body(vs_translation *t, uint32_t i) {
   return (!functions || vs_translate_close(t)) && (!locals || vs_translate_close(t));
 }
 
-/* The parameters by which the function behind a name is called from anywhere: this:, the values that may be left out,
- * and the rest. */
-static bool open_parameters(vs_translation *t, const vs_script_node *n) {
-  TRY(vs_translate_word(t, "this:"));
+/* The keyword by which a function that asks for `this` gets it. Who calls it without one, as the language itself does,
+ * leaves it undefined. */
+static bool self_parameter(vs_translation *t, bool asks) {
+  if (!asks) return true;
+  return vs_translate_word(t, "#:this") && vs_translate_open(t) && vs_translate_word(t, "this:") &&
+         vs_translate_word(t, "js:any?") && vs_translate_word(t, "js:undefined") && vs_translate_close(t);
+}
+
+/* The parameters by which the function behind a name is called from anywhere: the values, which may be left out, this
+ * where it is asked for, and the rest. */
+static bool open_parameters(vs_translation *t, const vs_script_node *n, bool asks) {
   for (uint32_t p = n->a; p; p = node(t, p)->next) {
     bool again = false;
     for (uint32_t q = node(t, p)->next; q; q = node(t, q)->next) again |= node(t, p)->name == node(t, q)->name;
@@ -565,7 +572,7 @@ static bool open_parameters(vs_translation *t, const vs_script_node *n) {
     TRY(again ? vs_translate_made(t, "unused:", t->numbers++) : vs_translate_name(t, node(t, p)->name));
     TRY(vs_translate_word(t, "js:any?") && vs_translate_word(t, "js:undefined") && vs_translate_close(t));
   }
-  return vs_translate_word(t, ".") && vs_translate_word(t, "more:");
+  return self_parameter(t, asks) && vs_translate_word(t, ".") && vs_translate_word(t, "more:");
 }
 
 bool vs_translate_function(vs_translation *t, uint32_t i, bool direct) {
@@ -586,14 +593,14 @@ bool vs_translate_function(vs_translation *t, uint32_t i, bool direct) {
                  settled(t, &t->k->variables[vs_scopes_resolve(t->k, outer, node(t, n->c)->name)]);
   TRY(vs_translate_call(t, "js:lambda"));
   if (all)
-    TRY(vs_translate_open(t) && vs_translate_word(t, "this:") && vs_translate_word(t, ".") &&
+    TRY(vs_translate_open(t) && self_parameter(t, t->k->scopes[scope].uses_this) && vs_translate_word(t, ".") &&
         vs_translate_word(t, "more:") && vs_translate_close(t));
   else {
     TRY(vs_translate_open(t));
     if (direct)
       for (uint32_t p = n->a; p; p = node(t, p)->next) TRY(vs_translate_name(t, node(t, p)->name));
     else
-      TRY(open_parameters(t, n));
+      TRY(open_parameters(t, n, t->k->scopes[scope].uses_this));
     TRY(vs_translate_close(t));
   }
   if (wrapper) {

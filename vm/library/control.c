@@ -127,6 +127,18 @@ static vs_status apply(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_TAILCALL;
 }
 
+/* (%apply-self procedure list this): as a function of a script is called on `this` */
+static vs_status apply_self(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n; (void)out;
+  vs_value list = a[1];
+  vs_call_begin(vm, a[0]);
+  for (uint64_t i = 0; vs_is_pair(list); list = vs_cdr(list), i++)
+    if (!vs_call_push(vm, vs_car(list)) || !vs_poll_turn(vm, i, 4)) return VS_ERROR;
+  if (!vs_call_push(vm, a[2])) return VS_ERROR;
+  vm->call_self = true;
+  return VS_TAILCALL;
+}
+
 /* ---- handlers ---- */
 /* handler thunk | handlers outside */
 static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -376,6 +388,7 @@ static const vs_native_def defs[] = {
   { "values", ". v", values, 0, "several values" },
   { "call-with-values", "producer consumer", call_with_values, 1, "call consumer with producer's values" },
   { "apply", "procedure first . arguments", apply, -1, "call with the arguments in a list" },
+  { "%apply-self", "procedure list this", apply_self, -1, NULL },
   { "with-exception-handler", "handler thunk", with_exception_handler, 1,
     "call thunk; what it raises goes to handler" },
   { "raise", "obj", raise_, 1, "raise obj to the handler in force" },

@@ -159,6 +159,20 @@ bool vs_arguments_fit(const vs_code *code, size_t n, vs_value kw) {
          (!named || code->keywords);
 }
 
+static bool names_self_alone(const vs_scheme *vm, vs_value kw) {
+  return vs_as_keywords(kw)->count == 1 && vs_as_keywords(kw)->name[0] == vm->sym.self;
+}
+
+bool vs_leaves_self(const vs_scheme *vm, vs_value f, vs_value kw) {
+  if (!names_self_alone(vm, kw)) return false;
+  if (!vs_is(f, VS_T_CLOSURE)) return true;
+  const vs_code *code = vs_as_code(vs_as_closure(f)->code);
+  const vs_value *names = vs_as_vector(code->params)->at + code->required + code->optional;
+  for (size_t i = 0; i < code->keywords; i++)
+    if (names[i] == vm->sym.self) return false;
+  return true;
+}
+
 /* takes the values of the named arguments a[n - named ..) away, into vm->call_args */
 static bool stash(vs_scheme *vm, const vs_value *a, size_t n, size_t named) {
   vs_call_begin(vm, VS_FALSE);
@@ -194,14 +208,17 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
                       given, names, code->keywords);
   }
   if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0], NULL, 0);
-  if (named && !stash(vm, a, n, named)) return false;
-  VS_ROOTS(vm, r, 1);
+  bool self = named && code->keywords == 1 && names_self_alone(vm, kw); /* as scripts call, often */
+  if (named && !self && !stash(vm, a, n, named)) return false;
+  VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
+  r[1] = self ? a[n - 1] : VS_FALSE;
   if (has_rest)
     for (size_t i = given; i > most; i--)
       if (!vs_cons(vm, a[i - 1], r[0], &r[0])) return false;
   for (size_t i = given; i < most; i++) a[i] = VS_ABSENT;
-  if (code->keywords && !place(vm, code->name, kw, vs_as_vector(code->params)->at + most, code->keywords, a + most))
+  if (self) a[most] = r[1];
+  else if (code->keywords && !place(vm, code->name, kw, vs_as_vector(code->params)->at + most, code->keywords, a + most))
     return false;
   if (has_rest) a[rest] = r[0];
   return true;

@@ -12,6 +12,9 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
 bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given,
                          size_t *total);
 static inline bool vs_native_laid_out(const vs_native *n) { return n->def->slots > 0 || n->keywords != VS_FALSE; }
+/* Is #:this all that a call gives by keyword, to a procedure without it? Then the procedure is none of a script's, or
+   one that does not ask: the value, the last argument, is left away. */
+bool vs_leaves_self(const vs_scheme *vm, vs_value f, vs_value kw);
 /* no clause of a case-lambda takes so many arguments: false, the error set */
 bool vs_fail_clauses(vs_scheme *vm, const vs_case *c, size_t got);
 /* How f is called, "(wall length [height])", without its keywords; NULL: f has no name, is of several clauses, or

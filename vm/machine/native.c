@@ -59,6 +59,7 @@ vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter) {
 void vs_call_begin(vs_scheme *vm, vs_value procedure) {
   vm->call_procedure = procedure;
   vm->call_count = 0;
+  vm->call_self = false;
 }
 
 bool vs_call_push(vs_scheme *vm, vs_value v) {

@@ -39,7 +39,8 @@ static bool fresh(vs_scheme *vm) {
   if (!c) return false;
   c->kind = vm->sym.memory; c->message = r[0]; c->irritants = c->chain = VS_NIL; c->payload = c->calls = VS_FALSE;
   vm->at.no_memory = vs_from_object(c);
-  return vs_make_vector(vm, 1, VS_FALSE, &vm->at.files) && vs_native_define(vm, &vs_control_natives, keep, NULL);
+  return vs_make_vector(vm, 1, VS_FALSE, &vm->at.files) && vs_make_keywords(vm, &vm->sym.self, 1, &vm->at.self_call) &&
+         vs_native_define(vm, &vs_control_natives, keep, NULL);
 }
 
 vs_scheme *vs_open_vm(const vs_config *config) {

@@ -555,12 +555,27 @@ static bool begin_program(vs_scheme *vm, const char *name) {
   return vs_file_number(vm, name, strlen(name), &vm->program_file) && forget_unfinished(vm);
 }
 
+/* A script sees its own library only. Text of this language that follows it, at the prompt or by -e, sees what a program
+   sees as well, behind what the script has. */
+static bool beside_script(vs_scheme *vm, const char *name) {
+  vs_value clash;
+  bool own;
+  bool script = vs_source_language(name) != NULL;
+  vs_intake intake = vs_environment_intake(vm->at.program);
+  if (intake == VS_INTAKE_FRESH) vm->scripted = script;
+  if (script || !vm->scripted) return true;
+  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* at the prompt it would replace the script's variables */
+  bool ok = vs_environment_import(vm, vm->at.program, vm->at.core, VS_TRUE, true, &clash, &own);
+  vs_environment_set_intake(vm->at.program, intake);
+  return ok;
+}
+
 bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt,
                      vs_value *last) {
   VS_ROOTS(vm, r, 1);
   if (prompt) vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
-  return begin_program(vm, name) && vs_source_text(vm, name, line, text, size, false, &r[0]) &&
-         run_forms(vm, r[0], vm->at.program, true, last);
+  return begin_program(vm, name) && beside_script(vm, name) &&
+         vs_source_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }
 
 /* Forms that bind names at top level, or that only make sense there. */

@@ -625,6 +625,7 @@ call_record:
 call: {
     vs_value f = w[0];
     if (!vs_is_object(f)) goto no_procedure;
+    if (kw != VS_FALSE && vs_leaves_self(vm, f, kw)) n--, kw = VS_FALSE;
     switch (vs_object_of(f)->type) {
       case VS_T_CLOSURE: {
         const vs_code *code = CALLEE(f);
@@ -788,7 +789,8 @@ native_done:
     case VS_CALL: {
       size_t size = (size_t)(vm->top - base);
       n = vm->call_count;
-      kw = VS_FALSE;
+      kw = vm->call_self ? vm->at.self_call : VS_FALSE;
+      vm->call_self = false;
       tail = false;
       if (status == VS_CALL) {
         w = base + size;

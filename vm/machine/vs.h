@@ -10,7 +10,8 @@
   S(quote, "quote") S(quasiquote, "quasiquote") S(unquote, "unquote") S(unquote_splicing, "unquote-splicing") \
   S(error, "error") S(type, "type") S(range, "range") S(arity, "arity") S(contract, "contract") S(unbound, "unbound") \
   S(syntax, "syntax") S(read, "read") S(file, "file") S(limit, "limit") S(interrupt, "interrupt") S(memory, "memory") \
-  S(divide, "divide") S(recursion, "recursion") S(raise, "raise") S(internal, "internal") S(stop, "stop")
+  S(divide, "divide") S(recursion, "recursion") S(raise, "raise") S(internal, "internal") S(stop, "stop") \
+  S(self, "this")
 
 /* Persistent Scheme values that C code needs: written into the heap image with the rest. A list. */
 #define VS_ANCHORS(A) \
@@ -29,6 +30,7 @@
   A(flat_names)    /* vector: tag -> constructor's name (symbol) or #f */ \
   A(raise) A(check) A(throw) A(guarded) /* natives the run loop calls by itself */ \
   A(no_memory)     /* the condition raised when there is no room to make one */ \
+  A(self_call)     /* the keywords of a call with #:this, what a function of a script is called on */ \
   A(stop)          /* procedure of the bottom activation */ \
   A(stops)         /* list of the conditions of programs that are stopped (step.h), the last one first */
 
@@ -113,6 +115,7 @@ struct vs_scheme {
   /* between a native and the run loop (native.h) */
   const vs_native *native;         /* the native that is running: NULL outside; its name is in error messages */
   vs_value call_procedure;
+  bool call_self;            /* the last of call_args goes by the keyword of vm->at.self_call */
   vs_value *call_args; size_t call_count, call_room;
   const struct vs_traceback *traceback; /* how an error learns of the calls under way (activation.c) */
   vs_value condition;              /* what was raised, after a function returned false / VS_ERROR */
@@ -155,6 +158,7 @@ struct vs_scheme {
   /* expander */
   uint64_t aliases;                /* renamed identifiers made: their hash */
   int64_t expansions;              /* top-level forms expanded */
+  bool scripted;                   /* the program begins with a file in another language */
   uint32_t program_file;           /* number of the file that the host runs; 0: none */
   uint64_t top_place;              /* vs_pos of the top-level form, or of the macro use in it, begun last */
 

@@ -1,8 +1,11 @@
 ; What every script finds: Object, Array, String, Number, Boolean, Function, Math, the errors, and the global functions.
 
-; A function of a script: `this` first, values that are left out are undefined, more than there are parameters do no harm.
+; A function of a script: values that are left out are undefined, `this` goes by keyword, more than there are parameters do no harm.
 (define-syntax fn
-  (syntax-rules () ((_ this (name ...) body ...) (lambda (this (name any? undefined) ... . more) body ...))))
+  (syntax-rules () ((_ this (name ...) body ...) (lambda ((name any? undefined) ... #:this (this any? undefined) . more) body ...))))
+; The same with the values in a list, behind those that have names.
+(define-syntax fn-rest
+  (syntax-rules () ((_ this (name ...) values body ...) (lambda ((name any? undefined) ... #:this (this any? undefined) . values) body ...))))
 
 (define (hide! o) (set-object-hidden! o (object-count o)))
 
@@ -58,9 +61,9 @@
         (else (type-error "CreateListFromArrayLike called on non-object"))))
 (methods! function-prototype
   (constructor Function)
-  (apply (fn this (self list) (apply this self (argument-list list))))
+  (apply (fn this (self list) (apply-self this (argument-list list) self)))
   (toString (fn this () "function () { [native code] }"))
-  (call (lambda (this [self any? undefined] . rest) (apply this self rest))))
+  (call (fn-rest this (self) rest (apply-self this rest self))))
 
 ; ---- Error ----
 
@@ -91,7 +94,7 @@
   (if (and (pair? values) (null? (cdr values)) (flonum? (car values)))
       (let ((a (make-array no-names 0. #f))) (set-length! a (car values)) a)
       (list->array values)))
-(define Array (lambda (this . values) (apply make-array-of values)))
+(define Array (fn-rest this () values (apply make-array-of values)))
 (constructor! Array array-prototype make-array-of)
 
 (define (element a i) (at a (inexact i)))
@@ -119,7 +122,7 @@
 
 (define (order f)
   (if (procedure? f)
-      (lambda (a b) (and (not (eq? a undefined)) (or (eq? b undefined) (< (to-number (f undefined a b)) 0.))))
+      (lambda (a b) (and (not (eq? a undefined)) (or (eq? b undefined) (< (to-number (f a b)) 0.))))
       (lambda (a b) (and (not (eq? a undefined)) (or (eq? b undefined) (string<? (to-string a) (to-string b)))))))
 
 (define (merge-sort list less?)   ; stable, and the script's function sees nothing but pairs
@@ -152,7 +155,7 @@
         (let ((key (index-key i)))
           (if (eq? (lookup a key) absent)
               (loop (+ i 1))
-              (let ((x (element a i))) (if (visit (f self x (inexact i) a) x i) (loop (+ i 1)))))))))
+              (let ((x (element a i))) (if (visit (f x (inexact i) a #:this self) x i) (loop (+ i 1)))))))))
 
 (define (fold a f start from to step given)
   (if (not (procedure? f)) (type-error (to-string f) " is not a function"))
@@ -162,7 +165,7 @@
         (if (eq? (lookup a (index-key i)) absent)
             (loop (+ i step) v given)
             (if given
-                (loop (+ i step) (f undefined v (element a i) (inexact i) a) #t)
+                (loop (+ i step) (f v (element a i) (inexact i) a) #t)
                 (loop (+ i step) (element a i) #t))))))
 
 (methods! array-prototype
@@ -170,7 +173,7 @@
   (toString (fn this () (if (array? this) (joined this ",") (string-append "[object " (class-name this) "]"))))
   (toLocaleString (fn this () (joined this ",")))
   (join (fn this (separator) (joined this (if (eq? separator undefined) "," (to-string separator)))))
-  (push (lambda (this . values) (for-each (lambda (v) (if (array? this) (push! this v)
+  (push (fn-rest this () values (for-each (lambda (v) (if (array? this) (push! this v)
     (let ((n (count-of this))) (put! this (index-key n) v) (put! this 'length (inexact (+ n 1)))))) values) (js-length this)))
   (pop (fn this ()
     (let ((n (count-of this)))
@@ -185,14 +188,14 @@
             (vector-copy! items 0 items 1 n)
             (set-length! this (inexact (- n 1)))
             v)))))
-  (unshift (lambda (this . values)
+  (unshift (fn-rest this () values
     (let ((n (count-of this)) (m (length values)))
       (array-room! this (+ n m))
       (vector-copy! (array-items this) m (array-items this) 0 n)
       (let loop ((l values) (i 0)) (if (pair? l) (begin (vector-set! (array-items this) i (car l)) (loop (cdr l) (+ i 1)))))
       (set-array-length! this (inexact (+ n m)))
       (array-length this))))
-  (concat (lambda (this . values)
+  (concat (fn-rest this () values
     (list->array
      (let loop ((l (cons this values)))
        (if (pair? l)
@@ -200,7 +203,7 @@
            '())))))
   (slice (fn this (from to)
     (let* ((a (as-array this)) (n (count-of a))) (slice a (clamp from n) (if (eq? to undefined) n (clamp to n))))))
-  (splice (lambda (this . given)
+  (splice (fn-rest this () given
     (let* ((n (count-of this)) (from (if (pair? given) (clamp (car given) n) n))
            (count (cond ((null? given) 0) ((null? (cdr given)) (- n from)) (else (exact (max 0. (min (to-integer (cadr given)) (inexact (- n from))))))))
            (all (vector->list (vector-copy (array-items this) 0 n))) (rest (drop all from)))
@@ -223,14 +226,14 @@
   (filter (fn this (f self) (let ((out (array))) (each this f self (lambda (r x i) (if (true? r) (push! out x)) #t)) out)))
   (every (fn this (f self) (let ((all #t)) (each this f self (lambda (r x i) (set! all (true? r)) all)) all)))
   (some (fn this (f self) (let ((one #f)) (each this f self (lambda (r x i) (set! one (true? r)) (not one))) one)))
-  (reduce (lambda (this [f any? undefined] . start)
+  (reduce (fn-rest this (f) start
     (fold this f (if (pair? start) (car start) undefined) 0 (count-of this) 1 (pair? start))))
-  (reduceRight (lambda (this [f any? undefined] . start)
+  (reduceRight (fn-rest this (f) start
     (fold this f (if (pair? start) (car start) undefined) (- (count-of this) 1) -1 -1 (pair? start)))))
 
 ; ---- String ----
 
-(define String (lambda (this . values) (if (pair? values) (to-string (car values)) "")))
+(define String (fn-rest this () values (if (pair? values) (to-string (car values)) "")))
 (constructor! String string-prototype
   (lambda values
     (let* ((s (if (pair? values) (to-string (car values)) "")) (o (new-object 'String string-prototype s)))
@@ -238,7 +241,7 @@
       (hide! o)
       o)))
 (own-put! (function-object String) 'fromCharCode
-  (lambda (this . codes)
+  (fn-rest this () codes
     (list->string (map (lambda (c)
       (let ((n (modulo (to-unsigned c) 65536)))
         (if (and (>= n #xD800) (< n #xE000)) (range-error "String.fromCharCode: half of a surrogate pair is no character") (integer->char n)))) codes))))
@@ -267,7 +270,7 @@
   (valueOf (fn this () (own-text this)))
   (charAt (fn this (i) (let ((c (character-at (own-text this) i))) (if c (string c) ""))))
   (charCodeAt (fn this (i) (let ((c (character-at (own-text this) i))) (if c (inexact (char->integer c)) nan))))
-  (concat (lambda (this . values) (apply string-append (own-text this) (map to-string values))))
+  (concat (fn-rest this () values (apply string-append (own-text this) (map to-string values))))
   (indexOf (fn this (part from)
     (let* ((s (own-text this)) (i (find-text s (to-string part) (between from (string-length s))))) (if i (inexact i) -1.))))
   (lastIndexOf (fn this (part from)
@@ -298,13 +301,13 @@
   (replace (fn this (part by)
     (let* ((s (own-text this)) (part (to-string part)) (i (find-text s part 0)))
       (if i
-          (string-append (substring s 0 i) (if (procedure? by) (to-string (by undefined part (inexact i) s)) (to-string by))
+          (string-append (substring s 0 i) (if (procedure? by) (to-string (by part (inexact i) s)) (to-string by))
                          (substring s (+ i (string-length part)) (string-length s)))
           s)))))
 
 ; ---- Number and Boolean ----
 
-(define Number (lambda (this . values) (if (pair? values) (to-number (car values)) 0.)))
+(define Number (fn-rest this () values (if (pair? values) (to-number (car values)) 0.)))
 (constructor! Number number-prototype
   (lambda values (new-object 'Number number-prototype (if (pair? values) (to-number (car values)) 0.))))
 (methods! (function-object Number)
@@ -312,6 +315,7 @@
 
 (define (own-number this)
   (cond ((flonum? this) this)
+        ((number? this) (inexact this))
         ((and (object? this) (eq? (object-kind this) 'Number)) (object-datum this))
         (else (type-error "Number.prototype.valueOf requires that 'this' be a Number"))))
 
@@ -421,7 +425,7 @@
 (define-syntax numeric2 (syntax-rules () ((_ (x y) body) (fn this (v w) (let* ((x (to-number v)) (y (to-number w))) body)))))
 
 (define (extreme start better?)
-  (lambda (this . values)
+  (fn-rest this () values
     (let loop ((l (map to-number values)) (v start))
       (cond ((null? l) v)
             ((or (nan? v) (nan? (car l))) (loop (cdr l) nan))
@@ -488,5 +492,5 @@
           (loop (cdr l) #f))))
   (newline)
   undefined)
-(define print (lambda (this . values) (print-line values)))
+(define print (fn-rest this () values (print-line values)))
 (define console (object 'log print))

@@ -10,7 +10,8 @@
         ((vector? v) (list->array (map from-native (vector->list v))))
         (else v)))
 
-(define (native-property v key) undefined)
+; A list or a vector of the language is read as an array is.
+(define (native-property v key) (if (or (pair? v) (vector? v)) (let ((a (from-native v))) (if (array? a) (get a key) undefined)) undefined))
 (define (native-text v) (call-with-output-string (lambda (port) (display v port))))
 
 ; ---- values for the language ----
@@ -56,9 +57,9 @@
 (define geo_extrude
   (fn this (profile amount)
     (do-extrude (if (array? profile) (make-polygon (points "geo_extrude" profile)) profile) (to-vector "geo_extrude" amount))))
-(define geo_union (lambda (this . values) (apply unite (flat values))))
-(define geo_intersection (lambda (this . values) (apply intersect (flat values))))
-(define geo_difference (lambda (this . values) (apply subtract (flat values))))
+(define geo_union (fn-rest this () values (apply unite (flat values))))
+(define geo_intersection (fn-rest this () values (apply intersect (flat values))))
+(define geo_difference (fn-rest this () values (apply subtract (flat values))))
 (define geo_move (fn this (o v) (do-move o (to-vector "geo_move" v))))
 (define geo_rotate
   (fn this (o p axis angle) (do-rotate o (to-point "geo_rotate" p) (to-vector "geo_rotate" axis) angle)))
@@ -71,7 +72,7 @@
 (define geo_volume (fn this (o) (inexact (volume o))))
 (define geo_area (fn this (o) (inexact (area o))))
 (define geo_centroid (fn this (o) (from-point (centroid o))))
-(define geo_draw (lambda (this . values) (for-each draw (flat values)) undefined))
+(define geo_draw (fn-rest this () values (for-each draw (flat values)) undefined))
 
 ; ---- GUI: var x = gui_number(...) at top level is a parameter of the model ----
 

@@ -8,13 +8,14 @@
   (cond ((boolean? v) v)
         ((flonum? v) (not (or (= v 0.) (nan? v))))
         ((string? v) (not (eq? (string-length v) 0)))
+        ((number? v) (not (= v 0)))
         (else (not (or (eq? v undefined) (null? v))))))
 
 (define (nothing? v) (or (eq? v undefined) (null? v)))
 
 (define (type-of v)
   (cond ((flonum? v) "number") ((string? v) "string") ((boolean? v) "boolean") ((eq? v undefined) "undefined")
-        ((procedure? v) "function") (else "object")))
+        ((procedure? v) "function") ((number? v) "number") (else "object")))
 
 (define (type-of-unknown thunk)
   (type-of (catch thunk (lambda (e) undefined))))
@@ -23,7 +24,7 @@
   (let ((try (lambda (name next)
                (let ((f (get v name)))
                  (if (procedure? f)
-                     (let ((r (f v))) (if (compound? r) (next) r))
+                     (let ((r (f #:this v))) (if (compound? r) (next) r))
                      (next))))))
     (try first (lambda () (try second (lambda () (type-error "Cannot convert object to primitive value")))))))
 
@@ -35,6 +36,7 @@
         ((boolean? v) (if v "true" "false"))
         ((eq? v undefined) "undefined")
         ((null? v) "null")
+        ((number? v) (number-text (inexact v)))
         ((symbol? v) (symbol->string v))
         ((compound? v) (to-string (to-primitive v 'toString 'valueOf)))
         (else (native-text v))))
@@ -191,9 +193,11 @@
 (define (less-equal a b) (compare a b string<=? (lambda (a b) (<= a b))))
 (define (more-equal a b) (compare a b string>=? (lambda (a b) (>= a b))))
 
+; Numbers of the language that are exact come from its own procedures.
 (define (same a b)
-  (cond ((flonum? a) (and (flonum? b) (= a b)))
+  (cond ((flonum? a) (and (number? b) (= a b)))
         ((string? a) (and (string? b) (string=? a b)))
+        ((number? a) (and (number? b) (= a b)))
         (else (eq? a b))))
 
 (define (equal a b)
@@ -207,4 +211,6 @@
         ((and (string? a) (flonum? b)) (= (text-number a) b))
         ((and (or (flonum? a) (string? a)) (compound? b)) (equal a (primitive b)))
         ((and (compound? a) (or (flonum? b) (string? b))) (equal (primitive a) b))
+        ((and (number? a) (not (flonum? a))) (equal (inexact a) b))
+        ((and (number? b) (not (flonum? b))) (equal a (inexact b)))
         (else (eq? a b))))

@@ -1,5 +1,5 @@
 ; The values of a script and what belongs to them. Numbers are doubles, strings are strings, true and false are booleans, functions are procedures
-; whose first argument is `this`; undefined is the unspecific value, null the empty list. Objects and arrays are records.
+; that get `this` by keyword; undefined is the unspecific value, null the empty list. Objects and arrays are records.
 ; A property's key is a symbol, so that keys are compared by eq?.
 
 (define undefined (if #f #f))
@@ -237,6 +237,7 @@
         ((boolean? v) (found (lookup boolean-prototype key)))
         ((eq? v undefined) (type-error "Cannot read properties of undefined (reading '" (key-name key) "')"))
         ((null? v) (type-error "Cannot read properties of null (reading '" (key-name key) "')"))
+        ((number? v) (found (lookup number-prototype key)))
         (else (native-property v key))))
 
 (define (js-length v)
@@ -431,7 +432,7 @@
   (let ((maker (hash-get constructors f #f)))
     (if maker
         (apply maker arguments)
-        (let* ((p (get f 'prototype)) (o (new-object 'Object (if (compound? p) p object-prototype) #f)) (r (apply f o arguments)))
+        (let* ((p (get f 'prototype)) (o (new-object 'Object (if (compound? p) p object-prototype) #f)) (r (apply-self f arguments o)))
           (if (compound? r) r o)))))
 
 ; What `new` does with the functions that scripts are given: a table from the function to a procedure without `this`.
