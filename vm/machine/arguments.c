@@ -217,9 +217,9 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
     for (size_t i = given; i > most; i--)
       if (!vs_cons(vm, a[i - 1], r[0], &r[0])) return false;
   for (size_t i = given; i < most; i++) a[i] = VS_ABSENT;
+  const vs_value *keyword = vs_as_vector(code->params)->at + most;
   if (self) a[most] = r[1];
-  else if (code->keywords && !place(vm, code->name, kw, vs_as_vector(code->params)->at + most, code->keywords, a + most))
-    return false;
+  else if (code->keywords && !place(vm, code->name, kw, keyword, code->keywords, a + most)) return false;
   if (has_rest) a[rest] = r[0];
   return true;
 }

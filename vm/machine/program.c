@@ -555,8 +555,8 @@ static bool begin_program(vs_scheme *vm, const char *name) {
   return vs_file_number(vm, name, strlen(name), &vm->program_file) && forget_unfinished(vm);
 }
 
-/* A script sees its own library only. Text of this language that follows it, at the prompt or by -e, sees what a program
-   sees as well, behind what the script has. */
+/* A script sees its own library only. Text of this language that follows it, at the prompt or by -e, also sees the
+   names of a program; the script's own names win. */
 static bool beside_script(vs_scheme *vm, const char *name) {
   vs_value clash;
   bool own;
