@@ -38,7 +38,8 @@ OBJECTS   = $(LIB_OBJ) $(CLI_OBJ)
 # Files that go into the library as they are: NAME.EXT is const char vs_asset_NAME_EXT[] up to vs_asset_NAME_EXT_end[]. They have a section of their
 # own, vs_files, so that the constants that a start reads lie together. The viewer's scripts are bundled with three.js by esbuild, both from npm (scripts/install.sh); without them the bundle is empty, and writing a page says so.
 ASSETS    = backends/page/page.html backends/page/viewer.css $(BUILD)/viewer.js
-BUNDLE    = node_modules/.bin/esbuild --bundle --minify --format=iife --target=es2022 --legal-comments=eof --log-level=warning
+ESBUILD   = $(firstword $(wildcard node_modules/@esbuild/*/bin/esbuild))
+BUNDLE    = $(ESBUILD) --bundle --minify --format=iife --target=es2022 --legal-comments=eof --log-level=warning
 
 
 all: $(BUILD)/libvisualscheme.a $(BUILD)/vs ## build the library and the program, build/vs
@@ -65,11 +66,11 @@ LIVE_ASSETS = backends/page/live/live.html $(BUILD)/live.css $(BUILD)/live.js
 
 $(BUILD)/viewer.js: backends/page/page.js $(wildcard backends/page/*.js) package.json $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)
-	@if [ -x node_modules/.bin/esbuild ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
+	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
 
 $(BUILD)/live.js: backends/page/live/live.js $(wildcard backends/page/*.js backends/page/live/*.js) package.json $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)
-	@if [ -x node_modules/.bin/esbuild ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
+	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
 
 $(BUILD)/live.css: backends/page/live/live.css backends/page/viewer.css
 	@mkdir -p $(@D)
@@ -196,7 +197,7 @@ $(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/exrdiff $(BUILD)/tools
 
 T       ?= 60
 fuzz: ## install clang's libFuzzer and let each fuzzer of tests/fuzz run T seconds (60); FUZZ="reader emit": only these
-	sh scripts/install.sh build fuzz
+	BUILD=$(BUILD) sh scripts/install.sh build fuzz
 	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang OPT="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined" LDFLAGS="-Wl,--no-as-needed -lstdc++" fuzzers
 	$(MAKE) $(FUZZERS:%=$(BUILD)/tools/replay_%)
 	sh tests/fuzz.sh $(BUILD)/fuzz $(T) $(BUILD)
@@ -222,17 +223,17 @@ coverage: ## which lines the tests reach: gcov over vm, model, kernel and bind
 # ---- what a fresh machine needs: scripts/packages.list, installed by the two commands below and by nothing else ----
 
 demo: ## install what is missing, build, and make a picture, a web page, a program and a mesh of a station under out/
-	sh scripts/install.sh build workers
+	BUILD=$(BUILD) sh scripts/install.sh build workers
 	$(MAKE) -j$(shell nproc) all
 	sh scripts/demo.sh $(BUILD)/vs
 
 test: ## install what the tests need, build, run them: of long ones a sample
-	sh scripts/install.sh build workers tests
+	BUILD=$(BUILD) sh scripts/install.sh build workers tests
 	$(MAKE) -j$(shell nproc) EXTRA="$(EXTRA) -Werror" all units $(TOOL_BIN)
 	$(MAKE) tests
 
 check: ## as test, and the long ones whole: every shape in every variant; SEEDS=FROM-TO: the kernel's random trees of these seeds, in place of 1-3000
-	sh scripts/install.sh build workers tests
+	BUILD=$(BUILD) sh scripts/install.sh build workers tests check
 	$(MAKE) tests LONG=1
 	$(MAKE) sanitized
 
@@ -262,7 +263,7 @@ tsan: ## what runs in threads under the thread sanitizer: interpreters side by s
 	! cat $(BUILD)/tsan/race.* 2>/dev/null
 
 static: ## what cppcheck, clang's analyzer and gcc -fanalyzer find where strangers' input is met, and nobody has judged yet
-	sh scripts/install.sh build static
+	BUILD=$(BUILD) sh scripts/install.sh build static
 	sh scripts/static.sh
 
 # The kernel alone, under both: its units, a sample of its random trees, and files as the program writes them.
@@ -291,7 +292,7 @@ $(BUILD)/measure: bench/measure.c
 	$(CC) $(CFLAGS) $< -o $@
 
 bench: ## install Guile, Lua and Chez Scheme, and measure beside them: programs, start-up, passes, growth; the kernel beside Manifold and OpenSCAD: half an hour
-	sh scripts/install.sh build bench
+	BUILD=$(BUILD) sh scripts/install.sh build bench
 	$(MAKE) all $(BUILD)/measure
 	sh bench/startup.sh $(BUILD)/vs
 	sh bench/run.sh $(BUILD)/vs $(BUILD)/measure

@@ -1,11 +1,14 @@
 #!/bin/sh
 # Owns the demonstration: one model, the Gare do Oriente, as a picture, a web page, an OpenSCAD program and a mesh to print.
-# A file that cannot be made (a page, when npm could not fetch the viewer) is reported by vs; the others are made all the same, and the exit code is vs's.
+# Where npm could not fetch the viewer there is no page, and the last line says why (scripts/install.sh wrote it down). The exit code is vs's.
 set -u
 vs=$1
+build=$(dirname "$vs") name=gare-do-oriente status=0
 mkdir -p out
-name=gare-do-oriente status=0
-"$vs" examples/$name.vs -o out/$name.png -o out/$name.html -o out/$name.scad -o out/$name.stl || status=$?
+page="-o out/$name.html"
+[ -s "$build/viewer.js" ] || { page=; rm -f "out/$name.html"; }
+echo "Making out/$name.png with POV-Ray, a minute or some, and $([ -z "$page" ] || echo "a page, ")a program and a mesh"
+"$vs" examples/$name.vs -o out/$name.png $page -o out/$name.scad -o out/$name.stl || status=$?
 tell() { [ ! -f "out/$name.$1" ] || printf '  out/%-22s %s\n' "$name.$1" "$2"; }
 echo
 echo "Made from examples/$name.vs:"
@@ -13,4 +16,5 @@ tell png "the picture"
 tell html "open it in a browser and turn the model"
 tell scad "open it in OpenSCAD"
 tell stl "a closed mesh, ready to print"
+[ -n "$page" ] || echo "warning: no web page: $(cat "$build/no-page" 2> /dev/null || echo "built without what npm fetches"); make demo tries again" >&2
 exit $status

@@ -1,36 +1,60 @@
 #!/bin/sh
-# Owns getting a machine ready: installs the packages of scripts/packages.list for the purposes named, and what comes from npm: the viewer's parts when building.
-# Does nothing, and asks for nothing, when all is there. Debian and Ubuntu; elsewhere it says what is needed.
+# Owns getting a machine ready: installs the packages of scripts/packages.list for the purposes named, and fetches what comes from npm: the viewer's parts
+# when building, what tests/package.json names for the tests. Does nothing, and asks for nothing, when all is there. Debian and Ubuntu; elsewhere it says
+# what is needed. Where npm can fetch nothing all goes on: BUILD/no-page then says why there will be no web page.
 set -u
 cd "$(dirname "$0")/.." || exit 1
+build=${BUILD:-build} purposes=" $* "
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
 
-have() { command -v "$1" >/dev/null 2>&1; }
-installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'; }
-
-# The sets a purpose needs, in the list's order; the ? is kept.
-wanted() {
-  for purpose in "$@"; do awk -v p="$purpose" '$1 == p { print $2 }' scripts/packages.list; done
-}
-
+have() { command -v "$1" > /dev/null 2>&1; }
+wants() { case $purposes in *" $1 "*) return 0 ;; *) return 1 ;; esac; }
+installed() { dpkg-query -W -f '${Status}' "$1" 2> /dev/null | grep -q 'install ok installed'; }
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 by_hand() {
   echo "Please install these by hand, then run make again:" >&2
   echo "  $*" >&2
   exit 1
 }
 
-as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
+# Prints every ten seconds how far a command is: reads its log with the awk program and prints that line. Ends with `watched`.
+watch_log() { (while sleep 10 > /dev/null 2>&1; do awk "$1" "$work/log"; done) & watcher=$!; }
+watched() { kill "$watcher" 2> /dev/null; wait "$watcher" 2> /dev/null; }
+
+# ---- what is missing: must as the build needs it, may where something is skipped without ----
 
 must= may=
-for package in $(wanted "$@"); do
-  name=${package%\?}
-  if have dpkg-query && installed "$name"; then continue; fi
-  case $package in *\?) may="$may $name" ;; *) must="$must $name" ;; esac
+for purpose in $purposes; do
+  for package in $(awk -v p="$purpose" '$1 == p { print $2 }' scripts/packages.list); do
+    name=${package%\?}
+    case " $must $may " in *" $name "*) continue ;; esac
+    if have dpkg-query && installed "$name"; then continue; fi
+    case $package in *\?) may="$may $name" ;; *) must="$must $name" ;; esac
+  done
 done
 
-# npm fetches three.js and esbuild, of which the viewer inside our web pages is made. Where there is an npm, Debian's is never installed: it would break the other.
-case " $* " in *" build "*)
-  { [ -d node_modules/three ] && [ -d node_modules/esbuild ]; } || have npm || must="$must nodejs npm" ;;
-esac
+viewer= checkers=
+if wants build && ! { [ -d node_modules/three ] && [ -d node_modules/esbuild ]; }; then viewer=1; fi
+if wants tests && ! { [ -d tests/node_modules/playwright-core ] && [ -d tests/node_modules/gltf-validator ]; }; then checkers=--omit=optional; fi
+if wants check && ! [ -d tests/node_modules/x_ite ]; then checkers=--include=optional; fi
+# Where there is a node, Debian's is never installed: it would break the other.
+if [ -n "$viewer$checkers" ] || wants tests; then have node || may="$may nodejs"; fi
+
+# ---- Debian's packages ----
+
+apt() { as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -q -y --no-install-recommends -o APT::Keep-Downloaded-Packages=false "$@" > "$work/log" 2>&1; }
+# Says how much will come, and then how far it is.
+install() {
+  env LC_ALL=C apt-get --assume-no --no-install-recommends install "$@" 2> /dev/null | awk '
+    / newly installed/ { n = $3 } /^Need to get/ { get = $4 " " $5; sub(/.*\//, "", get) } /^After this operation/ { disk = $4 " " $5 }
+    END { if (n) printf "  %d packages with what they need: %s to fetch, %s on the disk\n", n, get ? get : "nothing", disk }'
+  watch_log '/^Get:/ { got++ } /^Unpacking / { unpacked++ } /^Setting up / { ready++ } END { printf "  fetched %d, unpacked %d, set up %d\n", got, unpacked, ready }'
+  apt install "$@"; status=$?
+  watched
+  return $status
+}
 
 if [ -n "$must$may" ]; then
   have apt-get || by_hand $must $may
@@ -42,25 +66,72 @@ if [ -n "$must$may" ]; then
 fi
 if [ -n "$must$may" ]; then
   echo "Installing with apt-get:$must$may"
-  log=$(mktemp) || exit 1
-  trap 'rm -f "$log"' EXIT
-  apt() { as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends "$@" > "$log" 2>&1; }
   apt update || echo "apt-get update failed; trying with what is known" >&2
-  if [ -n "$must" ] && ! apt install $must; then
-    tail -n 5 "$log" >&2
-    by_hand $must
-  fi
+  there=
   for name in $may; do
-    apt install "$name" || echo "Could not install $name; the tests that need it will be skipped" >&2
+    if apt-cache policy "$name" 2> /dev/null | grep -q 'Candidate: [^(]'; then there="$there $name"
+    else echo "There is no $name here; the tests that need it will be skipped" >&2; fi
   done
+  if [ -n "$must$there" ] && ! install $must $there; then
+    if [ -n "$must" ] && ! install $must; then
+      tail -n 5 "$work/log" >&2
+      by_hand $must
+    fi
+    for name in $there; do
+      installed "$name" || apt install "$name" || echo "Could not install $name; the tests that need it will be skipped" >&2
+    done
+  fi
 fi
 
-# Packages from npm: the viewer inside our pages when building; a browser's driver and the checker of .glb files for the tests.
-fetch() {
-  [ -d "node_modules/$1" ] && return
-  echo "Fetching $1 with npm"
-  npm ci --ignore-scripts --no-audit --no-fund --loglevel=error > /dev/null || echo "npm could not fetch $1: $2; run 'npm ci --ignore-scripts' and build again" >&2
+# ---- packages from npm ----
+
+# Debian's npm depends on 360 packages, most of them for compiling addons and for developing node's modules, which fetching does not do. Where there is no npm,
+# the package and what it runs are unpacked into a folder that goes when this script ends: apt takes the following for installed.
+unused="gyp libnode-dev webpack node-babel7 eslint istanbul node-core-js node-lodash handlebars node-jest-debbundle node-terser node-postcss"
+npm=
+borrow_npm() {
+  mkdir -p "$work/npm/debs/partial"
+  { cat /var/lib/dpkg/status
+    for name in $unused; do
+      printf '\nPackage: %s\nStatus: install ok installed\nVersion: 9999\nArchitecture: all\nMaintainer: nobody\nDescription: not needed\n' "$name"
+    done; } > "$work/npm/status"
+  env LC_ALL=C apt-get -q -y --no-install-recommends -o Debug::NoLocking=true -o Dir::State::status="$work/npm/status" \
+    -o Dir::Cache="$work/npm" -o Dir::Cache::archives="$work/npm/debs" --download-only install npm > "$work/log" 2>&1 || return 1
+  echo "Borrowing Debian's npm, which is not kept: $(ls "$work"/npm/debs/*.deb | wc -l) packages, $(du -sh "$work/npm/debs" | cut -f1)"
+  for deb in "$work"/npm/debs/*.deb; do dpkg-deb -x "$deb" "$work/npm/root" || return 1; done
+  export NODE_PATH="$work/npm/root/usr/share/nodejs"
+  npm="node $NODE_PATH/npm/bin/npm-cli.js"
+  $npm --version > "$work/log" 2>&1
 }
-case " $* " in *" build "*) fetch three "web pages (.html) will not be available"; fetch esbuild "web pages (.html) will not be available" ;; esac
-case " $* " in *" tests "*) fetch gltf-validator "the test of .glb files will be skipped"; fetch playwright-core "the tests of pages will be skipped" ;; esac
+
+# fetch FOLDER OPTION: what the folder's package-lock.json names, each held to its checksum there. Sets why where that fails.
+why=
+fetch() {
+  if [ -z "$npm" ]; then
+    if ! have node; then why="there is no node (package nodejs)"; return 1; fi
+    if have npm; then npm=npm
+    elif ! have apt-get || ! borrow_npm; then npm= why="there is no npm, and apt-get could not fetch it"; return 1; fi
+  fi
+  # Of the optional ones it is one: esbuild's program for this machine, or what only make check needs.
+  all=$(awk '/^    "node_modules\// { n++ } /^      "optional": true/ { n-- } END { print n }' "$1/package-lock.json")
+  [ "$2" = --omit=optional ] || all=$((all + 1))
+  echo "Fetching $all packages with npm into $1/node_modules"
+  watch_log '/http fetch GET 200/ { got++ } END { printf "  fetched %d\n", got }'
+  timeout 600 $npm ci --prefix "$1" "$2" --ignore-scripts --no-audit --no-fund --no-update-notifier --loglevel=http --cache "$work/cache" \
+    --fetch-retries=1 --fetch-retry-mintimeout=2000 --fetch-timeout=60000 > "$work/log" 2>&1
+  status=$?
+  watched
+  if [ $status = 0 ]; then echo "  $(du -sh "$1/node_modules" | cut -f1) on the disk"; return 0; fi
+  why=$(sed -n 's/^npm [Ee][Rr][Rr][^ ]* //p' "$work/log" | awk '/reason: / { print; found = 1; exit } !/^code |^errno / && !first { first = $0 } END { if (!found) print first }' | head -n 1)
+  if [ $status = 124 ]; then why="npm fetched for ten minutes without an end"; else why="npm could not fetch it: ${why:-it ended with $status}"; fi
+  return 1
+}
+
+if [ -n "$viewer" ]; then
+  mkdir -p "$build"
+  if fetch . --omit=dev; then rm -f "$build/no-page"; else echo "$why" > "$build/no-page"; fi
+fi
+if [ -n "$checkers" ]; then
+  fetch tests "$checkers" || echo "Tests in a browser and of .glb files will be skipped: $why" >&2
+fi
 exit 0

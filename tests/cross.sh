@@ -156,7 +156,7 @@ EOF
   else echo "skip cross/povray:$variant: no povray (package povray)"; fi
 
   if ! command -v chromium > /dev/null; then echo "skip cross/x3d:$variant: no chromium (package chromium)"
-  elif [ ! -d node_modules/playwright-core ] || [ ! -d node_modules/three ]; then echo "skip cross/x3d:$variant: no viewer or no playwright-core (npm ci --ignore-scripts)"
+  elif [ ! -d tests/node_modules/playwright-core ] || [ ! -d node_modules/three ]; then echo "skip cross/x3d:$variant: no viewer or no playwright-core (npm ci --prefix tests --ignore-scripts)"
   else
     timeout 300 node tests/page/silhouette.mjs "$work/sheet.html" $pixels "$work/x3d.png" > "$work/said" 2>&1 || { result cross/x3d:$variant "$work/said"; continue; }
     "$tools/sheetview" "$table" "$work/standin.stl" "$work/sheet.x3d" "$work/x3d.png" x3d "$BUILD/cross/x3d-$variant.png"

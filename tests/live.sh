@@ -9,7 +9,7 @@ if command -v script > /dev/null; then
   timeout 200 node tests/page/follow.mjs "$BUILD/vs" "$work/prompt" || echo "not ok live/view at the prompt: ended with $?"
 else echo "skip live/view at the prompt: no script (package bsdutils)"; fi
 timeout 200 node tests/page/live.mjs "$BUILD/vs" "$work" || echo "not ok live: ended with $?"
-if command -v chromium > /dev/null && [ -d node_modules/playwright-core ]; then
+if command -v chromium > /dev/null && [ -d tests/node_modules/playwright-core ]; then
   mkdir "$work/tutorial"
   timeout 400 node tests/page/tutorial.mjs "$BUILD/vs" "$work/tutorial" || echo "not ok live/browser:tutorial: ended with $?"
   timeout 400 node tests/page/live_browser.mjs "$BUILD/vs" "$work/browser" || echo "not ok live/browser: ended with $?"
@@ -20,5 +20,5 @@ if command -v chromium > /dev/null && [ -d node_modules/playwright-core ]; then
   timeout 400 node tests/page/live_runs.mjs "$BUILD/vs" "$work/runs" || echo "not ok live/browser: runs ended with $?"
   timeout 400 node tests/page/live_output.mjs "$BUILD/vs" "$work/output" || echo "not ok live/browser: output ended with $?"
 else
-  echo "skip live/browser: no chromium (package chromium) or no playwright-core (npm ci --ignore-scripts)"
+  echo "skip live/browser: no chromium (package chromium) or no playwright-core (npm ci --prefix tests --ignore-scripts)"
 fi

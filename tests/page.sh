@@ -1,14 +1,10 @@
 # Owns the test of web pages: every example as a page in Chromium, by playwright-core (tests/page/page.mjs). Small parameters where a model is large.
 case page in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v chromium > /dev/null || { echo "skip page: no chromium (package chromium)"; exit 0; }
-[ -d node_modules/playwright-core ] && [ -d node_modules/three ] || { echo "skip page: no playwright-core or no viewer (npm ci --ignore-scripts)"; exit 0; }
+[ -d tests/node_modules/playwright-core ] && [ -d node_modules/three ] || { echo "skip page: no playwright-core or no viewer (make check fetches both)"; exit 0; }
 . tests/report.sh
-# What is left out of a picture, and how a tree becomes parts, need no browser; in one file, because the viewer's own are modules without saying so.
-for name in budget parts; do
-  if node_modules/.bin/esbuild tests/page/$name.mjs --bundle --platform=node --format=esm --log-level=error --outfile="$work/$name.mjs"; then
-    node "$work/$name.mjs" || echo "not ok page/$name: ended with $?"
-  else echo "not ok page/$name: esbuild"; fi
-done
+# What is left out of a picture, and how a tree becomes parts, need no browser.
+for name in budget parts; do node tests/page/$name.mjs || echo "not ok page/$name: ended with $?"; done
 for model in examples/*.vs; do
   name=$(basename "$model" .vs)
   case $name in city) set -- -D blocks=2 -D tallest=6 ;; *) set -- ;; esac
@@ -80,8 +76,8 @@ if [ "$size" -le 900000 ]; then echo "ok page/size of an almost empty page"; els
 "$BUILD/vs" --quiet "$work/x3d/kinds.vs" -o "$work/x3d/kinds.x3d" || echo "not ok page/x3d:kinds: ended with $?"
 "$BUILD/vs" --quiet -D rows=1 -D columns=2 examples/gare-do-oriente.vs -o "$work/x3d/gare.x3d" || echo "not ok page/x3d:gare: ended with $?"
 for name in arcade doric-columns; do "$BUILD/vs" --quiet examples/$name.vs -o "$work/x3d/$name.x3d" || echo "not ok page/x3d:$name: ended with $?"; done
-if [ -d node_modules/x_ite ]; then timeout 300 node tests/page/x3d.mjs "$work/x3d" || echo "not ok page/x3d: ended with $?"
-else echo "skip page/x3d: no X_ITE (npm ci --ignore-scripts)"; fi
+if [ -d tests/node_modules/x_ite ]; then timeout 300 node tests/page/x3d.mjs "$work/x3d" || echo "not ok page/x3d: ended with $?"
+else echo "skip page/x3d: no X_ITE (npm ci --prefix tests --ignore-scripts)"; fi
 # Photographs on surfaces in other viewers.
 mkdir "$work/photographs" && cp tests/lang/lib/pictures/halves.png "$work/photographs/"
 cat > "$work/photographs/wall.vs" <<'EOF'
@@ -90,8 +86,8 @@ cat > "$work/photographs/wall.vs" <<'EOF'
 (sun #:azimuth 200 #:altitude 40)
 EOF
 "$BUILD/vs" --quiet "$work/photographs/wall.vs" -o "$work/photographs/wall.glb" -o "$work/photographs/wall.x3d" || echo "not ok page/photographs: ended with $?"
-if [ -d node_modules/x_ite ]; then timeout 300 node tests/page/photographs.mjs "$work/photographs" || echo "not ok page/photographs: ended with $?"
-else echo "skip page/photographs: no X_ITE (npm ci --ignore-scripts)"; fi
+if [ -d tests/node_modules/x_ite ]; then timeout 300 node tests/page/photographs.mjs "$work/photographs" || echo "not ok page/photographs: ended with $?"
+else echo "skip page/photographs: no X_ITE (npm ci --prefix tests --ignore-scripts)"; fi
 # The Web3D Consortium's schema is in no package: X3D_SCHEMA is its x3d-4.0.xsd, with the files that it includes beside it.
 if [ -f "${X3D_SCHEMA:-}" ]; then
   for name in kinds gare arcade doric-columns; do

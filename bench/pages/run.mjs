@@ -1,5 +1,5 @@
 // Measures web pages of models: ours, and X_ITE, <model-viewer> and x3dom showing the same model. `run.mjs VS FOLDER [MODEL ...]` writes the pages into FOLDER
-// and prints a table for bench/README.md. The other viewers are npm packages: `npm ci --ignore-scripts` here and at the root.
+// and prints a table for bench/README.md. The other viewers are npm packages: `npm ci --ignore-scripts` here, at the root and in tests.
 //
 // Seconds are those of all of Chromium's processes (user and system), so that other work on the machine counts little: to the first picture, and a frame of
 // turning the model, the mean of a few. WebGL is in software. A viewer that shows nothing in LIMIT seconds of the clock (120) has none. VIEWER="our page" measures one alone;
@@ -68,7 +68,7 @@ const types = { js: "text/javascript", css: "text/css", xml: "text/xml" };
 let model = "";
 const server = createServer((request, answer) => {
   const path = decodeURIComponent(new URL(request.url, "http://x").pathname);
-  const found = path === "/" ? null : path.startsWith("/model") && !path.endsWith(".js") ? model : path.startsWith("/x_ite/") ? `${root}/node_modules/x_ite/dist/${path.slice(7)}` : path.startsWith("/x3dom/") ? `${here}/node_modules/x3dom/${path.slice(7)}`
+  const found = path === "/" ? null : path.startsWith("/model") && !path.endsWith(".js") ? model : path.startsWith("/x_ite/") ? `${root}/tests/node_modules/x_ite/dist/${path.slice(7)}` : path.startsWith("/x3dom/") ? `${here}/node_modules/x3dom/${path.slice(7)}`
     : path === "/model-viewer.min.js" ? `${here}/node_modules/@google/model-viewer/dist/model-viewer.min.js` : null;
   if (path === "/") return answer.setHeader("Content-Type", "text/html").end(server.html);
   if (!found || !existsSync(found)) return answer.writeHead(404).end();

@@ -107,7 +107,7 @@ await test("the same locks", async (expect) => {
     expect(answer.status === status, `${what}: ${answer.status} ${String(answer.body).slice(0, 80)}`);
   }
 });
-if (existsSync("node_modules/playwright-core") && ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].some(existsSync)) {
+if (existsSync("tests/node_modules/playwright-core") && ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].some(existsSync)) {
   const { browser } = await import("./browser.mjs"), chromium = await browser();
   try {
     await test("the page shows it without a source", async (expect) => {

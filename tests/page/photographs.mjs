@@ -51,7 +51,7 @@ try {
   const xite = await context.newPage(), html = `<!DOCTYPE html><style>body{margin:0}x3d-canvas{display:block;width:${WIDTH}px;height:${HEIGHT}px}</style><script src="/x_ite.min.js"></script><x3d-canvas></x3d-canvas>`;
   await xite.route("http://viewer.test/**", (route) => {
     const path = new URL(route.request().url()).pathname;
-    return path === "/" ? route.fulfill({ contentType: "text/html", body: html }) : route.fulfill({ path: "node_modules/x_ite/dist" + path });
+    return path === "/" ? route.fulfill({ contentType: "text/html", body: html }) : route.fulfill({ path: "tests/node_modules/x_ite/dist" + path });
   });
   await xite.goto("http://viewer.test/");
   await xite.waitForFunction(() => document.querySelector("x3d-canvas").browser);

@@ -153,7 +153,7 @@ try {
   const html = `<!DOCTYPE html><title>X_ITE</title><link rel="icon" href="data:,"><style>body{margin:0}x3d-canvas{display:block;width:${WIDTH}px;height:${HEIGHT}px}</style><script src="/x_ite.min.js"></script><x3d-canvas></x3d-canvas>`;
   await theirs.route("http://viewer.test/**", (route) => {
     const path = new URL(route.request().url()).pathname;
-    return path === "/" ? route.fulfill({ contentType: "text/html", body: html }) : route.fulfill({ path: "node_modules/x_ite/dist" + path });
+    return path === "/" ? route.fulfill({ contentType: "text/html", body: html }) : route.fulfill({ path: "tests/node_modules/x_ite/dist" + path });
   });
   await theirs.goto("http://viewer.test/");
   await theirs.waitForFunction(() => document.querySelector("x3d-canvas").browser);

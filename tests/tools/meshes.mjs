@@ -2,7 +2,6 @@
 // and triangle sets (with its Shapes, copies counted); a .glb goes through the validator first. Ends with 1 and says why where the file is wrong.
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
-import { resolve } from 'node:path'
 
 const file = process.argv[2], bytes = readFileSync(file)
 const fail = text => { console.log(`${file}: ${text}`); process.exit(1) }
@@ -30,7 +29,7 @@ function words() {
 }
 
 async function glb() {
-  const validator = createRequire(resolve('package.json'))('gltf-validator')
+  const validator = createRequire(import.meta.url)('gltf-validator')
   const { issues } = await validator.validateBytes(new Uint8Array(bytes))
   if (issues.numErrors + issues.numWarnings > 0) fail(JSON.stringify(issues.messages.filter(m => m.severity < 2)))
   const length = bytes.readUInt32LE(12), scene = JSON.parse(bytes.toString('utf8', 20, 20 + length)), start = 28 + length

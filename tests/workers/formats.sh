@@ -22,10 +22,10 @@ same() { # name, what was printed, metres a unit, share of the volume that may d
 if command -v node > /dev/null; then
   same ply "$(node tests/tools/meshes.mjs "$work/m.ply" 2>&1)" 1 1e-6
   same stl-ascii "$(node tests/tools/meshes.mjs "$work/words.stl" 2>&1)" 1 1e-6
-  if [ -d node_modules/gltf-validator ]; then
+  if [ -d tests/node_modules/gltf-validator ]; then
     # copies keep the facets of their own size, and a curve and the region are there too: so the volume is not the same to the last digit
     same glb "$(node tests/tools/meshes.mjs "$work/m.glb" 2>&1)" 0.001 1e-3
-  else echo "skip formats:glb: no gltf-validator (npm ci --ignore-scripts)"; fi
+  else echo "skip formats:glb: no gltf-validator (npm ci --prefix tests --ignore-scripts)"; fi
 else echo "skip formats:ply, stl-ascii, glb: no node"; fi
 
 # Assimp reads it as other programs do, copies placed, and hands on what it made of it.
