@@ -11,7 +11,7 @@ for folder in tests/cli/*/; do
   name=cli/$(basename "$folder")
   case $name in *"$ONLY"*) ;; *) continue ;; esac
   rm -rf "$work/run" && cp -r "$folder" "$work/run"
-  (cd "$work/run" && rm -rf want stdout stderr code && timeout "${UNIT_SECONDS:-300}" sh ./cmd > "$work/stdout" 2> "$work/stderr" < /dev/null)
+  (cd "$work/run" && rm -rf want stdout stderr code && limited "${UNIT_SECONDS:-300}" sh ./cmd > "$work/stdout" 2> "$work/stderr" < /dev/null)
   status=$?
   if [ $status = 77 ]; then echo "skip $name: $(tail -n 1 "$work/stderr")"; continue; fi
   if [ -n "$BLESS" ]; then

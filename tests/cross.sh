@@ -29,7 +29,7 @@ everything() {
 # ---- no kind and no constructor without a row ----
 
 # Kinds of define-primitive have names of their own.
-timeout -s KILL 120 "$vs" --quiet $sheet -D task=kinds > "$work/met" 2> "$work/said"
+limited 120 "$vs" --quiet $sheet -D task=kinds > "$work/met" 2> "$work/said"
 result cross/table:read "$work/said"
 grep -q '(define-primitive (' tests/cross/shapes.vs && echo custom >> "$work/met"
 sed -n 's/^VS_KIND([A-Z_0-9]*, [a-z_0-9]*, "\([^"]*\)".*/\1/p' model/prims.def | while read -r kind; do
@@ -75,7 +75,7 @@ EOF
 : > "$work/why"
 outputs=; for f in dxf svg pdf html x3dv obj ply off 3mf; do outputs="$outputs -o $work/plan.$f"; done
 # shellcheck disable=SC2086
-timeout -s KILL 120 "$vs" --quiet -D appendix="$PWD/tests/cross/appendix-a.vs" --view roof "$work/plan.vs" $outputs > "$work/cells" 2> "$work/said" || cat "$work/said" > "$work/why"
+limited 120 "$vs" --quiet -D appendix="$PWD/tests/cross/appendix-a.vs" --view roof "$work/plan.vs" $outputs > "$work/cells" 2> "$work/said" || cat "$work/said" > "$work/why"
 grep warning: "$work/said" | grep -v 'are left out$' >> "$work/why"
 for f in $outputs; do [ "$f" = -o ] || [ -s "$f" ] || echo "$f is not written" >> "$work/why"; done
 [ "$(grep -c . "$work/cells")" -ge 60 ] || echo "only $(grep -c . "$work/cells") forms are in the plan" >> "$work/why"
@@ -100,7 +100,7 @@ result "cross/appendix:its forms in drawings and in the other formats" "$work/wh
 # ---- the tree of every shape, as git has it ----
 
 # long lists of points stand there as their length and checksum
-timeout -s KILL 120 "$vs" --quiet $sheet -D task=tree -o "$work/shapes.tree" > "$work/said" 2>&1
+limited 120 "$vs" --quiet $sheet -D task=tree -o "$work/shapes.tree" > "$work/said" 2>&1
 awk 'length($0) <= 600 { print; next } { printf "%s ... %d characters, ", substr($0, 1, 200), length($0); fflush(); print | "cksum"; close("cksum") }' "$work/shapes.tree" > "$work/shapes.short"
 [ -z "$BLESS" ] || cp "$work/shapes.short" tests/cross/shapes.tree
 diff tests/cross/shapes.tree "$work/shapes.short" > "$work/why"
@@ -111,16 +111,16 @@ result "cross/tree:golden" "$work/why"
 
 for variant in $variants; do
   table=$work/$variant.table mesh=$work/$variant.stl
-  timeout -s KILL 120 "$vs" --quiet $sheet -D task=measure -D variant=$variant > "$work/said" 2> "$work/why" || echo "ended with $?" >> "$work/why"
+  limited 120 "$vs" --quiet $sheet -D task=measure -D variant=$variant > "$work/said" 2> "$work/why" || echo "ended with $?" >> "$work/why"
   cat "$work/said"
   result cross/measure:$variant "$work/why"
 
-  if ! timeout -s KILL 120 "$vs" --quiet $sheet -D task=table -D variant=$variant > "$table" 2> "$work/why"; then result cross/table:$variant "$work/why"; continue; fi
-  timeout -s KILL 120 "$vs" --quiet --segments 128 $sheet -D variant=$variant -o "$mesh" > "$work/said" 2>&1 || { result cross/mesh:$variant:written "$work/said"; continue; }
+  if ! limited 120 "$vs" --quiet $sheet -D task=table -D variant=$variant > "$table" 2> "$work/why"; then result cross/table:$variant "$work/why"; continue; fi
+  limited 120 "$vs" --quiet --segments 128 $sheet -D variant=$variant -o "$mesh" > "$work/said" 2>&1 || { result cross/mesh:$variant:written "$work/said"; continue; }
   "$tools/sheetmesh" "$table" "$mesh"
 
   : > "$work/why"
-  timeout -s KILL 120 "$vs" --quiet $sheet -D variant=$variant -o "$work/sheet.tree" > "$work/said" 2>&1 || cat "$work/said" >> "$work/why"
+  limited 120 "$vs" --quiet $sheet -D variant=$variant -o "$work/sheet.tree" > "$work/said" 2>&1 || cat "$work/said" >> "$work/why"
   "$tools/reread" "$work/sheet.tree" 2>> "$work/why" || echo "reading back failed" >> "$work/why"
   result cross/tree:$variant "$work/why"
 
@@ -130,8 +130,9 @@ for variant in $variants; do
     : > "$work/results"
     cat > "$work/one" <<EOF
 index=\$1; shift; name=\$*; at=$work/scad-\$index
-timeout -s KILL 120 "$vs" --quiet --tolerance 0.01 $sheet -D variant=$variant -D one=\$index -o \$at.stl -o \$at.scad > \$at.said 2>&1
-timeout 200 openscad --export-format binstl -o \$at-theirs.stl \$at.scad > \$at.openscad 2>&1
+. tests/limited.sh
+limited 120 "$vs" --quiet --tolerance 0.01 $sheet -D variant=$variant -D one=\$index -o \$at.stl -o \$at.scad > \$at.said 2>&1
+limited 200 openscad --export-format binstl -o \$at-theirs.stl \$at.scad > \$at.openscad 2>&1
 grep -e ERROR: -e WARNING: \$at.openscad >> \$at.said
 difference=\$("$tools/sheetdiff" \$at.stl \$at-theirs.stl 0.02) || echo "\$difference" >> \$at.said
 if [ -s \$at.said ]; then echo "not ok cross/openscad:\$name"; sed 's/^/    /' \$at.said | head -n 8; else echo "ok cross/openscad:\$name"; fi > \$at.result
@@ -142,14 +143,14 @@ EOF
   else echo "skip cross/openscad:$variant: no openscad (package openscad)"; fi
 
   # ---- silhouettes ----
-  timeout -s KILL 120 "$vs" --quiet --tolerance 0.001 $sheet -D variant=$variant -D standin=#t -o "$work/standin.stl" > "$work/said" 2>&1 || { result cross/standin:$variant "$work/said"; continue; }
-  timeout -s KILL 120 "$vs" --quiet --quality draft --tolerance 0.01 --size ${pixels}x$pixels $sheet -D variant=$variant -o "$work/sheet.pov" -o "$work/sheet.x3d" -o "$work/sheet.html" > "$work/said" 2>&1 || { result cross/pictures:$variant "$work/said"; continue; }
+  limited 120 "$vs" --quiet --tolerance 0.001 $sheet -D variant=$variant -D standin=#t -o "$work/standin.stl" > "$work/said" 2>&1 || { result cross/standin:$variant "$work/said"; continue; }
+  limited 120 "$vs" --quiet --quality draft --tolerance 0.01 --size ${pixels}x$pixels $sheet -D variant=$variant -o "$work/sheet.pov" -o "$work/sheet.x3d" -o "$work/sheet.html" > "$work/said" 2>&1 || { result cross/pictures:$variant "$work/said"; continue; }
 
   if command -v povray > /dev/null; then
     # without its sky the background is transparent
     sed -e '/^sky_sphere/,/^}/d' -e '/^  radiosity/d' "$work/sheet.pov" > "$work/bare.pov"
     echo 'Library_Path="/usr/share/povray-3.7/include"' > "$work/povray.ini"
-    HOME=$work POVINI=$work/povray.ini timeout 200 povray "$work/bare.pov" +W$pixels +H$pixels -D +FN8 +UA +Q1 -A "+O$work/pov.png" > "$work/said" 2>&1
+    limited 200 env HOME="$work" POVINI="$work/povray.ini" povray "$work/bare.pov" +W$pixels +H$pixels -D +FN8 +UA +Q1 -A "+O$work/pov.png" > "$work/said" 2>&1
     grep -e 'Warning:' -e 'Error:' "$work/said" > "$work/why"
     result "cross/povray:$variant:no warning" "$work/why"
     "$tools/sheetview" "$table" "$work/standin.stl" "$work/sheet.pov" "$work/pov.png" povray "$BUILD/cross/povray-$variant.png"
@@ -158,7 +159,7 @@ EOF
   if ! command -v chromium > /dev/null; then echo "skip cross/x3d:$variant: no chromium (package chromium)"
   elif [ ! -d tests/node_modules/playwright-core ] || [ ! -d node_modules/three ]; then echo "skip cross/x3d:$variant: no viewer or no playwright-core (npm ci --prefix tests --ignore-scripts)"
   else
-    timeout 300 node tests/page/silhouette.mjs "$work/sheet.html" $pixels "$work/x3d.png" > "$work/said" 2>&1 || { result cross/x3d:$variant "$work/said"; continue; }
+    limited 300 node tests/page/silhouette.mjs "$work/sheet.html" $pixels "$work/x3d.png" > "$work/said" 2>&1 || { result cross/x3d:$variant "$work/said"; continue; }
     "$tools/sheetview" "$table" "$work/standin.stl" "$work/sheet.x3d" "$work/x3d.png" x3d "$BUILD/cross/x3d-$variant.png"
   fi
 done

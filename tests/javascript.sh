@@ -7,13 +7,13 @@ set -u
 
 asked_node() { # FILE OUT
   { echo 'function print() { console.log(Array.prototype.map.call(arguments, String).join(" ")); }'; cat "$1"; } > "$work/node.js"
-  timeout 60 node "$work/node.js" > "$2" 2> "$work/node.err" || tail -n 3 "$work/node.err" >> "$work/why"
+  limited 60 node "$work/node.js" > "$2" 2> "$work/node.err" || tail -n 3 "$work/node.err" >> "$work/why"
 }
 tried() { # NAME FILE OUT
   : > "$work/why"
   node=
   if command -v node > /dev/null && [ "$(head -n 1 "$2")" != "// no node" ]; then node=1; asked_node "$2" "$work/want"; fi
-  timeout 60 "$vs" "$2" > "$work/got" 2> "$work/err"
+  limited 60 "$vs" "$2" > "$work/got" 2> "$work/err"
   grep -v 'no objects' "$work/err" >> "$work/why"
   [ -z "$BLESS" ] || cp "$work/$([ -n "$node" ] && echo want || echo got)" "$3"
   [ -z "$node" ] || diff -u "$work/want" "$work/got" | sed 's/^/beside node: /' >> "$work/why"

@@ -17,7 +17,7 @@ for script in tests/lang/*.vs tests/lang/*/*.vs; do
   case $script in tests/lang/*/lib/*|tests/lang/lib/*) continue ;; esac
   args=$(sed -n 's/^; args: //p' "$script")
   # shellcheck disable=SC2086
-  timeout "${UNIT_SECONDS:-60}" "$BUILD/vs" --quiet $args "$script" > "$work/out" 2> "$work/err" < /dev/null
+  limited "${UNIT_SECONDS:-60}" "$BUILD/vs" --quiet $args "$script" > "$work/out" 2> "$work/err" < /dev/null
   status=$?
   awk -v script="$script" -v status="$status" -v errors="$work/err" -v output="$work/out" '
     function contains_at(kind, line, text,   i, prefix) {

@@ -2,11 +2,12 @@
 # Owns the runs of the programs that attack the limits: a sample; LONG=1 all of them. And what a stranger's model may do, and what fuzzers have found.
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
+. tests/limited.sh
 "$BUILD/tools/attack" "$BUILD/vs" tests/limits/attacks.txt "$folder" "$([ -n "${LONG:-}" ] && echo all || echo sample)" "${ATTACK:-}" || echo "not ok limits: ended with $?"
 sh tests/untrusted.sh
 sh tests/faults.sh
 for fuzzer in "$BUILD"/tools/replay_*; do
   [ -x "$fuzzer" ] || continue
   name=${fuzzer##*/replay_}
-  if timeout "$([ -n "${LONG:-}" ] && echo 3600 || echo 60)" "$fuzzer" -n "$([ -n "${LONG:-}" ] && echo 20000 || echo 100)" tests/fuzz/corpus/"$name"/* > "$folder/said" 2>&1; then echo "ok limits/fuzz-$name"; else echo "not ok limits/fuzz-$name: ended with $?"; tail -n 5 "$folder/said" | sed 's/^/    /'; fi
+  if limited "$([ -n "${LONG:-}" ] && echo 3600 || echo 60)" "$fuzzer" -n "$([ -n "${LONG:-}" ] && echo 20000 || echo 100)" tests/fuzz/corpus/"$name"/* > "$folder/said" 2>&1; then echo "ok limits/fuzz-$name"; else echo "not ok limits/fuzz-$name: ended with $?"; tail -n 5 "$folder/said" | sed 's/^/    /'; fi
 done

@@ -4,10 +4,11 @@ case live in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v node > /dev/null || { echo "skip live: no node (package nodejs)"; exit 0; }
 [ -d node_modules/three ] || { echo "skip live: built without the viewer (npm ci --ignore-scripts)"; exit 0; }
 . tests/report.sh
-if command -v script > /dev/null; then
+why=$(no_terminal)
+if [ -z "$why" ]; then
   mkdir "$work/prompt"
   timeout 200 node tests/page/follow.mjs "$BUILD/vs" "$work/prompt" || echo "not ok live/view at the prompt: ended with $?"
-else echo "skip live/view at the prompt: no script (package bsdutils)"; fi
+else echo "skip live/view at the prompt: $why"; fi
 timeout 200 node tests/page/live.mjs "$BUILD/vs" "$work" || echo "not ok live: ended with $?"
 if command -v chromium > /dev/null && [ -d tests/node_modules/playwright-core ]; then
   mkdir "$work/tutorial"

@@ -44,7 +44,7 @@ for list in twice missing unknown; do
 done
 
 # Every procedure that is called wrong says so under the name it was called by, and none runs for ever on a list without an end.
-timeout 300 "$BUILD/vs" --quiet --limit-time 280 tests/manual/wrong.vs < "$work/names" > "$work/said" 2> "$work/errors"
+limited 300 "$BUILD/vs" --quiet --limit-time 280 tests/manual/wrong.vs < "$work/names" > "$work/said" 2> "$work/errors"
 grep -c '^ok ' "$work/said" > "$work/count"
 grep -A 1 '^not ok' "$work/said"
 if [ "$(cat "$work/count")" -gt 600 ] && tail -n 1 "$work/said" | grep -q 'zoom-extents'; then echo "ok manual/wrong"
@@ -104,7 +104,7 @@ for page in manual/i-want-to.md manual/materials.md manual/drawings.md manual/co
   cat tests/manual/doctest.vs > "$work/page.vs"
   awk -v page="$name" -v tables="$tables" -f tests/manual/doctest.awk "$page" > "$work/calls"
   cat "$work/calls" >> "$work/page.vs"
-  timeout 60 "$BUILD/vs" --quiet "$work/page.vs" > "$work/said" 2> "$work/errors" < /dev/null
+  limited 60 "$BUILD/vs" --quiet "$work/page.vs" > "$work/said" 2> "$work/errors" < /dev/null
   cat "$work/said"
   [ "$(grep -c '^ok \|^not ok ' "$work/said")" = "$(wc -l < "$work/calls")" ] ||
     { echo "not ok manual/$name: stopped early"; sed 's/^/    /' "$work/errors"; }
@@ -129,7 +129,7 @@ if [ -s "$work/names" ] && [ -z "$missing" ]; then echo "ok manual/gml:operators
 for page in manual/primitives/*.md; do
   name=${page#manual/}
   awk '/^```scheme$/ { inside = 1; text = ""; next } /^```$/ { inside = 0 } inside { text = text $0 "\n" } END { printf "%s", text }' "$page" > "$work/example.vs"
-  if timeout 60 "$BUILD/vs" --quiet "$work/example.vs" -o "$work/out.pov" -o "$work/out.scad" -o "$work/out.x3d" > "$work/all" 2>&1 &&
+  if limited 60 "$BUILD/vs" --quiet "$work/example.vs" -o "$work/out.pov" -o "$work/out.scad" -o "$work/out.x3d" > "$work/all" 2>&1 &&
      awk '/curves are drawn as thin rods$/ { skip = 3 } skip-- > 0 { next } { print }' "$work/all" > "$work/said" && [ ! -s "$work/said" ]; then echo "ok manual/$name:program"
   else echo "not ok manual/$name:program"; sed 's/^/    /' "$work/all"; fi
 done

@@ -15,17 +15,19 @@ cd "$(dirname "$0")/.." || exit 1
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
 SUITES=${SUITES:-unit lang javascript cli shell editors prompt signals manual bad workers cross solids embed limits layers compilers${LONG:+ page live determinism}}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
+. tests/limited.sh
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-# cmocka's TAP: `ok 1 - name`, `not ok 1 - name`, `not ok 1 # SKIP name`. A program that dies has failed, whatever it said before.
+# cmocka's TAP: `ok 1 - name`, `not ok 1 - name`, `not ok 1 # SKIP name` behind the line `skip WHY` (tests/unit/skip.h). A program that dies has failed, whatever it said before.
 suite_unit() { # PROGRAM of BUILD/unit
   # A unit test may run workers: seconds, not minutes; unless all cases or many seeds were asked for, or a sanitizer slows it down.
-  CMOCKA_MESSAGE_OUTPUT=TAP timeout "$([ -z "${SEEDS:-}${LONG:-}" ] && echo "${UNIT_SECONDS:-300}" || echo 36000)" "$BUILD/unit/$1" > "$work/out" 2> "$work/err"
+  limited "$([ -z "${SEEDS:-}${LONG:-}" ] && echo "${UNIT_SECONDS:-300}" || echo 36000)" env CMOCKA_MESSAGE_OUTPUT=TAP "$BUILD/unit/$1" > "$work/out" 2> "$work/err"
   status=$?
   awk -v name="unit/$1" '
-    /^(not )?ok [0-9]+ .*# *SKIP/ { sub(/^.*# *SKIP */, ""); print "skip " name ":" $0; next }
+    /^skip /   { sub(/^skip /, ""); why = $0; next }
+    /^(not )?ok [0-9]+ .*# *SKIP/ { sub(/^.*# *SKIP */, ""); print "skip " name ":" $0 ": " why; next }
     /^ok /     { sub(/^ok [0-9]+ *-? */, "");     print "ok " name ":" $0; next }
     /^not ok / { sub(/^not ok [0-9]+ *-? */, ""); print "not ok " name ":" $0; bad = 1; next }
     bad && /^#/ { print "    " $0 }' "$work/out"
@@ -51,7 +53,7 @@ suite_page()      { sh tests/page.sh; }
 suite_live()      { sh tests/live.sh; }
 suite_cross()     { sh tests/cross.sh; }
 suite_solids()    { sh tests/solids.sh; }
-suite_bad()       { case $ONLY in ""|bad*) timeout 300 "$BUILD/tools/badcalls" tests/bad/calls.txt || echo "not ok bad: ended with $?" ;; esac; }
+suite_bad()       { case $ONLY in ""|bad*) limited 300 "$BUILD/tools/badcalls" tests/bad/calls.txt || echo "not ok bad: ended with $?" ;; esac; }
 suite_limits()    { sh tests/limits.sh; }
 suite_determinism() { sh tests/determinism.sh; }
 suite_embed()     { [ ! -f tests/embed.sh ] || sh tests/embed.sh; }

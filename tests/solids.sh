@@ -11,9 +11,9 @@ for kind in cell turned spelt; do
   for seed in $(seq "$([ -z "${LONG:-}" ] && echo 16 || echo 150)"); do
     "$BUILD/tools/fuzz" -p $kind "$seed" > "$work/tree.vs"
     rm -f "$work/tree.off"
-    timeout 60 "$vs" --quiet $here/suite.vs "$work/tree.vs" -o "$work/tree.off" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
+    limited 60 "$vs" --quiet $here/suite.vs "$work/tree.vs" -o "$work/tree.off" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
     # what the exact solid touches itself with is no fault, all else is
-    timeout 60 "$BUILD/tools/crossings" "$work/tree.off" | sed 's/, [0-9]* touching ([^)]*)$//' |
+    limited 60 "$BUILD/tools/crossings" "$work/tree.off" | sed 's/, [0-9]* touching ([^)]*)$//' |
       awk -v first="$(head -n 1 "$work/tree.vs")" '{ split(first, want); d = $NF - want[3] } !/ triangles, volume [^ ]*$/ || d > want[5] * want[3] || -d > want[5] * want[3]
         END { if (NR != 1) print "no mesh" }' >> "$work/said" 2>&1
     [ ! -s "$work/said" ] || { echo "seed $seed:"; cat "$work/said" "$work/tree.vs"; } >> "$work/why"
@@ -27,8 +27,8 @@ case solids/fine in *"$ONLY"*) # details finer than a format's numbers: the loss
 (define pits (for*/list ([i 10] [j 10]) (make-cylinder (xyz (+ 100 (* i 1e-3)) (* j 1e-3) 499.9999) 1 2e-4)))
 (draw (subtract (unite body bumps) pits))
 END
-  timeout 60 "$vs" --quiet "$work/fine.vs" -o "$work/fine.stl" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
-  timeout 60 "$BUILD/tools/crossings" "$work/fine.stl" > "$work/why"
+  limited 60 "$vs" --quiet "$work/fine.vs" -o "$work/fine.stl" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
+  limited 60 "$BUILD/tools/crossings" "$work/fine.stl" > "$work/why"
   if grep -q 'details are left out' "$work/said" && grep -q ' triangles, volume ' "$work/why" && ! grep -q ' crossing (' "$work/why"; then echo "ok solids/fine"
   else echo "not ok solids/fine"; cat "$work/said" "$work/why" | sed 's/^/    /'; fi ;;
 esac
@@ -43,9 +43,9 @@ case solids/radial in *"$ONLY"*) # holes whose flat ends meet in one axis: where
   (apply subtract (make-box (xyz -5 -5 0) (xyz 5 5 height)) (map (lambda (i) (hole step i)) (iota holes))))
 (draw (tower $tower))
 END
-    timeout 60 "$vs" --quiet "$work/radial.vs" -o "$work/radial.stl" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/why"
+    limited 60 "$vs" --quiet "$work/radial.vs" -o "$work/radial.stl" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/why"
     grep 'triangles meet others' "$work/said" >> "$work/why"
-    timeout 60 "$BUILD/tools/crossings" -q "$work/radial.stl" >> "$work/why" 2>&1
+    limited 60 "$BUILD/tools/crossings" -q "$work/radial.stl" >> "$work/why" 2>&1
   done
   if [ ! -s "$work/why" ]; then echo "ok solids/radial"; else echo "not ok solids/radial"; sed 's/^/    /' "$work/why"; fi ;;
 esac
@@ -58,8 +58,8 @@ for name in $names; do
   case solids/$name in *"$ONLY"*) ;; *) continue ;; esac
   : > "$work/why"
   cat $here/suite.vs "$work/sx/$name.sx" > "$work/$name.vs"
-  timeout 300 "$vs" --quiet "$work/$name.vs" -o "$work/$name.off" -o "$work/$name.stl" 2> "$work/said" || echo "ended with $?" > "$work/why"
-  [ -s "$work/why" ] || timeout 300 "$BUILD/tools/crossings" -q "$work/$name.off" "$work/$name.stl" > "$work/why" 2>&1
+  limited 300 "$vs" --quiet "$work/$name.vs" -o "$work/$name.off" -o "$work/$name.stl" 2> "$work/said" || echo "ended with $?" > "$work/why"
+  [ -s "$work/why" ] || limited 300 "$BUILD/tools/crossings" -q "$work/$name.off" "$work/$name.stl" > "$work/why" 2>&1
   if [ -s "$work/why" ]; then echo "not ok solids/$name"; cat "$work/said" "$work/why" | head -n 12 | sed 's/^/    /'; else echo "ok solids/$name"; fi
   rm -f "$work/$name".*
 done

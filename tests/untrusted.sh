@@ -40,7 +40,7 @@ MODEL
 say() { if [ -s "$work/wrong" ]; then echo "not ok limits/untrusted-$1"; sed 's/^/    /' "$work/wrong" | head -n 12; else echo "ok limits/untrusted-$1"; fi; : > "$work/wrong"; }
 : > "$work/wrong"
 mkdir "$work/tmp"
-run() { (cd "$work" && MARK=SECRET-8 TMPDIR=$work/tmp timeout 60 "$@"); }
+run() { (cd "$work" && limited 60 env MARK=SECRET-8 TMPDIR="$work/tmp" "$@"); }
 
 run "$BUILD/vs" --untrusted -q models/model.vs > "$work/said" 2> "$work/err" < /dev/null
 status=$?

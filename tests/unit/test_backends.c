@@ -22,6 +22,7 @@
 #include "backends/tree/tree_reader.h"
 #include "backends/x3d/deflate.h"
 #include "tests/unit/scenes.h"
+#include "tests/unit/skip.h"
 
 /* ---- a sink into memory ---- */
 
@@ -127,10 +128,8 @@ static void test_numbers(void **state) {
 
 static void test_numbers_locale(void **state) {
   (void)state;
-  if (setlocale(LC_NUMERIC, "de_DE.UTF-8") == NULL && setlocale(LC_NUMERIC, "fr_FR.UTF-8") == NULL) {
-    printf("skip numbers under a comma locale: none is installed\n");
-    skip();
-  }
+  if (setlocale(LC_NUMERIC, "de_DE.UTF-8") == NULL && setlocale(LC_NUMERIC, "fr_FR.UTF-8") == NULL)
+    SKIP_TEST("no locale with a decimal comma (package locales-all)");
   char text[VS_NUMBER_ROOM];
   vs_number_text(1.0 / 3, text);
   setlocale(LC_NUMERIC, "C");
@@ -702,7 +701,7 @@ static void test_povray_missing(void **state) {
 
 static void test_povray_complains(void **state) {
   (void)state;
-  if (!installed("povray")) skip();
+  if (!installed("povray")) SKIP_TEST("no povray (package povray)");
   test_model m;
   test_model_open(&m);
   test_draw(&m, test_box(&m, 0, 0, 0, 1, 1, 1));
@@ -723,7 +722,7 @@ static void test_povray_complains(void **state) {
 
 static void test_povray_stops(void **state) {
   (void)state;
-  if (!installed("povray")) skip();
+  if (!installed("povray")) SKIP_TEST("no povray (package povray)");
   test_model m;
   test_model_open(&m);
   test_draw(&m, test_sphere(&m, 0, 0, 0, 1));
@@ -749,7 +748,7 @@ static void test_povray_stops(void **state) {
 /* A red sphere before a pale sky: red in the middle, none in the corner. POV-Ray reads the picture back and says its colours. */
 static void test_povray_picture(void **state) {
   (void)state;
-  if (!installed("povray")) skip();
+  if (!installed("povray")) SKIP_TEST("no povray (package povray)");
   test_model m;
   test_model_open(&m);
   test_draw(&m, test_paint(&m, "#ff0000", test_sphere(&m, 10, 20, 30, 2)));
@@ -786,7 +785,7 @@ static void test_povray_picture(void **state) {
 /* Every kind that POV-Ray gets, alone and inside a subtraction, turned and squeezed: it must parse and draw without a complaint. */
 static void test_povray_takes_all(void **state) {
   (void)state;
-  if (!installed("povray")) skip();
+  if (!installed("povray")) SKIP_TEST("no povray (package povray)");
   test_model m;
   test_model_open(&m);
   static const vs_kind kinds[] = { VS_BOX, VS_WEDGE, VS_SPHERE, VS_CYLINDER, VS_CONE, VS_CUT_CONE, VS_PYRAMID, VS_TORUS, VS_POLYFACE_MESH };
@@ -815,7 +814,7 @@ static void test_povray_takes_all(void **state) {
 
 static void test_openscad_takes_all(void **state) {
   (void)state;
-  if (!installed("openscad")) skip();
+  if (!installed("openscad")) SKIP_TEST("no openscad (package openscad)");
   test_model m;
   test_model_open(&m);
   static const vs_kind kinds[] = { VS_BOX, VS_WEDGE, VS_SPHERE, VS_CYLINDER, VS_CONE, VS_CUT_CONE, VS_PYRAMID, VS_TORUS, VS_POLYFACE_MESH };

@@ -11,6 +11,7 @@
 #include "geometry/files/polyface.h"
 #include "geometry/tessellate.h"
 #include "tests/unit/allocator.h"
+#include "tests/unit/skip.h"
 
 static size_t fail_at, held; /* counted only while fail_at is set */
 
@@ -81,7 +82,7 @@ static void run_short(const vs_node *n) {
 
 static void every_allocation_fails_in_turn(void **state) {
   (void)state;
-  if (!REPLACED) skip();
+  if (!REPLACED) SKIP_TEST("a sanitizer has replaced the allocator");
   vs_store *s = vs_store_new(NULL, NULL);
   vs_vec3 quad[] = { { 0, 0, 0 }, { 2, 0, 1 }, { 2, 3, 1 }, { 0, 3, 0 } };
   uint32_t starts[] = { 0, 4 }, corners[] = { 0, 1, 2, 3 };
@@ -108,7 +109,7 @@ static void every_allocation_fails_in_turn(void **state) {
 
 static void making_a_polyface_fails_in_turn(void **state) {
   (void)state;
-  if (!REPLACED) skip();
+  if (!REPLACED) SKIP_TEST("a sanitizer has replaced the allocator");
   vs_vec3 cube[8];
   for (int i = 0; i < 8; i++) cube[i] = vs_v3(i & 1, (i >> 1) & 1, (i >> 2) & 1);
   uint32_t starts[] = { 0, 4, 8, 12, 16, 20, 24 }, inward[] = { 0, 1, 3, 2, 4, 6, 7, 5, 0, 4, 5, 1, 2, 3, 7, 6, 0, 2, 6, 4, 1, 5, 7, 3 };

@@ -13,6 +13,7 @@
 #include "kernel/round/rounding.h"
 #include "tests/oracle/sx.c"
 #include "tests/unit/allocator.h"
+#include "tests/unit/skip.h"
 
 static _Atomic long left = -1, live; /* requests until one is refused; below 0: none is. Blocks held now */
 static _Atomic bool refused, for_good;
@@ -57,7 +58,7 @@ static bool perform(const sx_problem *p, uint32_t threads, vs_kernel_status *why
 
 static void test_refused(void **state) {
   (void)state;
-  if (!REPLACED) skip();
+  if (!REPLACED) SKIP_TEST("a sanitizer has replaced the allocator");
   const char *longer = getenv("LONG");
   bool all = longer && *longer;
   sx_problem p;

@@ -54,7 +54,7 @@ echo "$examples" | while read -r name samples arguments; do
 
   if command -v openscad > /dev/null; then
     : > "$work/why"
-    timeout 100 openscad --hardwarnings -o "$work/$name.csg" "$work/$name.scad" > "$work/said" 2>&1 || echo "openscad ended with $?" >> "$work/why"
+    limited 100 openscad --hardwarnings -o "$work/$name.csg" "$work/$name.scad" > "$work/said" 2>&1 || echo "openscad ended with $?" >> "$work/why"
     grep -e ERROR: -e WARNING: "$work/said" >> "$work/why"
     result "$test:openscad" "$work/why"
   else echo "skip $test:openscad: no openscad (package openscad)"; fi

@@ -14,14 +14,15 @@ cat > "$work/slow.vs" <<'EOF'
 (view "two" #:from (xyz 16 -6 4) #:to (xyz 5 5 1))
 EOF
 
-if command -v script > /dev/null; then
+why=$(no_terminal)
+if [ -z "$why" ]; then
   : > "$work/why"
   (cd "$work" && timeout -s INT 60 script -qec "$vs slow.vs -o slow.png --quality good --size 640x480" /dev/null) 2>&1 < /dev/null | tr '\r' '\n' > "$work/said"
   grep -q 'slow.png: rendering [0-9]*%, [0-9.]* \(s\|min\) left' "$work/said" || { echo "no time left is told:"; tail -n 5 "$work/said"; } >> "$work/why"
   rm -f "$work/slow.png"
   result waiting:time-left "$work/why"
 else
-  echo "skip waiting:time-left: no script (package bsdutils)"
+  echo "skip waiting:time-left: $why"
 fi
 
 if command -v pgrep > /dev/null; then
