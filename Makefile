@@ -229,7 +229,7 @@ demo: ## install what is missing, build, and make a picture, a web page, a progr
 
 test: ## install what the tests need, build, run them: of long ones a sample
 	BUILD=$(BUILD) sh scripts/install.sh build workers tests
-	$(MAKE) -j$(shell nproc) EXTRA="$(EXTRA) -Werror" all units $(TOOL_BIN)
+	$(MAKE) -j$(shell nproc) EXTRA="$(EXTRA) -Werror" all units tools
 	$(MAKE) tests
 
 check: ## as test, and the long ones whole: every shape in every variant; SEEDS=FROM-TO: the kernel's random trees of these seeds, in place of 1-3000
@@ -241,7 +241,9 @@ check: ## as test, and the long ones whole: every shape in every variant; SEEDS=
 
 units: $(UNIT_BIN)
 
-tests: all units $(TOOL_BIN) ## run the tests with what is installed; LONG=1: the long ones whole
+tools: $(TOOL_BIN) # the programs that tests run beside vs
+
+tests: all units tools ## run the tests with what is installed; LONG=1: the long ones whole
 	LONG=$(LONG) sh tests/run.sh $(BUILD)
 
 quick: all units # what every commit must pass in a minute
@@ -334,5 +336,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-.PHONY: all objects demo test check units tests quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
+.PHONY: all objects demo test check units tools tests quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

@@ -6,6 +6,7 @@
 #   LONG=1                      what takes a sample of many cases takes all of them
 #   SEEDS=FROM-TO               the kernel's random trees of these seeds (0.03 s each), in place of the sample
 #   TIMES=FILE                  write there how long each entry took, the costliest first: seconds, seconds of processor time, its name
+#   TICK=SECONDS                a line of each suite that runs, so often: every 30 seconds unless said
 #   BLESS=1                     rewrite the goldens of tests/cli instead of comparing
 #
 # Every suite is a script or a function that prints `ok NAME`, `not ok NAME` with its reasons indented below, or `skip NAME: why`.
@@ -17,7 +18,8 @@ SUITES=${SUITES:-unit lang javascript cli shell editors prompt signals manual ba
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 . tests/limited.sh
 work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+ticker=
+trap '[ -z "$ticker" ] || kill "$ticker" 2> /dev/null; rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
 # cmocka's TAP: `ok 1 - name`, `not ok 1 - name`, `not ok 1 # SKIP name` behind the line `skip WHY` (tests/unit/skip.h). A program that dies has failed, whatever it said before.
@@ -78,13 +80,44 @@ suite_compilers() {
 # An entry of the pool below. Its lines are printed together when it has ended, since others run beside it.
 if [ "${1:-}" = --suite ]; then
   begin=$(date +%s)
+  : > "$work/lines"
+  # The sleeping process holds no one's output open after the suite.
+  (while sleep "${TICK:-30}" > /dev/null 2>&1; do
+     echo "  $2: $(($(date +%s) - begin)) s, $(grep -a -c '^ok ' "$work/lines") passed, $(grep -a -c '^not ok ' "$work/lines") failed"
+   done) & ticker=$!
   suite_"${2%%/*}" "${2#*/}" > "$work/lines" 2>&1
   times > "$work/times"
+  kill "$ticker" 2> /dev/null; ticker=
   awk -v name="$2" -v seconds="$(($(date +%s) - begin))" 'function s(t) { split(t, p, /[ms]/); return 60 * p[1] + p[2] }
     { cpu += s($1) + s($2) } END { printf "%d %.0f %s\n", seconds, cpu, name }' "$work/times" >> "$3.times"
   if [ "$4" = VERBOSE ]; then cat "$work/lines"; else grep -a -v '^ok ' "$work/lines"; fi > "$work/said"
   exec 9> "$3.lock" && flock 9 && cat "$work/said" && cat "$work/lines" >> "$3"
   exit 0
+fi
+
+# Which programs of this build do the suites run that are not there? Where ONLY picks tests, their tools are not asked for.
+lacking() {
+  for suite in $SUITES; do
+    echo vs
+    case $suite in
+      unit)   for f in tests/unit/test_*.c; do f=unit/$(basename "$f" .c); case $f in *"$ONLY"*) echo "$f" ;; esac; done ;;
+      bad)    echo tools/badcalls ;;
+      limits) grep -hoE 'tools"?/[a-z_]+' tests/limits.sh tests/faults.sh tests/untrusted.sh; for f in tests/fuzz/fuzz_*.c; do f=${f#*/fuzz_}; echo "tools/replay_${f%.c}"; done ;;
+      *)      grep -rhoE 'tools"?/[a-z_]+' "tests/$suite.sh" "tests/$suite" 2> /dev/null ;;
+    esac
+  done | tr -d '"' | sort -u | while read -r f; do
+    case $f in
+      vs|unit/*) [ -x "$BUILD/$f" ] || echo "$f" ;;
+      tools/fuzz|tools/replay_?*) [ -n "$ONLY" ] || [ -x "$BUILD/$f" ] || echo "$f" ;;
+      *) [ -n "$ONLY" ] || [ ! -f "tests/$f.c" ] || [ -x "$BUILD/$f" ] || echo "$f" ;;
+    esac
+  done
+}
+lacking > "$work/lacking"
+if [ -s "$work/lacking" ]; then
+  echo "not built in ${BUILD#"$PWD"/}, and run by these tests: $(head -n 4 "$work/lacking" | tr '\n' ' ')$([ "$(wc -l < "$work/lacking")" -le 4 ] || echo "... ($(wc -l < "$work/lacking"))")"
+  echo "make $([ "${BUILD#"$PWD"/}" = build ] || echo "BUILD=${BUILD#"$PWD"/} ")all units tools builds them; make tests builds and runs"
+  exit 2
 fi
 
 # The pool: a suite is one entry, but each program of unit/ and each script of workers/ is one of its own.

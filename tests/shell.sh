@@ -57,3 +57,12 @@ elif command -v man > /dev/null && command -v groff > /dev/null; then man --warn
 elif command -v groff > /dev/null; then groff -man -ww -z "$work/vs.1" 2> "$work/errors"
 else echo "skip shell/man: no mandoc, man or groff"; exit; fi
 if [ ! -s "$work/errors" ] && [ "$(wc -l < "$work/vs.1")" -gt 150 ]; then echo "ok shell/man"; else echo "not ok shell/man"; head -n 20 "$work/errors" | sed 's/^/    /'; fi
+
+# The runner itself: in a build of nothing but vs it names what it lacks, and a suite that takes long says how far it is.
+mkdir "$work/plain" && ln -s "$BUILD/vs" "$work/plain/vs"
+said=$(ONLY= SUITES="unit cross" sh tests/run.sh "$work/plain" 2>&1); status=$?
+if [ $status = 2 ] && echo "$said" | grep -q '^not built in .*: tools/.* \.\.\. ([0-9]*)$' && echo "$said" | grep -q '^make .*all units tools'; then echo "ok shell/runner:not built"
+else echo "not ok shell/runner:not built"; echo "    ended with $status: $said"; fi
+said=$(TICK=0.02 ONLY=lang/r5rs SUITES=lang sh tests/run.sh "$BUILD" 2>&1)
+if echo "$said" | grep -q '^  lang: [0-9]* s, [0-9]* passed, 0 failed$' && echo "$said" | tail -n 1 | grep -q '^[0-9]* passed, 0 failed'; then echo "ok shell/runner:how far a suite is"
+else echo "not ok shell/runner:how far a suite is"; echo "    $said"; fi
