@@ -237,6 +237,10 @@ check: ## as test, and the long ones whole: every shape in every variant; SEEDS=
 	$(MAKE) tests LONG=1
 	$(MAKE) sanitized
 
+fresh: ## the two commands on a bare Debian bookworm made by debootstrap (root): what a stranger's machine needs, in seconds and MB
+	sh scripts/install.sh fresh
+	BUILD=$(BUILD) sh scripts/fresh.sh
+
 # ---- tests without installing anything ----
 
 units: $(UNIT_BIN)
@@ -336,5 +340,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-.PHONY: all objects demo test check units tools tests quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
+.PHONY: all objects demo test check fresh units tools tests quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)
