@@ -8,7 +8,7 @@ BUILD    ?= build
 PREFIX   ?= /usr/local
 OPT      ?= -O2 -g
 VERSION   = $(shell sed -n 's/^.define VS_VERSION "\(.*\)"/\1/p' visualscheme.h)
-WARN      = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+WARN      = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror=incompatible-pointer-types -Werror=int-conversion -Werror=implicit-function-declaration
 CFLAGS   += -std=c11 -D_POSIX_C_SOURCE=200809L $(OPT) $(WARN) -ffp-contract=off -fvisibility=hidden -fno-math-errno -fPIC -I. $(EXTRA)
 
 # Where linker and loader know it, the tables' pointers stand in the program as a bitmap: a start reads 2 KB for them and not 290.
