@@ -28,6 +28,7 @@
 
 #include "passes/rewrite.h"
 #include "model/store/hashes.h"
+#include "model/store/patient_sort.h"
 #include "passes/turn.h"
 
 typedef struct { uint64_t a, b; } vs_share_key;
@@ -262,29 +263,30 @@ static int share_by_form(const void *p, const void *q) {
   return x < y ? -1 : x > y;
 }
 
-/* Marks what may have a copy, by its form, and all that lies in it. *any: is there something? False: out of memory. */
-static bool share_want(vs_share *s, bool *any) {
+/* Marks what may have a copy, by its form, and all that lies in it. *any: is there something? False: out of memory, or
+ * interrupted. */
+static bool share_want(vs_share *s, bool *any, vs_error *e) {
   const vs_order *o = s->order;
   size_t count = 0;
   uint64_t *forms = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *forms);
-  if (!forms) return false;
+  if (!forms) return vs_error_memory(e, NULL);
   for (size_t i = 0; i < s->count; i++)
     if (share_is_worth(&s->at[i])) forms[count++] = (uint64_t)o->at[i].node->form << 32 | i;
-  qsort(forms, count, sizeof *forms, share_by_form);
+  bool ok = vs_store_sort(s->store, forms, count, sizeof *forms, share_by_form, e);
   *any = false;
-  for (size_t i = 0; i < count; i++) {
+  for (size_t i = 0; ok && i < count; i++) {
     uint64_t form = forms[i] >> 32;
     bool again = (i > 0 && forms[i - 1] >> 32 == form) || (i + 1 < count && forms[i + 1] >> 32 == form);
     s->at[forms[i] & UINT32_MAX].wanted = again;
     *any |= again;
   }
   vs_store_realloc(s->store, forms, (s->count + 1) * sizeof *forms, 0);
-  for (size_t i = s->count; i-- > 0;) {
+  for (size_t i = ok ? s->count : 0; i-- > 0;) {
     const vs_node *n = o->at[i].node;
     for (uint32_t k = 0; s->at[i].wanted && o->note[i].inner && k < n->child_count; k++)
       if (vs_order_has(o, n->children[k].node)) s->at[vs_order_of(n->children[k].node)].wanted = true;
   }
-  return true;
+  return ok;
 }
 
 static void share_largest(double *most, const double *x, size_t n) {
@@ -347,23 +349,23 @@ static double share_cost(const vs_share *s, size_t index, double named) {
   return fmin(cost, 1e15); /* a DAG's paths may be without number */
 }
 
-static bool share_group(vs_share *s) {
+static bool share_group(vs_share *s, vs_error *e) {
   vs_share_order *order = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *order);
-  if (!order) return false;
+  if (!order) return vs_error_memory(e, NULL);
   size_t count = 0;
   for (size_t i = 0; i < s->count; i++) {
     s->at[i].group = i;
     s->at[i].copies = 0;
     if (s->at[i].wanted && !s->at[i].alias) order[count++] = (vs_share_order){ s->at[i].key, i };
   }
-  qsort(order, count, sizeof *order, share_compare);
-  for (size_t i = 0, first = 0; i < count; i++) {
+  bool ok = vs_store_sort(s->store, order, count, sizeof *order, share_compare, e);
+  for (size_t i = 0, first = 0; ok && i < count; i++) {
     if (order[i].key.a != order[first].key.a || order[i].key.b != order[first].key.b) first = i;
     s->at[order[i].entry].group = order[first].entry;
     s->at[order[first].entry].copies++;
   }
   vs_store_realloc(s->store, order, (s->count + 1) * sizeof *order, 0);
-  return true;
+  return ok;
 }
 
 /* Keys of all that are wanted, or of those whose sketches are not theirs alone. */
@@ -375,7 +377,7 @@ static bool share_keys(vs_share *s, bool again, vs_error *e) {
     if (s->starved) return vs_error_memory(e, o->at[i].origin);
     if (!vs_store_going(s->store, VS_NODE_WORK, e)) return false;
   }
-  return share_group(s) || vs_error_memory(e, NULL);
+  return share_group(s, e);
 }
 
 /* Marks what has another's sketch, and all that lies in it. */
@@ -406,29 +408,30 @@ static bool share_add_turn(vs_share *s, size_t index, size_t head, const vs_affi
 
 /* Groups that are one shape turned or mirrored become one. Of each form the first HEADS_MOST shapes are tried; all in
  * all no more than some points for each node, so that deep trees of one form cost no square. */
-static bool share_turns(vs_share *s) {
+static bool share_turns(vs_share *s, vs_error *e) {
   enum { HEADS_MOST = 6 };
   size_t count = 0, heads[HEADS_MOST], head_count = 0, work = 0, most = 100000 + 50 * s->count;
   uint64_t *forms = vs_store_realloc(s->store, NULL, 0, (s->count + 1) * sizeof *forms);
-  bool starved = !forms;
-  for (size_t i = 0; forms && i < s->count; i++)
+  if (!forms) return vs_error_memory(e, NULL);
+  bool ok = true;
+  for (size_t i = 0; i < s->count; i++)
     if (s->at[i].wanted && s->at[i].group == i && share_is_worth(&s->at[i]))
       forms[count++] = (uint64_t)s->order->at[i].node->form << 32 | i;
-  if (forms) qsort(forms, count, sizeof *forms, share_by_form);
-  for (size_t i = 0; !starved && i < count && work < most; i++) {
+  ok = vs_store_sort(s->store, forms, count, sizeof *forms, share_by_form, e);
+  for (size_t i = 0; ok && i < count && work < most; i++) {
     size_t mine = forms[i] & UINT32_MAX;
     bool found = false;
     vs_affine map;
     if (i == 0 || forms[i - 1] >> 32 != forms[i] >> 32) head_count = 0;
-    for (size_t k = 0; !found && !starved && k < head_count; k++) {
-      found = vs_turn_find(s->store, s->order->at[heads[k]].node, s->order->at[mine].node, s->quantum, &map, &work,
-                           &starved);
-      if (found && !share_add_turn(s, mine, heads[k], &map)) starved = true;
+    for (size_t k = 0; !found && ok && k < head_count; k++) {
+      vs_turn_pair pair = { s->order->at[heads[k]].node, s->order->at[mine].node };
+      found = vs_turn_find(pair, s->quantum, &map, &work, e);
+      ok = found ? share_add_turn(s, mine, heads[k], &map) || vs_error_memory(e, NULL) : e->kind == VS_ERROR_NONE;
     }
     if (!found && head_count < HEADS_MOST) heads[head_count++] = mine;
   }
-  if (forms) vs_store_realloc(s->store, forms, (s->count + 1) * sizeof *forms, 0);
-  return !starved;
+  vs_store_realloc(s->store, forms, (s->count + 1) * sizeof *forms, 0);
+  return ok;
 }
 
 bool vs_share_begin(vs_rewrite *w) {
@@ -444,14 +447,15 @@ bool vs_share_begin(vs_rewrite *w) {
     if (!vs_store_going(w->store, VS_ORDER_WORK, w->error)) return false;
     share_enter(s, o->at[i].node, o->note[i].inner);
   }
-  bool any;
-  if (!share_want(s, &any)) return vs_error_memory(w->error, NULL);
+  bool any = false;
+  if (!share_want(s, &any, w->error)) return false;
   w->idle = !any;
   if (!any) return true;
   double most = 0;
   for (size_t i = 0; i < o->count; i++) {
     const vs_node *n = o->at[i].node;
     if (!s->at[i].wanted) continue;
+    if (!vs_store_going(w->store, VS_ORDER_WORK, w->error)) return false;
     share_measure(&most, n);
     for (uint32_t k = 0; k < n->child_count; k++)
       if (!vs_order_has(o, n->children[k].node)) share_measure(&most, n->children[k].node);
@@ -465,9 +469,15 @@ bool vs_share_begin(vs_rewrite *w) {
     share_doubt(s);
     if (!share_keys(s, true, w->error)) return false;
   }
-  if (!share_turns(s)) return vs_error_memory(w->error, NULL);
-  for (size_t i = 0; i < o->count; i++) share_head(s, i)->named += o->note[i].uses;
-  for (size_t i = 0; i < o->count; i++) s->at[i].cost = share_cost(s, i, share_head(s, i)->named);
+  if (!share_turns(s, w->error)) return false;
+  for (size_t i = 0; i < o->count; i++) {
+    if (!vs_store_going(w->store, VS_ORDER_WORK, w->error)) return false;
+    share_head(s, i)->named += o->note[i].uses;
+  }
+  for (size_t i = 0; i < o->count; i++) {
+    if (!vs_store_going(w->store, VS_ORDER_WORK, w->error)) return false;
+    s->at[i].cost = share_cost(s, i, share_head(s, i)->named);
+  }
   return true;
 }
 

@@ -24,14 +24,15 @@ typedef struct {
   size_t step_count, step_room;
   turn_pair *pairs;
   size_t pair_count, pair_room;
-  bool starved;
+  size_t steps_taken; /* nodes gone through */
+  vs_error *error;    /* set: out of memory, or interrupted */
 } turner;
 
 static bool turn_push(turner *t, const vs_node *a, const vs_affine *to_a, const vs_node *b, const vs_affine *to_b) {
   if (t->step_count == t->step_room) {
     size_t room = t->step_room ? 2 * t->step_room : 64;
     turn_step *grown = vs_store_realloc(t->store, t->steps, t->step_room * sizeof *grown, room * sizeof *grown);
-    if (!grown) return t->starved = true, false;
+    if (!grown) return vs_error_memory(t->error, NULL);
     t->steps = grown;
     t->step_room = room;
   }
@@ -44,7 +45,7 @@ static bool turn_pair_add(turner *t, vs_vec3 a, vs_vec3 b) {
   if (t->pair_count == t->pair_room) {
     size_t room = t->pair_room ? 2 * t->pair_room : 64;
     turn_pair *grown = vs_store_realloc(t->store, t->pairs, t->pair_room * sizeof *grown, room * sizeof *grown);
-    if (!grown) return t->starved = true, false;
+    if (!grown) return vs_error_memory(t->error, NULL);
     t->pairs = grown;
     t->pair_room = room;
   }
@@ -176,11 +177,16 @@ static bool turn_leaf(turner *t, const turn_step *x) {
   return x->a->child_count == 0 && turn_frame(t, x);
 }
 
-static const vs_node *turn_strip(const vs_node *n, vs_affine *to) { /* placements and sets of one */
-  for (;;) {
+enum { TURN_WORK = 64 /* what one node costs, told to vs_store_going */ };
+
+/* Goes through placements and sets of one. False: interrupted. */
+static bool turn_strip(turner *t, const vs_node **at, vs_affine *to) {
+  const vs_node *n = *at;
+  for (;; t->steps_taken++) {
+    if (!vs_store_going(t->store, TURN_WORK, t->error)) return false;
     bool set = vs_node_is_set(n);
     if (n->kind == VS_TRANSFORM) *to = vs_affine_multiply(to, &VS_AS(transform, n)->matrix);
-    else if (!set || n->child_count != 1 || n->children[0].node->class_ != n->class_) return n;
+    else if (!set || n->child_count != 1 || n->children[0].node->class_ != n->class_) return *at = n, true;
     n = n->children[0].node;
   }
 }
@@ -188,8 +194,8 @@ static const vs_node *turn_strip(const vs_node *n, vs_affine *to) { /* placement
 static bool turn_walk(turner *t) {
   while (t->step_count > 0) {
     turn_step x = t->steps[--t->step_count];
-    x.a = turn_strip(x.a, &x.to_a);
-    x.b = turn_strip(x.b, &x.to_b);
+    t->steps_taken++;
+    if (!turn_strip(t, &x.a, &x.to_a) || !turn_strip(t, &x.b, &x.to_b)) return false;
     if (x.a->kind != x.b->kind || x.a->child_count != x.b->child_count || x.a->class_ != x.b->class_) return false;
     bool down = vs_node_is_set(x.a);
     if (x.a->kind == VS_MATERIAL) down = VS_AS(material, x.a)->material == VS_AS(material, x.b)->material;
@@ -268,13 +274,13 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
   return true;
 }
 
-bool vs_turn_find(vs_store *s, const vs_node *a, const vs_node *b, double near, vs_affine *turn, size_t *work,
-                  bool *starved) {
-  turner t = { .store = s, .near = near };
+bool vs_turn_find(vs_turn_pair pair, double near, vs_affine *turn, size_t *work, vs_error *e) {
+  vs_store *s = pair.a->store;
+  turner t = { .store = s, .near = near, .error = e };
   vs_affine here = vs_affine_identity();
-  bool found = turn_push(&t, a, &here, b, &here) && turn_walk(&t) && turn_solve(&t, turn);
-  *work += t.pair_count + 1;
-  *starved = t.starved;
+  bool found = turn_push(&t, pair.a, &here, pair.b, &here) && turn_walk(&t) && turn_solve(&t, turn);
+  enum { STEPS_FREE = 64 };
+  *work += t.pair_count + 1 + (t.steps_taken > STEPS_FREE ? t.steps_taken - STEPS_FREE : 0);
   vs_store_realloc(s, t.steps, t.step_room * sizeof *t.steps, 0);
   vs_store_realloc(s, t.pairs, t.pair_room * sizeof *t.pairs, 0);
   return found;

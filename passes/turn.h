@@ -5,9 +5,9 @@
 
 #include "model/node.h"
 
-/* Is b a turned, mirrored and moved, within near? *turn: the map. *work grows by what it cost, in points. False with
- * *starved: out of memory. */
-bool vs_turn_find(vs_store *s, const vs_node *a, const vs_node *b, double near, vs_affine *turn, size_t *work,
-                  bool *starved);
+typedef struct { const vs_node *a, *b; } vs_turn_pair;
+/* Is b a turned, mirrored and moved, within near? *turn: the map. *work grows by what it cost, in points and nodes that
+ * were gone through. False with *e set: out of memory, or interrupted. */
+bool vs_turn_find(vs_turn_pair pair, double near, vs_affine *turn, size_t *work, vs_error *e);
 
 #endif

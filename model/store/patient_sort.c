@@ -1,0 +1,47 @@
+/* Owns sorting that can be interrupted: runs by qsort, then merges, each asking whether to go on. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/store/patient_sort.h"
+
+typedef int sort_compare(const void *, const void *);
+typedef struct { const char *at, *end; } sort_run;
+
+enum { RUN = 1 << 14, SORT_WORK = 1 << 6 /* what an element costs in a merge */, RUN_WORK = 1 << 20 };
+
+/* Merges two runs into one. False: interrupted. */
+static bool sort_merge(vs_store *s, sort_run a, sort_run b, char *to, size_t size, sort_compare *compare, vs_error *e) {
+  for (; a.at < a.end || b.at < b.end; to += size) {
+    if (!vs_store_going(s, SORT_WORK, e)) return false;
+    sort_run *from = b.at == b.end || (a.at < a.end && compare(a.at, b.at) <= 0) ? &a : &b;
+    memcpy(to, from->at, size);
+    from->at += size;
+  }
+  return true;
+}
+
+bool vs_store_sort(vs_store *s, void *at, size_t count, size_t size, sort_compare *compare, vs_error *e) {
+  if (count <= RUN) {
+    if (count > 1) qsort(at, count, size, compare);
+    return true;
+  }
+  char *from = at, *other = vs_store_realloc(s, NULL, 0, count * size), *to = other;
+  if (!other) return vs_error_memory(e, NULL);
+  bool ok = true;
+  for (size_t i = 0; ok && i < count; i += RUN) {
+    qsort(from + i * size, count - i < RUN ? count - i : RUN, size, compare);
+    ok = vs_store_going(s, RUN_WORK, e);
+  }
+  for (size_t length = RUN; ok && length < count; length *= 2) {
+    for (size_t i = 0; ok && i < count; i += 2 * length) {
+      size_t middle = count - i < length ? count : i + length, end = count - middle < length ? count : middle + length;
+      sort_run a = { from + i * size, from + middle * size }, b = { from + middle * size, from + end * size };
+      ok = sort_merge(s, a, b, to + i * size, size, compare, e);
+    }
+    char *swap = from;
+    from = to, to = swap;
+  }
+  if (ok && from != at) memcpy(at, from, count * size);
+  vs_store_realloc(s, other, count * size, 0);
+  return ok;
+}
