@@ -18,6 +18,7 @@
 #include "cli/prompt/repl.h"
 #include "cli/limits.h"
 #include "cli/nearby.h"
+#include "cli/prompt/standard_output.h"
 #include "cli/batch/render_command.h"
 #include "cli/command.h"
 #include "cli/difference.h"
@@ -48,8 +49,7 @@ static bool print_output(void *context, const char *text, size_t length) {
   if (length) c->midline = text[length - 1] != '\n';
   if (c->view) live_follow_output(c->view, text, length);
   if (fwrite(text, 1, length, c->output) == length) return true;
-  if (!c->output_failed) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
-  c->output_failed = true;
+  cli_output_fails(c);
   return false;
 }
 
@@ -299,7 +299,7 @@ static vs_outcome run_sources(cli_session *c, bool again) {
       char name[PATH_ROOM];
       snprintf(name, sizeof name, c->frame ? "%s, frame %ld of %ld" : "%s", c->model ? c->model : title(o), c->frame,
                o->frames.count);
-      fflush(stdout);
+      cli_output_flush(c);
       cli_report_summary(name, &summary);
     }
   }
@@ -439,10 +439,8 @@ static vs_outcome view_model(const cli_options *o) {
   return live_view(&live);
 }
 
-int main(int argc, char **argv) {
-  hold_standard_streams();
-  signal(SIGPIPE, SIG_IGN); /* a reader that went is a failed write: outputs are finished or taken away, and the exit
-                             * code says it */
+/* The whole command. Returns the exit code; *told: standard error says that standard output fails. */
+static int run_command(int argc, char **argv, bool *told) {
   if (argc >= 3 && strcmp(argv[1], "help") == 0) { /* vs help WORD: the manual */
     for (int i = 2; i < argc; i++)
       if (cli_command_help(argv[i], stdout)) {
@@ -460,14 +458,13 @@ int main(int argc, char **argv) {
         cli_manual_topics(stdout);
         return VS_OUTCOME_USAGE;
       }
-    return fflush(stdout) == 0 ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
+    return VS_OUTCOME_DONE;
   }
   cli_options options;
   cli_verdict verdict = cli_options_parse(&options, argc, argv);
   if (verdict != CLI_GO) {
     cli_options_free(&options);
-    if (verdict == CLI_STOP && fflush(stdout) == 0) return VS_OUTCOME_DONE;
-    return VS_OUTCOME_USAGE;
+    return verdict == CLI_STOP ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
   }
   if (options.command == CLI_COMMAND_view) {
     vs_outcome outcome = view_model(&options);
@@ -478,7 +475,7 @@ int main(int argc, char **argv) {
     hear_signals();
     vs_outcome outcome = cli_render_command(&options, &interrupts);
     cli_options_free(&options);
-    return fflush(stdout) == 0 || outcome != VS_OUTCOME_DONE ? (int)outcome : VS_OUTCOME_USAGE;
+    return (int)outcome;
   }
   if (options.command == CLI_COMMAND_ast || options.command == CLI_COMMAND_check ||
       options.command == CLI_COMMAND_doc || options.command == CLI_COMMAND_translate) {
@@ -544,10 +541,18 @@ int main(int argc, char **argv) {
   free(session.line);
   free(session.model);
   cli_options_free(&options);
-  if (fflush(stdout) != 0 && !session.output_failed) {
-    fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
-    session.output_failed = true;
-  }
+  *told = session.output_failed;
   if (session.output_failed && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
   return outcome == VS_OUTCOME_DONE ? session.exit_code : (int)outcome;
+}
+
+int main(int argc, char **argv) {
+  hold_standard_streams();
+  /* A reader that went is a failed write, and so is a file past the size that is allowed: outputs are finished or taken
+   * away, and the exit code says it. */
+  signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
+  bool told = false;
+  int code = run_command(argc, argv, &told);
+  return cli_output_end(code, told);
 }

@@ -290,9 +290,5 @@ vs_outcome cli_study(const cli_options *o) {
   }
   know_free(&s.k);
   vs_free(scheme);
-  if (fflush(stdout) != 0) {
-    fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
-    if (outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
-  }
   return outcome;
 }

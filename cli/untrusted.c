@@ -36,6 +36,14 @@ static bool refuse(cli_untrusted *u, const char *reason, const char **why) {
   return false;
 }
 
+/* Of a file or folder that could not be opened, by errno; leads_out: it was not even tried. A machine that has no more
+ * to give is not the model's fault. */
+static bool refuse_open(cli_untrusted *u, bool leads_out, const char *missing, const char *outside, const char **why) {
+  int problem = leads_out ? ELOOP : errno;
+  bool machine = problem == EMFILE || problem == ENFILE || problem == ENOMEM || problem == EIO;
+  return refuse(u, problem == ENOENT ? missing : machine ? strerror(problem) : outside, why);
+}
+
 /* Opens what the path names beneath the folder; -1: errno, ELOOP for all that leads out of it. */
 static int open_beneath(int folder, const char *path) {
   int at = dup(folder);
@@ -71,7 +79,7 @@ bool cli_untrusted_read(cli_untrusted *u, const char *path, char **text, size_t 
   while (!strncmp(path, "./", 2)) path += 2;
   struct stat info;
   int file = *path == '/' ? -1 : open_beneath(u->folder, path);
-  if (file < 0) return refuse(u, *path != '/' && errno == ENOENT ? "no such file" : outside, why);
+  if (file < 0) return refuse_open(u, *path == '/', "no such file", outside, why);
   bool good = fstat(file, &info) == 0 && S_ISREG(info.st_mode) && info.st_size >= 0;
   if (!good || (size_t)info.st_size > u->most) {
     close(file);
@@ -99,7 +107,7 @@ bool cli_untrusted_list(cli_untrusted *u, const char *path, bool (*take)(void *t
   else if (u->folder < 0 || strncmp(path, u->prefix, prefix) != 0) return refuse(u, outside, why);
   else path += prefix;
   int file = *path == '/' ? -1 : open_beneath(u->folder, *path ? path : ".");
-  if (file < 0) return refuse(u, *path != '/' && errno == ENOENT ? "no such folder" : outside, why);
+  if (file < 0) return refuse_open(u, *path == '/', "no such folder", outside, why);
   DIR *folder = fdopendir(file);
   if (!folder) return close(file), refuse(u, "is not a folder", why);
   bool ok = true;

@@ -158,9 +158,5 @@ vs_outcome cli_exr_command(const cli_options *o) {
   else if (o->command == CLI_COMMAND_compare) outcome = compare(&j);
   else outcome = denoise(&j);
   vs_free(j.scheme);
-  if (fflush(stdout) != 0) {
-    fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
-    if (outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
-  }
   return outcome;
 }

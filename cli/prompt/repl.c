@@ -12,6 +12,7 @@
 #include "cli/prompt/line_buffer.h"
 #include "cli/prompt/repl.h"
 #include "cli/prompt/prompt_commands.h"
+#include "cli/prompt/standard_output.h"
 #include "live/live.h"
 
 /* The next line with its newline, or NULL: the end, or an interrupt (errno EINTR). */
@@ -183,7 +184,7 @@ void cli_prompt_resume(cli_session *c, cli_prompt *p, vs_resume_way way) {
       fputs("vs: out of memory\n", stderr);
     free(entry.text);
   }
-  fflush(stdout);
+  cli_output_flush(c);
   vs_interrupt_clear(c->scheme);
 }
 
@@ -193,7 +194,7 @@ vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *t
   vs_outcome outcome = cli_session_eval(c, "prompt", first_line, text, length,
       VS_EVAL_PRINT | VS_EVAL_NUMBER | VS_EVAL_STOP | VS_EVAL_WITHIN | extra);
   cli_report_settle(&c->reporter);
-  fflush(stdout);
+  cli_output_flush(c);
   vs_interrupt_clear(c->scheme);
   vs_call_info call;
   if (outcome == VS_OUTCOME_STOPPED) {
@@ -316,7 +317,7 @@ vs_outcome cli_repl(cli_session *c) {
   /* what the command line named stopped */
   if (vs_stop_depth(c->scheme)) cli_prompt_stopped(c, &p, (cli_entry){NULL, 0, 0, 0});
   while (p.going && !*c->ended && !vs_exit_requested(c->scheme, &code)) {
-    fflush(stdout);
+    cli_output_flush(c);
     size_t length = 0;
     char room[64];
     bool whole;
@@ -388,6 +389,8 @@ vs_outcome cli_repl(cli_session *c) {
       if (c->editor) cli_editor_remember(c->editor, pending.at, pending.length);
       /* An entry that can never be read is evaluated too: the reader's error says why. */
       vs_outcome one = cli_prompt_evaluate(c, &p, pending.at, pending.length, first_line);
+      /* nobody sees the errors of a pipe's lines go by: the first is the exit code */
+      if (!c->editor && outcome == VS_OUTCOME_DONE && one != VS_OUTCOME_STOPPED) outcome = one;
       if (one == VS_OUTCOME_INTERRUPTED && !c->editor) {
         outcome = one;
         p.going = false;
@@ -395,6 +398,7 @@ vs_outcome cli_repl(cli_session *c) {
     }
     pending.length = 0;
   }
+  if (vs_exit_requested(c->scheme, &code)) outcome = VS_OUTCOME_DONE; /* the program says which code */
   free(pending.at);
   live_follow_close(c->view);
   c->view = NULL;

@@ -12,7 +12,7 @@
    end touches a word: the missing quote is probably there. */
 #include "vm/front/reader.h"
 #include "vm/numbers/number.h"
-#include "vm/numbers/number_text.h"
+#include "vm/numbers/number_at.h"
 #include "vm/values/heap.h"
 #include "vm/values/text.h"
 
@@ -408,7 +408,7 @@ static bool read_symbol(reader *r, vs_value *out) {
   int c = length ? (unsigned char)*s : 0;
   *out = VS_FALSE;
   if (ok && !bars && ((c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == '#')) {
-    ok = vs_number_parse(r->vm, s, length, 10, out);
+    ok = vs_number_parse_at(r->vm, s, length, pos, out);
     if (ok && *out == VS_FALSE && c == '#') {
       problem(r, pos,
               "%.*s is not known here: # begins #t, #f, #\\a (a character), #(1 2) (a vector), #:name (a keyword) and "

@@ -16,15 +16,16 @@
 #include "vm/front/environment.h"
 #include "vm/front/reader.h"
 #include "vm/numbers/number.h"
-#include "vm/numbers/number_text.h"
+#include "vm/numbers/number_at.h"
 #include "vm/values/heap.h"
 #include "vm/values/text.h"
 
 #include <stdio.h>
 
-/* The work between two braces: two lists with their last pairs, the literals not yet pushed, and the
-   registers. */
-enum { FORMS, FORMS_LAST, TOKENS, TOKENS_LAST, LITERALS, LITERALS_LAST, REGISTERS, SLOTS };
+/* The work between two braces: two lists with their last pairs, the literals not yet pushed, the registers (VS_NIL:
+   none yet), and the work around it. A vector holds it: a root each would be looked at in every collection, as often as
+   braces are open. */
+enum { FORMS, FORMS_LAST, TOKENS, TOKENS_LAST, LITERALS, LITERALS_LAST, REGISTERS, AROUND, SLOTS };
 
 typedef struct { vs_pos pos, literals; bool usereg; } level;
 
@@ -35,14 +36,18 @@ typedef struct {
   uint32_t file, line, col;
   level *levels;
   size_t depth, room;
-  struct vs_roots roots;   /* SLOTS a level */
+  vs_value *work;          /* rooted: the vector of the innermost level */
 } reader;
 
 static vs_pos place(const reader *r) { return vs_pos_make(r->file, r->line, r->col); }
 static int peek(const reader *r, size_t ahead) {
   return r->at + ahead < r->size ? (unsigned char)r->text[r->at + ahead] : -1;
 }
-static vs_value *slot(reader *r, int which) { return &r->roots.slots[(r->depth - 1) * SLOTS + (size_t)which]; }
+static vs_value slot(const reader *r, int which) { return vs_as_vector(*r->work)->at[which]; }
+static void set_slot(reader *r, int which, vs_value v) {
+  vs_vector *work = vs_as_vector(*r->work);
+  vs_gc_store(r->vm, work, &work->at[which], v);
+}
 
 static bool refuse(reader *r, vs_pos pos, const char *message) {
   return vs_fail_at(r->vm, r->vm->sym.read, pos, VS_NIL, "%s", message);
@@ -77,10 +82,13 @@ static size_t name_length(const reader *r, size_t from) {
 static bool append(reader *r, int list, vs_value v, vs_pos pos) {
   VS_ROOTS(r->vm, p, 1);
   if (!vs_cons_at(r->vm, v, VS_NIL, pos, &p[0])) return false;
-  vs_value *head = slot(r, list);
-  if (head[0] == VS_NIL) head[0] = p[0];
-  else vs_gc_store(r->vm, vs_as_pair(head[1]), &vs_as_pair(head[1])->cdr, p[0]);
-  head[1] = p[0];
+  if (slot(r, list) == VS_NIL) {
+    set_slot(r, list, p[0]);
+  } else {
+    vs_pair *last = vs_as_pair(slot(r, list + 1));
+    vs_gc_store(r->vm, last, &last->cdr, p[0]);
+  }
+  set_slot(r, list + 1, p[0]);
   return true;
 }
 
@@ -102,19 +110,20 @@ static bool emit(reader *r, const char *word, const vs_value *a, const vs_value 
 }
 
 static bool flush(reader *r) {
-  vs_value *literals = slot(r, LITERALS);
-  if (*literals == VS_NIL) return true;
+  vs_value literals = slot(r, LITERALS);
+  if (literals == VS_NIL) return true;
   VS_ROOTS(r->vm, p, 1);
   vs_pos pos = r->levels[r->depth - 1].literals;
-  bool one = vs_cdr(*literals) == VS_NIL;
-  p[0] = one ? vs_car(*literals) : *literals;
+  bool one = vs_cdr(literals) == VS_NIL;
+  p[0] = one ? vs_car(literals) : literals;
   if (!quoted(r, &p[0], pos, &p[0]) || !emit(r, one ? "gml:push" : "gml:push-all", &p[0], NULL, pos)) return false;
-  *slot(r, LITERALS) = *slot(r, LITERALS_LAST) = VS_NIL;
+  set_slot(r, LITERALS, VS_NIL);
+  set_slot(r, LITERALS_LAST, VS_NIL);
   return true;
 }
 
 static bool literal(reader *r, const vs_value *v, vs_pos pos) {
-  if (*slot(r, LITERALS) == VS_NIL) r->levels[r->depth - 1].literals = pos;
+  if (slot(r, LITERALS) == VS_NIL) r->levels[r->depth - 1].literals = pos;
   return append(r, LITERALS, *v, pos) && append(r, TOKENS, *v, pos);
 }
 
@@ -127,7 +136,14 @@ static bool active(reader *r, const char *word, const vs_value *argument, const 
 
 /* ---- registers ---- */
 
-static bool know_register(reader *r, vs_value name) { return vs_idtable_put(r->vm, slot(r, REGISTERS), name, VS_TRUE); }
+/* name is the caller's, rooted */
+static bool know_register(reader *r, const vs_value *name) {
+  VS_ROOTS(r->vm, p, 1);
+  p[0] = slot(r, REGISTERS);
+  bool ok = (p[0] != VS_NIL || vs_idtable_new(r->vm, &p[0])) && vs_idtable_put(r->vm, &p[0], *name, VS_TRUE);
+  if (ok) set_slot(r, REGISTERS, p[0]);
+  return ok;
+}
 
 static bool read_register(reader *r, int mark, vs_pos pos) {
   VS_ROOTS(r->vm, p, 3);
@@ -137,7 +153,7 @@ static bool read_register(reader *r, int mark, vs_pos pos) {
   vs_text_open(r->vm, &t, 0);
   bool ok = vs_text_puts(&t, "!") && vs_text_put(&t, r->text + r->at + 1, n) && vs_intern(r->vm, t.at, t.count, &p[0]);
   vs_text_close(&t);
-  if (!ok || !flush(r) || !know_register(r, p[0]) || !quoted(r, &p[0], pos, &p[1])) return false;
+  if (!ok || !flush(r) || !know_register(r, &p[0]) || !quoted(r, &p[0], pos, &p[1])) return false;
   advance(r, n + 1);
   if (mark == '!') ok = form(r, "gml:pop", &p[1], NULL, pos, &p[2]) && emit(r, "set!", &p[0], &p[2], pos);
   else ok = emit(r, mark == ':' ? "gml:register" : "gml:value", &p[0], &p[1], pos);
@@ -153,18 +169,15 @@ static bool open_frame(reader *r, vs_pos pos) {
     level *levels = vs_mem(r->vm, r->levels, r->room * sizeof *levels, room * sizeof *levels);
     if (!levels) return false;
     r->levels = levels;
-    vs_value *slots = vs_mem(r->vm, r->roots.slots, r->room * SLOTS * sizeof *slots, room * SLOTS * sizeof *slots);
-    if (!slots) { /* the two stay in step */
-      r->levels = vs_mem(r->vm, levels, room * sizeof *levels, r->room * sizeof *levels);
-      return false;
-    }
-    r->roots.slots = slots;
     r->room = room;
   }
+  VS_ROOTS(r->vm, p, 1);
+  if (!vs_make_vector(r->vm, SLOTS, VS_NIL, &p[0])) return false;
+  vs_value around = *r->work;
+  *r->work = p[0];
+  set_slot(r, AROUND, around);
   r->levels[r->depth++] = (level){ .pos = pos };
-  for (int i = 0; i < SLOTS; i++) *slot(r, i) = VS_NIL;
-  r->roots.count = r->depth * SLOTS;
-  return vs_idtable_new(r->vm, slot(r, REGISTERS));
+  return true;
 }
 
 /* ((!x gml:unset) ...), or (define !x gml:unset) forms, of the level's registers, before `rest` */
@@ -173,7 +186,7 @@ static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *ou
   p[0] = rest;
   vs_value key, value;
   if (!vs_intern_c(r->vm, "gml:unset", &p[1])) return false;
-  for (size_t i = 0; vs_idtable_slot(*slot(r, REGISTERS), i, &key, &value); i++) {
+  for (size_t i = 0; slot(r, REGISTERS) != VS_NIL && vs_idtable_slot(slot(r, REGISTERS), i, &key, &value); i++) {
     if (key == VS_VACANT || value != VS_TRUE) continue;
     p[2] = key;
     bool ok = top ? form(r, "define", &p[2], &p[1], pos, &p[3])
@@ -184,45 +197,49 @@ static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *ou
   return true;
 }
 
-/* The registers of braces without usereg are those of the braces around them. */
-static bool pass_registers(reader *r) {
+/* The registers of braces without usereg, which *from holds, are those of the braces around them, the innermost now.
+   Where these have none, the table itself goes out, so that a name in a million braces is entered once. */
+static bool pass_registers(reader *r, const vs_value *from) {
   vs_value key, value;
   VS_ROOTS(r->vm, p, 1);
-  p[0] = *slot(r, REGISTERS);
-  for (size_t i = 0; vs_idtable_slot(p[0], i, &key, &value); i++) {
-    if (key == VS_VACANT || value != VS_TRUE) continue;
-    if (!vs_idtable_put(r->vm, slot(r, REGISTERS) - SLOTS, key, VS_TRUE)) return false;
+  if (*from == VS_NIL) return true;
+  if (slot(r, REGISTERS) == VS_NIL) return set_slot(r, REGISTERS, *from), true;
+  for (size_t i = 0; vs_idtable_slot(*from, i, &key, &value); i++) {
+    p[0] = key;
+    if (key != VS_VACANT && value == VS_TRUE && !know_register(r, &p[0])) return false;
   }
   return true;
 }
 
 static bool close_frame(reader *r) {
   vs_scheme *vm = r->vm;
-  VS_ROOTS(vm, p, 5);
+  VS_ROOTS(vm, p, 6);
   const level f = r->levels[r->depth - 1];
   vs_pos pos = f.pos;
   if (!flush(r) || !append(r, FORMS, VS_TRUE, pos)) return false;
-  p[0] = *slot(r, FORMS);
+  p[0] = slot(r, FORMS);
   p[4] = VS_NIL;
+  p[5] = f.usereg ? VS_NIL : slot(r, REGISTERS);
   if (f.usereg) {
     if (!declare(r, false, pos, VS_NIL, &p[4])) return false;
     if (p[4] != VS_NIL && (!vs_intern_c(vm, "let", &p[1]) || !vs_cons_at(vm, p[4], p[0], pos, &p[0]) ||
         !vs_cons_at(vm, p[1], p[0], pos, &p[0]) || !vs_cons_at(vm, p[0], VS_NIL, pos, &p[0]))) return false;
-  } else if (!pass_registers(r)) return false;
+  }
   p[4] = VS_NIL;
   if (!vs_intern_c(vm, "lambda", &p[1]) || !vs_cons_at(vm, p[4], p[0], pos, &p[0]) ||
       !vs_cons_at(vm, p[1], p[0], pos, &p[0])) return false;
   size_t count = 0;
-  for (vs_value v = *slot(r, TOKENS); vs_is_pair(v); v = vs_cdr(v)) count++;
+  for (vs_value v = slot(r, TOKENS); vs_is_pair(v); v = vs_cdr(v)) count++;
   if (!vs_make_vector(vm, count, VS_FALSE, &p[1])) return false;
   size_t i = 0;
-  for (vs_value v = *slot(r, TOKENS); vs_is_pair(v); v = vs_cdr(v), i++)
+  for (vs_value v = slot(r, TOKENS); vs_is_pair(v); v = vs_cdr(v), i++)
     vs_gc_store(vm, vs_as_vector(p[1]), &vs_as_vector(p[1])->at[i], vs_car(v));
   vs_object_of(p[1])->flags |= VS_F_IMMUTABLE;
-  r->roots.count = --r->depth * SLOTS;
-  return quoted(r, &p[1], pos, &p[2]) && form(r, "gml:procedure", &p[2], &p[0], pos, &p[3]) &&
-         emit(r, "gml:push", &p[3], NULL, pos) && form(r, "procedure", &p[1], NULL, pos, &p[2]) &&
-         append(r, TOKENS, p[2], pos);
+  *r->work = slot(r, AROUND);
+  r->depth--;
+  return pass_registers(r, &p[5]) && quoted(r, &p[1], pos, &p[2]) &&
+         form(r, "gml:procedure", &p[2], &p[0], pos, &p[3]) && emit(r, "gml:push", &p[3], NULL, pos) &&
+         form(r, "procedure", &p[1], NULL, pos, &p[2]) && append(r, TOKENS, p[2], pos);
 }
 
 /* ---- tokens ---- */
@@ -251,7 +268,7 @@ static size_t number_length(const reader *r, size_t from) {
 
 static bool read_number(reader *r, size_t n, vs_pos pos, vs_value *out) {
   size_t plus = peek(r, 0) == '+';
-  if (!vs_number_parse(r->vm, r->text + r->at + plus, n - plus, 10, out)) return false;
+  if (!vs_number_parse_at(r->vm, r->text + r->at + plus, n - plus, pos, out)) return false;
   if (!vs_is_number(*out)) return refuse(r, pos, "this is no number that can be worked with");
   advance(r, n);
   return true;
@@ -382,20 +399,17 @@ static bool import(reader *r, vs_value rest, vs_value *out) {
 }
 
 bool vs_gml_read(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms) {
-  reader r = { .vm = vm, .text = text, .size = size, .file = file, .line = line, .col = 1, .roots = { .vm = vm } };
   if (!vs_check_utf8(vm, text, size, file, line)) return false;
-  vs_gc_link(&r.roots);
+  VS_ROOTS(vm, p, 2);
+  p[0] = p[1] = VS_NIL;
+  reader r = { .vm = vm, .text = text, .size = size, .file = file, .line = line, .col = 1, .work = &p[0] };
   bool ok = open_frame(&r, vs_pos_make(file, line, 1));
   if (ok && size >= 3 && !memcmp(text, "\xEF\xBB\xBF", 3)) r.at = 3;
   while (ok && (skip(&r), r.at < size)) ok = read_token(&r);
   if (ok && r.depth > 1) ok = refuse(&r, r.levels[r.depth - 1].pos, "this { is never closed");
-  vs_value out = VS_NIL;
   ok = ok && flush(&r) && emit(&r, "gml:finish", NULL, NULL, place(&r)) &&
-       declare(&r, true, place(&r), *slot(&r, FORMS), &out) && import(&r, out, &out);
+       declare(&r, true, place(&r), slot(&r, FORMS), &p[1]) && import(&r, p[1], &p[1]);
   if (r.levels) vs_mem(vm, r.levels, r.room * sizeof *r.levels, 0);
-  vs_value *slots = r.roots.slots;
-  vs_gc_unlink(&r.roots);
-  if (slots) vs_mem(vm, slots, r.room * SLOTS * sizeof *slots, 0);
-  if (ok) *forms = out;
+  if (ok) *forms = p[1];
   return ok;
 }

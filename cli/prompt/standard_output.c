@@ -1,0 +1,25 @@
+/* Owns what happens where standard output cannot be written. */
+#include "cli/prompt/standard_output.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+void cli_output_fails(cli_session *c) {
+  if (!c->output_failed) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
+  c->output_failed = true;
+}
+
+void cli_output_flush(cli_session *c) {
+  if (fflush(stdout) != 0) cli_output_fails(c);
+}
+
+int cli_output_end(int code, bool told) {
+  errno = 0;
+  bool failed = fflush(stdout) != 0; /* errno is 0 where an earlier write failed and left nothing to write */
+  if (!failed && !ferror(stdout) && !told) return code;
+  if (code != VS_OUTCOME_DONE && code != VS_OUTCOME_MODEL) return code; /* with its own message */
+  if (!told && errno && errno != EPIPE) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
+  else if (!told && !errno) fputs("vs: standard output: not all could be written\n", stderr);
+  return VS_OUTCOME_USAGE;
+}
