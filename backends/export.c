@@ -192,15 +192,6 @@ static bool export_sync(const char *path, vs_error *e, const char *shown) {
   return ok;
 }
 
-/* Where links end: the rename must replace the file that a link stands for, not the link. *out NULL: as given. False:
- * errno says why it cannot be known; a link to what is not there is replaced itself. */
-static bool export_target(const char *path, char **out) {
-  struct stat info;
-  errno = 0;
-  *out = lstat(path, &info) == 0 && S_ISLNK(info.st_mode) ? realpath(path, NULL) : NULL;
-  return *out != NULL || errno != ENOMEM;
-}
-
 static bool export_named(vs_emitter *e, const char *path) {
   struct stat info;
   bool exists = stat(path, &info) == 0;
@@ -214,12 +205,9 @@ static bool export_named(vs_emitter *e, const char *path) {
     return ok;
   }
   if (exists && access(path, W_OK) != 0) return export_problem(e->error, path, errno);
-  char *linked = NULL;
-  if (!export_target(path, &linked)) return export_problem(e->error, path, errno);
-  const char *target = linked != NULL ? linked : path;
   bool renders = e->backend->render != NULL;
   vs_publish p;
-  bool ok = vs_publish_begin(&p, target, renders) || export_problem(e->error, path, errno);
+  bool ok = vs_publish_begin(&p, path, renders) || export_problem(e->error, path, errno);
   if (ok) {
     if (exists) (void)!fchmod(p.file, info.st_mode & 0777);
     ok = renders ? export_render(e, p.name) && export_sync(p.name, e->error, path)
@@ -227,7 +215,6 @@ static bool export_named(vs_emitter *e, const char *path) {
     ok = ok && (e->backend->beside == NULL || e->backend->beside(e));
     if (!vs_publish_end(&p, ok) && ok) ok = export_problem(e->error, path, errno);
   }
-  free(linked);
   return ok;
 }
 

@@ -7,6 +7,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <inttypes.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -48,15 +49,52 @@ static int open_nameless(const char *target) { return (void)target, -1; }
 static bool give_name(vs_publish *p, bool *done) { return (void)p, *done = false; }
 #endif
 
-bool vs_publish_begin(vs_publish *p, const char *target, bool named) {
-  size_t room = strlen(target) + NUMBER_ROOM;
-  *p = (vs_publish){ .file = -1, .target = strdup(target), .name = malloc(room) };
+/* Where the links end that begin at path: what stands there is replaced, and the links stay. Nothing need stand there.
+ * Allocated; NULL: errno says why. */
+static char *end_of_links(const char *path) {
+  enum { LINKS_MOST = 40 };
+  char *at = strdup(path);
+  for (int links = 0; at; links++) {
+    char to[4096];
+    ssize_t length = readlink(at, to, sizeof to - 1);
+    if (length < 0) return at; /* no link */
+    const char *slash = strrchr(at, '/');
+    size_t folder = slash && to[0] != '/' ? (size_t)(slash + 1 - at) : 0;
+    bool good = links < LINKS_MOST && (size_t)length < sizeof to - 1;
+    char *next = NULL;
+    int problem = links == LINKS_MOST ? ELOOP : good ? ENOMEM : ENAMETOOLONG;
+    if (good && asprintf(&next, "%.*s%.*s", (int)folder, at, (int)length, to) < 0) next = NULL;
+    free(at);
+    at = next;
+    if (!at) errno = problem;
+  }
+  return NULL;
+}
+
+/* NAME.tmp-PID; a name that leaves no room for this is cut, and a hash of it keeps it apart from others. */
+static char *name_beside(const char *target) {
+  enum { NAME_MOST = 255, CUT = 160 };
+  const char *slash = strrchr(target, '/'), *base = slash ? slash + 1 : target;
+  char *name = NULL;
+  if (strlen(base) + NUMBER_ROOM <= NAME_MOST)
+    return asprintf(&name, "%s.tmp-%ld", target, (long)getpid()) < 0 ? NULL : name;
+  size_t kept = CUT;
+  while (kept > 0 && ((unsigned char)base[kept] & 0xC0) == 0x80) kept--; /* whole characters of UTF-8 */
+  uint32_t hash = 2166136261u;
+  for (const char *c = base; *c; c++) hash = (hash ^ (unsigned char)*c) * 16777619u;
+  int length = asprintf(&name, "%.*s-%08" PRIx32 ".tmp-%ld", (int)((size_t)(base - target) + kept), target, hash,
+                        (long)getpid());
+  return length < 0 ? NULL : name;
+}
+
+bool vs_publish_begin(vs_publish *p, const char *path, bool named) {
+  *p = (vs_publish){ .file = -1, .target = end_of_links(path) };
+  if (p->target && !(p->name = name_beside(p->target))) errno = ENOMEM;
   if (p->target && p->name) {
-    snprintf(p->name, room, "%s.tmp-%ld", target, (long)getpid());
-    p->file = named ? -1 : open_nameless(target);
+    p->file = named ? -1 : open_nameless(p->target);
     p->nameless = p->file >= 0;
     if (p->file < 0) p->file = open(p->name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
-  } else errno = ENOMEM;
+  }
   if (p->file >= 0) return true;
   int problem = errno;
   free(p->target), free(p->name);

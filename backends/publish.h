@@ -11,9 +11,9 @@ typedef struct {
   bool nameless;  /* it has no name yet, and goes with the process */
 } vs_publish;
 
-/* Begins a file that is to stand at target. named: another program is to write it, by its name p->name. False: errno
- * says why, and nothing is open. */
-bool vs_publish_begin(vs_publish *p, const char *target, bool named);
+/* Begins a file that is to stand at path; where that is a symbolic link, at its end, and the link stays. named: another
+ * program is to write it, by its name p->name. False: errno says why, and nothing is open. */
+bool vs_publish_begin(vs_publish *p, const char *path, bool named);
 /* Ends it. whole: the file takes the target's place, in one step; else it goes. False: errno is the first failure (of
  * closing or of taking the place), and the target is as it was. */
 bool vs_publish_end(vs_publish *p, bool whole);
