@@ -5,6 +5,7 @@
  * makes them. Every object has a handle; tables and the dictionary that readers insist on are the least that they
  * take. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "backends/drawing/dxf.h"
@@ -27,27 +28,62 @@ static void code_real(vs_writer *w, int number, double x) {
 static void code_int(vs_writer *w, int number, long x) { vs_putf(w, "%3d\n%ld\n", number, x); }
 static void code_handle(vs_writer *w, int number, unsigned handle) { vs_putf(w, "%3d\n%X\n", number, handle); }
 
-/* Text on one line, as DXF of that time has it: characters beyond ASCII as \U+00E9; a caret is an escape, a backslash
- * and braces are as well. */
-static void code_text(vs_writer *w, int number, const char *text) {
-  vs_putf(w, "%3d\n", number);
-  for (const unsigned char *c = (const unsigned char *)text; *c != '\0';) {
-    if (*c < ' ' || *c == 0x7f) {
-      vs_puts(w, " ");
-      c++;
-    } else if (*c < 0x80) {
-      vs_put(w, (const char *)c, 1);
-      if (*c == '^') vs_puts(w, " ");
-      c++;
-    } else {
-      int more = *c >= 0xf0 ? 3 : *c >= 0xe0 ? 2 : 1;
-      uint32_t point = *c++ & (0x3fu >> more);
-      for (; more > 0 && (*c & 0xc0) == 0x80; more--) point = point << 6 | (*c++ & 0x3fu);
-      if (point < 0x10000) vs_putf(w, "\\U+%04X", (unsigned)point);
-      else vs_puts(w, "?");
-    }
+enum { DXF_CHARACTER = 12, DXF_LINE = 250 /* bytes of text on a line; a longer text is an MTEXT */ };
+
+/* The character at *text as DXF of that time has it, into `as`: one beyond ASCII as \U+00E9; a caret is an escape, a
+ * backslash and braces are as well. Returns its bytes; *text goes on to the next. */
+static size_t text_character(const char **text, char as[DXF_CHARACTER]) {
+  const unsigned char *c = (const unsigned char *)*text;
+  int length;
+  if (*c < 0x80) {
+    bool control = *c < ' ' || *c == 0x7f;
+    length = snprintf(as, DXF_CHARACTER, *c == '^' ? "%c " : "%c", control ? ' ' : *c);
+    c++;
+  } else {
+    int more = *c >= 0xf0 ? 3 : *c >= 0xe0 ? 2 : 1;
+    uint32_t point = *c++ & (0x3fu >> more);
+    for (; more > 0 && (*c & 0xc0) == 0x80; more--) point = point << 6 | (*c++ & 0x3fu);
+    length =
+        point < 0x10000 ? snprintf(as, DXF_CHARACTER, "\\U+%04X", (unsigned)point) : snprintf(as, DXF_CHARACTER, "?");
+  }
+  *text = (const char *)c;
+  return (size_t)length;
+}
+
+/* Does the text stand on one line of the file? */
+static bool text_is_short(const char *text) {
+  char as[DXF_CHARACTER];
+  size_t bytes = 0;
+  while (*text != '\0' && bytes <= DXF_LINE) bytes += text_character(&text, as);
+  return bytes <= DXF_LINE;
+}
+
+/* A line of as much of *text as it holds, which *text goes behind. */
+static void text_line(vs_writer *w, const char **text) {
+  char as[DXF_CHARACTER];
+  for (size_t bytes = 0; **text != '\0';) {
+    const char *next = *text;
+    size_t n = text_character(&next, as);
+    bytes += n;
+    if (bytes > DXF_LINE) break;
+    vs_put(w, as, n);
+    *text = next;
   }
   vs_puts(w, "\n");
+}
+
+static void code_text(vs_writer *w, int number, const char *text) {
+  vs_putf(w, "%3d\n", number);
+  text_line(w, &text);
+}
+
+/* The text of an MTEXT: all lines but the last have the code 3. */
+static void code_long_text(vs_writer *w, const char *text) {
+  while (!text_is_short(text)) {
+    vs_putf(w, "%3d\n", 3);
+    text_line(w, &text);
+  }
+  code_text(w, 1, text);
 }
 
 /* ---- tables ---- */
@@ -242,9 +278,33 @@ static void put_fill(writing *out, const vs_mark *m) {
   code_int(w, 98, 0);
 }
 
+/* A text too long for one line of the file. Its lower edge is where the line of writing is: the difference is the depth
+ * of a p. */
+static void put_long_text(writing *out, const vs_mark *m, int align) {
+  enum { BOTTOM_LEFT = 7 };
+  vs_writer *w = out->w;
+  double turn = m->angle * (acos(-1) / 180);
+  entity(out, "MTEXT", m->layer, "AcDbMText");
+  code_real(w, 10, across(out, m->at.x));
+  code_real(w, 20, up(out, m->at.y));
+  code_real(w, 30, 0);
+  code_real(w, 40, m->size / out->mm);
+  code_real(w, 41, 0); /* as wide as it is */
+  code_int(w, 71, BOTTOM_LEFT + align);
+  code_int(w, 72, 1); /* from left to right */
+  code_long_text(w, m->text);
+  code_real(w, 11, cos(turn));
+  code_real(w, 21, sin(turn));
+  code_real(w, 31, 0);
+}
+
 static void put_text(writing *out, const vs_mark *m) {
   vs_writer *w = out->w;
   int align = m->align < 0.25 ? 0 : m->align < 0.75 ? 1 : 2;
+  if (!text_is_short(m->text)) {
+    put_long_text(out, m, align);
+    return;
+  }
   entity(out, "TEXT", m->layer, "AcDbText");
   code_real(w, 10, across(out, m->at.x));
   code_real(w, 20, up(out, m->at.y));
