@@ -393,7 +393,9 @@ VS_API vs_outcome vs_drawing_compare(vs_scheme *s, vs_comparison *out,
  * are the start. Afterwards the program has run with the values found, and vs_parameter_set has them. */
 
 typedef struct {
-  bool placed; /* the scan lies where the model does, and is not moved */
+  bool placed;   /* the scan lies where the model does, and is not moved */
+  bool near;     /* it lies about there: no other place is tried */
+  bool any_pose; /* up in the scan need not be up in the model */
   const char *const *held;
   size_t held_count; /* names of parameters that keep their values */
   size_t points;     /* of the scan, that the last steps use at most; 0: 20,000 */
@@ -426,6 +428,7 @@ typedef struct {
   double correlation;              /* of the distances of neighbours: near 0 where they are mere noise */
   double size;                     /* of the scan: the root of the mean square distance from its centre */
   double place[3][4];              /* from the model's coordinates to the scan's */
+  const char *doubt; /* why it is not trusted: "far" "tilted" "strays" "shape" "rival"; or "none" */
   bool converged;                  /* false: the last step still moved */
   unsigned iterations, runs;       /* times that all distances were measured; runs of the program */
   const char *units;
@@ -433,7 +436,8 @@ typedef struct {
 
 /* Fits the program in the file `model` to the scan in the file `scan` (.ply .obj .off .stl; a cloud or a mesh). *out is
  * filled, and stays until the next vs_fit, where anything was found: with VS_OUTCOME_DONE; with VS_OUTCOME_MODEL and
- * result.samples above 0, where what was found is no fit; with VS_OUTCOME_INTERRUPTED (or VS_OUTCOME_MACHINE, past
+ * result.samples above 0, where what was found is not trusted (result.doubt);
+ * with VS_OUTCOME_INTERRUPTED (or VS_OUTCOME_MACHINE, past
  * limit_time) and result.samples above 0, where it is the best so far. Doubts about it are told as warnings.
  */
 VS_API vs_outcome vs_fit(vs_scheme *s, const char *model, const char *scan, const vs_fit_options *o,

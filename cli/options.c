@@ -343,6 +343,8 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
     return true;
   case OPTION_MANIFEST: o->manifest = v; return *v || bad("--manifest", "''", "a file name");
   case OPTION_SHEET: o->sheet = v; return *v || bad("--sheet", "''", "a file name");
+  case OPTION_NEAR: return o->near = true;
+  case OPTION_ANY_POSE: return o->any_pose = true;
   case OPTION_PLACED: return o->placed = true;
   case OPTION_POINTS:
     if (!parse_whole(v, 100, 100000000, &whole)) return bad("--points", v, "a whole number, 100 or more");
@@ -618,8 +620,18 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs("vs: --json and --xml are one too many\n", stderr);
     return CLI_BAD_USAGE;
   }
-  if (o->command != CLI_COMMAND_fit && (o->placed || o->held_count || o->points)) {
-    fprintf(stderr, "vs: --%s is for vs fit\n", o->placed ? "placed" : o->held_count ? "hold" : "points");
+  const char *of_fit = o->placed       ? "placed"
+                       : o->near       ? "near"
+                       : o->any_pose   ? "any-pose"
+                       : o->held_count ? "hold"
+                       : o->points     ? "points"
+                                       : NULL;
+  if (o->command != CLI_COMMAND_fit && of_fit) {
+    fprintf(stderr, "vs: --%s is for vs fit\n", of_fit);
+    return CLI_BAD_USAGE;
+  }
+  if (o->placed + o->near + o->any_pose > 1) {
+    fputs("vs fit: give one of --placed, --near and --any-pose: each says where the scan lies\n", stderr);
     return CLI_BAD_USAGE;
   }
   if (o->command != CLI_COMMAND_render && (o->set_count || o->jobs || o->manifest || o->sheet || o->film)) {

@@ -57,7 +57,7 @@ typedef struct {
   const char *manifest, *sheet;        /* NULL: not said */
   long film;                           /* frames a second; 0: none is wanted */
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
-  bool placed;
+  bool placed, near, any_pose; /* of vs fit */
 } cli_options;
 
 /* The job that the command line asks for. */

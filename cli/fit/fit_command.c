@@ -149,8 +149,9 @@ static void json_number(const char *name, double v) {
 static void print_json(cli_session *c, const vs_fit_result *r, const vs_fit_options *o, const histogram *h,
                        vs_outcome outcome) {
   vs_fit_parameter p;
-  printf("{\n  \"schema\": 1,\n  \"fits\": %s, \"converged\": %s, \"stopped\": %s,\n  \"parameters\": [",
-         outcome == VS_OUTCOME_DONE ? "true" : "false", r->converged ? "true" : "false",
+  printf("{\n  \"schema\": 1,\n  \"fits\": %s, \"doubt\": \"%s\", \"converged\": %s, \"stopped\": %s,\n"
+         "  \"parameters\": [",
+         outcome == VS_OUTCOME_DONE ? "true" : "false", r->doubt, r->converged ? "true" : "false",
          outcome == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_MACHINE ? "true" : "false");
   for (size_t i = 0; vs_fit_parameter_get(c->scheme, i, &p); i++) {
     printf("%s\n    {\"name\": ", i ? "," : "");
@@ -196,7 +197,7 @@ vs_outcome cli_fit(cli_session *c) {
   vs_fit_options options = vs_fit_options_default();
   vs_fit_result result;
   histogram h;
-  options.placed = o->placed;
+  options.placed = o->placed, options.near = o->near, options.any_pose = o->any_pose;
   options.held = o->held, options.held_count = o->held_count;
   if (o->points) options.points = o->points;
   c->watch.name = o->sources[0].text;

@@ -10,14 +10,22 @@
 enum {
   TRIED = 300,  /* points of step 1 */
   FIRST = 1000, /* of step 2 */
-  STARTS = 6,   /* that step 2 goes on with */
+  STARTS = 5,   /* of all points, and of the core, that step 2 goes on with */
+  MOST_STARTS = 2 * STARTS,
   PLACES = 24,  /* that step 1 improves */
-  ROTATIONS = 49,
+  AXES_TURNS = 48,
+  PLAN_TURNS = 12,
   SHIFTS = 4,
+  PLACES_TRIED = 1 + SHIFTS * (1 + AXES_TURNS + PLAN_TURNS),
   UNKNOWNS_MOST = 200
 };
 #define COARSE (1. / 2000) /* facets of step 2, in diagonals of the model */
 #define FINE (1. / 50000)
+#define NEAR .1 /* of the scan's size: how far a point may say that a place is wrong */
+#define CORE 2.5 /* times the square reach of three quarters of the points */
+#define DOUBTED .16 /* cost of a candidate above which its numbers are moved: a twentieth of the points are off */
+#define MOVED .08   /* by this share */
+#define UPRIGHT .7 /* cosine of the angle by which up may differ */
 #define DIFFERENCE 1e-3 /* of a number, for its derivative */
 
 /* ---- the unknowns of the solver ----
@@ -71,6 +79,11 @@ typedef struct {
   vs_rigid_motion motion;   /* where the motion's unknowns are 0 */
   size_t count;             /* points in this step */
   bool failed;              /* with an error that is not the model's */
+  vs_vec3 *core;            /* points of the scan without strays, in the same order */
+  size_t core_count;
+  const vs_vec3 *points;    /* of this step: all, or the core */
+  size_t point_count;
+  bool level;               /* places turn only about what is up */
   /* what was worked out last, and where */
   vs_mesh_distance *field;
   double *at, *made_at, *trial; /* unknowns of it; numbers of the field; numbers to be tried */
@@ -137,7 +150,7 @@ static bool evaluate(fit *f, const double *unknowns, bool *refused) {
     memcpy(f->made_at, f->trial, f->numbers * sizeof *f->trial);
   }
   vs_rigid_motion moved = vs_rigid_moved(&f->motion, motion_of(f, unknowns));
-  for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&moved, f->p->points[i]);
+  for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&moved, f->points[i]);
   if (!measure(f, f->field, f->distances, f->slopes)) return false;
   memcpy(f->at, unknowns, f->unknowns * sizeof *unknowns);
   return f->known = true;
@@ -231,7 +244,7 @@ static double spread_of(fit *f) {
 static bool solve(fit *f, vs_loss loss, size_t count, unsigned rounds, unsigned most, double tolerance,
                   double *unknowns, double *spread) {
   bool refused;
-  f->count = count < f->p->count ? count : f->p->count;
+  f->count = count < f->point_count ? count : f->point_count;
   f->known = false;
   for (unsigned round = 0; round < rounds; round++) {
     if (!evaluate(f, unknowns, &refused)) return false;
@@ -259,12 +272,74 @@ static void settle(fit *f, double *unknowns) {
   f->known = false;
 }
 
+/* Measures by the core, or by all points. */
+static void take_points(fit *f, bool core) {
+  f->points = core ? f->core : f->p->points, f->point_count = core ? f->core_count : f->p->count;
+}
+
+/* ---- the core of a scan ----
+ *
+ * Strays shift the centre of the points and turn their axes. Therefore three quarters of them are sought whose
+ * ellipsoid is small, by the steps of P. Rousseeuw and K. Van Driessen (1999): keep those that are nearest by the
+ * ellipsoid of those that were kept. Then all that lie within CORE times its square reach come back. */
+
+/* The square of the distance from the centre, by the spreads along the axes. */
+static double ellipsoid_square(vs_vec3 p, vs_vec3 centre, double axes[3][3], const double square[3]) {
+  vs_vec3 d = vs_v3_sub(p, centre);
+  double sum = 0;
+  for (int a = 0; a < 3; a++) {
+    double along = d.x * axes[a][0] + d.y * axes[a][1] + d.z * axes[a][2];
+    sum += along * along / square[a];
+  }
+  return sum;
+}
+
+static void find_core(fit *f) {
+  enum { SEEN = 2000, STEPS = 12 };
+  const vs_fit_problem *p = f->p;
+  size_t n = p->count < SEEN ? p->count : SEEN, half = n * 3 / 4;
+  vs_vec3 centre;
+  double axes[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, square[3] = { 1, 1, 1 }, limit = 0, scratch[SEEN];
+  double middle[3];
+  for (int a = 0; a < 3; a++) {
+    for (size_t i = 0; i < n; i++) scratch[i] = a == 0 ? p->points[i].x : a == 1 ? p->points[i].y : p->points[i].z;
+    qsort(scratch, n, sizeof *scratch, compare);
+    middle[a] = scratch[n / 2];
+  }
+  centre = vs_v3(middle[0], middle[1], middle[2]);
+  for (int step = 0; step < STEPS; step++) {
+    vs_point_moments moments = { 0 };
+    double size;
+    for (size_t i = 0; i < n; i++) scratch[i] = ellipsoid_square(p->points[i], centre, axes, square);
+    qsort(scratch, n, sizeof *scratch, compare);
+    limit = scratch[half];
+    for (size_t i = 0; i < n; i++)
+      if (ellipsoid_square(p->points[i], centre, axes, square) <= limit)
+        vs_point_moments_add(&moments, p->points[i], 1);
+    vs_point_moments_axes(&moments, &centre, axes, &size);
+    if (!(size > 0)) break;
+    for (int a = 0; a < 3; a++) {
+      double sum = 0;
+      for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) {
+          const double c[3] = { centre.x, centre.y, centre.z };
+          sum += axes[a][i] * axes[a][k] * (moments.square[i][k] / moments.weight - c[i] * c[k]);
+        }
+      square[a] = fmax(sum, 1e-4 * size * size);
+    }
+  }
+  f->core_count = 0;
+  for (size_t i = 0; i < p->count; i++)
+    if (ellipsoid_square(p->points[i], centre, axes, square) <= CORE * limit) f->core[f->core_count++] = p->points[i];
+}
+
 /* ---- the start ---- */
 
 typedef struct {
   vs_rigid_motion motion;
-  double cost; /* mean size of the distances */
+  double cost; /* mean size of the distances, none above NEAR */
   bool scaled; /* the model has its numbers by the scan's size, f->begin[1] */
+  bool core;   /* it was found by the core */
   float distances[TRIED];
 } place;
 
@@ -294,26 +369,23 @@ static void distinct_places(const fit *f, place *places, size_t *count) {
 
 /* Measures the distances there. False: stopped. */
 static bool cost_of(fit *f, place *at) {
-  for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&at->motion, f->p->points[i]);
+  for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&at->motion, f->points[i]);
   if (!measure(f, f->field, f->distances, NULL)) return false;
   at->cost = 0;
   for (size_t i = 0; i < f->count; i++) {
-    at->distances[i] = (float)f->distances[i];
-    at->cost += fabs(f->distances[i]) / (double)f->count;
+    double d = fmin(fabs(f->distances[i]), NEAR * f->out->size);
+    at->distances[i] = (float)d;
+    at->cost += d / (double)f->count;
   }
   return true;
 }
 
 /* The turn that lays the scan's axes on the model's, in the k-th of 24 ways, or (k >= 24) so and an eighth of a turn
- * about the model's first axis; k 48: none. */
-static void rotation_number(int k, double model[3][3], double scan[3][3], double out[3][3]) {
+ * about the model's first axis. */
+static void axes_turned(int k, double model[3][3], double scan[3][3], double out[3][3]) {
   static const int orders[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
   double turned[3][3];
   memset(out, 0, 9 * sizeof(double));
-  if (k == 48) {
-    out[0][0] = out[1][1] = out[2][2] = 1;
-    return;
-  }
   const int *order = orders[k % 24 / 4];
   int signs = k % 4;
   double sign[3] = { signs & 1 ? -1 : 1, signs & 2 ? -1 : 1, 1 };
@@ -330,6 +402,18 @@ static void rotation_number(int k, double model[3][3], double scan[3][3], double
       for (int r = 0; r < 3; r++) out[i][c] += model[r][i] * turned[r][c];
 }
 
+/* The direction in which points spread most in plan, as an angle. */
+static double plan_angle(const vs_point_moments *s) {
+  double x = s->sum.x / s->weight, y = s->sum.y / s->weight, xx = s->square[0][0] / s->weight - x * x,
+         xy = s->square[0][1] / s->weight - x * y, yy = s->square[1][1] / s->weight - y * y;
+  return atan2(2 * xy, xx - yy) / 2;
+}
+
+static void turn_in_plan(double angle, double out[3][3]) {
+  memset(out, 0, 9 * sizeof(double));
+  out[0][0] = out[1][1] = cos(angle), out[1][0] = sin(angle), out[0][1] = -out[1][0], out[2][2] = 1;
+}
+
 static void span_along(const double axis[3], const vs_vec3 *points, size_t count, const vs_rigid_motion *m,
                        double span[2]) {
   span[0] = INFINITY, span[1] = -INFINITY;
@@ -340,44 +424,85 @@ static void span_along(const double axis[3], const vs_vec3 *points, size_t count
   }
 }
 
-/* Places to be tried: each turn, with the boxes along the model's first axis laid middle on middle, end on end, start
- * on start, or centre on centre. */
-static bool try_places(fit *f, const vs_mesh *mesh, place *places, size_t *count) {
-  vs_point_moments moments = { 0 }, of_scan = { 0 };
-  double axes[3][3], scan_axes[3][3], model_span[3][2];
-  vs_vec3 centre, scan_centre;
+/* A surface as step 1 sees it: its moments, axes and centre; of the model its extent along its axes, too. */
+typedef struct {
+  vs_point_moments moments;
+  vs_vec3 centre;
+  double axes[3][3], size, span[3][2];
+  const vs_vec3 *points; /* of the scan: those that span its box */
+  size_t count;
+} shape;
+
+/* Adds the places that one turn gives: with the boxes along the model's first axis laid middle on middle, end on end,
+ * start on start, or centre on centre. */
+static void add_turn(const fit *f, const shape *model, const shape *scan, double turn[3][3], place *places,
+                     size_t *count) {
+  for (int s = 0; s < SHIFTS; s++) {
+    vs_rigid_motion m = f->motion;
+    m.centre = scan->centre, m.to = model->centre;
+    memcpy(m.turn, turn, sizeof m.turn);
+    for (int a = 0; s < 3 && a < 3; a++) {
+      double span[2];
+      span_along(model->axes[a], scan->points, scan->count, &m, span);
+      const double offs[3] = { (model->span[a][0] + model->span[a][1] - span[0] - span[1]) / 2,
+                               model->span[a][0] - span[0], model->span[a][1] - span[1] };
+      m.to = vs_v3_add(m.to, vs_v3_scale(vs_v3(model->axes[a][0], model->axes[a][1], model->axes[a][2]),
+                                         offs[a == 0 ? s : 0]));
+    }
+    places[(*count)++].motion = m;
+  }
+}
+
+/* Adds the places that lay one set of the scan's points on the model: axes on axes, and turns about the upright axis.
+ * Unless any pose may be, what is up in the scan is up in the model. */
+static void add_turns(const fit *f, shape *model, shape *scan, place *places, size_t *count) {
+  double turn[3][3], angle = plan_angle(&model->moments) - plan_angle(&scan->moments);
+  for (int k = 0; k < AXES_TURNS; k++) {
+    axes_turned(k, model->axes, scan->axes, turn);
+    if (f->p->any_pose || turn[2][2] > UPRIGHT) add_turn(f, model, scan, turn, places, count);
+  }
+  for (int k = 0; k < PLAN_TURNS; k++) {
+    turn_in_plan(angle + 2 * acos(-1) * k / PLAN_TURNS, turn);
+    add_turn(f, model, scan, turn, places, count);
+  }
+}
+
+static void model_shape(const vs_mesh *mesh, shape *out) {
+  *out = (shape){ .size = 0 };
   for (size_t i = 0; i < mesh->triangle_count; i++) {
     vs_vec3 c[3];
     for (int k = 0; k < 3; k++) c[k] = mesh->vertices[mesh->triangles[i][k]];
     double area = vs_v3_length(vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0]))) / 2;
     for (int k = 0; k < 3; k++) /* by the middles of the sides, which is exact for squares */
-      vs_point_moments_add(&moments, vs_v3_scale(vs_v3_add(c[k], c[(k + 1) % 3]), .5), area / 3);
+      vs_point_moments_add(&out->moments, vs_v3_scale(vs_v3_add(c[k], c[(k + 1) % 3]), .5), area / 3);
   }
-  for (size_t i = 0; i < f->p->count; i++) vs_point_moments_add(&of_scan, f->p->points[i], 1);
-  vs_point_moments_axes(&of_scan, &scan_centre, scan_axes, &f->out->size);
-  f->out->model_size = 0;
-  if (!(moments.weight > 0)) return vs_error_set(f->e, VS_ERROR_MODEL, NULL, "the model has no surface");
-  vs_point_moments_axes(&moments, &centre, axes, &f->out->model_size);
+  if (!(out->moments.weight > 0)) return;
+  vs_point_moments_axes(&out->moments, &out->centre, out->axes, &out->size);
+  for (int a = 0; a < 3; a++) span_along(out->axes[a], mesh->vertices, mesh->vertex_count, NULL, out->span[a]);
+}
+
+/* The moments of so many points. */
+static void scan_shape(const vs_vec3 *points, size_t count, size_t spanned, shape *out) {
+  *out = (shape){ .points = points, .count = count < spanned ? count : spanned };
+  for (size_t i = 0; i < count; i++) vs_point_moments_add(&out->moments, points[i], 1);
+  vs_point_moments_axes(&out->moments, &out->centre, out->axes, &out->size);
+}
+
+/* Places to be tried; the first as the scan lies. */
+static bool try_places(fit *f, const vs_mesh *mesh, place *places, size_t *count) {
+  shape model, scan;
+  model_shape(mesh, &model);
+  scan_shape(f->core, f->core_count, f->count, &scan);
+  f->out->size = scan.size, f->out->model_size = model.size;
+  scan_shape(f->points, f->point_count, f->count, &scan);
+  if (!(model.size > 0)) return vs_error_set(f->e, VS_ERROR_MODEL, NULL, "the model has no surface");
   *count = 0;
   f->motion = (vs_rigid_motion){ .size = f->out->size > 0 ? f->out->size : 1 };
   f->motion.turn[0][0] = f->motion.turn[1][1] = f->motion.turn[2][2] = 1;
-  if (f->p->placed) return places[(*count)++].motion = f->motion, true;
-  for (int a = 0; a < 3; a++) span_along(axes[a], mesh->vertices, mesh->vertex_count, NULL, model_span[a]);
-  for (int k = 0; k < ROTATIONS; k++)
-    for (int s = 0; s < SHIFTS; s++) {
-      vs_rigid_motion m = f->motion;
-      m.centre = scan_centre, m.to = centre;
-      rotation_number(k, axes, scan_axes, m.turn);
-      for (int a = 0; s < 3 && a < 3; a++) {
-        double span[2];
-        span_along(axes[a], f->p->points, f->count, &m, span);
-        const double offs[3] = { (model_span[a][0] + model_span[a][1] - span[0] - span[1]) / 2,
-                                 model_span[a][0] - span[0], model_span[a][1] - span[1] };
-        double off = offs[a == 0 ? s : 0];
-        m.to = vs_v3_add(m.to, vs_v3(axes[a][0] * off, axes[a][1] * off, axes[a][2] * off));
-      }
-      places[(*count)++].motion = m;
-    }
+  places[(*count)++].motion = f->motion;
+  if (f->p->placed || f->p->near) return true;
+  add_turn(f, &model, &scan, f->motion.turn, places, count);
+  add_turns(f, &model, &scan, places, count);
   return true;
 }
 
@@ -411,17 +536,17 @@ static bool find_places(fit *f, bool scaled, place *places, size_t *count) {
     f->tolerance = f->diagonal * COARSE;
     if (!(f->field = vs_mesh_distance_new(&mesh))) ok = vs_error_memory(f->e, NULL);
   }
-  f->count = f->p->count < TRIED ? f->p->count : TRIED;
+  f->count = f->point_count < TRIED ? f->point_count : TRIED;
   ok = ok && try_places(f, &mesh, places, count) && same_unit(f);
   vs_mesh_free(&mesh);
   if (!ok) return f->failed = true, false;
   for (size_t i = 0; i < *count; i++) {
-    places[i].scaled = scaled;
+    places[i].scaled = scaled, places[i].core = f->points == f->core;
     if (!cost_of(f, &places[i])) return false;
   }
   if (f->p->placed) return true;
-  size_t kept = 0; /* of each rotation the best shift */
-  for (size_t i = 0; i < *count; i += SHIFTS) {
+  size_t kept = 1; /* the first, and of each rotation the best shift */
+  for (size_t i = 1; i < *count; i += SHIFTS) {
     size_t best = i;
     for (size_t k = i + 1; k < i + SHIFTS; k++)
       if (places[k].cost < places[best].cost) best = k;
@@ -439,9 +564,10 @@ static bool motion_residuals(void *context, const double *unknowns, double *out,
   double all[UNKNOWNS_MOST + VS_RIGID_UNKNOWNS];
   memcpy(all + f->numbers, unknowns, VS_RIGID_UNKNOWNS * sizeof *unknowns);
   vs_rigid_motion moved = vs_rigid_moved(&f->motion, unknowns);
-  for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&moved, f->p->points[i]);
+  for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&moved, f->points[i]);
   if (!measure(f, f->field, out, f->slopes)) return false;
   if (slopes) motion_slopes(f, all, slopes);
+  if (slopes && f->level) memset(slopes, 0, 2 * f->count * sizeof *slopes);
   return true;
 }
 
@@ -451,26 +577,46 @@ static bool improve(fit *f, place *at) {
   vs_robust_end end;
   f->motion = at->motion;
   if (!cost_of(f, at)) return false;
-  vs_robust_problem problem = {
-    f->count, VS_RIGID_UNKNOWNS, motion_residuals, f, VS_LOSS_HUBER, spread_of(f), 20, 1e-4
-  };
-  if (!vs_robust_solve(&problem, unknowns, &mean, &end, f->e)) return f->failed = true, false;
-  at->motion = vs_rigid_moved(&f->motion, unknowns);
-  return end != VS_ROBUST_STOPPED && cost_of(f, at);
+  f->level = !f->p->any_pose;
+  for (int loss = VS_LOSS_HUBER; loss <= VS_LOSS_TUKEY; loss++) { /* Tukey's: rid of what strays pulled */
+    vs_robust_problem problem = {
+      f->count, VS_RIGID_UNKNOWNS, motion_residuals, f, (vs_loss)loss, spread_of(f), 20, 1e-4
+    };
+    memset(unknowns, 0, sizeof unknowns);
+    if (!vs_robust_solve(&problem, unknowns, &mean, &end, f->e)) return f->failed = true, false;
+    f->motion = at->motion = vs_rigid_moved(&f->motion, unknowns);
+    if (end == VS_ROBUST_STOPPED || !cost_of(f, at)) return false;
+    f->level = false;
+  }
+  return true;
 }
 
 /* ---- the way through ---- */
 
 typedef struct {
   vs_rigid_motion motion;
-  double unknowns[UNKNOWNS_MOST + VS_RIGID_UNKNOWNS], cost;
+  double unknowns[UNKNOWNS_MOST + VS_RIGID_UNKNOWNS], cost, spread;
   float distances[FIRST / 2];
+  size_t known; /* distances */
+  bool core;
 } candidate;
 
-static double mean_size(const double *distances, size_t count) {
-  double sum = 0;
-  for (size_t i = 0; i < count; i++) sum += fabs(distances[i]);
-  return sum / (double)count;
+/* The mean of Tukey's loss of its distances, from 0 to 1: about how many of the points are not the model's. */
+static double score(const candidate *c, double spread) {
+  double sum = 0, slope, most = VS_TUKEY_REACH * VS_TUKEY_REACH / 3;
+  for (size_t i = 0; i < c->known; i++) {
+    double root = vs_loss_root(VS_LOSS_TUKEY, (double)c->distances[i] / spread, &slope, NULL);
+    sum += root * root / most;
+  }
+  return c->known ? sum / (double)c->known : 1;
+}
+
+/* Gives all candidates their cost, by the spread of the one with the least. */
+static void rate(const fit *f, candidate *all, size_t count) {
+  double spread = INFINITY;
+  for (size_t i = 0; i < count; i++) spread = fmin(spread, all[i].spread);
+  spread = fmax(spread, f->tolerance);
+  for (size_t i = 0; i < count; i++) all[i].cost = score(&all[i], spread);
 }
 
 /* Are the numbers of two candidates apart by more than a twentieth? */
@@ -493,18 +639,27 @@ static double from_start(const fit *f, const candidate *c) {
   return sum;
 }
 
+/* Is a point in twenty or more otherwise off from the one than from the other? Else the two are the same shape. */
+static bool unlike(const fit *f, const candidate *a, const candidate *b) {
+  double spread = fmax(fmax(a->spread, b->spread), f->tolerance);
+  size_t off = 0;
+  for (size_t i = 0; i < a->known; i++) off += fabs((double)a->distances[i] - (double)b->distances[i]) > 2 * spread;
+  return off * 20 > a->known;
+}
+
 /* Of the candidates, which came nearest; where another that is apart came as near (*second then is the nearest such),
  * the one with the numbers nearer to the start. */
-static void choose(fit *f, const candidate *all, size_t count, candidate *best, candidate *second) {
-  double slack = f->tolerance / 2;
+static void choose(fit *f, candidate *all, size_t count, candidate *best, candidate *second) {
+  rate(f, all, count);
   *best = all[0];
   for (size_t i = 1; i < count; i++)
     if (all[i].cost < best->cost) *best = all[i];
   second->cost = INFINITY;
   for (size_t i = 0; i < count; i++)
     if (all[i].cost < second->cost && apart(f, best, &all[i])) *second = all[i];
-  f->out->rival = second->cost < 1.1 * best->cost + slack;
-  if (!(second->cost < 1.02 * best->cost + slack) || from_start(f, second) >= from_start(f, best)) return;
+  f->out->rival = second->cost < 1.1 * best->cost + .02;
+  f->out->rival_unlike = f->out->rival && unlike(f, best, second);
+  if (!(second->cost < 1.02 * best->cost + .005) || from_start(f, second) >= from_start(f, best)) return;
   candidate held = *best;
   *best = *second, *second = held;
 }
@@ -512,14 +667,21 @@ static void choose(fit *f, const candidate *all, size_t count, candidate *best, 
 /* Fits all unknowns from a candidate's. False: failed; stopped is none, and leaves it as it was, or better. */
 static bool advance(fit *f, candidate *c, size_t points, unsigned most, double tolerance) {
   double spread;
+  bool refused;
   f->motion = c->motion;
-  bool ok = !f->out->stopped && solve(f, VS_LOSS_HUBER, points, 1, most, tolerance, c->unknowns, &spread);
+  take_points(f, c->core);
+  bool ok = !f->out->stopped && solve(f, VS_LOSS_TUKEY, points, 3, most, tolerance, c->unknowns, &spread);
   if (f->failed) return false;
-  if (ok) c->cost = mean_size(f->distances, f->count);
-  for (size_t i = 0; ok && i < f->count && i < FIRST / 2; i++) c->distances[i] = (float)f->distances[i];
+  take_points(f, false);
+  f->count = f->p->count < FIRST / 2 ? f->p->count : FIRST / 2;
+  f->known = false;
+  if (ok && evaluate(f, c->unknowns, &refused)) {
+    c->known = f->count, c->spread = spread_of(f);
+    for (size_t i = 0; i < c->known; i++) c->distances[i] = (float)f->distances[i];
+  }
   settle(f, c->unknowns);
   c->motion = f->motion;
-  return true;
+  return !f->failed;
 }
 
 static int compare_candidates(const void *p, const void *q) {
@@ -532,20 +694,44 @@ static bool same_candidate(const fit *f, const candidate *a, const candidate *b)
   size_t count = f->p->count < FIRST / 2 ? f->p->count : FIRST / 2;
   double off = 0;
   for (size_t i = 0; i < count; i++) off += fabs((double)a->distances[i] - (double)b->distances[i]);
-  return !apart(f, a, b) && off < .1 * (double)count * fmin(a->cost, b->cost);
+  return !apart(f, a, b) && off < .1 * (double)count * fmax(fmin(a->spread, b->spread), f->tolerance);
+}
+
+/* Where many points are not the model's, some number may be caught beside its value: a row of windows on the next.
+ * Starts anew from the best with one number larger, or smaller. False: failed. */
+static bool from_numbers(fit *f, candidate *best, candidate *second) {
+  enum { NUMBERS_MOVED = 12 };
+  candidate pair[2];
+  bool better = false;
+  for (size_t j = 0; j < f->numbers && j < NUMBERS_MOVED; j++)
+    for (int side = -1; side <= 1 && !f->out->stopped; side += 2) {
+      const vs_fit_number *n = &f->p->numbers[j];
+      double x = outer(n, best->unknowns[j]);
+      pair[0] = pair[1] = *best;
+      pair[1].unknowns[j] = inner(n, fmin(fmax(x + side * MOVED * fmax(fabs(x), .1 * scale_of(n)), n->low), n->high));
+      if (!advance(f, &pair[1], FIRST / 2, 12, 1e-3)) return false;
+      rate(f, pair, 2);
+      if (pair[1].cost < .95 * pair[0].cost) *best = pair[1], better = true;
+    }
+  if (better) {
+    pair[0] = *best, pair[1] = *second;
+    choose(f, pair, second->cost < INFINITY ? 2 : 1, best, second);
+  }
+  return true;
 }
 
 /* Step 2: all unknowns from the best places, a few iterations each; then the better half of those that are different to
  * the end. False: failed; stopped is none. */
 static bool from_places(fit *f, const place *places, size_t count, candidate *best, candidate *second) {
-  size_t starts = count < STARTS ? count : STARTS;
-  candidate all[STARTS];
+  size_t starts = count < MOST_STARTS ? count : MOST_STARTS;
+  candidate all[MOST_STARTS];
   for (size_t i = 0; i < starts; i++) {
-    all[i] = (candidate){ .motion = places[i].motion, .cost = INFINITY };
+    all[i] = (candidate){ .motion = places[i].motion, .core = places[i].core, .cost = INFINITY, .spread = INFINITY };
     for (size_t j = 0; j < f->numbers; j++)
       all[i].unknowns[j] = inner(&f->p->numbers[j], f->begin[places[i].scaled][j]);
     if (!advance(f, &all[i], FIRST / 2, 12, 1e-3)) return false;
   }
+  rate(f, all, starts);
   qsort(all, starts, sizeof *all, compare_candidates);
   size_t kept = 0;
   for (size_t i = 0; i < starts; i++) {
@@ -555,9 +741,9 @@ static bool from_places(fit *f, const place *places, size_t count, candidate *be
   }
   starts = kept > 2 ? (kept + 1) / 2 : kept;
   for (size_t i = 0; i < starts; i++)
-    if (!advance(f, &all[i], FIRST, 25, 1e-4)) return false;
+    if (all[i].core = false, !advance(f, &all[i], FIRST, 25, 1e-4)) return false;
   choose(f, all, starts, best, second);
-  return true;
+  return f->out->stopped || best->cost < DOUBTED || from_numbers(f, best, second);
 }
 
 /* ---- what the result is worth ---- */
@@ -708,6 +894,22 @@ static bool summarise(fit *f) {
   return true;
 }
 
+/* Why the result cannot be trusted. */
+static vs_fit_doubt doubt_of(const fit *f) {
+  const vs_model_fit *o = f->out;
+  const double(*turn)[3] = (const double(*)[3])o->motion.turn;
+  if (o->median > .02 * o->size) return VS_FIT_DOUBT_FAR;
+  if (!f->p->placed && !f->p->any_pose && !(turn[2][2] > UPRIGHT)) return VS_FIT_DOUBT_TILTED;
+  if (o->outliers * 5 > f->p->count) return VS_FIT_DOUBT_STRAYS;
+  if (o->correlation > .5 && o->spread > 1e-3 * o->size) return VS_FIT_DOUBT_SHAPE;
+  for (size_t j = 0; o->rival_unlike && j < f->numbers; j++) {
+    const vs_fitted_number *n = &o->numbers[j];
+    bool other = fabs(n->value - n->rival) > .05 * fmax(fabs(n->value), fabs(n->rival));
+    if (other && n->verdict != VS_FIT_NUMBER_LOOSE) return VS_FIT_DOUBT_RIVAL;
+  }
+  return VS_FIT_DOUBT_NONE;
+}
+
 /* Step 1, with the numbers as they are, or by the scan's size. Adds places, the best of them improved. False: failed.
  */
 static bool step_one(fit *f, bool scaled, place *places, size_t *count) {
@@ -731,6 +933,19 @@ static bool scale_numbers(fit *f) {
   return f->numbers && fabs(log(ratio)) > .1;
 }
 
+/* Step 1 with both sets of numbers; the best STARTS of both. False: failed. */
+static bool starts_of(fit *f, place *places, size_t *count) {
+  if (!step_one(f, false, places, count)) return false;
+  if (!f->out->stopped && scale_numbers(f) && !step_one(f, true, places + *count, count)) {
+    if (f->e->kind != VS_ERROR_MODEL && f->e->kind != VS_ERROR_FILE) return false;
+    f->failed = false; /* that model cannot be made: the other stands */
+    *f->e = (vs_error){ 0 };
+  }
+  qsort(places, *count, sizeof *places, compare_places);
+  if (*count > STARTS) *count = STARTS;
+  return true;
+}
+
 static bool run(fit *f, place *places) {
   size_t count = 0;
   candidate best, second;
@@ -738,22 +953,20 @@ static bool run(fit *f, place *places) {
   const vs_fit_problem *p = f->p;
   for (size_t j = 0; j < f->numbers; j++)
     f->begin[0][j] = outer(&p->numbers[j], inner(&p->numbers[j], p->numbers[j].start));
-  if (!step_one(f, false, places, &count)) return false;
-  if (!count) return vs_error_set(f->e, VS_ERROR_INTERRUPT, NULL, "interrupted before anything was fitted");
-  if (!f->out->stopped && scale_numbers(f) && !step_one(f, true, places + count, &count)) {
-    if (f->e->kind != VS_ERROR_MODEL && f->e->kind != VS_ERROR_FILE) return false;
-    f->failed = false; /* that model cannot be made: the other stands */
-    *f->e = (vs_error){ 0 };
+  find_core(f);
+  for (int core = f->core_count * 50 < p->count * 49; core >= 0 && !f->out->stopped; core--) {
+    size_t found = 0;
+    take_points(f, core);
+    if (!starts_of(f, places + count, &found)) return false;
+    count += found;
   }
-  qsort(places, count, sizeof *places, compare_places);
+  if (!count) return vs_error_set(f->e, VS_ERROR_INTERRUPT, NULL, "interrupted before anything was fitted");
   if (!from_places(f, places, count, &best, &second)) return false;
   f->motion = best.motion;
   f->tolerance = f->diagonal * FINE;
   vs_mesh_distance_free(f->field);
   f->field = NULL;
   const size_t counts[] = { 4 * FIRST, p->most };
-  if (!f->out->stopped && !solve(f, VS_LOSS_HUBER, counts[0], 1, 25, 1e-4, best.unknowns, &spread) && f->failed)
-    return false;
   for (size_t i = 0; i < 2 && !f->out->stopped; i++) {
     if (!solve(f, VS_LOSS_TUKEY, counts[i], i ? 2 : 4, 25, 1e-6, best.unknowns, &spread) && f->failed) return false;
     settle(f, best.unknowns);
@@ -777,7 +990,9 @@ static bool run(fit *f, place *places) {
     vs_mesh_distance_free(f->field);
     f->field = fresh;
   }
-  return summarise(f);
+  if (!summarise(f)) return false;
+  f->out->doubt = doubt_of(f);
+  return true;
 }
 
 bool vs_model_fit_solve(const vs_fit_problem *p, vs_model_fit *out, vs_error *e) {
@@ -792,13 +1007,13 @@ bool vs_model_fit_solve(const vs_fit_problem *p, vs_model_fit *out, vs_error *e)
                         p->count == 1 ? "" : "s", numbers, numbers == 1 ? "" : "s",
                         p->placed ? "" : " and the scan's place", unknowns);
   fit f = { .p = p, .out = out, .e = e, .numbers = numbers, .unknowns = unknowns };
-  size_t most = p->most > 4 * FIRST ? p->most : 4 * FIRST;
+  size_t core_room = 0, most = p->most > 4 * FIRST ? p->most : 4 * FIRST;
   if (most > p->count) most = p->count;
   place *places = NULL;
   bool ok = VS_GROW(out->numbers, rooms[0], numbers + 1) && VS_GROW(out->distances, rooms[1], p->count) &&
             VS_GROW(f.at, rooms[2], 5 * (unknowns + 1)) && VS_GROW(f.places, rooms[3], most) &&
             VS_GROW(f.slopes, rooms[4], most) && VS_GROW(f.distances, rooms[5], 2 * most) &&
-            VS_GROW(places, room, STARTS + ROTATIONS * SHIFTS);
+            VS_GROW(f.core, core_room, p->count) && VS_GROW(places, room, MOST_STARTS + PLACES_TRIED);
   if (ok) {
     memset(out->numbers, 0, (numbers + 1) * sizeof *out->numbers);
     memset(out->distances, 0, p->count * sizeof *out->distances);
@@ -809,7 +1024,7 @@ bool vs_model_fit_solve(const vs_fit_problem *p, vs_model_fit *out, vs_error *e)
     out->field = f.field;
   } else
     vs_error_memory(e, NULL);
-  free(f.at), free(f.places), free(f.slopes), free(f.distances), free(places);
+  free(f.at), free(f.places), free(f.slopes), free(f.distances), free(f.core), free(places);
   return ok;
 }
 

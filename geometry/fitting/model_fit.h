@@ -4,11 +4,13 @@
  * m is a rigid motion (six unknowns, unless the scan is placed already) and x are the model's numbers. By m the
  * derivative is exact, the slope of the distance; by x it is a difference of two models.
  *
- * Plan. 1: rotations that lay principal axes on principal axes, and shifts that lay box on box, are tried on some
- * hundred points; the best are improved with the model as it is. The same holds in the model whose numbers are as many
- * times larger as the scan is. 2: from the best few of these all unknowns are fitted, few points, Huber's loss. 3: the
- * best goes on with more points and Tukey's loss, then with all that are asked for. 4: what the derivatives at the end
- * say of each number: its interval, or that the scan does not determine it. */
+ * Plan. 1: the scan as it lies, rotations about the upright axis and such as lay principal axes on principal axes, and
+ * shifts that lay box on box, are tried on some hundred points; the best are improved with the model as it is. The same
+ * holds in the model whose numbers are as many times larger as the scan is, and again with the core of the scan, from
+ * which strays are gone. 2: from the best few of these all unknowns are fitted, few points, Tukey's loss; the score of
+ * each is the mean loss of all points by the least spread. Where the best has many outliers, its numbers are moved one
+ * by one. 3: the best goes on with more points, then with all that are asked for. 4: what the derivatives at the end
+ * say of each number: its interval, or that the scan does not determine it; and whether the result is to be trusted. */
 #ifndef VS_GEOMETRY_FITTING_MODEL_FIT_H
 #define VS_GEOMETRY_FITTING_MODEL_FIT_H
 
@@ -38,6 +40,8 @@ typedef struct {
   const vs_vec3 *points; /* of the scan, in random order */
   size_t count;
   bool placed;       /* the scan lies where the model does */
+  bool near;         /* it lies about there: no other place is tried */
+  bool any_pose;     /* up in the scan need not be up in the model */
   size_t most;       /* points that the last steps use */
   double confidence; /* of the intervals, within 0 and 1 */
 } vs_fit_problem;
@@ -47,6 +51,16 @@ typedef enum {
   VS_FIT_NUMBER_LOOSE /* the scan does not determine it */,
   VS_FIT_NUMBER_BOUND /* it stands at a bound */
 } vs_fit_verdict;
+
+/* Why the result of a fit cannot be trusted. */
+typedef enum {
+  VS_FIT_DOUBT_NONE,
+  VS_FIT_DOUBT_FAR,    /* half of the points lie far from the model */
+  VS_FIT_DOUBT_TILTED, /* the model lies on its side, or upside down, and any_pose was not said */
+  VS_FIT_DOUBT_STRAYS, /* more than a fifth of the points are outliers */
+  VS_FIT_DOUBT_SHAPE,  /* neighbouring points lie on the same side */
+  VS_FIT_DOUBT_RIVAL   /* another start came as near, with another shape */
+} vs_fit_doubt;
 
 typedef struct {
   double value, error, low, high; /* error: standard; the interval: at the asked confidence; INFINITY where loose */
@@ -68,6 +82,8 @@ typedef struct {
   double model_size;       /* of the model at the start, the same */
   bool converged, stopped; /* stopped: `going` ended it */
   bool rival;              /* another start came as near, with other numbers */
+  bool rival_unlike;       /* and its shape is another */
+  vs_fit_doubt doubt;
   unsigned iterations, models; /* evaluations of the distances; models made */
 } vs_model_fit;
 

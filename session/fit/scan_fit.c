@@ -21,7 +21,7 @@
 #include "session/spine.h"
 #include "solids/solid_meshes.h"
 
-enum { USUAL_POINTS = 20000, MOST_NAMES = 300 /* bytes */ };
+enum { USUAL_POINTS = 20000, MOST_NAMES = 300, MOST_DOUBT = 600 /* bytes */ };
 
 typedef struct {
   const char *name;
@@ -341,7 +341,7 @@ static void warn_all(const job *j, const vs_fit_result *r) {
     snprintf(text, sizeof text, "%s: stopped by #:min or #:max; the scan would have it beyond", names);
     warn(j, text);
   }
-  for (size_t i = 0; m->rival && i < f->number_count; i++) {
+  for (size_t i = 0; m->rival && m->doubt != VS_FIT_DOUBT_RIVAL && i < f->number_count; i++) {
     double a = m->numbers[i].value, b = m->numbers[i].rival;
     if (!(fabs(a - b) > .05 * fmax(fabs(a), fabs(b))) || m->numbers[i].verdict == VS_FIT_NUMBER_LOOSE) continue;
     snprintf(text, sizeof text,
@@ -350,14 +350,14 @@ static void warn_all(const job *j, const vs_fit_result *r) {
     warn(j, text);
     break;
   }
-  if (r->outliers > r->samples / 20) {
+  if (r->outliers > r->samples / 20 && m->doubt != VS_FIT_DOUBT_STRAYS) {
     snprintf(text, sizeof text,
              "%.0f %% of the points lie further than %.3g from the fitted model and had no say: damage, "
              "other things in the scan, or a wrong fit; a map (-o map.ply) shows which",
              100. * (double)r->outliers / (double)r->samples, VS_TUKEY_REACH * r->spread);
     warn(j, text);
   }
-  if (r->correlation > .5 && r->spread > 1e-3 * r->size) {
+  if (r->correlation > .5 && r->spread > 1e-3 * r->size && m->doubt != VS_FIT_DOUBT_SHAPE) {
     snprintf(text, sizeof text,
              "neighbouring points lie on the same side of the model (correlation %.2f): it differs from the scan "
              "by more than noise, and the intervals are too narrow",
@@ -376,6 +376,9 @@ static bool take_result(job *j, vs_fit_result *r) {
   static const vs_fit_state states[] = { [VS_FIT_NUMBER_FITTED] = VS_FIT_FITTED,
                                          [VS_FIT_NUMBER_LOOSE] = VS_FIT_UNDETERMINED,
                                          [VS_FIT_NUMBER_BOUND] = VS_FIT_AT_BOUND };
+  static const char *const words[] = { [VS_FIT_DOUBT_NONE] = "none",     [VS_FIT_DOUBT_FAR] = "far",
+                                       [VS_FIT_DOUBT_TILTED] = "tilted", [VS_FIT_DOUBT_STRAYS] = "strays",
+                                       [VS_FIT_DOUBT_SHAPE] = "shape",   [VS_FIT_DOUBT_RIVAL] = "rival" };
   vs_scan_fit *f = j->f;
   const vs_model_fit *m = &f->fit;
   const vs_face_list *file = &f->scan.file;
@@ -403,6 +406,7 @@ static bool take_result(job *j, vs_fit_result *r) {
                         .root_mean_square = m->root_mean_square,
                         .correlation = m->correlation,
                         .size = m->size,
+                        .doubt = words[m->doubt],
                         .converged = m->converged && !m->stopped,
                         .iterations = m->iterations,
                         .runs = m->models,
@@ -411,10 +415,60 @@ static bool take_result(job *j, vs_fit_result *r) {
   return true;
 }
 
+/* The first parameter that the rival has otherwise, or 0. */
+static size_t rival_number(const vs_model_fit *m, size_t count) {
+  for (size_t i = 0; i < count; i++)
+    if (fabs(m->numbers[i].value - m->numbers[i].rival) > .05 * fabs(m->numbers[i].value)) return i;
+  return 0;
+}
+
+/* Why the result is not trusted, and what may help. False: it is. */
+static bool tell_doubt(const job *j, const vs_fit_result *r, char text[MOST_DOUBT]) {
+  const vs_scan_fit *f = j->f;
+  const vs_model_fit *m = &f->fit;
+  size_t rival;
+  switch (m->doubt) {
+  case VS_FIT_DOUBT_NONE: return false;
+  case VS_FIT_DOUBT_FAR:
+    snprintf(text, MOST_DOUBT,
+             "the model does not fit the scan: half of the points lie further than %.3g from it, %.2g %% of the "
+             "scan's size; what was found is wrong. Other values to start from (-D), --near, --any-pose, or another "
+             "model, may do better",
+             r->median, 100 * r->median / r->size);
+    return true;
+  case VS_FIT_DOUBT_TILTED:
+    snprintf(text, MOST_DOUBT,
+             "the scan lies on its side, or upside down, where the model comes nearest to it; if it does, give "
+             "--any-pose; else what was found is wrong: other values to start from (-D), or --near, may do better");
+    return true;
+  case VS_FIT_DOUBT_STRAYS:
+    snprintf(text, MOST_DOUBT,
+             "%.0f %% of the scan's points lie further than %.3g from the fitted model: strays, or the fit is wrong. "
+             "Crop the scan, or lay it near the model and give --near; a map (-o map.ply) shows which points",
+             100. * (double)r->outliers / (double)r->samples, VS_TUKEY_REACH * r->spread);
+    return true;
+  case VS_FIT_DOUBT_SHAPE:
+    snprintf(text, MOST_DOUBT,
+             "neighbouring points lie on the same side of the model (correlation %.2f): the scan has another shape, or "
+             "the fit is wrong. Other values to start from (-D), or --near, may do better; a map (-o map.ply) shows "
+             "where it differs",
+             r->correlation);
+    return true;
+  case VS_FIT_DOUBT_RIVAL:
+    rival = rival_number(m, f->number_count);
+    snprintf(text, MOST_DOUBT,
+             "from another start the model came as near with %.100s = %.4g in place of %.4g: the scan leaves both "
+             "open. Hold what is known (--hold), scan more, or lay the scan near the model and give --near",
+             f->parameters[f->number[rival]].name, m->numbers[rival].rival, m->numbers[rival].value);
+    return true;
+  }
+  return false;
+}
+
 /* Tells what became of it, once something was found. */
 static vs_outcome conclude(job *j, const vs_fit_result *r) {
   vs_session *s = j->session;
-  char text[300];
+  char text[MOST_DOUBT];
   warn_all(j, r);
   if (j->f->fit.stopped) {
     if (j->late)
@@ -426,11 +480,7 @@ static vs_outcome conclude(job *j, const vs_fit_result *r) {
     vs_session_report_at(s, VS_SEVERITY_ERROR, outcome, NULL, 0, 0, text);
     return outcome;
   }
-  if (!(r->median > .02 * r->size)) return VS_OUTCOME_DONE;
-  snprintf(text, sizeof text,
-           "the model does not fit the scan: half of the points lie further than %.3g from it, %.2g %% of the "
-           "scan's size; what was found is wrong. Other values to start from (-D), or another model, may do better",
-           r->median, 100 * r->median / r->size);
+  if (!tell_doubt(j, r, text)) return VS_OUTCOME_DONE;
   vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MODEL, j->model, 0, 0, text);
   return VS_OUTCOME_MODEL;
 }
@@ -463,6 +513,8 @@ vs_outcome vs_fit(vs_scheme *vm, const char *model, const char *scan, const vs_f
                        .points = s->fit->scan.samples,
                        .count = s->fit->scan.sample_count,
                        .placed = o->placed,
+                       .near = o->near,
+                       .any_pose = o->any_pose,
                        .most = o->points ? o->points : USUAL_POINTS,
                        .confidence = o->confidence > 0 ? o->confidence : .95 };
   hush(&j);

@@ -146,6 +146,7 @@ static vs_fit_problem problem_of(const vs_fit_model *model, const vs_vec3 *point
                            .points = points,
                            .count = POINTS,
                            .most = POINTS,
+                           .any_pose = true,
                            .confidence = .95 };
 }
 

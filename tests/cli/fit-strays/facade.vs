@@ -1,0 +1,12 @@
+(define-parameter width 10.0 #:min 4 #:max 30)
+(define-parameter height 7.0 #:min 4 #:max 20)
+(define-parameter opening 1.4 #:min 0.3 #:max 3)
+(define (part x0 y0 z0 x1 y1 z1) (make-box (xyz x0 y0 z0) (xyz x1 y1 z1)))
+(define wall
+  (unite (part 0 0 0 width 0.5 height)
+         (part 0 -0.15 0 width 0.2 0.8)
+         (part 0 -0.3 (- height 0.4) width 0.2 height)))
+(define (window column row)
+  (let ([x (* width (/ (+ column 0.5) 3))] [z (* height row)])
+    (part (- x (/ opening 2)) -1 z (+ x (/ opening 2)) 0.25 (+ z 1.6))))
+(draw (subtract wall (window 0 0.2) (window 1 0.2) (window 2 0.2) (window 0 0.6) (window 1 0.6) (window 2 0.6)))
