@@ -6,13 +6,13 @@
 #define _XOPEN_SOURCE 700
 #include "backends/export.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -143,21 +143,14 @@ bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e)) 
   return f.problem != 0 ? export_problem(e->error, path, f.problem) : ok;
 }
 
-/* A worker's folder holds files alone. */
-static void export_clear(const char *folder) {
-  DIR *d = opendir(folder);
-  const struct dirent *entry;
-  while (d != NULL && (entry = readdir(d)) != NULL)
-    if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0) unlinkat(dirfd(d), entry->d_name, 0);
-  if (d != NULL) closedir(d);
-  rmdir(folder);
-}
-
 /* The scene of a rendered format into a private folder, the worker, and the picture at output. */
 static bool export_render(vs_emitter *e, const char *output) {
   const char *base = getenv("TMPDIR");
-  char *folder = export_join(base != NULL && base[0] == '/' ? base : "/tmp", "/visualscheme-XXXXXX", 0);
+  if (base == NULL || base[0] != '/') base = "/tmp";
+  vs_publish_sweep(base, "visualscheme-work-", "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789");
+  char *folder = export_join(base, "/visualscheme-work-XXXXXX", 0);
   char *text = NULL;
+  int lock = -1; /* it says to other runs that this one lives */
   bool made = false, ok = false;
   if (folder == NULL) {
     vs_emit_no_memory(e);
@@ -166,6 +159,8 @@ static bool export_render(vs_emitter *e, const char *output) {
   } else if (made = true, (text = export_join(folder, "/scene.pov", 0)) == NULL) {
     vs_emit_no_memory(e);
   } else {
+    lock = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock >= 0) flock(lock, LOCK_EX | LOCK_NB);
     int file = open(text, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     e->folder = folder;
     ok = file >= 0 ? export_to_file(e, file, text, false) : export_problem(e->error, text, errno);
@@ -178,7 +173,8 @@ static bool export_render(vs_emitter *e, const char *output) {
     vs_tally_enter(tally, was);
   }
   e->folder = NULL;
-  if (made) export_clear(folder);
+  if (made) vs_publish_clear(folder);
+  if (lock >= 0) close(lock);
   free(text);
   free(folder);
   return ok;

@@ -5,6 +5,7 @@
 #include "backends/publish.h"
 #include "model/signals.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
@@ -12,6 +13,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { NUMBER_ROOM = 40 };
@@ -87,13 +91,62 @@ static char *name_beside(const char *target) {
   return length < 0 ? NULL : name;
 }
 
+void vs_publish_clear(const char *folder) {
+  DIR *d = opendir(folder);
+  const struct dirent *entry;
+  while (d && (entry = readdir(d)) != NULL)
+    if (strcmp(entry->d_name, ".") && strcmp(entry->d_name, "..")) unlinkat(dirfd(d), entry->d_name, 0);
+  if (d) closedir(d);
+  rmdir(folder);
+}
+
+enum { YOUNG = 10 /* seconds */ };
+
+/* Takes the entry away if its owner is gone. */
+static void sweep_one(DIR *d, const char *folder, const char *name) {
+  char path[4096];
+  struct stat is;
+  int n = snprintf(path, sizeof path, "%s/%s", folder, name);
+  int file = openat(dirfd(d), name, O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
+  if (file < 0) return;
+  bool ours = fstat(file, &is) == 0 && is.st_uid == geteuid() && time(NULL) - is.st_mtime > YOUNG &&
+              (S_ISREG(is.st_mode) || S_ISDIR(is.st_mode)) && flock(file, LOCK_EX | LOCK_NB) == 0;
+  if (ours && S_ISREG(is.st_mode)) unlinkat(dirfd(d), name, 0);
+  else if (ours && n > 0 && n < (int)sizeof path) vs_publish_clear(path);
+  close(file);
+}
+
+void vs_publish_sweep(const char *folder, const char *beginning, const char *end) {
+  DIR *d = opendir(folder);
+  const struct dirent *entry;
+  while (d && (entry = readdir(d)) != NULL)
+    if (!strncmp(entry->d_name, beginning, strlen(beginning))) {
+      const char *rest = entry->d_name + strlen(beginning);
+      if (*rest && !rest[strspn(rest, end)]) sweep_one(d, folder, entry->d_name);
+    }
+  if (d) closedir(d);
+}
+
+/* Takes away earlier files beside the same target, NAME.tmp-PID, whose processes were killed. */
+static void sweep_siblings(const vs_publish *p) {
+  const char *slash = strrchr(p->name, '/'), *base = slash ? slash + 1 : p->name;
+  char *folder = slash ? strndup(p->name, (size_t)(slash - p->name) + 1) : strdup(".");
+  char *beginning = strndup(base, (size_t)(strrchr(base, '-') + 1 - base));
+  if (folder && beginning) vs_publish_sweep(folder, beginning, "0123456789");
+  free(folder), free(beginning);
+}
+
 bool vs_publish_begin(vs_publish *p, const char *path, bool named) {
   *p = (vs_publish){ .file = -1, .target = end_of_links(path) };
   if (p->target && !(p->name = name_beside(p->target))) errno = ENOMEM;
   if (p->target && p->name) {
     p->file = named ? -1 : open_nameless(p->target);
     p->nameless = p->file >= 0;
-    if (p->file < 0) p->file = open(p->name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (!p->nameless) {
+      sweep_siblings(p);
+      p->file = open(p->name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+      if (p->file >= 0) flock(p->file, LOCK_EX | LOCK_NB);
+    }
   }
   if (p->file >= 0) return true;
   int problem = errno;

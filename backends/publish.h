@@ -18,4 +18,11 @@ bool vs_publish_begin(vs_publish *p, const char *path, bool named);
  * closing or of taking the place), and the target is as it was. */
 bool vs_publish_end(vs_publish *p, bool whole);
 
+/* Removes the leftovers of killed runs from a folder: this user's files, and folders of files, whose names begin so and
+ * go on with characters of `end` only. A living run holds its own by flock; an entry that is only some seconds old may
+ * not be locked yet and stays. */
+void vs_publish_sweep(const char *folder, const char *beginning, const char *end);
+/* Removes a folder that holds files alone. */
+void vs_publish_clear(const char *folder);
+
 #endif

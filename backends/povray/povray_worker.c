@@ -16,6 +16,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -137,6 +140,9 @@ static void run_become(const pov_run *r, const int errors[2], char *const *argum
   static const int usual[] = { SIGINT, SIGPIPE, SIGTERM, SIGHUP };
   sigset_t none;
   int nothing = open("/dev/null", O_RDWR);
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL); /* where we are killed ourselves, nobody else ends it */
+#endif
   setpgid(0, 0); /* a group of its own, so that what it has started ends with it */
   for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) signal(usual[i], SIG_DFL);
   sigemptyset(&none);

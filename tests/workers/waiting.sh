@@ -44,3 +44,23 @@ if command -v pgrep > /dev/null; then
 else
   echo "skip waiting:ctrl-c: no pgrep (package procps)"
 fi
+
+# Where the program or a run of pictures is killed, POV-Ray ends as well, and the next run takes away what the killed one left.
+if command -v pgrep > /dev/null; then
+  : > "$work/why"
+  mkdir -p "$work/tmp9" "$work/out9"
+  for command in "render $work/slow.vs -o $work/out9/ --all-views --jobs 2" "-q $work/slow.vs -o $work/out9/k.png"; do
+    TMPDIR=$work/tmp9 "$vs" $command --size 640x480 > /dev/null 2>&1 & process=$!
+    for i in $(seq 300); do pgrep -f "$work/tmp9/visualscheme-work" > /dev/null && break; sleep 0.05; done
+    pgrep -f "$work/tmp9/visualscheme-work" > /dev/null || echo "$command: POV-Ray was not seen" >> "$work/why"
+    kill -9 "$process"; wait "$process" 2> /dev/null
+    for i in $(seq 60); do pgrep -f "$work/tmp9/visualscheme-work" > /dev/null || break; sleep 0.05; done
+    for left in $(pgrep -f "$work/tmp9/visualscheme-work"); do echo "$command: POV-Ray goes on" >> "$work/why"; kill -9 "$left"; done
+    sleep 0.3
+    find "$work/tmp9" "$work/out9" -exec touch -h -d '1 hour ago' {} +
+    TMPDIR=$work/tmp9 "$vs" -q "$work/slow.vs" -o "$work/out9/k.png" --size 32x24 --quality draft > "$work/said" 2>&1 || cat "$work/said" >> "$work/why"
+    left=$(ls -A "$work/tmp9"; ls -A "$work/out9" | grep 'k.png.')
+    [ -z "$left" ] || echo "$command: left behind: $left" >> "$work/why"
+  done
+  result waiting:killed "$work/why"
+fi
