@@ -347,6 +347,14 @@ VS_API vs_outcome vs_drawing_summary(vs_scheme *s, vs_summary *out);
 /* The names of the views that the model has made, (view "name" ...), in their order; NULL past the last. */
 VS_API const char *vs_view_name(const vs_scheme *s, size_t index);
 
+/* Has the interpreter read what stands at path: a program, a picture, a mesh, data, under this name or another? Writing
+ * there is refused (VS_OUTCOME_USAGE) by everything that this library writes; a host asks before it writes itself. */
+VS_API bool vs_is_input(const vs_scheme *s, const char *path);
+/* The names of the files that it has read, in their order; NULL past the last. */
+VS_API const char *vs_input_name(const vs_scheme *s, size_t index);
+/* Notes a file that the host read itself, for vs_is_input. False: out of memory. */
+VS_API bool vs_note_input(vs_scheme *s, const char *path);
+
 VS_API void vs_drawing_clear(vs_scheme *s); /* as (erase-all); forgets returned objects too */
 
 /* ---- what differs between two drawings ----

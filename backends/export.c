@@ -128,9 +128,17 @@ static char *export_join(const char *a, const char *b, unsigned long number) {
   return text;
 }
 
+/* False: an input stands at path. */
+static bool export_may_write(vs_emitter *e, const char *path) {
+  const vs_export_options *o = e->options;
+  return !o->is_input || !o->is_input(o->context, path) ||
+         vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: the model has read it", path);
+}
+
 bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e)) {
   vs_writer *was = e->out;
   vs_publish p;
+  if (!export_may_write(e, path)) return false;
   if (!vs_publish_begin(&p, path, false)) return export_problem(e->error, path, errno);
   export_file f = { p.file, 0 };
   e->out = export_writer(e, export_file_sink, &f);
@@ -191,6 +199,7 @@ static bool export_sync(const char *path, vs_error *e, const char *shown) {
 static bool export_named(vs_emitter *e, const char *path) {
   struct stat info;
   bool exists = stat(path, &info) == 0;
+  if (!export_may_write(e, path)) return false;
   if (exists && S_ISDIR(info.st_mode))
     return vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: it is a folder", path);
   /* a pipe or /dev/full: nothing to rename over */

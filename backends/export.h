@@ -31,6 +31,7 @@ typedef struct {
   void *context;      /* for the calls below, any of which may be NULL */
   /* Something the output does not show as modelled; said once a reason. origin may be NULL. */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
+  bool (*is_input)(void *context, const char *path); /* a file that the drawing was made from: it is never replaced */
   /* stage: "writing", "meshing", "rendering"; fraction 0..1, or negative where unknown. false: stop, which is
    * VS_ERROR_INTERRUPT. */
   bool (*progress)(void *context, const char *stage, double fraction);

@@ -32,6 +32,7 @@ typedef struct {
   unsigned stops;             /* VS_EVAL_STOP: the files that are run may stop; VS_EVAL_PASS: they do not; 0:
       they warn */
   long frame;                 /* of --frames, from 1; 0: there are none */
+  int told;                   /* where the batch that this run is of hears what was read (batch/inputs_told.h); -1 */
   unsigned results;           /* values shown since the program began: the last one's name is $results */
 } cli_session;
 

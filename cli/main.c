@@ -19,6 +19,7 @@
 #include "cli/limits.h"
 #include "cli/nearby.h"
 #include "cli/prompt/standard_output.h"
+#include "cli/batch/inputs_told.h"
 #include "cli/batch/render_command.h"
 #include "cli/command.h"
 #include "cli/difference.h"
@@ -167,6 +168,13 @@ static bool set_parameters(cli_session *c) {
   return true;
 }
 
+static const char *title(const cli_options *o) {
+  for (size_t i = o->source_count; i-- > 0;)
+    if (o->sources[i].kind == CLI_SOURCE_FILE)
+      return strcmp(o->sources[i].text, "-") == 0 ? "standard input" : o->sources[i].text;
+  return "-e";
+}
+
 /* -D names that the model did not take are mistakes of the command line. */
 static bool all_parameters_used(cli_session *c) {
   const char *name;
@@ -176,7 +184,10 @@ static bool all_parameters_used(cli_session *c) {
     cli_nearby near = cli_nearby_start(name);
     size_t count = vs_parameter_count(c->scheme);
     for (size_t k = 0; k < count && vs_parameter_get(c->scheme, k, &p); k++) cli_nearby_offer(&near, p.name);
-    fprintf(stderr, "vs: -D %s: the model has no such parameter", name);
+    char typed[400];
+    cli_inputs_typed(name, typed, sizeof typed);
+    fprintf(stderr, "vs: %s: %s: the model has no such parameter", title(c->options), typed);
+    if (strncmp(typed, "-D ", 3) != 0) fprintf(stderr, " %s", name);
     if (near.best) fprintf(stderr, "; perhaps %s", near.best);
     else if (count) fputs("; it has", stderr);
     for (size_t k = 0; !near.best && k < count && vs_parameter_get(c->scheme, k, &p); k++)
@@ -220,15 +231,27 @@ static bool path_with(const char *path, const char *view, char name[PATH_ROOM]) 
   return false;
 }
 
+/* Writes one output: cli_session_write, or may_write. */
+typedef vs_outcome write_fn(cli_session *c, const cli_target *t);
+
+/* Done where it is no file that the run has read, which is said. */
+static vs_outcome may_write(cli_session *c, const cli_target *t) {
+  if (strcmp(t->path, "-") == 0 || !vs_is_input(c->scheme, t->path)) return VS_OUTCOME_DONE;
+  cli_report_settle(&c->reporter);
+  fprintf(stderr, "vs: %s: this run has read it, and no output takes the place of what it is made from; "
+          "-o names another file\n", t->path);
+  return VS_OUTCOME_USAGE;
+}
+
 /* A picture of each of the model's views. */
-static vs_outcome write_views(cli_session *c, const cli_target *t) {
+static vs_outcome write_views(cli_session *c, const cli_target *t, write_fn *write) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   const char *view;
   for (size_t i = 0; outcome != VS_OUTCOME_INTERRUPTED && (view = vs_view_name(c->scheme, i)) != NULL; i++) {
     char path[PATH_ROOM];
     if (!path_with(t->path, view, path)) return VS_OUTCOME_USAGE;
     c->options->output.view = view;
-    vs_outcome one = cli_session_write(c, &(cli_target){path, t->format});
+    vs_outcome one = write(c, &(cli_target){path, t->format});
     if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
   }
   c->options->output.view = NULL;
@@ -242,38 +265,36 @@ static bool frame_path(const char *path, const cli_frames *f, long frame, char n
   return path_with(path, number, name);
 }
 
-static vs_outcome write_target(cli_session *c, const cli_target *t) {
+static vs_outcome write_target(cli_session *c, const cli_target *t, write_fn *write) {
   char path[PATH_ROOM];
   cli_target numbered = {path, t->format};
   if (c->frame) {
     if (!frame_path(t->path, &c->options->frames, c->frame, path)) return VS_OUTCOME_USAGE;
     t = &numbered;
   }
-  if (!c->options->all_views) return cli_session_write(c, t);
-  if (is_picture(t) && vs_view_name(c->scheme, 0)) return write_views(c, t);
+  if (!c->options->all_views) return write(c, t);
+  if (is_picture(t) && vs_view_name(c->scheme, 0)) return write_views(c, t, write);
   c->options->output.view = "*";
-  vs_outcome outcome = cli_session_write(c, t);
+  vs_outcome outcome = write(c, t);
   c->options->output.view = NULL;
   return outcome;
 }
 
-/* Every output is tried, whatever became of the others; the first trouble is the exit code. */
+/* None is written where one would take the place of an input. Every output is tried, whatever became of the others; the
+ * first trouble is the exit code. */
 static vs_outcome write_all(cli_session *c) {
   vs_outcome outcome = VS_OUTCOME_DONE;
+  cli_inputs_tell(c->told, c->scheme);
+  for (size_t i = 0; i < c->options->target_count && outcome == VS_OUTCOME_DONE; i++)
+    outcome = write_target(c, &c->options->targets[i], may_write);
+  if (outcome != VS_OUTCOME_DONE) return outcome;
   for (size_t i = 0; i < c->options->target_count && outcome != VS_OUTCOME_INTERRUPTED; i++) {
     c->options->output.last = i + 1 == c->options->target_count && !c->options->interactive &&
                               c->frame == c->options->frames.count;
-    vs_outcome one = write_target(c, &c->options->targets[i]);
+    vs_outcome one = write_target(c, &c->options->targets[i], cli_session_write);
     if (one == VS_OUTCOME_INTERRUPTED || outcome == VS_OUTCOME_DONE) outcome = one;
   }
   return outcome;
-}
-
-static const char *title(const cli_options *o) {
-  for (size_t i = o->source_count; i-- > 0;)
-    if (o->sources[i].kind == CLI_SOURCE_FILE)
-      return strcmp(o->sources[i].text, "-") == 0 ? "standard input" : o->sources[i].text;
-  return "-e";
 }
 
 /* All sources, and what they draw in a line. again: the prompt asks for it. */
@@ -488,8 +509,13 @@ static int run_command(int argc, char **argv, bool *told) {
     cli_options_free(&options);
     return (int)outcome;
   }
-  cli_session session = {.options = &options, .output = options.to_stdout || options.command == CLI_COMMAND_params ||
-      options.command == CLI_COMMAND_diff || options.command == CLI_COMMAND_fit ? stderr : stdout, .ended = &ended};
+  cli_session session = { .options = &options,
+                          .told = cli_inputs_find(),
+                          .output = options.to_stdout || options.command == CLI_COMMAND_params ||
+                                            options.command == CLI_COMMAND_diff || options.command == CLI_COMMAND_fit
+                                        ? stderr
+                                        : stdout,
+                          .ended = &ended };
   cli_watch_open(&session.watch);
   if (options.untrusted && !cli_untrusted_begin(&session.untrusted, &options)) {
     cli_options_free(&options);

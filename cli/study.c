@@ -16,7 +16,7 @@
 #include "languages/analysis/tree_report.h"
 #include "languages/analysis/resolve_names.h"
 
-typedef struct { knowledge k; cli_reporter reporter; } study;
+typedef struct { knowledge k; cli_reporter reporter; vs_scheme *scheme; } study;
 
 /* While the analysis asks the interpreter something, what the answer says is its own business. */
 static void diagnose(void *context, const vs_diagnostic *d) {
@@ -249,6 +249,10 @@ static vs_outcome translate(study *s, const cli_options *o) {
     if (*s->k.trouble) fprintf(stderr, "%s%s\n", strchr(s->k.trouble, ':') ? "" : "vs translate: ", s->k.trouble);
     return s->k.outcome;
   }
+  if (path && strcmp(path, "-") != 0 && vs_is_input(s->scheme, path)) {
+    fprintf(stderr, "vs translate: %s: it is what is translated; -o names another file\n", path);
+    return free(text), VS_OUTCOME_USAGE;
+  }
   bool ok = write_whole(path, text, length);
   if (!ok) fprintf(stderr, "vs translate: %s: %s\n", path ? path : "standard output", strerror(errno));
   free(text);
@@ -279,7 +283,10 @@ vs_outcome cli_study(const cli_options *o) {
   vs_scheme *scheme = vs_new(&interpreter);
   if (!scheme) return fputs("vs: out of memory\n", stderr), VS_OUTCOME_MACHINE;
   vs_outcome outcome = VS_OUTCOME_DONE;
-  if (know_read(&s.k, scheme, o->sources[0].text, o->library_path))
+  s.scheme = scheme;
+  bool read = know_read(&s.k, scheme, o->sources[0].text, o->library_path);
+  for (size_t i = 0; i < s.k.file_count; i++) vs_note_input(scheme, s.k.files[i].path);
+  if (read)
     outcome = o->command == CLI_COMMAND_check       ? check(&s, o)
               : o->command == CLI_COMMAND_doc       ? document(&s, o)
               : o->command == CLI_COMMAND_translate ? translate(&s, o)

@@ -2,6 +2,7 @@
  * embedder's callbacks where it gave some. The VM has no system calls of its own; these are all there are. */
 #include "session/host.h"
 
+#include "session/inputs/inputs.h"
 #include "session/names.h"
 #include "session/session.h"
 
@@ -114,6 +115,7 @@ static bool slurp(vs_session *s, const char *path, char **text, size_t *length, 
   FILE *f = fopen(path, "rb");
   if (!f) return refuse(s, reason(errno), why);
   if (fstat(fileno(f), &st) == 0 && S_ISDIR(st.st_mode)) return fclose(f), refuse(s, reason(EISDIR), why);
+  if (!vs_session_note(s, path, fileno(f), false)) return fclose(f), refuse(s, "out of memory", why);
   size_t room = st.st_size > 0 ? (size_t)st.st_size + 1 : 65536, used = 0;
   char *at = malloc(room);
   while (at) {
@@ -134,7 +136,9 @@ static bool slurp(vs_session *s, const char *path, char **text, size_t *length, 
 
 static bool read_whole(vs_session *s, const char *path, char **text, size_t *length, const char **why) {
   const vs_host *h = &s->options.host;
-  return h->read_file ? h->read_file(h->context, path, text, length, why) : slurp(s, path, text, length, why);
+  if (!h->read_file) return slurp(s, path, text, length, why);
+  if (!h->read_file(h->context, path, text, length, why)) return false;
+  return vs_session_note_path(s, path) || (free(*text), refuse(s, "out of memory", why));
 }
 
 bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why) {
@@ -235,8 +239,11 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
     if (!vs_session_read(s, path, true, &fresh.text, &fresh.length, why)) return -1;
   } else {
     if (s->options.untrusted) return refuse(s, "writing files is switched off", why), -1;
+    if (mode == VS_IO_WRITE && vs_session_is_input(s, path)) return refuse(s, VS_INPUT_KEPT, why), -1;
     fresh.file = fopen(path, mode == VS_IO_WRITE ? "wb" : "ab");
     if (!fresh.file) return refuse(s, errno == EACCES ? "not permitted to write it" : reason(errno), why), -1;
+    if (mode == VS_IO_WRITE && !vs_session_note(s, path, fileno(fresh.file), true))
+      return fclose(fresh.file), refuse(s, "out of memory", why), -1;
   }
   s->stream[i] = fresh;
   return i;

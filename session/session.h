@@ -24,6 +24,9 @@ typedef struct {
   bool before; /* it was read before vs_restart, and not since */
 } vs_source;
 
+/* A file that was read, or that the program has begun itself (inputs.c). */
+typedef struct { uint64_t device, node; char *path; bool made; } vs_known_file;
+
 enum { VS_STREAMS = 64 };
 typedef struct {
   bool open, reading;
@@ -76,6 +79,8 @@ typedef struct {
   vs_stream stream[VS_STREAMS];
   vs_source *sources;
   size_t source_count, source_room;
+  vs_known_file *inputs;
+  size_t input_count, input_room;
   char why[256];            /* of the last failed file operation */
   double evaluate_seconds, write_seconds;
   bool writing, late;       /* an output is under way; it was stopped by the limit of time */

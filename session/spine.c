@@ -32,6 +32,7 @@
 #include "session/comparison.h"
 #include "session/evaluation.h"
 #include "session/host.h"
+#include "session/inputs/inputs.h"
 #include "session/light/pictures.h"
 #include "session/report.h"
 #include "session/statistics.h"
@@ -79,6 +80,8 @@ static bool job_progress(void *job, const char *stage, double fraction) {
   return !vs_session_interrupted(j->session);
 }
 
+static bool job_is_input(void *job, const char *path) { return vs_session_is_input(((vs_job *)job)->session, path); }
+
 /* ---- options ---- */
 
 void vs_session_aim(const vs_output_options *o, vs_scene *scene) {
@@ -107,7 +110,7 @@ static void set_options(vs_job *j) {
   const vs_output_options *o = j->options;
   vs_export_options *e = &j->export;
   vs_export_options_init(e);
-  e->context = j, e->warn = job_warn, e->progress = job_progress;
+  e->context = j, e->warn = job_warn, e->progress = job_progress, e->is_input = job_is_input;
   e->safe = limits->untrusted || limits->limit_time > 0 || limits->limit_memory || limits->limit_steps ||
             limits->limit_output;
   e->mesh_triangles = limits->limit_triangles;

@@ -25,6 +25,7 @@
 #include "session/stops.h"
 #include "session/comparison.h"
 #include "session/fit/scan_fit.h"
+#include "session/inputs/inputs.h"
 #include "solids/drawn_bounds.h"
 
 #include "backends/export.h"
@@ -328,6 +329,7 @@ void vs_free(vs_scheme *vm) {
   vs_bind_close(&s->bind);
   vs_session_close_files(s);
   vs_session_free_sources(s);
+  vs_session_free_inputs(s);
   vs_session_free_outputs(s);
   free_texts(s);
   vs_options o = s->options;
@@ -635,8 +637,18 @@ static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_n
     return VS_OUTCOME_USAGE;
   }
   if (!crop_is_within(s, &o)) return VS_OUTCOME_USAGE;
+  if (path && vs_session_is_input(s, path)) {
+    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, VS_INPUT_KEPT);
+    return VS_OUTCOME_USAGE;
+  }
   return vs_session_write(s, path, format, &o, to);
 }
+
+bool vs_is_input(const vs_scheme *vm, const char *path) { return vs_session_is_input(vs_session_of(vm), path); }
+const char *vs_input_name(const vs_scheme *vm, size_t index) {
+  return vs_session_input(vs_session_of(vm), index);
+}
+bool vs_note_input(vs_scheme *vm, const char *path) { return vs_session_note_path(vs_session_of(vm), path); }
 
 vs_outcome vs_write_drawing(vs_scheme *vm, const char *path, const char *format, const vs_output_options *o) {
   return write_to(vm, path, format, o, NULL);

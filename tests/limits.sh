@@ -5,6 +5,7 @@ trap 'rm -rf "$folder"' EXIT
 . tests/limited.sh
 "$BUILD/tools/attack" "$BUILD/vs" tests/limits/attacks.txt "$folder" "$([ -n "${LONG:-}" ] && echo all || echo sample)" "${ATTACK:-}" || echo "not ok limits: ended with $?"
 sh tests/untrusted.sh
+sh tests/inputs.sh
 sh tests/faults.sh
 for fuzzer in "$BUILD"/tools/replay_*; do
   [ -x "$fuzzer" ] || continue

@@ -8,10 +8,13 @@
 #include "cli/batch/render_command.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <inttypes.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -19,6 +22,7 @@
 
 #include "cli/batch/film.h"
 #include "cli/batch/film_frames.h"
+#include "cli/batch/inputs_told.h"
 #include "cli/json.h"
 
 enum { PATH_ROOM = 4096, MOST = 100000, EXPOSURE_ROOM = 24 };
@@ -28,6 +32,7 @@ typedef struct { uint64_t scene, bytes; double seconds; int code; fate fate; } r
 typedef struct {
   const char *model;
   char *set, *view, *file; /* set: "a=1,b=2", or NULL; view NULL: the model's own */
+  const char *given;       /* of set, what --set says; the rest is the frame's; NULL: nothing */
   char exposure[EXPOSURE_ROOM]; /* of a film's frame, in stops: that of all its frames; empty: the options' */
   uint64_t metered;        /* the scene that it was found in: the first frame's */
   long frame;              /* of --frames, from 1; 0: none. The frames of a film stand one behind the other. */
@@ -41,9 +46,21 @@ typedef struct {
   picture *at;
   size_t count, room;
   char *manifest, program[PATH_ROOM];
+  const char *manifest_path;  /* NULL: there is none */
+  int lock;                   /* the manifest's file, locked; -1 */
+  bool unwritten;             /* the manifest could not be written, which was said */
+  int told;                   /* the list of what the runs read, or -1 */
+  vs_outcome failed;          /* of a model whose views could not be found; else done */
+  vs_scheme *inputs;          /* knows what was read: nothing of it may be written over */
 } batch;
 
 static bool no_memory(void) { return fputs("vs: out of memory\n", stderr), false; }
+
+static uint64_t hash_more(uint64_t h, const void *bytes, size_t count) { /* FNV-1a */
+  for (const unsigned char *c = bytes; count-- > 0; c++) h = (h ^ *c) * UINT64_C(0x100000001b3);
+  return h;
+}
+static const uint64_t hash_begin = UINT64_C(0xcbf29ce484222325);
 
 /* ---- which pictures ---- */
 
@@ -78,6 +95,23 @@ static bool add_picture(batch *b, const char *model, const char *set, const char
   return true;
 }
 
+/* The set as a part of a name: "r=4,n=2". A set that no name can hold, or a long one, gets a number of its own, so that
+ * two sets never have one name, in this run or in the next. */
+static void put_set(char *to, size_t room, const char *set) {
+  enum { LONGEST = 80 };
+  size_t used = strlen(to), from = used;
+  bool plain = true;
+  for (const char *c = set; *c && used < from + LONGEST && used + 1 < room; c++) {
+    bool fits =
+        (*c >= '0' && *c <= '9') || (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || strchr("=,.-+_", *c);
+    plain = plain && fits;
+    to[used++] = fits ? *c : '_';
+  }
+  to[used] = 0;
+  if (plain && used - from == strlen(set)) return;
+  snprintf(to + used, room - used, "-%08" PRIx32, (uint32_t)(hash_more(hash_begin, set, strlen(set)) >> 16));
+}
+
 /* The picture's name: of a folder FOLDER/model-set-view-frame.png, of a file a.png a-set-view-frame.png. */
 static bool name_picture(const batch *b, const char *model, size_t set, const char *view, long frame,
                          char name[PATH_ROOM]) {
@@ -99,7 +133,10 @@ static bool name_picture(const batch *b, const char *model, size_t set, const ch
     snprintf(name, PATH_ROOM - 200, "%.*s", (int)(dot && (!slash || dot > slash) ? dot - model
                                                                                   : (ptrdiff_t)strlen(model)), model);
   }
-  if (o->set_count) snprintf(name + strlen(name), PATH_ROOM - strlen(name), "-%zu", set + 1);
+  if (o->set_count) {
+    snprintf(name + strlen(name), PATH_ROOM - strlen(name), "-");
+    put_set(name, PATH_ROOM - 100, o->sets[set]);
+  }
   if (view) {
     snprintf(name + strlen(name), PATH_ROOM - strlen(name), "-");
     put_word(name, PATH_ROOM - 60, view, false);
@@ -134,35 +171,36 @@ static bool add_frames(batch *b, const char *model, size_t set, const char *view
       return no_memory();
     ok = name_picture(b, model, set, view, frame, name) &&
          add_picture(b, model, frame ? with : given, view, frame, name);
+    if (ok) b->at[b->count - 1].given = given;
     free(with);
   }
   return ok;
 }
 
-/* With --all-views the model is run once here, for the names of its views. */
-static vs_outcome add_model(batch *b, const char *model, size_t set) {
+/* With --all-views the model is run once here, for the names of its views. A model that fails takes no other with it; b
+ * keeps the first failure. False: a picture cannot be named, which is said. */
+static bool add_model(batch *b, const char *model, size_t set) {
   const cli_options *o = b->options;
   const char *view;
-  if (!o->all_views) return add_frames(b, model, set, o->output.view) ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
+  if (!o->all_views) return add_frames(b, model, set, o->output.view);
   vs_options interpreter = o->interpreter;
   interpreter.host = (vs_host){.context = (void *)(uintptr_t)model, .diagnose = say};
   vs_scheme *s = vs_new(&interpreter);
   vs_outcome outcome = s ? vs_eval_file(s, model, VS_EVAL_PASS) : VS_OUTCOME_MACHINE;
   size_t i = 0;
-  for (; outcome == VS_OUTCOME_DONE && (view = vs_view_name(s, i)) != NULL; i++)
-    if (!add_frames(b, model, set, view)) outcome = VS_OUTCOME_USAGE;
-  if (outcome == VS_OUTCOME_DONE && i == 0 && !add_frames(b, model, set, NULL)) outcome = VS_OUTCOME_USAGE;
+  bool ok = true;
+  for (; ok && outcome == VS_OUTCOME_DONE && (view = vs_view_name(s, i)) != NULL; i++)
+    ok = add_frames(b, model, set, view);
+  if (ok && outcome == VS_OUTCOME_DONE && i == 0) ok = add_frames(b, model, set, NULL);
+  for (i = 0; s && (view = vs_input_name(s, i)) != NULL; i++) vs_note_input(b->inputs, view);
   vs_free(s);
-  return outcome;
+  if (outcome == VS_OUTCOME_DONE) return ok;
+  if (!o->quiet) printf("%s: failed\n", model), fflush(stdout);
+  if (b->failed == VS_OUTCOME_DONE) b->failed = outcome;
+  return true;
 }
 
 /* ---- the manifest of the last run ---- */
-
-static uint64_t hash_more(uint64_t h, const void *bytes, size_t count) { /* FNV-1a */
-  for (const unsigned char *c = bytes; count-- > 0; c++) h = (h ^ *c) * UINT64_C(0x100000001b3);
-  return h;
-}
-static const uint64_t hash_begin = UINT64_C(0xcbf29ce484222325);
 
 static bool hash_file(const char *path, uint64_t *out) {
   unsigned char part[1 << 14];
@@ -233,11 +271,21 @@ static void manifest_picture(FILE *to, const picture *p) {
   fprintf(to, ", \"outcome\": \"%s\"}", fates[p->result.fate]);
 }
 
-/* Writes by `fill` and takes the name last. */
-static bool write_whole(const batch *b, const char *path, void (*fill)(const batch *b, FILE *to)) {
+/* False: a model of the batch has read what stands at path, which is said. */
+static bool may_write(const batch *b, const char *path) {
+  cli_inputs_hear(b->told, b->inputs);
+  if (!vs_is_input(b->inputs, path)) return true;
+  fprintf(stderr, "vs render: %s: a model is made from it, and no output takes its place; name another file\n", path);
+  return false;
+}
+
+/* Writes by `fill` and takes the name last. lock: the file is locked before it has its name, and *lock holds it. */
+static bool write_whole(const batch *b, const char *path, void (*fill)(const batch *b, FILE *to), int *lock) {
   char part[PATH_ROOM];
+  if (!may_write(b, path)) return false;
   int n = snprintf(part, sizeof part, "%s.part", path);
   FILE *to = n > 0 && n < (int)sizeof part ? fopen(part, "wb") : NULL;
+  if (to && lock) *lock = fcntl(fileno(to), F_DUPFD_CLOEXEC, 0), flock(*lock, LOCK_EX | LOCK_NB);
   if (to) fill(b, to);
   bool ok = to && !ferror(to);
   if (to && fclose(to) != 0) ok = false;
@@ -318,6 +366,9 @@ static const char **words_of(const batch *b, const picture *p, char **defines, c
   return w;
 }
 
+/* In a child: when its parent is killed, it is asked to end, and takes its own children and files with it. */
+static void die_with_parent(void) { prctl(PR_SET_PDEATHSIG, SIGTERM); }
+
 /* Waits for a process; who has asked us to end may not have asked it: a terminal does, another program need not. */
 static void await(const batch *b, pid_t process, int *status) {
   bool asked = false;
@@ -337,6 +388,8 @@ static int run(const batch *b, const picture *p, const char *file, uint64_t *has
   if (!words || (hash && pipe(ends) != 0)) return free(words), free(defines), VS_OUTCOME_MACHINE;
   pid_t child = fork();
   if (child == 0) {
+    die_with_parent();
+    cli_inputs_say_typed(p->given, p->frame ? b->options->frames.parameter : NULL);
     if (hash) dup2(ends[1], STDOUT_FILENO), close(ends[0]), close(ends[1]);
     execv(b->program, (char **)(uintptr_t)words);
     _exit(VS_OUTCOME_MACHINE);
@@ -445,6 +498,7 @@ static bool start(batch *b, picture *p) {
   p->process = fork();
   if (p->process == 0) {
     close(ends[0]);
+    die_with_parent();
     result r = make(b, p);
     ssize_t sent = write(ends[1], &r, sizeof r);
     _exit(sent == sizeof r ? 0 : 1);
@@ -454,12 +508,40 @@ static bool start(batch *b, picture *p) {
   return p->process > 0;
 }
 
-static void finish(const batch *b, picture *p) {
+/* Writes it anew; the lock goes from the old file to the new one. False: said. */
+static bool write_manifest(batch *b) {
+  int was = b->lock;
+  b->lock = -1;
+  bool ok = !b->manifest_path || write_whole(b, b->manifest_path, fill_manifest, &b->lock);
+  if (was >= 0) close(was);
+  if (!ok) b->unwritten = true;
+  return ok;
+}
+
+/* Takes the manifest for this run alone, and reads it. False: another run has it, or it cannot be written, which is
+ * said. */
+static bool take_manifest(batch *b) {
+  const char *path = b->manifest_path;
+  struct stat mine, named;
+  if (!path) return true;
+  if (!may_write(b, path)) return false;
+  b->lock = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (b->lock < 0) return fprintf(stderr, "vs render: cannot write %s: %s\n", path, strerror(errno)), false;
+  bool taken = flock(b->lock, LOCK_EX | LOCK_NB) == 0 && fstat(b->lock, &mine) == 0 && stat(path, &named) == 0 &&
+               mine.st_ino == named.st_ino && mine.st_dev == named.st_dev;
+  if (!taken) return fprintf(stderr, "vs render: %s: another run is writing it; let it end, or name another by "
+                             "--manifest\n", path), false;
+  b->manifest = read_text(path);
+  return true;
+}
+
+static void finish(batch *b, picture *p) {
   result r;
   p->result.fate = FAILED, p->result.code = VS_OUTCOME_INTERRUPTED;
   if (read(p->told, &r, sizeof r) == sizeof r) p->result = r;
   close(p->told);
   p->process = 0;
+  write_manifest(b);
   if (b->options->quiet) return;
   if (p->result.fate == STANDS) printf("%s: up to date\n", p->file);
   else if (p->result.fate == MADE) printf("%s: made in %.1f s\n", p->file, p->result.seconds);
@@ -522,39 +604,73 @@ static const char *manifest_beside(const char *path, char name[PATH_ROOM]) {
   return snprintf(name, PATH_ROOM, "%.*s.manifest.json", (int)stem, path) < PATH_ROOM ? name : NULL;
 }
 
-vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t *ended) {
-  batch b = {.options = o, .ended = ended};
-  vs_outcome outcome = VS_OUTCOME_DONE;
-  ssize_t length = readlink("/proc/self/exe", b.program, sizeof b.program - 1);
-  if (length <= 0) return fputs("vs render: where this program is cannot be found\n", stderr), VS_OUTCOME_MACHINE;
-  for (size_t i = 0; outcome == VS_OUTCOME_DONE && i < o->source_count; i++)
-    for (size_t k = 0; outcome == VS_OUTCOME_DONE && k < (o->set_count ? o->set_count : 1); k++)
-      outcome = add_model(&b, o->sources[i].text, k);
+/* The folder that the pictures go into is made where it is not there. False: said. */
+static bool make_folder(const cli_options *o) {
+  struct stat is;
+  const char *out = o->target_count ? o->targets[0].path : NULL, *slash = out ? strrchr(out, '/') : NULL;
+  char folder[PATH_ROOM];
+  bool whole = out && (o->source_count > 1 || (slash && !slash[1]));
+  if (!out || (!whole && (!slash || slash == out))) return true;
+  snprintf(folder, sizeof folder, "%.*s", (int)(whole ? strlen(out) : (size_t)(slash - out)), out);
+  if (stat(folder, &is) == 0 || mkdir(folder, 0777) == 0) return true;
+  return fprintf(stderr, "vs render: the folder %s cannot be made: %s\n", folder, strerror(errno)), false;
+}
+
+/* Which file is the manifest; room: for its name. NULL: none is wanted. */
+static const char *manifest_of(const cli_options *o, char room[PATH_ROOM]) {
   struct stat is;
   const char *out = o->target_count ? o->targets[0].path : NULL;
-  bool folder = out && (o->source_count > 1 || out[strlen(out) - 1] == '/') && stat(out, &is) != 0;
-  if (outcome == VS_OUTCOME_DONE && folder && mkdir(out, 0777) != 0) {
-    fprintf(stderr, "vs render: %s: %s\n", out, strerror(errno));
+  if (o->manifest) return o->manifest;
+  if (out && stat(out, &is) == 0 && S_ISDIR(is.st_mode) &&
+      snprintf(room, PATH_ROOM, "%s/manifest.json", out) < PATH_ROOM) return room;
+  return o->frames.count ? manifest_beside(out ? out : o->sources[0].text, room) : NULL;
+}
+
+/* Notes the models, and finds the pictures. False: said. */
+static bool prepare(batch *b) {
+  const cli_options *o = b->options;
+  bool ok = true;
+  for (size_t i = 0; i < o->source_count; i++) vs_note_input(b->inputs, o->sources[i].text);
+  for (size_t i = 0; ok && i < o->source_count; i++)
+    for (size_t k = 0; ok && k < (o->set_count ? o->set_count : 1); k++) ok = add_model(b, o->sources[i].text, k);
+  for (size_t i = 0; ok && i < b->count; i++) ok = may_write(b, b->at[i].file);
+  return ok && (!o->sheet || may_write(b, o->sheet)) && take_manifest(b);
+}
+
+static vs_outcome run_batch(batch *b) {
+  const cli_options *o = b->options;
+  vs_outcome outcome = b->failed;
+  expose_films(b, b->ended);
+  run_all(b, b->ended);
+  for (size_t i = b->count; i-- > 0;)
+    if (b->at[i].result.fate == FAILED) outcome = (vs_outcome)b->at[i].result.code;
+  if (*b->ended) outcome = VS_OUTCOME_INTERRUPTED;
+  if (!b->unwritten) write_manifest(b);
+  if (b->unwritten && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
+  if (o->film > 0 && outcome == VS_OUTCOME_DONE) outcome = make_films(b);
+  if (o->sheet && !write_whole(b, o->sheet, fill_sheet, NULL) && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
+  return outcome;
+}
+
+vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t *ended) {
+  char beside[PATH_ROOM];
+  batch b = {.options = o, .ended = ended, .lock = -1, .told = -1, .inputs = vs_new(&o->interpreter)};
+  ssize_t length = readlink("/proc/self/exe", b.program, sizeof b.program - 1);
+  vs_outcome outcome = VS_OUTCOME_MACHINE;
+  if (length <= 0) fputs("vs render: where this program is cannot be found\n", stderr);
+  else if (!b.inputs) no_memory();
+  else {
     outcome = VS_OUTCOME_USAGE;
-  }
-  if (outcome == VS_OUTCOME_DONE) {
-    char beside[PATH_ROOM];
-    const char *manifest = o->manifest;
-    if (!manifest && out && stat(out, &is) == 0 && S_ISDIR(is.st_mode) &&
-        snprintf(beside, sizeof beside, "%s/manifest.json", out) < (int)sizeof beside) manifest = beside;
-    else if (!manifest && o->frames.count) manifest = manifest_beside(out ? out : o->sources[0].text, beside);
-    b.manifest = manifest ? read_text(manifest) : NULL;
-    expose_films(&b, ended);
-    run_all(&b, ended);
-    for (size_t i = b.count; i-- > 0;)
-      if (b.at[i].result.fate == FAILED) outcome = (vs_outcome)b.at[i].result.code;
-    if (*ended) outcome = VS_OUTCOME_INTERRUPTED;
-    if (manifest && !write_whole(&b, manifest, fill_manifest) && outcome == VS_OUTCOME_DONE)
-      outcome = VS_OUTCOME_USAGE;
-    if (o->film > 0 && outcome == VS_OUTCOME_DONE) outcome = make_films(&b);
-    if (o->sheet && !write_whole(&b, o->sheet, fill_sheet) && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
+    b.told = cli_inputs_begin();
+    if (make_folder(o)) {
+      b.manifest_path = manifest_of(o, beside);
+      if (prepare(&b)) outcome = run_batch(&b);
+    }
   }
   for (size_t i = 0; i < b.count; i++) free(b.at[i].view), free(b.at[i].file), free(b.at[i].set);
+  if (b.lock >= 0) close(b.lock);
+  if (b.told >= 0) close(b.told);
   free(b.at), free(b.manifest);
+  vs_free(b.inputs);
   return outcome;
 }

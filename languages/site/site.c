@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "languages/analysis/first_calls.h"
 #include "languages/analysis/notation.h"
@@ -88,9 +89,20 @@ static void put_comments(FILE *f, const knowledge *k, know_index first, know_ind
 
 /* ---- pages ---- */
 
+static bool is_of_program(const knowledge *k, const char *path) {
+  struct stat page, file;
+  if (stat(path, &page) != 0) return false;
+  for (size_t i = 0; i < k->file_count; i++)
+    if (stat(k->files[i].path, &file) == 0 && page.st_dev == file.st_dev && page.st_ino == file.st_ino) return true;
+  return false;
+}
+
 static FILE *open_file(site *s, const char *name) {
   char path[PATH_ROOM];
   int n = snprintf(path, sizeof path, "%s/%s", s->folder, name);
+  if (n > 0 && n < PATH_ROOM && is_of_program(s->k, path))
+    return know_fail(s->k, NULL, VS_OUTCOME_USAGE, "%s: the pages would take the place of a file of the program; -o "
+                     "names another folder", path), NULL;
   FILE *f = n > 0 && n < PATH_ROOM ? fopen(path, "w") : NULL;
   if (!f) know_fail(s->k, NULL, VS_OUTCOME_USAGE, "%s/%s: %s", s->folder, name, strerror(errno));
   return f;

@@ -17,6 +17,7 @@
 #include "model/store/array.h"
 #include "session/handles.h"
 #include "session/host.h"
+#include "session/inputs/inputs.h"
 #include "session/report.h"
 #include "session/spine.h"
 #include "solids/solid_meshes.h"
@@ -604,6 +605,7 @@ vs_outcome vs_fit_map(vs_scheme *vm, const char *path, double range, double *use
   if (!(range > 0)) range = usual_range(f);
   if (!(range > 0)) return vs_session_out_of_memory(s);
   vs_distance_map map = { &f->scan.file, f->distances, range, s->bind.scene.units };
+  if (vs_session_is_input(s, path)) return file_failed(s, path, VS_INPUT_KEPT);
   if (!vs_publish_begin(&file, path, false)) return file_failed(s, path, strerror(errno));
   bool ok = ply ? vs_distance_map_ply(&map, write_file, &file.file) : vs_distance_map_x3d(&map, write_file, &file.file);
   int problem = ok ? 0 : errno;

@@ -19,6 +19,7 @@
 #include "geometry/pictures/illuminance.h"
 #include "geometry/pictures/picture_difference.h"
 #include "session/handles.h"
+#include "session/inputs/inputs.h"
 #include "session/report.h"
 #include "session/session.h"
 
@@ -38,13 +39,15 @@ static bool no_file(vs_error *e, const char *doing, const char *path) {
   return vs_error_set(e, VS_ERROR_FILE, NULL, "cannot %s %s: %s", doing, path, strerror(errno));
 }
 
-static bool read_bytes(vs_store *store, const char *path, bytes *out, vs_error *e) {
+static bool read_bytes(vs_session *s, const char *path, bytes *out, vs_error *e) {
+  vs_store *store = s->bind.store;
   struct stat info;
   int file = open(path, O_RDONLY | O_CLOEXEC);
   if (file < 0) return no_file(e, "read", path);
   bool ok = fstat(file, &info) == 0;
   if (ok && !S_ISREG(info.st_mode)) ok = false, errno = S_ISDIR(info.st_mode) ? EISDIR : EINVAL;
   if (!ok) no_file(e, "read", path);
+  if (ok && !vs_session_note(s, path, file, false)) ok = vs_error_memory(e, NULL);
   if (ok) {
     out->room = (size_t)info.st_size + 1;
     out->at = vs_store_realloc(store, NULL, 0, out->room);
@@ -61,8 +64,9 @@ static bool read_bytes(vs_store *store, const char *path, bytes *out, vs_error *
   return ok;
 }
 
-bool vs_session_write_bytes(const char *path, const unsigned char *at, size_t size, vs_error *e) {
+bool vs_session_write_bytes(const vs_session *s, const char *path, const unsigned char *at, size_t size, vs_error *e) {
   vs_publish p;
+  if (vs_session_is_input(s, path)) return vs_error_set(e, VS_ERROR_FILE, NULL, "%.300s: " VS_INPUT_KEPT, path);
   if (!vs_publish_begin(&p, path, false)) return no_file(e, "write", path);
   bool ok = true;
   for (size_t sent = 0; ok && sent < size;) {
@@ -83,10 +87,11 @@ static const char *bare(const char *path) {
 }
 
 /* Reads the channels that are wanted, or all, of an EXR file. */
-static bool take(vs_store *store, const char *path, const char *const *wanted, vs_exr *out, vs_error *e) {
+static bool take(vs_session *s, const char *path, const char *const *wanted, vs_exr *out, vs_error *e) {
+  vs_store *store = s->bind.store;
   bytes b = { 0 };
   *out = (vs_exr){ .store = store };
-  bool ok = read_bytes(store, path, &b, e) && vs_exr_read(store, bare(path), b.at, b.size, wanted, out, e);
+  bool ok = read_bytes(s, path, &b, e) && vs_exr_read(store, bare(path), b.at, b.size, wanted, out, e);
   if (b.at) vs_store_realloc(store, b.at, b.room, 0);
   return ok;
 }
@@ -104,22 +109,23 @@ static bool light_of(const vs_exr *x, const char *path, vs_light *out, vs_error 
   return true;
 }
 
-static bool write_png(vs_store *store, const char *path, const unsigned char *rgb, uint32_t columns, uint32_t rows,
+static bool write_png(vs_session *s, const char *path, const unsigned char *rgb, uint32_t columns, uint32_t rows,
                       vs_error *e) {
+  vs_store *store = s->bind.store;
   bytes png = { 0 };
   bool ok = vs_png_write(store, rgb, columns, rows, &png.at, &png.size, &png.room, e) &&
-            vs_session_write_bytes(path, png.at, png.size, e);
+            vs_session_write_bytes(s, path, png.at, png.size, e);
   if (png.at) vs_store_realloc(store, png.at, png.room, 0);
   return ok;
 }
 
 /* Numbers as false colours, into a PNG. */
-static bool write_false(vs_store *store, const char *path, const float *at, const vs_exr *x,
-    const vs_color_scale *scale,
+static bool write_false(vs_session *s, const char *path, const float *at, const vs_exr *x, const vs_color_scale *scale,
                         vs_error *e) {
+  vs_store *store = s->bind.store;
   uint32_t wide = 0, high = 0;
   unsigned char *rgb = vs_false_color_picture(store, at, x->columns, x->rows, scale, &wide, &high, e);
-  bool ok = rgb && write_png(store, path, rgb, wide, high, e);
+  bool ok = rgb && write_png(s, path, rgb, wide, high, e);
   if (rgb) vs_store_realloc(store, rgb, (size_t)wide * high * 3, 0);
   return ok;
 }
@@ -139,12 +145,12 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
   vs_light light;
   vs_tone tone = vs_session_tone(how ? how : &(vs_development){ 0 });
   unsigned char *rgb = NULL;
-  bool ok = take(store, from, colors, &x, &e) && light_of(&x, from, &light, &e);
+  bool ok = take(s, from, colors, &x, &e) && light_of(&x, from, &light, &e);
   if (ok && !(rgb = vs_store_realloc(store, NULL, 0, light.count * 3))) ok = vs_error_memory(&e, NULL);
   if (ok) {
     double used = vs_tone_apply(&light, &tone, rgb);
     if (stops) *stops = used;
-    ok = write_png(store, to, rgb, x.columns, x.rows, &e);
+    ok = write_png(s, to, rgb, x.columns, x.rows, &e);
   }
   if (rgb) vs_store_realloc(store, rgb, light.count * 3, 0);
   vs_exr_free(&x);
@@ -152,12 +158,12 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
 }
 
 /* Writes numbers as false colours by their logarithm, with a legend, and says its ends. */
-static bool write_scaled(vs_exr *x, const char *to, const float *at, const char *unit, double *least, double *most,
-                         vs_error *e) {
+static bool write_scaled(vs_session *s, vs_exr *x, const char *to, const float *at, const char *unit, double *least,
+                         double *most, vs_error *e) {
   vs_color_scale scale = vs_color_scale_of(at, (size_t)x->columns * x->rows, true, unit);
   if (least) *least = scale.least;
   if (most) *most = scale.most;
-  return write_false(x->store, to, at, x, &scale, e);
+  return write_false(s, to, at, x, &scale, e);
 }
 
 vs_outcome vs_picture_false_color(vs_scheme *vm, const char *from, const char *to, double unit, double *least,
@@ -168,12 +174,12 @@ vs_outcome vs_picture_false_color(vs_scheme *vm, const char *from, const char *t
   vs_exr x;
   vs_light light;
   float *at = NULL;
-  bool ok = take(s->bind.store, from, colors, &x, &e) && light_of(&x, from, &light, &e);
+  bool ok = take(s, from, colors, &x, &e) && light_of(&x, from, &light, &e);
   ok = ok && (at = vs_exr_add(&x, "luminance", VS_EXR_FLOAT, &e)) != NULL;
   for (size_t i = 0; ok && i < light.count; i++)
     at[i] = (float)(unit * (vs_raster_share[0] * (double)light.red[i] + vs_raster_share[1] * (double)light.green[i] +
                             vs_raster_share[2] * (double)light.blue[i]));
-  ok = ok && write_scaled(&x, to, at, "cd/m2", least, most, &e);
+  ok = ok && write_scaled(s, &x, to, at, "cd/m2", least, most, &e);
   vs_exr_free(&x);
   return end(s, ok, &e);
 }
@@ -186,7 +192,7 @@ vs_outcome vs_picture_illuminance(vs_scheme *vm, const char *from, const char *t
   vs_error e = { VS_ERROR_NONE, NULL, "" };
   vs_exr x;
   float *at = NULL;
-  bool ok = take(s->bind.store, from, wanted, &x, &e);
+  bool ok = take(s, from, wanted, &x, &e);
   vs_lit_surfaces lit = vs_lit_surfaces_of(&x);
   if (ok && !vs_lit_surfaces_are_known(&lit))
     ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s: illuminance is found by the layers of albedo and normal, "
@@ -199,7 +205,7 @@ vs_outcome vs_picture_illuminance(vs_scheme *vm, const char *from, const char *t
   }
   if (ok && !floors)
     ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s shows no floor: nothing that looks up", bare(from));
-  ok = ok && write_scaled(&x, to, at, "lx", least, most, &e);
+  ok = ok && write_scaled(s, &x, to, at, "lx", least, most, &e);
   vs_exr_free(&x);
   return end(s, ok, &e);
 }
@@ -226,7 +232,7 @@ vs_outcome vs_picture_pick(vs_scheme *vm, const char *from, long column, long ro
   vs_exr x;
   vs_light light;
   *out = (vs_picture_point){ .id = -1, .depth = NAN, .openness = NAN, .illuminance = NAN };
-  bool ok = take(s->bind.store, from, wanted, &x, &e) && light_of(&x, from, &light, &e);
+  bool ok = take(s, from, wanted, &x, &e) && light_of(&x, from, &light, &e);
   if (ok && (column < 0 || row < 0 || column >= (long)x.columns || row >= (long)x.rows))
     ok = vs_error_set(&e, VS_ERROR_FILE, NULL, "%.100s has no pixel %ld %ld: its columns are 0 to %u, its rows 0 to %u",
                       bare(from), column, row, x.columns - 1, x.rows - 1);
@@ -260,7 +266,7 @@ vs_outcome vs_picture_compare(vs_scheme *vm, const char *a, const char *b, const
   vs_light one, two;
   vs_picture_gap gap = { 0 };
   float *each = NULL;
-  bool ok = take(store, a, colors, &x, &e) && light_of(&x, a, &one, &e) && take(store, b, colors, &y, &e) &&
+  bool ok = take(s, a, colors, &x, &e) && light_of(&x, a, &one, &e) && take(s, b, colors, &y, &e) &&
             light_of(&y, b, &two, &e);
   if (ok && (x.columns != y.columns || x.rows != y.rows))
     ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s has %u x %u pixels, %.100s %u x %u", bare(a), x.columns, x.rows,
@@ -272,7 +278,7 @@ vs_outcome vs_picture_compare(vs_scheme *vm, const char *a, const char *b, const
         .root_mean_square = gap.root, .psnr = gap.peak_ratio, .ssim = gap.similarity,
         .column = (long)(gap.worst % x.columns), .row = (long)(gap.worst / x.columns) };
     vs_color_scale scale = { .most = gap.most > 0 ? gap.most : 1, .unit = "" };
-    ok = !to || write_false(store, to, each, &x, &scale, &e);
+    ok = !to || write_false(s, to, each, &x, &scale, &e);
   }
   vs_exr_free(&x);
   vs_exr_free(&y);
@@ -287,8 +293,8 @@ vs_outcome vs_picture_denoise(vs_scheme *vm, const char *from, const char *to, b
   vs_exr x;
   bytes exr = { 0 };
   bool guided = false;
-  bool ok = take(store, from, NULL, &x, &e) && vs_exr_smooth(&x, &guided, &e) &&
-            vs_exr_write(&x, &exr.at, &exr.size, &exr.room, &e) && vs_session_write_bytes(to, exr.at, exr.size, &e);
+  bool ok = take(s, from, NULL, &x, &e) && vs_exr_smooth(&x, &guided, &e) &&
+            vs_exr_write(&x, &exr.at, &exr.size, &exr.room, &e) && vs_session_write_bytes(s, to, exr.at, exr.size, &e);
   if (layers) *layers = guided;
   if (exr.at) vs_store_realloc(store, exr.at, exr.room, 0);
   vs_exr_free(&x);

@@ -4,11 +4,11 @@
 
 #include "geometry/pictures/tone.h"
 #include "model/node.h"
-#include "visualscheme.h"
+#include "session/session.h"
 
 /* The tone that the public options ask for. */
 vs_tone vs_session_tone(const vs_development *d);
 /* Writes a file that appears whole. */
-bool vs_session_write_bytes(const char *path, const unsigned char *at, size_t size, vs_error *e);
+bool vs_session_write_bytes(const vs_session *s, const char *path, const unsigned char *at, size_t size, vs_error *e);
 
 #endif

@@ -147,7 +147,7 @@ static bool write_png(study *t, const char *name, const unsigned char *rgb, uint
   unsigned char *png = NULL;
   size_t size = 0, room = 0;
   bool ok = path_in(t, name, path) && vs_png_write(t->store, rgb, wide, high, &png, &size, &room, &t->error) &&
-            vs_session_write_bytes(path, png, size, &t->error);
+            vs_session_write_bytes(t->session, path, png, size, &t->error);
   if (png) vs_store_realloc(t->store, png, room, 0);
   return ok;
 }
@@ -275,10 +275,11 @@ static bool write_faces(study *t, size_t *faces) {
   if (ok) qsort(keys, m->triangle_count, sizeof *keys, by_face);
   ok = ok && put_faces(t, to, keys, faces);
   if (to && fclose(to) != 0) ok = false;
-  ok = ok && path_in(t, "hours.csv", path) && vs_session_write_bytes(path, (unsigned char *)text, length, &t->error);
+  ok = ok && path_in(t, "hours.csv", path) &&
+       vs_session_write_bytes(t->session, path, (unsigned char *)text, length, &t->error);
   free(text);
   if (keys) vs_store_realloc(t->store, keys, bytes, 0);
-  return ok || t->error.kind != VS_ERROR_NONE || vs_error_memory(&t->error, NULL);
+  return ok || (t->error.kind == VS_ERROR_NONE && vs_error_memory(&t->error, NULL));
 }
 
 /* ---- pictures of shadows ---- */

@@ -1,0 +1,101 @@
+#!/bin/sh
+# Owns the test that no output takes the place of an input: a model that reads every kind of file, and every format, notation and command of the tables that
+# writes a file, onto each of the files and by every kind of name. The exit code is 2, and every file is as it was.
+case limits/inputs in *"$ONLY"*) ;; *) exit 0 ;; esac
+. tests/report.sh
+root=$PWD
+mkdir "$work/m"
+cp tests/lang/lib/meshes/cube.obj "$work/m/mesh.obj"
+cp tests/lang/lib/pictures/grey8.png "$work/m/land.png"
+cp tests/lang/lib/pictures/colour.png "$work/m/look.png"
+cp tests/lang/lib/pictures/rgba-zip.exr "$work/m/sky.exr"
+cp tests/lang/lib/lamps/spot.ies "$work/m/lamp.ies"
+cp /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$work/m/font.ttf"
+cd "$work/m" || exit 1
+echo '(define side 2)' > part.scm
+printf 'x,y\n1,2\n' > data.csv
+echo '{"a": 1}' > data.json
+echo words > words.txt
+cat > m.vs << 'MODEL'
+(load "part.scm")
+(define-parameter r 1)
+(define rows (load-csv "data.csv"))
+(define tree (load-json "data.json"))
+(define words (file->string "words.txt"))
+(sky #:image "sky.exr")
+(lamp (xyz 0 0 9) #:ies "lamp.ies")
+(view "street" #:from (xyz 9 9 9) #:to (xyz 0 0 0))
+(draw (unite (load-mesh "mesh.obj") (make-height-field "land.png" (xyz 0 0 0) (xyz side side 0)))
+      (make-text (xyz 0 0 3) 1 "a" #:font "font.ttf")
+      (with-material (make-material #:image "look.png") (make-box (xyz 5 0 0) (xyz 6 1 1))))
+MODEL
+inputs="m.vs part.scm data.csv data.json words.txt sky.exr lamp.ies mesh.obj land.png font.ttf look.png"
+cp m.vs land.vs # whose picture by default is land.png
+mkdir plain; for f in $inputs; do cp "$f" plain/; done
+if ! "$vs" -q m.vs -o ok.pov 2> "$work/err"; then
+  { echo "the model fails"; cat "$work/err"; } > "$work/wrong"
+  result limits/inputs "$work/wrong"
+  exit
+fi
+
+refused() { # WHAT COMMAND...: must end with 2 (1 where the program itself writes), and leave all as it is; else all is restored
+  what=$1; shift
+  timeout 60 "$@" > "$work/out" 2> "$work/err" < /dev/null
+  code=$?
+  case $what in call-*) want=1 ;; *) want=2 ;; esac
+  [ $code = $want ] || { echo "$what: ended with $code"; tail -n 2 "$work/err"; } >> "$work/wrong"
+  for f in $inputs; do cmp -s "$f" "plain/$f" || { echo "$what: $f is gone" >> "$work/wrong"; rm -f "$f"; cp "plain/$f" "$f"; }; done
+}
+
+# every format and notation onto every input, if LONG; else each onto the program and its turn of the others
+set -- $inputs
+for format in $(sed -n 's/^VS_\(FORMAT\|NOTATION\)([a-z0-9]*, *[a-z0-9_]*, *"\([^"]*\)".*/\2/p' "$root/backends/backends.def"); do
+  for f in m.vs $([ "$LONG" ] && echo $inputs || echo "$1"); do refused "--format $format -o $f" "$vs" -q m.vs --format "$format" -o "$f"; done
+  refused "--untrusted --format $format -o $1" "$vs" --untrusted -q m.vs --format "$format" -o "$1"
+  shift; [ $# -gt 0 ] || set -- $inputs
+done
+# by every kind of name, and none of several outputs is written
+mkdir sub; ln m.vs hard.scad; ln -s m.vs soft.scad
+for name in ./m.vs sub/../m.vs "$work/m/m.vs" hard.scad soft.scad; do refused "-o $name" "$vs" -q m.vs --format openscad -o "$name"; done
+refused "two outputs" "$vs" -q m.vs -o first.scad -o soft.scad
+[ -e first.scad ] && echo "two outputs: the first is written" >> "$work/wrong"
+# a program that writes onto what was read is itself at fault, at its line
+for f in $inputs; do refused "call-with-output-file $f" "$vs" -q m.vs -e "(call-with-output-file \"$f\" (lambda (p) (write 1 p)))" -o second.scad; done
+"$vs" -q -e '(define (put x) (call-with-output-file "own.txt" (lambda (p) (write x p)))) (put 1) (display (file->string "own.txt")) (put 2)' > /dev/null || echo "a program cannot write again what it has written" >> "$work/wrong"
+echo '(draw (make-box origin (xyz 1 1 1)))' > frame-001.scad
+refused "frames" "$vs" -q -e '(define-parameter t 0) (draw (make-box origin (xyz 1 1 (+ t 1)))) (load "frame-001.scad")' --frames 1 -o frame.scad
+# every command of the table
+cp sky.exr a.exr
+for command in $(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' "$root/cli/commands.def"); do
+  case $command in
+  help|ast|check|params|view|pick) ;; # write no file
+  doc) ln -s ../m.js sub/index.html; echo 'box(point(0,0,0), 1, 1, 1);' > m.js; cp m.js plain.js
+    "$vs" doc m.js -o sub > /dev/null 2>&1; [ $? = 2 ] && cmp -s m.js plain.js || echo "doc: replaces the program" >> "$work/wrong" ;;
+  diff) cp m.vs n.vs; refused diff "$vs" diff m.vs n.vs --format openscad -o m.vs; refused diff "$vs" diff m.vs n.vs -o mesh.obj ;;
+  translate) echo '(load "part.scm") (draw (make-box (xyz 0 0 0) side side side))' > t.vs; cp t.vs plain/
+    inputs="$inputs t.vs"
+    for to in openscad javascript povray; do for f in t.vs part.scm; do refused "translate --to $to -o $f" "$vs" translate t.vs --to $to -o "$f"; done; done
+    inputs=${inputs% t.vs} ;;
+  fit) printf 'ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n' > scan.ply
+    echo '(define-parameter w 1.1) (draw (make-box (xyz 0 0 0) (xyz w 1 1)))' > fit.vs; cp scan.ply plain.ply
+    "$vs" fit fit.vs scan.ply --placed -o scan.ply > /dev/null 2>&1; [ $? = 2 ] && cmp -s scan.ply plain.ply || echo "fit: replaces the scan" >> "$work/wrong" ;;
+  render)
+    refused "render by default" "$vs" render land.vs
+    for f in land.png look.png; do refused "render -o $f" "$vs" render m.vs -o $f; done
+    refused "render --untrusted" "$vs" render --untrusted land.vs
+    for f in $inputs; do
+      refused "render --manifest $f" "$vs" render m.vs -o r.pov --all-views --manifest "$f"
+      refused "render --sheet $f" "$vs" render m.vs -o r.pov --sheet "$f"
+    done ;;
+  tone|falsecolor) ln -sf a.exr p.png; cp a.exr plain.exr
+    "$vs" $command a.exr -o p.png > /dev/null 2>&1; [ $? = 2 ] && cmp -s a.exr plain.exr || echo "$command: replaces the picture" >> "$work/wrong" ;;
+  compare) ln -sf a.exr p.png; cp a.exr b.exr
+    "$vs" compare a.exr b.exr -o p.png > /dev/null 2>&1; [ $? = 2 ] && cmp -s a.exr b.exr || echo "compare: replaces the picture" >> "$work/wrong" ;;
+  denoise) cp a.exr plain.exr
+    "$vs" denoise a.exr -o a.exr > /dev/null 2>&1; [ $? = 2 ] && cmp -s a.exr plain.exr || echo "denoise: replaces the picture" >> "$work/wrong" ;;
+  sunstudy) mkdir -p study; ln -sf ../data.csv study/hours.csv
+    refused sunstudy "$vs" sunstudy m.vs --place 38,-9 --date 2026-06-21 --from 12 --to 13 --size 16x12 --quality draft -o study ;;
+  *) echo "$command: this test does not know it" >> "$work/wrong" ;;
+  esac
+done
+result limits/inputs "$work/wrong"
