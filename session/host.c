@@ -239,7 +239,6 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
     if (!vs_session_read(s, path, true, &fresh.text, &fresh.length, why)) return -1;
   } else {
     if (s->options.untrusted) return refuse(s, "writing files is switched off", why), -1;
-    if (mode == VS_IO_WRITE && vs_session_is_input(s, path)) return refuse(s, VS_INPUT_KEPT, why), -1;
     fresh.file = fopen(path, mode == VS_IO_WRITE ? "wb" : "ab");
     if (!fresh.file) return refuse(s, errno == EACCES ? "not permitted to write it" : reason(errno), why), -1;
     if (mode == VS_IO_WRITE && !vs_session_note(s, path, fileno(fresh.file), true))

@@ -9,6 +9,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "session/host.h"
+
 static bool is_file(const vs_known_file *f, const struct stat *is) {
   return f->device == (uint64_t)is->st_dev && f->node == (uint64_t)is->st_ino;
 }
