@@ -77,6 +77,22 @@
   (syntax-rules ()
     ((_ ((parameter value) ...) . body) (%parameterize (list parameter ...) (list value ...) (lambda () . body)))))
 
+; Checks wait for the end of the program (vm/machine/check_queue.c).
+(define-syntax check-expect
+  (syntax-rules ()
+    ((_ expression value) (%check-later 'check-expect 'expression (lambda () expression) (lambda () value)))
+    ((_ . other) (syntax-error "check-expect is written (check-expect expression value)"))))
+(define-syntax check-within
+  (syntax-rules ()
+    ((_ expression value tolerance)
+     (%check-later 'check-within 'expression (lambda () expression) (lambda () value) (lambda () tolerance)))
+    ((_ . other) (syntax-error "check-within is written (check-within expression value tolerance)"))))
+(define-syntax check-error
+  (syntax-rules ()
+    ((_ expression) (%check-later 'check-error 'expression (lambda () expression)))
+    ((_ expression text) (%check-later 'check-error 'expression (lambda () expression) (lambda () text)))
+    ((_ . other) (syntax-error "check-error is written (check-error expression \"text\")"))))
+
 (define-syntax delay-force (syntax-rules () ((_ expression) (%lazy (lambda () expression)))))
 (define-syntax delay (syntax-rules () ((_ expression) (delay-force (%kept-promise expression)))))
 (define-syntax cons-stream (syntax-rules () ((_ first rest) (cons first (delay rest)))))

@@ -173,7 +173,10 @@ enum {
   /* where a program is stopped, expressions of the text see the variables of the place where it is (vs_eval_text) */
   VS_EVAL_WITHIN = 32u,
   /* (break) does nothing, and no warning says so: the text has run before */
-  VS_EVAL_PASS = 64u
+  VS_EVAL_PASS = 64u,
+  /* (check-expect ...) and the like wait for vs_check_next; without this flag and PASS they run at the text's end, and
+   * those that fail are warnings */
+  VS_EVAL_CHECK_LATER = 128u
 };
 
 /* Both evaluate every top-level form in the one program of this interpreter, in order, and stop at the first error.
@@ -393,6 +396,33 @@ VS_API vs_outcome vs_drawing_compare(vs_scheme *s, vs_comparison *out,
                                      bool (*each)(void *context, vs_part_difference what, const vs_part_info *before,
                                                   const vs_part_info *after),
                                      void *context);
+
+/* ---- checks: (check-expect expression value) and the like ---- */
+
+typedef struct {
+  vs_span at;
+  bool passed;
+  const char *form;       /* "check-expect" ... */
+  const char *expression; /* as it is written, cut to a line */
+  const char *gives;      /* what it gave: a value as an expression, or "an error: ..." */
+  const char *expected;   /* what it should have given */
+} vs_checked;
+
+typedef struct {
+  void *context;
+  void (*told)(void *context, const vs_checked *result); /* the texts live until it returns */
+  /* behind it, of a check that failed in objects: their parts that differ, as in vs_drawing_compare; before is what was
+   * expected. Or NULL. */
+  bool (*part)(void *context, vs_part_difference what, const vs_part_info *before, const vs_part_info *after);
+} vs_check_listener;
+
+/* Does a check wait, of what ran with VS_EVAL_CHECK_LATER since vs_new or vs_restart? */
+VS_API bool vs_check_waits(const vs_scheme *s);
+/* Runs the oldest check that waits, with limits of its own, whatever became of the program; the drawing stays as it is.
+ * Done: it was told, passed or failed. An interrupt ends it: nothing was told. */
+VS_API vs_outcome vs_check_next(vs_scheme *s, const vs_check_listener *listener);
+/* A form of the checks that the program has defined anew, so that its uses are no checks; NULL: none. */
+VS_API const char *vs_check_redefined(vs_scheme *s);
 
 /* ---- fitting a model to a scan ----
  *

@@ -44,6 +44,42 @@
               (and (near (car p) (car q) (+ depth 1)) (loop (cdr p) (cdr q)))))
         (%near? a b tolerance))))
 
+; Compares the two values of a check. Returns #f where they differ otherwise than in objects, else the list of the pairs of
+; objects that are not equal?. Numbers are the same where = says so, or within the tolerance.
+(define (%check-differences a b tolerance)
+  (define (measured? x) (or (point? x) (gvector? x) (axis? x) (plane? x) (matrix? x)))
+  (define (leaf a b found)
+    (cond ((equal? a b) found)
+          ((and (object? a) (object? b)) (cons (cons a b) found))
+          ((and (number? a) (number? b)) (and (or (= a b) (and tolerance (<= (abs (- a b)) tolerance))) found))
+          ((and tolerance (measured? a) (measured? b)) (and (near? a b tolerance) found))
+          (else #f)))
+  (if (and tolerance (not (and (real? tolerance) (>= tolerance 0))))
+      (error "check-within: the tolerance must be a number from 0 on, got" tolerance))
+  (let same ((a a) (b b) (depth 0) (found '())) ; lists in circles are none, or come to an end here
+    (cond ((and (vector? a) (vector? b) (= (vector-length a) (vector-length b)) (< depth 100))
+           (same (vector->list a) (vector->list b) (+ depth 1) found))
+          ((and (pair? a) (list? a) (list? b) (< depth 100))
+           (let loop ((p a) (q b) (found found))
+             (cond ((not found) #f)
+                   ((or (null? p) (null? q)) (and (null? p) (null? q) found))
+                   (else (loop (cdr p) (cdr q) (same (car p) (car q) (+ depth 1) found))))))
+          (else (leaf a b found)))))
+
+; The value as an expression that makes it: (list 1 'a) of (1 a). Of a long list the beginning, which is what a line shows.
+(define (%check-shown v)
+  (let shown ((v v) (depth 0))
+    (cond ((> depth 100) v)
+          ((or (null? v) (symbol? v)) (list 'quote v))
+          ((and (vector? v) (< 0 (vector-length v) 1000)) (cons 'vector (cdr (shown (vector->list v) (+ depth 1)))))
+          ((list? v) ; one in circles is none
+           (let loop ((l v) (count 0) (made '(list)))
+             (if (or (null? l) (= count 1000))
+                 (reverse made)
+                 (loop (cdr l) (+ count 1) (cons (shown (car l) (+ depth 1)) made)))))
+          ((and (pair? v) (not (pair? (cdr v)))) (list 'cons (shown (car v) (+ depth 1)) (shown (cdr v) (+ depth 1))))
+          (else v))))
+
 ; ---- sequences ----
 
 (define map-division

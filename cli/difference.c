@@ -165,20 +165,8 @@ static void begin(report *r) {
   r->gap = "";
 }
 
-static bool tell_part(void *context, vs_part_difference what, const vs_part_info *before, const vs_part_info *after) {
-  report *r = context;
+void cli_difference_print(vs_part_difference what, const vs_part_info *before, const vs_part_info *after) {
   const vs_part_info *p = after ? after : before;
-  begin(r);
-  if (r->json) {
-    printf("%s\n    {\"change\": \"%s\"", r->gap, words[what]);
-    if (before) json_part("before", before);
-    if (after) json_part("after", after);
-    putchar('}');
-    r->gap = ",";
-    return true;
-  }
-  if (r->told == LISTED) return r->passed++, true;
-  r->told++;
   printf("  %-9s ", words[what]);
   print_place(p);
   const char *layer = *p->layer ? p->layer : NULL;
@@ -191,6 +179,22 @@ static bool tell_part(void *context, vs_part_difference what, const vs_part_info
   else fputs(p->text, stdout);
   if (layer) printf(", layer %s", layer);
   putchar('\n');
+}
+
+static bool tell_part(void *context, vs_part_difference what, const vs_part_info *before, const vs_part_info *after) {
+  report *r = context;
+  begin(r);
+  if (r->json) {
+    printf("%s\n    {\"change\": \"%s\"", r->gap, words[what]);
+    if (before) json_part("before", before);
+    if (after) json_part("after", after);
+    putchar('}');
+    r->gap = ",";
+    return true;
+  }
+  if (r->told == LISTED) return r->passed++, true;
+  r->told++;
+  cli_difference_print(what, before, after);
   return true;
 }
 

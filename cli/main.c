@@ -28,6 +28,7 @@
 #include "cli/light/sun_command.h"
 #include "cli/stats.h"
 #include "cli/study.h"
+#include "cli/test_command.h"
 #include "live/live.h"
 
 /* A signal handler gets no context: the command's only globals are the interpreter that a signal interrupts, and what
@@ -129,10 +130,10 @@ vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_lin
   return outcome;
 }
 
-static vs_outcome run_file(cli_session *c, const char *path) {
+static vs_outcome run_file(cli_session *c, const char *path, unsigned flags) {
   c->drawn = true;
   cli_watch_begin(&c->watch, true);
-  vs_outcome outcome = vs_eval_file(c->scheme, path, c->stops);
+  vs_outcome outcome = vs_eval_file(c->scheme, path, flags);
   cli_watch_end(&c->watch);
   return outcome;
 }
@@ -141,7 +142,7 @@ static vs_outcome run_source(cli_session *c, const cli_source *source) {
   c->watch.name = source->kind == CLI_SOURCE_EXPRESSION ? "-e" : source->text;
   if (source->kind == CLI_SOURCE_EXPRESSION) return cli_session_eval(c, "-e", 1, source->text, strlen(source->text),
       c->stops);
-  if (strcmp(source->text, "-") != 0) return run_file(c, source->text);
+  if (strcmp(source->text, "-") != 0) return run_file(c, source->text, c->stops);
   size_t length;
   char *text = read_all(stdin, &length);
   if (!text && errno == EINTR) {
@@ -401,7 +402,8 @@ static vs_outcome run_batch(cli_session *c) {
     vs_sun_span span;
     if (o->command == CLI_COMMAND_sunstudy && !cli_sun_options(o, &span)) return VS_OUTCOME_USAGE;
     outcome = o->command == CLI_COMMAND_diff ? cli_difference(c)
-        : o->command == CLI_COMMAND_fit ? cli_fit(c) : run_sources(c, false);
+        : o->command == CLI_COMMAND_fit ? cli_fit(c)
+        : o->command == CLI_COMMAND_test ? cli_test_run(c, run_file) : run_sources(c, false);
     if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
     if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit)
       outcome = o->command == CLI_COMMAND_sunstudy ? cli_sun_command(c) : write_all(c);
@@ -460,6 +462,71 @@ static vs_outcome view_model(const cli_options *o) {
   return live_view(&live);
 }
 
+/* Runs the files and texts of the command line in an interpreter, and the prompt where it asks for one. Returns the exit
+ * code; *told: standard error says that standard output fails. */
+static int run_session(cli_options *o, bool *told) {
+  cli_session session = {.options = o, .told = cli_inputs_find(), .output = o->to_stdout || o->command == CLI_COMMAND_params ||
+      o->command == CLI_COMMAND_diff || o->command == CLI_COMMAND_fit ||
+      o->command == CLI_COMMAND_test ? stderr : stdout, .ended = &ended};
+  cli_watch_open(&session.watch);
+  if (o->untrusted && !cli_untrusted_begin(&session.untrusted, o)) return VS_OUTCOME_USAGE;
+  if (o->interactive && !o->untrusted) session.stops = VS_EVAL_STOP;
+  session.reporter.progress = !o->quiet && isatty(STDERR_FILENO);
+  o->interpreter.host = (vs_host){ .context = &session,
+                              .output = print_output,
+                              .input = read_input,
+                              .diagnose = print_diagnostic,
+                              .progress = print_progress,
+                              .poll = o->interpreter.limit_time > 0 ? poll_limits : NULL,
+                              .value = print_value };
+  if (o->untrusted) o->interpreter.host.read_file = read_untrusted;
+  if (o->untrusted) o->interpreter.host.list_folder = list_untrusted;
+  if (!TIDY) o->interpreter.alloc = cli_memory;
+  o->interpreter.keep_calls = o->verbose || o->interactive || o->source_count == 0;
+  if (o->interpreter.limit_memory) cli_limits_memory(o->interpreter.limit_memory);
+  session.watch.limit = o->interpreter.limit_time;
+  session.watch.prompt = o->interactive || o->source_count == 0;
+  /* the library's own polls remain */
+  if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0;
+  session.scheme = vs_new(&o->interpreter);
+  vs_outcome outcome = VS_OUTCOME_MACHINE;
+  if (!session.scheme) {
+    fputs("vs: out of memory\n", stderr);
+  } else {
+    interrupted_by_signal = session.scheme;
+    hear_signals();
+    outcome = run_batch(&session);
+    if (o->verbose && outcome == VS_OUTCOME_MODEL) cli_report_calls(session.scheme, stderr);
+    int code;
+    if (vs_exit_requested(session.scheme, &code)) {
+      if (outcome == VS_OUTCOME_DONE) session.exit_code = code;
+    } else if (!ended && !o->untrusted && (o->interactive || o->source_count == 0)) {
+      interrupts = 0;
+      outcome = cli_repl(&session);
+      vs_exit_requested(session.scheme, &session.exit_code);
+    }
+    if (ended) outcome = VS_OUTCOME_INTERRUPTED;
+    /* there was none left to say more with */
+    if (outcome == VS_OUTCOME_MACHINE && session.reporter.errors == 0) fputs("vs: out of memory\n", stderr);
+    interrupted_by_signal = NULL;
+    if (TIDY) vs_free(session.scheme);
+  }
+  cli_watch_close(&session.watch);
+  if (o->untrusted) cli_untrusted_end(&session.untrusted);
+  free(session.line);
+  free(session.model);
+  *told = session.output_failed;
+  if (session.output_failed && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
+  return outcome == VS_OUTCOME_DONE ? session.exit_code : (int)outcome;
+}
+
+/* The same in a process of its own, for vs test. */
+static int run_test(cli_options *o) {
+  bool told = false;
+  int code = run_session(o, &told);
+  return cli_output_end(code, told);
+}
+
 /* The whole command. Returns the exit code; *told: standard error says that standard output fails. */
 static int run_command(int argc, char **argv, bool *told) {
   if (argc >= 3 && strcmp(argv[1], "help") == 0) { /* vs help WORD: the manual */
@@ -498,6 +565,12 @@ static int run_command(int argc, char **argv, bool *told) {
     cli_options_free(&options);
     return (int)outcome;
   }
+  if (options.command == CLI_COMMAND_test) {
+    hear_signals();
+    int code = cli_test_command(&options, &interrupts, run_test);
+    cli_options_free(&options);
+    return code;
+  }
   if (options.command == CLI_COMMAND_ast || options.command == CLI_COMMAND_check ||
       options.command == CLI_COMMAND_doc || options.command == CLI_COMMAND_translate) {
     vs_outcome outcome = cli_study(&options);
@@ -509,67 +582,9 @@ static int run_command(int argc, char **argv, bool *told) {
     cli_options_free(&options);
     return (int)outcome;
   }
-  cli_session session = { .options = &options,
-                          .told = cli_inputs_find(),
-                          .output = options.to_stdout || options.command == CLI_COMMAND_params ||
-                                            options.command == CLI_COMMAND_diff || options.command == CLI_COMMAND_fit
-                                        ? stderr
-                                        : stdout,
-                          .ended = &ended };
-  cli_watch_open(&session.watch);
-  if (options.untrusted && !cli_untrusted_begin(&session.untrusted, &options)) {
-    cli_options_free(&options);
-    return VS_OUTCOME_USAGE;
-  }
-  if (options.interactive && !options.untrusted) session.stops = VS_EVAL_STOP;
-  session.reporter.progress = !options.quiet && isatty(STDERR_FILENO);
-  options.interpreter.host = (vs_host){ .context = &session,
-                                        .output = print_output,
-                                        .input = read_input,
-                                        .diagnose = print_diagnostic,
-                                        .progress = print_progress,
-                                        .poll = options.interpreter.limit_time > 0 ? poll_limits : NULL,
-                                        .value = print_value };
-  if (options.untrusted) options.interpreter.host.read_file = read_untrusted;
-  if (options.untrusted) options.interpreter.host.list_folder = list_untrusted;
-  if (!TIDY) options.interpreter.alloc = cli_memory;
-  options.interpreter.keep_calls = options.verbose || options.interactive || options.source_count == 0;
-  if (options.interpreter.limit_memory) cli_limits_memory(options.interpreter.limit_memory);
-  session.watch.limit = options.interpreter.limit_time;
-  session.watch.prompt = options.interactive || options.source_count == 0;
-  /* the library's own polls remain */
-  if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0;
-  session.scheme = vs_new(&options.interpreter);
-  vs_outcome outcome = VS_OUTCOME_MACHINE;
-  if (!session.scheme) {
-    fputs("vs: out of memory\n", stderr);
-  } else {
-    interrupted_by_signal = session.scheme;
-    hear_signals();
-    outcome = run_batch(&session);
-    if (options.verbose && outcome == VS_OUTCOME_MODEL) cli_report_calls(session.scheme, stderr);
-    int code;
-    if (vs_exit_requested(session.scheme, &code)) {
-      if (outcome == VS_OUTCOME_DONE) session.exit_code = code;
-    } else if (!ended && !options.untrusted && (options.interactive || options.source_count == 0)) {
-      interrupts = 0;
-      outcome = cli_repl(&session);
-      vs_exit_requested(session.scheme, &session.exit_code);
-    }
-    if (ended) outcome = VS_OUTCOME_INTERRUPTED;
-    /* there was none left to say more with */
-    if (outcome == VS_OUTCOME_MACHINE && session.reporter.errors == 0) fputs("vs: out of memory\n", stderr);
-    interrupted_by_signal = NULL;
-    if (TIDY) vs_free(session.scheme);
-  }
-  cli_watch_close(&session.watch);
-  if (options.untrusted) cli_untrusted_end(&session.untrusted);
-  free(session.line);
-  free(session.model);
+  int code = run_session(&options, told);
   cli_options_free(&options);
-  *told = session.output_failed;
-  if (session.output_failed && outcome == VS_OUTCOME_DONE) outcome = VS_OUTCOME_USAGE;
-  return outcome == VS_OUTCOME_DONE ? session.exit_code : (int)outcome;
+  return code;
 }
 
 int main(int argc, char **argv) {

@@ -517,10 +517,21 @@ static bool batch_files(const cli_options *o) {
   return true;
 }
 
+static bool test_files(const cli_options *o) {
+  bool files = o->source_count > 0 && !o->target_count && !o->interactive && !o->check;
+  for (size_t i = 0; i < o->source_count; i++)
+    files = files && o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0;
+  if (!files)
+    fputs("vs test: give the files of programs alone, as in vs test house.vs stairs.vs; -o, -e, -i and --check are for "
+          "vs FILE\n", stderr);
+  return files;
+}
+
 /* Has the command the files that it takes, and -o only where it writes something? False: said on standard error. */
 static bool command_files(const cli_options *o, unsigned takes) {
   if (takes & CLI_TAKES_PICTURE) return picture_files(o, takes);
   if (takes & CLI_TAKES_MANY) return batch_files(o);
+  if (takes & CLI_TAKES_PROGRAMS) return test_files(o);
   const char *name = commands[o->command - 1].name;
   size_t want = takes & (CLI_TAKES_TWO | CLI_TAKES_SCAN) ? 2 : 1;
   bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;

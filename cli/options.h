@@ -31,7 +31,8 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI
        CLI_TAKES_TARGET = 256 /* -o, once and always */,
        CLI_TAKES_SCAN = 512 /* a second file, that is read as points */,
        CLI_TAKES_SUN = 1024 /* --place, --date and hours */,
-       CLI_TAKES_MANY = 2048 /* any number of files; -o of a file or a folder */ };
+       CLI_TAKES_MANY = 2048 /* any number of files; -o of a file or a folder */,
+       CLI_TAKES_PROGRAMS = 4096 /* any number of files, and no -o */ };
 
 typedef struct {
   cli_command command;
@@ -54,6 +55,7 @@ typedef struct {
   /* of vs render; the first two behind `held` */
   const char **sets, **passed; size_t set_count, passed_count; /* passed: the options that are every picture's */
   size_t jobs;                         /* 0: not said */
+  int results;                         /* of a process of vs test: the pipe that it tells results into */
   const char *manifest, *sheet;        /* NULL: not said */
   long film;                           /* frames a second; 0: none is wanted */
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;

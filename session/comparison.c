@@ -10,6 +10,7 @@
 #include "session/host.h"
 #include "session/report.h"
 #include "session/spine.h"
+#include "passes/sugar.h"
 #include "solids/changed_parts.h"
 
 static void free_refs(vs_session *s, vs_ref **refs, size_t *count) {
@@ -106,6 +107,38 @@ static void count_parts(const vs_drawn_parts *a, const vs_drawn_parts *b,
     };
     ++*of[after[i].fate];
   }
+}
+
+/* The parts of one object, as a drawing of it alone without sugar would have them. */
+static bool parts_of(vs_session *s, vs_ref object, vs_drawn_parts *out, vs_error *e) {
+  static const vs_sugar_options plain = { .highlights = VS_MARKS_DROP, .keeps_text = true };
+  vs_scene scene = s->bind.scene;
+  scene.drawn = NULL, scene.drawn_count = scene.drawn_room = 0;
+  bool ok = vs_scene_draw(&scene, object) || vs_error_memory(e, NULL);
+  ok = ok && vs_scene_sugar(&scene, &plain, e) && vs_drawn_parts_take(out, scene.drawn, scene.drawn_count, e);
+  for (size_t i = 0; i < scene.drawn_count; i++) vs_node_release(scene.drawn[i].node);
+  vs_store_realloc(s->bind.store, scene.drawn, scene.drawn_room * sizeof *scene.drawn, 0);
+  return ok;
+}
+
+bool vs_session_compare_objects(vs_session *s, const vs_ref objects[2], bool *same, const vs_part_listener *listener,
+                                vs_error *e) {
+  vs_store *store = s->bind.store;
+  vs_drawn_parts a = { .store = store }, b = { .store = store };
+  bool ok = parts_of(s, objects[0], &a, e) && parts_of(s, objects[1], &b, e);
+  size_t bytes = (a.count + b.count + 1) * sizeof(vs_part_match);
+  vs_part_match *before = ok ? vs_store_realloc(store, NULL, 0, bytes) : NULL, *after = before ? before + a.count
+      : NULL;
+  if (ok && !before) ok = vs_error_memory(e, NULL);
+  ok = ok && vs_drawn_parts_match(&a, &b, before, after, e);
+  vs_comparison found = { 0 };
+  if (ok) count_parts(&a, &b, before, after, &found);
+  *same = found.repainted + found.moved + found.changed + found.added + found.removed == 0;
+  if (ok && listener && listener->each) tell_all(&a, &b, before, after, listener->each, listener->context);
+  if (before) vs_store_realloc(store, before, bytes, 0);
+  vs_drawn_parts_free(&a);
+  vs_drawn_parts_free(&b);
+  return ok;
 }
 
 /* ---- the picture ---- */

@@ -24,8 +24,7 @@ void vs_session_begin(vs_session *s, unsigned flags) {
   vs_session_arm(s, flags);
 }
 
-/* (exit code) unwinds as a condition of its own */
-static bool is_exit(vs_value condition) {
+bool vs_session_is_exit(vs_value condition) {
   if (!vs_is(condition, VS_T_CONDITION)) return false;
   const vs_condition *c = vs_as_condition(condition);
   return vs_is_symbol(c->kind) && !strcmp(vs_as_symbol(c->kind)->name, "exit") && vs_is_fixnum(c->payload);
@@ -39,7 +38,7 @@ vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
   s->phase = NULL;
   vs_tally_enter(&s->tally, VS_WORK_NONE);
   s->evaluate_seconds += vs_session_clock(s) - vm->started;
-  if (!ok && is_exit(vm->condition)) {
+  if (!ok && vs_session_is_exit(vm->condition)) {
     s->exit_requested = ok = true;
     s->exit_code = (int)vs_fixnum(vs_as_condition(vm->condition)->payload);
   }

@@ -9,4 +9,7 @@ void vs_session_begin(vs_session *s, unsigned flags);
 /* Ends it and reports the condition that it failed with; usage: the fault is the caller's, exit 2. */
 vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage);
 
+/* Is it the condition that (exit code) unwinds with? */
+bool vs_session_is_exit(vs_value condition);
+
 #endif

@@ -128,6 +128,15 @@ static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_n
   return n;
 }
 
+bool vs_session_condition_place(vs_session *s, const vs_condition *c, vs_span *out) {
+  bool found = vs_session_span(s, c->place, out);
+  for (vs_value l = c->chain; vs_is_pair(l) && !found; l = vs_cdr(l)) {
+    vs_value link = vs_car(l);
+    found = vs_is_pair(link) && vs_is_fixnum(vs_cdr(link)) && vs_session_span(s, vs_pos_of(vs_cdr(link)), out);
+  }
+  return found;
+}
+
 vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool usage) {
   vs_scheme *vm = s->bind.vm;
   vs_diagnostic_note notes[NOTES];
@@ -148,13 +157,8 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
     outcome = outcome_of(s, c->kind, usage);
     /* the host may hold the rest of the process to it as well */
     limited = c->kind == vm->sym.memory && s->options.limit_memory;
-    if (!vs_session_span(s, c->place, &at)) /* inside the library: the first call of the user's own */
-      for (vs_value l = c->chain; vs_is_pair(l) && !at.file; l = vs_cdr(l)) {
-        vs_value link = vs_car(l);
-        if (vs_is_pair(link) && vs_is_fixnum(vs_cdr(link))) vs_session_span(s, vs_pos_of(vs_cdr(link)), &at);
-      }
     /* a macro's procedure that the library calls: the use of the macro */
-    if (!at.file) vs_session_span(s, vm->top_place, &at);
+    if (!vs_session_condition_place(s, c, &at)) vs_session_span(s, vm->top_place, &at);
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
     printed = printed && vs_session_advise(s, r[0], at, &t);
     if (s->bind.bad_parameter) { /* what was set from outside is at fault, not the line that defines it */

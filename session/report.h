@@ -9,6 +9,8 @@ const char *vs_session_source_line(const vs_session *s, const char *file, uint32
 vs_outcome vs_session_report_condition(vs_session *s, vs_value condition,
                                        bool usage /* its own fault is the caller's: exit 2 */);
 bool vs_session_span(vs_session *s, vs_pos place, vs_span *out); /* false: nowhere in the user sources */
+/* The condition's place; inside the library the first call of the user's own. False: nowhere in the user sources. */
+bool vs_session_condition_place(vs_session *s, const vs_condition *c, vs_span *out);
 vs_outcome vs_session_report_error(vs_session *s, const vs_error *e);
 void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin,
                        const char *message);

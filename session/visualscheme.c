@@ -8,6 +8,7 @@
 #include "bind/scene/node_natives.h"
 #include "bind/state.h"
 #include "bind/thrown.h"
+#include "session/checking.h"
 #include "session/evaluation.h"
 #include "session/host.h"
 #include "session/own_formats.h"
@@ -353,6 +354,13 @@ static bool may_run(vs_session *s) {
   return !vs_session_interrupted(s) || vs_fail(s->bind.vm, s->bind.vm->sym.interrupt, "interrupted");
 }
 
+/* Runs the checks of a program that ended well; those of any other are forgotten, unless they are to wait. */
+static vs_outcome check(vs_session *s, vs_outcome outcome, unsigned flags) {
+  if (outcome == VS_OUTCOME_DONE && !s->exit_requested) return vs_session_check(s, flags);
+  if (outcome != VS_OUTCOME_STOPPED) vs_session_check(s, flags | VS_EVAL_PASS);
+  return outcome;
+}
+
 vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, const char *text, size_t length,
                         unsigned flags) {
   vs_session *s = vs_session_of(vm);
@@ -366,7 +374,7 @@ vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, co
   if (within) ok = ok && vs_session_bindings(s, &r[0]) && vs_program_within(vm, name, first_line, text, length,
       r[0], &vm->value);
   else ok = ok && vs_program_text(vm, name, first_line, text, length, !(flags & VS_EVAL_PROGRAM), &vm->value);
-  return vs_session_finish(s, ok, false);
+  return check(s, vs_session_finish(s, ok, false), flags);
 }
 
 vs_outcome vs_resume(vs_scheme *vm, vs_resume_way way) {
@@ -378,7 +386,7 @@ vs_outcome vs_resume(vs_scheme *vm, vs_resume_way way) {
   unsigned flags;
   if (!vs_session_take_stop(s, &r[0], &flags)) return VS_OUTCOME_USAGE;
   vs_session_begin(s, flags);
-  return vs_session_finish(s, vs_step_resume(vm, r[0], modes[way], &vm->value), false);
+  return check(s, vs_session_finish(s, vs_step_resume(vm, r[0], modes[way], &vm->value), false), flags);
 }
 
 /* "out/house.vs" names the drawing "house" */
@@ -407,7 +415,7 @@ vs_outcome vs_eval_file(vs_scheme *vm, const char *path, unsigned flags) {
   bool ok = may_run(s) && (set_title(s, path) || vs_fail_memory(vm));
   vs_outcome outcome = vs_session_finish(s, ok && vs_program_text(vm, path, 1, text, length, false, &vm->value), false);
   free(text);
-  return outcome;
+  return check(s, outcome, flags);
 }
 
 const char *vs_language_of(const char *path) { return vs_source_language(path); }

@@ -59,7 +59,6 @@ mkdir sub; ln m.vs hard.scad; ln -s m.vs soft.scad
 for name in ./m.vs sub/../m.vs "$work/m/m.vs" hard.scad soft.scad; do refused "-o $name" "$vs" -q m.vs --format openscad -o "$name"; done
 refused "two outputs" "$vs" -q m.vs -o first.scad -o soft.scad
 [ -e first.scad ] && echo "two outputs: the first is written" >> "$work/wrong"
-# a program that writes onto what was read is itself at fault, at its line
 # a program writes where it says, by its own ports
 "$vs" -q -e '(define (put x) (call-with-output-file "own.txt" (lambda (p) (write x p)))) (put 1) (display (file->string "own.txt")) (put 2)' > /dev/null || echo "a program cannot write a file that it has read" >> "$work/wrong"
 echo '(draw (make-box origin (xyz 1 1 1)))' > frame-001.scad

@@ -109,6 +109,7 @@ for page in manual/i-want-to.md manual/materials.md manual/drawings.md manual/co
   [ "$(grep -c '^ok \|^not ok ' "$work/said")" = "$(wc -l < "$work/calls")" ] ||
     { echo "not ok manual/$name: stopped early"; sed 's/^/    /' "$work/errors"; }
   [ -s "$work/calls" ] || echo "not ok manual/$name: has no example"
+  if grep 'warning: check-' "$work/errors" > "$work/why"; then echo "not ok manual/$name: checks fail"; sed 's/^/    /' "$work/why"; fi
 done
 
 # The programs in GML: what a block says that it prints is what it prints. They go on from one another.

@@ -127,7 +127,7 @@ static bool keep_combining(void *context, double done) {
 /* Runs the program as it is set. */
 static vs_outcome run(job *j) {
   vs_outcome outcome = vs_restart(j->vm);
-  return outcome == VS_OUTCOME_DONE ? vs_eval_file(j->vm, j->model, 0) : outcome;
+  return outcome == VS_OUTCOME_DONE ? vs_eval_file(j->vm, j->model, VS_EVAL_CHECK_LATER) : outcome;
 }
 
 /* An outcome as an error with the message that was kept. */

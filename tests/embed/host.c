@@ -37,6 +37,35 @@ static int failures;
 
 static vs_outcome run(vs_scheme *s, const char *text, unsigned flags) { return vs_eval_text(s, "text", 1, text, strlen(text), flags); }
 
+static void check_told(void *context, const vs_checked *c) {
+  host *h = context;
+  h->values += c->passed ? 10 : 1;
+  snprintf(h->said, sizeof h->said, "%u: %s %s %s %s", (unsigned)c->at.line, c->form, c->expression, c->gives, c->expected);
+}
+
+/* Checks wait for the host where it says so, run one by one, and leave the drawing alone; else they warn. */
+static void checks(void) {
+  static host a;
+  vs_options o = vs_options_default();
+  o.host = (vs_host){.context = &a, .output = print, .diagnose = diagnose};
+  vs_scheme *s = vs_new(&o);
+  vs_check_listener listener = {.context = &a, .told = check_told};
+  vs_summary summary;
+  CHECK(s && run(s, "(check-expect (f) 1)\n(check-expect (begin (draw (make-sphere origin 1)) (f)) 2)(define (f) 1)",
+                 VS_EVAL_CHECK_LATER) == VS_OUTCOME_DONE);
+  CHECK(a.values == 0 && vs_check_waits(s));
+  CHECK(vs_check_next(s, &listener) == VS_OUTCOME_DONE && a.values == 10 && vs_check_waits(s));
+  CHECK(vs_check_next(s, &listener) == VS_OUTCOME_DONE && a.values == 11 && !vs_check_waits(s));
+  CHECK(strncmp(a.said, "2: check-expect (begin", 22) == 0 && strstr(a.said, " 1 2"));
+  CHECK(vs_check_next(s, &listener) == VS_OUTCOME_DONE && a.values == 11);
+  CHECK(vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE && summary.objects == 0);
+  CHECK(run(s, "(check-expect (f) 3)", 0) == VS_OUTCOME_DONE && strstr(a.said, "check-expect: (f) gives 1, expected 3"));
+  CHECK(run(s, "(check-expect 1 2) (car 5)", 0) == VS_OUTCOME_MODEL && !vs_check_waits(s));
+  CHECK(!vs_check_redefined(s) && run(s, "(define (check-error . any) 1)", 0) == VS_OUTCOME_DONE);
+  CHECK(vs_check_redefined(s) && strcmp(vs_check_redefined(s), "check-error") == 0);
+  vs_free(s);
+}
+
 int main(void) {
   static host a, b;
   vs_options o = vs_options_default();
@@ -94,5 +123,6 @@ int main(void) {
   CHECK(run(t, "(exit 4) (car 5)", 0) == VS_OUTCOME_DONE && vs_exit_requested(t, &code) && code == 4);
   vs_free(t);
   vs_free(s);
+  checks();
   return failures != 0;
 }

@@ -21,6 +21,7 @@
   A(core)          /* vm-front: the environment natives are defined in */ \
   A(program)       /* the host's program environment */ \
   A(required)      /* list of (path . #t) of the files that were required; #f instead while one is being loaded */ \
+  A(checks)        /* the checks that wait (check_queue.h): none, a queue, or #t while one runs */ \
   A(included)      /* list of (file number . that of the file whose include has read it) */ \
   A(lib)           /* vm-lib: whatever must last */ \
   A(nearby)        /* identifier table or #f, for messages: names not defined where they are used -> a local name */ \

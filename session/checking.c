@@ -1,0 +1,265 @@
+/* Owns the running of checks: (check-expect expression value) and the like, which wait for the end of the program in a
+ * queue (vm/machine/check_queue.c). A check is judged here; the listener shows it: `vs test` line by line, a plain run
+ * as warnings.
+ *
+ * While a check runs, what it draws or sets is its own: the drawing stays as the program left it. */
+#include "session/checking.h"
+
+#include <string.h>
+
+#include "bind/objects.h"
+#include "session/comparison.h"
+#include "session/evaluation.h"
+#include "session/handles.h"
+#include "session/host.h"
+#include "session/report.h"
+#include "session/stops.h"
+#include "vm/front/environment.h"
+#include "vm/library/string.h"
+#include "vm/machine/check_queue.h"
+#include "vm/machine/run.h"
+#include "vm/values/gc.h"
+#include "vm/values/heap.h"
+#include "vm/values/printer.h"
+
+enum { SHOWN = 1000 /* bytes of a value */, LINE = 200 /* of an expression */ };
+
+/* The roots of a check: what it is, what its procedures gave, the differences, and two to work with. */
+enum { CHECK, ACTUAL, EXPECTED, TOLERANCE, FOUND, SHOWN_AS, WORK, ROOTS };
+
+typedef struct {
+  vs_session *session;
+  vs_value *r;                         /* ROOTS of them */
+  vs_text expression, gives, expected; /* what is told */
+  bool passed, interrupted;
+} trial;
+
+/* ---- what is told ---- */
+
+static bool put_cut(vs_scheme *vm, vs_value v, size_t most, vs_text *t) {
+  vs_text shown;
+  vs_text_open(vm, &shown, most);
+  bool ok = vs_print(vm, v, VS_PRINT_WRITE, &shown);
+  ok = ok && vs_text_put(t, shown.at ? shown.at : "", shown.count) && (!shown.cut || vs_text_puts(t, " ..."));
+  vs_text_close(&shown);
+  return ok;
+}
+
+/* Calls a procedure of the library that programs do not see. */
+static bool call_library(trial *c, const char *name, size_t n, const vs_value *argv, vs_value *out) {
+  vs_scheme *vm = c->session->bind.vm;
+  if (!vs_intern_c(vm, name, &c->r[WORK])) return false;
+  c->r[WORK] = vs_environment_value(vm->at.core, c->r[WORK]);
+  return vs_run(vm, c->r[WORK], n, argv, out);
+}
+
+/* The condition in vm->condition, with its place. Notes an interrupt. */
+static bool put_failure(trial *c, vs_text *t) {
+  vs_scheme *vm = c->session->bind.vm;
+  vs_value *r = c->r;
+  vs_span at = { 0 };
+  char place[24];
+  r[WORK] = vm->condition;
+  vm->condition = VS_FALSE;
+  if (vs_session_is_exit(r[WORK])) return vs_text_puts(t, "the end of the program, by (exit)");
+  if (vs_is(r[WORK], VS_T_CONDITION)) {
+    const vs_condition *condition = vs_as_condition(r[WORK]);
+    c->interrupted = c->interrupted || condition->kind == vm->sym.interrupt;
+    vs_session_condition_place(c->session, condition, &at);
+    if (condition->kind == vm->sym.memory) vs_gc_major(vm); /* what filled it is garbage now */
+  }
+  bool ok = vs_text_puts(t, "an error: ") && vs_print_condition(vm, r[WORK], t);
+  if (!at.file) return ok;
+  snprintf(place, sizeof place, ":%u:%u)", (unsigned)at.line, (unsigned)at.column);
+  return ok && vs_text_puts(t, " (") && vs_text_puts(t, at.file) && vs_text_puts(t, place);
+}
+
+/* ---- judging ---- */
+
+/* Calls a procedure of the check: its value goes to r[root] and, with a text, is told there. False: it failed, which is
+ * told. */
+static bool ask(trial *c, int word, int root, vs_text *told) {
+  vs_scheme *vm = c->session->bind.vm;
+  c->r[WORK] = vs_as_vector(c->r[CHECK])->at[word];
+  if (!vs_run(vm, c->r[WORK], 0, NULL, &c->r[root])) return put_failure(c, told), false;
+  bool shown = call_library(c, "%check-shown", 1, &c->r[root], &c->r[SHOWN_AS]);
+  return put_cut(vm, c->r[shown ? SHOWN_AS : root], SHOWN, told);
+}
+
+/* Does the text of the condition hold the string? */
+static bool says(vs_scheme *vm, vs_value condition, vs_value string) {
+  vs_text all, part;
+  vs_text_open(vm, &all, 0);
+  vs_text_open(vm, &part, 0);
+  bool ok = vs_print_condition(vm, condition, &all) && vs_text_end(&all) && vs_text_string(&part, string) &&
+            vs_text_end(&part) && strstr(all.at, part.at) != NULL;
+  vs_text_close(&all);
+  vs_text_close(&part);
+  return ok;
+}
+
+/* An error of the program's own, not a limit or the end of the program. */
+static bool is_failure(const vs_scheme *vm, vs_value condition) {
+  if (vs_session_is_exit(condition)) return false;
+  if (!vs_is(condition, VS_T_CONDITION)) return true; /* (raise 'oops) */
+  vs_value kind = vs_as_condition(condition)->kind;
+  return kind != vm->sym.memory && kind != vm->sym.limit && kind != vm->sym.interrupt;
+}
+
+static void judge_error(trial *c) {
+  vs_scheme *vm = c->session->bind.vm;
+  bool any = vs_as_vector(c->r[CHECK])->at[VS_CHECK_EXPECTED] == VS_FALSE;
+  vs_text_puts(&c->expected, any ? "an error" : "an error with ");
+  bool known = any || ask(c, VS_CHECK_EXPECTED, EXPECTED, &c->expected);
+  if (known && !any && !vs_is_string(c->r[EXPECTED])) {
+    vs_text_puts(&c->expected, ", which is no string");
+    known = false;
+  }
+  if (ask(c, VS_CHECK_ACTUAL, ACTUAL, &c->gives)) return;
+  c->r[ACTUAL] = c->r[WORK];
+  c->passed = known && is_failure(vm, c->r[ACTUAL]) && (any || says(vm, c->r[ACTUAL], c->r[EXPECTED]));
+}
+
+static void objects_of(vs_value pair, vs_ref objects[2]) {
+  objects[0] = vs_bind_ref(vs_cdr(pair));
+  objects[1] = vs_bind_ref(vs_car(pair));
+}
+
+/* Are the two objects of each pair of r[FOUND] the same, part by part? */
+static bool objects_agree(trial *c) {
+  bool same = true;
+  for (vs_value l = c->r[FOUND]; same && vs_is_pair(l); l = vs_cdr(l)) {
+    vs_ref objects[2];
+    vs_error e = { 0 };
+    objects_of(vs_car(l), objects);
+    same = vs_session_compare_objects(c->session, objects, &same, NULL, &e) && same;
+    c->interrupted = c->interrupted || e.kind == VS_ERROR_INTERRUPT;
+  }
+  return same;
+}
+
+static void judge_value(trial *c) {
+  vs_value *r = c->r;
+  bool within = vs_as_vector(r[CHECK])->at[VS_CHECK_TOLERANCE] != VS_FALSE;
+  bool ok = ask(c, VS_CHECK_ACTUAL, ACTUAL, &c->gives);
+  ok = !c->interrupted && ask(c, VS_CHECK_EXPECTED, EXPECTED, &c->expected) && ok;
+  r[TOLERANCE] = VS_FALSE;
+  if (within && !c->interrupted) ok = vs_text_puts(&c->expected, " within ") && ask(c, VS_CHECK_TOLERANCE, TOLERANCE,
+      &c->expected) && ok;
+  if (!ok) return;
+  if (!call_library(c, "%check-differences", 3, &r[ACTUAL], &r[FOUND])) {
+    vs_text_puts(&c->expected, ": ");
+    put_failure(c, &c->expected);
+    r[FOUND] = VS_FALSE;
+  }
+  c->passed = r[FOUND] != VS_FALSE && objects_agree(c);
+}
+
+/* Takes the oldest check and judges it. The drawing is put aside meanwhile. */
+static void judge(trial *c) {
+  vs_session *s = c->session;
+  vs_scheme *vm = s->bind.vm;
+  VS_ROOTS(vm, rest, 1);
+  c->r[CHECK] = vs_checks_take(vm);
+  rest[0] = vm->at.checks;
+  vm->at.checks = VS_TRUE; /* one runs */
+  bool handing = s->bind.handing, away = s->bind.away;
+  s->bind.handing = s->bind.away = true;
+  put_cut(vm, vs_as_vector(c->r[CHECK])->at[VS_CHECK_EXPRESSION], LINE, &c->expression);
+  if (!strcmp(vs_as_symbol(vs_as_vector(c->r[CHECK])->at[VS_CHECK_FORM])->name, "check-error")) judge_error(c);
+  else judge_value(c);
+  s->bind.handing = handing, s->bind.away = away;
+  vm->at.checks = rest[0];
+}
+
+static void tell_parts(trial *c, const vs_check_listener *to) {
+  vs_part_listener listener = { to->part, to->context };
+  for (vs_value l = c->r[FOUND]; to->part && vs_is_pair(l); l = vs_cdr(l)) {
+    vs_ref objects[2];
+    vs_error e = { 0 };
+    bool same;
+    objects_of(vs_car(l), objects);
+    if (!vs_session_compare_objects(c->session, objects, &same, &listener, &e)) return;
+  }
+}
+
+/* Runs the oldest check and tells the listener. False: interrupted, and nothing was told. */
+static bool next_check(vs_session *s, const vs_check_listener *to) {
+  vs_scheme *vm = s->bind.vm;
+  VS_ROOTS(vm, r, ROOTS);
+  trial c = { .session = s, .r = r };
+  vs_text_open(vm, &c.expression, 0);
+  vs_text_open(vm, &c.gives, 0);
+  vs_text_open(vm, &c.expected, 0);
+  judge(&c);
+  vs_vector *v = vs_as_vector(r[CHECK]);
+  vs_checked result = { .passed = c.passed, .form = vs_as_symbol(v->at[VS_CHECK_FORM])->name };
+  vs_session_span(s, vs_pos_of(v->at[VS_CHECK_PLACE]), &result.at);
+  result.expression = vs_text_end(&c.expression) ? c.expression.at : "";
+  result.gives = vs_text_end(&c.gives) ? c.gives.at : "";
+  result.expected = vs_text_end(&c.expected) ? c.expected.at : "";
+  if (!c.interrupted) to->told(to->context, &result);
+  if (!c.interrupted && !c.passed) tell_parts(&c, to);
+  vs_text_close(&c.expression);
+  vs_text_close(&c.gives);
+  vs_text_close(&c.expected);
+  vm->condition = VS_FALSE;
+  return !c.interrupted;
+}
+
+/* ---- many ---- */
+
+static void begin(vs_session *s) {
+  vs_tally_enter(&s->tally, VS_WORK_RUN);
+  vs_session_arm(s, VS_EVAL_PASS);
+  s->phase = "checking", s->told_progress = vs_session_clock(s);
+}
+
+static vs_outcome end(vs_session *s, bool ok) {
+  vs_session_release_objects(s);
+  s->phase = NULL;
+  vs_tally_enter(&s->tally, VS_WORK_NONE);
+  if (ok) return VS_OUTCOME_DONE;
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, NULL, 0, 0, "interrupted");
+  return VS_OUTCOME_INTERRUPTED;
+}
+
+static void warn(void *session, const vs_checked *c) {
+  vs_session *s = session;
+  if (c->passed) return;
+  vs_text t;
+  vs_text_open(s->bind.vm, &t, 0);
+  bool ok = vs_text_puts(&t, c->form) && vs_text_puts(&t, ": ") && vs_text_puts(&t, c->expression) &&
+            vs_text_puts(&t, " gives ") && vs_text_puts(&t, c->gives) && vs_text_puts(&t, ", expected ") &&
+            vs_text_puts(&t, c->expected) && vs_text_end(&t);
+  vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, c->at.file, c->at.line, c->at.column,
+                       ok ? t.at : "a check failed");
+  vs_text_close(&t);
+}
+
+vs_outcome vs_session_check(vs_session *s, unsigned flags) {
+  vs_scheme *vm = s->bind.vm;
+  if (flags & VS_EVAL_CHECK_LATER || !vs_checks_wait(vm)) return VS_OUTCOME_DONE;
+  bool ok = true;
+  if (!(flags & VS_EVAL_PASS)) {
+    begin(s);
+    while (ok && vs_checks_wait(vm)) ok = next_check(s, &(vs_check_listener){ .context = s, .told = warn });
+    end(s, ok);
+  }
+  vm->at.checks = VS_NIL;
+  return ok ? VS_OUTCOME_DONE : VS_OUTCOME_INTERRUPTED;
+}
+
+bool vs_check_waits(const vs_scheme *vm) { return vs_checks_wait(vm); }
+
+vs_outcome vs_check_next(vs_scheme *vm, const vs_check_listener *listener) {
+  vs_session *s = vs_session_of(vm);
+  if (vs_session_busy(s, "vs_check_next")) return VS_OUTCOME_USAGE;
+  if (!vs_checks_wait(vm)) return VS_OUTCOME_DONE;
+  vm->steps = vm->written = 0; /* its own limits */
+  vm->started = vs_session_clock(s);
+  begin(s);
+  return end(s, next_check(s, listener));
+}
+
+const char *vs_check_redefined(vs_scheme *vm) { return vs_checks_redefined(vm); }

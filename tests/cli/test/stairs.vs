@@ -1,0 +1,12 @@
+; Stairs, with two mistakes that the checks find.
+(define riser 0.17)
+(define (steps height) (if (<= height 0) (error "no stairs of height" height) (exact (ceiling (/ height riser)))))
+(define (post height) (make-cylinder origin height 0.1))
+(check-error (steps -1) "no stairs of height")
+(check-expect (steps 0.17) 1)
+(check-expect (steps 2.8) 16)
+(check-within (post-length) 2.0 1e-6)
+(check-expect (post 2) (make-cylinder origin 2 0.2))
+(define (post-length) (cz (second (bounding-box (post 2)))))
+(check-expect (map steps '(0.1 0.2)) (list 1 2))
+(check-error (steps "two metres"))
