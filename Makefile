@@ -68,9 +68,10 @@ $(BUILD)/viewer.js: backends/page/page.js $(wildcard backends/page/*.js) package
 	@mkdir -p $(@D)
 	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
 
-$(BUILD)/live.js: backends/page/live/live.js $(wildcard backends/page/*.js backends/page/live/*.js) package.json $(wildcard node_modules/.package-lock.json)
+# three.js and fflate name themselves in comments that esbuild keeps; what else is bundled stands in NOTICE.
+$(BUILD)/live.js: backends/page/live/live.js $(wildcard backends/page/*.js backends/page/live/*.js) package.json NOTICE $(wildcard node_modules/.package-lock.json)
 	@mkdir -p $(@D)
-	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) $< --outfile=$@; else : > $@; fi
+	@if [ -n "$(ESBUILD)" ]; then $(BUNDLE) --footer:js="/*! $$(awk '/^[^ ]/ { on = /^Embedded/ } on' NOTICE) */" $< --outfile=$@; else : > $@; fi
 
 $(BUILD)/live.css: backends/page/live/live.css backends/page/viewer.css
 	@mkdir -p $(@D)
@@ -153,14 +154,20 @@ $(BUILD)/manual.txt: $(MANUAL)
 	@mkdir -p $(@D)
 	@for f in $(sort $(filter-out manual/internals.md,$(MANUAL))); do printf '\001%s\n' $$f; cat $$f; echo; done > $@
 
-$(BUILD)/obj/manual_text.o: $(BUILD)/manual.txt
+# Our licence and what comes from others, for `vs --licenses`.
+$(BUILD)/licenses.txt: LICENSE NOTICE
 	@mkdir -p $(@D)
-	@printf '.section vs_files,"a"\n.globl vs_manual_text\nvs_manual_text:\n.incbin "$<"\n.globl vs_manual_text_end\nvs_manual_text_end:\n.byte 0\n.section .note.GNU-stack,"",@progbits\n' > $(BUILD)/manual.s
-	$(Q)$(CC) -c $(BUILD)/manual.s -o $@
+	@{ cat LICENSE; echo; cat NOTICE; } > $@
 
-$(BUILD)/vs: $(CLI_OBJ) $(BUILD)/obj/manual_text.o $(BUILD)/libvisualscheme.a
+$(BUILD)/obj/%_text.o: $(BUILD)/%.txt
+	@mkdir -p $(@D)
+	@printf '.section vs_files,"a"\n.globl vs_$*_text\nvs_$*_text:\n.incbin "$<"\n.globl vs_$*_text_end\nvs_$*_text_end:\n.byte 0\n.section .note.GNU-stack,"",@progbits\n' > $(BUILD)/$*.s
+	$(Q)$(CC) -c $(BUILD)/$*.s -o $@
+
+TEXTS     = $(BUILD)/obj/manual_text.o $(BUILD)/obj/licenses_text.o
+$(BUILD)/vs: $(CLI_OBJ) $(TEXTS) $(BUILD)/libvisualscheme.a
 	$(call say,link  $@)
-	$(Q)$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(BUILD)/obj/manual_text.o $(BUILD)/libvisualscheme.a $(PACK) $(LDFLAGS) $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) -o $@ $(CLI_OBJ) $(TEXTS) $(BUILD)/libvisualscheme.a $(PACK) $(LDFLAGS) $(LDLIBS)
 
 $(BUILD)/unit/%: tests/unit/%.c $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)

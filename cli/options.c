@@ -51,6 +51,12 @@ bool cli_command_suggest(const char *word, FILE *to) {
 
 /* ---- help ---- */
 
+extern const char vs_licenses_text[], vs_licenses_text_end[]; /* LICENSE and NOTICE: the Makefile puts them in */
+
+static void print_licenses(void) {
+  fwrite(vs_licenses_text, 1, (size_t)(vs_licenses_text_end - vs_licenses_text), stdout);
+}
+
 static void print_help(void) {
   puts("vs: solid models from Scheme programs\n");
   puts("  vs                  a prompt");
@@ -358,6 +364,7 @@ static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdi
   case OPTION_STEP: o->step = v; return true;
   case OPTION_QUIET: o->quiet = true; return true;
   case OPTION_VERSION: printf("vs %s\n", vs_version()); *verdict = CLI_STOP; return true;
+  case OPTION_LICENSES: print_licenses(); *verdict = CLI_STOP; return true;
   case OPTION_HELP: print_help(); *verdict = CLI_STOP; return true;
   case OPTION_COUNT: break;
   }

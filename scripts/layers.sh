@@ -71,7 +71,7 @@ while read -r line; do
 done < "$work/types"
 
 # ---- the Makefile: what it says of an object whose source has moved is lost without a word ----
-made='^(assets|library_image|manual_text|shipped)$' # objects whose sources are made
+made='^(assets|library_image|manual_text|licenses_text|shipped)$' # objects whose sources are made
 grep -oE '\$\(BUILD\)/obj/[a-z_/]+\.o' Makefile | sort -u | sed 's/^\$(BUILD)\/obj\///; s/\.o$//' | grep -vE "$made" | while read -r object; do
   [ -f "$object.c" ] || echo "Makefile: $object.o has no source $object.c"
 done >> "$work/wrong"
