@@ -137,15 +137,10 @@ bool vs_put_base64(vs_writer *w, const unsigned char *bytes, size_t count) {
   return !w->failed;
 }
 
-void vs_put_xml(vs_writer *w, const char *text) {
-  for (; *text != '\0'; text++) switch (*text) {
-    case '<': vs_puts(w, "&lt;"); break;
-    case '>': vs_puts(w, "&gt;"); break;
-    case '&': vs_puts(w, "&amp;"); break;
-    case '"': vs_puts(w, "&quot;"); break;
-    case '\'': vs_puts(w, "&#39;"); break;
-    default: /* control characters are not XML at all */
-      if ((unsigned char)*text >= ' ') vs_put(w, text, 1);
-      else vs_puts(w, " ");
-    }
+void vs_put_spelled(vs_writer *w, vs_speller *spell, const char *text) {
+  char spelled[VS_SPELLED_ROOM];
+  for (const char *at = text, *end = text + strlen(text); at < end && !w->failed;)
+    vs_put(w, spelled, spell(&at, end, spelled));
 }
+
+void vs_put_xml(vs_writer *w, const char *text) { vs_put_spelled(w, vs_spell_xml_value, text); }

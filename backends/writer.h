@@ -12,6 +12,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "model/characters.h"
 #include "model/vec.h"
 
 typedef bool vs_sink_fn(void *context, const void *bytes, size_t count); /* false: failed, and the sink knows why */
@@ -61,7 +62,9 @@ bool vs_put_triple(vs_writer *w, const char *open, vs_vec3 v, const char *betwee
 bool vs_put_spaces(vs_writer *w, size_t count);
 bool vs_put_u32(vs_writer *w, uint32_t x); /* decimal digits */
 bool vs_put_base64(vs_writer *w, const unsigned char *bytes, size_t count); /* = at the end, if not of threes */
-void vs_put_xml(vs_writer *w, const char *text); /* escaped for XML and HTML, attributes too */
+/* A text of the user or of a file, as the notation has it. */
+void vs_put_spelled(vs_writer *w, vs_speller *spell, const char *text);
+void vs_put_xml(vs_writer *w, const char *text); /* for XML and HTML, attributes too */
 /* Little-endian bytes, as the binary formats have them; each returns the place behind them. */
 static inline unsigned char *vs_le_u32(unsigned char *to, uint32_t x) {
   to[0] = (unsigned char)x, to[1] = (unsigned char)(x >> 8), to[2] = (unsigned char)(x >> 16),

@@ -4,13 +4,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/characters.h"
+
 void cli_json_text(FILE *to, const char *text) {
   fputc('"', to);
-  for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
-    if (*c == '"' || *c == '\\') fprintf(to, "\\%c", *c);
-    else if (*c < ' ') fprintf(to, "\\u%04x", *c);
-    else fputc(*c, to);
-  }
+  char spelled[VS_SPELLED_ROOM];
+  for (const char *at = text, *end = text + strlen(text); at < end;)
+    fwrite(spelled, 1, vs_spell_json(&at, end, spelled), to);
   fputc('"', to);
 }
 

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/characters.h"
+
 void live_add(live_text *t, const void *bytes, size_t length) {
   if (t->failed) return;
   if (t->room - t->length <= length) {
@@ -38,17 +40,8 @@ void live_putf(live_text *t, const char *format, ...) {
 
 void live_json_bytes(live_text *t, const char *text, size_t length) {
   live_puts(t, "\"");
-  for (size_t i = 0; i < length; i++) {
-    unsigned char c = (unsigned char)text[i];
-    if (c == '"' || c == '\\') live_putf(t, "\\%c", c);
-    else if (c == '\n') live_puts(t, "\\n");
-    else if (c < 0x20 || c == 0x7f) live_putf(t, "\\u%04x", c);
-    else if (c == 0xe2 && length - i > 2 && text[i + 1] == '\x80' && (text[i + 2] & '\xfe') == '\xa8') {
-      live_puts(t, text[i + 2] & 1 ? "\\u2029" : "\\u2028"); /* which scripts may take for the end of a line */
-      i += 2;
-    }
-    else live_add(t, &text[i], 1);
-  }
+  char spelled[VS_SPELLED_ROOM];
+  for (const char *at = text, *end = text + length; at < end;) live_add(t, spelled, vs_spell_json(&at, end, spelled));
   live_puts(t, "\"");
 }
 

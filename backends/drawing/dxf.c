@@ -30,23 +30,20 @@ static void code_handle(vs_writer *w, int number, unsigned handle) { vs_putf(w, 
 
 enum { DXF_CHARACTER = 12, DXF_LINE = 250 /* bytes of text on a line; a longer text is an MTEXT */ };
 
-/* The character at *text as DXF of that time has it, into `as`: one beyond ASCII as \U+00E9; a caret is an escape, a
- * backslash and braces are as well. Returns its bytes; *text goes on to the next. */
+/* Spells the character at *text as DXF of that time has it, into `as`: one beyond ASCII as \U+00E9, which has room for
+ * four digits; a caret is an escape, and a backslash before U+ or M+ would begin one. Returns its bytes; *text goes on to
+ * the next. */
 static size_t text_character(const char **text, char as[DXF_CHARACTER]) {
-  const unsigned char *c = (const unsigned char *)*text;
-  int length;
-  if (*c < 0x80) {
-    bool control = *c < ' ' || *c == 0x7f;
-    length = snprintf(as, DXF_CHARACTER, *c == '^' ? "%c " : "%c", control ? ' ' : *c);
-    c++;
-  } else {
-    int more = *c >= 0xf0 ? 3 : *c >= 0xe0 ? 2 : 1;
-    uint32_t point = *c++ & (0x3fu >> more);
-    for (; more > 0 && (*c & 0xc0) == 0x80; more--) point = point << 6 | (*c++ & 0x3fu);
-    length =
-        point < 0x10000 ? snprintf(as, DXF_CHARACTER, "\\U+%04X", (unsigned)point) : snprintf(as, DXF_CHARACTER, "?");
-  }
-  *text = (const char *)c;
+  enum { ENOUGH = 16 }; /* bytes, of any character */
+  char spelled[VS_SPELLED_ROOM + 1];
+  uint32_t point = 0xFFFD;
+  size_t count = vs_spell_line(text, *text + strnlen(*text, ENOUGH), spelled);
+  spelled[count] = '\0';
+  vs_character_read(spelled, count, &point);
+  bool escape = point == '\\' && (**text == 'U' || **text == 'M') && (*text)[1] == '+';
+  int length = escape         ? snprintf(as, DXF_CHARACTER, "\\U+005C")
+               : point < 0x80 ? snprintf(as, DXF_CHARACTER, point == '^' ? "^ " : "%c", (int)point)
+                              : snprintf(as, DXF_CHARACTER, "\\U+%04X", point < 0x10000 ? (unsigned)point : 0xFFFDu);
   return (size_t)length;
 }
 

@@ -42,8 +42,9 @@ static void length_text(const vs_emitter *e, double length, char *text, size_t r
 static void level_text(const vs_emitter *e, const vs_scene_note *n, char *text, size_t room) {
   char number[40];
   length_text(e, fabs(n->p.z), number, sizeof number);
-  snprintf(text, room, "%s%s%s%.100s", n->p.z < 0 ? "-" : n->p.z > 0 ? "+" : "\302\261", number, n->text ? "  " : "",
-      n->text ? n->text : "");
+  const char *own = n->text ? n->text : "";
+  snprintf(text, room, "%s%s%s%.*s", n->p.z < 0 ? "-" : n->p.z > 0 ? "+" : "\302\261", number, n->text ? "  " : "",
+      (int)vs_character_cut(own, 100), own);
 }
 
 /* About how wide text is whose capitals are of the height `size`. */

@@ -192,8 +192,9 @@ static bool title_block(vs_emitter *e, vs_sheet *s) {
       stroke(e, s, VS_DRAWN_SHEET, x, middle, s->right, middle) &&
             stroke(e, s, VS_DRAWN_SHEET, column, y, column, y + title_height) &&
                 stroke(e, s, VS_DRAWN_SHEET, column + 26, y, column + 26, middle);
-  snprintf(text, sizeof text, "%.*s", (int)fmin(dot && dot > title ? (double)(dot - title) : (double)strlen(title),
-      60), title);
+  size_t length = vs_character_cut(title, 60);
+  if (dot && dot > title && (size_t)(dot - title) < length) length = (size_t)(dot - title);
+  snprintf(text, sizeof text, "%.*s", (int)length, title);
   ok = ok && write(e, s, x + 3, middle + 1.8 + 2.4, 3.5, 0, text);
   const char *what = s->view_count == 1 ? s->views[0].spec.name : "views";
   ok = ok && write(e, s, x + 3, y + 4.4, 3, 0, what) && write(e, s, column + 3, middle + 7.6, 1.6, 0, "scale") &&
@@ -219,7 +220,8 @@ static bool captions(vs_emitter *e, vs_sheet *s) {
     double room = vs_sheet_notes_room(e, v).up, x = v->at.x + (v->high.x - v->low.x) * v->mm / 2,
         y = v->at.y - room - caption + 3;
     char text[160], scale[32];
-    snprintf(text, sizeof text, "%.100s%s%s", v->spec.name, v->scale > 0 ? "   " : "", scale_text(v->scale, scale));
+    snprintf(text, sizeof text, "%.*s%s%s", (int)vs_character_cut(v->spec.name, 100), v->spec.name,
+        v->scale > 0 ? "   " : "", scale_text(v->scale, scale));
     ok = vs_sheet_text(e, s, (uint32_t)i, VS_DRAWN_TEXT, (vs_sheet_point){ x, y }, 2.5, 0, 0.5, text);
     if (ok && v->look.parallel && fabs(v->look.forward.z) > 0.999) ok = i > 0 ||
         north(e, s, s->right - 12, s->top - 14, v);

@@ -26,11 +26,7 @@ static const size_t none = (size_t)-1;
 
 static void json_text(vs_writer *w, const char *text) {
   vs_puts(w, "\"");
-  for (const char *c = text; *c != '\0'; c++) {
-    if ((unsigned char)*c < 0x20) vs_putf(w, "\\u%04x", *c);
-    else if (*c == '"' || *c == '\\') vs_putf(w, "\\%c", *c);
-    else vs_put(w, c, 1);
-  }
+  vs_put_spelled(w, vs_spell_json, text);
   vs_puts(w, "\"");
 }
 

@@ -296,6 +296,8 @@ static void obj_material_name(vs_emitter *e, const vs_material *m) {
     vs_put(e->out, (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9') ? c : "_", 1);
 }
 
+/* The .mtl beside the file. The .obj names it on a line of text: what no line holds is _ in its name. The caller frees
+ * it; NULL: out of memory. */
 static char *obj_library(const char *path) {
   size_t length = strlen(path);
   char *name = malloc(length + 5);
@@ -304,13 +306,20 @@ static char *obj_library(const char *path) {
   char *dot = strrchr(name, '.'), *slash = strrchr(name, '/');
   if (dot == NULL || (slash != NULL && dot < slash)) dot = name + length;
   memcpy(dot, ".mtl", 5);
+  for (char *at = slash != NULL ? slash + 1 : name, *end = dot + 4; at < end;) {
+    uint32_t code = 0;
+    size_t count = vs_character_read(at, (size_t)(end - at), &code);
+    bool fits = count > 0 && !vs_character_is_control(code) && (code == ' ' || !vs_character_is_blank(code));
+    if (!fits) memset(at, '_', count > 0 ? count : 1);
+    at += count > 0 ? count : 1;
+  }
   return name;
 }
 
 /* A layer's name as one word on its line. */
 static void obj_group(vs_writer *w, const char *layer) {
   vs_puts(w, "g ");
-  for (const char *c = layer; *c != '\0'; c++) vs_put(w, (unsigned char)*c <= ' ' ? "_" : c, 1);
+  vs_put_spelled(w, vs_spell_word, layer);
   vs_puts(w, "\n");
 }
 
@@ -440,8 +449,7 @@ static bool obj_solid(vs_emitter *e, const vs_solid *solid) {
     if (library == NULL) return vs_emit_no_memory(e);
     const char *slash = strrchr(library, '/');
     vs_puts(w, "mtllib ");
-    for (const char *c = slash != NULL ? slash + 1 : library; *c != '\0'; c++)
-      if (*c != '\n' && *c != '\r') vs_put(w, c, 1);
+    vs_puts(w, slash != NULL ? slash + 1 : library);
     vs_puts(w, "\n");
     free(library);
   }

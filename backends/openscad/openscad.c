@@ -647,8 +647,7 @@ static bool scad_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
 
 static bool scad_begin(vs_emitter *e) {
   vs_puts(e->out, "// ");
-  for (const char *c = e->scene->title; *c != '\0'; c++)
-    if (*c >= ' ' && *c != 127) vs_put(e->out, c, 1); /* a line break would end the comment */
+  vs_put_spelled(e->out, vs_spell_line, e->scene->title); /* a line break would end the comment */
   return vs_puts(e->out, ": a program for OpenSCAD, made by VisualScheme\n\n");
 }
 

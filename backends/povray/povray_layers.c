@@ -125,7 +125,7 @@ static uint32_t number_of(list *t, const void *what, bool *fresh) {
 
 /* Line breaks and the like would part a name. */
 static void put_name(vs_writer *w, const char *name) {
-  for (; *name; name++) vs_put(w, (unsigned char)*name < ' ' ? " " : name, 1);
+  vs_put_spelled(w, vs_spell_line, name);
 }
 
 static uint32_t number_of_material(list *t, const vs_material *m) {

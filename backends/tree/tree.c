@@ -8,10 +8,11 @@
 
 static bool tree_text(vs_writer *w, const char *text) {
   vs_puts(w, "\"");
-  for (; *text != '\0'; text++) {
-    if (*text == '"' || *text == '\\') vs_puts(w, "\\");
-    if (*text == '\n') vs_puts(w, "\\n");
-    else vs_put(w, text, 1);
+  char spelled[VS_SPELLED_ROOM];
+  for (const char *at = text, *end = text + strlen(text); at < end && !w->failed;) {
+    if (*at == '"' || *at == '\\') vs_puts(w, "\\");
+    if (*at == '\n') vs_puts(w, "\\n"), at++;
+    else vs_put(w, spelled, vs_spell_plain(&at, end, spelled));
   }
   return vs_puts(w, "\"");
 }

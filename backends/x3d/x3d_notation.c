@@ -96,9 +96,10 @@ void vs_x3d_text(vs_emitter *e, const char *name, const char *value, bool many) 
   vs_x3d_field(e, name, many);
   if (text_classic(e)) {
     vs_puts(e->out, "\"");
-    for (; *value != '\0'; value++) {
-      if (*value == '"' || *value == '\\') vs_puts(e->out, "\\");
-      vs_put(e->out, value, 1);
+    char spelled[VS_SPELLED_ROOM];
+    for (const char *at = value, *end = value + strlen(value); at < end && !e->out->failed;) {
+      if (*at == '"' || *at == '\\') vs_puts(e->out, "\\");
+      vs_put(e->out, spelled, vs_spell_line(&at, end, spelled));
     }
     vs_puts(e->out, "\"");
   } else {

@@ -24,6 +24,7 @@
 #include "cli/batch/film_frames.h"
 #include "cli/batch/inputs_told.h"
 #include "cli/json.h"
+#include "model/characters.h"
 
 enum { PATH_ROOM = 4096, MOST = 100000, EXPOSURE_ROOM = 24 };
 
@@ -309,10 +310,9 @@ static void fill_manifest(const batch *b, FILE *to) {
 }
 
 static void put_html(FILE *to, const char *text) {
-  for (; *text; text++) {
-    if (*text == '<' || *text == '>' || *text == '&' || *text == '"' || *text == '\'') fprintf(to, "&#%d;", *text);
-    else fputc(*text, to);
-  }
+  char spelled[VS_SPELLED_ROOM];
+  for (const char *at = text, *end = text + strlen(text); at < end;)
+    fwrite(spelled, 1, vs_spell_xml_value(&at, end, spelled), to);
 }
 
 /* The pictures stand in the page by their names, as seen from its folder: below it, or by their whole names. */
@@ -328,7 +328,8 @@ static void fill_sheet(const batch *b, FILE *to) {
     char *whole = strncmp(p->file, sheet, folder) != 0 ? realpath(p->file, NULL) : NULL;
     fputs("<figure><img loading=\"lazy\" src=\"", to);
     for (const char *c = whole ? whole : p->file + folder; *c; c++) {
-      if (strchr("%#?\"<>&\\ '", *c)) fprintf(to, "%%%02X", (unsigned char)*c);
+      if ((unsigned char)*c <= ' ' || (unsigned char)*c >= 0x7F || strchr("%#?\"<>&\\'", *c))
+        fprintf(to, "%%%02X", (unsigned char)*c);
       else fputc(*c, to);
     }
     free(whole);

@@ -4,30 +4,14 @@
 
 #include <string.h>
 
-size_t know_character(const char *text, size_t left) {
-  const unsigned char *s = (const unsigned char *)text;
-  if (*s < 0x80) return *s >= ' ' || *s == '\t' || *s == '\n' || *s == '\r' ? 1 : 0;
-  size_t n = *s >= 0xF0 ? 4 : *s >= 0xE0 ? 3 : *s >= 0xC2 ? 2 : 0;
-  if (!n || n > left || *s > 0xF4) return 0;
-  for (size_t i = 1; i < n; i++)
-    if ((s[i] & 0xC0) != 0x80) return 0;
-  if (n == 3 && *s == 0xEF && s[1] == 0xBF && s[2] >= 0xBE) return 0; /* U+FFFE, U+FFFF */
-  if (n == 3 && *s == 0xED && s[1] >= 0xA0) return 0;                 /* surrogates */
-  return n;
+#include "model/characters.h"
+
+static void spelled(FILE *to, vs_speller *spell, const char *text, size_t length) {
+  char out[VS_SPELLED_ROOM];
+  for (const char *at = text, *end = text + length; at < end;) fwrite(out, 1, spell(&at, end, out), to);
 }
 
-void know_xml_text(FILE *to, const char *text, size_t length) {
-  for (size_t i = 0; i < length;) {
-    size_t n = know_character(text + i, length - i);
-    if (!n) fputs("\xEF\xBF\xBD", to), n = 1;
-    else if (text[i] == '<') fputs("&lt;", to);
-    else if (text[i] == '>') fputs("&gt;", to);
-    else if (text[i] == '&') fputs("&amp;", to);
-    else if (text[i] == '"') fputs("&quot;", to);
-    else fwrite(text + i, 1, n, to);
-    i += n;
-  }
-}
+void know_xml_text(FILE *to, const char *text, size_t length) { spelled(to, vs_spell_xml, text, length); }
 
 static void xml_attribute(FILE *to, const char *text, size_t length) {
   /* Line ends are kept by numbers: a reader would make blanks of them. */
@@ -40,15 +24,7 @@ static void xml_attribute(FILE *to, const char *text, size_t length) {
 
 void know_json_text(FILE *to, const char *text, size_t length) {
   fputc('"', to);
-  for (size_t i = 0; i < length;) {
-    unsigned char c = (unsigned char)text[i];
-    size_t n = know_character(text + i, length - i);
-    if (c == '"' || c == '\\') fprintf(to, "\\%c", c), n = 1;
-    else if (c < ' ') fprintf(to, "\\u%04x", c), n = 1;
-    else if (!n) fputs("\xEF\xBF\xBD", to), n = 1;
-    else fwrite(text + i, 1, n, to);
-    i += n;
-  }
+  spelled(to, vs_spell_json, text, length);
   fputc('"', to);
 }
 

@@ -31,8 +31,6 @@ void know_write_item(know_writer *w, const char *item);
 void know_write_item_end(know_writer *w, const char *item);
 void know_write_list_end(know_writer *w, const char *key);
 
-/* Bytes of the UTF-8 character at text; 0: it is broken, or a control character, or none that XML has. */
-size_t know_character(const char *text, size_t left);
 /* Text as it may stand in XML: < > & " as entities; what XML has no way to hold is U+FFFD. */
 void know_xml_text(FILE *to, const char *text, size_t length);
 void know_json_text(FILE *to, const char *text, size_t length);

@@ -13,6 +13,7 @@
 
 #include "languages/analysis/notation.h"
 #include "languages/script/script_tree.h"
+#include "model/characters.h"
 #include "model/store/array.h"
 
 typedef struct { know_index node, last; char close; bool dot, skip; } open_list; /* skip: #; drops the next datum */
@@ -422,9 +423,10 @@ static char *read_text(knowledge *k, const char *path, size_t *length) {
 
 static bool is_text(const char *text, size_t length) {
   for (size_t i = 0; i < length;) {
-    size_t n = know_character(text + i, length - i);
-    if (!n && (text[i] == 0 || (unsigned char)text[i] >= 0x80)) return false;
-    i += n ? n : 1;
+    uint32_t code = 0;
+    size_t n = vs_character_read(text + i, length - i, &code);
+    if (!n || !code) return false;
+    i += n;
   }
   return true;
 }

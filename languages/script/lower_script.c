@@ -115,7 +115,8 @@ static void atom(lowering *l, know_index n, tr_index into) {
   case KNOW_STRING:
     if (memchr(text, '\\', length) && (strstr(know_text(l->k, text, length), "\\u") ||
                                        strstr(know_text(l->k, text, length), "\\x"))) cannot(l, n, "this text");
-    become(l, into, TR_STRING, tr_string_text(l->k, text, length));
+    else if (!(text = tr_string_text(l->k, text, length))) cannot(l, n, "this text");
+    become(l, into, TR_STRING, text ? text : "");
     break;
   case KNOW_BOOLEAN:
     become(l, into, TR_BOOLEAN, "");

@@ -11,6 +11,7 @@
 #include "languages/translate/value_kinds.h"
 #include "languages/targets/target_colours.h"
 #include "languages/translate/lift_procedures.h"
+#include "languages/translate/literals.h"
 #include "languages/translate/text_plan.h"
 #include "languages/translate/words.h"
 
@@ -582,7 +583,8 @@ static void plan_parameter(tr_writer *w, tr_index define) {
   if (value[4] && k->nodes[value[4]].kind == KNOW_STRING) {
     size_t length;
     const char *text = know_spelling(k, value[4], &length);
-    tr_plan(w, "// %s%n", know_text(w->t->k, text + 1, length - 2));
+    const char *said = tr_string_text(w->t->k, text, length);
+    if (said) tr_plan_comment(w, said), tr_plan(w, "%n");
   }
   plan_value_of(w, define);
   tr_plan(w, ";");

@@ -192,18 +192,29 @@ static void plan_colour(tr_writer *w, tr_index n) {
   tr_plan(w, "%s", know_text(w->t->k, out, (size_t)size));
 }
 
+/* Bytes of the text, whole characters, that are short enough once they are written: a byte of ASCII takes at most two,
+ * another character six. */
+static size_t short_text(const char *text) {
+  enum { MOST = 200 };
+  size_t n = 0, written = 0, step = 0;
+  for (; text[n] && written <= MOST; n += step) {
+    step = 1;
+    while (((unsigned char)text[n + step] & 0xc0) == 0x80) step++;
+    written += (unsigned char)text[n] < 0x80 ? 1 : 6;
+  }
+  return written > MOST ? n - step : n;
+}
+
 /* A string; POV-Ray takes but short ones where they are written. */
 static void plan_text(tr_writer *w, const char *text) {
-  enum { MOST = 200 };
-  size_t length = strlen(text);
-  if (length <= MOST) {
+  size_t length = strlen(text), n = short_text(text);
+  if (n >= length) {
     tr_plan_quoted(w, text);
     return;
   }
   tr_plan(w, "concat(");
-  for (size_t from = 0, n; from < length; from += n) {
-    n = length - from < MOST ? length - from : MOST;
-    while (n > 1 && ((unsigned char)text[from + n] & 0xc0) == 0x80) n--; /* not within a character */
+  for (size_t from = 0; from < length; from += n) {
+    n = short_text(text + from);
     if (from) tr_plan(w, ",%_");
     tr_plan_quoted(w, know_text(w->t->k, text + from, n));
   }

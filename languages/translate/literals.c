@@ -69,10 +69,12 @@ const char *tr_string_text(knowledge *k, const char *text, size_t length) {
     if (c == 'x') {
       char *end;
       uint32_t code = (uint32_t)strtoul(text + i + 1, &end, 16);
-      if (code && code < 0x110000 && *end == ';') n += utf8(code, out + n), i = (size_t)(end - text);
+      if (!code || code > 0x10FFFF || *end != ';') return NULL;
+      n += utf8(code, out + n), i = (size_t)(end - text);
     } else if (c == '\n' || c == ' ' || c == '\t') { /* a line that goes on: the break and the blanks go */
       while (i + 1 < length && (text[i + 1] == ' ' || text[i + 1] == '\t' || text[i + 1] == '\n')) i++;
-    } else out[n++] = plain && c ? means[plain - names] : c;
+    } else if (!c || strchr("0vf", c)) return NULL;
+    else out[n++] = plain && c ? means[plain - names] : c;
   }
   out[n] = 0;
   return out;

@@ -6,7 +6,8 @@
 
 /* "1.5", "-3", "1/3": decimal, without signs and points that stand alone. "": a number of another kind. */
 const char *tr_number_text(knowledge *k, const char *text, size_t length);
-/* The contents of the string; text is with its quotes and escapes. */
+/* The contents of the string; text is with its quotes and escapes. NULL: it holds NUL, or an escape that is none of
+ * Scheme's. */
 const char *tr_string_text(knowledge *k, const char *text, size_t length);
 
 #endif

@@ -422,7 +422,10 @@ static void atom(lowering *l, know_index n, tr_index into) {
     become(l, into, TR_NUMBER, tr_number_text(l->k, text, length));
     if (!*at(l, into)->text) unable(l, n, "this number");
     break;
-  case KNOW_STRING: become(l, into, TR_STRING, tr_string_text(l->k, text, length)); break;
+  case KNOW_STRING:
+    if (!(text = tr_string_text(l->k, text, length))) unable(l, n, "a text with a character of code 0");
+    become(l, into, TR_STRING, text ? text : "");
+    break;
   case KNOW_BOOLEAN:
     become(l, into, TR_BOOLEAN, "");
     at(l, into)->yes = length > 1 && text[1] == 't';

@@ -21,6 +21,7 @@ typedef struct tr_target {
   const char *x, *y, *z;    /* the axes as vectors */
   const char *together;     /* what stands before the braces around several solids */
   bool capitals;            /* names begin with capital letters, which no word of the language does */
+  bool ascii;               /* in texts, characters beyond ASCII are written as \uXXXX */
   const char *comment;      /* what begins a line of comment */
   const char *reserved;     /* words that no name may be, each between blanks */
   void (*program)(tr_writer *w);

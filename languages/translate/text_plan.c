@@ -15,10 +15,11 @@
 #include "languages/translate/spell_names.h"
 #include "languages/translate/words.h"
 #include "languages/analysis/tree_report.h"
+#include "model/characters.h"
 #include "model/store/array.h"
 
 enum { WIDE = 96 /* columns, behind which a line breaks where it may */, INDENT = 2, MOST_INDENT = 30,
-  MOST_TEXT = 64 << 20 };
+  MOST_TEXT = 64 << 20, REPLACEMENT = 0xFFFD /* for what is no character */ };
 
 static bool no_memory(tr_writer *w) { return know_fail(w->t->k, NULL, VS_OUTCOME_MACHINE, "out of memory"); }
 
@@ -54,18 +55,45 @@ static void plan_text(tr_writer *w, const char *text, size_t length) {
   if (length) plan(w, TR_PIECE_TEXT, 0, 0, know_text(w->t->k, text, length));
 }
 
+/* How a character that may not stand in quotes as it is is written there; "": it may. All targets read \uXXXX. */
+static const char *escape_of(const tr_target *target, uint32_t code, char room[8]) {
+  switch (code) {
+  case '"': return "\\\"";
+  case '\\': return "\\\\";
+  case '\n': return "\\n";
+  case '\t': return "\\t";
+  case '\r': return "\\r";
+  default:
+    if (target->ascii ? code >= ' ' && code < 0x7F
+                      : code >= 0x10000 || (!vs_character_is_control(code) && code != 0x2028 && code != 0x2029))
+      return "";
+    snprintf(room, 8, "\\u%04X", code < 0x10000 ? (unsigned)code : REPLACEMENT);
+    return room;
+  }
+}
+
 void tr_plan_quoted(tr_writer *w, const char *text) {
   plan(w, TR_PIECE_TEXT, 0, 0, "\"");
-  for (const char *at = text; *at;) {
-    size_t plain = strcspn(at, "\"\\\n\t\r");
-    plan_text(w, at, plain);
-    at += plain;
-    if (!*at) break;
-    plan(w, TR_PIECE_TEXT, 0, 0, *at == '"' ? "\\\"" : *at == '\\' ? "\\\\" : *at == '\n' ? "\\n" : *at == '\t' ? "\\t"
-         : "\\r");
-    at++;
+  const char *end = text + strlen(text), *from = text;
+  for (const char *at = text; at < end;) {
+    char room[8];
+    uint32_t code = REPLACEMENT;
+    size_t count = vs_character_read(at, (size_t)(end - at), &code);
+    const char *escape = count ? escape_of(w->target, code, room) : "\\uFFFD";
+    if (*escape) plan_text(w, from, (size_t)(at - from)), plan_text(w, escape, strlen(escape));
+    at += count ? count : 1;
+    if (*escape) from = at;
   }
+  plan_text(w, from, (size_t)(end - from));
   plan(w, TR_PIECE_TEXT, 0, 0, "\"");
+}
+
+void tr_plan_comment(tr_writer *w, const char *text) {
+  plan(w, TR_PIECE_TEXT, 0, 0, w->target->comment);
+  plan(w, TR_PIECE_TEXT, 0, 0, " ");
+  char spelled[VS_SPELLED_ROOM];
+  for (const char *at = text, *end = text + strlen(text); at < end;)
+    plan_text(w, spelled, vs_spell_line(&at, end, spelled));
 }
 
 void tr_plan(tr_writer *w, const char *format, ...) {
@@ -272,6 +300,17 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
 
 /* ---- comments ---- */
 
+/* Puts the text so that nothing in it ends the comment: scripts end their lines at U+2028, too. */
+static void put_on_line(tr_writer *w, const char *text, const char *end) {
+  char spelled[VS_SPELLED_ROOM];
+  while (text < end) {
+    const char *from = text;
+    while (text < end && (unsigned char)*text >= ' ' && (unsigned char)*text < 0x7F) text++;
+    if (text > from) tr_put(w, from, (size_t)(text - from));
+    if (text < end) tr_put(w, spelled, vs_spell_line(&text, end, spelled));
+  }
+}
+
 static void put_comment(tr_writer *w, know_index comment, bool behind) {
   size_t length;
   const char *text = know_comment_text(w->t->k, comment, &length);
@@ -283,7 +322,7 @@ static void put_comment(tr_writer *w, know_index comment, bool behind) {
     while (line && isspace((unsigned char)text[line - 1])) line--;
     put(w, behind ? " " : "");
     put(w, w->target->comment);
-    if (line) put(w, " "), tr_put(w, text, line);
+    if (line) put(w, " "), put_on_line(w, text, text + line);
     if (!behind) put_line(w, 0);
     else return;
     text = stop + 1;

@@ -36,6 +36,8 @@ void tr_plan(tr_writer *w, const char *format, ...);
 void tr_plan_value(tr_writer *w, tr_index node, int level);
 /* The text in quotes, with what the target must not read as it stands escaped by backslashes. */
 void tr_plan_quoted(tr_writer *w, const char *text);
+/* A comment up to the end of the line, whatever the text holds. */
+void tr_plan_comment(tr_writer *w, const char *text);
 /* A number; a fraction or one below zero stands in parentheses where it must hold together. */
 void tr_plan_number(tr_writer *w, const char *text, int level);
 /* Does all that is planned. */
