@@ -759,7 +759,8 @@ typedef uint64_t vs_handle;
 
 typedef enum {
   VS_HANDLE_NONE, /* the handle is none */
-  VS_HANDLE_BOOLEAN, VS_HANDLE_NUMBER, VS_HANDLE_TEXT, VS_HANDLE_SYMBOL, VS_HANDLE_LIST, VS_HANDLE_POINT,
+  VS_HANDLE_BOOLEAN, VS_HANDLE_NUMBER, VS_HANDLE_TEXT, VS_HANDLE_SYMBOL,
+  VS_HANDLE_LIST, /* one that ends: a pair such as (1 . 2) is VS_HANDLE_OTHER */ VS_HANDLE_POINT,
       VS_HANDLE_VECTOR,
   VS_HANDLE_MATRIX, VS_HANDLE_OBJECT, VS_HANDLE_NODE, VS_HANDLE_PROPERTY, VS_HANDLE_PROCEDURE, VS_HANDLE_OTHER,
   VS_HANDLE_HOST /* what vs_handle_host made */
@@ -771,7 +772,10 @@ VS_API void vs_handle_release(vs_scheme *s, vs_handle h);     /* 0 is fine */
 VS_API vs_handle vs_handle_boolean(vs_scheme *s, bool b);
 VS_API vs_handle vs_handle_number(vs_scheme *s, double x);
 VS_API vs_handle vs_handle_integer(vs_scheme *s, int64_t n); /* exact */
+/* The number of that text, as a program writes it: "1/3", an integer of any size. 0: it is none, or memory is out. */
+VS_API vs_handle vs_handle_number_text(vs_scheme *s, const char *text);
 VS_API vs_handle vs_handle_text(vs_scheme *s, const char *text);
+VS_API vs_handle vs_handle_text_bytes(vs_scheme *s, const char *text, size_t length); /* may hold zero bytes */
 VS_API vs_handle vs_handle_symbol(vs_scheme *s, const char *name);
 VS_API vs_handle vs_handle_point(vs_scheme *s, double x, double y, double z);
 VS_API vs_handle vs_handle_vector(vs_scheme *s, double x, double y, double z);
@@ -790,8 +794,11 @@ VS_API bool vs_handle_get_boolean(vs_scheme *s, vs_handle h); /* all but #f is t
 /* The numbers of a number (1), point, vector (3) or matrix (16, row by row): copies at most room of them, returns how
  * many there are; 0: it is none of these. */
 VS_API size_t vs_handle_get_numbers(vs_scheme *s, vs_handle h, double *out, size_t room);
-/* Of a text or symbol; lives until the next call of this function. NULL: it is neither. */
+VS_API bool vs_handle_is_exact(vs_scheme *s, vs_handle h); /* an exact number: its text has all digits */
+/* Of a text or symbol, and of a number as a program writes it; lives until the next call of this function or the next
+ * one. NULL: it is none of these. */
 VS_API const char *vs_handle_get_text(vs_scheme *s, vs_handle h);
+VS_API const char *vs_handle_get_text_bytes(vs_scheme *s, vs_handle h, size_t *length); /* may hold zero bytes */
 VS_API size_t vs_handle_count(vs_scheme *s, vs_handle list); /* 0: it is no list */
 VS_API vs_handle vs_handle_item(vs_scheme *s, vs_handle list, size_t index);
 VS_API bool vs_handle_same(vs_scheme *s, vs_handle a, vs_handle b); /* do both stand for one and the same (eq?) */

@@ -18,6 +18,7 @@
 #include "vm/machine/run.h"
 #include "vm/numbers/number.h"
 #include "vm/numbers/integer.h"
+#include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 
 enum { HOST_HELD = 5 }; /* where the vector of held values lies in at.host */
@@ -209,9 +210,17 @@ vs_handle vs_handle_integer(vs_scheme *vm, int64_t n) {
   if (!vs_int_from_int64(vm, n, &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
   return vs_session_hold(vs_session_of(vm), r);
 }
-vs_handle vs_handle_text(vs_scheme *vm, const char *text) {
+vs_handle vs_handle_number_text(vs_scheme *vm, const char *text) {
   VS_ROOTS(vm, r, 1);
-  if (!vs_string_from_utf8(vm, text, strlen(text), &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
+  if (!vs_number_parse(vm, text, strlen(text), 10, &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
+  if (!vs_is_number(r[0]))
+    return usage(vs_session_of(vm), "vs_handle_number_text: \"%.60s\" is no number", text), 0;
+  return vs_session_hold(vs_session_of(vm), r);
+}
+vs_handle vs_handle_text(vs_scheme *vm, const char *text) { return vs_handle_text_bytes(vm, text, strlen(text)); }
+vs_handle vs_handle_text_bytes(vs_scheme *vm, const char *text, size_t length) {
+  VS_ROOTS(vm, r, 1);
+  if (!vs_string_from_utf8(vm, text, length, &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
   return vs_session_hold(vs_session_of(vm), r);
 }
 vs_handle vs_handle_symbol(vs_scheme *vm, const char *name) {
@@ -254,7 +263,7 @@ vs_handle_kind vs_handle_kind_of(vs_scheme *vm, vs_handle h) {
   if (vs_is_number(v)) return VS_HANDLE_NUMBER;
   if (vs_is_string(v)) return VS_HANDLE_TEXT;
   if (vs_is_symbol(v)) return VS_HANDLE_SYMBOL;
-  if (v == VS_NIL || vs_is_pair(v)) return VS_HANDLE_LIST;
+  if (vs_list_length(v) >= 0) return VS_HANDLE_LIST;
   if (vs_is_flat(v, VS_FLAT_POINT)) return VS_HANDLE_POINT;
   if (vs_is_flat(v, VS_FLAT_VECTOR)) return VS_HANDLE_VECTOR;
   if (vs_is_flat(v, VS_FLAT_MATRIX)) return VS_HANDLE_MATRIX;
@@ -284,14 +293,36 @@ size_t vs_handle_get_numbers(vs_scheme *vm, vs_handle h, double *out, size_t roo
   return count;
 }
 
+bool vs_handle_is_exact(vs_scheme *vm, vs_handle h) {
+  vs_value v;
+  return vs_session_held(vs_session_of(vm), "vs_handle_is_exact", h, &v) && vs_is_number(v) && vs_is_exact(v);
+}
+
+static bool number_string(vs_scheme *vm, vs_value *v) {
+  vs_text t;
+  vs_text_open(vm, &t, 0);
+  bool ok = vs_number_print(vm, *v, 10, &t) && vs_text_to_string(&t, v);
+  vs_text_close(&t);
+  return ok;
+}
+
 const char *vs_handle_get_text(vs_scheme *vm, vs_handle h) {
+  size_t length;
+  return vs_handle_get_text_bytes(vm, h, &length);
+}
+
+const char *vs_handle_get_text_bytes(vs_scheme *vm, vs_handle h, size_t *length) {
   vs_session *s = vs_session_of(vm);
   VS_ROOTS(vm, r, 1);
-  if (!vs_session_held(s, "vs_handle_get_text", h, &r[0]) || (!vs_is_string(r[0]) && !vs_is_symbol(r[0]))) return NULL;
+  *length = 0;
+  if (!vs_session_held(s, "vs_handle_get_text", h, &r[0])) return NULL;
+  if (vs_is_number(r[0]) && !number_string(vm, &r[0])) return vs_session_out_of_memory(s), NULL;
+  if (!vs_is_string(r[0]) && !vs_is_symbol(r[0])) return NULL;
   vs_handles *t = s->handles;
   vs_session_memory(s, t->text, t->text_bytes, 0);
   t->text = NULL, t->text_bytes = 0;
   if (!vs_bind_text(vm, r[0], &t->text, &t->text_bytes)) return vs_session_out_of_memory(s), NULL;
+  *length = t->text_bytes - 1;
   return t->text;
 }
 

@@ -9,11 +9,13 @@
 import codecs
 import contextlib
 import ctypes
+import os
 import signal
 import sys
 import threading
 from collections import namedtuple
 from ctypes import byref, c_double
+from fractions import Fraction
 
 import numpy
 
@@ -74,7 +76,7 @@ class Vector(numpy.ndarray):
 
 
 class Value:
-    """A value that has no like in Python: an object, a node, a procedure; held as long as this is."""
+    """A value that has no like in Python: an object, a node, a procedure, a pair such as (1 . 2); held as long as this is."""
 
     def __init__(self, scheme, handle):
         self._scheme, self.handle, self._age = scheme, handle, scheme._age
@@ -103,7 +105,59 @@ class Value:
 
 
 def _text(bytes_or_none):
-    return bytes_or_none.decode() if bytes_or_none is not None else None
+    """Names of files may be no UTF-8: as os.fsdecode gives them."""
+    return bytes_or_none.decode("utf-8", "surrogateescape") if bytes_or_none is not None else None
+
+
+def _name(text):
+    """The bytes of a name or an option, which C takes to end with a zero."""
+    if not isinstance(text, str):
+        raise TypeError("a name is a str, not %r" % (text,))
+    data = text.encode()
+    if b"\0" in data:
+        raise ValueError("%r has a character of code 0, which no name has" % (text,))
+    return data
+
+
+def _path(path):
+    data = os.fsencode(path)
+    if b"\0" in data:
+        raise ValueError("%r has a character of code 0, which no name of a file has" % (path,))
+    return data
+
+
+def _real(number):
+    """The number as a double; an error where it is another one."""
+    if isinstance(number, numpy.integer):  # which compares as a double
+        number = int(number)
+    real = float(number)
+    if real != number and number == number:
+        raise OverflowError("%r is no number of double precision" % (number,))
+    return real
+
+
+def _whole(digits):
+    """The integer; int() itself takes some thousand digits at most."""
+    if digits[0] == "-":
+        return -_whole(digits[1:])
+    half = len(digits) // 2
+    return int(digits) if half < 2000 else _whole(digits[:-half]) * 10 ** half + _whole(digits[-half:])
+
+
+def _written(value):
+    """The value of a parameter as a program writes it."""
+    if isinstance(value, (bool, numpy.bool_)):
+        return ("#f", "#t")[bool(value)]
+    if isinstance(value, (float, numpy.floating)):
+        real = _real(value)
+        return repr(real) if real - real == 0 else "+nan.0" if real != real else "+inf.0" if real > 0 else "-inf.0"
+    if isinstance(value, (int, numpy.integer)):
+        return "#x%x" % value if abs(int(value)) >> 4000 else str(int(value))
+    if isinstance(value, Fraction):
+        return "#x%x/%x" % (value.numerator, value.denominator)
+    if isinstance(value, str):
+        return str(value)
+    raise TypeError("%r is no value of a parameter" % (value,))
 
 
 def _array(pointer, rows, width, kind):
@@ -210,20 +264,25 @@ class Scheme:
         elif isinstance(value, (bool, numpy.bool_)):
             handle = f.vs_handle_boolean(s, bool(value))
         elif isinstance(value, (int, numpy.integer)):
-            handle = f.vs_handle_integer(s, int(value))
+            whole = int(value)
+            small = -2 ** 63 <= whole < 2 ** 63
+            handle = f.vs_handle_integer(s, whole) if small else f.vs_handle_number_text(s, b"#x%x" % whole)
+        elif isinstance(value, Fraction):
+            handle = f.vs_handle_number_text(s, b"#x%x/%x" % (value.numerator, value.denominator))
         elif isinstance(value, (float, numpy.floating)):
-            handle = f.vs_handle_number(s, float(value))
+            handle = f.vs_handle_number(s, _real(value))
         elif isinstance(value, Symbol):
-            handle = f.vs_handle_symbol(s, value.encode())
+            handle = f.vs_handle_symbol(s, _name(value))
         elif isinstance(value, str):
-            handle = f.vs_handle_text(s, value.encode())
+            text = value.encode()
+            handle = f.vs_handle_text_bytes(s, text, len(text))
         elif isinstance(value, Vector):
-            handle = f.vs_handle_vector(s, *(float(x) for x in value))
+            handle = f.vs_handle_vector(s, *(_real(x) for x in value))
         elif isinstance(value, numpy.ndarray) and value.shape == (4, 4):
             with self._named("make-matrix") as make:
-                handle = self._apply_to(make, [float(x) for x in value.flat])
+                handle = self._apply_to(make, [_real(x) for x in value.flat])
         elif isinstance(value, numpy.ndarray) and value.shape == (3,):
-            handle = f.vs_handle_point(s, *(float(x) for x in value))
+            handle = f.vs_handle_point(s, *(_real(x) for x in value))
         elif isinstance(value, (list, tuple)):
             items = []
             try:
@@ -248,9 +307,9 @@ class Scheme:
         if kind == _BOOLEAN:
             value = f.vs_handle_get_boolean(s, handle)
         elif kind == _NUMBER:
-            value = numbers[0]
+            value = self._exact(handle) if f.vs_handle_is_exact(s, handle) else numbers[0]
         elif kind in (_TEXT, _SYMBOL):
-            value = (str if kind == _TEXT else Symbol)(_text(f.vs_handle_get_text(s, handle)))
+            value = (str if kind == _TEXT else Symbol)(self._bytes_of(handle).decode())
         elif kind == _LIST:
             value = [self._take(f.vs_handle_item(s, handle, i)) for i in range(f.vs_handle_count(s, handle))]
         else:
@@ -262,13 +321,24 @@ class Scheme:
         f.vs_handle_release(s, handle)
         return value
 
+    def _bytes_of(self, handle):
+        length = ctypes.c_size_t()
+        text = self._c.vs_handle_get_text_bytes(self._s, handle, byref(length))
+        self._check(text)
+        return ctypes.string_at(text, length.value)
+
+    def _exact(self, handle):
+        """An exact number as an int or a Fraction."""
+        above, _, below = self._bytes_of(handle).decode().partition("/")
+        return Fraction(_whole(above), _whole(below)) if below else _whole(above)
+
     def _borrowed(self, handle):
         return self._take(self._c.vs_handle_retain(self._s, handle))
 
     @contextlib.contextmanager
     def _named(self, name):
         """The handle of what the name means in the program."""
-        handle = self._c.vs_lookup(self._s, name.encode())
+        handle = self._c.vs_lookup(self._s, _name(name))
         self._check(handle)
         try:
             yield handle
@@ -310,10 +380,10 @@ class Scheme:
     def run(self, text, name="python"):
         """Every form of the text."""
         data = text.encode()
-        self._do(self._c.vs_eval_text, name.encode(), 1, data, len(data), 0)
+        self._do(self._c.vs_eval_text, _name(name), 1, data, len(data), 0)
 
     def run_file(self, path):
-        self._do(self._c.vs_eval_file, str(path).encode(), 0)
+        self._do(self._c.vs_eval_file, _path(path), 0)
 
     def restart(self):
         """Begins anew, as a new interpreter would; values of parameters stay. What was held of it is void."""
@@ -322,12 +392,12 @@ class Scheme:
 
     def __getitem__(self, name):
         """What the name means in the program: a value, or a Value to call."""
-        return self._got(self._c.vs_lookup, name.encode())
+        return self._got(self._c.vs_lookup, _name(name))
 
     def __setitem__(self, name, value):
         """Defines the name; a Python function becomes a procedure."""
         handle = self._procedure(name, value) if callable(value) and not isinstance(value, Value) else self._give(value)
-        fine = self._c.vs_define(self._s, name.encode(), handle)
+        fine = self._c.vs_define(self._s, _name(name), handle)
         self._c.vs_handle_release(self._s, handle)
         self._check(fine)
 
@@ -345,7 +415,8 @@ class Scheme:
                 return True
             except (Exception, KeyboardInterrupt) as error:  # Python's error becomes the program's
                 self._errors = []
-                self._c.vs_host_fail(self._s, (str(error) or type(error).__name__).encode())
+                said = (str(error) or type(error).__name__).encode("utf-8", "backslashreplace")
+                self._c.vs_host_fail(self._s, said.replace(b"\0", b"\\0"))
                 return False
             finally:
                 self._called -= 1
@@ -357,17 +428,16 @@ class Scheme:
         return callback
 
     def _procedure(self, name, function):
-        handle = self._c.vs_host_procedure(self._s, name.encode(), self._callback(function), None)
+        handle = self._c.vs_host_procedure(self._s, _name(name), self._callback(function), None)
         self._check(handle)
         return handle
 
     def parameter(self, name, value):
         """Sets a parameter of the next run, as -D does; None: its default again."""
         if value is None:
-            self._c.vs_parameter_unset(self._s, name.encode())
+            self._c.vs_parameter_unset(self._s, _name(name))
         else:
-            text = ("#f", "#t")[value] if isinstance(value, bool) else str(value)
-            self._check(self._c.vs_parameter_set(self._s, name.encode(), text.encode()))
+            self._check(self._c.vs_parameter_set(self._s, _name(name), _name(_written(value))))
 
     def parameters(self):
         """What (define-parameter ...) has made: Parameter after Parameter."""
@@ -415,7 +485,7 @@ class Scheme:
         if quality is not None:
             o.quality = _QUALITIES.index(quality)
         if view is not None:
-            o.view = view.encode()
+            o.view = _name(view)
         if camera is not None:  # eye, target, lens
             o.has_camera, o.camera = True, (c_double * 7)(*camera)
         if sun is not None:  # azimuth, altitude
@@ -425,7 +495,7 @@ class Scheme:
     def write(self, path, format=None, **options):
         """The file of the path's ending, or of the format. width, height, quality ("draft", "good", "final"), view,
         camera (eye, target and lens, seven numbers), sun (azimuth, altitude), tolerance, segments, layers, strict."""
-        self._do(self._c.vs_write_drawing, str(path).encode(), format.encode() if format else None,
+        self._do(self._c.vs_write_drawing, _path(path), _name(format) if format else None,
                  byref(self._options(**options)))
 
     def bytes(self, format, **options):
@@ -435,7 +505,7 @@ class Scheme:
         def take(_, data, count):
             pieces.append(ctypes.string_at(data, count))
             return True
-        self._do(self._c.vs_write_drawing_to, format.encode(), byref(self._options(**options)), c.WriteFn(take), None)
+        self._do(self._c.vs_write_drawing_to, _name(format), byref(self._options(**options)), c.WriteFn(take), None)
         return b"".join(pieces)
 
     # ---- meshes ----
@@ -506,12 +576,12 @@ class Scheme:
     def run_in(self, node, text):
         """Every form of the text in the node's own program; the last one's value."""
         value = c.Handle(0)
-        self._do(self._c.vs_node_eval, node.handle, text.encode(), byref(value))
+        self._do(self._c.vs_node_eval, node.handle, _name(text), byref(value))
         return self._take(value.value) if value.value else None
 
     def node(self, name=None, parent=None, drawing=None, translate=None, rotate=None, scale=None, type=None):
         """A new node; degrees about X, Y and Z."""
-        node = self._got(self._c.vs_node_create, type.encode() if type else None, name.encode() if name else None,
+        node = self._got(self._c.vs_node_create, _name(type) if type else None, _name(name) if name else None,
                          parent.handle if parent is not None else 0)
         if drawing is not None:
             self.draw(node, drawing)
@@ -526,7 +596,7 @@ class Scheme:
         return self._take(handle) if handle else None
 
     def find(self, name):
-        return self._perhaps(self._c.vs_node_find, name.encode())
+        return self._perhaps(self._c.vs_node_find, _name(name))
 
     def parent(self, node):
         return self._perhaps(self._c.vs_node_parent, node.handle)
@@ -569,19 +639,19 @@ class Scheme:
 
     def get(self, node, name):
         value = c.Handle(0)
-        self._do(self._c.vs_property_get, node.handle, name.encode(), byref(value))
+        self._do(self._c.vs_property_get, node.handle, _name(name), byref(value))
         return self._take(value.value)
 
     def put(self, node, name, value):
         handle = self._give(value)
         try:
-            self._do(self._c.vs_property_put, node.handle, name.encode(), handle)
+            self._do(self._c.vs_property_put, node.handle, _name(name), handle)
         finally:
             self._c.vs_handle_release(self._s, handle)
 
     @contextlib.contextmanager
     def _property(self, node, name):
-        handle = self._c.vs_property_of(self._s, node.handle, name.encode())
+        handle = self._c.vs_property_of(self._s, node.handle, _name(name))
         self._check(handle)
         try:
             yield handle
@@ -615,7 +685,7 @@ class Scheme:
 
     def action(self, name, node):
         """The action goes through the tree from the node on."""
-        self._do(self._c.vs_action_apply, name.encode(), node.handle)
+        self._do(self._c.vs_action_apply, _name(name), node.handle)
 
     def gizmos(self):
         """All gizmos below the root. Their values are their nodes' properties "value": put, get, subscribe."""
@@ -640,7 +710,7 @@ class Scheme:
                 ", ".join(_INPUTS), ", ".join(_BUTTONS), kind, button), outcome=2)
         ray = [(c_double * 3)(*v) if v is not None else None for v in (start, direction)]
         node = c.Handle(0)
-        self._do(self._c.vs_input, _INPUTS.index(kind), _BUTTONS.index(button), *ray, key.encode() if key else None,
+        self._do(self._c.vs_input, _INPUTS.index(kind), _BUTTONS.index(button), *ray, _name(key) if key else None,
                  byref(node))
         return self._take(node.value) if node.value else None
 

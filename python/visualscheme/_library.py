@@ -128,12 +128,14 @@ _FUNCTIONS = {
     "vs_meshes_forget": (None, [_S]), "vs_material_handler": (None, [_S, MaterialFn, c_void_p]),
     "vs_handle_retain": (_H, [_S, _H]), "vs_handle_release": (None, [_S, _H]),
     "vs_handle_boolean": (_H, [_S, c_bool]), "vs_handle_number": (_H, [_S, c_double]),
-    "vs_handle_integer": (_H, [_S, c_int64]), "vs_handle_text": (_H, [_S, _T]), "vs_handle_symbol": (_H, [_S, _T]),
+    "vs_handle_integer": (_H, [_S, c_int64]), "vs_handle_symbol": (_H, [_S, _T]),
+    "vs_handle_number_text": (_H, [_S, _T]), "vs_handle_text_bytes": (_H, [_S, _T, c_size_t]),
+    "vs_handle_is_exact": (c_bool, [_S, _H]), "vs_handle_get_text_bytes": (c_void_p, [_S, _H, POINTER(c_size_t)]),
     "vs_handle_point": (_H, [_S] + [c_double] * 3), "vs_handle_vector": (_H, [_S] + [c_double] * 3),
     "vs_handle_list": (_H, [_S, POINTER(_H), c_size_t]), "vs_handle_kind_of": (c_int, [_S, _H]),
     "vs_handle_get_boolean": (c_bool, [_S, _H]),
     "vs_handle_get_numbers": (c_size_t, [_S, _H, POINTER(c_double), c_size_t]),
-    "vs_handle_get_text": (_T, [_S, _H]), "vs_handle_count": (c_size_t, [_S, _H]),
+    "vs_handle_count": (c_size_t, [_S, _H]),
     "vs_handle_item": (_H, [_S, _H, c_size_t]), "vs_handle_same": (c_bool, [_S, _H, _H]),
     "vs_lookup": (_H, [_S, _T]), "vs_define": (c_bool, [_S, _T, _H]),
     "vs_apply": (c_int, [_S, _H, POINTER(_H), c_size_t, POINTER(_H)]),
@@ -166,6 +168,7 @@ LEFT_OUT = {
         "vs_stop_depth vs_resume vs_stop_drop vs_call_get vs_profile vs_profile_get vs_language_of"),
     "a Python object is kept in a table of the host's, under a number that the program has": (
         "vs_handle_host vs_handle_get_host"),
+    "their likes with a length take zero bytes, too": "vs_handle_text vs_handle_get_text",
     "an error or the manual lists the formats and passes": (
         "vs_format_list vs_format_endings vs_format_find vs_format_of vs_pass_list vs_output_statistics vs_view_name"),
     "the command vs does this with files, and no value of the program takes part": (
@@ -179,10 +182,18 @@ LEFT_OUT = {
 
 
 def load():
-    """The library, its functions typed."""
-    place = os.environ.get("VISUALSCHEME_LIBRARY") or ctypes.util.find_library("visualscheme") or "libvisualscheme.so.0"
-    library = ctypes.CDLL(place)
+    """The library, its functions typed. OSError: it is not there, or is of another version."""
+    said = os.environ.get("VISUALSCHEME_LIBRARY")
+    place = said or ctypes.util.find_library("visualscheme") or "libvisualscheme.so.0"
+    try:
+        library = ctypes.CDLL(place)
+    except OSError as error:
+        raise OSError("VisualScheme's library was not found (%s): %s" % (
+            error, "VISUALSCHEME_LIBRARY names it" if said else
+            "install VisualScheme, or let VISUALSCHEME_LIBRARY be the path of libvisualscheme.so")) from None
     for name, (result, arguments) in _FUNCTIONS.items():
-        function = getattr(library, name)
+        function = getattr(library, name, None)
+        if function is None:
+            raise OSError("%s is of another version of VisualScheme than this package: it has no %s" % (place, name))
         function.restype, function.argtypes = result, arguments
     return library

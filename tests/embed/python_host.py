@@ -3,8 +3,13 @@ exception. Its lines are the test's."""
 import contextlib
 import io
 import math
+import os
 import signal
+import subprocess
+import sys
 import threading
+import unicodedata
+from fractions import Fraction
 
 import numpy
 from visualscheme import Scheme, SchemeError, Symbol, Vector
@@ -211,6 +216,72 @@ def count(text, results):
         s.run(text)
         results.append(sum(len(m.triangles) for m in s.meshes()))
 
+
+# ---- values cross as they are, or not at all ----
+
+def classes():
+    """A character of each class of Unicode, and all controls."""
+    found = {unicodedata.category(chr(i)): chr(i) for i in range(0x110000)}
+    return [c for kind, c in sorted(found.items()) if kind != "Cs"] + [chr(i) for i in range(0xA0)] + ["\uFFFE", "\u2028"]
+
+
+whole = sorted({sign * (2 ** k + d) for k in list(range(70)) + [1000] for d in (-1, 0, 1) for sign in (1, -1)})
+whole += [10 ** 400, -10 ** 400, 10 ** 5000 + 7, -10 ** 20000 - 3]
+broken = [Fraction(1, 3), Fraction(-2 ** 70, 3 ** 50), Fraction(10 ** 5000, 7), Fraction(10 ** 40 + 1, 10 ** 20)]
+real = [0.0, -0.0, 1.0, -2.5, 2.0 ** 53, 1e308, 5e-324, math.inf, -math.inf, math.pi]
+said = ["a%sb" % x for x in classes()] + ["", "\0", "\0\0a", "".join(classes())]
+symbols = [Symbol("a%sb" % x) for x in classes() if x != "\0"]
+every = whole + broken + real + said + symbols + [True, False, [], [[]], [1, [2.0, ["x", [Fraction(1, 2)]]]]]
+
+
+def alike(a, b):
+    if isinstance(a, list):
+        return isinstance(b, list) and len(a) == len(b) and all(map(alike, a, b))
+    return type(a) is type(b) and a == b and (not isinstance(a, float) or math.copysign(1, a) == math.copysign(1, b))
+
+
+with Scheme(output=lambda text: None) as s:
+    node, heard = s.node("n", s.root), []
+    s["echo"] = lambda v: heard.append(v) or v
+    wrong = []
+    for v in every:
+        s["held"] = v
+        s.put(node, "value", v)
+        ways = s.call("list", v)[0], s.call("echo", v), heard.pop(), s["held"], s.get(node, "value"), s.call("list", [v])[0][0]
+        wrong += [v for way in ways if not alike(v, way)]
+    check("values of every kind cross as they are", not wrong and len(every) > 700)
+    check("not a number", math.isnan(s.call("+", math.nan, 1)))
+    check("kinds of numbers", alike(s.call("+", 1, 2), 3) and alike(s.call("+", 1, 2.0), 3.0) and
+          alike(s.call("/", 1, 3), Fraction(1, 3)) and alike(s.call("*", 2 ** 40, 2 ** 40), 2 ** 80) and
+          alike(s.call("string->number", "1e3"), 1000.0) and s.call("exact?", numpy.int64(5)) is True)
+    s.run("(define pair (cons 1 2)) (define open '(1 2 . 3)) (define ring (list 1 2)) (set-cdr! (cdr ring) ring)")
+    check("pairs stay pairs", s.call("car", s["pair"]) == 1 and s.call("cdr", s["pair"]) == 2 and
+          s.call("equal?", s["open"], s["open"]) is True and s.call("caddr", s["ring"]) == 1 and
+          s.call("car", s.call("list", s["pair"])[0]) == 1)
+    check("what does not fit raises", all(raises(lambda v=v: s.call("list", v), "", kind) for v, kind in (
+        (None, TypeError), (1j, TypeError), ({}, TypeError), (b"x", TypeError), ("\ud800", UnicodeError),
+        (Symbol("a\0b"), ValueError), (numpy.array([2 ** 53 + 1, 0, 0]), OverflowError),
+        (numpy.array([Fraction(1, 3), 0, 0], object), OverflowError))))
+    check("names with NUL raise", all(raises(f, "code 0", ValueError) for f in (
+        lambda: s["+\0x"], lambda: s.call("+\0x"), lambda: s.run_file("a\0b"), lambda: s.find("n\0"), lambda: s.node("a\0b"),
+        lambda: s.write("a\0.stl"), lambda: s.put(node, "a\0b", 1), lambda: s.parameter("a\0b", 1), lambda: s.parameter("a", "b\0"))))
+    s["cries"] = lambda: (_ for _ in ()).throw(ValueError("a\0b\ud800c"))
+    check("an error with NUL is told", raises(lambda: s.run("(cries)"), "a\\0b\\ud800c"))
+    s.run("(define-parameter p 0)")
+    for v in [x for x in whole + broken if abs(x) < 10 ** 900] + real:
+        s.parameter("p", v)
+        s.restart()
+        s.run("(define-parameter p %s)" % ("0.5" if isinstance(v, float) else "0" if isinstance(v, int) else "1/2"))
+        wrong += [v] if not alike(v, s["p"]) else []
+    check("parameters take numbers as they are", not wrong and raises(lambda: s.parameter("p", [1]), "is no value", TypeError))
+
+missing = subprocess.run([sys.executable, "-c", "import visualscheme\ntry: visualscheme.Scheme()\nexcept OSError as e: print(e)"],
+                         env=dict(os.environ, VISUALSCHEME_LIBRARY="/nowhere/libvisualscheme.so"), capture_output=True, text=True)
+check("a library that is missing is told", "/nowhere/libvisualscheme.so" in missing.stdout and
+      "VISUALSCHEME_LIBRARY" in missing.stdout and not missing.stderr)
+other = subprocess.run([sys.executable, "-c", "import visualscheme\ntry: visualscheme.Scheme()\nexcept OSError as e: print(e)"],
+                       env=dict(os.environ, VISUALSCHEME_LIBRARY="libm.so.6"), capture_output=True, text=True)
+check("a library of another version is told", "it has no vs_" in other.stdout and not other.stderr)
 
 results = []
 many = [threading.Thread(target=count, args=("(draw (make-sphere (xyz 0 0 0) 1))", results)) for _ in range(4)]
