@@ -175,10 +175,13 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_JOIN: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_SLICE:
     case VS_DEFORM:
-    case VS_HULL:
     case VS_REGION:
 #include "model/cases/passed_cases.def"
       break;
+    case VS_HULL: /* of points alone: of parts, theirs count too */
+      if (n->child_count) break;
+      vs_reach_points(b, a, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
+      return true;
   }
   *leaf = false;
   return true;

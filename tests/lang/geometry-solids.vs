@@ -130,3 +130,5 @@
   (unite (do-slice (make-box (xyz -12 -2 -2) (xyz -8 2 2)) (make-plane (xyz -10 0 0) (vxyz 1 1 1)))
          (do-rotate (subtract (make-box (xyz -2 -2 -2) (xyz 2 2 2)) (make-box (xyz -1 -2 -2) (xyz 1 2 1))) (vxyz 1 2 3) 0.4)))
 (displayln (list (near? (volume beside-a-slice) 72 1e-6) (near? (area beside-a-slice) (+ 108 (/ 96 2) (* 12 (sqrt 3))) 1e-5))) ; expect: (#t #t)
+; a hull of points alone, placed before anything has asked for its bounds
+(displayln (bounding-box (do-move (hull origin (xyz 1 0 0) (xyz 0 1 0) (xyz 0 0 1)) (vxyz 1 0 0)))) ; expect: ((xyz 1 0 0) (xyz 2 1 1))
