@@ -10,6 +10,7 @@
 #include "bind/constructors/operations.h"
 #include "bind/objects.h"
 #include "bind/queries.h"
+#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
 #include "geometry/tessellate.h"
@@ -39,6 +40,27 @@ vs_status vs_bind_resolve(vs_args *f, int i) {
   if (!ok) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
   *ref = made;
   return VS_OK;
+}
+
+bool vs_bind_bounds(vs_bind *bind, vs_ref ref, vs_bounds *out, vs_error *e) {
+  if (vs_node_bounds(ref.node, out, e)) return true;
+  if (e->kind == VS_ERROR_MEMORY || !(ref.node->flags & VS_NODE_UNRESOLVED)) return false;
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(bind) };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = bind->vm };
+  *e = (vs_error){ 0 };
+  vs_node_retain(ref.node);
+  bool ok = vs_resolve(&ref, 1, &facets, &options, e) && vs_node_bounds(ref.node, out, e);
+  vs_node_release(ref.node);
+  return ok;
+}
+
+bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out) {
+  vs_error e = { 0 };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+  if (vs_drawn_bounds(&f->arg[i].ref, &facets, &options, NULL, out, NULL, &e)) return true;
+  if (e.kind != VS_ERROR_INTERRUPT) vs_bind_error(f, &e);
+  return false;
 }
 
 /* ---- what was worked out, kept: a program that runs again asks again ---- */
@@ -180,12 +202,7 @@ vs_status vs_p_centroid(vs_args *f, vs_value *out) {
 
 vs_status vs_p_bounding_box(vs_args *f, vs_value *out) {
   vs_bounds b;
-  vs_error e = { 0 };
-  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
-  if (!vs_drawn_bounds(&f->arg[0].ref, &facets, &options, NULL, &b, NULL, &e))
-    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0) || !vs_bind_drawn_bounds(f, 0, &b)) return VS_ERROR;
   if (vs_bounds_is_empty(&b)) return *out = VS_FALSE, VS_OK;
   vs_vec3 size = vs_v3_sub(b.max, b.min);
   if (!isfinite(size.x) || !isfinite(size.y) || !isfinite(size.z))

@@ -8,5 +8,9 @@
 bool vs_bind_keep_going(void *vm, double done);
 /* sections, shadows and edges in argument i become what they are in space */
 vs_status vs_bind_resolve(vs_args *f, int i);
+/* The bounds of argument i, which is finite and resolved, as (bounding-box o) tells them. False: the error is set. */
+bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out);
+/* Bounds around an object, those of the parts of what is cut; where they need its mesh, that is made. */
+bool vs_bind_bounds(vs_bind *bind, vs_ref ref, vs_bounds *out, vs_error *e);
 
 #endif

@@ -217,12 +217,11 @@ vs_status vs_p_do_transform(vs_args *f, vs_value *out) {
 vs_status vs_p_do_resize(vs_args *f, vs_value *out) {
   static const char *const names[] = { "o", "dx", "dy", "dz" };
   vs_bounds b;
-  vs_error e = { 0 };
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   vs_ref whole = f->arg[0].ref; /* what is placed; its size is that of what it resolves to */
-  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0) || !vs_bind_drawn_bounds(f, 0, &b)) return VS_ERROR;
   f->arg[0].ref = whole;
+  if (vs_bounds_is_empty(&b)) return same(f, whole, out); /* an intersection of what does not meet */
   double size[3] = { b.max.x - b.min.x, b.max.y - b.min.y, b.max.z - b.min.z }, k[3], product = 1;
   int given = 0;
   for (int i = 0; i < 3; i++) {

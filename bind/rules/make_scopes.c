@@ -4,6 +4,7 @@
 #include "bind/build.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
+#include "bind/measures.h"
 #include "bind/rules/derivation.h"
 
 #include <string.h>
@@ -65,7 +66,7 @@ vs_status vs_p_make_turtle_scope(vs_args *f, vs_value *out) {
 static bool box_around(vs_args *f, vs_scope *s, vs_ref object) {
   vs_bounds b;
   vs_error e = { 0 };
-  if (!vs_node_bounds(object.node, &b, &e)) return vs_bind_error(f, &e);
+  if (!vs_bind_bounds(f->bind, object, &b, &e)) return vs_bind_error(f, &e);
   if (vs_bounds_is_empty(&b)) b = (vs_bounds){ { 0, 0, 0 }, { 0, 0, 0 } };
   s->as.box.frame =
       vs_affine_columns(vs_v3(1, 0, 0), vs_v3(0, 0, 1), vs_v3(0, -1, 0), vs_v3(b.min.x, b.max.y, b.min.z));

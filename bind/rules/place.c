@@ -3,6 +3,7 @@
  * scope. */
 #include "bind/rules/place.h"
 
+#include "bind/measures.h"
 #include "bind/queries.h"
 
 #include "bind/state.h"
@@ -13,7 +14,8 @@
 static bool bounds_of(vs_derivation *d, vs_ref object, vs_bounds *b) {
   vs_error e = { 0 };
   if (d->fitted == object.node) return *b = d->fitted_bounds, true;
-  if (!vs_node_bounds(object.node, b, &e)) return vs_fail(d->bind->vm, d->bind->vm->sym.error, "%s", e.message);
+  if (!vs_bind_bounds(d->bind, object, b, &e))
+    return vs_fail(d->bind->vm, d->bind->vm->sym.error, "%s", e.message);
   vs_node_release(d->fitted);
   d->fitted = vs_node_retain(object.node), d->fitted_bounds = *b;
   return true;

@@ -10,6 +10,7 @@
 
 #include "bind/build.h"
 #include "bind/call/refuse.h"
+#include "bind/measures.h"
 #include "bind/rules/derivation.h"
 
 #include <stdlib.h>
@@ -416,7 +417,7 @@ static bool catch_up(vs_derivation *d, vs_surroundings *a) {
   vs_error e = { 0 };
   for (size_t i = a->level[0].count; i < d->made_count; i++) {
     vs_bounds box;
-    if (!vs_node_bounds(d->made[i].node, &box, &e))
+    if (!vs_bind_bounds(d->bind, d->made[i], &box, &e))
       return vs_fail(d->bind->vm, d->bind->vm->sym.error, "%s", e.message);
     for (size_t level = 0, at = i; level < LEVELS; level++, at /= FAN) {
       if (at >= a->level[level].count) {

@@ -130,5 +130,13 @@
   (unite (do-slice (make-box (xyz -12 -2 -2) (xyz -8 2 2)) (make-plane (xyz -10 0 0) (vxyz 1 1 1)))
          (do-rotate (subtract (make-box (xyz -2 -2 -2) (xyz 2 2 2)) (make-box (xyz -1 -2 -2) (xyz 1 2 1))) (vxyz 1 2 3) 0.4)))
 (displayln (list (near? (volume beside-a-slice) 72 1e-6) (near? (area beside-a-slice) (+ 108 (/ 96 2) (* 12 (sqrt 3))) 1e-5))) ; expect: (#t #t)
+; what is cut is resized by its own bounds, not by those of what it was cut from
+(define short (subtract (make-box (xyz 0 0 0) (xyz 4 1 1)) (make-box (xyz 3 -1 -1) (xyz 5 2 2))))
+(displayln (bounding-box (do-resize short 6 #f #f))) ; expect: ((xyz 0 0 0) (xyz 6 2 2))
+(displayln (empty-object? (do-resize (empty-object) 6 #f #f))) ; expect: #t
+(displayln (bounding-box (do-resize (intersect (make-box origin 1 1 1) (make-box (xyz 5 5 5) 1 1 1)) 6 #f #f))) ; expect: #f
 ; a hull of points alone, placed before anything has asked for its bounds
 (displayln (bounding-box (do-move (hull origin (xyz 1 0 0) (xyz 0 1 0) (xyz 0 0 1)) (vxyz 1 0 0)))) ; expect: ((xyz 1 0 0) (xyz 2 1 1))
+; a scope's object that a plane cuts
+(define cut-sheet (do-thicken (do-slice (make-3dface (xyz -2 -2 0) (xyz 2 -2 0) (xyz 2 2 3) (xyz -2 2 3)) 'yz) 1/8))
+(displayln (solid? (scope-place (make-box-scope origin 1 1 1) cut-sheet))) ; expect: #t
