@@ -10,11 +10,24 @@
 #include "geometry/primitives/shape.h"
 #include "geometry/measure/measure.h"
 
+/* Has sample i anything above or below it? It or a neighbour along a triangle's side is above the floor then. */
+static bool heights_used(const struct vs_height_field *h, uint32_t i) {
+  static const int to[][2] = {
+    { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 }
+  }; /* itself, then round it */
+  int64_t columns = h->columns, rows = columns > 0 ? h->points->count / columns : 0, x = i % columns, y = i / columns;
+  for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
+    int64_t u = x + to[k][0], v = y + to[k][1];
+    if (u >= 0 && u < columns && v >= 0 && v < rows && h->points->at[v * columns + u].z > h->low) return true;
+  }
+  return false;
+}
+
 typedef struct {
   const struct vs_height_field *h;
   vs_mesh *out;
-  uint32_t columns, rows, first; /* first: vertex of sample 0 */
-  uint32_t *foot;                /* a sample's vertex on the floor, or UINT32_MAX where it has none */
+  uint32_t columns, rows;
+  uint32_t *top, *foot; /* a sample's vertex, and the one on the floor; UINT32_MAX where it has none */
 } vs_heights;
 
 static bool heights_on_floor(const vs_heights *g, uint32_t i) { return !(g->h->points->at[i].z > g->h->low); }
@@ -23,21 +36,21 @@ static bool heights_foot(vs_heights *g, uint32_t i) {
   vs_vec3 p = g->h->points->at[i];
   if (g->foot[i] != UINT32_MAX) return true;
   if (!heights_on_floor(g, i)) return vs_mesh_add_vertex(g->out, vs_v3(p.x, p.y, g->h->low), &g->foot[i]);
-  g->foot[i] = g->first + i;
+  g->foot[i] = g->top[i];
   return true;
 }
 
 /* From sample a to its neighbour b along the border, the outside to the right */
 static bool heights_wall(vs_heights *g, uint32_t a, uint32_t b) {
   bool ok = heights_foot(g, a) && heights_foot(g, b);
-  if (ok && !heights_on_floor(g, b)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->foot[b], g->first + b);
-  if (ok && !heights_on_floor(g, a)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->first + b, g->first + a);
+  if (ok && !heights_on_floor(g, b)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->foot[b], g->top[b]);
+  if (ok && !heights_on_floor(g, a)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->top[b], g->top[a]);
   return ok;
 }
 
 static bool heights_face(vs_heights *g, uint32_t a, uint32_t b, uint32_t c, bool floor) {
   if (heights_on_floor(g, a) && heights_on_floor(g, b) && heights_on_floor(g, c)) return true;
-  if (!vs_mesh_add_triangle(g->out, g->first + a, g->first + b, g->first + c)) return false;
+  if (!vs_mesh_add_triangle(g->out, g->top[a], g->top[b], g->top[c])) return false;
   return !floor || (heights_foot(g, a) && heights_foot(g, b) && heights_foot(g, c) &&
                     vs_mesh_add_triangle(g->out, g->foot[a], g->foot[c], g->foot[b]));
 }
@@ -45,15 +58,16 @@ static bool heights_face(vs_heights *g, uint32_t a, uint32_t b, uint32_t c, bool
 bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
   uint32_t columns = (uint32_t)h->columns, count = h->points->count, rows = columns ? count / columns : 0;
   if (columns < 2 || rows < 2) return true;
-  vs_heights g = { h, out, columns, rows, (uint32_t)out->vertex_count, malloc(count * sizeof *g.foot) };
+  uint32_t *numbers = malloc(2 * (size_t)count * sizeof *numbers);
+  vs_heights g = { h, out, columns, rows, numbers, numbers ? numbers + count : NULL };
   size_t border = 2 * ((size_t)columns + rows) - 4, cells = (size_t)(columns - 1) * (rows - 1);
-  bool ok = g.foot &&
+  bool ok = numbers &&
             vs_mesh_reserve(out, out->vertex_count + count + border + 1, out->triangle_count + 2 * cells + 3 * border),
        touches = false;
+  for (uint32_t i = 0; ok && !touches && i < count; i++) touches = heights_on_floor(&g, i);
   for (uint32_t i = 0; ok && i < count; i++) {
-    ok = vs_mesh_add_vertex(out, h->points->at[i], NULL);
-    g.foot[i] = UINT32_MAX;
-    touches = touches || heights_on_floor(&g, i);
+    g.top[i] = g.foot[i] = UINT32_MAX;
+    if (!touches || heights_used(h, i)) ok = vs_mesh_add_vertex(out, h->points->at[i], &g.top[i]);
   }
   for (uint32_t j = 0; ok && j + 1 < rows; j++)
     for (uint32_t i = 0; ok && i + 1 < columns; i++) {
@@ -77,21 +91,8 @@ bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
     }
     ok = heights_wall(&g, at[0], at[1]) && (touches || vs_mesh_add_triangle(out, g.foot[at[1]], g.foot[at[0]], middle));
   }
-  free(g.foot);
+  free(numbers);
   return ok;
-}
-
-/* Has sample i anything above or below it? It or a neighbour along a triangle's side is above the floor then. */
-static bool heights_used(const struct vs_height_field *h, uint32_t i) {
-  static const int to[][2] = {
-    { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 }
-  }; /* itself, then round it */
-  int64_t columns = h->columns, rows = columns > 0 ? h->points->count / columns : 0, x = i % columns, y = i / columns;
-  for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
-    int64_t u = x + to[k][0], v = y + to[k][1];
-    if (u >= 0 && u < columns && v >= 0 && v < rows && h->points->at[v * columns + u].z > h->low) return true;
-  }
-  return false;
 }
 
 static bool heights_hold(const struct vs_height_field *h, vs_vec3 p) {
