@@ -8,132 +8,11 @@
  * these in four formats, doubles (.ply) and the shapes of .glb among them. A sample of 500 models, and 300 of the
  * others, with LONG=1 ten thousand of each, or those of SEEDS=FROM-TO. A program that fails is made smaller as long as it
  * fails, and printed. TELL=1 prints the counts. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
+#include "tests/unit/trials.h"
 
-#include <unistd.h>
-
-#include <cmocka.h>
-
-#include "visualscheme.h"
-#include "tests/oracle/models.c"
-#include "tests/tools/written_mesh.h"
-
-enum { TEXT = 4 * MODEL_ROOM, POINTS = 12 };
-
-typedef struct {
-  char error[600], warning[2000], *out;
-  size_t out_count;
-} said;
-typedef struct { vs_scheme *vm; said heard; char why[900]; unsigned line; bool volumes; /* asked for, and two more formats: they take longest */ } trial;
+enum { POINTS = 12 };
 
 static size_t models, refused, empty, solids, warned, asked_points, inside_points, made_of[64], silent[4], told[4];
-
-static void hear(void *context, const vs_diagnostic *d) {
-  said *s = context;
-  if (d->severity == VS_SEVERITY_ERROR) snprintf(s->error, sizeof s->error, "%s", d->message);
-  if (d->severity == VS_SEVERITY_WARNING) {
-    size_t n = strlen(s->warning);
-    snprintf(s->warning + n, sizeof s->warning - n, "%s\n", d->message);
-  }
-}
-static bool print(void *context, const char *text, size_t length) {
-  said *s = context;
-  if (s->out_count + length >= TEXT) return false;
-  memcpy(s->out + s->out_count, text, length);
-  s->out[s->out_count += length] = 0;
-  return true;
-}
-
-static vs_outcome run(trial *t, const char *format, ...) {
-  static char text[TEXT];
-  va_list rest;
-  va_start(rest, format);
-  vsnprintf(text, sizeof text, format, rest);
-  va_end(rest);
-  t->heard.error[0] = t->heard.warning[0] = 0;
-  t->heard.out_count = 0;
-  t->heard.out[0] = 0;
-  return vs_eval_text(t->vm, "model", ++t->line, text, strlen(text), 0);
-}
-
-/* ---- meshes ---- */
-
-typedef struct {
-  crossings_point low, high;
-  double volume, area;
-  written_mesh s;
-} written;
-
-static bool to_file(void *context, const void *bytes, size_t count) { return fwrite(bytes, 1, count, context) == count; }
-
-static void measure(written *w) {
-  for (int k = 0; k < 3; k++) w->low[k] = INFINITY, w->high[k] = -INFINITY;
-  w->volume = written_volume(&w->s);
-  w->area = 0;
-  for (size_t i = 0; i < w->s.count; i++) {
-    const double *a = w->s.points[w->s.triangles[i][0]], *b = w->s.points[w->s.triangles[i][1]], *c = w->s.points[w->s.triangles[i][2]];
-    double p[3], q[3], n[3];
-    for (int k = 0; k < 3; k++) {
-      p[k] = b[k] - a[k], q[k] = c[k] - a[k];
-      w->low[k] = fmin(w->low[k], fmin(a[k], fmin(b[k], c[k])));
-      w->high[k] = fmax(w->high[k], fmax(a[k], fmax(b[k], c[k])));
-    }
-    for (int k = 0; k < 3; k++) n[k] = p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
-    w->area += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
-  }
-}
-
-static void release(written *w) {
-  written_free(&w->s);
-  *w = (written){ .volume = 0 };
-}
-
-/* The drawing in the format, read back: the mesh of that number; false where it was not written. */
-static bool write_as(trial *t, const char *suffix, size_t which, written *out, bool *more) {
-  char path[100];
-  *more = false;
-  const char *folder = getenv("TMPDIR");
-  snprintf(path, sizeof path, "%.60s/models-%ld%s", folder && *folder ? folder : "/tmp", (long)getpid(), suffix);
-  FILE *f = fopen(path, "wb");
-  assert_non_null(f);
-  t->heard.error[0] = t->heard.warning[0] = 0;
-  bool ok = vs_write_drawing_to(t->vm, suffix, NULL, to_file, f) == VS_OUTCOME_DONE;
-  fclose(f);
-  *out = (written){ .volume = 0 };
-  if (ok && !read_mesh(path, which, &out->s, more)) abort();
-  remove(path);
-  if (ok) measure(out);
-  return ok;
-}
-
-/* The sum of the angles that the triangles are seen under, in turns of 4 pi; and how far the nearest of them is. */
-static double winding(const written_mesh *s, const double p[3], double *nearest) {
-  double sum = 0;
-  *nearest = INFINITY;
-  for (size_t i = 0; i < s->count; i++) {
-    double v[3][3], length[3], middle = 0;
-    for (int j = 0; j < 3; j++) {
-      length[j] = 0;
-      for (int k = 0; k < 3; k++) v[j][k] = s->points[s->triangles[i][j]][k] - p[k], length[j] += v[j][k] * v[j][k];
-      length[j] = sqrt(length[j]);
-    }
-    double e[3], f[3], n[3], size = 0;
-    for (int k = 0; k < 3; k++) e[k] = v[1][k] - v[0][k], f[k] = v[2][k] - v[0][k];
-    for (int k = 0; k < 3; k++) n[k] = e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3], size += n[k] * n[k], middle += n[k] * v[0][k];
-    double det = middle, dots[3];
-    for (int j = 0; j < 3; j++) dots[j] = v[j][0] * v[(j + 1) % 3][0] + v[j][1] * v[(j + 1) % 3][1] + v[j][2] * v[(j + 1) % 3][2];
-    sum += 2 * atan2(det, length[0] * length[1] * length[2] + dots[0] * length[2] + dots[1] * length[0] + dots[2] * length[1]);
-    /* the plane's distance where the triangle is seen large, else about its corners': never more than the true one */
-    double plane = size > 0 ? fabs(det) / sqrt(size) : 0, longest = 0;
-    for (int k = 0; k < 3; k++) longest = fmax(longest, fmax(fabs(e[k]), fabs(f[k])));
-    *nearest = fmin(*nearest, fmax(plane, fmin(length[0], fmin(length[1], length[2])) - 2 * longest));
-  }
-  return sum / (4 * 3.14159265358979323846);
-}
 
 /* ---- what must hold ---- */
 
@@ -163,12 +42,6 @@ static bool bad_mesh(trial *t, const char *suffix, written *w) {
     bad = bad_part(t, suffix, which, w, &more);
   }
   return bad;
-}
-
-static bool number_of(trial *t, const char *expression, double *out) {
-  if (run(t, "(display %s)", expression) != VS_OUTCOME_DONE) return false;
-  *out = strtod(t->heard.out, NULL);
-  return true;
 }
 
 /* Facets round a circle: FINER where FINE takes too long, FINEST where FINE does not tell: what a plane cuts off a round
@@ -318,20 +191,6 @@ static bool bad_inside(trial *t, const char *text, const written *w, uint64_t se
   return false;
 }
 
-static trial *begin(trial *t) {
-  static char out[TEXT];
-  vs_options o = vs_options_default();
-  *t = (trial){ .heard = { .out = out } };
-  o.host.context = &t->heard;
-  o.host.diagnose = hear;
-  o.host.output = print;
-  o.limit_time = 20;
-  o.limit_memory = (size_t)1500 << 20;
-  t->vm = vs_new(&o);
-  assert_non_null(t->vm);
-  return t;
-}
-
 /* Why the model is wrong: in t->why. Shrinking goes on only towards models that are wrong. */
 static bool fails(void *context, const char *text) {
   trial *t = context;
@@ -380,7 +239,7 @@ static void models_are_right(void **state) {
   const char *longer = getenv("LONG"), *asked = getenv("SEEDS");
   unsigned long long from = 1, to = longer && *longer ? 10000 : 500, bad = 0;
   if (asked && *asked && (sscanf(asked, "%llu-%llu", &from, &to) != 2 || from > to)) fail_msg("SEEDS must be FROM-TO, got %s", asked);
-  begin(&t);
+  begin(&t, 0);
   for (unsigned long long seed = from; seed <= to; seed++) {
     model_make(seed, text);
     models++;
@@ -462,7 +321,7 @@ static void wrong_examples_are_right(void **state) {
     "(xyz 2 2 2) (xyz 0 2 2)) '((1 4 3 2) (4 1 5 8)) #:repair #t) 'yz)",
   };
   static trial t;
-  begin(&t);
+  begin(&t, 0);
   t.volumes = true;
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
     if (fails(&t, texts[i])) fail_msg("%s: %s", t.why, texts[i]);
@@ -530,7 +389,7 @@ static void turned_examples_are_right(void **state) {
     "1 -1 -4) (xyz 3 2 0)) 'x (degrees->radians 9e-7))) 'y (degrees->radians -1e-5)))",
   };
   static trial t;
-  begin(&t);
+  begin(&t, 0);
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
     if (is_silent(&t, texts[i])) fail_msg("%s: %s", t.why, texts[i]);
   vs_free(t.vm);
@@ -545,7 +404,7 @@ static void turned_models_are_right(void **state) {
   unsigned long long from = 1, to = longer && *longer ? 10000 : 300, bad = 0;
   if (asked && *asked && (sscanf(asked, "%llu-%llu", &from, &to) != 2 || from > to))
     fail_msg("SEEDS must be FROM-TO, got %s", asked);
-  begin(&t);
+  begin(&t, 0);
   for (unsigned long long seed = from; seed <= to; seed++) {
     model_make_turned(seed, text);
     if (getenv("SHOW")) fprintf(stderr, "seed %llu: %s\n", seed, text);

@@ -1,0 +1,346 @@
+/* Owns the property that an object is the same by whatever path it is looked at. The samples of every kind and of every
+ * constructor (tests/oracle/paths.h), placed in every way and on both sides of every set:
+ *
+ *   - (volume o) and the volume of the mesh that is written, of the mesh that is written without passes, and what
+ *     (contains? o p) and (bounding-box o) say, agree;
+ *   - the answers and the bytes are the same whether o is measured before it is drawn or after, and in an interpreter
+ *     that keeps nothing for later.
+ *
+ * Where all faces are planar, volumes are equal to 1e-9. Else they are as near as the chord height makes them: the
+ * written mesh, and the one that is measured, lie within it of what they stand for. 500 programs; with LONG=1 ten
+ * thousand, or those of SEEDS=FROM-TO. SHOW=1 prints each, TELL=1 the counts. */
+#include "tests/unit/trials.h"
+
+#include "tests/oracle/paths.c"
+
+enum { PLACES = 12 };
+static const char samples_file[] = "tests/cross/shapes.vs";
+
+typedef struct {
+  bool solid, drawn;            /* it is a solid; its mesh was written */
+  double volume;                /* NAN: it has none */
+  double low[3], high[3], size; /* of its bounds; the size is their diagonal */
+  char told[TEXT];              /* all of its answers, as text */
+  char error[600];              /* why nothing was written */
+  written mesh;
+} looks;
+
+typedef struct {
+  trial kept, bare; /* keeps what it makes for later; keeps nothing */
+  char why[900];
+  size_t made, late, refused, flat, compared, nothing, points, inside;
+} paths;
+
+static const char asking[] =
+    "(define (asked f . more) (guard (e (#t 'none)) (apply f o more)))"
+    "(define (ask) (define box (asked bounding-box)) (write (asked volume)) (display \" \") (if (pair? box) (for-each "
+    "(lambda (p) (for-each (lambda (c) (write (c p)) (display \" \")) (list cx cy cz))) box) (display \"no box \")) "
+    "(write (list (solid? o) (asked area) (asked centroid))))";
+
+/* Evaluates it and asks and writes, in one of the two orders. What is asked first is asked when nothing else holds the
+ * object's parts: the interpreter has collected what it made them by. False: the program is refused. */
+static bool look(trial *t, const char *text, bool asks_first, unsigned passes, looks *out) {
+  vs_output_options o = vs_output_options_default();
+  bool more;
+  o.passes = passes;
+  release(&out->mesh);
+  *out = (looks){ .volume = NAN };
+  vs_restart(t->vm);
+  const char *before = path_definitions();
+  if (vs_eval_text(t->vm, samples_file, 1, before, strlen(before), 0) != VS_OUTCOME_DONE)
+    fail_msg("the samples' definitions: %s", t->heard.error);
+  if (run(t, "(define o %s)", text) != VS_OUTCOME_DONE || run(t, "%s", asking) != VS_OUTCOME_DONE) return false;
+  if (asks_first && run(t, "(collect-garbage)") != VS_OUTCOME_DONE) return false;
+  for (int step = 0; step < 2; step++) {
+    if ((step == 0) == asks_first) {
+      if (run(t, "(ask)") != VS_OUTCOME_DONE) return false;
+      memcpy(out->told, t->heard.out, t->heard.out_count + 1);
+    } else {
+      if (run(t, "(begin (erase-all) (draw o))") != VS_OUTCOME_DONE) return false;
+      t->output = &o;
+      out->drawn = write_as(t, ".ply", 0, &out->mesh, &more);
+      t->output = NULL;
+      if (!out->drawn) snprintf(out->error, sizeof out->error, "%s", t->heard.error);
+    }
+  }
+  out->solid = strstr(out->told, "(#t ") != NULL;
+  double *b[6] = { &out->low[0], &out->low[1], &out->low[2], &out->high[0], &out->high[1], &out->high[2] };
+  char *rest = out->told, *end;
+  out->volume = strtod(rest, &end);
+  if (end == rest) out->volume = NAN, end = rest + strcspn(rest, " ");
+  for (int i = 0; i < 6; i++) *b[i] = strtod(rest = end, &end);
+  for (int k = 0; k < 3; k++) out->size += (out->high[k] - out->low[k]) * (out->high[k] - out->low[k]);
+  out->size = sqrt(out->size);
+  return true;
+}
+
+static bool same_mesh(const written_mesh *a, const written_mesh *b) {
+  return a->point_count == b->point_count && a->count == b->count &&
+         memcmp(a->points, b->points, a->point_count * sizeof *a->points) == 0 &&
+         memcmp(a->triangles, b->triangles, a->count * sizeof *a->triangles) == 0;
+}
+
+/* ---- how near ---- */
+
+typedef struct { const char *name; bool flat; } flatness;
+static const flatness flat_kinds[] = {
+/* a level of faces, of placements and sets, and of wrappers: what is round is of another */
+#define VS_KIND(upper, lower, name, class, level, role, traits) { name, VS_LEVEL_IS_##level },
+#define VS_LEVEL_IS_SUGAR true
+#define VS_LEVEL_IS_OPERATION true
+#define VS_LEVEL_IS_SWEPT false
+#define VS_LEVEL_IS_CURVED false
+#define VS_LEVEL_IS_FLAT true
+#define VS_LEVEL_IS_MESH true
+#define VS_FIELD(type, member, argument)
+#define VS_KIND_END(upper, lower)
+#include "model/prims.def"
+};
+
+static bool gather(void *context, const void *bytes, size_t count) {
+  char *tree = context;
+  size_t used = strlen(tree);
+  if (used + count + 1 > TEXT) return false;
+  memcpy(tree + used, bytes, count);
+  tree[used + count] = 0;
+  return true;
+}
+
+/* Are all faces planar? By the kinds in the tree that is drawn; an extrusion is where it goes straight and its profile
+ * is. */
+static bool is_flat(trial *t) {
+  static char tree[TEXT];
+  tree[0] = 0;
+  if (vs_write_drawing_to(t->vm, "tree", NULL, gather, tree) != VS_OUTCOME_DONE) return false;
+  for (const char *at = tree; (at = strchr(at, '(')) != NULL;) {
+    size_t length = strcspn(++at, " ()\n");
+    for (size_t i = 0; i < sizeof flat_kinds / sizeof *flat_kinds; i++) {
+      if (flat_kinds[i].flat || strlen(flat_kinds[i].name) != length || strncmp(at, flat_kinds[i].name, length) != 0)
+        continue;
+      if (strncmp(at, "extrude (along 0 0 0)", 21) == 0 || strncmp(at, "extrude ", 8) != 0) return false;
+      const char *line = at + strcspn(at, "\n");
+      const char *straight = strstr(at, "(twist 0)");
+      if (!straight || straight > line) return false;
+    }
+  }
+  return true;
+}
+
+/* The chord height of a drawing of that size: the power of two nearest a 4000th of it. */
+static double chord(double size) {
+  return size > 0 && isfinite(size) ? ldexp(1, (int)nearbyint(log2(size / 4000))) : 0;
+}
+
+/* By so much facets are off that are not as fine as the drawing's: those whose number a turn the text gives, and those
+ * of what is bent in a hexahedron, which are made for the 200th part of its diagonal (solids/deformed.c). */
+static double coarser_chord(const char *text, double size) {
+  static const char *const counts[] = { "#:segments ", "#:nu ", "#:nv " };
+  static const char *const bent[] = { "make-ffd-scope", "to-frustum", "rules/hexahedron" };
+  double most = 0;
+  for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
+    for (const char *at = text; (at = strstr(at, counts[i])) != NULL; at++) {
+      double n = strtod(at + strlen(counts[i]), NULL);
+      if (n > 1) most = fmax(most, size / 2 * (1 - cos(3.14159265358979 / n)));
+    }
+  for (size_t i = 0; i < sizeof bent / sizeof *bent; i++)
+    if (strstr(text, bent[i])) most = fmax(most, size / 200);
+  return most;
+}
+
+/* How far answers may be from each other: by how much a place of the surface may be off, and the volume. */
+typedef struct { double step, chord, volume; } allowance;
+
+/* The grid has 2^32 steps for all that the program combines, and a step is 1, 2 or 5 times a power of ten: half of one
+ * is moved by. A chord's height is that of the drawing, twice where a surface bends both ways, for the mesh that is
+ * written and for the one that is measured. */
+static allowance allow(const char *text, double size, double result, double area, bool flat) {
+  allowance s = { .step = 5 * size / 0x1p32, .chord = flat ? 0 : fmax(chord(result), coarser_chord(text, size)) };
+  s.volume = (s.step + 4 * s.chord) * area;
+  return s;
+}
+
+/* The same by the size and the area of all that the program combines, its sets become unions: asked where the result's
+ * own do not tell. */
+static allowance allow_wider(paths *p, const char *text, const looks *a, bool flat) {
+  static char all[MODEL_ROOM];
+  size_t n = 0;
+  double area = 0, size = a->size;
+  for (const char *from = text; *from && n + 16 < sizeof all;) {
+    size_t word = strncmp(from, "(subtract ", 10) == 0 ? 10 : strncmp(from, "(intersect ", 11) == 0 ? 11 : 0;
+    if (word) n += (size_t)snprintf(all + n, sizeof all - n, "(unite "), from += word;
+    else all[n++] = *from++;
+  }
+  all[n] = 0;
+  if (run(&p->kept, "(define whole %s)", all) == VS_OUTCOME_DONE) {
+    if (!number_of(&p->kept, "(area whole)", &area)) area = 0;
+    if (!number_of(&p->kept, "(let ((b (bounding-box whole))) (distance (car b) (cadr b)))", &size)) size = a->size;
+  }
+  return allow(text, fmax(size, a->size), fmax(size, a->size), fmax(area, a->mesh.area), flat);
+}
+
+/* ---- what must hold ---- */
+
+static bool wrong(paths *p, const char *format, ...) {
+  va_list rest;
+  va_start(rest, format);
+  vsnprintf(p->why, sizeof p->why, format, rest);
+  va_end(rest);
+  return true;
+}
+
+/* The bounds hold the mesh; bounds of what is round are those of fine facets. */
+static bool bad_bounds(paths *p, const looks *a, double slack) {
+  for (size_t i = 0; i < a->mesh.s.point_count; i++)
+    for (int k = 0; k < 3; k++) {
+      double at = a->mesh.s.points[i][k];
+      if (at >= a->low[k] - slack && at <= a->high[k] + slack) continue;
+      return wrong(p, "the mesh reaches to %.9g along axis %d, and the bounds from %.9g to %.9g", at, k, a->low[k],
+                   a->high[k]);
+    }
+  return false;
+}
+
+static bool bad_places(paths *p, const looks *a, double slack) {
+  double at[PLACES][3], nearest;
+  char places[PLACES * 100], answers[PLACES + 1];
+  maker m = { .state = 0x9e3779b97f4a7c15u * (a->mesh.s.count + 1) + 1 };
+  int n = 0;
+  for (int i = 0; i < PLACES; i++) {
+    for (int k = 0; k < 3; k++)
+      at[i][k] = a->mesh.low[k] + (a->mesh.high[k] - a->mesh.low[k]) * (any(&m, 1 << 20) + 0.5) / (1 << 20);
+    n += snprintf(places + n, sizeof places - (size_t)n, "(xyz %.17g %.17g %.17g)", at[i][0], at[i][1], at[i][2]);
+  }
+  if (run(&p->kept, "(for-each (lambda (p) (display (if (contains? o p) 1 0))) (list %s))", places) !=
+          VS_OUTCOME_DONE ||
+      strlen(p->kept.heard.out) != PLACES)
+    return wrong(p, "contains?: %s", p->kept.heard.error);
+  memcpy(answers, p->kept.heard.out, sizeof answers);
+  for (int i = 0; i < PLACES; i++) {
+    bool inside = winding(&a->mesh.s, at[i], &nearest) > 0.5;
+    p->points++;
+    p->inside += inside;
+    if (nearest < slack || inside == (answers[i] == '1')) continue;
+    return wrong(p, "at (xyz %.17g %.17g %.17g), %g from the surface, the mesh is %s and contains? says %c", at[i][0],
+                 at[i][1], at[i][2], nearest, inside ? "there" : "not there", answers[i]);
+  }
+  return false;
+}
+
+/* The same answers and the same mesh. */
+static bool differ(paths *p, const looks *a, const looks *b, const char *how) {
+  if (strcmp(a->told, b->told) != 0) return wrong(p, "answers differ %s: %.300s and %.300s", how, a->told, b->told);
+  if (a->drawn != b->drawn)
+    return wrong(p, "%s: %.200s; %.200s", how, a->drawn ? "drawn" : a->error, b->drawn ? "drawn" : b->error);
+  return a->drawn && !same_mesh(&a->mesh.s, &b->mesh.s) && wrong(p, "the mesh is another %s", how);
+}
+
+static bool off_by(double a, double b, double slack) { return !(fabs(a - b) <= slack); }
+
+/* Is an answer further from the mesh than that? */
+static bool bad_answers(paths *p, const looks *a, allowance s, bool flat) {
+  /* a plane that cuts what is round at a low angle moves by more than the chord does */
+  if (bad_bounds(p, a, s.step + (flat ? 0 : a->size / 4096 + 4 * s.chord))) return true;
+  if (a->solid && off_by(a->volume, a->mesh.volume, s.volume))
+    return wrong(p, "(volume o) is %.12g, the mesh encloses %.12g, and %.3g is allowed%s", a->volume, a->mesh.volume,
+                 s.volume, flat ? ", all is flat" : "");
+  return a->solid && bad_places(p, a, 2 * s.step + 4 * s.chord);
+}
+
+static bool disagrees(paths *p, const char *text) {
+  static looks a, b;
+  p->why[0] = 0;
+  p->made++;
+  if (!look(&p->kept, text, false, VS_PASSES_ALL, &a))
+    return p->refused++, strstr(p->kept.heard.error, ".c ") && wrong(p, "%s", p->kept.heard.error);
+  if (!a.drawn) {
+    p->nothing++;
+    allowance s = allow_wider(p, text, &a, false);
+    return a.solid && a.volume > s.volume &&
+           wrong(p, "(volume o) is %.9g, and nothing is written: %.300s", a.volume, a.error);
+  }
+  bool flat = is_flat(&p->kept);
+  p->flat += flat;
+  p->compared++;
+  allowance s = allow(text, a.size, a.size, a.mesh.area, flat);
+  if (bad_answers(p, &a, s, flat)) {
+    s = allow_wider(p, text, &a, flat);
+    if (bad_answers(p, &a, s, flat)) return true;
+    p->why[0] = 0;
+  }
+  if (!look(&p->kept, text, true, VS_PASSES_ALL, &b))
+    return wrong(p, "refused the second time: %s", p->kept.heard.error);
+  if (differ(p, &a, &b, "when it is measured first")) return true;
+  if (!look(&p->bare, text, false, VS_PASSES_ALL, &b))
+    return wrong(p, "refused without memory: %s", p->bare.heard.error);
+  if (differ(p, &a, &b, "when nothing is kept")) return true;
+  if (!look(&p->kept, text, false, 0, &b)) return wrong(p, "refused without passes: %s", p->kept.heard.error);
+  if (strcmp(a.told, b.told) != 0) return wrong(p, "answers differ without passes: %.300s and %.300s", a.told, b.told);
+  if (!b.drawn) return wrong(p, "without passes nothing is written: %.300s", b.error);
+  if (off_by(a.mesh.volume, b.mesh.volume, s.volume)) s = allow_wider(p, text, &a, flat);
+  return off_by(a.mesh.volume, b.mesh.volume, s.volume) &&
+         wrong(p, "the mesh encloses %.12g, without passes %.12g, and %.3g is allowed", a.mesh.volume, b.mesh.volume,
+               s.volume);
+}
+
+/* Something that did not end in time on a busy machine says nothing. */
+static bool fails(void *context, const char *text) {
+  paths *p = context;
+  bool bad = disagrees(p, text), late = bad && strstr(p->why, "stopped after");
+  p->late += late;
+  return bad && !late;
+}
+
+static size_t seen_samples[SAMPLES], seen_ways[100], seen_sets[100];
+
+static void paths_agree(void **state) {
+  (void)state;
+  static char text[MODEL_ROOM];
+  static paths p;
+  const char *longer = getenv("LONG"), *asked = getenv("SEEDS");
+  unsigned long long from = 1, to = longer && *longer ? 10000 : 500, bad = 0;
+  if (asked && *asked && (sscanf(asked, "%llu-%llu", &from, &to) != 2 || from > to))
+    fail_msg("SEEDS must be FROM-TO, got %s", asked);
+  assert_true(path_samples_read(samples_file));
+  begin(&p.kept, 0);
+  begin(&p.bare, SIZE_MAX);
+  p.kept.file = p.bare.file = samples_file; /* whose folder is that of the files that samples read */
+  for (unsigned long long seed = from; seed <= to; seed++) {
+    size_t sample, way, set, compared = p.compared;
+    path_make(seed, text, &sample, &way, &set);
+    if (getenv("SHOW")) fprintf(stderr, "seed %llu: %s\n", seed, text);
+    bool fault = fails(&p, text);
+    if (getenv("SHOW") && p.compared == compared && !fault) fprintf(stderr, "  not compared: %s\n", p.kept.heard.error);
+    if (p.compared > compared) seen_samples[sample]++, seen_ways[way]++, seen_sets[set]++;
+    if (!fault) continue;
+    bad++;
+    fprintf(stderr, "seed %llu, %s: %s\n%s\n", seed, path_sample(sample), p.why, text);
+    if (getenv("NOSHRINK")) continue;
+    model_shrink(text, fails, &p);
+    fails(&p, text);
+    fprintf(stderr, "smaller: %s\n%s\n", p.why, text);
+  }
+  vs_free(p.kept.vm);
+  vs_free(p.bare.vm);
+  if (getenv("TELL") || (asked && *asked))
+    fprintf(stderr,
+            "%zu programs, %zu late, %zu refused, %zu of nothing, %zu compared, %zu of them flat; %zu points, %zu inside; %llu "
+            "wrong\n",
+            p.made, p.late, p.refused, p.nothing, p.compared, p.flat, p.points, p.inside, bad);
+  if (getenv("TELL"))
+    for (size_t i = 0; i < path_samples(); i++)
+      if (!seen_samples[i]) fprintf(stderr, "never compared: %s\n", path_sample(i));
+  assert_int_equal(bad, 0);
+  if (to - from < 400) return;
+  for (size_t i = 0; to - from > 5000 && i < path_samples(); i++)
+    if (!seen_samples[i] && !path_is_nothing(path_sample(i))) fail_msg("%s was never compared", path_sample(i));
+  assert_true(p.late * 50 < p.made);
+  assert_true(p.compared * 2 > p.made && p.flat * 8 > p.compared);
+  for (size_t i = 0; i < path_ways(); i++) assert_true(seen_ways[i]);
+  for (size_t i = 0; i < path_sets(); i++) assert_true(seen_sets[i]);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = { cmocka_unit_test(paths_agree) };
+  cmocka_set_test_filter(getenv("TESTS"));
+  return cmocka_run_group_tests_name("one object by every path", tests, NULL, NULL);
+}
