@@ -172,9 +172,16 @@ static inline bool vs_emit_going(vs_emitter *e, size_t turn) {
 /* Triangles of any node of solids and surfaces in its own coordinates: booleans by the kernel, the rest by geometry.
  * Kept for nodes that stand in several places; valid until the next call. NULL: failed. */
 const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);
-/* Must the text paint the node? Does anything in the node lack a material of its own; does anything have one? */
-bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n);
-bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n);
+/* Must the text paint the node? Does anything in the node lack a material of its own; does anything have one, or a
+ * layer of its own? */
+enum { VS_LOOKS_BARE = 1, VS_LOOKS_PAINTED = 2, VS_LOOKS_LAYERED = 4 };
+unsigned vs_emit_looks(const vs_emitter *e, const vs_node *n);
+static inline bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n) {
+  return (vs_emit_looks(e, n) & VS_LOOKS_BARE) != 0;
+}
+static inline bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n) {
+  return (vs_emit_looks(e, n) & VS_LOOKS_PAINTED) != 0;
+}
 /* The drawing's materials, numbered from 1 in the order met; 0: none. Known from begin on. */
 size_t vs_emit_material_count(const vs_emitter *e);
 const vs_material *vs_emit_material_at(const vs_emitter *e, size_t number);

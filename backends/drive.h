@@ -20,6 +20,7 @@ typedef struct {
   bool vain, cut;
   bool first_vain, some_vain; /* of its children */
   bool bare, painted;   /* something in it has no material of its own; something has */
+  bool layered;         /* something in it has a layer of its own */
   bool carved;          /* it stands in an intersection or a difference */
   vs_node *lowered;     /* retained, or NULL */
   vs_solid *mesh;

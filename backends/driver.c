@@ -101,14 +101,11 @@ static drive_entry *drive_find(const vs_emitter *e, const vs_node *n) {
 }
 static bool drive_vain(const vs_emitter *e, const vs_ref *ref) { return drive_look(e, ref->node).vain; }
 
-bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n) {
+unsigned vs_emit_looks(const vs_emitter *e, const vs_node *n) {
   const drive_entry *entry = drive_find(e, n);
-  return entry == NULL || entry->bare;
-}
-
-bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n) {
-  const drive_entry *entry = drive_find(e, n);
-  return entry != NULL && entry->painted;
+  if (entry == NULL) return VS_LOOKS_BARE;
+  return (entry->bare ? VS_LOOKS_BARE : 0u) | (entry->painted ? VS_LOOKS_PAINTED : 0u) |
+         (entry->layered ? VS_LOOKS_LAYERED : 0u);
 }
 
 size_t vs_emit_material_count(const vs_emitter *e) { return e->drive->material_count; }
@@ -165,6 +162,7 @@ static void drive_plan_add(drive_entry *parent, const drive_entry *child, bool v
   parent->shown++;
   parent->bare |= child == NULL || child->bare;
   parent->painted |= child != NULL && child->painted;
+  parent->layered |= child != NULL && child->layered;
 }
 
 static bool drive_plan_omitted(vs_emitter *e, const vs_ref *ref) {
@@ -205,6 +203,7 @@ static bool drive_plan_leave(vs_emitter *e, size_t index) {
       entry->painted = true;
       if (!drive_add_material(e, VS_AS(material, n)->material)) return false;
     }
+    entry->layered |= n->kind == VS_LAYER && !entry->vain;
     entry->height++;
     entry->cut = entry->height >= VS_DEPTH_MAX;
   } else {

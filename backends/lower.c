@@ -30,16 +30,7 @@ static vs_node *lower_polyface(vs_emitter *e, const vs_mesh *m, bool closed) {
   return made;
 }
 
-/* The paint of a set's first part: a cut region shows no other. NULL: none. */
-static const vs_material *lower_paint(const vs_node *n) {
-  while (n->child_count > 0) {
-    if (n->kind == VS_MATERIAL) return VS_AS(material, n)->material;
-    n = n->children[0].node;
-  }
-  return NULL;
-}
-
-/* A set of regions as one region of polylines, painted as its first part is. */
+/* A set of regions as one region of polylines. It has one look, which stands round it (passes/looks.h). */
 static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
   vs_store *store = e->scene->store;
   vs_outline o = { .count = 0 };
@@ -50,13 +41,6 @@ static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
     return NULL;
   }
   vs_node *made = vs_node_of_outline(store, &o, ref->origin);
-  const vs_material *paint = lower_paint(ref->node);
-  if (made && o.count > 0 && paint) {
-    struct { vs_field_material material; unsigned char end; } data = { paint, 0 };
-    vs_node *bare = made;
-    made = vs_node_new(store, VS_MATERIAL, &data, &(vs_ref){ bare, ref->origin }, 1);
-    vs_node_release(bare);
-  }
   if (!made) vs_emit_no_memory(e);
   vs_outline_free(&o);
   return made;
@@ -70,7 +54,8 @@ bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {
   vs_shape_plane plane, other;
   if (!lower_is_area_set(n)) return false;
   if (n->kind != VS_UNION) return true;
-  if (vs_emit_is_painted(e, n) || vs_node_plane(n, &plane) != VS_PLANE_ONE) return false;
+  if (vs_emit_looks(e, n) & (VS_LOOKS_PAINTED | VS_LOOKS_LAYERED)) return false;
+  if (vs_node_plane(n, &plane) != VS_PLANE_ONE) return false;
   for (size_t i = 0; i < n->child_count; i++)
     if (n->children[i].node->class_ != VS_NOTHING &&
         (vs_node_plane(n->children[i].node, &other) != VS_PLANE_ONE || !vs_plane_same(&plane, &other)))

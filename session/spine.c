@@ -27,6 +27,7 @@
 #include "passes/flush.h"
 #include "passes/ink.h"
 #include "passes/lay.h"
+#include "passes/looks.h"
 #include "passes/optimise.h"
 #include "passes/sugar.h"
 #include "session/comparison.h"
@@ -254,6 +255,8 @@ static bool stage_optimise(vs_job *j) {
   return (!j->options->count || vs_session_output_nodes(j->session, &j->scene, passes, &j->error)) &&
          vs_scene_optimise(&j->scene, passes, &j->record->passes, &j->error);
 }
+
+static bool stage_looks(vs_job *j) { return vs_scene_looks(&j->scene, &j->error); }
 
 static bool stage_ink(vs_job *j) { return vs_scene_ink(&j->scene, &j->error); }
 

@@ -280,17 +280,17 @@ typedef struct {
   const resolver *r;
   const struct vs_slice *plane;
   const vs_origin *origin;
-  const vs_material *material; /* of what is being cut */
+  const vs_node *const *looks; /* of what is being cut: its materials and layers, the innermost last */
+  size_t look_count;
   vs_ref *at;                  /* the pieces */
   size_t count, room;
 } pieces;
 
 static bool keep_piece(pieces *p, vs_node *n) { /* takes n over */
   vs_store *s = p->r->store;
-  if (n && p->material) {
-    struct { vs_field_material material; unsigned char end; } paint = { p->material, 0 };
+  for (size_t i = p->look_count; n && i-- > 0;) {
     vs_node *bare = n;
-    n = vs_node_new(s, VS_MATERIAL, &paint, &(vs_ref){ bare, p->origin }, 1);
+    n = vs_node_new(s, (vs_kind)p->looks[i]->kind, vs_node_data(p->looks[i]), &(vs_ref){ bare, p->origin }, 1);
     vs_node_release(bare);
   }
   if (n && !VS_GROW(p->at, p->room, p->count + 1)) vs_node_release(n), n = NULL;
@@ -350,35 +350,37 @@ static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
 }
 
 static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
-  typedef struct { vs_affine placed; const vs_material *material; } level;
+  typedef struct { vs_affine placed; size_t looks; } level; /* looks: so many of the list stand round it */
   vs_ref child = { now(r, ref->node->children[0].node), ref->node->children[0].origin }, at;
   pieces p = { .r = r, .plane = VS_AS(slice, ref->node), .origin = ref->origin };
   vs_walk *w = vs_walk_new(r->store, child);
   level *levels = NULL;
-  size_t room = 0, depth;
+  const vs_node **looks = NULL;
+  size_t room = 0, look_room = 0, depth;
   bool ok = w || vs_error_memory(r->error, ref->origin);
   for (vs_walk_event ev; ok && (ev = vs_walk_next(w, &at, &depth)) != VS_WALK_DONE;) {
     if (ev == VS_WALK_LEAVE) continue;
-    if (ev == VS_WALK_FAILED || !VS_GROW(levels, room, depth + 1)) {
+    if (ev == VS_WALK_FAILED || !VS_GROW(levels, room, depth + 1) || !VS_GROW(looks, look_room, depth + 1)) {
       ok = vs_error_memory(r->error, ref->origin);
       break;
     }
-    levels[depth] = depth ? levels[depth - 1] : (level){ vs_affine_identity(), NULL };
+    levels[depth] = depth ? levels[depth - 1] : (level){ vs_affine_identity(), 0 };
     const vs_node *n = at.node;
     bool solid = n->class_ == VS_SOLID || n->class_ == VS_NOTHING;
     if (!solid && (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_UNION)) {
       if (n->kind == VS_TRANSFORM)
         levels[depth].placed = vs_affine_multiply(&levels[depth].placed, &VS_AS(transform, n)->matrix);
-      if (n->kind == VS_MATERIAL) levels[depth].material = VS_AS(material, n)->material;
+      if (n->kind == VS_MATERIAL || n->kind == VS_LAYER) looks[levels[depth].looks++] = n;
       continue;
     }
     vs_walk_skip(w);
-    p.material = levels[depth].material;
+    p.looks = looks, p.look_count = levels[depth].looks;
     p.origin = at.origin;
     ok = slice_part(&p, at, &levels[depth].placed);
   }
   vs_walk_free(w);
   free(levels);
+  free(looks);
   vs_node *made = NULL;
   if (ok && !(made = of_children(r->store, VS_UNION, p.at, p.count, true))) vs_error_memory(r->error, ref->origin);
   for (size_t i = 0; !ok && i < p.count; i++) vs_node_release(p.at[i].node);
