@@ -1,14 +1,15 @@
 /* Owns reading PLY files: a header that says what each element is made of, then the elements, in words or in bytes of
  * either order.
  *
- * Of the elements only vertex (its x, y, z) and face (its list vertex_indices or vertex_index) are kept; the others are
- * walked over by their types. */
+ * Of the elements only vertex (its x, y, z), face (its list vertex_indices or vertex_index) and tristrips (the same
+ * list: each corner from the third on makes a triangle with the two before it, every second one the other way round,
+ * and -1 begins a new strip) are kept; the others are walked over by their types. */
 #include "geometry/files/ply.h"
 
 #include <string.h>
 
 typedef enum { PLY_I8, PLY_U8, PLY_I16, PLY_U16, PLY_I32, PLY_U32, PLY_F32, PLY_F64, PLY_TYPES } ply_type;
-typedef enum { PLY_OTHER, PLY_X, PLY_Y, PLY_Z, PLY_CORNERS } ply_role;
+typedef enum { PLY_OTHER, PLY_X, PLY_Y, PLY_Z, PLY_CORNERS, PLY_STRIPS } ply_role;
 typedef struct { ply_type type, count_type; bool list; ply_role role; } ply_property;
 enum { PLY_PROPERTIES = 64, PLY_ELEMENTS = 16 };
 typedef struct {
@@ -50,9 +51,9 @@ static bool ply_header_property(vs_byte_scan *s, ply_element *e) {
   vs_scan_word(s, false, 0, word);
   if (!strcmp(e->name, "vertex") && !p->list && !word[1] && word[0] >= 'x' && word[0] <= 'z')
     p->role = (ply_role)(PLY_X + (word[0] - 'x'));
-  if (!strcmp(e->name, "face") && p->list && p->type < PLY_F32 &&
-      (!strcmp(word, "vertex_indices") || !strcmp(word, "vertex_index")))
-    p->role = PLY_CORNERS;
+  bool corners = p->list && p->type < PLY_F32 && (!strcmp(word, "vertex_indices") || !strcmp(word, "vertex_index"));
+  if (corners && !strcmp(e->name, "face")) p->role = PLY_CORNERS;
+  if (corners && !strcmp(e->name, "tristrips")) p->role = PLY_STRIPS;
   e->properties++;
   return true;
 }
@@ -124,6 +125,22 @@ static bool ply_value(vs_byte_scan *s, ply_form form, ply_type type, double *out
   return true;
 }
 
+/* Corners of a strip so far: the last two, and how many since it began. */
+typedef struct { uint32_t last[2]; uint64_t count; } ply_strip;
+
+/* A strip turns at a corner that it names twice: there are triangles without an area, which are none. */
+static bool ply_strip_corner(ply_strip *s, uint32_t corner, vs_face_list *out) {
+  uint32_t a = s->last[s->count % 2], b = s->last[1 - s->count % 2]; /* odd ones are turned round */
+  bool ok = true;
+  if (s->count >= 2 && a != b && a != corner && b != corner)
+    ok = vs_face_list_corner(out, a) && vs_face_list_corner(out, b) && vs_face_list_corner(out, corner) &&
+         vs_face_list_close(out);
+  s->last[0] = s->last[1];
+  s->last[1] = corner;
+  s->count++;
+  return ok;
+}
+
 static bool ply_one(vs_byte_scan *s, ply_form form, const ply_element *e, uint64_t number, uint64_t points,
                     vs_face_list *out) {
   double xyz[3] = { 0, 0, 0 }, value, items;
@@ -138,13 +155,19 @@ static bool ply_one(vs_byte_scan *s, ply_form form, const ply_element *e, uint64
     if (!ply_value(s, form, p->count_type, &items)) return false;
     if (!(items >= 0) || items > (double)(s->size - s->at) || items != floor(items))
       return vs_scan_fail(s, "%s %llu cannot have a list of %.6g", e->name, (unsigned long long)number + 1, items);
+    ply_strip strip = { { 0, 0 }, 0 };
     for (uint64_t k = 0; ok && k < (uint64_t)items; k++) {
       if (!ply_value(s, form, p->type, &value)) return false;
-      if (p->role != PLY_CORNERS) continue;
+      if (p->role != PLY_CORNERS && p->role != PLY_STRIPS) continue;
+      if (p->role == PLY_STRIPS && value == -1) {
+        strip.count = 0;
+        continue;
+      }
       if (!(value >= 0) || value >= (double)points || value != floor(value))
-        return vs_scan_fail(s, "face %llu asks for point %.10g, but there are %llu, counted from 0",
+        return vs_scan_fail(s, "%s %llu asks for point %.10g, but there are %llu, counted from 0", e->name,
                             (unsigned long long)number + 1, value, (unsigned long long)points);
-      ok = vs_face_list_corner(out, (uint32_t)value);
+      ok = p->role == PLY_STRIPS ? ply_strip_corner(&strip, (uint32_t)value, out)
+                                 : vs_face_list_corner(out, (uint32_t)value);
     }
     if (ok && p->role == PLY_CORNERS) ok = vs_face_list_close(out);
   }
@@ -172,6 +195,8 @@ bool vs_ply_read(vs_byte_scan *s, vs_face_list *out) {
     }
     if (!strcmp(e->name, "vertex") && roles != 3) return vs_scan_fail(s, "the vertices have no x, y and z");
     if (!strcmp(e->name, "face") && roles != 1) return vs_scan_fail(s, "the faces have no list vertex_indices");
+    if (!strcmp(e->name, "tristrips") && roles != 1)
+      return vs_scan_fail(s, "the tristrips have no list vertex_indices");
     if (!strcmp(e->name, "vertex")) points += e->count;
     if (least && e->count > (s->size - s->at) / least + 1)
       return vs_scan_fail(s, "the file is cut off: it is too short for %llu of element %s",

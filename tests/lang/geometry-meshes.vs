@@ -17,6 +17,7 @@
 (fails (load-mesh "lib/meshes/bad.stl"))             ; expect: load-mesh: bad.stl: line 6: expected a number, got "x" ()
 (fails (load-mesh "lib/meshes/index.obj"))           ; expect: load-mesh: index.obj: face 4 asks for point 5, but there are 4 ()
 (fails (load-mesh "lib/meshes/huge.ply"))            ; expect: load-mesh: huge.ply: line 10: the file is cut off: it is too short for 4000000000 of element vertex ()
+(about (volume (load-mesh "lib/meshes/strips.ply")) 1/3)   ; expect: #t
 (crosses (load-mesh "lib/meshes/crossing.obj"))      ; expect: (#t #t #t)
 (displayln (volume (load-mesh "lib/meshes/open.off" #:repair #t))) ; expect: 1.0
 (define whole (load-mesh "lib/meshes/crossing.obj" #:repair #t))

@@ -38,10 +38,31 @@ static void put_float(sample *s, double x) {
 
 static const unsigned char quads[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
 
+enum { SAMPLES = 9, WORD_STRIPS = 7, BYTE_STRIPS };
+
+/* The cube as three strips of two sides each: a corner named twice turns the strip, and -1 begins another. */
+static void put_strips(sample *s, bool bytes) {
+  int32_t corners[32];
+  size_t count = 0;
+  for (int f = 0; f < 6; f += 2) {
+    const unsigned char *p = quads[f], *q = quads[f + 1];
+    const int32_t strip[10] = { p[0], p[1], p[3], p[2], p[2], q[0], q[0], q[1], q[3], q[2] };
+    if (f > 0) corners[count++] = -1;
+    for (int k = 0; k < 10; k++) corners[count++] = strip[k];
+  }
+  if (bytes) put(s, &(int32_t){ (int32_t)count }, 4), put(s, corners, 4 * count);
+  else say(s, "32");
+  for (size_t k = 0; !bytes && k < count; k++) {
+    char word[16];
+    snprintf(word, sizeof word, " %d", (int)corners[k]), say(s, word);
+  }
+}
+
 static sample make(int which) {
   sample s = { .size = 0 };
   char line[128];
-  static const char *const names[] = { "words.stl", "bytes.stl", "a.obj", "b.off", "words.ply", "little.ply", "colour.OFF" };
+  bool strips = which >= WORD_STRIPS, bytes = which == 5 || which == BYTE_STRIPS;
+  static const char *const names[] = { "words.stl", "bytes.stl", "a.obj", "b.off", "words.ply", "little.ply", "colour.OFF", "strips.ply", "little-strips.ply" };
   s.name = names[which];
   if (which == 0) say(&s, "solid a cube of one\n");
   if (which == 1) {
@@ -52,18 +73,20 @@ static sample make(int which) {
   }
   if (which == 3) say(&s, "OFF # a cube\n8 6 12\n");
   if (which == 6) say(&s, "COFF\n8 6 0\n");
-  if (which == 4 || which == 5) {
+  if (which == 4 || which == 5 || strips) {
     say(&s, "ply\nformat ");
-    say(&s, which == 4 ? "ascii" : "binary_little_endian");
-    say(&s, " 1.0\ncomment made by hand\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nelement face 6\n"
-            "property list uchar int vertex_indices\nend_header\n");
+    say(&s, bytes ? "binary_little_endian" : "ascii");
+    say(&s, " 1.0\ncomment made by hand\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n");
+    say(&s, strips ? "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                   : "element face 6\nproperty list uchar int vertex_indices\nend_header\n");
   }
   for (int i = 0; i < 8 && which > 1; i++) {
     double x = i & 1, y = i >> 1 & 1, z = i >> 2;
-    if (which == 5) put_float(&s, x), put_float(&s, y), put_float(&s, z), put(&s, "\xff", 1);
-    else snprintf(line, sizeof line, "%s%g %g %g%s\n", which == 2 ? "v " : "", x, y, z, which == 4 ? " 255" : which == 6 ? " 1 0 0 1" : ""), say(&s, line);
+    if (bytes) put_float(&s, x), put_float(&s, y), put_float(&s, z), put(&s, "\xff", 1);
+    else snprintf(line, sizeof line, "%s%g %g %g%s\n", which == 2 ? "v " : "", x, y, z, which == 4 || strips ? " 255" : which == 6 ? " 1 0 0 1" : ""), say(&s, line);
   }
-  for (int f = 0; f < 6; f++) {
+  if (strips) put_strips(&s, bytes);
+  for (int f = 0; f < 6 && !strips; f++) {
     const unsigned char *q = quads[f];
     if (which < 2)
       for (int half = 0; half < 2; half++) {
@@ -102,13 +125,13 @@ static double chain_volume(const vs_face_list *l) {
 
 static void every_format(void **state) {
   (void)state;
-  for (int which = 0; which < 7; which++) {
+  for (int which = 0; which < SAMPLES; which++) {
     sample s = make(which);
     vs_face_list l = { 0 };
     vs_error e = { 0 };
     vs_open_edges open;
     if (!vs_mesh_file_read(s.name, s.bytes, s.size, NULL, NULL, &l, &e)) fail_msg("%s", e.message);
-    assert_int_equal(l.face_count, which < 2 ? 12 : 6);
+    assert_int_equal(l.face_count, which < 2 || which >= WORD_STRIPS ? 12 : 6);
     assert_true(vs_face_list_compact(&l));
     assert_int_equal(l.point_count, 8);
     assert_true(vs_face_list_open(NULL, &l, &open, NULL) && open.count == 0);
@@ -122,7 +145,7 @@ static void damaged_files(void **state) {
   uint64_t seed = 88172645463325252u;
   size_t read = 0, refused = 0;
   for (size_t round = 0; round < 400 * rounds; round++)
-    for (int which = 0; which < 7; which++) {
+    for (int which = 0; which < SAMPLES; which++) {
       sample s = make(which);
       for (uint64_t n = 1 + drawn(&seed) % 4; n > 0; n--) {
         size_t at = (size_t)(drawn(&seed) % s.size);
