@@ -123,8 +123,9 @@ static size_t note(char *text, size_t room, size_t at, size_t count, const char 
   return n > 0 && at + (size_t)n < room ? at + (size_t)n : at;
 }
 
-/* l mended, as a node (a new reference), with a note of what was done; what is left may be empty */
-static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, vs_node **out) {
+/* l mended, as a node (a new reference), with a note of what was done; what is left may be empty. *sheet: it was a
+ * surface, closing which has enclosed nothing. */
+static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *sheet, vs_node **out) {
   vs_repair_notes notes;
   vs_error e = { 0 };
   vs_mesh mesh = { 0 }, whole = { 0 };
@@ -155,6 +156,7 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, vs_node
   vs_mesh_free(&mesh);
   vs_mesh_free(&whole);
   if (!ok) return vs_node_release(*out), *out = NULL, VS_ERROR;
+  *sheet = (*out)->class_ == VS_SURFACE || ((*out)->class_ != VS_SOLID && notes.holes > 0);
   char text[256] = "";
   size_t at = note(text, sizeof text, 0, notes.welded, "welded", "point", "points");
   at = note(text, sizeof text, at, notes.dropped, "dropped", "face", "faces");
@@ -170,10 +172,11 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, vs_node
 
 /* ---- faces given one by one ---- */
 
-static vs_status finished(vs_args *f, vs_node *n, vs_value *out) { /* takes n over */
+/* Takes n over. sheet: the faces are a surface. */
+static vs_status finished(vs_args *f, vs_node *n, bool sheet, vs_value *out) {
   if (!vs_bind_is_empty(n)) return vs_bind_node(f, n, out);
   vs_node_release(n);
-  return vs_bind_empty(f, "the faces have no area", out);
+  return vs_bind_empty(f, sheet ? "the faces are a surface, which encloses nothing" : "the faces have no area", out);
 }
 
 static vs_status polyface(vs_args *f, const vs_vec3 *at, size_t points, const uint32_t *starts, const uint32_t *corner,
@@ -205,7 +208,7 @@ static vs_status polyface(vs_args *f, const vs_vec3 *at, size_t points, const ui
     if (!ok) return VS_ERROR;
     if (nothing) return vs_bind_empty(f, "the faces enclose nothing", out);
   }
-  return finished(f, n, out);
+  return finished(f, n, false, out);
 }
 
 vs_status vs_p_make_polyface_mesh(vs_args *f, vs_value *out) {
@@ -224,15 +227,15 @@ vs_status vs_p_make_polyface_mesh(vs_args *f, vs_value *out) {
   if (f->key[0].given && f->key[0].boolean) {
     vs_face_list l = { 0 };
     vs_node *n = NULL;
-    bool ok = true;
+    bool ok = true, sheet = false;
     for (size_t i = 0; ok && i < points; i++) ok = vs_face_list_point(&l, f->arg[0].points.at[i]);
     for (size_t i = 0; ok && i < count; i++) {
       for (uint32_t c = starts[i]; ok && c < starts[i + 1]; c++) ok = vs_face_list_corner(&l, corner[c]);
       ok = ok && vs_face_list_close(&l);
     }
-    vs_status done = ok ? repaired(f, "", &l, &n) : vs_fail_memory(f->vm);
+    vs_status done = ok ? repaired(f, "", &l, &sheet, &n) : vs_fail_memory(f->vm);
     vs_face_list_free(&l);
-    return done ? finished(f, n, out) : VS_ERROR;
+    return done ? finished(f, n, sheet, out) : VS_ERROR;
   }
   return polyface(f, f->arg[0].points.at, points, f->arg[1].faces.starts, f->arg[1].faces.corners, count, out);
 }
@@ -316,8 +319,13 @@ vs_status vs_p_load_mesh(vs_args *f, vs_value *out) {
     return vs_bind_refuse(f, "file", "a name that ends in .stl, .obj, .off or .ply", f->arg[0].value);
   vs_status ok = read_list(f, &name, &l);
   if (ok && f->key[0].given && f->key[0].boolean) {
-    ok = repaired(f, name, &l, &n);
-    if (ok && n->class_ != VS_SOLID) ok = vs_fail(f->vm, f->vm->sym.range, "%s: nothing solid is left of it", name);
+    bool sheet = false;
+    ok = repaired(f, name, &l, &sheet, &n);
+    if (ok && n->class_ != VS_SOLID)
+      ok = vs_fail(f->vm, f->vm->sym.range,
+                   sheet ? "%s: the faces are a surface, which encloses nothing: make-polyface-mesh makes one of them"
+                         : "%s: nothing solid is left of it",
+                   name);
   } else if (ok) {
     vs_mesh mesh = { 0 };
     vs_mesh_flaws flaws;
@@ -330,7 +338,7 @@ vs_status vs_p_load_mesh(vs_args *f, vs_value *out) {
     vs_mesh_free(&mesh);
   }
   vs_face_list_free(&l);
-  if (ok) return finished(f, n, out);
+  if (ok) return finished(f, n, false, out);
   vs_node_release(n);
   return VS_ERROR;
 }

@@ -18,6 +18,7 @@
 (fails (load-mesh "lib/meshes/index.obj"))           ; expect: load-mesh: index.obj: face 4 asks for point 5, but there are 4 ()
 (fails (load-mesh "lib/meshes/huge.ply"))            ; expect: load-mesh: huge.ply: line 10: the file is cut off: it is too short for 4000000000 of element vertex ()
 (about (volume (load-mesh "lib/meshes/strips.ply")) 1/3)   ; expect: #t
+(fails (load-mesh "lib/meshes/sheet.off" #:repair #t)) ; expect: load-mesh: sheet.off: the faces are a surface, which encloses nothing: make-polyface-mesh makes one of them ()
 (crosses (load-mesh "lib/meshes/crossing.obj"))      ; expect: (#t #t #t)
 (displayln (volume (load-mesh "lib/meshes/open.off" #:repair #t))) ; expect: 1.0
 (define whole (load-mesh "lib/meshes/crossing.obj" #:repair #t))
