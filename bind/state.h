@@ -60,6 +60,7 @@ struct vs_bind {
   size_t back_end_count, back_end_room;
   bool (*is_built_in)(const char *name); /* is it the name or the ending of one of the library's own formats? */
   bool (*is_format)(const vs_bind *b, const char *name); /* may `register-drawing-function` name it? */
+  size_t mesh_triangles;           /* the limit of what an output may have, which meshes made before keep to; 0: none */
   bool bad_parameter;              /* the error under way is a -D value's fault: exit 2 */
   /* the host: shows a warning; origin NULL is nowhere */
   void (*warn)(void *context, const vs_origin *origin, const char *message);

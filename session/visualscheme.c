@@ -288,6 +288,7 @@ vs_scheme *vs_new(const vs_options *options) {
   s->bind.host_call = vs_session_host_call;
   s->bind.is_built_in = is_built_in;
   s->bind.is_format = is_format;
+  s->bind.mesh_triangles = o.limit_triangles;
   s->bind.warn = vs_session_warn, s->bind.warn_context = s;
   if (ok) return vm;
   if (vm) vs_free(vm);

@@ -10,8 +10,10 @@
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/print.h"
+#include "bind/state.h"
 #include "geometry/functions/contour.h"
 #include "geometry/files/polyface.h"
+#include "kernel/kernel_options.h"
 #include "model/store/array.h"
 
 enum { FIRST_CELLS = 24 };
@@ -29,6 +31,8 @@ static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour
     return vs_fail(f->vm, f->vm->sym.range,
                    "f is nowhere below the level in the box, or in parts smaller than a cell alone");
   case VS_CONTOUR_STOPPED: return VS_ERROR; /* the condition is set */
+  case VS_CONTOUR_MANY:
+    return vs_fail(f->vm, f->vm->sym.limit, VS_SHAPES_OVER, c->most, VS_ON_THE_WAY, f->bind->mesh_triangles);
   case VS_CONTOUR_MEMORY:
   case VS_CONTOUR_DONE: break;
   }
@@ -39,6 +43,7 @@ static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour
 static vs_contour_outcome refined(vs_args *f, const vs_tape *t, double tolerance, vs_contour *c) {
   int cells = FIRST_CELLS;
   for (;;) {
+    c->most = f->bind->mesh_triangles * VS_ON_THE_WAY;
     vs_contour_outcome outcome =
         vs_contour_make(t, f->arg[1].point, f->arg[2].point, cells, tolerance, vs_bind_keep_going, f->vm, c);
     bool missed = outcome == VS_CONTOUR_EMPTY; /* finer cells may find it */
@@ -68,7 +73,7 @@ vs_status vs_p_make_isosurface(vs_args *f, vs_value *out) {
     snprintf(text, sizeof text, "from 2 to %d", VS_CONTOUR_CELLS);
     return vs_bind_refuse(f, "cells", text, f->key[0].value);
   }
-  vs_contour c = { 0 };
+  vs_contour c = { .most = f->bind->mesh_triangles * VS_ON_THE_WAY };
   vs_contour_outcome outcome = f->key[1].given ? refined(f, t, f->key[1].real, &c)
                                                : vs_contour_make(t, p, q, f->key[0].given ? (int)f->key[0].integer : 64,
                                                                  0, vs_bind_keep_going, f->vm, &c);

@@ -141,6 +141,7 @@ static vs_contour_outcome block(contour *c, const int32_t *from) {
                         .edge = { NONE, NONE, NONE } };
         for (int a = 0; a < 3; a++) {
           if ((below & 1) == (below >> (1 << a) & 1)) continue;
+          if (c->out->most && 2 * (c->edge_count + 1) > c->out->most) return VS_CONTOUR_MANY; /* two an edge */
           if (!VS_GROW(c->edges, c->edge_room, c->edge_count + 1)) return VS_CONTOUR_MEMORY;
           made->edge[a] = (int32_t)c->edge_count;
           c->edges[c->edge_count++] =
@@ -875,7 +876,7 @@ vs_contour_outcome vs_contour_make(const vs_tape *t, vs_vec3 p, vs_vec3 q, int c
   contour c = {
     .p = { p.x, p.y, p.z }, .q = { q.x, q.y, q.z }, .keep_going = keep_going, .context = context, .out = out
   };
-  *out = (vs_contour){ 0 };
+  *out = (vs_contour){ .most = out->most };
   double longest = fmax(q.x - p.x, fmax(q.y - p.y, q.z - p.z));
   c.size = longest / (cells > 1 ? cells - 1 : 1);
   for (int a = 0; a < 3; a++) {

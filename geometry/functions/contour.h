@@ -13,6 +13,7 @@ typedef enum {
   VS_CONTOUR_NO_NUMBER, /* the tape has no value at `at` */
   VS_CONTOUR_POLE,      /* the value changes its sign through infinity near `at` */
   VS_CONTOUR_STOPPED,   /* keep_going said so */
+  VS_CONTOUR_MANY,      /* the cells' mesh has more triangles than out->most */
   VS_CONTOUR_MEMORY
 } vs_contour_outcome;
 
@@ -22,6 +23,7 @@ typedef struct {
   size_t point_count, triangle_count;
   size_t point_room, triangle_room;
   vs_vec3 at;       /* where it failed */
+  size_t most;      /* set before: so many triangles are all that the cells may have before they are merged; 0: any */
   bool capped;      /* the box cuts what is below 0: its sides close the mesh */
   double deviation; /* how far triangles' middles lie from the surface, to first order */
 } vs_contour;
