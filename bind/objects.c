@@ -165,6 +165,10 @@ bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind) {
   return told(b, key);
 }
 
+void vs_bind_clear(vs_bind *b, const char *kind) {
+  if (b->warn) vs_bind_warned(b, vs_bind_origin(b), kind);
+}
+
 void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) {
   const vs_origin *o = vs_bind_origin(b);
   if (!b->warn || vs_bind_warned(b, o, kind)) return;

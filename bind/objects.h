@@ -33,6 +33,7 @@ uint32_t vs_bind_file_count(vs_scheme *vm); /* files that have a number */
 /* Was such a warning given for this place before? It counts as given from now on. */
 bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind);
 /* once a place and `kind` (any constant text); nothing when it could not be formatted */
+void vs_bind_clear(vs_bind *b, const char *kind); /* no warning of this kind at the call's place from now on */
 void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* UTF-8 with NUL from vs_mem; *bytes to give back */
 bool vs_bind_text(vs_scheme *vm, vs_value string_or_symbol, char **out, size_t *bytes);

@@ -179,8 +179,10 @@ static bool is_format(const vs_bind *b, const char *name) {
   return is_built_in(name) || (!strpbrk(name, "./") && vs_bind_back_end_find(b, name) != NULL);
 }
 
-static void warn_vm(vs_scheme *vm, const char *kind, const char *message) { vs_bind_warn(vs_bind_of(vm), kind, "%s",
-    message); }
+static void warn_vm(vs_scheme *vm, const char *kind, const char *message) {
+  if (message) vs_bind_warn(vs_bind_of(vm), kind, "%s", message);
+  else vs_bind_clear(vs_bind_of(vm), kind);
+}
 
 static double tally_clock(void *session) { return vs_session_clock(session); }
 

@@ -88,10 +88,12 @@ vs_status vs_convert_unit(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg
   return out->real >= 0 && out->real <= 1 ? VS_OK : vs_bind_refuse_condition(f, p, v);
 }
 
-/* Warns where an exact integer past a turn seems to be degrees. */
+/* Warns where an exact integer past a turn seems to be degrees: not where the call has been given a smaller one before,
+ * which a loop counts up. */
 vs_status vs_convert_angle(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (!vs_convert_real(f, p, v, out)) return VS_ERROR;
-  if (vs_is_fixnum(v) && (out->real > 6 || out->real < -6)) {
+  if (vs_is_fixnum(v) && out->real != 0 && fabs(out->real) <= 6) vs_bind_clear(f->bind, "degrees");
+  else if (vs_is_fixnum(v) && out->real != 0) {
     char name[64];
     vs_bind_warn(f->bind, "degrees", "%s: %.0f radians are %.1f turns; (degrees->radians %.0f)?",
         vs_bind_own_name(f, name), out->real, fabs(out->real) / 6.283185307179586, out->real);

@@ -36,4 +36,7 @@
 (fails (camera origin origin))               ; expect: camera: target must be another point than eye, got ((xyz 0 0 0))
 (fails (view-from 'inside))                  ; expect: view-from: side must be one of 'top 'bottom 'front 'back 'left 'right 'iso, got (inside)
 (fails (do-fillet 1))             ; expect: do-fillet: this name is reserved: it is not there yet; subtract and unite cylinders along the edge ()
+(for-each (lambda (i) (sin i) (do-rotate s 'z (- i))) (iota 100)) ; counts: no degrees
+(do ((i 1 (+ i 1))) ((> i 90)) (cos i) (volume (do-rotate s 'x i)))
+(for-each (lambda (i) (tan (* 30 i))) (iota 5)) ; expect warning: tan: 30 radians are 4.8 turns; (degrees->radians 30)?
 (do-rotate s 'z 45)                          ; expect warning: do-rotate: 45 radians are 7.2 turns; (degrees->radians 45)?

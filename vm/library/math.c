@@ -35,10 +35,12 @@ static vs_status exp_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)n, function(vm, a, exp, 0, 1, out);
 }
 
-/* The whole numbers that stand for angles in degrees: whoever writes one of them seldom means as many radians. */
+/* The whole numbers that stand for angles in degrees: whoever writes one of them seldom means as many radians. A call
+ * that was given one of the first few before counts, as in a loop, and means none. */
 static void suspect_degrees(vs_scheme *vm, const char *name, vs_value v) {
   if (!vs_is_fixnum(v) || !vm->config.suspect) return;
   int64_t x = vs_fixnum(v) < 0 ? -vs_fixnum(v) : vs_fixnum(v);
+  if (x > 0 && x <= 6) vm->config.suspect(vm, "degrees", NULL);
   if (x < 30 || x > 360 || (x % 90 && x != 30 && x != 45 && x != 60 && x != 120 && x != 135 && x != 150)) return;
   char text[160];
   snprintf(text, sizeof text, "%s: %lld radians are %.1f turns; (degrees->radians %lld)?", name,

@@ -70,8 +70,8 @@ typedef struct vs_config {
   /* Something in the program that is allowed and surely not meant; the text lives until the call returns. It may not
      allocate in the heap. NULL: nobody wants it. */
   void (*warn)(vs_scheme *vm, vs_pos place, const char *message);
-  /* Something that is allowed and seldom meant, told once for a place and a kind (any constant text). NULL: nobody
-   * wants it. */
+  /* Something that is allowed and seldom meant, told once for a place and a kind (any constant text); without a message
+   * the place is cleared of it for good. NULL: nobody wants it. */
   void (*suspect)(vs_scheme *vm, const char *kind, const char *message);
 } vs_config;
 
