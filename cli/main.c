@@ -462,12 +462,13 @@ static vs_outcome view_model(const cli_options *o) {
   return live_view(&live);
 }
 
-/* Runs the files and texts of the command line in an interpreter, and the prompt where it asks for one. Returns the exit
- * code; *told: standard error says that standard output fails. */
+/* Runs the files and texts of the command line in an interpreter, and the prompt where it asks for one. Returns the
+ * exit code; *told: standard error says that standard output fails. */
 static int run_session(cli_options *o, bool *told) {
-  cli_session session = {.options = o, .told = cli_inputs_find(), .output = o->to_stdout || o->command == CLI_COMMAND_params ||
-      o->command == CLI_COMMAND_diff || o->command == CLI_COMMAND_fit ||
-      o->command == CLI_COMMAND_test ? stderr : stdout, .ended = &ended};
+  bool own_output = o->to_stdout || o->command == CLI_COMMAND_params || o->command == CLI_COMMAND_diff ||
+                    o->command == CLI_COMMAND_fit || o->command == CLI_COMMAND_test;
+  FILE *output = own_output ? stderr : stdout;
+  cli_session session = { .options = o, .told = cli_inputs_find(), .output = output, .ended = &ended };
   cli_watch_open(&session.watch);
   if (o->untrusted && !cli_untrusted_begin(&session.untrusted, o)) return VS_OUTCOME_USAGE;
   if (o->interactive && !o->untrusted) session.stops = VS_EVAL_STOP;

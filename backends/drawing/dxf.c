@@ -31,8 +31,8 @@ static void code_handle(vs_writer *w, int number, unsigned handle) { vs_putf(w, 
 enum { DXF_CHARACTER = 12, DXF_LINE = 250 /* bytes of text on a line; a longer text is an MTEXT */ };
 
 /* Spells the character at *text as DXF of that time has it, into `as`: one beyond ASCII as \U+00E9, which has room for
- * four digits; a caret is an escape, and a backslash before U+ or M+ would begin one. Returns its bytes; *text goes on to
- * the next. */
+ * four digits; a caret is an escape, and a backslash before U+ or M+ would begin one. Returns its bytes; *text goes on
+ * to the next. */
 static size_t text_character(const char **text, char as[DXF_CHARACTER]) {
   enum { ENOUGH = 16 }; /* bytes, of any character */
   char spelled[VS_SPELLED_ROOM + 1];

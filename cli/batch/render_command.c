@@ -368,7 +368,7 @@ static const char **words_of(const batch *b, const picture *p, char **defines, c
 }
 
 /* In a child: when its parent is killed, it is asked to end, and takes its own children and files with it. */
-static void die_with_parent(void) { prctl(PR_SET_PDEATHSIG, SIGTERM); }
+static void die_with_parent(int how) { prctl(PR_SET_PDEATHSIG, how); }
 
 /* Waits for a process; who has asked us to end may not have asked it: a terminal does, another program need not. */
 static void await(const batch *b, pid_t process, int *status) {
@@ -389,7 +389,7 @@ static int run(const batch *b, const picture *p, const char *file, uint64_t *has
   if (!words || (hash && pipe(ends) != 0)) return free(words), free(defines), VS_OUTCOME_MACHINE;
   pid_t child = fork();
   if (child == 0) {
-    die_with_parent();
+    die_with_parent(SIGTERM);
     cli_inputs_say_typed(p->given, p->frame ? b->options->frames.parameter : NULL);
     if (hash) dup2(ends[1], STDOUT_FILENO), close(ends[0]), close(ends[1]);
     execv(b->program, (char **)(uintptr_t)words);
@@ -499,7 +499,7 @@ static bool start(batch *b, picture *p) {
   p->process = fork();
   if (p->process == 0) {
     close(ends[0]);
-    die_with_parent();
+    die_with_parent(SIGKILL); /* it waits for a program, and would not hear a gentler one */
     result r = make(b, p);
     ssize_t sent = write(ends[1], &r, sizeof r);
     _exit(sent == sizeof r ? 0 : 1);
