@@ -227,8 +227,9 @@ static void fit_one(double strays, const pose *at, unsigned number, cell *to) {
 
 static void table(void **state) {
   (void)state;
-  unsigned seeds = getenv("LONG") ? 100 : 1, wrong = 0, few = 0;
-  int whole = getenv("LONG") || getenv("FITS");
+  const char *longer = getenv("LONG");
+  int whole = (longer && *longer) || getenv("FITS");
+  unsigned seeds = whole ? 100 : 1, wrong = 0, few = 0;
   if (getenv("FITS")) seeds = (unsigned)atoi(getenv("FITS"));
   for (int five = !whole; five <= 5; five += whole ? 1 : 2)
     for (int k = 0; k < POSES; k++) {

@@ -126,7 +126,8 @@ static vs_error_kind run(size_t tree, size_t n, unsigned passes, listener *l, do
 
 static void every_pass(void **state) {
   (void)state;
-  size_t n = getenv("LONG") ? 1000000 : 100000;
+  const char *longer = getenv("LONG");
+  size_t n = longer && *longer ? 1000000 : 100000;
   for (unsigned k = 0; k <= VS_PASS_COUNT; k++)
     for (size_t t = 0; t < TREES; t++) {
       unsigned passes = k < VS_PASS_COUNT ? 1u << k : (1u << VS_PASS_COUNT) - 1;
