@@ -2,8 +2,10 @@
 #include "cli/prompt/standard_output.h"
 
 #include <errno.h>
+#include <poll.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 void cli_output_fails(cli_session *c) {
   if (!c->output_failed) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
@@ -14,12 +16,18 @@ void cli_output_flush(cli_session *c) {
   if (fflush(stdout) != 0) cli_output_fails(c);
 }
 
+/* Has the reader of standard output gone? It wanted no more, and gets no message. */
+static bool reader_is_gone(void) {
+  struct pollfd out = { .fd = STDOUT_FILENO, .events = POLLOUT };
+  return poll(&out, 1, 0) > 0 && (out.revents & (POLLERR | POLLHUP)) != 0;
+}
+
 int cli_output_end(int code, bool told) {
   errno = 0;
   bool failed = fflush(stdout) != 0; /* errno is 0 where an earlier write failed and left nothing to write */
   if (!failed && !ferror(stdout) && !told) return code;
   if (code != VS_OUTCOME_DONE && code != VS_OUTCOME_MODEL) return code; /* with its own message */
   if (!told && errno && errno != EPIPE) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
-  else if (!told && !errno) fputs("vs: standard output: not all could be written\n", stderr);
+  else if (!told && !errno && !reader_is_gone()) fputs("vs: standard output: not all could be written\n", stderr);
   return VS_OUTCOME_USAGE;
 }

@@ -88,7 +88,7 @@ bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_t
     ok = try_place(vm, "", 0, &plain, path, found);
   } else if (ok) {
     ok = vs_source_name(vm, from, &base);
-    base.count = folder_length(base.at);
+    if (ok) base.count = folder_length(base.at);
     ok = ok && try_place(vm, base.at, base.count, &plain, path, found);
     for (size_t i = 0; ok && i < up; i++) ok = vs_text_puts(&base, "../");
     ok = ok && (!up || try_place(vm, base.at, base.count, &plain, path, found));
