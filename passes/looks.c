@@ -20,7 +20,7 @@ typedef struct { uint32_t above; const vs_node *wrapper; uint32_t first, last; }
 typedef struct { uint32_t look, next; vs_ref ref; } looks_part;         /* bare; its node is retained */
 typedef struct { uint32_t look; vs_affine placed; vs_ref ref; } looks_step; /* still to be taken apart */
 
-enum { NO_PART = UINT32_MAX };
+#define NO_PART UINT32_MAX
 
 typedef struct {
   vs_store *store;
