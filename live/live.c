@@ -272,7 +272,7 @@ static void begin(live *l) {
   l->began = now();
 }
 
-/* Nothing is told of a run that was overtaken: the next one follows at once. */
+/* Reports nothing of an overtaken run: the next run follows at once. */
 static void finish(live *l, vs_outcome outcome) {
   if (outcome == VS_OUTCOME_DONE) outcome = publish_drawing(l, false);
   if (l->overtaken && outcome == VS_OUTCOME_INTERRUPTED) {

@@ -1,4 +1,4 @@
-/* Owns what a run says: the text that it prints, values, messages; as windows are told of it. */
+/* Owns the output of a run for the windows: printed text, values, messages. */
 #ifndef VS_LIVE_SAID_H
 #define VS_LIVE_SAID_H
 

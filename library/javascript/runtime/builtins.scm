@@ -1,6 +1,6 @@
 ; What every script finds: Object, Array, String, Number, Boolean, Function, Math, the errors, and the global functions.
 
-; A function of a script: values that are left out are undefined, `this` goes by keyword, more than there are parameters do no harm.
+; A function of a script: omitted arguments are undefined, `this` goes by keyword, and further arguments are ignored.
 (define-syntax fn
   (syntax-rules () ((_ this (name ...) body ...) (lambda ((name any? undefined) ... #:this (this any? undefined) . more) body ...))))
 ; The same with the values in a list, behind those that have names.

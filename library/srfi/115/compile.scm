@@ -79,7 +79,7 @@
     (if (not (and (exact-integer? least) (>= least 0) (or (not most) (and (exact-integer? most) (>= most least)))))
         (refuse "a repetition needs whole numbers, the smaller first:" sre))
     (if (> (or most least) most-states) (refuse "it is too large; numbers of repetitions multiply:" sre))
-    ; x{2,4} is x x (x (x)?)?, and all that is left out leads to the end.
+    ; x{2,4} is x x (x (x)?)?, and each omitted x leads to the end.
     (let optionals ((i least) (inner (if most next (any-number sres greedy? mode next))))
       (if (and most (< i most))
           (optionals (+ i 1) (fork greedy? (sequence sres mode inner) next))
