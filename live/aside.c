@@ -1,7 +1,7 @@
-/* Owns the side of a live view. See aside.h.
+/* Owns the side of a live view: an interpreter for outputs with other values. See aside.h.
  *
- * Its interpreter runs the text that the session runs, from the start, for each wish: additions at the prompt stay with
- * the session. Results of one run serve the next, as the library keeps them. */
+ * For each request the interpreter runs the session's text from the start. It does not see additions at the prompt,
+ * which belong to the session. The library caches results, so a later request reuses them. */
 #include "live/aside.h"
 
 #include <math.h>
@@ -66,9 +66,9 @@ static bool aside_bytes(void *context, const void *bytes, size_t count) {
   return !t->failed;
 }
 
-/* ---- one wish ---- */
+/* ---- one request ---- */
 
-/* Sets the values of a wish, or takes them back. The text of w->given stays as it is. */
+/* Sets the values of a request, or removes them. The text of w->given stays the same. */
 static void aside_values(live_aside *a, live_wish *w, bool set) {
   for (char *at = w->given; *at != 0;) {
     char *unit = strchr(at, LIVE_UNIT), *record = strchr(at, LIVE_RECORD);
@@ -95,7 +95,7 @@ static bool aside_ready(live_aside *a) {
   return a->scheme != NULL;
 }
 
-/* "WIDTHxHEIGHT QUALITY EYE TARGET LENS", of which the end may be missing: what a picture is to be. */
+/* Reads the picture that a request describes: "WIDTHxHEIGHT QUALITY EYE TARGET LENS". The last items may be missing. */
 static void aside_picture(const char *text, vs_output_options *o) {
   static const char *const qualities[] = { "draft", "good", "final" };
   int width = 0, height = 0;

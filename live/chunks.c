@@ -1,8 +1,8 @@
 /* Owns content-defined chunking. See chunks.h.
  *
- * The gear hash (Xia et al., FastCDC, 2016) rolls over the last 64 bytes: each byte's random number is added to the
- * doubled sum. A piece ends where 13 high bits are zero. A piece's own hash is 64 bits of FNV-1a, eight bytes at a time
- * with a final mix; windows that hold a piece of the same hash and length take it for the same. */
+ * The gear hash (Xia et al., FastCDC, 2016) rolls over the last 64 bytes: it doubles the sum and adds the random number
+ * of each byte. A piece ends where 13 high bits are zero. The hash of a piece has 64 bits: FNV-1a over eight bytes at a
+ * time, with a final mix. A window treats pieces of equal hash and length as equal. */
 #include "live/chunks.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 enum { LEAST = 2048, MOST = 65536 };
 
-/* SplitMix64: random numbers of bytes without a table in the source. */
+/* SplitMix64. It computes the random number of a byte, so the source needs no table. */
 static uint64_t chunk_mix(uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

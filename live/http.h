@@ -1,5 +1,5 @@
-/* Owns libmicrohttpd's functions, loaded when the first view opens: linked in, the library and the ones behind it would
- * cost every start of vs. */
+/* Owns the functions of libmicrohttpd, loaded when the first view opens. Linked in, the library and its dependencies
+ * would slow each start of vs. */
 #ifndef VS_LIVE_HTTP_H
 #define VS_LIVE_HTTP_H
 
@@ -16,6 +16,6 @@ typedef struct {
 #include "live/http.def"
 } live_http;
 
-bool live_http_load(live_http *out); /* false: it is missing, and standard error has been told */
+bool live_http_load(live_http *out); /* Returns false, after a message on standard error, if the library is missing. */
 
 #endif

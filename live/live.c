@@ -1,8 +1,8 @@
-/* Owns the live view's session: the interpreter, when it runs again, and what of that is published.
+/* Owns the session of the live view: the interpreter, the time of its next run, and the publishing of its results.
  *
- * The calling thread alone uses the interpreter. It sleeps until a file has changed or a window wishes something; all
- * that has come together since is done by one run. A run that fails changes the state and its messages, and leaves the
- * last good scene. */
+ * Only the calling thread uses the interpreter. It sleeps until a file changes or a window sends a request. One run
+ * handles all requests that have come together. A run that fails changes the state and its messages, and keeps the last
+ * good scene. */
 #include "live/live.h"
 
 #include <spawn.h>
@@ -19,35 +19,34 @@
 
 extern char **environ;
 
-/* How often files are looked at, while a window waits for it; where nobody looks; and between frames. */
+/* milliseconds between looks at the files while a window waits, and while no window is open; milliseconds of a frame */
 enum { LOOK_MS = 8, LOOK_ALONE_MS = 40, FRAME_MS = 40 };
 enum { COARSE_SEGMENTS = 12, BROWSER_WORDS = 30 };
 
 typedef struct live_follower {
   const live_options *options;
-  live_options own;    /* what options is of a view that follows */
-  bool follows;        /* the interpreter is somebody else's */
+  live_options own;    /* the options of a following view */
+  bool follows;        /* the interpreter belongs to the caller */
   live_publish publish;
   live_server server;
   vs_scheme *scheme;
   live_files files;
   live_aside aside;
-  live_text released;  /* a byte for each of the options' parameters: 1 when a window has set it since */
-  bool coarse;         /* a value is on its way: what is round is shown coarse where nobody asked for a fineness */
-  bool frames;         /* the scene does something in each frame */
-  double last_frame;   /* when, in seconds */
-  bool good;           /* what is published is what the last run of the model has drawn */
-  const char *asked;   /* what was typed at the prompt, while that is published */
-  bool prompted;       /* the prompt has run something since the model did: the drawing may be another than the
-                        * text's */
-  live_said said;      /* by the run under way */
+  live_text released;  /* one byte for each parameter of the options: 1 after a window has set it */
+  bool coarse;         /* a slider is moving: round shapes are coarse, unless the options set a tolerance */
+  bool frames;         /* the scene acts in each frame */
+  double last_frame;   /* seconds */
+  bool good;           /* the published scene is the result of the model's last run */
+  const char *asked;   /* the text typed at the prompt, while its result is published */
+  bool prompted;       /* the prompt has run code since the model did: the drawing may differ from the text's */
+  live_said said;      /* the messages of the current run */
   bool busy_told;
   double began;
-  unsigned version, run; /* of the scene; of what is evaluated */
-  bool kept;           /* somebody waits for the output under way: Stop alone ends it */
-  bool overtaken;      /* what runs has been ended, since a window or a file wants another run */
-  bool ended_early;    /* the last run was ended so by a window */
-  double looked;       /* when it was last asked whether one does, and how long the last whole run took; seconds */
+  unsigned version, run; /* numbers of the scene and of the run */
+  bool kept;           /* a client waits for the current output: only Stop ends it */
+  bool overtaken;      /* the current run was interrupted, since a window or a file asks for another */
+  bool ended_early;    /* a window interrupted the last run */
+  double looked;       /* seconds: the last check for a newer request; the length of the last whole run */
   double whole;
 } live;
 
@@ -59,7 +58,7 @@ static double now(void) {
 
 /* ---- the host's side ---- */
 
-static const double FRAME_MOST = 0.25; /* seconds: a frame that comes late is not made up for */
+static const double FRAME_MOST = 0.25; /* seconds: the view skips the part of a late frame above this */
 
 static bool host_output(void *context, const char *text, size_t length) {
   live *l = context;
@@ -91,15 +90,15 @@ static void host_progress(void *context, const vs_progress *p) {
   live_text_free(&t);
 }
 
-/* Seconds that a run has before a window's value or text ends it. A slider that moves wants pictures on its way, so a
- * run that is likely to be done soon is waited for, and of two in a row one at least is. A program without an end has
- * had its time soon. */
+/* Returns the seconds that a run gets before a window's new value or text interrupts it. A moving slider needs pictures
+ * on its way: a run that will probably end soon may finish, and of two runs in a row at least one does. An endless
+ * program reaches this limit soon. */
 static double patience(const live *l) {
   const double least = 0.3, most = l->ended_early ? 3 : 1, likely = 2 * l->whole;
   return likely < least ? least : likely < most ? likely : most;
 }
 
-/* Is there a newer wish than what runs? A saved file counts at once. */
+/* Returns true if a request is newer than the current run. A saved file counts at once. */
 static bool overtaken(live *l) {
   double time = now();
   if (1e3 * (time - l->looked) < LOOK_MS) return false;
@@ -127,8 +126,8 @@ static bool host_list(void *context, const char *path, bool (*take)(void *to, co
   return live_folder_list(path, take, to, why);
 }
 
-/* Ends what runs or waits to be run. Where nothing does, nothing is asked: the next run is another one. Who follows
- * forgets it when the next one begins. */
+/* Interrupts the current run, or the one that waits. If there is none, nothing is interrupted: the next run is another
+ * one. A following view clears the request when the next run begins. */
 static void stop(void *context) {
   live *l = context;
   pthread_mutex_lock(&l->publish.lock);
@@ -136,7 +135,7 @@ static void stop(void *context) {
   pthread_mutex_unlock(&l->publish.lock);
 }
 
-/* From here on, until a wish is taken or `work` says so, Stop has nothing to end. */
+/* Until the session takes a request or calls `work`, Stop has nothing to end. */
 static void rest(live *l) {
   pthread_mutex_lock(&l->publish.lock);
   l->publish.working = l->publish.wishes.count > 0;
@@ -200,7 +199,8 @@ static void publish_state(live *l, bool good, vs_outcome outcome) {
             yes[outcome == VS_OUTCOME_INTERRUPTED]);
   live_putf(&t, "\"prompted\":%s,\"follows\":%s,\"seconds\":", yes[l->prompted], yes[l->follows]);
   live_number(&t, now() - l->began);
-  if (l->files.count > 0) { /* the model's file as it was read: windows read the source anew where this is another */
+  if (l->files.count > 0) { /* the hash of the model's file as read: a window reads the source again when this
+                             * changes */
     const live_file *f = &l->files.at[0];
     live_putf(&t, ",\"file\":\"%lld.%ld.%lld.%llu\"", (long long)f->seconds, (long)f->nanoseconds, (long long)f->size,
               (unsigned long long)f->inode);
@@ -226,7 +226,7 @@ static bool scene_bytes(void *context, const void *bytes, size_t count) {
   return !t->failed;
 }
 
-/* The drawing as it stands becomes the next version; where it is to be `another` only if it differs from the last. */
+/* Publishes the current drawing as the next version; if `another` is set, only if it differs from the last. */
 static vs_outcome publish_drawing(live *l, bool another) {
   live_text bytes = { 0 };
   vs_summary summary;
@@ -284,7 +284,7 @@ static void finish(live *l, vs_outcome outcome) {
   vs_interrupt_clear(l->scheme);
 }
 
-/* The number of NAME=VALUE among the options' parameters from 1; 0: there is none. */
+/* Returns the number, from 1, of NAME=VALUE among the options' parameters; 0 if there is none. */
 static size_t option_of(const live *l, const char *name) {
   size_t length = strlen(name);
   for (size_t i = l->options->parameter_count; i > 0; i--)
@@ -293,15 +293,15 @@ static size_t option_of(const live *l, const char *name) {
   return 0;
 }
 
-/* Are they the same text, or the same number, as 6 and 6.0 are? */
+/* Returns true if both are the same text, or the same number (6 and 6.0). */
 static bool same_value(const char *a, const char *b) {
   char *a_end, *b_end;
   double x = strtod(a, &a_end), y = strtod(b, &b_end);
   return strcmp(a, b) == 0 || (a_end != a && *a_end == 0 && b_end != b && *b_end == 0 && x - y == 0);
 }
 
-/* Forgets values that are what the source says anyway: when the source changes, the parameter follows it. Values of the
- * command line stay until a window sets the parameter. */
+/* Drops values that equal the source's own: the parameter then follows changes of the source. Values of the command
+ * line stay until a window sets the parameter. */
 static void forget_defaults(live *l) {
   vs_parameter_info p;
   for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++) {
@@ -319,7 +319,7 @@ static bool set_parameter(live *l, const char *name, const char *value) {
 
 static vs_outcome run_files(live *l) {
   begin(l);
-  if (live_files_newer(&l->files)) live_trial_put(&l->publish, NULL); /* saved since they were last looked at */
+  if (live_files_newer(&l->files)) live_trial_put(&l->publish, NULL); /* the file was saved since the last look */
   live_files_clear(&l->files);
   live_files_note(&l->files, l->options->model);
   l->prompted = false;
@@ -327,8 +327,8 @@ static vs_outcome run_files(live *l) {
   return outcome == VS_OUTCOME_DONE ? vs_eval_file(l->scheme, l->options->model, 0) : outcome;
 }
 
-/* Many editors empty a file before they write it. A file that has changed while it was read may have been nobody's
- * text: it is read again before anything is shown, unless it took so long that a second save is likelier. */
+/* Many editors empty a file before they write it, so a file that changed during the read may be incomplete. The session
+ * then reads it again before it shows anything, unless the read took so long that a second save is more likely. */
 static void run_model(live *l) {
   enum { TIMES = 3 };
   const double quick = 0.5; /* seconds */
@@ -345,7 +345,7 @@ static void run_model(live *l) {
   if (l->good) l->whole = now() - l->began;
 }
 
-/* Changes by a frame or a user's hand are told; an error ends the frames until the model runs again. */
+/* Publishes changes by a frame or by the user's hand. An error ends the frames until the model runs again. */
 static void tell_frame(live *l, vs_outcome outcome) {
   live_text t = { 0 };
   unsigned version = l->version;
@@ -363,7 +363,7 @@ static void tell_frame(live *l, vs_outcome outcome) {
   live_text_free(&t);
 }
 
-/* Is a window open? */
+/* Returns true if a window is open. */
 static bool seen(live *l) {
   pthread_mutex_lock(&l->publish.lock);
   bool any = l->publish.windows > 0;
@@ -374,7 +374,7 @@ static bool seen(live *l) {
 static void run_frame(live *l) {
   double seconds = now() - l->last_frame;
   l->last_frame = now();
-  if (!seen(l)) return; /* time stands still where nobody looks */
+  if (!seen(l)) return; /* time stops while no window is open */
   l->began = l->last_frame;
   l->overtaken = false;
   tell_frame(l, vs_scene_frame(l->scheme, seconds < FRAME_MOST ? seconds : FRAME_MOST));
@@ -396,7 +396,8 @@ static void run_prompt(live *l, const char *text) {
   vs_outcome outcome = vs_eval_text(l->scheme, "prompt", 1, text, strlen(text), VS_EVAL_PRINT);
   if (outcome == VS_OUTCOME_DONE || !l->good || l->overtaken) {
     finish(l, outcome);
-  } else { /* An error of what was typed is none of the model, which stands, with what was drawn before the error. */
+  } else { /* An error in typed text is not an error of the model. The model stays, with the objects that the text drew
+            * before the error. */
     vs_interrupt_clear(l->scheme);
     l->good = publish_drawing(l, true) == VS_OUTCOME_DONE;
     publish_state(l, l->good, outcome);
@@ -412,7 +413,7 @@ static unsigned pass_mask(const char *name) {
   return 0;
 }
 
-/* How the drawing is made is shown as the program says it: passes that rewrite operations are left out. */
+/* The construction steps follow the program's text: the passes that rewrite operations are off. */
 static const char STEPS[] = "x3d-steps";
 
 static void run_export(live *l, live_wish *w) {
@@ -421,7 +422,7 @@ static void run_export(live *l, live_wish *w) {
   int width = 0, height = 0;
   if (sscanf(w->value, "%5dx%5d", &width, &height) == 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192)
     o.width = width, o.height = height;
-  bool steps = strcmp(w->name, STEPS) == 0; /* a window looks: nobody is told */
+  bool steps = strcmp(w->name, STEPS) == 0; /* a window shows this output, so no event reports it */
   if (steps) o.passes = pass_mask("share");
   begin(l);
   l->kept = !steps;
@@ -448,7 +449,7 @@ static void serve(live *l) {
     }
     const long pause = l->frames ? FRAME_MS : seen(l) ? LOOK_MS : LOOK_ALONE_MS;
     live_wish *w = again ? NULL : live_wish_take(&l->publish, &l->publish.wishes, pause);
-    while (w != NULL) { /* all that waits, before one run */
+    while (w != NULL) { /* all waiting requests, before a run */
       if (w->kind == LIVE_SET) {
         again |= set_parameter(l, w->name, w->value);
         l->coarse = w->coarse;
@@ -482,8 +483,8 @@ static void serve(live *l) {
   }
 }
 
-/* Starts a browser by one command of $BROWSER: words, the address in place of %s, else behind them. Its output is not
- * our business. False: there is no such program. */
+/* Starts a browser by one command of $BROWSER: words, with the address in place of %s or after them. Discards its
+ * output. Returns false if there is no such program. */
 static bool start_browser(char *command, const char *address) {
   char *words[BROWSER_WORDS + 2] = { NULL }, *rest;
   live_text put = { 0 };
@@ -513,8 +514,8 @@ static bool start_browser(char *command, const char *address) {
   return started;
 }
 
-/* $BROWSER, commands with colons between them of which the first that there is counts; or xdg-open where there is a
- * screen. */
+/* Tries the commands of $BROWSER, separated by colons, and uses the first that exists; without $BROWSER, xdg-open if
+ * there is a screen. */
 static void open_browser(const char *address) {
   const char *browser = getenv("BROWSER");
   if (browser == NULL || *browser == 0) {
@@ -536,7 +537,7 @@ static void tell_address(const live *l) {
   if (l->options->open_browser) open_browser(address);
 }
 
-/* Lets go of all but l itself. */
+/* Frees everything but l itself. */
 static void close_view(live *l) {
   pthread_mutex_lock(&l->publish.lock);
   l->publish.ended = true;
@@ -551,7 +552,7 @@ static void close_view(live *l) {
   live_publish_close(&l->publish);
 }
 
-/* NULL: standard error has been told. */
+/* Returns a new view; NULL after a message on standard error. */
 static live *new_view(void) {
   live *l = calloc(1, sizeof *l);
   if (l != NULL && live_publish_open(&l->publish)) return l;
@@ -616,7 +617,7 @@ done:
   return outcome;
 }
 
-/* ---- a view that follows ---- */
+/* ---- following views ---- */
 
 live_follower *live_follow(const live_options *o, vs_scheme *scheme) {
   live *l = new_view();

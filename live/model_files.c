@@ -1,6 +1,6 @@
-/* Owns the model's files. See model_files.h. Looking whether a few files have changed costs a microsecond each: they
- * are asked, some twenty times a second, rather than watched, since editors save by renaming, by writing twice or on
- * file systems that tell nobody. */
+/* Owns the model's files. See model_files.h. A look at a few files costs a microsecond each, so the session polls them
+ * some twenty times a second. Watching would fail: editors save by renaming or by writing twice, and some file systems
+ * send no events. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "live/model_files.h"
 
@@ -16,8 +16,8 @@
 
 const char LIVE_NEWER[] = "the file has changed on disk since it was read here";
 enum { MOST_BYTES = 256 << 20 };
-/* Milliseconds. A file's time may lag by one tick of the system's clock, ten of them at most: in a file that has been
- * at rest for longer, a later change shows. */
+/* Milliseconds. The time of a file may lag by one tick of the system's clock, at most ten milliseconds. So a later
+ * change is visible in any file older than that. */
 enum { SETTLE = 12, SETTLE_EMPTY = 500, SETTLE_MOST = 700, SETTLE_LOOK = 2 };
 
 bool live_file_read(const char *path, char **text, size_t *length, const char **why) {
@@ -96,7 +96,7 @@ static double file_age(const live_file *f) {
 
 bool live_files_note(live_files *f, const char *path) {
   for (size_t i = 0; i < f->count; i++)
-    if (strcmp(f->at[i].path, path) == 0) return true; /* as it was when it was first read */
+    if (strcmp(f->at[i].path, path) == 0) return true; /* the state at the first read */
   if (f->count == f->room) {
     size_t room = f->room * 2 + 16;
     live_file *grown = realloc(f->at, room * sizeof *grown);
@@ -131,8 +131,9 @@ bool live_files_changed(const live_files *f) {
     live_file now = file_now(was->path);
     if (is_another(&now, was)) return true;
     double age = file_age(&now);
-    if (was->young && age > SETTLE) return true; /* read once more: then it is noted as old */
-    if (was->there && was->size == 0 && age >= 0 && age < SETTLE_EMPTY) return true; /* it is being written, probably */
+    if (was->young && age > SETTLE) return true; /* read once more; then the file counts as old */
+    if (was->there && was->size == 0 && age >= 0 && age < SETTLE_EMPTY) return true; /* an editor is probably writing
+                                                                                      * it */
   }
   return false;
 }
@@ -165,7 +166,7 @@ uint64_t live_file_hash(const char *text, size_t length) { /* FNV-1a */
 }
 
 const char *live_file_write(const char *path, const char *text, size_t length, uint64_t expected) {
-  char *now = NULL, *real = realpath(path, NULL); /* a link stays one */
+  char *now = NULL, *real = realpath(path, NULL); /* a link stays a link */
   const char *why = "out of memory";
   size_t now_length;
   if (real == NULL) return "the file is gone";

@@ -1,4 +1,4 @@
-/* Owns what windows are told. See published.h. */
+/* Owns the state that windows receive. See published.h. */
 #include "live/published.h"
 
 #include <stdlib.h>
@@ -34,14 +34,14 @@ void live_publish_close(live_publish *p) {
   pthread_mutex_destroy(&p->lock);
 }
 
-static void publish_event(live_publish *p, const char *kind, const char *json) { /* with the lock held */
+static void publish_event(live_publish *p, const char *kind, const char *json) { /* The caller holds the lock. */
   live_text t = { 0 };
   live_putf(&t, "id: %lu\nevent: %s\ndata: ", p->event_count + 1, kind);
   live_puts(&t, json);
   live_puts(&t, "\n\n");
   if (t.failed) {
     live_text_free(&t);
-    return; /* the next state says all again */
+    return; /* the next state contains everything again */
   }
   char **slot = &p->events[p->event_count++ % LIVE_EVENTS];
   free(*slot);
@@ -63,7 +63,7 @@ void live_publish_state(live_publish *p, char *json) {
   pthread_mutex_unlock(&p->lock);
 }
 
-static void scene_drop(live_scene *s) { /* with the lock held */
+static void scene_drop(live_scene *s) { /* The caller holds the lock. */
   if (--s->uses > 0) return;
   live_chunks_free(&s->chunks);
   free(s->bytes);

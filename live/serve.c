@@ -1,12 +1,12 @@
-/* Owns the HTTP side of the live view: who may ask, and what is answered.
+/* Owns the HTTP side of the live view: access, and the answers.
  *
- * Only loopback is listened on. The page itself (/, /live.js, /live.css) is the same for everybody and holds no secret.
- * All else wants the token in the header X-VS-Token; the page has it from its address' fragment, which browsers send to
- * nobody, not as a Referer either. A Host or an Origin other than our own is refused: a foreign page, or a foreign name
- * that was made to point here, gets nothing. No file is served by name.
+ * The server listens on the loopback address only. The page itself (/, /live.js, /live.css) is the same for everybody
+ * and contains no secret. Every other request needs the token in the header X-VS-Token. The page takes the token from
+ * the fragment of its address, which browsers never send, not even as a Referer. The server refuses a foreign Host or
+ * Origin, so a foreign page, or a foreign name that resolves here, gets nothing. It serves no file by name.
  *
- * Bounded: connections, the bytes of a request's head, of a body, of what is waiting to be done, the time of a silent
- * client, and how many may be slow (waiting.h). */
+ * These are limited: connections, bytes of a request's head and body, bytes of waiting work, the time of a silent
+ * client, and the number of slow clients (waiting.h). */
 #define _GNU_SOURCE
 #include "live/serve.h"
 
@@ -61,7 +61,7 @@ static enum MHD_Result answer(live_server *s, struct MHD_Connection *c, struct M
 
 static enum MHD_Result answer_bytes(live_server *s, struct MHD_Connection *c, unsigned status, const char *type,
                                     const void *bytes, size_t count) {
-  char *copy = malloc(count + 1); /* the type of the function takes no constant */
+  char *copy = malloc(count + 1); /* MHD takes no pointer to constant data */
   if (copy == NULL) return MHD_NO;
   memcpy(copy, bytes, count);
   return answer(s, c, s->http.create_response_from_buffer(count, copy, MHD_RESPMEM_MUST_FREE), status, type);
@@ -81,9 +81,10 @@ static enum MHD_Result answer_live_text(live_server *s, struct MHD_Connection *c
   return answer(s, c, r, 200, type);
 }
 
-/* ---- who may ask ---- */
+/* ---- access ---- */
 
-static bool same_secret(const char *given, const char *token) { /* in a time that does not tell how much was right */
+static bool same_secret(const char *given, const char *token) { /* takes a time that does not depend on the number of
+                                                                 * equal bytes */
   unsigned char difference = strlen(given) != strlen(token);
   for (size_t i = 0; token[i] != 0; i++) difference |= (unsigned char)(token[i] ^ (difference ? 0 : given[i]));
   return difference == 0;
@@ -100,7 +101,7 @@ static const char *query(const live_server *s, struct MHD_Connection *c, const c
   return s->http.lookup_connection_value(c, MHD_GET_ARGUMENT_KIND, name);
 }
 
-/* NULL: may ask. */
+/* Returns the reason to refuse a request; NULL to accept it. */
 static const char *refuse(const live_server *s, struct MHD_Connection *c, bool secret) {
   const char *origin = header(s, c, "Origin"), *token = header(s, c, "X-VS-Token");
   if (!own_host(s, header(s, c, "Host"))) return "not this host\n";
@@ -120,7 +121,8 @@ typedef struct {
   bool first;
 } listener;
 
-/* Has the window closed its side? A write would find it out, but there may be nothing to say for long. */
+/* Returns true if the window has closed its side. A write would find this out too, but there may be nothing to write
+ * for a long time. */
 static bool gone(int socket) {
   char byte;
   ssize_t got = recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
@@ -142,7 +144,7 @@ static ssize_t listener_read(void *context, uint64_t position, char *buffer, siz
     live_text_free(&l->text);
     l->sent = 0;
     pthread_mutex_lock(&p->lock);
-    if (l->first) { /* a window that opens gets the whole state, then what comes after it */
+    if (l->first) { /* a new window receives the whole state, then each event */
       l->next = p->event_count;
       if (p->state != NULL) {
         live_puts(&l->text, "event: state\ndata: ");
@@ -152,14 +154,15 @@ static ssize_t listener_read(void *context, uint64_t position, char *buffer, siz
       l->first = false;
     } else if (l->next == p->event_count && !p->ended) {
       struct timespec until = in_seconds(5);
-      /* finds out whether the window is still there */
+      /* a write that fails means that the window is gone */
       if (pthread_cond_timedwait(&p->changed, &p->lock, &until) == ETIMEDOUT) live_puts(&l->text, ": here\n\n");
       if (gone(l->socket)) {
         pthread_mutex_unlock(&p->lock);
         return MHD_CONTENT_READER_END_WITH_ERROR;
       }
     }
-    if (p->event_count - l->next > LIVE_EVENTS) { /* too slow: the newest state says all that was missed */
+    if (p->event_count - l->next > LIVE_EVENTS) { /* the window is too slow: the newest state contains all that it
+                                                   * missed */
       l->next = p->event_count;
       if (p->state != NULL) {
         live_puts(&l->text, "event: state\ndata: ");
@@ -183,7 +186,7 @@ static void listener_free(void *context) {
   listener *l = context;
   pthread_mutex_lock(&l->server->publish->lock);
   l->server->publish->windows--;
-  pthread_cond_broadcast(&l->server->publish->changed); /* one may wait for the place */
+  pthread_cond_broadcast(&l->server->publish->changed); /* another window may wait for the place */
   pthread_mutex_unlock(&l->server->publish->lock);
   live_text_free(&l->text);
   free(l);
@@ -197,7 +200,8 @@ static enum MHD_Result serve_events(live_server *s, struct MHD_Connection *c) {
   l->socket = info != NULL ? info->connect_fd : -1;
   l->first = true;
   pthread_mutex_lock(&s->publish->lock);
-  /* A page that is loaded again and again leaves windows behind: all are asked, and those that are gone make room. */
+  /* A page that is reloaded repeatedly leaves windows behind. The server writes to all windows and drops those that are
+   * gone. */
   struct timespec until = in_seconds(1);
   if (s->publish->windows >= WINDOWS) pthread_cond_broadcast(&s->publish->changed);
   while (s->publish->windows >= WINDOWS && !s->publish->ended)
@@ -223,8 +227,8 @@ static void put_u32(live_text *t, uint32_t x) {
   live_add(t, b, 4);
 }
 
-/* "VSL1", version, number of pieces; for each its hash (8 bytes) and length, the highest bit of which says that its
- * bytes follow below; then those bytes. have: the version whose pieces the window still holds. */
+/* Answers "VSL1", the version, the number of pieces; for each piece its hash (8 bytes) and length, with the highest bit
+ * set if its bytes follow; then those bytes. have: the version whose pieces the window still holds. */
 static enum MHD_Result serve_scene(live_server *s, struct MHD_Connection *c) {
   const char *have = query(s, c, "have");
   unsigned version = have != NULL ? (unsigned)strtoul(have, NULL, 10) : 0;
@@ -311,7 +315,8 @@ static enum MHD_Result serve_names(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
-/* How a name of the language is called, for the line below the source; an empty object: there is no such name. */
+/* Answers how to call a name of the language, for the line below the source; an empty object if there is no such
+ * name. */
 static enum MHD_Result serve_name(live_server *s, struct MHD_Connection *c) {
   const char *name = query(s, c, "of");
   vs_name_info info;
@@ -331,7 +336,7 @@ static enum MHD_Result serve_name(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
-/* The findings in a text that a window is writing. */
+/* Answers the findings of `vs check` in a text that a window is editing. */
 static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, const live_text *body) {
   char *bytes = NULL;
   size_t count = 0;
@@ -357,8 +362,8 @@ static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_
                                                            : answer_text(s, c, 503, "too much is waiting to be done\n");
 }
 
-/* GET: the drawing as it stands. POST: that of the text with the values in the body, made aside; `id` is the window's
- * word for it. */
+/* GET: the current drawing. POST: the drawing of the text with the values in the body, made aside; `id` is the window's
+ * name for the request. */
 static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const live_text *values) {
   const char *format = query(s, c, "format"), *size = query(s, c, "size"), *id = query(s, c, "id");
   const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
@@ -408,8 +413,8 @@ static bool make_token(char out[33]) {
   return ok;
 }
 
-/* The page. Its editor brings style sheets of its own, which the policy lets through by a number that only this answer
- * has: it stands in the page for @nonce@. */
+/* Answers the page. Its editor adds style sheets; the policy allows them by a nonce that only this answer has, in place
+ * of @nonce@. */
 static enum MHD_Result serve_page(live_server *s, struct MHD_Connection *c) {
   static const char mark[] = "@nonce@";
   char nonce[33], policy[sizeof POLICY(" 'nonce-'") + sizeof nonce];
@@ -471,7 +476,7 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
   return answer_text(s, c, 404, "there is nothing here\n");
 }
 
-/* A connection's place among those that wait. */
+/* Returns the connection's place among those that wait. */
 static live_waiter *waiter(const live_server *s, struct MHD_Connection *c) {
   const union MHD_ConnectionInfo *info = s->http.get_connection_info(c, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
   return info != NULL ? info->socket_context : NULL;
@@ -522,7 +527,7 @@ static void completed(void *context, struct MHD_Connection *c, void **state, enu
 
 /* ---- opening ---- */
 
-/* a vanished client is nobody's news */
+/* a client that vanishes is no error */
 static void quiet(void *context, const char *format, va_list arguments) {
   (void)context, (void)format, (void)arguments;
 }
@@ -541,9 +546,9 @@ bool live_server_open(live_server *s) {
   pthread_mutex_init(&s->names_lock, NULL);
   live_waiting_open(&s->waiting);
   s->names = vs_new(NULL);
-  pthread_mutex_lock(&s->publish->lock); /* who asks at once waits for the port and the names that are written below */
+  pthread_mutex_lock(&s->publish->lock); /* an early request waits here until the port and the names below are known */
   sigset_t was;
-  vs_signals_hold(&was); /* its threads are no place for the command's handlers */
+  vs_signals_hold(&was); /* the command's signal handlers must not run in its threads */
   s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG,
                                    0, NULL, NULL, handle, s, MHD_OPTION_EXTERNAL_LOGGER, quiet, NULL,
                                    MHD_OPTION_SOCK_ADDR, (struct sockaddr *)&loopback, MHD_OPTION_CONNECTION_LIMIT,

@@ -9,11 +9,11 @@
 typedef struct live_server {
   live_http http;
   live_publish *publish;
-  const char *model;          /* the path of the source that windows read and write; NULL: there is none */
-  void (*stop)(void *context); /* interrupts what runs; called from any thread */
+  const char *model;          /* the path of the source that windows read and write; NULL: none */
+  void (*stop)(void *context); /* interrupts the current run; any thread may call it */
   void *stop_context;
-  const struct live_options *options; /* its check is asked */
-  vs_scheme *names;                  /* an interpreter of its own for completion, used with names_lock held */
+  const struct live_options *options; /* for its check */
+  vs_scheme *names;                  /* an interpreter for completion, used with names_lock held */
   pthread_mutex_t names_lock;
   struct MHD_Daemon *daemon;
   live_waiting waiting;       /* the connections without a whole request */
@@ -22,7 +22,8 @@ typedef struct live_server {
   char hosts[2][32];          /* "127.0.0.1:PORT", "localhost:PORT" */
 } live_server;
 
-bool live_server_open(live_server *s);  /* http, publish, model, stop are set; false: standard error has been told */
-void live_server_close(live_server *s); /* publish->ended is set before, so that waiting windows let go */
+bool live_server_open(live_server *s);  /* Needs http, publish, model and stop set. Returns false after a message on
+                                         * standard error. */
+void live_server_close(live_server *s); /* The caller sets publish->ended first, so that waiting windows end. */
 
 #endif
