@@ -1,8 +1,8 @@
 /* Owns the session of the live view: the interpreter, the time of its next run, and the publishing of its results.
  *
- * Only the calling thread uses the interpreter. It sleeps until a file changes or a window sends a request. One run
- * handles all requests that have come together. A run that fails changes the state and its messages, and keeps the last
- * good scene. */
+ * Only the calling thread uses the interpreter. It sleeps until a file changes or a window sends a request. A single
+ * run handles all requests that have come together. A run that fails changes the state and its messages, and keeps the
+ * last good scene. */
 #include "live/live.h"
 
 #include <spawn.h>

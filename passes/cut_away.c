@@ -1,8 +1,8 @@
 /* Owns the cutting of a drawing by a view's plane, as nodes.
  *
- * A solid is made a difference, and the half-space that is taken off has no material: so the faces of the cut have
- * that of what stands behind them, where solids overlap that of the earlier one. A thin or mixed drawing becomes a
- * slice, which solids/resolve.c works out. */
+ * A solid becomes a difference with a half-space that has no material. So the faces of the cut have the material of the
+ * solid behind them; where solids overlap, that of the earlier solid. A thin or mixed drawing becomes a slice, which
+ * solids/resolve.c computes. */
 #include "passes/cut_away.h"
 
 vs_node *vs_node_cut(vs_ref ref, vs_vec3 point, vs_vec3 normal) {

@@ -1,13 +1,13 @@
-/* Owns what a view's plane leaves of a drawing. */
+/* Owns the cutting of a drawing by a view's plane. */
 #ifndef VS_PASSES_CUT_AWAY_H
 #define VS_PASSES_CUT_AWAY_H
 
 #include "model/scene.h"
 
-/* Returns a new reference to what of the node lies on the normal's side of the plane, not resolved yet. The faces
- * that the cut makes have the material of what was cut. NULL: out of memory. */
+/* Returns a new reference to the part of the node on the normal's side of the plane, not yet resolved. The faces of the
+ * cut have the material of the solid there. NULL: out of memory. */
 vs_node *vs_node_cut(vs_ref ref, vs_vec3 point, vs_vec3 normal);
-/* Puts that in place of each thing drawn. False: out of memory, and the scene is still whole. */
+/* Replaces each drawn thing by that part. Returns false when memory is out; the scene is then unchanged. */
 bool vs_scene_cut(vs_scene *scene, vs_vec3 point, vs_vec3 normal, vs_error *e);
 
 #endif

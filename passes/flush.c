@@ -1,14 +1,14 @@
 /* Owns the parting of faces that lie in one plane (flush.h).
  *
- * Facets tell which parts are flush: every part's triangles at a coarse fixed fineness, each plane once, as four whole
- * numbers; equal numbers are one plane. This finds round walls too, where they lie in each other, since equal round
- * parts have equal facets. Parts whose boxes do not meet do not matter.
+ * Two parts are flush if they share a facet's plane. The pass meshes every part at a coarse fixed tolerance and keeps
+ * each plane once, as four whole numbers; equal numbers are one plane. This also finds round walls that coincide, since
+ * equal round parts have equal facets. Parts whose boxes do not meet are skipped.
  *
- * Flush parts grow: an operand's parts one by one, each in its own coordinates, so that all its faces move outwards. In
- * a difference only what is cut away grows, so nothing that stays moves: what is flush with what it cuts, and what
- * meets an earlier cutter face to face; in an intersection one of each two that are flush. Solids on an axis grow as
- * what they are, others about their middle: walls that look towards it, of a shape with notches, come out a little
- * short.
+ * Flush parts grow: the parts of an operand one by one, each in its own coordinates, so that all faces move outwards.
+ * In a difference only cutters grow, so the faces of the result do not move: a cutter that is flush with the solid it
+ * cuts, and a cutter that meets an earlier one face to face. In an intersection one of two flush operands grows. Solids
+ * with an axis grow as their own kind, others about their middle. There, walls of a notched shape that face the middle
+ * move by a little less.
  *
  * Cost: the facets of each distinct difference, once, and a sort. */
 #include "passes/flush.h"
@@ -24,11 +24,11 @@
 #include "passes/rewrite.h"
 #include "model/store/array.h"
 
-enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* of one set; beyond, everything in it counts as flush */
+enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* of one set; above this, every part of the set counts as flush */
 
-/* turned: the face looks against the key's normal */
+/* turned: the face's normal is opposite to the key's */
 typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane;
-typedef struct { const vs_node *node; vs_affine placed; } place; /* on the way down to parts */
+typedef struct { const vs_node *node; vs_affine placed; } place; /* a place on the way down to the parts */
 
 typedef struct {
   face_plane *planes;
@@ -58,8 +58,8 @@ static int compare_planes(const void *p, const void *q) {
 
 static bool same_plane(const face_plane *a, const face_plane *b) { return memcmp(a->key, b->key, sizeof a->key) == 0; }
 
-/* Of both sides the same. Whole numbers by rounding at places that no model chooses: what differs by rounding alone
- * lies on one side of them, all but surely. */
+/* Adds a plane; both of its sides have the same key. The steps of rounding lie at places that no model uses, so numbers
+ * that differ only by rounding errors almost certainly fall into one step. */
 static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   vs_vec3 n = vs_v3_unit(normal);
   double first = fabs(n.x) > 1e-7 ? n.x : fabs(n.y) > 1e-7 ? n.y : n.z, h;
@@ -77,11 +77,11 @@ static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   return true;
 }
 
-/* A part that cannot be meshed is passed over, and has its own error later; running out of memory must not change what
- * is written. */
+/* Returns true if memory ran out or the run was interrupted, which must not change the output. Any other error means a
+ * part that cannot be meshed: the pass skips it, and the mesher reports it later. */
 static bool starved(const vs_error *e) { return e->kind != VS_ERROR_NONE && e->kind != VS_ERROR_MODEL; }
 
-/* Adds the planes of one part, each once. A part that cannot be meshed here has none. */
+/* Adds the planes of a part, each once; none if the part cannot be meshed here. */
 static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32_t operand) {
   static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -126,7 +126,7 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
   return ok;
 }
 
-/* All parts of an operand, those of sets in it too. *too_many: the limit is reached. */
+/* Adds all parts of an operand, including those within its sets. *too_many: the limit is reached. */
 static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool *too_many) {
   f->todo_count = 0;
   if (!VS_GROW(f->todo, f->todo_room, 1)) return false;
@@ -147,8 +147,9 @@ static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool 
   return true;
 }
 
-/* Marks operands that share a plane with an earlier one: any of an intersection; of a difference with the first, and
- * with a cutter that they meet face to face (POV-Ray keeps a skin between two such). */
+/* Marks the operands that share a plane with an earlier one: any operand of an intersection; in a difference, each that
+ * is flush with the first operand, and each that meets another cutter face to face (POV-Ray keeps a skin between two
+ * such). */
 static void mark(flush *f, bool difference, unsigned char *marked, size_t operands) {
   size_t pairs = 0;
   if (f->count > 0) qsort(f->planes, f->count, sizeof *f->planes, compare_planes);
@@ -173,7 +174,8 @@ static void mark(flush *f, bool difference, unsigned char *marked, size_t operan
 
 /* ---- growing ---- */
 
-/* The middle of what has a mesh, else of its box; and its box. False: nothing to grow, or *failed: out of memory. */
+/* Gives the box of a part and its middle: of its mesh, if it has one, else of its box. Returns false if there is
+ * nothing to grow, or, with *failed, when memory is out. */
 static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *failed) {
   static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -192,7 +194,8 @@ static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *fai
   return !(*failed = starved(&ignored));
 }
 
-/* Solid n, no placement, with all its faces moved outwards by about `by`. NULL: out of memory. */
+/* Returns the solid n, which is not a placement, with all its faces moved outwards by about `by`. NULL: out of
+ * memory. */
 static vs_node *grown_part(vs_ref ref, double by) {
   vs_node *n = ref.node;
   vs_store *s = n->store;
@@ -207,7 +210,7 @@ static vs_node *grown_part(vs_ref ref, double by) {
   return vs_node_new(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = vs_affine_scaling(middle, more) }, &ref, 1);
 }
 
-/* How much longer a placement makes things: the cube root of its volume. */
+/* Returns the factor by which a placement lengthens things: the cube root of its volume. */
 static double lengthens(const vs_affine *a) {
   vs_vec3 x = vs_v3(a->m[0][0], a->m[1][0], a->m[2][0]), y = vs_v3(a->m[0][1], a->m[1][1], a->m[2][1]),
           z = vs_v3(a->m[0][2], a->m[1][2], a->m[2][2]);
@@ -272,7 +275,7 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   for (; ok && made < n->child_count; made++) {
     now[made] = kids[made];
     any = any || marked[made];
-    /* of an intersection each by another amount: they may be flush with each other */
+    /* in an intersection each by another amount, since they may be flush with each other */
     if (!marked[made]) vs_node_retain(kids[made].node);
     else if (!(now[made].node = grown(kids[made], diagonal * 0x1p-16 * (n->kind == VS_DIFFERENCE ? 1 : made))))
       ok = false;

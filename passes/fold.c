@@ -1,11 +1,11 @@
-/* Owns fold: nested placements multiply, a moved primitive becomes a primitive elsewhere, placements go through paint,
- * layers, regions, extrusions and small sets where all that they meet takes them in, and paint and layers that all
- * members of a set have are said once, outside of it.
+/* Owns fold. Nested placements multiply. A moved primitive becomes a primitive at another place. Placements move into
+ * paint, layers, regions, extrusions and small sets, if every member can absorb them. Paint or a layer that all members
+ * of a set have moves outside the set.
  *
- * Each of these makes the drawing shorter by a command or more, and none goes through a node that several places name.
- * A placement goes through at most one set of CARRY_MOST members: so each node costs no more than that, and texts do
- * not fill with long numbers for one command less. Transparent paint stays on its parts: round a set it would make of
- * panes that touch one body of glass. */
+ * Each step removes a command or more, and none goes through a node with several references. A placement goes through
+ * at most one set, of at most CARRY_MOST members: so a node costs no more than that, and texts do not fill with long
+ * numbers to save one command. Transparent paint stays on its parts: around a set it would turn touching panes into one
+ * body of glass. */
 #include "passes/fold.h"
 
 #include "model/store/nodemap.h"
@@ -14,7 +14,7 @@
 
 enum { CARRY_MOST = 8, DRESS_MOST = 4 };
 
-typedef struct { vs_nodemap shared; /* new nodes that several places name */ } fold_state;
+typedef struct { vs_nodemap shared; /* new nodes with several references */ } fold_state;
 
 bool vs_fold_begin(vs_rewrite *w) {
   fold_state *f = vs_store_realloc(w->store, NULL, 0, sizeof *f);
@@ -39,12 +39,13 @@ static bool fold_is_wrapper(const vs_node *n) { return n->kind == VS_MATERIAL ||
 
 /* ---- placements ---- */
 
-typedef struct { int wrappers; bool set; } fold_way; /* how many wrappers it may still go through, and whether a set */
+typedef struct { int wrappers; bool set; } fold_way; /* the number of wrappers it may still go through; whether it may
+                                                      * go through a set */
 
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin);
 
-/* n with a carried into all of its children; data: its new fields. */
+/* Returns n with the placement a carried into all of its children. data: its new fields. */
 static vs_node *fold_carry_children(vs_rewrite *w, const vs_affine *a, const vs_node *n, const void *data, fold_way way,
                                     bool *fits) {
   vs_ref kids[CARRY_MOST];
@@ -76,9 +77,9 @@ static vs_node *fold_carry_placement(vs_rewrite *w, const vs_affine *a, const vs
   return made || fits ? made : vs_node_new(w->store, VS_TRANSFORM, &both, n->children, 1);
 }
 
-/* n under a without a command more, as a new reference. NULL: with *fits false where it takes no placement in, else out
- * of memory. *origin: set where what n places stands in its place. It calls itself as deep as profiles, wrappers and
- * one set are. */
+/* Returns a new reference to n under a, without an additional command. NULL: with *fits false, n cannot absorb the
+ * placement; else memory is out. Sets *origin if n's child takes n's place. The recursion is as deep as profiles,
+ * wrappers and one set are. */
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin) {
   if (n->kind == VS_TRANSFORM) {
@@ -114,7 +115,7 @@ static vs_node *fold_placed(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
     return vs_node_retain(kids[0].node);
   }
   if (!vs_rewrite_lone(w, n->children[0].node) || !fold_lone(w, below)) return vs_rewrite_keep(w, n, kids);
-  /* messages speak of the call that made the primitive */
+  /* messages name the call that made the primitive */
   const vs_origin *own = below->kind == VS_TRANSFORM ? NULL : kids[0].origin;
   vs_node *made = fold_carry(w, a, below, (fold_way){ DRESS_MOST, true }, &fits, &own);
   if (!fits) return vs_rewrite_keep(w, n, kids);
@@ -137,7 +138,7 @@ static bool fold_may_rise(const vs_rewrite *w, const vs_node *n) {
          (n->kind == VS_LAYER || !(VS_AS(material, n)->material->transparency > 0)) && fold_lone(w, n);
 }
 
-/* How many members from kids[at] on are in one wrapper that may rise. */
+/* Returns the number of members from kids[at] on that are in one wrapper which may rise. */
 static uint32_t fold_run(const vs_rewrite *w, const vs_ref *kids, uint32_t at, uint32_t count) {
   uint32_t end = at;
   if (!fold_may_rise(w, kids[at].node)) return 0;
@@ -148,7 +149,7 @@ static uint32_t fold_run(const vs_rewrite *w, const vs_ref *kids, uint32_t at, u
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth);
 
-/* All kids are in one wrapper: that, over the set of what it holds. */
+/* Returns the common wrapper of all kids, around the set of their children. */
 static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                            int depth) {
   const vs_node *wrapper = kids[0].node;
@@ -162,15 +163,16 @@ static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, cons
   return made;
 }
 
-/* The set of kids, with wrappers that neighbours share round them; new nodes in it have the origin of `set`. It calls
- * itself twice for each wrapper below another, and goes no deeper than depth of them. */
+/* Returns the set of kids, with shared wrappers around runs of neighbours; new nodes in it have the origin of `set`.
+ * Calls itself twice for each nested wrapper, at most depth levels deep. */
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth) {
   if (depth > 0 && fold_run(w, kids, 0, count) == count) return fold_raise(w, set, kind, kids, count, depth - 1);
   if (depth == 0 || kind != VS_UNION) return vs_node_new(w->store, kind, vs_node_data(set), kids, count);
   const vs_origin *origin = w->order.at[vs_order_of(set)].origin;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, count * sizeof *all);
-  uint32_t *made = vs_store_realloc(w->store, NULL, 0, count * sizeof *made); /* which of them are ours */
+  uint32_t *made = vs_store_realloc(w->store, NULL, 0, count * sizeof *made); /* the nodes among them that this call
+                                                                               * owns */
   uint32_t kept = 0, ours = 0;
   bool ok = all && made;
   for (uint32_t i = 0, run; ok && i < count; i += run > 1 ? run : 1) {
@@ -192,7 +194,7 @@ static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, co
 
 static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   bool any = false;
-  /* lone leaves alone wear nothing */
+  /* lone leaves have no wrapper */
   if (n->child_count < 2 || kids == n->children) return vs_rewrite_keep(w, n, kids);
   for (uint32_t i = 1; !any && n->kind == VS_UNION && i < n->child_count; i++)
     any = fold_is_wrapper(kids[i].node) && fold_same_wrapper(kids[i - 1].node, kids[i].node) &&
@@ -202,7 +204,7 @@ static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   return fold_members(w, n, (vs_kind)n->kind, kids, n->child_count, DRESS_MOST);
 }
 
-/* The innermost wins: of one right over another of its kind nothing is seen. */
+/* The inner wrapper wins: an outer one of the same kind directly around it has no effect. */
 static vs_node *fold_wrapper(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   if (kids[0].node->kind != n->kind || !fold_lone(w, kids[0].node)) return vs_rewrite_keep(w, n, kids);
   w->changed++;

@@ -1,9 +1,10 @@
-/* Owns grouping: sets of very many parts as trees of boxes, for a target that tries every part of a set for every ray.
+/* Owns grouping: it turns sets of very many parts into trees of boxes, for a target that tries every part of a set for
+ * every ray.
  *
- * The cutters of a difference, and the members of a union that is cut or intersected, are halved by their middles until
- * few are left; each half is the intersection of a box, a little larger than its parts, with their union. A point
- * outside of the box is then outside of all of them at once. Parts with a paint of their own, or without bounds, stay
- * where they are: order and paint do not change. */
+ * The pass halves the cutters of a difference, and the members of a union that is cut or intersected, by their middles,
+ * until few are left. Each half is the intersection of a box, a little larger than its parts, with their union. A point
+ * outside the box is then outside all of them at once. Parts with their own paint, or without bounds, stay outside the
+ * boxes, so order and paint do not change. */
 #include "passes/group.h"
 
 #include <math.h>
@@ -15,7 +16,8 @@ enum { MANY = 12, FEW = 5 };
 
 typedef struct { vs_ref ref; vs_bounds bounds; vs_vec3 middle; size_t index; } group_part;
 typedef struct {
-  unsigned char *carved, *painted; /* by the old node's number: stands in an intersection or difference; has a paint */
+  unsigned char *carved, *painted; /* carved[i]: the old node i is in an intersection or difference; painted[i]: it has
+                                    * a paint */
   size_t count;
 } group_state;
 
@@ -37,7 +39,7 @@ static int group_by_z(const void *p, const void *q) {
 static vs_node *group_box(vs_rewrite *w, const group_part *parts, size_t count, vs_ref whole) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_unite(&b, &parts[i].bounds);
-  double more = 2e-3 * vs_bounds_diagonal(&b); /* bounds are of samples where a shape is curved */
+  double more = 2e-3 * vs_bounds_diagonal(&b); /* bounds of curved shapes come from samples */
   struct vs_box box = { .p = { b.min.x - more, b.min.y - more, b.min.z - more },
                         .q = { b.max.x + more, b.max.y + more, b.max.z + more } };
   vs_ref both[2] = { { vs_node_new(w->store, VS_BOX, &box, NULL, 0), whole.origin }, whole };
@@ -46,8 +48,8 @@ static vs_node *group_box(vs_rewrite *w, const group_part *parts, size_t count, 
   return made;
 }
 
-/* A new reference to the parts' union in boxes, which has the first part's origin. Halves: so it calls itself as often
- * as count has binary digits. */
+/* Returns a new reference to the parts' union in boxes, with the first part's origin. Halves the parts, so the depth of
+ * its recursion is the number of binary digits of count. */
 static vs_node *group_tree(vs_rewrite *w, group_part *parts, size_t count) {
   vs_ref kids[FEW] = { { 0 } };
   size_t n = count <= FEW ? count : 2;
@@ -70,7 +72,7 @@ static vs_node *group_tree(vs_rewrite *w, group_part *parts, size_t count) {
   return made;
 }
 
-/* kids[first] on grouped, where there are enough that can be. NULL: failed. */
+/* Groups kids from `first` on, if enough of them can be grouped. NULL: failed. */
 static vs_node *group_members(vs_rewrite *w, const vs_node *n, const vs_ref *kids, uint32_t first) {
   const group_state *g = w->state;
   size_t count = 0, kept = first;
@@ -87,7 +89,7 @@ static vs_node *group_members(vs_rewrite *w, const vs_node *n, const vs_ref *kid
     else parts[count++] = (group_part){ kids[i], b, vs_v3_scale(vs_v3_add(b.min, b.max), 0.5), i };
   }
   vs_node *made = NULL;
-  if (ok) { /* what is large is in everybody's way: it stays beside the boxes */
+  if (ok) { /* a large part would enlarge every box, so it stays beside them */
     vs_bounds whole = vs_bounds_empty();
     for (size_t i = 0; i < count; i++) vs_bounds_unite(&whole, &parts[i].bounds);
     size_t small = 0;

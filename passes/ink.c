@@ -1,14 +1,16 @@
-/* Owns ink: the paint of what is thin and has none, for pictures, in which a pale line or letter on a pale sky is lost.
+/* Owns ink: a dark paint for thin objects without a material. In a picture, a pale line or letter would be lost on a
+ * pale sky.
  *
- * Curves, flat regions and open surfaces without a material get a dark one, each subtree of them as a whole. Paint
- * works from outside in: so what stands below a material keeps to it, and what has a material inside is gone into. */
+ * The pass gives a dark material to curves, flat regions and open surfaces without one, each subtree as a whole. An
+ * outer material applies to everything below it, so the pass skips whatever lies below a material, and descends into
+ * nodes that contain one. */
 #include "passes/ink.h"
 
 #include "passes/rewrite.h"
 
 typedef struct {
-  const vs_material *ink, *slate; /* of curves and regions; of surfaces, whose shading is to be seen */
-  unsigned char *painted;         /* by the node's number: a material stands in it */
+  const vs_material *ink, *slate; /* of curves and regions; of surfaces, so that their shading stays visible */
+  unsigned char *painted;         /* painted[i]: whether node i contains a material */
 } ink_state;
 
 static bool ink_is_thin(const vs_node *n) {
@@ -19,7 +21,7 @@ static bool ink_is_painted(const vs_rewrite *w, const vs_node *n) {
   return vs_order_has(&w->order, n) && ((const ink_state *)w->state)->painted[vs_order_of(n)];
 }
 
-/* Does what has this node below it paint it as a whole? */
+/* Returns true if the parent of this node paints it as a whole. */
 static bool ink_is_whole(const vs_rewrite *w, const vs_node *n) { return ink_is_thin(n) && !ink_is_painted(w, n); }
 
 static vs_node *ink_around(vs_rewrite *w, vs_ref thin) {
@@ -29,7 +31,7 @@ static vs_node *ink_around(vs_rewrite *w, vs_ref thin) {
   return vs_node_new(w->store, VS_MATERIAL, &paint, &thin, 1);
 }
 
-/* The node with these children, those that are whole in ink. NULL: out of memory. */
+/* Returns the node with these children, and ink on those that are inked as a whole. NULL: out of memory. */
 static vs_node *ink_children(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   size_t count = n->child_count;
   vs_ref *inked = vs_store_realloc(w->store, NULL, 0, (count + 1) * sizeof *inked);
@@ -61,7 +63,7 @@ static const vs_material *ink_color(vs_store *s, double red, double green, doubl
   return vs_store_material(s, &m);
 }
 
-/* Of each node whether a material stands in it. */
+/* Computes painted: for each node, whether it contains a material. */
 static void ink_look(vs_rewrite *w, ink_state *s) {
   for (size_t k = 0; k < w->order.count; k++) {
     const vs_node *n = w->order.at[k].node;

@@ -1,9 +1,9 @@
-/* Owns laying: bricks, boards and pictures on objects that are turned.
+/* Owns laying: bricks, boards and pictures on turned objects.
  *
- * POV-Ray tells faces apart by their normals in the scene, and turns a texture with its object: both agree where no
- * placement but a shift stands round a material. A placement round one goes down, a step a round, until it is below
- * all of them: bricks then lie by the scene's axes and have their size, as on web pages. Shifts stay, and with them
- * most sharing of copies. */
+ * POV-Ray chooses the face's projection by its normal in the scene, and turns a texture with its object. Both agree if
+ * only shifts surround the material. So the pass moves each other placement around a material one step down in a round,
+ * until it is below all of them: bricks then follow the scene's axes and keep their size, as on web pages. Shifts stay,
+ * and so does most sharing of copies. */
 #include "passes/lay.h"
 
 #include "passes/rewrite.h"
@@ -19,7 +19,7 @@ static bool lies_on_faces(const vs_material *m) {
   return false;
 }
 
-/* state: of each node's number whether such a material stands in it */
+/* state[i]: whether node i contains such a material */
 static bool lay_is_laid(const vs_rewrite *w, const vs_node *n) {
   return vs_order_has(&w->order, n) && ((const unsigned char *)w->state)[vs_order_of(n)];
 }
@@ -37,7 +37,7 @@ static bool lay_look(vs_rewrite *w) {
   return any;
 }
 
-/* The node `inner`, each of its children within the placement instead of itself. */
+/* Returns the node `inner` with the placement around each of its children. */
 static vs_node *lay_inside(vs_rewrite *w, const vs_node *placement, const vs_node *inner) {
   size_t count = inner->child_count, made = 0;
   vs_ref *kids = vs_store_realloc(w->store, NULL, 0, (count + 1) * sizeof *kids);

@@ -1,23 +1,23 @@
-/* Owns looks in flat sets: what a region is made of keeps its material and its layer.
+/* Owns looks in flat sets: each part of a region keeps its material and its layer.
  *
- * A format makes one region of a difference of regions, and one region has one look. Therefore looks go out of it:
- * (a + b in red) - c becomes (a - c) + (b - c) in red. The operand that has looks is taken apart into its parts, each
- * with the placements and the looks that it stands in; parts of one look stay together, so that a set becomes as many
- * sets as it has looks. In a difference that operand is the first; in an intersection the first that has a look: what
- * two looks share has the earlier one's. An offset, a hull and a filled curve are new outlines: they have the look of
- * their first part.
+ * A format makes one region of a difference of regions, and a region has a single look. So the pass moves looks out of
+ * the set: (a + b in red) - c becomes (a - c) + (b - c) in red. It takes the operand with looks apart into parts, each
+ * with its placements and its looks. Parts of equal look stay together, so a set becomes as many sets as it has looks.
+ * In a difference that operand is the first; in an intersection it is the first operand with a look, so the earlier
+ * look applies to the common part. An offset, a hull and a filled curve are new outlines; they have the look of their
+ * first part.
  *
- * A union stays as it is: the driver shows its members one by one where a look stands among them.
+ * A union does not change: the driver shows its members one by one if they contain a look.
  *
- * Cost: one look at each node, and for each set with looks its parts. */
+ * Cost: a look at each node, and the parts of each set with looks. */
 #include "passes/looks.h"
 
 #include "model/store/nodemap.h"
 #include "passes/rewrite.h"
 
-/* A wrapper in the look above it; look 0 is none. A look's parts are a chain through `next`. */
+/* A wrapper within the look `above`; look 0 is none. The parts of a look are a chain through `next`. */
 typedef struct { uint32_t above; const vs_node *wrapper; uint32_t first, last; } looks_look;
-typedef struct { uint32_t look, next; vs_ref ref; } looks_part;         /* bare; its node is retained */
+typedef struct { uint32_t look, next; vs_ref ref; } looks_part;         /* without looks; its node is retained */
 typedef struct { uint32_t look; vs_affine placed; vs_ref ref; } looks_step; /* still to be taken apart */
 
 #define NO_PART UINT32_MAX
@@ -25,8 +25,8 @@ typedef struct { uint32_t look; vs_affine placed; vs_ref ref; } looks_step; /* s
 typedef struct {
   vs_store *store;
   vs_error *error;
-  unsigned char *looked; /* by the old node's number: a look stands in it */
-  vs_nodemap made;        /* new nodes in which a look stands, beside the looks themselves */
+  unsigned char *looked; /* looked[i]: whether the old node i contains a look */
+  vs_nodemap made;        /* new nodes that contain a look, other than the looks themselves */
   looks_look *looks;
   size_t look_count, look_room;
   looks_part *parts;
@@ -43,7 +43,7 @@ static bool had_look(const vs_rewrite *w, const vs_node *old) {
   return vs_order_has(&w->order, old) && ((const looks_state *)w->state)->looked[vs_order_of(old)];
 }
 
-static bool is_outlined(const vs_node *n) { /* outlines that are made of others */
+static bool is_outlined(const vs_node *n) { /* Returns true for an outline that is made of others. */
   return n->kind == VS_OFFSET || n->kind == VS_REGION || (n->kind == VS_HULL && n->class_ == VS_REGION_CLASS);
 }
 
@@ -51,7 +51,8 @@ static bool is_cut_region(const vs_node *n) {
   return n->class_ == VS_REGION_CLASS && (n->kind == VS_DIFFERENCE || n->kind == VS_INTERSECTION);
 }
 
-/* Does a look of what is drawn stand in the node? The looks of a profile are not those of what is made of it. */
+/* Returns true if the node contains a look that is drawn. The looks of a profile do not apply to the object made from
+ * it. */
 static bool look_within(const vs_rewrite *w, const vs_node *n) {
   if (is_look(n)) return true;
   bool first = is_outlined(n) || n->kind == VS_DIFFERENCE;
@@ -74,7 +75,7 @@ static bool same_wrapper(const vs_node *a, const vs_node *b) {
                              : VS_AS(material, a)->material == VS_AS(material, b)->material;
 }
 
-/* The wrapper in the look above it. False: out of memory. */
+/* Finds or adds the wrapper within the look `above`. Returns false when memory is out. */
 static bool find_look(looks_state *s, uint32_t above, const vs_node *wrapper, uint32_t *out) {
   for (size_t i = s->look_count; i-- > 1;)
     if (s->looks[i].above == above && same_wrapper(s->looks[i].wrapper, wrapper)) return *out = (uint32_t)i, true;
@@ -89,7 +90,7 @@ static bool add_step(looks_state *s, looks_step step) {
   return true;
 }
 
-/* The part in its placement, behind those of its look. False: out of memory. */
+/* Adds the part, in its placement, after those of its look. Returns false when memory is out. */
 static bool add_part(looks_state *s, const looks_step *at) {
   vs_ref ref = at->ref;
   bool still = vs_affine_is_translation(&at->placed) && at->placed.m[0][3] == 0 && at->placed.m[1][3] == 0 &&
@@ -112,7 +113,7 @@ static void forget_parts(looks_state *s) {
   s->part_count = s->step_count = 0;
 }
 
-/* Takes the operand apart, in order. False: out of memory or interrupted. */
+/* Takes the operand apart, in order. Returns false when memory is out or the run is interrupted. */
 static bool take_apart(looks_state *s, vs_ref operand) {
   forget_parts(s);
   s->look_count = 0;
@@ -139,7 +140,7 @@ static bool take_apart(looks_state *s, vs_ref operand) {
 
 /* ---- sets of one look ---- */
 
-/* The node in the look; takes it over. NULL: out of memory, or it was NULL. */
+/* Returns the node within the look; takes the node over. NULL: out of memory, or the node was NULL. */
 static vs_node *within_look(looks_state *s, uint32_t look, vs_node *n, const vs_origin *origin) {
   for (; n && look; look = s->looks[look].above) {
     const vs_node *wrapper = s->looks[look].wrapper;
@@ -177,14 +178,14 @@ static vs_node *set_of_look(looks_state *s, const vs_node *n, vs_ref *kids, uint
   return within_look(s, look, made, *origin);
 }
 
-/* The set n of these kids as one set for each look of what was taken apart, which is kid `which`. */
+/* Returns the set n of these kids as one set for each look of the parts, which come from kid `which`. */
 static vs_node *spread(looks_state *s, const vs_node *n, const vs_ref *kids, uint32_t which) {
   size_t room = n->child_count, used = 0;
   vs_ref *own = vs_store_realloc(s->store, NULL, 0, room * sizeof *own);
   vs_ref *sets = vs_store_realloc(s->store, NULL, 0, s->look_count * sizeof *sets);
   bool ok = own && sets;
   for (size_t i = 0; ok && i < room; i++) own[i] = kids[i];
-  for (size_t p = 0; ok && p < s->part_count; p++) { /* looks by their first part */
+  for (size_t p = 0; ok && p < s->part_count; p++) { /* looks in the order of their first parts */
     uint32_t look = s->parts[p].look;
     if (s->looks[look].first != p) continue;
     sets[used].node = set_of_look(s, n, own, which, look, &sets[used].origin);
@@ -202,14 +203,14 @@ static vs_node *spread(looks_state *s, const vs_node *n, const vs_ref *kids, uin
 
 /* ---- the pass ---- */
 
-/* The operand whose looks the set has. */
+/* Returns the number of the operand whose looks the set has. */
 static uint32_t operand_with_look(const looks_state *s, const vs_node *n, const vs_ref *kids) {
   uint32_t i = 0;
   while (n->kind == VS_INTERSECTION && i + 1 < n->child_count && !has_look(s, kids[i].node)) i++;
   return i;
 }
 
-/* A difference or an intersection of regions in which looks stand. NULL: failed. */
+/* Rewrites a difference or an intersection of regions that contain looks. NULL: failed. */
 static vs_node *set_with_looks(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   looks_state *s = w->state;
   uint32_t which = operand_with_look(s, n, kids);
@@ -220,7 +221,7 @@ static vs_node *set_with_looks(vs_rewrite *w, const vs_node *n, const vs_ref *ki
   return made;
 }
 
-/* An outline made of others, in the look of the first of them. */
+/* Returns an outline made of others, in the look of the first of them. */
 static vs_node *outline_with_look(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   looks_state *s = w->state;
   vs_node *made = vs_rewrite_keep(w, n, kids);
@@ -246,7 +247,7 @@ static vs_node *looks_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   return made;
 }
 
-/* Is there a node that looks have to go out of? */
+/* Returns true if looks must move out of some node. */
 static bool find_looks(vs_rewrite *w, looks_state *s) {
   bool any = false;
   for (size_t k = 0; k < w->order.count; k++) {

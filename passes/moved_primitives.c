@@ -1,8 +1,8 @@
-/* Owns, for fold (fold.c), the primitives: what each becomes under a map.
+/* Owns the primitives for fold (fold.c): the result of each under a map.
  *
- * A kind is closed under some maps only: a box under those that keep axes, a round solid under those that keep circles,
- * polyhedra and polylines under all. Where the modeller gave the facets (segments) a turn would move their corners:
- * then only shifts and even scales fold. */
+ * Each kind is closed under some maps: a box under those that keep axes, a round solid under those that keep circles,
+ * polyhedra and polylines under all. If the program set the number of facets (segments), a turn would move their
+ * corners; then only shifts and even scales fold. */
 #include "passes/moved_primitives.h"
 
 #include <math.h>
@@ -73,7 +73,7 @@ vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
       d.v = vs_affine_vector(a, d.v);
       return vs_node_new(w->store, VS_RAY, &d, NULL, 0);
     }
-    case VS_SPLINE: { /* its parameter is the length of chords: similar points, similar curve */
+    case VS_SPLINE: { /* its parameter is the length of chords: similar points give a similar curve */
       VS_MOVED(spline, f.even);
       vs_points *points = vs_shape_map_points(w->store, a, d.points);
       d.points = points;

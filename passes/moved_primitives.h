@@ -1,12 +1,13 @@
-/* Owns the interface of moved_primitives.c: Owns, for fold (fold.c), the primitives. */
+/* Owns the interface of moved_primitives.c: primitives under a map, for fold. */
 #ifndef VS_PASSES_MOVED_PRIMITIVES_H
 #define VS_PASSES_MOVED_PRIMITIVES_H
 
 #include "passes/rewrite.h"
 
-/* The primitive n under a; NULL: with *fits false where that is no primitive of its kind, else out of memory. */
+/* Returns the primitive n under a. NULL: with *fits false, the result is not a primitive of its kind; else memory is
+ * out. */
 vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, bool *fits);
-/* Does a only shift, and make all alike larger or smaller? */
+/* Returns true if a only shifts and scales evenly. */
 bool vs_fold_is_upright(const vs_affine *a);
 
 #endif

@@ -1,12 +1,12 @@
-/* Owns the passes as a drawing is given them before it is written: with bounds, which the passes themselves may not ask
- * for. */
+/* Owns the run of the passes over a drawing before it is written. It gives them bounds, which the passes' layer cannot
+ * compute. */
 #ifndef VS_PASSES_OPTIMISE_H
 #define VS_PASSES_OPTIMISE_H
 
 #include "passes/passes.h"
 #include "model/scene.h"
 
-/* Rewrites what the scene draws; a scene that fails stays as it was. stats may be NULL. */
+/* Rewrites the scene's drawn array. On failure the scene is unchanged. stats may be NULL. */
 bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, vs_error *e);
 /* Makes trees of boxes of the scene's large sets (group.c), for a format whose program tries every part of a set for
  * every ray. */

@@ -1,7 +1,7 @@
-/* Owns the passes: functions from drawing to drawing that keep what is drawn and make it less to say.
+/* Owns the passes: functions from drawing to drawing that keep the drawn shape and need fewer commands.
  *
- * A model is a DAG; each pass looks at every distinct node once, children first, and never recurses. A node that
- * several places name is a template: passes change it in itself but never dissolve it into its users. */
+ * A model is a DAG. Each pass visits every distinct node once, children first, and never recurses. A node with several
+ * references is a template: passes may change the node itself, and never dissolve it into its users. */
 #ifndef VS_PASSES_PASSES_H
 #define VS_PASSES_PASSES_H
 
@@ -17,15 +17,15 @@ const vs_pass_info *vs_pass_get(vs_pass_kind pass);
 
 typedef struct {
   unsigned passes; /* bit k: run vs_pass_kind k */
-  /* Safe bounds of a node in its own coordinates (geometry's, which this layer may not call); NULL: prune only what is
-   * empty. The nodes asked about may be gone after the run: what context remembers of them must go with it. */
+  /* Gives safe bounds of a node in its own coordinates; it comes from geometry, which this layer cannot call. NULL:
+   * prune removes only empty nodes. Nodes may be gone after the run, so context must forget them then. */
   bool (*bounds)(void *context, const vs_node *n, vs_bounds *out, vs_error *e);
   void *context;
 } vs_pass_options;
 
 typedef struct {
   double commands_before, commands_after;            /* by vs_commands_count */
-  size_t changed[VS_PASS_COUNT];                     /* nodes that each pass rewrote */
+  size_t changed[VS_PASS_COUNT];                     /* the number of nodes that each pass rewrote */
 } vs_pass_stats;
 
 #endif

@@ -1,7 +1,7 @@
-/* Owns prune: what is empty goes, what cannot meet is neither cut nor intersected.
+/* Owns prune: it removes empty nodes, and cuts and intersections of parts that cannot meet.
  *
- * Bounds are of samples where a shape is curved, so both sides are given a thousandth of their size before they count
- * as apart. */
+ * Bounds of curved shapes come from samples, so the pass enlarges both sides by a thousandth before it compares
+ * them. */
 #include "passes/rewrite.h"
 
 static bool prune_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
@@ -11,7 +11,7 @@ static vs_node *prune_to_nothing(vs_rewrite *w) {
   return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
 }
 
-/* *apart: a and b certainly have no point in common. False: failed. */
+/* *apart: a and b certainly have no common point. Returns false on failure. */
 static bool prune_apart(const vs_rewrite *w, const vs_node *a, const vs_node *b, bool *apart) {
   vs_bounds p, q;
   *apart = false;

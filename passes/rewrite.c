@@ -1,11 +1,11 @@
-/* Owns the one loop that all passes are run by: every distinct node once, children first, results remembered; and the
+/* Owns the loop that runs all passes (every distinct node once, children first, with remembered results), and the
  * counting of commands. */
 #include "passes/rewrite.h"
 #include "passes/flatten.h"
 #include "passes/fold.h"
 #include "passes/share.h"
 
-/* what a node became; origin NULL: that of each reference */
+/* the new node of an old one; origin NULL: that of each reference */
 typedef struct { vs_node *node; const vs_origin *origin; } vs_rewritten;
 
 const vs_pass_info *vs_pass_get(vs_pass_kind pass) {
@@ -44,7 +44,7 @@ static bool rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_rewr
   }
   results[index].origin = NULL;
   results[index].node = fn(w, at.node, kids, &results[index].origin);
-  if (w->order.note[index].uses > 1) results[index].origin = NULL; /* several calls named it: each keeps its own */
+  if (w->order.note[index].uses > 1) results[index].origin = NULL; /* several calls refer to it: each keeps its own */
   if (results[index].node) return true;
   if (e->kind == VS_ERROR_NONE) vs_error_memory(e, at.origin);
   if (!e->origin) e->origin = at.origin;
@@ -83,7 +83,7 @@ bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t cou
 /* ---- counting ---- */
 
 static double order_commands(const vs_order *o, size_t drawn) {
-  /* the drawing is the union of what was drawn */
+  /* the drawing is the union of the drawn objects */
   double commands = (drawn > 1 ? (double)(drawn - 1) : 0) + (double)o->lone;
   for (size_t i = 0; i < o->count; i++) {
     const vs_node *n = o->at[i].node;
@@ -113,9 +113,9 @@ bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *co
   return true;
 }
 
-/* ---- all of them ---- */
+/* ---- all passes ---- */
 
-/* Runs one pass over the drawing: its begin, every node unless the begin has found that nothing would change, its
+/* Runs one pass over the drawing: its begin; every node, unless the begin has found that nothing would change; its
  * end. */
 static bool pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
   static const struct { vs_rewrite_fn *node; bool (*begin)(vs_rewrite *w); void (*end)(vs_rewrite *w); } passes[] = {
@@ -149,11 +149,11 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
     vs_rewrite w = { .store = s, .options = options, .error = e, .order = order };
     ok = pass_once((vs_pass_kind)k, &w, work, count);
     if (stats) stats->changed[k] += w.changed;
-    /* else the drawing is what it was, node for node */
+    /* otherwise every node of the drawing is the same */
     if (ok && w.changed) ok = vs_order_make(&order, work, count, e);
     if (k == VS_PASS_FOLD && w.nests && !nests && options->passes >> VS_PASS_FLATTEN & 1) {
       nests = true;
-      k = VS_PASS_FLATTEN - 1; /* once more from there: what was between sets is gone */
+      k = VS_PASS_FLATTEN - 1; /* once more from there: a wrapper between sets has gone */
     }
   }
   if (ok && stats) stats->commands_after = order_commands(&order, count);

@@ -1,25 +1,25 @@
-/* Owns share: subtrees that are equal but for their place become one template and its placements; so do those that are
- * turned or mirrored (turn.c).
+/* Owns share: equal subtrees at different places become one template with placements; so do subtrees that are turned or
+ * mirrored (turn.c).
  *
- * Each distinct node gets an anchor, a point of it that moves along when it is moved, and a key of 128 bits: a hash of
- * kind, fields and children's keys in which every position stands relative to the anchor. Equal keys are equal shapes
- * (two that differ meet in one key once in 2^64 models; nothing else is compared). The same part written at two places
- * differs by rounding: of positions that lie within 2^-40 of the largest number the first one met stands for all in the
- * hash (a grid alone would part the neighbours on either side of a step, and a tree of a thousand numbers has such a
- * pair soon); other numbers go to 40 bits in the same way.
+ * Each distinct node gets an anchor and a key. The anchor is a point of the node that moves with it. The key is a hash
+ * of 128 bits over the kind, the fields and the children's keys, with all positions relative to the anchor. Equal keys
+ * are equal shapes: two different shapes get one key once in 2^64 models, and nothing else is compared. Rounding makes
+ * the numbers of the same part at two places differ. So positions within 2^-40 of the largest number hash as the first
+ * of them that the pass met. A plain grid would separate neighbours on the two sides of a step, and a tree of a
+ * thousand numbers soon has such a pair. Other numbers are rounded to 40 bits in the same way.
  *
- * A moved shape, and a set of one, are the shape within: they have its key, and no copy of their own.
+ * A moved shape, and a set of one, count as the shape within: they have its key, and no copy of their own.
  *
- * Only what stands a second time needs a key. Nodes know their form, a hash without numbers and places: where no other
- * node has a set's form, and it lies in none that is looked at, nothing of it is looked at. Therefore a million
- * primitives in one set cost nothing here.
+ * Only repeated parts need a key. Nodes know their form, a hash without numbers and places. If no other node has a
+ * set's form, and the set lies in no such node, the pass skips it. So a million primitives in one set cost nothing
+ * here.
  *
- * Keys are made twice. The first ones see no more than some points of each array: nearly all shapes of a thousand
- * points differ in these. Where two are equal, whole ones are made.
+ * The pass computes keys twice. The first keys cover only some points of each array, which distinguish nearly all
+ * shapes of a thousand points. Where two are equal, the pass computes whole ones.
  *
- * d copies of c commands cost d*c apart and c + 2*d with a template, d uses and d - 1 placements: shared where that is
- * less. Of parts that are templates whatever becomes of the copies, a copy has the uses alone. The first copy met is
- * the template, so that parts of shared parts settle by themselves. */
+ * d copies of c commands cost d*c without a template, and c + 2*d with a template, d uses and d - 1 placements: the
+ * pass shares them if that is less. Of parts that are templates in any case, a copy counts only the uses. The first
+ * copy is the template, so parts of shared parts are settled at the same time. */
 #include "passes/share.h"
 
 #include <math.h>
@@ -35,31 +35,31 @@ typedef struct { uint64_t a, b; } vs_share_key;
 typedef struct {
   vs_share_key key;
   vs_vec3 anchor;
-  double cost;        /* commands that a copy of it is, where what is a template anyway is its use */
-  bool alias;         /* the shape of its child, elsewhere */
-  bool wanted;        /* its key is asked for */
-  bool again;         /* another has the same sketch */
+  double cost;        /* the commands of a copy, where a part that is a template in any case counts as its use */
+  bool alias;         /* it is its child's shape at another place */
+  bool wanted;        /* its key is needed */
+  bool again;         /* another node has the same sketch */
   size_t group;       /* the first entry with this key */
   size_t copies;      /* of the group, at its first entry */
   double named;       /* references to any of the group, at its first entry */
-  size_t turn;        /* at a first entry: 0, or which of the turns (from 1) makes it of another group's, which it then
-                       * belongs to */
-  vs_node *result;    /* what that first entry became; not retained: the rewriting holds it */
+  size_t turn;        /* at a first entry: 0, or the number (from 1) of the turn from the other group to which it then
+                       * belongs */
+  vs_node *result;    /* the rewritten first entry; not retained, since the rewriting holds it */
 } vs_share_entry;
-typedef struct { size_t head; vs_affine map; } vs_share_turn; /* of which first entry, and by what map */
+typedef struct { size_t head; vs_affine map; } vs_share_turn; /* the first entry, and the map from it */
 typedef struct { double step, first; } vs_share_step; /* first NaN: free */
-/* The facts that a parent must know of its child: kept, or of a lone leaf worked out when they are asked for, of a long
- * one not at once again. */
+/* The facts that a parent needs of its child: kept, or, for a lone leaf, computed on request; those of a long leaf are
+ * cached. */
 typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
 typedef struct { const vs_node *node; vs_share_child of; } vs_share_leaf;
 
-enum { SKETCHED = 16 /* points of an array that count at first */, LONG = 1024 /* bytes */, LEAVES = 64 };
+enum { SKETCHED = 16 /* points of an array in the first key */, LONG = 1024 /* bytes */, LEAVES = 64 };
 
 typedef struct {
   vs_store *store;
   const vs_order *order;
   vs_share_leaf leaves[LEAVES]; /* by hash: the last long one */
-  bool sketches, sketched; /* keys are made of the first points of arrays alone; some had more */
+  bool sketches, sketched; /* keys cover only the first points of arrays; some arrays had more */
   vs_share_entry *at; /* by the node's number */
   size_t count, room;
   double quantum;
@@ -98,8 +98,8 @@ static bool share_grow(vs_share *s) {
   return true;
 }
 
-/* The number that stands for x, both in quanta: the nearest one met in x's step or within half a quantum beside it;
- * else x, from now on. */
+/* Returns the number that represents x, both in quanta: the nearest one met in x's step or within half a quantum beside
+ * it; else x, which then represents its step. */
 static double share_snap(vs_share *s, double x) {
   if (!isfinite(x) || s->starved) return 0;
   double step = floor(x), best = (double)NAN, reach = 1;
@@ -144,13 +144,13 @@ static void share_mix_real(vs_share *s, vs_share_key *k, double x) {
 
 static vs_share_child share_of(vs_share *s, const vs_node *n);
 
-/* The node's own first point, or its first child's anchor */
+/* Returns the node's own first point, or its first child's anchor. */
 static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *info) {
   /* a sweep lies where its path does */
   if (n->kind == VS_SWEEP && n->child_count > 1) return share_of(s, n->children[1].node).anchor;
   if (n->kind == VS_TRANSFORM)
     return vs_affine_point(&VS_AS(transform, n)->matrix, share_of(s, n->children[0].node).anchor);
-  if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* its text knows no other place */
+  if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* its text cannot be moved */
   for (size_t i = 0; n->kind != VS_SWEEP && i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_point) return *(const vs_vec3 *)at;
@@ -161,7 +161,7 @@ static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *i
 }
 
 static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
-  /* the profile of a sweep and its base stay where they are drawn */
+  /* the profile of a sweep and its base keep their places */
   vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor;
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
@@ -205,7 +205,7 @@ static bool share_is_alias(const vs_node *n) {
   return set && n->child_count == 1 && n->children[0].node->class_ == n->class_;
 }
 
-/* Of a node whose children have theirs. */
+/* Computes the key and the anchor of a node whose children have theirs. */
 static void share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_vec3 *anchor) {
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   *anchor = share_anchor(s, n, info);
@@ -217,7 +217,7 @@ static void share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_
   share_mix(key, vs_hash_bytes(9, info->name, strlen(info->name)));
   share_mix(key, n->child_count);
   share_mix_fields(s, key, n, info, *anchor);
-  if (n->kind == VS_NATIVE) share_mix(key, n->hash); /* so it is shared only with its equal, not with one moved */
+  if (n->kind == VS_NATIVE) share_mix(key, n->hash); /* it may be shared with its equal only, not with a moved one */
   for (uint32_t i = 0; i < n->child_count; i++) {
     vs_share_child child = share_of(s, n->children[i].node);
     share_mix(key, child.key.a);
@@ -240,8 +240,8 @@ static vs_share_child share_of(vs_share *s, const vs_node *n) {
   return held->of;
 }
 
-/* Fills in the facts of a node but for its key, and its cost alone, which is the most it can be; children come
- * before. */
+/* Fills in the facts of a node other than its key, with the cost of a copy without templates, which is the highest;
+ * children come first. */
 static void share_enter(vs_share *s, const vs_node *n, bool inner) {
   bool set = vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION;
   vs_share_entry x = { .cost = 1, .group = s->count, .alias = share_is_alias(n) };
@@ -251,11 +251,11 @@ static void share_enter(vs_share *s, const vs_node *n, bool inner) {
     const vs_node *child = n->children[i].node;
     x.cost += vs_order_has(s->order, child) ? s->at[vs_order_of(child)].cost : 1;
   }
-  if (x.cost > 1e15) x.cost = 1e15; /* a DAG's paths may be without number */
+  if (x.cost > 1e15) x.cost = 1e15; /* the number of a DAG's paths may overflow */
   s->at[s->count++] = x;
 }
 
-/* Worth a template if there are enough of them. */
+/* Returns true if enough copies would be worth a template. */
 static bool share_is_worth(const vs_share_entry *x) { return !x->alias && x->cost > 2; }
 
 static int share_by_form(const void *p, const void *q) {
@@ -263,8 +263,8 @@ static int share_by_form(const void *p, const void *q) {
   return x < y ? -1 : x > y;
 }
 
-/* Marks what may have a copy, by its form, and all that lies in it. *any: is there something? False: out of memory, or
- * interrupted. */
+/* Marks the nodes that may have a copy, by form, and all nodes below them. *any: whether there are any. Returns false
+ * when memory is out or the run is interrupted. */
 static bool share_want(vs_share *s, bool *any, vs_error *e) {
   const vs_order *o = s->order;
   size_t count = 0;
@@ -294,7 +294,7 @@ static void share_largest(double *most, const double *x, size_t n) {
     if (isfinite(x[i])) *most = fmax(*most, fabs(x[i]));
 }
 
-static void share_measure(double *most, const vs_node *n) { /* the largest number of a place in it */
+static void share_measure(double *most, const vs_node *n) { /* the largest coordinate in it */
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < info->field_count; i++) {
     const void *field = (const char *)vs_node_data(n) + info->fields[i].offset;
@@ -317,7 +317,7 @@ static int share_compare(const void *p, const void *q) {
   return x->entry < y->entry ? -1 : x->entry > y->entry;
 }
 
-/* The first entry of all that are one shape, turned or not. */
+/* Returns the first entry of the shapes that are equal, turned or not. */
 static vs_share_entry *share_head(const vs_share *s, size_t index) {
   vs_share_entry *first = &s->at[s->at[index].group];
   return first->turn ? &s->at[s->turns[first->turn - 1].head] : first;
@@ -328,8 +328,8 @@ static bool share_pays(const vs_share_entry *first) {
   return (copies - 1) * first->cost > 2 * copies;
 }
 
-/* Returns the cost of a copy of n. A part that more places name than n's copies will be a template whatever becomes of
- * n: then n saves its uses alone. */
+/* Returns the cost of a copy of n. A part with more references than n has copies will be a template in any case, so n
+ * counts only its uses. */
 static double share_cost(const vs_share *s, size_t index, double named) {
   const vs_node *n = s->order->at[index].node;
   double cost = 1;
@@ -346,7 +346,7 @@ static double share_cost(const vs_share *s, size_t index, double named) {
     bool template = first->named > named && (share_pays(first) || first->named > (double)first->copies);
     cost += template ? fmin(child->cost, first->copies > 1 ? 2 : 1) : child->cost;
   }
-  return fmin(cost, 1e15); /* a DAG's paths may be without number */
+  return fmin(cost, 1e15); /* the number of a DAG's paths may overflow */
 }
 
 static bool share_group(vs_share *s, vs_error *e) {
@@ -368,7 +368,7 @@ static bool share_group(vs_share *s, vs_error *e) {
   return ok;
 }
 
-/* Keys of all that are wanted, or of those whose sketches are not theirs alone. */
+/* Computes the keys of all wanted nodes; with `again`, of those that share their sketch. */
 static bool share_keys(vs_share *s, bool again, vs_error *e) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < LEAVES; i++) s->leaves[i].node = NULL;
@@ -380,7 +380,7 @@ static bool share_keys(vs_share *s, bool again, vs_error *e) {
   return share_group(s, e);
 }
 
-/* Marks what has another's sketch, and all that lies in it. */
+/* Marks the nodes that share their sketch with another, and all nodes below them. */
 static void share_doubt(vs_share *s) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < s->count; i++)
@@ -406,8 +406,8 @@ static bool share_add_turn(vs_share *s, size_t index, size_t head, const vs_affi
   return true;
 }
 
-/* Groups that are one shape turned or mirrored become one. Of each form the first HEADS_MOST shapes are tried; all in
- * all no more than some points for each node, so that deep trees of one form cost no square. */
+/* Merges groups that are one shape turned or mirrored. The pass tries the first HEADS_MOST shapes of each form, and at
+ * most some points for each node in all, so deep trees of one form do not cost a square. */
 static bool share_turns(vs_share *s, vs_error *e) {
   enum { HEADS_MOST = 6 };
   size_t count = 0, heads[HEADS_MOST], head_count = 0, work = 0, most = 100000 + 50 * s->count;

@@ -1,8 +1,7 @@
-/* Owns the taking off of sugar: one walk that gathers what stands beside the drawing, then one pass that takes the
- * wrappers off.
+/* Owns the removal of sugar: a walk gathers the nodes to show beside the drawing, then a pass removes the wrappers.
  *
- * The walk goes every path to sugar, since each placement counts, but into nothing else; a drawing that shares a ghost
- * so often that there would be more than MARKS_MOST of them keeps the first. */
+ * The walk takes every path to sugar, since each placement counts, and goes into nothing else. If a drawing shares a
+ * ghost so often that there would be more than MARKS_MOST of them, it keeps the first. */
 #include "passes/sugar.h"
 
 #include <stdio.h>
@@ -16,7 +15,7 @@ typedef struct {
   uint32_t next;
   vs_affine placed;
   const vs_material *material; /* the innermost so far, or NULL */
-  bool cut; /* what is here is taken away, or cut by others */
+  bool cut; /* this part is taken away, or cut by others */
 } sugar_level;
 
 typedef struct {
@@ -43,7 +42,7 @@ static bool sugar_push(sugar_walk *w, sugar_level level) {
   return true;
 }
 
-/* Takes the node over. */
+/* Adds a found node; takes it over. */
 static bool sugar_found(sugar_walk *w, vs_node *node, const vs_origin *origin) {
   if (node && w->count == w->found_room) {
     size_t room = w->found_room ? 2 * w->found_room : 16;
@@ -60,7 +59,7 @@ static bool sugar_found(sugar_walk *w, vs_node *node, const vs_origin *origin) {
   return true;
 }
 
-/* node in a paint and a place; takes it over. NULL: out of memory, or it was NULL. */
+/* Returns node within a paint and a place; takes it over. NULL: out of memory, or it was NULL. */
 static vs_node *sugar_around(vs_store *s, vs_node *node, const vs_origin *origin, const vs_material *material,
                               const vs_affine *placed) {
   if (node && material) {
@@ -79,7 +78,7 @@ static vs_node *sugar_around(vs_store *s, vs_node *node, const vs_origin *origin
   return node;
 }
 
-/* ---- without paint of its own, for what is shown in one colour ---- */
+/* ---- removal of paint, for a thing shown in one colour ---- */
 
 static vs_node *sugar_bare(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
@@ -98,8 +97,7 @@ static vs_node *sugar_strip(sugar_walk *w, vs_ref ref) {
 
 /* ---- the walk ---- */
 
-/* A highlight that is shown where it is cut away shares its faces with the hole: a thousandth smaller it is seen
- * whole. */
+/* A highlight on a part that is cut away shares its faces with the hole; a thousandth smaller, it is fully visible. */
 static bool sugar_shrink(const sugar_walk *w, const vs_node *n, vs_affine *placed) {
   vs_bounds b;
   if (!w->options->bounds) return true;
@@ -127,7 +125,7 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   }
   vs_material look = vs_material_of_color(colors[ghost][0], colors[ghost][1], colors[ghost][2]);
   look.transparency = 0.7;
-  look.ior = 1; /* seen through, not bent */
+  look.ior = 1; /* transparent without refraction */
   const vs_material *m = vs_store_material(w->store, &look);
   bool ok = (m || sugar_memory(w)) && (ghost || sugar_shrink(w, bare, &placed));
   if (ok) return sugar_found(w, sugar_around(w->store, bare, child.origin, m, &placed), at->ref.origin);
@@ -135,7 +133,7 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   return false;
 }
 
-/* Goes below one thing drawn. only: gathers what stands in an ONLY; else the marks. */
+/* Walks below one drawn thing. only: gathers the children of each ONLY; else the marks. */
 static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
   size_t steps = 0;
   w->depth = 0;
@@ -152,13 +150,13 @@ static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
         vs_node_retain(inner.node);
         if (!sugar_found(w, sugar_around(w->store, inner.node, inner.origin, at.material, &at.placed), at.ref.origin))
           return false;
-        continue; /* an only in it changes nothing */
+        continue; /* an `only` within it has no effect */
       }
       bool ghost = n->kind == VS_GHOST,
            marked = (ghost && w->options->ghosts != VS_MARKS_DROP) ||
                     (n->kind == VS_HIGHLIGHT && top->cut && w->options->highlights == VS_MARKS_PAINT);
       if (!only && marked && !sugar_mark(w, top, ghost)) return false;
-      if (ghost) { /* what is in it is shown with it, and part of nothing */
+      if (ghost) { /* its children are shown with it, and are part of nothing */
         w->depth--;
         continue;
       }
@@ -180,7 +178,7 @@ static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
 
 /* ---- the pass ---- */
 
-/* Is this text for the format's own program? */
+/* Returns true if this text is for the format's own program. */
 static bool sugar_speaks(const vs_sugar_options *o, const vs_node *n) {
   const char *target = VS_AS(native, n)->target;
   size_t i = 0;
@@ -199,16 +197,15 @@ static vs_node *sugar_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
     unwrap = (o->muted || !sugar_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
   if (!unwrap) return vs_rewrite_keep(w, n, kids);
-  *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* of a custom thing, the place that asked for it is the
-                                                           * user's */
+  *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* the origin of a custom thing is the user's call */
   return vs_node_retain(kids[0].node);
 }
 
 /* native: the first for this program */
 typedef struct { const vs_sugar_options *options; bool only; vs_ref native; } sugar_kinds;
 
-/* Native text for another program, without anything for this one: says that the output lacks it, or fails if that is
- * not allowed. */
+/* Handles native text for another program, with nothing for this one: warns that the output lacks it, or fails if the
+ * options are strict. */
 static bool sugar_lacks(const sugar_kinds *k, vs_ref ref, vs_error *e) {
   const vs_sugar_options *o = k->options;
   const vs_node *n = ref.node;
@@ -237,7 +234,7 @@ static bool sugar_look(sugar_kinds *k, const vs_scene *scene, vs_error *e) {
   return ok;
 }
 
-/* The scene draws these, whose references become its own. */
+/* Makes the scene draw these nodes; it takes their references over. */
 static void sugar_take(vs_scene *scene, sugar_walk *w) {
   for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
   vs_store_realloc(scene->store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
@@ -259,7 +256,7 @@ bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *
     options->said(options->said_context, kinds.native.origin,
                   "native: text for other programs is switched off here; what #:otherwise gives is drawn");
   for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = sugar_below(&w, scene->drawn[i], true);
-  if (ok && w.count) { /* an only in a ghost is none */
+  if (ok && w.count) { /* an `only` in a ghost has no effect */
     if (options->said)
       options->said(options->said_context, w.found[0].origin, "only: nothing else of the drawing is shown");
     sugar_take(scene, &w);

@@ -1,10 +1,10 @@
-/* Owns, for share, the question whether one subtree is another turned, mirrored and moved.
+/* Owns a test for share: whether one subtree is another one turned, mirrored and moved.
  *
- * Both are walked side by side, each with the map down to where the walk is. Each pair of primitives gives pairs of
- * points that move along: its own where it is what these points make it (a sphere's centre, a cylinder's ends,
- * corners), else the corner and the axes of its frame, and then its fields must be equal as they stand. Three of the
- * points far from each other, and the side on which a fourth lies, give the one rigid map that can be meant; then every
- * pair is held to it. Therefore a template is never wrong by more than rounding, whatever was tried. */
+ * The test walks both side by side, and keeps the map down to the current place of each. Each pair of primitives gives
+ * pairs of points that move with them: its own points, if they determine the primitive (a sphere's centre, a cylinder's
+ * ends, corners); else the corner and the axes of its frame, and then its fields must be equal. Three points far from
+ * each other, and the side on which a fourth lies, determine the only possible rigid map; then every pair must agree
+ * with it. So a template is never wrong by more than rounding, whatever the candidates were. */
 #include "passes/turn.h"
 
 #include <math.h>
@@ -24,7 +24,7 @@ typedef struct {
   size_t step_count, step_room;
   turn_pair *pairs;
   size_t pair_count, pair_room;
-  size_t steps_taken; /* nodes gone through */
+  size_t steps_taken; /* number of nodes visited */
   vs_error *error;    /* set: out of memory, or interrupted */
 } turner;
 
@@ -74,11 +74,11 @@ static bool turn_is_rigid(const vs_affine *a) {
   return vs_affine_even(a, &k) && fabs(k - 1) < 1e-12;
 }
 
-/* Fields as they stand, positions from each one's own first point on; and both frames. */
+/* Compares fields as they are, and positions relative to the first point of each; adds both frames. */
 static bool turn_frame(turner *t, const turn_step *x) {
   const vs_kind_info *info = vs_kind_get((vs_kind)x->a->kind);
   vs_vec3 at[2] = { { 0, 0, 0 }, { 0, 0, 0 } };
-  bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* its foot is a height that no field type tells */
+  bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* its foot is a height, which no field type marks */
   for (size_t i = 0; ok && i < info->field_count; i++) {
     const char *p = (const char *)vs_node_data(x->a) + info->fields[i].offset,
                *q = (const char *)vs_node_data(x->b) + info->fields[i].offset;
@@ -125,7 +125,7 @@ static bool turn_frame(turner *t, const turn_step *x) {
 
 #define TURN_BOTH(lower) const struct vs_##lower *a = VS_AS(lower, x->a), *b = VS_AS(lower, x->b)
 
-/* Two primitives of one kind; nodes with children are no primitives but for polygons drawn out. */
+/* Compares two primitives of one kind; the only nodes with children among them are extruded polygons. */
 static bool turn_leaf(turner *t, const turn_step *x) {
   bool rigid = turn_is_rigid(&x->to_a) && turn_is_rigid(&x->to_b);
   if (x->a->kind == VS_SPHERE && rigid) {
@@ -177,9 +177,9 @@ static bool turn_leaf(turner *t, const turn_step *x) {
   return x->a->child_count == 0 && turn_frame(t, x);
 }
 
-enum { TURN_WORK = 64 /* what one node costs, told to vs_store_going */ };
+enum { TURN_WORK = 64 /* the cost of a node for vs_store_going */ };
 
-/* Goes through placements and sets of one. False: interrupted. */
+/* Descends through placements and sets of one. Returns false when interrupted. */
 static bool turn_strip(turner *t, const vs_node **at, vs_affine *to) {
   const vs_node *n = *at;
   for (;; t->steps_taken++) {
@@ -208,18 +208,19 @@ static bool turn_walk(turner *t) {
   return true;
 }
 
-/* Which point lies farthest from the line through o along the unit vector u. */
+/* Returns the number of the point farthest from the line through o along the unit vector u. */
 static size_t turn_farthest(const turner *t, vs_vec3 o, vs_vec3 u, double *distance) {
   size_t best = 0;
   *distance = -1;
   for (size_t i = 0; i < t->pair_count; i++) {
     double d = vs_v3_length(vs_v3_cross(u, vs_v3_sub(t->pairs[i].a, o)));
-    if (d > *distance * (1 + 1e-9)) *distance = d, best = i; /* the first of equals, whatever their last digit */
+    if (d > *distance * (1 + 1e-9)) *distance = d, best = i; /* the first of equal ones, independent of the last
+                                                              * digits */
   }
   return best;
 }
 
-/* The rigid map that takes all pairs' a to their b, within near. */
+/* Finds the rigid map that takes the a of each pair to its b, within near. */
 static bool turn_solve(const turner *t, vs_affine *turn) {
   const turn_pair *p = t->pairs;
   if (t->pair_count < 2) return false;
