@@ -6,9 +6,9 @@
  *   if (vs_eval_file(s, "house.vs", 0) == VS_OUTCOME_DONE) vs_write_drawing(s, "house.stl", NULL, NULL);
  *   vs_free(s);
  *
- * Units. Text is UTF-8. A text given as pointer and length may lack the final NUL; every other text ends in one.
- * Angles are radians, lengths are model units, times are seconds. Lines and columns count from 1; a column counts
- * characters, not bytes.
+ * Units. Text is UTF-8. A text given as pointer and length may lack the final NUL; every other text ends in one. Angles
+ * are radians, lengths are model units, times are seconds. Lines and columns count from 1; a column counts characters,
+ * not bytes.
  *
  * Ownership. The interpreter copies the arguments of each call. It owns each text that a function returns or that a
  * callback receives. Such a text is valid until the next call on the same interpreter, or until the callback returns.
@@ -17,9 +17,9 @@
  * failed call returns, it passes the reason to `diagnose`. After any failure the interpreter is usable, even when it
  * reached its memory limit.
  *
- * Threads. One thread at a time uses an interpreter. Different interpreters share nothing. Only vs_interrupt may be
- * called from any thread, and from a signal handler. Callbacks run in the calling thread. A callback must not call into
- * the same interpreter; the exceptions are vs_interrupt and the functions that the section on handles names. */
+ * Threads. A single thread at a time uses an interpreter. Different interpreters share nothing. Only vs_interrupt may
+ * be called from any thread, and from a signal handler. Callbacks run in the calling thread. A callback must not call
+ * into the same interpreter; the exceptions are vs_interrupt and the functions that the section on handles names. */
 #ifndef VISUALSCHEME_H
 #define VISUALSCHEME_H
 
@@ -623,7 +623,7 @@ VS_API vs_outcome vs_sun_study(vs_scheme *s, const vs_sun_span *span, const char
  * A format is a table of callbacks, one for each kind of object that the format can express. The library walks the
  * drawing as it does for its own formats: it computes sections and the like, and runs the passes. It simplifies an
  * object without a callback until its kind has one: curves become "line", all else becomes "polyface-mesh" in the end.
- * So the table must have "polyface-mesh". Without "line", the library omits curves and warns. */
+ * Therefore the table must have "polyface-mesh". Without "line", the library omits curves and warns. */
 
 typedef struct vs_output vs_output; /* the file in progress; valid in callbacks only */
 

@@ -16,8 +16,8 @@
 
 const char LIVE_NEWER[] = "the file has changed on disk since it was read here";
 enum { MOST_BYTES = 256 << 20 };
-/* Milliseconds. The time of a file may lag by one tick of the system's clock, at most ten milliseconds. So a later
- * change is visible in any file older than that. */
+/* Milliseconds. The time of a file may lag by one tick of the system's clock, at most ten milliseconds. Therefore a
+ * later change is visible in any file older than that. */
 enum { SETTLE = 12, SETTLE_EMPTY = 500, SETTLE_MOST = 700, SETTLE_LOOK = 2 };
 
 bool live_file_read(const char *path, char **text, size_t *length, const char **why) {

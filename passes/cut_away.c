@@ -1,8 +1,8 @@
 /* Owns the cutting of a drawing by a view's plane, as nodes.
  *
- * A solid becomes a difference with a half-space that has no material. So the faces of the cut have the material of the
- * solid behind them; where solids overlap, that of the earlier solid. A thin or mixed drawing becomes a slice, which
- * solids/resolve.c computes. */
+ * A solid becomes a difference with a half-space that has no material. Therefore the faces of the cut have the material
+ * of the solid behind them; where solids overlap, that of the earlier solid. A thin or mixed drawing becomes a slice,
+ * which solids/resolve.c computes. */
 #include "passes/cut_away.h"
 
 vs_node *vs_node_cut(vs_ref ref, vs_vec3 point, vs_vec3 normal) {

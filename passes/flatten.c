@@ -5,7 +5,7 @@
  * the material of an earlier solid wins where solids overlap.
  *
  * A set that will dissolve into its parent is passed on unchanged and noted; the topmost set gathers all members below
- * it at once. So a chain of n binary unions costs n, not n^2. */
+ * it at once. Therefore a chain of n binary unions costs n, not n^2. */
 #include "passes/flatten.h"
 
 #include <string.h>

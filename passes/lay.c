@@ -1,9 +1,9 @@
 /* Owns laying: bricks, boards and pictures on turned objects.
  *
  * POV-Ray chooses the face's projection by its normal in the scene, and turns a texture with its object. Both agree if
- * only shifts surround the material. So the pass moves each other placement around a material one step down in a round,
- * until it is below all of them: bricks then follow the scene's axes and keep their size, as on web pages. Shifts stay,
- * and so does most sharing of copies. */
+ * only shifts surround the material. Therefore the pass moves each other placement around a material one step down in a
+ * round, until it is below all of them: bricks then follow the scene's axes and keep their size, as on web pages.
+ * Shifts stay, and so does most sharing of copies. */
 #include "passes/lay.h"
 
 #include "passes/rewrite.h"

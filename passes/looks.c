@@ -1,11 +1,11 @@
 /* Owns looks in flat sets: each part of a region keeps its material and its layer.
  *
- * A format makes one region of a difference of regions, and a region has a single look. So the pass moves looks out of
- * the set: (a + b in red) - c becomes (a - c) + (b - c) in red. It takes the operand with looks apart into parts, each
- * with its placements and its looks. Parts of equal look stay together, so a set becomes as many sets as it has looks.
- * In a difference that operand is the first; in an intersection it is the first operand with a look, so the earlier
- * look applies to the common part. An offset, a hull and a filled curve are new outlines; they have the look of their
- * first part.
+ * A format makes one region of a difference of regions, and a region has a single look. Therefore the pass moves looks
+ * out of the set: (a + b in red) - c becomes (a - c) + (b - c) in red. It takes the operand with looks apart into
+ * parts, each with its placements and its looks. Parts of equal look stay together, so a set becomes as many sets as it
+ * has looks. In a difference that operand is the first; in an intersection it is the first operand with a look, so the
+ * earlier look applies to the common part. An offset, a hull and a filled curve are new outlines; they have the look of
+ * their first part.
  *
  * A union does not change: the driver shows its members one by one if they contain a look.
  *

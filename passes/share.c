@@ -4,15 +4,15 @@
  * Each distinct node gets an anchor and a key. The anchor is a point of the node that moves with it. The key is a hash
  * of 128 bits over the kind, the fields and the children's keys, with all positions relative to the anchor. Equal keys
  * are equal shapes: two different shapes get one key once in 2^64 models, and nothing else is compared. Rounding makes
- * the numbers of the same part at two places differ. So positions within 2^-40 of the largest number hash as the first
- * of them that the pass met. A plain grid would separate neighbours on the two sides of a step, and a tree of a
+ * the numbers of the same part at two places differ. Therefore positions within 2^-40 of the largest number hash as the
+ * first of them that the pass met. A plain grid would separate neighbours on the two sides of a step, and a tree of a
  * thousand numbers soon has such a pair. Other numbers are rounded to 40 bits in the same way.
  *
  * A moved shape, and a set of one, count as the shape within: they have its key, and no copy of their own.
  *
  * Only repeated parts need a key. Nodes know their form, a hash without numbers and places. If no other node has a
- * set's form, and the set lies in no such node, the pass skips it. So a million primitives in one set cost nothing
- * here.
+ * set's form, and the set lies in no such node, the pass skips it. Therefore a million primitives in one set cost
+ * nothing here.
  *
  * The pass computes keys twice. The first keys cover only some points of each array, which distinguish nearly all
  * shapes of a thousand points. Where two are equal, the pass computes whole ones.

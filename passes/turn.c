@@ -4,7 +4,7 @@
  * pairs of points that move with them: its own points, if they determine the primitive (a sphere's centre, a cylinder's
  * ends, corners); else the corner and the axes of its frame, and then its fields must be equal. Three points far from
  * each other, and the side on which a fourth lies, determine the only possible rigid map; then every pair must agree
- * with it. So a template is never wrong by more than rounding, whatever the candidates were. */
+ * with it. Therefore a template is never wrong by more than rounding, whatever the candidates were. */
 #include "passes/turn.h"
 
 #include <math.h>
