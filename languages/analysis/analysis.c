@@ -1,4 +1,4 @@
-/* Owns the arrays of an analysis, and the questions that need nothing else. */
+/* Owns the arrays of an analysis, and the queries that need nothing else. */
 #include "languages/analysis/analysis.h"
 
 #include <stdarg.h>
@@ -164,7 +164,7 @@ void know_use_add(knowledge *k, know_index symbol, know_index node, know_role ro
   s->calls += called;
 }
 
-/* ---- asking ---- */
+/* ---- queries ---- */
 
 know_index know_nth(const knowledge *k, know_index list, uint32_t nth) {
   know_index i = list ? k->nodes[list].first : 0;
@@ -176,7 +176,7 @@ bool know_is(const knowledge *k, know_index node, const char *word) {
   const know_node *n = know_at(k, node);
   if (!node || (n->kind != KNOW_SYMBOL && n->kind != KNOW_KEYWORD)) return false;
   const char *text = k->names[n->name].text;
-  return !strcmp(k->script && !strncmp(text, "js:", 3) ? text + 3 : text, word); /* a script's js:if is its if */
+  return !strcmp(k->script && !strncmp(text, "js:", 3) ? text + 3 : text, word); /* in a script, js:if counts as if */
 }
 
 const char *know_spelling(const knowledge *k, know_index node, size_t *length) {
@@ -209,7 +209,7 @@ const char *know_kind_word(know_kind kind) {
 /* ---- the whole ---- */
 
 bool know_open(knowledge *k) {
-  /* element 0 of each array is nobody */
+  /* element 0 of each array means none */
   know_index none = know_node_new(k, KNOW_OTHER);
   none |= know_name_of(k, "", 0, 0, 0);
   k->name_table[0] = 0;

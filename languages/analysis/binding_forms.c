@@ -1,5 +1,5 @@
-/* Owns the shapes of binding_forms.def: which parts of a form are expressions, which bind names, and how far those
- * reach. */
+/* Owns the shapes of binding_forms.def: the expressions and bindings among a form's parts, and the scope of each
+ * binding. */
 #include "languages/analysis/binding_forms.h"
 
 #include <stdio.h>
@@ -9,7 +9,7 @@ typedef struct {
   know_walk *w;
   knowledge *k;
   know_index node, scope;
-  know_index head, second, third; /* the elements behind the word */
+  know_index head, second, third; /* the elements after the word */
 } form;
 
 static know_index next(const form *f, know_index node) { return node ? f->k->nodes[node].next : 0; }
@@ -23,7 +23,7 @@ static know_index scope_in(form *f, know_index parent, know_scope_kind kind) { r
     kind, f->node); }
 static void word(form *f, know_index node) { know_mark(f->k, node, KNOW_SYNTAX, 0, f->scope); }
 
-/* A procedure's name, from the list that stands behind define, and the symbol that it gets. */
+/* Walks a procedure's name and its symbol, from the list after define. */
 static void lambda_into(form *f, know_index list, know_index first, know_index forms, know_index scope,
     know_index owner, know_arity *arity) {
   know_index inner = know_scope_new(f->k, scope, KNOW_SCOPE_PROCEDURE, f->node);
@@ -31,14 +31,14 @@ static void lambda_into(form *f, know_index list, know_index first, know_index f
   body(f, forms, inner);
 }
 
-/* ---- forms that bind nothing, or only where they stand ---- */
+/* ---- forms without bindings, or with local ones ---- */
 
 static void walk_DATA(form *f) {
   for (know_index i = f->second; i; i = next(f, i)) know_mark_data(f->k, i, KNOW_DATUM);
 }
 
-/* A template: what is behind , and ,@ at its own level is evaluated. Levels are counted by a stack of nodes on the
- * walk's list. */
+/* Walks a template: the data after , and ,@ at its own level are evaluated. A stack of nodes on the walk's list counts
+ * levels. */
 static void walk_QUASI(form *f) {
   enum { MOST = 200 };
   struct { know_index at; int level; } stack[MOST];
@@ -98,7 +98,7 @@ static void walk_FLAGS(form *f) { /* '(name (name test)): the tests are expressi
   each(f, next(f, f->third), f->scope);
 }
 
-/* A clause (test value ...), (test => procedure), (else value ...). */
+/* Walks a clause (test value ...), (test => procedure), (else value ...). */
 static void clause(form *f, know_index node, know_index scope, bool data) {
   know_index test = first_of(f, node), value = next(f, test);
   if (!test) return;
@@ -160,7 +160,7 @@ static void walk_REC(form *f) {
   }
 }
 
-/* Reads off the value of a definition: a procedure's parameters are those of the lambda. */
+/* Takes the facts of a definition from its value: a procedure's parameters are the lambda's. */
 static bool describe(form *f, know_index symbol, know_index value) {
   knowledge *k = f->k;
   know_symbol *s = &k->symbols[symbol];
@@ -284,10 +284,10 @@ static void walk_DO(form *f) { /* (do ([name start step] ...) (test result ...) 
   for (know_index i = first_of(f, f->second); i; i = next(f, i)) one(f, know_nth(f->k, i, 2), inner);
 }
 
-/* Clauses [name sequence] and #:when test; returns the scope of the body. Names of one `for` see none of each other,
- * which makes no difference to which names are used. */
+/* Walks clauses [name sequence] and #:when test; returns the scope of the body. Names of one `for` do not see each
+ * other; this does not change which names are used. */
 static know_index sequences(form *f, know_index list, know_index scope) {
-  bool guard = false; /* this is the test behind #:when or #:unless */
+  bool guard = false; /* this is the test after #:when or #:unless */
   for (know_index i = first_of(f, list); i; i = next(f, i)) {
     bool test = guard;
     guard = f->k->nodes[i].kind == KNOW_KEYWORD;
@@ -316,7 +316,7 @@ static void walk_FOR_FOLD(form *f) {
 static void walk_GUARD(form *f) { /* (guard (name clause ...) body ...) */
   know_index inner = scope_in(f, f->scope, KNOW_SCOPE_LET), name = first_of(f, f->second);
   know_index s = know_bind(f->w, name, inner, KNOW_LOCAL, f->second);
-  if (s) know_use_add(f->k, s, know_written(f->k, name), KNOW_REFERENCE, false); /* that it is caught is use enough */
+  if (s) know_use_add(f->k, s, know_written(f->k, name), KNOW_REFERENCE, false); /* catching it counts as a use */
   clauses(f, next(f, name), inner, false);
   body(f, f->third, f->scope);
 }
@@ -328,7 +328,7 @@ static void walk_DEFINE(form *f) {
   knowledge *k = f->k;
   if (is_symbol(f, target)) {
     know_index s = know_bind(f->w, target, f->scope, KNOW_VARIABLE, f->node);
-    if (describe(f, s, forms)) { /* counts the lambda's parameters without binding them: the lambda does that */
+    if (describe(f, s, forms)) { /* counts the lambda's parameters without binding them, since the lambda does that */
       know_arity a = {.known = true, .keywords = k->symbols[s].parameters};
       know_index list = k->symbols[s].parameters;
       if (is_symbol(f, list)) a.most = UINT32_MAX;
@@ -352,7 +352,7 @@ static void walk_DEFINE(form *f) {
   }
   if (!is_list(f, target)) return;
   know_index list = target, name = first_of(f, target), outer = 0;
-  while (is_list(f, name)) outer = list, list = name, name = first_of(f, name); /* ((f a) b) gives procedures */
+  while (is_list(f, name)) outer = list, list = name, name = first_of(f, name); /* ((f a) b) returns procedures */
   know_index s = know_bind(f->w, name, f->scope, KNOW_FUNCTION, f->node);
   know_index scope = know_scope_new(k, f->scope, KNOW_SCOPE_PROCEDURE, f->node);
   know_arity arity;
@@ -371,7 +371,7 @@ static void walk_DEFINE(form *f) {
   }
   body(f, forms, scope);
 }
-/* (define-function (f x ...) #:x (from to steps) expression): the ranges are lists of expressions. */
+/* Walks (define-function (f x ...) #:x (from to steps) expression): the ranges are lists of expressions. */
 static void walk_DEFINE_FUNCTION(form *f) {
   know_index name = first_of(f, f->second), expression = 0;
   if (!is_symbol(f, name)) {
@@ -399,7 +399,7 @@ static void walk_DEFINE_VALUES(form *f) {
   formals(f, f->second, f->scope, KNOW_VARIABLE, f->node);
   each(f, f->third, f->scope);
 }
-/* A name that the form makes of parts; it is written nowhere, so its place is that of the form's name. */
+/* Returns a name that the form composes. The text does not contain it, so its place is that of the form's name. */
 static know_index derived(form *f, know_index place, know_index scope, const char *a, const char *b, const char *c,
     const char *d) {
   char text[256];
@@ -493,19 +493,19 @@ static void walk_DEFINE_PRIMITIVE(form *f) {
     if (!is_symbol(f, field) || f->k->nodes[i].kind == KNOW_KEYWORD) continue;
     derived(f, field, f->scope, plain, "-", text_of(f, field), "");
     know_index p = know_bound_in(f->k, scope, f->k->nodes[field].name);
-    if (p) know_use_add(f->k, p, know_written(f->k, field), KNOW_REFERENCE, false); /* the object keeps it */
+    if (p) know_use_add(f->k, p, know_written(f->k, field), KNOW_REFERENCE, false); /* the object stores it */
   }
   if (called) body(f, f->third, scope);
 }
-/* (define-rule (name [self scope?] ...) clause or definition ...): in a clause, (=> call ...) gives parts; the scope
- * goes first into each call. */
+/* Walks (define-rule (name [self scope?] ...) clause or definition ...). In a clause, (=> call ...) gives parts; each
+ * call receives the scope as its first argument. */
 static void rule_parts(form *f, know_index node, know_index scope) {
   for (know_index i = first_of(f, node); i; i = next(f, i)) {
     know_index head = first_of(f, i);
     if (f->k->nodes[i].kind == KNOW_KEYWORD || know_is(f->k, i, "=>")) word(f, i);
     else if (is_symbol(f, head) && !know_is(f->k, head, "quote") && know_is(f->k, first_of(f, node), "=>")) {
-      know_mark(f->k, i, KNOW_SYNTAX, 0, scope); /* a call with one argument more than is written */
-      one(f, head, scope); /* later, when what follows the rule has defined its names */
+      know_mark(f->k, i, KNOW_SYNTAX, 0, scope); /* a call with one argument more than its text */
+      one(f, head, scope); /* later, when the forms after the rule have defined their names */
       each(f, next(f, head), scope);
     } else one(f, i, scope);
   }
@@ -521,7 +521,7 @@ static void walk_DEFINE_RULE(form *f) {
   know_index p = is_symbol(f, self_name) ? know_bound_in(f->k, scope, f->k->nodes[self_name].name) : 0;
   if (p) know_use_add(f->k, p, know_written(f->k, self_name), KNOW_REFERENCE, false);
   if (s) f->k->symbols[s].parameters = f->second, f->k->symbols[s].body = f->third;
-      /* called without self too: no arity */
+      /* also called without self: no arity */
   know_index inner = know_scope_new(f->k, scope, KNOW_SCOPE_BODY, f->node);
   for (know_index i = f->third; i; i = next(f, i)) {
     know_index head = first_of(f, i);
@@ -549,7 +549,7 @@ static void walk_BACK_END(form *f) {
   each(f, f->third, f->scope);
 }
 
-/* ---- what structures a program ---- */
+/* ---- the structure of a program ---- */
 
 static void walk_IMPORT(form *f) {
   knowledge *k = f->k;
@@ -562,7 +562,7 @@ static void walk_IMPORT(form *f) {
       f->w->begun ? 0 : VS_EVAL_PROGRAM);
   k->muted = false;
   f->w->begun = true;
-  if (outcome != VS_OUTCOME_DONE) k->open = true; /* a library of the program's own, perhaps */
+  if (outcome != VS_OUTCOME_DONE) k->open = true; /* it may be a library of the program */
 }
 static void walk_LIBRARY(form *f) {
   know_mark_data(f->k, f->second, KNOW_SYNTAX);

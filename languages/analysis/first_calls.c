@@ -1,7 +1,7 @@
-/* Owns the text of a program that remembers what its procedures give when they are first called (first_calls.h).
+/* Owns the instrumented text of a program: it records the result of each procedure's first call (first_calls.h).
  *
- * Behind the top-level form that defines a procedure, or loads the file that does, a procedure of the same name takes
- * its place until it is called: it puts the program's own back, calls that, and keeps what comes of it. */
+ * After the top-level form that defines a procedure, or loads the file that does, a procedure of the same name replaces
+ * it until its first call. Then the replacement restores the original, calls it, and keeps the result. */
 #include "languages/analysis/first_calls.h"
 
 #include <stdio.h>
@@ -25,7 +25,7 @@ void know_first_result(know_index symbol, char *expression) {
   snprintf(expression, KNOW_FIRST_ROOM, "%%first-result-%u", (unsigned)symbol);
 }
 
-/* Keywords are not handed on by a list of arguments, and what only running the program knows may be no procedure. */
+/* A list of arguments cannot pass keywords on, and a name that only a run could determine may be no procedure. */
 bool know_remembers(const knowledge *k, know_index symbol) {
   const know_symbol *y = &k->symbols[symbol];
   if (k->script || y->kind != KNOW_FUNCTION || y->made || !y->definition || !y->form || !y->parameters || y->sets ||
@@ -34,14 +34,14 @@ bool know_remembers(const knowledge *k, know_index symbol) {
   return true;
 }
 
-/* The form of the program's own file that brings the definition; 0: none does. */
+/* Returns the form of the program's own file that brings the definition; 0: none. */
 static know_index brought_by(const knowledge *k, know_index node) {
   while (node && k->nodes[node].at.file) node = k->files[k->nodes[node].at.file].loaded_by;
   while (node && k->nodes[node].parent && k->nodes[node].parent != k->files[0].root) node = k->nodes[node].parent;
   return node;
 }
 
-/* The form with `kept` for each %s, and the name for each %n. */
+/* Writes the form with `kept` for each %s, and the name for each %n. */
 static void put_words(builder *b, const char *form, const char *kept, const char *name, size_t n) {
   for (const char *p = form; *p;) {
     size_t plain = strcspn(p, "%");

@@ -1,4 +1,4 @@
-/* Owns the text of a program that remembers what its procedures give when they are first called. */
+/* Owns the instrumented text of a program: it records the result of each procedure's first call. */
 #ifndef VS_LANGUAGES_ANALYSIS_FIRST_CALLS_H
 #define VS_LANGUAGES_ANALYSIS_FIRST_CALLS_H
 
@@ -6,12 +6,13 @@
 
 enum { KNOW_FIRST_ROOM = 40 };
 
-/* The program's text, each procedure of which, when it is first called, keeps what it gives. Lines stay where they are.
- * NULL: it is a script, or out of memory. The caller frees it. */
+/* Returns the program's text, changed so that each procedure keeps the result of its first call. Lines keep their
+ * numbers. NULL: it is a script, or memory is out. The caller frees it. */
 char *know_remembering(const knowledge *k, size_t *length);
-/* Is that kept for the procedure? */
+/* Returns true if the text records the procedure. */
 bool know_remembers(const knowledge *k, know_index symbol);
-/* The expression that gives it, #f where it was never called: at most KNOW_FIRST_ROOM bytes. */
+/* Writes the expression that returns the result, #f if the procedure was never called: at most KNOW_FIRST_ROOM
+ * bytes. */
 void know_first_result(know_index symbol, char *expression);
 
 #endif

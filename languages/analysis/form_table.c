@@ -1,4 +1,4 @@
-/* Owns the look-ups in binding_forms.def. */
+/* Owns the searches in binding_forms.def. */
 #include "languages/analysis/form_table.h"
 
 #include <stddef.h>

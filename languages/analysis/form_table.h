@@ -1,14 +1,14 @@
-/* Owns the rows of binding_forms.def as others ask for them. */
+/* Owns the queries about rows of binding_forms.def. */
 #ifndef VS_LANGUAGES_ANALYSIS_FORM_TABLE_H
 #define VS_LANGUAGES_ANALYSIS_FORM_TABLE_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/* 1 + the row of the language's form of that name; 0: there is none. */
+/* Returns 1 + the row of the language's form of that name; 0: none. */
 uint16_t know_form_row(const char *name);
-/* Does the form define names where it stands, or structure the program: is it for bodies to look at first? */
+/* Returns true if the form defines names in its scope, or structures the program, so that a body must see it first. */
 bool know_form_defines(uint16_t row);
-bool know_form_splices(uint16_t row); /* begin: its parts stand where it stands */
+bool know_form_splices(uint16_t row); /* begin: its parts belong to the scope around it */
 
 #endif

@@ -1,9 +1,9 @@
-/* Owns the expansion of syntax-rules over nodes, so that every part of what comes out knows where it was written.
+/* Owns the expansion of syntax-rules over nodes, in which every part of the result knows its place in the text.
  *
- * A form that a use brings in is copied one node deep: the copy has the original as its origin and shares what is below
- * it. The forms of a template are made: its names are aliases, each expansion's own, which mean what they mean where
- * the macro was defined unless the expansion itself binds them. Patterns and templates deeper than MOST_DEPTH are not
- * followed. */
+ * A form that a use passes in is copied one node deep: the copy has the original as its origin and shares all nodes
+ * below it. The forms of a template are new. Its names are aliases that belong to this expansion; each means the same
+ * as at the macro's definition, unless the expansion binds it. Patterns and templates deeper than MOST_DEPTH are not
+ * expanded. */
 #include "languages/analysis/macro_rules.h"
 
 #include <string.h>
@@ -24,7 +24,7 @@ typedef struct {
   know_index scope, defined; /* of the use; of the macro */
   know_index literals, ellipsis;
   know_index use;
-  know_index serial;         /* a scope of its own that tells this expansion's aliases from others' */
+  know_index serial;         /* a scope that separates this expansion's aliases from others */
   match *bound;
   int depth;
 } expansion;
@@ -47,7 +47,7 @@ static bool is_literal(const expansion *x, know_index node) {
   return false;
 }
 
-/* A node for the elements from `first` on, which stay where they are. */
+/* Returns a node for the elements from `first` on, which stay in their list. */
 static know_index tail(expansion *x, know_index list, know_index first, uint32_t count) {
   if (count == 1 && x->k->nodes[list].dotted && !x->k->nodes[first].next) return first;
   know_index t = know_node_new(x->k, KNOW_LIST);
@@ -77,7 +77,8 @@ static void collect_names(expansion *x, know_index pattern, match **out) {
 
 static bool fits(expansion *x, know_index pattern, know_index node, match **out);
 
-/* The elements of a list against the patterns of one; skip: but for the first of each, which is the macro's name. */
+/* Matches the elements of a list with the patterns of another; skip: ignores the first of each, which is the macro's
+ * name. */
 static bool fits_list(expansion *x, know_index pattern, know_index list, bool skip, match **out) {
   knowledge *k = x->k;
   know_index p = k->nodes[pattern].first, i = k->nodes[list].first;
@@ -197,7 +198,7 @@ static bool append(expansion *x, know_index list, know_index *last, know_index n
   return true;
 }
 
-/* Which of the template's variables were collected by an ellipsis? Returns one. */
+/* Returns a variable of the template that an ellipsis collected. */
 static match *repeated_in(expansion *x, know_index template, match *bound) {
   const know_node *t = &x->k->nodes[template];
   if (t->kind == KNOW_SYMBOL) {
@@ -215,7 +216,7 @@ static match *repeated_in(expansion *x, know_index template, match *bound) {
 static bool repeat(expansion *x, know_index list, know_index *last, know_index template, match *bound, int levels) {
   match *m = repeated_in(x, template, bound);
   if (!m || x->depth >= MOST_DEPTH) return false;
-  /* variables that were collected together stand in the same parts; others go along by position */
+  /* variables that were collected together are in the same parts; others go along by position */
   uint32_t at = 0;
   for (match *part = m->parts; part; part = part->next, at++) {
     match *inner = bound;
@@ -243,7 +244,7 @@ static know_index build_list(expansion *x, know_index template, match *bound) {
   if (is_ellipsis(x, k->nodes[template].first) && k->nodes[template].count == 2) { /* (... ...) */
     know_index kept = x->ellipsis, none = know_node_new(k, KNOW_SYMBOL);
     if (!none) return 0;
-    x->ellipsis = none; /* a name that nothing has */
+    x->ellipsis = none; /* a name that occurs nowhere */
     know_index out = build(x, know_nth(k, template, 1), bound);
     x->ellipsis = kept;
     return out;

@@ -1,4 +1,4 @@
-/* Owns the scopes of the walk: finding, binding and marking names, and leaving parts for later. */
+/* Owns the scopes of the walk: it finds, binds and marks names, and defers parts. */
 #include "languages/analysis/name_walk.h"
 
 #include <stdio.h>
@@ -42,7 +42,7 @@ void know_mark(knowledge *k, know_index node, know_role role, know_index symbol,
   }
 }
 
-/* Does `each` for the node and all below it. */
+/* Calls `each` for the node and all nodes below it. */
 void know_each_in(knowledge *k, know_index root, void (*each)(knowledge *k, know_index node, void *context),
     void *context) {
   know_index *stack = NULL;
@@ -73,7 +73,7 @@ void know_mark_data(knowledge *k, know_index node, know_role role) {
 
 /* ---- names ---- */
 
-/* The entry of the language, or of an imported library, under the name. */
+/* Returns the entry of the language, or of an imported library, with the name. */
 static know_index ask_language(know_walk *w, know_index name) {
   knowledge *k = w->k;
   const char *text = k->names[name].text;
@@ -85,7 +85,7 @@ static know_index ask_language(know_walk *w, know_index name) {
     return word;
   }
   if (!vs_name_get(k->scheme, text, &info)) return 0;
-  if (k->script) return know_symbol_new(k, KNOW_LANGUAGE, name, KNOW_BUILTIN); /* which takes any number of arguments */
+  if (k->script) return know_symbol_new(k, KNOW_LANGUAGE, name, KNOW_BUILTIN); /* it takes any number of arguments */
   bool form = !strcmp(info.kind, "form");
   know_index s = know_symbol_new(k, KNOW_LANGUAGE, name, form ? KNOW_MACRO : KNOW_BUILTIN);
   if (!s) return 0;
@@ -195,7 +195,7 @@ void know_bind_parameters(know_walk *w, know_index list, know_index first, know_
 
 /* ---- files ---- */
 
-/* The file that the string names. */
+/* Returns the file that the string names. */
 know_index know_file_named(know_walk *w, know_index node) {
   char path[KNOW_PATH];
   know_index string = know_written(w->k, node);

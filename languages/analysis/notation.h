@@ -1,4 +1,4 @@
-/* Owns the writing of a tree of named things as JSON or as XML, well formed whatever the texts hold. */
+/* Owns the writing of a tree of named things as JSON or as XML, well formed for any text. */
 #ifndef VS_LANGUAGES_ANALYSIS_NOTATION_H
 #define VS_LANGUAGES_ANALYSIS_NOTATION_H
 
@@ -15,23 +15,23 @@ typedef struct {
   FILE *to;
   know_notation notation;
   uint32_t depth;
-  bool values;   /* the thing at work has some already */
-  bool begun;    /* XML: its tag is still open; JSON: the list at work has elements */
+  bool values;   /* the current thing has some already */
+  bool begun;    /* XML: its tag is still open; JSON: the current list has elements */
 } know_writer;
 
 void know_write_start(know_writer *w, FILE *to, know_notation notation, const char *root);
 void know_write_end(know_writer *w, const char *root);
 void know_write_text(know_writer *w, const char *key, const char *text, size_t length);
-void know_write_word(know_writer *w, const char *key, const char *text); /* "": nothing is written */
+void know_write_word(know_writer *w, const char *key, const char *text); /* "": writes nothing */
 void know_write_number(know_writer *w, const char *key, uint32_t value);
-void know_write_flag(know_writer *w, const char *key, bool value); /* false: nothing is written */
-/* A list, and each thing in it; `item` is its element in XML. */
+void know_write_flag(know_writer *w, const char *key, bool value); /* false: writes nothing */
+/* Writes a list; `item` is its element in XML. */
 void know_write_list(know_writer *w, const char *key);
 void know_write_item(know_writer *w, const char *item);
 void know_write_item_end(know_writer *w, const char *item);
 void know_write_list_end(know_writer *w, const char *key);
 
-/* Text as it may stand in XML: < > & " as entities; what XML has no way to hold is U+FFFD. */
+/* Writes text for XML: < > & " as entities, and U+FFFD for a character that XML cannot hold. */
 void know_xml_text(FILE *to, const char *text, size_t length);
 void know_json_text(FILE *to, const char *text, size_t length);
 

@@ -1,9 +1,8 @@
-/* Owns the walk through a program that finds out what its names mean.
+/* Owns the walk through a program that finds the meanings of its names.
  *
- * Plan. A stack of tasks, each "this is an expression of that scope" or "these are a body". A body is looked through
- * first for what it defines, macros at the heads of its forms expanded on the way, so that its names are known wherever
- * they are used. The effect of a form on names is the matter of binding_forms.c's. Names that nothing has defined when
- * they are met are looked up again at the end. */
+ * A stack holds tasks: an expression of a scope, or a body. The walk first searches a body for definitions, and expands
+ * macros at the heads of its forms, so that each name is known wherever it is used. binding_forms.c has the effect of
+ * each form on names. A name without a definition so far is searched again at the end. */
 #include "languages/analysis/resolve_names.h"
 
 #include <stdlib.h>
@@ -18,7 +17,7 @@
 
 static bool no_memory(knowledge *k) { return know_fail(k, NULL, VS_OUTCOME_MACHINE, "out of memory"); }
 
-/* Tasks that the form at work left for later are done next, in its order. */
+/* Puts the tasks that the current form deferred on the stack, in its order. */
 static void flush(know_walk *w) {
   if (!VS_GROW(w->tasks, w->task_room, w->task_count + w->later_count)) {
     no_memory(w->k);
@@ -44,8 +43,8 @@ static void opaque(know_walk *w, know_index node, know_index scope) {
       opaque_one, &context);
 }
 
-/* Expands the program's own macros at the node's head. Returns what stands there then; 0: nothing more to do with it.
- * *row: the language's form. */
+/* Expands the program's own macros at the node's head. Returns the resulting node; 0: nothing more to do with it. *row:
+ * the language's form. */
 static know_index settle(know_walk *w, know_index node, know_index scope, uint16_t *row) {
   knowledge *k = w->k;
   *row = 0;
@@ -126,7 +125,7 @@ static void follow(knowledge *k, cursors *c, know_index first) {
   else c->at[c->count++] = first;
 }
 
-/* Looks a body through: definitions bind at once, everything else is left for later. */
+/* Walks a body: definitions bind at once, all else is deferred. */
 static void body(know_walk *w, know_index first, know_index scope) {
   knowledge *k = w->k;
   cursors c = {0};
@@ -212,7 +211,8 @@ static void run(know_walk *w) {
 
 static know_index comment_before(const knowledge *k, const know_file *f, uint32_t line, know_index *end) {
   know_index last = 0, first = 0;
-  for (know_index lo = f->first_comment, hi = f->comment_end; lo < hi;) { /* the last that ends on the line before */
+  for (know_index lo = f->first_comment, hi = f->comment_end; lo < hi;) { /* the last one that ends on the line
+                                                                           * before */
     know_index mid = lo + (hi - lo) / 2;
     if (k->comments[mid].end_line < line) last = mid, lo = mid + 1;
     else hi = mid;
@@ -253,7 +253,7 @@ static void find_comments(knowledge *k) {
 
 /* ---- the whole ---- */
 
-/* Where the program evaluates data, or loads a file that only running it can name, other names may be defined. */
+/* If the program evaluates data, or loads a file whose name only a run gives, it may define other names. */
 static void find_openness(knowledge *k) {
   for (know_index i = 1; i < k->node_count && !k->script; i++) {
     const know_node *n = &k->nodes[i];
@@ -271,7 +271,7 @@ static bool resolve(knowledge *k) {
   know_walk w = {.k = k};
   know_scope_new(k, 0, KNOW_SCOPE_LANGUAGE, 0);
   know_scope_new(k, KNOW_LANGUAGE, KNOW_SCOPE_PROGRAM, k->files[0].root);
-  k->text_nodes = k->node_count ? k->node_count - 1 : 0; /* node 0 stands for none */
+  k->text_nodes = k->node_count ? k->node_count - 1 : 0; /* node 0 means none */
   k->files[0].run = true;
   know_later_body(&w, k->nodes[k->files[0].root].first, KNOW_PROGRAM);
   run(&w);
@@ -284,8 +284,8 @@ static bool resolve(knowledge *k) {
     know_use_add(k, s, know_written(k, t.node), role, (t.kind & 64) != 0);
   }
   for (know_index s = 1; k->script && s < k->symbol_count; s++)
-    k->symbols[s].arity.least = 0; /* what is left out is undefined */
-  for (know_index i = 1; i < k->node_count; i++) /* what the patterns of macros took as words */
+    k->symbols[s].arity.least = 0; /* omitted arguments are undefined */
+  for (know_index i = 1; i < k->node_count; i++) /* data that macro patterns used as words */
     if (k->nodes[i].kind == KNOW_SYMBOL && k->nodes[i].role == KNOW_EXPRESSION) k->nodes[i].role = KNOW_SYNTAX;
   if (!*k->trouble) find_openness(k), find_comments(k);
   free(w.tasks);

@@ -1,9 +1,8 @@
-/* Owns the reading of a program's text into nodes that know their places, with its comments.
+/* Owns the reader of a program's text into nodes with places and comments.
  *
- * Plan. The language's own reader looks at the text first and words every mistake in it, as when the program is run; so
- * this one meets whole texts and needs no messages. It exists beside that reader since running a program needs neither
- * the places of single names nor comments nor how a number was written, and pays for none of it. A stack of open lists,
- * never the C stack. */
+ * The language's own reader sees the text first and words each error as a run would. Therefore this reader meets only
+ * correct texts, and needs no messages. Both exist, since a run needs neither the places of single names, nor comments,
+ * nor the spelling of numbers, and should not pay for them. A stack of open lists replaces the C stack. */
 #include "languages/analysis/source_tree.h"
 
 #include <errno.h>
@@ -23,7 +22,7 @@ typedef struct {
   const char *text;
   size_t size, at, line_start;
   uint32_t file, line;
-  size_t column_at;         /* byte whose column is known: places are asked for from left to right */
+  size_t column_at;         /* the byte whose column is known; requests for places come from left to right */
   uint32_t column;
   bool line_has_code;
   bool fold;
@@ -55,7 +54,7 @@ static void finish(reader *r, know_index node) {
   p->to = (uint32_t)r->at, p->end_line = r->line, p->end_column = column_of(r, r->at);
 }
 
-/* Bytes of the blank character here; 0: it is none. */
+/* Returns the bytes of the blank character here; 0: none. */
 static size_t blank(const reader *r) {
   int c = peek(r, 0);
   if (c < 0) return 0;
@@ -96,7 +95,7 @@ static void block(reader *r) {
   }
 }
 
-/* Blanks and comments. False: the end of the text, or trouble. */
+/* Skips blanks and comments. Returns false at the end of the text, or with trouble. */
 static bool skip(reader *r) {
   for (;;) {
     int c = peek(r, 0);
@@ -137,12 +136,12 @@ static bool push(reader *r, know_index node, char close) {
   return true;
 }
 
-/* what #; hides is no part of the program: the node stays without a parent */
+/* a datum hidden by #; is no part of the program: its node has no parent */
 static void drop(reader *r, know_index node) {
   r->k->nodes[node].parent = 0;
 }
 
-/* Puts a finished node where it belongs; quotes that waited for it are finished with it. */
+/* Adds a finished node to its parent; this finishes quotes that waited for it. */
 static void deliver(reader *r, know_index node) {
   for (;;) {
     open_list *o = &r->open[r->depth - 1];
@@ -230,7 +229,7 @@ static bool number_like(const char *s, size_t n) {
 
 static bool is_word(const char *s, size_t n, const char *word) { return n == strlen(word) && !memcmp(s, word, n); }
 
-/* A name or number, |with bars| perhaps. */
+/* Reads a name or number, also one |with bars|. */
 static bool token(reader *r) {
   know_place at = begin(r);
   size_t from = r->at;
@@ -351,8 +350,7 @@ static bool exists(const char *path) {
   return f != NULL;
 }
 
-/* folder and the name with a / between them where there is need of one. False: it is too long, or there is no such
- * file. */
+/* Joins folder and name, with a / if needed. Returns false if the path is too long, or there is no such file. */
 static bool in_folder(const char *folder, size_t length, const char *name, size_t n, char path[KNOW_PATH]) {
   const char *slash = length && folder[length - 1] != '/' ? "/" : "";
   int room = snprintf(path, KNOW_PATH, "%.*s%s%.*s", (int)length, folder, slash, (int)n, name);
@@ -431,13 +429,13 @@ static bool is_text(const char *text, size_t length) {
   return true;
 }
 
-/* Does the language's reader take the text? It reads all of a text before anything of it runs; so a first form, on a
- * line before the first, that cannot be expanded makes it read and not run. The host passes over what is said of that
- * line. */
+/* Returns true if the language's reader accepts the text. It reads a whole text before it runs any of it. Therefore a
+ * first form that cannot be expanded, on a line before the first, makes it read and not run. The host ignores messages
+ * about that line. */
 static bool readable(knowledge *k, const char *path, const char *text, size_t length) {
   static const char before[] = "(lambda)\n";
   char *whole = NULL;
-  if (!is_text(text, length)) { /* its message counts bytes; nothing of it can run */
+  if (!is_text(text, length)) { /* its message counts bytes; no part of it can run */
     vs_eval_text(k->scheme, path, 1, text, length, 0);
     return know_fail(k, NULL, VS_OUTCOME_MODEL, "%s", "-");
   }
@@ -450,7 +448,7 @@ static bool readable(knowledge *k, const char *path, const char *text, size_t le
   k->reading = false;
   free(whole);
   if (outcome == VS_OUTCOME_MODEL && !k->unreadable) return true;
-  know_fail(k, NULL, outcome == VS_OUTCOME_DONE ? VS_OUTCOME_MODEL : outcome, "%s", "-"); /* the host has been told */
+  know_fail(k, NULL, outcome == VS_OUTCOME_DONE ? VS_OUTCOME_MODEL : outcome, "%s", "-"); /* the host has the message */
   return false;
 }
 

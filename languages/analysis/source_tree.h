@@ -4,16 +4,16 @@
 
 #include "languages/analysis/analysis.h"
 
-/* Is the file in a language that is looked into: Scheme or JavaScript? By its name; false for GML. */
+/* Returns true if the analysis knows the file's language, by its name: Scheme and JavaScript, not GML. */
 bool know_reads(const char *path);
 
-/* Reads the file and adds it to k->files, its root set. loaded_by: the node that loads it; then a file that is there
- * already is not read again. Returns its index; UINT32_MAX with trouble. Errors in the text are told to the
- * interpreter's host, by the language's own reader. */
+/* Reads the file and adds it to k->files, with its root. loaded_by: the node that loads it; then a file that is there
+ * already is not read again. Returns its index; UINT32_MAX: trouble. The language's own reader reports errors in the
+ * text to the interpreter's host. */
 know_index know_read_file(knowledge *k, const char *path, know_index loaded_by);
 enum { KNOW_PATH = 4096 };
-/* The path of the file that the string at node names: beside the file that says it, beside the program, else in a
- * folder of k->library_path. False: there is none; path is then what it would be beside the file. */
+/* Gives the path of the file that the string at node names: beside the file with the string, beside the program, else
+ * in a folder of k->library_path. Returns false if there is no such file; path is then the one beside the file. */
 bool know_find_file(const knowledge *k, know_index node, char path[KNOW_PATH]);
 
 #endif

@@ -1,5 +1,5 @@
 /* Owns the report of a whole analysis: files, scopes, variables, functions, statements, each with its place, comments,
- * scope and every reference both ways; macros as they are written and as they are expanded. */
+ * scope and every reference in both directions; macros as written and as expanded. */
 #include "languages/analysis/tree_report.h"
 
 #include <stdlib.h>
@@ -71,7 +71,7 @@ static void describe(know_writer *w, const knowledge *k, know_index i) {
   if (n->origin) know_write_number(w, "origin", n->origin);
 }
 
-/* A node with all below it, and behind that what its macro made. Nesting goes into a stack. */
+/* Writes a node with all nodes below it, and then its macro's expansion. Nesting goes on a stack. */
 static bool tree(know_writer *w, const knowledge *k, know_index root) {
   step *stack = NULL;
   size_t count = 0, room = 0;
@@ -221,7 +221,7 @@ bool know_report_tree(const knowledge *k, FILE *to, know_notation notation) {
   return ok;
 }
 
-/* ---- for people ---- */
+/* ---- the outline ---- */
 
 void know_report_outline(const knowledge *k, FILE *to) {
   for (size_t f = 0; f < k->file_count; f++) {

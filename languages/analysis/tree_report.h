@@ -1,22 +1,22 @@
-/* Owns `vs ast`: all that an analysis knows, as data for other programs. manual/ast.md is its schema. */
+/* Owns `vs ast`: the facts of an analysis as data for other programs. manual/ast.md is its schema. */
 #ifndef VS_LANGUAGES_ANALYSIS_TREE_REPORT_H
 #define VS_LANGUAGES_ANALYSIS_TREE_REPORT_H
 
 #include "languages/analysis/analysis.h"
 #include "languages/analysis/notation.h"
 
-/* The version of the schema: it changes when what is there changes, not when something is added. */
+/* The version of the schema. A change of a field changes it; an addition does not. */
 enum { KNOW_SCHEMA = 1 };
 
-/* False: out of memory. */
+/* Returns false when memory is out. */
 bool know_report_tree(const knowledge *k, FILE *to, know_notation notation);
-/* The same for people, a line a statement, a function, a variable. */
+/* Writes the same for a reader, a line for each statement, function and variable. */
 void know_report_outline(const knowledge *k, FILE *to);
 /* Writes file, line, column and the end of a place. */
 void know_write_place(know_writer *w, const knowledge *k, const know_place *at);
-/* A comment without its semicolons. */
+/* Writes a comment without its semicolons. */
 void know_write_comment(know_writer *w, const knowledge *k, know_index first, know_index end);
-/* The text of a comment's line without its marks. */
+/* Returns the text of a comment's line without its marks. */
 const char *know_comment_text(const knowledge *k, know_index comment, size_t *length);
 
 #endif
