@@ -1,5 +1,4 @@
-/* Owns the checks of calls: how many arguments, of which types, and what the language itself says of calls of
- * constants. */
+/* Owns the checks of calls: the number and types of arguments, and the language's own errors for calls of constants. */
 #include "languages/checks/argument_checks.h"
 
 #include <stdio.h>
@@ -28,7 +27,7 @@ static int plain_row(const knowledge *k, know_index symbol) {
   return -1;
 }
 
-/* A variable that is defined once and never set keeps its value. */
+/* Returns the value of a variable that is defined once and never set. */
 static know_index constant_value(const knowledge *k, know_index node) {
   const know_node *n = &k->nodes[node];
   if (n->kind != KNOW_SYMBOL || n->role != KNOW_REFERENCE || !n->symbol) return 0;
@@ -65,7 +64,9 @@ know_type know_type_of(const knowledge *k, know_index node) {
           : kind == KNOW_STRING ? KNOW_TYPE_STRING : KNOW_TYPE_UNKNOWN;
       }
       int row = n->form ? -1 : plain_row(k, k->nodes[head].symbol);
-      if (row < 0 || (n->count == 2 && know_is(k, head, "subtract"))) return KNOW_TYPE_UNKNOWN; /* waits for the rest */
+      if (row < 0 || (n->count == 2 && know_is(k, head, "subtract"))) return KNOW_TYPE_UNKNOWN; /* a procedure that
+                                                                                                 * waits for the other
+                                                                                                 * operands */
       if (plain[row].type || row > 3) return plain[row].type;
       for (know_index i = k->nodes[head].next; i; i = k->nodes[i].next) /* + - * / of numbers: one level is enough */
         if (k->nodes[i].kind != KNOW_NUMBER) return KNOW_TYPE_UNKNOWN;
@@ -77,11 +78,11 @@ know_type know_type_of(const knowledge *k, know_index node) {
   return KNOW_TYPE_UNKNOWN;
 }
 
-/* ---- how many ---- */
+/* ---- numbers of arguments ---- */
 
 typedef struct { uint32_t least, most; } range;
 
-/* "(make-box c dx dy dz)": brackets hold what may be left out, ... stands behind what may come any number of times. */
+/* Reads the range from "(make-box c dx dy dz)": brackets enclose optional arguments, ... follows one that repeats. */
 static const char *read_call(const char *at, range *r) {
   *r = (range){0, 0};
   int depth = 0;
@@ -142,7 +143,7 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
     } else if (own && !s->arity.any_keyword && s->arity.most != UINT32_MAX) {
       know_found(f, KNOW_CHECK_ARGUMENTS, i, "%s has no keyword %s", s->text, name);
       return false;
-    } else if (own && !s->arity.any_keyword) return ok; /* the rest may hold it */
+    } else if (own && !s->arity.any_keyword) return ok; /* the rest argument may hold it */
     i = k->nodes[i].next;
     if (!i) return ok;
   }
@@ -167,7 +168,7 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
   return false;
 }
 
-/* ---- types that cannot be right, whatever the rest is ---- */
+/* ---- types that no other argument could make right ---- */
 
 static bool among(const char *word, size_t n, const char *const *words) {
   for (; *words; words++)
@@ -175,7 +176,7 @@ static bool among(const char *word, size_t n, const char *const *words) {
   return false;
 }
 
-/* The names of its parameters in the language say what it wants. */
+/* Returns true if the type is wrong, by the names of the procedure's parameters in the language. */
 static bool wrong_for(const char *name, size_t n, know_type type, const char *call, bool known) {
   static const char *const strings[] = {"string", "string1", "string2", "strings", NULL};
   static const char *const vectors[] = {"vector", NULL}, *const procedures[] = {"f", "procedure", "pred", "predicate",
@@ -235,7 +236,7 @@ static void put(text *t, const char *s, size_t n) {
   t->at[t->count++] = ' ';
 }
 
-/* Writes the expression with the values of its variables; failed: it is no constant. */
+/* Writes the expression with the values of its variables; failed: it is not constant. */
 static void constant(const knowledge *k, know_index node, text *t) {
   const know_node *n = &k->nodes[node];
   size_t length;
@@ -265,7 +266,7 @@ static void constant(const knowledge *k, know_index node, text *t) {
   t->depth--;
 }
 
-/* The interpreter's errors in the text; "": nothing. */
+/* Returns the interpreter's errors in the text; "": none. */
 static const char *objection(knowledge *k, const char *program, size_t length) {
   *k->heard = 0;
   k->muted = true;
@@ -284,7 +285,7 @@ static bool guarded(const knowledge *k, know_index node) {
 static bool of_constants(know_findings *f, know_index node, uint8_t *wrong) {
   knowledge *k = f->k;
   for (know_index i = know_nth(k, node, 1); i; i = k->nodes[i].next)
-    if (wrong[i]) return wrong[node] = 1, false; /* said there */
+    if (wrong[i]) return wrong[node] = 1, false; /* reported there */
   text t = {0};
   constant(k, node, &t);
   const char *why = t.failed ? "" : objection(k, t.at, t.count);
@@ -294,7 +295,7 @@ static bool of_constants(know_findings *f, know_index node, uint8_t *wrong) {
   return !*why;
 }
 
-/* A call of the program's own procedure with constants, where its contracts ask only the language. */
+/* Checks a call of the program's own procedure with constants, if its contracts use only the language. */
 static void own_contracts(know_findings *f, know_index node, const know_symbol *s) {
   knowledge *k = f->k;
   know_index p = s->parameters ? k->nodes[s->parameters].first : 0, a = know_nth(k, node, 1);
@@ -334,7 +335,7 @@ void know_check_calls(know_findings *f) {
   size_t answers = 0;
   uint8_t *wrong = know_alloc(k, k->node_count);
   if (!wrong) return;
-  /* inner calls stand behind outer ones in the text, so that the innermost fault is the one that is told */
+  /* inner calls follow outer ones in the text, so the walk reports the innermost fault */
   for (know_index i = (know_index)k->node_count; i-- > 1 && !*k->trouble;) {
     if (!know_is_call(k, i) || k->nodes[i].form) continue;
     know_index head = k->nodes[i].first;

@@ -1,5 +1,4 @@
-/* Owns the checks of calls: how many arguments, of which types, and what the language itself says of calls of
- * constants. */
+/* Owns the checks of calls: the number and types of arguments, and the language's own errors for calls of constants. */
 #ifndef VS_LANGUAGES_CHECKS_ARGUMENT_CHECKS_H
 #define VS_LANGUAGES_CHECKS_ARGUMENT_CHECKS_H
 
@@ -11,7 +10,7 @@ typedef enum {
   KNOW_TYPE_VECTOR, KNOW_TYPE_PROCEDURE, KNOW_TYPE_POINT, KNOW_TYPE_GVECTOR, KNOW_TYPE_OBJECT
 } know_type;
 
-/* The type of an expression's value, as far as its text says it. */
+/* Returns the type of an expression's value, as far as its text determines it. */
 know_type know_type_of(const knowledge *k, know_index node);
 const char *know_type_word(know_type type); /* "a number" */
 void know_check_calls(know_findings *f);

@@ -1,5 +1,5 @@
-/* Owns `vs check`: what looks wrong in a program that has been read and not run. A finding must be worth a look in
- * every program of a careful author, so each check leaves out the cases in which the same text is right somewhere. */
+/* Owns `vs check`: probable faults of a program that is read and not run. Each finding must deserve a careful author's
+ * attention in every program, so each check excludes the cases in which the same text is right somewhere. */
 #include "languages/checks/checks.h"
 
 #include <stdarg.h>
@@ -42,7 +42,7 @@ static bool within(const knowledge *k, know_index node, know_index form) {
   return a->file == b->file && a->from >= b->from && a->to <= b->to;
 }
 
-/* Is the value used anywhere but in the definition itself? */
+/* Returns true if the value is used outside its own definition. */
 static bool used_outside(const knowledge *k, const know_symbol *s) {
   for (know_index u = s->first_use; u; u = k->uses[u].next)
     if ((k->uses[u].role == KNOW_REFERENCE || k->uses[u].role == KNOW_OPAQUE) &&
@@ -52,19 +52,19 @@ static bool used_outside(const knowledge *k, const know_symbol *s) {
   return false;
 }
 
-/* (rec name value) is worth what the name stands for, so that the name is used. */
+/* Returns true for (rec name value), whose value is the name's, so that the name is used. */
 static bool is_own_value(const knowledge *k, const know_symbol *s) {
   return s->form && !k->script && know_is(k, k->nodes[s->form].first, "rec");
 }
 
-/* A procedure that is handed on as a value has the parameters that its caller gives it. */
+/* Returns true for a procedure that is passed as a value: its caller determines its parameters. */
 static bool handed_on(const knowledge *k, const know_symbol *s) {
   for (know_index u = s->first_use; u; u = k->uses[u].next)
     if (k->uses[u].role != KNOW_DEFINITION && !k->uses[u].called) return true;
   return false;
 }
 
-/* Is the file a library: does it draw nothing and run nothing but definitions? */
+/* Returns false for a library: a file that draws nothing and runs only definitions. */
 static bool runs_something(const knowledge *k) {
   for (size_t i = 1; i < k->symbol_count; i++)
     if (k->symbols[i].kind == KNOW_BUILTIN && (!strcmp(k->symbols[i].text, "draw") ||
@@ -84,14 +84,14 @@ static bool leaves_script(const knowledge *k, know_index node) {
 
 static bool leaves(const knowledge *k, know_index node);
 
-/* Does the procedure do nothing but fail? */
+/* Returns true if the procedure only raises an error. */
 static bool only_fails(const knowledge *k, const know_symbol *s) {
   know_index head = k->script && s->body ? k->nodes[s->body].first : 0;
   if (k->script && !know_is(k, head, "throw")) return false;
   return s->body && !k->nodes[s->body].next && leaves(k, s->body);
 }
 
-/* Definitions of a library are there for others. */
+/* Returns true for a definition of a library, which other programs may use. */
 static bool of_library(const knowledge *k, const know_symbol *s) {
   if (k->scopes[s->scope].procedure) return false;
   for (know_index i = s->scope; i; i = k->scopes[i].parent) {
@@ -189,7 +189,7 @@ static void check_changes(know_findings *f) {
       bool procedure = use->role == KNOW_DEFINITION && use->node != s->definition && s->kind == KNOW_FUNCTION && !value;
       if (procedure) know_found(f, KNOW_CHECK_REDEFINED, use->node, "%s is defined on line %u already", s->text,
                                 k->nodes[first].at.line);
-      bool empty = type == KNOW_TYPE_BOOLEAN || now == KNOW_TYPE_BOOLEAN; /* #f is nothing yet */
+      bool empty = type == KNOW_TYPE_BOOLEAN || now == KNOW_TYPE_BOOLEAN; /* #f means 'not yet set' */
       if (type && now && now != type && !empty)
         know_found(f, KNOW_CHECK_TYPE_CHANGE, use->node, "%s was %s on line %u and becomes %s", s->text,
             know_type_word(type),
@@ -199,20 +199,21 @@ static void check_changes(know_findings *f) {
   }
 }
 
-/* ---- what is never reached, and what does nothing ---- */
+/* ---- unreachable code, and code without effect ---- */
 
 static bool is_form(const knowledge *k, know_index node, const char *word) {
   return k->nodes[node].kind == KNOW_LIST && k->nodes[node].form && know_is(k, k->nodes[node].first, word);
 }
 
-/* Statements that may stand behind a jump: a function is there before anything runs, and a break is a habit. */
+/* Returns true for statements that may follow a jump: a function is defined before anything runs, and a break is a
+ * habit. */
 static bool harmless(const knowledge *k, know_index node) {
   know_index head = k->nodes[node].kind == KNOW_LIST ? k->nodes[node].first : 0;
   return k->script && (know_is(k, head, "define") || know_is(k, head, "declared") || know_is(k, head, "break") ||
          know_is(k, head, "empty"));
 }
 
-/* Does control never come back from it? */
+/* Returns true if control never returns from it. */
 static bool leaves(const knowledge *k, know_index node) {
   if (k->script) return leaves_script(k, node);
   if (k->nodes[node].kind != KNOW_LIST || k->nodes[node].form || !k->nodes[node].walked) return false;
@@ -232,7 +233,7 @@ static bool truth(const knowledge *k, know_index node, bool *value) {
   size_t length;
   const char *s = know_spelling(k, node, &length);
   if (n->kind == KNOW_BOOLEAN) return *value = s[*s == '#'] == 't', true;
-  if (k->script) return false; /* 0 and "" are not true there */
+  if (k->script) return false; /* there, 0 and "" are false */
   if (n->kind == KNOW_NUMBER || n->kind == KNOW_STRING) return *value = true, true;
   return false;
 }
@@ -288,19 +289,19 @@ static void check_form(know_findings *f, know_index node) {
     know_found(f, KNOW_CHECK_UNREACHABLE, know_nth(k, node, 2), "the test is always %s", value ? "true" : "false");
 }
 
-/* The last form of a body is its value; of all before it only the effect counts. */
+/* Checks a body: its last form is its value, of all earlier forms only the effect counts. */
 static void check_body(know_findings *f, know_index node) {
   const knowledge *k = f->k;
   know_index next = k->nodes[node].next;
   if (!next || !k->nodes[next].statement) return;
   const know_node *n = &k->nodes[node];
-  if (n->parent && know_is(k, k->nodes[n->parent].first, "if")) return; /* of two branches one runs, not both in turn */
+  if (n->parent && know_is(k, k->nodes[n->parent].first, "if")) return; /* only one of two branches runs */
   if (leaves(k, node)) {
     if (!harmless(k, next)) know_found(f, KNOW_CHECK_UNREACHABLE, next, "line %u never goes on to this", n->at.line);
     return;
   }
   bool top = n->scope == PROGRAM;
-  if (top) return; /* a value at top level is shown, or drawn */
+  if (top) return; /* a value at top level is printed, or drawn */
   know_index parent = n->parent;
   bool doc = n->kind == KNOW_STRING && parent && k->nodes[parent].first && k->nodes[know_nth(k, parent,
       1)].next == node;
@@ -337,9 +338,9 @@ static void check_nodes(know_findings *f) {
   }
 }
 
-/* ---- what a comment allows ---- */
+/* ---- comments that allow findings ---- */
 
-/* "check: allow NAME, NAME", "check: allow all", with "in this file" behind it. */
+/* Reads "check: allow NAME, NAME" or "check: allow all", followed by "in this file" or not. */
 static bool allows(const char *text, size_t n, const char *name, bool *whole_file) {
   static const char word[] = "check: allow ", everywhere[] = "in this file";
   if (n < sizeof word - 1 || memcmp(text, word, sizeof word - 1) != 0) return false;
@@ -358,7 +359,8 @@ static bool allows(const char *text, size_t n, const char *name, bool *whole_fil
   return found;
 }
 
-/* Euclides' annotation, "euclides.suppress_warning_unreferenced_object.NAME;", anywhere in the script. */
+/* Returns true if Euclides' annotation "euclides.suppress_warning_unreferenced_object.NAME;" is anywhere in the
+ * script. */
 static bool annotated(const knowledge *k, const know_finding *f, const char *text, size_t n) {
   static const char word[] = "euclides.suppress_warning_unreferenced_object.";
   if (!k->script || (f->check != KNOW_CHECK_UNREFERENCED && f->check != KNOW_CHECK_UNUSED)) return false;

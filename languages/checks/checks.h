@@ -1,4 +1,4 @@
-/* Owns `vs check`: what looks wrong in a program that has been read and not run. */
+/* Owns `vs check`: probable faults of a program that is read and not run. */
 #ifndef VS_LANGUAGES_CHECKS_CHECKS_H
 #define VS_LANGUAGES_CHECKS_CHECKS_H
 
@@ -18,8 +18,8 @@ typedef struct {
   know_finding *at; size_t count, room;
 } know_findings;
 
-/* Looks for everything in checks.def; findings come in the order of the text, without those that a comment allows.
- * False: trouble. */
+/* Runs all checks of checks.def. Findings come in the order of the text, without those that a comment allows. Returns
+ * false on trouble. */
 bool know_check_program(knowledge *k, know_findings *out);
 void know_findings_free(know_findings *f);
 void know_report_findings(const know_findings *f, FILE *to);
@@ -28,7 +28,7 @@ void know_report_findings_json(const know_findings *f, FILE *to);
 /* ---- for the parts of the checking ---- */
 void know_found(know_findings *f, know_check check, know_index node, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* Is the node an expression of the text itself, one that was walked? */
+/* Returns true if the node is an expression of the text itself that the walk has visited. */
 bool know_is_call(const knowledge *k, know_index node);
 
 #endif

@@ -1,11 +1,11 @@
 /* Owns the lowering of scripts.
  *
- * A function of a script is a sequence of statements that ends in a return; here it becomes an expression: what stands
- * behind an if whose arm returns belongs into the other arm, a switch becomes ifs, and a loop that counts becomes a
- * map. Loops that change variables, objects and exceptions have no counterpart and are complained of.
+ * A function of a script is a sequence of statements that ends in a return; here it becomes an expression. The
+ * statements after an if whose arm returns move into the other arm, a switch becomes ifs, and a counting loop becomes a
+ * map. Loops that change variables, objects and exceptions have no counterpart, so the translation complains of them.
  *
- * The functions call each other once a level of the script's tree; languages/javascript/script.h
- * bounds its height. */
+ * The functions call each other once for each level of the script's tree; languages/javascript/script.h limits its
+ * height. */
 #include "languages/script/lower_script.h"
 
 #include <stdlib.h>
@@ -14,7 +14,7 @@
 #include "languages/translate/lower_definitions.h"
 #include "languages/translate/target.h"
 
-/* Statements that follow one another: those from `first` on, then those of `rest`. */
+/* Consecutive statements: those from `first` on, then those of `rest`. */
 typedef struct sequence {
   know_index first;
   const struct sequence *rest;
@@ -26,7 +26,7 @@ static void effect(lowering *l, know_index n, tr_index body);
 
 static know_index nth(const lowering *l, know_index list, uint32_t n) { return know_nth(l->k, list, n); }
 
-/* The word of the list, "js:if"; "" where it is a call. */
+/* Returns the word of the list, "js:if"; "" for a call. */
 static const char *word_of(const lowering *l, know_index n) {
   know_index head = first_of(l, n);
   const char *text = is_symbol(l, head) ? l->k->names[l->k->nodes[head].name].text : "";
@@ -39,9 +39,9 @@ static void cannot(lowering *l, know_index n, const char *what) {
   tr_complain_at(l->t, n, "%s cannot be translated to %s", what, l->t->target->title);
 }
 
-/* ---- which statements leave their function ---- */
+/* ---- statements that leave their function ---- */
 
-/* Does a return stand in the statement, outside of functions within it? */
+/* Returns true if the statement contains a return, outside of inner functions. */
 static bool returns(const lowering *l, know_index n) {
   if (is(l, n, "js:return")) return true;
   if (is(l, n, "js:lambda") || is(l, n, "js:define") || is(l, n, "js:rec")) return false;
@@ -50,13 +50,13 @@ static bool returns(const lowering *l, know_index n) {
   return false;
 }
 
-/* A case without a value is the default; its statements are marked as such, a value is not. */
+/* Returns the value of a case. A case without one is the default; its statements are marked as such, a value is not. */
 static know_index case_value(const lowering *l, know_index c) {
   know_index first = nth(l, c, 1);
   return first && !l->k->nodes[first].statement ? first : 0;
 }
 
-/* Is nothing done behind the statement, whatever happens in it? */
+/* Returns true if control never continues after the statement. */
 static bool leaves(const lowering *l, know_index n) {
   if (is(l, n, "js:return") || is(l, n, "js:throw")) return true;
   if (is(l, n, "js:block")) {
@@ -88,7 +88,7 @@ static bool is_test(const lowering *l, know_index n) {
   return false;
 }
 
-/* A condition. A number is true unless it is 0. */
+/* Lowers a condition. A number is true unless it is 0. */
 static void test(lowering *l, know_index n, tr_index into) {
   at(l, into)->source = n;
   if (is_test(l, n)) {
@@ -126,7 +126,7 @@ static void atom(lowering *l, know_index n, tr_index into) {
   }
 }
 
-/* The name of what is called or read, as script_calls.def has it; "": another expression. */
+/* Returns the name of a callee or variable, as in script_calls.def; "": another expression. */
 static const char *said(const lowering *l, know_index n) {
   if (is_symbol(l, n)) return builtin(l, n) ? builtin(l, n) : "";
   if (!is(l, n, "js:get")) return word_of(l, n);
@@ -150,8 +150,8 @@ static uint32_t takes(const char *order) {
   return most;
 }
 
-/* An argument; an array of two or three elements is a point where one is due (mark: p), one of such arrays an outline
- * (mark: c). */
+/* Lowers an argument. An array of two or three elements is a point if the procedure takes one (mark: p); an array of
+ * such arrays is an outline (mark: c). */
 static void argument(lowering *l, know_index n, tr_index parent, char mark) {
   tr_index into = add(l, parent, TR_NOTHING, n);
   bool array = is(l, n, "js:array");
@@ -170,7 +170,7 @@ static void argument(lowering *l, know_index n, tr_index parent, char mark) {
   for (know_index i = nth(l, n, 1); i; i = next(l, i)) value(l, i, add(l, into, TR_NOTHING, i));
 }
 
-/* The call of a name of script_calls.def. False: there is no row for it. */
+/* Lowers the call of a name of script_calls.def. Returns false if it has no row. */
 static bool known(lowering *l, know_index n, tr_index into, const char *name, know_index first, bool called) {
   uint32_t count = 0;
   for (know_index i = first; i; i = next(l, i)) count++;
@@ -196,7 +196,7 @@ static bool known(lowering *l, know_index n, tr_index into, const char *name, kn
   return false;
 }
 
-/* a.map(function (x) {...}) and a.forEach. */
+/* Lowers a.map(function (x) {...}) and a.forEach. */
 static bool method(lowering *l, know_index n, tr_index into) {
   know_index head = first_of(l, n), f = next(l, head), key = nth(l, nth(l, head, 2), 1);
   if (!is(l, head, "js:get") || !is_symbol(l, key)) return false;
@@ -295,7 +295,7 @@ static void value(lowering *l, know_index n, tr_index into) {
 
 /* ---- statements ---- */
 
-/* for (i = a; i < b; i += step): a loop that counts. */
+/* Lowers for (i = a; i < b; i += step), a counting loop. */
 static bool counts(lowering *l, know_index n, tr_index into) {
   know_index start = nth(l, n, 1), until = nth(l, n, 2), step = nth(l, n, 3), body = nth(l, n, 4);
   if (is(l, start, "js:var") && !nth(l, start, 2)) start = nth(l, start, 1);
@@ -325,7 +325,7 @@ static bool counts(lowering *l, know_index n, tr_index into) {
   return true;
 }
 
-/* Is the variable, which the statement within another one declares and sets, used in that other one alone? */
+/* Returns true if only the outer statement uses the variable that the inner one declares and sets. */
 static bool own(const lowering *l, know_index set) {
   know_index s = symbol_of(l, nth(l, set, 1)), block = l->k->nodes[l->k->nodes[set].parent].parent;
   const know_place *within = &l->k->nodes[block].at;
@@ -341,13 +341,13 @@ static void definition(lowering *l, know_index n, tr_index body) {
   know_index target = nth(l, n, 1), first = nth(l, n, 2);
   if (is_symbol(l, target)) {
     if (first) value(l, first, add(l, define(l, body, target, NULL, n), TR_NOTHING, first));
-    return; /* one without a value stands for the loop or assignment that follows */
+    return; /* one without a value belongs to the loop or assignment that follows */
   }
   tr_index d = define(l, body, first_of(l, target), NULL, n);
   function(l, target, next(l, first_of(l, target)), first, add(l, d, TR_NOTHING, n));
 }
 
-/* A statement without a return, done for what it draws. */
+/* Lowers a statement without a return, for the objects that it draws. */
 static void effect(lowering *l, know_index n, tr_index body) {
   if (is(l, n, "js:define")) definition(l, n, body);
   else if (is(l, n, "js:define-parameter")) tr_lower_parameter(l, n, body);
@@ -369,12 +369,12 @@ static void effect(lowering *l, know_index n, tr_index body) {
   }
 }
 
-/* The value of a case's statements, which go on into those of the next case until one leaves or breaks. */
+/* Lowers the statements of a case to a value. They continue into the next case until one leaves or breaks. */
 static void case_statements(lowering *l, know_index c, const sequence *rest, tr_index into) {
   enum { MOST = 64 };
   sequence all[MOST + 1] = {{0, NULL}};
   int count = 0;
-  know_index cut = 0, kept = 0; /* what stands before a break, and the break */
+  know_index cut = 0, kept = 0; /* the statements before a break, and the break */
   bool on = true;
   for (; c && on && count < MOST; c = next(l, c)) {
     know_index last = 0, i = nth(l, c, case_value(l, c) ? 2 : 1);
@@ -393,7 +393,8 @@ static void case_statements(lowering *l, know_index c, const sequence *rest, tr_
   if (cut) l->k->nodes[cut].next = kept;
 }
 
-/* switch: an if for each case. The text behind the switch may be said once a case, so it must be short. */
+/* Lowers a switch to an if for each case. The statements after the switch may be repeated in each case, so they must be
+ * short. */
 static void choose(lowering *l, know_index n, const sequence *rest, tr_index into) {
   know_index chosen = nth(l, n, 1), fallback = 0;
   const sequence *then = rest;
@@ -425,7 +426,7 @@ static void choose(lowering *l, know_index n, const sequence *rest, tr_index int
   else statements(l, (sequence){0, rest}, into);
 }
 
-/* The value of the statements: what is returned. */
+/* Lowers statements to their value: the value of the return. */
 static void statements(lowering *l, sequence s, tr_index into) {
   become(l, into, TR_BODY, "");
   while (!s.first && s.rest) s = *s.rest;
@@ -446,7 +447,7 @@ static void statements(lowering *l, sequence s, tr_index into) {
       if (!leaves(l, then) && !(other && leaves(l, other))) cannot(l, n, "an if of which both ways may go on");
       test(l, nth(l, n, 1), add(l, made, TR_NOTHING, n));
       know_index other_next = other ? l->k->nodes[other].next : 0;
-      l->k->nodes[then].next = 0; /* each arm alone, then what follows */
+      l->k->nodes[then].next = 0; /* each arm alone, then the following statements */
       if (other) l->k->nodes[other].next = 0;
       statements(l, (sequence){then, leaves(l, then) ? NULL : &rest}, add(l, made, TR_NOTHING, then));
       if (leaves(l, then) || other) statements(l, (sequence){other, leaves(l, then) ? &rest : NULL},

@@ -1,7 +1,7 @@
-/* Owns the making of nodes from a script's tree.
+/* Owns the nodes made from a script's tree.
  *
- * It calls itself once a level of that tree; languages/javascript/script.h bounds its height. A word that the text does
- * not have, such as js:get for a dot, has the place of what it stands for, with no character of its own. */
+ * It calls itself once for each level of that tree; languages/javascript/script.h limits its height. A word that the
+ * text lacks, such as js:get for a dot, has the place of the construct, with no character of its own. */
 #include "languages/script/script_tree.h"
 
 #include <stdio.h>
@@ -71,7 +71,7 @@ static know_index name(maker *m, uint32_t i) {
   return symbol(m, text, length, node(m, i)->at);
 }
 
-/* (word at the beginning of the place */
+/* makes a list that begins with the word, at this place */
 static know_index list(maker *m, const char *word, vs_script_place at) {
   know_index i = leaf(m, KNOW_LIST, at);
   vs_script_place start = at;
@@ -80,12 +80,12 @@ static know_index list(maker *m, const char *word, vs_script_place at) {
   return i;
 }
 
-/* ---- names that the functions declare ---- */
+/* ---- declared names ---- */
 
 typedef bool visit_fn(maker *m, uint32_t declaration, bool direct, void *context);
 
-/* Calls visit for each DECLARATOR and function declaration that belongs to the function in which i stands. direct: i is
- * one of its own statements, and no part of one. */
+/* Calls visit for each DECLARATOR and function declaration of the function that contains i. direct: i is one of its own
+ * statements, not part of one. */
 static bool declarations(maker *m, uint32_t i, bool direct, visit_fn *visit, void *context) {
   for (; i; i = node(m, i)->next) {
     const vs_script_node *n = node(m, i);
@@ -129,7 +129,7 @@ static bool is_sought(maker *m, uint32_t d, bool direct, void *context) {
   return !(s->found = node(m, own)->name == s->name);
 }
 
-/* Is the name a variable of one of the functions around here, or of the program? */
+/* Returns true if the name is a variable of a surrounding function, or of the program. */
 static bool declared(maker *m, uint32_t name_index) {
   for (enclosing *e = m->functions; e; e = e->up) {
     const vs_script_node *f = node(m, e->function);
@@ -171,7 +171,7 @@ static bool uses_arguments(maker *m, uint32_t i) {
   return false;
 }
 
-/* Parameters, into `to`; arguments stands behind them as what gathers the rest, where it is used. */
+/* Adds parameters to `to`, and `arguments` after them as the rest parameter, if the function uses it. */
 static void parameters(maker *m, know_index to, uint32_t i) {
   const vs_script_node *n = node(m, i);
   for (uint32_t p = n->a; p; p = node(m, p)->next) add(m, to, name(m, p));
@@ -194,9 +194,9 @@ static bool is_parameter(maker *m, uint32_t owner, uint32_t name_index) {
   return false;
 }
 
-/* A variable declared within another statement gets a definition without a value; a function there, its own. */
+/* Hoists: a variable declared within another statement gets a definition without a value; a function there, its own. */
 static bool hoist(maker *m, uint32_t d, bool direct, void *context) {
-  if (direct) return true; /* it is defined where it stands */
+  if (direct) return true; /* its definition is in place */
   uint32_t own = node(m, d)->kind == VS_SCRIPT_FUNCTION ? node(m, d)->c : node(m, d)->a;
   if (is_parameter(m, m->functions->function, node(m, own)->name)) return true;
   know_index def;
@@ -210,7 +210,7 @@ static bool hoist(maker *m, uint32_t d, bool direct, void *context) {
   return !*m->k->trouble;
 }
 
-/* Is the value a call of gui_number or the like, at top level? */
+/* Returns true if the value is a call of gui_number or its like, at top level. */
 static bool is_model_parameter(maker *m, uint32_t owner, uint32_t value) {
   const vs_script_node *n = node(m, value);
   if (node(m, owner)->kind == VS_SCRIPT_FUNCTION || !value || n->kind != VS_SCRIPT_CALL) return false;
@@ -219,7 +219,8 @@ static bool is_model_parameter(maker *m, uint32_t owner, uint32_t value) {
          vs_script_is(&m->s, called, "gui_text");
 }
 
-/* var x = value, a statement of the function or program itself. A parameter that is declared again is the parameter. */
+/* Makes var x = value, a statement of the function or program itself. A parameter that is declared again is the
+ * parameter. */
 static know_index variable(maker *m, uint32_t owner, uint32_t d) {
   const vs_script_node *n = node(m, d);
   bool again = is_parameter(m, owner, node(m, n->a)->name), model = is_model_parameter(m, owner, n->b);
@@ -233,7 +234,7 @@ static know_index variable(maker *m, uint32_t owner, uint32_t d) {
   return out;
 }
 
-/* The statements of a function or the program. */
+/* Makes the statements of a function or the program. */
 static void body(maker *m, know_index to, uint32_t owner) {
   const vs_script_node *n = node(m, owner);
   uint32_t first = n->kind == VS_SCRIPT_FUNCTION ? n->b : n->a;
@@ -273,7 +274,7 @@ static know_index function(maker *m, uint32_t i) {
   return rec;
 }
 
-/* (js:+ at the beginning of the node */
+/* makes a list that begins with js:+ or its like, at the node's place */
 static know_index operation_of(maker *m, const char *before, const vs_script_node *n) {
   char word[40];
   snprintf(word, sizeof word, "js:%s%s", before, vs_script_operator_word((vs_script_operator)n->op));
@@ -294,7 +295,7 @@ static know_index assigned(maker *m, const vs_script_node *n, const char *before
   return out;
 }
 
-/* Names of the script's variables that the text of the language uses. */
+/* Makes the names of the script's variables that native text uses. */
 static know_index native(maker *m, const vs_script_node *n) {
   know_index out = list(m, "js:native", n->at);
   const char *text = m->s.texts + n->text;
@@ -355,7 +356,7 @@ static know_index make(maker *m, uint32_t i) {
   case VS_SCRIPT_LOGICAL:
     out = operation_of(m, "", n);
     if (n->op == VS_OPERATOR_TYPE_OF && node(m, n->a)->kind == VS_SCRIPT_NAME && !declared(m, node(m, n->a)->name))
-      return out; /* typeof may be asked of a name that nothing declares */
+      return out; /* typeof may name an undeclared variable */
     add(m, out, make(m, n->a));
     add(m, out, make(m, n->b));
     return out;
@@ -363,7 +364,7 @@ static know_index make(maker *m, uint32_t i) {
   }
 }
 
-/* for (x in o): x is assigned a string that the text does not have. */
+/* Makes for (x in o): x is assigned a string that is not in the text. */
 static know_index for_in(maker *m, const vs_script_node *n) {
   know_index out = list(m, "js:for-in", n->at);
   uint32_t target = node(m, n->a)->kind == VS_SCRIPT_VAR ? node(m, node(m, n->a)->a)->a : n->a;
@@ -389,7 +390,7 @@ static know_index one_statement(maker *m, uint32_t i) {
       add(m, out, set);
     }
     return out;
-  case VS_SCRIPT_FUNCTION: return list(m, "js:declared", n->at); /* it stands at the function's beginning */
+  case VS_SCRIPT_FUNCTION: return list(m, "js:declared", n->at); /* it is at the function's beginning */
   case VS_SCRIPT_BLOCK: return parts(m, "js:block", n);
   case VS_SCRIPT_IF: return parts(m, "js:if", n);
   case VS_SCRIPT_FOR: return parts(m, "js:for", n);

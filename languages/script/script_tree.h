@@ -4,12 +4,12 @@
 
 #include "languages/analysis/analysis.h"
 
-/* Reads the text of k->files[file] as a script, and leaves its statements as the nodes of a program: what binds and
- * assigns has the words js:define, js:lambda and js:set!, everything else is a list of its parts behind a word that
- * begins with js: . Variables are defined at the beginning of their function, where the text declares them deeper
- * within. root: the LIST of them. False: trouble. */
+/* Reads the text of k->files[file] as a script, and makes its statements the nodes of a program. Bindings and
+ * assignments have the words js:define, js:lambda and js:set!; everything else is a list of its parts after a word that
+ * begins with js: . Variables are defined at the beginning of their function, even if the text declares them deeper.
+ * root: the LIST of the statements. Returns false on trouble. */
 bool know_read_script(knowledge *k, uint32_t file, know_index *root);
-/* Is the word one of these? *row: that of the language's form which is walked the same way. */
+/* Returns true if the word is one of these. *row: the language's form that is walked in the same way. */
 bool know_script_word(const char *name, uint16_t *row);
 
 #endif

@@ -1,6 +1,6 @@
-/* Owns the pages of `vs doc` (site.h): XHTML 1.0 Strict, a page each for functions, variables, statements and the
- * overview, and one for each file's text, in which every name leads to what it names. A symbol's anchor is s and its
- * index, a line's is L and its number. */
+/* Owns the pages of `vs doc` (site.h) in XHTML 1.0 Strict: functions, variables, statements, the overview, and the text
+ * of each file, in which every name links to its definition. A symbol's anchor is s and its index, a line's is L and
+ * its number. */
 #include "languages/site/site.h"
 
 #include <errno.h>
@@ -20,8 +20,8 @@ enum { PATH_ROOM = 4096, SAID = 160 /* bytes of a comment in the search */, REFE
 typedef struct {
   knowledge *k;
   const char *folder, *title;
-  bool *pictured; size_t pictured_room; /* by symbol: is there a picture? */
-  bool shown;                           /* is there one of the whole model? */
+  bool *pictured; size_t pictured_room; /* pictured[symbol]: whether there is a picture */
+  bool shown;                           /* there is a picture of the whole model */
 } site;
 
 /* ---- text ---- */
@@ -46,7 +46,7 @@ static void link_place(FILE *f, const knowledge *k, const know_place *at, bool n
   fprintf(f, "%u</a>", (unsigned)at->line);
 }
 
-/* A line of a comment; what stands in `...` is code. */
+/* Writes a line of a comment; text within `...` is code. */
 static void put_line(FILE *f, const char *text, size_t n) {
   bool code = false;
   for (size_t i = 0; i < n;) {
@@ -60,8 +60,8 @@ static void put_line(FILE *f, const char *text, size_t n) {
   }
 }
 
-/* Comments as paragraphs: a line without text parts them. Lines further in, behind such a one or behind others that
- * are, stand as they are written. */
+/* Writes comments as paragraphs, separated by lines without text. Indented lines after such a line, or after other
+ * indented ones, keep their form. */
 static void put_comments(FILE *f, const knowledge *k, know_index first, know_index end) {
   enum { CLOSED, PARAGRAPH, AS_WRITTEN } open = CLOSED;
   static const char *const close[] = {"", "</p>\n", "</pre>\n"};
@@ -147,7 +147,7 @@ static bool close_page(site *s, FILE *f, const char *name) {
 
 /* ---- symbols ---- */
 
-/* The lines that use it, a link each. */
+/* Writes a link for each line that uses it. */
 static void put_uses(FILE *f, const knowledge *k, const know_symbol *s) {
   uint32_t last = 0, file = UINT32_MAX, n = 0;
   for (know_index u = s->first_use; u; u = k->uses[u].next) {
@@ -172,7 +172,7 @@ static void put_script_call(FILE *f, const knowledge *k, const know_symbol *s) {
   puts_to(f, s->text);
   fputc('(', f);
   for (; p; p = k->nodes[p].next) {
-    if (k->nodes[s->parameters].dotted && !k->nodes[p].next) break; /* arguments, which nobody writes here */
+    if (k->nodes[s->parameters].dotted && !k->nodes[p].next) break; /* `arguments`, which no one writes here */
     if (begun) fputs(", ", f);
     puts_to(f, k->names[k->nodes[p].name].text);
     begun = true;
@@ -180,7 +180,7 @@ static void put_script_call(FILE *f, const knowledge *k, const know_symbol *s) {
   fputc(')', f);
 }
 
-/* How it is called: its name and parameters as they are written. */
+/* Writes a call of it: its name and parameters, as in the text. */
 static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
   size_t n = 0;
   if (k->script) {
@@ -208,7 +208,7 @@ static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
   fputc(')', f);
 }
 
-/* The functions of the program that its text uses, each once. */
+/* Writes the functions of the program that its text uses, each once. */
 static void put_needs(FILE *f, const knowledge *k, know_index symbol) {
   const know_symbol *s = &k->symbols[symbol];
   const know_place *in = s->form ? &k->nodes[s->form].at : NULL;
@@ -285,7 +285,7 @@ static bool symbol_page(site *s, bool functions) {
   return close_page(s, f, name);
 }
 
-/* ---- statements, and those that are alike ---- */
+/* ---- statements, and equal ones ---- */
 
 enum { LEAST_ALIKE = 8 /* nodes */ };
 typedef struct { uint64_t hash; uint32_t nodes; know_index node; } alike;
@@ -304,7 +304,7 @@ static uint64_t hash_bytes(uint64_t h, const char *text, size_t n) {
   return h;
 }
 
-/* Hashes of all trees of the texts: a node's children stand behind it, so the last come first. */
+/* Hashes all trees of the texts. A node's children come after it, so the loop runs downwards. */
 static void hash_trees(const knowledge *k, alike *of) {
   for (know_index i = (know_index)k->text_nodes; i > 0; i--) {
     const know_node *n = &k->nodes[i];
@@ -338,7 +338,7 @@ static void put_alike(FILE *f, const knowledge *k, const alike *group, size_t co
   fputs("</pre>\n</div>\n", f);
 }
 
-/* Groups of equal trees, the largest first; those within a larger group that is as often are left out. */
+/* Writes groups of equal trees, the largest first; omits those within a larger group of the same count. */
 static bool put_duplicates(site *s, FILE *f) {
   const knowledge *k = s->k;
   alike *of = NULL, *lists = NULL, *groups = NULL;
@@ -470,7 +470,7 @@ static bool file_page(site *s, know_index file, know_index *node) {
   return close_page(s, f, name);
 }
 
-/* The comment that a file begins with, up to the first empty line or statement. */
+/* Writes the comment at the beginning of a file, up to the first empty line or statement. */
 static void put_file_comment(FILE *f, const knowledge *k, const know_file *file) {
   know_index end = file->first_comment;
   while (end < file->comment_end && k->comments[end].alone &&
@@ -576,7 +576,8 @@ static bool asset(site *s, const char *name, const char *text) {
 
 /* ---- pictures ---- */
 
-/* Does the expression stand in a text, and mean the same at top level: is no variable of a procedure or a let in it? */
+/* Returns true if the expression is in a text, and means the same at top level: it contains no variable of a procedure
+ * or a let. */
 static bool stands_alone(const knowledge *k, know_index node) {
   for (know_index i = node; i <= k->text_nodes && k->nodes[i].at.from < k->nodes[node].at.to &&
        k->nodes[i].at.file == k->nodes[node].at.file; i++) {
@@ -588,8 +589,8 @@ static bool stands_alone(const knowledge *k, know_index node) {
   return node <= k->text_nodes;
 }
 
-/* Calls it with its defaults, else shows what it gave when the program first called it; else calls it as the program
- * does with what is known at top level. */
+/* Makes a picture of a procedure: calls it with its defaults; or else shows the result of its first call in the
+ * program; or else calls it as the program does, with top-level variables. */
 static bool picture_of(site *s, know_index symbol, know_picture *picture, void *context, const char *path) {
   const knowledge *k = s->k;
   const know_symbol *y = &k->symbols[symbol];

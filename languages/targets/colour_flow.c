@@ -1,9 +1,9 @@
-/* Owns which texts of a lowered tree name colours.
+/* Owns the search for texts of a lowered tree that name colours.
  *
- * A language that has no names of colours, or not these, needs to know of a text whether it is one. It is where the
- * language takes a colour, and so is what is called by a variable that is said there, handed to a parameter, given by a
- * procedure, or an element of a list of colours. Marks only rise; loops over the nodes carry them on until nothing
- * changes. */
+ * A language without these names of colours needs to know whether a text is a colour. It is one where the language
+ * takes a colour. The same holds for the value of a variable there, an argument for such a parameter, the result of
+ * such a procedure, and an element of a list of colours. Marks only rise; loops over the nodes carry them on until
+ * nothing changes. */
 #include "languages/targets/colour_flow.h"
 
 #include <string.h>
@@ -20,20 +20,20 @@ static void raise_node(flow *f, tr_index n, uint8_t to) {
   if (n) raise(f, &f->t->nodes[n].colour, to);
 }
 
-/* Where the language itself takes a colour. */
+/* Returns true if the language takes a colour here. */
 static bool takes_colour(const translation *t, tr_index n) {
   const tr_node *p = &t->nodes[t->nodes[n].parent];
   if (p->kind == TR_KEYWORD) return !strcmp(p->text, "color");
   return p->kind == TR_PRIMITIVE && p->first == n && (!strcmp(p->text, "color") || !strcmp(p->text, "with-material"));
 }
 
-/* The procedure that a call names; 0: not known. */
+/* Returns the procedure of a call; 0: not known. */
 static tr_index called(const translation *t, const tr_node *call) {
   const tr_node *callee = &t->nodes[call->first];
   return callee->kind == TR_NAME ? t->variables[callee->variable].procedure : 0;
 }
 
-/* From a value to what it is made of. */
+/* Carries the mark from a value to its parts. */
 static void carry_down(flow *f, tr_index n) {
   translation *t = f->t;
   const tr_node *node = &t->nodes[n];
@@ -65,7 +65,7 @@ static void carry_down(flow *f, tr_index n) {
   }
 }
 
-/* From a variable to what it is set to. */
+/* Carries the mark from a variable to its values. */
 static void carry_into(flow *f, tr_index n) {
   translation *t = f->t;
   const tr_node *node = &t->nodes[n];
@@ -94,7 +94,7 @@ void tr_find_colours(translation *t) {
   tr_index count = (tr_index)t->node_count;
   for (tr_index n = 1; n < count; n++)
     if (takes_colour(t, n)) t->nodes[n].colour = 1;
-  do { /* both ways, for chains of variables run either way */
+  do { /* in both directions, since chains of variables run in either */
     f.changed = false;
     for (tr_index n = 1; n < count; n++) carry(&f, n);
     for (tr_index n = count; f.changed && n-- > 1;) carry(&f, n);

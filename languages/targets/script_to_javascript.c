@@ -1,8 +1,8 @@
-/* Owns scripts as modules for three.js.
+/* Owns the output of scripts as modules for three.js.
  *
- * A script is JavaScript already, so its text is copied, comments included. It stands in a function of its own, where
- * its names hide those of the module; the libraries that it calls are helpers of the target. A module is strict: what
- * it would understand otherwise, or not at all, is complained of. */
+ * A script is JavaScript already, so its text is copied, with its comments, into a function whose scope hides the
+ * module's names. The libraries that it calls are helpers of the target. A module is in strict mode: the translation
+ * complains of text that strict mode treats differently or rejects. */
 #include "languages/targets/script_to_javascript.h"
 
 #include <stdio.h>
@@ -19,7 +19,7 @@ static bool is(const knowledge *k, know_index n, const char *word) {
   return head && k->nodes[head].kind == KNOW_SYMBOL && !strcmp(k->names[k->nodes[head].name].text, word);
 }
 
-/* A parameter of the list that has the name of one before it; 0: there is none. */
+/* Returns a parameter with the name of an earlier one in the list; 0: none. */
 static know_index twice(const knowledge *k, know_index list) {
   know_index first = list && k->nodes[list].kind == KNOW_LIST ? k->nodes[list].first : 0;
   for (know_index i = first; i; i = k->nodes[i].next)
@@ -28,7 +28,7 @@ static know_index twice(const knowledge *k, know_index list) {
   return 0;
 }
 
-/* Complains of all that a module cannot hold. */
+/* Complains of all that a module cannot contain. */
 static void refuse(translation *t) {
   static const char reserved[] = " let static yield await implements interface package private protected public eval ";
   knowledge *k = t->k;
@@ -48,7 +48,7 @@ static void refuse(translation *t) {
   }
 }
 
-/* Variables that are assigned and that nothing declares are the script's. */
+/* Declares the variables that are assigned and never declared. */
 static void put_globals(tr_writer *w) {
   const knowledge *k = w->t->k;
   bool any = false;
@@ -65,7 +65,7 @@ static void put_globals(tr_writer *w) {
   if (any) put(w, ";\n");
 }
 
-/* A value that the user sets, as lowered. */
+/* Writes a value that the user sets, as lowered. */
 static void put_value(tr_writer *w, tr_index n) {
   const tr_node *value = &w->t->nodes[n];
   if (value->kind == TR_STRING) tr_plan_quoted(w, value->text);

@@ -1,10 +1,10 @@
-/* Owns scripts as modules for three.js. */
+/* Owns the output of scripts as modules for three.js. */
 #ifndef VS_LANGUAGES_TARGETS_SCRIPT_TO_JAVASCRIPT_H
 #define VS_LANGUAGES_TARGETS_SCRIPT_TO_JAVASCRIPT_H
 
 #include "languages/translate/target.h"
 
-/* Writes the script's own text into a function of a module, with the values that the user sets. */
+/* Writes the script's own text into a function of a module, with the user's values. */
 void tr_script_program(tr_writer *w);
 
 #endif

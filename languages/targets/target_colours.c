@@ -1,5 +1,5 @@
-/* Owns the reading of names of colours. The order is that of model/looks/ready_materials.c: a ready material goes
- * before the colour of CSS that has its name. */
+/* Owns the reading of colour names. The order is that of model/looks/ready_materials.c: a ready material takes
+ * precedence over the colour of CSS with its name. */
 #include "languages/targets/target_colours.h"
 
 #include <stdio.h>

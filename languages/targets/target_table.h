@@ -4,7 +4,7 @@
 
 #include "languages/translate/target.h"
 
-/* NULL: there is none of that name, or ending. */
+/* Returns the target with that name or ending; NULL: none. */
 const tr_target *tr_target_named(const char *name);
 const tr_target *tr_target_of_file(const char *path);
 

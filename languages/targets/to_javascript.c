@@ -1,8 +1,8 @@
 /* Owns programs in JavaScript: modules for three.js.
  *
- * Solids are values there, lists of flat faces; the drawing becomes a group of meshes of three.js. Procedures are
- * functions and see what is around them. A function that calls itself only at its end becomes a loop, since
- * JavaScript's stack is short. */
+ * There, solids are values: lists of flat faces. The drawing becomes a group of three.js meshes. Procedures are
+ * functions with their lexical scope. A function that calls itself only at its end becomes a loop, since JavaScript's
+ * stack is short. */
 #include "languages/targets/to_javascript.h"
 
 #include <stdio.h>
@@ -14,7 +14,7 @@
 #include "languages/translate/value_kinds.h"
 #include "languages/translate/words.h"
 
-/* Pieces of statements: TR_PIECE_STATEMENTS gives the value back, TR_PIECE_DRAW drops it. */
+/* Pieces of statements: TR_PIECE_STATEMENTS returns the value, TR_PIECE_DRAW drops it. */
 
 static const tr_node *at(const tr_writer *w, tr_index n) { return &w->t->nodes[n]; }
 static tr_variable *var(const tr_writer *w, tr_index n) { return &w->t->variables[at(w, n)->variable]; }
@@ -69,7 +69,7 @@ static void plan_call(tr_writer *w, tr_index n) {
   tr_plan(w, ")");
 }
 
-/* The tests of a map from `test` on, then what it makes. */
+/* Plans the tests of a map from `test` on, then its element. */
 static void plan_map(tr_writer *w, tr_index n) {
   tr_index made = at(w, n)->last, i = at(w, n)->first, open = 0;
   if (at(w, n)->parallel) {
@@ -83,7 +83,7 @@ static void plan_map(tr_writer *w, tr_index n) {
     if (at(w, n)->parallel)
       while (at(w, at(w, last)->next)->kind == TR_DEFINE) last = at(w, last)->next;
     else tr_plan(w, "%t", at(w, i)->first);
-    for (tr_index test = at(w, last)->next;; test = at(w, test)->next) { /* the tests, and what comes behind them */
+    for (tr_index test = at(w, last)->next;; test = at(w, test)->next) { /* the tests, and the pieces after them */
       bool tests = at(w, test)->kind == TR_WHEN, more = at(w, test)->kind == TR_DEFINE;
       bool itself = test == made && at(w, made)->kind == TR_NAME && !at(w, n)->parallel &&
           at(w, made)->variable == at(w, i)->variable;
@@ -107,7 +107,7 @@ static void plan_map(tr_writer *w, tr_index n) {
   while (open--) tr_plan(w, ")");
 }
 
-/* Of tests alone they are JavaScript's; else their value is one of their parts. */
+/* Plans and, or: JavaScript's operators, if all operands are tests; else the value is one of the operands. */
 static void plan_and_or(tr_writer *w, tr_index n, int level) {
   bool and = at(w, n)->kind == TR_AND, tests = at(w, n)->type == TR_A_BOOLEAN;
   for (tr_index i = at(w, n)->first; i; i = at(w, i)->next) tests = tests && at(w, i)->type == TR_A_BOOLEAN;
@@ -215,7 +215,7 @@ static void plan_turn(tr_writer *w, tr_index n) {
   tr_plan(w, "%ncontinue;");
 }
 
-/* Statements that give the node's value back. */
+/* Plans statements that return the node's value. */
 static void plan_return(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   if (node->kind == TR_BODY) {
@@ -238,7 +238,7 @@ static void plan_return(tr_writer *w, tr_index n) {
   }
 }
 
-/* Statements that drop the node's value. */
+/* Plans statements that drop the node's value. */
 static void plan_effect(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   switch ((tr_node_kind)node->kind) {
@@ -286,7 +286,7 @@ static void plan_effect(tr_writer *w, tr_index n) {
     tr_plan(w, "%n%v;", n);
     tr_plan_comments(w, n, TR_PIECE_BEHIND, false);
     break;
-  default: break; /* a value that nobody looks at */
+  default: break; /* an unused value */
   }
 }
 

@@ -1,8 +1,8 @@
 /* Owns programs in OpenSCAD's language.
  *
- * Solids are no values there: what makes one is a module, a solid that is handed over is a child of the module's call,
- * and a solid with a name is a module without parameters. All else is a function or a variable. Procedures as values
- * are function literals, which OpenSCAD has since 2021. */
+ * There, solids are not values. A procedure that makes one becomes a module, a solid argument becomes a child of the
+ * module's call, and a solid with a name becomes a module without parameters. All else is a function or a variable.
+ * Procedures as values become function literals, which OpenSCAD has since 2021. */
 #include "languages/targets/to_openscad.h"
 
 #include <stdio.h>
@@ -22,7 +22,7 @@ static tr_index body_of(const tr_writer *w, tr_index procedure) { return at(w, p
 
 /* ---- names ---- */
 
-/* Which child of the module that is defined around the node the variable's solid is; -1: none. */
+/* Returns the number of the variable's solid among the children of the module around the node; -1: none. */
 static int child_number(const tr_writer *w, tr_index define, tr_index variable) {
   const translation *t = w->t;
   int n = 0;
@@ -53,7 +53,7 @@ static void plan_test(tr_writer *w, tr_index n, int level) {
   else tr_plan(w, "true");
 }
 
-/* Arguments from `first` on, without solids; ABSENT ones make those behind them named. */
+/* Plans the arguments from `first` on, without solids; those after an ABSENT one get names. */
 static void plan_arguments(tr_writer *w, tr_index call, tr_index procedure) {
   bool named = false, any = false;
   tr_index p = procedure ? at(w, procedure)->first : 0;
@@ -177,7 +177,7 @@ static void plan_body(tr_writer *w, tr_index n, int level) {
   else tr_plan_value(w, last, level);
 }
 
-/* The loops of a map, with what stands before them; "for (...) if (...) ". */
+/* Plans the loops of a map, with the text before them; "for (...) if (...) ". */
 static void plan_loops(tr_writer *w, tr_index n, bool statement) {
   if (at(w, n)->parallel) {
     tr_index first = at(w, n)->first;
@@ -228,7 +228,7 @@ static void plan_choice(tr_writer *w, tr_index test, tr_index then, tr_index oth
   if (level > TR_CHOICE) tr_plan(w, ")");
 }
 
-/* and, or: of tests alone they are OpenSCAD's; else their value is one of their parts. */
+/* Plans and, or: OpenSCAD's operators, if all operands are tests; else the value is one of the operands. */
 static void plan_and_or(tr_writer *w, tr_index n, int level) {
   bool and = at(w, n)->kind == TR_AND, tests = true;
   int own = and ? TR_BOTH : TR_EITHER;
@@ -305,7 +305,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
 
 /* ---- solids ---- */
 
-/* Does the primitive only put its solids together? from: the first of them. */
+/* Returns true if the primitive only joins its solids. from: the first of them. */
 static bool unites(const tr_writer *w, tr_index n, uint32_t *from) {
   if (at(w, n)->kind == TR_LIST) return *from = 0, true;
   if (at(w, n)->kind != TR_PRIMITIVE || !at(w, n)->row) return false;
@@ -321,7 +321,7 @@ static bool has_values(const tr_writer *w, tr_index body) {
   return false;
 }
 
-/* A body as the whole of a block: its values are the block's. */
+/* Plans a body as a whole block: its values are the block's. */
 static void plan_block(tr_writer *w, tr_index n, bool draws) {
   if (at(w, n)->kind != TR_BODY) {
     tr_plan(w, draws ? "%d" : "%l", n);
@@ -357,7 +357,7 @@ static void plan_braces(tr_writer *w, tr_index n, bool draws) {
   tr_plan(w, "%<%n}");
 }
 
-/* The body of a statement that holds another: a body with values of its own needs braces. */
+/* Plans the body of a statement that contains another: a body with several values needs braces. */
 static void plan_held(tr_writer *w, tr_index n, bool draws) {
   uint32_t from = 0;
   bool several = unites(w, n, &from) && at(w, n)->count != from + 1;
@@ -375,7 +375,7 @@ static void plan_if(tr_writer *w, tr_index n, bool draws) {
   else plan_braces(w, other, draws);
 }
 
-/* The solids that a call hands over are its children. */
+/* Plans the solid arguments of a call as its children. */
 static void plan_children(tr_writer *w, tr_index call, tr_index procedure, const tr_variable *v) {
   tr_index solids[64];
   int count = 0;
@@ -481,7 +481,7 @@ static void plan_single(tr_writer *w, tr_index n) {
   case TR_PRIMITIVE: {
     tr_word row = tr_word_row(w->target, node->row ? node->row : 1);
     if (!strcmp(node->text, "native")) tr_plan(w, "%s", at(w, node->first)->text);
-    else if (!node->row) break; /* complained of already */
+    else if (!node->row) break; /* a complaint exists already */
     else if ((*row.result != 'o' && !tr_row_has_block(row.text))) {
       tr_complain(w->t, n, "%s: this gives no solid that OpenSCAD could place", node->text);
     } else {
@@ -500,7 +500,7 @@ static void plan_single(tr_writer *w, tr_index n) {
   }
 }
 
-/* As many statements as it takes, each on a line of its own. */
+/* Plans as many statements as needed, each on its own line. */
 static void plan_statements(tr_writer *w, tr_index n) {
   uint32_t from = 0;
   if (is_nothing(w, n)) return;
@@ -569,7 +569,7 @@ static void plan_module(tr_writer *w, tr_index define) {
   tr_plan(w, "%<%n}");
 }
 
-/* The parameter's default, and what OpenSCAD's customizer reads behind it. */
+/* Plans the parameter's default, and the comment after it that OpenSCAD's customizer reads. */
 static void plan_parameter(tr_writer *w, tr_index define) {
   const knowledge *k = w->t->k;
   know_index n = at(w, define)->source, value[5] = {0};
@@ -626,7 +626,7 @@ static void emit(tr_writer *w, const tr_piece *p) {
   }
 }
 
-/* Values that were lifted out of the statement stand before it. */
+/* Writes the values that were lifted out of the statement before it. */
 static void write_lifted(tr_writer *w, tr_index from, tr_index to) {
   for (tr_index i = from; i < to; i++) {
     if (at(w, i)->kind != TR_DEFINE || !var(w, i)->lifted || var(w, i)->define != i) continue;

@@ -1,11 +1,11 @@
 /* Owns programs in POV-Ray's scene language.
  *
- * Macros stand for procedures: what their text makes is their value, so that directives may stand within
- * expressions: (#if (a) b #else c #end). Solids are objects, points are vectors, lists are arrays of one or more
- * numbers, points, strings or arrays. The array that a macro gives can be neither indexed nor measured where it stands,
- * nor stand in the braces of another: item, count_of and statements do that. Macros see no variables but their own and
- * those of the file, and nest a hundred deep at most; so local procedures move to top level, and those that call
- * themselves only at their end become loops. */
+ * Procedures become macros: the text of a macro's call is its value, so directives may occur within expressions: (#if
+ * (a) b #else c #end). Solids are objects, points are vectors, lists are arrays of one or more numbers, points, strings
+ * or arrays. An array from a macro can neither be indexed nor measured directly, nor occur in the braces of another;
+ * item, count_of and statements do that. Macros see only their own variables and those of the file, and nest at most a
+ * hundred deep. Therefore local procedures move to top level, and those that call themselves only at their end become
+ * loops. */
 #include "languages/targets/to_povray.h"
 
 #include <stdio.h>
@@ -36,7 +36,7 @@ static void no_macros(tr_writer *w, tr_index n) {
 
 /* ---- values ---- */
 
-/* Numbers, points and colours end in a semicolon; all else must not where an #if made it. */
+/* Plans an assignment. Numbers, points and colours end in a semicolon; all else must not, if an #if made it. */
 static void plan_set(tr_writer *w, const char *before, const char *what, const char *after, tr_index value,
                      bool solid) {
   tr_plan(w, solid ? "%s%s%s = %o" : "%s%s%s = %v", before, what, after, value);
@@ -58,7 +58,7 @@ static tr_index parameter_default(const tr_writer *w, tr_index procedure, uint32
   return p && at(w, p)->kind == TR_PARAMETER ? at(w, p)->first : 0;
 }
 
-/* Does the parameter stand for a solid? */
+/* Returns true if the parameter takes a solid. */
 static bool takes_solid(const tr_writer *w, tr_index procedure, uint32_t nth) {
   tr_index p = procedure ? tr_nth(w->t, procedure, nth) : 0;
   return p && at(w, p)->kind == TR_PARAMETER && var(w, p)->type == TR_A_SOLID;
@@ -87,7 +87,7 @@ static void plan_call(tr_writer *w, tr_index n) {
   tr_plan(w, ")");
 }
 
-/* How many turns the lists of a map allow, the first of which begins at `first`. */
+/* Plans the number of turns that the lists of a map allow; `first` is its first list. */
 static void plan_size(tr_writer *w, tr_index first, bool parallel) {
   if (parallel) tr_plan(w, "min(");
   for (tr_index i = first; at(w, i)->kind == TR_DEFINE; i = at(w, i)->next) {
@@ -97,13 +97,13 @@ static void plan_size(tr_writer *w, tr_index first, bool parallel) {
   tr_plan(w, ")");
 }
 
-/* Does the variable count from nothing to a number? */
+/* Returns the number up to which the variable counts from 0; 0: it does not count. */
 static tr_index counted(const tr_writer *w, tr_index define) {
   const tr_node *list = at(w, at(w, define)->first);
   return list->kind == TR_PRIMITIVE && !strcmp(list->text, "iota") && list->count == 1 ? list->first : 0;
 }
 
-/* The loops of a map, with the variables at each turn. makes: x__out is an array of what it makes. */
+/* Plans the loops of a map, with the variables at each turn. makes: x__out is an array of the elements. */
 static void plan_loop(tr_writer *w, tr_index n, bool makes) {
   tr_index first = at(w, n)->first, last = at(w, n)->last;
   bool parallel = at(w, n)->parallel;
@@ -147,7 +147,7 @@ static void plan_loop_ends(tr_writer *w, tr_index n) {
   }
 }
 
-/* A list made of another: an array that is filled in turn. */
+/* Plans a list made from another: an array filled turn by turn. */
 static void plan_map(tr_writer *w, tr_index n) {
   tr_index first = at(w, n)->first, last = at(w, n)->last;
   bool simple = at(w, first)->next == last || at(w, n)->parallel;
@@ -183,7 +183,7 @@ static bool in_brackets(uint8_t type, uint8_t colour) {
          type == TR_UNKNOWN || colour == 1;
 }
 
-/* A vector of red, green, blue and transparency: of POV-Ray's colours a test cannot choose one that gets a name. */
+/* Plans a vector of red, green, blue and transparency: a test cannot choose between POV-Ray's colours for a name. */
 static void plan_colour(tr_writer *w, tr_index n) {
   tr_colour c;
   char out[100];
@@ -192,8 +192,8 @@ static void plan_colour(tr_writer *w, tr_index n) {
   tr_plan(w, "%s", know_text(w->t->k, out, (size_t)size));
 }
 
-/* Bytes of the text, whole characters, that are short enough once they are written: a byte of ASCII takes at most two,
- * another character six. */
+/* Returns the length of the longest run of whole characters that stays short in the output: an ASCII byte takes at most
+ * two, any other character six. */
 static size_t short_text(const char *text) {
   enum { MOST = 200 };
   size_t n = 0, written = 0, step = 0;
@@ -205,7 +205,7 @@ static size_t short_text(const char *text) {
   return written > MOST ? n - step : n;
 }
 
-/* A string; POV-Ray takes but short ones where they are written. */
+/* Plans a string; POV-Ray accepts only short literals, so long ones become concatenations. */
 static void plan_text(tr_writer *w, const char *text) {
   size_t length = strlen(text), n = short_text(text);
   if (n >= length) {
@@ -237,14 +237,14 @@ static void plan_or(tr_writer *w, tr_index n, int level) {
   tr_plan(w, ")");
 }
 
-/* Can it be indexed where it stands: a name, or what a name's index gives? */
+/* Returns true if the node can be indexed directly: a name, or an element of a name's value. */
 static bool indexable(const tr_writer *w, tr_index n) {
   while (at(w, n)->kind == TR_PRIMITIVE && at(w, n)->row &&
          !strncmp(tr_word_row(w->target, at(w, n)->row).text, "$1[", 3)) n = at(w, n)->first;
   return at(w, n)->kind == TR_NAME;
 }
 
-/* Can it stand in the braces of an array? */
+/* Returns true if the node can occur in the braces of an array. */
 static bool writable(const tr_writer *w, tr_index n) {
   if (!is_list(w, n) || at(w, n)->kind == TR_NAME) return true;
   if (at(w, n)->kind != TR_LIST) return indexable(w, n);
@@ -253,7 +253,7 @@ static bool writable(const tr_writer *w, tr_index n) {
   return true;
 }
 
-/* The children as an array; outlines: paths give their points. */
+/* Plans the children as an array; outlines: paths give their points. */
 static void plan_array(tr_writer *w, tr_index n, bool outlines) {
   char text[40], name[40];
   bool plain = true;
@@ -279,7 +279,7 @@ static void plan_array(tr_writer *w, tr_index n, bool outlines) {
   tr_plan(w, " %s", list);
 }
 
-/* An element, or the length, of what cannot be asked for it where it stands; all else as its row says. */
+/* Plans an element or the length of an array that POV-Ray cannot index directly; all else by its row. */
 static void plan_primitive(tr_writer *w, tr_index n, int level) {
   const char *text = tr_word_row(w->target, at(w, n)->row).text;
   tr_index list = at(w, n)->first;
@@ -361,8 +361,8 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
 
 /* ---- solids ---- */
 
-/* Text of the program's own for POV-Ray. With one of these words at its begin it says how the object behind
- * #:otherwise looks; any other is an object. */
+/* Plans the program's own POV-Ray text. If it begins with one of these words, it describes the look of the object after
+ * #:otherwise; any other text is an object. */
 static void plan_native(tr_writer *w, tr_index n) {
   static const char *const looks[] = {"texture", "pigment", "normal", "finish", "interior", "material", "photons",
     "no_shadow", "hollow"};
@@ -476,7 +476,7 @@ static void plan_draw(tr_writer *w, tr_index n) {
 
 /* ---- definitions ---- */
 
-/* A body with its locals a line each. */
+/* Plans a body with a line for each local. */
 static void plan_lines(tr_writer *w, tr_index n) {
   if (at(w, n)->kind != TR_BODY) {
     tr_plan_comments(w, n, TR_PIECE_COMMENTS, false);
@@ -491,13 +491,13 @@ static void plan_lines(tr_writer *w, tr_index n) {
   }
 }
 
-/* Is what the node gives the solid that the procedure around it makes? */
+/* Returns true if the node's value is the solid that the procedure around it makes. */
 static bool solid_result(const tr_writer *w, tr_index n) {
   while (n && at(w, n)->kind != TR_PROCEDURE) n = at(w, n)->parent;
   return n && tr_is_solid(w->t, at(w, n)->last);
 }
 
-/* A turn of a loop: its result, or the parameters of the next turn. */
+/* Plans a turn of a loop: its result, or the parameters of the next turn. */
 static void plan_turn(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   if (node->kind == TR_IF) {

@@ -1,4 +1,4 @@
-/* Owns the arrays of a translation, and its list of what cannot go over. */
+/* Owns the arrays of a translation, and its list of complaints. */
 #include "languages/translate/core_tree.h"
 
 #include <stdarg.h>
@@ -46,7 +46,7 @@ void tr_move(translation *t, tr_index from, tr_index to) {
   *a = (tr_node){.text = ""};
 }
 
-/* Places compare by file and byte. */
+/* Compares places by file and byte. */
 static int order(const know_place *a, const know_place *b) {
   if (a->file != b->file) return a->file < b->file ? -1 : 1;
   return a->from < b->from ? -1 : a->from > b->from;

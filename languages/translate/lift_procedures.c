@@ -1,8 +1,8 @@
-/* Owns which local names become definitions at top level, and what those get handed besides.
+/* Owns the choice of local names that become definitions at top level, and their additional arguments.
  *
- * A local name is lifted where the target has no other way to say it: a solid that has a name, a procedure that makes
- * or draws solids, a procedure that calls itself. The variables of the procedures around it that it uses are handed to
- * it with every call, and so on through the calls among lifted ones. */
+ * The translation lifts a local name if the target has no other way to express it: a solid with a name, a procedure
+ * that makes or draws solids, a procedure that calls itself. Each call passes the variables of the surrounding
+ * procedures that it uses, and so on through the calls among lifted ones. */
 #include "languages/translate/lift_procedures.h"
 
 #include "languages/translate/words.h"
@@ -10,7 +10,7 @@
 
 enum { MOST_PAIRS = 100000 };
 
-/* Who is used within its own value, or before it stands. */
+/* Finds the variables that are used within their own value, or before their definition. */
 static void find_recursion(translation *t) {
   for (tr_index i = 1; i < t->node_count; i++) {
     if (t->nodes[i].kind != TR_NAME) continue;
@@ -34,7 +34,7 @@ static tr_index around(const translation *t, tr_index n) {
   return n;
 }
 
-/* Is the value of the node the value of its procedure? */
+/* Returns true if the value of the node is the value of its procedure. */
 static bool ends(const translation *t, tr_index n) {
   for (; t->nodes[t->nodes[n].parent].kind != TR_PROCEDURE; n = t->nodes[n].parent) {
     const tr_node *p = &t->nodes[t->nodes[n].parent];
@@ -55,7 +55,8 @@ bool tr_turns(const translation *t, tr_index call) {
   return calls_at_end(t, call) && t->variables[t->nodes[t->nodes[call].first].variable].loops;
 }
 
-/* A procedure that calls itself at its end is a loop there, unless a procedure within it may outlive a turn. */
+/* Finds the procedures that call themselves only at their end. Each becomes a loop, unless a procedure within it may
+ * outlive a turn. */
 static void find_loops(translation *t) {
   for (tr_index i = 1; i < t->node_count; i++)
     if (calls_at_end(t, i)) t->variables[t->nodes[t->nodes[i].first].variable].loops = true;

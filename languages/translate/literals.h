@@ -1,13 +1,13 @@
-/* Owns the numbers and strings of a program's text as other languages read them. */
+/* Owns the numbers and strings of a program's text in the form of other languages. */
 #ifndef VS_LANGUAGES_TRANSLATE_LITERALS_H
 #define VS_LANGUAGES_TRANSLATE_LITERALS_H
 
 #include "languages/analysis/analysis.h"
 
-/* "1.5", "-3", "1/3": decimal, without signs and points that stand alone. "": a number of another kind. */
+/* Returns the decimal form of "1.5", "-3", "1/3", without a lone sign or point. "": a number of another kind. */
 const char *tr_number_text(knowledge *k, const char *text, size_t length);
-/* The contents of the string; text is with its quotes and escapes. NULL: it holds NUL, or an escape that is none of
- * Scheme's. */
+/* Returns the contents of the string; text includes its quotes and escapes. NULL: it contains NUL, or an escape that
+ * Scheme lacks. */
 const char *tr_string_text(knowledge *k, const char *text, size_t length);
 
 #endif

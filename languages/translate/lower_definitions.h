@@ -4,24 +4,24 @@
 
 #include "languages/translate/lowering.h"
 
-/* The body of a procedure or a let from its form `first` on becomes `into`. */
+/* Lowers the body of a procedure or a let, from its form `first` on, to `into`. */
 void tr_lower_body(lowering *l, know_index first, tr_index into);
-/* `into` becomes a procedure with parameters from `first` on, the elements of `list`, or with that lone name for
+/* Lowers a procedure to `into`. Its parameters are those from `first` on, elements of `list`, or a lone name for
  * all. */
 void tr_lower_procedure(lowering *l, tr_index into, know_index list, know_index first, know_index forms);
-/* The forms from `first` on become children of `into`, with what `begin` and files bring in among them. */
+/* Lowers the forms from `first` on to children of `into`, including those of `begin` and of loaded files. */
 void tr_lower_sequence(lowering *l, know_index first, tr_index into);
-/* Definitions of names that stand for the elements of a list, one each. */
+/* Lowers definitions of names for the elements of a list, one for each. */
 void tr_lower_values(lowering *l, tr_index parent, know_index names, know_index value, know_index source);
-/* (define-parameter name default ...), or the script's var name = gui_number(default, ...). */
+/* Lowers (define-parameter name default ...), or the script's var name = gui_number(default, ...). */
 void tr_lower_parameter(lowering *l, know_index n, tr_index parent);
-/* Trouble if the user sets a parameter that the program does not have. */
+/* Reports trouble if the user sets a parameter that the program does not have. */
 void tr_lower_settings(lowering *l);
 
-/* Does the symbol name a procedure of several clauses, (define name (case-lambda ...))? Then *variable is the one for
- * so many arguments, 0: there is none. */
+/* Returns true if the symbol names a procedure of several clauses, (define name (case-lambda ...)). *variable: the one
+ * for this number of arguments; 0: none. */
 bool tr_clause_of(const lowering *l, know_index symbol, uint32_t arguments, tr_index *variable);
-/* (for/fold ((name start) ...) (clause ...) body ...): a loop that calls itself. */
+/* Lowers (for/fold ((name start) ...) (clause ...) body ...) to a procedure that calls itself. */
 void tr_lower_fold(lowering *l, know_index n, tr_index into);
 
 #endif

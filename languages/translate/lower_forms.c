@@ -1,7 +1,7 @@
 /* Owns the way from the text's trees to the lowered tree.
  *
- * Plan. A stack of tasks, each "this node of the text belongs into that node of the lowered tree", which is there
- * already and empty. A task fills its node, appends empty children and leaves tasks for those. */
+ * A stack holds tasks: lower this node of the text to that empty node of the lowered tree. A task fills its node,
+ * appends empty children and adds a task for each. */
 #include "languages/translate/lower_forms.h"
 
 #include <stdlib.h>
@@ -77,7 +77,8 @@ static void lower_receive(form *f) {
   tr_lower_sequence(f->l, next(f->l, f->third), f->into);
 }
 
-/* (do ([i a (+ i step)]) ((= i b)) ...) counts; every other do is a loop that calls itself. */
+/* Lowers (do ([i a (+ i step)]) ((= i b)) ...) as a counting loop; false: another do, which becomes a procedure that
+ * calls itself. */
 static bool counts(form *f, know_index clause, know_index ending) {
   lowering *l = f->l;
   know_index named = first_of(l, clause), step = know_nth(l->k, clause, 2), test = first_of(l, ending);
@@ -239,7 +240,7 @@ static void arguments(lowering *l, tr_index into, know_index first) {
   }
 }
 
-/* The call of what `callee` names with the variables of the DEFINE children of `map`. */
+/* Lowers the call of `callee` with the variables of the DEFINE children of `map`. */
 static void call_each(lowering *l, tr_index map, know_index callee) {
   const char *word = builtin(l, callee);
   tr_index call = word ? primitive(l, map, word, callee) : add(l, map, TR_CALL, callee);
@@ -248,7 +249,7 @@ static void call_each(lowering *l, tr_index map, know_index callee) {
     name(l, call, at(l, i)->variable, callee);
 }
 
-/* (map f list ...), for-each, filter: a lambda's parameters are the loop's variables. */
+/* Lowers (map f list ...), for-each, filter: a lambda's parameters become the loop's variables. */
 static void map_call(lowering *l, know_index n, tr_index into, const char *word) {
   know_index f = settled(l, know_nth(l->k, n, 1)), first = know_nth(l->k, n, 2);
   const char *inner = form_word(l, f);
@@ -314,14 +315,14 @@ static void apply_call(lowering *l, know_index n, tr_index into) {
   }
 }
 
-/* The string at the node, or that a variable which is never set stands for; 0: what is there is no plain text. */
+/* Returns the string at the node, or the constant string of its variable; 0: neither. */
 static know_index plain_text(const lowering *l, know_index n) {
   know_index s = is_symbol(l, n) ? symbol_of(l, n) : 0;
   if (s && l->k->symbols[s].definitions == 1 && !l->k->symbols[s].sets) n = l->k->symbols[s].value;
   return n && l->k->nodes[n].kind == KNOW_STRING ? n : 0;
 }
 
-/* (native 'target "text" #:otherwise o): the text where it is meant, and the object behind it; else the object. */
+/* Lowers (native 'target "text" #:otherwise o): for its target the text and the object; for others the object. */
 static void native_call(lowering *l, know_index n, tr_index into) {
   know_index target = know_nth(l->k, know_nth(l->k, n, 1), 1), text = know_nth(l->k, n, 2), other = 0;
   for (know_index i = text; i; i = next(l, i))
@@ -338,7 +339,7 @@ static void native_call(lowering *l, know_index n, tr_index into) {
   else become(l, into, TR_PRIMITIVE, "empty-object");
 }
 
-/* (distribute-in-space f p q nx ny nz): a loop over the cells, with a lambda's body in it. */
+/* Lowers (distribute-in-space f p q nx ny nz): a loop over the cells, with a lambda's body in it. */
 static void distribute_call(lowering *l, know_index n, tr_index into) {
   know_index f = settled(l, know_nth(l->k, n, 1)), count = know_nth(l->k, n, 4);
   const char *inner = form_word(l, f);
@@ -367,7 +368,7 @@ static void distribute_call(lowering *l, know_index n, tr_index into) {
   for (int i = 0; i < 3; i++) name(l, cell, at_cell[i], n);
 }
 
-/* A procedure of the language as a value: one of ours that calls it. */
+/* Lowers a procedure of the language used as a value: a new procedure that calls it. */
 static void as_value(lowering *l, know_index n, tr_index into, const char *word) {
   int arguments_count = tr_word_arguments(l->t->target, word);
   become(l, into, arguments_count < 0 ? TR_PRIMITIVE : TR_PROCEDURE, arguments_count < 0 ? word : "");
@@ -496,7 +497,7 @@ static void expression(lowering *l, know_index n, tr_index into) {
 }
 
 bool tr_lower_nothing(translation *t) {
-  tr_node_new(t, 0, TR_NOTHING, 0); /* element 0 is nobody */
+  tr_node_new(t, 0, TR_NOTHING, 0); /* element 0 means none */
   for (size_t i = 0; i < t->k->symbol_count && !*t->k->trouble; i++) {
     const know_symbol *s = &t->k->symbols[i];
     tr_variable_new(t, s->text ? s->text : "");

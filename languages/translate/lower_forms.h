@@ -4,10 +4,10 @@
 
 #include "languages/translate/core_tree.h"
 
-/* Lowers the program, what it loads included, into t->root. A form that no target has is complained of. False:
+/* Lowers the program, with the files that it loads, to t->root. Complains of forms that no target has. Returns false on
  * trouble. */
 bool tr_lower(translation *t);
-/* Makes the variables of the program's symbols and a root without children. False: trouble. */
+/* Makes the variables of the program's symbols, and a root without children. Returns false on trouble. */
 bool tr_lower_nothing(translation *t);
 
 #endif

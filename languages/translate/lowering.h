@@ -1,4 +1,4 @@
-/* Owns what the files that lower forms share: the work that is to do, looks at the text's trees, new nodes of the
+/* Owns the data and functions that the lowering files share: the tasks, queries of the text's trees, new nodes of the
  * lowered tree. */
 #ifndef VS_LANGUAGES_TRANSLATE_LOWERING_H
 #define VS_LANGUAGES_TRANSLATE_LOWERING_H
@@ -11,7 +11,8 @@
 
 typedef enum { AS_EXPRESSION, AS_DATUM, AS_TEMPLATE } task_kind;
 typedef struct { know_index node; tr_index into; uint8_t kind; } task;
-/* A clause of (define name (case-lambda ...)): the call of `symbol` with so many arguments is one of `variable`. */
+/* A clause of (define name (case-lambda ...)): a call of `symbol` with this number of arguments is a call of
+ * `variable`. */
 typedef struct { know_index symbol; tr_index variable; uint32_t arguments; bool more; } case_clause;
 typedef struct {
   translation *t;
@@ -32,7 +33,8 @@ static inline know_index written(const lowering *l, know_index n) {
   return n;
 }
 
-/* The form at the node once macros are expanded. Of what a macro uses twice, the first copy was looked at. */
+/* Returns the form at the node after macro expansion. If a macro uses a node twice, only the first copy was
+ * expanded. */
 static inline know_index settled(const lowering *l, know_index n) {
   for (;;) {
     know_index w = written(l, n);
@@ -47,14 +49,14 @@ static inline know_index symbol_of(const lowering *l, know_index n) {
   return s ? s : l->k->nodes[written(l, n)].symbol;
 }
 
-/* The word of the language's form at the node; NULL: it is none. */
+/* Returns the word of the language's form at the node; NULL: none. */
 static inline const char *form_word(const lowering *l, know_index n) {
   if (!is_list(l, n) || !(l->k->nodes[n].form || l->k->nodes[written(l, n)].form)) return NULL;
   know_index s = symbol_of(l, l->k->nodes[n].first);
   return s ? l->k->symbols[s].text : l->k->names[l->k->nodes[l->k->nodes[n].first].name].text;
 }
 
-/* The language's procedure that the node names; NULL: it names none. */
+/* Returns the name of the language's procedure at the node; NULL: none. */
 static inline const char *builtin(const lowering *l, know_index n) {
   know_index s = is_symbol(l, n) ? symbol_of(l, n) : 0;
   return s && l->k->symbols[s].kind == KNOW_BUILTIN ? l->k->symbols[s].text : NULL;

@@ -1,5 +1,4 @@
-/* Owns what the program's names are called in the target: words that it takes, each meaning one thing where it
- * stands. */
+/* Owns the names of the program's variables in the target: valid words, each with a single meaning in its scope. */
 #include "languages/translate/spell_names.h"
 
 #include <ctype.h>
@@ -27,7 +26,7 @@ static void append(spelling *s, const char *text, size_t length) {
   s->text[s->length += length] = 0;
 }
 
-/* Letters and digits stay; all else becomes words between underscores. */
+/* Writes letters and digits as they are; all else as words between underscores. */
 static void spell(const char *text, spelling *s) {
   *s = (spelling){.length = 0};
   while (*text) {
@@ -82,7 +81,7 @@ static bool is_reserved(const tr_target *target, const char *name) {
 
 typedef struct { translation *t; uint8_t *taken; size_t room; } namer;
 
-/* Top-level names by number; false: trouble. */
+/* Marks top-level names by number; false: trouble. */
 static bool mark(namer *n, know_index name, bool set) {
   size_t had = n->room;
   if (!VS_GROW(n->taken, n->room, (size_t)name + 1))
@@ -92,7 +91,7 @@ static bool mark(namer *n, know_index name, bool set) {
   return n->taken[name] != 0;
 }
 
-/* Is a variable of that name in sight where the define or parameter stands? */
+/* Returns true if a variable of that name is visible at the define or parameter. */
 static bool in_sight(const translation *t, tr_index define, const char *name) {
   for (tr_index up = t->nodes[define].parent; up && up != t->root; up = t->nodes[up].parent) {
     tr_node_kind kind = (tr_node_kind)t->nodes[up].kind;

@@ -1,4 +1,4 @@
-/* Owns the form of a target language. */
+/* Owns the description of a target language. */
 #ifndef VS_LANGUAGES_TRANSLATE_TARGET_H
 #define VS_LANGUAGES_TRANSLATE_TARGET_H
 
@@ -8,24 +8,24 @@
 typedef struct tr_writer tr_writer;
 typedef enum {
   TR_LIFTS_NOTHING,
-  TR_LIFTS_SOLIDS, /* what makes solids, or calls itself */
+  TR_LIFTS_SOLIDS, /* definitions that make solids, or that call themselves */
   TR_LIFTS_PROCEDURES
 } tr_lifts;
 typedef struct tr_target {
-  const char *name, *title; /* as --to says, and as people do */
+  const char *name, *title; /* for --to; for messages */
   const char *ending;       /* of its files */
-  uint8_t lifts;            /* what of local definitions goes to top level */
+  uint8_t lifts;            /* the local definitions that move to top level */
   bool assigns;             /* variables can be set */
-  bool helpers_first;       /* what the program needs besides must stand before it */
-  const char *key;          /* what stands between a keyword and its value */
+  bool helpers_first;       /* the program's helpers must precede it */
+  const char *key;          /* the text between a keyword and its value */
   const char *x, *y, *z;    /* the axes as vectors */
-  const char *together;     /* what stands before the braces around several solids */
-  bool capitals;            /* names begin with capital letters, which no word of the language does */
+  const char *together;     /* the text before the braces around several solids */
+  bool capitals;            /* names begin with capital letters, unlike every word of the language */
   bool ascii;               /* in texts, characters beyond ASCII are written as \uXXXX */
-  const char *comment;      /* what begins a line of comment */
-  const char *reserved;     /* words that no name may be, each between blanks */
+  const char *comment;      /* the beginning of a comment line */
+  const char *reserved;     /* reserved words, each between blanks */
   void (*program)(tr_writer *w);
-  void (*script)(tr_writer *w); /* a program that is a script, NULL: as any other */
+  void (*script)(tr_writer *w); /* writes a program that is a script; NULL: as any other */
   uint8_t column;           /* of translated_words.def */
 } tr_target;
 

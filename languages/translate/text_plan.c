@@ -1,5 +1,4 @@
-/* Owns the making of the target's text: a stack of pieces still to be written, so that no depth of a program is too
- * deep. */
+/* Owns the writing of the target's text. A stack of pending pieces lets programs nest to any depth. */
 #include "languages/translate/text_plan.h"
 
 #include <ctype.h>
@@ -18,8 +17,8 @@
 #include "model/characters.h"
 #include "model/store/array.h"
 
-enum { WIDE = 96 /* columns, behind which a line breaks where it may */, INDENT = 2, MOST_INDENT = 30,
-  MOST_TEXT = 64 << 20, REPLACEMENT = 0xFFFD /* for what is no character */ };
+enum { WIDE = 96 /* columns, after which a line breaks at the next allowed place */, INDENT = 2, MOST_INDENT = 30,
+  MOST_TEXT = 64 << 20, REPLACEMENT = 0xFFFD /* for a byte that is no character */ };
 
 static bool no_memory(tr_writer *w) { return know_fail(w->t->k, NULL, VS_OUTCOME_MACHINE, "out of memory"); }
 
@@ -55,7 +54,7 @@ static void plan_text(tr_writer *w, const char *text, size_t length) {
   if (length) plan(w, TR_PIECE_TEXT, 0, 0, know_text(w->t->k, text, length));
 }
 
-/* How a character that may not stand in quotes as it is is written there; "": it may. All targets read \uXXXX. */
+/* Returns the escape of a character that quotes cannot contain; "": they can. All targets read \uXXXX. */
 static const char *escape_of(const tr_target *target, uint32_t code, char room[8]) {
   switch (code) {
   case '"': return "\\\"";
@@ -164,7 +163,7 @@ static tr_index argument(const translation *t, tr_index primitive, uint32_t nth)
   return 0;
 }
 
-/* The value of the keyword; 0: it is not given. */
+/* Returns the value of the keyword; 0: not given. */
 static tr_index keyword(const translation *t, tr_index primitive, const char *name, size_t length) {
   for (tr_index i = t->nodes[primitive].first; i; i = t->nodes[i].next)
     if (t->nodes[i].kind == TR_KEYWORD && strlen(t->nodes[i].text) == length &&
@@ -172,7 +171,7 @@ static tr_index keyword(const translation *t, tr_index primitive, const char *na
   return 0;
 }
 
-/* keys: "segments=$fn:n": as the program says, as the target does, and as it does in braces. */
+/* Writes the keywords of "segments=$fn:n": the program's word, the target's, and the target's within braces. */
 static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool alone) {
   const translation *t = w->t;
   bool any = false, braces = *w->target->key == ':';
@@ -184,7 +183,7 @@ static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool a
       if (name == strlen(t->nodes[i].text) && !strncmp(at, t->nodes[i].text, name)) {
         const char *said = at[name] == '=' ? at + name + 1 : at, *end = at + length;
         const char *colon = memchr(said, ':', (size_t)(end - said));
-        if (said == end) break; /* "pattern=": the targets have nothing for it */
+        if (said == end) break; /* "pattern=": the targets have no equivalent */
         if (!*w->target->key) { /* without keywords: the colour of a material counts */
           if (!strncmp(said, "c", (size_t)(end - said))) tr_plan(w, "%v", t->nodes[i].first);
           break;
@@ -201,7 +200,7 @@ static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool a
   if (any && braces && !alone) tr_plan(w, " }");
 }
 
-/* An angle in degrees: what was said in degrees stays. */
+/* Writes an angle in degrees; a number that the program gives in degrees keeps its digits. */
 static void plan_degrees(tr_writer *w, tr_index angle) {
   const tr_node *n = tr_at(w->t, angle);
   if (n->kind == TR_PRIMITIVE && !strcmp(n->text, "degrees->radians")) tr_plan(w, "%v", n->first);
@@ -209,7 +208,7 @@ static void plan_degrees(tr_writer *w, tr_index angle) {
   else tr_plan(w, "deg(%v)", angle);
 }
 
-/* 'x, 'xy as vectors: the axis, the normal of the plane. False: the argument is no such word. */
+/* Writes 'x or 'xy as a vector: the axis, or the normal of the plane. Returns false if the argument is no such word. */
 static bool plan_axis(tr_writer *w, tr_index argument, char letter) {
   const tr_node *n = tr_at(w->t, argument);
   if (n->kind != TR_STRING || !letter || !strchr("AZL", letter)) return false;
@@ -290,7 +289,7 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
       else tr_plan(w, "%o", argument(t, primitive, nth));
     } else if (mark == '#' && isdigit((unsigned char)what)) {
       if (argument(t, primitive, nth)) tr_plan_value(w, argument(t, primitive, nth), own);
-    } else { /* a sign of the target's own */
+    } else { /* a sign of the target itself */
       plan_text(w, at - (what ? 2 : 1), 1);
       at -= what != 0;
     }
@@ -300,7 +299,7 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
 
 /* ---- comments ---- */
 
-/* Puts the text so that nothing in it ends the comment: scripts end their lines at U+2028, too. */
+/* Writes the text so that no part of it ends the comment: in scripts, U+2028 ends a line too. */
 static void put_on_line(tr_writer *w, const char *text, const char *end) {
   char spelled[VS_SPELLED_ROOM];
   while (text < end) {
@@ -329,7 +328,7 @@ static void put_comment(tr_writer *w, know_index comment, bool behind) {
   }
 }
 
-/* The place of the node as written. */
+/* Returns the place of the node in the text. */
 static const know_place *place(const tr_writer *w, know_index source) {
   const knowledge *k = w->t->k;
   while (source && k->nodes[source].origin && !k->nodes[source].made) source = k->nodes[source].origin;
@@ -383,7 +382,7 @@ void tr_comment_behind(tr_writer *w, know_index source) {
 
 /* ---- helpers ---- */
 
-/* Is the word called in the text? In a script it may be handed over, too. */
+/* Returns true if the text calls the word; in a script it may also pass it as a value. */
 static bool word_in(const char *text, size_t length, const char *word, bool script) {
   size_t n = strlen(word);
   for (size_t i = 0; i + n < length; i++) {
@@ -394,7 +393,7 @@ static bool word_in(const char *text, size_t length, const char *word, bool scri
   return false;
 }
 
-/* Adds what the program uses, and what that uses, and what is there for others to use. */
+/* Writes the helpers that the program uses, those that they use, and those that other programs may use. */
 static void put_helpers(tr_writer *w) {
   enum { MOST = 256 };
   bool used[MOST] = {false};

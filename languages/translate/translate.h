@@ -1,4 +1,4 @@
-/* Owns `vs translate`: the program as a program in another language. */
+/* Owns `vs translate`: the program in another language. */
 #ifndef VS_LANGUAGES_TRANSLATE_TRANSLATE_H
 #define VS_LANGUAGES_TRANSLATE_TRANSLATE_H
 
@@ -6,13 +6,13 @@
 
 typedef void know_complain(void *context, const know_place *at, const char *text);
 
-/* Is there a language of that name, or of files with the ending of the path? NULL: there is none. Its name else. */
+/* Returns the name of the language with that name, or with the ending of the path; NULL: none. */
 const char *know_language(const char *name, const char *path);
-/* The names of all, with blanks between them. */
+/* Returns the names of all languages, separated by blanks. */
 const char *know_languages(void);
-/* The program that was read, in that language, with so many facets a turn and these parameters set; *length bytes,
- * which the caller frees. NULL: what cannot go over has been told to complain, each thing with its place, in the order
- * of the text; or k->trouble says why. */
+/* Returns the program in that language, with this number of facets for a full turn and these parameters: *length bytes,
+ * which the caller frees. NULL: complain has received each part that the language cannot express, with its place, in
+ * the order of the text; or k->trouble has the reason. */
 char *know_translate(knowledge *k, const char *language, unsigned segments, const know_setting *settings,
                      size_t setting_count, know_complain *complain, void *context, size_t *length);
 

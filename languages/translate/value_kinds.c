@@ -1,8 +1,8 @@
-/* Owns what kind of value each expression of a lowered tree has, and so which row of translated_words.def it takes.
+/* Owns the kind of value of each expression of a lowered tree, and so its row of translated_words.def.
  *
- * Plan. Types only climb: unknown, something, anything. Loops downwards over the nodes, children first, join what the
- * text says into variables until nothing changes; what is still unknown then takes what the primitives ask for that it
- * is handed to, and the loops go on. */
+ * Types only rise: unknown, something, anything. Loops downwards over the nodes, children first, carry the facts of the
+ * text into variables until nothing changes. A value that is still unknown then takes the type that its primitive
+ * requires, and the loops continue. */
 #include "languages/translate/value_kinds.h"
 
 #include <string.h>
@@ -45,7 +45,7 @@ static void into_gives(finder *f, tr_index v, uint8_t type) {
   if (all != f->t->variables[v].gives) f->t->variables[v].gives = all, f->changed = true;
 }
 
-/* Is the node's value made by the primitive, as far as names and calls can be followed? */
+/* Returns true if the primitive makes the node's value, as far as names and calls can be followed. */
 static bool made_by(const translation *t, tr_index n, const char *primitive) {
   enum { MOST_STEPS = 100 };
   for (int steps = 0; n && steps < MOST_STEPS; steps++) {
@@ -97,7 +97,7 @@ bool tr_kind_fits(const translation *t, tr_index argument, char letter) {
   }
 }
 
-/* ---- what a primitive gives ---- */
+/* ---- the type of a primitive's value ---- */
 
 static uint8_t all_arguments(const translation *t, tr_index primitive) {
   uint8_t type = TR_UNKNOWN;
@@ -106,7 +106,7 @@ static uint8_t all_arguments(const translation *t, tr_index primitive) {
   return type;
 }
 
-/* Numbers give a number, and a point or vector among them gives one. */
+/* Returns number for numbers; a point or vector among them gives its own type. */
 static uint8_t arithmetic(const translation *t, tr_index primitive) {
   uint8_t type = TR_A_NUMBER;
   for (tr_index i = t->nodes[primitive].first; i; i = t->nodes[i].next) {
@@ -256,7 +256,7 @@ static void climb(finder *f) {
   }
 }
 
-/* A value of unknown kind is taken for what the first row that it could have asks for. */
+/* Gives each value of unknown kind the kind that its first possible row requires. */
 static bool ask_primitives(finder *f) {
   translation *t = f->t;
   bool any = false;
@@ -323,7 +323,7 @@ static void arrange(translation *t, tr_index call) {
     t->nodes[call].last = kept = taken;
     t->nodes[call].count++;
   }
-  while (kept != callee && t->nodes[kept].kind == TR_ABSENT) { /* what is left out at the end is not said */
+  while (kept != callee && t->nodes[kept].kind == TR_ABSENT) { /* absent arguments at the end are omitted */
     tr_index before = callee;
     while (t->nodes[before].next != kept) before = t->nodes[before].next;
     t->nodes[before].next = 0;
@@ -332,7 +332,7 @@ static void arrange(translation *t, tr_index call) {
   }
 }
 
-/* A loop through a number counts up to it: said as the list of numbers that it means. */
+/* Turns a loop over a number, which counts up to it, into a loop over the list of those numbers. */
 static bool count_loops(translation *t) {
   size_t count = t->node_count;
   for (tr_index i = 1; i < count; i++) {
@@ -359,7 +359,7 @@ static void complain_of(translation *t) {
     tr_node n = t->nodes[i];
     if (n.kind == TR_SET && !t->target->assigns)
       tr_complain(t, i, "set! cannot be translated to %s", t->target->title);
-    if (n.kind == TR_NAME && !t->variables[n.variable].define) /* a form defines it that was lowered without it */
+    if (n.kind == TR_NAME && !t->variables[n.variable].define) /* a form that was lowered without it defines it */
       tr_complain(t, i, "%s cannot be translated to %s", t->variables[n.variable].text, t->target->title);
     if (n.kind != TR_PRIMITIVE || n.row) continue;
     bool known = false;

@@ -1,4 +1,4 @@
-/* Owns the tables of what the language's names are called in the target languages. */
+/* Owns the tables of the target languages' words for the language's names. */
 #include "languages/translate/words.h"
 
 #include <string.h>
