@@ -66,15 +66,14 @@ bool vs_povray_take_picture(vs_emitter *e, const char *from, const char *to) {
   vs_store *store = e->scene->store;
   picture_bytes p = { NULL, 0 };
   vs_exr x = { .store = store };
-  unsigned char *exr = NULL;
-  size_t size = 0, room = 0;
-  bool ok = picture_read(e, from, &p) && vs_exr_read(store, "POV-Ray's picture", p.at, p.count, NULL, &x, e->error);
+  vs_made_bytes exr = { NULL, 0, 0 };
+  bool ok = picture_read(e, from, &p) && vs_exr_read(store, &(vs_file_bytes){ "POV-Ray's picture", p.at, p.count }, NULL, &x, e->error);
   free(p.at);
   uint32_t columns = x.columns, rows = x.rows;
   ok = ok && picture_part(e, &x) && vs_povray_say_view(e, &x, columns, rows) &&
        (!e->options->layers || vs_povray_layers(e, &x, columns, rows)) &&
-       vs_exr_write(&x, &exr, &size, &room, e->error) && picture_write(e, to, &(picture_bytes){ exr, size });
-  if (exr) vs_store_realloc(store, exr, room, 0);
+       vs_exr_write(&x, &exr, e->error) && picture_write(e, to, &(picture_bytes){ exr.at, exr.size });
+  if (exr.at) vs_store_realloc(store, exr.at, exr.room, 0);
   vs_exr_free(&x);
   return ok;
 }
@@ -84,20 +83,20 @@ bool vs_povray_develop_picture(vs_emitter *e, const char *from, const char *to) 
   vs_store *store = e->scene->store;
   picture_bytes p = { NULL, 0 };
   vs_exr x = { .store = store };
-  bool ok = picture_read(e, from, &p) && vs_exr_read(store, "POV-Ray's picture", p.at, p.count, wanted, &x, e->error);
+  bool ok = picture_read(e, from, &p) && vs_exr_read(store, &(vs_file_bytes){ "POV-Ray's picture", p.at, p.count }, wanted, &x, e->error);
   free(p.at);
   ok = ok && picture_part(e, &x);
-  vs_light light = { vs_exr_find(&x, "R"), vs_exr_find(&x, "G"), vs_exr_find(&x, "B"), (size_t)x.columns * x.rows };
+  vs_light light = { vs_exr_find(&x, "R"), vs_exr_find(&x, "G"), vs_exr_find(&x, "B"), x.columns, x.rows };
   if (ok && (!light.red || !light.green || !light.blue))
     ok = vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray's picture has no colours");
-  unsigned char *rgb = ok ? vs_store_realloc(store, NULL, 0, light.count * 3) : NULL, *png = NULL;
-  size_t size = 0, room = 0;
+  unsigned char *rgb = ok ? vs_store_realloc(store, NULL, 0, vs_light_pixels(&light) * 3) : NULL;
+  vs_made_bytes png = { NULL, 0, 0 };
   if (ok && !rgb) ok = vs_emit_no_memory(e);
   if (ok) vs_tone_apply(&light, &e->options->tone, rgb);
-  ok = ok && vs_png_write(store, rgb, x.columns, x.rows, &png, &size, &room, e->error);
-  if (rgb) vs_store_realloc(store, rgb, light.count * 3, 0);
+  ok = ok && vs_png_write(store, &(vs_pixels){ rgb, x.columns, x.rows }, &png, e->error);
+  if (rgb) vs_store_realloc(store, rgb, vs_light_pixels(&light) * 3, 0);
   vs_exr_free(&x);
-  ok = ok && picture_write(e, to, &(picture_bytes){ png, size });
-  if (png) vs_store_realloc(store, png, room, 0);
+  ok = ok && picture_write(e, to, &(picture_bytes){ png.at, png.size });
+  if (png.at) vs_store_realloc(store, png.at, png.room, 0);
   return ok;
 }

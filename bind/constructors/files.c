@@ -57,7 +57,7 @@ vs_status vs_bind_picture(vs_args *f, vs_value name, const vs_picture **out, con
   VS_ROOTS(f->vm, r, 1);
   if (file_of(f, name, &r[0], shown, &whole) != VS_OK) return VS_ERROR;
   const vs_bytes *bytes = vs_as_bytes(r[0]);
-  if (!vs_photograph_read(f->store, *shown, bytes->at, (size_t)bytes->length, &read, &e))
+  if (!vs_photograph_read(f->store, &(vs_file_bytes){ *shown, bytes->at, (size_t)bytes->length }, &read, &e))
     return vs_bind_error(f, &e);
   for (int i = 0; i < 3; i++) mean[i] = read.mean[i];
   return keep_picture(f, read.format, whole, bytes, read.columns, read.rows, out);
@@ -70,17 +70,16 @@ static vs_status take_sun(vs_args *f, const char *shown, const char *whole, cons
   vs_store *store = f->store;
   vs_error e = { 0 };
   vs_exr x = { .store = store };
-  unsigned char *left = NULL;
-  size_t size = 0, room = 0, length = (size_t)bytes->length;
-  if (!(exr ? vs_exr_read(store, shown, bytes->at, length, wanted, &x, &e)
-            : vs_radiance_read(store, shown, bytes->at, length, &x, &e)))
+  vs_made_bytes left = { NULL, 0, 0 };
+  vs_file_bytes file = { shown, bytes->at, (size_t)bytes->length };
+  if (!(exr ? vs_exr_read(store, &file, wanted, &x, &e) : vs_radiance_read(store, &file, &x, &e)))
     return vs_bind_error(f, &e);
-  bool found = vs_panorama_take_sun(&x, sun), ok = !found || vs_exr_write(&x, &left, &size, &room, &e);
+  bool found = vs_panorama_take_sun(&x, sun), ok = !found || vs_exr_write(&x, &left, &e);
   if (ok && found) {
-    *out = vs_store_picture(store, &(vs_picture){ whole, "exr", left, size, x.columns, x.rows, 0, NULL });
+    *out = vs_store_picture(store, &(vs_picture){ whole, "exr", left.at, left.size, x.columns, x.rows, 0, NULL });
     if (!*out) ok = vs_error_memory(&e, NULL);
   }
-  if (left) vs_store_realloc(store, left, room, 0);
+  if (left.at) vs_store_realloc(store, left.at, left.room, 0);
   vs_exr_free(&x);
   return ok ? VS_OK : vs_bind_error(f, &e);
 }

@@ -305,7 +305,8 @@ static vs_status read_list(vs_args *f, const char **name, vs_face_list *l) {
   vs_error e = { 0 };
   VS_ROOTS(f->vm, r, 1);
   if (!vs_bind_file(f, &f->arg[0], &r[0], name)) return VS_ERROR;
-  if (!vs_mesh_file_read(*name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length, keep_reading, f->vm, l, &e))
+  vs_file_bytes file = { *name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length };
+  if (!vs_mesh_file_read(&file, (vs_poller){ keep_reading, f->vm }, l, &e))
     return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
   return vs_face_list_compact(l) ? VS_OK : vs_fail_memory(f->vm);
 }

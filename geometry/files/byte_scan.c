@@ -17,7 +17,7 @@ bool vs_scan_fail(const vs_byte_scan *s, const char *format, ...) {
 }
 
 bool vs_scan_poll(vs_byte_scan *s) {
-  if ((++s->ticks & 0xffff) || !s->poll || s->poll(s->context)) return true;
+  if ((++s->ticks & 0xffff) || !s->poll.ask || s->poll.ask(s->poll.context)) return true;
   return vs_error_set(s->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
 

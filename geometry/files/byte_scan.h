@@ -3,6 +3,7 @@
 #ifndef VS_GEOMETRY_FILES_BYTE_SCAN_H
 #define VS_GEOMETRY_FILES_BYTE_SCAN_H
 
+#include "model/long_work.h"
 #include "model/node.h"
 
 typedef struct {
@@ -11,8 +12,7 @@ typedef struct {
   size_t size, at;
   uint32_t line, ticks;
   bool nowhere;               /* numbers that are not finite are points that are nowhere, and no error */
-  bool (*poll)(void *context);
-  void *context;
+  vs_poller poll;
   vs_error *error;
 } vs_byte_scan;
 

@@ -113,23 +113,24 @@ static const vs_dynamic_name exr_names[] = {
 #undef EXR
 };
 
-typedef struct { vs_store *store; unsigned char *at; size_t size, room; bool full; } exr_file;
+typedef struct { vs_store *store; vs_made_bytes made; bool full; } exr_file;
 
 /* Puts bytes at their place in the file, which grows by halves. */
 static int64_t exr_put(exr_const_context_t c, void *to, const void *bytes, uint64_t count, uint64_t from,
                        exr_stream_error_func_ptr_t error) {
   (void)c, (void)error;
   exr_file *f = to;
+  vs_made_bytes *made = &f->made;
   uint64_t end = from + count;
-  if (end > f->room) {
-    size_t room = (size_t)end + f->room / 2 + 4096;
-    unsigned char *more = vs_store_realloc(f->store, f->at, f->room, room);
+  if (end > made->room) {
+    size_t room = (size_t)end + made->room / 2 + 4096;
+    unsigned char *more = vs_store_realloc(f->store, made->at, made->room, room);
     if (!more) return f->full = true, -1;
-    memset(more + f->room, 0, room - f->room);
-    f->at = more, f->room = room;
+    memset(more + made->room, 0, room - made->room);
+    made->at = more, made->room = room;
   }
-  memcpy(f->at + from, bytes, count);
-  if (end > f->size) f->size = (size_t)end;
+  memcpy(made->at + from, bytes, count);
+  if (end > made->size) made->size = (size_t)end;
   return (int64_t)count;
 }
 static void exr_quiet(exr_const_context_t c, exr_result_t code, const char *message) { (void)c, (void)code,
@@ -173,7 +174,7 @@ static exr_result_t exr_put_lines(const exr_functions *call, exr_context_t c, co
   return result;
 }
 
-bool vs_exr_write(const vs_exr *x, unsigned char **bytes, size_t *size, size_t *room, vs_error *e) {
+bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e) {
   exr_functions call;
   if (!vs_dynamic_load(&vs_exr_library, exr_names, sizeof exr_names / sizeof *exr_names, &call, e)) return false;
   exr_file f = { .store = x->store };
@@ -190,10 +191,10 @@ bool vs_exr_write(const vs_exr *x, unsigned char **bytes, size_t *size, size_t *
     if (result == EXR_ERR_SUCCESS) result = last;
   }
   if (result == EXR_ERR_SUCCESS) {
-    *bytes = f.at, *size = f.size, *room = f.room;
+    *out = f.made;
     return true;
   }
-  vs_store_realloc(f.store, f.at, f.room, 0);
+  vs_store_realloc(f.store, f.made.at, f.made.room, 0);
   if (f.full || result == EXR_ERR_OUT_OF_MEMORY) return vs_error_memory(e, NULL);
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "the EXR picture cannot be written: %s", call.words(result));
 }

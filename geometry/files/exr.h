@@ -3,6 +3,7 @@
 #define VS_GEOMETRY_FILES_EXR_H
 
 #include "geometry/dynamic.h"
+#include "geometry/files/file_bytes.h"
 #include "geometry/files/raster.h"
 
 enum { VS_EXR_CHANNELS = 64, /* that are read of one picture */
@@ -41,7 +42,7 @@ float *vs_exr_add(vs_exr *x, const char *channel, vs_exr_type type, vs_error *e)
 bool vs_exr_add_text(vs_exr *x, vs_exr_text text, const char *at, size_t length, vs_error *e);
 /* Keeps a part, which lies within the picture, of all its channels. False: out of memory; the picture is as it was. */
 bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint32_t rows, vs_error *e);
-/* Makes a file of it: *bytes are the store's, *room what to give back. The same bytes for the same picture. */
-bool vs_exr_write(const vs_exr *x, unsigned char **bytes, size_t *size, size_t *room, vs_error *e);
+/* Makes a file of it: the same bytes for the same picture. *out is as it was after a failure. */
+bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e);
 
 #endif

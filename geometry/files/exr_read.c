@@ -46,20 +46,18 @@ static const vs_dynamic_name exr_names[] = {
 #undef EXR
 };
 
-typedef struct { const unsigned char *bytes; size_t size; } exr_memory;
-
 static int64_t exr_take(exr_const_context_t c, void *memory, void *to, uint64_t count, uint64_t from,
                         exr_stream_error_func_ptr_t error) {
   (void)c, (void)error;
-  const exr_memory *m = memory;
-  if (from >= m->size) return 0;
-  if (count > m->size - from) count = m->size - from;
-  memcpy(to, m->bytes + from, count);
+  const vs_file_bytes *file = memory;
+  if (from >= file->size) return 0;
+  if (count > file->size - from) count = file->size - from;
+  memcpy(to, file->at + from, count);
   return (int64_t)count;
 }
 static int64_t exr_size(exr_const_context_t c, void *memory) {
   (void)c;
-  return (int64_t)((exr_memory *)memory)->size;
+  return (int64_t)((const vs_file_bytes *)memory)->size;
 }
 /* The results say it too. */
 static void exr_quiet(exr_const_context_t c, exr_result_t code, const char *message) { (void)c, (void)code,
@@ -179,14 +177,15 @@ static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
 }
 
 /* The size of the picture and of its chunks. False: the error says why, or *result does. */
-static bool exr_measure(exr_reader *r, const char *name, size_t size, exr_result_t *result, vs_error *e) {
+static bool exr_measure(exr_reader *r, const vs_file_bytes *file, exr_result_t *result, vs_error *e) {
   exr_storage_t storage;
   uint32_t tile_wide = 0, tile_high = 0;
   int32_t per_chunk = 0;
   *result = r->call.storage(r->c, 0, &storage);
   if (*result != EXR_ERR_SUCCESS) return false;
   if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture is a deep one: those are not read", name);
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture is a deep one: those are not read",
+        file->name);
   *result = r->call.window(r->c, 0, &r->box);
   if (*result == EXR_ERR_SUCCESS) *result = r->call.channels(r->c, 0, &r->all);
   if (*result != EXR_ERR_SUCCESS) return false;
@@ -206,10 +205,10 @@ static bool exr_measure(exr_reader *r, const char *name, size_t size, exr_result
   /* every chunk has an entry of eight bytes in a table: a size that the file has no room for is a lie, and no memory is
    * asked for it */
   bool sized = r->columns > 0 && r->rows > 0 && r->rows <= VS_RASTER_MOST / r->columns;
-  if (sized && (uint64_t)((r->rows - 1) / r->high + 1) > size / 8)
+  if (sized && (uint64_t)((r->rows - 1) / r->high + 1) > file->size / 8)
     return vs_error_set(e, VS_ERROR_MODEL, NULL,
         "%.100s: the EXR file is too short for a picture of %lld x %lld pixels",
-                        name, (long long)r->columns, (long long)r->rows);
+                        file->name, (long long)r->columns, (long long)r->rows);
   return true;
 }
 
@@ -232,11 +231,10 @@ static bool exr_choose(exr_reader *r, vs_exr_choose *choose, void *context, vs_e
   return choose(context, &view, r->targets, &r->count, e);
 }
 
-bool vs_exr_decode(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_exr_choose *choose,
-                   void *context, vs_error *e) {
+bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, vs_exr_choose *choose, void *context, vs_error *e) {
   exr_reader r = { .store = store };
   if (!vs_dynamic_load(&vs_exr_library, exr_names, sizeof exr_names / sizeof *exr_names, &r.call, e)) return false;
-  exr_memory memory = { bytes, size };
+  vs_file_bytes memory = *file;
   exr_context_initializer_t how = EXR_DEFAULT_CONTEXT_INITIALIZER;
   how.error_handler_fn = exr_quiet;
   how.user_data = &memory;
@@ -244,9 +242,9 @@ bool vs_exr_decode(vs_store *store, const char *name, const unsigned char *bytes
   how.size_fn = exr_size;
   how.max_image_width = how.max_image_height = how.max_tile_width = how.max_tile_height = VS_RASTER_MOST;
   bool ok = true;
-  exr_result_t result = r.call.start(&r.c, name, &how);
+  exr_result_t result = r.call.start(&r.c, file->name, &how);
   if (result == EXR_ERR_SUCCESS) {
-    ok = exr_measure(&r, name, size, &result, e) && exr_choose(&r, choose, context, e);
+    ok = exr_measure(&r, file, &result, e) && exr_choose(&r, choose, context, e);
     vs_error stopped = { VS_ERROR_NONE, NULL, "" };
     if (ok) result = exr_decode(&r, &stopped);
     if (stopped.kind != VS_ERROR_NONE) ok = vs_error_set(e, stopped.kind, NULL, "%s", stopped.message);
@@ -255,9 +253,9 @@ bool vs_exr_decode(vs_store *store, const char *name, const unsigned char *bytes
   else if (result == EXR_ERR_FEATURE_NOT_IMPLEMENTED)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL,
         "%.100s: the EXR picture is compressed, or its channels are sampled, in a "
-                      "way that is not read", name);
+                      "way that is not read", file->name);
   else if (result != EXR_ERR_SUCCESS)
-    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture cannot be read: %s", name,
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture cannot be read: %s", file->name,
         r.call.words(result));
   if (r.c) r.call.finish(&r.c);
   return ok;
@@ -297,12 +295,11 @@ static bool exr_choose_planes(void *context, const vs_exr_view *view, vs_exr_tar
   return ok;
 }
 
-bool vs_exr_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, const char *const *wanted,
-                 vs_exr *out, vs_error *e) {
+bool vs_exr_read(vs_store *store, const vs_file_bytes *file, const char *const *wanted, vs_exr *out, vs_error *e) {
   *out = (vs_exr){ .store = store };
-  if (size < 4 || memcmp(bytes, "\x76\x2f\x31\x01", 4) != 0)
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: this is no EXR picture", name);
-  bool ok = vs_exr_decode(store, name, bytes, size, exr_choose_planes, &(exr_load){ out, name, wanted }, e);
+  if (file->size < 4 || memcmp(file->at, "\x76\x2f\x31\x01", 4) != 0)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: this is no EXR picture", file->name);
+  bool ok = vs_exr_decode(store, file, exr_choose_planes, &(exr_load){ out, file->name, wanted }, e);
   if (!ok) vs_exr_free(out);
   return ok;
 }

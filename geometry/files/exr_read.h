@@ -3,11 +3,11 @@
 #define VS_GEOMETRY_FILES_EXR_READ_H
 
 #include "geometry/files/exr.h"
+#include "geometry/files/file_bytes.h"
 
 /* Reads a file that is in memory. wanted: the names of channels, NULL at the end; what is missing is no error. NULL:
- * all of them. name: for messages, without folders. out need not be initialised and is empty after a failure. */
-bool vs_exr_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, const char *const *wanted,
-                 vs_exr *out, vs_error *e);
+ * all of them. out need not be initialised and is empty after a failure. */
+bool vs_exr_read(vs_store *store, const vs_file_bytes *file, const char *const *wanted, vs_exr *out, vs_error *e);
 
 /* ---- what readers share ---- */
 
@@ -23,7 +23,6 @@ typedef struct {
 } vs_exr_view;
 /* Sees what the file has, makes room, and says which channels go where. */
 typedef bool vs_exr_choose(void *context, const vs_exr_view *view, vs_exr_target *targets, size_t *used, vs_error *e);
-bool vs_exr_decode(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_exr_choose *choose,
-                   void *context, vs_error *e);
+bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, vs_exr_choose *choose, void *context, vs_error *e);
 
 #endif

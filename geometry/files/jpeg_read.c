@@ -67,34 +67,35 @@ static void jpeg_progress(j_common_ptr j) {
   longjmp(run->out, 1);
 }
 
+/* A line of the picture made small; at NULL: only the header is wanted. */
+typedef struct { unsigned char *at; size_t room; } jpeg_line;
+
 /* Apart from its caller, whose locals a jump would make indefinite. */
-static bool jpeg_decode(const jpeg_functions *call, jpeg_run *run, struct jpeg_decompress_struct *j,
-                        const unsigned char *bytes, size_t size, unsigned char *line, size_t room,
-                        uint64_t count[3][256]) {
-  if (setjmp(run->out)) return false;
-  call->source(j, bytes, (unsigned long)size);
-  if (line == NULL) return call->header(j, TRUE) == JPEG_HEADER_OK;
+static bool jpeg_decode(const jpeg_functions *call, struct jpeg_decompress_struct *j, const vs_file_bytes *file,
+                        jpeg_line line, vs_jpeg_bytes *out) {
+  if (setjmp(((jpeg_run *)j->err)->out)) return false;
+  call->source(j, file->at, (unsigned long)file->size);
+  if (line.at == NULL) return call->header(j, TRUE) == JPEG_HEADER_OK;
   call->header(j, TRUE);
   j->scale_num = 1, j->scale_denom = 8;
   j->out_color_space = j->num_components == 1 ? JCS_GRAYSCALE : JCS_RGB;
   call->start(j);
-  if ((size_t)j->output_width * (size_t)j->output_components > room) return false;
+  if ((size_t)j->output_width * (size_t)j->output_components > line.room) return false;
   while (j->output_scanline < j->output_height) {
-    call->lines(j, &line, 1);
+    call->lines(j, &line.at, 1);
     for (size_t i = 0; i < j->output_width; i++)
       for (int k = 0; k < 3; k++)
-        count[k][j->output_components == 1 ? line[i] : line[3 * i + (size_t)k]]++;
+        out->count[k][j->output_components == 1 ? line.at[i] : line.at[3 * i + (size_t)k]]++;
   }
   return call->finish(j);
 }
 
-bool vs_jpeg_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, uint32_t *columns,
-                  uint32_t *rows, uint64_t count[3][256], vs_error *e) {
+bool vs_jpeg_read(vs_store *store, const vs_file_bytes *file, vs_jpeg_bytes *out, vs_error *e) {
+  const char *name = file->name;
   jpeg_functions call;
-  unsigned char *line = NULL;
-  size_t room = 0;
+  jpeg_line line = { NULL, 0 };
   if (!vs_dynamic_load(&jpeg_library, jpeg_names, sizeof jpeg_names / sizeof *jpeg_names, &call, e)) return false;
-  memset(count, 0, 3 * sizeof *count);
+  *out = (vs_jpeg_bytes){ 0 };
   bool ok = true;
   for (int pass = 0; ok && pass < 2; pass++) { /* the header alone, then all */
     struct jpeg_decompress_struct j;
@@ -106,27 +107,27 @@ bool vs_jpeg_read(vs_store *store, const char *name, const unsigned char *bytes,
     call.create(&j, JPEG_LIB_VERSION, sizeof j);
     j.progress = &run.progress;
     j.mem->max_memory_to_use = 1L << 30;
-    ok = jpeg_decode(&call, &run, &j, bytes, size, line, room, count);
+    ok = jpeg_decode(&call, &j, file, line, out);
     if (!ok)
       vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the JPEG file is cut off or broken%s%s", name,
                    *run.said ? ": " : "", run.said);
     else if (pass == 0) {
-      *columns = j.image_width, *rows = j.image_height;
-      ok = vs_raster_size(name, *columns, *rows, e);
-      if (ok && (uint64_t)*columns * *rows > (uint64_t)size * CODE_MOST)
+      out->columns = j.image_width, out->rows = j.image_height;
+      ok = vs_raster_size(name, out->columns, out->rows, e);
+      if (ok && (uint64_t)out->columns * out->rows > (uint64_t)file->size * CODE_MOST)
         ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the JPEG file is too short for a picture of %u x %u pixels",
-                          name, *columns, *rows);
+                          name, out->columns, out->rows);
       if (ok && j.num_components != 1 && j.num_components != 3)
         ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the JPEG picture has %d colours; 1 and 3 are shown", name,
                           j.num_components);
     }
     call.destroy(&j);
     if (ok && pass == 0) {
-      room = 3 * ((size_t)*columns / 8 + 2);
-      line = vs_store_realloc(store, NULL, 0, room);
-      ok = line || vs_error_memory(e, NULL);
+      line.room = 3 * ((size_t)out->columns / 8 + 2);
+      line.at = vs_store_realloc(store, NULL, 0, line.room);
+      ok = line.at || vs_error_memory(e, NULL);
     }
   }
-  if (line) vs_store_realloc(store, line, room, 0);
+  if (line.at) vs_store_realloc(store, line.at, line.room, 0);
   return ok;
 }

@@ -223,16 +223,14 @@ static const char *base_name(const char *name) {
   return slash ? slash + 1 : name;
 }
 
-bool vs_points_file_read(const char *name, const unsigned char *bytes, size_t size, bool (*poll)(void *context),
-                         void *context, bool nowhere, vs_face_list *out, vs_error *e) {
-  vs_byte_scan s = { .name = base_name(name),
-                     .bytes = bytes,
-                     .size = size,
+bool vs_points_file_read(const vs_file_bytes *file, vs_poller poll, bool nowhere, vs_face_list *out, vs_error *e) {
+  vs_byte_scan s = { .name = base_name(file->name),
+                     .bytes = file->at,
+                     .size = file->size,
                      .poll = poll,
-                     .context = context,
                      .error = e,
                      .nowhere = nowhere };
-  mesh_reader *read = reader_of(name);
+  mesh_reader *read = reader_of(file->name);
   if (!read)
     return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the name must end in .stl, .obj, .off or .ply", s.name);
   if (!read(&s, out)) return false;
@@ -244,9 +242,8 @@ bool vs_points_file_read(const char *name, const unsigned char *bytes, size_t si
   return true;
 }
 
-bool vs_mesh_file_read(const char *name, const unsigned char *bytes, size_t size, bool (*poll)(void *context),
-                       void *context, vs_face_list *out, vs_error *e) {
-  if (!vs_points_file_read(name, bytes, size, poll, context, false, out, e)) return false;
+bool vs_mesh_file_read(const vs_file_bytes *file, vs_poller poll, vs_face_list *out, vs_error *e) {
+  if (!vs_points_file_read(file, poll, false, out, e)) return false;
   return out->face_count ||
-         vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: there are no faces in it", base_name(name));
+         vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: there are no faces in it", base_name(file->name));
 }

@@ -3,6 +3,8 @@
 #ifndef VS_GEOMETRY_FILES_MESHFILE_H
 #define VS_GEOMETRY_FILES_MESHFILE_H
 
+#include "geometry/files/file_bytes.h"
+#include "model/long_work.h"
 #include "model/node.h"
 
 /* Face f has the corners corners[starts[f]] .. corners[starts[f + 1] - 1], three or more, zero-based, within
@@ -20,15 +22,12 @@ bool vs_face_list_close(vs_face_list *l);
 
 /* By the name's ending; false: none of the four. */
 bool vs_mesh_file_is(const char *name);
-/* Reads all of a file that is in memory. name: for its ending and for messages, which say the line (files in words) or
- * the byte, what was expected and what stands there. poll (may be NULL) is called now and then; false stops. Counts are
- * held against the file's size before anything is made for them. Out is empty before; on failure it is to be freed
- * too. */
-bool vs_mesh_file_read(const char *name, const unsigned char *bytes, size_t size, bool (*poll)(void *context),
-                       void *context, vs_face_list *out, vs_error *e);
+/* Reads all of a file that is in memory, by its name's ending. Messages say the line (files in words) or the byte, what
+ * was expected and what stands there. Counts are held against the file's size before anything is made for them. Out is
+ * empty before; on failure it is to be freed too. */
+bool vs_mesh_file_read(const vs_file_bytes *file, vs_poller poll, vs_face_list *out, vs_error *e);
 /* The same for files that may have no faces: clouds of points. nowhere: points without a finite place are kept as they
  * are, for scanners write such. */
-bool vs_points_file_read(const char *name, const unsigned char *bytes, size_t size, bool (*poll)(void *context),
-                         void *context, bool nowhere, vs_face_list *out, vs_error *e);
+bool vs_points_file_read(const vs_file_bytes *file, vs_poller poll, bool nowhere, vs_face_list *out, vs_error *e);
 
 #endif

@@ -53,17 +53,16 @@ static size_t png_bare(const unsigned char *bytes, size_t size, unsigned char *t
   return 0;
 }
 
-bool vs_png_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_png_pixels *out,
-                 vs_error *e) {
+bool vs_png_read(vs_store *store, const vs_file_bytes *file, vs_png_pixels *out, vs_error *e) {
   png_functions call;
   *out = (vs_png_pixels){ 0 };
   if (!vs_dynamic_load(&vs_png_library, png_names, sizeof png_names / sizeof *png_names, &call, e)) return false;
-  unsigned char *bare = vs_store_realloc(store, NULL, 0, size);
+  unsigned char *bare = vs_store_realloc(store, NULL, 0, file->size);
   if (!bare) return vs_error_memory(e, NULL);
-  size_t kept = png_bare(bytes, size, bare);
+  size_t kept = png_bare(file->at, file->size, bare);
   if (!kept)
-    return vs_store_realloc(store, bare, size, 0),
-           vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the PNG file is cut off or broken", name);
+    return vs_store_realloc(store, bare, file->size, 0),
+           vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the PNG file is cut off or broken", file->name);
   bool alpha = bare[25] & 4;
   out->deep = bare[24] == 16, out->color = bare[25] & 2;
   out->channels = (out->color ? 3u : 1u) + (alpha ? 1u : 0u);
@@ -73,9 +72,9 @@ bool vs_png_read(vs_store *store, const char *name, const unsigned char *bytes, 
   uint64_t columns = png_number(bare + 16), high = png_number(bare + 20), most = (uint64_t)kept * DEFLATE_MOST;
   bool lies = columns && high && high <= VS_RASTER_MOST / columns && high > most * 8 / columns;
   bool ok = !lies || vs_error_set(e, VS_ERROR_MODEL, NULL,
-                                  "%.100s: the PNG file is too short for a picture of %llu x %llu pixels", name,
+                                  "%.100s: the PNG file is too short for a picture of %llu x %llu pixels", file->name,
                                   (unsigned long long)columns, (unsigned long long)high);
-  ok = ok && vs_raster_size(name, columns, high, e);
+  ok = ok && vs_raster_size(file->name, columns, high, e);
   if (ok) {
     out->columns = (uint32_t)columns, out->high = (uint32_t)high;
     out->room = (size_t)columns * out->channels * (out->deep ? 2 : 1) * high;
@@ -90,10 +89,10 @@ bool vs_png_read(vs_store *store, const char *name, const unsigned char *bytes, 
   /* "out of memory", "insufficient memory" */
   if (ok && !read && strstr(image.message, "memory")) ok = vs_error_memory(e, NULL);
   else if (ok && !read)
-    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", name,
+    ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", file->name,
                       *image.message ? image.message : "the PNG file is broken");
   call.free(&image);
-  vs_store_realloc(store, bare, size, 0);
+  vs_store_realloc(store, bare, file->size, 0);
   if (!ok && out->rows) vs_store_realloc(store, out->rows, out->room, 0), out->rows = NULL;
   return ok;
 }

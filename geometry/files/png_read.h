@@ -2,6 +2,7 @@
 #ifndef VS_GEOMETRY_FILES_PNG_READ_H
 #define VS_GEOMETRY_FILES_PNG_READ_H
 
+#include "geometry/files/file_bytes.h"
 #include "model/node.h"
 
 typedef struct {
@@ -13,8 +14,7 @@ typedef struct {
 } vs_png_pixels;
 
 /* All of a file that is in memory. The rows are the caller's to give back to the store; NULL after a failure. */
-bool vs_png_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_png_pixels *out,
-                 vs_error *e);
+bool vs_png_read(vs_store *store, const vs_file_bytes *file, vs_png_pixels *out, vs_error *e);
 double vs_png_at(const vs_png_pixels *p, size_t pixel, unsigned channel); /* a number of a pixel, from 0 to 1 */
 
 #endif

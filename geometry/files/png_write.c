@@ -47,8 +47,7 @@ typedef struct {
   png_structp png;
   png_infop info;
   vs_store *store;
-  unsigned char *at;
-  size_t size, room;
+  vs_made_bytes made;
   bool no_memory;
   char message[100];
   jmp_buf failed;
@@ -73,20 +72,21 @@ static void png_flushed(png_structp png) { (void)png; }
 
 static void png_take(png_structp png, unsigned char *bytes, size_t count) {
   png_sink *s = png_sink_of(png);
-  if (count > s->room - s->size) {
-    size_t room = s->room + s->room / 2 + count + 4096;
-    unsigned char *more = vs_store_realloc(s->store, s->at, s->room, room);
+  vs_made_bytes *made = &s->made;
+  if (count > made->room - made->size) {
+    size_t room = made->room + made->room / 2 + count + 4096;
+    unsigned char *more = vs_store_realloc(s->store, made->at, made->room, room);
     s->no_memory = more == NULL;
     if (s->no_memory) png_failed(png, "out of memory");
-    s->at = more, s->room = room;
+    made->at = more, made->room = room;
   }
-  memcpy(s->at + s->size, bytes, count);
-  s->size += count;
+  memcpy(made->at + made->size, bytes, count);
+  made->size += count;
 }
 
 /* The file of the picture's rows into the sink. False: its message says why. Nothing that is changed after setjmp is
  * looked at behind a longjmp but what the sink points to. */
-static bool png_rows(png_sink *s, const unsigned char *rgb, uint32_t columns, uint32_t rows) {
+static bool png_rows(png_sink *s, const vs_pixels *picture) {
   const png_functions *call = &s->call;
   if (setjmp(s->failed) != 0) return false;
   s->png = call->open(PNG_LIBPNG_VER_STRING, s, png_failed, png_warned);
@@ -95,29 +95,28 @@ static bool png_rows(png_sink *s, const unsigned char *rgb, uint32_t columns, ui
   if (s->no_memory) return false;
   call->put(s->png, NULL, png_take, png_flushed);
   call->limits(s->png, 0x7fffffff, 0x7fffffff);
-  call->head(s->png, s->info, columns, rows, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE,
-             PNG_FILTER_TYPE_BASE);
+  call->head(s->png, s->info, picture->columns, picture->rows, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+             PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
   call->screen(s->png, s->info, PNG_sRGB_INTENT_PERCEPTUAL);
   call->level(s->png, 1);
   call->strategy(s->png, Z_RLE);
   call->filter(s->png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
   call->write_info(s->png, s->info);
-  for (size_t y = 0; y < rows; y++) call->write_row(s->png, rgb + y * columns * 3);
+  for (size_t y = 0; y < picture->rows; y++) call->write_row(s->png, picture->rgb + y * picture->columns * 3);
   call->write_end(s->png, s->info);
   return true;
 }
 
-bool vs_png_write(vs_store *store, const unsigned char *rgb, uint32_t columns, uint32_t rows, unsigned char **bytes,
-                  size_t *size, size_t *room, vs_error *e) {
+bool vs_png_write(vs_store *store, const vs_pixels *picture, vs_made_bytes *out, vs_error *e) {
   png_sink s = { .store = store };
   if (!vs_dynamic_load(&vs_png_library, png_names, sizeof png_names / sizeof *png_names, &s.call, e)) return false;
-  bool ok = png_rows(&s, rgb, columns, rows);
+  bool ok = png_rows(&s, picture);
   if (s.png) s.call.close(&s.png, &s.info);
   if (ok) {
-    *bytes = s.at, *size = s.size, *room = s.room;
+    *out = s.made;
     return true;
   }
-  if (s.at) vs_store_realloc(store, s.at, s.room, 0);
+  if (s.made.at) vs_store_realloc(store, s.made.at, s.made.room, 0);
   if (s.no_memory || strstr(s.message, "memory")) return vs_error_memory(e, NULL);
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "the PNG picture cannot be written: %s", s.message);
 }

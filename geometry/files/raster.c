@@ -28,13 +28,12 @@ bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t r
   return true;
 }
 
-bool vs_raster_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_raster *out,
-                    vs_error *e) {
+bool vs_raster_read(vs_store *store, const vs_file_bytes *file, vs_raster *out, vs_error *e) {
   *out = (vs_raster){ .store = store };
   bool ok = false;
-  if (size >= 8 && !memcmp(bytes, "\x89PNG\r\n\x1a\n", 8)) ok = vs_raster_png(out, name, bytes, size, e);
-  else if (size >= 4 && !memcmp(bytes, "\x76\x2f\x31\x01", 4)) ok = vs_raster_exr(out, name, bytes, size, e);
-  else vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: this is neither a PNG nor an EXR picture", name);
+  if (file->size >= 8 && !memcmp(file->at, "\x89PNG\r\n\x1a\n", 8)) ok = vs_raster_png(out, file, e);
+  else if (file->size >= 4 && !memcmp(file->at, "\x76\x2f\x31\x01", 4)) ok = vs_raster_exr(out, file, e);
+  else vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: this is neither a PNG nor an EXR picture", file->name);
   if (!ok) vs_raster_free(out);
   return ok;
 }

@@ -3,6 +3,7 @@
 #define VS_GEOMETRY_FILES_RASTER_H
 
 #include "geometry/dynamic.h"
+#include "geometry/files/file_bytes.h"
 #include "model/node.h"
 
 enum { VS_RASTER_MOST = 1 << 26 }; /* pixels */
@@ -15,11 +16,9 @@ typedef struct {
 void vs_raster_free(vs_raster *r);
 
 /* All of a file that is in memory; by its first bytes. Grey is taken as it is, of colours the luminance (Rec. 709) of
- * the numbers as they stand; an EXR's Y, else its one channel, else the luminance of R, G and B. name: for messages,
- * without folders. Out need not be initialised and is empty after a failure. The libraries are loaded at the first
- * use. */
-bool vs_raster_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_raster *out,
-                    vs_error *e);
+ * the numbers as they stand; an EXR's Y, else its one channel, else the luminance of R, G and B. Out need not be
+ * initialised and is empty after a failure. The libraries are loaded at the first use. */
+bool vs_raster_read(vs_store *store, const vs_file_bytes *file, vs_raster *out, vs_error *e);
 
 /* Is there room for such a picture? False: the error says how many pixels are read. */
 bool vs_raster_size(const char *name, uint64_t columns, uint64_t rows, vs_error *e);

@@ -39,6 +39,6 @@ static bool exr_choose_heights(void *context, const vs_exr_view *view, vs_exr_ta
   return true;
 }
 
-bool vs_raster_exr(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e) {
-  return vs_exr_decode(r->store, name, bytes, size, exr_choose_heights, &(exr_heights){ r, name }, e);
+bool vs_raster_exr(vs_raster *r, const vs_file_bytes *file, vs_error *e) {
+  return vs_exr_decode(r->store, file, exr_choose_heights, &(exr_heights){ r, file->name }, e);
 }

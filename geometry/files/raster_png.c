@@ -4,10 +4,10 @@
 #include "geometry/files/png_read.h"
 #include "geometry/files/raster.h"
 
-bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e) {
+bool vs_raster_png(vs_raster *r, const vs_file_bytes *file, vs_error *e) {
   vs_png_pixels p;
-  if (!vs_png_read(r->store, name, bytes, size, &p, e)) return false;
-  bool ok = vs_raster_room(r, name, p.columns, p.high, e);
+  if (!vs_png_read(r->store, file, &p, e)) return false;
+  bool ok = vs_raster_room(r, file->name, p.columns, p.high, e);
   for (size_t i = 0; ok && i < (size_t)r->columns * r->rows; i++) {
     double c[3] = { vs_png_at(&p, i, 0) };
     for (unsigned k = 1; p.color && k < 3; k++) c[k] = vs_png_at(&p, i, k);

@@ -4,6 +4,6 @@
 
 #include "geometry/files/raster.h"
 
-bool vs_raster_png(vs_raster *r, const char *name, const unsigned char *bytes, size_t size, vs_error *e);
+bool vs_raster_png(vs_raster *r, const vs_file_bytes *file, vs_error *e);
 
 #endif

@@ -60,10 +60,10 @@ static bool read_row(radiance_bytes *b, unsigned char *to, size_t columns) {
   return true;
 }
 
-bool vs_radiance_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_exr *out,
-                      vs_error *e) {
+bool vs_radiance_read(vs_store *store, const vs_file_bytes *file, vs_exr *out, vs_error *e) {
   static const char *const names[] = { "R", "G", "B" };
-  radiance_bytes b = { bytes, bytes + size };
+  const char *name = file->name;
+  radiance_bytes b = { file->at, file->at + file->size };
   unsigned long columns, rows;
   float *planes[3];
   *out = (vs_exr){ .store = store };

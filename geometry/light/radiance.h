@@ -4,9 +4,8 @@
 
 #include "geometry/files/exr.h"
 
-/* All of a file that is in memory, as channels R, G and B. name: for messages, without folders. out need not be
- * initialised and is empty after a failure. */
-bool vs_radiance_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_exr *out,
-                      vs_error *e);
+/* All of a file that is in memory, as channels R, G and B. out need not be initialised and is empty after a
+ * failure. */
+bool vs_radiance_read(vs_store *store, const vs_file_bytes *file, vs_exr *out, vs_error *e);
 
 #endif

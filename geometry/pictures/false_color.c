@@ -72,13 +72,11 @@ static const struct { char letter; unsigned char rows[LETTER_HIGH]; } letters[] 
     { 'l', { 12, 4, 4, 4, 4, 4, 14 } }, { 'x', { 0, 0, 17, 10, 4, 10, 17 } },
     { ':', { 0, 12, 12, 0, 12, 12, 0 } }, { '+', { 0, 4, 4, 31, 4, 4, 0 } } };
 
-typedef struct { unsigned char *rgb; uint32_t wide, high; } canvas;
-
-static void dot(const canvas *c, uint32_t x, uint32_t y, const unsigned char rgb[3]) {
-  if (x < c->wide && y < c->high) memcpy(c->rgb + 3 * ((size_t)y * c->wide + x), rgb, 3);
+static void dot(const vs_pixels *c, uint32_t x, uint32_t y, const unsigned char rgb[3]) {
+  if (x < c->columns && y < c->rows) memcpy(c->rgb + 3 * ((size_t)y * c->columns + x), rgb, 3);
 }
 
-static void write_text(const canvas *c, uint32_t x, uint32_t y, const char *text) {
+void vs_picture_text(const vs_pixels *c, uint32_t x, uint32_t y, const char *text) {
   static const unsigned char ink[3] = { 32, 32, 32 };
   for (; *text; text++, x += ADVANCE)
     for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
@@ -87,21 +85,17 @@ static void write_text(const canvas *c, uint32_t x, uint32_t y, const char *text
           if (letters[i].rows[dy] >> (LETTER_WIDE - 1 - dx) & 1) dot(c, x + dx, y + dy, ink);
 }
 
-void vs_picture_text(unsigned char *rgb, uint32_t wide, uint32_t high, uint32_t x, uint32_t y, const char *text) {
-  write_text(&(canvas){ rgb, wide, high }, x, y, text);
-}
-
-static void write_number(const canvas *c, uint32_t x, uint32_t y, double value) {
+static void write_number(const vs_pixels *c, uint32_t x, uint32_t y, double value) {
   char text[24];
   snprintf(text, sizeof text, value >= 1000 && value < 1e7 ? "%.0f" : "%.4g", value);
-  write_text(c, x, y, text);
+  vs_picture_text(c, x, y, text);
 }
 
 /* The bar from bottom to top with its unit above it and round numbers beside it, where there is room between them. */
-static void draw_legend(const canvas *c, const vs_color_scale *s, uint32_t left) {
-  uint32_t top = LETTER_HIGH + 2 * MARGIN, bottom = c->high - MARGIN - LETTER_HIGH / 2, length = bottom - top;
+static void draw_legend(const vs_pixels *c, const vs_color_scale *s, uint32_t left) {
+  uint32_t top = LETTER_HIGH + 2 * MARGIN, bottom = c->rows - MARGIN - LETTER_HIGH / 2, length = bottom - top;
   static const unsigned char ink[3] = { 32, 32, 32 };
-  write_text(c, left + MARGIN, MARGIN, s->unit);
+  vs_picture_text(c, left + MARGIN, MARGIN, s->unit);
   for (uint32_t y = top; y <= bottom; y++) {
     double share = (double)(bottom - y) / length, x = s->least + share * (s->most - s->least);
     unsigned char rgb[3];
@@ -126,21 +120,19 @@ static void draw_legend(const canvas *c, const vs_color_scale *s, uint32_t left)
   }
 }
 
-unsigned char *vs_false_color_picture(vs_store *store, const float *at, uint32_t columns, uint32_t rows,
-                                      const vs_color_scale *s, uint32_t *wide, uint32_t *high, vs_error *e) {
-  *wide = columns + STRIP, *high = rows > 64 ? rows : 64; /* the legend needs some room */
-  size_t bytes = (size_t)*wide * *high * 3;
-  unsigned char *rgb = vs_store_realloc(store, NULL, 0, bytes);
-  if (!rgb) {
-    vs_error_memory(e, NULL);
-    return NULL;
-  }
-  memset(rgb, 244, bytes);
+bool vs_false_color_picture(vs_store *store, const vs_pixel_numbers *numbers, const vs_color_scale *s, vs_pixels *out,
+                            vs_error *e) {
+  uint32_t columns = numbers->columns, rows = numbers->rows;
+  *out = (vs_pixels){ NULL, columns + STRIP, rows > 64 ? rows : 64 }; /* the legend needs some room */
+  size_t bytes = (size_t)out->columns * out->rows * 3;
+  out->rgb = vs_store_realloc(store, NULL, 0, bytes);
+  if (!out->rgb) return vs_error_memory(e, NULL);
+  memset(out->rgb, 244, bytes);
   for (uint32_t y = 0; y < rows; y++)
     for (uint32_t x = 0; x < columns; x++) {
-      double value = (double)at[(size_t)y * columns + x];
-      if (!isnan(value)) vs_false_color(s, value, rgb + 3 * ((size_t)y * *wide + x));
+      double value = (double)numbers->at[(size_t)y * columns + x];
+      if (!isnan(value)) vs_false_color(s, value, out->rgb + 3 * ((size_t)y * out->columns + x));
     }
-  draw_legend(&(canvas){ rgb, *wide, *high }, s, columns);
-  return rgb;
+  draw_legend(out, s, columns);
+  return true;
 }

@@ -2,6 +2,7 @@
 #ifndef VS_GEOMETRY_PICTURES_FALSE_COLOR_H
 #define VS_GEOMETRY_PICTURES_FALSE_COLOR_H
 
+#include "geometry/files/pixels.h"
 #include "model/node.h"
 
 /* Numbers from least to most go from dark blue over green and yellow to dark red; with steps above 0 in so many equal
@@ -18,13 +19,15 @@ typedef struct {
 vs_color_scale vs_color_scale_of(const float *at, size_t count, bool logarithmic, const char *unit);
 /* Screen's red, green and blue of a number: Anton Mikhailov's Turbo (Google AI Blog, 2019). */
 void vs_false_color(const vs_color_scale *s, double x, unsigned char rgb[3]);
-/* Makes a picture of 3 bytes a pixel, *wide times *high, of the store's memory; what is no number stays bare. NULL: out
- * of memory. */
-unsigned char *vs_false_color_picture(vs_store *store, const float *at, uint32_t columns, uint32_t rows,
-                                      const vs_color_scale *s, uint32_t *wide, uint32_t *high, vs_error *e);
+/* A number a pixel, row by row from the top; NaN: there is none. */
+typedef struct { const float *at; uint32_t columns, rows; } vs_pixel_numbers;
 
-/* Writes digits and the letters of a legend into a picture of 3 bytes a pixel, dark, from (x, y) down and to the
- * right. */
-void vs_picture_text(unsigned char *rgb, uint32_t wide, uint32_t high, uint32_t x, uint32_t y, const char *text);
+/* Makes a picture of the numbers with a legend, of the store's memory; a pixel without a number stays bare. False: out
+ * of memory. */
+bool vs_false_color_picture(vs_store *store, const vs_pixel_numbers *numbers, const vs_color_scale *s, vs_pixels *out,
+                            vs_error *e);
+
+/* Writes digits and the letters of a legend into a picture, dark, from (x, y) down and to the right. */
+void vs_picture_text(const vs_pixels *picture, uint32_t x, uint32_t y, const char *text);
 
 #endif

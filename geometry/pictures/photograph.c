@@ -20,27 +20,29 @@ static void mean_of(const uint64_t count[3][256], double out[3]) {
   }
 }
 
-static bool read_png(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_photograph *out,
-                     uint64_t count[3][256], vs_error *e) {
+static bool read_png(vs_store *store, const vs_file_bytes *file, vs_photograph *out, vs_error *e) {
   vs_png_pixels p;
-  if (!vs_png_read(store, name, bytes, size, &p, e)) return false;
+  uint64_t count[3][256] = { { 0 } };
+  if (!vs_png_read(store, file, &p, e)) return false;
   out->format = "png", out->columns = p.columns, out->rows = p.high;
   for (size_t i = 0; i < (size_t)p.columns * p.high; i++)
     for (unsigned k = 0; k < 3; k++) count[k][lround(255 * vs_png_at(&p, i, p.color ? k : 0))]++;
   vs_store_realloc(store, p.rows, p.room, 0);
+  mean_of((const uint64_t(*)[256])count, out->mean);
   return true;
 }
 
-bool vs_photograph_read(vs_store *store, const char *name, const unsigned char *bytes, size_t size, vs_photograph *out,
-                        vs_error *e) {
-  uint64_t count[3][256] = { { 0 } };
-  *out = (vs_photograph){ .format = "jpeg" };
-  if (size >= 8 && !memcmp(bytes, "\x89PNG\r\n\x1a\n", 8)) {
-    if (!read_png(store, name, bytes, size, out, count, e)) return false;
-  } else if (size >= 3 && !memcmp(bytes, "\xff\xd8\xff", 3)) {
-    if (!vs_jpeg_read(store, name, bytes, size, &out->columns, &out->rows, count, e)) return false;
-  } else
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: this is neither a PNG nor a JPEG picture", name);
-  mean_of((const uint64_t(*)[256])count, out->mean);
+static bool read_jpeg(vs_store *store, const vs_file_bytes *file, vs_photograph *out, vs_error *e) {
+  vs_jpeg_bytes read;
+  if (!vs_jpeg_read(store, file, &read, e)) return false;
+  out->format = "jpeg", out->columns = read.columns, out->rows = read.rows;
+  mean_of((const uint64_t(*)[256])read.count, out->mean);
   return true;
+}
+
+bool vs_photograph_read(vs_store *store, const vs_file_bytes *file, vs_photograph *out, vs_error *e) {
+  *out = (vs_photograph){ .format = "jpeg" };
+  if (file->size >= 8 && !memcmp(file->at, "\x89PNG\r\n\x1a\n", 8)) return read_png(store, file, out, e);
+  if (file->size >= 3 && !memcmp(file->at, "\xff\xd8\xff", 3)) return read_jpeg(store, file, out, e);
+  return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: this is neither a PNG nor a JPEG picture", file->name);
 }

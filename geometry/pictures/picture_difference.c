@@ -37,18 +37,17 @@ static void blur(const plane *p) {
 static void develop(const vs_light *light, double stops, unsigned char *rgb, double *luma) {
   vs_tone tone = { .curve = VS_TONE_NEUTRAL, .fixed = true, .stops = stops };
   vs_tone_apply(light, &tone, rgb);
-  for (size_t i = 0; i < light->count; i++) {
+  for (size_t i = 0; i < vs_light_pixels(light); i++) {
     luma[i] = 0;
     for (size_t k = 0; k < 3; k++) luma[i] += vs_raster_share[k] * rgb[3 * i + k];
   }
 }
 
 /* work: room for six planes; rgb: for the pixels. */
-static double similarity(const vs_light *a, const vs_light *b, uint32_t columns, uint32_t rows, double *work,
-                         unsigned char *rgb) {
+static double similarity(const vs_light *a, const vs_light *b, double *work, unsigned char *rgb) {
   const double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
   double window[2 * REACH + 1], sum = 0, *of[6];
-  size_t n = a->count;
+  size_t n = vs_light_pixels(a);
   for (int i = -REACH; i <= REACH; i++) sum += window[i + REACH] = exp(-i * i / (2 * 1.5 * 1.5));
   for (int i = 0; i <= 2 * REACH; i++) window[i] /= sum;
   for (size_t k = 0; k < 6; k++) of[k] = work + k * n;
@@ -57,7 +56,7 @@ static double similarity(const vs_light *a, const vs_light *b, uint32_t columns,
   develop(b, stops, rgb, of[1]);
   for (size_t i = 0; i < n; i++)
     of[2][i] = of[0][i] * of[0][i], of[3][i] = of[1][i] * of[1][i], of[4][i] = of[0][i] * of[1][i];
-  for (size_t k = 0; k < 5; k++) blur(&(plane){ of[k], of[5], columns, rows, window });
+  for (size_t k = 0; k < 5; k++) blur(&(plane){ of[k], of[5], a->columns, a->rows, window });
   sum = 0;
   for (size_t i = 0; i < n; i++) {
     double ma = of[0][i], mb = of[1][i], va = of[2][i] - ma * ma, vb = of[3][i] - mb * mb, both = of[4][i] - ma * mb;
@@ -66,9 +65,9 @@ static double similarity(const vs_light *a, const vs_light *b, uint32_t columns,
   return sum / (double)n;
 }
 
-bool vs_picture_measure_gap(vs_store *store, const vs_light *a, const vs_light *b, uint32_t columns, uint32_t rows,
-                            float *each, vs_picture_gap *out, vs_error *e) {
-  size_t n = a->count, bytes = n * 6 * sizeof(double);
+bool vs_picture_measure_gap(vs_store *store, const vs_light *a, const vs_light *b, float *each,
+                            vs_picture_gap *out, vs_error *e) {
+  size_t n = vs_light_pixels(a), bytes = n * 6 * sizeof(double);
   double *work = vs_store_realloc(store, NULL, 0, bytes);
   unsigned char *rgb = vs_store_realloc(store, NULL, 0, n * 3);
   bool ok = work && rgb;
@@ -86,7 +85,7 @@ bool vs_picture_measure_gap(vs_store *store, const vs_light *a, const vs_light *
   if (ok) {
     out->mean = sum / (3 * (double)n), out->root = sqrt(squares / (3 * (double)n));
     if (out->root > 0) out->peak_ratio = -20 * log10(out->root);
-    out->similarity = similarity(a, b, columns, rows, work, rgb);
+    out->similarity = similarity(a, b, work, rgb);
   }
   if (work) vs_store_realloc(store, work, bytes, 0);
   if (rgb) vs_store_realloc(store, rgb, n * 3, 0);

@@ -12,9 +12,9 @@ typedef struct {
   double similarity;       /* structural similarity of the developed pictures: 1 is equal */
 } vs_picture_gap;
 
-/* Both have columns times rows pixels. each: the mean difference of a pixel's three numbers goes there, where it is not
+/* Both have as many columns and rows. each: the mean difference of a pixel's three numbers goes there, where it is not
  * NULL. False: out of memory. */
-bool vs_picture_measure_gap(vs_store *store, const vs_light *a, const vs_light *b, uint32_t columns, uint32_t rows,
-                            float *each, vs_picture_gap *out, vs_error *e);
+bool vs_picture_measure_gap(vs_store *store, const vs_light *a, const vs_light *b, float *each,
+                            vs_picture_gap *out, vs_error *e);
 
 #endif

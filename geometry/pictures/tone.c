@@ -31,7 +31,7 @@ static const double bright_end[] = {
 double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
   size_t bins[BINS] = { 0 }, count = 0;
   double sum = 0;
-  for (size_t i = 0; i < light->count; i++) {
+  for (size_t i = 0; i < vs_light_pixels(light); i++) {
     double l = luminance(light, i);
     if (!(l > 0) || !isfinite(l)) continue;
     double stop = log2(l), bin = floor((stop - LEAST_STOP) * BINS_A_STOP);
@@ -153,7 +153,7 @@ double vs_tone_apply(const vs_light *light, const vs_tone *tone, unsigned char *
   double stops = tone->stops + (tone->fixed ? 0 : vs_tone_exposure(light, tone->curve)), gain = exp2(stops);
   screen_steps steps;
   screen_prepare(&steps);
-  for (size_t i = 0; i < light->count; i++) {
+  for (size_t i = 0; i < vs_light_pixels(light); i++) {
     const float from[3] = { light->red[i], light->green[i], light->blue[i] };
     double in[3], out[3];
     for (int k = 0; k < 3; k++) in[k] = isnan(from[k]) ? 0 : lesser(greater((double)from[k], 0), 1e6) * gain;

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 typedef enum {
   VS_TONE_NEUTRAL, /* Khronos PBR Neutral (2024): the web page's */
@@ -19,7 +20,8 @@ typedef struct {
 } vs_tone;
 
 /* A picture in light: planes of numbers of linear sRGB, row by row. */
-typedef struct { const float *red, *green, *blue; size_t count; } vs_light;
+typedef struct { const float *red, *green, *blue; uint32_t columns, rows; } vs_light;
+static inline size_t vs_light_pixels(const vs_light *light) { return (size_t)light->columns * light->rows; }
 
 /* Stops by which the picture is to be brightened, from the histogram of its luminance: what takes its bright end to
  * just below the curve's white, or where that is more, what Erik Reinhard, Parameter Estimation for Photographic

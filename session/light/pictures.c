@@ -32,14 +32,12 @@ vs_tone vs_session_tone(const vs_development *d) {
 
 /* ---- files ---- */
 
-typedef struct { unsigned char *at; size_t size, room; } bytes;
-
 static bool no_file(vs_error *e, const char *doing, const char *path) {
   if (errno == ENOMEM) return vs_error_memory(e, NULL);
   return vs_error_set(e, VS_ERROR_FILE, NULL, "cannot %s %s: %s", doing, path, strerror(errno));
 }
 
-static bool read_bytes(vs_session *s, const char *path, bytes *out, vs_error *e) {
+static bool read_bytes(vs_session *s, const char *path, vs_made_bytes *out, vs_error *e) {
   vs_store *store = s->bind.store;
   struct stat info;
   int file = open(path, O_RDONLY | O_CLOEXEC);
@@ -89,9 +87,9 @@ static const char *bare(const char *path) {
 /* Reads the channels that are wanted, or all, of an EXR file. */
 static bool take(vs_session *s, const char *path, const char *const *wanted, vs_exr *out, vs_error *e) {
   vs_store *store = s->bind.store;
-  bytes b = { 0 };
+  vs_made_bytes b = { 0 };
   *out = (vs_exr){ .store = store };
-  bool ok = read_bytes(s, path, &b, e) && vs_exr_read(store, bare(path), b.at, b.size, wanted, out, e);
+  bool ok = read_bytes(s, path, &b, e) && vs_exr_read(store, &(vs_file_bytes){ bare(path), b.at, b.size }, wanted, out, e);
   if (b.at) vs_store_realloc(store, b.at, b.room, 0);
   return ok;
 }
@@ -101,7 +99,7 @@ static const char *const colors[] = { "R", "G", "B", "Y", NULL };
 /* The picture's light; of one with luminance alone that, three times. */
 static bool light_of(const vs_exr *x, const char *path, vs_light *out, vs_error *e) {
   const float *y = vs_exr_find(x, "Y");
-  *out = (vs_light){ vs_exr_find(x, "R"), vs_exr_find(x, "G"), vs_exr_find(x, "B"), (size_t)x->columns * x->rows };
+  *out = (vs_light){ vs_exr_find(x, "R"), vs_exr_find(x, "G"), vs_exr_find(x, "B"), x->columns, x->rows };
   if (out->red && out->green && out->blue) return true;
   if (!y) return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture has neither R, G and B nor Y",
       bare(path));
@@ -109,11 +107,10 @@ static bool light_of(const vs_exr *x, const char *path, vs_light *out, vs_error 
   return true;
 }
 
-static bool write_png(vs_session *s, const char *path, const unsigned char *rgb, uint32_t columns, uint32_t rows,
-                      vs_error *e) {
+static bool write_png(vs_session *s, const char *path, const vs_pixels *picture, vs_error *e) {
   vs_store *store = s->bind.store;
-  bytes png = { 0 };
-  bool ok = vs_png_write(store, rgb, columns, rows, &png.at, &png.size, &png.room, e) &&
+  vs_made_bytes png = { 0 };
+  bool ok = vs_png_write(store, picture, &png, e) &&
             vs_session_write_bytes(s, path, png.at, png.size, e);
   if (png.at) vs_store_realloc(store, png.at, png.room, 0);
   return ok;
@@ -123,10 +120,10 @@ static bool write_png(vs_session *s, const char *path, const unsigned char *rgb,
 static bool write_false(vs_session *s, const char *path, const float *at, const vs_exr *x, const vs_color_scale *scale,
                         vs_error *e) {
   vs_store *store = s->bind.store;
-  uint32_t wide = 0, high = 0;
-  unsigned char *rgb = vs_false_color_picture(store, at, x->columns, x->rows, scale, &wide, &high, e);
-  bool ok = rgb && write_png(s, path, rgb, wide, high, e);
-  if (rgb) vs_store_realloc(store, rgb, (size_t)wide * high * 3, 0);
+  vs_pixels p;
+  bool ok = vs_false_color_picture(store, &(vs_pixel_numbers){ at, x->columns, x->rows }, scale, &p, e) &&
+            write_png(s, path, &p, e);
+  if (p.rgb) vs_store_realloc(store, p.rgb, (size_t)p.columns * p.rows * 3, 0);
   return ok;
 }
 
@@ -146,13 +143,13 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
   vs_tone tone = vs_session_tone(how ? how : &(vs_development){ 0 });
   unsigned char *rgb = NULL;
   bool ok = take(s, from, colors, &x, &e) && light_of(&x, from, &light, &e);
-  if (ok && !(rgb = vs_store_realloc(store, NULL, 0, light.count * 3))) ok = vs_error_memory(&e, NULL);
+  if (ok && !(rgb = vs_store_realloc(store, NULL, 0, vs_light_pixels(&light) * 3))) ok = vs_error_memory(&e, NULL);
   if (ok) {
     double used = vs_tone_apply(&light, &tone, rgb);
     if (stops) *stops = used;
-    ok = write_png(s, to, rgb, x.columns, x.rows, &e);
+    ok = write_png(s, to, &(vs_pixels){ rgb, x.columns, x.rows }, &e);
   }
-  if (rgb) vs_store_realloc(store, rgb, light.count * 3, 0);
+  if (rgb) vs_store_realloc(store, rgb, vs_light_pixels(&light) * 3, 0);
   vs_exr_free(&x);
   return end(s, ok, &e);
 }
@@ -176,7 +173,7 @@ vs_outcome vs_picture_false_color(vs_scheme *vm, const char *from, const char *t
   float *at = NULL;
   bool ok = take(s, from, colors, &x, &e) && light_of(&x, from, &light, &e);
   ok = ok && (at = vs_exr_add(&x, "luminance", VS_EXR_FLOAT, &e)) != NULL;
-  for (size_t i = 0; ok && i < light.count; i++)
+  for (size_t i = 0; ok && i < vs_light_pixels(&light); i++)
     at[i] = (float)(unit * (vs_raster_share[0] * (double)light.red[i] + vs_raster_share[1] * (double)light.green[i] +
                             vs_raster_share[2] * (double)light.blue[i]));
   ok = ok && write_scaled(s, &x, to, at, "cd/m2", least, most, &e);
@@ -272,7 +269,7 @@ vs_outcome vs_picture_compare(vs_scheme *vm, const char *a, const char *b, const
     ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s has %u x %u pixels, %.100s %u x %u", bare(a), x.columns, x.rows,
                       bare(b), y.columns, y.rows);
   if (ok && to) ok = (each = vs_exr_add(&x, "difference", VS_EXR_FLOAT, &e)) != NULL;
-  ok = ok && vs_picture_measure_gap(store, &one, &two, x.columns, x.rows, each, &gap, &e);
+  ok = ok && vs_picture_measure_gap(store, &one, &two, each, &gap, &e);
   if (ok) {
     *out = (vs_picture_difference){ .columns = x.columns, .rows = x.rows, .most = gap.most, .mean = gap.mean,
         .root_mean_square = gap.root, .psnr = gap.peak_ratio, .ssim = gap.similarity,
@@ -291,10 +288,10 @@ vs_outcome vs_picture_denoise(vs_scheme *vm, const char *from, const char *to, b
   vs_store *store = s->bind.store;
   vs_error e = { VS_ERROR_NONE, NULL, "" };
   vs_exr x;
-  bytes exr = { 0 };
+  vs_made_bytes exr = { 0 };
   bool guided = false;
   bool ok = take(s, from, NULL, &x, &e) && vs_exr_smooth(&x, &guided, &e) &&
-            vs_exr_write(&x, &exr.at, &exr.size, &exr.room, &e) && vs_session_write_bytes(s, to, exr.at, exr.size, &e);
+            vs_exr_write(&x, &exr, &e) && vs_session_write_bytes(s, to, exr.at, exr.size, &e);
   if (layers) *layers = guided;
   if (exr.at) vs_store_realloc(store, exr.at, exr.room, 0);
   vs_exr_free(&x);

@@ -124,13 +124,13 @@ static bool edge_between(const view *v, size_t a, size_t b) {
   return fabs(v->depth[a] - v->depth[b]) > 0.05 * fmin(v->depth[a], v->depth[b]) && v->normal[a].z < 0.99;
 }
 
-static void draw_edges(const view *v, unsigned char *rgb, uint32_t line) {
+static void draw_edges(const view *v, const vs_pixels *to) {
   for (uint32_t y = 0; y + 1 < v->high; y++)
     for (uint32_t x = 0; x + 1 < v->wide; x++) {
       size_t i = (size_t)y * v->wide + x;
       if (!edge_between(v, i, i + 1) && !edge_between(v, i, i + v->wide)) continue;
       for (size_t k = 0; k < 3; k++) {
-        unsigned char *c = &rgb[3 * ((size_t)y * line + x) + k];
+        unsigned char *c = &to->rgb[3 * ((size_t)y * to->columns + x) + k];
         *c = (unsigned char)(*c * 2 / 5);
       }
     }
@@ -142,13 +142,12 @@ static bool path_in(study *t, const char *name, char path[PATH_ROOM]) {
       t->folder);
 }
 
-static bool write_png(study *t, const char *name, const unsigned char *rgb, uint32_t wide, uint32_t high) {
+static bool write_png(study *t, const char *name, const vs_pixels *picture) {
   char path[PATH_ROOM];
-  unsigned char *png = NULL;
-  size_t size = 0, room = 0;
-  bool ok = path_in(t, name, path) && vs_png_write(t->store, rgb, wide, high, &png, &size, &room, &t->error) &&
-            vs_session_write_bytes(t->session, path, png, size, &t->error);
-  if (png) vs_store_realloc(t->store, png, room, 0);
+  vs_made_bytes png = { NULL, 0, 0 };
+  bool ok = path_in(t, name, path) && vs_png_write(t->store, picture, &png, &t->error) &&
+            vs_session_write_bytes(t->session, path, png.at, png.size, &t->error);
+  if (png.at) vs_store_realloc(t->store, png.at, png.room, 0);
   return ok;
 }
 
@@ -167,13 +166,11 @@ static bool write_hours(study *t, const vs_look *look, uint32_t wide, uint32_t h
   double most = 0;
   for (size_t i = 0; i < t->count; i++) most += t->suns[i].altitude > 0 ? t->suns[i].hours : 0;
   vs_color_scale scale = { .most = most > 0 ? most : 1, .unit = "h" };
-  uint32_t all_wide = 0, all_high = 0;
-  unsigned char *rgb = ok ? vs_false_color_picture(t->store, v.hours, wide, high, &scale, &all_wide, &all_high,
-      &t->error)
-                          : NULL;
-  if (rgb) draw_edges(&v, rgb, all_wide);
-  ok = rgb && write_png(t, name, rgb, all_wide, all_high);
-  if (rgb) vs_store_realloc(t->store, rgb, (size_t)all_wide * all_high * 3, 0);
+  vs_pixels p = { NULL, 0, 0 };
+  ok = ok && vs_false_color_picture(t->store, &(vs_pixel_numbers){ v.hours, wide, high }, &scale, &p, &t->error);
+  if (ok) draw_edges(&v, &p);
+  ok = ok && write_png(t, name, &p);
+  if (p.rgb) vs_store_realloc(t->store, p.rgb, (size_t)p.columns * p.rows * 3, 0);
   vs_store_realloc(t->store, room, bytes, 0);
   return ok;
 }
@@ -294,17 +291,17 @@ static bool to_memory(void *context, const void *bytes, size_t count) {
   return true;
 }
 
-typedef struct { unsigned char *rgb; uint32_t wide, high, columns, cell_wide, cell_high; size_t bytes; } sheet;
+typedef struct { vs_pixels picture; uint32_t columns, cell_wide, cell_high; size_t bytes; } sheet;
 enum { GAP = 6, CAPTION = 14 };
 
 static bool begin_sheet(study *t, sheet *s, size_t pictures) {
   s->columns = (uint32_t)ceil(sqrt((double)pictures));
   uint32_t rows = (uint32_t)((pictures + s->columns - 1) / s->columns);
-  s->wide = s->columns * (s->cell_wide + GAP) + GAP, s->high = rows * (s->cell_high + GAP + CAPTION) + GAP;
-  s->bytes = (size_t)s->wide * s->high * 3;
-  s->rgb = vs_store_realloc(t->store, NULL, 0, s->bytes);
-  if (!s->rgb) return vs_error_memory(&t->error, NULL);
-  memset(s->rgb, 244, s->bytes);
+  s->picture.columns = s->columns * (s->cell_wide + GAP) + GAP, s->picture.rows = rows * (s->cell_high + GAP + CAPTION) + GAP;
+  s->bytes = (size_t)s->picture.columns * s->picture.rows * 3;
+  s->picture.rgb = vs_store_realloc(t->store, NULL, 0, s->bytes);
+  if (!s->picture.rgb) return vs_error_memory(&t->error, NULL);
+  memset(s->picture.rgb, 244, s->bytes);
   return true;
 }
 
@@ -312,9 +309,9 @@ static void put_picture(const sheet *s, size_t number, const unsigned char *rgb,
   uint32_t x = GAP + (uint32_t)(number % s->columns) * (s->cell_wide + GAP);
   uint32_t y = GAP + (uint32_t)(number / s->columns) * (s->cell_high + GAP + CAPTION);
   for (uint32_t row = 0; row < s->cell_high; row++)
-    memcpy(s->rgb + 3 * ((size_t)(y + row) * s->wide + x), rgb + 3 * (size_t)row * s->cell_wide,
+    memcpy(s->picture.rgb + 3 * ((size_t)(y + row) * s->picture.columns + x), rgb + 3 * (size_t)row * s->cell_wide,
         3 * (size_t)s->cell_wide);
-  vs_picture_text(s->rgb, s->wide, s->high, x, y + s->cell_high + 4, caption);
+  vs_picture_text(&s->picture, x, y + s->cell_high + 4, caption);
 }
 
 /* Renders with one sun, develops, writes shadow-NNN.png, and puts it on the sheet. */
@@ -328,9 +325,10 @@ static vs_outcome shade(study *t, const vs_output_options *o, const sun *s, size
   how.has_sun = true, how.sun[0] = s->azimuth, how.sun[1] = s->altitude;
   vs_outcome outcome = vs_session_write(t->session, NULL, vs_export_format_find("exr"), &how,
       &(vs_byte_sink){ to_memory, &m });
-  bool ok = outcome == VS_OUTCOME_DONE && vs_exr_read(t->store, "picture", m.at, m.size, wanted, &x, &t->error);
-  vs_light light = { vs_exr_find(&x, "R"), vs_exr_find(&x, "G"), vs_exr_find(&x, "B"), (size_t)x.columns * x.rows };
-  unsigned char *rgb = ok && light.red ? vs_store_realloc(t->store, NULL, 0, light.count * 3) : NULL;
+  bool ok = outcome == VS_OUTCOME_DONE && 
+            vs_exr_read(t->store, &(vs_file_bytes){ "picture", m.at, m.size }, wanted, &x, &t->error);
+  vs_light light = { vs_exr_find(&x, "R"), vs_exr_find(&x, "G"), vs_exr_find(&x, "B"), x.columns, x.rows };
+  unsigned char *rgb = ok && light.red ? vs_store_realloc(t->store, NULL, 0, vs_light_pixels(&light) * 3) : NULL;
   if (ok && !rgb) ok = vs_error_memory(&t->error, NULL);
   if (ok) {
     double stops = vs_tone_apply(&light, tone, rgb), at = s->from + s->hours / 2;
@@ -339,9 +337,9 @@ static vs_outcome shade(study *t, const vs_output_options *o, const sun *s, size
     snprintf(caption, sizeof caption, "%02d:%02d", minutes / 60, minutes % 60);
     snprintf(name, sizeof name, "shadow-%03zu.png", number + 1);
     put_picture(to, number, rgb, caption);
-    ok = write_png(t, name, rgb, x.columns, x.rows);
+    ok = write_png(t, name, &(vs_pixels){ rgb, x.columns, x.rows });
   }
-  if (rgb) vs_store_realloc(t->store, rgb, light.count * 3, 0);
+  if (rgb) vs_store_realloc(t->store, rgb, vs_light_pixels(&light) * 3, 0);
   vs_exr_free(&x);
   if (m.at) vs_store_realloc(t->store, m.at, m.room, 0);
   if (outcome != VS_OUTCOME_DONE) return outcome;
@@ -374,9 +372,9 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
       outcome = shade(t, &o, &t->suns[i], number[i], &tone, &s);
       *pictures += outcome == VS_OUTCOME_DONE;
     }
-  if (outcome == VS_OUTCOME_DONE && !write_png(t, "shadows.png", s.rgb, s.wide, s.high))
+  if (outcome == VS_OUTCOME_DONE && !write_png(t, "shadows.png", &s.picture))
     outcome = vs_session_report_error(t->session, &t->error);
-  vs_store_realloc(t->store, s.rgb, s.bytes, 0);
+  vs_store_realloc(t->store, s.picture.rgb, s.bytes, 0);
   return outcome;
 }
 

@@ -11,7 +11,7 @@ static bool take(vs_store *s, const char *path, vs_raster *r) {
   FILE *f = fopen(path, "rb");
   unsigned char *bytes = f ? malloc(1 << 26) : NULL;
   size_t size = bytes ? fread(bytes, 1, 1 << 26, f) : 0;
-  bool ok = size && vs_raster_read(s, path, bytes, size, r, &e);
+  bool ok = size && vs_raster_read(s, &(vs_file_bytes){ path, bytes, size }, r, &e);
   if (!ok) fprintf(stderr, "exrdiff: %s: %s\n", path, size ? e.message : "cannot be read");
   if (f) fclose(f);
   free(bytes);

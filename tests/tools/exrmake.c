@@ -44,14 +44,13 @@ int main(int argc, char **argv) {
       id[i] = i % x.columns == 0 ? 0 : i < pixels / 2 ? 1 : 2, depth[i] = (float)(3 + (double)i / (double)pixels);
     vs_exr_add_text(&x, VS_EXR_SOURCES, "a.vs:1:2\nb.vs:30:4\n", 19, &e);
   }
-  unsigned char *bytes;
-  size_t size, room;
+  vs_made_bytes made;
   FILE *f = fopen(argv[3], "wb");
-  if (!f || !vs_exr_write(&x, &bytes, &size, &room, &e)) return fprintf(stderr, "exrmake: %s\n", e.message), 1;
-  bool ok = fwrite(bytes, 1, size, f) == size;
+  if (!f || !vs_exr_write(&x, &made, &e)) return fprintf(stderr, "exrmake: %s\n", e.message), 1;
+  bool ok = fwrite(made.at, 1, made.size, f) == made.size;
   vs_store *store = x.store;
   vs_exr_free(&x);
-  vs_store_realloc(store, bytes, room, 0);
+  vs_store_realloc(store, made.at, made.room, 0);
   vs_store_release(store);
   return fclose(f) == 0 && ok ? 0 : 1;
 }

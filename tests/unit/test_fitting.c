@@ -308,12 +308,13 @@ static void clouds(void **state) {
       memcpy(&bits, &at[i / 3][i % 3], 4);
       for (int k = 0; k < 4; k++) file[n++] = (unsigned char)(bits >> 8 * (big ? 3 - k : k));
     }
+    vs_file_bytes ply = { "a.ply", file, n };
     vs_face_list read = { 0 };
     vs_scan_points scan;
     vs_error e = { 0 };
-    assert_false(vs_mesh_file_read("a.ply", file, n, NULL, NULL, &read, &e)); /* no faces: no solid */
+    assert_false(vs_mesh_file_read(&ply, (vs_poller){ 0 }, &read, &e)); /* no faces: no solid */
     vs_face_list_free(&read);
-    assert_true(vs_points_file_read("a.ply", file, n, NULL, NULL, true, &read, &e));
+    assert_true(vs_points_file_read(&ply, (vs_poller){ 0 }, true, &read, &e));
     assert_true(vs_scan_points_take(&read, 100, &scan, &e));
     assert_int_equal(scan.sample_count, 2);
     near(scan.file.points[1].z, 6.25, 0);
@@ -325,11 +326,12 @@ static void clouds(void **state) {
 static void samples(void **state) {
   (void)state;
   static const char text[] = "OFF\n4 2 0\n0 0 0\n3 0 0\n0 1 0\n0 -3 0\n3 0 1 2\n3 0 3 1\n";
+  vs_file_bytes off = { "a.off", (const unsigned char *)text, sizeof text - 1 };
   vs_face_list read = { 0 };
   vs_scan_points scan;
   vs_error e = { 0 };
   size_t above = 0;
-  assert_true(vs_points_file_read("a.off", (const unsigned char *)text, sizeof text - 1, NULL, NULL, true, &read, &e));
+  assert_true(vs_points_file_read(&off, (vs_poller){ 0 }, true, &read, &e));
   assert_true(vs_scan_points_take(&read, 4000, &scan, &e));
   assert_int_equal(scan.sample_count, 4000);
   for (size_t i = 0; i < scan.sample_count; i++) {

@@ -165,14 +165,14 @@ static void test_radiance(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_exr x;
   vs_error e = { 0 };
-  assert_true(vs_radiance_read(s, "a.hdr", file, size, &x, &e));
+  assert_true(vs_radiance_read(s, &(vs_file_bytes){ "a.hdr", file, size }, &x, &e));
   assert_int_equal(x.columns, 8);
   near_to(vs_exr_find(&x, "R")[3], 128.5, 0);
   near_to(vs_exr_find(&x, "G")[0], 64.5, 0);
   near_to(vs_exr_find(&x, "B")[8], 30.5, 0);
   vs_exr_free(&x);
   for (size_t i = 0; i < size; i++) {
-    assert_false(vs_radiance_read(s, "a.hdr", file, i, &x, &e));
+    assert_false(vs_radiance_read(s, &(vs_file_bytes){ "a.hdr", file, i }, &x, &e));
     assert_true(x.count == 0 || x.store != NULL);
   }
   assert_int_equal(vs_store_bytes(s), 0);

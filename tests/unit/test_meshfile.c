@@ -130,7 +130,7 @@ static void every_format(void **state) {
     vs_face_list l = { 0 };
     vs_error e = { 0 };
     vs_open_edges open;
-    if (!vs_mesh_file_read(s.name, s.bytes, s.size, NULL, NULL, &l, &e)) fail_msg("%s", e.message);
+    if (!vs_mesh_file_read(&(vs_file_bytes){ s.name, s.bytes, s.size }, (vs_poller){ 0 }, &l, &e)) fail_msg("%s", e.message);
     assert_int_equal(l.face_count, which < 2 || which >= WORD_STRIPS ? 12 : 6);
     assert_true(vs_face_list_compact(&l));
     assert_int_equal(l.point_count, 8);
@@ -166,7 +166,7 @@ static void damaged_files(void **state) {
       memcpy(exact, s.bytes, s.size);
       vs_face_list l = { 0 };
       vs_error e = { 0 };
-      if (vs_mesh_file_read(s.name, exact, s.size, NULL, NULL, &l, &e)) {
+      if (vs_mesh_file_read(&(vs_file_bytes){ s.name, exact, s.size }, (vs_poller){ 0 }, &l, &e)) {
         vs_repair_notes notes;
         vs_open_edges open;
         read++;

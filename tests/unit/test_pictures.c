@@ -21,7 +21,7 @@
 
 /* The screen's numbers of one colour, at a fixed exposure. */
 static void screen(vs_tone_curve curve, double stops, float r, float g, float b, unsigned char rgb[3]) {
-  vs_light light = { &r, &g, &b, 1 };
+  vs_light light = { &r, &g, &b, 1, 1 };
   vs_tone tone = { .curve = curve, .fixed = true, .stops = stops };
   assert_true(vs_tone_apply(&light, &tone, rgb) == stops);
 }
@@ -101,7 +101,7 @@ static void test_exposure(void **state) {
   unsigned char a[3 * COUNT], b[3 * COUNT];
   for (int i = 0; i < COUNT; i++) at[i] = 0.02f + 0.001f * (float)i, brighter[i] = 8 * at[i];
   for (int curve = VS_TONE_NEUTRAL; curve <= VS_TONE_LINEAR; curve++) {
-    vs_light one = { at, at, at, COUNT }, two = { brighter, brighter, brighter, COUNT };
+    vs_light one = { at, at, at, COUNT, 1 }, two = { brighter, brighter, brighter, COUNT, 1 };
     vs_tone tone = { .curve = (vs_tone_curve)curve, .stops = -0.5 };
     double first = vs_tone_apply(&one, &tone, a), second = vs_tone_apply(&two, &tone, b);
     assert_true(fabs(first - second - 3) < 1e-9);
@@ -114,7 +114,7 @@ static void test_odd_light(void **state) {
   (void)state;
   float at[3] = { NAN, INFINITY, -INFINITY };
   unsigned char rgb[9];
-  vs_light odd = { at, at, at, 3 }, none = { at, at, at, 0 };
+  vs_light odd = { at, at, at, 3, 1 }, none = { at, at, at, 0, 0 };
   for (int curve = VS_TONE_NEUTRAL; curve <= VS_TONE_LINEAR; curve++) {
     vs_tone tone = { .curve = (vs_tone_curve)curve };
     assert_true(vs_tone_apply(&none, &tone, rgb) == 0);
@@ -159,14 +159,14 @@ static void test_exr_round_trip(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
   vs_error e = { VS_ERROR_NONE, NULL, "" };
-  unsigned char *bytes[2];
-  size_t size[2], room[2];
+  vs_made_bytes made[2];
   vs_exr x, y;
   make_picture(store, &x, 0.3);
-  for (int i = 0; i < 2; i++) assert_true(vs_exr_write(&x, &bytes[i], &size[i], &room[i], &e));
-  assert_int_equal(size[0], size[1]);
-  assert_memory_equal(bytes[0], bytes[1], size[0]);
-  assert_true(vs_exr_read(store, "x", bytes[0], size[0], NULL, &y, &e));
+  for (int i = 0; i < 2; i++) assert_true(vs_exr_write(&x, &made[i], &e));
+  size_t size = made[0].size;
+  assert_int_equal(size, made[1].size);
+  assert_memory_equal(made[0].at, made[1].at, size);
+  assert_true(vs_exr_read(store, &(vs_file_bytes){ "x", made[0].at, size }, NULL, &y, &e));
   assert_int_equal(y.columns, WIDE);
   assert_int_equal(y.rows, HIGH);
   assert_int_equal(y.count, x.count);
@@ -177,25 +177,25 @@ static void test_exr_round_trip(void **state) {
     assert_true(fabsf(vs_exr_find(&y, "R")[i] - vs_exr_find(&x, "R")[i]) <= vs_exr_find(&x, "R")[i] / 1024);
   vs_exr_free(&y);
   /* every way to cut it short, and numbers changed at random, end with a picture or with a message */
-  unsigned char *copy = malloc(size[0]);
-  for (size_t n = 0; n < size[0]; n += n < 1000 ? 1 : 37) {
+  unsigned char *copy = malloc(size);
+  for (size_t n = 0; n < size; n += n < 1000 ? 1 : 37) {
     e = (vs_error){ VS_ERROR_NONE, NULL, "" };
-    assert_false(vs_exr_read(store, "x", memcpy(copy, bytes[0], n), n, NULL, &y, &e));
+    assert_false(vs_exr_read(store, &(vs_file_bytes){ "x", memcpy(copy, made[0].at, n), n }, NULL, &y, &e));
     assert_true(e.kind == VS_ERROR_MODEL && *e.message);
   }
   uint32_t seed = 3;
   for (int i = 0; i < 1500; i++) {
-    memcpy(copy, bytes[0], size[0]);
+    memcpy(copy, made[0].at, size);
     for (int k = 0; k < 3; k++) {
-      size_t at = (size_t)(chance(&seed) * (i % 2 ? 700 : (double)size[0]));
-      copy[at < size[0] ? at : 0] = (unsigned char)(256 * chance(&seed));
+      size_t at = (size_t)(chance(&seed) * (i % 2 ? 700 : (double)size));
+      copy[at < size ? at : 0] = (unsigned char)(256 * chance(&seed));
     }
     e = (vs_error){ VS_ERROR_NONE, NULL, "" };
-    if (vs_exr_read(store, "x", copy, size[0], NULL, &y, &e)) vs_exr_free(&y);
+    if (vs_exr_read(store, &(vs_file_bytes){ "x", copy, size }, NULL, &y, &e)) vs_exr_free(&y);
     else assert_true(e.kind != VS_ERROR_NONE && (*e.message || e.kind == VS_ERROR_MEMORY));
   }
   free(copy);
-  for (int i = 0; i < 2; i++) vs_store_realloc(store, bytes[i], room[i], 0);
+  for (int i = 0; i < 2; i++) vs_store_realloc(store, made[i].at, made[i].room, 0);
   vs_exr_free(&x);
   vs_store_release(store);
 }
@@ -207,8 +207,7 @@ static void test_halves(void **state) {
   vs_store *store = vs_store_new(NULL, NULL);
   vs_error e = { VS_ERROR_NONE, NULL, "" };
   vs_exr x = { .store = store, .columns = SIDE, .rows = SIDE }, y;
-  unsigned char *bytes = NULL;
-  size_t size = 0, room = 0;
+  vs_made_bytes made = { NULL, 0, 0 };
   float *plane = vs_exr_add(&x, "Y", VS_EXR_HALF, &e);
   assert_non_null(plane);
   for (int i = 0; i < SIDE * SIDE; i++) {
@@ -218,14 +217,14 @@ static void test_halves(void **state) {
                                   : ldexp(fraction, -24);
     plane[i] = (float)(i & 0x8000 ? -value : value);
   }
-  assert_true(vs_exr_write(&x, &bytes, &size, &room, &e));
-  assert_true(vs_exr_read(store, "x", bytes, size, NULL, &y, &e));
+  assert_true(vs_exr_write(&x, &made, &e));
+  assert_true(vs_exr_read(store, &(vs_file_bytes){ "x", made.at, made.size }, NULL, &y, &e));
   const float *back = vs_exr_find(&y, "Y");
   for (int i = 0; i < SIDE * SIDE; i++)
     assert_true(isnan(plane[i]) ? isnan(back[i]) : back[i] == plane[i] && signbit(back[i]) == signbit(plane[i]));
   vs_exr_free(&x);
   vs_exr_free(&y);
-  vs_store_realloc(store, bytes, room, 0);
+  vs_store_realloc(store, made.at, made.room, 0);
   vs_store_release(store);
 }
 
@@ -237,17 +236,18 @@ static void test_png(void **state) {
   const uint32_t sizes[][2] = { { 301, 97 }, { 1, 1 } };
   for (int k = 0; k < 2; k++) {
     uint32_t columns = sizes[k][0], rows = sizes[k][1], seed = 5;
-    size_t count = (size_t)columns * rows, size = 0, room = 0;
-    unsigned char *rgb = malloc(3 * count), *bytes = NULL;
+    size_t count = (size_t)columns * rows;
+    unsigned char *rgb = malloc(3 * count);
+    vs_made_bytes made = { NULL, 0, 0 };
     for (size_t i = 0; i < 3 * count; i++) rgb[i] = (unsigned char)(i % 7 < 3 ? 256 * chance(&seed) : 40);
-    assert_true(vs_png_write(store, rgb, columns, rows, &bytes, &size, &room, &e));
+    assert_true(vs_png_write(store, &(vs_pixels){ rgb, columns, rows }, &made, &e));
     vs_png_pixels p;
-    assert_true(vs_png_read(store, "x", bytes, size, &p, &e));
+    assert_true(vs_png_read(store, &(vs_file_bytes){ "x", made.at, made.size }, &p, &e));
     assert_true(p.columns == columns && p.high == rows);
     for (size_t i = 0; i < count; i++)
       for (unsigned c = 0; c < 3; c++) assert_true(lround(255 * vs_png_at(&p, i, c)) == rgb[3 * i + c]);
     vs_store_realloc(store, p.rows, p.room, 0);
-    vs_store_realloc(store, bytes, room, 0);
+    vs_store_realloc(store, made.at, made.room, 0);
     free(rgb);
   }
   vs_store_release(store);
@@ -295,15 +295,15 @@ static void test_gap(void **state) {
   float a[PIXELS], b[PIXELS], each[PIXELS];
   uint32_t seed = 1;
   for (size_t i = 0; i < PIXELS; i++) a[i] = 0.2f + 0.5f * (float)(i % WIDE) / WIDE, b[i] = a[i] + 0.1f;
-  vs_light one = { a, a, a, PIXELS }, two = { b, b, b, PIXELS };
-  assert_true(vs_picture_measure_gap(store, &one, &one, WIDE, HIGH, each, &gap, &e));
+  vs_light one = { a, a, a, WIDE, HIGH }, two = { b, b, b, WIDE, HIGH };
+  assert_true(vs_picture_measure_gap(store, &one, &one, each, &gap, &e));
   assert_true(gap.most == 0 && isinf(gap.peak_ratio) && fabs(gap.similarity - 1) < 1e-12 && each[5] == 0);
-  assert_true(vs_picture_measure_gap(store, &one, &two, WIDE, HIGH, each, &gap, &e));
+  assert_true(vs_picture_measure_gap(store, &one, &two, each, &gap, &e));
   assert_true(fabs(gap.peak_ratio - 20) < 1e-4 && fabs(gap.most - 0.1) < 1e-6 && fabsf(each[9] - 0.1f) < 1e-6f);
   double steady = gap.similarity;
   for (size_t i = 0; i < PIXELS; i++) b[i] = a[i] + (float)(0.2 * (chance(&seed) - 0.5));
   b[777] = a[777] + 0.5f;
-  assert_true(vs_picture_measure_gap(store, &one, &two, WIDE, HIGH, NULL, &gap, &e));
+  assert_true(vs_picture_measure_gap(store, &one, &two, NULL, &gap, &e));
   assert_int_equal(gap.worst, 777);
   assert_true(gap.similarity < steady && gap.similarity > 0);
   vs_store_release(store);

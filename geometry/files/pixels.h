@@ -1,0 +1,10 @@
+/* Owns what a picture for a screen is in memory. */
+#ifndef VS_GEOMETRY_FILES_PIXELS_H
+#define VS_GEOMETRY_FILES_PIXELS_H
+
+#include <stdint.h>
+
+/* Three bytes a pixel, sRGB, row by row from the top. */
+typedef struct { unsigned char *rgb; uint32_t columns, rows; } vs_pixels;
+
+#endif
