@@ -224,7 +224,7 @@ $(BUILD)/tools/replay_%: tests/fuzz/fuzz_%.c tests/fuzz/replay.c tests/fuzz/fuzz
 	$(Q)$(CC) $(CFLAGS) $(filter-out %.h %.a,$^) -o $@ $(filter %.a,$^) $(LDFLAGS) $(LDLIBS)
 
 coverage: ## which lines the tests reach: gcov over vm, model, kernel and bind
-	$(MAKE) BUILD=$(BUILD)/coverage OPT="-O1 -g --coverage" LDFLAGS=--coverage SUITES="unit lang cli manual bad limits" tests
+	$(MAKE) BUILD=$(BUILD)/coverage OPT="-O1 -g --coverage" LDFLAGS=--coverage SUITES="unit lang cli manual bad limits" tested
 	sh scripts/coverage.sh $(BUILD)/coverage vm model kernel bind geometry backends
 
 # ---- what a fresh machine needs: scripts/packages.list, installed by the two commands below and by nothing else ----
@@ -236,12 +236,12 @@ demo: ## install what is missing, build, and make a picture, a web page, a progr
 
 test: ## install what the tests need, build, run them: of long ones a sample
 	BUILD=$(BUILD) sh scripts/install.sh build workers tests
-	$(MAKE) -j$(shell nproc) EXTRA="$(EXTRA) -Werror" all units tools
-	$(MAKE) tests
+	$(MAKE) -j$(shell nproc) BUILD=$(BUILD)/tested EXTRA="$(EXTRA) -Werror -DVS_DEBUG=1" all units tools
+	$(MAKE) $(TESTED) tested
 
 check: ## as test, and the long ones whole: every shape in every variant; SEEDS=FROM-TO: the kernel's random trees of these seeds, in place of 1-3000
 	BUILD=$(BUILD) sh scripts/install.sh build workers tests check
-	$(MAKE) tests LONG=1
+	$(MAKE) $(TESTED) LONG=1 tested
 	$(MAKE) sanitized
 
 fresh: ## the two commands on a bare Debian bookworm made by debootstrap (root): what a stranger's machine needs, in seconds and MB
@@ -254,13 +254,19 @@ units: $(UNIT_BIN)
 
 tools: $(TOOL_BIN) # the programs that tests run beside vs
 
-tests: all units tools ## run the tests with what is installed; LONG=1: the long ones whole
+# The tests run what is built with the asserts of base/assert.h, in a folder of its own: the program that is installed has none.
+TESTED    = BUILD=$(BUILD)/tested EXTRA="$(EXTRA) -DVS_DEBUG=1"
+
+tests: ## run the tests with what is installed; LONG=1: the long ones whole
+	$(MAKE) $(TESTED) tested
+
+tested: all units tools # as BUILD, OPT and EXTRA say
 	LONG=$(LONG) sh tests/run.sh $(BUILD)
 
 quick: all units # what every commit must pass in a minute
 	@for t in $(UNIT_BIN); do $$t || exit 1; done
 
-SANITIZE  = OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=$(1) -DVS_DEBUG=1" BUILD=$(BUILD)/$(2) SUITES="$(or $(SUITES),unit lang cli)" UNIT_SECONDS=1800 tests
+SANITIZE  = OPT="-O1 -g -fno-omit-frame-pointer -fsanitize=$(1) -DVS_DEBUG=1" BUILD=$(BUILD)/$(2) SUITES="$(or $(SUITES),unit lang cli)" UNIT_SECONDS=1800 tested
 asan: ## the tests under the address and leak sanitizer
 	$(MAKE) $(call SANITIZE,address,asan) LDFLAGS="-Wl,--no-as-needed -lstdc++" # GEOS comes later and throws: the sanitizer must know of C++ from the start
 ubsan: ## the tests under the undefined-behaviour sanitizer
@@ -290,7 +296,7 @@ sanitized: ## the kernel's tests under the address, leak and undefined-behaviour
 	LONG= UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 SUITES=solids sh tests/run.sh $(BUILD)/ubsan
 
 stress: ## the tests with a collection at every allocation and the heap checked again and again: minutes
-	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG=1 -DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="$(or $(SUITES),unit lang cli manual)" UNIT_SECONDS=1800 tests
+	$(MAKE) BUILD=$(BUILD)/stress EXTRA="-DVS_DEBUG=1 -DVS_DEBUG_STRESS=1 -DVS_DEBUG_SMALL=1" SUITES="$(or $(SUITES),unit lang cli manual)" UNIT_SECONDS=1800 tested
 
 layers: ## check that includes follow the layers' arrows and that no object that is built has mutable globals
 	sh scripts/layers.sh $(BUILD)
@@ -347,5 +353,5 @@ clean: ## remove what was built
 help: ## list the targets
 	@awk -F ':.*## ' '/^help:.*## / { first = sprintf("make %-9s %s\n", $$1, $$2) } /^[a-z]+:.*## / && !/^help:/ { rest = rest sprintf("make %-9s %s\n", $$1, $$2) } END { printf "%s%s", first, rest }' Makefile
 
-.PHONY: all objects demo test check fresh units tools tests quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
+.PHONY: all objects demo test check fresh units tools tests tested quick asan ubsan tsan static sanitized fuzz fuzzers coverage stress layers bless bench manual gallery install clean help
 -include $(OBJECTS:.o=.d) $(BUILD)/obj/scripts/stage0.d $(UNIT_BIN:=.d)

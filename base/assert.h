@@ -1,11 +1,11 @@
 /* Owns VS_ASSERT(condition): a condition that holds whatever a model says, so that a program that breaks it has a
  * fault.
  *
- * VS_DEBUG turns it on; the Makefile's targets asan, ubsan, sanitized and stress do. Otherwise the condition is
- * compiled and not evaluated. Where it is false, the place and the condition are printed and the process aborts. A
- * mistake that a user, a file or a library may make is not asserted but answered with an error. */
-#ifndef VS_MODEL_ASSERT_H
-#define VS_MODEL_ASSERT_H
+ * VS_DEBUG turns it on: whatever the Makefile builds for tests has it. Otherwise the condition is compiled and not
+ * evaluated. Where it is false, the place and the condition are printed and the process aborts. A mistake that a user,
+ * a file or a library may make is not asserted but answered with an error. */
+#ifndef VS_BASE_ASSERT_H
+#define VS_BASE_ASSERT_H
 
 #ifdef VS_DEBUG
 #include <stdio.h>
