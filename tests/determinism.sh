@@ -5,6 +5,7 @@
 # made smaller by their parameters. EXAMPLES: only these. Part of `make check`; two hours of processor time and more, half an hour of which are rules/four-trees.
 case determinism in *"${ONLY:-}"*) ;; *) exit 0 ;; esac
 . tests/report.sh
+. tests/smaller.sh
 threads=${THREADS:-1 2 8} heavy=${HEAVY:-0.5}
 examples=${EXAMPLES:-$(ls examples/*.vs examples/*/*.vs examples/*/*.gml examples/*/*.js)}
 formats=$(sed -n 's/^VS_FORMAT(\([^,]*\), [^,]*, "[^"]*", NULL.*/\1/p' backends/backends.def)
@@ -30,18 +31,6 @@ for b in ${BUILDS:-gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3}; do
   if MAKEFLAGS= make -s -j2 BUILD="${BUILD#"$PWD"/}/determinism/$b" CC="${CCACHE:-} ${b%-O*}" OPT="-${b#*-}" all > "$work/log" 2>&1; then built="$built $b"
   else echo "not ok determinism/$b: does not build"; tail -n 5 "$work/log" | sed 's/^/    /'; fi
 done
-
-# What makes an example small that would take minutes in all formats. Copies, twists and holes stay, which the test of passes goes without.
-smaller() {
-  case $1 in
-  examples/city.vs) echo "-D blocks=3 -D tallest=8" ;;
-  examples/gare-do-oriente.vs) echo "-D columns=2 -D rows=2" ;;
-  examples/thesis/5.5-gare.vs) echo "-D x=2 -D y=1" ;;
-  examples/panelised-roof.vs) echo "-D nu=4 -D nv=4" ;;
-  examples/deformed-tower.vs) echo "-D storeys=8" ;;
-  examples/rules/massive-street.vs) echo "-D lots=3" ;;
-  esac
-}
 
 # sums EXAMPLE BUILD THREADS FILE: the sum of each output, and of what was printed
 sums() {

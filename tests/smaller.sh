@@ -1,0 +1,12 @@
+# Owns what makes an example small that would take minutes in all formats, for who writes every example several times. Copies, twists and holes stay,
+# which the test of passes goes without.
+smaller() { # EXAMPLE
+  case $1 in
+  examples/city.vs) echo "-D blocks=3 -D tallest=8" ;;
+  examples/gare-do-oriente.vs) echo "-D columns=2 -D rows=2" ;;
+  examples/thesis/5.5-gare.vs) echo "-D x=2 -D y=1" ;;
+  examples/panelised-roof.vs) echo "-D nu=4 -D nv=4" ;;
+  examples/deformed-tower.vs) echo "-D storeys=8" ;;
+  examples/rules/massive-street.vs) echo "-D lots=3" ;;
+  esac
+}
