@@ -9,6 +9,7 @@
 #   names      no two source files of different folders share a base name, and no two headers have a type of one name
 #   files      a file that a comment names is there, and each source begins with a comment: what it owns
 #   ours       no file has a copyright line of others
+#   speech     scripts/speech.sh: the texts of manual, comments, messages and CHANGELOG
 #   ratchets   the counts of scripts/layers.limits: what cannot be zero at once may only fall
 set -u
 build=$1
@@ -173,6 +174,9 @@ while read -r word most instead; do
   [ "$count" -le "$most" ] || echo "the word '$word' stands in $count places, and scripts/words.list allows $most: say $instead" >> "$work/wrong"
   [ "$count" -ge "$most" ] || echo "word $word $count" >> "$work/better"
 done < scripts/words.list
+
+# ---- speech ----
+if sh scripts/speech.sh > "$work/speech"; then cat "$work/speech" >> "$work/better"; else cat "$work/speech" >> "$work/wrong"; fi
 
 if [ -s "$work/wrong" ]; then cat "$work/wrong"; exit 1; fi
 [ ! -s "$work/better" ] || { echo "lower these limits:"; sort "$work/better"; } | tr '\n' ' ' | sed 's/ $/\n/'
