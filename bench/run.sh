@@ -1,6 +1,7 @@
 #!/bin/sh
 # Owns the comparison: every program of bench/programs in vs, Guile without and with its JIT, Lua and Chez Scheme, one after the other
 # in one run; a table on standard output. `bench/run.sh build/vs build/measure [PROGRAM...]`; RUNS=n sets the runs of each (5).
+# WRITE=bench/README.md puts the table in that file, too, in place of the lines between its marks.
 #
 # A time is the median of the processor time of whole runs less that of an empty program in the same system just after; Guile's programs are compiled
 # to its bytecode before, its collector has one thread (so that no time is counted twice). A program whose printed result differs from
@@ -66,5 +67,12 @@ for program in "$@"; do
   done
 done
 
-awk -f bench/table.awk "$work/figures" || bad=1
+awk -f bench/table.awk "$work/figures" > "$work/table" || bad=1
+cat "$work/table"
+if [ -n "${WRITE:-}" ] && [ $bad = 0 ]; then
+  awk -v table="$work/table" '
+    /^<!-- run.sh -->$/ { print; while ((getline line < table) > 0) print line; skip = 1 }
+    /^<!-- end -->$/    { skip = 0 }
+    !skip' "$WRITE" > "$work/page" && cat "$work/page" > "$WRITE" || bad=1
+fi
 exit $bad

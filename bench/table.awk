@@ -28,7 +28,7 @@ END {
   printf "| geometric mean | | | | | | **%.2f** | %.2f | %.2f | %.2f | | | | |\n", mean("vs", "guile"), mean("guile-jit", "guile"), mean("lua", "guile"), mean("chez", "guile")
   printf "| an empty program | %.1f | %.1f | %.1f | %.1f | %.1f | | | | | %.1f | %.1f | %.1f | %.1f |\n", cpu["start", "vs"], cpu["start", "guile"], cpu["start", "guile-jit"],
     cpu["start", "lua"], cpu["start", "chez"], memory["start", "vs"], memory["start", "guile"], memory["start", "lua"], memory["start", "chez"]
-  printf "\nFloating point (%s), geometric means: vs / Guile without JIT %.2f, vs / Guile with JIT %.2f, vs / Lua %.2f, vs / Chez %.2f.\n", substr(float, 2, length(float) - 2),
+  printf "\nFloating point (%s), geometric means:\nvs / Guile without JIT %.2f, vs / Guile with JIT %.2f, vs / Lua %.2f, vs / Chez %.2f.\n", substr(float, 2, length(float) - 2),
     mean("vs", "guile", float), mean("vs", "guile-jit", float), mean("vs", "lua", float), mean("vs", "chez", float)
   printf "All programs: vs / Lua %.2f, vs / Guile with JIT %.2f, vs / Chez %.2f.\n", mean("vs", "lua"), mean("vs", "guile-jit"), mean("vs", "chez")
 }

@@ -85,17 +85,12 @@ if [ -z "${KINDS:-}" ] || [ -n "${STEPS:-}" ]; then
 fi
 for page in manual/*.md; do
   name=$(basename "$page" .md)
+  [ "$name" != README ] || continue # the first page, below
   awk -v title="$name" -v root= -v index_to="$out/index.js" -v page="$name.html" -v pictures="$name" -v folder="$out" -f scripts/manual.awk "$page" > "$out/$name.html"
 done
 
-# The first page: where to go, and a sheet of all kinds by what they are.
-{
-  printf '%s\n' '# VisualScheme' '' '- [Tutorial](tutorial.md): fifteen steps, from nothing to a tower with parameters' \
-    '- [I want to ...](i-want-to.md): a pipe, an arch, a roof, a grid, a hole, and the call' \
-    '- Coming from [OpenSCAD](coming-from-openscad.md), [Grasshopper](coming-from-grasshopper.md), [Java](coming-from-java.md), [AutoCAD](coming-from-autocad.md), [the thesis](coming-from-the-thesis.md)' \
-    '- [Words](words.md) that a beginner may not know' '- [Language](language/README.md): every procedure and form' \
-    '- [The command](command.md), [programs as trees](ast.md), [what looks wrong](check.md), [what changed](diff.md), [checks](test.md), [a model from a scan](fit.md), [pages](doc.md), [other languages](translate.md), [formats](formats.md), [drawings](drawings.md) to scale, [back-ends of your own](back-ends.md), [models in JavaScript](model-js.md), [programs in GML](gml.md), [embedding](embedding.md)' '- [How it is built](internals.md), [a walk](walk.md) through it, and its [glossary](glossary.md)' '' '## Kinds of objects' ''
-} > "$work/index.md"
+# The first page: manual/README.md, and a sheet of all kinds by their class.
+{ cat manual/README.md; printf '%s\n' '' '## Kinds of objects' ''; } > "$work/index.md"
 sheet=$(for class in CURVE REGION SURFACE SOLID INHERIT NOTHING; do
   case $class in CURVE) say=Curves ;; REGION) say=Regions ;; SURFACE) say=Surfaces ;; SOLID) say=Solids ;; INHERIT) say='Made from others' ;; NOTHING) say=Nothing ;; esac
   list=$(kinds | awk -v class="$class" '$2 == class { print $1 }')

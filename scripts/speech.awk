@@ -34,16 +34,17 @@ function unit(s,    at, n, low, rest) {
   for (at = 1; at <= phrases; at++) { rest = low; n += gsub(" " phrase[at] " ", "", rest) }
   found("phrases", n, s)
   if (kind == "changes") { n = split(s, words_, " "); if (n > 25) found("over-25-words", 1, s); return }
-  while (match(s, /[.!?][)"]* +[A-Z("0-9<$]/)) {
+  while (match(s, /[.!?][)"]* +[A-Z("0-9<$*[]/)) {
     at = RSTART + RLENGTH - 1
     sentence(substr(s, 1, at - 1)); s = substr(s, at)
   }
   sentence(s)
 }
 function end_unit() { if (held != "") unit(held); held = "" }
+function is_long(line) { gsub(/[\200-\277]/, "", line); return length(line) > 120 } # characters of UTF-8: the bytes that begin one
 function markdown(line,    n, cells, i) {
   if (line ~ /^ *```/) { end_unit(); code = !code; return }
-  if (code) { if (length(line) > 120) found("long-lines", 1, line); return }
+  if (code) { if (is_long(line)) found("long-lines", 1, line); return }
   if (line ~ /^#/ || line ~ /^ *$/) { end_unit(); return }
   # A row of a table, and a line that is a picture or a link alone, cannot be broken.
   if (line ~ /^\|/) {
@@ -53,7 +54,7 @@ function markdown(line,    n, cells, i) {
     n = split(line, cells, "|"); for (i = 2; i < n; i++) unit(cells[i])
     return
   }
-  if (length(line) > 120 && line !~ /^ *(- )?!?\[[^]]*\]\([^)]*\)[.,]?$/) found("long-lines", 1, line)
+  if (is_long(line) && line !~ /^ *(- )?!?\[[^]]*\]\([^)]*\)[.,]?$/) found("long-lines", 1, line)
   if (line ~ /^ *(-|[0-9]+\.) /) { end_unit(); sub(/^ *(-|[0-9]+\.) /, "", line) }
   sub(/^ +/, "", line)
   held = held (held == "" ? "" : " ") line

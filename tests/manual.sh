@@ -1,6 +1,6 @@
 #!/bin/sh
 # Owns keeping the manual honest: every ```scheme block of the tutorial runs without a word of error or warning; blocks may use what the
-# blocks before them in the same step defined. The prompt answers what a prompt block shows.
+# blocks before them in the same step defined. The prompt answers what a prompt block shows, on a terminal with the results' names.
 . tests/report.sh
 wanted manual || exit 0
 awk -v work="$work" '
@@ -8,7 +8,11 @@ awk -v work="$work" '
   /^```scheme$/  { inside = 1; block++; next }
   /^```$/ && inside { inside = 0; name = sprintf("%s/step-%02d-%d.vs", work, step, block); printf "%s", text > name; close(name); next }
   inside         { text = text $0 "\n" }
-  /^> [^,]/      { question = substr($0, 3); getline; print question > (work "/questions"); print $0 > (work "/answers") }' manual/tutorial.md
+  /^> [^,]/      {
+    question = substr($0, 3); getline
+    print question > (work "/questions"); print question "\\n" > (work "/keys-" step); print $0 > (work "/shown-" step)
+    sub(/^\$[0-9]+ = /, ""); print $0 > (work "/answers")
+  }' manual/tutorial.md
 for program in "$work"/step-*.vs; do
   name=manual/tutorial:$(basename "$program" .vs)
   if "$BUILD/vs" --quiet "$program" -o "$work/out.stl" > "$work/said" 2>&1 && [ ! -s "$work/said" ]; then echo "ok $name"
@@ -16,6 +20,15 @@ for program in "$work"/step-*.vs; do
 done
 "$BUILD/vs" < "$work/questions" > "$work/said" 2>&1
 if diff "$work/answers" "$work/said" > "$work/diff"; then echo "ok manual/tutorial:prompt"; else echo "not ok manual/tutorial:prompt"; sed 's/^/    /' "$work/diff"; fi
+
+# On a terminal each step is a prompt of its own.
+for keys in "$work"/keys-*; do
+  step=${keys##*-}
+  HOME=$work XDG_STATE_HOME=$work/state TERM=xterm LSAN_OPTIONS=detect_leaks=0 "$BUILD/tools/typist" "$BUILD/vs" < "$keys" > "$work/screen"
+  if [ $? = 77 ]; then echo "skip manual/tutorial:terminal-$step: no pseudo-terminal here"; continue; fi
+  while read -r line; do grep -qF -- "$line" "$work/screen" || echo "the screen does not show $line"; done < "$work/shown-$step" > "$work/why"
+  result "manual/tutorial:terminal-$step" "$work/why"
+done
 
 # Each step of the tutorial ends in links and has a picture that shows something: that of its last program here, of all in the pages.
 awk '/^## / { if (step && !linked) print step; step = $2; linked = 0 } /^Read on: .*\]\(/ { linked = 1 } END { if (!linked) print step }' manual/tutorial.md > "$work/said"
