@@ -67,7 +67,8 @@ bool vs_povray_take_picture(vs_emitter *e, const char *from, const char *to) {
   picture_bytes p = { NULL, 0 };
   vs_exr x = { .store = store };
   vs_made_bytes exr = { NULL, 0, 0 };
-  bool ok = picture_read(e, from, &p) && vs_exr_read(store, &(vs_file_bytes){ "POV-Ray's picture", p.at, p.count }, NULL, &x, e->error);
+  bool ok = picture_read(e, from, &p) &&
+      vs_exr_read(store, &(vs_file_bytes){ "POV-Ray's picture", p.at, p.count }, NULL, &x, e->error);
   free(p.at);
   uint32_t columns = x.columns, rows = x.rows;
   ok = ok && picture_part(e, &x) && vs_povray_say_view(e, &x, columns, rows) &&
@@ -83,7 +84,8 @@ bool vs_povray_develop_picture(vs_emitter *e, const char *from, const char *to) 
   vs_store *store = e->scene->store;
   picture_bytes p = { NULL, 0 };
   vs_exr x = { .store = store };
-  bool ok = picture_read(e, from, &p) && vs_exr_read(store, &(vs_file_bytes){ "POV-Ray's picture", p.at, p.count }, wanted, &x, e->error);
+  bool ok = picture_read(e, from, &p) &&
+      vs_exr_read(store, &(vs_file_bytes){ "POV-Ray's picture", p.at, p.count }, wanted, &x, e->error);
   free(p.at);
   ok = ok && picture_part(e, &x);
   vs_light light = { vs_exr_find(&x, "R"), vs_exr_find(&x, "G"), vs_exr_find(&x, "B"), x.columns, x.rows };

@@ -42,7 +42,8 @@ static vs_status picture_of(vs_args *f, const char **name, vs_raster *out) {
   vs_error e = { 0 };
   VS_ROOTS(f->vm, r, 1);
   if (!vs_bind_file(f, &f->arg[0], &r[0], name)) return VS_ERROR;
-  if (!vs_raster_read(f->store, &(vs_file_bytes){ *name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length }, out, &e))
+  vs_file_bytes file = { *name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length };
+  if (!vs_raster_read(f->store, &file, out, &e))
     return vs_bind_error(f, &e);
   if (out->columns < 2 || out->rows < 2)
     return vs_fail(f->vm, f->vm->sym.range, "%s: the picture must have two or more rows and columns, it has %u x %u",

@@ -279,8 +279,8 @@ static vs_outcome read_scan(job *j, const char *path, const vs_fit_options *o) {
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, why);
     return VS_OUTCOME_USAGE;
   }
-  bool ok = vs_points_file_read(&(vs_file_bytes){ path, (const unsigned char *)bytes, length }, (vs_poller){ keep_reading, s },
-                                true, &read, &e);
+  vs_file_bytes file = { path, (const unsigned char *)bytes, length };
+  bool ok = vs_points_file_read(&file, (vs_poller){ keep_reading, s }, true, &read, &e);
   free(bytes);
   size_t points = o->points ? o->points : USUAL_POINTS;
   ok = ok && vs_scan_points_take(&read, points, &j->f->scan, &e);

@@ -89,7 +89,8 @@ static bool take(vs_session *s, const char *path, const char *const *wanted, vs_
   vs_store *store = s->bind.store;
   vs_made_bytes b = { 0 };
   *out = (vs_exr){ .store = store };
-  bool ok = read_bytes(s, path, &b, e) && vs_exr_read(store, &(vs_file_bytes){ bare(path), b.at, b.size }, wanted, out, e);
+  bool ok = read_bytes(s, path, &b, e) &&
+      vs_exr_read(store, &(vs_file_bytes){ bare(path), b.at, b.size }, wanted, out, e);
   if (b.at) vs_store_realloc(store, b.at, b.room, 0);
   return ok;
 }

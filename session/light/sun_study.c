@@ -297,7 +297,8 @@ enum { GAP = 6, CAPTION = 14 };
 static bool begin_sheet(study *t, sheet *s, size_t pictures) {
   s->columns = (uint32_t)ceil(sqrt((double)pictures));
   uint32_t rows = (uint32_t)((pictures + s->columns - 1) / s->columns);
-  s->picture.columns = s->columns * (s->cell_wide + GAP) + GAP, s->picture.rows = rows * (s->cell_high + GAP + CAPTION) + GAP;
+  s->picture.columns = s->columns * (s->cell_wide + GAP) + GAP;
+  s->picture.rows = rows * (s->cell_high + GAP + CAPTION) + GAP;
   s->bytes = (size_t)s->picture.columns * s->picture.rows * 3;
   s->picture.rgb = vs_store_realloc(t->store, NULL, 0, s->bytes);
   if (!s->picture.rgb) return vs_error_memory(&t->error, NULL);
