@@ -133,10 +133,8 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
   bool flawless = true;
   vs_status ok = vs_face_list_repair(f->store, l, &notes, &e) ? VS_OK : vs_bind_error(f, &e);
   *out = NULL;
-  static const uint32_t none[1] = { 0 };
-  if (ok && !(*out = vs_polyface_make(f->store, l->points, l->point_count, l->face_count ? l->starts : none,
-                                      l->face_count, l->corners, &e)))
-    ok = vs_bind_error(f, &e);
+  vs_polygons faces = vs_polygons_of(l);
+  if (ok && !(*out = vs_polyface_make(f->store, &faces, &e))) ok = vs_bind_error(f, &e);
   if (ok && (*out)->class_ == VS_SOLID) ok = inspect(f, *out, &mesh, &flaws, &flawless);
   if (ok && !flawless) {
     vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
@@ -149,9 +147,8 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
     vs_node_release(*out);
     *out = NULL;
     if (ok && !list_of_mesh(l, &whole)) ok = vs_fail_memory(f->vm);
-    if (ok && !(*out = vs_polyface_make(f->store, l->points, l->point_count, l->face_count ? l->starts : none,
-                                        l->face_count, l->corners, &e)))
-      ok = vs_bind_error(f, &e);
+    faces = vs_polygons_of(l);
+    if (ok && !(*out = vs_polyface_make(f->store, &faces, &e))) ok = vs_bind_error(f, &e);
   }
   vs_mesh_free(&mesh);
   vs_mesh_free(&whole);
@@ -179,10 +176,12 @@ static vs_status finished(vs_args *f, vs_node *n, bool sheet, vs_value *out) {
   return vs_bind_empty(f, sheet ? "the faces are a surface, which encloses nothing" : "the faces have no area", out);
 }
 
-static vs_status polyface(vs_args *f, const vs_vec3 *at, size_t points, const uint32_t *starts, const uint32_t *corner,
-                          size_t count, vs_value *out) {
+static vs_status polyface(vs_args *f, const vs_polygons *faces, vs_value *out) {
   vs_error e = { 0 };
-  if (points > UINT32_MAX || count > UINT32_MAX) return vs_fail_memory(f->vm);
+  const vs_vec3 *at = faces->points;
+  const uint32_t *starts = faces->starts, *corner = faces->corners;
+  size_t count = faces->face_count;
+  if (faces->point_count > UINT32_MAX || count > UINT32_MAX) return vs_fail_memory(f->vm);
   double size = 0, widest = 0;
   for (size_t i = 0; i < count; i++) {
     vs_vec3 a = at[corner[starts[i]]], sum = { 0, 0, 0 };
@@ -195,7 +194,7 @@ static vs_status polyface(vs_args *f, const vs_vec3 *at, size_t points, const ui
   }
   if (widest <= 1e-14 * size * size) return vs_bind_empty(f, "the faces have no area", out);
   vs_mesh mesh = { 0 };
-  vs_node *n = vs_polyface_make_mesh(f->store, at, points, starts, count, corner, &mesh, &e);
+  vs_node *n = vs_polyface_make_mesh(f->store, faces, &mesh, &e);
   if (!n) return vs_bind_error(f, &e);
   if (n->class_ == VS_SOLID) {
     vs_mesh_flaws flaws;
@@ -237,7 +236,7 @@ vs_status vs_p_make_polyface_mesh(vs_args *f, vs_value *out) {
     vs_face_list_free(&l);
     return done ? finished(f, n, sheet, out) : VS_ERROR;
   }
-  return polyface(f, f->arg[0].points.at, points, f->arg[1].faces.starts, f->arg[1].faces.corners, count, out);
+  return polyface(f, &(vs_polygons){ f->arg[0].points.at, points, starts, corner, count }, out);
 }
 
 vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
@@ -278,7 +277,7 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
     c[0] = (uint32_t)i, c[1] = (uint32_t)((i + 1) % n), c[2] = (uint32_t)n;
     starts[i + 2] = (uint32_t)(n + 3 * (i + 1));
   }
-  return polyface(f, at, n + 1, starts, corner, n + 1, out);
+  return polyface(f, &(vs_polygons){ at, n + 1, starts, corner, n + 1 }, out);
 }
 
 vs_status vs_p_make_3dface(vs_args *f, vs_value *out) {
@@ -294,7 +293,7 @@ vs_status vs_p_make_3dface(vs_args *f, vs_value *out) {
   if (a <= nothing && b <= nothing) return vs_bind_empty(f, "all corners are on one line", out);
   /* one of the two triangles is nothing */
   if (n == 4 && a <= nothing) memcpy(corner, corner + 3, sizeof corner / 2), b = 0;
-  return polyface(f, at, n, starts, corner, n == 4 && b > nothing ? 2 : 1, out);
+  return polyface(f, &(vs_polygons){ at, n, starts, corner, n == 4 && b > nothing ? 2 : 1 }, out);
 }
 
 /* ---- faces from a file ---- */
@@ -331,7 +330,8 @@ vs_status vs_p_load_mesh(vs_args *f, vs_value *out) {
     vs_mesh mesh = { 0 };
     vs_mesh_flaws flaws;
     bool flawless = true;
-    n = vs_polyface_make_mesh(f->store, l.points, l.point_count, l.starts, l.face_count, l.corners, &mesh, &e);
+    vs_polygons faces = vs_polygons_of(&l);
+    n = vs_polyface_make_mesh(f->store, &faces, &mesh, &e);
     if (!n) ok = vs_bind_error(f, &e);
     else if (n->class_ != VS_SOLID) ok = refuse_open(f, name, &l);
     else ok = inspect(f, n, &mesh, &flaws, &flawless);

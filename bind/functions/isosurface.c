@@ -44,8 +44,8 @@ static vs_contour_outcome refined(vs_args *f, const vs_tape *t, double tolerance
   int cells = FIRST_CELLS;
   for (;;) {
     c->most = f->bind->mesh_triangles * VS_ON_THE_WAY;
-    vs_contour_outcome outcome =
-        vs_contour_make(t, f->arg[1].point, f->arg[2].point, cells, tolerance, vs_bind_keep_going, f->vm, c);
+    vs_contour_grid grid = { f->arg[1].point, f->arg[2].point, cells, tolerance };
+    vs_contour_outcome outcome = vs_contour_make(t, &grid, (vs_long_work){ vs_bind_keep_going, f->vm }, c);
     bool missed = outcome == VS_CONTOUR_EMPTY; /* finer cells may find it */
     if ((outcome != VS_CONTOUR_DONE && !missed) || (!missed && c->deviation <= tolerance)) return outcome;
     if (cells == VS_CONTOUR_CELLS || (missed && cells >= 128)) {
@@ -74,9 +74,10 @@ vs_status vs_p_make_isosurface(vs_args *f, vs_value *out) {
     return vs_bind_refuse(f, "cells", text, f->key[0].value);
   }
   vs_contour c = { .most = f->bind->mesh_triangles * VS_ON_THE_WAY };
-  vs_contour_outcome outcome = f->key[1].given ? refined(f, t, f->key[1].real, &c)
-                                               : vs_contour_make(t, p, q, f->key[0].given ? (int)f->key[0].integer : 64,
-                                                                 0, vs_bind_keep_going, f->vm, &c);
+  vs_contour_grid grid = { p, q, f->key[0].given ? (int)f->key[0].integer : 64, 0 };
+  vs_long_work work = { vs_bind_keep_going, f->vm };
+  vs_contour_outcome outcome =
+      f->key[1].given ? refined(f, t, f->key[1].real, &c) : vs_contour_make(t, &grid, work, &c);
   vs_status status = outcome == VS_CONTOUR_DONE ? VS_OK : refuse(f, outcome, &c);
   uint32_t *starts = NULL;
   size_t room = 0;
@@ -85,7 +86,8 @@ vs_status vs_p_make_isosurface(vs_args *f, vs_value *out) {
   if (status) {
     for (size_t i = 0; i <= c.triangle_count; i++) starts[i] = (uint32_t)(3 * i);
     vs_error e = { 0 };
-    node = vs_polyface_make(f->store, c.points, c.point_count, starts, c.triangle_count, &c.triangles[0][0], &e);
+    vs_polygons faces = { c.points, c.point_count, starts, &c.triangles[0][0], c.triangle_count };
+    node = vs_polyface_make(f->store, &faces, &e);
     if (!node) status = vs_bind_error(f, &e);
   }
   if (status && c.capped)

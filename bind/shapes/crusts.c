@@ -47,8 +47,8 @@ vs_status vs_p_make_crust(vs_args *f, vs_value *out) {
   if (status && !VS_GROW(starts, room, shell.triangle_count + 1)) status = vs_fail_memory(f->vm);
   for (size_t i = 0; status && i <= shell.triangle_count; i++) starts[i] = (uint32_t)(3 * i);
   if (status) {
-    node = vs_polyface_make(f->store, shell.vertices, shell.vertex_count, starts, shell.triangle_count,
-                            &shell.triangles[0][0], &e);
+    vs_polygons faces = { shell.vertices, shell.vertex_count, starts, &shell.triangles[0][0], shell.triangle_count };
+    node = vs_polyface_make(f->store, &faces, &e);
     if (!node) status = vs_bind_error(f, &e);
   }
   free(starts);

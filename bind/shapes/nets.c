@@ -98,7 +98,7 @@ vs_status vs_p_form_find(vs_args *f, vs_value *out) {
     load[i].x = next(f->vm, &l), load[i].y = next(f->vm, &l), load[i].z = next(f->vm, &l);
   }
   net.fixed = fixed, net.load = load, net.stiffness = f->arg[5].real;
-  vs_relax_outcome outcome = vs_net_relax(&net, f->arg[6].real, vs_bind_keep_going, f->vm, &report);
+  vs_relax_outcome outcome = vs_net_relax(&net, f->arg[6].real, (vs_long_work){ vs_bind_keep_going, f->vm }, &report);
   if (outcome != VS_RELAX_DONE) return unsettled(f, outcome, &report, &net);
   r[0] = r[1] = VS_NIL;
   bool ok = vs_cons(f->vm, vs_fix((int64_t)report.steps), r[1], &r[1]) &&
@@ -134,7 +134,7 @@ vs_status vs_p_planarise(vs_args *f, vs_value *out) {
   }
   vs_net_faces net = { .at = at, .count = n, .fixed = fixed, .corner = corner, .start = start, .face_count = faces };
   double worst;
-  vs_plane_outcome outcome = vs_net_planarise(&net, f->arg[3].real, vs_bind_keep_going, f->vm, &worst);
+  vs_plane_outcome outcome = vs_net_planarise(&net, f->arg[3].real, (vs_long_work){ vs_bind_keep_going, f->vm }, &worst);
   VS_ROOTS(f->vm, r, 2);
   switch (outcome) {
   case VS_PLANE_STOPPED: return VS_ERROR; /* the condition is set */
@@ -167,8 +167,8 @@ vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
     ways[i] = (vs_way){ (uint32_t)a, (uint32_t)b, length };
   }
   uint32_t *at;
-  if (!vs_ways_shortest(ways, count, (size_t)f->arg[1].integer, (uint32_t)f->arg[2].integer,
-                        (uint32_t)f->arg[3].integer, &at, &found))
+  vs_way_net net = { ways, count, (size_t)f->arg[1].integer };
+  if (!vs_ways_shortest(&net, (uint32_t)f->arg[2].integer, (uint32_t)f->arg[3].integer, &at, &found))
     return vs_fail_memory(f->vm);
   VS_ROOTS(f->vm, r, 1);
   bool ok = true;
@@ -199,8 +199,9 @@ vs_status vs_p_pack_circles(vs_args *f, vs_value *out) {
   bool stopped = false, ok = circles != NULL;
   if (ok && !(vs_affine_invert(&o.frame, &back) && vs_area_of_outline(&o, &o.frame, &whole)))
     ok = vs_fail_memory(f->vm);
-  if (ok &&
-      !vs_area_pack(&whole, n, f->arg[2].real, f->arg[3].real, vs_bind_keep_going, f->vm, circles, &count, &stopped))
+  vs_packing_rule rule = { n, f->arg[2].real, f->arg[3].real };
+  vs_long_work work = { vs_bind_keep_going, f->vm };
+  if (ok && !vs_area_pack(&whole, &rule, work, circles, &count, &stopped))
     ok = stopped ? VS_ERROR : vs_fail_memory(f->vm);
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;

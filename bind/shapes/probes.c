@@ -220,8 +220,8 @@ vs_status vs_p_probe_offset(vs_args *f, vs_value *out) {
   vs_stations c;
   vs_mesh_edges edges = { 0 };
   vs_offset_from *from = NULL;
-  vs_offset_point *found = NULL;
-  size_t room = 0, n = (size_t)f->arg[3].integer, count = 0;
+  vs_offset_points found = { 0 };
+  size_t room = 0, n = (size_t)f->arg[3].integer;
   VS_ROOTS(f->vm, r, 3);
   if (!vs_bind_stations(f, 1, &c)) return VS_ERROR;
   bool closed = c.path.closed, ok = VS_GROW(from, room, n + 1) && vs_mesh_edges_make(&edges, &w->mesh);
@@ -233,16 +233,17 @@ vs_status vs_p_probe_offset(vs_args *f, vs_value *out) {
   vs_stations_close(&c);
   if (ok) {
     polling p = { f->vm, false };
-    ok = vs_mesh_offset_curve(&edges, from, n + !closed, closed, f->arg[2].real, polled, &p, &found, &count);
+    vs_offset_row along = { from, n + !closed, closed };
+    ok = vs_mesh_offset_curve(&edges, &along, f->arg[2].real, (vs_poller){ polled, &p }, &found);
     if (!ok && !p.stopped) vs_fail_memory(f->vm);
   }
   vs_mesh_edges_free(&edges);
   r[0] = r[1] = VS_NIL;
-  for (size_t i = count; ok && i-- > 0;) {
-    ok = vs_bind_point(f, found[i].at, &r[2]) && vs_cons(f->vm, r[2], r[1], &r[1]);
-    if (ok && found[i].first) ok = vs_cons(f->vm, r[1], r[0], &r[0]), r[1] = VS_NIL;
+  for (size_t i = found.count; ok && i-- > 0;) {
+    ok = vs_bind_point(f, found.at[i].at, &r[2]) && vs_cons(f->vm, r[2], r[1], &r[1]);
+    if (ok && found.at[i].first) ok = vs_cons(f->vm, r[1], r[0], &r[0]), r[1] = VS_NIL;
   }
-  free(from), free(found);
+  free(from), free(found.at);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
 }

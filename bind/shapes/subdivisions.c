@@ -150,14 +150,18 @@ vs_status vs_p_make_subdivision(vs_args *f, vs_value *out) {
   if (status && faces > FACES_MOST)
     status = vs_fail(f->vm, f->vm->sym.range, "%.0f faces would be made, and at most %d are", faces, FACES_MOST);
   if (status && !creases_of(f, &l, &creases, &crease_count)) status = VS_ERROR;
-  bool limit = !f->key[1].given || f->key[1].boolean;
-  vs_subdivision_scheme scheme = loop ? VS_SUBDIVIDE_LOOP : VS_SUBDIVIDE_CATMULL_CLARK;
+  vs_subdivision how = { .creases = creases,
+                         .crease_count = crease_count,
+                         .levels = (int)f->arg[1].integer,
+                         .scheme = loop ? VS_SUBDIVIDE_LOOP : VS_SUBDIVIDE_CATMULL_CLARK,
+                         .limit = !f->key[1].given || f->key[1].boolean };
   host h = { f->vm, false };
-  if (status && !vs_subdivide(&l, creases, crease_count, (int)f->arg[1].integer, scheme, limit, going, &h))
+  if (status && !vs_subdivide(&l, &how, (vs_long_work){ going, &h }))
     status = h.stopped ? VS_ERROR : vs_fail_memory(f->vm);
   vs_node *node = NULL;
   if (status) {
-    node = vs_polyface_make(f->store, l.points, l.point_count, l.starts, l.face_count, l.corners, &e);
+    vs_polygons made = vs_polygons_of(&l);
+    node = vs_polyface_make(f->store, &made, &e);
     if (!node) status = vs_bind_error(f, &e);
   }
   vs_face_list_free(&l);

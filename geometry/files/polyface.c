@@ -51,14 +51,14 @@ static int side_compare(const void *a, const void *b) { /* of one low end */
   return p->forward - q->forward;
 }
 
-/* faces' corners are numbers below points. Sorted by low end, each of which has few, and then among those; false: out
- * of memory or interrupted. */
-static bool sides_sort(vs_store *s, vs_side *sides, size_t points, const uint32_t *starts, size_t face_count,
-                       const uint32_t *corners, vs_error *e) {
+/* Sorted by low end, each of which has few, and then among those; false: out of memory or interrupted. */
+static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs_error *e) {
+  const uint32_t *starts = faces->starts, *corners = faces->corners;
+  size_t points = faces->point_count;
   uint32_t *at = calloc(points + 2, sizeof *at);
   if (!at) return vs_error_memory(e, NULL);
   for (int pass = 0; pass < 2; pass++) {
-    for (uint32_t f = 0; f < face_count; f++)
+    for (uint32_t f = 0; f < faces->face_count; f++)
       for (uint32_t c = starts[f]; c < starts[f + 1]; c++) {
         uint32_t a = corners[c], b = corners[c + 1 == starts[f + 1] ? starts[f] : c + 1];
         if (pass) sides[at[(a < b ? a : b) + 1]++] = (vs_side){ a < b ? a : b, a < b ? b : a, f, a < b };
@@ -105,17 +105,17 @@ static void agreement_free(vs_agreement *g) {
 /* Is each edge met by two faces, once each way? Then all agree, and nothing else is to be found out: so most meshes
  * are. Which ends the edges from each low end have, and which way they run, sorted: twos of one end and either way.
  * *agreed may be false where they do. False: out of memory or interrupted. */
-static bool polyface_agreed(vs_store *s, size_t points, const uint32_t *starts, size_t face_count,
-                            const uint32_t *corners, bool *agreed, vs_error *e) {
+static bool polyface_agreed(vs_store *s, const vs_polygons *faces, bool *agreed, vs_error *e) {
   enum { FEW = 32 };
-  size_t n = starts[face_count];
+  const uint32_t *starts = faces->starts, *corners = faces->corners;
+  size_t points = faces->point_count, n = starts[faces->face_count];
   *agreed = false;
   if (n == 0 || points > UINT32_MAX / 2) return true;
   /* 2 * high + runs from high to low */
   uint32_t *at = calloc(points + 2, sizeof *at), *ends = malloc(n * sizeof *ends);
   bool ok = (at && ends) || vs_error_memory(e, NULL);
   for (int pass = 0; ok && pass < 2; pass++) {
-    for (size_t f = 0; f < face_count; f++)
+    for (size_t f = 0; f < faces->face_count; f++)
       for (uint32_t c = starts[f]; c < starts[f + 1]; c++) {
         uint32_t a = corners[c], b = corners[c + 1 == starts[f + 1] ? starts[f] : c + 1];
         if (pass) ends[at[(a < b ? a : b) + 1]++] = a < b ? 2 * b : 2 * a + 1;
@@ -143,23 +143,23 @@ static bool polyface_agreed(vs_store *s, size_t points, const uint32_t *starts, 
   return ok;
 }
 
-/* faces' corners are merged points, numbers below points. *closed: each edge met by exactly two faces that agree, or
+/* faces: over merged points. *closed: each edge met by exactly two faces that agree, or
  * can be made to. turned[f] says which faces to turn. */
-static bool polyface_agree(vs_store *s, vs_agreement *g, size_t points, const uint32_t *starts, size_t face_count,
-                           const uint32_t *corners, bool *closed, vs_error *e) {
-  size_t n = starts[face_count], room = n ? n : 1, faces = face_count ? face_count : 1;
-  if (!polyface_agreed(s, points, starts, face_count, corners, closed, e)) return false;
-  if (*closed) return (g->turned = calloc(faces, 1)) || vs_error_memory(e, NULL);
+static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *faces, bool *closed, vs_error *e) {
+  size_t face_count = faces->face_count, n = faces->starts[face_count];
+  size_t room = n ? n : 1, face_room = face_count ? face_count : 1;
+  if (!polyface_agreed(s, faces, closed, e)) return false;
+  if (*closed) return (g->turned = calloc(face_room, 1)) || vs_error_memory(e, NULL);
   *g = (vs_agreement){ malloc(room * sizeof *g->sides),
                        malloc(room * sizeof *g->mate),
                        malloc(room * sizeof *g->of_face),
-                       calloc(faces + 1, sizeof *g->starts),
-                       malloc(faces * sizeof *g->queue),
-                       calloc(faces, 1),
-                       calloc(faces, 1) };
+                       calloc(face_room + 1, sizeof *g->starts),
+                       malloc(face_room * sizeof *g->queue),
+                       calloc(face_room, 1),
+                       calloc(face_room, 1) };
   if (!g->sides || !g->mate || !g->of_face || !g->starts || !g->queue || !g->turned || !g->seen)
     return vs_error_memory(e, NULL);
-  if (!sides_sort(s, g->sides, points, starts, face_count, corners, e)) return false;
+  if (!sides_sort(s, g->sides, faces, e)) return false;
   *closed = n > 0;
   for (size_t i = 0; i < n;) {
     if (!vs_store_going(s, 4, e)) return false;
@@ -228,18 +228,18 @@ static bool mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
   return ok;
 }
 
-bool vs_polyface_orient(vs_store *s, size_t points, const uint32_t *starts, size_t face_count, const uint32_t *corners,
-                        unsigned char *turned, bool *closed, vs_error *e) {
+bool vs_polyface_orient(vs_store *s, const vs_polygons *faces, unsigned char *turned, bool *closed, vs_error *e) {
   vs_agreement g = { 0 };
-  bool ok = polyface_agree(s, &g, points, starts, face_count, corners, closed, e);
-  if (ok) memcpy(turned, g.turned, face_count);
+  bool ok = polyface_agree(s, &g, faces, closed, e);
+  if (ok) memcpy(turned, g.turned, faces->face_count);
   agreement_free(&g);
   return ok;
 }
 
-vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts,
-                               size_t face_count, const uint32_t *corners, vs_mesh *out, vs_error *e) {
-  size_t corner_count = starts[face_count], kept_faces = 0, kept_corners = 0;
+vs_node *vs_polyface_make_mesh(vs_store *s, const vs_polygons *given, vs_mesh *out, vs_error *e) {
+  const uint32_t *starts = given->starts, *corners = given->corners;
+  size_t count = given->point_count, face_count = given->face_count, corner_count = starts[face_count];
+  size_t kept_faces = 0, kept_corners = 0;
   uint32_t *place = malloc((count ? count : 1) * sizeof *place);
   uint32_t *new_starts = malloc((face_count + 1) * sizeof *new_starts);
   uint32_t *merged = malloc((corner_count ? corner_count : 1) * sizeof *merged),
@@ -251,7 +251,7 @@ vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count,
   vs_mesh mesh = { 0 };
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   bool closed = false, turned = false,
-       ok = place && new_starts && merged && own && vs_polyface_merge(points, count, place);
+       ok = place && new_starts && merged && own && vs_polyface_merge(given->points, count, place);
   if (!ok) {
     vs_error_memory(&why, NULL);
     goto done;
@@ -273,7 +273,7 @@ vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count,
     node = vs_node_new(s, VS_EMPTY, NULL, NULL, 0);
     goto done;
   }
-  ok = polyface_agree(s, &g, count, new_starts, kept_faces, merged, &closed, &why);
+  ok = polyface_agree(s, &g, &(vs_polygons){ NULL, count, new_starts, merged, kept_faces }, &closed, &why);
   if (!ok) goto done;
   for (int pass = 0; pass < 2; pass++) { /* the second turns all round, when it is inside out */
     for (size_t f = 0; f < kept_faces; f++) {
@@ -286,7 +286,7 @@ vs_node *vs_polyface_make_mesh(vs_store *s, const vs_vec3 *points, size_t count,
     }
     vs_faces_release(s, faces);
     faces = vs_faces_new(s, new_starts, kept_faces, own, kept_corners);
-    if (!at) at = vs_points_new(s, points, count);
+    if (!at) at = vs_points_new(s, given->points, count);
     if (!faces || !at || !vs_store_going(s, (uint32_t)kept_corners, &why)) goto done;
     turned = pass > 0;
     if (!closed || turned) break;
@@ -318,7 +318,6 @@ done:
   return node;
 }
 
-vs_node *vs_polyface_make(vs_store *s, const vs_vec3 *points, size_t count, const uint32_t *starts, size_t face_count,
-                          const uint32_t *corners, vs_error *e) {
-  return vs_polyface_make_mesh(s, points, count, starts, face_count, corners, NULL, e);
+vs_node *vs_polyface_make(vs_store *s, const vs_polygons *faces, vs_error *e) {
+  return vs_polyface_make_mesh(s, faces, NULL, e);
 }

@@ -76,8 +76,8 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
     number[own.face_count] = f;
     ok = ok && vs_face_list_close(&own);
   }
-  ok = ok && (!own.face_count ||
-              vs_polyface_orient(s, l->point_count, own.starts, own.face_count, own.corners, turned, &closed, &why));
+  vs_polygons merged = vs_polygons_of(&own);
+  ok = ok && (!own.face_count || vs_polyface_orient(s, &merged, turned, &closed, &why));
   repair_side *sides = ok ? list_sides(&own, &count) : NULL;
   for (size_t i = 0; sides && i < count; i++) sides[i].forward ^= turned[sides[i].face];
   for (size_t i = 0, end; sides && i < count; i = end) {
@@ -335,8 +335,8 @@ static void turn_face(vs_face_list *l, uint32_t f) {
 
 static bool agree(vs_store *s, vs_face_list *l, size_t *turned, vs_error *e) {
   unsigned char *turn = calloc(l->face_count + 1, 1);
-  bool closed,
-      ok = turn && vs_polyface_orient(s, l->point_count, l->starts, l->face_count, l->corners, turn, &closed, e);
+  vs_polygons faces = vs_polygons_of(l);
+  bool closed, ok = turn && vs_polyface_orient(s, &faces, turn, &closed, e);
   for (uint32_t f = 0; ok && f < l->face_count; f++)
     if (turn[f]) turn_face(l, f), ++*turned;
   free(turn);

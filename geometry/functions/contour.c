@@ -72,8 +72,7 @@ typedef struct {
   size_t around_room;
   vs_enclosure *work;
   size_t work_room;
-  bool (*keep_going)(void *, double);
-  void *context;
+  vs_long_work host;
   vs_contour *out;
 } contour;
 
@@ -191,7 +190,7 @@ static vs_contour_outcome blocks(contour *c) {
       low.to[longest] = high.from[longest] = middle;
       todo[count++] = high, todo[count++] = low;
     }
-    if (outcome == VS_CONTOUR_DONE && ++looked % 32 == 0 && !c->keep_going(c->context, .5 * done / whole))
+    if (outcome == VS_CONTOUR_DONE && ++looked % 32 == 0 && !c->host.going(c->host.context, .5 * done / whole))
       outcome = VS_CONTOUR_STOPPED;
   }
   free(todo);
@@ -278,7 +277,8 @@ static vs_contour_outcome roots(contour *c) {
         s[kept++] = e;
     }
     left = kept;
-    if (outcome == VS_CONTOUR_DONE && !c->keep_going(c->context, .5 + .2 * turn / TURNS)) outcome = VS_CONTOUR_STOPPED;
+    bool going = outcome != VS_CONTOUR_DONE || c->host.going(c->host.context, .5 + .2 * turn / TURNS);
+    if (!going) outcome = VS_CONTOUR_STOPPED;
   }
   if (outcome == VS_CONTOUR_DONE) {
     for (size_t i = 0; i < n; i++) x[0][i] = c->roots[i].x, x[1][i] = c->roots[i].y, x[2][i] = c->roots[i].z;
@@ -789,7 +789,7 @@ static vs_contour_outcome judge(contour *c) {
         out->capped =
             out->capped || fabs(x[a][i] - c->p[a]) < 1e-6 * c->size || fabs(x[a][i] - c->q[a]) < 1e-6 * c->size;
     }
-    if (from % (BATCH * 64) == 0 && !c->keep_going(c->context, .9)) return VS_CONTOUR_STOPPED;
+    if (from % (BATCH * 64) == 0 && !c->host.going(c->host.context, .9)) return VS_CONTOUR_STOPPED;
   }
   return VS_CONTOUR_DONE;
 }
@@ -853,8 +853,7 @@ static vs_contour_outcome merge_cells(contour *c, double tolerance) {
                                       .root = c->roots,
                                       .normal = c->normals,
                                       .size = c->size,
-                                      .keep_going = c->keep_going,
-                                      .context = c->context };
+                                      .work = c->host };
     vs_octree_outcome merged = vs_octree_merge(&leaves, limit, stands_for);
     if (merged == VS_OCTREE_STOPPED) outcome = VS_CONTOUR_STOPPED;
     ok = merged != VS_OCTREE_MEMORY;
@@ -871,11 +870,11 @@ static vs_contour_outcome merge_cells(contour *c, double tolerance) {
   return ok ? outcome : VS_CONTOUR_MEMORY;
 }
 
-vs_contour_outcome vs_contour_make(const vs_tape *t, vs_vec3 p, vs_vec3 q, int cells, double tolerance,
-                                   bool (*keep_going)(void *, double), void *context, vs_contour *out) {
-  contour c = {
-    .p = { p.x, p.y, p.z }, .q = { q.x, q.y, q.z }, .keep_going = keep_going, .context = context, .out = out
-  };
+vs_contour_outcome vs_contour_make(const vs_tape *t, const vs_contour_grid *grid, vs_long_work work, vs_contour *out) {
+  vs_vec3 p = grid->p, q = grid->q;
+  int cells = grid->cells;
+  double tolerance = grid->tolerance;
+  contour c = { .p = { p.x, p.y, p.z }, .q = { q.x, q.y, q.z }, .host = work, .out = out };
   *out = (vs_contour){ .most = out->most };
   double longest = fmax(q.x - p.x, fmax(q.y - p.y, q.z - p.z));
   c.size = longest / (cells > 1 ? cells - 1 : 1);

@@ -3,6 +3,7 @@
 #define VS_GEOMETRY_FUNCTIONS_CONTOUR_H
 
 #include "geometry/functions/tape.h"
+#include "model/long_work.h"
 #include "model/vec.h"
 
 enum { VS_CONTOUR_CELLS = 1024 }; /* along a box's longest side, at most */
@@ -12,7 +13,7 @@ typedef enum {
   VS_CONTOUR_EMPTY,     /* the value is nowhere below 0 in the box */
   VS_CONTOUR_NO_NUMBER, /* the tape has no value at `at` */
   VS_CONTOUR_POLE,      /* the value changes its sign through infinity near `at` */
-  VS_CONTOUR_STOPPED,   /* keep_going said so */
+  VS_CONTOUR_STOPPED,   /* the caller said so */
   VS_CONTOUR_MANY,      /* the cells' mesh has more triangles than out->most */
   VS_CONTOUR_MEMORY
 } vs_contour_outcome;
@@ -28,12 +29,14 @@ typedef struct {
   double deviation; /* how far triangles' middles lie from the surface, to first order */
 } vs_contour;
 
-/* The mesh of t(x, y, z) < 0 in the box p q, cut into `cells` cubes along its longest side, which are merged to larger
- * ones where the surface is flat: within the tolerance; 0: but for rounding. Where the deviation of the cubes
- * themselves is above the tolerance, none are merged. It is a closed manifold: each edge has two triangles and each
- * point one fan. The caller frees it by vs_contour_free, whatever the outcome. */
-vs_contour_outcome vs_contour_make(const vs_tape *t, vs_vec3 p, vs_vec3 q, int cells, double tolerance,
-                                   bool (*keep_going)(void *context, double done), void *context, vs_contour *out);
+/* A box from its corner p to q, p below q along each axis, cut into `cells` cubes along its longest side. They are
+ * merged to larger ones where the surface is flat within the tolerance, a length; 0: but for rounding. */
+typedef struct { vs_vec3 p, q; int cells; double tolerance; } vs_contour_grid;
+
+/* The mesh of t(x, y, z) < 0 in the grid's box. Where the deviation of the cubes themselves is above the tolerance, none
+ * are merged. It is a closed manifold: each edge has two triangles and each point one fan. The caller frees it by
+ * vs_contour_free, whatever the outcome. */
+vs_contour_outcome vs_contour_make(const vs_tape *t, const vs_contour_grid *grid, vs_long_work work, vs_contour *out);
 void vs_contour_free(vs_contour *c);
 
 #endif

@@ -239,7 +239,7 @@ static bool judge(octree *o) {
   for (size_t i = 0; i < o->part_count; i++) {
     part *p = &o->parts[i];
     node *n = &o->nodes[p->node];
-    if (i % 4096 == 4095 && !o->l->keep_going(o->l->context, .95)) return false;
+    if (i % 4096 == 4095 && !o->l->work.going(o->l->work.context, .95)) return false;
     if (p->up != i || !n->whole) continue;
     p->best = is_disc(p) ? best_ring(o, (uint32_t)i) : NONE;
     if (p->best == NONE) n->whole = false;

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "model/long_work.h"
 #include "model/vec.h"
 
 /* A contour of equal cells. A ring is where the surface passes through a cell; a quad joins the four rings around an
@@ -19,8 +20,7 @@ typedef struct {
   const uint8_t *axis;            /* of its edge */
   const vs_vec3 *root, *normal;   /* where the surface crosses the edge, and its normal there, of length 1 */
   double size;                    /* of a cell */
-  bool (*keep_going)(void *context, double done);
-  void *context;
+  vs_long_work work;
 } vs_octree_leaves;
 
 typedef enum { VS_OCTREE_DONE, VS_OCTREE_STOPPED, VS_OCTREE_MEMORY } vs_octree_outcome;

@@ -27,7 +27,9 @@ typedef struct {
 
 static void links_free(links *l) { free(l->first), free(l->to), free(l->length); }
 
-static bool links_make(links *l, const vs_way *ways, size_t count, size_t points) {
+static bool links_make(links *l, const vs_way_net *net) {
+  const vs_way *ways = net->ways;
+  size_t count = net->way_count, points = net->point_count;
   *l = (links){ 0 };
   if (!VS_FRESH(l->first, points + 2) || !VS_FRESH(l->to, 2 * count + 1) || !VS_FRESH(l->length, 2 * count + 1))
     return false;
@@ -63,15 +65,14 @@ static visit take(visit *heap, size_t *count) {
   return top;
 }
 
-bool vs_ways_shortest(const vs_way *ways, size_t way_count, size_t points, uint32_t from, uint32_t to, uint32_t **out,
-                      size_t *count) {
+bool vs_ways_shortest(const vs_way_net *net, uint32_t from, uint32_t to, uint32_t **out, size_t *count) {
   links l;
   double *far = NULL;
   uint32_t *before = NULL;
   visit *heap = NULL;
-  size_t room = 0, waiting = 0;
+  size_t points = net->point_count, room = 0, waiting = 0;
   *out = NULL, *count = 0;
-  bool ok = links_make(&l, ways, way_count, points) && VS_FRESH(far, points + 1) && VS_FRESH(before, points + 1) &&
+  bool ok = links_make(&l, net) && VS_FRESH(far, points + 1) && VS_FRESH(before, points + 1) &&
             VS_GROW(heap, room, 1);
   for (size_t i = 0; ok && i < points; i++) far[i] = INFINITY, before[i] = NONE;
   if (ok) far[from] = 0, heap[waiting++] = (visit){ 0, from };
@@ -105,6 +106,9 @@ typedef vs_mesh_edges surface;
 
 static vs_vec3 at(const surface *s, uint32_t corner) { return s->m->vertices[corner]; }
 
+/* A place on the mesh and the triangle on which it lies. */
+typedef struct { vs_vec3 at; uint32_t triangle; } place;
+
 /* ---- the first way ---- */
 
 static vs_vec3 stop_at(const surface *s, uint32_t stop) {
@@ -115,7 +119,7 @@ static vs_vec3 stop_at(const surface *s, uint32_t stop) {
 
 /* Points of the graph: edge e has STOPS + 2 of them from (STOPS + 2) e on, both ends among them; corners are joined to
  * the first edge that has them by ways of length 0. Behind them the two ends. */
-static bool first_way(const surface *s, uint32_t ta, vs_vec3 p, uint32_t tb, vs_vec3 q, uint32_t **out, size_t *count) {
+static bool first_way(const surface *s, const place *p, const place *q, uint32_t **out, size_t *count) {
   enum { EACH = STOPS + 2 };
   size_t points = EACH * s->edge_count + 2, n = 0, room = 0;
   vs_way *ways = NULL;
@@ -144,13 +148,13 @@ static bool first_way(const surface *s, uint32_t ta, vs_vec3 p, uint32_t tb, vs_
     }
   for (int end = 0; ok && end < 2; end++)
     for (int k = 0; ok && k < 3; k++) {
-      uint32_t e = s->of[end ? tb : ta][k];
+      uint32_t e = s->of[(end ? q : p)->triangle][k];
       ok = VS_GROW(ways, room, n + EACH);
       for (uint32_t i = 0; ok && i < EACH; i++)
         ways[n++] = (vs_way){ (uint32_t)points - 2 + (uint32_t)end, EACH * e + i,
-                              vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), end ? q : p)) };
+                              vs_v3_length(vs_v3_sub(stop_at(s, EACH * e + i), (end ? q : p)->at)) };
     }
-  ok = ok && vs_ways_shortest(ways, n, points, (uint32_t)points - 2, (uint32_t)points - 1, out, count);
+  ok = ok && vs_ways_shortest(&(vs_way_net){ ways, n, points }, (uint32_t)points - 2, (uint32_t)points - 1, out, count);
   free(ways), free(seen);
   return ok;
 }
@@ -161,7 +165,7 @@ typedef struct {
   uint32_t *edge; /* crossed one after the other */
   double *share;  /* where, from a to b */
   size_t count, edge_room, share_room;
-  vs_vec3 p, q; /* the ends */
+  place p, q; /* the ends */
 } row;
 
 static void row_free(row *r) { free(r->edge), free(r->share); }
@@ -179,12 +183,12 @@ static vs_vec3 crossing_at(const surface *s, const row *r, size_t i) {
 
 static double row_length(const surface *s, const row *r) {
   double sum = 0;
-  vs_vec3 last = r->p;
+  vs_vec3 last = r->p.at;
   for (size_t i = 0; i < r->count; i++) {
     vs_vec3 c = crossing_at(s, r, i);
     sum += vs_v3_length(vs_v3_sub(c, last)), last = c;
   }
-  return sum + vs_v3_length(vs_v3_sub(r->q, last));
+  return sum + vs_v3_length(vs_v3_sub(r->q.at, last));
 }
 
 /* Moves each crossing to where the way between its neighbours, laid flat, is straight. */
@@ -195,8 +199,8 @@ static void straighten(const surface *s, row *r, int sweeps) {
       size_t i = sweep % 2 ? r->count - 1 - k : k;
       const vs_mesh_edge *e = &s->edges[r->edge[i]];
       vs_vec3 a = at(s, e->a), way = vs_v3_sub(at(s, e->b), a);
-      vs_vec3 u = vs_v3_sub(i ? crossing_at(s, r, i - 1) : r->p, a);
-      vs_vec3 w = vs_v3_sub(i + 1 < r->count ? crossing_at(s, r, i + 1) : r->q, a);
+      vs_vec3 u = vs_v3_sub(i ? crossing_at(s, r, i - 1) : r->p.at, a);
+      vs_vec3 w = vs_v3_sub(i + 1 < r->count ? crossing_at(s, r, i + 1) : r->q.at, a);
       double l = vs_v3_dot(way, way);
       if (!(l > 0)) continue;
       double fu = vs_v3_dot(u, way) / l, fw = vs_v3_dot(w, way) / l;
@@ -241,17 +245,22 @@ static double angle_at(vs_vec3 corner, vs_vec3 p, vs_vec3 q) {
   return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b));
 }
 
-/* Crossings i to j, which is left out, end in the corner: the row that goes round its other side, from triangle
- * `before` to triangle `after`. False: memory; *there: whether there is one, and it bends so that it can be shorter. */
-static bool other_side(const surface *s, const row *r, size_t i, size_t j, uint32_t corner, uint32_t before,
-                       uint32_t after, row *out, bool *there) {
+/* Crossings of a row that end in one corner, from `first` to `stop`, which is the next behind them; the way comes from
+ * the triangle `before` and goes on in `after`. */
+typedef struct { size_t first, stop; uint32_t corner, before, after; } touch;
+
+/* The row that goes round the other side of the corner. False: memory; *there: whether there is one, and it bends so
+ * that it can be shorter. */
+static bool other_side(const surface *s, const row *r, const touch *c, row *out, bool *there) {
+  size_t i = c->first, j = c->stop;
+  uint32_t corner = c->corner;
   *there = false;
   for (size_t k = 0; k < i; k++)
     if (!row_put(out, r->edge[k], r->share[k])) return false;
-  uint32_t t = before, e = turn_in(s, before, corner, r->edge[i]);
-  vs_vec3 middle = at(s, corner), last = i ? crossing_at(s, r, i - 1) : r->p;
+  uint32_t t = c->before, e = turn_in(s, t, corner, r->edge[i]);
+  vs_vec3 middle = at(s, corner), last = i ? crossing_at(s, r, i - 1) : r->p.at;
   double angle = 0;
-  for (size_t turns = 0; t != after; turns++) {
+  for (size_t turns = 0; t != c->after; turns++) {
     if (e == NONE || turns > s->edge_count) return true;
     vs_vec3 far = at(s, s->edges[e].a == corner ? s->edges[e].b : s->edges[e].a);
     angle += angle_at(middle, last, far), last = far;
@@ -260,7 +269,7 @@ static bool other_side(const surface *s, const row *r, size_t i, size_t j, uint3
     if (t == NONE) return true;
     e = turn_in(s, t, corner, e);
   }
-  angle += angle_at(middle, last, j < r->count ? crossing_at(s, r, j) : r->q);
+  angle += angle_at(middle, last, j < r->count ? crossing_at(s, r, j) : r->q.at);
   if (angle > PI - 1e-9) return true;
   for (size_t k = j; k < r->count; k++)
     if (!row_put(out, r->edge[k], r->share[k])) return false;
@@ -269,7 +278,7 @@ static bool other_side(const surface *s, const row *r, size_t i, size_t j, uint3
 }
 
 /* Tries the other sides of the corners that the way goes through; *better: one was shorter, and r is that now. */
-static bool go_round(const surface *s, row *r, uint32_t ta, uint32_t tb, bool *better) {
+static bool go_round(const surface *s, row *r, bool *better) {
   double length = row_length(s, r);
   *better = false;
   for (size_t i = 0; i < r->count;) {
@@ -280,11 +289,11 @@ static bool go_round(const surface *s, row *r, uint32_t ta, uint32_t tb, bool *b
       continue;
     }
     while (j < r->count && ends_in(s, r, j) == corner) j++;
-    uint32_t before = i ? between(s, r->edge[i - 1], r->edge[i]) : ta;
-    uint32_t after = j < r->count ? between(s, r->edge[j - 1], r->edge[j]) : tb;
+    touch c = { .first = i, .stop = j, .corner = corner };
+    c.before = i ? between(s, r->edge[i - 1], r->edge[i]) : r->p.triangle;
+    c.after = j < r->count ? between(s, r->edge[j - 1], r->edge[j]) : r->q.triangle;
     row other = { .p = r->p, .q = r->q };
-    bool there = false,
-         ok = before == NONE || after == NONE || other_side(s, r, i, j, corner, before, after, &other, &there);
+    bool there = false, ok = c.before == NONE || c.after == NONE || other_side(s, r, &c, &other, &there);
     if (ok && there) {
       straighten(s, &other, SWEEPS_TO_COMPARE);
       double now = row_length(s, &other);
@@ -303,12 +312,11 @@ static bool go_round(const surface *s, row *r, uint32_t ta, uint32_t tb, bool *b
   return true;
 }
 
-/* The edges that a way over stops crosses, from triangle ta to tb: through a corner round the side that is found
+/* The edges that a way over stops crosses, between the row's ends: through a corner round the side that is found
  * first. */
-static bool row_of_way(const surface *s, const uint32_t *way, size_t count, uint32_t ta, uint32_t tb, row *r,
-                       bool *whole) {
+static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row *r, bool *whole) {
   enum { EACH = STOPS + 2 };
-  uint32_t t = ta;
+  uint32_t t = r->p.triangle;
   *whole = true;
   for (size_t i = 1; i + 1 < count; i++) {
     uint32_t e = way[i] / EACH, stop = way[i] % EACH;
@@ -316,7 +324,7 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, uint
     bool corner = stop == 0 || stop == EACH - 1;
     uint32_t v = stop == 0 ? s->edges[e].a : s->edges[e].b;
     /* The triangle in which the way goes on: that which holds both this stop and the next, or the last. */
-    uint32_t next = tb;
+    uint32_t next = r->q.triangle;
     if (i + 2 < count) {
       uint32_t f = way[i + 1] / EACH;
       if (f == e) continue; /* along the edge: the next stop crosses it */
@@ -355,7 +363,7 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, uint
     }
     if (t != next) return *whole = false, true;
   }
-  *whole = t == tb;
+  *whole = t == r->q.triangle;
   return true;
 }
 
@@ -367,23 +375,23 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
   row r = { 0 };
   bool ok = vs_mesh_edges_make(&s, m), whole = false;
   if (ok && m->triangle_count) {
-    uint32_t ta = vs_mesh_edges_nearest(&s, p, &r.p), tb = vs_mesh_edges_nearest(&s, q, &r.q);
-    if (ta == tb) {
+    r.p.triangle = vs_mesh_edges_nearest(&s, p, &r.p.at), r.q.triangle = vs_mesh_edges_nearest(&s, q, &r.q.at);
+    if (r.p.triangle == r.q.triangle) {
       whole = true;
     } else {
-      ok = first_way(&s, ta, r.p, tb, r.q, &way, &stops);
-      if (ok && stops) ok = row_of_way(&s, way, stops, ta, tb, &r, &whole);
+      ok = first_way(&s, &r.p, &r.q, &way, &stops);
+      if (ok && stops) ok = row_of_way(&s, way, stops, &r, &whole);
       bool better = whole;
       for (int turn = 0; ok && better && turn < TURNS; turn++) {
         straighten(&s, &r, SWEEPS);
-        ok = go_round(&s, &r, ta, tb, &better);
+        ok = go_round(&s, &r, &better);
       }
     }
     size_t points = whole ? r.count + 2 : stops;
     ok = ok && VS_FRESH(*out, points + 1);
     for (size_t i = 0; ok && i < points; i++)
-      (*out)[(*count)++] = i == 0            ? r.p
-                           : i == points - 1 ? r.q
+      (*out)[(*count)++] = i == 0            ? r.p.at
+                           : i == points - 1 ? r.q.at
                            : whole           ? crossing_at(&s, &r, i - 1)
                                              : stop_at(&s, way[i]); /* where rows go round corners of borders */
   }

@@ -10,10 +10,15 @@ typedef struct {
   double length;
 } vs_way;
 
+/* The members of a net between points that are numbered from 0. */
+typedef struct {
+  const vs_way *ways;
+  size_t way_count, point_count;
+} vs_way_net;
+
 /* The shortest way from one point to another: the numbers of its points from `from` on, which the caller frees; *count
  * 0: no ways lead there. False: out of memory. */
-bool vs_ways_shortest(const vs_way *ways, size_t way_count, size_t points, uint32_t from, uint32_t to, uint32_t **out,
-                      size_t *count);
+bool vs_ways_shortest(const vs_way_net *net, uint32_t from, uint32_t to, uint32_t **out, size_t *count);
 
 /* The geodesic on the mesh between the places of it that are nearest to p and q: a polyline that bends where it crosses
  * edges, locally the shortest. Corners at one place are one. The caller frees *out; *count 0: the places lie on parts

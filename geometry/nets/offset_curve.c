@@ -147,10 +147,10 @@ static void cut_loop(run *r, size_t i, size_t j, vs_vec3 place) {
 }
 
 /* Cuts off every loop that goes back somewhere and whose rest is longer. */
-static bool cut_loops(run *r, bool (*poll)(void *), void *context) {
+static bool cut_loops(run *r, vs_poller poll) {
   size_t segments = r->closed ? r->count : r->count - 1;
   for (size_t i = 0; i + 2 < segments; i++) {
-    if (!poll(context)) return false;
+    if (!poll.ask(poll.context)) return false;
     for (size_t j = i + 2; j < segments; j++) {
       if (r->closed && after(r, j) == i) continue;
       vs_vec3 place;
@@ -167,42 +167,42 @@ static bool cut_loops(run *r, bool (*poll)(void *), void *context) {
 
 /* ---- the offset ---- */
 
-static bool put_run(run *r, vs_offset_point **out, size_t *count, size_t *room, bool (*poll)(void *), void *context) {
+static bool put_run(run *r, vs_offset_points *out, vs_poller poll) {
   if (r->count < 2) return true;
-  if (!cut_loops(r, poll, context)) return false;
+  if (!cut_loops(r, poll)) return false;
   size_t back = 0, segments = r->closed ? r->count : r->count - 1;
   for (size_t i = 0; i < segments; i++) back += goes_back(r, i);
   if (2 * back > segments) return true; /* the distance is wider than the whole curve bends */
-  if (!VS_GROW(*out, *room, *count + r->count + 1)) return false;
-  for (size_t i = 0; i < r->count; i++) (*out)[(*count)++] = (vs_offset_point){ r->at[i].at, i == 0 };
-  if (r->closed) (*out)[(*count)++] = (vs_offset_point){ r->at[0].at, false };
+  if (!VS_GROW(out->at, out->room, out->count + r->count + 1)) return false;
+  for (size_t i = 0; i < r->count; i++) out->at[out->count++] = (vs_offset_point){ r->at[i].at, i == 0 };
+  if (r->closed) out->at[out->count++] = (vs_offset_point){ r->at[0].at, false };
   return true;
 }
 
-bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_from *from, size_t count, bool closed,
-                          double distance, bool (*poll)(void *context), void *context, vs_offset_point **out,
-                          size_t *out_count) {
+bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_row *from, double distance, vs_poller poll,
+                          vs_offset_points *out) {
   reached *ends = NULL;
-  size_t room = 0, out_room = 0, gap = count;
-  *out = NULL, *out_count = 0;
+  size_t count = from->count, room = 0, gap = count;
+  bool closed = from->closed;
+  *out = (vs_offset_points){ 0 };
   bool ok = VS_GROW(ends, room, 2 * count + 1);
   for (size_t i = 0; ok && i < count; i++) {
     walker w = { 0 };
-    w.triangle = vs_mesh_edges_nearest(s, from[i].at, &w.at);
-    vs_vec3 up = normal_of(s, w.triangle), left = vs_v3_cross(up, from[i].tangent);
+    w.triangle = vs_mesh_edges_nearest(s, from->at[i].at, &w.at);
+    vs_vec3 up = normal_of(s, w.triangle), left = vs_v3_cross(up, from->at[i].tangent);
     double side = distance < 0 ? -1 : 1;
     ends[i].there = vs_v3_length(left) > 1e-9 &&
-                    !beyond_border(s, w.triangle, w.at, from[i].at, BEYOND * fabs(distance));
+                    !beyond_border(s, w.triangle, w.at, from->at[i].at, BEYOND * fabs(distance));
     w.way = vs_v3_unit(vs_v3_scale(left, side));
     if (ends[i].there) ends[i].there = walk(s, &w, fabs(distance));
     up = normal_of(s, w.triangle);
     ends[i].at = w.at, ends[i].up = up, ends[i].tangent = vs_v3_cross(vs_v3_scale(w.way, side), up);
     if (!ends[i].there) gap = i;
-    ok = poll(context);
+    ok = poll.ask(poll.context);
   }
   if (ok && closed && gap == count) {
     run whole = { ends, count, true };
-    ok = put_run(&whole, out, out_count, &out_room, poll, context);
+    ok = put_run(&whole, out, poll);
   } else if (ok) {
     /* A closed curve is gone through from a gap on, so that no run goes over its end. */
     size_t first = closed ? gap : 0;
@@ -211,7 +211,7 @@ bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_from *from, si
       size_t n = 0;
       while (i + n < count && ends[first + i + n].there) n++;
       run part = { ends + first + i, n, false };
-      ok = put_run(&part, out, out_count, &out_room, poll, context);
+      ok = put_run(&part, out, poll);
       i += n ? n : 1;
     }
   }

@@ -78,9 +78,11 @@ static square look(const packing *w, vs_vec2 at, double half) {
   return (square){ at, half, r + half * sqrt(2), w->count };
 }
 
-bool vs_area_pack(const vs_area *area, size_t n, double least, double gap, bool (*keep_going)(void *, double),
-                  void *context, vs_packed *circles, size_t *count, bool *stopped) {
-  packing w = { .area = area, .circles = circles, .gap = gap };
+bool vs_area_pack(const vs_area *area, const vs_packing_rule *rule, vs_long_work work, vs_packed *circles,
+                  size_t *count, bool *stopped) {
+  size_t n = rule->most;
+  double least = rule->least;
+  packing w = { .area = area, .circles = circles, .gap = rule->gap };
   vs_vec2 low = { INFINITY, INFINITY }, high = { -INFINITY, -INFINITY };
   for (size_t i = 0; i < area->count; i++) {
     low.x = fmin(low.x, area->at[i].x), low.y = fmin(low.y, area->at[i].y);
@@ -107,7 +109,7 @@ bool vs_area_pack(const vs_area *area, size_t n, double least, double gap, bool 
       }
       double r = s.promise - s.half * sqrt(2);
       if (r > best.radius && r >= least) best = (vs_packed){ s.at, r };
-      if (++turns % 1024 == 0 && !keep_going(context, (double)w.count / (double)n)) {
+      if (++turns % 1024 == 0 && !work.going(work.context, (double)w.count / (double)n)) {
         *stopped = true, ok = false;
         break;
       }

@@ -20,8 +20,7 @@ static vs_vec3 plane_of(const vs_net_faces *f, size_t i, vs_vec3 *middle) {
   return length > 0 ? vs_v3_scale(normal, 1 / length) : normal;
 }
 
-vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, bool (*keep_going)(void *, double), void *context,
-                                  double *worst) {
+vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, vs_long_work work, double *worst) {
   static const double further = 1.5;
   vs_vec3 *move = NULL;
   uint32_t *faces = NULL;
@@ -44,7 +43,7 @@ vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, bool (*keep
     }
     if (*worst <= tolerance)
       outcome = VS_PLANE_DONE;
-    else if (round % 64 == 0 && !keep_going(context, 0))
+    else if (round % 64 == 0 && !work.going(work.context, 0))
       outcome = VS_PLANE_STOPPED;
     for (size_t i = 0; outcome == VS_PLANE_FAR && i < f->count; i++)
       if (faces[i] && !f->fixed[i]) f->at[i] = vs_v3_add(f->at[i], vs_v3_scale(move[i], further / faces[i]));

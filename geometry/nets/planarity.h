@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "model/long_work.h"
 #include "model/vec.h"
 
 /* Faces of three or more corners: face i is corner[start[i]] to corner[start[i + 1]], which is left out. */
@@ -22,7 +23,6 @@ enum { VS_PLANE_ROUNDS = 60000 };
 typedef enum { VS_PLANE_DONE, VS_PLANE_FAR, VS_PLANE_STOPPED, VS_PLANE_MEMORY } vs_plane_outcome;
 
 /* Moves the corners until none lies further than `tolerance` from its faces' planes. *worst: how far the worst is. */
-vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, bool (*keep_going)(void *context, double done),
-                                  void *context, double *worst);
+vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, vs_long_work work, double *worst);
 
 #endif

@@ -101,8 +101,7 @@ static void halt(relaxation *r) {
 }
 
 /* Runs until forces are balanced; the count of steps goes on in *out. */
-static vs_relax_outcome settle(relaxation *r, double tolerance, bool (*keep_going)(void *, double), void *context,
-                               vs_relax_report *out) {
+static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work work, vs_relax_report *out) {
   vs_net *n = r->net;
   double before = 0;
   halt(r);
@@ -111,7 +110,7 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, bool (*keep_goin
     out->residual = residual(r);
     if (!(out->residual > tolerance)) return isfinite(out->residual) ? VS_RELAX_DONE : VS_RELAX_FAR;
     if (out->steps >= VS_RELAX_STEPS) return VS_RELAX_FAR;
-    if (out->steps % POLL == 0 && !keep_going(context, 0)) return VS_RELAX_STOPPED;
+    if (out->steps % POLL == 0 && !work.going(work.context, 0)) return VS_RELAX_STOPPED;
     double energy = 0;
     for (size_t i = 0; i < n->count; i++) {
       if (n->fixed[i] || !(r->mass[i] > 0)) continue;
@@ -144,11 +143,10 @@ static bool lengths_hold(relaxation *r, double share) {
 }
 
 /* Cables keep their lengths: as settle, with springs that are made shorter. */
-static vs_relax_outcome settle_lengths(relaxation *r, double tolerance, bool (*keep_going)(void *, double),
-                                       void *context, vs_relax_report *out) {
+static vs_relax_outcome settle_lengths(relaxation *r, double tolerance, vs_long_work work, vs_relax_report *out) {
   double share = fmax(1e-9, 10 * tolerance), rough = 1e-2;
   for (int round = 0; round < ROUNDS; round++) {
-    vs_relax_outcome outcome = settle(r, fmax(rough, tolerance), keep_going, context, out);
+    vs_relax_outcome outcome = settle(r, fmax(rough, tolerance), work, out);
     if (outcome != VS_RELAX_DONE || (lengths_hold(r, share) && rough <= tolerance)) return outcome;
     if (round == 0 && r->greatest > 0) r->stiffness = STIFFER * r->greatest, lengths_hold(r, share);
     if (round > SOFT && round % 2) r->stiffness *= 2, lengths_hold(r, share);
@@ -163,8 +161,7 @@ static vs_relax_outcome settle_lengths(relaxation *r, double tolerance, bool (*k
   return VS_RELAX_SHORT;
 }
 
-vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, bool (*keep_going)(void *, double), void *context,
-                              vs_relax_report *out) {
+vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, vs_long_work work, vs_relax_report *out) {
   relaxation r = { .net = n };
   *out = (vs_relax_report){ 0 };
   vs_relax_outcome outcome = held(n, &out->where);
@@ -185,8 +182,8 @@ vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, bool (*keep_going)(vo
   if (VS_GROW(r.rest, r.rest_room, n->member_count + 1) && VS_GROW(r.force, r.force_room, n->count + 1) &&
       VS_GROW(r.speed, r.speed_room, n->count + 1) && VS_GROW(r.mass, r.mass_room, n->count + 1)) {
     for (size_t k = 0; k < n->member_count; k++) r.rest[k] = n->members[k].length;
-    outcome = cables && loads > 0 && !(n->stiffness > 0) ? settle_lengths(&r, tolerance, keep_going, context, out)
-                                                         : settle(&r, tolerance, keep_going, context, out);
+    outcome = cables && loads > 0 && !(n->stiffness > 0) ? settle_lengths(&r, tolerance, work, out)
+                                                         : settle(&r, tolerance, work, out);
   } else {
     outcome = VS_RELAX_MEMORY;
   }

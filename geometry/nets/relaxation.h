@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "model/long_work.h"
 #include "model/vec.h"
 
 /* A cable of a length, which it keeps where it is taut and which it may fall short of; or a force density: a pull that
@@ -33,7 +34,7 @@ typedef enum {
   VS_RELAX_LOOSE,   /* point `where` is loaded and no members lead from it to a fixed one */
   VS_RELAX_SHORT,   /* cable `where` cannot be as short as it is to be between fixed points */
   VS_RELAX_FAR,     /* it has not come to rest after VS_RELAX_STEPS: `residual` is left */
-  VS_RELAX_STOPPED, /* keep_going said so */
+  VS_RELAX_STOPPED, /* the caller said so */
   VS_RELAX_MEMORY
 } vs_relax_outcome;
 
@@ -45,7 +46,6 @@ typedef struct {
 } vs_relax_report;
 
 /* Moves the free points of the net until forces are balanced to the share `tolerance`. */
-vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, bool (*keep_going)(void *context, double done),
-                              void *context, vs_relax_report *out);
+vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, vs_long_work work, vs_relax_report *out);
 
 #endif

@@ -238,22 +238,21 @@ static bool fans(vs_face_list *l) {
   return ok;
 }
 
-bool vs_subdivide(vs_face_list *l, const vs_crease *creases, size_t crease_count, int levels,
-                  vs_subdivision_scheme scheme, bool limit, bool (*keep_going)(void *context, double done),
-                  void *context) {
-  bool loop = scheme == VS_SUBDIVIDE_LOOP, ok = !loop || fans(l);
+bool vs_subdivide(vs_face_list *l, const vs_subdivision *how, vs_long_work work) {
+  bool loop = how->scheme == VS_SUBDIVIDE_LOOP, ok = !loop || fans(l);
   crease_list now = { 0 };
-  ok = ok && VS_GROW(now.at, now.room, crease_count + 1);
-  if (ok && crease_count) memcpy(now.at, creases, crease_count * sizeof *creases), now.count = crease_count;
-  for (int i = 0; ok && i < levels; i++) {
+  ok = ok && VS_GROW(now.at, now.room, how->crease_count + 1);
+  if (ok && how->crease_count) memcpy(now.at, how->creases, how->crease_count * sizeof *now.at);
+  if (ok) now.count = how->crease_count;
+  for (int i = 0; ok && i < how->levels; i++) {
     vs_face_list finer = { 0 };
     crease_list less = { 0 };
-    ok = keep_going(context, (double)i / levels) && step(l, &now, loop, &finer, &less);
+    ok = work.going(work.context, (double)i / how->levels) && step(l, &now, loop, &finer, &less);
     vs_face_list_free(l);
     free(now.at);
     *l = finer, now = less;
   }
-  ok = ok && (!limit || to_limit(l, &now, loop));
+  ok = ok && (!how->limit || to_limit(l, &now, loop));
   free(now.at);
   return ok;
 }

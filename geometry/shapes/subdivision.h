@@ -6,6 +6,7 @@
 #define VS_GEOMETRY_SHAPES_SUBDIVISION_H
 
 #include "geometry/files/meshfile.h"
+#include "model/long_work.h"
 
 typedef struct {
   uint32_t a, b;    /* points */
@@ -14,11 +15,18 @@ typedef struct {
 
 typedef enum { VS_SUBDIVIDE_CATMULL_CLARK, VS_SUBDIVIDE_LOOP } vs_subdivision_scheme;
 
-/* Replaces the faces of l, whose points are those that their corners share, by those of `levels` subdivisions. limit:
- * the points then go to where they would come to lie after endless ones. Loop takes polygons as fans of triangles.
- * False: out of memory, or keep_going said so. */
-bool vs_subdivide(vs_face_list *l, const vs_crease *creases, size_t crease_count, int levels,
-                  vs_subdivision_scheme scheme, bool limit, bool (*keep_going)(void *context, double done),
-                  void *context);
+/* How often faces are subdivided, by which scheme, and with which creases. limit: the points then go to where they would
+ * come to lie after endless subdivisions. */
+typedef struct {
+  const vs_crease *creases;
+  size_t crease_count;
+  int levels;
+  vs_subdivision_scheme scheme;
+  bool limit;
+} vs_subdivision;
+
+/* Replaces the faces of l, whose points are those that their corners share, by the subdivided ones. Loop takes polygons
+ * as fans of triangles. False: out of memory, or the caller said so. */
+bool vs_subdivide(vs_face_list *l, const vs_subdivision *how, vs_long_work work);
 
 #endif

@@ -177,7 +177,7 @@ static vs_ref polyface(maker *m, bool closed) {
   vs_vec3 c = vector(m), at[4] = { c, { c.x + length(m), c.y, c.z }, { c.x, c.y + length(m), c.z }, { c.x, c.y, c.z + length(m) } };
   for (int i = 0; i < 4; i++) at[i] = put(m, at[i]);
   vs_error e = { 0 };
-  return (vs_ref){ sure(vs_polyface_make(m->s, at, 4, starts, closed ? 4 : 2, corners, &e)), origin(m) };
+  return (vs_ref){ sure(vs_polyface_make(m->s, &(vs_polygons){ at, 4, starts, corners, closed ? 4 : 2 }, &e)), origin(m) };
 }
 
 static vs_ref grid(maker *m, vs_kind kind) {

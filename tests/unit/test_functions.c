@@ -253,11 +253,11 @@ static void contours_are_manifolds(void **state) {
     int cells = (int)drawn(&seed, 3, 40);
     vs_contour fine = { 0 }, coarse = { 0 };
     vs_vec3 p = vs_v3(-1, -1.1, -.9), q = vs_v3(1.05, .95, 1);
-    vs_contour_outcome outcome = vs_contour_make(t, p, q, cells, 0, go_on, NULL, &fine);
+    vs_contour_outcome outcome = vs_contour_make(t, &(vs_contour_grid){ p, q, cells, 0 }, (vs_long_work){ go_on, NULL }, &fine);
     if (outcome == VS_CONTOUR_DONE) {
       check_manifold(&fine), made++;
       double tolerance = drawn(&seed, .5, 3) * fmax(fine.deviation, 1e-3);
-      assert_int_equal(vs_contour_make(t, p, q, cells, tolerance, go_on, NULL, &coarse), VS_CONTOUR_DONE);
+      assert_int_equal(vs_contour_make(t, &(vs_contour_grid){ p, q, cells, tolerance }, (vs_long_work){ go_on, NULL }, &coarse), VS_CONTOUR_DONE);
       check_manifold(&coarse);
       if (fine.deviation <= tolerance) assert_true(coarse.deviation <= tolerance);
       merged += coarse.triangle_count < fine.triangle_count;
@@ -278,7 +278,7 @@ static void flat_sides_are_few_triangles(void **state) {
               add(t, VS_TAPE_SUB, add(t, VS_TAPE_ABS, vs_tape_input(t, a), 0), vs_tape_constant(t, half[a])));
   t->outputs = 1, t->output[0] = all;
   vs_contour c = { 0 };
-  assert_int_equal(vs_contour_make(t, vs_v3(-1, -1, -1), vs_v3(1, 1, 1), 128, 0, go_on, NULL, &c), VS_CONTOUR_DONE);
+  assert_int_equal(vs_contour_make(t, &(vs_contour_grid){ vs_v3(-1, -1, -1), vs_v3(1, 1, 1), 128, 0 }, (vs_long_work){ go_on, NULL }, &c), VS_CONTOUR_DONE);
   assert_true(fabs(check_manifold(&c) - 8 * .7 * .61 * .53) < 1e-6);
   assert_true(c.triangle_count < 40); /* of cells of one size: some 90,000 */
   vs_contour_free(&c), vs_tape_free(t);
@@ -293,7 +293,7 @@ static void round_sides_follow_the_tolerance(void **state) {
   size_t before = SIZE_MAX;
   for (double tolerance = 5e-4; tolerance < .02; tolerance *= 3) {
     vs_contour c = { 0 };
-    assert_int_equal(vs_contour_make(t, vs_v3(-1.2, -1.2, -1.2), vs_v3(1.2, 1.2, 1.2), 100, tolerance, go_on, NULL, &c),
+    assert_int_equal(vs_contour_make(t, &(vs_contour_grid){ vs_v3(-1.2, -1.2, -1.2), vs_v3(1.2, 1.2, 1.2), 100, tolerance }, (vs_long_work){ go_on, NULL }, &c),
                      VS_CONTOUR_DONE);
     double volume = check_manifold(&c);
     assert_true(c.deviation <= tolerance && c.triangle_count < before);
@@ -319,7 +319,7 @@ static void contours_can_be_stopped(void **state) {
   for (int left = 1; !done && left < 10000; left += 1 + left / 3) {
     int turns = left;
     vs_contour c = { 0 };
-    vs_contour_outcome outcome = vs_contour_make(t, vs_v3(.1, .1, .1), vs_v3(3, 3, 3), 60, .01, stop, &turns, &c);
+    vs_contour_outcome outcome = vs_contour_make(t, &(vs_contour_grid){ vs_v3(.1, .1, .1), vs_v3(3, 3, 3), 60, .01 }, (vs_long_work){ stop, &turns }, &c);
     done = outcome == VS_CONTOUR_DONE;
     assert_true(done || outcome == VS_CONTOUR_STOPPED);
     vs_contour_free(&c);

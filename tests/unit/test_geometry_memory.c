@@ -95,7 +95,7 @@ static void every_allocation_fails_in_turn(void **state) {
   vs_node_release(loops[0].node);
   vs_node_release(hole);
   vs_node *all[] = { NODE(torus, TORUS, { 0, 0, 0 }, 3, 1, 0), over(s, VS_EXTRUDE, &up, region, NULL), over(s, VS_SWEEP, &plain, NODE(circle, CIRCLE, { 0, 0, 0 }, 0.2, 0), curve(s, true)),
-                     over(s, VS_THICKEN, &thick, curve(s, false), NULL), over(s, VS_THICKEN, &thick, vs_polyface_make(s, quad, 4, starts, 1, corners, NULL), NULL),
+                     over(s, VS_THICKEN, &thick, curve(s, false), NULL), over(s, VS_THICKEN, &thick, vs_polyface_make(s, &(vs_polygons){ quad, 4, starts, corners, 1 }, NULL), NULL),
                      over(s, VS_REVOLVE, &(struct vs_revolve){ .direction = { 0, 1, 0 }, .end = 4 }, NODE(circle, CIRCLE, { 3, 0, 0 }, 1, 0), NULL),
                      over(s, VS_EXTRUDE, &(struct vs_extrude){ .along = { 0, 0, 1 }, .scale = 1, .taper = 0.5 }, NODE(circle, CIRCLE, { 3, 0, 0 }, 1, 6), NULL),
                      over(s, VS_LOFT, &(struct vs_loft){ .start_angle = 1, .start_hold = 1 }, NODE(circle, CIRCLE, { 0, 0, 0 }, 1, 0), NODE(circle, CIRCLE, { 0, 0, 3 }, 1, 6)),
@@ -120,7 +120,7 @@ static void making_a_polyface_fails_in_turn(void **state) {
     size_t bytes = vs_store_bytes(s);
     held = 0;
     fail_at = tries;
-    n = vs_polyface_make(s, cube, 8, starts, 6, inward, &e);
+    n = vs_polyface_make(s, &(vs_polygons){ cube, 8, starts, inward, 6 }, &e);
     fail_at = 0;
     if (!n) assert_true(e.kind == VS_ERROR_MEMORY && held == 0 && vs_store_bytes(s) == bytes);
   }

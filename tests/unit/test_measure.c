@@ -105,7 +105,7 @@ static vs_node *example(vs_store *s, int which) {
     case 10: return over(s, VS_SWEEP, &plain, curve(s, l, 6, true), curve(s, way, 4, false));
     case 11: return over(s, VS_SWEEP, &turned, curve(s, l, 6, true), NODE(arc, ARC, p, 9, 0, 2, 0));
     case 12: return over(s, VS_THICKEN, &bar, curve(s, way, 4, false), NULL);
-    case 13: return over(s, VS_THICKEN, &bar, vs_polyface_make(s, quad, 4, starts, 1, corners, NULL), NULL);
+    case 13: return over(s, VS_THICKEN, &bar, vs_polyface_make(s, &(vs_polygons){ quad, 4, starts, corners, 1 }, NULL), NULL);
     case 14: return over(s, VS_SWEEP, &plain, NODE(circle, CIRCLE, p, 0.5, 0), NODE(circle, CIRCLE, p, 4, 0));
     case 15: return over(s, VS_EXTRUDE, &(struct vs_extrude){ .along = { 0, 0, 2 }, .scale = 0 }, curve(s, l, 6, true), NULL);
     case 16: return over(s, VS_REVOLVE, &(struct vs_revolve){ .at = { -1, 0, 0 }, .direction = { 0, 1, 0 }, .start = 0.5, .end = 4 }, curve(s, l, 6, true), NULL);

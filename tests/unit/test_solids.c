@@ -140,12 +140,12 @@ static void polyfaces_are_put_right(void **state) {
   for (int i = 0; i < 8; i++) cube[i] = vs_v3(i & 1, (i >> 1) & 1, (i >> 2) & 1);
   uint32_t starts[] = { 0, 4, 8, 12, 16, 20, 24 };
   uint32_t inward[] = { 0, 1, 3, 2, 4, 6, 7, 5, 0, 4, 5, 1, 2, 3, 7, 6, 0, 2, 6, 4, 1, 5, 7, 3 };
-  vs_node *n = vs_polyface_make(s, cube, 8, starts, 6, inward, NULL);
+  vs_node *n = vs_polyface_make(s, &(vs_polygons){ cube, 8, starts, inward, 6 }, NULL);
   assert_int_equal(n->class_, VS_SOLID);
   check(n, &fine, 1, 1e-15);
   uint32_t mixed[] = { 0, 1, 3, 2, 4, 5, 7, 6, 0, 4, 5, 1, 2, 6, 7, 3, 0, 2, 6, 4, 1, 3, 7, 5 };
-  check(vs_polyface_make(s, cube, 8, starts, 6, mixed, NULL), &fine, 1, 1e-15);
-  n = vs_polyface_make(s, cube, 8, starts, 5, inward, NULL);
+  check(vs_polyface_make(s, &(vs_polygons){ cube, 8, starts, mixed, 6 }, NULL), &fine, 1, 1e-15);
+  n = vs_polyface_make(s, &(vs_polygons){ cube, 8, starts, inward, 5 }, NULL);
   assert_int_equal(n->class_, VS_SURFACE);
   vs_node_release(n);
   vs_vec3 own_corners[24]; /* as an STL gives them: no two faces share a point */
@@ -154,9 +154,9 @@ static void polyfaces_are_put_right(void **state) {
     own_corners[i] = cube[inward[i]];
     own[i] = i;
   }
-  check(vs_polyface_make(s, own_corners, 24, starts, 6, own, NULL), &fine, 1, 1e-15);
+  check(vs_polyface_make(s, &(vs_polygons){ own_corners, 24, starts, own, 6 }, NULL), &fine, 1, 1e-15);
   uint32_t thin[] = { 0, 1, 1, 0 }, one[] = { 0, 4 };
-  n = vs_polyface_make(s, cube, 8, one, 1, thin, NULL);
+  n = vs_polyface_make(s, &(vs_polygons){ cube, 8, one, thin, 1 }, NULL);
   assert_int_equal(n->kind, VS_EMPTY);
   vs_node_release(n);
   /* an L-shaped prism: its caps are not convex, one corner lies in the middle of a straight edge */
@@ -172,7 +172,7 @@ static void polyfaces_are_put_right(void **state) {
     for (uint32_t k = 0; k < 4; k++) prism[14 + 4 * i + k] = quad[k];
     prism_starts[i + 3] = 14 + 4 * (i + 1);
   }
-  check(vs_polyface_make(s, at, 14, prism_starts, 9, prism, NULL), &fine, 3, 1e-15);
+  check(vs_polyface_make(s, &(vs_polygons){ at, 14, prism_starts, prism, 9 }, NULL), &fine, 3, 1e-15);
   vs_store_release(s);
 }
 

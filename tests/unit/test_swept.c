@@ -119,7 +119,7 @@ static void thickened(void **state) {
   vs_node *region = over(s, VS_REGION, NULL, square_at(s, 0, 0, 0, 2), NULL);
   check(over(s, VS_THICKEN, &t, region, NULL), 2, 1e-14);
   uint32_t starts[] = { 0, 4 }, corners[] = { 0, 1, 2, 3 };
-  check(over(s, VS_THICKEN, &t, vs_polyface_make(s, quad, 4, starts, 1, corners, NULL), NULL), 3 * sqrt(5) * 0.5, 1e-13);
+  check(over(s, VS_THICKEN, &t, vs_polyface_make(s, &(vs_polygons){ quad, 4, starts, corners, 1 }, NULL), NULL), 3 * sqrt(5) * 0.5, 1e-13);
   vs_node *wall = over(s, VS_EXTRUDE, &(struct vs_extrude){ .along = { 0, 0, 3 }, .scale = 1 }, polyline(s, corner, 3, false), NULL);
   assert_int_equal(wall->class_, VS_SURFACE);
   check(over(s, VS_THICKEN, &t, wall, NULL), 20 * 3 * 0.5, 1e-13);
