@@ -219,20 +219,20 @@ vs_status vs_p_sun(vs_args *f, vs_value *out) {
   double azimuth, altitude;
   (void)out;
   if (k[2].given || k[3].given || k[4].given || k[5].given) {
-    int year, month, day;
-    double hours;
+    vs_sun_moment m = { .latitude = k[2].real, .longitude = k[3].real };
     char rest;
     if (!k[2].given || !k[3].given || !k[4].given || !k[5].given || k[0].given || k[1].given)
       return vs_fail(f->vm, f->vm->sym.arity,
                      "takes #:azimuth and #:altitude, or #:latitude #:longitude #:date #:time");
     if (fabs(k[2].real) > 90) return vs_bind_refuse(f, "latitude", "from -90 to 90", k[2].value);
     if (fabs(k[3].real) > 180) return vs_bind_refuse(f, "longitude", "from -180 to 180", k[3].value);
-    bool read = sscanf(k[4].text.at, "%4d-%2d-%2d%c", &year, &month, &day, &rest) == 3;
-    if (!read || !vs_sun_is_day(year, month, day))
+    bool read = sscanf(k[4].text.at, "%4d-%2d-%2d%c", &m.year, &m.month, &m.day, &rest) == 3;
+    if (!read || !vs_sun_is_day(m.year, m.month, m.day))
       return vs_bind_refuse(f, "date", "a day such as \"2026-06-21\"", k[4].value);
-    if (!read_time(k[5].text.at, k[3].real, &hours))
+    if (!read_time(k[5].text.at, k[3].real, &m.hours))
       return vs_bind_refuse(f, "time", "a time such as \"15:00+01:00\"", k[5].value);
-    vs_sun_position(k[2].real, k[3].real, year, month, day, hours, &azimuth, &altitude);
+    vs_sun_direction at = vs_sun_position(&m);
+    azimuth = at.azimuth, altitude = at.altitude;
     if (altitude < 0)
       vs_bind_warn(f->bind, "night", "sun: at that time it is %.0f degrees below the horizon", -altitude);
   } else {

@@ -19,16 +19,15 @@ static double days_since_j2000(int year, int month, int day, double hours) {
   return (double)(jdn - 2451545) + (hours - 12) / 24;
 }
 
-void vs_sun_position(double latitude, double longitude, int year, int month, int day, double hours, double *azimuth,
-                     double *altitude) {
-  double days = days_since_j2000(year, month, day, hours);
+vs_sun_direction vs_sun_position(const vs_sun_moment *m) {
+  double days = days_since_j2000(m->year, m->month, m->day, m->hours);
   double mean = fmod(280.460 + 0.9856474 * days, 360), anomaly = radians(fmod(357.528 + 0.9856003 * days, 360));
   double ecliptic = radians(mean + 1.915 * sin(anomaly) + 0.020 * sin(2 * anomaly));
   double tilt = radians(23.439 - 4e-7 * days), ascension = atan2(cos(tilt) * sin(ecliptic), cos(ecliptic));
   double declination = asin(sin(tilt) * sin(ecliptic));
-  double sidereal = 6.697375 + 0.0657098242 * days + hours; /* hours at Greenwich */
-  double hour_angle = radians(fmod(sidereal * 15 + longitude, 360)) - ascension, phi = radians(latitude);
-  *altitude = degrees(asin(sin(phi) * sin(declination) + cos(phi) * cos(declination) * cos(hour_angle)));
+  double sidereal = 6.697375 + 0.0657098242 * days + m->hours; /* hours at Greenwich */
+  double hour_angle = radians(fmod(sidereal * 15 + m->longitude, 360)) - ascension, phi = radians(m->latitude);
+  double altitude = degrees(asin(sin(phi) * sin(declination) + cos(phi) * cos(declination) * cos(hour_angle)));
   double from_south = atan2(sin(hour_angle), cos(hour_angle) * sin(phi) - tan(declination) * cos(phi));
-  *azimuth = fmod(degrees(from_south) + 180 + 360, 360);
+  return (vs_sun_direction){ fmod(degrees(from_south) + 180 + 360, 360), altitude };
 }

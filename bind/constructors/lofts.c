@@ -176,8 +176,9 @@ static vs_status read_rows(vs_args *f, vs_value v, grid *g) {
 
 static vs_status make_grid(vs_args *f, vs_kind kind, const grid *g, vs_value *out) {
   vs_error e = { 0 };
-  vs_node *n = vs_surface_make(f->store, kind, g->at, g->rows, g->columns, f->key[0].given && f->key[0].boolean,
-                               f->key[1].given && f->key[1].boolean, &e);
+  vs_point_grid points = { g->at, g->rows, g->columns, f->key[0].given && f->key[0].boolean,
+                           f->key[1].given && f->key[1].boolean };
+  vs_node *n = vs_surface_make(f->store, kind, &points, &e);
   if (!n) return vs_bind_error(f, &e);
   if (!vs_bind_is_empty(n)) return vs_bind_node(f, n, out);
   vs_node_release(n);

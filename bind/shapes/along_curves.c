@@ -196,6 +196,7 @@ vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
     vs_bind_number_text(x, at.x), vs_bind_number_text(y, at.y), vs_bind_number_text(z, at.z);
     return vs_fail(f->vm, f->vm->sym.range, "the curve turns back on itself at (xyz %s %s %s)", x, y, z);
   }
-  vs_node *node = vs_surface_make(f->store, VS_GRID_SURFACE, grid, n + 2 * caps, around, caps == 0, true, &e);
+  vs_point_grid pipe = { grid, n + 2 * caps, around, caps == 0, true };
+  vs_node *node = vs_surface_make(f->store, VS_GRID_SURFACE, &pipe, &e);
   return node ? vs_bind_node(f, node, out) : vs_bind_error(f, &e);
 }

@@ -134,7 +134,8 @@ vs_status vs_p_planarise(vs_args *f, vs_value *out) {
   }
   vs_net_faces net = { .at = at, .count = n, .fixed = fixed, .corner = corner, .start = start, .face_count = faces };
   double worst;
-  vs_plane_outcome outcome = vs_net_planarise(&net, f->arg[3].real, (vs_long_work){ vs_bind_keep_going, f->vm }, &worst);
+  vs_long_work work = { vs_bind_keep_going, f->vm };
+  vs_plane_outcome outcome = vs_net_planarise(&net, f->arg[3].real, work, &worst);
   VS_ROOTS(f->vm, r, 2);
   switch (outcome) {
   case VS_PLANE_STOPPED: return VS_ERROR; /* the condition is set */

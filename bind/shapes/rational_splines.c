@@ -125,7 +125,7 @@ vs_status vs_p_make_nurbs_surface(vs_args *f, vs_value *out) {
     if (!vs_poll(f->vm, columns * 32)) status = VS_ERROR;
   }
   if (status) {
-    node = vs_surface_make(f->store, VS_GRID_SURFACE, grid, rows, columns, false, false, &e);
+    node = vs_surface_make(f->store, VS_GRID_SURFACE, &(vs_point_grid){ grid, rows, columns, false, false }, &e);
     if (!node) status = vs_bind_error(f, &e);
   }
   free(u), free(v), free(grid);

@@ -143,17 +143,16 @@ static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool clo
   return ok;
 }
 
-static vs_offsetter offset_begin(vs_area *strips, double d, double hand, vs_offset_corners corners,
-                                 const vs_fineness *f, int segments) {
-  return (vs_offsetter){
-    .strips = strips, .d = d, .hand = hand, .corners = corners, .turn = vs_fineness_turn(f, d, segments)
-  };
+static vs_offsetter offset_begin(vs_area *strips, const vs_offset_rule *rule, double hand) {
+  double d = fabs(rule->distance);
+  int turn = vs_fineness_turn(rule->fineness, d, rule->segments);
+  return (vs_offsetter){ .strips = strips, .d = d, .hand = hand, .corners = rule->corners, .turn = turn };
 }
 
-bool vs_area_offset(const vs_area *in, double d, vs_offset_corners corners, const vs_fineness *f, int segments,
-                    vs_area *out, vs_error *e) {
+bool vs_area_offset(const vs_area *in, const vs_offset_rule *rule, vs_area *out, vs_error *e) {
+  double d = rule->distance;
   vs_area parts[2] = { *in, { 0 } };
-  vs_offsetter o = offset_begin(&parts[1], fabs(d), d > 0 ? -1 : 1, corners, f, segments);
+  vs_offsetter o = offset_begin(&parts[1], rule, d > 0 ? -1 : 1);
   bool ok = true;
   for (size_t l = 0, first = 0; ok && l < in->loop_count; first += in->size[l++])
     ok = offset_strips(&o, in->at + first, in->size[l], true);
@@ -174,14 +173,18 @@ static double offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* of p from th
   return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-/* The longest run of the border's edges that lie at `least` or more from the line and not on its two ends (stretches
- * from the line to its far side). */
-static bool offset_border(const vs_area *border, const vs_vec2 *at, size_t n, const vs_offset_edge ends[2], double d,
-                          double least, vs_polyline *out) {
-  double slack = 1e-7 * d, longest = 0;
+/* The longest run of the border's edges that lie far enough from the line and not on its two ends (stretches from the
+ * line to its far side). */
+static bool offset_border(const vs_offsetter *o, const vs_area *border, const vs_open_line *line, vs_polyline *out) {
+  const vs_vec2 *at = line->at;
+  size_t n = line->count;
+  double d = o->d, slack = 1e-7 * d, longest = 0, least = d * (cos(pi / o->turn) - 1e-6);
   vs_vec2 from[2] = { at[0], at[n - 1] }, to[2];
   size_t best_first = 0, best_size = 0, best_start = 0, best_count = 0;
-  for (int k = 0; k < 2; k++) to[k] = (vs_vec2){ from[k].x + d * ends[k].nx, from[k].y + d * ends[k].ny };
+  for (int k = 0; k < 2; k++) {
+    vs_vec2 way = line->ways[k];
+    to[k] = (vs_vec2){ from[k].x + d * (-o->hand * way.y), from[k].y + d * (o->hand * way.x) };
+  }
   for (size_t l = 0, first = 0; l < border->loop_count; first += border->size[l++]) {
     const vs_vec2 *p = border->at + first;
     size_t size = border->size[l], run = 0;
@@ -210,19 +213,15 @@ static bool offset_border(const vs_area *border, const vs_vec2 *at, size_t n, co
   return true;
 }
 
-bool vs_line_offset(const vs_vec2 *at, size_t n, const vs_vec2 ways[2], double d, vs_offset_corners corners,
-                    const vs_fineness *f, int segments, vs_polyline *out, vs_error *e) {
+bool vs_line_offset(const vs_open_line *line, const vs_offset_rule *rule, vs_polyline *out, vs_error *e) {
   vs_area strips = { 0 }, border = { 0 };
-  double hand = d > 0 ? 1 : -1;
-  vs_offsetter o = offset_begin(&strips, fabs(d), hand, corners, f, segments);
-  o.ways = ways;
-  bool ok = offset_strips(&o, at, n, false) || vs_error_memory(e, NULL);
+  double hand = rule->distance > 0 ? 1 : -1;
+  vs_offsetter o = offset_begin(&strips, rule, hand);
+  o.ways = line->ways;
+  bool ok = offset_strips(&o, line->at, line->count, false) || vs_error_memory(e, NULL);
   ok = ok && vs_area_combine(VS_AREA_UNION, &strips, 1, "do-offset", &border, e);
   if (ok) {
-    vs_offset_edge ends[2];
-    for (int k = 0; k < 2; k++) ends[k] = (vs_offset_edge){ .nx = -hand * ways[k].y, .ny = hand * ways[k].x };
-    double least = fabs(d) * (cos(pi / o.turn) - 1e-6);
-    ok = offset_border(&border, at, n, ends, fabs(d), least, out) || vs_error_memory(e, NULL);
+    ok = offset_border(&o, &border, line, out) || vs_error_memory(e, NULL);
     /* The border runs counter-clockwise: against the line on its left side, with it on its right. */
     for (size_t i = 0, j = out->count; ok && hand > 0 && i < j; i++) {
       vs_vec3 swap = out->at[i];

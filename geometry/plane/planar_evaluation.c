@@ -295,6 +295,7 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
   vs_offset_corners corners = *x->corners == 'r'   ? VS_OFFSET_ROUND
                               : *x->corners == 's' ? VS_OFFSET_SQUARE
                                                    : VS_OFFSET_MITRE;
+  vs_offset_rule rule = { x->distance, corners, &at->facets, x->segments };
   vs_area area = { 0 }, made = { 0 };
   vs_polyline line = { 0 };
   bool closed = in->filled || in->path.closed, ok;
@@ -303,7 +304,7 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
     ok = flat_fill(f, at->ref, in);
     frame = in->outline.frame;
     ok = ok && (vs_area_of_outline(&in->outline, &frame, &area) || vs_error_memory(f->error, at->ref->origin));
-    ok = ok && vs_area_offset(&area, x->distance, corners, &at->facets, x->segments, &made, f->error);
+    ok = ok && vs_area_offset(&area, &rule, &made, f->error);
     ok = ok && (vs_area_outline(&made, &frame, &out->outline) || vs_error_memory(f->error, at->ref->origin));
     out->filled = true;
     /* of a curve, and one loop: a curve again */
@@ -326,14 +327,13 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
       if (!n || flat[n - 1].x != p.x || flat[n - 1].y != p.y) flat[n++] = p;
     }
     vs_polyline_free(&line);
-    vs_vec2 ways[2];
+    vs_open_line open = { .at = flat, .count = n };
     for (int k = 0; ok && k < 2; k++) {
       vs_vec3 way = k ? in->path.at[in->path.count - 1].arriving : in->path.at[0].leaving;
       double wx = vs_v3_dot(way, u), wy = vs_v3_dot(way, v), length = hypot(wx, wy);
-      ways[k] = (vs_vec2){ wx / length, wy / length };
+      open.ways[k] = (vs_vec2){ wx / length, wy / length };
     }
-    ok = ok && (n > 1 ? vs_line_offset(flat, n, ways, x->distance, corners, &at->facets, x->segments, &line, f->error)
-                      : true);
+    ok = ok && (n < 2 || vs_line_offset(&open, &rule, &line, f->error));
     for (size_t i = 0; ok && i < line.count; i++) line.at[i] = vs_affine_point(&frame, line.at[i]);
     ok = ok && (vs_path_of_polyline(&line, &out->path) || vs_error_memory(f->error, at->ref->origin));
     free(flat);

@@ -23,9 +23,8 @@ static bool e_cone_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *ou
   const struct vs_e_cone *x = VS_AS(e_cone, n);
   double widest = fmax(x->base_radius, x->base_across) * fmax(1, x->top_radius / x->base_radius);
   int turn = vs_fineness_turn(f, widest, x->segments);
-  bool ok = vs_solid_oval_frustum(out, x->base, x->base_radius, x->base_across, x->top, x->top_radius, top_across(x),
-                                  turn, true);
-  return ok || vs_error_memory(e, NULL);
+  vs_oval base = { x->base, x->base_radius, x->base_across }, top = { x->top, x->top_radius, top_across(x) };
+  return vs_solid_oval_frustum(out, base, top, turn, true) || vs_error_memory(e, NULL);
 }
 
 /* With w from 1 to k, the wall's element is w sqrt(h^2 (b^2 cos^2 + a^2 sin^2) + (k - 1)^2 a^2 b^2): half of 1 + k

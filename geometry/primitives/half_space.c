@@ -38,8 +38,8 @@ bool vs_half_space_triangles(vs_mesh *out, vs_vec3 point, vs_vec3 normal, const 
     vs_vec3 middle = vs_v3_scale(vs_v3_add(p, q), 0.5);
     double radius = vs_v3_length(vs_v3_sub(q, p)) / 2, height = vs_v3_dot(n, vs_v3_sub(middle, point));
     vs_vec3 base = vs_v3_sub(middle, vs_v3_scale(n, height));
-    return vs_solid_frustum(out, base, 2 * radius, vs_v3_add(base, vs_v3_scale(n, height + radius)), 2 * radius, 3,
-                            false);
+    vs_vec3 top = vs_v3_add(base, vs_v3_scale(n, height + radius));
+    return vs_solid_frustum(out, (vs_disc){ base, 2 * radius }, (vs_disc){ top, 2 * radius }, 3, false);
   }
   return vs_solid_box(out, p, q);
 }

@@ -10,8 +10,8 @@ static const double pi = 3.14159265358979323846;
 static bool pyramid_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   const struct vs_pyramid *x = VS_AS(pyramid, n);
   (void)f;
-  return vs_solid_frustum(out, x->base, x->base_radius, x->top, x->top_radius, x->sides, false) ||
-         vs_error_memory(e, NULL);
+  vs_disc base = { x->base, x->base_radius }, top = { x->top, x->top_radius };
+  return vs_solid_frustum(out, base, top, x->sides, false) || vs_error_memory(e, NULL);
 }
 
 static bool pyramid_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e) {

@@ -56,7 +56,8 @@ bool vs_round_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_erro
 bool vs_round_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   frustum x = frustum_of(n);
   int turn = vs_fineness_turn(f, fmax(x.base_radius, x.top_radius), x.segments);
-  return vs_solid_frustum(out, x.base, x.base_radius, x.top, x.top_radius, turn, true) || vs_error_memory(e, NULL);
+  vs_disc base = { x.base, x.base_radius }, top = { x.top, x.top_radius };
+  return vs_solid_frustum(out, base, top, turn, true) || vs_error_memory(e, NULL);
 }
 
 bool vs_round_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e) {

@@ -48,19 +48,19 @@ bool vs_solid_fits(int around, int across, const char *what, vs_error *e) {
 
 /* ---- rings and what spans them ---- */
 
-static bool solid_oval(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double rx, double ry, int n) {
+static bool solid_oval(vs_mesh *out, const vs_affine *frame, vs_oval oval, int n) {
   bool ok = true;
   for (int i = 0; ok && i < n; i++) {
     double s, c;
     vs_turn_sincos(i, n, &s, &c);
-    vs_vec3 across = vs_affine_vector(frame, vs_v3(rx * c, ry * s, 0));
-    ok = vs_mesh_add_vertex(out, vs_v3_add(center, across), NULL);
+    vs_vec3 across = vs_affine_vector(frame, vs_v3(oval.radius * c, oval.across * s, 0));
+    ok = vs_mesh_add_vertex(out, vs_v3_add(oval.center, across), NULL);
   }
   return ok;
 }
 
 bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n) {
-  return solid_oval(out, frame, center, r, r, n);
+  return solid_oval(out, frame, (vs_oval){ center, r, r }, n);
 }
 
 bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n) {
@@ -97,26 +97,26 @@ static bool solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, 
   return ok;
 }
 
-bool vs_solid_frustum(vs_mesh *out, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius, int n,
-                      bool hubs) {
-  return vs_solid_oval_frustum(out, base, base_radius, base_radius, top, top_radius, top_radius, n, hubs);
+bool vs_solid_frustum(vs_mesh *out, vs_disc base, vs_disc top, int n, bool hubs) {
+  return vs_solid_oval_frustum(out, (vs_oval){ base.center, base.radius, base.radius },
+                               (vs_oval){ top.center, top.radius, top.radius }, n, hubs);
 }
 
-bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, double base_across, vs_vec3 top,
-                           double top_radius, double top_across, int n, bool hubs) {
-  vs_affine frame = vs_frame_on_axis(base, vs_v3_sub(top, base));
+bool vs_solid_oval_frustum(vs_mesh *out, vs_oval base, vs_oval top, int n, bool hubs) {
+  vs_affine frame = vs_frame_on_axis(base.center, vs_v3_sub(top.center, base.center));
   uint32_t first = (uint32_t)out->vertex_count, sides = (uint32_t)n, low = first, high = first, tip;
   bool ok = vs_mesh_reserve(out, out->vertex_count + 2 * (size_t)sides + 2, out->triangle_count + 4 * (size_t)sides);
-  if (base_radius > 0) {
-    ok = ok && solid_oval(out, &frame, base, base_radius, base_across, n);
+  bool below = base.radius > 0, above = top.radius > 0;
+  if (below) {
+    ok = ok && solid_oval(out, &frame, base, n);
     high = first + sides;
   }
-  if (top_radius > 0) ok = ok && solid_oval(out, &frame, top, top_radius, top_across, n);
-  if (base_radius > 0) ok = ok && solid_disc(out, base, low, sides, true, hubs);
-  if (top_radius > 0) ok = ok && solid_disc(out, top, high, sides, false, hubs);
-  if (base_radius > 0 && top_radius > 0) return ok && vs_solid_band(out, low, high, sides);
-  if (base_radius > 0) return ok && vs_mesh_add_vertex(out, top, &tip) && vs_solid_fan(out, low, sides, tip, false);
-  if (top_radius > 0) return ok && vs_mesh_add_vertex(out, base, &tip) && vs_solid_fan(out, high, sides, tip, true);
+  if (above) ok = ok && solid_oval(out, &frame, top, n);
+  if (below) ok = ok && solid_disc(out, base.center, low, sides, true, hubs);
+  if (above) ok = ok && solid_disc(out, top.center, high, sides, false, hubs);
+  if (below && above) return ok && vs_solid_band(out, low, high, sides);
+  if (below) return ok && vs_mesh_add_vertex(out, top.center, &tip) && vs_solid_fan(out, low, sides, tip, false);
+  if (above) return ok && vs_mesh_add_vertex(out, base.center, &tip) && vs_solid_fan(out, high, sides, tip, true);
   return ok;
 }
 

@@ -17,11 +17,13 @@ bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n);
 bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool back);
 bool vs_solid_box(vs_mesh *out, vs_vec3 p, vs_vec3 q);
 bool vs_solid_wedge(vs_mesh *out, vs_vec3 p, vs_vec3 q);
-/* Between two discs of n corners; a radius of 0 is an apex. hubs: the discs are fans about their centres. */
-bool vs_solid_frustum(vs_mesh *out, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius, int n, bool hubs);
-/* The same between two ellipses: radii along X on the axis, then across it. */
-bool vs_solid_oval_frustum(vs_mesh *out, vs_vec3 base, double base_radius, double base_across, vs_vec3 top,
-                           double top_radius, double top_across, int n, bool hubs);
+/* A disc square to an axis, and an ellipse: its radii along the X of the axis' frame and across it. A radius of 0 is an
+ * apex. */
+typedef struct { vs_vec3 center; double radius; } vs_disc;
+typedef struct { vs_vec3 center; double radius, across; } vs_oval;
+/* Between two discs of n corners. hubs: the discs are fans about their centres. */
+bool vs_solid_frustum(vs_mesh *out, vs_disc base, vs_disc top, int n, bool hubs);
+bool vs_solid_oval_frustum(vs_mesh *out, vs_oval base, vs_oval top, int n, bool hubs);
 bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n);
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn);
 /* Where out has tags, each triangle gets its face's number, from 0. */

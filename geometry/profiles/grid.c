@@ -5,13 +5,13 @@
 
 #include "geometry/frame.h"
 
-bool vs_grid_cap(const vs_vec2 *flat, const size_t *sizes, const bool *hole, size_t loop_count, const uint32_t *row,
-                 vs_mesh *out, bool turned) {
+bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, bool turned) {
+  const size_t *sizes = loops->sizes;
   bool ok = true;
-  for (size_t l = 0, first = 0; ok && l < loop_count;) {
+  for (size_t l = 0, first = 0; ok && l < loops->count;) {
     size_t end = l + 1, points = sizes[l];
-    while (end < loop_count && hole[end]) points += sizes[end++];
-    ok = vs_triangulate(flat + first, sizes + l, end - l, out, row + first, turned);
+    while (end < loops->count && loops->hole[end]) points += sizes[end++];
+    ok = vs_triangulate(loops->at + first, sizes + l, end - l, out, row + first, turned);
     first += points;
     l = end;
   }
@@ -39,13 +39,15 @@ static vs_vec2 *grid_flatten(const vs_quad_grid *g, const vs_vec3 *row, bool *ok
 
 static bool grid_fill(const vs_quad_grid *g, const vs_vec3 *at, const uint32_t *row, vs_mesh *out, bool turned) {
   bool ok = true;
+  vs_cap_loops loops = { g->flat, g->sizes, g->hole, g->loop_count };
   if (g->flat) {
     bool point = true; /* a section scaled to nothing */
     for (size_t i = 1; point && i < g->columns; i++) point = vs_v3_equal(at[i], at[0]);
-    return point || vs_grid_cap(g->flat, g->sizes, g->hole, g->loop_count, row, out, turned);
+    return point || vs_grid_cap(&loops, row, out, turned);
   }
   vs_vec2 *flat = grid_flatten(g, at, &ok);
-  if (flat) ok = vs_grid_cap(flat, g->sizes, g->hole, g->loop_count, row, out, turned);
+  loops.at = flat;
+  if (flat) ok = vs_grid_cap(&loops, row, out, turned);
   free(flat);
   return ok;
 }

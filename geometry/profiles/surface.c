@@ -88,15 +88,15 @@ static bool surface_append(const surface_grid *g, vs_mesh *out) {
   return ok;
 }
 
-vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t rows, size_t columns, bool closed_u,
-                         bool closed_v, vs_error *e) {
-  surface_grid g = { malloc((rows * columns + 1) * sizeof *at), rows, columns, closed_u, closed_v, 0 };
+vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_point_grid *grid, vs_error *e) {
+  size_t count = grid->rows * grid->columns;
+  surface_grid g = { malloc((count + 1) * sizeof *g.at), grid->rows, grid->columns, grid->closed_u, grid->closed_v, 0 };
   vs_bounds b = vs_bounds_empty();
   vs_mesh m = { 0 };
   vs_node *made = NULL;
   if (!g.at) return vs_error_memory(e, NULL), NULL;
-  memcpy(g.at, at, rows * columns * sizeof *at);
-  for (size_t i = 0; i < rows * columns; i++) vs_bounds_add(&b, at[i]);
+  memcpy(g.at, grid->at, count * sizeof *g.at);
+  for (size_t i = 0; i < count; i++) vs_bounds_add(&b, grid->at[i]);
   double size = vs_bounds_diagonal(&b);
   g.near = 1e-9 * size;
   surface_wrap(&g);

@@ -15,8 +15,8 @@ typedef struct {
 
 typedef enum { VS_SUBDIVIDE_CATMULL_CLARK, VS_SUBDIVIDE_LOOP } vs_subdivision_scheme;
 
-/* How often faces are subdivided, by which scheme, and with which creases. limit: the points then go to where they would
- * come to lie after endless subdivisions. */
+/* How often faces are subdivided, by which scheme, and with which creases. limit: the points then go to where they
+ * would come to lie after endless subdivisions. */
 typedef struct {
   const vs_crease *creases;
   size_t crease_count;

@@ -62,8 +62,8 @@ bool vs_unit_mesh(vs_unit unit, int turn, vs_mesh *out) {
   case VS_UNIT_BOX: return vs_solid_box(out, low, high);
   case VS_UNIT_WEDGE: return vs_solid_wedge(out, low, high);
   case VS_UNIT_SPHERE: return vs_solid_sphere(out, vs_v3(0, 0, 0), 1, turn);
-  case VS_UNIT_CYLINDER: return vs_solid_frustum(out, foot, 1, head, 1, turn, true);
-  case VS_UNIT_CONE: return vs_solid_frustum(out, foot, 1, head, 0, turn, true);
+  case VS_UNIT_CYLINDER: return vs_solid_frustum(out, (vs_disc){ foot, 1 }, (vs_disc){ head, 1 }, turn, true);
+  case VS_UNIT_CONE: return vs_solid_frustum(out, (vs_disc){ foot, 1 }, (vs_disc){ head, 0 }, turn, true);
   case VS_UNIT_COUNT: break;
   }
   return false;

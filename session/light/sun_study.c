@@ -63,8 +63,10 @@ static bool make_suns(study *t) {
   for (double at = d->from; at < d->to - 1e-9; at = d->from + (double)t->count * d->step) {
     sun *s = &t->suns[t->count++];
     s->from = at, s->hours = fmin(d->step, d->to - at);
-    vs_sun_position(d->latitude, d->longitude, d->year, d->month, d->day, at + s->hours / 2 - d->longitude / 15,
-                    &s->azimuth, &s->altitude);
+    vs_sun_moment middle = { d->latitude, d->longitude, d->year, d->month, d->day,
+                             at + s->hours / 2 - d->longitude / 15 };
+    vs_sun_direction sun_at = vs_sun_position(&middle);
+    s->azimuth = sun_at.azimuth, s->altitude = sun_at.altitude;
     double a = radians(s->azimuth), h = radians(s->altitude);
     s->towards = vs_v3(cos(h) * sin(a), cos(h) * cos(a), sin(h));
   }

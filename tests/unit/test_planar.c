@@ -60,18 +60,19 @@ static void offsets(void **state) {
   vs_area in = rectangle(0, 0, 4, 4), out = { 0 };
   const double wanted[] = { 36, 32 + 3.14159265358979, 36 - 4 * (sqrt(2) - 1) * (sqrt(2) - 1) };
   for (int corners = 0; corners < 3; corners++) {
-    assert_true(vs_area_offset(&in, 1, (vs_offset_corners)corners, &fine, 0, &out, NULL));
+    assert_true(vs_area_offset(&in, &(vs_offset_rule){ 1, (vs_offset_corners)corners, &fine, 0 }, &out, NULL));
     assert_true(fabs(content(&out) - wanted[corners]) < (corners == VS_OFFSET_ROUND ? 1e-4 : 1e-12));
     vs_area_free(&out);
   }
-  assert_true(vs_area_offset(&in, -1, VS_OFFSET_MITRE, &fine, 0, &out, NULL) && fabs(content(&out) - 4) < 1e-12);
+  assert_true(vs_area_offset(&in, &(vs_offset_rule){ -1, VS_OFFSET_MITRE, &fine, 0 }, &out, NULL) && fabs(content(&out) - 4) < 1e-12);
   vs_area_free(&out);
-  assert_true(vs_area_offset(&in, -2, VS_OFFSET_MITRE, &fine, 0, &out, NULL) && out.loop_count == 0);
+  assert_true(vs_area_offset(&in, &(vs_offset_rule){ -2, VS_OFFSET_MITRE, &fine, 0 }, &out, NULL) && out.loop_count == 0);
   vs_area_free(&out);
   vs_area_free(&in);
-  const vs_vec2 bent[] = { { 0, 0 }, { 4, 0 }, { 4, 4 } }, ways[] = { { 1, 0 }, { 0, 1 } };
+  const vs_vec2 bent[] = { { 0, 0 }, { 4, 0 }, { 4, 4 } };
+  vs_open_line open = { bent, 3, { { 1, 0 }, { 0, 1 } } };
   vs_polyline line = { 0 };
-  assert_true(vs_line_offset(bent, 3, ways, 1, VS_OFFSET_MITRE, &fine, 0, &line, NULL));
+  assert_true(vs_line_offset(&open, &(vs_offset_rule){ 1, VS_OFFSET_MITRE, &fine, 0 }, &line, NULL));
   assert_int_equal(line.count, 3); /* left: inside the bend, in the line's own direction */
   assert_true(line.at[0].x == 0 && line.at[0].y == 1 && line.at[1].x == 3 && line.at[1].y == 1 && line.at[2].y == 4);
   vs_polyline_free(&line);
