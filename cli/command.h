@@ -1,5 +1,5 @@
-/* Owns one run of the command: the interpreter, its options, its console. Shared by main.c (batch) and repl.c (the
-   prompt). */
+/* Owns a run of the command: the interpreter, its options, its console. main.c (batch) and repl.c (the prompt) share
+ * it. */
 #ifndef VS_CLI_COMMAND_H
 #define VS_CLI_COMMAND_H
 
@@ -18,22 +18,23 @@ typedef struct {
   vs_scheme *scheme;
   cli_reporter reporter;
   cli_untrusted untrusted;    /* with --untrusted */
-  cli_watch watch;            /* over limits that the library cannot hold */
-  FILE *output;               /* where the program prints */
-  bool output_failed;         /* said once */
-  bool midline;               /* what was printed last did not end a line */
+  cli_watch watch;            /* for limits that the library cannot enforce */
+  FILE *output;               /* for the program's output */
+  bool output_failed;         /* reported once */
+  bool midline;               /* the last output did not end a line */
   int exit_code;              /* of (exit n); 0 */
   char *line; size_t line_room; /* standard input, line by line */
-  const volatile sig_atomic_t *ended; /* not 0: the system wants the command to end */
-  char *model;                /* the file that ,run was given; NULL: what the command line named */
-  struct cli_editor *editor;  /* NULL: no prompt is being shown */
-  struct live_follower *view; /* what ,view opened, or NULL */
-  bool drawn;                 /* something was run since the view showed the drawing */
-  unsigned stops;             /* VS_EVAL_STOP: the files that are run may stop; VS_EVAL_PASS: they do not; 0:
-      they warn */
-  long frame;                 /* of --frames, from 1; 0: there are none */
-  int told;                   /* where the batch that this run is of hears what was read (batch/inputs_told.h); -1 */
-  unsigned results;           /* values shown since the program began: the last one's name is $results */
+  const volatile sig_atomic_t *ended; /* not 0: the system asks the command to end */
+  char *model;                /* the file of ,run; NULL: the command line's */
+  struct cli_editor *editor;  /* NULL: there is no prompt */
+  struct live_follower *view; /* opened by ,view, or NULL */
+  bool drawn;                 /* some code has run since the view showed the drawing */
+  unsigned stops;             /* VS_EVAL_STOP: (break) pauses the files that run; VS_EVAL_PASS: it does nothing; 0: it
+                               * warns */
+  long frame;                 /* of --frames, from 1; 0: none */
+  int told;                   /* the list for the batch of this run (batch/inputs_told.h); -1: none */
+  unsigned results;           /* the number of printed values since the program began: the last one's name is
+                               * $results */
 } cli_session;
 
 #endif

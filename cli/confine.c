@@ -1,9 +1,9 @@
-/* Owns the confinement of an untrusted model's process and of the worker that it starts: Landlock for files, a seccomp
- * filter for the rest.
+/* Owns the confinement of an untrusted model's process and of its worker: Landlock for files, a seccomp filter for the
+ * rest.
  *
- * It is the second wall. The first is that the library opens nothing by itself when it is told that a model is
- * untrusted, and that untrusted.c reads only what lies beneath the model's folder; what follows holds even where a
- * library that decodes a picture or a font is taken over. */
+ * This is the second defence. The first is that the library opens no file by itself for an untrusted model, and that
+ * untrusted.c reads only files below the model's folder. The confinement holds even if an attacker takes over a library
+ * that decodes a picture or a font. */
 #define _GNU_SOURCE
 #include "cli/confine.h"
 
@@ -22,7 +22,7 @@
 
 /* ---- files ---- */
 
-/* Landlock's numbers, which older headers of the system do not have. */
+/* Landlock's numbers, which older system headers lack. */
 enum { RULESET_CREATE = 444, RULESET_ADD = 445, RULESET_RESTRICT = 446, RULESET_VERSION = 1, RULE_BENEATH = 1 };
 enum {
   FS_EXECUTE = 1 << 0,
@@ -44,7 +44,7 @@ typedef struct __attribute__((packed)) { uint64_t allowed; int32_t parent; } rul
 static void allow(int rules, const char *path, uint64_t what, uint64_t handled) {
   struct stat info;
   rule r = { what & handled, open(path, O_PATH | O_CLOEXEC) };
-  if (r.parent < 0) return; /* what is not there needs no rule */
+  if (r.parent < 0) return; /* a missing file needs no rule */
   if (fstat(r.parent, &info) == 0 && !S_ISDIR(info.st_mode)) r.allowed &= FS_EXECUTE | FS_WRITE | FS_READ | FS_TRUNCATE;
   syscall(RULESET_ADD, rules, RULE_BENEATH, &r, 0);
   close(r.parent);

@@ -1,4 +1,4 @@
-/* Owns `vs diff A B`: what differs between two models, told in lines or as JSON. */
+/* Owns `vs diff A B`: the differences of two models, as lines or as JSON. */
 #include "cli/difference.h"
 
 #include <stdlib.h>
@@ -7,16 +7,17 @@
 #include "cli/json.h"
 #include "cli/main.h"
 
-/* ---- what a model was like, once the next runs ---- */
+/* ---- the facts of a model, kept while the next one runs ---- */
 
 typedef struct { const char *name, *value, *range; /* "0 to 10 by 1", "a b c", "" */ } parameter;
 typedef struct {
   char *parameters; size_t parameter_bytes; /* a name, a value and a range each, with their NULs */
-  char *unused; size_t unused_bytes;        /* names of -D that it did not take */
+  char *unused; size_t unused_bytes;        /* names of -D that the model did not use */
   vs_summary summary;                       /* its units and advice are not kept */
 } model;
 
-/* As far as the program says it: an end that it does not say goes by the default, which may have changed alone. */
+/* Writes the range as the program gives it. An end that the program does not give derives from the default, which may
+ * change alone. */
 static void put_range(FILE *to, const vs_parameter_info *p) {
   if (p->has_range) {
     if (p->has_min && p->has_max) fprintf(to, "%.15g to %.15g", p->min, p->max);
@@ -30,7 +31,7 @@ static void put_range(FILE *to, const vs_parameter_info *p) {
 
 static void put_text(FILE *to, const char *text) { fwrite(text, 1, strlen(text) + 1, to); }
 
-/* Takes what the interpreter knows of the model that has run. False: out of memory. */
+/* Takes the facts of the model that has run. Returns false when memory is out. */
 static bool model_take(model *m, vs_scheme *s) {
   vs_parameter_info p;
   const char *name;
@@ -51,10 +52,10 @@ static void model_free(model *m) {
   free(m->unused);
 }
 
-/* The text behind this one. */
+/* Returns the next text. */
 static const char *next_text(const char *text) { return text + strlen(text) + 1; }
 
-/* The parameter whose texts begin at *at, which moves behind them. False: there are no more. */
+/* Gives the parameter whose texts begin at *at, and moves *at after them. Returns false if there are no more. */
 static bool next_parameter(const model *m, const char **at, parameter *out) {
   if (!*at) *at = m->parameters;
   if ((size_t)(*at - m->parameters) >= m->parameter_bytes) return false;
@@ -73,13 +74,13 @@ static bool parameter_named(const model *m, const char *name, parameter *out) {
 
 /* ---- the report ---- */
 
-enum { LISTED = 40 /* parts that the lines name; JSON has all */ };
+enum { LISTED = 40 /* the most parts that the lines name; JSON has all */ };
 typedef struct {
-  bool json, any;       /* any: a parameter was told */
-  bool begun;           /* what stands before the parts was told */
+  bool json, any;       /* any: the report contains a parameter */
+  bool begun;           /* the text before the parts is written */
   const model *before, *after;
   vs_comparison found;
-  const char *gap;      /* JSON: what stands before the next item */
+  const char *gap;      /* JSON: the text before the next item */
   size_t told, passed;  /* parts */
 } report;
 
@@ -92,7 +93,7 @@ static void json_member(const char *before, const char *name, const char *text) 
   cli_json_text(stdout, text);
 }
 
-/* A parameter: of both models, or of one. */
+/* Writes a parameter: of both models, or of one. */
 static void tell_parameter(report *r, const parameter *old, const parameter *new) {
   bool value = !old || !new || strcmp(old->value, new->value) != 0;
   bool range = old && new && strcmp(old->range, new->range) != 0;
@@ -153,7 +154,7 @@ static void print_counts(const vs_comparison *found) {
   puts(any ? "" : "parts: none");
 }
 
-/* Tells what stands before the parts. Nothing is told of a comparison that fails. */
+/* Writes the text before the parts. A failed comparison writes nothing. */
 static void begin(report *r) {
   const vs_comparison *f = &r->found;
   if (r->begun) return;
@@ -231,7 +232,7 @@ static void print_box(const vs_summary *s) {
               s->max[1] + 0.0, s->max[2] + 0.0);
 }
 
-/* Do both agree to the last places, as sums in another order do? */
+/* Returns true if both agree except in their last digits, as sums in another order do. */
 static bool near(double a, double b) {
   double size = a < 0 ? -a : a, off = a < b ? b - a : a - b;
   return off <= 1e-12 * size || off <= 1e-300;
@@ -244,7 +245,7 @@ static bool same_bounds(const vs_summary *a, const vs_summary *b) {
   return true;
 }
 
-/* Tells what stands behind the parts. */
+/* Writes the text after the parts. */
 static void finish(report *r, bool parts, bool bounds, bool same) {
   const vs_comparison *f = &r->found;
   if (!r->json) {
@@ -269,7 +270,7 @@ static void finish(report *r, bool parts, bool bounds, bool same) {
   printf(",\n  \"same\": %s\n}\n", same ? "true" : "false");
 }
 
-/* Compares the second model, which has run, with the first, and tells it. *same: nothing differs. */
+/* Compares the second model, which has run, with the first, and writes the report. *same: there is no difference. */
 static vs_outcome tell(cli_session *c, const model *before, const model *after, bool *same) {
   report r = {.json = c->options->json, .gap = "", .before = before, .after = after};
   vs_outcome outcome = vs_drawing_compare(c->scheme, &r.found, tell_part, &r);
@@ -283,7 +284,7 @@ static vs_outcome tell(cli_session *c, const model *before, const model *after, 
   return outcome;
 }
 
-/* A name of -D that neither model has is a mistake of the command line. */
+/* Reports names of -D that neither model has, as mistakes of the command line. */
 static bool all_used(const model *a, const model *b) {
   for (const char *i = a->unused; i < a->unused + a->unused_bytes; i = next_text(i))
     for (const char *k = b->unused; k < b->unused + b->unused_bytes; k = next_text(k))
@@ -308,7 +309,7 @@ static vs_outcome run(cli_session *c, size_t which, model *m) {
 vs_outcome cli_difference(cli_session *c) {
   model before = {0}, after = {0};
   bool same = true, quiet = c->options->quiet;
-  c->options->quiet = true; /* what differs is told, not what each is */
+  c->options->quiet = true; /* the command prints differences, not the summary of each */
   vs_outcome outcome = run(c, 0, &before);
   if (outcome == VS_OUTCOME_DONE) outcome = vs_drawing_keep(c->scheme);
   if (outcome == VS_OUTCOME_DONE) outcome = run(c, 1, &after);

@@ -1,4 +1,4 @@
-/* Owns the writing of JSON: text and numbers. Nothing is read, so a library would be more to carry than these lines. */
+/* Owns the writing of JSON: text and numbers. It reads nothing, so a library would be larger than these lines. */
 #include "cli/json.h"
 
 #include <math.h>

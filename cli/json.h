@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 void cli_json_text(FILE *to, const char *text);
-void cli_json_number(FILE *to, double v); /* the shortest that reads back as v; null for what JSON cannot say */
+void cli_json_number(FILE *to, double v); /* the shortest text that reads back as v; null for a number that JSON
+                                           * lacks */
 
 #endif

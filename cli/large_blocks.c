@@ -1,7 +1,6 @@
-/* Owns where the command's large blocks come from: mapped one by one, aligned for huge pages and asking for them. A
- * large model touches all of its memory for the first time, and for each small page of it the system takes longer than
- * the model does to fill it: a million cylinders spend a quarter of their time there. Smaller blocks are the C
- * library's. */
+/* Owns the allocation of the command's large blocks: each is mapped separately, aligned for huge pages, and asks for
+ * them. A large model touches all of its memory once. For each small page the system then needs longer than the model
+ * needs to fill it: a million cylinders spend a quarter of their time there. The C library allocates smaller blocks. */
 #define _GNU_SOURCE /* mremap */
 #include "cli/large_blocks.h"
 
@@ -22,7 +21,7 @@ static void *map(size_t size, int protection) {
   return p == MAP_FAILED ? NULL : p;
 }
 
-/* `size` bytes that begin where a huge page may, or, where there is no such place, anywhere. */
+/* Maps `size` bytes at the start of a huge page, or anywhere if there is none. */
 static char *map_aligned(size_t size, int protection) {
   char *p = map(size + HUGE_PAGE, protection);
   if (!p) return map(size, protection);
@@ -34,7 +33,7 @@ static char *map_aligned(size_t size, int protection) {
 
 static void ask_for_huge_pages(void *p, size_t size) {
 #ifdef MADV_HUGEPAGE
-  madvise(p, size, MADV_HUGEPAGE); /* refused: they stay small */
+  madvise(p, size, MADV_HUGEPAGE); /* if refused, the pages stay small */
 #else
   (void)p, (void)size;
 #endif
@@ -46,7 +45,7 @@ static void *map_new(size_t bytes) {
   return p;
 }
 
-/* Both sizes are mapped ones. The contents move page by page, without being copied. */
+/* Resizes a mapped block to another mapped size. The pages move; nothing is copied. */
 static void *map_resize(void *old, size_t old_bytes, size_t bytes) {
   if (bytes > SIZE_MAX - 2 * (size_t)HUGE_PAGE) return NULL;
   size_t old_size = mapped_size(old_bytes), size = mapped_size(bytes);

@@ -1,13 +1,13 @@
-/* Owns the limits that the process holds by itself, for what the library cannot count or stop: the insides of GEOS,
- * FreeType, OpenEXR and libpng, scratch of a geometric algorithm, a long stretch between two polls.
+/* Owns the limits that the process enforces itself, on work that the library cannot count or stop: inside GEOS,
+ * FreeType, OpenEXR and libpng, the scratch memory of a geometric algorithm, a long stretch between two polls.
  *
- * Memory. The library counts heap, model and the kernel's meshes, and refuses with a message that has a place. The rest
- * comes from malloc; the kernel of the system refuses it past RLIMIT_DATA, and a refused malloc is an error like any
- * other. Only the soft limit is set, so that a worker program can be given one of its own.
+ * Memory. The library counts the heap, the model and the kernel's meshes, and refuses more with a message that has a
+ * place. The rest comes from malloc. The system refuses that past RLIMIT_DATA, and a refused malloc is an error like
+ * any other. The command sets only the soft limit, so that a worker program can have its own.
  *
- * Time. The library asks often whether to go on, and stops by itself at its limit. A thread looks on: where the limit
- * has passed and nobody has asked for a while, the process says so and ends. Output files have no name until they are
- * whole, so nothing is left behind. */
+ * Time. The library polls often, and ends by itself at its limit. A thread watches: if the limit has passed and there
+ * was no poll for a while, the process reports this and ends. Output files have no name until they are whole, so none
+ * is left behind. */
 #define _GNU_SOURCE
 #include "cli/limits.h"
 
@@ -25,17 +25,17 @@
 #include "visualscheme.h"
 
 #define GRACE 0.3         /* seconds past the limit, and without a poll */
-#define GRACE_AT_PROMPT 3 /* there the end of the process loses what was typed */
+#define GRACE_AT_PROMPT 3 /* at the prompt, the end of the process loses the typed text */
 #define ASLEEP 5  /* seconds without a poll, for a step that waits and takes no processor time */
 
 enum {
-  BESIDE = 4 << 20 /* bytes past a tenth more than the limit: stacks of threads, tables of libraries */,
+  BESIDE = 4 << 20 /* bytes above a tenth more than the limit: stacks of threads, tables of libraries */,
   STACK = 256 << 10
 };
 
 /* ---- memory ---- */
 
-/* Bytes that the process may write to already. */
+/* Returns the bytes that the process may write to already. */
 static size_t data_now(void) {
   unsigned long pages = 0;
   FILE *f = fopen("/proc/self/statm", "r");
@@ -44,14 +44,14 @@ static size_t data_now(void) {
   return (size_t)pages * (size_t)sysconf(_SC_PAGESIZE);
 }
 
-/* Lowers the soft limit, and with `for_good` the hard one, which nobody can raise again. */
+/* Lowers the soft limit; with `for_good` also the hard one, which no process can raise again. */
 static void lower_data_limit(rlim_t most, bool for_good) {
 #ifdef __SANITIZE_ADDRESS__
   return; /* the address sanitizer needs several times the memory, and ends a process that is refused any */
 #endif
   struct rlimit r;
   if (getrlimit(RLIMIT_DATA, &r) != 0) return;
-  if (r.rlim_cur > most) r.rlim_cur = most; /* without a limit it is the largest number there is */
+  if (r.rlim_cur > most) r.rlim_cur = most; /* without a limit it is the largest number */
   if (for_good && r.rlim_max > most) r.rlim_max = most;
   setrlimit(RLIMIT_DATA, &r);
 }
@@ -72,7 +72,7 @@ static double seconds(clockid_t clock) {
 
 static double now(void) { return seconds(CLOCK_MONOTONIC); }
 
-/* Seconds that the process was ready to run and the machine had no processor for it: these are not held against the
+/* Returns the seconds for which the process was ready to run and had no processor: these do not count against the
  * library. */
 static double starved(int file) {
   char text[100];
@@ -87,13 +87,13 @@ static void end_here(cli_watch *w) {
   int n =
       snprintf(text, sizeof text, "%.200s: stopped after %g seconds, the limit, in a step that cannot be interrupted\n",
                w->name, w->limit);
-  if (ftrylockfile(stdout) == 0) fflush_unlocked(stdout); /* what the program printed; unless it is printing */
-  if (!atomic_load(&w->told) && n > 0 && write(STDERR_FILENO, text, (size_t)n) < 0) { /* nobody is left to be told */
+  if (ftrylockfile(stdout) == 0) fflush_unlocked(stdout); /* the program's output, unless it is printing now */
+  if (!atomic_load(&w->told) && n > 0 && write(STDERR_FILENO, text, (size_t)n) < 0) { /* no reader is left */
   }
   _exit(VS_OUTCOME_MACHINE);
 }
 
-/* Waits for the watch to be closed, or for so many nanoseconds. */
+/* Waits until the watch is closed, or for so many nanoseconds. Returns true if it is closed. */
 static bool closed_within(cli_watch *w, long nanoseconds) {
   struct timespec until;
   clock_gettime(CLOCK_MONOTONIC, &until);
@@ -112,8 +112,8 @@ static void *look_on(void *context) {
     if (began != began_seen) began_seen = began, began_starved = lost, began_ran = ran;
     if (polled != polled_seen) polled_seen = polled, polled_starved = lost, polled_ran = ran;
     if (began == 0 || at - began <= w->limit + grace) continue;
-    /* The system counts a wait for a processor when it ends: during one, only the processor time tells that the library
-     * could not poll. */
+    /* The system counts a wait for a processor only when it ends. During a wait, the processor time alone shows that
+     * the library could not poll. */
     double since_began = at - began - (lost - began_starved), since_polled = at - polled - (lost - polled_starved),
            most = w->limit + grace + 0.1;
     bool silent = since_polled > grace && ran - polled_ran > grace, asleep = at - polled > ASLEEP;

@@ -1,5 +1,5 @@
-/* Owns the command `vs`: runs what the command line names, then writes what it asks for. Exit codes are
- * vs_outcome's. */
+/* Owns the command `vs`: it runs the programs of the command line, then writes the outputs. Exit codes are those of
+ * vs_outcome. */
 #include "cli/main.h"
 
 #include <errno.h>
@@ -31,15 +31,15 @@
 #include "cli/test_command.h"
 #include "live/live.h"
 
-/* A signal handler gets no context: the command's only globals are the interpreter that a signal interrupts, and what
- * came so far. SIGINT ends what runs; SIGTERM and SIGHUP end the prompt as well. None kills at once, so that
- * half-written files and POV-Ray go too. */
+/* A signal handler has no context. Therefore the command's only globals are the interpreter that a signal interrupts,
+ * and the signals so far. SIGINT ends the current run; SIGTERM and SIGHUP also end the prompt. None kills at once, so
+ * that half-written files and POV-Ray end too. */
 static vs_scheme *volatile interrupted_by_signal;
 static volatile sig_atomic_t interrupts, ended;
 
 static void on_interrupt(int signal_number) {
   if (signal_number != SIGINT) ended = 1;
-  if (++interrupts > 3) _exit(VS_OUTCOME_INTERRUPTED); /* someone leans on the key: whatever is stuck, end */
+  if (++interrupts > 3) _exit(VS_OUTCOME_INTERRUPTED); /* the user holds the key down: the process hangs, so end it */
   if (interrupted_by_signal) vs_interrupt(interrupted_by_signal);
 }
 
@@ -57,7 +57,7 @@ static bool print_output(void *context, const char *text, size_t length) {
 
 static const char *read_input(void *context, size_t *length) {
   cli_session *c = context;
-  fflush(stdout); /* a question stands before its answer */
+  fflush(stdout); /* a question precedes its answer */
   if (c->editor) return cli_repl_line(c, length);
   ssize_t got = getline(&c->line, &c->line_room, stdin);
   if (got < 0) return NULL;
@@ -70,7 +70,7 @@ static void print_value(void *context, const char *text, size_t length) {
   char name[24];
   c->results++;
   struct live_follower *view = c->view;
-  c->view = NULL; /* which has values apart from what is printed */
+  c->view = NULL; /* it prints values by itself */
   if (c->editor) print_output(c, name, (size_t)snprintf(name, sizeof name, cli_colours(1) ? "\033[2m$%u =\033[0m "
       : "$%u = ", c->results));
   print_output(c, text, length);
@@ -102,7 +102,7 @@ static void print_progress(void *context, const vs_progress *p) {
 
 /* ---- running ---- */
 
-/* Allocated; NULL with errno set. */
+/* Returns allocated text; NULL with errno set. */
 static char *read_all(FILE *from, size_t *length) {
   size_t room = 65536, used = 0;
   char *text = malloc(room);
@@ -176,7 +176,7 @@ static const char *title(const cli_options *o) {
   return "-e";
 }
 
-/* -D names that the model did not take are mistakes of the command line. */
+/* Reports names of -D that the model did not use, as mistakes of the command line. */
 static bool all_parameters_used(cli_session *c) {
   const char *name;
   vs_parameter_info p;
@@ -214,7 +214,7 @@ vs_outcome cli_session_write(cli_session *c, const cli_target *t) {
   return outcome;
 }
 
-/* Is it drawn by a worker program: one picture of one view? */
+/* Returns true if a worker program draws it: a picture of one view. */
 static bool is_picture(const cli_target *t) {
   const vs_format_info *f = t->format ? vs_format_find(t->format) : NULL;
   return f && f->worker && strcmp(t->path, "-") != 0;
@@ -222,7 +222,7 @@ static bool is_picture(const cli_target *t) {
 
 enum { PATH_ROOM = 4096 };
 
-/* The name of a picture of one view, or of a frame: a-street.png of a.png. False: too long. */
+/* Writes the name of a picture of one view, or of a frame: a-street.png for a.png. Returns false if it is too long. */
 static bool path_with(const char *path, const char *view, char name[PATH_ROOM]) {
   const char *dot = strrchr(path, '.'), *slash = strrchr(path, '/');
   size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
@@ -235,7 +235,7 @@ static bool path_with(const char *path, const char *view, char name[PATH_ROOM]) 
 /* Writes one output: cli_session_write, or may_write. */
 typedef vs_outcome write_fn(cli_session *c, const cli_target *t);
 
-/* Done where it is no file that the run has read, which is said. */
+/* Returns VS_OUTCOME_DONE unless the target is a file that the run has read; then reports it. */
 static vs_outcome may_write(cli_session *c, const cli_target *t) {
   if (strcmp(t->path, "-") == 0 || !vs_is_input(c->scheme, t->path)) return VS_OUTCOME_DONE;
   cli_report_settle(&c->reporter);
@@ -244,7 +244,7 @@ static vs_outcome may_write(cli_session *c, const cli_target *t) {
   return VS_OUTCOME_USAGE;
 }
 
-/* A picture of each of the model's views. */
+/* Writes a picture of each of the model's views. */
 static vs_outcome write_views(cli_session *c, const cli_target *t, write_fn *write) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   const char *view;
@@ -281,8 +281,8 @@ static vs_outcome write_target(cli_session *c, const cli_target *t, write_fn *wr
   return outcome;
 }
 
-/* None is written where one would take the place of an input. Every output is tried, whatever became of the others; the
- * first trouble is the exit code. */
+/* Writes all outputs; none, if one would replace an input. Tries every output even after a failure; the first failure
+ * is the exit code. */
 static vs_outcome write_all(cli_session *c) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   cli_inputs_tell(c->told, c->scheme);
@@ -298,7 +298,7 @@ static vs_outcome write_all(cli_session *c) {
   return outcome;
 }
 
-/* All sources, and what they draw in a line. again: the prompt asks for it. */
+/* Runs all sources, and prints a line about their drawing. again: the prompt repeats the run. */
 static vs_outcome run_sources(cli_session *c, bool again) {
   cli_options *o = c->options;
   cli_source model = {CLI_SOURCE_FILE, c->model};
@@ -308,7 +308,7 @@ static vs_outcome run_sources(cli_session *c, bool again) {
   for (size_t i = 0; i < count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++)
     outcome = run_source(c, &sources[i]);
   cli_report_settle(&c->reporter);
-  /* later what was set may be for another model */
+  /* in a later run the values may be for another model */
   if (outcome == VS_OUTCOME_DONE && !again && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE;
   bool files = o->command != CLI_COMMAND_sunstudy; /* not a folder */
   if (outcome == VS_OUTCOME_DONE && !again && files && !cli_options_late(o, c->scheme)) outcome = VS_OUTCOME_USAGE;
@@ -336,8 +336,8 @@ vs_outcome cli_session_run(cli_session *c) {
 
 /* ---- frames ---- */
 
-/* Is every output of the frame newer than the model's files? Of several views nobody knows the names before the model
- * has run. */
+/* Returns true if every output of the frame is newer than the model's files. With several views it returns false: their
+ * names are unknown before the model runs. */
 static bool frame_stands(const cli_session *c, long frame) {
   const cli_options *o = c->options;
   struct stat made, source;
@@ -369,8 +369,8 @@ static bool frame_parameter_used(cli_session *c, const cli_frames *f) {
   return true;
 }
 
-/* Runs the model once for each frame. Meshes are kept between them. The first trouble ends the run, since the next
- * frame would meet it again. */
+/* Runs the model once for each frame, and keeps meshes between frames. The first failure ends the run, since the next
+ * frame would fail too. */
 static vs_outcome run_frames(cli_session *c) {
   const cli_frames *f = &c->options->frames;
   vs_outcome outcome = VS_OUTCOME_DONE;
@@ -412,8 +412,8 @@ static vs_outcome run_batch(cli_session *c) {
   return outcome;
 }
 
-/* A process that ends gives its memory back at once; taking a million nodes apart first is for those who look for
- * leaks. Files that the program left open are flushed by exit. */
+/* A process that ends returns its memory at once. Freeing a million nodes first helps only a search for leaks. exit
+ * flushes the files that the program left open. */
 #ifdef __has_feature
 #if __has_feature(address_sanitizer)
 #define TIDY 1
@@ -426,8 +426,8 @@ static vs_outcome run_batch(cli_session *c) {
 #define TIDY 0
 #endif
 
-/* A standard stream that is closed is opened so that using it fails: else the next file, an output of ours, would have
- * its number, and what the program prints would go there. */
+/* Opens a closed standard stream so that its use fails. Otherwise the next file, such as an output, would get its
+ * number, and receive the program's text. */
 static void hold_standard_streams(void) {
   for (int i = 0; i <= STDERR_FILENO; i++)
     if (fcntl(i, F_GETFD) == -1 && errno == EBADF && open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) != i)
@@ -441,12 +441,12 @@ static void hear_signals(void) {
   sigemptyset(&action.sa_mask);
   static const int heard[] = {SIGINT, SIGTERM, SIGHUP};
   for (size_t i = 0; i < sizeof heard / sizeof *heard; i++) {
-    struct sigaction old; /* nohup and background jobs of a script ignore some: that stays */
+    struct sigaction old; /* nohup and background jobs of a script ignore some signals: that stays */
     if (sigaction(heard[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) sigaction(heard[i], &action, NULL);
   }
 }
 
-/* `vs view`: here ctrl-C ends the command, not only what runs. */
+/* Runs `vs view`: here ctrl-C ends the command, not only the current run. */
 static vs_outcome view_model(const cli_options *o) {
   live_options live = { .model = o->sources[0].text,
                         .interpreter = o->interpreter,
@@ -462,8 +462,8 @@ static vs_outcome view_model(const cli_options *o) {
   return live_view(&live);
 }
 
-/* Runs the files and texts of the command line in an interpreter, and the prompt where it asks for one. Returns the
- * exit code; *told: standard error says that standard output fails. */
+/* Runs the files and texts of the command line in an interpreter, and then the prompt if asked. Returns the exit code;
+ * *told: standard error has reported a failure of standard output. */
 static int run_session(cli_options *o, bool *told) {
   bool own_output = o->to_stdout || o->command == CLI_COMMAND_params || o->command == CLI_COMMAND_diff ||
                     o->command == CLI_COMMAND_fit || o->command == CLI_COMMAND_test;
@@ -507,7 +507,7 @@ static int run_session(cli_options *o, bool *told) {
       vs_exit_requested(session.scheme, &session.exit_code);
     }
     if (ended) outcome = VS_OUTCOME_INTERRUPTED;
-    /* there was none left to say more with */
+    /* there was no memory left for a better message */
     if (outcome == VS_OUTCOME_MACHINE && session.reporter.errors == 0) fputs("vs: out of memory\n", stderr);
     interrupted_by_signal = NULL;
     if (TIDY) vs_free(session.scheme);
@@ -521,14 +521,14 @@ static int run_session(cli_options *o, bool *told) {
   return outcome == VS_OUTCOME_DONE ? session.exit_code : (int)outcome;
 }
 
-/* The same in a process of its own, for vs test, whose parent reports a standard output that fails. */
+/* Does the same in a separate process, for vs test, whose parent reports a failure of standard output. */
 static int run_test(cli_options *o) {
   bool told = false;
   int code = run_session(o, &told);
   return fflush(stdout) == 0 && !ferror(stdout) ? code : VS_OUTCOME_USAGE;
 }
 
-/* The whole command. Returns the exit code; *told: standard error says that standard output fails. */
+/* Runs the whole command. Returns the exit code; *told: standard error has reported a failure of standard output. */
 static int run_command(int argc, char **argv, bool *told) {
   if (argc >= 3 && strcmp(argv[1], "help") == 0) { /* vs help WORD: the manual */
     for (int i = 2; i < argc; i++)
@@ -537,7 +537,7 @@ static int run_command(int argc, char **argv, bool *told) {
         cli_manual_command(argv[i], stdout);
       } else if (!cli_manual_print(argv[i], stdout)) {
         vs_options plain = vs_options_default();
-        vs_scheme *scheme = vs_new(&plain); /* which knows the words of other programs */
+        vs_scheme *scheme = vs_new(&plain); /* it knows the words of other programs */
         const char *advice = scheme ? vs_name_advice(scheme, argv[i]) : "";
         bool guess = strncmp(advice, "did you mean", 12) == 0 || strncmp(advice, "perhaps", 7) == 0;
         printf("The manual has no %s.\n", argv[i]);
@@ -590,8 +590,8 @@ static int run_command(int argc, char **argv, bool *told) {
 
 int main(int argc, char **argv) {
   hold_standard_streams();
-  /* A reader that went is a failed write, and so is a file past the size that is allowed: outputs are finished or taken
-   * away, and the exit code says it. */
+  /* A write to a pipe without a reader fails, and so does a file past the allowed size: outputs are then finished or
+   * removed, and the exit code shows it. */
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
   bool told = false;

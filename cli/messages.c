@@ -1,12 +1,11 @@
-/* Owns the wording and layout of everything the command says about a run.
+/* Owns the wording and layout of all messages of a run.
  *
  * A diagnostic is `file:line:col: message`, then the source line with carets below the span, then its notes:
  *
  *   house.vs:12:3: make-sphere: r must be positive, got -2
  *     12 | (make-sphere (xyz 0 0 0) -2)
  *        | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
- *   house.vs:20:1: called from (tower 5)
- *   */
+ *   house.vs:20:1: called from (tower 5) */
 #include "cli/messages.h"
 #include "cli/json.h"
 
@@ -15,7 +14,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { WINDOW = 120, BEFORE = 60 }; /* characters shown of a long source line, and how many of them before the caret */
+enum { WINDOW = 120, BEFORE = 60 }; /* characters shown of a long source line, and those before the caret */
 
 void cli_report_settle(cli_reporter *r) {
   if (r->shown) fputs("\r\033[K", stderr);
@@ -30,7 +29,7 @@ static const char *next_character(const char *at) {
   return at;
 }
 
-/* Length in bytes of the well-formed UTF-8 character at c, or 0. */
+/* Returns the length in bytes of the well-formed UTF-8 character at c, or 0. */
 static int well_formed(const char *c) {
   unsigned char first = (unsigned char)*c;
   int length = first < 0x80                    ? 1
@@ -43,7 +42,7 @@ static int well_formed(const char *c) {
   return length;
 }
 
-/* Text of a source file that may hold anything: what a terminal could take amiss becomes a blank or a question mark. */
+/* Prints the text of a source file, which may contain any byte: control characters become blanks or question marks. */
 static void print_safely(const char *from, const char *to) {
   while (from < to) {
     int length = well_formed(from);
@@ -63,7 +62,7 @@ static void print_place(const vs_span *at) {
   fputs(": ", stderr);
 }
 
-/* behind: shown behind the carets, or NULL */
+/* behind: shown after the carets, or NULL */
 static void print_source(const vs_diagnostic *d, const char *behind) {
   uint32_t first = 1, width = d->at.end_line == d->at.line && d->at.end_column > d->at.column
                                   ? d->at.end_column - d->at.column
@@ -89,7 +88,7 @@ static void print_source(const vs_diagnostic *d, const char *behind) {
 }
 
 void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
-  fflush(stdout); /* what the program printed before comes before */
+  fflush(stdout); /* earlier output of the program comes first */
   cli_report_settle(r);
   if (d->severity == VS_SEVERITY_ERROR) r->errors++;
   if (d->severity == VS_SEVERITY_WARNING) r->warnings++;
@@ -105,7 +104,7 @@ void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
   }
 }
 
-/* The expression that the span marks in the line, cut where it is long. */
+/* Prints the expression that the span marks in the line; shortens a long one. */
 static void print_expression(const vs_stop_info *stop) {
   enum { MOST = 50 };
   const char *at = stop->source_line, *end;
@@ -147,14 +146,14 @@ bool cli_report_calls(vs_scheme *scheme, FILE *to) {
   return i > 0;
 }
 
-/* Seconds of a clock that only goes forwards. */
+/* Returns the seconds of a monotonic clock. */
 static double now(void) {
   struct timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* How long the rest of a phase takes if it goes on as it went, once that can be told. */
+/* Writes the time that the rest of a phase will take at its speed so far, once it can be estimated. */
 static void time_left(cli_reporter *r, const vs_progress *p, char *text, size_t room) {
   double at = now();
   *text = 0;
@@ -192,7 +191,7 @@ static void count_of(size_t n, const char *one, const char *many, bool *any) {
   *any = true;
 }
 
-#define LARGEST_BUILDING 4000 /* metres: what is larger is a landscape, or has been drawn in other units */
+#define LARGEST_BUILDING 4000 /* metres: anything larger is a landscape, or drawn in other units */
 
 void cli_report_summary(const char *title, const vs_summary *s) {
   bool any = false;
@@ -202,7 +201,7 @@ void cli_report_summary(const char *title, const vs_summary *s) {
     return;
   }
   count_of(s->objects, "object", "objects", &any);
-  if (s->objects != s->solids) { /* else it goes without saying */
+  if (s->objects != s->solids) { /* else it is obvious */
     bool inner = false;
     fputs(" (", stderr);
     count_of(s->solids, "solid", "solids", &inner);
@@ -229,7 +228,7 @@ void cli_report_summary(const char *title, const vs_summary *s) {
 
 /* ---- parameters ---- */
 
-/* A value as the model wrote it: numbers JSON knows and booleans as such, all else (1/3, symbols, lists) as text. */
+/* Writes a value as the model wrote it: JSON's numbers and booleans as such, all else (1/3, symbols, lists) as text. */
 static void json_datum(FILE *to, vs_parameter_type type, const char *datum) {
   if (type == VS_PARAMETER_BOOLEAN) { fputs(strcmp(datum, "#f") == 0 ? "false" : "true", to); return; }
   double v;

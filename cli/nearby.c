@@ -1,4 +1,5 @@
-/* Owns the distance between two short names: insertions, deletions, changes and neighbouring swaps each cost one. */
+/* Owns the distance between two short names: an insertion, a deletion, a change and a swap of neighbours each cost
+ * one. */
 #include "cli/nearby.h"
 
 #include <ctype.h>
@@ -57,7 +58,7 @@ bool cli_nearby_program(const char *path, char *room, size_t size) {
   DIR *d = opendir(room);
   if (!d) return false;
   size_t length = strcspn(name, ".");
-  cli_nearby n = { .wanted = name, .distance = smaller(length / 3 + 1, 3) }; /* the ending says nothing */
+  cli_nearby n = { .wanted = name, .distance = smaller(length / 3 + 1, 3) }; /* the ending does not count */
   for (struct dirent *e; (e = readdir(d));) {
     const char *found = e->d_name;
     if (!is_program(found) || strlen(found) > LONGEST) continue;

@@ -6,15 +6,15 @@
 #include <stddef.h>
 
 typedef struct {
-  const char *wanted, *best; /* best: NULL if none offered was near enough */
+  const char *wanted, *best; /* best: NULL if no offered name was near enough */
   size_t distance;           /* of best */
 } cli_nearby;
 
 cli_nearby cli_nearby_start(const char *wanted);
 void cli_nearby_offer(cli_nearby *n, const char *name); /* name must outlive n */
 
-/* Puts the path of the program that was meant by a path where there is no file into `room`: the nearest name in its
- * folder, or, of a name without an ending, that name with one. False: there is none. */
+/* Writes the path of the program that was probably meant by a path without a file: the nearest name in its folder, or,
+ * for a name without an ending, that name with one. Returns false if there is none. */
 bool cli_nearby_program(const char *path, char *room, size_t size);
 
 #endif

@@ -51,7 +51,7 @@ bool cli_command_suggest(const char *word, FILE *to) {
 
 /* ---- help ---- */
 
-extern const char vs_licenses_text[], vs_licenses_text_end[]; /* LICENSE and NOTICE: the Makefile puts them in */
+extern const char vs_licenses_text[], vs_licenses_text_end[]; /* LICENSE and NOTICE, embedded by the Makefile */
 
 static void print_licenses(void) {
   fwrite(vs_licenses_text, 1, (size_t)(vs_licenses_text_end - vs_licenses_text), stdout);
@@ -124,7 +124,7 @@ static bool parse_size(const char *text, vs_output_options *out) {
   return true;
 }
 
-/* Whether it lies within the picture is known where the size is. */
+/* The size, known later, decides whether it lies within the picture. */
 static bool parse_crop(const char *text, vs_output_options *out) {
   const char *at = text;
   for (int i = 0; i < 4; i++) {
@@ -159,7 +159,7 @@ static bool parse_camera(const char *text, vs_output_options *out) {
   return true;
 }
 
-/* "24", "24,twist=0..90": the dots are looked for first, since strtod takes one of them. */
+/* Reads "24" or "24,twist=0..90". It searches for the dots first, since strtod would take one of them. */
 static bool parse_frames(const char *text, cli_frames *out) {
   char *end, from[40] = "";
   *out = (cli_frames){.count = strtol(text, &end, 10), .parameter = "t", .to = 1, .resume = out->resume};
@@ -203,7 +203,7 @@ static bool parse_curve(const char *text, vs_development *out) {
   return bad("--curve", text, "neutral, agx, filmic or linear");
 }
 
-/* "1.5", "auto", "auto-0.5". */
+/* Reads "1.5", "auto", "auto-0.5". */
 static bool parse_exposure(const char *text, vs_development *out) {
   const char *stops = strncmp(text, "auto", 4) == 0 ? text + 4 : text;
   out->fixed = stops == text, out->exposure = 0;
@@ -212,7 +212,7 @@ static bool parse_exposure(const char *text, vs_development *out) {
   return (ok && out->exposure <= 100) || bad("--exposure", text, "stops, as in 1.5, or auto, auto+1, auto-0.5");
 }
 
-/* text: what follows -O. */
+/* text: the part after -O. */
 static bool parse_passes(const char *text, vs_output_options *out) {
   size_t count;
   const char *const *names = vs_pass_list(&count);
@@ -245,7 +245,7 @@ static bool only_json(const char *option, const char *value) {
   return !value || strcmp(value, "json") == 0 || bad(option, value, "json");
 }
 
-/* folders: with ':' between them, behind those that are known. False: out of memory, said. */
+/* Adds folders, separated by ':', after the known ones. Returns false, after a message, when memory is out. */
 static bool add_folders(cli_options *o, const char *folders) {
   size_t have = o->library_path ? strlen(o->library_path) : 0, more = strlen(folders);
   char *path = realloc(o->library_path, have + more + 2);
@@ -256,7 +256,8 @@ static bool add_folders(cli_options *o, const char *folders) {
   return true;
 }
 
-/* Is each of the folders one? False: said. A folder of VS_LIBRARY_PATH need not be, as with any such variable. */
+/* Returns false, after a message, if one of the folders does not exist. A folder of VS_LIBRARY_PATH need not exist, as
+ * in any such variable. */
 static bool are_folders(const char *option, const char *folders) {
   for (const char *at = folders; *at;) {
     size_t n = strcspn(at, ":");
@@ -385,7 +386,7 @@ static bool unknown(const char *word) {
   return false;
 }
 
-/* Reads argv[*at] and what belongs to it. */
+/* Reads argv[*at] and its arguments. */
 static bool read_option(cli_options *o, int argc, char **argv, int *at, cli_verdict *verdict) {
   const char *word = argv[*at];
   const option_row *row = NULL;
@@ -424,7 +425,8 @@ static const char *ending_of(const char *path) {
   return strcmp(path, "-") == 0 ? NULL : strrchr(base ? base + 1 : path, '.');
 }
 
-/* The format of a target from those that the program has brought (scheme NULL: none). False: said on standard error. */
+/* Finds the format of a target among those that the program defines (scheme NULL: none). Returns false after a message
+ * on standard error. */
 static bool late_format(const cli_options *o, cli_target *t, const vs_scheme *scheme) {
   const char *ending = ending_of(t->path);
   vs_format_info brought;
@@ -449,14 +451,14 @@ static bool late_format(const cli_options *o, cli_target *t, const vs_scheme *sc
   return false;
 }
 
-/* The format of a target, as far as the library's own are meant; of another ending or name the program may bring one
+/* Finds the format of a target among the library's own; for another ending or name the program may define one
  * (cli_options_late). */
 static bool find_format(cli_options *o, cli_target *t) {
   const char *ending = ending_of(t->path);
   if (strcmp(t->path, "-") == 0) o->to_stdout = true;
   const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL,
                        *own = ending ? vs_format_find(ending) : NULL;
-  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* another notation behind the same ending */
+  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* another notation with the same ending */
   if (!own) own = said;
   if (own) t->format = own->name;
   return own || o->format || (ending && ending[1]) || late_format(o, t, NULL);
@@ -468,7 +470,7 @@ bool cli_options_late(cli_options *o, const vs_scheme *scheme) {
   return true;
 }
 
-/* Reports failures that can be known before minutes of work. */
+/* Reports failures that are predictable before minutes of work. */
 static bool reachable(const cli_target *t) {
   if (strcmp(t->path, "-") == 0) return true;
   struct stat status;
@@ -479,7 +481,7 @@ static bool reachable(const cli_target *t) {
   const char *slash = strrchr(t->path, '/');
   size_t length = slash ? (size_t)(slash - t->path) : 0;
   char *folder = malloc(length + 2);
-  if (!folder) return true; /* the writer will say what is wrong */
+  if (!folder) return true; /* the writer will report the fault */
   memcpy(folder, t->path, length);
   strcpy(folder + length, slash ? (length ? "" : "/") : ".");
   bool found = stat(folder, &status) == 0, ok = found && S_ISDIR(status.st_mode) && access(folder, W_OK | X_OK) == 0;
@@ -491,7 +493,7 @@ static bool reachable(const cli_target *t) {
   return ok;
 }
 
-/* The same for commands on pictures. */
+/* Does the same for commands on pictures. */
 static bool picture_files(const cli_options *o, unsigned takes) {
   size_t want = takes & CLI_TAKES_POINT ? 3 : takes & CLI_TAKES_TWO ? 2 : 1;
   bool files = o->source_count == want && !o->define_count && !o->untrusted && !o->frames.count;
@@ -534,7 +536,8 @@ static bool test_files(const cli_options *o) {
   return files;
 }
 
-/* Has the command the files that it takes, and -o only where it writes something? False: said on standard error. */
+/* Returns false, after a message on standard error, unless the command has the files that it takes, and -o only if it
+ * writes a file. */
 static bool command_files(const cli_options *o, unsigned takes) {
   if (takes & CLI_TAKES_PICTURE) return picture_files(o, takes);
   if (takes & CLI_TAKES_MANY) return batch_files(o);
@@ -557,7 +560,7 @@ static bool command_files(const cli_options *o, unsigned takes) {
   return false;
 }
 
-/* Is the word that name, hyphens apart (sun-study)? */
+/* Returns true if the word is that name, apart from hyphens (sun-study). */
 static bool is_command(const char *word, const char *name) {
   if (*word == '-') return false;
   for (; *word; word++)
@@ -565,7 +568,7 @@ static bool is_command(const char *word, const char *name) {
   return !*name;
 }
 
-/* Does vs render say this itself to the run of each picture? */
+/* Returns true for an option that vs render itself passes to the run of each picture. */
 static bool is_of_batch(const char *word) {
   static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet",
                                     "frames", "resume", "film", "quiet"};
@@ -575,7 +578,7 @@ static bool is_of_batch(const char *word) {
   return false;
 }
 
-/* A folder is made with pictures .png. */
+/* A folder gets .png pictures. */
 static bool is_png_or_folder(const char *path) {
   const char *ending = ending_of(path);
   return !ending || strcmp(ending, ".png") == 0 || path[strlen(path) - 1] == '/';
@@ -594,7 +597,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     return CLI_BAD_USAGE;
   }
   o->held = o->words + room, o->sets = o->held + room, o->passed = o->sets + room;
-  bool names_only = false; /* after a -- that no model stands before */
+  bool names_only = false; /* after a -- that no model precedes */
   o->words[o->word_count++] = "vs";
   int first = 1;
   for (size_t i = 0; argc > 1 && i < COMMANDS; i++)

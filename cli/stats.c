@@ -1,8 +1,8 @@
-/* Owns what --stats prints: tables for people, one line of JSON for programs.
+/* Owns the output of --stats: tables for readers, one line of JSON for programs.
  *
- * Both are made of the library's keys alone. Each NAME with a key memory.NAME.peak is a phase, with time.stage.NAME
- * a stage, with time.mesh.NAME a step, with cache.NAME.hits a kind of kept results; passes are those of vs_pass_list.
- * A new one shows without a change here. The row of the program is the whole less the outputs. */
+ * Both derive from the library's keys. Each NAME with a key memory.NAME.peak is a phase, with time.stage.NAME a stage,
+ * with time.mesh.NAME a step, with cache.NAME.hits a kind of cached result; passes are those of vs_pass_list. A new one
+ * appears without a change here. The row of the program is the total minus the outputs. */
 #include "cli/stats.h"
 
 #include <math.h>
@@ -33,7 +33,7 @@ static double get(const table *t, const char *before, const char *name, const ch
   return NAN;
 }
 
-/* NAME of each key PREFIX NAME SUFFIX, in their order. */
+/* Gives the NAME of each key PREFIX NAME SUFFIX, in order. */
 static size_t names_of(const table *t, const char *prefix, const char *suffix, char names[NAMES][KEY]) {
   size_t n = 0, before = strlen(prefix), after = strlen(suffix);
   for (size_t i = 0; i < t->count && n < NAMES; i++) {
@@ -129,7 +129,7 @@ static void times(vs_scheme *s, const table *all) {
   fputc('\n', stderr);
 }
 
-/* A row for each key that begins with the prefix: the stages of an output, the steps of the phase mesh. */
+/* Prints a row for each key that begins with the prefix: the stages of an output, the steps of the phase mesh. */
 static void parts(vs_scheme *s, const table *all, const char *title, const char *prefix) {
   char names[NAMES][KEY];
   size_t count = names_of(all, prefix, "", names);
@@ -187,7 +187,7 @@ static void kept(const table *all) {
   }
 }
 
-/* Is the key in one of the tables? */
+/* Returns true if the key is in one of the tables. */
 static bool tabled(const char *key) {
   static const char *const prefixes[] = { "commands.", "passes.", "nodes", "time.", "triangles", "bytes" };
   size_t length = strlen(key);

@@ -1,4 +1,4 @@
-/* Owns the interface of stats.c: what --stats prints. */
+/* Owns the interface of stats.c: the output of --stats. */
 #ifndef VS_CLI_STATS_H
 #define VS_CLI_STATS_H
 

@@ -1,4 +1,4 @@
-/* Owns the commands that read a program without running it: what they share is one analysis of one file. */
+/* Owns the commands that read a program without running it. They share one analysis of a file. */
 #include "cli/study.h"
 
 #include <errno.h>
@@ -18,7 +18,7 @@
 
 typedef struct { knowledge k; cli_reporter reporter; vs_scheme *scheme; } study;
 
-/* While the analysis asks the interpreter something, what the answer says is its own business. */
+/* Ignores the interpreter's messages while the analysis queries it. */
 static void diagnose(void *context, const vs_diagnostic *d) {
   study *s = context;
   if (s->k.reading && !d->at.line) return;
@@ -35,7 +35,7 @@ static vs_outcome tell(study *s, const cli_options *o) {
   return VS_OUTCOME_DONE;
 }
 
-/* Findings are the model's: exit code 1. */
+/* Prints the findings; they are faults of the model: exit code 1. */
 static vs_outcome check(study *s, const cli_options *o) {
   know_findings found;
   vs_outcome outcome = VS_OUTCOME_DONE;
@@ -48,7 +48,7 @@ static vs_outcome check(study *s, const cli_options *o) {
   return outcome;
 }
 
-/* ---- a text that is being written ---- */
+/* ---- a text in an editor ---- */
 
 enum { CHECK_SECONDS = 5, CHECK_MEMORY = 512 << 20 };
 typedef struct { knowledge k; know_place at; char message[300]; } draft;
@@ -100,7 +100,7 @@ bool cli_study_check_text(const vs_options *interpreter, const char *path, const
 
 /* ---- vs doc ---- */
 
-enum { PICTURE_SECONDS = 20 /* that a program, and each of its procedures, may take for a picture */ };
+enum { PICTURE_SECONDS = 20 /* the most seconds for a picture, for a program and for each of its procedures */ };
 typedef struct {
   const cli_options *options;
   const knowledge *k;
@@ -108,7 +108,7 @@ typedef struct {
   bool failed, worker_missing;
 } painter;
 
-/* The output of a procedure that is tried is not for the page. */
+/* Ignores the output of a procedure that is tried. */
 static void ignore(void *context, const vs_diagnostic *d) { (void)context, (void)d; }
 
 static bool begin_model(painter *p) {
@@ -128,7 +128,7 @@ static bool begin_model(painter *p) {
   return ok;
 }
 
-/* Runs the program so that it remembers what its procedures first give; where that does not do, as it is. */
+/* Runs the program in the form that records the first results of its procedures; if this fails, as it is. */
 static bool run_model(painter *p) {
   const char *path = p->options->sources[0].text;
   size_t length = 0;
@@ -138,7 +138,7 @@ static bool run_model(painter *p) {
   return ok || (begin_model(p) && vs_eval_file(p->scheme, path, VS_EVAL_PASS) == VS_OUTCOME_DONE);
 }
 
-/* A picture of the model, or of what an expression of it gives, which is looked at as a whole. */
+/* Makes a picture of the whole model, or of an expression's value. */
 static bool paint(void *context, const char *expression, const char *path) {
   painter *p = context;
   if (p->failed || p->worker_missing) return false;
@@ -231,7 +231,7 @@ static bool write_whole(const char *path, const char *text, size_t length) {
   return ok;
 }
 
-enum { FACETS = 64 /* of a turn, where --segments does not say */ };
+enum { FACETS = 64 /* of a full turn, without --segments */ };
 
 static vs_outcome translate(study *s, const cli_options *o) {
   const char *path = o->target_count ? o->targets[0].path : NULL, *language = know_language(o->language, path);
@@ -259,7 +259,7 @@ static vs_outcome translate(study *s, const cli_options *o) {
   return ok ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
 }
 
-/* Is it known what to translate to? False: said on standard error. */
+/* Returns false, after a message on standard error, if the target language is not known. */
 static bool has_language(const cli_options *o) {
   const char *path = o->target_count ? o->targets[0].path : NULL;
   if (o->command != CLI_COMMAND_translate || know_language(o->language, path)) return true;

@@ -1,8 +1,8 @@
-/* Owns `vs test FILE...`: runs programs with their checks, says which checks fail and why, and counts.
+/* Owns `vs test FILE...`: it runs programs with their checks, prints the checks that fail with the reasons, and counts.
  *
- * Each file is a process of its own, which tells every result as a byte into a pipe: whatever a program does to its
- * process, the files after it are run, and the results before it count. The program prints to standard error, so that
- * standard output has the results alone. */
+ * Each file has its own process, which sends every result as a byte into a pipe. Therefore a program that ends or
+ * damages its process affects neither later files nor its earlier results. The program prints to standard error, so
+ * that standard output has only the results. */
 #define _GNU_SOURCE
 #include "cli/test_command.h"
 
@@ -15,11 +15,11 @@
 
 #include "cli/difference.h"
 
-/* The limits of a program, and of each check, where the command line says nothing. */
+/* The limits of a program, and of each check, without options. */
 #define SECONDS 10
 enum { MEMORY = 1 << 30, PRINTED = 10 << 20 };
 
-/* A process tells a check that passed or failed, something else that failed, a file that could not be read, an
+/* The bytes that a process sends: a check passed, a check failed, something else failed, a file could not be read, an
  * interrupt, and the end. */
 enum { PASSED = '+', FAILED = '-', BROKEN = '!', UNREAD = '?', INTERRUPTED = '^', END = '.' };
 
@@ -47,7 +47,7 @@ static bool print_part(void *context, vs_part_difference what, const vs_part_inf
   return true;
 }
 
-/* Something other than a check that failed. */
+/* Reports a failure other than that of a check. */
 static void broken(const cli_session *c, const char *path, const char *first, const char *more) {
   printf("%s: %s%s\n", path, first, more);
   tell(c, BROKEN);
@@ -81,7 +81,8 @@ vs_outcome cli_test_run(cli_session *c, vs_outcome (*run_file)(cli_session *c, c
 
 typedef struct { size_t passed, failed; bool ended, unread, interrupted; } tally;
 
-/* Starts the process of a file; *from is the end of its pipe to read. -1: said on standard error. */
+/* Starts the process of a file; *from is the end of its pipe for reading. -1: failed, after a message on standard
+ * error. */
 static pid_t start(cli_options *o, cli_source *source, int *from, int (*run)(cli_options *)) {
   int ends[2];
   fflush(stdout);
@@ -101,14 +102,14 @@ static pid_t start(cli_options *o, cli_source *source, int *from, int (*run)(cli
   return process;
 }
 
-/* Counts what the process tells until it ends. Returns its status. */
+/* Counts the results of the process until it ends. Returns its status. */
 static int listen(pid_t process, int from, const volatile sig_atomic_t *interrupts, tally *t) {
   char told[256];
   ssize_t n;
   int status = 0;
   t->ended = false;
   while ((n = read(from, told, sizeof told)) > 0 || (n < 0 && errno == EINTR)) {
-    if (n < 0 && *interrupts) kill(process, SIGINT); /* the signal may have been for us alone */
+    if (n < 0 && *interrupts) kill(process, SIGINT); /* the signal may have reached only this process */
     for (ssize_t i = 0; i < n; i++) {
       t->passed += told[i] == PASSED;
       t->failed += told[i] == FAILED || told[i] == BROKEN;

@@ -1,9 +1,9 @@
-/* Owns `vs --untrusted model.vs`: limits that are on without being asked for, an empty environment, files of the
- * model's folder alone, and a confined process.
+/* Owns `vs --untrusted model.vs`: default limits, an empty environment, files of the model's folder only, and a
+ * confined process.
  *
- * A path is walked name by name from the open folder. No name may be `..` or a symbolic link, and what is reached must
- * be an ordinary file: so neither a link nor /proc, a device or a FIFO leads out of the folder, whatever changes while
- * we look. */
+ * A path is walked name by name from the open folder. No name may be `..` or a symbolic link, and the result must be an
+ * ordinary file. Therefore neither a link nor /proc, a device or a FIFO leads out of the folder, even if files change
+ * meanwhile. */
 #define _GNU_SOURCE /* clearenv, strchrnul, O_PATH */
 #include "cli/untrusted.h"
 
@@ -22,11 +22,11 @@
 #include "cli/confine.h"
 #include "cli/limits.h"
 
-/* The limits of a stranger's model where the command line says nothing. */
+/* The limits of an untrusted model, without options. */
 #define SECONDS 10
 #define WORKER_SECONDS 120
 enum { MEMORY = 512 << 20, PRINTED = 10 << 20, TRIANGLES = 5000000 };
-#define PROCESS_MEMORY ((size_t)2 << 30) /* of the worker, and the hard limit of ours */
+#define PROCESS_MEMORY ((size_t)2 << 30) /* of the worker, and the hard limit of this process */
 
 /* ---- files ---- */
 
@@ -36,15 +36,15 @@ static bool refuse(cli_untrusted *u, const char *reason, const char **why) {
   return false;
 }
 
-/* Of a file or folder that could not be opened, by errno; leads_out: it was not even tried. A machine that has no more
- * to give is not the model's fault. */
+/* Refuses a file or folder that could not be opened, by errno; leads_out: no attempt was made. A machine without free
+ * resources is not the model's fault. */
 static bool refuse_open(cli_untrusted *u, bool leads_out, const char *missing, const char *outside, const char **why) {
   int problem = leads_out ? ELOOP : errno;
   bool machine = problem == EMFILE || problem == ENFILE || problem == ENOMEM || problem == EIO;
   return refuse(u, problem == ENOENT ? missing : machine ? strerror(problem) : outside, why);
 }
 
-/* Opens what the path names beneath the folder; -1: errno, ELOOP for all that leads out of it. */
+/* Opens the path's file below the folder; -1: errno, which is ELOOP for any path that leads out of it. */
 static int open_beneath(int folder, const char *path) {
   int at = dup(folder);
   while (at >= 0) {
@@ -94,7 +94,7 @@ bool cli_untrusted_read(cli_untrusted *u, const char *path, char **text, size_t 
   }
   close(file);
   if (!to) return refuse(u, "cannot be read", why);
-  *text = to, *length = used < room ? used : (size_t)info.st_size; /* one that grows meanwhile is cut */
+  *text = to, *length = used < room ? used : (size_t)info.st_size; /* a file that grows meanwhile is cut */
   return true;
 }
 
@@ -123,15 +123,15 @@ static int remove_one(const char *path, const struct stat *info, int kind, struc
   return (void)info, (void)kind, (void)where, remove(path), 0;
 }
 
-/* Starts a child that waits until this process has ended, however it ends, and then removes the folder: we ourselves
- * may not, once we are confined. */
+/* Starts a child that waits for the end of this process and then removes the folder; this process itself cannot, once
+ * it is confined. */
 static bool keep_scratch(cli_untrusted *u) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return false;
   u->keeper = fork();
   if (u->keeper == 0) {
     char byte;
-    setsid(); /* what the terminal sends is not for it */
+    setsid(); /* signals of the terminal are not for it */
     signal(SIGTERM, SIG_IGN);
     for (int i = 0; i <= STDERR_FILENO; i++) close(i);
     close(ends[1]);
@@ -188,7 +188,7 @@ bool cli_untrusted_begin(cli_untrusted *u, cli_options *o) {
   ok = ok && open_model(u, o, &model);
   for (; ok && count < o->target_count; count++) {
     {
-    /* the program's own have no worker */
+    /* the program's own formats have no worker */
     const vs_format_info *format = o->targets[count].format ? vs_format_find(o->targets[count].format) : NULL;
     worker = worker || (format && format->worker);
   }

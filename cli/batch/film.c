@@ -17,7 +17,7 @@ static size_t stem_of(const char *first) {
   return dash ? (size_t)(dash - first) : strlen(first);
 }
 
-/* The frames' names as ffmpeg wants them: a % of the name itself is written twice, and the number is %03d. */
+/* Writes the pattern of the frames' names for ffmpeg: a % in the name is doubled, the number is %03d. */
 static bool put_pattern(const char *first, char *out, size_t room) {
   size_t stem = stem_of(first), used = (size_t)snprintf(out, room, "file:");
   for (size_t i = 0; i < stem && used + NUMBER_ROOM + 2 < room; i++) {
@@ -29,7 +29,7 @@ static bool put_pattern(const char *first, char *out, size_t room) {
   return used + NUMBER_ROOM + 2 < room;
 }
 
-/* Its exit code. H.264 wants even sizes; bitexact: no version of ffmpeg within. */
+/* Returns ffmpeg's exit code. H.264 needs even sizes; with bitexact the file contains no version of ffmpeg. */
 static int run_ffmpeg(const cli_film *f, const char *part) {
   char rate[NUMBER_ROOM], number[NUMBER_ROOM], from[2 * PATH_ROOM], to[PATH_ROOM + NUMBER_ROOM];
   const char *digits = f->first + stem_of(f->first);

@@ -1,4 +1,4 @@
-/* Declares films of numbered pictures. */
+/* Owns films of numbered pictures. */
 #ifndef VS_CLI_BATCH_FILM_H
 #define VS_CLI_BATCH_FILM_H
 
@@ -7,14 +7,15 @@
 #include "visualscheme.h"
 
 typedef struct {
-  const char *first; /* tower-001.png: the others are numbered on from it */
+  const char *first; /* tower-001.png; the others count on from it */
   size_t count;
   long rate;         /* frames a second */
-  bool stands;       /* no frame is new: a film that is there is left as it is */
+  bool stands;       /* no frame is new: an existing film stays */
   bool quiet;
 } cli_film;
 
-/* Makes tower.mp4 of them by ffmpeg, and says so. A failure is said on standard error: VS_OUTCOME_WORKER. */
+/* Makes tower.mp4 of the frames by ffmpeg, and prints its name. Returns VS_OUTCOME_WORKER on failure, after a message
+ * on standard error. */
 vs_outcome cli_film_make(const cli_film *film);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the frames of --frames: their numbers and the values of the parameter that changes. */
+/* Owns the frames of --frames: their numbers, and the values of the changing parameter. */
 #include "cli/batch/film_frames.h"
 
 #include <math.h>

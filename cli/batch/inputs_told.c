@@ -1,4 +1,4 @@
-/* Owns what a batch and its runs tell each other. */
+/* Owns the messages between a batch and its runs. */
 #define _GNU_SOURCE /* memfd_create */
 #include "cli/batch/inputs_told.h"
 
@@ -18,7 +18,7 @@ int cli_inputs_begin(void) {
   char number[24];
   int list = memfd_create("visualscheme-inputs", 0);
   if (list < 0) return -1;
-  fcntl(list, F_SETFL, O_APPEND); /* the runs share the file's place: each adds at the end */
+  fcntl(list, F_SETFL, O_APPEND); /* the runs share the file's position: each appends */
   snprintf(number, sizeof number, "%d", list);
   if (setenv(variable, number, 1) == 0) return list;
   close(list);

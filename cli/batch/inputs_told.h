@@ -1,24 +1,26 @@
-/* Owns what a batch and its runs tell each other: the runs, which files they read (names that end in NUL, in a file
- * without a name that they inherit); the batch, which options were typed (in the environment). */
+/* Owns the messages between a batch and its runs. The runs send the files they read: names that end in NUL, in an
+ * inherited file without a name. The batch sends the options as typed, in the environment. */
 #ifndef VS_CLI_BATCH_INPUTS_TOLD_H
 #define VS_CLI_BATCH_INPUTS_TOLD_H
 
 #include "visualscheme.h"
 
-/* Makes the list, which the processes that are started from here on inherit; the caller closes it. -1: the system
- * refuses, and nothing will be told. */
+/* Makes the list, which processes started from now on inherit; the caller closes it. -1: the system refuses, and no run
+ * sends its files. */
 int cli_inputs_begin(void);
-/* Notes in s what the runs have told so far. */
+/* Records in s the files that the runs have sent so far. */
 void cli_inputs_hear(int list, vs_scheme *s);
 
-/* Before a run is started, in its process: what --set said, and the parameter of --frames; either may be NULL. */
+/* Sends the text of --set and the parameter of --frames to a run; call it in the run's process before the start. Either
+ * may be NULL. */
 void cli_inputs_say_typed(const char *set, const char *frames);
 
-/* Of a run: the option that gave the parameter its value, as it was typed: "--set r=4", "--frames" or "-D r". */
+/* In a run: writes the option that set the parameter, as typed: "--set r=4", "--frames" or "-D r". */
 void cli_inputs_typed(const char *parameter, char *to, size_t room);
-/* Of a run: the list of the batch that started it, or -1. Before --untrusted empties the environment. */
+/* In a run: returns the list of the batch that started it, or -1. Call it before --untrusted empties the
+ * environment. */
 int cli_inputs_find(void);
-/* Tells what the interpreter has read, where there is a list. */
+/* Sends the files that the interpreter has read, if there is a list. */
 void cli_inputs_tell(int list, const vs_scheme *s);
 
 #endif

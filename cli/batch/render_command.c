@@ -1,9 +1,9 @@
 /* Owns `vs render`: one picture for each model, set of parameters, view and frame, and films of the frames.
  *
- * A picture is up to date where the manifest of the last run has it with the same scene, the same options and the
- * same bytes as its file has now. The scene is what the picture is rendered from, the text of its .pov: so a change of
- * any file that the model reads is seen, and one that changes nothing to be seen is not. Every picture is a process of
- * this program for itself, so that a model that fails takes no other with it; `--jobs` of them run at a time. */
+ * A picture is up to date if the manifest of the last run lists it with the same scene and options, and with the bytes
+ * that its file has now. The scene is the text of its .pov. Therefore `vs render` notices each change of a file that
+ * changes the picture, and ignores all others. Every picture is made by its own process of this program, so that a
+ * failing model takes no other with it; `--jobs` of them run at a time. */
 #define _GNU_SOURCE
 #include "cli/batch/render_command.h"
 
@@ -33,26 +33,26 @@ typedef struct { uint64_t scene, bytes; double seconds; int code; fate fate; } r
 typedef struct {
   const char *model;
   char *set, *view, *file; /* set: "a=1,b=2", or NULL; view NULL: the model's own */
-  const char *given;       /* of set, what --set says; the rest is the frame's; NULL: nothing */
-  char exposure[EXPOSURE_ROOM]; /* of a film's frame, in stops: that of all its frames; empty: the options' */
-  uint64_t metered;        /* the scene that it was found in: the first frame's */
-  long frame;              /* of --frames, from 1; 0: none. The frames of a film stand one behind the other. */
+  const char *given;       /* the part of set from --set; the rest belongs to the frame; NULL: none */
+  char exposure[EXPOSURE_ROOM]; /* the exposure of a film's frames, in stops; empty: the options' */
+  uint64_t metered;        /* the hash of the scene, the first frame's, from which the exposure derives */
+  long frame;              /* of --frames, from 1; 0: none. The frames of a film are consecutive. */
   pid_t process;
-  int told;                /* the end of a pipe that brings the result */
+  int told;                /* the end of a pipe for the result */
   result result;
 } picture;
 typedef struct {
   const cli_options *options;
-  const volatile sig_atomic_t *ended; /* a signal ended the run: those below get it, too */
+  const volatile sig_atomic_t *ended; /* a signal ended the run; its children receive it too */
   picture *at;
   size_t count, room;
   char *manifest, program[PATH_ROOM];
-  const char *manifest_path;  /* NULL: there is none */
+  const char *manifest_path;  /* NULL: none */
   int lock;                   /* the manifest's file, locked; -1 */
-  bool unwritten;             /* the manifest could not be written, which was said */
-  int told;                   /* the list of what the runs read, or -1 */
-  vs_outcome failed;          /* of a model whose views could not be found; else done */
-  vs_scheme *inputs;          /* knows what was read: nothing of it may be written over */
+  bool unwritten;             /* the manifest could not be written; the message is out */
+  int told;                   /* the list of the files that the runs read, or -1 */
+  vs_outcome failed;          /* the outcome of the first model whose views could not be found; else done */
+  vs_scheme *inputs;          /* knows the files that were read, which no output may replace */
 } batch;
 
 static bool no_memory(void) { return fputs("vs: out of memory\n", stderr), false; }
@@ -63,9 +63,9 @@ static uint64_t hash_more(uint64_t h, const void *bytes, size_t count) { /* FNV-
 }
 static const uint64_t hash_begin = UINT64_C(0xcbf29ce484222325);
 
-/* ---- which pictures ---- */
+/* ---- the pictures of the batch ---- */
 
-/* "name" of "models/name.vs", what a file's name may not hold left out. */
+/* Writes "name" for "models/name.vs", without characters that a file's name cannot hold. */
 static void put_word(char *to, size_t room, const char *text, bool stem) {
   const char *slash = strrchr(text, '/'), *from = stem && slash ? slash + 1 : text;
   const char *dot = stem ? strrchr(from, '.') : NULL;
@@ -96,8 +96,8 @@ static bool add_picture(batch *b, const char *model, const char *set, const char
   return true;
 }
 
-/* The set as a part of a name: "r=4,n=2". A set that no name can hold, or a long one, gets a number of its own, so that
- * two sets never have one name, in this run or in the next. */
+/* Writes the set as a part of a name: "r=4,n=2". A long set, or one that a name cannot hold, gets a number of its own,
+ * so that two sets never share a name, in this run or the next. */
 static void put_set(char *to, size_t room, const char *set) {
   enum { LONGEST = 80 };
   size_t used = strlen(to), from = used;
@@ -113,7 +113,7 @@ static void put_set(char *to, size_t room, const char *set) {
   snprintf(to + used, room - used, "-%08" PRIx32, (uint32_t)(hash_more(hash_begin, set, strlen(set)) >> 16));
 }
 
-/* The picture's name: of a folder FOLDER/model-set-view-frame.png, of a file a.png a-set-view-frame.png. */
+/* Writes the picture's name: FOLDER/model-set-view-frame.png for a folder, a-set-view-frame.png for a file a.png. */
 static bool name_picture(const batch *b, const char *model, size_t set, const char *view, long frame,
                          char name[PATH_ROOM]) {
   const cli_options *o = b->options;
@@ -159,7 +159,7 @@ static void say(void *context, const vs_diagnostic *d) {
             d->message);
 }
 
-/* Adds a picture, or a picture for each frame: the parameter's value there stands behind the values of the set. */
+/* Adds a picture, or a picture for each frame; a frame's parameter value follows the values of the set. */
 static bool add_frames(batch *b, const char *model, size_t set, const char *view) {
   const cli_options *o = b->options;
   const char *given = o->set_count ? o->sets[set] : NULL;
@@ -178,8 +178,8 @@ static bool add_frames(batch *b, const char *model, size_t set, const char *view
   return ok;
 }
 
-/* With --all-views the model is run once here, for the names of its views. A model that fails takes no other with it; b
- * keeps the first failure. False: a picture cannot be named, which is said. */
+/* Adds the pictures of a model. With --all-views it runs the model once, for the names of its views. A failing model
+ * does not end the batch; b keeps the first failure. Returns false, after a message, if a picture cannot be named. */
 static bool add_model(batch *b, const char *model, size_t set) {
   const cli_options *o = b->options;
   const char *view;
@@ -223,8 +223,8 @@ static char *read_text(const char *path) {
   return text;
 }
 
-/* The line of the file in the manifest of the last run, without its comma and its end; NULL: there is none. The
- * manifest has a line a picture, as write_manifest makes it: one of other hands only costs a rendering. */
+/* Returns the line of the file in the manifest of the last run, without its comma and its end; NULL: none.
+ * write_manifest writes a line for each picture. A manifest in any other form only costs a rendering. */
 static const char *line_of(const batch *b, const picture *p, size_t *length) {
   char *key = NULL;
   size_t size = 0;
@@ -240,7 +240,7 @@ static const char *line_of(const batch *b, const picture *p, size_t *length) {
   return line;
 }
 
-/* Is the file in the manifest with this scene, and are its bytes those of then? */
+/* Returns true if the manifest lists the file with this scene, and the file still has those bytes. */
 static bool is_up_to_date(const batch *b, const picture *p, uint64_t scene) {
   char wanted[80];
   uint64_t bytes;
@@ -272,7 +272,7 @@ static void manifest_picture(FILE *to, const picture *p) {
   fprintf(to, ", \"outcome\": \"%s\"}", fates[p->result.fate]);
 }
 
-/* False: a model of the batch has read what stands at path, which is said. */
+/* Returns false, after a message, if a model of the batch has read the file at path. */
 static bool may_write(const batch *b, const char *path) {
   cli_inputs_hear(b->told, b->inputs);
   if (!vs_is_input(b->inputs, path)) return true;
@@ -280,7 +280,7 @@ static bool may_write(const batch *b, const char *path) {
   return false;
 }
 
-/* Writes by `fill` and takes the name last. lock: the file is locked before it has its name, and *lock holds it. */
+/* Writes by `fill` and gives the file its name last. lock: locks the file before it has its name; *lock holds it. */
 static bool write_whole(const batch *b, const char *path, void (*fill)(const batch *b, FILE *to), int *lock) {
   char part[PATH_ROOM];
   if (!may_write(b, path)) return false;
@@ -299,7 +299,7 @@ static bool write_whole(const batch *b, const char *path, void (*fill)(const bat
 static void fill_manifest(const batch *b, FILE *to) {
   fprintf(to, "{\"vs\": \"%s\", \"pictures\": [\n", vs_version());
   for (size_t i = 0; i < b->count; i++) {
-    /* of a picture that this run has not come to the last one's line holds */
+    /* a picture that this run has not reached keeps its old line */
     size_t length = 0;
     const char *line = b->at[i].result.fate == NOT_TRIED ? line_of(b, &b->at[i], &length) : NULL;
     if (line) fwrite(line, 1, length, to);
@@ -315,7 +315,7 @@ static void put_html(FILE *to, const char *text) {
     fwrite(spelled, 1, vs_spell_xml_value(&at, end, spelled), to);
 }
 
-/* The pictures stand in the page by their names, as seen from its folder: below it, or by their whole names. */
+/* Writes the page. It refers to the pictures relative to its folder, or by their full paths. */
 static void fill_sheet(const batch *b, FILE *to) {
   const char *sheet = b->options->sheet, *slash = strrchr(sheet, '/');
   size_t folder = slash ? (size_t)(slash + 1 - sheet) : 0;
@@ -343,8 +343,8 @@ static void fill_sheet(const batch *b, FILE *to) {
 
 /* ---- one picture ---- */
 
-/* This program with the model, its options and what else the picture wants, to write `file`, "-" for its scene.
- * Allocated; NULL: out of memory. */
+/* Returns the words of a command: this program with the model, its options and the picture's own, to write `file`, "-"
+ * for its scene. Allocated; NULL: out of memory. */
 static const char **words_of(const batch *b, const picture *p, char **defines, const char *file) {
   const cli_options *o = b->options;
   size_t n = 0, room = o->passed_count + 2 * strlen(p->set ? p->set : "") + 20;
@@ -367,10 +367,10 @@ static const char **words_of(const batch *b, const picture *p, char **defines, c
   return w;
 }
 
-/* In a child: when its parent is killed, it is asked to end, and takes its own children and files with it. */
+/* In a child: asks the system to end it when its parent is killed; it then takes its own children and files with it. */
 static void die_with_parent(int how) { prctl(PR_SET_PDEATHSIG, how); }
 
-/* Waits for a process; who has asked us to end may not have asked it: a terminal does, another program need not. */
+/* Waits for a process, and passes a signal on to it: a terminal signals both, another program perhaps only this one. */
 static void await(const batch *b, pid_t process, int *status) {
   bool asked = false;
   for (pid_t one = 0; one == 0;) {
@@ -381,7 +381,7 @@ static void await(const batch *b, pid_t process, int *status) {
   }
 }
 
-/* Runs it; *hash: of what it writes on standard output, where that is wanted. Its exit code. */
+/* Runs it, and returns its exit code. *hash: of its standard output, if hash is not NULL. */
 static int run(const batch *b, const picture *p, const char *file, uint64_t *hash) {
   int ends[2] = {-1, -1}, status = 0;
   char *defines = NULL;
@@ -408,7 +408,7 @@ static int run(const batch *b, const picture *p, const char *file, uint64_t *has
   return child < 0 ? VS_OUTCOME_MACHINE : WIFEXITED(status) ? WEXITSTATUS(status) : VS_OUTCOME_INTERRUPTED;
 }
 
-/* The hash of the picture's scene and of the options that it is made by. The exit code of the model's run. */
+/* Computes the hash of the picture's scene and options. Returns the exit code of the model's run. */
 static int hash_scene(const batch *b, const picture *p, uint64_t *out) {
   const cli_options *o = b->options;
   const char *version = vs_version();
@@ -433,11 +433,11 @@ static result make(const batch *b, const picture *p) {
 
 /* ---- the exposure of a film ----
  *
- * An exposure that sets itself is another in each frame, and the film flickers. The first frame is therefore rendered
- * once more, as light, and what its histogram asks for is the exposure of all. The manifest keeps it, by the hash of
- * the first frame's scene: a run that goes on takes it from there. */
+ * An automatic exposure would differ in each frame, and the film would flicker. Therefore the batch renders the first
+ * frame once more, as light, and uses its exposure for all frames. The manifest stores it with the hash of the first
+ * frame's scene, for a run that continues the film. */
 
-/* The exposure of the last run, where the first frame's scene is the same. */
+/* Takes the exposure of the last run, if the first frame's scene is the same. */
 static bool recall_exposure(const batch *b, picture *p) {
   char wanted[60];
   size_t length, n = 0;
@@ -451,7 +451,7 @@ static bool recall_exposure(const batch *b, picture *p) {
   return true;
 }
 
-/* Renders the frame as light, and finds its exposure. */
+/* Renders the frame as light, and computes its exposure. */
 static int meter(const batch *b, picture *p) {
   char light[PATH_ROOM + 20], developed[PATH_ROOM + 20];
   double stops = 0;
@@ -474,7 +474,7 @@ static bool is_png(const char *file) {
   return dot && !strcmp(dot, ".png");
 }
 
-/* Where the first frame fails, it is marked so. */
+/* Sets the exposures of all films; marks the first frame of a film as failed if it fails here. */
 static void expose_films(batch *b, const volatile sig_atomic_t *ended) {
   for (size_t from = 0, to; from < b->count && !*ended; from = to) {
     picture *p = &b->at[from];
@@ -491,7 +491,7 @@ static void expose_films(batch *b, const volatile sig_atomic_t *ended) {
   }
 }
 
-/* ---- all of them ---- */
+/* ---- the run ---- */
 
 static bool start(batch *b, picture *p) {
   int ends[2];
@@ -499,7 +499,7 @@ static bool start(batch *b, picture *p) {
   p->process = fork();
   if (p->process == 0) {
     close(ends[0]);
-    die_with_parent(SIGKILL); /* it waits for a program, and would not hear a gentler one */
+    die_with_parent(SIGKILL); /* it waits for a program, and would ignore a gentler signal */
     result r = make(b, p);
     ssize_t sent = write(ends[1], &r, sizeof r);
     _exit(sent == sizeof r ? 0 : 1);
@@ -509,7 +509,7 @@ static bool start(batch *b, picture *p) {
   return p->process > 0;
 }
 
-/* Writes it anew; the lock goes from the old file to the new one. False: said. */
+/* Writes the manifest anew; the lock moves from the old file to the new one. Returns false after a message. */
 static bool write_manifest(batch *b) {
   int was = b->lock;
   b->lock = -1;
@@ -519,8 +519,8 @@ static bool write_manifest(batch *b) {
   return ok;
 }
 
-/* Takes the manifest for this run alone, and reads it. False: another run has it, or it cannot be written, which is
- * said. */
+/* Locks the manifest for this run, and reads it. Returns false, after a message, if another run has it, or if it cannot
+ * be written. */
 static bool take_manifest(batch *b) {
   const char *path = b->manifest_path;
   struct stat mine, named;
@@ -550,7 +550,7 @@ static void finish(batch *b, picture *p) {
   fflush(stdout);
 }
 
-/* Is it a frame of a film of which one has failed? The next frames would meet the same. */
+/* Returns true for a frame of a film with a failed frame: the next frames would fail in the same way. */
 static bool is_of_failed_film(const batch *b, size_t i) {
   for (size_t k = i; b->at[i].frame && k-- > 0 && b->at[k].frame < b->at[k + 1].frame;)
     if (b->at[k].result.fate == FAILED) return true;
@@ -584,7 +584,7 @@ static void run_all(batch *b, const volatile sig_atomic_t *ended) {
 
 /* ---- films ---- */
 
-/* Makes a film of each run of frames, where a frame is new or there is no film. */
+/* Makes a film of each sequence of frames, if a frame is new or the film is missing. */
 static vs_outcome make_films(const batch *b) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   for (size_t from = 0, to; outcome == VS_OUTCOME_DONE && from < b->count; from = to) {
@@ -597,15 +597,15 @@ static vs_outcome make_films(const batch *b) {
   return outcome;
 }
 
-/* The manifest of frames that go into no folder of their own: f.manifest.json of f.png, since a model may read
- * f.json. */
+/* Writes the manifest's name for frames that go into no folder of their own: f.manifest.json for f.png, since a model
+ * may read f.json. */
 static const char *manifest_beside(const char *path, char name[PATH_ROOM]) {
   const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
   size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
   return snprintf(name, PATH_ROOM, "%.*s.manifest.json", (int)stem, path) < PATH_ROOM ? name : NULL;
 }
 
-/* The folder that the pictures go into is made where it is not there. False: said. */
+/* Makes the folder of the pictures if needed. Returns false after a message. */
 static bool make_folder(const cli_options *o) {
   struct stat is;
   const char *out = o->target_count ? o->targets[0].path : NULL, *slash = out ? strrchr(out, '/') : NULL;
@@ -617,7 +617,7 @@ static bool make_folder(const cli_options *o) {
   return fprintf(stderr, "vs render: the folder %s cannot be made: %s\n", folder, strerror(errno)), false;
 }
 
-/* Which file is the manifest; room: for its name. NULL: none is wanted. */
+/* Returns the manifest's name; room: for the name. NULL: no manifest. */
 static const char *manifest_of(const cli_options *o, char room[PATH_ROOM]) {
   struct stat is;
   const char *out = o->target_count ? o->targets[0].path : NULL;
@@ -627,7 +627,7 @@ static const char *manifest_of(const cli_options *o, char room[PATH_ROOM]) {
   return o->frames.count ? manifest_beside(out ? out : o->sources[0].text, room) : NULL;
 }
 
-/* Notes the models, and finds the pictures. False: said. */
+/* Records the models, and finds the pictures. Returns false after a message. */
 static bool prepare(batch *b) {
   const cli_options *o = b->options;
   bool ok = true;

@@ -6,7 +6,7 @@
 
 #include "cli/options.h"
 
-/* ended: not 0 when the command is to stop. The outcome is that of the first picture that failed. */
+/* ended: not 0 when the command must end. Returns the outcome of the first picture that failed. */
 vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t *ended);
 
 #endif

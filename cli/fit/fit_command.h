@@ -4,8 +4,8 @@
 
 #include "cli/command.h"
 
-/* Fits the model to the scan, prints what was found on standard output, and writes the maps of -o. The best so far of a
- * fit that was stopped, or of one that is none, is printed too, and the outcome says which. */
+/* Fits the model to the scan, prints the result on standard output, and writes the maps of -o. Also prints the best
+ * result of an interrupted or untrusted fit; the outcome tells which. */
 vs_outcome cli_fit(cli_session *c);
 
 #endif

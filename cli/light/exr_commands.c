@@ -1,4 +1,4 @@
-/* Owns the commands on EXR pictures: what they take, and what they tell. */
+/* Owns the commands on EXR pictures: their arguments and their output. */
 #include "cli/light/exr_commands.h"
 
 #include <errno.h>
@@ -17,7 +17,7 @@ static void diagnose(void *context, const vs_diagnostic *d) { cli_report_diagnos
 static const char *file_of(const job *j, size_t i) { return j->options->sources[i].text; }
 static const char *target_of(const job *j) { return j->options->target_count ? j->options->targets[0].path : NULL; }
 
-/* Ends with this, whatever the case? */
+/* Returns true if the path ends so, in any case. */
 static bool has_ending(const char *path, const char *ending) {
   size_t length = strlen(path), have = strlen(ending);
   if (length <= have) return false;
@@ -34,8 +34,8 @@ static vs_outcome tone(const job *j) {
   return outcome;
 }
 
-/* The sun's strength in our scenes is 3.2, which is taken for the 100,000 lx of a high sun in a clear sky: what is
- * white and faces it has 100,000 / pi cd/m2, and the number 3.2. */
+/* The sun of our scenes has strength 3.2, which we equate with 100,000 lx, a high sun in a clear sky. A white surface
+ * that faces it has 100,000 / pi cd/m2, and the number 3.2. */
 enum { CANDELAS_OF_ONE = 10000 };
 
 static double candelas_of_one(const job *j) {

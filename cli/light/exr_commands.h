@@ -4,7 +4,7 @@
 
 #include "cli/options.h"
 
-/* vs tone, vs falsecolor, vs pick, vs compare, vs denoise: as o->command says. Returns the exit code. */
+/* Runs vs tone, vs falsecolor, vs pick, vs compare or vs denoise, by o->command. Returns the exit code. */
 vs_outcome cli_exr_command(const cli_options *o);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns what `vs sunstudy` takes and tells; the work is the library's (vs_sun_study). */
+/* Owns the arguments and the output of `vs sunstudy`; the library does the work (vs_sun_study). */
 #include "cli/light/sun_command.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@ static bool bad(const char *option, const char *value, const char *wanted) {
   return false;
 }
 
-/* "8", "8.5", "8:30". */
+/* Reads "8", "8.5", "8:30". */
 static bool read_hours(const char *text, double *out) {
   char *end;
   *out = strtod(text, &end);

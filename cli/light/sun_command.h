@@ -6,7 +6,7 @@
 
 /* Studies the drawing of the model, which has run. Returns the exit code. */
 vs_outcome cli_sun_command(cli_session *c);
-/* Can the command line's place, day and hours be read? False: said on standard error. */
+/* Reads the command line's place, day and hours. Returns false after a message on standard error. */
 bool cli_sun_options(const cli_options *o, vs_sun_span *out);
 
 #endif

@@ -1,8 +1,8 @@
-/* Owns the editing of lines on a terminal by libedit: what its keys do not do by themselves.
+/* Owns the editing of lines on a terminal by libedit, and the keys that libedit lacks.
  *
- * libedit edits one buffer; a newline in it is shown as one, so that an expression recalled from the history is
- * edited as the several lines that it is. Lines typed one by one are handed over one by one, under a prompt that says
- * what is open; the up key on an empty line takes them all back into the buffer. */
+ * libedit edits one buffer. It shows a newline in it as a line break, so a recalled expression is edited as its several
+ * lines. Lines typed one by one are returned one by one, under a prompt that shows the open parentheses; the up key on
+ * an empty line takes all of them back into the buffer. */
 #include "cli/prompt/editor.h"
 #include "cli/prompt/line_buffer.h"
 #include "geometry/dynamic.h"
@@ -20,12 +20,12 @@
 #include <unistd.h>
 #include <wchar.h>
 
-enum { LOOK_MS = 40, HISTORY_ENTRIES = 2000, FLASH = 250 /* ms that a matching parenthesis is shown */ };
+enum { LOOK_MS = 40, HISTORY_ENTRIES = 2000, FLASH = 250 /* milliseconds that a matching parenthesis is shown */ };
 #define FLASHED "\033[9999~" /* a key that no keyboard has */
 
-/* libedit's functions, loaded when the first editor opens: linked in, it and the three libraries behind it would take
- * an eighth of the time of every run. They are no part of cli_editor: libedit gives its callbacks nothing but the
- * EditLine, and only el_get tells whose that is. */
+/* libedit's functions, loaded when the first editor opens: linked in, it and its three libraries would take an eighth
+ * of the time of every run. They are not in cli_editor: libedit passes only the EditLine to its callbacks, and only
+ * el_get can tell to which editor it belongs. */
 static struct {
 #define EDIT(name) __typeof__(&name) name;
 #include "cli/prompt/libedit.def"
@@ -48,17 +48,17 @@ struct cli_editor {
   vs_scheme *scheme;
   EditLine *line;
   History *history;
-  char *history_path;   /* NULL: none could be found or made */
+  char *history_path;   /* NULL: none was found or made */
   const char *prompt, *open;
-  line_buffer pasted;   /* lines that a paste ended; handed over as one */
-  line_buffer rest;     /* what a paste left behind its last newline: the next buffer begins with it */
-  bool taken_back;      /* the buffer holds the open lines too */
-  int back;             /* characters from the parenthesis that is shown for a moment to where the cursor belongs; 0:
-                         * none is */
-  ptrdiff_t closed;     /* where completion has closed a string: a quote typed there is that one; 0: nowhere */
+  line_buffer pasted;   /* the lines that a paste ended; returned together */
+  line_buffer rest;     /* the text after the last newline of a paste: the next buffer begins with it */
+  bool taken_back;      /* the buffer contains the open lines too */
+  int back;             /* characters from the shown parenthesis back to the cursor's place; 0: none is shown */
+  ptrdiff_t closed;     /* the place where completion has closed a string: a quote typed there counts as that one; 0:
+                         * none */
   void (*commands)(void (*each)(void *context, const char *name), void *context);
   cli_idle idle;
-  mbstate_t partial;    /* of a character whose bytes have not all come */
+  mbstate_t partial;    /* of a character whose bytes have not all arrived */
 };
 
 bool cli_colours(int descriptor) {
@@ -73,7 +73,7 @@ int cli_terminal_width(void) {
 
 /* ---- history ---- */
 
-/* $XDG_STATE_HOME/visualscheme/history, its folders made; allocated, or NULL. */
+/* Returns $XDG_STATE_HOME/visualscheme/history, and makes its folders; allocated, or NULL. */
 static char *history_path(void) {
   const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
   const char *const tail = "/visualscheme/history";
@@ -108,9 +108,9 @@ void cli_editor_remember(cli_editor *e, const char *line, size_t length) {
   free(copy);
 }
 
-/* ---- where the cursor is ---- */
+/* ---- the place of the cursor ---- */
 
-/* The open lines and the buffer up to the cursor, allocated; NULL: no memory. */
+/* Returns the open lines and the buffer up to the cursor, allocated; NULL: no memory. */
 static char *text_before(cli_editor *e) {
   const LineInfo *info = libedit.el_line(e->line);
   size_t open = e->taken_back ? 0 : strlen(e->open), n = (size_t)(info->cursor - info->buffer);
@@ -122,9 +122,8 @@ static char *text_before(cli_editor *e) {
   return all;
 }
 
-/* Looks through Scheme text as its reader would. open[0..depth): where the parentheses still open at its end stand.
- * Returns the depth; *in_string: within
- * a string. */
+/* Scans Scheme text as its reader would. open[0..depth): the places of the parentheses that are open at its end.
+ * Returns the depth; *in_string: the end is within a string. */
 static size_t scan(const char *at, size_t length, size_t *open, size_t room, bool *in_string) {
   size_t depth = 0;
   bool string = false;
@@ -147,7 +146,7 @@ static size_t scan(const char *at, size_t length, size_t *open, size_t room, boo
 
 enum { DEEP = 256 };
 
-/* The procedure whose call the cursor is in, into room; false: none. */
+/* Writes the name of the procedure whose call contains the cursor; returns false if there is none. */
 static bool called(const char *before, char *room, size_t size) {
   size_t open[DEEP], depth = scan(before, strlen(before), open, DEEP, NULL);
   while (depth-- > 0) {
@@ -161,7 +160,7 @@ static bool called(const char *before, char *room, size_t size) {
   return false;
 }
 
-/* "  (make-sphere c r) #:segments" below the line being typed. */
+/* Shows "  (make-sphere c r) #:segments" below the current line. */
 static bool show_call(cli_editor *e, const char *name) {
   vs_name_info info;
   if (!vs_name_get(e->scheme, name, &info) || !*info.call) return false;
@@ -215,7 +214,7 @@ static void collect_matching(void *context, const char *name) {
 
 static int by_text(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
-/* Files whose path begins with the prefix; folders end in a slash. */
+/* Collects files whose path begins with the prefix; folders end in a slash. */
 static void collect_files(names *n) {
   const char *slash = strrchr(n->prefix, '/');
   size_t folder = slash ? (size_t)(slash - n->prefix) + 1 : 0;
@@ -263,7 +262,7 @@ static void print_names(const names *n) {
   fflush(stdout);
 }
 
-/* Where the word before the cursor begins, and what may stand there. */
+/* The beginning of the word before the cursor, and its kind. */
 typedef enum { WORD_NAME, WORD_KEYWORD, WORD_FILE, WORD_COMMAND } word_kind;
 
 static word_kind word_at(const char *before, const char **start) {
@@ -292,7 +291,7 @@ static word_kind word_at(const char *before, const char **start) {
   return (*start)[0] == '#' && (*start)[1] == ':' ? WORD_KEYWORD : WORD_NAME;
 }
 
-/* Behind the name of a file that is whole stands a quote. */
+/* Adds the quote after the complete name of a file. */
 static bool close_string(cli_editor *e) {
   const LineInfo *info = libedit.el_line(e->line);
   if (info->cursor < info->lastchar && *info->cursor == '"') return true;
@@ -302,7 +301,7 @@ static bool close_string(cli_editor *e) {
   return true;
 }
 
-/* Inserts the quote; who types the one that completion has put there already means that. */
+/* Inserts a quote; if completion has put it there already, moves past it. */
 static unsigned char quote(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -364,7 +363,7 @@ static int characters(const char *from, const char *to) {
   return n;
 }
 
-/* Inserts the parenthesis and shows for a moment the one that it closes. */
+/* Inserts the parenthesis, and shows for a moment the one that it closes. */
 static unsigned char close_parenthesis(EditLine *line, int key) {
   char c[2] = {(char)key, 0};
   size_t open[DEEP];
@@ -375,15 +374,14 @@ static unsigned char close_parenthesis(EditLine *line, int key) {
   cli_editor *e = editor_of(line);
   if (!e || !depth || in_string) return CC_REFRESH;
   struct pollfd more = {.fd = STDIN_FILENO, .events = POLLIN};
-  if (poll(&more, 1, 0) > 0) return CC_REFRESH; /* a paste, or a quick typist */
+  if (poll(&more, 1, 0) > 0) return CC_REFRESH; /* a paste, or a fast typist */
   e->back = characters(info->buffer + open[depth - 1], info->cursor);
   libedit.el_cursor(line, -e->back);
-  libedit.el_push(line, FLASHED); /* libedit draws only between keys: one of our own follows once the cursor is there */
+  libedit.el_push(line, FLASHED); /* libedit draws only between keys: our own key follows once the cursor is there */
   return CC_REFRESH;
 }
 
-/* The cursor has been on the parenthesis that was closed: back to where it is typed, after a moment or with the next
- * key. */
+/* Moves the cursor from the matching parenthesis back to its place, after a moment or at the next key. */
 static unsigned char flashed(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -394,7 +392,7 @@ static unsigned char flashed(EditLine *line, int key) {
   return CC_CURSOR;
 }
 
-/* The column of the cursor within its line of the buffer, and whether there are lines above and below. */
+/* Returns the column of the cursor within its line of the buffer; tells whether there are lines above and below. */
 static size_t column_of(const LineInfo *info, bool *above, bool *below) {
   const char *line = info->cursor;
   while (line > info->buffer && line[-1] != '\n') line--;
@@ -420,7 +418,7 @@ static unsigned char line_up(EditLine *line, int key) {
     libedit.el_cursor(line, -(characters(start, info->cursor) - (int)(column < width ? column : width)));
     return CC_CURSOR;
   }
-  if (e && *e->open && !e->taken_back && info->lastchar == info->buffer) { /* the open lines, to be edited */
+  if (e && *e->open && !e->taken_back && info->lastchar == info->buffer) { /* the open lines, for editing */
     size_t n = strlen(e->open);
     char *copy = strdup(e->open);
     if (!copy) return CC_ERROR;
@@ -451,7 +449,8 @@ static unsigned char line_down(EditLine *line, int key) {
   return CC_CURSOR;
 }
 
-/* The blanks that the line after this text begins with: two more than where the innermost open parenthesis stands. */
+/* Returns the blanks at the beginning of the line after this text: two more than the column of the innermost open
+ * parenthesis. */
 static size_t indentation(const char *all) {
   size_t open[DEEP], depth = scan(all, strlen(all), open, DEEP, NULL), column = 0;
   if (!depth) return 0;
@@ -459,7 +458,7 @@ static size_t indentation(const char *all) {
   return column + 2 < 60 ? column + 2 : 60;
 }
 
-/* Ends the line; in an expression of several lines that is not whole yet begins another of them. */
+/* Ends the line; within an unfinished expression of several lines it begins another line. */
 static unsigned char enter(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -474,7 +473,7 @@ static unsigned char enter(EditLine *line, int key) {
     blanks[n + 1] = 0;
     return libedit.el_insertstr(line, blanks) == 0 ? CC_REFRESH : CC_ERROR;
   }
-  if (several && info->cursor < info->lastchar) { /* what follows is printed below all of it */
+  if (several && info->cursor < info->lastchar) { /* the output comes below all of it */
     libedit.el_cursor(line, characters(info->cursor, info->lastchar));
     libedit.el_push(line, "\015");
     return CC_CURSOR;
@@ -483,15 +482,14 @@ static unsigned char enter(EditLine *line, int key) {
   return CC_NORM;
 }
 
-/* A newline within the buffer, whatever is open. */
+/* Inserts a newline into the buffer, even after a complete expression. */
 static unsigned char new_line(EditLine *line, int key) {
   (void)key;
   return libedit.el_insertstr(line, "\n") == 0 ? CC_REFRESH : CC_ERROR;
 }
 
-/* Text that a terminal sends between ESC [ 200 ~ and ESC [ 201 ~ was pasted: no character of it is a key. Tabs
- * become blanks. Whole lines end the
- * buffer; what stands behind the last of them begins the next. */
+/* Inserts pasted text, which a terminal sends between ESC [ 200 ~ and ESC [ 201 ~: none of its characters is a key.
+ * Tabs become blanks. Whole lines end the buffer; the rest begins the next. */
 static unsigned char paste(EditLine *line, int key) {
   (void)key;
   static const char end[] = "\033[201~";
@@ -520,7 +518,7 @@ static unsigned char paste(EditLine *line, int key) {
     if (ok) {
       fwrite(got.at, 1, (size_t)(last + 1 - got.at), stdout); /* as if it had been typed */
       fflush(stdout);
-      result = CC_NEWLINE; /* the buffer itself is past */
+      result = CC_NEWLINE; /* the buffer itself has ended */
     }
   }
   free(got.at);
@@ -609,7 +607,7 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
   return e;
 }
 
-/* As libedit's own reading of a character, but for what is done while none comes. */
+/* Reads a character as libedit does, and runs the idle functions while none comes. */
 static int read_key(EditLine *line, wchar_t *key) {
   cli_editor *e = editor_of(line);
   for (;;) {
@@ -630,7 +628,7 @@ static int read_key(EditLine *line, wchar_t *key) {
     size_t used = mbrtowc(key, &byte, 1, &e->partial);
     if (used == (size_t)-2) continue;
     if (used != (size_t)-1) return 1;
-    memset(&e->partial, 0, sizeof e->partial); /* no character: it is dropped */
+    memset(&e->partial, 0, sizeof e->partial); /* not a character: it is dropped */
   }
 }
 
@@ -647,7 +645,7 @@ bool cli_editor_has_more(const cli_editor *e) {
 const char *cli_editor_line(cli_editor *e, const char *prompt, const char *open, size_t *length, bool *whole) {
   e->prompt = prompt, e->open = open, e->taken_back = false, e->closed = 0, e->back = 0;
   e->pasted.length = 0;
-  fputs("\033[?2004h", stdout); /* text that is pasted is to come marked as such */
+  fputs("\033[?2004h", stdout); /* asks the terminal to mark pasted text */
   fflush(stdout);
   if (e->rest.length) {
     libedit.el_push(e->line, e->rest.at);

@@ -1,4 +1,4 @@
-/* Owns the growth of the prompt's text: at least to twice what is needed, with a 0 behind the last byte. */
+/* Owns the growth of the prompt's text: at least to twice the need, with a 0 after the last byte. */
 #include "cli/prompt/line_buffer.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Owns the manual that the command carries. The build joins the pages of manual/ into one text (Makefile): a line
+/* Owns the manual inside the command. The build joins the pages of manual/ into one text (Makefile), with a line
  * "\001PATH" before each. markdown.c prints it. */
 #include "cli/prompt/manual.h"
 
@@ -21,7 +21,7 @@ static const char *after(part line) { return line.end < vs_manual_text_end ? lin
 
 static int level(part line) { return cli_markdown_level(line.at, (size_t)(line.end - line.at)); }
 
-static bool is_word_of(part line, const char *word) { /* anywhere in it, whatever the case, as a word of its own */
+static bool is_word_of(part line, const char *word) { /* anywhere in it, in any case, as a whole word */
   size_t n = strlen(word);
   for (const char *p = line.at; n && p + n <= line.end; p++) {
     if (strncasecmp(p, word, n) != 0) continue;
@@ -32,7 +32,7 @@ static bool is_word_of(part line, const char *word) { /* anywhere in it, whateve
   return false;
 }
 
-/* Is the name one of those a heading describes, `name` or `(name argument ...)`? */
+/* Returns true if the heading describes the name: `name` or `(name argument ...)`. */
 static bool describes(part line, const char *name) {
   size_t n = strlen(name);
   for (const char *p = line.at; p + 1 < line.end; p++) {
@@ -47,7 +47,7 @@ static bool describes(part line, const char *name) {
 
 /* ---- printing ---- */
 
-/* Prints what stands from a heading up to the next one of its level or above, or the end of the page. */
+/* Prints the text from a heading to the next one of its level or above, or to the end of the page. */
 static bool print_section(const char *at, FILE *to, bool whole_page) {
   const char *from = at;
   bool code = false;
@@ -63,9 +63,9 @@ static bool print_section(const char *at, FILE *to, bool whole_page) {
   return cli_markdown_print(from, (size_t)(at - from), cli_terminal_width(), bold, to);
 }
 
-/* ---- looking up ---- */
+/* ---- searching ---- */
 
-/* The name of a page: language/points.md is points, and language/README.md, which opens a folder, is language. */
+/* Returns the name of a page: points for language/points.md, language for language/README.md, which opens a folder. */
 static part page_name(part line) {
   const char *from = line.at + 1, *to = line.end, readme[] = "/README.md";
   size_t n = sizeof readme - 1;
@@ -80,7 +80,7 @@ static bool same(part p, const char *word) {
   return (size_t)(p.end - p.at) == strlen(word) && !strncasecmp(p.at, word, strlen(word));
 }
 
-/* The heading whose entry describes a name of the language; NULL: none does. */
+/* Returns the heading of the entry on a name of the language; NULL: none. */
 static const char *find_entry(const char *word) {
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
     part line = line_at(at);
@@ -90,7 +90,8 @@ static const char *find_entry(const char *word) {
   return NULL;
 }
 
-/* Does an item of a list of calls, "- `(make-box p q)`, `(make-wedge p q)`: ...", begin with a call of the name? */
+/* Returns true if an item of a list of calls, "- `(make-box p q)`, `(make-wedge p q)`: ...", begins with a call of the
+ * name. */
 static bool calls(part line, const char *name) {
   if (line.end - line.at < 4 || memcmp(line.at, "- `", 3) != 0) return false;
   bool code = false;
@@ -99,8 +100,8 @@ static bool calls(part line, const char *name) {
   return describes((part){line.at, p}, name);
 }
 
-/* The first line of the page of that name, or else of the page whose list of calls, "- `(make-box p q)`: ...", has the
- * name; NULL: none. */
+/* Returns the first line of the page with that name, or else of the page whose list of calls, "- `(make-box p q)`:
+ * ...", contains the name; NULL: none. */
 static const char *find_page(const char *word) {
   const char *page = NULL, *called = NULL;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
@@ -123,7 +124,7 @@ static const char *find_section(const char *word) {
   return NULL;
 }
 
-/* Is the word one of a cell, "point, gvector", or several of one, "radians"? */
+/* Returns true if the cell contains the word: "point, gvector", or several words: "radians". */
 static bool has_word(part cell, const char *word) {
   size_t n = strlen(word);
   for (const char *p = cell.at; p < cell.end;) {
@@ -137,7 +138,8 @@ static bool has_word(part cell, const char *word) {
   return false;
 }
 
-/* Prints what the page of words for beginners has on the word: "radian: the angle whose ...". False: nothing. */
+/* Prints the entry of the page of words for beginners: "radian: the angle whose ...". Returns false if there is
+ * none. */
 static bool print_meaning(const char *word, FILE *to) {
   bool on = false;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {

@@ -1,8 +1,8 @@
-/* Owns how a page of the manual reads in a terminal.
+/* Owns the layout of the manual's pages in a terminal.
  *
- * The lines of a block (a paragraph, an item, a cell) are joined and become plain text with three marks in it: BOLD and
- * PLAIN switch the type, and TIED is a blank at which no line may break, so that a short call stays in one piece. Lines
- * are then filled from that text. */
+ * The lines of a block (a paragraph, an item, a cell) are joined into plain text with three marks: BOLD and PLAIN
+ * switch the type, and TIED is a blank at which no line may break, so that a short call stays in one piece. Lines are
+ * then filled from that text. */
 #include "cli/prompt/markdown.h"
 
 #include <stdlib.h>
@@ -18,14 +18,14 @@ typedef struct {
   FILE *to;
   int width;
   bool bold;
-  bool blank;    /* the last line printed was empty, or none was printed */
+  bool blank;    /* the last printed line was empty, or none was printed */
   line_buffer source;  /* the lines of a block, joined */
-  line_buffer plain;   /* the same with marks in place of Markdown's signs */
+  line_buffer plain;   /* the same, with marks in place of Markdown's signs */
 } printer;
 
 static bool add_sign(line_buffer *t, char sign) { return cli_line_buffer_add(t, &sign, 1); }
 
-/* ---- what a line is ---- */
+/* ---- kinds of line ---- */
 
 static part line_at(const char *at, const char *end) {
   const char *stop = memchr(at, '\n', (size_t)(end - at));
@@ -43,8 +43,8 @@ int cli_markdown_level(const char *line, size_t length) {
 }
 static int level(part line) { return cli_markdown_level(line.at, (size_t)(line.end - line.at)); }
 
-/* The columns of an item's sign with the blanks before and behind it, as 2 of "- word" and 3 of "1. word"; 0 where the
- * line is no item. */
+/* Returns the columns of the item's sign with the blanks around it: 2 for "- word", 3 for "1. word"; 0 if the line is
+ * no item. */
 static int item_sign(part line) {
   const char *p = line.at;
   while (p < line.end && *p == ' ') p++;
@@ -59,14 +59,14 @@ static bool is_empty(part line) {
   while (line.at < line.end && *line.at == ' ') line.at++;
   return line.at == line.end;
 }
-static bool goes_on(part line) { /* does the line belong to the paragraph or item before it? */
+static bool goes_on(part line) { /* true if the line belongs to the paragraph or item before it */
   return !is_empty(line) && !level(line) && !item_sign(line) && !begins(line, "```") && !begins(line, "|") &&
       !begins(line, "![");
 }
 
 /* ---- within a block ---- */
 
-/* The end of the code that begins at p, a `; NULL where nothing closes it. */
+/* Returns the end of the code that begins at p, a `; NULL if it is not closed. */
 static const char *code_end(const char *p, const char *end) { return memchr(p + 1, '`', (size_t)(end - p - 1)); }
 
 static bool add_code(line_buffer *plain, const char *at, const char *end) {
@@ -77,10 +77,10 @@ static bool add_code(line_buffer *plain, const char *at, const char *end) {
   return add_sign(plain, PLAIN);
 }
 
-/* Appends the text to `plain` with marks in place of Markdown's signs. */
+/* Appends the text to `plain`, with marks in place of Markdown's signs. */
 static bool add_plain(line_buffer *plain, part from) {
   bool strong = false;
-  const char *link = NULL; /* where the words of a link end: the ] of ](to) */
+  const char *link = NULL; /* the end of a link's words: the ] of ](to) */
   for (const char *p = from.at; p < from.end; p++) {
     const char *close = *p == '`' ? code_end(p, from.end) : NULL;
     if (close) {
@@ -112,7 +112,7 @@ static int columns(const char *at, const char *end) {
   return n;
 }
 
-/* Takes the words that fit `width` columns off the text, at least one. */
+/* Takes from the text the words that fit `width` columns, at least one. */
 static part take_line(part *rest, int width) {
   while (rest->at < rest->end && *rest->at == ' ') rest->at++;
   part line = {rest->at, rest->at};
@@ -134,7 +134,7 @@ static void print_blanks(printer *o, int n) {
   for (int i = 0; i < n; i++) fputc(' ', o->to);
 }
 
-/* Prints a line's words. *bold: the type that the text before it was left in, and that this line leaves. */
+/* Prints a line's words. *bold: the type at the end of the text before it, and then of this line. */
 static void print_words(printer *o, part line, bool *bold) {
   if (*bold && o->bold) fputs("\033[1m", o->to);
   for (const char *p = line.at; p < line.end; p++) {
@@ -147,7 +147,7 @@ static void print_words(printer *o, part line, bool *bold) {
   if (*bold && o->bold) fputs("\033[0m", o->to);
 }
 
-/* Prints the text in lines, `indent` blanks before each but the first. */
+/* Prints the text in lines, with `indent` blanks before each except the first. */
 static void fill(printer *o, part rest, int indent, bool bold) {
   int before = 0;
   do {
@@ -165,7 +165,7 @@ static void leave_blank(printer *o) {
   o->blank = true;
 }
 
-/* ---- blocks; each returns where the next one begins, or NULL without memory ---- */
+/* ---- blocks; each returns the beginning of the next one, or NULL without memory ---- */
 
 static const char *after(part line, const char *end) { return line.end < end ? line.end + 1 : end; }
 
@@ -183,7 +183,7 @@ static const char *print_code(printer *o, const char *at, const char *end) {
   return at;
 }
 
-/* A paragraph, or an item of a list: its words stand to the right of its sign. */
+/* Prints a paragraph, or an item of a list with its words to the right of its sign. */
 static const char *print_text(printer *o, const char *at, const char *end) {
   part first = line_at(at, end), line = first;
   int sign = item_sign(line);
@@ -225,7 +225,7 @@ static bool is_rule(part line) { /* |---|---| */
   return true;
 }
 
-/* Splits |a|b| at the bars that are neither in `code` nor behind a backslash. */
+/* Splits |a|b| at the bars that are neither in `code` nor after a backslash. */
 static bool read_row(printer *o, part line, row *r) {
   r->count = 0;
   while (line.end > line.at && line.end[-1] == ' ') line.end--;
@@ -250,8 +250,8 @@ static bool read_row(printer *o, part line, row *r) {
   return true;
 }
 
-/* Columns as wide as their widest cell; where that is too much, the widest give way until all fit, down to their
- * longest word. */
+/* Computes the widths of columns: that of the widest cell. If the sum is too large, the widest columns shrink until all
+ * fit, at most to their longest word. */
 static void share_width(int *wide, const int *least, int count, int width) {
   int room = width - GAP * (count - 1), cap = 0;
   for (int i = 0; i < count; i++) cap = wide[i] > cap ? wide[i] : cap;

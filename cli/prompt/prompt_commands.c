@@ -1,4 +1,4 @@
-/* Owns what the prompt's own commands do; prompt_commands.def lists them. */
+/* Owns the prompt's own commands; prompt_commands.def lists them. */
 #include "cli/prompt/prompt_commands.h"
 
 #include <ctype.h>
@@ -20,7 +20,7 @@
 
 /* ---- files ---- */
 
-/* A file's name, which needs no quotes here, without those that it has. */
+/* Returns a file's name, which needs no quotes here, without its quotes. */
 static char *unquoted(char *name) {
   size_t n = strlen(name);
   if (n < 2 || name[0] != '"' || name[n - 1] != '"') return name;
@@ -40,7 +40,7 @@ static void write_file(cli_session *c, const char *path, const char *command) {
   }
 }
 
-/* FILE, or what was run last, from the start. */
+/* Runs FILE, or the last file, from the start. */
 static vs_outcome run_model(cli_session *c, const char *path) {
   const cli_options *o = c->options;
   if (*path && access(path, R_OK) != 0) {
@@ -78,11 +78,11 @@ static void run_file(cli_session *c, cli_prompt *p, const char *path) {
   if (outcome == VS_OUTCOME_USAGE) return;
   cli_prompt_forget_stopped(p);
   if (outcome == VS_OUTCOME_STOPPED) cli_prompt_stopped(c, p, (cli_entry){NULL, 0, 0, 0});
-  for (size_t i = 0; i < p->known; i++) free(p->entries[i].text); /* what was typed is forgotten too */
+  for (size_t i = 0; i < p->known; i++) free(p->entries[i].text); /* typed entries are dropped too */
   p->count = p->known = 0;
 }
 
-/* As (load "FILE") does: an entry, to be undone and saved. */
+/* Loads as (load "FILE") does: it makes an entry, for ,undo and ,save. */
 static void load_file(cli_session *c, cli_prompt *p, const char *path) {
   if (*path) {
     char *copy = strdup(path);
@@ -127,7 +127,7 @@ void cli_prompt_set(cli_session *c, char *rest) {
     fputs("; ,parameters lists them\n", stderr);
   } else if (!c->model && !c->options->source_count) {
     fprintf(stderr, "%s was defined at the prompt; do that again: (define-parameter %s %s)\n", rest, rest, value);
-  /* refused: as before */
+  /* refused: the old value stays */
   } else if (vs_parameter_set(c->scheme, rest, value) && run_model(c, "") == VS_OUTCOME_USAGE && was &&
       vs_parameter_set(c->scheme, rest, was)) {
     printf("; %s stays %s\n", rest, was);
@@ -136,7 +136,7 @@ void cli_prompt_set(cli_session *c, char *rest) {
   free(was);
 }
 
-/* A line each: name, value, what it may be, label. */
+/* Prints a line for each parameter: name, value, range, label. */
 static void list_parameters(cli_session *c) {
   size_t count = vs_parameter_count(c->scheme);
   vs_parameter_info p;
@@ -201,7 +201,7 @@ static void help(cli_session *c, const char *name) {
   if (*info.value) printf("  %s is %s\n", name, info.value);
 }
 
-/* Is the word in the text, whatever the case? */
+/* Returns true if the text contains the word, in any case. */
 static bool has(const char *text, const char *word) {
   size_t n = strlen(word);
   for (; *text; text++) {
@@ -269,9 +269,9 @@ static void expand(cli_session *c, const char *form) {
   else fputs(",expand needs a form, as in ,expand (for/list ([i 3]) i)\n", stderr);
 }
 
-/* ---- what was typed ---- */
+/* ---- entries ---- */
 
-/* Everything from the start up to the entries that still hold, without printing their values. */
+/* Runs everything from the start up to the last entry in force, without printing values. */
 static vs_outcome replay(cli_session *c, cli_prompt *p) {
   FILE *output = c->output;
   bool quiet = c->options->quiet;
@@ -322,7 +322,7 @@ static void redo(cli_session *c, cli_prompt *p) {
   replay(c, p);
 }
 
-/* Which of that entry's values an entry behind it asks for by its number; 0: none. */
+/* Returns the number of the entry's value that a later entry refers to by its number; 0: none. */
 static unsigned named_later(const cli_prompt *p, size_t entry) {
   const cli_entry *e = &p->entries[entry];
   for (size_t i = entry + 1; e->results && i < p->count; i++)
@@ -333,7 +333,7 @@ static unsigned named_later(const cli_prompt *p, size_t entry) {
   return 0;
 }
 
-/* Is the text one expression in parentheses, or one word? */
+/* Returns true if the text is one expression in parentheses, or one word. */
 static bool is_one(cli_session *c, const char *text, size_t n) {
   if (*text != '(' && *text != '[') return memchr(text, ' ', n) == NULL && memchr(text, '\n', n) == NULL;
   for (size_t k = 2; k < n; k++)
@@ -342,7 +342,7 @@ static bool is_one(cli_session *c, const char *text, size_t n) {
   return true;
 }
 
-/* An entry as a line of a program; its value gets the name that it had as a number, where what follows uses that. */
+/* Writes an entry as a line of a program. If a later entry refers to its value by number, the value gets a name. */
 static void save_entry(cli_session *c, const cli_prompt *p, size_t entry, FILE *f) {
   const char *text = p->entries[entry].text;
   text += strspn(text, " \t\r\n");
@@ -357,13 +357,13 @@ static void save_entry(cli_session *c, const cli_prompt *p, size_t entry, FILE *
     fprintf(stderr, "; $%u is not in the program: it is the value of one of several expressions in a line\n", named);
 }
 
-/* Does the entry only watch: (trace f)? */
+/* Returns true if the entry only traces: (trace f). */
 static bool only_watches(const char *text) {
   text += strspn(text, " \t\r\n");
   return strncmp(text, "(trace ", 7) == 0 || strncmp(text, "(untrace ", 9) == 0;
 }
 
-/* The entries as a program: the model's files first, then every entry. */
+/* Writes the entries as a program: the model's files first, then every entry. */
 static void save(cli_session *c, cli_prompt *p, const char *path) {
   if (!*path) {
     fputs(",save needs a file name, as in ,save house.vs\n", stderr);
@@ -400,7 +400,7 @@ static void save(cli_session *c, cli_prompt *p, const char *path) {
            definitions);
 }
 
-/* ---- watching a program ---- */
+/* ---- tracing ---- */
 
 static double seconds(void) {
   struct timespec t;
@@ -518,7 +518,7 @@ static void disassemble(cli_session *c, const char *name) {
       *name ? name : "nothing");
 }
 
-/* ---- finding the command ---- */
+/* ---- the table of commands ---- */
 
 void cli_command_names(void (*each)(void *context, const char *name), void *context) {
 #define COMMAND(name, argument, help, action) each(context, #name);

@@ -1,8 +1,8 @@
-/* Owns the prompt's loop: reads lines until they are whole data, evaluates them, prints their values; an error does
- * not end it.
+/* Owns the prompt's loop: it reads lines until they are complete data, evaluates them and prints their values. An error
+ * does not end it.
  *
- * On a terminal editor.c edits the lines. Without one (a pipe) lines are read as they come and no prompt is shown. A
- * line that begins with a comma is a command to the prompt itself, also where an expression is open. */
+ * On a terminal, editor.c edits the lines. Otherwise (a pipe) the loop reads plain lines and shows no prompt. A line
+ * that begins with a comma is a command to the prompt itself, even within an unfinished expression. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +15,7 @@
 #include "cli/prompt/standard_output.h"
 #include "live/live.h"
 
-/* The next line with its newline, or NULL: the end, or an interrupt (errno EINTR). */
+/* Returns the next line with its newline, or NULL: the end, or an interrupt (errno EINTR). */
 static const char *next_line(cli_session *c, const char *prompt, const char *open, size_t *length, bool *whole) {
   *whole = false;
   errno = 0;
@@ -60,7 +60,7 @@ unsigned cli_prompt_results(cli_session *c, cli_prompt *p) {
 }
 
 static bool remember(cli_session *c, cli_prompt *p, const char *text, size_t length, unsigned first_line) {
-  for (size_t i = p->count; i < p->known; i++) free(p->entries[i].text); /* what was undone is past */
+  for (size_t i = p->count; i < p->known; i++) free(p->entries[i].text); /* undone entries are dropped */
   p->known = p->count;
   if (!has_room(&p->entries, p->count, &p->room)) return false;
   char *copy = malloc(length + 1);
@@ -81,17 +81,17 @@ void cli_prompt_free(cli_prompt *p) {
   free(p->loaded);
 }
 
-/* 3 + 4 is three values. */
+/* Explains that 3 + 4 is three values. */
 static bool advise_infix(const char *line) {
   char a[40], sign[3], b[40], rest[2];
   if (sscanf(line, "%39[^ ()\"'] %2[-+*/<>=^%%] %39[^ ()\"']%1s", a, sign, b, rest) != 3) return false;
-  if (sign[0] == '=' && !sign[1]) return false; /* x = 5: the error says it */
+  if (sign[0] == '=' && !sign[1]) return false; /* x = 5: the error explains it */
   fprintf(stderr, "; the operator stands first: (%s %s %s)\n", strcmp(sign, "^") == 0 ? "expt" : strcmp(sign,
       "==") == 0 ? "=" : sign, a, b);
   return true;
 }
 
-/* A line as one types it to a shell: `load "x.vs"` is two values, and `show` no name at all. */
+/* Advises on a line typed as in a shell: `load "x.vs"` is two values, and `show` is no name. */
 static void advise_bare_call(cli_session *c, const char *line, bool failed) {
   char name[40];
   size_t length = strcspn(line, " ");
@@ -105,12 +105,12 @@ static void advise_bare_call(cli_session *c, const char *line, bool failed) {
   } else {
     char command[sizeof name + 1];
     snprintf(command, sizeof command, ",%s", name);
-    if (!failed || strstr(vs_name_advice(c->scheme, name), command)) return; /* the error has told it */
+    if (!failed || strstr(vs_name_advice(c->scheme, name), command)) return; /* the error has explained it */
   }
   cli_command_advise(name, stderr);
 }
 
-/* Looks at a line without parentheses around it that was run. */
+/* Advises on an evaluated line without parentheses around it. */
 static void advise(cli_session *c, const char *text, size_t length, bool failed) {
   char line[120];
   while (length && strchr(" \t\r\n", text[length - 1])) length--;
@@ -121,9 +121,9 @@ static void advise(cli_session *c, const char *text, size_t length, bool failed)
   if (failed || !advise_infix(line)) advise_bare_call(c, line, failed);
 }
 
-/* ---- programs that are stopped ---- */
+/* ---- paused programs ---- */
 
-/* vs_resume, watched. */
+/* Calls vs_resume, with the watch. */
 static vs_outcome resume(cli_session *c, vs_resume_way way) {
   c->drawn = true;
   cli_watch_begin(&c->watch, true);
@@ -204,7 +204,7 @@ vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *t
     outcome = cli_prompt_stopped(c, p, (cli_entry){copy.at, first_line, 0, 0});
   } else if (outcome == VS_OUTCOME_DONE) {
     advise(c, text, length, false);
-    /* what was asked of a stopped program makes no sense outside of it */
+    /* questions to a paused program make no sense outside of it */
     if ((!p->stopped_count || cli_is_definition(text)) && !remember(c, p, text, length,
         first_line)) fputs("vs: out of memory\n", stderr);
   } else if (outcome == VS_OUTCOME_MODEL) {
@@ -227,7 +227,7 @@ static bool view_asked(void *context) {
   return p->asked.kind != LIVE_NOTHING;
 }
 
-/* Does what a window asks, as if it had been typed. */
+/* Carries out a window's request, as if it had been typed. */
 static void view_act(void *context) {
   cli_prompt *p = context;
   cli_session *c = p->session;
@@ -265,7 +265,7 @@ void cli_prompt_view(cli_session *c, cli_prompt *p) {
   puts("; the page follows the drawing for as long as this prompt lives");
 }
 
-/* Before a line is asked for: the view shows what the last one made. */
+/* Shows the result of the last line in the view, before the next prompt. */
 static void show_view(cli_session *c) {
   if (!c->view) return;
   if (c->drawn) live_follow_show(c->view);
@@ -274,15 +274,15 @@ static void show_view(cli_session *c) {
 
 /* ---- the loop ---- */
 
-/* "2 open, from line 1> ": how deep, and where the innermost open parenthesis stands. */
+/* Returns "2 open, from line 1> ": the depth, and the line of the innermost open parenthesis. */
 static const char *continuation(const vs_read_status *status, char *room, size_t size) {
   if (status->depth) snprintf(room, size, "%u open, from line %u> ", status->depth, status->line);
   else snprintf(room, size, "open from line %u> ", status->line);
   return room;
 }
 
-/* Says where the expression that is given up may lack its parenthesis: at the end of the line before the first that
- * begins at the left edge. */
+/* Prints where the abandoned expression probably lacks its parenthesis: at the end of the line before the first one
+ * that begins at the left edge. */
 static void tell_given_up(const char *text, const vs_read_status *status) {
   unsigned line = 1, lacks = 0;
   for (const char *at = text; *at; line++) {
@@ -295,7 +295,7 @@ static void tell_given_up(const char *text, const vs_read_status *status) {
   else printf("; given up: what opens on line %u, column %u is not closed\n", status->line, status->column);
 }
 
-/* "> "; where a program is stopped "break> ", or "2 break> " when another is stopped below it. */
+/* Returns "> "; "break> " if a program is paused, "2 break> " if another is paused below it. */
 static const char *top_prompt(const cli_prompt *p, char *room, size_t size) {
   if (!p->stopped_count) return "> ";
   const char *how = p->again ? "step" : "break";
@@ -309,12 +309,12 @@ vs_outcome cli_repl(cli_session *c) {
   c->editor = cli_editor_open(c->scheme, cli_command_names);
   if (c->editor && !c->options->quiet) printf("VisualScheme %s. ,help lists commands, ,quit ends.\n", vs_version());
   line_buffer pending = {0};
-  unsigned first_line = 1; /* of what is pending */
+  unsigned first_line = 1; /* of the pending text */
   int code;
   vs_outcome outcome = VS_OUTCOME_DONE;
   vs_read_status status = {0};
   c->stops = VS_EVAL_STOP;
-  /* what the command line named stopped */
+  /* the command line's program has paused */
   if (vs_stop_depth(c->scheme)) cli_prompt_stopped(c, &p, (cli_entry){NULL, 0, 0, 0});
   while (p.going && !*c->ended && !vs_exit_requested(c->scheme, &code)) {
     cli_output_flush(c);
@@ -329,7 +329,7 @@ vs_outcome cli_repl(cli_session *c) {
         ? pending.at : "", &length, &whole);
     if (line && c->view) live_follow_begin(c->view);
     if (!line && *c->ended) break;
-    if (!line && errno == EINTR && c->editor) { /* ctrl-C drops what was typed */
+    if (!line && errno == EINTR && c->editor) { /* ctrl-C drops the typed text */
       vs_interrupt_clear(c->scheme);
       putchar('\n');
       pending.length = 0;
@@ -387,9 +387,9 @@ vs_outcome cli_repl(cli_session *c) {
     if (status.state == VS_READ_INCOMPLETE && p.going) continue;
     if (status.state != VS_READ_EMPTY && pending.length) {
       if (c->editor) cli_editor_remember(c->editor, pending.at, pending.length);
-      /* An entry that can never be read is evaluated too: the reader's error says why. */
+      /* An entry that is not valid is evaluated too: the reader's error gives the reason. */
       vs_outcome one = cli_prompt_evaluate(c, &p, pending.at, pending.length, first_line);
-      /* nobody sees the errors of a pipe's lines go by: the first is the exit code */
+      /* errors of a pipe's lines may pass unseen: the first one is the exit code */
       if (!c->editor && outcome == VS_OUTCOME_DONE && one != VS_OUTCOME_STOPPED) outcome = one;
       if (one == VS_OUTCOME_INTERRUPTED && !c->editor) {
         outcome = one;
@@ -398,7 +398,7 @@ vs_outcome cli_repl(cli_session *c) {
     }
     pending.length = 0;
   }
-  if (vs_exit_requested(c->scheme, &code)) outcome = VS_OUTCOME_DONE; /* the program says which code */
+  if (vs_exit_requested(c->scheme, &code)) outcome = VS_OUTCOME_DONE; /* the program gives the code */
   free(pending.at);
   live_follow_close(c->view);
   c->view = NULL;

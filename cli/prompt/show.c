@@ -1,7 +1,7 @@
-/* Owns ,show: a picture of the drawing on the terminal. Its triangles come from the PLY writer, each with its
- * colour. A small rasteriser with a depth for each pixel draws them, seen from the front left above. The protocols of
- * sixel, kitty and iTerm show pixels; everywhere else each character is two of them, one above the other (the upper
- * half block in 24-bit colour). */
+/* Owns ,show: a picture of the drawing on the terminal. Its triangles come from the PLY writer, each with its colour. A
+ * small rasteriser with a depth buffer draws them, seen from the front left above. Terminals with the protocols of
+ * sixel, kitty or iTerm show pixels. On all others each character shows two, one above the other (the upper half block
+ * in 24-bit colour). */
 #include "cli/prompt/show.h"
 
 #include <math.h>
@@ -80,7 +80,7 @@ static vec corner(const ply *p, uint32_t i) {
   return (vec){number_at(at, p->wide), number_at(at + step, p->wide), number_at(at + 2 * step, p->wide)};
 }
 
-/* Parallel, from the front left above: x to the right, y up, z towards the eye. */
+/* Projects a point in parallel, from the front left above: x to the right, y up, z towards the eye. */
 static vec seen(vec v) {
   /* turned by 30 degrees about Z, tilted by 30 */
   const double c = .8660254037844387, s = .5, ct = .8660254037844386, st = .5;
@@ -112,9 +112,9 @@ static void fill(picture *p, const vec t[3], const unsigned char rgb[3]) {
     }
 }
 
-enum { FACE = 17 }; /* a count, three corners, red green blue and opacity */
+enum { FACE = 17 }; /* a count, three corners, red, green, blue and opacity */
 
-/* False: no memory, or nothing to see. */
+/* Returns false if there is no memory, or nothing to see. */
 static bool draw(const ply *m, int width, int height, picture *p) {
   size_t pixels = (size_t)width * (size_t)height;
   *p = (picture){width, height, malloc(pixels * sizeof(float)), calloc(pixels, 3)};
@@ -138,7 +138,7 @@ static bool draw(const ply *m, int width, int height, picture *p) {
       vec s = seen(corner(m, c));
       t[k] = (vec){dx + scale * s.x, dy - scale * s.y, scale * s.z};
     }
-    vec swap = t[1]; /* y runs down in the picture: the other way round */
+    vec swap = t[1]; /* y points down in the picture, so the order of corners changes */
     t[1] = t[2], t[2] = swap;
     if (fits) fill(p, t, face + 13);
     face += FACE;
@@ -169,7 +169,7 @@ static void show_blocks(const picture *p) {
   }
 }
 
-/* Without colours: the brightness as a character for each two pixels. */
+/* Shows the brightness, without colours, as a character for each two pixels. */
 static void show_characters(const picture *p) {
   static const char ramp[] = " .:-=+*#%@";
   for (int y = 0; y < p->height; y += 2) {
@@ -194,7 +194,7 @@ static void base64(const unsigned char *at, size_t n) {
   }
 }
 
-/* kitty's protocol: raw pixels with their opacity, in pieces of 3072 bytes. */
+/* Shows raw pixels with opacity by kitty's protocol, in pieces of 3072 bytes. */
 static void show_kitty(const picture *p) {
   enum { PIECE = 3072 };
   size_t pixels = (size_t)p->width * (size_t)p->height, n = 4 * pixels;
@@ -213,7 +213,7 @@ static void show_kitty(const picture *p) {
   free(rgba);
 }
 
-/* iTerm's protocol takes files: a portable pixmap is one. */
+/* Shows a portable pixmap by iTerm's protocol, which takes files. */
 static void show_iterm(const picture *p) {
   size_t pixels = (size_t)p->width * (size_t)p->height, head;
   unsigned char *file = malloc(3 * pixels + 40);
@@ -227,7 +227,7 @@ static void show_iterm(const picture *p) {
   free(file);
 }
 
-/* Sixels in the 216 colours of a cube with six steps a side. */
+/* Returns the index in the 216 colours of a cube with six steps a side, for sixels. */
 static int cube(const unsigned char *c) {
   return (c[0] * 5 + 127) / 255 * 36 + (c[1] * 5 + 127) / 255 * 6 + (c[2] * 5 + 127) / 255;
 }
@@ -262,18 +262,19 @@ static void show_sixel(const picture *p) {
   fputs("\033\\\n", stdout);
 }
 
-/* ---- which way ---- */
+/* ---- the choice of protocol ---- */
 
 typedef enum { SHOW_BLOCKS, SHOW_KITTY, SHOW_ITERM, SHOW_SIXEL, SHOW_CHARACTERS } way;
 
-/* By what the terminal says of itself; VS_SHOW over all: kitty, iterm, sixel, blocks or characters. */
+/* Chooses by the terminal's own description; VS_SHOW overrides it: kitty, iterm, sixel, blocks or characters. */
 static way best_way(void) {
   static const char *const names[] = {"blocks", "kitty", "iterm", "sixel", "characters"};
   const char *wanted = getenv("VS_SHOW"), *term = getenv("TERM"), *program = getenv("TERM_PROGRAM");
   for (int i = 0; wanted && i < 5; i++)
     if (!strcmp(wanted, names[i])) return (way)i;
   if (!isatty(STDOUT_FILENO) || !cli_colours(STDOUT_FILENO)) return SHOW_CHARACTERS;
-  bool inside = getenv("TMUX") || (term && !strncmp(term, "screen", 6)); /* what it says is not what shows it */
+  bool inside = getenv("TMUX") || (term && !strncmp(term, "screen", 6)); /* the description is not that of the terminal
+                                                                          * that shows it */
   if (!inside && (getenv("KITTY_WINDOW_ID") || (term && strstr(term, "kitty")) || (program &&
       !strcmp(program, "ghostty")))) return SHOW_KITTY;
   if (!inside && program && (!strcmp(program, "iTerm.app") || !strcmp(program, "WezTerm"))) return SHOW_ITERM;

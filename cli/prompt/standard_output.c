@@ -1,4 +1,4 @@
-/* Owns what happens where standard output cannot be written. */
+/* Owns the reaction to a standard output that cannot be written. */
 #include "cli/prompt/standard_output.h"
 
 #include <errno.h>
@@ -16,7 +16,7 @@ void cli_output_flush(cli_session *c) {
   if (fflush(stdout) != 0) cli_output_fails(c);
 }
 
-/* Has the reader of standard output gone? It wanted no more, and gets no message. */
+/* Returns true if the reader of standard output has gone. It wants no more, and gets no message. */
 static bool reader_is_gone(void) {
   struct pollfd out = { .fd = STDOUT_FILENO, .events = POLLOUT };
   return poll(&out, 1, 0) > 0 && (out.revents & (POLLERR | POLLHUP)) != 0;
@@ -24,7 +24,7 @@ static bool reader_is_gone(void) {
 
 int cli_output_end(int code, bool told) {
   errno = 0;
-  bool failed = fflush(stdout) != 0; /* errno is 0 where an earlier write failed and left nothing to write */
+  bool failed = fflush(stdout) != 0; /* errno is 0 if an earlier write failed and left nothing to write */
   if (!failed && !ferror(stdout) && !told) return code;
   if (code != VS_OUTCOME_DONE && code != VS_OUTCOME_MODEL) return code; /* with its own message */
   if (!told && errno && errno != EPIPE) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
