@@ -140,7 +140,8 @@ const char *path_sample(size_t i) { return i < sample_count ? samples[i].name : 
 bool path_is_nothing(const char *name) {
   char kind[64];
   snprintf(kind, sizeof kind, "%.*s", (int)strcspn(name, "/"), name);
-  return strcmp(kind, "empty-object") == 0 || (no_model_why(kind) && strchr(name, '/') == NULL);
+  bool endless = strcmp(kind, "xline") == 0 || strcmp(kind, "ray") == 0; /* no bounds, and no mesh */
+  return endless || strcmp(kind, "empty-object") == 0 || (no_model_why(kind) && strchr(name, '/') == NULL);
 }
 const char *path_definitions(void) { return definitions; }
 

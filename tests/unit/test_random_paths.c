@@ -188,13 +188,45 @@ static bool wrong(paths *p, const char *format, ...) {
   return true;
 }
 
-/* The bounds hold the mesh; bounds of what is round are those of fine facets. */
+/* Returns the volume of the mesh's part beyond the level along axis k, on the side of `sign`: the flux of the field
+ * (0, 0, z - level), whose divergence is 1, through the triangles, each cut at the level (the theorem of Gauss). */
+static double volume_beyond(const written_mesh *m, int k, double level, int sign) {
+  double sum = 0;
+  int u = (k + 1) % 3, v = (k + 2) % 3;
+  for (size_t i = 0; i < m->count; i++) {
+    double part[4][3]; /* the coordinates u, v and the height above the level */
+    int n = 0;
+    for (int c = 0; c < 3; c++) {
+      const double *a = m->points[m->triangles[i][c]], *b = m->points[m->triangles[i][(c + 1) % 3]];
+      double ha = a[k] - level, hb = b[k] - level, t = ha / (ha - hb);
+      if (sign * ha > 0) part[n][0] = a[u], part[n][1] = a[v], part[n++][2] = ha;
+      if ((sign * ha > 0) != (sign * hb > 0))
+        part[n][0] = a[u] + t * (b[u] - a[u]), part[n][1] = a[v] + t * (b[v] - a[v]), part[n++][2] = 0;
+    }
+    for (int c = 2; c < n; c++) {
+      double area = ((part[c - 1][0] - part[0][0]) * (part[c][1] - part[0][1]) -
+                     (part[c - 1][1] - part[0][1]) * (part[c][0] - part[0][0])) / 2;
+      sum += area * (part[0][2] + part[c - 1][2] + part[c][2]) / 3;
+    }
+  }
+  return sum;
+}
+
+/* The bounds contain the mesh; bounds of a round shape are those of fine facets. Rounding may leave a fin where
+ * faces that lie in one plane were turned: its volume is below the area times 1e-12 of the size, so the solid ends
+ * before it. */
 static bool bad_bounds(paths *p, const looks *a, double slack) {
-  for (size_t i = 0; i < a->mesh.s.point_count; i++)
-    for (int k = 0; k < 3; k++) {
-      double at = a->mesh.s.points[i][k];
-      if (at >= a->low[k] - slack && at <= a->high[k] + slack) continue;
-      return wrong(p, "the mesh reaches to %.9g along axis %d, and the bounds from %.9g to %.9g", at, k, a->low[k],
+  for (int k = 0; k < 3; k++)
+    for (int side = 0; side < 2; side++) {
+      double level = side ? a->high[k] + slack : a->low[k] - slack, far = level;
+      for (size_t i = 0; i < a->mesh.s.point_count; i++) {
+        double at = a->mesh.s.points[i][k];
+        if (side ? at > far : at < far) far = at;
+      }
+      if (far == level) continue;
+      double beyond = fabs(volume_beyond(&a->mesh.s, k, level, side ? 1 : -1));
+      if (a->solid && beyond <= 1e-12 * a->size * a->mesh.area) continue;
+      return wrong(p, "the mesh reaches to %.9g along axis %d, and the bounds from %.9g to %.9g", far, k, a->low[k],
                    a->high[k]);
     }
   return false;
