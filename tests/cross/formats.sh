@@ -1,18 +1,18 @@
-# Owns manual/formats.md: what becomes of every kind of object in every format, found out by writing each shape of the table to each format and looking
-# at what came. `sh tests/cross/formats.sh` prints the page.
+# Owns manual/formats.md: every kind of object in every format, found by writing each shape of the table to each format. `sh tests/cross/formats.sh` prints the page.
 #
 # native: in the format's own words. triangles: lowered to them. lines: to polylines. With "or": some forms of the kind one way, some the other.
-# Text in italics is, in short, the warning with which the format leaves the kind out or shows it as something else.
+# Text in italics is the short form of the warning with which the format omits the kind or shows it as another.
 . tests/report.sh
 sheet=tests/cross/sheet.vs
 
 cat <<'EOF'
 # Formats
 
-What becomes of every kind of object in every format. This page is made from what the program writes (`tests/cross/formats.sh`); a test keeps it current.
+This table shows each kind of object in each format. `tests/cross/formats.sh` makes the page from the program's outputs;
+a test keeps it current.
 
 EOF
-echo '| ending | |'
+echo '| ending | content |'
 echo '|---|---|'
 sed -n 's/^VS_\(FORMAT\|NOTATION\)(\([^,]*\), [^,]*, "\([^"]*\)", [^,]*, [^,]*, "\(.*\)")$/\1 \2 \3 \4/p' backends/backends.def | while read -r sort suffix name doc; do
   if [ "$sort" = FORMAT ]; then echo "| \`.$suffix\` | $doc |"; else echo "| \`--format $name\` | ${doc%: --format *} |"; fi
@@ -45,20 +45,28 @@ for format in pov scad x3d html glb 3mf obj ply off stl tree; do
 done
 cat <<'EOF'
 
-*native*: in the format's own words, so that a round shape stays round and can be edited there. *triangles*, *lines*: replaced by triangles or straight pieces, as fine as
-`--tolerance` says. Where a cell has several, it depends on the object: a straight extrusion can be native where a tapered one is triangles. *Italics*: the program warns of
-it. No shape is left out without a warning; colours and names that a format cannot hold are.
+- *native*: in the format's own words; a round shape stays round, and you can edit it there
+- *triangles*, *lines*: triangles or straight pieces, as fine as `--tolerance`
+- *italics*: the text of a warning
 
-`.png` and `.exr` are POV-Ray's; `.x3dv` and `.html` hold the shapes that `.x3d` does. Formats of bare triangles, the column *meshes* (`.stl .3mf .obj .ply .off`), hold the union of all solids;
-`.obj`, `.ply` and `.off` also hold regions and open surfaces, as open faces, and `.obj` and `.ply` curves, as lines. [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids,
-surfaces and curves by their lines. `.tree` holds everything as it is.
+With several entries, it depends on the object: a straight extrusion can be native, a tapered one triangles. `vs` never
+omits a shape without a warning; it omits colours and names that a format cannot hold.
 
-What a format cannot show is shown thin where that can be understood (`.pov .scad`: rods and slabs), else left out; a warning names the first place, and all other objects are
-written. With `--strict` it is an error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide, and curves, flat regions, text and open surfaces without a material are dark.
+- `.png` and `.exr` are those of POV-Ray.
+- `.x3dv` and `.html` contain the same shapes as `.x3d`.
+- The column *meshes* is for formats of bare triangles (`.stl .3mf .obj .ply .off`): the union of all solids. `.obj`, `.ply`
+  and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as lines.
+- [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids, surfaces and curves by their lines.
+- `.tree` contains everything.
+
+`.pov` and `.scad` show curves as thin rods, and `.scad` flat regions and open surfaces as thin slabs. Other formats
+omit the shapes that they cannot show. A warning names the first place, and `vs` writes all other objects. With
+`--strict` this is an error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide. Curves, flat
+regions, text and open surfaces without a material are dark.
 
 EOF
 
-# A shape, a line of the table of forms: its kind, each format and what the format makes of it. It reads what vs said, then the files that are text.
+# A shape, a line of the table of forms: its kind, each format and its form there. It reads the messages of vs, then the files that are text.
 cat > "$work/found.awk" <<'EOF'
 FNR == 1 { file = FILENAME; sub(/.*\./, "", file); aside = 0 }
 file == "said" {
@@ -120,7 +128,7 @@ awk -F '\t' -v found="$work/found" -v formats='pov scad x3d glb stl' '
     while ((getline line < found) > 0) {
       split(line, part, "\t")
       sub(/^\*(the drawing holds nothing that this format can show|all that is drawn is empty[^*]*)/, "*nothing to show", part[3])
-      sub(/^\*[^:]*: /, "*", part[3]); sub(/ are drawn as /, " as ", part[3]); sub(/ are left out/, " left out", part[3])
+      sub(/^\*[^:]*: /, "*", part[3]); sub(/ are drawn as /, " as ", part[3]); sub(/ are (left out|omitted)/, " omitted", part[3])
       key = part[1] SUBSEP part[2]
       met[part[1]] = 1
       word = part[3] == "both" ? "native\ttriangles" : part[3]
