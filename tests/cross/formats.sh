@@ -54,8 +54,8 @@ omits a shape without a warning; it omits colours and names that a format cannot
 
 - `.png` and `.exr` are those of POV-Ray.
 - `.x3dv` and `.html` contain the same shapes as `.x3d`.
-- The column *meshes* is for formats of bare triangles (`.stl .3mf .obj .ply .off`): the union of all solids. `.obj`, `.ply`
-  and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as lines.
+- The column *meshes* is for formats of bare triangles (`.stl .3mf .obj .ply .off`): the union of all solids. `.obj`,
+  `.ply` and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as lines.
 - [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids, surfaces and curves by their lines.
 - `.tree` contains everything.
 
