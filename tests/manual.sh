@@ -110,8 +110,12 @@ grep '^| `' manual/materials.md >> "$work/shown"
 if [ -s "$work/wanted" ] && diff "$work/wanted" "$work/shown" > "$work/diff"; then echo "ok manual/materials:tables"
 else echo "not ok manual/materials:tables"; sed 's/^/    /' "$work/diff"; fi
 
-# The examples tell the truth.
-for page in manual/i-want-to.md manual/materials.md manual/drawings.md manual/coming-from-[agoj]*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do
+# The examples tell the truth. A block whose first line is a comment with the name of a file in another language is that file.
+awk -v work="$work" '
+  /^```/ { file = ""; first = 1; next }
+  first  { first = 0; if (match($0, /^(%|\/\/) [a-z]+\.(gml|js)$/)) { file = $2 } }
+  file   { print > (work "/" file) }' manual/gml.md
+for page in manual/gml.md manual/i-want-to.md manual/materials.md manual/drawings.md manual/coming-from-[agoj]*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do
   name=${page#manual/}
   case $name in coming-from-*) tables=1 ;; *) tables= ;; esac
   cat tests/manual/doctest.vs > "$work/page.vs"

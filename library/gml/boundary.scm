@@ -6,13 +6,14 @@
 ; A face that
 ; lies within another, its base, is a ring of it: a hole.
 
-(define-record-type <edge> (make-edge vertex next previous mate face sharp) edge?
-  (vertex edge-vertex set-edge-vertex!)
-  (next edge-next set-edge-next!)
-  (previous edge-previous set-edge-previous!)
-  (mate edge-mate set-edge-mate!)
-  (face edge-face set-edge-face!)   ; #f: the edge was taken away
-  (sharp edge-sharp set-edge-sharp!))
+; The fields of an edge are not printed: it knows its whole shape.
+(define-record-type |%edge of GML| (make-edge %vertex %next %previous %mate %face %sharp) edge?
+  (%vertex edge-vertex set-edge-vertex!)
+  (%next edge-next set-edge-next!)
+  (%previous edge-previous set-edge-previous!)
+  (%mate edge-mate set-edge-mate!)
+  (%face edge-face set-edge-face!)   ; #f: the edge was taken away
+  (%sharp edge-sharp set-edge-sharp!))
 (define-record-type <vertex> (make-vertex place corner) vertex? (place vertex-place set-vertex-place!)
   (corner vertex-corner))
 (define-record-type <face> (make-face edge base rings material) face?

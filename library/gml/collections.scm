@@ -115,7 +115,7 @@
          (let ((l (vector->list (cadr t)))) (gml:push (make-block (cadr t) (lambda () (for-each execute-token l) #t)))))
         (else (error (string-append "a procedure that was put together has no registers: "
                        (substring (symbol->string (cadr t)) 1)))))
-      (if (procedure? t) (t) (gml:push t))))
+      (if (or (procedure? t) (outside? t)) (execute t) (gml:push t))))
 
 ; ---- dictionaries ----
 

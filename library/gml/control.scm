@@ -1,7 +1,7 @@
 ; Control: conditions, loops, exits and exceptions. After collections.scm.
 
 (define (need-procedure who v)
-  (if (not (or (block? v) (procedure? v))) (refuse who "an operand must be a procedure { ... }" v)))
+  (if (not (or (block? v) (procedure? v) (outside? v))) (refuse who "an operand must be a procedure { ... }" v)))
 
 (operator! (exec p) (execute p))
 (operator! (if condition p) (need-procedure 'if p) (if (true? condition) (execute p)))

@@ -4,11 +4,16 @@
 ; table; a node of the scene is one as well, and so is the controller.
 ; A procedure { ... } is a closure that the reader compiled, with the tokens that it was made of.
 
-(define-record-type <block> (make-block tokens thunk) block? (tokens block-tokens) (thunk block-thunk))
-(define-record-type <array> (make-array items count) array? (items array-items set-array-items!)
-  (count array-count set-array-count!))
-(define-record-type <vec2> (make-vec2 x y) vec2? (x vec2-x) (y vec2-y))
-(define-record-type <marker> (make-marker) marker?)
+; A procedure of Scheme that a program gave to GML is an outside: crossing.scm. Names of record types and fields begin with % so that the
+; printer shows no fields.
+
+(define-record-type |%procedure of GML| (make-block %tokens %thunk) block? (%tokens block-tokens) (%thunk block-thunk))
+(define-record-type |%array of GML| (make-array %items %count) array? (%items array-items set-array-items!)
+  (%count array-count set-array-count!))
+(define-record-type |%vector of GML| (make-vec2 x y) vec2? (x vec2-x) (y vec2-y))
+(define-record-type |%mark of GML| (make-marker) marker?)
+(define-record-type |%outside of GML| (make-outside %procedure %count) outside? (%procedure outside-procedure) (%count outside-count))
+(define run-outside #f)
 
 (define gml:unset (list 'unset))
 (define mark (make-marker))
@@ -74,7 +79,7 @@
                (else (loop (+ i 1) (string-append t " " (let ((e (vector-ref (array-items v) i)))
                                                           (if (array? e) "[ ... ]" (show e))))))))))
     ((hash-table? v) "a dictionary")
-    ((procedure? v) "an operator")
+    ((or (procedure? v) (outside? v)) "an operator")
     ((edge? v) "an edge")
     ((eq? v (node-controller)) "the controller")
     (else (format "~a" v))))
@@ -121,6 +126,7 @@
 (define (execute v)
   (cond ((block? v) ((block-thunk v)))
         ((procedure? v) (v))
+        ((outside? v) (run-outside v))
         (else (gml:push v))))
 
 (define (gml:call name) (execute (lookup name)))
@@ -142,7 +148,7 @@
   (if (eq? v gml:unset) (error (string-append "the register " (substring (symbol->string name) 1) " was never set")))
   (gml:push v))
 
-(define (gml:register v name) (if (or (block? v) (procedure? v)) (execute v) (gml:value v name)))
+(define (gml:register v name) (if (or (block? v) (procedure? v) (outside? v)) (execute v) (gml:value v name)))
 
 ; ---- what operators are made of ----
 
@@ -167,5 +173,5 @@
   (if (not (and (exact-integer? v) (>= v 0))) (refuse who "an operand must be a whole number from 0" v)))
 (define (need-vector who v) (if (not (point? v)) (refuse who "an operand must be a vector (x,y,z)" v)))
 (define (need-name who v) (if (not (symbol? v)) (refuse who "a name is needed, written /name" v)))
-(define (true? v) (not (and (number? v) (= v 0))))
+(define (true? v) (not (or (not v) (and (number? v) (= v 0)))))
 (define (flag b) (if b 1 0))

@@ -28,7 +28,9 @@
     gui_number gui_choice gui_text (rename gui-number js:gui-number) (rename gui-choice js:gui-choice) (rename gui-text js:gui-text)
     io_stdout_write io_stdout_writeln io_stderr_write
     math_add math_subtract math_scale math_mix math_dot math_length math_normalize math_cross math_radians math_degrees
-    utl_range utl_fill utl_is_array utl_copy utl_assert)
-  (import (visualscheme) (javascript core))
+    utl_range utl_fill utl_is_array utl_copy utl_assert
+    ; what the language finds beside them
+    from-script to-javascript)
+  (import (visualscheme) (javascript core) (scripts))
   (begin (define true #t) (define false #f))
-  (include "runtime/values.scm" "runtime/operators.scm" "runtime/builtins.scm" "runtime/modelling.scm"))
+  (include "runtime/values.scm" "runtime/operators.scm" "runtime/builtins.scm" "runtime/native.scm" "runtime/modelling.scm"))

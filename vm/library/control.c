@@ -139,6 +139,40 @@ static vs_status apply_self(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_TAILCALL;
 }
 
+/* A function of a script takes any number of values, and its translation names the rest or `this`. */
+static bool is_script_function(vs_scheme *vm, const vs_code *code) {
+  const vs_vector *params = vs_as_vector(code->params);
+  size_t before = (size_t)code->required + code->optional;
+  if (code->required || !(code->flags & VS_CODE_REST)) return false;
+  if (code->keywords) return code->keywords == 1 && params->at[before] == vm->sym.self;
+  return vs_is_symbol(params->at[before]) && !strcmp(vs_as_symbol(params->at[before])->name, "more:");
+}
+
+/* (%procedure-shape procedure): #(least most script?): how many values it takes, most #f where there is no limit; of a function of
+ * a script, both are the number of its parameters. */
+static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
+  (void)n;
+  if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure", a[0]);
+  uint32_t least = 0, most = UINT32_MAX;
+  bool script = false;
+  if (vs_is(a[0], VS_T_CASE) && vs_as_case(a[0])->count) { /* the clause that is tried first */
+    const vs_code *code = vs_as_code(vs_as_closure(vs_as_case(a[0])->clause[0])->code);
+    least = code->required;
+  } else if (vs_is(a[0], VS_T_CLOSURE)) {
+    const vs_code *code = vs_as_code(vs_as_closure(a[0])->code);
+    script = is_script_function(vm, code);
+    least = script ? code->optional : code->required;
+    if (script || !(code->flags & VS_CODE_REST)) most = code->required + code->optional;
+  } else if (vs_is(a[0], VS_T_NATIVE)) {
+    least = vs_as_native(a[0])->min;
+    most = vs_as_native(a[0])->max;
+  }
+  if (!vs_make_vector(vm, 3, vs_bool(script), out)) return VS_ERROR;
+  vs_as_vector(*out)->at[0] = vs_fix(least);
+  vs_as_vector(*out)->at[1] = most == UINT32_MAX ? VS_FALSE : vs_fix(most);
+  return VS_OK;
+}
+
 /* ---- handlers ---- */
 /* handler thunk | handlers outside */
 static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
@@ -389,6 +423,7 @@ static const vs_native_def defs[] = {
   { "call-with-values", "producer consumer", call_with_values, 1, "call consumer with producer's values" },
   { "apply", "procedure first . arguments", apply, -1, "call with the arguments in a list" },
   { "%apply-self", "procedure list this", apply_self, -1, NULL },
+  { "%procedure-shape", "procedure", procedure_shape, 0, NULL },
   { "with-exception-handler", "handler thunk", with_exception_handler, 1,
     "call thunk; what it raises goes to handler" },
   { "raise", "obj", raise_, 1, "raise obj to the handler in force" },

@@ -3,37 +3,27 @@
 
 (define (not-defined name) (reference-error name " is not defined"))
 
-; What native text gives, as a value of the script.
-(define (from-native v)
-  (cond ((and (number? v) (not (flonum? v))) (inexact v))
-        ((and (pair? v) (list? v)) (list->array (map from-native v)))
-        ((vector? v) (list->array (map from-native (vector->list v))))
-        (else v)))
-
-; A list or a vector of the language is read as an array is.
-(define (native-property v key) (if (or (pair? v) (vector? v)) (let ((a (from-native v))) (if (array? a) (get a key) undefined)) undefined))
-(define (native-text v) (call-with-output-string (lambda (port) (display v port))))
-
 ; ---- values for the language ----
 
 (define (coordinates who v)
-  (let ((l (if (array? v) (array->list v) '())))
+  (let ((l (if (numerous? v) (argument-list v) '())))
     (if (not (and (memv (length l) '(2 3)) (every-number? l)))
         (type-error who ": a point or vector is an array of two or three numbers, not " (to-string v)))
     l))
 (define (every-number? l) (or (null? l) (and (flonum? (car l)) (every-number? (cdr l)))))
+(define (numerous? v) (or (array? v) (sequence? v)))
 (define (to-point who v)
-  (if (array? v) (let ((l (coordinates who v))) (xyz (car l) (cadr l) (if (pair? (cddr l)) (caddr l) 0))) v))
+  (if (and (numerous? v) (not (point? v))) (let ((l (coordinates who v))) (xyz (car l) (cadr l) (if (pair? (cddr l)) (caddr l) 0))) v))
 (define (to-vector who v)
-  (if (array? v) (let ((l (coordinates who v))) (vxyz (car l) (cadr l) (if (pair? (cddr l)) (caddr l) 0))) v))
+  (if (and (numerous? v) (not (gvector? v))) (let ((l (coordinates who v))) (vxyz (car l) (cadr l) (if (pair? (cddr l)) (caddr l) 0))) v))
 (define (points who v)
-  (if (not (array? v)) (type-error who ": an array of points is wanted, not " (to-string v)))
-  (map (lambda (p) (to-point who p)) (array->list v)))
+  (if (or (not (numerous? v)) (place? v)) (type-error who ": an array of points is wanted, not " (to-string v)))
+  (map (lambda (p) (to-point who p)) (argument-list v)))
 (define (from-point p) (array (inexact (cx p)) (inexact (cy p)) (inexact (cz p))))
 
 (define (flat values)   ; objects, and arrays of them
   (cond ((null? values) '())
-        ((array? (car values)) (append (flat (array->list (car values))) (flat (cdr values))))
+        ((numerous? (car values)) (append (flat (argument-list (car values))) (flat (cdr values))))
         (else (cons (car values) (flat (cdr values))))))
 
 ; ---- GEO ----
@@ -50,13 +40,13 @@
 (define geo_tetrahedron (fn this (a b c d) (hull (map (lambda (p) (to-point "geo_tetrahedron" p)) (list a b c d)))))
 (define geo_mesh
   (fn this (all faces)
-    (if (not (array? faces)) (type-error "geo_mesh: the faces are an array of arrays of places among the points"))
+    (if (not (numerous? faces)) (type-error "geo_mesh: the faces are an array of arrays of places among the points"))
     (make-polyface-mesh (points "geo_mesh" all)
-      (map (lambda (f) (map (lambda (i) (+ 1 (exact (to-integer i)))) (argument-list f))) (array->list faces)))))
+      (map (lambda (f) (map (lambda (i) (+ 1 (exact (to-integer i)))) (argument-list f))) (argument-list faces)))))
 (define geo_polygon (fn this (all) (make-polygon (points "geo_polygon" all))))
 (define geo_extrude
   (fn this (profile amount)
-    (do-extrude (if (array? profile) (make-polygon (points "geo_extrude" profile)) profile) (to-vector "geo_extrude" amount))))
+    (do-extrude (if (numerous? profile) (make-polygon (points "geo_extrude" profile)) profile) (to-vector "geo_extrude" amount))))
 (define geo_union (fn-rest this () values (apply unite (flat values))))
 (define geo_intersection (fn-rest this () values (apply intersect (flat values))))
 (define geo_difference (fn-rest this () values (apply subtract (flat values))))
@@ -65,7 +55,7 @@
   (fn this (o p axis angle) (do-rotate o (to-point "geo_rotate" p) (to-vector "geo_rotate" axis) angle)))
 (define geo_scale
   (fn this (o factor p)
-    (let ((factor (if (array? factor) (coordinates "geo_scale" factor) factor)))
+    (let ((factor (if (numerous? factor) (coordinates "geo_scale" factor) factor)))
       (if (eq? p undefined) (do-scale o factor) (do-scale o (to-point "geo_scale" p) factor)))))
 (define geo_color (fn this (o r g b) (color (if (eq? g undefined) r (list r g b)) o)))
 (define geo_layer (fn this (o name) (layer name o)))
@@ -145,10 +135,11 @@
       (let ((a (make-array no-names 0. #f)))
         (let loop ((x from)) (if (< x to) (begin (push! a x) (loop (+ x step))) a))))))
 (define utl_fill (fn this (n value) (let ((n (exact (max 0. (to-integer n))))) (make-array (make-vector n value) (inexact n) #f))))
-(define utl_is_array (fn this (v) (array? v)))
+(define utl_is_array (fn this (v) (numerous? v)))
 (define utl_copy
   (fn this (v)
     (cond ((array? v) (make-array (vector-copy (array-items v)) (array-length v) #f))
+          ((native? v) (to-javascript v))
           ((object? v) (let ((o (object))) (for-each (lambda (k) (own-put! o k (get v k))) (own-keys v)) o))
           (else v))))
 (define utl_assert (fn this (test text) (if (true? test) undefined (throw (make-error error-prototype (if (eq? text undefined) "an assertion failed" (to-string text)))))))

@@ -9,13 +9,13 @@
         ((flonum? v) (not (or (= v 0.) (nan? v))))
         ((string? v) (not (eq? (string-length v) 0)))
         ((number? v) (not (= v 0)))
-        (else (not (or (eq? v undefined) (null? v))))))
+        (else (not (nothing? v)))))
 
-(define (nothing? v) (or (eq? v undefined) (null? v)))
+(define (nothing? v) (or (eq? v undefined) (eq? v null)))
 
 (define (type-of v)
   (cond ((flonum? v) "number") ((string? v) "string") ((boolean? v) "boolean") ((eq? v undefined) "undefined")
-        ((procedure? v) "function") ((number? v) "number") (else "object")))
+        ((procedure? v) "function") ((number? v) "number") ((symbol? v) "string") (else "object")))
 
 (define (type-of-unknown thunk)
   (type-of (catch thunk (lambda (e) undefined))))
@@ -28,17 +28,19 @@
                      (next))))))
     (try first (lambda () (try second (lambda () (type-error "Cannot convert object to primitive value")))))))
 
-(define (primitive v) (if (compound? v) (to-primitive v 'valueOf 'toString) v))
+(define (primitive v) (cond ((compound? v) (to-primitive v 'valueOf 'toString)) ((native? v) (to-string v)) (else v)))
 
 (define (to-string v)
   (cond ((string? v) v)
         ((flonum? v) (number-text v))
         ((boolean? v) (if v "true" "false"))
         ((eq? v undefined) "undefined")
-        ((null? v) "null")
+        ((eq? v null) "null")
         ((number? v) (number-text (inexact v)))
         ((symbol? v) (symbol->string v))
         ((compound? v) (to-string (to-primitive v 'toString 'valueOf)))
+        ((hash-table? v) "[object Object]")
+        ((native? v) (joined (native->array v) ","))
         (else (native-text v))))
 
 (define (to-number v)
@@ -46,9 +48,9 @@
         ((string? v) (text-number v))
         ((boolean? v) (if v 1. 0.))
         ((eq? v undefined) nan)
-        ((null? v) 0.)
+        ((eq? v null) 0.)
         ((number? v) (inexact v))
-        ((compound? v) (to-number (primitive v)))
+        ((or (compound? v) (native? v)) (to-number (primitive v)))
         (else nan)))
 
 ; ---- numbers as text ----
@@ -193,10 +195,11 @@
 (define (less-equal a b) (compare a b string<=? (lambda (a b) (<= a b))))
 (define (more-equal a b) (compare a b string>=? (lambda (a b) (>= a b))))
 
-; Numbers of the language that are exact come from its own procedures.
+; Numbers of the language that are exact, and symbols, come from its own procedures.
 (define (same a b)
   (cond ((flonum? a) (and (number? b) (= a b)))
-        ((string? a) (and (string? b) (string=? a b)))
+        ((string? a) (and (or (string? b) (symbol? b)) (string=? a (to-string b))))
+        ((symbol? a) (same (symbol->string a) b))
         ((number? a) (and (number? b) (= a b)))
         (else (eq? a b))))
 
@@ -204,6 +207,8 @@
   (cond ((and (flonum? a) (flonum? b)) (= a b))
         ((and (string? a) (string? b)) (string=? a b))
         ((or (nothing? a) (nothing? b)) (and (nothing? a) (nothing? b)))
+        ((symbol? a) (equal (symbol->string a) b))
+        ((symbol? b) (equal a (symbol->string b)))
         ((and (boolean? a) (boolean? b)) (eq? a b))
         ((boolean? a) (equal (to-number a) b))
         ((boolean? b) (equal a (to-number b)))

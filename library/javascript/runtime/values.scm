@@ -1,34 +1,37 @@
 ; The values of a script and what belongs to them. Numbers are doubles, strings are strings, true and false are booleans, functions are procedures
-; that get `this` by keyword; undefined is the unspecific value, null the empty list. Objects and arrays are records.
+; that get `this` by keyword; undefined is the unspecific value. Null, objects and arrays are records; lists, vectors, points and tables of
+; Scheme are read as arrays and objects are (native.scm).
 ; A property's key is a symbol, so that keys are compared by eq?.
 
 (define undefined (if #f #f))
-(define null '())
+(define-record-type |%null of JavaScript| (make-null) any-null?)
+(define null (make-null))
 (define hole (list 'hole))      ; an element of an array that was never set
 (define unset (list 'unset))    ; a variable that nothing declares, before it is assigned
 (define absent (list 'absent))  ; no such property
 
+; Names of record types and fields begin with % so that the printer shows none of them.
 ; names and values side by side; the first `hidden` of them are not seen by for-in; a name #f was deleted. index: a table from name to
 ; place once there are many. datum: what a Number, String or Boolean holds.
-(define-record-type <object>
-  (make-object kind proto names values count hidden index datum)
+(define-record-type |%object of JavaScript|
+  (make-object %kind %proto %names %values %count %hidden %index %datum)
   object?
-  (kind object-kind)
-  (proto object-proto set-object-proto!)
-  (names object-names set-object-names!)
-  (values object-values set-object-values!)
-  (count object-count set-object-count!)
-  (hidden object-hidden set-object-hidden!)
-  (index object-index set-object-index!)
-  (datum object-datum set-object-datum!))
+  (%kind object-kind)
+  (%proto object-proto set-object-proto!)
+  (%names object-names set-object-names!)
+  (%values object-values set-object-values!)
+  (%count object-count set-object-count!)
+  (%hidden object-hidden set-object-hidden!)
+  (%index object-index set-object-index!)
+  (%datum object-datum set-object-datum!))
 
 ; length: a double. extra: an object for properties that are no elements, or #f.
-(define-record-type <array>
-  (make-array items length extra)
+(define-record-type |%array of JavaScript|
+  (make-array %items %length %extra)
   array?
-  (items array-items set-array-items!)
-  (length array-length set-array-length!)
-  (extra array-extra set-array-extra!))
+  (%items array-items set-array-items!)
+  (%length array-length set-array-length!)
+  (%extra array-extra set-array-extra!))
 
 (define few 8)
 (define no-names (vector))
@@ -174,6 +177,7 @@
            (let ((i (slot o key))) (if i (vector-ref (object-values o) i) (loop (object-proto o)))))
           ((array? o) (let ((v (array-own o key))) (if (eq? v absent) (loop (array-proto o)) v)))
           ((procedure? o) (let ((v (function-own o key))) (if (eq? v absent) (loop function-prototype) v)))
+          ((native? o) (let ((v (native-own o key))) (if (eq? v absent) (loop (proto-of o)) v)))
           (else absent))))
 
 (define (found v) (if (eq? v absent) undefined v))
@@ -236,9 +240,10 @@
         ((procedure? v) (found (lookup v key)))
         ((boolean? v) (found (lookup boolean-prototype key)))
         ((eq? v undefined) (type-error "Cannot read properties of undefined (reading '" (key-name key) "')"))
-        ((null? v) (type-error "Cannot read properties of null (reading '" (key-name key) "')"))
+        ((eq? v null) (type-error "Cannot read properties of null (reading '" (key-name key) "')"))
         ((number? v) (found (lookup number-prototype key)))
-        (else (native-property v key))))
+        ((symbol? v) (get (symbol->string v) key))
+        (else (found (lookup v key)))))
 
 (define (js-length v)
   (cond ((array? v) (array-length v)) ((string? v) (inexact (string-length v))) (else (get v 'length))))
@@ -262,7 +267,9 @@
          (if (and (flonum? k) (>= k 0.) (< k (string-length v)) (exact-integer? (exact k)))
              (string (string-ref v (exact k)))
              (get v (to-key k))))
-        (else (get v (if (or (eq? v undefined) (null? v)) (to-key (to-string k)) (to-key k))))))
+        ((and (vector? v) (flonum? k) (>= k 0.) (< k (vector-length v)) (exact-integer? (exact k)))
+         (from-native (vector-ref v (exact k))))
+        (else (get v (if (nothing? v) (to-key (to-string k)) (to-key k))))))
 
 (define most-gap 10000000)
 
@@ -307,8 +314,9 @@
          (if (eq? key 'prototype)
              (let ((o (function-object v)))
                (if (= (object-count o) 1) (set-object-hidden! o 1)))))
+        ((native? v) (native-put! v key value))
         ((eq? v undefined) (type-error "Cannot set properties of undefined (setting '" (key-name key) "')"))
-        ((null? v) (type-error "Cannot set properties of null (setting '" (key-name key) "')")))
+        ((eq? v null) (type-error "Cannot set properties of null (setting '" (key-name key) "')")))
   value)
 
 (define (at-put! v k value)
@@ -318,7 +326,7 @@
             (if (< k (array-length v)) (vector-set! (array-items v) i value) (array-set! v i value))
             (put! v (to-key k) value))
         value)
-      (put! v (if (or (eq? v undefined) (null? v)) (to-key (to-string k)) (to-key k)) value)))
+      (put! v (if (nothing? v) (to-key (to-string k)) (to-key k)) value)))
 
 (define (delete! v k)
   (let ((key (to-key k)))
@@ -328,8 +336,9 @@
              (cond (i (if (< i (array-length v)) (vector-set! (array-items v) i hole)))
                    ((array-extra v) (own-delete! (array-extra v) key)))))
           ((procedure? v) (own-delete! (function-object v) key))
+          ((native? v) (native-delete! v key))
           ((eq? v undefined) (type-error "Cannot convert undefined or null to object"))
-          ((null? v) (type-error "Cannot convert undefined or null to object")))
+          ((eq? v null) (type-error "Cannot convert undefined or null to object")))
     #t))
 
 (define (own? v key)
@@ -337,12 +346,13 @@
         ((array? v) (not (eq? (array-own v key) absent)))
         ((procedure? v) (not (eq? (function-own v key) absent)))
         ((string? v) (or (eq? key 'length) (let ((i (key-index key))) (and i (< i (string-length v))))))
+        ((native? v) (not (eq? (native-own v key) absent)))
         (else #f)))
 
 (define (compound? v) (or (object? v) (array? v) (procedure? v)))
 
 (define (has k v)
-  (if (not (compound? v)) (type-error "Cannot use 'in' operator to search for '" (to-string k) "' in " (to-string v)))
+  (if (not (or (compound? v) (native? v))) (type-error "Cannot use 'in' operator to search for '" (to-string k) "' in " (to-string v)))
   (not (eq? (lookup v (to-key k)) absent)))
 
 ; ---- for-in ----
@@ -372,15 +382,17 @@
          (append (element-keys (array-items v) (exact (array-length v))) (if (array-extra v) (own-keys (array-extra v)) '())))
         ((procedure? v) (let ((o (hash-get function-objects v #f))) (if o (own-keys o) '())))
         ((string? v) (let loop ((i (- (string-length v) 1)) (keys '())) (if (< i 0) keys (loop (- i 1) (cons (index-key i) keys)))))
+        ((native? v) (native-keys v))
         (else '())))
 
 (define (proto-of v)
   (cond ((object? v) (object-proto v)) ((array? v) (array-proto v)) ((procedure? v) function-prototype)
-        ((string? v) string-prototype) ((flonum? v) number-prototype) ((boolean? v) boolean-prototype) (else null)))
+        ((string? v) string-prototype) ((flonum? v) number-prototype) ((boolean? v) boolean-prototype)
+        ((hash-table? v) object-prototype) ((native? v) array-prototype) (else null)))
 
 (define (keys v)
   (let loop ((p (proto-of v)) (all (seen-keys v)))
-    (if (null? p)
+    (if (eq? p null)
         all
         (let ((more (seen-keys p)))
           (loop (proto-of p) (if (null? more) all (append all (remove-known more all))))))))
@@ -442,4 +454,4 @@
   (if (not (procedure? f)) (type-error "Right-hand side of 'instanceof' is not callable"))
   (let ((p (get f 'prototype)))
     (and (compound? v)
-         (let loop ((o (proto-of v))) (cond ((null? o) #f) ((eq? o p) #t) (else (loop (proto-of o))))))))
+         (let loop ((o (proto-of v))) (cond ((eq? o null) #f) ((eq? o p) #t) (else (loop (proto-of o))))))))
