@@ -99,6 +99,7 @@ typedef struct {
   /* Returns a line of console input for (read-line) and (read), with its newline; NULL at the end. The line must stay
    * valid until the next call. */
   const char *(*input)(void *context, size_t *length);
+  /* Receives each error, warning and note. NULL: the interpreter writes them to standard error. */
   void (*diagnose)(void *context, const vs_diagnostic *d);
   /* The interpreter calls it at most about ten times a second during long work. */
   void (*progress)(void *context, const vs_progress *p);
@@ -754,8 +755,8 @@ VS_API void vs_material_handler(vs_scheme *s, uint64_t (*ask)(void *context, con
  * function that returns a handle returns 0 on failure, after a call of `diagnose`. A released handle, or one of another
  * interpreter, is an error and changes nothing.
  *
- * A callback of a running program may make, read and release handles, and call vs_post. Every function that would run
- * code in the same interpreter fails there with VS_OUTCOME_USAGE. */
+ * A callback of a running program may make, read and release handles, read a node's name, parent and children, and call
+ * vs_post. Every function that would run code in the same interpreter fails there with VS_OUTCOME_USAGE. */
 
 typedef uint64_t vs_handle;
 
@@ -829,6 +830,7 @@ VS_API vs_handle vs_node_root(vs_scheme *s);
 /* (node-create type #:name name #:parent parent); type NULL: 'context; name NULL: none; parent 0: none */
 VS_API vs_handle vs_node_create(vs_scheme *s, const char *type, const char *name, vs_handle parent);
 VS_API vs_handle vs_node_find(vs_scheme *s, const char *name); /* Returns 0, without an error, if there is none. */
+/* These three run no code of the program, so a callback of a running program may call them too. */
 VS_API vs_handle vs_node_parent(vs_scheme *s, vs_handle node); /* Returns 0 if it has no parent. */
 VS_API vs_handle vs_node_children(vs_scheme *s, vs_handle node); /* Returns a list. */
 VS_API const char *vs_node_name(vs_scheme *s, vs_handle node); /* valid as for vs_handle_get_text; NULL: it has none */

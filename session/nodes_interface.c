@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bind/scene/node_natives.h"
 #include "session/handles.h"
 #include "session/host.h"
 #include "session/report.h"
@@ -68,16 +69,26 @@ vs_handle vs_node_find(vs_scheme *vm, const char *name) {
   return found;
 }
 
+/* A part of a node as a handle, 0 where there is none; nothing runs, so that it can be asked for at any time. What is no node is refused as
+ * the procedure of the language refuses it. */
+static vs_handle part_of(vs_scheme *vm, const char *who, const char *procedure, vs_node_part part, vs_handle node) {
+  vs_session *s = vs_session_of(vm);
+  VS_ROOTS(vm, r, 2);
+  if (!vs_session_held(s, who, node, &r[0])) return 0;
+  if (vs_node_read(vm, r[0], part, &r[1])) return r[1] == VS_FALSE ? 0 : vs_session_hold(s, &r[1]);
+  return ask(vm, who, procedure, &node, 1);
+}
+
 vs_handle vs_node_parent(vs_scheme *vm, vs_handle node) {
-  return ask(vm, "vs_node_parent", "node-getparent", &node, 1);
+  return part_of(vm, "vs_node_parent", "node-getparent", VS_NODE_PARENT, node);
 }
 vs_handle vs_node_children(vs_scheme *vm, vs_handle node) {
-  return ask(vm, "vs_node_children", "node-getchildren", &node, 1);
+  return part_of(vm, "vs_node_children", "node-getchildren", VS_NODE_CHILDREN, node);
 }
 vs_handle vs_node_object(vs_scheme *vm, vs_handle node) { return ask(vm, "vs_node_object", "node-object", &node, 1); }
 
 const char *vs_node_name(vs_scheme *vm, vs_handle node) {
-  vs_handle text = ask(vm, "vs_node_name", "node-getname", &node, 1);
+  vs_handle text = part_of(vm, "vs_node_name", "node-getname", VS_NODE_NAME, node);
   const char *name = text ? vs_handle_get_text(vm, text) : NULL;
   vs_handle_release(vm, text);
   return name;

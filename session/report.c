@@ -2,6 +2,8 @@
  * place, the line of the source, and the user's own calls that led there. */
 #include "session/report.h"
 
+#include <inttypes.h>
+
 #include "bind/objects.h"
 #include "session/advice.h"
 #include "session/session.h"
@@ -35,6 +37,28 @@ const char *vs_session_source_line(const vs_session *s, const char *file, uint32
   return NULL;
 }
 
+static void print_place(const vs_span *at) {
+  if (!at->file) return;
+  fprintf(stderr, "%s:", at->file);
+  if (at->line) fprintf(stderr, "%" PRIu32 ":", at->line);
+  if (at->line && at->column) fprintf(stderr, "%" PRIu32 ":", at->column);
+  fputc(' ', stderr);
+}
+
+/* For a host that takes no diagnostics: standard error, a line for the message and one for each note. */
+static void print(const vs_diagnostic *d) {
+  print_place(&d->at);
+  fprintf(stderr, "%s%s\n",
+          d->severity == VS_SEVERITY_WARNING ? "warning: "
+          : d->severity == VS_SEVERITY_NOTE  ? "note: "
+                                             : "",
+          d->message);
+  for (size_t i = 0; i < d->note_count; i++) {
+    print_place(&d->notes[i].at);
+    fprintf(stderr, "%s\n", d->notes[i].message);
+  }
+}
+
 static void tell(vs_session *s, vs_severity severity, vs_outcome outcome, vs_span at, const char *message,
                  const vs_diagnostic_note *notes, size_t count) {
   char line[2048];
@@ -43,6 +67,7 @@ static void tell(vs_session *s, vs_severity severity, vs_outcome outcome, vs_spa
   };
   d.source_line = vs_session_source_line(s, at.file, at.line, line, sizeof line);
   if (s->options.host.diagnose) s->options.host.diagnose(s->options.host.context, &d);
+  else print(&d);
 }
 
 void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line,

@@ -131,5 +131,5 @@ vs_status vs_bind_error(vs_args *f, const vs_error *e) {
     case VS_ERROR_FILE: return vs_fail(f->vm, f->vm->sym.file, "%s", e->message);
     case VS_ERROR_NONE: case VS_ERROR_MODEL: case VS_ERROR_WORKER: break;
   }
-  return vs_fail(f->vm, f->vm->sym.error, "%s", *e->message ? e->message : "cannot be worked out");
+  return vs_fail(f->vm, f->vm->sym.error, "%s", *e->message ? e->message : "cannot be computed");
 }

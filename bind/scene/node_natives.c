@@ -19,8 +19,10 @@
 #include "bind/scene/ray_hits.h"
 #include "vm/front/environment.h"
 #include "vm/machine/program.h"
+#include "vm/machine/record_call.h"
 #include "vm/machine/run.h"
 #include "vm/values/heap.h"
+#include "vm/values/table.h"
 
 const vs_native_table *const *vs_nodes_tables(void) {
   static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, &vs_bind_data_table,
@@ -96,7 +98,7 @@ static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
   if (e->kind == VS_ERROR_INTERRUPT) return VS_ERROR; /* the condition is set */
   if (e->kind == VS_ERROR_MEMORY) return vs_fail_memory(vm);
-  return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "what the ray meets cannot be worked out");
+  return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "what the ray meets cannot be computed");
 }
 
 /* object matrix from direction: where the ray, in the world's coordinates, meets the object that the matrix puts there
@@ -211,6 +213,36 @@ enum { HOST_SCENE = 4 }; /* where nodes.scm put its procedure when the first nod
 bool vs_nodes_are_there(const vs_bind *b) {
   vs_value host = b->vm->at.host;
   return vs_is_vector(host) && vs_as_vector(host)->at[HOST_SCENE] != VS_FALSE;
+}
+
+/* The field that an accessor of nodes.scm reads. False: v is no record of its type. */
+static bool read_field(vs_scheme *vm, const char *accessor, vs_value v, vs_value *out) {
+  VS_ROOTS(vm, r, 1);
+  if (!vs_intern_c(vm, accessor, &r[0])) return false;
+  r[0] = vs_environment_value(vm->at.core, r[0]);
+  int64_t fuel = vm->fuel;
+  vm->fuel = 2; /* of what is called from outside of the run loop */
+  bool ok = vs_is(r[0], VS_T_CLOSURE) && vs_record_call(vm, r[0], &v, 1, out);
+  vm->fuel = fuel;
+  return ok;
+}
+
+bool vs_node_read(vs_scheme *vm, vs_value v, vs_node_part part, vs_value *out) {
+  static const char *const accessors[] = { [VS_NODE_NAME] = "%node-name", [VS_NODE_PARENT] = "%node-parent",
+                                           [VS_NODE_CHILDREN] = "%node-children" };
+  VS_ROOTS(vm, r, 3); /* the part, the list, a child */
+  vs_value of;
+  *out = VS_FALSE;
+  if (!read_field(vm, accessors[part], v, &r[0])) return false;
+  if (part == VS_NODE_CHILDREN) {
+    r[1] = VS_NIL;
+    for (uint32_t at = 0; vs_table_next(r[0], &at, &r[2], &of);)
+      if (!vs_cons(vm, r[2], r[1], &r[1])) return false;
+    for (r[0] = VS_NIL; vs_is_pair(r[1]); r[1] = vs_cdr(r[1]))
+      if (!vs_cons(vm, vs_car(r[1]), r[0], &r[0])) return false;
+  }
+  *out = r[0];
+  return true;
 }
 
 bool vs_nodes_shown(vs_bind *b, bool *beside, vs_value *list) {

@@ -1,6 +1,8 @@
 /* Owns the proof that a stranger can embed the library: includes the public header alone, links the installed shared library. */
+#define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 #include <visualscheme.h>
 
 typedef struct { char printed[4096], said[4096]; vs_span at; size_t values; vs_scheme *scheme; } host;
@@ -66,7 +68,33 @@ static void checks(void) {
   vs_free(s);
 }
 
+/* A host that takes no diagnostics: errors, warnings and the calls that led there are on standard error. */
+static void say_on_standard_error(void) {
+  char said[2000] = "";
+  FILE *kept = tmpfile();
+  int was = dup(STDERR_FILENO);
+  vs_scheme *s = vs_new(NULL);
+  fflush(stderr);
+  dup2(fileno(kept), STDERR_FILENO);
+  run(s, "(define (f x)\n  (+ 1 (car x)))\n(+ 1 (f 5))", 0);
+  run(s, "(sqrt", 0);
+  run(s, "(make-sphere origin 1) (draw (make-sphere origin 2))", 0);
+  run(s, "(error \"stop\" 7)", 0);
+  vs_handle_release(s, 12345);
+  vs_write_drawing(s, "/nowhere/at/all.stl", NULL, NULL);
+  fflush(stderr);
+  dup2(was, STDERR_FILENO);
+  close(was);
+  rewind(kept);
+  said[fread(said, 1, sizeof said - 1, kept)] = 0;
+  fclose(kept);
+  CHECK(strstr(said, "text:2:8: car: ") && strstr(said, "text:3:6: called from here\n"));
+  CHECK(strstr(said, "text:1:1: ") && strstr(said, ": warning: ") && strstr(said, "stop 7\n") && strstr(said, "cannot write /nowhere/at/all.stl: ") && strstr(said, "vs_handle_release: "));
+  vs_free(s);
+}
+
 int main(void) {
+  say_on_standard_error();
   static host a, b;
   vs_options o = vs_options_default();
   o.host = (vs_host){.context = &a, .output = print, .diagnose = diagnose, .value = value, .poll = poll_interrupt};

@@ -24,6 +24,61 @@ static bool added(void *context, vs_scheme *s, const vs_handle *arguments, size_
   strcat(((host *)context)->log, "addChild ");
   return true;
 }
+/* Writes the node's path from the root and its children's names, as a host does that mirrors the tree. */
+static void describe(vs_scheme *s, vs_handle node, char *to, size_t size) {
+  char path[200] = "", longer[220];
+  vs_handle at = vs_handle_retain(s, node);
+  while (at) {
+    const char *name = vs_node_name(s, at);
+    snprintf(longer, sizeof longer, "/%s%s", name ? name : "?", path);
+    snprintf(path, sizeof path, "%.199s", longer);
+    vs_handle above = vs_node_parent(s, at);
+    vs_handle_release(s, at);
+    at = above;
+  }
+  vs_handle children = vs_node_children(s, node);
+  size_t used = (size_t)snprintf(to, size, "%s", path);
+  for (size_t i = 0; i < vs_handle_count(s, children) && used < size; i++) {
+    vs_handle child = vs_handle_item(s, children, i), up = vs_node_parent(s, child);
+    const char *name = vs_node_name(s, child);
+    used += (size_t)snprintf(to + used, size - used, "%s%s%s", i ? "," : ":", name ? name : "?", vs_handle_same(s, up, node) ? "" : "!");
+    vs_handle_release(s, up);
+    vs_handle_release(s, child);
+  }
+  vs_handle_release(s, children);
+}
+static bool mirrored(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
+  host *h = context;
+  (void)result;
+  for (size_t i = 0; i < count; i++) {
+    if (vs_handle_kind_of(s, arguments[i]) != VS_HANDLE_NODE) continue;
+    size_t used = strlen(h->log);
+    describe(s, arguments[i], h->log + used, sizeof h->log - used - 2);
+    strcat(h->log, " ");
+  }
+  return true;
+}
+/* Names, parents and children are read in every event of the tree, whatever events there are; nothing else may run there. */
+static void read_in_events(host *h) {
+  vs_options o = vs_options_default();
+  o.host = (vs_host){ .context = h, .diagnose = diagnose };
+  vs_scheme *s = vs_new(&o);
+  vs_handle sees = vs_host_procedure(s, "sees", mirrored, h), five = vs_handle_number(s, 5);
+  CHECK(vs_define(s, "sees", sees) && run(s, "(define events (filter (lambda (n) (string-prefix? (symbol->string n) \"Node.\")) (property-names (node-controller))))"
+        "(for-each (lambda (e) (property-subscribe (property-ref (node-controller) e) sees)) events)"
+        "(if (< (length events) 7) (error \"where are the events?\"))") == VS_OUTCOME_DONE);
+  *h->log = 0;
+  CHECK(run(s, "(define house (node-create #:name \"house\")) (define roof (node-create #:name \"roof\")) (define plain (node-create))"
+               "(node-addchild house roof) (node-addchild house plain) (node-addchild (node-getroot) house) (node-begin roof) (node-end)"
+               "(node-removechild house roof) (node-removechildren house)") == VS_OUTCOME_DONE);
+  CHECK(strcmp(h->log, "/house /roof /? /house/roof /house/? /root/house:roof,? /root/house/roof /root/house/roof /roof /root/house ") == 0);
+  /* the same outside of a program, and with a value that is no node */
+  vs_handle house = vs_lookup(s, "house");
+  *h->said = 0;
+  CHECK(!vs_node_name(s, five) && *h->said && (*h->said = 0, !vs_node_parent(s, five)) && *h->said && (*h->said = 0, !vs_node_children(s, five)) && *h->said);
+  CHECK(strcmp(vs_node_name(s, house), "house") == 0 && vs_handle_count(s, vs_node_children(s, house)) == 0);
+  vs_free(s);
+}
 /* The model's property changed: the slider follows at the next vs_update. */
 static bool follow(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   host *h = context;
@@ -159,6 +214,8 @@ int main(void) {
   CHECK(run(s, "(define parent (node-create)) (define child (node-create)) (node-addchild parent child) (node-addchild (node-getroot) parent)") == VS_OUTCOME_DONE);
   CHECK(strcmp(h.log, "create create addChild addChild ") == 0);
 
+  host mirror = { 0 };
+  read_in_events(&mirror);
   /* one model in three places, stored once */
   CHECK(run(s, "(define engine (subtract (make-box (xyz -1 -1 0) (xyz 1 1 2)) (make-cylinder (xyz 0 0 1) 2 0.5)))") == VS_OUTCOME_DONE);
   vs_handle engine = vs_lookup(s, "engine");
