@@ -19,6 +19,7 @@
 #include "backends/backend.h"
 #include "backends/publish.h"
 #include "geometry/measure/node_measures.h"
+#include "model/store/array.h"
 #include "model/tally.h"
 
 void vs_export_options_init(vs_export_options *o) { *o = (vs_export_options){ .width = 0 }; }
@@ -93,7 +94,7 @@ static void export_close(vs_emitter *e) {
 }
 
 static vs_writer *export_writer(vs_emitter *e, vs_sink_fn *sink, void *context) {
-  vs_writer *w = malloc(sizeof *w);
+  vs_writer *w = vs_fresh(1, sizeof *w);
   if (w == NULL) {
     vs_emit_no_memory(e);
     return NULL;
@@ -122,7 +123,7 @@ static bool export_to_file(vs_emitter *e, int file, const char *path, bool sync)
 
 static char *export_join(const char *a, const char *b, unsigned long number) {
   size_t room = strlen(a) + strlen(b) + 32;
-  char *text = malloc(room);
+  char *text = vs_fresh(room, 1);
   if (text != NULL && number > 0) snprintf(text, room, "%s%s%lu", a, b, number);
   else if (text != NULL) snprintf(text, room, "%s%s", a, b);
   return text;
@@ -229,7 +230,7 @@ static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
   int file = mkstemp(name);
   if (file < 0) return export_problem(e->error, name, errno);
   bool ok = export_render(e, name);
-  char *part = ok ? malloc(VS_WRITER_ROOM) : NULL;
+  char *part = ok ? vs_fresh(VS_WRITER_ROOM, 1) : NULL;
   if (ok && part == NULL) ok = vs_emit_no_memory(e);
   while (ok) {
     ssize_t count = read(file, part, VS_WRITER_ROOM);

@@ -2,6 +2,7 @@
  * is no matter. */
 #include "bind/print.h"
 
+#include "model/store/array.h"
 #include "model/walk.h"
 
 #include <stdio.h>
@@ -307,7 +308,7 @@ bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, s
   vs_ref ref;
   size_t depth, printed = 0;
   /* at each depth: sections that a guided loft still has, and one */
-  uint32_t *left = calloc((size_t)n->depth + 1, sizeof *left);
+  uint32_t *left = vs_zeros((size_t)n->depth + 1, sizeof *left);
   bool ok = w != NULL && left != NULL;
   while (ok) {
     vs_walk_event e = vs_walk_next(w, &ref, &depth);

@@ -1,6 +1,7 @@
 /* Owns sets of small numbers as words of bits, under them words that say which words are not empty, and so on up to one
  * word. */
 #include "geometry/marks.h"
+#include "model/store/array.h"
 
 #include <stdlib.h>
 
@@ -12,7 +13,7 @@ bool vs_marks_make(vs_marks *m, size_t count) {
     words += n;
     m->levels++;
   } while (n > 1);
-  uint64_t *at = calloc(words, sizeof *at);
+  uint64_t *at = vs_zeros(words, sizeof *at);
   if (!at) return false;
   n = count;
   for (int k = 0; k < m->levels; k++) {

@@ -27,7 +27,7 @@ void vs_several_free(vs_ref *parts, size_t count) {
 vs_node *vs_parts_within(vs_ref whole, vs_ref inner) {
   size_t depth = 0;
   for (const vs_node *n = whole.node; vs_is_wrapper(n); n = n->children[0].node) depth++;
-  const vs_node **chain = malloc((depth + 1) * sizeof *chain);
+  const vs_node **chain = vs_fresh(depth + 1, sizeof *chain);
   if (!chain) return NULL;
   size_t k = 0;
   for (const vs_node *n = whole.node; vs_is_wrapper(n); n = n->children[0].node) chain[k++] = n;

@@ -1,5 +1,6 @@
 /* Owns the indexed triangle mesh: growing it, and what can be said of it without knowing what it is a mesh of. */
 #include "model/mesh.h"
+#include "model/store/array.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -39,7 +40,7 @@ bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles) {
 
 bool vs_mesh_want_tags(vs_mesh *m) {
   return m->tags || (vs_mesh_reserve(m, 0, m->triangle_count + 1) &&
-                     (m->tags = calloc(m->triangle_room, sizeof *m->tags)) != NULL);
+                     (m->tags = vs_zeros(m->triangle_room, sizeof *m->tags)) != NULL);
 }
 
 bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to) {
@@ -126,7 +127,7 @@ bool vs_mesh_closed(const vs_mesh *m, bool *ok) {
   size_t n = m->triangle_count * 3;
   if (ok) *ok = true;
   if (!n) return true;
-  uint64_t *keys = m->triangle_count < SIZE_MAX / (6 * sizeof *keys) ? malloc(2 * n * sizeof *keys) : NULL;
+  uint64_t *keys = m->triangle_count < SIZE_MAX / (6 * sizeof *keys) ? vs_fresh(2 * n, sizeof *keys) : NULL;
   if (!keys) {
     if (ok) *ok = false;
     return false;

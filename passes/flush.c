@@ -264,8 +264,8 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   if (starved(&ignored)) return NULL;
   if (!(diagonal > 0) || !isfinite(diagonal)) return vs_rewrite_keep(w, n, kids);
   flush f = { .step = 1e-7 * diagonal, .middle = vs_v3_scale(vs_v3_add(reach.min, reach.max), 0.5) };
-  unsigned char *marked = calloc(n->child_count, 1);
-  vs_ref *now = malloc(n->child_count * sizeof *now);
+  unsigned char *marked = vs_zeros(n->child_count, 1);
+  vs_ref *now = vs_fresh(n->child_count, sizeof *now);
   bool ok = marked && now, too_many = false, any = false;
   for (uint32_t i = 0; ok && i < n->child_count; i++) ok = add_operand(&f, kids[i].node, i, &too_many);
   if (ok && too_many) memset(marked + 1, 1, n->child_count - 1);

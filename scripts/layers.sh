@@ -102,7 +102,7 @@ limit() { # NAME COUNT WHERE: what the count is of, and where to look
 }
 limit same-names "$(wc -l < "$work/names")" "$(tr '\n' ';' < "$work/names")"
 limit long-lines "$(xargs awk 'length($0) > 120' < "$work/sources" | wc -l)" "lines past 120 columns"
-limit raw-allocations "$(xargs grep -hoE '\b(malloc|calloc|realloc)\(' < "$work/sources" | wc -l)" "malloc, calloc and realloc beside model/store/array.h and the stores"
+limit raw-allocations "$(xargs grep -hoE '\b(malloc|calloc|realloc)\(' < "$work/sources" | wc -l)" "malloc, calloc and realloc by hand: VS_GROW, VS_FRESH, vs_fresh and vs_zeros of model/store/array.h check the size"
 limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [^=;(]*\bvs_[a-z0-9_]*\(' | wc -l)" "static functions named vs_, a prefix of externals"
 
 # Sentences of comments that begin with What, That, One, Those or So: a sentence's subject is a noun of the field.

@@ -13,6 +13,7 @@
 
 #include "passes/optimise.h"
 #include "model/order.h"
+#include "model/store/array.h"
 
 enum { OUTPUTS = 64 }; /* records kept */
 
@@ -102,8 +103,8 @@ static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs
     for (uint32_t k = 0; k < order.at[i].node->child_count; k++)
       lone += !vs_order_has(&order, order.at[i].node->children[k].node);
   for (size_t i = 0; i < scene->drawn_count; i++) lone += !vs_order_has(&order, scene->drawn[i].node);
-  uint64_t *hashes = malloc((order.count + lone + 1) * sizeof *hashes);
-  double *sizes = malloc((order.count + 1) * sizeof *sizes);
+  uint64_t *hashes = vs_fresh(order.count + lone + 1, sizeof *hashes);
+  double *sizes = vs_fresh(order.count + 1, sizeof *sizes);
   bool ok = hashes && sizes;
   *all = *distinct = 0;
   for (size_t i = 0; ok && i < order.count; i++) {

@@ -9,6 +9,7 @@
 
 #include "geometry/measure/node_measures.h"
 #include "solids/solid_meshes.h"
+#include "model/store/array.h"
 #include "model/store/cache.h"
 #include "model/tally.h"
 
@@ -19,12 +20,7 @@ enum { BOX_LOOK = 4096, KEPT_BOUNDS = 1000 /* among what VS_CACHED_MEASURE holds
 typedef struct { const vs_node **at; size_t count, room; } node_stack;
 
 static bool push_children(node_stack *s, const vs_node *n) {
-  if (s->count + n->child_count > s->room) {
-    size_t room = 2 * s->room + n->child_count + 64;
-    const vs_node **more = realloc(s->at, room * sizeof *more);
-    if (!more) return false;
-    s->at = more, s->room = room;
-  }
+  if (!VS_GROW(s->at, s->room, s->count + n->child_count)) return false;
   for (uint32_t i = 0; i < n->child_count; i++) s->at[s->count++] = n->children[i].node;
   return true;
 }

@@ -31,9 +31,9 @@ static int arm_compare(const void *p, const void *q) {
  * out of memory */
 static arm *feature_arms(const vs_mesh *m, const uint32_t *place, size_t *count) {
   size_t n = m->triangle_count, sides = 0;
-  side *all = malloc((3 * n + 1) * sizeof *all);
-  vs_vec3 *normal = malloc((n + 1) * sizeof *normal);
-  arm *arms = malloc((6 * n + 1) * sizeof *arms);
+  side *all = vs_fresh(3 * n + 1, sizeof *all);
+  vs_vec3 *normal = vs_fresh(n + 1, sizeof *normal);
+  arm *arms = vs_fresh(6 * n + 1, sizeof *arms);
   *count = 0;
   for (size_t i = 0; all && normal && i < n; i++) {
     uint32_t t[3] = { place[m->triangles[i][0]], place[m->triangles[i][1]], place[m->triangles[i][2]] };
@@ -121,11 +121,11 @@ static bool follow(const vs_mesh *m, const arm *arms, size_t count, const arm *s
 }
 
 bool vs_mesh_edges(const vs_mesh *m, vs_polylines *out, vs_error *e) {
-  uint32_t *place = malloc((m->vertex_count + 1) * sizeof *place);
+  uint32_t *place = vs_fresh(m->vertex_count + 1, sizeof *place);
   size_t count = 0;
   bool ok = place && vs_polyface_merge(m->vertices, m->vertex_count, place);
   arm *arms = ok ? feature_arms(m, place, &count) : NULL;
-  bool *used = calloc(count / 2 + 1, sizeof *used);
+  bool *used = vs_zeros(count / 2 + 1, sizeof *used);
   ok = arms && used;
   for (int pass = 0; ok && pass < 2; pass++) /* first from where lines end, then what is left: rings */
     for (size_t i = 0; ok && i < count; i++) {

@@ -8,6 +8,7 @@
 #include "geometry/primitives/half_space.h"
 #include "kernel/mesh/inspect.h"
 #include "kernel/mesh/shells.h"
+#include "model/store/array.h"
 #include "model/tally.h"
 
 /* Kinds whose meshes may overlap themselves; placements are looked through. */
@@ -38,7 +39,7 @@ static bool failed(const vs_kernel_error *why, vs_error *e) {
 static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   vs_shells shells;
   bool ok = vs_shells_find(m, &shells);
-  uint8_t *gone = ok ? malloc(m->triangle_count + 1) : NULL;
+  uint8_t *gone = ok ? vs_fresh(m->triangle_count + 1, 1) : NULL;
   ok = gone || vs_error_memory(e, NULL);
   for (size_t t = 0; ok && t < m->triangle_count; t++) {
     const vs_shell *s = &shells.at[shells.of[m->triangles[t][0]]];

@@ -73,7 +73,7 @@ static vs_node *of_children(vs_store *s, vs_kind kind, vs_ref *refs, size_t coun
 
 static vs_node *of_lines(vs_store *s, vs_kind kind, const vs_polyline *lines, size_t count, const vs_origin *origin,
                          bool alone) {
-  vs_ref *refs = malloc((count + 1) * sizeof *refs);
+  vs_ref *refs = vs_fresh(count + 1, sizeof *refs);
   if (!refs) return NULL;
   for (size_t i = 0; i < count; i++) refs[i] = (vs_ref){ line(s, &lines[i]), origin };
   vs_node *n = of_children(s, kind, refs, count, alone);
@@ -215,7 +215,7 @@ static vs_node *edges_of(const resolver *r, const vs_ref *ref) {
 
 static vs_node *polyface(vs_store *s, const vs_mesh *m, bool closed) {
   if (!m->triangle_count) return nothing(s);
-  uint32_t *starts = malloc((m->triangle_count + 1) * sizeof *starts);
+  uint32_t *starts = vs_fresh(m->triangle_count + 1, sizeof *starts);
   vs_points *points = starts ? vs_points_new(s, m->vertices, m->vertex_count) : NULL;
   for (size_t i = 0; starts && i <= m->triangle_count; i++) starts[i] = (uint32_t)(3 * i);
   vs_faces *faces =
@@ -250,7 +250,7 @@ static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
 /* A hull whose carved parts are meshes */
 static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
   const vs_node *n = ref->node;
-  vs_ref *kids = calloc(n->child_count + (size_t)1, sizeof *kids);
+  vs_ref *kids = vs_zeros(n->child_count + (size_t)1, sizeof *kids);
   bool ok = kids != NULL || vs_error_memory(r->error, ref->origin);
   for (uint32_t i = 0; ok && i < n->child_count; i++) {
     vs_solid solid = { .part_count = 0 };
@@ -404,7 +404,7 @@ static vs_node *thickened(const resolver *r, const vs_node *n, vs_ref whole) {
 }
 
 static vs_node *rebuilt(const resolver *r, const vs_node *n) {
-  vs_ref *kids = malloc((n->child_count + (size_t)1) * sizeof *kids);
+  vs_ref *kids = vs_fresh(n->child_count + (size_t)1, sizeof *kids);
   if (!kids) return NULL;
   bool gone = false;
   for (uint32_t i = 0; i < n->child_count; i++) {

@@ -40,7 +40,7 @@ static vs_vec3 *in_frame(const vs_mesh *m, const vs_affine *frame) {
           y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] },
           z = { frame->m[0][2], frame->m[1][2], frame->m[2][2] };
   vs_vec3 o = { frame->m[0][3], frame->m[1][3], frame->m[2][3] };
-  vs_vec3 *at = malloc((m->vertex_count + 1) * sizeof *at);
+  vs_vec3 *at = vs_fresh(m->vertex_count + 1, sizeof *at);
   for (size_t i = 0; at && i < m->vertex_count; i++) {
     vs_vec3 d = vs_v3_sub(m->vertices[i], o);
     at[i] = vs_v3(vs_v3_dot(d, x), vs_v3_dot(d, y), vs_v3_dot(d, z));
@@ -115,7 +115,7 @@ static int contour_compare(const void *p, const void *q) {
 bool vs_mesh_shadow(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline *o, vs_error *e) {
   vs_affine frame = plane_frame(point, normal);
   vs_vec3 *at = in_frame(m, &frame);
-  contour *edges = malloc((3 * m->triangle_count + 1) * sizeof *edges);
+  contour *edges = vs_fresh(3 * m->triangle_count + 1, sizeof *edges);
   chain c = { 0 };
   vs_area all = { 0 };
   size_t count = 0;

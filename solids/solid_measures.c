@@ -13,6 +13,7 @@
 #include "kernel/cluster.h"
 #include "solids/primitive_meshes.h"
 #include "solids/solid_meshes.h"
+#include "model/store/array.h"
 
 enum { MOST_PARTS = 1000000, CHEAP = 60000 /* triangles: so many may be made once more, for a better answer */ };
 
@@ -152,7 +153,7 @@ static bool cluster(measuring *m, uint32_t *set) {
   uint32_t n = (uint32_t)m->parts.count;
   vs_bounds all = vs_bounds_empty();
   vs_bvh bvh = { 0 };
-  vs_bvh_box *boxes = malloc((n + (size_t)1) * sizeof *boxes);
+  vs_bvh_box *boxes = vs_fresh(n + (size_t)1, sizeof *boxes);
   int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* steps that a box is smaller by */
   vs_disjoint(set, n);
   for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box);
@@ -214,7 +215,7 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
       ok = left_over(m, m->parts.at[member[i]].ref, &m->parts.at[member[i]].placed, sign);
     return ok;
   }
-  vs_ref *refs = calloc(count + (size_t)1, sizeof *refs); /* the bodies, then the cutters */
+  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* the bodies, then the cutters */
   uint32_t at[2] = { 0, bodies };
   if (!refs) return memory(m);
   for (uint32_t i = 0; ok && i < count; i++) {
@@ -248,7 +249,7 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
 
 /* The parts, cluster by cluster */
 static bool settle_parts(measuring *m, double sign, vs_ref whole) {
-  uint32_t n = (uint32_t)m->parts.count, *set = malloc((3 * (size_t)n + 3) * sizeof *set);
+  uint32_t n = (uint32_t)m->parts.count, *set = vs_fresh(3 * (size_t)n + 3, sizeof *set);
   if (!set) return memory(m);
   uint32_t *start = set + n, *member = start + n + 2;
   bool ok = cluster(m, set);

@@ -15,6 +15,7 @@
 #include "kernel/memory.h"
 #include "kernel/threads.h"
 #include "solids/primitive_meshes.h"
+#include "model/store/array.h"
 #include "model/store/cache.h"
 #include "model/tally.h"
 #include "model/walk.h"
@@ -189,7 +190,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
     return true;
   }
   if (!vs_kernel_report(&b->k, 0)) return false; /* one shape may have a million triangles */
-  *mesh = calloc(1, sizeof **mesh);
+  *mesh = vs_zeros(1, sizeof **mesh);
   if (!*mesh) return vs_error_memory(b->error, NULL);
   if (!VS_PUSH(&b->k, b->meshes,
                ((meshed){ ref->node, *facets, *mesh, NULL, *bucket, ref->origin, at->scope_node, at->local }))) {
@@ -332,7 +333,7 @@ static bool bound_half_spaces(builder *b) {
   for (size_t i = 0; i < b->meshes.count && !any; i++) any = b->meshes.at[i].node->kind == VS_HALF_SPACE;
   if (!any) return true;
   if (!VS_ROOM(&b->k, b->within.at, b->within.room, b->leaves.count + 1)) return false;
-  vs_bounds *own = malloc((b->meshes.count + 1) * sizeof *own), *reach = malloc((b->scopes.count + 1) * sizeof *reach);
+  vs_bounds *own = vs_fresh(b->meshes.count + 1, sizeof *own), *reach = vs_fresh(b->scopes.count + 1, sizeof *reach);
   ok = own && reach;
   for (size_t i = 0; ok && i < b->meshes.count; i++) own[i] = vs_mesh_bounds(b->meshes.at[i].mesh);
   for (size_t i = 0; ok && i < b->scopes.count; i++) reach[i] = vs_bounds_empty();
@@ -467,7 +468,7 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
 static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                      vs_solid *one, vs_solid_copies *many, vs_error *error) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
-  builder *b = calloc(1, sizeof *b);
+  builder *b = vs_zeros(1, sizeof *b);
   if (!b) return vs_error_memory(error, NULL);
   vs_tally *tally = count ? vs_store_tally(refs[0].node->store) : NULL;
   vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);

@@ -11,6 +11,7 @@
 #include "backends/mesh/loose.h"
 #include "backends/number_spelling.h"
 #include "backends/spans.h"
+#include "model/store/array.h"
 
 static bool mesh_begin(vs_emitter *e) { return !e->out->failed; }
 static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
@@ -300,7 +301,7 @@ static void obj_material_name(vs_emitter *e, const vs_material *m) {
  * it; NULL: out of memory. */
 static char *obj_library(const char *path) {
   size_t length = strlen(path);
-  char *name = malloc(length + 5);
+  char *name = vs_fresh(length + 5, 1);
   if (name == NULL) return NULL;
   memcpy(name, path, length + 1);
   char *dot = strrchr(name, '.'), *slash = strrchr(name, '/');

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "geometry/files/polyface.h"
+#include "model/store/array.h"
 #include "model/store/disjoint.h"
 
 /* of the edge from a corner to the next of its face */
@@ -137,8 +138,8 @@ static double apart_step(const apart *a) {
 }
 
 static bool apart_fill(apart *a, vs_apart *out, size_t fan_count) {
-  out->points = malloc((a->point_count + fan_count) * sizeof *out->points);
-  out->corners = malloc(a->corner_count * sizeof *out->corners);
+  out->points = vs_fresh(a->point_count + fan_count, sizeof *out->points);
+  out->corners = vs_fresh(a->corner_count, sizeof *out->corners);
   if (!out->points || !out->corners) return false;
   memcpy(out->points, a->points, a->point_count * sizeof *out->points);
   memcpy(out->corners, a->corners, a->corner_count * sizeof *out->corners);
@@ -173,13 +174,13 @@ bool vs_apart_make(const struct vs_polyface_mesh *mesh, vs_apart *out) {
               mesh->faces->count,
               n,
               points,
-              malloc(points * sizeof *a.place),
-              malloc(n * sizeof *a.next),
-              malloc(n * sizeof *a.face),
-              malloc(n * sizeof *a.group),
-              malloc(n * sizeof *a.of),
-              malloc(n * sizeof *a.sides),
-              malloc(n * sizeof *a.fans) };
+              vs_fresh(points, sizeof *a.place),
+              vs_fresh(n, sizeof *a.next),
+              vs_fresh(n, sizeof *a.face),
+              vs_fresh(n, sizeof *a.group),
+              vs_fresh(n, sizeof *a.of),
+              vs_fresh(n, sizeof *a.sides),
+              vs_fresh(n, sizeof *a.fans) };
   bool touches = false, ok = a.place && a.next && a.face && a.group && a.of && a.sides && a.fans &&
                              vs_polyface_merge(a.points, points, a.place);
   if (ok && join_all(&a)) {

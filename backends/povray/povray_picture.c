@@ -16,6 +16,7 @@
 #include "backends/povray/povray_layers.h"
 #include "geometry/files/exr_read.h"
 #include "geometry/files/png_write.h"
+#include "model/store/array.h"
 
 typedef struct { unsigned char *at; size_t count; } picture_bytes;
 
@@ -25,7 +26,7 @@ static bool picture_read(vs_emitter *e, const char *path, picture_bytes *out) {
   if (file < 0) return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray made no picture");
   bool ok = fstat(file, &info) == 0;
   size_t size = ok ? (size_t)info.st_size : 0;
-  out->at = ok ? malloc(size + 1) : NULL;
+  out->at = ok ? vs_fresh(size + 1, 1) : NULL;
   while (ok && out->at && out->count < size) {
     ssize_t count = read(file, out->at + out->count, size - out->count);
     if (count < 0 && errno == EINTR) continue;

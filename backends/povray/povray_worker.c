@@ -27,6 +27,7 @@
 #include "backends/povray/povray.h"
 #include "backends/povray/povray_confine.h"
 #include "backends/povray/povray_picture.h"
+#include "model/store/array.h"
 
 enum { POV_TEXT_ROOM = 1 << 16, POV_PATH_ROOM = 4096 };
 
@@ -315,7 +316,7 @@ static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene) {
 }
 
 static bool run_render(vs_emitter *e, const char *scene, const char *output, bool develop) {
-  pov_run *r = calloc(1, sizeof *r);
+  pov_run *r = vs_zeros(1, sizeof *r);
   if (r == NULL) return vs_emit_no_memory(e);
   enum { STARTS = 5 };
   int status = 0, starts = 0;

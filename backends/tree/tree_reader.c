@@ -306,7 +306,7 @@ static bool tree_all(tree_reader *r) {
 
 bool vs_tree_read(vs_scene *scene, const char *text, size_t length, vs_error *e) {
   tree_reader r = { .scene = scene, .error = e, .line = 1 };
-  r.copy = malloc(length + 1);
+  r.copy = vs_fresh(length + 1, 1);
   if (r.copy == NULL) return tree_no_memory(&r);
   memcpy(r.copy, text, length);
   r.copy[length] = '\0';

@@ -14,6 +14,7 @@
 #include "geometry/primitives/solid_triangles.h"
 #include "kernel/mesh/inspect.h"
 #include "solids/solid_meshes.h"
+#include "model/store/array.h"
 #include "model/store/cache.h"
 #include "model/tally.h"
 
@@ -49,7 +50,7 @@ static vs_status inspect(vs_args *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *f
   vs_kernel_counts counts = { 0 };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm, .counts = &counts };
   vs_kernel_error why;
-  if (!mesh->tags && (!(mesh->tags = malloc(sizeof *mesh->tags)) || !vs_solid_polyface(mesh, d->points, d->faces)))
+  if (!mesh->tags && (!(mesh->tags = vs_fresh(1, sizeof *mesh->tags)) || !vs_solid_polyface(mesh, d->points, d->faces)))
     return vs_fail_memory(f->vm);
   *flaws = (vs_mesh_flaws){ .most = 1 };
   *flawless = true;

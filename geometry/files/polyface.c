@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "geometry/primitives/solid_triangles.h"
+#include "model/store/array.h"
 #include "model/store/disjoint.h"
 
 /* ---- equal points ---- */
@@ -27,7 +28,7 @@ static uint64_t polyface_place_hash(vs_vec3 p) {
 bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place) {
   size_t room = 16;
   while (room < count * 2) room *= 2;
-  uint32_t *slots = malloc(room * sizeof *slots);
+  uint32_t *slots = vs_fresh(room, sizeof *slots);
   if (!slots) return false;
   memset(slots, 0xFF, room * sizeof *slots);
   for (size_t i = 0; i < count; i++) {
@@ -55,7 +56,7 @@ static int side_compare(const void *a, const void *b) { /* of one low end */
 static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs_error *e) {
   const uint32_t *starts = faces->starts, *corners = faces->corners;
   size_t points = faces->point_count;
-  uint32_t *at = calloc(points + 2, sizeof *at);
+  uint32_t *at = vs_zeros(points + 2, sizeof *at);
   if (!at) return vs_error_memory(e, NULL);
   for (int pass = 0; pass < 2; pass++) {
     for (uint32_t f = 0; f < faces->face_count; f++)
@@ -112,7 +113,7 @@ static bool polyface_agreed(vs_store *s, const vs_polygons *faces, bool *agreed,
   *agreed = false;
   if (n == 0 || points > UINT32_MAX / 2) return true;
   /* 2 * high + runs from high to low */
-  uint32_t *at = calloc(points + 2, sizeof *at), *ends = malloc(n * sizeof *ends);
+  uint32_t *at = vs_zeros(points + 2, sizeof *at), *ends = vs_fresh(n, sizeof *ends);
   bool ok = (at && ends) || vs_error_memory(e, NULL);
   for (int pass = 0; ok && pass < 2; pass++) {
     for (size_t f = 0; f < faces->face_count; f++)
@@ -149,14 +150,14 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
   size_t face_count = faces->face_count, n = faces->starts[face_count];
   size_t room = n ? n : 1, face_room = face_count ? face_count : 1;
   if (!polyface_agreed(s, faces, closed, e)) return false;
-  if (*closed) return (g->turned = calloc(face_room, 1)) || vs_error_memory(e, NULL);
-  *g = (vs_agreement){ malloc(room * sizeof *g->sides),
-                       malloc(room * sizeof *g->mate),
-                       malloc(room * sizeof *g->of_face),
-                       calloc(face_room + 1, sizeof *g->starts),
-                       malloc(face_room * sizeof *g->queue),
-                       calloc(face_room, 1),
-                       calloc(face_room, 1) };
+  if (*closed) return (g->turned = vs_zeros(face_room, 1)) || vs_error_memory(e, NULL);
+  *g = (vs_agreement){ vs_fresh(room, sizeof *g->sides),
+                       vs_fresh(room, sizeof *g->mate),
+                       vs_fresh(room, sizeof *g->of_face),
+                       vs_zeros(face_room + 1, sizeof *g->starts),
+                       vs_fresh(face_room, sizeof *g->queue),
+                       vs_zeros(face_room, 1),
+                       vs_zeros(face_room, 1) };
   if (!g->sides || !g->mate || !g->of_face || !g->starts || !g->queue || !g->turned || !g->seen)
     return vs_error_memory(e, NULL);
   if (!sides_sort(s, g->sides, faces, e)) return false;
@@ -207,8 +208,8 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
 /* Does no shell of it enclose anything: sheets back to back? Shells that only cancel each other out do. least: what
  * counts as nothing. False: out of memory. */
 static bool mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
-  uint32_t n = (uint32_t)m->vertex_count, *shell = malloc(((size_t)n + 1) * sizeof *shell);
-  double *volume = calloc((size_t)n + 1, sizeof *volume);
+  uint32_t n = (uint32_t)m->vertex_count, *shell = vs_fresh((size_t)n + 1, sizeof *shell);
+  double *volume = vs_zeros((size_t)n + 1, sizeof *volume);
   bool ok = shell && volume;
   *flat = true;
   if (ok) vs_disjoint(shell, n);
@@ -240,10 +241,10 @@ vs_node *vs_polyface_make_mesh(vs_store *s, const vs_polygons *given, vs_mesh *o
   const uint32_t *starts = given->starts, *corners = given->corners;
   size_t count = given->point_count, face_count = given->face_count, corner_count = starts[face_count];
   size_t kept_faces = 0, kept_corners = 0;
-  uint32_t *place = malloc((count ? count : 1) * sizeof *place);
-  uint32_t *new_starts = malloc((face_count + 1) * sizeof *new_starts);
-  uint32_t *merged = malloc((corner_count ? corner_count : 1) * sizeof *merged),
-           *own = malloc((corner_count ? corner_count : 1) * sizeof *own);
+  uint32_t *place = vs_fresh(count, sizeof *place);
+  uint32_t *new_starts = vs_fresh(face_count + 1, sizeof *new_starts);
+  uint32_t *merged = vs_fresh(corner_count, sizeof *merged),
+           *own = vs_fresh(corner_count, sizeof *own);
   vs_agreement g = { 0 };
   vs_points *at = NULL;
   vs_faces *faces = NULL;
@@ -290,7 +291,7 @@ vs_node *vs_polyface_make_mesh(vs_store *s, const vs_polygons *given, vs_mesh *o
     if (!faces || !at || !vs_store_going(s, (uint32_t)kept_corners, &why)) goto done;
     turned = pass > 0;
     if (!closed || turned) break;
-    if ((out && !(mesh.tags = malloc(sizeof *mesh.tags))) || !vs_solid_polyface_merged(&mesh, at, faces, place))
+    if ((out && !(mesh.tags = vs_fresh(1, sizeof *mesh.tags))) || !vs_solid_polyface_merged(&mesh, at, faces, place))
       goto done;
     double volume = vs_mesh_volume(&mesh);
     if (!vs_store_going(s, (uint32_t)kept_corners, &why)) goto done;

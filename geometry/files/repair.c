@@ -11,11 +11,12 @@
 #include "geometry/frame.h"
 #include "geometry/files/polyface.h"
 #include "geometry/plane/ear_clipping.h"
+#include "model/store/array.h"
 #include "model/store/disjoint.h"
 
 bool vs_face_list_compact(vs_face_list *l) {
-  uint32_t *place = malloc((l->point_count + 1) * sizeof *place),
-           *number = malloc((l->point_count + 1) * sizeof *number), count = 0;
+  uint32_t *place = vs_fresh(l->point_count + 1, sizeof *place),
+           *number = vs_fresh(l->point_count + 1, sizeof *number), count = 0;
   bool ok = place && number && vs_polyface_merge(l->points, l->point_count, place);
   if (ok) memset(number, 0xFF, (l->point_count + 1) * sizeof *number);
   for (size_t c = 0; ok && c < l->corner_count; c++) number[place[l->corners[c]]] = 0;
@@ -42,7 +43,7 @@ static int side_compare(const void *a, const void *b) {
 
 /* All sides, sorted by edge; those of no length are left out. */
 static repair_side *list_sides(const vs_face_list *l, size_t *count) {
-  repair_side *sides = malloc((l->corner_count + 1) * sizeof *sides);
+  repair_side *sides = vs_fresh(l->corner_count + 1, sizeof *sides);
   *count = 0;
   for (uint32_t f = 0; sides && f < l->face_count; f++)
     for (uint32_t c = l->starts[f]; c < l->starts[f + 1]; c++) {
@@ -62,9 +63,9 @@ static size_t edge_end(const repair_side *sides, size_t count, size_t at, long *
 
 bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, vs_error *e) {
   vs_face_list own = { .points = l->points, .point_count = l->point_count };
-  uint32_t *place = malloc((l->point_count + 1) * sizeof *place),
-           *number = malloc((l->face_count + 1) * sizeof *number);
-  unsigned char *turned = calloc(l->face_count + 1, 1);
+  uint32_t *place = vs_fresh(l->point_count + 1, sizeof *place),
+           *number = vs_fresh(l->face_count + 1, sizeof *number);
+  unsigned char *turned = vs_zeros(l->face_count + 1, 1);
   size_t count = 0;
   bool closed, ok = place && number && turned && vs_polyface_merge(l->points, l->point_count, place);
   *out = (vs_open_edges){ 0 };
@@ -116,8 +117,8 @@ static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *w
   size_t room = 16;
   while (room < l->point_count * 2) room *= 2;
   /* next: of those in one cell */
-  uint32_t *slots = malloc(room * sizeof *slots), *next = malloc((l->point_count + 1) * sizeof *next);
-  weld_cell *cells = malloc((l->point_count + 1) * sizeof *cells);
+  uint32_t *slots = vs_fresh(room, sizeof *slots), *next = vs_fresh(l->point_count + 1, sizeof *next);
+  weld_cell *cells = vs_fresh(l->point_count + 1, sizeof *cells);
   bool ok = slots && next && cells;
   if (ok) memset(slots, 0xFF, room * sizeof *slots);
   for (uint32_t i = 0; ok && i < l->point_count; i++) {
@@ -204,8 +205,8 @@ static void keep_faces(vs_face_list *l, const unsigned char *keep, size_t *dropp
 
 static bool drop_faces(vs_face_list *l, size_t *dropped) {
   size_t n = l->face_count;
-  unsigned char *keep = malloc(n + 1);
-  face_key *keys = malloc((n + 1) * sizeof *keys);
+  unsigned char *keep = vs_fresh(n + 1, 1);
+  face_key *keys = vs_fresh(n + 1, sizeof *keys);
   bool ok = keep && keys;
   if (ok) {
     memset(keep, 1, n);
@@ -240,7 +241,7 @@ static bool drop_faces(vs_face_list *l, size_t *dropped) {
 /* Covers the loop `ring` of n points with triangles, so that its edges are met as they run. */
 static bool cover(vs_face_list *l, const uint32_t *ring, size_t n) {
   vs_mesh m = { 0 };
-  vs_vec2 *flat = malloc(n * sizeof *flat);
+  vs_vec2 *flat = vs_fresh(n, sizeof *flat);
   vs_vec3 normal = { 0, 0, 0 }, o = l->points[ring[0]];
   for (size_t i = 0; i < n; i++)
     normal =
@@ -272,9 +273,9 @@ static int missing_compare(const void *a, const void *b) {
 static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
   size_t count, missing = 0;
   repair_side *sides = list_sides(l, &count);
-  missing_side *at = malloc((count + 1) * sizeof *at);
-  uint32_t *first = calloc(l->point_count + 2, sizeof *first), *ring = malloc((count + 1) * sizeof *ring),
-           *seen = malloc((l->point_count + 1) * sizeof *seen);
+  missing_side *at = vs_fresh(count + 1, sizeof *at);
+  uint32_t *first = vs_zeros(l->point_count + 2, sizeof *first), *ring = vs_fresh(count + 1, sizeof *ring),
+           *seen = vs_fresh(l->point_count + 1, sizeof *seen);
   bool ok = sides && at && first && ring && seen;
   for (size_t i = 0, end; ok && i < count; i = end) {
     long over;
@@ -334,7 +335,7 @@ static void turn_face(vs_face_list *l, uint32_t f) {
 }
 
 static bool agree(vs_store *s, vs_face_list *l, size_t *turned, vs_error *e) {
-  unsigned char *turn = calloc(l->face_count + 1, 1);
+  unsigned char *turn = vs_zeros(l->face_count + 1, 1);
   vs_polygons faces = vs_polygons_of(l);
   bool closed, ok = turn && vs_polyface_orient(s, &faces, turn, &closed, e);
   for (uint32_t f = 0; ok && f < l->face_count; f++)
@@ -362,9 +363,9 @@ static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *
 static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_error *e) {
   size_t count, n = l->face_count;
   repair_side *sides = list_sides(l, &count);
-  uint32_t *shell = malloc((n + 1) * sizeof *shell);
-  double *volume = calloc(n + 1, sizeof *volume);
-  unsigned char *turn = calloc(n + 1, 1);
+  uint32_t *shell = vs_fresh(n + 1, sizeof *shell);
+  double *volume = vs_zeros(n + 1, sizeof *volume);
+  unsigned char *turn = vs_zeros(n + 1, 1);
   bool ok = sides && shell && volume && turn;
   if (ok) vs_disjoint(shell, (uint32_t)n);
   for (size_t i = 1; ok && i < count; i++)
@@ -400,7 +401,7 @@ bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, v
   *notes = (vs_repair_notes){ 0 };
   if (!l->face_count) return true;
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  uint32_t *place = malloc((l->point_count + 1) * sizeof *place);
+  uint32_t *place = vs_fresh(l->point_count + 1, sizeof *place);
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < l->point_count; i++) vs_bounds_add(&b, l->points[i]);
   double reach = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300),

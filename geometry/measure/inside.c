@@ -160,11 +160,11 @@ static bool inside_leaf(const vs_inside_part *part, vs_vec3 p) {
 
 static bool inside_prepare_swept(vs_inside_part *part, vs_error *e) {
   vs_fineness f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
-  part->plan = calloc(1, sizeof *part->plan);
+  part->plan = vs_zeros(1, sizeof *part->plan);
   if (!part->plan) return vs_error_memory(e, NULL);
   if (!vs_swept_plan(part->node, &f, part->plan, e)) return false;
   const vs_swept *s = part->plan;
-  part->between = malloc((s->section_count ? s->section_count : 1) * sizeof *part->between);
+  part->between = vs_fresh(s->section_count, sizeof *part->between);
   if (!part->between) return vs_error_memory(e, NULL);
   for (size_t i = 0; i < s->section_count; i++) {
     part->between[i] = vs_bounds_empty();
@@ -182,7 +182,7 @@ static bool inside_prepare_swept(vs_inside_part *part, vs_error *e) {
 
 static bool inside_prepare_facets(vs_inside_part *part, vs_error *e) {
   vs_fineness f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
-  part->facets = calloc(1, sizeof *part->facets);
+  part->facets = vs_zeros(1, sizeof *part->facets);
   if (!part->facets) return vs_error_memory(e, NULL);
   return vs_tessellate(part->node, &f, &part->facets->mesh, e) &&
          (vs_facet_index_make(part->facets) || vs_error_memory(e, NULL));
@@ -190,7 +190,7 @@ static bool inside_prepare_facets(vs_inside_part *part, vs_error *e) {
 
 static bool inside_prepare_revolve(vs_inside_part *part, vs_error *e) {
   vs_fineness f = { fmax(vs_bounds_diagonal(&part->bounds) / 65536, 1e-300), 0 };
-  part->turned = calloc(1, sizeof *part->turned);
+  part->turned = vs_zeros(1, sizeof *part->turned);
   return part->turned ? vs_revolve_plan(part->node, &f, part->turned, e) : vs_error_memory(e, NULL);
 }
 
@@ -234,7 +234,7 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_er
     case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
     case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: break;
   }
-  part->children = malloc((n->child_count ? n->child_count : 1) * sizeof *part->children);
+  part->children = vs_fresh(n->child_count, sizeof *part->children);
   if (!part->children) return vs_error_memory(e, NULL);
   for (uint32_t i = 0; i < n->child_count; i++)
     part->children[i] = (size_t)*vs_nodemap_get(places, n->children[i].node);
@@ -261,7 +261,7 @@ void vs_inside_free(vs_inside *v) {
 }
 
 vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
-  vs_inside *v = calloc(1, sizeof *v);
+  vs_inside *v = vs_zeros(1, sizeof *v);
   vs_nodemap places = { .store = n->store };
   vs_bounds_memo bounds = { .places = { .store = n->store } };
   vs_walk *w = v ? vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL }) : NULL;
@@ -300,7 +300,7 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
   vs_bounds_memo_free(&bounds);
   if (ok) {
     v->first = v->count - 1;
-    v->stack = malloc((n->depth + (size_t)2) * sizeof *v->stack);
+    v->stack = vs_fresh(n->depth + (size_t)2, sizeof *v->stack);
     ok = v->stack || vs_error_memory(e, NULL);
   }
   if (ok) return v;
@@ -378,7 +378,7 @@ void vs_inside_cache_free(vs_inside_cache *c) {
 }
 
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
-  if (!*cache && !(*cache = calloc(1, sizeof **cache))) return vs_error_memory(e, NULL);
+  if (!*cache && !(*cache = vs_zeros(1, sizeof **cache))) return vs_error_memory(e, NULL);
   vs_inside_cache *c = *cache;
   /* equal nodes are one shape: either's answer serves */
   vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS];

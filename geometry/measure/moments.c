@@ -180,8 +180,8 @@ bool vs_region_moments(const vs_node *region, const vs_outline *o, double *area,
   frame.m[0][3] = o->loops[0].at[0].x, frame.m[1][3] = o->loops[0].at[0].y, frame.m[2][3] = o->loops[0].at[0].z;
   *known = vs_affine_invert(&frame, &back);
   vs_affine map = vs_affine_multiply(&back, &placed);
-  moments sum = { 0, 0, 0 }, *loops = malloc((o->count + 1) * sizeof *loops);
-  bool *taken = calloc(o->count + 1, sizeof *taken), ok = loops && taken;
+  moments sum = { 0, 0, 0 }, *loops = vs_fresh(o->count + 1, sizeof *loops);
+  bool *taken = vs_zeros(o->count + 1, sizeof *taken), ok = loops && taken;
   for (size_t l = 0; ok && l < o->count; l++) loops[l] = of_loop(&o->loops[l], &back);
   for (uint32_t i = 0; ok && *known && i < count; i++) {
     pieces p = { 0 };

@@ -4,6 +4,7 @@
  * that a ray through an edge or a corner is counted once. Triangles wait in the cells that their boxes meet, as many
  * cells as make some ten entries a triangle at most. */
 #include "geometry/measure/ray_crossings.h"
+#include "model/store/array.h"
 
 #include <stdlib.h>
 
@@ -50,8 +51,8 @@ bool vs_facet_index_make(vs_facet_index *x) {
     if (total <= 10 * n + 64 || x->cells == 1) break;
   }
   size_t cells = x->cells * x->cells;
-  x->starts = calloc(cells + 2, sizeof *x->starts);
-  x->triangles = malloc((total + 1) * sizeof *x->triangles);
+  x->starts = vs_zeros(cells + 2, sizeof *x->starts);
+  x->triangles = vs_fresh(total + 1, sizeof *x->triangles);
   if (!x->starts || !x->triangles || total >= UINT32_MAX) return false;
   for (int pass = 0; pass < 2; pass++) { /* count, then fill: starts[c + 1] is c's first and moves to its end */
     for (size_t i = 0; i < n; i++) {

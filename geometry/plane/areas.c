@@ -39,13 +39,9 @@ static bool area_close(vs_area *a, size_t first, bool hole) {
     return true;
   }
   if (a->loop_count == a->loop_room) {
-    size_t room = a->loop_room ? a->loop_room * 2 : 8;
-    size_t *size = realloc(a->size, room * sizeof *size);
-    if (size) a->size = size;
-    bool *holes = size ? realloc(a->hole, room * sizeof *holes) : NULL;
-    if (holes) a->hole = holes;
-    if (!size || !holes) return false;
-    a->loop_room = room;
+    size_t sizes = a->loop_room, holes = a->loop_room;
+    if (!VS_GROW(a->size, sizes, a->loop_count + 1) || !VS_GROW(a->hole, holes, a->loop_count + 1)) return false;
+    a->loop_room = holes;
   }
   a->size[a->loop_count] = n;
   a->hole[a->loop_count++] = hole;
@@ -137,7 +133,7 @@ static GEOSGeometry *geos_collect(vs_geos *g, int type, GEOSGeometry **parts, si
 static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t count) {
   size_t loops = 0, done = 0, holes = 0;
   for (size_t i = 0; i < count; i++) loops += areas[i].loop_count;
-  GEOSGeometry **polygons = calloc(loops + 1, sizeof *polygons), **inner = calloc(loops + 1, sizeof *inner),
+  GEOSGeometry **polygons = vs_zeros(loops + 1, sizeof *polygons), **inner = vs_zeros(loops + 1, sizeof *inner),
                *all = NULL;
   bool ok = polygons && inner;
   for (size_t i = 0; ok && i < count; i++) {
@@ -261,7 +257,7 @@ static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
  * it. NULL: failed. */
 static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   int n = g->GEOSGetNumGeometries_r(g->h, a);
-  GEOSGeometry **parts = n < 0 ? NULL : calloc((size_t)n + 1, sizeof *parts), *all = NULL;
+  GEOSGeometry **parts = n < 0 ? NULL : vs_zeros((size_t)n + 1, sizeof *parts), *all = NULL;
   bool ok = parts != NULL;
   size_t done = 0;
   for (; ok && done < (size_t)n; done += ok) {
@@ -367,7 +363,7 @@ static int chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, doub
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e) {
   vs_geos g;
   if (!geos_open(&g, purpose, e)) return false;
-  GEOSGeometry **lines = calloc(count + 1, sizeof *lines), **kept = NULL, *noded = NULL, *faces = NULL, *all = NULL;
+  GEOSGeometry **lines = vs_zeros(count + 1, sizeof *lines), **kept = NULL, *noded = NULL, *faces = NULL, *all = NULL;
   bool ok = lines != NULL;
   size_t done = 0, keep = 0;
   for (; ok && done < count; done += ok) {
@@ -380,7 +376,7 @@ bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpo
   if (noded) noded = geos_unite(&g, noded);
   if (noded) faces = g.GEOSPolygonize_r(g.h, (const GEOSGeometry *const *)&noded, 1);
   int n = faces ? g.GEOSGetNumGeometries_r(g.h, faces) : -1;
-  if (n >= 0) kept = calloc((size_t)n + 1, sizeof *kept);
+  if (n >= 0) kept = vs_zeros((size_t)n + 1, sizeof *kept);
   ok = kept != NULL;
   for (int i = 0; ok && i < n; i++) {
     const GEOSGeometry *face = g.GEOSGetGeometryN_r(g.h, faces, i);
@@ -429,12 +425,12 @@ bool vs_area_outline(const vs_area *a, const vs_affine *frame, vs_outline *out) 
   *out = (vs_outline){ .frame = *frame,
                        .normal = { frame->m[0][2], frame->m[1][2], frame->m[2][2] },
                        .point = { frame->m[0][3], frame->m[1][3], frame->m[2][3] } };
-  out->loops = calloc(a->loop_count + 1, sizeof *out->loops);
-  out->hole = calloc(a->loop_count + 1, sizeof *out->hole);
+  out->loops = vs_zeros(a->loop_count + 1, sizeof *out->loops);
+  out->hole = vs_zeros(a->loop_count + 1, sizeof *out->hole);
   bool ok = out->loops && out->hole;
   for (size_t l = 0, first = 0; ok && l < a->loop_count; first += a->size[l++]) {
     vs_polyline *p = &out->loops[l];
-    p->at = malloc(a->size[l] * sizeof *p->at);
+    p->at = vs_fresh(a->size[l], sizeof *p->at);
     ok = p->at != NULL;
     p->room = p->count = ok ? a->size[l] : 0;
     p->closed = true;

@@ -190,10 +190,10 @@ static double spline_angle(vs_vec3 a, vs_vec3 b) { return atan2(vs_v3_length(vs_
 static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_fineness *f) {
   size_t given = s->points->count;
   vs_spline_work w = { .closed = s->closed };
-  w.p = malloc((given + 1) * sizeof *w.p);
-  w.m = malloc((given + 1) * sizeof *w.m);
-  w.h = malloc((given + 1) * sizeof *w.h);
-  w.scratch = malloc((given + 1) * 7 * sizeof *w.scratch);
+  w.p = vs_fresh(given + 1, sizeof *w.p);
+  w.m = vs_fresh(given + 1, sizeof *w.m);
+  w.h = vs_fresh(given + 1, sizeof *w.h);
+  w.scratch = vs_fresh((given + 1) * 7, sizeof *w.scratch);
   bool ok = w.p && w.m && w.h && w.scratch;
   for (size_t i = 0; ok && i < given; i++)
     if (!w.n || !vs_v3_equal(w.p[w.n - 1], s->points->at[i])) w.p[w.n++] = s->points->at[i];

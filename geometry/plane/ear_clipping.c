@@ -172,8 +172,8 @@ static bool bands_make(vs_bands *b, const vs_ring *r, size_t total, size_t most)
   *b = (vs_bands){ .low = low, .leaves = 1, .count = 1 };
   while (b->leaves * 4 < total) b->leaves *= 2;
   b->scale = high > low ? (double)b->leaves / (high - low) : 0;
-  b->first = calloc(2 * b->leaves, sizeof *b->first);
-  b->copies = calloc(most, sizeof *b->copies);
+  b->first = vs_zeros(2 * b->leaves, sizeof *b->first);
+  b->copies = vs_zeros(most, sizeof *b->copies);
   return b->first && b->copies && vs_point_tree_make(&b->points, r->at, r->points, total);
 }
 
@@ -498,12 +498,12 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
   size_t most = total + 2 * loop_count;
   if (most > UINT32_MAX) return false; /* a mesh has no more vertices */
   vs_ring r = { .at = at, .flat = 1e-14 * extent * extent, .blur = 1e-12 * extent };
-  r.corners = malloc(most * sizeof *r.corners);
-  r.ears = malloc(most * sizeof *r.ears);
-  r.by_place = malloc(3 * most * sizeof *r.by_place);
+  r.corners = vs_fresh(most, sizeof *r.corners);
+  r.ears = vs_fresh(most, sizeof *r.ears);
+  r.by_place = vs_fresh(3 * most, sizeof *r.by_place);
   r.points = r.by_place + (r.by_place ? most : 0);
   r.idle = r.by_place + (r.by_place ? 2 * most : 0);
-  vs_hole *holes = malloc(loop_count * sizeof *holes);
+  vs_hole *holes = vs_fresh(loop_count, sizeof *holes);
   bool ok = r.corners && r.ears && r.by_place && holes;
   size_t hole_count = 0, ring_size = sizes[0];
   for (size_t l = 0, first = 0; ok && l < loop_count; first += sizes[l], l++) {

@@ -12,6 +12,7 @@
 #include "geometry/plane/curve.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/plane/areas.h"
+#include "model/store/array.h"
 
 bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *size, vs_error *e) {
   vs_fineness coarse = { 1, 8 };
@@ -46,8 +47,8 @@ static size_t join_next(const vs_join_part *parts, size_t count, vs_vec3 at, dou
 
 bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e) {
   size_t n = *count, made = 0;
-  vs_join_part *parts = calloc(n ? n : 1, sizeof *parts);
-  vs_ref *chain = malloc((2 * n + 1) * sizeof *chain), *out = malloc((n ? n : 1) * sizeof *out);
+  vs_join_part *parts = vs_zeros(n, sizeof *parts);
+  vs_ref *chain = vs_fresh(2 * n + 1, sizeof *chain), *out = vs_fresh(n, sizeof *out);
   bool ok = (parts && chain && out) || vs_error_memory(e, NULL);
   for (size_t i = 0; ok && i < n; i++) {
     parts[i].closed = refs[i].node->flags & VS_NODE_CLOSED;
@@ -184,7 +185,7 @@ static bool cross_neighbours(const vs_cross_edge *p, const vs_cross_edge *q) {
 
 bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_error *e) {
   *out = (vs_crossing){ 0 };
-  vs_polyline *loops = calloc(count ? count : 1, sizeof *loops);
+  vs_polyline *loops = vs_zeros(count, sizeof *loops);
   bool ok = loops || vs_error_memory(e, NULL);
   size_t total = 0, edge_count = 0, touch_count = 0;
   struct { size_t a, b; } touches[64]; /* more pairs are not looked at: they are of drawings, not of regions */
@@ -200,7 +201,7 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
     total += loops[i].count;
   }
   if (ok && total) {
-    edges = malloc(total * sizeof *edges);
+    edges = vs_fresh(total, sizeof *edges);
     ok = edges || vs_error_memory(e, NULL);
   }
   for (size_t i = 0; ok && i < count; i++) {
@@ -225,7 +226,7 @@ bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_erro
   }
   if (ok && edge_count) qsort(edges, edge_count, sizeof *edges, cross_compare);
   /* after[starts[curve] + place]: where the edge that follows it stands now */
-  size_t *after = malloc((total + 1) * sizeof *after), *starts = malloc((count + 1) * sizeof *starts);
+  size_t *after = vs_fresh(total + 1, sizeof *after), *starts = vs_fresh(count + 1, sizeof *starts);
   ok = ok && ((after && starts) || vs_error_memory(e, NULL));
   for (size_t i = 0, start = 0; ok && i < count; start += loops[i++].count) starts[i] = start;
   for (size_t i = 0; ok && i < edge_count; i++)

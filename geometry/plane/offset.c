@@ -98,7 +98,7 @@ static vs_offset_corner offset_look(const vs_offsetter *o, const vs_offset_edge 
 
 /* Strips along n points, closed or not. False: out of memory. */
 static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool closed) {
-  vs_offset_edge *edges = malloc((n ? n : 1) * sizeof *edges);
+  vs_offset_edge *edges = vs_fresh(n, sizeof *edges);
   size_t count = 0;
   bool ok = edges != NULL;
   for (size_t i = 0; ok && i + (closed ? 0 : 1) < n; i++) {
@@ -203,7 +203,7 @@ static bool offset_border(const vs_offsetter *o, const vs_area *border, const vs
     }
   }
   if (!best_count) return true;
-  out->at = malloc((best_count + 1) * sizeof *out->at);
+  out->at = vs_fresh(best_count + 1, sizeof *out->at);
   if (!out->at) return false;
   out->room = out->count = best_count + 1;
   for (size_t i = 0; i <= best_count; i++) {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "geometry/frame.h"
+#include "model/store/array.h"
 
 void vs_polyline_free(vs_polyline *p) {
   free(p->at);
@@ -93,10 +94,10 @@ static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
  * it. */
 static bool outline_nest(vs_outline *o) {
   size_t n = o->count, done = 0;
-  size_t *depth = calloc(n, sizeof *depth), *parent = malloc(n * sizeof *parent);
-  vs_polyline *sorted = malloc(n * sizeof *sorted);
-  vs_loop_box *box = malloc(n * sizeof *box); /* most loops of a perforated sheet are plainly apart */
-  o->hole = calloc(n, sizeof *o->hole);
+  size_t *depth = vs_zeros(n, sizeof *depth), *parent = vs_fresh(n, sizeof *parent);
+  vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
+  vs_loop_box *box = vs_fresh(n, sizeof *box); /* most loops of a perforated sheet are plainly apart */
+  o->hole = vs_zeros(n, sizeof *o->hole);
   bool ok = depth && parent && sorted && box && o->hole;
   for (size_t i = 0; ok && i < n; i++) box[i] = outline_box(&o->frame, &o->loops[i]);
   for (size_t i = 0; ok && i < n; i++)
@@ -161,7 +162,7 @@ void vs_outline_orient(vs_outline *o) {
 
 bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_error *e) {
   *out = (vs_outline){ 0 };
-  out->loops = calloc(count ? count : 1, sizeof *out->loops);
+  out->loops = vs_zeros(count, sizeof *out->loops);
   bool ok = out->loops || vs_error_memory(e, NULL);
   for (size_t i = 0; ok && i < count; i++) {
     out->loops[out->count++] = loops[i];

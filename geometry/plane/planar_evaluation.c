@@ -74,7 +74,7 @@ static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fin
                          vs_error *e) {
   vs_fineness inner = vs_fineness_placed(f, placed);
   vs_cloud cloud = { 0 };
-  *out = (vs_outline){ .loops = calloc(1, sizeof *out->loops), .hole = calloc(1, sizeof *out->hole), .count = 1 };
+  *out = (vs_outline){ .loops = vs_zeros(1, sizeof *out->loops), .hole = vs_zeros(1, sizeof *out->hole), .count = 1 };
   bool ok = (out->loops && out->hole) || vs_error_memory(e, NULL);
   ok = ok && vs_hull_cloud(n, vs_planar_corners, &inner, &cloud, e) &&
        (vs_cloud_polygon(&cloud, &out->loops[0]) || vs_error_memory(e, NULL));
@@ -202,7 +202,7 @@ static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v) {
 }
 
 static bool flat_region(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
-  vs_polyline *loops = calloc(count ? count : 1, sizeof *loops);
+  vs_polyline *loops = vs_zeros(count, sizeof *loops);
   bool ok = loops || vs_error_memory(f->error, ref->origin);
   for (size_t i = 0; ok && i < count; i++) {
     if (!values[i].path.closed || values[i].path.count < 3)
@@ -232,7 +232,7 @@ bool vs_outline_coplanar(const vs_outline *a, const vs_outline *b) {
 }
 
 static bool flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
-  vs_area *areas = calloc(count ? count : 1, sizeof *areas), made = { 0 };
+  vs_area *areas = vs_zeros(count, sizeof *areas), made = { 0 };
   bool ok = areas || vs_error_memory(f->error, ref->origin);
   const vs_outline *plane = NULL; /* the first that has one: what is empty has none of its own */
   for (size_t i = 0; ok && i < count; i++) {
@@ -317,7 +317,7 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
     size_t n = 0;
     if (in->path.count < 2)
       return vs_error_set(f->error, VS_ERROR_MODEL, at->ref->origin, "do-offset: the curve is a point");
-    vs_vec2 *flat = malloc(in->path.count * sizeof *flat);
+    vs_vec2 *flat = vs_fresh(in->path.count, sizeof *flat);
     ok = (flat && vs_polyline_from_path(&in->path, &line)) || vs_error_memory(f->error, at->ref->origin);
     ok = ok && vs_line_frame(&line, &frame, f->error);
     vs_vec3 u = { frame.m[0][0], frame.m[1][0], frame.m[2][0] }, v = { frame.m[0][1], frame.m[1][1], frame.m[2][1] };

@@ -1,5 +1,6 @@
 /* Owns the tree of points that triangles and boxes are looked up in. */
 #include "geometry/plane/point_tree.h"
+#include "model/store/array.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +25,7 @@ static int tree_compare(const void *a, const void *b) {
 }
 
 static bool tree_order(vs_point_tree *t) {
-  vs_point_key *keys = malloc(t->count * sizeof *keys);
+  vs_point_key *keys = vs_fresh(t->count, sizeof *keys);
   if (!keys) return false;
   vs_point_box all = { INFINITY, INFINITY, -INFINITY, -INFINITY, 0 };
   for (size_t i = 0; i < t->count; i++) {
@@ -55,10 +56,10 @@ static void tree_box_add(vs_point_box *b, const vs_point_box *c) {
 bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point, size_t count) {
   *t = (vs_point_tree){ .at = at, .count = count, .leaves = 1, .point = point };
   while (t->leaves * POINT_TREE_LEAF < count) t->leaves *= 2;
-  t->order = malloc((count + 1) * sizeof *t->order);
-  t->rank = malloc((count + 1) * sizeof *t->rank);
-  t->is_on = calloc(count + 1, sizeof *t->is_on);
-  t->boxes = malloc(2 * t->leaves * sizeof *t->boxes);
+  t->order = vs_fresh(count + 1, sizeof *t->order);
+  t->rank = vs_fresh(count + 1, sizeof *t->rank);
+  t->is_on = vs_zeros(count + 1, sizeof *t->is_on);
+  t->boxes = vs_fresh(2 * t->leaves, sizeof *t->boxes);
   if (!t->order || !t->rank || !t->is_on || !t->boxes || (count && !tree_order(t))) {
     vs_point_tree_free(t);
     return false;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "geometry/frame.h"
+#include "model/store/array.h"
 
 static vs_vec3 slice_crossing(vs_vec3 kept, double a, vs_vec3 lost, double b) {
   return vs_v3_add(kept, vs_v3_scale(vs_v3_sub(lost, kept), a / (a - b)));
@@ -32,7 +33,7 @@ bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal,
   for (size_t i = p->count; i-- > 0;)
     if (slice_side(p->at[i], point, normal, nothing) < 0) outside = i;
   if (outside == p->count) return put(context, p);
-  vs_polyline piece = { .at = malloc((p->count + 3) * sizeof *piece.at) };
+  vs_polyline piece = { .at = vs_fresh(p->count + 3, sizeof *piece.at) };
   bool ok = piece.at != NULL;
   size_t start = p->closed ? outside : 0, steps = p->closed ? p->count : p->count - 1;
   double d = slice_side(p->at[start], point, normal, nothing);
@@ -54,7 +55,7 @@ bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal,
 bool vs_slice_mesh(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_mesh *out) {
   vs_bounds b = vs_mesh_bounds(m);
   double nothing = 1e-13 * vs_bounds_diagonal(&b);
-  uint32_t *place = malloc((m->vertex_count + 1) * sizeof *place);
+  uint32_t *place = vs_fresh(m->vertex_count + 1, sizeof *place);
   bool ok = place != NULL;
   for (size_t i = 0; ok && i < m->vertex_count; i++) place[i] = UINT32_MAX;
   for (size_t t = 0; ok && t < m->triangle_count; t++) {

@@ -9,6 +9,7 @@
 
 #include "geometry/primitives/shape.h"
 #include "geometry/measure/measure.h"
+#include "model/store/array.h"
 
 /* Has sample i anything above or below it? It or a neighbour along a triangle's side is above the floor then. */
 static bool heights_used(const struct vs_height_field *h, uint32_t i) {
@@ -58,7 +59,7 @@ static bool heights_face(vs_heights *g, uint32_t a, uint32_t b, uint32_t c, bool
 bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
   uint32_t columns = (uint32_t)h->columns, count = h->points->count, rows = columns ? count / columns : 0;
   if (columns < 2 || rows < 2) return true;
-  uint32_t *numbers = malloc(2 * (size_t)count * sizeof *numbers);
+  uint32_t *numbers = vs_fresh(2 * (size_t)count, sizeof *numbers);
   vs_heights g = { h, out, columns, rows, numbers, numbers ? numbers + count : NULL };
   size_t border = 2 * ((size_t)columns + rows) - 4, cells = (size_t)(columns - 1) * (rows - 1);
   bool ok = numbers &&

@@ -10,6 +10,7 @@
 #include "geometry/frame.h"
 #include "geometry/files/polyface.h"
 #include "geometry/plane/ear_clipping.h"
+#include "model/store/array.h"
 
 static bool solid_eight(vs_mesh *out, const vs_vec3 *corners, size_t n, const unsigned char (*faces)[3],
                         size_t face_count) {
@@ -175,7 +176,7 @@ bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, in
 /* ---- polyface meshes ---- */
 
 bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *faces) {
-  uint32_t *place = malloc((points->count ? points->count : 1) * sizeof *place);
+  uint32_t *place = vs_fresh(points->count, sizeof *place);
   bool ok = place && vs_polyface_merge(points->at, points->count, place) &&
             vs_solid_polyface_merged(out, points, faces, place);
   free(place);
@@ -185,8 +186,8 @@ bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *fa
 /* Equal points become one vertex. */
 bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_faces *faces, uint32_t *place) {
   const uint32_t *starts = vs_faces_starts(faces), *corners = vs_faces_corners(faces);
-  vs_vec2 *flat = malloc((faces->corner_count ? faces->corner_count : 1) * sizeof *flat);
-  uint32_t *ring = malloc((faces->corner_count ? faces->corner_count : 1) * sizeof *ring);
+  vs_vec2 *flat = vs_fresh(faces->corner_count, sizeof *flat);
+  uint32_t *ring = vs_fresh(faces->corner_count, sizeof *ring);
   uint32_t base = (uint32_t)out->vertex_count;
   size_t triangles =
       faces->corner_count > 2 * (size_t)faces->count ? faces->corner_count - 2 * (size_t)faces->count : 0;

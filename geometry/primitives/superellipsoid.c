@@ -11,6 +11,7 @@
 
 #include "geometry/measure/reach.h"
 #include "geometry/primitives/shape.h"
+#include "model/store/array.h"
 
 static const double quarter_pi = 0.78539816339744830962;
 
@@ -53,8 +54,8 @@ static int oval_turn(const struct vs_superellipsoid *s, double exponent, const v
 static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs_fineness *f) {
   int around = oval_turn(s, s->e, f), profile = oval_turn(s, s->n, f),
       half = profile / 4; /* rings from the equator to a pole */
-  vs_oval_point *section = malloc((size_t)(around / 4 + 1) * sizeof *section),
-                *up = malloc((size_t)(half + 1) * sizeof *up);
+  vs_oval_point *section = vs_fresh((size_t)(around / 4 + 1), sizeof *section),
+                *up = vs_fresh((size_t)(half + 1), sizeof *up);
   uint32_t n = (uint32_t)around, base = (uint32_t)out->vertex_count, rings = (uint32_t)(2 * half - 1), south, north;
   bool ok =
       section && up &&

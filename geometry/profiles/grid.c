@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "geometry/frame.h"
+#include "model/store/array.h"
 
 bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, bool turned) {
   const size_t *sizes = loops->sizes;
@@ -27,7 +28,7 @@ static vs_vec2 *grid_flatten(const vs_quad_grid *g, const vs_vec3 *row, bool *ok
     area = vs_v3_add(area, vs_v3_cross(vs_v3_sub(row[i], row[0]), vs_v3_sub(row[i + 1], row[0])));
   if (!(vs_v3_length(area) > 0)) return NULL;
   vs_affine frame = vs_frame_on_axis(vs_v3(0, 0, 0), area);
-  vs_vec2 *flat = malloc(g->columns * sizeof *flat);
+  vs_vec2 *flat = vs_fresh(g->columns, sizeof *flat);
   *ok = flat != NULL;
   for (size_t i = 0; flat && i < g->columns; i++) {
     vs_vec3 d = vs_v3_sub(row[i], row[0]);
@@ -78,7 +79,7 @@ static double grid_distance(const vs_mesh *m, uint32_t a, uint32_t b) {
 
 bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out) {
   size_t n = g->columns, rows = g->rows + g->joined;
-  uint32_t *index = malloc((3 * n + 1) * sizeof *index), *low = index, *high = index ? index + n : NULL,
+  uint32_t *index = vs_fresh(3 * n + 1, sizeof *index), *low = index, *high = index ? index + n : NULL,
            *start = index ? index + 2 * n : NULL;
   bool ok = index != NULL;
   for (size_t r = 0; ok && r < rows; r++) {

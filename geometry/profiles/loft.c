@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "geometry/plane/curve.h"
+#include "model/store/array.h"
 
 typedef struct {
   vs_outline outline; /* loops reordered as those of the section before */
@@ -60,7 +61,8 @@ static bool loft_read(const vs_node *n, const vs_fineness *f, loft_section *s, v
   }
   if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED)) { /* needs no plane */
     s->open = true;
-    s->outline = (vs_outline){ .loops = calloc(1, sizeof(vs_polyline)), .hole = calloc(1, sizeof(bool)), .count = 1 };
+    s->outline =
+        (vs_outline){ .loops = vs_zeros(1, sizeof(vs_polyline)), .hole = vs_zeros(1, sizeof(bool)), .count = 1 };
     if (!s->outline.loops || !s->outline.hole) return s->outline.count = 0, vs_error_memory(e, NULL);
     if (!vs_curve_sample(n, f, &s->outline.loops[0], e)) return false;
     if (s->outline.loops[0].count < 2)
@@ -189,8 +191,8 @@ static vs_vec3 loft_loop_center(const vs_polyline *p) {
 static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_error *e) {
   size_t n = b->outline.count, done = 0;
   if (n == 1) return true;
-  vs_polyline *sorted = malloc(n * sizeof *sorted);
-  bool *taken = calloc(n, sizeof *taken), ok = sorted && taken;
+  vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
+  bool *taken = vs_zeros(n, sizeof *taken), ok = sorted && taken;
   size_t outer = 0; /* of b, that holds the holes */
   if (!ok) vs_error_memory(e, NULL);
   for (size_t l = 0; ok && l < n; l++) {
@@ -241,7 +243,7 @@ static void loft_line_free(loft_line *l) {
 
 static bool loft_line_make(const vs_polyline *p, const vs_affine *turn, loft_line *out) {
   vs_vec3 c = loft_loop_center(p);
-  *out = (loft_line){ malloc((p->count + 1) * sizeof *out->at), malloc((p->count + 2) * sizeof *out->along), p->count,
+  *out = (loft_line){ vs_fresh(p->count + 1, sizeof *out->at), vs_fresh(p->count + 2, sizeof *out->along), p->count,
                       p->closed };
   if (!out->at || !out->along) return false;
   double length = 0;
@@ -361,7 +363,7 @@ static size_t loft_places(const loft_line *lines, const double *shift, size_t co
     total += lines[i].count + LOFT_CORNERS;
     if (lines[i].count > most) most = lines[i].count;
   }
-  double *u = malloc((total + most) * sizeof *u);
+  double *u = vs_fresh(total + most, sizeof *u);
   *out = u;
   if (!u) return 0;
   bool closed = true;
@@ -433,7 +435,7 @@ static bool loft_match_loop(vs_store *store, loft_section *s, size_t rows, size_
   if (ok && !alike)
     ok = (m->count = loft_places(m->lines, m->shift, rows, &m->places)) > 0 || vs_error_memory(e, NULL);
   for (size_t i = first; ok && i < rows; i++) {
-    matched[i] = (vs_polyline){ .at = malloc((m->count + 1) * sizeof(vs_vec3)), .count = m->count };
+    matched[i] = (vs_polyline){ .at = vs_fresh(m->count + 1, sizeof(vs_vec3)), .count = m->count };
     ok = (matched[i].at || vs_error_memory(e, NULL)) &&
          vs_store_going(store, (uint32_t)(m->count < 1000000 ? 64 * m->count : 64000000), e);
     const vs_polyline *p = s[i].point ? NULL : &s[i].outline.loops[l];
@@ -456,22 +458,22 @@ static void loft_match_free(loft_match *m, size_t rows) {
 }
 
 static bool loft_room(vs_loft *out, size_t rows, size_t loops) {
-  out->center = malloc((rows + 1) * sizeof *out->center);
-  out->normal = calloc(rows + 1, sizeof *out->normal);
-  out->point = calloc(rows + 1, sizeof *out->point);
-  out->sizes = calloc(loops + 1, sizeof *out->sizes);
-  out->hole = calloc(loops + 1, sizeof *out->hole);
+  out->center = vs_fresh(rows + 1, sizeof *out->center);
+  out->normal = vs_zeros(rows + 1, sizeof *out->normal);
+  out->point = vs_zeros(rows + 1, sizeof *out->point);
+  out->sizes = vs_zeros(loops + 1, sizeof *out->sizes);
+  out->hole = vs_zeros(loops + 1, sizeof *out->hole);
   return out->center && out->normal && out->point && out->sizes && out->hole;
 }
 
 /* All loops of all sections as one table. False: e is set. */
 static bool loft_tabulate(vs_store *store, loft_section *s, size_t rows, size_t first, vs_loft *out, vs_error *e) {
   size_t loops = s[first].outline.count;
-  vs_polyline *matched = calloc(rows * loops + 1, sizeof *matched);
+  vs_polyline *matched = vs_zeros(rows * loops + 1, sizeof *matched);
   bool ok = (matched && loft_room(out, rows, loops)) || vs_error_memory(e, NULL);
   for (size_t l = 0; ok && l < loops; l++) {
-    loft_match m = { calloc(rows + 1, sizeof *m.lines), calloc(rows + 1, sizeof *m.shift),
-                     calloc(rows + 1, sizeof *m.start), NULL, 0 };
+    loft_match m = { vs_zeros(rows + 1, sizeof *m.lines), vs_zeros(rows + 1, sizeof *m.shift),
+                     vs_zeros(rows + 1, sizeof *m.start), NULL, 0 };
     ok = ((m.lines && m.shift && m.start) || vs_error_memory(e, NULL)) &&
          loft_match_loop(store, s, rows, first, l, &m, matched + l * rows, e);
     out->sizes[l] = m.count;
@@ -479,7 +481,7 @@ static bool loft_tabulate(vs_store *store, loft_section *s, size_t rows, size_t 
     out->columns += m.count;
     /* a point in front of the first section */
     for (size_t i = 0; ok && i < first; i++) {
-      matched[l * rows + i] = (vs_polyline){ .at = malloc((m.count + 1) * sizeof(vs_vec3)), .count = m.count };
+      matched[l * rows + i] = (vs_polyline){ .at = vs_fresh(m.count + 1, sizeof(vs_vec3)), .count = m.count };
       ok = matched[l * rows + i].at || vs_error_memory(e, NULL);
       for (size_t k = 0; ok && k < m.count; k++) matched[l * rows + i].at[k] = s[i].center;
     }
@@ -488,7 +490,7 @@ static bool loft_tabulate(vs_store *store, loft_section *s, size_t rows, size_t 
   out->rows = rows;
   out->loop_count = loops;
   out->round = !s[first].open;
-  out->at = ok ? malloc((rows * out->columns + 1) * sizeof *out->at) : NULL;
+  out->at = ok ? vs_fresh(rows * out->columns + 1, sizeof *out->at) : NULL;
   ok = ok && (out->at || vs_error_memory(e, NULL));
   for (size_t i = 0; ok && i < rows; i++) {
     out->center[i] = s[i].center;
@@ -516,7 +518,7 @@ static bool loft_again(const loft_section *a, const loft_section *b, double near
 
 bool vs_loft_match(const vs_node *n, size_t count, const vs_fineness *f, vs_loft *out, vs_error *e) {
   *out = (vs_loft){ 0 };
-  loft_section *s = calloc(count + 1, sizeof *s);
+  loft_section *s = vs_zeros(count + 1, sizeof *s);
   size_t first = 0, rows = count;
   vs_bounds b = vs_bounds_empty();
   if (!s) return vs_error_memory(e, NULL);

@@ -17,6 +17,7 @@
 #include "geometry/plane/curve.h"
 #include "geometry/profiles/loft.h"
 #include "geometry/profiles/loft_mesh.h"
+#include "model/store/array.h"
 
 /* ---- along a path ---- */
 
@@ -136,7 +137,7 @@ static vs_vec3 guided_slope(const vs_vec3 *local, const double *s, size_t n, siz
 static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, const double *s, const vs_vec3 *local,
                         const vs_fineness *f, vs_loft_rows *out) {
   size_t n = l->columns, wide = n + GUIDED_EXTRA, stations = l->rows + l->joined;
-  vs_vec3 *between = malloc(wide * sizeof *between);
+  vs_vec3 *between = vs_fresh(wide, sizeof *between);
   bool ok = between != NULL;
   for (size_t i = 0; ok && i + 1 < stations; i++) {
     double from = s[i], to = s[i + 1], steps = 1;
@@ -193,13 +194,13 @@ bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_fineness *f
   vs_path p = { 0 };
   vs_affine identity = vs_affine_identity();
   size_t stations = l->rows + l->joined;
-  double *s = malloc((stations + 1) * sizeof *s);
-  vs_vec3 *local = malloc(stations * (l->columns + GUIDED_EXTRA) * sizeof *local), *x = NULL;
+  double *s = vs_fresh(stations + 1, sizeof *s);
+  vs_vec3 *local = vs_fresh(stations * (l->columns + GUIDED_EXTRA), sizeof *local), *x = NULL;
   bool ok = (s && local) || vs_error_memory(e, NULL);
   ok = ok && vs_curve_path(n->children[n->child_count - 1].node, &identity, f, &p, e);
   if (ok && p.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "the path is a point");
   ok = ok && guided_stations(l, &p, s, e) &&
-       ((x = malloc((p.count + 1) * sizeof *x)) != NULL || vs_error_memory(e, NULL));
+       ((x = vs_fresh(p.count + 1, sizeof *x)) != NULL || vs_error_memory(e, NULL));
   if (ok) {
     vs_affine square = vs_frame_on_axis(p.at[0].at, p.at[0].leaving);
     vs_frame_transport(p.at, p.count, p.closed, p.length, vs_v3(square.m[0][0], square.m[1][0], square.m[2][0]), x);
@@ -260,8 +261,8 @@ static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_
 static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, const vs_fineness *f, guided_line *g,
                              vs_error *e) {
   vs_affine identity = vs_affine_identity();
-  g->s = malloc((l->rows + 1) * sizeof *g->s);
-  g->column = malloc((l->rows + 1) * sizeof *g->column);
+  g->s = vs_fresh(l->rows + 1, sizeof *g->s);
+  g->column = vs_fresh(l->rows + 1, sizeof *g->column);
   if (!g->s || !g->column) return vs_error_memory(e, NULL);
   if (!vs_curve_path(n, &identity, f, &g->path, e)) return false;
   if (g->path.count < 2) return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu is a point", number);
@@ -432,9 +433,9 @@ static double guided_line_steps(const guided_line *g, size_t i) {
 
 bool vs_loft_along_guides(const vs_node *n, const vs_loft *l, const vs_fineness *f, vs_loft_rows *out, vs_error *e) {
   size_t sections = (size_t)VS_AS(guided_loft, n)->section_count, guides = n->child_count - sections;
-  guided_line *g = calloc(guides + 1, sizeof *g);
-  guided_pin *pins = malloc((guides + 1) * sizeof *pins);
-  vs_vec3 *points = malloc((2 * guides + 1) * sizeof *points);
+  guided_line *g = vs_zeros(guides + 1, sizeof *g);
+  guided_pin *pins = vs_fresh(guides + 1, sizeof *pins);
+  vs_vec3 *points = vs_fresh(2 * guides + 1, sizeof *points);
   vs_loft_smooth s = { 0 };
   bool ok = (g && pins && points && vs_loft_smooth_make(l, &s)) || vs_error_memory(e, NULL);
   if (ok && l->joined)

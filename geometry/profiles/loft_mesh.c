@@ -14,16 +14,10 @@
 #include "geometry/profiles/grid.h"
 #include "geometry/profiles/loft.h"
 #include "geometry/profiles/loft_guided.h"
+#include "model/store/array.h"
 
 vs_vec3 *vs_loft_rows_add(vs_loft_rows *r) {
-  if (r->rows == r->room) {
-    size_t room = r->room ? r->room * 2 : 16;
-    if (room > SIZE_MAX / sizeof(vs_vec3) / (r->columns + 1)) return NULL;
-    vs_vec3 *grown = realloc(r->at, room * (r->columns + 1) * sizeof *grown);
-    if (!grown) return NULL;
-    r->at = grown;
-    r->room = room;
-  }
+  if (r->rows == r->room && !vs_room_grow(&r->at, &r->room, r->rows + 1, (r->columns + 1) * sizeof *r->at)) return NULL;
   return r->at + r->rows++ * r->columns;
 }
 
@@ -118,7 +112,7 @@ static bool loft_refine_columns(vs_loft *l, const uint32_t *edges) {
   size_t columns = 0;
   for (size_t loop = 0, first = 0; loop < l->loop_count; first += l->sizes[loop++])
     for (size_t c = 0; c < l->sizes[loop]; c++) columns += !l->round && c + 1 == l->sizes[loop] ? 1 : edges[first + c];
-  vs_vec3 *at = malloc((l->rows * columns + 1) * sizeof *at);
+  vs_vec3 *at = vs_fresh(l->rows * columns + 1, sizeof *at);
   if (!at) return false;
   for (size_t i = 0, to = 0; i < l->rows; i++)
     for (size_t loop = 0, first = 0; loop < l->loop_count; first += l->sizes[loop++])
@@ -190,8 +184,8 @@ static vs_vec3 loft_line_slope(const vs_loft *l, const double *chord, size_t i, 
 bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out) {
   size_t n = l->columns;
   *out =
-      (vs_loft_smooth){ l, malloc((l->rows * n + 1) * sizeof(vs_vec3)), malloc((l->rows * n + 1) * sizeof(vs_vec3)) };
-  double *chord = malloc((l->rows + 1) * sizeof *chord);
+      (vs_loft_smooth){ l, vs_fresh(l->rows * n + 1, sizeof(vs_vec3)), vs_fresh(l->rows * n + 1, sizeof(vs_vec3)) };
+  double *chord = vs_fresh(l->rows + 1, sizeof *chord);
   bool ok = out->slope_in && out->slope_out && chord;
   for (size_t i = 0; ok && i < l->rows; i++) chord[i] = loft_chord(l, i);
   for (size_t i = 0; ok && i < l->rows; i++) {
@@ -321,7 +315,7 @@ bool vs_loft_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error
   size_t first = out->triangle_count,
          count = n->kind == VS_GUIDED_LOFT ? (size_t)VS_AS(guided_loft, n)->section_count : n->child_count;
   if (!vs_loft_match(n, count, f, &l, e)) return false;
-  uint32_t *edges = malloc((l.columns + 1) * sizeof *edges);
+  uint32_t *edges = vs_fresh(l.columns + 1, sizeof *edges);
   double k = edges ? loft_saddle(&l, f, edges) : 1;
   bool ok = (edges && (k <= 1 || loft_refine_columns(&l, edges))) || vs_error_memory(e, NULL);
   free(edges);

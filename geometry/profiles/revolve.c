@@ -11,6 +11,7 @@
 
 #include "geometry/frame.h"
 #include "geometry/profiles/grid.h"
+#include "model/store/array.h"
 
 static const double turn = 6.28318530717958647693;
 
@@ -91,9 +92,9 @@ bool vs_revolve_plan(const vs_node *n, const vs_fineness *f, vs_revolve *r, vs_e
   }
   if (!vs_region_outline(n->children[0].node, f, &o, e)) return false;
   for (size_t l = 0; l < o.count; l++) points += o.loops[l].count;
-  r->profile = malloc((points + 1) * sizeof *r->profile);
-  r->sizes = malloc((o.count + 1) * sizeof *r->sizes);
-  r->hole = malloc((o.count + 1) * sizeof *r->hole);
+  r->profile = vs_fresh(points + 1, sizeof *r->profile);
+  r->sizes = vs_fresh(o.count + 1, sizeof *r->sizes);
+  r->hole = vs_fresh(o.count + 1, sizeof *r->hole);
   r->filled = !o.count || o.loops[0].closed;
   bool ok = ((r->profile && r->sizes && r->hole) || vs_error_memory(e, NULL)) && revolve_place(r, &o, e);
   vs_outline_free(&o);
@@ -114,7 +115,7 @@ static vs_vec3 revolve_point(const vs_revolve *r, vs_vec2 p, double cosine, doub
 
 bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
   size_t rows = r->full ? steps : steps + 1, first = out->triangle_count;
-  vs_vec3 *at = rows < SIZE_MAX / sizeof *at / (r->count + 1) ? malloc(rows * (r->count + 1) * sizeof *at) : NULL;
+  vs_vec3 *at = rows < SIZE_MAX / sizeof *at / (r->count + 1) ? vs_fresh(rows * (r->count + 1), sizeof *at) : NULL;
   if (!at) return false;
   for (size_t i = 0; i < rows; i++) {
     double sine, cosine;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "geometry/files/polyface.h"
+#include "model/store/array.h"
 
 typedef struct { vs_vec3 *at; size_t rows, columns; bool closed_u, closed_v; double near; } surface_grid;
 
@@ -37,7 +38,7 @@ static int surface_border_compare(const void *a, const void *b) {
 /* Points of the border that nearly meet take the place of the first of them. */
 static bool surface_snap(surface_grid *g) {
   size_t count = 0, total = g->rows * g->columns;
-  surface_border *border = malloc((2 * (g->rows + g->columns) + 1) * sizeof *border);
+  surface_border *border = vs_fresh(2 * (g->rows + g->columns) + 1, sizeof *border);
   if (!border) return false;
   for (size_t k = 0; k < total; k++) {
     size_t i = k / g->columns, j = k % g->columns;
@@ -79,7 +80,7 @@ static bool surface_facets(const surface_grid *g, const uint32_t *place, vs_mesh
 
 static bool surface_append(const surface_grid *g, vs_mesh *out) {
   size_t total = g->rows * g->columns;
-  uint32_t base = (uint32_t)out->vertex_count, *place = malloc((total + 1) * sizeof *place);
+  uint32_t base = (uint32_t)out->vertex_count, *place = vs_fresh(total + 1, sizeof *place);
   bool ok = place && vs_polyface_merge(g->at, total, place) &&
             vs_mesh_reserve(out, out->vertex_count + total, out->triangle_count + 2 * total);
   for (size_t i = 0; ok && i < total; i++) ok = vs_mesh_add_vertex(out, g->at[i], NULL);
@@ -90,7 +91,7 @@ static bool surface_append(const surface_grid *g, vs_mesh *out) {
 
 vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_point_grid *grid, vs_error *e) {
   size_t count = grid->rows * grid->columns;
-  surface_grid g = { malloc((count + 1) * sizeof *g.at), grid->rows, grid->columns, grid->closed_u, grid->closed_v, 0 };
+  surface_grid g = { vs_fresh(count + 1, sizeof *g.at), grid->rows, grid->columns, grid->closed_u, grid->closed_v, 0 };
   vs_bounds b = vs_bounds_empty();
   vs_mesh m = { 0 };
   vs_node *made = NULL;

@@ -69,13 +69,9 @@ static bool taper_push(taper_chain *c, uint32_t v) {
 static bool taper_vertex(taper *t, vs_vec2 p, double d, uint32_t *index) {
   size_t k = t->out->vertex_count - t->first;
   if (k >= t->flat_room) {
-    size_t room = t->flat_room ? t->flat_room * 2 : 64;
-    vs_vec2 *flat = realloc(t->flat, room * sizeof *flat);
-    if (flat) t->flat = flat;
-    double *level = realloc(t->level, room * sizeof *level);
-    if (level) t->level = level;
-    if (!flat || !level) return false;
-    t->flat_room = room;
+    size_t flats = t->flat_room, levels = t->flat_room;
+    if (!VS_GROW(t->flat, flats, k + 1) || !VS_GROW(t->level, levels, k + 1)) return false;
+    t->flat_room = levels;
   }
   t->flat[k] = p;
   t->level[k] = d;
@@ -295,8 +291,8 @@ static bool taper_wall(taper *t, size_t wall) {
   size_t n = 0, k = 0;
   for (size_t i = wall; i != SIZE_MAX; i = t->edges[i].next_piece)
     n += t->edges[i].left.count + t->edges[i].right.count;
-  vs_vec2 *at = malloc(n * sizeof *at);
-  uint32_t *index = malloc(n * sizeof *index);
+  vs_vec2 *at = vs_fresh(n, sizeof *at);
+  uint32_t *index = vs_fresh(n, sizeof *index);
   bool ok = at && index;
   /* pieces from right to left: up on the right of each, down on its left */
   for (size_t i = wall; ok && i != SIZE_MAX; i = t->edges[i].next_piece) {
@@ -391,10 +387,10 @@ static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) 
 static bool taper_top(taper *t) {
   size_t total = 0, rings = 0;
   for (size_t i = 0; i < t->count; i++) total += !t->edges[i].gone;
-  vs_vec2 *at = malloc((total + 1) * sizeof *at), *loop = malloc((total + 1) * sizeof *loop);
-  uint32_t *index = malloc((total + 1) * sizeof *index), *row = malloc((total + 1) * sizeof *row);
-  size_t *sizes = malloc((total + 1) * sizeof *sizes), *holder = malloc((total + 1) * sizeof *holder), k = 0;
-  taper_ring *ring = malloc((total + 1) * sizeof *ring);
+  vs_vec2 *at = vs_fresh(total + 1, sizeof *at), *loop = vs_fresh(total + 1, sizeof *loop);
+  uint32_t *index = vs_fresh(total + 1, sizeof *index), *row = vs_fresh(total + 1, sizeof *row);
+  size_t *sizes = vs_fresh(total + 1, sizeof *sizes), *holder = vs_fresh(total + 1, sizeof *holder), k = 0;
+  taper_ring *ring = vs_fresh(total + 1, sizeof *ring);
   bool ok = at && loop && index && row && sizes && holder && ring;
   for (size_t i = 0; ok && i < t->count; i++) { /* an edge that was walked is gone */
     if (t->edges[i].gone) continue;
@@ -460,10 +456,10 @@ bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_fineness *f, vs_m
   for (int i = 0; x->center && n->child_count == 1 && i < 3; i++) frame.m[i][3] -= along[i] / 2;
   t.frame = &frame;
   t.room = 2 * points + 1;
-  t.edges = calloc(t.room, sizeof *t.edges);
-  vs_vec2 *flat = malloc((points + 1) * sizeof *flat);
-  uint32_t *below = malloc((points + 1) * sizeof *below);
-  size_t *sizes = malloc((o.count + 1) * sizeof *sizes);
+  t.edges = vs_zeros(t.room, sizeof *t.edges);
+  vs_vec2 *flat = vs_fresh(points + 1, sizeof *flat);
+  uint32_t *below = vs_fresh(points + 1, sizeof *below);
+  size_t *sizes = vs_fresh(o.count + 1, sizeof *sizes);
   bool ok = (t.edges && flat && below && sizes) || vs_error_memory(e, NULL);
   if (ok && o.count && !o.loops[0].closed)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-extrude: a taper needs a closed profile");

@@ -9,6 +9,7 @@
 #include "geometry/plane/curve.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/profiles/taper.h"
+#include "model/store/array.h"
 
 /* Points that cutting has put on edges: an open table by the edge's two ends. */
 typedef struct { uint32_t a, b, at; } cut_point;
@@ -25,7 +26,7 @@ static bool cut_begin(cut_table *t, size_t edges) {
   while (room < 2 * edges) room *= 2;
   if (room > t->room) {
     free(t->slots);
-    t->slots = malloc(room * sizeof *t->slots);
+    t->slots = vs_fresh(room, sizeof *t->slots);
     t->room = t->slots ? room : 0;
   }
   if (!t->slots) return false;
@@ -102,7 +103,7 @@ bool vs_taper_path_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs
   size_t first = out->triangle_count, first_vertex = out->vertex_count;
   bool ok = vs_region_outline(n->children[0].node, f, &o, e) && vs_curve_sample(n->children[1].node, f, &path, e);
   if (ok && (o.count == 0 || path.count < 2)) goto done;
-  ok = ok && ((heights = malloc(path.count * sizeof *heights)) != NULL || vs_error_memory(e, NULL));
+  ok = ok && ((heights = vs_fresh(path.count, sizeof *heights)) != NULL || vs_error_memory(e, NULL));
   if (ok) {
     vs_vec3 normal = o.normal;
     if (vs_v3_dot(vs_v3_sub(path.at[path.count - 1], path.at[0]), normal) < 0) normal = vs_v3_scale(normal, -1);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "geometry/files/polyface.h"
+#include "model/store/array.h"
 
 typedef struct { uint64_t key; bool forward; uint32_t a, b; } vs_border;
 
@@ -18,7 +19,7 @@ static int border_compare(const void *p, const void *q) {
 
 /* Walls along edges that one facet has alone (or more facets one way than the other) */
 static bool thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uint32_t up, uint32_t down) {
-  vs_border *edges = malloc((count ? 3 * count : 1) * sizeof *edges);
+  vs_border *edges = vs_fresh(3 * count, sizeof *edges);
   bool ok = edges != NULL;
   for (size_t i = 0; ok && i < 3 * count; i++) {
     uint32_t a = facets[i / 3][i % 3], b = facets[i / 3][(i + 1) % 3];
@@ -58,11 +59,11 @@ static bool thicken_keeps(const vs_mesh *m, uint32_t (*facets)[3], size_t count,
 bool vs_thicken_surface(const vs_mesh *m, double outwards, double inwards, vs_mesh *out, vs_vec3 *turned,
                         bool *turns) {
   size_t n = m->vertex_count, count = 0;
-  uint32_t *place = malloc((n ? n : 1) * sizeof *place),
-           (*facets)[3] = malloc((m->triangle_count ? m->triangle_count : 1) * sizeof *facets);
-  vs_vec3 *normal = calloc(n ? n : 1, sizeof *normal),
-          *face = malloc((m->triangle_count ? m->triangle_count : 1) * sizeof *face);
-  double *cosine = calloc(n ? n : 1, sizeof *cosine), *weight = calloc(n ? n : 1, sizeof *weight);
+  uint32_t *place = vs_fresh(n, sizeof *place),
+           (*facets)[3] = vs_fresh(m->triangle_count, sizeof *facets);
+  vs_vec3 *normal = vs_zeros(n, sizeof *normal),
+          *face = vs_fresh(m->triangle_count, sizeof *face);
+  double *cosine = vs_zeros(n, sizeof *cosine), *weight = vs_zeros(n, sizeof *weight);
   bool ok = place && facets && normal && face && cosine && weight && vs_polyface_merge(m->vertices, n, place);
   for (size_t i = 0; ok && i < m->triangle_count; i++) {
     uint32_t t[3];

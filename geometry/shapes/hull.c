@@ -65,7 +65,7 @@ int vs_cloud_dimension(const vs_cloud *c) {
 typedef struct { int64_t x, y, z; } vs_step;
 
 static vs_step *cloud_steps(const vs_cloud *c) {
-  vs_step *s = malloc((c->count ? c->count : 1) * sizeof *s);
+  vs_step *s = vs_fresh(c->count, sizeof *s);
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < c->count; i++) vs_bounds_add(&b, c->at[i]);
   vs_vec3 o = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5), d = vs_v3_sub(b.max, b.min);
@@ -224,8 +224,8 @@ bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out) {
   if (cloud_span(c, corner) < 3) return true;
   vs_step *steps = cloud_steps(c);
   vs_quickhull h = { .steps = steps,
-                     .next_above = malloc(c->count * sizeof *h.next_above),
-                     .leaving = malloc(c->count * sizeof *h.leaving) };
+                     .next_above = vs_fresh(c->count, sizeof *h.next_above),
+                     .leaving = vs_fresh(c->count, sizeof *h.leaving) };
   bool ok = steps && h.next_above && h.leaving && hull_start(&h, corner, c->count);
   for (uint32_t f = 0, step = 0; ok && f < h.count; f++)
     if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* f dies of it: the next is the
@@ -275,7 +275,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   if (fabs(n.x) >= fabs(n.y) && fabs(n.x) >= fabs(n.z)) drop = 0;
   else if (fabs(n.y) >= fabs(n.z)) drop = 1;
   vs_step *steps = cloud_steps(c);
-  vs_flat_step *at = malloc(c->count * sizeof *at), *chain = malloc((2 * c->count + 1) * sizeof *chain);
+  vs_flat_step *at = vs_fresh(c->count, sizeof *at), *chain = vs_fresh(2 * c->count + 1, sizeof *chain);
   bool ok = steps && at && chain;
   for (size_t i = 0; ok && i < c->count; i++) {
     vs_step s = steps[i];
@@ -299,7 +299,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
     }
     count--; /* the other way begins there */
   }
-  out->at = ok ? malloc((count ? count : 1) * sizeof *out->at) : NULL;
+  out->at = ok ? vs_fresh(count, sizeof *out->at) : NULL;
   ok = out->at != NULL;
   for (size_t i = 0; ok && i < count; i++) out->at[i] = c->at[chain[i].point];
   out->count = out->room = ok ? count : 0;
@@ -321,7 +321,7 @@ bool vs_cloud_add_all(vs_cloud *out, const vs_affine *placed, const vs_vec3 *at,
 
 bool vs_hull_cloud(const vs_node *hull, vs_hull_leaf *leaf, const vs_fineness *f, vs_cloud *out, vs_error *e) {
   vs_ref root = { (vs_node *)(uintptr_t)hull, NULL };
-  vs_hull_part *stack = malloc(sizeof *stack);
+  vs_hull_part *stack = vs_fresh(1, sizeof *stack);
   size_t depth = 0, room = 1;
   bool ok = stack || vs_error_memory(e, NULL);
   if (ok) stack[depth++] = (vs_hull_part){ &root, vs_affine_identity() };

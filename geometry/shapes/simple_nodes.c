@@ -1,5 +1,6 @@
 /* Owns nodes of the simplest kinds (simple_nodes.h): what every other kind can be made into. */
 #include "geometry/shapes/simple_nodes.h"
+#include "model/store/array.h"
 
 #include <stdlib.h>
 
@@ -12,7 +13,7 @@ vs_node *vs_node_of_polyline(vs_store *store, const vs_polyline *p) {
 }
 
 vs_node *vs_node_of_outline(vs_store *store, const vs_outline *o, const vs_origin *origin) {
-  vs_ref *loops = calloc(o->count + 1, sizeof *loops);
+  vs_ref *loops = vs_zeros(o->count + 1, sizeof *loops);
   vs_node *made = NULL;
   size_t count = 0;
   while (loops && count < o->count &&
@@ -34,7 +35,7 @@ bool vs_node_is_outline(const vs_node *n) {
 vs_node *vs_node_of_mesh(vs_store *store, const vs_mesh *m, bool closed) {
   if (m->triangle_count == 0) return vs_node_new(store, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
   vs_node *made = NULL;
-  uint32_t *starts = malloc((m->triangle_count + 1) * sizeof *starts);
+  uint32_t *starts = vs_fresh(m->triangle_count + 1, sizeof *starts);
   vs_points *points = vs_points_new(store, m->vertices, m->vertex_count);
   vs_faces *faces = NULL;
   if (starts && points) {

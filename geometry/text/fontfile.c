@@ -15,6 +15,7 @@
 #include <sys/stat.h>
 
 #include "geometry/text/font.h"
+#include "model/store/array.h"
 
 enum { NAME_ROOM = 128, PATH_ROOM = 1024, DEPTH_MAX = 5 };
 
@@ -37,7 +38,7 @@ static int by_name(const struct dirent **a, const struct dirent **b) { return st
 /* Goes through a folder and those in it, on a stack of its own. *stop: fn said so. False: out of memory. */
 static bool search_below(const char *root, font_file_fn *fn, void *context, bool *stop) {
   size_t count = 1, room = 16;
-  font_folder *todo = malloc(room * sizeof *todo);
+  font_folder *todo = vs_fresh(room, sizeof *todo);
   bool ok = todo != NULL;
   if (ok) {
     snprintf(todo[0].folder, PATH_ROOM, "%s", root);
@@ -55,11 +56,7 @@ static bool search_below(const char *root, font_file_fn *fn, void *context, bool
       snprintf(path, sizeof path, "%s/%s", now.folder, list[i]->d_name);
       if (ok && !*stop && list[i]->d_name[0] != '.' && strlen(path) < PATH_ROOM && stat(path, &info) == 0) {
         if (S_ISDIR(info.st_mode) && now.depth < DEPTH_MAX) {
-          if (count == room) {
-            font_folder *grown = realloc(todo, 2 * room * sizeof *grown);
-            if (grown) todo = grown, room *= 2;
-            else ok = false;
-          }
+          ok = VS_GROW(todo, room, count + 1);
           if (ok) {
             memcpy(todo[count].folder, path, PATH_ROOM);
             todo[count++].depth = now.depth + 1;

@@ -94,8 +94,8 @@ static bool meet(const segment *s, const segment *t) {
 static bool any_cross(const vs_flat_loops *l, bool *found) {
   size_t count = 0, active = 0;
   for (size_t i = 0; i < l->count; i++) count += l->loops[i].count;
-  segment *all = malloc((count + 1) * sizeof *all);
-  size_t *now = malloc((count + 1) * sizeof *now);
+  segment *all = vs_fresh(count + 1, sizeof *all);
+  size_t *now = vs_fresh(count + 1, sizeof *now);
   *found = false;
   if (all && now) {
     count = 0;
@@ -139,8 +139,8 @@ static void turn(vs_flat_loops *l, const vs_flat_loop *loop) {
 /* No two loops cross. */
 static bool nest(vs_flat_loops *l) {
   size_t n = l->count, done = 0;
-  loop_facts *f = malloc((n + 1) * sizeof *f);
-  vs_flat_loop *sorted = malloc((n + 1) * sizeof *sorted);
+  loop_facts *f = vs_fresh(n + 1, sizeof *f);
+  vs_flat_loop *sorted = vs_fresh(n + 1, sizeof *sorted);
   bool ok = f && sorted;
   for (size_t i = 0; ok && i < n; i++) f[i] = facts_of(l, &l->loops[i]);
   for (size_t i = 0; ok && i < n; i++) {
@@ -185,7 +185,7 @@ static bool nest(vs_flat_loops *l) {
 
 static bool resolve(vs_flat_loops *l, vs_error *e) {
   vs_area out = { 0 };
-  vs_vec2 (*edges)[2] = malloc((l->point_count + 1) * sizeof *edges);
+  vs_vec2 (*edges)[2] = vs_fresh(l->point_count + 1, sizeof *edges);
   size_t count = 0;
   if (!edges) return vs_error_memory(e, NULL);
   for (size_t i = 0; i < l->count; i++)

@@ -167,14 +167,14 @@ static bool text_glyph_loops(const vs_text_glyph *at, double scale, double toler
 /* ---- loops ---- */
 
 static bool text_outline(const vs_flat_loops *flat, vs_vec3 p, const vs_affine *placed, vs_outline *out) {
-  out->loops = calloc(flat->count ? flat->count : 1, sizeof *out->loops);
-  out->hole = calloc(flat->count ? flat->count : 1, sizeof *out->hole);
+  out->loops = vs_zeros(flat->count, sizeof *out->loops);
+  out->hole = vs_zeros(flat->count, sizeof *out->hole);
   if (!out->loops || !out->hole) return false;
   for (size_t i = 0; i < flat->count; i++) {
     const vs_flat_loop *l = &flat->loops[i];
     vs_polyline *to = &out->loops[out->count++];
     out->hole[i] = l->hole;
-    to->at = malloc(l->count * sizeof *to->at);
+    to->at = vs_fresh(l->count, sizeof *to->at);
     if (!to->at) return false;
     to->count = to->room = l->count;
     to->closed = true;

@@ -3,12 +3,13 @@
 
 #include <stdlib.h>
 
+#include "model/store/array.h"
 #include "model/store/disjoint.h"
 
 static double reach(vs_vec3 p) { return fmax(fmax(fabs(p.x), fabs(p.y)), fabs(p.z)); }
 
 bool vs_shells_find(const vs_mesh *m, vs_shells *out) {
-  uint32_t n = (uint32_t)m->vertex_count, *set = malloc(((size_t)n + 1) * sizeof *set);
+  uint32_t n = (uint32_t)m->vertex_count, *set = vs_fresh((size_t)n + 1, sizeof *set);
   *out = (vs_shells){ .of = set };
   if (!set) return false;
   vs_disjoint(set, n);
@@ -16,7 +17,7 @@ bool vs_shells_find(const vs_mesh *m, vs_shells *out) {
     for (int j = 1; j < 3; j++) vs_unite(set, m->triangles[t][0], m->triangles[t][j]);
   for (uint32_t v = 0; v < n; v++) /* a root comes before its members: parents become numbers of shells on the way */
     set[v] = set[v] == v ? out->count++ : set[set[v]];
-  out->at = calloc((size_t)out->count + 1, sizeof *out->at);
+  out->at = vs_zeros((size_t)out->count + 1, sizeof *out->at);
   if (!out->at) return false;
   for (size_t t = 0; t < m->triangle_count; t++) {
     const uint32_t *v = m->triangles[t];

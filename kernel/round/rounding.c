@@ -26,6 +26,7 @@
 #include "kernel/round/self_contacts.h"
 #include "kernel/round/touching.h"
 #include "kernel/threads.h"
+#include "model/store/array.h"
 
 enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */, CONTRACTIONS = 8 };
 
@@ -424,7 +425,7 @@ static bool drop_blades(rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
   bool ok = vs_rounding_find_shells(s);
   const vs_shells *shells = &s->shells;
-  uint8_t *goes = ok ? calloc((size_t)shells->count + 1, 1) : NULL;
+  uint8_t *goes = ok ? vs_zeros((size_t)shells->count + 1, 1) : NULL;
   uint32_t going = 0;
   ok = goes != NULL;
   for (uint32_t t = 0; ok && t < m->triangle_count; t++) {

@@ -1,10 +1,14 @@
-/* Owns arrays that grow: a pointer and how many elements it has room for. Arrays with a budget of their own grow by
- * other means: objects of a store by vs_store_grow, the kernel's working arrays by VS_ROOM of kernel/memory.h. */
+/* Owns arrays by the count and the size of their elements: those that grow, a pointer and how many elements it has room
+ * for, and those that keep their size. Arrays with a budget of their own grow by other means: objects of a store by vs_store_grow, the kernel's working arrays by VS_ROOM of kernel/memory.h. */
 #ifndef VS_MODEL_STORE_ARRAY_H
 #define VS_MODEL_STORE_ARRAY_H
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "base/assert.h"
 
 /* Makes room for `need` elements of `size` bytes in the array whose address stands in *slot; *room is in elements, and
  * at least doubles when it changes. False when there is no memory: nothing is changed then. The caller frees the
@@ -13,8 +17,17 @@ bool vs_room_grow(void *slot, size_t *room, size_t need, size_t size);
 
 #define VS_GROW(array, room, need) ((need) <= (room) || vs_room_grow(&(array), &(room), need, sizeof *(array)))
 
-/* Allocates n elements for an array that keeps its size and is NULL before. False when there is no memory: it stays
+/* Returns room for n elements of `size` bytes, and for one where n is 0, with undefined contents; NULL when there is no
+ * memory, or the bytes exceed a size_t. The caller frees it. */
+static inline void *vs_fresh(size_t n, size_t size) {
+  VS_ASSERT(size > 0);
+  return n <= SIZE_MAX / size ? malloc((n ? n : 1) * size) : NULL;
+}
+/* As vs_fresh, all bytes zero. */
+static inline void *vs_zeros(size_t n, size_t size) { return calloc(n ? n : 1, size); }
+
+/* Allocates n elements for an array that keeps its size and owns nothing yet. False when there is no memory: it is
  * NULL then. */
-#define VS_FRESH(array, n) vs_room_grow(&(array), &(size_t){ 0 }, (n), sizeof *(array))
+#define VS_FRESH(array, n) (((array) = vs_fresh((n), sizeof *(array))) != NULL)
 
 #endif
