@@ -102,12 +102,18 @@ static vs_status is_record(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* "WHO: expected a TYPE, got V": a[who] is the accessor's name */
-static vs_status fail_record(vs_scheme *vm, const vs_value *a, int who) {
+/* Returns whether a[0] is a record of the type a[1] with a field a[2], else fails with "WHO: expected a TYPE, got V":
+ * a[who] is the accessor's name. The type may be anything: its name is a variable, and defined anew where the program
+ * says so, also as another type with fewer fields. */
+static bool has_field(vs_scheme *vm, const vs_value *a, int who) {
   VS_ROOTS(vm, r, 1);
-  vs_value type = vs_as_record_type(a[1])->name;
+  bool its = vs_is(a[0], VS_T_RECORD) && vs_as_record(a[0])->type == a[1];
+  if (its && (uint64_t)vs_fixnum(a[2]) < vs_record_fields(vs_as_record(a[0]))) return true;
+  vs_value type = vs_is(a[1], VS_T_RECORD_TYPE) ? vs_as_record_type(a[1])->name : VS_FALSE;
   vm->native = NULL;
-  return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0], "%s: expected a %s, got",
+  return vs_cons(vm, a[0], VS_NIL, &r[0]) && vs_fail_with(vm, vm->sym.type, r[0],
+                                                          its ? "%s: expected a %s with such a field, got"
+                                                              : "%s: expected a %s, got",
                                                           vs_is_symbol(a[who]) ? vs_as_symbol(a[who])->name : "record",
                                                           vs_is_symbol(type) ? vs_as_symbol(type)->name : "record");
 }
@@ -115,14 +121,13 @@ static vs_status fail_record(vs_scheme *vm, const vs_value *a, int who) {
 /* record type index who */
 static vs_status record_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  if (!vs_is(a[0], VS_T_RECORD) || vs_as_record(a[0])->type != a[1]) return fail_record(vm, a, 3);
-  return *out = vs_as_record(a[0])->at[vs_fixnum(a[2])], VS_OK;
+  return has_field(vm, a, 3) ? (*out = vs_as_record(a[0])->at[vs_fixnum(a[2])], VS_OK) : VS_ERROR;
 }
 
 /* record type index value who */
 static vs_status record_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
-  if (!vs_is(a[0], VS_T_RECORD) || vs_as_record(a[0])->type != a[1]) return fail_record(vm, a, 4);
+  if (!has_field(vm, a, 4)) return VS_ERROR;
   vs_gc_store(vm, vs_as_record(a[0]), &vs_as_record(a[0])->at[vs_fixnum(a[2])], a[3]);
   return VS_OK;
 }

@@ -1,7 +1,7 @@
 /* Owns calls of the procedures that define-record-type makes. Their code is one instruction between the type and the
  * return, and an activation costs several times as much as that instruction: so the run loop reads here what the code
- * says, and makes no activation. Whatever is not as usual (another number of arguments, a record of another type, a
- * full nursery) is for the code itself, which words the error. */
+ * says, and makes no activation. Whatever is not as usual (another number of arguments, a record of another type or
+ * without the field, a full nursery) is for the code itself, which words the error. */
 #ifndef VS_VM_MACHINE_RECORD_CALL_H
 #define VS_VM_MACHINE_RECORD_CALL_H
 
@@ -46,7 +46,7 @@ static inline bool vs_record_call(vs_scheme *vm, vs_value f, const vs_value *at,
     if (code->flags & VS_CODE_TEST) {
       if (type == VS_UNDEFINED) return false;
       *out = vs_bool(its);
-    } else if (!its) {
+    } else if (!its || (ins[1] & 255) >= vs_record_fields(vs_as_record(at[0]))) {
       return false;
     } else if (code->flags & VS_CODE_GET) {
       *out = vs_as_record(at[0])->at[ins[1] & 255];

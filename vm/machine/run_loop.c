@@ -462,13 +462,15 @@ look:
   }
   OP(RECREF): {
     vs_value x = RB;
-    if (!vs_is(x, VS_T_RECORD) || vs_as_record(x)->type != RC) goto generic;
+    if (!vs_is(x, VS_T_RECORD) || vs_as_record(x)->type != RC || (*pc & 255) >= vs_record_fields(vs_as_record(x)))
+      goto generic;
     RA = vs_as_record(x)->at[*pc++ & 255];
     NEXT;
   }
   OP(RECSET): {
     vs_value x = RA;
-    if (!vs_is(x, VS_T_RECORD) || vs_as_record(x)->type != RB) goto generic;
+    if (!vs_is(x, VS_T_RECORD) || vs_as_record(x)->type != RB || (*pc & 255) >= vs_record_fields(vs_as_record(x)))
+      goto generic;
     vs_gc_store(vm, vs_as_record(x), &vs_as_record(x)->at[*pc & 255], RC);
     pc++;
     NEXT;

@@ -261,7 +261,10 @@ VS_ACCESSOR(string, vs_string) VS_ACCESSOR(symbol, vs_symbol) VS_ACCESSOR(vector
                                         VS_ACCESSOR(keywords, vs_keywords) VS_ACCESSOR(foreign, vs_foreign)
 #undef VS_ACCESSOR
 
-                                            static inline bool vs_is_pair(vs_value v) { return vs_is(v, VS_T_PAIR); }
+                                            /* how many fields the record has */
+static inline size_t vs_record_fields(const vs_record *r) { return r->h.words - sizeof(vs_record) / sizeof(vs_value); }
+
+static inline bool vs_is_pair(vs_value v) { return vs_is(v, VS_T_PAIR); }
 static inline bool vs_is_symbol(vs_value v) { return vs_is(v, VS_T_SYMBOL); }
 static inline bool vs_is_string(vs_value v) { return vs_is(v, VS_T_STRING); }
 static inline bool vs_is_vector(vs_value v) { return vs_is(v, VS_T_VECTOR); }

@@ -55,9 +55,23 @@
 (define spot-x old-x)
 (told (both s))                                              ; expect: (1 1)
 (define spot (list 'no 'type))
-(told (spot-y s))                                            ; expect: ("spot-y: expected a no, got" #<spot x=1 y=2>)
+(told (spot-y s))                                            ; expect: ("spot-y: expected a record, got" #<spot x=1 y=2>)
 (told (spot? s))                                             ; expect: #f
 (told (make-spot 1 2))                                       ; expect: ("record: type must be a record type, got" (no type))
+(define spot 5)
+(told (spot-y s))                                            ; expect: ("spot-y: expected a record, got" #<spot x=1 y=2>)
+(told (list (spot? s) (spot? 5)))                            ; expect: (#f #f)
+; another type under the old type's name: its records may lack the field
+(define spot nothing)
+(define none (make-nothing))
+(define (y-of r) (spot-y r))
+(define (put-x r) (set-spot-x! r 12345678))
+(told (y-of none))                                           ; expect: ("spot-y: expected a nothing with such a field, got" #<nothing>)
+(told (put-x none))                                          ; expect: ("set-spot-x!: expected a nothing with such a field, got" #<nothing>)
+(told (map spot-y (list none)))                              ; expect: ("spot-y: expected a nothing with such a field, got" #<nothing>)
+(told (apply set-spot-x! (list none 1)))                     ; expect: ("set-spot-x!: expected a nothing with such a field, got" #<nothing>)
+(define spot hub)
+(told (spot-y h))                                            ; expect: 7
 ; types of a procedure's own: each call makes another
 (define (family) (define-record-type own (make-own a) own? (a own-a set-own-a!)) (list make-own own? own-a set-own-a!))
 (define one (family))
