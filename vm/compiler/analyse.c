@@ -179,12 +179,16 @@ static bool make_info(struct analysis *a, vs_core_node *lambda, vs_core_node *pa
   return add_job(a, lambda, NULL, 0);
 }
 
+/* Where a variable belongs in the index, whose room is a power of two. */
 static uint32_t home(const vs_lambda_info *f, const vs_var *v) {
+  VS_ASSERT(f->index_room > 0 && (f->index_room & (f->index_room - 1)) == 0);
   return (uint32_t)((uintptr_t)v >> 4) * 2654435761u & (f->index_room - 1);
 }
 
+/* Puts the i-th captured variable into the index. */
 static void index_put(vs_lambda_info *f, uint32_t i) {
   uint32_t at = home(f, f->free[i]);
+  VS_ASSERT(i < f->free_count);
   while (f->index[at]) at = (at + 1) & (f->index_room - 1);
   f->index[at] = i + 1;
 }
@@ -202,6 +206,7 @@ uint32_t vs_free_index(const vs_lambda_info *f, const vs_var *v) {
 
 /* v is not there yet */
 static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
+  VS_ASSERT(vs_free_index(f, v) == UINT32_MAX);
   if (f->free_count == f->free_room) {
     uint32_t room = f->free_room ? f->free_room * 2 : 4;
     vs_var **at = vs_ast_alloc(a->ast, room * sizeof(vs_var *));

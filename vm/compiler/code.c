@@ -7,9 +7,18 @@ static const struct { const char *operands; uint8_t extra, generic; } ops[VS_O_C
 #undef VS_OP
 };
 
-int vs_op_generic(uint32_t op) { return ops[op].generic; }
-const char *vs_op_operands(uint32_t op) { return ops[op].operands; }
-uint32_t vs_op_extra(uint32_t op) { return ops[op].extra; }
+int vs_op_generic(uint32_t op) {
+  VS_ASSERT(op < VS_O_COUNT);
+  return ops[op].generic;
+}
+const char *vs_op_operands(uint32_t op) {
+  VS_ASSERT(op < VS_O_COUNT);
+  return ops[op].operands;
+}
+uint32_t vs_op_extra(uint32_t op) {
+  VS_ASSERT(op < VS_O_COUNT);
+  return ops[op].extra;
+}
 
 /* The last entry at or before pc; NULL: there is none. */
 static const vs_place *place_at(const vs_code *code, uint32_t pc) {
@@ -87,6 +96,7 @@ uint32_t vs_code_record(const uint32_t *ins, size_t words, uint32_t required) {
 
 void vs_cell_redefine(vs_value v) {
   vs_cell *cell = vs_as_cell(v);
+  VS_ASSERT(cell->h.flags & VS_F_CONSTANT);
   cell->h.flags &= (uint16_t)~VS_F_CONSTANT;
   for (vs_value l = cell->users; vs_is_pair(l); l = vs_cdr(l)) {
     vs_code *code = vs_as_code(vs_car(l));

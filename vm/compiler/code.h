@@ -33,8 +33,11 @@ vs_pos vs_code_place(const vs_code *code, uint32_t pc);               /* of the 
 uint32_t vs_code_place_start(const vs_code *code, uint32_t pc);       /* that instruction's index */
 const vs_vector *vs_code_variables(const vs_code *code);              /* NULL: none are known */
 uint32_t vs_code_inlined(const vs_code *code, uint32_t pc);           /* constant index */
+/* op is an opcode. */
 int vs_op_generic(uint32_t op);
+/* op is an opcode. */
 const char *vs_op_operands(uint32_t op);
+/* op is an opcode. */
 uint32_t vs_op_extra(uint32_t op);
 
 /* Which of define-record-type's procedures these instructions of `required` parameters are; 0: none. */

@@ -116,10 +116,12 @@ static bool writes(const vs_core_node *n, const vs_var *v, int depth) {
   }
 }
 
-/* operand of argument i of a call: a copy of a variable that a later argument may assign */
+/* operand of argument i of a call: a copy of a variable that a later argument may assign. i is below the number of
+   arguments. */
 static bool operand_of(compiler *c, vs_core_node *call, uint32_t i, uint32_t *reg) {
   vs_core_node *n = call->as.call.at[i];
   bool written = false;
+  VS_ASSERT(i < call->count);
   if (n->kind == VS_AST_LOCAL && n->as.var->assigned)
     for (uint32_t j = i + 1; !written && j < call->count; j++) written = writes(call->as.call.at[j], n->as.var, 0);
   return written ? vs_emit_register(&c->e, reg) && gen(c, n, *reg) : operand(c, n, reg);
@@ -148,9 +150,10 @@ static bool is_test(const vs_inline_row *row, const vs_core_node *n) {
   return row && (row->way == VS_WAY_TEST || row->way == VS_WAY_TYPE) && n->count == row->args;
 }
 
-/* notes that the next instruction stands for the call n */
+/* notes that the next instruction stands for the call n. n is a call of a global variable. */
 static bool stands_for(compiler *c, const vs_core_node *n) {
   uint32_t k;
+  VS_ASSERT(n->kind == VS_AST_CALL && n->as.call.callee->kind == VS_AST_GLOBAL);
   return vs_emit_constant(&c->e, n->as.call.callee->as.global.cell, &k) && vs_emit_place(&c->e, n->pos) &&
          vs_emit_inlined(&c->e, k);
 }
@@ -568,10 +571,12 @@ static bool gen_let(compiler *c, vs_core_node *n, uint32_t to) {
   return true;
 }
 
-/* the lambdas [from, to) of a FIX, which may capture each other */
+/* the lambdas [from, to) of a FIX, which may capture each other. from <= to, and to is at most its number of
+   variables. */
 static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, temp;
+  VS_ASSERT(from <= to && to <= n->count);
   for (uint32_t i = from; i < to; i++) {
     vs_var *v = n->as.let.vars[i];
     if (vs_info(v)->loop) continue;
@@ -870,9 +875,11 @@ static vs_value doc_of(const compiler *c, const vs_core_node *body) {
   return text ? pool(c, first->as.constant) : VS_FALSE;
 }
 
+/* Compiles one LAMBDA, into the code object made for it. */
 static bool compile_procedure(compiler *c, vs_core_node *l) {
   vs_ast *ast = c->e.ast;
   vs_value code = ast->pool[((vs_lambda_info *)l->as.lambda.extra)->code - 1];
+  VS_ASSERT(l->kind == VS_AST_LAMBDA);
   c->e = (vs_emit){.ast = ast, .lambda = l, .fresh = VS_NO_REGISTER};
   vs_gc_store(ast->vm, vs_as_code(code), &vs_as_code(code)->doc, doc_of(c, l->as.lambda.body));
   bool ok = set_parameters(c, l, code) && gen_parameters(c, l) && gen(c, l->as.lambda.body, TAIL) &&

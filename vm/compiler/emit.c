@@ -40,7 +40,9 @@ bool vs_emit_word(vs_emit *e, uint32_t w) {
   return true;
 }
 
+/* Copies between a scratch register and one that no instruction can name, VS_FAR or higher. */
 static bool far_copy(vs_emit *e, unsigned op, uint32_t scratch, uint32_t far) {
+  VS_ASSERT(far >= VS_FAR && scratch < VS_FAR);
   if (e->most < VS_FAR) e->most = VS_FAR;
   return vs_emit_word(e, VS_INSX(op, scratch, far));
 }
@@ -59,7 +61,9 @@ static bool operands(vs_emit *e, unsigned op, uint32_t r[3], uint32_t *store) {
   return true;
 }
 
+/* The first operand is a register that an instruction can name. */
 static bool encode(vs_emit *e, unsigned op, const uint32_t r[3]) {
+  VS_ASSERT(r[0] < VS_FAR);
   return vs_emit_word(e, vs_op_operands(op)[1] == 'x' ? VS_INSX(op, r[0], r[1]) : VS_INS(op, r[0], r[1], r[2]));
 }
 
@@ -83,12 +87,14 @@ bool vs_emit_branch(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c,
 }
 
 bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target) {
+  VS_ASSERT(target <= e->count);
   return vs_emit_word(e, VS_INS(op, 0, 0, 0)) && vs_emit_word(e, (uint32_t)((int64_t)target - (int64_t)e->count - 1));
 }
 
 void vs_emit_here(vs_emit *e, vs_jumps list) {
   while (list) {
     uint32_t at = list - 1, before = e->ins[at];
+    VS_ASSERT(at < e->count && before < list); /* the list goes back through what was emitted */
     e->ins[at] = (uint32_t)(e->count - at - 1);
     list = before;
   }
@@ -96,6 +102,7 @@ void vs_emit_here(vs_emit *e, vs_jumps list) {
 
 bool vs_emit_constant(vs_emit *e, uint32_t index, uint32_t *out) {
   const vs_value *pool = e->ast->pool;
+  VS_ASSERT(index < e->ast->pool_count);
   for (size_t i = e->const_count, tries = 0; i-- > 0 && tries < 64; tries++)
     if (pool[e->consts[i]] == pool[index]) { *out = (uint32_t)i; return true; }
   if (!grow(e, &e->consts, &e->const_room, e->const_count, sizeof *e->consts)) return false;
@@ -138,6 +145,7 @@ bool vs_emit_variable(vs_emit *e, const vs_var *v) {
 }
 
 void vs_emit_scope_end(vs_emit *e, size_t first) {
+  VS_ASSERT(first <= e->variable_count);
   for (size_t i = first; i < e->variable_count; i++)
     if (e->variables[i].to == UINT32_MAX) e->variables[i].to = (uint32_t)e->count;
 }
@@ -186,6 +194,7 @@ bool vs_emit_finish(vs_emit *e, vs_value code) {
   vs_scheme *vm = e->ast->vm;
   VS_ROOTS(vm, r, 1);
   vs_code *c = vs_as_code(code);              /* old: stays where it is */
+  VS_ASSERT(!vs_gc_is_young(vm, vs_object_of(code)));
   if (e->count >= 1u << 28)
     return vs_fail_at(vm, vm->sym.syntax, e->lambda->pos, VS_NIL, "this procedure is too large: split it");
   vs_vector *consts = (vs_vector *)(void *)vs_gc_alloc_old(vm, VS_T_VECTOR, 2 + e->const_count);

@@ -38,6 +38,7 @@ bool vs_emit_op1(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, ui
 bool vs_emit_branch(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, vs_jumps *list);
 bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target);              /* JUMP or LOOP to what is there already */
 void vs_emit_here(vs_emit *e, vs_jumps list);                             /* the jumps of the list come here */
+/* The index is one of the tree's pool. */
 bool vs_emit_constant(vs_emit *e, uint32_t pool_index, uint32_t *out);    /* index in this procedure's constants */
 bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out);                /* the same for a value */
 bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* of the next instruction */

@@ -80,6 +80,7 @@ vs_var *vs_ast_var(vs_ast *ast, vs_value symbol) {
 
 vs_core_node *vs_ast_node(vs_ast *ast, int kind, vs_pos pos) {
   vs_core_node *n = vs_ast_alloc(ast, sizeof *n);
+  VS_ASSERT(kind >= 0 && kind < VS_AST_COUNT);
   if (n) { n->kind = (uint8_t)kind; n->pos = pos; }
   return n;
 }

@@ -103,6 +103,7 @@ void *vs_ast_alloc(vs_ast *ast, size_t bytes);
 /* the same immediate or object may share an index */
 bool vs_ast_const(vs_ast *ast, vs_value v, uint32_t *index);
 vs_var *vs_ast_var(vs_ast *ast, vs_value symbol);
+/* kind is a VS_AST_. */
 vs_core_node *vs_ast_node(vs_ast *ast, int kind, vs_pos pos);                    /* fields zero */
 /* shorthands; NULL when memory is out */
 vs_core_node *vs_ast_constant(vs_ast *ast, vs_value v, vs_pos pos);

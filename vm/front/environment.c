@@ -23,9 +23,10 @@ bool vs_idtable_new(vs_scheme *vm, vs_value *out) { return make(vm, FIRST_ROOM, 
 
 int64_t vs_idtable_count(vs_value table) { return vs_fixnum(vs_as_vector(table)->at[0]); }
 
-/* the slot of id, or the free one where it belongs */
+/* the slot of id, or the free one where it belongs. The table's room is a power of two. */
 static size_t slot(const vs_vector *t, vs_value id) {
   size_t room = (t->length - 1) / 2, i = (size_t)id_hash(id) & (room - 1);
+  VS_ASSERT(room > 0 && (room & (room - 1)) == 0);
   while (t->at[1 + 2 * i] != VS_VACANT && t->at[1 + 2 * i] != id) i = (i + 1) & (room - 1);
   return 1 + 2 * i;
 }
@@ -72,12 +73,14 @@ bool vs_idtable_slot(vs_value table, size_t i, vs_value *key, vs_value *value) {
 
 /* ---- identifiers ---- */
 vs_value vs_identifier_symbol(vs_value id) {
+  VS_ASSERT(vs_is_identifier(id));
   while (vs_is(id, VS_T_ALIAS)) id = vs_as_alias(id)->name;
   return id;
 }
 
 bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out) {
   VS_ROOTS(vm, r, 2);
+  VS_ASSERT(vs_is_identifier(name) && vs_is(env, VS_T_ENVIRONMENT));
   r[0] = name; r[1] = env;
   vs_alias *a = (vs_alias *)(void *)vs_gc_alloc(vm, VS_T_ALIAS, VS_WORDS(vs_alias));
   if (!a) return false;
@@ -312,6 +315,7 @@ vs_intake vs_environment_intake(vs_value env) {
   return vs_is_fixnum(data) ? (vs_intake)vs_fixnum(data) : VS_INTAKE_STRICT;
 }
 void vs_environment_set_intake(vs_value env, vs_intake intake) {
+  VS_ASSERT(vs_is_top(env));
   vs_as_environment(env)->data = vs_fix((int64_t)intake);
 }
 void vs_environment_forget_imports(vs_value env) { vs_as_environment(env)->imports = VS_NIL; }
@@ -378,6 +382,7 @@ static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping,
 bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool whole, vs_value *clash,
                            bool *own) {
   VS_ROOTS(vm, r, 4);
+  VS_ASSERT(vs_is_top(env) && vs_is_top(from));
   r[0] = env; r[1] = from; r[2] = mapping;
   *clash = VS_VACANT;
   *own = false;
@@ -452,6 +457,7 @@ bool vs_same_meaning(vs_value env_a, vs_value a, vs_value env_b, vs_value b) {
 
 bool vs_environment_cell(vs_scheme *vm, const vs_meaning *m, vs_value *cell) {
   VS_ROOTS(vm, r, 3);
+  VS_ASSERT(m->kind != VS_MEANS_LOCAL);
   if (m->kind == VS_MEANS_CELL && (!m->foreign || !(vs_as_cell(m->value)->h.flags & VS_F_CONSTANT))) {
     *cell = m->value;
     return true;
@@ -467,6 +473,7 @@ bool vs_environment_cell(vs_scheme *vm, const vs_meaning *m, vs_value *cell) {
 
 bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *cell) {
   VS_ROOTS(vm, r, 3);
+  VS_ASSERT(vs_is_top(env));
   r[0] = env; r[1] = id;
   vs_value own = vs_idtable_get(vs_as_environment(env)->table, id);
   if (own != VS_VACANT && vs_is(own, VS_T_CELL)) {
@@ -521,6 +528,7 @@ bool vs_environment_each(vs_value env, bool (*each)(void *, vs_value, vs_value),
 
 void vs_environment_seal(vs_value env) {
   vs_value key, value;
+  VS_ASSERT(vs_is_top(env));
   for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++)
     if (key != VS_VACANT && vs_is(value, VS_T_CELL) && vs_as_cell(value)->value != VS_UNDEFINED &&
         !(vs_object_of(value)->flags & VS_F_ASSIGNED))

@@ -36,7 +36,9 @@ int64_t vs_idtable_count(vs_value table);
 
 /* ---- identifiers ---- */
 static inline bool vs_is_identifier(vs_value v) { return vs_is(v, VS_T_SYMBOL) || vs_is(v, VS_T_ALIAS); }
+/* id is an identifier. */
 vs_value vs_identifier_symbol(vs_value id);                      /* the name under all renamings */
+/* The name is an identifier, and env an environment. */
 bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out);
 /* A fresh copy of a datum without aliases, if there are any in it; else the datum. */
 bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out);
@@ -57,12 +59,13 @@ bool vs_environment_bind(vs_scheme *vm, vs_value env, vs_value id, vs_value bind
      PROMPT   the same, and an import also wins over the prompt's own definitions */
 typedef enum { VS_INTAKE_STRICT, VS_INTAKE_FRESH, VS_INTAKE_OPEN, VS_INTAKE_PROMPT } vs_intake;
 vs_intake vs_environment_intake(vs_value env);
+/* env is a top-level environment. */
 void vs_environment_set_intake(vs_value env, vs_intake intake);
 
 /* mapping #t or a table from local name to its name in `from`. whole: `from` is the whole library, which gives way to
    everything else.
    *clash: VS_VACANT, or a name that cannot be imported because it means something else already; *own: by a definition
-   *of env's own. */
+   *of env's own. Both are top-level environments. */
 bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool whole, vs_value *clash,
                            bool *own);
 void vs_environment_forget_imports(vs_value env);
@@ -93,7 +96,8 @@ vs_value vs_environment_value(vs_value env, vs_value symbol);
    false. */
 bool vs_environment_each(vs_value env, bool (*each)(void *context, vs_value symbol, vs_value binding), void *context);
 
-/* Marks everything defined in env so far, but not what its code assigns, as constant: a finished library. */
+/* Marks everything defined in env so far, but not what its code assigns, as constant: a finished library. env is a
+ * top-level environment. */
 void vs_environment_seal(vs_value env);
 
 #endif

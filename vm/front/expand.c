@@ -132,6 +132,7 @@ bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *form
 }
 
 bool vs_expand_shape(vs_expansion *x, int form) {
+  VS_ASSERT(form >= 0 && form < VS_FORM_COUNT);
   return vs_expand_fail(x, x->now.pos, x->now.form, "%s is written %s, not", form_table[form].name,
                         form_table[form].shape);
 }
@@ -164,6 +165,7 @@ vs_core_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos
 }
 
 bool vs_is_form(vs_value env, vs_value id, int form) {
+  VS_ASSERT(form >= 0 && form < VS_FORM_COUNT);
   if (!vs_is_identifier(id)) return false;
   vs_meaning m = vs_environment_find(env, id);
   if (m.kind == VS_MEANS_MACRO) return vs_as_macro(m.value)->kind == vs_fix(form);
@@ -255,6 +257,7 @@ bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var) {
 
 bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_core_node **into) {
   vs_value l = x->now.form;
+  VS_ASSERT(nth >= 0 && nth < vs_list_length(x->now.form));
   for (int64_t i = 0; i < nth; i++) l = vs_cdr(l);
   return vs_expand_push(x, VS_TASK_EXPR, vs_car(l), env, vs_element_pos(l, nth == 0, x->now.pos), into,
                         x->now.depth + 1);

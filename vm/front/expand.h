@@ -87,7 +87,7 @@ vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value);
 bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_core_node **into,
                     uint32_t depth);
 vs_task *vs_expand_top(vs_expansion *x);                               /* the task pushed last */
-/* the cadr-th element of the current form as an expression one level down */
+/* the cadr-th element of the current form as an expression one level down. The form has such an element. */
 bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_core_node **into);
 /* the elements of `list` (a tail of the current form) into a node's `at` */
 bool vs_expand_list(vs_expansion *x, vs_value list, vs_value env, vs_core_node **at, uint32_t depth);
@@ -107,12 +107,14 @@ vs_core_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos p
 bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var);     /* a new variable, bound in scope */
 bool vs_expand_scope(vs_expansion *x, vs_value env, vs_value *out);
 
+/* form is a VS_FORM_. */
 bool vs_is_form(vs_value env, vs_value id, int form);                  /* id means that syntax here */
 vs_pos vs_form_pos(vs_value form, vs_pos outer);                       /* of a pair */
 vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer);        /* of the car of a pair of a list */
 /* a syntax error at pos; `what` is shown written behind the text unless VS_ABSENT */
 bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
+/* form is a VS_FORM_. */
 bool vs_expand_shape(vs_expansion *x, int form);                       /* "this is written (...)" at the current form */
 
 /* Expands macros at the head of *form until it is core syntax, an application or no pair; *m is the head's meaning.

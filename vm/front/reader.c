@@ -60,7 +60,9 @@ typedef struct {
   vs_pos last_top; uint32_t last_close_line; bool stray; vs_pos stray_top; uint32_t stray_line;
 } reader;
 
+/* The column of a byte of the line that is being read, from 1. */
 static uint32_t column(reader *r, size_t offset) {
+  VS_ASSERT(offset >= r->line_start);
   if (offset < r->col_at || r->col_at < r->line_start) { r->col_at = r->line_start; r->col = 1; }
   for (; r->col_at < offset; r->col_at++) r->col += ((unsigned char)r->text[r->col_at] & 0xC0) != 0x80;
   return r->col;
@@ -169,7 +171,9 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
   return true;
 }
 
+/* Leaves the level on top; there is one. */
 static void pop(reader *r) {
+  VS_ASSERT(r->depth > 0);
   level *f = &r->levels[--r->depth];
   r->quasi -= f->quote == QUASI;
   r->roots.count = 2 * r->depth;
@@ -229,10 +233,11 @@ static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   }
 }
 
-/* the finished value of the level on top, popped */
+/* the finished value of the level on top, popped. There is a level. */
 static bool close_frame(reader *r, vs_value *out) {
   level f = r->levels[r->depth - 1];
   vs_value head = r->slots[2 * (r->depth - 1)];
+  VS_ASSERT(r->depth > 0);
   if (f.kind == LIST && head != VS_NIL && f.open == '[') vs_object_of(head)->flags |= VS_F_SQUARE;
   if (f.kind == LIST && f.dot == 1) problem(r, f.pos, "a datum is missing behind the . of this list");
   *out = head;
@@ -558,8 +563,9 @@ static void watch_indentation(reader *r, vs_pos pos) {
   r->blank_line = false;
 }
 
-/* The innermost of the first `count` things is open where all should be closed. */
+/* The innermost of the first `count` things is open where all should be closed. count is at most the depth. */
 static void never_closed(reader *r, size_t count) {
+  VS_ASSERT(count <= r->depth);
   if (!count) return;
   r->left_open = true;
   const level *f = &r->levels[count - 1];

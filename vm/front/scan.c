@@ -34,8 +34,9 @@ static bool is_blank(uint32_t c) {
 }
 static bool is_delimiter(uint32_t c) { return is_blank(c) || (c < 128 && strchr("()[]\";,'`", (int)c)); }
 
-/* a datum at this depth is complete */
+/* a datum at this depth is complete. Data are still wanted. */
 static vs_scan_result ended(vs_scan *s, vs_scan_result how) {
+  VS_ASSERT(s->wanted > 0);
   s->state = BLANK;
   return s->depth == 0 && --s->wanted == 0 ? how : VS_SCAN_MORE;
 }

@@ -122,7 +122,9 @@ static bool flush(reader *r) {
   return true;
 }
 
+/* Adds a datum to the innermost level's literals; there is a level. */
 static bool literal(reader *r, const vs_value *v, vs_pos pos) {
+  VS_ASSERT(r->depth > 0);
   if (slot(r, LITERALS) == VS_NIL) r->levels[r->depth - 1].literals = pos;
   return append(r, LITERALS, *v, pos) && append(r, TOKENS, *v, pos);
 }

@@ -3,6 +3,8 @@
  * The walks call themselves; the tree's height is bounded. */
 #include "vm/javascript/script_scopes.h"
 
+#include "base/assert.h"
+
 #include <string.h>
 
 typedef struct jump_target {
@@ -35,6 +37,7 @@ static uint32_t bound(const vs_scopes *k, uint32_t scope, uint32_t name) {
 }
 
 uint32_t vs_scopes_resolve(const vs_scopes *k, uint32_t scope, uint32_t name) {
+  VS_ASSERT(scope < k->scope_count);
   for (; scope; scope = k->scopes[scope].parent) {
     uint32_t v = bound(k, scope, name);
     if (v) return v;

@@ -52,7 +52,7 @@ typedef struct {
 /* False: trouble in s, or no memory. vs_scopes_close in either case. */
 bool vs_scopes_find(vs_scopes *k, vs_script *s);
 void vs_scopes_close(vs_scopes *k);
-/* The variable that the name means in the scope; 0: nothing declares it. */
+/* The variable that the name means in the scope; 0: nothing declares it. The scope is one of k's. */
 uint32_t vs_scopes_resolve(const vs_scopes *k, uint32_t scope, uint32_t name);
 
 #endif

@@ -15,10 +15,14 @@ enum {
 static inline bool vs_lib_open(vs_scheme *vm) {
   return vs_is_vector(vm->at.lib) || vs_make_vector(vm, VS_LIB_COUNT, VS_FALSE, &vm->at.lib);
 }
+/* slot is one of the list. */
 static inline vs_value vs_lib_get(const vs_scheme *vm, int slot) {
+  VS_ASSERT(slot >= 0 && slot < VS_LIB_COUNT);
   return vs_is_vector(vm->at.lib) ? vs_as_vector(vm->at.lib)->at[slot] : VS_FALSE;
 }
+/* slot is one of the list. */
 static inline void vs_lib_set(vs_scheme *vm, int slot, vs_value v) {
+  VS_ASSERT(slot >= 0 && slot < VS_LIB_COUNT);
   vs_gc_store(vm, vs_as_vector(vm->at.lib), &vs_as_vector(vm->at.lib)->at[slot], v);
 }
 

@@ -30,8 +30,9 @@ static void maker_end(vs_scheme *vm, vs_value *r, vs_value last) {
   else vs_gc_store(vm, vs_object_of(r[TAIL]), &vs_as_pair(r[TAIL])->cdr, last);
 }
 
-/* appends copies of the first n pairs' cars of *list (a root), leaving *list at what follows */
+/* appends copies of the first n pairs' cars of *list (a root), leaving *list at what follows. n is 0 or more. */
 static bool maker_copy(vs_scheme *vm, vs_value *r, vs_value *list, int64_t n) {
+  VS_ASSERT(n >= 0);
   for (int64_t i = 0; i < n; i++) {
     if (!maker_add(vm, r, vs_car(*list)) || (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST))) return false;
     *list = vs_cdr(*list);
@@ -176,9 +177,10 @@ static vs_status list_make_list(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* count numbers from + i*step, computed each from the start so that no error adds up */
+/* count numbers from + i*step, computed each from the start so that no error adds up. count is 0 or more. */
 static vs_status list_numbers(vs_scheme *vm, int64_t count, const vs_value *from, const vs_value *step, vs_value *out) {
   VS_ROOTS(vm, r, 1);
+  VS_ASSERT(count >= 0);
   *out = VS_NIL;
   for (int64_t i = count; i-- > 0;) {
     if (!vs_number_mul(vm, vs_fix(i), *step, &r[0]) || !vs_number_add(vm, *from, r[0], &r[0]) ||

@@ -77,6 +77,7 @@ static double cube_root(double x) {
 /* the exact cube root of an exact integer in *root, VS_FALSE if there is none, or its root is beyond 10^15 */
 static bool integer_cbrt(vs_scheme *vm, vs_value n, vs_value *root) {
   VS_ROOTS(vm, r, 2);
+  VS_ASSERT(vs_is_exact_integer(n));
   r[0] = n;
   double d;
   if (!vs_number_double(vm, r[0], &d)) return false;
@@ -202,6 +203,7 @@ static vs_status exact_integer_sqrt(vs_scheme *vm, vs_value *a, int n, vs_value 
 /* exact base to an exact integer power */
 static bool exact_power(vs_scheme *vm, vs_value base, vs_value exponent, vs_value *out) {
   VS_ROOTS(vm, r, 3);
+  VS_ASSERT(vs_is_exact(base) && vs_is_exact_integer(exponent));
   r[0] = base;
   bool negative = vs_int_sign(exponent) < 0;
   if (!vs_is_fixnum(exponent)) {                 /* beyond 2^47: only 0, 1 and -1 have such a power */
@@ -219,9 +221,11 @@ static bool exact_power(vs_scheme *vm, vs_value base, vs_value exponent, vs_valu
   return vs_number_lowest(vm, r[negative ? 2 : 1], r[negative ? 1 : 2], out);
 }
 
-/* The exact k-th root of an exact integer >= 0, or *out = #f. Only roots that a double can find are looked for. */
+/* The exact k-th root of an exact integer >= 0, or *out = #f. Only roots that a double can find are looked for. k is
+   positive. */
 static bool exact_root(vs_scheme *vm, vs_value x, int64_t k, vs_value *out) {
   VS_ROOTS(vm, r, 3);
+  VS_ASSERT(vs_is_exact_integer(x) && vs_int_sign(x) >= 0 && k > 0);
   r[0] = x;
   *out = VS_FALSE;
   double guess = pow(vs_int_double(x), 1.0 / (double)k);

@@ -166,9 +166,11 @@ static bool format_number(vs_scheme *vm, vs_value v, char directive, const forma
   return vs_number_print(vm, v, directive == 'b' ? 2 : directive == 'o' ? 8 : 16, t);
 }
 
+/* control is below n. */
 bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t) {
   size_t length = vs_as_string(a[control])->length;
   int next = control + 1;
+  VS_ASSERT(control < n);
   for (size_t i = 0; i < length; i++) {
     uint32_t c = vs_string_at(a[control], i);
     if (c != '~') {

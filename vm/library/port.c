@@ -43,6 +43,7 @@ bool vs_port_setup(vs_scheme *vm) {
 }
 
 bool vs_port_parameter(vs_scheme *vm, int stream, vs_value *out) {
+  VS_ASSERT(stream >= VS_IO_STDIN && stream <= VS_IO_STDERR);
   if (!vs_port_setup(vm)) return false;
   *out = vs_lib_get(vm, VS_LIB_INPUT + stream);
   return true;

@@ -27,9 +27,10 @@ static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg) {
 }
 static int64_t length_of(vs_value s) { return vs_as_string(s)->length; }
 
-/* the greatest of characters start..end, 0 where there are none */
+/* the greatest of characters start..end, 0 where there are none. start..end lies in the string. */
 static uint32_t widest_of(vs_value s, size_t start, size_t end) {
   uint32_t widest = 0;
+  VS_ASSERT(start <= end && end <= vs_as_string(s)->length);
   if (!(vs_object_of(s)->flags & VS_F_WIDE)) return 0xFF;
   for (size_t i = start; i < end; i++) {
     uint32_t c = vs_string_at(s, i);
@@ -41,6 +42,7 @@ static uint32_t widest_of(vs_value s, size_t start, size_t end) {
 /* ---- shared with the rest of vm/ ---- */
 
 bool vs_string_set(vs_scheme *vm, vs_value *s, size_t k, uint32_t c) {
+  VS_ASSERT(k < vs_as_string(*s)->length);
   if (c > 0xFF && !(vs_object_of(*s)->flags & VS_F_WIDE)) {
     VS_ROOTS(vm, r, 1);
     size_t length = vs_as_string(*s)->length;
@@ -59,6 +61,7 @@ bool vs_string_set(vs_scheme *vm, vs_value *s, size_t k, uint32_t c) {
 bool vs_string_slice(vs_scheme *vm, const vs_value *s, size_t start, size_t end, vs_value *out) {
   uint32_t widest = widest_of(*s, start, end);
   VS_ROOTS(vm, r, 1);
+  VS_ASSERT(start <= end && end <= vs_as_string(*s)->length);
   if (!vs_make_string(vm, end - start, widest > 0xFF ? widest : 0, &r[0])) return false;
   if (!(vs_object_of(*s)->flags & VS_F_WIDE)) {
     if (!vs_poll_move(vm, vs_as_bytes(vs_as_string(r[0])->store)->at, vs_as_bytes(vs_as_string(*s)->store)->at + start,
@@ -308,9 +311,10 @@ static bool is_case_ignorable(uint32_t c) {
          k == UTF8PROC_CATEGORY_LM || k == UTF8PROC_CATEGORY_SK;
 }
 
-/* Is the i-th character, a sigma, the last letter of a word of two or more? (Unicode's Final_Sigma.) */
+/* Is the i-th character, a sigma, the last letter of a word of two or more? (Unicode's Final_Sigma.) i is in range. */
 static bool ends_word(vs_value s, size_t i) {
   size_t before = i, after = i + 1, length = (size_t)length_of(s);
+  VS_ASSERT(i < length);
   while (before > 0 && is_case_ignorable(vs_string_at(s, before - 1))) before--;
   while (after < length && is_case_ignorable(vs_string_at(s, after))) after++;
   return before > 0 && is_cased(vs_string_at(s, before - 1)) && !(after < length && is_cased(vs_string_at(s, after)));
@@ -396,9 +400,10 @@ static void needle_close(vs_scheme *vm, needle *d) {
   d->border = NULL;
 }
 
-/* *at: the first place from `from` on where the text of d stands in s, -1: nowhere */
+/* *at: the first place from `from` on where the text of d stands in s, -1: nowhere. from is 0 or more. */
 static bool find_from(vs_scheme *vm, vs_value s, vs_value text, const needle *d, int64_t from, int64_t *at) {
   int64_t n = length_of(s), k = 0;
+  VS_ASSERT(from >= 0);
   *at = d->length == 0 && from <= n ? from : -1;
   if (d->length == 0) return true;
   for (int64_t i = from; i < n; i++) {

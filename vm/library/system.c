@@ -78,6 +78,7 @@ bool vs_random_unit(vs_scheme *vm, double *out) {
 /* uniform in 0 .. n-1 for an exact integer n > 0 */
 static bool random_below(vs_scheme *vm, vs_value n, vs_value *out) {
   uint64_t *s = random_state(vm);
+  VS_ASSERT(vs_is_exact_integer(n) && vs_int_sign(n) > 0);
   if (!s) return false;
   if (vs_is_fixnum(n)) {                          /* values past the last whole multiple of n are drawn again */
     uint64_t bound = (uint64_t)vs_fixnum(n), least = (0 - bound) % bound, x;

@@ -23,8 +23,9 @@ static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg, int type) {
 
 static int64_t vector_length(vs_value v) { return (int64_t)vs_as_vector(v)->length; }
 
-/* elements start..end of *from (a root) into fresh *out */
+/* elements start..end of *from (a root) into fresh *out. start..end lies in the vector. */
 static bool vector_slice(vs_scheme *vm, const vs_value *from, int64_t start, int64_t end, vs_value *out) {
+  VS_ASSERT(0 <= start && start <= end && end <= (int64_t)vs_as_vector(*from)->length);
   if (!vs_make_vector(vm, (size_t)(end - start), VS_FALSE, out)) return false;
   vs_object *o = vs_object_of(*out);
   for (int64_t i = start; i < end; i++) {

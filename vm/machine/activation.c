@@ -112,6 +112,7 @@ static bool fail_endless(vs_scheme *vm) {
 
 vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need) {
   size_t count = (size_t)(w - vm->stack);
+  VS_ASSERT(w >= vm->stack && w + 2 + n <= vm->stack_end);
   vm->top = w + 2 + n;
   size_t below = (size_t)vs_slots_below(vm);
   if (below + count > most_slots(vm)) {

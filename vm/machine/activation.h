@@ -24,14 +24,17 @@
 enum { VS_ACTIVATION_SLACK = 300 };                /* slots above an activation's registers that may be written without
                                                       asking */
 
+/* The distance has 16 bits and the pc 27. */
 static inline vs_value vs_ret_make(size_t distance, size_t pc) {
+  VS_ASSERT(distance <= 0xFFFF && pc <= 0x07FFFFFF);
   return VS_TAG_FIXNUM << 48 | (uint64_t)distance << 32 | (uint64_t)pc;
 }
 static inline size_t vs_ret_distance(vs_value ret) { return (size_t)(ret >> 32 & 0xFFFF); }
 static inline size_t vs_ret_pc(vs_value ret) { return (size_t)(ret & 0x07FFFFFF); }
 
 /* Moves everything below the window w, which has n arguments, into the heap, and the window to the bottom of the
-   stretch, which then has room for `need` slots from w on. The window's new place, NULL when memory is out. */
+   stretch, which then has room for `need` slots from w on. The window's new place, NULL when memory is out. The window
+   and its arguments lie in the stretch. */
 vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
 
 /* Makes *out the continuation of the window w, which has n arguments and whose slot 1 says how to return. The window
@@ -47,6 +50,7 @@ static inline uint64_t vs_slots_below(const vs_scheme *vm) {
 
 /* The level of the activation at base, an activation of the working stretch: how many slots lie below it in all. */
 static inline uint64_t vs_activation_level(const vs_scheme *vm, const vs_value *base) {
+  VS_ASSERT(base >= vm->stack && base <= vm->stack_end);
   return vs_slots_below(vm) + (uint64_t)(base - vm->stack);
 }
 

@@ -155,6 +155,7 @@ bool vs_fail_clauses(vs_scheme *vm, const vs_case *c, size_t got) {
 
 bool vs_arguments_fit(const vs_code *code, size_t n, vs_value kw) {
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count;
+  VS_ASSERT(named <= n);
   return n - named >= code->required && (code->flags & VS_CODE_REST || n - named <= code->required + code->optional) &&
          (!named || code->keywords);
 }
@@ -173,8 +174,9 @@ bool vs_leaves_self(const vs_scheme *vm, vs_value f, vs_value kw) {
   return true;
 }
 
-/* takes the values of the named arguments a[n - named ..) away, into vm->call_args */
+/* takes the values of the named arguments a[n - named ..) away, into vm->call_args. No more are named than given. */
 static bool stash(vs_scheme *vm, const vs_value *a, size_t n, size_t named) {
+  VS_ASSERT(named <= n);
   vs_call_begin(vm, VS_FALSE);
   for (size_t i = n - named; i < n; i++)
     if (!vs_call_push(vm, a[i])) return false;
@@ -200,6 +202,7 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, given = n - named;
   size_t most = code->required + code->optional, rest = most + code->keywords;
   bool has_rest = (code->flags & VS_CODE_REST) != 0;
+  VS_ASSERT(named <= n);
   if (given < code->required || (given > most && !has_rest)) {
     const vs_value *names = vs_as_vector(code->params)->at + most, *unknown;
     if (named && given < code->required && (unknown = unknown_keyword(kw, names, code->keywords)))
@@ -228,6 +231,7 @@ bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, si
                          size_t *total) {
   size_t named = kw == VS_FALSE ? 0 : vs_as_keywords(kw)->count, positional = n - named;
   size_t max = native->max == UINT32_MAX ? SIZE_MAX : native->max;
+  VS_ASSERT(named <= n);
   *given = *total = positional;
   if (positional < native->min || positional > max) {
     const vs_vector *names = native->keywords == VS_FALSE ? NULL : vs_as_vector(native->keywords);

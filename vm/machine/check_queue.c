@@ -35,6 +35,7 @@ bool vs_checks_wait(const vs_scheme *vm) { return vs_is_pair(vm->at.checks); }
 vs_value vs_checks_take(vs_scheme *vm) {
   vs_pair *queue = vs_as_pair(vm->at.checks);
   vs_value first = vs_car(queue->car), rest = vs_cdr(queue->car);
+  VS_ASSERT(vs_checks_wait(vm));
   if (vs_is_pair(rest)) vs_gc_store(vm, queue, &queue->car, rest);
   else vm->at.checks = VS_NIL;
   return first;

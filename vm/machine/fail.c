@@ -153,6 +153,7 @@ bool vs_arg_index(vs_scheme *vm, const vs_value *a, int arg, int64_t low, int64_
 }
 
 bool vs_arg_type(vs_scheme *vm, const vs_value *a, int arg, int type) {
+  VS_ASSERT(type >= 0 && type < VS_T_COUNT);
   if (vs_is(a[arg], type)) return true;
   static const char *const nouns[VS_T_COUNT] = {
 #define VS_OBJECT(name, noun, first, count) noun,

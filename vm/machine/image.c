@@ -107,8 +107,10 @@ struct writer {
   bool foreign;
 };
 
+/* The slot of an object, or a free one; the number of slots is a power of two. */
 static size_t writer_slot(const struct writer *w, const vs_object *o) {
   size_t i = (size_t)((uint64_t)(uintptr_t)o * UINT64_C(0x9E3779B97F4A7C15) >> 20) & (w->slots - 1);
+  VS_ASSERT(w->slots > 0 && (w->slots & (w->slots - 1)) == 0);
   while (w->places[i].o && w->places[i].o != o) i = (i + 1) & (w->slots - 1);
   return i;
 }

@@ -63,6 +63,7 @@ void vs_call_begin(vs_scheme *vm, vs_value procedure) {
 }
 
 bool vs_call_push(vs_scheme *vm, vs_value v) {
+  VS_ASSERT(vm->call_count <= vm->call_room);
   if (vm->call_count == vm->call_room) {
     size_t room = vm->call_room ? vm->call_room * 2 : 16;
     vs_value *p = vs_mem(vm, vm->call_args, vm->call_room * sizeof *p, room * sizeof *p);

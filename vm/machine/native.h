@@ -79,6 +79,7 @@ vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *a
 vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);   /* returns VS_TAILCALL */
 /* for long argument lists: begin, push ..., then return VS_CALL or VS_TAILCALL */
 void vs_call_begin(vs_scheme *vm, vs_value procedure);
+/* call_count is at most call_room. */
 bool vs_call_push(vs_scheme *vm, vs_value v);
 /* Returns n values; `at` in roots or arguments. The run loop holds whoever is returned to, to taking as many. */
 static inline vs_status vs_several(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out) {

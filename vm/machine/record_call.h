@@ -36,6 +36,7 @@ static inline bool vs_record_call(vs_scheme *vm, vs_value f, const vs_value *at,
   const vs_closure *c = vs_as_closure(f);
   const vs_code *code = vs_as_code(c->code);
   const uint32_t *ins = vs_code_ins(code);
+  VS_ASSERT(code->flags & VS_CODE_RECORD);
   if (n != code->required || vm->fuel <= 1) return false;
   vs_value type = (*ins & 255) == VS_O_FREE ? c->free[VS_BX(*ins)] : vs_as_cell(vs_code_consts(code)[ins[1]])->value;
   ins += (*ins & 255) == VS_O_FREE ? 1 : 2;

@@ -82,6 +82,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   bool tail = false;
   uint32_t ins = 0;
   vs_status status;
+  VS_ASSERT(w == vm->stack);
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpedantic"      /* labels as values */
@@ -402,8 +403,9 @@ look:
   }
   OP(JCHAREQ): if (!vs_is_char(RA) || !vs_is_char(RB)) goto generic; BRANCH_IF(RA == RB);
 #define DIVIDED(expression) {                                                                              \
+    if (!both_fixnums(RB, RC)) goto generic;                                                               \
     int64_t i = vs_fixnum(RB), j = vs_fixnum(RC);                                                          \
-    if (!both_fixnums(RB, RC) || j <= 0) goto generic;                                                     \
+    if (j <= 0) goto generic;                                                                              \
     RA = vs_fix(expression);                                                                               \
     NEXT;                                                                                                  \
   }

@@ -1,6 +1,8 @@
 /* Owns the reading of native signatures. */
 #include "vm/machine/signature.h"
 
+#include "base/assert.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -44,6 +46,7 @@ void vs_signature_parameter(const char *text, int arg, char *name, size_t size) 
   int depth = 0;
   const char *at;
   size_t length;
+  VS_ASSERT(size > 0);
   for (int i = 0;; i++) {
     vs_signature_kind kind = vs_signature_next(&text, &depth, &at, &length);
     if (kind == VS_SIG_END) break;

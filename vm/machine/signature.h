@@ -13,7 +13,8 @@ typedef enum { VS_SIG_END, VS_SIG_REQUIRED, VS_SIG_OPTIONAL, VS_SIG_KEYWORD, VS_
  * *name. */
 vs_signature_kind vs_signature_next(const char **at, int *depth, const char **name, size_t *length);
 vs_signature vs_signature_read(const char *text);
-/* the name of the arg-th argument as it lies in a[], cut to size; "argument N" past the end */
+/* the name of the arg-th argument as it lies in a[], cut to size; "argument N" past the end. size counts the zero at
+ * the end, too. */
 void vs_signature_parameter(const char *text, int arg, char *name, size_t size);
 
 #endif

@@ -17,6 +17,7 @@ vs_value vs_dual_slope(vs_value v, int64_t level) { return is_at(v, level) ? vs_
 
 bool vs_make_dual(vs_scheme *vm, int64_t level, vs_value value, vs_value slope, vs_value *out) {
   int depth = 1;
+  VS_ASSERT(vs_dual_level(&value, 1) < level && vs_dual_level(&slope, 1) < level);
   for (vs_value v = value; vs_is_dual(v); v = vs_as_dual(v)->value) depth++;
   if (depth > VS_DUAL_DEPTH)
     return vs_fail(vm, vm->sym.range, "derivatives lie more than %d deep in one another", VS_DUAL_DEPTH);
@@ -36,6 +37,7 @@ bool vs_dual_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
   VS_ROOTS(vm, r, ROOTS);
   int64_t la = vs_dual_level(&a, 1), lb = vs_dual_level(&b, 1), level = la > lb ? la : lb;
   bool va = la == level, vb = lb == level; /* which of them vary */
+  VS_ASSERT(la >= 0 || lb >= 0);
   r[AV] = vs_dual_value(a, level), r[AS] = vs_dual_slope(a, level);
   r[BV] = vs_dual_value(b, level), r[BS] = vs_dual_slope(b, level);
   bool ok = true;

@@ -26,6 +26,7 @@ int64_t vs_dual_level(const vs_value *at, size_t n);
 vs_value vs_dual_value(vs_value v, int64_t level);
 vs_value vs_dual_slope(vs_value v, int64_t level);
 
+/* The value and the slope are of lower levels. */
 bool vs_make_dual(vs_scheme *vm, int64_t level, vs_value value, vs_value slope,
                   vs_value *out); /* an error beyond VS_DUAL_DEPTH */
 /* a + b and the like where one of them is a dual */

@@ -20,6 +20,7 @@ static bool int_too_large(vs_scheme *vm) {
 }
 
 void vs_int_look(vs_value v, vs_int_view *w) {
+  VS_ASSERT(vs_is_fixnum(v) || vs_is(v, VS_T_BIGNUM));
   if (vs_is_fixnum(v)) {
     int64_t n = vs_fixnum(v);
     w->negative = n < 0;
@@ -50,9 +51,10 @@ static mp_limb_t *int_limbs(vs_value v) { return vs_as_bignum(v)->limb; }
 /* Before multiplying n limbs in all: some 100 ns a limb when they are many, less when they are few. */
 static bool int_poll(vs_scheme *vm, mp_size_t n) { return n < 64 || vs_poll(vm, (uint64_t)n * (n < 1024 ? 4 : 32)); }
 
-/* The value of a bignum whose lowest n limbs are filled. */
+/* The value of a bignum whose lowest n limbs are filled. The bignum has that many limbs. */
 static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   vs_bignum *b = vs_as_bignum(v);
+  VS_ASSERT(n >= 0 && (uint64_t)n <= b->count);
   while (n > 0 && b->limb[n - 1] == 0) n--;
   if (n == 0) return vs_fix(0);
   if (n == 1 && b->limb[0] <= (mp_limb_t)VS_FIXNUM_MAX + negative)
@@ -139,6 +141,7 @@ bool vs_int_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 }
 
 bool vs_int_divide(vs_scheme *vm, vs_value a, vs_value b, vs_value *quotient, vs_value *remainder) {
+  VS_ASSERT(b != vs_fix(0));
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
     int64_t n = vs_fixnum(a), d = vs_fixnum(b);
     if (remainder) *remainder = vs_fix(n % d);
@@ -183,7 +186,9 @@ int vs_int_compare(vs_value a, vs_value b) {
   return x.negative ? -order : order;
 }
 
+/* How many bits n limbs have; the last limb is not 0. */
 static uint64_t limbs_bits(const mp_limb_t *at, mp_size_t n) {
+  VS_ASSERT(n == 0 || at[n - 1] != 0);
   return n ? (uint64_t)n * 64 - (uint64_t)__builtin_clzll(at[n - 1]) : 0;
 }
 
@@ -202,10 +207,12 @@ static uint64_t gcd_words(uint64_t a, uint64_t b) {
   return a;
 }
 
-/* Copies without trailing zero bits; returns how many there were. *n shrinks. */
+/* Copies without trailing zero bits; returns how many there were. *n shrinks. The number is not 0, and its last limb is
+   not. */
 static uint64_t int_copy_odd(mp_limb_t *to, const mp_limb_t *from, mp_size_t *n) {
   uint64_t zeros = mpn_scan1(from, 0);
   mp_size_t limbs = (mp_size_t)(zeros / 64);
+  VS_ASSERT(*n > 0 && from[*n - 1] != 0);
   *n -= limbs;
   if (zeros % 64) mpn_rshift(to, from + limbs, *n, (unsigned)(zeros % 64));
   else mpn_copyi(to, from + limbs, *n);
@@ -310,6 +317,7 @@ bool vs_int_power(vs_scheme *vm, vs_value a, uint64_t n, vs_value *out) {
 
 bool vs_int_sqrt(vs_scheme *vm, vs_value a, vs_value *root, vs_value *rest) {
   VS_ROOTS(vm, r, 3);
+  VS_ASSERT(vs_int_sign(a) >= 0);
   r[0] = a;
   vs_int_view x;
   vs_int_look(a, &x);
@@ -327,14 +335,16 @@ bool vs_int_sqrt(vs_scheme *vm, vs_value a, vs_value *root, vs_value *rest) {
   return true;
 }
 
-/* two's complement of |w| into n limbs */
+/* two's complement of |w| into n limbs. n is at least the number of limbs of w. */
 static void int_complement(const vs_int_view *w, mp_limb_t *to, mp_size_t n) {
+  VS_ASSERT(n >= w->n);
   if (w->n) mpn_copyi(to, w->at, w->n);
   if (n > w->n) mpn_zero(to + w->n, n - w->n);
   if (w->negative) mpn_neg(to, to, n);
 }
 
 bool vs_int_bitwise(vs_scheme *vm, char op, vs_value a, vs_value b, vs_value *out) {
+  VS_ASSERT(op == '&' || op == '|' || op == '^');
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
     int64_t x = vs_fixnum(a), y = vs_fixnum(b);
     *out = vs_fix(op == '&' ? x & y : op == '|' ? x | y : x ^ y);
@@ -375,10 +385,11 @@ static bool piece_powers(vs_scheme *vm, int radix, double digits, vs_value *p, i
   return true;
 }
 
-/* the digits of |a|, at most some PIECE of them; zeros before it up to `width` */
+/* the digits of |a|, at most some PIECE of them; zeros before it up to `width`. The radix is 2 to 36. */
 static bool print_piece(vs_scheme *vm, vs_value a, int radix, size_t width, vs_text *t) {
   static const char digit[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   vs_int_view x;
+  VS_ASSERT(radix >= 2 && radix <= 36);
   vs_int_look(a, &x);
   if (!int_poll(vm, x.n)) return false;
   size_t limb_bytes = (size_t)(x.n + 1) * sizeof(mp_limb_t);
@@ -406,6 +417,7 @@ static bool print_piece(vs_scheme *vm, vs_value a, int radix, size_t width, vs_t
 bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
   static const char digit[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   vs_int_view x;
+  VS_ASSERT(radix >= 2 && radix <= 36);
   vs_int_look(a, &x);
   if (x.negative && !vs_text_put(t, "-", 1)) return false;
   if (x.n <= 1) {
@@ -461,6 +473,7 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
   VS_ROOTS(vm, p, SQUARINGS);
   VS_ROOTS(vm, r, 3);                        /* the pieces, the lowest first; two of them */
   int count;
+  VS_ASSERT(radix >= 2 && radix <= 36);
   while (n && *digits == 0) digits++, n--;
   if ((double)n * log2(radix) / 64 > VS_INT_MAX_LIMBS) return int_too_large(vm);
   if (n <= PIECE)
@@ -490,6 +503,7 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
 /* top * 2^e, bit 63 of top set, `sticky`: something smaller follows; correctly rounded, subnormals included */
 static double round_top(uint64_t top, bool sticky, int64_t e) {
   int64_t high = e + 63;                         /* exponent of the leading bit */
+  VS_ASSERT(top >> 63 == 1);
   if (high > DBL_MAX_EXP) return HUGE_VAL;
   int64_t precision = high >= DBL_MIN_EXP - 1 ? DBL_MANT_DIG : DBL_MANT_DIG + high - (DBL_MIN_EXP - 1);
   if (precision < 0) return 0.0;
@@ -525,6 +539,7 @@ double vs_int_double(vs_value a) {
 }
 
 bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out) {
+  VS_ASSERT(vs_int_sign(num) > 0 && vs_int_sign(den) > 0);
   if (vs_is_fixnum(num) && vs_is_fixnum(den)) {      /* both exact as doubles: the division rounds once */
     *out = (double)vs_fixnum(num) / (double)vs_fixnum(den);
     return true;
@@ -544,6 +559,7 @@ bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out)
 }
 
 bool vs_int_from_double(vs_scheme *vm, double d, vs_value *out) {
+  VS_ASSERT(isfinite(d) && d == floor(d));
   if (fabs(d) <= (double)VS_FIXNUM_MAX) return *out = vs_fix((int64_t)d), true;
   int e;
   double m = frexp(fabs(d), &e);

@@ -14,6 +14,7 @@ enum { VS_INT_MAX_LIMBS = 1 << 21 };     /* 40 million decimal digits: one multi
 /* Magnitude and sign of an integer without allocating. Bignums move: look again after every allocation. Not to be
    copied. */
 typedef struct vs_int_view { const mp_limb_t *at; mp_size_t n; bool negative; mp_limb_t small; } vs_int_view;
+/* v is an exact integer. */
 void vs_int_look(vs_value v, vs_int_view *w);
 
 bool vs_int_from_int64(vs_scheme *vm, int64_t n, vs_value *out);
@@ -36,7 +37,7 @@ uint64_t vs_int_bits(vs_value a);                                               
 
 /* |a| in radix 2..36, lower case, a sign before it */
 bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t);
-/* digits are values 0..radix-1, not characters */
+/* digits are values 0..radix-1, not characters. The radix is 2 to 36. */
 bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out);
 
 /* correctly rounded, may be infinite */

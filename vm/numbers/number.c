@@ -30,6 +30,7 @@ static bool number_divide_by_zero(vs_scheme *vm, const char *who) {
 
 bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out) {
   VS_ROOTS(vm, r, 3);
+  VS_ASSERT(vs_is_exact_integer(num) && vs_is_exact_integer(den) && den != vs_fix(0));
   r[0] = num;
   r[1] = den;
   if (!vs_int_gcd(vm, r[0], r[1], &r[2])) return false;
@@ -40,6 +41,7 @@ bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out) {
 
 bool vs_number_lowest(vs_scheme *vm, vs_value num, vs_value den, vs_value *out) {
   VS_ROOTS(vm, r, 2);
+  VS_ASSERT(vs_is_exact_integer(num) && vs_is_exact_integer(den) && den != vs_fix(0));
   r[0] = num;
   r[1] = den;
   if (vs_int_sign(den) < 0 && !(vs_int_negate(vm, r[0], &r[0]) && vs_int_negate(vm, r[1], &r[1]))) return false;
@@ -53,6 +55,7 @@ bool vs_number_lowest(vs_scheme *vm, vs_value num, vs_value den, vs_value *out) 
 }
 
 bool vs_number_double(vs_scheme *vm, vs_value v, double *out) {
+  VS_ASSERT(vs_is_number(v));
   if (vs_is_double(v)) return *out = vs_double(v), true;
   if (!vs_is_ratio(v)) return *out = vs_int_double(v), true;
   VS_ROOTS(vm, r, 2);
@@ -65,6 +68,7 @@ bool vs_number_double(vs_scheme *vm, vs_value v, double *out) {
 }
 
 bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out) {
+  VS_ASSERT(vs_is_number(v));
   if (!vs_is_double(v)) return *out = v, true;
   double d = vs_double(v);
   if (!isfinite(d)) return number_bad(vm, "exact", "a finite number", v);
@@ -102,6 +106,7 @@ static bool ratio_part(vs_value v, bool den, vs_value *out) {
 /* exact a op b with a ratio among them, or a division */
 static bool ratio_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   VS_ROOTS(vm, r, 6);
+  VS_ASSERT(vs_is_exact(a) && vs_is_exact(b));
   ratio_part(a, false, &r[0]), ratio_part(a, true, &r[1]);
   ratio_part(b, false, &r[2]), ratio_part(b, true, &r[3]);
   switch (op) {
@@ -126,6 +131,7 @@ bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
   uint32_t ta = vs_is(a, VS_T_FLAT) ? vs_as_flat(a)->h.flags : 0, tb = vs_is(b, VS_T_FLAT) ? vs_as_flat(b)->h.flags : 0;
   const char *word[] = {"add", "subtract", "multiply", "divide"};
   const char *joint[] = {"and", "from", "and", "by"};
+  VS_ASSERT(ta || tb);
   if (vm->flat && vm->flat->at[op][ta][tb].rule == VS_RULE_CALL) {
     const vs_value both[2] = {a, b};
     return vm->flat->call(vm, (const char *const[]){"+", "-", "*", "/"}[op], both, 2, out);
@@ -203,6 +209,7 @@ bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 /* -1, 0, 1, or 2 when one is NaN; both are numbers */
 static bool number_compare(vs_scheme *vm, vs_value a, vs_value b, int *order) {
   bool da = vs_is_double(a), db = vs_is_double(b);
+  VS_ASSERT(vs_is_number(a) && vs_is_number(b));
   if ((da || vs_is_fixnum(a)) && (db || vs_is_fixnum(b))) {          /* fixnums are exact as doubles */
     double x = da ? vs_double(a) : (double)vs_fixnum(a), y = db ? vs_double(b) : (double)vs_fixnum(b);
     *order = x < y ? -1 : x > y ? 1 : x == y ? 0 : 2;
@@ -341,6 +348,7 @@ bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out) {
 /* the exact root of an exact integer >= 0, or *out = #f */
 static bool int_exact_sqrt(vs_scheme *vm, vs_value n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
+  VS_ASSERT(vs_is_exact_integer(n) && vs_int_sign(n) >= 0);
   if (!vs_int_sqrt(vm, n, &r[0], &r[1])) return false;
   *out = r[1] == vs_fix(0) ? r[0] : VS_FALSE;
   return true;

@@ -85,6 +85,7 @@ static unsigned big_divide(big *a, const big *b) {
 static int double_digits(double d, unsigned radix, unsigned char *digits, int *point) {
   int e;
   uint64_t f = (uint64_t)ldexp(frexp(d, &e), DBL_MANT_DIG);
+  VS_ASSERT(d > 0 && isfinite(d));
   e -= DBL_MANT_DIG;
   if (e < DBL_MIN_EXP - DBL_MANT_DIG) {                  /* subnormal: fewer bits */
     f >>= DBL_MIN_EXP - DBL_MANT_DIG - e;
@@ -129,9 +130,10 @@ static int double_digits(double d, unsigned radix, unsigned char *digits, int *p
   }
 }
 
-/* The same for base 10, short decimals quickly. */
+/* The same for base 10, short decimals quickly. d > 0 finite. */
 static int decimal_digits(double d, unsigned char *digits, int *point) {
   static const double ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
+  VS_ASSERT(d > 0 && isfinite(d));
   if (d < 1e15 && d >= 1e-4) {
     for (int k = 0; k < 8; k++) {
       double scaled = d * ten[k];
@@ -202,6 +204,7 @@ static bool double_print(double d, int radix, vs_text *t) {
 }
 
 bool vs_number_print(vs_scheme *vm, vs_value v, int radix, vs_text *t) {
+  VS_ASSERT(radix >= 2 && radix <= 36);
   if (vs_is_double(v)) return double_print(vs_double(v), radix, t);
   if (!vs_is_ratio(v)) return vs_int_print(vm, v, radix, t);
   VS_ROOTS(vm, r, 1);
@@ -359,6 +362,7 @@ static bool equals(const char *p, const char *end, const char *lower) {
 }
 
 bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out) {
+  VS_ASSERT(radix >= 2 && radix <= 36);
   /* a number plus an exact 0 of the imaginary unit is that number; there are no other complex ones */
   if (n > 3 && is_letter(s[n - 1], 'i') && s[n - 2] == '0' && (s[n - 3] == '+' || s[n - 3] == '-') &&
       !is_letter(s[n - 4], 'e') && s[n - 4] != '#')

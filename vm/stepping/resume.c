@@ -9,6 +9,7 @@ bool vs_step_resume(vs_scheme *vm, vs_value stop, vs_step_mode mode, vs_value *o
   vs_stepping *s = &vm->step;
   VS_ROOTS(vm, r, 2);
   const vs_vector *v = vs_as_vector(vs_as_condition(stop)->payload);
+  VS_ASSERT(vs_is_stop(vm, stop));
   r[0] = v->at[VS_STOP_CONTINUATION];
   uint64_t level = (uint64_t)vs_fixnum(v->at[VS_STOP_LEVEL]);
   vs_stop_kind kind = (vs_stop_kind)vs_fixnum(v->at[VS_STOP_KIND]);

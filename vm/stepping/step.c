@@ -56,12 +56,13 @@ static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, u
 }
 
 /* The procedure and the arguments of the call at ins; args: room behind the activation's registers. Returns how many
-   there are. */
+   there are. The instruction at ins is a call. */
 static size_t operands_of(const vs_code *code, vs_value *base, const uint32_t *ins, vs_value *procedure,
                           const vs_value **args, vs_value *keywords) {
   const vs_value *k = vs_code_consts(code);
   vs_value *room = base + code->registers;
   uint32_t op = *ins & 255, a = VS_A(*ins), b = VS_B(*ins), c = VS_C(*ins);
+  VS_ASSERT(is_call(op));
   *keywords = VS_FALSE;
   *args = base + a + 2;
   switch (op) {
@@ -116,6 +117,7 @@ static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint
 /* The continuation of the window w, whose own slot 1 says how to return, into the stop that vm->condition is. */
 static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   VS_ROOTS(vm, r, 1);
+  VS_ASSERT(vs_is_stop(vm, vm->condition));
   r[0] = vm->condition;
   vs_value k;
   if (!vs_activation_capture(vm, w, n, &k)) return false;

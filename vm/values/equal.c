@@ -32,8 +32,10 @@ static bool equal_push(equal_walk *w, vs_value a, vs_value b) {
   return true;
 }
 
+/* The number of slots is a power of two. */
 static equal_pair *equal_slot(equal_pair *notes, size_t slots, vs_value a, vs_value b) {
   size_t i = (size_t)mix(mix(0, a), b) & (slots - 1);
+  VS_ASSERT(slots > 0 && (slots & (slots - 1)) == 0);
   while (notes[i].a && (notes[i].a != a || notes[i].b != b)) i = (i + 1) & (slots - 1);
   return &notes[i];
 }
@@ -62,8 +64,10 @@ static bool equal_note(equal_walk *w, vs_value a, vs_value b, bool *known) {
   return true;
 }
 
+/* The i-th character, i below the length. */
 static uint32_t string_at(const vs_string *s, uint32_t i) {
   const uint8_t *at = vs_as_bytes(s->store)->at;
+  VS_ASSERT(i < s->length);
   return s->h.flags & VS_F_WIDE ? ((const uint32_t *)(const void *)at)[i] : at[i];
 }
 
@@ -181,6 +185,7 @@ static uint64_t hash_atom(vs_scheme *vm, vs_value v, bool deep, bool *moves) {
 }
 
 uint64_t vs_hash(vs_scheme *vm, vs_value v, uint32_t kind, bool *moves) {
+  VS_ASSERT(kind <= VS_TABLE_STRING);
   *moves = false;
   bool deep = kind == VS_TABLE_EQUAL || kind == VS_TABLE_STRING;
   if (!deep || !vs_is_object(v) || (!vs_is_pair(v) && !vs_is_vector(v))) return hash_atom(vm, v, deep, moves);

@@ -9,7 +9,7 @@ static inline bool vs_eqv(vs_value a, vs_value b) {
 }
 bool vs_equal(vs_scheme *vm, vs_value a, vs_value b, bool *out);      /* false: out of memory or a limit */
 /* By VS_TABLE_ kind. Address hashes (EQ, EQV, and within EQUAL procedures, ports ...) hold for one vm->collections
-   count while the object is young; *moves is set then. */
+   count while the object is young; *moves is set then. kind is one of VS_TABLE_EQ to VS_TABLE_STRING. */
 uint64_t vs_hash(vs_scheme *vm, vs_value v, uint32_t kind, bool *moves);
 
 #endif

@@ -100,6 +100,7 @@ static void gc_fail_limit(vs_scheme *vm) {
 }
 
 void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes) {
+  VS_ASSERT(vm->bytes >= old_bytes);
   void *(*memory)(void *, void *, size_t, size_t) = vm->config.memory ? vm->config.memory : default_memory;
   if (bytes > old_bytes) {
     if (vm->fail_after && --vm->fail_after == 0) { vs_fail_memory(vm); return NULL; }
@@ -182,11 +183,13 @@ static struct vs_gc_block *gc_block(vs_scheme *vm) {
   return b;
 }
 
+/* Returns a cell of the size class of so many words, at most CLASS_MAX; NULL: no block is left. */
 static vs_object *gc_cell(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
   size_t bytes = class_words[k] * sizeof(uint64_t);
   struct free_cell *f = gc->of[k].free;
+  VS_ASSERT(words <= CLASS_MAX);
   if (f) {
     gc->of[k].free = f->next;
   } else {
@@ -237,7 +240,9 @@ static void gc_hold_down(vs_scheme *vm) {      /* while debugging, every allocat
   vm->end = VS_DEBUG_STRESS || vm->fail_after ? vm->nursery : vm->gc->nursery_end;
 }
 
+/* Fills the header of an object of this VS_T_ type and wipes the rest. */
 static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
+  VS_ASSERT(type >= 0 && type < VS_T_COUNT);
   if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* gc_large has done that */
   o->type = (uint8_t)type; o->gc = (uint8_t)gc; o->words = (uint32_t)words;
   return o;
@@ -328,6 +333,7 @@ vs_object *vs_gc_alloc(vs_scheme *vm, int type, size_t words) {
 
 void vs_gc_remember(vs_scheme *vm, vs_object *o) {
   struct vs_gc *gc = vm->gc;
+  VS_ASSERT(!vs_gc_is_young(vm, o));
   if (o->gc & GC_REMEMBERED) return;
   o->gc |= GC_REMEMBERED;
   if (gc->remembered_count == gc->remembered_room) {
@@ -722,6 +728,7 @@ void vs_gc_fail_after(vs_scheme *vm, size_t n) {
 /* ---- opening and closing ---- */
 bool vs_gc_open(vs_scheme *vm) {
   struct vs_gc *gc = vs_mem(vm, NULL, 0, sizeof *gc);
+  VS_ASSERT(!vm->gc);
   if (!gc) return false;
   memset(gc, 0, sizeof *gc);
   vm->gc = gc;

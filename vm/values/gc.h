@@ -27,7 +27,11 @@ static inline struct vs_roots *vs_gc_link(struct vs_roots *r) {
   r->next = r->vm->roots;
   return r->vm->roots = r;
 }
-static inline void vs_gc_unlink(struct vs_roots *r) { r->vm->roots = r->next; }
+/* Roots are dropped in the reverse order of their linking. */
+static inline void vs_gc_unlink(struct vs_roots *r) {
+  VS_ASSERT(r->vm->roots == r);
+  r->vm->roots = r->next;
+}
 #define VS_ROOTS(VM, NAME, N)                                                                           \
   vs_value NAME[N];                                                                                     \
   __attribute__((cleanup(vs_gc_unlink))) struct vs_roots NAME##_link = {NULL, VM, NAME, N};             \
@@ -42,10 +46,13 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words);      /* never
 static inline bool vs_gc_is_young(const vs_scheme *vm, const void *o) {
   return (uintptr_t)o - (uintptr_t)vm->nursery < vm->nursery_bytes;
 }
+/* Notes an old object that may hold the address of a young one. */
 void vs_gc_remember(vs_scheme *vm, vs_object *o);
 /* The object holds no addresses: the next minor collection need not look through it, until one is stored. */
 void vs_gc_forget(vs_object *o);
+/* The field is one of the object's. */
 static inline void vs_gc_store(vs_scheme *vm, void *object, vs_value *field, vs_value v) {
+  VS_ASSERT((vs_value *)object < field && field < (vs_value *)object + ((const vs_object *)object)->words);
   *field = v;
   if (vs_is_object(v) && vs_gc_is_young(vm, vs_object_of(v)) && !vs_gc_is_young(vm, object)) vs_gc_remember(vm, object);
 }
@@ -65,6 +72,7 @@ bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out);
 
 /* ---- memory that is not objects: counted against the limit; `old_bytes` as given before. NULL when refused (no error
    set when bytes is 0) ---- */
+/* The old bytes are among those counted. */
 void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes);
 
 void vs_gc_minor(vs_scheme *vm);
@@ -78,6 +86,7 @@ void vs_gc_fail_after(vs_scheme *vm, size_t n);      /* tests: refuse the n-th a
 typedef void vs_gc_visit(vs_scheme *vm, vs_value *slot);
 /* image.c: objects made elsewhere; release takes them back when the heap is closed */
 void vs_gc_adopt(vs_scheme *vm, void *image, size_t bytes, void (*release)(vs_scheme *vm, void *image, size_t bytes));
+/* The interpreter has no heap yet. */
 bool vs_gc_open(vs_scheme *vm);
 void vs_gc_close(vs_scheme *vm);
 #endif

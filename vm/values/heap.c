@@ -62,6 +62,7 @@ bool vs_make_bytes(vs_scheme *vm, size_t n, vs_value *out) {
 bool vs_make_string(vs_scheme *vm, size_t length, uint32_t fill, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   bool wide = fill > 255;
+  VS_ASSERT(fill <= 0x10FFFF);
   if (length > UINT32_MAX) return vs_fail_memory(vm);
   if (!vs_make_bytes(vm, wide ? length * 4 : length, &r[0])) return false;
   vs_bytes *b = vs_as_bytes(r[0]);
@@ -82,8 +83,9 @@ bool vs_make_string(vs_scheme *vm, size_t length, uint32_t fill, vs_value *out) 
   return true;
 }
 
-/* one code point from s[0..n); *used bytes of it; what is no UTF-8 gives U+FFFD for one byte */
+/* one code point from s[0..n); *used bytes of it; what is no UTF-8 gives U+FFFD for one byte. n is not 0. */
 static uint32_t utf8_next(const unsigned char *s, size_t n, size_t *used) {
+  VS_ASSERT(n > 0);
   *used = 1;
   if (s[0] < 0x80) return s[0];
   int more = s[0] >= 0xF0 && s[0] < 0xF5 ? 3 : s[0] >= 0xE0 && s[0] < 0xF0 ? 2 : s[0] >= 0xC2 && s[0] < 0xE0 ? 1 : 0;
@@ -153,6 +155,7 @@ bool vs_make_values(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out) 
 
 bool vs_make_flat(vs_scheme *vm, uint32_t tag, const double *at, size_t n, vs_value *out) {
   vs_flat *f = (vs_flat *)(void *)vs_gc_alloc(vm, VS_T_FLAT, 1 + n);
+  VS_ASSERT(tag < VS_FLAT_TAGS && n <= VS_FLAT_FIELDS);
   if (!f) return false;
   f->h.flags = (uint16_t)tag;
   memcpy(f->at, at, n * sizeof *at);

@@ -13,9 +13,10 @@ static const struct { uint8_t first, count; } vs_layout[VS_T_COUNT] = {
 #undef END
 };
 
-/* first traced slot, and through *n how many */
+/* first traced slot, and through *n how many. The object has a type, and words up to its first traced slot. */
 static inline vs_value *vs_layout_slots(vs_object *o, size_t *n) {
   unsigned first = vs_layout[o->type].first, count = vs_layout[o->type].count;
+  VS_ASSERT(o->type < VS_T_COUNT && first <= o->words);
   *n = first == 0 ? 0 : count == VS_LAYOUT_END ? o->words - first : count;
   return (vs_value *)(void *)o + first;
 }

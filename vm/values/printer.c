@@ -51,8 +51,10 @@ static bool push(printer *p, print_step step, vs_value v, uint32_t i) {
   return true;
 }
 
+/* The number of slots is a power of two. */
 static print_note *note_slot(print_note *notes, size_t slots, const vs_object *o) {
   size_t i = (size_t)((uintptr_t)o * UINT64_C(0x9E3779B97F4A7C15) >> 20) & (slots - 1);
+  VS_ASSERT(slots > 0 && (slots & (slots - 1)) == 0);
   while (notes[i].object && notes[i].object != o) i = (i + 1) & (slots - 1);
   return &notes[i];
 }
@@ -100,9 +102,10 @@ static bool is_hidden(const vs_record *r, uint32_t i) {
          is_inner_name(vs_as_vector(type->fields)->at[i]);
 }
 
-/* the number of children and the i-th of them; tables by position */
+/* the number of children and the i-th of them; tables by position. v has children. */
 static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
   vs_value other;
+  VS_ASSERT(is_compound(v));
   switch (vs_object_of(v)->type) {
     case VS_T_PAIR:
       if (*i >= 2) return false;

@@ -8,15 +8,18 @@
 static inline uint32_t vs_string_at(vs_value s, size_t k) {
   const uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
   uint32_t c;
+  VS_ASSERT(k < vs_as_string(s)->length);
   if (!(vs_object_of(s)->flags & VS_F_WIDE)) return at[k];
   memcpy(&c, at + 4 * k, 4);
   return c;
 }
 
 /* sets the k-th code point of a string that is wide enough for it (vs_make_string was given one as wide, or
- * vs_string_set widened) */
+ * vs_string_set widened). k is in range. */
 static inline void vs_string_put(vs_value s, size_t k, uint32_t c) {
   uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
+  VS_ASSERT(k < vs_as_string(s)->length);
+  VS_ASSERT(c <= 0xFF || vs_object_of(s)->flags & VS_F_WIDE);
   if (vs_object_of(s)->flags & VS_F_WIDE) memcpy(at + 4 * k, &c, 4);
   else at[k] = (uint8_t)c;
   vs_as_string(s)->hash = 0;

@@ -22,18 +22,23 @@ static uint64_t table_hash(vs_scheme *vm, const vs_table *t, vs_value key) {
 }
 static uint32_t hash_home(uint64_t stored, uint32_t mask) { return (uint32_t)(stored >> 1) & mask; }
 
+/* Puts the entry with this stored hash into the index, which has room; mask is its size, a power of two, less 1. */
 static void index_place(uint32_t *index, uint32_t mask, vs_value stored, uint32_t entry) {
   uint32_t i = hash_home((uint64_t)vs_fixnum(stored), mask);
+  VS_ASSERT((mask & (mask + 1)) == 0);
   while (index[i]) i = (i + 1) & mask;
   index[i] = entry + 1;
 }
+/* Puts an entry that was added already into the table's index. */
 static void table_place(vs_table *t, uint32_t entry) {
+  VS_ASSERT(entry < t->used);
   index_place(table_index(t), table_mask(t), table_entries(t)->at[entry * 3 + 2], entry);
 }
 
-/* takes the slot i out: entries behind it that would no longer be found move back */
+/* takes the slot i out: entries behind it that would no longer be found move back. The slot is in use. */
 static void table_unplace(vs_table *t, uint32_t i) {
   uint32_t *index = table_index(t), mask = table_mask(t);
+  VS_ASSERT(i <= mask && index[i] != 0);
   for (uint32_t j = i;;) {
     index[i] = 0;
     for (;;) {
@@ -51,8 +56,9 @@ static void table_sync(vs_scheme *vm, vs_table *t) {
   if (t->epoch == vm->collections) return;
   vs_value *at = table_entries(t)->at;
   for (uint32_t e = t->young; e < t->used; e++) {
+    if (at[e * 3] == VS_VACANT) continue;
     uint64_t old = (uint64_t)vs_fixnum(at[e * 3 + 2]);
-    if (!(old & 1) || at[e * 3] == VS_VACANT) continue;
+    if (!(old & 1)) continue;
     uint32_t *index = table_index(t), mask = table_mask(t), i = hash_home(old, mask);
     while (index[i] != e + 1) i = (i + 1) & mask;
     table_unplace(t, i);
@@ -81,6 +87,7 @@ static bool table_find(vs_scheme *vm, vs_table *t, vs_value key, uint64_t hash, 
 
 bool vs_make_table(vs_scheme *vm, uint32_t kind, vs_value *out) {
   VS_ROOTS(vm, r, 2);
+  VS_ASSERT(kind <= VS_TABLE_STRING);
   if (!vs_make_vector(vm, TABLE_FIRST_ENTRIES * 3, VS_VACANT, &r[0]) ||
       !vs_make_bytes(vm, TABLE_FIRST_ENTRIES * 2 * 4, &r[1]))
     return false;
@@ -183,6 +190,7 @@ bool vs_table_clear(vs_scheme *vm, vs_value table) {
 bool vs_table_next(vs_value table, uint32_t *position, vs_value *key, vs_value *value) {
   const vs_table *t = vs_as_table(table);
   const vs_value *at = table_entries(t)->at;
+  VS_ASSERT(t->count <= t->used);
   while (*position < t->used) {
     uint32_t e = (*position)++;
     if (at[e * 3] == VS_VACANT) continue;

@@ -14,7 +14,9 @@ void vs_text_close(vs_text *t) {
   t->count = t->room = 0;
 }
 
+/* Makes room for n more bytes; count is at most room. */
 static bool text_reserve(vs_text *t, size_t n) {
+  VS_ASSERT(t->count <= t->room);
   if (t->room - t->count >= n) return true;
   if (n > SIZE_MAX / 4 - t->count) return vs_fail_memory(t->vm);
   size_t room = t->room < 64 ? 64 : t->room;
@@ -94,6 +96,7 @@ size_t vs_utf8_decode(const char *text, size_t n, uint32_t *out) {
 }
 
 size_t vs_utf8_encode(uint32_t c, char out[4]) {
+  VS_ASSERT(c <= 0x10FFFF);
   if (c < 0x80) return out[0] = (char)c, 1;
   if (c < 0x800) {
     out[0] = (char)(0xC0 | c >> 6);

@@ -28,6 +28,7 @@ bool vs_text_to_string(vs_text *t, vs_value *out);                 /* a fresh mu
 
 /* A character of UTF-8: bytes used (1..4), 0 at a bad or cut sequence. */
 size_t vs_utf8_decode(const char *s, size_t n, uint32_t *out);
+/* Returns how many bytes the code point c, at most 0x10FFFF, has. */
 size_t vs_utf8_encode(uint32_t c, char out[4]);
 
 #endif

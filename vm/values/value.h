@@ -15,6 +15,8 @@
 #ifndef VS_VM_VALUES_VALUE_H
 #define VS_VM_VALUES_VALUE_H
 
+#include "base/assert.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -47,19 +49,36 @@ typedef uint64_t vs_value;
 static inline vs_value vs_bool(bool b) { return b ? VS_TRUE : VS_FALSE; }
 static inline bool vs_is_true(vs_value v) { return v != VS_FALSE; }
 static inline bool vs_is_char(vs_value v) { return (v >> 32) == (VS_CHAR(0) >> 32); }
-static inline uint32_t vs_char(vs_value v) { return (uint32_t)v; }
+/* the code point of a character */
+static inline uint32_t vs_char(vs_value v) {
+  VS_ASSERT(vs_is_char(v));
+  return (uint32_t)v;
+}
 
 static inline bool vs_is_double(vs_value v) { return v < (VS_TAG_FIXNUM << 48); }
-static inline double vs_double(vs_value v) { double d; memcpy(&d, &v, sizeof d); return d; }
+/* v is a double */
+static inline double vs_double(vs_value v) {
+  double d;
+  VS_ASSERT(vs_is_double(v));
+  memcpy(&d, &v, sizeof d);
+  return d;
+}
 /* for a result of arithmetic on our own doubles */
 static inline vs_value vs_flonum_raw(double d) { vs_value v; memcpy(&v, &d, sizeof v); return v; }
 /* for a double that comes from anywhere else */
 static inline vs_value vs_flonum(double d) { return d == d ? vs_flonum_raw(d) : UINT64_C(0x7FF8000000000000); }
 
 static inline bool vs_is_fixnum(vs_value v) { return (v >> 48) == VS_TAG_FIXNUM; }
-static inline int64_t vs_fixnum(vs_value v) { return (int64_t)(v << 16) >> 16; }
-/* n in range */
-static inline vs_value vs_fix(int64_t n) { return (VS_TAG_FIXNUM << 48) | ((uint64_t)n & VS_PAYLOAD); }
+/* v is a fixnum */
+static inline int64_t vs_fixnum(vs_value v) {
+  VS_ASSERT(vs_is_fixnum(v));
+  return (int64_t)(v << 16) >> 16;
+}
+/* n in range, or a place or a hash of 48 bits */
+static inline vs_value vs_fix(int64_t n) {
+  VS_ASSERT(n >= VS_FIXNUM_MIN && n <= (int64_t)VS_PAYLOAD);
+  return (VS_TAG_FIXNUM << 48) | ((uint64_t)n & VS_PAYLOAD);
+}
 static inline bool vs_fits_fixnum(int64_t n) { return n >= VS_FIXNUM_MIN && n <= VS_FIXNUM_MAX; }
 
 /* ---- heap objects ---- */
@@ -92,8 +111,16 @@ enum {                          /* vs_object.flags */
 };
 
 static inline bool vs_is_object(vs_value v) { return (v >> 48) == VS_TAG_POINTER; }
-static inline vs_object *vs_object_of(vs_value v) { return (vs_object *)(uintptr_t)(v & VS_PAYLOAD); }
-static inline vs_value vs_from_object(const void *o) { return (VS_TAG_POINTER << 48) | (uint64_t)(uintptr_t)o; }
+/* v is the address of a heap object */
+static inline vs_object *vs_object_of(vs_value v) {
+  VS_ASSERT(vs_is_object(v));
+  return (vs_object *)(uintptr_t)(v & VS_PAYLOAD);
+}
+/* an address of 48 bits */
+static inline vs_value vs_from_object(const void *o) {
+  VS_ASSERT(((uint64_t)(uintptr_t)o & ~VS_PAYLOAD) == 0);
+  return (VS_TAG_POINTER << 48) | (uint64_t)(uintptr_t)o;
+}
 static inline bool vs_is(vs_value v, int type) { return vs_is_object(v) && vs_object_of(v)->type == type; }
 
 /* A place in a source file, 48 bits so that it also fits a fixnum (vs_fix(pos), back with vs_pos_of): file number
@@ -109,7 +136,10 @@ static inline vs_pos vs_pos_make(uint32_t file, uint32_t line, uint32_t col) {
 static inline uint32_t vs_pos_file(vs_pos p) { return (uint32_t)(p >> 36); }
 static inline uint32_t vs_pos_line(vs_pos p) { return (uint32_t)(p >> 14) & 0x3FFFFF; }
 static inline uint32_t vs_pos_col(vs_pos p) { return (uint32_t)p & 0x3FFF; }
-static inline vs_pos vs_pos_of(vs_value fixnum) { return fixnum & VS_PAYLOAD; }
+static inline vs_pos vs_pos_of(vs_value fixnum) {
+  VS_ASSERT(vs_is_fixnum(fixnum));
+  return fixnum & VS_PAYLOAD;
+}
 
 typedef struct { vs_object h; vs_value car, cdr; } vs_pair;
 typedef struct { vs_pair pair; vs_pos pos; } vs_located_pair;   /* VS_F_LOCATED */
@@ -245,23 +275,22 @@ typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
 typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; const void *with; } vs_foreign;
 
 /* ---- typed access; the caller has tested the type ---- */
-#define VS_ACCESSOR(name, ctype) \
-  static inline ctype *vs_as_##name(vs_value v) { return (ctype *)(void *)vs_object_of(v); }
-VS_ACCESSOR(pair, vs_pair)
-VS_ACCESSOR(string, vs_string) VS_ACCESSOR(symbol, vs_symbol) VS_ACCESSOR(vector, vs_vector)
-    VS_ACCESSOR(bytes, vs_bytes) VS_ACCESSOR(bignum, vs_bignum) VS_ACCESSOR(ratio, vs_ratio) VS_ACCESSOR(code, vs_code)
-        VS_ACCESSOR(closure, vs_closure) VS_ACCESSOR(case, vs_case) VS_ACCESSOR(native, vs_native)
-            VS_ACCESSOR(cell, vs_cell) VS_ACCESSOR(box, vs_box) VS_ACCESSOR(values, vs_values)
-                VS_ACCESSOR(record_type, vs_record_type) VS_ACCESSOR(record, vs_record) VS_ACCESSOR(flat, vs_flat)
-                    VS_ACCESSOR(dual, vs_dual) VS_ACCESSOR(table, vs_table) VS_ACCESSOR(port, vs_port)
-                        VS_ACCESSOR(promise, vs_promise) VS_ACCESSOR(parameter, vs_parameter)
-                            VS_ACCESSOR(condition, vs_condition) VS_ACCESSOR(stack, vs_stack)
-                                VS_ACCESSOR(continuation, vs_continuation) VS_ACCESSOR(environment, vs_environment)
-                                    VS_ACCESSOR(macro, vs_macro) VS_ACCESSOR(alias, vs_alias)
-                                        VS_ACCESSOR(keywords, vs_keywords) VS_ACCESSOR(foreign, vs_foreign)
+#define VS_ACCESSOR(name, TYPE)                                                                                        \
+  static inline vs_##name *vs_as_##name(vs_value v) {                                                                  \
+    VS_ASSERT(vs_is(v, VS_T_##TYPE));                                                                                  \
+    return (vs_##name *)(void *)vs_object_of(v);                                                                       \
+  }
+VS_ACCESSOR(pair, PAIR) VS_ACCESSOR(string, STRING) VS_ACCESSOR(symbol, SYMBOL) VS_ACCESSOR(vector, VECTOR)
+VS_ACCESSOR(bytes, BYTES) VS_ACCESSOR(bignum, BIGNUM) VS_ACCESSOR(ratio, RATIO) VS_ACCESSOR(code, CODE)
+VS_ACCESSOR(closure, CLOSURE) VS_ACCESSOR(case, CASE) VS_ACCESSOR(native, NATIVE) VS_ACCESSOR(cell, CELL)
+VS_ACCESSOR(box, BOX) VS_ACCESSOR(values, VALUES) VS_ACCESSOR(record_type, RECORD_TYPE) VS_ACCESSOR(record, RECORD)
+VS_ACCESSOR(flat, FLAT) VS_ACCESSOR(dual, DUAL) VS_ACCESSOR(table, TABLE) VS_ACCESSOR(port, PORT)
+VS_ACCESSOR(promise, PROMISE) VS_ACCESSOR(parameter, PARAMETER) VS_ACCESSOR(condition, CONDITION)
+VS_ACCESSOR(stack, STACK) VS_ACCESSOR(continuation, CONTINUATION) VS_ACCESSOR(environment, ENVIRONMENT)
+VS_ACCESSOR(macro, MACRO) VS_ACCESSOR(alias, ALIAS) VS_ACCESSOR(keywords, KEYWORDS) VS_ACCESSOR(foreign, FOREIGN)
 #undef VS_ACCESSOR
 
-                                            /* how many fields the record has */
+/* how many fields the record has */
 static inline size_t vs_record_fields(const vs_record *r) { return r->h.words - sizeof(vs_record) / sizeof(vs_value); }
 
 static inline bool vs_is_pair(vs_value v) { return vs_is(v, VS_T_PAIR); }
