@@ -30,7 +30,9 @@ typedef struct {
   struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* of each thread: an original's tag -> the copy's */
 } placing;
 
+/* The tags of a copy by those of its original; each of the VS_THREADS_MOST threads has a table. */
 static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
+  VS_ASSERT(k->worker < VS_THREADS_MOST);
   for (uint32_t i = 0; i < p->leaf_count; i++) {
     uint32_t was = all->leaves[p->were[i]].tag;
     if (!VS_ROOM(k, all->tags[k->worker].at.at, all->tags[k->worker].at.room, (size_t)was + 1)) return false;
@@ -39,11 +41,15 @@ static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
   return true;
 }
 
+/* Copies a range of vertices and triangles; both it and its new place lie in their meshes. */
 static bool place_one(vs_kernel *k, placing *all, const vs_placement *p) {
   vs_mesh *to = &all->results[p->into];
   const vs_mesh *m = p->mesh ? p->mesh : to;
   bool mirrors = vs_affine_determinant(&p->map) < 0;
   uint32_t shift = (uint32_t)(p->vertex - p->from.vertex);
+  VS_ASSERT(p->from.vertex + p->from.vertices <= m->vertex_count && p->vertex + p->from.vertices <= to->vertex_count);
+  VS_ASSERT(p->from.triangle + p->from.triangles <= m->triangle_count &&
+            p->triangle + p->from.triangles <= to->triangle_count);
   if (p->were && !find_tags(k, all, p)) return false;
   for (size_t i = 0; i < p->from.vertices; i++)
     to->vertices[p->vertex + i] = vs_affine_point(&p->map, m->vertices[p->from.vertex + i]);

@@ -138,10 +138,11 @@ static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check
 }
 
 /* Twice the area along the normal, by the two shorter edges: of a needle two long ones would leave nothing but their
- * rounding. *a: where these edges meet. */
+ * rounding. *a: where these edges meet. The triangle is one of the mesh's. */
 static vs_vec3 twice_area(const vs_mesh *m, size_t t, vs_vec3 *a) {
   vs_vec3 at[3], edge[3];
   int longest = 0;
+  VS_ASSERT(t < m->triangle_count);
   for (int j = 0; j < 3; j++) at[j] = m->vertices[m->triangles[t][j]];
   for (int j = 0; j < 3; j++) {
     edge[j] = vs_v3_sub(at[(j + 1) % 3], at[j]);
@@ -153,6 +154,7 @@ static vs_vec3 twice_area(const vs_mesh *m, size_t t, vs_vec3 *a) {
 
 bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, const vs_mesh *out, size_t first) {
   double six = 0, area = 0, far = 0, least, most, sum = 0, unit = step_volume(&c->grid);
+  VS_ASSERT(first <= out->triangle_count);
   if (!find_bounds(k, c, check, &least, &most)) return false;
   for (uint32_t i = 0; i < c->leaf_count; i++) sum += check->leaves.at[i].most;
   for (size_t t = first; t < out->triangle_count; t++) {

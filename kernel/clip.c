@@ -67,9 +67,11 @@ static bool cut_edges(clipper *c) {
   return true;
 }
 
+/* The number of the vertex on the edge from a to b, which are two. */
 static uint32_t middle_of(const clipper *c, uint32_t a, uint32_t b) {
   edge wanted = edge_of(a, b);
   const edge *found = bsearch(&wanted, c->edges.at, c->edges.count, sizeof *c->edges.at, edge_order);
+  VS_ASSERT(a != b);
   return (uint32_t)found->number;
 }
 

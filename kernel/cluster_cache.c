@@ -102,6 +102,7 @@ bool vs_remember_keep(vs_kernel *k, vs_remember *r, const vs_mesh *out, size_t f
   header h = { out->vertex_count - first_vertex, out->triangle_count - first_triangle };
   bool several = r->tags.count > 1;
   vs_cache *cache = k->options->cache;
+  VS_ASSERT(first_vertex <= out->vertex_count && first_triangle <= out->triangle_count);
   if (!vs_cache_keeps(cache)) return true;
   if (!VS_ROOM(k, r->scratch.at, r->scratch.room, (size_t)h.triangles * (several ? 4 : 3) + 1)) return false;
   uint32_t *corners = r->scratch.at, *places = corners + 3 * h.triangles;

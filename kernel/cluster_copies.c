@@ -40,7 +40,9 @@ static bool put_leaf(vs_kernel *k, vs_copies *c, uint32_t leaf, const vs_affine 
   return true;
 }
 
+/* Numbers the term of the problem, unless it has a number. */
 static bool reach(vs_kernel *k, vs_copies *c, uint32_t term) {
+  VS_ASSERT(term < c->problem->term_count);
   if (c->number.at[term] == VS_NONE) {
     c->number.at[term] = (uint32_t)c->terms.count;
     if (!VS_PUSH(k, c->terms, term)) return false;
@@ -74,6 +76,7 @@ bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t
                     bool *is_new, vs_affine *map) {
   size_t start = c->keys.count;
   vs_affine back;
+  VS_ASSERT(count > 0);
   *is_new = true;
   *original = (uint32_t)c->originals.count;
   const vs_part *first = &c->parts->all.at[c->parts->of_leaf.at[leaves[0]]];

@@ -24,7 +24,7 @@ typedef struct {
 bool vs_copies_begin(vs_kernel *k, vs_copies *c, const vs_kernel_problem *p, const vs_parts *parts,
                      const vs_expression *e);
 /* *original: which of the originals the cluster is a copy of, with the map from that to this; or a new one's number,
- * and *is_new. */
+ * and *is_new. A cluster has at least one leaf. */
 bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count, uint32_t *original,
                     bool *is_new, vs_affine *map);
 /* Appends to keys what says in which way the leaves make the result: the terms that they reach, by the order they are

@@ -172,10 +172,11 @@ static void find_convex(vs_part *p) {
 }
 
 /* Walks from a triangle to the one that the ray from the middle along d meets; false where that is too far. corner: of
- * the last one, from the middle. */
+ * the last one, from the middle. The triangle is one of the part's. */
 static bool walk_to(const vs_part *p, vs_vec3 d, uint32_t *triangle, vs_vec3 corner[3]) {
   enum { STEPS = 48 };
   const vs_mesh *m = p->mesh;
+  VS_ASSERT(*triangle < m->triangle_count);
   for (int step = 0; step < STEPS; step++) {
     const uint32_t *v = m->triangles[*triangle];
     double worst = 0;
@@ -228,6 +229,7 @@ static bool find_starts(vs_kernel *k, vs_part *p) {
 bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin) {
   vs_vec3 d = vs_v3_sub(q, p->middle), corner[3];
   double square = vs_v3_dot(d, d);
+  VS_ASSERT(p->convex && margin >= 0);
   if (square > p->outer * p->outer) return false;
   if (margin < p->inner && square < (p->inner - margin) * (p->inner - margin)) return true;
   uint32_t t = p->start_cells ? p->starts[cell_of(p, d)] : 0;

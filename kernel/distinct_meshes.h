@@ -43,7 +43,7 @@ void vs_parts_free(vs_kernel *k, vs_parts *p);
 bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, size_t vertex_count, const uint32_t *id,
                    uint32_t *twins, uint32_t *open);
 
-/* Is q inside a convex part, further than margin from its surface? May say no where it is. */
+/* Is q inside a convex part, further than margin from its surface? May say no where it is. margin is 0 or more. */
 bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin);
 
 #endif

@@ -156,6 +156,7 @@ bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e,
 
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer) {
   enum { STEPS = 256 }; /* a term may be reached in many ways; past so many any answer will do, since it only chooses a
+  VS_ASSERT(e->winding.at[leaf] > 0);
                          * paint */
   *answer = false;
   e->stack.count = 0;

@@ -27,6 +27,7 @@ bool vs_kernel_on_the_way(vs_kernel *k, size_t pieces) {
 }
 
 bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t size) {
+  VS_ASSERT(size > 0);
   if (need <= *room) return true;
   size_t more = *room < 16 ? 16 : *room + *room / 2;
   if (more < need) more = need;
@@ -52,6 +53,7 @@ bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t 
 
 void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size) {
   void *old, *none = NULL;
+  VS_ASSERT(*(k->owner ? &k->owner->bytes : &k->bytes) >= *room * size);
   memcpy(&old, slot, sizeof old);
   free(old);
   memcpy(slot, &none, sizeof none);
@@ -60,6 +62,7 @@ void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size) {
 }
 
 bool vs_kernel_report(vs_kernel *k, double part) {
+  VS_ASSERT(part >= 0 && part <= 1);
   if (k->owner) return !atomic_load(&k->owner->stop);
   k->part = part;
   if (!k->options || !k->options->progress) return true;

@@ -34,8 +34,10 @@ bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const 
  * way to it. */
 bool vs_kernel_on_the_way(vs_kernel *k, size_t pieces);
 
-/* Makes room for `need` elements of `size` bytes in the array whose address stands in *slot; *room is in elements. */
+/* Makes room for `need` elements of `size` bytes in the array whose address stands in *slot; *room is in elements. size
+ * is not 0. */
 bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t size);
+/* Frees the array, whose bytes are among those counted. */
 void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size);
 #define VS_ROOM(k, array, room, need) ((need) <= (room) || vs_kernel_grow(k, &(array), &(room), need, sizeof *(array)))
 #define VS_FREE(k, array, room) vs_kernel_free(k, &(array), &(room), sizeof *(array))

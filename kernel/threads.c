@@ -31,7 +31,9 @@ typedef struct {
 } crew;
 typedef struct { crew *crew; vs_kernel k; vs_kernel_error error; } worker;
 
+/* Does the i-th task of the crew. */
 static bool do_task(crew *c, vs_kernel *k, size_t i) {
+  VS_ASSERT(i < c->count);
   if (c->task(k, c->context, i)) {
     if (!c->window) return true;
     pthread_mutex_lock(&c->lock);
@@ -84,9 +86,10 @@ static void wait_a_while(crew *c) {
   pthread_mutex_lock(&c->lock);
 }
 
-/* Takes results in order, and works where the next one is not there yet. */
+/* Takes results in order, and works where the next one is not there yet. There is a window. */
 static void take(crew *c, vs_task_fn *taker) {
   vs_kernel *k = c->k;
+  VS_ASSERT(c->window > 0);
   for (size_t at = 0; at < c->count && !atomic_load(&k->stop);) {
     if (atomic_load(&c->ready[at % c->window])) {
       atomic_store(&c->ready[at % c->window], false);
@@ -134,6 +137,7 @@ void vs_kernel_time(vs_kernel *k, double laps[VS_STEP_COUNT]) {
 }
 
 bool vs_kernel_lap(vs_kernel *k, vs_step step) {
+  VS_ASSERT((size_t)step < VS_STEP_COUNT);
   if (!k->laps) return true;
   double at = now();
   k->laps[step] += at - k->since;
@@ -146,7 +150,9 @@ uint32_t vs_kernel_threads(const vs_kernel_options *options) {
   return n < 1 ? 1 : n > MOST ? MOST : (uint32_t)n;
 }
 
+/* Runs at least two tasks on at least two threads; taker may be NULL. */
 static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_task_fn *taker, void *context) {
+  VS_ASSERT(k->threads >= 2 && count >= 2);
   _Atomic bool ready[WINDOW] = { false };
   crew c = {
     .k = k, .task = task, .context = context, .count = count, .window = window, .ready = ready, .failed = SIZE_MAX

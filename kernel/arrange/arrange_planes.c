@@ -194,8 +194,10 @@ static bool add_facet(plane_work *w, const vs_facet *f) {
 
 /* ---- 2: crossings ---- */
 
+/* Notes that the segment s goes through the point, unless it ends there. */
 static bool put(plane_work *w, uint32_t s, uint32_t point) {
   const segment *x = &w->segments.at[s];
+  VS_ASSERT(s < w->segments.count);
   if (x->p == point || x->q == point) return true;
   return VS_PUSH(w->k, w->on, ((incidence){ s, point }));
 }
@@ -288,9 +290,10 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
   return new_point(w, &h, &x) && look_whether_hidden(w, x) && put(w, i, x) && put(w, j, x);
 }
 
-/* All pairs but those of the first `tried` segments, which were tried before. */
+/* All pairs but those of the first `tried` segments, which were tried before. tried is at most their number. */
 static bool crossings(plane_work *w, uint32_t tried) {
   uint32_t n = (uint32_t)w->segments.count;
+  VS_ASSERT(tried <= n);
   if (n == tried) return true;
   if (!VS_ROOM(w->k, w->boxes.at, w->boxes.room, n)) return false;
   for (uint32_t i = 0; i < n; i++) {
@@ -314,8 +317,10 @@ static bool crossings(plane_work *w, uint32_t tried) {
   return true;
 }
 
+/* Notes the segment among those that the point is on. */
 static bool hold(plane_work *w, uint32_t s, uint32_t point) {
   uint32_t *at = &w->through.at[point];
+  VS_ASSERT(point < w->through.count);
   if (!VS_PUSH(w->k, w->holds, ((incidence){ s, *at }))) return false;
   *at = (uint32_t)w->holds.count - 1;
   return true;
@@ -414,8 +419,10 @@ static bool order_pieces(plane_work *w) {
   return true;
 }
 
+/* The piece of a segment between two points, which are different vertices of the sweep. */
 static bool add_piece(plane_work *w, uint32_t p, uint32_t q, const segment *s) {
   uint32_t a = w->local.at[p], b = w->local.at[q];
+  VS_ASSERT(a != b);
   return VS_PUSH(w->k, w->pieces, ((piece){ a < b ? a : b, a < b ? b : a, s->leaf,
       s->leaf == VS_NONE ? 0 : a < b ? 1 : -1, s->side }));
 }
@@ -520,8 +527,9 @@ static bool name_faces(plane_work *w) {
 
 /* ---- 5: covers ---- */
 
-/* The neighbour's cover changed by what the edge carries; sign: 1 going up through it. */
+/* The neighbour's cover changed by what the edge carries; sign: 1 going up through it. The sign is 1 or -1. */
 static bool step_cover(plane_work *w, uint32_t from, uint32_t to, uint32_t edge, int sign) {
+  VS_ASSERT(sign == 1 || sign == -1);
   w->cover_first.at[to] = (uint32_t)w->cover.count;
   uint32_t i = w->cover_first.at[from], i_end = i + w->cover_count.at[from], j = w->payload.at[edge],
            j_end = w->payload.at[edge + 1];

@@ -68,6 +68,7 @@ bool vs_around_before(const vs_around *a, const vs_around *b) { /* by angle from
 int vs_around_axes(vs_points_view view, uint32_t low, uint32_t high, int *x, int *y) {
   int axis = 0, sign = 0;
   int64_t best = -1;
+  VS_ASSERT(low != high);
   for (int a = 0; a < 3; a++) {
     int64_t d = view.at[high].fixed[a] - view.at[low].fixed[a], size = d < 0 ? -d : d;
     if (size > best) best = size, axis = a;
@@ -459,9 +460,11 @@ static bool find_owner(walk *w, uint32_t cell) {
   return true;
 }
 
+/* The walk comes into a cell with that sum of windings. */
 static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   bool joining = w->c->joining != NULL, settled = w->lids > 0 || (!joining && vs_expression_gated(w->e));
   bool inside = joining ? settled : vs_expression_value(w->e);
+  VS_ASSERT(cell < w->cells);
   w->sum.at[cell] = sum;
   w->state.at[cell] = (uint8_t)(3 | (inside ? 4 : 0) | (settled ? 8 : 0));
   if (w->c->inspect) w->c->wound.at[cell] = w->e->winding.at[w->c->leaves[0]];
@@ -469,10 +472,11 @@ static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   return !inside || !w->owned || find_owner(w, cell);
 }
 
-/* The change of the sum on the way from the + side of a face to its - side. */
+/* The change of the sum on the way from the + side of a face to its - side. There is such a face. */
 static uint64_t change(const walk *w, uint32_t face) {
   const vs_face *f = &w->c->faces.at[face];
   uint64_t sum = 0;
+  VS_ASSERT(face < w->c->faces.count);
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
     sum += leaf_key(vs_solid_of(w->c, cover.leaf)) * (uint64_t)(int64_t)cover.delta;

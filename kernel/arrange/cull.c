@@ -175,6 +175,7 @@ bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t 
   bool gated = gate_box(c, low, high);
   enum { BLOCK = 64 };
   double x[3][BLOCK], square[BLOCK];
+  VS_ASSERT(begin <= end && place < c->leaf_count);
   masks += begin;
   for (; begin < end; begin += BLOCK, masks += BLOCK) {
     size_t n = end - begin < BLOCK ? end - begin : BLOCK;
@@ -228,12 +229,13 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
 /* The rest of a convex outline without a ball of the given radius about the part's middle: places along its edges, in
  * order; they span what is left. For a place in the outline and outside of the ball lies on a chord that the ball does
  * not meet, and the chord's ends are on edges. A corner on the ball, as another ball of the same kind leaves it, stays:
- * one too many does no harm. 0: nothing is left, or it cannot be told. */
+ * one too many does no harm. 0: nothing is left, or it cannot be told. n is at most the room. */
 static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {
   /* of the radius squared: what rounding cannot undo, up to so far away */
   static const double SURELY = 1e-6, FAR = 1e6;
   double (*out)[3] = at + room; /* the other half of the caller's array */
   uint32_t count = 0;
+  VS_ASSERT(n <= room);
   for (uint32_t i = 0; i < n; i++) {
     const double *p = at[i], *q = at[i + 1 == n ? 0 : i + 1];
     vs_vec3 d = vs_v3_sub(vs_affine_point(&lid->to_local, vs_v3(p[0], p[1], p[2])), lid->part->middle);

@@ -6,6 +6,7 @@
 #include "kernel/cluster.h"
 
 bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* lids; within vs_snap_to_grid */
+/* The masks of the vertices [begin, end) of the leaf at that place in the cluster. */
 bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks);
 bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* false: all masks would be 0 */
 /* Shrinks the box of a patch of the leaf to what the balls within lids leave of it. */

@@ -114,8 +114,9 @@ static void load(const chunk *m, const event *e, vs_homogeneous *out) {
   else *out = m->c->points.big.at[p->big];
 }
 
-/* The order along the axis; points of one line, so that 0 says they are one point. */
+/* The order along the axis; points of one line, so that 0 says they are one point. The axis is 0, 1 or 2. */
 static int compare(const chunk *m, const event *a, const event *b, int axis) {
+  VS_ASSERT(axis >= 0 && axis < 3);
   if (a->fixed[axis] != b->fixed[axis]) return a->fixed[axis] < b->fixed[axis] ? -1 : 1;
   if (a->id == b->id || (a->exact && b->exact)) return 0;
   vs_homogeneous p, q;
@@ -180,9 +181,11 @@ static bool add_contact(chunk *m, uint32_t a, uint32_t b, const event *from, con
   return !cut || VS_PUSH(m->k, m->contacts, ((contact){ a, b, p, q, cut }));
 }
 
-/* The first of the events that begin at one place, and lie there together: an old point where there is one. */
+/* The first of the events that begin at one place, and lie there together: an old point where there is one. There is an
+ * event i. */
 static event *gather(chunk *m, size_t i, int axis, size_t *end) {
   event *at = m->w->events.at, *best = &at[i];
+  VS_ASSERT(i < m->w->events.count);
   for (*end = i + 1; *end < m->w->events.count && compare(m, &at[i], &at[*end], axis) == 0; ++*end)
     if (best->id & FRESH && !(at[*end].id & FRESH)) best = &at[*end];
   return best;

@@ -120,10 +120,12 @@ static void face_to(const vs_cluster *c, facing *f) {
   }
 }
 
+/* The place for where the edge p q, of two points, goes through the patch; their number is a power of two. */
 static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
   uint32_t low = p < q ? p : q, high = p < q ? q : p;
   uint64_t hash = (((uint64_t)low << 32 | high) ^ (uint64_t)patch * 0xd6e8feb86659fd93u) * 0x9e3779b97f4a7c15u;
   crossing *x = &m->w->crossings.at[hash >> 40 & (m->w->crossings.count - 1)];
+  VS_ASSERT(p != q && (m->w->crossings.count & (m->w->crossings.count - 1)) == 0);
   if (x->low != low || x->high != high || x->patch != patch) *x = (crossing){ low, high, patch, VS_NONE };
   return x;
 }
@@ -137,9 +139,10 @@ typedef struct {
 
 static bool is_corner(const end *e) { return e->corner == e->next; }
 
-/* The exact place. */
+/* The exact place. The exact place of an end between two corners. */
 static bool end_place(const vs_cluster *c, const end *e, vs_homogeneous *out) {
   const vs_patch_corner *x = corners(c, e->f->of);
+  VS_ASSERT(e->corner != e->next);
   return vs_meet_edge(x[e->corner].at, x[e->next].at, &c->planes.all.at[e->f->other->plane], out);
 }
 

@@ -92,11 +92,13 @@ static bool take_points(levels *l, shell *s, const vs_points_table *from) {
   return true;
 }
 
-/* Adds the shell to a cluster's facets; family: see bvh.h. The last facet's end is left to the caller. */
+/* Adds the shell to a cluster's facets; family: see bvh.h. The last facet's end is left to the caller. A shell has one
+ * facet more behind its own. */
 static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family) {
   vs_kernel *k = l->k;
   size_t points = s->points.all.count, facets = s->outlines.facets.count;
   uint32_t first = (uint32_t)to->sides.count;
+  VS_ASSERT(facets > 0);
   if (!VS_ROOM(k, l->moved.at, l->moved.room, points + 1) || !vs_points_expect(k, &to->points, points)) return false;
   for (size_t i = 0; i < points; i++) {
     const vs_point *p = &s->points.all.at[i];
@@ -203,7 +205,7 @@ static bool append(levels *l, shell *a, const shell *b) {
   return ok;
 }
 
-/* The last shell but one becomes its union with the last. */
+/* The last shell but one becomes its union with the last. There are two shells. */
 static bool unite_last(levels *l) {
   enum { SERIAL = 10000 }; /* facets that are not worth a thread */
   vs_kernel *k = l->k;
@@ -211,6 +213,7 @@ static bool unite_last(levels *l) {
   shell *a = &l->shells.at[l->shells.count - 2], *b = &l->shells.at[l->shells.count - 1], made = { .solid = a->solid };
   uint32_t roots[2] = { vs_solid_of(c, a->solid), vs_solid_of(c, b->solid) }, threads = k->threads;
   bool ok;
+  VS_ASSERT(l->shells.count >= 2);
   if (!vs_box_meet(&a->box, &b->box)) {
     ok = append(l, a, b);
   } else {
@@ -284,10 +287,11 @@ static bool find_order(levels *l) {
   return ok;
 }
 
-/* Where the span falls in two of about one weight. */
+/* Where the span falls in two of about one weight. The span holds two leaves or more. */
 static uint32_t middle_of(const levels *l, const span *s) {
   uint64_t half = (l->weight.at[s->first] + l->weight.at[s->end]) / 2;
   uint32_t low = s->first + 1, high = s->end - 1;
+  VS_ASSERT(s->end - s->first >= 2);
   while (low < high) {
     uint32_t middle = low + (high - low) / 2;
     if (l->weight.at[middle] < half) low = middle + 1;

@@ -33,11 +33,13 @@ typedef struct {
   VS_LIST(uint32_t) alone; /* of a plane: its facet, or SEVERAL */
 } patching;
 
+/* Adds the patch of the facet whose corners begin at `first`, one of the chunk's. */
 static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner) {
   const vs_cluster *c = b->c;
   const vs_facet *f = &c->facets.at[facet];
   vs_patch p = { facet, f->place, f->plane, first, (uint32_t)b->to->corners.count - first, f->flip, inner };
   vs_bvh_box box = { { INT32_MAX, INT32_MAX, INT32_MAX }, { INT32_MIN, INT32_MIN, INT32_MIN } };
+  VS_ASSERT(first <= b->to->corners.count);
   for (uint32_t i = first; i < b->to->corners.count; i++)
     for (int a = 0; a < 3; a++) {
       int32_t x = b->to->corners.at[i].at[a];
@@ -58,12 +60,13 @@ static bool add_corner(building *b, uint32_t point) {
 }
 
 /* Is the ring of corners from `first` on convex? Corners in one line are allowed, turning back is not, and it goes
- * around once. */
+ * around once. There are three or more. */
 static bool convex(const building *b, const vs_facet *f, uint32_t first) {
   const vs_plane *p = &b->c->planes.all.at[f->plane];
   const vs_patch_corner *at = b->to->corners.at + first;
   uint32_t n = (uint32_t)b->to->corners.count - first;
   int falls = 0;
+  VS_ASSERT(n >= 3);
   for (uint32_t i = 0; i < n; i++) {
     const int32_t *x = at[i].at, *y = at[(i + 1) % n].at, *z = at[(i + 2) % n].at;
     int64_t ax = (int64_t)y[p->u] - x[p->u], ay = (int64_t)y[p->v] - x[p->v], bx = (int64_t)z[p->u] - y[p->u],

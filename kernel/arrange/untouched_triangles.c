@@ -54,17 +54,23 @@ typedef struct {
 typedef struct { plain *p; vs_kernel *k; } searcher;
 
 static const vs_mesh *mesh_at(const vs_cluster *c, uint32_t place) { return c->placed.at[place].part->mesh; }
+/* Where a vertex of the leaf at that place lies on the grid. */
 static const int32_t *corner_at(const vs_cluster *c, uint32_t place, uint32_t vertex) {
+  VS_ASSERT(place < c->leaf_count);
   return c->corners[c->placed.at[place].first + vertex];
 }
+/* The corners of triangle t, one of the leaf's mesh. */
 static const uint32_t *triangle_at(const vs_cluster *c, uint32_t place, uint32_t t) {
+  VS_ASSERT(t < mesh_at(c, place)->triangle_count);
   return mesh_at(c, place)->triangles[t];
 }
 
 static uint8_t fate_of(const vs_cluster *c, uint32_t place, uint32_t t) {
   return atomic_load_explicit(&c->fate.at[c->placed.at[place].first_triangle + t], memory_order_relaxed);
 }
+/* The fate is VS_ARRANGED, VS_CULLED or VS_PLAIN. */
 static void set_fate(vs_cluster *c, uint32_t place, uint32_t t, uint8_t fate) {
+  VS_ASSERT(fate <= VS_PLAIN);
   atomic_store_explicit(&c->fate.at[c->placed.at[place].first_triangle + t], fate, memory_order_relaxed);
 }
 static void arrange(vs_cluster *c, uint32_t place, uint32_t t) { /* whoever else says so */
@@ -328,12 +334,13 @@ static bool look_across(vs_kernel *k, void *context, size_t index) {
 static bool lower(double x, double y) { return y < 0 || (y <= 0 && x < 0); }
 
 /* Do the triangles around the corner's vertex, from that one on, lie round it once as some axis sees them? then they
- * meet in what they share alone. Asked at the first of them. */
+ * meet in what they share alone. Asked at the first of them. The corner is one of the leaf's mesh. */
 static void look_around(plain *p, uint32_t place, uint32_t corner) {
   enum { MOST = 64 };
   const vs_cluster *c = p->c;
   const uint32_t *twins = c->placed.at[place].part->twins;
   uint32_t ring[MOST], count = 0, at = corner, vertex = triangle_at(c, place, corner / 3)[corner % 3], falls = 0;
+  VS_ASSERT(corner < 3 * mesh_at(c, place)->triangle_count);
   _Atomic uint8_t *fan = &p->fans.at[c->placed.at[place].first + vertex];
   if (atomic_load_explicit(fan, memory_order_relaxed) == PROVEN) return;
   normal n[MOST];

@@ -6,6 +6,8 @@
  * double nearest to what the digits say. */
 #include "kernel/exact/digits.h"
 
+#include "base/assert.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -45,6 +47,7 @@ bool vs_digits(double size, uint64_t *digits, int *first) {
     7450580596923828125,
   };
   uint64_t bits;
+  VS_ASSERT(size > 0);
   memcpy(&bits, &size, sizeof bits);
   int exponent = (int)(bits >> 52) - 1075;
   uint64_t mantissa = (bits & ((UINT64_C(1) << 52) - 1)) | UINT64_C(1) << 52;

@@ -48,11 +48,12 @@ static int add(const double *e, int e_count, const double *f, int f_count, doubl
   return count;
 }
 
-/* to = e * b */
+/* to = e * b. e has at least one term. */
 static int scale(const double *e, int e_count, double b, double *to) {
   int count = 0;
   pair p = two_product(e[0], b);
   double sum = p.high;
+  VS_ASSERT(e_count > 0);
   if (p.low != 0) to[count++] = p.low;
   for (int i = 1; i < e_count; i++) {
     pair product = two_product(e[i], b), low = two_sum(sum, product.low), high = two_sum(product.high, low.high);
@@ -64,11 +65,12 @@ static int scale(const double *e, int e_count, double b, double *to) {
   return count;
 }
 
-/* to = e * d */
+/* to = e * d. e has 1 to 16 terms. */
 static int multiply(const double *e, int e_count, pair d, double *to) {
   enum { MOST = 16 };
   double low[2 * MOST], high[2 * MOST];
   int low_count = scale(e, e_count, d.low, low), high_count = scale(e, e_count, d.high, high);
+  VS_ASSERT(e_count > 0 && e_count <= MOST);
   return add(low, low_count, high, high_count, to);
 }
 
@@ -133,6 +135,7 @@ int vs_doubles_turn(int axis, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
                    coordinate(b, v), coordinate(c, u), coordinate(c, v) };
   double left = (at[2] - at[0]) * (at[5] - at[1]), right = (at[3] - at[1]) * (at[4] - at[0]),
          size = fabs(left) + fabs(right);
+  VS_ASSERT(axis >= 0 && axis < 3);
   if (fabs(left - right) > SURE * size && size > 1e-250) return left > right ? 1 : -1;
   return turn_slow(at);
 }

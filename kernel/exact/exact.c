@@ -142,6 +142,7 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
 
 void vs_plane_along(const int32_t a[3], const int32_t b[3], int k, vs_plane *out) {
   int u = (k + 1) % 3, v = (k + 2) % 3; /* (b - a) x e_k */
+  VS_ASSERT(k >= 0 && k < 3 && (a[u] != b[u] || a[v] != b[v]));
   out->n[k] = 0;
   out->n[u] = (int64_t)b[v] - a[v];
   out->n[v] = -((int64_t)b[u] - a[u]);
@@ -270,6 +271,7 @@ static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
 
 /* x >= 0 */
 static inline double near256(const uint64_t x[4]) {
+  VS_ASSERT(x[3] >> 63 == 0);
   return (((double)x[3] * 0x1p64 + (double)x[2]) * 0x1p64 + (double)x[1]) * 0x1p64 + (double)x[0];
 }
 
@@ -293,8 +295,9 @@ static inline int64_t divide(uint64_t r[4], const uint64_t w[4], int64_t q) {
   }
 }
 
-/* to = x * 2^bits */
+/* to = x * 2^bits. bits is 1 to 63. */
 static inline void shift_up(uint64_t to[4], const uint64_t x[4], int bits) {
+  VS_ASSERT(bits > 0 && bits < 64);
   for (int i = 3; i > 0; i--) to[i] = x[i] << bits | x[i - 1] >> (64 - bits);
   to[0] = x[0] << bits;
 }
@@ -302,6 +305,7 @@ static inline void shift_up(uint64_t to[4], const uint64_t x[4], int bits) {
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
   enum { UP = 32 }; /* so many binary places: added to have no negative numbers */
   bool exact = true;
+  VS_ASSERT(wide_sign(h->w, VS_LIMBS) > 0);
   if (h->w[0] == 1 && !h->w[1] && !h->w[2] && !h->w[3]) { /* on the grid */
     for (int i = 0; i < 3; i++) fixed[i] = (int64_t)(h->x[i][0] << VS_FIXED_BITS);
     return true;
@@ -325,6 +329,7 @@ bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
 
 int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis) {
   uint64_t s[7], t[7];
+  VS_ASSERT(axis >= 0 && axis < 3 && wide_sign(a->w, VS_LIMBS) > 0 && wide_sign(b->w, VS_LIMBS) > 0);
   wide_mul(s, 7, a->x[axis], VS_LIMBS, b->w, VS_LIMBS);
   wide_mul(t, 7, b->x[axis], VS_LIMBS, a->w, VS_LIMBS);
   wide_sub(s, t, 7);
@@ -338,6 +343,7 @@ bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b) {
 
 int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h) {
   uint64_t s[5], t[5], d[2];
+  VS_ASSERT(wide_sign(h->w, VS_LIMBS) > 0);
   wide_from(d, 2, -p->d);
   wide_mul(s, 5, h->w, VS_LIMBS, d, 2);
   for (int i = 0; i < 3; i++) {
@@ -353,6 +359,7 @@ void vs_plane_lift(const vs_plane *p, int k, int64_t u, int64_t v, vs_homogeneou
   vs_i128 n = p->n[k], one = (vs_i128)1 << VS_FIXED_BITS;
   vs_i128 z = p->d * one - (vs_i128)p->n[au] * u - (vs_i128)p->n[av] * v;
   int sign = n < 0 ? -1 : 1;
+  VS_ASSERT(p->n[k] != 0);
   wide_from(out->x[au], VS_LIMBS, n * u * sign);
   wide_from(out->x[av], VS_LIMBS, n * v * sign);
   wide_from(out->x[k], VS_LIMBS, z * sign);

@@ -17,6 +17,8 @@
 #ifndef VS_KERNEL_EXACT_EXACT_H
 #define VS_KERNEL_EXACT_EXACT_H
 
+#include "base/assert.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -65,12 +67,14 @@ int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], cons
  * point. */
 bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_homogeneous *out);
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out);
-/* fixed numbers of a point; true where they are all of it */
+/* fixed numbers of a point; true where they are all of it. w > 0. */
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]);
 void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out);
 void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* of an exact point */
+/* The axis is 0, 1 or 2, and both w > 0. */
 int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* sign of a - b */
 bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b);
+/* The side of the plane that the point, whose w > 0, lies on: 1 where the normal points. */
 int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h);
 /* the point of the plane p over (u, v), fixed numbers, seen along axis k; n[k] is not 0 */
 void vs_plane_lift(const vs_plane *p, int k, int64_t u, int64_t v, vs_homogeneous *out);

@@ -39,8 +39,10 @@ static void slots_free(vs_kernel *k, vs_slots *s) {
   s->count = 0;
 }
 
-/* Of one hash: the places to look at, from *at on; VS_NONE: *at is free, and nobody has it. */
+/* Of one hash: the places to look at, from *at on; VS_NONE: *at is free, and nobody has it. The number of places is a
+ * power of two. */
 static inline uint32_t slots_next(const vs_slots *s, uint32_t tag, size_t *at) {
+  VS_ASSERT(s->count > 0 && (s->count & (s->count - 1)) == 0 && *at < s->count);
   for (;; *at = (*at + 1) & (s->count - 1))
     if (s->at[*at].item == VS_NONE || s->at[*at].tag == tag) return s->at[*at].item;
 }
@@ -61,9 +63,11 @@ static uint32_t points_find(const vs_points_table *t, uint64_t hash, const int64
   return i;
 }
 
+/* Adds a point in the free slot that points_find gave. */
 static bool points_insert(vs_kernel *k, vs_points_table *t, uint64_t hash, size_t slot, const int64_t fixed[3],
                           const vs_homogeneous *h, uint32_t *id) {
   vs_point p = { { fixed[0], fixed[1], fixed[2] }, VS_POINT_EXACT, VS_NONE };
+  VS_ASSERT(slot < t->slots.count && t->slots.at[slot].item == VS_NONE);
   if (h) {
     p.big = (uint32_t)t->big.count;
     if (!VS_PUSH(k, t->big, *h)) return false;
@@ -175,6 +179,7 @@ bool vs_points_add(vs_kernel *k, vs_points_table *t, const vs_homogeneous *h, ui
 }
 
 void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]) {
+  VS_ASSERT(id < t->all.count && vs_point_exact(&t->all.at[id]));
   for (int i = 0; i < 3; i++) out[i] = vs_point_grid(&t->all.at[id], i);
 }
 
@@ -194,6 +199,7 @@ bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more) {
 }
 
 bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t hash, uint32_t *id) {
+  VS_ASSERT(hash == vs_planes_hash(p));
   if (!slots_grow(k, &t->slots, t->all.count)) return false;
   uint32_t tag = (uint32_t)(hash >> 32);
   size_t slot = tag >> t->slots.shift;

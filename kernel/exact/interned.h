@@ -59,10 +59,12 @@ bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *
 /* more was made on top of t, and is empty afterwards. If it had forgotten its points, they are not found in t. */
 bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more);
 void vs_points_forget(vs_kernel *k, vs_points_table *t); /* nothing is looked for any more: the slots go */
+/* The point has a number in the table, and is exact. */
 void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* of an input vertex */
 void vs_points_free(vs_kernel *k, vs_points_table *t);
 
 uint64_t vs_planes_hash(const vs_plane *p);
+/* The number of the plane, an older one where the table has it; hash is that of p. */
 bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t hash, uint32_t *id);
 /* Makes room for that many more: the tables need not grow on the way. */
 bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more);

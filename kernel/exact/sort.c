@@ -1,10 +1,13 @@
 /* Owns the keyed sort: insertion in short runs, and merging of those that are not in order yet. */
 #include "kernel/exact/sort.h"
 
+#include "base/assert.h"
+
 #include <string.h>
 
 void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count) {
   enum { RUN = 16 };
+  VS_ASSERT(count == 0 || at != scratch);
   for (size_t low = 0; low < count; low += RUN) {
     size_t high = count - low < RUN ? count : low + RUN;
     for (size_t i = low + 1; i < high; i++) {

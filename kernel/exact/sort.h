@@ -7,7 +7,7 @@
 
 typedef struct { int64_t key; uint32_t item; } vs_keyed;
 
-/* Stable; scratch: as long. */
+/* Stable; scratch: as long. It is another array. */
 void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count);
 
 #endif

@@ -150,12 +150,14 @@ static vs_bvh_box around(const vs_pack *p) {
   return b;
 }
 
-/* The one family of all that is in the block of that level; -1 where there are several, or one has none. */
+/* The one family of all that is in the block of that level; -1 where there are several, or one has none. There is such
+ * a level. */
 static int32_t family_below(const vs_bvh *t, uint32_t level, uint32_t block) {
   uint32_t all = level ? t->size[level - 1] : t->count,
            held = all - block * BLOCK < BLOCK ? all - block * BLOCK : BLOCK;
   const vs_lanes *of = &t->family[t->first[level] + block];
   int32_t family = (*of)[0];
+  VS_ASSERT(level < t->level_count);
   for (uint32_t lane = 1; lane < held; lane++)
     if ((*of)[lane] != family) return -1;
   return family;
@@ -191,13 +193,17 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_bvh_box *boxes, uint32_t cou
   return ok;
 }
 
+/* The box in one of the four lanes. */
 static vs_bvh_box box_of(const vs_pack *p, uint32_t lane) {
+  VS_ASSERT(lane < BLOCK);
   return (vs_bvh_box){ { p->min[0][lane], p->min[1][lane], p->min[2][lane] },
                    { p->max[0][lane], p->max[1][lane], p->max[2][lane] } };
 }
 
+/* Takes the lowest bit out of a set that has one. */
 static uint32_t next_bit(uint32_t *set) {
   uint32_t lane = (uint32_t)__builtin_ctz(*set);
+  VS_ASSERT(*set != 0);
   *set &= *set - 1;
   return lane;
 }

@@ -20,7 +20,9 @@ typedef int32_t vs_lanes __attribute__((vector_size(16)));
 typedef struct { vs_lanes min[3], max[3]; } vs_pack;
 
 static const vs_bvh_box vs_box_nowhere = { { INT32_MAX, INT32_MAX, INT32_MAX }, { INT32_MIN, INT32_MIN, INT32_MIN } };
+/* Makes the box one of the four. */
 static inline void vs_pack_put(vs_pack *p, uint32_t lane, const vs_bvh_box *b) {
+  VS_ASSERT(lane < 4);
   for (int j = 0; j < 3; j++) p->min[j][lane] = b->min[j], p->max[j][lane] = b->max[j];
 }
 /* Which of the four meet the box, and which hold it; all bits of a lane are set, or none. */

@@ -37,9 +37,11 @@ static bool before(const void *context, uint32_t a, uint32_t b) {
 
 static const spoke *at(const search *c, size_t i) { return &c->spokes.at[c->order.at[i]]; }
 
-/* The spoke in [first, end) whose triangle follows along the edge to that corner; NULL: none, or several. */
+/* The spoke in [first, end) whose triangle follows along the edge to that corner; NULL: none, or several. [first, end)
+ * lies in the order. */
 static const spoke *following(const search *c, size_t first, size_t end, uint32_t corner) {
   size_t low = first, high = end;
+  VS_ASSERT(first <= end && end <= c->order.count);
   while (low < high) {
     size_t middle = low + (high - low) / 2;
     if (at(c, middle)->next < corner) low = middle + 1;
@@ -56,10 +58,11 @@ static bool turns(vs_vec3 p, vs_vec3 q, vs_vec3 d) {
   return vs_v3_dot(vs_v3_cross(p, q), d) > 1e-14 * size;
 }
 
-/* Do the spokes of one hub, [first, end), go round it once? */
+/* Do the spokes of one hub, [first, end), go round it once? The hub has a spoke. */
 static bool goes_round_once(const search *c, size_t first, size_t end) {
   const vs_fans *m = c->m;
   vs_vec3 hub = m->corner(m->context, at(c, first)->hub), d = vs_v3(0, 0, 0);
+  VS_ASSERT(first < end);
   for (size_t i = first; i < end; i++) {
     vs_vec3 p = vs_v3_sub(m->corner(m->context, at(c, i)->next), hub);
     vs_vec3 q = vs_v3_sub(m->corner(m->context, at(c, i)->last), hub);
@@ -103,8 +106,10 @@ static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, s
   return edges;
 }
 
+/* Where the spokes of the hub of spoke i end. */
 static size_t end_of_hub(const search *c, size_t i) {
   size_t end = i + 1;
+  VS_ASSERT(i < c->order.count);
   while (end < c->order.count && at(c, end)->hub == at(c, i)->hub) end++;
   return end;
 }
@@ -166,10 +171,12 @@ static bool make_cone(vs_kernel *k, const search *s, size_t first, size_t end, c
   return VS_PUSH(k, c->cones, w);
 }
 
-/* Is the place surely within? It has to be so for three triangles, in whose angle together it surely is. */
+/* Is the place surely within? It has to be so for three triangles, in whose angle together it surely is. The cone is
+ * convex. */
 static bool within(const cones *c, const cone *w, vs_vec3 place) {
   vs_vec3 x = vs_v3_sub(place, w->hub);
   double angle = angle_of(w, x);
+  VS_ASSERT(w->convex);
   if (angle < 0) angle += 6.283185307179586;
   size_t low = 0, high = w->count; /* the last edge that begins before */
   while (high - low > 1) {

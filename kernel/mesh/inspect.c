@@ -133,12 +133,14 @@ static bool holds(void *context, uint32_t patch) {
   return true;
 }
 
-/* A place in the face, in fixed numbers: on the line half way up, half way through its widest stretch; about. */
+/* A place in the face, in fixed numbers: on the line half way up, half way through its widest stretch; about. The face
+ * lies in a plane. */
 static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
   const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
   const vs_use *uses = c->uses.at + c->faces.at[face].use;
   size_t count = c->faces.at[face].use_count;
   double low = INFINITY, high = -INFINITY, best = -1, u = 0, v;
+  VS_ASSERT(c->faces.at[face].plane != VS_NONE);
   for (size_t i = 0; i < count; i++) {
     double y = (double)c->points.all.at[uses[i].from].fixed[p->v];
     low = fmin(low, y);

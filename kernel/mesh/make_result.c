@@ -125,9 +125,10 @@ static bool same_faces(vs_result_state *w, uint32_t e, uint32_t f, bool *flat, b
   return true;
 }
 
-/* Has the edge two faces that are not merged? */
+/* Has the edge two faces that are not merged? The edge stays. */
 static bool are_two(const vs_result_state *w, uint32_t e) {
   uint32_t begin = w->edge_first.at[e];
+  VS_ASSERT(e + 1 < w->edge_first.count);
   return w->edge_first.at[e + 1] - begin == 2 &&
          w->parent.at[vs_result_use(w, begin)->face] != w->parent.at[vs_result_use(w, begin + 1)->face];
 }

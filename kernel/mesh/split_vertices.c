@@ -41,15 +41,19 @@ typedef struct {
 } splitter;
 typedef enum { SOLID, AIR, MIDDLE } joined;
 
+/* The vertex of a corner, counted from first_vertex; the corner is one of the result's triangles'. */
 static uint32_t vertex_at(const splitter *s, uint32_t corner) {
+  VS_ASSERT(corner < 3 * s->triangles);
   return s->m->triangles[s->first_triangle + corner / 3][corner % 3] - (uint32_t)s->first_vertex;
 }
 
 static bool starts_at(const splitter *s, uint32_t corner, uint32_t low) { return vertex_at(s, corner) == low; }
 
+/* Pairs the faces at an edge that has more than two. */
 static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t count) {
   vs_points_view view = vs_points_of(&s->c->points);
   int x, y, sign = vs_around_axes(view, s->points[low], s->points[halves[0].high], &x, &y);
+  VS_ASSERT(count > 2);
   if (!VS_ROOM(s->k, s->around.at, s->around.room, count)) return false;
   for (size_t i = 0; i < count; i++) {
     uint32_t corner = halves[i].item, side = s->sides[corner / 3];
@@ -73,15 +77,18 @@ static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t c
   return true;
 }
 
+/* Makes twins of two corners. */
 static void join(splitter *s, uint32_t a, uint32_t b) {
+  VS_ASSERT(a != b);
   s->twins.at[a] = b;
   s->twins.at[b] = a;
 }
 
-/* Which two of an edge's faces the n-th pair is. */
+/* Which two of an edge's faces the n-th pair is. There is such a pair. */
 static void pair_of(const splitter *s, size_t edge, size_t n, uint32_t *a, uint32_t *b) {
   uint32_t begin = s->many_first.at[edge], count = s->many_first.at[edge + 1] - begin;
   size_t i = 2 * n + (s->way.at[edge] == AIR);
+  VS_ASSERT(n < count / 2);
   *a = s->many.at[begin + i].ccw;
   *b = s->many.at[begin + (i + 1) % count].ccw;
 }

@@ -276,7 +276,9 @@ static void look(const vs_result_state *w, uint32_t face, double n[3]) {
   for (int i = 0; i < 3; i++) n[i] *= sign / length;
 }
 
+/* The edge behind the point; the edge given is one of its two. */
 static uint32_t next_edge(const vs_result_state *w, uint32_t edge, uint32_t at) {
+  VS_ASSERT(w->edges.at[2 * at] == edge || w->edges.at[2 * at + 1] == edge);
   return w->edges.at[2 * at] == edge ? w->edges.at[2 * at + 1] : w->edges.at[2 * at];
 }
 
@@ -419,12 +421,13 @@ static bool find_near(vs_result_state *w) {
   return true;
 }
 
-/* Is nothing else of the plane or sheet within the band about the line? */
+/* Is nothing else of the plane or sheet within the band about the line? The number is a cut's, and the side 0 or 1. */
 static bool is_free(const vs_result_state *w, uint32_t number, int side) {
   const vs_sheets *s = w->sheets;
   const cut *c = &s->cuts.at[number];
   uint32_t near = s->near.at[c->keys[side]], at = s->first.at[near], end = s->first.at[near + 1];
   double p[3], q[3], along[3], x[3], t;
+  VS_ASSERT(number < s->cuts.count && (side == 0 || side == 1));
   place(w, c->p, p);
   place(w, c->q, q);
   between(p, q, along);
@@ -563,11 +566,13 @@ static bool holds(const vs_result_state *w, const sheet *s, const uint32_t v[3])
   return fabs(dot(n, s->n)) >= ALIKE * sqrt(dot(n, n));
 }
 
-/* Gives the longest edge of triangle i to its top, where the two triangles that this makes are good ones. */
+/* Gives the longest edge of triangle i to its top, where the two triangles that this makes are good ones. There is such
+ * a triangle. */
 static bool turn_edge(const vs_result_state *w, const sheet *s, vs_triangulation *t, size_t i) {
   uint32_t *v = t->triangles.at[i];
   double at[3][3], d[3], longest = 0;
   int base = 0;
+  VS_ASSERT(i < t->triangles.count);
   for (int j = 0; j < 3; j++) place(w, v[j], at[j]);
   for (int j = 0; j < 3; j++) {
     between(at[j], at[(j + 1) % 3], d);

@@ -17,17 +17,20 @@ static int open_axis(const vs_vec3 *t) {
 
 bool vs_triangle_is_flat(const vs_vec3 *corners) { return open_axis(corners) == 3; }
 
-/* Is p, which lies in the triangle's plane, in it or on its border? */
+/* Is p, which lies in the triangle's plane, in it or on its border? The triangle has area as that axis sees it. */
 static bool holds(int axis, const vs_vec3 t[3], vs_vec3 p) {
   int way = vs_doubles_turn(axis, t[0], t[1], t[2]);
+  VS_ASSERT(way != 0);
   for (int i = 0; i < 3; i++)
     if (vs_doubles_turn(axis, t[i], t[(i + 1) % 3], p) == -way) return false;
   return true;
 }
 
-/* Of an end of the segment in the triangle's plane which the triangle holds: is there no more of it in the triangle? */
+/* Of an end of the segment in the triangle's plane which the triangle holds: is there no more of it in the triangle?
+ * The triangle has area as that axis sees it. */
 static bool leaves(int axis, const vs_vec3 t[3], vs_vec3 from, vs_vec3 to) {
   int way = vs_doubles_turn(axis, t[0], t[1], t[2]);
+  VS_ASSERT(way != 0);
   for (int i = 0; i < 3; i++) {
     vs_vec3 a = t[i], b = t[(i + 1) % 3];
     if (vs_doubles_turn(axis, a, b, from) == 0 && vs_doubles_turn(axis, a, b, to) == -way) return true;
@@ -35,9 +38,10 @@ static bool leaves(int axis, const vs_vec3 t[3], vs_vec3 from, vs_vec3 to) {
   return false;
 }
 
-/* Of a segment that lies in the triangle's plane. */
+/* Of a segment that lies in the triangle's plane. The triangle is not flat. */
 static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q) {
   int axis = open_axis(t), left = 0, right = 0;
+  VS_ASSERT(axis < 3);
   if (holds(axis, t, p)) return leaves(axis, t, p, q) ? VS_MEET_TOUCH : VS_MEET_CROSS;
   if (holds(axis, t, q)) return leaves(axis, t, q, p) ? VS_MEET_TOUCH : VS_MEET_CROSS;
   for (int i = 0; i < 3; i++) {
@@ -74,6 +78,7 @@ static vs_triangle_meeting worse(vs_triangle_meeting a, vs_triangle_meeting b) {
 vs_triangle_meeting vs_triangles_meet(const vs_vec3 a[3], const vs_vec3 b[3]) {
   int of_a[3], of_b[3], shared = 0, over_a[3] = { 0 },
                         over_b[3] = { 0 }; /* over_a: sides of a's plane that b's corners lie on */
+  VS_ASSERT(!vs_triangle_is_flat(a) && !vs_triangle_is_flat(b));
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)
       if (vs_v3_equal(a[i], b[j])) of_a[shared] = i, of_b[shared++] = j;

@@ -13,8 +13,10 @@
 
 typedef struct { vs_kernel *k; vs_triangulation *t; } cutter;
 
+/* Gives the triangle of three different vertices of the sweep. */
 static bool emit(cutter *c, uint32_t x, uint32_t y, uint32_t z) {
   vs_triangulation *t = c->t;
+  VS_ASSERT(x != y && y != z && z != x);
   if (!VS_ROOM(c->k, t->triangles.at, t->triangles.room, t->triangles.count + 1)) return false;
   uint32_t *o = t->triangles.at[t->triangles.count++];
   o[0] = t->sweep.vertices.at[x];
@@ -80,10 +82,12 @@ static bool extend_head(cutter *c, vs_chain *x, uint32_t v) {
   return true;
 }
 
-/* v sees the rightmost corner of the interval's chain: below keeps the lower part, above gets the upper. */
+/* v sees the rightmost corner of the interval's chain: below keeps the lower part, above gets the upper. The two edges
+ * differ. */
 static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   vs_chain *x = &c->t->chains.at[below], *y = &c->t->chains.at[above];
   uint32_t middle = x->rightmost, copy;
+  VS_ASSERT(below != above);
   if (!node(c, c->t->nodes.at[middle].vertex, &copy)) return false;
   vs_chain_node *n = c->t->nodes.at;
   y->head = copy;
@@ -178,11 +182,12 @@ static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t 
   return i == n;
 }
 
-/* The sweep for such a face, whose one chain is an array: the same triangles. */
+/* The sweep for such a face, whose one chain is an array: the same triangles. The loop has 3 to SMALL sides. */
 static bool cut_loop(cutter *c, const uint32_t *loop, uint32_t last) {
   vs_triangulation *t = c->t;
   const vs_sweep *s = &t->sweep;
   uint32_t n = (uint32_t)t->sides.count, chain[2 * SMALL + 1], head = SMALL, tail = SMALL, low = 1, high = n - 1;
+  VS_ASSERT(n >= 3 && n <= SMALL);
   if (!VS_ROOM(c->k, t->triangles.at, t->triangles.room, n)) return false;
   uint32_t (*to)[3] = t->triangles.at;
   size_t count = 0;

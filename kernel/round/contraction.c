@@ -183,10 +183,11 @@ static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
   return true;
 }
 
-/* The corners that the edge from p to q is led through, from p on. */
+/* The corners that the edge from p to q is led through, from p on. They are two. */
 static size_t route_of(const caps *all, uint32_t p, uint32_t q, uint32_t *to) {
   uint32_t a = p < q ? p : q, b = p < q ? q : p;
   size_t low = 0, high = all->count, count = 0;
+  VS_ASSERT(p != q);
   while (low < high) {
     size_t middle = low + (high - low) / 2;
     const cap *n = &all->at[middle];
@@ -232,10 +233,11 @@ static bool cut_loops(vs_rounding *s, const uint32_t *loop, size_t count, corner
   return cut_loop(s, open, n, to);
 }
 
-/* Triangles in place of t: three corners each, of which there may be none. */
+/* Triangles in place of t: three corners each, of which there may be none. t is a triangle of the mesh. */
 static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   vs_mesh *m = s->m;
   size_t more = by->count > 3 ? by->count / 3 - 1 : 0, all = m->triangle_count + more + 1;
+  VS_ASSERT(by->count % 3 == 0 && t < s->m->triangle_count);
   s->gone.at[t] = by->count == 0;
   if (all > m->triangle_room && !vs_mesh_reserve(m, m->vertex_count, all + all / 8)) return false;
   if (!VS_ROOM(s->k, s->gone.at, s->gone.room, all) || !VS_ROOM(s->k, s->listed.at, s->listed.room, all) ||
@@ -284,6 +286,7 @@ static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, siz
 }
 
 bool vs_rounding_contract(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
+  VS_ASSERT(units > 0);
   *count = 0;
   memset(s->busy.at, 0, s->m->vertex_count);
   memset(s->gone.at, 0, s->m->triangle_count);

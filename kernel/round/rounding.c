@@ -146,9 +146,11 @@ static int storey_order(const void *a, const void *b) {
   return x->value < y->value ? -1 : x->value > y->value;
 }
 
-/* Merges two runs that stand in a row, from `low` and from `middle` to `high`; scratch has room for the first. */
+/* Merges two runs that stand in a row, from `low` and from `middle` to `high`; scratch has room for the first. Neither
+ * run is empty. */
 static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t middle, size_t high) {
   size_t i = 0, n = middle - low, j = middle, to = low;
+  VS_ASSERT(low < middle && middle < high);
   if (storey_order(&at[middle - 1], &at[middle]) <= 0) return;
   memcpy(scratch, at + low, n * sizeof *at);
   while (i < n && j < high) at[to++] = storey_order(&scratch[i], &at[j]) <= 0 ? scratch[i++] : at[j++];
@@ -189,9 +191,11 @@ static bool sort_storeys(rounding *s) {
   return vs_kernel_report(s->k, 1);
 }
 
+/* The axis is 0, 1 or 2. */
 size_t vs_rounding_storey(const vs_rounding *s, int axis, double value) {
   vs_storey sought = { value, axis };
   size_t low = 0, high = s->storeys.count;
+  VS_ASSERT(axis >= 0 && axis < 3);
   while (low < high) {
     size_t middle = low + (high - low) / 2;
     if (storey_order(&s->storeys.at[middle], &sought) < 0) low = middle + 1;
@@ -287,10 +291,11 @@ static void take_off(rounding *s, uint32_t v, uint32_t t) {
 
 /* ---- short edges ---- */
 
-/* May b become a? Every triangle around b that stays must keep its side, as far as it had one. */
+/* May b become a? Every triangle around b that stays must keep its side, as far as it had one. They are two. */
 static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
   uint32_t common = 0, both = 0;
   vs_vec3 to = s->m->vertices[a];
+  VS_ASSERT(a != b);
   for (uint32_t i = 0; i < s->fans.at[b].count; i++) {
     uint32_t other = around(s, b)[i];
     const uint32_t *t = s->m->triangles[other];
@@ -319,12 +324,13 @@ static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
 
 /* A triangle lower than rounding moves its corners may turn over. Its longest edge is given to its top instead: the
  * neighbour behind that edge is cut in two there, and what was thin is gone. Neither may become as thin, or turn over,
- * before or after rounding. */
+ * before or after rounding. The triangle is not gone. */
 static bool flip(rounding *s, uint32_t t) {
   vs_mesh *m = s->m;
   const uint32_t *v = m->triangles[t];
   int base = vs_rounding_longest(s, t);
   uint32_t p = v[base], q = v[(base + 1) % 3], top = v[(base + 2) % 3], other = UINT32_MAX, far = 0;
+  VS_ASSERT(!s->gone.at[t]);
   for (uint32_t i = 0; i < s->fans.at[p].count; i++) {
     const uint32_t *w = m->triangles[around(s, p)[i]];
     for (int j = 0; j < 3; j++)
@@ -371,9 +377,10 @@ static void squeeze(rounding *s) {
   vs_mesh_squeeze(s->m, s->gone.at);
 }
 
-/* b becomes a: the two triangles along their edge go. */
+/* b becomes a: the two triangles along their edge go. They are two. */
 static bool collapse(rounding *s, uint32_t a, uint32_t b) {
   vs_mesh *m = s->m;
+  VS_ASSERT(a != b);
   for (int end = 0; end < 2; end++)
     for (uint32_t i = 0, v = end ? b : a; i < s->fans.at[v].count; i++)
       for (int k = 0; k < 3; k++) s->busy.at[m->triangles[around(s, v)[i]][k]] = 1;

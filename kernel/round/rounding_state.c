@@ -22,6 +22,7 @@ static double larger(double a, double b) { return a > b ? a : b; }
 double vs_rounding_reach(vs_vec3 p) { return larger(larger(fabs(p.x), fabs(p.y)), fabs(p.z)); }
 
 double vs_rounding_unit_at(const vs_rounding *s, uint32_t v) {
+  VS_ASSERT(v < s->m->vertex_count);
   return vs_rounding_unit(vs_rounding_reach(s->m->vertices[v]), s->numbers);
 }
 
@@ -42,6 +43,7 @@ int vs_rounding_longest(const vs_rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   const vs_vec3 *x = s->m->vertices;
   double length[3];
+  VS_ASSERT(t < s->m->triangle_count);
   for (int j = 0; j < 3; j++) length[j] = vs_v3_length(vs_v3_sub(x[v[(j + 1) % 3]], x[v[j]]));
   return length[0] >= length[1] && length[0] >= length[2] ? 0 : length[1] >= length[2] ? 1 : 2;
 }

@@ -48,7 +48,9 @@ vs_vec3 vs_rounding_corner(const vs_rounding *s, uint32_t v); /* rounded */
 /* The unit of the last place of a number; what doubles lost on the way out of a frame counts as lost. */
 double vs_rounding_unit(double x, vs_numbers numbers);
 double vs_rounding_reach(vs_vec3 p); /* its largest coordinate, without the sign */
+/* v is a vertex of the mesh. */
 double vs_rounding_unit_at(const vs_rounding *s, uint32_t v); /* the unit of that coordinate of a corner */
+/* t is a triangle of the mesh. */
 int vs_rounding_longest(const vs_rounding *s, uint32_t t); /* the first corner of the triangle's longest edge: 0 to 2 */
 /* Of three corners: across their triangle, twice as long as its area; and the least of its three heights. */
 static inline vs_vec3 vs_rounding_normal(vs_vec3 a, vs_vec3 b, vs_vec3 c) {

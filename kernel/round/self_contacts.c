@@ -160,8 +160,10 @@ static bool apart(const sheet *a, const sheet *b) {
 /* longest edge, least height: squares */
 typedef struct { vs_vec3 at[3], normal; vs_bounds box; double longest, height; bool low; } facet;
 
+/* The triangle t of the mesh, with what the runs are made of. */
 static facet facet_of(const search *c, uint32_t t) {
   facet f;
+  VS_ASSERT(t < c->s->m->triangle_count);
   f.box = vs_bounds_empty();
   for (int i = 0; i < 3; i++) vs_bounds_add(&f.box, f.at[i] = c->s->m->vertices[c->s->m->triangles[t][i]]);
   vs_vec3 a = vs_v3_sub(f.at[1], f.at[0]), b = vs_v3_sub(f.at[2], f.at[1]), d = vs_v3_sub(f.at[0], f.at[2]);

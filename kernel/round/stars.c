@@ -89,6 +89,7 @@ static bool part(vs_rounding *s, star *all, uint32_t count, double margin) {
 
 bool vs_rounding_find_alone(vs_rounding *s, double margin) {
   const vs_mesh *m = s->m;
+  VS_ASSERT(margin >= 0);
   VS_LIST(star) all = { 0 };
   bool ok = vs_rounding_find_shells(s) && VS_ROOM(s->k, all.at, all.room, s->shells.count + 1) &&
             VS_ROOM(s->k, s->alone.at, s->alone.room, m->vertex_count + 1);

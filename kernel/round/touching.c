@@ -39,11 +39,12 @@ static int across(const vs_mesh *m, uint32_t t, bool *up) {
   return axis;
 }
 
-/* Does a triangle across that axis lie in a storey? */
+/* Does a triangle across that axis lie in a storey? The axis is 0, 1 or 2. */
 static bool in_storey(const vs_rounding *s, uint32_t t, int axis) {
   vs_vec3 a = s->m->vertices[s->m->triangles[t][0]];
   double value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
   size_t storey = vs_rounding_storey(s, axis, value);
+  VS_ASSERT(axis >= 0 && axis < 3);
   return storey < s->storeys.count && s->storeys.at[storey].axis == axis && s->storeys.at[storey].value == value;
 }
 
