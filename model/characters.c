@@ -9,6 +9,7 @@ enum { REPLACEMENT = 0xFFFD };
 size_t vs_character_read(const char *text, size_t left, uint32_t *code) {
   static const uint32_t least[] = { 0, 0, 0x80, 0x800, 0x10000 };
   const unsigned char *s = (const unsigned char *)text;
+  VS_ASSERT(left > 0);
   if (s[0] < 0x80) return *code = s[0], 1;
   size_t count = s[0] >= 0xF0 ? 4 : s[0] >= 0xE0 ? 3 : 2;
   if (s[0] < 0xC2 || s[0] > 0xF4 || count > left) return 0;
@@ -50,9 +51,11 @@ static size_t say(char out[VS_SPELLED_ROOM], const char *text) {
 
 static size_t replace(char out[VS_SPELLED_ROOM]) { return say(out, "\xEF\xBF\xBD"); }
 
-/* Returns the next character's code point, the replacement where there is none; *from and *count are its bytes. */
+/* Returns the next character's code point, the replacement where there is none; *from and *count are its bytes. *at is
+ * before the end. */
 static uint32_t next(const char **at, const char *end, const char **from, size_t *count) {
   uint32_t code = REPLACEMENT;
+  VS_ASSERT(*at < end);
   *from = *at;
   *count = vs_character_read(*at, (size_t)(end - *at), &code);
   if (*count == 0) *from = "\xEF\xBF\xBD", *count = 3, ++*at;
@@ -60,7 +63,9 @@ static uint32_t next(const char **at, const char *end, const char **from, size_t
   return code;
 }
 
+/* Copies the bytes of one character, which have room in out. */
 static size_t copy(char out[VS_SPELLED_ROOM], const char *from, size_t count) {
+  VS_ASSERT(count <= VS_SPELLED_ROOM);
   memcpy(out, from, count);
   return count;
 }

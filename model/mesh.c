@@ -44,6 +44,7 @@ bool vs_mesh_want_tags(vs_mesh *m) {
 }
 
 bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to) {
+  VS_ASSERT(to->vertex_count == 0 && to->triangle_count == 0);
   if (!vs_mesh_reserve(to, from->vertex_count + 1, from->triangle_count + 1) || (from->tags && !vs_mesh_want_tags(to)))
     return vs_mesh_free(to), false;
   to->vertex_count = from->vertex_count;
@@ -69,6 +70,7 @@ bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index) {
 }
 
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c) {
+  VS_ASSERT(a < m->vertex_count && b < m->vertex_count && c < m->vertex_count);
   if (m->triangle_count == m->triangle_room && !vs_mesh_reserve(m, 0, mesh_next_room(m->triangle_room, m->most)))
     return false;
   uint32_t *t = m->triangles[m->triangle_count];
@@ -147,6 +149,7 @@ bool vs_mesh_closed(const vs_mesh *m, bool *ok) {
 }
 
 void vs_mesh_turn(vs_mesh *m, size_t first_triangle) {
+  VS_ASSERT(first_triangle <= m->triangle_count);
   for (size_t i = first_triangle; i < m->triangle_count; i++) {
     uint32_t swap = m->triangles[i][1];
     m->triangles[i][1] = m->triangles[i][2];
@@ -155,6 +158,7 @@ void vs_mesh_turn(vs_mesh *m, size_t first_triangle) {
 }
 
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle) {
+  VS_ASSERT(first_vertex <= m->vertex_count && first_triangle <= m->triangle_count);
   for (size_t i = first_vertex; i < m->vertex_count; i++) m->vertices[i] = vs_affine_point(a, m->vertices[i]);
   if (vs_affine_determinant(a) < 0) vs_mesh_turn(m, first_triangle);
 }

@@ -20,6 +20,7 @@ typedef struct {
 
 void vs_mesh_free(vs_mesh *m); /* what it holds, not m; leaves it empty and usable */
 bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* false: out of memory; index may be NULL */
+/* a, b and c are vertices of m. */
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c);
 bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* room in all; false: out of memory, or m->over */
 bool vs_mesh_want_tags(vs_mesh *m); /* room for them, each 0, where it has none; false: out of memory */
@@ -31,9 +32,10 @@ vs_bounds vs_mesh_placed_bounds(const vs_mesh *m, const vs_affine *a); /* of all
 /* every directed edge has its opposite, by index; ok false: out of memory */
 bool vs_mesh_closed(const vs_mesh *m, bool *ok);
 void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* in place; turns the triangles round where it mirrors */
-/* the rest stays */
+/* the rest stays. Both are at most m's counts. */
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle);
 void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* leaves out the triangles whose gone is not 0; corners stay */
+/* first_triangle is at most m's count. */
 void vs_mesh_turn(vs_mesh *m, size_t first_triangle); /* inside out, from that triangle on */
 
 #endif

@@ -62,11 +62,13 @@ vs_faces *vs_faces_turned(vs_store *s, const vs_faces *old) {
 }
 
 vs_points *vs_points_retain(vs_points *p) {
+  VS_ASSERT(p->refs > 0);
   p->refs++;
   return p;
 }
 
 vs_faces *vs_faces_retain(vs_faces *f) {
+  VS_ASSERT(f->refs > 0);
   f->refs++;
   return f;
 }
@@ -265,6 +267,7 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
 }
 
 vs_node *vs_node_retain(vs_node *n) {
+  VS_ASSERT(n->refs > 0);
   n->refs++;
   return n;
 }

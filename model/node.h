@@ -196,13 +196,16 @@ vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const 
 vs_faces *vs_faces_turned(vs_store *s, const vs_faces *f);
 vs_ticket *vs_ticket_new(vs_store *s, uint32_t id);
 void vs_ticket_release(vs_store *s, const vs_ticket *t);
+/* The array is alive. */
 vs_points *vs_points_retain(vs_points *p);
+/* The array is alive. */
 vs_faces *vs_faces_retain(vs_faces *f);
 void vs_points_release(vs_store *s, const vs_points *p);
 void vs_faces_release(vs_store *s, const vs_faces *f);
 /* Copies data (struct vs_<kind>; retains its arrays) and children (retains their nodes). Arguments are taken as valid:
  * bind/ checks. */
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count);
+/* The node is alive: somebody holds a reference. */
 vs_node *vs_node_retain(vs_node *n);
 void vs_node_release(vs_node *n); /* iterative: the depth of the tree does not matter; NULL is fine */
 /* By value, not recursive, each pair of shared subtrees once. *ok (may be NULL) is false when memory ran out, the

@@ -22,6 +22,7 @@ void vs_sincos(double angle, double *sine, double *cosine) {
 }
 
 void vs_turn_sincos(int index, int count, double *sine, double *cosine) {
+  VS_ASSERT(count > 0);
   /* Everything is computed in the first eighth of the turn and reflected from there, so that the corners of a polygon
    * are mirror images of each other to the last bit. */
   long long eighths, rest, n = count, i = index % n;
@@ -129,6 +130,7 @@ static vs_affine affine_about(vs_affine l, vs_vec3 fixed) {
 vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle) {
   vs_vec3 u = vs_v3_unit(direction);
   double s, c;
+  VS_ASSERT(direction.x != 0 || direction.y != 0 || direction.z != 0);
   vs_sincos(angle, &s, &c);
   double k = 1 - c;
   vs_affine r = { { { c + u.x * u.x * k, u.x * u.y * k - u.z * s, u.x * u.z * k + u.y * s, 0 },
@@ -233,6 +235,7 @@ void vs_rotation_quaternion(const vs_vec3 c[3], double out[4]) {
 void vs_affine_split(const vs_affine *a, vs_vec3 *translation, double quaternion[4], vs_vec3 *scale) {
   vs_vec3 c[3];
   double length[3];
+  VS_ASSERT(vs_affine_is_placement(a));
   for (int i = 0; i < 3; i++) {
     c[i] = vs_v3(a->m[0][i], a->m[1][i], a->m[2][i]);
     length[i] = vs_v3_length(c[i]);

@@ -5,6 +5,8 @@
 #ifndef VS_MODEL_VEC_H
 #define VS_MODEL_VEC_H
 
+#include "base/assert.h"
+
 #include <math.h>
 #include <stdbool.h>
 
@@ -37,8 +39,12 @@ static inline vs_vec3 vs_affine_vector(const vs_affine *a, vs_vec3 v) { /* the l
                a->m[2][0] * v.x + a->m[2][1] * v.y + a->m[2][2] * v.z);
 }
 
+/* column c, 0 to 3 */
+static inline vs_vec3 vs_affine_column(const vs_affine *a, int c) {
+  VS_ASSERT(c >= 0 && c < 4);
+  return vs_v3(a->m[0][c], a->m[1][c], a->m[2][c]);
+}
 /* vec.c */
-static inline vs_vec3 vs_affine_column(const vs_affine *a, int c) { return vs_v3(a->m[0][c], a->m[1][c], a->m[2][c]); }
 vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at); /* where the axes and the origin go */
 vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b); /* a after b */
 /* of the linear part; negative where it mirrors */
@@ -68,7 +74,8 @@ void vs_rotation_quaternion(const vs_vec3 columns[3], double quaternion[4]);
 vs_vec3 vs_affine_normal(const vs_affine *a, vs_vec3 n);
 /* sine and cosine together, exact at multiples of pi/2 (the double nearest to k*pi/2 counts as that multiple) */
 void vs_sincos(double angle, double *sine, double *cosine);
-/* sine and cosine of index/count of a turn: quarters exact, mirror images of each other to the last bit */
+/* sine and cosine of index/count of a turn: quarters exact, mirror images of each other to the last bit. count is above
+ * 0. */
 void vs_turn_sincos(int index, int count, double *sine, double *cosine);
 double vs_single(double x); /* rounded to 32 bits; no inline function, nor a cast in place: of two side by side GCC 12
                              * leaves the rounding out */
@@ -89,8 +96,9 @@ static inline void vs_bounds_unite(vs_bounds *b, const vs_bounds *other) {
   vs_bounds_add(b, other->max);
 }
 void vs_bounds_meet(vs_bounds *b, const vs_bounds *other); /* what both hold */
-/* Returns whether two boxes have a point in common, or come as near to it as slack on every axis. */
+/* Returns whether two boxes have a point in common, or come as near to it as slack on every axis. slack is 0 or more. */
 static inline bool vs_bounds_overlap(const vs_bounds *a, const vs_bounds *b, double slack) {
+  VS_ASSERT(slack >= 0);
   return a->min.x <= b->max.x + slack && b->min.x <= a->max.x + slack && a->min.y <= b->max.y + slack &&
          b->min.y <= a->max.y + slack && a->min.z <= b->max.z + slack && b->min.z <= a->max.z + slack;
 }

@@ -49,7 +49,10 @@ vs_walk_event vs_walk_next(vs_walk *w, vs_ref *ref, size_t *depth) {
   return VS_WALK_LEAVE;
 }
 
-void vs_walk_skip(vs_walk *w) { w->skip = true; }
+void vs_walk_skip(vs_walk *w) {
+  VS_ASSERT(w->depth > 0);
+  w->skip = true;
+}
 
 void vs_walk_free(vs_walk *w) {
   if (!w) return;

@@ -20,6 +20,7 @@ void vs_picture_axes(int direction, double across[3], double up[3]) {
   int turn = direction % VS_PICTURE_STEPS, tilt = direction / VS_PICTURE_STEPS;
   double t = tilt * step, a = turn * step;
   bool level = tilt == 0 || tilt == TILTS;
+  VS_ASSERT(direction >= 0 && direction <= TILTS * VS_PICTURE_STEPS);
   if (level) a = -pi / 2; /* as a face to the south that was laid down */
   across[0] = -sin(a), across[1] = cos(a), across[2] = 0;
   up[0] = -cos(t) * cos(a), up[1] = -cos(t) * sin(a), up[2] = sin(t);
@@ -27,6 +28,7 @@ void vs_picture_axes(int direction, double across[3], double up[3]) {
 
 void vs_picture_place(double width, double height, double angle, int direction, const double point[3], double out[2]) {
   double across[3], up[3], x = 0, y = 0, a = angle * pi / 180;
+  VS_ASSERT(width > 0 && height > 0);
   vs_picture_axes(direction, across, up);
   for (int i = 0; i < 3; i++) x += across[i] * point[i], y += up[i] * point[i];
   out[0] = (cos(a) * x + sin(a) * y) / width;

@@ -23,10 +23,11 @@ typedef struct vs_picture {
 enum { VS_PICTURE_STEPS = 16 /* of a full turn */ };
 /* The number of the direction of a normal: faces of one number have one plane to lie on. */
 int vs_picture_direction(double x, double y, double z);
-/* Across and up on the faces of a direction as one looks at them from outside; up and down: x, and y or -y. */
+/* Across and up on the faces of a direction as one looks at them from outside; up and down: x, and y or -y. direction
+ * is one that vs_picture_direction gives. */
 void vs_picture_axes(int direction, double across[3], double up[3]);
 /* The place of a picture, so wide and high in metres and turned so, on which a point in metres lies: in parts of its
- * width and height, from its lower left. */
+ * width and height, from its lower left. width and height are above 0. */
 void vs_picture_place(double width, double height, double angle, int direction, const double point[3], double out[2]);
 
 #endif

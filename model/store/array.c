@@ -10,6 +10,7 @@ enum { FIRST_ROOM = 16 };
 
 bool vs_room_grow(void *slot, size_t *room, size_t need, size_t size) {
   size_t more = *room <= SIZE_MAX / 2 ? 2 * *room : need;
+  VS_ASSERT(size > 0);
   if (more < FIRST_ROOM) more = FIRST_ROOM;
   if (more < need) more = need;
   if (more > SIZE_MAX / size) return false;

@@ -55,8 +55,10 @@ static void link_newest(vs_cache *c, entry *e) {
   c->newest = e;
 }
 
+/* Drops an entry that nobody holds. */
 static void drop(vs_cache *c, entry *e) {
   entry **at = &c->buckets[e->hash & (c->room - 1)];
+  VS_ASSERT(e->holders == 0);
   while (*at != e) at = &(*at)->chain;
   *at = e->chain;
   unlink_use(c, e);

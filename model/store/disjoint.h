@@ -11,8 +11,9 @@ static inline void vs_disjoint(uint32_t *parent, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) parent[i] = i;
 }
 
-/* The root of x's set; halves the way there (Tarjan, van Leeuwen 1984). */
+/* The root of x's set; halves the way there (Tarjan, van Leeuwen 1984). parent[x] is x or smaller. */
 static inline uint32_t vs_find(uint32_t *parent, uint32_t x) {
+  VS_ASSERT(parent[x] <= x);
   while (parent[x] != x) x = parent[x] = parent[parent[x]];
   return x;
 }

@@ -9,8 +9,9 @@ typedef struct { const char *at, *end; } sort_run;
 
 enum { RUN = 1 << 14, SORT_WORK = 1 << 6 /* what an element costs in a merge */, RUN_WORK = 1 << 20 };
 
-/* Merges two runs into one. False: interrupted. */
+/* Merges two runs into one. False: interrupted. Each run begins before its end. */
 static bool sort_merge(vs_store *s, sort_run a, sort_run b, char *to, size_t size, sort_compare *compare, vs_error *e) {
+  VS_ASSERT(a.at <= a.end && b.at <= b.end);
   for (; a.at < a.end || b.at < b.end; to += size) {
     if (!vs_store_going(s, SORT_WORK, e)) return false;
     sort_run *from = b.at == b.end || (a.at < a.end && compare(a.at, b.at) <= 0) ? &a : &b;

@@ -93,6 +93,7 @@ void *vs_store_piece(vs_store *s, size_t bytes) {
 }
 
 void vs_store_piece_free(vs_store *s, void *piece, size_t bytes) {
+  VS_ASSERT(s->bytes >= bytes);
   if (PIECES_APART || bytes > VS_PIECE_MOST) {
     vs_store_realloc(s, piece, bytes, 0);
     return;

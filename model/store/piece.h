@@ -6,6 +6,7 @@
 
 /* Freed with the size they were asked for. NULL: out of memory. */
 void *vs_store_piece(vs_store *s, size_t bytes);
+/* Its bytes are among those counted. */
 void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);
 
 void vs_store_slabs_free(vs_store *s); /* piece.c */

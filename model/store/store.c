@@ -42,6 +42,7 @@ vs_store *vs_store_new(vs_alloc_fn *alloc, void *context) {
 }
 
 vs_store *vs_store_retain(vs_store *s) {
+  VS_ASSERT(s->refs > 0);
   s->refs++;
   return s;
 }
@@ -90,6 +91,7 @@ void vs_store_fail_at(vs_store *s, size_t n) {
 }
 
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size) {
+  VS_ASSERT(s->bytes >= old_size);
   if (!new_size) {
     if (old) s->alloc(s->context, old, old_size, 0);
     if (old) s->bytes -= old_size;
@@ -129,9 +131,11 @@ static void *store_keep(vs_store *s, size_t size) {
 typedef uint64_t vs_intern_hash_fn(const void *item);
 typedef bool vs_intern_same_fn(const void *item, const void *key);
 
-/* The slot that holds an equal item, or the empty one where it belongs; NULL: out of memory. */
+/* The slot that holds an equal item, or the empty one where it belongs; NULL: out of memory. The room is 0 or a power
+ * of two. */
 static void **intern_find(vs_store *s, vs_intern *t, uint64_t hash, const void *key, vs_intern_same_fn *same,
                           vs_intern_hash_fn *hash_of) {
+  VS_ASSERT((t->room & (t->room - 1)) == 0);
   if (t->count * 4 >= t->room * 3) {
     size_t room = t->room ? t->room * 2 : 64;
     void **slots = vs_store_realloc(s, NULL, 0, room * sizeof *slots);
@@ -258,6 +262,7 @@ const vs_picture *vs_store_picture(vs_store *s, const vs_picture *p) {
 }
 
 bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size) {
+  VS_ASSERT(size > 0);
   if (need <= *room) return true;
   size_t more = *room + *room / 2 + 16;
   if (more < need) more = need;

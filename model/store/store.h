@@ -14,6 +14,7 @@ typedef struct vs_cache vs_cache; /* cache.h */
 typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size);
 /* alloc NULL: the C library's. A reference. NULL: out of memory */
 vs_store *vs_store_new(vs_alloc_fn *alloc, void *context);
+/* The store is alive. */
 vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
 size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: counts towards the interpreter's memory
@@ -23,9 +24,10 @@ size_t vs_store_bytes(const vs_store *s); /* held now by nodes and arrays: count
 void vs_store_watch(vs_store *s, bool (*going)(void *context), void *context);
 /* asks once a million steps of a nanosecond or some have come together; s NULL: goes on */
 bool vs_store_going(vs_store *s, uint32_t work, vs_error *e);
+/* The old bytes are among those counted. */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size); /* accounted; new_size 0 frees */
 /* Makes room for `need` elements of `size` bytes in the store's array whose address stands in *slot; *room is in
- * elements. False: no memory, nothing is changed. */
+ * elements. False: no memory, nothing is changed. size is not 0. */
 bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size);
 /* tests: the n-th allocation from now fails and so do those after it; 0: none */
 void vs_store_fail_at(vs_store *s, size_t n);
