@@ -130,8 +130,8 @@ WIDE static void values(const vs_tape_step *step, double *restrict r, const doub
 }
 
 /* The derivatives of step's value r by its operands a and b, into p and q. */
-static void partials(const vs_tape_step *step, const double *r, const double *a, const double *b, const double *c,
-                     double *p, double *q) {
+static void partials(const vs_tape_step *step, const double *r, const double *a, const double *b, double *p,
+                     double *q) {
 #define BOTH(by_a, by_b)                                                                                               \
   for (int i = 0; i < BATCH; i++) p[i] = (by_a), q[i] = (by_b)
 #define ONE(by_a)                                                                                                      \
@@ -172,7 +172,6 @@ static void partials(const vs_tape_step *step, const double *r, const double *a,
   case VS_TAPE_INPUT:
   case VS_TAPE_OPERATORS: break;
   }
-  (void)c;
 }
 
 /* The slopes of step from those of its operands. */
@@ -184,7 +183,7 @@ static void slopes(int count, const vs_tape_step *step, double *r, const double 
       for (int i = 0; i < BATCH; i++) r[j * BATCH + i] = step->op == VS_TAPE_INPUT && step->of[0] == (uint32_t)j - 1;
     return;
   }
-  partials(step, r, a, b, c, p, q);
+  partials(step, r, a, b, p, q);
   for (int j = BATCH; j <= count * BATCH; j += BATCH) {
     double *to = r + j;
     const double *da = a + j, *db = b + j, *dc = c + j;
@@ -197,9 +196,10 @@ static void slopes(int count, const vs_tape_step *step, double *r, const double 
   }
 }
 
-/* A field's values for n points, and its slopes from those of its operands; what lies behind the n is as the first. */
-static void field(const vs_tape_field *f, int count, size_t n, double *r, const double *a, const double *b,
-                  const double *c) {
+/* A field's values for n points at the coordinates of[0] to of[2], and its slopes from theirs; what lies behind the n is
+ * as the first. */
+static void field(const vs_tape_field *f, int count, size_t n, double *r, const double *const of[3]) {
+  const double *a = of[0], *b = of[1], *c = of[2];
   for (size_t i = 0; i < BATCH; i++) {
     double by[3];
     if (i < n) r[i] = f->value(f, (const double[]){ a[i], b[i], c[i] }, count ? by : NULL);
@@ -230,7 +230,7 @@ static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n,
       memcpy(r, in[step->of[0]] + from, n * sizeof *r);
       for (size_t i = n; i < BATCH; i++) r[i] = r[0];
     } else if (step->op == VS_TAPE_FIELD) {
-      field(t->field[(size_t)step->value], slope ? s->slopes : 0, n, r, a, b, c);
+      field(t->field[(size_t)step->value], slope ? s->slopes : 0, n, r, (const double *const[]){ a, b, c });
       continue;
     } else {
       values(step, r, a, b, c);

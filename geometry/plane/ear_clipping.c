@@ -294,9 +294,14 @@ static size_t ring_touch(const vs_ring *r, const vs_bands *b, size_t hole) {
   return ring_seeing(r, b, ring_at(r, hole), ring_at(r, r->corners[hole].next));
 }
 
-/* The edge that the ray from h to -x meets first, among those of a band; *x: where. */
-static void band_meet(const vs_ring *r, const vs_bands *b, size_t band, vs_vec2 h, double blur, size_t *edge,
-                      double *x) {
+/* A ray from h to -x, and the edge that it meets first of those looked at so far: the ring's corner where that begins,
+ * or none; x: where. */
+typedef struct { vs_vec2 h; size_t edge; double x; } vs_ray;
+
+/* Looks at the edges of a band. */
+static void band_meet(const vs_ring *r, const vs_bands *b, size_t band, vs_ray *ray) {
+  vs_vec2 h = ray->h;
+  double blur = r->blur;
   for (size_t node = b->leaves + band; node > 0; node /= 2) {
     for (size_t l = b->first[node]; l; l = b->links[l].next) {
       size_t i = b->links[l].edge;
@@ -304,20 +309,22 @@ static void band_meet(const vs_ring *r, const vs_bands *b, size_t band, vs_vec2 
       if (p.y < h.y - blur || q.y > h.y + blur) continue;
       double share = fmin(1, fmax(0, (h.y - p.y) / (q.y - p.y))), at = p.x + share * (q.x - p.x);
       if (p.y - q.y <= 2 * blur) at = fmax(p.x, q.x) <= h.x ? fmax(p.x, q.x) : fmin(p.x, q.x);
-      if (at <= h.x && (at > *x || (at == *x && i < *edge))) *x = at, *edge = i;
+      if (at <= h.x && (at > ray->x || (at == ray->x && i < ray->edge))) ray->x = at, ray->edge = i;
     }
   }
 }
 
 static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, size_t hole) {
   vs_vec2 h = ring_at(r, hole);
-  double best_x = -INFINITY, blur = r->blur;
-  size_t edge = none, last = none;
+  vs_ray ray = { h, none, -INFINITY };
+  double blur = r->blur;
+  size_t last = none;
   for (int side = -1; side <= 1; side++) {
     size_t band = band_of(b, h.y + side * blur);
-    if (band != last) band_meet(r, b, band, h, blur, &edge, &best_x);
+    if (band != last) band_meet(r, b, band, &ray);
     last = band;
   }
+  size_t edge = ray.edge;
   if (edge == none) return start; /* a hole outside its ring: any bridge keeps the boundary right */
   size_t next = r->corners[edge].next;
   vs_vec2 p = ring_at(r, edge), q = ring_at(r, next);
@@ -326,8 +333,8 @@ static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, siz
     size_t end = at_p && !(at_q && q.x > p.x) ? edge : next, seeing = ring_seeing(r, b, ring_at(r, end), h);
     return seeing == none ? end : seeing;
   }
-  if (best_x == h.x) return h.y == p.y ? edge : next;
-  vs_sight s = { .ring = r, .copies = b->copies, .h = h, .hit = { best_x, h.y }, .least = INFINITY, .best = none };
+  if (ray.x == h.x) return h.y == p.y ? edge : next;
+  vs_sight s = { .ring = r, .copies = b->copies, .h = h, .hit = { ray.x, h.y }, .least = INFINITY, .best = none };
   size_t end = p.x < q.x ? edge : next;
   s.m = ring_at(r, end);
   s.slack = blur / (h.x - s.m.x);

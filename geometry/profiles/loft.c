@@ -396,9 +396,14 @@ typedef struct { loft_line *lines; double *shift; size_t *start; double *places;
 
 enum { TWISTS = 1 << 18 }; /* nanoseconds that one search for the least twist takes, told to vs_store_going */
 
+/* The sections of a loft, and the first of them that is no point. */
+typedef struct { loft_section *at; size_t count, first; } loft_sections;
+
 /* Loop l of all sections, into matched[i] of `count` points each. False: e is set. */
-static bool loft_match_loop(vs_store *store, loft_section *s, size_t rows, size_t first, size_t l, loft_match *m,
-                            vs_polyline *matched, vs_error *e) {
+static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l, loft_match *m, vs_polyline *matched,
+                            vs_error *e) {
+  loft_section *s = all->at;
+  size_t rows = all->count, first = all->first;
   bool alike = true, ok = true;
   size_t last = first, size = s[first].outline.loops[l].count;
   for (size_t i = first; ok && i < rows; i++) {
@@ -467,7 +472,9 @@ static bool loft_room(vs_loft *out, size_t rows, size_t loops) {
 }
 
 /* All loops of all sections as one table. False: e is set. */
-static bool loft_tabulate(vs_store *store, loft_section *s, size_t rows, size_t first, vs_loft *out, vs_error *e) {
+static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *out, vs_error *e) {
+  const loft_section *s = all->at;
+  size_t rows = all->count, first = all->first;
   size_t loops = s[first].outline.count;
   vs_polyline *matched = vs_zeros(rows * loops + 1, sizeof *matched);
   bool ok = (matched && loft_room(out, rows, loops)) || vs_error_memory(e, NULL);
@@ -475,7 +482,7 @@ static bool loft_tabulate(vs_store *store, loft_section *s, size_t rows, size_t 
     loft_match m = { vs_zeros(rows + 1, sizeof *m.lines), vs_zeros(rows + 1, sizeof *m.shift),
                      vs_zeros(rows + 1, sizeof *m.start), NULL, 0 };
     ok = ((m.lines && m.shift && m.start) || vs_error_memory(e, NULL)) &&
-         loft_match_loop(store, s, rows, first, l, &m, matched + l * rows, e);
+         loft_match_loop(store, all, l, &m, matched + l * rows, e);
     out->sizes[l] = m.count;
     out->hole[l] = s[first].outline.hole[l];
     out->columns += m.count;
@@ -544,7 +551,7 @@ bool vs_loft_match(const vs_node *n, size_t count, const vs_fineness *f, vs_loft
     ok = loft_pair(&s[last], &s[i], i + 1, e);
     last = i;
   }
-  ok = ok && loft_tabulate(n->store, s, rows, first, out, e);
+  ok = ok && loft_tabulate(n->store, &(loft_sections){ s, rows, first }, out, e);
   for (size_t i = 0; i < count; i++) vs_outline_free(&s[i].outline);
   free(s);
   if (!ok) vs_loft_free(out);

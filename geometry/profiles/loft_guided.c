@@ -23,8 +23,19 @@
 
 typedef struct { vs_vec3 at, x, y, z; } guided_frame;
 
+/* The path that leads, and the sections on it. */
+typedef struct {
+  vs_path path;
+  vs_vec3 *x;       /* of the frame at each of its samples */
+  size_t stations;  /* the sections, and the first again where the path closes */
+  double *s;        /* arc length at each station */
+  vs_vec3 *local;   /* each station's section as guided_describe has it */
+} guided_way;
+
 /* The frame at arc length s, between samples */
-static guided_frame guided_frame_at(const vs_path *p, const vs_vec3 *x, double s) {
+static guided_frame guided_frame_at(const guided_way *way, double s) {
+  const vs_path *p = &way->path;
+  const vs_vec3 *x = way->x;
   size_t low = 0, high = p->count;
   if (p->closed) s -= p->length * floor(s / p->length);
   while (high - low > 1) {
@@ -117,8 +128,11 @@ static void guided_row(const guided_frame *f, const vs_vec3 *local, size_t n, vs
         f->at, guided_out(f, vs_v3_add(local[n + GUIDED_MIDDLE], guided_turned(local[n + GUIDED_LEAN], local[c]))));
 }
 
-/* Slope of column c's coordinates at station i */
-static vs_vec3 guided_slope(const vs_vec3 *local, const double *s, size_t n, size_t stations, size_t i, size_t c) {
+/* Slope of column c's coordinates at station i; n: columns of a description. */
+static vs_vec3 guided_slope(const guided_way *way, size_t n, size_t i, size_t c) {
+  const vs_vec3 *local = way->local;
+  const double *s = way->s;
+  size_t stations = way->stations;
   vs_vec3 secant[2] = { { 0, 0, 0 }, { 0, 0, 0 } };
   double step[2] = { 1, 1 };
   size_t mid = i == 0 ? 1 : i + 1 == stations ? stations - 2 : i;
@@ -134,16 +148,18 @@ static vs_vec3 guided_slope(const vs_vec3 *local, const double *s, size_t n, siz
   return i == 0 ? vs_loft_end_slope(secant[0], m) : i + 1 == stations ? vs_loft_end_slope(secant[1], m) : m;
 }
 
-static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, const double *s, const vs_vec3 *local,
-                        const vs_fineness *f, vs_loft_rows *out) {
-  size_t n = l->columns, wide = n + GUIDED_EXTRA, stations = l->rows + l->joined;
-  vs_vec3 *between = vs_fresh(wide, sizeof *between);
+static bool guided_rows(const vs_loft *l, const guided_way *way, const vs_fineness *f, vs_loft_rows *out) {
+  const vs_path *p = &way->path;
+  const double *s = way->s;
+  const vs_vec3 *local = way->local;
+  size_t n = l->columns, wide = n + GUIDED_EXTRA, stations = way->stations;
+  vs_vec3 *between = malloc(wide * sizeof *between);
   bool ok = between != NULL;
   for (size_t i = 0; ok && i + 1 < stations; i++) {
     double from = s[i], to = s[i + 1], steps = 1;
     for (size_t c = 0; c < wide; c++) {
-      vs_vec3 m = vs_v3_scale(guided_slope(local, s, wide, stations, i, c), to - from),
-              k = vs_v3_scale(guided_slope(local, s, wide, stations, i + 1, c), to - from);
+      vs_vec3 m = vs_v3_scale(guided_slope(way, wide, i, c), to - from),
+              k = vs_v3_scale(guided_slope(way, wide, i + 1, c), to - from);
       if (c == n + GUIDED_LEAN) { /* the section's points go along arcs of this angle */
         double turn = vs_v3_length(vs_v3_sub(local[(i + 1) * wide + c], local[i * wide + c])), far = 0;
         for (size_t q = 0; q < n; q++) far = fmax(far, vs_v3_length(local[i * wide + q]));
@@ -165,11 +181,11 @@ static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, co
       } else {
         double t = (at - from) / (to - from);
         for (size_t c = 0; c < wide; c++) {
-          vs_vec3 m = vs_v3_scale(guided_slope(local, s, wide, stations, i, c), to - from),
-                  k = vs_v3_scale(guided_slope(local, s, wide, stations, i + 1, c), to - from);
+          vs_vec3 m = vs_v3_scale(guided_slope(way, wide, i, c), to - from),
+                  k = vs_v3_scale(guided_slope(way, wide, i + 1, c), to - from);
           between[c] = vs_loft_hermite(local[i * wide + c], local[(i + 1) * wide + c], m, k, t);
         }
-        guided_frame frame = guided_frame_at(p, x, at);
+        guided_frame frame = guided_frame_at(way, at);
         guided_row(&frame, between, n, row);
       }
       double step = from + (to - from) * next / steps, along = INFINITY, near = 1e-6 * (to - from) / steps;
@@ -191,31 +207,33 @@ static bool guided_rows(const vs_loft *l, const vs_path *p, const vs_vec3 *x, co
 }
 
 bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_fineness *f, vs_loft_rows *out, vs_error *e) {
-  vs_path p = { 0 };
+  guided_way way = { .stations = l->rows + l->joined };
   vs_affine identity = vs_affine_identity();
-  size_t stations = l->rows + l->joined;
-  double *s = vs_fresh(stations + 1, sizeof *s);
-  vs_vec3 *local = vs_fresh(stations * (l->columns + GUIDED_EXTRA), sizeof *local), *x = NULL;
+  size_t stations = way.stations;
+  double *s = way.s = malloc((stations + 1) * sizeof *s);
+  vs_vec3 *local = way.local = malloc(stations * (l->columns + GUIDED_EXTRA) * sizeof *local);
+  vs_path *p = &way.path;
   bool ok = (s && local) || vs_error_memory(e, NULL);
-  ok = ok && vs_curve_path(n->children[n->child_count - 1].node, &identity, f, &p, e);
-  if (ok && p.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "the path is a point");
-  ok = ok && guided_stations(l, &p, s, e) &&
-       ((x = vs_fresh(p.count + 1, sizeof *x)) != NULL || vs_error_memory(e, NULL));
+  ok = ok && vs_curve_path(n->children[n->child_count - 1].node, &identity, f, p, e);
+  if (ok && p->count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "the path is a point");
+  ok = ok && guided_stations(l, p, s, e) &&
+       ((way.x = malloc((p->count + 1) * sizeof *way.x)) != NULL || vs_error_memory(e, NULL));
   if (ok) {
-    vs_affine square = vs_frame_on_axis(p.at[0].at, p.at[0].leaving);
-    vs_frame_transport(p.at, p.count, p.closed, p.length, vs_v3(square.m[0][0], square.m[1][0], square.m[2][0]), x);
+    vs_affine square = vs_frame_on_axis(p->at[0].at, p->at[0].leaving);
+    vs_vec3 across = vs_v3(square.m[0][0], square.m[1][0], square.m[2][0]);
+    vs_frame_transport(p->at, p->count, p->closed, p->length, across, way.x);
   }
   for (size_t i = 0; ok && i < stations; i++) {
-    guided_frame frame = guided_frame_at(&p, x, s[i]);
+    guided_frame frame = guided_frame_at(&way, s[i]);
     size_t row = i % l->rows;
     guided_describe(&frame, &l->at[row * l->columns], l->columns, l->center[row], l->normal[row],
                     &local[i * (l->columns + GUIDED_EXTRA)]);
   }
-  ok = ok && (guided_rows(l, &p, x, s, local, f, out) || vs_error_memory(e, NULL));
-  vs_path_free(&p);
+  ok = ok && (guided_rows(l, &way, f, out) || vs_error_memory(e, NULL));
+  vs_path_free(p);
   free(s);
   free(local);
-  free(x);
+  free(way.x);
   return ok;
 }
 
@@ -382,10 +400,20 @@ static int guided_pin_compare(const void *a, const void *b) {
   return p < q ? -1 : p > q;
 }
 
-/* Moves a row of the free loft so that it meets the guides. pins, from, to: scratch, one a guide. */
-static void guided_lead(const vs_loft *l, const guided_line *g, size_t guides, size_t i, double t, vs_vec3 *row,
-                        guided_pin *pins, vs_vec3 *from, vs_vec3 *to) {
-  vs_vec3 b, c;
+/* All guides of a loft. pins, from, to: scratch, one a guide. */
+typedef struct {
+  guided_line *lines;
+  size_t count;
+  guided_pin *pins;
+  vs_vec3 *from, *to;
+} guided_lines;
+
+/* Moves a row of the free loft, at the share t between section i and the next, so that it meets the guides. */
+static void guided_lead(const vs_loft *l, const guided_lines *by, size_t i, double t, vs_vec3 *row) {
+  const guided_line *g = by->lines;
+  guided_pin *pins = by->pins;
+  vs_vec3 b, c, *from = by->from, *to = by->to;
+  size_t guides = by->count;
   double m[3][3];
   for (size_t j = 0; j < guides; j++) {
     size_t first = guided_first(l, g[j].loop), size = l->sizes[g[j].loop];
@@ -433,9 +461,10 @@ static double guided_line_steps(const guided_line *g, size_t i) {
 
 bool vs_loft_along_guides(const vs_node *n, const vs_loft *l, const vs_fineness *f, vs_loft_rows *out, vs_error *e) {
   size_t sections = (size_t)VS_AS(guided_loft, n)->section_count, guides = n->child_count - sections;
-  guided_line *g = vs_zeros(guides + 1, sizeof *g);
-  guided_pin *pins = vs_fresh(guides + 1, sizeof *pins);
-  vs_vec3 *points = vs_fresh(2 * guides + 1, sizeof *points);
+  guided_line *g = calloc(guides + 1, sizeof *g);
+  guided_pin *pins = malloc((guides + 1) * sizeof *pins);
+  vs_vec3 *points = malloc((2 * guides + 1) * sizeof *points);
+  guided_lines by = { g, guides, pins, points, points ? points + guides : NULL };
   vs_loft_smooth s = { 0 };
   bool ok = (g && pins && points && vs_loft_smooth_make(l, &s)) || vs_error_memory(e, NULL);
   if (ok && l->joined)
@@ -453,7 +482,7 @@ bool vs_loft_along_guides(const vs_node *n, const vs_loft *l, const vs_fineness 
       ok = row || vs_error_memory(e, NULL);
       if (!row) break;
       vs_loft_smooth_row(&s, i, k / steps, row);
-      if (k > 0) guided_lead(l, g, guides, i, k / steps, row, pins, points, points + guides);
+      if (k > 0) guided_lead(l, &by, i, k / steps, row);
     }
   }
   vs_vec3 *last = ok ? vs_loft_rows_add(out) : NULL;

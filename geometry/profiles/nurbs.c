@@ -78,16 +78,19 @@ static vs_vec3 rational_slope(const homogeneous *sum, const homogeneous *slope, 
   return vs_v3_scale(vs_v3_sub(slope->at, vs_v3_scale(at, slope->weight)), 1 / sum->weight);
 }
 
-static vs_vec3 point_in(const vs_nurbs *n, size_t su, double u, size_t sv, double v, vs_vec3 *by_u, vs_vec3 *by_v) {
+/* A parameter and the knot span that it lies in. */
+typedef struct { size_t span; double at; } knot_place;
+
+static vs_vec3 point_in(const vs_nurbs *n, knot_place u, knot_place v, vs_vec3 *by_u, vs_vec3 *by_v) {
   double a[TERMS], da[TERMS], b[TERMS] = { 1 }, db[TERMS] = { 0 };
   bool surface = n->v.count > 0;
   int q = surface ? n->v.degree : 0;
-  basis(&n->u, su, u, a, da);
-  if (surface) basis(&n->v, sv, v, b, db);
+  basis(&n->u, u.span, u.at, a, da);
+  if (surface) basis(&n->v, v.span, v.at, b, db);
   homogeneous sum = { { 0, 0, 0 }, 0 }, along_u = sum, along_v = sum;
   for (int i = 0; i <= n->u.degree; i++)
     for (int j = 0; j <= q; j++) {
-      size_t row = su - (size_t)n->u.degree + (size_t)i, column = sv - (size_t)q + (size_t)j;
+      size_t row = u.span - (size_t)n->u.degree + (size_t)i, column = v.span - (size_t)q + (size_t)j;
       size_t at = surface ? row * n->v.count + column : row;
       double w = n->weights ? n->weights[at] : 1;
       add(&sum, n->points[at], w * a[i] * b[j]);
@@ -101,8 +104,8 @@ static vs_vec3 point_in(const vs_nurbs *n, size_t su, double u, size_t sv, doubl
 }
 
 vs_vec3 vs_nurbs_point(const vs_nurbs *n, double u, double v, vs_vec3 *slope_u, vs_vec3 *slope_v) {
-  size_t sv = n->v.count ? span_of(&n->v, v) : 0;
-  return point_in(n, span_of(&n->u, u), u, sv, v, slope_u, slope_v);
+  knot_place in_u = { span_of(&n->u, u), u }, in_v = { n->v.count ? span_of(&n->v, v) : 0, v };
+  return point_in(n, in_u, in_v, slope_u, slope_v);
 }
 
 /* ---- where to sample ---- */
@@ -183,7 +186,7 @@ static bool append(samples *s, sample p) {
 
 static sample sample_in(const vs_nurbs *n, size_t span, double t) {
   sample r;
-  r.at = point_in(n, span, t, 0, 0, &r.slope, NULL);
+  r.at = point_in(n, (knot_place){ span, t }, (knot_place){ 0, 0 }, &r.slope, NULL);
   r.slope = vs_v3_unit(r.slope);
   return r;
 }

@@ -34,31 +34,45 @@ static bool cut_begin(cut_table *t, size_t edges) {
   return true;
 }
 
-/* The vertex where the edge from a to b passes the height, one for both of its triangles. False: out of memory. */
-static bool cut_edge(cut_table *t, vs_mesh *m, uint32_t a, uint32_t b, double ha, double hb, double height,
-    uint32_t *at) {
-  cut_point *p = a < b ? cut_slot(t, a, b) : cut_slot(t, b, a);
+/* The straight extrusion that is cut. Heights are lengths above the origin along the normal. */
+typedef struct {
+  vs_mesh *m;
+  size_t first_vertex, first; /* its first vertex and triangle */
+  vs_vec3 origin, normal;
+  double near;                /* what is within this height of a cut lies on it */
+  cut_table table;
+} cut_solid;
+
+static double cut_height(const cut_solid *s, vs_vec3 p) { return vs_v3_dot(vs_v3_sub(p, s->origin), s->normal); }
+
+/* A vertex and its height. */
+typedef struct { uint32_t vertex; double height; } cut_end;
+
+/* The vertex where an edge passes the height, one for both of its triangles. False: out of memory. */
+static bool cut_edge(cut_solid *s, cut_end from, cut_end to, double height, uint32_t *at) {
+  uint32_t a = from.vertex, b = to.vertex;
+  cut_point *p = a < b ? cut_slot(&s->table, a, b) : cut_slot(&s->table, b, a);
   if (p->at == UINT32_MAX) {
-    vs_vec3 from = m->vertices[a], to = m->vertices[b];
-    if (!vs_mesh_add_vertex(m, vs_v3_add(from, vs_v3_scale(vs_v3_sub(to, from), (height - ha) / (hb - ha))),
-        &p->at)) return false;
+    vs_vec3 start = s->m->vertices[a], way = vs_v3_sub(s->m->vertices[b], start);
+    double share = (height - from.height) / (to.height - from.height);
+    if (!vs_mesh_add_vertex(s->m, vs_v3_add(start, vs_v3_scale(way, share)), &p->at)) return false;
     p->a = a < b ? a : b, p->b = a < b ? b : a;
   }
   *at = p->at;
   return true;
 }
 
-/* Cuts the triangles from `first` on at one height above the origin along the normal; what is within `near` of it
- * lies on it. */
-static bool cut_at(vs_mesh *m, size_t first, vs_vec3 origin, vs_vec3 normal, double height, double near, cut_table *t) {
+/* Cuts the triangles at one height. False: out of memory. */
+static bool cut_at(cut_solid *s, double height) {
+  vs_mesh *m = s->m;
   size_t end = m->triangle_count;
-  if (!cut_begin(t, 3 * (end - first))) return false;
-  for (size_t i = first; i < end; i++) {
+  if (!cut_begin(&s->table, 3 * (end - s->first))) return false;
+  for (size_t i = s->first; i < end; i++) {
     double h[3];
     int side[3], up = -1;
     for (int k = 0; k < 3; k++) {
-      h[k] = vs_v3_dot(vs_v3_sub(m->vertices[m->triangles[i][k]], origin), normal);
-      side[k] = h[k] > height + near ? 1 : h[k] < height - near ? -1 : 0;
+      h[k] = cut_height(s, m->vertices[m->triangles[i][k]]);
+      side[k] = h[k] > height + s->near ? 1 : h[k] < height - s->near ? -1 : 0;
     }
     int sum = side[0] + side[1] + side[2], product = side[0] * side[1] * side[2];
     bool passes = product != 0 ? sum != 3 && sum != -3 : sum == 0 && (side[0] || side[1] || side[2]);
@@ -66,41 +80,40 @@ static bool cut_at(vs_mesh *m, size_t first, vs_vec3 origin, vs_vec3 normal, dou
     /* the corner that is alone on its side, or on the height itself where one is */
     for (int k = 0; k < 3; k++)
       if (product != 0 ? side[k] != side[(k + 1) % 3] && side[k] != side[(k + 2) % 3] : side[k] == 0) up = k;
-    uint32_t a = m->triangles[i][up], b = m->triangles[i][(up + 1) % 3], c = m->triangles[i][(up + 2) % 3], p, q;
-    double ha = h[up], hb = h[(up + 1) % 3], hc = h[(up + 2) % 3];
+    int next = (up + 1) % 3, last = (up + 2) % 3;
+    uint32_t a = m->triangles[i][up], b = m->triangles[i][next], c = m->triangles[i][last], p, q;
+    cut_end at_a = { a, h[up] }, at_b = { b, h[next] }, at_c = { c, h[last] };
     if (product == 0) {
-      if (!cut_edge(t, m, b, c, hb, hc, height, &p) || !vs_mesh_add_triangle(m, a, p, c)) return false;
+      if (!cut_edge(s, at_b, at_c, height, &p) || !vs_mesh_add_triangle(m, a, p, c)) return false;
       m->triangles[i][0] = a, m->triangles[i][1] = b, m->triangles[i][2] = p;
       continue;
     }
-    if (!cut_edge(t, m, a, b, ha, hb, height, &p) || !cut_edge(t, m, a, c, ha, hc, height, &q)) return false;
+    if (!cut_edge(s, at_a, at_b, height, &p) || !cut_edge(s, at_a, at_c, height, &q)) return false;
     if (!vs_mesh_add_triangle(m, p, b, c) || !vs_mesh_add_triangle(m, p, c, q)) return false;
     m->triangles[i][0] = a, m->triangles[i][1] = p, m->triangles[i][2] = q;
   }
   return true;
 }
 
-/* Moves every vertex from `first` on by what the curve has gone at its height. path: its corners; heights: theirs,
- * rising. */
-static void move_along(vs_mesh *m, size_t first, vs_vec3 origin, vs_vec3 normal, const vs_polyline *path,
-    const double *heights) {
-  for (size_t i = first; i < m->vertex_count; i++) {
-    double h = vs_v3_dot(vs_v3_sub(m->vertices[i], origin), normal);
+/* Moves every vertex by what the curve has gone at its height. path: its corners; heights: theirs, rising. */
+static void move_along(const cut_solid *s, const vs_polyline *path, const double *heights) {
+  vs_mesh *m = s->m;
+  for (size_t i = s->first_vertex; i < m->vertex_count; i++) {
+    double h = cut_height(s, m->vertices[i]);
     size_t k = 0;
     while (k + 2 < path->count && heights[k + 1] < h) k++;
     double rise = heights[k + 1] - heights[k], t = rise > 0 ? (h - heights[k]) / rise : 0;
     vs_vec3 gone = vs_v3_sub(vs_v3_add(path->at[k], vs_v3_scale(vs_v3_sub(path->at[k + 1], path->at[k]), t)),
         path->at[0]);
-    m->vertices[i] = vs_v3_add(m->vertices[i], vs_v3_sub(gone, vs_v3_scale(normal, h)));
+    m->vertices[i] = vs_v3_add(m->vertices[i], vs_v3_sub(gone, vs_v3_scale(s->normal, h)));
   }
 }
 
 bool vs_taper_path_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
   vs_polyline path = { 0 };
   vs_outline o = { .count = 0 };
-  cut_table table = { 0 };
+  cut_solid solid = { .m = out, .first = out->triangle_count, .first_vertex = out->vertex_count };
   double *heights = NULL;
-  size_t first = out->triangle_count, first_vertex = out->vertex_count;
   bool ok = vs_region_outline(n->children[0].node, f, &o, e) && vs_curve_sample(n->children[1].node, f, &path, e);
   if (ok && (o.count == 0 || path.count < 2)) goto done;
   ok = ok && ((heights = vs_fresh(path.count, sizeof *heights)) != NULL || vs_error_memory(e, NULL));
@@ -115,13 +128,14 @@ bool vs_taper_path_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs
     }
     double height = ok ? heights[path.count - 1] : 0;
     ok = ok && vs_taper_straight(n, vs_v3_scale(normal, height), f, out, e);
+    solid.origin = o.point, solid.normal = normal, solid.near = 1e-12 * height;
     for (size_t i = 1; ok && i + 1 < path.count; i++)
-      ok = cut_at(out, first, o.point, normal, heights[i], 1e-12 * height, &table) || vs_error_memory(e, NULL);
-    if (ok) move_along(out, first_vertex, o.point, normal, &path, heights);
+      ok = cut_at(&solid, heights[i]) || vs_error_memory(e, NULL);
+    if (ok) move_along(&solid, &path, heights);
   }
 done:
   free(heights);
-  free(table.slots);
+  free(solid.table.slots);
   vs_polyline_free(&path);
   vs_outline_free(&o);
   return ok;

@@ -201,9 +201,13 @@ static void font_drop(vs_font *f) {
   font_free(f);
 }
 
-/* The font of a file (bytes NULL) or of bytes, which are copied. */
-static vs_font *font_open(font_shelf *shelf, vs_store *s, const char *name, const char *path, const void *bytes,
-                          size_t size, vs_error *e) {
+/* A font by its name: that of the file at `path`, or where bytes are not NULL that of bytes, which are copied. */
+typedef struct { const char *name, *path; const void *bytes; size_t size; } font_source;
+
+static vs_font *font_open(font_shelf *shelf, vs_store *s, const font_source *source, vs_error *e) {
+  const char *name = source->name, *path = source->path;
+  const void *bytes = source->bytes;
+  size_t size = source->size;
   vs_font *f = vs_store_realloc(s, NULL, 0, sizeof *f);
   const char *kept = vs_store_text(s, name, strlen(name));
   if (f) *f = (vs_font){ .store = s, .shelf = shelf, .name = kept, .glyphs = { .store = s } };
@@ -255,9 +259,10 @@ vs_font *vs_font_get(vs_store *s, const char *name, vs_error *e) {
   if (!shelf) return NULL;
   vs_font *f = font_find(shelf, name);
   if (f) return f;
-  if (vs_font_is_path(name)) return font_open(shelf, s, name, name, NULL, 0, e);
+  if (vs_font_is_path(name)) return font_open(shelf, s, &(font_source){ .name = name, .path = name }, e);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  if (vs_font_file(name, path, sizeof path, &why)) return font_open(shelf, s, name, path, NULL, 0, e);
+  if (vs_font_file(name, path, sizeof path, &why))
+    return font_open(shelf, s, &(font_source){ .name = name, .path = path }, e);
   if (why.kind != VS_ERROR_NONE) {
     if (e) *e = why;
     return NULL;
@@ -280,7 +285,7 @@ bool vs_font_known(vs_store *s, const char *name) {
 bool vs_font_add(vs_store *s, const char *name, const void *bytes, size_t size, vs_error *e) {
   font_shelf *shelf = font_shelf_of(s, e);
   if (!shelf) return false;
-  return font_find(shelf, name) || font_open(shelf, s, name, NULL, bytes, size, e);
+  return font_find(shelf, name) || font_open(shelf, s, &(font_source){ name, NULL, bytes, size }, e);
 }
 
 /* ---- what it says ---- */

@@ -6,15 +6,16 @@
 
 typedef int sort_compare(const void *, const void *);
 typedef struct { const char *at, *end; } sort_run;
+typedef struct { size_t size; sort_compare *compare; } sort_order; /* of elements of so many bytes */
 
 enum { RUN = 1 << 14, SORT_WORK = 1 << 6 /* what an element costs in a merge */, RUN_WORK = 1 << 20 };
 
-/* Merges two runs into one. False: interrupted. Each run begins before its end. */
-static bool sort_merge(vs_store *s, sort_run a, sort_run b, char *to, size_t size, sort_compare *compare, vs_error *e) {
-  VS_ASSERT(a.at <= a.end && b.at <= b.end);
+/* Merges two runs into one. False: interrupted. */
+static bool sort_merge(vs_store *s, sort_run a, sort_run b, char *to, sort_order by, vs_error *e) {
+  size_t size = by.size;
   for (; a.at < a.end || b.at < b.end; to += size) {
     if (!vs_store_going(s, SORT_WORK, e)) return false;
-    sort_run *from = b.at == b.end || (a.at < a.end && compare(a.at, b.at) <= 0) ? &a : &b;
+    sort_run *from = b.at == b.end || (a.at < a.end && by.compare(a.at, b.at) <= 0) ? &a : &b;
     memcpy(to, from->at, size);
     from->at += size;
   }
@@ -37,7 +38,7 @@ bool vs_store_sort(vs_store *s, void *at, size_t count, size_t size, sort_compar
     for (size_t i = 0; ok && i < count; i += 2 * length) {
       size_t middle = count - i < length ? count : i + length, end = count - middle < length ? count : middle + length;
       sort_run a = { from + i * size, from + middle * size }, b = { from + middle * size, from + end * size };
-      ok = sort_merge(s, a, b, to + i * size, size, compare, e);
+      ok = sort_merge(s, a, b, to + i * size, (sort_order){ size, compare }, e);
     }
     char *swap = from;
     from = to, to = swap;
