@@ -1,6 +1,8 @@
 /* Owns the reading and the spelling of characters. See characters.h. */
 #include "model/characters.h"
 
+#include "base/assert.h"
+
 #include <stdio.h>
 #include <string.h>
 

@@ -69,8 +69,8 @@ vs_handle vs_node_find(vs_scheme *vm, const char *name) {
   return found;
 }
 
-/* A part of a node as a handle, 0 where there is none; nothing runs, so that it can be asked for at any time. What is no node is refused as
- * the procedure of the language refuses it. */
+/* Returns a part of a node as a handle; 0 if there is none. It runs no code, so it is allowed at any time. Refuses any
+ * other value as the procedure of the language does. */
 static vs_handle part_of(vs_scheme *vm, const char *who, const char *procedure, vs_node_part part, vs_handle node) {
   vs_session *s = vs_session_of(vm);
   VS_ROOTS(vm, r, 2);

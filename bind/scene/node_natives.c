@@ -222,7 +222,8 @@ static bool read_field(vs_scheme *vm, const char *accessor, vs_value v, vs_value
   r[0] = vs_environment_value(vm->at.core, r[0]);
   int64_t fuel = vm->fuel;
   vm->fuel = 2; /* of what is called from outside of the run loop */
-  bool ok = vs_is(r[0], VS_T_CLOSURE) && vs_record_call(vm, r[0], &v, 1, out);
+  vs_value arguments[2] = { v, VS_UNSPECIFIC }; /* room for a modifier's, which this call is not */
+  bool ok = vs_is(r[0], VS_T_CLOSURE) && vs_record_call(vm, r[0], arguments, 1, out);
   vm->fuel = fuel;
   return ok;
 }

@@ -18,8 +18,9 @@ bool vs_nodes_are_there(const vs_bind *b);
 
 typedef enum { VS_NODE_NAME, VS_NODE_PARENT, VS_NODE_CHILDREN } vs_node_part;
 
-/* Reads a part of a node without a run of the program: *out becomes its name, a string or #f; its parent, a node or #f; or the list of its
- * children. False: v is no node, and *out is #f, or there was no memory for the list, and the condition is set. */
+/* Reads a part of a node without a run of the program: *out becomes its name, a string or #f; its parent, a node or #f;
+ * or the list of its children. False: v is no node, and *out is #f, or there was no memory for the list, and the
+ * condition is set. */
 bool vs_node_read(vs_scheme *vm, vs_value v, vs_node_part part, vs_value *out);
 
 /* Works out what the scene shows; runs Scheme. *list becomes the objects, a Scheme list; *beside: they stand beside

@@ -196,8 +196,8 @@ static void slopes(int count, const vs_tape_step *step, double *r, const double 
   }
 }
 
-/* A field's values for n points at the coordinates of[0] to of[2], and its slopes from theirs; what lies behind the n is
- * as the first. */
+/* A field's values for n points at the coordinates of[0] to of[2], and its slopes from theirs; what lies behind the n
+ * is as the first. */
 static void field(const vs_tape_field *f, int count, size_t n, double *r, const double *const of[3]) {
   const double *a = of[0], *b = of[1], *c = of[2];
   for (size_t i = 0; i < BATCH; i++) {

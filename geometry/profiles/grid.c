@@ -6,7 +6,7 @@
 #include "geometry/frame.h"
 #include "model/store/array.h"
 
-bool vs_grid_cap(const vs_flat_loops *loops, const uint32_t *row, vs_mesh *out, bool turned) {
+bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, bool turned) {
   const size_t *sizes = loops->sizes;
   bool ok = true;
   for (size_t l = 0, first = 0; ok && l < loops->count;) {
@@ -40,7 +40,7 @@ static vs_vec2 *grid_flatten(const vs_quad_grid *g, const vs_vec3 *row, bool *ok
 
 static bool grid_fill(const vs_quad_grid *g, const vs_vec3 *at, const uint32_t *row, vs_mesh *out, bool turned) {
   bool ok = true;
-  vs_flat_loops loops = { g->flat, g->sizes, g->hole, g->loop_count };
+  vs_cap_loops loops = { g->flat, g->sizes, g->hole, g->loop_count };
   if (g->flat) {
     bool point = true; /* a section scaled to nothing */
     for (size_t i = 1; point && i < g->columns; i++) point = vs_v3_equal(at[i], at[0]);

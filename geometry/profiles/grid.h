@@ -25,9 +25,9 @@ bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out);
 
 /* Loops of a row in its plane, one behind the other; outer ones counter-clockwise, each hole behind the outer loop that
  * holds it. */
-typedef struct { const vs_vec2 *at; const size_t *sizes; const bool *hole; size_t count; } vs_flat_loops;
+typedef struct { const vs_vec2 *at; const size_t *sizes; const bool *hole; size_t count; } vs_cap_loops;
 
 /* Fills loops whose points are the vertices row[]. turned: the triangles face the other way. */
-bool vs_grid_cap(const vs_flat_loops *loops, const uint32_t *row, vs_mesh *out, bool turned);
+bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, bool turned);
 
 #endif

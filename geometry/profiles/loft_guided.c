@@ -153,7 +153,7 @@ static bool guided_rows(const vs_loft *l, const guided_way *way, const vs_finene
   const double *s = way->s;
   const vs_vec3 *local = way->local;
   size_t n = l->columns, wide = n + GUIDED_EXTRA, stations = way->stations;
-  vs_vec3 *between = malloc(wide * sizeof *between);
+  vs_vec3 *between = vs_fresh(wide, sizeof *between);
   bool ok = between != NULL;
   for (size_t i = 0; ok && i + 1 < stations; i++) {
     double from = s[i], to = s[i + 1], steps = 1;
@@ -210,14 +210,14 @@ bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_fineness *f
   guided_way way = { .stations = l->rows + l->joined };
   vs_affine identity = vs_affine_identity();
   size_t stations = way.stations;
-  double *s = way.s = malloc((stations + 1) * sizeof *s);
-  vs_vec3 *local = way.local = malloc(stations * (l->columns + GUIDED_EXTRA) * sizeof *local);
+  double *s = way.s = vs_fresh(stations + 1, sizeof *s);
+  vs_vec3 *local = way.local = vs_fresh(stations * (l->columns + GUIDED_EXTRA), sizeof *local);
   vs_path *p = &way.path;
   bool ok = (s && local) || vs_error_memory(e, NULL);
   ok = ok && vs_curve_path(n->children[n->child_count - 1].node, &identity, f, p, e);
   if (ok && p->count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "the path is a point");
   ok = ok && guided_stations(l, p, s, e) &&
-       ((way.x = malloc((p->count + 1) * sizeof *way.x)) != NULL || vs_error_memory(e, NULL));
+       ((way.x = vs_fresh(p->count + 1, sizeof *way.x)) != NULL || vs_error_memory(e, NULL));
   if (ok) {
     vs_affine square = vs_frame_on_axis(p->at[0].at, p->at[0].leaving);
     vs_vec3 across = vs_v3(square.m[0][0], square.m[1][0], square.m[2][0]);
@@ -461,9 +461,9 @@ static double guided_line_steps(const guided_line *g, size_t i) {
 
 bool vs_loft_along_guides(const vs_node *n, const vs_loft *l, const vs_fineness *f, vs_loft_rows *out, vs_error *e) {
   size_t sections = (size_t)VS_AS(guided_loft, n)->section_count, guides = n->child_count - sections;
-  guided_line *g = calloc(guides + 1, sizeof *g);
-  guided_pin *pins = malloc((guides + 1) * sizeof *pins);
-  vs_vec3 *points = malloc((2 * guides + 1) * sizeof *points);
+  guided_line *g = vs_zeros(guides + 1, sizeof *g);
+  guided_pin *pins = vs_fresh(guides + 1, sizeof *pins);
+  vs_vec3 *points = vs_fresh(2 * guides + 1, sizeof *points);
   guided_lines by = { g, guides, pins, points, points ? points + guides : NULL };
   vs_loft_smooth s = { 0 };
   bool ok = (g && pins && points && vs_loft_smooth_make(l, &s)) || vs_error_memory(e, NULL);

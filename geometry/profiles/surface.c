@@ -91,7 +91,7 @@ static bool surface_append(const surface_grid *g, vs_mesh *out) {
 
 vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_point_grid *grid, vs_error *e) {
   size_t count = grid->rows * grid->columns;
-  surface_grid g = { malloc((count + 1) * sizeof *g.at), grid->rows, grid->columns, grid->closed_u, grid->closed_v, 0 };
+  surface_grid g = { vs_fresh(count + 1, sizeof *g.at), grid->rows, grid->columns, grid->closed_u, grid->closed_v, 0 };
   vs_bounds b = vs_bounds_empty();
   vs_mesh m = { 0 };
   vs_node *made = NULL;

@@ -660,7 +660,7 @@ bool vs_outline_mesh(const vs_outline *o, vs_mesh *out) {
       ok = vs_mesh_add_vertex(out, p, &row[k]);
     }
   }
-  ok = ok && vs_grid_cap(&(vs_flat_loops){ flat, sizes, o->hole, o->count }, row, out, false);
+  ok = ok && vs_grid_cap(&(vs_cap_loops){ flat, sizes, o->hole, o->count }, row, out, false);
   free(row);
   free(flat);
   free(sizes);

@@ -148,8 +148,8 @@ static bool is_script_function(vs_scheme *vm, const vs_code *code) {
   return vs_is_symbol(params->at[before]) && !strcmp(vs_as_symbol(params->at[before])->name, "more:");
 }
 
-/* (%procedure-shape procedure): #(least most script?): how many values it takes, most #f where there is no limit; of a function of
- * a script, both are the number of its parameters. */
+/* (%procedure-shape procedure): #(least most script?): how many values it takes, most #f where there is no limit; of a
+ * function of a script, both are the number of its parameters. */
 static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure", a[0]);
