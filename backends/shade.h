@@ -18,21 +18,57 @@ typedef struct {
   void *context;
 } vs_shading;
 
-/* crease: the angle between faces, radians, from which an edge stays sharp. False: out of memory or interrupted, as e's
- * error says. The memory is that of e's store. Free with vs_shading_free. */
-bool vs_shading_make(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count, const uint32_t (*triangles)[3],
-                     size_t triangle_count, double crease, vs_shading *out);
-/* The same where a triangle's corners are smooth with those of its own group alone; groups NULL: all are one. */
+/* Triangles that get normals, borrowed from the caller. */
+typedef struct {
+  const vs_vec3 *vertices;
+  const uint32_t (*triangles)[3];
+  const uint32_t *groups;     /* a triangle's: its corners are smooth with those of its own group; NULL: all are one */
+  size_t vertex_count, triangle_count;
+  double crease;              /* radians: the angle between two faces from which on their edge is sharp */
+} vs_shade_faces;
 #define VS_SHADE_FLAT UINT32_MAX /* a group: each of its triangles has the normal of its face */
-bool vs_shading_make_grouped(vs_emitter *e, const vs_vec3 *vertices, size_t vertex_count,
-                             const uint32_t (*triangles)[3], const uint32_t *groups, size_t triangle_count,
-                             double crease, vs_shading *out);
+
+/* The faces of a mesh as one group. */
+static inline vs_shade_faces vs_shade_mesh(const vs_mesh *m, double crease) {
+  return (vs_shade_faces){ m->vertices, (const uint32_t (*)[3])m->triangles, NULL, m->vertex_count, m->triangle_count,
+                           crease };
+}
+
+/* Makes the normals of the faces in the memory of e's store. Fails when memory runs out or the user interrupts, as e's
+ * error says; *out is empty then. Free with vs_shading_free. */
+bool vs_shading_make(vs_emitter *e, const vs_shade_faces *faces, vs_shading *out);
 /* The same in other memory, for who keeps it longer than e's store lives. */
-bool vs_shading_make_in(vs_emitter *e, vs_shade_memory *memory, void *context, const vs_vec3 *vertices,
-                        size_t vertex_count, const uint32_t (*triangles)[3], size_t triangle_count, double crease,
+bool vs_shading_make_in(vs_emitter *e, vs_shade_memory *memory, void *context, const vs_shade_faces *faces,
                         vs_shading *out);
 /* The usual crease, radians: of shapes that are round somewhere, and of those that are flat all over. */
 static inline double vs_shade_crease(bool round) { return round ? 0.6 : 0.05; }
 void vs_shading_free(vs_shading *s);
+
+/* A solid whose triangles are being written with normals. A vertex of the file is a corner with its normal: corners
+ * that share a normal share it. */
+typedef struct {
+  const vs_solid *solid;
+  const vs_affine *place;     /* from the solid to the file */
+  bool mirrored;              /* by the place: triangles are turned round */
+  vs_shading shading;
+  uint32_t *vertex;           /* of each normal: the number of its vertex in the part at hand; VS_SHADED_NEW: none */
+} vs_shaded_solid;
+#define VS_SHADED_NEW UINT32_MAX
+
+/* Makes the normals and the room for the vertices' numbers; borrows solid and place. Fails as vs_shading_make does.
+ * Free with vs_shaded_free, also after a failure. */
+bool vs_shaded_make(vs_emitter *e, const vs_solid *solid, const vs_affine *place, double crease, vs_shaded_solid *out);
+void vs_shaded_free(vs_emitter *e, vs_shaded_solid *s);
+void vs_shaded_begin_part(vs_shaded_solid *s); /* its vertices are new */
+static inline vs_vec3 vs_shaded_point(const vs_shaded_solid *s, size_t triangle, int corner) {
+  const vs_mesh *m = &s->solid->mesh;
+  return vs_affine_point(s->place, m->vertices[m->triangles[triangle][corner]]);
+}
+static inline vs_vec3 vs_shaded_normal(const vs_shaded_solid *s, size_t triangle, int corner) {
+  return vs_affine_normal(s->place, s->shading.normals[s->shading.corners[triangle][corner]]);
+}
+static inline uint32_t *vs_shaded_vertex(const vs_shaded_solid *s, size_t triangle, int corner) {
+  return &s->vertex[s->shading.corners[triangle][corner]];
+}
 
 #endif

@@ -180,8 +180,8 @@ static bool keep(vs_emitter *e, shape *f, const vs_solid *from, const vs_origin 
     const vs_origin *o = p && p->leaf.origin ? p->leaf.origin : origin;
     paint(&f->parts[i], p && p->material ? p->material : e->material, p && p->layer ? p->layer : layer_of(m), o);
   }
-  return vs_shading_make_in(e, vs_session_memory, s, f->mesh.vertices, f->mesh.vertex_count,
-                            (const uint32_t (*)[3])f->mesh.triangles, f->mesh.triangle_count, crease, &f->shading);
+  vs_shade_faces faces = vs_shade_mesh(&f->mesh, crease);
+  return vs_shading_make_in(e, vs_session_memory, s, &faces, &f->shading);
 }
 
 /* The shape with this id in the round, new to it or not; *make: its mesh is wanted. NULL: out of memory. */

@@ -6,9 +6,7 @@
 #ifndef VS_BACKENDS_GLTF_GLTF_H
 #define VS_BACKENDS_GLTF_GLTF_H
 
-#include "backends/backend.h"
-#include "geometry/shapes/unit_forms.h"
-#include "model/store/nodemap.h"
+#include "backends/shared_shapes.h"
 
 typedef struct { unsigned char *at; size_t count, room; } vs_gltf_bytes;
 
@@ -29,7 +27,6 @@ typedef struct {
 } vs_gltf_geometry;
 typedef struct { uint32_t geometry, paint, next; /* another mesh of this geometry + 1, or 0 */ } vs_gltf_mesh;
 typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
-typedef struct { uint32_t *at; size_t count, room; } vs_gltf_turns; /* geometry + 1 by facets a turn */
 
 typedef struct {
   vs_gltf_bytes positions, normals, places, narrow, wide;
@@ -46,8 +43,7 @@ typedef struct {
   size_t layer_count, layer_room;
   uint32_t *open_layers;       /* round the node that is visited */
   size_t open_count, open_room;
-  vs_nodemap shapes;           /* model node -> geometry + 1 */
-  vs_gltf_turns units[VS_UNIT_COUNT];
+  vs_shared_shapes shapes;     /* by number: geometries */
   vs_rounded settled; /* what 32-bit numbers have done to shapes */
 } vs_gltf;
 

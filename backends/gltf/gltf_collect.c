@@ -13,13 +13,12 @@
 #include "backends/lower.h"
 #include "backends/gltf/gltf.h"
 #include "backends/shade.h"
-#include "geometry/measure/node_measures.h"
 
 bool vs_gltf_open(vs_emitter *e) {
   vs_gltf *g = vs_store_realloc(e->scene->store, NULL, 0, sizeof *g);
   if (g == NULL) return vs_emit_no_memory(e);
   memset(g, 0, sizeof *g);
-  g->shapes.store = e->scene->store;
+  g->shapes.nodes.store = e->scene->store;
   e->state = g;
   if (e->scene->has_ground && !vs_emit_warn_once(e, NULL, "glTF: the ground is left out")) return false;
   return true;
@@ -30,15 +29,13 @@ void vs_gltf_close(vs_emitter *e) {
   if (g == NULL) return;
   vs_gltf_bytes *bytes[] = { &g->positions, &g->normals, &g->places, &g->narrow, &g->wide };
   for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) vs_emit_release(e, bytes[i]->at, bytes[i]->room, 1);
-  for (size_t i = 0; i < VS_UNIT_COUNT; i++)
-    vs_emit_release(e, g->units[i].at, g->units[i].room, sizeof *g->units[i].at);
   vs_emit_release(e, g->primitives, g->primitive_room, sizeof *g->primitives);
   vs_emit_release(e, g->geometries, g->geometry_room, sizeof *g->geometries);
   vs_emit_release(e, g->meshes, g->mesh_room, sizeof *g->meshes);
   vs_emit_release(e, g->nodes, g->node_room, sizeof *g->nodes);
   vs_emit_release(e, g->layers, g->layer_room, sizeof *g->layers);
   vs_emit_release(e, g->open_layers, g->open_room, sizeof *g->open_layers);
-  vs_nodemap_free_held(&g->shapes);
+  vs_shared_free(e, &g->shapes);
   vs_emit_release(e, g, 1, sizeof *g);
   e->state = NULL;
 }
@@ -144,74 +141,92 @@ static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[
   return true;
 }
 
-/* The triangles of one paint; at: room for the shading's normals. Corners that share a normal share a vertex. */
-static bool gltf_add_part(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *place,
-                          const vs_affine *there, uint32_t paint, uint32_t *at, uint32_t *index) {
+/* A solid that becomes a geometry. */
+typedef struct {
+  vs_shaded_solid shaded;
+  const vs_affine *there;      /* from the geometry to the drawing, by which pictures lie; NULL: it has none */
+  uint32_t *index;             /* room for the corners of all triangles */
+} gltf_making;
+
+/* Three corners of triangle i, with a picture. */
+static bool gltf_add_pictured(vs_emitter *e, vs_gltf_primitive *p, const gltf_making *from, size_t i,
+                              const vs_material *look) {
+  const vs_shaded_solid *s = &from->shaded;
+  vs_vec3 corners[3], normals[3];
+  for (int k = 0; k < 3; k++) {
+    int to = s->mirrored ? 2 - k : k;
+    corners[to] = vs_shaded_point(s, i, k);
+    normals[to] = vs_shaded_normal(s, i, k);
+  }
+  return gltf_pictured(e, p, corners, normals, from->there, look);
+}
+
+/* Triangle i, whose vertices' numbers go to `index`. */
+static bool gltf_add_triangle(vs_emitter *e, vs_gltf_primitive *p, const vs_shaded_solid *s, size_t i,
+                              uint32_t index[3]) {
+  for (int k = 0; k < 3; k++) {
+    uint32_t *vertex = vs_shaded_vertex(s, i, k);
+    if (*vertex == VS_SHADED_NEW) {
+      *vertex = p->vertex_count;
+      if (!gltf_vertex(e, p, vs_shaded_point(s, i, k), vs_shaded_normal(s, i, k))) return false;
+    }
+    index[s->mirrored ? 2 - k : k] = *vertex;
+  }
+  return true;
+}
+
+/* The triangles of one paint. */
+static bool gltf_add_part(vs_emitter *e, gltf_making *from, uint32_t paint) {
   vs_gltf *g = e->state;
-  const vs_mesh *mesh = &m->mesh;
-  bool mirrored = vs_affine_determinant(place) < 0;
+  const vs_solid *m = from->shaded.solid;
   vs_gltf_primitive *p = NULL;
   size_t count = 0;
   const vs_material *look = paint > 0 ? vs_emit_material_at(e, paint) : e->material;
-  bool pictured = there != NULL && look != NULL && look->pattern.picture != NULL;
-  memset(at, 0xff, s->normal_count * sizeof *at);
-  for (size_t i = 0; i < mesh->triangle_count; i++) {
-    if (gltf_paint_of(e, m, i) != paint || gltf_is_edge(place, mesh, mesh->triangles[i])) continue;
+  bool pictured = from->there != NULL && look != NULL && look->pattern.picture != NULL;
+  vs_shaded_begin_part(&from->shaded);
+  for (size_t i = 0; i < m->mesh.triangle_count; i++) {
+    if (gltf_paint_of(e, m, i) != paint || gltf_is_edge(from->shaded.place, &m->mesh, m->mesh.triangles[i])) continue;
     if (p == NULL) {
       if ((p = gltf_primitive_new(e, paint)) == NULL) return false;
       p->pictured = pictured ? ++g->pictured_count : 0, p->places = g->places.count;
     }
-    if (pictured) {
-      vs_vec3 corners[3], normals[3];
-      for (int k = 0; k < 3; k++) {
-        int to = mirrored ? 2 - k : k;
-        corners[to] = vs_affine_point(place, mesh->vertices[mesh->triangles[i][k]]);
-        normals[to] = vs_affine_normal(place, s->normals[s->corners[i][k]]);
-        index[count + (size_t)k] = p->vertex_count + (uint32_t)k;
-      }
-      if (!gltf_pictured(e, p, corners, normals, there, look)) return false;
-      count += 3;
-      continue;
-    }
-    for (int k = 0; k < 3; k++) {
-      uint32_t corner = s->corners[i][k];
-      if (at[corner] == UINT32_MAX) {
-        at[corner] = p->vertex_count;
-        if (!gltf_vertex(e, p, vs_affine_point(place, mesh->vertices[mesh->triangles[i][k]]),
-                         vs_affine_normal(place, s->normals[corner])))
-          return false;
-      }
-      index[count + (size_t)(mirrored ? 2 - k : k)] = at[corner];
-    }
+    uint32_t *index = from->index + count;
+    for (uint32_t k = 0; pictured && k < 3; k++) index[k] = p->vertex_count + k;
+    if (pictured ? !gltf_add_pictured(e, p, from, i, look) : !gltf_add_triangle(e, p, &from->shaded, i, index))
+      return false;
     count += 3;
   }
-  return p == NULL || (vs_emit_triangles(e, count / 3) && gltf_indices(e, p, index, count));
+  return p == NULL || (vs_emit_triangles(e, count / 3) && gltf_indices(e, p, from->index, count));
 }
 
 /* there: from the geometry to the drawing, where pictures lie; NULL: the geometry has none. */
 static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                            double crease, uint32_t *number) {
   vs_gltf *g = e->state;
-  const vs_mesh *mesh = &m->mesh;
-  vs_shading s;
+  gltf_making from = { .there = there };
+  size_t corners = 3 * m->mesh.triangle_count;
   if (!gltf_geometry_new(e, number)) return false;
-  if (mesh->triangle_count > UINT32_MAX / 3)
+  if (m->mesh.triangle_count > UINT32_MAX / 3)
     return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than a glTF mesh can hold");
-  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t(*)[3])mesh->triangles,
-                       mesh->triangle_count, crease, &s))
-    return false;
-  size_t room = s.normal_count + 3 * mesh->triangle_count;
-  uint32_t *scratch = vs_store_realloc(e->scene->store, NULL, 0, (room + 1) * sizeof *scratch);
-  bool ok = scratch != NULL || vs_emit_no_memory(e);
-  for (uint32_t paint = 0; ok && paint <= vs_emit_material_count(e); paint++) {
-    bool any = paint == 0 || m->part_count > 0; /* without parts all is of the place's colour */
-    ok = !any || gltf_add_part(e, m, &s, place, there, paint, scratch, scratch + s.normal_count);
+  bool ok = vs_shaded_make(e, m, place, crease, &from.shaded);
+  if (ok) {
+    from.index = vs_store_realloc(e->scene->store, NULL, 0, (corners + 1) * sizeof *from.index);
+    ok = from.index != NULL || vs_emit_no_memory(e);
   }
-  vs_emit_release(e, scratch, room + 1, sizeof *scratch);
-  vs_shading_free(&s);
+  for (uint32_t paint = 0; ok && paint <= vs_emit_material_count(e); paint++)
+    if (paint == 0 || m->part_count > 0) /* without parts all is of the place's colour */
+      ok = gltf_add_part(e, &from, paint);
+  vs_emit_release(e, from.index, corners + 1, sizeof *from.index);
+  vs_shaded_free(e, &from.shaded);
   vs_gltf_geometry *made = &g->geometries[*number];
   made->count = (uint32_t)g->primitive_count - made->first;
   return ok;
+}
+
+/* A unit form, where it is. */
+static bool gltf_add_form(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number) {
+  vs_affine here = vs_affine_identity();
+  return gltf_add_solid(e, form, &here, NULL, crease, number);
 }
 
 /* ---- nodes ---- */
@@ -232,33 +247,13 @@ static bool gltf_place(vs_emitter *e, uint32_t geometry, const vs_affine *place)
   return true;
 }
 
-static bool gltf_unit(vs_emitter *e, vs_unit unit, int turn, uint32_t *number) {
-  vs_gltf *g = e->state;
-  vs_gltf_turns *t = &g->units[unit];
-  size_t old = t->room;
-  if (!vs_emit_grow(e, &t->at, &t->room, (size_t)turn + 1, sizeof *t->at)) return false;
-  if (t->room > old) memset(t->at + old, 0, (t->room - old) * sizeof *t->at);
-  if (t->at[turn] > 0) {
-    *number = t->at[turn] - 1;
-    return true;
-  }
-  vs_solid form = { .mesh.most = e->options->mesh_triangles };
-  static const vs_affine here = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
-  bool ok = (vs_unit_mesh(unit, turn, &form.mesh) ||
-             (form.mesh.over ? vs_emit_triangles(e, form.mesh.most + 1) : vs_emit_no_memory(e))) &&
-            gltf_add_solid(e, &form, &here, NULL, vs_shade_crease(turn > 0), number);
-  vs_solid_free(&form);
-  if (ok) t->at[turn] = *number + 1;
-  return ok;
-}
-
-/* The same of a copy that is put there first and settled for 32-bit numbers; there: from that place to the drawing's,
- * for what is said. A vertex stands once for each normal, so that nobody needs a manifold by index. */
+/* As gltf_add_solid, of a copy that is put there first and settled for 32-bit numbers; there: from that place to the
+ * drawing's, for what is said. A vertex stands once for each normal, so that nobody needs a manifold by index. */
 static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                              double crease, uint32_t *number) {
   vs_gltf *g = e->state;
   vs_solid copy = { .parts = m->parts, .part_count = m->part_count };
-  static const vs_affine here = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
+  vs_affine here = vs_affine_identity();
   vs_rounded what = { 0 };
   bool ok = vs_mesh_copy(&m->mesh, &copy.mesh) || vs_emit_no_memory(e);
   if (ok) vs_mesh_transform(&copy.mesh, place);
@@ -280,48 +275,34 @@ static bool gltf_has_picture(const vs_emitter *e, const vs_node *n) {
   return false;
 }
 
-/* Triangles that stand where e->placement puts them, about their own middle: a viewer's 32-bit numbers are finest near
- * zero. */
+/* Triangles that stand where e->placement puts them. */
 static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
   vs_gltf *g = e->state;
-  bool placeable = vs_affine_is_placement(&e->placement) && !gltf_has_picture(e, ref->node);
-  bool found = false;
-  uint64_t *known = placeable ? vs_nodemap_put_held(&g->shapes, ref->node, &found) : NULL;
-  if (placeable && known == NULL) return vs_emit_no_memory(e);
-  vs_bounds b;
-  if (!vs_node_bounds(ref->node, &b, e->error)) return false;
-  vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
-  vs_affine home = vs_affine_translation(vs_v3_scale(middle, -1)),
-            there = vs_affine_translation(placeable ? middle : vs_affine_point(&e->placement, middle));
-  uint32_t number;
-  if (found) {
-    number = (uint32_t)*known - 1;
-  } else {
+  bool shared = vs_affine_is_placement(&e->placement) && !gltf_has_picture(e, ref->node);
+  vs_shared_place at;
+  if (!vs_shared_find(e, &g->shapes, ref->node, shared, &at)) return false;
+  if (!at.written) {
     const vs_solid *m = vs_emit_mesh(e, ref);
-    vs_affine place = e->placement;
-    for (int i = 0; i < 3; i++) place.m[i][3] = 0;
-    if (!placeable) home = vs_affine_multiply(&place, &home);
-    vs_affine where = placeable ? vs_affine_multiply(&e->placement, &there) : there;
+    uint32_t number;
     if (m == NULL) return false;
-    bool solid = ref->node->class_ == VS_SOLID;
-    if (!(solid ? gltf_add_settled(e, m, &home, &where, crease, &number)
-                : gltf_add_solid(e, m, &home, &where, crease, &number)))
+    if (ref->node->class_ == VS_SOLID ? !gltf_add_settled(e, m, &at.home, &at.there, crease, &number)
+                                      : !gltf_add_solid(e, m, &at.home, &at.there, crease, &number))
       return false;
-    known = placeable ? vs_nodemap_get(&g->shapes, ref->node) : NULL;
-    if (known != NULL) *known = (uint64_t)number + 1;
+    if (!vs_shared_keep(e, &g->shapes, ref->node, &at, number)) return false;
   }
-  if (placeable) there = vs_affine_multiply(&e->placement, &there);
-  return gltf_place(e, number, &there);
+  return gltf_place(e, at.number, &at.there);
 }
 
 vs_emit_status vs_gltf_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
+  vs_gltf *g = e->state;
   vs_unit_copy copy;
   uint32_t number;
   if (!gltf_has_picture(e, ref->node) && vs_unit_of(ref->node, &e->facets, &copy)) {
     vs_affine place = vs_affine_multiply(&e->placement, &copy.place);
     if (vs_affine_is_placement(&place))
-      return gltf_unit(e, copy.unit, copy.turn, &number) && gltf_place(e, number, &place) ? VS_EMITTED : VS_FAILED;
+      return vs_shared_unit(e, &g->shapes, &copy, gltf_add_form, &number) && gltf_place(e, number, &place) ? VS_EMITTED
+                                                                                                         : VS_FAILED;
   }
   return gltf_shape(e, ref, vs_shade_crease(vs_lower_is_round(ref->node))) ? VS_EMITTED : VS_FAILED;
 }
@@ -340,9 +321,7 @@ vs_emit_status vs_gltf_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_gltf_primitive *p;
   if (!gltf_geometry_new(e, &number) || (p = gltf_primitive_new(e, 0)) == NULL) return VS_FAILED;
   p->lines = true;
-  vs_bounds b = vs_bounds_empty();
-  for (uint32_t i = 0; i < count; i++) vs_bounds_add(&b, vs_affine_point(&e->placement, l->points->at[i]));
-  vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
+  vs_vec3 middle = vs_shared_line_middle(e, l);
   for (uint32_t i = 0; i < count; i++)
     if (!gltf_vertex(e, p, vs_v3_sub(vs_affine_point(&e->placement, l->points->at[i]), middle), vs_v3(0, 0, 1)))
       return VS_FAILED;

@@ -116,16 +116,21 @@ static void gltf_pictures(vs_writer *w, const gltf_file *f) {
   vs_puts(w, "]");
 }
 
-static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, size_t view, size_t offset, size_t count,
-                          const vs_gltf_primitive *bounds) {
-  bool indices = view == VIEW_NARROW || view == VIEW_WIDE;
+/* A stretch of a view. */
+typedef struct {
+  size_t view, offset, count;      /* offset in bytes; count of items */
+  const vs_gltf_primitive *bounds; /* whose positions they are; NULL: none */
+} gltf_stretch;
+
+static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, gltf_stretch s) {
+  static const struct { int component; const char *type; } kinds[VIEW_COUNT] = {
+    [VIEW_POSITIONS] = { 5126, "VEC3" }, [VIEW_NORMALS] = { 5126, "VEC3" }, [VIEW_PLACES] = { 5126, "VEC2" },
+    [VIEW_NARROW] = { 5123, "SCALAR" },  [VIEW_WIDE] = { 5125, "SCALAR" },
+  };
+  const vs_gltf_primitive *bounds = s.bounds;
   json_between(w, (*index)++);
   vs_putf(w, "{\"bufferView\":%zu,\"byteOffset\":%zu,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"",
-          f->views[view], offset,
-          view == VIEW_NARROW ? 5123
-          : view == VIEW_WIDE ? 5125
-                              : 5126,
-          count, indices ? "SCALAR" : view == VIEW_PLACES ? "VEC2" : "VEC3");
+          f->views[s.view], s.offset, kinds[s.view].component, s.count, kinds[s.view].type);
   if (bounds != NULL) {
     json_vector(w, "min", vs_v3(bounds->min[0], bounds->min[1], bounds->min[2]));
     json_vector(w, "max", vs_v3(bounds->max[0], bounds->max[1], bounds->max[2]));
@@ -138,13 +143,15 @@ static void gltf_accessors(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   vs_puts(w, ",\"accessors\":[");
   for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* three a primitive: 3i, 3i + 1, 3i + 2 */
     const vs_gltf_primitive *p = &g->primitives[i];
-    gltf_accessor(w, f, &index, VIEW_POSITIONS, p->vertices, p->vertex_count, p);
-    gltf_accessor(w, f, &index, VIEW_NORMALS, p->vertices, p->vertex_count, NULL);
-    gltf_accessor(w, f, &index, p->wide ? VIEW_WIDE : VIEW_NARROW, p->indices, p->index_count, NULL);
+    size_t indices = p->wide ? VIEW_WIDE : VIEW_NARROW;
+    gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_POSITIONS, p->vertices, p->vertex_count, p });
+    gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_NORMALS, p->vertices, p->vertex_count, NULL });
+    gltf_accessor(w, f, &index, (gltf_stretch){ indices, p->indices, p->index_count, NULL });
   }
   for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* then those of places, which few have */
     const vs_gltf_primitive *p = &g->primitives[i];
-    if (p->pictured) gltf_accessor(w, f, &index, VIEW_PLACES, p->places, p->vertex_count, NULL);
+    if (p->pictured)
+      gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_PLACES, p->places, p->vertex_count, NULL });
   }
   vs_puts(w, "]");
 }

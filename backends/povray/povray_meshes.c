@@ -24,13 +24,14 @@ static bool pov_needle(const vs_vec3 *v, const uint32_t t[3]) {
   return !(vs_v3_length(vs_v3_cross(a, b)) > 1e-12 * longest * longest);
 }
 
-/* Index triples, ten a line; needles are left out: POV-Ray complains of them and they show nothing. */
-static void pov_triples(vs_emitter *e, const char *word, const vs_vec3 *v, const uint32_t (*keep)[3],
-                        const uint32_t (*triples)[3], size_t count, size_t kept) {
+/* A triple of indices for each triangle of `of` but needles, `kept` of them, ten a line: POV-Ray complains of needles,
+ * and they show nothing. */
+static void pov_triples(vs_emitter *e, const char *word, const vs_shade_faces *of, const uint32_t (*triples)[3],
+                        size_t kept) {
   pov_open(e, word);
   vs_put_u32(e->out, (uint32_t)kept);
-  for (size_t i = 0, shown = 0; i < count; i++) {
-    if (pov_needle(v, keep[i])) continue;
+  for (size_t i = 0, shown = 0; i < of->triangle_count; i++) {
+    if (pov_needle(of->vertices, of->triangles[i])) continue;
     vs_puts(e->out, shown++ % 10 == 0 ? ",\n" : ", ");
     if (shown % 10 == 1) pov_indent(e);
     for (int k = 0; k < 3; k++) {
@@ -67,35 +68,29 @@ static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   return count > 0 && vs_v3_length(middle) > 100 * vs_bounds_diagonal(&b) ? v[0] : vs_v3(0, 0, 0);
 }
 
-/* Triangles and how they are shaded: each smoothly with those of its group, at edges below the crease; groups NULL: all
- * are flat. */
+/* Triangles and what they look like. */
 typedef struct {
-  const vs_vec3 *v;
-  size_t vertex_count;
-  const uint32_t (*t)[3];
-  size_t count;
-  const uint32_t *groups;
-  double crease;
+  vs_shade_faces faces;     /* groups NULL: all are flat, unless the emitter shades smoothly */
   bool closed;
   const vs_material *paint; /* NULL: of what it stands in */
 } pov_triangles;
 
 static vs_emit_status pov_mesh(vs_emitter *e, const pov_triangles *m) {
+  const vs_shade_faces *f = &m->faces;
   size_t kept = 0;
-  for (size_t i = 0; i < m->count; i++) kept += !pov_needle(m->v, m->t[i]);
+  for (size_t i = 0; i < f->triangle_count; i++) kept += !pov_needle(f->vertices, f->triangles[i]);
   if (kept == 0) return VS_EMITTED; /* nothing that could be seen */
   if (!vs_emit_triangles(e, kept)) return VS_FAILED;
   vs_shading s = { .normal_count = 0 };
-  bool smooth = m->groups != NULL || e->smooth;
-  if (smooth && !vs_shading_make_grouped(e, m->v, m->vertex_count, m->t, m->groups, m->count, m->crease, &s))
-    return VS_FAILED;
+  bool smooth = f->groups != NULL || e->smooth;
+  if (smooth && !vs_shading_make(e, f, &s)) return VS_FAILED;
   pov_open(e, "mesh2 {\n");
   e->depth++;
-  vs_vec3 from = pov_far(m->v, m->vertex_count);
-  pov_points(e, "vertex_vectors { ", m->v, m->vertex_count, from, e->unit);
+  vs_vec3 from = pov_far(f->vertices, f->vertex_count);
+  pov_points(e, "vertex_vectors { ", f->vertices, f->vertex_count, from, e->unit);
   if (smooth) pov_points(e, "normal_vectors { ", s.normals, s.normal_count, vs_v3(0, 0, 0), 1);
-  pov_triples(e, "face_indices { ", m->v, m->t, m->t, m->count, kept);
-  if (smooth) pov_triples(e, "normal_indices { ", m->v, m->t, (const uint32_t (*)[3])s.corners, m->count, kept);
+  pov_triples(e, "face_indices { ", f, f->triangles, kept);
+  if (smooth) pov_triples(e, "normal_indices { ", f, (const uint32_t (*)[3])s.corners, kept);
   if (m->closed) /* askew, so that it seldom runs along an edge */
     pov_open(e, "inside_vector <0.2317, 0.4951, 0.8372>\n");
   if (!vs_v3_equal(from, vs_v3(0, 0, 0))) {
@@ -117,19 +112,21 @@ static vs_emit_status pov_mesh(vs_emitter *e, const pov_triangles *m) {
 vs_emit_status vs_povray_polyface(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_polyface_mesh *p = VS_AS(polyface_mesh, ref->node);
-  pov_triangles all = { .crease = vs_shade_crease(true), .closed = p->closed };
+  pov_triangles all = { .closed = p->closed };
   bool triangles = p->faces->corner_count == 3 * p->faces->count;
   const uint32_t *starts = vs_faces_starts(p->faces);
   for (uint32_t i = 0; i < p->faces->count && triangles; i++) triangles = starts[i] == 3 * i;
   if (triangles) {
-    all.v = p->points->at, all.vertex_count = p->points->count;
-    all.t = (const uint32_t(*)[3])(const void *)vs_faces_corners(p->faces), all.count = p->faces->count;
+    all.faces = (vs_shade_faces){ .vertices = p->points->at,
+                                  .triangles = (const uint32_t (*)[3])(const void *)vs_faces_corners(p->faces),
+                                  .vertex_count = p->points->count,
+                                  .triangle_count = p->faces->count,
+                                  .crease = vs_shade_crease(true) };
     return pov_mesh(e, &all);
   }
   const vs_solid *m = vs_emit_mesh(e, ref);
   if (m == NULL) return VS_FAILED;
-  all.v = m->mesh.vertices, all.vertex_count = m->mesh.vertex_count;
-  all.t = (const uint32_t(*)[3])m->mesh.triangles, all.count = m->mesh.triangle_count;
+  all.faces = vs_shade_mesh(&m->mesh, vs_shade_crease(true));
   return pov_mesh(e, &all);
 }
 
@@ -252,13 +249,8 @@ static vs_emit_status pov_piece_of(vs_emitter *e, pov_piece *p, const vs_solid *
   if (p->triangles == 0) return VS_EMITTED;
   pov_line(p);
   const double crease = 0.35; /* radians: facets of round parts turn by a fifth of one at most */
-  return pov_mesh(e, &(pov_triangles){ .v = p->v,
-                                       .vertex_count = p->vertices,
-                                       .t = (const uint32_t (*)[3])p->t,
-                                       .count = p->triangles,
-                                       .groups = p->groups,
-                                       .crease = crease,
-                                       .paint = paint });
+  const vs_shade_faces faces = { p->v, (const uint32_t (*)[3])p->t, p->groups, p->vertices, p->triangles, crease };
+  return pov_mesh(e, &(pov_triangles){ .faces = faces, .paint = paint });
 }
 
 static bool pov_paint_met(const vs_solid *s, size_t part) {

@@ -27,11 +27,9 @@
 #include <string.h>
 
 #include "backends/shade.h"
+#include "backends/shared_shapes.h"
 #include "backends/view.h"
 #include "geometry/sky_light.h"
-#include "geometry/measure/node_measures.h"
-#include "geometry/shapes/unit_forms.h"
-#include "model/store/nodemap.h"
 
 enum { NAME_MAX_COUNT = 64, GEOMETRY_FIRST = 0x40000000 };
 
@@ -39,9 +37,7 @@ typedef struct { const char *layer; const vs_origin *origin; bool wrapped; } pac
 
 /* The geometry of a Shape: those triangles of a node that share material, layer and origin. */
 typedef struct { uint32_t geometry, paint; const char *layer; const vs_origin *origin; bool lines; } packed_part;
-typedef struct { size_t first, count; vs_vec3 middle; } packed_shape; /* of parts */
-
-typedef struct { uint32_t *at; size_t room; } packed_turns; /* by facets a turn: a shape's number + 1 */
+typedef struct { size_t first, count; } packed_shape; /* of parts */
 
 typedef struct {
   const char *names[NAME_MAX_COUNT];
@@ -49,8 +45,7 @@ typedef struct {
   vs_nodemap origins;          /* origin -> its number from 1 */
   const vs_origin **origin_list;
   size_t origin_count, origin_room;
-  vs_nodemap shapes;           /* node -> its shape's number + 1, where its triangles serve every place */
-  packed_turns units[VS_UNIT_COUNT];
+  vs_shared_shapes shapes;     /* by number: among `made` */
   packed_shape *made;
   size_t made_count, made_room;
   packed_part *parts;
@@ -123,6 +118,15 @@ static void packed_vector(vs_writer *w, vs_vec3 v) {
   vs_le_float(vs_le_float(vs_le_float(bytes, v.x), v.y), v.z);
   vs_put(w, bytes, 12);
 }
+static void packed_word(vs_writer *w, uint32_t x, int width) {
+  unsigned char bytes[4];
+  vs_le_u32(bytes, x);
+  vs_put(w, bytes, (size_t)width);
+}
+static void packed_normal(vs_writer *w, vs_vec3 n) {
+  const double xyz[] = { n.x, n.y, n.z };
+  for (int c = 0; c < 3; c++) packed_word(w, (uint32_t)(int32_t)lround(32767 * fmax(-1, fmin(1, xyz[c]))), 2);
+}
 static void packed_doubles(vs_emitter *e, const char *name, const double *at, size_t count) {
   packed_entry(e, "G", name);
   packed_count(e->out, count);
@@ -143,11 +147,6 @@ static void packed_words_begin(vs_emitter *e, const char *name, size_t count, in
   packed_count(e->out, (uint64_t)width);
   packed_name(e, name);
   packed_count(e->out, count);
-}
-static void packed_word(vs_writer *w, uint32_t x, int width) {
-  unsigned char bytes[4];
-  vs_le_u32(bytes, x);
-  vs_put(w, bytes, (size_t)width);
 }
 
 /* ---- origins ---- */
@@ -319,7 +318,7 @@ bool vs_packed_open(vs_emitter *e) {
   packed *p = vs_store_realloc(e->scene->store, NULL, 0, sizeof *p);
   if (p == NULL) return vs_emit_no_memory(e);
   memset(p, 0, sizeof *p);
-  p->shapes.store = p->origins.store = e->scene->store;
+  p->shapes.nodes.store = p->origins.store = e->scene->store;
   p->middle = packed_middle(&e->bounds);
   e->state = p;
   if (e->scene->sky_image != NULL &&
@@ -338,69 +337,75 @@ bool vs_packed_finish(vs_emitter *e) {
 void vs_packed_close(vs_emitter *e) {
   packed *p = e->state;
   if (p == NULL) return;
-  for (size_t i = 0; i < VS_UNIT_COUNT; i++)
-    vs_emit_release(e, p->units[i].at, p->units[i].room, sizeof *p->units[i].at);
   vs_emit_release(e, p->made, p->made_room, sizeof *p->made);
   vs_emit_release(e, p->parts, p->part_room, sizeof *p->parts);
   vs_emit_release(e, p->open, p->open_room, sizeof *p->open);
   vs_emit_release(e, p->origin_list, p->origin_room, sizeof *p->origin_list);
   vs_nodemap_free(&p->origins);
-  vs_nodemap_free_held(&p->shapes);
+  vs_shared_free(e, &p->shapes);
   vs_emit_release(e, p, 1, sizeof *p);
   e->state = NULL;
 }
 
 /* ---- geometries ---- */
 
-/* All that one Shape shows: the triangles whose part is among those that `same` maps to `part`. at: room for the
- * shading's normals. */
-static void packed_triangles(vs_emitter *e, const vs_solid *m, const vs_shading *s, const vs_affine *home,
-                             const uint32_t *same, uint32_t part, uint32_t *at, bool closed) {
-  const vs_mesh *mesh = &m->mesh;
+/* A solid that becomes geometries, one for each part that differs in material, layer or origin. */
+typedef struct {
+  vs_shaded_solid shaded;
+  uint32_t *same;              /* by tag: the first tag with its material, layer and origin */
+  uint32_t *used;              /* by part: triangles whose tag has that part as its first */
+  size_t parts;                /* at least one */
+} packed_making;
+
+/* The part that triangle i is written with. */
+static uint32_t packed_part_of(const packed_making *from, size_t i) {
+  const vs_solid *m = from->shaded.solid;
+  return m->mesh.tags != NULL && m->part_count > 0 ? from->same[m->mesh.tags[i]] : 0;
+}
+
+/* The points of the part's vertices, or their normals. Vertices have numbers in the order in which they are first met:
+ * another walk meets them in the same. */
+static void packed_vertices(vs_emitter *e, const packed_making *from, uint32_t part, uint32_t count, bool normals) {
+  const vs_shaded_solid *s = &from->shaded;
+  uint32_t next = 0;
+  packed_entry(e, normals ? "H" : "F", normals ? "vector" : "point");
+  packed_count(e->out, 3 * (uint64_t)count);
+  for (size_t i = 0; i < s->solid->mesh.triangle_count && !e->out->failed; i++) {
+    if (packed_part_of(from, i) != part) continue;
+    for (int k = 0; k < 3; k++) {
+      if (*vs_shaded_vertex(s, i, k) != next) continue;
+      next++;
+      if (normals) packed_normal(e->out, vs_shaded_normal(s, i, k));
+      else packed_vector(e->out, vs_shaded_point(s, i, k));
+    }
+  }
+}
+
+/* The triangles of a part; closed: they enclose a solid. */
+static void packed_triangles(vs_emitter *e, packed_making *from, uint32_t part, bool closed) {
+  const vs_shaded_solid *s = &from->shaded;
+  const vs_mesh *mesh = &s->solid->mesh;
   packed *p = e->state;
   vs_writer *w = e->out;
   uint32_t vertices = 0;
-  size_t triangles = 0;
-  memset(at, 0xff, s->normal_count * sizeof *at);
-#define PART_OF(i) (mesh->tags != NULL && m->part_count > 0 ? same[mesh->tags[i]] : 0)
+  vs_shaded_begin_part(&from->shaded);
   for (size_t i = 0; i < mesh->triangle_count; i++) {
-    if (PART_OF(i) != part) continue;
-    triangles++;
+    if (packed_part_of(from, i) != part) continue;
     for (int k = 0; k < 3; k++)
-      if (at[s->corners[i][k]] == UINT32_MAX) at[s->corners[i][k]] = vertices++;
+      if (*vs_shaded_vertex(s, i, k) == VS_SHADED_NEW) *vs_shaded_vertex(s, i, k) = vertices++;
   }
-  if (!vs_emit_triangles(e, triangles)) w->failed = true;
+  if (!vs_emit_triangles(e, from->used[part])) w->failed = true;
   int width = vertices <= 256 ? 1 : vertices <= 65536 ? 2 : 4;
   packed_entry(e, "N", "IndexedTriangleSet");
   packed_def(e, (uint64_t)GEOMETRY_FIRST + p->geometry_count++);
   if (closed) packed_number(e, "solid", 1);
-  packed_words_begin(e, "index", 3 * triangles, width);
+  packed_words_begin(e, "index", 3 * (size_t)from->used[part], width);
   for (size_t i = 0; i < mesh->triangle_count && !w->failed; i++) {
-    if (PART_OF(i) != part) continue;
-    for (int k = 0; k < 3; k++) packed_word(w, at[s->corners[i][k]], width);
+    if (packed_part_of(from, i) != part) continue;
+    for (int k = 0; k < 3; k++) packed_word(w, *vs_shaded_vertex(s, i, k), width);
   }
-  /* Vertices have numbers in the order in which they are first met: a second walk meets them in the same. */
-  for (int what = 0; what < 2 && !w->failed; what++) {
-    packed_entry(e, what == 0 ? "F" : "H", what == 0 ? "point" : "vector");
-    packed_count(w, 3 * (uint64_t)vertices);
-    uint32_t next = 0;
-    for (size_t i = 0; i < mesh->triangle_count && !w->failed; i++) {
-      if (PART_OF(i) != part) continue;
-      for (int k = 0; k < 3; k++) {
-        uint32_t corner = s->corners[i][k];
-        if (at[corner] != next) continue;
-        next++;
-        if (what == 0) {
-          packed_vector(w, vs_affine_point(home, mesh->vertices[mesh->triangles[i][k]]));
-        } else {
-          vs_vec3 n = vs_affine_normal(home, s->normals[corner]);
-          const double xyz[] = { n.x, n.y, n.z };
-          for (int c = 0; c < 3; c++) packed_word(w, (uint32_t)(int32_t)lround(32767 * fmax(-1, fmin(1, xyz[c]))), 2);
-        }
-      }
-    }
-  }
-#undef PART_OF
+  if (!w->failed) packed_vertices(e, from, part, vertices, false);
+  if (!w->failed) packed_vertices(e, from, part, vertices, true);
   packed_end(e);
 }
 
@@ -426,47 +431,55 @@ static bool packed_add_part(vs_emitter *e, packed_part part) {
   return true;
 }
 
-static bool packed_add_shape(vs_emitter *e, vs_vec3 middle) {
+static bool packed_add_shape(vs_emitter *e) {
   packed *p = e->state;
   if (!vs_emit_grow(e, &p->made, &p->made_room, p->made_count + 1, sizeof *p->made)) return false;
-  p->made[p->made_count++] = (packed_shape){ .first = p->part_count, .middle = middle };
+  p->made[p->made_count++] = (packed_shape){ .first = p->part_count };
+  return true;
+}
+
+static bool packed_count_parts(vs_emitter *e, packed_making *from) {
+  const vs_solid *m = from->shaded.solid;
+  from->parts = m->part_count > 0 ? m->part_count : 1;
+  from->same = vs_store_realloc(e->scene->store, NULL, 0, 2 * from->parts * sizeof *from->same);
+  if (from->same == NULL) return vs_emit_no_memory(e);
+  from->used = from->same + from->parts;
+  memset(from->same, 0, 2 * from->parts * sizeof *from->same);
+  packed_same(m, from->same);
+  for (size_t i = 0; i < m->mesh.triangle_count; i++) from->used[packed_part_of(from, i)]++;
   return true;
 }
 
 /* Writes a solid's geometries, where nobody sees them: each stands in a Group that is not shown. */
-static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *home, vs_vec3 middle, double crease,
-                             bool closed) {
-  packed *p = e->state;
-  const vs_mesh *mesh = &m->mesh;
-  vs_shading s;
-  if (!packed_add_shape(e, middle)) return false;
-  if (mesh->triangle_count > UINT32_MAX / 3)
+static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *home, double crease, bool closed) {
+  const packed *p = e->state;
+  packed_making from = { .parts = 0 };
+  if (!packed_add_shape(e)) return false;
+  if (m->mesh.triangle_count > UINT32_MAX / 3)
     return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more triangles than the viewer can number");
-  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t(*)[3])mesh->triangles,
-                       mesh->triangle_count, crease, &s))
-    return false;
-  size_t parts = m->part_count > 0 ? m->part_count : 1, room = s.normal_count + 2 * parts + 1;
-  uint32_t *at = vs_store_realloc(e->scene->store, NULL, 0, room * sizeof *at);
-  bool ok = at != NULL || vs_emit_no_memory(e);
-  if (ok) {
-    uint32_t *same = at + s.normal_count, *used = same + parts;
-    same[0] = 0;
-    packed_same(m, same);
-    memset(used, 0, parts * sizeof *used);
-    for (size_t i = 0; i < mesh->triangle_count; i++)
-      used[mesh->tags != NULL && m->part_count > 0 ? same[mesh->tags[i]] : 0]++;
-    for (uint32_t k = 0; ok && k < parts; k++) {
-      if (used[k] == 0) continue;
-      const vs_solid_part *part = m->part_count > 0 ? &m->parts[k] : NULL;
-      ok = packed_add_part(
-          e, (packed_part){ p->geometry_count, part != NULL ? (uint32_t)vs_emit_material_number(e, part->material) : 0,
-                            part != NULL ? part->layer : NULL, part != NULL ? part->leaf.origin : NULL, false });
-      if (ok) packed_triangles(e, m, &s, home, same, k, at, closed);
+  bool ok = vs_shaded_make(e, m, home, crease, &from.shaded) && packed_count_parts(e, &from);
+  for (uint32_t k = 0; ok && k < from.parts; k++) {
+    if (from.used[k] == 0) continue;
+    packed_part made = { .geometry = p->geometry_count };
+    const vs_solid_part *part = m->part_count > 0 ? &m->parts[k] : NULL;
+    if (part != NULL) {
+      made.paint = (uint32_t)vs_emit_material_number(e, part->material);
+      made.layer = part->layer, made.origin = part->leaf.origin;
     }
+    ok = packed_add_part(e, made);
+    if (ok) packed_triangles(e, &from, k, closed);
   }
-  vs_emit_release(e, at, room, sizeof *at);
-  vs_shading_free(&s);
+  vs_emit_release(e, from.same, 2 * from.parts, sizeof *from.same);
+  vs_shaded_free(e, &from.shaded);
   return ok && !e->out->failed;
+}
+
+/* A unit form, where it is. */
+static bool packed_add_form(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number) {
+  const packed *p = e->state;
+  vs_affine here = vs_affine_identity();
+  *number = (uint32_t)p->made_count;
+  return packed_add_solid(e, form, &here, crease, true);
 }
 
 /* ---- places ---- */
@@ -527,64 +540,34 @@ static bool packed_put(vs_emitter *e, const vs_ref *ref, size_t number, const vs
   return !e->out->failed;
 }
 
-static bool packed_unit(vs_emitter *e, vs_unit unit, int turn, size_t *number) {
-  packed *p = e->state;
-  packed_turns *t = &p->units[unit];
-  size_t old = t->room;
-  if (!vs_emit_grow(e, &t->at, &t->room, (size_t)turn + 1, sizeof *t->at)) return false;
-  if (t->room > old) memset(t->at + old, 0, (t->room - old) * sizeof *t->at);
-  if (t->at[turn] == 0) {
-    vs_solid form = { .mesh.most = e->options->mesh_triangles };
-    static const vs_affine here = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
-    bool ok = (vs_unit_mesh(unit, turn, &form.mesh) ||
-               (form.mesh.over ? vs_emit_triangles(e, form.mesh.most + 1) : vs_emit_no_memory(e))) &&
-              packed_add_solid(e, &form, &here, vs_v3(0, 0, 0), vs_shade_crease(turn > 0), true);
-    vs_solid_free(&form);
-    if (!ok) return false;
-    t->at[turn] = (uint32_t)p->made_count;
-  }
-  *number = t->at[turn] - 1;
-  return true;
-}
-
 /* Triangles about their own middle; those of one node are written once for all its places. */
 static bool packed_shape_of(vs_emitter *e, const vs_ref *ref, double crease) {
   packed *p = e->state;
-  bool found = false, placeable = vs_affine_is_placement(&e->placement);
-  uint64_t *known = placeable ? vs_nodemap_put_held(&p->shapes, ref->node, &found) : NULL;
-  if (placeable && known == NULL) return vs_emit_no_memory(e);
-  vs_bounds b;
-  if (!found && !vs_node_bounds(ref->node, &b, e->error)) return false;
-  vs_vec3 middle = found ? p->made[*known - 1].middle : vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
-  vs_affine there = vs_affine_translation(placeable ? middle : vs_affine_point(&e->placement, middle));
-  size_t number;
-  if (found) {
-    number = (size_t)*known - 1;
-  } else {
+  vs_shared_place at;
+  if (!vs_shared_find(e, &p->shapes, ref->node, vs_affine_is_placement(&e->placement), &at)) return false;
+  if (!at.written) {
     const vs_solid *m = vs_emit_mesh(e, ref);
-    vs_affine home = vs_affine_translation(vs_v3_scale(middle, -1)), place = e->placement;
-    for (int i = 0; i < 3; i++) place.m[i][3] = 0;
-    if (!placeable) home = vs_affine_multiply(&place, &home);
-    if (m == NULL || !packed_add_solid(e, m, &home, middle, crease, ref->node->class_ == VS_SOLID)) return false;
-    number = p->made_count - 1;
-    known = placeable ? vs_nodemap_get(&p->shapes, ref->node) : NULL;
-    if (known != NULL) *known = (uint64_t)number + 1;
+    uint32_t number = (uint32_t)p->made_count;
+    if (m == NULL || !packed_add_solid(e, m, &at.home, crease, ref->node->class_ == VS_SOLID) ||
+        !vs_shared_keep(e, &p->shapes, ref->node, &at, number))
+      return false;
   }
-  if (placeable) there = vs_affine_multiply(&e->placement, &there);
-  return packed_put(e, ref, number, &there);
+  return packed_put(e, ref, at.number, &at.there);
 }
 
 /* ---- emit functions ---- */
 
 vs_emit_status vs_packed_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
+  packed *p = e->state;
   vs_unit_copy copy;
-  size_t number;
+  uint32_t number;
   if (vs_unit_of(ref->node, &e->facets, &copy)) {
     vs_affine place = vs_affine_multiply(&e->placement, &copy.place);
     if (vs_affine_is_placement(&place))
-      return packed_unit(e, copy.unit, copy.turn, &number) && packed_put(e, ref, number, &place) ? VS_EMITTED
-                                                                                                 : VS_FAILED;
+      return vs_shared_unit(e, &p->shapes, &copy, packed_add_form, &number) && packed_put(e, ref, number, &place)
+                 ? VS_EMITTED
+                 : VS_FAILED;
   }
   return packed_shape_of(e, ref, vs_shade_crease(vs_lower_is_round(ref->node))) ? VS_EMITTED : VS_FAILED;
 }
@@ -600,10 +583,8 @@ vs_emit_status vs_packed_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) 
   const struct vs_line *l = VS_AS(line, ref->node);
   uint32_t count = l->points->count;
   if (count < 2) return VS_EMITTED;
-  vs_bounds b = vs_bounds_empty();
-  for (uint32_t i = 0; i < count; i++) vs_bounds_add(&b, vs_affine_point(&e->placement, l->points->at[i]));
-  vs_vec3 middle = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5);
-  if (!packed_add_shape(e, middle) || !packed_add_part(e, (packed_part){ p->geometry_count, 0, NULL, NULL, true }))
+  vs_vec3 middle = vs_shared_line_middle(e, l);
+  if (!packed_add_shape(e) || !packed_add_part(e, (packed_part){ p->geometry_count, 0, NULL, NULL, true }))
     return VS_FAILED;
   packed_entry(e, "N", "LineSet");
   packed_def(e, (uint64_t)GEOMETRY_FIRST + p->geometry_count++);

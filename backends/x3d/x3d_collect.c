@@ -93,53 +93,52 @@ static bool collect_count(vs_emitter *e, size_t count) {
          vs_error_set(e->error, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);
 }
 
+/* Adds triangle i to a batch. */
+static bool collect_triangle(vs_emitter *e, vs_x3d_batch *b, const vs_shaded_solid *s, size_t i) {
+  if (!vs_emit_grow(e, &b->triangles, &b->triangle_room, b->triangle_count + 1, sizeof *b->triangles)) return false;
+  for (int k = 0; k < 3; k++) {
+    uint32_t *vertex = vs_shaded_vertex(s, i, k);
+    if (*vertex == VS_SHADED_NEW) {
+      if (!vs_emit_grow(e, &b->vertices, &b->vertex_room, b->vertex_count + 1, sizeof *b->vertices) ||
+          !vs_emit_grow(e, &b->normals, &b->normal_room, b->vertex_count + 1, sizeof *b->normals))
+        return false;
+      b->vertices[b->vertex_count] = vs_shaded_point(s, i, k);
+      b->normals[b->vertex_count] = vs_shaded_normal(s, i, k);
+      *vertex = (uint32_t)b->vertex_count++;
+    }
+    b->triangles[b->triangle_count][s->mirrored ? 2 - k : k] = *vertex;
+  }
+  b->triangle_count++;
+  return true;
+}
+
+/* Adds the triangles of one paint; inherited: the paint of parts without a material. */
+static bool collect_painted(vs_emitter *e, vs_x3d_batch *b, vs_shaded_solid *s, size_t paint, uint32_t inherited) {
+  const vs_mesh *mesh = &s->solid->mesh;
+  size_t parts = s->solid->part_count > 0 ? s->solid->part_count : 1;
+  bool any = false;
+  for (size_t part = 0; part < parts && !any; part++) any = collect_paint(e, s->solid, part, inherited) == paint;
+  if (!any) return true;
+  vs_shaded_begin_part(s);
+  for (size_t i = 0; i < mesh->triangle_count; i++) {
+    uint32_t tag = mesh->tags != NULL ? mesh->tags[i] : 0;
+    if (collect_paint(e, s->solid, tag, inherited) != paint) continue;
+    if (!collect_triangle(e, b, s, i) || !vs_emit_going(e, i)) return false;
+  }
+  return true;
+}
+
 static bool collect_triangles(vs_emitter *e, vs_x3d_group *to, const vs_solid *m, const vs_affine *place,
                               uint32_t inherited, double crease) {
   if (!collect_count(e, m->mesh.triangle_count)) return false;
-  vs_x3d *x = e->state;
+  const vs_x3d *x = e->state;
   vs_x3d_batch *batches = vs_x3d_batches(e, to);
   if (batches == NULL) return false;
-  const vs_mesh *mesh = &m->mesh;
-  vs_shading s;
-  if (!vs_shading_make(e, mesh->vertices, mesh->vertex_count, (const uint32_t(*)[3])mesh->triangles,
-                       mesh->triangle_count, crease, &s))
-    return false;
-  bool mirrored = vs_affine_determinant(place) < 0, ok = true;
-  /* Each entry of the normals belongs to one vertex: it is the batch's vertex, and `at` is where the batch has it, per
-   * part. */
-  uint32_t *at = vs_store_realloc(e->scene->store, NULL, 0, (s.normal_count + 1) * sizeof *at);
-  if (at == NULL) ok = vs_emit_no_memory(e);
-  size_t parts = m->part_count > 0 ? m->part_count : 1;
-  for (size_t paint = 0; ok && paint < x->batch_count; paint++) {
-    bool any = false;
-    for (size_t part = 0; part < parts && !any; part++) {
-      any = collect_paint(e, m, part, inherited) == paint;
-    }
-    if (!any) continue;
-    vs_x3d_batch *b = &batches[paint];
-    memset(at, 0xff, (s.normal_count + 1) * sizeof *at);
-    for (size_t i = 0; ok && i < mesh->triangle_count; i++) {
-      uint32_t tag = mesh->tags != NULL ? mesh->tags[i] : 0;
-      if (collect_paint(e, m, tag, inherited) != paint) continue;
-      ok = vs_emit_grow(e, &b->triangles, &b->triangle_room, b->triangle_count + 1, sizeof *b->triangles);
-      for (int k = 0; ok && k < 3; k++) {
-        uint32_t corner = s.corners[i][k];
-        if (at[corner] == UINT32_MAX) {
-          ok = vs_emit_grow(e, &b->vertices, &b->vertex_room, b->vertex_count + 1, sizeof *b->vertices)
-            && vs_emit_grow(e, &b->normals, &b->normal_room, b->vertex_count + 1, sizeof *b->normals);
-          if (!ok) break;
-          b->vertices[b->vertex_count] = vs_affine_point(place, mesh->vertices[mesh->triangles[i][k]]);
-          b->normals[b->vertex_count] = vs_affine_normal(place, s.normals[corner]);
-          at[corner] = (uint32_t)b->vertex_count++;
-        }
-        b->triangles[b->triangle_count][mirrored ? 2 - k : k] = at[corner];
-      }
-      if (ok) b->triangle_count++;
-      ok = ok && vs_emit_going(e, i);
-    }
-  }
-  vs_emit_release(e, at, s.normal_count + 1, sizeof *at);
-  vs_shading_free(&s);
+  vs_shaded_solid s;
+  bool ok = vs_shaded_make(e, m, place, crease, &s);
+  for (size_t paint = 0; ok && paint < x->batch_count; paint++)
+    ok = collect_painted(e, &batches[paint], &s, paint, inherited);
+  vs_shaded_free(e, &s);
   return ok;
 }
 
