@@ -211,16 +211,32 @@ static bool same_place(const tip *tips, size_t count, size_t a, size_t b) {
       tips[a].at.y == tips[b].at.y;
 }
 
-/* The stretch that goes on from this end: the only other one of its layer that ends there. i - 1 past the first is
- * past the last as well. */
-static bool next_of(const tip *tips, size_t count, const uint32_t *slot, uint32_t which, int end, uint32_t *next,
-    int *next_end) {
-  size_t i = slot[2 * which + (uint32_t)end];
-  bool before = same_place(tips, count, i - 1, i), after = same_place(tips, count, i + 1, i);
-  if (before == after || same_place(tips, count, before ? i - 2 : i + 2, i)) return false;
-  const tip *other = &tips[before ? i - 1 : i + 1];
-  if (other->stretch == which) return false;
-  *next = other->stretch, *next_end = other->end;
+/* All stretches, and their ends sorted by layer and place. */
+typedef struct {
+  const stretch *all;
+  size_t count;             /* of stretches; there are two tips each */
+  tip *tips;
+  uint32_t *slot;           /* of end k of stretch i, 2 * i + k: the place of its tip among tips */
+  bool *used;               /* stretches that are in a line */
+  double slack;             /* how far a point may lie off the straight way, in the view's units */
+} stretches;
+
+/* An end of a stretch: 0 is a, 1 is b. */
+typedef struct { uint32_t stretch; int end; } stretch_end;
+
+static vs_sheet_point place_of(const stretches *s, stretch_end x) {
+  return x.end ? s->all[x.stretch].b : s->all[x.stretch].a;
+}
+
+/* The end of the stretch that goes on from end x: the only other one of its layer that is there. False: none, or
+ * several. i - 1 past the first is past the last as well. */
+static bool next_of(const stretches *s, stretch_end x, stretch_end *next) {
+  size_t i = s->slot[2 * x.stretch + (uint32_t)x.end], count = 2 * s->count;
+  bool before = same_place(s->tips, count, i - 1, i), after = same_place(s->tips, count, i + 1, i);
+  if (before == after || same_place(s->tips, count, before ? i - 2 : i + 2, i)) return false;
+  const tip *other = &s->tips[before ? i - 1 : i + 1];
+  if (other->stretch == x.stretch) return false;
+  *next = (stretch_end){ other->stretch, other->end };
   return true;
 }
 
@@ -244,50 +260,49 @@ static bool extend(vs_emitter *e, vs_flat_view *v, size_t first, vs_sheet_point 
   return add_point(e, v, p);
 }
 
-/* Follows the line that `start` is part of: back to where it begins, or once round, and then forward. */
-static bool chain(seen *s, const stretch *all, const tip *tips, const uint32_t *slot, size_t count, bool *used,
-    uint32_t start, double slack) {
-  vs_flat_view *v = s->v;
-  uint32_t at = start, next;
-  int back = 0, next_end;
-  while (next_of(tips, 2 * count, slot, at, back, &next, &next_end) && next != start) at = next, back = !next_end;
-  uint32_t begun = at;
+/* Follows the line that stretch `start` is part of: back to where it begins, or once round, and then forward. */
+static bool chain(vs_emitter *e, vs_flat_view *v, const stretches *s, uint32_t start) {
+  stretch_end at = { start, 0 }, next;
+  while (next_of(s, at, &next) && next.stretch != start) at = (stretch_end){ next.stretch, !next.end };
+  uint32_t begun = at.stretch;
   bool closed = false;
   size_t first = v->point_count;
-  if (!vs_emit_grow(s->e, &v->lines, &v->line_room, v->line_count + 1, sizeof *v->lines)) return false;
-  if (!add_point(s->e, v, back ? all[at].b : all[at].a)) return false;
-  for (int end = !back;;) {
-    used[at] = true;
-    if (!extend(s->e, v, first, end ? all[at].b : all[at].a, slack)) return false;
-    if (!next_of(tips, 2 * count, slot, at, end, &next, &next_end)) break;
-    if ((closed = next == begun)) break;
-    at = next, end = !next_end;
+  if (!vs_emit_grow(e, &v->lines, &v->line_room, v->line_count + 1, sizeof *v->lines)) return false;
+  if (!add_point(e, v, place_of(s, at))) return false;
+  for (at.end = !at.end;;) {
+    s->used[at.stretch] = true;
+    if (!extend(e, v, first, place_of(s, at), s->slack)) return false;
+    if (!next_of(s, at, &next)) break;
+    if ((closed = next.stretch == begun)) break;
+    at = (stretch_end){ next.stretch, !next.end };
   }
   size_t n = v->point_count - first;
   closed = closed && n > 3;
   if (closed) v->point_count--, n--; /* the first once more */
-  v->lines[v->line_count++] = (vs_flat_line){ (uint32_t)first, (uint32_t)n, closed, all[start].layer };
+  v->lines[v->line_count++] = (vs_flat_line){ (uint32_t)first, (uint32_t)n, closed, s->all[start].layer };
   return true;
 }
 
 static bool join(seen *s, const stretch *all, size_t count, double slack) {
   vs_store *store = s->host.store;
-  tip *tips = vs_store_realloc(store, NULL, 0, (2 * count + 1) * sizeof *tips);
-  uint32_t *slot = vs_store_realloc(store, NULL, 0, (2 * count + 1) * sizeof *slot);
-  bool *used = vs_store_realloc(store, NULL, 0, count + 1), ok = tips && slot && used;
+  stretches t = { .all = all, .count = count, .slack = slack };
+  t.tips = vs_store_realloc(store, NULL, 0, (2 * count + 1) * sizeof *t.tips);
+  t.slot = vs_store_realloc(store, NULL, 0, (2 * count + 1) * sizeof *t.slot);
+  t.used = vs_store_realloc(store, NULL, 0, count + 1);
+  bool ok = t.tips && t.slot && t.used;
   for (size_t i = 0; ok && i < 2 * count; i++) {
-    const stretch *t = &all[i / 2];
-    tips[i] = (tip){ i % 2 ? t->b : t->a, (uint32_t)(i / 2), (uint8_t)t->layer, i % 2 };
+    const stretch *one = &all[i / 2];
+    t.tips[i] = (tip){ i % 2 ? one->b : one->a, (uint32_t)(i / 2), (uint8_t)one->layer, i % 2 };
   }
-  if (ok) qsort(tips, 2 * count, sizeof *tips, tip_compare);
-  if (ok) memset(used, 0, count + 1);
-  for (size_t i = 0; ok && i < 2 * count; i++) slot[2 * tips[i].stretch + tips[i].end] = (uint32_t)i;
+  if (ok) qsort(t.tips, 2 * count, sizeof *t.tips, tip_compare);
+  if (ok) memset(t.used, 0, count + 1);
+  for (size_t i = 0; ok && i < 2 * count; i++) t.slot[2 * t.tips[i].stretch + t.tips[i].end] = (uint32_t)i;
   bool grew = ok;
   for (uint32_t i = 0; grew && i < count; i++)
-    if (!used[i]) grew = chain(s, all, tips, slot, count, used, i, slack);
-  vs_store_realloc(store, tips, (2 * count + 1) * sizeof *tips, 0);
-  vs_store_realloc(store, slot, (2 * count + 1) * sizeof *slot, 0);
-  vs_store_realloc(store, used, count + 1, 0);
+    if (!t.used[i]) grew = chain(s->e, s->v, &t, i);
+  vs_store_realloc(store, t.tips, (2 * count + 1) * sizeof *t.tips, 0);
+  vs_store_realloc(store, t.slot, (2 * count + 1) * sizeof *t.slot, 0);
+  vs_store_realloc(store, t.used, count + 1, 0);
   return ok ? grew : vs_emit_no_memory(s->e);
 }
 

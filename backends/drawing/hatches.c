@@ -24,57 +24,100 @@ static int compare(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Lines at an angle (radians) across the mark's loops, those at whole multiples of the spacing, so that they run on
- * from face to face. Each is sorted crossings with the borders, in pairs; cost: lines and borders that cross. */
-static bool lines_across(vs_emitter *e, vs_sheet *s, uint32_t view, uint32_t first_loop, uint32_t loop_count,
-    double angle, double spacing) {
-  double c = cos(angle), n = sin(angle), least = INFINITY, most = -INFINITY;
-  struct { crossings *at; size_t count; } all = { NULL, 0 };
-  bool ok = true;
-  for (uint32_t l = first_loop; l < first_loop + loop_count; l++)
-    for (uint32_t i = 0; i < s->loops[l].count; i++) {
-      vs_sheet_point p = s->points[s->loops[l].first + i];
-      double across = (p.y * c - p.x * n) / spacing;
-      least = fmin(least, across), most = fmax(most, across);
-    }
-  double begin = ceil(least), end = floor(most);
-  if (!(end >= begin) || end - begin > 1e5) return true;
-  all.count = (size_t)(end - begin) + 1;
-  all.at = vs_store_realloc(e->scene->store, NULL, 0, all.count * sizeof *all.at);
-  if (!all.at) return vs_emit_no_memory(e);
-  memset(all.at, 0, all.count * sizeof *all.at);
-  for (uint32_t l = first_loop; ok && l < first_loop + loop_count; l++)
-    for (uint32_t i = 0; ok && i < s->loops[l].count; i++) {
-      vs_sheet_point p = s->points[s->loops[l].first + i],
-          q = s->points[s->loops[l].first + (i + 1) % s->loops[l].count];
-      double a = (p.y * c - p.x * n) / spacing, b = (q.y * c - q.x * n) / spacing, u = p.x * c + p.y * n,
-          w = q.x * c + q.y * n;
-      /* half open: a corner on a line counts once where the border goes on to the other side, twice or never where it
-       * turns back */
-      for (double k = ceil(fmin(a, b)); ok && k < fmax(a, b); k++) {
-        crossings *row = &all.at[(size_t)(k - begin)];
-        ok = vs_emit_grow(e, &row->at, &row->room, row->count + 1, sizeof *row->at);
-        if (ok) row->at[row->count++] = u + (w - u) * ((k - a) / (b - a));
-      }
-    }
-  for (size_t i = 0; i < all.count; i++) {
-    crossings *row = &all.at[i];
-    double across = (begin + (double)i) * spacing;
-    if (row->count > 1) qsort(row->at, row->count, sizeof *row->at, compare);
-    for (size_t k = 0; ok && k + 1 < row->count; k += 2) {
-      vs_sheet_point line[2];
-      for (int j = 0; j < 2; j++) line[j] = (vs_sheet_point){ row->at[k + (size_t)j] * c - across * n,
-          row->at[k + (size_t)j] * n + across * c };
-      ok = row->at[k + 1] - row->at[k] < 0.05 || vs_sheet_line(e, s, view, VS_DRAWN_HATCH, line, 2, false);
-    }
-    vs_emit_release(e, row->at, row->room, sizeof *row->at);
+/* Parallel lines across some loops of the sheet. A point is at `across` from line 0, in spacings, and at `along` on its
+ * line, in mm. */
+typedef struct {
+  const vs_sheet_pen *pen;
+  uint32_t first_loop, loop_count;
+  double cosine, sine;      /* of the lines' angle */
+  double spacing;           /* mm */
+  double begin;             /* the number of the first line that meets the loops */
+  crossings *lines;
+  size_t count;
+} hatching;
+
+static double across(const hatching *h, vs_sheet_point p) { return (p.y * h->cosine - p.x * h->sine) / h->spacing; }
+static double along(const hatching *h, vs_sheet_point p) { return p.x * h->cosine + p.y * h->sine; }
+
+/* Adds where the side from p to q meets lines. Half open: a corner on a line counts once where the border goes on to
+ * the other side, twice or never where it turns back. */
+static bool cross_side(const hatching *h, vs_sheet_point p, vs_sheet_point q) {
+  double a = across(h, p), b = across(h, q), u = along(h, p), w = along(h, q);
+  for (double k = ceil(fmin(a, b)); k < fmax(a, b); k++) {
+    crossings *row = &h->lines[(size_t)(k - h->begin)];
+    if (!vs_emit_grow(h->pen->e, &row->at, &row->room, row->count + 1, sizeof *row->at)) return false;
+    row->at[row->count++] = u + (w - u) * ((k - a) / (b - a));
   }
-  vs_store_realloc(e->scene->store, all.at, all.count * sizeof *all.at, 0);
+  return true;
+}
+
+static bool cross_loops(const hatching *h) {
+  const vs_sheet *s = h->pen->sheet;
+  bool ok = true;
+  for (uint32_t l = h->first_loop; l < h->first_loop + h->loop_count; l++) {
+    const vs_sheet_point *at = s->points + s->loops[l].first;
+    for (uint32_t i = 0; ok && i < s->loops[l].count; i++) ok = cross_side(h, at[i], at[(i + 1) % s->loops[l].count]);
+  }
   return ok;
 }
 
-bool vs_sheet_fill(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_flat_fill *fill) {
-  const vs_flat_view *v = &s->views[view];
+/* Draws line i where it is inside: between one crossing and the next, in pairs. Short pieces are no ink. */
+static bool draw_line(const hatching *h, size_t i) {
+  const crossings *row = &h->lines[i];
+  double c = h->cosine, n = h->sine, off = (h->begin + (double)i) * h->spacing;
+  bool ok = true;
+  if (row->count > 1) qsort(row->at, row->count, sizeof *row->at, compare);
+  for (size_t k = 0; ok && k + 1 < row->count; k += 2) {
+    double from = row->at[k], to = row->at[k + 1];
+    ok = to - from < 0.05 || vs_sheet_stroke(h->pen, VS_DRAWN_HATCH,
+                                             (vs_sheet_point){ from * c - off * n, from * n + off * c },
+                                             (vs_sheet_point){ to * c - off * n, to * n + off * c });
+  }
+  return ok;
+}
+
+/* Draws the lines at whole multiples of the spacing, so that they run on from face to face; cost: lines and borders
+ * that cross. */
+static bool draw_lines(hatching *h) {
+  vs_emitter *e = h->pen->e;
+  const vs_sheet *s = h->pen->sheet;
+  double least = INFINITY, most = -INFINITY;
+  for (uint32_t l = h->first_loop; l < h->first_loop + h->loop_count; l++)
+    for (uint32_t i = 0; i < s->loops[l].count; i++) {
+      double at = across(h, s->points[s->loops[l].first + i]);
+      least = fmin(least, at), most = fmax(most, at);
+    }
+  double end = floor(most);
+  h->begin = ceil(least);
+  if (!(end >= h->begin) || end - h->begin > 1e5) return true;
+  h->count = (size_t)(end - h->begin) + 1;
+  h->lines = vs_store_realloc(e->scene->store, NULL, 0, h->count * sizeof *h->lines);
+  if (!h->lines) return vs_emit_no_memory(e);
+  memset(h->lines, 0, h->count * sizeof *h->lines);
+  bool ok = cross_loops(h);
+  for (size_t i = 0; i < h->count; i++) {
+    ok = ok && draw_line(h, i);
+    vs_emit_release(e, h->lines[i].at, h->lines[i].room, sizeof *h->lines[i].at);
+  }
+  vs_store_realloc(e->scene->store, h->lines, h->count * sizeof *h->lines, 0);
+  return ok;
+}
+
+/* The loops from first_loop on, which are the sheet's last, with lines at an angle in radians. */
+static bool lines_across(const vs_sheet_pen *pen, uint32_t first_loop, double angle, double spacing) {
+  hatching h = { .pen = pen,
+                 .first_loop = first_loop,
+                 .loop_count = (uint32_t)pen->sheet->loop_count - first_loop,
+                 .cosine = cos(angle),
+                 .sine = sin(angle),
+                 .spacing = spacing };
+  return draw_lines(&h);
+}
+
+bool vs_sheet_fill(const vs_sheet_pen *pen, const vs_flat_fill *fill) {
+  vs_emitter *e = pen->e;
+  vs_sheet *s = pen->sheet;
+  const vs_flat_view *v = &s->views[pen->view];
   const hatch *h = hatch_of(fill->material);
   uint32_t first = (uint32_t)s->loop_count;
   for (uint32_t l = fill->first_loop; l < fill->first_loop + fill->loop_count; l++) {
@@ -86,10 +129,9 @@ bool vs_sheet_fill(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_flat_fill
         v->points[v->loops[l].first + i]);
   }
   if (!vs_emit_grow(e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks)) return false;
-  s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_FILL, .layer = VS_DRAWN_FILL, .view = view, .first = first,
-      .count = fill->loop_count, .grey = h->grey };
-  double angle = h->angle * (3.14159265358979323846 / 180);
-  if (h->spacing > 0 && !lines_across(e, s, view, first, fill->loop_count, angle, h->spacing)) return false;
-  return !h->crossed || lines_across(e, s, view, first, fill->loop_count, angle + 3.14159265358979323846 / 2,
-      h->spacing);
+  s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_FILL, .layer = VS_DRAWN_FILL, .view = pen->view,
+      .first = first, .count = fill->loop_count, .grey = h->grey };
+  const double pi = 3.14159265358979323846, angle = h->angle * (pi / 180);
+  if (h->spacing > 0 && !lines_across(pen, first, angle, h->spacing)) return false;
+  return !h->crossed || lines_across(pen, first, angle + pi / 2, h->spacing);
 }

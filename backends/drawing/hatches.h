@@ -4,7 +4,8 @@
 
 #include "backends/drawing/sheet_marks.h"
 
-/* Puts on the fill of a cut face, and the lines over it. */
-bool vs_sheet_fill(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_flat_fill *fill);
+/* Puts on the fill of a cut face of the pen's view, and the lines over it. Fails when memory runs out, as the emitter's
+ * error says. */
+bool vs_sheet_fill(const vs_sheet_pen *pen, const vs_flat_fill *fill);
 
 #endif

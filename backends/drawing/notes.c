@@ -97,10 +97,16 @@ vs_sheet_room vs_sheet_notes_room(const vs_emitter *e, const vs_flat_view *v) {
   return room;
 }
 
-static bool stroke(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, vs_sheet_point a,
-    vs_sheet_point b) {
-  vs_sheet_point at[2] = { a, b };
-  return vs_sheet_line(e, s, view, layer, at, 2, false);
+static const vs_flat_view *view_of(const vs_sheet_pen *pen) { return &pen->sheet->views[pen->view]; }
+
+static bool stroke(const vs_sheet_pen *pen, vs_sheet_point a, vs_sheet_point b) {
+  return vs_sheet_stroke(pen, VS_DRAWN_DIMENSION, a, b);
+}
+
+/* A tick where a dimension ends, its half is t. */
+static bool tick(const vs_sheet_pen *pen, vs_sheet_point at, vs_sheet_point t) {
+  return vs_sheet_stroke(pen, VS_DRAWN_CUT, (vs_sheet_point){ at.x - t.x, at.y - t.y },
+                         (vs_sheet_point){ at.x + t.x, at.y + t.y });
 }
 
 static vs_sheet_point seen_at(const vs_flat_view *v, vs_vec3 p) { return vs_sheet_place(v, vs_flat_view_project(v,
@@ -108,8 +114,8 @@ static vs_sheet_point seen_at(const vs_flat_view *v, vs_vec3 p) { return vs_shee
 
 /* The line runs beside p and q, away from the view's middle, 10 mm out or as the note says; ticks cross it at 45
  * degrees. */
-static bool dimension(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_note *n) {
-  const vs_flat_view *v = &s->views[view];
+static bool dimension(const vs_sheet_pen *pen, const vs_scene_note *n) {
+  const vs_flat_view *v = view_of(pen);
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q);
   double dx = q.x - p.x, dy = q.y - p.y, length = hypot(dx, dy);
   if (length < 1e-6) return true;
@@ -128,80 +134,79 @@ static bool dimension(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_
       a1 = { a.x + nx * sign * over, a.y + ny * sign * over };
   vs_sheet_point b0 = { q.x + nx * sign * gap, q.y + ny * sign * gap },
       b1 = { b.x + nx * sign * over, b.y + ny * sign * over };
-  double tx = (dx + nx) * 1.1, ty = (dy + ny) * 1.1;
-  if (!stroke(e, s, view, VS_DRAWN_DIMENSION, a, b) || !stroke(e, s, view, VS_DRAWN_DIMENSION, a0, a1) ||
-      !stroke(e, s, view, VS_DRAWN_DIMENSION, b0, b1) ||
-      !stroke(e, s, view, VS_DRAWN_CUT, (vs_sheet_point){ a.x - tx, a.y - ty },
-          (vs_sheet_point){ a.x + tx, a.y + ty }) ||
-      !stroke(e, s, view, VS_DRAWN_CUT, (vs_sheet_point){ b.x - tx, b.y - ty }, (vs_sheet_point){ b.x + tx, b.y + ty }))
+  vs_sheet_point t = { (dx + nx) * 1.1, (dy + ny) * 1.1 };
+  if (!stroke(pen, a, b) || !stroke(pen, a0, a1) || !stroke(pen, b0, b1) || !tick(pen, a, t) || !tick(pen, b, t))
     return false;
   char text[40];
-  length_text(e, vs_v3_length(vs_v3_sub(n->q, n->p)), text, sizeof text);
+  length_text(pen->e, vs_v3_length(vs_v3_sub(n->q, n->p)), text, sizeof text);
   bool back = dx < -1e-9 || (fabs(dx) <= 1e-9 && dy < 0); /* text reads from below or from the right */
   double ux = back ? -dx : dx, uy = back ? -dy : dy, angle = atan2(uy, ux) * (180 / 3.14159265358979323846);
   vs_sheet_point at = { (a.x + b.x) / 2 - uy * 1, (a.y + b.y) / 2 + ux * 1 };
-  return vs_sheet_text(e, s, view, VS_DRAWN_TEXT, at, cap, angle, 0.5, n->text ? n->text : text);
+  return vs_sheet_text(pen, &(vs_sheet_words){ n->text ? n->text : text, at, cap, angle, 0.5 });
 }
 
-static bool level(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_note *n) {
-  const vs_flat_view *v = &s->views[view];
-  double end = v->at.x - 2 - dimensions_width(e, v, false), y = seen_at(v, n->p).y, x = end - levels_width(e, v);
+static bool level(const vs_sheet_pen *pen, const vs_scene_note *n) {
+  const vs_flat_view *v = view_of(pen);
+  double end = v->at.x - 2 - dimensions_width(pen->e, v, false), y = seen_at(v, n->p).y,
+         x = end - levels_width(pen->e, v);
   vs_sheet_point mark[3] = { { x + 2, y }, { x + 0.7, y + 1.9 }, { x + 3.3, y + 1.9 } };
   char text[160];
-  level_text(e, n, text, sizeof text);
-  return vs_sheet_line(e, s, view, VS_DRAWN_DIMENSION, mark, 3, true) &&
-         stroke(e, s, view, VS_DRAWN_DIMENSION, (vs_sheet_point){ x, y }, (vs_sheet_point){ end, y }) &&
-         vs_sheet_text(e, s, view, VS_DRAWN_TEXT, (vs_sheet_point){ x, y + 2.8 }, level_cap, 0, 0, text);
+  level_text(pen->e, n, text, sizeof text);
+  return vs_sheet_line(pen, VS_DRAWN_DIMENSION, mark, 3, true) &&
+         stroke(pen, (vs_sheet_point){ x, y }, (vs_sheet_point){ end, y }) &&
+         vs_sheet_text(pen, &(vs_sheet_words){ .text = text, .at = { x, y + 2.8 }, .size = level_cap });
 }
 
-static bool circle(vs_emitter *e, vs_sheet *s, uint32_t view, vs_sheet_point c, double r) {
+static bool circle(const vs_sheet_pen *pen, vs_sheet_point c, double r) {
   enum { CORNERS = 48 };
   vs_sheet_point at[CORNERS];
   for (int i = 0; i < CORNERS; i++) {
     double a = 2 * 3.14159265358979323846 * i / CORNERS;
     at[i] = (vs_sheet_point){ c.x + r * cos(a), c.y + r * sin(a) };
   }
-  return vs_sheet_line(e, s, view, VS_DRAWN_DIMENSION, at, CORNERS, true);
+  return vs_sheet_line(pen, VS_DRAWN_DIMENSION, at, CORNERS, true);
 }
 
-static bool axis(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_note *n) {
-  const vs_flat_view *v = &s->views[view];
+static bool axis(const vs_sheet_pen *pen, const vs_scene_note *n) {
+  const vs_flat_view *v = view_of(pen);
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q), first = p;
   double dx = q.x - p.x, dy = q.y - p.y, length = hypot(dx, dy);
   if (length < 1e-3) { /* seen from its end: upright, over the whole view */
-    p.y = v->at.y - 3 - dimensions_width(e, v, true);
+    p.y = v->at.y - 3 - dimensions_width(pen->e, v, true);
     q = (vs_sheet_point){ p.x, v->at.y + (v->high.y - v->low.y) * v->mm + 3 };
     dx = 0, dy = 1, first = p;
   } else {
     dx /= length, dy /= length;
   }
   vs_sheet_point c = { first.x - dx * bubble, first.y - dy * bubble };
-  return stroke(e, s, view, VS_DRAWN_AXIS, p, q) && circle(e, s, view, c, bubble) &&
-         vs_sheet_text(e, s, view, VS_DRAWN_TEXT, (vs_sheet_point){ c.x, c.y - cap / 2 }, cap, 0, 0.5, n->text);
+  return vs_sheet_stroke(pen, VS_DRAWN_AXIS, p, q) && circle(pen, c, bubble) &&
+         vs_sheet_text(pen, &(vs_sheet_words){ n->text, { c.x, c.y - cap / 2 }, cap, 0, 0.5 });
 }
 
-static bool label(vs_emitter *e, vs_sheet *s, uint32_t view, const vs_scene_note *n) {
-  return vs_sheet_text(e, s, view, VS_DRAWN_TEXT, seen_at(&s->views[view], n->p), cap, 0, 0.5, n->text);
+static bool label(const vs_sheet_pen *pen, const vs_scene_note *n) {
+  return vs_sheet_text(pen, &(vs_sheet_words){ n->text, seen_at(view_of(pen), n->p), cap, 0, 0.5 });
 }
 
-static bool ground(vs_emitter *e, vs_sheet *s, uint32_t view) {
-  const vs_flat_view *v = &s->views[view];
+static bool ground(const vs_sheet_pen *pen) {
+  const vs_emitter *e = pen->e;
+  const vs_flat_view *v = view_of(pen);
   if (!e->scene->has_ground || !is_upright(v)) return true;
   double y = seen_at(v, vs_v3(0, 0, e->scene->ground_z)).y, x0 = v->at.x, x1 = x0 + (v->high.x - v->low.x) * v->mm,
       more = fmin(8, vs_sheet_notes_room(e, v).across + 4);
-  return stroke(e, s, view, VS_DRAWN_GROUND, (vs_sheet_point){ x0 - more, y }, (vs_sheet_point){ x1 + more, y });
+  return vs_sheet_stroke(pen, VS_DRAWN_GROUND, (vs_sheet_point){ x0 - more, y }, (vs_sheet_point){ x1 + more, y });
 }
 
-bool vs_sheet_notes(vs_emitter *e, vs_sheet *s, uint32_t view) {
-  bool ok = ground(e, s, view);
+bool vs_sheet_notes(const vs_sheet_pen *pen) {
+  const vs_emitter *e = pen->e;
+  bool ok = ground(pen);
   for (size_t i = 0; ok && i < e->scene->note_count; i++) {
     const vs_scene_note *n = &e->scene->notes[i];
-    if (!fits(e, &s->views[view], n)) continue;
+    if (!fits(e, view_of(pen), n)) continue;
     switch (n->kind) {
-    case VS_NOTE_DIMENSION: ok = dimension(e, s, view, n); break;
-    case VS_NOTE_LABEL: ok = label(e, s, view, n); break;
-    case VS_NOTE_LEVEL: ok = level(e, s, view, n); break;
-    case VS_NOTE_AXIS: ok = axis(e, s, view, n); break;
+    case VS_NOTE_DIMENSION: ok = dimension(pen, n); break;
+    case VS_NOTE_LABEL: ok = label(pen, n); break;
+    case VS_NOTE_LEVEL: ok = level(pen, n); break;
+    case VS_NOTE_AXIS: ok = axis(pen, n); break;
     }
   }
   return ok;

@@ -33,19 +33,18 @@ static const double margin = 10, binding = 20, title_width = 130, title_height =
 
 /* ---- frame ---- */
 
-static bool rectangle(vs_emitter *e, vs_sheet *s, vs_drawn_layer layer, double x0, double y0, double x1, double y1) {
-  vs_sheet_point at[4] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
-  return vs_sheet_line(e, s, (uint32_t)s->view_count, layer, at, 4, true);
+/* The pen of what belongs to no view. */
+static vs_sheet_pen pen_of(vs_emitter *e, vs_sheet *s) { return (vs_sheet_pen){ e, s, (uint32_t)s->view_count }; }
+
+static bool stroke(const vs_sheet_pen *pen, vs_sheet_point a, vs_sheet_point b) {
+  return vs_sheet_stroke(pen, VS_DRAWN_SHEET, a, b);
 }
 
-static bool stroke(vs_emitter *e, vs_sheet *s, vs_drawn_layer layer, double x0, double y0, double x1, double y1) {
-  vs_sheet_point at[2] = { { x0, y0 }, { x1, y1 } };
-  return vs_sheet_line(e, s, (uint32_t)s->view_count, layer, at, 2, false);
+static bool write(const vs_sheet_pen *pen, vs_sheet_point at, double size, double align, const char *text) {
+  return vs_sheet_text(pen, &(vs_sheet_words){ .text = text, .at = at, .size = size, .align = align });
 }
 
-static bool write(vs_emitter *e, vs_sheet *s, double x, double y, double size, double align, const char *text) {
-  return vs_sheet_text(e, s, (uint32_t)s->view_count, VS_DRAWN_TEXT, (vs_sheet_point){ x, y }, size, 0, align, text);
-}
+static vs_sheet_point point(double x, double y) { return (vs_sheet_point){ x, y }; }
 
 /* ---- scale and place ---- */
 
@@ -155,65 +154,76 @@ static const char *scale_text(double scale, char text[32]) {
 }
 
 /* A bar of five parts, whose length is a round number of units. */
-static bool scale_bar(vs_emitter *e, vs_sheet *s, double x, double y, const vs_flat_view *v) {
+static bool scale_bar(const vs_sheet_pen *pen, double x, double y, const vs_flat_view *v) {
   double part = pow(10, floor(log10(12 / v->mm)));
   if (part * 5 * v->mm <= 12) part *= 5;
   else if (part * 2 * v->mm <= 12) part *= 2;
   char text[40];
   for (int i = 0; i <= 5; i++) {
     double at = x + i * part * v->mm;
-    if (!stroke(e, s, VS_DRAWN_SHEET, at, y, at, y + 1.6)) return false;
-    snprintf(text, sizeof text, i == 5 ? "%g %s" : "%g", i * part, e->scene->units);
-    if ((i == 0 || i == 1 || i == 5) && !write(e, s, at, y + 2.6, 1.8, 0.5, text)) return false;
+    if (!stroke(pen, point(at, y), point(at, y + 1.6))) return false;
+    snprintf(text, sizeof text, i == 5 ? "%g %s" : "%g", i * part, pen->e->scene->units);
+    if ((i == 0 || i == 1 || i == 5) && !write(pen, point(at, y + 2.6), 1.8, 0.5, text)) return false;
     /* dark parts, of lines close together, so that every program shows them */
     for (int k = 0; i < 5 && k < 4 && i % 2 == 0; k++)
-      if (!stroke(e, s, VS_DRAWN_SHEET, at, y + 0.25 * k, at + part * v->mm, y + 0.25 * k)) return false;
-    if (i < 5 && i % 2 && !stroke(e, s, VS_DRAWN_SHEET, at, y, at + part * v->mm, y)) return false;
+      if (!stroke(pen, point(at, y + 0.25 * k), point(at + part * v->mm, y + 0.25 * k))) return false;
+    if (i < 5 && i % 2 && !stroke(pen, point(at, y), point(at + part * v->mm, y))) return false;
   }
   return true;
 }
 
-static bool north(vs_emitter *e, vs_sheet *s, double x, double y, const vs_flat_view *v) {
+static bool north(const vs_sheet_pen *pen, double x, double y, const vs_flat_view *v) {
   vs_vec3 up = vs_v3(0, 1, 0);
   double dx = vs_v3_dot(up, v->look.right), dy = vs_v3_dot(up, v->look.up), length = hypot(dx, dy);
   if (!(length > 0.1)) return true;
   dx /= length, dy /= length;
   vs_sheet_point arrow[4] = { { x - 5 * dx - 2.5 * dy, y - 5 * dy + 2.5 * dx }, { x + 5 * dx, y + 5 * dy },
       { x - 5 * dx + 2.5 * dy, y - 5 * dy - 2.5 * dx }, { x - 3 * dx, y - 3 * dy } };
-  return vs_sheet_line(e, s, (uint32_t)s->view_count, VS_DRAWN_SHEET, arrow, 4, true) &&
-      write(e, s, x + 7.5 * dx, y + 7.5 * dy - 1.2, 2.5, 0.5, "N");
+  return vs_sheet_line(pen, VS_DRAWN_SHEET, arrow, 4, true) &&
+      write(pen, point(x + 7.5 * dx, y + 7.5 * dy - 1.2), 2.5, 0.5, "N");
+}
+
+/* The view whose scale the block names: the first that has one. several: not all have the same. */
+static const vs_flat_view *scaled_view(const vs_sheet *s, bool *several) {
+  const vs_flat_view *scaled = NULL;
+  *several = false;
+  for (size_t i = 0; i < s->view_count; i++) {
+    *several = *several || (scaled && is_flat(&s->views[i]) && s->views[i].scale != scaled->scale);
+    if (!scaled && is_flat(&s->views[i])) scaled = &s->views[i];
+  }
+  return scaled;
 }
 
 static bool title_block(vs_emitter *e, vs_sheet *s) {
-  double x = s->right - title_width, y = s->bottom, middle = y + title_height / 2, column = x + 78;
+  const vs_sheet_pen pen = pen_of(e, s);
+  double x = s->right - title_width, y = s->bottom, top = y + title_height, middle = y + title_height / 2,
+      column = x + 78, last = column + 26;
   char text[160], scale[32];
   const char *title = e->scene->title, *dot = strrchr(title, '.');
-  bool ok = rectangle(e, s, VS_DRAWN_SHEET, x, y, s->right, y + title_height) &&
-      stroke(e, s, VS_DRAWN_SHEET, x, middle, s->right, middle) &&
-            stroke(e, s, VS_DRAWN_SHEET, column, y, column, y + title_height) &&
-                stroke(e, s, VS_DRAWN_SHEET, column + 26, y, column + 26, middle);
+  bool ok = vs_sheet_rectangle(&pen, VS_DRAWN_SHEET, point(x, y), point(s->right, top)) &&
+            stroke(&pen, point(x, middle), point(s->right, middle)) &&
+            stroke(&pen, point(column, y), point(column, top)) && stroke(&pen, point(last, y), point(last, middle));
   size_t length = vs_character_cut(title, 60);
   if (dot && dot > title && (size_t)(dot - title) < length) length = (size_t)(dot - title);
   snprintf(text, sizeof text, "%.*s", (int)length, title);
-  ok = ok && write(e, s, x + 3, middle + 1.8 + 2.4, 3.5, 0, text);
+  ok = ok && write(&pen, point(x + 3, middle + 1.8 + 2.4), 3.5, 0, text);
   const char *what = s->view_count == 1 ? s->views[0].spec.name : "views";
-  ok = ok && write(e, s, x + 3, y + 4.4, 3, 0, what) && write(e, s, column + 3, middle + 7.6, 1.6, 0, "scale") &&
-      write(e, s, column + 3, y + 8, 1.6, 0, "sheet") &&
-       write(e, s, column + 29, y + 8, 1.6, 0, "units");
-  const vs_flat_view *scaled = NULL;
-  bool several = false;
-  for (size_t i = 0; i < s->view_count; i++) {
-    several = several || (scaled && is_flat(&s->views[i]) && s->views[i].scale != scaled->scale);
-    if (!scaled && is_flat(&s->views[i])) scaled = &s->views[i];
-  }
-  ok = ok && write(e, s, column + 3, middle + 2.4, 3.5, 0, several ? "as shown" :
-      scaled ? scale_text(scaled->scale, scale) : "none") &&
-       write(e, s, column + 3, y + 2.6, 3, 0, s->name) && write(e, s, column + 29, y + 2.6, 3, 0, e->scene->units);
-  if (ok && scaled && s->left + 80 < x) ok = scale_bar(e, s, s->left + 8, y + 6, scaled);
+  ok = ok && write(&pen, point(x + 3, y + 4.4), 3, 0, what) &&
+       write(&pen, point(column + 3, middle + 7.6), 1.6, 0, "scale") &&
+       write(&pen, point(column + 3, y + 8), 1.6, 0, "sheet") &&
+       write(&pen, point(column + 29, y + 8), 1.6, 0, "units");
+  bool several;
+  const vs_flat_view *scaled = scaled_view(s, &several);
+  const char *stated = several ? "as shown" : scaled ? scale_text(scaled->scale, scale) : "none";
+  ok = ok && write(&pen, point(column + 3, middle + 2.4), 3.5, 0, stated) &&
+       write(&pen, point(column + 3, y + 2.6), 3, 0, s->name) &&
+       write(&pen, point(column + 29, y + 2.6), 3, 0, e->scene->units);
+  if (ok && scaled && s->left + 80 < x) ok = scale_bar(&pen, s->left + 8, y + 6, scaled);
   return ok;
 }
 
 static bool captions(vs_emitter *e, vs_sheet *s) {
+  const vs_sheet_pen sheet = pen_of(e, s);
   bool ok = true;
   for (size_t i = 0; ok && i < s->view_count; i++) {
     const vs_flat_view *v = &s->views[i];
@@ -222,9 +232,9 @@ static bool captions(vs_emitter *e, vs_sheet *s) {
     char text[160], scale[32];
     snprintf(text, sizeof text, "%.*s%s%s", (int)vs_character_cut(v->spec.name, 100), v->spec.name,
         v->scale > 0 ? "   " : "", scale_text(v->scale, scale));
-    ok = vs_sheet_text(e, s, (uint32_t)i, VS_DRAWN_TEXT, (vs_sheet_point){ x, y }, 2.5, 0, 0.5, text);
-    if (ok && v->look.parallel && fabs(v->look.forward.z) > 0.999) ok = i > 0 ||
-        north(e, s, s->right - 12, s->top - 14, v);
+    ok = write(&(vs_sheet_pen){ e, s, (uint32_t)i }, point(x, y), 2.5, 0.5, text);
+    if (ok && i == 0 && v->look.parallel && fabs(v->look.forward.z) > 0.999)
+      ok = north(&sheet, s->right - 12, s->top - 14, v);
   }
   return ok;
 }
@@ -232,22 +242,25 @@ static bool captions(vs_emitter *e, vs_sheet *s) {
 /* ---- the whole ---- */
 
 static bool put_view(vs_emitter *e, vs_sheet *s, uint32_t i) {
+  const vs_sheet_pen pen = { e, s, i };
   vs_flat_view *v = &s->views[i];
   bool ok = true;
-  for (size_t k = 0; ok && k < v->fill_count; k++) ok = vs_sheet_fill(e, s, i, &v->fills[k]);
+  for (size_t k = 0; ok && k < v->fill_count; k++) ok = vs_sheet_fill(&pen, &v->fills[k]);
   for (size_t k = 0; ok && k < v->line_count; k++) {
     const vs_flat_line *l = &v->lines[k];
     size_t first = s->point_count;
-    ok = vs_sheet_line(e, s, i, l->layer, v->points + l->first, l->count, l->closed);
+    ok = vs_sheet_line(&pen, l->layer, v->points + l->first, l->count, l->closed);
     for (size_t n = first; ok && n < s->point_count; n++) s->points[n] = vs_sheet_place(v, s->points[n]);
   }
-  return ok && vs_sheet_notes(e, s, i);
+  return ok && vs_sheet_notes(&pen);
 }
 
 bool vs_sheet_make(vs_emitter *e, vs_sheet *s, vs_flat_view *views, size_t count) {
   s->views = views, s->view_count = count;
-  bool ok = choose(e, s) && rectangle(e, s, VS_DRAWN_FRAME, s->left, s->bottom, s->right, s->top) &&
-      title_block(e, s) && captions(e, s);
+  const vs_sheet_pen pen = pen_of(e, s);
+  bool ok = choose(e, s) &&
+            vs_sheet_rectangle(&pen, VS_DRAWN_FRAME, point(s->left, s->bottom), point(s->right, s->top)) &&
+            title_block(e, s) && captions(e, s);
   for (size_t i = 0; ok && i < count; i++) ok = put_view(e, s, (uint32_t)i);
   return ok;
 }

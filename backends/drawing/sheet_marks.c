@@ -7,16 +7,35 @@ vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p) {
   return (vs_sheet_point){ (p.x - v->low.x) * v->mm + v->at.x, (p.y - v->low.y) * v->mm + v->at.y };
 }
 
-bool vs_sheet_line(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, const vs_sheet_point *at,
-    size_t count, bool closed) {
-  if (!vs_emit_grow(e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks) ||
-      !vs_emit_grow(e, &s->points, &s->point_room, s->point_count + count, sizeof *s->points))
+/* Adds a mark. */
+static bool add(const vs_sheet_pen *pen, vs_mark mark) {
+  vs_sheet *s = pen->sheet;
+  if (!vs_emit_grow(pen->e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks)) return false;
+  mark.view = pen->view;
+  s->marks[s->mark_count++] = mark;
+  return true;
+}
+
+bool vs_sheet_line(const vs_sheet_pen *pen, vs_drawn_layer layer, const vs_sheet_point *at, size_t count,
+                   bool closed) {
+  vs_sheet *s = pen->sheet;
+  if (!add(pen, (vs_mark){ .kind = VS_MARK_LINE, .layer = layer, .first = (uint32_t)s->point_count,
+                           .count = (uint32_t)count, .closed = closed }) ||
+      !vs_emit_grow(pen->e, &s->points, &s->point_room, s->point_count + count, sizeof *s->points))
     return false;
-  s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_LINE, .layer = layer, .view = view,
-      .first = (uint32_t)s->point_count, .count = (uint32_t)count, .closed = closed };
   memcpy(s->points + s->point_count, at, count * sizeof *at);
   s->point_count += count;
   return true;
+}
+
+bool vs_sheet_stroke(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b) {
+  vs_sheet_point at[2] = { a, b };
+  return vs_sheet_line(pen, layer, at, 2, false);
+}
+
+bool vs_sheet_rectangle(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b) {
+  vs_sheet_point at[4] = { a, { b.x, a.y }, b, { a.x, b.y } };
+  return vs_sheet_line(pen, layer, at, 4, true);
 }
 
 /* The text as letters on a line: what is none has no shape on paper, and programs refuse files that hold it. */
@@ -30,12 +49,9 @@ static const char *on_paper(vs_store *store, const char *text) {
   return kept;
 }
 
-bool vs_sheet_text(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, vs_sheet_point at, double size,
-    double angle, double align, const char *text) {
-  const char *kept = on_paper(e->scene->store, text);
-  if (!kept) return vs_emit_no_memory(e);
-  if (!vs_emit_grow(e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks)) return false;
-  s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_TEXT, .layer = layer, .view = view, .text = kept, .at = at,
-      .size = size, .angle = angle, .align = align };
-  return true;
+bool vs_sheet_text(const vs_sheet_pen *pen, const vs_sheet_words *words) {
+  const char *kept = on_paper(pen->e->scene->store, words->text);
+  if (!kept) return vs_emit_no_memory(pen->e);
+  return add(pen, (vs_mark){ .kind = VS_MARK_TEXT, .layer = VS_DRAWN_TEXT, .text = kept, .at = words->at,
+                             .size = words->size, .angle = words->angle, .align = words->align });
 }

@@ -31,10 +31,26 @@ typedef struct {
   size_t view_count;
 } vs_sheet;
 
-bool vs_sheet_line(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, const vs_sheet_point *at,
-    size_t count, bool closed);
-bool vs_sheet_text(vs_emitter *e, vs_sheet *s, uint32_t view, vs_drawn_layer layer, vs_sheet_point at, double size,
-    double angle, double align, const char *text);
+/* Puts marks of one view on a sheet. */
+typedef struct {
+  vs_emitter *e;
+  vs_sheet *sheet;
+  uint32_t view;            /* of the sheet's views; the count of them: marks of the sheet itself */
+} vs_sheet_pen;
+
+/* A line of text; the members are those of a mark. */
+typedef struct {
+  const char *text;
+  vs_sheet_point at;
+  double size, angle, align;
+} vs_sheet_words;
+
+/* Each adds one mark, and fails when memory runs out, as the emitter's error says. Points are in mm; of a stroke a and
+ * b are the ends, of a rectangle two opposite corners. */
+bool vs_sheet_line(const vs_sheet_pen *pen, vs_drawn_layer layer, const vs_sheet_point *at, size_t count, bool closed);
+bool vs_sheet_stroke(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
+bool vs_sheet_rectangle(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
+bool vs_sheet_text(const vs_sheet_pen *pen, const vs_sheet_words *words);
 vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p); /* of the view's plane on the sheet */
 
 #endif
