@@ -486,12 +486,12 @@ static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
     const vs_node *n = top->ref.node;
     if (d->reuse.open && d->frame_count == d->run_frames && top->next == d->run_until) vs_drive_run_end(e);
     if (d->reuse.cache != NULL && !d->reuse.open && top->next >= top->asked && top->next < n->child_count) {
-      bool found;
-      size_t shown;
-      if (!vs_drive_run(e, n, n->children, n->child_count, top->next, false, &top->asked, &shown, &found)) return false;
-      if (found) {
-        top->next = top->asked;
-        top->shown += shown;
+      vs_run run;
+      if (!vs_drive_run(e, &(vs_run_row){ n, n->children, n->child_count, false }, top->next, &run)) return false;
+      top->asked = run.until;
+      if (run.found) {
+        top->next = run.until;
+        top->shown += run.shown;
         continue;
       }
     }
@@ -533,13 +533,12 @@ static void drive_reset(vs_emitter *e) {
 
 /* A run that begins here, of what is drawn or of a template's body: *next behind it, where it was found. asked: before
  * that one nothing is looked for. */
-static bool drive_root(vs_emitter *e, const vs_ref *refs, size_t count, size_t from, bool body, size_t *asked,
-                       size_t *next) {
-  bool found = false;
-  size_t shown;
+static bool drive_root(vs_emitter *e, const vs_run_row *row, size_t from, size_t *asked, size_t *next) {
+  vs_run run;
   if (e->drive->reuse.cache == NULL || e->drive->reuse.open || from < *asked) return true;
-  if (!vs_drive_run(e, NULL, refs, count, from, body, asked, &shown, &found)) return false;
-  if (found) *next = *asked;
+  if (!vs_drive_run(e, row, from, &run)) return false;
+  *asked = run.until;
+  if (run.found) *next = run.until;
   return true;
 }
 
@@ -553,10 +552,11 @@ static bool drive_definitions(vs_emitter *e) {
     if (!drive_mark(e, &entry.ref) || !e->backend->define(e, entry.definition, &entry.ref, true)) return false;
     e->depth = 1;
     e->body = entry.ref.node;
-    if (!drive_root(e, &entry.ref, 1, 0, true, &asked, &next) || (next == 0 && !drive_walk(e, &entry.ref, true)))
+    if (!drive_root(e, &(vs_run_row){ NULL, &entry.ref, 1, true }, 0, &asked, &next) ||
+        (next == 0 && !drive_walk(e, &entry.ref, true)))
       return false;
     if (d->reuse.open) vs_drive_run_end(e);
-    if ( !e->backend->define(e, entry.definition, &entry.ref, false)) return false;
+    if (!e->backend->define(e, entry.definition, &entry.ref, false)) return false;
   }
   return true;
 }
@@ -757,13 +757,14 @@ bool vs_drive_scene(vs_emitter *e) {
   }
   d->share = 1 / ((double)e->scene->drawn_count + 1); /* the definitions have the first */
   if (!drive_definitions(e)) return false;
+  const vs_run_row drawn = { NULL, e->scene->drawn, e->scene->drawn_count, false };
   for (size_t i = 0, asked = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
     size_t next = i;
     d->from = (double)(i + 1) * d->share;
     drive_reset(e);
     if (d->reuse.open && i == d->run_until) vs_drive_run_end(e);
-    if (!drive_root(e, e->scene->drawn, e->scene->drawn_count, i, false, &asked, &next)) return false;
+    if (!drive_root(e, &drawn, i, &asked, &next)) return false;
     if (next > i) {
       i = next - 1;
       continue;

@@ -155,22 +155,21 @@ static void put_tree(vs_emitter *e, spelling *s, const vs_ref *ref, bool body) {
 
 /* ---- runs ---- */
 
-/* Where the run from `from` on ends, and its weight. */
-static size_t run_end(const vs_emitter *e, const vs_ref *refs, size_t count, size_t from, bool body, size_t *shown,
-                      uint32_t *weight) {
-  size_t i = from;
-  for (*shown = 0, *weight = 0; i < count; i++) {
-    const vs_node *n = refs[i].node;
+/* Finds where the run from `from` on ends, and how many of it are shown. Returns its weight. */
+static uint32_t run_end(const vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run) {
+  uint32_t weight = 0;
+  *run = (vs_run){ .until = from };
+  for (bool ends = false; !ends && run->until < row->count; run->until++) {
+    const vs_node *n = row->refs[run->until].node;
     drive_view view = drive_look(e, n);
-    uint32_t own = body && view.entry != NULL ? view.entry->weight : weight_of(e, n, view);
+    uint32_t own = row->body && view.entry != NULL ? view.entry->weight : weight_of(e, n, view);
     bool alone = own >= HEAVY; /* gone into, unless it is one shape */
-    if (alone && i > from) break;
-    *shown += !view.vain;
-    *weight += alone && view.operation ? 0 : own;
-    if (alone || *weight >= HEAVY || (*weight >= LIGHT && (n->hash >> 32) < UINT32_MAX / USUAL * (uint64_t)own))
-      return i + 1;
+    if (alone && run->until > from) break;
+    run->shown += !view.vain;
+    weight += alone && view.operation ? 0 : own;
+    ends = alone || weight >= HEAVY || (weight >= LIGHT && (n->hash >> 32) < UINT32_MAX / USUAL * (uint64_t)own);
   }
-  return i;
+  return weight;
 }
 
 static bool all_said(const vs_emitter *e, const vs_reused *found) {
@@ -221,21 +220,18 @@ void vs_drive_run_end(vs_emitter *e) {
   for (size_t i = 0; i < count; i++) lines[i].line += (uint32_t)d->run_line;
 }
 
-bool vs_drive_run(vs_emitter *e, const vs_node *parent, const vs_ref *refs, size_t count, size_t from, bool body,
-                  size_t *until, size_t *shown, bool *found) {
+bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run) {
   vs_reuse *r = &e->drive->reuse;
   vs_tally *tally = vs_store_tally(e->scene->store);
-  uint32_t weight;
-  *found = false;
-  *until = run_end(e, refs, count, from, body, shown, &weight);
-  if (weight < LIGHT) return true;
+  const vs_ref *refs = row->refs;
+  if (run_end(e, row, from, run) < LIGHT) return true;
   spelling s = { .count = 0 };
   size_t first = from;
   vs_reuse_start(r);
-  put_surroundings(e, parent, body);
-  for (size_t i = from; i < *until && !r->unfit; i++) {
+  put_surroundings(e, row->parent, row->body);
+  for (size_t i = from; i < run->until && !r->unfit; i++) {
     vs_reuse_mix(r, refs[i].node->hash);
-    put_tree(e, &s, &refs[i], body);
+    put_tree(e, &s, &refs[i], row->body);
   }
   put_ends(e, &s);
   vs_emit_release(e, s.steps, s.room, sizeof *s.steps);
@@ -244,11 +240,11 @@ bool vs_drive_run(vs_emitter *e, const vs_node *parent, const vs_ref *refs, size
   if (tally != NULL) tally->texts++;
   vs_reused kept;
   if (!vs_reuse_find(r, &kept)) {
-    run_begin(e, *until);
+    run_begin(e, run->until);
     return true;
   }
-  *found = all_said(e, &kept); /* else it is written once more, and what is not said yet is said where it belongs */
-  bool ok = !*found || put_out(e, &refs[first], &kept);
+  run->found = all_said(e, &kept); /* else it is written once more, and what is not said yet is said where it belongs */
+  bool ok = !run->found || put_out(e, &refs[first], &kept);
   vs_cache_let_go(r->cache, kept.held);
   return ok;
 }

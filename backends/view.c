@@ -107,15 +107,13 @@ vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look) {
 
 double vs_look_height(uint32_t columns, uint32_t rows) { return fmin(2 * pi * rows / columns, pi); }
 
-void vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row, vs_vec3 *from,
-                 vs_vec3 *direction) {
+vs_look_line vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row) {
   double x = (column + 0.5) / columns * 2 - 1, y = (1 - (row + 0.5) / rows * 2) * rows / columns;
   if (look->panorama) {
     double round = x * pi, above = (0.5 - (row + 0.5) / rows) * vs_look_height(columns, rows);
     vs_vec3 level = vs_v3_add(vs_v3_scale(look->forward, cos(round)), vs_v3_scale(look->right, sin(round)));
-    *from = look->eye;
-    *direction = vs_v3_add(vs_v3_scale(level, cos(above)), vs_v3_scale(look->up, sin(above)));
-    return;
+    vs_vec3 direction = vs_v3_add(vs_v3_scale(level, cos(above)), vs_v3_scale(look->up, sin(above)));
+    return (vs_look_line){ look->eye, direction };
   }
   double half = look->parallel ? look->width / 2 : tan(look->angle / 2);
   vs_vec3 ahead = look->forward, up = look->up;
@@ -124,6 +122,6 @@ void vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t 
     ahead = vs_v3_scale(look->forward, 1 / vs_v3_dot(look->forward, level)), up = vs_v3(0, 0, 1);
   }
   vs_vec3 aside = vs_v3_add(vs_v3_scale(look->right, x * half), vs_v3_scale(up, y * half));
-  *from = look->parallel ? vs_v3_add(look->eye, aside) : look->eye;
-  *direction = look->parallel ? look->forward : vs_v3_add(ahead, aside);
+  if (look->parallel) return (vs_look_line){ vs_v3_add(look->eye, aside), look->forward };
+  return (vs_look_line){ look->eye, vs_v3_add(ahead, aside) };
 }

@@ -20,10 +20,10 @@ typedef struct {
  * least one. */
 vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count,
     double aspect);
-/* The ray through the middle of a pixel, counted from 0 at the upper left; the direction's length along forward
- * is 1, and that of a panorama's is 1. */
-void vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row, vs_vec3 *from,
-                 vs_vec3 *direction);
+/* direction: its length along the look's forward is 1, and that of a panorama's is 1. */
+typedef struct { vs_vec3 from, direction; } vs_look_line;
+/* Returns the line of sight through the middle of a pixel, counted from 0 at the upper left. */
+vs_look_line vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row);
 /* The angle of a panorama's height, radians: its pixels are square, where it does not reach past straight up and
  * down. */
 double vs_look_height(uint32_t columns, uint32_t rows);

@@ -95,43 +95,48 @@ static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase pha
   return scad_done(e);
 }
 
-/* Everything round or regular about an axis. */
-static vs_emit_status scad_turned(vs_emitter *e, const vs_node *n, vs_vec3 base, double base_radius, vs_vec3 top,
-                                  double top_radius, int facets) {
-  vs_vec3 axis = vs_v3_sub(top, base);
-  vs_affine place = vs_frame_on_axis(base, axis);
+/* A solid that is round or regular about its axis, from the middle of its base to that of its top. */
+typedef struct {
+  vs_vec3 base, top;
+  double base_radius, top_radius; /* of the corners, where it is regular */
+  int facets;                     /* a turn */
+} scad_frustum;
+
+static vs_emit_status scad_turned(vs_emitter *e, const vs_node *n, const scad_frustum *f) {
+  vs_vec3 axis = vs_v3_sub(f->top, f->base);
+  vs_affine place = vs_frame_on_axis(f->base, axis);
   scad_open(e, n);
   scad_place(e, &place);
   scad_number(e, "cylinder(h = ", vs_v3_length(axis));
-  if (base_radius == top_radius) {
-    scad_number(e, ", r = ", base_radius);
+  if (f->base_radius == f->top_radius) {
+    scad_number(e, ", r = ", f->base_radius);
   } else {
-    scad_number(e, ", r1 = ", base_radius);
-    scad_number(e, ", r2 = ", top_radius);
+    scad_number(e, ", r1 = ", f->base_radius);
+    scad_number(e, ", r2 = ", f->top_radius);
   }
-  vs_putf(e->out, ", $fn = %d);\n", facets);
+  vs_putf(e->out, ", $fn = %d);\n", f->facets);
   return scad_done(e);
 }
 
 static vs_emit_status scad_cylinder(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_cylinder *c = VS_AS(cylinder, ref->node);
-  return scad_turned(e, ref->node, c->base, c->radius, c->top, c->radius,
-                     vs_fineness_turn(&e->facets, c->radius, c->segments));
+  int facets = vs_fineness_turn(&e->facets, c->radius, c->segments);
+  return scad_turned(e, ref->node, &(scad_frustum){ c->base, c->top, c->radius, c->radius, facets });
 }
 
 static vs_emit_status scad_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_cone *c = VS_AS(cone, ref->node);
-  return scad_turned(e, ref->node, c->base, c->radius, c->apex, 0,
-                     vs_fineness_turn(&e->facets, c->radius, c->segments));
+  int facets = vs_fineness_turn(&e->facets, c->radius, c->segments);
+  return scad_turned(e, ref->node, &(scad_frustum){ c->base, c->apex, c->radius, 0, facets });
 }
 
 static vs_emit_status scad_cut_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_cut_cone *c = VS_AS(cut_cone, ref->node);
-  return scad_turned(e, ref->node, c->base, c->base_radius, c->top, c->top_radius,
-                     vs_fineness_turn(&e->facets, fmax(c->base_radius, c->top_radius), c->segments));
+  int facets = vs_fineness_turn(&e->facets, fmax(c->base_radius, c->top_radius), c->segments);
+  return scad_turned(e, ref->node, &(scad_frustum){ c->base, c->top, c->base_radius, c->top_radius, facets });
 }
 
 static vs_emit_status scad_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
@@ -154,7 +159,8 @@ static vs_emit_status scad_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase pha
 static vs_emit_status scad_pyramid(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_pyramid *p = VS_AS(pyramid, ref->node);
-  return scad_turned(e, ref->node, p->base, p->base_radius, p->top, p->top_radius, (int)p->sides);
+  return scad_turned(e, ref->node,
+                     &(scad_frustum){ p->base, p->top, p->base_radius, p->top_radius, (int)p->sides });
 }
 
 /* A cube that stands on the plane and holds all there is to cut. */

@@ -45,10 +45,11 @@ static void look_at(const layers *l, uint32_t column, uint32_t row) {
   const vs_scene *scene = l->e->scene;
   const vs_mesh *m = &l->solid.mesh;
   size_t i = (size_t)row * l->x->columns + column;
-  vs_vec3 from, direction;
   double below = INFINITY, at;
   const int *crop = l->e->options->crop;
-  vs_look_ray(&l->look, l->columns, l->rows, column + (uint32_t)crop[0], row + (uint32_t)crop[1], &from, &direction);
+  vs_look_line line =
+      vs_look_ray(&l->look, l->columns, l->rows, column + (uint32_t)crop[0], row + (uint32_t)crop[1]);
+  vs_vec3 from = line.from, direction = line.direction;
   if (scene->has_ground && direction.z != 0) below = (scene->ground_z - from.z) / direction.z;
   if (!(below > 0)) below = INFINITY;
   size_t hit = vs_ray_tree_meet(&l->tree, from, direction, below, false, &at);

@@ -148,22 +148,28 @@ static void scene_wrap(vs_writer *w, size_t item, size_t per_line) {
   if (item > 0) vs_puts(w, item % per_line == 0 ? "\n" : " ");
 }
 
-static void scene_points(vs_emitter *e, const char *field, const char *node, const char *many, const vs_vec3 *at,
-                         size_t count, double steps) {
-  vs_x3d_node(e, field, node, NULL);
-  vs_x3d_field(e, many, true);
+/* A node that holds points: the field it is of, its name, and its own field with them. */
+typedef struct { const char *field, *node, *many; double steps; /* a unit, to which they are rounded */ } scene_cloud;
+
+static void scene_points(vs_emitter *e, const scene_cloud *cloud, const vs_vec3 *at, size_t count) {
+  vs_x3d_node(e, cloud->field, cloud->node, NULL);
+  vs_x3d_field(e, cloud->many, true);
   for (size_t i = 0; i < count && !e->out->failed; i++) {
     scene_wrap(e->out, i, 8);
-    scene_rounded(e->out, at[i], steps);
+    scene_rounded(e->out, at[i], cloud->steps);
   }
   vs_x3d_field_end(e, true);
-  vs_x3d_end(e, node, false);
+  vs_x3d_end(e, cloud->node, false);
 }
 
 /* Steps a unit: a power of ten, so that the rounded numbers are short. */
 static double scene_steps(const vs_emitter *e) {
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   return pow(10, 7 - ceil(log10(diagonal > 0 ? diagonal : 1)));
+}
+
+static void scene_corners(vs_emitter *e, const vs_vec3 *at, size_t count) {
+  scene_points(e, &(scene_cloud){ "coord", "Coordinate", "point", scene_steps(e) }, at, count);
 }
 
 /* A geometry that several Shapes have is named, and said by the first. */
@@ -239,8 +245,8 @@ static void scene_triangles(vs_emitter *e, size_t number, const vs_x3d_batch *b,
       }
     }
     vs_x3d_field_end(e, true);
-    scene_points(e, "coord", "Coordinate", "point", b->vertices, b->vertex_count, scene_steps(e));
-    scene_points(e, "normal", "Normal", "vector", b->normals, b->vertex_count, 1000);
+    scene_corners(e, b->vertices, b->vertex_count);
+    scene_points(e, &(scene_cloud){ "normal", "Normal", "vector", 1000 }, b->normals, b->vertex_count);
     vs_x3d_end(e, "IndexedTriangleSet", false);
   }
   vs_x3d_end(e, "Shape", false);
@@ -255,7 +261,7 @@ static void scene_lines(vs_emitter *e, size_t number, const vs_x3d_batch *b, boo
       else vs_put_u32(e->out, b->lines[i]);
     }
     vs_x3d_field_end(e, true);
-    scene_points(e, "coord", "Coordinate", "point", b->points, b->point_count, scene_steps(e));
+    scene_corners(e, b->points, b->point_count);
     vs_x3d_end(e, "IndexedLineSet", false);
   }
   vs_x3d_end(e, "Shape", false);
@@ -407,7 +413,7 @@ static void scene_ground(vs_emitter *e, bool *said) {
   vs_x3d_field(e, "coordIndex", true);
   vs_puts(e->out, "0 1 2 3 -1");
   vs_x3d_field_end(e, true);
-  scene_points(e, "coord", "Coordinate", "point", corners, 4, scene_steps(e));
+  scene_corners(e, corners, 4);
   vs_x3d_end(e, "IndexedFaceSet", false);
   vs_x3d_end(e, "Shape", false);
 }

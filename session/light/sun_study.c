@@ -101,9 +101,9 @@ typedef struct { float *hours; vs_vec3 *normal; double *depth; uint32_t wide, hi
 /* The thing seen in a pixel: the model, the ground below it, or nothing. */
 static void see(const study *t, const vs_look *look, const view *v, uint32_t column, uint32_t row) {
   size_t i = (size_t)row * v->wide + column;
-  vs_vec3 from, direction, p[3];
+  vs_look_line line = vs_look_ray(look, v->wide, v->high, column, row);
+  vs_vec3 from = line.from, direction = line.direction, p[3];
   double at, below = INFINITY;
-  vs_look_ray(look, v->wide, v->high, column, row, &from, &direction);
   if (direction.z < 0 && from.z > t->ground) below = (t->ground - from.z) / direction.z;
   size_t hit = vs_ray_tree_meet(&t->tree, from, direction, below, false, &at);
   v->hours[i] = NAN, v->depth[i] = INFINITY, v->normal[i] = vs_v3(0, 0, 0);
