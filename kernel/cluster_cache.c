@@ -13,14 +13,14 @@
 
 typedef struct { uint64_t vertices, triangles; } header;
 
-static bool place_of(vs_kernel *k, uint32_t **places, size_t *count, size_t *room, uint32_t number, uint32_t next,
-                     uint32_t *place) {
-  if (number >= *count) {
-    if (!vs_kernel_grow(k, places, room, (size_t)number + 1, sizeof **places)) return false;
-    for (; *count < *room; ++*count) (*places)[*count] = VS_NONE;
+/* The place of a number, which is `next` where it has none yet. */
+static bool place_of(vs_kernel *k, vs_places *p, uint32_t number, size_t next, uint32_t *place) {
+  if (number >= p->count) {
+    if (!VS_ROOM(k, p->at, p->room, (size_t)number + 1)) return false;
+    for (; p->count < p->room; p->count++) p->at[p->count] = VS_NONE;
   }
-  if ((*places)[number] == VS_NONE) (*places)[number] = next;
-  *place = (*places)[number];
+  if (p->at[number] == VS_NONE) p->at[number] = (uint32_t)next;
+  *place = p->at[number];
   return true;
 }
 
@@ -31,10 +31,8 @@ static bool put_real(vs_kernel *k, vs_remember *r, double d) { return put(k, r, 
 static bool put_leaf(vs_kernel *k, vs_remember *r, const vs_copies *c, uint32_t leaf) {
   const vs_kernel_leaf *l = &c->problem->leaves[leaf];
   uint32_t paint = c->problem->paints ? c->problem->paints[l->tag] : l->tag, tag_at, paint_at;
-  if (!place_of(k, &r->tag_place.at, &r->tag_place.count, &r->tag_place.room, l->tag, (uint32_t)r->tags.count,
-                &tag_at) ||
-      !place_of(k, &r->paint_place.at, &r->paint_place.count, &r->paint_place.room, paint, (uint32_t)r->paints.count,
-                &paint_at))
+  if (!place_of(k, &r->tag_place, l->tag, r->tags.count, &tag_at) ||
+      !place_of(k, &r->paint_place, paint, r->paints.count, &paint_at))
     return false;
   if (tag_at == r->tags.count && !VS_PUSH(k, r->tags, l->tag)) return false;
   if (paint_at == r->paints.count && !VS_PUSH(k, r->paints, paint)) return false;
@@ -46,19 +44,18 @@ static bool put_leaf(vs_kernel *k, vs_remember *r, const vs_copies *c, uint32_t 
   return ok;
 }
 
-bool vs_remember_key(vs_kernel *k, vs_remember *r, vs_copies *c, const uint32_t *leaves, uint32_t count,
-                     const vs_bounds *gate, bool *known) {
+bool vs_remember_key(vs_kernel *k, vs_remember *r, vs_copies *c, vs_group leaves, const vs_bounds *gate, bool *known) {
   const vs_kernel_options *o = k->options;
   *known = o && vs_cache_asks(o->cache) && c->problem->identities;
-  for (uint32_t i = 0; *known && i < count; i++) *known = c->problem->identities[leaves[i]] != 0;
+  for (uint32_t i = 0; *known && i < leaves.count; i++) *known = c->problem->identities[leaves.at[i]] != 0;
   if (!*known) return true;
   r->words.count = r->tags.count = r->paints.count = 0;
-  bool ok = put(k, r, (uint64_t)o->straight << 32 | count) && put(k, r, c->expression->forced);
-  for (uint32_t i = 0; ok && i < count; i++) ok = put_leaf(k, r, c, leaves[i]) && vs_kernel_poll(k, 0);
+  bool ok = put(k, r, (uint64_t)o->straight << 32 | leaves.count) && put(k, r, c->expression->forced);
+  for (uint32_t i = 0; ok && i < leaves.count; i++) ok = put_leaf(k, r, c, leaves.at[i]) && vs_kernel_poll(k, 0);
   for (size_t i = 0; i < r->tags.count; i++) r->tag_place.at[r->tags.at[i]] = VS_NONE;
   for (size_t i = 0; i < r->paints.count; i++) r->paint_place.at[r->paints.at[i]] = VS_NONE;
   size_t first = c->keys.count;
-  ok = ok && vs_copies_put_terms(k, c, leaves, count);
+  ok = ok && vs_copies_put_terms(k, c, leaves);
   for (size_t i = first; ok && i < c->keys.count; i++) ok = put(k, r, c->keys.at[i]) && vs_kernel_poll(k, 0);
   c->keys.count = first;
   return ok && (!gate || (put_real(k, r, gate->min.x) && put_real(k, r, gate->min.y) && put_real(k, r, gate->min.z) &&

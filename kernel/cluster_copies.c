@@ -50,13 +50,15 @@ static bool reach(vs_kernel *k, vs_copies *c, uint32_t term) {
   return put(k, c, c->number.at[term]);
 }
 
-bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count) {
+bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves) {
   const vs_expression *e = c->expression;
   bool ok = true;
   c->terms.count = 0;
-  for (uint32_t i = 0; ok && i < count; i++)
-    for (uint32_t j = e->leaf_first.at[leaves[i]]; ok && j <= e->leaf_first.at[leaves[i] + 1]; j++)
-      ok = j < e->leaf_first.at[leaves[i] + 1] ? reach(k, c, e->leaf_terms.at[j]) : put(k, c, UINT64_MAX);
+  for (uint32_t i = 0; ok && i < leaves.count; i++) {
+    uint32_t end = e->leaf_first.at[leaves.at[i] + 1];
+    for (uint32_t j = e->leaf_first.at[leaves.at[i]]; ok && j <= end; j++)
+      ok = j < end ? reach(k, c, e->leaf_terms.at[j]) : put(k, c, UINT64_MAX);
+  }
   for (size_t i = 0; ok && i < c->terms.count; i++) { /* grows as users are reached */
     uint32_t t = c->terms.at[i];
     ok = put(k, c, (uint64_t)e->need.at[t] << 32 | (uint64_t)e->kind.at[t] << 1 | (t == e->root));
@@ -72,72 +74,87 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uin
   return ok;
 }
 
-bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count, uint32_t *original,
-                    bool *is_new, vs_affine *map) {
+/* Appends the key of the cluster; *hash is its hash. *comparable false: it has none, and is like no other. */
+static bool put_key(vs_kernel *k, vs_copies *c, vs_group leaves, uint64_t *hash, bool *comparable) {
   size_t start = c->keys.count;
   vs_affine back;
-  VS_ASSERT(count > 0);
-  *is_new = true;
-  *original = (uint32_t)c->originals.count;
-  const vs_part *first = &c->parts->all.at[c->parts->of_leaf.at[leaves[0]]];
-  bool comparable = (uint64_t)count * 2 <= c->problem->leaf_count && first->outer > 0 &&
-                    vs_affine_invert(&c->problem->leaves[leaves[0]].placement, &back);
-  uint64_t hash = 0;
-  if (comparable) {
-    int exponent;
-    frexp(first->outer, &exponent);
-    if (!put(k, c, count)) return false;
-    for (uint32_t i = 0; i < count; i++)
-      if (!put_leaf(k, c, leaves[i], &back, ldexp(1, exponent))) return false;
-    if (!vs_copies_put_terms(k, c, leaves, count)) return false;
-    for (size_t i = start; i < c->keys.count; i++) {
-      hash = (hash ^ c->keys.at[i]) * 0x9e3779b97f4a7c15u;
-      hash ^= hash >> 29;
-    }
+  VS_ASSERT(leaves.count > 0);
+  const vs_part *first = &c->parts->all.at[c->parts->of_leaf.at[leaves.at[0]]];
+  *hash = 0;
+  *comparable = (uint64_t)leaves.count * 2 <= c->problem->leaf_count && first->outer > 0 &&
+                vs_affine_invert(&c->problem->leaves[leaves.at[0]].placement, &back);
+  if (!*comparable) return true;
+  int exponent;
+  frexp(first->outer, &exponent);
+  if (!put(k, c, leaves.count)) return false;
+  for (uint32_t i = 0; i < leaves.count; i++)
+    if (!put_leaf(k, c, leaves.at[i], &back, ldexp(1, exponent))) return false;
+  if (!vs_copies_put_terms(k, c, leaves)) return false;
+  for (size_t i = start; i < c->keys.count; i++) {
+    *hash = (*hash ^ c->keys.at[i]) * 0x9e3779b97f4a7c15u;
+    *hash ^= *hash >> 29;
   }
+  return true;
+}
+
+/* Makes room for the heads of one more original. */
+static bool heads_grow(vs_kernel *k, vs_copies *c) {
+  if (c->originals.count < c->heads.count) return true;
+  size_t want = c->heads.count * 4;
+  if (!VS_ROOM(k, c->heads.at, c->heads.room, want)) return false;
+  c->heads.count = want;
+  for (size_t i = 0; i < want; i++) c->heads.at[i] = VS_NONE;
+  for (uint32_t i = 0; i < c->originals.count; i++) {
+    uint32_t *head = &c->heads.at[c->originals.at[i].hash & (want - 1)];
+    c->originals.at[i].next = *head;
+    *head = i;
+  }
+  return true;
+}
+
+/* The map from one first leaf, placed at `from`, to another of the same part at `to`. False: there is none. */
+static bool map_between(const vs_affine *from, const vs_affine *to, vs_vec3 middle, vs_affine *map) {
+  vs_affine back;
+  if (!vs_affine_invert(from, &back)) return false;
+  *map = vs_affine_multiply(to, &back);
+  for (int r = 0; r < 3; r++) /* moved only, or turned by quarters: exactly so */
+    for (int j = 0; j < 3; j++) {
+      double whole = floor(map->m[r][j] + 0.5);
+      if (fabs(map->m[r][j] - whole) < 1e-14) map->m[r][j] = whole;
+    }
+  vs_vec3 there = vs_affine_point(to, middle), at = vs_affine_point(from, middle);
+  vs_vec3 off = vs_v3_sub(there, vs_affine_vector(map, at));
+  map->m[0][3] = off.x;
+  map->m[1][3] = off.y;
+  map->m[2][3] = off.z;
+  if (vs_affine_is_translation(map))
+    for (int r = 0; r < 3; r++) map->m[r][3] = to->m[r][3] - from->m[r][3];
+  return true;
+}
+
+bool vs_copies_find(vs_kernel *k, vs_copies *c, vs_group leaves, vs_cluster_copy *out) {
+  size_t start = c->keys.count;
+  uint64_t hash;
+  bool comparable;
+  *out = (vs_cluster_copy){ (uint32_t)c->originals.count, true, vs_affine_identity() };
+  if (!put_key(k, c, leaves, &hash, &comparable) || !heads_grow(k, c)) return false;
+  const vs_kernel_leaf *first = &c->problem->leaves[leaves.at[0]];
+  vs_vec3 middle = c->parts->all.at[c->parts->of_leaf.at[leaves.at[0]]].middle;
   size_t length = c->keys.count - start;
-  if (c->originals.count >= c->heads.count) {
-    size_t want = c->heads.count * 4;
-    if (!VS_ROOM(k, c->heads.at, c->heads.room, want)) return false;
-    c->heads.count = want;
-    for (size_t i = 0; i < want; i++) c->heads.at[i] = VS_NONE;
-    for (uint32_t i = 0; i < c->originals.count; i++) {
-      uint32_t *head = &c->heads.at[c->originals.at[i].hash & (want - 1)];
-      c->originals.at[i].next = *head;
-      *head = i;
-    }
-  }
   uint32_t *head = &c->heads.at[hash & (c->heads.count - 1)];
   for (uint32_t i = *head; comparable && i != VS_NONE; i = c->originals.at[i].next) {
     const vs_original *o = &c->originals.at[i];
     if (o->hash != hash || o->length != length ||
         memcmp(c->keys.at + o->key, c->keys.at + start, length * sizeof *c->keys.at) != 0)
       continue;
-    vs_affine from;
-    if (!vs_affine_invert(&c->problem->leaves[o->leaves[0]].placement, &from)) continue;
-    *map = vs_affine_multiply(&c->problem->leaves[leaves[0]].placement, &from);
-    for (int r = 0; r < 3; r++) /* moved only, or turned by quarters: exactly so */
-      for (int j = 0; j < 3; j++) {
-        double whole = floor(map->m[r][j] + 0.5);
-        if (fabs(map->m[r][j] - whole) < 1e-14) map->m[r][j] = whole;
-      }
-    vs_vec3 to = vs_affine_point(&c->problem->leaves[leaves[0]].placement, first->middle),
-            at = vs_affine_point(&c->problem->leaves[o->leaves[0]].placement, first->middle);
-    vs_vec3 off = vs_v3_sub(to, vs_affine_vector(map, at));
-    map->m[0][3] = off.x;
-    map->m[1][3] = off.y;
-    map->m[2][3] = off.z;
-    if (vs_affine_is_translation(map))
-      for (int r = 0; r < 3; r++)
-        map->m[r][3] =
-            c->problem->leaves[leaves[0]].placement.m[r][3] - c->problem->leaves[o->leaves[0]].placement.m[r][3];
-    *original = i;
-    *is_new = false;
+    if (!map_between(&c->problem->leaves[o->leaves.at[0]].placement, &first->placement, middle, &out->map)) continue;
+    out->original = i;
+    out->is_new = false;
     c->keys.count = start;
     return true;
   }
-  vs_original made = { hash, start, length, leaves, count, *head };
-  if (comparable) *head = *original;
+  vs_original made = { hash, start, length, leaves, *head };
+  if (comparable) *head = out->original;
   return VS_PUSH(k, c->originals, made);
 }
 

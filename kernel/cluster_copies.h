@@ -7,8 +7,18 @@
 #include "kernel/expression.h"
 #include "kernel/distinct_meshes.h"
 
-/* leaves: the caller's, who keeps them */
-typedef struct { uint64_t hash; size_t key, length; const uint32_t *leaves; uint32_t count, next; } vs_original;
+/* The leaves of a cluster, by their numbers in the problem; borrowed. */
+typedef struct { const uint32_t *at; uint32_t count; } vs_group;
+
+/* A cluster that is like no other before it: where its key begins among keys, and the next of its hash. */
+typedef struct { uint64_t hash; size_t key, length; vs_group leaves; uint32_t next; } vs_original;
+
+/* A cluster as the copy of an original. */
+typedef struct {
+  uint32_t original;         /* its number */
+  bool is_new;               /* it is that original itself */
+  vs_affine map;             /* from the original; the identity of a new one */
+} vs_cluster_copy;
 
 typedef struct {
   const vs_kernel_problem *problem;
@@ -23,13 +33,11 @@ typedef struct {
 
 bool vs_copies_begin(vs_kernel *k, vs_copies *c, const vs_kernel_problem *p, const vs_parts *parts,
                      const vs_expression *e);
-/* *original: which of the originals the cluster is a copy of, with the map from that to this; or a new one's number,
- * and *is_new. A cluster has at least one leaf. */
-bool vs_copies_find(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count, uint32_t *original,
-                    bool *is_new, vs_affine *map);
+/* Finds the original of a cluster, or makes it one, whose leaves the caller keeps. A cluster has at least one leaf. */
+bool vs_copies_find(vs_kernel *k, vs_copies *c, vs_group leaves, vs_cluster_copy *out);
 /* Appends to keys what says in which way the leaves make the result: the terms that they reach, by the order they are
  * reached in. */
-bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, const uint32_t *leaves, uint32_t count);
+bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves);
 void vs_copies_free(vs_kernel *k, vs_copies *c);
 
 #endif

@@ -16,64 +16,75 @@
 
 typedef struct { uint32_t high, corner; } half; /* corner: 2 * number + runs from high to low */
 
-bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, size_t vertex_count, const uint32_t *id,
-                   uint32_t *twins, uint32_t *open) {
+/* Puts a half for each edge into the bucket of its smaller end: those of v are halves[first[v]] to
+ * halves[first[v + 1] - 1]. first has two more places than there are numbers, all 0. */
+static void fill_buckets(const vs_twins_input *in, uint32_t *first, half *halves, uint32_t *twins) {
+  const uint32_t *id = in->id;
+  for (int pass = 0; pass < 2; pass++) {
+    for (uint32_t t = 0; t < in->count; t++)
+      for (uint32_t j = 0; j < 3; j++) {
+        uint32_t a = in->triangles[t][j], b = in->triangles[t][j == 2 ? 0 : j + 1];
+        if (id) a = id[a], b = id[b];
+        if (a == b) twins[3 * t + j] = VS_NONE;
+        else if (!pass) first[(a < b ? a : b) + 2]++;
+        else halves[first[(a < b ? a : b) + 1]++] = (half){ a < b ? b : a, 2 * (3 * t + j) + (a > b) };
+      }
+    if (!pass)
+      for (size_t i = 2; i < in->id_count + 2; i++) first[i] += first[i - 1];
+  }
+}
+
+/* Shell sort by (high, corner): a hub of many spokes. */
+static void sort_bucket(half *at, uint32_t n) {
+  for (uint32_t gap = n / 2; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
+    for (uint32_t i = gap; i < n; i++) {
+      half x = at[i];
+      uint32_t j = i;
+      for (; j >= gap && (at[j - gap].high != x.high ? at[j - gap].high > x.high : at[j - gap].corner > x.corner);
+           j -= gap)
+        at[j] = at[j - gap];
+      at[j] = x;
+    }
+}
+
+/* Joins the halves of a bucket: each looks for the nearest before it that runs the other way and is free. sorted: those
+ * of one high end are neighbours. */
+static inline void join_bucket(const half *at, uint32_t n, bool sorted, uint32_t *twins) {
+  for (uint32_t i = 0; i < n; i++) {
+    uint32_t corner = at[i].corner / 2;
+    bool turned = at[i].corner & 1, found = false;
+    for (uint32_t j = i; !found && j-- > 0;) {
+      if (at[j].high != at[i].high) {
+        if (sorted) break;
+        continue;
+      }
+      if ((bool)(at[j].corner & 1) == turned || twins[at[j].corner / 2] != VS_NONE) continue;
+      twins[corner] = at[j].corner / 2;
+      twins[at[j].corner / 2] = corner;
+      found = true;
+    }
+    if (!found) twins[corner] = VS_NONE;
+  }
+}
+
+bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint32_t *open) {
+  enum { MANY = 64 }; /* in a bucket; most have few */
   uint32_t *first = NULL;
   half *halves = NULL;
   size_t first_room = 0, half_room = 0;
   *open = VS_NONE;
-  if (count >= UINT32_MAX / 6) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "a solid has too many triangles");
-  bool ok = VS_ROOM(k, first, first_room, vertex_count + 2) && VS_ROOM(k, halves, half_room, 3 * count + 1);
-  if (ok) {
-    memset(first, 0, (vertex_count + 2) * sizeof *first);
-    for (int pass = 0; pass < 2; pass++) { /* bucket by the smaller end */
-      for (uint32_t t = 0; t < count; t++)
-        for (uint32_t j = 0; j < 3; j++) {
-          uint32_t a = triangles[t][j], b = triangles[t][j == 2 ? 0 : j + 1];
-          if (id) a = id[a], b = id[b];
-          if (a == b) twins[3 * t + j] = VS_NONE;
-          else if (!pass) first[(a < b ? a : b) + 2]++;
-          else halves[first[(a < b ? a : b) + 1]++] = (half){ a < b ? b : a, 2 * (3 * t + j) + (a > b) };
-        }
-      if (!pass)
-        for (size_t i = 2; i < vertex_count + 2; i++) first[i] += first[i - 1];
-    }
-    /* few in each: each looks for the nearest before it that runs the other way and is free */
-    for (size_t v = 0; ok && v < vertex_count; v++) {
-      uint32_t low = first[v], high = first[v + 1];
-      enum { MANY = 64 };
-      if (high - low > MANY) {
-        half *at = halves + low; /* shell sort by (high, corner): a hub of many spokes */
-        uint32_t n = high - low;
-        for (uint32_t gap = n / 2; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
-          for (uint32_t i = gap; i < n; i++) {
-            half x = at[i];
-            uint32_t j = i;
-            for (; j >= gap && (at[j - gap].high != x.high ? at[j - gap].high > x.high : at[j - gap].corner > x.corner);
-                 j -= gap)
-              at[j] = at[j - gap];
-            at[j] = x;
-          }
-      }
-      for (uint32_t i = low; i < high; i++) {
-        uint32_t corner = halves[i].corner / 2;
-        bool turned = halves[i].corner & 1, found = false;
-        for (uint32_t j = i; !found && j-- > low;) {
-          if (halves[j].high != halves[i].high) {
-            if (high - low > MANY) break;
-            continue;
-          }
-          if ((bool)(halves[j].corner & 1) == turned || twins[halves[j].corner / 2] != VS_NONE) continue;
-          twins[corner] = halves[j].corner / 2;
-          twins[halves[j].corner / 2] = corner;
-          found = true;
-        }
-        if (!found) twins[corner] = VS_NONE;
-      }
-      for (uint32_t i = low; i < high && *open == VS_NONE; i++)
-        if (twins[halves[i].corner / 2] == VS_NONE) *open = halves[i].corner / 6;
-      ok = vs_kernel_poll(k, 0);
-    }
+  if (in->count >= UINT32_MAX / 6) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "a solid has too many triangles");
+  bool ok = VS_ROOM(k, first, first_room, in->id_count + 2) && VS_ROOM(k, halves, half_room, 3 * in->count + 1);
+  if (ok) memset(first, 0, (in->id_count + 2) * sizeof *first);
+  if (ok) fill_buckets(in, first, halves, twins);
+  for (size_t v = 0; ok && v < in->id_count; v++) {
+    half *at = halves + first[v];
+    uint32_t n = first[v + 1] - first[v];
+    if (n > MANY) sort_bucket(at, n);
+    join_bucket(at, n, n > MANY, twins);
+    for (uint32_t i = 0; i < n && *open == VS_NONE; i++)
+      if (twins[at[i].corner / 2] == VS_NONE) *open = at[i].corner / 6;
+    ok = vs_kernel_poll(k, 0);
   }
   VS_FREE(k, first, first_room);
   VS_FREE(k, halves, half_room);
@@ -88,11 +99,11 @@ static bool place_before(const void *context, uint32_t a, uint32_t b) {
 
 static bool find_twins(vs_kernel *k, vs_part *p) {
   const vs_mesh *m = p->mesh;
-  const uint32_t(*triangles)[3] = (const uint32_t(*)[3])m->triangles;
+  vs_twins_input in = { (const uint32_t (*)[3])m->triangles, m->triangle_count, NULL, m->vertex_count };
   uint32_t open, *order = NULL, *scratch = NULL, *id = NULL;
   size_t order_room = 0, scratch_room = 0, id_room = 0, n = m->vertex_count;
   if (!VS_ROOM(k, p->twins, p->twin_room, 3 * m->triangle_count + 1) ||
-      !vs_twins_find(k, triangles, m->triangle_count, n, NULL, p->twins, &open))
+      !vs_twins_find(k, &in, p->twins, &open))
     return false;
   if (open == VS_NONE) return true;
   bool ok = VS_ROOM(k, order, order_room, n) && VS_ROOM(k, scratch, scratch_room, n) && VS_ROOM(k, id, id_room, n);
@@ -103,7 +114,8 @@ static bool find_twins(vs_kernel *k, vs_part *p) {
       const vs_vec3 *a = &m->vertices[order[i]], *b = &m->vertices[order[i ? i - 1 : 0]];
       id[order[i]] = i && a->x == b->x && a->y == b->y && a->z == b->z ? id[order[i - 1]] : order[i];
     }
-    ok = vs_twins_find(k, triangles, m->triangle_count, n, id, p->twins, &open);
+    in.id = id;
+    ok = vs_twins_find(k, &in, p->twins, &open);
   }
   VS_FREE(k, order, order_room);
   VS_FREE(k, scratch, scratch_room);

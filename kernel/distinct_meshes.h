@@ -37,11 +37,17 @@ bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *proble
                       const uint32_t *cluster, uint32_t count);
 void vs_parts_free(vs_kernel *k, vs_parts *p);
 
-/* Fills twins (3 * count of them) by the corners' numbers in id, or by their own where id is NULL; corners of one
- * number, and an edge between them, have no twin: VS_NONE. *open: a triangle whose edge nothing answers, else
- * VS_NONE. */
-bool vs_twins_find(vs_kernel *k, const uint32_t (*triangles)[3], size_t count, size_t vertex_count, const uint32_t *id,
-                   uint32_t *twins, uint32_t *open);
+/* Triangles whose edges are to be joined. */
+typedef struct {
+  const uint32_t (*triangles)[3];
+  size_t count;
+  const uint32_t *id;   /* of a corner's vertex: the number by which corners are one; NULL: that of the vertex */
+  size_t id_count;      /* the numbers are below it */
+} vs_twins_input;
+
+/* Fills twins, 3 a triangle; an edge between corners of one number has no twin: VS_NONE. *open: a triangle whose edge
+ * nothing answers, else VS_NONE. */
+bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint32_t *open);
 
 /* Is q inside a convex part, further than margin from its surface? May say no where it is. margin is 0 or more. */
 bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin);

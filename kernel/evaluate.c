@@ -222,7 +222,8 @@ static bool arrange_in_levels(vs_kernel *k, vs_cluster *c, vs_expression *e) {
       vs_unite_levels(k, c, e) && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, c);
 }
 
-static bool run_cluster(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, vs_mesh *out) {
+static bool run_cluster(vs_kernel *k, whole *w, vs_group group, vs_mesh *out) {
+  const uint32_t *leaves = group.at, count = group.count;
   vs_cluster c = {
     .problem = w->problem, .parts = &w->parts, .expression = &w->expression, .leaves = leaves, .leaf_count = count
   };
@@ -287,11 +288,11 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
 }
 
 /* Does a gate leave out something of the cluster? */
-static bool gate_cuts(const whole *w, const uint32_t *leaves, uint32_t count) {
+static bool gate_cuts(const whole *w, vs_group leaves) {
   if (!w->expression.gate_count) return false;
   if (w->problem->within) return true; /* bounds are those within the gate already */
   vs_bounds all = w->gate;
-  for (uint32_t i = 0; i < count; i++) vs_bounds_unite(&all, &w->bounds[leaves[i]]);
+  for (uint32_t i = 0; i < leaves.count; i++) vs_bounds_unite(&all, &w->bounds[leaves.at[i]]);
   return memcmp(&all, &w->gate, sizeof all) != 0;
 }
 
@@ -303,12 +304,12 @@ static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) ||
 
 /* *alone: a leaf that touches nothing, and in which nothing touches anything, stands as it is or not at all: nothing is
  * to be computed, and nothing is put on a grid. A mesh that is no star is looked at once. */
-static bool stands_alone(vs_kernel *k, whole *w, const uint32_t *leaves, uint32_t count, bool *alone) {
+static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
   enum { FLAT = 1 << 20 }; /* turned by less than that, its faces are still those that were looked at */
-  const vs_kernel_leaf *l = &w->problem->leaves[leaves[0]];
-  vs_part *part = &w->parts.all.at[w->parts.of_leaf.at[leaves[0]]];
+  const vs_kernel_leaf *l = &w->problem->leaves[leaves.at[0]];
+  vs_part *part = &w->parts.all.at[w->parts.of_leaf.at[leaves.at[0]]];
   *alone = false;
-  if (count != 1) return true;
+  if (leaves.count != 1) return true;
   double size = 1;
   for (int i = 0; i < 3; i++) {
     const double x = l->placement.m[0][i], y = l->placement.m[1][i], z = l->placement.m[2][i];
@@ -341,21 +342,19 @@ static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *ou
 }
 
 /* The cluster as it was made before, or made now. */
-static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, const uint32_t *leaves, uint32_t count,
-                         vs_mesh *out, uint32_t into) {
+static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group leaves, vs_mesh *out, uint32_t into) {
   bool alone;
-  if (!stands_alone(k, w, leaves, count, &alone)) return false;
-  if (alone) return w->counts.combined++, place_leaf(k, w, leaves, out, into);
+  if (!stands_alone(k, w, leaves, &alone)) return false;
+  if (alone) return w->counts.combined++, place_leaf(k, w, leaves.at, out, into);
   bool asked = w->bounds != NULL, found = false;
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
-  if (asked &&
-      !vs_remember_key(k, &w->remember, copies, leaves, count, gate_cuts(w, leaves, count) ? &w->gate : NULL, &asked))
+  if (asked && !vs_remember_key(k, &w->remember, copies, leaves, gate_cuts(w, leaves) ? &w->gate : NULL, &asked))
     return false;
   if (asked && !(vs_kernel_report(k, 0) && vs_remember_find(k, &w->remember, out, &found) && vs_kernel_report(k, 0)))
     return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
   w->counts.straightened += found && k->options->straight; /* nobody knows how many */
-  return found || (run_cluster(k, w, leaves, count, out) &&
+  return found || (run_cluster(k, w, leaves, out) &&
                    (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }
 
@@ -381,36 +380,34 @@ static bool count_result(vs_kernel *k, whole *w, const vs_mesh *made) {
          vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
 }
 
-static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, const uint32_t *leaves, uint32_t count) {
-  uint32_t original;
-  bool is_new;
-  vs_affine map = vs_affine_identity();
-  if (!vs_copies_find(k, copies, leaves, count, &original, &is_new, &map)) return false;
+static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, vs_group leaves) {
+  vs_cluster_copy copy;
+  if (!vs_copies_find(k, copies, leaves, &copy)) return false;
   vs_kernel_lap(k, VS_STEP_CLUSTERS);
   w->counts.clusters++;
-  w->counts.copied += !is_new;
+  w->counts.copied += !copy.is_new;
   if (to->many) {
     vs_mesh *made;
-    if (is_new && (!add_mesh(k, to->many, &made) || !make_cluster(k, w, copies, leaves, count, made, original) ||
-                   !count_result(k, w, made)))
+    if (copy.is_new && (!add_mesh(k, to->many, &made) || !make_cluster(k, w, copies, leaves, made, copy.original) ||
+                        !count_result(k, w, made)))
       return false;
-    if (to->many->meshes[original].triangle_count == 0) return true;
+    if (to->many->meshes[copy.original].triangle_count == 0) return true;
     return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
-           (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ original, map }, true);
+           (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ copy.original, copy.map }, true);
   }
-  if (!is_new) { /* a copy may have other tags, of the same paint */
-    vs_placement p = { .from = to->ranges.at[original],
+  if (!copy.is_new) { /* a copy may have other tags, of the same paint */
+    vs_placement p = { .from = to->ranges.at[copy.original],
                        .vertex = to->one->vertex_count,
                        .triangle = to->one->triangle_count,
-                       .map = map,
-                       .were = copies->originals.at[original].leaves,
-                       .leaves = leaves,
-                       .leaf_count = count };
+                       .map = copy.map,
+                       .were = copies->originals.at[copy.original].leaves.at,
+                       .leaves = leaves.at,
+                       .leaf_count = leaves.count };
     return vs_placing_room(k, to->one, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.again, p) &&
            vs_kernel_report(k, 0);
   }
   vs_range range = { .vertex = to->one->vertex_count, .triangle = to->one->triangle_count };
-  if (!make_cluster(k, w, copies, leaves, count, to->one, 0)) return false;
+  if (!make_cluster(k, w, copies, leaves, to->one, 0)) return false;
   range.vertices = to->one->vertex_count - range.vertex;
   range.triangles = to->one->triangle_count - range.triangle;
   return VS_PUSH(k, to->ranges, range);
@@ -457,7 +454,7 @@ static bool evaluate(const vs_kernel_problem *given, const vs_kernel_options *op
     for (end = i + 1; end < n && parent[end] == parent[i];) end++;
     k.done = (double)i / n;
     k.share = (double)(end - i) / n;
-    ok = give_cluster(&k, &w, &copies, to, order + i, end - i);
+    ok = give_cluster(&k, &w, &copies, to, (vs_group){ order + i, end - i });
   }
   ok = ok && vs_kernel_lap(&k, VS_STEP_CLUSTERS) &&
        vs_placing_finish(&k, &w.placing, p->leaves, to->one ? to->one : to->many->meshes) &&

@@ -209,7 +209,9 @@ static bool within(const plane_work *w, const segment *s, uint32_t x) { /* x on 
 /* Tries to tell on which side of s, seen in the plane, the point lies. */
 static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *sign) {
   *sign = 0;
-  if (x == s->p || x == s->q || vs_orient2d_quick(view(w), s->p, s->q, x, w->plane.u, w->plane.v, sign)) return true;
+  if (x == s->p || x == s->q) return true;
+  *sign = vs_orient2d_quick(view(w), s->p, s->q, x, w->plane.u, w->plane.v);
+  if (*sign != VS_UNSURE) return true;
   uint32_t p = w->global.at[s->p], q = w->global.at[s->q], point = w->global.at[x];
   if (s->side != VS_NONE || point >= w->c->edge_of.count) return false;
   const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end on an edge: known by its name */

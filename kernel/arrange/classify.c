@@ -555,9 +555,16 @@ static double about_area(const walk *w, uint32_t face) {
   return sum;
 }
 
-/* A line through the largest of the first faces around the cell and around those that hang together with it. *cells:
- * those are the first in `queue`. Where so many are too small to aim at, *done stays false. */
-static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, uint32_t *side, size_t *cells, bool *done) {
+/* A line through a face near a cell. */
+typedef struct {
+  uint32_t side;  /* of the face: the one whose windings are found; valid where done */
+  bool done;      /* false: the faces are too small to aim at */
+  size_t cells;   /* so many of `queue` were looked round */
+} sighting;
+
+/* A line through the largest of the first faces around the cell and around those that hang together with it: at most
+ * `most` cells and `faces` faces. */
+static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, sighting *a) {
   size_t head = 0, tail = 0, seen = 0;
   double best = -1;
   uint32_t face = VS_NONE;
@@ -576,8 +583,8 @@ static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, uint
     }
   }
   for (size_t i = 1; i < tail; i++) w->state.at[w->queue.at[i]] = 0;
-  *cells = tail;
-  return look(w, face, side, done);
+  a->cells = tail;
+  return look(w, face, &a->side, &a->done);
 }
 
 /* How thick the face is across its longest side, in fixed units; about. */
@@ -619,23 +626,21 @@ static bool settle_crumbs(walk *w, size_t cells) {
 /* A line, then a walk from where it leads. most: cells that are looked at for a face to aim at. */
 static bool walk_component(walk *w, uint32_t start, size_t most) {
   enum { FACES = 256 };
-  uint32_t side;
-  size_t tail;
-  bool done = false;
-  if (!look_around(w, start, most, FACES, &side, &tail, &done)) return false;
+  sighting a = { .done = false };
+  if (!look_around(w, start, most, FACES, &a)) return false;
   /* where a solid meets itself in nearly one place are thousands of crumbs */
-  if (!done && most > 1 && !look_around(w, start, w->cells, SIZE_MAX, &side, &tail, &done)) return false;
-  for (size_t i = 0; !done && i < tail; i++) /* unlucky with the largest: try them all */
-    for (uint32_t j = w->first.at[w->queue.at[i]]; !done && j < w->first.at[w->queue.at[i] + 1]; j++)
-      if (!look(w, w->borders.at[j], &side, &done)) return false;
-  if (!done) return settle_crumbs(w, tail) || VS_BROKEN(w->k, "no face to look through");
-  uint32_t above = w->side.at[side], below = w->side.at[side ^ 1], through = side / 2;
+  if (!a.done && most > 1 && !look_around(w, start, w->cells, SIZE_MAX, &a)) return false;
+  for (size_t i = 0; !a.done && i < a.cells; i++) /* unlucky with the largest: try them all */
+    for (uint32_t j = w->first.at[w->queue.at[i]]; !a.done && j < w->first.at[w->queue.at[i] + 1]; j++)
+      if (!look(w, w->borders.at[j], &a.side, &a.done)) return false;
+  if (!a.done) return settle_crumbs(w, a.cells) || VS_BROKEN(w->k, "no face to look through");
+  uint32_t above = w->side.at[a.side], below = w->side.at[a.side ^ 1], through = a.side / 2;
   if (!(w->state.at[above] & 2) && !walk_from(w, above)) return false;
   if (w->state.at[below] & 2) return true;
   const vs_face *f = &w->c->faces.at[through]; /* settled above: the face's cover leads below */
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
-    vs_cover across = { vs_solid_of(w->c, cover.leaf), side & 1 ? -cover.delta : cover.delta };
+    vs_cover across = { vs_solid_of(w->c, cover.leaf), a.side & 1 ? -cover.delta : cover.delta };
     if (!VS_PUSH(w->k, w->found, across)) return false;
   }
   return walk_from(w, below);

@@ -65,9 +65,8 @@ static bool find_twins(vs_kernel *k, facets *f, uint32_t place) {
   f->twins.count += 3 * m->triangle_count;
   for (size_t j = 0; j < m->vertex_count; j++) /* by place on the grid */
     if (!vs_points_integer(k, &c->points, c->corners[c->placed.at[place].first + j], &f->ids.at[j])) return false;
-  if (!vs_twins_find(k, (const uint32_t(*)[3])m->triangles, m->triangle_count, c->points.all.count, f->ids.at, twins,
-                     &open))
-    return false;
+  const vs_twins_input in = { (const uint32_t (*)[3])m->triangles, m->triangle_count, f->ids.at, c->points.all.count };
+  if (!vs_twins_find(k, &in, twins, &open)) return false;
   return open == VS_NONE ||
          vs_kernel_fail(k, VS_KERNEL_OPEN, c->leaves[place],
                         "the solid is not closed: a face is missing, or turned the other way, along an edge");

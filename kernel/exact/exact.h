@@ -112,22 +112,21 @@ static inline int vs_compare(vs_points_view v, uint32_t a, uint32_t b, int axis)
 }
 
 int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v);
-/* Tries to tell vs_orient2d from the points' fixed numbers. */
-static inline bool vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v,
-                                     int *sign) {
+enum { VS_UNSURE = 2 }; /* in place of a sign */
+/* Returns vs_orient2d where the points' fixed numbers decide it, else VS_UNSURE. */
+static inline int vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {
   const vs_point *p = &v.at[a], *q = &v.at[b], *r = &v.at[c];
   int64_t ax = q->fixed[axis_u] - p->fixed[axis_u], ay = q->fixed[axis_v] - p->fixed[axis_v];
   int64_t bx = r->fixed[axis_u] - p->fixed[axis_u], by = r->fixed[axis_v] - p->fixed[axis_v];
   vs_i128 det = (vs_i128)ax * by - (vs_i128)ay * bx;
-  *sign = vs_sign128(det);
-  if (vs_point_exact(p) && vs_point_exact(q) && vs_point_exact(r)) return true;
+  if (vs_point_exact(p) && vs_point_exact(q) && vs_point_exact(r)) return vs_sign128(det);
   vs_i128 error = (vs_i128)(ax < 0 ? -ax : ax) + (by < 0 ? -by : by) + (ay < 0 ? -ay : ay) + (bx < 0 ? -bx : bx) + 2;
-  return det > error || det < -error;
+  return det > error || det < -error ? vs_sign128(det) : VS_UNSURE;
 }
 /* sign of the area of a b c seen in the axes (u, v): 1 where c lies left of a->b */
 static inline int vs_orient2d(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {
-  int sign;
-  return vs_orient2d_quick(v, a, b, c, axis_u, axis_v, &sign) ? sign : vs_orient2d_slow(v, a, b, c, axis_u, axis_v);
+  int sign = vs_orient2d_quick(v, a, b, c, axis_u, axis_v);
+  return sign != VS_UNSURE ? sign : vs_orient2d_slow(v, a, b, c, axis_u, axis_v);
 }
 
 #endif

@@ -47,10 +47,18 @@ static inline uint32_t slots_next(const vs_slots *s, uint32_t tag, size_t *at) {
     if (s->at[*at].item == VS_NONE || s->at[*at].tag == tag) return s->at[*at].item;
 }
 
+/* A point to find or to add. */
+typedef struct {
+  uint64_t hash;           /* of the fixed numbers */
+  const int64_t *fixed;    /* three */
+  const vs_homogeneous *h; /* NULL: the fixed numbers are exact */
+} point_key;
+
 /* slot: where it would be, where it is not found. */
-static uint32_t points_find(const vs_points_table *t, uint64_t hash, const int64_t fixed[3], const vs_homogeneous *h,
-                            size_t *slot) {
-  uint32_t tag = (uint32_t)(hash >> 32), i;
+static uint32_t points_find(const vs_points_table *t, point_key key, size_t *slot) {
+  const int64_t *fixed = key.fixed;
+  const vs_homogeneous *h = key.h;
+  uint32_t tag = (uint32_t)(key.hash >> 32), i;
   if (!t->slots.count) return *slot = 0, VS_NONE;
   for (*slot = tag >> t->slots.shift; (i = slots_next(&t->slots, tag, slot)) != VS_NONE;
        *slot = (*slot + 1) & (t->slots.count - 1)) {
@@ -64,29 +72,28 @@ static uint32_t points_find(const vs_points_table *t, uint64_t hash, const int64
 }
 
 /* Adds a point in the free slot that points_find gave. */
-static bool points_insert(vs_kernel *k, vs_points_table *t, uint64_t hash, size_t slot, const int64_t fixed[3],
-                          const vs_homogeneous *h, uint32_t *id) {
-  vs_point p = { { fixed[0], fixed[1], fixed[2] }, VS_POINT_EXACT, VS_NONE };
+static bool points_insert(vs_kernel *k, vs_points_table *t, point_key key, size_t slot, uint32_t *id) {
+  vs_point p = { { key.fixed[0], key.fixed[1], key.fixed[2] }, VS_POINT_EXACT, VS_NONE };
   VS_ASSERT(slot < t->slots.count && t->slots.at[slot].item == VS_NONE);
-  if (h) {
+  if (key.h) {
     p.big = (uint32_t)t->big.count;
-    if (!VS_PUSH(k, t->big, *h)) return false;
+    if (!VS_PUSH(k, t->big, *key.h)) return false;
   }
   *id = (uint32_t)t->all.count;
   if (*id >= VS_POINT_MORE / 2)
     return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have more than a billion vertices");
   if (!VS_PUSH(k, t->all, p)) return false;
-  t->slots.at[slot] = (vs_slot){ (uint32_t)(hash >> 32), *id };
+  t->slots.at[slot] = (vs_slot){ (uint32_t)(key.hash >> 32), *id };
   return true;
 }
 
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h,
                          uint32_t *id) {
-  uint64_t hash = vs_points_hash(fixed);
+  const point_key key = { vs_points_hash(fixed), fixed, h };
   size_t slot;
   if (!slots_grow(k, &t->slots, t->all.count)) return false;
-  *id = points_find(t, hash, fixed, h, &slot);
-  return *id != VS_NONE || points_insert(k, t, hash, slot, fixed, h, id);
+  *id = points_find(t, key, &slot);
+  return *id != VS_NONE || points_insert(k, t, key, slot, id);
 }
 
 void vs_fresh_fill(vs_fresh_point *f) {
@@ -102,17 +109,17 @@ bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *
                        size_t count, uint32_t *ids) {
   for (size_t i = 0; i < count; i++) {
     const vs_fresh_point *f = &fresh[i];
-    const vs_homogeneous *h = f->exact ? NULL : &f->at;
+    const point_key key = { f->hash, f->fixed, f->exact ? NULL : &f->at };
     size_t slot = 0;
     if (!slots_grow(k, &t->slots, t->all.count)) return false;
     for (int table = base && base->slots.count ? 0 : 1; table < 2; table++) {
       if (i + VS_AHEAD_FAR < count) vs_points_ahead(table ? t : base, f[VS_AHEAD_FAR].hash, false);
       if (i + VS_AHEAD_NEAR < count) vs_points_ahead(table ? t : base, f[VS_AHEAD_NEAR].hash, true);
     }
-    ids[i] = base ? points_find(base, f->hash, f->fixed, h, &slot) : VS_NONE;
+    ids[i] = base ? points_find(base, key, &slot) : VS_NONE;
     if (ids[i] != VS_NONE) continue;
-    ids[i] = points_find(t, f->hash, f->fixed, h, &slot);
-    if (ids[i] == VS_NONE && !points_insert(k, t, f->hash, slot, f->fixed, h, &ids[i])) return false;
+    ids[i] = points_find(t, key, &slot);
+    if (ids[i] == VS_NONE && !points_insert(k, t, key, slot, &ids[i])) return false;
     if (base) ids[i] += (uint32_t)base->all.count;
   }
   return true;
@@ -165,8 +172,9 @@ bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[
     }
     for (size_t i = 0; i < n; i++) {
       uint32_t *id = &ids[vertices[begin + i]];
-      *id = points_find(t, hash[i], fixed[i], NULL, &slot);
-      if (*id == VS_NONE && !points_insert(k, t, hash[i], slot, fixed[i], NULL, id)) return false;
+      const point_key key = { hash[i], fixed[i], NULL };
+      *id = points_find(t, key, &slot);
+      if (*id == VS_NONE && !points_insert(k, t, key, slot, id)) return false;
     }
   }
   return true;

@@ -449,10 +449,17 @@ static bool write_all(vs_result_state *w, vs_mesh *out) {
   size_t vertices = out->vertex_count, triangles = out->triangle_count;
   w->c->straightened = 0;
   if (w->sheets ? !merge_sheets(w) : !drop_corners(w)) return false;
-  return link_faces(w) && write(w, out) && vs_kernel_report(w->k, 0.95) &&
-         (vs_sheets_spoiled(w) || (vs_split_touching(w->k, w->c, out, vertices, triangles, w->looks.at, w->points.at,
-                                                     w->rim.count ? w->rim.at : NULL, w->rim_edges) &&
-                                   copy_plain(w, out)));
+  if (!link_faces(w) || !write(w, out) || !vs_kernel_report(w->k, 0.95)) return false;
+  if (vs_sheets_spoiled(w)) return true;
+  const vs_fresh_result fresh = { .c = w->c,
+                                  .m = out,
+                                  .first_vertex = vertices,
+                                  .first_triangle = triangles,
+                                  .sides = w->looks.at,
+                                  .points = w->points.at,
+                                  .rim = w->rim.count ? w->rim.at : NULL,
+                                  .rim_edges = w->rim_edges };
+  return vs_split_touching(w->k, &fresh) && copy_plain(w, out);
 }
 
 bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {

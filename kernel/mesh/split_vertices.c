@@ -19,11 +19,8 @@ typedef struct { VS_LIST(uint32_t) at; } crowded;
 
 typedef struct {
   vs_kernel *k;
-  const vs_cluster *c;
-  vs_mesh *m;
-  size_t first_vertex, first_triangle, vertices, triangles, rim_edges;
-  const uint32_t *sides, *points;
-  const uint8_t *rim;          /* see cluster.h; nothing touches there, and vertices stay one */
+  vs_fresh_result of;          /* nothing touches at its rim: vertices stay one there */
+  size_t vertices, triangles;
   _Atomic size_t open;         /* edges along it */
   vs_halves halves;            /* items are corners: 3 * triangle + j, the edge from j to the next */
   VS_LIST(crowded) crowded;
@@ -43,21 +40,21 @@ typedef enum { SOLID, AIR, MIDDLE } joined;
 
 /* The vertex of a corner, counted from first_vertex; the corner is one of the result's triangles'. */
 static uint32_t vertex_at(const splitter *s, uint32_t corner) {
-  VS_ASSERT(corner < 3 * s->triangles);
-  return s->m->triangles[s->first_triangle + corner / 3][corner % 3] - (uint32_t)s->first_vertex;
+  VS_ASSERT(corner < 3 * s->of.triangles);
+  return s->of.m->triangles[s->of.first_triangle + corner / 3][corner % 3] - (uint32_t)s->of.first_vertex;
 }
 
 static bool starts_at(const splitter *s, uint32_t corner, uint32_t low) { return vertex_at(s, corner) == low; }
 
 /* Pairs the faces at an edge that has more than two. */
 static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t count) {
-  vs_points_view view = vs_points_of(&s->c->points);
-  int x, y, sign = vs_around_axes(view, s->points[low], s->points[halves[0].high], &x, &y);
+  vs_points_view view = vs_points_of(&s->of.c->points);
+  int x, y, sign = vs_around_axes(view, s->of.points[low], s->of.points[halves[0].high], &x, &y);
   VS_ASSERT(count > 2);
   if (!VS_ROOM(s->k, s->around.at, s->around.room, count)) return false;
   for (size_t i = 0; i < count; i++) {
-    uint32_t corner = halves[i].item, side = s->sides[corner / 3];
-    const vs_plane *p = &s->c->planes.all.at[side / 2];
+    uint32_t corner = halves[i].item, side = s->of.sides[corner / 3];
+    const vs_plane *p = &s->of.c->planes.all.at[side / 2];
     bool along = starts_at(s, corner, low);
     int64_t turn = along == !(side & 1) ? 1 : -1;
     vs_around a = { turn * p->n[sign > 0 ? x : y], turn * p->n[sign > 0 ? y : x], corner, along };
@@ -93,7 +90,7 @@ static void pair_of(const splitter *s, size_t edge, size_t n, uint32_t *a, uint3
   *b = s->many.at[begin + (i + 1) % count].ccw;
 }
 
-static bool on_rim(const splitter *s, uint32_t vertex) { return s->rim && s->rim[s->points[vertex]]; }
+static bool on_rim(const splitter *s, uint32_t vertex) { return s->of.rim && s->of.rim[s->of.points[vertex]]; }
 
 static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
@@ -101,9 +98,9 @@ static void ends_of_corners(const void *context, uint32_t begin, uint32_t count,
   const splitter *s = context;
   for (uint32_t i = 0; i < count; i++) {
     uint32_t t = (begin + i) / 3, j = (begin + i) % 3;
-    const uint32_t *v = s->m->triangles[s->first_triangle + t];
-    ends[i][0] = v[j] - (uint32_t)s->first_vertex;
-    ends[i][1] = v[j == 2 ? 0 : j + 1] - (uint32_t)s->first_vertex;
+    const uint32_t *v = s->of.m->triangles[s->of.first_triangle + t];
+    ends[i][0] = v[j] - (uint32_t)s->of.first_vertex;
+    ends[i][1] = v[j == 2 ? 0 : j + 1] - (uint32_t)s->of.first_vertex;
   }
 }
 
@@ -112,7 +109,7 @@ VS_AHEAD join_ahead(const splitter *s, uint32_t i, uint32_t stop) {
   enum { FAR = 16 };
   if (i + FAR >= stop) return;
   const vs_half *h = &s->halves.at.at[i + FAR];
-  __builtin_prefetch(s->m->triangles[s->first_triangle + h->item / 3]);
+  __builtin_prefetch(s->of.m->triangles[s->of.first_triangle + h->item / 3]);
   __builtin_prefetch(&s->twins.at[h->item], 1);
   __builtin_prefetch(&s->lead.at[h->high], 1);
 }
@@ -152,7 +149,7 @@ static bool find_twins(splitter *s) {
   memset(s->crowded.at, 0, h->ranges * sizeof *s->crowded.at);
   s->crowded.count = h->ranges;
   if (!vs_kernel_run(s->k, h->ranges, join_range, s)) return false;
-  if (atomic_load(&s->open) != s->rim_edges) return VS_BROKEN(s->k, "the result is not closed");
+  if (atomic_load(&s->open) != s->of.rim_edges) return VS_BROKEN(s->k, "the result is not closed");
   for (uint32_t r = 0; r < h->ranges; r++)
     for (size_t e = 0, low = vs_halves_begin(h, r); e < s->crowded.at[r].at.count; e++) {
       uint32_t i = s->crowded.at[r].at.at[e], end = i + 1;
@@ -188,7 +185,7 @@ static bool look_for_touching(splitter *s, bool *touching) {
   if (*touching) return true;
   if (!vs_kernel_run(s->k, (s->vertices + VERTICES - 1) / VERTICES, count_fans, s)) return false;
   size_t seen = atomic_load(&s->seen);
-  for (uint32_t i = 0; s->rim && i < 3 * s->triangles; i++) {
+  for (uint32_t i = 0; s->of.rim && i < 3 * s->triangles; i++) {
     seen += on_rim(s, vertex_at(s, i));
     if (!turn(s, i)) return false;
   }
@@ -263,8 +260,8 @@ static bool no_room(splitter *s) {
 
 /* A triangle with new vertices in some of its edges, cut so that none of the pieces is flat. */
 static bool cut_triangle(splitter *s, uint32_t t) {
-  vs_mesh *m = s->m;
-  size_t at = s->first_triangle + t;
+  vs_mesh *m = s->of.m;
+  size_t at = s->of.first_triangle + t;
   uint32_t v[3], mid[3], tag = m->tags[at], made[4][3], count = 0, n = 0, first = 0;
   for (uint32_t j = 0; j < 3; j++) n += s->middle.at[3 * t + j] != VS_NONE;
   if (n == 0) return true;
@@ -289,11 +286,11 @@ static bool cut_triangle(splitter *s, uint32_t t) {
 
 static bool write(splitter *s) {
   uint32_t corners = (uint32_t)(3 * s->triangles);
-  vs_mesh *m = s->m;
+  vs_mesh *m = s->of.m;
   for (size_t i = 0; i < s->copied.count; i++)
-    if (!vs_mesh_add_vertex(m, m->vertices[s->first_vertex + s->copied.at[i]], NULL)) return no_room(s);
+    if (!vs_mesh_add_vertex(m, m->vertices[s->of.first_vertex + s->copied.at[i]], NULL)) return no_room(s);
   for (uint32_t i = 0; i < corners; i++)
-    m->triangles[s->first_triangle + i / 3][i % 3] = s->to.at[i] + (uint32_t)s->first_vertex;
+    m->triangles[s->of.first_triangle + i / 3][i % 3] = s->to.at[i] + (uint32_t)s->of.first_vertex;
   bool any = false;
   for (size_t e = 0; e < s->way.count; e++) any = any || s->way.at[e] == MIDDLE;
   if (!any) return true;
@@ -302,9 +299,9 @@ static bool write(splitter *s) {
   for (size_t e = 0; e < s->way.count; e++) {
     if (s->way.at[e] != MIDDLE) continue;
     uint32_t begin = s->many_first.at[e],
-             low = s->m->triangles[s->first_triangle + s->many.at[begin].ccw / 3][s->many.at[begin].ccw % 3];
+             low = s->of.m->triangles[s->of.first_triangle + s->many.at[begin].ccw / 3][s->many.at[begin].ccw % 3];
     uint32_t corner = next_of(s->many.at[begin].ccw),
-             high = s->m->triangles[s->first_triangle + corner / 3][corner % 3];
+             high = s->of.m->triangles[s->of.first_triangle + corner / 3][corner % 3];
     /* the same for all pairs: by place the result stays closed */
     vs_vec3 at = vs_v3_scale(vs_v3_add(m->vertices[low], m->vertices[high]), 0.5);
     for (size_t i = 0; i < (s->many_first.at[e + 1] - begin) / 2; i++) {
@@ -319,19 +316,11 @@ static bool write(splitter *s) {
   return true;
 }
 
-bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle,
-                       const uint32_t *sides, const uint32_t *points, const uint8_t *rim, size_t rim_edges) {
+bool vs_split_touching(vs_kernel *k, const vs_fresh_result *of) {
   splitter s = { .k = k,
-                 .c = c,
-                 .m = m,
-                 .first_vertex = first_vertex,
-                 .first_triangle = first_triangle,
-                 .vertices = m->vertex_count - first_vertex,
-                 .triangles = m->triangle_count - first_triangle,
-                 .sides = sides,
-                 .points = points,
-                 .rim = rim,
-                 .rim_edges = rim_edges };
+                 .of = *of,
+                 .vertices = of->m->vertex_count - of->first_vertex,
+                 .triangles = of->m->triangle_count - of->first_triangle };
   if (s.triangles >= UINT32_MAX / 3) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
   bool touching, ok = find_twins(&s) && look_for_touching(&s, &touching) && (!touching || (join_many(&s) && write(&s)));
   vs_halves_free(k, &s.halves);

@@ -5,10 +5,19 @@
 
 #include "kernel/cluster.h"
 
-/* Of the result's triangles from first_triangle on: sides: 2 * plane + looks against its normal, of each; points: of
- * the vertices from first_vertex on. rim: of a point: plain triangles go on from here, which have not been written yet;
- * so many edges are still without their second triangle. Or NULL. */
-bool vs_split_touching(vs_kernel *k, const vs_cluster *c, vs_mesh *m, size_t first_vertex, size_t first_triangle,
-                       const uint32_t *sides, const uint32_t *points, const uint8_t *rim, size_t rim_edges);
+/* The triangles of a result that were written, and where they come from; borrowed. */
+typedef struct {
+  const vs_cluster *c;
+  vs_mesh *m;
+  size_t first_vertex, first_triangle; /* in m: from there on */
+  const uint32_t *sides;   /* of a triangle, from the first: 2 * plane + looks against its normal */
+  const uint32_t *points;  /* of a vertex, from the first: the cluster's point */
+  const uint8_t *rim;      /* of a point: plain triangles go on from here, which are written later; NULL: none do */
+  size_t rim_edges;        /* edges along the rim, which have one triangle now */
+} vs_fresh_result;
+
+/* Splits the vertices where the result touches itself, and cuts edges in the middle where that is not enough. Fails as
+ * k's error says. */
+bool vs_split_touching(vs_kernel *k, const vs_fresh_result *of);
 
 #endif
