@@ -585,6 +585,7 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
                                 .context = e,
                                 .max_bytes = e->options->mesh_bytes,
                                 .max_triangles = e->options->mesh_triangles };
+  vs_drawn_search search = { .facets = &e->drawing_facets, .options = &options, .budget = budget };
   while (vs_node_is_wrapper(n)) n = n->children[0].node;
   bool parts = n->kind == VS_UNION && n->child_count + e->box_count <= most;
   size_t count = parts ? n->child_count : 1;
@@ -593,7 +594,7 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
     vs_bounds b;
     const vs_ref *part = parts ? &n->children[i] : ref;
     if (drive_vain(e, part)) continue;
-    if (budget ? !vs_drawn_bounds(part, &e->drawing_facets, &options, budget, &b, NULL, e->error)
+    if (budget ? !vs_drawn_bounds(part, &search, &b, e->error)
                : !vs_bounds_memo_get(memo, part->node, &b, e->error)) {
       if (e->error->kind == VS_ERROR_MODEL && e->error->origin == NULL) e->error->origin = part->origin;
       return false;

@@ -189,7 +189,7 @@ static bool lower_primitive(vs_emitter *e, vs_node *n, const vs_kernel_options *
     return vs_primitive_mesh(n, &e->facets, options, out, why);
   const vs_cached *held;
   vs_mesh m = { 0 };
-  if (!vs_primitive_shared(cache, n, &e->facets, options, &m, &held, why)) {
+  if (!vs_primitive_shared(&(vs_kept_mesh){ cache, &m, &held }, n, &e->facets, options, why)) {
     vs_mesh_free(&m);
     return false;
   }

@@ -58,7 +58,8 @@ bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out) {
   vs_error e = { 0 };
   vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
-  if (vs_drawn_bounds(&f->arg[i].ref, &facets, &options, NULL, out, NULL, &e)) return true;
+  vs_drawn_search search = { .facets = &facets, .options = &options };
+  if (vs_drawn_bounds(&f->arg[i].ref, &search, out, &e)) return true;
   if (e.kind != VS_ERROR_INTERRUPT) vs_bind_error(f, &e);
   return false;
 }

@@ -390,9 +390,10 @@ static bool summarise(vs_session *s, const vs_scene *scene, vs_summary *out, vs_
     sum.all += c.all;
     for (int k = 0; k < VS_INHERIT; k++) sum.of[k] += c.of[k];
   }
-  if (!vs_drawn_bounds_all(scene->drawn, scene->drawn_count, &facets, &options, VS_DRAWN_BOUNDS_MOST, &all,
-                           &out->bounds_at_most, e))
-    return false;
+  size_t budget = VS_DRAWN_BOUNDS_MOST;
+  vs_drawn_search search = { .facets = &facets, .options = &options, .budget = &budget };
+  if (!vs_drawn_bounds_all(scene->drawn, scene->drawn_count, &search, &all, e)) return false;
+  out->bounds_at_most = out->bounds_at_most || search.at_most;
   out->objects = (size_t)sum.all;
   out->solids = (size_t)sum.of[VS_SOLID], out->surfaces = (size_t)sum.of[VS_SURFACE];
   out->regions = (size_t)sum.of[VS_REGION_CLASS], out->curves = (size_t)sum.of[VS_CURVE];

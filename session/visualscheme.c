@@ -90,18 +90,18 @@ static bool tell_object(vs_session *s, vs_value v) {
   }
   vs_bounds b;
   vs_error e = { 0 };
-  bool at_most = false;
   vs_fineness facets = { .tolerance = vs_bind_tolerance(&s->bind) };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
   size_t budget = VS_DRAWN_BOUNDS_MOST;
+  vs_drawn_search search = { .facets = &facets, .options = &options, .budget = &budget };
   object = vs_bind_ref(r[0]);
   if (ok && vs_node_bounds(object.node, &b, &e) && !vs_bounds_is_empty(&b) &&
       isfinite(b.max.x - b.min.x + b.max.y - b.min.y + b.max.z - b.min.z) &&
-      vs_drawn_bounds(&object, &facets, &options, &budget, &b, &at_most, &e)) {
+      vs_drawn_bounds(&object, &search, &b, &e)) {
     vs_vec3 size = vs_v3_sub(b.max, b.min);
     if (vs_bounds_is_empty(&b)) snprintf(text, sizeof text, " ; nothing");
-    else snprintf(text, sizeof text, " ; %s%.4g x %.4g x %.4g %s", at_most ? "at most " : "", size.x, size.y, size.z,
-        s->bind.scene.units);
+    else snprintf(text, sizeof text, " ; %s%.4g x %.4g x %.4g %s", search.at_most ? "at most " : "", size.x, size.y,
+        size.z, s->bind.scene.units);
     ok = vs_text_puts(&t, text);
   }
   if (ok) s->options.host.value(s->options.host.context, t.at, t.count);

@@ -158,12 +158,20 @@ static double apart(const double *a, const double *b) {
   return sqrt(sum[0]) + sqrt(sum[1]);
 }
 
-/* The assignment of n rows to m columns, n <= m, whose costs have the least sum (H. Kuhn's Hungarian method, by
- * shortest augmenting paths with potentials: O(n^2 m)). Boxes: six numbers a row and a column. work has room for
- * 3 n + 4 m + 7 numbers; row[k], counted from 1, is whose column k is, 0: nobody's. False: interrupted. */
-static bool assign(vs_store *s, const double *rows, size_t n, const double *columns, size_t m, double *work,
-                   uint32_t *row, vs_error *e) {
-  double *u = work, *v = u + n + 1, *least = v + m + 1;
+/* Rows that each get a column of their own; the cost of a pair is how far its boxes are apart. */
+typedef struct {
+  size_t rows, columns;                    /* rows <= columns */
+  const double *row_boxes, *column_boxes;  /* six numbers each */
+  double *work;                            /* room for 3 rows + 4 columns + 7 numbers */
+  uint32_t *row;                           /* of a column, counted from 1: whose it is; 0: nobody's */
+} assignment;
+
+/* Finds the assignment whose costs have the least sum (H. Kuhn's Hungarian method, by shortest augmenting paths with
+ * potentials: O(rows^2 columns)). Fails when interrupted. */
+static bool assign(vs_store *s, const assignment *a, vs_error *e) {
+  size_t n = a->rows, m = a->columns;
+  uint32_t *row = a->row;
+  double *u = a->work, *v = u + n + 1, *least = v + m + 1;
   uint32_t *way = (uint32_t *)(void *)(least + m + 1);
   bool *used = (bool *)(way + m + 1);
   memset(u, 0, (n + m + 2) * sizeof *u);
@@ -179,7 +187,7 @@ static bool assign(vs_store *s, const double *rows, size_t n, const double *colu
       double step = INFINITY;
       for (size_t k = 1; k <= m; k++) {
         if (used[k]) continue;
-        double cost = apart(rows + 6 * (r - 1), columns + 6 * (k - 1)) - u[r] - v[k];
+        double cost = apart(a->row_boxes + 6 * (r - 1), a->column_boxes + 6 * (k - 1)) - u[r] - v[k];
         if (cost < least[k]) least[k] = cost, way[k] = (uint32_t)at;
         if (least[k] < step) step = least[k], next = k;
       }
@@ -208,17 +216,21 @@ static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) 
 /* Past so many steps of an assignment parts pair in the order in which they were drawn. */
 static const double MOST_STEPS = 1e8;
 
-/* The parts of one key: n of the first drawing and k of the second. Where it matters which is paired with which, those
- * are that lie nearest to each other and have about one size, all pairs taken together. */
-static bool pair_alike(matching *m, size_t rule, const keyed *one, size_t n, const keyed *other, size_t k,
-                       vs_error *e) {
+/* The parts of one key in one drawing. */
+typedef struct { const keyed *at; size_t count; } alike;
+
+/* Pairs the parts of one key, in the first drawing and in the second. Where it matters which is paired with which,
+ * those are that lie nearest to each other and have about one size, all pairs taken together. */
+static bool pair_alike(matching *m, size_t rule, alike one, alike other, vs_error *e) {
+  size_t n = one.count, k = other.count;
   bool free_choice = n * k > 1 && (rules[rule].by & (BY_THING | BY_PLACE)) != (BY_THING | BY_PLACE);
   bool turned = n > k; /* the fewer are the rows */
-  const keyed *few = turned ? other : one, *many = turned ? one : other;
+  const keyed *few = turned ? other.at : one.at, *many = turned ? one.at : other.at;
   size_t rows = turned ? k : n, columns = turned ? n : k, wanted = 9 * rows + 12 * columns + 16;
   if (!free_choice || (double)rows * (double)rows * (double)columns > MOST_STEPS) {
     for (size_t i = 0; i < n && i < k; i++)
-      if (!vs_store_going(m->a->store, PART_WORK, e) || !pair(m, rule, one[i].part, other[i].part, e)) return false;
+      if (!vs_store_going(m->a->store, PART_WORK, e) || !pair(m, rule, one.at[i].part, other.at[i].part, e))
+        return false;
     return true;
   }
   if (!vs_store_grow(m->a->store, &m->numbers, &m->room, wanted, sizeof *m->numbers)) return vs_error_memory(e, NULL);
@@ -229,7 +241,8 @@ static bool pair_alike(matching *m, size_t rule, const keyed *one, size_t n, con
     const vs_drawn_parts *of = (i < rows) != turned ? m->a : m->b;
     if (!box_of(m, &of->at[part->part], row_boxes + 6 * i, e)) return false;
   }
-  if (!assign(m->a->store, row_boxes, rows, column_boxes, columns, work, row, e)) return false;
+  const assignment all = { rows, columns, row_boxes, column_boxes, work, row };
+  if (!assign(m->a->store, &all, e)) return false;
   for (size_t c = 0; c < columns; c++) {
     if (!row[c + 1]) continue;
     uint32_t p = few[row[c + 1] - 1].part, q = many[c].part;
@@ -256,7 +269,7 @@ bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_p
       else {
         while (to < na && ka[to].key == ka[i].key) to++;
         while (end < nb && kb[end].key == ka[i].key) end++;
-        ok = pair_alike(&m, r, ka + i, to - i, kb + k, end - k, e);
+        ok = pair_alike(&m, r, (alike){ ka + i, to - i }, (alike){ kb + k, end - k }, e);
         i = to, k = end;
       }
     }

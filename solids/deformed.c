@@ -25,8 +25,11 @@ typedef struct {
   int look_count;
 } open_node;
 
-static bool mesh_leaf(vs_ref ref, const vs_affine *map, const vs_fineness *asked, const vs_kernel_options *options,
+/* Makes the mesh of a node, where it is placed, or the points of a curve. no_regions: the message for a region; NULL:
+ * regions are taken. */
+static bool mesh_leaf(const open_node *o, const vs_fineness *asked, const vs_kernel_options *options,
                       const char *no_regions, vs_bend_leaf *l, vs_error *e) {
+  vs_ref ref = o->ref;
   vs_node *n = ref.node;
   vs_fineness facets = *asked;
   vs_bounds b;
@@ -51,7 +54,7 @@ static bool mesh_leaf(vs_ref ref, const vs_affine *map, const vs_fineness *asked
     return vs_error_set(e, VS_ERROR_MODEL, ref.origin, "%s", no_regions ? no_regions : "this is no object in space");
   }
   if (!ok) return vs_error_memory(e, ref.origin);
-  vs_mesh_transform(&l->mesh, map);
+  vs_mesh_transform(&l->mesh, &o->map);
   return true;
 }
 
@@ -85,7 +88,7 @@ bool vs_take_apart(vs_ref object, const vs_fineness *facets, const vs_kernel_opt
     if (!ok) break;
     vs_bend_leaf *l = &out->at[out->count++];
     *l = (vs_bend_leaf){ .origin = o.ref.origin };
-    ok = mesh_leaf(o.ref, &o.map, facets, options, no_regions, l, e);
+    ok = mesh_leaf(&o, facets, options, no_regions, l, e);
     for (; ok && l->look_count < o.look_count; l->look_count++)
       l->looks[l->look_count] = vs_node_retain(o.looks[l->look_count]);
   }

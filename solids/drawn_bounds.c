@@ -143,11 +143,11 @@ static bool drawn_region(const vs_node *n, const vs_fineness *facets, vs_bounds 
 
 static double drawn_in(double wide, double drawn, double near) { return fabs(wide - drawn) <= near ? wide : drawn; }
 
-bool vs_drawn_bounds(const vs_ref *ref, const vs_fineness *facets, const vs_kernel_options *options, size_t *budget,
-                     vs_bounds *out, bool *at_most, vs_error *e) {
+bool vs_drawn_bounds(const vs_ref *ref, vs_drawn_search *search, vs_bounds *out, vs_error *e) {
   const vs_node *n = ref->node;
   vs_bounds drawn = vs_bounds_empty();
-  vs_fineness f = *facets;
+  vs_fineness f = *search->facets;
+  size_t *budget = search->budget;
   bool exact;
   size_t cost = 0;
   if (!vs_node_bounds(n, out, e)) return false;
@@ -155,18 +155,14 @@ bool vs_drawn_bounds(const vs_ref *ref, const vs_fineness *facets, const vs_kern
   if (!box_is_exact(n, &exact)) return vs_error_memory(e, ref->origin);
   if (exact) return true;
   if (budget && !combine_cost(n, *budget, &cost)) return vs_error_memory(e, ref->origin);
-  if (budget && cost > *budget) {
-    if (at_most) *at_most = true;
-    return true;
-  }
+  if (budget && cost > *budget) return search->at_most = true;
   if (budget) *budget -= cost;
   if (f.tolerance <= 0) f.tolerance = vs_fineness_tolerance(out);
-  if (!(n->class_ == VS_SOLID ? drawn_solid(ref, &f, options, &drawn, e) : drawn_region(n, &f, &drawn, e))) {
+  if (!(n->class_ == VS_SOLID ? drawn_solid(ref, &f, search->options, &drawn, e) : drawn_region(n, &f, &drawn, e))) {
     /* A format without meshes draws a solid that the mesher refuses; one with meshes reports the refusal itself. */
     if (e->kind != VS_ERROR_MODEL) return false;
-    if (at_most) *at_most = true;
     *e = (vs_error){ VS_ERROR_NONE, NULL, "" };
-    return true;
+    return search->at_most = true;
   }
   if (vs_bounds_is_empty(&drawn)) return *out = drawn, true;
   double near = 2 * f.tolerance;
@@ -177,8 +173,7 @@ bool vs_drawn_bounds(const vs_ref *ref, const vs_fineness *facets, const vs_kern
   return true;
 }
 
-bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
-                         size_t budget, vs_bounds *out, bool *at_most, vs_error *e) {
+bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, vs_drawn_search *search, vs_bounds *out, vs_error *e) {
   node_stack s = { 0 };
   bool ok = true;
   *out = vs_bounds_empty();
@@ -189,8 +184,7 @@ bool vs_drawn_bounds_all(const vs_ref *refs, size_t count, const vs_fineness *fa
       if (n->kind == VS_UNION || vs_node_is_wrapper(n)) {
         ok = push_children(&s, n) || vs_error_memory(e, refs[i].origin);
       } else {
-        ok = vs_drawn_bounds(&(vs_ref){ (vs_node *)(uintptr_t)n, refs[i].origin }, facets, options, &budget, &one,
-                             at_most, e);
+        ok = vs_drawn_bounds(&(vs_ref){ (vs_node *)(uintptr_t)n, refs[i].origin }, search, &one, e);
         if (ok) vs_bounds_unite(out, &one);
       }
       if (s.count == 0) break;

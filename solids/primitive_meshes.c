@@ -112,45 +112,51 @@ static void view(const vs_cached *held, vs_mesh *out) {
   out->triangles = (uint32_t (*)[3])(void *)(at + ((h.vertices * sizeof *out->vertices + 15) & ~(size_t)15));
 }
 
-static void keep(vs_cache *cache, const vs_cache_key *key, vs_mesh *out, const vs_cached **held) {
-  header h = { out->vertex_count, out->triangle_count };
+static bool find(const vs_kept_mesh *to, const vs_cache_key *key) {
+  *to->held = to->cache ? vs_cache_find(to->cache, key) : NULL;
+  if (*to->held) view(*to->held, to->mesh);
+  return *to->held != NULL;
+}
+
+static void keep(const vs_kept_mesh *to, const vs_cache_key *key) {
+  vs_mesh *m = to->mesh;
+  header h = { m->vertex_count, m->triangle_count };
   const vs_cache_piece pieces[] = { { &h, sizeof h },
-                                    { out->vertices, out->vertex_count * sizeof *out->vertices },
-                                    { out->triangles, out->triangle_count * sizeof *out->triangles } };
-  *held = vs_cache_keep(cache, key, pieces, 3);
-  if (!*held) return;
-  vs_mesh_free(out);
-  view(*held, out);
+                                    { m->vertices, m->vertex_count * sizeof *m->vertices },
+                                    { m->triangles, m->triangle_count * sizeof *m->triangles } };
+  if (!to->cache) return;
+  *to->held = vs_cache_keep(to->cache, key, pieces, 3);
+  if (!*to->held) return;
+  vs_mesh_free(m);
+  view(*to->held, m);
 }
 
-bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_fineness *f, vs_mesh *out, const vs_cached **held) {
+bool vs_primitive_find(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f) {
   const uint64_t words[] = { vs_cache_real(f->tolerance), (uint64_t)(int64_t)f->segments };
-  *held = cache ? vs_cache_find(cache, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 }) : NULL;
-  if (*held) view(*held, out);
-  return *held != NULL;
+  return find(to, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 });
 }
 
-void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_fineness *f, vs_mesh *out, const vs_cached **held) {
+void vs_primitive_keep(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f) {
   const uint64_t words[] = { vs_cache_real(f->tolerance), (uint64_t)(int64_t)f->segments };
-  if (cache) keep(cache, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 }, out, held);
+  keep(to, &(vs_cache_key){ VS_CACHED_PRIMITIVE, n, words, 2, 0 });
 }
 
-bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_fineness *f, const vs_kernel_options *options,
-                         vs_mesh *out, const vs_cached **held, vs_error *e) {
-  if (vs_primitive_find(cache, n, f, out, held)) return true;
-  if (!vs_primitive_mesh(n, f, options, out, e)) return false;
-  vs_primitive_keep(cache, n, f, out, held);
+bool vs_primitive_shared(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f, const vs_kernel_options *options,
+                         vs_error *e) {
+  if (vs_primitive_find(to, n, f)) return true;
+  if (!vs_primitive_mesh(n, f, options, to->mesh, e)) return false;
+  vs_primitive_keep(to, n, f);
   return true;
 }
 
-bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held) {
+bool vs_half_space_shared(const vs_kept_mesh *to, vs_node *n, const vs_bounds *reach) {
   const double sides[] = { reach->min.x, reach->min.y, reach->min.z, reach->max.x, reach->max.y, reach->max.z };
   uint64_t words[6];
   for (int i = 0; i < 6; i++) words[i] = vs_cache_real(sides[i]);
   const vs_cache_key key = { VS_CACHED_PRIMITIVE, n, words, 6, 0 };
-  *held = cache ? vs_cache_find(cache, &key) : NULL;
-  if (*held) return view(*held, out), true;
-  if (!vs_half_space_triangles(out, VS_AS(half_space, n)->point, VS_AS(half_space, n)->normal, reach)) return false;
-  if (cache) keep(cache, &key, out, held);
+  if (find(to, &key)) return true;
+  if (!vs_half_space_triangles(to->mesh, VS_AS(half_space, n)->point, VS_AS(half_space, n)->normal, reach))
+    return false;
+  keep(to, &key);
   return true;
 }

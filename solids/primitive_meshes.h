@@ -21,15 +21,21 @@ bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_e
 bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
                            vs_error *e);
 
-/* The same as vs_primitive_mesh, looked up in the cache and kept there: *held then is what out's arrays lie in, until
- * the caller lets it go, and out must be neither changed nor freed. *held NULL: out is the caller's own. cache NULL:
- * there is none. */
-bool vs_primitive_shared(vs_cache *cache, vs_node *n, const vs_fineness *f, const vs_kernel_options *options,
-                         vs_mesh *out, const vs_cached **held, vs_error *e);
+/* Meshes that are looked up in a cache and kept there. */
+typedef struct {
+  vs_cache *cache;         /* NULL: there is none */
+  vs_mesh *mesh;           /* where it goes; empty at first */
+  const vs_cached **held;  /* what the mesh's arrays lie in, until the caller lets it go: the mesh must be neither
+                            * changed nor freed. *held NULL: the mesh is the caller's own. */
+} vs_kept_mesh;
+
+/* As vs_primitive_mesh. */
+bool vs_primitive_shared(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f, const vs_kernel_options *options,
+                         vs_error *e);
 /* The same in parts: is it kept, *held NULL where it is not; and keeping one that was made. */
-bool vs_primitive_find(vs_cache *cache, vs_node *n, const vs_fineness *f, vs_mesh *out, const vs_cached **held);
-void vs_primitive_keep(vs_cache *cache, vs_node *n, const vs_fineness *f, vs_mesh *out, const vs_cached **held);
-/* The same for the part of a half-space that is in reach. False: out of memory. */
-bool vs_half_space_shared(vs_cache *cache, vs_node *n, const vs_bounds *reach, vs_mesh *out, const vs_cached **held);
+bool vs_primitive_find(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f);
+void vs_primitive_keep(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f);
+/* The same for the part of a half-space that is in reach. Fails when memory runs out. */
+bool vs_half_space_shared(const vs_kept_mesh *to, vs_node *n, const vs_bounds *reach);
 
 #endif

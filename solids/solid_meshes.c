@@ -200,12 +200,13 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
   *bucket = b->meshes.count;
   *number = (uint32_t)b->meshes.count - 1;
   if (ref->node->kind == VS_HALF_SPACE) return true; /* made when it is known what there is to cut */
+  const vs_kept_mesh to = { b->cache, *mesh, &b->meshes.at[*number].held };
   if (vs_node_has(ref->node, VS_IS_PLAIN))
-    return vs_primitive_find(b->cache, ref->node, facets, *mesh, &b->meshes.at[*number].held)
+    return vs_primitive_find(&to, ref->node, facets)
                ? count_made(&b->k, &b->made, (*mesh)->triangle_count)
                : VS_PUSH(&b->k, b->plain, *number);
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  if (vs_primitive_shared(b->cache, ref->node, facets, b->k.options, *mesh, &b->meshes.at[*number].held, &why))
+  if (vs_primitive_shared(&to, ref->node, facets, b->k.options, &why))
     return count_made(&b->k, &b->made, (*mesh)->triangle_count);
   if (!why.origin) why.origin = ref->origin;
   if (b->error) *b->error = why;
@@ -253,7 +254,7 @@ static bool make_plain(builder *b) {
   b->k.threads = 1;
   for (size_t i = 0; ok && i < b->plain.count; i++) {
     meshed *m = &b->meshes.at[b->plain.at[i]];
-    vs_primitive_keep(b->cache, (vs_node *)(uintptr_t)m->node, &m->facets, m->mesh, &m->held);
+    vs_primitive_keep(&(vs_kept_mesh){ b->cache, m->mesh, &m->held }, (vs_node *)(uintptr_t)m->node, &m->facets);
     ok = vs_kernel_poll(&b->k, 0);
   }
   if (ok || b->k.error->status != VS_KERNEL_OUT_OF_MEMORY) return ok;
@@ -358,10 +359,11 @@ static bool bound_half_spaces(builder *b) {
     vs_bounds_unite(&own[m], &local);
     vs_bounds_unite(&b->within.at[s->leaf], &reach[s->scope]);
   }
-  for (size_t i = 0; ok && i < b->meshes.count; i++)
-    if (b->meshes.at[i].node->kind == VS_HALF_SPACE)
-      ok = vs_half_space_shared(b->cache, (vs_node *)(uintptr_t)b->meshes.at[i].node, &own[i], b->meshes.at[i].mesh,
-                                &b->meshes.at[i].held);
+  for (size_t i = 0; ok && i < b->meshes.count; i++) {
+    meshed *m = &b->meshes.at[i];
+    if (m->node->kind != VS_HALF_SPACE) continue;
+    ok = vs_half_space_shared(&(vs_kept_mesh){ b->cache, m->mesh, &m->held }, (vs_node *)(uintptr_t)m->node, &own[i]);
+  }
   free(own);
   free(reach);
   return ok || vs_error_memory(b->error, NULL);
@@ -464,29 +466,15 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
   vs_tally_also(t, c->peak);
 }
 
-/* The caller wants either of the two. */
-static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
-                     vs_solid *one, vs_solid_copies *many, vs_error *error) {
-  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
-  builder *b = vs_zeros(1, sizeof *b);
-  if (!b) return vs_error_memory(error, NULL);
-  vs_tally *tally = count ? vs_store_tally(refs[0].node->store) : NULL;
-  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
-  vs_kernel_counts counts = { 0 };
-  vs_kernel_options mine = options ? *options : (vs_kernel_options){ .progress = NULL };
-  if (count && !mine.cache) mine.cache = vs_store_cache(refs[0].node->store);
-  options = &mine;
-  b->cache = vs_cache_asks(mine.cache) ? mine.cache : NULL;
-  b->k.options = options;
-  b->k.error = &why;
-  b->k.threads = 1;
-  b->facets = facets;
-  b->error = error;
+/* Where the result goes: one of the two, the other is NULL. */
+typedef struct { vs_solid *one; vs_solid_copies *many; } target;
+
+/* Puts the references into the builder as one problem, a union. */
+static bool build(builder *b, const vs_ref *refs, size_t count) {
   bool ok = true;
-  vs_kernel_time(&b->k, counts.seconds);
   for (size_t i = 0; ok && i < count; i++) {
     ok = !(refs[i].node->flags & VS_NODE_ENDLESS) ||
-         vs_error_set(error, VS_ERROR_MODEL, refs[i].origin, VS_ENDLESS_MESSAGE);
+         vs_error_set(b->error, VS_ERROR_MODEL, refs[i].origin, VS_ENDLESS_MESSAGE);
     ok = ok && walk_one(b, &refs[i]);
   }
   ok = ok && make_plain(b) && close_term(b, VS_TERM_UNION, 0) && bound_half_spaces(b);
@@ -495,48 +483,51 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets
     ok = VS_PUSH(&b->k, b->identities, held ? held->serial : 0) && vs_kernel_poll(&b->k, 0);
   }
   vs_kernel_lap(&b->k, VS_STEP_SHAPES);
-  if (ok) {
-    vs_kernel_problem problem = { b->leaves.at,
-                                  b->terms.at,
-                                  b->operands.at,
-                                  (uint32_t)b->leaves.count,
-                                  (uint32_t)b->terms.count,
-                                  (uint32_t)b->operands.count,
-                                  b->paints.at,
-                                  b->identities.at,
-                                  b->within.at };
-    mine.counts = &counts;
-    ok = one ? vs_kernel_evaluate(&problem, options, &one->mesh, &why)
-             : vs_kernel_evaluate_copies(&problem, options, &many->meshes, &why);
-  }
-  if (ok && counts.coarse && mine.warn) {
-    char message[200];
-    snprintf(message, sizeof message,
-             "too small for what it touches: all of that is worked out in steps of %.3g, which makes this part %.0f %% "
-             "%s (and %zu more parts)",
-             counts.coarse_step, 100 * fabs(counts.coarse_by), counts.coarse_by > 0 ? "larger" : "smaller",
-             counts.coarse - 1);
-    if (counts.coarse == 1) *strstr(message, " (and") = 0;
-    mine.warn(mine.context, b->origins.at[counts.coarse_leaf], message);
-  }
-  if (ok) {
-    *(one ? &one->parts : &many->parts) = b->parts.at;
-    *(one ? &one->part_count : &many->part_count) = b->parts.count;
-    *(one ? &one->straightened : &many->straightened) = counts.straightened;
-    b->parts.at = NULL;
-  } else if (why.status != VS_KERNEL_FINE) {
-    bool placed = why.status == VS_KERNEL_OPEN || why.status == VS_KERNEL_INSIDE_OUT ||
-                  why.status == VS_KERNEL_NOT_FINITE || why.status == VS_KERNEL_INTERNAL;
-    vs_error_set(error, kind_of(why.status), placed && why.leaf < b->origins.count ? b->origins.at[why.leaf] : NULL,
-                 "%s", why.message);
-  }
+  return ok;
+}
+
+static bool solve(const builder *b, const vs_kernel_options *options, target to) {
+  vs_kernel_problem problem = { b->leaves.at,
+                                b->terms.at,
+                                b->operands.at,
+                                (uint32_t)b->leaves.count,
+                                (uint32_t)b->terms.count,
+                                (uint32_t)b->operands.count,
+                                b->paints.at,
+                                b->identities.at,
+                                b->within.at };
+  return to.one ? vs_kernel_evaluate(&problem, options, &to.one->mesh, b->k.error)
+                : vs_kernel_evaluate_copies(&problem, options, &to.many->meshes, b->k.error);
+}
+
+/* Warns of parts whose volume the grid has changed, at the first of them. */
+static void warn_coarse(const builder *b, const vs_kernel_options *options, const vs_kernel_counts *counts) {
+  char message[200], more[40] = "";
+  if (!counts->coarse || !options->warn) return;
+  if (counts->coarse > 1) snprintf(more, sizeof more, " (and %zu more parts)", counts->coarse - 1);
+  snprintf(message, sizeof message,
+           "too small for what it touches: all of that is worked out in steps of %.3g, which makes this part %.0f %% "
+           "%s%s",
+           counts->coarse_step, 100 * fabs(counts->coarse_by), counts->coarse_by > 0 ? "larger" : "smaller", more);
+  options->warn(options->context, b->origins.at[counts->coarse_leaf], message);
+}
+
+/* The kernel's error as that of the solid, at the leaf where it has one; one that was set before stays. */
+static void take_failure(const builder *b) {
+  const vs_kernel_error *why = b->k.error;
+  if (why->status == VS_KERNEL_FINE) return;
+  bool placed = why->status == VS_KERNEL_OPEN || why->status == VS_KERNEL_INSIDE_OUT ||
+                why->status == VS_KERNEL_NOT_FINITE || why->status == VS_KERNEL_INTERNAL;
+  vs_error_set(b->error, kind_of(why->status), placed && why->leaf < b->origins.count ? b->origins.at[why->leaf] : NULL,
+               "%s", why->message);
+}
+
+static void builder_free(builder *b) {
   for (size_t i = 0; i < b->meshes.count; i++) {
     if (b->meshes.at[i].held) vs_cache_let_go(b->cache, b->meshes.at[i].held);
     else vs_mesh_free(b->meshes.at[i].mesh);
     free(b->meshes.at[i].mesh);
   }
-  tally_up(tally, &counts);
-  if (count) vs_solid_tally_steps(refs[0].node->store, &counts);
   VS_DROP(&b->k, b->leaves);
   VS_DROP(&b->k, b->origins);
   VS_DROP(&b->k, b->twins);
@@ -558,6 +549,40 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets
   VS_DROP(&b->k, b->part_table);
   VS_DROP(&b->k, b->paint_table);
   free(b);
+}
+
+static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
+                     target to, vs_error *error) {
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  builder *b = vs_zeros(1, sizeof *b);
+  if (!b) return vs_error_memory(error, NULL);
+  vs_tally *tally = count ? vs_store_tally(refs[0].node->store) : NULL;
+  vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
+  vs_kernel_counts counts = { 0 };
+  vs_kernel_options mine = options ? *options : (vs_kernel_options){ .progress = NULL };
+  if (count && !mine.cache) mine.cache = vs_store_cache(refs[0].node->store);
+  b->cache = vs_cache_asks(mine.cache) ? mine.cache : NULL;
+  b->k.options = &mine;
+  b->k.error = &why;
+  b->k.threads = 1;
+  b->facets = facets;
+  b->error = error;
+  vs_kernel_time(&b->k, counts.seconds);
+  bool ok = build(b, refs, count);
+  mine.counts = &counts;
+  ok = ok && solve(b, &mine, to);
+  if (ok) {
+    warn_coarse(b, &mine, &counts);
+    *(to.one ? &to.one->parts : &to.many->parts) = b->parts.at;
+    *(to.one ? &to.one->part_count : &to.many->part_count) = b->parts.count;
+    *(to.one ? &to.one->straightened : &to.many->straightened) = counts.straightened;
+    b->parts.at = NULL;
+  } else {
+    take_failure(b);
+  }
+  tally_up(tally, &counts);
+  if (count) vs_solid_tally_steps(refs[0].node->store, &counts);
+  builder_free(b);
   vs_tally_enter(tally, was);
   return ok;
 }
@@ -565,7 +590,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets
 bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        vs_solid *out, vs_error *error) {
   *out = (vs_solid){ .part_count = 0 };
-  if (evaluate(refs, count, facets, options, out, NULL, error)) return true;
+  if (evaluate(refs, count, facets, options, (target){ .one = out }, error)) return true;
   vs_solid_free(out);
   return false;
 }
@@ -573,7 +598,8 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *face
 bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_fineness *facets,
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error) {
   *out = (vs_solid_copies){ .part_count = 0 };
-  return evaluate(refs, count, facets, options, NULL, out, error); /* the kernel leaves nothing behind where it fails */
+  /* the kernel leaves nothing behind where it fails */
+  return evaluate(refs, count, facets, options, (target){ .many = out }, error);
 }
 
 void vs_solid_copies_free(vs_solid_copies *s) {

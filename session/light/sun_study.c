@@ -394,8 +394,9 @@ static bool take_model(study *t, const vs_ref *refs, size_t count) {
   vs_fineness facets = { .tolerance = vs_bind_tolerance(&t->session->bind), .segments = scene->segments };
   vs_kernel_options options = { .progress = keep_going, .context = t->session };
   vs_bounds all;
-  bool most;
-  if (!vs_drawn_bounds_all(refs, count, &facets, &options, VS_DRAWN_BOUNDS_MOST, &all, &most, &t->error)) return false;
+  size_t budget = VS_DRAWN_BOUNDS_MOST;
+  vs_drawn_search search = { .facets = &facets, .options = &options, .budget = &budget };
+  if (!vs_drawn_bounds_all(refs, count, &search, &all, &t->error)) return false;
   if (facets.tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&all);
   if (!vs_solid_evaluate(refs, count, &facets, &options, &t->solid, &t->error)) return false;
   if (!t->solid.mesh.triangle_count)
