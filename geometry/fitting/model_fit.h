@@ -92,7 +92,4 @@ typedef struct {
 bool vs_model_fit_solve(const vs_fit_problem *p, vs_model_fit *out, vs_error *e);
 void vs_model_fit_free(vs_model_fit *f);
 
-/* The two-sided quantile of Student's distribution. */
-double vs_student_quantile(double confidence, double freedom);
-
 #endif

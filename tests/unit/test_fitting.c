@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "geometry/fitting/distance_map.h"
+#include "geometry/fitting/fit_judgement.h"
 #include "geometry/fitting/model_fit.h"
 #include "geometry/fitting/robust_squares.h"
 #include "geometry/fitting/scan_points.h"
