@@ -20,7 +20,7 @@ function sentence(s,    n, words) {
   sub(/^[ ("]+/, "", s); sub(/ +$/, "", s)
   n = split(s, words, " ")
   if (!n) return
-  lengths[n]++; sentences++
+  if (!cell) { lengths[n]++; sentences++ }
   if (n > 35) found("over-35-words", 1, s)
   if (s ~ /^(What|That|One|So)[ ,]/) found("openers", 1, s)
   if (s ~ / (of|for|with|to|from|at|into|on|by)\.$/) found("prepositions", 1, s)
@@ -51,7 +51,7 @@ function markdown(line,    n, cells, i) {
     end_unit()
     if (line ~ /^\|[-| :]+$/) return
     line = plain(line); gsub(/\\\|/, "/", line)
-    n = split(line, cells, "|"); for (i = 2; i < n; i++) unit(cells[i])
+    n = split(line, cells, "|"); cell = 1; for (i = 2; i < n; i++) unit(cells[i]); cell = 0
     return
   }
   if (is_long(line) && line !~ /^ *(- )?!?\[[^]]*\]\([^)]*\)[.,]?$/) found("long-lines", 1, line)
