@@ -21,7 +21,7 @@ typedef struct {
   bool found;            /* its text has been put out */
 } vs_run;
 
-/* Finds the run of the row that begins with neighbour `from`. One that is not found is open until vs_drive_run_end,
+/* Finds the run of the row that begins with neighbour `from`. A run without text stays open until vs_drive_run_end,
  * where it is worth keeping. Fails as e's error says; run->until is set even then. */
 bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run);
 void vs_drive_run_end(vs_emitter *e);

@@ -40,7 +40,7 @@ typedef enum { SOLID, AIR, MIDDLE } joined;
 
 /* The vertex of a corner, counted from first_vertex; the corner is one of the result's triangles'. */
 static uint32_t vertex_at(const splitter *s, uint32_t corner) {
-  VS_ASSERT(corner < 3 * s->of.triangles);
+  VS_ASSERT(corner < 3 * s->triangles);
   return s->of.m->triangles[s->of.first_triangle + corner / 3][corner % 3] - (uint32_t)s->of.first_vertex;
 }
 

@@ -13,7 +13,7 @@
 (define-record-type |%vector of GML| (make-vec2 x y) vec2? (x vec2-x) (y vec2-y))
 (define-record-type |%mark of GML| (make-marker) marker?)
 (define-record-type |%outside of GML| (make-outside %procedure %count) outside? (%procedure outside-procedure) (%count outside-count))
-(define run-outside #f)
+(define run-outside (lambda (v) v))
 
 (define gml:unset (list 'unset))
 (define mark (make-marker))
