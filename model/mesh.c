@@ -70,7 +70,6 @@ bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index) {
 }
 
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c) {
-  VS_ASSERT(a < m->vertex_count && b < m->vertex_count && c < m->vertex_count);
   if (m->triangle_count == m->triangle_room && !vs_mesh_reserve(m, 0, mesh_next_room(m->triangle_room, m->most)))
     return false;
   uint32_t *t = m->triangles[m->triangle_count];

@@ -20,7 +20,7 @@ typedef struct {
 
 void vs_mesh_free(vs_mesh *m); /* what it holds, not m; leaves it empty and usable */
 bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* false: out of memory; index may be NULL */
-/* a, b and c are vertices of m. */
+/* a, b and c are vertices of m, which may be added later. */
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c);
 bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* room in all; false: out of memory, or m->over */
 bool vs_mesh_want_tags(vs_mesh *m); /* room for them, each 0, where it has none; false: out of memory */

@@ -96,8 +96,7 @@ static inline void vs_bounds_unite(vs_bounds *b, const vs_bounds *other) {
   vs_bounds_add(b, other->max);
 }
 void vs_bounds_meet(vs_bounds *b, const vs_bounds *other); /* what both hold */
-/* Returns whether two boxes have a point in common, or come as near to it as slack on every axis. slack is 0 or
- * more. */
+/* Returns whether two boxes have a point in common, or come as near to it as slack, 0 or more, on every axis. */
 static inline bool vs_bounds_overlap(const vs_bounds *a, const vs_bounds *b, double slack) {
   VS_ASSERT(slack >= 0);
   return a->min.x <= b->max.x + slack && b->min.x <= a->max.x + slack && a->min.y <= b->max.y + slack &&
