@@ -5,6 +5,7 @@ vs_affine vs_frame_on_axis(vs_vec3 at, vs_vec3 direction) {
   vs_vec3 d = vs_v3_unit(direction);
   double across = d.x * d.x + d.y * d.y, k; /* k = 1 / (1 + d.z) without cancellation near -Z */
   vs_vec3 x, y;
+  VS_ASSERT(direction.x != 0 || direction.y != 0 || direction.z != 0);
   if (d.z < 0 && across < 1e-24) { /* -Z, or as near to it as sums of sines come: half a turn about X */
     x = vs_v3(1, 0, 0);
     y = vs_v3(0, -1, 0);
@@ -29,6 +30,7 @@ static vs_vec3 frame_across(vs_vec3 a) {
 vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b) {
   vs_vec3 v = vs_v3_cross(a, b);
   double c = vs_v3_dot(a, b), s2 = vs_v3_dot(v, v), k;
+  VS_ASSERT(fabs(vs_v3_dot(a, a) - 1) < 1e-6 && fabs(vs_v3_dot(b, b) - 1) < 1e-6);
   if (c < 0 && s2 < 1e-24) return vs_affine_rotation(vs_v3(0, 0, 0), frame_across(a), 3.14159265358979323846);
   k = c < 0 ? (1 - c) / s2 : 1 / (1 + c);
   return (vs_affine){ { { c + v.x * v.x * k, v.x * v.y * k - v.z, v.x * v.z * k + v.y, 0 },
@@ -62,6 +64,7 @@ static vs_vec3 frame_carry(const vs_path_point *from, const vs_path_point *to, v
 }
 
 double vs_frame_transport(const vs_path_point *path, size_t n, bool closed, double length, vs_vec3 x, vs_vec3 *x_out) {
+  VS_ASSERT(n > 0);
   x_out[0] = frame_square(x, path[0].leaving);
   for (size_t i = 1; i < n; i++) x_out[i] = frame_carry(&path[i - 1], &path[i], x_out[i - 1]);
   if (!closed || !(length > 0)) return 0;

@@ -19,7 +19,7 @@ vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b);
 typedef struct { vs_vec3 at, arriving, leaving; double along; /* arc length from the start */ } vs_path_point;
 /* Carries x (unit, across path[0].leaving) along n points; x_out[i] belongs to path[i].leaving; path's `along` gives
  * the weight by which the spin that a closed path gathers is spread. length: of the whole, the closing stretch too.
- * Returns that spin (0 where open). */
+ * Returns that spin (0 where open). n is above 0. */
 double vs_frame_transport(const vs_path_point *path, size_t n, bool closed, double length, vs_vec3 x, vs_vec3 *x_out);
 
 /* The normal made unit, and turned to look up: along +Y, or +X, where it is level. */

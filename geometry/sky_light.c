@@ -42,6 +42,7 @@ vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun) {
                                          { 0.15346, -0.26756, 0.06670, 0.26688 } };
   double t = turbidity;
   vs_sky_light s = { .sun = sun };
+  VS_ASSERT(turbidity >= VS_TURBIDITY_LEAST && turbidity <= VS_TURBIDITY_MOST);
   if (sun.z < 0) s.sun = vs_v3_unit(vs_v3(sun.x, sun.y, 0));
   if (!(vs_v3_length(s.sun) > 0)) s.sun = vs_v3(1, 0, 0); /* from straight below, where no side is the sun's */
   double angle = acos(fmin(1, s.sun.z)), chi = (4. / 9 - t / 120) * (pi - 2 * angle);
@@ -58,6 +59,7 @@ vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun) {
 
 vs_vec3 vs_sky_light_xyy(const vs_sky_light *s, vs_vec3 d) {
   double v[3];
+  VS_ASSERT(fabs(vs_v3_dot(d, d) - 1) < 1e-6);
   for (int i = 0; i < 3; i++) v[i] = s->of[i].scale * distribution(s, i, d.z, vs_v3_dot(d, s->sun));
   return vs_v3(v[0], v[1], v[2]);
 }

@@ -10,6 +10,7 @@ double vs_fineness_tolerance(const vs_bounds *drawing) {
 }
 
 int vs_fineness_turn_least(const vs_fineness *f, double r, int least) {
+  VS_ASSERT(f->tolerance > 0 && least > 0);
   if (!(r > f->tolerance)) return least;
   /* r (1 - cos(pi/n)) <= tolerance */
   double half_angle = acos(1 - f->tolerance / r);

@@ -14,7 +14,7 @@ double vs_fineness_tolerance(const vs_bounds *drawing);
 /* Facets a full turn of radius r: by the node's own segments, then f->segments, then f->tolerance; never fewer than 32
  * by tolerance; a multiple of 4 by tolerance so that quarter turns are vertices. */
 int vs_fineness_turn(const vs_fineness *f, double r, int segments);
-/* by the tolerance alone, but at least so many */
+/* by the tolerance alone, but at least so many. The tolerance and `least` are above 0. */
 int vs_fineness_turn_least(const vs_fineness *f, double r, int least);
 /* The rule inside a placement: a chord that a shrinks or stretches keeps its height in the drawing. Stretch goes by
  * powers of two, so that turns and small differences change nothing and equal parts stay equal. */

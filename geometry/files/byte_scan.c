@@ -26,12 +26,14 @@ static bool scan_blank(unsigned char c) {
 }
 
 bool vs_scan_line_end(vs_byte_scan *s) {
+  VS_ASSERT(s->at <= s->size);
   while (s->at < s->size && scan_blank(s->bytes[s->at])) s->at++;
   return s->at == s->size || s->bytes[s->at] == '\n';
 }
 
 void vs_scan_next_line(vs_byte_scan *s) {
   const unsigned char *end = s->at < s->size ? memchr(s->bytes + s->at, '\n', s->size - s->at) : NULL;
+  VS_ASSERT(s->at <= s->size);
   s->at = end ? (size_t)(end - s->bytes) + 1 : s->size;
   s->line++;
 }

@@ -23,6 +23,7 @@ bool vs_scan_fail(const vs_byte_scan *s, const char *format, ...) __attribute__(
 bool vs_scan_poll(vs_byte_scan *s);
 /* are there only blanks before the line's end? They are passed over */
 bool vs_scan_line_end(vs_byte_scan *s);
+/* Goes on to the next line; nothing is read past the end. */
 void vs_scan_next_line(vs_byte_scan *s);
 /* The next word, over line ends where `lines`; "" at the end (of the line). Comments from `comment` (0: none) to the
  * line's end are passed over. */

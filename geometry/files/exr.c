@@ -30,6 +30,7 @@ float *vs_exr_find(const vs_exr *x, const char *channel) {
 }
 
 float *vs_exr_add(vs_exr *x, const char *channel, vs_exr_type type, vs_error *e) {
+  VS_ASSERT(x->columns > 0 && x->rows > 0);
   if (x->count == VS_EXR_CHANNELS) {
     vs_error_set(e, VS_ERROR_MODEL, NULL, "an EXR picture has up to %d channels here", VS_EXR_CHANNELS);
     return NULL;
@@ -50,6 +51,7 @@ float *vs_exr_add(vs_exr *x, const char *channel, vs_exr_type type, vs_error *e)
 bool vs_exr_add_text(vs_exr *x, vs_exr_text text, const char *at, size_t length, vs_error *e) {
   size_t used = x->texts[text].at ? x->texts[text].room - 1 : 0;
   char *all = vs_store_realloc(x->store, x->texts[text].at, x->texts[text].room, used + length + 1);
+  VS_ASSERT((size_t)text < VS_EXR_TEXTS);
   if (!all) return vs_error_memory(e, NULL);
   memcpy(all + used, at, length);
   all[used + length] = 0;
@@ -60,6 +62,7 @@ bool vs_exr_add_text(vs_exr *x, vs_exr_text text, const char *at, size_t length,
 bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint32_t rows, vs_error *e) {
   size_t bytes = (size_t)columns * rows * sizeof(float), whole = exr_plane_bytes(x), made = 0;
   float *parts[VS_EXR_CHANNELS];
+  VS_ASSERT(columns <= x->columns && left <= x->columns - columns && rows <= x->rows && top <= x->rows - rows);
   while (made < x->count && (parts[made] = vs_store_realloc(x->store, NULL, 0, bytes))) made++;
   if (made < x->count) {
     while (made > 0) vs_store_realloc(x->store, parts[--made], bytes, 0);

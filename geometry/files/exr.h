@@ -38,7 +38,7 @@ void vs_exr_free(vs_exr *x);
 float *vs_exr_find(const vs_exr *x, const char *channel);
 /* Adds a channel whose numbers are 0; columns and rows are set before. NULL: out of memory, or there are too many. */
 float *vs_exr_add(vs_exr *x, const char *channel, vs_exr_type type, vs_error *e);
-/* Adds `length` bytes to a text; *x has a copy. */
+/* Adds `length` bytes to a text; *x has a copy. The text is one of vs_exr_text. */
 bool vs_exr_add_text(vs_exr *x, vs_exr_text text, const char *at, size_t length, vs_error *e);
 /* Keeps a part, which lies within the picture, of all its channels. False: out of memory; the picture is as it was. */
 bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint32_t rows, vs_error *e);

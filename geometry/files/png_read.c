@@ -100,6 +100,7 @@ bool vs_png_read(vs_store *store, const vs_file_bytes *file, vs_png_pixels *out,
 double vs_png_at(const vs_png_pixels *p, size_t pixel, unsigned channel) {
   size_t at = pixel * p->channels + channel;
   uint16_t two;
+  VS_ASSERT(channel < p->channels && pixel < (size_t)p->columns * p->high);
   if (!p->deep) return p->rows[at] / 255.0;
   memcpy(&two, p->rows + 2 * at, 2);
   return two / 65535.0;

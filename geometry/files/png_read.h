@@ -15,6 +15,7 @@ typedef struct {
 
 /* All of a file that is in memory. The rows are the caller's to give back to the store; NULL after a failure. */
 bool vs_png_read(vs_store *store, const vs_file_bytes *file, vs_png_pixels *out, vs_error *e);
+/* The picture has that pixel and channel. */
 double vs_png_at(const vs_png_pixels *p, size_t pixel, unsigned channel); /* a number of a pixel, from 0 to 1 */
 
 #endif

@@ -54,8 +54,10 @@ static repair_side *list_sides(const vs_face_list *l, size_t *count) {
   return sides;
 }
 
+/* Where the sides of the edge of side `at`, which is one of them, end. */
 static size_t edge_end(const repair_side *sides, size_t count, size_t at, long *over) {
   size_t end = at;
+  VS_ASSERT(at < count);
   for (*over = 0; end < count && sides[end].low == sides[at].low && sides[end].high == sides[at].high; end++)
     *over += sides[end].forward ? 1 : -1;
   return end;
@@ -103,10 +105,12 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
 
 typedef struct { int64_t x, y, z; } weld_cell;
 
+/* The slot of a cell, or a free one; mask is the number of slots, a power of two, less 1. */
 static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cells, weld_cell c) {
   uint64_t h = (uint64_t)c.x * UINT64_C(0x9E3779B97F4A7C15) ^ (uint64_t)c.y * UINT64_C(0xC2B2AE3D27D4EB4F) ^
                (uint64_t)c.z * UINT64_C(0x165667B19E3779F9);
   size_t at = (size_t)(h ^ h >> 29) & mask;
+  VS_ASSERT((mask & (mask + 1)) == 0);
   while (slots[at] != UINT32_MAX && memcmp(&cells[slots[at]], &c, sizeof c)) at = (at + 1) & mask;
   return at;
 }
@@ -174,9 +178,10 @@ static int key_compare(const void *a, const void *b) {
   return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Is b the same ring as a, either way round? 1: the same way, -1: the other, 0: no */
+/* Is b the same ring as a, either way round? 1: the same way, -1: the other, 0: no. n is above 0. */
 static int same_ring(const uint32_t *a, const uint32_t *b, uint32_t n) {
   uint32_t shift = 0;
+  VS_ASSERT(n > 0);
   while (shift < n && b[shift] != a[0]) shift++;
   if (shift == n) return 0;
   bool same = true, back = true;
@@ -238,11 +243,12 @@ static bool drop_faces(vs_face_list *l, size_t *dropped) {
 
 /* ---- closing ---- */
 
-/* Covers the loop `ring` of n points with triangles, so that its edges are met as they run. */
+/* Covers the loop `ring` of n points with triangles, so that its edges are met as they run. n is 3 or more. */
 static bool cover(vs_face_list *l, const uint32_t *ring, size_t n) {
   vs_mesh m = { 0 };
   vs_vec2 *flat = vs_fresh(n, sizeof *flat);
   vs_vec3 normal = { 0, 0, 0 }, o = l->points[ring[0]];
+  VS_ASSERT(n >= 3);
   for (size_t i = 0; i < n; i++)
     normal =
         vs_v3_add(normal, vs_v3_cross(vs_v3_sub(l->points[ring[i]], o), vs_v3_sub(l->points[ring[(i + 1) % n]], o)));
@@ -326,7 +332,9 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
 
 /* ---- turning ---- */
 
+/* Turns face f to run the other way. */
 static void turn_face(vs_face_list *l, uint32_t f) {
+  VS_ASSERT(f < l->face_count);
   for (uint32_t a = l->starts[f], b = l->starts[f + 1]; a + 1 < b; a++) {
     uint32_t swap = l->corners[a];
     l->corners[a] = l->corners[--b];
@@ -345,10 +353,11 @@ static bool agree(vs_store *s, vs_face_list *l, size_t *turned, vs_error *e) {
 }
 
 /* Six volumes of the face's fan against the point o, and the solid angle (over two) under which it is seen from
- * there */
+ * there. There is a face f. */
 static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *angle) {
   double six = 0;
   vs_vec3 a = vs_v3_sub(l->points[l->corners[l->starts[f]]], o);
+  VS_ASSERT(f < l->face_count);
   for (uint32_t c = l->starts[f] + 1; c + 1 < l->starts[f + 1]; c++) {
     vs_vec3 b = vs_v3_sub(l->points[l->corners[c]], o), d = vs_v3_sub(l->points[l->corners[c + 1]], o);
     double volume = vs_v3_dot(a, vs_v3_cross(b, d)), la = vs_v3_length(a), lb = vs_v3_length(b), ld = vs_v3_length(d);

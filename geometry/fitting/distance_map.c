@@ -60,6 +60,7 @@ bool vs_distance_map_ply(const vs_distance_map *m, vs_map_write *write, void *co
   sink s = { .write = write, .context = context, .ok = true };
   bool all = count_points(m) == m->scan->point_count; /* else faces would need other numbers */
   size_t faces = all ? count_faces(m) : 0;
+  VS_ASSERT(m->range > 0);
   put(&s, "ply\nformat ascii 1.0\ncomment signed distance from the fitted model, in %s; below 0: inside of it\n",
       m->units);
   put(&s, "comment colours: blue %.6g, grey 0, red %.6g\n", -m->range, m->range);
@@ -118,6 +119,7 @@ bool vs_distance_map_x3d(const vs_distance_map *m, vs_map_write *write, void *co
   sink s = { .write = write, .context = context, .ok = true };
   size_t faces = count_faces(m);
   vs_bounds b = vs_bounds_empty();
+  VS_ASSERT(m->range > 0);
   for (size_t i = 0; i < m->scan->point_count; i++)
     if (shown(m, i)) vs_bounds_add(&b, m->scan->points[i]);
   put(&s,

@@ -13,8 +13,9 @@ typedef struct {
 
 typedef bool vs_map_write(void *context, const char *text, size_t length);
 
-/* False: write said so. Faces that lack a point are left out. */
+/* False: write said so. Faces that lack a point are left out. The map's range is above 0. */
 bool vs_distance_map_ply(const vs_distance_map *m, vs_map_write *write, void *context);
+/* The map's range is above 0. */
 bool vs_distance_map_x3d(const vs_distance_map *m, vs_map_write *write, void *context);
 
 /* The colour of a distance, 0 to 1 each. */

@@ -17,6 +17,7 @@
 double vs_student_quantile(double confidence, double freedom) {
   /* the normal quantile by bisection of erf, then Cornish and Fisher's terms */
   double low = 0, high = 40;
+  VS_ASSERT(confidence > 0 && confidence < 1);
   for (int i = 0; i < 100; i++) {
     double middle = (low + high) / 2;
     if (erf(middle / sqrt(2)) < confidence)

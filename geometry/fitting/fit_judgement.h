@@ -11,7 +11,7 @@ bool vs_fit_summarise(vs_fit_search *f);
 /* Why the result cannot be trusted. */
 vs_fit_doubt vs_fit_doubt_of(const vs_fit_search *f);
 
-/* The two-sided quantile of Student's distribution. */
+/* The two-sided quantile of Student's distribution. The confidence is within 0 and 1. */
 double vs_student_quantile(double confidence, double freedom);
 
 #endif

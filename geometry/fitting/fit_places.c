@@ -113,10 +113,11 @@ static bool cost_of(vs_fit_search *f, vs_fit_place *at) {
 }
 
 /* The turn that lays the scan's axes on the model's, in the k-th of 24 ways, or (k >= 24) so and an eighth of a turn
- * about the model's first axis. */
+ * about the model's first axis. The first k is 0. */
 static void axes_turned(int k, double model[3][3], double scan[3][3], double out[3][3]) {
   static const int orders[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
   double turned[3][3];
+  VS_ASSERT(k >= 0);
   memset(out, 0, 9 * sizeof(double));
   const int *order = orders[k % 24 / 4];
   int signs = k % 4;

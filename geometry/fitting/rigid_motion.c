@@ -5,6 +5,7 @@
 
 /* out = a b, row by row; out is neither. */
 static void multiply(const double *a, const double *b, double *out) {
+  VS_ASSERT(out != a && out != b);
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 3; k++) out[3 * i + k] = a[3 * i] * b[k] + a[3 * i + 1] * b[3 + k] + a[3 * i + 2] * b[6 + k];
 }
@@ -24,6 +25,7 @@ vs_rigid_motion vs_rigid_moved(const vs_rigid_motion *m, const double unknowns[V
   vs_rigid_motion moved = *m;
   double w[3] = { unknowns[0] / m->size, unknowns[1] / m->size, unknowns[2] / m->size }, turn[3][3];
   double angle = angle_of(w), half = sin(angle / 2);
+  VS_ASSERT(m->size > 0);
   if (angle > 1e-9)
     series(w, sin(angle) / angle, 2 * half * half / (angle * angle), turn);
   else
@@ -36,6 +38,7 @@ vs_rigid_motion vs_rigid_moved(const vs_rigid_motion *m, const double unknowns[V
 void vs_rigid_jacobian(const double unknowns[VS_RIGID_UNKNOWNS], double size, double out[3][3]) {
   double w[3] = { unknowns[0] / size, unknowns[1] / size, unknowns[2] / size }, angle = angle_of(w);
   double half = sin(angle / 2);
+  VS_ASSERT(size > 0);
   if (angle > 1e-4)
     series(w, 2 * half * half / (angle * angle), (angle - sin(angle)) / (angle * angle * angle), out);
   else
@@ -62,9 +65,10 @@ vs_affine vs_rigid_inverse(const vs_rigid_motion *m) {
 
 /* ---- eigenvectors ---- */
 
-/* Turns the axes i and k so that m[i][k] becomes 0. */
+/* Turns the axes i and k so that m[i][k] becomes 0. i and k are two. */
 static void rotate_pair(double *m, double *v, size_t n, size_t i, size_t k) {
   double off = m[i * n + k];
+  VS_ASSERT(i != k);
   if (off == 0) return;
   double theta = (m[k * n + k] - m[i * n + i]) / (2 * off);
   double t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(theta * theta + 1)), c = 1 / sqrt(t * t + 1), s = t * c;
@@ -114,6 +118,7 @@ void vs_point_moments_add(vs_point_moments *s, vs_vec3 p, double weight) {
 
 void vs_point_moments_axes(const vs_point_moments *s, vs_vec3 *centre, double axes[3][3], double *spread) {
   double m[9], v[9], values[3];
+  VS_ASSERT(s->weight > 0);
   *centre = vs_v3_scale(s->sum, 1 / s->weight);
   const double c[3] = { centre->x, centre->y, centre->z };
   for (int i = 0; i < 3; i++)

@@ -81,6 +81,7 @@ static int evaluate(void *context, int m, int n, const double *x, double *fvec, 
 bool vs_robust_solve(const vs_robust_problem *p, double *unknowns, double *loss, vs_robust_end *end, vs_error *e) {
   minpack lm;
   size_t m = p->count, n = p->unknowns;
+  VS_ASSERT(p->spread > 0);
   if (!load(&lm, e)) return false;
   if (m > INT_MAX / (n + 4)) return vs_error_memory(e, NULL);
   double *work = NULL;

@@ -37,7 +37,7 @@ typedef enum {
 } vs_robust_end;
 
 /* Improves the unknowns in place. *loss: the mean loss at them. Stopped, they are the best so far. False: no memory, or
- * no solver in the system (VS_ERROR_WORKER). */
+ * no solver in the system (VS_ERROR_WORKER). The spread is above 0. */
 bool vs_robust_solve(const vs_robust_problem *p, double *unknowns, double *loss, vs_robust_end *end, vs_error *e);
 
 #endif

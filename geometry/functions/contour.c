@@ -335,12 +335,14 @@ static cell *cell_at(const contour *c, int32_t i, int32_t j, int32_t k) {
 /* The edge of a cell between two corners that differ in one bit. */
 static int edge_between(int a, int b) {
   int bit = a ^ b, axis = bit == 1 ? 0 : bit == 2 ? 1 : 2, low = a & b;
+  VS_ASSERT(bit == 1 || bit == 2 || bit == 4);
   return 4 * axis + (low >> (axis + 1) % 3 & 1) + 2 * (low >> (axis + 2) % 3 & 1);
 }
 
-/* The four corners of a face in order round it, its edges are those between neighbours. */
+/* The four corners of a face in order round it, its edges are those between neighbours. face is 0 to 5. */
 static void face_corners(int face, int *at) {
   int axis = face / 2, b = 1 << (axis + 1) % 3, c = 1 << (axis + 2) % 3, low = face & 1 ? 1 << axis : 0;
+  VS_ASSERT(face >= 0 && face < 6);
   at[0] = low, at[1] = low | b, at[2] = low | b | c, at[3] = low | c;
 }
 
@@ -455,9 +457,10 @@ static void eigen(double m[3][3], double v[3][3]) {
 #define SHARP .9
 #define CORNER .42
 
-/* Of how many directions do planes with these normals say where they meet? */
+/* Of how many directions do planes with these normals say where they meet? There is a normal. */
 static int rank_of(const vs_vec3 *normal, int n) {
   double m[3][3] = { { 0 } }, v[3][3], alike = 1, leans = 0;
+  VS_ASSERT(n > 0);
   for (int i = 0; i < n; i++) {
     const double d[3] = { normal[i].x, normal[i].y, normal[i].z };
     for (int r = 0; r < 3; r++)
@@ -474,9 +477,11 @@ static int rank_of(const vs_vec3 *normal, int n) {
 }
 
 /* The point nearest to all planes through the places, across their normals, in `rank` directions; in the others as near
- * to `from` as that allows. It keeps from's coordinates along the axes whose bits are set in `fixed`. */
+ * to `from` as that allows. It keeps from's coordinates along the axes whose bits are set in `fixed`. rank is 0 to 3,
+ * and there is a place. */
 static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from, int rank, unsigned fixed) {
   double m[3][3] = { { 0 } }, v[3][3], b[3] = { 0, 0, 0 }, x[3] = { 0, 0, 0 };
+  VS_ASSERT(rank >= 0 && rank <= 3 && n > 0);
   for (int i = 0; i < n; i++) {
     const double d[3] = { fixed & 1 ? 0 : normal[i].x, fixed & 2 ? 0 : normal[i].y, fixed & 4 ? 0 : normal[i].z };
     double height = vs_v3_dot(normal[i], vs_v3_sub(place[i], from));
@@ -605,8 +610,10 @@ static void collect(const contour *c, const cell *here, crossings *out) {
   }
 }
 
+/* The mean of n places, one or more. */
 static vs_vec3 middle_of(const vs_vec3 *at, int n) {
   vs_vec3 middle = { 0, 0, 0 };
+  VS_ASSERT(n > 0);
   for (int k = 0; k < n; k++) middle = vs_v3_add(middle, vs_v3_scale(at[k], 1. / n));
   return middle;
 }
@@ -730,9 +737,10 @@ static vs_vec3 face_normal(const vs_vec3 *p, uint32_t a, uint32_t b, uint32_t c)
   return length > 0 ? vs_v3_scale(n, 1 / length) : n;
 }
 
-/* Does the diagonal from `from` lay one of the two triangles back over the other? */
+/* Does the diagonal from `from` lay one of the two triangles back over the other? from is 0 or 1. */
 static bool folds(const vs_vec3 *p, const uint32_t *corner, int from) {
   vs_vec3 first = face_normal(p, corner[from], corner[from + 1], corner[from + 2]);
+  VS_ASSERT(from == 0 || from == 1);
   return vs_v3_dot(first, face_normal(p, corner[from], corner[from + 2], corner[(from + 3) % 4])) < -.9;
 }
 
@@ -875,6 +883,7 @@ vs_contour_outcome vs_contour_make(const vs_tape *t, const vs_contour_grid *grid
   int cells = grid->cells;
   double tolerance = grid->tolerance;
   contour c = { .p = { p.x, p.y, p.z }, .q = { q.x, q.y, q.z }, .host = work, .out = out };
+  VS_ASSERT(cells > 0 && cells <= VS_CONTOUR_CELLS && tolerance >= 0);
   *out = (vs_contour){ .most = out->most };
   double longest = fmax(q.x - p.x, fmax(q.y - p.y, q.z - p.z));
   c.size = longest / (cells > 1 ? cells - 1 : 1);

@@ -35,7 +35,7 @@ typedef struct { vs_vec3 p, q; int cells; double tolerance; } vs_contour_grid;
 
 /* The mesh of t(x, y, z) < 0 in the grid's box. Where the deviation of the cubes themselves is above the tolerance,
  * none are merged. It is a closed manifold: each edge has two triangles and each point one fan. The caller frees it by
- * vs_contour_free, whatever the outcome. */
+ * vs_contour_free, whatever the outcome. cells is 1 to VS_CONTOUR_CELLS. */
 vs_contour_outcome vs_contour_make(const vs_tape *t, const vs_contour_grid *grid, vs_long_work work, vs_contour *out);
 void vs_contour_free(vs_contour *c);
 

@@ -2,6 +2,7 @@
  * operation can be off by: half a unit in the last place for + - * / and roots, up to some units for the C library's
  * functions. */
 #include "geometry/functions/enclosure.h"
+#include "base/assert.h"
 
 #include <float.h>
 #include <math.h>
@@ -95,6 +96,7 @@ static vs_enclosure angle(vs_enclosure y, vs_enclosure x, bool partial) { /* ata
 vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b, vs_enclosure c) {
   int n = vs_tape_operands(op);
   bool partial = a.partial || (n > 1 && b.partial);
+  VS_ASSERT(op > VS_TAPE_INPUT && op < VS_TAPE_OPERATORS);
   if (a.low != a.low || (n > 1 && op != VS_TAPE_CHOOSE && b.low != b.low)) return none;
   switch (op) {
   case VS_TAPE_ADD: return bounds(a.low + b.low, a.high + b.high, 1, partial);

@@ -12,6 +12,7 @@ typedef struct {
   bool partial;
 } vs_enclosure;
 
+/* op is an operator. */
 vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b,
                         vs_enclosure c); /* tests give [0 0], [1 1] or [0 1] */
 /* The first output over the box in[0] x in[1] x ...; work has room for t->count enclosures. */

@@ -91,6 +91,7 @@ char *vs_formula_text(const vs_tape *t, uint32_t output, vs_formula_language lan
                       bool *no_word) {
   writer w = { .t = t, .language = language, .names = names };
   bool ok = push(&w, NULL, t->output[output]);
+  VS_ASSERT(output < t->outputs);
   *no_word = false;
   while (ok && w.todo_count) {
     piece p = w.todo[--w.todo_count];

@@ -14,7 +14,8 @@ typedef enum {
 enum { VS_FORMULA_MOST = 100000 }; /* characters: a tape's repeated steps are written out each time */
 
 /* Output number `output` as text, the inputs by these names. Returns text that the caller frees, or NULL with *no_word
- * saying whether it would have more than VS_FORMULA_MOST characters or holds a field, or memory is out. */
+ * saying whether it would have more than VS_FORMULA_MOST characters or holds a field, or memory is out. The tape has
+ * that output. */
 char *vs_formula_text(const vs_tape *t, uint32_t output, vs_formula_language language, const char *const *names,
                       bool *no_word);
 

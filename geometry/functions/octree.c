@@ -74,9 +74,11 @@ static uint64_t hash_place(const int32_t *at) {
   return h ^ h >> 31;
 }
 
-/* The node at this place, made where there is none; NONE: memory is out. The table has room for all. */
+/* The node at this place, made where there is none; NONE: memory is out. The table has room for all. The slots are a
+ * power of two. */
 static uint32_t node_at(octree *o, const int32_t *at) {
   size_t h = hash_place(at) & (o->slots - 1);
+  VS_ASSERT(o->slots > 0 && (o->slots & (o->slots - 1)) == 0);
   for (; o->table[h]; h = (h + 1) & (o->slots - 1))
     if (!memcmp(o->nodes[o->table[h] - 1].at, at, sizeof o->nodes->at)) return o->table[h] - 1;
   if (!VS_GROW(o->nodes, o->node_room, o->node_count + 1)) return NONE;
@@ -109,7 +111,9 @@ static bool make_nodes(octree *o) {
 
 /* ---- parts that become one ---- */
 
+/* The first ring of those that are merged into one. */
 static uint32_t first_ring(octree *o, uint32_t ring) {
+  VS_ASSERT(ring < o->l->rings);
   while (o->of[ring] != ring) ring = o->of[ring] = o->of[o->of[ring]];
   return ring;
 }
@@ -328,6 +332,7 @@ static bool begin(octree *o) {
 vs_octree_outcome vs_octree_merge(const vs_octree_leaves *leaves, double tolerance, uint32_t *stands_for) {
   octree o = { .l = leaves, .tolerance = tolerance, .level = 1 };
   bool ok = begin(&o), on = true;
+  VS_ASSERT(tolerance >= 0);
   for (; ok && on && o.level < LEVELS && o.part_count; o.level++) {
     ok = make_nodes(&o);
     if (!ok) break;

@@ -27,7 +27,7 @@ typedef enum { VS_OCTREE_DONE, VS_OCTREE_STOPPED, VS_OCTREE_MEMORY } vs_octree_o
 
 /* stands_for[ring] becomes the ring whose point stands for it, itself where nothing is merged. With each quad's rings
  * taken so, and those that are one left out, the mesh is a closed manifold as before. A ring that stands for others
- * lies within `tolerance` of the planes through all their crossings. */
+ * lies within `tolerance` of the planes through all their crossings. The tolerance is 0 or more. */
 vs_octree_outcome vs_octree_merge(const vs_octree_leaves *leaves, double tolerance, uint32_t *stands_for);
 
 #endif

@@ -73,6 +73,7 @@ static size_t assign_lanes(vs_sampler *s) {
 vs_sampler *vs_sampler_new(const vs_tape *t, int slopes) {
   vs_sampler *s = NULL;
   size_t one = 0, room = 0, from = 0, numbers = 0;
+  VS_ASSERT(slopes >= 0 && slopes <= VS_SAMPLE_SLOPES);
   if (!VS_GROW(s, one, 1)) return NULL;
   *s = (vs_sampler){ .t = t, .slopes = slopes, .width = (size_t)BATCH * (size_t)(1 + slopes) };
   size_t lanes = VS_GROW(s->lane, room, t->count + 1) && VS_GROW(s->from, from, t->count + 1) ? assign_lanes(s) : 0;
@@ -209,11 +210,12 @@ static void field(const vs_tape_field *f, int count, size_t n, double *r, const 
   }
 }
 
-/* The batch of n points from number `from` on. */
+/* The batch of n points from number `from` on. n is at most BATCH. */
 static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n, double *const *out,
                   double *const *slope) {
   const vs_tape *t = s->t;
   bool in_place = !slope && n == BATCH; /* inputs are read, and a single output is written, where the caller has it */
+  VS_ASSERT(n <= BATCH);
   for (size_t k = 0; k < t->count; k++) {
     const vs_tape_step *step = &t->step[k];
     if (step->op == VS_TAPE_CONSTANT) continue;
@@ -253,8 +255,9 @@ void vs_sample_slopes(vs_sampler *s, const double *const *in, size_t n, double *
 
 /* ---- grids ---- */
 
-/* Computes value `at` of a range; both ends are exact. */
+/* Computes value `at` of a range; both ends are exact. at is below n. */
 static double computed(const vs_sample_range *r, int64_t at) {
+  VS_ASSERT(at >= 0 && at < r->n);
   return at == 0 ? r->a : at == r->n - 1 ? r->b : r->a + (r->b - r->a) * (double)at / (double)(r->n - 1);
 }
 
@@ -281,11 +284,13 @@ static int row(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH
 
 void vs_sample_begin(vs_sample_range *r) {
   int64_t known = r->n < VS_SAMPLE_KNOWN ? r->n : VS_SAMPLE_KNOWN;
+  VS_ASSERT(r->n > 0);
   for (int64_t i = 0; i < known; i++) r->known[i] = computed(r, i);
   r->at = 0;
 }
 
 void vs_sample_points(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH], int count) {
+  VS_ASSERT(inputs > 0 && count <= VS_SAMPLE_BATCH);
   for (int k = 0; k < count;) k += row(r, inputs, in, k, count);
 }
 

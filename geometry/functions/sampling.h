@@ -28,10 +28,11 @@ typedef struct {
   int64_t n, at;
   double known[VS_SAMPLE_KNOWN]; /* the first values */
 } vs_sample_range;
+/* n is above 0. */
 void vs_sample_begin(vs_sample_range *r); /* a, b and n are set */
 
 /* Fills in[i][0 ... count) with the parameters of the next points of the grid, the last range innermost, and walks on.
- */
+ * There is a range, and count is at most VS_SAMPLE_BATCH. */
 void vs_sample_points(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH], int count);
 /* Is one of them NaN? */
 bool vs_sample_nan(const double *at, int count);

@@ -31,6 +31,7 @@ vs_tape_operator vs_tape_named(const char *name, int n) {
 vs_tape *vs_tape_new(uint32_t inputs) {
   vs_tape *t = NULL;
   size_t room = 0;
+  VS_ASSERT(inputs <= VS_TAPE_INPUTS);
   if (VS_GROW(t, room, 1)) *t = (vs_tape){ .inputs = inputs };
   return t;
 }
@@ -138,10 +139,13 @@ uint32_t vs_tape_constant(vs_tape *t, double value) {
 }
 uint32_t vs_tape_input(vs_tape *t, uint32_t number) {
   vs_tape_step s = { VS_TAPE_INPUT, { number, 0, 0 }, 0 };
+  VS_ASSERT(number < t->inputs);
   return step_number(t, &s);
 }
 
+/* Is step i, one of the tape, this constant? */
 static bool is_constant(const vs_tape *t, uint32_t i, double value) {
+  VS_ASSERT(i < t->count);
   return t->step[i].op == VS_TAPE_CONSTANT && t->step[i].value == value;
 }
 
@@ -150,6 +154,7 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
   int n = operators[op].operands;
   bool constant = true;
   double v[3] = { 0, 0, 0 };
+  VS_ASSERT(op > VS_TAPE_INPUT && op < VS_TAPE_OPERATORS);
   for (int i = 0; i < n; i++)
     if (s.of[i] >= t->count)
       return UINT32_MAX; /* memory was out for the operand */

@@ -47,12 +47,14 @@ typedef struct vs_tape {
   uint32_t inputs, outputs, output[VS_TAPE_OUTPUTS];
 } vs_tape;
 
+/* A tape has at most VS_TAPE_INPUTS inputs. */
 vs_tape *vs_tape_new(uint32_t inputs); /* NULL: out of memory */
 void vs_tape_free(vs_tape *t);         /* NULL is allowed */
 
 /* Each returns the number of the step, UINT32_MAX when memory is out or the tape is full (VS_TAPE_STEPS). */
 uint32_t vs_tape_constant(vs_tape *t, double value);
 uint32_t vs_tape_input(vs_tape *t, uint32_t number); /* number < inputs */
+/* op is an operator of operators.def. */
 uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b,
                      uint32_t c); /* operands beyond the operator's own: 0 */
 

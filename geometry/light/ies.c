@@ -78,7 +78,9 @@ static bool ies_angles(ies_text *t, const char *what, double most, double *at, u
 }
 
 static const double *horizontals_of(const vs_ies *x) { return x->at + x->verticals; }
+/* The candelas of horizontal angle i, which is one of the file's. */
 static const double *row_of(const vs_ies *x, uint32_t i) {
+  VS_ASSERT(i < x->horizontals);
   return x->at + x->verticals + x->horizontals + (size_t)i * x->verticals;
 }
 
@@ -139,9 +141,10 @@ void vs_ies_free(vs_ies *ies) {
   *ies = (vs_ies){ .store = ies->store };
 }
 
-/* Between which two angles, and how far to the second. False: the angle is beyond them. */
+/* Between which two angles, and how far to the second. False: the angle is beyond them. There is an angle. */
 static bool between(const double *at, uint32_t count, double angle, uint32_t *i, double *share) {
   uint32_t low = 0, high = count - 1;
+  VS_ASSERT(count > 0);
   *i = 0, *share = 0;
   if (angle < at[0] - 1e-9 || angle > at[high] + 1e-9) return false;
   while (high - low > 1) {

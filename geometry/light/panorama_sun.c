@@ -25,9 +25,10 @@ static vs_vec3 direction_of(const panorama *p, uint32_t row, uint32_t column) {
   double up = height_of(p, row), east = ((column + 0.5) / p->columns - 0.5) * 2 * pi;
   return vs_v3(cos(up) * sin(east), cos(up) * cos(east), sin(up));
 }
-/* A pixel's solid angle: between two heights and two meridians. */
+/* A pixel's solid angle: between two heights and two meridians. The row is one of the picture's. */
 static double angle_of(const panorama *p, uint32_t row) {
   double top = pi / 2 - row * pi / p->rows, bottom = pi / 2 - (row + 1) * pi / p->rows;
+  VS_ASSERT(row < p->rows);
   return 2 * pi / p->columns * (sin(top) - sin(bottom));
 }
 
@@ -43,9 +44,11 @@ static bool brightest(const panorama *p, uint32_t *row, uint32_t *column) {
 
 typedef void each_fn(void *to, const panorama *p, size_t pixel, double angle, vs_vec3 direction);
 
-/* Calls with each pixel from `from` to `end` degrees off a direction: only the rows that may hold some are walked. */
+/* Calls with each pixel from `from` to `end` degrees off a direction: only the rows that may hold some are walked. from
+ * <= end. */
 static void within(const panorama *p, vs_vec3 middle, double from, double end, each_fn *each, void *to) {
   double high = asin(fmax(-1, fmin(1, middle.z)));
+  VS_ASSERT(from <= end);
   for (uint32_t y = 0; y < p->rows; y++) {
     if (fabs(height_of(p, y) - high) * 180 / pi > end + 180. / p->rows) continue;
     for (uint32_t x = 0; x < p->columns; x++) {

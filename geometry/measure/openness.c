@@ -33,6 +33,7 @@ double vs_openness(const vs_surrounding *s, vs_vec3 from, vs_vec3 normal, uint32
   vs_vec3 right = vs_v3_unit(vs_v3_cross(other, normal)), up = vs_v3_cross(normal, right);
   double shift_u = part_of(scatter(2 * seed)), shift_v = part_of(scatter(2 * seed + 1));
   int open = 0;
+  VS_ASSERT(fabs(vs_v3_dot(normal, normal) - 1) < 1e-6);
   for (int i = 0; i < SIDE; i++)
     for (int k = 0; k < SIDE; k++) {
       double u = (i + shift_u) / SIDE, v = (k + shift_v) / SIDE, x, y, at;

@@ -22,8 +22,10 @@ size_t vs_facet_index_bytes(const vs_facet_index *x) {
          (x->starts ? (x->cells * x->cells + 1 + x->starts[x->cells * x->cells]) * sizeof(uint32_t) : 0);
 }
 
+/* The cell that holds a coordinate, of `cells` between min and max, one or more. */
 static size_t facet_cell(double at, double min, double max, size_t cells) {
   double k = max > min ? floor((at - min) / (max - min) * (double)cells) : 0;
+  VS_ASSERT(cells > 0);
   return k < 0 ? 0 : k >= (double)cells ? cells - 1 : (size_t)k;
 }
 

@@ -31,7 +31,9 @@ bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, doubl
   return near <= far * (1 + 1e-12);
 }
 
+/* The corners of a triangle of the mesh. */
 static void corners_of(const vs_mesh *m, uint32_t triangle, vs_vec3 p[3]) {
+  VS_ASSERT(triangle < m->triangle_count);
   for (int k = 0; k < 3; k++) p[k] = m->vertices[m->triangles[triangle][k]];
 }
 
@@ -44,9 +46,10 @@ static vs_vec3 middle_of(const vs_mesh *m, uint32_t triangle) {
 }
 
 /* Parts the triangles of a node by their middles; returns how many lie in the first half, which is never none or all.
- * */
+ * The node has two triangles or more. */
 static uint32_t part(const vs_mesh *m, uint32_t *order, uint32_t count) {
   vs_vec3 low = middle_of(m, order[0]), high = low;
+  VS_ASSERT(count > 1);
   for (uint32_t i = 1; i < count; i++) {
     vs_vec3 c = middle_of(m, order[i]);
     low = vs_v3(fmin(low.x, c.x), fmin(low.y, c.y), fmin(low.z, c.z));

@@ -71,6 +71,7 @@ bool vs_ways_shortest(const vs_way_net *net, uint32_t from, uint32_t to, uint32_
   uint32_t *before = NULL;
   visit *heap = NULL;
   size_t points = net->point_count, room = 0, waiting = 0;
+  VS_ASSERT(from < points && to < points);
   *out = NULL, *count = 0;
   bool ok = links_make(&l, net) && VS_FRESH(far, points + 1) && VS_FRESH(before, points + 1) &&
             VS_GROW(heap, room, 1);
@@ -111,9 +112,11 @@ typedef struct { vs_vec3 at; uint32_t triangle; } place;
 
 /* ---- the first way ---- */
 
+/* The place of a stop, which lies on an edge. */
 static vs_vec3 stop_at(const surface *s, uint32_t stop) {
   const vs_mesh_edge *e = &s->edges[stop / (STOPS + 2)];
   double share = (double)(stop % (STOPS + 2)) / (STOPS + 1);
+  VS_ASSERT(stop / (STOPS + 2) < s->edge_count);
   return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), share));
 }
 
@@ -176,8 +179,10 @@ static bool row_put(row *r, uint32_t e, double share) {
   return true;
 }
 
+/* Where the row crosses its i-th edge; there is one. */
 static vs_vec3 crossing_at(const surface *s, const row *r, size_t i) {
   const vs_mesh_edge *e = &s->edges[r->edge[i]];
+  VS_ASSERT(i < r->count);
   return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), r->share[i]));
 }
 
@@ -225,9 +230,10 @@ static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   return NONE;
 }
 
-/* The corner in which crossing i ends; NONE. */
+/* The corner in which crossing i ends; NONE. The row has a crossing i. */
 static uint32_t ends_in(const surface *s, const row *r, size_t i) {
   const vs_mesh_edge *e = &s->edges[r->edge[i]];
+  VS_ASSERT(i < r->count);
   return r->share[i] < 1e-7 ? e->a : r->share[i] > 1 - 1e-7 ? e->b : NONE;
 }
 
@@ -250,10 +256,11 @@ static double angle_at(vs_vec3 corner, vs_vec3 p, vs_vec3 q) {
 typedef struct { size_t first, stop; uint32_t corner, before, after; } touch;
 
 /* The row that goes round the other side of the corner. False: memory; *there: whether there is one, and it bends so
- * that it can be shorter. */
+ * that it can be shorter. i < j, and j is at most the count. */
 static bool other_side(const surface *s, const row *r, const touch *c, row *out, bool *there) {
   size_t i = c->first, j = c->stop;
   uint32_t corner = c->corner;
+  VS_ASSERT(i < j && j <= r->count);
   *there = false;
   for (size_t k = 0; k < i; k++)
     if (!row_put(out, r->edge[k], r->share[k])) return false;

@@ -17,7 +17,7 @@ typedef struct {
 } vs_way_net;
 
 /* The shortest way from one point to another: the numbers of its points from `from` on, which the caller frees; *count
- * 0: no ways lead there. False: out of memory. */
+ * 0: no ways lead there. False: out of memory. Both are numbers below `points`. */
 bool vs_ways_shortest(const vs_way_net *net, uint32_t from, uint32_t to, uint32_t **out, size_t *count);
 
 /* The geodesic on the mesh between the places of it that are nearest to p and q: a polyline that bends where it crosses

@@ -85,6 +85,7 @@ static vs_vec3 nearest_on(const vs_mesh_edges *s, uint32_t t, vs_vec3 p) {
 uint32_t vs_mesh_edges_nearest(const vs_mesh_edges *s, vs_vec3 p, vs_vec3 *place) {
   double far = INFINITY;
   uint32_t best = 0;
+  VS_ASSERT(s->m->triangle_count > 0);
   for (uint32_t t = 0; t < s->m->triangle_count; t++) {
     vs_vec3 q = nearest_on(s, t, p);
     double d = vs_v3_length(vs_v3_sub(q, p));

@@ -23,8 +23,9 @@ typedef struct {
 /* False: out of memory; vs_mesh_edges_free is due either way. */
 bool vs_mesh_edges_make(vs_mesh_edges *s, const vs_mesh *m);
 void vs_mesh_edges_free(vs_mesh_edges *s);
-/* Corner k of a triangle, as the first vertex at its place. */
+/* Corner k of a triangle, as the first vertex at its place. k is 0, 1 or 2. */
 static inline uint32_t vs_mesh_edges_corner(const vs_mesh_edges *s, uint32_t triangle, int k) {
+  VS_ASSERT(triangle < s->m->triangle_count && k >= 0 && k < 3);
   return s->corner[s->m->triangles[triangle][k]];
 }
 static inline vs_vec3 vs_mesh_edges_place(const vs_mesh_edges *s, uint32_t triangle, int k) {

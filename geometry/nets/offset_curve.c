@@ -48,11 +48,12 @@ static int edge_ahead(const vs_mesh_edges *s, const walker *w, uint32_t came, do
   return best;
 }
 
-/* Puts the walker behind edge k of its triangle. False: the edge is a border. */
+/* Puts the walker behind edge k of its triangle. False: the edge is a border. k is 0, 1 or 2. */
 static bool cross_edge(const vs_mesh_edges *s, walker *w, int k, uint32_t *came) {
   uint32_t e = s->of[w->triangle][k];
   const vs_mesh_edge *edge = &s->edges[e];
   uint32_t next = edge->side[0] == w->triangle ? edge->side[1] : edge->side[0];
+  VS_ASSERT(k >= 0 && k < 3);
   if (next == VS_MESH_NONE) return false;
   vs_vec3 a = s->m->vertices[edge->a], along = vs_v3_unit(vs_v3_sub(s->m->vertices[edge->b], a));
   double ahead = vs_v3_length(across(w->way, along));
@@ -105,7 +106,9 @@ typedef struct {
 } run;
 
 static size_t after(const run *r, size_t i) { return i + 1 < r->count ? i + 1 : 0; }
+/* Does segment i of the run go against the curve? The run has it. */
 static bool goes_back(const run *r, size_t i) {
+  VS_ASSERT(i < r->count);
   return vs_v3_dot(vs_v3_sub(r->at[after(r, i)].at, r->at[i].at), r->at[i].tangent) < 0;
 }
 
@@ -130,10 +133,12 @@ static size_t backward(const run *r, size_t i, size_t j) {
   return n;
 }
 
-/* Cuts the loop between crossing segments i and j off, whose points are those behind i up to j. */
+/* Cuts the loop between crossing segments i and j off, whose points are those behind i up to j. Both are segments of
+ * the run. */
 static void cut_loop(run *r, size_t i, size_t j, vs_vec3 place) {
   size_t n = 0, stop = after(r, j);
   reached corner = r->at[i];
+  VS_ASSERT(i < r->count && j < r->count);
   corner.at = place;
   if (i < j) { /* the loop stands in the middle of the row */
     r->at[i + 1] = corner;

@@ -46,7 +46,9 @@ static double within(const vs_area *a, vs_vec2 p) {
   return in ? d : -d;
 }
 
+/* The radius that p may have beside the circles from number `from` on, which is at most their count. */
 static double room_for(const packing *w, vs_vec2 p, double so_far, size_t from) {
+  VS_ASSERT(from <= w->count);
   for (size_t i = from; i < w->count; i++)
     so_far = fmin(so_far, hypot(p.x - w->circles[i].at.x, p.y - w->circles[i].at.y) - w->circles[i].radius - w->gap);
   return so_far;

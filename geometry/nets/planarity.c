@@ -7,11 +7,13 @@
 
 #include "model/store/array.h"
 
-/* The face's middle, and its normal by Newell's formula; a face without area has none, of length 0. */
+/* The face's middle, and its normal by Newell's formula; a face without area has none, of length 0. The face has three
+ * or more corners. */
 static vs_vec3 plane_of(const vs_net_faces *f, size_t i, vs_vec3 *middle) {
   size_t n = f->start[i + 1] - f->start[i];
   const uint32_t *k = f->corner + f->start[i];
   vs_vec3 sum = { 0, 0, 0 }, normal = { 0, 0, 0 };
+  VS_ASSERT(n >= 3);
   for (size_t c = 0; c < n; c++) sum = vs_v3_add(sum, f->at[k[c]]);
   *middle = vs_v3_scale(sum, 1. / (double)n);
   for (size_t c = 0; c < n; c++)
@@ -26,6 +28,7 @@ vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, vs_long_wor
   uint32_t *faces = NULL;
   size_t move_room = 0, faces_room = 0;
   vs_plane_outcome outcome = VS_PLANE_FAR;
+  VS_ASSERT(tolerance > 0);
   *worst = 0;
   if (!VS_GROW(move, move_room, f->count + 1) || !VS_GROW(faces, faces_room, f->count + 1))
     return free(move), free(faces), VS_PLANE_MEMORY;

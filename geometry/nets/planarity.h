@@ -22,7 +22,8 @@ enum { VS_PLANE_ROUNDS = 60000 };
 
 typedef enum { VS_PLANE_DONE, VS_PLANE_FAR, VS_PLANE_STOPPED, VS_PLANE_MEMORY } vs_plane_outcome;
 
-/* Moves the corners until none lies further than `tolerance` from its faces' planes. *worst: how far the worst is. */
+/* Moves the corners until none lies further than `tolerance` from its faces' planes. *worst: how far the worst is. The
+ * tolerance is above 0. */
 vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, vs_long_work work, double *worst);
 
 #endif

@@ -163,6 +163,7 @@ static vs_relax_outcome settle_lengths(relaxation *r, double tolerance, vs_long_
 
 vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, vs_long_work work, vs_relax_report *out) {
   relaxation r = { .net = n };
+  VS_ASSERT(tolerance > 0);
   *out = (vs_relax_report){ 0 };
   vs_relax_outcome outcome = held(n, &out->where);
   if (outcome != VS_RELAX_DONE) return outcome;

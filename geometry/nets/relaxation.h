@@ -45,7 +45,7 @@ typedef struct {
   size_t steps, where;
 } vs_relax_report;
 
-/* Moves the free points of the net until forces are balanced to the share `tolerance`. */
+/* Moves the free points of the net until forces are balanced to the share `tolerance`. The tolerance is above 0. */
 vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, vs_long_work work, vs_relax_report *out);
 
 #endif

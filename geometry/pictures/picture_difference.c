@@ -43,11 +43,12 @@ static void develop(const vs_light *light, double stops, unsigned char *rgb, dou
   }
 }
 
-/* work: room for six planes; rgb: for the pixels. */
+/* work: room for six planes; rgb: for the pixels. Both have equally many pixels. */
 static double similarity(const vs_light *a, const vs_light *b, double *work, unsigned char *rgb) {
   const double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
   double window[2 * REACH + 1], sum = 0, *of[6];
   size_t n = vs_light_pixels(a);
+  VS_ASSERT(vs_light_pixels(a) == vs_light_pixels(b));
   for (int i = -REACH; i <= REACH; i++) sum += window[i + REACH] = exp(-i * i / (2 * 1.5 * 1.5));
   for (int i = 0; i <= 2 * REACH; i++) window[i] /= sum;
   for (size_t k = 0; k < 6; k++) of[k] = work + k * n;
@@ -72,6 +73,7 @@ bool vs_picture_measure_gap(vs_store *store, const vs_light *a, const vs_light *
   unsigned char *rgb = vs_store_realloc(store, NULL, 0, n * 3);
   bool ok = work && rgb;
   double sum = 0, squares = 0;
+  VS_ASSERT(a->columns == b->columns && a->rows == b->rows);
   *out = (vs_picture_gap){ .peak_ratio = INFINITY };
   for (size_t i = 0; ok && i < n; i++) {
     const double d[3] = { fabs((double)a->red[i] - (double)b->red[i]), fabs((double)a->green[i] - (double)b->green[i]),

@@ -152,6 +152,7 @@ double vs_tone_apply(const vs_light *light, const vs_tone *tone, unsigned char *
       [VS_TONE_NEUTRAL] = neutral, [VS_TONE_AGX] = agx, [VS_TONE_FILMIC] = filmic, [VS_TONE_LINEAR] = linear };
   double stops = tone->stops + (tone->fixed ? 0 : vs_tone_exposure(light, tone->curve)), gain = exp2(stops);
   screen_steps steps;
+  VS_ASSERT((size_t)tone->curve <= VS_TONE_LINEAR);
   screen_prepare(&steps);
   for (size_t i = 0; i < vs_light_pixels(light); i++) {
     const float from[3] = { light->red[i], light->green[i], light->blue[i] };

@@ -27,7 +27,7 @@ static inline size_t vs_light_pixels(const vs_light *light) { return (size_t)lig
  * just below the curve's white, or where that is more, what Erik Reinhard, Parameter Estimation for Photographic
  * Tone Reproduction, Journal of Graphics Tools 7(1), 2002, finds. A black picture: 0. */
 double vs_tone_exposure(const vs_light *light, vs_tone_curve curve);
-/* Makes three bytes a pixel, sRGB. Returns the stops that it brightened by. */
+/* Makes three bytes a pixel, sRGB. Returns the stops that it brightened by. The curve is one of vs_tone_curve. */
 double vs_tone_apply(const vs_light *light, const vs_tone *tone, unsigned char *rgb);
 
 #endif

@@ -31,9 +31,10 @@ static size_t area_ended(const vs_area *a) { /* points of the loops that are who
   return n;
 }
 
-/* first: of the loop's points */
+/* first: of the loop's points. It is at most the number of points. */
 static bool area_close(vs_area *a, size_t first, bool hole) {
   size_t n = a->count - first;
+  VS_ASSERT(first <= a->count);
   if (n < 3) {
     a->count = first;
     return true;
@@ -169,11 +170,12 @@ static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t coun
 /* ---- back from GEOS ---- */
 
 /* The last loop without corners that lie on the line between their neighbours, as often as it takes one round to
- * find. */
+ * find. The loop begins at point `first`. */
 static void area_tidy(vs_area *a, size_t first) {
   double size = 0;
   size_t n = a->count - first, kept = 0;
   vs_vec2 *p = a->at + first;
+  VS_ASSERT(first <= a->count);
   for (size_t i = 0; i < n; i++) size = fmax(size, fmax(fabs(p[i].x), fabs(p[i].y)));
   for (size_t i = 0; i < n; i++) { /* the corner before is one that stays */
     vs_vec2 b = p[i], c = p[(i + 1) % n], o = kept ? p[kept - 1] : p[n - 1];
@@ -494,6 +496,7 @@ bool vs_points_delaunay(const vs_vec2 *at, size_t n, uint32_t (**out)[3], size_t
   vs_geos g;
   numbered *all = NULL;
   size_t all_room = 0, room = 0;
+  VS_ASSERT(n >= 2);
   *out = NULL, *count = 0;
   if (!geos_open(&g, purpose, e)) return false;
   bool ok = VS_GROW(all, all_room, n + 1) || vs_error_memory(e, NULL);

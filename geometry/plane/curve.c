@@ -96,10 +96,11 @@ static bool curve_arc(vs_path *out, vs_vec3 c, double r, double start, double en
 typedef struct { size_t n; /* knots */ bool closed; vs_vec3 *p, *m; double *h, *scratch; } vs_spline_work;
 
 /* Solves for m the tridiagonal system with sub[i], diag[i], sup[i] and right sides rhs (overwritten); scratch holds n
- * doubles. */
+ * doubles. n is above 0. */
 static void spline_tridiagonal(size_t n, const double *sub, const double *diag, const double *sup, vs_vec3 *rhs,
                                double *scratch) {
   double d = diag[0];
+  VS_ASSERT(n > 0);
   rhs[0] = vs_v3_scale(rhs[0], 1 / d);
   for (size_t i = 1; i < n; i++) {
     scratch[i] = sup[i - 1] / d;
@@ -149,7 +150,7 @@ static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
 }
 
 /* Where the spline is at a part of a span, and its directions before and after: at a cusp, where it stands still and
- * turns back, these are opposite. */
+ * turns back, these are opposite. t is 0 to 1. */
 static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   size_t j = i + 1 < w->n ? i + 1 : 0;
   double h = w->h[i], b = t, a = 1 - t;
@@ -160,6 +161,7 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
       vs_v3_add(vs_v3_scale(vs_v3_sub(q, p), 1 / h),
                 vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6));
   vs_vec3 force = vs_v3_add(vs_v3_scale(m, a), vs_v3_scale(k, b)), ahead = vs_v3_unit(speed), behind = ahead;
+  VS_ASSERT(i < w->n && t >= 0 && t <= 1);
   if (vs_v3_length(speed) < STANDS) { /* the mean speed is 1: the parameter is about the length */
     ahead = vs_v3_unit(force), behind = vs_v3_scale(ahead, -1);
     if (vs_v3_length(force) * h < STANDS) ahead = behind = vs_v3_unit(vs_v3_sub(k, m));
@@ -168,11 +170,12 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
 }
 
 /* Adds samples between two of them, where the direction turns back and comes about within a small part of the span:
- * halves of that part, down to the cusp. */
+ * halves of that part, down to the cusp. from < to. */
 static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, vs_path *out) {
   vs_path_point p = spline_at(w, i, from), q = spline_at(w, i, to), tail[HALVINGS];
   size_t behind = 0;
   bool ok = true;
+  VS_ASSERT(from < to);
   for (int n = 0; ok && n < HALVINGS && vs_v3_dot(p.leaving, q.arriving) < TURNS_BACK; n++) {
     double middle = (from + to) / 2;
     vs_path_point r = spline_at(w, i, middle);
@@ -282,6 +285,7 @@ bool vs_curve_is_straight(const vs_node *n) {
 }
 
 bool vs_path_of_polyline(const vs_polyline *p, vs_path *out) {
+  VS_ASSERT(out->count == 0);
   bool ok = curve_line(out, p->at, p->count, p->closed);
   if (ok) vs_path_measure(out);
   return ok;

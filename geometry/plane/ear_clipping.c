@@ -346,9 +346,10 @@ static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, siz
   return s.best == none ? end : s.best;
 }
 
-/* before ring corner a -> copy of a -> hole corner b -> round the hole -> copy of b -> a -> on */
+/* before ring corner a -> copy of a -> hole corner b -> round the hole -> copy of b -> a -> on. a and b are two. */
 static bool ring_splice(vs_ring *r, vs_bands *bands, size_t a, size_t b) {
   uint32_t a2 = (uint32_t)r->count++, b2 = (uint32_t)r->count++, before = r->corners[a].prev, last = r->corners[b].prev;
+  VS_ASSERT(a != b);
   r->corners[a2] = (vs_corner){ r->corners[a].point, (uint32_t)b, before };
   r->corners[b2] = (vs_corner){ r->corners[b].point, (uint32_t)a, last };
   r->corners[before].next = a2;

@@ -15,10 +15,12 @@ enum { GROUP = 16, STEPS = 40 };
 static size_t spans(const vs_stations *s) { return s->path.count - (s->path.closed ? 0 : 1); }
 static vs_vec3 end_of(const vs_stations *s, size_t i) { return s->path.at[i < s->path.count ? i : 0].at; }
 
-/* The box of spans first to last, which is left out, larger by how far arcs may leave their chords. */
+/* The box of spans first to last, which is left out, larger by how far arcs may leave their chords. first is at most
+ * last. */
 static vs_bounds box_of(const vs_stations *s, size_t first, size_t last) {
   vs_bounds b = vs_bounds_empty();
   double arcs = 0;
+  VS_ASSERT(first <= last);
   for (size_t i = first; i <= last; i++) vs_bounds_add(&b, end_of(s, i));
   for (size_t i = first; i < last; i++) {
     double chord = vs_v3_length(vs_v3_sub(end_of(s, i + 1), end_of(s, i))), arc = s->along[i + 1] - s->along[i];
@@ -134,6 +136,7 @@ vs_meetings_outcome vs_curves_meet(const vs_stations *a, const vs_stations *b, d
   size_t n = spans(a), m = spans(b), groups = (m + GROUP - 1) / GROUP, room = 0;
   vs_bounds *box = NULL;
   vs_meetings_outcome outcome = VS_GROW(box, room, groups + 1) ? VS_MEETINGS_DONE : VS_MEETINGS_MEMORY;
+  VS_ASSERT(near >= 0);
   for (size_t g = 0; outcome == VS_MEETINGS_DONE && g < groups; g++)
     box[g] = box_of(b, g * GROUP, (g + 1) * GROUP < m ? (g + 1) * GROUP : m);
   for (size_t i = 0; outcome == VS_MEETINGS_DONE && i < n; i += GROUP) {

@@ -15,7 +15,7 @@ typedef enum {
   VS_MEETINGS_MEMORY
 } vs_meetings_outcome;
 
-/* The places that are at most `near` from both curves, in the order of a; the caller frees *out. */
+/* The places that are at most `near` from both curves, in the order of a; the caller frees *out. near is 0 or more. */
 vs_meetings_outcome vs_curves_meet(const vs_stations *a, const vs_stations *b, double near, vs_meeting **out,
                                    size_t *count, vs_vec3 *at);
 

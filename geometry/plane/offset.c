@@ -174,13 +174,14 @@ static double offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* of p from th
 }
 
 /* The longest run of the border's edges that lie far enough from the line and not on its two ends (stretches from the
- * line to its far side). */
+ * line to its far side). There are two points or more, and d > 0. */
 static bool offset_border(const vs_offsetter *o, const vs_area *border, const vs_open_line *line, vs_polyline *out) {
   const vs_vec2 *at = line->at;
   size_t n = line->count;
   double d = o->d, slack = 1e-7 * d, longest = 0, least = d * (cos(pi / o->turn) - 1e-6);
   vs_vec2 from[2] = { at[0], at[n - 1] }, to[2];
   size_t best_first = 0, best_size = 0, best_start = 0, best_count = 0;
+  VS_ASSERT(n >= 2 && d > 0);
   for (int k = 0; k < 2; k++) {
     vs_vec2 way = line->ways[k];
     to[k] = (vs_vec2){ from[k].x + d * (-o->hand * way.y), from[k].y + d * (o->hand * way.x) };
@@ -217,6 +218,7 @@ bool vs_line_offset(const vs_open_line *line, const vs_offset_rule *rule, vs_pol
   vs_area strips = { 0 }, border = { 0 };
   double hand = rule->distance > 0 ? 1 : -1;
   vs_offsetter o = offset_begin(&strips, rule, hand);
+  VS_ASSERT(line->count >= 2 && rule->distance != 0);
   o.ways = line->ways;
   bool ok = offset_strips(&o, line->at, line->count, false) || vs_error_memory(e, NULL);
   ok = ok && vs_area_combine(VS_AREA_UNION, &strips, 1, "do-offset", &border, e);

@@ -21,7 +21,8 @@ typedef struct {
 
 /* in made larger by a distance above 0 or smaller */
 bool vs_area_offset(const vs_area *in, const vs_offset_rule *rule, vs_area *out, vs_error *e);
-/* The line moved to the left (a distance below 0: right); out is empty where nothing is left of it. */
+/* The line moved to the left (a distance below 0: right); out is empty where nothing is left of it. The distance is
+ * not 0. */
 bool vs_line_offset(const vs_open_line *line, const vs_offset_rule *rule, vs_polyline *out, vs_error *e);
 bool vs_offset_round(const vs_node *offset, vs_affine *place, vs_offset_exact *out);
 /* The plane that an open line's left is seen in: columns 0 and 1, and 2 its normal, which looks up; of a straight line

@@ -84,6 +84,7 @@ void vs_point_tree_free(vs_point_tree *t) {
 
 void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on) {
   size_t rank = t->rank[item];
+  VS_ASSERT(item < t->count);
   if (t->is_on[rank] == on) return;
   t->is_on[rank] = on;
   for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* - 1 */
@@ -117,8 +118,10 @@ static bool tree_same(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 /* The nodes that are still to be looked at: each is replaced by two, one level down. */
 typedef struct { size_t stack[2 * 64], depth; } tree_walk;
 
-/* True where the node has two below it, which come next; else it is a leaf with these ranks. */
+/* True where the node has two below it, which come next; else it is a leaf with these ranks. The node is one of the
+ * tree. */
 static bool tree_down(const vs_point_tree *t, tree_walk *w, size_t node, size_t *first, size_t *end) {
+  VS_ASSERT(node > 0 && node < 2 * t->leaves);
   if (node < t->leaves) {
     w->stack[w->depth++] = 2 * node + 1;
     w->stack[w->depth++] = 2 * node;
@@ -132,6 +135,7 @@ static bool tree_down(const vs_point_tree *t, tree_walk *w, size_t node, size_t 
 size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
   vs_point_box all = tree_around(a, b, c, flat);
   tree_walk w;
+  VS_ASSERT(flat >= 0);
   w.stack[0] = w.depth = 1;
   while (w.depth > 0) {
     size_t node = w.stack[--w.depth], first, end;

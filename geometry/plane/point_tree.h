@@ -20,9 +20,10 @@ typedef struct {
 /* All points off. point[i] is the place of item i and must live as long as the tree. False: out of memory. */
 bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point, size_t count);
 void vs_point_tree_free(vs_point_tree *t);
+/* Switches an item of the tree on or off. */
 void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on);
 /* An item that is on and for which twice the area of the triangles (a, b, p), (b, c, p) and (c, a, p) is -flat or more,
- * and that is at none of the places a, b, c; SIZE_MAX: there is none. */
+ * and that is at none of the places a, b, c; SIZE_MAX: there is none. `flat` is 0 or more. */
 size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat);
 
 /* Calls found for each item that is on and lies in the box, borders included. */

@@ -7,7 +7,9 @@
 #include "geometry/frame.h"
 #include "model/store/array.h"
 
+/* Where the edge from a point that is kept, a >= 0 above the plane, to one that is lost, b < 0, goes through. */
 static vs_vec3 slice_crossing(vs_vec3 kept, double a, vs_vec3 lost, double b) {
+  VS_ASSERT(a >= 0 && b < 0);
   return vs_v3_add(kept, vs_v3_scale(vs_v3_sub(lost, kept), a / (a - b)));
 }
 

@@ -15,7 +15,9 @@ void vs_stations_close(vs_stations *s) {
 }
 
 static size_t span_count(const vs_stations *s) { return s->path.count - (s->path.closed ? 0 : 1); }
+/* The sample that ends span i; the path has that span. */
 static const vs_path_point *span_end(const vs_stations *s, size_t i) {
+  VS_ASSERT(i < s->path.count);
   return &s->path.at[i + 1 < s->path.count ? i + 1 : 0];
 }
 

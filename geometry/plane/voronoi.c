@@ -49,10 +49,11 @@ static bool links_along(const vs_vec2 *points, size_t n, link *links, size_t *co
 }
 
 /* Keeps what of a convex polygon is nearer to p than to q. Returns how many corners are left; out has room for one more
- * than n. */
+ * than n. p and q are two places. */
 static size_t cut(const vs_vec2 *at, size_t n, vs_vec2 p, vs_vec2 q, vs_vec2 *out) {
   double nx = q.x - p.x, ny = q.y - p.y, mx = (p.x + q.x) / 2, my = (p.y + q.y) / 2;
   size_t count = 0;
+  VS_ASSERT(p.x != q.x || p.y != q.y);
   for (size_t i = 0; i < n; i++) {
     vs_vec2 a = at[i], b = at[(i + 1) % n];
     double da = (a.x - mx) * nx + (a.y - my) * ny, db = (b.x - mx) * nx + (b.y - my) * ny;

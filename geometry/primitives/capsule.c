@@ -15,10 +15,11 @@ static bool capsule_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, v
 }
 
 /* Appends the rings of both caps, from next to the pole at the base to next to the one at the top: `rows` of them a
- * cap. */
+ * cap. rows is above 0. */
 static bool capsule_rings(const struct vs_capsule *x, const vs_affine *frame, int turn, int rows, vs_mesh *out) {
   vs_vec3 up = vs_affine_vector(frame, vs_v3(0, 0, x->radius));
   bool ok = true;
+  VS_ASSERT(rows > 0);
   for (int row = 1; ok && row <= 2 * rows; row++) {
     bool below = row <= rows;
     double s, c; /* of the angle at the cap's centre, from the pole */

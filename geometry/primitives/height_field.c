@@ -11,12 +11,14 @@
 #include "geometry/measure/measure.h"
 #include "model/store/array.h"
 
-/* Has sample i anything above or below it? It or a neighbour along a triangle's side is above the floor then. */
+/* Has sample i anything above or below it? It or a neighbour along a triangle's side is above the floor then. There is
+ * a sample i. */
 static bool heights_used(const struct vs_height_field *h, uint32_t i) {
   static const int to[][2] = {
     { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 }
   }; /* itself, then round it */
   int64_t columns = h->columns, rows = columns > 0 ? h->points->count / columns : 0, x = i % columns, y = i / columns;
+  VS_ASSERT(i < h->points->count);
   for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
     int64_t u = x + to[k][0], v = y + to[k][1];
     if (u >= 0 && u < columns && v >= 0 && v < rows && h->points->at[v * columns + u].z > h->low) return true;

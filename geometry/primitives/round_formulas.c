@@ -32,6 +32,7 @@ typedef struct {
 
 /* Returns the cut cone that a node of the three kinds is. */
 static frustum frustum_of(const vs_node *n) {
+  VS_ASSERT(n->kind == VS_CYLINDER || n->kind == VS_CONE || n->kind == VS_CUT_CONE);
   if (n->kind == VS_CYLINDER) {
     const struct vs_cylinder *x = VS_AS(cylinder, n);
     return (frustum) { x->base, x->top, x->radius, x->radius, (int)x->segments };
@@ -81,6 +82,7 @@ void vs_round_axis(const vs_node *n, vs_vec3 *base, vs_vec3 *top) {
 /* By the arithmetic-geometric mean: 2 pi (a^2 - sum of 2^(k-1) c_k^2) / agm(a, b). */
 double vs_ellipse_length(double a, double b) {
   double x = fmax(a, b), y = fmin(a, b), sum = 0, weight = 0.5;
+  VS_ASSERT(a >= 0 && b >= 0);
   if (!(y > 1e-300)) return 4 * x;
   for (double c = sqrt((x - y) * (x + y)), square = x * x;; weight *= 2) {
     sum += weight * c * c;

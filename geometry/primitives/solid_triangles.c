@@ -49,8 +49,10 @@ bool vs_solid_fits(int around, int across, const char *what, vs_error *e) {
 
 /* ---- rings and what spans them ---- */
 
+/* An ellipse of n corners, three or more, on the frame's X and Y. */
 static bool solid_oval(vs_mesh *out, const vs_affine *frame, vs_oval oval, int n) {
   bool ok = true;
+  VS_ASSERT(n >= 3);
   for (int i = 0; ok && i < n; i++) {
     double s, c;
     vs_turn_sincos(i, n, &s, &c);
@@ -66,6 +68,7 @@ bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double 
 
 bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n) {
   bool ok = true;
+  VS_ASSERT(low != high && n >= 3);
   for (uint32_t i = 0; ok && i < n; i++) {
     uint32_t j = i + 1 == n ? 0 : i + 1;
     ok =
@@ -76,6 +79,7 @@ bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n) {
 
 bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool back) {
   bool ok = true;
+  VS_ASSERT(n >= 3);
   for (uint32_t i = 0; ok && i < n; i++) {
     uint32_t j = i + 1 == n ? 0 : i + 1;
     ok = vs_mesh_add_triangle(out, ring + (back ? j : i), ring + (back ? i : j), tip);
@@ -108,6 +112,7 @@ bool vs_solid_oval_frustum(vs_mesh *out, vs_oval base, vs_oval top, int n, bool 
   uint32_t first = (uint32_t)out->vertex_count, sides = (uint32_t)n, low = first, high = first, tip;
   bool ok = vs_mesh_reserve(out, out->vertex_count + 2 * (size_t)sides + 2, out->triangle_count + 4 * (size_t)sides);
   bool below = base.radius > 0, above = top.radius > 0;
+  VS_ASSERT(n >= 3);
   if (below) {
     ok = ok && solid_oval(out, &frame, base, n);
     high = first + sides;
@@ -127,6 +132,7 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
   vs_affine level = vs_affine_identity();
   bool ok = vs_mesh_reserve(out, out->vertex_count + (size_t)n * (size_t)(rings - 1) + 2,
                             out->triangle_count + 2 * (size_t)n * (size_t)(rings - 1));
+  VS_ASSERT(n >= 3);
   for (int j = 1; ok && j < rings; j++) { /* from the south pole up */
     double s, c;
     vs_turn_sincos(j, 2 * rings, &s, &c);
@@ -141,11 +147,12 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
 }
 
 /* A tube wider than its path's radius meets itself on the axis: then only the outer skin is built, from pole to
- * pole. */
+ * pole. Both turns have three facets or more. */
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn) {
   uint32_t first = (uint32_t)out->vertex_count, n = (uint32_t)around, south, north;
   vs_affine level = vs_affine_identity();
   bool ok = true;
+  VS_ASSERT(around >= 3 && tube_turn >= 3);
   if (radius > tube) {
     uint32_t rows = (uint32_t)tube_turn;
     for (int j = 0; ok && j < tube_turn; j++) {

@@ -11,9 +11,10 @@
 bool vs_solid_fits(int around, int across, const char *what, vs_error *e);
 /* A circle of n corners about the frame's Z direction, the first on its X. */
 bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n);
-/* Triangles between the ring that starts at vertex low and the one at high, which lies further along the axis. */
+/* Triangles between the ring that starts at vertex low and the one at high, which lies further along the axis. The
+ * rings are two, of three corners or more. */
 bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n);
-/* Triangles from a ring to one vertex: further along the axis, or (back) before it. */
+/* Triangles from a ring of three corners or more to one vertex: further along the axis, or (back) before it. */
 bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool back);
 bool vs_solid_box(vs_mesh *out, vs_vec3 p, vs_vec3 q);
 bool vs_solid_wedge(vs_mesh *out, vs_vec3 p, vs_vec3 q);
@@ -23,7 +24,9 @@ typedef struct { vs_vec3 center; double radius; } vs_disc;
 typedef struct { vs_vec3 center; double radius, across; } vs_oval;
 /* Between two discs of n corners. hubs: the discs are fans about their centres. */
 bool vs_solid_frustum(vs_mesh *out, vs_disc base, vs_disc top, int n, bool hubs);
+/* n is 3 or more. */
 bool vs_solid_oval_frustum(vs_mesh *out, vs_oval base, vs_oval top, int n, bool hubs);
+/* A sphere of n facets a turn, three or more. */
 bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n);
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn);
 /* Where out has tags, each triangle gets its face's number, from 0. */

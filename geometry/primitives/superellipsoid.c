@@ -29,8 +29,9 @@ static double oval_share(double p, double t) {
 }
 
 /* A quarter, from (1, 0) to (0, 1), 2 * half + 1 points; mirror images of each other about the diagonal to the last
- * bit. */
+ * bit. half is above 0. */
 static void oval_quarter(double p, int half, vs_oval_point *at) {
+  VS_ASSERT(half > 0);
   for (int i = 0; i <= half; i++) {
     double low = 0, high = 1, want = (double)i / half;
     for (int k = 0; k < 100 && i > 0 && i < half; k++) {
@@ -96,6 +97,7 @@ static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs
 /* (a^p + b^p)^(1/p) of numbers from 0 up, without overflow; the greater where p is infinite */
 static double oval_norm(double p, double a, double b) {
   double most = fmax(a, b), least = fmin(a, b);
+  VS_ASSERT(a >= 0 && b >= 0);
   return most > 0 && isfinite(p) ? most * exp(log1p(pow(least / most, p)) / p) : most;
 }
 

@@ -9,6 +9,7 @@
 bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, bool turned) {
   const size_t *sizes = loops->sizes;
   bool ok = true;
+  VS_ASSERT(loops->count == 0 || !loops->hole[0]);
   for (size_t l = 0, first = 0; ok && l < loops->count;) {
     size_t end = l + 1, points = sizes[l];
     while (end < loops->count && loops->hole[end]) points += sizes[end++];
@@ -82,6 +83,7 @@ bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out) {
   uint32_t *index = vs_fresh(3 * n + 1, sizeof *index), *low = index, *high = index ? index + n : NULL,
            *start = index ? index + 2 * n : NULL;
   bool ok = index != NULL;
+  VS_ASSERT(!g->joined || !g->seam);
   for (size_t r = 0; ok && r < rows; r++) {
     bool back = r == g->rows; /* the first row again */
     const vs_vec3 *at = g->at + (back ? 0 : r) * n;

@@ -20,14 +20,16 @@ typedef struct {
 } vs_quad_grid;
 
 /* Appends the triangles: facing away from the side that a row's loops turn counter-clockwise about. Neighbours in
- * exactly one place become one vertex, so that poles and apexes close. False: out of memory. */
+ * exactly one place become one vertex, so that poles and apexes close. False: out of memory. A grid that is joined has
+ * no seam. */
 bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out);
 
 /* Loops of a row in its plane, one behind the other; outer ones counter-clockwise, each hole behind the outer loop that
  * holds it. */
 typedef struct { const vs_vec2 *at; const size_t *sizes; const bool *hole; size_t count; } vs_cap_loops;
 
-/* Fills loops whose points are the vertices row[]. turned: the triangles face the other way. */
+/* Fills loops whose points are the vertices row[]. turned: the triangles face the other way. The first loop is an outer
+ * one. */
 bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, bool turned);
 
 #endif

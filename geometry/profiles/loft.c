@@ -187,9 +187,10 @@ static vs_vec3 loft_loop_center(const vs_polyline *p) {
 }
 
 /* Loops in the order of the section before: outer ones to the nearest, then the holes in each. False: out of memory or
- * the error. */
+ * the error. Both have equally many loops. */
 static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_error *e) {
   size_t n = b->outline.count, done = 0;
+  VS_ASSERT(a->outline.count == b->outline.count);
   if (n == 1) return true;
   vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
   bool *taken = vs_zeros(n, sizeof *taken), ok = sorted && taken;
@@ -258,8 +259,9 @@ static bool loft_line_make(const vs_polyline *p, const vs_affine *turn, loft_lin
 }
 
 /* The place at u (of a closed line, any u) on the points `at`, which stand at `along`; exactly a point where u is
- * within `near` of it. */
+ * within `near` of it. There is a point. */
 static vs_vec3 loft_line_at(const vs_vec3 *at, const double *along, size_t count, bool closed, double u, double near) {
+  VS_ASSERT(count > 0);
   if (closed) u -= floor(u);
   size_t low = 0, high = count; /* along[low] <= u < along[high] */
   while (high - low > 1) {
@@ -329,11 +331,13 @@ static double loft_least_twist(const loft_line *a, double from, const loft_line 
   return fine - floor(fine);
 }
 
-/* Point by point: the index in b that belongs to a's point `from`. False: interrupted. */
+/* Point by point: the index in b that belongs to a's point `from`. False: interrupted. Both have equally many points,
+ * and `from` is one of them. */
 static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_line *b, vs_store *s, size_t *best,
                                    vs_error *e) {
   size_t n = b->count, stride = n / 512 + 1;
   double most = -INFINITY, scale = 0;
+  VS_ASSERT(from < a->count && a->count == b->count);
   *best = from;
   for (size_t j = 0; j < n; j += stride) scale += vs_v3_dot(a->at[j], a->at[j]) + vs_v3_dot(b->at[j], b->at[j]);
   for (size_t t = 0; t < n; t++) {
@@ -524,6 +528,7 @@ static bool loft_again(const loft_section *a, const loft_section *b, double near
 }
 
 bool vs_loft_match(const vs_node *n, size_t count, const vs_fineness *f, vs_loft *out, vs_error *e) {
+  VS_ASSERT(count > 0 && count <= n->child_count);
   *out = (vs_loft){ 0 };
   loft_section *s = vs_zeros(count + 1, sizeof *s);
   size_t first = 0, rows = count;

@@ -21,7 +21,7 @@ typedef struct {
 } vs_loft;
 
 void vs_loft_free(vs_loft *l);
-/* The first `count` children of n, matched. Fails where they do not go together. */
+/* The first `count` children of n, matched. Fails where they do not go together. count is 1 to their number. */
 bool vs_loft_match(const vs_node *n, size_t count, const vs_fineness *f, vs_loft *out, vs_error *e);
 
 /* -- what loft_guided.c and loft_mesh.c have in common -- */

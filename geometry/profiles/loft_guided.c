@@ -128,7 +128,7 @@ static void guided_row(const guided_frame *f, const vs_vec3 *local, size_t n, vs
         f->at, guided_out(f, vs_v3_add(local[n + GUIDED_MIDDLE], guided_turned(local[n + GUIDED_LEAN], local[c]))));
 }
 
-/* Slope of column c's coordinates at station i; n: columns of a description. */
+/* Slope of column c's coordinates at station i, of two stations or more; n: columns of a description. */
 static vs_vec3 guided_slope(const guided_way *way, size_t n, size_t i, size_t c) {
   const vs_vec3 *local = way->local;
   const double *s = way->s;
@@ -136,6 +136,7 @@ static vs_vec3 guided_slope(const guided_way *way, size_t n, size_t i, size_t c)
   vs_vec3 secant[2] = { { 0, 0, 0 }, { 0, 0, 0 } };
   double step[2] = { 1, 1 };
   size_t mid = i == 0 ? 1 : i + 1 == stations ? stations - 2 : i;
+  VS_ASSERT(stations >= 2 && i < stations && c < n);
   if (stations < 3) mid = 1;
   for (int k = 0; k < 2; k++) {
     size_t a = mid - 1 + (size_t)k;
@@ -246,11 +247,13 @@ typedef struct {
   double *column; /* of that loop, with a fraction, at each section */
 } guided_line;
 
-/* The point of row `row` nearest to the guide, and where on both that is; how far apart they are is returned. */
+/* The point of row `row` nearest to the guide, and where on both that is; how far apart they are is returned. The loft
+ * has that row and loop. */
 static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_t loop, double *s, double *column) {
   size_t first = row * l->columns, size = l->sizes[loop], pieces = l->round ? size : size - 1,
          stretches = p->closed ? p->count : p->count - 1;
   double least = INFINITY;
+  VS_ASSERT(row < l->rows && loop < l->loop_count);
   for (size_t k = 0; k < loop; k++) first += l->sizes[k];
   if (l->point[row]) pieces = 1;
   for (size_t i = 0; i < stretches; i++) {
@@ -324,8 +327,10 @@ static vs_vec3 guided_point(const vs_path *p, double s) {
                    vs_v3_scale(vs_v3_sub(p->at[high].at, p->at[low].at), to > from ? (s - from) / (to - from) : 0));
 }
 
+/* The first column of a loop, or behind the last one the number of all. */
 static size_t guided_first(const vs_loft *l, size_t loop) {
   size_t first = 0;
+  VS_ASSERT(loop <= l->loop_count);
   for (size_t k = 0; k < loop; k++) first += l->sizes[k];
   return first;
 }
@@ -338,9 +343,10 @@ static double guided_column(const vs_loft *l, const guided_line *g, size_t i, do
   return l->round ? c - size * floor(c / size) : c;
 }
 
-/* The affine map x -> c + m (x - b) that best takes the points b_j to g_j; b, c: their means. With one a shift, with
- * two a turn and an even scale, with three or more (not in line) any map of their plane, least squares. */
+/* The affine map x -> c + m (x - b) that best takes the points b_j to g_j, one or more; b, c: their means. With one a
+ * shift, with two a turn and an even scale, with three or more (not in line) any map of their plane, least squares. */
 static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3 *b, vs_vec3 *c, double m[3][3]) {
+  VS_ASSERT(n > 0);
   *b = *c = vs_v3(0, 0, 0);
   for (size_t j = 0; j < n; j++)
     *b = vs_v3_add(*b, vs_v3_scale(from[j], 1.0 / (double)n)), *c = vs_v3_add(*c, vs_v3_scale(to[j], 1.0 / (double)n));

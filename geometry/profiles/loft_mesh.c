@@ -26,6 +26,7 @@ vs_vec3 *vs_loft_rows_add(vs_loft_rows *r) {
 /* of two slopes >= 0, as Fritsch and Butland weigh them */
 static double loft_harmonic(double p, double q, double h, double k) {
   double w = 2 * k + h, v = k + 2 * h;
+  VS_ASSERT(p >= 0 && q >= 0);
   return p > 0 && q > 0 ? (w + v) * p * q / (w * q + v * p) : 0;
 }
 
@@ -59,6 +60,7 @@ static vs_vec3 loft_center_slope(vs_vec3 a, vs_vec3 b, double h, double k, vs_ve
 
 vs_vec3 vs_loft_hermite(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, double t) {
   double s = 1 - t, a = s * s * (1 + 2 * t), b = t * t * (3 - 2 * t), c = t * s * s, d = -t * t * s;
+  VS_ASSERT(t >= 0 && t <= 1);
   return vs_v3_add(vs_v3_add(vs_v3_scale(p, a), vs_v3_scale(q, b)), vs_v3_add(vs_v3_scale(m, c), vs_v3_scale(k, d)));
 }
 
@@ -155,22 +157,24 @@ static double loft_chord(const vs_loft *l, size_t i) { /* mean way of the wall f
   return fmax(sum / (double)l->columns, 1e-12 * l->size);
 }
 
-/* Slopes at row i of one line of the wall; column n stands for the centres' path. */
+/* Slopes at row i of one line of the wall; column n stands for the centres' path. There is such a row. */
 static vs_vec3 loft_slope_at(const vs_loft *l, const double *chord, size_t i, size_t column) {
   size_t before = i ? i - 1 : l->rows - 1, after = (i + 1) % l->rows;
   bool path = column == l->columns;
   vs_vec3 p = path ? l->center[before] : loft_way(l, before, column), q = path ? l->center[i] : loft_way(l, i, column),
           r = path ? l->center[after] : loft_way(l, after, column);
   vs_vec3 a = vs_v3_scale(vs_v3_sub(q, p), 1 / chord[before]), b = vs_v3_scale(vs_v3_sub(r, q), 1 / chord[i]);
+  VS_ASSERT(i < l->rows && column <= l->columns);
   return path ? loft_center_slope(a, b, chord[before], chord[i], l->normal[i])
               : vs_loft_slope(a, b, chord[before], chord[i]);
 }
 
-/* from row i to the next */
+/* from row i to the next. column is a column or, of the centres' path, their number. */
 static vs_vec3 loft_secant(const vs_loft *l, const double *chord, size_t i, size_t column) {
   size_t after = (i + 1) % l->rows;
   vs_vec3 d = column == l->columns ? vs_v3_sub(l->center[after], l->center[i])
                                    : vs_v3_sub(loft_way(l, after, column), loft_way(l, i, column));
+  VS_ASSERT(column <= l->columns && i < l->rows);
   return vs_v3_scale(d, 1 / chord[i]);
 }
 
@@ -201,9 +205,10 @@ bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out) {
   return ok;
 }
 
-/* In the section's plane, away from what the wall encloses */
+/* In the section's plane, away from what the wall encloses. The loft has that row and column. */
 static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec3 n) {
   size_t first = 0, loop = 0, other = row ? row - 1 : 1;
+  VS_ASSERT(row < l->rows && column < l->columns);
   if (l->point[row]) { /* as at the section beside it */
     vs_vec3 d = vs_v3_sub(l->at[other * l->columns + column], l->center[other]);
     return vs_v3_unit(vs_v3_sub(d, vs_v3_scale(n, vs_v3_dot(d, n))));
@@ -222,11 +227,12 @@ static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec
 }
 
 /* The wall at an end: at `angle` from the normal, outwards, held for a length of `hold`: the handle of a Bezier curve,
- * so 3 times that as a slope */
+ * so 3 times that as a slope. The loft has two rows or more. */
 static void loft_hold(vs_loft_smooth *s, bool end, double angle, double hold) {
   const vs_loft *l = s->loft;
   size_t row = end ? l->rows - 1 : 0, other = end ? l->rows - 2 : 1;
   vs_vec3 n = l->normal[row];
+  VS_ASSERT(l->rows >= 2);
   if (vs_v3_length(n) == 0)
     n = vs_v3_unit(end ? vs_v3_sub(l->center[row], l->center[other]) : vs_v3_sub(l->center[other], l->center[row]));
   double sine, cosine;
@@ -242,6 +248,7 @@ static void loft_hold(vs_loft_smooth *s, bool end, double angle, double hold) {
 void vs_loft_smooth_row(const vs_loft_smooth *s, size_t i, double t, vs_vec3 *row) {
   const vs_loft *l = s->loft;
   size_t n = l->columns, next = (i + 1) % l->rows;
+  VS_ASSERT(i < s->loft->rows && t >= 0 && t <= 1);
   if (t == 0 || t == 1) memcpy(row, l->at + (t == 0 ? i : next) * n, n * sizeof *row);
   else
     for (size_t c = 0; c < n; c++)

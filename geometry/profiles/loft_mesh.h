@@ -18,6 +18,7 @@ vs_vec3 vs_loft_hermite(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, double t);
 double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const vs_fineness *f);
 bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out); /* false: out of memory */
 void vs_loft_smooth_free(vs_loft_smooth *s);
+/* Row t, 0 to 1, of the way from section i to the next. */
 void vs_loft_smooth_row(const vs_loft_smooth *s, size_t i, double t, vs_vec3 *row);
 double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_fineness *f);
 

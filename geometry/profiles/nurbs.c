@@ -25,9 +25,11 @@ vs_nurbs_fault vs_nurbs_check(const vs_nurbs_knots *k, size_t *at) {
   return vs_nurbs_low(k) < vs_nurbs_high(k) ? VS_NURBS_GOOD : VS_NURBS_NOTHING;
 }
 
-/* The span that holds t: knots[span] <= t < knots[span + 1], and the last one at the end. */
+/* The span that holds t: knots[span] <= t < knots[span + 1], and the last one at the end. The degree is 1 to
+ * VS_NURBS_DEGREE, and there are more points than that. */
 static size_t span_of(const vs_nurbs_knots *k, double t) {
   size_t low = (size_t)k->degree, high = k->count;
+  VS_ASSERT(k->degree >= 1 && k->degree <= VS_NURBS_DEGREE && k->count > (size_t)k->degree);
   while (high - low > 1) {
     size_t middle = (low + high) / 2;
     if (k->knots[middle] <= t)
@@ -39,10 +41,12 @@ static size_t span_of(const vs_nurbs_knots *k, double t) {
   return low;
 }
 
-/* The basis functions that are not 0 in the span, and their slopes (The NURBS Book, algorithm A2.3 for one slope). */
+/* The basis functions that are not 0 in the span, and their slopes (The NURBS Book, algorithm A2.3 for one slope). The
+ * span lies in the range of the parameter. */
 static void basis(const vs_nurbs_knots *k, size_t span, double t, double *value, double *slope) {
   double left[TERMS + 1], right[TERMS + 1], before[TERMS] = { 1 };
   int p = k->degree;
+  VS_ASSERT(span >= (size_t)k->degree && span < k->count);
   value[0] = 1;
   for (int j = 1; j <= p; j++) {
     double saved = 0;
@@ -140,6 +144,7 @@ size_t vs_nurbs_parameters(const vs_nurbs *n, bool along_v, double chord, double
   const vs_nurbs_knots *k = along_v ? &n->v : &n->u, *other = along_v ? &n->u : &n->v;
   double across[LINES + 1] = { 0 }, *ends = NULL, *made = NULL;
   size_t lines = 1, room = 0, count = 0;
+  VS_ASSERT(chord > 0);
   if (n->v.count) {
     lines = LINES + 1;
     for (size_t i = 0; i < lines; i++)

@@ -33,7 +33,7 @@ vs_vec3 vs_nurbs_point(const vs_nurbs *n, double u, double v, vs_vec3 *slope_u, 
 
 /* Ascending parameters of one direction, both ends and all knots among them. Samples of a curve, and of a surface's
  * lines in that direction, lie so close that chords are at most `chord` away. The caller frees *out. 0: out of memory.
- */
+ * chord is above 0. */
 size_t vs_nurbs_parameters(const vs_nurbs *n, bool along_v, double chord, double **out);
 
 /* A curve as a node: splines through its points, which lie as close as a 1e-7th of its size asks for, joined at

@@ -116,6 +116,7 @@ static vs_vec3 revolve_point(const vs_revolve *r, vs_vec2 p, double cosine, doub
 bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
   size_t rows = r->full ? steps : steps + 1, first = out->triangle_count;
   vs_vec3 *at = rows < SIZE_MAX / sizeof *at / (r->count + 1) ? vs_fresh(rows * (r->count + 1), sizeof *at) : NULL;
+  VS_ASSERT(steps > 0);
   if (!at) return false;
   for (size_t i = 0; i < rows; i++) {
     double sine, cosine;
@@ -170,6 +171,7 @@ bool vs_loops_hold(const vs_vec2 *at, const size_t *sizes, size_t loop_count, do
 bool vs_revolve_holds(const vs_revolve *r, vs_vec3 p) {
   vs_vec3 d = vs_v3_sub(p, r->at);
   double x = vs_v3_dot(d, r->out), y = vs_v3_dot(d, r->side), far = hypot(x, y);
+  VS_ASSERT(r->filled);
   if (!r->full && far > 1e-12 * r->reach) {
     double t = (atan2(y, x) - r->start) * (r->angle < 0 ? -1 : 1);
     t -= turn * floor(t / turn);

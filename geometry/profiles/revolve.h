@@ -27,8 +27,10 @@ void vs_revolve_free(vs_revolve *r);
 /* Fails where the profile's plane does not hold the axis, or the profile crosses it. */
 bool vs_revolve_plan(const vs_node *n, const vs_fineness *f, vs_revolve *out, vs_error *e);
 size_t vs_revolve_steps(const vs_revolve *r, const vs_fineness *f, int segments); /* of the whole angle */
+/* steps is above 0. */
 bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out); /* appends; false: out of memory */
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b);
+/* The profile is filled. */
 bool vs_revolve_holds(const vs_revolve *r, vs_vec3 p); /* of a solid */
 /* Pappus, with the moments of the plan's polygon; where that stands for a circle, exactly. */
 bool vs_revolve_measure(const vs_node *n, const vs_fineness *f, vs_measure *m, vs_error *e);

@@ -9,7 +9,9 @@
 
 typedef struct { vs_vec3 *at; size_t rows, columns; bool closed_u, closed_v; double near; } surface_grid;
 
+/* Are two points of the grid nearly in one place? */
 static bool surface_near(const surface_grid *g, size_t a, size_t b) {
+  VS_ASSERT(a < g->rows * g->columns && b < g->rows * g->columns);
   return vs_v3_length(vs_v3_sub(g->at[a], g->at[b])) <= g->near;
 }
 
@@ -95,6 +97,7 @@ vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_point_grid *grid, v
   vs_bounds b = vs_bounds_empty();
   vs_mesh m = { 0 };
   vs_node *made = NULL;
+  VS_ASSERT(grid->rows >= 2 && grid->columns >= 2);
   if (!g.at) return vs_error_memory(e, NULL), NULL;
   memcpy(g.at, grid->at, count * sizeof *g.at);
   for (size_t i = 0; i < count; i++) vs_bounds_add(&b, grid->at[i]);

@@ -138,11 +138,12 @@ static taper_event taper_next(taper *t) {
   return first;
 }
 
-/* When edge i vanishes; INFINITY: not as things stand */
+/* When edge i vanishes; INFINITY: not as things stand. There is an edge i. */
 static double taper_vanishes(const taper *t, size_t i, double now) {
   size_t p = t->edges[i].before, q = t->edges[i].after;
   vs_vec2 left, right, way = t->edges[i].way;
   bool stuck_p = !taper_speed(t, p, i, &left), stuck_q = !taper_speed(t, i, q, &right);
+  VS_ASSERT(i < t->count);
   if (stuck_p || stuck_q) { /* a neighbour lies on it: the shorter of them goes at once */
     double own = taper_length(t, i, now), other = stuck_p ? taper_length(t, p, now) : taper_length(t, q, now);
     return own <= other ? now : INFINITY;
@@ -173,19 +174,21 @@ static bool taper_expect_hits(taper *t, size_t i, double now) {
   return true;
 }
 
-/* Edges p and q have become neighbours, with their corner at `at`. */
+/* Edges p and q have become neighbours, with their corner at `at`. p and q are two. */
 static void taper_join(taper *t, size_t p, size_t q, vs_vec2 at, double d) {
+  VS_ASSERT(p != q);
   t->edges[p].after = q;
   t->edges[q].before = p;
   t->edges[p].corner = at;
   t->edges[p].since = d;
 }
 
-/* A loop of two edges is at its end; corner `known` of p with q has the vertex v. */
+/* A loop of two edges is at its end; corner `known` of p with q has the vertex v. p and q are two. */
 static bool taper_finish(taper *t, size_t p, size_t q, double d, vs_vec2 at, uint32_t v) {
   vs_vec2 other = taper_corner(t, q, d);
   uint32_t w = v;
   bool ok = taper_near(t, other, at) || taper_vertex(t, other, d, &w);
+  VS_ASSERT(p != q);
   t->edges[p].gone = t->edges[q].gone = true;
   return ok && taper_push(&t->edges[q].right, w) && taper_push(&t->edges[p].left, w);
 }
@@ -198,7 +201,7 @@ static bool taper_settle(taper *t, size_t p, double d, uint32_t v) {
   return taper_expect_vanishing(t, p, d) && taper_expect_vanishing(t, q, d) && taper_expect_hits(t, p, d);
 }
 
-/* Edge i is no more at d: its neighbours meet. */
+/* Edge i is no more at d: its neighbours meet. Until then it was there. */
 static bool taper_remove(taper *t, size_t i, double d) {
   taper_edge *e = &t->edges[i];
   size_t p = e->before, q = e->after;
@@ -208,6 +211,7 @@ static bool taper_remove(taper *t, size_t i, double d) {
   vs_vec2 at = stuck_p ? b : stuck_q ? a : (vs_vec2){ (a.x + b.x) / 2, (a.y + b.y) / 2 };
   uint32_t v, w;
   bool ok = taper_vertex(t, at, d, &v);
+  VS_ASSERT(!t->edges[i].gone);
   if (stuck_p && t->edges[p].since < d)
     ok = ok && taper_vertex(t, a, d, &w) && taper_push(&t->edges[p].right, w) && taper_push(&e->left, w);
   if (stuck_q && !stuck_p && e->since < d)
@@ -286,9 +290,11 @@ static bool taper_run(taper *t) {
 
 /* ---- walls and caps ---- */
 
+/* Writes the faces of the wall over one of the edges. */
 static bool taper_wall(taper *t, size_t wall) {
   const taper_edge *e = &t->edges[wall];
   size_t n = 0, k = 0;
+  VS_ASSERT(wall < t->count);
   for (size_t i = wall; i != SIZE_MAX; i = t->edges[i].next_piece)
     n += t->edges[i].left.count + t->edges[i].right.count;
   vs_vec2 *at = vs_fresh(n, sizeof *at);

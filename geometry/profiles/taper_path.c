@@ -15,8 +15,10 @@
 typedef struct { uint32_t a, b, at; } cut_point;
 typedef struct { cut_point *slots; size_t room, count; } cut_table;
 
+/* The slot of the edge from a to b, or a free one; the room is a power of two. */
 static cut_point *cut_slot(const cut_table *t, uint32_t a, uint32_t b) {
   size_t i = (size_t)((((uint64_t)a << 32 | b) * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (t->room - 1);
+  VS_ASSERT(t->room > 0 && (t->room & (t->room - 1)) == 0);
   while (t->slots[i].at != UINT32_MAX && (t->slots[i].a != a || t->slots[i].b != b)) i = (i + 1) & (t->room - 1);
   return &t->slots[i];
 }
@@ -48,10 +50,12 @@ static double cut_height(const cut_solid *s, vs_vec3 p) { return vs_v3_dot(vs_v3
 /* A vertex and its height. */
 typedef struct { uint32_t vertex; double height; } cut_end;
 
-/* The vertex where an edge passes the height, one for both of its triangles. False: out of memory. */
+/* The vertex where an edge, whose ends lie on either side of the height, passes it, one for both of its triangles.
+ * False: out of memory. */
 static bool cut_edge(cut_solid *s, cut_end from, cut_end to, double height, uint32_t *at) {
   uint32_t a = from.vertex, b = to.vertex;
   cut_point *p = a < b ? cut_slot(&s->table, a, b) : cut_slot(&s->table, b, a);
+  VS_ASSERT((from.height < height) != (to.height < height));
   if (p->at == UINT32_MAX) {
     vs_vec3 start = s->m->vertices[a], way = vs_v3_sub(s->m->vertices[b], start);
     double share = (height - from.height) / (to.height - from.height);
@@ -95,9 +99,11 @@ static bool cut_at(cut_solid *s, double height) {
   return true;
 }
 
-/* Moves every vertex by what the curve has gone at its height. path: its corners; heights: theirs, rising. */
+/* Moves every vertex by what the curve has gone at its height. path: its corners, two or
+ * more; heights: theirs, rising. */
 static void move_along(const cut_solid *s, const vs_polyline *path, const double *heights) {
   vs_mesh *m = s->m;
+  VS_ASSERT(s->first_vertex <= m->vertex_count && path->count >= 2);
   for (size_t i = s->first_vertex; i < m->vertex_count; i++) {
     double h = cut_height(s, m->vertices[i]);
     size_t k = 0;

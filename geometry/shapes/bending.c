@@ -83,8 +83,10 @@ static uint64_t edge_key(uint32_t a, uint32_t b) { /* never 0: a and b differ */
   return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
 }
 
+/* The place of the edge in the table, or a free one; size is a power of two. */
 static half *half_of(half *table, size_t size, uint64_t edge) {
   size_t k = (size_t)((edge * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (size - 1);
+  VS_ASSERT(size > 0 && (size & (size - 1)) == 0);
   while (table[k].edge && table[k].edge != edge) k = (k + 1) & (size - 1);
   return &table[k];
 }
@@ -190,6 +192,7 @@ static bool keep_image(vs_bending *b, vs_vec3 p) {
 
 bool vs_bending_give(vs_bending *b, const vs_vec3 *images) {
   bool ok = true;
+  VS_ASSERT(b->wanted_count > 0);
   if (b->image_count == 0) {
     for (size_t i = 0; ok && i < b->wanted_count; i++) ok = keep_image(b, images[i]);
     return ok && next_round(b);

@@ -34,6 +34,7 @@ vs_bending *vs_bending_new(const vs_bend_leaf *leaf, double tolerance, double lo
 void vs_bending_free(vs_bending *b); /* NULL is fine */
 /* The points whose images are wanted now; *count 0: none, it is done. */
 const vs_vec3 *vs_bending_wanted(const vs_bending *b, size_t *count);
+/* Points are wanted. */
 bool vs_bending_give(vs_bending *b, const vs_vec3 *images); /* false: out of memory */
 /* The leaf's mesh, cut and bent; b's own. */
 vs_mesh *vs_bending_mesh(vs_bending *b);

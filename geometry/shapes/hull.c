@@ -108,15 +108,19 @@ typedef struct {
   uint32_t *leaving;               /* of each point: the new face whose horizon edge starts there */
 } vs_quickhull;
 
+/* Adds the face of three different points. */
 static bool hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c, uint32_t *out) {
+  VS_ASSERT(a != b && b != c && c != a);
   if (!VS_GROW(h->faces, h->room, h->count + 1)) return false;
   h->faces[h->count] = (vs_hull_face){ .v = { a, b, c }, .next = { NOBODY, NOBODY, NOBODY }, .above = NOBODY };
   *out = (uint32_t)h->count++;
   return true;
 }
 
-/* Puts p on the list of the first of the faces from..to that it lies above. */
+/* Puts p on the list of the first of the faces from..to that it lies above. from <= to, and to is at most the number of
+ * faces. */
 static void hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to) {
+  VS_ASSERT(from <= to && to <= h->count);
   for (uint32_t f = from; f < to; f++) {
     if (steps_volume(h->steps, h->faces[f].v, p) <= 0) continue;
     h->next_above[p] = h->faces[f].above;

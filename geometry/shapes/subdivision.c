@@ -29,9 +29,11 @@ static void topology_free(topology *t) {
   *t = (topology){ 0 };
 }
 
+/* The slot of the edge between two points, or a free one; the size is a power of two. */
 static uint32_t *slot_of(const topology *t, uint32_t a, uint32_t b) {
   uint64_t key = a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
   size_t k = (size_t)((key * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (t->size - 1);
+  VS_ASSERT(t->size > 0 && (t->size & (t->size - 1)) == 0);
   for (; t->slots[k]; k = (k + 1) & (t->size - 1)) {
     const edge *e = &t->edges[t->slots[k] - 1];
     if ((e->a == a && e->b == b) || (e->a == b && e->b == a)) break;
@@ -241,6 +243,7 @@ static bool fans(vs_face_list *l) {
 bool vs_subdivide(vs_face_list *l, const vs_subdivision *how, vs_long_work work) {
   bool loop = how->scheme == VS_SUBDIVIDE_LOOP, ok = !loop || fans(l);
   crease_list now = { 0 };
+  VS_ASSERT(how->levels >= 0);
   ok = ok && VS_GROW(now.at, now.room, how->crease_count + 1);
   if (ok && how->crease_count) memcpy(now.at, how->creases, how->crease_count * sizeof *now.at);
   if (ok) now.count = how->crease_count;

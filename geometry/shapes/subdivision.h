@@ -26,7 +26,7 @@ typedef struct {
 } vs_subdivision;
 
 /* Replaces the faces of l, whose points are those that their corners share, by the subdivided ones. Loop takes polygons
- * as fans of triangles. False: out of memory, or the caller said so. */
+ * as fans of triangles. False: out of memory, or the caller said so. levels are 0 or more. */
 bool vs_subdivide(vs_face_list *l, const vs_subdivision *how, vs_long_work work);
 
 #endif

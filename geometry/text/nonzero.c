@@ -40,9 +40,11 @@ typedef struct { double min_x, min_y, max_x, max_y, area; int inside, outside; s
 
 static double cross(vs_vec2 a, vs_vec2 b, vs_vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
+/* The loop's points are among those of l. */
 static loop_facts facts_of(const vs_flat_loops *l, const vs_flat_loop *loop) {
   const vs_vec2 *p = l->at + loop->first;
   loop_facts f = { INFINITY, INFINITY, -INFINITY, -INFINITY, 0, 0, 0, SIZE_MAX };
+  VS_ASSERT(loop->first + loop->count <= l->point_count);
   for (size_t i = 0; i < loop->count; i++) {
     f.min_x = fmin(f.min_x, p[i].x), f.max_x = fmax(f.max_x, p[i].x);
     f.min_y = fmin(f.min_y, p[i].y), f.max_y = fmax(f.max_y, p[i].y);
@@ -51,9 +53,11 @@ static loop_facts facts_of(const vs_flat_loops *l, const vs_flat_loop *loop) {
   return f;
 }
 
+/* The loop's points are among those of l. */
 static bool holds(const vs_flat_loops *l, const vs_flat_loop *loop, vs_vec2 at) {
   const vs_vec2 *p = l->at + loop->first;
   bool inside = false;
+  VS_ASSERT(loop->first + loop->count <= l->point_count);
   for (size_t i = 0, j = loop->count - 1; i < loop->count; j = i++)
     if ((p[i].y > at.y) != (p[j].y > at.y) && at.x < p[i].x + (at.y - p[i].y) / (p[j].y - p[i].y) * (p[j].x - p[i].x))
       inside = !inside;
@@ -127,8 +131,10 @@ static bool any_cross(const vs_flat_loops *l, bool *found) {
 
 /* ---- who holds whom ---- */
 
+/* Turns a loop, whose points are among those of l, to run the other way. */
 static void turn(vs_flat_loops *l, const vs_flat_loop *loop) {
   vs_vec2 *p = l->at + loop->first;
+  VS_ASSERT(loop->first + loop->count <= l->point_count);
   for (size_t i = 0, j = loop->count; i < j; i++) {
     vs_vec2 swap = p[i];
     p[i] = p[--j];
