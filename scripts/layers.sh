@@ -10,7 +10,7 @@
 #   files      a file that a comment names is there, and each source begins with a comment: what it owns
 #   ours       no file has a copyright line of others
 #   speech     scripts/speech.sh: the texts of manual, comments, messages and CHANGELOG
-#   ratchets   the counts of scripts/layers.limits: what cannot be zero at once may only fall
+#   ratchets   the counts of scripts/layers.limits: what cannot be zero at once may only fall; and asserts, of which there are at least so many
 set -u
 build=$1
 cd "$(dirname "$0")/.." || exit 1
@@ -103,6 +103,12 @@ limit() { # NAME COUNT WHERE: what the count is of, and where to look
 limit same-names "$(wc -l < "$work/names")" "$(tr '\n' ';' < "$work/names")"
 limit long-lines "$(xargs awk 'length($0) > 120' < "$work/sources" | wc -l)" "lines past 120 columns"
 limit raw-allocations "$(xargs grep -hoE '\b(malloc|calloc|realloc)\(' < "$work/sources" | wc -l)" "malloc, calloc and realloc by hand: VS_GROW, VS_FRESH, vs_fresh and vs_zeros of model/store/array.h check the size"
+# Asserts of each 1000 lines of a layer, rounded down.
+for layer in kernel model geometry vm; do
+  least=$(awk -v name="asserts-$layer" '$1 == name { print $2 }' scripts/layers.limits)
+  count=$(grep "^$layer/" "$work/sources" | xargs cat | awk '{ count += gsub(/(^|[^A-Z_])VS_ASSERT\(/, "") } END { print int(1000 * count / NR) }')
+  [ "$count" -ge "${least:-0}" ] || echo "asserts-$layer: $count of 1000 lines, and scripts/layers.limits wants $least (VS_ASSERT of base/assert.h)" >> "$work/wrong"
+done
 limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [^=;(]*\bvs_[a-z0-9_]*\(' | wc -l)" "static functions named vs_, a prefix of externals"
 
 # Sentences of comments that begin with What, That, One, Those or So: a sentence's subject is a noun of the field.
