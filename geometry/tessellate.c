@@ -5,11 +5,12 @@
 
 #include "geometry/profiles/loft.h"
 #include "geometry/profiles/loft_mesh.h"
+#include "geometry/profiles/overturn.h"
 #include "geometry/profiles/revolve.h"
 #include "geometry/primitives/solid_triangles.h"
 #include "geometry/primitives/shape.h"
 #include "geometry/profiles/surface.h"
-#include "geometry/profiles/swept.h"
+#include "geometry/profiles/swept_mesh.h"
 #include "geometry/profiles/thicken.h"
 #include "geometry/profiles/taper.h"
 
@@ -101,12 +102,22 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
   return ok || vs_error_memory(e, NULL);
 }
 
+/* Follows placements down to the leaf: *placed brings its coordinates back up, *inner is its fineness. */
+static const vs_node *tessellate_bottom(const vs_node *n, const vs_fineness *f, vs_affine *placed, vs_fineness *inner,
+                                        const vs_origin **origin) {
+  *placed = vs_affine_identity();
+  *origin = NULL;
+  for (const vs_ref *below; (below = tessellate_below(n, placed)) != NULL; n = below->node) *origin = below->origin;
+  *inner = vs_fineness_placed(f, placed);
+  return n;
+}
+
 bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e) {
-  vs_affine placed = vs_affine_identity();
-  const vs_origin *origin = NULL;
-  for (const vs_ref *below; (below = tessellate_below(n, &placed)) != NULL; n = below->node) origin = below->origin;
-  vs_fineness inner = vs_fineness_placed(f, &placed);
+  vs_affine placed;
+  vs_fineness inner;
+  const vs_origin *origin;
   size_t first_vertex = out->vertex_count, first_triangle = out->triangle_count;
+  n = tessellate_bottom(n, f, &placed, &inner, &origin);
   if (!tessellate_leaf(n, &inner, out, e)) {
     out->vertex_count = first_vertex;
     out->triangle_count = first_triangle;
@@ -114,6 +125,57 @@ bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_erro
     return false;
   }
   vs_mesh_transform_from(out, &placed, first_vertex, first_triangle);
+  return true;
+}
+
+/* The plan of a sweep or a pipe, *is; any other solid has none. */
+static bool sweep_plan(const vs_node *n, const vs_fineness *f, vs_swept *plan, vs_affine *placed, bool *is,
+                       vs_error *e) {
+  vs_fineness inner;
+  const vs_origin *origin;
+  n = tessellate_bottom(n, f, placed, &inner, &origin);
+  *plan = (vs_swept){ 0 };
+  *is = n->kind == VS_SWEEP || (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_CURVE);
+  if (!*is || vs_swept_plan(n, &inner, plan, e)) return true;
+  if (e && !e->origin) e->origin = origin;
+  return false;
+}
+
+bool vs_sweep_turns(const vs_node *n, const vs_fineness *f, bool *turns, vs_error *e) {
+  vs_swept plan;
+  vs_affine placed;
+  *turns = false;
+  if (!sweep_plan(n, f, &plan, &placed, turns, e)) return false;
+  bool ok = !*turns || vs_swept_turns(&plan, turns) || vs_error_memory(e, NULL);
+  vs_swept_free(&plan);
+  return ok;
+}
+
+bool vs_sweep_runs(const vs_node *n, const vs_fineness *f, size_t steps, vs_mesh **runs, size_t *count, vs_error *e) {
+  vs_swept plan;
+  vs_affine placed;
+  bool is;
+  *runs = NULL;
+  *count = 0;
+  if (!sweep_plan(n, f, &plan, &placed, &is, e)) return false;
+  bool ok = !is || vs_swept_runs(&plan, steps, runs, count) || vs_error_memory(e, NULL);
+  for (size_t i = 0; i < *count; i++) vs_mesh_transform(&(*runs)[i], &placed);
+  vs_swept_free(&plan);
+  return ok;
+}
+
+bool vs_sweep_tightest(const vs_node *n, const vs_fineness *f, const vs_vec3 *near, vs_sweep_bend *out, vs_error *e) {
+  vs_swept plan;
+  vs_affine placed, back;
+  bool is;
+  *out = (vs_sweep_bend){ .fits = 1 };
+  if (!sweep_plan(n, f, &plan, &placed, &is, e)) return false;
+  vs_vec3 place;
+  bool finds = near && vs_affine_invert(&placed, &back);
+  if (finds) place = vs_affine_point(&back, *near);
+  if (is) vs_overturn_tightest(&plan, finds ? &place : NULL, &out->at, &out->fits);
+  out->at = vs_affine_point(&placed, out->at);
+  vs_swept_free(&plan);
   return true;
 }
 

@@ -11,7 +11,7 @@
 #include "geometry/tessellate.h"
 #include "model/store/array.h"
 #include "model/store/nodemap.h"
-#include "solids/primitive_meshes.h"
+#include "solids/overlaps.h"
 
 /* HALVINGS: of an edge at most. FINEST: a hexahedron's diagonal is not followed more finely than by this part. */
 enum { HALVINGS = 6, FINEST = 1000, USUAL = 200 };

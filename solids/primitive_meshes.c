@@ -6,76 +6,8 @@
 #include <string.h>
 
 #include "geometry/primitives/half_space.h"
-#include "kernel/mesh/inspect.h"
-#include "kernel/mesh/shells.h"
-#include "model/store/array.h"
 #include "model/tally.h"
-
-/* Kinds whose meshes may overlap themselves; placements are looked through. */
-static bool may_overlap(const vs_node *n) {
-  if (n->class_ != VS_SOLID) return false;
-  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
-  if (n->kind == VS_EXTRUDE) return VS_AS(extrude, n)->taper != 0 || n->child_count > 1;
-  return vs_node_has(n, VS_IS_OVERLAPPING);
-}
-
-static bool failed(const vs_kernel_error *why, vs_error *e) {
-  switch (why->status) {
-  case VS_KERNEL_OUT_OF_MEMORY: return vs_error_memory(e, NULL);
-  case VS_KERNEL_INTERRUPTED: return vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
-  case VS_KERNEL_FINE:
-  case VS_KERNEL_OPEN:
-  case VS_KERNEL_INSIDE_OUT:
-  case VS_KERNEL_NOT_FINITE:
-  case VS_KERNEL_LIMIT:
-  case VS_KERNEL_INTERNAL: break;
-  }
-  return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s", why->message);
-}
-
-/* Leaves out shells that are nothing but a crack or a flake: where faces of a mesh that overlaps itself lie on one
- * another, rounding parts them by some steps of the kernel's grid. thickness: a shell that is thinner on the whole
- * goes. */
-static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
-  vs_shells shells;
-  bool ok = vs_shells_find(m, &shells);
-  uint8_t *gone = ok ? vs_fresh(m->triangle_count + 1, 1) : NULL;
-  ok = gone || vs_error_memory(e, NULL);
-  for (size_t t = 0; ok && t < m->triangle_count; t++) {
-    const vs_shell *s = &shells.at[shells.of[m->triangles[t][0]]];
-    gone[t] = fabs(s->volume) <= thickness * s->area / 2;
-  }
-  if (ok) vs_mesh_squeeze(m, gone);
-  vs_shells_free(&shells);
-  free(gone);
-  return ok;
-}
-
-bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
-                           vs_error *e) {
-  vs_mesh m = { 0 };
-  vs_mesh_flaws flaws = { 0 };
-  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
-  bool ok = vs_tessellate(n, f, &m, e) &&
-            (!m.triangle_count || vs_kernel_inspect(&m, options, &flaws, &why) || failed(&why, e));
-  *overlaps = flaws.wound_count > 0;
-  vs_mesh_free(&m);
-  return ok;
-}
-
-bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e) {
-  vs_mesh_flaws flaws;
-  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
-  vs_mesh whole = { 0 };
-  if (!m->triangle_count) return true;
-  if (!vs_kernel_inspect(m, options, &flaws, &why)) return failed(&why, e);
-  if (flaws.wound_count == 0 && !flaws.touches) return true;
-  if (!vs_kernel_resolve(m, 0, options, &whole, &why)) return vs_mesh_free(&whole), failed(&why, e);
-  vs_bounds b = vs_mesh_bounds(m);
-  vs_mesh_free(m);
-  *m = whole;
-  return flaws.wound_count == 0 || drop_flakes(m, 1e-6 * vs_bounds_diagonal(&b), e);
-}
+#include "solids/overlaps.h"
 
 static bool primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,
                            vs_error *e) {
@@ -86,7 +18,7 @@ static bool primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kern
     return false;
   }
   out->most = 0;
-  return !may_overlap(n) || vs_mesh_without_overlaps(out, options, e);
+  return vs_primitive_freed(n, f, options, out, e);
 }
 
 bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,

@@ -13,14 +13,6 @@
 bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,
                        vs_error *e);
 
-/* A closed mesh that overlaps or touches itself becomes what it winds around more than 0 times; any other stays as it
- * is. options may be NULL. */
-bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e);
-
-/* Does the mesh of such a node, as geometry/ makes it, overlap itself? */
-bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
-                           vs_error *e);
-
 /* Meshes that are looked up in a cache and kept there. */
 typedef struct {
   vs_cache *cache;         /* NULL: there is none */

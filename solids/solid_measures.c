@@ -11,7 +11,7 @@
 
 #include "kernel/mesh/bvh.h"
 #include "kernel/cluster.h"
-#include "solids/primitive_meshes.h"
+#include "solids/overlaps.h"
 #include "solids/solid_meshes.h"
 #include "model/store/array.h"
 

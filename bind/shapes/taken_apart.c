@@ -9,7 +9,7 @@
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
 #include "solids/deformed.h"
-#include "solids/primitive_meshes.h"
+#include "solids/overlaps.h"
 #include "solids/resolve.h"
 #include "solids/solid_meshes.h"
 

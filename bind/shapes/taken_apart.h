@@ -15,7 +15,7 @@ vs_fineness vs_bend_facets(vs_bind *b, const vs_node *n);
 bool vs_bend_resolve(vs_bind *b, vs_ref *ref);
 /* As vs_take_apart (solids/deformed.h), of an object that need not be resolved. False: the condition is set. */
 bool vs_bend_take_apart(vs_bind *b, vs_ref object, const char *no_regions, vs_bend_leaves *out);
-/* As vs_mesh_without_overlaps (solids/primitive_meshes.h). False: the condition is set. */
+/* As vs_mesh_without_overlaps (solids/overlaps.h). False: the condition is set. */
 bool vs_bend_solid(vs_bind *b, vs_mesh *m);
 /* The triangles of a solid or surface: of what is round a quarter as coarse as in drawings, since they are kept. */
 vs_status vs_bend_triangles(vs_args *f, vs_ref ref, vs_mesh *out);

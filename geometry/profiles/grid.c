@@ -94,13 +94,16 @@ bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out) {
     if (ok && g->joined && !back && r + 1 == g->rows) /* poles of the whole turn */
       for (size_t i = 0; i < n; i++)
         if (vs_v3_equal(at[i], g->at[i])) high[i] = start[i];
+    for (size_t i = 0; ok && g->numbers && i < n; i++) g->numbers[r * n + i] = high[i];
     if (ok && g->capped && !g->joined && !g->seam && (r == 0 || r + 1 == rows))
       ok = grid_fill(g, at, high, out, r == 0);
     for (size_t l = 0, first = 0; ok && r && l < g->loop_count; first += g->sizes[l], l++)
       for (size_t i = 0; ok && i + (g->round ? 0 : 1) < g->sizes[l]; i++) {
         size_t p = first + i, q = first + (i + 1 == g->sizes[l] ? 0 : i + 1);
-        bool other = low[p] != low[q] && high[p] != high[q] &&
-                     grid_distance(out, low[q], high[p]) < grid_distance(out, low[p], high[q]) * (1 - 1e-9);
+        bool other = g->by_number && g->by_number[r - 1]
+                         ? q < p
+                         : low[p] != low[q] && high[p] != high[q] &&
+                               grid_distance(out, low[q], high[p]) < grid_distance(out, low[p], high[q]) * (1 - 1e-9);
         ok = other ? grid_facet(out, low[p], low[q], high[p]) && grid_facet(out, low[q], high[q], high[p])
                    : grid_facet(out, low[p], low[q], high[q]) && grid_facet(out, low[p], high[q], high[p]);
       }

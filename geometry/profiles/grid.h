@@ -17,6 +17,8 @@ typedef struct {
   const size_t *seam;  /* else NULL, or: the last row stands where the first does, its point i where that has seam[i] */
   bool capped;         /* the first and the last row are filled */
   const vs_vec2 *flat; /* one row in its plane, for the caps; NULL: each in the plane that its points tell */
+  const bool *by_number; /* NULL, or of each row: cells to the next are cut from the lower column to the higher one */
+  uint32_t *numbers;   /* NULL, or room for the vertex of each point, and of the first row's again where it is joined */
 } vs_quad_grid;
 
 /* Appends the triangles: facing away from the side that a row's loops turn counter-clockwise about. Neighbours in

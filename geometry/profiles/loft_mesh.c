@@ -335,9 +335,8 @@ bool vs_loft_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error
     bool straight = n->kind == VS_RULED_LOFT || (l.rows < 3 && !held);
     ok = straight ? loft_straight_rows(n, &l, k, &rows, e) : loft_smooth_rows(n, &l, f, k, &rows, e);
   }
-  vs_quad_grid g = {
-    rows.at, rows.rows, rows.columns, l.sizes, l.hole, l.loop_count, l.round, l.joined, NULL, l.round, NULL
-  };
+  vs_quad_grid g = { .at = rows.at, .rows = rows.rows, .columns = rows.columns, .sizes = l.sizes, .hole = l.hole,
+                     .loop_count = l.loop_count, .round = l.round, .joined = l.joined, .capped = l.round };
   ok = ok && (vs_grid_mesh(&g, out) || vs_error_memory(e, NULL));
   if (ok && l.round) {
     vs_mesh added = { .vertices = out->vertices,

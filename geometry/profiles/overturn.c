@@ -1,172 +1,174 @@
 /* Owns the steps of a sweep in which a bend is tighter than its profile.
  *
- * There the inner side of the profile goes backwards from one section to the next, and walls of the whole profile would
+ * There the inner side of the profile goes backwards from one section to the next, and the walls of the whole profile
  * wind around what it passes through the wrong way: -1 where it should count. A sweep is the union of all that the
- * profile passes through. Therefore the profile is cut along the line that stands still: the part that goes forwards
- * makes one solid, that which goes backwards another, turned inside out, as long as the line leaves the same corners on
- * either side. They may overlap; solids/primitive_meshes.c unites them. At their ends they reach a little past their
- * section, so that they overlap what follows: between solids that only touched, rounding would leave cracks.
+ * profile passes through. Therefore the profile is cut into triangles, and the prism of each of them from section to
+ * section into three tetrahedra. These fill each step without a gap, and neighbours share their faces by number. The
+ * walls are the border of them all, each counted with its sign. One that goes backwards counts -1; its border, added
+ * twice and turned right side out, makes that 1. solids/primitive_meshes.c keeps what is wound more than 0 times: that
+ * is the union of the tetrahedra. Faces between two that go backwards cancel, and what is left is the fold and a part
+ * of the walls.
  *
- * Sections are affine maps, so how far a point of the profile advances is affine over the profile, and what stands
- * still is a line. A profile that is not convex is cut into triangles first, each for itself. */
+ * In a prism over the corners a < b < c, by number, the walls are cut from the lower number below to the higher one
+ * above. So two prisms cut the wall that they share alike. */
 #include "geometry/profiles/overturn.h"
 
+#include <math.h>
 #include <stdlib.h>
 
-typedef struct {
-  const vs_swept *s;
-  const vs_vec3 *at;   /* the points of the sections, one after the other */
-  size_t from, to;     /* the first and the last section of the steps */
-  double size;
-  double *rise;        /* of each step, of each point of the profile: the way it goes forwards */
-  vs_mesh *out;
-} turning;
+#include "geometry/profiles/grid.h"
+#include "model/net.h"
+#include "model/store/array.h"
 
-static double rise_of(const turning *t, size_t step, size_t point) {
-  return t->rise[(step - t->from) * t->s->profile_count + point];
-}
-static bool forwards(const turning *t, size_t step, size_t point) { return rise_of(t, step, point) > -1e-9 * t->size; }
-
-static vs_vec3 way_of(const turning *t, size_t step) { /* an apex has no normal: the other's then */
-  const vs_section *p = &t->s->sections[step], *q = &t->s->sections[(step + 1) % t->s->section_count];
+static vs_vec3 way_of(const vs_swept *s, size_t step) { /* an apex has no normal: the other's then */
+  const vs_section *p = &s->sections[step], *q = &s->sections[(step + 1) % s->section_count];
   return vs_v3_unit(vs_v3_add(vs_v3_unit(vs_v3_cross(p->x, p->y)), vs_v3_unit(vs_v3_cross(q->x, q->y))));
-}
-
-/* Where in section r the line crosses the side from point i to point j: the mean of the steps before and after it in
- * which it does, the same for all cells that have this side. */
-static double crossing(const turning *t, size_t r, size_t i, size_t j) {
-  double sum = 0, count = 0;
-  for (size_t step = r > t->from ? r - 1 : r; step <= r && step < t->to; step++) {
-    if (forwards(t, step, i) == forwards(t, step, j)) continue;
-    double p = rise_of(t, step, i), q = rise_of(t, step, j), at = p / (p - q);
-    sum += at > 0 ? fmin(at, 1) : 0, count++;
-  }
-  return count > 0 ? sum / count : 0;
-}
-
-/* a point of the profile, or where the line crosses a side, from the lower number to the higher */
-typedef struct { size_t i, j; bool cut; } corner;
-
-static vs_vec3 corner_at(const turning *t, size_t r, const corner *c) {
-  const vs_vec3 *row = t->at + r * t->s->profile_count;
-  if (!c->cut) return row[c->i];
-  double k = crossing(t, r, c->i, c->j);
-  return vs_v3_add(vs_v3_scale(row[c->i], 1 - k), vs_v3_scale(row[c->j], k));
-}
-
-/* Parts that share a side have the same triangles there: which way a side is cut depends on its corners alone. */
-static bool before(const corner *p, const corner *q) {
-  return p->i < q->i || (p->i == q->i && !p->cut && q->cut) || (p->i == q->i && p->cut == q->cut && p->j < q->j);
-}
-
-/* The solid that these corners pass through from section a to section b */
-static bool add_part(turning *t, const corner *c, size_t n, size_t a, size_t b, bool forth) {
-  uint32_t first = (uint32_t)t->out->vertex_count, m = (uint32_t)n, last = first + m * (uint32_t)(b - a);
-  size_t triangle = t->out->triangle_count;
-  double past = forth ? 4e-7 * t->size : -4e-7 * t->size;
-  bool ok = true;
-  for (size_t r = a; ok && r <= b; r++)
-    for (size_t i = 0; ok && i < n; i++) {
-      vs_vec3 p = corner_at(t, r, &c[i]);
-      if (r == a) p = vs_v3_sub(p, vs_v3_scale(way_of(t, a), past));
-      if (r == b) p = vs_v3_add(p, vs_v3_scale(way_of(t, b - 1), past));
-      ok = vs_mesh_add_vertex(t->out, p, NULL);
-    }
-  for (uint32_t i = 2; ok && i < m; i++)
-    ok = vs_mesh_add_triangle(t->out, first, first + i, first + i - 1) &&
-         vs_mesh_add_triangle(t->out, last, last + i - 1, last + i);
-  for (uint32_t low = first; ok && low < last; low += m)
-    for (uint32_t i = 0; ok && i < m; i++) {
-      uint32_t j = (i + 1) % m, p = low + i, q = low + j;
-      ok = before(&c[i], &c[j])
-               ? vs_mesh_add_triangle(t->out, p, q, q + m) && vs_mesh_add_triangle(t->out, p, q + m, p + m)
-               : vs_mesh_add_triangle(t->out, p, q, p + m) && vs_mesh_add_triangle(t->out, p + m, q, q + m);
-    }
-  if (ok && !forth) vs_mesh_turn(t->out, triangle);
-  return ok;
-}
-
-/* A convex cell of the profile, over steps a to b that leave the same corners on the same sides; room for count + 2
- * corners */
-static bool add_cell(turning *t, const uint32_t *cell, size_t count, size_t a, size_t b, corner *room) {
-  bool ok = true;
-  for (int forth = 1; ok && forth >= 0; forth--) {
-    size_t n = 0;
-    for (size_t i = 0; i < count; i++) {
-      size_t p = cell ? cell[i] : i, q = cell ? cell[(i + 1) % count] : (i + 1) % count;
-      bool here = forwards(t, a, p) == forth;
-      if (here) room[n++] = (corner){ p, p, false };
-      if (here != (forwards(t, a, q) == forth)) room[n++] = (corner){ p < q ? p : q, p < q ? q : p, true };
-    }
-    if (n >= 3) ok = add_part(t, room, n, a, b, forth);
-  }
-  return ok;
-}
-
-static bool is_convex(const vs_vec2 *p, size_t n) { /* counter-clockwise, one turn */
-  double turned = 0;
-  for (size_t i = 0; i < n; i++) {
-    vs_vec2 a = p[i], b = p[(i + 1) % n], c = p[(i + 2) % n];
-    double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y, cross = ux * vy - uy * vx;
-    if (cross < 0) return false;
-    turned += atan2(cross, ux * vx + uy * vy);
-  }
-  return turned < 7; /* a star of two turns is not */
-}
-
-/* The profile as convex cells: triangles, or nothing where it is one convex loop */
-static bool make_cells(const vs_swept *s, vs_mesh *cells) {
-  if (s->loop_count == 1 && is_convex(s->profile, s->profile_count)) return true;
-  uint32_t *row = malloc(s->profile_count * sizeof *row);
-  bool ok = row != NULL;
-  for (size_t i = 0; ok && i < s->profile_count; i++) row[i] = (uint32_t)i;
-  for (size_t l = 0, first = 0; ok && l < s->loop_count;) {
-    size_t end = l + 1, points = s->sizes[l];
-    while (end < s->loop_count && s->hole[end]) points += s->sizes[end++];
-    ok = vs_triangulate(s->profile + first, s->sizes + l, end - l, cells, row + first, false);
-    first += points;
-    l = end;
-  }
-  free(row);
-  return ok;
 }
 
 bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size) {
   size_t n = s->profile_count;
-  turning t = { .s = s };
-  vs_vec3 way = way_of(&t, step);
+  vs_vec3 way = way_of(s, step);
   for (size_t i = 0; i < n; i++)
     if (vs_v3_dot(vs_v3_sub(at[(step + 1) * n + i], at[step * n + i]), way) < -1e-7 * size)
       return true; /* less is what rounding makes */
   return false;
 }
 
-bool vs_overturn_mesh(const vs_swept *s, const vs_vec3 *at, size_t from, size_t to, double size, vs_mesh *out) {
-  size_t n = s->profile_count;
-  turning t = { s, at, from, to, size, malloc((to - from) * n * sizeof *t.rise), out };
-  corner *room = malloc((n + 4) * sizeof *room);
-  vs_mesh cells = { 0 };
-  bool ok = t.rise && room && make_cells(s, &cells);
-  for (size_t step = from; ok && step < to; step++) {
-    vs_vec3 way = way_of(&t, step);
-    for (size_t i = 0; i < n; i++)
-      t.rise[(step - from) * n + i] = vs_v3_dot(vs_v3_sub(at[(step + 1) * n + i], at[step * n + i]), way);
+/* By how much the points of the profile differ in the way they go forwards in a step; 0 where none goes backwards by
+ * what shows. */
+static double rises_differ(const vs_swept *s, size_t step, double tolerance) {
+  const vs_section *a = &s->sections[step], *b = &s->sections[(step + 1) % s->section_count];
+  vs_vec3 way = way_of(s, step);
+  double x = vs_v3_dot(vs_v3_sub(b->x, a->x), way), y = vs_v3_dot(vs_v3_sub(b->y, a->y), way),
+         at = vs_v3_dot(vs_v3_sub(b->at, a->at), way), least = INFINITY, most = -INFINITY;
+  for (size_t i = 0; i < s->profile_count; i++) {
+    double rise = x * s->profile[i].x + y * s->profile[i].y + at;
+    least = fmin(least, rise);
+    most = fmax(most, rise);
   }
-  size_t count = cells.triangle_count ? cells.triangle_count : 1, corners = cells.triangle_count ? 3 : n;
-  for (size_t c = 0; ok && c < count; c++) {
-    const uint32_t *cell = cells.triangle_count ? cells.triangles[c] : NULL;
-    for (size_t a = from, b; ok && a < to; a = b) {
-      bool same = true;
-      for (b = a + 1; same && b < to; b++) {
-        for (size_t i = 0; same && i < corners; i++)
-          same = forwards(&t, a, cell ? cell[i] : i) == forwards(&t, b, cell ? cell[i] : i);
-        if (!same) break;
-      }
-      ok = add_cell(&t, cell, corners, a, b, room);
+  return least < -tolerance / 4 && most > 0 ? most - least : 0;
+}
+
+/* How many times as large the profile may be, so that nothing goes backwards in this step. */
+static double fits_in(const vs_swept *s, size_t step) {
+  const vs_section *a = &s->sections[step], *b = &s->sections[(step + 1) % s->section_count];
+  vs_vec3 way = way_of(s, step);
+  double x = vs_v3_dot(vs_v3_sub(b->x, a->x), way), y = vs_v3_dot(vs_v3_sub(b->y, a->y), way),
+         middle = x * s->base.x + y * s->base.y + vs_v3_dot(vs_v3_sub(b->at, a->at), way), fits = 1;
+  for (size_t i = 0; i < s->profile_count; i++) {
+    double less = -(x * (s->profile[i].x - s->base.x) + y * (s->profile[i].y - s->base.y));
+    if (less > middle) fits = fmin(fits, fmax(middle, 0) / less);
+  }
+  return fits;
+}
+
+void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, double *fits) {
+  double least = INFINITY;
+  for (size_t r = 0; s->across && r + !s->joined < s->section_count; r++) {
+    const vs_section *p = &s->sections[r];
+    double fit = p->ends ? 1 : fits_in(s, r);
+    vs_vec3 place = vs_v3_add(vs_v3_add(vs_v3_scale(p->x, s->base.x), vs_v3_scale(p->y, s->base.y)), p->at);
+    double score = near ? vs_v3_length(vs_v3_sub(place, *near)) : fit;
+    if (!(fit < 1) || !(score < least)) continue;
+    least = score;
+    *at = place;
+    *fits = fit;
+  }
+}
+
+/* Most of what tetrahedra miss lies within the union; a thirty-second of it is what was measured at its surface. */
+bool vs_overturn_refine(vs_swept *s, double tolerance) {
+  enum { MOST = 64, SHOWS = 256 };
+  vs_section *fine = NULL;
+  size_t count = 0, room = 0;
+  bool ok = true, cut = false;
+  for (size_t r = 0; ok && r < s->section_count; r++) {
+    bool goes = !s->sections[r].ends && (s->joined || r + 1 < s->section_count);
+    double differ = goes ? rises_differ(s, r, tolerance) / (SHOWS * tolerance) : 0;
+    size_t steps = differ > MOST ? MOST : differ > 1 ? (size_t)ceil(differ) : 1;
+    cut = cut || steps > 1;
+    ok = VS_GROW(fine, room, count + steps);
+    if (ok) fine[count++] = s->sections[r];
+    for (size_t k = 1; ok && k < steps; k++)
+      fine[count++] = vs_section_between(&s->sections[r], &s->sections[(r + 1) % s->section_count],
+                                         (double)k / (double)steps);
+  }
+  if (ok && cut) {
+    free(s->sections);
+    s->sections = fine;
+    s->section_count = count;
+    s->section_room = room;
+  } else {
+    free(fine);
+  }
+  return ok;
+}
+
+/* ---- tetrahedra ---- */
+
+static double six_volumes(const vs_mesh *m, const uint32_t t[4]) {
+  const vs_vec3 *v = m->vertices;
+  vs_vec3 a = vs_v3_sub(v[t[1]], v[t[0]]), b = vs_v3_sub(v[t[2]], v[t[0]]), c = vs_v3_sub(v[t[3]], v[t[0]]);
+  return vs_v3_dot(vs_v3_cross(a, b), c);
+}
+
+/* Adds the three tetrahedra of a prism that count less than 0, twice and turned round. low, high: the vertices of its
+ * two rows; cell: its corners; hand: 1, or -1 where the cell and the rows look against each other. */
+static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, const uint32_t cell[3], int hand) {
+  uint32_t c[3] = { cell[0], cell[1], cell[2] };
+  int32_t even = 1;
+  for (int i = 0; i < 3; i++) {
+    int j = i % 2;
+    if (c[j] <= c[j + 1]) continue;
+    uint32_t swap = c[j];
+    c[j] = c[j + 1];
+    c[j + 1] = swap;
+    even = -even;
+  }
+  const uint32_t tetrahedra[3][4] = { { low[c[0]], low[c[1]], low[c[2]], high[c[2]] },
+                                      { low[c[0]], low[c[1]], high[c[2]], high[c[1]] },
+                                      { low[c[0]], high[c[0]], high[c[1]], high[c[2]] } };
+  bool ok = true;
+  for (int i = 0; ok && i < 3; i++) {
+    const uint32_t *t = tetrahedra[i];
+    if (!(six_volumes(m, t) * even * hand < 0)) continue;
+    uint32_t p = t[0], q = t[even > 0 ? 1 : 2], r = t[even > 0 ? 2 : 1], s = t[3]; /* its sides, inside out */
+    for (int times = 0; ok && times < 2; times++)
+      ok = vs_mesh_add_triangle(m, p, q, r) && vs_mesh_add_triangle(m, p, s, q) && vs_mesh_add_triangle(m, q, s, r) &&
+           vs_mesh_add_triangle(m, p, r, s);
+  }
+  return ok;
+}
+
+/* The profile as triangles of its points, by number */
+static bool make_cells(const vs_swept *s, vs_mesh *cells) {
+  uint32_t *row = vs_fresh(s->profile_count, sizeof *row);
+  bool ok = row != NULL;
+  for (size_t i = 0; ok && i < s->profile_count; i++) row[i] = (uint32_t)i;
+  ok = ok && vs_grid_cap(&(vs_cap_loops){ s->profile, s->sizes, s->hole, s->loop_count }, row, cells, false);
+  free(row);
+  return ok;
+}
+
+static int hand_of(const vs_swept *s, const uint32_t cell[3]) { /* of a profile that crosses itself some are turned */
+  const vs_vec2 *a = &s->profile[cell[0]], *b = &s->profile[cell[1]], *c = &s->profile[cell[2]];
+  return (b->x - a->x) * (c->y - a->y) - (b->y - a->y) * (c->x - a->x) < 0 ? -1 : 1;
+}
+
+bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out) {
+  size_t n = rows->s->profile_count;
+  vs_mesh cells = { 0 };
+  bool ok = make_cells(rows->s, &cells);
+  if (rows->inside_out) vs_mesh_turn(out, first);
+  for (size_t r = 0; ok && r < rows->steps; r++) {
+    const uint32_t *low = rows->numbers + r * n;
+    for (size_t c = 0; ok && rows->turns[r] && c < cells.triangle_count; c++) {
+      int hand = hand_of(rows->s, cells.triangles[c]);
+      ok = add_prism(out, low, low + n, cells.triangles[c], rows->inside_out ? -hand : hand);
     }
   }
+  if (rows->inside_out) vs_mesh_turn(out, first);
+  ok = ok && vs_mesh_net(out, first);
   vs_mesh_free(&cells);
-  free(t.rise);
-  free(room);
   return ok;
 }

@@ -8,8 +8,28 @@
  * size: of the whole sweep. The sections' x and y turn right-handed about the way. Does part of the profile go
  * backwards from section `step` to the one that follows it? */
 bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size);
-/* Appends the solids of the steps between the sections from and to; they overlap each other and what comes before and
- * after. False: out of memory. */
-bool vs_overturn_mesh(const vs_swept *s, const vs_vec3 *at, size_t from, size_t to, double size, vs_mesh *out);
+
+/* Cuts such steps into as many as the tolerance needs: tetrahedra that reach over the line on which the profile stands
+ * still miss it by a quarter of what their corners differ by. False: out of memory. */
+bool vs_overturn_refine(vs_swept *s, double tolerance);
+
+/* The bend that leaves the profile the least room, or that nearest to `near`, where this is not NULL: its place on the
+ * path, and how many times as large the profile may be there. Where no bend is too tight neither is changed. */
+void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, double *fits);
+
+/* The rows of a grid mesh: numbers[r * n + i] is the vertex of point i in row r; turns[r]: the step from row r to the
+ * next goes backwards somewhere, and its walls are cut by number (grid.h). inside_out: the triangles have been turned.
+ */
+typedef struct {
+  const vs_swept *s;
+  const uint32_t *numbers;
+  const bool *turns;
+  size_t steps;
+  bool inside_out;
+} vs_overturn_rows;
+/* The triangles of out from number `first` on are the walls and caps of these rows. Adds, twice, all that goes
+ * backwards, the right way out: then the mesh winds more than 0 times around all that the profile passes through, and
+ * around nothing else. False: out of memory. */
+bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out);
 
 #endif

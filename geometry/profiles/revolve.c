@@ -125,8 +125,9 @@ bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
     else vs_sincos(r->start + r->angle * ((double)i / (double)steps), &sine, &cosine);
     for (size_t k = 0; k < r->count; k++) at[i * r->count + k] = revolve_point(r, r->profile[k], cosine, sine);
   }
-  vs_quad_grid g = { at,        rows,    r->count, r->sizes,  r->hole,   r->loop_count,
-                     r->filled, r->full, NULL,     r->filled, r->profile };
+  vs_quad_grid g = { .at = at, .rows = rows, .columns = r->count, .sizes = r->sizes, .hole = r->hole,
+                     .loop_count = r->loop_count, .round = r->filled, .joined = r->full, .capped = r->filled,
+                     .flat = r->profile };
   bool ok = vs_grid_mesh(&g, out);
   free(at);
   if (!ok || !r->filled) return ok;

@@ -1,5 +1,5 @@
-/* Owns what extrude, sweep and thicken have in common: a planar profile carried through sections, and the mesh between
- * them.
+/* Owns what extrude, sweep and thicken have in common: a planar profile carried through sections. swept_mesh.c makes
+ * the triangles between them.
  *
  * Plan first, triangles second. A section is an affine map of the profile's plane; at a corner of a path it lies in the
  * mitre plane (normal m = a + b for directions a arriving, b leaving): a profile vector d across b becomes d - b
@@ -13,7 +13,6 @@
 #include <stdlib.h>
 
 #include "geometry/plane/curve.h"
-#include "geometry/profiles/grid.h"
 #include "geometry/profiles/overturn.h"
 #include "geometry/profiles/revolve.h"
 #include "model/store/array.h"
@@ -434,7 +433,9 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
   }
   s->joined = joins && !broken;
   s->across = true;
+  s->base = base;
   if (ok && stands && (upright || scale != 1) && f->segments <= 0) ok = swept_flatten(s, f);
+  if (ok && stands && s->filled && f->segments <= 0) ok = vs_overturn_refine(s, f->tolerance);
   vs_path_free(&fine);
   free(carried);
   free(stance);
@@ -600,69 +601,5 @@ bool vs_swept_plan(const vs_node *n, const vs_fineness *f, vs_swept *out, vs_err
             : n->kind == VS_SWEEP ? swept_sweep(out, n, f, e)
                                   : swept_thicken(out, n, f, e);
   if (!ok) vs_swept_free(out);
-  return ok;
-}
-
-/* ---- triangles ---- */
-
-bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
-  size_t n = s->profile_count, rows = s->section_count, steps = 0;
-  vs_vec3 *at = malloc((n * (rows + 1) + 1) * sizeof *at);
-  bool *turns = calloc(rows + 1, sizeof *turns), ok = at && turns; /* from this section to the next: overturn.h */
-  vs_bounds b = vs_bounds_empty();
-  for (size_t r = 0; ok && r <= rows; r++) {
-    const vs_section *section = &s->sections[r < rows ? r : 0];
-    for (size_t i = 0; i < n; i++) {
-      at[r * n + i] = vs_v3_add(
-          vs_v3_add(vs_v3_scale(section->x, s->profile[i].x), vs_v3_scale(section->y, s->profile[i].y)), section->at);
-      vs_bounds_add(&b, at[r * n + i]);
-    }
-  }
-  double size = ok ? vs_bounds_diagonal(&b) : 0;
-  for (size_t r = 0; ok && s->across && s->filled && r + !s->joined < rows; r++)
-    steps += turns[r] = !s->sections[r].ends && vs_overturns(s, at, r, size);
-  bool joined = s->joined && !steps;
-  if (s->joined && steps) rows++; /* in pieces: the first section stands at the end again */
-  for (size_t first = 0, end; ok && first < rows; first = end + 1) {
-    size_t first_triangle = out->triangle_count;
-    for (end = first; end + 1 < rows && !turns[end] && !(end < s->section_count && s->sections[end].ends); end++) {}
-    vs_quad_grid g = { at + first * n, end + 1 - first,        n,         s->sizes,  s->hole, s->loop_count, s->filled,
-                  joined,         steps ? NULL : s->seam, s->filled, s->profile };
-    ok = end == first || vs_grid_mesh(&g, out);
-    vs_mesh added = { .vertices = out->vertices,
-                      .triangles = out->triangles + first_triangle,
-                      .triangle_count = out->triangle_count - first_triangle };
-    if (ok && s->filled && vs_mesh_volume(&added) < 0) vs_mesh_turn(out, first_triangle);
-    if (!ok || !turns[end]) continue;
-    for (first = end; turns[end]; end++) {}
-    ok = vs_overturn_mesh(s, at, first, end, size, out);
-    end--; /* the last of them begins what follows */
-  }
-  free(at);
-  free(turns);
-  return ok;
-}
-
-bool vs_outline_mesh(const vs_outline *o, vs_mesh *out) {
-  size_t n = 0;
-  for (size_t l = 0; l < o->count; l++) n += o->loops[l].count;
-  uint32_t *row = malloc((n ? n : 1) * sizeof *row);
-  vs_vec2 *flat = malloc((n ? n : 1) * sizeof *flat);
-  size_t *sizes = malloc((o->count ? o->count : 1) * sizeof *sizes);
-  bool ok = row && flat && sizes;
-  size_t k = 0;
-  for (size_t l = 0; ok && l < o->count; l++) {
-    sizes[l] = o->loops[l].count;
-    for (size_t i = 0; ok && i < o->loops[l].count; i++, k++) {
-      vs_vec3 p = o->loops[l].at[i];
-      flat[k] = (vs_vec2){ p.x * o->frame.m[0][0] + p.y * o->frame.m[1][0] + p.z * o->frame.m[2][0],
-                           p.x * o->frame.m[0][1] + p.y * o->frame.m[1][1] + p.z * o->frame.m[2][1] };
-      ok = vs_mesh_add_vertex(out, p, &row[k]);
-    }
-  }
-  ok = ok && vs_grid_cap(&(vs_cap_loops){ flat, sizes, o->hole, o->count }, row, out, false);
-  free(row);
-  free(flat);
-  free(sizes);
   return ok;
 }

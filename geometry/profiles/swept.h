@@ -25,16 +25,13 @@ typedef struct {
   size_t *seam;       /* not NULL: the last section is the first again, turned, and its point i lies on point seam[i] of
                        * that */
   bool across;        /* the sections stand across a path, x and y right-handed about the way */
+  vs_vec2 base;       /* across: the point of the profile that rides on the path */
 } vs_swept;
 
 void vs_swept_free(vs_swept *s);
 /* n: an extrude, sweep or thicken (of a curve or region). */
 bool vs_swept_plan(const vs_node *n, const vs_fineness *f, vs_swept *out, vs_error *e);
-bool vs_swept_mesh(const vs_swept *s, vs_mesh *out); /* appends; false: out of memory */
 /* The map between two neighbouring sections, 0 <= t <= 1 */
 vs_section vs_section_between(const vs_section *a, const vs_section *b, double t);
-
-/* A region or closed profile as triangles in its plane */
-bool vs_outline_mesh(const vs_outline *o, vs_mesh *out);
 
 #endif

@@ -1,0 +1,143 @@
+/* Owns the triangles between the sections of a sweep, an extrusion or a pipe. */
+#include "geometry/profiles/swept_mesh.h"
+
+#include <stdlib.h>
+
+#include "geometry/profiles/grid.h"
+#include "geometry/profiles/overturn.h"
+#include "model/store/array.h"
+
+/* The points of all sections, section by section, and those of the first again; from which section to the next part of
+ * the profile goes backwards; room for the vertices of the points. */
+typedef struct {
+  vs_vec3 *at;
+  bool *turns;
+  uint32_t *numbers;
+} laid;
+
+static void laid_free(laid *l) {
+  free(l->at);
+  free(l->turns);
+  free(l->numbers);
+}
+
+static bool lay(const vs_swept *s, laid *l) {
+  size_t n = s->profile_count, rows = s->section_count, room = n * (rows + 1) + 1;
+  *l = (laid){ vs_fresh(room, sizeof *l->at), vs_zeros(rows + 1, sizeof *l->turns), vs_fresh(room, sizeof *l->numbers) };
+  if (!l->at || !l->turns || !l->numbers) return false;
+  vs_vec3 *at = l->at;
+  vs_bounds b = vs_bounds_empty();
+  for (size_t r = 0; r <= rows; r++) {
+    const vs_section *section = &s->sections[r < rows ? r : 0];
+    for (size_t i = 0; i < n; i++)
+      *at++ = vs_v3_add(
+          vs_v3_add(vs_v3_scale(section->x, s->profile[i].x), vs_v3_scale(section->y, s->profile[i].y)), section->at);
+  }
+  for (size_t i = 0; i < n * rows; i++) vs_bounds_add(&b, l->at[i]);
+  double size = vs_bounds_diagonal(&b);
+  for (size_t r = 0; s->across && s->filled && r + !s->joined < rows; r++)
+    l->turns[r] = !s->sections[r].ends && vs_overturns(s, l->at, r, size);
+  return true;
+}
+
+/* The rows of a piece, a run or a whole; numbers: their part of the room. */
+static vs_quad_grid grid_of(const vs_swept *s, const laid *l, size_t first, size_t rows) {
+  return (vs_quad_grid){ .at = l->at + first * s->profile_count, .rows = rows, .columns = s->profile_count,
+                         .sizes = s->sizes, .hole = s->hole, .loop_count = s->loop_count, .round = s->filled,
+                         .capped = s->filled, .flat = s->profile, .by_number = l->turns + first,
+                         .numbers = l->numbers };
+}
+
+static bool mesh_of(const vs_swept *s, const vs_quad_grid *g, bool may_be_inside_out, vs_mesh *out) {
+  size_t first = out->triangle_count, steps = g->rows - !g->joined;
+  if (steps < 1) return true;
+  bool back = false;
+  for (size_t r = 0; r < steps; r++) back = back || g->by_number[r];
+  if (!vs_grid_mesh(g, out)) return false;
+  vs_mesh added = { .vertices = out->vertices,
+                    .triangles = out->triangles + first,
+                    .triangle_count = out->triangle_count - first };
+  bool inside_out = may_be_inside_out && s->filled && vs_mesh_volume(&added) < 0;
+  if (inside_out) vs_mesh_turn(out, first);
+  return !back || vs_overturn_fill(&(vs_overturn_rows){ s, g->numbers, g->by_number, steps, inside_out }, first, out);
+}
+
+/* Where the piece ends that begins with this section: its last one. */
+static size_t piece_end(const vs_swept *s, size_t first) {
+  size_t end = first;
+  while (end + 1 < s->section_count && !s->sections[end].ends) end++;
+  return end;
+}
+
+bool vs_swept_mesh(const vs_swept *s, vs_mesh *out) {
+  laid l;
+  bool ok = lay(s, &l);
+  for (size_t first = 0, end; ok && first < s->section_count; first = end + 1) {
+    end = piece_end(s, first);
+    vs_quad_grid g = grid_of(s, &l, first, end + 1 - first);
+    g.joined = s->joined;
+    g.seam = s->seam;
+    ok = mesh_of(s, &g, true, out);
+  }
+  laid_free(&l);
+  return ok;
+}
+
+bool vs_swept_turns(const vs_swept *s, bool *turns) {
+  laid l;
+  bool ok = lay(s, &l);
+  *turns = false;
+  for (size_t r = 0; ok && r < s->section_count; r++) *turns = *turns || l.turns[r];
+  laid_free(&l);
+  return ok;
+}
+
+bool vs_swept_runs(const vs_swept *s, size_t steps, vs_mesh **runs, size_t *count) {
+  size_t n = s->profile_count, room = 0;
+  laid l;
+  bool ok = lay(s, &l);
+  *runs = NULL;
+  *count = 0;
+  if (ok && s->seam)
+    for (size_t i = 0; i < n; i++) l.at[(s->section_count - 1) * n + i] = l.at[s->seam[i]];
+  for (size_t first = 0, end; ok && first < s->section_count; first = end + 1) {
+    end = piece_end(s, first);
+    size_t last = end + s->joined;
+    for (size_t from = first; ok && from < last; from += steps) {
+      size_t to = from + steps + 1 < last ? from + steps + 1 : last;
+      vs_quad_grid g = grid_of(s, &l, from, to + 1 - from);
+      ok = VS_GROW(*runs, room, *count + 1);
+      if (!ok) break;
+      (*runs)[(*count)++] = (vs_mesh){ 0 };
+      ok = mesh_of(s, &g, false, &(*runs)[*count - 1]);
+    }
+  }
+  laid_free(&l);
+  while (!ok && *count) vs_mesh_free(&(*runs)[--*count]);
+  if (!ok) free(*runs), *runs = NULL;
+  return ok;
+}
+
+bool vs_outline_mesh(const vs_outline *o, vs_mesh *out) {
+  size_t n = 0;
+  for (size_t l = 0; l < o->count; l++) n += o->loops[l].count;
+  uint32_t *row = vs_fresh(n, sizeof *row);
+  vs_vec2 *flat = vs_fresh(n, sizeof *flat);
+  size_t *sizes = vs_fresh(o->count, sizeof *sizes);
+  bool ok = row && flat && sizes;
+  size_t k = 0;
+  for (size_t l = 0; ok && l < o->count; l++) {
+    sizes[l] = o->loops[l].count;
+    for (size_t i = 0; ok && i < o->loops[l].count; i++, k++) {
+      vs_vec3 p = o->loops[l].at[i];
+      flat[k] = (vs_vec2){ p.x * o->frame.m[0][0] + p.y * o->frame.m[1][0] + p.z * o->frame.m[2][0],
+                           p.x * o->frame.m[0][1] + p.y * o->frame.m[1][1] + p.z * o->frame.m[2][1] };
+      ok = vs_mesh_add_vertex(out, p, &row[k]);
+    }
+  }
+  ok = ok && vs_grid_cap(&(vs_cap_loops){ flat, sizes, o->hole, o->count }, row, out, false);
+  free(row);
+  free(flat);
+  free(sizes);
+  return ok;
+}

@@ -1,0 +1,288 @@
+/* Owns the freeing of meshes from their overlaps.
+ *
+ * A mesh that overlaps itself is arranged with itself, and what it winds around more than 0 times is kept. Two things
+ * are different for sweeps, whose bends may be much tighter than their profile is wide:
+ *   crowds  Round such a bend all steps lie over one place, and all of them cross each other, though nearly all of it
+ *           is hidden. Where that is too much, runs of some steps are freed of their overlaps one by one, and united
+ *           two by two, neighbours first: what is hidden goes at once
+ *           two by two, neighbours first: what is hidden goes at once. What each union leaves of needles is welded
+ *           (weld.c), or the next would cut them into a million more
+ *   settle  Steps that differ by little cross at small angles: corners come nearer to others' faces than a format's
+ *           numbers tell apart. These corners are put on a decimal grid that is finer than what shows and coarser than
+ *           any format's numbers, and what crosses there is resolved, until nothing does */
+#include "solids/overlaps.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "geometry/tessellate.h"
+#include "kernel/evaluate.h"
+#include "kernel/mesh/crowd.h"
+#include "kernel/mesh/inspect.h"
+#include "kernel/mesh/shells.h"
+#include "kernel/round/rounding.h"
+#include "model/store/array.h"
+#include "solids/weld.h"
+
+/* Kinds whose meshes may overlap themselves; placements are looked through. */
+static bool may_overlap(const vs_node *n) {
+  if (n->class_ != VS_SOLID) return false;
+  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
+  if (n->kind == VS_EXTRUDE) return VS_AS(extrude, n)->taper != 0 || n->child_count > 1;
+  return vs_node_has(n, VS_IS_OVERLAPPING);
+}
+
+static bool failed(const vs_kernel_error *why, vs_error *e) {
+  switch (why->status) {
+  case VS_KERNEL_OUT_OF_MEMORY: return vs_error_memory(e, NULL);
+  case VS_KERNEL_INTERRUPTED: return vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
+  case VS_KERNEL_FINE:
+  case VS_KERNEL_OPEN:
+  case VS_KERNEL_INSIDE_OUT:
+  case VS_KERNEL_NOT_FINITE:
+  case VS_KERNEL_LIMIT:
+  case VS_KERNEL_INTERNAL: break;
+  }
+  return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s", why->message);
+}
+
+/* Leaves out shells that are nothing but a crack or a flake: where faces of a mesh that overlaps itself lie on one
+ * another, rounding parts them by some steps of the kernel's grid. thickness: a shell that is thinner on the whole
+ * goes. */
+static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
+  vs_shells shells;
+  bool ok = vs_shells_find(m, &shells);
+  uint8_t *gone = ok ? vs_fresh(m->triangle_count, 1) : NULL;
+  ok = gone || vs_error_memory(e, NULL);
+  for (size_t t = 0; ok && t < m->triangle_count; t++) {
+    const vs_shell *s = &shells.at[shells.of[m->triangles[t][0]]];
+    gone[t] = fabs(s->volume) <= thickness * s->area / 2;
+  }
+  if (ok) vs_mesh_squeeze(m, gone);
+  vs_shells_free(&shells);
+  free(gone);
+  return ok;
+}
+
+/* What may still be done: pairs of triangles that arrangements may look at; and whether it was too little. */
+typedef struct {
+  const vs_kernel_options *options;
+  size_t pairs;
+  bool too_much;
+} work;
+
+/* m becomes what it winds around more than 0 times; left may be NULL: any amount of work. True with left->too_much: m
+ * is as it was. */
+static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs_error *e) {
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  vs_mesh whole = { 0 };
+  size_t pairs;
+  if (left) {
+    if (!vs_mesh_pairs(m, left->pairs + 1, options, &pairs, &why)) return failed(&why, e);
+    left->too_much = pairs > left->pairs;
+    if (left->too_much) return true;
+    left->pairs -= pairs;
+  }
+  if (!vs_kernel_resolve(m, 0, options, &whole, &why)) return vs_mesh_free(&whole), failed(&why, e);
+  vs_mesh_free(m);
+  *m = whole;
+  return true;
+}
+
+/* *changed: it overlapped or touched itself. */
+static bool free_of_overlaps(vs_mesh *m, const vs_kernel_options *options, bool *changed, vs_error *e) {
+  vs_mesh_flaws flaws;
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  *changed = false;
+  if (!m->triangle_count) return true;
+  if (!vs_kernel_inspect(m, options, &flaws, &why)) return failed(&why, e);
+  *changed = flaws.wound_count > 0 || flaws.touches;
+  if (!*changed) return true;
+  if (!resolve(m, options, NULL, e)) return false;
+  vs_bounds b = vs_mesh_bounds(m);
+  return flaws.wound_count == 0 || drop_flakes(m, 1e-6 * vs_bounds_diagonal(&b), e);
+}
+
+bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e) {
+  bool changed;
+  return free_of_overlaps(m, options, &changed, e);
+}
+
+/* ---- crowds ---- */
+
+/* Pairs of triangles that may meet: for each triangle, where it takes too long to arrange them at once; and in all. */
+enum { CROWD = 16, MOST_PAIRS = 60000000, STEPS = 8 };
+
+/* Is m, the mesh of a sweep, one whose bends overturn so much of it that it is to be united run by run? */
+static bool is_crowd(const vs_node *n, const vs_fineness *f, const vs_mesh *m, const vs_kernel_options *options,
+                     bool *crowd, vs_error *e) {
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  size_t pairs, most = CROWD * m->triangle_count + 1;
+  if (!vs_sweep_turns(n, f, crowd, e)) return false;
+  if (!*crowd) return true;
+  if (!vs_mesh_pairs(m, most, options, &pairs, &why)) return failed(&why, e);
+  *crowd = pairs >= most;
+  return true;
+}
+
+/* Adds b to a, and empties b. */
+static bool add_mesh(vs_mesh *a, vs_mesh *b) {
+  uint32_t first = (uint32_t)a->vertex_count;
+  bool ok = a->vertex_count + b->vertex_count < UINT32_MAX / 4;
+  for (size_t v = 0; ok && v < b->vertex_count; v++) ok = vs_mesh_add_vertex(a, b->vertices[v], NULL);
+  for (size_t t = 0; ok && t < b->triangle_count; t++)
+    ok = vs_mesh_add_triangle(a, b->triangles[t][0] + first, b->triangles[t][1] + first, b->triangles[t][2] + first);
+  vs_mesh_free(b);
+  return ok;
+}
+
+/* Resolves m, and welds what that has left of the union's needles and crumbs. */
+static bool unite(vs_mesh *m, double step, work *left, vs_error *e) {
+  return resolve(m, left->options, left, e) && (left->too_much || vs_mesh_weld(m, step) || vs_error_memory(e, NULL));
+}
+
+static bool unite_runs(const vs_node *n, const vs_fineness *f, double step, work *left, vs_mesh *m, vs_error *e) {
+  vs_mesh *runs;
+  size_t count;
+  if (!vs_sweep_runs(n, f, STEPS, &runs, &count, e)) return false;
+  bool ok = true;
+  for (size_t i = 0; ok && i < count && !left->too_much; i++) ok = unite(&runs[i], step, left, e);
+  for (size_t apart = 1; apart < count; apart *= 2)
+    for (size_t i = 0; ok && i + apart < count && !left->too_much; i += 2 * apart)
+      ok = (add_mesh(&runs[i], &runs[i + apart]) || vs_error_memory(e, NULL)) && unite(&runs[i], step, left, e);
+  if (ok && count && !left->too_much) {
+    vs_mesh_free(m);
+    *m = runs[0];
+    runs[0] = (vs_mesh){ 0 };
+  }
+  for (size_t i = 0; i < count; i++) vs_mesh_free(&runs[i]);
+  free(runs);
+  return ok && (left->too_much || (resolve(m, left->options, left, e) && drop_flakes(m, step, e)));
+}
+
+bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
+                           vs_error *e) {
+  vs_mesh m = { 0 };
+  vs_mesh_flaws flaws = { 0 };
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  bool crowd = false, ok = vs_tessellate(n, f, &m, e) && is_crowd(n, f, &m, options, &crowd, e);
+  ok = ok && (crowd || !m.triangle_count || vs_kernel_inspect(&m, options, &flaws, &why) || failed(&why, e));
+  *overlaps = crowd || flaws.wound_count > 0;
+  vs_mesh_free(&m);
+  return ok;
+}
+
+/* ---- settling ---- */
+
+/* *met: in the numbers of .off or .stl some triangles meet; *at: the first of them. */
+static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *met, vs_vec3 *at, vs_error *e) {
+  static const vs_numbers numbers[] = { VS_NUMBERS_DIGITS, VS_NUMBERS_LOOSE };
+  bool ok = true;
+  *met = false;
+  for (int i = 0; ok && !*met && i < 2; i++) {
+    vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+    vs_mesh copy = { 0 };
+    vs_rounded what;
+    ok = vs_mesh_copy(m, &copy) || vs_error_memory(e, NULL);
+    ok = ok && (vs_mesh_round(&copy, numbers[i], options, &what, &why) || failed(&why, e));
+    *met = ok && what.met > 0;
+    if (*met) *at = what.at;
+    vs_mesh_free(&copy);
+  }
+  return ok;
+}
+
+/* Mends m on a grid with so many steps to one, as for a format without indices whose numbers are singles: between 2^23
+ * and 2^24 these are the whole numbers. m stays a closed chain. */
+static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_error *e) {
+  const double middle = 0x1.8p23;
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  vs_rounded what;
+  for (size_t v = 0; v < m->vertex_count; v++) {
+    vs_vec3 *p = &m->vertices[v];
+    *p = vs_v3(p->x * per + middle, p->y * per + middle, p->z * per + middle);
+  }
+  if (!vs_mesh_round(m, VS_NUMBERS_LOOSE, options, &what, &why)) return failed(&why, e);
+  for (size_t v = 0; v < m->vertex_count; v++) {
+    vs_vec3 *p = &m->vertices[v];
+    *p = vs_v3(((float)p->x - middle) / per, ((float)p->y - middle) / per, ((float)p->z - middle) / per);
+  }
+  return true;
+}
+
+/* Resolves m, and looks at what has come of it. */
+static bool try_out(vs_mesh *m, work *left, bool *met, vs_vec3 *at, vs_error *e) {
+  return resolve(m, left->options, left, e) && (left->too_much || find_met(m, left->options, met, at, e));
+}
+
+/* Mends m on a grid (mend) and resolves what crosses there, some times; gives up where m grows, which does not end.
+ * The last look is at what is drawn: what the finished mesh winds around more than 0 times, once more. */
+static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at, vs_error *e) {
+  enum { ROUNDS = 4 };
+  vs_bounds b = vs_mesh_bounds(m);
+  size_t most = m->triangle_count + m->triangle_count / 2 + 100;
+  bool ok = true;
+  *met = true;
+  for (int round = 0; ok && *met && round < ROUNDS && !left->too_much && m->triangle_count < most; round++) {
+    ok = mend(m, per, left->options, e) && resolve(m, left->options, left, e);
+    ok = ok && (left->too_much || drop_flakes(m, 1e-6 * vs_bounds_diagonal(&b), e)) && try_out(m, left, met, at, e);
+  }
+  return ok;
+}
+
+/* Mends m on decimal grids, each coarser than the last, until nothing meets in any numbers. coarsest: no grid has a
+ * larger step. *met: nothing has helped; *at: where. */
+static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *at, vs_error *e) {
+  vs_bounds b = vs_mesh_bounds(m);
+  double size = vs_bounds_diagonal(&b);
+  int digits = -(int)floor(log10(fmax(coarsest, size * 0x1p-20)));
+  *met = true;
+  bool ok = try_out(m, left, met, at, e);
+  for (int finer = 1; ok && *met && finer >= 0 && !left->too_much; finer--) {
+    double per = pow(10, digits + finer);
+    vs_mesh tried = { 0 };
+    if (size * per > 0x1p22) continue;
+    ok = vs_mesh_copy(m, &tried) || vs_error_memory(e, NULL);
+    ok = ok && settle_on(&tried, per, left, met, at, e);
+    if (ok && !*met) {
+      vs_mesh_free(m);
+      *m = tried;
+    } else vs_mesh_free(&tried);
+  }
+  return ok;
+}
+
+/* Says which bend of a sweep is too tight, and which profile fits. at: near where it is, or NULL: the tightest. */
+static bool refuse(const vs_node *n, const vs_fineness *f, const vs_vec3 *at, vs_error *e) {
+  vs_sweep_bend bend;
+  char fits[60] = "no profile fits";
+  if (!vs_sweep_tightest(n, f, at, &bend, e)) return false;
+  if (bend.fits > 1e-3) snprintf(fits, sizeof fits, "one %.2g times as large fits", bend.fits * .99);
+  return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                      "the bend at (xyz %.4g %.4g %.4g) is too tight: the profile overlaps itself too often there to be "
+                      "made a solid; %s",
+                      bend.at.x, bend.at.y, bend.at.z, fits);
+}
+
+static bool is_sweep(const vs_node *n) {
+  while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
+  return n->kind == VS_SWEEP || (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_CURVE);
+}
+
+bool vs_primitive_freed(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *m,
+                        vs_error *e) {
+  bool crowd, changed = true, met = false, turns;
+  work left = { options, MOST_PAIRS, false };
+  vs_vec3 at;
+  vs_bounds b = vs_mesh_bounds(m);
+  double step = fmax(f->tolerance / 16, vs_bounds_diagonal(&b) * 0x1p-20);
+  if (!may_overlap(n)) return true;
+  if (!is_crowd(n, f, m, options, &crowd, e)) return false;
+  if (!(crowd ? unite_runs(n, f, step, &left, m, e) : free_of_overlaps(m, options, &changed, e))) return false;
+  if (left.too_much) return refuse(n, f, NULL, e);
+  if (!changed || !is_sweep(n)) return true;
+  if (!settle(m, f->tolerance / 8, &left, &met, &at, e)) return false;
+  if (!met) return true;
+  return vs_sweep_turns(n, f, &turns, e) && (!turns || refuse(n, f, left.too_much ? NULL : &at, e));
+}

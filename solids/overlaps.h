@@ -1,0 +1,23 @@
+/* Owns the freeing of meshes from their overlaps, so that they are good solids. */
+#ifndef VS_SOLIDS_OVERLAPS_H
+#define VS_SOLIDS_OVERLAPS_H
+
+#include "geometry/tolerance.h"
+#include "kernel/kernel_options.h"
+#include "model/mesh.h"
+#include "model/node.h"
+
+/* A closed mesh that overlaps or touches itself becomes what it winds around more than 0 times; any other stays as it
+ * is. options may be NULL. */
+bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e);
+
+/* Does the mesh of such a node, as geometry/ makes it, overlap itself? */
+bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
+                           vs_error *e);
+
+/* m: the mesh of n as geometry/ makes it, which becomes as vs_mesh_without_overlaps has it. That of a sweep does not
+ * meet itself in the numbers of any format either. An error names the bend of a sweep that cannot be made so. */
+bool vs_primitive_freed(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *m,
+                        vs_error *e);
+
+#endif
