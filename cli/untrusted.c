@@ -41,7 +41,10 @@ static bool refuse(cli_untrusted *u, const char *reason, const char **why) {
 static bool refuse_open(cli_untrusted *u, bool leads_out, const char *missing, const char *outside, const char **why) {
   int problem = leads_out ? ELOOP : errno;
   bool machine = problem == EMFILE || problem == ENFILE || problem == ENOMEM || problem == EIO;
-  return refuse(u, problem == ENOENT ? missing : machine ? strerror(problem) : outside, why);
+  return refuse(u, problem == ENOENT   ? missing
+                   : problem == ENOMEM ? "out of memory"
+                   : machine           ? strerror(problem)
+                                       : outside, why);
 }
 
 /* Opens the path's file below the folder; -1: errno, which is ELOOP for any path that leads out of it. */
@@ -87,13 +90,14 @@ bool cli_untrusted_read(cli_untrusted *u, const char *path, char **text, size_t 
   }
   size_t room = (size_t)info.st_size + 1, used = 0;
   char *to = malloc(room);
+  bool memory = to != NULL;
   for (ssize_t n = 1; to && n != 0 && used < room;) {
     n = read(file, to + used, room - used);
     if (n > 0) used += (size_t)n;
     else if (n < 0 && errno != EINTR) free(to), to = NULL, n = 0;
   }
   close(file);
-  if (!to) return refuse(u, "cannot be read", why);
+  if (!to) return refuse(u, memory ? "cannot be read" : "out of memory", why);
   *text = to, *length = used < room ? used : (size_t)info.st_size; /* a file that grows meanwhile is cut */
   return true;
 }
@@ -109,7 +113,7 @@ bool cli_untrusted_list(cli_untrusted *u, const char *path, bool (*take)(void *t
   int file = *path == '/' ? -1 : open_beneath(u->folder, *path ? path : ".");
   if (file < 0) return refuse_open(u, *path == '/', "no such folder", outside, why);
   DIR *folder = fdopendir(file);
-  if (!folder) return close(file), refuse(u, "is not a folder", why);
+  if (!folder) return close(file), refuse(u, errno == ENOMEM ? "out of memory" : "is not a folder", why);
   bool ok = true;
   for (const struct dirent *entry; ok && (entry = readdir(folder));)
     if (strcmp(entry->d_name, ".") && strcmp(entry->d_name, "..")) ok = take(to, entry->d_name, strlen(entry->d_name));

@@ -4,6 +4,7 @@
 
 #include "session/inputs/inputs.h"
 #include "session/names.h"
+#include "session/report.h"
 #include "session/session.h"
 
 #include <dirent.h>
@@ -106,6 +107,7 @@ static const char *reason(int error) {
   if (error == EACCES) return "not permitted to read it";
   if (error == EISDIR) return "is a folder, not a file";
   if (error == ENOTDIR) return "is not a folder";
+  if (error == ENOMEM) return VS_IO_NO_MEMORY;
   return strerror(error);
 }
 
@@ -115,20 +117,22 @@ static bool slurp(vs_session *s, const char *path, char **text, size_t *length, 
   FILE *f = fopen(path, "rb");
   if (!f) return refuse(s, reason(errno), why);
   if (fstat(fileno(f), &st) == 0 && S_ISDIR(st.st_mode)) return fclose(f), refuse(s, reason(EISDIR), why);
-  if (!vs_session_note(s, path, fileno(f), false)) return fclose(f), refuse(s, "out of memory", why);
+  if (!vs_session_note(s, path, fileno(f), false)) return fclose(f), refuse(s, VS_IO_NO_MEMORY, why);
   size_t room = st.st_size > 0 ? (size_t)st.st_size + 1 : 65536, used = 0;
   char *at = malloc(room);
+  bool over = false;
   while (at) {
     used += fread(at + used, 1, room - used, f);
     if (used < room) break;
-    if (s->options.limit_memory && room > s->options.limit_memory) { free(at), at = NULL; break; }
+    over = s->options.limit_memory && room > s->options.limit_memory;
+    if (over) { free(at), at = NULL; break; }
     char *more = realloc(at, room *= 2);
     if (!more) free(at);
     at = more;
   }
   int error = at && ferror(f) ? errno : 0;
   fclose(f);
-  if (!at) return refuse(s, "too large for the memory there is", why);
+  if (!at) return refuse(s, over ? "too large for the memory there is" : VS_IO_NO_MEMORY, why);
   if (error) return free(at), refuse(s, reason(error), why);
   *text = at, *length = used;
   return true;
@@ -138,12 +142,18 @@ static bool read_whole(vs_session *s, const char *path, char **text, size_t *len
   const vs_host *h = &s->options.host;
   if (!h->read_file) return slurp(s, path, text, length, why);
   if (!h->read_file(h->context, path, text, length, why)) return false;
-  return vs_session_note_path(s, path) || (free(*text), refuse(s, "out of memory", why));
+  return vs_session_note_path(s, path) || (free(*text), refuse(s, VS_IO_NO_MEMORY, why));
 }
 
 bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why) {
   return read_whole(s, path, text, length, why) && (!source || vs_session_keep_source(s, path, 1, *text, *length) ||
-                                                    (free(*text), refuse(s, "out of memory", why)));
+                                                    (free(*text), refuse(s, VS_IO_NO_MEMORY, why)));
+}
+
+vs_outcome vs_session_unread(vs_session *s, const char *path, const char *why) {
+  vs_outcome outcome = strcmp(why, VS_IO_NO_MEMORY) ? VS_OUTCOME_USAGE : VS_OUTCOME_MACHINE;
+  vs_session_report_at(s, VS_SEVERITY_ERROR, outcome, path, 0, 0, why);
+  return outcome;
 }
 
 /* ---- sources ---- */
@@ -242,7 +252,7 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
     fresh.file = fopen(path, mode == VS_IO_WRITE ? "wb" : "ab");
     if (!fresh.file) return refuse(s, errno == EACCES ? "not permitted to write it" : reason(errno), why), -1;
     if (mode == VS_IO_WRITE && !vs_session_note(s, path, fileno(fresh.file), true))
-      return fclose(fresh.file), refuse(s, "out of memory", why), -1;
+      return fclose(fresh.file), refuse(s, VS_IO_NO_MEMORY, why), -1;
   }
   s->stream[i] = fresh;
   return i;

@@ -9,6 +9,8 @@ double vs_session_clock(void *session);                                         
 bool vs_session_interrupted(void *session);
 /* A whole file as malloc'ed text; false: *why. source: it is kept as one, for messages. */
 bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why);
+/* Reports that vs_session_read failed. Returns the outcome. */
+vs_outcome vs_session_unread(vs_session *s, const char *path, const char *why);
 bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length);
 void vs_session_close_files(vs_session *s);
 void vs_session_free_sources(vs_session *s);

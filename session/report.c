@@ -118,8 +118,12 @@ bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
   return out->file != NULL;
 }
 
+/* Did the limit of an output's time stop it, and not who interrupts? */
+static bool is_late(const vs_session *s) { return s->writing && s->late; }
+
 static vs_outcome outcome_of(const vs_session *s, vs_value kind, bool usage) {
   const vs_scheme *vm = s->bind.vm;
+  if (kind == vm->sym.interrupt && is_late(s)) return VS_OUTCOME_MACHINE;
   if (kind == vm->sym.memory || kind == vm->sym.limit) return VS_OUTCOME_MACHINE;
   if (kind == vm->sym.interrupt) return VS_OUTCOME_INTERRUPTED;
   return usage || s->bind.bad_parameter ? VS_OUTCOME_USAGE : VS_OUTCOME_MODEL;
@@ -174,7 +178,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   vs_text t;
   vs_text_open(vm, &t, 4000);
   char limit[96];
-  bool limited = false;
+  bool limited = false, late = false;
   bool printed = vs_print_condition(vm, r[0], &t);
   const char *message = "out of memory";
   if (is_condition) {
@@ -182,6 +186,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
     outcome = outcome_of(s, c->kind, usage);
     /* the host may hold the rest of the process to it as well */
     limited = c->kind == vm->sym.memory && s->options.limit_memory;
+    late = c->kind == vm->sym.interrupt && is_late(s);
     /* a macro's procedure that the library calls: the use of the macro */
     if (!vs_session_condition_place(s, c, &at)) vs_session_span(s, vm->top_place, &at);
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
@@ -193,6 +198,8 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
     }
   }
   if (printed && vs_text_end(&t)) message = t.at;
+  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* its text did not fit */
+  if (late) snprintf(limit, sizeof limit, "the output: stopped after %g seconds, the limit", s->options.limit_time), message = limit;
   if (limited) snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit",
       (double)s->options.limit_memory / 1048576), message = limit;
   tell(s, VS_SEVERITY_ERROR, outcome, at, message, notes, count);

@@ -410,10 +410,9 @@ vs_outcome vs_eval_file(vs_scheme *vm, const char *path, unsigned flags) {
   if (was_interrupted(s)) return VS_OUTCOME_INTERRUPTED;
   vs_session_begin(s, flags);
   if (!vs_session_read(s, path, true, &text, &length, &why)) {
-    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, why);
     s->phase = NULL;
     vs_tally_enter(&s->tally, VS_WORK_NONE);
-    return VS_OUTCOME_USAGE;
+    return vs_session_unread(s, path, why);
   }
   bool ok = may_run(s) && (set_title(s, path) || vs_fail_memory(vm));
   vs_outcome outcome = vs_session_finish(s, ok && vs_program_text(vm, path, 1, text, length, false, &vm->value), false);

@@ -142,6 +142,18 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
   return EXR_ERR_SUCCESS;
 }
 
+/* Decompresses a chunk. The library calls it broken when zlib finds no memory for what it works with: then there is none for as much
+ * here, either, or a second attempt succeeds. */
+static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
+  enum { WORK = 1 << 16 }; /* bytes, more than zlib takes */
+  exr_result_t result = r->call.run(r->c, 0, d);
+  if (result != EXR_ERR_CORRUPT_CHUNK) return result;
+  void *volatile probe = malloc(WORK);
+  if (!probe) return EXR_ERR_OUT_OF_MEMORY;
+  free(probe);
+  return r->call.run(r->c, 0, d);
+}
+
 /* The chunks of scan lines are as wide as the picture and so many lines high; tiles have a size of their own. Asks
  * whether to go on after each. */
 static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
@@ -169,7 +181,7 @@ static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
         result = call->choose(c, 0, &decoder); /* how to read and to decompress: no channel has a place to go */
         decoder.unpack_and_convert_fn = NULL;
       }
-      if (result == EXR_ERR_SUCCESS) result = call->run(c, 0, &decoder);
+      if (result == EXR_ERR_SUCCESS) result = exr_run(r, &decoder);
       if (result == EXR_ERR_SUCCESS) result = exr_unpack(r, &decoder, place, r->box.min.y + y);
     }
   if (begun) call->end(c, &decoder);

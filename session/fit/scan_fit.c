@@ -275,10 +275,7 @@ static vs_outcome read_scan(job *j, const char *path, const vs_fit_options *o) {
                          "a scan's name ends in .ply, .obj, .off or .stl");
     return VS_OUTCOME_USAGE;
   }
-  if (!vs_session_read(s, path, false, &bytes, &length, &why)) {
-    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, why);
-    return VS_OUTCOME_USAGE;
-  }
+  if (!vs_session_read(s, path, false, &bytes, &length, &why)) return vs_session_unread(s, path, why);
   vs_file_bytes file = { path, (const unsigned char *)bytes, length };
   bool ok = vs_points_file_read(&file, (vs_poller){ keep_reading, s }, true, &read, &e);
   free(bytes);

@@ -1,6 +1,7 @@
 /* Owns the test that every request for memory may be refused, in some forty programs: every kind of object, every form of the language, every format.
  * Each request in turn (the later ones sampled), once and for good: objects of the heap, what the interpreter asks of its host, and what geometry and
  * the libraries under it (GEOS, FreeType, libzip) ask of the C library. Each time: a clean end or the very same bytes, an interpreter that goes on, and everything given back. */
+#define _DEFAULT_SOURCE /* mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,10 +10,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
 #include "visualscheme.h"
+#include "geometry/files/exr.h"
+#include "geometry/files/png_write.h"
 #include "tests/unit/allocator.h"
 #include "vm/values/gc.h"
 
@@ -94,6 +98,9 @@ static const program programs[] = {
     "(define p (walk '(1 2 3))) (if (and (pair? p) (< (car p) 3)) ((cdr p) 0)) p", NULL },
   { "(define p (make-parameter 1)) (parameterize ((p 2)) (p)) (force (delay (+ 1 2))) (delay-force (delay 1)) (string->utf8 \"abc\") (char-upcase #\\a) (exact-integer-sqrt 17)", NULL },
   { "(car 5)", NULL },
+  { "(error \"a\" 1 '(2 \"t\") #\\c)", NULL },
+  { "(error 'who \"~a and ~s\" (string-append \"abc\" \"d\") (vector 1 2.5))", NULL },
+  { "(raise (list 'x \"y\"))", NULL },
   { "(define (f x) (+ 1 (g x))) (define (g x) (h x))\n(f 1)", NULL },
   { "(define x 1\n(display x)", NULL },
   { "(define-parameter n 3 #:min 1 #:max 9) (define (column p [r positive? 0.5]) (with-material 'concrete (make-cylinder p 3 r)))"
@@ -113,6 +120,8 @@ static const program programs[] = {
   { "(define o (intersect (make-box (xyz 0 0 0) (xyz 2 2 2)) (make-sphere (xyz 1 1 1) 1.2))) (list (volume o) (area o) (centroid o) (bounding-box o) (object-count o) (contains? o (xyz 1 1 1)))"
     "(object-children o) (object-arguments o) (equal? o o)", NULL },
   { "(draw (do-slice (do-mirror (do-scale (do-rotate (make-box (xyz 0 0 0) (xyz 1 2 3)) 'z 0.5) 2) 'yz) 'xy)) (camera (xyz 9 9 9) (xyz 0 0 0)) (sun #:azimuth 120 #:altitude 40)", "povray" },
+  { "(draw (make-height-field \"heights.exr\" (xy 0 0) (xy 4 4) #:low 0 #:high 1))", "stl" },
+  { "(draw (make-height-field \"heights.png\" (xy 0 0) (xy 4 4) #:low 0 #:high 1))", "stl" },
   { "(draw (do-extrude (make-text (xyz 0 0 0) 1 \"ab\") 1))", "stl" },
   { "(draw (do-offset (make-rectangle (xyz 0 0 0) (xyz 2 1 0)) 0.2)) (draw (subtract (make-rectangle (xyz 0 0 0) (xyz 2 1 0)) (make-circle (xyz 1 0.5 0) 0.2)))", "tree" },
   { "(draw (do-extrude (unite (make-rectangle (xyz 0 0 0) (xyz 4 2 0)) (make-rectangle (xyz 1 1 0) (xyz 3 6 0)) (make-circle (xyz 4 4 0) 1.5)) 1))", "stl" },
@@ -135,7 +144,12 @@ static vs_outcome perform(vs_scheme *s, const program *p, uint64_t *sum) {
   return outcome == VS_OUTCOME_DONE ? vs_write_drawing_to(s, p->format, NULL, sum_bytes, sum) : outcome;
 }
 
-static void refuse_in(vs_scheme *s, account *b, size_t which, int way, vs_outcome wanted, uint64_t wanted_sum) {
+/* how a program ends without a refusal */
+typedef struct { vs_outcome outcome; uint64_t sum; char said[200]; } ending;
+
+static void refuse_in(vs_scheme *s, account *b, size_t which, int way, const ending *w) {
+  vs_outcome wanted = w->outcome;
+  uint64_t wanted_sum = w->sum;
   uint64_t sum;
   const program *p = &programs[which];
   long most = which % 4 == 0 ? 40 : 12; /* each of the first ones, then fewer and fewer */
@@ -150,6 +164,7 @@ static void refuse_in(vs_scheme *s, account *b, size_t which, int way, vs_outcom
     host.on = library.on = false;
     vs_gc_fail_after(s, 0);
     if (outcome != wanted && outcome != VS_OUTCOME_MACHINE) fail_msg("%s\n  refused %s, number %ld: ended with %d: %s", p->text, way_names[way], n, (int)outcome, b->said);
+    if (outcome == VS_OUTCOME_MODEL && strcmp(b->said, w->said) != 0) fail_msg("%s\n  refused %s, number %ld: told as the model's: %s", p->text, way_names[way], n, b->said);
     if (outcome == wanted && sum != wanted_sum && p->format) fail_msg("%s\n  refused %s, number %ld: something else was written", p->text, way_names[way], n);
     if (outcome == VS_OUTCOME_MACHINE && b->told == before && !(refused && way == HOST_GOOD)) fail_msg("%s\n  refused %s, number %ld: nothing was said", p->text, way_names[way], n);
     if (!refused) {
@@ -170,11 +185,12 @@ static void test_programs(void **state) {
     o.host.value = NULL;
     vs_scheme *s = vs_new(&o);
     assert_non_null(s);
-    uint64_t sum;
-    vs_outcome wanted = perform(s, &programs[i], &sum); /* libraries that are loaded at their first use are there from now on */
+    ending plain = { 0 };
+    vs_outcome wanted = plain.outcome = perform(s, &programs[i], &plain.sum); /* libraries that are loaded at their first use are there from now on */
     if (wanted == VS_OUTCOME_MACHINE || wanted == VS_OUTCOME_USAGE) fail_msg("%s: %s", programs[i].text, b.said);
     if (wanted == VS_OUTCOME_MODEL && programs[i].format) fail_msg("%s: %s", programs[i].text, b.said);
-    for (int way = 0; way < (REPLACED ? WAYS : LIBRARY_ONCE); way++) refuse_in(s, &b, i, way, wanted, sum);
+    snprintf(plain.said, sizeof plain.said, "%s", b.said);
+    for (int way = 0; way < (REPLACED ? WAYS : LIBRARY_ONCE); way++) refuse_in(s, &b, i, way, &plain);
     if (getenv("REFUSALS_TIMES")) print_message("%5.1f s %.60s %s\n", (double)clock() / CLOCKS_PER_SEC, programs[i].text, programs[i].format ? programs[i].format : "");
     assert_true(vs_gc_check(s));
     vs_free(s);
@@ -211,7 +227,48 @@ static void test_around(void **state) {
     }
 }
 
+static void *aside(void *context, void *old, size_t old_size, size_t new_size) {
+  (void)context, (void)old_size;
+  if (new_size) return realloc(old, new_size);
+  return free(old), NULL;
+}
+
+static bool keep(const char *name, const unsigned char *bytes, size_t size) {
+  FILE *f = fopen(name, "wb");
+  bool ok = f && fwrite(bytes, 1, size, f) == size;
+  return (!f || fclose(f) == 0) && ok;
+}
+
+/* Pictures for the height fields, in a folder that becomes the current one: several chunks of packed numbers. */
+static int make_pictures(void **state) {
+  static char folder[] = "/tmp/refusals-XXXXXX";
+  (void)state;
+  if (!mkdtemp(folder) || chdir(folder) != 0) return 1;
+  enum { SIDE = 40 };
+  vs_error e = { 0 };
+  vs_store *store = vs_store_new(aside, NULL);
+  vs_exr x = { .store = store, .columns = SIDE, .rows = SIDE };
+  unsigned char rgb[SIDE * SIDE * 3], *bytes;
+  size_t size, room;
+  float *at = vs_exr_add(&x, "Y", VS_EXR_FLOAT, &e);
+  for (size_t i = 0; at && i < SIDE * SIDE; i++) at[i] = (float)(i % 37) / 37, memset(rgb + 3 * i, (int)(i % 37) * 7, 3);
+  bool ok = at && vs_exr_write(&x, &bytes, &size, &room, &e) && keep("heights.exr", bytes, size);
+  if (ok) vs_store_realloc(store, bytes, room, 0);
+  ok = ok && vs_png_write(store, rgb, SIDE, SIDE, &bytes, &size, &room, &e) && keep("heights.png", bytes, size);
+  if (ok) vs_store_realloc(store, bytes, room, 0);
+  vs_exr_free(&x);
+  vs_store_release(store);
+  return !ok;
+}
+static int remove_pictures(void **state) {
+  char folder[200];
+  (void)state;
+  remove("heights.exr");
+  remove("heights.png");
+  return !getcwd(folder, sizeof folder) || rmdir(folder) != 0;
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = { cmocka_unit_test(test_programs), cmocka_unit_test(test_around) };
-  return cmocka_run_group_tests_name("refusals", tests, NULL, NULL);
+  return cmocka_run_group_tests_name("refusals", tests, make_pictures, remove_pictures);
 }

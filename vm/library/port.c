@@ -66,7 +66,9 @@ vs_value vs_port_current_input(vs_scheme *vm) { return port_current(vm, VS_LIB_I
 /* ---- files ---- */
 
 static bool fail_file(vs_scheme *vm, const char *what, const char *path, const char *why) {
-  return vs_fail(vm, vm->sym.file, "cannot %s %s: %s", what, path, why ? why : "not available here");
+  bool memory = why && !strcmp(why, VS_IO_NO_MEMORY);
+  return vs_fail(vm, memory ? vm->sym.memory : vm->sym.file, "cannot %s %s: %s", what, path,
+                 why ? why : "not available here");
 }
 
 /* *stream's bytes up to the end, as BYTES of at least that length; *count of them are data */
