@@ -82,6 +82,17 @@ for command in $(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' "$root/cli/commands.def"
     refused "render by default" "$vs" render land.vs
     for f in land.png look.png; do refused "render -o $f" "$vs" render m.vs -o $f; done
     refused "render --untrusted" "$vs" render --untrusted land.vs
+    # a model of the batch reads the picture of another, or the film; nothing is written
+    echo '(draw (make-sphere origin 1))' > one.vs
+    echo '(file->string "one.png") (draw (make-sphere origin 2))' > two.vs
+    echo '(define-parameter t 0) (file->string "film.mp4") (draw (make-sphere origin (+ 1 t)))' > film.vs
+    for own in one.png film.mp4; do cp words.txt $own; cp words.txt plain/; cp words.txt plain/$own; done
+    inputs="$inputs one.png film.mp4"
+    for order in "one.vs two.vs" "two.vs one.vs"; do refused "render $order" "$vs" render $order --size 20x15 --quality draft; done
+    refused "render one.vs --jobs 4 two.vs" "$vs" render one.vs two.vs --jobs 4 --size 20x15 --quality draft
+    refused "render --film" "$vs" render film.vs --frames 2 --film 25 --size 20x15 --quality draft -o film.png
+    for made in two.png film-001.png film-1.png film.manifest.json; do [ -e $made ] && echo "render: $made is written, though another output is refused" >> "$work/wrong"; done
+    inputs=${inputs% one.png film.mp4}
     for f in $inputs; do
       refused "render --manifest $f" "$vs" render m.vs -o r.pov --all-views --manifest "$f"
       refused "render --sheet $f" "$vs" render m.vs -o r.pov --sheet "$f"
@@ -92,8 +103,14 @@ for command in $(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' "$root/cli/commands.def"
     "$vs" compare a.exr b.exr -o p.png > /dev/null 2>&1; [ $? = 2 ] && cmp -s a.exr b.exr || echo "compare: replaces the picture" >> "$work/wrong" ;;
   denoise) cp a.exr plain.exr
     "$vs" denoise a.exr -o a.exr > /dev/null 2>&1; [ $? = 2 ] && cmp -s a.exr plain.exr || echo "denoise: replaces the picture" >> "$work/wrong" ;;
-  sunstudy) mkdir -p study; ln -sf ../data.csv study/hours.csv
-    refused sunstudy "$vs" sunstudy m.vs --place 38,-9 --date 2026-06-21 --from 12 --to 13 --size 16x12 --quality draft -o study ;;
+  sunstudy) # onto each of the names that a study has, as one shows that is refused nothing
+    echo '(draw (make-box origin (xyz 1 1 1)))' > plain.vs
+    "$vs" sunstudy -q plain.vs --place 38,-9 --date 2026-06-21 --from 12 --to 13 --size 16x12 --quality draft -o study
+    for name in $(ls study); do
+      rm -rf study; mkdir study; ln -s ../data.csv "study/$name"
+      refused "sunstudy $name" "$vs" sunstudy m.vs --place 38,-9 --date 2026-06-21 --from 12 --to 13 --size 16x12 --quality draft -o study
+      [ "$(ls study)" = "$name" ] || echo "sunstudy $name: writes $(ls study | tr '\n' ' ') before it refuses" >> "$work/wrong"
+    done ;;
   *) echo "$command: this test does not know it" >> "$work/wrong" ;;
   esac
 done

@@ -49,10 +49,14 @@ static int run_ffmpeg(const cli_film *f, const char *part) {
   return child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
+void cli_film_name(const char *first, char *name, size_t room) {
+  snprintf(name, room, "%.*s.mp4", (int)stem_of(first), first);
+}
+
 vs_outcome cli_film_make(const cli_film *f) {
   char name[PATH_ROOM], part[PATH_ROOM + 8];
   struct stat is;
-  snprintf(name, sizeof name, "%.*s.mp4", (int)stem_of(f->first), f->first);
+  cli_film_name(f->first, name, sizeof name);
   if (f->stands && stat(name, &is) == 0) {
     if (!f->quiet) printf("%s: up to date\n", name);
     return VS_OUTCOME_DONE;

@@ -14,6 +14,8 @@ typedef struct {
   bool quiet;
 } cli_film;
 
+/* Writes the film's name, tower.mp4 for tower-001.png. */
+void cli_film_name(const char *first, char *name, size_t room);
 /* Makes tower.mp4 of the frames by ffmpeg, and prints its name. Returns VS_OUTCOME_WORKER on failure, after a message
  * on standard error. */
 vs_outcome cli_film_make(const cli_film *film);

@@ -29,7 +29,14 @@
 enum { PATH_ROOM = 4096, MOST = 100000, EXPOSURE_ROOM = 24 };
 
 typedef enum { MADE, STANDS, FAILED, NOT_TRIED } fate;
-typedef struct { uint64_t scene, bytes; double seconds; int code; fate fate; } result;
+typedef struct {
+  uint64_t model;          /* the hash of what the model gives and of the options */
+  uint64_t scene;          /* the same with the exposure */
+  uint64_t bytes;
+  double seconds;
+  int code;
+  fate fate;
+} result;
 typedef struct {
   const char *model;
   char *set, *view, *file; /* set: "a=1,b=2", or NULL; view NULL: the model's own */
@@ -39,6 +46,7 @@ typedef struct {
   long frame;              /* of --frames, from 1; 0: none. The frames of a film are consecutive. */
   pid_t process;
   int told;                /* the end of a pipe for the result */
+  bool known, failed;      /* the model has run, and result.model is set; or it failed, without a message so far */
   result result;
 } picture;
 typedef struct {
@@ -280,6 +288,12 @@ static bool may_write(const batch *b, const char *path) {
   return false;
 }
 
+/* Does the same for the film that begins with the picture, if any. */
+static bool may_film(const batch *b, const picture *p) {
+  char film[PATH_ROOM];
+  return b->options->film <= 0 || p->frame != 1 || (cli_film_name(p->file, film, sizeof film), may_write(b, film));
+}
+
 /* Writes by `fill` and gives the file its name last. lock: locks the file before it has its name; *lock holds it. */
 static bool write_whole(const batch *b, const char *path, void (*fill)(const batch *b, FILE *to), int *lock) {
   char part[PATH_ROOM];
@@ -409,20 +423,28 @@ static int run(const batch *b, const picture *p, const char *file, uint64_t *has
 }
 
 /* Computes the hash of the picture's scene and options. Returns the exit code of the model's run. */
-static int hash_scene(const batch *b, const picture *p, uint64_t *out) {
+static int hash_model(const batch *b, const picture *p, uint64_t *out) {
   const cli_options *o = b->options;
   const char *version = vs_version();
   *out = hash_more(hash_begin, version, strlen(version));
   for (size_t i = 0; i < o->passed_count; i++) *out = hash_more(*out, o->passed[i], strlen(o->passed[i]) + 1);
-  *out = hash_more(*out, p->exposure, strlen(p->exposure));
   return run(b, p, "-", out);
+}
+
+/* Runs the model alone: what it reads is known then. */
+static result try_model(const batch *b, const picture *p) {
+  result r = {.scene = hash_begin, .fate = NOT_TRIED};
+  r.code = hash_model(b, p, &r.model);
+  if (r.code != VS_OUTCOME_DONE) r.fate = FAILED;
+  return r;
 }
 
 static result make(const batch *b, const picture *p) {
   struct timespec from, to;
-  result r = {.scene = hash_begin, .fate = FAILED};
+  result r = {.scene = hash_begin, .model = p->result.model, .fate = FAILED};
   clock_gettime(CLOCK_MONOTONIC, &from);
-  r.code = hash_scene(b, p, &r.scene);
+  r.code = p->known ? VS_OUTCOME_DONE : hash_model(b, p, &r.model);
+  if (r.code == VS_OUTCOME_DONE) r.scene = hash_more(r.model, p->exposure, strlen(p->exposure));
   if (r.code == VS_OUTCOME_DONE && is_up_to_date(b, p, r.scene)) r.fate = STANDS;
   else if (r.code == VS_OUTCOME_DONE && (r.code = run(b, p, p->file, NULL)) == VS_OUTCOME_DONE) r.fate = MADE;
   if (r.code == VS_OUTCOME_DONE) hash_file(p->file, &r.bytes);
@@ -479,8 +501,9 @@ static void expose_films(batch *b, const volatile sig_atomic_t *ended) {
   for (size_t from = 0, to; from < b->count && !*ended; from = to) {
     picture *p = &b->at[from];
     for (to = from + 1; to < b->count && b->at[to].frame > b->at[to - 1].frame;) to++;
-    if (!p->frame || !is_png(p->file) || b->options->output.development.fixed) continue;
-    int code = hash_scene(b, p, &p->metered);
+    if (!p->frame || p->failed || !is_png(p->file) || b->options->output.development.fixed) continue;
+    int code = p->known ? VS_OUTCOME_DONE : hash_model(b, p, &p->metered);
+    if (p->known) p->metered = p->result.model;
     if (code == VS_OUTCOME_DONE && !recall_exposure(b, p)) code = meter(b, p);
     if (code != VS_OUTCOME_DONE && !*ended) {
       p->result.fate = FAILED, p->result.code = code;
@@ -493,14 +516,17 @@ static void expose_films(batch *b, const volatile sig_atomic_t *ended) {
 
 /* ---- the run ---- */
 
-static bool start(batch *b, picture *p) {
+/* The work of a picture's process. */
+typedef result picture_work(const batch *b, const picture *p);
+
+static bool start(batch *b, picture *p, picture_work *work) {
   int ends[2];
   if (pipe(ends) != 0) return false;
   p->process = fork();
   if (p->process == 0) {
     close(ends[0]);
     die_with_parent(SIGKILL); /* it waits for a program, and would ignore a gentler signal */
-    result r = make(b, p);
+    result r = work(b, p);
     ssize_t sent = write(ends[1], &r, sizeof r);
     _exit(sent == sizeof r ? 0 : 1);
   }
@@ -536,12 +562,17 @@ static bool take_manifest(batch *b) {
   return true;
 }
 
-static void finish(batch *b, picture *p) {
+static void take_result(picture *p) {
   result r;
   p->result.fate = FAILED, p->result.code = VS_OUTCOME_INTERRUPTED;
   if (read(p->told, &r, sizeof r) == sizeof r) p->result = r;
   close(p->told);
   p->process = 0;
+}
+
+/* Records and prints what has become of the picture. */
+static void finish(batch *b, picture *p) {
+  p->failed = false;
   write_manifest(b);
   if (b->options->quiet) return;
   if (p->result.fate == STANDS) printf("%s: up to date\n", p->file);
@@ -557,16 +588,18 @@ static bool is_of_failed_film(const batch *b, size_t i) {
   return false;
 }
 
-static void run_all(batch *b, const volatile sig_atomic_t *ended) {
+/* Does the work for each picture that has not failed, in processes side by side. */
+static void run_all(batch *b, const volatile sig_atomic_t *ended, picture_work *work) {
   bool asked = false;
   size_t next = 0, running = 0, jobs = b->options->jobs > 0 ? b->options->jobs : 1;
   while (running > 0 || (next < b->count && !*ended)) {
     if (next < b->count && running < jobs && !*ended) {
       if (b->at[next].result.fate == FAILED || is_of_failed_film(b, next)) {
+        if (work == make && b->at[next].failed) finish(b, &b->at[next]);
         next++;
         continue;
       }
-      if (start(b, &b->at[next])) running++;
+      if (start(b, &b->at[next], work)) running++;
       else b->at[next].result.fate = FAILED, b->at[next].result.code = VS_OUTCOME_MACHINE;
       next++;
       continue;
@@ -578,8 +611,43 @@ static void run_all(batch *b, const volatile sig_atomic_t *ended) {
     asked = *ended;
     if (one == 0) nanosleep(&(struct timespec){.tv_nsec = 10000000}, NULL);
     for (size_t i = 0; one > 0 && i < b->count; i++)
-      if (b->at[i].process == one) finish(b, &b->at[i]), running--;
+      if (b->at[i].process == one) {
+        picture *p = &b->at[i];
+        running--;
+        take_result(p);
+        if (work == make) finish(b, p);
+        else p->known = p->result.fate != FAILED, p->failed = !p->known;
+      }
   }
+}
+
+/* Returns true if the picture replaces a file that no earlier run of this manifest has made, which may be an input. */
+static bool takes_place(const batch *b, const picture *p) {
+  char film[PATH_ROOM], wanted[40];
+  uint64_t bytes;
+  size_t length;
+  struct stat is;
+  const char *line = line_of(b, p, &length);
+  cli_film_name(p->file, film, sizeof film);
+  if (b->options->film > 0 && p->frame == 1 && stat(film, &is) == 0 && !line) return true;
+  if (!hash_file(p->file, &bytes)) return false;
+  snprintf(wanted, sizeof wanted, "\"hash\": \"%016" PRIx64 "\"", bytes);
+  const char *found = line ? strstr(line, wanted) : NULL;
+  return !found || found >= line + length;
+}
+
+/* If pictures would replace files, first runs the models without pictures: a model may read another's output. Returns
+ * false, after a message and before anything is written, if one does. */
+static bool try_models(batch *b) {
+  bool any = false, ok = true;
+  for (size_t i = 0; b->count > 1 && i < b->count; i++) any = any || takes_place(b, &b->at[i]);
+  if (!any) return true;
+  run_all(b, b->ended, try_model);
+  for (size_t i = 0; ok && i < b->count; i++) ok = may_write(b, b->at[i].file) && may_film(b, &b->at[i]);
+  ok = ok && (!b->options->sheet || may_write(b, b->options->sheet)) &&
+      (!b->manifest_path || may_write(b, b->manifest_path));
+  if (!ok && b->lock >= 0 && !b->manifest) remove(b->manifest_path); /* made empty, for the lock */
+  return ok;
 }
 
 /* ---- films ---- */
@@ -591,6 +659,7 @@ static vs_outcome make_films(const batch *b) {
     for (to = from + 1; to < b->count && b->at[to].frame > b->at[to - 1].frame;) to++;
     bool stands = true;
     for (size_t i = from; i < to; i++) stands = stands && b->at[i].result.fate == STANDS;
+    if (!may_film(b, &b->at[from])) return VS_OUTCOME_USAGE;
     cli_film film = {b->at[from].file, to - from, b->options->film, stands, b->options->quiet};
     outcome = cli_film_make(&film);
   }
@@ -634,15 +703,16 @@ static bool prepare(batch *b) {
   for (size_t i = 0; i < o->source_count; i++) vs_note_input(b->inputs, o->sources[i].text);
   for (size_t i = 0; ok && i < o->source_count; i++)
     for (size_t k = 0; ok && k < (o->set_count ? o->set_count : 1); k++) ok = add_model(b, o->sources[i].text, k);
-  for (size_t i = 0; ok && i < b->count; i++) ok = may_write(b, b->at[i].file);
+  for (size_t i = 0; ok && i < b->count; i++) ok = may_write(b, b->at[i].file) && may_film(b, &b->at[i]);
   return ok && (!o->sheet || may_write(b, o->sheet)) && take_manifest(b);
 }
 
 static vs_outcome run_batch(batch *b) {
   const cli_options *o = b->options;
   vs_outcome outcome = b->failed;
+  if (!try_models(b)) return VS_OUTCOME_USAGE;
   expose_films(b, b->ended);
-  run_all(b, b->ended);
+  run_all(b, b->ended, make);
   for (size_t i = b->count; i-- > 0;)
     if (b->at[i].result.fate == FAILED) outcome = (vs_outcome)b->at[i].result.code;
   if (*b->ended) outcome = VS_OUTCOME_INTERRUPTED;

@@ -19,6 +19,7 @@
 #include "geometry/sun_position.h"
 #include "session/handles.h"
 #include "session/host.h"
+#include "session/inputs/inputs.h"
 #include "session/light/pictures.h"
 #include "session/report.h"
 #include "session/session.h"
@@ -142,6 +143,29 @@ static bool path_in(study *t, const char *name, char path[PATH_ROOM]) {
   int n = snprintf(path, PATH_ROOM, "%s/%s", t->folder, name);
   return (n > 0 && n < PATH_ROOM) || vs_error_set(&t->error, VS_ERROR_FILE, NULL, "%.200s: the name is too long",
       t->folder);
+}
+
+/* The files of a study besides a picture for each sun. */
+typedef enum { HOURS, HOURS_PLAN, HOURS_MODEL, SHADOWS, NAMES } study_file;
+static const char *const names[NAMES] = { [HOURS] = "hours.csv", [HOURS_PLAN] = "hours-plan.png",
+                                          [HOURS_MODEL] = "hours-model.png", [SHADOWS] = "shadows.png" };
+enum { NAME_ROOM = 40 };
+static void name_shadow(size_t number, char name[NAME_ROOM]) {
+  snprintf(name, NAME_ROOM, "shadow-%03zu.png", number + 1);
+}
+
+/* Refuses before anything is written: returns false if an output is a file that the model has read. */
+static bool may_write_all(study *t) {
+  char name[NAME_ROOM], path[PATH_ROOM];
+  size_t days = 0;
+  for (size_t i = 0; i < t->count; i++) days += t->suns[i].altitude > 0;
+  for (size_t i = 0; i < NAMES + days; i++) {
+    if (i >= NAMES) name_shadow(i - NAMES, name);
+    if (!path_in(t, i < NAMES ? names[i] : name, path)) return false;
+    if (vs_session_is_input(t->session, path))
+      return vs_error_set(&t->error, VS_ERROR_FILE, NULL, "%.300s: " VS_INPUT_KEPT, path);
+  }
+  return true;
 }
 
 static bool write_png(study *t, const char *name, const vs_pixels *picture) {
@@ -274,7 +298,7 @@ static bool write_faces(study *t, size_t *faces) {
   if (ok) qsort(keys, m->triangle_count, sizeof *keys, by_face);
   ok = ok && put_faces(t, to, keys, faces);
   if (to && fclose(to) != 0) ok = false;
-  ok = ok && path_in(t, "hours.csv", path) &&
+  ok = ok && path_in(t, names[HOURS], path) &&
        vs_session_write_bytes(t->session, path, (unsigned char *)text, length, &t->error);
   free(text);
   if (keys) vs_store_realloc(t->store, keys, bytes, 0);
@@ -324,7 +348,7 @@ static vs_outcome shade(study *t, const vs_output_options *o, const sun *s, size
   vs_output_options how = *o;
   memory m = { .store = t->store };
   vs_exr x = { .store = t->store };
-  char name[40], caption[40];
+  char name[NAME_ROOM], caption[40];
   how.has_sun = true, how.sun[0] = s->azimuth, how.sun[1] = s->altitude;
   vs_outcome outcome = vs_session_write(t->session, NULL, vs_export_format_find("exr"), &how,
       &(vs_byte_sink){ to_memory, &m });
@@ -338,7 +362,7 @@ static vs_outcome shade(study *t, const vs_output_options *o, const sun *s, size
     if (!tone->fixed) *tone = (vs_tone){ .curve = tone->curve, .fixed = true, .stops = stops };
     int minutes = (int)lround(at * 60);
     snprintf(caption, sizeof caption, "%02d:%02d", minutes / 60, minutes % 60);
-    snprintf(name, sizeof name, "shadow-%03zu.png", number + 1);
+    name_shadow(number, name);
     put_picture(to, number, rgb, caption);
     ok = write_png(t, name, &(vs_pixels){ rgb, x.columns, x.rows });
   }
@@ -375,7 +399,7 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
       outcome = shade(t, &o, &t->suns[i], number[i], &tone, &s);
       *pictures += outcome == VS_OUTCOME_DONE;
     }
-  if (outcome == VS_OUTCOME_DONE && !write_png(t, "shadows.png", &s.picture))
+  if (outcome == VS_OUTCOME_DONE && !write_png(t, names[SHADOWS], s.rgb, s.wide, s.high))
     outcome = vs_session_report_error(t->session, &t->error);
   vs_store_realloc(t->store, s.picture.rgb, s.bytes, 0);
   return outcome;
@@ -418,8 +442,8 @@ static bool count_hours(study *t, const vs_output_options *o, size_t *faces) {
   if (named) vs_scene_look(&scene, named);
   vs_session_aim(o, &scene);
   vs_look plan = plan_look(t, wide, high), look = vs_look_find(&scene, &t->bounds, &t->bounds, 1, (double)wide / high);
-  return write_faces(t, faces) && write_hours(t, &plan, wide, high, "hours-plan.png") &&
-         write_hours(t, &look, wide, high, "hours-model.png");
+  return write_faces(t, faces) && write_hours(t, &plan, wide, high, names[HOURS_PLAN]) &&
+         write_hours(t, &look, wide, high, names[HOURS_MODEL]);
 }
 
 vs_outcome vs_sun_study(vs_scheme *vm, const vs_sun_span *span, const char *folder, const vs_output_options *options,
@@ -441,7 +465,7 @@ vs_outcome vs_sun_study(vs_scheme *vm, const vs_sun_span *span, const char *fold
     ok = vs_error_set(&t->error, VS_ERROR_FILE, NULL, "cannot make the folder %.200s: %s", folder,
                       strerror(errno == EEXIST ? ENOTDIR : errno));
   vs_outcome outcome = ok ? vs_session_take(s, &refs, &count) : vs_session_report_error(s, &t->error);
-  if (outcome == VS_OUTCOME_DONE && (!take_model(t, refs, count) || !count_hours(t, o, &out->faces)))
+  if (outcome == VS_OUTCOME_DONE && (!may_write_all(t) || !take_model(t, refs, count) || !count_hours(t, o, &out->faces)))
     outcome = vs_session_report_error(s, &t->error);
   vs_ray_tree_free(&t->tree);
   vs_solid_free(&t->solid);
