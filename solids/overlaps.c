@@ -173,7 +173,7 @@ bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kern
   return ok;
 }
 
-/* ---- settling ---- */
+/* ---- rounding ---- */
 
 /* *met: in the numbers of .off or .stl some triangles meet; *at: the first of them. */
 static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *met, vs_vec3 *at, vs_error *e) {

@@ -399,7 +399,7 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
       outcome = shade(t, &o, &t->suns[i], number[i], &tone, &s);
       *pictures += outcome == VS_OUTCOME_DONE;
     }
-  if (outcome == VS_OUTCOME_DONE && !write_png(t, names[SHADOWS], s.rgb, s.wide, s.high))
+  if (outcome == VS_OUTCOME_DONE && !write_png(t, names[SHADOWS], &s.picture))
     outcome = vs_session_report_error(t->session, &t->error);
   vs_store_realloc(t->store, s.picture.rgb, s.bytes, 0);
   return outcome;
