@@ -1,15 +1,15 @@
-/* Owns the freeing of meshes from their overlaps.
+/* Owns the removal of a mesh's overlaps with itself.
  *
- * A mesh that overlaps itself is arranged with itself, and what it winds around more than 0 times is kept. Two things
- * are different for sweeps, whose bends may be much tighter than their profile is wide:
- *   crowds  Round such a bend all steps lie over one place, and all of them cross each other, though nearly all of it
- *           is hidden. Where that is too much, runs of some steps are freed of their overlaps one by one, and united
- *           two by two, neighbours first: what is hidden goes at once
- *           two by two, neighbours first: what is hidden goes at once. What each union leaves of needles is welded
- *           (weld.c), or the next would cut them into a million more
- *   settle  Steps that differ by little cross at small angles: corners come nearer to others' faces than a format's
- *           numbers tell apart. These corners are put on a decimal grid that is finer than what shows and coarser than
- *           any format's numbers, and what crosses there is resolved, until nothing does */
+ * The kernel arranges the mesh with itself, and keeps the volume that it winds around more than 0 times. Sweeps, whose
+ * bends may be much tighter than their profile is wide, need two more means:
+ *
+ *   crowds   Around such a bend all steps overlap, and all of them intersect each other, though nearly all of it is
+ *            hidden. If that is too much, runs of some steps lose their overlaps one by one, and are united two by two,
+ *            neighbours first, so that hidden parts go early. Needles that a union leaves are welded (weld.c), or the
+ *            next union would cut them into a million more
+ *   rounding Steps that differ by little intersect at small angles: corners come nearer to other faces than the
+ *            numbers of a format can distinguish. These corners move to a decimal grid, finer than anything visible and coarser than
+ *            the numbers of any format; the kernel resolves new intersections there, until there are none */
 #include "solids/overlaps.h"
 
 #include <math.h>
@@ -65,7 +65,7 @@ static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   return ok;
 }
 
-/* What may still be done: pairs of triangles that arrangements may look at; and whether it was too little. */
+/* The remaining work: the pairs of triangles that arrangements may still test; and whether it was too little. */
 typedef struct {
   const vs_kernel_options *options;
   size_t pairs;
@@ -260,8 +260,8 @@ static bool refuse(const vs_node *n, const vs_fineness *f, const vs_vec3 *at, vs
   if (!vs_sweep_tightest(n, f, at, &bend, e)) return false;
   if (bend.fits > 1e-3) snprintf(fits, sizeof fits, "one %.2g times as large fits", bend.fits * .99);
   return vs_error_set(e, VS_ERROR_MODEL, NULL,
-                      "the bend at (xyz %.4g %.4g %.4g) is too tight: the profile overlaps itself too often there to be "
-                      "made a solid; %s",
+                      "the bend at (xyz %.4g %.4g %.4g) is too tight: the profile overlaps itself "
+                      "too often there to be made a solid; %s",
                       bend.at.x, bend.at.y, bend.at.z, fits);
 }
 

@@ -11,7 +11,9 @@
  * is. options may be NULL. */
 bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e);
 
-/* Does the mesh of such a node, as geometry/ makes it, overlap itself? */
+/* Removes the overlaps of m, the mesh of n from geometry/, as vs_mesh_without_overlaps does. The mesh of a sweep then
+ * does not intersect itself in the numbers of any format either. The error for a sweep that cannot be made so names the
+ * bend. */
 bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
                            vs_error *e);
 

@@ -142,8 +142,8 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
   return EXR_ERR_SUCCESS;
 }
 
-/* Decompresses a chunk. The library calls it broken when zlib finds no memory for what it works with: then there is none for as much
- * here, either, or a second attempt succeeds. */
+/* Decompresses a chunk. The library reports a broken chunk when zlib runs out of memory. In that case an allocation of
+ * the same size fails here too, or a second attempt succeeds. */
 static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
   enum { WORK = 1 << 16 }; /* bytes, more than zlib takes */
   exr_result_t result = r->call.run(r->c, 0, d);

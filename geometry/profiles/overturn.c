@@ -1,16 +1,15 @@
 /* Owns the steps of a sweep in which a bend is tighter than its profile.
  *
  * There the inner side of the profile goes backwards from one section to the next, and the walls of the whole profile
- * wind around what it passes through the wrong way: -1 where it should count. A sweep is the union of all that the
- * profile passes through. Therefore the profile is cut into triangles, and the prism of each of them from section to
- * section into three tetrahedra. These fill each step without a gap, and neighbours share their faces by number. The
- * walls are the border of them all, each counted with its sign. One that goes backwards counts -1; its border, added
- * twice and turned right side out, makes that 1. solids/primitive_meshes.c keeps what is wound more than 0 times: that
- * is the union of the tetrahedra. Faces between two that go backwards cancel, and what is left is the fold and a part
- * of the walls.
+ * wind around its volume the wrong way: -1 times. A sweep is the union of all places that the profile passes through.
+ * Therefore the pass cuts the profile into triangles, and the prism of each of them from section to section into three
+ * tetrahedra. These fill each step without a gap, and neighbours share their faces by number. The walls are the border
+ * of all tetrahedra, each counted with its sign. A backwards one counts -1; its border, added twice and turned right
+ * side out, makes that 1. solids/overlaps.c keeps the volume that is wound more than 0 times, which is the union of the
+ * tetrahedra. Faces between two backwards ones cancel, so only the fold and a part of the walls remain.
  *
  * In a prism over the corners a < b < c, by number, the walls are cut from the lower number below to the higher one
- * above. So two prisms cut the wall that they share alike. */
+ * above. Therefore two prisms cut their common wall in the same way. */
 #include "geometry/profiles/overturn.h"
 
 #include <math.h>

@@ -23,7 +23,9 @@ static void laid_free(laid *l) {
 
 static bool lay(const vs_swept *s, laid *l) {
   size_t n = s->profile_count, rows = s->section_count, room = n * (rows + 1) + 1;
-  *l = (laid){ vs_fresh(room, sizeof *l->at), vs_zeros(rows + 1, sizeof *l->turns), vs_fresh(room, sizeof *l->numbers) };
+  *l = (laid){ .at = vs_fresh(room, sizeof *l->at),
+               .turns = vs_zeros(rows + 1, sizeof *l->turns),
+               .numbers = vs_fresh(room, sizeof *l->numbers) };
   if (!l->at || !l->turns || !l->numbers) return false;
   vs_vec3 *at = l->at;
   vs_bounds b = vs_bounds_empty();

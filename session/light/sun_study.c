@@ -465,7 +465,8 @@ vs_outcome vs_sun_study(vs_scheme *vm, const vs_sun_span *span, const char *fold
     ok = vs_error_set(&t->error, VS_ERROR_FILE, NULL, "cannot make the folder %.200s: %s", folder,
                       strerror(errno == EEXIST ? ENOTDIR : errno));
   vs_outcome outcome = ok ? vs_session_take(s, &refs, &count) : vs_session_report_error(s, &t->error);
-  if (outcome == VS_OUTCOME_DONE && (!may_write_all(t) || !take_model(t, refs, count) || !count_hours(t, o, &out->faces)))
+  if (outcome == VS_OUTCOME_DONE &&
+      (!may_write_all(t) || !take_model(t, refs, count) || !count_hours(t, o, &out->faces)))
     outcome = vs_session_report_error(s, &t->error);
   vs_ray_tree_free(&t->tree);
   vs_solid_free(&t->solid);

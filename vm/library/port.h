@@ -12,7 +12,7 @@ typedef enum { VS_IO_READ, VS_IO_WRITE, VS_IO_APPEND } vs_io_mode;
 enum { VS_IO_STDIN = 0, VS_IO_STDOUT = 1, VS_IO_STDERR = 2 };       /* streams that are always open */
 
 /* Any member may be NULL: then that fails with "not available here". */
-/* What `why` says where there is no memory for a file: then memory is the fault, and not the file. */
+/* The text of `why` if memory, and not the file, is the fault. */
 #define VS_IO_NO_MEMORY "out of memory"
 
 typedef struct vs_io {
