@@ -4,7 +4,10 @@
 #include "bind/back_ends.h"
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
+#include "bind/call/take.h"
+#include "bind/fineness.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/queries.h"
@@ -29,7 +32,7 @@ vs_status vs_p_drawing(vs_args *f, vs_value *out) {
   r[0] = VS_NIL;
   for (size_t i = n; i-- > 0;) {
     vs_ref ref = b->drew ? b->scene.drawn[i] : (vs_ref){ b->returned[i].node, b->returned[i].origin };
-    if (!vs_bind_wrap_ref(b, ref, &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
+    if (!vs_bind_give_ref(b, ref, &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
   }
   *out = r[0];
   return VS_OK;
@@ -54,7 +57,7 @@ static vs_status lower_triangles(vs_args *f, const vs_fineness *facets, vs_node 
     vs_mesh_free(&mesh);
   }
   if (ok) return *made ? VS_OK : vs_fail_memory(f->vm);
-  return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+  return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
 }
 
 vs_status vs_p_lowered(vs_args *f, vs_value *out) {
@@ -64,10 +67,10 @@ vs_status vs_p_lowered(vs_args *f, vs_value *out) {
   bool worked_out = (f->arg[0].ref.node->flags & VS_NODE_UNRESOLVED) != 0;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind), .segments = vs_bind_segments(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm), .segments = vs_bind_segments(f->vm) };
   if (vs_bind_is_empty(n) || n->kind == VS_LINE || n->kind == VS_POLYFACE_MESH)
-    return vs_bind_node(f, vs_node_retain(f->arg[0].ref.node), out);
-  if (!vs_node_bounds(n, &bounds, &e)) return vs_bind_error(f, &e);
+    return vs_bind_give_node(f, vs_node_retain(f->arg[0].ref.node), out);
+  if (!vs_node_bounds(n, &bounds, &e)) return vs_bind_error(f->vm, &e);
   if (facets.tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&bounds);
   vs_node *made = NULL;
   if (n->class_ == VS_CURVE) {
@@ -75,17 +78,17 @@ vs_status vs_p_lowered(vs_args *f, vs_value *out) {
     bool ok = vs_curve_sample(n, &facets, &p, &e);
     if (ok) made = vs_node_of_polyline(f->store, &p);
     vs_polyline_free(&p);
-    if (!ok) return vs_bind_error(f, &e);
+    if (!ok) return vs_bind_error(f->vm, &e);
   } else if (n->class_ == VS_REGION_CLASS && (worked_out || !vs_node_is_outline(n))) {
     vs_outline o = { .count = 0 };
     bool ok = vs_region_outline(n, &facets, &o, &e);
     if (ok) made = vs_node_of_outline(f->store, &o, f->arg[0].ref.origin);
     vs_outline_free(&o);
-    if (!ok) return vs_bind_error(f, &e);
+    if (!ok) return vs_bind_error(f->vm, &e);
   } else if (!lower_triangles(f, &facets, &made)) {
     return VS_ERROR;
   }
-  return vs_bind_node(f, made, out);
+  return vs_bind_give_node(f, made, out);
 }
 
 /* ---- the list ---- */
@@ -138,13 +141,13 @@ bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, si
   r[0] = vs_as_vector(vm->at.host)->at[HOST_WRITE];
   r[2] = VS_NIL;
   for (size_t i = count; i-- > 0;)
-    if (!vs_bind_wrap_ref(b, refs[i], &r[3]) || !vs_cons(vm, r[3], r[2], &r[2])) return false;
+    if (!vs_bind_give_ref(b, refs[i], &r[3]) || !vs_cons(vm, r[3], r[2], &r[2])) return false;
   if (!vs_intern_c(vm, name, &r[1])) return false;
   vs_value arguments[2] = { r[1], r[2] };
   if (!vs_run(vm, r[0], 2, arguments, &r[3])) return false;
   if (vs_is_string(r[3])) {
     size_t room;
-    if (!vs_bind_text(vm, r[3], text, &room)) return false;
+    if (!vs_bind_take_text(vm, r[3], text, &room)) return false;
     *bytes = room - 1;
     return true;
   }

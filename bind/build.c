@@ -2,32 +2,35 @@
  * object. */
 #include "bind/build.h"
 
+#include "bind/call/call.h"
+#include "bind/call/procedure.h"
 #include "bind/call/scratch.h"
 #include "bind/objects.h"
 #include "bind/records.h"
+#include "bind/warnings.h"
 #include "geometry/parts.h"
 #include "model/kinds.h"
 #include "vm/values/heap.h"
 
-vs_status vs_bind_point(vs_args *f, vs_vec3 p, vs_value *out) {
+vs_status vs_bind_give_point(vs_args *f, vs_vec3 p, vs_value *out) {
   return vs_make_flat(f->vm, VS_FLAT_POINT, (const double[]){ p.x, p.y, p.z }, 3, out);
 }
-vs_status vs_bind_vector(vs_args *f, vs_vec3 p, vs_value *out) {
+vs_status vs_bind_give_vector(vs_args *f, vs_vec3 p, vs_value *out) {
   return vs_make_flat(f->vm, VS_FLAT_VECTOR, (const double[]){ p.x, p.y, p.z }, 3, out);
 }
-vs_status vs_bind_real(vs_args *f, double d, vs_value *out) {
+vs_status vs_bind_give_real(vs_args *f, double d, vs_value *out) {
   (void)f;
   *out = vs_flonum(d);
   return VS_OK;
 }
 
-vs_status vs_bind_matrix(vs_args *f, const vs_affine *m, vs_value *out) {
+vs_status vs_bind_give_matrix(vs_args *f, const vs_affine *m, vs_value *out) {
   double d[16] = { 0 };
   memcpy(d, m->m, 12 * sizeof *d);
   d[15] = 1;
   return vs_make_flat(f->vm, VS_FLAT_MATRIX, d, 16, out);
 }
-vs_affine vs_bind_affine(const double *sixteen) {
+vs_affine vs_bind_take_matrix(const double *sixteen) {
   vs_affine m;
   memcpy(m.m, sixteen, 12 * sizeof *sixteen);
   return m;
@@ -65,29 +68,29 @@ static vs_status refuse_large(vs_args *f, const char *field) {
   return vs_fail(f->vm, f->vm->sym.range, "%s is too large: lengths end at 1e60", field);
 }
 
-vs_status vs_bind_node(vs_args *f, vs_node *node, vs_value *out) {
+vs_status vs_bind_give_node(vs_args *f, vs_node *node, vs_value *out) {
   const char *large = node ? largest_field((vs_kind)node->kind, vs_node_data(node)) : NULL;
   if (large) return vs_node_release(node), refuse_large(f, large);
-  return vs_bind_wrap(f->bind, node, out);
+  return vs_bind_give_object(f->bind, node, out);
 }
 
 vs_status vs_bind_make(vs_args *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out) {
   const char *large = data ? largest_field(kind, data) : NULL;
   if (large) return refuse_large(f, large);
-  return vs_bind_wrap(f->bind, vs_node_new(f->store, kind, data, children, n), out);
+  return vs_bind_give_object(f->bind, vs_node_new(f->store, kind, data, children, n), out);
 }
 
 vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out) {
   vs_ref whole = f->arg[0].ref, *parts;
   size_t count, made = 0;
   vs_status status = VS_OK;
-  if (!vs_several_parts(whole, &parts, &count)) return vs_bind_node(f, NULL, out);
+  if (!vs_several_parts(whole, &parts, &count)) return vs_bind_give_node(f, NULL, out);
   for (; status == VS_OK && made < count; made++) { /* a part gives its place to what is made of it */
     f->arg[0].ref = parts[made];
     status = one(f, out);
     if (status != VS_OK) break;
     vs_node_release(parts[made].node);
-    parts[made].node = vs_node_retain(vs_bind_ref(*out).node);
+    parts[made].node = vs_node_retain(vs_bind_take_ref(*out).node);
   }
   f->arg[0].ref = whole;
   if (status == VS_OK) status = vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, parts, count, out);
@@ -120,7 +123,7 @@ static void plane_directions(vs_vec3 normal, vs_vec3 *u, vs_vec3 *v) {
 }
 
 vs_status vs_bind_stand(vs_args *f, const vs_arg *plane, vs_value *out) {
-  vs_ref ref = vs_bind_ref(*out);
+  vs_ref ref = vs_bind_take_ref(*out);
   if (!ref.node || vs_bind_is_empty(ref.node)) return VS_OK;
   if (!vs_bind_keep(f, vs_node_retain(ref.node))) return VS_ERROR;
   const vs_bind_param *p = f->procedure->form[f->form].at;

@@ -6,6 +6,7 @@
 #include "bind/custom.h"
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/objects.h"
 #include "bind/state.h"
 #include "vm/machine/run.h"
@@ -40,7 +41,7 @@ static bool tickets_grow(vs_bind *b, size_t need) {
 vs_status vs_p_custom_new(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   uint32_t number = (uint32_t)f->arg[2].integer;
-  vs_ref child = vs_bind_ref(f->arg[3].value);
+  vs_ref child = vs_bind_take_ref(f->arg[3].value);
   struct vs_custom d = { vs_store_text(b->store, f->arg[0].text.at, f->arg[0].text.length),
                          vs_store_text(b->store, f->arg[1].text.at, f->arg[1].text.length), NULL, 0 };
   if (!d.name || !d.made || !tickets_grow(b, (size_t)number + 1)) return vs_fail_memory(f->vm);
@@ -52,7 +53,7 @@ vs_status vs_p_custom_new(vs_args *f, vs_value *out) {
   d.values = t;
   vs_node *n = vs_node_new(b->store, VS_CUSTOM, &d, child.node ? &child : NULL, child.node ? 1 : 0);
   if (fresh) vs_ticket_release(b->store, t); /* the node holds it, or it is gone */
-  return vs_bind_node(f, n, out);
+  return vs_bind_give_node(f, n, out);
 }
 
 /* A number that no node holds any more, or #f. */
@@ -65,13 +66,13 @@ vs_status vs_p_custom_gone(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_custom_number(vs_args *f, vs_value *out) {
-  const vs_node *n = vs_bind_ref(f->arg[0].value).node;
+  const vs_node *n = vs_bind_take_ref(f->arg[0].value).node;
   *out = n && n->kind == VS_CUSTOM ? vs_fix(VS_AS(custom, n)->values->id) : VS_FALSE;
   return VS_OK;
 }
 
 vs_status vs_p_custom_open(vs_args *f, vs_value *out) {
-  const vs_node *n = vs_bind_ref(f->arg[0].value).node;
+  const vs_node *n = vs_bind_take_ref(f->arg[0].value).node;
   *out = vs_bool(n && n->flags & VS_NODE_OPEN);
   return VS_OK;
 }
@@ -117,7 +118,7 @@ vs_status vs_p_object_with(vs_args *f, vs_value *out) {
   }
   vs_node *made = vs_node_new(f->store, (vs_kind)n->kind, vs_node_data(n), kids, count);
   if (!made) return vs_fail_memory(f->vm);
-  vs_status s = vs_bind_wrap_ref(f->bind, (vs_ref){ made, o->origin }, out);
+  vs_status s = vs_bind_give_ref(f->bind, (vs_ref){ made, o->origin }, out);
   vs_node_release(made);
   return s;
 }
@@ -149,7 +150,7 @@ bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *
   r[0] = vs_as_vector(vm->at.host)->at[HOST_HAND_ON];
   r[1] = r[2] = VS_NIL;
   for (size_t i = count; i-- > 0;)
-    if (!vs_bind_wrap_ref(b, refs[i], &r[3]) || !vs_cons(vm, r[3], r[1], &r[1])) return false;
+    if (!vs_bind_give_ref(b, refs[i], &r[3]) || !vs_cons(vm, r[3], r[1], &r[1])) return false;
   for (; names && *names; names++)
     if (!vs_intern_c(vm, *names, &r[3]) || !vs_cons(vm, r[3], r[2], &r[2])) return false;
   b->handed.kind = VS_ERROR_NONE;
@@ -157,7 +158,7 @@ bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *
   if (!vs_run(vm, r[0], 2, arguments, &r[3])) return false;
   vs_value l = r[3];
   for (size_t i = 0; i < count; i++, l = vs_cdr(l)) {
-    vs_ref made = vs_is_pair(l) ? vs_bind_ref(vs_car(l)) : (vs_ref){ NULL, NULL };
+    vs_ref made = vs_is_pair(l) ? vs_bind_take_ref(vs_car(l)) : (vs_ref){ NULL, NULL };
     if (!made.node) return vs_fail(vm, vm->sym.error, "the drawing functions lost an object");
     vs_node_retain(made.node);
     vs_node_release(refs[i].node);

@@ -7,10 +7,11 @@
 
 #include <jansson.h>
 
-#include "bind/objects.h"
+#include "bind/origins.h"
 #include "geometry/dynamic.h"
 #include "vm/library/port.h"
 #include "vm/front/source.h"
+#include "vm/machine/activation.h"
 #include "vm/machine/fail.h"
 #include "vm/machine/run.h"
 #include "vm/numbers/number.h"

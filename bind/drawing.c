@@ -1,5 +1,6 @@
 /* Owns drawing, looks and view: what of the program's objects is shown, in which material, seen from where. */
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/constructors/files.h"
@@ -8,7 +9,9 @@
 #include <stdlib.h>
 
 #include "bind/objects.h"
+#include "bind/origins.h"
 #include "bind/state.h"
+#include "bind/warnings.h"
 #include "geometry/sky_light.h"
 #include "geometry/sun_position.h"
 #include "vm/library/port.h"
@@ -51,9 +54,9 @@ vs_status vs_p_draw(vs_args *f, vs_value *out) {
     if (!vs_scene_draw(&b->scene, (vs_ref){ ref[i].node, ref[i].origin ? ref[i].origin : here }))
       return vs_fail_memory(f->vm);
   if (n == 0) return vs_bind_empty(f, NULL, out);
-  vs_status status = n == 1 ? vs_bind_node(f, vs_node_retain(ref[0].node), out)
+  vs_status status = n == 1 ? vs_bind_give_node(f, vs_node_retain(ref[0].node), out)
                             : vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, ref, n, out);
-  if (status == VS_OK && !b->handing) b->drawn_last = vs_bind_ref(*out).node;
+  if (status == VS_OK && !b->handing) b->drawn_last = vs_bind_take_ref(*out).node;
   return status;
 }
 
@@ -97,7 +100,7 @@ static vs_status around(vs_args *f, vs_kind kind, const void *data, const vs_arg
                   vs_bind_origin(f->bind) };
     if (!vs_bind_keep(f, child.node)) return VS_ERROR;
   }
-  if (vs_bind_is_empty(child.node)) return vs_bind_node(f, vs_node_retain(child.node), out);
+  if (vs_bind_is_empty(child.node)) return vs_bind_give_node(f, vs_node_retain(child.node), out);
   return vs_bind_make(f, kind, data, &child, 1, out);
 }
 

@@ -5,12 +5,13 @@
 #include <stdlib.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/constructors/operations.h"
+#include "bind/fineness.h"
 #include "bind/objects.h"
 #include "bind/queries.h"
-#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
 #include "geometry/tessellate.h"
@@ -29,7 +30,7 @@ vs_status vs_bind_resolve(vs_args *f, int i) {
   vs_bounds b;
   vs_ref *ref = &f->arg[i].ref, made = *ref;
   if (!(ref->node->flags & VS_NODE_UNRESOLVED)) return VS_OK;
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm) };
   if (facets.tolerance <= 0 && vs_node_bounds(ref->node, &b, &e) && vs_bounds_diagonal(&b) > 0)
     facets.tolerance = vs_fineness_tolerance(&b) / 16;
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
@@ -37,16 +38,16 @@ vs_status vs_bind_resolve(vs_args *f, int i) {
   e = (vs_error){ 0 };
   bool ok = vs_resolve(&made, 1, &facets, &options, &e);
   if (!vs_bind_keep(f, made.node)) return VS_ERROR;
-  if (!ok) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+  if (!ok) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
   *ref = made;
   return VS_OK;
 }
 
-bool vs_bind_bounds(vs_bind *bind, vs_ref ref, vs_bounds *out, vs_error *e) {
+bool vs_bind_bounds(vs_scheme *vm, vs_ref ref, vs_bounds *out, vs_error *e) {
   if (vs_node_bounds(ref.node, out, e)) return true;
   if (e->kind == VS_ERROR_MEMORY || !(ref.node->flags & VS_NODE_UNRESOLVED)) return false;
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(bind) };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = bind->vm };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(vm) };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
   *e = (vs_error){ 0 };
   vs_node_retain(ref.node);
   bool ok = vs_resolve(&ref, 1, &facets, &options, e) && vs_node_bounds(ref.node, out, e);
@@ -56,11 +57,11 @@ bool vs_bind_bounds(vs_bind *bind, vs_ref ref, vs_bounds *out, vs_error *e) {
 
 bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out) {
   vs_error e = { 0 };
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm) };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
   vs_drawn_search search = { .facets = &facets, .options = &options };
   if (vs_drawn_bounds(&f->arg[i].ref, &search, out, &e)) return true;
-  if (e.kind != VS_ERROR_INTERRUPT) vs_bind_error(f, &e);
+  if (e.kind != VS_ERROR_INTERRUPT) vs_bind_error(f->vm, &e);
   return false;
 }
 
@@ -87,12 +88,12 @@ static void keep(vs_args *f, uint64_t what, const vs_fineness *facets, const voi
 
 static vs_status measure_solid(vs_args *f, vs_measure *m, vs_ask ask) {
   vs_error e = { 0 };
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm) };
   uint64_t what = SOLID_MEASURE + (uint64_t)ask;
   if (known(f, what, &facets, m, sizeof *m)) return VS_OK;
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
   if (!vs_solid_measure(f->arg[0].ref, ask, facets.tolerance, &options, m, &e))
-    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
   keep(f, what, &facets, m, sizeof *m);
   return VS_OK;
 }
@@ -102,17 +103,17 @@ static vs_status measure_surface(vs_args *f, vs_measure *m) {
   vs_error e = { 0 };
   vs_bounds b;
   vs_mesh mesh = { 0 };
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm) };
   vs_vec3 sum = { 0, 0, 0 };
-  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
+  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f->vm, &e);
   if (facets.tolerance <= 0) facets.tolerance = fmax(vs_bounds_diagonal(&b) / 65536, 1e-300);
   vs_ref *parts;
   size_t count;
-  if (!vs_several_parts(f->arg[0].ref, &parts, &count)) return vs_bind_node(f, NULL, &(vs_value){ 0 });
+  if (!vs_several_parts(f->arg[0].ref, &parts, &count)) return vs_bind_give_node(f, NULL, &(vs_value){ 0 });
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) ok = vs_tessellate(parts[i].node, &facets, &mesh, &e);
   vs_several_free(parts, count);
-  if (!ok) return vs_mesh_free(&mesh), vs_bind_error(f, &e);
+  if (!ok) return vs_mesh_free(&mesh), vs_bind_error(f->vm, &e);
   for (size_t i = 0; i < mesh.triangle_count; i++) {
     vs_vec3 p = mesh.vertices[mesh.triangles[i][0]], q = mesh.vertices[mesh.triangles[i][1]],
             r = mesh.vertices[mesh.triangles[i][2]];
@@ -131,7 +132,7 @@ static vs_status measure_any(vs_args *f, vs_measure *m, vs_ask ask) {
   const vs_node *n = f->arg[0].ref.node;
   *m = (vs_measure){ 0 };
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
-  if (!vs_node_measure(n, m, &e)) return vs_bind_error(f, &e);
+  if (!vs_node_measure(n, m, &e)) return vs_bind_error(f->vm, &e);
   if (m->known && (ask != VS_ASK_AREA || m->area_known)) return VS_OK;
   if (n->class_ == VS_SOLID) return measure_solid(f, m, ask);
   bool placed = n->kind == VS_TRANSFORM || vs_node_is_wrapper(n) || n->kind == VS_UNION;
@@ -158,16 +159,16 @@ vs_status vs_p_volume(vs_args *f, vs_value *out) {
     return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;
   c = (vs_class)f->arg[0].ref.node->class_;
-  if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
+  if (c == VS_NOTHING) return vs_bind_give_real(f, 0, out);
   if (c != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
-  return measure(f, &m, VS_ASK_VOLUME) && vs_bind_real(f, m.volume, out);
+  return measure(f, &m, VS_ASK_VOLUME) && vs_bind_give_real(f, m.volume, out);
 }
 
 vs_status vs_p_area(vs_args *f, vs_value *out) {
   vs_measure m;
   if (f->arg[0].ref.node->class_ != VS_CURVE && !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
-  if (c == VS_NOTHING) return vs_bind_real(f, 0, out);
+  if (c == VS_NOTHING) return vs_bind_give_real(f, 0, out);
   if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* taken as filled */
     if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
     vs_node *region = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
@@ -177,14 +178,14 @@ vs_status vs_p_area(vs_args *f, vs_value *out) {
   }
   if (c != VS_SOLID && c != VS_REGION_CLASS && c != VS_SURFACE)
     return vs_bind_refuse(f, "o", "a solid, a region, a surface or a closed curve", f->arg[0].value);
-  return measure(f, &m, VS_ASK_AREA) && vs_bind_real(f, m.area, out);
+  return measure(f, &m, VS_ASK_AREA) && vs_bind_give_real(f, m.area, out);
 }
 
 vs_status vs_p_curve_length(vs_args *f, vs_value *out) {
   vs_measure m;
   if (!vs_bind_resolve(f, 0)) return VS_ERROR;
-  if (f->arg[0].ref.node->class_ == VS_NOTHING) return vs_bind_real(f, 0, out);
-  return measure(f, &m, VS_ASK_VOLUME) && vs_bind_real(f, m.length, out);
+  if (f->arg[0].ref.node->class_ == VS_NOTHING) return vs_bind_give_real(f, 0, out);
+  return measure(f, &m, VS_ASK_VOLUME) && vs_bind_give_real(f, m.length, out);
 }
 
 vs_status vs_p_centroid(vs_args *f, vs_value *out) {
@@ -193,10 +194,10 @@ vs_status vs_p_centroid(vs_args *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
-  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
+  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f->vm, &e);
   if (vs_bind_is_empty(f->arg[0].ref.node) || vs_bounds_is_empty(&b))
     return vs_bind_refuse(f, "o", "more than nothing", f->arg[0].value);
-  return measure(f, &m, VS_ASK_CENTROID) && vs_bind_point(f, m.centroid, out);
+  return measure(f, &m, VS_ASK_CENTROID) && vs_bind_give_point(f, m.centroid, out);
 }
 
 /* ---- the bounding box ---- */
@@ -209,6 +210,6 @@ vs_status vs_p_bounding_box(vs_args *f, vs_value *out) {
   if (!isfinite(size.x) || !isfinite(size.y) || !isfinite(size.z))
     return vs_bind_refuse(f, "o", "smaller: its corners are beyond all numbers", f->arg[0].value);
   VS_ROOTS(f->vm, r, 2);
-  return vs_bind_point(f, b.max, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) && vs_bind_point(f, b.min, &r[0]) &&
-         vs_cons(f->vm, r[0], r[1], out);
+  return vs_bind_give_point(f, b.max, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) &&
+         vs_bind_give_point(f, b.min, &r[0]) && vs_cons(f->vm, r[0], r[1], out);
 }

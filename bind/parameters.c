@@ -5,11 +5,14 @@
 #include <stdio.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
+#include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
-#include "bind/objects.h"
+#include "bind/call/take.h"
 #include "bind/print.h"
 #include "bind/records.h"
 #include "bind/state.h"
+#include "vm/machine/activation.h"
 #include "vm/machine/fail.h"
 #include "vm/numbers/number.h"
 #include "vm/values/heap.h"
@@ -106,7 +109,7 @@ static vs_status read_setting(vs_args *f, const char *name, const char *datum, v
     char *text;
     size_t length;
     if (!vs_is_string(r[0]) || vs_as_condition(f->vm->condition)->kind != f->vm->sym.read ||
-        !vs_bind_text(f->vm, r[0], &text, &length))
+        !vs_bind_take_text(f->vm, r[0], &text, &length))
       return VS_ERROR;
     f->bind->bad_parameter = true;
     vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s cannot be %s: %s", name, datum,
@@ -119,7 +122,7 @@ static vs_status read_setting(vs_args *f, const char *name, const char *datum, v
   if (point) {
     double xyz[3];
     if (!point_setting(f, datum, *out, xyz)) return wrong(f, true, name, "a point, (xyz x y z)", datum);
-    return vs_bind_point(f, vs_v3(xyz[0], xyz[1], xyz[2]), out);
+    return vs_bind_give_point(f, vs_v3(xyz[0], xyz[1], xyz[2]), out);
   }
   bool fits = t == VS_P_DATUM || type_of(*out) == t || (t == VS_P_REAL && vs_is_number(*out));
   if (!fits && t == VS_P_INTEGER && vs_is_number(*out)) {

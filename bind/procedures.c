@@ -2,6 +2,7 @@
 #include "bind/procedures.h"
 
 #include "bind/call/contract.h"
+#include "bind/call/procedure.h"
 #include "bind/functions/dual_points.h"
 
 #define ARG(name, contract) name " "

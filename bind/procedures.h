@@ -7,7 +7,11 @@
 #ifndef VS_BIND_PROCEDURES_H
 #define VS_BIND_PROCEDURES_H
 
-#include "bind/call/call.h"
+#include "bind/call/procedure.h"
+#include "vm/machine/native.h"
+
+typedef struct vs_args vs_args;
+typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 
 extern const vs_procedure vs_bind_procedures[];
 extern const vs_native_def vs_bind_defs[]; /* of the same order; an entry without a name ends them */

@@ -2,6 +2,8 @@
 #include "bind/queries.h"
 
 #include "bind/build.h"
+#include "bind/call/call.h"
+#include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/constructors/operations.h"
@@ -17,7 +19,7 @@ static vs_status truth(bool b, vs_value *out) {
   return VS_OK;
 }
 static const vs_node *node_of(const vs_args *f) { /* NULL: argument 0 is no object */
-  return vs_bind_ref(f->arg[0].value).node;
+  return vs_bind_take_ref(f->arg[0].value).node;
 }
 static vs_status is_class(const vs_args *f, vs_class c, vs_value *out) {
   return truth(node_of(f) && node_of(f)->class_ == c, out);
@@ -49,7 +51,7 @@ static vs_status list_points(vs_args *f, const vs_points *p, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (uint32_t i = p->count; i-- > 0;)
-    if (!vs_bind_point(f, p->at[i], &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
+    if (!vs_bind_give_point(f, p->at[i], &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
   *out = r[0];
   return VS_OK;
 }
@@ -70,12 +72,12 @@ static vs_status list_faces(vs_args *f, const vs_faces *g, vs_value *out) {
 static vs_status field_value(vs_args *f, const vs_field_info *i, const vs_node *n, vs_value *out) {
   const void *at = (const char *)vs_node_data(n) + i->offset;
   switch (i->type) {
-    case VS_FIELD_real: return vs_bind_real(f, *(const double *)at, out);
+    case VS_FIELD_real: return vs_bind_give_real(f, *(const double *)at, out);
     case VS_FIELD_integer: *out = vs_fix(*(const int32_t *)at); return VS_OK;
     case VS_FIELD_boolean: return truth(*(const bool *)at, out);
-    case VS_FIELD_point: return vs_bind_point(f, *(const vs_vec3 *)at, out);
-    case VS_FIELD_vector: return vs_bind_vector(f, *(const vs_vec3 *)at, out);
-    case VS_FIELD_affine: return vs_bind_matrix(f, at, out);
+    case VS_FIELD_point: return vs_bind_give_point(f, *(const vs_vec3 *)at, out);
+    case VS_FIELD_vector: return vs_bind_give_vector(f, *(const vs_vec3 *)at, out);
+    case VS_FIELD_affine: return vs_bind_give_matrix(f, at, out);
     case VS_FIELD_points: return list_points(f, *(const vs_points *const *)at, out);
     case VS_FIELD_faces: return list_faces(f, *(const vs_faces *const *)at, out);
     case VS_FIELD_text:
@@ -110,7 +112,7 @@ vs_status vs_p_object_children(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (uint32_t i = ref.node->child_count; i-- > 0;)
-    if (!vs_poll(f->vm, 1) || !vs_bind_wrap_ref(f->bind, ref.node->children[i], &r[1]) ||
+    if (!vs_poll(f->vm, 1) || !vs_bind_give_ref(f->bind, ref.node->children[i], &r[1]) ||
         !vs_cons(f->vm, r[1], r[0], &r[0]))
       return VS_ERROR;
   *out = r[0];
@@ -141,14 +143,14 @@ vs_status vs_p_contains(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   if (n->class_ == VS_NOTHING) return truth(false, out);
   if (n->class_ == VS_REGION_CLASS)
-    return vs_region_contains(n, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);
+    return vs_region_contains(n, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f->vm, &e);
   if (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED) { /* taken as filled */
     if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
     vs_node *region = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
     if (!vs_bind_keep(f, region)) return VS_ERROR;
-    return vs_region_contains(region, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f, &e);
+    return vs_region_contains(region, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f->vm, &e);
   }
   if (n->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid, a region or a closed curve", f->arg[0].value);
-  if (!vs_inside_cached(&f->bind->inside, n, f->arg[1].point, &inside, &e)) return vs_bind_error(f, &e);
+  if (!vs_inside_cached(&f->bind->inside, n, f->arg[1].point, &inside, &e)) return vs_bind_error(f->vm, &e);
   return truth(inside, out);
 }

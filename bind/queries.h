@@ -2,7 +2,9 @@
 #ifndef VS_BIND_QUERIES_H
 #define VS_BIND_QUERIES_H
 
-#include "bind/call/call.h"
+#include "vm/machine/native.h"
+
+typedef struct vs_args vs_args;
 
 /* argument i, an object, has an end; else the error says what to do */
 vs_status vs_bind_finite(vs_args *f, int i);

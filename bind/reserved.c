@@ -1,7 +1,6 @@
 /* Owns the answer of names that are taken and not there yet. */
 #include "bind/reserved.h"
 
-#include "bind/procedures.h"
 #include "vm/machine/activation.h"
 #include "vm/machine/fail.h"
 
@@ -24,11 +23,4 @@ static vs_status refuse(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n, (void)out;
   return vs_fail(vm, vm->sym.unbound, "this name is reserved: it is not there yet; %s",
                  reserved[vm->native->def - defs].instead);
-}
-
-/* the same for syntax, which geometry.scm defines */
-vs_status vs_p_reserved(vs_args *f, vs_value *out) {
-  (void)out;
-  return vs_fail_at(f->vm, f->vm->sym.unbound, vs_call_place(f->vm), VS_NIL,
-                    "%s: this name is reserved: it is not there yet; %s", f->arg[0].text.at, f->arg[1].text.at);
 }

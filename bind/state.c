@@ -3,6 +3,7 @@
 #include "bind/state.h"
 
 #include "bind/back_ends.h"
+#include "bind/call/call.h"
 #include "bind/call/convert.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
@@ -10,10 +11,13 @@
 #include "bind/objects.h"
 #include "bind/parameters.h"
 #include "bind/thrown.h"
+#include "bind/warnings.h"
 #include "model/store/cache.h"
 #include "bind/rules/lineage.h"
 #include "model/store/nodemap.h"
 #include "model/walk.h"
+#include "vm/machine/activation.h"
+#include "vm/machine/fail.h"
 
 bool vs_bind_open(vs_bind *b, vs_scheme *vm, vs_store *store) {
   *b = (vs_bind){ .vm = vm, .store = vs_store_retain(store), .refused = b->refused };
@@ -107,14 +111,14 @@ static bool remember(vs_bind *b, vs_ref ref, bool shown) {
 /* A list counts when all in it are objects: other lists are the program's own data. */
 bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   if (b->away) return true;
-  vs_ref one = vs_bind_ref(v);
+  vs_ref one = vs_bind_take_ref(v);
   if (one.node) return remember(b, one, shown);
   if (!vs_is_pair(v)) return true;
   vs_args f = { .vm = b->vm, .bind = b };
   vs_ref *ref;
   size_t n;
   vs_value bad = VS_ABSENT;
-  bool ok = vs_bind_refs(&f, v, &ref, &n, &bad);
+  bool ok = vs_bind_take_refs(&f, v, &ref, &n, &bad);
   for (size_t i = 0; ok && i < n; i++) ok = remember(b, ref[i], shown);
   if (!ok && bad != VS_ABSENT) ok = true;
   vs_bind_scratch_free(&f);
@@ -219,4 +223,19 @@ vs_status vs_p_host_set(vs_args *f, vs_value *out) {
   vs_vector *v = vs_as_vector(vm->at.host);
   vs_gc_store(vm, v, &v->at[f->arg[0].integer], r[0]);
   return VS_OK;
+}
+
+/* ---- what the library in Scheme says itself ---- */
+
+vs_status vs_p_warn(vs_args *f, vs_value *out) {
+  (void)out;
+  vs_bind_warn(f->bind, f->arg[0].text.at, "%s", f->arg[0].text.at);
+  return VS_OK;
+}
+
+/* (%reserved name instead): a name that is taken and not there yet, as syntax, which geometry.scm defines */
+vs_status vs_p_reserved(vs_args *f, vs_value *out) {
+  (void)out;
+  return vs_fail_at(f->vm, f->vm->sym.unbound, vs_call_place(f->vm), VS_NIL,
+                    "%s: this name is reserved: it is not there yet; %s", f->arg[0].text.at, f->arg[1].text.at);
 }

@@ -121,8 +121,8 @@ static void judge_error(trial *c) {
 }
 
 static void objects_of(vs_value pair, vs_ref objects[2]) {
-  objects[0] = vs_bind_ref(vs_cdr(pair));
-  objects[1] = vs_bind_ref(vs_car(pair));
+  objects[0] = vs_bind_take_ref(vs_cdr(pair));
+  objects[1] = vs_bind_take_ref(vs_car(pair));
 }
 
 /* Are the two objects of each pair of r[FOUND] the same, part by part? */

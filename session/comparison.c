@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "bind/objects.h"
+#include "bind/fineness.h"
 #include "bind/print.h"
 #include "session/handles.h"
 #include "session/host.h"
@@ -173,7 +173,7 @@ static bool compare(vs_session *s, const vs_drawn_parts *a, const vs_drawn_parts
                     vs_part_match *before, vs_part_match *after,
                     vs_comparison *out, vs_error *e) {
   vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
-  double tolerance = vs_bind_tolerance(&s->bind);
+  double tolerance = vs_bind_tolerance(s->bind.vm);
   vs_node *nodes[VS_CHANGES];
   if (!vs_drawn_parts_match(a, b, before, after, e)) return false;
   count_parts(a, b, before, after, out);
@@ -196,7 +196,7 @@ bool vs_session_swell(vs_session *s, size_t number, vs_ref *ref, vs_error *e) {
   const struct vs_material *paint = VS_AS(material, s->change[number].node->children[0].node);
   vs_node *n = s->change[number].node->children[0].node->children[0].node, *swollen;
   if (!strcmp(paint->material->name, shown[VS_CHANGES - 1].paint.name)) return true; /* what is unchanged stays */
-  if (!vs_drawn_parts_swell(n, vs_bind_tolerance(&s->bind), &options, &swollen, e)) return false;
+  if (!vs_drawn_parts_swell(n, vs_bind_tolerance(s->bind.vm), &options, &swollen, e)) return false;
   swollen = painted(s->bind.store, swollen, paint->material);
   if (!swollen) return vs_error_memory(e, NULL);
   vs_node_release(ref->node);
@@ -207,7 +207,7 @@ bool vs_session_swell(vs_session *s, size_t number, vs_ref *ref, vs_error *e) {
 static bool volume_of(vs_session *s, const vs_ref *refs, size_t count, double *volume, vs_error *e) {
   vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
   vs_node *all = vs_node_new(s->bind.store, VS_UNION, &(struct vs_union){ 0 }, refs, count);
-  bool ok = all ? vs_drawn_parts_volume(all, vs_bind_tolerance(&s->bind), &options, volume, e)
+  bool ok = all ? vs_drawn_parts_volume(all, vs_bind_tolerance(s->bind.vm), &options, volume, e)
                 : vs_error_memory(e, NULL);
   vs_node_release(all);
   return ok;

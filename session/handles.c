@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "bind/call/take.h"
 #include "bind/objects.h"
 #include "bind/records.h"
 #include "session/evaluation.h"
@@ -267,7 +268,7 @@ vs_handle_kind vs_handle_kind_of(vs_scheme *vm, vs_handle h) {
   if (vs_is_flat(v, VS_FLAT_POINT)) return VS_HANDLE_POINT;
   if (vs_is_flat(v, VS_FLAT_VECTOR)) return VS_HANDLE_VECTOR;
   if (vs_is_flat(v, VS_FLAT_MATRIX)) return VS_HANDLE_MATRIX;
-  if (vs_bind_ref(v).node) return VS_HANDLE_OBJECT;
+  if (vs_bind_take_ref(v).node) return VS_HANDLE_OBJECT;
   if (is_record(v, "%node")) return VS_HANDLE_NODE;
   if (is_record(v, "%property")) return VS_HANDLE_PROPERTY;
   if (vs_foreign_get(v, &host_object_type)) return VS_HANDLE_HOST;
@@ -321,7 +322,7 @@ const char *vs_handle_get_text_bytes(vs_scheme *vm, vs_handle h, size_t *length)
   vs_handles *t = s->handles;
   vs_session_memory(s, t->text, t->text_bytes, 0);
   t->text = NULL, t->text_bytes = 0;
-  if (!vs_bind_text(vm, r[0], &t->text, &t->text_bytes)) return vs_session_out_of_memory(s), NULL;
+  if (!vs_bind_take_text(vm, r[0], &t->text, &t->text_bytes)) return vs_session_out_of_memory(s), NULL;
   *length = t->text_bytes - 1;
   return t->text;
 }

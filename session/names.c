@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bind/call/procedure.h"
 #include "bind/procedures.h"
 #include "session/report.h"
 #include "vm/machine/arguments.h"

@@ -4,7 +4,8 @@
 
 #include <inttypes.h>
 
-#include "bind/objects.h"
+#include "bind/call/take.h"
+#include "bind/origins.h"
 #include "session/advice.h"
 #include "session/session.h"
 #include "vm/front/source.h"
@@ -215,7 +216,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
       if (!vs_is_pair(more) || !vs_is_fixnum(vs_car(more)) || !vs_is_string(vs_cdr(more)) ||
           !vs_session_span(s, vs_pos_of(vs_car(more)), &span))
         continue;
-      if (!vs_bind_text(vm, vs_cdr(more), &text, &bytes)) break;
+      if (!vs_bind_take_text(vm, vs_cdr(more), &text, &bytes)) break;
       tell(s, VS_SEVERITY_ERROR, outcome, span, text, NULL, 0);
       vs_mem(vm, text, bytes, 0);
     }

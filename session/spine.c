@@ -12,6 +12,7 @@
  * this file, from top to bottom. */
 #include "bind/back_ends.h"
 #include "bind/custom.h"
+#include "bind/fineness.h"
 #include "bind/objects.h"
 #include "bind/scene/node_natives.h"
 #include "bind/state.h"
@@ -159,7 +160,7 @@ static bool stage_collect(vs_job *j) {
   scene->drawn = NULL, scene->drawn_count = scene->drawn_room = 0;
   if (!change && !show_nodes(j, &beside, &shown[0])) return false;
   bool returned = !change && vs_bind_finish(&s->bind);
-  scene->tolerance = vs_bind_tolerance(&s->bind);
+  scene->tolerance = vs_bind_tolerance(s->bind.vm);
   const vs_ref *drawn = change ? s->change : s->bind.scene.drawn;
   size_t n = change ? s->change_count : returned ? s->bind.returned_count : beside ? s->bind.scene.drawn_count : 0;
   scene->drawn = vs_store_realloc(s->bind.store, NULL, 0, (n + 1) * sizeof *scene->drawn);
@@ -169,7 +170,7 @@ static bool stage_collect(vs_job *j) {
     scene->drawn[i] = returned ? (vs_ref){ s->bind.returned[i].node, s->bind.returned[i].origin } : drawn[i];
   for (size_t i = 0; i < n; i++) vs_node_retain(scene->drawn[i].node);
   for (; vs_is_pair(shown[0]); shown[0] = vs_cdr(shown[0]))
-    if (!vs_scene_draw(scene, vs_bind_ref(vs_car(shown[0])))) return vs_error_memory(&j->error, NULL);
+    if (!vs_scene_draw(scene, vs_bind_take_ref(vs_car(shown[0])))) return vs_error_memory(&j->error, NULL);
   for (size_t i = 0; change && j->format->backend->parts_flush && i < n; i++)
     if (!vs_session_swell(s, i, &scene->drawn[i], &j->error)) return false;
   if (!j->record) return true;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "bind/objects.h"
+#include "bind/origins.h"
 #include "session/names.h"
 #include "session/report.h"
 #include "session/source_outline.h"

@@ -1,13 +1,16 @@
 /* Owns the implementation of visualscheme.h: ties interpreter, model, geometry's procedures and back-ends into one
  * object. */
 #include "bind/back_ends.h"
+#include "bind/fineness.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
+#include "bind/origins.h"
 #include "bind/parameters.h"
 #include "bind/records.h"
 #include "bind/scene/node_natives.h"
 #include "bind/state.h"
 #include "bind/thrown.h"
+#include "bind/warnings.h"
 #include "session/checking.h"
 #include "session/evaluation.h"
 #include "session/host.h"
@@ -74,7 +77,7 @@ static bool tell_object(vs_session *s, vs_value v) {
   vs_text shown, t;
   VS_ROOTS(vm, r, 1);
   r[0] = v;
-  vs_ref object = vs_bind_ref(r[0]);
+  vs_ref object = vs_bind_take_ref(r[0]);
   vs_text_open(vm, &shown, SHORT);
   vs_text_open(vm, &t, 0);
   bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown) && vs_text_end(&shown);
@@ -90,11 +93,11 @@ static bool tell_object(vs_session *s, vs_value v) {
   }
   vs_bounds b;
   vs_error e = { 0 };
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(&s->bind) };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(s->bind.vm) };
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
   size_t budget = VS_DRAWN_BOUNDS_MOST;
   vs_drawn_search search = { .facets = &facets, .options = &options, .budget = &budget };
-  object = vs_bind_ref(r[0]);
+  object = vs_bind_take_ref(r[0]);
   if (ok && vs_node_bounds(object.node, &b, &e) && !vs_bounds_is_empty(&b) &&
       isfinite(b.max.x - b.min.x + b.max.y - b.min.y + b.max.z - b.min.z) &&
       vs_drawn_bounds(&object, &search, &b, &e)) {
@@ -114,7 +117,7 @@ static bool tell_object(vs_session *s, vs_value v) {
 static size_t objects_in_list(vs_value v) {
   size_t n = 0;
   for (; vs_is_pair(v); v = vs_cdr(v), n++)
-    if (!vs_bind_ref(vs_car(v)).node) return 0;
+    if (!vs_bind_take_ref(vs_car(v)).node) return 0;
   return v == VS_NIL ? n : 0;
 }
 
@@ -128,7 +131,7 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   if (!(s->flags & VS_EVAL_PRINT)) vs_session_advise_named(s, r[0], place);
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || r[0] == VS_UNSPECIFIC) return true;
   if (s->flags & VS_EVAL_NUMBER && !name_result(s, r[0])) return false;
-  if (s->flags & VS_EVAL_NUMBER && vs_bind_ref(r[0]).node) return tell_object(s, r[0]);
+  if (s->flags & VS_EVAL_NUMBER && vs_bind_take_ref(r[0]).node) return tell_object(s, r[0]);
   /* bytes: a drawing of thousands of parts is no answer to read; what has a number can be asked further */
   enum { MOST = 4000, MOST_NUMBERED = 1000 };
   vs_text shown, t;
@@ -146,7 +149,7 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   else if (shown.cut) snprintf(note, sizeof note, " ...");
   ok = ok && (objects || vs_text_put(&t, shown.at ? shown.at : "", shown.count)) && vs_text_puts(&t, note);
   vs_bind_counts parts;
-  vs_ref object = shown.cut ? vs_bind_ref(r[0]) : (vs_ref){ NULL, NULL };
+  vs_ref object = shown.cut ? vs_bind_take_ref(r[0]) : (vs_ref){ NULL, NULL };
   if (ok && object.node && vs_bind_count(object, &parts)) { /* (unite ... ; 3000 objects */
     char text[60];
     snprintf(text, sizeof text, " ; %.15g object%s", parts.all, parts.all == 1 ? "" : "s");

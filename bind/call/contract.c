@@ -10,9 +10,12 @@
 #include <string.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/convert.h"
+#include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
+#include "bind/call/take.h"
 #include "bind/constructors/regroup.h"
 #include "bind/print.h"
 #include "bind/records.h"
@@ -22,6 +25,9 @@
 #include "vm/machine/fail.h"
 #include "vm/numbers/dual.h"
 #include "vm/numbers/number.h"
+
+_Static_assert((int)VS_MAX_ARGUMENTS <= (int)VS_CALL_ARGUMENTS && (int)VS_MAX_KEYS <= (int)VS_CALL_KEYS,
+               "a call has room for each row of the table");
 
 static vs_vec3 vec_of(const double *d) { return vs_v3(d[0], d[1], d[2]); }
 static bool finite3(const double *d) { return isfinite(d[0]) && isfinite(d[1]) && isfinite(d[2]); }
@@ -43,9 +49,9 @@ static bool looks_like(vs_args *f, vs_contract c, vs_value v) {
   vs_arg unused;
   if (c == VS_C_POINT) return vs_is_flat(v, VS_FLAT_POINT);
   if (c == VS_C_VECTOR || c == VS_C_DIRECTION) return vs_is_flat(v, VS_FLAT_VECTOR);
-  if (c == VS_C_AXIS) return vs_bind_is_axis(v, &unused);
+  if (c == VS_C_AXIS) return vs_bind_take_axis(v, &unused);
   if (c == VS_C_REAL || c == VS_C_RADIUS || c == VS_C_POSITIVE || c == VS_C_ANGLE)
-    return vs_bind_number(f->vm, v, &unused.real);
+    return vs_bind_take_number(f->vm, v, &unused.real);
   return true;
 }
 
@@ -75,8 +81,8 @@ static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
   double d[3];
   bool two_corners = f->procedure->form[1].used && f->procedure->form[0].at[1].contract == VS_C_POINT &&
       f->procedure->form[0].at[2].mode == VS_ARG_END;
-  if (two_corners && n == 3 && vs_bind_number(f->vm, a[0], &d[0]) && vs_bind_number(f->vm, a[1], &d[1]) &&
-      vs_bind_number(f->vm, a[2], &d[2])) {
+  if (two_corners && n == 3 && vs_bind_take_number(f->vm, a[0], &d[0]) && vs_bind_take_number(f->vm, a[1], &d[1]) &&
+      vs_bind_take_number(f->vm, a[2], &d[2])) {
     char x[32], y[32], z[32]; /* one corner is the origin */
     vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
     snprintf(hint, sizeof hint, "(%s (xyz 0 0 0) (xyz %s %s %s))", name, x, y, z);
@@ -191,7 +197,8 @@ static vs_status run(vs_args *f, const vs_bind_row *row, vs_value *a, int n, vs_
   if (!enter_quickly(f, a, given)) {
     vs_status status;
     bool duals = vs_is_fixnum(vs_lib_get(f->vm, VS_LIB_DUALS)); /* a differentiation has begun */
-    if (duals && vs_dual_level(a, (size_t)given) >= 0 && row->differentiate(f, a, given, out, &status)) return status;
+    if (duals && vs_dual_level(a, (size_t)given) >= 0 && row->differentiate(f->vm, f->function, a, given, out, &status))
+      return status;
     if (!enter_slowly(f, a, given)) return VS_ERROR;
   }
   for (int i = 0; f->procedure->key[i].mode != VS_ARG_END; i++) {

@@ -2,7 +2,11 @@
 #ifndef VS_BIND_CALL_CONTRACT_H
 #define VS_BIND_CALL_CONTRACT_H
 
-#include "bind/call/call.h"
+#include "vm/machine/native.h"
+
+typedef struct vs_args vs_args;
+typedef struct vs_procedure vs_procedure;
+typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 
 /* A procedure as the table has it. */
 typedef struct {
@@ -11,7 +15,8 @@ typedef struct {
   const char *names; /* with spaces between them */
   /* The call where an argument is a number that is being differentiated. False, without an error: the procedure takes
    * plain numbers only; else *status is the call's. */
-  bool (*differentiate)(vs_args *f, vs_value *a, int n, vs_value *out, vs_status *status);
+  bool (*differentiate)(vs_scheme *vm, vs_procedure_fn *procedure, vs_value *a, int n, vs_value *out,
+                        vs_status *status);
 } vs_bind_row;
 
 /* Calls the row's function with n arguments, checked and converted. VS_ERROR: the error is set. */

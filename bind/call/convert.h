@@ -2,7 +2,12 @@
 #ifndef VS_BIND_CALL_CONVERT_H
 #define VS_BIND_CALL_CONVERT_H
 
-#include "bind/call/call.h"
+#include "model/node.h"
+#include "vm/machine/native.h"
+
+typedef struct vs_arg vs_arg;
+typedef struct vs_args vs_args;
+typedef struct vs_bind_param vs_bind_param;
 
 /* Fills `out` from v for parameter p. VS_ERROR: v does not keep the contract, and the error says so. */
 typedef vs_status vs_convert_fn(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out);
@@ -49,8 +54,8 @@ vs_status vs_convert_all_points(vs_args *f, const vs_bind_param *p, const vs_val
 vs_status vs_convert_all_things(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 
 /* Flattens a list of objects. False: *bad is no object; or the error is set, and *bad is absent. */
-bool vs_bind_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad);
+bool vs_bind_take_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad);
 /* Is v an axis? Fills out->line; sets no error. */
-bool vs_bind_is_axis(vs_value v, vs_arg *out);
+bool vs_bind_take_axis(vs_value v, vs_arg *out);
 
 #endif

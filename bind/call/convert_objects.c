@@ -1,17 +1,28 @@
-/* Owns the conversion of arguments that are objects, points or lists of them. Each function vs_convert_* is a row of
- * contracts.def: it fills `out` or sets the error. Lists of lists are flattened without recursion. */
+/* Owns the conversion of arguments that are objects, points or lists of them, materials or colours. Each function
+ * vs_convert_* is a row of contracts.def: it fills `out` or sets the error. Lists of lists are flattened without
+ * recursion. */
+#include "bind/call/call.h"
 #include "bind/call/convert.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
+#include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
+#include "bind/call/take.h"
+#include "bind/constructors/files.h"
 #include "bind/constructors/operations.h"
+#include "bind/objects.h"
+#include "bind/origins.h"
 #include "bind/print.h"
 #include "bind/records.h"
 #include "bind/rules/scope.h"
+#include "bind/state.h"
+#include "model/looks/ready_materials.h"
+#include "vm/front/suggest.h"
 #include "vm/machine/fail.h"
 
 static bool finite3(const double *d) { return isfinite(d[0]) && isfinite(d[1]) && isfinite(d[2]); }
@@ -56,7 +67,7 @@ static bool flatten(vs_args *f, const vs_value *values, size_t count,
 }
 
 static bool add_ref(vs_args *f, vs_value v, void *to, bool *oom) {
-  vs_ref ref = vs_bind_ref(v);
+  vs_ref ref = vs_bind_take_ref(v);
   if (!ref.node) return false;
   vs_ref *slot = vs_bind_grow(f, to);
   if (!slot) return *oom = true, false;
@@ -64,12 +75,12 @@ static bool add_ref(vs_args *f, vs_value v, void *to, bool *oom) {
   return true;
 }
 static bool add_curve(vs_args *f, vs_value v, void *to, bool *oom) {
-  const vs_node *n = vs_bind_ref(v).node;
+  const vs_node *n = vs_bind_take_ref(v).node;
   return n && (n->class_ == VS_CURVE || vs_bind_is_empty(n)) && add_ref(f, v, to, oom);
 }
 /* a section: a curve, a region, or a point, which becomes a line of one point */
 static bool add_section(vs_args *f, vs_value v, void *to, bool *oom) {
-  const vs_node *object = vs_bind_ref(v).node;
+  const vs_node *object = vs_bind_take_ref(v).node;
   if (object)
     return (object->class_ == VS_CURVE || object->class_ == VS_REGION_CLASS || vs_bind_is_empty(object)) &&
            add_ref(f, v, to, oom);
@@ -94,10 +105,10 @@ static bool add_point(vs_args *f, vs_value v, void *to, bool *oom) {
 typedef struct { vs_growing refs, points; } grow_things;
 static bool add_thing(vs_args *f, vs_value v, void *to, bool *oom) {
   grow_things *g = to;
-  return vs_bind_ref(v).node ? add_ref(f, v, &g->refs, oom) : add_point(f, v, &g->points, oom);
+  return vs_bind_take_ref(v).node ? add_ref(f, v, &g->refs, oom) : add_point(f, v, &g->points, oom);
 }
 
-bool vs_bind_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad) {
+bool vs_bind_take_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad) {
   vs_growing g = { .size = sizeof(vs_ref) };
   if (!flatten(f, &list, 1, add_ref, &g, bad)) return false;
   *out = g.at, *count = g.count;
@@ -113,12 +124,12 @@ static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, 
   double all[3 * MOST], d[3];
   size_t count = 0, numbers = 0, each = 0;
   vs_value first = n == 1 && vs_is_pair(v[0]) ? vs_car(v[0]) : VS_NIL;
-  if (first != VS_NIL && (vs_is_pair(first) || vs_is_vector(first) || !vs_bind_listed_numbers(f->vm, v[0], d)))
+  if (first != VS_NIL && (vs_is_pair(first) || vs_is_vector(first) || !vs_bind_take_numbers(f->vm, v[0], d)))
     for (vs_value l = v[0]; vs_is_pair(l) && count < MOST; l = vs_cdr(l)) item[count++] = vs_car(l);
   else
     while (count < n && count < MOST) item[count] = v[count], count++;
   for (size_t i = 0; i < count; i++) {
-    size_t listed = vs_bind_number(f->vm, item[i], d) ? 1 : (size_t)vs_bind_listed_numbers(f->vm, item[i], d);
+    size_t listed = vs_bind_take_number(f->vm, item[i], d) ? 1 : (size_t)vs_bind_take_numbers(f->vm, item[i], d);
     if (listed == 0 || (i > 0 && listed != each)) return false;
     each = listed;
     for (size_t k = 0; k < listed; k++) all[numbers++] = d[k];
@@ -154,7 +165,7 @@ static vs_status refuse_item(vs_args *f, const vs_bind_param *p, const vs_value 
     snprintf(expected, sizeof expected, "a point or a list of points (%s?)", meant);
     return vs_bind_refuse(f, p->name, expected, bad);
   }
-  if (!strcmp(item, "point") && vs_bind_number(f->vm, bad, &d))
+  if (!strcmp(item, "point") && vs_bind_take_number(f->vm, bad, &d))
     return vs_bind_refuse(f, p->name, "a point or a list of points, each written (xy x y) or (xyz x y z)", bad);
   if (!strcmp(item, "point") && vs_is_flat(bad, VS_FLAT_VECTOR))
     return vs_bind_refuse_hint(f, p->name, text, bad, "(+ origin v)");
@@ -192,7 +203,7 @@ vs_status vs_convert_all_things(vs_args *f, const vs_bind_param *p, const vs_val
 
 /* one object, or the union of a list */
 static vs_status one_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
-  out->ref = vs_bind_ref(v);
+  out->ref = vs_bind_take_ref(v);
   if (out->ref.node) return VS_OK;
   vs_arg list;
   if (!vs_convert_all_refs(f, p, &v, 1, &list)) return VS_ERROR;
@@ -274,7 +285,7 @@ vs_status vs_convert_things(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
 
 /* An extrusion's way: a curve, a gvector, or a height along Z. */
 vs_status vs_convert_path(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
-  out->ref = vs_bind_ref(v);
+  out->ref = vs_bind_take_ref(v);
   if (out->ref.node) return class_fits(VS_C_CURVE, out->ref.node) ? VS_OK : vs_bind_refuse_kind(f, p, v);
   if (!vs_is_flat(v, VS_FLAT_VECTOR)) return vs_convert_real(f, p, v, out);
   out->point = vec_of(vs_as_flat(v)->at);
@@ -282,11 +293,77 @@ vs_status vs_convert_path(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg
 }
 
 vs_status vs_convert_scope(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
-  out->scope = vs_bind_scope(v);
+  out->scope = vs_bind_take_scope(v);
   return out->scope ? VS_OK : vs_bind_refuse_kind(f, p, v);
 }
 
 vs_status vs_convert_rule(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   (void)out;
   return vs_is_rule(v) ? VS_OK : vs_bind_refuse_kind(f, p, v);
+}
+
+/* ---- looks ---- */
+
+/* The spelling that was meant: "#f80", or a name with a slip. */
+static vs_status refuse_material(vs_args *f, const vs_bind_param *p, vs_value got, const char *name) {
+  char hint[64];
+  const char *near = vs_nearest_word(name, vs_ready_material_name);
+  if (name[0] == '#' && strlen(name) == 4 && strspn(name + 1, "0123456789abcdefABCDEF") == 3)
+    snprintf(hint, sizeof hint, "\"#%c%c%c%c%c%c\"", name[1], name[1], name[2], name[2], name[3], name[3]);
+  else if (near) snprintf(hint, sizeof hint, "\"%s\"", near);
+  else return vs_bind_refuse_kind(f, p, got);
+  return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
+}
+
+/* Three numbers, not all from 0 to 1: from 0 to 255, and not all small, they are what other programs take. */
+static vs_status refuse_parts(vs_args *f, const vs_bind_param *p, vs_value got) {
+  double c[3];
+  char hint[96];
+  vs_value l = got;
+  for (int i = 0; i < 3; i++, l = vs_cdr(l))
+    if (!vs_bind_take_number(f->vm, vs_car(l), &c[i]) || !(c[i] >= 0 && c[i] <= 255))
+      return vs_bind_refuse_kind(f, p, got);
+  if (c[0] < 32 && c[1] < 32 && c[2] < 32) return vs_bind_refuse_kind(f, p, got);
+  snprintf(hint, sizeof hint, "(list %.3g %.3g %.3g)", c[0] / 255, c[1] / 255, c[2] / 255);
+  return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
+}
+
+/* a material from a paint, or from a name; a colour also from three numbers */
+static bool is_photograph(const char *name) {
+  const char *dot = strrchr(name, '.');
+  return dot && (!strcasecmp(dot, ".png") || !strcasecmp(dot, ".jpg") || !strcasecmp(dot, ".jpeg"));
+}
+
+/* A material by its photograph: a matt surface, the picture a metre wide. */
+static vs_status convert_photograph(vs_args *f, vs_value v, vs_arg *out) {
+  vs_material m = { .roughness = 0.9, .ior = 1.5, .pattern = { .kind = VS_PATTERN_PICTURE } };
+  double mean[3];
+  if (vs_bind_picture(f, v, &m.pattern.picture, &m.name, mean) != VS_OK) return VS_ERROR;
+  m.red = mean[0], m.green = mean[1], m.blue = mean[2];
+  out->material = vs_store_material(f->store, &m);
+  return out->material ? VS_OK : vs_fail_memory(f->vm);
+}
+
+vs_status vs_convert_material(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+  out->material = vs_foreign_get(v, &vs_paint_type);
+  if (out->material) return VS_OK;
+  if (vs_is_pair(v) && p->contract == VS_C_COLOR && vs_list_length(v) == 3) {
+    double c[3];
+    vs_value l = v;
+    for (int i = 0; i < 3; i++, l = vs_cdr(l))
+      if (!vs_bind_take_number(f->vm, vs_car(l), &c[i]) || !(c[i] >= 0 && c[i] <= 1)) return refuse_parts(f, p, v);
+    vs_material m = { "", c[0], c[1], c[2], .5, 0, 0, 1.5, { 0 } };
+    out->material = vs_store_material(f->store, &m);
+    return out->material ? VS_OK : vs_fail_memory(f->vm);
+  }
+  if (!vs_is_string(v) && !vs_is_symbol(v)) return vs_bind_refuse_kind(f, p, v);
+  vs_arg name;
+  if (!vs_convert_text(f, p, v, &name)) return VS_ERROR;
+  if (p->contract == VS_C_MATERIAL && vs_is_string(v) && is_photograph(name.text.at))
+    return convert_photograph(f, v, out);
+  size_t refused = f->bind->refused;
+  out->material = vs_store_ready_material(f->store, name.text.at);
+  return out->material                 ? VS_OK
+         : f->bind->refused != refused ? vs_fail_memory(f->vm)
+                                       : refuse_material(f, p, v, name.text.at);
 }

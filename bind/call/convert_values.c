@@ -6,10 +6,13 @@
 #include <string.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
+#include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
-#include "bind/objects.h"
+#include "bind/call/take.h"
 #include "bind/records.h"
+#include "bind/warnings.h"
 #include "vm/machine/fail.h"
 #include "vm/values/gc.h"
 
@@ -39,7 +42,7 @@ static bool convert_line(vs_value v, const char *const names[3], uint32_t kind, 
   return true;
 }
 
-bool vs_bind_is_axis(vs_value v, vs_arg *out) { return convert_line(v, axis_names, VS_FLAT_AXIS, out); }
+bool vs_bind_take_axis(vs_value v, vs_arg *out) { return convert_line(v, axis_names, VS_FLAT_AXIS, out); }
 static bool is_plane(vs_value v, vs_arg *out) { /* its normal */
   return convert_line(v, plane_names, VS_FLAT_PLANE, out);
 }
@@ -48,7 +51,7 @@ vs_status vs_convert_text(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg
   char *text;
   size_t bytes;
   if (!vs_is_string(v) && !vs_is_symbol(v)) return vs_bind_refuse_kind(f, p, v);
-  if (!vs_bind_text(f->vm, v, &text, &bytes)) return VS_ERROR;
+  if (!vs_bind_take_text(f->vm, v, &text, &bytes)) return VS_ERROR;
   char *kept = vs_bind_scratch(f, bytes);
   if (kept) memcpy(kept, text, bytes);
   vs_mem(f->vm, text, bytes, 0);
@@ -57,7 +60,7 @@ vs_status vs_convert_text(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg
 }
 
 vs_status vs_convert_real(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
-  if (!vs_bind_number(f->vm, v, &out->real)) return vs_bind_refuse_kind(f, p, v);
+  if (!vs_bind_take_number(f->vm, v, &out->real)) return vs_bind_refuse_kind(f, p, v);
   if (!isfinite(out->real)) return vs_bind_refuse(f, p->name, "finite", v);
   return VS_OK;
 }
@@ -156,7 +159,7 @@ vs_status vs_convert_place(vs_args *f, const vs_bind_param *p, vs_value v, vs_ar
 
 vs_status vs_convert_numeric(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (vs_is(v, VS_T_FLAT)) return VS_OK;
-  return vs_bind_number(f->vm, v, &out->real) ? VS_OK : vs_bind_refuse_kind(f, p, v);
+  return vs_bind_take_number(f->vm, v, &out->real) ? VS_OK : vs_bind_refuse_kind(f, p, v);
 }
 
 static vs_status check_line(vs_args *f, const vs_bind_param *p, vs_value v, const vs_arg *out) {
@@ -165,7 +168,7 @@ static vs_status check_line(vs_args *f, const vs_bind_param *p, vs_value v, cons
 }
 
 vs_status vs_convert_axis(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
-  return vs_bind_is_axis(v, out) ? check_line(f, p, v, out) : vs_bind_refuse_kind(f, p, v);
+  return vs_bind_take_axis(v, out) ? check_line(f, p, v, out) : vs_bind_refuse_kind(f, p, v);
 }
 
 vs_status vs_convert_plane(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
@@ -175,7 +178,7 @@ vs_status vs_convert_plane(vs_args *f, const vs_bind_param *p, vs_value v, vs_ar
 /* A height is the plane there, of which the lower side is kept. */
 vs_status vs_convert_cut(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (v == VS_FALSE) return VS_OK;
-  if (!vs_bind_number(f->vm, v, &out->real)) return vs_convert_plane(f, p, v, out);
+  if (!vs_bind_take_number(f->vm, v, &out->real)) return vs_convert_plane(f, p, v, out);
   double height = out->real;
   out->line.at = vs_v3(0, 0, height), out->line.direction = vs_v3(0, 0, -1);
   return check_line(f, p, v, out);
@@ -183,7 +186,7 @@ vs_status vs_convert_cut(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg 
 
 vs_status vs_convert_matrix(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (!vs_is_flat(v, VS_FLAT_MATRIX)) return vs_bind_refuse_kind(f, p, v);
-  return out->matrix = vs_bind_affine(vs_as_flat(v)->at), VS_OK;
+  return out->matrix = vs_bind_take_matrix(vs_as_flat(v)->at), VS_OK;
 }
 
 vs_status vs_convert_factor(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
@@ -193,8 +196,8 @@ vs_status vs_convert_factor(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
   } else if (vs_is_pair(v) && vs_list_length(v) == 3) {
     vs_value l = v;
     for (int i = 0; i < 3; i++, l = vs_cdr(l))
-      if (!vs_bind_number(f->vm, vs_car(l), &d[i])) return vs_bind_refuse_kind(f, p, v);
-  } else if (vs_bind_number(f->vm, v, &d[0])) {
+      if (!vs_bind_take_number(f->vm, vs_car(l), &d[i])) return vs_bind_refuse_kind(f, p, v);
+  } else if (vs_bind_take_number(f->vm, v, &d[0])) {
     d[1] = d[2] = d[0];
   } else {
     return vs_bind_refuse_kind(f, p, v);

@@ -5,7 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bind/call/call.h"
 #include "bind/call/convert.h"
+#include "bind/call/procedure.h"
+#include "bind/call/take.h"
 #include "bind/objects.h"
 #include "bind/print.h"
 #include "bind/records.h"
@@ -25,11 +28,13 @@ static const struct { const char *noun, *condition; } contracts[] = {
 const char *vs_contract_noun(uint8_t contract) { return contracts[contract].noun; }
 const char *vs_contract_condition(uint8_t contract) { return contracts[contract].condition; }
 
-bool vs_bind_number(vs_scheme *vm, vs_value v, double *out) {
-  if (vs_is_double(v)) *out = vs_double(v);
-  else if (vs_is_fixnum(v)) *out = (double)vs_fixnum(v);
-  else return vs_is_number(v) && vs_number_double(vm, v, out);
-  return true;
+const char *vs_bind_own_name(const vs_args *f, char room[64]) {
+  const char *names = f->names + (*f->names == '%');
+  size_t n = strcspn(names, " ");
+  if (n > 63) n = 63;
+  memcpy(room, names, n);
+  room[n] = 0;
+  return room;
 }
 
 vs_status vs_bind_refuse(vs_args *f, const char *param, const char *expected, vs_value got) {
@@ -43,19 +48,6 @@ vs_status vs_bind_refuse_hint(vs_args *f, const char *param, const char *expecte
   char text[256];
   snprintf(text, sizeof text, "%s (%s?)", expected, hint);
   return vs_bind_refuse(f, param, text, got);
-}
-
-/* Two or three numbers in a list or a vector; how many, 0: it is something else. */
-int vs_bind_listed_numbers(vs_scheme *vm, vs_value v, double d[3]) {
-  int n = 0;
-  d[0] = d[1] = d[2] = 0;
-  if (vs_is_vector(v)) {
-    const vs_vector *w = vs_as_vector(v);
-    while (w->length <= 3 && n < (int)w->length && vs_bind_number(vm, w->at[n], &d[n])) n++;
-    return w->length == (size_t)n && n >= 2 ? n : 0;
-  }
-  for (; vs_is_pair(v) && n < 3 && vs_bind_number(vm, vs_car(v), &d[n]); v = vs_cdr(v)) n++;
-  return v == VS_NIL && n >= 2 ? n : 0;
 }
 
 /* A procedure where its result is wanted: "..., got the procedure wall; call it: (wall length)". False: v is none. */
@@ -90,7 +82,7 @@ vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) 
     return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
   }
   double d[3];
-  int listed = wants_vector || wants_point ? vs_bind_listed_numbers(f->vm, got, d) : 0;
+  int listed = wants_vector || wants_point ? vs_bind_take_numbers(f->vm, got, d) : 0;
   if (listed) {
     char x[32], y[32], z[32], hint[128];
     vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
@@ -100,14 +92,14 @@ vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) 
   }
   if (vs_bind_refuse_uncalled(f, p, got)) return VS_ERROR;
   const vs_bind_param *first = f->procedure->form[0].at;
-  if (wants_point && vs_bind_number(f->vm, got, d) && (!strcmp(p->name, "apex") || !strcmp(p->name, "c2"))) {
+  if (wants_point && vs_bind_take_number(f->vm, got, d) && (!strcmp(p->name, "apex") || !strcmp(p->name, "c2"))) {
     char number[32], hint[96]; /* a height where the solid's other end is due */
     vs_bind_number_text(number, d[0]);
     snprintf(hint, sizeof hint, "(+z %s %s)", first->name, number);
     return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
   }
   if (p->contract == VS_C_ANGLE && first->mode != VS_ARG_END && first->contract == VS_C_SECTIONS &&
-      vs_bind_ref(got).node)
+      vs_bind_take_ref(got).node)
     return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got,
                        "the sections stand in one list: (list section ...)");
   vs_arg word; /* 'walls for "walls", "top" for 'top */
@@ -124,12 +116,12 @@ vs_status vs_bind_refuse_condition(vs_args *f, const vs_bind_param *p, vs_value 
   return vs_bind_refuse(f, p->name, vs_contract_condition(p->contract), got);
 }
 
-vs_status vs_bind_error(vs_args *f, const vs_error *e) {
+vs_status vs_bind_error(vs_scheme *vm, const vs_error *e) {
   switch (e->kind) {
-    case VS_ERROR_MEMORY: return vs_fail_memory(f->vm);
-    case VS_ERROR_INTERRUPT: return vs_fail(f->vm, f->vm->sym.interrupt, "interrupted");
-    case VS_ERROR_FILE: return vs_fail(f->vm, f->vm->sym.file, "%s", e->message);
+    case VS_ERROR_MEMORY: return vs_fail_memory(vm);
+    case VS_ERROR_INTERRUPT: return vs_fail(vm, vm->sym.interrupt, "interrupted");
+    case VS_ERROR_FILE: return vs_fail(vm, vm->sym.file, "%s", e->message);
     case VS_ERROR_NONE: case VS_ERROR_MODEL: case VS_ERROR_WORKER: break;
   }
-  return vs_fail(f->vm, f->vm->sym.error, "%s", *e->message ? e->message : "cannot be computed");
+  return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "cannot be computed");
 }

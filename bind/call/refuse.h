@@ -2,16 +2,19 @@
 #ifndef VS_BIND_CALL_REFUSE_H
 #define VS_BIND_CALL_REFUSE_H
 
-#include "bind/call/call.h"
+#include "model/node.h"
+#include "vm/machine/native.h"
+
+typedef struct vs_args vs_args;
+typedef struct vs_bind_param vs_bind_param;
 
 /* The contract's two texts: the kind of thing, and the condition on it. */
 const char *vs_contract_noun(uint8_t contract);
 const char *vs_contract_condition(uint8_t contract);
 
-/* Reads any real number. Returns false, without an error, where v is none. */
-bool vs_bind_number(vs_scheme *vm, vs_value v, double *out);
-/* Reads two or three numbers from a list or a vector. Returns how many; 0: v is something else. */
-int vs_bind_listed_numbers(vs_scheme *vm, vs_value v, double d[3]);
+/* Returns the first name of f's procedure, in room. A helper speaks for the procedure that it helps: the mark before
+ * its name is omitted. */
+const char *vs_bind_own_name(const vs_args *f, char room[64]);
 
 /* "PARAM must be EXPECTED, got GOT" */
 vs_status vs_bind_refuse(vs_args *f, const char *param, const char *expected, vs_value got);
@@ -24,6 +27,6 @@ vs_status vs_bind_refuse_condition(vs_args *f, const vs_bind_param *p, vs_value 
 /* A procedure is where its result belongs. Returns false, without an error, where v is no procedure. */
 bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v);
 /* "NAME: ..." with the message of a layer below. */
-vs_status vs_bind_error(vs_args *f, const vs_error *e);
+vs_status vs_bind_error(vs_scheme *vm, const vs_error *e);
 
 #endif

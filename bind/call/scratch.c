@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "bind/call/call.h"
 #include "vm/machine/fail.h"
 #include "vm/values/gc.h"
 

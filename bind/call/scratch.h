@@ -2,7 +2,10 @@
 #ifndef VS_BIND_CALL_SCRATCH_H
 #define VS_BIND_CALL_SCRATCH_H
 
-#include "bind/call/call.h"
+#include "model/node.h"
+#include "vm/machine/native.h"
+
+typedef struct vs_args vs_args;
 
 /* Returns a block of these bytes, freed when the call ends; NULL: out of memory, the error is set. */
 void *vs_bind_scratch(vs_args *f, size_t bytes);

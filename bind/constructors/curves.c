@@ -1,8 +1,11 @@
 /* Owns the constructors of curves and regions. */
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
-#include "bind/objects.h"
+#include "bind/call/take.h"
+#include "bind/fineness.h"
+#include "bind/origins.h"
 #include "bind/records.h"
 
 #define REAL(i) (f->arg[i].real)
@@ -10,7 +13,7 @@
 #define TURN 6.283185307179586
 
 static int32_t segments(const vs_args *f) {
-  return f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind);
+  return f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->vm);
 }
 
 /* ---- polylines ---- */
@@ -48,7 +51,7 @@ static vs_status polyline(vs_args *f, vs_vec3 *at, size_t n, bool close, vs_valu
   if (n < 2) {
     VS_ROOTS(f->vm, r, 1);
     r[0] = VS_NIL;
-    if (n == 1 && !vs_bind_point(f, at[0], &r[0])) return VS_ERROR;
+    if (n == 1 && !vs_bind_give_point(f, at[0], &r[0])) return VS_ERROR;
     return vs_bind_refuse(f, "points", "two points or more", r[0]);
   }
   bool closed = tidy(at, &n) || close;
@@ -57,7 +60,7 @@ static vs_status polyline(vs_args *f, vs_vec3 *at, size_t n, bool close, vs_valu
     if (close) return vs_bind_empty(f, "fewer than three corners", out);
     closed = false;
   }
-  return vs_bind_node(f, points_node(f->store, VS_LINE, at, n, closed, NULL), out);
+  return vs_bind_give_node(f, points_node(f->store, VS_LINE, at, n, closed, NULL), out);
 }
 
 vs_status vs_p_make_line(vs_args *f, vs_value *out) {
@@ -90,7 +93,7 @@ vs_status vs_p_make_regular_polygon(vs_args *f, vs_value *out) {
     vs_sincos(from + TURN * (double)i / (double)n, &s, &c);
     at[i] = vs_v3(POINT(0).x + REAL(1) * c, POINT(0).y + REAL(1) * s, POINT(0).z);
   }
-  return vs_bind_node(f, points_node(f->store, VS_LINE, at, n, true, NULL), out);
+  return vs_bind_give_node(f, points_node(f->store, VS_LINE, at, n, true, NULL), out);
 }
 
 /* ---- round curves ---- */
@@ -101,7 +104,7 @@ static vs_node *circle(vs_store *s, vs_vec3 c, double r, int32_t n) {
 
 vs_status vs_p_make_circle(vs_args *f, vs_value *out) {
   if (REAL(1) == 0) return vs_bind_empty(f, "r is 0", out);
-  return vs_bind_node(f, circle(f->store, POINT(0), REAL(1), segments(f)), out);
+  return vs_bind_give_node(f, circle(f->store, POINT(0), REAL(1), segments(f)), out);
 }
 
 vs_status vs_p_make_arc(vs_args *f, vs_value *out) {
@@ -111,7 +114,7 @@ vs_status vs_p_make_arc(vs_args *f, vs_value *out) {
   if (d.radius == 0) return vs_bind_empty(f, "r is 0", out);
   if (d.start == d.end) return vs_bind_empty(f, "the arc has no length", out);
   if (fabs(d.end - d.start) >= TURN * (1 - 1e-15))
-    return vs_bind_node(f, circle(f->store, d.center, d.radius, d.segments), out);
+    return vs_bind_give_node(f, circle(f->store, d.center, d.radius, d.segments), out);
   return vs_bind_make(f, VS_ARC, &d, NULL, 0, out);
 }
 
@@ -122,7 +125,7 @@ vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
   vs_node *c = circle(f->store, POINT(0), rx, segments(f));
   if (!vs_bind_keep(f, c)) return VS_ERROR;
   vs_ref ref = { c, vs_bind_origin(f->bind) };
-  if (rx == ry) return vs_bind_node(f, vs_node_retain(c), out);
+  if (rx == ry) return vs_bind_give_node(f, vs_node_retain(c), out);
   return vs_bind_make(f, VS_TRANSFORM,
                       &(struct vs_transform){ .matrix = vs_affine_scaling(POINT(0), vs_v3(1, ry / rx, 1)) }, &ref, 1,
                       out);
@@ -139,7 +142,7 @@ static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) { /*
     const double *d = vs_as_flat(v)->at;
     *out = vs_v3(d[0], d[1], d[2]);
     if (isfinite(d[0]) && isfinite(d[1]) && isfinite(d[2]) && !vs_v3_equal(*out, vs_v3(0, 0, 0))) return VS_OK;
-  } else if (vs_bind_number(f->vm, v, &angle) && isfinite(angle)) {
+  } else if (vs_bind_take_number(f->vm, v, &angle) && isfinite(angle)) {
     vs_sincos(angle, &s, &c);
     *out = vs_v3(c, s, 0);
     return VS_OK;
@@ -151,7 +154,7 @@ static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) { /*
 vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   vs_vec3 *at = f->arg[0].points.at;
   size_t n = f->arg[0].points.count;
-  struct vs_spline d = { .segments = f->arg[3].integer ? (int32_t)f->arg[3].integer : vs_bind_segments(f->bind) };
+  struct vs_spline d = { .segments = f->arg[3].integer ? (int32_t)f->arg[3].integer : vs_bind_segments(f->vm) };
   if (!tangent(f, 1, "start-tangent", &d.start_tangent) || !tangent(f, 2, "end-tangent", &d.end_tangent))
     return VS_ERROR;
   if (n < 2) return vs_bind_refuse(f, "points", "two points or more", f->arg[0].value);
@@ -159,7 +162,7 @@ vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   if (n < 2) return vs_bind_empty(f, "all points are the same", out);
   if (closed && n < 3) closed = false;
   if (closed) d.start_tangent = d.end_tangent = vs_v3(0, 0, 0); /* smooth all round */
-  return vs_bind_node(f, points_node(f->store, VS_SPLINE, at, n, closed, &d), out);
+  return vs_bind_give_node(f, points_node(f->store, VS_SPLINE, at, n, closed, &d), out);
 }
 
 /* ---- regions ---- */

@@ -1,6 +1,8 @@
-/* Owns the reading of files that a program names for its geometry and its looks: meshes and pictures. */
+/* Owns the reading of files that a program names for its geometry and its looks: meshes and pictures; and the names of
+ * the prefabs that come with the language. */
 #include "bind/constructors/files.h"
 
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "geometry/light/ies.h"
 #include "geometry/light/panorama_sun.h"
@@ -11,6 +13,7 @@
 #include "vm/library/port.h"
 #include "vm/front/source.h"
 #include "vm/machine/activation.h"
+#include "vm/values/heap.h"
 
 /* whole: where the file is, the store's */
 static vs_status file_of(vs_args *f, vs_value name, vs_value *bytes, const char **shown, const char **whole) {
@@ -58,7 +61,7 @@ vs_status vs_bind_picture(vs_args *f, vs_value name, const vs_picture **out, con
   if (file_of(f, name, &r[0], shown, &whole) != VS_OK) return VS_ERROR;
   const vs_bytes *bytes = vs_as_bytes(r[0]);
   if (!vs_photograph_read(f->store, &(vs_file_bytes){ *shown, bytes->at, (size_t)bytes->length }, &read, &e))
-    return vs_bind_error(f, &e);
+    return vs_bind_error(f->vm, &e);
   for (int i = 0; i < 3; i++) mean[i] = read.mean[i];
   return keep_picture(f, read.format, whole, bytes, read.columns, read.rows, out);
 }
@@ -73,7 +76,7 @@ static vs_status take_sun(vs_args *f, const char *shown, const char *whole, cons
   vs_made_bytes left = { NULL, 0, 0 };
   vs_file_bytes file = { shown, bytes->at, (size_t)bytes->length };
   if (!(exr ? vs_exr_read(store, &file, wanted, &x, &e) : vs_radiance_read(store, &file, &x, &e)))
-    return vs_bind_error(f, &e);
+    return vs_bind_error(f->vm, &e);
   bool found = vs_panorama_take_sun(&x, sun), ok = !found || vs_exr_write(&x, &left, &e);
   if (ok && found) {
     *out = vs_store_picture(store, &(vs_picture){ whole, "exr", left.at, left.size, x.columns, x.rows, 0, NULL });
@@ -81,7 +84,7 @@ static vs_status take_sun(vs_args *f, const char *shown, const char *whole, cons
   }
   if (left.at) vs_store_realloc(store, left.at, left.room, 0);
   vs_exr_free(&x);
-  return ok ? VS_OK : vs_bind_error(f, &e);
+  return ok ? VS_OK : vs_bind_error(f->vm, &e);
 }
 
 /* The format shows in the first bytes. */
@@ -115,7 +118,29 @@ vs_status vs_bind_lamp_file(vs_args *f, vs_value name, const vs_picture **out) {
   if (file_of(f, name, &r[0], &shown, &whole) != VS_OK) return VS_ERROR;
   const vs_bytes *bytes = vs_as_bytes(r[0]);
   if (!vs_ies_read(f->store, shown, (const char *)bytes->at, (size_t)bytes->length, &read, &e))
-    return vs_bind_error(f, &e);
+    return vs_bind_error(f->vm, &e);
   vs_ies_free(&read);
   return keep_picture(f, "ies", whole, bytes, 0, 0, out);
+}
+
+/* ---- prefabs: prefabs.scm runs their files ---- */
+
+/* (prefab-names): in the order of the alphabet, in which the program holds its files */
+vs_status vs_p_prefab_names(vs_args *f, vs_value *out) {
+  static const char folder[] = "prefabs/", ending[] = ".vs";
+  const size_t before = sizeof folder - 1, after = sizeof ending - 1;
+  size_t count = 0;
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (const vs_shipped *s = f->vm->config.shipped; s && s->name; s++) count++;
+  while (count-- > 0) {
+    const char *name = f->vm->config.shipped[count].name;
+    size_t length = strlen(name);
+    if (strncmp(name, folder, before) || length <= before + after || strcmp(name + length - after, ending)) continue;
+    if (!vs_string_from_utf8(f->vm, name + before, length - before - after, &r[1]) ||
+        !vs_cons(f->vm, r[1], r[0], &r[0]))
+      return VS_ERROR;
+  }
+  *out = r[0];
+  return VS_OK;
 }

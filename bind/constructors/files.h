@@ -2,8 +2,12 @@
 #ifndef VS_BIND_CONSTRUCTORS_FILES_H
 #define VS_BIND_CONSTRUCTORS_FILES_H
 
-#include "bind/call/call.h"
+#include "model/node.h"
+#include "vm/machine/native.h"
 #include "geometry/light/panorama_sun.h"
+
+typedef struct vs_arg vs_arg;
+typedef struct vs_args vs_args;
 
 /* All of a file beside the program that names it, as a bytevector; *shown: its name without folders, the store's. */
 vs_status vs_bind_file(vs_args *f, const vs_arg *name, vs_value *bytes, const char **shown);

@@ -1,7 +1,9 @@
 /* Owns height fields: from rows of numbers, or from a picture beside the program. */
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
+#include "bind/call/take.h"
 #include "bind/constructors/files.h"
 
 #include "bind/print.h"
@@ -19,7 +21,7 @@ static vs_status rows_of(vs_args *f, vs_value rows, vs_raster *out) {
                    "source must have two or more rows of two or more numbers, got %lld of %lld", (long long)count,
                    (long long)columns);
   vs_error e = { 0 };
-  if (!vs_raster_room(out, "source", (uint64_t)columns, (uint64_t)count, &e)) return vs_bind_error(f, &e);
+  if (!vs_raster_room(out, "source", (uint64_t)columns, (uint64_t)count, &e)) return vs_bind_error(f->vm, &e);
   for (int64_t j = 0; j < count; j++, rows = vs_cdr(rows)) {
     vs_value row = vs_car(rows);
     int64_t length = vs_list_length(row);
@@ -31,7 +33,8 @@ static vs_status rows_of(vs_args *f, vs_value rows, vs_raster *out) {
     }
     for (int64_t i = 0; i < columns; i++, row = vs_cdr(row)) {
       double *to = &out->at[(size_t)(count - 1 - j) * (size_t)columns + (size_t)i];
-      if (!vs_bind_number(f->vm, vs_car(row), to)) return vs_bind_refuse(f, "source", "rows of numbers", vs_car(row));
+      if (!vs_bind_take_number(f->vm, vs_car(row), to))
+        return vs_bind_refuse(f, "source", "rows of numbers", vs_car(row));
     }
     if (!vs_poll(f->vm, (uint64_t)columns)) return VS_ERROR;
   }
@@ -44,7 +47,7 @@ static vs_status picture_of(vs_args *f, const char **name, vs_raster *out) {
   if (!vs_bind_file(f, &f->arg[0], &r[0], name)) return VS_ERROR;
   vs_file_bytes file = { *name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length };
   if (!vs_raster_read(f->store, &file, out, &e))
-    return vs_bind_error(f, &e);
+    return vs_bind_error(f->vm, &e);
   if (out->columns < 2 || out->rows < 2)
     return vs_fail(f->vm, f->vm->sym.range, "%s: the picture must have two or more rows and columns, it has %u x %u",
                    *name, out->columns, out->rows);

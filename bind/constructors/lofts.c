@@ -4,13 +4,17 @@
 #include <stdio.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
+#include "bind/call/take.h"
 #include "bind/constructors/operations.h"
+#include "bind/fineness.h"
 #include "bind/objects.h"
+#include "bind/origins.h"
 #include "bind/print.h"
 #include "bind/records.h"
-#include "bind/state.h"
+#include "geometry/measure/bounds.h"
 #include "geometry/parts.h"
 #include "geometry/profiles/revolve.h"
 #include "geometry/profiles/surface.h"
@@ -27,7 +31,7 @@ static vs_status tried(vs_args *f, vs_node *n) {
   vs_error e = { 0 };
   vs_mesh m = { 0 };
   for (uint32_t i = 0; i < n->child_count; i++) {
-    if (!vs_node_bounds(n->children[i].node, &child, &e)) return vs_bind_error(f, &e);
+    if (!vs_node_bounds(n->children[i].node, &child, &e)) return vs_bind_error(f->vm, &e);
     vs_bounds_unite(&b, &child);
   }
   vs_fineness coarse = { fmax(vs_bounds_diagonal(&b) / 64, 1e-300), 0 };
@@ -36,7 +40,7 @@ static vs_status tried(vs_args *f, vs_node *n) {
   bool thin = ok && !(vs_mesh_area(&m) > 1e-12 * size * size),
        flat = ok && n->class_ == VS_SOLID && !(fabs(vs_mesh_volume(&m)) > 1e-12 * size * size * size);
   vs_mesh_free(&m);
-  if (!ok) return vs_bind_error(f, &e);
+  if (!ok) return vs_bind_error(f->vm, &e);
   if (thin) return vs_fail(f->vm, f->vm->sym.range, "sections must not lie in one line");
   return flat ? vs_fail(f->vm, f->vm->sym.range, "sections must not all lie in one plane") : VS_OK;
 }
@@ -48,7 +52,7 @@ vs_status vs_p_do_revolve(vs_args *f, vs_value *out) {
   vs_revolve plan;
   vs_error e = { 0 };
   vs_bounds b;
-  d.segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind);
+  d.segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->vm);
   if (f->arg[2].given) d.start = REAL(2);
   if (f->arg[3].given) d.end = REAL(3);
   if (vs_bind_is_empty(NODE(0))) return vs_bind_empty(f, "the profile is empty", out);
@@ -57,13 +61,13 @@ vs_status vs_p_do_revolve(vs_args *f, vs_value *out) {
   if (!vs_bind_uncrossed(f, f->arg[0].ref, "s")) return VS_ERROR;
   vs_node *n = vs_node_new(f->store, VS_REVOLVE, &d, &f->arg[0].ref, 1);
   if (!vs_bind_keep(f, n)) return VS_ERROR;
-  if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
+  if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f->vm, &e);
   vs_fineness coarse = { fmax(vs_bounds_diagonal(&b) / 64, 1e-300), 0 };
-  if (!vs_revolve_plan(n, &coarse, &plan, &e)) return vs_bind_error(f, &e);
+  if (!vs_revolve_plan(n, &coarse, &plan, &e)) return vs_bind_error(f->vm, &e);
   bool nothing = plan.count == 0;
   vs_revolve_free(&plan);
   if (nothing) return vs_bind_empty(f, "the profile is empty", out);
-  return vs_bind_node(f, vs_node_retain(n), out);
+  return vs_bind_give_node(f, vs_node_retain(n), out);
 }
 
 /* ---- lofts ---- */
@@ -92,7 +96,7 @@ static vs_status loft(vs_args *f, vs_kind kind, const void *data, const vs_ref *
                       vs_value *out) {
   vs_node *n = vs_node_new(f->store, kind, data, children, count);
   if (!vs_bind_keep(f, n) || !tried(f, n)) return VS_ERROR;
-  return vs_bind_node(f, vs_node_retain(n), out);
+  return vs_bind_give_node(f, vs_node_retain(n), out);
 }
 
 vs_status vs_p_do_loft(vs_args *f, vs_value *out) {
@@ -119,7 +123,7 @@ vs_status vs_p_do_ruled_loft(vs_args *f, vs_value *out) {
 
 vs_status vs_p_do_guided_loft(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].refs.count, guides = f->arg[1].refs.count;
-  bool path = vs_bind_ref(f->arg[1].value).node != NULL;
+  bool path = vs_bind_take_ref(f->arg[1].value).node != NULL;
   if (!sections(f, f->arg[0].refs.at, &n, out)) return VS_ERROR;
   if (!n) return VS_OK;
   if (!guides) return vs_bind_refuse(f, "guides", "a curve (the path) or a list of curves", f->arg[1].value);
@@ -179,8 +183,8 @@ static vs_status make_grid(vs_args *f, vs_kind kind, const grid *g, vs_value *ou
   vs_point_grid points = { g->at, g->rows, g->columns, f->key[0].given && f->key[0].boolean,
                            f->key[1].given && f->key[1].boolean };
   vs_node *n = vs_surface_make(f->store, kind, &points, &e);
-  if (!n) return vs_bind_error(f, &e);
-  if (!vs_bind_is_empty(n)) return vs_bind_node(f, n, out);
+  if (!n) return vs_bind_error(f->vm, &e);
+  if (!vs_bind_is_empty(n)) return vs_bind_give_node(f, n, out);
   vs_node_release(n);
   return vs_bind_empty(f, "all points lie on one line", out);
 }
@@ -205,7 +209,7 @@ vs_status vs_p_make_surface(vs_args *f, vs_value *out) {
   if (read_rows(f, f->arg[0].value, &g)) return make_grid(f, VS_GRID_SURFACE, &g, out);
   if (!g.bad_point || f->arg[1].value == VS_FALSE) return bad_point(f, &g);
   for (int i = 0; i < 4; i++)
-    if (!vs_bind_number(f->vm, f->arg[i + 1].value, &range[i])) return VS_ERROR;
+    if (!vs_bind_take_number(f->vm, f->arg[i + 1].value, &range[i])) return VS_ERROR;
   char u[32], v[32];
   vs_bind_number_text(u, range[0] + (range[1] - range[0]) * (double)g.bad_row / (double)(g.rows - 1));
   vs_bind_number_text(v, range[2] + (range[3] - range[2]) * (double)g.bad_column / (double)(g.columns - 1));

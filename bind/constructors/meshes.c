@@ -1,5 +1,6 @@
 /* Owns objects made of faces: given one by one, or read from a file; checked, and mended where that is asked for. */
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/constructors/files.h"
@@ -9,6 +10,7 @@
 
 #include "bind/measures.h"
 #include "bind/objects.h"
+#include "bind/warnings.h"
 #include "geometry/files/polyface.h"
 #include "geometry/files/repair.h"
 #include "geometry/primitives/solid_triangles.h"
@@ -93,7 +95,7 @@ static vs_status refuse_open(vs_args *f, const char *file, const vs_face_list *l
   vs_open_edges open;
   char from[112], to[112], more[64] = "";
   vs_error e = { VS_ERROR_NONE, NULL, "" };
-  if (!vs_face_list_open(f->store, l, &open, &e)) return vs_bind_error(f, &e);
+  if (!vs_face_list_open(f->store, l, &open, &e)) return vs_bind_error(f->vm, &e);
   if (!open.count)
     return vs_fail(f->vm, f->vm->sym.range, "%s: the faces enclose nothing, or have one side, as a Moebius strip",
                    file);
@@ -132,10 +134,10 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
   vs_mesh mesh = { 0 }, whole = { 0 };
   vs_mesh_flaws flaws;
   bool flawless = true;
-  vs_status ok = vs_face_list_repair(f->store, l, &notes, &e) ? VS_OK : vs_bind_error(f, &e);
+  vs_status ok = vs_face_list_repair(f->store, l, &notes, &e) ? VS_OK : vs_bind_error(f->vm, &e);
   *out = NULL;
   vs_polygons faces = vs_polygons_of(l);
-  if (ok && !(*out = vs_polyface_make(f->store, &faces, &e))) ok = vs_bind_error(f, &e);
+  if (ok && !(*out = vs_polyface_make(f->store, &faces, &e))) ok = vs_bind_error(f->vm, &e);
   if (ok && (*out)->class_ == VS_SOLID) ok = inspect(f, *out, &mesh, &flaws, &flawless);
   if (ok && !flawless) {
     vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
@@ -149,7 +151,7 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
     *out = NULL;
     if (ok && !list_of_mesh(l, &whole)) ok = vs_fail_memory(f->vm);
     faces = vs_polygons_of(l);
-    if (ok && !(*out = vs_polyface_make(f->store, &faces, &e))) ok = vs_bind_error(f, &e);
+    if (ok && !(*out = vs_polyface_make(f->store, &faces, &e))) ok = vs_bind_error(f->vm, &e);
   }
   vs_mesh_free(&mesh);
   vs_mesh_free(&whole);
@@ -172,7 +174,7 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
 
 /* Takes n over. sheet: the faces are a surface. */
 static vs_status finished(vs_args *f, vs_node *n, bool sheet, vs_value *out) {
-  if (!vs_bind_is_empty(n)) return vs_bind_node(f, n, out);
+  if (!vs_bind_is_empty(n)) return vs_bind_give_node(f, n, out);
   vs_node_release(n);
   return vs_bind_empty(f, sheet ? "the faces are a surface, which encloses nothing" : "the faces have no area", out);
 }
@@ -196,7 +198,7 @@ static vs_status polyface(vs_args *f, const vs_polygons *faces, vs_value *out) {
   if (widest <= 1e-14 * size * size) return vs_bind_empty(f, "the faces have no area", out);
   vs_mesh mesh = { 0 };
   vs_node *n = vs_polyface_make_mesh(f->store, faces, &mesh, &e);
-  if (!n) return vs_bind_error(f, &e);
+  if (!n) return vs_bind_error(f->vm, &e);
   if (n->class_ == VS_SOLID) {
     vs_mesh_flaws flaws;
     bool flawless = true;
@@ -307,7 +309,7 @@ static vs_status read_list(vs_args *f, const char **name, vs_face_list *l) {
   if (!vs_bind_file(f, &f->arg[0], &r[0], name)) return VS_ERROR;
   vs_file_bytes file = { *name, vs_as_bytes(r[0])->at, (size_t)vs_as_bytes(r[0])->length };
   if (!vs_mesh_file_read(&file, (vs_poller){ keep_reading, f->vm }, l, &e))
-    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f, &e);
+    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
   return vs_face_list_compact(l) ? VS_OK : vs_fail_memory(f->vm);
 }
 
@@ -333,7 +335,7 @@ vs_status vs_p_load_mesh(vs_args *f, vs_value *out) {
     bool flawless = true;
     vs_polygons faces = vs_polygons_of(&l);
     n = vs_polyface_make_mesh(f->store, &faces, &mesh, &e);
-    if (!n) ok = vs_bind_error(f, &e);
+    if (!n) ok = vs_bind_error(f->vm, &e);
     else if (n->class_ != VS_SOLID) ok = refuse_open(f, name, &l);
     else ok = inspect(f, n, &mesh, &flaws, &flawless);
     if (ok && !flawless) ok = refuse_flaws(f, name, &mesh, &flaws);

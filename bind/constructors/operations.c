@@ -4,10 +4,14 @@
 #include <stdio.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
+#include "bind/call/take.h"
+#include "bind/fineness.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
+#include "bind/origins.h"
 #include "bind/print.h"
 #include "bind/queries.h"
 #include "bind/records.h"
@@ -27,7 +31,9 @@
 
 /* ---- booleans ---- */
 
-static vs_status same(vs_args *f, vs_ref ref, vs_value *out) { return vs_bind_node(f, vs_node_retain(ref.node), out); }
+static vs_status same(vs_args *f, vs_ref ref, vs_value *out) {
+  return vs_bind_give_node(f, vs_node_retain(ref.node), out);
+}
 
 /* ---- sets of areas: regions, and closed curves taken as filled ---- */
 
@@ -60,7 +66,7 @@ vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what) {
   if (n->class_ != VS_CURVE || !(n->flags & VS_NODE_CLOSED) || n->flags & VS_NODE_UNRESOLVED) return VS_OK;
   while (n->kind == VS_TRANSFORM) n = n->children[0].node;
   if (n->kind == VS_CIRCLE || n->kind == VS_UNION) return VS_OK;
-  if (!vs_curves_cross(&ref, 1, &x, &e)) return vs_bind_error(f, &e);
+  if (!vs_curves_cross(&ref, 1, &x, &e)) return vs_bind_error(f->vm, &e);
   if (!x.found) return VS_OK;
   char at[3][32];
   const double p[] = { x.at.x, x.at.y, x.at.z };
@@ -195,8 +201,8 @@ vs_status vs_p_do_slice(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   if (NODE(0)->class_ == VS_REGION_CLASS && !(NODE(0)->flags & VS_NODE_UNRESOLVED) && NODE(0)->kind != VS_UNION &&
       vs_node_plane(NODE(0), &flat) == VS_PLANE_ONE) {
-    if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
-    return vs_bind_node(f, vs_slice_region(f->arg[0].ref, &flat, &b, h.point, h.normal), out);
+    if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f->vm, &e);
+    return vs_bind_give_node(f, vs_slice_region(f->arg[0].ref, &flat, &b, h.point, h.normal), out);
   }
   if (NODE(0)->class_ != VS_SOLID)
     return vs_bind_make(f, VS_SLICE, &(struct vs_slice){ .point = h.point, .normal = h.normal }, pair, 1, out);
@@ -228,7 +234,7 @@ vs_status vs_p_do_resize(vs_args *f, vs_value *out) {
     double want;
     k[i] = 0;
     if (f->arg[i + 1].value == VS_FALSE) continue;
-    if (!vs_bind_number(f->vm, f->arg[i + 1].value, &want) || !(want > 0) || !isfinite(want))
+    if (!vs_bind_take_number(f->vm, f->arg[i + 1].value, &want) || !(want > 0) || !isfinite(want))
       return vs_bind_refuse(f, names[i + 1], "positive, or #f", f->arg[i + 1].value);
     if (size[i] == 0)
       return vs_bind_refuse(f, names[i + 1], "#f: the object is flat in that direction", f->arg[i + 1].value);
@@ -260,7 +266,7 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
   vs_node *made = points ? vs_node_new(f->store, VS_HULL, &d, child, count) : NULL;
   if (points) vs_points_release(f->store, points);
   if (!vs_bind_keep(f, made)) return VS_ERROR;
-  if (solid) return vs_bind_node(f, vs_node_retain(made), out);
+  if (solid) return vs_bind_give_node(f, vs_node_retain(made), out);
   vs_bounds b;
   vs_cloud cloud = { 0 };
   vs_error e = { 0 };
@@ -269,7 +275,7 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
   if (!vs_resolve(&whole, 1, &(vs_fineness){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) ||
       !vs_hull_points(whole.node, &(vs_fineness){ .tolerance = vs_fineness_tolerance(&b) }, &cloud, &e))
-    ok = vs_bind_error(f, &e);
+    ok = vs_bind_error(f->vm, &e);
   else d.dimension = vs_cloud_dimension(&cloud);
   if (ok && d.dimension == 1) {
     vs_polyline ends = { 0 };
@@ -289,7 +295,7 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
     ok = !planar && !corners ? vs_fail_memory(f->vm)
                              : vs_bind_make(f, VS_HULL, &d, planar ? child : NULL, planar ? count : 0, out);
     if (corners) vs_points_release(f->store, corners);
-  } else if (ok) ok = vs_bind_node(f, vs_node_retain(made), out);
+  } else if (ok) ok = vs_bind_give_node(f, vs_node_retain(made), out);
   vs_cloud_free(&cloud);
   vs_node_release(whole.node);
   return ok;
@@ -324,7 +330,7 @@ static vs_status leaves(vs_args *f, const vs_node *curve, leaving what, vs_vec3 
   vs_fineness coarse = { 1e300, 8 };
   vs_polyline line = { 0 };
   vs_error e = { 0 };
-  if (!vs_curve_sample(curve, &coarse, &line, &e)) return vs_polyline_free(&line), vs_bind_error(f, &e);
+  if (!vs_curve_sample(curve, &coarse, &line, &e)) return vs_polyline_free(&line), vs_bind_error(f->vm, &e);
   vs_vec3 d = vs_v3_unit(direction);
   double size = 0, away = 0;
   for (size_t i = 1; i < line.count; i++) {
@@ -343,7 +349,7 @@ static vs_status is_straight(vs_args *f, const vs_node *curve, vs_vec3 *way, boo
   vs_polyline line = { 0 };
   vs_error e = { 0 };
   bool bent = true;
-  if (!vs_curve_sample(curve, &coarse, &line, &e)) return vs_polyline_free(&line), vs_bind_error(f, &e);
+  if (!vs_curve_sample(curve, &coarse, &line, &e)) return vs_polyline_free(&line), vs_bind_error(f->vm, &e);
   *out = line.count > 1 && !line.closed;
   if (*out) *way = vs_v3_sub(line.at[line.count - 1], line.at[0]);
   vs_polyline_free(&line);
@@ -368,7 +374,7 @@ static bool check_rising(vs_args *f, const vs_node *curve, vs_vec3 normal) {
   vs_polyline line = { 0 };
   vs_error e = { 0 };
   bool rising = true;
-  if (!vs_curve_sample(curve, &coarse, &line, &e)) return vs_polyline_free(&line), vs_bind_error(f, &e), false;
+  if (!vs_curve_sample(curve, &coarse, &line, &e)) return vs_polyline_free(&line), vs_bind_error(f->vm, &e), false;
   double way = vs_v3_dot(vs_v3_sub(line.at[line.count - 1], line.at[0]), normal);
   for (size_t i = 1; i < line.count; i++) rising = rising && vs_v3_dot(vs_v3_sub(line.at[i], line.at[i - 1]),
       normal) * way > 0;
@@ -385,7 +391,7 @@ vs_status vs_p_do_extrude(vs_args *f, vs_value *out) {
                           .scale = f->key[1].given ? f->key[1].real : 1,
                           .center = f->key[2].given && f->key[2].boolean };
   vs_ref child[2] = { f->arg[0].ref };
-  bool path = vs_bind_ref(f->arg[1].value).node != NULL;
+  bool path = vs_bind_take_ref(f->arg[1].value).node != NULL;
   vs_shape_plane plane;
   bool empty, leaving_it;
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
@@ -455,7 +461,7 @@ vs_status vs_p_do_sweep(vs_args *f, vs_value *out) {
 
 vs_status vs_p_do_thicken(vs_args *f, vs_value *out) {
   struct vs_thicken d = { .width = REAL(1),
-                          .segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind) };
+                          .segments = f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->vm) };
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
   if (d.width == 0) return vs_bind_empty(f, "the width is 0", out);
   if (vs_is_several(NODE(0))) return vs_bind_each_part(f, vs_p_do_thicken, out);

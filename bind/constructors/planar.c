@@ -1,8 +1,10 @@
 /* Owns the procedures that make regions of curves, join curves, and give curves and regions of other objects. */
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/constructors/operations.h"
+#include "bind/fineness.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/print.h"
@@ -83,7 +85,7 @@ static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
       return vs_fail(f->vm, f->vm->sym.type, "curves must have ends or be closed; one is without end");
     c[n++] = c[i];
   }
-  if (!vs_curves_join(f->store, c, &n, &e)) return vs_bind_error(f, &e);
+  if (!vs_curves_join(f->store, c, &n, &e)) return vs_bind_error(f->vm, &e);
   *out = c;
   *count = n;
   vs_status status = VS_OK;
@@ -97,7 +99,7 @@ static vs_status open_end(vs_args *f, const vs_node *n) {
   double size;
   vs_error e = { 0 };
   char one[112], other[112];
-  if (!vs_curve_ends(n, &start, &end, &size, &e)) return vs_bind_error(f, &e);
+  if (!vs_curve_ends(n, &start, &end, &size, &e)) return vs_bind_error(f->vm, &e);
   return vs_fail(f->vm, f->vm->sym.type,
                  "curves must be closed, or open ones that meet end to end; one is open: it runs from %s to %s, where "
                  "no other begins",
@@ -112,12 +114,12 @@ vs_status vs_p_join_curves(vs_args *f, vs_value *out) {
       return vs_fail(f->vm, f->vm->sym.type, "curves must be open; one is closed");
   if (!joined(f, &c, &n)) return VS_ERROR;
   if (n == 0) return vs_bind_empty(f, f->arg[0].refs.count ? "every curve is empty" : "there are no curves", out);
-  if (n == 1) return vs_bind_node(f, vs_node_retain(c[0].node), out);
+  if (n == 1) return vs_bind_give_node(f, vs_node_retain(c[0].node), out);
   vs_vec3 start, end;
   double size;
   vs_error e = { 0 };
   char one[112], other[112];
-  if (!vs_curve_ends(c[0].node, &start, &end, &size, &e)) return vs_bind_error(f, &e);
+  if (!vs_curve_ends(c[0].node, &start, &end, &size, &e)) return vs_bind_error(f->vm, &e);
   return vs_fail(f->vm, f->vm->sym.type, "curves must meet end to end; they make %lu curves, the first from %s to %s",
                  (unsigned long)n, point_text(start, one), point_text(end, other));
 }
@@ -151,7 +153,7 @@ vs_status vs_p_make_region(vs_args *f, vs_value *out) {
   }
   if (kept == 0) return vs_bind_empty(f, "the curves enclose no area", out);
   vs_crossing x;
-  if (!vs_curves_cross(c, kept, &x, &e)) return vs_bind_error(f, &e);
+  if (!vs_curves_cross(c, kept, &x, &e)) return vs_bind_error(f->vm, &e);
   if (x.found && x.a == x.b)
     return vs_fail(f->vm, f->vm->sym.range, "curves must not cross; curve %lu crosses itself at %s",
                    (unsigned long)x.a + 1, point_text(x.at, text));
@@ -202,14 +204,14 @@ vs_status vs_p_do_offset(vs_args *f, vs_value *out) {
   static const char *const names[] = { "mitre", "round", "square" };
   const char *corners = f->key[0].given ? f->key[0].text.at : names[0];
   struct vs_offset d = { .distance = f->arg[1].real,
-                         .segments = f->key[1].given ? (int32_t)f->key[1].integer : vs_bind_segments(f->bind) };
+                         .segments = f->key[1].given ? (int32_t)f->key[1].integer : vs_bind_segments(f->vm) };
   vs_error e = { 0 };
   vs_shape_plane plane;
   size_t i = 0, left;
   vs_ref whole = f->arg[0].ref;
   while (i < 3 && strcmp(corners, names[i])) i++;
   if (i == 3) return vs_bind_refuse(f, "corners", "'mitre, 'round or 'square", f->key[0].value);
-  if (vs_bind_is_empty(NODE(0))) return vs_bind_node(f, vs_node_retain(NODE(0)), out);
+  if (vs_bind_is_empty(NODE(0))) return vs_bind_give_node(f, vs_node_retain(NODE(0)), out);
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_offset, out);
   if (NODE(0)->kind == VS_XLINE || NODE(0)->kind == VS_RAY)
     return vs_bind_refuse(f, "s", "a curve with two ends or none, or a region", f->arg[0].value);
@@ -217,11 +219,11 @@ vs_status vs_p_do_offset(vs_args *f, vs_value *out) {
     return vs_bind_refuse(f, "s", "a curve or region that lies in one plane", f->arg[0].value);
   vs_bounds box;
   if (!vs_bind_resolve(f, 0) || !vs_bind_uncrossed(f, f->arg[0].ref, "s")) return VS_ERROR;
-  if (!vs_node_bounds(NODE(0), &box, &e)) return vs_bind_error(f, &e);
+  if (!vs_node_bounds(NODE(0), &box, &e)) return vs_bind_error(f->vm, &e);
   if (!(fabs(d.distance) + vs_bounds_diagonal(&box) < 1e100))
     return vs_fail(f->vm, f->vm->sym.range, "the numbers are too large: the curve and d must stay below 1e100");
   f->arg[0].ref = whole;
-  if (d.distance == 0) return vs_bind_node(f, vs_node_retain(NODE(0)), out);
+  if (d.distance == 0) return vs_bind_give_node(f, vs_node_retain(NODE(0)), out);
   if (!(d.corners = vs_store_text(f->store, names[i], strlen(names[i])))) return vs_fail_memory(f->vm);
   vs_node *made = vs_node_new(f->store, VS_OFFSET, &d, &f->arg[0].ref, 1);
   if (!vs_bind_keep(f, made)) return VS_ERROR;
@@ -230,10 +232,11 @@ vs_status vs_p_do_offset(vs_args *f, vs_value *out) {
   vs_node *plain = NODE(0);
   f->arg[0].ref = whole;
   if (plain->class_ == VS_NOTHING) left = 0;
-  else if (!what_is_left(plain, &left, &e)) return vs_bind_error(f, &e);
+  else if (!what_is_left(plain, &left, &e)) return vs_bind_error(f->vm, &e);
   if (left == 0) return vs_bind_empty(f, "nothing is left so far inside", out);
   d.filled = left > 1 && made->class_ == VS_CURVE;
-  return d.filled ? vs_bind_make(f, VS_OFFSET, &d, &f->arg[0].ref, 1, out) : vs_bind_node(f, vs_node_retain(made), out);
+  return d.filled ? vs_bind_make(f, VS_OFFSET, &d, &f->arg[0].ref, 1, out)
+                  : vs_bind_give_node(f, vs_node_retain(made), out);
 }
 
 /* ---- sections, shadows, edges ---- */
@@ -244,7 +247,7 @@ vs_status vs_p_do_section(vs_args *f, vs_value *out) {
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
   struct vs_section d = { .point = f->arg[1].line.at, .normal = f->arg[1].line.direction };
-  if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f, &e);
+  if (!vs_node_bounds(NODE(0), &b, &e)) return vs_bind_error(f->vm, &e);
   double low = INFINITY, high = -INFINITY;
   for (int i = 0; i < 8; i++) {
     vs_vec3 p = { i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z };

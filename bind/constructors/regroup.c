@@ -1,7 +1,8 @@
 /* Owns the advice on calls whose points were written as bare numbers. */
 #include "bind/constructors/regroup.h"
 
-#include "bind/call/refuse.h"
+#include "bind/call/procedure.h"
+#include "bind/call/take.h"
 #include "bind/print.h"
 
 #include <stdio.h>
@@ -17,7 +18,7 @@ static bool group_numbers(vs_scheme *vm, const vs_form *form, const char *name, 
     for (const vs_bind_param *q = p + 1; q->mode == VS_ARG_REQUIRED; q++) left++;
     double d[3];
     int numbers = 0;
-    while (numbers < 3 && used + numbers < n && vs_bind_number(vm, a[used + numbers], &d[numbers])) numbers++;
+    while (numbers < 3 && used + numbers < n && vs_bind_take_number(vm, a[used + numbers], &d[numbers])) numbers++;
     bool point = p->contract == VS_C_POINT || p->contract == VS_C_POINTS || p->contract == VS_C_THINGS;
     bool vector = p->contract == VS_C_VECTOR || p->contract == VS_C_DIRECTION;
     const char *maker = point ? "xyz" : vector ? "vxyz" : p->contract == VS_C_FACTOR ? "list" : NULL;
@@ -29,7 +30,7 @@ static bool group_numbers(vs_scheme *vm, const vs_form *form, const char *name, 
     } else {
       char x[32];
       double one;
-      bool number = vs_bind_number(vm, a[used], &one);
+      bool number = vs_bind_take_number(vm, a[used], &one);
       if (maker && number) return false;
       if (number) vs_bind_number_text(x, one);
       at += (size_t)snprintf(text + at, room - at, " %s", number ? x : p->name);

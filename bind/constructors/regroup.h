@@ -2,7 +2,9 @@
 #ifndef VS_BIND_CONSTRUCTORS_REGROUP_H
 #define VS_BIND_CONSTRUCTORS_REGROUP_H
 
-#include "bind/call/call.h"
+#include "vm/machine/native.h"
+
+typedef struct vs_procedure vs_procedure;
 
 /* The call of p, under this name, that was meant where numbers stand for points, gvectors or factors, into text;
  * false: there is none (regroup.c). */

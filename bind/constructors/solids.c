@@ -1,13 +1,14 @@
 /* Owns the constructors of solids. A solid without volume is the empty object, with a warning once a place. */
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
-#include "bind/objects.h"
+#include "bind/fineness.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)
 
 static int32_t segments(const vs_args *f) { /* 0: by tolerance */
-  return f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->bind);
+  return f->key[0].given ? (int32_t)f->key[0].integer : vs_bind_segments(f->vm);
 }
 
 /* ---- boxes ---- */

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/state.h"
 

@@ -5,6 +5,8 @@
  * coordinates together again; so duals of any depth are right. Coordinates lie in roots. */
 #include "bind/functions/dual_points.h"
 
+#include <math.h>
+
 #include "bind/procedures.h"
 #include "bind/records.h"
 #include "vm/numbers/dual.h"
@@ -184,11 +186,11 @@ static bool compute(vs_scheme *vm, size_t row, const char *shape, int n, vs_valu
   return ok && together(vm, rows[row].tag, to, out);
 }
 
-bool vs_dual_points(vs_args *f, vs_value *a, int n, vs_value *out, vs_status *status) {
+bool vs_dual_points(vs_scheme *vm, vs_procedure_fn *procedure, vs_value *a, int n, vs_value *out, vs_status *status) {
   size_t row = 0, count = sizeof rows / sizeof *rows;
-  while (row < count && rows[row].fn != f->function) row++;
+  while (row < count && rows[row].fn != procedure) row++;
   if (row == count || n != (int)strlen(rows[row].shape)) return false;
-  VS_ROOTS(f->vm, r, 16);
+  VS_ROOTS(vm, r, 16);
   vs_value *record = r, *number = r + 6;
   for (int i = 0; i < n; i++) {
     bool flat = vs_is(vs_dual_base(a[i]), VS_T_FLAT);
@@ -200,9 +202,9 @@ bool vs_dual_points(vs_args *f, vs_value *a, int n, vs_value *out, vs_status *st
     uint32_t tag = flat ? vs_as_flat(vs_dual_base(a[i]))->h.flags : 0;
     if (tag != VS_FLAT_POINT && tag != VS_FLAT_VECTOR) return false;
     for (int k = 0; k < 3; k++)
-      if (!coordinate(f->vm, a[i], k, record + k)) return *status = VS_ERROR, true;
+      if (!coordinate(vm, a[i], k, record + k)) return *status = VS_ERROR, true;
     record += 3;
   }
-  *status = compute(f->vm, row, rows[row].shape, n, r, out) ? VS_OK : VS_ERROR;
+  *status = compute(vm, row, rows[row].shape, n, r, out) ? VS_OK : VS_ERROR;
   return true;
 }

@@ -1,5 +1,6 @@
 /* Owns solids made of functions: make-isosurface. */
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/functions/function_values.h"
 
@@ -8,9 +9,9 @@
 #include <stdlib.h>
 
 #include "bind/measures.h"
-#include "bind/objects.h"
 #include "bind/print.h"
 #include "bind/state.h"
+#include "bind/warnings.h"
 #include "geometry/functions/contour.h"
 #include "geometry/files/polyface.h"
 #include "kernel/kernel_options.h"
@@ -88,11 +89,11 @@ vs_status vs_p_make_isosurface(vs_args *f, vs_value *out) {
     vs_error e = { 0 };
     vs_polygons faces = { c.points, c.point_count, starts, &c.triangles[0][0], c.triangle_count };
     node = vs_polyface_make(f->store, &faces, &e);
-    if (!node) status = vs_bind_error(f, &e);
+    if (!node) status = vs_bind_error(f->vm, &e);
   }
   if (status && c.capped)
     vs_bind_warn(f->bind, "capped", "make-isosurface: the box cuts what f bounds; its sides close the solid");
   free(starts);
   vs_contour_free(&c);
-  return status ? vs_bind_node(f, node, out) : VS_ERROR;
+  return status ? vs_bind_give_node(f, node, out) : VS_ERROR;
 }

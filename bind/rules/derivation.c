@@ -5,8 +5,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bind/call/call.h"
 #include "bind/call/convert.h"
+#include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
+#include "bind/call/take.h"
+#include "bind/objects.h"
+#include "bind/origins.h"
 #include "bind/rules/place.h"
 #include "bind/state.h"
 #include "vm/library/kept.h"
@@ -28,12 +33,12 @@ static void derivation_trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme
 
 void vs_task_drop(vs_derivation *d, vs_rule_task *t) {
   for (uint32_t i = t->next; i < t->count; i++) vs_scope_release(t->child[i]);
-  vs_store_realloc(d->bind->store, t, t->bytes, 0);
+  vs_store_realloc(d->store, t, t->bytes, 0);
 }
 
 /* The objects made are handed out or given up. */
 static void forget_made(vs_derivation *d) {
-  vs_store *s = d->bind->store;
+  vs_store *s = d->store;
   for (size_t i = 0; i < d->made_count; i++) {
     vs_node_release(d->made[i].node);
     if (i < d->flags_room) vs_scope_flags_release(s, d->made_flags[i]);
@@ -84,7 +89,9 @@ static vs_derivation *derivation_new(vs_bind *b, vs_value *holder) {
   forget_ended(b);
   vs_derivation *d = vs_store_realloc(b->store, NULL, 0, sizeof *d);
   if (!d) return (void)vs_fail_memory(b->vm), NULL;
-  *d = (vs_derivation){ .bind = b, .rule = VS_FALSE, .most = b->growing ? b->growing->most : VS_RULES_DEPTH };
+  *d = (vs_derivation){
+    .vm = b->vm, .bind = b, .store = b->store, .rule = VS_FALSE, .most = b->growing ? b->growing->most : VS_RULES_DEPTH
+  };
   const vs_derivation *outer = b->growing;
   if (outer) {
     d->name = outer->name, d->steps = 1000 * ++b->growing->steps; /* what it makes has paths of its own */
@@ -111,8 +118,8 @@ vs_derivation *vs_rules_begin(vs_args *f, vs_value *holder) {
 vs_rule_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
   size_t rules = many && count ? count : 1;
   size_t bytes = sizeof(vs_rule_task) + (size_t)count * sizeof(vs_scope *) + rules * sizeof(vs_value);
-  vs_rule_task *t = vs_store_realloc(d->bind->store, NULL, 0, bytes);
-  if (!t) return (void)vs_fail_memory(d->bind->vm), NULL;
+  vs_rule_task *t = vs_store_realloc(d->store, NULL, 0, bytes);
+  if (!t) return (void)vs_fail_memory(d->vm), NULL;
   memset(t, 0, bytes);
   t->bytes = bytes, t->many = many, t->rules = (vs_value *)(void *)(t->child + count);
   t->count = count;
@@ -134,9 +141,9 @@ bool vs_task_push(vs_derivation *d, vs_rule_task *t) {
   for (uint32_t i = 0; i < t->count && !op; i++)
     if (t->child[i]) op = t->child[i]->op;
   if ((op && !record(d, t, d->name, op)) ||
-      !vs_store_grow(d->bind->store, &d->stack, &d->room, d->count + 1, sizeof *d->stack)) {
+      !vs_store_grow(d->store, &d->stack, &d->room, d->count + 1, sizeof *d->stack)) {
     vs_task_drop(d, t);
-    return vs_fail_memory(d->bind->vm);
+    return vs_fail_memory(d->vm);
   }
   t->origin = vs_bind_origin(d->bind);
   for (uint32_t i = 0; i < t->count; i++)
@@ -154,7 +161,7 @@ static uint64_t text_hash(const char *text) {
 static vs_status too_deep(vs_derivation *d, const vs_scope *s) {
   char path[500];
   vs_scope_path_text(s, path, sizeof path);
-  vs_scheme *vm = d->bind->vm;
+  vs_scheme *vm = d->vm;
   const vs_native *native = vm->native;
   vm->native = NULL; /* it is the rule's fault */
   vs_fail(vm, vm->sym.recursion,
@@ -169,7 +176,7 @@ vs_scope *vs_rules_child(vs_derivation *d, vs_scope *parent, vs_scope_class c, c
                          uint32_t count) {
   if (parent->depth >= d->most) return (void)too_deep(d, parent), NULL;
   vs_scope *s = vs_scope_fresh(parent->store, c);
-  if (!s) return (void)vs_fail_memory(d->bind->vm), NULL;
+  if (!s) return (void)vs_fail_memory(d->vm), NULL;
   s->depth = parent->depth + 1, s->index = index, s->count = count;
   s->rule = d->name, s->op = op;
   s->parent = vs_scope_retain(parent);
@@ -204,11 +211,11 @@ const char *vs_rules_operator(vs_args *f) {
 
 bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags) {
   if (ref.node->kind == VS_EMPTY) return true;
-  if (!vs_store_grow(d->bind->store, &d->made, &d->made_room, d->made_count + 1, sizeof *d->made))
-    return vs_fail_memory(d->bind->vm);
+  if (!vs_store_grow(d->store, &d->made, &d->made_room, d->made_count + 1, sizeof *d->made))
+    return vs_fail_memory(d->vm);
   size_t had = d->flags_room;
-  if (flags && !vs_store_grow(d->bind->store, &d->made_flags, &d->flags_room, d->made_count + 1, sizeof *d->made_flags))
-    return vs_fail_memory(d->bind->vm);
+  if (flags && !vs_store_grow(d->store, &d->made_flags, &d->flags_room, d->made_count + 1, sizeof *d->made_flags))
+    return vs_fail_memory(d->vm);
   if (d->flags_room > had) memset(d->made_flags + had, 0, (d->flags_room - had) * sizeof *d->made_flags);
   if (flags) d->made_flags[d->made_count] = flags, flags->refs++;
   vs_node_retain(ref.node);
@@ -248,13 +255,13 @@ vs_status vs_p_derivation_leave(vs_args *f, vs_value *out) {
 static bool rule_begins(vs_derivation *d, const char *name, const vs_scope *s) {
   d->name = name;
   d->steps = 0;
-  return vs_random_branch(d->bind->vm, vs_scope_mix(s->hash, text_hash(name)));
+  return vs_random_branch(d->vm, vs_scope_mix(s->hash, text_hash(name)));
 }
 
 /* The scopes that waited for signals come to the stack, the first of them on top. False: the error is set. */
 static bool waiting_begin(vs_derivation *d) {
-  if (!vs_store_grow(d->bind->store, &d->stack, &d->room, d->waiting_count, sizeof *d->stack))
-    return vs_fail_memory(d->bind->vm);
+  if (!vs_store_grow(d->store, &d->stack, &d->room, d->waiting_count, sizeof *d->stack))
+    return vs_fail_memory(d->vm);
   while (d->waiting_count) d->stack[d->count++] = d->waiting[--d->waiting_count].task;
   return true;
 }
@@ -281,7 +288,7 @@ vs_status vs_p_derivation_next(vs_args *f, vs_value *out) {
     uint32_t i = t->next++;
     vs_scope *s = t->child[i];
     vs_value rule = t->rules[t->many ? i : 0];
-    vs_ref object = vs_bind_ref(rule);
+    vs_ref object = vs_bind_take_ref(rule);
     if (!s) continue;
     if (rule == VS_FALSE || object.node) {
       bool ok = !object.node || vs_rules_place(d, s, object, t->origin);
@@ -294,7 +301,7 @@ vs_status vs_p_derivation_next(vs_args *f, vs_value *out) {
     d->now = vs_scope_retain(s), d->entry = t->entry, d->position = i;
     if (t->body && !rule_begins(d, t->name, s)) return vs_scope_release(s), VS_ERROR;
     bool body = t->body;
-    if (!vs_scope_wrap(f->bind, s, &r[1])) return VS_ERROR;
+    if (!vs_bind_give_scope(f->vm, s, &r[1])) return VS_ERROR;
     if (!body && vs_is(r[0], VS_T_CLOSURE) && vs_object_of(r[0])->flags & VS_F_MARKED)
       vs_as_foreign(r[1])->with = live_mark(d, true);
     d->rule = r[0], d->begun = d->count;
@@ -322,13 +329,13 @@ static bool gather_value(vs_args *f, vs_derivation *d, const vs_scope *s, vs_val
                          const char *expected) {
   vs_scope_flags *flags = s ? s->flags : NULL;
   if (v == VS_UNSPECIFIC) return true;
-  vs_ref ref = vs_bind_ref(v), *refs;
+  vs_ref ref = vs_bind_take_ref(v), *refs;
   if (ref.node) return vs_rules_gather(d, ref, flags);
   size_t n;
   vs_value bad = VS_ABSENT;
   if (v == VS_NIL) return true;
   if (vs_is_pair(v)) {
-    if (!vs_bind_refs(f, v, &refs, &n, &bad)) {
+    if (!vs_bind_take_refs(f, v, &refs, &n, &bad)) {
       if (bad == VS_ABSENT) return false;
       return refuse_of_rule(f, what, expected, bad);
     }
@@ -344,7 +351,7 @@ vs_status vs_p_derivation_made(vs_args *f, vs_value *out) {
   (void)out;
   vs_derivation *d = derivation_of(f);
   vs_value v = f->arg[1].value;
-  const char *expected = vs_bind_scope(v) ? "an object or a list of objects (scope-place puts one into the scope)"
+  const char *expected = vs_bind_take_scope(v) ? "an object or a list of objects (scope-place puts one into the scope)"
                                           : "an object or a list of objects";
   return gather_value(f, d, d->now, v, "what a rule gives", expected) ? VS_OK : VS_ERROR;
 }
@@ -367,8 +374,8 @@ vs_status vs_p_derivation_object(vs_args *f, vs_value *out) {
   if (!n) return vs_fail_memory(f->vm);
   if (!f->bind->growing && !vs_lineage_keep(f->bind, n, d->lineage))
     return vs_node_release(n), vs_fail_memory(f->vm);
-  if (!origin) return vs_bind_wrap(f->bind, n, out);
-  vs_status status = vs_bind_wrap_ref(f->bind, (vs_ref){ n, origin }, out);
+  if (!origin) return vs_bind_give_object(f->bind, n, out);
+  vs_status status = vs_bind_give_ref(f->bind, (vs_ref){ n, origin }, out);
   vs_node_release(n);
   return status;
 }
@@ -413,9 +420,9 @@ vs_status vs_p_live(vs_args *f, vs_value *out) {
   *out = self;
   if (!f->bind->growing || !vs_is(procedure, VS_T_CLOSURE) || !(vs_object_of(procedure)->flags & VS_F_MARKED))
     return VS_OK;
-  vs_scope *s = vs_bind_scope(self);
+  vs_scope *s = vs_bind_take_scope(self);
   if (!s) return VS_OK;
-  if (!vs_scope_wrap(f->bind, vs_scope_retain(s), out)) return VS_ERROR;
+  if (!vs_bind_give_scope(f->vm, vs_scope_retain(s), out)) return VS_ERROR;
   vs_as_foreign(*out)->with = live_mark(f->bind->growing, false);
   return VS_OK;
 }
@@ -508,7 +515,7 @@ vs_status vs_p_scope_signals(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (uint32_t i = e ? e->count : 0; i-- > 0;)
-    if (!vs_scope_wrap(f->bind, vs_scope_retain(e->from[i]), &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0]))
+    if (!vs_bind_give_scope(f->vm, vs_scope_retain(e->from[i]), &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0]))
       return VS_ERROR;
   *out = r[0];
   return VS_OK;
@@ -519,9 +526,9 @@ vs_status vs_p_took(vs_args *f, vs_value *out) {
   vs_value v = f->arg[1].value;
   *out = f->arg[0].value;
   if (v == VS_UNSPECIFIC) return VS_OK;
-  if (vs_bind_scope(v)) return *out = v, VS_OK;
+  if (vs_bind_take_scope(v)) return *out = v, VS_OK;
   if (!f->bind->growing) return vs_fail(f->vm, f->vm->sym.error, "no rule is being derived");
-  return gather_value(f, f->bind->growing, vs_bind_scope(*out), v, "what a form of a rule gives",
+  return gather_value(f, f->bind->growing, vs_bind_take_scope(*out), v, "what a form of a rule gives",
                       "a scope, an object or a list of objects")
              ? VS_OK
              : VS_ERROR;
@@ -538,7 +545,7 @@ vs_status vs_p_choose(vs_args *f, vs_value *out) {
       open++;
       continue;
     }
-    if (!vs_bind_number(f->vm, v[i], &p) || !(p >= 0 && p <= 1))
+    if (!vs_bind_take_number(f->vm, v[i], &p) || !(p >= 0 && p <= 1))
       return refuse_of_rule(f, "#:chance", "a number from 0 to 1", v[i]);
     sum += p;
   }
@@ -552,7 +559,7 @@ vs_status vs_p_choose(vs_args *f, vs_value *out) {
   double share = open ? fmax(0, 1 - sum) / (double)open : 0;
   for (size_t i = 0; i < n; i++) {
     p = share;
-    if (v[i] != VS_FALSE) vs_bind_number(f->vm, v[i], &p);
+    if (v[i] != VS_FALSE) vs_bind_take_number(f->vm, v[i], &p);
     if (x < p) return *out = vs_fix((int64_t)i), VS_OK;
     x -= p;
   }
@@ -578,7 +585,7 @@ vs_status vs_p_rule_refuses(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   (void)out;
   VS_ROOTS(vm, r, 2);
-  const vs_scope *s = vs_bind_scope(f->arg[3].value);
+  const vs_scope *s = vs_bind_take_scope(f->arg[3].value);
   bool run = false, live = s && is_live(b, f->arg[3].value, &run);
   const vs_origin *origin = live && run && s->origin ? s->origin : vs_bind_origin(b);
   char *name = NULL, *wanted = NULL, at[200] = "";
@@ -587,8 +594,8 @@ vs_status vs_p_rule_refuses(vs_args *f, vs_value *out) {
   const char *file = rule ? vs_bind_file_name(b, rule) : NULL;
   if (file) snprintf(at, sizeof at, "; the rule is at %.150s:%u:%u", file, vs_pos_line(rule), vs_pos_col(rule));
   r[0] = f->arg[3].value;
-  if (!vs_bind_text(vm, f->arg[0].value, &name, &name_bytes) ||
-      !vs_bind_text(vm, f->arg[1].value, &wanted, &wanted_bytes)) {
+  if (!vs_bind_take_text(vm, f->arg[0].value, &name, &name_bytes) ||
+      !vs_bind_take_text(vm, f->arg[1].value, &wanted, &wanted_bytes)) {
     if (name) vs_mem(vm, name, name_bytes, 0);
     return VS_ERROR;
   }

@@ -15,6 +15,8 @@
 #include "geometry/plane/outline.h"
 #include "model/mesh.h"
 
+typedef struct vs_args vs_args;
+
 /* Scopes that wait, in order, each for its rule. */
 typedef struct vs_rule_task {
   size_t bytes;
@@ -35,7 +37,9 @@ typedef struct {
 } vs_waiting;
 
 typedef struct vs_derivation {
-  vs_bind *bind;
+  vs_scheme *vm;
+  vs_bind *bind;      /* vm's */
+  vs_store *store;    /* bind's */
   vs_rule_task **stack;
   size_t count, room;
   size_t begun; /* tasks that were there when the rule that runs began: those above it come in the order of its forms */

@@ -2,6 +2,7 @@
  * rules.scm makes as define-primitive makes its objects: it goes wherever what stands beside it is moved or copied.
  */
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/rules/derivation.h"
 #include "bind/rules/move_scopes.h"
 
@@ -83,7 +84,7 @@ vs_status vs_p_marks(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = found_count; ok && i-- > 0;)
-    ok = vs_bind_matrix(f, &found[i].map, &r[1]) &&
+    ok = vs_bind_give_matrix(f, &found[i].map, &r[1]) &&
          vs_cons(f->vm, vs_fix(VS_AS(custom, found[i].node)->values->id), r[1], &r[1]) &&
          vs_cons(f->vm, r[1], r[0], &r[0]) && vs_poll(f->vm, 8);
   free(found);
@@ -111,7 +112,7 @@ vs_status vs_p_scope_mark(vs_args *f, vs_value *out) {
   if (!d) return vs_fail(f->vm, f->vm->sym.error, "stands in a rule: outside of one nothing is being made");
   if (!vs_rules_gather(d, f->arg[1].ref, f->arg[0].scope->flags)) return VS_ERROR;
   vs_scope *s = with_mark(f, f->arg[0].scope, VS_AS(custom, n)->values->id);
-  return s ? vs_scope_wrap(f->bind, s, out) : VS_ERROR;
+  return s ? vs_bind_give_scope(f->vm, s, out) : VS_ERROR;
 }
 
 /* (%scope-found s number matrix): s where the matrix has brought it, with its mark. */
@@ -120,7 +121,7 @@ vs_status vs_p_scope_found(vs_args *f, vs_value *out) {
   if (!s) return VS_ERROR;
   vs_scope *at = vs_scope_placed(s, &f->arg[2].matrix);
   vs_scope_release(s);
-  return vs_scope_wrap(f->bind, at, out);
+  return vs_bind_give_scope(f->vm, at, out);
 }
 
 /* (%scope-mark-number s): of its mark, or #f. */

@@ -2,6 +2,7 @@
 #include "bind/rules/make_scopes.h"
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/measures.h"
@@ -30,7 +31,7 @@ static vs_status made(vs_args *f, vs_scope *s, vs_vec3 at, vs_value *out) {
   const vs_derivation *d = f->bind->growing;
   if (s) vs_scope_plant(s, at);
   if (s && d && d->now) stand_in(s, d, vs_rules_operator(f));
-  return vs_scope_wrap(f->bind, s, out);
+  return vs_bind_give_scope(f->vm, s, out);
 }
 
 vs_status vs_p_make_box_scope(vs_args *f, vs_value *out) {
@@ -66,7 +67,7 @@ vs_status vs_p_make_turtle_scope(vs_args *f, vs_value *out) {
 static bool box_around(vs_args *f, vs_scope *s, vs_ref object) {
   vs_bounds b;
   vs_error e = { 0 };
-  if (!vs_bind_bounds(f->bind, object, &b, &e)) return vs_bind_error(f, &e);
+  if (!vs_bind_bounds(f->vm, object, &b, &e)) return vs_bind_error(f->vm, &e);
   if (vs_bounds_is_empty(&b)) b = (vs_bounds){ { 0, 0, 0 }, { 0, 0, 0 } };
   s->as.box.frame =
       vs_affine_columns(vs_v3(1, 0, 0), vs_v3(0, 0, 1), vs_v3(0, -1, 0), vs_v3(b.min.x, b.max.y, b.min.z));
@@ -114,10 +115,10 @@ vs_status vs_p_make_polygon_scope(vs_args *f, vs_value *out) {
   vs_outline o = { 0 };
   vs_error e = { 0 };
   const vs_node *n = f->arg[0].ref.node;
-  vs_fineness facets = vs_bend_facets(f->bind, n);
+  vs_fineness facets = vs_bend_facets(f->vm, n);
   if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED))
     return vs_bind_refuse(f, "region", "a region or a closed curve", f->arg[0].value);
-  if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(f, &e);
+  if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(f->vm, &e);
   size_t next = 0;
   vs_scope *s = NULL;
   vs_status status = VS_ERROR;
@@ -152,8 +153,8 @@ vs_status vs_p_make_triangle_scope(vs_args *f, vs_value *out) {
 vs_status vs_p_make_curve_scope(vs_args *f, vs_value *out) {
   vs_polyline p = { 0 };
   vs_error e = { 0 };
-  vs_fineness facets = vs_bend_facets(f->bind, f->arg[0].ref.node);
-  if (!vs_curve_sample(f->arg[0].ref.node, &facets, &p, &e)) return vs_bind_error(f, &e);
+  vs_fineness facets = vs_bend_facets(f->vm, f->arg[0].ref.node);
+  if (!vs_curve_sample(f->arg[0].ref.node, &facets, &p, &e)) return vs_bind_error(f->vm, &e);
   if (p.count < 2)
     return vs_polyline_free(&p), vs_bind_refuse(f, "curve", "a curve that has a length", f->arg[0].value);
   vs_scope *s = vs_scope_fresh(f->store, VS_SCOPE_CURVE);
@@ -170,12 +171,12 @@ vs_status vs_p_make_curve_scope(vs_args *f, vs_value *out) {
 /* ---- what a scope says of itself ---- */
 
 static vs_status is_class(vs_args *f, vs_scope_class c, vs_value *out) {
-  const vs_scope *s = vs_bind_scope(f->arg[0].value);
+  const vs_scope *s = vs_bind_take_scope(f->arg[0].value);
   *out = vs_bool(s && s->class_ == c);
   return VS_OK;
 }
 vs_status vs_p_is_scope(vs_args *f, vs_value *out) {
-  return *out = vs_bool(vs_bind_scope(f->arg[0].value) != NULL), VS_OK;
+  return *out = vs_bool(vs_bind_take_scope(f->arg[0].value) != NULL), VS_OK;
 }
 vs_status vs_p_is_box_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_BOX, out); }
 vs_status vs_p_is_ffd_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_FFD, out); }
@@ -187,26 +188,26 @@ vs_status vs_p_is_curve_scope(vs_args *f, vs_value *out) { return is_class(f, VS
 vs_status vs_p_is_surface_scope(vs_args *f, vs_value *out) { return is_class(f, VS_SCOPE_SURFACE, out); }
 
 vs_status vs_p_scope_size_x(vs_args *f, vs_value *out) {
-  return vs_bind_real(f, vs_scope_size(f->arg[0].scope).x, out);
+  return vs_bind_give_real(f, vs_scope_size(f->arg[0].scope).x, out);
 }
 vs_status vs_p_scope_size_y(vs_args *f, vs_value *out) {
-  return vs_bind_real(f, vs_scope_size(f->arg[0].scope).y, out);
+  return vs_bind_give_real(f, vs_scope_size(f->arg[0].scope).y, out);
 }
 vs_status vs_p_scope_size_z(vs_args *f, vs_value *out) {
-  return vs_bind_real(f, vs_scope_size(f->arg[0].scope).z, out);
+  return vs_bind_give_real(f, vs_scope_size(f->arg[0].scope).z, out);
 }
 
 vs_status vs_p_scope_corner(vs_args *f, vs_value *out) {
   static const char *const names[] = { "i", "j", "k" };
   for (int i = 1; i < 4; i++)
     if (f->arg[i].integer > 1) return vs_bind_refuse(f, names[i - 1], "0 or 1", f->arg[i].value);
-  return vs_bind_point(
+  return vs_bind_give_point(
       f, vs_scope_corner(f->arg[0].scope, (int)f->arg[1].integer, (int)f->arg[2].integer, (int)f->arg[3].integer), out);
 }
 
 vs_status vs_p_scope_frame(vs_args *f, vs_value *out) {
   vs_affine m = vs_scope_frame(f->arg[0].scope);
-  return vs_bind_matrix(f, &m, out);
+  return vs_bind_give_matrix(f, &m, out);
 }
 
 vs_status vs_p_scope_index(vs_args *f, vs_value *out) { return *out = vs_fix(f->arg[0].scope->index), VS_OK; }
@@ -215,14 +216,16 @@ vs_status vs_p_scope_first(vs_args *f, vs_value *out) { return *out = vs_bool(f-
 vs_status vs_p_scope_last(vs_args *f, vs_value *out) {
   return *out = vs_bool(f->arg[0].scope->index + 1 == f->arg[0].scope->count), VS_OK;
 }
-vs_status vs_p_scope_left_angle(vs_args *f, vs_value *out) { return vs_bind_real(f, f->arg[0].scope->left, out); }
-vs_status vs_p_scope_right_angle(vs_args *f, vs_value *out) { return vs_bind_real(f, f->arg[0].scope->right, out); }
+vs_status vs_p_scope_left_angle(vs_args *f, vs_value *out) { return vs_bind_give_real(f, f->arg[0].scope->left, out); }
+vs_status vs_p_scope_right_angle(vs_args *f, vs_value *out) {
+  return vs_bind_give_real(f, f->arg[0].scope->right, out);
+}
 vs_status vs_p_scope_depth(vs_args *f, vs_value *out) { return *out = vs_fix(f->arg[0].scope->depth), VS_OK; }
 
 vs_status vs_p_scope_parent(vs_args *f, vs_value *out) {
   vs_scope *parent = f->arg[0].scope->parent;
   if (!parent) return *out = VS_FALSE, VS_OK;
-  return vs_scope_wrap(f->bind, vs_scope_retain(parent), out);
+  return vs_bind_give_scope(f->vm, vs_scope_retain(parent), out);
 }
 
 /* A list, from the root, of (rule operator index); the rule is #f where an operator was called outside of any. */

@@ -5,6 +5,7 @@
  * is a vertex. */
 #include "bind/rules/mesh_faces.h"
 
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/measures.h"
@@ -63,12 +64,12 @@ static bool add_leaf(faces *all, vs_ref ref, const vs_affine *map) {
     vs_polygons_result r = vs_polygons_each(n, map, add_face, all);
     return r == VS_POLYGONS_MEMORY ? vs_fail_memory(all->f->vm) : r == VS_POLYGONS_GIVEN;
   }
-  vs_fineness facets = vs_bend_facets(all->f->bind, n);
+  vs_fineness facets = vs_bend_facets(all->f->vm, n);
   if (n->class_ == VS_REGION_CLASS || n->class_ == VS_CURVE) {
     vs_outline o = { 0 };
     if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED))
       return vs_fail(all->f->vm, all->f->vm->sym.type, "an open curve has no faces");
-    if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(all->f, &e);
+    if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(all->f->vm, &e);
     bool ok = true;
     for (size_t next = 0; ok && next < o.count;) {
       vs_scope_loops *l = vs_rules_outline_loops(all->f, &o, &next);
@@ -84,12 +85,12 @@ static bool add_leaf(faces *all, vs_ref ref, const vs_affine *map) {
     vs_solid solid = { 0 };
     vs_kernel_options options = { .progress = vs_bind_keep_going, .context = all->f->vm };
     if (!vs_solid_evaluate(&ref, 1, &facets, &options, &solid, &e))
-      return e.kind == VS_ERROR_INTERRUPT ? false : vs_bind_error(all->f, &e);
+      return e.kind == VS_ERROR_INTERRUPT ? false : vs_bind_error(all->f->vm, &e);
     ok = add_mesh(all, &solid.mesh, map);
     vs_solid_free(&solid);
   } else if (n->class_ == VS_SURFACE) {
     vs_mesh mesh = { 0 };
-    ok = vs_tessellate(n, &facets, &mesh, &e) ? add_mesh(all, &mesh, map) : vs_bind_error(all->f, &e);
+    ok = vs_tessellate(n, &facets, &mesh, &e) ? add_mesh(all, &mesh, map) : vs_bind_error(all->f->vm, &e);
     vs_mesh_free(&mesh);
   }
   return ok;

@@ -2,9 +2,11 @@
 #ifndef VS_BIND_RULES_MESH_FACES_H
 #define VS_BIND_RULES_MESH_FACES_H
 
-#include "bind/shapes/taken_apart.h"
+#include "vm/machine/native.h"
 
-vs_status vs_mesh_components(vs_args *f, const char *of,
-                             vs_value *out); /* mesh_faces.c: scope-component of a mesh scope */
+typedef struct vs_args vs_args;
+
+/* scope-component of a mesh scope */
+vs_status vs_mesh_components(vs_args *f, const char *of, vs_value *out);
 
 #endif

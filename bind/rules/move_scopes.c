@@ -2,7 +2,9 @@
  * scope.h. */
 #include "bind/rules/move_scopes.h"
 
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
+#include "bind/call/take.h"
 #include "bind/rules/derivation.h"
 
 #include <string.h>
@@ -91,7 +93,7 @@ static vs_status give_moved(vs_args *f, const vs_affine *m, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   if (!moved(s, m)) return vs_scope_release(s), vs_fail_memory(f->vm);
-  return vs_scope_wrap(f->bind, s, out);
+  return vs_bind_give_scope(f->vm, s, out);
 }
 
 vs_status vs_p_scope_move(vs_args *f, vs_value *out) {
@@ -115,7 +117,7 @@ static vs_status turn_hexahedron(vs_args *f, int a, int quarters, vs_value *out)
       s->as.corner[i] = old[from[0] + 2 * from[1] + 4 * from[2]];
     }
   }
-  return vs_scope_wrap(f->bind, s, out);
+  return vs_bind_give_scope(f->vm, s, out);
 }
 
 vs_status vs_p_scope_turn(vs_args *f, vs_value *out) {
@@ -143,7 +145,7 @@ static vs_status give_sized(vs_args *f, vs_vec3 size, vs_value *out) {
   if (size.x >= 0) *x = size.x;
   if (size.y >= 0) *y = size.y;
   if (size.z >= 0 && !turtle) s->as.box.size.z = size.z;
-  return vs_scope_wrap(f->bind, s, out);
+  return vs_bind_give_scope(f->vm, s, out);
 }
 
 vs_status vs_p_scope_size(vs_args *f, vs_value *out) {
@@ -153,7 +155,7 @@ vs_status vs_p_scope_size(vs_args *f, vs_value *out) {
   for (int i = 0; i < 3; i++) {
     d[i] = -1;
     if (f->arg[1 + i].value == VS_FALSE) continue;
-    if (!vs_bind_number(f->vm, f->arg[1 + i].value, &d[i]) || !isfinite(d[i]))
+    if (!vs_bind_take_number(f->vm, f->arg[1 + i].value, &d[i]) || !isfinite(d[i]))
       return vs_bind_refuse(f, names[i], "a number, or #f for the size it has", f->arg[1 + i].value);
     if (d[i] < 0) return vs_bind_refuse(f, names[i], "0 or more", f->arg[1 + i].value);
   }

@@ -14,8 +14,8 @@
 static bool bounds_of(vs_derivation *d, vs_ref object, vs_bounds *b) {
   vs_error e = { 0 };
   if (d->fitted == object.node) return *b = d->fitted_bounds, true;
-  if (!vs_bind_bounds(d->bind, object, b, &e))
-    return vs_fail(d->bind->vm, d->bind->vm->sym.error, "%s", e.message);
+  if (!vs_bind_bounds(d->vm, object, b, &e))
+    return vs_fail(d->vm, d->vm->sym.error, "%s", e.message);
   vs_node_release(d->fitted);
   d->fitted = vs_node_retain(object.node), d->fitted_bounds = *b;
   return true;
@@ -42,7 +42,7 @@ static vs_vec3 object_corner(const vs_vec3 corner[8], int c) {
 }
 
 bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs_origin *origin) {
-  vs_store *store = d->bind->store;
+  vs_store *store = d->store;
   vs_bounds b;
   if (object.node->kind == VS_EMPTY) return true;
   if (!bounds_of(d, object, &b)) return false;
@@ -57,7 +57,7 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
     struct vs_deform deform = { .c000 = at[0], .c100 = at[1], .c010 = at[2], .c110 = at[3],
                                 .c001 = at[4], .c101 = at[5], .c011 = at[6], .c111 = at[7] };
     if (object.node->class_ == VS_REGION_CLASS)
-      return vs_fail(d->bind->vm, d->bind->vm->sym.error,
+      return vs_fail(d->vm, d->vm->sym.error,
                      "a hexahedron deforms solids, surfaces and curves, not regions: do-extrude them");
     if (vs_deform_is_affine(&deform, &b, &m))
       n = vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &placed, 1);
@@ -73,18 +73,8 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
     vs_affine m = fit(&frame, size, &b);
     n = vs_node_new(store, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &placed, 1);
   }
-  if (!n) return vs_fail_memory(d->bind->vm);
+  if (!n) return vs_fail_memory(d->vm);
   bool ok = vs_rules_gather(d, (vs_ref){ n, origin }, s->flags);
   vs_node_release(n);
   return ok;
-}
-
-vs_status vs_p_scope_place(vs_args *f, vs_value *out) {
-  VS_ROOTS(f->vm, r, 1);
-  vs_scope *s = f->arg[0].scope;
-  if (!vs_bind_finite(f, 1)) return VS_ERROR;
-  vs_derivation *d = vs_rules_begin(f, &r[0]);
-  if (!d) return VS_ERROR;
-  *out = r[0];
-  return vs_rules_place(d, s, f->arg[1].ref, vs_bind_origin(f->bind)) ? VS_OK : VS_ERROR;
 }

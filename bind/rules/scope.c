@@ -1,7 +1,6 @@
 /* Owns the life of scopes: counting, copying, hashes of paths, flags, printing. */
 #include "bind/rules/scope.h"
 
-#include "bind/state.h"
 #include "model/store/piece.h"
 
 #include <stdio.h>
@@ -122,9 +121,9 @@ void vs_scope_take_path(vs_scope *s, const vs_scope *of) {
   if ((s->extra = of->extra)) s->extra->refs++;
 }
 
-vs_status vs_scope_wrap(vs_bind *b, vs_scope *s, vs_value *out) {
-  if (!s) return vs_fail_memory(b->vm);
-  return vs_make_foreign(b->vm, &vs_scope_type, s, 0, out) ? VS_OK : VS_ERROR;
+vs_status vs_bind_give_scope(vs_scheme *vm, vs_scope *s, vs_value *out) {
+  if (!s) return vs_fail_memory(vm);
+  return vs_make_foreign(vm, &vs_scope_type, s, 0, out) ? VS_OK : VS_ERROR;
 }
 
 /* ---- paths ---- */

@@ -86,10 +86,10 @@ struct vs_scope {
 
 extern const vs_foreign_type vs_scope_type;
 /* May v be a rule: a procedure of a scope, an object to place, or #f? */
-static inline bool vs_is_rule(vs_value v) { return v == VS_FALSE || vs_is_procedure(v) || vs_bind_ref(v).node; }
+static inline bool vs_is_rule(vs_value v) { return v == VS_FALSE || vs_is_procedure(v) || vs_bind_take_ref(v).node; }
 
 /* Returns the scope that v is, or NULL. */
-static inline vs_scope *vs_bind_scope(vs_value v) { return (vs_scope *)vs_foreign_get(v, &vs_scope_type); }
+static inline vs_scope *vs_bind_take_scope(vs_value v) { return (vs_scope *)vs_foreign_get(v, &vs_scope_type); }
 const char *vs_scope_noun(const vs_scope *s); /* "a box scope" */
 
 vs_scope *vs_scope_retain(vs_scope *s);
@@ -103,7 +103,7 @@ void vs_scope_become(vs_scope *s, const vs_scope *of);
 /* s, just made, gets the path of another, whose class may differ: all but its shape. */
 void vs_scope_take_path(vs_scope *s, const vs_scope *of);
 /* Hands a scope over to Scheme: *out owns it. */
-vs_status vs_scope_wrap(vs_bind *b, vs_scope *s /* taken over; NULL: out of memory */, vs_value *out);
+vs_status vs_bind_give_scope(vs_scheme *vm, vs_scope *s /* taken over; NULL: out of memory */, vs_value *out);
 /* Seeds a root's hash by the place where it lies. */
 void vs_scope_plant(vs_scope *s, vs_vec3 at);
 uint64_t vs_scope_mix(uint64_t hash, uint64_t more);

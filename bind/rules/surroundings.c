@@ -9,6 +9,7 @@
 #include "bind/rules/surroundings.h"
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/measures.h"
 #include "bind/rules/derivation.h"
@@ -58,7 +59,7 @@ void vs_surroundings_free(vs_surroundings *a) {
 static vs_surroundings *surroundings_of(vs_derivation *d) {
   vs_surroundings *a = d->around;
   if (a) return a;
-  if (!(a = vs_store_realloc(d->bind->store, NULL, 0, sizeof *a))) return (void)vs_fail_memory(d->bind->vm), NULL;
+  if (!(a = vs_store_realloc(d->store, NULL, 0, sizeof *a))) return (void)vs_fail_memory(d->vm), NULL;
   memset(a, 0, sizeof *a);
   a->bind = d->bind;
   return d->around = a;
@@ -202,7 +203,7 @@ static bool curve_pieces(body *b, const vs_scope *s) {
 static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) {
   vs_bend_leaves leaves;
   vs_ref object = { vs_node_retain(s->object.node), s->object.origin };
-  bool ok = vs_bend_resolve(bind, &object) && vs_bend_take_apart(bind, object, NULL, &leaves);
+  bool ok = vs_bend_resolve(bind->vm, &object) && vs_bend_take_apart(bind->vm, object, NULL, &leaves);
   *set = !ok;
   for (size_t i = 0; ok && i < leaves.count; i++)
     for (size_t k = 0; ok && k < leaves.at[i].mesh.triangle_count; k++) {
@@ -323,7 +324,7 @@ static const vs_bend_leaves *taken_apart(vs_surroundings *a, vs_ref object, vs_n
   if (a->kept[i].node == object.node) return &a->kept[i].leaves;
   vs_bend_leaves leaves;
   vs_ref plain = { vs_node_retain(object.node), object.origin };
-  if (!vs_bend_resolve(a->bind, &plain) || !vs_bend_take_apart(a->bind, plain, NULL, &leaves))
+  if (!vs_bend_resolve(a->bind->vm, &plain) || !vs_bend_take_apart(a->bind->vm, plain, NULL, &leaves))
     return vs_node_release(plain.node), NULL;
   drop_one(a, i);
   a->kept[i].node = vs_node_retain(object.node), a->kept[i].leaves = leaves;
@@ -364,7 +365,7 @@ static bool holds(question *q, const vs_node *n, vs_vec3 p) {
   bool in = false;
   vs_error e = { 0 };
   if (n->class_ != VS_SOLID || q->failed) return false;
-  if (!vs_inside_cached(&q->f->bind->inside, n, p, &in, &e)) q->failed = true, vs_bind_error(q->f, &e);
+  if (!vs_inside_cached(&q->f->bind->inside, n, p, &in, &e)) q->failed = true, vs_bind_error(q->f->vm, &e);
   return in;
 }
 
@@ -417,17 +418,17 @@ static bool catch_up(vs_derivation *d, vs_surroundings *a) {
   vs_error e = { 0 };
   for (size_t i = a->level[0].count; i < d->made_count; i++) {
     vs_bounds box;
-    if (!vs_bind_bounds(d->bind, d->made[i], &box, &e))
-      return vs_fail(d->bind->vm, d->bind->vm->sym.error, "%s", e.message);
+    if (!vs_bind_bounds(d->vm, d->made[i], &box, &e))
+      return vs_fail(d->vm, d->vm->sym.error, "%s", e.message);
     for (size_t level = 0, at = i; level < LEVELS; level++, at /= FAN) {
       if (at >= a->level[level].count) {
-        if (!vs_store_grow(d->bind->store, &a->level[level].at, &a->level[level].room, at + 1, sizeof box))
-          return vs_fail_memory(d->bind->vm);
+        if (!vs_store_grow(d->store, &a->level[level].at, &a->level[level].room, at + 1, sizeof box))
+          return vs_fail_memory(d->vm);
         a->level[level].at[at] = vs_bounds_empty(), a->level[level].count = at + 1;
       }
       vs_bounds_unite(&a->level[level].at[at], &box);
     }
-    if (!vs_poll_turn(d->bind->vm, i, 40)) return false;
+    if (!vs_poll_turn(d->vm, i, 40)) return false;
   }
   return true;
 }
@@ -448,7 +449,7 @@ static bool any_answers(question *q, vs_derivation *d) {
     if (meet && (!q->flag || (at < d->flags_room && vs_scope_flags_have(d->made_flags[at], q->flag))) &&
         answers(q, a, d->made[at]))
       return true;
-    if (q->failed || !vs_poll(d->bind->vm, 20)) return q->failed = true, false;
+    if (q->failed || !vs_poll(d->vm, 20)) return q->failed = true, false;
     for (at++; level < LEVELS - 1 && at % FAN == 0; at /= FAN) level++;
     while (level < LEVELS - 1 && at >= a->level[level].count) level++, at = at / FAN + 1;
   }
@@ -505,8 +506,8 @@ vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   if (!vs_bounds_overlap(&b, &(vs_bounds){ { 0, 0, 0 }, size }, slack)) return VS_OK;
   vs_vec3 low = vs_v3(fmin(fmax(b.min.x, 0), size.x), fmin(fmax(b.min.y, 0), size.y), fmin(fmax(b.min.z, 0), size.z));
   vs_vec3 high = vs_v3(fmin(fmax(b.max.x, 0), size.x), fmin(fmax(b.max.y, 0), size.y), fmin(fmax(b.max.z, 0), size.z));
-  if (!vs_bind_point(f, high, &r[0]) || !vs_cons(f->vm, r[0], VS_NIL, &r[0]) || !vs_bind_point(f, low, &r[1]) ||
-      !vs_cons(f->vm, r[1], r[0], &r[0]))
+  if (!vs_bind_give_point(f, high, &r[0]) || !vs_cons(f->vm, r[0], VS_NIL, &r[0]) ||
+      !vs_bind_give_point(f, low, &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0]))
     return VS_ERROR;
   *out = r[0];
   return VS_OK;
@@ -522,6 +523,6 @@ vs_status vs_p_scope_detail(vs_args *f, vs_value *out) {
   for (int i = 0; i < 8; i++) middle = vs_v3_add(middle, vs_v3_scale(corner[i], .125));
   for (int i = 0; i < 8; i++) reach = fmax(reach, vs_v3_length(vs_v3_sub(corner[i], middle)));
   double distance = vs_v3_length(vs_v3_sub(middle, scene->eye)) - reach;
-  if (scene->view != VS_VIEW_CAMERA || distance <= 0) return vs_bind_real(f, INFINITY, out);
-  return vs_bind_real(f, 2 * reach / distance * (scene->lens / 36) * width, out);
+  if (scene->view != VS_VIEW_CAMERA || distance <= 0) return vs_bind_give_real(f, INFINITY, out);
+  return vs_bind_give_real(f, 2 * reach / distance * (scene->lens / 36) * width, out);
 }

@@ -3,6 +3,7 @@
  *
  * The frame's columns are left (x), up (y) and ahead (z). A yaw turns to the left, a pitch upwards, a roll to the
  * right about the heading, as of a plane that banks. */
+#include "bind/call/call.h"
 #include "bind/rules/derivation.h"
 
 #define TURTLE VS_SCOPE_BIT(TURTLE)
@@ -21,7 +22,7 @@ vs_status vs_p_turtle_forward(vs_args *f, vs_value *out) {
   if (!s) return VS_ERROR;
   vs_affine *m = frame_of(s);
   for (int r = 0; r < 3; r++) m->m[r][3] += m->m[r][2] * f->arg[1].real;
-  return vs_scope_wrap(f->bind, s, out);
+  return vs_bind_give_scope(f->vm, s, out);
 }
 
 /* Turns about the turtle's own axis, through its place. */
@@ -31,7 +32,7 @@ static vs_status turned(vs_args *f, int axis, double angle, vs_value *out) {
   vs_affine *m = frame_of(s);
   vs_affine turn = vs_affine_rotation(vs_affine_column(m, 3), vs_affine_column(m, axis), angle);
   *m = vs_affine_multiply(&turn, m);
-  return vs_scope_wrap(f->bind, s, out);
+  return vs_bind_give_scope(f->vm, s, out);
 }
 vs_status vs_p_turtle_yaw(vs_args *f, vs_value *out) { return turned(f, 1, f->arg[1].real, out); }
 vs_status vs_p_turtle_pitch(vs_args *f, vs_value *out) { return turned(f, 0, -f->arg[1].real, out); }
@@ -41,13 +42,13 @@ vs_status vs_p_turtle_width(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   s->as.turtle.width = f->arg[1].real;
-  return vs_scope_wrap(f->bind, s, out);
+  return vs_bind_give_scope(f->vm, s, out);
 }
 vs_status vs_p_turtle_height(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
   s->as.turtle.height = f->arg[1].real;
-  return vs_scope_wrap(f->bind, s, out);
+  return vs_bind_give_scope(f->vm, s, out);
 }
 
 /* Tropism: the heading turns towards the vector, by the strength's part of the angle between them. */
@@ -61,7 +62,7 @@ vs_status vs_p_turtle_toward(vs_args *f, vs_value *out) {
     vs_affine turn = vs_affine_rotation(vs_affine_column(m, 3), axis, angle * f->arg[2].real);
     *m = vs_affine_multiply(&turn, m);
   }
-  return vs_scope_wrap(f->bind, s, out);
+  return vs_bind_give_scope(f->vm, s, out);
 }
 
 /* The cross-section is the back of the next hexahedron. */
@@ -70,7 +71,7 @@ vs_status vs_p_turtle_back(vs_args *f, vs_value *out) {
   if (!s) return VS_ERROR;
   for (int c = 0; c < 4; c++) s->as.turtle.back[c] = vs_scope_corner(s, c & 1, c >> 1, 1);
   s->backed = true;
-  return vs_scope_wrap(f->bind, s, out);
+  return vs_bind_give_scope(f->vm, s, out);
 }
 
 /* The cross-section is the front of a hexahedron, which gets the rule. */

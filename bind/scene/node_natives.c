@@ -60,7 +60,7 @@ static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
  * columns are not at right angles or one of them is 0. A mirror goes into the scale along X. */
 static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  vs_affine m = vs_bind_affine(vs_as_flat(a[0])->at);
+  vs_affine m = vs_bind_take_matrix(vs_as_flat(a[0])->at);
   *out = VS_FALSE;
   if (vs_affine_determinant(&m) == 0 || !vs_affine_is_placement(&m)) return VS_OK;
   vs_vec3 move, scale, column[3];
@@ -86,7 +86,7 @@ static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 /* matrix point: where the matrix brings the point */
 static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  vs_affine m = vs_bind_affine(vs_as_flat(a[0])->at);
+  vs_affine m = vs_bind_take_matrix(vs_as_flat(a[0])->at);
   const double *d = vs_as_flat(a[1])->at;
   vs_vec3 p = vs_affine_point(&m, vs_v3(d[0], d[1], d[2]));
   const double at[3] = { p.x, p.y, p.z };
@@ -106,8 +106,7 @@ static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
  * is known. */
 static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  vs_bind *b = vs_bind_of(vm);
-  vs_affine m = vs_bind_affine(vs_as_flat(a[1])->at), back;
+  vs_affine m = vs_bind_take_matrix(vs_as_flat(a[1])->at), back;
   const double *p = vs_as_flat(a[2])->at, *d = vs_as_flat(a[3])->at;
   vs_ray_hit hit;
   vs_error e = { 0 };
@@ -115,7 +114,7 @@ static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_affine_invert(&m, &back)) return VS_OK; /* flat: there is nothing to meet */
   vs_vec3 from = vs_affine_point(&back, vs_v3(p[0], p[1], p[2]));
   vs_vec3 direction = vs_affine_vector(&back, vs_v3(d[0], d[1], d[2]));
-  if (!vs_ray_meets(b, vs_bind_ref(a[0]), from, direction, &hit, &e)) return fail_ray(vm, &e);
+  if (!vs_ray_meets(vm, vs_bind_take_ref(a[0]), from, direction, &hit, &e)) return fail_ray(vm, &e);
   if (hit.at == INFINITY) return VS_OK;
   VS_ROOTS(vm, r, 2);
   r[0] = VS_FALSE;
@@ -136,7 +135,7 @@ static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = b->scene.drawn_count; i-- > 0;) {
-    if (!vs_bind_wrap_ref(b, b->scene.drawn[i], &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])) return VS_ERROR;
+    if (!vs_bind_give_ref(b, b->scene.drawn[i], &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])) return VS_ERROR;
   }
   *out = r[0];
   return VS_OK;
@@ -167,7 +166,7 @@ static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   size_t before = b->scene.drawn_count, kept = 0;
   if (!b->away && a[1] == VS_FALSE) was_shown(b);
   for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* behind what stands there, so that a refusal loses nothing */
-    if (!vs_scene_draw(&b->scene, vs_bind_ref(vs_car(l)))) {
+    if (!vs_scene_draw(&b->scene, vs_bind_take_ref(vs_car(l)))) {
       while (b->scene.drawn_count > before) vs_node_release(b->scene.drawn[--b->scene.drawn_count].node);
       return vs_fail_memory(vm);
     }

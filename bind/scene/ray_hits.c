@@ -6,9 +6,8 @@
 
 #include <math.h>
 
+#include "bind/fineness.h"
 #include "bind/measures.h"
-#include "bind/objects.h"
-#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/measure/ray_tree.h"
 #include "geometry/parts.h"
@@ -29,9 +28,9 @@ static size_t meets_mesh(const vs_mesh *m, vs_vec3 from, vs_vec3 direction, doub
   return nearest;
 }
 
-static bool meets_solid(vs_bind *b, vs_ref ref, const vs_fineness *facets, vs_vec3 from, vs_vec3 direction,
+static bool meets_solid(vs_scheme *vm, vs_ref ref, const vs_fineness *facets, vs_vec3 from, vs_vec3 direction,
                         vs_ray_hit *hit, vs_error *e) {
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
   vs_solid solid;
   if (!vs_solid_evaluate(&ref, 1, facets, &options, &solid, e)) return false;
   double at;
@@ -59,10 +58,10 @@ static bool meets_surface(vs_ref ref, const vs_fineness *facets, vs_vec3 from, v
   return ok;
 }
 
-bool vs_ray_meets(vs_bind *b, vs_ref object, vs_vec3 from, vs_vec3 direction, vs_ray_hit *hit, vs_error *e) {
+bool vs_ray_meets(vs_scheme *vm, vs_ref object, vs_vec3 from, vs_vec3 direction, vs_ray_hit *hit, vs_error *e) {
   *hit = (vs_ray_hit){ INFINITY, NULL };
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(b) };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = b->vm };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(vm) };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
   vs_bounds bounds;
   if (object.node->class_ == VS_NOTHING) return true;
   if (!vs_node_bounds(object.node, &bounds, e)) return false;
@@ -71,7 +70,7 @@ bool vs_ray_meets(vs_bind *b, vs_ref object, vs_vec3 from, vs_vec3 direction, vs
   vs_node_retain(object.node);
   bool ok = !(object.node->flags & VS_NODE_UNRESOLVED) || vs_resolve(&object, 1, &facets, &options, e);
   vs_class c = (vs_class)object.node->class_;
-  if (ok && (c == VS_SOLID || c == VS_MIXED)) ok = meets_solid(b, object, &facets, from, direction, hit, e);
+  if (ok && (c == VS_SOLID || c == VS_MIXED)) ok = meets_solid(vm, object, &facets, from, direction, hit, e);
   else if (ok && c == VS_SURFACE) ok = meets_surface(object, &facets, from, direction, hit, e);
   vs_node_release(object.node);
   return ok;

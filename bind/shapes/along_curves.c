@@ -5,13 +5,16 @@
 #include <stdlib.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
+#include "bind/call/take.h"
+#include "bind/fineness.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/print.h"
 #include "bind/queries.h"
-#include "bind/state.h"
+#include "geometry/measure/bounds.h"
 #include "geometry/profiles/pipe.h"
 #include "geometry/profiles/surface.h"
 #include "model/store/array.h"
@@ -22,9 +25,9 @@ vs_status vs_bind_stations(vs_args *f, int i, vs_stations *out) {
   if (!vs_bind_finite(f, i) || !vs_bind_resolve(f, i)) return VS_ERROR;
   vs_node *curve = f->arg[i].ref.node;
   if (curve->class_ != VS_CURVE || vs_bind_is_empty(curve)) return vs_bind_refuse(f, "c", "a curve", f->arg[i].value);
-  if (!vs_node_bounds(curve, &b, &e)) return vs_bind_error(f, &e);
+  if (!vs_node_bounds(curve, &b, &e)) return vs_bind_error(f->vm, &e);
   const vs_fineness facets = { .tolerance = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300) };
-  return vs_stations_open(curve, &facets, out, &e) ? VS_OK : vs_bind_error(f, &e);
+  return vs_stations_open(curve, &facets, out, &e) ? VS_OK : vs_bind_error(f->vm, &e);
 }
 
 /* The station at argument 1, a distance; round a closed curve as often as it takes. */
@@ -47,17 +50,17 @@ static vs_status station(vs_args *f, vs_station *out) {
 
 vs_status vs_p_curve_point(vs_args *f, vs_value *out) {
   vs_station s;
-  return station(f, &s) && vs_bind_point(f, s.at, out);
+  return station(f, &s) && vs_bind_give_point(f, s.at, out);
 }
 
 vs_status vs_p_curve_tangent(vs_args *f, vs_value *out) {
   vs_station s;
-  return station(f, &s) && vs_bind_vector(f, s.tangent, out);
+  return station(f, &s) && vs_bind_give_vector(f, s.tangent, out);
 }
 
 vs_status vs_p_curve_curvature(vs_args *f, vs_value *out) {
   vs_station s;
-  return station(f, &s) && vs_bind_real(f, s.curvature, out);
+  return station(f, &s) && vs_bind_give_real(f, s.curvature, out);
 }
 
 vs_status vs_p_curve_frame(vs_args *f, vs_value *out) {
@@ -65,7 +68,7 @@ vs_status vs_p_curve_frame(vs_args *f, vs_value *out) {
   if (!station(f, &s)) return VS_ERROR;
   vs_vec3 x = s.across, z = s.tangent, y = vs_v3_cross(z, x);
   const vs_affine m = { { { x.x, y.x, z.x, s.at.x }, { x.y, y.y, z.y, s.at.y }, { x.z, y.z, z.z, s.at.z } } };
-  return vs_bind_matrix(f, &m, out);
+  return vs_bind_give_matrix(f, &m, out);
 }
 
 /* (curve-division c n): n + 1 points, as far from each other along the curve */
@@ -80,7 +83,7 @@ vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   r[1] = VS_NIL;
   for (int64_t i = n; ok && i >= 0; i--) { /* the end of a closed curve is its start to the last bit */
     vs_station at = vs_station_at(&s, s.path.closed && i == n ? 0 : s.length * (double)i / (double)n);
-    ok = vs_bind_point(f, at.at, &r[0]) && vs_cons(f->vm, r[0], r[1], &r[1]) && vs_poll(f->vm, 64);
+    ok = vs_bind_give_point(f, at.at, &r[0]) && vs_cons(f->vm, r[0], r[1], &r[1]) && vs_poll(f->vm, 64);
   }
   vs_stations_close(&s);
   *out = r[1];
@@ -119,7 +122,7 @@ static vs_station walk_station(const vs_args *f, double *along) {
 /* Answers the point that lies arg[2] along x, arg[3] along y and `along` along the tangent from the place s. */
 static vs_status walk_point(vs_args *f, const vs_station *s, vs_vec3 x, vs_vec3 y, double along, vs_value *out) {
   vs_vec3 across = vs_v3_add(vs_v3_scale(x, f->arg[2].real), vs_v3_scale(y, f->arg[3].real));
-  return vs_bind_point(f, vs_v3_add(vs_v3_add(s->at, vs_v3_scale(s->tangent, along)), across), out);
+  return vs_bind_give_point(f, vs_v3_add(vs_v3_add(s->at, vs_v3_scale(s->tangent, along)), across), out);
 }
 
 /* (%walk-place walk s x y): x and y across the curve at the share s of its length; beyond an open
@@ -147,10 +150,10 @@ enum { AROUND = 128, RINGS = 192 };
 
 static bool pipe_open(vs_args *f, vs_pipe *p, vs_error *e) {
   vs_bounds b;
-  int segments = f->arg[1].given && f->arg[1].integer ? (int)f->arg[1].integer : vs_bind_segments(f->bind);
+  int segments = f->arg[1].given && f->arg[1].integer ? (int)f->arg[1].integer : vs_bind_segments(f->vm);
   vs_node *curve = f->arg[0].ref.node;
   if (!vs_node_bounds(curve, &b, e)) return false;
-  double tolerance = vs_bind_tolerance(f->bind);
+  double tolerance = vs_bind_tolerance(f->vm);
   if (!(tolerance > 0)) tolerance = fmax(vs_fineness_tolerance(&b), 1e-300);
   return vs_pipe_open(curve, segments ? segments : RINGS, tolerance, p, e);
 }
@@ -161,7 +164,7 @@ vs_status vs_p_pipe_places(vs_args *f, vs_value *out) {
   vs_pipe p;
   VS_ROOTS(f->vm, r, 1);
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  if (!pipe_open(f, &p, &e)) return vs_bind_error(f, &e);
+  if (!pipe_open(f, &p, &e)) return vs_bind_error(f->vm, &e);
   bool ok = true;
   r[0] = VS_NIL;
   for (size_t i = p.count; ok && i-- > 0;) ok = vs_cons(f->vm, vs_flonum(p.at[i] / p.stations.length), r[0], &r[0]);
@@ -175,15 +178,15 @@ vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_pipe p;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  if (!pipe_open(f, &p, &e)) return vs_bind_error(f, &e);
-  int segments = f->arg[1].integer ? (int)f->arg[1].integer : vs_bind_segments(f->bind);
+  if (!pipe_open(f, &p, &e)) return vs_bind_error(f->vm, &e);
+  int segments = f->arg[1].integer ? (int)f->arg[1].integer : vs_bind_segments(f->vm);
   size_t around = segments ? (size_t)segments : AROUND, caps = p.stations.path.closed ? 0 : 1, n = p.count;
   double *radius = vs_bind_scratch(f, (n + 1) * sizeof *radius);
   vs_vec3 *grid = vs_bind_scratch(f, (n + 2) * around * sizeof *grid), at;
   bool ok = radius && grid;
   vs_value l = f->arg[2].value;
   for (size_t i = 0; ok && i < n; i++, l = vs_cdr(l))
-    ok = vs_is_pair(l) && vs_bind_number(f->vm, vs_car(l), &radius[i]);
+    ok = vs_is_pair(l) && vs_bind_take_number(f->vm, vs_car(l), &radius[i]);
   bool turns = ok && !vs_pipe_rings(&p, radius, around, grid + caps * around, &at);
   for (size_t k = 0; ok && caps && k < around; k++) { /* the ends are flat: a row that is one point closes each */
     grid[k] = vs_station_at(&p.stations, 0).at;
@@ -198,5 +201,5 @@ vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
   }
   vs_point_grid pipe = { grid, n + 2 * caps, around, caps == 0, true };
   vs_node *node = vs_surface_make(f->store, VS_GRID_SURFACE, &pipe, &e);
-  return node ? vs_bind_node(f, node, out) : vs_bind_error(f, &e);
+  return node ? vs_bind_give_node(f, node, out) : vs_bind_error(f->vm, &e);
 }

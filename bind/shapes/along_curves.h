@@ -2,8 +2,10 @@
 #ifndef VS_BIND_SHAPES_ALONG_CURVES_H
 #define VS_BIND_SHAPES_ALONG_CURVES_H
 
-#include "bind/call/call.h"
+#include "vm/machine/native.h"
 #include "geometry/plane/stations.h"
+
+typedef struct vs_args vs_args;
 
 /* Opens argument i, a curve, sampled to a millionth of its size. VS_ERROR: the error is set and there is nothing to
  * close. */

@@ -3,15 +3,17 @@
 #include <string.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
+#include "bind/fineness.h"
 #include "bind/functions/function_values.h"
 #include "bind/measures.h"
-#include "bind/objects.h"
+#include "bind/origins.h"
 #include "bind/queries.h"
 #include "bind/shapes/taken_apart.h"
-#include "bind/state.h"
 #include "geometry/functions/sampling.h"
+#include "geometry/measure/bounds.h"
 #include "model/store/array.h"
 
 enum { ROUNDS = 14, PART_OF_SIZE = 8 };
@@ -40,11 +42,11 @@ vs_status vs_p_deform(vs_args *f, vs_value *out) {
   vs_bounds b;
   vs_error e = { 0 };
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f, &e);
+  if (!vs_node_bounds(f->arg[0].ref.node, &b, &e)) return vs_bind_error(f->vm, &e);
   if (!VS_GROW(d, one, 1)) return vs_fail_memory(f->vm);
   *d = (deformation){ .bind = f->bind };
-  if (!vs_bend_take_apart(f->bind, f->arg[0].ref, NULL, &d->leaves)) return deformation_free(d), VS_ERROR;
-  double size = vs_bounds_diagonal(&b), tolerance = vs_bind_tolerance(f->bind);
+  if (!vs_bend_take_apart(f->vm, f->arg[0].ref, NULL, &d->leaves)) return deformation_free(d), VS_ERROR;
+  double size = vs_bounds_diagonal(&b), tolerance = vs_bind_tolerance(f->vm);
   if (!(tolerance > 0)) tolerance = fmax(vs_fineness_tolerance(&b), 1e-300);
   bool ok = VS_GROW(d->at, d->room, d->leaves.count + 1);
   if (ok) memset(d->at, 0, d->room * sizeof *d->at);
@@ -64,7 +66,8 @@ vs_status vs_p_deform_wanted(vs_args *f, vs_value *out) {
   for (; d->now < d->leaves.count; d->now++)
     if (at = vs_bending_wanted(d->at[d->now], &n), n) break;
   for (size_t i = n; i-- > 0;)
-    if (!vs_bind_point(f, at[i], &r[0]) || !vs_cons(f->vm, r[0], r[1], &r[1]) || !vs_poll(f->vm, 8)) return VS_ERROR;
+    if (!vs_bind_give_point(f, at[i], &r[0]) || !vs_cons(f->vm, r[0], r[1], &r[1]) || !vs_poll(f->vm, 8))
+      return VS_ERROR;
   *out = r[1];
   return VS_OK;
 }
@@ -109,7 +112,7 @@ vs_status vs_p_deform_by_tape(vs_args *f, vs_value *out) {
   vs_sampler_free(s);
   free(images);
   *out = VS_TRUE;
-  return found ? vs_bind_point(f, bad, out) : ok;
+  return found ? vs_bind_give_point(f, bad, out) : ok;
 }
 
 /* (%deformed d): the object that came of it */
@@ -124,7 +127,7 @@ vs_status vs_p_deformed(vs_args *f, vs_value *out) {
     vs_mesh *m = vs_bending_mesh(d->at[made]);
     bool solid = d->leaves.at[made].closed && !d->leaves.at[made].curve;
     if (solid && vs_mesh_volume(m) < 0) vs_mesh_turn(m, 0);
-    if (solid && !vs_bend_solid(f->bind, m)) return VS_ERROR;
+    if (solid && !vs_bend_solid(f->vm, m)) return VS_ERROR;
     refs[made] = (vs_ref){ vs_bend_node(s, &d->leaves.at[made], m), origin };
     if (!vs_bind_keep(f, refs[made].node)) return VS_ERROR;
   }
@@ -132,6 +135,6 @@ vs_status vs_p_deformed(vs_args *f, vs_value *out) {
   bool left = false;
   for (size_t i = 0; i < n; i++) left = left || refs[i].node->class_ != VS_NOTHING;
   if (!left) return vs_bind_empty(f, "the map leaves no volume of it", out);
-  if (n == 1) return vs_bind_node(f, vs_node_retain(refs[0].node), out);
-  return vs_bind_node(f, vs_node_new(s, VS_UNION, &(struct vs_union){ 0 }, refs, n), out);
+  if (n == 1) return vs_bind_give_node(f, vs_node_retain(refs[0].node), out);
+  return vs_bind_give_node(f, vs_node_new(s, VS_UNION, &(struct vs_union){ 0 }, refs, n), out);
 }

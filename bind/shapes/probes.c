@@ -1,11 +1,13 @@
 /* Owns the natives that ask where curves, rays and points meet objects: curve-intersections, and what probes.scm asks
- * of an object's triangles. */
+ * of an object's triangles; and the distance from a solid as a field. */
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
+#include "bind/functions/function_values.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/print.h"
@@ -18,6 +20,7 @@
 #include "geometry/nets/offset_curve.h"
 #include "geometry/plane/meetings.h"
 #include "model/store/array.h"
+#include "solids/solid_meshes.h"
 
 /* ---- curves with curves ---- */
 
@@ -41,7 +44,8 @@ vs_status vs_p_curve_intersections(vs_args *f, vs_value *out) {
   }
   bool ok = true;
   r[0] = VS_NIL;
-  for (size_t i = count; ok && i-- > 0;) ok = vs_bind_point(f, found[i].at, &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+  for (size_t i = count; ok && i-- > 0;)
+    ok = vs_bind_give_point(f, found[i].at, &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
   free(found);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
@@ -77,12 +81,12 @@ vs_status vs_p_probe(vs_args *f, vs_value *out) {
     return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
   if (!VS_GROW(w, room, 1)) return vs_fail_memory(f->vm);
   *w = (probe){ 0 };
-  if (!vs_bend_triangles(f, f->arg[0].ref, &w->mesh)) return probe_free(w), VS_ERROR;
+  if (!vs_bend_triangles(f->vm, f->arg[0].ref, &w->mesh)) return probe_free(w), VS_ERROR;
   vs_bounds b = vs_mesh_bounds(&w->mesh);
   w->size = vs_bounds_diagonal(&b);
   w->distance = vs_mesh_distance_new(&w->mesh);
   if (!w->distance) return probe_free(w), vs_fail_memory(f->vm);
-  if (!vs_ray_tree_make(&w->tree, f->store, &w->mesh, &e)) return probe_free(w), vs_bind_error(f, &e);
+  if (!vs_ray_tree_make(&w->tree, f->store, &w->mesh, &e)) return probe_free(w), vs_bind_error(f->vm, &e);
   return vs_make_foreign(f->vm, &probe_type, w, 0, out);
 }
 
@@ -91,7 +95,7 @@ vs_status vs_p_probe_near(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_vec3 p = f->arg[1].point, slope = { 0, 0, 0 };
   double d = vs_mesh_distance_at(w->distance, p, &slope);
-  return vs_bind_point(f, vs_v3_sub(p, vs_v3_scale(slope, d)), out);
+  return vs_bind_give_point(f, vs_v3_sub(p, vs_v3_scale(slope, d)), out);
 }
 
 /* (%probe-ray probe p v): the first point from p on in the direction v; #f */
@@ -101,7 +105,7 @@ vs_status vs_p_probe_ray(vs_args *f, vs_value *out) {
   double at;
   *out = VS_FALSE;
   if (vs_ray_tree_meet(&w->tree, p, v, INFINITY, false, &at) == w->mesh.triangle_count) return VS_OK;
-  return vs_bind_point(f, vs_v3_add(p, vs_v3_scale(v, at)), out);
+  return vs_bind_give_point(f, vs_v3_add(p, vs_v3_scale(v, at)), out);
 }
 
 /* How far p lies above the plane of triangle t. */
@@ -156,7 +160,7 @@ vs_status vs_p_probe_curve(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = count; ok && i-- > 0;)
-    ok = vs_bind_point(f, vs_station_at(&c, found[i]).at, &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+    ok = vs_bind_give_point(f, vs_station_at(&c, found[i]).at, &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
   free(found);
   vs_stations_close(&c);
   *out = r[0];
@@ -185,7 +189,7 @@ vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
     if (d < best) best = d, at = s;
   }
   vs_stations_close(&c);
-  return vs_bind_real(f, at, out);
+  return vs_bind_give_real(f, at, out);
 }
 
 /* (%probe-geodesic probe p q): the points of the shortest way over its triangles; the empty list: none leads there */
@@ -197,7 +201,7 @@ vs_status vs_p_probe_geodesic(vs_args *f, vs_value *out) {
   if (!vs_mesh_geodesic(&w->mesh, f->arg[1].point, f->arg[2].point, &at, &count)) return vs_fail_memory(f->vm);
   bool ok = true;
   r[0] = VS_NIL;
-  for (size_t i = count; ok && i-- > 0;) ok = vs_bind_point(f, at[i], &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
+  for (size_t i = count; ok && i-- > 0;) ok = vs_bind_give_point(f, at[i], &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
   free(at);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
@@ -240,10 +244,59 @@ vs_status vs_p_probe_offset(vs_args *f, vs_value *out) {
   vs_mesh_edges_free(&edges);
   r[0] = r[1] = VS_NIL;
   for (size_t i = found.count; ok && i-- > 0;) {
-    ok = vs_bind_point(f, found.at[i].at, &r[2]) && vs_cons(f->vm, r[2], r[1], &r[1]);
+    ok = vs_bind_give_point(f, found.at[i].at, &r[2]) && vs_cons(f->vm, r[2], r[1], &r[1]);
     if (ok && found.at[i].first) ok = vs_cons(f->vm, r[1], r[0], &r[0]), r[1] = VS_NIL;
   }
   free(from), free(found.at);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
+}
+
+/* ---- the distance from a solid, as a field that tapes may hold ---- */
+
+typedef struct {
+  vs_tape_field field;
+  vs_mesh_distance *mesh;
+} distance_field;
+
+static double value(const vs_tape_field *f, const double at[3], double slope[3]) {
+  vs_vec3 by = { 0, 0, 0 };
+  double d = vs_mesh_distance_at(((const distance_field *)(const void *)f)->mesh, vs_v3(at[0], at[1], at[2]), &by);
+  if (slope) slope[0] = by.x, slope[1] = by.y, slope[2] = by.z;
+  return d;
+}
+
+static void release(vs_tape_field *f) {
+  distance_field *d = (distance_field *)(void *)f;
+  vs_mesh_distance_free(d->mesh);
+  free(d);
+}
+
+/* (%distance-field o): the field of a solid, of its mesh at a quarter of the usual tolerance */
+vs_status vs_p_distance_field(vs_args *f, vs_value *out) {
+  distance_field *d = NULL;
+  size_t room = 0;
+  vs_error e = { 0 };
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  vs_ref ref = f->arg[0].ref;
+  if (ref.node->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
+  vs_fineness facets = vs_bend_facets(f->vm, ref.node);
+  facets.tolerance /= 4;
+  vs_solid solid = { 0 };
+  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+  if (!vs_solid_evaluate(&ref, 1, &facets, &options, &solid, &e))
+    return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
+  bool ok = VS_GROW(d, room, 1);
+  if (ok) *d = (distance_field){ { 1, value, release }, vs_mesh_distance_new(&solid.mesh) };
+  vs_solid_free(&solid);
+  if (!ok) return vs_fail_memory(f->vm);
+  if (!d->mesh) return free(d), vs_fail_memory(f->vm);
+  return vs_make_foreign(f->vm, &vs_tape_field_type, &d->field, 0, out);
+}
+
+/* (%field-value field x y z) */
+vs_status vs_p_field_value(vs_args *f, vs_value *out) {
+  const vs_tape_field *field = vs_foreign_get(f->arg[0].value, &vs_tape_field_type);
+  return vs_bind_give_real(
+      f, field->value(field, (const double[]){ f->arg[1].real, f->arg[2].real, f->arg[3].real }, NULL), out);
 }

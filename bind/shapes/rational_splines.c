@@ -5,7 +5,10 @@
 #include <string.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
+#include "bind/call/take.h"
+#include "bind/fineness.h"
 #include "bind/objects.h"
 #include "geometry/profiles/nurbs.h"
 #include "geometry/profiles/surface.h"
@@ -31,7 +34,7 @@ static bool numbers(vs_args *f, vs_value l, double **out, size_t *count) {
   *out = NULL, *count = 0;
   for (; vs_is_pair(l); l = vs_cdr(l)) {
     if (!VS_GROW(*out, room, *count + 1)) return vs_fail_memory(f->vm);
-    if (!vs_bind_number(f->vm, vs_car(l), &(*out)[*count]))
+    if (!vs_bind_take_number(f->vm, vs_car(l), &(*out)[*count]))
       return vs_fail(f->vm, f->vm->sym.type, "a number is missing");
     (*count)++;
   }
@@ -70,7 +73,7 @@ static double within(const vs_nurbs_knots *k, double t) { return fmin(fmax(t, vs
 vs_status vs_p_nurbs_point(vs_args *f, vs_value *out) {
   const vs_nurbs *n = given(f);
   double v = n->v.count ? within(&n->v, f->arg[2].real) : 0;
-  return vs_bind_point(f, vs_nurbs_point(n, within(&n->u, f->arg[1].real), v, NULL, NULL), out);
+  return vs_bind_give_point(f, vs_nurbs_point(n, within(&n->u, f->arg[1].real), v, NULL, NULL), out);
 }
 
 /* (%nurbs-range n): the list u0 u1, and of a surface v0 v1 behind them */
@@ -89,7 +92,7 @@ vs_status vs_p_nurbs_range(vs_args *f, vs_value *out) {
 vs_status vs_p_make_nurbs_curve(vs_args *f, vs_value *out) {
   vs_node *node = vs_nurbs_curve_node(f->store, given(f));
   if (!node) return vs_fail_memory(f->vm);
-  if (!vs_bind_is_empty(node)) return vs_bind_node(f, node, out);
+  if (!vs_bind_is_empty(node)) return vs_bind_give_node(f, node, out);
   vs_node_release(node);
   return vs_bind_empty(f, "all points are the same", out);
 }
@@ -112,7 +115,7 @@ vs_status vs_p_make_nurbs_surface(vs_args *f, vs_value *out) {
   vs_bounds b = vs_bounds_empty();
   vs_error e = { 0 };
   for (size_t i = 0; i < n->u.count * n->v.count; i++) vs_bounds_add(&b, n->points[i]);
-  double chord = vs_bind_tolerance(f->bind), *u, *v;
+  double chord = vs_bind_tolerance(f->vm), *u, *v;
   if (!(chord > 0)) chord = fmax(vs_fineness_tolerance(&b), 1e-300);
   size_t rows = parameters(n, false, f->arg[1].integer, chord, &u);
   size_t columns = parameters(n, true, f->arg[2].integer, chord, &v);
@@ -126,11 +129,11 @@ vs_status vs_p_make_nurbs_surface(vs_args *f, vs_value *out) {
   }
   if (status) {
     node = vs_surface_make(f->store, VS_GRID_SURFACE, &(vs_point_grid){ grid, rows, columns, false, false }, &e);
-    if (!node) status = vs_bind_error(f, &e);
+    if (!node) status = vs_bind_error(f->vm, &e);
   }
   free(u), free(v), free(grid);
   if (!status) return VS_ERROR;
-  if (!vs_bind_is_empty(node)) return vs_bind_node(f, node, out);
+  if (!vs_bind_is_empty(node)) return vs_bind_give_node(f, node, out);
   vs_node_release(node);
   return vs_bind_empty(f, "all points lie on one line", out);
 }

@@ -1,14 +1,20 @@
-/* Owns make-subdivision: the faces of an object, its creases, and what subdivision makes of them. */
+/* Owns what makes a new skin of an object's faces: make-subdivision, with its creases, and make-crust, a surface with
+ * thickness or a solid made hollow. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "bind/build.h"
+#include "bind/call/call.h"
 #include "bind/call/refuse.h"
+#include "bind/call/take.h"
 #include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/print.h"
 #include "bind/queries.h"
 #include "bind/records.h"
 #include "bind/shapes/taken_apart.h"
 #include "geometry/files/polyface.h"
+#include "geometry/profiles/thicken.h"
 #include "geometry/shapes/polygons.h"
 #include "geometry/shapes/subdivision.h"
 #include "model/store/array.h"
@@ -34,7 +40,7 @@ static vs_status faces_of(vs_args *f, vs_ref object, vs_face_list *l) {
   vs_polygons_result own = vs_polygons_each(n, &map, add_face, l);
   if (own != VS_POLYGONS_NONE) return own == VS_POLYGONS_GIVEN ? VS_OK : vs_fail_memory(f->vm);
   vs_bend_leaves leaves;
-  if (!vs_bend_take_apart(f->bind, object, "regions have no faces to subdivide: do-extrude them", &leaves))
+  if (!vs_bend_take_apart(f->vm, object, "regions have no faces to subdivide: do-extrude them", &leaves))
     return VS_ERROR;
   bool ok = true;
   for (size_t i = 0; ok && i < leaves.count; i++)
@@ -102,7 +108,7 @@ static bool creases_of(vs_args *f, const vs_face_list *l, vs_crease **out, size_
     if (n != 2 && n != 3) return vs_bind_refuse(f, "creases", expected, e);
     if (!point_number(f, l, vs_car(e), &made.a) || !point_number(f, l, vs_car(vs_cdr(e)), &made.b)) return false;
     vs_value sharpness = n == 3 ? vs_car(vs_cdr(vs_cdr(e))) : VS_FALSE;
-    if (n == 3 && (!vs_bind_number(f->vm, sharpness, &made.sharpness) || !(made.sharpness >= 0)))
+    if (n == 3 && (!vs_bind_take_number(f->vm, sharpness, &made.sharpness) || !(made.sharpness >= 0)))
       return vs_bind_refuse(f, "creases", "as sharp as a number of 0 or more says", sharpness);
     bool is_edge = false;
     for (size_t i = 0; !is_edge && i < l->face_count; i++)
@@ -162,9 +168,53 @@ vs_status vs_p_make_subdivision(vs_args *f, vs_value *out) {
   if (status) {
     vs_polygons made = vs_polygons_of(&l);
     node = vs_polyface_make(f->store, &made, &e);
-    if (!node) status = vs_bind_error(f, &e);
+    if (!node) status = vs_bind_error(f->vm, &e);
   }
   vs_face_list_free(&l);
   free(creases);
-  return status ? vs_bind_node(f, node, out) : VS_ERROR;
+  return status ? vs_bind_give_node(f, node, out) : VS_ERROR;
+}
+
+/* ---- crusts ---- */
+
+/* (make-crust o thickness #:side): 'in, 'out or 'both */
+vs_status vs_p_make_crust(vs_args *f, vs_value *out) {
+  double t = f->arg[1].real, outwards = 0, inwards = t;
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  vs_node *o = f->arg[0].ref.node;
+  if (vs_bind_is_empty(o)) return vs_bind_empty(f, "there is nothing to make a crust of", out);
+  if (o->class_ != VS_SOLID && o->class_ != VS_SURFACE)
+    return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
+  if (f->key[0].given) {
+    const char *side = vs_as_symbol(f->key[0].value)->name;
+    bool both = !strcmp(side, "both"), outside = !strcmp(side, "out");
+    if (!both && !outside && strcmp(side, "in"))
+      return vs_bind_refuse(f, "side", "'in, 'out or 'both", f->key[0].value);
+    outwards = both ? t / 2 : outside ? t : 0, inwards = t - outwards;
+  }
+  vs_mesh m = { 0 }, shell = { 0 };
+  vs_vec3 at;
+  bool turns = false;
+  vs_error e = { 0 };
+  vs_status status = vs_bend_triangles(f->vm, f->arg[0].ref, &m);
+  if (status && !vs_thicken_surface(&m, outwards, inwards, &shell, &at, &turns)) status = vs_fail_memory(f->vm);
+  if (status && turns) {
+    char x[32], y[32], z[32];
+    vs_bind_number_text(x, at.x), vs_bind_number_text(y, at.y), vs_bind_number_text(z, at.z);
+    status = vs_fail(f->vm, f->vm->sym.range, "the surface bends more tightly than the thickness near (xyz %s %s %s)",
+                     x, y, z);
+  }
+  uint32_t *starts = NULL;
+  size_t room = 0;
+  vs_node *node = NULL;
+  if (status && !VS_GROW(starts, room, shell.triangle_count + 1)) status = vs_fail_memory(f->vm);
+  for (size_t i = 0; status && i <= shell.triangle_count; i++) starts[i] = (uint32_t)(3 * i);
+  if (status) {
+    vs_polygons faces = { shell.vertices, shell.vertex_count, starts, &shell.triangles[0][0], shell.triangle_count };
+    node = vs_polyface_make(f->store, &faces, &e);
+    if (!node) status = vs_bind_error(f->vm, &e);
+  }
+  free(starts);
+  vs_mesh_free(&m), vs_mesh_free(&shell);
+  return status ? vs_bind_give_node(f, node, out) : VS_ERROR;
 }

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "backends/publish.h"
-#include "bind/objects.h"
+#include "bind/fineness.h"
 #include "bind/parameters.h"
 #include "geometry/fitting/distance_map.h"
 #include "geometry/fitting/model_fit.h"
@@ -143,8 +143,8 @@ static bool mesh_drawn(job *j, double tolerance, vs_mesh *out, vs_error *e) {
   vs_session *s = j->session;
   vs_ref *refs;
   size_t count;
-  vs_fineness facets = { .tolerance = tolerance, .segments = vs_bind_segments(&s->bind) };
-  if (tolerance <= 0) facets.tolerance = vs_bind_tolerance(&s->bind);
+  vs_fineness facets = { .tolerance = tolerance, .segments = vs_bind_segments(s->bind.vm) };
+  if (tolerance <= 0) facets.tolerance = vs_bind_tolerance(s->bind.vm);
   if (facets.tolerance <= 0) {
     vs_summary sum;
     vs_outcome outcome = vs_drawing_summary(j->vm, &sum);

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 
 #include "backends/view.h"
-#include "bind/objects.h"
+#include "bind/fineness.h"
 #include "geometry/files/exr_read.h"
 #include "geometry/files/png_write.h"
 #include "geometry/measure/ray_tree.h"
@@ -415,7 +415,7 @@ static bool keep_going(void *session, double done) {
 /* The mesh of what is drawn, and the tree of its triangles. refs are those of the drawing. */
 static bool take_model(study *t, const vs_ref *refs, size_t count) {
   const vs_scene *scene = &t->session->bind.scene;
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(&t->session->bind), .segments = scene->segments };
+  vs_fineness facets = { .tolerance = vs_bind_tolerance(t->session->bind.vm), .segments = scene->segments };
   vs_kernel_options options = { .progress = keep_going, .context = t->session };
   vs_bounds all;
   size_t budget = VS_DRAWN_BOUNDS_MOST;

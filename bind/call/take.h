@@ -1,0 +1,19 @@
+/* Owns the reading of plain C data out of values.
+ *
+ * Names in bind/ follow one rule: vs_bind_take_X reads an X out of a value; vs_bind_give_X makes a value of an X
+ * (build.h, objects.h, rules/scope.h). */
+#ifndef VS_BIND_CALL_TAKE_H
+#define VS_BIND_CALL_TAKE_H
+
+#include "vm/machine/native.h"
+
+/* Reads any real number. Returns false, without an error, where v is none. */
+bool vs_bind_take_number(vs_scheme *vm, vs_value v, double *out);
+/* Reads two or three numbers from a list or a vector. Returns how many; 0: v is something else. */
+int vs_bind_take_numbers(vs_scheme *vm, vs_value v, double d[3]);
+
+/* Copies a string's or symbol's UTF-8 with NUL into memory from vs_mem; *bytes to give back. False: the error is
+ * set. */
+bool vs_bind_take_text(vs_scheme *vm, vs_value string_or_symbol, char **out, size_t *bytes);
+
+#endif
