@@ -4,27 +4,32 @@
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/nearby.h"
 
 typedef enum { VALUE_NONE, VALUE_REQUIRED, VALUE_OPTIONAL } value_rule;
-typedef enum {
-#define OPTION(id, letter, name, rule, value, help) OPTION_##id,
-#include "cli/options.def"
-  OPTION_COUNT
-} option_id;
-typedef struct { char letter; const char *name; value_rule rule; const char *value, *help; } option_row;
-
-static const option_row rows[OPTION_COUNT] = {
-#define OPTION(id, letter, name, rule, value, help) {letter, name, rule, value, help},
-#include "cli/options.def"
+typedef struct option_row option_row;
+/* Reads the value v of an option. Returns false with the message printed. */
+typedef bool take_fn(cli_options *o, const option_row *row, const char *v);
+struct option_row {
+  char letter;
+  const char *name;
+  value_rule rule;
+  const char *value, *help;
+  take_fn *take;
+  size_t member, size;    /* where take writes in cli_options, and how many bytes */
+  long least, most;       /* of a whole number */
+  const char *expected;   /* in messages */
+  void (*print)(void);    /* instead of take */
 };
+/* The table itself is behind the functions that it names. */
+static const option_row *option_at(size_t i);
 
 static const struct { const char *name, *arguments; unsigned takes; const char *help; } commands[] = {
 #define COMMAND(name, arguments, takes, help) {#name, arguments, takes, help},
@@ -53,6 +58,8 @@ bool cli_command_suggest(const char *word, FILE *to) {
 
 extern const char vs_licenses_text[], vs_licenses_text_end[]; /* LICENSE and NOTICE, embedded by the Makefile */
 
+static void print_version(void) { printf("vs %s\n", vs_version()); }
+
 static void print_licenses(void) {
   fwrite(vs_licenses_text, 1, (size_t)(vs_licenses_text_end - vs_licenses_text), stdout);
 }
@@ -67,8 +74,8 @@ static void print_help(void) {
     printf("  vs %s %-*s %s\n", commands[i].name, (int)(15 - strlen(commands[i].name)), commands[i].arguments,
            commands[i].help);
   putchar('\n');
-  for (int i = 0; i < OPTION_COUNT; i++) {
-    const option_row *r = &rows[i];
+  const option_row *r;
+  for (size_t i = 0; (r = option_at(i)); i++) {
     char usage[80] = "";
     const char *gap = r->rule == VALUE_NONE       ? ""
                       : r->rule == VALUE_OPTIONAL ? "[="
@@ -92,10 +99,13 @@ static void print_help(void) {
 
 /* ---- values ---- */
 
-static bool bad(const char *option, const char *value, const char *wanted) {
-  fprintf(stderr, "vs: %s %s: expected %s\n", option, value, wanted);
+static bool expected(const option_row *row, const char *value, const char *what) {
+  if (row->letter) fprintf(stderr, "vs: -%c %s: expected %s\n", row->letter, value, what);
+  else fprintf(stderr, "vs: --%s %s: expected %s\n", row->name, value, what);
   return false;
 }
+
+static bool bad(const option_row *row, const char *value) { return expected(row, value, row->expected); }
 
 static bool parse_real(const char *text, double least, double *out) {
   char *end;
@@ -114,32 +124,34 @@ static bool parse_whole(const char *text, long least, long most, long *out) {
   return true;
 }
 
-static bool parse_size(const char *text, vs_output_options *out) {
+static bool take_size(cli_options *o, const option_row *row, const char *text) {
+  vs_output_options *out = &o->output;
   char *end;
   long w = strtol(text, &end, 10), h = 0;
   bool ok = end != text && (*end == 'x' || *end == 'X') && parse_whole(end + 1, 1, 32768, &h) && w >= 1 && w <= 32768;
-  if (!ok) return bad("--size", text, "WIDTHxHEIGHT in pixels, as in 1200x800");
+  if (!ok) return bad(row, text);
   out->width = (int)w;
   out->height = (int)h;
   return true;
 }
 
 /* The size, known later, decides whether it lies within the picture. */
-static bool parse_crop(const char *text, vs_output_options *out) {
+static bool take_crop(cli_options *o, const option_row *row, const char *text) {
   const char *at = text;
   for (int i = 0; i < 4; i++) {
     char *end;
     errno = 0;
     long v = strtol(at, &end, 10);
     if (end == at || errno || v < 0 || v > 32768 || *end != (i < 3 ? ',' : 0) || (i >= 2 && v == 0))
-      return bad("--crop", text, "X,Y,W,H in pixels, W and H above 0, as in 400,300,120,90");
-    out->crop[i] = (int)v;
+      return bad(row, text);
+    o->output.crop[i] = (int)v;
     at = end + 1;
   }
   return true;
 }
 
-static bool parse_camera(const char *text, vs_output_options *out) {
+static bool take_camera(cli_options *o, const option_row *row, const char *text) {
+  vs_output_options *out = &o->output;
   const char *at = text;
   int n = 0;
   out->camera[6] = 35;
@@ -152,15 +164,16 @@ static bool parse_camera(const char *text, vs_output_options *out) {
     at++;
   }
   if (n < 6 || *at || out->camera[6] <= 0)
-    return bad("--camera", text, "six or seven numbers: eye x,y,z, target x,y,z and the lens in mm");
+    return bad(row, text);
   if (memcmp(out->camera, out->camera + 3, 3 * sizeof(double)) == 0)
-    return bad("--camera", text, "an eye that is not at the target");
+    return expected(row, text, "an eye that is not at the target");
   out->has_camera = true;
   return true;
 }
 
 /* Reads "24" or "24,twist=0..90". It searches for the dots first, since strtod would take one of them. */
-static bool parse_frames(const char *text, cli_frames *out) {
+static bool take_frames(cli_options *o, const option_row *row, const char *text) {
+  cli_frames *out = &o->frames;
   char *end, from[40] = "";
   *out = (cli_frames){.count = strtol(text, &end, 10), .parameter = "t", .to = 1, .resume = out->resume};
   bool ok = end != text && out->count >= 1 && out->count <= 100000;
@@ -175,46 +188,49 @@ static bool parse_frames(const char *text, cli_frames *out) {
     }
     ok = ok && parse_real(from, -HUGE_VAL, &out->from) && parse_real(dots + 2, -HUGE_VAL, &out->to);
   }
-  return ok || bad("--frames", text,
-                   "how many, 1 to 100000, and what changes where it is not t from 0 to 1: 24 or 24,twist=0..90");
+  return ok || bad(row, text);
 }
 
-static bool parse_quality(const char *text, vs_output_options *out) {
+static bool take_quality(cli_options *o, const option_row *row, const char *text) {
   static const struct {
     const char *name;
     vs_quality quality;
   } names[] = { { "draft", VS_QUALITY_DRAFT }, { "good", VS_QUALITY_GOOD }, { "final", VS_QUALITY_FINAL } };
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
     if (strcmp(text, names[i].name) == 0) {
-      out->quality = names[i].quality;
+      o->output.quality = names[i].quality;
       return true;
     }
-  return bad("--quality", text, "draft, good or final");
+  return bad(row, text);
 }
 
-static bool parse_curve(const char *text, vs_development *out) {
+static bool take_curve(cli_options *o, const option_row *row, const char *text) {
   static const char *const names[] = {[VS_CURVE_NEUTRAL] = "neutral", [VS_CURVE_AGX] = "agx",
                                       [VS_CURVE_FILMIC] = "filmic", [VS_CURVE_LINEAR] = "linear"};
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
     if (strcmp(text, names[i]) == 0) {
-      out->curve = (vs_curve)i;
+      o->output.development.curve = (vs_curve)i;
       return true;
     }
-  return bad("--curve", text, "neutral, agx, filmic or linear");
+  return bad(row, text);
 }
 
 /* Reads "1.5", "auto", "auto-0.5". */
-static bool parse_exposure(const char *text, vs_development *out) {
+static bool take_exposure(cli_options *o, const option_row *row, const char *text) {
+  vs_development *out = &o->output.development;
   const char *stops = strncmp(text, "auto", 4) == 0 ? text + 4 : text;
   out->fixed = stops == text, out->exposure = 0;
   if (!out->fixed && !*stops) return true;
   bool ok = (out->fixed || *stops == '+' || *stops == '-') && parse_real(stops, -100, &out->exposure);
-  return (ok && out->exposure <= 100) || bad("--exposure", text, "stops, as in 1.5, or auto, auto+1, auto-0.5");
+  return (ok && out->exposure <= 100) || bad(row, text);
 }
 
-/* text: the part after -O. */
-static bool parse_passes(const char *text, vs_output_options *out) {
+/* v: the part after -O; NULL: none. */
+static bool take_passes(cli_options *o, const option_row *row, const char *v) {
+  const char *text = v ? v : "";
+  vs_output_options *out = &o->output;
   size_t count;
+  (void)row;
   const char *const *names = vs_pass_list(&count);
   if (!*text) { out->passes = VS_PASSES_ALL; return true; }
   out->passes = 0;
@@ -239,10 +255,6 @@ static bool parse_passes(const char *text, vs_output_options *out) {
     if (*text == ',') text++;
   }
   return true;
-}
-
-static bool only_json(const char *option, const char *value) {
-  return !value || strcmp(value, "json") == 0 || bad(option, value, "json");
 }
 
 /* Adds folders, separated by ':', after the known ones. Returns false, after a message, when memory is out. */
@@ -273,104 +285,105 @@ static bool are_folders(const char *option, const char *folders) {
   return true;
 }
 
-static bool take(cli_options *o, option_id id, const char *v, cli_verdict *verdict) {
-  double real = 0;
-  long whole = 0;
-  switch (id) {
-  case OPTION_OUTPUT: o->targets[o->target_count++].path = v; return *v || bad("-o", "''", "a file name");
-  case OPTION_FORMAT: o->format = v; return true;
-  case OPTION_DEFINE:
-    o->defines[o->define_count++] = (char *)v;
-    return (strchr(v, '=') && *v != '=') || bad("-D", v, "NAME=VALUE, as in -D height=12");
-  case OPTION_EXPRESSION: o->sources[o->source_count++] = (cli_source){CLI_SOURCE_EXPRESSION, v}; return true;
-  case OPTION_LIBRARY: return *v ? are_folders("-L", v) && add_folders(o, v) : bad("-L", "''", "a folder");
-  case OPTION_INTERACTIVE: o->interactive = true; return true;
-  case OPTION_PASSES: return parse_passes(v ? v : "", &o->output);
-  case OPTION_SIZE: return parse_size(v, &o->output);
-  case OPTION_CROP: return parse_crop(v, &o->output);
-  case OPTION_CAMERA: return parse_camera(v, &o->output);
-  case OPTION_VIEW: o->output.view = v; return *v || bad("--view", "''", "the name of a view");
-  case OPTION_ALL_VIEWS: o->all_views = true; return true;
-  case OPTION_FRAMES: return parse_frames(v, &o->frames);
-  case OPTION_RESUME: return o->frames.resume = true;
-  case OPTION_QUALITY: return parse_quality(v, &o->output);
-  case OPTION_CURVE: return parse_curve(v, &o->output.development);
-  case OPTION_EXPOSURE: return parse_exposure(v, &o->output.development);
-  case OPTION_LAYERS: return o->output.layers = true;
-  case OPTION_LUX: return o->lux = true;
-  case OPTION_CANDELAS:
-    return (parse_real(v, 0, &o->candelas) && o->candelas > 0) || bad("--candelas", v, "a number above 0");
-  case OPTION_TOLERANCE:
-    return (parse_real(v, 0, &o->output.tolerance) && o->output.tolerance > 0) ||
-           bad("--tolerance", v, "a length above 0");
-  case OPTION_SEGMENTS:
-    if (!parse_whole(v, 3, 1000000, &whole)) return bad("--segments", v, "a whole number, 3 or more");
-    o->output.segments = (int)whole;
-    return true;
-  case OPTION_STATS: o->stats = o->output.count = true; o->stats_json = v != NULL; return only_json("--stats", v);
-  case OPTION_PARAMETERS: o->parameters = true; return only_json("--parameters", v);
-  case OPTION_LIMIT_TIME:
-    return (parse_real(v, 0, &o->interpreter.limit_time) && o->interpreter.limit_time > 0) ||
-           bad("--limit-time", v, "seconds above 0");
-  case OPTION_LIMIT_MEMORY:
-    if (!parse_real(v, 1e-6, &real) || real > 1e9) return bad("--limit-memory", v, "megabytes above 0");
-    o->interpreter.limit_memory = (size_t)(real * 1048576);
-    return true;
-  case OPTION_LIMIT_TRIANGLES:
-    if (!parse_whole(v, 1, LONG_MAX, &whole)) return bad("--limit-triangles", v, "a whole number above 0");
-    o->interpreter.limit_triangles = (size_t)whole;
-    return true;
-  case OPTION_LIMIT_STEPS:
-    if (!parse_whole(v, 1, LONG_MAX, &whole)) return bad("--limit-steps", v, "a whole number above 0");
-    o->interpreter.limit_steps = (uint64_t)whole;
-    return true;
-  case OPTION_LIMIT_OUTPUT:
-    if (!parse_real(v, 1e-6, &real) || real > 1e9) return bad("--limit-output", v, "megabytes above 0");
-    o->interpreter.limit_output = (size_t)(real * 1048576);
-    return true;
-  case OPTION_LIMIT_WORKER:
-    return (parse_real(v, 0, &o->interpreter.limit_worker) && o->interpreter.limit_worker > 0) ||
-           bad("--limit-worker", v, "seconds above 0");
-  case OPTION_UNTRUSTED: o->untrusted = true; return true;
-  case OPTION_VERBOSE: o->verbose = true; return true;
-  case OPTION_STRICT: o->output.strict = true; return true;
-  case OPTION_CHECK: o->check = true; return true;
-  case OPTION_JSON: o->json = true; return true;
-  case OPTION_HOLD: o->held[o->held_count++] = v; return *v || bad("--hold", "''", "the name of a parameter");
-  case OPTION_SET:
-    o->sets[o->set_count++] = v;
-    return (strchr(v, '=') && *v != '=') || bad("--set", v, "NAME=VALUE, or several with commas between them");
-  case OPTION_JOBS:
-    if (!parse_whole(v, 1, 256, &whole)) return bad("--jobs", v, "a whole number from 1 to 256");
-    o->jobs = (size_t)whole;
-    return true;
-  case OPTION_FILM:
-    if (!parse_whole(v, 1, 1000, &whole)) return bad("--film", v, "frames a second, from 1 to 1000, as in 24");
-    o->film = (long)whole;
-    return true;
-  case OPTION_MANIFEST: o->manifest = v; return *v || bad("--manifest", "''", "a file name");
-  case OPTION_SHEET: o->sheet = v; return *v || bad("--sheet", "''", "a file name");
-  case OPTION_NEAR: return o->near = true;
-  case OPTION_ANY_POSE: return o->any_pose = true;
-  case OPTION_PLACED: return o->placed = true;
-  case OPTION_POINTS:
-    if (!parse_whole(v, 100, 100000000, &whole)) return bad("--points", v, "a whole number, 100 or more");
-    o->points = (size_t)whole;
-    return true;
-  case OPTION_XML: o->xml = true; return true;
-  case OPTION_TO: o->language = v; return true;
-  case OPTION_PLACE: o->place = v; return true;
-  case OPTION_DATE: o->date = v; return true;
-  case OPTION_FROM: o->from = v; return true;
-  case OPTION_STEP: o->step = v; return true;
-  case OPTION_QUIET: o->quiet = true; return true;
-  case OPTION_VERSION: printf("vs %s\n", vs_version()); *verdict = CLI_STOP; return true;
-  case OPTION_LICENSES: print_licenses(); *verdict = CLI_STOP; return true;
-  case OPTION_HELP: print_help(); *verdict = CLI_STOP; return true;
-  case OPTION_COUNT: break;
-  }
-  return false;
+/* ---- values of one kind, into the row's member ---- */
+
+static void *member_of(cli_options *o, const option_row *row) { return (char *)o + row->member; }
+
+static bool take_flag(cli_options *o, const option_row *row, const char *v) {
+  (void)v;
+  return *(bool *)member_of(o, row) = true;
 }
+
+static bool take_text(cli_options *o, const option_row *row, const char *v) {
+  *(const char **)member_of(o, row) = v;
+  return *v || !row->expected || bad(row, "''");
+}
+
+/* Members that hold whole numbers have several types. */
+static bool take_whole(cli_options *o, const option_row *row, const char *v) {
+  long whole = 0;
+  if (!parse_whole(v, row->least, row->most, &whole)) return bad(row, v);
+  if (row->size == sizeof(int)) *(int *)member_of(o, row) = (int)whole;
+  else if (row->size == sizeof(uint64_t)) *(uint64_t *)member_of(o, row) = (uint64_t)whole;
+  return true;
+}
+
+static bool take_positive(cli_options *o, const option_row *row, const char *v) {
+  double *real = member_of(o, row);
+  return (parse_real(v, 0, real) && *real > 0) || bad(row, v);
+}
+
+static bool take_megabytes(cli_options *o, const option_row *row, const char *v) {
+  double real = 0;
+  if (!parse_real(v, 1e-6, &real) || real > 1e9) return bad(row, v);
+  *(size_t *)member_of(o, row) = (size_t)(real * 1048576);
+  return true;
+}
+
+/* ---- values of one option ---- */
+
+static bool take_output(cli_options *o, const option_row *row, const char *v) {
+  o->targets[o->target_count++].path = v;
+  return *v || bad(row, "''");
+}
+
+static bool is_setting(const char *v) { return strchr(v, '=') && *v != '='; }
+
+static bool take_define(cli_options *o, const option_row *row, const char *v) {
+  o->defines[o->define_count++] = (char *)v;
+  return is_setting(v) || bad(row, v);
+}
+
+static bool take_set(cli_options *o, const option_row *row, const char *v) {
+  o->sets[o->set_count++] = v;
+  return is_setting(v) || bad(row, v);
+}
+
+static bool take_expression(cli_options *o, const option_row *row, const char *v) {
+  (void)row;
+  o->sources[o->source_count++] = (cli_source){CLI_SOURCE_EXPRESSION, v};
+  return true;
+}
+
+static bool take_library(cli_options *o, const option_row *row, const char *v) {
+  return *v ? are_folders("-L", v) && add_folders(o, v) : bad(row, "''");
+}
+
+static bool take_held(cli_options *o, const option_row *row, const char *v) {
+  o->held[o->held_count++] = v;
+  return *v || bad(row, "''");
+}
+
+static bool only_json(const option_row *row, const char *v) {
+  return !v || strcmp(v, "json") == 0 || bad(row, v);
+}
+
+static bool take_stats(cli_options *o, const option_row *row, const char *v) {
+  o->stats = o->output.count = true, o->stats_json = v != NULL;
+  return only_json(row, v);
+}
+
+static bool take_parameters(cli_options *o, const option_row *row, const char *v) {
+  o->parameters = true;
+  return only_json(row, v);
+}
+
+/* ---- the table ---- */
+
+#define AT(member) offsetof(cli_options, member), sizeof(((cli_options *)NULL)->member)
+#define FLAG(member) take_flag, AT(member), 0, 0, NULL, NULL
+#define TEXT(member, expected) take_text, AT(member), 0, 0, expected, NULL
+#define WHOLE(member, least, most, expected) take_whole, AT(member), least, most, expected, NULL
+#define POSITIVE(member, expected) take_positive, AT(member), 0, 0, expected, NULL
+#define MEGABYTES(member, expected) take_megabytes, AT(member), 0, 0, expected, NULL
+#define TAKE(function, expected) function, 0, 0, 0, 0, expected, NULL
+#define PRINT(function) NULL, 0, 0, 0, 0, NULL, function
+#define OPTION(letter, name, rule, value, help, ...) { letter, name, rule, value, help, __VA_ARGS__ },
+static const option_row rows[] = {
+#include "cli/options.def"
+};
+
+static const option_row *option_at(size_t i) { return i < sizeof rows / sizeof *rows ? &rows[i] : NULL; }
 
 /* ---- words ---- */
 
@@ -378,30 +391,34 @@ static bool unknown(const char *word) {
   char name[64];
   snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
   cli_nearby near = cli_nearby_start(name[0] == '-' && name[1] == '-' ? name + 2 : name + 1);
-  for (int i = 0; i < OPTION_COUNT; i++)
-    if (*rows[i].name) cli_nearby_offer(&near, rows[i].name);
+  const option_row *row;
+  for (size_t i = 0; (row = option_at(i)); i++)
+    if (*row->name) cli_nearby_offer(&near, row->name);
   fprintf(stderr, "vs: there is no option %s", name);
   if (near.best) fprintf(stderr, "; perhaps --%s", near.best);
   fputs("; vs --help lists them\n", stderr);
   return false;
 }
 
+/* Returns the row that an option's word names, or NULL; *value: what the same word gives it, NULL: nothing. */
+static const option_row *named_row(const char *word, const char **value) {
+  bool long_name = word[1] == '-';
+  size_t length = long_name ? strcspn(word + 2, "=") : 0;
+  *value = NULL;
+  if (long_name && word[2 + length] == '=') *value = word + 3 + length;
+  if (!long_name && word[2]) *value = word + 2;
+  const option_row *row;
+  for (size_t i = 0; (row = option_at(i)); i++)
+    if (long_name ? *row->name && strlen(row->name) == length && !strncmp(row->name, word + 2, length)
+                  : row->letter == word[1])
+      return row;
+  return NULL;
+}
+
 /* Reads argv[*at] and its arguments. */
 static bool read_option(cli_options *o, int argc, char **argv, int *at, cli_verdict *verdict) {
-  const char *word = argv[*at];
-  const option_row *row = NULL;
-  const char *value = NULL;
-  if (word[1] == '-') {
-    size_t length = strcspn(word + 2, "=");
-    for (int i = 0; i < OPTION_COUNT; i++)
-      if (*rows[i].name && strlen(rows[i].name) == length && strncmp(rows[i].name, word + 2, length) == 0)
-        row = &rows[i];
-    if (word[2 + length] == '=') value = word + 3 + length;
-  } else {
-    for (int i = 0; i < OPTION_COUNT; i++)
-      if (rows[i].letter == word[1]) row = &rows[i];
-    if (word[2]) value = word + 2;
-  }
+  const char *word = argv[*at], *value;
+  const option_row *row = named_row(word, &value);
   if (!row) return unknown(word);
   if (row->rule == VALUE_NONE && value) {
     if (word[1] != '-') return unknown(word);
@@ -415,7 +432,8 @@ static bool read_option(cli_options *o, int argc, char **argv, int *at, cli_verd
     }
     value = argv[++*at];
   }
-  return take(o, (option_id)(row - rows), value, verdict);
+  if (row->print) return row->print(), *verdict = CLI_STOP, true;
+  return row->take(o, row, value);
 }
 
 /* ---- outputs ---- */
