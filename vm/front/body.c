@@ -17,12 +17,10 @@
 
 
 /* ---- what a define says ---- */
-/* form: (define . rest). Curried defines ((define ((f a) b) ...)) come back as a procedure whose body is a lambda. All
-   out values must be roots. */
-bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *name, vs_value *params, vs_value *rest,
-                     bool *procedure) {
+/* Curried defines ((define ((f a) b) ...)) come back as a procedure whose body is a lambda. */
+bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *procedure) {
   vs_scheme *vm = x->vm;
-  (void)env;
+  vs_value *name = &parts[0], *params = &parts[1], *rest = &parts[2];
   vs_pos pos = vs_form_pos(form, x->now.pos);
   int64_t n = vs_list_length(form);
   if (n < 2) return vs_expand_fail(x, pos, form, "define is written %s, not", vs_form_shape(VS_FORM_define));
@@ -159,7 +157,9 @@ static bool expand_kept(vs_expansion *x, vs_value kept, vs_core_node **into, uin
   r[0] = kept;
   vs_var *var = (vs_var *)(uintptr_t)vs_fixnum(v->at[0]);
   vs_value name = x->ast.pool[var->name];
-  return vs_expand_lambda(x, v->at[3], true, v->at[1], x->now.env, name, pos, into);
+  const vs_lambda_form form = {.params = v->at[3], .body = v->at[1], .tail = true, .env = x->now.env, .name = name,
+                               .pos = pos};
+  return vs_expand_lambda(x, &form, into);
 }
 
 static bool finish_body(vs_expansion *x) {
@@ -245,7 +245,7 @@ bool vs_body_step(vs_expansion *x) {
     if (form == VS_FORM_define) {
       bool procedure;
       vs_var *var;
-      if (!vs_define_parts(x, r[0], x->now.env, &r[1], &r[2], &r[3], &procedure)) return false;
+      if (!vs_define_parts(x, r[0], &r[1], &procedure)) return false;
       vs_value known = vs_idtable_get(vs_as_environment(x->now.env)->table, r[1]);
       if (known != VS_VACANT)
         return vs_expand_fail(x, pos, VS_ABSENT, "%s is defined twice in this body",
@@ -328,14 +328,17 @@ bool vs_top_step(vs_expansion *x) {
   case VS_FORM_define: {
     bool procedure;
     vs_value cell;
-    if (!vs_define_parts(x, r[0], x->now.env, &r[1], &r[2], &r[3], &procedure)) return false;
+    if (!vs_define_parts(x, r[0], &r[1], &procedure)) return false;
     vs_core_node *n = vs_expand_node(x, VS_AST_DEFGLOBAL, pos);
     if (!n || !vs_environment_define(vm, x->now.env, r[1], &cell) || !vs_ast_const(&x->ast, cell, &n->as.global.cell))
       return false;
     *x->now.into = n;
     x->definition = true;
-    if (procedure)
-      return vs_expand_lambda(x, r[2], true, r[3], x->now.env, vs_identifier_symbol(r[1]), pos, &n->as.global.value);
+    if (procedure) {
+      const vs_lambda_form lambda = {.params = r[2], .body = r[3], .tail = true, .env = x->now.env,
+                                     .name = vs_identifier_symbol(r[1]), .pos = pos};
+      return vs_expand_lambda(x, &lambda, &n->as.global.value);
+    }
     if (!vs_expand_push(x, VS_TASK_EXPR, r[3], x->now.env, pos, &n->as.global.value, 1)) return false;
     /* a lambda takes its name from it */
     return (vs_expand_top(x)->var = vs_ast_var(&x->ast, vs_identifier_symbol(r[1]))) != NULL;

@@ -11,7 +11,8 @@ bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_valu
 bool vs_body_step(vs_expansion *x);
 bool vs_top_step(vs_expansion *x);
 bool vs_body_resume(vs_expansion *x, vs_value value);
-bool vs_define_parts(vs_expansion *x, vs_value form, vs_value env, vs_value *name, vs_value *params, vs_value *rest,
-                     bool *procedure);
+/* Takes form, (define . rest), apart into roots: the name; the parameters, VS_ABSENT where it defines no procedure; the
+   body, or the value's form. False: the error is set. */
+bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *procedure);
 
 #endif

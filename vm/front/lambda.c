@@ -174,106 +174,144 @@ static bool is_constant(vs_value form, vs_value env) {
          vs_as_cell(m.value)->value != VS_UNDEFINED;
 }
 
-/* *outer: where the LET of the contracts goes, and then its body */
-static bool build(vs_expansion *x, parameters *p, vs_value *r, vs_value name, vs_pos pos, vs_core_node ***outer,
-                  vs_core_node **into) {
-  /* r: 0 list, 1 body, 2 env, 3 the scope of the lambda, 4 scratch */
-  vs_scheme *vm = x->vm;
-  uint32_t who;
-  size_t contracts = 0, checks = 0;
-  if (!vs_ast_const(&x->ast, name, &who) || !vs_expand_scope(x, r[2], &r[3])) return false;
-  reload(p, r[0]);
-  for (size_t i = 0; i < p->count; i++) {
-    checks += p->at[i].predicate != VS_ABSENT;
-    contracts += p->at[i].predicate != VS_ABSENT && !is_constant(p->at[i].predicate, r[2]);
-  }
-  vs_core_node *let = NULL;
-  if (contracts) {
-    if (!(let = vs_expand_many(x, VS_AST_LET, contracts, pos))) return false;
-    bool same = *outer == into;
-    **outer = let;
-    *outer = &let->as.let.body;
-    if (same) into = *outer;
-  }
-  vs_core_node *lambda = vs_expand_many(x, VS_AST_LAMBDA, p->count - p->rest, pos);
-  if (!lambda) return false;
-  *into = lambda;
-  if (name != VS_FALSE) lambda->as.lambda.name = 1 + who;
-  size_t c = 0;
-  for (size_t i = 0; i < p->count; i++) {
-    reload(p, r[0]);
-    parameter *q = &p->at[i];
-    if (vs_idtable_get(vs_as_environment(r[3])->table, q->id) != VS_VACANT)
-      return vs_expand_fail(x, q->pos, VS_ABSENT, "two parameters are called %s",
-                            vs_as_symbol(vs_identifier_symbol(q->id))->name);
-    if (q->predicate != VS_ABSENT && !is_constant(q->predicate, r[2])) {
-      q->contract = vs_ast_var(&x->ast, vs_identifier_symbol(q->id));
-      if (!q->contract || !vs_expand_push(x, VS_TASK_PREDICATE, q->predicate, r[2], q->pos, &let->as.let.values[c], 2))
-        return false;
-      let->as.let.vars[c++] = q->contract;
-      reload(p, r[0]);
-    }
-    vs_param *param = i == p->count - 1 && p->rest ? NULL : &lambda->as.lambda.params[i];
-    if (param && q->fallback != VS_ABSENT) {           /* sees the parameters before it */
-      vs_core_node **at = &param->fallback;
-      size_t before = 0;
-      bool plain = !vs_is_pair(q->fallback) && !vs_is_identifier(q->fallback);
-      for (size_t k = 0; !plain && k < i; k++) before += p->at[k].predicate != VS_ABSENT;
-      if (before) {
-        vs_core_node *seq = vs_expand_many(x, VS_AST_SEQ, before + 1, q->pos);
-        if (!seq) return false;
-        for (size_t k = 0, j = 0; k < i; k++) {
-          if (p->at[k].predicate == VS_ABSENT) continue;
-          if (!(seq->as.seq.at[j++] = check(x, &p->at[k], r[2], who))) return false;
-          reload(p, r[0]);
-        }
-        *at = seq;
-        at = &seq->as.seq.at[before];
-      }
-      /* a scope of its own: later parameters must not be seen, though they are bound in r[3] by the time it is
-         expanded */
-      if (!vs_expand_scope(x, r[2], &r[4])) return false;
-      for (size_t k = 0; k < i; k++) {
-        reload(p, r[0]);
-        if (!vs_environment_bind(vm, r[4], p->at[k].id, vs_fix((int64_t)(uintptr_t)p->at[k].var))) return false;
-      }
-      reload(p, r[0]);
-      if (!vs_expand_push(x, VS_TASK_EXPR, p->at[i].fallback, r[4], q->pos, at, 2)) return false;
-    }
-    if (!vs_expand_var(x, q->id, r[3], &q->var)) return false;
-    if (param) { param->var = q->var; param->keyword = q->keyword; }
-    else lambda->as.lambda.rest = q->var;
-  }
-  into = &lambda->as.lambda.body;
-  if (checks) {
-    vs_core_node *seq = vs_expand_many(x, VS_AST_SEQ, checks + 1, pos);
-    if (!seq) return false;
-    size_t j = 0;
-    for (size_t i = 0; i < p->count; i++) {
-      reload(p, r[0]);
-      if (p->at[i].predicate != VS_ABSENT && !(seq->as.seq.at[j++] = check(x, &p->at[i], r[2], who))) return false;
-    }
-    *into = seq;
-    into = &seq->as.seq.at[checks];
-  }
-  return vs_expand_body(x, r[1], r[3], pos, into, 2);     /* a lambda's depth is its own */
+/* A lambda that is being built. */
+typedef struct {
+  vs_expansion *x;
+  parameters *p;
+  vs_value *roots;           /* ROOT_LIST ... */
+  uint32_t who;              /* its name, a constant */
+  vs_pos pos;
+  vs_core_node *let;         /* of the contracts that are evaluated; NULL: there are none */
+  size_t contracts;          /* which have their place in it */
+  vs_core_node *lambda;
+} making;
+enum { ROOT_LIST, ROOT_BODY, ROOT_ENV, ROOT_SCOPE /* of the lambda */, ROOT_EARLIER /* scope of a default */, ROOTS };
+
+static void again(making *m) { reload(m->p, m->roots[ROOT_LIST]); }
+
+static bool is_evaluated(const making *m, const parameter *q) {
+  return q->predicate != VS_ABSENT && !is_constant(q->predicate, m->roots[ROOT_ENV]);
 }
 
-static bool expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name,
-                          vs_pos pos, vs_core_node ***outer, vs_core_node **into) {
+/* Returns how many of the first n parameters have a predicate. */
+static size_t checks_of(const parameters *p, size_t n) {
+  size_t checks = 0;
+  for (size_t i = 0; i < n; i++) checks += p->at[i].predicate != VS_ABSENT;
+  return checks;
+}
+
+/* Makes the LET at *outer, which is moved to its body, where a contract is evaluated; and the lambda at *into. */
+static bool make_frame(making *m, vs_core_node ***outer, vs_core_node **into) {
+  size_t evaluated = 0;
+  for (size_t i = 0; i < m->p->count; i++) evaluated += is_evaluated(m, &m->p->at[i]);
+  if (evaluated) {
+    if (!(m->let = vs_expand_many(m->x, VS_AST_LET, evaluated, m->pos))) return false;
+    bool same = *outer == into;
+    **outer = m->let;
+    *outer = &m->let->as.let.body;
+    if (same) into = *outer;
+  }
+  m->lambda = vs_expand_many(m->x, VS_AST_LAMBDA, m->p->count - m->p->rest, m->pos);
+  if (!m->lambda) return false;
+  *into = m->lambda;
+  return true;
+}
+
+/* The contract of parameter i gets a variable of the LET. */
+static bool make_contract(making *m, size_t i) {
+  parameter *q = &m->p->at[i];
+  if (!is_evaluated(m, q)) return true;
+  vs_core_node **into = &m->let->as.let.values[m->contracts];
+  q->contract = vs_ast_var(&m->x->ast, vs_identifier_symbol(q->id));
+  if (!q->contract ||
+      !vs_expand_push(m->x, VS_TASK_PREDICATE, q->predicate, m->roots[ROOT_ENV], q->pos, into, 2))
+    return false;
+  m->let->as.let.vars[m->contracts++] = q->contract;
+  again(m);
+  return true;
+}
+
+/* The checks of the first n parameters, in front of what follows them: **at, which is moved there. */
+static bool make_checks(making *m, size_t n, vs_pos pos, vs_core_node ***at) {
+  size_t checks = checks_of(m->p, n), done = 0;
+  if (!checks) return true;
+  vs_core_node *seq = vs_expand_many(m->x, VS_AST_SEQ, checks + 1, pos);
+  if (!seq) return false;
+  for (size_t i = 0; i < n; i++) {
+    again(m);
+    const parameter *q = &m->p->at[i];
+    if (q->predicate != VS_ABSENT && !(seq->as.seq.at[done++] = check(m->x, q, m->roots[ROOT_ENV], m->who)))
+      return false;
+  }
+  again(m);
+  **at = seq;
+  *at = &seq->as.seq.at[checks];
+  return true;
+}
+
+/* The default of parameter i sees the parameters before it, whose checks come first where it is computed. */
+static bool make_default(making *m, size_t i, vs_param *param) {
+  vs_value *r = m->roots;
+  parameter *q = &m->p->at[i];
+  vs_core_node **at = &param->fallback;
+  bool plain = !vs_is_pair(q->fallback) && !vs_is_identifier(q->fallback);
+  if (!plain && !make_checks(m, i, q->pos, &at)) return false;
+  /* A scope of its own: later parameters must not be seen, though they are bound in the lambda's by the time it is
+     expanded. */
+  if (!vs_expand_scope(m->x, r[ROOT_ENV], &r[ROOT_EARLIER])) return false;
+  for (size_t k = 0; k < i; k++) {
+    again(m);
+    vs_value var = vs_fix((int64_t)(uintptr_t)m->p->at[k].var);
+    if (!vs_environment_bind(m->x->vm, r[ROOT_EARLIER], m->p->at[k].id, var)) return false;
+  }
+  again(m);
+  return vs_expand_push(m->x, VS_TASK_EXPR, q->fallback, r[ROOT_EARLIER], q->pos, at, 2);
+}
+
+static bool make_parameter(making *m, size_t i) {
+  again(m);
+  parameter *q = &m->p->at[i];
+  if (vs_idtable_get(vs_as_environment(m->roots[ROOT_SCOPE])->table, q->id) != VS_VACANT)
+    return vs_expand_fail(m->x, q->pos, VS_ABSENT, "two parameters are called %s",
+                          vs_as_symbol(vs_identifier_symbol(q->id))->name);
+  if (!make_contract(m, i)) return false;
+  bool rest = i == m->p->count - 1 && m->p->rest;
+  vs_param *param = rest ? NULL : &m->lambda->as.lambda.params[i];
+  if (param && q->fallback != VS_ABSENT && !make_default(m, i, param)) return false;
+  if (!vs_expand_var(m->x, q->id, m->roots[ROOT_SCOPE], &q->var)) return false;
+  if (param) param->var = q->var, param->keyword = q->keyword;
+  else m->lambda->as.lambda.rest = q->var;
+  return true;
+}
+
+/* *outer: where the LET of the contracts goes, and then its body */
+static bool build(making *m, vs_value name, vs_core_node ***outer, vs_core_node **into) {
+  vs_value *r = m->roots;
+  if (!vs_ast_const(&m->x->ast, name, &m->who) || !vs_expand_scope(m->x, r[ROOT_ENV], &r[ROOT_SCOPE])) return false;
+  again(m);
+  if (!make_frame(m, outer, into)) return false;
+  if (name != VS_FALSE) m->lambda->as.lambda.name = 1 + m->who;
+  for (size_t i = 0; i < m->p->count; i++)
+    if (!make_parameter(m, i)) return false;
+  into = &m->lambda->as.lambda.body;
+  return make_checks(m, m->p->count, m->pos, &into) &&
+         vs_expand_body(m->x, r[ROOT_BODY], r[ROOT_SCOPE], m->pos, into, 2); /* a lambda's depth is its own */
+}
+
+static bool expand_lambda(vs_expansion *x, const vs_lambda_form *form, vs_core_node ***outer, vs_core_node **into) {
   vs_scheme *vm = x->vm;
-  VS_ROOTS(vm, r, 5);
-  r[0] = params; r[1] = body; r[2] = env;
-  parameters p = {.vm = vm, .tail = tail};
-  bool ok = parse(x, &p, r[0], vs_form_pos(params, pos)) && build(x, &p, r, name, pos, outer, into);
+  VS_ROOTS(vm, r, ROOTS);
+  r[ROOT_LIST] = form->params, r[ROOT_BODY] = form->body, r[ROOT_ENV] = form->env;
+  parameters p = {.vm = vm, .tail = form->tail};
+  making m = {.x = x, .p = &p, .roots = r, .pos = form->pos};
+  bool ok = parse(x, &p, r[ROOT_LIST], vs_form_pos(form->params, form->pos)) && build(&m, form->name, outer, into);
   if (p.at) vs_mem(vm, p.at, p.room * sizeof *p.at, 0);
   return ok;
 }
 
-bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name,
-                      vs_pos pos, vs_core_node **into) {
+bool vs_expand_lambda(vs_expansion *x, const vs_lambda_form *form, vs_core_node **into) {
   vs_core_node **outer = into;
-  return expand_lambda(x, params, tail, body, env, name, pos, &outer, into);
+  return expand_lambda(x, form, &outer, into);
 }
 
 static vs_value task_name(vs_expansion *x) { return x->now.var ? x->ast.pool[x->now.var->name] : VS_FALSE; }
@@ -281,7 +319,9 @@ static vs_value task_name(vs_expansion *x) { return x->now.var ? x->ast.pool[x->
 bool vs_form_lambda(vs_expansion *x) {
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_lambda);
   vs_value rest = vs_cdr(x->now.form);
-  return vs_expand_lambda(x, vs_car(rest), false, vs_cdr(rest), x->now.env, task_name(x), x->now.pos, x->now.into);
+  const vs_lambda_form form = {.params = vs_car(rest), .body = vs_cdr(rest), .env = x->now.env, .name = task_name(x),
+                               .pos = x->now.pos};
+  return vs_expand_lambda(x, &form, x->now.into);
 }
 bool vs_form_lambda_letter(vs_expansion *x) { return vs_form_lambda(x); }
 
@@ -305,8 +345,9 @@ bool vs_form_case_lambda(vs_expansion *x) {
     if (vs_list_length(clause) < 2)
       return vs_expand_fail(x, vs_element_pos(r[0], false, x->now.pos), clause,
                             "case-lambda is written %s; this is no clause:", vs_form_shape(VS_FORM_case_lambda));
-    ok = expand_lambda(x, vs_car(clause), false, vs_cdr(clause), x->now.env, name, vs_form_pos(clause, x->now.pos),
-                       &outer, &node->as.clauses.at[i]);
+    const vs_lambda_form form = {.params = vs_car(clause), .body = vs_cdr(clause), .env = x->now.env, .name = name,
+                                 .pos = vs_form_pos(clause, x->now.pos)};
+    ok = expand_lambda(x, &form, &outer, &node->as.clauses.at[i]);
   }
   *outer = node;
   return ok;

@@ -4,10 +4,17 @@
 
 #include "vm/front/expand.h"
 
-/* A parameter list and a body become a LAMBDA, in a LET of its contracts if need be. tail: the list stood behind a
-   name, as in (define (name . params) ...): then [ ] around all of it is a rest parameter with its predicate. */
-bool vs_expand_lambda(vs_expansion *x, vs_value params, bool tail, vs_value body, vs_value env, vs_value name,
-                      vs_pos pos, vs_core_node **into);
+/* A lambda as it is written. Its values need not be rooted: the expansion does so. */
+typedef struct {
+  vs_value params, body; /* the parameter list, and the list of the body's forms */
+  bool tail;             /* params stood behind a name, as in (define (name . params) ...): then [ ] around all of it is
+                            a rest parameter with its predicate */
+  vs_value env, name;    /* where it is expanded; the symbol that it is called, or #f */
+  vs_pos pos;
+} vs_lambda_form;
+
+/* A parameter list and a body become a LAMBDA, in a LET of its contracts if need be. False: the error is set. */
+bool vs_expand_lambda(vs_expansion *x, const vs_lambda_form *form, vs_core_node **into);
 bool vs_predicate_step(vs_expansion *x);
 
 #endif
