@@ -243,7 +243,9 @@ static vs_outcome translate(study *s, const cli_options *o) {
     const char *equals = strchr(o->defines[i], '=');
     settings[i] = (know_setting){know_text(&s->k, o->defines[i], (size_t)(equals - o->defines[i])), equals + 1};
   }
-  char *text = know_translate(&s->k, language, segments, settings, o->define_count, unable, s, &length);
+  const know_translation wanted = {.language = language, .segments = segments, .settings = settings,
+                                   .setting_count = o->define_count, .complain = unable, .context = s};
+  char *text = know_translate(&s->k, &wanted, &length);
   free(settings);
   if (!text) {
     if (*s->k.trouble) fprintf(stderr, "%s%s\n", strchr(s->k.trouble, ':') ? "" : "vs translate: ", s->k.trouble);

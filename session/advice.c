@@ -235,7 +235,8 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
       if (!put(t, " #:%s ", p->key[i].name) || !vs_print(vm, a[i], VS_PRINT_WRITE, t)) return false;
     return vs_text_puts(t, ")");
   }
-  if (p && vs_bind_grouped(vm, p, name, a, n, text, sizeof text)) return put(t, "; perhaps %s", text);
+  if (p && vs_bind_grouped(vm, p, &(vs_plain_call){ name, a, n }, text, sizeof text))
+    return put(t, "; perhaps %s", text);
   if (p && p->form[1].used) { /* the count alone does not say that there are two ways to call it */
     vs_bind_forms(p, name, text, sizeof text);
     return put(t, "; it %s", text);

@@ -220,7 +220,7 @@ static vs_outcome end(vs_session *s, bool ok) {
   s->phase = NULL;
   vs_tally_enter(&s->tally, VS_WORK_NONE);
   if (ok) return VS_OUTCOME_DONE;
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, NULL, 0, 0, "interrupted");
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, (vs_span){ 0 }, "interrupted");
   return VS_OUTCOME_INTERRUPTED;
 }
 
@@ -232,8 +232,7 @@ static void warn(void *session, const vs_checked *c) {
   bool ok = vs_text_puts(&t, c->form) && vs_text_puts(&t, ": ") && vs_text_puts(&t, c->expression) &&
             vs_text_puts(&t, " gives ") && vs_text_puts(&t, c->gives) && vs_text_puts(&t, ", expected ") &&
             vs_text_puts(&t, c->expected) && vs_text_end(&t);
-  vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, c->at.file, c->at.line, c->at.column,
-                       ok ? t.at : "a check failed");
+  vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, c->at, ok ? t.at : "a check failed");
   vs_text_close(&t);
 }
 

@@ -72,9 +72,31 @@ static void tell(told *t, const vs_drawn_part *p, vs_part_info *out) {
 
 typedef bool each_part(void *context, vs_part_difference what, const vs_part_info *before, const vs_part_info *after);
 
-static bool tell_all(const vs_drawn_parts *a, const vs_drawn_parts *b,
-                     const vs_part_match *before, const vs_part_match *after,
-                     each_part *each, void *context) {
+/* The parts of two drawings, a before b, and the fate of each: `before` of a's, `after` of b's. */
+typedef struct {
+  vs_drawn_parts a, b;
+  vs_part_match *before, *after; /* one block, NULL: not there yet */
+  size_t bytes;
+} pairing;
+
+/* Makes room for the fates of the parts that were taken. False: out of memory. */
+static bool pairing_open(pairing *p, vs_error *e) {
+  p->bytes = (p->a.count + p->b.count + 1) * sizeof *p->before;
+  p->before = vs_store_realloc(p->a.store, NULL, 0, p->bytes);
+  if (!p->before) return vs_error_memory(e, NULL);
+  p->after = p->before + p->a.count;
+  return true;
+}
+
+static void pairing_close(pairing *p) {
+  if (p->before) vs_store_realloc(p->a.store, p->before, p->bytes, 0);
+  vs_drawn_parts_free(&p->a);
+  vs_drawn_parts_free(&p->b);
+}
+
+static bool tell_all(const pairing *p, each_part *each, void *context) {
+  const vs_drawn_parts *a = &p->a, *b = &p->b;
+  const vs_part_match *before = p->before, *after = p->after;
   static const vs_part_difference words[] = {
     [VS_PART_REPAINTED] = VS_PART_WAS_REPAINTED, [VS_PART_MOVED] = VS_PART_WAS_MOVED,
     [VS_PART_CHANGED] = VS_PART_WAS_CHANGED, [VS_PART_ALONE] = VS_PART_WAS_ADDED
@@ -96,16 +118,14 @@ static bool tell_all(const vs_drawn_parts *a, const vs_drawn_parts *b,
   return true;
 }
 
-static void count_parts(const vs_drawn_parts *a, const vs_drawn_parts *b,
-                        const vs_part_match *before, const vs_part_match *after,
-                        vs_comparison *out) {
-  for (size_t i = 0; i < a->count; i++) out->removed += before[i].fate == VS_PART_ALONE;
-  for (size_t i = 0; i < b->count; i++) {
+static void count_parts(const pairing *p, vs_comparison *out) {
+  for (size_t i = 0; i < p->a.count; i++) out->removed += p->before[i].fate == VS_PART_ALONE;
+  for (size_t i = 0; i < p->b.count; i++) {
     size_t *of[] = {
       [VS_PART_SAME] = &out->same, [VS_PART_REPAINTED] = &out->repainted, [VS_PART_MOVED] = &out->moved,
       [VS_PART_CHANGED] = &out->changed, [VS_PART_ALONE] = &out->added
     };
-    ++*of[after[i].fate];
+    ++*of[p->after[i].fate];
   }
 }
 
@@ -123,21 +143,14 @@ static bool parts_of(vs_session *s, vs_ref object, vs_drawn_parts *out, vs_error
 
 bool vs_session_compare_objects(vs_session *s, const vs_ref objects[2], bool *same, const vs_part_listener *listener,
                                 vs_error *e) {
-  vs_store *store = s->bind.store;
-  vs_drawn_parts a = { .store = store }, b = { .store = store };
-  bool ok = parts_of(s, objects[0], &a, e) && parts_of(s, objects[1], &b, e);
-  size_t bytes = (a.count + b.count + 1) * sizeof(vs_part_match);
-  vs_part_match *before = ok ? vs_store_realloc(store, NULL, 0, bytes) : NULL, *after = before ? before + a.count
-      : NULL;
-  if (ok && !before) ok = vs_error_memory(e, NULL);
-  ok = ok && vs_drawn_parts_match(&a, &b, before, after, e);
+  pairing p = { .a.store = s->bind.store, .b.store = s->bind.store };
+  bool ok = parts_of(s, objects[0], &p.a, e) && parts_of(s, objects[1], &p.b, e) && pairing_open(&p, e) &&
+            vs_drawn_parts_match(&p.a, &p.b, p.before, p.after, e);
   vs_comparison found = { 0 };
-  if (ok) count_parts(&a, &b, before, after, &found);
+  if (ok) count_parts(&p, &found);
   *same = found.repainted + found.moved + found.changed + found.added + found.removed == 0;
-  if (ok && listener && listener->each) tell_all(&a, &b, before, after, listener->each, listener->context);
-  if (before) vs_store_realloc(store, before, bytes, 0);
-  vs_drawn_parts_free(&a);
-  vs_drawn_parts_free(&b);
+  if (ok && listener && listener->each) tell_all(&p, listener->each, listener->context);
+  pairing_close(&p);
   return ok;
 }
 
@@ -169,15 +182,13 @@ static bool going(void *session, double done) {
   return !vs_session_interrupted(session);
 }
 
-static bool compare(vs_session *s, const vs_drawn_parts *a, const vs_drawn_parts *b,
-                    vs_part_match *before, vs_part_match *after,
-                    vs_comparison *out, vs_error *e) {
+static bool compare(vs_session *s, pairing *p, vs_comparison *out, vs_error *e) {
   vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
   double tolerance = vs_bind_tolerance(s->bind.vm);
   vs_node *nodes[VS_CHANGES];
-  if (!vs_drawn_parts_match(a, b, before, after, e)) return false;
-  count_parts(a, b, before, after, out);
-  if (!vs_drawn_parts_change(a, b, before, after, nodes, e)) return false;
+  if (!vs_drawn_parts_match(&p->a, &p->b, p->before, p->after, e)) return false;
+  count_parts(p, out);
+  if (!vs_drawn_parts_change(&p->a, &p->b, p->before, p->after, nodes, e)) return false;
   bool ok = vs_drawn_parts_volume(nodes[VS_CHANGE_ADDED], tolerance, &options, &out->volume_added, e) &&
             vs_drawn_parts_volume(nodes[VS_CHANGE_REMOVED], tolerance, &options, &out->volume_removed, e);
   s->change = ok ? vs_store_realloc(s->bind.store, NULL, 0, (VS_CHANGES + 1) * sizeof *s->change) : NULL;
@@ -222,26 +233,19 @@ vs_outcome vs_drawing_compare(vs_scheme *vm, vs_comparison *out, each_part *each
   size_t count;
   vs_outcome outcome = vs_session_take(s, &now, &count);
   if (outcome != VS_OUTCOME_DONE) return outcome;
-  vs_store *store = s->bind.store;
-  vs_drawn_parts a = { .store = store }, b = { .store = store };
+  pairing p = { .a.store = s->bind.store, .b.store = s->bind.store };
   vs_error e = { 0 };
   s->writing = true, s->late = false; /* the limit of time is an output's */
   s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
-  bool ok = vs_drawn_parts_take(&a, s->kept, s->kept_count, &e) && vs_drawn_parts_take(&b, now, count, &e);
-  size_t bytes = (a.count + b.count + 1) * sizeof(vs_part_match);
-  vs_part_match *before = ok ? vs_store_realloc(store, NULL, 0, bytes) : NULL, *after = before ? before + a.count
-      : NULL;
-  if (ok && !before) ok = vs_error_memory(&e, NULL);
-  ok = ok && compare(s, &a, &b, before, after, out, &e);
+  bool ok = vs_drawn_parts_take(&p.a, s->kept, s->kept_count, &e) && vs_drawn_parts_take(&p.b, now, count, &e) &&
+            pairing_open(&p, &e) && compare(s, &p, out, &e);
   bool differs = out->repainted + out->moved + out->changed + out->added + out->removed > 0;
   ok = ok && volume_of(s, s->kept, s->kept_count, &out->volume_before, &e);
   if (!differs) out->volume_after = out->volume_before;
   else ok = ok && volume_of(s, now, count, &out->volume_after, &e);
   s->writing = false;
-  if (ok && each) tell_all(&a, &b, before, after, each, context);
-  if (before) vs_store_realloc(store, before, bytes, 0);
-  vs_drawn_parts_free(&a);
-  vs_drawn_parts_free(&b);
+  if (ok && each) tell_all(&p, each, context);
+  pairing_close(&p);
   free_refs(s, &now, &count);
   return ok ? VS_OUTCOME_DONE : vs_session_report_error(s, &e);
 }

@@ -33,7 +33,7 @@ static void usage(vs_session *s, const char *format, ...) {
   va_start(rest, format);
   vsnprintf(text, sizeof text, format, rest);
   va_end(rest);
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ 0 }, text);
 }
 
 bool vs_session_busy(vs_session *s, const char *who) {

@@ -33,14 +33,16 @@ static vs_handle ask(vs_scheme *vm, const char *who, const char *procedure, cons
   return 0;
 }
 
-/* With a name among the arguments, which is made and let go. last NULL: there is none. */
-static vs_outcome call_named(vs_scheme *vm, const char *who, const char *procedure, vs_handle first, const char *name,
-                             const vs_handle *last, vs_handle *result) {
-  vs_handle symbol = vs_handle_symbol(vm, name);
-  const vs_handle arguments[] = { first, symbol, last ? *last : 0 };
+/* A question about a property of a group: the function of the interface that asks, and the procedure that answers. */
+typedef struct { const char *who, *procedure; vs_handle group; const char *name; } named;
+
+/* The name becomes a symbol, which is made and let go. last NULL: there is none. */
+static vs_outcome call_named(vs_scheme *vm, const named *q, const vs_handle *last, vs_handle *result) {
+  vs_handle symbol = vs_handle_symbol(vm, q->name);
+  const vs_handle arguments[] = { q->group, symbol, last ? *last : 0 };
   if (result) *result = 0;
   if (!symbol) return VS_OUTCOME_MACHINE;
-  vs_outcome outcome = call(vm, who, procedure, arguments, last ? 3 : 2, result);
+  vs_outcome outcome = call(vm, q->who, q->procedure, arguments, last ? 3 : 2, result);
   vs_handle_release(vm, symbol);
   return outcome;
 }
@@ -144,14 +146,14 @@ vs_outcome vs_node_eval(vs_scheme *vm, vs_handle node, const char *text, vs_hand
 
 vs_handle vs_property_of(vs_scheme *vm, vs_handle group, const char *name) {
   vs_handle property;
-  call_named(vm, "vs_property_of", "property-ref", group, name, NULL, &property);
+  call_named(vm, &(named){ "vs_property_of", "property-ref", group, name }, NULL, &property);
   return property;
 }
 vs_outcome vs_property_get(vs_scheme *vm, vs_handle group, const char *name, vs_handle *value) {
-  return call_named(vm, "vs_property_get", "property-get", group, name, NULL, value);
+  return call_named(vm, &(named){ "vs_property_get", "property-get", group, name }, NULL, value);
 }
 vs_outcome vs_property_put(vs_scheme *vm, vs_handle group, const char *name, vs_handle value) {
-  return call_named(vm, "vs_property_put", "property-put!", group, name, &value, NULL);
+  return call_named(vm, &(named){ "vs_property_put", "property-put!", group, name }, &value, NULL);
 }
 
 uint64_t vs_property_subscribe(vs_scheme *vm, vs_handle property, vs_host_fn *fn, void *context) {

@@ -60,20 +60,16 @@ static void print(const vs_diagnostic *d) {
   }
 }
 
-static void tell(vs_session *s, vs_severity severity, vs_outcome outcome, vs_span at, const char *message,
-                 const vs_diagnostic_note *notes, size_t count) {
+/* Hands d to the host, with its line of the source. */
+static void tell(vs_session *s, vs_diagnostic d) {
   char line[2048];
-  vs_diagnostic d = {
-    .severity = severity, .outcome = outcome, .at = at, .message = message, .notes = notes, .note_count = count
-  };
-  d.source_line = vs_session_source_line(s, at.file, at.line, line, sizeof line);
+  d.source_line = vs_session_source_line(s, d.at.file, d.at.line, line, sizeof line);
   if (s->options.host.diagnose) s->options.host.diagnose(s->options.host.context, &d);
   else print(&d);
 }
 
-void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line,
-                          uint32_t column, const char *message) {
-  tell(s, severity, outcome, (vs_span){ .file = file, .line = line, .column = column }, message, NULL, 0);
+void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, vs_span at, const char *message) {
+  tell(s, (vs_diagnostic){ .severity = severity, .outcome = outcome, .at = at, .message = message });
 }
 
 void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin,
@@ -87,7 +83,8 @@ void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, 
       notes[n++] =
           (vs_diagnostic_note){ { .file = o->file, .line = o->line, .column = o->column }, "called from here" };
   }
-  tell(s, severity, outcome, at, message, notes, n);
+  tell(s, (vs_diagnostic){ .severity = severity, .outcome = outcome, .at = at, .message = message,
+                           .notes = notes, .note_count = n });
 }
 
 void vs_session_warn(void *session, const vs_origin *origin, const char *message) {
@@ -204,7 +201,8 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   if (late) message = limit;
   if (limited) snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit",
       (double)s->options.limit_memory / 1048576), message = limit;
-  tell(s, VS_SEVERITY_ERROR, outcome, at, message, notes, count);
+  tell(s, (vs_diagnostic){ .severity = VS_SEVERITY_ERROR, .outcome = outcome, .at = at, .message = message,
+                           .notes = notes, .note_count = count });
   vs_text_close(&t);
   /* the reader has more to say: (place . message) of each further mistake */
   if (is_condition && vs_as_condition(r[0])->kind == vm->sym.read)
@@ -217,13 +215,13 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
           !vs_session_span(s, vs_pos_of(vs_car(more)), &span))
         continue;
       if (!vs_bind_take_text(vm, vs_cdr(more), &text, &bytes)) break;
-      tell(s, VS_SEVERITY_ERROR, outcome, span, text, NULL, 0);
+      tell(s, (vs_diagnostic){ .severity = VS_SEVERITY_ERROR, .outcome = outcome, .at = span, .message = text });
       vs_mem(vm, text, bytes, 0);
     }
   return outcome;
 }
 
 vs_outcome vs_session_out_of_memory(vs_session *s) {
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, (vs_span){ 0 }, "out of memory");
   return VS_OUTCOME_MACHINE;
 }

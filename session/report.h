@@ -14,8 +14,8 @@ bool vs_session_condition_place(vs_session *s, const vs_condition *c, vs_span *o
 vs_outcome vs_session_report_error(vs_session *s, const vs_error *e);
 void vs_session_report(vs_session *s, vs_severity severity, vs_outcome outcome, const vs_origin *origin,
                        const char *message);
-void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, const char *file, uint32_t line,
-                          uint32_t column, const char *message);
+/* The same at a place of a file; `at` empty: nowhere. */
+void vs_session_report_at(vs_session *s, vs_severity severity, vs_outcome outcome, vs_span at, const char *message);
 void vs_session_warn(void *session, const vs_origin *origin, const char *message); /* vs_bind.warn */
 /* Reports to the host that memory has run out. Returns VS_OUTCOME_MACHINE. */
 vs_outcome vs_session_out_of_memory(vs_session *s);

@@ -173,7 +173,7 @@ static void warn_program(vs_scheme *vm, vs_pos place, const char *message) {
   vs_session *s = vs_session_of(vm);
   vs_span at;
   if (vs_session_span(s, place, &at))
-    vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, at.file, at.line, at.column, message);
+    vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, at, message);
 }
 
 /* for register-drawing-function and define-back-end: as (vs_format_find), but no path */
@@ -351,7 +351,7 @@ void vs_interrupt_clear(vs_scheme *vm) { atomic_store(&vs_session_of(vm)->interr
 /* an interrupt that came when nothing ran */
 static bool was_interrupted(vs_session *s) {
   if (!atomic_exchange(&s->interrupted, false)) return false;
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, NULL, 0, 0, "interrupted");
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, (vs_span){ 0 }, "interrupted");
   return true;
 }
 
@@ -376,10 +376,10 @@ vs_outcome vs_eval_text(vs_scheme *vm, const char *name, unsigned first_line, co
   if (!vs_session_keep_source(s, name, first_line, text, length))
     return vs_session_finish(s, vs_fail_memory(vm), false);
   VS_ROOTS(vm, r, 1);
+  const vs_passage passage = { text, length, first_line };
   bool within = flags & VS_EVAL_WITHIN && vs_is_pair(vm->at.stops), ok = may_run(s);
-  if (within) ok = ok && vs_session_bindings(s, &r[0]) && vs_program_within(vm, name, first_line, text, length,
-      r[0], &vm->value);
-  else ok = ok && vs_program_text(vm, name, first_line, text, length, !(flags & VS_EVAL_PROGRAM), &vm->value);
+  if (within) ok = ok && vs_session_bindings(s, &r[0]) && vs_program_within(vm, name, &passage, r[0], &vm->value);
+  else ok = ok && vs_program_text(vm, name, &passage, !(flags & VS_EVAL_PROGRAM), &vm->value);
   return check(s, vs_session_finish(s, ok, false), flags);
 }
 
@@ -418,7 +418,8 @@ vs_outcome vs_eval_file(vs_scheme *vm, const char *path, unsigned flags) {
     return vs_session_unread(s, path, why);
   }
   bool ok = may_run(s) && (set_title(s, path) || vs_fail_memory(vm));
-  vs_outcome outcome = vs_session_finish(s, ok && vs_program_text(vm, path, 1, text, length, false, &vm->value), false);
+  const vs_passage passage = { text, length, 1 };
+  vs_outcome outcome = vs_session_finish(s, ok && vs_program_text(vm, path, &passage, false, &vm->value), false);
   free(text);
   return check(s, outcome, flags);
 }
@@ -495,11 +496,11 @@ size_t vs_complete(vs_scheme *vm, const char *prefix, bool (*each)(void *context
 bool vs_parameter_set(vs_scheme *vm, const char *name, const char *datum) {
   vs_session *s = vs_session_of(vm);
   if (*name == 0 || strpbrk(name, " \t\n()[]\"';")) {
-    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, "a parameter's name is one word");
+    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ 0 }, "a parameter's name is one word");
     return false;
   }
   if (vs_bind_set_parameter(&s->bind, name, datum)) return true;
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, NULL, 0, 0, "out of memory");
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, (vs_span){ 0 }, "out of memory");
   return false;
 }
 
@@ -630,7 +631,7 @@ static bool crop_is_within(vs_session *s, const vs_output_options *o) {
   char text[200];
   snprintf(text, sizeof text, "the part of %d by %d pixels at %d,%d is not within the picture of %d by %d", c[2], c[3],
            c[0], c[1], size.width, size.height);
-  if (!ok) vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
+  if (!ok) vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ 0 }, text);
   return ok;
 }
 
@@ -646,12 +647,12 @@ static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_n
     char text[400];
     snprintf(text, sizeof text, "%.200s: no format has this ending; there are %s", wanted ? wanted : "no format given",
              vs_format_endings());
-    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, NULL, 0, 0, text);
+    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ 0 }, text);
     return VS_OUTCOME_USAGE;
   }
   if (!crop_is_within(s, &o)) return VS_OUTCOME_USAGE;
   if (path && vs_session_is_input(s, path)) {
-    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, VS_INPUT_KEPT);
+    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ .file = path }, VS_INPUT_KEPT);
     return VS_OUTCOME_USAGE;
   }
   return vs_session_write(s, path, format, &o, to);

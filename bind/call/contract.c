@@ -88,8 +88,8 @@ static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
     snprintf(hint, sizeof hint, "(%s (xyz 0 0 0) (xyz %s %s %s))", name, x, y, z);
     return vs_fail(f->vm, f->vm->sym.arity, "%s; perhaps %s", text, hint);
   }
-  if (vs_bind_grouped(f->vm, f->procedure, name, a, n, hint, sizeof hint)) return vs_fail(f->vm, f->vm->sym.arity,
-      "%s; perhaps %s", text, hint);
+  if (vs_bind_grouped(f->vm, f->procedure, &(vs_plain_call){ name, a, n }, hint, sizeof hint))
+    return vs_fail(f->vm, f->vm->sym.arity, "%s; perhaps %s", text, hint);
   return vs_fail(f->vm, f->vm->sym.arity, "%s, got %d argument%s", text, n, n == 1 ? "" : "s");
 }
 

@@ -42,14 +42,10 @@ vs_status vs_bind_file(vs_args *f, const vs_arg *name, vs_value *bytes, const ch
   return file_of(f, name->value, bytes, shown, &whole);
 }
 
-static vs_status keep_picture(vs_args *f, const char *format, const char *whole, const vs_bytes *bytes,
-                              uint32_t columns, uint32_t rows, const vs_picture **out) {
-  *out = vs_store_picture(f->store, &(vs_picture){ .path = whole,
-                                                         .format = format,
-                                                         .bytes = bytes->at,
-                                                         .size = (size_t)bytes->length,
-                                                         .columns = columns,
-                                                         .rows = rows });
+/* Keeps a picture of this format in the store: read has its path and, where they are known, its columns and rows. */
+static vs_status keep_picture(vs_args *f, vs_picture read, const vs_bytes *bytes, const vs_picture **out) {
+  read.bytes = bytes->at, read.size = (size_t)bytes->length;
+  *out = vs_store_picture(f->store, &read);
   return *out ? VS_OK : vs_fail_memory(f->vm);
 }
 
@@ -63,7 +59,8 @@ vs_status vs_bind_picture(vs_args *f, vs_value name, const vs_picture **out, con
   if (!vs_photograph_read(f->store, &(vs_file_bytes){ *shown, bytes->at, (size_t)bytes->length }, &read, &e))
     return vs_bind_error(f->vm, &e);
   for (int i = 0; i < 3; i++) mean[i] = read.mean[i];
-  return keep_picture(f, read.format, whole, bytes, read.columns, read.rows, out);
+  const vs_picture kept = { .path = whole, .format = read.format, .columns = read.columns, .rows = read.rows };
+  return keep_picture(f, kept, bytes, out);
 }
 
 /* Takes the sun out of a picture of light: *out is what is left of it, NULL where it has none. */
@@ -107,7 +104,7 @@ vs_status vs_bind_sky_picture(vs_args *f, vs_value name, const vs_picture **out,
   if (!format) return vs_bind_refuse(f, "image", "a PNG, JPEG, EXR or HDR file", name);
   bool exr = !strcmp(format, "exr");
   if ((exr || !strcmp(format, "hdr")) && take_sun(f, shown, whole, bytes, exr, sunless, sun) != VS_OK) return VS_ERROR;
-  return keep_picture(f, format, whole, vs_as_bytes(r[0]), 0, 0, out);
+  return keep_picture(f, (vs_picture){ .path = whole, .format = format }, vs_as_bytes(r[0]), out);
 }
 
 vs_status vs_bind_lamp_file(vs_args *f, vs_value name, const vs_picture **out) {
@@ -120,7 +117,7 @@ vs_status vs_bind_lamp_file(vs_args *f, vs_value name, const vs_picture **out) {
   if (!vs_ies_read(f->store, shown, (const char *)bytes->at, (size_t)bytes->length, &read, &e))
     return vs_bind_error(f->vm, &e);
   vs_ies_free(&read);
-  return keep_picture(f, "ies", whole, bytes, 0, 0, out);
+  return keep_picture(f, (vs_picture){ .path = whole, .format = "ies" }, bytes, out);
 }
 
 /* ---- prefabs: prefabs.scm runs their files ---- */

@@ -119,10 +119,10 @@ static bool list_of_mesh(vs_face_list *l, const vs_mesh *m) {
   return ok;
 }
 
-static size_t note(char *text, size_t room, size_t at, size_t count, const char *verb, const char *one,
-                   const char *many) {
+/* Appends "VERB 3 THINGs" at `at`, behind a comma where something is there; nothing for 0. Returns the new end. */
+static size_t note(char *text, size_t room, size_t at, size_t count, const char *verb, const char *thing) {
   if (!count) return at;
-  int n = snprintf(text + at, room - at, "%s%s %zu %s", at ? ", " : "", verb, count, count == 1 ? one : many);
+  int n = snprintf(text + at, room - at, "%s%s %zu %s%s", at ? ", " : "", verb, count, thing, count == 1 ? "" : "s");
   return n > 0 && at + (size_t)n < room ? at + (size_t)n : at;
 }
 
@@ -158,10 +158,10 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
   if (!ok) return vs_node_release(*out), *out = NULL, VS_ERROR;
   *sheet = (*out)->class_ == VS_SURFACE || ((*out)->class_ != VS_SOLID && notes.holes > 0);
   char text[256] = "";
-  size_t at = note(text, sizeof text, 0, notes.welded, "welded", "point", "points");
-  at = note(text, sizeof text, at, notes.dropped, "dropped", "face", "faces");
-  at = note(text, sizeof text, at, notes.turned, "turned", "face", "faces");
-  at = note(text, sizeof text, at, notes.holes, "closed", "hole", "holes");
+  size_t at = note(text, sizeof text, 0, notes.welded, "welded", "point");
+  at = note(text, sizeof text, at, notes.dropped, "dropped", "face");
+  at = note(text, sizeof text, at, notes.turned, "turned", "face");
+  at = note(text, sizeof text, at, notes.holes, "closed", "hole");
   if (notes.holes > 1 && at < sizeof text - 40)
     at += (size_t)snprintf(text + at, sizeof text - at, " (of up to %zu edges)", notes.largest);
   if (!flawless && at < sizeof text - 60)

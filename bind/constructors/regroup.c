@@ -9,10 +9,11 @@
 
 /* Writes the call that was meant where numbers stand for a point, a gvector or a list of factors: (do-move o 1 0 0)
  * is (do-move o (vxyz 1 0 0)). False: no such grouping makes a form of the procedure. */
-static bool group_numbers(vs_scheme *vm, const vs_form *form, const char *name, const vs_value *a, int n, char *text,
-    size_t room) {
+static bool group_numbers(vs_scheme *vm, const vs_form *form, const vs_plain_call *call, char *text, size_t room) {
+  const vs_value *a = call->at;
+  const int n = call->count;
   int used = 0, groups = 0;
-  size_t at = (size_t)snprintf(text, room, "(%s", name);
+  size_t at = (size_t)snprintf(text, room, "(%s", call->name);
   for (const vs_bind_param *p = form->at; p->mode != VS_ARG_END && used < n; p++) {
     int left = 0; /* arguments for the parameters behind this one that must be there */
     for (const vs_bind_param *q = p + 1; q->mode == VS_ARG_REQUIRED; q++) left++;
@@ -45,9 +46,8 @@ static bool group_numbers(vs_scheme *vm, const vs_form *form, const char *name, 
   return true;
 }
 
-bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
-    size_t room) {
+bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const vs_plain_call *call, char *text, size_t room) {
   for (int i = VS_MAX_FORMS; i-- > 0;) /* the longest form comes last */
-    if (p->form[i].used && group_numbers(vm, &p->form[i], name, a, n, text, room)) return true;
+    if (p->form[i].used && group_numbers(vm, &p->form[i], call, text, room)) return true;
   return false;
 }

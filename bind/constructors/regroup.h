@@ -6,9 +6,9 @@
 
 typedef struct vs_procedure vs_procedure;
 
-/* The call of p, under this name, that was meant where numbers stand for points, gvectors or factors, into text;
- * false: there is none (regroup.c). */
-bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const char *name, const vs_value *a, int n, char *text,
-    size_t room);
+/* A call as it came: the name of the procedure, and its arguments. vs_bind_grouped writes the call of p that was meant
+ * where numbers stand for points, gvectors or factors, into text. False: there is none. */
+typedef struct { const char *name; const vs_value *at; int count; } vs_plain_call;
+bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const vs_plain_call *call, char *text, size_t room);
 
 #endif

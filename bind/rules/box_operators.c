@@ -23,11 +23,15 @@
 
 static vs_vec3 between(vs_vec3 a, vs_vec3 b, double t) { return vs_v3_add(a, vs_v3_scale(vs_v3_sub(b, a), t)); }
 
-/* The part of s from `from` on, `size` long along axis a, of a scope that is `whole` long: child index of count. */
-static vs_scope *part_of(vs_derivation *d, vs_scope *s, const char *op, uint32_t index, uint32_t count, int a,
-                         double from, double size, double whole) {
-  vs_scope *c = vs_rules_child(d, s, (vs_scope_class)s->class_, op, index, count);
+/* A part of a scope that is `whole` long along an axis: it begins at `from`, is `size` long, and becomes child number
+ * index of count. */
+typedef struct { int axis; double whole, from, size; uint32_t index, count; } slice;
+
+static vs_scope *part_of(vs_derivation *d, vs_scope *s, const char *op, const slice *p) {
+  vs_scope *c = vs_rules_child(d, s, (vs_scope_class)s->class_, op, p->index, p->count);
   if (!c) return NULL;
+  int a = p->axis;
+  double from = p->from, size = p->size, whole = p->whole;
   vs_scope_become(c, s);
   if (s->class_ == VS_SCOPE_FFD) {
     double t0 = whole > 0 ? from / whole : 0, t1 = whole > 0 ? (from + size) / whole : 1;
@@ -108,7 +112,7 @@ vs_status vs_p_scope_split(vs_args *f, vs_value *out) {
     double size = p.size + (weight > 0 ? left * p.weight / weight : 0), to = at + size;
     t->rules[i] = p.rule;
     if (size > 0 && p.rule != VS_FALSE) {
-      t->child[i] = part_of(d, s, vs_rules_operator(f), i, (uint32_t)n, axis, at, size, whole);
+      t->child[i] = part_of(d, s, vs_rules_operator(f), &(slice){ axis, whole, at, size, i, (uint32_t)n });
       if (!t->child[i]) return vs_task_drop(d, t), VS_ERROR;
       kept++;
     }
@@ -144,7 +148,7 @@ vs_status vs_p_scope_repeat(vs_args *f, vs_value *out) {
   if (!t) return VS_ERROR;
   t->rules[0] = r[0];
   for (uint32_t i = 0; i < n; i++) {
-    t->child[i] = part_of(d, s, vs_rules_operator(f), i, n, axis, whole * i / n, whole / n, whole);
+    t->child[i] = part_of(d, s, vs_rules_operator(f), &(slice){ axis, whole, whole * i / n, whole / n, i, n });
     if (!t->child[i]) return vs_task_drop(d, t), VS_ERROR;
   }
   *out = r[1];

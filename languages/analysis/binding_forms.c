@@ -23,11 +23,11 @@ static know_index scope_in(form *f, know_index parent, know_scope_kind kind) { r
     kind, f->node); }
 static void word(form *f, know_index node) { know_mark(f->k, node, KNOW_SYNTAX, 0, f->scope); }
 
-/* Walks a procedure's name and its symbol, from the list after define. */
+/* Walks a lambda in scope: its parameters, from `first` on in list, and the forms of its body. */
 static void lambda_into(form *f, know_index list, know_index first, know_index forms, know_index scope,
-    know_index owner, know_arity *arity) {
+                        know_arity *arity) {
   know_index inner = know_scope_new(f->k, scope, KNOW_SCOPE_PROCEDURE, f->node);
-  know_bind_parameters(f->w, list, first, inner, scope, owner, arity);
+  know_bind_parameters(f->w, &(know_parameters){list, first, inner, scope, 0}, arity);
   body(f, forms, inner);
 }
 
@@ -133,13 +133,13 @@ static void walk_COND_EXPAND(form *f) {
 
 static void walk_LAMBDA(form *f) {
   know_arity arity;
-  lambda_into(f, f->second, first_of(f, f->second), f->third, f->scope, 0, &arity);
+  lambda_into(f, f->second, first_of(f, f->second), f->third, f->scope, &arity);
 }
 static void walk_CASE_LAMBDA(form *f) {
   know_arity arity;
   for (know_index i = f->second; i; i = next(f, i)) {
     know_index list = first_of(f, i);
-    if (list) lambda_into(f, list, first_of(f, list), next(f, list), f->scope, 0, &arity);
+    if (list) lambda_into(f, list, first_of(f, list), next(f, list), f->scope, &arity);
   }
 }
 static void walk_ESCAPE(form *f) { /* (let/ec k body ...) */
@@ -153,7 +153,7 @@ static void walk_REC(form *f) {
     know_arity arity;
     know_index name = first_of(f, f->second);
     know_bind(f->w, name, inner, KNOW_FUNCTION, f->node);
-    lambda_into(f, f->second, next(f, name), f->third, inner, 0, &arity);
+    lambda_into(f, f->second, next(f, name), f->third, inner, &arity);
   } else {
     know_bind(f->w, f->second, inner, KNOW_LOCAL, f->node);
     each(f, f->third, inner);
@@ -356,7 +356,7 @@ static void walk_DEFINE(form *f) {
   know_index s = know_bind(f->w, name, f->scope, KNOW_FUNCTION, f->node);
   know_index scope = know_scope_new(k, f->scope, KNOW_SCOPE_PROCEDURE, f->node);
   know_arity arity;
-  know_bind_parameters(f->w, list, next(f, name), scope, f->scope, s, &arity);
+  know_bind_parameters(f->w, &(know_parameters){list, next(f, name), scope, f->scope, s}, &arity);
   if (s) {
     know_symbol *y = &k->symbols[s];
     y->arity = arity, y->parameters = list, y->body = forms;
@@ -364,7 +364,7 @@ static void walk_DEFINE(form *f) {
   }
   while (outer) {
     scope = know_scope_new(k, scope, KNOW_SCOPE_PROCEDURE, f->node);
-    know_bind_parameters(f->w, outer, next(f, first_of(f, outer)), scope, scope, 0, &arity);
+    know_bind_parameters(f->w, &(know_parameters){outer, next(f, first_of(f, outer)), scope, scope, 0}, &arity);
     know_index up = 0; /* the list around it */
     for (know_index i = target; i != outer; i = first_of(f, i)) up = i;
     outer = up;
@@ -381,7 +381,7 @@ static void walk_DEFINE_FUNCTION(form *f) {
   know_index s = know_bind(f->w, name, f->scope, KNOW_FUNCTION, f->node);
   know_index scope = know_scope_new(f->k, f->scope, KNOW_SCOPE_PROCEDURE, f->node);
   know_arity arity;
-  know_bind_parameters(f->w, f->second, next(f, name), scope, f->scope, s, &arity);
+  know_bind_parameters(f->w, &(know_parameters){f->second, next(f, name), scope, f->scope, s}, &arity);
   for (know_index i = f->third; i; i = next(f, i)) {
     know_index range = next(f, i);
     if (f->k->nodes[i].kind != KNOW_KEYWORD) {
@@ -400,10 +400,10 @@ static void walk_DEFINE_VALUES(form *f) {
   each(f, f->third, f->scope);
 }
 /* Returns a name that the form composes. The text does not contain it, so its place is that of the form's name. */
-static know_index derived(form *f, know_index place, know_index scope, const char *a, const char *b, const char *c,
-    const char *d) {
+static know_index derived(form *f, know_index place, const char *a, const char *b, const char *c) {
   char text[256];
-  int n = snprintf(text, sizeof text, "%s%s%s%s", a, b, c, d);
+  know_index scope = f->scope;
+  int n = snprintf(text, sizeof text, "%s%s%s", a, b, c);
   know_index name = n > 0 && n < (int)sizeof text ? know_name_of(f->k, text, (size_t)n, 0, 0) : 0;
   if (!name || know_bound_in(f->k, scope, name)) return 0;
   know_index s = know_symbol_new(f->k, scope, name, KNOW_FIELD);
@@ -445,17 +445,17 @@ static void walk_STRUCT(form *f) {
   know_index s = 0;
   know_arity all = {.least = fields, .most = fields, .known = true}, one_each = {.least = 1, .most = 1, .known = true};
   if (know_is(f->k, f->head, "struct")) s = know_bind(f->w, f->second, f->scope, KNOW_FIELD, f->node);
-  else know_mark(f->k, f->second, KNOW_DATUM, 0, f->scope), s = derived(f, f->second, f->scope, "make-", type, "", "");
+  else know_mark(f->k, f->second, KNOW_DATUM, 0, f->scope), s = derived(f, f->second, "make-", type, "");
   if (s) f->k->symbols[s].arity = all, f->k->symbols[s].parameters = f->third;
-  if ((s = derived(f, f->second, f->scope, type, "?", "", "")) != 0) f->k->symbols[s].arity = one_each;
+  if ((s = derived(f, f->second, type, "?", "")) != 0) f->k->symbols[s].arity = one_each;
   for (know_index i = first_of(f, f->third); i; i = next(f, i)) {
     know_index field = is_list(f, i) ? first_of(f, i) : i;
     if (!is_symbol(f, field)) continue;
     know_mark(f->k, field, KNOW_DATUM, 0, f->scope);
-    if ((s = derived(f, field, f->scope, type, "-", text_of(f, field), "")) != 0) f->k->symbols[s].arity = one_each;
+    if ((s = derived(f, field, type, "-", text_of(f, field))) != 0) f->k->symbols[s].arity = one_each;
     char setter[256];
     snprintf(setter, sizeof setter, "set-%s-%s!", type, text_of(f, field));
-    s = derived(f, field, f->scope, setter, "", "", "");
+    s = derived(f, field, setter, "", "");
     if (s) f->k->symbols[s].arity = (know_arity){.least = 2, .most = 2, .known = true};
   }
 }
@@ -482,16 +482,16 @@ static void walk_DEFINE_PRIMITIVE(form *f) {
   know_index scope = know_scope_new(f->k, f->scope, KNOW_SCOPE_PROCEDURE, f->node), s;
   know_arity arity;
   if (called) s = know_bind(f->w, name, f->scope, KNOW_FUNCTION, f->node);
-  else know_mark(f->k, name, KNOW_DATUM, 0, f->scope), s = derived(f, name, f->scope, "make-", plain, "", "");
+  else know_mark(f->k, name, KNOW_DATUM, 0, f->scope), s = derived(f, name, "make-", plain, "");
   know_index fields = called ? next(f, name) : f->third;
-  know_bind_parameters(f->w, called ? f->second : 0, fields, scope, f->scope, s, &arity);
+  know_bind_parameters(f->w, &(know_parameters){called ? f->second : 0, fields, scope, f->scope, s}, &arity);
   if (s) f->k->symbols[s].arity = arity, f->k->symbols[s].parameters = called ? f->second : 0,
       f->k->symbols[s].body = called ? f->third : 0;
-  derived(f, name, f->scope, plain, "?", "", "");
+  derived(f, name, plain, "?", "");
   for (know_index i = fields; i; i = next(f, i)) {
     know_index field = is_list(f, i) ? first_of(f, i) : i;
     if (!is_symbol(f, field) || f->k->nodes[i].kind == KNOW_KEYWORD) continue;
-    derived(f, field, f->scope, plain, "-", text_of(f, field), "");
+    derived(f, field, plain, "-", text_of(f, field));
     know_index p = know_bound_in(f->k, scope, f->k->nodes[field].name);
     if (p) know_use_add(f->k, p, know_written(f->k, field), KNOW_REFERENCE, false); /* the object stores it */
   }
@@ -516,7 +516,7 @@ static void walk_DEFINE_RULE(form *f) {
   know_index s = know_bind(f->w, name, f->scope, KNOW_RULE, f->node), scope = know_scope_new(f->k, f->scope,
       KNOW_SCOPE_PROCEDURE, f->node);
   know_arity arity;
-  know_bind_parameters(f->w, f->second, next(f, name), scope, f->scope, s, &arity);
+  know_bind_parameters(f->w, &(know_parameters){f->second, next(f, name), scope, f->scope, s}, &arity);
   know_index self = next(f, name), self_name = is_list(f, self) ? first_of(f, self) : self;
   know_index p = is_symbol(f, self_name) ? know_bound_in(f->k, scope, f->k->nodes[self_name].name) : 0;
   if (p) know_use_add(f->k, p, know_written(f->k, self_name), KNOW_REFERENCE, false);

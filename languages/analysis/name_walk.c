@@ -147,23 +147,25 @@ know_index know_bind(know_walk *w, know_index node, know_index scope, know_symbo
   return s;
 }
 
-static void parameter(know_walk *w, know_index node, know_index scope, know_index outside, know_index owner,
-    bool optional, bool rest, know_arity *arity, bool keyword) {
+typedef enum { PLAIN, KEYWORD, REST } parameter_mode;
+
+static void parameter(know_walk *w, const know_parameters *p, know_index node, parameter_mode mode, know_arity *arity) {
   knowledge *k = w->k;
+  bool keyword = mode == KEYWORD, rest = mode == REST;
   know_index name = node, contract = 0, fallback = 0;
   if (k->nodes[node].kind == KNOW_LIST) {
     name = k->nodes[node].first, contract = know_nth(k, node, 1), fallback = know_nth(k, node, 2);
   }
-  know_index s = know_bind(w, name, scope, KNOW_PARAMETER, node);
+  know_index s = know_bind(w, name, p->scope, KNOW_PARAMETER, node);
   if (s) {
-    k->symbols[s].owner = owner;
-    k->symbols[s].optional = optional || rest || fallback || keyword;
+    k->symbols[s].owner = p->owner;
+    k->symbols[s].optional = rest || fallback || keyword;
     k->symbols[s].checked = contract != 0 && !know_is(k, contract, "any?");
     k->symbols[s].parameters = contract;
     k->symbols[s].value = fallback;
   }
-  if (contract) know_later(w, KNOW_TASK_EXPRESSION, contract, outside);
-  if (fallback) know_later(w, KNOW_TASK_EXPRESSION, fallback, scope);
+  if (contract) know_later(w, KNOW_TASK_EXPRESSION, contract, p->outside);
+  if (fallback) know_later(w, KNOW_TASK_EXPRESSION, fallback, p->scope);
   if (rest) arity->most = UINT32_MAX;
   else if (!keyword) {
     if (!fallback) arity->least++;
@@ -171,24 +173,24 @@ static void parameter(know_walk *w, know_index node, know_index scope, know_inde
   }
 }
 
-void know_bind_parameters(know_walk *w, know_index list, know_index first, know_index scope, know_index outside,
-    know_index owner, know_arity *arity) {
+void know_bind_parameters(know_walk *w, const know_parameters *p, know_arity *arity) {
   knowledge *k = w->k;
+  know_index list = p->list;
   *arity = (know_arity){.known = true, .keywords = list};
   if (list && k->nodes[list].kind == KNOW_SYMBOL) {
-    parameter(w, list, scope, outside, owner, true, true, arity, false);
+    parameter(w, p, list, REST, arity);
     return;
   }
   bool keyword = false;
-  for (know_index i = first; i; i = k->nodes[i].next) {
+  for (know_index i = p->first; i; i = k->nodes[i].next) {
     bool rest = list && k->nodes[list].dotted && !k->nodes[i].next;
     if (k->nodes[i].kind == KNOW_KEYWORD) {
-      know_mark(k, i, KNOW_SYNTAX, 0, scope);
+      know_mark(k, i, KNOW_SYNTAX, 0, p->scope);
       arity->any_keyword = true;
       keyword = true;
       continue;
     }
-    parameter(w, i, scope, outside, owner, keyword, rest, arity, keyword);
+    parameter(w, p, i, rest ? REST : keyword ? KEYWORD : PLAIN, arity);
     keyword = false;
   }
 }

@@ -27,11 +27,11 @@ void know_later_body(know_walk *w, know_index first, know_index scope);
 /* Binds the name at the node; returns 0 if it is not a name. A second definition in one scope returns the first's
  * symbol. */
 know_index know_bind(know_walk *w, know_index node, know_index scope, know_symbol_kind kind, know_index form);
-/* Binds the names of a parameter list (count elements from `first` on, or a lone name) in scope, and walks contracts in
- * `outside`. rest: the node itself is a name for all arguments. Sets the arity. */
-void know_bind_parameters(know_walk *w, know_index list, know_index first, know_index scope, know_index outside,
-    know_index owner,
-                          know_arity *arity);
+/* A parameter list: its node, a lone name for all arguments or a list whose parameters begin at `first`; the scope of
+ * its names; the scope of its contracts, `outside`; the procedure's symbol, or 0. */
+typedef struct { know_index list, first, scope, outside, owner; } know_parameters;
+/* Binds the names of a parameter list, and walks its contracts. Sets the arity. */
+void know_bind_parameters(know_walk *w, const know_parameters *p, know_arity *arity);
 /* Marks a tree as data. */
 void know_mark_data(knowledge *k, know_index node, know_role role);
 void know_mark(knowledge *k, know_index node, know_role role, know_index symbol, know_index scope);

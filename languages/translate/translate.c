@@ -18,11 +18,12 @@ const char *know_languages(void) {
       ;
 }
 
-char *know_translate(knowledge *k, const char *language, unsigned segments, const know_setting *settings,
-                     size_t setting_count, know_complain *complain, void *context, size_t *length) {
-  translation t = {.k = k, .target = tr_target_named(language), .settings = settings, .setting_count = setting_count};
-  char *text = tr_write_program(&t, segments, length);
-  for (size_t i = 0; i < t.complaint_count; i++) complain(context, &t.complaints[i].at, t.complaints[i].text);
+char *know_translate(knowledge *k, const know_translation *wanted, size_t *length) {
+  translation t = {.k = k, .target = tr_target_named(wanted->language), .settings = wanted->settings,
+                   .setting_count = wanted->setting_count};
+  char *text = tr_write_program(&t, wanted->segments, length);
+  for (size_t i = 0; i < t.complaint_count; i++)
+    wanted->complain(wanted->context, &t.complaints[i].at, t.complaints[i].text);
   if (t.complaint_count && !*k->trouble) k->outcome = VS_OUTCOME_MODEL;
   free(t.nodes);
   free(t.variables);

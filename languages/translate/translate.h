@@ -6,14 +6,21 @@
 
 typedef void know_complain(void *context, const know_place *at, const char *text);
 
+/* The order for a translation: the language, the facets of a full turn, the parameters that are set, and the receiver
+ * of complaints. */
+typedef struct {
+  const char *language;
+  unsigned segments;
+  const know_setting *settings; size_t setting_count;
+  know_complain *complain; void *context;
+} know_translation;
+
 /* Returns the name of the language with that name, or with the ending of the path; NULL: none. */
 const char *know_language(const char *name, const char *path);
 /* Returns the names of all languages, separated by blanks. */
 const char *know_languages(void);
-/* Returns the program in that language, with this number of facets for a full turn and these parameters: *length bytes,
- * which the caller frees. NULL: complain has received each part that the language cannot express, with its place, in
- * the order of the text; or k->trouble has the reason. */
-char *know_translate(knowledge *k, const char *language, unsigned segments, const know_setting *settings,
-                     size_t setting_count, know_complain *complain, void *context, size_t *length);
+/* Returns the program in that language: *length bytes, which the caller frees. NULL: complain has received each part
+ * that the language cannot express, with its place, in the order of the text; or k->trouble has the reason. */
+char *know_translate(knowledge *k, const know_translation *wanted, size_t *length);
 
 #endif

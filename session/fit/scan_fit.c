@@ -240,13 +240,13 @@ static bool take_parameters(job *j, const vs_fit_options *o, vs_fit_number **num
     if (known) continue;
     char text[200];
     snprintf(text, sizeof text, "the model has no parameter %.100s that could be held", o->held[i]);
-    return vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, j->model, 0, 0, text), false;
+    return vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ .file = j->model }, text), false;
   }
   const char *unused = vs_parameter_unused(j->vm, 0);
   if (unused) {
     char text[200];
     snprintf(text, sizeof text, "the model has no parameter %.100s, which was set", unused);
-    return vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, j->model, 0, 0, text), false;
+    return vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ .file = j->model }, text), false;
   }
   if (f->number_count || !o->placed) return true;
   const char *why =
@@ -255,7 +255,7 @@ static bool take_parameters(job *j, const vs_fit_options *o, vs_fit_number **num
           "and 5 is not"
         : "nothing is there to fit: the scan is placed, and the model has no parameters; (define-parameter height 5.0) "
           "makes one";
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, j->model, 0, 0, why);
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ .file = j->model }, why);
   return false;
 }
 
@@ -271,7 +271,7 @@ static vs_outcome read_scan(job *j, const char *path, const vs_fit_options *o) {
   vs_error e = { 0 };
   vs_face_list read = { 0 };
   if (!vs_mesh_file_is(path)) {
-    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0,
+    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ .file = path },
                          "a scan's name ends in .ply, .obj, .off or .stl");
     return VS_OUTCOME_USAGE;
   }
@@ -289,17 +289,18 @@ static vs_outcome read_scan(job *j, const char *path, const vs_fit_options *o) {
   const vs_scan_points *scan = &j->f->scan;
   char text[160];
   if (scan->nowhere && scan->nowhere == scan->file.point_count) {
-    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, "no point of the scan has a finite place");
+    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ .file = path },
+                         "no point of the scan has a finite place");
     return VS_OUTCOME_USAGE;
   }
   if (!scan->file.point_count) {
-    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, "the scan has no points");
+    vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ .file = path }, "the scan has no points");
     return VS_OUTCOME_USAGE;
   }
   if (scan->nowhere) {
     snprintf(text, sizeof text, "%zu of %zu points have no finite place and are left out", scan->nowhere,
              scan->file.point_count);
-    vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, path, 0, 0, text);
+    vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, (vs_span){ .file = path }, text);
   }
   return VS_OUTCOME_DONE;
 }
@@ -307,7 +308,7 @@ static vs_outcome read_scan(job *j, const char *path, const vs_fit_options *o) {
 /* ---- what is doubtful ---- */
 
 static void warn(const job *j, const char *text) {
-  vs_session_report_at(j->session, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, j->model, 0, 0, text);
+  vs_session_report_at(j->session, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, (vs_span){ .file = j->model }, text);
 }
 
 /* The names of the parameters in this state, with commas. False: there are none. */
@@ -365,7 +366,7 @@ static void warn_all(const job *j, const vs_fit_result *r) {
   }
   if (names_of(f, VS_FIT_NO_NUMBER, names)) {
     snprintf(text, sizeof text, "not fitted, because the default is no real number (5.0 is one, 5 is not): %s", names);
-    vs_session_report_at(j->session, VS_SEVERITY_NOTE, VS_OUTCOME_DONE, j->model, 0, 0, text);
+    vs_session_report_at(j->session, VS_SEVERITY_NOTE, VS_OUTCOME_DONE, (vs_span){ .file = j->model }, text);
   }
 }
 
@@ -476,11 +477,11 @@ static vs_outcome conclude(job *j, const vs_fit_result *r) {
     else
       snprintf(text, sizeof text, "interrupted: what follows is the best so far");
     vs_outcome outcome = j->late ? VS_OUTCOME_MACHINE : VS_OUTCOME_INTERRUPTED;
-    vs_session_report_at(s, VS_SEVERITY_ERROR, outcome, NULL, 0, 0, text);
+    vs_session_report_at(s, VS_SEVERITY_ERROR, outcome, (vs_span){ 0 }, text);
     return outcome;
   }
   if (!tell_doubt(j, r, text)) return VS_OUTCOME_DONE;
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MODEL, j->model, 0, 0, text);
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MODEL, (vs_span){ .file = j->model }, text);
   return VS_OUTCOME_MODEL;
 }
 
@@ -527,13 +528,14 @@ vs_outcome vs_fit(vs_scheme *vm, const char *model, const char *scan, const vs_f
     *out = (vs_fit_result){ 0 };
     vs_session_free_fit(s);
     if (j.late) {
-      vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, model, 0, 0,
+      vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_MACHINE, (vs_span){ .file = model },
                            "the limit of time passed before anything was fitted");
       return VS_OUTCOME_MACHINE;
     }
     if (e.kind != VS_ERROR_FILE && e.kind != VS_ERROR_MODEL) return vs_session_report_error(s, &e);
     outcome = e.kind == VS_ERROR_FILE ? VS_OUTCOME_USAGE : VS_OUTCOME_MODEL;
-    vs_session_report_at(s, VS_SEVERITY_ERROR, outcome, e.kind == VS_ERROR_FILE ? scan : model, 0, 0, e.message);
+    vs_session_report_at(s, VS_SEVERITY_ERROR, outcome, (vs_span){ .file = e.kind == VS_ERROR_FILE ? scan : model },
+                         e.message);
     return outcome;
   }
   return conclude(&j, out);
@@ -587,7 +589,7 @@ static bool write_file(void *context, const char *text, size_t length) {
 }
 
 static vs_outcome file_failed(vs_session *s, const char *path, const char *why) {
-  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, path, 0, 0, why);
+  vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ .file = path }, why);
   return VS_OUTCOME_USAGE;
 }
 

@@ -156,12 +156,15 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
 }
 
 /* Writes numbers as false colours by their logarithm, with a legend, and says its ends. */
-static bool write_scaled(vs_session *s, vs_exr *x, const char *to, const float *at, const char *unit, double *least,
-                         double *most, vs_error *e) {
-  vs_color_scale scale = vs_color_scale_of(at, (size_t)x->columns * x->rows, true, unit);
-  if (least) *least = scale.least;
-  if (most) *most = scale.most;
-  return write_false(s, to, at, x, &scale, e);
+/* What a picture in false colours shows: a number for each pixel, their unit, and where the ends of its scale go, or
+ * NULL. */
+typedef struct { const float *at; const char *unit; double *least, *most; } quantity;
+
+static bool write_scaled(vs_session *s, vs_exr *x, const char *to, const quantity *q, vs_error *e) {
+  vs_color_scale scale = vs_color_scale_of(q->at, (size_t)x->columns * x->rows, true, q->unit);
+  if (q->least) *q->least = scale.least;
+  if (q->most) *q->most = scale.most;
+  return write_false(s, to, q->at, x, &scale, e);
 }
 
 vs_outcome vs_picture_false_color(vs_scheme *vm, const char *from, const char *to, double unit, double *least,
@@ -177,7 +180,7 @@ vs_outcome vs_picture_false_color(vs_scheme *vm, const char *from, const char *t
   for (size_t i = 0; ok && i < vs_light_pixels(&light); i++)
     at[i] = (float)(unit * (vs_raster_share[0] * (double)light.red[i] + vs_raster_share[1] * (double)light.green[i] +
                             vs_raster_share[2] * (double)light.blue[i]));
-  ok = ok && write_scaled(s, &x, to, at, "cd/m2", least, most, &e);
+  ok = ok && write_scaled(s, &x, to, &(quantity){ at, "cd/m2", least, most }, &e);
   vs_exr_free(&x);
   return end(s, ok, &e);
 }
@@ -203,7 +206,7 @@ vs_outcome vs_picture_illuminance(vs_scheme *vm, const char *from, const char *t
   }
   if (ok && !floors)
     ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s shows no floor: nothing that looks up", bare(from));
-  ok = ok && write_scaled(s, &x, to, at, "lx", least, most, &e);
+  ok = ok && write_scaled(s, &x, to, &(quantity){ at, "lx", least, most }, &e);
   vs_exr_free(&x);
   return end(s, ok, &e);
 }

@@ -20,7 +20,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   vs_text once, again;
   size_t used;
   if (!vs_check_utf8(s, text, size, 0, 1)) return 0; /* nothing below is handed what is no text */
-  vs_read_all(s, text, size, 0, 1, size % 2, &r[0]);
+  vs_read_all(s, &(vs_passage){ text, size, 1 }, 0, size % 2, &r[0]);
   if (!vs_read_datum(s, text, size, &r[0], &used)) return 0;
   if (used > size) abort();
   if (r[0] == VS_EOF || data[size / 2] % 4 || !written(s, r[0], &once)) return 0;

@@ -42,7 +42,7 @@ static int drop_prelude(void **state) { (void)state; free(prelude); return 0; }
 static void run(vs_scheme *vm, const char *program, char *out, size_t room) {
   vs_value last;
   out[0] = 0;
-  if (vs_program_text(vm, "p.vs", 1, program, strlen(program), false, &last)) return;
+  if (vs_program_text(vm, "p.vs", &(vs_passage){ program, strlen(program), 1 }, false, &last)) return;
   assert_true(vs_is(vm->condition, VS_T_CONDITION));
   vs_text t;
   vs_text_open(vm, &t, 0);
@@ -128,7 +128,7 @@ static void check_places(vs_scheme *vm) {
   VS_ROOTS(vm, r, 2);
   const char *text = "\n (a \xC3\xA4 (b\n  c))";
   uint32_t file;
-  assert_true(vs_file_number(vm, "p.vs", 4, &file) && vs_read_all(vm, text, strlen(text), file, 1, false, &r[0]));
+  assert_true(vs_file_number(vm, "p.vs", 4, &file) && vs_read_all(vm, &(vs_passage){ text, strlen(text), 1 }, file, false, &r[0]));
   vs_value form = vs_car(r[0]);
   assert_true(vs_pair_pos(form) == vs_pos_make(file, 2, 2));
   assert_true(vs_pair_pos(vs_cdr(vs_cdr(form))) == vs_pos_make(file, 2, 7));          /* columns count characters */
@@ -138,7 +138,7 @@ static void check_places(vs_scheme *vm) {
   assert_non_null(deep);
   memset(deep, '(', DEPTH);
   memset(deep + DEPTH, ')', DEPTH);
-  assert_true(vs_read_all(vm, deep, 2 * DEPTH, file, 1, false, &r[0]));
+  assert_true(vs_read_all(vm, &(vs_passage){ deep, 2 * DEPTH, 1 }, file, false, &r[0]));
   size_t depth = 0;
   for (vs_value v = vs_car(r[0]); vs_is_pair(v); v = vs_car(v)) depth++;
   assert_int_equal(depth, DEPTH - 1);
@@ -162,11 +162,11 @@ static void test_no_memory(void **state) {
   vs_value last;
   for (size_t n = 1; n < 100000; n += n < 200 ? 1 : 7) {
     vs_gc_fail_after(vm, n);
-    bool ok = vs_program_text(vm, "p.vs", 1, program, strlen(program), false, &last);
+    bool ok = vs_program_text(vm, "p.vs", &(vs_passage){ program, strlen(program), 1 }, false, &last);
     vs_gc_fail_after(vm, 0);
     if (ok) break;
   }
-  assert_true(vs_program_text(vm, "p.vs", 1, program, strlen(program), false, &last));
+  assert_true(vs_program_text(vm, "p.vs", &(vs_passage){ program, strlen(program), 1 }, false, &last));
   vs_close_vm(vm);
 }
 

@@ -30,7 +30,7 @@ static const char *run(vs_scheme *vm, const char *text) {
   vs_value v = VS_FALSE;
   vs_text t;
   vs_text_open(vm, &t, 0);
-  bool ok = vs_program_text(vm, "test", 1, text, strlen(text), false, &v);
+  bool ok = vs_program_text(vm, "test", &(vs_passage){ text, strlen(text), 1 }, false, &v);
   if (!ok) vs_text_puts(&t, "error: ");
   assert_true((ok ? vs_print(vm, v, VS_PRINT_WRITE, &t) : vs_print_condition(vm, vm->condition, &t)) && vs_text_end(&t));
   snprintf(out, sizeof out, "%s", t.at);
@@ -229,7 +229,7 @@ static void each_allocation_fails(void **state) {
     vs_value v;
     assert_true(vs_program_new(vm, &vm->at.program));
     vs_gc_fail_after(vm, i);
-    bool ok = vs_program_text(vm, "test", 1, task, sizeof task - 1, false, &v);
+    bool ok = vs_program_text(vm, "test", &(vs_passage){ task, sizeof task - 1, 1 }, false, &v);
     bool reached = vm->fail_after == 0;
     vs_gc_fail_after(vm, 0);
     if (!reached) { assert_true(ok); break; }

@@ -168,12 +168,15 @@ static bool near(compiler *c, uint32_t *reg, unsigned i) {
   return true;
 }
 
-static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint32_t to, uint32_t b, uint32_t cc,
-                          bool b_reg, bool c_reg) {
+/* The operands b and c of an instruction, and how many of them are registers: the first ones. */
+typedef struct { uint32_t b, c; unsigned registers; } operands;
+
+static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint32_t to, operands o) {
   uint32_t target = to;
   if (to >= VS_NEAR) target = VS_NEAR + 4;
-  if ((b_reg && !near(c, &b, 1)) || (c_reg && !near(c, &cc, 2)) || !stands_for(c, n)) return false;
-  if (!vs_emit_word(&c->e, VS_INS(op, target, b, cc))) return false;
+  if ((o.registers > 0 && !near(c, &o.b, 1)) || (o.registers > 1 && !near(c, &o.c, 2)) || !stands_for(c, n))
+    return false;
+  if (!vs_emit_word(&c->e, VS_INS(op, target, o.b, o.c))) return false;
   if (target == to) return true;
   if (c->e.most < VS_FAR) c->e.most = VS_FAR;
   return vs_emit_word(&c->e, VS_INSX(VS_O_FARSTORE, target, to));
@@ -220,13 +223,13 @@ static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
         for (uint32_t i = 0; i < row->args - (imm ? 1u : 0u); i++)
           if (!operand_of(c, n, i, &r[i])) return false;
         if (!landing(c, to, &target)) return false;
-        if (imm ? !emit_value_op(c, n, row->immediate, target, r[0], bits, true, false)
-                : !emit_value_op(c, n, row->op, target, r[0], row->args == 2 ? r[1] : 0, true, row->args == 2))
-          return false;
+        bool two = row->args == 2 && !imm;
+        operands o = {r[0], imm ? bits : two ? r[1] : 0, two ? 2 : 1};
+        if (!emit_value_op(c, n, imm ? row->immediate : row->op, target, o)) return false;
       } else if (n->count > (row->args == VS_ANY_COUNT ? 0 : 2) && n->count < 64 && row->many != VS_O_NONE) {
         if (!in_a_row(c, n, &first, done)) return false;
         if (!*done) return true;
-        if (!landing(c, to, &target) || !emit_value_op(c, n, row->many, target, first, n->count, false, false))
+        if (!landing(c, to, &target) || !emit_value_op(c, n, row->many, target, (operands){first, n->count, 0}))
           return false;
       }
       break;
@@ -312,7 +315,7 @@ static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
       if (n->count != 1) return true;
       *done = true;
       if (!operand_of(c, n, 0, &r[0]) || !landing(c, to, &target) ||
-          !emit_value_op(c, n, row->op, target, r[0], native->inlined_arg, true, false)) return false;
+          !emit_value_op(c, n, row->op, target, (operands){r[0], native->inlined_arg, 1})) return false;
       break;
   }
   if (*done && !finish(c, target, to)) return false;

@@ -379,8 +379,8 @@ static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping,
   }
 }
 
-bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool whole, vs_value *clash,
-                           bool *own) {
+bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, vs_value *clash, bool *own) {
+  bool whole = from == vm->at.core && mapping == VS_TRUE;
   VS_ROOTS(vm, r, 4);
   VS_ASSERT(vs_is_top(env) && vs_is_top(from));
   r[0] = env; r[1] = from; r[2] = mapping;

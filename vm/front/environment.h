@@ -62,12 +62,11 @@ vs_intake vs_environment_intake(vs_value env);
 /* env is a top-level environment. */
 void vs_environment_set_intake(vs_value env, vs_intake intake);
 
-/* mapping #t or a table from local name to its name in `from`. whole: `from` is the whole library, which gives way to
-   everything else.
+/* mapping #t or a table from local name to its name in `from`. The whole library (vm->at.core, mapping #t) gives
+   way to everything else.
    *clash: VS_VACANT, or a name that cannot be imported because it means something else already; *own: by a definition
    *of env's own. Both are top-level environments. */
-bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool whole, vs_value *clash,
-                           bool *own);
+bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, vs_value *clash, bool *own);
 void vs_environment_forget_imports(vs_value env);
 static inline bool vs_is_top(vs_value env) { return vs_as_environment(env)->parent == VS_FALSE; }
 

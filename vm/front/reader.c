@@ -720,20 +720,20 @@ static bool resolve_labels(reader *r, vs_value *root) {
 }
 
 /* ---- whole texts ---- */
-static bool start(reader *r, vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool located) {
+static bool start(reader *r, vs_scheme *vm, const vs_passage *text, uint32_t file, bool located) {
   memset(r, 0, sizeof *r);
   r->vm = vm;
-  r->text = text;
-  r->size = size;
+  r->text = text->at;
+  r->size = text->size;
   r->file = file;
-  r->line = line;
+  r->line = text->line;
   r->located = located;
   r->col = 1;
   r->blank_line = true;
   r->labels = VS_NIL;
   r->roots = (struct vs_roots){NULL, vm, NULL, 0};
   vs_gc_link(&r->roots);
-  if (size >= 3 && !memcmp(text, "\xEF\xBB\xBF", 3)) r->at = r->line_start = r->col_at = 3;
+  if (r->size >= 3 && !memcmp(r->text, "\xEF\xBB\xBF", 3)) r->at = r->line_start = r->col_at = 3;
   return true;
 }
 
@@ -787,13 +787,13 @@ static bool report(reader *r) {
   return false;
 }
 
-static bool read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold, bool anew,
-                     bool *again, vs_value *forms) {
+/* *anew: the text is read a second time; then, whether it must be. */
+static bool read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, bool *anew, vs_value *forms) {
   VS_ROOTS(vm, v, 3);                                  /* head, last, datum */
   reader r;
-  start(&r, vm, text, size, file, line, true);
+  start(&r, vm, text, file, true);
   r.fold = fold;
-  r.anew = anew;
+  r.anew = *anew;
   struct vs_roots labels = {NULL, vm, &r.labels, 1};
   labels.next = vm->roots;
   vm->roots = &labels;
@@ -823,24 +823,22 @@ static bool read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file
     vs_fail_at(vm, vm->sym.memory, reached, VS_NIL, "out of memory");
     vm->over_limit = over_limit;
   }
-  *again = ok && r.left_open && !anew;
-  if (ok && r.problems) return *again ? false : report(&r);
+  *anew = ok && r.left_open && !*anew;
+  if (ok && r.problems) return *anew ? false : report(&r);
   *forms = v[0];
   return ok;
 }
 
-bool vs_read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold,
-                 vs_value *forms) {
-  bool again;
-  if (!vs_check_utf8(vm, text, size, file, line)) return false;
-  return read_all(vm, text, size, file, line, fold, false, &again, forms) ||
-         (again && read_all(vm, text, size, file, line, fold, true, &again, forms));
+bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, vs_value *forms) {
+  bool anew = false;
+  if (!vs_check_utf8(vm, text->at, text->size, file, text->line)) return false;
+  return read_all(vm, text, file, fold, &anew, forms) || (anew && read_all(vm, text, file, fold, &anew, forms));
 }
 
 bool vs_read_datum(vs_scheme *vm, const char *text, size_t size, vs_value *out, size_t *used) {
   VS_ROOTS(vm, v, 1);
   reader r;
-  start(&r, vm, text, size, 0, 1, false);
+  start(&r, vm, &(vs_passage){text, size, 1}, 0, false);
   struct vs_roots labels = {NULL, vm, &r.labels, 1};
   labels.next = vm->roots;
   vm->roots = &labels;

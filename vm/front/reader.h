@@ -8,6 +8,9 @@
 
 #include "vm/machine/native.h"
 
+/* A text that is read: so many bytes, without NUL; and the number of its first line in its file. */
+typedef struct vs_passage { const char *at; size_t size; uint32_t line; } vs_passage;
+
 /* The number of a source file in positions; the same name gives the same number. */
 bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *number);
 
@@ -15,10 +18,8 @@ bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *num
 bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line);
 
 /* All data of a text, in order, as one located list. A text with mistakes gives one condition of kind `read` for the
-   first; its payload is a list of (place . message) of the others, in order. `line` is the number of the text's first
-   line; fold: as after #!fold-case. */
-bool vs_read_all(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, bool fold,
-                 vs_value *forms);
+   first; its payload is a list of (place . message) of the others, in order. fold: as after #!fold-case. */
+bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, vs_value *forms);
 
 /* The first datum of a text, unlocated, or VS_EOF. *used: bytes up to its end. */
 bool vs_read_datum(vs_scheme *vm, const char *text, size_t size, vs_value *out, size_t *used);

@@ -181,13 +181,13 @@ static bool in_circle(const vs_scheme *vm, uint32_t file, uint32_t from) {
 }
 
 /* ---- reading ---- */
-bool vs_source_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold,
-                      vs_value *forms) {
+bool vs_source_text(vs_scheme *vm, const char *name, const vs_passage *text, bool fold, vs_value *forms) {
   uint32_t file;
   vs_vm_phase was = vs_enter_phase(vm, VS_VM_READ);
   const front_end *other = front_end_of(name);
   bool ok = vs_file_number(vm, name, strlen(name), &file) && note_included(vm, file, 0) &&
-      (other ? other->read(vm, text, size, file, line, forms) : vs_read_all(vm, text, size, file, line, fold, forms));
+            (other ? other->read(vm, text->at, text->size, file, text->line, forms)
+                   : vs_read_all(vm, text, file, fold, forms));
   vs_enter_phase(vm, was);
   return ok;
 }
@@ -207,13 +207,16 @@ bool vs_source_include(vs_scheme *vm, vs_value name, uint32_t from, bool fold, v
 bool vs_source_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms) {
   VS_ROOTS(vm, r, 1);
   const vs_shipped *shipped = vs_source_is_shipped(path) ? vs_source_shipped(vm, path + sizeof SHIPPED - 1) : NULL;
-  if (shipped) return vs_source_text(vm, path, 1, shipped->text, (size_t)(shipped->end - shipped->text), fold, forms);
+  if (shipped) {
+    const vs_passage whole = {shipped->text, (size_t)(shipped->end - shipped->text), 1};
+    return vs_source_text(vm, path, &whole, fold, forms);
+  }
   if (!vs_io_read_file(vm, path, &r[0])) return false;
   size_t size = (size_t)vs_as_bytes(r[0])->length;
   char *text = vs_mem(vm, NULL, 0, size + 1);        /* the reader allocates, the bytes may move */
   if (!text) return false;
   memcpy(text, vs_as_bytes(r[0])->at, size);
-  bool ok = vs_source_text(vm, path, 1, text, size, fold, forms);
+  bool ok = vs_source_text(vm, path, &(vs_passage){text, size, 1}, fold, forms);
   vs_mem(vm, text, size + 1, 0);
   return ok;
 }

@@ -4,6 +4,8 @@
 
 #include "vm/values/text.h"
 
+typedef struct vs_passage vs_passage;
+
 /* A source file that is part of the program: read when something imports it, never run before. The last has no name. */
 typedef struct vs_shipped { const char *name /* "srfi/13.sld" */, *text, *end; } vs_shipped;
 /* Does a path name such a file? They are looked for last, and called library:srfi/13.sld. */
@@ -32,8 +34,7 @@ const char *vs_source_language(const char *name);
    its colon. */
 const char *vs_source_said(vs_scheme *vm, const char *name, vs_pos place);
 
-/* The forms of a text that a file of this name holds; `line` is the number of its first line. */
-bool vs_source_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool fold,
-                    vs_value *forms);
+/* The forms of a text (reader.h) that a file of this name holds. */
+bool vs_source_text(vs_scheme *vm, const char *name, const vs_passage *text, bool fold, vs_value *forms);
 
 #endif

@@ -73,7 +73,7 @@ static bool native_data(const native_names *n, const vs_item *item, uint32_t fil
   memset(text, ' ', indent);
   memcpy(text + indent, n->k->s->texts + item->a, item->b);
   text[size] = 0;
-  bool ok = vs_read_all(n->vm, text, size, file, item->line, false, forms);
+  bool ok = vs_read_all(n->vm, &(vs_passage){ text, size, item->line }, file, false, forms);
   vs_mem(n->vm, text, size + 1, 0);
   return ok && rename_names(n, *forms);
 }

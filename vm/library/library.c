@@ -62,7 +62,7 @@ static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, v
   r[0] = name;
   vs_value clash;
   bool own;
-  if (!vs_environment_import(vm, env, from, mapping, from == vm->at.core && mapping == VS_TRUE, &clash, &own))
+  if (!vs_environment_import(vm, env, from, mapping, &clash, &own))
     return false;
   if (clash == VS_VACANT) return true;
   vs_text t;

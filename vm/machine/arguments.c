@@ -80,12 +80,19 @@ static const char *want_keywords(const vs_value *names, size_t count, wanted *w)
   return w->text + 2; /* without the parenthesis that a list of names begins with */
 }
 
-/* names: what is asked for; keywords: `count` symbols */
-static bool fail_count(vs_scheme *vm, vs_value name, size_t min, size_t max, const char *names, size_t got,
-                       const vs_value *keywords, size_t count) {
-  const char *who = name_of(name);
+/* Arguments that a procedure takes. */
+typedef struct {
+  size_t min, max;          /* positional ones; SIZE_MAX: any number */
+  const char *names;        /* of those that must be given, as text */
+  const vs_value *keywords; /* `count` symbols */
+  size_t count;
+} taken;
+
+static bool fail_count(vs_scheme *vm, vs_value name, const taken *t, size_t got) {
+  const char *who = name_of(name), *names = t->names;
+  size_t min = t->min, max = t->max;
   wanted w = {.used = 0};
-  const char *others = max && got > max ? want_keywords(keywords, count, &w) : "";
+  const char *others = max && got > max ? want_keywords(t->keywords, t->count, &w) : "";
   if (max == SIZE_MAX)
     return vs_fail(vm, vm->sym.arity, "%s needs at least %zu argument%s%s, got %zu", who, min, min == 1 ? "" : "s",
                    names, got);
@@ -207,8 +214,9 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
     const vs_value *names = vs_as_vector(code->params)->at + most, *unknown;
     if (named && given < code->required && (unknown = unknown_keyword(kw, names, code->keywords)))
       return fail_keyword(vm, code->name, *unknown, names, code->keywords);
-    return fail_count(vm, code->name, code->required, has_rest ? SIZE_MAX : most, want_closure(code, &(wanted){ 0 }),
-                      given, names, code->keywords);
+    wanted text = {.used = 0};
+    const taken t = {code->required, has_rest ? SIZE_MAX : most, want_closure(code, &text), names, code->keywords};
+    return fail_count(vm, code->name, &t, given);
   }
   if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0], NULL, 0);
   bool self = named && code->keywords == 1 && names_self_alone(vm, kw); /* as scripts call, often */
@@ -240,7 +248,8 @@ bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, si
     vm->top = a + n;
     if (named && positional < native->min && (unknown = unknown_keyword(kw, list, count)))
       return fail_keyword(vm, native->name, *unknown, list, count);
-    fail_count(vm, native->name, native->min, max, want_native(native, &(wanted){0}), positional, list, count);
+    wanted text = {.used = 0};
+    fail_count(vm, native->name, &(taken){native->min, max, want_native(native, &text), list, count}, positional);
     return keep_call(vm, vs_from_object(native), a, positional);
   }
   if (named && native->keywords == VS_FALSE)

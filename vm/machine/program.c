@@ -185,7 +185,7 @@ static vs_status report(vs_scheme *vm, vs_value *a, int n, bool syntax, vs_value
     if (name != VS_VACANT && (!syntax || vs_is(binding, VS_T_MACRO)) && !vs_idtable_put(vm, &r[3], name, name))
       return VS_ERROR;
   bool own;
-  if (!vs_environment_import(vm, r[4], r[2], r[3], false, &clash, &own)) return VS_ERROR;
+  if (!vs_environment_import(vm, r[4], r[2], r[3], &clash, &own)) return VS_ERROR;
   vs_environment_set_intake(r[4], VS_INTAKE_OPEN);
   *out = r[4];
   return VS_OK;
@@ -512,7 +512,7 @@ bool vs_program_new(vs_scheme *vm, vs_value *env) {
   bool own;
   if (!vs_environment_new(vm, VS_FALSE, &r[0])) return false;
   vs_environment_set_intake(r[0], VS_INTAKE_FRESH);
-  if (!vs_environment_import(vm, r[0], vm->at.core, VS_TRUE, true, &clash, &own)) return false;
+  if (!vs_environment_import(vm, r[0], vm->at.core, VS_TRUE, &clash, &own)) return false;
   *env = r[0];
   return true;
 }
@@ -532,7 +532,8 @@ static bool run_forms(vs_scheme *vm, vs_value forms, vs_value env, bool tell, vs
 
 bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t size) {
   VS_ROOTS(vm, r, 1);
-  return vs_source_text(vm, name, 1, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.core, false, NULL);
+  return vs_source_text(vm, name, &(vs_passage){ text, size, 1 }, false, &r[0]) &&
+         run_forms(vm, r[0], vm->at.core, false, NULL);
 }
 
 void vs_library_done(vs_scheme *vm) {
@@ -565,17 +566,16 @@ static bool beside_script(vs_scheme *vm, const char *name) {
   if (intake == VS_INTAKE_FRESH) vm->scripted = script;
   if (script || !vm->scripted) return true;
   vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* at the prompt it would replace the script's variables */
-  bool ok = vs_environment_import(vm, vm->at.program, vm->at.core, VS_TRUE, true, &clash, &own);
+  bool ok = vs_environment_import(vm, vm->at.program, vm->at.core, VS_TRUE, &clash, &own);
   vs_environment_set_intake(vm->at.program, intake);
   return ok;
 }
 
-bool vs_program_text(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, bool prompt,
-                     vs_value *last) {
+bool vs_program_text(vs_scheme *vm, const char *name, const vs_passage *text, bool prompt, vs_value *last) {
   VS_ROOTS(vm, r, 1);
   if (prompt) vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
   return begin_program(vm, name) && beside_script(vm, name) &&
-         vs_source_text(vm, name, line, text, size, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
+         vs_source_text(vm, name, text, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }
 
 /* Forms that bind names at top level, or that only make sense there. */
@@ -601,12 +601,11 @@ static bool bind_around(vs_scheme *vm, vs_value *form, vs_pos pos, vs_value bind
          vs_cons_at(vm, r[5], r[2], pos, form);
 }
 
-bool vs_program_within(vs_scheme *vm, const char *name, uint32_t line, const char *text, size_t size, vs_value bindings,
-                       vs_value *last) {
+bool vs_program_within(vs_scheme *vm, const char *name, const vs_passage *text, vs_value bindings, vs_value *last) {
   VS_ROOTS(vm, r, 4);                     /* forms, bindings, what they become, one of them */
   r[1] = bindings;
   vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
-  if (!vs_source_text(vm, name, line, text, size, false, &r[0])) return false;
+  if (!vs_source_text(vm, name, text, false, &r[0])) return false;
   for (r[2] = r[0]; vs_is_pair(r[2]) && vs_is_pair(r[1]); r[2] = vs_cdr(r[2])) {
     r[3] = vs_car(r[2]);
     if (is_top_form(r[3])) continue;

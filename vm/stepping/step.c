@@ -127,13 +127,17 @@ static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   return true;
 }
 
-static vs_step_verdict stop(vs_scheme *vm, vs_value *base, uint32_t at, uint32_t shown, vs_stop_kind kind,
-                            vs_value subject, uint64_t level) {
+/* Where an activation stops: before the instruction `at`, for what `shown` has done or is about to do. */
+typedef struct { vs_value *base; uint32_t at, shown; uint64_t level; } stopped;
+
+static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, vs_value subject) {
+  vs_value *base = s->base;
+  uint32_t at = s->at;
   const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
   const uint32_t *ins = vs_code_ins(code);
   VS_ROOTS(vm, r, 3);
   r[0] = subject; r[1] = VS_NIL; r[2] = VS_FALSE;
-  vm->base = base; vm->pc = ins + shown + 1; vm->top = base + code->registers;
+  vm->base = base; vm->pc = ins + s->shown + 1; vm->top = base + code->registers;
   if (kind == VS_STOP_CALL) {
     const vs_value *args;
     vs_value keywords;
@@ -144,7 +148,7 @@ static vs_step_verdict stop(vs_scheme *vm, vs_value *base, uint32_t at, uint32_t
       if (!vs_cons(vm, args[i], r[1], &r[1])) return VS_LOOK_FAILED;
     vm->top = base + code->registers;
   }
-  if (!make_stop(vm, kind, r, level, kind == VS_STOP_CALL && is_tail_call(ins + at))) return VS_LOOK_FAILED;
+  if (!make_stop(vm, kind, r, s->level, kind == VS_STOP_CALL && is_tail_call(ins + at))) return VS_LOOK_FAILED;
   vs_value *w = base + code->registers;
   w[0] = VS_FALSE;
   w[1] = vs_ret_make(code->registers, at);
@@ -187,10 +191,10 @@ vs_step_verdict vs_step_look(vs_scheme *vm, vs_value *base, const uint32_t *pc) 
     uint32_t op = ins[before] & 255;
     bool done = at > before && (returned || at == before + length_of(op) || is_branch(op));
     if (done && is_written(vm, code, ins + before) && value_of(code, base, before, at, &v) && v != VS_UNSPECIFIC)
-      return stop(vm, base, at, before, VS_STOP_VALUE, v, level);
+      return stop(vm, &(stopped){base, at, before, level}, VS_STOP_VALUE, v);
   }
   if (told < VS_TOLD_CALL && is_written(vm, code, pc))
-    return stop(vm, base, at, at, VS_STOP_CALL, VS_FALSE, level);
+    return stop(vm, &(stopped){base, at, at, level}, VS_STOP_CALL, VS_FALSE);
   return VS_LOOK_GO;
 }
 
