@@ -225,7 +225,7 @@ vs_status vs_p_host_set(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- what the library in Scheme says itself ---- */
+/* ---- messages of the library in Scheme ---- */
 
 vs_status vs_p_warn(vs_args *f, vs_value *out) {
   (void)out;

@@ -400,7 +400,7 @@ static bool unknown(const char *word) {
   return false;
 }
 
-/* Returns the row that an option's word names, or NULL; *value: what the same word gives it, NULL: nothing. */
+/* Returns the row that an option's word names, or NULL; *value: its value in the same word, NULL: none. */
 static const option_row *named_row(const char *word, const char **value) {
   bool long_name = word[1] == '-';
   size_t length = long_name ? strcspn(word + 2, "=") : 0;

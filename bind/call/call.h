@@ -1,5 +1,5 @@
-/* Owns what the body of a procedure gets: the arguments of a checked call, as C data. Headers that only pass vs_args on
- * announce it. */
+/* Owns the arguments of a checked call, as the C data that the body of a procedure gets. Headers that only pass vs_args
+ * on announce it. */
 #ifndef VS_BIND_CALL_CALL_H
 #define VS_BIND_CALL_CALL_H
 

@@ -1,4 +1,4 @@
-/* Owns what the table of procedures says of one: the kinds of its arguments, its forms and its keywords. */
+/* Owns the row of a procedure in the table: the kinds of its arguments, its forms and its keywords. */
 #ifndef VS_BIND_CALL_PROCEDURE_H
 #define VS_BIND_CALL_PROCEDURE_H
 

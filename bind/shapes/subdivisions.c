@@ -1,4 +1,4 @@
-/* Owns what makes a new skin of an object's faces: make-subdivision, with its creases, and make-crust, a surface with
+/* Owns new skins of an object's faces: make-subdivision, with its creases, and make-crust, a surface with
  * thickness or a solid made hollow. */
 #include <stdlib.h>
 #include <string.h>

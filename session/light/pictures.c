@@ -155,11 +155,10 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
   return end(s, ok, &e);
 }
 
-/* Writes numbers as false colours by their logarithm, with a legend, and says its ends. */
-/* What a picture in false colours shows: a number for each pixel, their unit, and where the ends of its scale go, or
- * NULL. */
+/* A picture in false colours: a number for each pixel, their unit, and where the ends of its scale go, or NULL. */
 typedef struct { const float *at; const char *unit; double *least, *most; } quantity;
 
+/* Writes numbers as false colours by their logarithm, with a legend, and says its ends. */
 static bool write_scaled(vs_session *s, vs_exr *x, const char *to, const quantity *q, vs_error *e) {
   vs_color_scale scale = vs_color_scale_of(q->at, (size_t)x->columns * x->rows, true, q->unit);
   if (q->least) *q->least = scale.least;

@@ -127,7 +127,7 @@ static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   return true;
 }
 
-/* Where an activation stops: before the instruction `at`, for what `shown` has done or is about to do. */
+/* Where an activation stops: before the instruction `at`, because of the instruction `shown`. */
 typedef struct { vs_value *base; uint32_t at, shown; uint64_t level; } stopped;
 
 static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, vs_value subject) {
