@@ -9,6 +9,7 @@ typedef struct { const char *name, *arguments, *result, *keys, *texts[3]; } row;
 static const row rows[] = {
 #define TR_WORD(name, arguments, result, keys, openscad, javascript, povray) \
   {name, arguments, result, keys, {openscad, javascript, povray}},
+#define TR_NONE(names)
 #include "languages/translate/translated_words.def"
 };
 enum { ROWS = sizeof rows / sizeof *rows };
