@@ -7,7 +7,6 @@
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/take.h"
-#include "bind/fineness.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/queries.h"

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "cli/batch/film_frames.h"
+#include "cli/batch/film.h"
 #include "visualscheme.h"
 
 typedef struct {

@@ -24,7 +24,7 @@ typedef struct {
 } vs_pass_options;
 
 typedef struct {
-  double commands_before, commands_after;            /* by vs_commands_count */
+  double commands_before, commands_after;            /* for a target program: order_commands in rewrite.c */
   size_t changed[VS_PASS_COUNT];                     /* the number of nodes that each pass rewrote */
 } vs_pass_stats;
 

@@ -105,14 +105,6 @@ static double order_commands(const vs_order *o, size_t drawn) {
   return commands;
 }
 
-bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *commands, vs_error *e) {
-  vs_order o = { .store = s };
-  if (!vs_order_make(&o, refs, count, e)) return false;
-  *commands = order_commands(&o, count);
-  vs_order_free(&o);
-  return true;
-}
-
 /* ---- all passes ---- */
 
 /* Runs one pass over the drawing: its begin; every node, unless the begin has found that nothing would change; its

@@ -39,8 +39,5 @@ bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* it has one ref
  * NULL. */
 bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats,
                    vs_error *e);
-/* Counts the commands of the drawing for a target program: a primitive 1, a placement or material 1, a k-ary set k - 1,
- * a template 1 and each use of it 1. */
-bool vs_commands_count(vs_store *s, const vs_ref *refs, size_t count, double *commands, vs_error *e);
 
 #endif

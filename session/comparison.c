@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "bind/fineness.h"
+#include "bind/call/take.h"
 #include "bind/print.h"
 #include "session/handles.h"
 #include "session/host.h"

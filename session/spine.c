@@ -11,8 +11,8 @@
  * The first four happen form by form in vs_eval_text and vs_eval_file (visualscheme.c). Everything after them is in
  * this file, from top to bottom. */
 #include "bind/back_ends.h"
+#include "bind/call/take.h"
 #include "bind/custom.h"
-#include "bind/fineness.h"
 #include "bind/objects.h"
 #include "bind/scene/node_natives.h"
 #include "bind/state.h"

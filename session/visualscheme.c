@@ -1,7 +1,7 @@
 /* Owns the implementation of visualscheme.h: ties interpreter, model, geometry's procedures and back-ends into one
  * object. */
 #include "bind/back_ends.h"
-#include "bind/fineness.h"
+#include "bind/call/take.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/origins.h"

@@ -16,4 +16,7 @@ int vs_bind_take_numbers(vs_scheme *vm, vs_value v, double d[3]);
  * set. */
 bool vs_bind_take_text(vs_scheme *vm, vs_value string_or_symbol, char **out, size_t *bytes);
 
+int32_t vs_bind_segments(vs_scheme *vm); /* (current-segments), 0: by tolerance */
+double vs_bind_tolerance(vs_scheme *vm); /* (current-tolerance), 0: by the drawing size */
+
 #endif

@@ -4,7 +4,6 @@
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/call/take.h"
-#include "bind/fineness.h"
 #include "bind/origins.h"
 #include "bind/records.h"
 

@@ -9,7 +9,6 @@
 #include "bind/call/scratch.h"
 #include "bind/call/take.h"
 #include "bind/constructors/operations.h"
-#include "bind/fineness.h"
 #include "bind/objects.h"
 #include "bind/origins.h"
 #include "bind/print.h"

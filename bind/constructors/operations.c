@@ -8,7 +8,6 @@
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/call/take.h"
-#include "bind/fineness.h"
 #include "bind/measures.h"
 #include "bind/objects.h"
 #include "bind/origins.h"

@@ -2,7 +2,7 @@
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
-#include "bind/fineness.h"
+#include "bind/call/take.h"
 
 #define REAL(i) (f->arg[i].real)
 #define POINT(i) (f->arg[i].point)

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#include "bind/fineness.h"
+#include "bind/call/take.h"
 #include "bind/measures.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/measure/ray_tree.h"

@@ -6,7 +6,7 @@
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
-#include "bind/fineness.h"
+#include "bind/call/take.h"
 #include "bind/functions/function_values.h"
 #include "bind/measures.h"
 #include "bind/origins.h"

@@ -12,7 +12,6 @@
 #include "bind/call/scratch.h"
 #include "bind/call/take.h"
 #include "bind/constructors/operations.h"
-#include "bind/fineness.h"
 #include "bind/measures.h"
 #include "bind/print.h"
 #include "geometry/measure/bounds.h"

@@ -8,7 +8,6 @@
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/take.h"
-#include "bind/fineness.h"
 #include "bind/objects.h"
 #include "geometry/profiles/nurbs.h"
 #include "geometry/profiles/surface.h"

@@ -1,7 +1,7 @@
 /* Owns what natives share that take objects apart (taken_apart.h). */
 #include "bind/shapes/taken_apart.h"
 #include "bind/call/refuse.h"
-#include "bind/fineness.h"
+#include "bind/call/take.h"
 #include "bind/measures.h"
 #include "geometry/tessellate.h"
 

@@ -1,8 +1,10 @@
-/* Owns films of numbered pictures: H.264 in .mp4, made by ffmpeg. */
+/* Owns the frames of --frames, their numbers and the values of the changing parameter, and films of them: H.264 in
+ * .mp4, made by ffmpeg. */
 #define _GNU_SOURCE
 #include "cli/batch/film.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -71,4 +73,17 @@ vs_outcome cli_film_make(const cli_film *f) {
   fprintf(stderr, code == NO_FFMPEG ? "vs render: %s: there is no ffmpeg (package ffmpeg) to make the film; the frames "
           "stand\n" : "vs render: %s: ffmpeg made no film\n", name);
   return VS_OUTCOME_WORKER;
+}
+
+/* ---- frames ---- */
+
+void cli_frame_number(const cli_frames *f, long frame, char out[CLI_FRAME_ROOM]) {
+  int digits = snprintf(out, CLI_FRAME_ROOM, "%ld", f->count);
+  snprintf(out, CLI_FRAME_ROOM, "%0*ld", digits < 3 ? 3 : digits, frame);
+}
+
+void cli_frame_value(const cli_frames *f, long frame, char out[CLI_FRAME_ROOM]) {
+  double x = f->count > 1 ? f->from + (f->to - f->from) * (double)(frame - 1) / (double)(f->count - 1) : f->from;
+  if (x == floor(x) && fabs(x) < 1e15) snprintf(out, CLI_FRAME_ROOM, "%.0f", x + 0.0);
+  else snprintf(out, CLI_FRAME_ROOM, "%.17g", x);
 }

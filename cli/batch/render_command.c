@@ -21,7 +21,6 @@
 #include <unistd.h>
 
 #include "cli/batch/film.h"
-#include "cli/batch/film_frames.h"
 #include "cli/batch/inputs_told.h"
 #include "cli/json.h"
 #include "model/characters.h"

@@ -18,7 +18,6 @@ static const struct {
 };
 
 int vs_tape_operands(vs_tape_operator op) { return operators[op].operands; }
-const char *vs_tape_name(vs_tape_operator op) { return operators[op].name; }
 
 vs_tape_operator vs_tape_named(const char *name, int n) {
   if (!strcmp(name, "-") && n == 1) return VS_TAPE_NEG;

@@ -60,9 +60,8 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b,
 
 uint32_t vs_tape_add_field(vs_tape *t, vs_tape_field *f, uint32_t x, uint32_t y, uint32_t z);
 
-/* How many operands it has; its name in the language, "" without one. */
+/* How many operands it has. */
 int vs_tape_operands(vs_tape_operator op);
-const char *vs_tape_name(vs_tape_operator op);
 /* The operator of this name and number of operands; VS_TAPE_CONSTANT: none. */
 vs_tape_operator vs_tape_named(const char *name, int operands);
 double vs_tape_apply(vs_tape_operator op, double a, double b, double c); /* one operator on doubles */

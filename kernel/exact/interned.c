@@ -180,12 +180,6 @@ bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[
   return true;
 }
 
-bool vs_points_add(vs_kernel *k, vs_points_table *t, const vs_homogeneous *h, uint32_t *id) {
-  int64_t fixed[3];
-  bool exact = vs_homogeneous_fix(h, fixed);
-  return vs_points_add_fixed(k, t, fixed, exact ? NULL : h, id);
-}
-
 void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]) {
   VS_ASSERT(id < t->all.count && vs_point_exact(&t->all.at[id]));
   for (int i = 0; i < 3; i++) out[i] = vs_point_grid(&t->all.at[id], i);

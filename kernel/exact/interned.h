@@ -45,9 +45,7 @@ bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], ui
 /* ids[v] of each of the vertices v, which lie at corners[v]. */
 bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[3], const uint32_t *vertices,
                            size_t count, uint32_t *ids);
-/* The number of the point, an older one where it lies in the same place. */
-bool vs_points_add(vs_kernel *k, vs_points_table *t, const vs_homogeneous *h, uint32_t *id);
-/* h NULL: exact */
+/* The number of the point, an older one where it lies in the same place. h NULL: exact */
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h,
                          uint32_t *id);
 uint64_t vs_points_hash(const int64_t fixed[3]);

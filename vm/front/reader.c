@@ -12,7 +12,7 @@
    end touches a word: the missing quote is probably there. */
 #include "vm/front/reader.h"
 #include "vm/numbers/number.h"
-#include "vm/numbers/number_at.h"
+#include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 #include "vm/values/text.h"
 
@@ -413,7 +413,7 @@ static bool read_symbol(reader *r, vs_value *out) {
   int c = length ? (unsigned char)*s : 0;
   *out = VS_FALSE;
   if (ok && !bars && ((c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == '#')) {
-    ok = vs_number_parse_at(r->vm, s, length, pos, out);
+    ok = vs_read_number(r->vm, s, length, pos, out);
     if (ok && *out == VS_FALSE && c == '#') {
       problem(r, pos,
               "%.*s is not known here: # begins #t, #f, #\\a (a character), #(1 2) (a vector), #:name (a keyword) and "
@@ -833,6 +833,14 @@ bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold
   bool anew = false;
   if (!vs_check_utf8(vm, text->at, text->size, file, text->line)) return false;
   return read_all(vm, text, file, fold, &anew, forms) || (anew && read_all(vm, text, file, fold, &anew, forms));
+}
+
+bool vs_read_number(vs_scheme *vm, const char *s, size_t n, vs_pos place, vs_value *out) {
+  if (vs_number_parse(vm, s, n, 10, out)) return true;
+  vs_value why = vm->condition;
+  if (!vs_is(why, VS_T_CONDITION) || vs_as_condition(why)->kind != vm->sym.range) return false; /* memory */
+  return vs_fail_at(vm, vm->sym.read, place, VS_NIL, "%.*s%s: this exact number is too large to be written out",
+                    (int)(n > 60 ? 60 : n), s, n > 60 ? "..." : "");
 }
 
 bool vs_read_datum(vs_scheme *vm, const char *text, size_t size, vs_value *out, size_t *used) {

@@ -21,6 +21,9 @@ bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, 
    first; its payload is a list of (place . message) of the others, in order. fold: as after #!fold-case. */
 bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, vs_value *forms);
 
+/* vs_number_parse in radix 10; a number that is too large is refused at its place. */
+bool vs_read_number(vs_scheme *vm, const char *s, size_t n, vs_pos place, vs_value *out);
+
 /* The first datum of a text, unlocated, or VS_EOF. *used: bytes up to its end. */
 bool vs_read_datum(vs_scheme *vm, const char *text, size_t size, vs_value *out, size_t *used);
 

@@ -16,7 +16,6 @@
 #include "vm/front/environment.h"
 #include "vm/front/reader.h"
 #include "vm/numbers/number.h"
-#include "vm/numbers/number_at.h"
 #include "vm/values/heap.h"
 #include "vm/values/text.h"
 
@@ -270,7 +269,7 @@ static size_t number_length(const reader *r, size_t from) {
 
 static bool read_number(reader *r, size_t n, vs_pos pos, vs_value *out) {
   size_t plus = peek(r, 0) == '+';
-  if (!vs_number_parse_at(r->vm, r->text + r->at + plus, n - plus, pos, out)) return false;
+  if (!vs_read_number(r->vm, r->text + r->at + plus, n - plus, pos, out)) return false;
   if (!vs_is_number(*out)) return refuse(r, pos, "this is no number that can be worked with");
   advance(r, n);
   return true;

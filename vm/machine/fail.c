@@ -135,15 +135,6 @@ vs_status vs_fail_range(vs_scheme *vm, int arg, vs_value got, int64_t low, int64
                       (long long)high);
 }
 
-/* ---- checked arguments ---- */
-bool vs_arg_double(vs_scheme *vm, const vs_value *a, int arg, double *out) {
-  vs_value v = a[arg];
-  if (vs_is_double(v)) *out = vs_double(v);
-  else if (vs_is_fixnum(v)) *out = (double)vs_fixnum(v);
-  else return vs_fail_type(vm, arg, "a number", v);
-  return true;
-}
-
 bool vs_arg_index(vs_scheme *vm, const vs_value *a, int arg, int64_t low, int64_t high, int64_t *out) {
   vs_value v = a[arg];
   if (!vs_is_fixnum(v)) return vs_fail_type(vm, arg, "an exact integer", v);
@@ -175,22 +166,3 @@ int64_t vs_list_length(vs_value list) {
   return list == VS_NIL ? n : -1;
 }
 
-bool vs_list_doubles(vs_scheme *vm, vs_value list, int arg, double **out, size_t *count) {
-  int64_t n = vs_list_length(list);
-  if (n < 0) return vs_fail_type(vm, arg, "a list of numbers", list);
-  double *d = vs_mem(vm, NULL, 0, (size_t)(n ? n : 1) * sizeof *d);
-  if (!d) return false;
-  vs_value at = list;
-  for (int64_t i = 0; i < n; i++, at = vs_cdr(at)) {
-    vs_value v = vs_car(at);
-    if (vs_is_double(v)) d[i] = vs_double(v);
-    else if (vs_is_fixnum(v)) d[i] = (double)vs_fixnum(v);
-    else {
-      vs_mem(vm, d, (size_t)(n ? n : 1) * sizeof *d, 0);
-      return vs_fail_type(vm, arg, "a list of numbers", list);
-    }
-  }
-  *out = d;
-  *count = (size_t)n;
-  return true;
-}

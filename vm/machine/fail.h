@@ -11,15 +11,10 @@ typedef struct vs_traceback {
   vs_pos (*place)(vs_scheme *vm);                             /* of the call of the running native */
 } vs_traceback;
 
-/* fixnum or double; bignum and ratio via vm/numbers/number.h's vs_number_double */
-bool vs_arg_double(vs_scheme *vm, const vs_value *a, int arg, double *out);
 /* a VS_T_ type; the noun from object.def */
 bool vs_arg_type(vs_scheme *vm, const vs_value *a, int arg, int type);
 /* Length of a proper list, -1 if improper or circular. */
 int64_t vs_list_length(vs_value list);
-/* The numbers of a proper list into a fresh vs_mem array (count * 8 bytes, the caller frees), false and a type error
-   for arg. */
-bool vs_list_doubles(vs_scheme *vm, vs_value list, int arg, double **out, size_t *count);
 /* what v is, with article, for messages: "a string", "a point", "a number" */
 const char *vs_noun(vs_scheme *vm, vs_value v);
 

@@ -615,8 +615,3 @@ bool vs_program_within(vs_scheme *vm, const char *name, const vs_passage *text, 
   return run_forms(vm, r[0], vm->at.program, true, last);
 }
 
-bool vs_program_file(vs_scheme *vm, const char *path, vs_value *last) {
-  VS_ROOTS(vm, r, 1);
-  return begin_program(vm, path) && vs_source_read(vm, path, false, &r[0]) &&
-         run_forms(vm, r[0], vm->at.program, true, last);
-}

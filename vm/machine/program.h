@@ -19,7 +19,7 @@ void vs_library_done(vs_scheme *vm);
 /* A program: an environment that imports the whole library. vm->at.program is that of the host. */
 bool vs_program_new(vs_scheme *vm, vs_value *env);
 
-/* Runs a text or a file in vm->at.program; prompt: it was typed at one, so its
+/* Runs a text in vm->at.program; prompt: it was typed at one, so its
    imports add (environment.h).
    *last: the value of the last form. Values of top-level expressions go to vm->config.value. False: vm->condition. */
 bool vs_program_text(vs_scheme *vm, const char *name, const vs_passage *text, bool prompt, vs_value *last);
@@ -27,6 +27,5 @@ bool vs_program_text(vs_scheme *vm, const char *name, const vs_passage *text, bo
    (symbol . value), as local
    variables. In this way the prompt looks at an activation of a program that is stopped. */
 bool vs_program_within(vs_scheme *vm, const char *name, const vs_passage *text, vs_value bindings, vs_value *last);
-bool vs_program_file(vs_scheme *vm, const char *path, vs_value *last);
 
 #endif

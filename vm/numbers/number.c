@@ -80,21 +80,6 @@ bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out) {
          vs_number_ratio(vm, r[0], r[1], out);
 }
 
-bool vs_number_to_int64(vs_value v, int64_t *out) {
-  if (vs_is_fixnum(v)) return *out = vs_fixnum(v), true;
-  if (vs_is_double(v)) {
-    double d = vs_double(v);
-    if (!(fabs(d) < 9.2e18) || d != floor(d)) return false;
-    return *out = (int64_t)d, true;
-  }
-  if (!vs_is_bignum(v)) return false;
-  const vs_bignum *b = vs_as_bignum(v);
-  bool negative = b->h.flags & VS_F_NEGATIVE;
-  if (b->count != 1 || b->limb[0] > (uint64_t)INT64_MAX) return false;
-  *out = negative ? -(int64_t)b->limb[0] : (int64_t)b->limb[0];
-  return true;
-}
-
 /* ---- + - * / ---- */
 
 static bool ratio_part(vs_value v, bool den, vs_value *out) {

@@ -38,8 +38,6 @@ bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out);                /* 
 bool vs_number_double(vs_scheme *vm, vs_value v, double *out);
 /* v is a number; infinities and NaN are errors */
 bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out);
-/* an exact integer, or a double that is one, in range */
-bool vs_number_to_int64(vs_value v, int64_t *out);
 /* exact integers, den not 0; lowest terms */
 bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out);
 /* the same of two that have no divisor in common */
