@@ -152,7 +152,7 @@ bool vs_session_read(vs_session *s, const char *path, bool source, char **text, 
 
 vs_outcome vs_session_unread(vs_session *s, const char *path, const char *why) {
   vs_outcome outcome = strcmp(why, VS_IO_NO_MEMORY) ? VS_OUTCOME_USAGE : VS_OUTCOME_MACHINE;
-  vs_session_report_at(s, VS_SEVERITY_ERROR, outcome, path, 0, 0, why);
+  vs_session_report_at(s, VS_SEVERITY_ERROR, outcome, (vs_span){ .file = path }, why);
   return outcome;
 }
 

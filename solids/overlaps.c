@@ -8,8 +8,9 @@
  *            neighbours first, so that hidden parts go early. Needles that a union leaves are welded (weld.c), or the
  *            next union would cut them into a million more
  *   rounding Steps that differ by little intersect at small angles: corners come nearer to other faces than the
- *            numbers of a format can distinguish. These corners move to a decimal grid, finer than anything visible and coarser than
- *            the numbers of any format; the kernel resolves new intersections there, until there are none */
+ *            numbers of a format can distinguish. These corners move to a decimal grid, finer than anything visible
+ *            and coarser than the numbers of any format; the kernel resolves new intersections there, until there are
+ *            none */
 #include "solids/overlaps.h"
 
 #include <math.h>

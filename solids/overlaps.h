@@ -17,8 +17,8 @@ bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_e
 bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
                            vs_error *e);
 
-/* m: the mesh of n as geometry/ makes it, which becomes as vs_mesh_without_overlaps has it. That of a sweep does not
- * meet itself in the numbers of any format either. An error names the bend of a sweep that cannot be made so. */
+/* Removes the overlaps of m, the mesh of n from geometry/, as vs_mesh_without_overlaps does. The mesh of a sweep then
+ * does not intersect itself in the numbers of any format either. The error names the bend of a sweep if this fails. */
 bool vs_primitive_freed(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *m,
                         vs_error *e);
 
