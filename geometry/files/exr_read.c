@@ -99,18 +99,20 @@ typedef struct {
   bool tiled;
   int64_t wide, high;       /* of a chunk */
   int64_t columns, rows;    /* of the picture */
+  exr_place part;           /* of it that is wanted */
+  size_t stride;            /* of the targets' rows */
   vs_exr_target targets[VS_EXR_CHANNELS];
   size_t count;
 } exr_reader;
 
-/* Takes a line of a channel; first: where it begins in the picture. */
+/* Takes of a channel's line the columns from `skip` on; first: where they go in the part. */
 static exr_result_t exr_take_line(const exr_coding_channel_info_t *info, const unsigned char *at,
-                                  const vs_exr_target *t, size_t first, int64_t columns) {
+                                  const vs_exr_target *t, size_t first, int64_t skip, int64_t columns) {
   if (info->x_samples != 1 || info->y_samples != 1) return EXR_ERR_FEATURE_NOT_IMPLEMENTED;
-  if (info->bytes_per_element < (info->data_type == EXR_PIXEL_HALF ? 2 : 4) || info->width < columns)
+  if (info->bytes_per_element < (info->data_type == EXR_PIXEL_HALF ? 2 : 4) || info->width < skip + columns)
     return EXR_ERR_CORRUPT_CHUNK;
   for (int64_t x = 0; x < columns; x++) {
-    double value = exr_number(at + x * info->bytes_per_element, info->data_type);
+    double value = exr_number(at + (skip + x) * info->bytes_per_element, info->data_type);
     if (t->sum) t->sum[first + (size_t)x] += t->share * value;
     else t->plane[first + (size_t)x] = (float)value;
   }
@@ -122,6 +124,9 @@ static exr_result_t exr_take_line(const exr_coding_channel_info_t *info, const u
 static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, exr_place place, int64_t top) {
   const unsigned char *at = d->unpacked_buffer ? d->unpacked_buffer : d->packed_buffer;
   uint64_t left = at ? d->chunk.unpacked_size : 0;
+  const exr_place *part = &r->part;
+  int64_t from = place.x > part->x ? place.x : part->x, end = part->x + part->columns;
+  int64_t columns = (place.x + place.columns < end ? place.x + place.columns : end) - from;
   for (int64_t line = 0; line < place.rows; line++)
     for (int c = 0; c < d->channel_count; c++) {
       const exr_coding_channel_info_t *info = &d->channels[c];
@@ -130,10 +135,11 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
       if ((top + line) % info->y_samples != 0) continue; /* this line has none of it */
       uint64_t bytes = (uint64_t)info->width * (uint64_t)info->bytes_per_element;
       if (bytes > left) return EXR_ERR_CORRUPT_CHUNK;
-      for (size_t k = 0; k < r->count; k++) {
+      int64_t row = place.y + line - part->y;
+      for (size_t k = 0; row >= 0 && row < part->rows && k < r->count; k++) {
         if (strcmp(info->channel_name, r->targets[k].name) != 0) continue;
-        size_t first = (size_t)(place.y + line) * (size_t)r->columns + (size_t)place.x;
-        exr_result_t result = exr_take_line(info, at, &r->targets[k], first, place.columns);
+        size_t first = (size_t)row * r->stride + (size_t)(from - part->x);
+        exr_result_t result = exr_take_line(info, at, &r->targets[k], first, from - place.x, columns);
         if (result != EXR_ERR_SUCCESS) return result;
       }
       at += bytes;
@@ -162,9 +168,9 @@ static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
   exr_decode_pipeline_t decoder = EXR_DECODE_PIPELINE_INITIALIZER;
   exr_result_t result = EXR_ERR_SUCCESS;
   bool begun = false;
-  int64_t wide = r->wide, high = r->high;
-  for (int64_t y = 0; result == EXR_ERR_SUCCESS && y < r->rows; y += high)
-    for (int64_t x = 0; result == EXR_ERR_SUCCESS && x < r->columns; x += wide) {
+  int64_t wide = r->wide, high = r->high, right = r->part.x + r->part.columns, bottom = r->part.y + r->part.rows;
+  for (int64_t y = r->part.y / high * high; result == EXR_ERR_SUCCESS && y < bottom; y += high)
+    for (int64_t x = r->part.x / wide * wide; result == EXR_ERR_SUCCESS && x < right; x += wide) {
       exr_chunk_info_t chunk;
       exr_place place = { x, y, wide < r->columns - x ? wide : r->columns - x, high < r->rows - y ? high
           : r->rows - y };
@@ -243,7 +249,15 @@ static bool exr_choose(exr_reader *r, vs_exr_choose *choose, void *context, vs_e
   return choose(context, &view, r->targets, &r->count, e);
 }
 
-bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, vs_exr_choose *choose, void *context, vs_error *e) {
+/* Notes what is wanted of the picture. */
+static void exr_cut(exr_reader *r, const vs_exr_window *w) {
+  r->part = (exr_place){ 0, 0, r->columns, r->rows };
+  if (w) r->part = (exr_place){ w->part.left, w->part.top, w->part.columns, w->part.rows };
+  r->stride = w ? w->stride : (size_t)r->columns;
+}
+
+bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, const vs_exr_window *window, vs_exr_choose *choose,
+                   void *context, vs_error *e) {
   exr_reader r = { .store = store };
   if (!vs_dynamic_load(&vs_exr_library, exr_names, sizeof exr_names / sizeof *exr_names, &r.call, e)) return false;
   vs_file_bytes memory = *file;
@@ -258,6 +272,7 @@ bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, vs_exr_choose *ch
   if (result == EXR_ERR_SUCCESS) {
     ok = exr_measure(&r, file, &result, e) && exr_choose(&r, choose, context, e);
     vs_error stopped = { VS_ERROR_NONE, NULL, "" };
+    if (ok) exr_cut(&r, window);
     if (ok) result = exr_decode(&r, &stopped);
     if (stopped.kind != VS_ERROR_NONE) ok = vs_error_set(e, stopped.kind, NULL, "%s", stopped.message);
   }
@@ -311,7 +326,35 @@ bool vs_exr_read(vs_store *store, const vs_file_bytes *file, const char *const *
   *out = (vs_exr){ .store = store };
   if (file->size < 4 || memcmp(file->at, "\x76\x2f\x31\x01", 4) != 0)
     return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: this is no EXR picture", file->name);
-  bool ok = vs_exr_decode(store, file, exr_choose_planes, &(exr_load){ out, file->name, wanted }, e);
+  bool ok = vs_exr_decode(store, file, NULL, exr_choose_planes, &(exr_load){ out, file->name, wanted }, e);
   if (!ok) vs_exr_free(out);
   return ok;
+}
+
+/* ---- a part of a picture ---- */
+
+typedef struct { const vs_exr_cut *cut; vs_exr *into; const char *name; } exr_cutting;
+
+static bool exr_choose_rows(void *context, const vs_exr_view *view, vs_exr_target *targets, size_t *used,
+    vs_error *e) {
+  const exr_cutting *c = context;
+  const vs_exr_part *part = &c->cut->part;
+  if (view->columns != c->cut->columns || view->rows != c->cut->rows || part->left + part->columns > view->columns ||
+      part->top + part->rows > view->rows || c->cut->left + part->columns > c->into->columns ||
+      c->cut->top + part->rows > c->into->rows)
+    return vs_error_set(e, VS_ERROR_WORKER, NULL, "%.100s has another size", c->name);
+  for (size_t i = 0; i < c->into->count; i++) {
+    const vs_exr_channel *channel = &c->into->channels[i];
+    bool there = false;
+    for (size_t k = 0; !there && k < view->count; k++) there = strcmp(view->channels[k].name, channel->name) == 0;
+    if (!there) return vs_error_set(e, VS_ERROR_WORKER, NULL, "%.100s has no channel %s", c->name, channel->name);
+    float *plane = channel->at + (size_t)c->cut->top * c->into->columns + c->cut->left;
+    targets[(*used)++] = (vs_exr_target){ .name = channel->name, .plane = plane };
+  }
+  return true;
+}
+
+bool vs_exr_read_cut(const vs_file_bytes *file, const vs_exr_cut *cut, vs_exr *into, vs_error *e) {
+  const vs_exr_window window = { cut->part, into->columns };
+  return vs_exr_decode(into->store, file, &window, exr_choose_rows, &(exr_cutting){ cut, into, file->name }, e);
 }

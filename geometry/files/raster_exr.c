@@ -40,5 +40,5 @@ static bool exr_choose_heights(void *context, const vs_exr_view *view, vs_exr_ta
 }
 
 bool vs_raster_exr(vs_raster *r, const vs_file_bytes *file, vs_error *e) {
-  return vs_exr_decode(r->store, file, exr_choose_heights, &(exr_heights){ r, file->name }, e);
+  return vs_exr_decode(r->store, file, NULL, exr_choose_heights, &(exr_heights){ r, file->name }, e);
 }
