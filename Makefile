@@ -195,7 +195,7 @@ $(BUILD)/tools/fuzz: tests/oracle/fuzz.c tests/oracle/sx.c tests/tools/crossings
 	$(Q)$(CC) $(CFLAGS) tests/oracle/fuzz.c tests/oracle/sx.c -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)
 
 # Tools that ask the library.
-$(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/exrdiff $(BUILD)/tools/exrmake $(BUILD)/tools/badcalls $(BUILD)/tools/gaps: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a
+$(BUILD)/tools/names $(BUILD)/tools/reread $(BUILD)/tools/exrdiff $(BUILD)/tools/cutdiff $(BUILD)/tools/exrmake $(BUILD)/tools/badcalls $(BUILD)/tools/gaps: $(BUILD)/tools/%: tests/tools/%.c visualscheme.h $(BUILD)/libvisualscheme.a
 	@mkdir -p $(@D)
 	$(call say,tool  $<)
 	$(Q)$(CC) $(CFLAGS) $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(LDLIBS)

@@ -542,6 +542,7 @@ typedef struct {
   bool change;           /* write the result of vs_drawing_compare in place of the drawing: green added, red removed */
   bool last;             /* no drawing and no output follows: the interpreter caches nothing */
   int crop[4];           /* the part of a .png or .exr to make: left, top, width, height in pixels; all 0: the whole */
+  unsigned threads;      /* processors of POV-Ray for a picture; 0: all. They do not change the picture. */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);
 

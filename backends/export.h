@@ -22,6 +22,7 @@ typedef struct {
   bool layers;        /* an .exr has depth, normal, albedo, id, material and ambient occlusion, too */
   const char *view;   /* of a drawing: the name of what it shows; "*": all views; NULL: by the file's name */
   uint64_t byte_limit; /* of one output; 0: none */
+  unsigned threads;   /* processors that a worker program may use; 0: all */
   double worker_seconds; /* a worker program is stopped after so long; 0: never */
   size_t mesh_bytes, mesh_triangles; /* what combining solids may take, and how many a mesh may have; 0: no limit */
   const void *given;  /* what vs_backend_given writes, in place of a drawing */

@@ -589,7 +589,7 @@ static bool is_command(const char *word, const char *name) {
 /* Returns true for an option that vs render itself passes to the run of each picture. */
 static bool is_of_batch(const char *word) {
   static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet",
-                                    "frames", "resume", "film", "quiet"};
+                                    "frames", "resume", "film", "quiet", "threads"};
   if (word[1] != '-') return word[1] == 'o' || word[1] == 'q';
   for (size_t i = 0; i < sizeof own / sizeof *own; i++)
     if (strlen(own[i]) == strcspn(word + 2, "=") && !strncmp(word + 2, own[i], strlen(own[i]))) return true;

@@ -122,6 +122,7 @@ static void set_options(vs_job *j) {
     e->mesh_bytes = j->session->bytes < limits->limit_memory ? limits->limit_memory - j->session->bytes : 1;
   vs_session_size(o, e);
   memcpy(e->crop, o->crop, sizeof e->crop);
+  e->threads = o->threads;
   e->quality = qualities[o->quality];
   e->tone = vs_session_tone(&o->development);
   e->layers = o->layers;

@@ -1,5 +1,6 @@
 /* Owns what the files of the POV-Ray back-end share. povray_scene.c: begin and end; povray_shapes.c:
- * one function a kind; povray_meshes.c: triangles; povray_worker.c: the worker. */
+ * one function a kind; povray_meshes.c: triangles; povray_plan.c, povray_worker.c and
+ * povray_process.c: the runs. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_H
 #define VS_BACKENDS_POVRAY_POVRAY_H
 

@@ -18,6 +18,8 @@
 #include "geometry/files/png_write.h"
 #include "model/store/array.h"
 
+enum { POV_PATH = 4200 };
+
 typedef struct { unsigned char *at; size_t count; } picture_bytes;
 
 static bool picture_read(vs_emitter *e, const char *path, picture_bytes *out) {
@@ -54,48 +56,87 @@ static bool picture_write(vs_emitter *e, const char *path, const picture_bytes *
                             problem == ENOSPC ? "the disk is full" : strerror(problem));
 }
 
-/* Of a part POV-Ray makes a picture of the whole's size, black elsewhere. */
-static bool picture_part(vs_emitter *e, vs_exr *x) {
-  const int *c = e->options->crop;
-  if (c[2] && (x->columns < (uint32_t)(c[0] + c[2]) || x->rows < (uint32_t)(c[1] + c[3])))
-    return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray's picture has another size");
-  return !c[2] || vs_exr_crop(x, (uint32_t)c[0], (uint32_t)c[1], (uint32_t)c[2], (uint32_t)c[3], e->error);
+/* Puts those parts of the jobs' pictures that meet `wanted` into an empty picture of its size. Of a part POV-Ray makes
+ * a picture of the whole's size, black elsewhere. */
+static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job *jobs, size_t count,
+                         const vs_exr_part *wanted, vs_exr *x) {
+  static const char *const channels[] = { "B", "G", "R" };
+  bool ok = true;
+  x->columns = wanted->columns, x->rows = wanted->rows;
+  for (size_t i = 0; ok && i < sizeof channels / sizeof *channels; i++)
+    ok = vs_exr_add(x, channels[i], VS_EXR_HALF, e->error) != NULL;
+  for (size_t i = 0; ok && i < count; i++) {
+    const vs_exr_part *p = &jobs[i].part;
+    uint32_t left = p->left > wanted->left ? p->left : wanted->left, top = p->top > wanted->top ? p->top : wanted->top;
+    uint32_t right = wanted->left + wanted->columns, bottom = wanted->top + wanted->rows;
+    if (p->left + p->columns < right) right = p->left + p->columns;
+    if (p->top + p->rows < bottom) bottom = p->top + p->rows;
+    if (right <= left || bottom <= top) continue;
+    vs_exr_cut cut = { jobs[i].columns, jobs[i].rows, { left, top, right - left, bottom - top },
+                       left - wanted->left, top - wanted->top };
+    char path[POV_PATH];
+    picture_bytes b = { NULL, 0 };
+    snprintf(path, sizeof path, "%s/%s.exr", folder, jobs[i].name);
+    ok = picture_read(e, path, &b) && vs_exr_read_cut(&(vs_file_bytes){ "POV-Ray's picture", b.at, b.count }, &cut, x, e->error);
+    free(b.at);
+  }
+  return ok;
+}
+
+/* The plan's picture without its first pass: all of it, or the part that is wanted. */
+static bool picture_take(vs_emitter *e, const vs_povray_result *r, const vs_exr_part *part, vs_exr *x) {
+  const vs_povray_plan *p = r->plan;
+  return picture_join(e, r->folder, p->jobs + p->pass_count, p->count - p->pass_count, part, x);
+}
+
+static vs_light picture_light(const vs_exr *x) {
+  return (vs_light){ vs_exr_find(x, "R"), vs_exr_find(x, "G"), vs_exr_find(x, "B"), x->columns, x->rows };
+}
+
+bool vs_povray_meter(vs_emitter *e, const char *folder, const vs_povray_plan *plan, vs_tone_curve curve,
+                     double *stops) {
+  vs_exr x = { .store = e->scene->store };
+  vs_exr_part all = { 0, 0, plan->jobs[0].columns, plan->jobs[0].rows };
+  bool ok = picture_join(e, folder, plan->jobs, plan->pass_count, &all, &x);
+  vs_light light = picture_light(&x);
+  if (ok) *stops = vs_tone_exposure(&light, curve);
+  vs_exr_free(&x);
+  return ok;
 }
 
 /* The light, written anew: all of it or a part, with the layers if they are wanted. */
-bool vs_povray_take_picture(vs_emitter *e, const char *from, const char *to) {
+bool vs_povray_take_picture(vs_emitter *e, const vs_povray_result *r, const char *to) {
   vs_store *store = e->scene->store;
-  picture_bytes p = { NULL, 0 };
   vs_exr x = { .store = store };
   vs_made_bytes exr = { NULL, 0, 0 };
-  bool ok = picture_read(e, from, &p) &&
-      vs_exr_read(store, &(vs_file_bytes){ "POV-Ray's picture", p.at, p.count }, NULL, &x, e->error);
-  free(p.at);
-  uint32_t columns = x.columns, rows = x.rows;
-  ok = ok && picture_part(e, &x) && vs_povray_say_view(e, &x, columns, rows) &&
-       (!e->options->layers || vs_povray_layers(e, &x, columns, rows)) &&
-       vs_exr_write(&x, &exr, e->error) && picture_write(e, to, &(picture_bytes){ exr.at, exr.size });
+  uint32_t columns = r->plan->columns, rows = r->plan->rows;
+  bool ok = picture_take(e, r, &r->plan->wanted, &x) && vs_povray_say_view(e, &x, columns, rows) &&
+            (!e->options->layers || vs_povray_layers(e, &x, columns, rows)) &&
+            vs_exr_write(&x, &exr, e->error) && picture_write(e, to, &(picture_bytes){ exr.at, exr.size });
   if (exr.at) vs_store_realloc(store, exr.at, exr.room, 0);
   vs_exr_free(&x);
   return ok;
 }
 
-bool vs_povray_develop_picture(vs_emitter *e, const char *from, const char *to) {
-  static const char *const wanted[] = { "R", "G", "B", NULL };
+bool vs_povray_develop_picture(vs_emitter *e, const vs_povray_result *r, const char *to) {
   vs_store *store = e->scene->store;
-  picture_bytes p = { NULL, 0 };
+  const vs_povray_plan *p = r->plan;
+  const vs_exr_part *wanted = &p->wanted;
   vs_exr x = { .store = store };
-  bool ok = picture_read(e, from, &p) &&
-      vs_exr_read(store, &(vs_file_bytes){ "POV-Ray's picture", p.at, p.count }, wanted, &x, e->error);
-  free(p.at);
-  ok = ok && picture_part(e, &x);
-  vs_light light = { vs_exr_find(&x, "R"), vs_exr_find(&x, "G"), vs_exr_find(&x, "B"), x.columns, x.rows };
-  if (ok && (!light.red || !light.green || !light.blue))
-    ok = vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray's picture has no colours");
+  /* an exposure that is found in the picture itself goes by the whole of it */
+  vs_exr_part all = { 0, 0, p->columns, p->rows };
+  vs_tone tone = *r->tone;
+  bool ok = picture_take(e, r, tone.fixed ? wanted : &all, &x);
+  vs_light light = picture_light(&x);
+  if (ok && !tone.fixed) {
+    tone.fixed = true, tone.stops += vs_tone_exposure(&light, tone.curve);
+    ok = vs_exr_crop(&x, wanted->left, wanted->top, wanted->columns, wanted->rows, e->error);
+    light = picture_light(&x);
+  }
   unsigned char *rgb = ok ? vs_store_realloc(store, NULL, 0, vs_light_pixels(&light) * 3) : NULL;
   vs_made_bytes png = { NULL, 0, 0 };
   if (ok && !rgb) ok = vs_emit_no_memory(e);
-  if (ok) vs_tone_apply(&light, &e->options->tone, rgb);
+  if (ok) vs_tone_apply(&light, &tone, rgb);
   ok = ok && vs_png_write(store, &(vs_pixels){ rgb, x.columns, x.rows }, &png, e->error);
   if (rgb) vs_store_realloc(store, rgb, vs_light_pixels(&light) * 3, 0);
   vs_exr_free(&x);

@@ -316,13 +316,24 @@ static const char *pov_radiosity(vs_render_quality q) {
   case VS_RENDER_DRAFT: break;
   case VS_RENDER_GOOD:
     return "radiosity { count 100 error_bound 1 recursion_limit 3 nearest_count 20 low_error_factor 0.7 "
-           "minimum_reuse 0.04 pretrace_start 0.08 pretrace_end 0.01 gray_threshold 0.3 brightness 1 "
-           "adc_bailout 0.1 always_sample off }\n";
+           "minimum_reuse 0.04 gray_threshold 0.3 brightness 1 adc_bailout 0.1 ";
   case VS_RENDER_FINAL:
     return "radiosity { count 600 error_bound 0.8 recursion_limit 3 nearest_count 20 low_error_factor 0.6 "
-           "pretrace_start 0.08 pretrace_end 0.01 gray_threshold 0.3 brightness 1 }\n";
+           "gray_threshold 0.3 brightness 1 ";
   }
   return "";
+}
+
+/* A run that is given samples takes no net of its own, whose first step is as wide as the picture then, and as few new
+ * ones as can be (povray_plan.c). */
+static void pov_put_radiosity(vs_emitter *e) {
+  vs_render_quality quality = e->options->quality;
+  if (quality == VS_RENDER_DRAFT) return;
+  vs_puts(e->out, pov_radiosity(quality));
+  if (pov_is_developed(e)) vs_puts(e->out, "#ifdef (VS_Samples) pretrace_start 1 pretrace_end 1 always_sample off #else ");
+  vs_puts(e->out, "pretrace_start 0.08 pretrace_end 0.01 ");
+  if (quality == VS_RENDER_GOOD) vs_puts(e->out, "always_sample off ");
+  vs_puts(e->out, pov_is_developed(e) ? "#end }\n" : "}\n");
 }
 
 /* POV-Ray has absolute tolerances: what is much smaller than a unit has holes, meshes of millions of units are not seen
@@ -404,7 +415,7 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_puts(w, "global_settings {\n  assumed_gamma 1\n  max_trace_level 12\n  ");
   /* Between the faces of a pane light goes to and fro; what carries less than a fiftieth of a pixel is not followed. */
   if (pov_is_developed(e) && e->options->quality != VS_RENDER_FINAL) vs_puts(w, "adc_bailout 0.02\n  ");
-  vs_puts(w, pov_radiosity(e->options->quality));
+  pov_put_radiosity(e);
   vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient ");
   pov_word(w, "", vs_povray_ambient(e), " diffuse 0.82 } } }\n\n");
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, (double)width / height);

@@ -1,344 +1,303 @@
-/* Owns the running of POV-Ray: its private folder, the process, its progress and its complaints.
- *
- * POV-Ray says everything on standard error: progress in pieces that begin with a carriage return, messages as
- *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
- * wrapped at 80 columns with one space in front of what continues. It ends with 0 after warnings that mean a wrong
- * picture, so any is a failure here. A message's line leads, by the table that the driver kept, to the place in the
- * user's model. It stays in our process group: what ends us from outside (the terminal, timeout) ends it too. */
-#define _GNU_SOURCE /* prlimit, execvpe, pipe2 */
+/* Owns the making of a picture by POV-Ray: its runs by the plan (povray_plan.c), as many at a time as there are
+ * processors, their progress as one, the end of all where one fails or time is over, and what they share: the private
+ * folder and the samples of bounced light. */
+#define _GNU_SOURCE
 #include "backends/povray/povray_worker.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
 #include <poll.h>
-#include <signal.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
-#include <sys/resource.h>
-#include <sys/wait.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
-#include "backends/povray/povray.h"
-#include "backends/povray/povray_confine.h"
 #include "backends/povray/povray_picture.h"
-#include "model/store/array.h"
+#include "backends/povray/povray_plan.h"
+#include "backends/povray/povray_process.h"
+#include "geometry/measure/bounds.h"
 
-enum { POV_TEXT_ROOM = 1 << 16, POV_PATH_ROOM = 4096 };
+enum { AT_ONCE = 64, STARTS = 5, NAME_ROOM = VS_POVRAY_PATH_ROOM + 40, WORDS = 24 };
+/* A first pass takes about half as long as the strips. */
+static const double pass_share = 0.35;
+/* A picture whose white lies so many stops below 1 has samples of too few digits in their file: four after the point. */
+static const double darkest = 5;
+/* So many times its size away from the origin, a drawing's samples have too few digits for their places: six in all. */
+static const double farthest = 50;
 
 typedef struct {
-  char folder[POV_PATH_ROOM - 64];
-  char picture[POV_PATH_ROOM], ini[POV_PATH_ROOM], state[POV_PATH_ROOM];
-  pid_t process;
-  int errors;                /* our end of its standard error */
-  char text[POV_TEXT_ROOM];  /* messages, without the progress; cut at the front if ever too long */
-  size_t used;
-  char piece[256];           /* of the progress: since the last carriage return */
-  size_t piece_used;
-  bool in_piece;
-  double fraction;
-} pov_run;
+  vs_emitter *e;
+  char folder[VS_POVRAY_PATH_ROOM - 64];
+  const char *scene;
+  uint64_t scene_size;
+  double begun, told;    /* seconds, by the clock */
+  double done, share;    /* of the whole: what is done, and what the runs under way are together */
+  vs_povray_plan plan;
+} pov_work;
 
-static double run_now(void) {
+/* The runs of one step. */
+typedef struct {
+  const vs_povray_job *jobs;
+  size_t count, next, room; /* room: of at */
+  double pixels;            /* of all jobs */
+  double finished;          /* of them */
+  struct { size_t job; int starts; } of[AT_ONCE];
+  vs_povray_process *at;
+} pov_crew;
+
+static double now(void) {
   struct timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* ---- what it says ---- */
+/* ---- what a run is told ---- */
 
-static void run_piece(pov_run *r) {
-  unsigned long done, all;
-  r->piece[r->piece_used] = '\0';
-  if (sscanf(r->piece, "Rendered %lu of %lu", &done, &all) == 2 && all > 0) r->fraction = (double)done / (double)all;
-  r->piece_used = 0;
+typedef struct { char *at[WORDS]; size_t count, used; char text[4 * NAME_ROOM + 512]; } words;
+
+__attribute__((format(printf, 2, 3))) static void word(words *w, const char *format, ...) {
+  va_list values;
+  va_start(values, format);
+  int length = vsnprintf(w->text + w->used, sizeof w->text - w->used, format, values);
+  va_end(values);
+  w->at[w->count++] = w->text + w->used;
+  w->used += (size_t)length + 1;
 }
 
-static void run_hear(pov_run *r, const char *bytes, size_t count) {
-  for (size_t i = 0; i < count; i++) {
-    char c = bytes[i];
-    if (c == '\r' || c == '\n') {
-      if (r->in_piece) run_piece(r);
-      r->in_piece = c == '\r';
-    }
-    if (c == '\r') continue;
-    if (r->in_piece) {
-      if (r->piece_used + 1 < sizeof r->piece) r->piece[r->piece_used++] = c;
-      continue;
-    }
-    if (r->used + 1 >= sizeof r->text) { /* the newest matters: errors come last */
-      memmove(r->text, r->text + sizeof r->text / 2, r->used - sizeof r->text / 2);
-      r->used -= sizeof r->text / 2;
-    }
-    r->text[r->used++] = c;
-  }
-  r->text[r->used] = '\0';
+/* A file of the folder as POV-Ray takes it: it divides every argument at blanks and quotes once more. */
+static void file_word(words *w, const char *option, const char *folder, const char *name, const char *ending) {
+  char quote = strchr(folder, '"') ? '\'' : '"';
+  word(w, "%s%c%s/%s%s%c", option, quote, folder, name, ending, quote);
 }
 
-/* Joins lines that were wrapped. */
-static void run_unwrap(char *text) {
-  char *to = text;
-  for (const char *from = text; *from != '\0'; from++)
-    if (!(from[0] == '\n' && from[1] == ' ')) *to++ = *from;
-  *to = '\0';
-}
-
-/* The first complaint about the scene: its line there, and the message, which is cut out of the text. */
-static const char *run_complaint(char *text, unsigned long *line) {
-  for (char *at = text; (at = strstr(at, "File '")) != NULL; at++) {
-    char *end = strchr(at, '\n'), *number = strstr(at, "' line ");
-    if (end != NULL) *end = '\0';
-    /* an upright view is such a camera on purpose (povray_scene.c) */
-    bool meant = strstr(at, "Warning: Camera vectors are not perpendicular") != NULL;
-    if (number != NULL && (end == NULL || number < end) && !meant) {
-      char *after;
-      *line = strtoul(number + 7, &after, 10);
-      if (strncmp(after, ": ", 2) == 0) { /* "Possible Parse Error: " says nothing to a modeller */
-        const char *kind = strstr(after + 2, "Error: ");
-        return kind != NULL && kind - after < 24 ? kind + 7 : after + 2;
-      }
-    }
-    if (end != NULL) *end = '\n';
-  }
-  return NULL;
-}
-
-static const char *run_last_line(char *text) {
-  size_t length = strlen(text);
-  while (length > 0 && (text[length - 1] == '\n' || text[length - 1] == ' ')) text[--length] = '\0';
-  char *line = strrchr(text, '\n');
-  return line != NULL ? line + 1 : text;
-}
-
-/* ---- the process ---- */
-
-/* Our own soft limit of memory is that of the model: a worker has the hard one. */
-static void run_give_memory(pid_t process) {
-#ifdef __linux__
-  struct rlimit own;
-  if (getrlimit(RLIMIT_DATA, &own) != 0 || own.rlim_cur == own.rlim_max) return;
-  own.rlim_cur = own.rlim_max;
-  prlimit(process, RLIMIT_DATA, &own, NULL);
-#else
-  (void)process;
-#endif
-}
-
-/* A file's name as POV-Ray takes it: it divides every argument at blanks and quotes once more. */
-static void run_quote(char *out, size_t room, const char *option, const char *name) {
-  char quote = strchr(name, '"') ? '\'' : '"';
-  snprintf(out, room, "%s%c%s%c", option, quote, name, quote);
-}
-
-/* The child's part: what it hears, what it may do, and what it becomes. Only calls that are safe in a child of a
- * process with threads. */
-static void run_become(const pov_run *r, const int errors[2], char *const *arguments, char *const *environment) {
-  static const int usual[] = { SIGINT, SIGPIPE, SIGTERM, SIGHUP };
-  sigset_t none;
-  int nothing = open("/dev/null", O_RDWR);
-#ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL); /* where we are killed ourselves, nobody else ends it */
-#endif
-  setpgid(0, 0); /* a group of its own, so that what it has started ends with it */
-  for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) signal(usual[i], SIG_DFL);
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, NULL);
-  if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(nothing, 1) < 0 || dup2(errors[1], 2) < 0) return;
-  if (nothing > 2) close(nothing);
-  close(errors[0]);
-  if (errors[1] > 2) close(errors[1]);
-  vs_povray_confine(r->folder);
-  execvpe("povray", arguments, environment);
-}
-
-/* Starts it. 0, or errno where it did not. */
-static int run_start(pov_run *r, const int errors[2], char *const *arguments, char *const *environment) {
-  int said[2], problem = 0;
-  if (pipe2(said, O_CLOEXEC) != 0) return errno;
-  r->process = fork();
-  if (r->process == 0) {
-    run_become(r, errors, arguments, environment);
-    problem = errno;
-    _exit(write(said[1], &problem, sizeof problem) < 0 ? 126 : 127);
-  }
-  if (r->process < 0) problem = errno;
-  close(said[1]);
-  while (r->process > 0 && read(said[0], &problem, sizeof problem) < 0 && errno == EINTR) continue;
-  close(said[0]);
-  if (r->process > 0) setpgid(r->process, r->process);
-  if (r->process > 0 && problem != 0) waitpid(r->process, NULL, 0);
-  return problem;
-}
-
-static bool run_spawn(vs_emitter *e, pov_run *r, const char *scene) {
-  int pipe_ends[2];
-  if (pipe(pipe_ends) != 0) return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "cannot talk to POV-Ray: no pipe");
-  int width = e->options->width > 0 ? e->options->width : 1024,
-      height = e->options->height > 0 ? e->options->height : 768;
-  char wide[24], high[24], in[POV_PATH_ROOM + 8], out[POV_PATH_ROOM + 8];
-  char home[POV_PATH_ROOM], ini[POV_PATH_ROOM + 8], path[POV_PATH_ROOM];
-  snprintf(wide, sizeof wide, "+W%d", width);
-  snprintf(high, sizeof high, "+H%d", height);
-  run_quote(in, sizeof in, "+I", scene);
-  run_quote(out, sizeof out, "+O", r->picture);
-  snprintf(home, sizeof home, "HOME=%s", r->folder);
-  snprintf(ini, sizeof ini, "POVINI=%s", r->ini);
-  const char *where = getenv("PATH");
-  snprintf(path, sizeof path, "PATH=%s", where != NULL ? where : "/usr/local/bin:/usr/bin:/bin");
+static void words_of(const pov_work *work, const vs_povray_job *job, words *w) {
+  const vs_exr_part *p = &job->part;
+  vs_render_quality quality = work->e->options->quality;
+  word(w, "povray");
+  file_word(w, "+I", work->folder, strrchr(work->scene, '/') + 1, "");
+  file_word(w, "+O", work->folder, job->name, ".exr");
+  word(w, "+W%u", job->columns);
+  word(w, "+H%u", job->rows);
+  word(w, "+WT%u", job->threads);
+  static const char *const usual[] = { "+FE", "-D", "-GD", "-GR", "-GS" };
+  for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) word(w, "%s", usual[i]);
+  /* the first and the last column and row, counted from 1; a last one that is 1 means all to POV-Ray */
+  if (p->left > 0) word(w, "+SC%u", p->left + 1);
+  if (p->top > 0) word(w, "+SR%u", p->top + 1);
+  if (p->left + p->columns < job->columns) word(w, "+EC%u", p->left + p->columns);
+  if (p->top + p->rows < job->rows) word(w, "+ER%u", p->top + p->rows);
   /* Jitter, which POV-Ray has unless it is told, makes dots of upright edges; without it they are even at no cost. */
-  char *smooth[] = { "+A0.1", "+AM2", "+R2", "-J" };
-  if (e->options->quality == VS_RENDER_DRAFT) smooth[0] = "-A", smooth[1] = NULL;
-  else if (e->options->quality == VS_RENDER_FINAL) smooth[0] = "+A0.05", smooth[2] = "+R3";
-  const int *crop = e->options->crop;
-  char part[4][24];
-  if (crop[2]) { /* the first and the last column and row, counted from 1 */
-    snprintf(part[0], sizeof part[0], "+SC%d", crop[0] + 1);
-    snprintf(part[1], sizeof part[1], "+EC%d", crop[0] + crop[2]);
-    snprintf(part[2], sizeof part[2], "+SR%d", crop[1] + 1);
-    snprintf(part[3], sizeof part[3], "+ER%d", crop[1] + crop[3]);
+  if (!job->smooth || quality == VS_RENDER_DRAFT) {
+    word(w, "-A");
+  } else {
+    word(w, quality == VS_RENDER_FINAL ? "+A0.05" : "+A0.1");
+    word(w, "+AM2");
+    word(w, quality == VS_RENDER_FINAL ? "+R3" : "+R2");
+    word(w, "-J");
   }
-  char *arguments[19] = { "povray", in, wide, high, out, "+FE", "-D", "-GD", "-GR", "-GS" };
-  size_t count = 10;
-  for (int i = 0; i < 4 && crop[2]; i++) arguments[count++] = part[i];
-  for (int i = 0; i < 4 && smooth[i]; i++) arguments[count++] = smooth[i];
-  char *environment[] = { home, ini, path, "LC_ALL=C", NULL };
-  int problem = run_start(r, pipe_ends, arguments, environment);
-  close(pipe_ends[1]);
-  r->errors = pipe_ends[0];
-  if (problem == 0) {
-    run_give_memory(r->process);
-    return true;
+  if (job->samples == VS_SAMPLES_KEPT) {
+    word(w, "+RFO");
+    file_word(w, "+RF", work->folder, job->name, ".rca");
+  } else if (job->samples == VS_SAMPLES_GIVEN) {
+    word(w, "+RFI");
+    word(w, "Declare=VS_Samples=1");
+    file_word(w, "+RF", work->folder, "samples", ".rca");
   }
-  close(r->errors);
-  if (problem == ENOENT)
-    return vs_error_set(e->error, VS_ERROR_WORKER, NULL,
-                        "POV-Ray is not installed: pictures need the package povray (sudo apt-get install povray)");
-  return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray did not start: %s", strerror(problem));
+  w->at[w->count] = NULL;
 }
 
-static void run_pause(void) { nanosleep(&(struct timespec){ .tv_nsec = 20000000 }, NULL); }
+/* ---- several at a time ---- */
 
-/* Has it ended? Then whatever it started and left goes, too, while its number is still its own. */
-static bool run_ended(pov_run *r, int *status) {
-  siginfo_t how = { .si_pid = 0 };
-  if (waitid(P_PID, (id_t)r->process, &how, WEXITED | WNOHANG | WNOWAIT) == 0 && how.si_pid == 0) return false;
-  kill(-r->process, SIGKILL);
-  while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
+static bool crew_start(pov_work *work, pov_crew *c, size_t slot) {
+  words w = { .count = 0 };
+  words_of(work, &c->jobs[c->of[slot].job], &w);
+  c->of[slot].starts++;
+  c->at[slot].fraction = 0;
+  return vs_povray_start(work->e, &c->at[slot], work->folder, w.at);
+}
+
+static double job_pixels(const vs_povray_job *job) { return (double)job->part.columns * job->part.rows; }
+
+/* Starts what there is room for. */
+static bool crew_fill(pov_work *work, pov_crew *c) {
+  for (size_t i = 0; i < c->room && c->next < c->count; i++) {
+    if (c->at[i].process > 0) continue;
+    c->of[i].job = c->next++;
+    c->of[i].starts = 0;
+    if (!crew_start(work, c, i)) return false;
+  }
   return true;
 }
 
-/* Ends it, hard if it does not listen within two seconds; its exit status either way. */
-static int run_stop(pov_run *r) {
+/* Listens a moment. Returns how many run. */
+static size_t crew_hear(pov_crew *c) {
+  struct pollfd wait[AT_ONCE];
+  size_t of[AT_ONCE], talking = 0, running = 0;
+  for (size_t i = 0; i < c->room; i++) {
+    if (c->at[i].process <= 0) continue;
+    running++;
+    if (c->at[i].errors < 0) continue;
+    of[talking] = i;
+    wait[talking++] = (struct pollfd){ .fd = c->at[i].errors, .events = POLLIN };
+  }
+  int heard = running > 0 ? poll(wait, talking, talking < running ? 20 : 100) : 0;
+  for (size_t i = 0; heard > 0 && i < talking; i++)
+    if (wait[i].revents) vs_povray_hear(&c->at[of[i]]);
+  return running;
+}
+
+/* Judges those that have ended. */
+static bool crew_take(pov_work *work, pov_crew *c) {
   int status = 0;
-  kill(-r->process, SIGTERM);
-  for (int i = 0; i < 100; i++) {
-    if (run_ended(r, &status)) return status;
-    run_pause();
+  bool ok = true;
+  for (size_t i = 0; ok && i < c->room; i++) {
+    vs_povray_process *p = &c->at[i];
+    if (p->process <= 0 || p->errors >= 0 || !vs_povray_ended(p, &status)) continue;
+    if (c->of[i].starts < STARTS && vs_povray_was_starved(p, status)) {
+      ok = crew_start(work, c, i);
+      continue;
+    }
+    /* an interrupt may have ended it before us */
+    ok = vs_emit_progress(work->e, "rendering", work->done) && vs_povray_judge(work->e, p, status);
+    c->finished += job_pixels(&c->jobs[c->of[i].job]);
   }
-  kill(-r->process, SIGKILL);
-  while (!run_ended(r, &status)) run_pause();
-  return status;
+  return ok;
 }
 
-/* Listens until it ends, also where it has closed its side before. False: stopped, and the error says why. */
-static bool run_listen(vs_emitter *e, pov_run *r, int *status) {
-  double begun = run_now(), told = 0;
-  for (bool talks = true; talks || !run_ended(r, status);) {
-    struct pollfd wait = { .fd = r->errors, .events = POLLIN };
-    char bytes[4096];
-    if (!talks) {
-      run_pause();
-    } else if (poll(&wait, 1, 100) > 0) {
-      ssize_t count = read(r->errors, bytes, sizeof bytes);
-      if (count > 0) run_hear(r, bytes, (size_t)count);
-      talks = count != 0;
-    }
-    double now = run_now();
-    if (now - told > 0.1) {
-      told = now;
-      if (!vs_emit_progress(e, "rendering", r->fraction)) {
-        *status = run_stop(r);
-        return false;
-      }
-    }
-    if (e->options->worker_seconds > 0 && now - begun > e->options->worker_seconds) {
-      *status = run_stop(r);
-      return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was stopped after %g seconds",
-                          e->options->worker_seconds);
-    }
+/* Says how far the work is, ten times a second; false: it is to stop, and the error is set. */
+static bool crew_tell(pov_work *work, const pov_crew *c) {
+  double at = now(), limit = work->e->options->worker_seconds, pixels = c->finished;
+  if (limit > 0 && at - work->begun > limit)
+    return vs_error_set(work->e->error, VS_ERROR_WORKER, NULL, "POV-Ray was stopped after %g seconds", limit);
+  if (at - work->told < 0.1) return true;
+  work->told = at;
+  for (size_t i = 0; i < c->room; i++)
+    if (c->at[i].process > 0) pixels += c->at[i].fraction * job_pixels(&c->jobs[c->of[i].job]);
+  return vs_emit_progress(work->e, "rendering", work->done + work->share * fmin(1, pixels / c->pixels));
+}
+
+/* Runs the jobs. share: of all the work. */
+static bool work_do(pov_work *work, const vs_povray_job *jobs, size_t count, double share) {
+  vs_store *store = work->e->scene->store;
+  size_t room = vs_povray_at_once(work->e->options, jobs, work->scene_size);
+  pov_crew c = { .jobs = jobs, .count = count };
+  c.room = room < count ? room : count;
+  if (c.room > AT_ONCE) c.room = AT_ONCE;
+  for (size_t i = 0; i < count; i++) c.pixels += job_pixels(&jobs[i]);
+  c.at = vs_store_realloc(store, NULL, 0, c.room * sizeof *c.at);
+  if (c.at == NULL) return vs_emit_no_memory(work->e);
+  for (size_t i = 0; i < c.room; i++) c.at[i].process = 0, c.at[i].errors = -1;
+  work->share = share;
+  bool ok = crew_fill(work, &c);
+  while (ok && crew_hear(&c) > 0) ok = crew_take(work, &c) && crew_tell(work, &c) && crew_fill(work, &c);
+  vs_povray_stop(c.at, c.room);
+  vs_store_realloc(store, c.at, c.room * sizeof *c.at, 0);
+  work->done += share;
+  return ok;
+}
+
+/* ---- what runs share ---- */
+
+static void name_of(const pov_work *work, const char *name, const char *ending, char out[NAME_ROOM]) {
+  snprintf(out, NAME_ROOM, "%s/%s%s", work->folder, name, ending);
+}
+
+static bool work_failed(const pov_work *work, const char *path) {
+  return vs_error_set(work->e->error, VS_ERROR_FILE, NULL, "cannot write %s: %s", path,
+                      errno == ENOSPC ? "the disk is full" : strerror(errno));
+}
+
+/* Appends a file to another that is open. */
+static bool append(int to, const char *path) {
+  char part[1 << 14];
+  int from = open(path, O_RDONLY | O_CLOEXEC);
+  ssize_t count = from < 0 ? -1 : 1;
+  while (count > 0) {
+    count = read(from, part, sizeof part);
+    if (count < 0 && errno == EINTR) count = 1;
+    else if (count > 0 && write(to, part, (size_t)count) != count) count = -1, errno = ENOSPC;
   }
-  return vs_emit_progress(e, "rendering", r->fraction); /* an interrupt may have ended it before us */
+  int problem = errno;
+  if (from >= 0) close(from);
+  errno = problem;
+  return count == 0;
 }
 
-/* ---- what came of it ---- */
-
-static bool run_judge(vs_emitter *e, pov_run *r, int status) {
-  unsigned long line = 0;
-  run_unwrap(r->text);
-  const char *complaint = run_complaint(r->text, &line);
-  if (complaint != NULL)
-    return vs_error_set(e->error, VS_ERROR_WORKER, vs_emit_line_origin(e, (uint32_t)line), "POV-Ray: %s", complaint);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
-  if (WIFSIGNALED(status))
-    return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was ended by signal %d", WTERMSIG(status));
-  const char *last = run_last_line(r->text);
-  return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray failed%s%s", *last ? ": " : " and said nothing", last);
+/* Puts the samples of the first pass together, and takes their files away. */
+static bool join_samples(const pov_work *work) {
+  char path[NAME_ROOM], part[NAME_ROOM];
+  name_of(work, "samples", ".rca", path);
+  int to = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  bool ok = to >= 0;
+  for (size_t i = 0; ok && i < work->plan.pass_count; i++) {
+    name_of(work, work->plan.jobs[i].name, ".rca", part);
+    ok = append(to, part);
+    unlink(part);
+  }
+  if (to >= 0 && close(to) != 0) ok = false;
+  return ok || work_failed(work, path);
 }
 
-/* POV-Ray gives its own threads a few seconds to start and then gives up, which happens on a machine with much other
- * work and says nothing about the scene. */
-static bool run_was_starved(const pov_run *r, int status) {
-  bool done = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  return !done && strstr(r->text, "Timed out waiting for worker thread startup");
-}
-
-static bool run_prepare(vs_emitter *e, pov_run *r, const char *scene) {
-  const char *slash = strrchr(scene, '/');
-  size_t length = slash != NULL ? (size_t)(slash - scene) : 0;
-  if (length == 0 || length >= sizeof r->folder)
-    return vs_error_set(e->error, VS_ERROR_FILE, NULL, "the temporary folder's name is too long");
-  memcpy(r->folder, scene, length);
-  r->folder[length] = '\0';
-  snprintf(r->picture, sizeof r->picture, "%s/picture.exr", r->folder);
-  snprintf(r->ini, sizeof r->ini, "%s/povray.ini", r->folder);
-  snprintf(r->state, sizeof r->state, "%s/picture.pov-state", r->folder);
-  static const char words[] = "Library_Path=\"/usr/share/povray-3.7/include\"\n";
-  int file = open(r->ini, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  bool ok = file >= 0 && write(file, words, sizeof words - 1) == (ssize_t)(sizeof words - 1);
+static bool work_prepare(pov_work *work) {
+  const char *slash = strrchr(work->scene, '/');
+  size_t length = slash != NULL ? (size_t)(slash - work->scene) : 0;
+  struct stat info;
+  char ini[NAME_ROOM];
+  if (length == 0 || length >= sizeof work->folder)
+    return vs_error_set(work->e->error, VS_ERROR_FILE, NULL, "the temporary folder's name is too long");
+  memcpy(work->folder, work->scene, length);
+  work->folder[length] = '\0';
+  if (stat(work->scene, &info) == 0) work->scene_size = (uint64_t)info.st_size;
+  name_of(work, "povray", ".ini", ini);
+  static const char text[] = "Library_Path=\"/usr/share/povray-3.7/include\"\n";
+  int file = open(ini, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  bool ok = file >= 0 && write(file, text, sizeof text - 1) == (ssize_t)(sizeof text - 1);
   if (file >= 0 && close(file) != 0) ok = false;
-  return ok || vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: %s", r->ini,
-                            errno == ENOSPC ? "the disk is full" : strerror(errno));
+  return ok || work_failed(work, ini);
+}
+
+/* ---- the picture ---- */
+
+/* Do the places of samples have digits enough? */
+static bool is_far(const vs_emitter *e) {
+  double away = 0;
+  const double at[] = { e->bounds.min.x, e->bounds.min.y, e->bounds.min.z,
+                        e->bounds.max.x, e->bounds.max.y, e->bounds.max.z };
+  for (int i = 0; i < 6; i++) away = fmax(away, fabs(at[i]));
+  return away > farthest * vs_bounds_diagonal(&e->bounds);
+}
+
+/* Makes all that the plan says; *tone gets the exposure that the first pass asks for. A picture that it finds too dark
+ * is planned anew, as one run. */
+static bool work_all(pov_work *work, vs_tone *tone) {
+  vs_povray_plan *p = &work->plan;
+  double stops = 0, dark = 0;
+  if (!p->bounced || p->pass_count == 0) {
+    if (!work_do(work, p->jobs, p->count, 1)) return false;
+    if (p->pass_count > 0 && !vs_povray_meter(work->e, work->folder, p, tone->curve, &stops)) return false;
+  } else {
+    bool ok = work_do(work, p->jobs, p->pass_count, pass_share) &&
+              vs_povray_meter(work->e, work->folder, p, tone->curve, &stops) &&
+              vs_povray_meter(work->e, work->folder, p, VS_TONE_NEUTRAL, &dark);
+    if (ok && dark > darkest) *p = vs_povray_plan_of(work->e->options, p->metered, true);
+    else ok = ok && join_samples(work);
+    if (!ok || !work_do(work, p->jobs + p->pass_count, p->count - p->pass_count, 1 - pass_share)) return false;
+  }
+  if (p->pass_count > 0 && p->metered) tone->fixed = true, tone->stops += stops;
+  return true;
 }
 
 static bool run_render(vs_emitter *e, const char *scene, const char *output, bool develop) {
-  pov_run *r = vs_zeros(1, sizeof *r);
-  if (r == NULL) return vs_emit_no_memory(e);
-  enum { STARTS = 5 };
-  int status = 0, starts = 0;
-  bool ok = run_prepare(e, r, scene), again = ok;
-  while (again) {
-    r->used = r->piece_used = 0;
-    r->text[0] = 0;
-    r->in_piece = false;
-    ok = run_spawn(e, r, scene);
-    if (!ok) break;
-    ok = run_listen(e, r, &status);
-    close(r->errors);
-    again = ok && ++starts < STARTS && run_was_starved(r, status);
-    if (!again) ok = ok && run_judge(e, r, status);
-  }
-  if (ok)
-    ok = develop ? vs_povray_develop_picture(e, r->picture, output) : vs_povray_take_picture(e, r->picture, output);
-  unlink(r->picture);
-  unlink(r->ini);
-  unlink(r->state);
-  free(r);
-  return ok;
+  pov_work work = { .e = e, .scene = scene, .begun = now() };
+  vs_tone tone = e->options->tone;
+  work.plan = vs_povray_plan_of(e->options, develop && !tone.fixed, is_far(e));
+  if (!work_prepare(&work) || !work_all(&work, &tone)) return false;
+  vs_povray_result r = { work.folder, &work.plan, &tone };
+  return develop ? vs_povray_develop_picture(e, &r, output) : vs_povray_take_picture(e, &r, output);
 }
 
 bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output) {

@@ -54,6 +54,7 @@ typedef struct {
   picture *at;
   size_t count, room;
   char *manifest, program[PATH_ROOM];
+  char threads[24];           /* processors of each picture, a share of all if several are made at a time; empty: all */
   const char *manifest_path;  /* NULL: none */
   int lock;                   /* the manifest's file, locked; -1 */
   bool unwritten;             /* the manifest could not be written; the message is out */
@@ -370,6 +371,7 @@ static const char **words_of(const batch *b, const picture *p, char **defines, c
   while (rest && (one = strsep(&rest, ",")) != NULL) w[n++] = "-D", w[n++] = one;
   if (p->view) w[n++] = "--view", w[n++] = p->view;
   if (*p->exposure) w[n++] = "--exposure", w[n++] = p->exposure;
+  if (*b->threads) w[n++] = "--threads", w[n++] = b->threads;
   w[n++] = "-q";
   w[n++] = "-o";
   w[n++] = file;
@@ -514,6 +516,12 @@ static void expose_films(batch *b, const volatile sig_atomic_t *ended) {
 }
 
 /* ---- the run ---- */
+
+static void share_processors(batch *b) {
+  long all = sysconf(_SC_NPROCESSORS_ONLN), jobs = (long)b->options->jobs, each = b->options->output.threads;
+  if (!each && jobs > 1) each = all / jobs > 1 ? all / jobs : 1;
+  if (each) snprintf(b->threads, sizeof b->threads, "%ld", each);
+}
 
 /* The work of a picture's process. */
 typedef result picture_work(const batch *b, const picture *p);
@@ -732,6 +740,7 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
   else {
     outcome = VS_OUTCOME_USAGE;
     b.told = cli_inputs_begin();
+    share_processors(&b);
     if (make_folder(o)) {
       b.manifest_path = manifest_of(o, beside);
       if (prepare(&b)) outcome = run_batch(&b);

@@ -15,6 +15,7 @@
 #include <cmocka.h>
 #include <zlib.h>
 
+#include "backends/povray/povray_plan.h"
 #include "backends/number_spelling.h"
 #include "passes/flush.h"
 #include "backends/backend.h"
@@ -745,6 +746,38 @@ static void test_povray_stops(void **state) {
   test_model_close(&m);
 }
 
+/* The strips of a picture lie one under the other and are those of its size alone: no number of processors changes them, and a part has those of the whole that it meets. */
+static void test_povray_plan(void **state) {
+  (void)state;
+  static const int sizes[][2] = { { 1, 1 }, { 64, 48 }, { 3, 4000 }, { 4000, 3 }, { 640, 480 }, { 1024, 768 }, { 1023, 997 }, { 4800, 3600 }, { 32768, 32768 } };
+  for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+    for (int quality = 0; quality <= VS_RENDER_FINAL; quality++) {
+      vs_export_options o;
+      vs_export_options_init(&o);
+      o.width = sizes[i][0], o.height = sizes[i][1], o.quality = (vs_render_quality)quality, o.threads = 1;
+      vs_povray_plan whole = vs_povray_plan_of(&o, true, false);
+      assert_true(whole.count > whole.pass_count);
+      uint32_t row = 0, column = 0;
+      for (size_t k = 0; k < whole.count; k++) {
+        const vs_povray_job *j = &whole.jobs[k];
+        assert_true(k < whole.pass_count ? j->part.left == column && j->part.rows == j->rows : j->part.top == row && j->part.columns == j->columns);
+        if (k < whole.pass_count) column += j->part.columns;
+        else row += j->part.rows;
+        assert_true(quality == VS_RENDER_DRAFT || j->threads == 1);
+      }
+      assert_true(row == whole.rows && (!whole.pass_count || column == whole.jobs[0].columns));
+      o.threads = 7;
+      o.crop[0] = o.width / 3, o.crop[1] = o.height / 3, o.crop[2] = (o.width + 2) / 3, o.crop[3] = (o.height + 2) / 3;
+      vs_povray_plan part = vs_povray_plan_of(&o, true, false);
+      assert_int_equal(part.pass_count, whole.pass_count);
+      for (size_t k = 0; quality != VS_RENDER_DRAFT && k < part.count; k++) {
+        size_t same = 0;
+        for (size_t m = 0; m < whole.count; m++) same += memcmp(&part.jobs[k], &whole.jobs[m], sizeof *whole.jobs) == 0;
+        assert_int_equal(same, 1);
+      }
+    }
+}
+
 /* A red sphere before a pale sky: red in the middle, none in the corner. POV-Ray reads the picture back and says its colours. */
 static void test_povray_picture(void **state) {
   (void)state;
@@ -867,7 +900,7 @@ static void test_tells_what_is_left_out(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_tells_what_is_left_out), cmocka_unit_test(test_numbers), cmocka_unit_test(test_numbers_locale), cmocka_unit_test(test_tree_reads_back), cmocka_unit_test(test_tree_golden),
-    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_deflate), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_povray_solids), cmocka_unit_test(test_povray_solids_left), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
+    cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_deflate), cmocka_unit_test(test_povray_plan), cmocka_unit_test(test_povray_words), cmocka_unit_test(test_povray_skins), cmocka_unit_test(test_povray_solids), cmocka_unit_test(test_povray_solids_left), cmocka_unit_test(test_openscad_words), cmocka_unit_test(test_x3d_words), cmocka_unit_test(test_stl_words),
     cmocka_unit_test(test_left_out), cmocka_unit_test(test_templates), cmocka_unit_test(test_singular), cmocka_unit_test(test_deep),
     cmocka_unit_test(test_no_memory), cmocka_unit_test(test_files), cmocka_unit_test(test_formats), cmocka_unit_test(test_povray_missing),
     cmocka_unit_test(test_povray_complains), cmocka_unit_test(test_povray_stops), cmocka_unit_test(test_povray_picture),

@@ -1,0 +1,87 @@
+/* Owns how a picture is divided among runs of POV-Ray, so that the same model gives the same bytes.
+ *
+ * Several threads of one run gather bounced light in an order that chance decides, and a sample that one has taken
+ * changes what the next one takes. A run of one thread always does the same. A picture with bounced light is therefore
+ * made in two steps. The first pass, a small picture, gathers the light: its left and its right half are runs of one
+ * thread, whose samples are put together in that order. Then each strip is a run of one thread that takes these
+ * samples. How many strips there are, and where, goes by the picture's size alone, and as many run at a time as there
+ * are processors: their number changes the time, not the picture. A part of a picture is cut out of the strips that it
+ * meets.
+ *
+ * The exposure is found in the first pass, so that a part has that of the whole. A draft has no bounced light: each of
+ * its pixels depends on itself alone, and one run of many threads makes what is wanted of it.
+ *
+ * A small picture, whose runs would take longer to begin than to draw, is one run of one thread. */
+#include "backends/povray/povray_plan.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "kernel/threads.h"
+
+/* A strip's height in pixels, about; how many pixels a small picture has; and the longer side of the first pass: half
+ * of the picture's, but not less nor more. It finds what the net of samples has missed: a `final` picture, whose
+ * samples lie closer, wants a larger one. */
+enum { STRIP = 120, SMALL = 1 << 15, PASS_LEAST = 200, PASS_MOST = 400, PASS_MOST_FINAL = 800 };
+
+static uint32_t between(uint32_t least, uint32_t x, uint32_t most) { return x < least ? least : x > most ? most : x; }
+
+static void plan_passes(vs_povray_plan *p, vs_render_quality quality) {
+  uint32_t side = p->columns > p->rows ? p->columns : p->rows;
+  uint32_t most = quality == VS_RENDER_FINAL ? PASS_MOST_FINAL : PASS_MOST, longer = between(PASS_LEAST, side / 2, most);
+  if (longer > side) longer = side;
+  uint32_t columns = between(1, (uint32_t)llround((double)p->columns * longer / side), longer);
+  uint32_t rows = between(1, (uint32_t)llround((double)p->rows * longer / side), longer);
+  p->pass_count = p->bounced && columns >= VS_POVRAY_PASSES ? VS_POVRAY_PASSES : 1;
+  for (uint32_t i = 0; i < p->pass_count; i++) {
+    uint32_t from = columns * i / (uint32_t)p->pass_count, to = columns * (i + 1) / (uint32_t)p->pass_count;
+    p->jobs[p->count] = (vs_povray_job){ columns, rows, { from, 0, to - from, rows }, .threads = 1,
+                                    .samples = p->bounced ? VS_SAMPLES_KEPT : VS_SAMPLES_OWN };
+    snprintf(p->jobs[p->count].name, sizeof p->jobs[p->count].name, "pass%u", i);
+    p->count++;
+  }
+}
+
+/* Those strips that the wanted part meets. */
+static void plan_strips(vs_povray_plan *p) {
+  uint32_t count = between(1, p->rows / STRIP, VS_POVRAY_STRIPS), end = p->wanted.top + p->wanted.rows;
+  for (uint32_t i = 0; i < count; i++) {
+    uint32_t from = p->rows * i / count, to = p->rows * (i + 1) / count;
+    if (to <= p->wanted.top || from >= end) continue;
+    vs_povray_job *job = &p->jobs[p->count++];
+    *job = (vs_povray_job){ p->columns, p->rows, { 0, from, p->columns, to - from }, .threads = 1, .smooth = true,
+                            .samples = VS_SAMPLES_GIVEN };
+    snprintf(job->name, sizeof job->name, "strip%u", i);
+  }
+}
+
+vs_povray_plan vs_povray_plan_of(const vs_export_options *o, bool metered, bool alone) {
+  vs_povray_plan p = { .columns = o->width > 0 ? (uint32_t)o->width : 1024,
+                       .rows = o->height > 0 ? (uint32_t)o->height : 768,
+                       .bounced = o->quality != VS_RENDER_DRAFT, .metered = metered };
+  vs_exr_part all = { 0, 0, p.columns, p.rows };
+  const int *c = o->crop;
+  p.wanted = c[2] ? (vs_exr_part){ (uint32_t)c[0], (uint32_t)c[1], (uint32_t)c[2], (uint32_t)c[3] } : all;
+  alone = alone || (uint64_t)p.columns * p.rows <= SMALL;
+  if (!alone && (p.bounced || metered)) plan_passes(&p, o->quality);
+  if (!alone && p.bounced) {
+    plan_strips(&p);
+  } else {
+    uint32_t threads = p.bounced ? 1 : vs_kernel_threads(&(vs_kernel_options){ .threads = o->threads });
+    bool whole = p.bounced || (alone && metered);
+    p.jobs[p.count++] = (vs_povray_job){ p.columns, p.rows, whole ? all : p.wanted, .threads = threads,
+                                                 .smooth = true, .name = "whole" };
+  }
+  return p;
+}
+
+/* POV-Ray takes some twenty times the text, and twenty bytes a pixel. */
+size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene) {
+  long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+  double each = 0x1p26 + 20. * (double)scene + 20. * job->columns * job->rows;
+  double room = pages > 0 && page > 0 ? (double)pages * (double)page / 2 / each : 1;
+  size_t threads = vs_kernel_threads(&(vs_kernel_options){ .threads = o->threads });
+  return room < 1 ? 1 : room < (double)threads ? (size_t)room : threads;
+}

@@ -1,0 +1,232 @@
+/* Owns one process of POV-Ray: what it hears and may do, its progress and its complaints.
+ *
+ * POV-Ray says everything on standard error: progress in pieces that begin with a carriage return, messages as
+ *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
+ * wrapped at 80 columns with one space in front of what continues. It ends with 0 after warnings that mean a wrong
+ * picture: any is a failure here. A message's line leads, by the table that the driver kept, to the place in the
+ * user's model. It stays in our process group: what ends us from outside (the terminal, timeout) ends it too. */
+#define _GNU_SOURCE /* prlimit, execvpe, pipe2 */
+#include "backends/povray/povray_process.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "backends/povray/povray_confine.h"
+
+/* ---- what it says ---- */
+
+static void run_piece(vs_povray_process *r) {
+  unsigned long done, all;
+  r->piece[r->piece_used] = '\0';
+  if (sscanf(r->piece, "Rendered %lu of %lu", &done, &all) == 2 && all > 0)
+    r->fraction = fmax(r->fraction, (double)done / (double)all);
+  r->piece_used = 0;
+}
+
+static void run_hear(vs_povray_process *r, const char *bytes, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    char c = bytes[i];
+    if (c == '\r' || c == '\n') {
+      if (r->in_piece) run_piece(r);
+      r->in_piece = c == '\r';
+    }
+    if (c == '\r') continue;
+    if (r->in_piece) {
+      if (r->piece_used + 1 < sizeof r->piece) r->piece[r->piece_used++] = c;
+      continue;
+    }
+    if (r->used + 1 >= sizeof r->text) { /* the newest matters: errors come last */
+      memmove(r->text, r->text + sizeof r->text / 2, r->used - sizeof r->text / 2);
+      r->used -= sizeof r->text / 2;
+    }
+    r->text[r->used++] = c;
+  }
+  r->text[r->used] = '\0';
+}
+
+/* Joins lines that were wrapped. */
+static void run_unwrap(char *text) {
+  char *to = text;
+  for (const char *from = text; *from != '\0'; from++)
+    if (!(from[0] == '\n' && from[1] == ' ')) *to++ = *from;
+  *to = '\0';
+}
+
+/* The first complaint about the scene: its line there, and the message, which is cut out of the text. */
+static const char *run_complaint(char *text, unsigned long *line) {
+  for (char *at = text; (at = strstr(at, "File '")) != NULL; at++) {
+    char *end = strchr(at, '\n'), *number = strstr(at, "' line ");
+    if (end != NULL) *end = '\0';
+    /* an upright view is such a camera on purpose (povray_scene.c) */
+    bool meant = strstr(at, "Warning: Camera vectors are not perpendicular") != NULL;
+    if (number != NULL && (end == NULL || number < end) && !meant) {
+      char *after;
+      *line = strtoul(number + 7, &after, 10);
+      if (strncmp(after, ": ", 2) == 0) { /* "Possible Parse Error: " says nothing to a modeller */
+        const char *kind = strstr(after + 2, "Error: ");
+        return kind != NULL && kind - after < 24 ? kind + 7 : after + 2;
+      }
+    }
+    if (end != NULL) *end = '\n';
+  }
+  return NULL;
+}
+
+static const char *run_last_line(char *text) {
+  size_t length = strlen(text);
+  while (length > 0 && (text[length - 1] == '\n' || text[length - 1] == ' ')) text[--length] = '\0';
+  char *line = strrchr(text, '\n');
+  return line != NULL ? line + 1 : text;
+}
+
+/* ---- the process ---- */
+
+/* Our own soft limit of memory is that of the model: a worker has the hard one. */
+static void run_give_memory(pid_t process) {
+#ifdef __linux__
+  struct rlimit own;
+  if (getrlimit(RLIMIT_DATA, &own) != 0 || own.rlim_cur == own.rlim_max) return;
+  own.rlim_cur = own.rlim_max;
+  prlimit(process, RLIMIT_DATA, &own, NULL);
+#else
+  (void)process;
+#endif
+}
+
+/* The child's part: what it hears, what it may do, and what it becomes. Only calls that are safe in a child of a
+ * process with threads. */
+static void run_become(const char *folder, const int errors[2], char *const *arguments, char *const *environment) {
+  static const int usual[] = { SIGINT, SIGPIPE, SIGTERM, SIGHUP };
+  sigset_t none;
+  int nothing = open("/dev/null", O_RDWR);
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL); /* where we are killed ourselves, nobody else ends it */
+#endif
+  setpgid(0, 0); /* a group of its own, so that what it has started ends with it */
+  for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) signal(usual[i], SIG_DFL);
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, NULL);
+  if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(nothing, 1) < 0 || dup2(errors[1], 2) < 0) return;
+  if (nothing > 2) close(nothing);
+  if (errors[1] == 2) fcntl(2, F_SETFD, 0); /* the others go when it becomes POV-Ray */
+  vs_povray_confine(folder);
+  execvpe("povray", arguments, environment);
+}
+
+/* Starts it. 0, or errno where it did not. */
+static int run_start(vs_povray_process *r, const char *folder, const int errors[2], char *const *arguments,
+                     char *const *environment) {
+  int said[2], problem = 0;
+  if (pipe2(said, O_CLOEXEC) != 0) return errno;
+  r->process = fork();
+  if (r->process == 0) {
+    run_become(folder, errors, arguments, environment);
+    problem = errno;
+    _exit(write(said[1], &problem, sizeof problem) < 0 ? 126 : 127);
+  }
+  if (r->process < 0) problem = errno;
+  close(said[1]);
+  while (r->process > 0 && read(said[0], &problem, sizeof problem) < 0 && errno == EINTR) continue;
+  close(said[0]);
+  if (r->process > 0) setpgid(r->process, r->process);
+  if (r->process > 0 && problem != 0) waitpid(r->process, NULL, 0);
+  return problem;
+}
+
+bool vs_povray_start(vs_emitter *e, vs_povray_process *r, const char *folder, char *const *arguments) {
+  int ends[2];
+  char home[VS_POVRAY_PATH_ROOM], ini[VS_POVRAY_PATH_ROOM], path[VS_POVRAY_PATH_ROOM];
+  const char *where = getenv("PATH");
+  r->used = r->piece_used = 0;
+  r->text[0] = 0;
+  r->in_piece = false;
+  r->process = 0;
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    return vs_error_set(e->error, VS_ERROR_MEMORY, NULL, "cannot talk to POV-Ray: no pipe");
+  snprintf(home, sizeof home, "HOME=%s", folder);
+  snprintf(ini, sizeof ini, "POVINI=%s/povray.ini", folder);
+  snprintf(path, sizeof path, "PATH=%s", where != NULL ? where : "/usr/local/bin:/usr/bin:/bin");
+  char *environment[] = { home, ini, path, "LC_ALL=C", NULL };
+  int problem = run_start(r, folder, ends, arguments, environment);
+  close(ends[1]);
+  r->errors = ends[0];
+  if (problem == 0) {
+    run_give_memory(r->process);
+    return true;
+  }
+  close(r->errors);
+  r->process = 0;
+  if (problem == ENOENT)
+    return vs_error_set(e->error, VS_ERROR_WORKER, NULL,
+                        "POV-Ray is not installed: pictures need the package povray (sudo apt-get install povray)");
+  return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray did not start: %s", strerror(problem));
+}
+
+void vs_povray_hear(vs_povray_process *r) {
+  char bytes[4096];
+  ssize_t count = read(r->errors, bytes, sizeof bytes);
+  if (count > 0) run_hear(r, bytes, (size_t)count);
+  if (count != 0) return;
+  close(r->errors);
+  r->errors = -1;
+}
+
+bool vs_povray_ended(vs_povray_process *r, int *status) {
+  siginfo_t how = { .si_pid = 0 };
+  if (waitid(P_PID, (id_t)r->process, &how, WEXITED | WNOHANG | WNOWAIT) == 0 && how.si_pid == 0) return false;
+  kill(-r->process, SIGKILL); /* while its number is still its own */
+  while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
+  r->process = 0;
+  if (r->errors >= 0) close(r->errors);
+  r->errors = -1;
+  return true;
+}
+
+void vs_povray_stop(vs_povray_process *at, size_t count) {
+  int status;
+  size_t left = 1;
+  for (int tries = 0; left > 0; tries++) {
+    left = 0;
+    for (size_t i = 0; i < count; i++) {
+      if (at[i].process <= 0) continue;
+      if (tries == 0) kill(-at[i].process, SIGTERM);
+      if (tries == 100) kill(-at[i].process, SIGKILL);
+      if (!vs_povray_ended(&at[i], &status)) left++;
+    }
+    if (left > 0) nanosleep(&(struct timespec){ .tv_nsec = 20000000 }, NULL);
+  }
+}
+
+/* ---- what came of it ---- */
+
+bool vs_povray_judge(vs_emitter *e, vs_povray_process *r, int status) {
+  unsigned long line = 0;
+  run_unwrap(r->text);
+  const char *complaint = run_complaint(r->text, &line);
+  if (complaint != NULL)
+    return vs_error_set(e->error, VS_ERROR_WORKER, vs_emit_line_origin(e, (uint32_t)line), "POV-Ray: %s", complaint);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
+  if (WIFSIGNALED(status))
+    return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was ended by signal %d", WTERMSIG(status));
+  const char *last = run_last_line(r->text);
+  return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray failed%s%s", *last ? ": " : " and said nothing", last);
+}
+
+/* POV-Ray gives its own threads a few seconds to start and then gives up, which happens on a machine with much other
+ * work and says nothing about the scene. */
+bool vs_povray_was_starved(const vs_povray_process *r, int status) {
+  bool done = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return !done && strstr(r->text, "Timed out waiting for worker thread startup");
+}

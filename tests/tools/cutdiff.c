@@ -1,0 +1,41 @@
+/* Owns the comparison of a part of a picture with the whole, PNG or EXR: `cutdiff WHOLE PART X Y` prints how many pixels of the part have another
+ * luminance than the pixel X and Y further on in the whole, the largest difference and its place in the part. Ends with 0 where none has. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "geometry/files/raster.h"
+
+static bool take(vs_store *s, const char *path, vs_raster *r) {
+  enum { MOST = 1 << 26 };
+  vs_error e = { VS_ERROR_NONE, NULL, "" };
+  FILE *f = fopen(path, "rb");
+  unsigned char *bytes = f ? malloc(MOST) : NULL;
+  size_t size = bytes ? fread(bytes, 1, MOST, f) : 0;
+  bool ok = size && vs_raster_read(s, &(vs_file_bytes){ path, bytes, size }, r, &e);
+  if (!ok) fprintf(stderr, "cutdiff: %s: %s\n", path, size ? e.message : "cannot be read");
+  if (f) fclose(f);
+  free(bytes);
+  return ok;
+}
+
+int main(int argc, char **argv) {
+  vs_store *s = vs_store_new(NULL, NULL);
+  vs_raster whole = { 0 }, part = { 0 };
+  if (argc != 5 || !take(s, argv[1], &whole) || !take(s, argv[2], &part)) return 2;
+  size_t left = (size_t)atoi(argv[3]), top = (size_t)atoi(argv[4]), differ = 0, at = 0;
+  if (left + part.columns > whole.columns || top + part.rows > whole.rows)
+    return fprintf(stderr, "cutdiff: the part reaches past the whole\n"), 2;
+  double most = 0;
+  for (size_t i = 0; i < (size_t)part.columns * part.rows; i++) {
+    size_t x = i % part.columns, y = i / part.columns;
+    double d = fabs(part.at[i] - whole.at[(top + y) * whole.columns + left + x]);
+    differ += d > 0;
+    if (d > most) most = d, at = i;
+  }
+  printf("%zu pixels differ, the largest by %.6f at %zu %zu\n", differ, most, at % part.columns, at / part.columns);
+  vs_raster_free(&whole);
+  vs_raster_free(&part);
+  vs_store_release(s);
+  return differ > 0;
+}

@@ -1,0 +1,62 @@
+# Owns the test that a picture is the same bytes on any number of processors and under load, and a part of it what stands there in the whole: each quality
+# that --quality has, each format that POV-Ray makes. LONG=1: all of them on 1, 2 and 3 processors beside busy ones, and three runs of six examples.
+. tests/report.sh
+
+wanted same || exit 0
+command -v povray > /dev/null || { echo "skip same: no povray (package povray)"; exit 0; }
+qualities=$(sed -n 's/^OPTION(QUALITY,.*VALUE_REQUIRED, "\([a-z|]*\)".*/\1/p' cli/options.def | tr '|' ' ')
+formats=$(sed -n 's/^VS_FORMAT(\([^,]*\), [^,]*, "[^"]*", "povray".*/\1/p' backends/backends.def)
+[ "$(echo $qualities $formats | wc -w)" -ge 5 ] || echo "not ok same: the tables of qualities and formats were not read: $qualities; $formats"
+
+# Glass, a pattern, round and thin things, a corner that only bounced light gets into; as large as pictures are that are made in strips.
+cat > "$work/m.vs" <<'EOF'
+(draw (with-material 'plaster (subtract (make-box (xyz -2 -1 0) (xyz 2 2 3)) (make-box (xyz -1.6 -1.1 0.2) (xyz 1.6 1.6 2.6)))))
+(draw (with-material 'brick (make-box (xyz -3.4 -1 0) (xyz -2.6 0 2))))
+(draw (with-material 'glass (make-sphere (xyz 1 -2 0.6) 0.6)))
+(for* ((i 8)) (draw (make-cylinder (xyz (- (* 0.4 i) 1.4) -1 0.2) 0.04 2.4)))
+(ground 0)
+(camera (xyz 3 -9 2.5) (xyz -0.4 0 1.4) #:lens 40)
+EOF
+sizes="--size 160x240"
+crops="0,0,160,20 40,110,70,31 159,239,1,1 0,119,160,1"
+
+# Says the program nothing of its load: so many processes that only count, until they are told to end.
+load() { busy=; for i in $(seq "$1"); do (while :; do :; done) & busy="$busy $!"; done; }
+unload() { kill $busy; wait $busy 2> /dev/null; busy=; }
+
+draw() { out=$1; shift; "$vs" -q "$work/m.vs" -o "$out" $sizes "$@" 2>> "$work/why" || echo "$out: ended with $?" >> "$work/why"; }
+
+one() { # QUALITY FORMAT PROCESSORS CROPS
+  : > "$work/why"
+  draw "$work/whole.$2" --quality "$1" --threads 1
+  for n in $3; do
+    draw "$work/other.$2" --quality "$1" --threads "$n"
+    cmp "$work/whole.$2" "$work/other.$2" >> "$work/why" 2>&1 || echo "on $n processors" >> "$work/why"
+  done
+  for crop in $4; do
+    set -- "$1" "$2" "$3" "$4" $(echo "$crop" | tr ',' ' ')
+    draw "$work/part.$2" --quality "$1" --crop "$crop"
+    "$BUILD/tools/cutdiff" "$work/whole.$2" "$work/part.$2" "$5" "$6" > "$work/said" 2>&1 || { echo "--crop $crop: $(cat "$work/said")"; } >> "$work/why"
+  done
+  result "same:$1-$2" "$work/why"
+}
+
+if [ -z "${LONG:-}" ]; then # the default quality in each format, and a draft
+  for format in $formats; do one good "$format" 3 "40,110,70,31"; done
+  one draft png 3 "40,110,70,31"
+  exit 0
+fi
+load 3
+for quality in $qualities; do
+  for format in $formats; do one "$quality" "$format" "2 3" "$crops"; done
+done
+for example in vaulted-hall rotunda facade-by-rules voronoi-facade gyroid-pavilion doric-columns; do
+  : > "$work/why"
+  file=$(find examples -name "$example.vs" | head -n 1)
+  for run in 1 2 3; do
+    "$vs" -q "$file" -o "$work/$run.png" --size 480x360 2>> "$work/why" || echo "ended with $?" >> "$work/why"
+    cmp "$work/1.png" "$work/$run.png" >> "$work/why" 2>&1
+  done
+  result "same:$example" "$work/why"
+done
+unload
