@@ -86,6 +86,19 @@ if command -v xmllint >/dev/null 2>&1; then xmllint --noout "$work/out/a.x3d" >>
 find "$work" -name OWNED >> "$work/wrong"
 say texts
 
+# whoever runs out of descriptors is told that, and not that the model reads what it may not
+echo '(load "sub/inside.vs") (write (directory-files "sub")) (display (volume (load-mesh "cube.off")))' > "$models/few.vs"
+ran=
+for files in $(seq 4 24); do
+  (ulimit -n $files; run "$BUILD/vs" --untrusted -q models/few.vs) > "$work/few" 2> "$work/err" < /dev/null
+  status=$?
+  grep -H "files of its own folder\|own folder and those in it" "$work/err" | sed "s/^/$files descriptors: /" >> "$work/wrong"
+  if [ $status = 0 ]; then grep -q 'inside.vs' "$work/few" && ran=yes
+  else grep -q 'Too many open files\|too many files\|error while loading\|cannot be confined\|cannot be prepared' "$work/err" || { echo "$files descriptors: ended with $status"; tail -n 2 "$work/err"; } >> "$work/wrong"; fi
+done
+[ "$ran" ] || echo "24 descriptors are not enough for any run" >> "$work/wrong"
+say descriptors
+
 if command -v povray >/dev/null 2>&1; then
   run "$BUILD/vs" --untrusted -q models/model.vs --size 32x24 --quality draft -o out/a.png > /dev/null 2> "$work/err" < /dev/null
   status=$?

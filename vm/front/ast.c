@@ -36,7 +36,7 @@ void vs_ast_clear(vs_ast *ast) {
   while (last && last->next) last = last->next;
   if (last && last->bytes != CHUNK) last = NULL;
   free_chunks(ast, last);
-  ast->pool_count = 0;
+  ast->pool_count = ast->pool_old = 0;
   ast->left = last ? CHUNK - sizeof *last : 0;
   ast->bump = last ? (char *)(last + 1) : NULL;
 }
@@ -115,6 +115,8 @@ vs_core_node *vs_ast_list(vs_ast *ast, int kind, size_t count, vs_pos pos) {
 }
 
 void vs_gc_visit_trees(vs_scheme *vm, vs_gc_visit *visit) {
-  for (vs_ast *a = vm->asts; a; a = a->next)
-    for (size_t i = 0; i < a->pool_count; i++) visit(vm, &a->pool[i]);
+  for (vs_ast *a = vm->asts; a; a = a->next) {
+    for (size_t i = vs_gc_is_minor(vm) ? a->pool_old : 0; i < a->pool_count; i++) visit(vm, &a->pool[i]);
+    if (vs_gc_is_minor(vm)) a->pool_old = a->pool_count;
+  }
 }

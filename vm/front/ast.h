@@ -91,6 +91,7 @@ typedef struct vs_ast {
   struct vs_ast_chunk *chunks;
   size_t left; char *bump;
   vs_value *pool; size_t pool_count, pool_room;   /* constants; roots */
+  size_t pool_old;                                /* of them, the first that no minor collection has to look at again */
 } vs_ast;
 
 /* links it into vm->asts; the struct is the caller's (in a foreign object of the expander) */

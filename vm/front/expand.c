@@ -51,11 +51,12 @@ static void trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_va
   vs_expansion *x = object;
   mark(vm, &x->now.form); mark(vm, &x->now.env); mark(vm, &x->now.acc);
   mark(vm, &x->procedure); mark(vm, &x->args); mark(vm, &x->forms); mark(vm, &x->later);
-  for (size_t i = 0; i < x->count; i++) {
+  for (size_t i = vs_gc_is_minor(vm) ? x->old : 0; i < x->count; i++) {
     mark(vm, &x->tasks[i].form);
     mark(vm, &x->tasks[i].env);
     mark(vm, &x->tasks[i].acc);
   }
+  if (vs_gc_is_minor(vm)) x->old = x->count; /* a task on the stack is not changed: what it names is old now */
 }
 
 static void release(void *object) {
@@ -90,6 +91,7 @@ static bool push_task(vs_expansion *x, const vs_task *t) {
     x->tasks = tasks;
     x->room = room;
   }
+  if (x->old > x->count) x->old = x->count;
   x->tasks[x->count++] = *t;
   return true;
 }

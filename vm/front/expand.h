@@ -61,6 +61,7 @@ typedef struct vs_expansion {
   bool tree;               /* ast is open */
   vs_task now, *tasks;
   size_t count, room;
+  size_t old;              /* tasks, the first, that no minor collection has to look at again */
   int64_t serial;          /* of the top-level form: scopes of another one are dead */
   vs_core_node *root;
   vs_expand_result result;

@@ -71,6 +71,7 @@ struct vs_gc {
   struct vs_gc_large *large;
   /* vm->end, unless that is held down so that every allocation comes here */
   char *nursery_end;
+  bool minor;                                   /* a minor collection is under way */
   bool ready;                                   /* the spare blocks for the next minor collection are there */
   size_t old_bytes, major_at;                   /* in old objects now; when a major collection is due */
   /* bytes of old objects since memory was last refused and all was collected for it */
@@ -483,11 +484,14 @@ static void gc_trace_foreign(vs_scheme *vm, void (*visit)(vs_scheme *, vs_value 
   }
 }
 
+bool vs_gc_is_minor(const vs_scheme *vm) { return vm->gc->minor; }
+
 void vs_gc_minor(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   if (!gc->ready) return;      /* nothing was allocated */
   gc->grey = NULL;
   gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* these are wiped */
+  gc->minor = true;
   gc_visit_roots(vm, minor_visit);
   if (gc->remembered_lost) gc_walk_old(vm, minor_remembered);
   else for (size_t i = 0; i < gc->remembered_count; i++) minor_remembered(vm, gc->remembered[i]);
@@ -518,6 +522,7 @@ void vs_gc_minor(vs_scheme *vm) {
   for (size_t i = 0; i < gc->young_count; i++)
     if (gc->young_foreign[i]) gc_finalize(vm, gc->young_foreign[i]);
   gc->young_count = 0;
+  gc->minor = false;
   if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) memset(vm->nursery, 0xAB, (size_t)(vm->free - vm->nursery));
   vm->free = vm->nursery;
   vm->collections++;
