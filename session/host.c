@@ -119,16 +119,19 @@ static bool slurp(vs_session *s, const char *path, char **text, size_t *length, 
   if (fstat(fileno(f), &st) == 0 && S_ISDIR(st.st_mode)) return fclose(f), refuse(s, reason(EISDIR), why);
   if (!vs_session_note(s, path, fileno(f), false)) return fclose(f), refuse(s, VS_IO_NO_MEMORY, why);
   size_t room = st.st_size > 0 ? (size_t)st.st_size + 1 : 65536, used = 0;
-  char *at = malloc(room);
+  char *at = NULL;
   bool over = false;
-  while (at) {
+  for (;;) {
+    char *grown = over ? NULL : realloc(at, room);
+    if (!grown) {
+      free(at), at = NULL;
+      break;
+    }
+    at = grown;
     used += fread(at + used, 1, room - used, f);
     if (used < room) break;
     over = s->options.limit_memory && room > s->options.limit_memory;
-    if (over) { free(at), at = NULL; break; }
-    char *more = realloc(at, room *= 2);
-    if (!more) free(at);
-    at = more;
+    room *= 2;
   }
   int error = at && ferror(f) ? errno : 0;
   fclose(f);

@@ -197,8 +197,10 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   }
   if (printed && vs_text_end(&t)) message = t.at;
   else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* its text did not fit */
-  if (late) snprintf(limit, sizeof limit, "the output: stopped after %g seconds, the limit", s->options.limit_time);
-  if (late) message = limit;
+  if (late) {
+    snprintf(limit, sizeof limit, "the output: stopped after %g seconds, the limit", s->options.limit_time);
+    message = limit;
+  }
   if (limited) snprintf(limit, sizeof limit, "out of memory: stopped at %.12g MB, the limit",
       (double)s->options.limit_memory / 1048576), message = limit;
   tell(s, (vs_diagnostic){ .severity = VS_SEVERITY_ERROR, .outcome = outcome, .at = at, .message = message,

@@ -29,7 +29,7 @@ enum { PATH_ROOM = 4096, MOST = 100000, EXPOSURE_ROOM = 24 };
 
 typedef enum { MADE, STANDS, FAILED, NOT_TRIED } fate;
 typedef struct {
-  uint64_t model;          /* the hash of what the model gives and of the options */
+  uint64_t model;          /* the hash of the scene, as the model gives it, and of the options */
   uint64_t scene;          /* the same with the exposure */
   uint64_t bytes;
   double seconds;
@@ -432,7 +432,7 @@ static int hash_model(const batch *b, const picture *p, uint64_t *out) {
   return run(b, p, "-", out);
 }
 
-/* Runs the model alone: what it reads is known then. */
+/* Runs the model alone, to know the files that it reads. */
 static result try_model(const batch *b, const picture *p) {
   result r = {.scene = hash_begin, .fate = NOT_TRIED};
   r.code = hash_model(b, p, &r.model);
@@ -577,7 +577,7 @@ static void take_result(picture *p) {
   p->process = 0;
 }
 
-/* Records and prints what has become of the picture. */
+/* Records and prints the result of the picture. */
 static void finish(batch *b, picture *p) {
   p->failed = false;
   write_manifest(b);

@@ -56,7 +56,7 @@ static void trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_va
     mark(vm, &x->tasks[i].env);
     mark(vm, &x->tasks[i].acc);
   }
-  if (vs_gc_is_minor(vm)) x->old = x->count; /* a task on the stack is not changed: what it names is old now */
+  if (vs_gc_is_minor(vm)) x->old = x->count; /* a task on the stack does not change: its values are old now */
 }
 
 static void release(void *object) {

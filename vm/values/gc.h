@@ -76,8 +76,8 @@ bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out);
 void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes);
 
 void vs_gc_minor(vs_scheme *vm);
-/* Is a minor collection under way? All that it has visited is old when it ends: who keeps values that do not change need not hand them to the
- * next one. */
+/* Is a minor collection under way? Values that it has visited are old when it ends: an owner of values that do not
+ * change need not hand them to the next one. */
 bool vs_gc_is_minor(const vs_scheme *vm);
 void vs_gc_major(vs_scheme *vm);                     /* both generations */
 void vs_gc_external(vs_scheme *vm, int64_t bytes);   /* host memory held by objects grew or shrank */
