@@ -15,6 +15,7 @@
 #include "bind/queries.h"
 #include "bind/records.h"
 #include "geometry/shapes/hull.h"
+#include "geometry/plane/curve_crossings.h"
 #include "geometry/plane/join.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"

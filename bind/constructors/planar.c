@@ -15,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "geometry/plane/curve_crossings.h"
 #include "geometry/plane/join.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
