@@ -25,7 +25,7 @@ static double measure_placed_circle(const vs_affine *a, double r) {
   return vs_ellipse_length(r * most, most > 0 ? r * vs_v3_length(vs_v3_cross(u, v)) / most : 0);
 }
 
-static bool measure_curve(const vs_node *n, const vs_affine *placed, vs_measure *m, vs_error *e) {
+static bool measure_samples(const vs_node *n, const vs_affine *placed, vs_measure *m, vs_error *e) {
   vs_bounds b;
   vs_path path = { 0 };
   vs_vec3 sum = { 0, 0, 0 };
@@ -54,7 +54,7 @@ static bool measure_revolution(const vs_node *n, vs_measure *m, vs_error *e) {
   return vs_revolve_measure(n, &f, m, e);
 }
 
-static bool measure_region(const vs_node *n, vs_measure *m, vs_error *e) {
+static bool measure_outline(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_bounds b;
   vs_outline o;
   if (!vs_node_bounds(n, &b, e)) return false;
@@ -119,7 +119,7 @@ static bool measure_straight(const vs_node *curve, vs_vec3 *along, bool *straigh
 
 /* Along a vector: by Cavalieri a twist is no matter, and the sections' area goes with the square of the scale. False:
  * failed. *known: there is a formula. */
-static bool measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_error *e) {
+static bool measure_extrusion(const vs_node *n, vs_measure *m, bool *known, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   const vs_node *profile = n->children[0].node;
   double radius = vs_profile_circle(profile), k = x->scale - 1, border = 0;
@@ -129,7 +129,7 @@ static bool measure_extrude(const vs_node *n, vs_measure *m, bool *known, vs_err
   *known = n->class_ == VS_SOLID && (x->taper == 0 || radius > 0);
   if (*known && n->child_count > 1 && !measure_straight(n->children[1].node, &along, known, e)) return false;
   if (!*known) return true;
-  if (!vs_node_bounds(profile, &b, e) || !measure_region(profile, m, e)) return false;
+  if (!vs_node_bounds(profile, &b, e) || !measure_outline(profile, m, e)) return false;
   vs_fineness f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
   if (!vs_region_outline(profile, &f, &o, e)) return false;
   double height = fabs(vs_v3_dot(o.normal, along)), lean = fabs(vs_v3_length(along) - height);
@@ -196,7 +196,7 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     vs_outline o;
     vs_bounds b;
     vs_vec3 middle = { 0, 0, 0 };
-    if (!vs_node_bounds(profile, &b, e) || !measure_region(profile, m, e)) return false;
+    if (!vs_node_bounds(profile, &b, e) || !measure_outline(profile, m, e)) return false;
     vs_fineness f = { fmax(vs_bounds_diagonal(&b) * 1e-7, 1e-300), 0 };
     if (!vs_region_outline(profile, &f, &o, e)) return false;
     for (size_t l = 0; l < o.count; l++)
@@ -218,98 +218,122 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   return true;
 }
 
-bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
-  vs_affine placed = vs_affine_identity();
-  const vs_node *whole = n;
+/* ---- the rule of each kind ---- */
+
+/* A node, below its placements and wrappers, and the whole of them. */
+typedef struct {
+  const vs_node *whole, *n;
+  vs_affine placed; /* of n */
+} measured;
+
+/* Fills a measure that says all is known. False: failed. */
+typedef bool measure_rule(const measured *of, vs_measure *m, vs_error *e);
+
+static bool measure_zero(const measured *of, vs_measure *m, vs_error *e) {
+  (void)of, (void)m, (void)e;
+  return true;
+}
+
+static bool measure_unknown(const measured *of, vs_measure *m, vs_error *e) {
+  (void)of, (void)e;
   *m = (vs_measure){ 0 };
-  while (n->kind == VS_TRANSFORM || vs_node_is_wrapper(n) || (n->kind == VS_UNION && n->child_count == 1)) {
-    if (n->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, n)->matrix);
-    n = n->children[0].node;
+  return true;
+}
+
+static bool measure_endless(const measured *of, vs_measure *m, vs_error *e) {
+  (void)of, (void)m;
+  return vs_error_set(e, VS_ERROR_MODEL, NULL, "it has no end: nothing about it can be measured");
+}
+
+/* Takes a measure in the node's own coordinates to where it is placed. */
+static bool measure_place(const measured *of, vs_measure *m) {
+  double k;
+  m->volume *= fabs(vs_affine_determinant(&of->placed));
+  m->area_known = vs_affine_even(&of->placed, &k) && m->area_known;
+  m->area *= m->area_known ? k * k : 0;
+  m->centroid = vs_affine_point(&of->placed, m->centroid);
+  return true;
+}
+
+static bool measure_shape(const measured *of, vs_measure *m, vs_error *e) {
+  if (!vs_shape_of(of->n)->measure(of->n, vs_affine_even(&of->placed, &(double){ 0 }), m, e)) return false;
+  return m->known ? measure_place(of, m) : measure_unknown(of, m, e);
+}
+
+static bool measure_curve(const measured *of, vs_measure *m, vs_error *e) {
+  vs_affine identity = vs_affine_identity();
+  m->area_known = false;
+  return measure_samples(of->whole, &identity, m, e);
+}
+
+/* Exact where the placement keeps it round. */
+static bool measure_round(const measured *of, const vs_offset_exact *exact, vs_measure *m, vs_error *e) {
+  const struct vs_arc *a = &exact->arc;
+  double k, angle = fabs(a->end - a->start);
+  bool full = angle >= 2 * pi * (1 - 1e-15);
+  if (!measure_curve(of, m, e)) return false;
+  if (full) m->centroid = vs_affine_point(&of->placed, a->center);
+  else if (vs_affine_even(&of->placed, &k)) { /* r sin(a/2) / (a/2) from the centre, halfway between the ends */
+    double mean = (a->start + a->end) / 2, away = a->radius * sin(angle / 2) / (angle / 2), sine, cosine;
+    vs_sincos(mean, &sine, &cosine);
+    m->centroid = vs_affine_point(&of->placed, vs_v3_add(a->center, vs_v3(away * cosine, away * sine, 0)));
   }
-  m->known = m->area_known = true;
+  if (vs_affine_even(&of->placed, &k)) m->length = k * angle * a->radius;
+  else if (exact->circle) m->length = measure_placed_circle(&of->placed, a->radius);
+  return true;
+}
+
+static bool measure_arc(const measured *of, vs_measure *m, vs_error *e) {
+  return measure_round(of, &(vs_offset_exact){ false, *VS_AS(arc, of->n) }, m, e);
+}
+
+static bool measure_circle(const measured *of, vs_measure *m, vs_error *e) {
+  const struct vs_circle *c = VS_AS(circle, of->n);
+  vs_offset_exact exact = { true, { .center = c->center, .radius = c->radius, .end = 2 * pi } };
+  return measure_round(of, &exact, m, e);
+}
+
+static bool measure_region(const measured *of, vs_measure *m, vs_error *e) { return measure_outline(of->whole, m, e); }
+
+static bool measure_offset(const measured *of, vs_measure *m, vs_error *e) {
   vs_offset_exact exact;
   vs_affine place;
-  bool round = n->kind == VS_OFFSET && vs_offset_round(n, &place, &exact);
-  if (round) placed = vs_affine_multiply(&placed, &place);
-  switch ((vs_kind)n->kind) {
-    case VS_EMPTY: case VS_GHOST: return true;
-    case VS_XLINE:
-    case VS_RAY: return vs_error_set(e, VS_ERROR_MODEL, NULL, "it has no end: nothing about it can be measured");
-    case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* measured as what solids/resolve.c makes of them */
-      *m = (vs_measure){ 0 };
-      return true;
-    case VS_OFFSET:
-      if (n->class_ == VS_REGION_CLASS) return measure_region(whole, m, e);
-      /* fall through */
-    case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_JOIN: {
-      vs_affine identity = vs_affine_identity();
-      m->area_known = false;
-      if (!measure_curve(whole, &identity, m, e)) return false;
-      if (n->kind == VS_ARC) exact = (vs_offset_exact){ false, *VS_AS(arc, n) };
-      if (n->kind == VS_CIRCLE)
-        exact = (vs_offset_exact){
-          true, { .center = VS_AS(circle, n)->center, .radius = VS_AS(circle, n)->radius, .end = 2 * pi }
-        };
-      if (round || n->kind == VS_CIRCLE || n->kind == VS_ARC) { /* exact where the placement keeps it round */
-        const struct vs_arc *a = &exact.arc;
-        double k, angle = fabs(a->end - a->start);
-        bool full = angle >= 2 * pi * (1 - 1e-15);
-        if (full) m->centroid = vs_affine_point(&placed, a->center);
-        else if (vs_affine_even(&placed, &k)) { /* r sin(a/2) / (a/2) from the centre, halfway between the ends */
-          double mean = (a->start + a->end) / 2, away = a->radius * sin(angle / 2) / (angle / 2), sine, cosine;
-          vs_sincos(mean, &sine, &cosine);
-          m->centroid = vs_affine_point(&placed, vs_v3_add(a->center, vs_v3(away * cosine, away * sine, 0)));
-        }
-        if (vs_affine_even(&placed, &k)) m->length = k * angle * a->radius;
-        else if (exact.circle) m->length = measure_placed_circle(&placed, a->radius);
-      }
-      return true;
-    }
-    case VS_TEXT: case VS_REGION: return measure_region(whole, m, e);
-#include "model/cases/shape_cases.def"
-      if (!vs_shape_of(n)->measure(n, vs_affine_even(&placed, &(double){ 0 }), m, e)) return false;
-      if (m->known) break;
-      *m = (vs_measure){ 0 };
-      return true;
-    case VS_EXTRUDE: {
-      bool known;
-      if (!measure_extrude(n, m, &known, e)) return false;
-      if (known) break;
-      *m = (vs_measure){ 0 };
-      return true;
-    }
-    case VS_REVOLVE:
-      if (!measure_revolution(n, m, e)) return false;
-      break;
-    case VS_HULL:
-      if (n->class_ == VS_REGION_CLASS) return measure_region(whole, m, e);
-      *m = (vs_measure){ 0 };
-      return true;
-    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-    case VS_SLICE: case VS_DEFORM:
-      *m = (vs_measure){ 0 };
-      return true;
-    case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
-      if (n->class_ == VS_REGION_CLASS) return measure_region(whole, m, e);
-      if (n->class_ == VS_CURVE) return measure_curves(whole, m, e);
-      *m = (vs_measure){ 0 };
-      return true;
-    case VS_POLYFACE_MESH:
-    case VS_SWEEP:
-    case VS_THICKEN:
-    case VS_TRANSFORM:
-    case VS_MATERIAL:
-    case VS_LAYER:
-    case VS_KIND_COUNT:
-    case VS_NATIVE:
-    case VS_CUSTOM:
-    case VS_HIGHLIGHT:
-    case VS_ONLY: *m = (vs_measure){ 0 }; return true;
+  if (of->n->class_ == VS_REGION_CLASS) return measure_region(of, m, e);
+  if (!vs_offset_round(of->n, &place, &exact)) return measure_curve(of, m, e);
+  return measure_round(&(measured){ of->whole, of->n, vs_affine_multiply(&of->placed, &place) }, &exact, m, e);
+}
+
+static bool measure_extrude(const measured *of, vs_measure *m, vs_error *e) {
+  bool known;
+  if (!measure_extrusion(of->n, m, &known, e)) return false;
+  return known ? measure_place(of, m) : measure_unknown(of, m, e);
+}
+
+static bool measure_revolve(const measured *of, vs_measure *m, vs_error *e) {
+  return measure_revolution(of->n, m, e) && measure_place(of, m);
+}
+
+static bool measure_hull(const measured *of, vs_measure *m, vs_error *e) {
+  return of->n->class_ == VS_REGION_CLASS ? measure_region(of, m, e) : measure_unknown(of, m, e);
+}
+
+static bool measure_set(const measured *of, vs_measure *m, vs_error *e) {
+  if (of->n->class_ == VS_CURVE) return measure_curves(of->whole, m, e);
+  return measure_hull(of, m, e);
+}
+
+static measure_rule *const measure_rules[VS_KIND_COUNT] = { /* NULL: a primitive solid */
+#define VS_RULE(kind, plane, measure) [VS_##kind] = measure_##measure,
+#include "geometry/kind_rules.def"
+};
+
+bool vs_node_measure(const vs_node *n, vs_measure *m, vs_error *e) {
+  measured of = { .whole = n, .n = n, .placed = vs_affine_identity() };
+  while (of.n->kind == VS_TRANSFORM || vs_node_is_wrapper(of.n) || (of.n->kind == VS_UNION && of.n->child_count == 1)) {
+    if (of.n->kind == VS_TRANSFORM) of.placed = vs_affine_multiply(&of.placed, &VS_AS(transform, of.n)->matrix);
+    of.n = of.n->children[0].node;
   }
-  double k;
-  m->volume *= fabs(vs_affine_determinant(&placed));
-  m->area_known = vs_affine_even(&placed, &k) && m->area_known;
-  m->area *= m->area_known ? k * k : 0;
-  m->centroid = vs_affine_point(&placed, m->centroid);
-  return true;
+  *m = (vs_measure){ .known = true, .area_known = true };
+  measure_rule *rule = measure_rules[of.n->kind];
+  return rule ? rule(&of, m, e) : measure_shape(&of, m, e);
 }

@@ -41,92 +41,146 @@ static vs_plane_count plane_through_points(const vs_plane_points *p, vs_shape_pl
   return VS_PLANE_ONE;
 }
 
+/* ---- the rule of each kind ----
+ *
+ * A rule answers with *found, or adds to the map and returns false: then the first child answers. */
+
+typedef bool plane_rule(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found);
+
+static bool plane_none(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  (void)n, (void)p, (void)out;
+  *found = VS_PLANE_NONE;
+  return true;
+}
+
+static bool plane_child(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  (void)n, (void)p, (void)out, (void)found;
+  return false;
+}
+
+static bool plane_transform(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  (void)out, (void)found;
+  p->map = vs_affine_multiply(&p->map, &VS_AS(transform, n)->matrix);
+  return false;
+}
+
+static bool plane_line(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  p->at = VS_AS(line, n)->points->at;
+  p->count = VS_AS(line, n)->points->count;
+  *found = plane_through_points(p, out);
+  return true;
+}
+
+static bool plane_spline(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  const struct vs_spline *s = VS_AS(spline, n);
+  p->at = s->points->at;
+  p->count = s->points->count;
+  *found = VS_PLANE_MANY;
+  if (!p->count) return true;
+  p->more[p->more_count++] = vs_v3_add(p->at[0], s->start_tangent);
+  p->more[p->more_count++] = vs_v3_add(p->at[p->count - 1], s->end_tangent);
+  *found = plane_through_points(p, out);
+  return true;
+}
+
+/* The plane through three points. */
+static bool plane_by(vs_plane_points *p, const vs_vec3 at[3], vs_shape_plane *out, vs_plane_count *found) {
+  p->more_count = 3;
+  for (int i = 0; i < 3; i++) p->more[i] = at[i];
+  *found = plane_through_points(p, out);
+  return true;
+}
+
+static bool plane_round(vs_vec3 c, double r, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  const vs_vec3 at[3] = { vs_v3_add(c, vs_v3(r, 0, 0)), vs_v3_add(c, vs_v3(0, r, 0)), vs_v3_add(c, vs_v3(-r, 0, 0)) };
+  return plane_by(p, at, out, found);
+}
+
+static bool plane_circle(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  return plane_round(VS_AS(circle, n)->center, VS_AS(circle, n)->radius, p, out, found);
+}
+
+static bool plane_arc(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  return plane_round(VS_AS(arc, n)->center, VS_AS(arc, n)->radius, p, out, found);
+}
+
+static bool plane_text(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  vs_vec3 at = VS_AS(letters, n)->p;
+  return plane_by(p, (const vs_vec3[]){ at, vs_v3_add(at, vs_v3(1, 0, 0)), vs_v3_add(at, vs_v3(0, 1, 0)) }, out, found);
+}
+
+/* The plane through a point, square to a direction. */
+static bool plane_across(vs_vec3 at, vs_vec3 normal, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  vs_affine frame = vs_frame_on_axis(at, normal);
+  const vs_vec3 by[3] = { at, vs_v3_add(at, vs_v3(frame.m[0][0], frame.m[1][0], frame.m[2][0])),
+                          vs_v3_add(at, vs_v3(frame.m[0][1], frame.m[1][1], frame.m[2][1])) };
+  return plane_by(p, by, out, found);
+}
+
+static bool plane_section(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  return plane_across(VS_AS(section, n)->point, VS_AS(section, n)->normal, p, out, found);
+}
+
+static bool plane_project(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  return plane_across(VS_AS(project, n)->point, VS_AS(project, n)->normal, p, out, found);
+}
+
+static bool plane_hull(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  vs_fineness coarse = { 1, 12 };
+  vs_outline o = { 0 };
+  *found = VS_PLANE_NONE;
+  if (n->class_ == VS_REGION_CLASS && vs_region_outline(n, &coarse, &o, NULL) && o.count) {
+    p->at = o.loops[0].at;
+    p->count = o.loops[0].count;
+    *found = plane_through_points(p, out);
+  }
+  vs_outline_free(&o);
+  return true;
+}
+
+/* By points of the curve. */
+static bool plane_join(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
+  vs_fineness coarse = { 1, 12 };
+  vs_polyline line = { 0 };
+  *found = VS_PLANE_NONE;
+  if (vs_curve_sample(n, &coarse, &line, NULL)) {
+    p->at = line.at;
+    p->count = line.count;
+    *found = p->count ? plane_through_points(p, out) : VS_PLANE_MANY;
+  }
+  vs_polyline_free(&line);
+  return true;
+}
+
+static plane_rule *const plane_rules[VS_KIND_COUNT] = { /* NULL: a primitive solid */
+#define VS_RULE(kind, plane, measure) [VS_##kind] = plane_##plane,
+#include "geometry/kind_rules.def"
+};
+
+/* Each kind has a row in kind_rules.def, unless it is a primitive solid. */
+enum {
+#define VS_RULE(kind, plane, measure) RULE_OF_##kind,
+#include "geometry/kind_rules.def"
+};
+enum {
+#define VS_NEEDED_SHAPE(upper) 0
+#define VS_NEEDED_LEAF(upper) RULE_OF_##upper
+#define VS_NEEDED_MADE(upper) RULE_OF_##upper
+#define VS_NEEDED_PLACED(upper) RULE_OF_##upper
+#define VS_NEEDED_WRAPPER(upper) RULE_OF_##upper
+#define VS_NEEDED_SET(upper) RULE_OF_##upper
+#define VS_KIND(upper, lower, name, class_, level, role, traits) NEEDED_BY_##upper = VS_NEEDED_##role(upper),
+#define VS_FIELD(type, member, argument)
+#define VS_KIND_END(upper, lower)
+#include "model/prims.def"
+};
+
 vs_plane_count vs_node_plane(const vs_node *n, vs_shape_plane *out) {
   vs_plane_points p = { .map = vs_affine_identity() };
+  vs_plane_count found = VS_PLANE_NONE;
   for (;;) {
-    switch ((vs_kind)n->kind) {
-      case VS_LINE:
-        p.at = VS_AS(line, n)->points->at;
-        p.count = VS_AS(line, n)->points->count;
-        return plane_through_points(&p, out);
-      case VS_SPLINE: {
-        const struct vs_spline *s = VS_AS(spline, n);
-        p.at = s->points->at;
-        p.count = s->points->count;
-        if (!p.count) return VS_PLANE_MANY;
-        p.more[p.more_count++] = vs_v3_add(p.at[0], s->start_tangent);
-        p.more[p.more_count++] = vs_v3_add(p.at[p.count - 1], s->end_tangent);
-        return plane_through_points(&p, out);
-      }
-      case VS_CIRCLE: case VS_ARC: {
-        vs_vec3 c = n->kind == VS_CIRCLE ? VS_AS(circle, n)->center : VS_AS(arc, n)->center;
-        double r = n->kind == VS_CIRCLE ? VS_AS(circle, n)->radius : VS_AS(arc, n)->radius;
-        p.more_count = 3;
-        p.more[0] = vs_v3_add(c, vs_v3(r, 0, 0));
-        p.more[1] = vs_v3_add(c, vs_v3(0, r, 0));
-        p.more[2] = vs_v3_add(c, vs_v3(-r, 0, 0));
-        return plane_through_points(&p, out);
-      }
-      case VS_TRANSFORM: p.map = vs_affine_multiply(&p.map, &VS_AS(transform, n)->matrix); break;
-      case VS_TEXT: {
-        vs_vec3 at = VS_AS(letters, n)->p;
-        p.more_count = 3;
-        p.more[0] = at;
-        p.more[1] = vs_v3_add(at, vs_v3(1, 0, 0));
-        p.more[2] = vs_v3_add(at, vs_v3(0, 1, 0));
-        return plane_through_points(&p, out);
-      }
-      case VS_SECTION: case VS_PROJECT: {
-        vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
-        vs_affine frame =
-            vs_frame_on_axis(at, n->kind == VS_SECTION ? VS_AS(section, n)->normal : VS_AS(project, n)->normal);
-        p.more_count = 3;
-        p.more[0] = at;
-        p.more[1] = vs_v3_add(at, vs_v3(frame.m[0][0], frame.m[1][0], frame.m[2][0]));
-        p.more[2] = vs_v3_add(at, vs_v3(frame.m[0][1], frame.m[1][1], frame.m[2][1]));
-        return plane_through_points(&p, out);
-      }
-      case VS_MATERIAL:
-      case VS_LAYER:
-      case VS_REGION:
-      case VS_UNION:
-      case VS_INTERSECTION:
-      case VS_DIFFERENCE:
-      case VS_OFFSET:
-      case VS_SLICE:
-      case VS_NATIVE: case VS_CUSTOM: case VS_HIGHLIGHT: case VS_ONLY: break;
-      case VS_HULL: {
-        vs_fineness coarse = { 1, 12 };
-        vs_outline o = { 0 };
-        vs_plane_count found = VS_PLANE_NONE;
-        if (n->class_ == VS_REGION_CLASS && vs_region_outline(n, &coarse, &o, NULL) && o.count) {
-          p.at = o.loops[0].at;
-          p.count = o.loops[0].count;
-          found = plane_through_points(&p, out);
-        }
-        vs_outline_free(&o);
-        return found;
-      }
-      case VS_JOIN: { /* points of the curve */
-        vs_fineness coarse = { 1, 12 };
-        vs_polyline line = { 0 };
-        vs_plane_count found = VS_PLANE_NONE;
-        if (vs_curve_sample(n, &coarse, &line, NULL)) {
-          p.at = line.at;
-          p.count = line.count;
-          found = p.count ? plane_through_points(&p, out) : VS_PLANE_MANY;
-        }
-        vs_polyline_free(&line);
-        return found;
-      }
-      case VS_XLINE: case VS_RAY: case VS_EDGES: case VS_DEFORM: return VS_PLANE_NONE;
-#include "model/cases/shape_cases.def"
-      case VS_EMPTY:
-      case VS_GHOST:
-      case VS_POLYFACE_MESH:
-#include "model/cases/body_cases.def"
-      case VS_KIND_COUNT: return VS_PLANE_NONE;
-    }
+    plane_rule *rule = plane_rules[n->kind];
+    if (!rule || rule(n, &p, out, &found)) return found;
     uint32_t first = 0;
     while (first < n->child_count && n->children[first].node->class_ == VS_NOTHING) first++;
     if (first == n->child_count) return VS_PLANE_NONE;
