@@ -64,6 +64,12 @@ static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   return v;
 }
 
+/* Looks at two integers. A collection moves them, so that this is done again after each allocation. */
+static void int_look_two(const vs_value of[2], vs_int_view *x, vs_int_view *y) {
+  vs_int_look(of[0], x);
+  vs_int_look(of[1], y);
+}
+
 bool vs_int_from_uint64(vs_scheme *vm, uint64_t n, vs_value *out) {
   if (n <= (uint64_t)VS_FIXNUM_MAX) return *out = vs_fix((int64_t)n), true;
   vs_value v;
@@ -90,11 +96,9 @@ static bool int_sum(vs_scheme *vm, vs_value a, vs_value b, bool flip, vs_value *
   r[0] = a;
   r[1] = b;
   vs_int_view x, y;
-  vs_int_look(a, &x);
-  vs_int_look(b, &y);
+  int_look_two(r, &x, &y);
   if (!int_new(vm, (x.n > y.n ? x.n : y.n) + 1, &r[2])) return false;
-  vs_int_look(r[0], &x);
-  vs_int_look(r[1], &y);
+  int_look_two(r, &x, &y);
   y.negative ^= flip;
   mp_limb_t *to = int_limbs(r[2]);
   const vs_int_view *big = &x, *small = &y;
@@ -125,13 +129,11 @@ bool vs_int_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   r[0] = a;
   r[1] = b;
   vs_int_view x, y;
-  vs_int_look(a, &x);
-  vs_int_look(b, &y);
+  int_look_two(r, &x, &y);
   if (x.n == 0 || y.n == 0) return *out = vs_fix(0), true;
   if (!int_poll(vm, x.n + y.n)) return false;
   if (!int_new(vm, x.n + y.n, &r[2])) return false;
-  vs_int_look(r[0], &x);
-  vs_int_look(r[1], &y);
+  int_look_two(r, &x, &y);
   mp_limb_t *to = int_limbs(r[2]);
   if (x.at == y.at && x.n == y.n) mpn_sqr(to, x.at, x.n);
   else if (x.n >= y.n) mpn_mul(to, x.at, x.n, y.at, y.n);
@@ -151,8 +153,7 @@ bool vs_int_divide(vs_scheme *vm, vs_value a, vs_value b, vs_value *quotient, vs
   r[0] = a;
   r[1] = b;
   vs_int_view x, y;
-  vs_int_look(a, &x);
-  vs_int_look(b, &y);
+  int_look_two(r, &x, &y);
   if (x.n < y.n) {
     if (quotient) *quotient = vs_fix(0);
     if (remainder) *remainder = r[0];
@@ -161,8 +162,7 @@ bool vs_int_divide(vs_scheme *vm, vs_value a, vs_value b, vs_value *quotient, vs
   mp_size_t qn = x.n - y.n + 1, rn = y.n;
   if (!int_poll(vm, x.n) || !int_poll(vm, x.n)) return false;
   if (!int_new(vm, qn, &r[2]) || !int_new(vm, rn, &r[3])) return false;
-  vs_int_look(r[0], &x);
-  vs_int_look(r[1], &y);
+  int_look_two(r, &x, &y);
   mpn_tdiv_qr(int_limbs(r[2]), int_limbs(r[3]), 0, x.at, x.n, y.at, y.n);
   if (quotient) *quotient = int_settle(r[2], qn, x.negative != y.negative);
   if (remainder) *remainder = int_settle(r[3], rn, x.negative);
@@ -178,8 +178,7 @@ bool vs_int_is_odd(vs_value a) { return vs_is_fixnum(a) ? vs_fixnum(a) & 1 : (in
 
 int vs_int_compare(vs_value a, vs_value b) {
   vs_int_view x, y;
-  vs_int_look(a, &x);
-  vs_int_look(b, &y);
+  int_look_two((const vs_value[]){ a, b }, &x, &y);
   if (x.negative != y.negative) return x.negative ? -1 : 1;
   int order = x.n != y.n ? (x.n > y.n ? 1 : -1) : x.n ? mpn_cmp(x.at, y.at, x.n) : 0;
   order = (order > 0) - (order < 0);
@@ -225,8 +224,7 @@ bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   r[0] = a;
   r[1] = b;
   vs_int_view x, y;
-  vs_int_look(a, &x);
-  vs_int_look(b, &y);
+  int_look_two(r, &x, &y);
   if (x.n == 0) return y.negative ? vs_int_negate(vm, b, out) : (*out = b, true);
   if (y.n == 0) return x.negative ? vs_int_negate(vm, a, out) : (*out = a, true);
   if (x.n == 1 && y.n == 1) return vs_int_from_uint64(vm, gcd_words(x.at[0], y.at[0]), out);
@@ -243,8 +241,7 @@ bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   if (!scratch) return vs_fail_memory(vm);
   bool ok = int_new(vm, least + 2, &r[2]);
   if (ok) {
-    vs_int_look(r[0], &x);
-    vs_int_look(r[1], &y);
+    int_look_two(r, &x, &y);
     mp_limb_t *p = scratch, *q = scratch + nx;
     uint64_t zp = int_copy_odd(p, x.at, &nx), zq = int_copy_odd(q, y.at, &ny);
     uint64_t bp = limbs_bits(p, nx), bq = limbs_bits(q, ny);
@@ -354,12 +351,10 @@ bool vs_int_bitwise(vs_scheme *vm, char op, vs_value a, vs_value b, vs_value *ou
   r[0] = a;
   r[1] = b;
   vs_int_view x, y;
-  vs_int_look(a, &x);
-  vs_int_look(b, &y);
+  int_look_two(r, &x, &y);
   mp_size_t n = (x.n > y.n ? x.n : y.n) + 1;
   if (!int_new(vm, n, &r[2]) || !int_new(vm, n, &r[3])) return false;
-  vs_int_look(r[0], &x);
-  vs_int_look(r[1], &y);
+  int_look_two(r, &x, &y);
   mp_limb_t *p = int_limbs(r[2]), *q = int_limbs(r[3]);
   int_complement(&x, p, n);
   int_complement(&y, q, n);
