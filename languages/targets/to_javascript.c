@@ -231,11 +231,7 @@ static void plan_return(tr_writer *w, tr_index n) {
     else if (at(w, other)->kind == TR_BODY) tr_plan(w, "%nelse {%>%l%<%n}", other);
     else tr_plan(w, "%l", other);
   } else if (node->kind == TR_SET || (node->kind == TR_MAP && node->effect)) tr_plan(w, "%d%nreturn;", n);
-  else {
-    tr_plan_comments(w, n, TR_PIECE_COMMENTS, false);
-    tr_plan(w, "%nreturn %v;", n);
-    tr_plan_comments(w, n, TR_PIECE_BEHIND, false);
-  }
+  else tr_plan_commented(w, "%nreturn %v;", n);
 }
 
 /* Plans statements that drop the node's value. */
@@ -282,9 +278,7 @@ static void plan_effect(tr_writer *w, tr_index n) {
     if (node->row && !*tr_word_row(w->target, node->row).text && strcmp(node->text, "native")) break;
     /* fall through */
   case TR_CALL:
-    tr_plan_comments(w, n, TR_PIECE_COMMENTS, false);
-    tr_plan(w, "%n%v;", n);
-    tr_plan_comments(w, n, TR_PIECE_BEHIND, false);
+    tr_plan_commented(w, "%n%v;", n);
     break;
   default: break; /* an unused value */
   }

@@ -508,11 +508,7 @@ static void plan_statements(tr_writer *w, tr_index n) {
     for (tr_index i = tr_nth(w->t, n, from); i; i = at(w, i)->next)
       if (at(w, i)->kind != TR_KEYWORD) tr_plan(w, "%l", i);
   } else if (at(w, n)->kind == TR_BODY && !has_values(w, n) && at(w, n)->last) tr_plan(w, "%l", at(w, n)->last);
-  else {
-    tr_plan_comments(w, n, TR_PIECE_COMMENTS, false);
-    tr_plan(w, "%n%o", n);
-    tr_plan_comments(w, n, TR_PIECE_BEHIND, false);
-  }
+  else tr_plan_commented(w, "%n%o", n);
 }
 
 /* Writes the objects that a statement adds to the drawing. */

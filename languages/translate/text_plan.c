@@ -155,6 +155,12 @@ void tr_write_planned(tr_writer *w) {
 
 void tr_plan_comments(tr_writer *w, tr_index node, tr_piece_kind kind, bool end) { plan(w, kind, node, end, NULL); }
 
+void tr_plan_commented(tr_writer *w, const char *format, tr_index node) {
+  tr_plan_comments(w, node, TR_PIECE_COMMENTS, false);
+  tr_plan(w, format, node);
+  tr_plan_comments(w, node, TR_PIECE_BEHIND, false);
+}
+
 /* ---- rows ---- */
 
 static tr_index argument(const translation *t, tr_index primitive, uint32_t nth) {

@@ -63,6 +63,8 @@ void tr_comment_behind(tr_writer *w, know_index source);
 void tr_comments_inside(tr_writer *w, know_index source, bool end);
 /* Plans the same for after the pieces planned before: TR_PIECE_BEHIND or TR_PIECE_COMMENTS. */
 void tr_plan_comments(tr_writer *w, tr_index node, tr_piece_kind kind, bool end);
+/* Plans the node by a format that names it once, with the comments of the text before it and behind it. */
+void tr_plan_commented(tr_writer *w, const char *format, tr_index node);
 
 /* Translates the program. Returns the text, which the caller frees; NULL: trouble, or complaints. */
 char *tr_write_program(translation *t, uint32_t segments, size_t *length);
