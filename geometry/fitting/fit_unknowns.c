@@ -176,6 +176,7 @@ int vs_fit_compare(const void *p, const void *q) {
 }
 
 double vs_fit_median_size(const double *distances, size_t count, double *scratch) {
+  VS_ASSERT(count > 0);
   for (size_t i = 0; i < count; i++) scratch[i] = fabs(distances[i]);
   qsort(scratch, count, sizeof *scratch, vs_fit_compare);
   return count % 2 ? scratch[count / 2] : (scratch[count / 2 - 1] + scratch[count / 2]) / 2;

@@ -58,7 +58,7 @@ bool vs_fit_measure(vs_fit_search *f, const vs_mesh_distance *field, double *dis
 void vs_fit_numbers_at(const vs_fit_search *f, const double *unknowns, double *out);
 /* Distances and slopes at these unknowns. *refused: they make no solid. False: stopped or failed, or refused. */
 bool vs_fit_evaluate(vs_fit_search *f, const double *unknowns, bool *refused);
-/* The median size of the distances; scratch is as large. */
+/* The median size of the distances, one or more; scratch is as large. */
 double vs_fit_median_size(const double *distances, size_t count, double *scratch);
 /* The spread of the last evaluation: 1.4826 medians, and not less than the facets are off. */
 double vs_fit_spread(vs_fit_search *f);
