@@ -683,29 +683,6 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
-static bool drive_copies_with(vs_emitter *e, vs_bends bends, vs_solid_copies *out, vs_rounded *what) {
-  bool ok = vs_lower_copies(e, bends, out) && (out->meshes.copy_count > 0 || drive_nothing(e));
-  for (size_t i = 0; ok && i < out->meshes.mesh_count; i++)
-    ok = vs_emit_round(e, &out->meshes.meshes[i], e->backend->numbers, what);
-  return ok;
-}
-
-/* As vs_lower_drawing, with clusters that are copies of each other once. */
-static bool drive_copies(vs_emitter *e, vs_solid_copies *out) {
-  vs_rounded what = { 0 }, bent_what = { 0 };
-  bool ok = drive_copies_with(e, VS_STRAIGHT, out, &what);
-  if (ok && what.met_before && out->straightened) {
-    vs_solid_copies bent = { .part_count = 0 };
-    ok = drive_copies_with(e, VS_BENT_AGAIN, &bent, &bent_what);
-    if (ok && bent_what.met < what.met) {
-      vs_solid_copies straight = *out;
-      *out = bent, bent = straight, what = bent_what;
-    }
-    vs_solid_copies_free(&bent);
-  }
-  return ok && vs_emit_rounded(e, &what);
-}
-
 /* Walks what is no solid, of a format that gets the union of all solids besides. *any: something was walked. */
 static bool drive_loose(vs_emitter *e, bool *any) {
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
@@ -752,7 +729,8 @@ bool vs_drive_scene(vs_emitter *e) {
   }
   if (e->backend->copies != NULL) {
     vs_solid_copies parts = { .part_count = 0 };
-    bool ok = drive_copies(e, &parts) && e->backend->copies(e, &parts);
+    bool ok = vs_lower_drawing_copies(e, &parts) && (parts.meshes.copy_count > 0 || drive_nothing(e)) &&
+              e->backend->copies(e, &parts);
     vs_solid_copies_free(&parts);
     return ok && e->backend->end(e);
   }

@@ -161,24 +161,51 @@ bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends b
   return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
 }
 
-static bool lower_drawing_with(vs_emitter *e, vs_bends bends, vs_solid *out, vs_rounded *what) {
-  return vs_lower_solids(e, e->scene->drawn, e->scene->drawn_count, bends, out) &&
-         vs_emit_round(e, &out->mesh, e->backend->numbers, what);
+/* Where a drawing's solids go: one of the two, the other is NULL. */
+typedef struct { vs_solid *one; vs_solid_copies *many; } lowered;
+
+/* Makes the solids of the drawing and settles them for the format's numbers. */
+static bool lower_once(vs_emitter *e, vs_bends bends, lowered to, vs_rounded *what) {
+  const vs_scene *s = e->scene;
+  if (to.one)
+    return vs_lower_solids(e, s->drawn, s->drawn_count, bends, to.one) &&
+           vs_emit_round(e, &to.one->mesh, e->backend->numbers, what);
+  vs_kernel_options options = lower_options(e, bends);
+  bool ok = vs_solid_evaluate_copies(s->drawn, s->drawn_count, &e->facets, &options, to.many, e->error);
+  for (size_t i = 0; ok && i < to.many->meshes.mesh_count; i++)
+    ok = vs_emit_round(e, &to.many->meshes.meshes[i], e->backend->numbers, what);
+  return ok;
 }
 
-bool vs_lower_drawing(vs_emitter *e, vs_solid *out) {
-  vs_rounded what = { 0 }, bent_what = { 0 };
-  bool ok = lower_drawing_with(e, VS_STRAIGHT, out, &what);
-  if (ok && what.met_before && out->straightened) {
-    vs_solid bent = { .part_count = 0 };
-    ok = lower_drawing_with(e, VS_BENT_AGAIN, &bent, &bent_what);
-    if (ok && bent_what.met < what.met) {
-      vs_solid straight = *out;
-      *out = bent, bent = straight, what = bent_what;
-    }
-    vs_solid_free(&bent);
+static void lower_swap(lowered a, lowered b) {
+  if (a.one) {
+    vs_solid was = *a.one;
+    *a.one = *b.one, *b.one = was;
+  } else {
+    vs_solid_copies was = *a.many;
+    *a.many = *b.many, *b.many = was;
   }
+}
+
+/* Lowers without bends, and where triangles meet then, once more with them: the result in which fewer meet is kept. */
+static bool lower_drawing(vs_emitter *e, lowered to) {
+  vs_rounded what = { 0 }, bent_what = { 0 };
+  vs_solid bent = { .part_count = 0 };
+  vs_solid_copies bent_copies = { .part_count = 0 };
+  lowered again = { to.one ? &bent : NULL, to.one ? NULL : &bent_copies };
+  bool ok = lower_once(e, VS_STRAIGHT, to, &what);
+  if (ok && what.met_before && (to.one ? to.one->straightened : to.many->straightened)) {
+    ok = lower_once(e, VS_BENT_AGAIN, again, &bent_what);
+    if (ok && bent_what.met < what.met) lower_swap(to, again), what = bent_what;
+  }
+  vs_solid_free(&bent);
+  vs_solid_copies_free(&bent_copies);
   return ok && vs_emit_rounded(e, &what);
+}
+
+bool vs_lower_drawing(vs_emitter *e, vs_solid *out) { return lower_drawing(e, (lowered){ .one = out }); }
+bool vs_lower_drawing_copies(vs_emitter *e, vs_solid_copies *out) {
+  return lower_drawing(e, (lowered){ .many = out });
 }
 
 /* A result that takes longer to make than to find is kept for other outputs. */
@@ -217,9 +244,4 @@ bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out) {
   *e->error = why;
   if (why.origin == NULL && why.kind == VS_ERROR_MODEL) e->error->origin = ref->origin;
   return false;
-}
-
-bool vs_lower_copies(vs_emitter *e, vs_bends bends, vs_solid_copies *out) {
-  vs_kernel_options options = lower_options(e, bends);
-  return vs_solid_evaluate_copies(e->scene->drawn, e->scene->drawn_count, &e->facets, &options, out, e->error);
 }
