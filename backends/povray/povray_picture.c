@@ -77,7 +77,8 @@ static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job 
     char path[POV_PATH];
     picture_bytes b = { NULL, 0 };
     snprintf(path, sizeof path, "%s/%s.exr", folder, jobs[i].name);
-    ok = picture_read(e, path, &b) && vs_exr_read_cut(&(vs_file_bytes){ "POV-Ray's picture", b.at, b.count }, &cut, x, e->error);
+    ok = picture_read(e, path, &b) &&
+         vs_exr_read_cut(&(vs_file_bytes){ "POV-Ray's picture", b.at, b.count }, &cut, x, e->error);
     free(b.at);
   }
   return ok;

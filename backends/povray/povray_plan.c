@@ -30,7 +30,8 @@ static uint32_t between(uint32_t least, uint32_t x, uint32_t most) { return x < 
 
 static void plan_passes(vs_povray_plan *p, vs_render_quality quality) {
   uint32_t side = p->columns > p->rows ? p->columns : p->rows;
-  uint32_t most = quality == VS_RENDER_FINAL ? PASS_MOST_FINAL : PASS_MOST, longer = between(PASS_LEAST, side / 2, most);
+  uint32_t most = quality == VS_RENDER_FINAL ? PASS_MOST_FINAL : PASS_MOST;
+  uint32_t longer = between(PASS_LEAST, side / 2, most);
   if (longer > side) longer = side;
   uint32_t columns = between(1, (uint32_t)llround((double)p->columns * longer / side), longer);
   uint32_t rows = between(1, (uint32_t)llround((double)p->rows * longer / side), longer);
@@ -44,7 +45,7 @@ static void plan_passes(vs_povray_plan *p, vs_render_quality quality) {
   }
 }
 
-/* Those strips that the wanted part meets. */
+/* The strips that the wanted part meets. */
 static void plan_strips(vs_povray_plan *p) {
   uint32_t count = between(1, p->rows / STRIP, VS_POVRAY_STRIPS), end = p->wanted.top + p->wanted.rows;
   for (uint32_t i = 0; i < count; i++) {

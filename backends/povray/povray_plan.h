@@ -10,7 +10,7 @@ enum { VS_POVRAY_STRIPS = 32 /* of one picture, at most */, VS_POVRAY_PASSES = 2
 /* With the samples of bounced light a run does nothing, keeps them in a file, or takes them from one. */
 typedef enum { VS_SAMPLES_OWN, VS_SAMPLES_KEPT, VS_SAMPLES_GIVEN } vs_povray_samples;
 
-/* One run of POV-Ray: a part of a picture of so many columns and rows. */
+/* A run of POV-Ray: a part of a picture of so many columns and rows. */
 typedef struct {
   uint32_t columns, rows;
   vs_exr_part part;

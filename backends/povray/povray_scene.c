@@ -330,7 +330,8 @@ static void pov_put_radiosity(vs_emitter *e) {
   vs_render_quality quality = e->options->quality;
   if (quality == VS_RENDER_DRAFT) return;
   vs_puts(e->out, pov_radiosity(quality));
-  if (pov_is_developed(e)) vs_puts(e->out, "#ifdef (VS_Samples) pretrace_start 1 pretrace_end 1 always_sample off #else ");
+  if (pov_is_developed(e))
+    vs_puts(e->out, "#ifdef (VS_Samples) pretrace_start 1 pretrace_end 1 always_sample off #else ");
   vs_puts(e->out, "pretrace_start 0.08 pretrace_end 0.01 ");
   if (quality == VS_RENDER_GOOD) vs_puts(e->out, "always_sample off ");
   vs_puts(e->out, pov_is_developed(e) ? "#end }\n" : "}\n");

@@ -24,9 +24,11 @@
 enum { AT_ONCE = 64, STARTS = 5, NAME_ROOM = VS_POVRAY_PATH_ROOM + 40, WORDS = 24 };
 /* A first pass takes about half as long as the strips. */
 static const double pass_share = 0.35;
-/* A picture whose white lies so many stops below 1 has samples of too few digits in their file: four after the point. */
+/* A picture whose white lies so many stops below 1 has samples of too few digits in their file: four after the
+ * point. */
 static const double darkest = 5;
-/* So many times its size away from the origin, a drawing's samples have too few digits for their places: six in all. */
+/* This many times its size away from the origin, a drawing's samples have too few digits for their places: six in
+ * all. */
 static const double farthest = 50;
 
 typedef struct {

@@ -34,8 +34,8 @@ typedef struct {
 } vs_exr_view;
 /* Sees what the file has, makes room, and says which channels go where. */
 typedef bool vs_exr_choose(void *context, const vs_exr_view *view, vs_exr_target *targets, size_t *used, vs_error *e);
-/* What of the picture goes to the targets: a part that lies within it; stride: from one row of their numbers to the
- * next. */
+/* The part of the picture that goes to the targets: a part that lies within it; stride: from one row of their numbers
+ * to the next. */
 typedef struct { vs_exr_part part; size_t stride; } vs_exr_window;
 /* window NULL: all of the picture. */
 bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, const vs_exr_window *window, vs_exr_choose *choose,
