@@ -254,7 +254,7 @@ units: $(UNIT_BIN)
 
 tools: $(TOOL_BIN) # the programs that tests run beside vs
 
-# The tests run what is built with the asserts of base/assert.h, in a folder of its own: the program that is installed has none.
+# The tests run what is built with the asserts of model/assert.h, in a folder of its own: the program that is installed has none.
 TESTED    = BUILD=$(BUILD)/tested EXTRA="$(EXTRA) -DVS_DEBUG=1"
 
 tests: ## run the tests with what is installed; LONG=1: the long ones whole

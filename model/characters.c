@@ -1,7 +1,7 @@
 /* Owns the reading and the spelling of characters. See characters.h. */
 #include "model/characters.h"
 
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "base/assert.h"
+#include "model/assert.h"
 #include "model/store/store.h"
 #include "model/vec.h"
 

@@ -5,7 +5,7 @@
 #ifndef VS_MODEL_VEC_H
 #define VS_MODEL_VEC_H
 
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -107,7 +107,7 @@ limit raw-allocations "$(xargs grep -hoE '\b(malloc|calloc|realloc)\(' < "$work/
 for layer in kernel model geometry vm; do
   least=$(awk -v name="asserts-$layer" '$1 == name { print $2 }' scripts/layers.limits)
   count=$(grep "^$layer/" "$work/sources" | xargs cat | awk '{ count += gsub(/(^|[^A-Z_])VS_ASSERT\(/, "") } END { print int(1000 * count / NR) }')
-  [ "$count" -ge "${least:-0}" ] || echo "asserts-$layer: $count of 1000 lines, and scripts/layers.limits wants $least (VS_ASSERT of base/assert.h)" >> "$work/wrong"
+  [ "$count" -ge "${least:-0}" ] || echo "asserts-$layer: $count of 1000 lines, and scripts/layers.limits wants $least (VS_ASSERT of model/assert.h)" >> "$work/wrong"
 done
 limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [^=;(]*\bvs_[a-z0-9_]*\(' | wc -l)" "static functions named vs_, a prefix of externals"
 

@@ -2,7 +2,7 @@
  * operation can be off by: half a unit in the last place for + - * / and roots, up to some units for the C library's
  * functions. */
 #include "geometry/functions/enclosure.h"
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <float.h>
 #include <math.h>

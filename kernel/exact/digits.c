@@ -6,7 +6,7 @@
  * double nearest to what the digits say. */
 #include "kernel/exact/digits.h"
 
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -17,7 +17,7 @@
 #ifndef VS_KERNEL_EXACT_EXACT_H
 #define VS_KERNEL_EXACT_EXACT_H
 
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* Owns the keyed sort: insertion in short runs, and merging of those that are not in order yet. */
 #include "kernel/exact/sort.h"
 
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Owns how pictures lie on faces: the direction of a face, and the place of a point on a picture. */
 #include "model/looks/picture.h"
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <math.h>
 #include <stdbool.h>

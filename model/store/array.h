@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "base/assert.h"
+#include "model/assert.h"
 
 /* Makes room for `need` elements of `size` bytes in the array whose address stands in *slot; *room is in elements, and
  * at least doubles when it changes. False when there is no memory: nothing is changed then. The caller frees the

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "model/store/patient_sort.h"
-#include "base/assert.h"
+#include "model/assert.h"
 
 typedef int sort_compare(const void *, const void *);
 typedef struct { const char *at, *end; } sort_run;

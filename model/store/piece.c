@@ -10,7 +10,7 @@
 #include "model/store/store_inside.h"
 
 #include "model/store/piece.h"
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <string.h>
 

@@ -11,7 +11,7 @@
 #include "model/store/hashes.h"
 #include "model/store/piece.h"
 #include "model/store/store_inside.h"
-#include "base/assert.h"
+#include "model/assert.h"
 
 enum { BLOCK_SIZE = 16 * 1024 };
 struct vs_block {

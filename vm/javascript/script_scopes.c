@@ -3,7 +3,7 @@
  * The walks call themselves; the tree's height is bounded. */
 #include "vm/javascript/script_scopes.h"
 
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <string.h>
 

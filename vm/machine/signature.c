@@ -1,7 +1,7 @@
 /* Owns the reading of native signatures. */
 #include "vm/machine/signature.h"
 
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -15,7 +15,7 @@
 #ifndef VS_VM_VALUES_VALUE_H
 #define VS_VM_VALUES_VALUE_H
 
-#include "base/assert.h"
+#include "model/assert.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -4,8 +4,8 @@
  * VS_DEBUG turns it on: whatever the Makefile builds for tests has it. Otherwise the condition is compiled and not
  * evaluated. Where it is false, the place and the condition are printed and the process aborts. A mistake that a user,
  * a file or a library may make is not asserted but answered with an error. */
-#ifndef VS_BASE_ASSERT_H
-#define VS_BASE_ASSERT_H
+#ifndef VS_MODEL_ASSERT_H
+#define VS_MODEL_ASSERT_H
 
 #ifdef VS_DEBUG
 #include <stdio.h>
