@@ -75,22 +75,45 @@ void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, d
   }
 }
 
-/* Most of what tetrahedra miss lies within the union; a thirty-second of it is what was measured at its surface. */
+/* A step as finer ones: their ends but for the last, as parts of the step. At an end of the sweep, and at a corner, the
+ * steps halve from one to the next: a tetrahedron reaches out of its step by a quarter of `differ`, and only there no
+ * other step hides it. */
+enum { MOST = 64, HALVES = 16 };
+typedef struct { double at[MOST + 2 * HALVES]; size_t count; } parts;
+
+static parts parts_of(double differ, double tolerance, bool begins, bool ends) {
+  enum { SHOWS = 256 }; /* most of a miss lies within the union; at its surface a thirty-second of it was measured */
+  parts p = { .count = 0 };
+  double n = fmax(1, fmin(MOST, ceil(differ / (SHOWS * tolerance)))), halves = ceil(log2(differ / n / (4 * tolerance)));
+  int fine = halves > 0 ? (int)fmin(HALVES, halves) : 0;
+  p.at[p.count++] = 0;
+  for (int i = fine; begins && i > 0; i--) p.at[p.count++] = ldexp(1 / n, -i);
+  for (double k = 1; k < n; k++) p.at[p.count++] = k / n;
+  for (int i = 1; ends && i <= fine; i++) p.at[p.count++] = 1 - ldexp(1 / n, -i);
+  return p;
+}
+
+/* Does the sweep begin, end, or turn by more than a smooth path does where this step begins? */
+static bool turns_sharply(const vs_swept *s, size_t step) {
+  size_t rows = s->section_count, before = (step + rows - 1) % rows;
+  if (!s->joined && (step == 0 || step + 1 == rows)) return true;
+  return s->sections[before].ends || s->sections[step].ends || vs_v3_dot(way_of(s, before), way_of(s, step)) < 0.95;
+}
+
 bool vs_overturn_refine(vs_swept *s, double tolerance) {
-  enum { MOST = 64, SHOWS = 256 };
   vs_section *fine = NULL;
-  size_t count = 0, room = 0;
+  size_t count = 0, room = 0, rows = s->section_count;
   bool ok = true, cut = false;
-  for (size_t r = 0; ok && r < s->section_count; r++) {
-    bool goes = !s->sections[r].ends && (s->joined || r + 1 < s->section_count);
-    double differ = goes ? rises_differ(s, r, tolerance) / (SHOWS * tolerance) : 0;
-    size_t steps = differ > MOST ? MOST : differ > 1 ? (size_t)ceil(differ) : 1;
-    cut = cut || steps > 1;
-    ok = VS_GROW(fine, room, count + steps);
-    if (ok) fine[count++] = s->sections[r];
-    for (size_t k = 1; ok && k < steps; k++)
-      fine[count++] = vs_section_between(&s->sections[r], &s->sections[(r + 1) % s->section_count],
-                                         (double)k / (double)steps);
+  for (size_t r = 0; ok && r < rows; r++) {
+    const vs_section *from = &s->sections[r], *to = &s->sections[(r + 1) % rows];
+    bool goes = !from->ends && (s->joined || r + 1 < rows);
+    double differ = goes ? rises_differ(s, r, tolerance) : 0;
+    parts p = { .at = { 0 }, .count = 1 };
+    if (differ > 0) p = parts_of(differ, tolerance, turns_sharply(s, r), turns_sharply(s, (r + 1) % rows));
+    cut = cut || p.count > 1;
+    ok = VS_GROW(fine, room, count + p.count);
+    if (ok) fine[count++] = *from;
+    for (size_t k = 1; ok && k < p.count; k++) fine[count++] = vs_section_between(from, to, p.at[k]);
   }
   if (ok && cut) {
     free(s->sections);
