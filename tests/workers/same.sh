@@ -4,7 +4,7 @@
 
 wanted same || exit 0
 command -v povray > /dev/null || { echo "skip same: no povray (package povray)"; exit 0; }
-qualities=$(sed -n 's/^OPTION(QUALITY,.*VALUE_REQUIRED, "\([a-z|]*\)".*/\1/p' cli/options.def | tr '|' ' ')
+qualities=$(sed -n 's/^OPTION(0, "quality", VALUE_REQUIRED, "\([a-z|]*\)".*/\1/p' cli/options.def | tr '|' ' ')
 formats=$(sed -n 's/^VS_FORMAT(\([^,]*\), [^,]*, "[^"]*", "povray".*/\1/p' backends/backends.def)
 [ "$(echo $qualities $formats | wc -w)" -ge 5 ] || echo "not ok same: the tables of qualities and formats were not read: $qualities; $formats"
 
