@@ -29,8 +29,9 @@ typedef struct {
   vs_povray_job jobs[VS_POVRAY_PASSES + VS_POVRAY_STRIPS];
 } vs_povray_plan;
 
-/* Returns the plan of a picture; metered: its exposure is to be found. alone: one run makes all of it. */
-vs_povray_plan vs_povray_plan_of(const vs_export_options *o, bool metered, bool alone);
+/* Returns the plan of a picture. triangles: of its scene; metered: its exposure is to be found; alone: one run makes
+ * all of it. */
+vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles, bool metered, bool alone);
 /* Returns how many of the jobs may run at a time: as many as there are processors, fewer where that would take half
  * of the machine's memory. scene: its bytes. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene);

@@ -285,7 +285,7 @@ static bool work_all(pov_work *work, vs_tone *tone) {
     bool ok = work_do(work, p->jobs, p->pass_count, pass_share) &&
               vs_povray_meter(work->e, work->folder, p, tone->curve, &stops) &&
               vs_povray_meter(work->e, work->folder, p, VS_TONE_NEUTRAL, &dark);
-    if (ok && dark > darkest) *p = vs_povray_plan_of(work->e->options, p->metered, true);
+    if (ok && dark > darkest) *p = vs_povray_plan_of(work->e->options, 0, p->metered, true);
     else ok = ok && join_samples(work);
     if (!ok || !work_do(work, p->jobs + p->pass_count, p->count - p->pass_count, 1 - pass_share)) return false;
   }
@@ -296,7 +296,7 @@ static bool work_all(pov_work *work, vs_tone *tone) {
 static bool run_render(vs_emitter *e, const char *scene, const char *output, bool develop) {
   pov_work work = { .e = e, .scene = scene, .begun = now() };
   vs_tone tone = e->options->tone;
-  work.plan = vs_povray_plan_of(e->options, develop && !tone.fixed, is_far(e));
+  work.plan = vs_povray_plan_of(e->options, e->triangles, develop && !tone.fixed, is_far(e));
   if (!work_prepare(&work) || !work_all(&work, &tone)) return false;
   vs_povray_result r = { work.folder, &work.plan, &tone };
   return develop ? vs_povray_develop_picture(e, &r, output) : vs_povray_take_picture(e, &r, output);

@@ -746,29 +746,36 @@ static void test_povray_stops(void **state) {
   test_model_close(&m);
 }
 
-/* The strips of a picture lie one under the other and are those of its size alone: no number of processors changes them, and a part has those of the whole that it meets. */
+/* The strips of a picture cover it once, and are those of its size and triangles: no number of processors changes them, and a part has those of the whole that it meets. */
 static void test_povray_plan(void **state) {
   (void)state;
   static const int sizes[][2] = { { 1, 1 }, { 64, 48 }, { 3, 4000 }, { 4000, 3 }, { 640, 480 }, { 1024, 768 }, { 1023, 997 }, { 4800, 3600 }, { 32768, 32768 } };
-  for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+  static const uint64_t triangles[] = { 0, 100000, 10000000 };
+  for (size_t i = 0; i < sizeof sizes / sizeof *sizes * 3; i++)
     for (int quality = 0; quality <= VS_RENDER_FINAL; quality++) {
       vs_export_options o;
       vs_export_options_init(&o);
-      o.width = sizes[i][0], o.height = sizes[i][1], o.quality = (vs_render_quality)quality, o.threads = 1;
-      vs_povray_plan whole = vs_povray_plan_of(&o, true, false);
+      size_t t = i % 3;
+      o.width = sizes[i / 3][0], o.height = sizes[i / 3][1], o.quality = (vs_render_quality)quality, o.threads = 1;
+      vs_povray_plan whole = vs_povray_plan_of(&o, triangles[t], true, false);
       assert_true(whole.count > whole.pass_count);
-      uint32_t row = 0, column = 0;
+      uint64_t area[2] = { 0, 0 };
       for (size_t k = 0; k < whole.count; k++) {
         const vs_povray_job *j = &whole.jobs[k];
-        assert_true(k < whole.pass_count ? j->part.left == column && j->part.rows == j->rows : j->part.top == row && j->part.columns == j->columns);
-        if (k < whole.pass_count) column += j->part.columns;
-        else row += j->part.rows;
+        bool pass = k < whole.pass_count;
+        area[pass] += (uint64_t)j->part.columns * j->part.rows;
+        assert_true(j->part.left + j->part.columns <= j->columns && j->part.top + j->part.rows <= j->rows);
+        for (size_t m = pass ? 0 : whole.pass_count; m < k; m++) {
+          const vs_exr_part *a = &j->part, *b = &whole.jobs[m].part;
+          assert_true(a->left + a->columns <= b->left || b->left + b->columns <= a->left || a->top + a->rows <= b->top || b->top + b->rows <= a->top);
+        }
         assert_true(quality == VS_RENDER_DRAFT || j->threads == 1);
       }
-      assert_true(row == whole.rows && (!whole.pass_count || column == whole.jobs[0].columns));
+      assert_true(area[0] == (uint64_t)whole.columns * whole.rows);
+      assert_true(!whole.pass_count || area[1] == (uint64_t)whole.jobs[0].columns * whole.jobs[0].rows);
       o.threads = 7;
       o.crop[0] = o.width / 3, o.crop[1] = o.height / 3, o.crop[2] = (o.width + 2) / 3, o.crop[3] = (o.height + 2) / 3;
-      vs_povray_plan part = vs_povray_plan_of(&o, true, false);
+      vs_povray_plan part = vs_povray_plan_of(&o, triangles[t], true, false);
       assert_int_equal(part.pass_count, whole.pass_count);
       for (size_t k = 0; quality != VS_RENDER_DRAFT && k < part.count; k++) {
         size_t same = 0;

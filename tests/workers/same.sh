@@ -17,14 +17,13 @@ cat > "$work/m.vs" <<'EOF'
 (ground 0)
 (camera (xyz 3 -9 2.5) (xyz -0.4 0 1.4) #:lens 40)
 EOF
-sizes="--size 160x240"
-crops="0,0,160,20 40,110,70,31 159,239,1,1 0,119,160,1"
+size=80x480 crops="0,0,80,20 10,110,40,140 79,479,1,1 0,239,80,2" # four strips
 
 # Says the program nothing of its load: so many processes that only count, until they are told to end.
 load() { busy=; for i in $(seq "$1"); do (while :; do :; done) & busy="$busy $!"; done; }
 unload() { kill $busy; wait $busy 2> /dev/null; busy=; }
 
-draw() { out=$1; shift; "$vs" -q "$work/m.vs" -o "$out" $sizes "$@" 2>> "$work/why" || echo "$out: ended with $?" >> "$work/why"; }
+draw() { out=$1; shift; "$vs" -q "$work/m.vs" -o "$out" --size $size "$@" 2>> "$work/why" || echo "$out: ended with $?" >> "$work/why"; }
 
 one() { # QUALITY FORMAT PROCESSORS CROPS
   : > "$work/why"
@@ -42,14 +41,16 @@ one() { # QUALITY FORMAT PROCESSORS CROPS
 }
 
 if [ -z "${LONG:-}" ]; then # the default quality in each format, and a draft
-  for format in $formats; do one good "$format" 3 "40,110,70,31"; done
-  one draft png 3 "40,110,70,31"
+  for format in $formats; do one good "$format" 3 "10,110,40,140"; done
+  one draft png 3 "10,110,40,140"
   exit 0
 fi
 load 3
 for quality in $qualities; do
   for format in $formats; do one "$quality" "$format" "2 3" "$crops"; done
 done
+size=240x160 # two strips side by side
+for format in $formats; do one good "$format" "2 3" "0,0,20,160 100,10,40,140 119,0,1,160 239,159,1,1"; done
 for example in vaulted-hall rotunda facade-by-rules voronoi-facade gyroid-pavilion doric-columns; do
   : > "$work/why"
   file=$(find examples -name "$example.vs" | head -n 1)
