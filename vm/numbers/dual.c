@@ -1,5 +1,5 @@
-/* Owns the arithmetic of dual numbers (dual.h). Every rule is written with the tower's own operations, so that duals
-   within duals differentiate it again. Recursion goes as deep as duals lie in one another, VS_DUAL_DEPTH at most. */
+/* Owns the arithmetic of dual numbers (dual.h). Every rule uses the operations of the numeric tower, so duals within
+ * duals are differentiated again. Recursion is at most as deep as duals are nested, VS_DUAL_DEPTH. */
 #include "vm/numbers/dual.h"
 
 #include <math.h>
@@ -36,7 +36,7 @@ bool vs_dual_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
   enum { AV, AS, BV, BS, V, S, ROOTS };
   VS_ROOTS(vm, r, ROOTS);
   int64_t la = vs_dual_level(&a, 1), lb = vs_dual_level(&b, 1), level = la > lb ? la : lb;
-  bool va = la == level, vb = lb == level; /* which of them vary */
+  bool va = la == level, vb = lb == level; /* whether a, b vary at this level */
   VS_ASSERT(la >= 0 || lb >= 0);
   r[AV] = vs_dual_value(a, level), r[AS] = vs_dual_slope(a, level);
   r[BV] = vs_dual_value(b, level), r[BS] = vs_dual_slope(b, level);
@@ -81,7 +81,7 @@ bool vs_dual_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
 
 /* ---- functions of one number ---- */
 
-/* d = f'(x), where y = f(x); r[2] is scratch that the caller roots. All four are slots of roots. */
+/* Computes d = f'(x), where y = f(x); r[2] is scratch that the caller roots. All four are slots of roots. */
 static bool slope_of(vs_scheme *vm, double (*f)(double), const vs_value *x, const vs_value *y, vs_value *scratch,
                      vs_value *d) {
   if (f == exp) return *d = *y, true;
@@ -148,7 +148,7 @@ bool vs_dual_atan(vs_scheme *vm, vs_value y, vs_value x, vs_value *out) {
          vs_make_dual(vm, level, r[V], r[S], out);
 }
 
-/* Powers by a whole number are products: they are right for bases that are negative or 0, and stay exact. */
+/* Computes a power with an integer exponent by products: this is correct for negative bases and 0, and stays exact. */
 static bool whole_power(vs_scheme *vm, vs_value base, int64_t n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = base, r[1] = vs_fix(1);

@@ -1,10 +1,10 @@
 /* Owns the arithmetic of exact integers (integer.h).
-
-   Pattern of every operation: operands into roots, the result's size worked out, a bignum of that capacity made, then
-   views of the operands taken (nothing allocates any more) and the limbs computed in place; `settle` drops leading
-   zeros and makes a fixnum where one fits. A bignum may thus have a word or two of unused capacity behind its limbs.
-   GMP takes scratch of its own inside mpn_mul, mpn_tdiv_qr and mpn_gcd; it is bounded by a small multiple of the
-   operands. */
+ *
+ * Every operation has these steps: put the operands into roots, compute the size of the result, make a bignum of that
+ * capacity, get views of the operands (after this nothing allocates), and compute the limbs in place. `settle` then
+ * drops leading zeros and makes a fixnum if the result fits. Therefore a bignum may have a word or two of unused
+ * capacity behind its limbs. GMP allocates scratch of its own in mpn_mul, mpn_tdiv_qr and mpn_gcd, at most a small
+ * multiple of the operands. */
 #include "vm/numbers/integer.h"
 
 #include <float.h>
@@ -35,7 +35,7 @@ void vs_int_look(vs_value v, vs_int_view *w) {
   }
 }
 
-/* a bignum with room for n limbs, all zero */
+/* Makes a bignum with room for n limbs, all zero. */
 static bool int_new(vs_scheme *vm, mp_size_t n, vs_value *out) {
   if (n > VS_INT_MAX_LIMBS) return int_too_large(vm);
   if (n < 1) n = 1;
@@ -48,10 +48,10 @@ static bool int_new(vs_scheme *vm, mp_size_t n, vs_value *out) {
 
 static mp_limb_t *int_limbs(vs_value v) { return vs_as_bignum(v)->limb; }
 
-/* Before multiplying n limbs in all: some 100 ns a limb when they are many, less when they are few. */
+/* Polls before a multiplication of n limbs in all: some 100 ns per limb when they are many, less when they are few. */
 static bool int_poll(vs_scheme *vm, mp_size_t n) { return n < 64 || vs_poll(vm, (uint64_t)n * (n < 1024 ? 4 : 32)); }
 
-/* The value of a bignum whose lowest n limbs are filled. The bignum has that many limbs. */
+/* Returns the integer of a bignum whose lowest n limbs are filled. */
 static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   vs_bignum *b = vs_as_bignum(v);
   VS_ASSERT(n >= 0 && (uint64_t)n <= b->count);
@@ -64,7 +64,7 @@ static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   return v;
 }
 
-/* Looks at two integers. A collection moves them, so that this is done again after each allocation. */
+/* Gets the views of two integers. Repeat it after each allocation: a collection may move them. */
 static void int_look_two(const vs_value of[2], vs_int_view *x, vs_int_view *y) {
   vs_int_look(of[0], x);
   vs_int_look(of[1], y);
@@ -88,7 +88,7 @@ bool vs_int_from_int64(vs_scheme *vm, int64_t n, vs_value *out) {
   return true;
 }
 
-/* a + b, or a - b with flip */
+/* Computes a + b, or a - b if flip is set. */
 static bool int_sum(vs_scheme *vm, vs_value a, vs_value b, bool flip, vs_value *out) {
   if (vs_is_fixnum(a) && vs_is_fixnum(b))
     return vs_int_from_int64(vm, flip ? vs_fixnum(a) - vs_fixnum(b) : vs_fixnum(a) + vs_fixnum(b), out);
@@ -147,7 +147,7 @@ bool vs_int_divide(vs_scheme *vm, vs_value a, vs_value b, vs_value *quotient, vs
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
     int64_t n = vs_fixnum(a), d = vs_fixnum(b);
     if (remainder) *remainder = vs_fix(n % d);
-    return !quotient || vs_int_from_int64(vm, n / d, quotient);       /* the least fixnum by -1 does not fit */
+    return !quotient || vs_int_from_int64(vm, n / d, quotient);       /* the least fixnum divided by -1 does not fit */
   }
   VS_ROOTS(vm, r, 4);
   r[0] = a;
@@ -185,7 +185,7 @@ int vs_int_compare(vs_value a, vs_value b) {
   return x.negative ? -order : order;
 }
 
-/* How many bits n limbs have; the last limb is not 0. */
+/* Returns the number of bits of n limbs; the last limb is not 0. */
 static uint64_t limbs_bits(const mp_limb_t *at, mp_size_t n) {
   VS_ASSERT(n == 0 || at[n - 1] != 0);
   return n ? (uint64_t)n * 64 - (uint64_t)__builtin_clzll(at[n - 1]) : 0;
@@ -206,8 +206,7 @@ static uint64_t gcd_words(uint64_t a, uint64_t b) {
   return a;
 }
 
-/* Copies without trailing zero bits; returns how many there were. *n shrinks. The number is not 0, and its last limb is
-   not. */
+/* Copies the number, which is not 0, without trailing zero bits; returns how many it had. *n shrinks. */
 static uint64_t int_copy_odd(mp_limb_t *to, const mp_limb_t *from, mp_size_t *n) {
   uint64_t zeros = mpn_scan1(from, 0);
   mp_size_t limbs = (mp_size_t)(zeros / 64);
@@ -228,7 +227,7 @@ bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   if (x.n == 0) return y.negative ? vs_int_negate(vm, b, out) : (*out = b, true);
   if (y.n == 0) return x.negative ? vs_int_negate(vm, a, out) : (*out = a, true);
   if (x.n == 1 && y.n == 1) return vs_int_from_uint64(vm, gcd_words(x.at[0], y.at[0]), out);
-  if (x.n == 1 || y.n == 1) {      /* the usual case when fractions are reduced: one small operand */
+  if (x.n == 1 || y.n == 1) {      /* the usual case of a fraction's reduction: one small operand */
     mp_limb_t one = x.n == 1 ? x.at[0] : y.at[0];
     mp_limb_t rest = x.n == 1 ? mpn_mod_1(y.at, y.n, one) : mpn_mod_1(x.at, x.n, one);
     return vs_int_from_uint64(vm, gcd_words(one, rest), out);
@@ -332,7 +331,7 @@ bool vs_int_sqrt(vs_scheme *vm, vs_value a, vs_value *root, vs_value *rest) {
   return true;
 }
 
-/* two's complement of |w| into n limbs. n is at least the number of limbs of w. */
+/* Writes the two's complement of |w| into n limbs, at least as many as w has. */
 static void int_complement(const vs_int_view *w, mp_limb_t *to, mp_size_t n) {
   VS_ASSERT(n >= w->n);
   if (w->n) mpn_copyi(to, w->at, w->n);
@@ -365,13 +364,12 @@ bool vs_int_bitwise(vs_scheme *vm, char op, vs_value a, vs_value b, vs_value *ou
   return true;
 }
 
-/* ---- text ----
-   GMP's conversions are single calls without a poll, so they get pieces of PIECE digits; a longer number is divided by,
-   or put together with, the radix to the power of PIECE * 2^k: about what GMP does inside. */
+/* ---- text ---- GMP's conversions are single calls without a poll. Therefore they get pieces of PIECE digits; a longer
+ * number is divided by, or composed with, the radix to the power of PIECE * 2^k. GMP does about the same inside. */
 
-enum { PIECE = 20000, SQUARINGS = 14 /* PIECE * 2^14 is beyond the largest number */ };
+enum { PIECE = 20000, SQUARINGS = 14 /* PIECE * 2^14 digits exceed the largest number */ };
 
-/* p[k] = radix^(PIECE * 2^k), as far as fewer digits than `digits` make it of use; how many through *count */
+/* Fills p[k] = radix^(PIECE * 2^k) while it has fewer digits than `digits`; sets *count. */
 static bool piece_powers(vs_scheme *vm, int radix, double digits, vs_value *p, int *count) {
   int k = 0;
   for (double of_one = PIECE; of_one < digits && k < SQUARINGS; of_one *= 2, k++)
@@ -380,7 +378,7 @@ static bool piece_powers(vs_scheme *vm, int radix, double digits, vs_value *p, i
   return true;
 }
 
-/* the digits of |a|, at most some PIECE of them; zeros before it up to `width`. The radix is 2 to 36. */
+/* Prints the digits of |a|, at most about PIECE, with zeros before them up to `width`. The radix is 2 to 36. */
 static bool print_piece(vs_scheme *vm, vs_value a, int radix, size_t width, vs_text *t) {
   static const char digit[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   vs_int_view x;
@@ -424,14 +422,14 @@ bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
     return vs_text_put(t, s + i, sizeof s - i);
   }
   VS_ROOTS(vm, p, SQUARINGS);
-  VS_ROOTS(vm, r, SQUARINGS + 2);            /* what is still to be printed, the highest digits last */
+  VS_ROOTS(vm, r, SQUARINGS + 2);            /* the parts not yet printed, the highest digits last */
   struct { int level; bool first; } todo[SQUARINGS + 2];
   int count, top = 0;
   r[0] = a;
   if (!piece_powers(vm, radix, (double)vs_int_bits(a) / log2(radix), p, &count)) return false;
   todo[0].level = count;
   todo[0].first = true;
-  while (top >= 0) {                         /* each is below p[level - 1]^2, or at level 0 below p[0] */
+  while (top >= 0) {                         /* each is less than p[level - 1]^2, or at level 0 less than p[0] */
     int level = todo[top].level;
     bool first = todo[top].first;
     if (level == 0) {
@@ -444,7 +442,7 @@ bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
     todo[top].level = todo[top + 1].level = level - 1;
     todo[top + 1].first = first;
     todo[top].first = first && r[top + 1] == vs_fix(0);
-    if (!todo[top].first) top++;             /* leading zeros are not printed */
+    if (!todo[top].first) top++;             /* omit leading zeros */
   }
   return true;
 }
@@ -481,7 +479,7 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
     if (!piece_from_digits(vm, digits + end - width, width, radix, &r[1])) return false;
     vs_gc_store(vm, vs_as_vector(r[0]), &vs_as_vector(r[0])->at[i], r[1]);
   }
-  for (int k = 0; pieces > 1; k++, pieces = (pieces + 1) / 2)      /* two of a kind make one of the next */
+  for (int k = 0; pieces > 1; k++, pieces = (pieces + 1) / 2)      /* two of a level make one of the next */
     for (size_t i = 0; i < (pieces + 1) / 2; i++) {
       r[1] = vs_as_vector(r[0])->at[2 * i];
       if (2 * i + 1 < pieces &&
@@ -495,7 +493,7 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
 
 /* ---- doubles ---- */
 
-/* top * 2^e, bit 63 of top set, `sticky`: something smaller follows; correctly rounded, subnormals included */
+/* Returns top * 2^e, correctly rounded, subnormals included. Bit 63 of top is set; `sticky`: nonzero bits follow. */
 static double round_top(uint64_t top, bool sticky, int64_t e) {
   int64_t high = e + 63;                         /* exponent of the leading bit */
   VS_ASSERT(top >> 63 == 1);
@@ -509,7 +507,7 @@ static double round_top(uint64_t top, bool sticky, int64_t e) {
   return ldexp((double)kept, (int)(e + shift));
 }
 
-/* the limbs times 2^e */
+/* Returns the limbs times 2^e. */
 static double limbs_double(const mp_limb_t *at, mp_size_t n, bool sticky, int64_t e) {
   while (n && at[n - 1] == 0) n--;
   if (n == 0) return 0.0;
@@ -535,11 +533,11 @@ double vs_int_double(vs_value a) {
 
 bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out) {
   VS_ASSERT(vs_int_sign(num) > 0 && vs_int_sign(den) > 0);
-  if (vs_is_fixnum(num) && vs_is_fixnum(den)) {      /* both exact as doubles: the division rounds once */
+  if (vs_is_fixnum(num) && vs_is_fixnum(den)) {      /* both are exact as doubles, so the division rounds once */
     *out = (double)vs_fixnum(num) / (double)vs_fixnum(den);
     return true;
   }
-  /* scale so that the quotient has 66 or 67 bits: two limbs hold it, the remainder is the sticky bit */
+  /* scaled so that the quotient has 66 or 67 bits: two limbs contain it, and the remainder is the sticky bit */
   VS_ROOTS(vm, r, 4);
   r[0] = num;
   r[1] = den;

@@ -1,6 +1,6 @@
-/* Owns exact integers of any size: fixnums and bignums, on GMP's mpn_ functions with limbs in our own heap. Sizes are
-   known before the work, so limits are errors before memory is asked for. Arguments are exact integers; the caller has
-   checked. */
+/* Owns exact integers of any size: fixnums and bignums, with GMP's mpn_ functions on limbs in our own heap. The size of
+ * a result is known before the work, so a limit is an error before memory is requested. Arguments are exact integers;
+ * the caller has checked. */
 #ifndef VS_VM_NUMBERS_INTEGER_H
 #define VS_VM_NUMBERS_INTEGER_H
 
@@ -9,12 +9,12 @@
 #include "vm/values/text.h"
 
 enum { VS_INT_MAX_LIMBS = 1 << 21 };     /* 40 million decimal digits: one multiplication of that size takes about a
-                                            second */
+                                          * second */
 
-/* Magnitude and sign of an integer without allocating. Bignums move: look again after every allocation. Not to be
-   copied. */
+/* Magnitude and sign of an integer, without allocation. Bignums move, so call vs_int_look again after every allocation.
+ * Do not copy a view: it may point into itself. */
 typedef struct vs_int_view { const mp_limb_t *at; mp_size_t n; bool negative; mp_limb_t small; } vs_int_view;
-/* v is an exact integer. */
+/* Gets the view of v, an exact integer. */
 void vs_int_look(vs_value v, vs_int_view *w);
 
 bool vs_int_from_int64(vs_scheme *vm, int64_t n, vs_value *out);
@@ -22,10 +22,11 @@ bool vs_int_from_uint64(vs_scheme *vm, uint64_t n, vs_value *out);
 bool vs_int_add(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_int_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_int_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
-/* truncating; b not 0; either result may be NULL */
+/* truncates; b is not 0; either result may be NULL */
 bool vs_int_divide(vs_scheme *vm, vs_value a, vs_value b, vs_value *quotient, vs_value *remainder);
 bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_int_shift(vs_scheme *vm, vs_value a, int64_t left, vs_value *out);             /* floor when to the right */
+bool vs_int_shift(vs_scheme *vm, vs_value a, int64_t left, vs_value *out);             /* rounds down for a shift to the
+                                                                                        * right */
 bool vs_int_power(vs_scheme *vm, vs_value a, uint64_t n, vs_value *out);
 bool vs_int_sqrt(vs_scheme *vm, vs_value a, vs_value *root, vs_value *rest);           /* a >= 0 */
 bool vs_int_negate(vs_scheme *vm, vs_value a, vs_value *out);
@@ -35,16 +36,16 @@ int vs_int_sign(vs_value a);
 bool vs_int_is_odd(vs_value a);
 uint64_t vs_int_bits(vs_value a);                                                /* of the magnitude; 0 for 0 */
 
-/* |a| in radix 2..36, lower case, a sign before it */
+/* Prints a in radix 2 to 36, in lower case. */
 bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t);
-/* digits are values 0..radix-1, not characters. The radix is 2 to 36. */
+/* The digits are values 0..radix-1, not characters. The radix is 2 to 36. */
 bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out);
 
-/* correctly rounded, may be infinite */
+/* correctly rounded; may be infinite */
 double vs_int_double(vs_value a);
-/* num/den, both positive, correctly rounded */
+/* Computes num/den, both positive, correctly rounded. */
 bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out);
-/* the integer that a finite integral double is */
+/* Sets *out to the integer that equals d, a finite integral double. */
 bool vs_int_from_double(vs_scheme *vm, double d, vs_value *out);
 
 #endif

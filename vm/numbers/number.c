@@ -1,7 +1,7 @@
 /* Owns the generic arithmetic of the tower (number.h): dispatch over fixnum, bignum, ratio, double and flat record.
-
-   Order of cases everywhere: doubles first (one double makes the result a double), then flat records, then exact
-   numbers, where a ratio makes it a matter of numerators and denominators. */
+ *
+ * Every operation tests the cases in one order: doubles (one double makes the result a double), flat records, exact
+ * numbers. A ratio among exact numbers leads to numerators and denominators. */
 #include "vm/numbers/number.h"
 
 #include <math.h>
@@ -13,8 +13,7 @@
 
 static const char *const op_name[] = {[VS_OP_ADD] = "+", [VS_OP_SUB] = "-", [VS_OP_MUL] = "*", [VS_OP_DIV] = "/"};
 
-/* "NAME: expected EXPECTED, got V"; the name comes from the running native, or is `who` where the operator was
-   inlined */
+/* Reports "NAME: expected EXPECTED, got V". NAME is the running native's, or `who` if the operator was inlined. */
 static bool number_bad(vs_scheme *vm, const char *who, const char *expected, vs_value v) {
   VS_ROOTS(vm, r, 1);
   if (!vs_cons(vm, v, VS_NIL, &r[0])) return false;
@@ -88,7 +87,7 @@ static bool ratio_part(vs_value v, bool den, vs_value *out) {
   return true;
 }
 
-/* exact a op b with a ratio among them, or a division */
+/* Computes an exact a op b: a ratio is among them, or op is a division. */
 static bool ratio_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   VS_ROOTS(vm, r, 6);
   VS_ASSERT(vs_is_exact(a) && vs_is_exact(b));
@@ -121,7 +120,7 @@ bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
     const vs_value both[2] = {a, b};
     return vm->flat->call(vm, (const char *const[]){"+", "-", "*", "/"}[op], both, 2, out);
   }
-  double number = 0;   /* the operand that is no record; a ratio or a bignum too */
+  double number = 0;   /* the operand that is no record; may be a ratio or a bignum */
   vs_value other = ta ? b : a;
   bool numbers = (ta && tb) || (vs_is_number(other) && vs_number_double(vm, other, &number));
   int rule = vm->flat && numbers ? vm->flat->at[op][ta][tb].rule : VS_RULE_NONE;
@@ -191,7 +190,7 @@ bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 
 /* ---- comparison ---- */
 
-/* -1, 0, 1, or 2 when one is NaN; both are numbers */
+/* Sets *order to -1, 0 or 1; 2 if a number is NaN. Both are numbers. */
 static bool number_compare(vs_scheme *vm, vs_value a, vs_value b, int *order) {
   bool da = vs_is_double(a), db = vs_is_double(b);
   VS_ASSERT(vs_is_number(a) && vs_is_number(b));
@@ -313,7 +312,7 @@ bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 
 bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out) {
   if (vs_is_double(a)) return *out = vs_flonum_raw(fabs(vs_double(a))), true;
-  if (vs_is_dual(a)) { /* a kink at 0, where the slope of the right side is taken */
+  if (vs_is_dual(a)) { /* not differentiable at 0: the slope of the right side */
     bool below;
     if (!vs_number_test(vm, VS_LT, a, vs_fix(0), &below)) return false;
     return below ? vs_number_sub(vm, vs_fix(0), a, out) : (*out = a, true);
@@ -330,7 +329,7 @@ bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out) {
   return true;
 }
 
-/* the exact root of an exact integer >= 0, or *out = #f */
+/* Sets *out to the exact root of an exact integer >= 0; #f if it is not an integer. */
 static bool int_exact_sqrt(vs_scheme *vm, vs_value n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   VS_ASSERT(vs_is_exact_integer(n) && vs_int_sign(n) >= 0);
@@ -358,7 +357,7 @@ bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out) {
   }
   double d;
   if (!vs_number_double(vm, r[0], &d)) return false;
-  /* out of range though the root is not: take it in integers, 64 bits or more of it */
+  /* out of range, but the root is in range: compute at least 64 bits of it with integers */
   if (isinf(d) || d == 0) {
     ratio_part(r[0], false, &r[1]), ratio_part(r[0], true, &r[2]);
     int64_t up = ((int64_t)vs_int_bits(r[2]) - (int64_t)vs_int_bits(r[1]) + 256) & ~INT64_C(1);

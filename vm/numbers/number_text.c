@@ -1,10 +1,10 @@
 /* Owns the texts of numbers: shortest printing and correct reading of doubles in every radix, exact numbers, R7RS'
-   syntax.
-
-   Printing a double is Burger and Dybvig's free-format algorithm (the shortest digits that read back as the same
-   double, and of those the nearest) on integers of at most some 20 limbs, which live on the C stack; two quick ways
-   before it take integers and decimals of up to 15 digits, which cover what people type. Reading has Clinger's quick
-   way (a mantissa and a power of ten that are both exact doubles round once), else an exact ratio correctly rounded. */
+ * syntax.
+ *
+ * Burger and Dybvig's free-format algorithm prints doubles: the shortest digits that read back as the same double, and
+ * of those the nearest. It uses integers of at most some 20 limbs on the C stack. Two quick ways before it handle
+ * integers and decimals of up to 15 digits, which cover most typed numbers. Reading uses Clinger's quick way (a
+ * mantissa and a power of ten that are both exact doubles round once), else an exact ratio, correctly rounded. */
 #include "vm/numbers/number_text.h"
 
 #include <float.h>
@@ -17,7 +17,7 @@
 /* ---- a double as digits ---- */
 
 enum { BIG_LIMBS = 40, MAX_DIGITS = 1100 /* of a double in base 2 */ };
-typedef struct { mp_limb_t at[BIG_LIMBS]; mp_size_t n; } big;       /* n: used limbs, no zeros on top */
+typedef struct { mp_limb_t at[BIG_LIMBS]; mp_size_t n; } big;       /* n: limbs in use, without leading zeros */
 
 static void big_set(big *b, uint64_t v) {
   b->at[0] = v;
@@ -56,7 +56,7 @@ static int big_compare(const big *a, const big *b) {
   return a->n ? mpn_cmp(a->at, b->at, a->n) : 0;
 }
 
-/* compares a + b with c */
+/* Compares a + b with c. */
 static int big_compare_sum(const big *a, const big *b, const big *c) {
   big sum;
   const big *x = a->n >= b->n ? a : b, *y = a->n >= b->n ? b : a;
@@ -70,7 +70,7 @@ static int big_compare_sum(const big *a, const big *b, const big *c) {
   return big_compare(&sum, c);
 }
 
-/* a -= b as often as it goes (fewer than 37 times); how often */
+/* Subtracts b from a as often as possible (fewer than 37 times); returns how often. */
 static unsigned big_divide(big *a, const big *b) {
   unsigned q = 0;
   while (big_compare(a, b) >= 0) {
@@ -81,7 +81,8 @@ static unsigned big_divide(big *a, const big *b) {
   return q;
 }
 
-/* d > 0 finite. Digits (values, not characters) of 0.D1D2... * radix^*point; returns how many. */
+/* Writes the digits D (values, not characters) of d = 0.D1D2... * radix^*point, for a finite d > 0; returns their
+ * number. */
 static int double_digits(double d, unsigned radix, unsigned char *digits, int *point) {
   int e;
   uint64_t f = (uint64_t)ldexp(frexp(d, &e), DBL_MANT_DIG);
@@ -92,7 +93,7 @@ static int double_digits(double d, unsigned radix, unsigned char *digits, int *p
     e = DBL_MIN_EXP - DBL_MANT_DIG;
   }
   bool even = !(f & 1), edge = f == UINT64_C(1) << (DBL_MANT_DIG - 1) && e > DBL_MIN_EXP - DBL_MANT_DIG;
-  /* d = r / s; the neighbours' midpoints are (r - low) / s and (r + high) / s */
+  /* d = r / s; the midpoints to the neighbours are (r - low) / s and (r + high) / s */
   big r, s, low, high;
   big_set(&r, f), big_set(&s, 1), big_set(&low, 1), big_set(&high, 1);
   unsigned extra = edge ? 2 : 1;
@@ -130,7 +131,7 @@ static int double_digits(double d, unsigned radix, unsigned char *digits, int *p
   }
 }
 
-/* The same for base 10, short decimals quickly. d > 0 finite. */
+/* Does the same in base 10, with a quick way for short decimals. d > 0 is finite. */
 static int decimal_digits(double d, unsigned char *digits, int *point) {
   static const double ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
   VS_ASSERT(d > 0 && isfinite(d));
@@ -191,7 +192,7 @@ static bool double_print(double d, int radix, vs_text *t) {
     char s[VS_DOUBLE_TEXT];
     return vs_text_put(t, s, vs_double_text(d, s));
   }
-  /* positional only: in other radices the exponent's letter is a digit */
+  /* without an exponent: in other radices its letter is a digit */
   static const char name[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   unsigned char digits[MAX_DIGITS];
   int point, n = double_digits(fabs(d), (unsigned)radix, digits, &point);
@@ -265,7 +266,7 @@ static bool finish_exact(const scan *in, vs_value v, vs_value *out) {
   return in->negative ? vs_number_sub(in->vm, vs_fix(0), r[0], out) : (*out = r[0], true);
 }
 
-/* mantissa digits (values) * radix^exponent, as a double or with #e exactly */
+/* Computes the mantissa's digits (values) * radix^exponent as a double, or exactly with #e. */
 static bool scaled_number(const scan *in, const unsigned char *digits, size_t n, int64_t exponent, vs_value *out) {
   vs_scheme *vm = in->vm;
   while (n && digits[0] == 0) digits++, n--;
@@ -287,7 +288,7 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
   } else if (exponent > 1000000 || exponent < -1000000) {
     return vs_fail(vm, vm->sym.range, "the exponent of an exact number is too large");
   }
-  /* more digits than can matter: the rest becomes one sticky digit */
+  /* more digits than can matter: one sticky digit replaces the rest */
   enum { KEEP = 1200 };
   unsigned char kept[KEEP + 1];
   if (!exact && n > KEEP) {
@@ -363,7 +364,7 @@ static bool equals(const char *p, const char *end, const char *lower) {
 
 bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out) {
   VS_ASSERT(radix >= 2 && radix <= 36);
-  /* a number plus an exact 0 of the imaginary unit is that number; there are no other complex ones */
+  /* A number plus an exact 0 times the imaginary unit is that number; there are no other complex numbers. */
   if (n > 3 && is_letter(s[n - 1], 'i') && s[n - 2] == '0' && (s[n - 3] == '+' || s[n - 3] == '-') &&
       !is_letter(s[n - 4], 'e') && s[n - 4] != '#')
     n -= 3;

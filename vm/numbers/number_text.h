@@ -4,12 +4,12 @@
 
 #include "vm/numbers/number.h"
 
-/* The number that these bytes spell in `radix` (2..36; #x and the like override it), or *out = #f if they spell none.
-   False only when memory is out or the number too large. */
+/* Sets *out to the number of these bytes in `radix` (2 to 36; #x and the like override it), #f if they are no number.
+ * Returns false when memory is out or the number is too large. */
 bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out);
-/* The shortest text that reads back as v, in radix 2..36. */
+/* Appends the shortest text that reads back as v, in radix 2 to 36. */
 bool vs_number_print(vs_scheme *vm, vs_value v, int radix, vs_text *t);
-/* The same for one double in base 10, zero-terminated; no allocation. Returns the length. */
+/* Writes the same for one double in base 10, zero-terminated, without allocation. Returns the length. */
 size_t vs_double_text(double d, char out[VS_DOUBLE_TEXT]);
 
 #endif

@@ -83,7 +83,7 @@ bool vs_make_string(vs_scheme *vm, size_t length, uint32_t fill, vs_value *out) 
   return true;
 }
 
-/* one code point from s[0..n); *used bytes of it; what is no UTF-8 gives U+FFFD for one byte. n is not 0. */
+/* Returns a code point from s[0..n) and sets *used to its bytes; U+FFFD and 1 for a bad byte. n is not 0. */
 static uint32_t utf8_next(const unsigned char *s, size_t n, size_t *used) {
   VS_ASSERT(n > 0);
   *used = 1;
@@ -172,7 +172,7 @@ bool vs_make_keywords(vs_scheme *vm, const vs_value *names, size_t n, vs_value *
   return true;
 }
 
-/* ---- symbols: vm->at.symbols is a vector, element 0 the count as a fixnum, then a power of two of slots, #f free
+/* ---- symbols: vm->at.symbols is a vector: element 0 is the count as a fixnum, then a power of two of slots; #f: free
  * ---- */
 static uint32_t name_hash(const char *s, size_t n) {
   uint32_t h = 2166136261u;
@@ -223,7 +223,8 @@ bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out) {
   vs_gc_store(vm, table, &table->at[k + 1], *out);
   int64_t count = vs_fixnum(table->at[0]) + 1;
   table->at[0] = vs_fix(count);
-  if ((size_t)count * 4 > mask * 3) {          /* `out` may be no root of the caller's; symbols are old, so it stays */
+  if ((size_t)count * 4 > mask * 3) {          /* the caller's `out` may be no root; symbols are old, so it remains
+                                                * valid */
     return symbols_grow(vm);
   }
   return true;

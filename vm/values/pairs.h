@@ -1,22 +1,22 @@
-/* Owns lists that a loop builds from the back: turned round in their place where nobody else has them. */
+/* Owns lists that a loop builds in reverse. Their pairs are reversed in place if no other code can refer to them. */
 #ifndef VS_VM_VALUES_PAIRS_H
 #define VS_VM_VALUES_PAIRS_H
 
 #include "vm/values/gc.h"
 
-/* The number of continuations made so far, as a value. */
+/* Returns the number of continuations made, as a value. */
 static inline vs_value vs_captures(const vs_scheme *vm) { return VS_TAG_FIXNUM << 48 | vm->captures; }
 
-/* The elements of *list, a proper list, in front of tail, turned round. *list and *out are in roots; *list is used up.
- * False: out of memory, or a limit is reached. */
+/* Sets *out to the elements of *list, a proper list, reversed, in front of tail. Both are in roots; *list is empty
+ * afterwards. Returns false when memory is out or a limit is reached. */
 bool vs_list_onto(vs_scheme *vm, vs_value *list, vs_value tail, vs_value *out);
 
-/* The same in front of the empty list, for a list that its owner has built since there were `captures` continuations,
- * and nobody else has. Where there are no more of them now, nobody can come back to where it was half built, and it is
- * turned round in its place. */
+/* Does the same in front of the empty list. The list belongs to the caller alone, who has built it since the number of
+ * continuations was `captures`. If it is the same now, no continuation can return to the half-built list, so its pairs
+ * are reversed in place. */
 bool vs_list_own_turned(vs_scheme *vm, vs_value *list, vs_value captures, vs_value *out);
 
-/* Is v a proper list? 1 or 0 for short ones; -1: too long to tell at once (or circular). */
+/* Returns 1 if v is a proper list, 0 if not; -1 if it is too long to find out quickly, or circular. */
 static inline int vs_is_short_list(vs_value v) {
   for (int i = 0; i < 32; i++, v = vs_cdr(v))
     if (!vs_is_pair(v)) return v == VS_NIL;

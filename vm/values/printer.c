@@ -1,11 +1,11 @@
-/* Owns the printer (printer.h). Nothing here allocates Scheme objects, so values and addresses in its own stacks stay
-   good.
-
-   Plan. A plain walk with an explicit stack writes the text. Before it, unless the mode is SIMPLE, it is found out
-   which objects need a label. For write and display only cycles do: first the structure is walked as if it were a tree,
-   without notes, with as many steps as the heap could hold objects; that ends for everything but cycles and heavy
-   sharing, and costs a long list no memory. Else a depth-first walk notes which objects are entered again while still
-   open (SHARED: entered twice). */
+/* Owns the printer (printer.h). Nothing here allocates Scheme objects, so the values and addresses in its stacks remain
+ * valid.
+ *
+ * Plan. A walk with an explicit stack writes the text. Before it, unless the mode is SIMPLE, the printer finds the
+ * objects that need a label. For write and display only cycles need labels. The printer first walks the structure as a
+ * tree, without notes, with at most as many steps as the heap can hold objects. This suffices unless the structure has
+ * cycles or much sharing, and needs no memory for a long list. Otherwise a depth-first walk notes the objects that it
+ * enters again while they are open (SHARED: enters twice). */
 #include "vm/values/printer.h"
 
 #include <utf8proc.h>
@@ -15,18 +15,18 @@
 
 typedef enum {
   ITEM,        /* print v */
-  TAIL,        /* v is the rest of a list whose parenthesis is open */
+  TAIL,        /* v is the rest of a list with an open parenthesis */
   CLOSE,       /* ) */
-  SLOTS,       /* the elements of vector, values, record v from number i on, then ) or > */
-  ENTRIES,     /* the entries of table v from position i on, then ) */
+  SLOTS,       /* the elements of the vector, values or record v from number i, then ) or > */
+  ENTRIES,     /* the entries of the table v from position i, then ) */
   DOT          /* " . " */
 } print_step;
 
 typedef struct print_frame { uint8_t step; uint32_t i; vs_value v; } print_frame;
 
-/* object -> what is known: open addressing by address */
+/* the facts about an object: open addressing by address */
 typedef struct print_note { const vs_object *object; int32_t label; } print_note;
-enum { NOTE_OPEN = -1, NOTE_DONE = -2, NOTE_WANTED = -3 };      /* else the number printed */
+enum { NOTE_OPEN = -1, NOTE_DONE = -2, NOTE_WANTED = -3 };      /* else the printed number */
 
 typedef struct printer {
   vs_scheme *vm;
@@ -51,7 +51,7 @@ static bool push(printer *p, print_step step, vs_value v, uint32_t i) {
   return true;
 }
 
-/* The number of slots is a power of two. */
+/* Returns the slot of object o, or the free slot for it. The number of slots is a power of two. */
 static print_note *note_slot(print_note *notes, size_t slots, const vs_object *o) {
   size_t i = (size_t)((uintptr_t)o * UINT64_C(0x9E3779B97F4A7C15) >> 20) & (slots - 1);
   VS_ASSERT(slots > 0 && (slots & (slots - 1)) == 0);
@@ -93,8 +93,8 @@ static bool is_compound(vs_value v) {
 
 static size_t record_fields(const vs_record *r) { return r->h.words - 2; }
 
-/* A record of the library's own, whose type's name begins with %, shows the fields whose names do not: the others may
- * hold what holds the record. */
+/* A record type with a name that begins with % belongs to the library. Its printed form omits the fields with such
+ * names: they may contain the record's owner. */
 static bool is_inner_name(vs_value name) { return vs_is_symbol(name) && *vs_as_symbol(name)->name == '%'; }
 static bool is_hidden(const vs_record *r, uint32_t i) {
   const vs_record_type *type = vs_as_record_type(r->type);
@@ -102,7 +102,8 @@ static bool is_hidden(const vs_record *r, uint32_t i) {
          is_inner_name(vs_as_vector(type->fields)->at[i]);
 }
 
-/* the number of children and the i-th of them; tables by position. v has children. */
+/* Sets *child to the child number *i of v, which has children, and advances *i; a table's are counted by position.
+ * Returns false after the last. */
 static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
   vs_value other;
   VS_ASSERT(is_compound(v));
@@ -133,7 +134,7 @@ static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
       *child = vs_as_condition(v)->irritants;
       return true;
     case VS_T_TABLE: {
-      /* even steps: the key at position i/2, odd: its value */
+      /* even steps: the key at position i/2; odd steps: its value */
       uint32_t position = *i >> 1;
       const vs_table *t = vs_as_table(v);
       const vs_value *at = vs_as_vector(t->entries)->at;
@@ -149,7 +150,7 @@ static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
   return false;
 }
 
-/* true in *small when the structure ends as a tree within `budget` steps */
+/* Sets *small if the structure ends, walked as a tree, within `budget` steps. */
 static bool walk_tree(printer *p, vs_value v, size_t budget, bool *small) {
   size_t steps = 0;
   *small = false;
@@ -162,7 +163,7 @@ static bool walk_tree(printer *p, vs_value v, size_t budget, bool *small) {
     if (!next_child(f->v, &f->i, &child)) {
       p->count--;
     } else if (is_compound(child)) {
-      /* the cdr: in its place */
+      /* the cdr replaces the pair on the stack */
       if (vs_object_of(f->v)->type == VS_T_PAIR && f->i == 2) *f = (print_frame){ITEM, 0, child};
       else if (!push(p, ITEM, child, 0)) return false;
     }
@@ -202,7 +203,7 @@ static const struct { uint32_t c; const char *name;
   { 0x7F, "delete" }, { 0x1B, "escape" },  { 8, "backspace" }, { 7, "alarm" },
 };
 
-/* control characters, unassigned code points, lone marks: shown by number */
+/* Returns false for control characters, unassigned code points and lone marks, which print as numbers. */
 static bool is_visible(uint32_t c) {
   if (c < 0x20 || (c >= 0x7F && c < 0xA0)) return false;
   if (c < 0x7F) return true;
@@ -238,7 +239,7 @@ static bool put_char(vs_text *t, uint32_t c) {
   return vs_text_put(t, "x", 1) && put_hex(t, c);
 }
 
-/* one character between `quote`s: " of a string or | of a symbol */
+/* Appends one character between `quote`s: " of a string or | of a symbol. */
 static bool put_escaped(vs_text *t, uint32_t c, char quote) {
   if (c == (uint32_t)quote || c == '\\') {
     char s[2] = {'\\', (char)c};
@@ -271,7 +272,7 @@ static bool same_letters(const char *s, const char *lower, size_t n) {
   return true;
 }
 
-/* Does a name spell a number, here or, as +i does, in other Schemes? (The syntax alone: number_text.c reads it.) */
+/* Returns true if a name has the syntax of a number, here or in other Schemes (+i). number_text.c reads numbers. */
 static bool spells_number(const char *s, size_t n) {
   bool sign = *s == '+' || *s == '-';
   if (sign && n == 2 && (s[1] | 32) == 'i') return true;
@@ -323,7 +324,7 @@ static bool put_symbol(vs_text *t, vs_value v, bool written) {
   return ok && vs_text_put(t, "|", 1);
 }
 
-/* "#<WHAT NAME>"; name a symbol, a string or anything else for none */
+/* Appends "#<WHAT NAME>"; name is a symbol or a string; any other value: none. */
 static bool put_opaque(vs_text *t, const char *what, vs_value name) {
   bool ok = vs_text_put(t, "#<", 2) && vs_text_puts(t, what);
   if (ok && vs_is_symbol(name)) ok = vs_text_put(t, " ", 1) && put_symbol(t, name, false);
@@ -381,7 +382,7 @@ static bool put_atom(printer *p, vs_value v) {
     case VS_T_SYMBOL: return put_symbol(t, v, written);
     case VS_T_BYTES: return put_bytes(t, v);
     case VS_T_FLAT: return put_flat(p->vm, t, v);
-    case VS_T_DUAL: /* its plain value: people print numbers to see where a program is */
+    case VS_T_DUAL: /* prints the plain value: people print numbers to follow a program */
       return vs_text_puts(t, "#<dual ") && put_atom(p, vs_dual_base(v)) && vs_text_puts(t, ">");
     case VS_T_CLOSURE: return put_opaque(t, "procedure", vs_as_code(vs_as_closure(v)->code)->name);
     case VS_T_CASE: {
@@ -414,8 +415,8 @@ static bool put_atom(printer *p, vs_value v) {
 
 /* ---- compounds ---- */
 
-/* The characters that stand for (quote x) and its like, or NULL: (unquote @x) has none, since ,@x is
- * (unquote-splicing x). */
+/* Returns the abbreviation of (quote x) and the like, or NULL. (unquote @x) has none, since ,@x is (unquote-splicing
+ * x). */
 static const char *abbreviation(const vs_scheme *vm, vs_value v) {
   if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL) return NULL;
   vs_value head = vs_car(v), quoted = vs_car(vs_cdr(v));
@@ -541,7 +542,7 @@ bool vs_print(vs_scheme *vm, vs_value v, vs_print_mode mode, vs_text *t) {
 
 /* ---- errors ---- */
 
-/* one value in a message: at most so many bytes of it */
+/* Appends one value of a message, cut after a number of bytes. */
 static bool put_brief(vs_scheme *vm, vs_value v, vs_text *t) {
   vs_text brief;
   vs_text_open(vm, &brief, 240);

@@ -6,16 +6,16 @@
 #include "vm/values/text.h"
 
 typedef enum {
-  VS_PRINT_DISPLAY,      /* strings and characters bare; labels only for cycles */
+  VS_PRINT_DISPLAY,      /* strings and characters without quotes; labels only for cycles */
   VS_PRINT_WRITE,        /* readable; labels only for cycles */
-  VS_PRINT_SIMPLE,       /* readable; no labels (a cycle runs into the limits) */
-  VS_PRINT_SHARED        /* readable; labels for all sharing */
+  VS_PRINT_SIMPLE,       /* readable; no labels (a cycle reaches the limits) */
+  VS_PRINT_SHARED        /* readable; labels for all shared objects */
 } vs_print_mode;
 
-/* Appends v to t. Needs no C stack for depth; a list of a million elements costs no memory beside the text. */
+/* Appends v to t. Depth needs no C stack; a list of a million elements needs no memory beyond its text. */
 bool vs_print(vs_scheme *vm, vs_value v, vs_print_mode mode, vs_text *t);
 
-/* Appends a CONDITION's message and irritants ("car: expected a pair, got 5"), or "uncaught raise: " and any other
+/* Appends the message and irritants of a CONDITION ("car: expected a pair, got 5"), or "uncaught raise: " and any other
  * object. */
 bool vs_print_condition(vs_scheme *vm, vs_value condition, vs_text *t);
 

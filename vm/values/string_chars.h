@@ -4,7 +4,7 @@
 
 #include "vm/machine/native.h"
 
-/* the k-th code point; k is in range */
+/* Returns the k-th code point; k is in range. */
 static inline uint32_t vs_string_at(vs_value s, size_t k) {
   const uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
   uint32_t c;
@@ -14,8 +14,8 @@ static inline uint32_t vs_string_at(vs_value s, size_t k) {
   return c;
 }
 
-/* sets the k-th code point of a string that is wide enough for it (vs_make_string was given one as wide, or
- * vs_string_set widened). k is in range. */
+/* Sets the k-th code point of a string that is wide enough for it: vs_make_string got a fill as wide, or vs_string_set
+ * widened the string. k is in range. */
 static inline void vs_string_put(vs_value s, size_t k, uint32_t c) {
   uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
   VS_ASSERT(k < vs_as_string(s)->length);
