@@ -1,4 +1,4 @@
-/* Owns moving activations between the working stretch and the heap, and walking them for the call chain. */
+/* Owns the moves of activations between the working stretch and the heap, and the walk over them for the call chain. */
 #include "vm/machine/activation.h"
 
 #include "vm/compiler/code.h"
@@ -7,10 +7,10 @@
 #include "vm/machine/native.h"
 #include "vm/front/source.h"
 
-/* a walk over activations, innermost first; holds addresses, so nothing may be allocated meanwhile */
+/* A walk over activations, innermost first. It contains addresses, so no code may allocate during it. */
 struct walk { const vs_value *base; vs_value under; uint64_t depth; bool force; };
 
-/* goes to the caller; *pc is that of the call; false at the end */
+/* Goes to the caller; sets *pc to that of the call. Returns false at the end. */
 static bool walk_up(struct walk *w, size_t *pc, bool *native) {
   vs_value ret = w->base[-1];
   if (ret & VS_RET_STOP) return false;
@@ -35,9 +35,9 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
 struct link { vs_value name; vs_pos place; const vs_value *base; size_t pc; bool gap;
     /* calls between this one and the one before left no activations */ };
 
-/* Does the activation above stand where another procedure was called? Then that one ended with a tail call, or those it
-   led to. Asked of calls by the program's own names only: what a local variable held when it was called is not known
-   any more, and the library's tail calls of what it was given would say nothing. pc: behind the call. */
+/* Returns true if the code at pc called another procedure than the one that runs above: the called one, or a later one,
+ * then ended with a tail call. Tests only calls by the program's own names: the value that a local variable had at the
+ * call is lost, and the tail calls in the library would tell nothing. pc: behind the call. */
 static bool ended_in_tail_call(const vs_code *code, size_t pc, vs_value running) {
   const uint32_t *ins = vs_code_ins(code);
   if (pc < 2 || (ins[pc - 2] & 255) != VS_O_CALLG || ins[pc - 1] >= vs_as_vector(code->consts)->length ||
@@ -75,24 +75,24 @@ static size_t chain(vs_scheme *vm, struct link *at, size_t max) {
   return count;
 }
 
-/* the window is the innermost activation that is whole: the error's call chain begins with its caller */
+/* The window is the innermost complete activation: the error's call chain begins with its caller. Returns NULL. */
 static vs_value *flush_failed(vs_scheme *vm, vs_value *w) {
   vm->base = w + 2;
   vm->pc = NULL;
   return NULL;
 }
 
-/* Calls that are not tail calls, one inside the other, may take 256 MB: some 5 million calls of a small procedure.
- * Deeper ones have no end, and who forgot to end them is to hear so at once, also on a small computer. Of a limited
- * memory they may take a third, since the collector copies them: of more it would run out first, and the message would
- * not say why. */
+/* Returns the limit, in slots, of nested calls that are not tail calls: 256 MB, some 5 million calls of a small
+ * procedure. Deeper recursion is endless, and its author should hear so at once, also on a small computer. If the
+ * memory is limited, the calls may take a third of it: the collector copies them, so more would exhaust the memory
+ * first, with a message that does not name the cause. */
 static size_t most_slots(const vs_scheme *vm) {
   size_t bytes = (size_t)256 << 20;
   if (vm->config.memory_limit && vm->config.memory_limit / 3 < bytes) bytes = vm->config.memory_limit / 3;
   return bytes / sizeof(vs_value);
 }
 
-/* Names the procedure that calls itself: of the innermost callers the one that stands there most often. */
+/* Reports the procedure that calls itself: the most frequent one of the innermost callers. */
 static bool fail_endless(vs_scheme *vm) {
   enum { MOST = 64 };
   struct link at[MOST];
@@ -170,10 +170,10 @@ bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out) {
   return true;
 }
 
-/* Notes a variable of a call, as many as there is room for. Of one name the innermost counts: a local one behind
- * those around it, and a captured one only where there is no other. */
+/* Notes a variable of a call, if there is room. Of variables with one name the innermost counts: a local one hides
+ * those around it, and a captured one counts only if there is no other. */
 static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value name, vs_value x, bool captured) {
-  if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value; /* assigned variables lie in boxes */
+  if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value; /* assigned variables are in boxes */
   if (!vs_is_symbol(name) || x == VS_UNDEFINED || x == VS_ABSENT || vs_is(x, VS_T_STACK)) return;
   vs_value *to = call + VS_CALL_VARIABLES, *end = call + VS_CALL_WORDS;
   while (to < end && vs_is_symbol(to[0]) && to[0] != name) to += 2;
@@ -182,10 +182,9 @@ static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value 
   vs_gc_store(vm, v, &to[1], x);
 }
 
-/* A vector, VS_CALL_WORDS a call, innermost first: the procedure, its place as a fixnum, then names and values of its
- * variables: parameters, those of let, do and definitions that the call was in the scope of, captured ones. #f for a
- * name: no more.
- * Parameters' registers that were given back since may hold something else. */
+/* Sets *out to a vector of VS_CALL_WORDS per call, innermost first: the procedure, its place as a fixnum, then names
+ * and values of its variables: parameters, those of let, do and definitions around the call, captured ones. The name #f
+ * ends them. A parameter's register that was reused since may contain another value. */
 bool vs_call_variables(vs_scheme *vm, vs_value *out) {
   enum { MOST = 24 };
   struct link at[MOST];
@@ -258,7 +257,7 @@ uint64_t vs_call_key(vs_scheme *vm, size_t max) {
     vs_value ret = w.base[-1];
     if (w.force || ret & VS_RET_FLAGS) {
       up = walk_up(&w, &pc, &native);
-    } else { /* what most calls return to, without a call */
+    } else { /* most returns take this way, without a call */
       pc = vs_ret_pc(ret);
       native = false;
       w.base -= vs_ret_distance(ret) + 2;

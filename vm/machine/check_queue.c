@@ -1,5 +1,5 @@
-/* Owns the queue of the checks that a program has met: they wait for the end of the program, so that a check may stand
- * before what it asks of. The queue is a pair of its first and its last link. */
+/* Owns the queue of the checks that a program has met. They wait for the end of the program, so a check may precede the
+ * definitions that it uses. The queue is a pair of its first and its last link. */
 #include "vm/machine/check_queue.h"
 
 #include "vm/front/environment.h"
@@ -7,8 +7,8 @@
 #include "vm/machine/native.h"
 #include "vm/values/heap.h"
 
-/* form expression actual [expected [tolerance]]. A continuation that a check enters may meet checks, too: these would
- * never end. */
+/* The arguments: form expression actual [expected [tolerance]]. A continuation that a check enters may meet checks,
+ * too; to run these would never end. */
 static vs_status check_later(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   vs_pos place = vs_call_place(vm);

@@ -1,4 +1,4 @@
-/* Owns how a native fails: the making of conditions and the wording of the common errors. */
+/* Owns the failure of natives: the conditions and the text of the common errors. */
 #include "vm/machine/fail.h"
 
 #include <stdarg.h>
@@ -49,7 +49,7 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   if (vm->native && !place) {
     vs_value name = vm->native->name;
     const char *shown = vs_is_symbol(name) ? vs_as_symbol(name)->name : "procedure";
-    /* %subtract helps subtract and speaks for it */
+    /* %subtract helps subtract and reports in its name */
     used = snprintf(text, sizeof text / 2, "%s: ", shown + (*shown == '%'));
     if (used > (int)sizeof text / 2 - 1) used = (int)sizeof text / 2 - 1;
   }
@@ -57,7 +57,8 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   va_copy(again, list);
   int length = vsnprintf(text + used, sizeof text - (size_t)used, format, list);
   bool ok;
-  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* long: once more, into memory of its own */
+  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* too long: formats again, into allocated
+                                                                       * memory */
     size_t bytes = (size_t)used + (size_t)length + 1;
     char *more = vs_mem(vm, NULL, 0, bytes);
     ok = more != NULL;
@@ -156,7 +157,8 @@ bool vs_arg_type(vs_scheme *vm, const vs_value *a, int arg, int type) {
 
 /* ---- lists ---- */
 int64_t vs_list_length(vs_value list) {
-  vs_value mark = list;                 /* Brent's way: one pointer walks, the other jumps to it at powers of two */
+  vs_value mark = list;                 /* Brent's algorithm: one pointer advances, the other jumps to it at powers of
+                                         * two */
   int64_t n = 0, jump = 2;
   while (vs_is_pair(list)) {
     list = vs_cdr(list);

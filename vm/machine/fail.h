@@ -1,21 +1,22 @@
-/* Owns the interface of fail.c: how a native fails. */
+/* Owns the interface of fail.c: how a native reports an error. */
 #ifndef VS_VM_MACHINE_FAIL_H
 #define VS_VM_MACHINE_FAIL_H
 
 #include "vm/values/value.h"
 
-/* How a new condition learns of the calls under way. activation.c has them; fail.c is below it. */
+/* The functions that give a new condition the running calls. activation.c has them, a layer above fail.c. */
 typedef struct vs_traceback {
-  bool (*chain)(vs_scheme *vm, size_t max, vs_value *out);    /* places and names of the calls; false: out of memory */
-  bool (*variables)(vs_scheme *vm, vs_value *out);            /* their variables; false: out of memory */
+  bool (*chain)(vs_scheme *vm, size_t max, vs_value *out);    /* places and names of the calls; returns false when
+                                                               * memory is out */
+  bool (*variables)(vs_scheme *vm, vs_value *out);            /* their variables; returns false when memory is out */
   vs_pos (*place)(vs_scheme *vm);                             /* of the call of the running native */
 } vs_traceback;
 
-/* a VS_T_ type; the noun from object.def */
+/* type is a VS_T_ type, with its noun in object.def */
 bool vs_arg_type(vs_scheme *vm, const vs_value *a, int arg, int type);
-/* Length of a proper list, -1 if improper or circular. */
+/* Returns the length of a proper list, -1 for an improper or circular one. */
 int64_t vs_list_length(vs_value list);
-/* what v is, with article, for messages: "a string", "a point", "a number" */
+/* Returns the noun of v with its article, for messages: "a string", "a point", "a number". */
 const char *vs_noun(vs_scheme *vm, vs_value v);
 
 #endif

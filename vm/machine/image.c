@@ -1,13 +1,11 @@
-/* Owns writing and loading of the heap image.
-
-   Layout, in 64-bit words:
-     magic, sum of the native tables, words of objects, words of those that are natives, then vm->sym, then vm->at,
-     then the objects one after another, natives first.
-   A pointer is the address that its object has when the image lies at IMAGE_HOME.
-   A native's `def` is its number, counting through all tables.
-   Loading maps the image there (image_map); only the natives are written to. Where it cannot be mapped, it is copied,
-   and one pass over the traced words (vm/values/layout.h) moves the pointers: about a millisecond a megabyte. Tables
-   keyed by address are marked so that their first use inserts every entry anew. */
+/* Owns the writing and loading of the heap image.
+ *
+ * Layout, in 64-bit words: magic, sum of the native tables, words of objects, words of those that are natives, then
+ * vm->sym, then vm->at, then the objects in sequence, natives first. A pointer is the address of its object if the
+ * image is at IMAGE_HOME. A native's `def` is its number, counted through all tables. Loading maps the image there
+ * (image_map), and writes only to the natives. If it cannot be mapped, it is copied, and one pass over the traced words
+ * (vm/values/layout.h) moves the pointers: about a millisecond per megabyte. Tables keyed by address are marked, so
+ * that their first use inserts every entry again. */
 #define _GNU_SOURCE
 #include "vm/machine/image.h"
 
@@ -23,16 +21,16 @@
 #include "vm/values/layout.h"
 #include "vm/machine/native.h"
 
-#define MAGIC UINT64_C(0x31656D6865537356) /* "VsSheme1" read from the least byte */
+#define MAGIC UINT64_C(0x31656D6865537356) /* "VsSheme1", least byte first */
 enum {
   SYMBOLS = sizeof((vs_scheme *)0)->sym / sizeof(vs_value),
   ANCHORS = sizeof((vs_scheme *)0)->at / sizeof(vs_value),
   FIRST = 4, /* of the symbols */
   HEADER = FIRST + SYMBOLS + ANCHORS
 };
-/* The address for which the image is written: its pointers hold when it is mapped there. It lies within 39 bits, which
- * every 64-bit system has, above what programs of a fixed address use and below where systems put libraries and
- * stacks. */
+/* The address for which the image is written: its pointers are valid if it is mapped there. It is below 2^39, the least
+ * address space of 64-bit systems, above the addresses of programs with fixed addresses and below those of libraries
+ * and stacks. */
 #define IMAGE_HOME UINT64_C(0x2000000000)
 #define OBJECTS_HOME (IMAGE_HOME + HEADER * 8)
 
@@ -49,7 +47,7 @@ enum { OWN_TABLES = sizeof own_tables / sizeof own_tables[0] };
 
 /* ---- natives by number ---- */
 
-/* the i-th table, the VM's own first, or NULL past the last */
+/* Returns the i-th table, the VM's own first; NULL beyond the last. */
 static const vs_native_table *image_table(const vs_scheme *vm, size_t i) {
   if (i < OWN_TABLES) return own_tables[i];
   return vm->config.tables ? vm->config.tables[i - OWN_TABLES] : NULL;
@@ -79,7 +77,7 @@ static bool image_native_number(const vs_scheme *vm, const vs_native_def *def, u
   return false;
 }
 
-/* every def in the order of their numbers; the caller frees *count * sizeof(void *) bytes */
+/* Lists every def in the order of their numbers; the caller frees *count * sizeof(void *) bytes. */
 static bool image_native_list(vs_scheme *vm, const vs_native_def ***list, size_t *count) {
   size_t n = 0;
   const vs_native_table *t;
@@ -94,7 +92,7 @@ static bool image_native_list(vs_scheme *vm, const vs_native_def ***list, size_t
   return true;
 }
 
-/* ---- writing: number the reachable objects breadth first, then hand them out rewritten ---- */
+/* ---- writing: number the reachable objects breadth first, then pass them on with new pointers ---- */
 
 struct place { const vs_object *o; uint64_t offset; };
 struct writer {
@@ -107,7 +105,7 @@ struct writer {
   bool foreign;
 };
 
-/* The slot of an object, or a free one; the number of slots is a power of two. */
+/* Returns the slot of an object, or the free slot for it; the number of slots is a power of two. */
 static size_t writer_slot(const struct writer *w, const vs_object *o) {
   size_t i = (size_t)((uint64_t)(uintptr_t)o * UINT64_C(0x9E3779B97F4A7C15) >> 20) & (w->slots - 1);
   VS_ASSERT(w->slots > 0 && (w->slots & (w->slots - 1)) == 0);
@@ -189,8 +187,8 @@ static bool writer_object(struct writer *w, const vs_object *o, uint64_t *copy) 
       return vs_fail(w->vm, w->vm->sym.internal, "a native of no table cannot be in the heap image");
     }
     ((vs_native *)(void *)h)->def = (const vs_native_def *)(uintptr_t)number;
-  } else if (o->type == VS_T_TABLE) { /* addresses will differ: every entry counts as new, of a collection that never
-                                         was */
+  } else if (o->type == VS_T_TABLE) { /* addresses will differ: every entry counts as added since a collection that
+                                       * never was */
     ((vs_table *)(void *)h)->young = 0;
     ((vs_table *)(void *)h)->epoch = UINT64_MAX;
   }
@@ -203,7 +201,7 @@ bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, 
                  *anchors = (const vs_value *)(const void *)&vm->at;
   uint64_t header[HEADER], *copy = NULL;
   size_t copy_words = 1;
-  vs_gc_major(vm); /* nothing moves from here on: vs_mem does not collect */
+  vs_gc_major(vm); /* no object moves from here on: vs_mem does not collect */
   bool ok = true;
   for (size_t i = 0; ok && i < SYMBOLS; i++) ok = writer_reach(&w, symbols[i]);
   for (size_t i = 0; ok && i < ANCHORS; i++) ok = writer_reach(&w, anchors[i]);
@@ -237,10 +235,10 @@ bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, 
 /* ---- the mapping of the program's own file ---- */
 
 #if defined(__linux__) && UINTPTR_MAX == UINT64_MAX
-typedef struct { uintptr_t from, end; off_t offset; } wanted; /* offset: in the file; -1 where it is not known */
+typedef struct { uintptr_t from, end; off_t offset; } wanted; /* offset in the file; -1: unknown */
 
-/* Looks at the first module alone, which is the program: /proc/self/exe stays the file that was started, while a
- * library's name may belong to a newer file by now. */
+/* Searches only the first module, which is the program: /proc/self/exe remains the file that was started, but a
+ * library's name may now belong to a newer file. */
 static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
   wanted *w = to;
   (void)size;
@@ -253,16 +251,16 @@ static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
   return 1;
 }
 
-/* Maps the image, a constant of the program, once more at IMAGE_HOME, where it can be written to without a change of
- * the file: pages that nobody touches cost neither time nor memory. Returns NULL where that cannot be, and the image is
- * to be copied: another interpreter of the process lies there already, the image is part of a shared library, or the
- * system has no such mapping. */
+/* Maps the image, a constant of the program, a second time at IMAGE_HOME, where writing does not change the file.
+ * Unused pages cost neither time nor memory. Returns NULL if this fails, and the image has to be copied: another
+ * interpreter of the process is there already, the image is part of a shared library, or the system has no such
+ * mapping. */
 static void *image_map(const void *image, size_t bytes) {
   wanted w = { (uintptr_t)image, (uintptr_t)image + bytes, -1 };
   dl_iterate_phdr(find_in_program, &w);
   int file = w.offset < 0 || w.offset % sysconf(_SC_PAGESIZE) ? -1 : open("/proc/self/exe", O_RDONLY | O_CLOEXEC);
   if (file < 0) return NULL;
-  void *home = (void *)(uintptr_t)IMAGE_HOME; /* a system that does not know FIXED_NOREPLACE takes it for a wish */
+  void *home = (void *)(uintptr_t)IMAGE_HOME; /* a system without FIXED_NOREPLACE takes the address as a hint */
   void *at = mmap(home, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED_NOREPLACE, file, w.offset);
   close(file);
   if (at == home) return at;
@@ -286,7 +284,7 @@ static void image_unmap(vs_scheme *vm, void *objects, size_t bytes) { (void)vm, 
 
 static void image_free(vs_scheme *vm, void *at, size_t bytes) { vs_mem(vm, at, bytes, 0); }
 
-/* Moves a pointer from where the image was to lie: addition keeps the tag. */
+/* Moves a pointer from the image's intended place to its own: addition keeps the tag. */
 static inline void image_relocate(vs_value *slot, uint64_t by) {
   if (vs_is_object(*slot)) *slot += by;
 }
@@ -301,7 +299,8 @@ static void image_relocate_all(char *at, size_t bytes, uint64_t by) {
   }
 }
 
-/* The mapping tells which image the words at hand are: a look at the constant would bring its pages in, too. */
+/* Returns true if the image is this build's. Tests the mapped words: a look at the constant would load its pages,
+ * too. */
 static bool image_fits(vs_scheme *vm, const uint64_t *words, size_t count) {
   return words[0] == MAGIC && words[1] == image_sum(vm) && count == HEADER + words[2];
 }

@@ -1,11 +1,11 @@
-/* Owns the registration of natives: procedure objects; and the calls that natives ask the run loop for. */
+/* Owns the registration of natives as procedure objects, and the calls that natives request of the run loop. */
 #include "vm/machine/native.h"
 
 #include "vm/compiler/inline.h"
 #include "vm/machine/signature.h"
 
 /* ---- procedures ---- */
-/* symbol: which of the names of def this one goes by; errors say it */
+/* Makes the procedure of def with the name `symbol`, one of def's names, which its errors use. */
 static bool native_make(vs_scheme *vm, const vs_native_def *def, vs_value symbol, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   vs_signature g = vs_signature_read(def->signature);
@@ -55,7 +55,7 @@ vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter) {
   return vs_as_parameter(parameter)->value;
 }
 
-/* ---- natives asking for calls ---- */
+/* ---- calls that natives request ---- */
 void vs_call_begin(vs_scheme *vm, vs_value procedure) {
   vm->call_procedure = procedure;
   vm->call_count = 0;

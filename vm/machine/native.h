@@ -1,41 +1,40 @@
-/* Owns the interface between C builtins and the VM: how a native is described, how it fails, returns, calls and polls.
-
-   A native:
-     static vs_status string_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out);
-     static const vs_native_def defs[] = {{"string-ref", "string k", string_ref, 0, "the k-th character"}, {0}};
-     const vs_native_table vs_string_natives = {"string", defs};
-   and one row VS_NATIVES(string) in natives.def (or, for a layer above vm/, an entry in vs_config.tables).
-
-   The signature string is the one statement of what it takes; counts, keywords and the names in messages come from it:
-     "k"  required      "[k j]" optional      "#:name" keyword      ". rest" any number more
-   `a` holds the arguments on the VM's stack (rooted, updated by the collector, writable). `n` is how many were given.
-   If the signature has keywords or slots (below) then optional arguments not given are VS_ABSENT and a[] is laid out as
-   required, optional, then the keyword values in the order of the signature (VS_ABSENT where not given), then the
-   slots. A native with keywords and ". rest" finds the keywords' values behind the n that were given: a[n], a[n + 1]
-   and so on. (One with slots may not have ". rest".) Without them only a[0..n-1] exist; test n.
-   A native that may return VS_TAILCALL has slots, or -1 there (which lays nothing out): so it gives up its caller's
-   activation.
-
-   It returns
-     VS_OK         *out is the value (a native may leave it: #unspecific)
-     VS_SEVERAL    *out holds several values, or none: vs_several returns this
-     VS_ERROR      = false: vm->condition is set (the functions below do that, as does everything that returns bool)
-     VS_TAILCALL   the native is done; the procedure given to vs_call is called in its place
-     VS_CALL       the procedure given to vs_call is called; then the native is entered again, with the result in *out
-   so `return vs_cons(vm, a[0], a[1], out);` is a complete body.
-
-   Natives never call Scheme otherwise. A native that returns VS_CALL is `slots` > 0: its last `slots` elements of a[]
-   are private, #f at first entry; n is -1 when it is entered again; state must be kept there (a phase number as a
-   fixnum in the first, say) because a continuation may copy the activation and enter it twice. This is how load, eval,
-   the expander with its macro calls, dynamic-wind and call/cc work:
-     static vs_status load_(vs_scheme *vm, vs_value *a, int n, vs_value *out)  {  // "file", slots 2
-       if (a[1] == VS_FALSE) open: make the reader/unit, vs_gc_store not needed: a[1] = unit (foreign object);
-       else the last form's value is *out;
-       read and expand one form; if a macro must run: return vs_call(vm, transformer, 3, argv)  (VS_CALL); the next
-       entry has its value if a form is ready: vs_compile(vm, ast, node, &a[2]) && return vs_call(vm, a[2], 0, NULL);
-       at the end: *out = last value; return VS_OK; }
-   An error inside what was called does not enter the native again: it unwinds. Memory that must be freed hangs off a
-   foreign object or is restored by dynamic-wind. */
+/* Owns the interface between C builtins and the VM: how a native is described, fails, returns, calls and polls.
+ *
+ * A native:
+ *   static vs_status string_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out);
+ *   static const vs_native_def defs[] = {{"string-ref", "string k", string_ref, 0, "the k-th character"}, {0}};
+ *   const vs_native_table vs_string_natives = {"string", defs};
+ * and one row VS_NATIVES(string) in natives.def (or, for a layer above vm/, an entry in vs_config.tables).
+ *
+ * The signature string alone defines the arguments; counts, keywords and the names in messages come from it:
+ *   "k"  required      "[k j]" optional      "#:name" keyword      ". rest" any number more
+ * `a` is the arguments on the VM's stack (rooted, updated by the collector, writable). `n` is the number given. If the
+ * signature has keywords or slots (below), a[] contains the required arguments, the optional ones, the keyword values
+ * in the order of the signature, then the slots; VS_ABSENT is an argument that was not given. A native with keywords
+ * and ". rest" finds the keyword values behind the n that were given: a[n], a[n + 1] and so on. (A native with slots
+ * may not have ". rest".) Without keywords and slots only a[0..n-1] exist; test n. A native that may return VS_TAILCALL
+ * has slots, or -1 there, which adds none: its caller's activation then ends first.
+ *
+ * It returns
+ *   VS_OK         *out is the value (a native may leave it: #unspecific)
+ *   VS_SEVERAL    *out contains several values, or none: vs_several returns this
+ *   VS_ERROR      = false: vm->condition is set (by the functions below, and by all that return bool)
+ *   VS_TAILCALL   the native ends; the loop calls the procedure given to vs_call in its place
+ *   VS_CALL       the loop calls the procedure given to vs_call, then enters the native again, with the result in *out
+ * so `return vs_cons(vm, a[0], a[1], out);` is a complete body.
+ *
+ * Natives never call Scheme in another way. A native that returns VS_CALL has `slots` > 0: its last `slots` elements of
+ * a[] are private, #f at first entry; n is -1 when it is entered again. It must keep its state there (for example a
+ * phase number as a fixnum in the first), because a continuation may copy the activation and enter it twice. load,
+ * eval, the expander with its macro calls, dynamic-wind and call/cc work in this way:
+ *   static vs_status load_(vs_scheme *vm, vs_value *a, int n, vs_value *out)  {  // "file", slots 2
+ *     if (a[1] == VS_FALSE) open: make the reader/unit, vs_gc_store not needed: a[1] = unit (foreign object);
+ *     else the last form's value is *out;
+ *     read and expand one form; if a macro must run: return vs_call(vm, transformer, 3, argv)  (VS_CALL); the next
+ *     entry has its value if a form is ready: vs_compile(vm, ast, node, &a[2]) && return vs_call(vm, a[2], 0, NULL);
+ *     at the end: *out = last value; return VS_OK; }
+ * An error inside the called procedure does not enter the native again: it unwinds. A foreign object must own memory
+ * that has to be freed, or dynamic-wind restores it. */
 #ifndef VS_VM_MACHINE_NATIVE_H
 #define VS_VM_MACHINE_NATIVE_H
 
@@ -49,15 +48,15 @@ enum {
   VS_TAILCALL = 2,
   VS_CALL = 3,
   VS_THROW = 4,
-  VS_UNCAUGHT = 5 /* these two are control.c's */,
+  VS_UNCAUGHT = 5 /* control.c alone uses these two */,
   VS_SEVERAL = 6
 };
 
 typedef vs_status vs_native_fn(vs_scheme *vm, vs_value *a, int n, vs_value *out);
 
 typedef struct vs_native_def {
-  const char *name;          /* or several: "call/cc call-with-current-continuation": a procedure for each, whose errors
-                                say its name */
+  const char *name;          /* or several: "call/cc call-with-current-continuation": a procedure for each, named in its
+                              * errors */
   const char *signature;
   vs_native_fn *fn;
   int slots;
@@ -69,52 +68,51 @@ typedef struct vs_native_table {
   const vs_native_def *defs; /* ends with a NULL name */
 } vs_native_table;
 
-/* Makes the procedures of a table and hands each to define(vm, context, symbol, procedure): the environment's
-   business. */
+/* Makes the procedures of a table and passes each to define(vm, context, symbol, procedure), which the environment
+ * supplies. */
 bool vs_native_define(vs_scheme *vm, const vs_native_table *table,
                       bool (*define)(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure), void *context);
 
-/* ---- calling (see above). argv are copied. ---- */
+/* ---- calls (see above); argv are copied ---- */
 vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);       /* returns VS_CALL */
 vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);   /* returns VS_TAILCALL */
 /* for long argument lists: begin, push ..., then return VS_CALL or VS_TAILCALL */
 void vs_call_begin(vs_scheme *vm, vs_value procedure);
-/* call_count is at most call_room. */
+/* Adds an argument. call_count is at most call_room. */
 bool vs_call_push(vs_scheme *vm, vs_value v);
-/* Returns n values; `at` in roots or arguments. The run loop holds whoever is returned to, to taking as many. */
+/* Returns n values; `at` is in roots or arguments. The run loop makes sure that the receiver takes that many. */
 static inline vs_status vs_several(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out) {
   return !vs_make_values(vm, at, n, out) ? VS_ERROR : n == 1 ? VS_OK : VS_SEVERAL;
 }
 
-/* Returns the value that a call of the parameter gives now. */
+/* Returns the current value of a call of the parameter. */
 vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter);
 
-/* ---- failing: all return VS_ERROR (false) ---- */
-/* "NAME: PARAM must be EXPECTED, got VALUE"; PARAM from the signature by the argument's index in a[], NAME the running
-   native */
+/* ---- errors: all return VS_ERROR (false) ---- */
+/* "NAME: PARAM must be EXPECTED, got VALUE". PARAM comes from the signature, by the argument's index in a[]; NAME is
+ * the running native's. */
 vs_status vs_fail_type(vs_scheme *vm, int arg, const char *expected, vs_value got);
 /* "NAME: PARAM is out of range: VALUE, must be from LOW to HIGH" (HIGH inclusive) */
 vs_status vs_fail_range(vs_scheme *vm, int arg, vs_value got, int64_t low, int64_t high);
-/* "NAME: " (if a native runs) + printf text; kind is vm->sym.error and the like. Formats: everything printf has. */
+/* "NAME: " (if a native runs) and a text by printf's formats; kind is vm->sym.error and the like. */
 vs_status vs_fail(vs_scheme *vm, vs_value kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
-/* the same with irritants, shown written after the text: a list */
+/* Does the same with irritants, a list, written after the text. */
 vs_status vs_fail_with(vs_scheme *vm, vs_value kind, vs_value irritants, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* the same with a place of its own (reader, expander); no NAME prefix, no call chain */
+/* Does the same with a place of its own (reader, expander), without NAME and call chain. */
 vs_status vs_fail_at(vs_scheme *vm, vs_value kind, vs_pos place, vs_value irritants, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 vs_status vs_fail_memory(vs_scheme *vm);
-/* raise any object, as (raise object) does */
+/* Raises any object, as (raise object) does. */
 vs_status vs_fail_object(vs_scheme *vm, vs_value object);
 
-/* ---- checked arguments: false and a type error, or the value ---- */
-/* exact integer in [low, high] */
+/* ---- checked arguments: return the value, or false with a type error ---- */
+/* an exact integer in [low, high] */
 bool vs_arg_index(vs_scheme *vm, const vs_value *a, int arg, int64_t low, int64_t high, int64_t *out);
 
-/* ---- limits: call it in builtins that can be long, with the work done since last time (1 = a cheap inner step)
-   ---- */
+/* ---- limits: long builtins call it with the work since the last call (1 = a cheap inner step) ---- */
 bool vs_poll(vs_scheme *vm, uint64_t work);
-/* the same at turn i of a loop whose turns are worth `cost` cheap steps (a step: some 5 ns) */
+/* The same at turn i of a loop with turns of `cost` cheap steps each (a step: some 5 ns). */
 static inline bool vs_poll_turn(vs_scheme *vm, uint64_t i, unsigned cost) {
   return (i & 1023) != 1023 || vs_poll(vm, 1024 * (uint64_t)cost);
 }
@@ -122,19 +120,19 @@ static inline bool vs_poll_turn(vs_scheme *vm, uint64_t i, unsigned cost) {
 /* ---- foreign objects ---- */
 typedef struct vs_foreign_type {
   const char *name;                                             /* "an object": for messages */
-  /* one reference; must not call back; may not recurse deeply */
+  /* drops one reference; must not call back; may not recurse deeply */
   void (*release)(void *object);
   bool (*equal)(const void *a, const void *b);                  /* equal?, or NULL: identity */
   uint64_t (*hash)(const void *object);                         /* agrees with equal, or NULL */
-  /* text for the printer, UTF-8, appended through put; NULL prints #<name> */
+  /* Appends the text for the printer, UTF-8, with put; NULL prints #<name>. */
   bool (*print)(vs_scheme *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to);
-  /* Scheme values inside, or NULL. If not NULL the object is treated as always just written to */
+  /* Marks the Scheme values inside, or NULL. If not NULL, the collector always treats the object as just written. */
   void (*trace)(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_value *slot));
   /* reserved, false: foreign objects are not in the heap image */
   bool callable_image;
 } vs_foreign_type;
 
-/* the host pointer if v is a foreign object of this type, else NULL */
+/* Returns the host's pointer if v is a foreign object of this type, else NULL. */
 static inline void *vs_foreign_get(vs_value v, const vs_foreign_type *type) {
   return vs_is(v, VS_T_FOREIGN) && vs_as_foreign(v)->type == type ? vs_as_foreign(v)->object : NULL;
 }

@@ -1,5 +1,4 @@
-/* Owns the making and unmaking of an interpreter. Its libraries are the business of the layer that loads them
- * (environments). */
+/* Owns the creation and the end of an interpreter. The layer above (environments) loads its libraries. */
 #include "vm/machine/open_vm.h"
 
 #include <stdlib.h>
@@ -18,7 +17,7 @@ enum { STACK_SLOTS = 1024 };
 enum { STACK_SLOTS = 8 << 10 };
 #endif
 
-/* natives that the run loop calls by itself */
+/* natives that the run loop itself calls */
 static bool keep(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure) {
   (void)context;
   const char *name = vs_as_symbol(symbol)->name;
@@ -49,7 +48,7 @@ vs_scheme *vs_open_vm(const vs_config *config) {
   memset(vm, 0, sizeof *vm);
   vm->config = *config;
   vm->bytes = sizeof *vm;
-  vm->fuel = 1 << 20;                         /* until something runs nobody asks for limits */
+  vm->fuel = 1 << 20;                         /* no limits apply until a program runs */
   vm->under = vm->call_procedure = vm->condition = vm->value = VS_FALSE;
   vm->winders = vm->handlers = vm->parameters = VS_NIL;
 #define S(field, text) vm->sym.field = VS_FALSE;

@@ -1,5 +1,5 @@
 /* Owns the running of programs: the native %run, which expands, compiles and runs one top-level form after the other,
-   and what is made of it: eval, load, require, libraries, the host's entries. */
+ * and the procedures that use it: eval, load, require, libraries, the host's entries. */
 #include "vm/machine/program.h"
 
 #include "vm/front/derived_syntax.h"
@@ -16,7 +16,7 @@
 
 #include <stdio.h>
 
-/* ---- %run: all state is in its activation, so that a continuation may enter it again ---- */
+/* ---- %run: all its state is in its activation, so that a continuation may enter it again ---- */
 enum {
   RUN_FORMS,
   RUN_ENV,
@@ -36,7 +36,7 @@ static vs_status call_list(vs_scheme *vm, vs_value procedure, vs_value list) {
   return VS_CALL;
 }
 
-/* root -> (let ((value root)) value) */
+/* Rewrites root to (let ((value root)) value). */
 static bool keep_call(vs_expansion *x) {
   vs_value name;
   vs_core_node *let = vs_expand_many(x, VS_AST_LET, 1, x->root->pos);
@@ -89,18 +89,18 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
     case VS_EXPAND_CALL: a[RUN_PHASE] = vs_fix(TRANSFORMING); return call_list(vm, x->procedure, x->args);
     case VS_EXPAND_NODE: {
       VS_ROOTS(vm, r, 1);
-      /* a call at top level keeps its activation, so that errors can tell where they were called from */
+      /* a call at top level keeps its activation, so that errors can report its place */
       if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_call(x)) return VS_ERROR;
       vs_enter_phase(vm, VS_VM_COMPILE);
       if (!vs_compile(vm, &x->ast, x->root, &r[0])) return VS_ERROR;
       vs_ast_clear(&x->ast);
       a[RUN_FORMS] = vs_cdr(a[RUN_FORMS]);
       a[RUN_PHASE] = vs_fix(x->definition ? RUNNING_DEFINITION : RUNNING);
-      /* the last expression of eval is its tail */
+      /* the last expression of eval is a tail call */
       if (a[RUN_FORMS] == VS_NIL && a[RUN_TELL] == VS_FALSE && !x->definition) return vs_tailcall(vm, r[0], 0, NULL);
       return vs_call(vm, r[0], 0, NULL);
     }
-    case VS_EXPAND_FORMS: {                 /* x->forms in the place of the first form */
+    case VS_EXPAND_FORMS: {                 /* x->forms replace the first form */
       VS_ROOTS(vm, r, 3);
       r[0] = x->forms; r[1] = VS_NIL;
       for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
@@ -108,7 +108,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
         if (!vs_cons_at(vm, vs_car(r[0]), r[1], pos ? pos : vs_pos_of(a[RUN_PLACE]), &r[1])) return VS_ERROR;
       }
       r[2] = vs_cdr(a[RUN_FORMS]);
-      while (vs_is_pair(r[1])) {            /* turned in place: fresh pairs */
+      while (vs_is_pair(r[1])) {            /* reversed in place: the pairs are new */
         vs_value next = vs_cdr(r[1]);
         vs_gc_store(vm, vs_as_pair(r[1]), &vs_as_pair(r[1])->cdr, r[2]);
         r[2] = r[1];
@@ -128,11 +128,11 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
       break;
     }
   }
-  *out = a[RUN_TELL] == VS_UNSPECIFIC ? VS_UNSPECIFIC : a[RUN_VALUE];     /* what load ran was told already */
+  *out = a[RUN_TELL] == VS_UNSPECIFIC ? VS_UNSPECIFIC : a[RUN_VALUE];     /* load has already passed its values on */
   return VS_OK;
 }
 
-/* The work of a macro's procedure while it is called counts as the program's. */
+/* The steps of a macro's procedure count as the program's. */
 static vs_status run(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_status status = step_forms(vm, a, out);
@@ -148,7 +148,8 @@ static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
 }
 
 /* ---- eval ---- */
-/* tell: #f nobody, #t the host, #unspecific the host and not the caller */
+/* Runs the forms as a tail call. tell: who gets the values: #f: nobody; #t: the host; #unspecific: the host, not the
+ * caller. */
 static vs_status tail_run(vs_scheme *vm, vs_value forms, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 3);
   vs_value procedure;
@@ -170,7 +171,7 @@ static vs_status interaction(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* (scheme-report-environment 5), (null-environment 5): what R5RS has, and of that the syntax */
+/* (scheme-report-environment 5), (null-environment 5): the names of R5RS, and only its syntax */
 static vs_status report(vs_scheme *vm, vs_value *a, int n, bool syntax, vs_value *out) {
   VS_ROOTS(vm, r, 5);
   if (n && a[0] != vs_fix(5))
@@ -210,7 +211,7 @@ static vs_status environment(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* ---- macros that are procedures ---- */
-/* (er-macro-transformer procedure): a macro; define-syntax gives it its environment */
+/* (er-macro-transformer procedure): makes a macro; define-syntax gives it its environment */
 static vs_status er_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure of form, rename and compare", a[0]);
@@ -221,7 +222,7 @@ static vs_status er_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* (%eval-transformer spec env): what define-syntax does with an expression */
+/* (%eval-transformer spec env): for define-syntax with an expression */
 static vs_status eval_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   VS_ROOTS(vm, r, 1);
@@ -265,14 +266,14 @@ static vs_status syntax_to_datum(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 }
 
 /* ---- files ---- */
-/* A file that is loaded while it runs. Where each file on the way says so in a form of its own, whatever else there is,
-   the second time is like the first. Else a condition may end it: it has LOADS times for that. */
+/* A file that is loaded while it runs. If each file on the way loads the next in a top-level form of its own, the
+ * second time repeats the first. Otherwise a condition may end the loading, at most LOADS times. */
 typedef struct {
   vs_value run;        /* the native %run */
   uint32_t file;
-  unsigned calls;      /* activations since the last %run: the load itself, and what it was called from */
+  unsigned calls;      /* activations since the last %run: the load itself, and its callers */
   vs_pos place;        /* of the outermost of these calls */
-  bool plain;          /* so far each form was the call itself */
+  bool plain;          /* until now each form was the call itself */
   bool endless;
   unsigned times, others;
 } nesting;
@@ -294,7 +295,7 @@ static bool see_nesting(void *to, vs_value procedure, const vs_value *base, vs_p
   return !n->endless;
 }
 
-/* False: the file runs already, and loading it again would have no end. */
+/* Returns false with the error set if the file runs already and loading it again would never end. */
 static bool may_load(vs_scheme *vm, const char *path) {
   nesting n = {.plain = true};
   if (!vs_file_number(vm, path, strlen(path), &n.file) || !core_value(vm, "%run", &n.run)) return false;
@@ -324,8 +325,7 @@ static vs_status load(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return load_path(vm, a[0], vs_pos_file(vs_call_place(vm)), n > 1 ? a[1] : vm->at.program, VS_UNSPECIFIC);
 }
 
-/* path name | its entry in vm->at.required
-   Runs the file that is to define the library. */
+/* Arguments: path name | its entry in vm->at.required. Runs the file that must define the library. */
 static vs_status load_library(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 4);
   if (n >= 0) {
@@ -366,7 +366,7 @@ static vs_status register_library(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return vs_library_register(vm, a[0], a[1]);
 }
 
-/* (%require path env), once a path */
+/* (%require path env), once per path */
 static vs_status require(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[2] == VS_FALSE) {
@@ -406,7 +406,7 @@ static vs_status features(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_features(vm, out);
 }
 
-/* (macroexpand form): macros at the form's head are used until it is core syntax, a call or no pair */
+/* (macroexpand form): expands macros at the form's head until it is core syntax, a call or no pair */
 static vs_status macroexpand(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_expansion *x;
   if (n >= 0) {
@@ -414,7 +414,7 @@ static vs_status macroexpand(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     x = vs_foreign_get(a[1], &vs_expansion_type);
     if (!vs_expansion_begin(x, a[0], vm->at.program, vs_call_place(vm))) return VS_ERROR;
     x->now = x->tasks[--x->count];
-  } else {                                /* what a macro's procedure gave */
+  } else {                                /* the result of a macro's procedure */
     a[0] = *out;
     x = vs_foreign_get(a[1], &vs_expansion_type);
     x->now.waiting = false;
@@ -524,7 +524,7 @@ static bool run_forms(vs_scheme *vm, vs_value forms, vs_value env, bool tell, vs
   vm->top_place = 0;
   if (!core_value(vm, "%run", &procedure)) return false;
   if (vs_run(vm, procedure, 3, r, last ? last : &r[3])) return true;
-  vs_value c = vm->condition;           /* tail calls may have left no place: then it is the top-level form's */
+  vs_value c = vm->condition;           /* tail calls may have left no place: it is then the top-level form's */
   if (vs_is(c, VS_T_CONDITION) && c != vm->at.no_memory && !vs_as_condition(c)->place)
     vs_as_condition(c)->place = vm->top_place;
   return false;
@@ -538,10 +538,10 @@ bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t s
 
 void vs_library_done(vs_scheme *vm) {
   vs_environment_seal(vm->at.core);
-  vm->at.nearby = VS_FALSE; /* advice for programs does not come from the library's own names */
+  vm->at.nearby = VS_FALSE; /* advice for programs does not use the library's own names */
 }
 
-/* what a failed run left half loaded may be required again */
+/* a program may require files again that a failed run loaded only in part */
 static bool forget_unfinished(vs_scheme *vm) {
   VS_ROOTS(vm, r, 2);
   r[0] = vm->at.required; r[1] = VS_NIL;
@@ -551,13 +551,13 @@ static bool forget_unfinished(vs_scheme *vm) {
   return true;
 }
 
-/* The file that the host runs: its folder is looked in for what is loaded and imported. */
+/* Notes the file that the host runs: load and import search its folder. */
 static bool begin_program(vs_scheme *vm, const char *name) {
   return vs_file_number(vm, name, strlen(name), &vm->program_file) && forget_unfinished(vm);
 }
 
-/* A script sees its own library only. Text of this language that follows it, at the prompt or by -e, also sees the
-   names of a program; the script's own names win. */
+/* A script sees its own library only. Text of this language after it, at the prompt or by -e, also sees the names of a
+ * program; the script's own names win. */
 static bool beside_script(vs_scheme *vm, const char *name) {
   vs_value clash;
   bool own;
@@ -565,7 +565,8 @@ static bool beside_script(vs_scheme *vm, const char *name) {
   vs_intake intake = vs_environment_intake(vm->at.program);
   if (intake == VS_INTAKE_FRESH) vm->scripted = script;
   if (script || !vm->scripted) return true;
-  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* at the prompt it would replace the script's variables */
+  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* with the intake of a prompt it would replace the
+                                                              * script's variables */
   bool ok = vs_environment_import(vm, vm->at.program, vm->at.core, VS_TRUE, &clash, &own);
   vs_environment_set_intake(vm->at.program, intake);
   return ok;
@@ -578,7 +579,7 @@ bool vs_program_text(vs_scheme *vm, const char *name, const vs_passage *text, bo
          vs_source_text(vm, name, text, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }
 
-/* Forms that bind names at top level, or that only make sense there. */
+/* Returns true for forms that bind names at top level, or that are meaningful only there. */
 static bool is_top_form(vs_value form) {
   static const char *const words[] = {"import", "require", "provide", "begin", "load", "include"};
   if (!vs_is_pair(form) || !vs_is_symbol(vs_car(form))) return false;
@@ -587,7 +588,7 @@ static bool is_top_form(vs_value form) {
   return !strncmp(head, "define", 6);
 }
 
-/* form -> ((lambda (name ...) form) (quote value) ...), with the library's lambda and quote */
+/* Rewrites form to ((lambda (name ...) form) (quote value) ...), with the library's lambda and quote. */
 static bool bind_around(vs_scheme *vm, vs_value *form, vs_pos pos, vs_value bindings) {
   VS_ROOTS(vm, r, 6);                     /* bindings, names, values, quote, lambda, scratch */
   r[0] = bindings; r[1] = r[2] = VS_NIL;
@@ -602,7 +603,7 @@ static bool bind_around(vs_scheme *vm, vs_value *form, vs_pos pos, vs_value bind
 }
 
 bool vs_program_within(vs_scheme *vm, const char *name, const vs_passage *text, vs_value bindings, vs_value *last) {
-  VS_ROOTS(vm, r, 4);                     /* forms, bindings, what they become, one of them */
+  VS_ROOTS(vm, r, 4);                     /* forms, bindings, rewritten forms, the current form */
   r[1] = bindings;
   vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
   if (!vs_source_text(vm, name, text, false, &r[0])) return false;

@@ -1,7 +1,7 @@
 /* Owns calls of the procedures that define-record-type makes. Their code is one instruction between the type and the
- * return, and an activation costs several times as much as that instruction: so the run loop reads here what the code
- * says, and makes no activation. Whatever is not as usual (another number of arguments, a record of another type or
- * without the field, a full nursery) is for the code itself, which words the error. */
+ * return, and an activation costs several times as much as that instruction. Therefore the run loop reads that code
+ * here and makes no activation. In unusual cases (another number of arguments, a record of another type or without the
+ * field, a full nursery) the code itself runs and reports the error. */
 #ifndef VS_VM_MACHINE_RECORD_CALL_H
 #define VS_VM_MACHINE_RECORD_CALL_H
 
@@ -9,8 +9,8 @@
 #include "vm/machine/vs.h"
 #include "vm/values/gc.h"
 
-/* Allocates a record of the type, whose fields the code from ins on takes from the arguments at `at` or has as constant
- * values. Returns false if there is no room for it before a collection. */
+/* Allocates a record of the type. The code from ins on takes its fields from the arguments at `at` or from constants.
+ * Returns false if it does not fit before a collection. */
 static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value type, const vs_value *at,
                                   vs_value *out) {
   if (!vs_is(type, VS_T_RECORD_TYPE)) return false;
@@ -30,8 +30,8 @@ static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value t
   return true;
 }
 
-/* Calls f, a closure whose code has a flag of VS_CODE_RECORD, with n arguments at `at`. Returns false, with nothing
- * done, if its code has to run. It counts as a call: the limit of steps is that of calls with activations. */
+/* Calls f, a closure whose code has a flag of VS_CODE_RECORD, with n arguments at `at`. Returns false, with no effect,
+ * if its code has to run. It counts as a call for the limit of steps, as calls with activations do. */
 static inline bool vs_record_call(vs_scheme *vm, vs_value f, const vs_value *at, size_t n, vs_value *out) {
   const vs_closure *c = vs_as_closure(f);
   const vs_code *code = vs_as_code(c->code);

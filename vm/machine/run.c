@@ -1,4 +1,4 @@
-/* Owns the entry into the run loop, and the state that it begins and ends with. */
+/* Owns the entry into the run loop, and the state at its begin and end. */
 #include "vm/machine/run.h"
 
 #include "vm/machine/activation.h"
@@ -18,15 +18,14 @@ static void reset(vs_scheme *vm) {
   vm->winders = vm->handlers = vm->parameters = VS_NIL;
 }
 
-/* Memory is out and nobody caught it: what the program held is given up, and then there is room to say where that
-   was. */
+/* Memory is out, and no code caught the error: drops the program's data, so that there is room to report the place. */
 static void fail_memory_placed(vs_scheme *vm) {
   enum { CALLERS = 16 };
   VS_ROOTS(vm, r, CALLERS + 2);
   vs_pos place[CALLERS] = {0};
   size_t n = vs_call_links(vm, r, place, CALLERS);
   reset(vm);
-  vm->value = VS_UNSPECIFIC;              /* may be the half of a native's result */
+  vm->value = VS_UNSPECIFIC;              /* may be part of a native's result */
   vs_gc_major(vm);
   vs_value *link = r + CALLERS, *chain = r + CALLERS + 1;
   *chain = VS_NIL;

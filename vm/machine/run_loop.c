@@ -1,12 +1,12 @@
-/* Owns the run loop: instructions, calls, returns, and what happens when something fails. (activation.h has the layout
-   of the stack.)
-
-   Registers of the machine are C locals: base (the activation's registers), pc, k (its constants). Whatever can
-   allocate or fail is given them first: SAVE. After anything that can allocate, values are read again from registers;
-   code and constants do not move.
-
-   step_loop.c compiles the loop a second time, with VS_STEPPING: it looks at every instruction before it runs, for
-   programs that are stepped through (step.h). All others pay nothing for that. */
+/* Owns the run loop: instructions, calls, returns, and the handling of errors. (activation.h has the layout of the
+ * stack.)
+ *
+ * The machine's registers are C locals: base (the activation's registers), pc, k (its constants). SAVE stores them
+ * before code that can allocate or fail. After code that can allocate, values are read again from registers; code and
+ * constants do not move.
+ *
+ * step_loop.c compiles the loop a second time, with VS_STEPPING, for programs that are stepped through (step.h): it
+ * then checks every instruction before it runs. Other programs have no cost. */
 #ifndef VS_STEPPING
 #define VS_STEPPING 0
 #endif
@@ -28,9 +28,9 @@
 #include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
-/* ---- the cases that the loop hands out ---- */
-/* Does the code that a call returns to, at pc, take any number of values? It does where nobody takes what was returned,
- * and where it is returned further. */
+/* ---- cases outside the loop ---- */
+/* Returns true if the code at pc, to which a call returns, takes any number of values: it ignores them, or returns them
+ * further. */
 static bool takes_several(const uint32_t *pc) {
   uint32_t op = *pc & 255;
   return op == VS_O_DROP || op == VS_O_RETURN || (op == VS_O_MORE && VS_B(*pc)) ||
@@ -73,7 +73,7 @@ static void trace(const uint32_t *ins, const vs_value *base) {
 #define trace(ins, base) ((void)0)
 #endif
 
-/* Runs what the window w (at the stack's bottom) calls, until its activation returns. */
+/* Runs the call in the window w (at the stack's bottom) until its activation returns. */
 static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   vs_value *base = w;                 /* no activation yet */
   const uint32_t *pc = NULL, *start = NULL;      /* start: the first instruction of the activation's code */
@@ -110,8 +110,8 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 #define SAVE (vm->base = base, vm->pc = pc, vm->top = base + REGISTERS, vm->native = NULL)
 #define BRANCH_IF(truth) do { if ((truth) == (bool)C) pc += (int32_t)*pc + 1; else pc++; NEXT; } while (0)
 
-/* A call of a closure that takes just what it is given, with room on the stack: most calls. All others go the long way,
-   to `call`. */
+/* Calls a closure with exactly its parameters and room on the stack: most calls. All others go the long way, to
+ * `call`. */
 #define PLAIN(callee, count, at)                                                                           \
   ((callee)->flags & VS_CODE_SIMPLE && (callee)->required == (count) &&                                    \
    (const char *)vm->stack_end - (const char *)(at) >=                                                     \
@@ -153,7 +153,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 
 #define DROPPED(v) do {                                                                                    \
     if (vm->config.dropped) {                                                                              \
-      vs_value first = vs_is_pair(v) ? vs_as_pair(v)->car : (v); /* (map f l) where (for-each f l) was meant */ \
+      vs_value first = vs_is_pair(v) ? vs_as_pair(v)->car : (v); /* (map f l) written for (for-each f l) */ \
       if (vs_is(first, VS_T_FOREIGN)) vm->config.dropped(vm, first);                                       \
     }                                                                                                      \
   } while (0)
@@ -436,7 +436,7 @@ look:
     RA = vs_flonum_raw(vs_as_flat(x)->at[vm->flat->getter[C].index]);
     NEXT;
   }
-/* in the nursery: else the procedure, which may collect */
+/* room in the nursery; without it the procedure runs, which may collect */
 #define ROOM(words) (vm->end - vm->free >= (ptrdiff_t)((words) * 8))
   OP(FLAT1): {
     vs_value x = RB;
@@ -508,7 +508,7 @@ look:
       if (!vs_each_keep(vm, row)) goto fail;
     }
   }
-each: {                                   /* the instruction at pc is MORE, with the same A as the one at hand */
+each: {                                   /* the instruction at pc is MORE, with the same A as the current one */
     vs_value *row = &RA, list = row[VS_EACH_LIST];
     if (!vs_is_pair(list)) {
       SAVE;
@@ -580,7 +580,7 @@ each: {                                   /* the instruction at pc is MORE, with
       : OP(G_ABI) : OP(G_N) : OP(G_N1) : OP(G_JABC) : OP(G_JAI) : OP(G_JA) : OP(G_SET) : OP(G_SETV) : goto generic;
   OP(NONE): goto generic;                 /* never emitted */
 
-  /* the instruction at pc - 1 by calling its procedure */
+  /* Runs the instruction at pc - 1 by a call of its procedure. */
 generic: {
     const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
     size_t at = HERE - 1;
@@ -604,7 +604,7 @@ generic: {
     goto call;
   }
 
-  /* Calls the case-lambda in w[0] with w[2..2+n): its first clause at once, if that takes so many. */
+  /* Calls the case-lambda in w[0] with w[2..2+n): its first clause at once, if it takes that many. */
 call_case: {
     const vs_case *c = vs_as_case(w[0]);
     const vs_code *callee = c->count ? CALLEE(c->clause[0]) : NULL;
@@ -624,8 +624,8 @@ call_record:
   ret = vs_ret_make(A, HERE); kw = VS_FALSE; tail = false;
   goto call;
 
-  /* Calls w[0] with w[2..2+n), keywords kw. Not tail: the result is for `ret`, the caller is the activation at base (or
-     none yet). Tail: the activation at base is given up. */
+  /* Calls w[0] with w[2..2+n), keywords kw. Not tail: the result is for `ret`, and the caller is the activation at base
+   * (or none yet). Tail: the activation at base ends. */
 call: {
     vs_value f = w[0];
     if (!vs_is_object(f)) goto no_procedure;
@@ -642,7 +642,7 @@ call: {
         }
         size_t need = n > code->registers ? n : code->registers;
         if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_ACTIVATION_SLACK)) {
-          if (tail) {                             /* out of the activation first, so that it is not kept */
+          if (tail) {                             /* moves out of the activation first, so that it is not kept */
             memmove(base, w + 2, n * sizeof *w);
             base[-2] = f;
             w = base - 2; ret = base[-1];
@@ -655,7 +655,7 @@ call: {
             vs_value *moved = vs_activation_flush(vm, w, n, need + 2);
             if (!moved) goto stack_full;
             w = moved; ret = w[1];
-            base = w + 2;                         /* the caller is in the heap now, or given up */
+            base = w + 2;                         /* the caller is in the heap now, or has ended */
           }
           f = w[0];
         }
@@ -681,13 +681,13 @@ call: {
         const vs_native *native = vs_as_native(f);
         size_t given = n, total = n;
         bool laid_out = vs_native_laid_out(native);
-        /* apply, call/cc ... must not keep the activation; plain ones keep it for the error's place */
+        /* apply, call/cc ... must not keep the activation; plain natives keep it for the error's place */
         if (tail && native->def->slots) {
           memmove(base, w + 2, n * sizeof *w);
           base[-2] = f;
           w = base - 2; ret = base[-1];
           tail = false;
-          pc = NULL;                            /* its code is left: the native returns to the caller's */
+          pc = NULL;                            /* its code ends: the native returns to the caller's */
         } else if (tail) {
           ret = vs_ret_make((size_t)(w - base), HERE);
         }
@@ -724,7 +724,7 @@ call: {
         const vs_case *c = vs_as_case(f);
         size_t i = 0;
         while (i < c->count && !vs_arguments_fit(vs_as_code(vs_as_closure(c->clause[i])->code), n, kw)) i++;
-        if (i == c->count && vs_case_note(c) != VS_FALSE) i = 0; /* its one clause says what it takes */
+        if (i == c->count && vs_case_note(c) != VS_FALSE) i = 0; /* its one clause defines its arguments */
         if (i == c->count) {
           w[1] = tail ? VS_FALSE : ret;
           vm->base = pc ? base : w + 2; vm->pc = pc;
@@ -777,7 +777,7 @@ no_procedure:
   fail_callee(vm, w[0], w + 2, n);
 fail_above:                               /* an error of the caller at base, found while its window was in use */
   if (pc) goto fail;
-  ret = w[1];                             /* the caller is a native or in the heap: in place of what it called */
+  ret = w[1];                             /* the caller is a native or in the heap: the error replaces the call */
   goto raise;
 
   /* A native's function has returned `status`; its activation is at base (== vm->base), its last slot below vm->top. */
@@ -833,8 +833,8 @@ native_done:
     default: goto uncaught;
   }
 
-  /* Returns v, several values, from the activation at base. Natives and the host take any number; code is asked here,
-     or below in `give` where its activation has to be found first. */
+  /* Returns v, several values, from the activation at base. Natives and the host take any number. Code is tested here,
+   * or below in `give` if its activation has to be found first. */
 give_several:
   ret = base[-1];
   if (!(ret & VS_RET_FLAGS)) {
@@ -873,7 +873,7 @@ give: {
         memcpy(vm->stack, s->at + first, size * sizeof *s->at);
         if (first == 0) { vm->under = s->under; vm->under_depth = s->depth; }
         else { vm->stack[1] |= VS_RET_UNDER; vm->under_depth = first; }
-        base = vm->stack + size + 2;              /* where the callee would have been */
+        base = vm->stack + size + 2;              /* the place of the callee's activation */
       }
       base -= 2 + distance;
       vm->top = base + distance;
@@ -921,10 +921,10 @@ give: {
     NEXT;
   }
 
-  /* vm->condition has been raised by the native at base, or in the code at base and pc. Limits and interrupts are
-     nobody's to catch. */
+  /* The native at base, or the code at base and pc, has raised vm->condition. No handler catches limits and
+   * interrupts. */
 fail_native:
-  w = base;                               /* over its arguments, which nobody needs any more */
+  w = base;                               /* overwrites its arguments, which are no longer needed */
   ret = vs_ret_make(0, 0) | VS_RET_NATIVE;
   goto raise;
 fail: {
@@ -945,7 +945,7 @@ raise:
   n = 1; kw = VS_FALSE; tail = false;
   goto call;
 
-stack_full:                               /* whoever was refused the memory has said so */
+stack_full:                               /* the refused allocation has set the error */
 uncaught:
   return false;
 #pragma GCC diagnostic pop

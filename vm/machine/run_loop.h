@@ -4,8 +4,8 @@
 
 #include "vm/machine/vs.h"
 
-/* Runs what the window w (at the stack's bottom) calls, until its activation returns. False: vm->condition was
-   raised. */
+/* Runs the call in the window w (at the stack's bottom) until its activation returns. Returns false if vm->condition
+ * was raised. */
 bool vs_run_loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the reading of native signatures. */
+/* Owns the parser of native signatures. */
 #include "vm/machine/signature.h"
 
 #include "model/assert.h"

@@ -1,11 +1,11 @@
-/* Owns struct vs_scheme: one interpreter, everything it has. There are no globals; two interpreters share nothing. */
+/* Owns struct vs_scheme: the whole state of one interpreter. There are no globals; two interpreters share nothing. */
 #ifndef VS_VM_MACHINE_VS_H
 #define VS_VM_MACHINE_VS_H
 
 #include "vm/values/debug.h"
 #include "vm/values/value.h"
 
-/* The symbols C code compares with, made once: vm->sym.quote and so on. A list. */
+/* The symbols that C code compares, made once: vm->sym.quote and so on. A list. */
 #define VS_SYMBOLS(S) \
   S(quote, "quote") S(quasiquote, "quasiquote") S(unquote, "unquote") S(unquote_splicing, "unquote-splicing") \
   S(error, "error") S(type, "type") S(range, "range") S(arity, "arity") S(contract, "contract") S(unbound, "unbound") \
@@ -13,80 +13,82 @@
   S(divide, "divide") S(recursion, "recursion") S(raise, "raise") S(internal, "internal") S(stop, "stop") \
   S(self, "this")
 
-/* Persistent Scheme values that C code needs: written into the heap image with the rest. A list. */
+/* Persistent Scheme values for C code. The heap image contains them. A list. */
 #define VS_ANCHORS(A) \
   A(symbols)       /* vector: the interned symbols, open addressing */ \
-  A(files)         /* vector of file names (strings), position files index it; slot 0 is #f */ \
-  A(libraries)     /* vm-front: name -> environment */ \
-  A(core)          /* vm-front: the environment natives are defined in */ \
+  A(files)         /* vector of file names (strings), indexed by the files of positions; slot 0 is #f */ \
+  A(libraries)     /* vm/front: name -> environment */ \
+  A(core)          /* vm/front: the environment of the natives */ \
   A(program)       /* the host's program environment */ \
-  A(required)      /* list of (path . #t) of the files that were required; #f instead while one is being loaded */ \
-  A(checks)        /* the checks that wait (check_queue.h): none, a queue, or #t while one runs */ \
-  A(included)      /* list of (file number . that of the file whose include has read it) */ \
-  A(lib)           /* vm-lib: whatever must last */ \
+  A(required)      /* list of (path . #t) of the required files; #f in place of #t while a file is being loaded */ \
+  A(checks)        /* the waiting checks (check_queue.h): none, a queue, or #t while a check runs */ \
+  A(included)      /* list of (file number . number of the file with the include that read it) */ \
+  A(lib)           /* vm/library: its persistent values */ \
   A(nearby)        /* identifier table or #f, for messages: names not defined where they are used -> a local name */ \
-                   /* like it; names bound by a let around which nothing is -> themselves */ \
-  A(host)          /* bind: whatever must last */ \
+                   /* the same; names bound by a let with nothing around it -> themselves */ \
+  A(host)          /* bind: its persistent values */ \
   A(standard_out) A(standard_in) A(standard_error)    /* ports */ \
   A(flat_names)    /* vector: tag -> constructor's name (symbol) or #f */ \
-  A(raise) A(check) A(throw) A(guarded) /* natives the run loop calls by itself */ \
+  A(raise) A(check) A(throw) A(guarded) /* natives that the run loop itself calls */ \
   A(no_memory)     /* the condition raised when there is no room to make one */ \
-  A(self_call)     /* the keywords of a call with #:this, what a function of a script is called on */ \
+  A(self_call)     /* the keywords of a call with #:this, the object of a script's method call */ \
   A(stop)          /* procedure of the bottom activation */ \
-  A(stops)         /* list of the conditions of programs that are stopped (step.h), the last one first */
+  A(stops)         /* list of the conditions of stopped programs (step.h), the last one first */
 
-/* of source text; RUN: the program itself */
+/* phases of source text; RUN: the program itself */
 typedef enum { VS_VM_READ, VS_VM_EXPAND, VS_VM_COMPILE, VS_VM_RUN } vs_vm_phase;
 
 typedef struct vs_config {
-  /* Every byte comes from here: p NULL makes, bytes 0 frees, else resizes; NULL refuses. NULL uses realloc and free. */
+  /* Supplies all memory: p NULL allocates, bytes 0 frees, else resizes; returns NULL to refuse. NULL: realloc and
+   * free. */
   void *(*memory)(void *user, void *p, size_t old_bytes, size_t bytes);
   void *user;
-  size_t memory_limit;       /* bytes, 0 = none */
-  uint64_t step_limit;       /* calls and loop turns, 0 = none */
-  uint64_t output_limit;     /* bytes that the program may print or write, 0 = none */
-  double time_limit;         /* seconds by the clock below, 0 = none */
-  bool keep_calls;          /* errors keep the parameters of the calls they end (vs_condition.calls) */
-  /* told when another begins, says which one ends; NULL: nobody asks */
+  size_t memory_limit;       /* bytes, 0: none */
+  uint64_t step_limit;       /* calls and loop turns, 0: none */
+  uint64_t output_limit;     /* bytes that the program may print or write, 0: none */
+  double time_limit;         /* seconds by the clock below, 0: none */
+  bool keep_calls;          /* errors keep the parameters of the calls that they end (vs_condition.calls) */
+  /* is called when a phase begins; returns the phase that ends; NULL: not needed */
   vs_vm_phase (*phase)(void *user, vs_vm_phase phase);
   double (*clock)(void *user);                 /* seconds, monotonic; NULL: no time limit */
-  bool (*interrupted)(void *user);             /* polled; true once = raise an interrupt */
-  /* natives besides the VM's own, NULL-terminated; same order as when the image was made */
+  bool (*interrupted)(void *user);             /* polled; returns true once to interrupt */
+  /* natives besides the VM's own, NULL-terminated; in the order of when the image was made */
   const struct vs_native_table *const *tables;
   const struct vs_image *image;                /* a heap image to start from, or NULL */
   /* files, console, time of day (port.h), called with `user`; NULL: none of them */
   const struct vs_io *io;
-  const char *library_path;  /* folders for load, include, require and import, ':' between them, or NULL; living as long
-                                as the interpreter */
+  const char *library_path;  /* folders for load, include, require and import, ':' between them, or NULL; lives as long
+                              * as the interpreter */
   const struct vs_shipped *shipped; /* libraries in Scheme that come with the language (program.h), or NULL */
-  const char *const *command_line; size_t command_line_count; /* what (command-line) gives; 0: "vs" alone. Living as
-                                                                 long as the interpreter */
-  /* The value of a top-level expression of the program or of a file it loaded; false: the error is set. NULL: nobody
-     wants it. */
+  const char *const *command_line; size_t command_line_count; /* the result of (command-line); 0: "vs" alone; lives as
+                                                               * long as the interpreter */
+  /* Gets the value of a top-level expression of the program or of a file it loaded; returns false with the error set.
+   * NULL: not needed. */
   bool (*value)(vs_scheme *vm, vs_value v, vs_pos place);
-  /* A foreign object that an expression before a body's last one gave, alone or first in a list. It may not allocate in
-     the heap. NULL: nobody wants it. */
+  /* Gets the foreign object, alone or first in a list, that was the value of an expression before a body's last one. It
+   * may not allocate in the heap. NULL: not needed. */
   void (*dropped)(vs_scheme *vm, vs_value v);
-  /* Something in the program that is allowed and surely not meant; the text lives until the call returns. It may not
-     allocate in the heap. NULL: nobody wants it. */
+  /* Warns of a construct that is allowed but surely not intended; the text lives until the call returns. It may not
+   * allocate in the heap. NULL: not needed. */
   void (*warn)(vs_scheme *vm, vs_pos place, const char *message);
-  /* Something that is allowed and seldom meant, told once for a place and a kind (any constant text); without a message
-   * the place is cleared of it for good. NULL: nobody wants it. */
+  /* Warns of a construct that is allowed but seldom intended, once for a place and a kind (any constant text). A NULL
+   * message means that the place is never reported. NULL: not needed. */
   void (*suspect)(vs_scheme *vm, const char *kind, const char *message);
 } vs_config;
 
-/* How a program is stepped through (step.h): not at all; to the next call of its own text; to the next in this
-   activation or its callers'; to the next in its callers'. SAME, for going on: as before. */
+/* How a program is stepped (step.h): not at all; to the next call of its own text; to the next in this activation or
+ * its callers'; to the next in its callers'. SAME, for continuing: as before. */
 typedef enum { VS_STEP_CONTINUE, VS_STEP_ENTER, VS_STEP_OVER, VS_STEP_OUT, VS_STEP_SAME } vs_step_mode;
 
 typedef struct vs_stepping {
   uint8_t mode;              /* a vs_step_mode; CONTINUE: the plain run loop */
   bool stops;                /* (break) stops */
-  bool passes;               /* else: it says nothing of that */
-  uint8_t told;              /* of the instruction looked at next, to a host that goes on from there: */
-  uint32_t first_file;       /* files with smaller numbers are the library's */
-  uint64_t target;           /* activations above this level are run through */
-  uint64_t seen_level;       /* where the last look was: the activation's level, its code, the instruction's index */
+  bool passes;               /* else: (break) gives no warning either */
+  uint8_t told;              /* a VS_TOLD_: the host, which continues there, has seen this stop of the next
+                              * instruction */
+  uint32_t first_file;       /* files with smaller numbers belong to the library */
+  uint64_t target;           /* stepping does not stop in activations above this level */
+  uint64_t seen_level;       /* the instruction last checked: its activation's level, its code, its index */
   const void *seen_code;
   uint32_t seen_at;
 } vs_stepping;
@@ -98,47 +100,48 @@ struct vs_roots;
 struct vs_ast;
 
 struct vs_scheme {
-  /* the nursery: bump from `free` to `end` */
+  /* the nursery: allocation from `free` to `end` */
   char *free, *end;
   char *nursery;
   size_t nursery_bytes;
 
   /* stack of the run loop (run_loop.c) */
   vs_value *stack, *stack_end;     /* the working stretch */
-  vs_value *base, *top;            /* current activation's registers; first slot not in use: all below is traced */
+  vs_value *base, *top;            /* current activation's registers; first unused slot: the collector traces all
+                                    * below */
   vs_value under;                  /* STACK object with the activations below the working stretch, or #f */
-  uint64_t under_depth;            /* how many of its slots are still to be returned into */
+  uint64_t under_depth;            /* number of its slots into which calls have yet to return */
   const uint32_t *pc;              /* of the current activation when a native or the collector runs */
 
   /* dynamic state, part of every continuation */
   vs_value winders, handlers, parameters;
 
   /* between a native and the run loop (native.h) */
-  const vs_native *native;         /* the native that is running: NULL outside; its name is in error messages */
+  const vs_native *native;         /* the running native, named in error messages; NULL outside */
   vs_value call_procedure;
-  bool call_self;            /* the last of call_args goes by the keyword of vm->at.self_call */
+  bool call_self;            /* the last of call_args has the keyword of vm->at.self_call */
   vs_value *call_args; size_t call_count, call_room;
-  const struct vs_traceback *traceback; /* how an error learns of the calls under way (activation.c) */
-  vs_value condition;              /* what was raised, after a function returned false / VS_ERROR */
+  const struct vs_traceback *traceback; /* the functions that give an error its running calls (activation.c) */
+  vs_value condition;              /* the raised object, after a function returned false / VS_ERROR */
   vs_value value;                  /* a native's result */
 
   /* limits */
   int64_t fuel;                    /* turns until the next poll */
-  uint64_t work;                   /* steps of builtins that are not a turn yet */
+  uint64_t work;                   /* steps of builtins that do not make a turn yet */
   uint64_t steps;                  /* turns taken, up to the last poll */
   double started;
   uint64_t written;                /* bytes printed and written by this evaluation */
-  bool over_limit;                 /* the last refusal of memory was the limit's, not the machine's */
-  size_t fail_after;               /* debug: refuse the n-th allocation from now; 0 = off */
+  bool over_limit;                 /* the limit, not the machine, last refused memory */
+  size_t fail_after;               /* debug: refuse the n-th allocation from now; 0: off */
 
   /* collector (gc.c) */
   struct vs_roots *roots;
   struct vs_ast *asts;             /* trees being built or compiled: their constants are roots */
   struct vs_gc *gc;
-  uint64_t captures;               /* continuations made so far: what no new one holds is entered once */
-  uint64_t collections;            /* how often the nursery was emptied: addresses of young objects hold for one
-                                      count */
-  size_t bytes, peak_bytes;        /* of OS memory, now and at most */
+  uint64_t captures;               /* number of continuations made; a call during which it stays the same is entered once */
+  uint64_t collections;            /* how often the nursery was emptied; addresses of young objects are valid within one
+                                    * count */
+  size_t bytes, peak_bytes;        /* of the machine's memory, now and at most */
 
   /* registered by the host */
   struct vs_flat_rules *flat;      /* flat record types and their arithmetic (native.h) */
@@ -157,17 +160,17 @@ struct vs_scheme {
   vs_stepping step;
 
   /* expander */
-  uint64_t aliases;                /* renamed identifiers made: their hash */
-  int64_t expansions;              /* top-level forms expanded */
+  uint64_t aliases;                /* number of renamed identifiers made: their hash */
+  int64_t expansions;              /* number of top-level forms expanded */
   bool scripted;                   /* the program begins with a file in another language */
   uint32_t program_file;           /* number of the file that the host runs; 0: none */
-  uint64_t top_place;              /* vs_pos of the top-level form, or of the macro use in it, begun last */
+  uint64_t top_place;              /* vs_pos of the top-level form, or of the macro use in it, that began last */
 
   void *host;                      /* the embedder's own context */
   vs_config config;
 };
 
-/* Tells the host that the phase begins; returns the phase before. */
+/* Reports to the host that the phase begins; returns the phase before. */
 static inline vs_vm_phase vs_enter_phase(vs_scheme *vm, vs_vm_phase phase) {
   return vm->config.phase ? vm->config.phase(vm->config.user, phase) : phase;
 }
