@@ -4,15 +4,15 @@
 
 #include "vm/front/expand.h"
 
-/* the transformer spec to a MACRO, or a call that yields it. *done false: it must be called (x->procedure), put
-   `waiting` */
+/* Turns the transformer spec into a MACRO, or into a call that returns one. *done false: the call (x->procedure) must
+ * run; then set `waiting`. */
 bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done);
-/* the steps of the tasks, and the value that one of them waited for */
+/* steps of the tasks, and the value for a waiting one */
 bool vs_body_step(vs_expansion *x);
 bool vs_top_step(vs_expansion *x);
 bool vs_body_resume(vs_expansion *x, vs_value value);
-/* Takes form, (define . rest), apart into roots: the name; the parameters, VS_ABSENT where it defines no procedure; the
-   body, or the value's form. False: the error is set. */
+/* Divides form, (define . rest), into roots: the name; the parameters, VS_ABSENT if it defines no procedure; the body,
+ * or the value's form. Returns false with the error set. */
 bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *procedure);
 
 #endif

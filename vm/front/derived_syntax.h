@@ -1,10 +1,10 @@
-/* Owns the interface of derived_syntax.c: the syntax that turns into other syntax. */
+/* Owns the interface of derived_syntax.c: the syntax that is rewritten to other syntax. */
 #ifndef VS_VM_FRONT_DERIVED_SYNTAX_H
 #define VS_VM_FRONT_DERIVED_SYNTAX_H
 
 #include "vm/front/expand.h"
 
-/* an alias for a name of the library: what rewriting forms put into their output */
+/* Sets *out to an alias for a name of the library, for the output of rewriting forms. */
 bool vs_core_name(vs_scheme *vm, const char *name, vs_value *out);
 bool vs_make_form_list(vs_scheme *vm, vs_value *out, size_t n, const vs_value *items);   /* items in roots */
 bool vs_features(vs_scheme *vm, vs_value *out);

@@ -1,30 +1,30 @@
-/* Owns the way from text to data: whole files with positions, and single data from ports.
-
-   Data from source files are made of located pairs: the first pair of a list carries the place of its parenthesis,
-   every further pair the place of its element, so that an atom's place follows from the pair that holds it (vs_form_pos
-   in expand.h). `#:name` reads as the symbol "#:name". Nothing recurses on the C stack. */
+/* Owns the conversion of text to data: whole files with positions, and single data from ports.
+ *
+ * Data from source files consist of located pairs: the first pair of a list has the place of its parenthesis, every
+ * further pair the place of its element. Therefore an atom's place follows from its pair (vs_form_pos in expand.h).
+ * `#:name` reads as the symbol "#:name". Nothing recurses on the C stack. */
 #ifndef VS_VM_FRONT_READER_H
 #define VS_VM_FRONT_READER_H
 
 #include "vm/machine/native.h"
 
-/* A text that is read: so many bytes, without NUL; and the number of its first line in its file. */
+/* A text to read: its bytes, without NUL, and the number of its first line in its file. */
 typedef struct vs_passage { const char *at; size_t size; uint32_t line; } vs_passage;
 
-/* The number of a source file in positions; the same name gives the same number. */
+/* Sets *number to the number of a source file in positions; the same name has the same number. */
 bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *number);
 
-/* Is it text at all? An error tells the place of the first byte that is none. */
+/* Returns false with the error set, at the first bad byte, if the text is not UTF-8. */
 bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line);
 
-/* All data of a text, in order, as one located list. A text with mistakes gives one condition of kind `read` for the
-   first; its payload is a list of (place . message) of the others, in order. fold: as after #!fold-case. */
+/* Reads all data of a text, in order, as one located list. A text with mistakes gives one condition of kind `read` for
+ * the first; its payload is a list of (place . message) of the others, in order. fold: as after #!fold-case. */
 bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, vs_value *forms);
 
-/* vs_number_parse in radix 10; a number that is too large is refused at its place. */
+/* Does vs_number_parse in radix 10; reports a number that is too large at its place. */
 bool vs_read_number(vs_scheme *vm, const char *s, size_t n, vs_pos place, vs_value *out);
 
-/* The first datum of a text, unlocated, or VS_EOF. *used: bytes up to its end. */
+/* Reads the first datum of a text, without positions, or VS_EOF. *used: bytes up to its end. */
 bool vs_read_datum(vs_scheme *vm, const char *text, size_t size, vs_value *out, size_t *used);
 
 #endif

@@ -138,7 +138,8 @@ struct vs_scheme {
   struct vs_roots *roots;
   struct vs_ast *asts;             /* trees being built or compiled: their constants are roots */
   struct vs_gc *gc;
-  uint64_t captures;               /* number of continuations made; a call during which it stays the same is entered once */
+  uint64_t captures;               /* number of continuations made; a call during which it stays the same is entered
+                                    * once */
   uint64_t collections;            /* how often the nursery was emptied; addresses of young objects are valid within one
                                     * count */
   size_t bytes, peak_bytes;        /* of the machine's memory, now and at most */
