@@ -58,7 +58,7 @@ void *vs_ast_alloc(vs_ast *ast, size_t bytes) {
 }
 
 bool vs_ast_const(vs_ast *ast, vs_value v, uint32_t *index) {
-  /* the last few are the likely equals; the compiler merges the rest per procedure */
+  /* equal constants are mostly among the last; the compiler merges the rest per procedure */
   size_t from = ast->pool_count > 16 ? ast->pool_count - 16 : 0;
   for (size_t i = ast->pool_count; i-- > from;)
     if (ast->pool[i] == v) { *index = (uint32_t)i; return true; }

@@ -7,8 +7,7 @@
 #include "vm/machine/fail.h"
 #include "vm/values/heap.h"
 
-/* The bindings of `what` are ((name value) ...); PLT's and beginners' mistakes get a message that shows the right
-   form. */
+/* Checks bindings of the form ((name value) ...). The message for usual mistakes shows the right form. */
 static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {
   const char *name = vs_form_shape(form);
   if (vs_list_length(list) < 0) return vs_expand_fail(x, outer, list, "the bindings are a list: %s; not", name);
@@ -28,7 +27,7 @@ static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int for
   return true;
 }
 
-/* Variables for `list` into vars and the scope. */
+/* Makes variables for `list` in vars, and binds them in the scope. */
 static bool bind_names(vs_expansion *x, vs_value list, vs_value scope, vs_var **vars) {
   VS_ROOTS(x->vm, r, 2);
   r[0] = list; r[1] = scope;
@@ -54,7 +53,7 @@ static bool push_values(vs_expansion *x, vs_value list, vs_value env, vs_core_no
   return ok;
 }
 
-/* (let name ((v e) ...) body ...): FIX name = LAMBDA in a call of it */
+/* (let name ((v e) ...) body ...): FIX name = LAMBDA, with a call of it */
 static bool named_let(vs_expansion *x) {
   VS_ROOTS(x->vm, r, 2);
   vs_value form = x->now.form, id = vs_car(vs_cdr(form)), list = vs_car(vs_cdr(vs_cdr(form)));
@@ -79,8 +78,7 @@ static bool named_let(vs_expansion *x) {
          push_values(x, vs_car(vs_cdr(vs_cdr(x->now.form))), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* A name of this let that means nothing around it: should it turn out to be used there, in a value that follows, let*
-   was meant. */
+/* Notes the names of this let that have no meaning around it. If a later value uses such a name, let* was intended. */
 static bool mention_let_star(vs_expansion *x, vs_value list) {
   VS_ROOTS(x->vm, r, 2);
   for (r[0] = list; vs_is_pair(vs_cdr(r[0])); r[0] = vs_cdr(r[0])) {
@@ -91,8 +89,8 @@ static bool mention_let_star(vs_expansion *x, vs_value list) {
   return true;
 }
 
-/* Can working out this value of a letrec make a continuation? Not what is no call, and not a procedure; in doubt it
-   can. */
+/* Returns true if the evaluation of this value of a letrec may make a continuation: not for a procedure, nor for an
+ * expression that is no call; true in doubt. */
 static bool may_return_again(vs_value value) {
   if (!vs_is_pair(value)) return false;
   if (!vs_is_identifier(vs_car(value))) return true;
@@ -106,8 +104,9 @@ static size_t returning_again(vs_value list) {
   return n;
 }
 
-/* A letrec with `again` values that may come a second time. Their names are places in the heap, and get their values
- * when all of these are there: FIX (procedure value) ... (a' value) ... (a a') ... with names a' that nobody sees. */
+/* Completes a letrec with `again` values that may be given a second time. Their variables are boxes in the heap, set
+ * when all these values are computed: FIX (procedure value) ... (a' value) ... (a a') ... with names a' that nobody
+ * sees. */
 static bool letrec_apart(vs_expansion *x, vs_core_node *fix, vs_var **vars, size_t again, vs_value env,
                          uint32_t depth) {
   VS_ROOTS(x->vm, r, 2);
@@ -163,8 +162,7 @@ static bool binding_form(vs_expansion *x, int form, int kind) {
 }
 
 bool vs_form_let(vs_expansion *x) { return binding_form(x, VS_FORM_let, VS_AST_LET); }
-/* A let whose variables may be assigned where they lie, in registers: nothing in it makes a continuation that returns
-   twice. */
+/* A let whose variables may be assigned in their registers: no continuation made in it returns twice. */
 bool vs_form_let_registers(vs_expansion *x) {
   vs_core_node **into = x->now.into;
   if (!binding_form(x, VS_FORM_let_registers, VS_AST_LET)) return false;
@@ -175,7 +173,7 @@ bool vs_form_let_registers(vs_expansion *x) {
 bool vs_form_letrec(vs_expansion *x) { return binding_form(x, VS_FORM_letrec, VS_AST_FIX); }
 bool vs_form_letrec_star(vs_expansion *x) { return binding_form(x, VS_FORM_letrec_star, VS_AST_FIX); }
 
-/* the first binding, then let* of the others */
+/* binds the first, then makes a let* of the others */
 bool vs_form_let_star(vs_expansion *x) {
   if (!x->now.chained && vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_let_star);
   vs_value l = vs_cdr(x->now.form);
@@ -210,7 +208,7 @@ bool vs_form_let_star(vs_expansion *x) {
 }
 
 /* (do ((v start step) ...) (test result ...) body ...): FIX loop = LAMBDA of IF test result (SEQ body ... (loop step
-   ...)) */
+ * ...)) */
 bool vs_form_do(vs_expansion *x) {
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_do);
   vs_value l = vs_cdr(x->now.form), list = vs_car(l), end = vs_car(vs_cdr(l)), body = vs_cdr(vs_cdr(l)), name;
@@ -264,8 +262,8 @@ bool vs_form_do(vs_expansion *x) {
   return push_values(x, vs_car(vs_cdr(x->now.form)), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* Transformers that are syntax-rules are bound in a scope; others become define-syntax at the head of a body, which can
-   wait for their values. */
+/* Binds transformers that are syntax-rules in a scope. Others become define-syntax at the head of a body, which can
+ * wait for their values. */
 static bool syntax_binding(vs_expansion *x, bool recursive, int form) {
   vs_scheme *vm = x->vm;
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, form);

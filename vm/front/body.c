@@ -1,10 +1,10 @@
-/* Owns definitions: bodies, the top level, what define and define-syntax look like, transformers.
-
-   A body is walked form by form: its head is expanded until it is a definition (its name is bound in the body's scope
-   at once, its value kept for later), a begin (spliced) or an expression. Only when every name is known are the kept
-   forms expanded: all definitions and the expressions between them become one FIX (letrec*), the rest its body. The
-   definitions found are a list, newest first, of vectors: #(variable form place parameters), variable a fixnum address
-   or #f for an expression, parameters VS_ABSENT for a plain value, else form is the procedure's body. */
+/* Owns definitions: bodies, the top level, the forms of define and define-syntax, transformers.
+ *
+ * A body is handled form by form. Its head is expanded until it is a definition (the body's scope binds its name at
+ * once; its value is kept), a begin (spliced) or an expression. When every name is known, the kept forms are expanded:
+ * all definitions and the expressions between them become one FIX (letrec*), and the rest its body. The definitions are
+ * a list, newest first, of vectors #(variable form place parameters): variable is a fixnum address, or #f for an
+ * expression; parameters are VS_ABSENT for a plain value, else form is the procedure's body. */
 #include "vm/front/body.h"
 
 #include "vm/front/derived_syntax.h"
@@ -16,8 +16,8 @@
 #include "vm/values/heap.h"
 
 
-/* ---- what a define says ---- */
-/* Curried defines ((define ((f a) b) ...)) come back as a procedure whose body is a lambda. */
+/* ---- the parts of a define ---- */
+/* A curried define, (define ((f a) b) ...), becomes a procedure with a lambda as its body. */
 bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *procedure) {
   vs_scheme *vm = x->vm;
   vs_value *name = &parts[0], *params = &parts[1], *rest = &parts[2];
@@ -73,7 +73,7 @@ bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_valu
   r[0] = spec; r[1] = env;
   *done = true;
   vs_pos pos = vs_form_pos(spec, x->now.pos);
-  if (vs_is(spec, VS_T_MACRO)) {                      /* what a transformer expression gave */
+  if (vs_is(spec, VS_T_MACRO)) {                      /* the value of a transformer expression */
     vs_macro *m = (vs_macro *)(void *)vs_gc_alloc(vm, VS_T_MACRO, VS_WORDS(vs_macro));
     if (!m) return false;
     const vs_macro *from = vs_as_macro(r[0]);
@@ -104,8 +104,8 @@ bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_valu
   return true;
 }
 
-/* (define-syntax name spec), bound in env. PLT's (define-syntax-rule ...) is a macro of the prelude. *wait: a call is
-   due, whose value is to take the spec's place. */
+/* Binds (define-syntax name spec) in env. PLT's (define-syntax-rule ...) is a macro of the prelude. *wait: a call must
+ * run first; its value replaces the spec. */
 static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wait) {
   VS_ROOTS(x->vm, r, 3);
   r[0] = form; r[1] = env;
@@ -119,7 +119,7 @@ static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wa
   return vs_environment_bind(x->vm, r[1], vs_car(vs_cdr(r[0])), r[2]);
 }
 
-/* (define-syntax name spec) -> (define-syntax name value) */
+/* Rewrites (define-syntax name spec) to (define-syntax name value). */
 static bool with_value(vs_scheme *vm, vs_value form, vs_value value, vs_pos pos, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = form;
@@ -190,7 +190,7 @@ static bool finish_body(vs_expansion *x) {
   }
   uint32_t depth = x->now.depth + (fix != NULL) + (seq != NULL);
   bool ok = true;
-  for (size_t i = total; ok && i-- > 0; r[0] = vs_cdr(r[0])) {      /* newest first: tasks then run in order */
+  for (size_t i = total; ok && i-- > 0; r[0] = vs_cdr(r[0])) {      /* newest first: the tasks then run in order */
     const vs_vector *v = vs_as_vector(vs_car(r[0]));
     if (i >= defined) {
       ok = expand_kept(x, vs_car(r[0]), seq ? &seq->as.seq.at[i - defined] : into, depth);
@@ -208,7 +208,7 @@ static bool finish_body(vs_expansion *x) {
   return ok;
 }
 
-/* puts the forms of a begin before what is left of the body */
+/* Puts the forms of a begin before the rest of the body. */
 static bool splice(vs_expansion *x, vs_value forms) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 4);
@@ -270,7 +270,7 @@ bool vs_body_step(vs_expansion *x) {
   return finish_body(x);
 }
 
-/* the value that a waiting body or top-level task asked for */
+/* Takes the value for which a body or a top-level task waits. */
 bool vs_body_resume(vs_expansion *x, vs_value value) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 1);
@@ -287,9 +287,8 @@ bool vs_body_resume(vs_expansion *x, vs_value value) {
 }
 
 /* ---- the top level ---- */
-/* Names that a macro's (begin (define name ...) ...) makes are bound before any of its forms is expanded, so that the
-   first may refer to the last: a name of the program would be found by its symbol, but these are known to nobody
-   else. */
+/* Binds the names of a macro's (begin (define name ...) ...) before any of its forms is expanded, so that the first may
+ * refer to the last. A name of the program would be found by its symbol, but no other code knows these. */
 static bool bind_renamed(vs_expansion *x, vs_value forms) {
   VS_ROOTS(x->vm, r, 1);
   for (r[0] = forms; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {

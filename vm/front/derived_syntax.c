@@ -1,4 +1,4 @@
-/* Owns the syntax that turns into other syntax: define-record-type, include, cond-expand. */
+/* Owns the syntax that is rewritten to other syntax: define-record-type, include, cond-expand. */
 #include "vm/front/derived_syntax.h"
 
 #include "vm/front/expand.h"
@@ -23,13 +23,13 @@ bool vs_make_form_list(vs_scheme *vm, vs_value *out, size_t n, const vs_value *i
   return true;
 }
 
-/* (head a b ...) with the library's head; items in roots, VS_ABSENT: end */
+/* Makes (head a b ...) with the library's head; items are in roots and end with VS_ABSENT. */
 static bool make(vs_scheme *vm, const char *head, size_t n, const vs_value *items, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   return vs_make_form_list(vm, &r[0], n, items) && vs_core_name(vm, head, &r[1]) && vs_cons(vm, r[1], r[0], out);
 }
 
-/* onto the list of definitions, newest first: (define name value) */
+/* Adds (define name value) to the list of definitions, newest first. */
 static bool define(vs_scheme *vm, vs_value name, vs_value value, vs_pos pos, vs_value *list) {
   VS_ROOTS(vm, r, 3);
   r[0] = name; r[1] = value;
@@ -51,8 +51,8 @@ static int64_t field_index(vs_value fields, vs_value id) {
   return -1;
 }
 
-/* (define type (%make-record-type 'name '(field ...))) (define constructor (lambda (field ...) (%record type field
- * ...))) ... */
+/* Rewrites to (define type (%make-record-type 'name '(field ...))) (define constructor (lambda (field ...) (%record
+ * type field ...))) ... */
 bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   vs_scheme *vm = x->vm;
   enum { NAME, MAKER, PRED, FIELDS, OUT, A, B, C, D, E, COUNT };
@@ -83,7 +83,7 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   }
   /* the type */
   r[A] = VS_NIL;
-  for (l = r[FIELDS]; vs_is_pair(l); l = vs_cdr(l)) {          /* names, newest first, then turned */
+  for (l = r[FIELDS]; vs_is_pair(l); l = vs_cdr(l)) {          /* names, newest first, then reversed */
     r[B] = l;
     if (!vs_cons(vm, vs_is_pair(vs_car(l)) ? vs_car(vs_car(l)) : vs_car(l), r[A], &r[A])) return false;
     l = r[B];
@@ -145,13 +145,13 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   return vs_core_name(vm, "begin", &r[B]) && vs_cons_at(vm, r[B], r[A], pos, form);
 }
 
-/* (include "a" "b") -> (begin forms of a, forms of b) */
+/* Rewrites (include "a" "b") to (begin forms of a, forms of b). */
 static bool include(vs_expansion *x, vs_value *form, bool fold) {
   vs_scheme *vm = x->vm;
   vs_pos pos = x->now.pos;
   if (vs_list_length(*form) < 2)
     return vs_expand_fail(x, pos, *form, "include is written %s, not", vs_form_shape(VS_FORM_include));
-  VS_ROOTS(vm, r, 4);      /* names, all forms newest first, one file's, result */
+  VS_ROOTS(vm, r, 4);      /* names, all forms newest first, forms of one file, result */
   r[0] = vs_cdr(*form);
   r[1] = VS_NIL;
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
@@ -171,7 +171,7 @@ static bool include(vs_expansion *x, vs_value *form, bool fold) {
 bool vs_form_include(vs_expansion *x, vs_value *form) { return include(x, form, false); }
 bool vs_form_include_ci(vs_expansion *x, vs_value *form) { return include(x, form, true); }
 
-/* (syntax-error "message" form ...): what a macro says of its use */
+/* (syntax-error "message" form ...): a macro's error about its use */
 bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {
   vs_scheme *vm = x->vm;
   vs_value l = vs_cdr(*form);
@@ -216,7 +216,7 @@ static bool is_word(vs_value v, const char *word) {
   return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word);
 }
 
-/* 1 holds, 0 does not, -1 error. Nested as deep as someone wrote it, within a limit. */
+/* Returns 1 if the requirement is met, 0 if not, -1 with an error. The depth of its nesting is limited. */
 static int holds(vs_expansion *x, vs_value q, int depth) {
   if (depth > 50) return vs_expand_fail(x, x->now.pos, VS_ABSENT, "this requirement is nested too deeply") - 1;
   if (vs_is_identifier(q)) {
@@ -250,7 +250,7 @@ static int holds(vs_expansion *x, vs_value q, int depth) {
          1;
 }
 
-/* the forms of the first clause that holds, VS_NIL if none does */
+/* Sets *forms to those of the first clause with a met requirement, VS_NIL if there is none. */
 bool vs_cond_expand(vs_expansion *x, vs_value form, vs_value *forms) {
   *forms = VS_NIL;
   for (vs_value l = vs_cdr(form); vs_is_pair(l); l = vs_cdr(l)) {

@@ -23,7 +23,7 @@ bool vs_idtable_new(vs_scheme *vm, vs_value *out) { return make(vm, FIRST_ROOM, 
 
 int64_t vs_idtable_count(vs_value table) { return vs_fixnum(vs_as_vector(table)->at[0]); }
 
-/* the slot of id, or the free one where it belongs. The table's room is a power of two. */
+/* Returns the slot of id, or the free slot for it. The table's room is a power of two. */
 static size_t slot(const vs_vector *t, vs_value id) {
   size_t room = (t->length - 1) / 2, i = (size_t)id_hash(id) & (room - 1);
   VS_ASSERT(room > 0 && (room & (room - 1)) == 0);
@@ -90,8 +90,7 @@ bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out) {
   return true;
 }
 
-/* Stripping walks with a stack of places still to be seen. First it looks whether there is any alias: most data has
-   none. */
+/* Stripping uses a stack of places still to visit. It first tests whether there is any alias: most data have none. */
 typedef struct { vs_scheme *vm; vs_value *at; size_t count, room; struct vs_roots roots; } stack;
 static bool push(stack *s, vs_value v) {
   if (s->count == s->room) {
@@ -110,7 +109,7 @@ bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme
   stack s = {.vm = vm};
   bool ok = push(&s, datum);
   size_t seen = 0, lap = 1;
-  vs_value turtle = VS_FALSE;              /* a cyclic datum (from labels) has nothing new beyond its first lap */
+  vs_value turtle = VS_FALSE;              /* a cyclic datum (from labels) has nothing new after its first round */
   *yes = false;
   while (ok && s.count && !*yes) {
     vs_value v = s.at[--s.count];
@@ -134,15 +133,15 @@ bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme
   return ok;
 }
 
-/* A vector that a reader made holds what stood in the text; macros make vectors of their own. GML's reader quotes
- * procedures within procedures, so that each is looked at once. */
+/* A vector of the reader contains only source data; macros make vectors of their own. GML's reader quotes procedures
+ * within procedures, so each is tested once. */
 static vs_datum_test is_alias(vs_scheme *vm, vs_value v) {
   (void)vm;
   if (vs_is(v, VS_T_ALIAS)) return VS_DATUM_YES;
   return vs_is_vector(v) && vs_object_of(v)->flags & VS_F_IMMUTABLE ? VS_DATUM_NO_MORE : VS_DATUM_NO;
 }
 
-/* one level: a copy of v with the same parts */
+/* Copies one level: *v becomes a copy with the same parts. */
 static bool copy_level(vs_scheme *vm, vs_value *v) {
   VS_ROOTS(vm, r, 2);
   r[0] = *v;
@@ -164,7 +163,7 @@ bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out) {
   VS_ROOTS(vm, v, 2);
   v[0] = datum;
   if (!copy_level(vm, &v[0])) return false;
-  stack s = {.vm = vm, .roots = {NULL, vm, NULL, 0}};       /* copied objects whose parts are still the originals */
+  stack s = {.vm = vm, .roots = {NULL, vm, NULL, 0}};       /* copied objects with the parts of the originals */
   vs_gc_link(&s.roots);
   bool ok = push(&s, v[0]);
   while (ok && s.count) {
@@ -204,8 +203,8 @@ static bool can_skip(const vs_environment *scope) {
   return scope->imports != VS_NIL && vs_fixnum(scope->name) >> DEPTH_BITS == late_bindings(scope);
 }
 
-/* copies to *table, for what is not there yet: the names of `from`, which mean `scope`, or if that is VACANT what they
-   meant there */
+/* Copies the missing names of `from` to *table. They mean `scope`, or, if that is VACANT, the scopes that they mean in
+ * `from`. */
 static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value scope) {
   VS_ROOTS(vm, r, 4);
   r[0] = from; r[1] = scope;
@@ -216,7 +215,7 @@ static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value sco
   return true;
 }
 
-/* the table of a scope (a root) that has just been made */
+/* Makes the table of a new scope (a root). */
 static bool skip_make(vs_scheme *vm, const vs_value *scope) {
   VS_ROOTS(vm, r, 2);              /* the scope on the way out, the table */
   int64_t depth = depth_of(*scope), span = SKIP;
@@ -284,8 +283,8 @@ bool vs_environment_bind(vs_scheme *vm, vs_value env, vs_value id, vs_value bind
 
 static bool is_private(vs_value symbol) { return vs_as_symbol(symbol)->name[0] == '%'; }
 
-/* The export of library `env` under `name` (a symbol); VS_VACANT if nothing. Libraries re-export by a table onto their
-   imports, so this follows imports, as deep as libraries import one another. */
+/* Returns the export of library `env` under `name` (a symbol); VS_VACANT if there is none. Libraries re-export by a
+ * table onto their imports, so this follows imports, as deep as libraries import each other. */
 static vs_value exported(vs_value env, vs_value name, int depth);
 
 static vs_value imported(vs_value env, vs_value name, int depth) {
@@ -320,7 +319,7 @@ void vs_environment_set_intake(vs_value env, vs_intake intake) {
 }
 void vs_environment_forget_imports(vs_value env) { vs_as_environment(env)->imports = VS_NIL; }
 
-/* what `from` gives for the local name, VS_VACANT: nothing */
+/* Returns the export of `from` under the local name; VS_VACANT if there is none. */
 static vs_value offered(vs_value from, vs_value mapping, vs_value name) {
   vs_value there = mapping == VS_TRUE ? name : vs_idtable_get(mapping, name);
   return there == VS_VACANT ? VS_VACANT : exported(from, there, 0);
@@ -333,8 +332,8 @@ static bool same_binding(vs_value a, vs_value b) {
          vs_as_cell(a)->value == vs_as_cell(b)->value;
 }
 
-/* A name that env would get from two libraries in two meanings, VS_VACANT: none. A binding of the whole library gives
-   way to any other. */
+/* Returns a name that env would get from two libraries with two meanings; VS_VACANT if there is none. Any other binding
+ * replaces one of the whole library. */
 static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping) {
   const vs_environment *e = vs_as_environment(env);
   vs_value names = mapping != VS_TRUE                            ? mapping
@@ -353,9 +352,9 @@ static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value 
   return VS_VACANT;
 }
 
-/* Brings the names that env's code refers to already in line with what is being imported: cells of what was nowhere
-   defined and copies of constants get the new value. A definition of env's own is an error in *clash, replaced at the
-   prompt, and stays where the new meaning is only the whole library's. look: only looks for the clash. */
+/* Adapts the names to which env's code already refers to the imports: cells without a definition and copies of
+ * constants get the new value. A definition of env's own is an error in *clash; at the prompt it is replaced; it stays
+ * if the new meaning is only the whole library's. look: only searches for the clash. */
 static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool look, vs_value *clash) {
   vs_vector *table = vs_as_vector(vs_as_environment(env)->table);
   vs_intake intake = vs_environment_intake(env);
@@ -400,7 +399,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
     return false;
   vs_environment *e = vs_as_environment(r[0]);
   if (!whole || last == VS_NIL) vs_gc_store(vm, e, &e->imports, r[3]);
-  else {                                        /* behind all others */
+  else {                                        /* after all others */
     for (last = e->imports; vs_is_pair(vs_cdr(last));) last = vs_cdr(last);
     vs_gc_store(vm, vs_as_pair(last), &vs_as_pair(last)->cdr, r[3]);
   }
@@ -412,8 +411,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
 vs_meaning vs_environment_find(vs_value env, vs_value id) {
   for (;;) {
     vs_value own = VS_VACANT;
-    /* Most names of a program stand for what the top level means by them: those skip the scopes, however deep they
-       nest. */
+    /* Most names of a program have their top-level meaning: they skip the scopes at any depth. */
     if (!vs_is_top(env) && !(vs_object_of(id)->flags & VS_F_LOCAL)) env = vs_as_environment(env)->top;
     while (!vs_is_top(env)) {
       const vs_environment *e = vs_as_environment(env);
@@ -444,7 +442,7 @@ vs_meaning vs_environment_find(vs_value env, vs_value id) {
   return m;
 }
 
-/* Two programs' copies of one imported constant are the same thing under the same name. */
+/* Two programs' copies of one imported constant have the same meaning under the same name. */
 bool vs_same_meaning(vs_value env_a, vs_value a, vs_value env_b, vs_value b) {
   vs_meaning m = vs_environment_find(env_a, a), n = vs_environment_find(env_b, b);
   if (m.kind != n.kind) return false;
@@ -481,7 +479,7 @@ bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *c
     if (vs_object_of(own)->flags & VS_F_CONSTANT) vs_cell_redefine(own);
     return true;
   }
-  /* (define sqrt (traced sqrt)): until then it is what was imported */
+  /* (define sqrt (traced sqrt)): until then it is the imported one */
   vs_meaning m = vs_environment_find(env, id);
   vs_value before =
       own == VS_VACANT && m.foreign && m.kind == VS_MEANS_CELL ? vs_as_cell(m.value)->value : VS_UNDEFINED;
@@ -501,7 +499,7 @@ static bool each_own(vs_value env, vs_value shown, bool (*each)(void *, vs_value
   for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++) {
     if (key == VS_VACANT || !vs_is(key, VS_T_SYMBOL) || is_private(key)) continue;
     if (vs_is(value, VS_T_CELL) && vs_as_cell(value)->value == VS_UNDEFINED) continue;
-    if (shown != VS_VACANT && vs_idtable_get(shown, key) != VS_VACANT) continue;      /* said already */
+    if (shown != VS_VACANT && vs_idtable_get(shown, key) != VS_VACANT) continue;      /* already passed on */
     if (!each(context, key, value)) return false;
   }
   return true;

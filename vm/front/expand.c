@@ -15,7 +15,7 @@
 #include <stdio.h>
 
 enum { MOST_ARGUMENTS = 2000 };
-enum { DEPTH_LIMIT = 180 };   /* tasks deep; a task adds at most two levels of tree (VS_AST_DEPTH) */
+enum { DEPTH_LIMIT = 180 };   /* depth in tasks; a task adds at most two levels of tree (VS_AST_DEPTH) */
 
 enum { KIND_CORE, KIND_DEFINITION, KIND_AUXILIARY, KIND_REWRITE };
 static const struct { const char *name, *shape; bool rewrite, auxiliary; } form_table[] = {
@@ -171,7 +171,7 @@ bool vs_is_form(vs_value env, vs_value id, int form) {
   if (!vs_is_identifier(id)) return false;
   vs_meaning m = vs_environment_find(env, id);
   if (m.kind == VS_MEANS_MACRO) return vs_as_macro(m.value)->kind == vs_fix(form);
-  /* else, =>, ... and the like mean what they look like also where they were not imported */
+  /* else, =>, ... keep their usual meaning where they were not imported */
   return m.kind == VS_MEANS_NOTHING && form_table[form].auxiliary &&
          !strcmp(vs_as_symbol(vs_identifier_symbol(id))->name, form_table[form].name);
 }
@@ -191,9 +191,8 @@ static bool defines(vs_value form, vs_value name) {
   return what == name;
 }
 
-/* A call of what is not defined, under a name that the library, or one that is shipped, has for syntax: to expand its
-   operands would lead to errors beside the point. Unless a later form of the unit defines the name: then it is a
-   procedure. */
+/* Reports a call of an undefined name that is syntax in the library or in a shipped one: expanding its operands would
+ * report misleading errors. If a later form of the unit defines the name, it is a procedure. */
 static bool check_imported(vs_expansion *x, vs_value id, vs_pos pos) {
   vs_scheme *vm = x->vm;
   vs_value name = vs_identifier_symbol(id), known = vs_idtable_get(vs_as_environment(vm->at.core)->table, name);
@@ -217,7 +216,7 @@ static bool not_an_expression(vs_expansion *x, vs_value id, const vs_meaning *m,
   return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it stands first in parentheses", name);
 }
 
-/* the variable of a local meaning, NULL and an error if it belongs to another expansion */
+/* Returns the variable of a local meaning; NULL with an error if it belongs to another expansion. */
 static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos pos) {
   if (vs_as_environment(m->env)->data != vs_fix(x->serial)) {
     vs_expand_fail(x, pos, VS_ABSENT, "%s is a variable that has no value yet when macros are expanded",
@@ -227,7 +226,7 @@ static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos p
   return (vs_var *)(uintptr_t)vs_fixnum(m->value);
 }
 
-/* A name that is defined nowhere may be a misspelt local name; m keeps its value over the search. */
+/* Searches the local names for one similar to an undefined name; m keeps its value during the search. */
 static bool near_local(vs_expansion *x, vs_value env, vs_meaning *m) {
   VS_ROOTS(x->vm, r, 2);
   r[0] = m->env; r[1] = m->id;
@@ -308,8 +307,8 @@ static bool is_keyword(vs_value v) {
   return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2);
 }
 
-/* More arguments than an activation should hold: (apply f (append (list ...) (list ...) ...)), as in a mesh
-   written out as data. */
+/* Divides a call with more arguments than an activation should contain: (apply f (append (list ...) (list ...) ...)),
+ * as for a mesh written as data. */
 static bool long_application(vs_expansion *x, size_t n) {
   vs_pos pos = x->now.pos;
   size_t lists = (n + MOST_ARGUMENTS - 1) / MOST_ARGUMENTS;
@@ -333,7 +332,7 @@ static bool long_application(vs_expansion *x, size_t n) {
   return ok;
 }
 
-/* an error of the call, not of the text: it can be handled */
+/* an error of the call, not of the text: a program can handle it */
 static bool given_twice(vs_expansion *x, vs_value name) {
   char text[300];
   VS_ROOTS(x->vm, r, 1);
@@ -398,15 +397,14 @@ static bool application(vs_expansion *x) {
 }
 
 /* ---- macro uses ---- */
-/* The current task's first form (its form, or the first of a body's forms) is replaced; VS_EXPAND_CALL-like: waits if
-   *wait. */
+/* Replaces the current task's first form (its form, or the first of a body's forms). Sets *wait if the task has to wait
+ * for the transformer. */
 static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos, vs_value *out, bool *wait) {
   vs_scheme *vm = x->vm;
   *wait = false;
   if (!vs_poll(vm, 256)) return false;
   if (vs_as_macro(macro)->kind == vs_fix(VS_MACRO_RULES)) return vs_rules_expand(x, macro, form, x->now.env, pos, out);
-  /* (transformer form rename compare): both procedures are made by a procedure of the library from the two
-     environments */
+  /* (transformer form rename compare): a procedure of the library makes both procedures from the two environments */
   VS_ROOTS(vm, r, 4);
   r[0] = form; r[1] = macro;
   if (!vs_cons(vm, x->now.env, VS_NIL, &r[2]) || !vs_cons(vm, vs_as_macro(r[1])->env, r[2], &r[2]) ||
@@ -415,13 +413,13 @@ static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos
     return false;
   x->procedure = vs_environment_value(vm->at.core, r[3]);
   x->args = r[2];
-  vm->top_place = pos;        /* of errors in what the transformer calls */
+  vm->top_place = pos;        /* for errors in the transformer's calls */
   *wait = true;
   return true;
 }
 
-/* Expands macros at the head of *form until it is core syntax, an application or no pair. *m: the head's meaning. False
-   also when the task has to wait: then x->now.waiting is set. */
+/* Expands macros at the head of *form until it is core syntax, an application or no pair. *m: the head's meaning. Also
+ * returns false when the task has to wait: x->now.waiting is then set. */
 bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *pos) {
   for (;;) {
     *m = (vs_meaning){.kind = VS_MEANS_NOTHING, .value = VS_VACANT, .env = x->now.env, .id = VS_FALSE};
@@ -457,7 +455,8 @@ bool vs_expand_outline(vs_expansion *x) {
 
 /* ---- a procedure as a test ---- */
 
-/* Does the identifier name a procedure of the library, or one that the program has defined under this very name? */
+/* Returns true if the identifier names a procedure of the library, or one that the program has defined under this
+ * name. */
 static bool names_procedure(vs_value id, vs_value env) {
   vs_meaning m = vs_environment_find(env, id);
   if (m.kind != VS_MEANS_CELL || !vs_is(m.value, VS_T_CELL)) return false;
@@ -476,7 +475,7 @@ static bool combines_predicates(vs_value id, vs_value env) {
   return false;
 }
 
-/* A procedure counts as true: (and integer? positive?) is positive?. Warns where a test is one for certain. */
+/* A procedure counts as true: (and integer? positive?) is positive?. Warns of a test that is certainly a procedure. */
 static void warn_of_procedure(vs_expansion *x, vs_value form, const vs_meaning *head) {
   vs_scheme *vm = x->vm;
   char text[300];
@@ -569,7 +568,7 @@ bool vs_expansion_begin(vs_expansion *x, vs_value form, vs_value env, vs_pos pos
 }
 
 vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
-  x->vm->native = NULL;      /* errors are the program's, not those of the native that runs this */
+  x->vm->native = NULL;      /* errors belong to the program, not to the native that runs this */
   while (x->count) {
     x->now = x->tasks[--x->count];
     bool ok = vs_poll(x->vm, 64);
@@ -589,7 +588,7 @@ vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
     }
     if (x->now.waiting) return push_task(x, &x->now) ? VS_EXPAND_CALL : VS_EXPAND_ERROR;
     if (!ok) {
-      vs_value c = x->vm->condition;      /* what was not raised as a syntax error: a file that is not there */
+      vs_value c = x->vm->condition;      /* an error other than syntax: a missing file */
       if (vs_is(c, VS_T_CONDITION) && !vs_as_condition(c)->place) vs_as_condition(c)->place = x->now.pos;
       x->count = 0;
       x->now = no_task;

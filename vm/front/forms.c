@@ -34,7 +34,7 @@ bool vs_form_if(vs_expansion *x) {
   return true;
 }
 
-/* expressions in sequence, the last one where the form stands */
+/* expressions in sequence; the last one has the form's own place */
 static bool sequence(vs_expansion *x, vs_value forms, vs_pos pos, vs_core_node **into, uint32_t depth) {
   int64_t n = vs_list_length(forms);
   if (n == 1)
@@ -50,7 +50,7 @@ bool vs_form_begin(vs_expansion *x) {
   return sequence(x, vs_cdr(x->now.form), x->now.pos, x->now.into, x->now.depth);
 }
 
-/* the rest of a chain (and, or, cond): the same keyword over fewer parts */
+/* the rest of a chain (and, or, cond): the same keyword with fewer parts */
 static bool chain(vs_expansion *x, vs_value rest, vs_core_node **into, bool test) {
   VS_ROOTS(x->vm, r, 1);
   vs_pos pos = vs_is_pair(rest) ? vs_element_pos(rest, false, x->now.pos) : x->now.pos;
@@ -61,8 +61,8 @@ static bool chain(vs_expansion *x, vs_value rest, vs_core_node **into, bool test
   return true;
 }
 
-/* The length of the current form, -1 if it is no list. Of the rest of a chain only as much as matters: that it is a
-   list is known, and asking again at each of its parts would make long chains slow. */
+/* Returns the length of the current form, -1 if it is no list. For the rest of a chain it counts only as far as needed:
+ * the rest is known to be a list, and a count at each part would make long chains slow. */
 static int64_t parts(const vs_expansion *x) {
   if (!x->now.chained) return vs_list_length(x->now.form);
   int64_t n = 0;
@@ -87,7 +87,7 @@ bool vs_form_and(vs_expansion *x) {
   return true;
 }
 
-/* LET with one anonymous variable; the value is the caller's to push */
+/* Returns a LET with one anonymous variable; the caller pushes the value. */
 static vs_core_node *let_temporary(vs_expansion *x, const char *name, vs_pos pos) {
   vs_value symbol;
   vs_core_node *let = vs_expand_many(x, VS_AST_LET, 1, pos);
@@ -130,7 +130,7 @@ static bool when_unless(vs_expansion *x, bool when, int form) {
   vs_core_node *node = branch(x), *nothing = when ? NULL : unspecific(x, x->now.pos);
   if (!node || (!when && !nothing)) return false;
   if (!when) node->as.branch.then = nothing;
-  /* a body: definitions may stand in it */
+  /* a body: may contain definitions */
   if (!vs_expand_body(x, vs_cdr(vs_cdr(x->now.form)), x->now.env, x->now.pos,
                       when ? &node->as.branch.then : &node->as.branch.otherwise, x->now.depth + 1))
     return false;
@@ -224,7 +224,7 @@ bool vs_form_case(vs_expansion *x) {
   return vs_expand_nth(x, 1, x->now.env, &let->as.let.values[0]);
 }
 
-/* (or (eqv? key 'd) ...) with eq? where that is the same; many data are looked up with memv */
+/* Returns (or (eqv? key 'd) ...), with eq? where it is equivalent; memv searches many data. */
 static vs_core_node *key_test(vs_expansion *x, vs_value data, vs_pos pos) {
   VS_ROOTS(x->vm, r, 2);
   int64_t n = vs_list_length(data);
@@ -292,7 +292,7 @@ bool vs_case_step(vs_expansion *x) {
                         &call->as.call.callee, depth + 1);
 }
 
-/* ---- quasiquote: a task a list, its spine at once ---- */
+/* ---- quasiquote: one task per list, its spine at once ---- */
 static vs_datum_test is_comma(vs_scheme *vm, vs_value v) {
   if (!vs_is_identifier(v)) return VS_DATUM_NO;
   v = vs_identifier_symbol(v);
@@ -314,7 +314,7 @@ bool vs_form_quasiquote(vs_expansion *x) {
   return true;
 }
 
-/* (unquote e) and the like */
+/* Returns the form of (unquote e) and the like, or -1. */
 static int quasi_kind(vs_value env, vs_value v) {
   if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL || !vs_is_identifier(vs_car(v)))
     return -1;
@@ -372,7 +372,7 @@ bool vs_quasi_step(vs_expansion *x) {
   /* the spine: runs of plain elements and spliced lists, then a tail */
   size_t elements = 0, splices = 0, runs = 0;
   size_t in_run = 0;
-  vs_value l = form, met = VS_NIL; /* Brent: met is a pair before l, a later one each time the distance has doubled */
+  vs_value l = form, met = VS_NIL; /* Brent: met is a pair before l, set to l each time the distance has doubled */
   for (; vs_is_pair(l) && (l == form || quasi_kind(x->now.env, l) < 0); l = vs_cdr(l)) {
     if (l == met) return vs_expand_fail(x, pos, VS_ABSENT, "a list without an end (#0#) cannot stand around , or ,@");
     if ((elements & (elements - 1)) == 0) met = l;

@@ -1,10 +1,12 @@
 /* Owns parameter lists: lambda, case-lambda and the procedures of define; contracts, optional and keyword parameters.
-
-   A parameter is one of
-     name   [name predicate]   [name predicate default]
-   and behind #:key the same;   . name   or   . [name predicate]   is the rest. The predicate is evaluated once, outside
-   the lambda: a LET around it, unless it is a constant of the library. The checks are a SEQ in front of the body, one
-   CHECK a parameter, in order; a default that is computed is preceded by the checks of the parameters it can see. */
+ *
+ * A parameter is one of
+ *   name   [name predicate]   [name predicate default]
+ * and the same after #:key; the rest is
+ *   . name   or   . [name predicate]
+ * The predicate is evaluated once, outside the lambda: a LET around it, unless it is a constant of the library. The
+ * checks are a SEQ before the body, one CHECK per parameter, in order. The checks of the parameters that a computed
+ * default can use precede it. */
 #include "vm/front/lambda.h"
 
 #include "vm/front/expand.h"
@@ -52,7 +54,7 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
                                : "a parameter is a name, [name predicate] or [name predicate default], not");
   vs_value id = vs_car(spec), predicate = vs_car(vs_cdr(spec)),
            fallback = n == 3 ? vs_car(vs_cdr(vs_cdr(spec))) : VS_ABSENT;
-  /* [width 5], as other Schemes write a default: told where it stands, since a call without the argument fails first */
+  /* [width 5], a default as in other Schemes: reported here, since a call without the argument would fail first */
   if (n == 2 && (vs_is_fixnum(predicate) || vs_is_double(predicate) || vs_is(predicate, VS_T_STRING) ||
                  predicate == VS_TRUE || predicate == VS_FALSE))
     return vs_expand_fail(x, pos, spec,
@@ -60,8 +62,8 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
   return add(p, id, predicate, fallback, pos, keyword);
 }
 
-/* the parameter list; the values of p->at are only good until something allocates: they are read again by shape in
-   `reload` */
+/* Parses the parameter list. The values of p->at are valid only until the next allocation; `reload` then reads them
+ * again. */
 static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
   vs_value l = list;
   bool optional = false, keyed = false;
@@ -99,12 +101,12 @@ static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
 }
 
 /* In a contract and, or and not combine predicates, at any depth and within list-of: there they are the library's
-   procedures of these names. */
+ * procedures of these names. */
 static const struct { int form; const char *word, *procedure; } combinations[] = {
   { VS_FORM_and, NULL, "and-of" }, { VS_FORM_or, NULL, "or-of" }, { -1, "not", "not-of" }, { -1, "list-of", "list-of" },
 };
 
-/* Returns the procedure that a form of a contract calls, or NULL if it is an expression like any other. */
+/* Returns the procedure that a form of a contract calls, or NULL if the form is a usual expression. */
 static const char *combination(vs_value form, vs_value env) {
   if (!vs_is_pair(form) || vs_list_length(form) < 1 || !vs_is_identifier(vs_car(form))) return NULL;
   for (size_t i = 0; i < sizeof combinations / sizeof *combinations; i++) {
@@ -135,7 +137,7 @@ bool vs_predicate_step(vs_expansion *x) {
   return ok;
 }
 
-/* reads ids and forms out of the list again: allocation has moved them */
+/* Reads ids and forms from the list again: allocation has moved them. */
 static void reload(parameters *p, vs_value list) {
   size_t i = 0;
   bool first = !p->tail;
@@ -166,7 +168,7 @@ static vs_core_node *check(vs_expansion *x, const parameter *q, vs_value env, ui
   return n->as.check.predicate ? n : NULL;
 }
 
-/* a predicate that needs no evaluation: a variable of the library that is never assigned */
+/* Returns true for a predicate that needs no evaluation: a variable of the library that is never assigned. */
 static bool is_constant(vs_value form, vs_value env) {
   if (!vs_is_identifier(form)) return false;
   vs_meaning m = vs_environment_find(env, form);
@@ -181,8 +183,8 @@ typedef struct {
   vs_value *roots;           /* ROOT_LIST ... */
   uint32_t who;              /* its name, a constant */
   vs_pos pos;
-  vs_core_node *let;         /* of the contracts that are evaluated; NULL: there are none */
-  size_t contracts;          /* which have their place in it */
+  vs_core_node *let;         /* the LET of the evaluated contracts; NULL: there are none */
+  size_t contracts;          /* number of contracts already in it */
   vs_core_node *lambda;
 } making;
 enum { ROOT_LIST, ROOT_BODY, ROOT_ENV, ROOT_SCOPE /* of the lambda */, ROOT_EARLIER /* scope of a default */, ROOTS };
@@ -193,14 +195,14 @@ static bool is_evaluated(const making *m, const parameter *q) {
   return q->predicate != VS_ABSENT && !is_constant(q->predicate, m->roots[ROOT_ENV]);
 }
 
-/* Returns how many of the first n parameters have a predicate. */
+/* Returns the number of the first n parameters with a predicate. */
 static size_t checks_of(const parameters *p, size_t n) {
   size_t checks = 0;
   for (size_t i = 0; i < n; i++) checks += p->at[i].predicate != VS_ABSENT;
   return checks;
 }
 
-/* Makes the LET at *outer, which is moved to its body, where a contract is evaluated; and the lambda at *into. */
+/* Makes the LET at *outer if a contract is evaluated, and moves *outer to its body; and the lambda at *into. */
 static bool make_frame(making *m, vs_core_node ***outer, vs_core_node **into) {
   size_t evaluated = 0;
   for (size_t i = 0; i < m->p->count; i++) evaluated += is_evaluated(m, &m->p->at[i]);
@@ -217,7 +219,7 @@ static bool make_frame(making *m, vs_core_node ***outer, vs_core_node **into) {
   return true;
 }
 
-/* The contract of parameter i gets a variable of the LET. */
+/* Gives the contract of parameter i a variable of the LET. */
 static bool make_contract(making *m, size_t i) {
   parameter *q = &m->p->at[i];
   if (!is_evaluated(m, q)) return true;
@@ -231,7 +233,7 @@ static bool make_contract(making *m, size_t i) {
   return true;
 }
 
-/* The checks of the first n parameters, in front of what follows them: **at, which is moved there. */
+/* Makes the checks of the first n parameters, before the code that follows: moves *at to it. */
 static bool make_checks(making *m, size_t n, vs_pos pos, vs_core_node ***at) {
   size_t checks = checks_of(m->p, n), done = 0;
   if (!checks) return true;
@@ -249,15 +251,15 @@ static bool make_checks(making *m, size_t n, vs_pos pos, vs_core_node ***at) {
   return true;
 }
 
-/* The default of parameter i sees the parameters before it, whose checks come first where it is computed. */
+/* Makes the default of parameter i. It sees the parameters before it; if it is computed, their checks come first. */
 static bool make_default(making *m, size_t i, vs_param *param) {
   vs_value *r = m->roots;
   parameter *q = &m->p->at[i];
   vs_core_node **at = &param->fallback;
   bool plain = !vs_is_pair(q->fallback) && !vs_is_identifier(q->fallback);
   if (!plain && !make_checks(m, i, q->pos, &at)) return false;
-  /* A scope of its own: later parameters must not be seen, though they are bound in the lambda's by the time it is
-     expanded. */
+  /* A separate scope: when the default is expanded, the lambda's scope already binds later parameters, which it must
+   * not see. */
   if (!vs_expand_scope(m->x, r[ROOT_ENV], &r[ROOT_EARLIER])) return false;
   for (size_t k = 0; k < i; k++) {
     again(m);
@@ -284,7 +286,7 @@ static bool make_parameter(making *m, size_t i) {
   return true;
 }
 
-/* *outer: where the LET of the contracts goes, and then its body */
+/* *outer: the place of the contracts' LET, and then its body */
 static bool build(making *m, vs_value name, vs_core_node ***outer, vs_core_node **into) {
   vs_value *r = m->roots;
   if (!vs_ast_const(&m->x->ast, name, &m->who) || !vs_expand_scope(m->x, r[ROOT_ENV], &r[ROOT_SCOPE])) return false;
@@ -295,7 +297,7 @@ static bool build(making *m, vs_value name, vs_core_node ***outer, vs_core_node 
     if (!make_parameter(m, i)) return false;
   into = &m->lambda->as.lambda.body;
   return make_checks(m, m->p->count, m->pos, &into) &&
-         vs_expand_body(m->x, r[ROOT_BODY], r[ROOT_SCOPE], m->pos, into, 2); /* a lambda's depth is its own */
+         vs_expand_body(m->x, r[ROOT_BODY], r[ROOT_SCOPE], m->pos, into, 2); /* the depth begins again in a lambda */
 }
 
 static bool expand_lambda(vs_expansion *x, const vs_lambda_form *form, vs_core_node ***outer, vs_core_node **into) {
@@ -339,7 +341,7 @@ bool vs_form_case_lambda(vs_expansion *x) {
   VS_ROOTS(x->vm, r, 1);
   bool ok = true;
   size_t i = 0;
-  vs_core_node **outer = x->now.into;        /* the LETs of all clauses' contracts stand around the whole */
+  vs_core_node **outer = x->now.into;        /* the LETs of all clauses' contracts enclose the whole */
   for (r[0] = vs_cdr(x->now.form); ok && vs_is_pair(r[0]); r[0] = vs_cdr(r[0]), i++) {
     vs_value clause = vs_car(r[0]);
     if (vs_list_length(clause) < 2)

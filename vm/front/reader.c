@@ -1,15 +1,15 @@
-/* Owns the reader: text in memory becomes data, with the place of every pair.
-
-   Plan. A stack of open things (lists, vectors, quotes, datum comments, labels) stands in accounted memory, two rooted
-   values each: the first pair and the last pair of the elements so far. A finished datum is delivered to the top of the
-   stack until it rests. Mistakes are noted and reading goes on behind them, so that one reading reports them all.
-
-   An unclosed parenthesis is found at the end of the text, too late to be of help. Therefore the reader remembers the
-   first line that begins at or left of the column of a parenthesis that is still open: by the indentation, that one
-   should have been closed on the line before. The text is then read once more, and reading begins anew at each (define
-   at the left margin (`anew`), so that every form that was left open is reported and not the first alone. A quote that
-   is missing turns all strings behind it inside out; so the reader remembers the first string over several lines whose
-   end touches a word: the missing quote is probably there. */
+/* Owns the reader: it turns text in memory into data, with the place of every pair.
+ *
+ * Plan. A stack of open things (lists, vectors, quotes, datum comments, labels) is in accounted memory, two rooted
+ * values each: the first pair and the last pair of the elements. A finished datum is delivered to the top of the stack
+ * until it has its place. The reader notes mistakes and continues behind them, so one reading reports all.
+ *
+ * The end of the text reveals an unclosed parenthesis, too late to help. Therefore the reader notes the first line that
+ * begins at or left of the column of an open parenthesis: by the indentation, the line before should have closed it. It
+ * then reads the text a second time, and begins anew at each (define at the left margin (`anew`). Therefore it reports
+ * every form left open, not only the first. A missing quote exchanges the inside and outside of all later strings.
+ * Therefore the reader notes the first string over several lines whose end touches a word: the missing quote is
+ * probably there. */
 #include "vm/front/reader.h"
 #include "vm/numbers/number.h"
 #include "vm/numbers/number_text.h"
@@ -28,7 +28,7 @@ typedef enum { LIST, VECTOR, BYTEVECTOR, QUOTE, COMMENT, LABEL } frame_kind;
 typedef struct {
   frame_kind kind;
   char open;                 /* ( or [ */
-  uint8_t dot;               /* LIST: 1 the next datum is the tail, 2 the tail is there */
+  uint8_t dot;               /* LIST: 1 the next datum is the tail, 2 the tail has been read */
   vs_pos pos;
   quote_kind quote;
 } level;
@@ -40,27 +40,28 @@ typedef struct {
   uint32_t file, line;
   size_t line_start;         /* offset of the current line */
   size_t col_at; uint32_t col;   /* column of an offset in this line, moving forward */
-  bool located, fold, blank_line;   /* blank_line: only blanks so far on this line */
+  bool located, fold, blank_line;   /* blank_line: only blanks until now on this line */
   level *levels; size_t depth, room;
-  vs_value *slots;           /* two a level, then the labels */
+  vs_value *slots;           /* two per level, then the labels */
   struct vs_roots roots;
   vs_value labels;           /* list of (number . box); rooted by vs_read_... */
   bool label_used;
-  size_t quasi;              /* how many of the levels are quasiquotes */
+  size_t quasi;              /* number of levels that are quasiquotes */
   size_t problems; bool more;
   struct { vs_pos pos; char text[PROBLEM_TEXT]; } problem[PROBLEMS];
-  /* the first line whose indentation contradicts the parentheses */
+  /* the first line with an indentation that contradicts the parentheses */
   vs_pos suspect; uint32_t suspect_line;
   uint32_t content_line;     /* of the last token */
-  uint32_t comma_line;       /* where a comma between elements was last complained of */
-  bool cut;                  /* a string or |symbol| swallowed the rest: what is open then is no mistake of its own */
-  bool anew, left_open;      /* the second reading; a form was open at the end, or where one began anew */
-  vs_pos odd_string; uint32_t odd_end;   /* the string that probably swallowed the quote of the next, and the line where
-                                            it ended */
+  uint32_t comma_line;       /* the line of the last comma between elements that was reported */
+  bool cut;                  /* a string or |symbol| contains the rest of the text: the levels open there are no
+                              * mistakes of their own */
+  bool anew, left_open;      /* the second reading; a form was open at the end, or where another began anew */
+  vs_pos odd_string; uint32_t odd_end;   /* the string that probably contains the quote of the next, and the line of its
+                                          * end */
   vs_pos last_top; uint32_t last_close_line; bool stray; vs_pos stray_top; uint32_t stray_line;
 } reader;
 
-/* The column of a byte of the line that is being read, from 1. */
+/* Returns the column, from 1, of a byte of the current line. */
 static uint32_t column(reader *r, size_t offset) {
   VS_ASSERT(offset >= r->line_start);
   if (offset < r->col_at || r->col_at < r->line_start) { r->col_at = r->line_start; r->col = 1; }
@@ -90,7 +91,7 @@ static int peek(const reader *r, size_t ahead) {
   return r->at + ahead < r->size ? (unsigned char)r->text[r->at + ahead] : -1;
 }
 
-/* bytes of a blank character at the reader's place, 0: none */
+/* Returns the bytes of the blank character at the reader's place; 0 if there is none. */
 static size_t blank(const reader *r) {
   int c = peek(r, 0);
   if (c < 0) return 0;
@@ -101,7 +102,7 @@ static size_t blank(const reader *r) {
   return u == 0xA0 || u == 0xFEFF || u == 0x3000 || (u >= 0x2000 && u <= 0x200B) || u == 0x2028 ? n : 0;
 }
 
-/* Does the byte c, the last one that was passed, end a line: \n, or \r with no \n behind it? */
+/* Returns true if the byte c, just read, ends a line: \n, or \r without \n behind it. */
 static bool ends_line(const reader *r, int c) { return c == '\n' || (c == '\r' && peek(r, 0) != '\n'); }
 
 static bool is_delimiter(const reader *r) {
@@ -125,7 +126,7 @@ static void skip_block(reader *r) {
   problem(r, pos, "this comment #| is never closed by |#");
 }
 
-/* Skips blanks and comments (not #;). False at the end of the text. */
+/* Skips blanks and comments (not #;). Returns false at the end of the text. */
 static bool skip(reader *r) {
   for (;;) {
     int c = peek(r, 0);
@@ -157,7 +158,7 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
     if (!levels) return false;
     r->levels = levels;
     vs_value *slots = vs_mem(r->vm, r->slots, 2 * r->room * sizeof *slots, 2 * room * sizeof *slots);
-    if (!slots) {   /* keep the two in step */
+    if (!slots) {   /* both arrays stay equal */
       r->levels = vs_mem(r->vm, levels, room * sizeof *levels, r->room * sizeof *levels);
       return false;
     }
@@ -171,7 +172,7 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
   return true;
 }
 
-/* Leaves the level on top; there is one. */
+/* Removes the level on top; there is one. */
 static void pop(reader *r) {
   VS_ASSERT(r->depth > 0);
   level *f = &r->levels[--r->depth];
@@ -183,7 +184,7 @@ static bool cons(reader *r, vs_value car, vs_value cdr, vs_pos pos, vs_value *ou
   return r->located ? vs_cons_at(r->vm, car, cdr, pos, out) : vs_cons(r->vm, car, cdr, out);
 }
 
-/* Puts v (a root) to rest. *done: it is a datum of the outermost level, in *v. */
+/* Puts v (a root) in its place. *done: it is a datum of the outermost level, in *v. */
 static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   *done = false;
   for (;;) {
@@ -233,7 +234,7 @@ static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   }
 }
 
-/* the finished value of the level on top, popped. There is a level. */
+/* Pops the level on top, which exists, and sets *out to its value. */
 static bool close_frame(reader *r, vs_value *out) {
   level f = r->levels[r->depth - 1];
   vs_value head = r->slots[2 * (r->depth - 1)];
@@ -308,7 +309,7 @@ static void read_char(reader *r, vs_value *out) {
   problem(r, pos, "no character has the name #\\%.*s", (int)(length > 40 ? 40 : length), s);
 }
 
-/* Behind a backslash in a string or |symbol|. */
+/* Reads the characters after a backslash in a string or |symbol|. */
 static bool read_escape(reader *r, vs_text *t) {
   vs_pos pos = place(r, r->at - 1);
   int c = peek(r, 0);
@@ -332,7 +333,7 @@ static bool read_escape(reader *r, vs_text *t) {
     if (peek(r, 0) == ';') r->at++;
     return vs_text_char(t, u);
   }
-  case ' ': case '\t': case '\n': case '\r': {        /* a line that goes on: blanks, newline, blanks are left out */
+  case ' ': case '\t': case '\n': case '\r': {        /* a continued line: omits blanks, newline, blanks */
     r->at = start;
     while (peek(r, 0) == ' ' || peek(r, 0) == '\t' || (peek(r, 0) == '\r' && peek(r, 1) == '\n')) r->at++;
     if (peek(r, 0) != '\n' && peek(r, 0) != '\r') {
@@ -375,8 +376,8 @@ static bool read_delimited(reader *r, char end, vs_text *t) {
       return true;
     }
     if (c == '\\') { if (!read_escape(r, t)) return false; }
-    else {                                              /* a string's lines end with \n however the file's do; a symbol
-                                                           keeps what it has */
+    else {                                              /* lines of a string end with \n for any line ends of the file;
+                                                         * a symbol keeps its characters */
       const char kept = (char)c;
       bool ends = ends_line(r, c);
       if (ends) newline(r, r->at);
@@ -457,7 +458,7 @@ static bool read_symbol(reader *r, vs_value *out) {
   return ok;
 }
 
-/* Is the token here this word, in any case? */
+/* Returns true if the token here is this word, in any case. */
 static bool same(const reader *r, const char *word) {
   size_t n = strlen(word);
   if (r->size - r->at < n) return false;
@@ -467,7 +468,7 @@ static bool same(const reader *r, const char *word) {
   return is_delimiter(&after);
 }
 
-/* A token that begins with #. *skip_: it was no datum (a prefix was pushed). */
+/* Reads a token that begins with #. *prefix: it was no datum (a prefix was pushed). */
 static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   static const struct { const char *word; vs_value value; } words[] = {
     {"#t", VS_TRUE}, {"#true", VS_TRUE}, {"#f", VS_FALSE}, {"#false", VS_FALSE}, {"#!eof", VS_EOF}};
@@ -517,7 +518,7 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   return read_symbol(r, out);
 }
 
-/* A closing parenthesis of the kind c. *out is the datum if *got. */
+/* Reads a closing parenthesis of the kind c. *out is the datum if *got. */
 static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) {
   *got = false;
   while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* '), #;) */
@@ -544,7 +545,7 @@ static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) 
   return close_frame(r, out);
 }
 
-/* At the first token of a line: does its indentation say that something should have been closed before? */
+/* At the first token of a line: notes an open parenthesis that should, by the indentation, be closed. */
 static void watch_indentation(reader *r, vs_pos pos) {
   uint32_t col = vs_pos_col(pos);
   if (r->depth && !r->suspect) {
@@ -563,7 +564,7 @@ static void watch_indentation(reader *r, vs_pos pos) {
   r->blank_line = false;
 }
 
-/* The innermost of the first `count` things is open where all should be closed. count is at most the depth. */
+/* Reports the innermost of the first `count` open things, which should all be closed. count is at most the depth. */
 static void never_closed(reader *r, size_t count) {
   VS_ASSERT(count <= r->depth);
   if (!count) return;
@@ -578,7 +579,7 @@ static void never_closed(reader *r, size_t count) {
   else problem(r, f->pos, "this parenthesis is never closed: a %c is missing", close);
 }
 
-/* In the second reading: what is open where a definition begins at the margin ends there. */
+/* In the second reading: closes the things that are open where a definition begins at the margin. */
 static void begin_anew(reader *r, vs_pos pos) {
   static const char word[] = "(define";
   if (vs_pos_col(pos) != 1 || r->size - r->at < sizeof word || memcmp(r->text + r->at, word, sizeof word - 1)) return;
@@ -589,7 +590,7 @@ static void begin_anew(reader *r, vs_pos pos) {
   r->suspect = 0;
 }
 
-/* Reads on until a datum of the outermost level is there: 1, 0 at the end, -1 an error: no memory, a limit. */
+/* Reads to the end of a datum of the outermost level. Returns 1; 0 at the end; -1 with an error: no memory, a limit. */
 static int next(reader *r, vs_value *out, vs_pos *where) {
   while (skip(r)) {
     vs_pos pos = place(r, r->at);
@@ -677,7 +678,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
   return 0;
 }
 
-/* ---- labels: every box that stands for a label gives way to its value ---- */
+/* ---- labels: every box of a label is replaced by its value ---- */
 typedef struct { vs_value *at; size_t count, room; struct vs_roots roots; vs_scheme *vm; } work;
 static bool work_push(work *w, vs_value v) {
   if (w->count == w->room) {
@@ -695,7 +696,7 @@ static vs_value label_value(vs_value v) {
   for (int i = 0; is_label(v) && i < 1000; i++) v = vs_as_box(v)->value;     /* #0=#1=x */
   return v;
 }
-/* No object is made here, so nothing moves. The datum read is a tree until its boxes are replaced. */
+/* Replaces the boxes of labels. Makes no object, so nothing moves. The datum is a tree until then. */
 static bool resolve_labels(reader *r, vs_value *root) {
   work w = {.vm = r->vm};
   *root = label_value(*root);
@@ -765,7 +766,7 @@ bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, 
   return true;
 }
 
-/* by place, then as they were found: an unclosed parenthesis is found last but stands first */
+/* Orders by place, then in the order found: an unclosed parenthesis is found last, but its place is first. */
 static int by_place(const void *a, const void *b) {
   const vs_pos *p = a, *q = b;
   return *p < *q ? -1 : *p > *q;
@@ -787,7 +788,7 @@ static bool report(reader *r) {
   return false;
 }
 
-/* *anew: the text is read a second time; then, whether it must be. */
+/* *anew: this is the second reading; on return: whether a second one is needed. */
 static bool read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, bool *anew, vs_value *forms) {
   VS_ROOTS(vm, v, 3);                                  /* head, last, datum */
   reader r;
@@ -815,7 +816,7 @@ static bool read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool 
   vs_pos reached = place(&r, r.at);
   vm->roots = labels.next;
   finish(&r);
-  /* what was read is given up; then there is room to say how far it went */
+  /* drops the data read, so that there is room to report how far the reading came */
   if (!ok && vm->condition == vm->at.no_memory) {
     v[0] = v[1] = v[2] = VS_NIL;
     bool over_limit = vm->over_limit;
@@ -838,7 +839,7 @@ bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold
 bool vs_read_number(vs_scheme *vm, const char *s, size_t n, vs_pos place, vs_value *out) {
   if (vs_number_parse(vm, s, n, 10, out)) return true;
   vs_value why = vm->condition;
-  if (!vs_is(why, VS_T_CONDITION) || vs_as_condition(why)->kind != vm->sym.range) return false; /* memory */
+  if (!vs_is(why, VS_T_CONDITION) || vs_as_condition(why)->kind != vm->sym.range) return false; /* out of memory */
   return vs_fail_at(vm, vm->sym.read, place, VS_NIL, "%.*s%s: this exact number is too large to be written out",
                     (int)(n > 60 ? 60 : n), s, n > 60 ? "..." : "");
 }
@@ -879,7 +880,7 @@ bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *num
       return true;
     }
   }
-  /* slots are filled in order; a vector with room at its end would need a count of its own, files are few */
+  /* slots are filled in order; a vector with room at its end would need a count of its own, and files are few */
   if (!vs_make_vector(vm, n ? n + 1 : 2, VS_FALSE, &v[1])) return false;
   for (size_t i = 0; i < n; i++)
     vs_gc_store(vm, vs_as_vector(v[1]), &vs_as_vector(v[1])->at[i], vs_as_vector(vm->at.files)->at[i]);

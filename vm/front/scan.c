@@ -1,4 +1,4 @@
-/* Owns the machine that knows where a datum ends, without building it: for continuation lines and for reading from
+/* Owns the machine that finds the end of a datum without building it, for continuation lines and for reading from
  * ports. */
 #include "vm/front/scan.h"
 #include "vm/values/text.h"
@@ -34,7 +34,7 @@ static bool is_blank(uint32_t c) {
 }
 static bool is_delimiter(uint32_t c) { return is_blank(c) || (c < 128 && strchr("()[]\";,'`", (int)c)); }
 
-/* a datum at this depth is complete. Data are still wanted. */
+/* A datum at this depth is complete. More data are expected. */
 static vs_scan_result ended(vs_scan *s, vs_scan_result how) {
   VS_ASSERT(s->wanted > 0);
   s->state = BLANK;
@@ -88,7 +88,7 @@ again:
       goto again;
     } /* #u8(, #0=; #t( is two data */
     break;
-  case CHARACTER: s->state = ATOM; s->after_hash = 0; break;   /* whatever it is belongs to it */
+  case CHARACTER: s->state = ATOM; s->after_hash = 0; break;   /* any character belongs to it */
   case ATOM:
     if (c == '|') { s->state = BARS; break; }
     /* #u8( */
@@ -119,7 +119,7 @@ again:
     else s->after_hash = c == '|' || c == '#' ? (uint8_t)c : 0;
     break;
   }
-  if (c == '\r' || c == '\n') {                       /* \r alone, \n alone or both in turn end a line */
+  if (c == '\r' || c == '\n') {                       /* \r alone, \n alone or both in this order end a line */
     s->line += c == '\r' || !s->returned;
     s->col = 1;
   } else s->col++;
@@ -142,7 +142,7 @@ bool vs_read_whole(vs_scheme *vm, const char *text, size_t size, vs_text_check *
     ok = vs_scan_feed(&s, c, &r) && vs_poll_turn(vm, i, 4);
     if (r == VS_SCAN_BAD) { *out = (vs_text_check){VS_TEXT_BAD, 0, s.token_line, s.token_col, s.trouble}; break; }
     if (r != VS_SCAN_MORE) { any = true; s.wanted = 1; s.any = false; }
-    if (r != VS_SCAN_WHOLE) i += n;                /* a delimiter that ended an atom is fed again */
+    if (r != VS_SCAN_WHOLE) i += n;                /* feeds a delimiter that ended an atom again */
   }
   if (ok && out->state != VS_TEXT_BAD) {
     if (!vs_scan_end(&s) || s.wanted > 1) {

@@ -1,4 +1,4 @@
-/* Owns source files: where one is looked for, which language it is in, and how its forms are read. */
+/* Owns source files: the search for a file, its language, and the reading of its forms. */
 #include "vm/front/source.h"
 
 #include <string.h>
@@ -30,7 +30,7 @@ static bool exists(vs_scheme *vm, vs_text *path) {
   return vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
 }
 
-/* a/./b and a/c/../b are a/b, so that one file has one name */
+/* Turns a/./b and a/c/../b into a/b, so that a file has one name. */
 static void normalise(vs_text *path) {
   char *s = path->at;
   size_t n = path->count, out = 0, i = 0;
@@ -39,7 +39,7 @@ static void normalise(vs_text *path) {
     while (end < n && s[end] != '/') end++;
     size_t length = end - i;
     bool dot = length == 1 && s[i] == '.', up = length == 2 && s[i] == '.' && s[i + 1] == '.';
-    size_t last = out > 1 ? out - 1 : 0;                   /* the folder before, if it is one to leave */
+    size_t last = out > 1 ? out - 1 : 0;                   /* the folder before, if .. leaves it */
     while (last > 0 && s[last - 1] != '/') last--;
     bool can = up && out > 1 && !(out - last == 3 && s[last] == '.' && s[last + 1] == '.');
     if (can) out = last;
@@ -61,7 +61,7 @@ bool vs_source_name(vs_scheme *vm, uint32_t file, vs_text *t) {
   return vs_text_string(t, vs_as_vector(vm->at.files)->at[file]) && vs_text_end(t);
 }
 
-/* Takes `folder` followed by `name` as the path where that file exists, or where it is the first place looked at. */
+/* Takes `folder` followed by `name` as the path if that file exists, or if it is the first place searched. */
 static bool try_place(vs_scheme *vm, const char *folder, size_t length, const vs_text *name, vs_text *path,
                       bool *found) {
   if (*found) return true;
@@ -108,7 +108,7 @@ bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_t
   vs_text_close(&plain);
   vs_text_close(&base);
   if (ok && !vs_source_is_shipped(path->count ? path->at : "")) normalise(path);
-  return ok;       /* not found: the first place, whose absence the reading reports */
+  return ok;       /* not found: the first place; the reading reports the missing file */
 }
 
 bool vs_source_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path) {
@@ -116,11 +116,11 @@ bool vs_source_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path) 
   return vs_source_find(vm, name, from, 0, path, &found);
 }
 
-/* ---- languages beside this one ---- */
+/* ---- other languages ---- */
 typedef bool read_fn(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms);
 typedef struct { const char *ending, *language; read_fn *read; } front_end;
 
-/* NULL: a file of this name is in this language. */
+/* Returns the front end of a file of this name; NULL: this language. */
 static const front_end *front_end_of(const char *name) {
   static const front_end all[] = {
 #define VS_FRONT_END(ending, language, read) { ending, language, read },
@@ -150,7 +150,7 @@ const char *vs_source_said(vs_scheme *vm, const char *name, vs_pos place) {
 }
 
 /* ---- files that include each other ---- */
-/* The pair of a file in vm->at.included, or #f. */
+/* Returns the pair of a file in vm->at.included, or #f. */
 static vs_value including(const vs_scheme *vm, uint32_t file) {
   for (vs_value l = vm->at.included; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == vs_fix(file)) return vs_car(l);
@@ -162,7 +162,7 @@ static bool note_included(vs_scheme *vm, uint32_t file, uint32_t from) {
   VS_ROOTS(vm, r, 2);
   vs_value pair = including(vm, file);
   if (vs_is_pair(pair)) {
-    vs_as_pair(pair)->cdr = vs_fix(from); /* no object: nothing to tell the collector */
+    vs_as_pair(pair)->cdr = vs_fix(from); /* no object, so no barrier */
     return true;
   }
   if (!from) return true;
@@ -213,7 +213,7 @@ bool vs_source_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms)
   }
   if (!vs_io_read_file(vm, path, &r[0])) return false;
   size_t size = (size_t)vs_as_bytes(r[0])->length;
-  char *text = vs_mem(vm, NULL, 0, size + 1);        /* the reader allocates, the bytes may move */
+  char *text = vs_mem(vm, NULL, 0, size + 1);        /* the reader allocates, and the bytes may move */
   if (!text) return false;
   memcpy(text, vs_as_bytes(r[0])->at, size);
   bool ok = vs_source_text(vm, path, &(vs_passage){text, size, 1}, fold, forms);

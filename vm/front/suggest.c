@@ -1,5 +1,5 @@
-/* Owns the advice for names that are not defined: tokens that were meant as numbers, words of other programs
- * (foreign.def), the right stem with another prefix, and near names. */
+/* Owns the advice for names that are not defined: tokens intended as numbers, words of other programs (foreign.def),
+ * the right stem with another prefix, and similar names. */
 #include "vm/front/suggest.h"
 #include "vm/front/environment.h"
 #include "vm/library/standard.h"
@@ -29,11 +29,11 @@ static const struct { const char *words, *instead; } keywords[] = {
 #undef KEYWORD
 };
 
-/* ---- how far one name is from another ---- */
+/* ---- the distance between two names ---- */
 
 enum { LONGEST = 48, SLIP = 1, EDIT = 2 };
 
-/* Are both keys neighbours on a keyboard? QWERTY's rows; each row stands half a key further right than the one
+/* Returns true if both keys are neighbours on a keyboard. QWERTY's rows; each is half a key further right than the one
  * above. */
 static bool neighbours(int a, int b) {
   static const char *const rows[] = {"1234567890-", "qwertyuiop", "asdfghjkl;", "zxcvbnm,./"};
@@ -48,11 +48,11 @@ static bool neighbours(int a, int b) {
       (right == 0 || right == 1));
 }
 
-/* Edit distance ignoring case. An insertion, a deletion and a change cost an EDIT each; slips of the fingers cost
- * half of one: neighbouring keys, two
- * letters in the wrong order, a letter twice, a hyphen too many or too few. More than `limit` is limit + 1. */
+/* Returns the edit distance, ignoring case. An insertion, a deletion and a change cost an EDIT each; typing slips cost
+ * half of one: neighbouring keys, two letters in the wrong order, a letter twice, a hyphen too many or too few. Returns
+ * limit + 1 for more than `limit`. */
 static int distance(const char *a, size_t n, const char *b, size_t m, int limit) {
-  int change = n <= 4 ? EDIT + SLIP : EDIT; /* of a short word another letter makes another word: set is not sec */
+  int change = n <= 4 ? EDIT + SLIP : EDIT; /* in a short word another letter makes another word: set is not sec */
   int row[3][LONGEST + 1];
   if (n > LONGEST || m > LONGEST || (int)(n > m ? n - m : m - n) > limit) return limit + 1;
   row[0][0] = 0;
@@ -78,13 +78,13 @@ static int distance(const char *a, size_t n, const char *b, size_t m, int limit)
   return row[n % 3][m];
 }
 
-/* The most that a name of this length may be away: a third of its letters, and of a short one a slip. */
+/* Returns the greatest distance for a name of this length: a third of its letters, in a short one a slip. */
 static int tolerance(size_t length) { return length <= 2 ? SLIP : length <= 4 ? EDIT : length <= 6 ? EDIT + SLIP
     : length <= 9 ? 2 * EDIT : 3 * EDIT; }
 
 /* ---- prefixes ---- */
 
-/* The name without "make-", "do-" and the like: what it is about. */
+/* Returns the name without "make-", "do-" and the like. */
 static const char *stem(const char *name) {
   static const char *const prefixes[] = {"make-", "do-", "create-", "add-", "draw-", "new-", "get-", "build-", "gen-"};
   for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++) {
@@ -94,7 +94,7 @@ static const char *stem(const char *name) {
   return name;
 }
 
-/* The same where the prefix has a slip: creat-box. */
+/* Does the same for a prefix with a slip: creat-box. */
 static const char *near_stem(const char *name) {
   static const char *const words[] = {"make", "create", "draw", "build"};
   size_t n = strcspn(name, "-");
@@ -103,7 +103,7 @@ static const char *near_stem(const char *name) {
   return name;
 }
 
-/* makeBox, MakeBox, make_box and rs.MakeBox as make-box; false: too long. */
+/* Writes makeBox, MakeBox, make_box and rs.MakeBox as make-box; returns false if the name is too long. */
 static bool plain_name(const char *name, char out[LONGEST + 1]) {
   const char *dot = strrchr(name, '.');
   if (dot && dot > name && dot[1] && isalpha((unsigned char)*name) && isalpha((unsigned char)dot[1])) name = dot + 1;
@@ -128,7 +128,7 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   search *s = context;
   (void)binding;
   const vs_symbol *name = vs_as_symbol(symbol), *w = s->wanted;
-  size_t same = 0; /* "make-", which both begin with, says nothing on how alike they are */
+  size_t same = 0; /* a common "make-" does not make names similar */
   if (stem(w->name) - w->name == stem(name->name) - name->name) same = (size_t)(stem(w->name) - w->name);
   if (same && strncasecmp(w->name, name->name, same)) same = 0;
   int limit = tolerance(same && name->length > w->length ? name->length - same : w->length - same);
@@ -147,7 +147,8 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   return true;
 }
 
-/* The same stem behind another prefix; of several the one with a prefix, then the one that sorts first. */
+/* The search for the same stem behind another prefix. Of several names one with a prefix goes first, then the one that
+ * sorts first. */
 typedef struct { const char *stem; const vs_symbol *best; } stem_search;
 
 static bool consider_stem(void *context, vs_value symbol, vs_value binding) {
@@ -183,7 +184,7 @@ static bool has_word(const char *words, const char *word) {
   return false;
 }
 
-/* The row of the table that has the word, or -1. */
+/* Returns the row of the table with the word, or -1. */
 static int foreign_word(const char *name) {
   for (int i = 0; i < (int)(sizeof foreign / sizeof *foreign); i++)
     if (has_word(foreign[i].words, name)) return i;
@@ -222,9 +223,9 @@ bool vs_suggest_local(vs_scheme *vm, vs_value env, vs_value symbol) {
 
 bool vs_suggest_let_star(vs_scheme *vm, vs_value symbol) { return remember(vm, symbol, symbol); }
 
-/* ---- what a name may have been meant as ---- */
+/* ---- the intended meaning of a name ---- */
 
-/* A multiple of pi that has no name: 3pi/4, 0.5pi. */
+/* Advises on a multiple of pi that has no name: 3pi/4, 0.5pi. */
 static bool advise_angle(const char *name, vs_text *t) {
   char text[200];
   size_t n = strspn(name, "+-.0123456789/"), digits = strspn(name, "+-0123456789");
@@ -239,7 +240,7 @@ static bool advise_angle(const char *name, vs_text *t) {
   return vs_text_puts(t, text);
 }
 
-/* A number with a unit or a sign that no number has here: 3m, 45°, –1. */
+/* Advises on a number with a unit or a sign that no number has here: 3m, 45°, –1. */
 static bool advise_number(const char *name, vs_text *t) {
   char number[LONGEST + 1], text[200];
   static const char *const dashes[] = {"\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92", "\xE2\x80\x90"};
@@ -272,7 +273,7 @@ static bool advise_number(const char *name, vs_text *t) {
   return vs_text_puts(t, text);
 }
 
-/* A keyword as other languages write it, azimuth: or :azimuth; and the name of a file without quotes. */
+/* Advises on a keyword as other languages write it, azimuth: or :azimuth; and on the name of a file without quotes. */
 static bool advise_spelling(const char *name, vs_text *t) {
   static const char *const endings[] = {"vs",   "js",  "gml", "stl", "obj",  "off", "ply", "png", "jpg", "jpeg",
                                         "exr",  "hdr", "csv", "json", "mtl", "ies", "txt", "ttf", "otf"};
@@ -323,7 +324,8 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (t->count == before && !advise_number(wanted->name, t)) return false;
   if (t->count == before && !advise_spelling(wanted->name, t)) return false;
   if (t->count > before) return true;
-  size_t sign = strcspn(wanted->name, "+*/<>=");          /* i+1, n*2, a<b: one name, because no blanks are in it */
+  size_t sign = strcspn(wanted->name, "+*/<>=");          /* i+1, n*2, a<b: a single name, because it contains no
+                                                           * blanks */
   const char *name = wanted->name;
   if (sign && sign + 1 < wanted->length && (name[sign + 1] == '=' ? sign + 2 < wanted->length : true) &&
       isalnum((unsigned char)name[sign - 1])) {
@@ -349,7 +351,7 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
     if ((i = foreign_word(plain)) >= 0 || (i = foreign_word(same.stem)) >= 0) return put_foreign(i, t);
   }
   search s = {.core = vm->at.core, .wanted = wanted, .distance = 3 * EDIT};
-  if (local != VS_VACANT) {                       /* nearer by than what is only as like */
+  if (local != VS_VACANT) {                       /* a local name goes before others that are equally similar */
     consider(&s, local, VS_FALSE);
     if (s.best) s.distance--;
   }

@@ -1,9 +1,9 @@
-/* Owns syntax-rules: patterns, templates, and the renaming of what a template introduces.
-
-   A rule is matched straight from its pattern. The variables of a pattern get slots in the order in which they are met,
-   so that those of a subpattern are a range; under an ellipsis every slot of the range holds the list of its values. A
-   rule is kept as #(pattern template variables depths), `variables` a vector of identifiers and `depths` how many
-   ellipses each stands under. Recursion here goes with the depth of patterns and templates, which is limited. */
+/* Owns syntax-rules: patterns, templates, and the renaming of the names that a template introduces.
+ *
+ * A rule is matched directly from its pattern. The variables of a pattern get slots in the order of matching, so those
+ * of a subpattern are a range; under an ellipsis every slot of the range is the list of its values. A rule is #(pattern
+ * template variables depths): `variables` is a vector of identifiers, `depths` the number of ellipses over each.
+ * Recursion here is as deep as patterns and templates, which is limited. */
 #include "vm/front/syntax_rules.h"
 
 #include "vm/machine/fail.h"
@@ -38,7 +38,8 @@ static bool is_name(vs_value v) {
 }
 
 static bool is_literal(const rules *s, vs_value id) { return member(data(s, DATA_LITERALS), id); }
-/* The ellipsis is what the macro named, or whatever means ... where the macro was defined. */
+/* Returns true for the ellipsis that the macro names, or for an identifier that means ... where the macro was
+ * defined. */
 static bool is_ellipsis(const rules *s, vs_value v) {
   if (!vs_is_identifier(v)) return false;
   vs_value own = data(s, DATA_ELLIPSIS);
@@ -50,8 +51,8 @@ static bool is_underscore(const rules *s, vs_value v) {
 }
 
 /* ---- definition ---- */
-/* The variables of a pattern, in the order of matching, appended to lists in r[0] (identifiers) and r[1] (depths),
-   newest first. */
+/* Appends the variables of a pattern, in the order of matching, to lists in r[0] (identifiers) and r[1] (depths),
+ * newest first. */
 static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipses, int depth) {
   vs_scheme *vm = s->vm;
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this pattern is nested too deeply");
@@ -88,9 +89,9 @@ static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipse
   return true;
 }
 
-/* ---- a template is looked at when the macro is defined: what would go wrong at its first use is said there ---- */
-/* lists[0]: the variables of the rule's pattern, lists[1]: how many ellipses each stands under. -1: id is none of
-   them. */
+/* ---- a template is checked when the macro is defined, so that its errors are reported before its first use ---- */
+/* lists[0]: the variables of the rule's pattern, lists[1]: the number of ellipses over each. Returns that of id, -1 if
+ * id is no variable. */
 static int64_t ellipses_of(const vs_value *lists, vs_value id) {
   vs_value depths = lists[1];
   for (vs_value l = lists[0]; vs_is_pair(l); l = vs_cdr(l), depths = vs_cdr(depths))
@@ -98,7 +99,7 @@ static int64_t ellipses_of(const vs_value *lists, vs_value id) {
   return -1;
 }
 
-/* Does a variable under more than `ellipses` of them occur in the subtemplate? */
+/* Returns true if a variable under more than `ellipses` ellipses occurs in the subtemplate. */
 static bool repeats(const vs_value *lists, vs_value t, int64_t ellipses, int depth) {
   if (depth > PATTERN_DEPTH) return true;
   for (; vs_is_pair(t); t = vs_cdr(t)) if (repeats(lists, vs_car(t), ellipses, depth + 1)) return true;
@@ -112,7 +113,7 @@ static bool no_repetition(rules *s, vs_pos pos) {
   return vs_expand_fail(s->x, pos, VS_ABSENT, "an ellipsis of the template follows nothing that repeats");
 }
 
-/* `outside`: how many ellipses the subtemplate t stands under. */
+/* `outside`: the number of ellipses over the subtemplate t. */
 static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dots, int64_t outside, vs_pos pos,
                            int depth) {
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this template is nested too deeply");
@@ -124,7 +125,7 @@ static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dot
   }
   if (vs_is_vector(t)) {
     size_t n = vs_as_vector(t)->length;
-    if (dots && n && is_ellipsis(s, field(t, 0))) return true;   /* #(... template) is seen when it is used */
+    if (dots && n && is_ellipsis(s, field(t, 0))) return true;   /* #(... template) is checked when it is used */
     for (size_t i = 0, next; i < n; i = next) {
       for (next = i + 1; dots && next < n && is_ellipsis(s, field(t, next)); next++) {
         if (!repeats(lists, field(t, i), outside + (int64_t)(next - i - 1), 0)) return no_repetition(s, pos);
@@ -185,7 +186,7 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
   vs_gc_store(vm, d, &d->at[DATA_ELLIPSIS], t[2]);
   vs_gc_store(vm, vs_as_macro(r[R_MACRO]), &vs_as_macro(r[R_MACRO])->data, t[4]);
   rules s = {.x = x, .vm = vm, .r = r, .pos = pos};
-  VS_ROOTS(vm, lists, 4);     /* variables, depths, rules so far, scratch */
+  VS_ROOTS(vm, lists, 4);     /* variables, depths, rules already made, scratch */
   lists[2] = VS_NIL;
   for (t[1] = vs_cdr(t[1]); vs_is_pair(t[1]); t[1] = vs_cdr(t[1])) {
     t[5] = vs_car(t[1]);
@@ -214,7 +215,7 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
   return true;
 }
 
-/* ---- matching: 1 yes, 0 no, -1 error; *slot moves on over the pattern's variables ---- */
+/* ---- matching: 1 yes, 0 no, -1 error; *slot advances over the pattern's variables ---- */
 static size_t count_vars(const rules *s, vs_value p, int depth) {
   size_t n = 0;
   if (depth > PATTERN_DEPTH) return 0;
@@ -317,7 +318,7 @@ static bool rename_id(rules *s, vs_value id, vs_value *out) {
 
 static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, int depth);
 
-/* which slots of a subtemplate stand under an ellipsis still */
+/* Marks the slots of a subtemplate that are still under an ellipsis. */
 static void mark_slots(const rules *s, vs_value t, bool *used, bool dots, int depth) {
   if (depth > PATTERN_DEPTH) return;
   for (; vs_is_pair(t); t = vs_cdr(t)) mark_slots(s, vs_car(t), used, dots, depth + 1);
@@ -337,10 +338,10 @@ static bool copy_vector(vs_scheme *vm, vs_value v, vs_value *out) {
   return true;
 }
 
-/* sub under `level` ellipses: the results, newest first, before *list */
+/* Puts the results of sub under `level` ellipses, newest first, before *list. */
 static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth) {
   vs_scheme *vm = s->vm;
-  VS_ROOTS(vm, r, 6);     /* sub, saved slots, saved depths, slots now, depths now, result */
+  VS_ROOTS(vm, r, 6);     /* sub, saved slots, saved depths, current slots, current depths, result */
   r[0] = sub;
   size_t n = vs_as_vector(field(s->r[R_RULE], RULE_VARS))->length;
   bool small[64], *used = n <= 64 ? small : vs_mem(vm, NULL, 0, n);
@@ -388,7 +389,7 @@ static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth)
 static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, int depth) {
   vs_scheme *vm = s->vm;
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this template is nested too deeply");
-  VS_ROOTS(vm, r, 4);      /* what is left of the template, first, last, scratch */
+  VS_ROOTS(vm, r, 4);      /* rest of the template, first, last, scratch */
   r[0] = template;
   r[1] = r[2] = VS_NIL;
   if (dots && vs_is_pair(r[0]) && is_ellipsis(s, vs_car(r[0]))) {
@@ -413,7 +414,7 @@ static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, i
     t[0] = VS_NIL;
     if (level) { if (!repeat(s, vs_car(r[0]), level, &t[0], depth)) return false; }
     else if (!instantiate(s, vs_car(r[0]), dots, &t[1], depth + 1) || !vs_cons(vm, t[1], t[0], &t[0])) return false;
-    vs_value chain = VS_NIL;                                                      /* turned in place */
+    vs_value chain = VS_NIL;                                                      /* reversed in place */
     for (vs_value l = t[0]; vs_is_pair(l);) {
       vs_value next = vs_cdr(l);
       vs_gc_store(vm, vs_as_pair(l), &vs_as_pair(l)->cdr, chain);
