@@ -1,23 +1,24 @@
 /* Owns the analysis of core trees, in two passes.
-
-   A home is a LAMBDA whose calls have an activation of their own, as all have but loops.
-
-   Loops: which FIX-bound lambdas can run in the activation they are defined in. All their references must be calls with
-   the right number of arguments, in tail position of the FIX's body or of their own body. Scopes (struct tail) are
-   chained from the inside out: a call is such a tail call if the chain from it reaches the FIX. Where it passes through
-   another candidate's body, it holds only if that one becomes a loop too; these conditions are kept and resolved at the
-   end.
-
-   Homes: which LAMBDA each variable lives in, what every lambda captures, and what must be boxed. Moments are counted
-   per tree; a lambda made at a moment before a variable is ready, which captures it, makes it boxed and its references
-   checked. Consecutive lambdas of a FIX are made at one moment: they may capture each other, the compiler patches them.
-
-   Both recurse within a home only (VS_AST_DEPTH times the few loops nested in it); lambdas wait on a list. */
+ *
+ * A home is a LAMBDA whose calls have an activation of their own: all but loops.
+ *
+ * Loops: the first pass finds the FIX-bound lambdas that can run in the activation that defines them. All their
+ * references must be calls with the right number of arguments, in tail position of the FIX's body or of their own body.
+ * Scopes (struct tail) are chained from the inside out: a call is such a tail call if the chain from it reaches the
+ * FIX. If the chain passes through another candidate's body, this is so only if that candidate becomes a loop, too;
+ * these conditions are kept and resolved at the end.
+ *
+ * Homes: the second pass finds the LAMBDA that contains each variable, the captures of every lambda, and the variables
+ * that must be boxed. Moments are counted per tree. If a lambda captures a variable and is made at a moment before the
+ * variable is ready, the variable is boxed and its references are checked. Consecutive lambdas of a FIX are made at one
+ * moment: they may capture each other, and the compiler patches them.
+ *
+ * Both recurse within a home only (VS_AST_DEPTH times the few loops nested in it); lambdas wait in a list. */
 #include "vm/compiler/analyse.h"
 
 #include "vm/machine/native.h"
 
-enum { MOST_LOOPS = 24 /* one in another or beside it: any may be compiled inside any */, MOST_DEPTH = 1500 };
+enum { MOST_LOOPS = 24 /* nested or side by side: any may be compiled inside any */, MOST_DEPTH = 1500 };
 
 struct tail { struct tail *parent; vs_core_node *fix; vs_var *var; /* the body of var's lambda, or (NULL) of fix */ };
 struct job { struct job *next; vs_core_node *lambda; struct tail *tail; int loops; };
@@ -71,7 +72,7 @@ static bool called(struct analysis *a, vs_var *v, const vs_core_node *call, stru
   return true;
 }
 
-/* t: the chain of scopes this is in tail position of, or NULL */
+/* t: the chain of scopes for which this is in tail position, or NULL */
 static bool find_loops(struct analysis *a, vs_core_node *n, struct tail *t, int depth, int loops) {
   if (!n) return true;
   if (!vs_poll(a->ast->vm, 16)) return false;
@@ -179,7 +180,7 @@ static bool make_info(struct analysis *a, vs_core_node *lambda, vs_core_node *pa
   return add_job(a, lambda, NULL, 0);
 }
 
-/* Where a variable belongs in the index, whose room is a power of two. */
+/* Returns the place of a variable in the index; the room is a power of two. */
 static uint32_t home(const vs_lambda_info *f, const vs_var *v) {
   VS_ASSERT(f->index_room > 0 && (f->index_room & (f->index_room - 1)) == 0);
   return (uint32_t)((uintptr_t)v >> 4) * 2654435761u & (f->index_room - 1);
@@ -204,7 +205,7 @@ uint32_t vs_free_index(const vs_lambda_info *f, const vs_var *v) {
   return UINT32_MAX;
 }
 
-/* v is not there yet */
+/* Captures v, which f does not capture yet. */
 static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
   VS_ASSERT(vs_free_index(f, v) == UINT32_MAX);
   if (f->free_count == f->free_room) {
@@ -217,7 +218,7 @@ static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
     f->free = at;
     f->early = early;
     f->free_room = room;
-    if (room >= 16) {                          /* many: found by hashing from here on */
+    if (room >= 16) {                          /* many: hashing finds them from here on */
       f->index_room = room * 2;
       if (!(f->index = vs_ast_alloc(a->ast, f->index_room * sizeof *f->index))) return false;
       for (uint32_t i = 0; i < f->free_count; i++) index_put(f, i);
@@ -228,7 +229,7 @@ static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
   return true;
 }
 
-/* v is used in the home `in`, now; *early: perhaps before it has a value */
+/* Notes that the home `in` uses v now; *early: perhaps before it has a value. */
 static bool use(struct analysis *a, vs_core_node *in, vs_var *v, bool *early) {
   vs_var_info *info = vs_info(v);
   *early = false;

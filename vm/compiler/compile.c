@@ -1,11 +1,11 @@
 /* Owns the translation of core trees to instructions.
-
-   Every expression is compiled for a target: a register that gets its value, EFFECT (no value wanted), or TAIL (return
-   it). Registers are a stack: locals below, temporaries above, so a call's window is simply the next free ones, and
-   everything below it is live. A target is written only when all that the expression reads has been read.
-
-   A FIX variable found to be a loop (analyse.h) has no value: its parameters are registers of the activation around
-   it, its body is compiled in place of the first call, later calls move the arguments and jump there. */
+ *
+ * Every expression is compiled for a target: a register that gets its value, EFFECT (the value is not needed), or TAIL
+ * (return it). Registers are a stack: locals below, temporaries above. Therefore a call's window is the next free
+ * registers, and all below it are live. An expression writes its target only after it has read all its operands.
+ *
+ * A FIX variable that is a loop (analyse.h) has no value: its parameters are registers of the activation around it, its
+ * body is compiled in place of the first call, and later calls move the arguments and jump there. */
 #include "vm/compiler/compile.h"
 
 #include "vm/compiler/analyse.h"
@@ -25,20 +25,20 @@ typedef struct compiler { vs_emit e; struct job *jobs; } compiler;
 static bool gen(compiler *c, vs_core_node *n, uint32_t to);
 static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list);
 
-/* Assigned variables are places, also for a continuation that copies the activation back: they live in the heap. But a
-   variable that is said to be in a register, and is not captured, stays there. */
+/* Returns true if the variable is in a box. Assigned variables are places in the heap, also for a continuation that
+ * restores the activation. A variable with in_register set that is not captured stays in its register. */
 static bool boxed(const vs_var *v) { return vs_info(v)->boxed || (v->assigned && !(v->in_register && !v->captured)); }
 static bool is_value(uint32_t to) { return to < TAIL; }
 static vs_value pool(const compiler *c, uint32_t i) { return c->e.ast->pool[i]; }
 
-/* what is left to do once a value is in `from`, a temporary if the target is none */
+/* Completes an expression whose value is in `from`, a temporary if the target is no register. */
 static bool finish(compiler *c, uint32_t from, uint32_t to) {
   if (to == TAIL) return vs_emit_op(&c->e, VS_O_RETURN, from, 0, 0);
   if (to == EFFECT || from == to) return true;
   return vs_emit_op(&c->e, VS_O_MOVE, to, from, 0);
 }
 
-/* the register to compute a value for `to` in; frees nothing: the caller resets next */
+/* Gives the register in which to compute a value for `to`; frees nothing: the caller resets next. */
 static bool landing(compiler *c, uint32_t to, uint32_t *reg) {
   if (is_value(to)) { *reg = to; return true; }
   return vs_emit_register(&c->e, reg);
@@ -60,7 +60,7 @@ static uint32_t free_index(const compiler *c, const vs_var *v) {
   return vs_free_index(c->e.lambda->as.lambda.extra, v);
 }
 
-/* the variable's register or captured value as it is: a box if it is boxed */
+/* Loads the variable's register or captured value; a boxed variable's box. */
 static bool load_raw(compiler *c, const vs_var *v, uint32_t to) {
   if (vs_info(v)->lambda == c->e.lambda) return to == v->reg || vs_emit_op(&c->e, VS_O_MOVE, to, v->reg, 0);
   return vs_emit_op(&c->e, VS_O_FREE, to, free_index(c, v), 0);
@@ -89,7 +89,7 @@ static bool load_global(compiler *c, const vs_core_node *n, uint32_t to) {
          vs_emit_op1(&c->e, VS_O_GLOBAL, to, 0, 0, k);
 }
 
-/* a register that holds n's value for the next instruction: a local's own, or a temporary */
+/* Gives a register with n's value for the next instruction: a local's own, or a temporary. */
 static bool operand(compiler *c, vs_core_node *n, uint32_t *reg) {
   if (n->kind == VS_AST_LOCAL && !n->flag && !boxed(n->as.var) && vs_info(n->as.var)->lambda == c->e.lambda) {
     *reg = n->as.var->reg;
@@ -98,7 +98,7 @@ static bool operand(compiler *c, vs_core_node *n, uint32_t *reg) {
   return vs_emit_register(&c->e, reg) && gen(c, n, *reg);
 }
 
-/* may working out n assign v, which lies in a register? (true when in doubt) */
+/* Returns true if the evaluation of n may assign v, which is in a register; true in doubt. */
 static bool writes(const vs_core_node *n, const vs_var *v, int depth) {
   if (!n) return false;
   if (depth > 6) return true;
@@ -116,8 +116,8 @@ static bool writes(const vs_core_node *n, const vs_var *v, int depth) {
   }
 }
 
-/* operand of argument i of a call: a copy of a variable that a later argument may assign. i is below the number of
-   arguments. */
+/* Gives the operand of argument i of a call: a copy of a variable that a later argument may assign. i is less than the
+ * number of arguments. */
 static bool operand_of(compiler *c, vs_core_node *call, uint32_t i, uint32_t *reg) {
   vs_core_node *n = call->as.call.at[i];
   bool written = false;
@@ -136,7 +136,7 @@ static bool small(const compiler *c, const vs_core_node *n, uint32_t *bits) {
   return true;
 }
 
-/* the row for this call, or NULL; *native is what the cell holds */
+/* Returns the row for this call, or NULL; *native is the cell's procedure. */
 static const vs_inline_row *row_of(const compiler *c, const vs_core_node *n, const vs_native **native) {
   const vs_core_node *f = n->as.call.callee;
   if (n->kind != VS_AST_CALL || f->kind != VS_AST_GLOBAL || n->as.call.keywords) return NULL;
@@ -150,7 +150,7 @@ static bool is_test(const vs_inline_row *row, const vs_core_node *n) {
   return row && (row->way == VS_WAY_TEST || row->way == VS_WAY_TYPE) && n->count == row->args;
 }
 
-/* notes that the next instruction stands for the call n. n is a call of a global variable. */
+/* Notes that the next instruction replaces the call n of a global variable. */
 static bool stands_for(compiler *c, const vs_core_node *n) {
   uint32_t k;
   VS_ASSERT(n->kind == VS_AST_CALL && n->as.call.callee->kind == VS_AST_GLOBAL);
@@ -158,7 +158,7 @@ static bool stands_for(compiler *c, const vs_core_node *n) {
          vs_emit_inlined(&c->e, k);
 }
 
-/* stands_for must be said of the opcode itself, behind the loads of far operands: so those are made near first */
+/* Loads far operands into near registers first: stands_for must apply to the opcode itself, not to these loads. */
 static bool near(compiler *c, uint32_t *reg, unsigned i) {
   if (*reg < VS_FAR) return true;
   uint32_t scratch = VS_NEAR + 4 + i;
@@ -168,7 +168,7 @@ static bool near(compiler *c, uint32_t *reg, unsigned i) {
   return true;
 }
 
-/* The operands b and c of an instruction, and how many of them are registers: the first ones. */
+/* The operands b and c of an instruction, and the number of registers among them, which come first. */
 typedef struct { uint32_t b, c; unsigned registers; } operands;
 
 static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint32_t to, operands o) {
@@ -182,7 +182,7 @@ static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint3
   return vs_emit_word(&c->e, VS_INSX(VS_O_FARSTORE, target, to));
 }
 
-/* arguments in a row of new near registers; false in *ok if there is no room for that */
+/* Puts the arguments into a row of new near registers; sets *ok to false if there is no room for it. */
 static bool in_a_row(compiler *c, vs_core_node *n, uint32_t *first, bool *ok) {
   *ok = c->e.next + n->count < VS_NEAR;
   if (!*ok) return true;
@@ -194,7 +194,7 @@ static bool in_a_row(compiler *c, vs_core_node *n, uint32_t *first, bool *ok) {
   return true;
 }
 
-/* *done: n was a call that is an opcode, and has been emitted */
+/* Emits n if it is a call that is an opcode; *done: it was. */
 static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
   const vs_native *native;
   const vs_inline_row *row = row_of(c, n, &native);
@@ -277,7 +277,7 @@ static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
       break;
     }
     case VS_WAY_RECORD: {              /* (%record-ref record type index name), (%record-set! record type index value
-                                          name) */
+                                        * name) */
       bool set = row->op == VS_O_RECSET;
       vs_core_node *index = n->as.call.at[2], *name = n->as.call.at[row->args - 1];
       uint32_t k;
@@ -323,7 +323,7 @@ static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
   return true;
 }
 
-/* ---- tests: jumps (into list) if the truth of n is `sense`, else goes on ---- */
+/* ---- tests: jumps (into list) if the truth of n is `sense`, else continues ---- */
 static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, r[2], bits;
@@ -384,7 +384,7 @@ static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
       e->next = keep;
       return true;
     }
-    default: break;                            /* the rest have values like any other */
+    default: break;                            /* the others are usual values */
   }
   if (!operand(c, n, &r[0])) return false;
   e->next = keep;
@@ -427,7 +427,7 @@ static bool gen_lambda(compiler *c, vs_core_node *lambda, uint32_t to) {
 /* ---- calls ---- */
 static bool gen_loop_call(compiler *c, vs_core_node *n, uint32_t to);
 
-/* window of n registers beyond procedure and return slot, from `first` (already taken) or the next free one */
+/* Gives a window of n registers beyond procedure and return slot, from `first` (already taken) or the next free one. */
 static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_t *first) {
   vs_emit *e = &c->e;
   if (reuse && to < VS_NEAR && to + 1 == e->next && to + 2 + count < VS_NEAR) {
@@ -441,8 +441,8 @@ static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_
   return vs_emit_register(e, &slot);
 }
 
-/* A word of another language, or of a library that was not imported, that nobody defined: looked up before the
-   operands, so that (defun f (x) x) complains of defun and not of f. */
+/* Returns true for an undefined word of another language, or of a library that was not imported. It is looked up before
+ * the operands, so that (defun f (x) x) reports defun and not f. */
 static bool unknown_word(const compiler *c, const vs_core_node *global) {
   const vs_cell *cell = vs_as_cell(pool(c, global->as.global.cell));
   return cell->value == VS_UNDEFINED && vs_is_symbol(cell->name) &&
@@ -462,7 +462,7 @@ static bool gen_call(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   bool far = w >= VS_NEAR || n->count > 250 || n->as.call.keywords, global = f->kind == VS_AST_GLOBAL && !far;
   if (global && unknown_word(c, f)) {
     global = false;
-    f->pos = n->pos; /* the place that other names in a call's head get */
+    f->pos = n->pos; /* the place for other names in a call's head */
   }
   e->fresh = VS_NO_REGISTER;
   if (!global) {
@@ -483,12 +483,12 @@ static bool gen_call(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   else if (global)
     ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAILG : VS_O_CALLG, w, n->count, 0)) && vs_emit_word(e, k);
   else ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAIL : VS_O_CALL, w, n->count, 0));
-  if (to == EFFECT) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);      /* also what says that no value is taken here */
+  if (to == EFFECT) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);      /* also marks that the value is not used here */
   e->next = keep;
-  return ok && finish(c, w, to);        /* behind a tail call too: a native may come back there */
+  return ok && finish(c, w, to);        /* also behind a tail call: a native may return there */
 }
 
-/* does evaluating n read v? (true when in doubt) */
+/* Returns true if the evaluation of n reads v; true in doubt. */
 static bool reads(const vs_core_node *n, const vs_var *v, int depth) {
   if (!n) return false;
   if (depth > 6) return true;
@@ -504,7 +504,8 @@ static bool reads(const vs_core_node *n, const vs_var *v, int depth) {
   }
 }
 
-/* may n be compiled straight into a register that it reads itself? Only what writes it with its last instruction. */
+/* Returns true if n may be compiled directly into a register that it reads itself: its last instruction alone
+ * writes. */
 static bool lands_last(compiler *c, const vs_core_node *n) {
   const vs_native *native;
   if (n->kind != VS_AST_CALL)
@@ -544,7 +545,7 @@ static bool gen_loop_call(compiler *c, vs_core_node *n, uint32_t to) {
   if (info->emitted) return vs_emit_back(e, VS_O_LOOP, info->top);
   info->emitted = true;
   info->top = (uint32_t)e->count;
-  for (uint32_t i = 0; i < lambda->count; i++) {          /* a captured, assigned loop variable is fresh each turn */
+  for (uint32_t i = 0; i < lambda->count; i++) {          /* a captured, assigned loop variable is new in each turn */
     vs_var *p = lambda->as.lambda.params[i].var;
     if (boxed(p) && !vs_emit_op(e, VS_O_BOX, p->reg, p->reg, 0)) return false;
   }
@@ -574,8 +575,7 @@ static bool gen_let(compiler *c, vs_core_node *n, uint32_t to) {
   return true;
 }
 
-/* the lambdas [from, to) of a FIX, which may capture each other. from <= to, and to is at most its number of
-   variables. */
+/* Makes the lambdas [from, to) of a FIX, which may capture each other. from <= to <= its number of variables. */
 static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, temp;
@@ -600,7 +600,7 @@ static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
       if (vs_info(g)->fix != n || boxed(g) || vs_info(g)->lambda != e->lambda) continue;
       uint32_t j = i;
       while (j < to && n->as.let.vars[j] != g) j++;
-      if (j == to) continue;                   /* was there when it was captured */
+      if (j == to) continue;                   /* existed when it was captured */
       uint32_t closure = v->reg;
       if (boxed(v) && (!vs_emit_register(e, &temp) || !vs_emit_op(e, VS_O_UNBOX, temp, v->reg, 0))) return false;
       if (boxed(v)) closure = temp;
@@ -651,7 +651,8 @@ static bool gen_set(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   vs_var *v = n->as.set.var;
   uint32_t keep = e->next, value, box;
-  if (!boxed(v)) {                             /* in a register of this activation: whoever captures it boxes it */
+  if (!boxed(v)) {                             /* in a register of this activation: the closure that captures it boxes
+                                                * it */
     value = v->reg;
     bool direct = lands_last(c, n->as.set.value);
     if ((!direct && !vs_emit_register(e, &value)) || !gen(c, n->as.set.value, value) ||
@@ -863,7 +864,7 @@ static bool gen_parameters(compiler *c, vs_core_node *l) {
   return !rest || !boxed(rest) || vs_emit_op(e, VS_O_BOX, rest->reg, rest->reg, 0);
 }
 
-/* The procedure's description of itself: a string at the beginning of its body, with more behind it; else #f. */
+/* Returns the procedure's documentation: a string at the beginning of its body, with more behind it; else #f. */
 static vs_value doc_of(const compiler *c, const vs_core_node *body) {
   if (body->kind == VS_AST_SEQ && body->count > 1 && body->as.seq.at[0]->kind == VS_AST_CHECK)
     body = body->as.seq.at[body->count - 1];
@@ -878,7 +879,7 @@ static vs_value doc_of(const compiler *c, const vs_core_node *body) {
   return text ? pool(c, first->as.constant) : VS_FALSE;
 }
 
-/* Compiles one LAMBDA, into the code object made for it. */
+/* Compiles one LAMBDA into the code object made for it. */
 static bool compile_procedure(compiler *c, vs_core_node *l) {
   vs_ast *ast = c->e.ast;
   vs_value code = ast->pool[((vs_lambda_info *)l->as.lambda.extra)->code - 1];

@@ -4,7 +4,8 @@
 
 #include "vm/values/value.h"
 
-/* The instructions of a code object as text, to each until it returns false. False: out of memory. */
+/* Passes each line of a code object's instructions to `each` until it returns false. Returns false when memory is
+ * out. */
 bool vs_code_dump(vs_scheme *vm, vs_value code, bool (*each)(void *context, const char *line), void *context);
 
 #endif

@@ -1,10 +1,10 @@
-/* Owns the row of registers that EACH and MORE work on: a procedure called with one element of a list after the other.
- * The result of the row is returned. The window of the call ends it, so that what is needed for the next call lies at
- * fixed places below the activation of the procedure that returns.
+/* Owns the row of registers for EACH and MORE, which call a procedure with the elements of a list in order and return
+ * the result of the row. The window of the call ends the row. Therefore the data for the next call are at fixed places
+ * below the activation of the procedure that returns.
  *
- * Results are kept as a list that grows at its end, while nobody can come back to where it was shorter. Once a
- * continuation was made since the start somebody can: from then on it grows at its front, turned round, no pair of it
- * is changed, and the end of the row copies it. */
+ * Results are a list that grows at its end while no continuation can return to the shorter list. After a continuation
+ * was made since the start, the list grows at its front, in reverse; no pair of it changes, and the end of the row
+ * copies it. */
 #ifndef VS_VM_COMPILER_EACH_H
 #define VS_VM_COMPILER_EACH_H
 
@@ -12,28 +12,28 @@
 
 enum {
   VS_EACH_PROCEDURE,
-  VS_EACH_CAPTURES,     /* how many continuations there were at the start; #f: the list of results is turned round */
-  VS_EACH_RESULTS,      /* the list of results; unspecific where none are kept */
-  VS_EACH_LAST,         /* its last pair, or '(); #f where no results are kept */
-  VS_EACH_LIST,         /* the elements still to come */
+  VS_EACH_CAPTURES,     /* the number of continuations at the start; #f: the list of results is reversed */
+  VS_EACH_RESULTS,      /* the list of results; unspecific if none are kept */
+  VS_EACH_LAST,         /* its last pair, or '(); #f if no results are kept */
+  VS_EACH_LIST,         /* the remaining elements */
   VS_EACH_WINDOW
 };
 
-/* Keeps what a call gave, row[VS_EACH_WINDOW]. False: out of memory, or a limit is reached. */
+/* Keeps the result of a call, row[VS_EACH_WINDOW]. Returns false when memory is out or a limit is reached. */
 bool vs_each_keep(vs_scheme *vm, vs_value *row);
 
-/* Ends the row: row[VS_EACH_RESULTS] is what all of it gives. False as above. */
+/* Ends the row: row[VS_EACH_RESULTS] is its result. Returns false as above. */
 bool vs_each_end(vs_scheme *vm, vs_value *row);
 
-/* The procedure of the row below is about to return v from the activation at base, and the element for which it was
- * called is done; nobody has made a continuation meanwhile, as that would have moved the row. Returns 0, with nothing
- * done, where MORE has to see to it; 1: the activation has the next element; 2: there is none. Nothing is allocated but
- * from the nursery, and nothing moves. */
+/* Takes v, which the procedure of the row below is about to return from the activation at base, for the element of the
+ * call. No continuation was made during the call, as it would have moved the row. Returns 0, with no effect, if MORE
+ * has to handle it; 1: the activation has the next element; 2: there is none. Allocates only in the nursery, and moves
+ * nothing. */
 static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   vs_value *row = base - 2 - VS_EACH_WINDOW, last = row[VS_EACH_LAST], list = row[VS_EACH_LIST];
   if (base[-2] != row[VS_EACH_PROCEDURE] || vm->fuel <= 1) return 0;
   if (last == VS_FALSE) {
-    if (vs_is_object(v)) return 0;        /* MORE looks at objects that nobody takes */
+    if (vs_is_object(v)) return 0;        /* MORE handles dropped objects */
   } else {
     if (vs_is(v, VS_T_VALUES) || vm->end - vm->free < (ptrdiff_t)sizeof(vs_pair)) return 0;
     if (last != VS_NIL && !vs_gc_is_young(vm, vs_as_pair(last))) return 0;
@@ -52,7 +52,7 @@ static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   return 1;
 }
 
-/* A register of the row, seen from the base of the called activation. */
+/* A register of the row, relative to the base of the called activation. */
 #define VS_EACH_BELOW(base, which) ((base)[(which) - VS_EACH_WINDOW - 2])
 
 #endif

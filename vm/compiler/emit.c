@@ -1,4 +1,4 @@
-/* Owns the making of one procedure's instructions. */
+/* Owns the construction of one procedure's instructions. */
 #include "vm/compiler/emit.h"
 
 #include "vm/compiler/analyse.h"
@@ -47,7 +47,7 @@ static bool far_copy(vs_emit *e, unsigned op, uint32_t scratch, uint32_t far) {
   return vs_emit_word(e, VS_INSX(op, scratch, far));
 }
 
-/* the operands, read ones loaded; *store: where a far result belongs */
+/* Loads the read operands; *store: the place of a far result. */
 static bool operands(vs_emit *e, unsigned op, uint32_t r[3], uint32_t *store) {
   const char *how = vs_op_operands(op);
   *store = VS_NO_REGISTER;
@@ -61,7 +61,7 @@ static bool operands(vs_emit *e, unsigned op, uint32_t r[3], uint32_t *store) {
   return true;
 }
 
-/* The first operand is a register that an instruction can name. */
+/* Emits an instruction; its first operand is a register that it can name. */
 static bool encode(vs_emit *e, unsigned op, const uint32_t r[3]) {
   VS_ASSERT(r[0] < VS_FAR);
   return vs_emit_word(e, vs_op_operands(op)[1] == 'x' ? VS_INSX(op, r[0], r[1]) : VS_INS(op, r[0], r[1], r[2]));
@@ -94,7 +94,7 @@ bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target) {
 void vs_emit_here(vs_emit *e, vs_jumps list) {
   while (list) {
     uint32_t at = list - 1, before = e->ins[at];
-    VS_ASSERT(at < e->count && before < list); /* the list goes back through what was emitted */
+    VS_ASSERT(at < e->count && before < list); /* the list goes back through the emitted words */
     e->ins[at] = (uint32_t)(e->count - at - 1);
     list = before;
   }
@@ -129,8 +129,8 @@ bool vs_emit_inlined(vs_emit *e, uint32_t cell) {
   return true;
 }
 
-/* Is the variable one that a programmer wrote and would want to see the value of? Procedures that are defined inside
-   are not. */
+/* Returns true for a variable of the source, whose value a programmer wants to see. Procedures defined inside are
+ * not. */
 static bool worth_showing(const vs_emit *e, const vs_var *v) {
   vs_value name = e->ast->pool[v->name];
   return e->ast->vm->config.keep_calls && !v->introduced && !v->value && vs_is_symbol(name) &&
@@ -150,7 +150,7 @@ void vs_emit_scope_end(vs_emit *e, size_t first) {
     if (e->variables[i].to == UINT32_MAX) e->variables[i].to = (uint32_t)e->count;
 }
 
-/* the captured variables behind the others */
+/* Adds the captured variables after the others. */
 static bool captured_variables(vs_emit *e) {
   const vs_lambda_info *f = e->lambda->as.lambda.extra;
   for (uint32_t i = 0; i < f->free_count; i++) {
@@ -161,7 +161,7 @@ static bool captured_variables(vs_emit *e) {
   return true;
 }
 
-/* code->places: the entries with the variables, if there are any */
+/* code->places: adds the variables, if there are any, to the entries */
 static bool add_variables(vs_emit *e, vs_code *c) {
   vs_scheme *vm = e->ast->vm;
   VS_ROOTS(vm, r, 2);
@@ -193,7 +193,7 @@ static bool old_bytes(vs_scheme *vm, const void *at, size_t n, vs_value *out) {
 bool vs_emit_finish(vs_emit *e, vs_value code) {
   vs_scheme *vm = e->ast->vm;
   VS_ROOTS(vm, r, 1);
-  vs_code *c = vs_as_code(code);              /* old: stays where it is */
+  vs_code *c = vs_as_code(code);              /* old: does not move */
   VS_ASSERT(!vs_gc_is_young(vm, vs_object_of(code)));
   if (e->count >= 1u << 28)
     return vs_fail_at(vm, vm->sym.syntax, e->lambda->pos, VS_NIL, "this procedure is too large: split it");

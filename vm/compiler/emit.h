@@ -1,12 +1,12 @@
-/* Owns the making of one procedure's instructions: registers, constants, jumps, places. Used by compile.c only. */
+/* Owns the construction of one procedure's instructions: registers, constants, jumps, places. Only compile.c uses
+ * it. */
 #ifndef VS_VM_COMPILER_EMIT_H
 #define VS_VM_COMPILER_EMIT_H
 
 #include "vm/front/ast.h"
 #include "vm/compiler/code.h"
 
-/* Registers from VS_FAR on cannot be named in an instruction: they are copied to and from scratch registers
-   VS_NEAR... */
+/* Instructions cannot name registers from VS_FAR on: these are copied to and from scratch registers VS_NEAR... */
 enum { VS_NEAR = 240, VS_FAR = 256, VS_MOST_REGISTERS = 60000 };
 #define VS_NO_REGISTER UINT32_MAX
 
@@ -16,39 +16,39 @@ typedef struct vs_named_register { uint32_t name; int64_t where; uint32_t from, 
 typedef struct vs_emit {
   vs_ast *ast;
   vs_core_node *lambda;                     /* the LAMBDA being compiled */
-  uint32_t next, most;                /* first free register; how many are used */
-  uint32_t fresh;                     /* a register just taken for the expression about to be compiled, and nothing else
-                                         yet */
+  uint32_t next, most;                /* first free register; number of registers used */
+  uint32_t fresh;                     /* a register just taken for the next expression, still without a value */
   uint32_t *ins; size_t count, room;
   uint32_t *consts; size_t const_count, const_room;          /* indices into the tree's pool */
   vs_place *places; size_t place_count, place_room;
   vs_inlined *inlined; size_t inlined_count, inlined_room;
-  vs_named_register *variables; size_t variable_count, variable_room;     /* only where errors keep their calls */
+  vs_named_register *variables; size_t variable_count, variable_room;     /* only if errors keep their calls */
 } vs_emit;
 
-typedef uint32_t vs_jumps;            /* 0, or 1 + index of the last offset word to be filled in; that holds the one
-                                         before */
+typedef uint32_t vs_jumps;            /* 0, or 1 + index of the last offset word to fill in; that word contains the one
+                                       * before */
 
 void vs_emit_close(vs_emit *e);
-bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* takes the next, marks it fresh */
+bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* takes the next register, and marks it
+                                                                           * fresh */
 bool vs_emit_word(vs_emit *e, uint32_t w);
 bool vs_emit_op(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c);
-/* an op with one extra word */
+/* Emits an op with one extra word. */
 bool vs_emit_op1(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, uint32_t word);
 bool vs_emit_branch(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, vs_jumps *list);
-bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target);              /* JUMP or LOOP to what is there already */
+bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target);              /* JUMP or LOOP to an emitted instruction */
 void vs_emit_here(vs_emit *e, vs_jumps list);                             /* the jumps of the list come here */
 /* The index is one of the tree's pool. */
 bool vs_emit_constant(vs_emit *e, uint32_t pool_index, uint32_t *out);    /* index in this procedure's constants */
 bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out);                /* the same for a value */
 bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* of the next instruction */
-/* the next instruction stands for this constant */
+/* The next instruction replaces a call of this constant. */
 bool vs_emit_inlined(vs_emit *e, uint32_t cell);
-/* From the next instruction on the variable is in its register; up to the last one before vs_emit_scope_end, which is
-   told what variable_count was before. */
+/* From the next instruction on the variable is in its register, up to the last one before vs_emit_scope_end, which gets
+ * the earlier variable_count. */
 bool vs_emit_variable(vs_emit *e, const vs_var *v);
 void vs_emit_scope_end(vs_emit *e, size_t first);
-/* fills `code` (already allocated, old) with what was emitted */
+/* Fills `code` (already allocated, old) with the emitted instructions. */
 bool vs_emit_finish(vs_emit *e, vs_value code);
 
 #endif

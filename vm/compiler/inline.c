@@ -3,7 +3,7 @@
 
 #include "vm/values/flat.h"
 
-/* the immediate column holds an opcode or, for TYPE rows, an object type */
+/* the immediate column is an opcode or, for TYPE rows, an object type */
 #define IMMEDIATE_VALUE(x) VS_O_##x
 #define IMMEDIATE_TEST(x) VS_O_##x
 #define IMMEDIATE_EFFECT(x) VS_O_##x

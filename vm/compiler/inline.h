@@ -1,4 +1,4 @@
-/* Owns which natives are opcodes: rows of inline.def, and the host's flat record makers and getters. */
+/* Owns the choice of natives that are opcodes: rows of inline.def, and the host's flat record makers and getters. */
 #ifndef VS_VM_COMPILER_INLINE_H
 #define VS_VM_COMPILER_INLINE_H
 
@@ -16,10 +16,10 @@ typedef enum {
   VS_WAY_RECORD,
   VS_WAY_EACH
 } vs_inline_way;
-enum { VS_ANY_COUNT = 255 };    /* vs_inline_row.args: however many there are, but one at least */
+enum { VS_ANY_COUNT = 255 };    /* vs_inline_row.args: any number, at least one */
 typedef struct vs_inline_row { const char *name; uint8_t args, way, op, immediate, many; } vs_inline_row;
 
-/* Row number (0: none) and its argument (of the host's table) for a native of this name. */
+/* Gives the row number (0: none) and its argument (of the host's table) for a native of this name. */
 void vs_inline_find(const vs_scheme *vm, const char *name, size_t length, uint32_t *row, uint32_t *arg);
 const vs_inline_row *vs_inline_get(uint32_t row);
 

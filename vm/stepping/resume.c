@@ -1,4 +1,4 @@
-/* Owns going on with a stopped program. */
+/* Owns the continuation of a stopped program. */
 #include "vm/stepping/resume.h"
 
 #include "vm/front/environment.h"

@@ -1,12 +1,12 @@
-/* Owns the stops of a program: what the stepping run loop looks for, (break), and going on.
+/* Owns the stops of a program: the stepping run loop's check for them, (break), and continuing.
  *
- * A step goes from one call in the program's own text to the next, in the order in which they are made; procedures
- * that are opcodes count as calls. An expression is shown when its operands have their values: (* 4 2), and then
- * with what it gave. Everything of the library runs through.
+ * A step goes from one call in the program's own text to the next, in the order in which they are made; procedures that
+ * are opcodes count as calls. An expression is shown when its operands have their values, (* 4 2), and then with its
+ * result. Calls in the library do not stop.
  *
- * An activation's level is its distance from the bottom of the stack, the parts in the heap counted. A callee's is
- * larger than its caller's, and that of an activation which replaces another by a tail call the same. Stepping over an
- * expression means to look away from all activations above its own until it has its value. */
+ * An activation's level is its distance from the bottom of the stack, with the parts in the heap. A callee's is larger
+ * than its caller's; an activation that replaces another by a tail call has the same level. Stepping over an expression
+ * skips all activations above its own until it has its value. */
 #include "vm/stepping/step.h"
 
 #include "vm/compiler/code.h"
@@ -17,7 +17,7 @@ bool vs_is_stop(const vs_scheme *vm, vs_value condition) {
   return vs_is(condition, VS_T_CONDITION) && vs_as_condition(condition)->kind == vm->sym.stop;
 }
 
-/* ---- instructions that stand for calls ---- */
+/* ---- instructions that replace calls ---- */
 
 static bool is_call(uint32_t op) {
   return op == VS_O_CALL || op == VS_O_CALLG || op == VS_O_TAIL || op == VS_O_TAILG || op == VS_O_CALLX ||
@@ -36,8 +36,8 @@ static bool is_branch(uint32_t op) {
 
 static uint32_t length_of(uint32_t op) { return 1 + vs_op_extra(op); }
 
-/* The value that the call at ins gave, when the activation has come to `at` (both indices): false where it gives none
-   to speak of. */
+/* Gets the result of the call at ins when the activation has come to `at` (both indices). Returns false if it has no
+ * result to show. */
 static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, uint32_t at, vs_value *out) {
   const uint32_t *ins = vs_code_ins(code) + call;
   uint32_t op = *ins & 255;
@@ -47,7 +47,7 @@ static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, u
     default: break;
   }
   switch (vs_op_generic(op)) {
-    case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: /* a branch is taken where the truth is C */
+    case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: /* takes the branch if the truth is C */
       *out = vs_bool((at != call + length_of(op)) == (bool)VS_C(*ins));
       return true;
     case VS_O_NONE: case VS_O_G_SET: case VS_O_G_SETV: case VS_O_G_RECSET: return false;
@@ -55,8 +55,8 @@ static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, u
   }
 }
 
-/* The procedure and the arguments of the call at ins; args: room behind the activation's registers. Returns how many
-   there are. The instruction at ins is a call. */
+/* Gets the procedure and the arguments of the call at ins; args: room behind the activation's registers. Returns the
+ * number of arguments. The instruction at ins is a call. */
 static size_t operands_of(const vs_code *code, vs_value *base, const uint32_t *ins, vs_value *procedure,
                           const vs_value **args, vs_value *keywords) {
   const vs_value *k = vs_code_consts(code);
@@ -94,7 +94,7 @@ static size_t operands_of(const vs_code *code, vs_value *base, const uint32_t *i
 
 /* ---- stopping ---- */
 
-/* Makes the condition, but for the continuation. of: roots with the subject, the arguments, the keywords. */
+/* Makes the condition, without the continuation. of: roots with the subject, the arguments, the keywords. */
 static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint64_t level, bool tail) {
   VS_ROOTS(vm, r, 1);
   if (!vs_make_vector(vm, VS_STOP_WORDS, VS_FALSE, &r[0])) return false;
@@ -114,7 +114,7 @@ static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint
   return true;
 }
 
-/* The continuation of the window w, whose own slot 1 says how to return, into the stop that vm->condition is. */
+/* Puts the continuation of the window w, with its return information in slot 1, into the stop in vm->condition. */
 static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   VS_ROOTS(vm, r, 1);
   VS_ASSERT(vs_is_stop(vm, vm->condition));
@@ -127,7 +127,7 @@ static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   return true;
 }
 
-/* Where an activation stops: before the instruction `at`, because of the instruction `shown`. */
+/* The place where an activation stops: before the instruction `at`, because of the instruction `shown`. */
 typedef struct { vs_value *base; uint32_t at, shown; uint64_t level; } stopped;
 
 static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, vs_value subject) {
@@ -152,24 +152,25 @@ static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, 
   vs_value *w = base + code->registers;
   w[0] = VS_FALSE;
   w[1] = vs_ret_make(code->registers, at);
-  hold(vm, w, 0);       /* where memory is out the activations may lie in the heap already: then nobody can handle
-                         * that */
+  hold(vm, w, 0);       /* when memory is out, the activations may already be in the heap: no handler can then catch the
+                         * error */
   return VS_LOOK_STOP;
 }
 
-/* Does the program's own text stand behind the instruction at index `at`? */
+/* Returns true if the instruction at index `at` comes from the program's own text. */
 static bool is_own(const vs_scheme *vm, const vs_code *code, uint32_t at) {
   return vs_pos_file(vs_code_place(code, at)) >= vm->step.first_file;
 }
 
-/* Is it a call that a form of the library has put there? Its procedure has a name that programs cannot write. */
+/* Returns true for a call that a form of the library has inserted: its procedure has a name that programs cannot
+ * write. */
 static bool is_hidden(const vs_code *code, const uint32_t *ins) {
   if ((*ins & 255) != VS_O_CALLG && (*ins & 255) != VS_O_TAILG) return false;
   vs_value name = vs_as_cell(vs_code_consts(code)[ins[1]])->name;
   return vs_is_symbol(name) && vs_as_symbol(name)->name[0] == '%';
 }
 
-/* Is it a call that the program's own text writes? */
+/* Returns true for a call in the program's own text. */
 static bool is_written(const vs_scheme *vm, const vs_code *code, const uint32_t *ins) {
   return is_call(*ins & 255) && is_own(vm, code, (uint32_t)(ins - vs_code_ins(code))) && !is_hidden(code, ins);
 }
@@ -214,7 +215,7 @@ static vs_status break_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
       VS_UNCAUGHT : VS_ERROR;
 }
 
-/* ---- going on ---- */
+/* ---- continuing ---- */
 
 static vs_status resume(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;

@@ -4,7 +4,7 @@
 
 #include "vm/machine/vs.h"
 
-/* As vs_run_loop: runs what the window w calls, until its activation returns. */
+/* Does the same as vs_run_loop: runs the call in the window w until its activation returns. */
 bool vs_step_loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out);
 
 #endif
