@@ -1,17 +1,17 @@
-/* Owns the reading of the Generative Modeling Language: tokens in, forms of this language out.
-
-   Plan. Each token becomes one form at the token's place, so that errors, limits and warnings tell of the token:
-
-     add          (gml:call 'add)
-     A.b.c   .b   (gml:path '(A b c))   (gml:member '(b))
-     12 "s" /n    (gml:push '12), in runs (gml:push-all '(12 "s" n))
-     (1,2,3)      (gml:push (gml:point 1 2 3))
-     !x   :x  ;x  (set! !x (gml:pop '!x))   (gml:register !x '!x)   (gml:value !x '!x)
-     { ... }      (gml:push (gml:procedure '#(tokens) (lambda () forms ... #t)))
-
-   A register is a variable of the nearest braces around it that say usereg, or else of the file. The last #t of a body
-   keeps the activation of the call before it, from which an error at that call is told. Open braces wait on an
-   explicit stack. */
+/* Owns the reader of the Generative Modeling Language: tokens become forms of this language.
+ *
+ * Plan. Each token becomes one form at the token's place, so that errors, limits and warnings refer to the token:
+ *
+ *   add          (gml:call 'add)
+ *   A.b.c   .b   (gml:path '(A b c))   (gml:member '(b))
+ *   12 "s" /n    (gml:push '12), in runs (gml:push-all '(12 "s" n))
+ *   (1,2,3)      (gml:push (gml:point 1 2 3))
+ *   !x   :x  ;x  (set! !x (gml:pop '!x))   (gml:register !x '!x)   (gml:value !x '!x)
+ *   { ... }      (gml:push (gml:procedure '#(tokens) (lambda () forms ... #t)))
+ *
+ * A register is a variable of the nearest enclosing braces with usereg, or else of the file. The last #t of a body
+ * keeps the activation of the call before it, so that an error reports that call. Open braces wait on an explicit
+ * stack. */
 #include "vm/gml/gml_reader.h"
 #include "vm/front/environment.h"
 #include "vm/front/reader.h"
@@ -22,8 +22,8 @@
 #include <stdio.h>
 
 /* The work between two braces: two lists with their last pairs, the literals not yet pushed, the registers (VS_NIL:
-   none yet), and the work around it. A vector holds it: a root each would be looked at in every collection, as often as
-   braces are open. */
+ * none yet), and the enclosing work. It is a vector: with a root for each, every collection would visit as many as
+ * there are open braces. */
 enum { FORMS, FORMS_LAST, TOKENS, TOKENS_LAST, LITERALS, LITERALS_LAST, REGISTERS, AROUND, SLOTS };
 
 typedef struct { vs_pos pos, literals; bool usereg; } level;
@@ -91,7 +91,7 @@ static bool append(reader *r, int list, vs_value v, vs_pos pos) {
   return true;
 }
 
-/* (word a), (word a b) where b is not VS_ABSENT; a and b are rooted by the caller */
+/* Makes (word a), or (word a b) if b is not VS_ABSENT; the caller roots a and b. */
 static bool form(reader *r, const char *word, const vs_value *a, const vs_value *b, vs_pos pos, vs_value *out) {
   VS_ROOTS(r->vm, p, 2);
   p[0] = VS_NIL;
@@ -128,7 +128,7 @@ static bool literal(reader *r, const vs_value *v, vs_pos pos) {
   return append(r, LITERALS, *v, pos) && append(r, TOKENS, *v, pos);
 }
 
-/* A token that does something: its form, and (word argument) among the tokens that a program may look at. */
+/* Adds a token that acts: its form, and (token argument) to the tokens that a program may examine. */
 static bool active(reader *r, const char *word, const vs_value *argument, const char *token, vs_pos pos) {
   VS_ROOTS(r->vm, p, 2);
   return flush(r) && quoted(r, argument, pos, &p[0]) && emit(r, word, &p[0], NULL, pos) &&
@@ -137,7 +137,7 @@ static bool active(reader *r, const char *word, const vs_value *argument, const 
 
 /* ---- registers ---- */
 
-/* name is the caller's, rooted */
+/* name is rooted by the caller */
 static bool know_register(reader *r, const vs_value *name) {
   VS_ROOTS(r->vm, p, 1);
   p[0] = slot(r, REGISTERS);
@@ -181,7 +181,7 @@ static bool open_frame(reader *r, vs_pos pos) {
   return true;
 }
 
-/* ((!x gml:unset) ...), or (define !x gml:unset) forms, of the level's registers, before `rest` */
+/* Puts ((!x gml:unset) ...), or (define !x gml:unset) forms, for the level's registers before `rest`. */
 static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *out) {
   VS_ROOTS(r->vm, p, 4);
   p[0] = rest;
@@ -198,8 +198,8 @@ static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *ou
   return true;
 }
 
-/* The registers of braces without usereg, which *from holds, are those of the braces around them, the innermost now.
-   Where these have none, the table itself goes out, so that a name in a million braces is entered once. */
+/* Passes the registers in *from, of braces without usereg, to the enclosing braces, now the innermost. If these have
+ * none, they get the table itself, so that a name in a million braces is entered once. */
 static bool pass_registers(reader *r, const vs_value *from) {
   vs_value key, value;
   VS_ROOTS(r->vm, p, 1);
@@ -245,7 +245,8 @@ static bool close_frame(reader *r) {
 
 /* ---- tokens ---- */
 
-/* Bytes of a number at the reader's place, 0: there is none. A number that goes on as a name is none: 2nd. */
+/* Returns the bytes of a number at the reader's place, 0 if there is none. Digits that continue as a name are no
+ * number: 2nd. */
 static size_t number_length(const reader *r, size_t from) {
   size_t n = from;
   if (peek(r, n) == '-' || peek(r, n) == '+') n++;
@@ -322,7 +323,7 @@ static bool read_string(reader *r, vs_pos pos) {
   return ok && literal(r, &p[0], pos);
 }
 
-/* A name, or names with dots between; `from`: behind a mark of one byte. */
+/* Reads a name, or names with dots between; `from`: after a mark of one byte. */
 static bool read_names(reader *r, size_t *count, vs_value *list) {
   VS_ROOTS(r->vm, p, 2);
   p[0] = VS_NIL;
@@ -389,7 +390,7 @@ static bool read_token(reader *r) {
   }
 }
 
-/* (import (only (scheme base) define lambda let quote set!) (gml)) before `rest` */
+/* Puts (import (only (scheme base) define lambda let quote set!) (gml)) before `rest`. */
 static bool import(reader *r, vs_value rest, vs_value *out) {
   vs_scheme *vm = r->vm;
   static const char text[] = "(import (only (scheme base) define lambda let quote set!) (gml))";

@@ -1,8 +1,9 @@
 /* Owns the translation of expressions.
  *
- * Every number of a script is a double. Where both operands of + - * / and of comparisons are numbers, the language's
- * own instructions do them; the test for that is an instruction, too, and is left out where the text says what they
- * are. Operands that are more than a name or a constant are bound to l: and r: first, in the order of the text. */
+ * Every number of a script is a double. If both operands of + - * / and of comparisons are numbers, the language's own
+ * instructions compute them. The test for numbers is an instruction, too, and is omitted if the text shows the
+ * operands' types. Operands that are more than a name or a constant are first bound to l: and r:, in the order of the
+ * text. */
 #include "vm/javascript/expressions.h"
 
 #include <string.h>
@@ -16,7 +17,7 @@
 
 static const vs_script_node *node(const vs_translation *t, uint32_t i) { return vs_script_at(t->s, i); }
 
-/* ---- what the text says of a value ---- */
+/* ---- the type of a value, by the text ---- */
 
 static bool arithmetic(vs_script_operator op) {
   return op != VS_OPERATOR_PLUS &&
@@ -35,7 +36,7 @@ static vs_static_type sum_type(const vs_translation *t, uint32_t a, uint32_t b, 
                                                                                                         : VS_TYPE_ANY;
 }
 
-/* It looks a few levels down: what lies deeper is anything. */
+/* Examines a few levels: the type of a deeper expression is unknown. */
 static vs_static_type type_of(const vs_translation *t, uint32_t i, unsigned depth) {
   const vs_script_node *n = node(t, i);
   if (depth > 6) return VS_TYPE_ANY;
@@ -74,7 +75,7 @@ static vs_variable *variable(const vs_translation *t, uint32_t i) {
   return v ? &t->k->variables[v] : NULL;
 }
 
-/* Its value is had without doing anything, and as often as one likes. */
+/* Returns true if the value has no side effects and may be read any number of times. */
 static bool simple(const vs_translation *t, uint32_t i) {
   const vs_script_node *n = node(t, i);
   if (n->kind == VS_SCRIPT_NAME) {
@@ -118,7 +119,7 @@ static operator_words words_of(vs_script_operator op) {
   }
 }
 
-/* An operand: a node, or where that is 0 a word of the translation's own. */
+/* An operand: a node, or, if that is 0, a word of the translation. */
 typedef struct {
   uint32_t node;
   const char *word;
@@ -154,7 +155,7 @@ static bool binary(vs_translation *t, vs_script_operator op, operand l, operand 
               !(l.type == VS_TYPE_NUMBER && r.type == VS_TYPE_NUMBER);
   bool ls = l.word || simple(t, l.node), rs = r.word || simple(t, r.node), bind_l = both && !(ls && rs),
        bind_r = both && !rs;
-  /* a name on the left is read before what is right may change it */
+  /* a name on the left is read before the right side may change it */
   if (bind_l && ls && (l.word || node(t, l.node)->kind != VS_SCRIPT_NAME)) bind_l = false;
   vs_script_place at = t->at;
   if (bind_l || bind_r) {
@@ -172,7 +173,7 @@ static bool binary(vs_translation *t, vs_script_operator op, operand l, operand 
 
 static operand of(const vs_translation *t, uint32_t i) { return (operand){ i, NULL, type(t, i) }; }
 
-/* == and === with a constant that is no number need no more than a look. */
+/* == and === with a constant that is no number need only a simple test. */
 static bool equality(vs_translation *t, const vs_script_node *n, bool *done) {
   bool same = n->op == VS_OPERATOR_SAME || n->op == VS_OPERATOR_NOT_SAME;
   vs_script_kind kind = (vs_script_kind)node(t, n->b)->kind;
@@ -217,11 +218,10 @@ static bool member_value(vs_translation *t, const vs_script_node *n, const char 
   return vs_translate_close(t);
 }
 
-/* The value given to a place: the value of a node, or a word. Assigns; the value of the form is unspecified for a
- * variable. */
+/* Assigns a value, that of a node or a word, to a place. The value of the form is unspecified for a variable. */
 static bool assign_name(vs_translation *t, uint32_t name, operand value) {
   const vs_variable *v = variable(t, name);
-  if (v && v->kind == VS_VARIABLE_SELF) return put(t, value); /* a function expression's own name keeps its meaning */
+  if (v && v->kind == VS_VARIABLE_SELF) return put(t, value); /* a function expression's own name cannot be assigned */
   return vs_translate_call(t, "js:set!") && vs_translate_name(t, node(t, name)->name) && put(t, value) &&
          vs_translate_close(t);
 }
@@ -290,7 +290,7 @@ static bool assignment(vs_translation *t, const vs_script_node *n, bool wanted) 
 
 static bool one(vs_translation *t) { return vs_translate_item(t, (vs_item){ .kind = VS_ITEM_NUMBER, .number = 1 }); }
 
-/* (+ v: 1), v: being a number */
+/* (+ v: 1), where v: is a number */
 static bool stepped(vs_translation *t, const vs_script_node *n, const char *word) {
   return vs_translate_call(t, n->op == VS_OPERATOR_PLUS ? "js:+" : "js:-") && vs_translate_word(t, word) && one(t) &&
          vs_translate_close(t);
@@ -335,7 +335,7 @@ static bool arguments(vs_translation *t, uint32_t i) {
   return true;
 }
 
-/* ((js:if (js:procedure? f:) f: (js:not-callable "name")) arguments #:this o:), the last where there is an object */
+/* ((js:if (js:procedure? f:) f: (js:not-callable "name")) arguments #:this o:), the last if there is an object */
 static bool call_bound(vs_translation *t, const vs_script_node *n, const char *self, uint32_t name) {
   TRY(vs_translate_open(t) && vs_translate_call(t, "js:if") && vs_translate_call(t, "js:procedure?") &&
       vs_translate_word(t, "f:") && vs_translate_close(t) && vs_translate_word(t, "f:") &&
@@ -345,12 +345,11 @@ static bool call_bound(vs_translation *t, const vs_script_node *n, const char *s
          (!self || (vs_translate_word(t, "#:this") && vs_translate_word(t, self))) && vs_translate_close(t);
 }
 
-/* A call of a function that is known by its name: of the procedure behind it, with as many values as it has
- * parameters. */
+/* Calls a function known by its name: its procedure, with as many values as it has parameters. */
 static bool direct_call(vs_translation *t, const vs_script_node *n, const vs_variable *v) {
   uint32_t wanted = node(t, v->declaration)->count;
   bool more = n->count > wanted;
-  if (more) { /* those that nobody takes are worked out all the same, last */
+  if (more) { /* evaluates surplus arguments, too, last */
     TRY(vs_translate_call(t, "js:let") && vs_translate_open(t));
     uint32_t at = n->b;
     for (uint32_t i = 0; at; at = node(t, at)->next, i++)
@@ -426,7 +425,7 @@ static bool object(vs_translation *t, const vs_script_node *n) {
   return vs_translate_close(t);
 }
 
-/* ---- the rest ---- */
+/* ---- other expressions ---- */
 
 static bool unary(vs_translation *t, const vs_script_node *n) {
   const vs_script_node *a = node(t, n->a);

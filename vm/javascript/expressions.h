@@ -5,9 +5,9 @@
 #include "vm/javascript/translation.h"
 
 bool vs_translate_value(vs_translation *t, uint32_t node);
-bool vs_translate_effect(vs_translation *t, uint32_t node); /* an expression whose value nobody wants */
+bool vs_translate_effect(vs_translation *t, uint32_t node); /* an expression whose value is not used */
 bool vs_translate_test(vs_translation *t, uint32_t node);   /* #f or true */
-/* Gives the variable at the NAME, MEMBER or INDEX node what the list of items is: (words...) around a made name. */
+/* Assigns the value of the items, (words...) around a made name, to the variable at the NAME, MEMBER or INDEX node. */
 bool vs_translate_assign_made(vs_translation *t, uint32_t target, const char *procedure, const char *word,
                               uint32_t number);
 

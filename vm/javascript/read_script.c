@@ -1,9 +1,8 @@
-/* Owns the making of data from what the translation of a script wrote.
+/* Owns the conversion of a script's translation to data.
  *
- * The items are gone through from the last to the first. Data wait in a list, which is a stack; a closing bracket
- * puts a mark there. At an opening bracket what lies above the mark is, in order, the list itself: its last pair is
- * cut off, and nothing is copied. The pair that holds a datum carries its place; the first pair of a list, that of
- * the list. */
+ * It handles the items from the last to the first. Data wait in a list, which is a stack; a closing bracket puts a mark
+ * there. At an opening bracket the data above the mark are, in order, the list itself: its last pair is cut off, and
+ * nothing is copied. A pair has the place of its datum; the first pair of a list has the place of the list. */
 #include "vm/javascript/read_script.h"
 
 #include <stdio.h>
@@ -28,14 +27,15 @@ typedef struct {
   uint32_t scope;
 } native_names;
 
-/* Is the symbol a variable of the script where the text stands? Anything else means what it means in the language. */
+/* Returns true if the symbol is a variable of the script at the place of the text. Any other symbol has its meaning in
+ * the language. */
 static bool is_variable(const native_names *n, vs_value symbol) {
   const char *text = vs_as_symbol(symbol)->name;
   uint32_t name = vs_script_name_known(n->k->s, text, strlen(text));
   return name && vs_scopes_resolve(n->k, n->scope, name);
 }
 
-/* Renames the symbols of the data in place, with a list of pairs that wait. They are fresh, and no macro has seen
+/* Renames the symbols of the data in place, with a list of waiting pairs. The data are new, and no macro has seen
  * them. */
 static bool rename_names(const native_names *n, vs_value forms) {
   vs_scheme *vm = n->vm;
@@ -65,7 +65,7 @@ static bool rename_names(const native_names *n, vs_value forms) {
   return true;
 }
 
-/* The data of native text, with their own places: blanks stand before its first line, up to its column. */
+/* Reads the data of native text, with their own places: blanks precede its first line, up to its column. */
 static bool native_data(const native_names *n, const vs_item *item, uint32_t file, vs_value *forms) {
   size_t indent = item->column + 2, size = indent + item->b;
   char *text = vs_mem(n->vm, NULL, 0, size + 1);
@@ -103,7 +103,7 @@ static bool symbol_of(vs_scheme *vm, const vs_script *s, const vs_item *item, vs
   return ok;
 }
 
-/* Takes the list above the mark off the stack. */
+/* Removes the list above the mark from the stack. */
 static vs_value take_list(vs_scheme *vm, vs_value *stack, vs_pos pos) {
   vs_value head = *stack, last = VS_NIL, at = head, tail = VS_NIL;
   for (; vs_car(at) != VS_VACANT && vs_car(at) != VS_ABSENT; at = vs_cdr(at)) last = at;
@@ -125,7 +125,7 @@ static bool push_native(vs_scheme *vm, const vs_translation *t, const vs_item *i
   native_names names = { vm, t->k, item->scope };
   r[2] = *stack;
   if (!native_data(&names, item, file, &r[0])) return false;
-  for (r[1] = VS_NIL; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) /* turned, so that the first comes to lie on top */
+  for (r[1] = VS_NIL; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) /* reversed, so that the first is on top */
     if (!vs_cons_at(vm, vs_car(r[0]), r[1], vs_pair_pos(r[0]), &r[1])) return false;
   for (; vs_is_pair(r[1]); r[1] = vs_cdr(r[1]))
     if (!vs_cons_at(vm, vs_car(r[1]), r[2], vs_pair_pos(r[1]), &r[2])) return false;
@@ -154,7 +154,7 @@ static bool build(vs_scheme *vm, const vs_translation *t, uint32_t file, vs_valu
       break;
     case VS_ITEM_NATIVE: ok = push_native(vm, t, item, file, &r[0]); break;
     case VS_ITEM_WORD:
-      if (!strcmp(item->word, ".")) { /* what is on top is the tail of the list, whose mark lies below it */
+      if (!strcmp(item->word, ".")) { /* the top is the tail of the list, with the list's mark below it */
         r[1] = vs_car(r[0]);
         r[0] = vs_cdr(vs_cdr(r[0]));
         ok = push(vm, r[1], &r[0], pos) && push(vm, VS_ABSENT, &r[0], pos);
@@ -172,7 +172,7 @@ static bool build(vs_scheme *vm, const vs_translation *t, uint32_t file, vs_valu
   return ok;
 }
 
-/* Names that are assigned and not declared may be variables of a script that the program ran before. */
+/* Finds names that are assigned but not declared: they may be variables of a script that the program ran before. */
 static bool find_elsewhere(vs_scheme *vm, vs_scopes *k) {
   for (uint32_t i = k->scopes[1].first; i; i = k->variables[i].next) {
     vs_variable *v = &k->variables[i];

@@ -1,4 +1,4 @@
-/* Owns what must be known of a script before it is translated: its scopes and variables, and where control goes.
+/* Owns the facts about a script that its translation needs: its scopes and variables, and the targets of its jumps.
  *
  * A scope is the program's, a function's, that of a function expression's own name, or a catch's. */
 #ifndef VS_VM_JAVASCRIPT_SCRIPT_SCOPES_H
@@ -16,11 +16,11 @@ typedef enum {
 } vs_variable_kind;
 
 typedef struct {
-  uint32_t scope, name, next; /* the next of its scope, in the order of the text */
+  uint32_t scope, name, next; /* next: the next variable of the scope, in the order of the text */
   uint32_t declaration;       /* FUNCTION: the node */
   uint8_t kind;
-  bool elsewhere; /* a script that ran before has it */
-  bool assigned;  /* it gets a value somewhere behind its declaration */
+  bool elsewhere; /* declared by a script that ran before */
+  bool assigned;  /* assigned somewhere after its declaration */
 } vs_variable;
 
 typedef struct {
@@ -31,7 +31,7 @@ typedef struct {
 /* The facts known of a node. */
 enum {
   VS_JUMPS_OUT = 1, /* a statement: a return, break or continue in it leaves it */
-  VS_STAYS = 2,     /* it never ends in the ordinary way */
+  VS_STAYS = 2,     /* its end is never reached */
   VS_BROKEN = 4,    /* a loop, switch or label: a break leaves it */
   VS_CONTINUED = 8  /* a loop: a continue belongs to it */
 };
@@ -39,20 +39,20 @@ enum {
 typedef struct {
   vs_script *s;
   vs_variable *variables;
-  size_t variable_count, variable_room; /* 0 is none */
+  size_t variable_count, variable_room; /* 0: none */
   vs_scope_of_script *scopes;
-  size_t scope_count, scope_room; /* 0 is none, 1 the program's */
+  size_t scope_count, scope_room; /* 0: none, 1: the program's */
   uint32_t *table;
   size_t slots;      /* variables by scope and name */
-  uint8_t *facts;    /* by node */
-  uint32_t *targets; /* by node: BREAK and CONTINUE the statement they belong to; FUNCTION and TRY their scope */
+  uint8_t *facts;    /* index: node */
+  uint32_t *targets; /* index: node. BREAK and CONTINUE: their statement; FUNCTION and TRY: their scope */
   size_t room;
 } vs_scopes;
 
-/* False: trouble in s, or no memory. vs_scopes_close in either case. */
+/* Returns false with the mistake in s, or when memory is out. Call vs_scopes_close in each case. */
 bool vs_scopes_find(vs_scopes *k, vs_script *s);
 void vs_scopes_close(vs_scopes *k);
-/* The variable that the name means in the scope; 0: nothing declares it. The scope is one of k's. */
+/* Returns the variable of the name in the scope, which is one of k's; 0: not declared. */
 uint32_t vs_scopes_resolve(const vs_scopes *k, uint32_t scope, uint32_t name);
 
 #endif

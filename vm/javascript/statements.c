@@ -1,14 +1,13 @@
 /* Owns the translation of statements and functions.
  *
- * Plan. A list of statements becomes one expression. Statements that no jump leaves are done one after the other. A
- * statement that jumps leave (a return within an if, a continue) stands in tail position, and is told where control
- * goes when it is done (vs_then): what follows it in the text is translated there, in its branches. Where several
- * branches go to one place, that is made a procedure without parameters and called; a loop is such a procedure, too.
- * All of these calls are in tail position, so that the compiler makes them jumps within one activation, and nothing is
- * ever captured or unwound.
+ * Plan. A list of statements becomes one expression. Statements that no jump leaves run in sequence. A statement that
+ * jumps leave (a return within an if, a continue) is in tail position, and gets the place to which control goes at its
+ * end (vs_then): the code that follows it in the text is translated there, in its branches. If several branches go to
+ * one place, that becomes a procedure without parameters, which they call; a loop is such a procedure, too. All these
+ * calls are in tail position, so the compiler makes them jumps within one activation, without captures or unwinding.
  *
- * The parts of a try are procedures that something else calls. A jump that leaves them gives a number, 0 where they
- * just end; and behind the try control goes where the number says. */
+ * The parts of a try are procedures that other code calls. A jump that leaves them returns a number, 0 if they just
+ * end; after the try, control goes to the place with that number. */
 #include "vm/javascript/statements.h"
 
 #include <string.h>
@@ -32,9 +31,9 @@ static bool leaving(vs_translation *t, uint32_t i, const vs_then *then);
 static bool range(vs_translation *t, uint32_t first, uint32_t stop, const vs_then *then);
 static bool done(vs_translation *t, uint32_t i);
 
-/* ---- where control goes ---- */
+/* ---- the destination of control ---- */
 
-/* It costs a word or two wherever it stands. */
+/* Returns true if the jump takes only a word or two, at each of its places. */
 static bool cheap(const vs_translation *t, const vs_then *then) {
   if (then->kind == VS_THEN_LOOP) {
     const vs_script_node *n = node(t, then->node);
@@ -43,8 +42,8 @@ static bool cheap(const vs_translation *t, const vs_then *then) {
   return then->kind == VS_THEN_NOTHING || then->kind == VS_THEN_END || then->kind == VS_THEN_MADE;
 }
 
-/* Opens (js:letrec ((to:n (js:lambda () ...))) and makes *then a call of that, unless it costs nothing as it is.
- * *opened: to be closed. */
+/* Opens (js:letrec ((to:n (js:lambda () ...))) and makes *named a call of it, unless `then` is cheap. *opened: the
+ * caller must close it. */
 static bool name_it(vs_translation *t, const vs_then *then, vs_then *named, bool *opened) {
   *named = *then;
   *opened = !cheap(t, then);
@@ -80,7 +79,7 @@ static bool turn(vs_translation *t, const vs_then *then) {
 
 static bool jump(vs_translation *t, uint32_t i);
 
-/* Behind a try: on, or to where the number says. */
+/* After a try: continues, or goes to the place with the number. */
 static bool outcome(vs_translation *t, const vs_then *then) {
   vs_jump_target *f = then->target;
   const vs_script_node *n = node(t, f->node);
@@ -93,7 +92,7 @@ static bool outcome(vs_translation *t, const vs_then *then) {
         vs_translate_item(t, (vs_item){ .kind = VS_ITEM_COUNT, .a = (uint32_t)e + 1 }) && vs_translate_close(t));
     if (f->exits[e])
       TRY(jump(t, f->exits[e]));
-    else { /* a return, whose value waits */
+    else { /* a return, with its value waiting */
       vs_jump_target *outer = f->up;
       while (outer && !outer->guard) outer = outer->up;
       if (!outer)
@@ -129,7 +128,7 @@ static bool go(vs_translation *t, const vs_then *then) {
   return false;
 }
 
-/* A break or continue: to where its statement says, or by a number where a try lies between. */
+/* A break or continue: jumps to its statement's place, or returns a number if a try is between. */
 static bool jump(vs_translation *t, uint32_t i) {
   uint32_t to = t->k->targets[i];
   for (vs_jump_target *f = t->targets; f; f = f->up) {
@@ -179,14 +178,14 @@ static bool give_back(vs_translation *t, const vs_script_node *n) {
 
 /* ---- loops and switch ---- */
 
-/* (loop:n ...) for the first time. */
+/* Opens (loop:n ...) for the first time. */
 static bool first_turn(vs_translation *t, bool in, uint32_t number) {
   if (!in) return made_call(t, "loop:", number);
   return vs_translate_open(t) && vs_translate_made(t, "loop:", number) && vs_translate_call(t, "js:keys") &&
          vs_translate_made(t, "of:", number) && vs_translate_close(t) && vs_translate_close(t);
 }
 
-/* Binds keys: to the keys that are still there, opens the test for one, and gives the first to the variable. */
+/* Binds keys: to the remaining keys, opens the test for one, and assigns the first to the variable. */
 static bool take_key(vs_translation *t, const vs_script_node *n, uint32_t number) {
   const vs_script_node *a = node(t, n->a);
   uint32_t target = a->kind == VS_SCRIPT_VAR ? node(t, a->a)->a : n->a;
@@ -235,7 +234,7 @@ static bool turns(vs_translation *t, uint32_t i, uint32_t number, const vs_then 
 static bool loop(vs_translation *t, uint32_t i, const vs_then *then) {
   const vs_script_node *n = node(t, i);
   uint32_t number = t->numbers++;
-  if (n->kind == VS_SCRIPT_FOR_IN) { /* its object is worked out once */
+  if (n->kind == VS_SCRIPT_FOR_IN) { /* evaluates its object once */
     TRY(vs_translate_call(t, "js:begin") && (node(t, n->a)->kind != VS_SCRIPT_VAR || done(t, n->a)));
     TRY(vs_translate_call(t, "js:let") && vs_translate_open(t) && vs_translate_open(t));
     TRY(vs_translate_made(t, "of:", number) && vs_translate_value(t, n->b) && vs_translate_close(t) &&
@@ -248,8 +247,8 @@ static bool loop(vs_translation *t, uint32_t i, const vs_then *then) {
   return turns(t, i, number, then) && vs_translate_close(t);
 }
 
-/* Cases whose statements are entered from several places are procedures; what one test alone leads to stands behind
- * it. */
+/* Translates a switch. A case whose statements are entered from several places is a procedure; if only one test leads
+ * to them, they follow it. */
 static bool switch_statement(vs_translation *t, uint32_t i, const vs_then *then) {
   const vs_script_node *n = node(t, i);
   uint32_t number = t->numbers, fallback = 0;
@@ -387,7 +386,7 @@ static bool leaving_part(vs_translation *t, uint32_t i, const vs_then *then) {
   }
 }
 
-/* A statement that jumps leave, or whose parts are translated the same way. */
+/* A statement that jumps leave, or whose parts are translated in the same way. */
 static bool leaving(vs_translation *t, uint32_t i, const vs_then *then) {
   if (++t->depth > MOST_DEPTH)
     return vs_script_fail(t->s, node(t, i)->at,
@@ -409,7 +408,7 @@ static bool declarations(vs_translation *t, const vs_script_node *n) {
   return vs_translate_item(t, (vs_item){ .kind = VS_ITEM_COUNT, .a = 0 }) && vs_translate_close(t);
 }
 
-/* A statement that no jump leaves, as an expression whose value nobody wants. */
+/* A statement that no jump leaves, as an expression whose value is not used. */
 static bool done(vs_translation *t, uint32_t i) {
   const vs_script_node *n = node(t, i);
   t->at = n->at;
@@ -427,7 +426,7 @@ static bool done(vs_translation *t, uint32_t i) {
   }
 }
 
-/* The native text at the end of a function gives the function's value. */
+/* The native text at the end of a function supplies the function's value. */
 static bool native_value(vs_translation *t, uint32_t i) {
   const vs_script_node *n = node(t, i);
   t->at = n->at;
@@ -437,7 +436,7 @@ static bool native_value(vs_translation *t, uint32_t i) {
          vs_translate_close(t) && vs_translate_close(t);
 }
 
-/* Statements up to `stop`, of which fewer than IN_ONE_ROW are left by jumps. */
+/* Statements up to `stop`; jumps leave fewer than IN_ONE_ROW of them. */
 static bool row(vs_translation *t, uint32_t first, uint32_t stop, const vs_then *then) {
   if (first == stop) return go(t, then);
   TRY(vs_translate_call(t, "js:begin"));
@@ -452,12 +451,12 @@ static bool row(vs_translation *t, uint32_t first, uint32_t stop, const vs_then 
       return native_value(t, i) && vs_translate_close(t);
     TRY(done(t, i));
     if (fact(t, i, VS_STAYS))
-      return vs_translate_word(t, "js:undefined") && vs_translate_close(t); /* nothing behind it is reached */
+      return vs_translate_word(t, "js:undefined") && vs_translate_close(t); /* the code behind it is not reached */
   }
   return go(t, then) && vs_translate_close(t);
 }
 
-/* Long lists are cut into rows, each a procedure of its own, so that they need not stand within each other. */
+/* Divides long lists into rows, each a procedure of its own, to avoid nesting them. */
 static bool range(vs_translation *t, uint32_t first, uint32_t stop, const vs_then *then) {
   uint32_t leaving_count = 0, rows = 0, cut = 0;
   for (uint32_t i = first; i != stop && !cut; i = node(t, i)->next)
@@ -499,7 +498,7 @@ bool vs_translate_has_direct(const vs_translation *t, uint32_t i) {
   return true;
 }
 
-/* Its name is given to a function for good: (js:letrec ((f: ...) (f ...)) . */
+/* Returns true if a function's name is never assigned: (js:letrec ((f: ...) (f ...)) . */
 static bool settled(const vs_translation *t, const vs_variable *v) {
   return v->kind == VS_VARIABLE_FUNCTION && !v->assigned && v->declaration &&
          node(t, v->declaration)->kind == VS_SCRIPT_FUNCTION;
@@ -554,16 +553,16 @@ static bool body(vs_translation *t, uint32_t i) {
   return (!functions || vs_translate_close(t)) && (!locals || vs_translate_close(t));
 }
 
-/* The keyword by which a function that asks for `this` gets it. Who calls it without one, as the language itself does,
- * leaves it undefined. */
+/* The keyword for `this` of a function that uses it. A caller without it, such as the language itself, leaves `this`
+ * undefined. */
 static bool self_parameter(vs_translation *t, bool asks) {
   if (!asks) return true;
   return vs_translate_word(t, "#:this") && vs_translate_open(t) && vs_translate_word(t, "this:") &&
          vs_translate_word(t, "js:any?") && vs_translate_word(t, "js:undefined") && vs_translate_close(t);
 }
 
-/* The parameters by which the function behind a name is called from anywhere: the values, which may be left out, this
- * where it is asked for, and the rest. */
+/* The parameters of a named function for calls from anywhere: the values, which are optional, `this` if it uses it, and
+ * the rest. */
 static bool open_parameters(vs_translation *t, const vs_script_node *n, bool asks) {
   for (uint32_t p = n->a; p; p = node(t, p)->next) {
     bool again = false;
@@ -649,7 +648,7 @@ static bool define(vs_translation *t, uint32_t name, const char *value) {
          vs_translate_close(t);
 }
 
-/* var depth = gui_number(3, 1, 9); is a parameter of the model. The form that makes it; NULL: it is none. */
+/* Returns the form for var depth = gui_number(3, 1, 9); which is a parameter of the model; NULL for other variables. */
 static const char *parameter_word(const vs_translation *t, uint32_t declarator) {
   const vs_script_node *n = node(t, declarator);
   if (!n->b || node(t, n->b)->kind != VS_SCRIPT_CALL) return NULL;

@@ -4,12 +4,12 @@
 
 #include "vm/javascript/translation.h"
 
-/* A function as the value of an expression, or the procedure behind it. */
+/* Translates a function as the value of an expression, or its direct procedure. */
 bool vs_translate_function(vs_translation *t, uint32_t node, bool direct);
-/* Has the function a procedure that takes exactly its parameters? */
+/* Returns true if the function has a procedure that takes exactly its parameters. */
 bool vs_translate_has_direct(const vs_translation *t, uint32_t node);
 
-/* The whole script, as the forms of a program. */
+/* Translates the whole script to the forms of a program. */
 bool vs_translate_script(vs_translation *t);
 
 #endif
