@@ -176,7 +176,7 @@ static bool declare_in(walker *w, uint32_t i) {
   case VS_SCRIPT_LABEL: return declare_in(w, n->b);
   case VS_SCRIPT_CONTINUE:
   case VS_SCRIPT_BREAK: return true;
-  case VS_SCRIPT_NATIVE: /* its text may name any variable */ w->k->scopes[function_scope(w)].uses_this = true; return true;
+  case VS_SCRIPT_NATIVE: /* may name any variable */ w->k->scopes[function_scope(w)].uses_this = true; return true;
   default: return declare_in(w, n->a) && declare_in(w, n->b) && declare_in(w, n->c) && declare_in(w, n->d);
   }
 }

@@ -10,7 +10,7 @@
 
 /* ---- argument checks ---- */
 
-/* duals are numbers: each procedure below says what it makes of them */
+/* duals are numbers: each procedure below defines its result for them */
 static bool want_number(vs_scheme *vm, const vs_value *a, int i) {
   return vs_is_scalar(a[i]) || vs_fail_type(vm, i, "a number", a[i]);
 }
@@ -149,7 +149,7 @@ static vs_status sign(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- comparison: every argument is checked, whatever the first ones say ---- */
+/* ---- comparison: checks every argument, also after a false result ---- */
 
 static vs_status compare(vs_scheme *vm, vs_relation relation, const vs_value *a, int n, vs_value *out) {
   bool all = true, one;

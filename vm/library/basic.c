@@ -1,4 +1,4 @@
-/* Owns small things about any value: equivalence, booleans, boxes, records, and the procedures of hash tables. */
+/* Owns basic procedures of all values: equivalence, booleans, boxes, records, and the procedures of hash tables. */
 #include "vm/machine/fail.h"
 #include "vm/values/equal.h"
 #include "vm/values/heap.h"
@@ -67,7 +67,7 @@ static vs_status set_box(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- records: what define-record-type is made of. The type's fields are a vector of symbols. ---- */
+/* ---- records, for define-record-type; a type's fields are a vector of symbols ---- */
 
 static vs_status make_record_type(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
@@ -85,7 +85,7 @@ static vs_status make_record_type(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return *out = vs_from_object(t), VS_OK;
 }
 
-/* (%record type value ...): fields not given are #f */
+/* (%record type value ...): a missing field is #f */
 static vs_status record(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_arg_type(vm, a, 0, VS_T_RECORD_TYPE)) return VS_ERROR;
   size_t count = vs_as_vector(vs_as_record_type(a[0])->fields)->length;
@@ -102,9 +102,9 @@ static vs_status is_record(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Returns whether a[0] is a record of the type a[1] with a field a[2], else fails with "WHO: expected a TYPE, got V":
- * a[who] is the accessor's name. The type may be anything: its name is a variable, and defined anew where the program
- * says so, also as another type with fewer fields. */
+/* Returns true if a[0] is a record of the type a[1] with a field a[2], else false with "WHO: expected a TYPE, got V";
+ * a[who] is the accessor's name. The type may be any value: its name is a variable, which the program may redefine,
+ * also as another type with fewer fields. */
 static bool has_field(vs_scheme *vm, const vs_value *a, int who) {
   VS_ROOTS(vm, r, 1);
   bool its = vs_is(a[0], VS_T_RECORD) && vs_as_record(a[0])->type == a[1];
@@ -118,13 +118,13 @@ static bool has_field(vs_scheme *vm, const vs_value *a, int who) {
                                                           vs_is_symbol(type) ? vs_as_symbol(type)->name : "record");
 }
 
-/* record type index who */
+/* arguments: record type index who */
 static vs_status record_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return has_field(vm, a, 3) ? (*out = vs_as_record(a[0])->at[vs_fixnum(a[2])], VS_OK) : VS_ERROR;
 }
 
-/* record type index value who */
+/* arguments: record type index value who */
 static vs_status record_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!has_field(vm, a, 4)) return VS_ERROR;

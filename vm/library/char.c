@@ -1,4 +1,4 @@
-/* Owns characters: their procedures, with utf8proc's Unicode tables behind the ones that ask for case or category. */
+/* Owns characters: their procedures, with utf8proc's Unicode tables for case and category. */
 #include <utf8proc.h>
 
 #include "vm/machine/native.h"
@@ -32,10 +32,10 @@ static vs_status integer_to_char(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 /* ---- case ---- */
 
-/* of one character: what upcases to two (the sharp s) stays */
+/* of one character: one with two capitals (the sharp s) stays */
 static uint32_t char_up(uint32_t c) { return c == 0xDF ? c : (uint32_t)utf8proc_toupper((utf8proc_int32_t)c); }
 static uint32_t char_down(uint32_t c) { return (uint32_t)utf8proc_tolower((utf8proc_int32_t)c); }
-/* the dotted and dotless i stay apart */
+/* the dotted and dotless i stay distinct */
 static uint32_t char_fold(uint32_t c) { return c == 0x130 || c == 0x131 ? c : char_down(char_up(c)); }
 
 #define CASE(name, map)                                                        \
@@ -86,8 +86,8 @@ static bool is_upper(uint32_t c) {
   return char_down(c) != c || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU;
 }
 
-/* Characters that are small letters by Unicode's Other_Lowercase, neither of category Ll nor with a capital: ordinals
- * and raised letters. */
+/* Returns true for small letters by Unicode's Other_Lowercase that are neither of category Ll nor have a capital:
+ * ordinals and raised letters. */
 static bool is_other_lower(uint32_t c) {
   static const uint32_t range[][2] = { { 0xAA, 0xAA },     { 0xBA, 0xBA },     { 0x2B0, 0x2B8 },   { 0x2C0, 0x2C1 },
                                        { 0x2E0, 0x2E4 },   { 0x345, 0x345 },   { 0x37A, 0x37A },   { 0x10FC, 0x10FC },
@@ -115,8 +115,8 @@ static bool is_lower(uint32_t c) {
 CATEGORIES(C)
 #undef C
 
-/* Decimal digits come in runs of ten, so the value is the distance from the run's zero: the first back with no digit
- * before it, at most nine. */
+/* Decimal digits are in runs of ten. Therefore the value is the distance from the run's zero, the first one back
+ * without a digit before it, at most nine. */
 static vs_status char_digit_value(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_char(vm, a, 0)) return VS_ERROR;

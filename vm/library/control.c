@@ -1,12 +1,12 @@
-/* Owns the procedures that steer: continuations, dynamic-wind, values, apply, handlers and raise, parameters, promises,
-   contracts.
-
-   The dynamic state is three lists in struct vs_scheme, each part of a continuation:
-     winders     vectors (before after handlers parameters), innermost first
-     handlers    procedures; a list of a continuation among them is a contract's: the continuation is thrown #f to
-     parameters  (parameter . value)
-   The natives here keep their state in their activations (native.h, VS_CALL), so that every one may be left and entered
-   again. */
+/* Owns the procedures of control: continuations, dynamic-wind, values, apply, handlers and raise, parameters, promises,
+ * contracts.
+ *
+ * The dynamic state is three lists in struct vs_scheme, each part of a continuation:
+ *   winders     vectors (before after handlers parameters), innermost first
+ *   handlers    procedures; a list of a continuation among them is a contract's: the continuation gets #f
+ *   parameters  (parameter . value)
+ * The natives here keep their state in their activations (native.h, VS_CALL), so that each may be left and entered
+ * again. */
 #include "vm/machine/activation.h"
 #include "vm/machine/fail.h"
 #include "vm/machine/native.h"
@@ -17,7 +17,7 @@
 
 /* ---- continuations ---- */
 
-/* the continuation of the native whose arguments are at vm->base; the activation moves */
+/* Sets *out to the continuation of the native with its arguments at vm->base; the activation moves. */
 static bool capture(vs_scheme *vm, vs_value *out) {
   if (!vs_activation_capture(vm, vm->base - 2, (size_t)(vm->top - vm->base), out)) return false;
   vm->captures++;
@@ -49,8 +49,8 @@ static void enter_state_of(vs_scheme *vm, vs_value winder) {
   vm->parameters = vs_as_vector(winder)->at[3];
 }
 
-/* k value | the winders that are in force once the before thunk now called has returned, or #f
-   Leaves and enters one dynamic-wind after the other; each entry finds out anew what is left to do. */
+/* Arguments: k value | the winders that apply once the running before thunk has returned, or #f. Leaves and enters one
+ * dynamic-wind after the other; each entry computes the remaining ones again. */
 static vs_status throw_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[2] != VS_FALSE) { vm->winders = a[2]; a[2] = VS_FALSE; }
@@ -72,7 +72,7 @@ static vs_status throw_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_THROW;
 }
 
-/* before thunk after | phase, result */
+/* arguments: before thunk after | phase, result */
 static vs_status dynamic_wind(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) {
     for (int i = 0; i < 3; i++)
@@ -102,7 +102,7 @@ static vs_status dynamic_wind(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 /* ---- values and apply ---- */
 static vs_status values(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return vs_several(vm, a, (size_t)n, out); }
 
-/* producer consumer | - */
+/* arguments: producer consumer | - */
 static vs_status call_with_values(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) return vs_call(vm, a[0], 0, NULL);
   if (!vs_is(*out, VS_T_VALUES)) return vs_tailcall(vm, a[1], 1, out);
@@ -127,7 +127,7 @@ static vs_status apply(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_TAILCALL;
 }
 
-/* (%apply-self procedure list this): as a function of a script is called on `this` */
+/* (%apply-self procedure list this): calls as a script does a method of `this` */
 static vs_status apply_self(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   vs_value list = a[1];
@@ -139,7 +139,8 @@ static vs_status apply_self(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_TAILCALL;
 }
 
-/* A function of a script takes any number of values, and its translation names the rest or `this`. */
+/* Returns true for a function of a script: it takes any number of values, and its translation names the rest or
+ * `this`. */
 static bool is_script_function(vs_scheme *vm, const vs_code *code) {
   const vs_vector *params = vs_as_vector(code->params);
   size_t before = (size_t)code->required + code->optional;
@@ -148,14 +149,14 @@ static bool is_script_function(vs_scheme *vm, const vs_code *code) {
   return vs_is_symbol(params->at[before]) && !strcmp(vs_as_symbol(params->at[before])->name, "more:");
 }
 
-/* (%procedure-shape procedure): #(least most script?): how many values it takes, most #f where there is no limit; of a
- * function of a script, both are the number of its parameters. */
+/* (%procedure-shape procedure): #(least most script?), the numbers of values it takes; most is #f if there is no limit.
+ * For a script's function both are the number of its parameters. */
 static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure", a[0]);
   uint32_t least = 0, most = UINT32_MAX;
   bool script = false;
-  if (vs_is(a[0], VS_T_CASE) && vs_as_case(a[0])->count) { /* the clause that is tried first */
+  if (vs_is(a[0], VS_T_CASE) && vs_as_case(a[0])->count) { /* the clause tried first */
     const vs_code *code = vs_as_code(vs_as_closure(vs_as_case(a[0])->clause[0])->code);
     least = code->required;
   } else if (vs_is(a[0], VS_T_CLOSURE)) {
@@ -174,7 +175,7 @@ static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 }
 
 /* ---- handlers ---- */
-/* handler thunk | handlers outside */
+/* arguments: handler thunk | outer handlers */
 static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   if (n >= 0) {
@@ -186,7 +187,7 @@ static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_va
   return VS_OK;
 }
 
-/* obj | handlers in force at the raise */
+/* arguments: obj | handlers at the raise */
 static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuable) {
   if (n >= 0) {
     vm->native = NULL;
@@ -204,8 +205,8 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     }
     a[1] = vm->handlers;
     vs_value handler = vs_car(vm->handlers);
-    if (vs_is_pair(handler)) {          /* a contract's predicate: what it raises makes #f, but memory that is out says
-                                           nothing of the value */
+    if (vs_is_pair(handler)) {          /* a contract's predicate: a raise in it makes #f, but memory that is out does
+                                         * not */
       if (vs_is(a[0], VS_T_CONDITION) && vs_as_condition(a[0])->kind == vm->sym.memory) {
         vm->handlers = vs_cdr(vm->handlers);
         return vs_fail_object(vm, a[0]);
@@ -220,8 +221,7 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     vm->handlers = a[1];
     return VS_OK;
   }
-  /* The handler must not return. The raised object goes to the handlers outside; a plain error stays the error it
-     was. */
+  /* The handler must not return. The raised object goes to the outer handlers; a plain error remains the same error. */
   vm->handlers = vs_cdr(a[1]);
   vm->native = NULL;
   if (vs_is(a[0], VS_T_CONDITION)) return vs_fail_object(vm, a[0]);
@@ -240,7 +240,7 @@ static vs_status raise_continuable(vs_scheme *vm, vs_value *a, int n, vs_value *
 }
 
 /* ---- parameters ---- */
-/* value [converter] | called */
+/* arguments: value [converter] | called */
 static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0 && a[1] != VS_ABSENT && a[1] != VS_FALSE) return vs_call(vm, a[1], 1, a);
   if (n < 0) a[0] = *out;
@@ -253,8 +253,8 @@ static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* parameters values thunk | phase (0 converting, 1 running), bindings so far or the list outside
-   Runs the form parameterize, which expands to a call of this with lists of parameters and of new values. */
+/* Arguments: parameters values thunk | phase (0 converting, 1 running), the bindings until now or the outer list. Runs
+ * the form parameterize, which expands to a call of this with lists of parameters and of new values. */
 static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n < 0 && a[3] == vs_fix(1)) { vm->parameters = a[4]; return VS_OK; }
   VS_ROOTS(vm, r, 1);
@@ -287,8 +287,8 @@ static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return vs_call(vm, a[2], 0, NULL);
 }
 
-/* ---- promises: done #t: the value; #f: the thunk, which gives a promise; VS_ABSENT: the same as the promise in value
-   ---- */
+/* ---- promises: done #t: the value; #f: the thunk, which returns a promise; VS_ABSENT: the same as the promise in
+ * value ---- */
 static bool new_promise(vs_scheme *vm, vs_value done, vs_value *value, vs_value *out) {
   vs_promise *p = (vs_promise *)(void *)vs_gc_alloc(vm, VS_T_PROMISE, VS_WORDS(vs_promise));
   if (!p) return false;
@@ -323,7 +323,7 @@ static vs_value promise_root(vs_value p) {
   return p;
 }
 
-/* promise | - */
+/* arguments: promise | - */
 static vs_status force(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_is(a[0], VS_T_PROMISE)) { *out = a[0]; return VS_OK; }
   vs_value root = promise_root(a[0]);
@@ -352,7 +352,7 @@ static vs_status any(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* predicate value: calls it so that what it raises makes #f */
+/* predicate value: calls it; a raise makes #f */
 static vs_status guarded(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a; (void)n;
   VS_ROOTS(vm, r, 1);
@@ -361,14 +361,14 @@ static vs_status guarded(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_tailcall(vm, vm->base[0], 1, &vm->base[1]);
 }
 
-/* Writes a contract as the program has it; the % of the library's own names is left out. */
+/* Writes a contract as in the program, without the % of the library's own names. */
 static bool contract_text(vs_text *t, vs_value v) {
   if (!vs_is_symbol(v)) return vs_print(t->vm, v, VS_PRINT_WRITE, t);
   const char *name = vs_as_symbol(v)->name;
   return vs_text_puts(t, name[0] == '%' && name[1] ? name + 1 : name);
 }
 
-/* predicate value #(name text who) | handlers outside */
+/* arguments: predicate value #(name text who) | outer handlers */
 static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   bool predicate = vs_is_procedure(a[0]);
   if (n >= 0 && predicate) {
@@ -395,7 +395,7 @@ static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
               "%s: in [%s %s] stands no predicate; [%s any? %s] gives %s a default and checks nothing", f, name.at,
               text.at, name.at, text.at, name.at);
     vs_condition *c = vs_is(vm->condition, VS_T_CONDITION) ? vs_as_condition(vm->condition) : NULL;
-    if (c && predicate && vs_is_pair(c->chain) && vs_is_pair(vs_cdr(c->chain))) {      /* the fault is the caller's */
+    if (c && predicate && vs_is_pair(c->chain) && vs_is_pair(vs_cdr(c->chain))) {      /* the caller is at fault */
       do vs_gc_store(vm, c, &c->chain, vs_cdr(c->chain));
       while (vs_car(vs_car(c->chain)) == VS_TRUE && vs_is_pair(vs_cdr(c->chain)));
       c->place = vs_pos_of(vs_cdr(vs_car(c->chain)));

@@ -1,13 +1,13 @@
-/* Owns the library's side of errors: making them (error), asking them (error-object-message ...), and leaving
-   (exit). */
+/* Owns the library's side of errors: raising them (error), reading them (error-object-message ...), and leaving
+ * (exit). */
 #include "vm/library/format.h"
 #include "vm/numbers/number.h"
 #include "vm/values/heap.h"
 
 static bool is_condition(vs_value v) { return vs_is(v, VS_T_CONDITION); }
 
-/* (error message irritant ...), R7RS; (error 'who "format" v ...), PLT; a message that is no string is shown as it
-   displays */
+/* (error message irritant ...), R7RS; (error 'who "format" v ...), PLT; a message that is no string appears as
+ * displayed */
 static vs_status error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 1);
@@ -23,7 +23,7 @@ static vs_status error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     vs_fail_with(vm, vm->sym.error, r[0], "%s", t.at);
     if (is_condition(vm->condition) && vm->condition != vm->at.no_memory) {
       vs_condition *c = vs_as_condition(vm->condition);
-      if (vs_is_string(a[0])) vs_gc_store(vm, c, &c->message, a[0]);         /* as given, zero characters and all */
+      if (vs_is_string(a[0])) vs_gc_store(vm, c, &c->message, a[0]);         /* unchanged, with zero characters */
     }
   }
   vs_text_close(&t);
@@ -70,8 +70,8 @@ static vs_status report(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* (exit [code]): the after procedures of every dynamic-wind that is entered run, then the program ends with a condition
-   of kind `exit` that no handler sees; its payload is the code, a fixnum. */
+/* (exit [code]): runs the after procedures of every entered dynamic-wind, then ends the program with a condition of
+ * kind `exit` that no handler gets; its payload is the code, a fixnum. */
 static vs_status leave(vs_scheme *vm, vs_value code, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 2);

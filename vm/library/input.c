@@ -1,4 +1,4 @@
-/* Owns the procedures that read: characters, lines, bytes and data from ports, and what one may ask of a port or a
+/* Owns the procedures that read characters, lines, bytes and data from ports, and the questions about a port or a
  * file. */
 #include "vm/machine/fail.h"
 #include "vm/numbers/number.h"
@@ -34,7 +34,7 @@ static vs_status peek_char(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Up to `count` characters, and with `line` no further than the line's end (\n, \r or both in turn), which is
+/* Reads up to `count` characters; with `line` not beyond the line's end (\n, \r or both in this order), which is
  * dropped. */
 static vs_status read_some(vs_scheme *vm, vs_value port, int64_t count, bool line, vs_value *out) {
   VS_ROOTS(vm, r, 1);
@@ -75,7 +75,7 @@ static vs_status read_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
          read_some(vm, port, k, false, out);
 }
 
-/* The directives that a datum's text begins with hold for what the port gives later, too. */
+/* Keeps the directives before a datum in the port's flags: they also apply to later reads. */
 static void keep_directives(const vs_text *t, uint32_t *flags) {
   static const struct {
     const char *text;
@@ -94,8 +94,7 @@ static void keep_directives(const vs_text *t, uint32_t *flags) {
   }
 }
 
-/* Reads a datum: characters are taken until it is whole. A whole datum may turn out to be a directive (#!fold-case):
- * then on, with it. */
+/* Reads a datum: takes characters until it is complete. If that is a directive (#!fold-case), continues with it. */
 static vs_status read_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!in_port(vm, a, n, 0, 0, &r[0])) return VS_ERROR;
@@ -225,7 +224,7 @@ static vs_status close_output_port(vs_scheme *vm, vs_value *a, int n, vs_value *
   return (fits || vs_fail_type(vm, 0, "an output port", a[0])) && vs_port_close(vm, a[0]);
 }
 
-/* has all of `on` and none of `off`; a non-port is #f */
+/* Sets *out to whether it is a port with all flags of `on` and none of `off`. */
 static vs_status port_has(const vs_value *a, uint32_t on, uint32_t off, vs_value *out) {
   uint32_t flags = vs_is(a[0], VS_T_PORT) ? vs_as_port(a[0])->flags : 0;
   *out = vs_bool(vs_is(a[0], VS_T_PORT) && (flags & on) == on && !(flags & off));
@@ -268,7 +267,7 @@ static vs_status is_eof(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- files ---- */
 
-/* a[0]'s name to the host's question; ok is false when memory is out or it is no name */
+/* Asks the host about the file named a[0]. Returns false when memory is out or a[0] is no name. */
 static bool ask_file(vs_scheme *vm, vs_value *a, bool remove, bool *yes, const char **why) {
   if (!vs_arg_type(vm, a, 0, VS_T_STRING)) return false;
   const vs_io *io = vm->config.io;

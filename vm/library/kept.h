@@ -1,4 +1,4 @@
-/* Owns the list of what the library keeps between calls: the slots of the vector vm->at.lib. */
+/* Owns the list of the values that the library keeps between calls: the slots of the vector vm->at.lib. */
 #ifndef VS_VM_LIBRARY_KEPT_H
 #define VS_VM_LIBRARY_KEPT_H
 
@@ -7,8 +7,8 @@
 enum {
   VS_LIB_INPUT, VS_LIB_OUTPUT, VS_LIB_ERROR,     /* parameters: the current ports (port.c) */
   VS_LIB_RANDOM,                                 /* BYTES: the random generator's state (system.c) */
-  VS_LIB_SYMBOLS,                                /* fixnum: how many symbols were generated (system.c) */
-  VS_LIB_DUALS,                                  /* fixnum: how many differentiations there were (bind/functions/) */
+  VS_LIB_SYMBOLS,                                /* fixnum: number of generated symbols (system.c) */
+  VS_LIB_DUALS,                                  /* fixnum: number of differentiations (bind/functions/) */
   VS_LIB_COUNT
 };
 

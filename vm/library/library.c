@@ -1,5 +1,5 @@
-/* Owns libraries: define-library becomes a run of its body in an environment of its own, import a mapping of names,
-   require a run of a file. */
+/* Owns libraries: define-library becomes a run of its body in a separate environment, import a mapping of names,
+ * require a run of a file. */
 #include "vm/library/library.h"
 #include "vm/front/derived_syntax.h"
 #include "vm/library/standard.h"
@@ -56,7 +56,7 @@ static bool not_exported(vs_scheme *vm, vs_pos pos, vs_value symbol) {
                     vs_is_symbol(symbol) ? vs_as_symbol(symbol)->name : "such name");
 }
 
-/* `name`: what the library is called */
+/* `name` is the library's */
 static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, vs_value name, vs_pos pos) {
   VS_ROOTS(vm, r, 1);
   r[0] = name;
@@ -161,8 +161,8 @@ static bool library_file(vs_scheme *vm, vs_value name, vs_text *t) {
   return ok && vs_text_puts(t, ".sld");
 }
 
-/* How far above the file `from` the folder is that its library's name counts from: 1 for (towers spiral) in
-   towers/spiral.sld. 0: the environment env is no library's, or its file is called otherwise. */
+/* Sets *depth to the number of levels from the file `from` up to the folder to which its library's name is relative: 1
+ * for (towers spiral) in towers/spiral.sld. 0: the environment env is no library's, or its file has another name. */
 static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *depth) {
   vs_value name = vs_as_environment(env)->name;
   int64_t parts = vs_list_length(name);
@@ -181,7 +181,7 @@ static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *de
   return ok;
 }
 
-/* The place of the file that may define a library, for an import in the file `from` and the environment env. */
+/* Finds the path of the file that may define a library, for an import in the file `from` and the environment env. */
 static bool library_path(vs_scheme *vm, vs_value name, uint32_t from, vs_value env, vs_text *path, bool *found) {
   VS_ROOTS(vm, r, 2);
   vs_text t;
@@ -203,7 +203,7 @@ static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
   return true;
 }
 
-/* Returns what to use instead of a library that other Schemes have and this one has not; NULL for any other name. */
+/* Returns the replacement for a library that other Schemes have and this one lacks; NULL for any other name. */
 static const char *instead_of(vs_value name) {
   static const struct { int number; const char *instead; } absent[] = {
 #define VS_ABSENT_LIBRARY(number, instead) {number, instead},
@@ -226,7 +226,7 @@ static const char *instead_of(vs_value name) {
   return NULL;
 }
 
-/* Fails: nothing here is called so. */
+/* Fails: no library has this name. */
 static bool no_library(vs_expansion *x, vs_pos pos, vs_value name) {
   const char *instead = instead_of(name);
   if (!instead) return vs_expand_fail(x, pos, name, "import: there is no library");
@@ -244,7 +244,7 @@ bool vs_library_import(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_import);
-  /* a program that begins with an import sees what it imports */
+  /* a program that begins with an import sees only its imports */
   if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {
     vs_environment_forget_imports(x->now.env);
     vs_environment_set_intake(x->now.env, VS_INTAKE_STRICT);
@@ -254,7 +254,7 @@ bool vs_library_import(vs_expansion *x) {
     vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
     if (!vs_library_import_set(vm, vs_car(r[0]), x->now.env, pos, &r[1])) return false;
     if (r[1] == VS_ABSENT) continue;
-    /* not there: its file may define it; then once more */
+    /* not found: its file may define it; the import then runs again */
     vs_text t;
     vs_text_open(vm, &t, 0);
     bool found, ok = library_path(vm, r[1], vs_pos_file(x->now.pos), x->now.env, &t, &found);
@@ -285,7 +285,7 @@ enum {
   L_ENV,
   L_EXPORTS,
   L_FORMS /* newest first */,
-  L_LATER /* declarations still to do */,
+  L_LATER /* declarations still to handle */,
   L_A,
   L_B,
   L_C,
@@ -329,7 +329,7 @@ bool vs_library_define(vs_expansion *x) {
       for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A]))
         if (!vs_cons(vm, vs_car(r[L_A]), r[L_FORMS], &r[L_FORMS])) return false;
     } else if (is_word(head, "import") || is_word(head, "include") || is_word(head, "include-ci")) {
-      r[L_A] = d;      /* under the library's own name for it: in the new environment nothing is called so yet */
+      r[L_A] = d;      /* by the library's own name for it: the new environment is still empty */
       if (!vs_core_name(vm,
                         is_word(head, "import")    ? "import"
                         : is_word(head, "include") ? "include"
@@ -338,7 +338,7 @@ bool vs_library_define(vs_expansion *x) {
           !vs_cons_at(vm, r[L_B], vs_cdr(r[L_A]), pos, &r[L_B]) || !vs_cons(vm, r[L_B], r[L_FORMS], &r[L_FORMS]))
         return false;
     } else if (is_word(head, "cond-expand")) {
-      r[L_B] = x->now.env;      /* (library ...) is asked as the library's own imports are */
+      r[L_B] = x->now.env;      /* (library ...) is tested as the library's own imports are */
       x->now.env = r[L_ENV];
       bool ok = vs_cond_expand(x, d, &r[L_A]);
       x->now.env = r[L_B];
@@ -365,7 +365,7 @@ bool vs_library_define(vs_expansion *x) {
   }
   vs_environment *e = vs_as_environment(r[L_ENV]);
   vs_gc_store(vm, e, &e->exports, r[L_EXPORTS]);
-  /* imports come first whatever their place; the last form makes the library known */
+  /* imports come first at any place; the last form registers the library */
   VS_ROOTS(vm, q, 3);
   if (!vs_core_name(vm, "quote", &q[0]) || !vs_cons(vm, r[L_NAME], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[0]) ||
       !vs_cons(vm, r[L_ENV], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[1]) ||
@@ -390,7 +390,7 @@ bool vs_library_require(vs_expansion *x) {
   VS_ROOTS(vm, r, 4);
   int64_t n = vs_list_length(x->now.form);
   if (n < 2) return vs_expand_shape(x, VS_FORM_require);
-  if (n > 2) {                                     /* one after the other */
+  if (n > 2) {                                     /* in order */
     r[1] = VS_NIL;
     for (r[0] = vs_cdr(x->now.form); vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
       vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
@@ -406,7 +406,7 @@ bool vs_library_require(vs_expansion *x) {
   vs_value spec = vs_car(vs_cdr(x->now.form));
   vs_pos pos = vs_element_pos(vs_cdr(x->now.form), false, x->now.pos);
   if (!vs_is_string(spec)) {
-    /* PLT's (lib "..."), (only-in ...), (prefix-in ...) around something built in */
+    /* PLT's (lib "..."), (only-in ...), (prefix-in ...) around a built-in library */
     for (int i = 0; i < 8 && vs_is_pair(spec) && vs_list_length(spec) > 1 && !vs_library_is_built_in(spec); i++) {
       if (is_word(vs_car(spec), "lib") || is_word(vs_car(spec), "planet")) { spec = VS_FALSE; break; }
       spec = is_word(vs_car(spec), "prefix-in") && vs_list_length(spec) > 2 ? vs_car(vs_cdr(vs_cdr(spec)))
@@ -416,7 +416,7 @@ bool vs_library_require(vs_expansion *x) {
       return vs_expand_fail(x, pos, vs_car(vs_cdr(x->now.form)),
                             "require: this is not built in, and a file is named by a string:");
     x->result = VS_EXPAND_NOTHING;
-    /* (srfi 26) has names that are seen in no other way */
+    /* (srfi 26) has names that are visible in no other way */
     return vs_library_import_set(vm, spec, x->now.env, pos, &r[1]);
   }
   vs_text path;

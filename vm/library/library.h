@@ -4,15 +4,15 @@
 
 #include "vm/front/expand.h"
 
-/* *env: the environment called so, VS_FALSE if there is none. (visualscheme) is the whole library of the VM; the names
-   of R7RS and of SRFIs are parts of it, made at their first use (standard.c). */
+/* Sets *env to the environment of the library, VS_FALSE if there is none. (visualscheme) is the whole library of the
+ * VM; the libraries of R7RS and of SRFIs are parts of it, made at their first use (standard.c). */
 bool vs_library_find(vs_scheme *vm, vs_value name, vs_value *env);
-/* Is there such a library, or a file that may define it for an import in the file `from` (a file number) and the
-   environment env? */
+/* Returns true if there is such a library, or a file that may define it for an import in the file `from` (a file
+ * number) and the environment env. */
 bool vs_library_known(vs_scheme *vm, vs_value name, uint32_t from, vs_value env);
 bool vs_library_register(vs_scheme *vm, vs_value name, vs_value env);
-/* Imports an import set into env. *missing: the name of a library that is not there (then nothing happened), else
-   VS_ABSENT. */
+/* Imports an import set into env. *missing: the name of a missing library (then nothing is imported), else
+ * VS_ABSENT. */
 bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing);
 
 bool vs_library_define(vs_expansion *x);

@@ -1,19 +1,19 @@
-/* Owns pairs and lists: every list procedure that takes no procedure (the others are Scheme, in prelude.scm and
-   library/srfi.scm).
-
-   New lists grow at the tail through a struct list_maker; its slots are roots. Lists of the user are measured before
-   they are walked (vs_list_length), so an improper or circular one is an error and never a hang. */
+/* Owns pairs and lists: every list procedure without procedure arguments (the others are Scheme, in prelude.scm and
+ * library/srfi.scm).
+ *
+ * New lists grow at the tail by means of a list_maker in roots. Procedures measure a user's list before they read it
+ * (vs_list_length), so an improper or circular one is an error and never a hang. */
 #include "vm/machine/fail.h"
 #include "vm/values/equal.h"
 #include "vm/machine/native.h"
 #include "vm/numbers/number.h"
 #include "vm/values/pairs.h"
 
-enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* a step walks or makes a pair */ };
+enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* a step reads or makes a pair */ };
 
 /* ---- building ---- */
 
-enum { HEAD, TAIL, NEW, MAKER_ROOTS }; /* what a list_maker keeps in its roots */
+enum { HEAD, TAIL, NEW, MAKER_ROOTS }; /* the roots of a list_maker */
 #define LIST_MAKER(vm, r) VS_ROOTS(vm, r, MAKER_ROOTS); r[HEAD] = r[TAIL] = VS_NIL
 
 /* x may be any value: vs_cons keeps it safe */
@@ -30,7 +30,7 @@ static void maker_end(vs_scheme *vm, vs_value *r, vs_value last) {
   else vs_gc_store(vm, vs_object_of(r[TAIL]), &vs_as_pair(r[TAIL])->cdr, last);
 }
 
-/* appends copies of the first n pairs' cars of *list (a root), leaving *list at what follows. n is 0 or more. */
+/* Appends copies of the first n pairs' cars of *list (a root), and moves *list behind them. n is 0 or more. */
 static bool maker_copy(vs_scheme *vm, vs_value *r, vs_value *list, int64_t n) {
   VS_ASSERT(n >= 0);
   for (int64_t i = 0; i < n; i++) {
@@ -45,9 +45,10 @@ static bool arg_list(vs_scheme *vm, const vs_value *a, int arg, int64_t *length)
   return *length >= 0 || vs_fail_type(vm, arg, "a list", a[arg]);
 }
 
-/* The last cdr of a list that ends, in () or not, VS_ABSENT of a circular one. */
+/* Returns the last cdr of a list that ends, with () or not; VS_ABSENT for a circular one. */
 static vs_value last_cdr(vs_value list) {
-  vs_value mark = list;                 /* Brent's way: one pointer walks, the other jumps to it at powers of two */
+  vs_value mark = list;                 /* Brent's algorithm: one pointer advances, the other jumps to it at powers of
+                                         * two */
   for (uint64_t n = 0, jump = 2; vs_is_pair(list); n++) {
     list = vs_cdr(list);
     if (list == mark && vs_is_pair(list)) return VS_ABSENT;
@@ -60,7 +61,7 @@ static bool arg_ends(vs_scheme *vm, const vs_value *a, int arg) {
   return last_cdr(a[arg]) != VS_ABSENT || vs_fail_type(vm, arg, "a list that ends", a[arg]);
 }
 
-/* a[arg] has at least n pairs in front; leaves *at behind them */
+/* Checks that a[arg] begins with at least n pairs, and sets *at to the rest. */
 static bool arg_pairs(vs_scheme *vm, const vs_value *a, int arg, int64_t n, vs_value *at) {
   vs_value l = a[arg];
   for (int64_t i = 0; i < n; i++, l = vs_cdr(l)) {
@@ -105,7 +106,7 @@ static vs_status list_path(vs_scheme *vm, vs_value *a, const char *path, size_t 
   for (size_t i = length; i-- > 0;) {
     if (!vs_is_pair(v)) {
       if (v == a[0]) return vs_fail_type(vm, 0, "a pair", v);
-      size_t tails = strspn(path + 1, "d");        /* cddr, cadr, caddr ... are about lists of so many elements */
+      size_t tails = strspn(path + 1, "d");        /* cddr, cadr, caddr ... require lists of so many elements */
       static const char *const lists[] = { "a list of two elements or more", "a list of three elements or more",
                                            "a list of four elements or more" };
       return vs_fail_type(vm, 0,
@@ -177,7 +178,8 @@ static vs_status list_make_list(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* count numbers from + i*step, computed each from the start so that no error adds up. count is 0 or more. */
+/* Makes a list of count numbers from + i*step, each computed from the start, so that no error accumulates. count is 0
+ * or more. */
 static vs_status list_numbers(vs_scheme *vm, int64_t count, const vs_value *from, const vs_value *step, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   VS_ASSERT(count >= 0);
@@ -202,7 +204,7 @@ static vs_status list_iota(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return list_numbers(vm, count, &r[0], &r[1], out);
 }
 
-/* (range end) (range start end [step]): end is left out */
+/* (range end) (range start end [step]): without end itself */
 static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 4); /* start, end, step, scratch */
   for (int i = 0; i < n; i++) {
@@ -223,7 +225,7 @@ static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     return VS_ERROR;
   double guess = (end - from) / step;
   int64_t count = guess > 0 ? guess < 1e15 ? (int64_t)guess : INT64_C(1000000000000000) : 0;
-  if (count > 0) count--; /* the estimate may be one too high; the exact test decides */
+  if (count > 0) count--; /* the estimate may be too high by 1; the exact test decides */
   for (;; count++) {
     if (!vs_number_mul(vm, vs_fix(count), r[2], &r[3]) || !vs_number_add(vm, r[0], r[3], &r[3]) ||
         !vs_number_test(vm, down ? VS_GT : VS_LT, r[3], r[1], &more))
@@ -342,7 +344,7 @@ static vs_status list_append(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* the elements of a[0], a proper list, in front of tail, turned round */
+/* Makes the list of the elements of a[0], a proper list, reversed, in front of tail. */
 static vs_status list_reverse_onto(vs_scheme *vm, vs_value *a, vs_value tail, vs_value *out) {
   int64_t length;
   return arg_list(vm, a, 0, &length) && vs_list_onto(vm, a, tail, out);
@@ -358,15 +360,15 @@ static vs_status list_reverse_own(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return vs_list_own_turned(vm, &a[0], a[1], out);
 }
 
-/* Can map and for-each begin? They say what is wrong if not. */
+/* Returns #t if map and for-each may begin; if not, they report the error. */
 static vs_status list_each_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_procedure(a[0]) && vs_list_length(a[1]) >= 0);
   return VS_OK;
 }
 
-/* procedure list | what came so far, turned round; continuations at the start. The call of these two is an
- * instruction wherever the activation has registers left for it (run_loop.c). */
+/* Arguments: procedure list | results until now, reversed; continuations at the start. The call of these two is an
+ * instruction if the activation has registers left for it (run_loop.c). */
 static vs_status list_map_each(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) a[2] = VS_NIL, a[3] = vs_captures(vm);
   else if (!vs_cons(vm, *out, a[2], &a[2])) return VS_ERROR;
@@ -376,7 +378,7 @@ static vs_status list_map_each(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return vs_call(vm, a[0], 1, &element);
 }
 
-/* procedure list */
+/* arguments: procedure list */
 static vs_status list_do_each(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   *out = VS_UNSPECIFIC;
@@ -414,7 +416,7 @@ static vs_status list_take(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* How many pairs a list has that ends, in () or not. */
+/* Sets *pairs to the number of pairs of a list that ends, with () or not. */
 static bool arg_dotted(vs_scheme *vm, const vs_value *a, int arg, int64_t *pairs) {
   if (last_cdr(a[arg]) == VS_ABSENT) return vs_fail_type(vm, arg, "a list that ends", a[arg]);
   *pairs = 0;
@@ -449,13 +451,13 @@ static vs_status list_split_at(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return vs_several(vm, a, 2, out);
 }
 
-/* all elements of lists within lists, in order; what is no list is one element. The way back is kept as a list: no
-   recursion. A list that contains itself would be entered for ever deeper; so each list entered is compared with the
-   one at a depth of a power of two above. */
+/* Makes the list of all elements of lists within lists, in order; any other value is one element. A list of the ways
+ * back replaces recursion. A list that contains itself would be entered without end; therefore each list entered is
+ * compared with the one at a depth of a power of two above. */
 static vs_status list_flatten(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
-  VS_ROOTS(vm, at, 3);      /* what is left, the ways back, the list to compare with */
+  VS_ROOTS(vm, at, 3);      /* the rest, the ways back, the list to compare */
   at[0] = a[0]; at[1] = VS_NIL; at[2] = VS_ABSENT;
   uint64_t depth = 0, mark = 0;
   if (!arg_ends(vm, a, 0)) return VS_ERROR;
@@ -495,7 +497,7 @@ static bool list_same(vs_scheme *vm, same_kind kind, vs_value x, vs_value y, boo
   return true;
 }
 
-/* a[0] is sought in a[1]; of: the element itself or an entry's car. a[] are roots: vs_equal may move things. */
+/* Searches a[1] for a[0]; with `entries` it compares the entries' cars. a[] are roots: vs_equal may move objects. */
 static vs_status list_search(vs_scheme *vm, vs_value *a, same_kind kind, bool entries, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = a[1];
@@ -512,7 +514,7 @@ static vs_status list_search(vs_scheme *vm, vs_value *a, same_kind kind, bool en
       *out = entries ? vs_car(r[0]) : r[0];
       return VS_OK;
     }
-    /* circular: say so, once it looks so */
+    /* circular: reported once it looks so */
     if (i == (uint64_t)1 << 20 && vs_list_length(a[1]) < 0) return vs_fail_type(vm, 1, "a list that ends", a[1]);
   }
   if (r[0] != VS_NIL) return vs_fail_type(vm, 1, "a list", a[1]);
@@ -529,7 +531,7 @@ SEARCH(memq, BY_EQ, false) SEARCH(memv, BY_EQV, false) SEARCH(member, BY_EQUAL, 
 SEARCH(assq, BY_EQ, true) SEARCH(assv, BY_EQV, true) SEARCH(assoc, BY_EQUAL, true)
 #undef SEARCH
 
-/* ---- what the procedures in Scheme ask before they walk; `who` they ask for ---- */
+/* ---- checks for the procedures in Scheme, in the name of `who` ---- */
 
 static vs_status fail_list(vs_scheme *vm, vs_value who, vs_value list) {
   VS_ROOTS(vm, r, 1);
@@ -551,7 +553,7 @@ static vs_status need_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return length < 0 ? fail_list(vm, a[0], a[1]) : vs_poll(vm, (uint64_t)length);
 }
 
-/* lists to be walked together: one or more, one of them proper, none that is no list at all */
+/* lists for one walk: at least one, at least one of them proper, and no other value */
 static vs_status need_lists(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (a[1] == VS_NIL) {
@@ -569,7 +571,7 @@ static vs_status need_lists(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ends || fail_list(vm, a[0], bad);
 }
 
-/* asked now and then by searches, which may stop before the end of a list that has none */
+/* searches call this now and then, since they may stop before the end of an endless list */
 static vs_status need_end(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   for (vs_value l = a[1]; vs_is_pair(l); l = vs_cdr(l))

@@ -1,17 +1,17 @@
-/* Owns powers, roots, logarithms and trigonometry. Arguments outside a function's domain are errors, not NaN; an exact
-   argument whose result is exact (sin 0, expt 2/3 100, sqrt 1/4) stays exact. */
+/* Owns powers, roots, logarithms and trigonometry. Arguments outside a function's domain are errors, not NaN. An exact
+ * argument with an exact result (sin 0, expt 2/3 100, sqrt 1/4) stays exact. */
 #include <math.h>
 #include <stdio.h>
 
 #include "vm/numbers/dual.h"
 #include "vm/numbers/integer.h"
 
-/* Records that are like numbers (intervals) have these functions too, by the layer that owns them. */
+/* The layer that owns number-like records (intervals) supplies these functions for them. */
 static vs_status of_record(vs_scheme *vm, const vs_value *a, int n, vs_value *out) {
   return vm->flat->call(vm, vs_as_symbol(vm->native->name)->name, a, n, out);
 }
 
-/* Two numbers of which one is dual? */
+/* Returns true for two numbers, at least one of them a dual. */
 static bool dual_pair(const vs_value *a) {
   return (vs_is_dual(a[0]) || vs_is_dual(a[1])) && vs_is_scalar(a[0]) && vs_is_scalar(a[1]);
 }
@@ -20,7 +20,7 @@ static bool want_double(vs_scheme *vm, const vs_value *a, int i, double *out) {
   return vs_is_number(a[i]) ? vs_number_double(vm, a[i], out) : vs_fail_type(vm, i, "a number", a[i]);
 }
 
-/* a function of doubles that is `exact_value` at the exact integer `at` */
+/* Applies a function of doubles; the exact integer `at` has the result `exact_value`. */
 static vs_status function(vs_scheme *vm, const vs_value *a, double (*f)(double), int64_t at, int64_t exact_value,
                           vs_value *out) {
   double x;
@@ -35,8 +35,8 @@ static vs_status exp_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)n, function(vm, a, exp, 0, 1, out);
 }
 
-/* The whole numbers that stand for angles in degrees: whoever writes one of them seldom means as many radians. A call
- * that was given one of the first few before counts, as in a loop, and means none. */
+/* Warns of a whole number that is probably an angle in degrees, since few programs mean so many radians. A call that
+ * has had an argument from 1 to 6 counts through them, as in a loop, and gets no warning. */
 static void suspect_degrees(vs_scheme *vm, const char *name, vs_value v) {
   if (!vs_is_fixnum(v) || !vm->config.suspect) return;
   int64_t x = vs_fixnum(v) < 0 ? -vs_fixnum(v) : vs_fixnum(v);
@@ -68,13 +68,13 @@ static vs_status tanh_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)n, function(vm, a, tanh, 0, 0, out);
 }
 
-/* the C library's may be off by one in the last place, for 27 too; one step of Newton's mends that */
+/* the C library's result may be wrong in the last place, for 27 too; one Newton step corrects it */
 static double cube_root(double x) {
   double c = cbrt(x);
   return c == 0 || !isfinite(c) ? c : c - (c - x / (c * c)) / 3;
 }
 
-/* the exact cube root of an exact integer in *root, VS_FALSE if there is none, or its root is beyond 10^15 */
+/* Sets *root to the exact cube root of an exact integer; VS_FALSE if there is none, or it exceeds 10^15. */
 static bool integer_cbrt(vs_scheme *vm, vs_value n, vs_value *root) {
   VS_ROOTS(vm, r, 2);
   VS_ASSERT(vs_is_exact_integer(n));
@@ -82,7 +82,7 @@ static bool integer_cbrt(vs_scheme *vm, vs_value n, vs_value *root) {
   double d;
   if (!vs_number_double(vm, r[0], &d)) return false;
   *root = VS_FALSE;
-  double c = round(cbrt(d));          /* off by less than one half up to there */
+  double c = round(cbrt(d));          /* wrong by less than one half up to there */
   if (!(fabs(c) <= 1e15)) return true;
   vs_value guess = vs_fix((int64_t)c);
   if (!vs_fits_fixnum((int64_t)c)) return true;
@@ -145,7 +145,7 @@ static vs_status hypot_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* ln of a positive number, also of exact ones out of a double's range */
+/* Computes ln of a positive number, also of exact ones outside a double's range. */
 static bool natural_log(vs_scheme *vm, const vs_value *a, int i, double *out) {
   double x;
   if (!want_double(vm, a, i, &x)) return false;
@@ -200,7 +200,7 @@ static vs_status exact_integer_sqrt(vs_scheme *vm, vs_value *a, int n, vs_value 
   return vs_int_sqrt(vm, a[0], &r[0], &r[1]) ? vs_several(vm, r, 2, out) : VS_ERROR;
 }
 
-/* exact base to an exact integer power */
+/* Raises an exact base to an exact integer power. */
 static bool exact_power(vs_scheme *vm, vs_value base, vs_value exponent, vs_value *out) {
   VS_ROOTS(vm, r, 3);
   VS_ASSERT(vs_is_exact(base) && vs_is_exact_integer(exponent));
@@ -221,8 +221,8 @@ static bool exact_power(vs_scheme *vm, vs_value base, vs_value exponent, vs_valu
   return vs_number_lowest(vm, r[negative ? 2 : 1], r[negative ? 1 : 2], out);
 }
 
-/* The exact k-th root of an exact integer >= 0, or *out = #f. Only roots that a double can find are looked for. k is
-   positive. */
+/* Sets *out to the exact k-th root of an exact integer >= 0; #f if there is none, or a double cannot find it. k is
+ * positive. */
 static bool exact_root(vs_scheme *vm, vs_value x, int64_t k, vs_value *out) {
   VS_ROOTS(vm, r, 3);
   VS_ASSERT(vs_is_exact_integer(x) && vs_int_sign(x) >= 0 && k > 0);

@@ -1,5 +1,5 @@
-/* Owns the procedures that print: display, write and their kind, format and printf. Each makes its whole text first and
-   hands it to the port at once, so that an error or interrupt in the middle prints nothing. */
+/* Owns the procedures that print: display, write and their kind, format and printf. Each first makes its whole text and
+ * then passes it to the port, so that an error or interrupt in the middle prints nothing. */
 #include <math.h>
 #include <stdio.h>
 
@@ -12,7 +12,7 @@
 #include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
-/* The port among the arguments, or the current one; checked. */
+/* Gets the port among the arguments, or the current one, and checks it. */
 static bool out_port(vs_scheme *vm, const vs_value *a, int n, int i, uint32_t kind, vs_value *port) {
   *port = n > i ? a[i] : vs_port_current_output(vm);
   if (!vs_is(*port, VS_T_PORT)) return n > i ? vs_fail_type(vm, i, "an output port", *port) : false;
@@ -116,7 +116,7 @@ typedef struct { int64_t width, decimals; uint32_t pad; bool before; } format_fi
 
 enum { WIDEST = 10000, MOST_DECIMALS = 100 };
 
-/* The number or the 'c at character *i of the control string, taken: false where none stands. */
+/* Takes the number or the 'c at character *i of the control string; returns false if there is none. */
 static bool format_parameter(vs_value control, size_t *i, size_t length, int64_t *number, uint32_t *pad) {
   if (*i + 1 < length && vs_string_at(control, *i) == '\'') {
     *pad = vs_string_at(control, *i + 1);
@@ -143,7 +143,7 @@ static format_field format_field_at(vs_value control, size_t *i, size_t length) 
   return f;
 }
 
-/* ~8,2f: a number with so many decimals, rounded; without them as it is written. */
+/* ~8,2f: a number rounded to so many decimals; without them as usual. */
 static bool format_fixed(vs_scheme *vm, vs_value v, int64_t decimals, vs_text *t) {
   double d;
   if (!vs_number_double(vm, v, &d)) return false;
@@ -166,7 +166,7 @@ static bool format_number(vs_scheme *vm, vs_value v, char directive, const forma
   return vs_number_print(vm, v, directive == 'b' ? 2 : directive == 'o' ? 8 : 16, t);
 }
 
-/* control is below n. */
+/* control is less than n. */
 bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t) {
   size_t length = vs_as_string(a[control])->length;
   int next = control + 1;
@@ -189,7 +189,7 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
       if (!vs_text_put(t, d == '~' ? "~" : "\n", 1)) return false;
       continue;
     }
-    if (d == '\n' || d == ' ') {                  /* the line goes on after the next line's blanks */
+    if (d == '\n' || d == ' ') {                  /* the line continues after the next line's blanks */
       while (i + 1 < length && (vs_string_at(a[control], i + 1) == ' ' || vs_string_at(a[control], i + 1) == '\n')) i++;
       continue;
     }
@@ -204,7 +204,7 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
     bool number = strchr("boxef", d) != NULL;
     bool ok = number ? format_number(vm, v, d, &field, to)
                      : vs_print(vm, v, d == 'a' || d == 'd' || d == 'c' ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, to);
-    /* numbers stand to the right of their field, the rest to the left, unless @ says otherwise */
+    /* aligns numbers right and all else left, and the reverse with @ */
     if (ok && to == &own) {
       int64_t shown = 0;
       for (size_t k = 0; k < own.count; k++) shown += ((unsigned char)own.at[k] & 0xC0) != 0x80;

@@ -1,8 +1,8 @@
-/* Owns ports (port.h): characters and bytes in and out, of files, the console, strings and bytevectors.
-
-   A port for input has all it can read in `buffer` (BYTES) from `position` to `limit`; only the console adds to it, a
-   line at a time. A port for output into memory collects in `buffer`, `position` is how much; every other hands its
-   bytes to the host. */
+/* Owns ports (port.h): input and output of characters and bytes, for files, the console, strings and bytevectors.
+ *
+ * An input port has all its data in `buffer` (BYTES) from `position` to `limit`; only the console adds to it, one line
+ * at a time. An output port into memory collects in `buffer`, with `position` bytes; all others pass their bytes to the
+ * host. */
 #include "vm/library/port.h"
 
 #include "vm/library/kept.h"
@@ -71,7 +71,7 @@ static bool fail_file(vs_scheme *vm, const char *what, const char *path, const c
                  why ? why : "not available here");
 }
 
-/* *stream's bytes up to the end, as BYTES of at least that length; *count of them are data */
+/* Reads *stream to its end, into BYTES of at least that length; *count of them are data. */
 static bool read_stream(vs_scheme *vm, int64_t stream, const char *path, vs_value *out, size_t *count) {
   const vs_io *io = vm->config.io;
   vs_text t;
@@ -184,14 +184,14 @@ bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
     return vs_fail(vm, vm->sym.limit, "the program printed more than the limit of %llu bytes",
                    (unsigned long long)vm->config.output_limit);
   const vs_io *io = vm->config.io;
-  if ((!io || !io->write) && p->host <= VS_IO_STDERR) return true;       /* no console: what is printed is dropped */
+  if ((!io || !io->write) && p->host <= VS_IO_STDERR) return true;       /* no console: the text is dropped */
   if (io && io->write && io->write(vm->config.user, p->host, bytes, n)) return true;
   return vs_fail(vm, vm->sym.file, "writing failed");
 }
 
 /* ---- input ---- */
 
-/* more from the console; *any: something came */
+/* Reads more from the console; *any: some bytes came. */
 static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   *any = false;
   vs_port *p = vs_as_port(port);
@@ -214,7 +214,7 @@ static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   return *any = true;
 }
 
-/* Bytes at hand, after refilling if there are fewer than `wanted` and more can come. */
+/* Gives the available bytes, after a refill if there are fewer than `wanted` and more can come. */
 bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count) {
   VS_ROOTS(vm, r, 1);
   r[0] = port;
@@ -226,7 +226,7 @@ bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **a
   return true;
 }
 
-/* the next character and its length in bytes; -1 at the end */
+/* Gets the next character and its length in bytes; -1 at the end. */
 static bool look(vs_scheme *vm, vs_value *port, int32_t *c, size_t *used) {
   const uint8_t *at;
   size_t count;

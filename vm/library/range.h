@@ -4,8 +4,8 @@
 
 #include "vm/machine/native.h"
 
-/* a[arg] and a[arg + 1], where given, as 0 <= *start <= *end <= length; the defaults are 0 and length. length is 0 or
- * more. */
+/* Checks a[arg] and a[arg + 1], if given, for 0 <= *start <= *end <= length; the defaults are 0 and length. length is 0
+ * or more. */
 static inline bool vs_arg_range(vs_scheme *vm, const vs_value *a, int n, int arg, int64_t length, int64_t *start,
                                 int64_t *end) {
   VS_ASSERT(length >= 0);

@@ -1,6 +1,6 @@
-/* Owns the built-in libraries: (scheme base), (srfi 1) and the rest of libraries.def. Each is an environment whose own
-   table holds the very cells and macros of the one library of the VM, made when it is first asked for. (visualscheme)
-   is that one library itself. */
+/* Owns the built-in libraries: (scheme base), (srfi 1) and the rest of libraries.def. Each is an environment with a
+ * table of the same cells and macros as the VM's one library, made at its first use. (visualscheme) is that one library
+ * itself. */
 #include "vm/library/standard.h"
 
 #include "vm/front/source.h"
@@ -22,8 +22,8 @@ enum { LIBRARIES = sizeof libraries / sizeof *libraries };
 /* ---- names ---- */
 static bool starts(const char *s, const char *with) { return !strncmp(s, with, strlen(with)); }
 
-/* The row of a library's name as it stands in programs: (scheme base), (srfi 1), (srfi 1 lists), (srfi :1 lists); PLT's
-   srfi/1. -1: none. */
+/* Returns the row of a library's name in a program: (scheme base), (srfi 1), (srfi 1 lists), (srfi :1 lists); PLT's
+ * srfi/1. -1: none. */
 static int row_of(vs_value name) {
   char text[64];
   if (vs_is_symbol(name)) {
@@ -46,7 +46,7 @@ static int row_of(vs_value name) {
   return -1;
 }
 
-/* names of the whole: (visualscheme), and in PLT's require the languages that it stands in for */
+/* names of the whole library: (visualscheme), and in PLT's require the languages that it replaces */
 static bool is_whole(vs_value name) {
   if (vs_is_pair(name))
     return vs_is_symbol(vs_car(name)) && !strcmp(vs_as_symbol(vs_car(name))->name, "visualscheme") &&
@@ -57,8 +57,8 @@ static bool is_whole(vs_value name) {
          starts(s, "racket/") || starts(s, "mzlib/");
 }
 
-/* The next word of an export list from *s on: where it begins, and its length, 0 at the end. *inside: the name in the
-   library. */
+/* Returns the next word of an export list from *s on, and its length, 0 at the end. *inside: the name in the
+ * library. */
 static const char *next_word(const char **s, size_t *length, const char **inside, size_t *inside_length) {
   const char *word = *s + strspn(*s, " "), *end = word + strcspn(word, " "),
              *equals = memchr(word, '=', (size_t)(end - word));
@@ -93,7 +93,7 @@ bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env) {
   int row = row_of(name);
   if (row < 0) return true;
   VS_ROOTS(vm, r, 3);
-  /* made before? the short name is what it is registered by */
+  /* made before? it is registered by the short name */
   if (!vs_intern_c(vm, libraries[row].name, &r[0])) return false;
   for (vs_value l = vm->at.libraries; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == r[0]) { *env = vs_cdr(vs_car(l)); return true; }
@@ -106,9 +106,9 @@ bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env) {
 
 bool vs_library_is_built_in(vs_value name) { return is_whole(name) || row_of(name) >= 0; }
 
-/* ---- which library has a name ---- */
+/* ---- the libraries that have a name ---- */
 
-/* Does the (export ...) of a shipped library's text, from at to end, name it? Comments are passed over. */
+/* Returns true if the (export ...) of a shipped library's text, from at to end, contains the name. Skips comments. */
 static bool exports_name(const char *at, const char *end, const vs_symbol *name) {
   static const char form[] = "(export";
   while (at < end && !((size_t)(end - at) > sizeof form && !memcmp(at, form, sizeof form - 1))) {
@@ -135,7 +135,7 @@ static bool exports_name(const char *at, const char *end, const vs_symbol *name)
   return false;
 }
 
-/* Does a shipped text define the name as syntax, (define-syntax name ...)? */
+/* Returns true if a shipped text defines the name as syntax, (define-syntax name ...). */
 static bool defines_syntax(const vs_shipped *f, const vs_symbol *name) {
   static const char form[] = "(define-syntax ";
   size_t head = sizeof form - 1, whole = head + name->length + 1;
@@ -148,8 +148,8 @@ static bool defines_syntax(const vs_shipped *f, const vs_symbol *name) {
   return false;
 }
 
-/* The same of any file of a shipped library, given by the file that exports the name: what it includes lies in the
-   folder of its name. */
+/* Does the same for all files of a shipped library, given by the file that exports the name: the files that it includes
+ * are in the folder of its name. */
 static bool exports_syntax(vs_scheme *vm, const vs_shipped *library, const vs_symbol *name) {
   size_t stem = (size_t)(strstr(library->name, ".sld") - library->name);
   for (const vs_shipped *part = vm->config.shipped; part->name; part++)

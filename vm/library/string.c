@@ -1,8 +1,8 @@
-/* Owns strings and symbols: every procedure of theirs that takes no procedure.
+/* Owns strings and symbols: all their procedures without procedure arguments.
  *
- * A string's characters lie in a BYTES store, one byte each while all are below U+0100, else four
- * (vm/values/string_chars.h): string-ref takes constant time, string-set! may widen once. Procedures that build text of
- * unknown width use a vs_text (UTF-8) and turn it into a string at the end; those that know their length write in
+ * A string's characters are in a BYTES store, one byte each while all are below U+0100, else four
+ * (vm/values/string_chars.h): string-ref takes constant time, and string-set! may widen once. Procedures that build
+ * text of unknown width use a vs_text (UTF-8), and make it a string at the end; those with a known length write in
  * place. Case and categories are utf8proc's. */
 #include "vm/library/string.h"
 
@@ -27,7 +27,7 @@ static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg) {
 }
 static int64_t length_of(vs_value s) { return vs_as_string(s)->length; }
 
-/* the greatest of characters start..end, 0 where there are none. start..end lies in the string. */
+/* Returns the greatest of characters start..end, which are in the string; 0 if there are none. */
 static uint32_t widest_of(vs_value s, size_t start, size_t end) {
   uint32_t widest = 0;
   VS_ASSERT(start <= end && end <= vs_as_string(s)->length);
@@ -91,7 +91,7 @@ int vs_string_compare(vs_value a, vs_value b) {
   return n < m ? -1 : n > m;
 }
 
-/* ---- making and taking apart ---- */
+/* ---- construction and parts ---- */
 
 static vs_status string_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
@@ -254,7 +254,7 @@ static vs_status string_reverse(vs_scheme *vm, vs_value *a, int n, vs_value *out
 
 /* ---- order ---- */
 
-/* *s becomes its full case folding (ß is ss) */
+/* Replaces *s by its full case folding (ß is ss). */
 static bool string_fold(vs_scheme *vm, vs_value *s) {
   vs_text t;
   vs_text_open(vm, &t, 0);
@@ -294,8 +294,8 @@ VS_ORDERS(O)
 
 /* ---- case ---- */
 
-/* Unicode's Cased and Case_Ignorable, which say where a word ends: A with a mark, an apostrophe or a full stop behind
- * it goes on. */
+/* Unicode's Cased and Case_Ignorable, which define the end of a word: a letter with a mark, an apostrophe or a full
+ * stop behind it does not end one. */
 static bool is_cased(uint32_t c) {
   utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
   return k >= UTF8PROC_CATEGORY_LU && k <= UTF8PROC_CATEGORY_LT;
@@ -311,7 +311,8 @@ static bool is_case_ignorable(uint32_t c) {
          k == UTF8PROC_CATEGORY_LM || k == UTF8PROC_CATEGORY_SK;
 }
 
-/* Is the i-th character, a sigma, the last letter of a word of two or more? (Unicode's Final_Sigma.) i is in range. */
+/* Returns true if the i-th character, a sigma, is the last letter of a word of two or more (Unicode's Final_Sigma). i
+ * is in range. */
 static bool ends_word(vs_value s, size_t i) {
   size_t before = i, after = i + 1, length = (size_t)length_of(s);
   VS_ASSERT(i < length);
@@ -320,9 +321,9 @@ static bool ends_word(vs_value s, size_t i) {
   return before > 0 && is_cased(vs_string_at(s, before - 1)) && !(after < length && is_cased(vs_string_at(s, after)));
 }
 
-/* The capitals of one character. Letters whose full case folding is several characters (ß, the ligature ff, j with a
-   caron) and that are no capitals themselves have the capitals of those: the unconditional rows of Unicode's
-   SpecialCasing say the same. */
+/* Appends the capitals of one character. A letter that is no capital, with a full case folding of several characters
+ * (ß, the ligature ff, j with a caron), has the capitals of those: this equals the unconditional rows of Unicode's
+ * SpecialCasing. */
 static bool put_capitals(vs_text *t, uint32_t c) {
   utf8proc_int32_t folded[8];
   utf8proc_ssize_t m = c < 0x80 || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU
@@ -375,8 +376,8 @@ static vs_status string_foldcase(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 /* ---- searching ---- */
 
-/* The sought text, and for each of its beginnings the longest shorter one that also ends it (Knuth, Morris and Pratt),
- * so that no character of the text is looked at again and again. `border` is NULL for one character. */
+/* The text to search, and for each of its prefixes the longest shorter one that also ends it (Knuth, Morris and Pratt),
+ * so that no character of the text is compared again and again. `border` is NULL for one character. */
 typedef struct { uint32_t *border; int64_t length; } needle;
 
 static bool needle_open(vs_scheme *vm, vs_value text, needle *d) {
@@ -400,7 +401,7 @@ static void needle_close(vs_scheme *vm, needle *d) {
   d->border = NULL;
 }
 
-/* *at: the first place from `from` on where the text of d stands in s, -1: nowhere. from is 0 or more. */
+/* Sets *at to the first place from `from` on at which s contains the text of d; -1: none. from is 0 or more. */
 static bool find_from(vs_scheme *vm, vs_value s, vs_value text, const needle *d, int64_t from, int64_t *at) {
   int64_t n = length_of(s), k = 0;
   VS_ASSERT(from >= 0);
@@ -482,7 +483,7 @@ static bool is_space(uint32_t c) {
          (c > 0xFF && utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_ZS);
 }
 
-/* Without a separator: at stretches of blanks, which do not count at the ends. With one: at each of it. */
+/* Without a separator: splits at stretches of blanks, and ignores them at the ends. With one: splits at each. */
 static vs_status string_split(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!arg_string(vm, a, 0)) return VS_ERROR;
   VS_ROOTS(vm, r, 3); /* head, tail, the piece */
@@ -545,7 +546,7 @@ static vs_status string_trim_right(vs_scheme *vm, vs_value *a, int n, vs_value *
   return string_trimmed(vm, a, false, true, out);
 }
 
-/* SRFI 13: to exactly `width` characters; what is too long loses characters on the padded side */
+/* SRFI 13: pads to exactly `width` characters; a longer text loses characters on the padded side */
 static vs_status string_padded(vs_scheme *vm, vs_value *a, int n, bool left, vs_value *out) {
   int64_t width;
   if (!arg_string(vm, a, 0) || !vs_arg_index(vm, a, 1, 0, LONGEST, &width)) return VS_ERROR;
@@ -573,7 +574,7 @@ static vs_status string_pad_right(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return string_padded(vm, a, n, false, out);
 }
 
-/* every `from` in the string becomes `to` */
+/* replaces every `from` in the string by `to` */
 static vs_status string_replace(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   for (int i = 0; i < 3; i++)

@@ -1,7 +1,7 @@
-/* Owns random numbers, clocks, and what a program may ask of its surroundings.
-
-   Random numbers are xoshiro256** (Blackman and Vigna), seeded by splitmix64; the state is a bytevector in vm->at.lib,
-   so it is part of the heap image and the same at every start. */
+/* Owns random numbers, clocks, and the questions of a program about its environment.
+ *
+ * Random numbers are xoshiro256** (Blackman and Vigna), seeded by splitmix64; the state is a bytevector in vm->at.lib,
+ * so it is part of the heap image and the same at every start. */
 #include "vm/library/system.h"
 
 #include <math.h>
@@ -28,8 +28,8 @@ static void seed_state(uint64_t s[4], uint64_t seed) {
   }
 }
 
-/* Returns the state's four words and behind them the seed that the program gave; NULL when memory is out. Valid until
- * the next allocation. */
+/* Returns the state's four words, followed by the seed that the program gave; NULL when memory is out. Valid until the
+ * next allocation. */
 static uint64_t *random_state(vs_scheme *vm) {
   if (vs_lib_get(vm, VS_LIB_RANDOM) == VS_FALSE) {
     VS_ROOTS(vm, r, 1);
@@ -75,12 +75,12 @@ bool vs_random_unit(vs_scheme *vm, double *out) {
   return s != NULL;
 }
 
-/* uniform in 0 .. n-1 for an exact integer n > 0 */
+/* Sets *out to an integer uniform in 0 .. n-1 for an exact integer n > 0. */
 static bool random_below(vs_scheme *vm, vs_value n, vs_value *out) {
   uint64_t *s = random_state(vm);
   VS_ASSERT(vs_is_exact_integer(n) && vs_int_sign(n) > 0);
   if (!s) return false;
-  if (vs_is_fixnum(n)) {                          /* values past the last whole multiple of n are drawn again */
+  if (vs_is_fixnum(n)) {                          /* values beyond the last whole multiple of n are drawn again */
     uint64_t bound = (uint64_t)vs_fixnum(n), least = (0 - bound) % bound, x;
     do x = random_next(s);
     while (x < least);
@@ -112,7 +112,7 @@ static vs_status random_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return *out = vs_flonum(x < d ? x : 0), VS_OK;
 }
 
-/* exact integers: one of a .. b, both ends; else a number from a up to b */
+/* exact integers: one of a .. b, both inclusive; else a number from a up to b */
 static vs_status random_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   for (int i = 0; i < 2; i++)
@@ -139,8 +139,8 @@ static vs_status random_seed(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* (%random-state): a copy of the generator's state; (%random-state! copy) puts it back. A state of zeros would stay
- * so, and is refused. */
+/* (%random-state): a copy of the generator's state; (%random-state! copy) restores it. A state of zeros, which would
+ * never change, is refused. */
 static vs_status random_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   VS_ROOTS(vm, r, 1);
@@ -193,7 +193,7 @@ static vs_status runtime(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)a, (void)n, *out = vs_flonum(seconds_running(vm)), VS_OK;
 }
 
-/* ---- surroundings ---- */
+/* ---- environment ---- */
 
 static vs_status command_line(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
@@ -245,7 +245,7 @@ static vs_status gc(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* a symbol that nothing else is: not interned, so that its name need not be unique */
+/* makes a symbol distinct from all others: it is not interned, so that its name need not be unique */
 static vs_status generate_symbol(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n && !vs_is_symbol(a[0]) && !vs_is_string(a[0])) return vs_fail_type(vm, 0, "a symbol or a string", a[0]);
   if (!vs_lib_open(vm)) return VS_ERROR;

@@ -1,5 +1,4 @@
-/* Owns the five orders that characters and strings are compared by, as they are and with case folded: char<? …
- * string-ci>?. */
+/* Owns the five orders of characters and strings, each with case and with case folded: char<? … string-ci>?. */
 #ifndef VS_VM_LIBRARY_TEXT_ORDER_H
 #define VS_VM_LIBRARY_TEXT_ORDER_H
 
@@ -14,7 +13,7 @@ typedef enum { VS_LESS, VS_LESS_EQUAL, VS_EQUAL, VS_GREATER_EQUAL, VS_GREATER } 
   O(ci_lt, VS_LESS, true) O(ci_le, VS_LESS_EQUAL, true) O(ci_eq, VS_EQUAL, true) O(ci_ge, VS_GREATER_EQUAL, true) \
   O(ci_gt, VS_GREATER, true)
 
-/* sign: of the first compared with the second; below 0 where it comes earlier */
+/* sign: of the comparison of the first with the second; below 0 if the first is less */
 static inline bool vs_order_holds(vs_text_order order, int sign) {
   switch (order) {
   case VS_LESS: return sign < 0;

@@ -1,4 +1,4 @@
-/* Owns vectors and bytevectors: every procedure of theirs that takes no procedure. Literals do not change. */
+/* Owns vectors and bytevectors: all their procedures without procedure arguments. Literals do not change. */
 #include "vm/machine/fail.h"
 #include "vm/machine/native.h"
 #include "vm/machine/poll.h"
@@ -23,7 +23,7 @@ static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg, int type) {
 
 static int64_t vector_length(vs_value v) { return (int64_t)vs_as_vector(v)->length; }
 
-/* elements start..end of *from (a root) into fresh *out. start..end lies in the vector. */
+/* Copies elements start..end of *from (a root), which are in the vector, to a new *out. */
 static bool vector_slice(vs_scheme *vm, const vs_value *from, int64_t start, int64_t end, vs_value *out) {
   VS_ASSERT(0 <= start && start <= end && end <= (int64_t)vs_as_vector(*from)->length);
   if (!vs_make_vector(vm, (size_t)(end - start), VS_FALSE, out)) return false;
@@ -125,7 +125,7 @@ static vs_status vector_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
          vector_slice(vm, &a[0], start, end, out);
 }
 
-/* to at from [start end]: the stretches may overlap */
+/* arguments: to at from [start end]; the stretches may overlap */
 static vs_status vector_copy_to(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t at, start, end;
