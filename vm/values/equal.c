@@ -1,8 +1,8 @@
-/* Owns equal? and the hashes (equal.h). Nothing here allocates Scheme objects, so addresses hold throughout.
-
-   equal? walks both structures with an explicit stack. Only when it has taken more steps than most data needs does it
-   begin to note pairs of objects under comparison; meeting a noted pair again it takes for equal (as if both were
-   unfolded forever), so cycles end and shared structure does not cost twice. */
+/* Owns equal? and the hashes (equal.h). Nothing here allocates Scheme objects, so addresses stay the same.
+ *
+ * equal? walks both structures with an explicit stack. After more steps than most data needs, it begins to note the
+ * pairs of objects under comparison. It takes a pair that it meets again for equal, as if both were unfolded forever.
+ * Therefore cycles end, and shared structure is compared once. */
 #include "vm/values/equal.h"
 
 enum { EQUAL_STEPS_BEFORE_NOTES = 100000, HASH_NODES = 64 };
@@ -12,7 +12,7 @@ typedef struct equal_pair { vs_value a, b; } equal_pair;
 typedef struct equal_walk {
   vs_scheme *vm;
   equal_pair *todo; size_t count, room;
-  equal_pair *notes; size_t noted, slots;          /* open addressing, a = 0 is free (0 is no object) */
+  equal_pair *notes; size_t noted, slots;          /* open addressing; a = 0: a free slot (0 is no object) */
 } equal_walk;
 
 static uint64_t mix(uint64_t h, uint64_t v) {
@@ -32,7 +32,7 @@ static bool equal_push(equal_walk *w, vs_value a, vs_value b) {
   return true;
 }
 
-/* The number of slots is a power of two. */
+/* Returns the slot of the pair a, b, or the free slot for it. The number of slots is a power of two. */
 static equal_pair *equal_slot(equal_pair *notes, size_t slots, vs_value a, vs_value b) {
   size_t i = (size_t)mix(mix(0, a), b) & (slots - 1);
   VS_ASSERT(slots > 0 && (slots & (slots - 1)) == 0);
@@ -40,7 +40,7 @@ static equal_pair *equal_slot(equal_pair *notes, size_t slots, vs_value a, vs_va
   return &notes[i];
 }
 
-/* *known: this pair was noted before */
+/* Notes the pair; sets *known if it was noted before. Returns false when memory is out. */
 static bool equal_note(equal_walk *w, vs_value a, vs_value b, bool *known) {
   if (w->noted * 2 >= w->slots) {
     size_t slots = w->slots ? w->slots * 2 : 1024;
@@ -64,7 +64,7 @@ static bool equal_note(equal_walk *w, vs_value a, vs_value b, bool *known) {
   return true;
 }
 
-/* The i-th character, i below the length. */
+/* Returns the i-th character; i is less than the length. */
 static uint32_t string_at(const vs_string *s, uint32_t i) {
   const uint8_t *at = vs_as_bytes(s->store)->at;
   VS_ASSERT(i < s->length);
@@ -153,7 +153,7 @@ static uint64_t string_hash(const vs_string *s) {
   return mix(h, s->length);
 }
 
-/* of one object without looking into it */
+/* Returns the hash of v alone, without its parts. */
 static uint64_t hash_atom(vs_scheme *vm, vs_value v, bool deep, bool *moves) {
   if (!vs_is_object(v)) return mix(1, v);
   const vs_object *o = vs_object_of(v);
@@ -189,7 +189,7 @@ uint64_t vs_hash(vs_scheme *vm, vs_value v, uint32_t kind, bool *moves) {
   *moves = false;
   bool deep = kind == VS_TABLE_EQUAL || kind == VS_TABLE_STRING;
   if (!deep || !vs_is_object(v) || (!vs_is_pair(v) && !vs_is_vector(v))) return hash_atom(vm, v, deep, moves);
-  /* the first nodes of the structure, in order: enough, and safe for cycles */
+  /* hashes the first nodes of the structure only: enough to distinguish, and cycles end */
   vs_value todo[HASH_NODES + 1];
   size_t count = 0, nodes = 0;
   todo[count++] = v;

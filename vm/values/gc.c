@@ -1,16 +1,17 @@
 /* Owns the collector.
-
-   Old space: blocks of BLOCK bytes, each of one size class, cut from chunks of CHUNK_BLOCKS blocks, or more where the
-   heap is large (the host may have huge pages for them); a class has a free list of cells and one block it bumps
-   through. Objects above the largest class are single allocations on a list. An object never leaves its place there.
-
-   A minor collection must not fail half way, so the blocks it might need are set aside before the nursery is opened
-   again (gc_reserve). Its worklist needs no memory: the dead copy of a promoted object links to the next. Major
-   collections mark with a stack of (object, next slot); if that cannot grow, the heap is walked again for what was left
-   out.
-
-   Costs: a minor collection is proportional to what survives; a major one to what lives, plus one touch per old
-   cell. */
+ *
+ * The old space consists of blocks of BLOCK bytes. Each block has cells of one size class. Chunks of CHUNK_BLOCKS
+ * blocks, or more in a large heap (the host may then use huge pages), supply the blocks. A class has a free list of
+ * cells and one block from which it takes new cells in sequence. Objects larger than the largest class are single
+ * allocations in a list. Old objects never move.
+ *
+ * A minor collection must not fail half way. Therefore gc_reserve sets aside the blocks that it might need before the
+ * nursery is used again. Its worklist needs no memory: the old copy of a promoted object links to the next. A major
+ * collection marks with a stack of (object, next slot). If that stack cannot grow, the collector walks the heap again
+ * for the objects that it could not push.
+ *
+ * Costs: a minor collection is proportional to the surviving bytes, a major one to the live bytes plus one access per
+ * old cell. */
 #include "vm/values/gc.h"
 
 #include <stdlib.h>
@@ -24,14 +25,15 @@ enum {
   BLOCK = 16 << 10,
   BLOCK_DATA = BLOCK - 32,
   CHUNK_BLOCKS = 64,
-  CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* bytes of larger chunks */
-  /* one so many'th of the heap must fit between two collections for refused memory */
+  CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* the size of larger chunks, in bytes */
+  /* after a refused allocation, 1/STARVED of the heap must be allocated before the next collection for refused
+   * memory */
   STARVED = 64,
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
-/* Collecting at every allocation costs what the roots cost, and a deep recursion or nest has a million of them: past
-   STRESS_VISITS the next minor collections are left out in proportion. The whole collections are, too, each with a
-   check of the heap: one for so many bytes of it. */
+/* A collection at every allocation costs as much as a walk over the roots, and a deep recursion has a million of them.
+ * Above STRESS_VISITS visits the collector skips minor collections in proportion. It runs a whole collection, with a
+ * check of the heap, once in so many allocations: the heap's bytes / STRESS_BYTES. */
 enum { STRESS_VISITS = 2048, STRESS_BYTES = 256 };
 #if VS_DEBUG_SMALL
 enum { NURSERY = 32 << 10, FIRST_MAJOR = 256 << 10 };
@@ -41,20 +43,21 @@ enum { NURSERY = 1 << 20, FIRST_MAJOR = 16 << 20 };
 
 static const uint16_t class_words[] = { 2,  3,  4,  5,  6,  7,  8,  10, 12,  14,  16, 20,
                                         24, 28, 32, 40, 48, 64, 80, 96, 128, 170, 255 };
-enum { CLASSES = sizeof class_words / sizeof class_words[0], CLASS_MAX = 255 /* larger objects are born old, alone */ };
+enum { CLASSES = sizeof class_words / sizeof class_words[0], CLASS_MAX = 255 /* larger objects are allocated old,
+                                                                              * alone */ };
 
 struct vs_gc_block {
   struct vs_gc_block *next;
-  uint32_t words;                     /* of one cell */
-  uint32_t used;                      /* bytes of data cut into cells so far */
+  uint32_t words;                     /* the size of a cell, in words */
+  uint32_t used;                      /* bytes of data that are cut into cells */
   struct vs_gc_chunk *chunk;
   uint64_t unused;
   uint64_t data[];
 };
 struct vs_gc_chunk {
-  struct vs_gc_chunk *next, *open;    /* `open` links the chunks that have fresh blocks */
-  uint32_t fresh, live;               /* blocks never used yet; blocks in use, counted while sweeping */
-  uint32_t count, leaving;            /* blocks; is about to be given back */
+  struct vs_gc_chunk *next, *open;    /* `open` links the chunks that have unused blocks */
+  uint32_t fresh, live;               /* blocks that were never used; blocks in use, as counted by the sweep */
+  uint32_t count, leaving;            /* number of blocks; whether the chunk is about to be freed */
 };
 struct vs_gc_large { struct vs_gc_large *next; size_t bytes; };
 
@@ -62,29 +65,30 @@ struct free_cell { vs_object h; struct free_cell *next; };
 struct mark_entry { vs_object *o; size_t next; };
 
 struct vs_gc {
-  struct vs_gc_block *blocks, *spare;           /* all in use; none in use */
+  struct vs_gc_block *blocks, *spare;           /* blocks in use; blocks without cells in use */
   size_t spares;
   struct vs_gc_chunk *chunks, *open;
   size_t chunk_bytes;                           /* of all chunks */
   struct { struct free_cell *free; struct vs_gc_block *bump; } of[CLASSES];
-  uint8_t class_of[CLASS_MAX + 1];              /* by words */
+  uint8_t class_of[CLASS_MAX + 1];              /* index: words */
   struct vs_gc_large *large;
-  /* vm->end, unless that is held down so that every allocation comes here */
+  /* the real end of the nursery; vm->end is lower while every allocation must come here */
   char *nursery_end;
-  bool minor;                                   /* a minor collection is under way */
-  bool ready;                                   /* the spare blocks for the next minor collection are there */
-  size_t old_bytes, major_at;                   /* in old objects now; when a major collection is due */
-  /* bytes of old objects since memory was last refused and all was collected for it */
+  bool minor;                                   /* a minor collection runs */
+  bool ready;                                   /* the spare blocks for the next minor collection are reserved */
+  size_t old_bytes, major_at;                   /* bytes of old objects; the number at which a major collection is
+                                                 * due */
+  /* bytes of old objects since the last whole collection for refused memory */
   size_t granted;
-  size_t external, external_minor;              /* host bytes now; when they force a minor collection */
+  size_t external, external_minor;              /* bytes of host objects; the number that forces a minor collection */
   vs_object **remembered; size_t remembered_count, remembered_room; bool remembered_lost;
   vs_object **young_foreign; size_t young_count, young_room;
   vs_object **tracing; size_t tracing_count, tracing_room;     /* old foreign objects with a trace hook */
-  vs_object *grey;                              /* minor worklist: corpses, linked */
+  vs_object *grey;                              /* worklist of the minor collection: linked old copies */
   struct mark_entry *marks; size_t mark_count, mark_room; bool mark_lost;
   char *image; size_t image_bytes;              /* objects loaded from a heap image */
   void (*release_image)(vs_scheme *vm, void *image, size_t bytes);
-  /* under VS_DEBUG_STRESS: what the last minor collection visited; allocations until the next ones */
+  /* for VS_DEBUG_STRESS: visits of the last minor collection; allocations until the next minor and whole one */
   size_t visits, minor_in, whole_in;
 };
 
@@ -117,7 +121,7 @@ void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes) {
   return q;
 }
 
-/* room for one more element in a C array; false: refused */
+/* Makes room for one more element in a C array; returns false when memory is out. */
 static bool gc_grow(vs_scheme *vm, void *array, size_t *room, size_t count, size_t size) {
   if (count < *room) return true;
   size_t more = *room ? *room * 2 : 64;
@@ -132,7 +136,7 @@ static size_t chunk_size(size_t blocks) {
   return blocks > CHUNK_BLOCKS ? (blocks + 1) * BLOCK : sizeof(struct vs_gc_chunk) + blocks * BLOCK;
 }
 
-/* A quarter of what is there, in whole huge pages, their number a power of two. */
+/* Adds a chunk: a quarter of the heap, in whole huge pages, a power of two of them. */
 static bool gc_add_chunk(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t blocks = CHUNK_BLOCKS;
@@ -155,7 +159,7 @@ static void gc_drop_chunk(vs_scheme *vm, struct vs_gc_chunk *c) {
   vs_mem(vm, c, bytes, 0);
 }
 
-/* enough spare blocks that promoting the whole nursery cannot fail */
+/* Returns the number of spare blocks with which a promotion of the whole nursery cannot fail. */
 static size_t gc_blocks_needed(const vs_scheme *vm) {
   return vm->nursery_bytes / (BLOCK_DATA - BLOCK_DATA / 4) + CLASSES + 1;
 }
@@ -184,7 +188,7 @@ static struct vs_gc_block *gc_block(vs_scheme *vm) {
   return b;
 }
 
-/* Returns a cell of the size class of so many words, at most CLASS_MAX; NULL: no block is left. */
+/* Returns a cell for an object of so many words, at most CLASS_MAX; NULL if no block is left. */
 static vs_object *gc_cell(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
@@ -208,8 +212,8 @@ static vs_object *gc_cell(vs_scheme *vm, size_t words) {
   return &f->h;
 }
 
-/* Returns a cell for an object that is born old, or NULL: refused. A block that it needs is one beyond those set aside,
-   which the next minor collection must find there. */
+/* Returns a cell for an object that is allocated old; NULL when memory is out. The blocks reserved for the next minor
+ * collection remain. */
 static vs_object *gc_born_old(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
@@ -220,7 +224,8 @@ static vs_object *gc_born_old(vs_scheme *vm, size_t words) {
   return gc_cell(vm, words);
 }
 
-/* Wiped, which for a gigabyte takes long enough to poll: *stopped, the condition is not that of refused memory. */
+/* Returns an object alone, zeroed; NULL when memory is out. A gigabyte takes long enough to poll: *stopped means that
+ * the condition is an interrupt, not refused memory. */
 static vs_object *gc_large(vs_scheme *vm, size_t words, bool *stopped) {
   struct vs_gc *gc = vm->gc;
   size_t bytes = words * sizeof(uint64_t);
@@ -237,26 +242,26 @@ static vs_object *gc_large(vs_scheme *vm, size_t words, bool *stopped) {
 }
 
 /* ---- allocation ---- */
-static void gc_hold_down(vs_scheme *vm) {      /* while debugging, every allocation takes the slow path */
+static void gc_hold_down(vs_scheme *vm) {      /* for debugging: every allocation takes the slow path */
   vm->end = VS_DEBUG_STRESS || vm->fail_after ? vm->nursery : vm->gc->nursery_end;
 }
 
-/* Fills the header of an object of this VS_T_ type and wipes the rest. */
+/* Fills the header of an object of this VS_T_ type, and zeroes the rest. */
 static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
   VS_ASSERT(type >= 0 && type < VS_T_COUNT);
-  if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* gc_large has done that */
+  if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* gc_large has zeroed it */
   o->type = (uint8_t)type; o->gc = (uint8_t)gc; o->words = (uint32_t)words;
   return o;
 }
 
-/* under VS_DEBUG_STRESS: the collections due before this allocation, and perhaps no room left: gc_alloc_slow sees to
-   that */
+/* For VS_DEBUG_STRESS: runs the collections due before this allocation. Room may still be missing; gc_alloc_slow
+ * handles that. */
 static void gc_stress(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   if (gc->whole_in-- == 0) {
     vs_gc_major(vm);
     if (!vs_gc_check(vm)) __builtin_trap();
-    /* not in step with a loop */
+    /* a period that does not coincide with a loop's */
     gc->whole_in = (gc->old_bytes + gc->image_bytes) / STRESS_BYTES + vm->collections % 7;
   } else if (gc->minor_in-- == 0) {
     vs_gc_minor(vm);
@@ -277,11 +282,11 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words) {
   if (VS_DEBUG_STRESS && gc->whole_in-- == 0) { gc->whole_in = 0; gc_stress(vm); }
   if (gc->old_bytes + gc->external + words * 8 > gc->major_at || (words > CLASS_MAX && gc_over_limit(vm, words * 8)))
     vs_gc_major(vm);
-  /* so that this object can be remembered without fail */
+  /* room to remember this object, so that this cannot fail later */
   if (!gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered)) return NULL;
   bool stopped = false;
   vs_object *o = words <= CLASS_MAX ? gc_born_old(vm, words) : gc_large(vm, words, &stopped);
-  /* refused: perhaps there is garbage, unless all was collected a moment ago */
+  /* refused: a collection may free memory, unless one ran a moment ago */
   if (!o) {
     if (stopped || gc->granted < gc->old_bytes / STARVED) return NULL;
     gc->granted = 0;
@@ -338,7 +343,7 @@ void vs_gc_remember(vs_scheme *vm, vs_object *o) {
   if (o->gc & GC_REMEMBERED) return;
   o->gc |= GC_REMEMBERED;
   if (gc->remembered_count == gc->remembered_room) {
-    /* refused memory here is no error: the bit is on the object, a walk over the heap finds it */
+    /* refused memory is no error here: the object carries the bit, and a walk over the heap finds it */
     vs_value was = vm->condition;
     bool grown = gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered);
     vm->condition = was;
@@ -355,13 +360,13 @@ void vs_gc_external(vs_scheme *vm, int64_t bytes) {
   else gc->external = (size_t)((int64_t)gc->external + bytes);
 }
 
-/* The bytes of a host's object lie in 16 bits of its header: 11 digits of them, rounded up, and by how many places they
-   are shifted. It counts the same when it comes and when it goes. */
+/* The bytes of a host's object are 16 bits of its header: 11 digits, rounded up, and the number of places by which they
+ * are shifted. Therefore the same number is added and later subtracted. */
 enum { CHARGE_DIGITS = 11, CHARGE_MASK = (1 << CHARGE_DIGITS) - 1 };
 static uint16_t gc_charge(size_t bytes) {
   unsigned shift = 0;
   for (; bytes > CHARGE_MASK && shift < 31; shift++) bytes = bytes / 2 + bytes % 2;
-  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* nothing takes 4 TB */
+  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* no object takes 4 TB */
 }
 static size_t gc_charged(uint16_t charge) { return (size_t)(charge & CHARGE_MASK) << (charge >> CHARGE_DIGITS); }
 
@@ -409,7 +414,8 @@ static inline void gc_visit_range(vs_scheme *vm, vs_value *at, size_t n, gc_visi
 static void gc_visit_roots(vs_scheme *vm, gc_visit *visit) {
   if (vm->stack) {
     gc_visit_range(vm, vm->stack, (size_t)(vm->top - vm->stack), visit);
-    /* what lies above is dead, but would be taken for live when an activation grows over it before writing there */
+    /* slots above the top are dead, but would count as live when an activation grows over them before it writes
+     * there */
     memset(vm->top, 0, (size_t)((char *)vm->stack_end - (char *)vm->top));
   }
   visit(vm, &vm->under);
@@ -430,13 +436,13 @@ static void minor_visit(vs_scheme *vm, vs_value *slot) {
   vs_object *o = vs_object_of(v);
   uint64_t *corpse = (uint64_t *)(void *)o;
   if (!(o->gc & GC_MOVED)) {
-    vs_object *copy = gc_cell(vm, o->words);      /* the spare blocks are there: does not fail */
+    vs_object *copy = gc_cell(vm, o->words);      /* cannot fail: the spare blocks are reserved */
     uint64_t *to = (uint64_t *)(void *)copy;
     bool traced = vs_layout[o->type].first != 0;
     size_t words = o->words;
-    for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* mostly a few: less than a call */
-    /* header: GC_MOVED in its low bytes, above them the next corpse; word 1: the new address. An object that names
-       nothing is done. */
+    for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* mostly a few words: faster than a call */
+    /* The header holds GC_MOVED in its low bytes and the next old copy above them; word 1 is the new address. An object
+     * without references needs no more work. */
     corpse[0] = (uint64_t)GC_MOVED << 8;
     corpse[1] = (uint64_t)(uintptr_t)copy;
     if (traced) {
@@ -453,7 +459,7 @@ static void minor_trace(vs_scheme *vm, vs_object *o) {
   for (size_t i = 0; i < n; i++) minor_visit(vm, &slots[i]);
 }
 
-/* every old object, in no order */
+/* a function that gets every old object, in no order */
 typedef void gc_each(vs_scheme *vm, vs_object *o);
 static void gc_walk_old(vs_scheme *vm, gc_each *f) {
   struct vs_gc *gc = vm->gc;
@@ -490,15 +496,15 @@ void vs_gc_minor(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   if (!gc->ready) return;      /* nothing was allocated */
   gc->grey = NULL;
-  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* these are wiped */
+  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* these slots are zeroed */
   gc->minor = true;
   gc_visit_roots(vm, minor_visit);
   if (gc->remembered_lost) gc_walk_old(vm, minor_remembered);
   else for (size_t i = 0; i < gc->remembered_count; i++) minor_remembered(vm, gc->remembered[i]);
   gc->remembered_count = 0; gc->remembered_lost = false;
   gc_trace_foreign(vm, minor_visit);
-  /* young ones with hooks count as live until the next major collection only if they moved; so first drain, then
-     look */
+  /* Young objects with hooks count as live until the next major collection only if they moved: the worklist is emptied
+   * first. */
   bool again = true;
   while (again) {
     while (gc->grey) {
@@ -530,7 +536,7 @@ void vs_gc_minor(vs_scheme *vm) {
   vs_value was = vm->condition;
   gc->ready = gc_reserve(vm);
   vm->condition = was;
-  /* closed: the next allocation tries again, and fails if it must */
+  /* the nursery stays closed: the next allocation tries again, and fails if memory is still refused */
   if (gc->ready) gc_hold_down(vm); else vm->end = vm->free;
   if (VS_DEBUG_CHECK && !vs_gc_check(vm)) __builtin_trap();
 }
@@ -579,7 +585,7 @@ static void major_rescan(vs_scheme *vm, vs_object *o) {
   major_drain(vm);
 }
 
-/* gives chunks back that have no block in use, as long as enough spare ones stay */
+/* Frees chunks without a block in use while enough spare blocks remain. */
 static void major_give_back(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t keep = gc_blocks_needed(vm), leaving = 0;
@@ -609,7 +615,7 @@ static void major_sweep(vs_scheme *vm) {
     unsigned k = gc->class_of[b->words];
     struct free_cell *head = gc->of[k].free;
     size_t cells = 0, step = b->words * 8u;
-    bool stays = false;                        /* cells of a block that goes as a whole are not linked */
+    bool stays = false;                        /* cells of a block that is freed as a whole are not linked */
     for (size_t at = 0; at < b->used && !stays; at += step)
       stays = (((vs_object *)(void *)((char *)b->data + at))->gc & GC_MARK) != 0;
     for (size_t at = 0; at < b->used; at += step) {
@@ -624,7 +630,7 @@ static void major_sweep(vs_scheme *vm) {
       struct free_cell *f = (struct free_cell *)(void *)o;
       f->next = head; head = f;
     }
-    if (cells == 0) {                          /* the free list does not get this block's cells */
+    if (cells == 0) {                          /* removes this block's cells from the free list */
       *link = b->next;
       b->next = gc->spare; gc->spare = b; gc->spares++;
     } else {
@@ -649,7 +655,7 @@ static void major_sweep(vs_scheme *vm) {
   for (size_t i = 0; i < gc->image_bytes;) {
     vs_object *o = (vs_object *)(void *)(gc->image + i);
     size_t slots = 0;
-    /* the image is not swept: what is dead in it must not be taken for a user of what it named */
+    /* the collector does not sweep the image: a dead object there must not count as a user of its children */
     if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) {
       vs_value *slot = vs_layout_slots(o, &slots);
       while (!(o->gc & GC_MARK) && slots > 0) slot[--slots] = VS_FALSE;
@@ -664,12 +670,12 @@ static void major_sweep(vs_scheme *vm) {
 void vs_gc_major(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   vs_gc_minor(vm);
-  if (vm->free != vm->nursery) return;         /* could not be emptied */
+  if (vm->free != vm->nursery) return;         /* the nursery could not be emptied */
   gc->mark_lost = false;
   gc_visit_roots(vm, major_visit);
   major_drain(vm);
   for (;;) {
-    /* objects with hooks reach values only they know */
+    /* objects with hooks reach values that only their hooks know */
     size_t before = gc->mark_count;
     for (size_t i = 0; i < gc->tracing_count; i++) {
       vs_foreign *f = (vs_foreign *)(void *)gc->tracing[i];
@@ -686,7 +692,7 @@ void vs_gc_major(vs_scheme *vm) {
   for (size_t i = 0; i < gc->tracing_count; i++)
     if (gc->tracing[i]->gc & GC_MARK) gc->tracing[kept++] = gc->tracing[i];
   gc->tracing_count = kept;
-  /* after the minor collection nothing is remembered, but a hook may have stored */
+  /* the minor collection forgets all remembered objects, but a hook may have stored since */
   kept = 0;
   for (size_t i = 0; i < gc->remembered_count; i++)
     if (gc->remembered[i]->gc & GC_MARK) gc->remembered[kept++] = gc->remembered[i];
@@ -714,7 +720,7 @@ static void check_object(vs_scheme *vm, vs_object *o) {
       good = good && to->type < VS_T_COUNT && to->words >= 2;
     }
   }
-  if (!good) vm->gc->mark_lost = true;         /* borrowed as the verdict */
+  if (!good) vm->gc->mark_lost = true;         /* the flag also carries the verdict of the check */
 }
 
 bool vs_gc_check(vs_scheme *vm) {

@@ -1,9 +1,8 @@
-/* Owns hash tables (table.h; the layout is described at vs_table in value.h).
-
-   The index is probed linearly and removed from by shifting back, so there are no tombstones in it. An entry's hash is
-   kept as a fixnum: 40 bits of the hash, and bit 0 set when it came from the address of an object in the nursery. Such
-   entries are placed anew when the nursery has been emptied since (table_sync): survivors are in the old space then,
-   which does not move. */
+/* Owns hash tables (table.h; vs_table in value.h describes the layout).
+ *
+ * The index uses linear probing. A removal shifts later entries back, so the index has no tombstones. An entry's hash
+ * is a fixnum: 40 bits of the hash, and bit 0 set if it is that of a young object's address. table_sync places such
+ * entries again after the nursery was emptied: the survivors are then in the old space, and do not move. */
 #include "vm/values/table.h"
 
 #include "vm/values/equal.h"
@@ -22,20 +21,21 @@ static uint64_t table_hash(vs_scheme *vm, const vs_table *t, vs_value key) {
 }
 static uint32_t hash_home(uint64_t stored, uint32_t mask) { return (uint32_t)(stored >> 1) & mask; }
 
-/* Puts the entry with this stored hash into the index, which has room; mask is its size, a power of two, less 1. */
+/* Puts the entry with this stored hash into the index, which has room; mask is the index's size, a power of two, minus
+ * 1. */
 static void index_place(uint32_t *index, uint32_t mask, vs_value stored, uint32_t entry) {
   uint32_t i = hash_home((uint64_t)vs_fixnum(stored), mask);
   VS_ASSERT((mask & (mask + 1)) == 0);
   while (index[i]) i = (i + 1) & mask;
   index[i] = entry + 1;
 }
-/* Puts an entry that was added already into the table's index. */
+/* Puts an added entry into the table's index. */
 static void table_place(vs_table *t, uint32_t entry) {
   VS_ASSERT(entry < t->used);
   index_place(table_index(t), table_mask(t), table_entries(t)->at[entry * 3 + 2], entry);
 }
 
-/* takes the slot i out: entries behind it that would no longer be found move back. The slot is in use. */
+/* Frees slot i, which is in use: moves back the later entries that a search would no longer find. */
 static void table_unplace(vs_table *t, uint32_t i) {
   uint32_t *index = table_index(t), mask = table_mask(t);
   VS_ASSERT(i <= mask && index[i] != 0);
@@ -69,7 +69,8 @@ static void table_sync(vs_scheme *vm, vs_table *t) {
   t->epoch = vm->collections;
 }
 
-/* The entry with this key, or -1 with ok; a comparison may run out of memory. *slot: where the index names it. */
+/* Sets *entry to the entry with this key, -1 if there is none, and *slot to its place in the index. Returns false when
+ * a comparison runs out of memory. */
 static bool table_find(vs_scheme *vm, vs_table *t, vs_value key, uint64_t hash, int64_t *entry, uint32_t *slot) {
   uint32_t *index = table_index(t), mask = table_mask(t);
   vs_value *at = table_entries(t)->at;
@@ -101,7 +102,8 @@ bool vs_make_table(vs_scheme *vm, uint32_t kind, vs_value *out) {
   return true;
 }
 
-/* Room for one more entry; drops removed ones when they are many. `table` is a root. */
+/* Makes room for one more entry, and drops removed ones if there are many. `table` is a root. Returns false when memory
+ * is out. */
 static bool table_reserve(vs_scheme *vm, const vs_value *table) {
   vs_table *t = vs_as_table(*table);
   uint32_t room = (uint32_t)(table_entries(t)->length / 3);
@@ -121,12 +123,13 @@ static bool table_reserve(vs_scheme *vm, const vs_value *table) {
     for (uint32_t k = 0; k < 3; k++) vs_gc_store(vm, to, &to->at[n * 3 + k], from->at[e * 3 + k]);
     index_place(index, mask, to->at[n * 3 + 2], n);
     n++;
-    if (!vs_poll_turn(vm, e, 8)) return false;      /* the table is as it was */
+    if (!vs_poll_turn(vm, e, 8)) return false;      /* the table is unchanged */
   }
   vs_gc_store(vm, t, &t->entries, r[0]);
   vs_gc_store(vm, t, &t->index, r[1]);
   t->used = n;
-  t->young = 0;                                   /* entry numbers have changed: look at all of them next time */
+  t->young = 0;                                   /* the entries' numbers have changed: table_sync must check all of
+                                                   * them */
   return true;
 }
 

@@ -1,17 +1,18 @@
 /* Owns the representation of Scheme values: the NaN-boxed word, the heap objects behind it, and the accessors.
-
-   A vs_value is 64 bits.
-     below 0xFFF9 << 48   an IEEE double, unboxed (the NaN that x86 makes, 0xFFF8 << 48, is among them)
-     0xFFF9 | 48 bits     a fixnum, two's complement
-     0xFFFA | 48 bits     an immediate: #t, #f, (), a character, markers
-     0xFFFB | 48 bits     the address of a heap object
-   Doubles that come from outside pass vs_flonum(), which makes every NaN the one canonical NaN; arithmetic on canonical
-   values stays canonical.
-
-   Every heap object begins with vs_object. `words` counts the whole object in 8-byte words, header included, so that
-   the heap can be walked. Objects move once, out of the nursery: C code that allocates (or calls what allocates) must
-   hold values in roots (gc.h), not in plain locals; raw pointers to objects do not survive an allocation.
-   Fields of type vs_value are written only through vs_gc_store (gc.h), except in an object just allocated. */
+ *
+ * A vs_value has 64 bits.
+ *   below 0xFFF9 << 48   an IEEE double, unboxed (the NaN that x86 makes, 0xFFF8 << 48, is among them)
+ *   0xFFF9 | 48 bits     a fixnum, two's complement
+ *   0xFFFA | 48 bits     an immediate: #t, #f, (), a character, markers
+ *   0xFFFB | 48 bits     the address of a heap object
+ * Doubles from outside pass vs_flonum(), which turns every NaN into the canonical NaN. Arithmetic on canonical values
+ * remains canonical.
+ *
+ * Every heap object begins with vs_object. `words` is the size of the whole object in 8-byte words, with the header, so
+ * that the collector can walk the heap. Objects move once, out of the nursery. Therefore C code that allocates, or
+ * calls a function that allocates, must hold values in roots (gc.h), not in plain locals; raw pointers to objects are
+ * invalid after an allocation. Only vs_gc_store (gc.h) writes fields of type vs_value, except in an object just
+ * allocated. */
 #ifndef VS_VM_VALUES_VALUE_H
 #define VS_VM_VALUES_VALUE_H
 
@@ -38,43 +39,43 @@ typedef uint64_t vs_value;
 #define VS_FALSE       VS_IMMEDIATE(0, 0)
 #define VS_TRUE        VS_IMMEDIATE(0, 1)
 #define VS_NIL         VS_IMMEDIATE(1, 0)
-#define VS_UNSPECIFIC  VS_IMMEDIATE(2, 0)   /* what (if #f #f) and set! return; the printer shows nothing in a REPL */
+#define VS_UNSPECIFIC  VS_IMMEDIATE(2, 0)   /* the result of (if #f #f) and set!; a prompt prints nothing for it */
 #define VS_EOF         VS_IMMEDIATE(3, 0)
 #define VS_ABSENT      VS_IMMEDIATE(4, 0)   /* an optional or keyword argument that was not given; never a user's
-                                               value */
-#define VS_UNDEFINED   VS_IMMEDIATE(5, 0)   /* a variable that has no value yet (letrec, an undefined global) */
+                                             * value */
+#define VS_UNDEFINED   VS_IMMEDIATE(5, 0)   /* a variable without a value yet (letrec, an undefined global) */
 #define VS_VACANT      VS_IMMEDIATE(6, 0)   /* hash tables: a free slot, a removed entry */
 #define VS_CHAR(c)     VS_IMMEDIATE(7, (uint32_t)(c))
 
 static inline vs_value vs_bool(bool b) { return b ? VS_TRUE : VS_FALSE; }
 static inline bool vs_is_true(vs_value v) { return v != VS_FALSE; }
 static inline bool vs_is_char(vs_value v) { return (v >> 32) == (VS_CHAR(0) >> 32); }
-/* the code point of a character */
+/* Returns the code point of a character. */
 static inline uint32_t vs_char(vs_value v) {
   VS_ASSERT(vs_is_char(v));
   return (uint32_t)v;
 }
 
 static inline bool vs_is_double(vs_value v) { return v < (VS_TAG_FIXNUM << 48); }
-/* v is a double */
+/* Returns the double of v, which is one. */
 static inline double vs_double(vs_value v) {
   double d;
   VS_ASSERT(vs_is_double(v));
   memcpy(&d, &v, sizeof d);
   return d;
 }
-/* for a result of arithmetic on our own doubles */
+/* Returns the value of d, a double that is no NaN or the canonical one, as our own arithmetic returns. */
 static inline vs_value vs_flonum_raw(double d) { vs_value v; memcpy(&v, &d, sizeof v); return v; }
-/* for a double that comes from anywhere else */
+/* Returns the value of any double. */
 static inline vs_value vs_flonum(double d) { return d == d ? vs_flonum_raw(d) : UINT64_C(0x7FF8000000000000); }
 
 static inline bool vs_is_fixnum(vs_value v) { return (v >> 48) == VS_TAG_FIXNUM; }
-/* v is a fixnum */
+/* Returns the integer of v, which is a fixnum. */
 static inline int64_t vs_fixnum(vs_value v) {
   VS_ASSERT(vs_is_fixnum(v));
   return (int64_t)(v << 16) >> 16;
 }
-/* n in range, or a place or a hash of 48 bits */
+/* Returns the fixnum n; n is in range, or a position or hash of 48 bits. */
 static inline vs_value vs_fix(int64_t n) {
   VS_ASSERT(n >= VS_FIXNUM_MIN && n <= (int64_t)VS_PAYLOAD);
   return (VS_TAG_FIXNUM << 48) | ((uint64_t)n & VS_PAYLOAD);
@@ -91,7 +92,7 @@ enum {
 
 typedef struct vs_object {
   uint8_t type;     /* VS_T_... */
-  uint8_t gc;       /* the collector's own bits (gc.h) */
+  uint8_t gc;       /* bits of the collector (gc.h) */
   uint16_t flags;   /* per type, VS_F_... below */
   uint32_t words;   /* size of the whole object in 8-byte words */
 } vs_object;
@@ -99,33 +100,33 @@ typedef struct vs_object {
 enum {                          /* vs_object.flags */
   VS_F_IMMUTABLE  = 1,          /* literals: strings, vectors, bytes, pairs that the program must not change */
   VS_F_LOCATED    = 2,          /* pair: a fourth word holds its vs_pos */
-  VS_F_SQUARE     = 4,          /* pair: read from [ ]; only for messages and re-printing of source */
-  VS_F_WIDE       = 4,          /* string: 4 bytes a character, else 1 byte (Latin-1) */
-  VS_F_CONSTANT   = 4,          /* cell: imported or registered, never assigned: calls to it may be inlined */
+  VS_F_SQUARE     = 4,          /* pair: read from [ ]; for messages and for printing source again */
+  VS_F_WIDE       = 4,          /* string: 4 bytes per character; else 1 byte (Latin-1) */
+  VS_F_CONSTANT   = 4,          /* cell: imported or registered, never assigned: the compiler may inline calls to it */
   VS_F_UNINTERNED = 4,          /* symbol: from generate-uninterned-symbol */
   VS_F_LOCAL      = 8,          /* symbol, alias: some local scope has bound it */
-  VS_F_ASSIGNED   = 8,          /* cell: its own unit has a set! of it: who imports it shares it */
-  VS_F_AROUND     = 4,          /* environment: other scopes lie in this one */
+  VS_F_ASSIGNED   = 8,          /* cell: its own unit has a set! of it, so importers share the cell */
+  VS_F_AROUND     = 4,          /* environment: contains other scopes */
   VS_F_NEGATIVE   = 4,          /* bignum */
-  VS_F_MARKED     = 4           /* closure: one that the layers above treat in a way of their own */
+  VS_F_MARKED     = 4           /* closure: the layers above treat it specially */
 };
 
 static inline bool vs_is_object(vs_value v) { return (v >> 48) == VS_TAG_POINTER; }
-/* v is the address of a heap object */
+/* Returns the heap object of v, which is an object's address. */
 static inline vs_object *vs_object_of(vs_value v) {
   VS_ASSERT(vs_is_object(v));
   return (vs_object *)(uintptr_t)(v & VS_PAYLOAD);
 }
-/* an address of 48 bits */
+/* Returns the value of an address of 48 bits. */
 static inline vs_value vs_from_object(const void *o) {
   VS_ASSERT(((uint64_t)(uintptr_t)o & ~VS_PAYLOAD) == 0);
   return (VS_TAG_POINTER << 48) | (uint64_t)(uintptr_t)o;
 }
 static inline bool vs_is(vs_value v, int type) { return vs_is_object(v) && vs_object_of(v)->type == type; }
 
-/* A place in a source file, 48 bits so that it also fits a fixnum (vs_fix(pos), back with vs_pos_of): file number
-   (vm->at.files) 12 bits, line 22 bits, column 14 bits, all saturating; lines and columns from 1, 0 is unknown. Columns
-   count characters. */
+/* A position in a source file. It has 48 bits, so it fits a fixnum (vs_fix(pos), and back with vs_pos_of): file number
+ * (vm->at.files) 12 bits, line 22 bits, column 14 bits, all saturating. Lines and columns count from 1; 0 is unknown.
+ * Columns count characters. */
 typedef uint64_t vs_pos;
 static inline vs_pos vs_pos_make(uint32_t file, uint32_t line, uint32_t col) {
   if (file > 0xFFF) file = 0;
@@ -144,53 +145,54 @@ static inline vs_pos vs_pos_of(vs_value fixnum) {
 typedef struct { vs_object h; vs_value car, cdr; } vs_pair;
 typedef struct { vs_pair pair; vs_pos pos; } vs_located_pair;   /* VS_F_LOCATED */
 
-/* Characters are in `store`, a BYTES object, 1 or 4 bytes each (VS_F_WIDE), so that string-ref is O(1) and string-set!
-   may widen. Code points, never surrogates. Conversions belong to the string module. */
+/* `store` is a BYTES object with the characters, 1 or 4 bytes each (VS_F_WIDE): string-ref takes constant time, and
+ * string-set! may widen. Characters are code points, never surrogates. The string module converts. */
 typedef struct { vs_object h; uint32_t length, hash; vs_value store; } vs_string;
 
-/* UTF-8 name, with a zero byte behind it. Interned ones are unique (vs_intern in gc.h): compare with ==. */
+/* A UTF-8 name, with a zero byte behind it. Interned symbols are unique (vs_intern in gc.h): compare with ==. */
 typedef struct { vs_object h; uint32_t hash, length; char name[]; } vs_symbol;
 
 typedef struct { vs_object h; uint64_t length; vs_value at[]; } vs_vector;
 typedef struct { vs_object h; uint64_t length; uint8_t at[]; } vs_bytes;
 
-/* magnitude in GMP limbs, least first, the last not 0, never a value that fits a fixnum; sign in VS_F_NEGATIVE */
+/* The magnitude in GMP limbs, least first, the last not 0; never a value that fits a fixnum. The sign is
+ * VS_F_NEGATIVE. */
 typedef struct { vs_object h; uint64_t count; uint64_t limb[]; } vs_bignum;
 typedef struct { vs_object h; vs_value num, den; } vs_ratio;     /* lowest terms, den > 1 */
 
-/* A compiled procedure. Never moves (allocated in the old space), so the run loop may point into it. */
+/* A compiled procedure. It is allocated in the old space and never moves, so the run loop may point into it. */
 typedef struct {
   vs_object h;
   vs_value name;        /* symbol or #f */
-  vs_value consts;      /* vector, old space; cells, literals, nested code, keyword lists */
-  vs_value ins;         /* BYTES of 32-bit instructions, old space */
-  vs_value places;      /* BYTES: pc -> position, or one position as a fixnum: see code.h */
-  vs_value inlined;     /* BYTES of {u32 pc, u32 constant}: instructions standing for a call of that constant's cell, by
-                           pc */
-  vs_value params;      /* vector of symbols: required, optional, keyword, rest: for messages */
-  vs_value doc;         /* what the program may attach, or #f */
+  vs_value consts;      /* vector in the old space: cells, literals, nested code, keyword lists */
+  vs_value ins;         /* BYTES of 32-bit instructions, in the old space */
+  vs_value places;      /* BYTES: pc -> position; or one position as a fixnum: see code.h */
+  vs_value inlined;     /* BYTES of {u32 pc, u32 constant}, by pc: instructions that replace a call of that constant's
+                         * cell */
+  vs_value params;      /* vector of symbols for messages: required, optional, keyword, rest */
+  vs_value doc;         /* the documentation that the program attached, or #f */
   uint32_t required, optional, keywords, registers;
   uint32_t flags;       /* VS_CODE_... */
-  uint32_t free;        /* how many variables a closure of it captures */
+  uint32_t free;        /* number of variables that a closure of it captures */
 } vs_code;
 enum {
   VS_CODE_REST = 1,
   VS_CODE_SIMPLE = 2,           /* only required parameters, and none of the following */
-  VS_CODE_GET = 4,              /* what define-record-type makes: a field's accessor, its modifier, */
+  VS_CODE_GET = 4,              /* procedures of define-record-type: a field's accessor, its modifier, */
   VS_CODE_SET = 8,
   VS_CODE_TEST = 16,            /* the predicate, */
-  VS_CODE_MAKE = 32,            /* the constructor: run without an activation (record_call.h) */
+  VS_CODE_MAKE = 32,            /* the constructor; they run without an activation (record_call.h) */
   VS_CODE_RECORD = VS_CODE_GET | VS_CODE_SET | VS_CODE_TEST | VS_CODE_MAKE
 };
 
 typedef struct { vs_object h; vs_value code; vs_value free[]; } vs_closure;
-/* case-lambda: closures, tried in order. A word behind the clauses is what the layers above noted of the procedure. */
+/* case-lambda: closures, tried in order. A word behind the clauses is a note of the layers above. */
 typedef struct { vs_object h; uint64_t count; vs_value clause[]; } vs_case;
 static inline vs_value vs_case_note(const vs_case *c) {
   return c->h.words > 2 + c->count ? c->clause[c->count] : VS_FALSE;
 }
-/* `max` is UINT32_MAX with a rest; `keywords` a vector of symbols or #f; `inlined` the row of inline.def, `inlined_arg`
-   with it */
+/* `max` is UINT32_MAX if there is a rest; `keywords` is a vector of symbols or #f; `inlined` is the row of inline.def,
+ * with `inlined_arg`. */
 typedef struct {
   vs_object h;
   const struct vs_native_def *def;
@@ -199,26 +201,28 @@ typedef struct {
   uint32_t inlined, inlined_arg;
 } vs_native;
 
-/* A global variable. `users` lists the code that inlined it while VS_F_CONSTANT (patched when it is redefined). */
+/* A global variable. `users` lists the code that inlined it while it was VS_F_CONSTANT; a redefinition patches that
+ * code. */
 typedef struct { vs_object h; vs_value value, name, users; } vs_cell;
 typedef struct { vs_object h; vs_value value; } vs_box;
-typedef struct { vs_object h; uint64_t count; vs_value at[]; } vs_values;      /* never 1 of them */
+typedef struct { vs_object h; uint64_t count; vs_value at[]; } vs_values;      /* never exactly 1 */
 
 typedef struct { vs_object h; vs_value name, fields /* vector of symbols */, parent, data; } vs_record_type;
 typedef struct { vs_object h; vs_value type; vs_value at[]; } vs_record;
 
-/* Up to 16 doubles and a tag (native.h: vs_flat_type); the tag is in h.flags. Immutable. */
+/* At most 16 doubles and a tag (native.h: vs_flat_type); h.flags is the tag. Immutable. */
 typedef struct { vs_object h; double at[]; } vs_flat;
 static inline uint32_t vs_flat_tag(const vs_flat *f) { return f->h.flags; }
 static inline uint32_t vs_flat_count(const vs_flat *f) { return f->h.words - 1; }
 
-/* A value and how fast it changes (dual.h). */
+/* A value and its derivative (dual.h). */
 typedef struct { vs_object h; vs_value level /* fixnum */, value, slope; } vs_dual;
 
-/* Insertion-ordered hash table. `entries` is a vector of triples key, value, hash (a fixnum); a removed entry's key is
-   VS_VACANT. `index` is BYTES of u32 (entry number + 1, 0 free), open addressing, power of two. Keys hashed by address
-   (eq?/eqv? on heap objects) change hash when they leave the nursery: entries from number `young` on were added since
-   collection number `epoch`; when vm->collections has moved on, table.c re-inserts just those. */
+/* A hash table in insertion order. `entries` is a vector of triples: key, value, hash (a fixnum); a removed entry's key
+ * is VS_VACANT. `index` is BYTES of u32 (entry number + 1; 0: free), with open addressing and a power of two of slots.
+ * A key hashed by its address (eq?/eqv? on heap objects) changes its hash when it leaves the nursery. Entries from
+ * number `young` on were added since collection number `epoch`; table.c inserts them again when vm->collections has
+ * changed. */
 typedef struct {
   vs_object h;
   vs_value entries, index;
@@ -228,8 +232,8 @@ typedef struct {
 } vs_table;
 enum { VS_TABLE_EQ, VS_TABLE_EQV, VS_TABLE_EQUAL, VS_TABLE_STRING };
 
-/* Fields as vm/library/port.c wants them: `buffer` BYTES or #f, `name` string or #f; `host` is a host stream's number
-   or -1. */
+/* A port (vm/library/port.c): `buffer` is BYTES or #f, `name` a string or #f; `host` is the number of a host's stream
+ * or -1. */
 typedef struct {
   vs_object h;
   vs_value buffer, name, data;
@@ -241,19 +245,20 @@ typedef struct {
 typedef struct {
   vs_object h;
   vs_value done /* #t, #f */, value /* value or thunk */;
-} vs_promise; /* shared through box if need be */
+} vs_promise; /* shared through a box if need be */
 typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
-/* An error the system made, or (error ...). Shown as MESSAGE IRRITANT ...: "make-sphere: r must be positive, got" (-2).
-   `chain` is a list of (procedure-name . position fixnum), innermost first; `place` the position of the failing
-   call. */
+/* An error of the system or of (error ...). Printed as MESSAGE IRRITANT ...: "make-sphere: r must be positive, got"
+ * (-2). `chain` is a list of (procedure-name . position fixnum), innermost first; `place` is the position of the
+ * failing call. */
 typedef struct { vs_object h; vs_value kind /* symbol */, message /* string */, irritants /* list */, chain, payload,
     calls /* activation.c; #f: not kept */; vs_pos place; } vs_condition;
 
-/* Captured activations, immutable: `at` is a copy of the stack; below it lies `under`, up to its slot `depth`. */
+/* Captured activations, immutable. `at` is a copy of the stack; `under` is the stretch below it, up to its slot
+ * `depth`. */
 typedef struct { vs_object h; vs_value under; uint64_t depth, count,
-    total /* slots, with those of all stretches below */; vs_value at[]; } vs_stack;
-/* `ret` is the return information of the activation it returns into (run_loop.c) */
+    total /* number of slots, with those of all stretches below */; vs_value at[]; } vs_stack;
+/* `ret` is the return information of the activation into which it returns (run_loop.c). */
 typedef struct {
   vs_object h;
   vs_value stack;
@@ -261,17 +266,17 @@ typedef struct {
   vs_value winders, handlers, parameters, ret;
 } vs_continuation;
 
-/* Expander objects: fields are vm-front's business, all traced. */
+/* Objects of the expander. vm/front defines the fields; the collector traces all of them. */
 typedef struct { vs_object h; vs_value name, table, imports, exports, parent, top, data; } vs_environment;
 typedef struct { vs_object h; vs_value kind, transformer, env, data; } vs_macro;
 typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alias;      /* a renamed identifier */
 
-/* The constant descriptor of a call with keywords: the last `count` arguments belong to these names. */
+/* The constant descriptor of a call with keywords: the last `count` arguments have these names. */
 typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
 
-/* A reference to an object of the host. `type` has the hooks (native.h); release(object) runs when it dies. `with` is
-   for the owner's use, NULL at first. The bytes that the object counts towards the collector's budget is in h.flags
-   (gc.c). */
+/* A reference to an object of the host. `type` has the hooks (native.h); release(object) runs when the reference dies.
+ * `with` is for the owner's use and begins as NULL. h.flags encodes the bytes that the object adds to the collector's
+ * budget (gc.c). */
 typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; const void *with; } vs_foreign;
 
 /* ---- typed access; the caller has tested the type ---- */
@@ -290,7 +295,7 @@ VS_ACCESSOR(stack, STACK) VS_ACCESSOR(continuation, CONTINUATION) VS_ACCESSOR(en
 VS_ACCESSOR(macro, MACRO) VS_ACCESSOR(alias, ALIAS) VS_ACCESSOR(keywords, KEYWORDS) VS_ACCESSOR(foreign, FOREIGN)
 #undef VS_ACCESSOR
 
-/* how many fields the record has */
+/* Returns the number of the record's fields. */
 static inline size_t vs_record_fields(const vs_record *r) { return r->h.words - sizeof(vs_record) / sizeof(vs_value); }
 
 static inline bool vs_is_pair(vs_value v) { return vs_is(v, VS_T_PAIR); }
