@@ -31,7 +31,7 @@ typedef struct vs_var {
   bool introduced;           /* made by a macro: no message shows it */
   bool in_register;          /* unless captured, assignments change its register: no continuation enters its scope
                               * twice */
-  bool given_again;          /* FIX: its value may be given a second time, in the same activation: counts as assigned */
+  bool given_again;          /* FIX: its value may be given a second time, to the same place: counts as assigned */
   /* set by the compiler */
   bool assigned, captured, known;
   uint32_t refs, calls;

@@ -4,9 +4,9 @@
  * An identifier is a symbol or an ALIAS, a name that a macro expansion renamed. An alias means its `name` in the
  * macro's environment `env` unless the alias itself is bound.
  *
- * Scopes may be nested by the thousand, and a name may be bound far outside. Therefore a scope whose depth is a
- * multiple of SKIP (16), of its square and so on also has a table of all bindings of the scopes around it, up to as
- * many scopes; a search tests the table and continues beyond them. When a scope that contains others gets a late
+ * Scopes may be nested by the thousand, and a name may be bound far outside. Therefore a scope with a depth that is a
+ * multiple of SKIP (16), of its square and so on also has a table of all bindings of that many scopes around it (16,
+ * 256, ...). A search tests the table and continues beyond those scopes. When a scope that contains others gets a late
  * binding, which bodies avoid, the tables made before are no longer valid. In a scope `name` is its depth and the
  * number of late bindings when its table was made, `imports` the table (identifier to the scope that binds it) or (),
  * `exports` the scope in which to continue. The number of late bindings is the `top` of the top-level environment.

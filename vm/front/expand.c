@@ -171,7 +171,7 @@ bool vs_is_form(vs_value env, vs_value id, int form) {
   if (!vs_is_identifier(id)) return false;
   vs_meaning m = vs_environment_find(env, id);
   if (m.kind == VS_MEANS_MACRO) return vs_as_macro(m.value)->kind == vs_fix(form);
-  /* else, =>, ... keep their usual meaning where they were not imported */
+  /* else, =>, ... keep their usual meaning also if they were not imported */
   return m.kind == VS_MEANS_NOTHING && form_table[form].auxiliary &&
          !strcmp(vs_as_symbol(vs_identifier_symbol(id))->name, form_table[form].name);
 }

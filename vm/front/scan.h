@@ -32,8 +32,8 @@ bool vs_scan_end(vs_scan *s);                                         /* returns
 
 typedef enum { VS_TEXT_EMPTY, VS_TEXT_WHOLE, VS_TEXT_OPEN, VS_TEXT_BAD } vs_text_state;
 typedef struct vs_text_check { vs_text_state state; uint32_t depth, line, col; const char *trouble; } vs_text_check;
-/* Tests whether this text is complete: any number of whole data. OPEN: line, col are those of the last opened thing;
- * BAD: of the mistake. */
+/* Tests whether this text is complete: any number of whole data. OPEN: line and col of the parenthesis, string or
+ * comment opened last; BAD: of the mistake. */
 bool vs_read_whole(vs_scheme *vm, const char *text, size_t size, vs_text_check *out);
 
 #endif

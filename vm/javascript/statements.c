@@ -247,8 +247,8 @@ static bool loop(vs_translation *t, uint32_t i, const vs_then *then) {
   return turns(t, i, number, then) && vs_translate_close(t);
 }
 
-/* Translates a switch. A case whose statements are entered from several places is a procedure; if only one test leads
- * to them, they follow it. */
+/* Translates a switch: each case is a procedure, with a call of the next case at its end; the tests choose the first
+ * one. */
 static bool switch_statement(vs_translation *t, uint32_t i, const vs_then *then) {
   const vs_script_node *n = node(t, i);
   uint32_t number = t->numbers, fallback = 0;

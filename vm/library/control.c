@@ -127,7 +127,7 @@ static vs_status apply(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_TAILCALL;
 }
 
-/* (%apply-self procedure list this): calls as a script does a method of `this` */
+/* (%apply-self procedure list this): applies the procedure as a script calls a method of `this` */
 static vs_status apply_self(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   vs_value list = a[1];

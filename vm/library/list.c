@@ -457,7 +457,7 @@ static vs_status list_split_at(vs_scheme *vm, vs_value *a, int n, vs_value *out)
 static vs_status list_flatten(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
-  VS_ROOTS(vm, at, 3);      /* the rest, the ways back, the list to compare */
+  VS_ROOTS(vm, at, 3);      /* the rest, the ways back, the list for the comparison */
   at[0] = a[0]; at[1] = VS_NIL; at[2] = VS_ABSENT;
   uint64_t depth = 0, mark = 0;
   if (!arg_ends(vm, a, 0)) return VS_ERROR;

@@ -148,8 +148,8 @@ static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
 }
 
 /* ---- eval ---- */
-/* Runs the forms as a tail call. tell: who gets the values: #f: nobody; #t: the host; #unspecific: the host, not the
- * caller. */
+/* Runs the forms as a tail call. tell: the receiver of the values: #f none, #t the host, #unspecific the host and not
+ * the caller. */
 static vs_status tail_run(vs_scheme *vm, vs_value forms, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 3);
   vs_value procedure;

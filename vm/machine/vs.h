@@ -24,7 +24,7 @@
   A(checks)        /* the waiting checks (check_queue.h): none, a queue, or #t while a check runs */ \
   A(included)      /* list of (file number . number of the file with the include that read it) */ \
   A(lib)           /* vm/library: its persistent values */ \
-  A(nearby)        /* identifier table or #f, for messages: names not defined where they are used -> a local name */ \
+  A(nearby)        /* identifier table or #f, for messages: undefined names -> a similar local name */ \
                    /* the same; names bound by a let with nothing around it -> themselves */ \
   A(host)          /* bind: its persistent values */ \
   A(standard_out) A(standard_in) A(standard_error)    /* ports */ \

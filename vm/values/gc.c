@@ -136,7 +136,8 @@ static size_t chunk_size(size_t blocks) {
   return blocks > CHUNK_BLOCKS ? (blocks + 1) * BLOCK : sizeof(struct vs_gc_chunk) + blocks * BLOCK;
 }
 
-/* Adds a chunk: a quarter of the heap, in whole huge pages, a power of two of them. */
+/* Adds a chunk of CHUNK_BLOCKS blocks, or, if a quarter of the heap is CHUNK_LEAST or more, of that quarter at most, in
+ * whole huge pages, a power of two of them. */
 static bool gc_add_chunk(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t blocks = CHUNK_BLOCKS;
