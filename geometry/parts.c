@@ -1,8 +1,8 @@
 /* Owns the walk that finds the curves or surfaces of a set.
  *
- * Placements, materials and layers may stand above a set, between sets, and above a part. The walk takes a set apart by
- * giving each of its children the wrappers that stood above the set; a child that is a set itself is taken apart next.
- * The stack of what is still to do holds references, so that a deep tree costs no C stack. */
+ * Placements, materials and layers may be above a set, between sets, and above a part. The walk replaces a set by its
+ * children, each within the wrappers above the set; it does the same for each child that is a set. A stack of
+ * references holds the pending nodes: a deep tree costs no C stack. */
 #include "geometry/parts.h"
 
 #include <stdlib.h>
@@ -58,7 +58,7 @@ bool vs_several_parts(vs_ref whole, vs_ref **out, size_t *count) {
       continue;
     }
     ok = VS_GROW(todo, todo_room, todo_count + set->child_count);
-    for (uint32_t i = set->child_count; ok && i-- > 0;) { /* the first is taken up next */
+    for (uint32_t i = set->child_count; ok && i-- > 0;) { /* the first child is on top of the stack */
       vs_node *part = vs_parts_within(at, set->children[i]);
       ok = part != NULL;
       if (ok) todo[todo_count++] = (vs_ref){ part, set->children[i].origin };

@@ -1,5 +1,4 @@
-/* Owns the way from a node to its triangles: follows placements down to the leaf, has the leaf meshed, brings the mesh
- * back up. */
+/* Owns the way from a node to its triangles: follows placements down to the leaf, meshes it, and places the mesh. */
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
 
@@ -14,7 +13,7 @@
 #include "geometry/profiles/thicken.h"
 #include "geometry/profiles/taper.h"
 
-/* A placement's child; NULL for what is a leaf here. Appearance changes no shape. */
+/* Returns the child of a placement or an appearance; NULL: n is a leaf here. Appearance changes no shape. */
 static const vs_ref *tessellate_below(const vs_node *n, vs_affine *placed) {
   switch (vs_node_role(n)) {
     case VS_ROLE_PLACED: *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix); return &n->children[0];
@@ -64,7 +63,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
     case VS_THICKEN:
       if (n->children[0].node->class_ == VS_SURFACE) {
         vs_mesh surface = { 0 };
-        /* A surface is no thickening: this comes back here once, never deeper. */
+        /* A surface is no thickening: this recursion is one level deep. */
         if (!vs_tessellate(n->children[0].node, f, &surface, e)) return vs_mesh_free(&surface), false;
         double half = VS_AS(thicken, n)->width / 2;
         ok = vs_thicken_surface(&surface, half, half, out, NULL, NULL);
@@ -88,7 +87,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
     }
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_loft_mesh(n, f, out, e);
     case VS_GRID_MESH: case VS_GRID_SURFACE: ok = vs_surface_mesh(n, out); break;
-    case VS_SECTION: case VS_PROJECT: /* solids/resolve.c has made regions of them before */
+    case VS_SECTION: case VS_PROJECT: /* solids/resolve.c has replaced them by regions */
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_EDGES:
     case VS_LINE:
     case VS_ARC:
@@ -102,7 +101,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
   return ok || vs_error_memory(e, NULL);
 }
 
-/* Follows placements down to the leaf: *placed brings its coordinates back up, *inner is its fineness. */
+/* Returns the leaf below the placements. *placed: the map from its coordinates to n's; *inner: the fineness for it. */
 static const vs_node *tessellate_bottom(const vs_node *n, const vs_fineness *f, vs_affine *placed, vs_fineness *inner,
                                         const vs_origin **origin) {
   *placed = vs_affine_identity();
@@ -128,7 +127,7 @@ bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_erro
   return true;
 }
 
-/* The plan of a sweep or a pipe, *is; any other solid has none. */
+/* Makes the plan of a sweep or a pipe. *is: whether n is one of these; no other solid has a plan. */
 static bool sweep_plan(const vs_node *n, const vs_fineness *f, vs_swept *plan, vs_affine *placed, bool *is,
                        vs_error *e) {
   vs_fineness inner;

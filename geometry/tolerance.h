@@ -1,23 +1,23 @@
-/* Owns how finely curves are cut: the one rule that every back-end and the kernel share. */
+/* Owns the fineness of curves: the one rule that every back-end and the kernel share. */
 #ifndef VS_GEOMETRY_TOLERANCE_H
 #define VS_GEOMETRY_TOLERANCE_H
 
 #include "model/vec.h"
 
 typedef struct {
-  double tolerance; /* chord height, model units, > 0 */
-  int segments;     /* > 0: facets a turn for every node whose own field is 0 */
+  double tolerance; /* the largest distance of a chord from its arc, in model units, > 0 */
+  int segments;     /* > 0: facets of a full turn, for every node whose own field is 0 */
 } vs_fineness;
 
-/* The default chord height of a drawing: the power of two nearest 1/4000 of the diagonal of its bounds. */
+/* Returns the default tolerance of a drawing: the power of two nearest to 1/4000 of the diagonal of its bounds. */
 double vs_fineness_tolerance(const vs_bounds *drawing);
-/* Facets a full turn of radius r: by the node's own segments, then f->segments, then f->tolerance; never fewer than 32
- * by tolerance; a multiple of 4 by tolerance so that quarter turns are vertices. */
+/* Returns the facets of a full turn of radius r: by the node's own segments, else by f->segments, else by f->tolerance.
+ * By tolerance there are at least 32, and a multiple of 4, because quarter turns must be vertices. */
 int vs_fineness_turn(const vs_fineness *f, double r, int segments);
-/* by the tolerance alone, but at least so many. The tolerance and `least` are above 0. */
+/* Returns the facets by the tolerance alone, but no fewer than `least`. The tolerance and `least` are above 0. */
 int vs_fineness_turn_least(const vs_fineness *f, double r, int least);
-/* The rule inside a placement: a chord that a shrinks or stretches keeps its height in the drawing. Stretch goes by
- * powers of two, so that turns and small differences change nothing and equal parts stay equal. */
+/* Returns the fineness inside a placement a: a chord's distance is then f's tolerance in the drawing. The scale is
+ * rounded to a power of two: rotations and small differences change nothing, and equal parts stay equal. */
 vs_fineness vs_fineness_placed(const vs_fineness *f, const vs_affine *a);
 
 #endif

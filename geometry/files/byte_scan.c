@@ -1,4 +1,4 @@
-/* Owns walking through bytes, for the readers of mesh files. */
+/* Owns scanning of bytes, for the readers of mesh files. */
 #include "geometry/files/byte_scan.h"
 
 #include <stdarg.h>
@@ -60,7 +60,7 @@ void vs_scan_word(vs_byte_scan *s, bool lines, char comment, char word[VS_SCAN_W
   word[n] = 0;
 }
 
-/* The text that stands where something else was expected, fit to be shown */
+/* Reports the found text, in printable form, in place of the expected one. */
 static bool scan_refuse(const vs_byte_scan *s, const char *expected, const char *word) {
   char shown[VS_SCAN_WORD];
   size_t n = 0;

@@ -1,4 +1,5 @@
-/* Owns EXR pictures in memory, and writing them by OpenEXR's C library: scan lines, ZIP in blocks of 16. */
+/* Owns EXR pictures in memory, and their writing by OpenEXR's C library: scan lines, ZIP compression in blocks of
+ * 16. */
 #include <openexr.h>
 #include <string.h>
 
@@ -81,7 +82,7 @@ bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint3
 
 /* ---- writing ---- */
 
-/* EXR(member, symbol, result, parameters): what we use of it */
+/* EXR(member, symbol, result, parameters): the functions that this file uses */
 #define EXR_START (exr_context_t *, const char *, exr_default_write_mode_t, const exr_context_initializer_t *)
 #define EXR_PIPELINE (exr_const_context_t, int, exr_encode_pipeline_t *)
 #define EXR_CHUNK (exr_const_context_t, int, const exr_chunk_info_t *, exr_encode_pipeline_t *)
@@ -118,7 +119,7 @@ static const vs_dynamic_name exr_names[] = {
 
 typedef struct { vs_store *store; vs_made_bytes made; bool full; } exr_file;
 
-/* Puts bytes at their place in the file, which grows by halves. */
+/* Writes bytes at their offset in the file; the buffer grows by half of its size. */
 static int64_t exr_put(exr_const_context_t c, void *to, const void *bytes, uint64_t count, uint64_t from,
                        exr_stream_error_func_ptr_t error) {
   (void)c, (void)error;
@@ -189,7 +190,7 @@ bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e) {
   exr_result_t result = call.start(&c, "picture", EXR_WRITE_FILE_DIRECTLY, &how);
   if (result == EXR_ERR_SUCCESS) result = exr_put_header(&call, c, x);
   if (result == EXR_ERR_SUCCESS) result = exr_put_lines(&call, c, x);
-  if (c) { /* the table of chunks is written last */
+  if (c) { /* the library writes the table of chunks last */
     exr_result_t last = call.finish(&c);
     if (result == EXR_ERR_SUCCESS) result = last;
   }

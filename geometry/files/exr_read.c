@@ -1,9 +1,9 @@
-/* Owns reading EXR pictures by OpenEXR's C library, loaded at the first one: scan lines or tiles of the first part.
+/* Owns reading EXR pictures by OpenEXR's C library, loaded at its first use: scan lines or tiles of the first part.
  *
- * The library decompresses; taking the numbers out of a chunk is done here. Its own routines for that suppose that
- * every channel is wanted, and write through a null pointer where a picture has one more (an alpha channel) than is
- * asked for. A chunk holds its lines from the top; each line holds the channels in alphabetical order, one number
- * beside the other, low byte first. */
+ * The library decompresses; this file unpacks the numbers of a chunk. The library's own unpacking assumes that every
+ * channel is wanted, and writes through a null pointer when a picture has one more channel (alpha) than the request. A
+ * chunk holds its lines from the top; each line holds the channels in alphabetical order, one number after the other,
+ * low byte first. */
 #include "geometry/files/exr_read.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* EXR(member, symbol, result, parameters): what we use of it */
+/* EXR(member, symbol, result, parameters): the functions that this file uses */
 #define EXR_PIPELINE (exr_const_context_t, int, exr_decode_pipeline_t *)
 #define EXR_CHUNK (exr_const_context_t, int, const exr_chunk_info_t *, exr_decode_pipeline_t *)
 #define EXR_TILES (exr_const_context_t, int, uint32_t *, uint32_t *, exr_tile_level_mode_t *, exr_tile_round_mode_t *)
@@ -59,7 +59,7 @@ static int64_t exr_size(exr_const_context_t c, void *memory) {
   (void)c;
   return (int64_t)((const vs_file_bytes *)memory)->size;
 }
-/* The results say it too. */
+/* Discards the library's messages: its result codes say the same. */
 static void exr_quiet(exr_const_context_t c, exr_result_t code, const char *message) { (void)c, (void)code,
     (void)message; }
 
@@ -68,7 +68,7 @@ static void exr_quiet(exr_const_context_t c, exr_result_t code, const char *mess
 static double exr_half(unsigned bits) {
   uint32_t exponent = bits >> 10 & 31, fraction = bits & 1023, sign = (uint32_t)(bits & 0x8000) << 16;
   if (exponent == 0) return (bits & 0x8000 ? -0x1p-24 : 0x1p-24) * fraction;
-  /* a float's exponent is larger by 112, and its fraction has 13 digits more; both say infinity and no number alike */
+  /* a float's exponent bias is larger by 112, and its fraction has 13 bits more; both encode infinity and NaN alike */
   uint32_t wide = sign | (exponent == 31 ? 255 : exponent + 112) << 23 | fraction << 13;
   float value;
   memcpy(&value, &wide, sizeof value);
@@ -86,8 +86,7 @@ static double exr_number(const unsigned char *at, uint16_t type) {
 
 /* ---- chunks ---- */
 
-/* Where a chunk lies in the picture, in pixels from its upper left corner; what reaches past the picture is left out.
- * */
+/* A chunk's place in the picture, in pixels from its upper left corner; the parts beyond the picture are omitted. */
 typedef struct { int64_t x, y, columns, rows; } exr_place;
 
 typedef struct {
@@ -97,15 +96,15 @@ typedef struct {
   exr_attr_box2i_t box;
   const exr_attr_chlist_t *all;
   bool tiled;
-  int64_t wide, high;       /* of a chunk */
-  int64_t columns, rows;    /* of the picture */
-  exr_place part;           /* of it that is wanted */
-  size_t stride;            /* of the targets' rows */
+  int64_t wide, high;       /* size of a chunk */
+  int64_t columns, rows;    /* size of the picture */
+  exr_place part;           /* the wanted part of the picture */
+  size_t stride;            /* of the targets' rows, in numbers */
   vs_exr_target targets[VS_EXR_CHANNELS];
   size_t count;
 } exr_reader;
 
-/* Takes of a channel's line the columns from `skip` on; first: where they go in the part. */
+/* Copies the columns of a channel's line from `skip` on; first: the index of the first in the part. */
 static exr_result_t exr_take_line(const exr_coding_channel_info_t *info, const unsigned char *at,
                                   const vs_exr_target *t, size_t first, int64_t skip, int64_t columns) {
   if (info->x_samples != 1 || info->y_samples != 1) return EXR_ERR_FEATURE_NOT_IMPLEMENTED;
@@ -119,8 +118,8 @@ static exr_result_t exr_take_line(const exr_coding_channel_info_t *info, const u
   return EXR_ERR_SUCCESS;
 }
 
-/* Puts a chunk's numbers in their place. top: the y of its first line in the file's own coordinates, which sub-sampling
- * goes by. */
+/* Copies a chunk's numbers to their place. top: the y of its first line in the file's own coordinates, which determine
+ * sub-sampling. */
 static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, exr_place place, int64_t top) {
   const unsigned char *at = d->unpacked_buffer ? d->unpacked_buffer : d->packed_buffer;
   uint64_t left = at ? d->chunk.unpacked_size : 0;
@@ -132,7 +131,7 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
       const exr_coding_channel_info_t *info = &d->channels[c];
       if (info->x_samples < 1 || info->y_samples < 1 || info->width < 0 || info->bytes_per_element < 1)
         return EXR_ERR_CORRUPT_CHUNK;
-      if ((top + line) % info->y_samples != 0) continue; /* this line has none of it */
+      if ((top + line) % info->y_samples != 0) continue; /* the channel has no numbers in this line */
       uint64_t bytes = (uint64_t)info->width * (uint64_t)info->bytes_per_element;
       if (bytes > left) return EXR_ERR_CORRUPT_CHUNK;
       int64_t row = place.y + line - part->y;
@@ -148,10 +147,10 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
   return EXR_ERR_SUCCESS;
 }
 
-/* Decompresses a chunk. The library reports a broken chunk when zlib runs out of memory. In that case an allocation of
+/* Decompresses a chunk. The library reports a broken chunk when zlib runs out of memory. In this case an allocation of
  * the same size fails here too, or a second attempt succeeds. */
 static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
-  enum { WORK = 1 << 16 }; /* bytes, more than zlib takes */
+  enum { WORK = 1 << 16 }; /* bytes, more than zlib needs */
   exr_result_t result = r->call.run(r->c, 0, d);
   if (result != EXR_ERR_CORRUPT_CHUNK) return result;
   void *volatile probe = malloc(WORK);
@@ -160,8 +159,8 @@ static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
   return r->call.run(r->c, 0, d);
 }
 
-/* The chunks of scan lines are as wide as the picture and so many lines high; tiles have a size of their own. Asks
- * whether to go on after each. */
+/* Reads all chunks. Chunks of scan lines are as wide as the picture and have a fixed number of lines; tiles have a
+ * fixed size. Polls after each chunk. */
 static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
   const exr_functions *call = &r->call;
   exr_context_t c = r->c;
@@ -184,7 +183,8 @@ static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
         result = begun ? call->update(c, 0, &chunk, &decoder) : call->begin(c, 0, &chunk, &decoder);
       if (!begun && result == EXR_ERR_SUCCESS) {
         begun = true;
-        result = call->choose(c, 0, &decoder); /* how to read and to decompress: no channel has a place to go */
+        result = call->choose(c, 0, &decoder); /* chooses how to read and to decompress: no channel has a destination
+                                                * yet */
         decoder.unpack_and_convert_fn = NULL;
       }
       if (result == EXR_ERR_SUCCESS) result = exr_run(r, &decoder);
@@ -194,7 +194,7 @@ static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
   return result;
 }
 
-/* The size of the picture and of its chunks. False: the error says why, or *result does. */
+/* Reads the sizes of the picture and of its chunks. Returns false with the reason in e or in *result. */
 static bool exr_measure(exr_reader *r, const vs_file_bytes *file, exr_result_t *result, vs_error *e) {
   exr_storage_t storage;
   uint32_t tile_wide = 0, tile_high = 0;
@@ -220,8 +220,8 @@ static bool exr_measure(exr_reader *r, const vs_file_bytes *file, exr_result_t *
   }
   r->columns = (int64_t)r->box.max.x - r->box.min.x + 1, r->rows = (int64_t)r->box.max.y - r->box.min.y + 1;
   r->wide = r->tiled ? (int64_t)tile_wide : r->columns, r->high = r->tiled ? (int64_t)tile_high : per_chunk;
-  /* every chunk has an entry of eight bytes in a table: a size that the file has no room for is a lie, and no memory is
-   * asked for it */
+  /* each chunk has an entry of eight bytes in a table: a size for which the file is too short is invalid, and no memory
+   * is allocated for it */
   bool sized = r->columns > 0 && r->rows > 0 && r->rows <= VS_RASTER_MOST / r->columns;
   if (sized && (uint64_t)((r->rows - 1) / r->high + 1) > file->size / 8)
     return vs_error_set(e, VS_ERROR_MODEL, NULL,
@@ -249,7 +249,7 @@ static bool exr_choose(exr_reader *r, vs_exr_choose *choose, void *context, vs_e
   return choose(context, &view, r->targets, &r->count, e);
 }
 
-/* Notes what is wanted of the picture. */
+/* Sets the wanted part of the picture. */
 static void exr_cut(exr_reader *r, const vs_exr_window *w) {
   r->part = (exr_place){ 0, 0, r->columns, r->rows };
   if (w) r->part = (exr_place){ w->part.left, w->part.top, w->part.columns, w->part.rows };

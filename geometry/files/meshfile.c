@@ -50,7 +50,7 @@ static float little_float(const unsigned char *b) {
 
 static bool read_stl_bytes(vs_byte_scan *s, uint32_t count, vs_face_list *out) {
   for (uint32_t i = 0; i < count; i++) {
-    const unsigned char *b = s->bytes + 84 + (size_t)50 * i + 12; /* the normal says nothing that the corners do not */
+    const unsigned char *b = s->bytes + 84 + (size_t)50 * i + 12; /* the normal is redundant */
     for (int k = 0; k < 3; k++, b += 12) {
       vs_vec3 p = { (double)little_float(b), (double)little_float(b + 4), (double)little_float(b + 8) };
       s->at = (size_t)(b - s->bytes);
@@ -82,7 +82,7 @@ static bool read_stl_words(vs_byte_scan *s, vs_face_list *out) {
       if (open < 3) return vs_scan_fail(s, "the facet has %zu corners, not three", open);
       if (!face_list_memory(s, vs_face_list_close(out)) || !vs_scan_poll(s)) return false;
     } else if (!strcmp(word, "normal")) {
-      for (int i = 0; i < 3; i++) vs_scan_word(s, true, 0, word); /* they may be anything, and often are nan */
+      for (int i = 0; i < 3; i++) vs_scan_word(s, true, 0, word); /* normals may be any words, and often are nan */
     } else if (strcmp(word, "facet") && strcmp(word, "outer") && strcmp(word, "loop") && strcmp(word, "endloop")) {
       return vs_scan_fail(s, "expected \"facet\", \"vertex\" or another word of STL, got \"%.32s\"", word);
     }
@@ -91,8 +91,8 @@ static bool read_stl_words(vs_byte_scan *s, vs_face_list *out) {
          vs_scan_fail(s, "the file ends within a facet");
 }
 
-/* In bytes: 80 of any text, the count, 50 for each triangle. Many such files begin with "solid" too: it is the size
- * that tells. */
+/* In bytes: 80 of any text, the count, 50 for each triangle. Many such files begin with "solid" too; the size
+ * distinguishes them. */
 static bool read_stl(vs_byte_scan *s, vs_face_list *out) {
   uint32_t count = s->size >= 84 ? (uint32_t)s->bytes[80] | (uint32_t)s->bytes[81] << 8 | (uint32_t)s->bytes[82] << 16 |
                                        (uint32_t)s->bytes[83] << 24
@@ -104,7 +104,7 @@ static bool read_stl(vs_byte_scan *s, vs_face_list *out) {
   if (s->size - start >= 5 && !memcmp(s->bytes + start, "solid", 5) &&
       !memchr(s->bytes, 0, s->size < 512 ? s->size : 512))
     return read_stl_words(s, out);
-  if (s->size >= 84 && s->size > need) return read_stl_bytes(s, count, out); /* something follows */
+  if (s->size >= 84 && s->size > need) return read_stl_bytes(s, count, out); /* more bytes follow */
   if (s->size < 84)
     return vs_error_set(s->error, VS_ERROR_MODEL, NULL, "%.100s: this is no STL file: it has %zu bytes", s->name,
                         s->size);
@@ -118,7 +118,7 @@ static bool read_stl(vs_byte_scan *s, vs_face_list *out) {
 static bool read_obj_face(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD], *end;
   while (!vs_scan_line_end(s) && s->bytes[s->at] != '#') {
-    if (s->bytes[s->at] == '\\') { /* the face goes on in the next line */
+    if (s->bytes[s->at] == '\\') { /* the face continues in the next line */
       vs_scan_next_line(s);
       continue;
     }
@@ -126,7 +126,7 @@ static bool read_obj_face(vs_byte_scan *s, vs_face_list *out) {
     long long i = strtoll(word, &end, 10);
     if (end == word || (*end && *end != '/') || i == 0)
       return vs_scan_fail(s, "expected the number of a point, got \"%.32s\"", word);
-    if (i < 0) i += (long long)out->point_count + 1; /* -1 is the last one so far */
+    if (i < 0) i += (long long)out->point_count + 1; /* -1 is the last point so far */
     if (i < 1 || i > (long long)UINT32_MAX)
       return vs_scan_fail(s, "the face asks for point %.32s, but there are %zu so far", word, out->point_count);
     if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)(i - 1)))) return false;
@@ -145,7 +145,7 @@ static bool read_obj(vs_byte_scan *s, vs_face_list *out) {
       if (!vs_scan_point(s, false, '#', &p) || !face_list_memory(s, vs_face_list_point(out, p))) return false;
     } else if (!strcmp(word, "f")) {
       if (!read_obj_face(s, out)) return false;
-    } /* normals, textures, groups, materials, curves: not looked at */
+    } /* normals, textures, groups, materials and curves are ignored */
     if (!vs_scan_poll(s)) return false;
   }
   return true;
@@ -153,8 +153,8 @@ static bool read_obj(vs_byte_scan *s, vs_face_list *out) {
 
 /* ---- OFF ---- */
 
-/* [ST][C][N]OFF, the counts of points, faces and edges, then the points (with colours and such behind them), then the
- * faces. */
+/* [ST][C][N]OFF, the counts of points, faces and edges, then the points (each may have colours and the like after it),
+ * then the faces. */
 static bool read_off(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD];
   int64_t points, faces, edges, corners, index;

@@ -1,10 +1,10 @@
-/* Owns what a picture for a screen is in memory. */
+/* Owns the pixels of a picture for a screen. */
 #ifndef VS_GEOMETRY_FILES_PIXELS_H
 #define VS_GEOMETRY_FILES_PIXELS_H
 
 #include <stdint.h>
 
-/* Three bytes a pixel, sRGB, row by row from the top. */
+/* Three bytes for each pixel, sRGB, row by row from the top. */
 typedef struct { unsigned char *rgb; uint32_t columns, rows; } vs_pixels;
 
 #endif

@@ -1,9 +1,9 @@
-/* Owns reading PLY files: a header that says what each element is made of, then the elements, in words or in bytes of
- * either order.
+/* Owns reading PLY files: a header that gives the properties of each element, then the elements, as text or binary in
+ * either byte order.
  *
- * Of the elements only vertex (its x, y, z), face (its list vertex_indices or vertex_index) and tristrips (the same
- * list: each corner from the third on makes a triangle with the two before it, every second one the other way round,
- * and -1 begins a new strip) are kept; the others are walked over by their types. */
+ * The reader keeps the elements vertex (its x, y, z), face (its list vertex_indices or vertex_index) and tristrips (the
+ * same list: each corner from the third on makes a triangle with the two before it, every second triangle in reverse
+ * order, and -1 begins a new strip). It skips other elements by their types. */
 #include "geometry/files/ply.h"
 
 #include <string.h>
@@ -88,7 +88,7 @@ static bool ply_header(vs_byte_scan *s, ply_form *form, ply_element *elements, s
       ++*count;
     } else if (!strcmp(word, "property")) {
       if (!ply_header_property(s, *count ? &elements[*count - 1] : NULL)) return false;
-    } /* comment, obj_info: words of its maker */
+    } /* comment, obj_info: text of the file's author */
   }
   if (!formed) return vs_scan_fail(s, "the header names no format");
   vs_scan_next_line(s);
@@ -125,12 +125,13 @@ static bool ply_value(vs_byte_scan *s, ply_form form, ply_type type, double *out
   return true;
 }
 
-/* Corners of a strip so far: the last two, and how many since it began. */
+/* Corners of the strip so far: the last two, and their number since its beginning. */
 typedef struct { uint32_t last[2]; uint64_t count; } ply_strip;
 
-/* A strip turns at a corner that it names twice: there are triangles without an area, which are none. */
+/* Adds a corner to a strip. A repeated corner turns the strip; it makes triangles without an area, which are
+ * omitted. */
 static bool ply_strip_corner(ply_strip *s, uint32_t corner, vs_face_list *out) {
-  uint32_t a = s->last[s->count % 2], b = s->last[1 - s->count % 2]; /* odd ones are turned round */
+  uint32_t a = s->last[s->count % 2], b = s->last[1 - s->count % 2]; /* triangles with an odd number are reversed */
   bool ok = true;
   if (s->count >= 2 && a != b && a != corner && b != corner)
     ok = vs_face_list_corner(out, a) && vs_face_list_corner(out, b) && vs_face_list_corner(out, corner) &&
@@ -188,7 +189,7 @@ bool vs_ply_read(vs_byte_scan *s, vs_face_list *out) {
   if (!ply_header(s, &form, elements, &count)) return false;
   for (size_t i = 0; i < count; i++) {
     ply_element *e = &elements[i];
-    size_t least = 0, roles = 0; /* bytes that one takes at the least */
+    size_t least = 0, roles = 0; /* least: the smallest size of an element in bytes */
     for (size_t k = 0; k < e->properties; k++) {
       least += form == PLY_WORDS ? 1 : ply_width[e->at[k].list ? e->at[k].count_type : e->at[k].type];
       roles += e->at[k].role != PLY_OTHER;
@@ -201,7 +202,7 @@ bool vs_ply_read(vs_byte_scan *s, vs_face_list *out) {
     if (least && e->count > (s->size - s->at) / least + 1)
       return vs_scan_fail(s, "the file is cut off: it is too short for %llu of element %s",
                           (unsigned long long)e->count, e->name);
-    if (form != PLY_WORDS) s->line = 0; /* from here on it is bytes that are counted */
+    if (form != PLY_WORDS) s->line = 0; /* from here on messages count bytes */
     for (uint64_t n = 0; least && n < e->count; n++)
       if (!ply_one(s, form, e, n, points, out)) return false;
   }

@@ -1,8 +1,8 @@
-/* Owns reading PNG pictures by libpng, loaded at the first one.
+/* Owns reading PNG pictures by libpng, loaded at its first use.
  *
- * libpng's simple interface reports errors by its results. It would bend the numbers by what a file says of gamma and
- * colour profiles; heights are numbers as they stand, so it is handed a copy of the file with the critical chunks
- * alone. Eight bits then come as they are, and sixteen, which it takes for linear, too. */
+ * libpng's simple interface reports errors as results. It would transform the numbers by the file's gamma and colour
+ * profile; heights need the stored numbers. Therefore it reads a copy of the file that has only the critical chunks. It
+ * then returns eight bits unchanged, and sixteen bits too, which it takes for linear. */
 #include "geometry/files/png_read.h"
 
 #include <png.h>
@@ -11,8 +11,8 @@
 #include "geometry/dynamic.h"
 #include "geometry/files/raster.h"
 
-/* Deflate packs at most so many bytes into one: a size that the file has no room for is a lie, and no memory is asked
- * for it. */
+/* Deflate compresses at most so many bytes into one: a size for which the file is too short is invalid, and no memory
+ * is allocated for it. */
 enum { DEFLATE_MOST = 1032 };
 
 typedef struct {
@@ -34,8 +34,8 @@ static uint32_t png_number(const unsigned char *b) {
   return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | (uint32_t)b[3];
 }
 
-/* Copies signature and critical chunks (capital first letter). Returns the size; 0: it is cut off or does not begin
- * with its header. */
+/* Copies the signature and the critical chunks (capital first letter). Returns the size; 0: the file is truncated or
+ * does not begin with its header. */
 static size_t png_bare(const unsigned char *bytes, size_t size, unsigned char *to) {
   size_t at = 8, kept = 8;
   memcpy(to, bytes, 8);

@@ -6,7 +6,7 @@
 #include "geometry/files/pixels.h"
 #include "model/node.h"
 
-/* Makes a PNG: the same bytes for the same pixels. *out is as it was after a failure. */
+/* Makes a PNG: the same bytes for the same pixels. A failure leaves *out unchanged. */
 bool vs_png_write(vs_store *store, const vs_pixels *picture, vs_made_bytes *out, vs_error *e);
 
 #endif

@@ -1,8 +1,8 @@
-/* Owns what is to be known of points and faces before they become a node: do they close, and which way do they face?
+/* Owns checks of points and faces before they become a node: whether they close, and their orientation.
  *
- * Edges of all faces are sorted by their two ends. Where exactly two faces meet at each edge the faces of a component
- * are made to agree with the first of them, breadth first; each component closes when all its edges are met twice, once
- * each way. Linear, but where many edges share a point. */
+ * The edges of all faces are sorted by their two ends. Where exactly two faces share each edge, the faces of a
+ * component are turned to agree with its first face, breadth first; a component closes when each of its edges is used
+ * twice, once in each direction. Linear, except where many edges share a point. */
 #include "geometry/files/polyface.h"
 
 #include <stdlib.h>
@@ -45,14 +45,15 @@ bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place) {
 
 typedef struct { uint32_t low, high, face; bool forward; } vs_side; /* forward: the face runs from low to high */
 
-static int side_compare(const void *a, const void *b) { /* of one low end */
+static int side_compare(const void *a, const void *b) { /* compares sides with the same low end */
   const vs_side *p = a, *q = b;
   if (p->high != q->high) return p->high < q->high ? -1 : 1;
   if (p->face != q->face) return p->face < q->face ? -1 : 1;
   return p->forward - q->forward;
 }
 
-/* Sorted by low end, each of which has few, and then among those; false: out of memory or interrupted. */
+/* Sorts by low end (each has few sides), and then the sides of each. Returns false when memory is out or the run is
+ * interrupted. */
 static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs_error *e) {
   const uint32_t *starts = faces->starts, *corners = faces->corners;
   size_t points = faces->point_count;
@@ -68,7 +69,7 @@ static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs
     for (size_t i = 2; !pass && i < points + 2; i++) at[i] += at[i - 1];
   }
   bool ok = true;
-  for (size_t p = 0; ok && p < points; p++) { /* at[p] is now its first: at[p + 1] has moved up to where it ends */
+  for (size_t p = 0; ok && p < points; p++) { /* at[p] is now p's first: the counting has moved at[p + 1] to p's end */
     uint32_t low = at[p], count = at[p + 1] - low;
     enum { FEW = 16 };
     if (count > FEW) qsort(sides + low, count, sizeof *sides, side_compare);
@@ -86,9 +87,9 @@ static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs
 
 typedef struct {
   vs_side *sides;      /* sorted by edge */
-  uint32_t *mate;      /* per side: the one it meets, or UINT32_MAX */
-  uint32_t *of_face;   /* sides of each face, by face */
-  uint32_t *starts;    /* face -> first of of_face */
+  uint32_t *mate;      /* mate[i]: the side with the same edge, or UINT32_MAX */
+  uint32_t *of_face;   /* sides of each face, ordered by face */
+  uint32_t *starts;    /* starts[f]: the index of f's first side in of_face */
   uint32_t *queue;
   unsigned char *turned, *seen;
 } vs_agreement;
@@ -103,16 +104,17 @@ static void agreement_free(vs_agreement *g) {
   free(g->seen);
 }
 
-/* Is each edge met by two faces, once each way? Then all agree, and nothing else is to be found out: so most meshes
- * are. Which ends the edges from each low end have, and which way they run, sorted: twos of one end and either way.
- * *agreed may be false where they do. False: out of memory or interrupted. */
+/* Sets *agreed if each edge has two faces that use it once in each direction; then all faces agree, and no further
+ * check is needed: most meshes are so. It sorts the other ends of each low end's edges, with their direction, and
+ * expects pairs of the same end with both directions. *agreed may be false although the faces agree. Returns false when
+ * memory is out or the run is interrupted. */
 static bool polyface_agreed(vs_store *s, const vs_polygons *faces, bool *agreed, vs_error *e) {
   enum { FEW = 32 };
   const uint32_t *starts = faces->starts, *corners = faces->corners;
   size_t points = faces->point_count, n = starts[faces->face_count];
   *agreed = false;
   if (n == 0 || points > UINT32_MAX / 2) return true;
-  /* 2 * high + runs from high to low */
+  /* 2 * high + (1: runs from high to low) */
   uint32_t *at = vs_zeros(points + 2, sizeof *at), *ends = vs_fresh(n, sizeof *ends);
   bool ok = (at && ends) || vs_error_memory(e, NULL);
   for (int pass = 0; ok && pass < 2; pass++) {
@@ -144,8 +146,8 @@ static bool polyface_agreed(vs_store *s, const vs_polygons *faces, bool *agreed,
   return ok;
 }
 
-/* faces: over merged points. *closed: each edge met by exactly two faces that agree, or
- * can be made to. turned[f] says which faces to turn. */
+/* Fills g for faces over merged points. *closed: each edge has exactly two faces that agree, or can be made to agree.
+ * turned[f]: whether face f must be turned. Returns false when memory is out or the run is interrupted. */
 static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *faces, bool *closed, vs_error *e) {
   size_t face_count = faces->face_count, n = faces->starts[face_count];
   size_t room = n ? n : 1, face_room = face_count ? face_count : 1;
@@ -167,7 +169,7 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
     size_t end = i + 1;
     while (end < n && g->sides[end].low == g->sides[i].low && g->sides[end].high == g->sides[i].high) end++;
     for (size_t k = i; k < end; k++) g->mate[k] = end - i == 2 ? (uint32_t)(k == i ? i + 1 : i) : UINT32_MAX;
-    if (end - i != 2) { /* more faces at an edge may still be a closed chain, if they already agree */
+    if (end - i != 2) { /* an edge of more faces may still belong to a closed chain, if the faces already agree */
       size_t forward = 0;
       for (size_t k = i; k < end; k++) forward += g->sides[k].forward;
       if (forward * 2 != end - i) *closed = false;
@@ -176,7 +178,7 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
   }
   for (size_t i = 0; i < n; i++) g->starts[g->sides[i].face + 1]++;
   for (size_t f = 0; f < face_count; f++) g->starts[f + 1] += g->starts[f];
-  /* starts[f + 1] is now f's first */
+  /* afterwards starts[f + 1] is f's first */
   for (size_t i = n; i-- > 0;) g->of_face[--g->starts[g->sides[i].face + 1]] = (uint32_t)i;
   for (uint32_t first = 0; first < face_count; first++) {
     if (g->seen[first]) continue;
@@ -193,7 +195,7 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
         const vs_side *mine = &g->sides[g->of_face[k]], *other = &g->sides[mate];
         bool agree = (mine->forward ^ g->turned[f]) != (other->forward ^ g->turned[other->face]);
         if (g->seen[other->face]) {
-          if (!agree) *closed = false; /* one-sided, as a Moebius strip */
+          if (!agree) *closed = false; /* a one-sided surface, such as a Moebius strip */
           continue;
         }
         g->seen[other->face] = 1;
@@ -205,8 +207,8 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
   return true;
 }
 
-/* Does no shell of it enclose anything: sheets back to back? Shells that only cancel each other out do. least: what
- * counts as nothing. False: out of memory. */
+/* Sets *flat if no shell of the mesh encloses a volume above `least`: its sheets are back to back. Shells that only
+ * cancel each other are flat too. Returns false when memory is out. */
 static bool mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
   uint32_t n = (uint32_t)m->vertex_count, *shell = vs_fresh((size_t)n + 1, sizeof *shell);
   double *volume = vs_zeros((size_t)n + 1, sizeof *volume);
@@ -276,7 +278,7 @@ vs_node *vs_polyface_make_mesh(vs_store *s, const vs_polygons *given, vs_mesh *o
   }
   ok = polyface_agree(s, &g, &(vs_polygons){ NULL, count, new_starts, merged, kept_faces }, &closed, &why);
   if (!ok) goto done;
-  for (int pass = 0; pass < 2; pass++) { /* the second turns all round, when it is inside out */
+  for (int pass = 0; pass < 2; pass++) { /* the second pass turns all faces, if the solid is inside out */
     for (size_t f = 0; f < kept_faces; f++) {
       if (!pass && !g.turned[f]) continue;
       for (uint32_t a = new_starts[f], b = new_starts[f + 1] - 1; a < b; a++, b--) {

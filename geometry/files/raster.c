@@ -1,4 +1,4 @@
-/* Owns what the readers of pictures share, and which of them reads what. */
+/* Owns the code that the readers of pictures share, and the choice of the reader. */
 #include "geometry/files/raster.h"
 
 #include <string.h>

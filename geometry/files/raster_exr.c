@@ -1,12 +1,11 @@
-/* Owns which numbers of an EXR picture are its heights. */
+/* Owns the choice of an EXR picture's channels that are its heights. */
 #include "geometry/files/raster_exr.h"
 
 #include <string.h>
 
 #include "geometry/files/exr_read.h"
 
-/* Which channel gives which of up to three numbers: names[k] is the channel's. Returns how many, 1 or 3; 0: there are
- * none. */
+/* Sets names[k] to the channel of the k-th number. Returns the number of channels, 1 or 3; 0: no channel fits. */
 static size_t exr_choose_channels(const vs_exr_view *view, const char *names[3]) {
   const char *rgb[3] = { NULL, NULL, NULL }, *y = NULL, *only = NULL;
   int others = 0;

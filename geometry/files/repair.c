@@ -1,8 +1,8 @@
-/* Owns mending points and faces until they close.
+/* Owns the repair of points and faces until they close.
  *
- * Counted with its direction an edge of a closed chain is met as often one way as the other. Sides that are over at an
- * edge go into a list of sides that are missing; they leave every point as often as they arrive there, whatever the
- * mesh, so they can always be walked off as loops; each loop is covered by triangles. */
+ * In a closed chain each edge, counted with its direction, is used as often one way as the other. The surplus sides of
+ * an edge give a list of missing sides. At every point as many missing sides leave as arrive, in any mesh; therefore
+ * they always form loops, and each loop is covered by triangles. */
 #include "geometry/files/repair.h"
 
 #include <stdlib.h>
@@ -41,7 +41,7 @@ static int side_compare(const void *a, const void *b) {
   return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* All sides, sorted by edge; those of no length are left out. */
+/* Returns all sides, sorted by edge, without sides of length 0. */
 static repair_side *list_sides(const vs_face_list *l, size_t *count) {
   repair_side *sides = vs_fresh(l->corner_count + 1, sizeof *sides);
   *count = 0;
@@ -54,7 +54,8 @@ static repair_side *list_sides(const vs_face_list *l, size_t *count) {
   return sides;
 }
 
-/* Where the sides of the edge of side `at`, which is one of them, end. */
+/* Returns the index after the last side of the edge that begins at side `at`, an index of sides. *over: how many more
+ * of its sides run forward than backward. */
 static size_t edge_end(const repair_side *sides, size_t count, size_t at, long *over) {
   size_t end = at;
   VS_ASSERT(at < count);
@@ -72,7 +73,7 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
   bool closed, ok = place && number && turned && vs_polyface_merge(l->points, l->point_count, place);
   *out = (vs_open_edges){ 0 };
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  /* as it is seen when the node is made: equal points are one, neighbours agree */
+  /* the same view as when the node is made: equal points are one, neighbours agree */
   for (uint32_t f = 0; ok && f < l->face_count; f++) {
     for (uint32_t c = l->starts[f]; ok && c < l->starts[f + 1]; c++)
       ok = vs_face_list_corner(&own, place[l->corners[c]]);
@@ -105,7 +106,7 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
 
 typedef struct { int64_t x, y, z; } weld_cell;
 
-/* The slot of a cell, or a free one; mask is the number of slots, a power of two, less 1. */
+/* Returns the slot of a cell, or a free slot; mask is the number of slots, a power of two, minus 1. */
 static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cells, weld_cell c) {
   uint64_t h = (uint64_t)c.x * UINT64_C(0x9E3779B97F4A7C15) ^ (uint64_t)c.y * UINT64_C(0xC2B2AE3D27D4EB4F) ^
                (uint64_t)c.z * UINT64_C(0x165667B19E3779F9);
@@ -115,12 +116,12 @@ static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cel
   return at;
 }
 
-/* place[i]: the first point that i lies within `reach` of, or i. Cells are twice as wide as the reach: eight of them
+/* Sets place[i] to the first point within `reach` of i, or to i. Cells are twice as wide as reach: at most eight cells
  * can hold such a point. */
 static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *welded) {
   size_t room = 16;
   while (room < l->point_count * 2) room *= 2;
-  /* next: of those in one cell */
+  /* next: the next point of the same cell */
   uint32_t *slots = vs_fresh(room, sizeof *slots), *next = vs_fresh(l->point_count + 1, sizeof *next);
   weld_cell *cells = vs_fresh(l->point_count + 1, sizeof *cells);
   bool ok = slots && next && cells;
@@ -154,12 +155,13 @@ static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *w
 
 /* ---- dropping ---- */
 
-/* The face's corners without repeated neighbours, from start on; fewer than three: nothing is left of it. */
+/* Removes repeated neighbours from the face's corners. Returns the number that is left; fewer than three: the face
+ * vanishes. */
 static uint32_t squeeze(uint32_t *at, uint32_t count) {
   uint32_t n = 0;
   for (uint32_t i = 0; i < count; i++) {
     if (n && at[n - 1] == at[i]) continue;
-    if (n > 1 && at[n - 2] == at[i]) { /* there and back again */
+    if (n > 1 && at[n - 2] == at[i]) { /* an edge followed by its reverse */
       n--;
       continue;
     }
@@ -178,7 +180,7 @@ static int key_compare(const void *a, const void *b) {
   return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Is b the same ring as a, either way round? 1: the same way, -1: the other, 0: no. n is above 0. */
+/* Returns 1 if b is the same ring as a, -1 if it is a reversed, 0 if it is neither. n is above 0. */
 static int same_ring(const uint32_t *a, const uint32_t *b, uint32_t n) {
   uint32_t shift = 0;
   VS_ASSERT(n > 0);
@@ -192,7 +194,7 @@ static int same_ring(const uint32_t *a, const uint32_t *b, uint32_t n) {
   return same ? 1 : back ? -1 : 0;
 }
 
-/* Keeps the faces with keep[f]; every face's corners are squeezed. */
+/* Keeps the faces with keep[f], and removes repeated corners of each. */
 static void keep_faces(vs_face_list *l, const unsigned char *keep, size_t *dropped) {
   uint32_t corners = 0, faces = 0, from = l->face_count ? l->starts[0] : 0;
   for (uint32_t f = 0; f < l->face_count; f++) {
@@ -243,7 +245,7 @@ static bool drop_faces(vs_face_list *l, size_t *dropped) {
 
 /* ---- closing ---- */
 
-/* Covers the loop `ring` of n points with triangles, so that its edges are met as they run. n is 3 or more. */
+/* Covers the loop `ring` of n >= 3 points with triangles; their outer edges have the ring's direction. */
 static bool cover(vs_face_list *l, const uint32_t *ring, size_t n) {
   vs_mesh m = { 0 };
   vs_vec2 *flat = vs_fresh(n, sizeof *flat);
@@ -295,8 +297,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
     for (size_t i = 0; i <= l->point_count; i++) first[i + 1] += first[i];
     memset(seen, 0xFF, (l->point_count + 1) * sizeof *seen);
   }
-  /* Walk: as soon as a point is met again, what lies between is a loop. first[p] goes up as sides that leave p are
-   * used. */
+  /* Walk: when a point is met again, the sides since its first visit are a loop. first[p] increases as the sides that
+   * leave p are used. */
   size_t length = 0;
   for (size_t start = 0; ok && start < missing; start++) {
     uint32_t p = at[start].from;
@@ -313,7 +315,7 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
         if (!ok) break;
       }
       uint32_t next = first[p];
-      if (next >= missing || at[next].from != p) break; /* nothing leaves: only where a walk began */
+      if (next >= missing || at[next].from != p) break; /* no side leaves: the walk is back at its beginning */
       first[p]++;
       seen[p] = (uint32_t)length;
       ring[length++] = p;
@@ -332,7 +334,7 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
 
 /* ---- turning ---- */
 
-/* Turns face f to run the other way. */
+/* Reverses face f. */
 static void turn_face(vs_face_list *l, uint32_t f) {
   VS_ASSERT(f < l->face_count);
   for (uint32_t a = l->starts[f], b = l->starts[f + 1]; a + 1 < b; a++) {
@@ -352,8 +354,8 @@ static bool agree(vs_store *s, vs_face_list *l, size_t *turned, vs_error *e) {
   return ok;
 }
 
-/* Six volumes of the face's fan against the point o, and the solid angle (over two) under which it is seen from
- * there. There is a face f. */
+/* Returns six times the volume between the point o and the face's triangle fan. *angle: half of the solid angle under
+ * which o sees the face. There is a face f. */
 static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *angle) {
   double six = 0;
   vs_vec3 a = vs_v3_sub(l->points[l->corners[l->starts[f]]], o);
@@ -368,7 +370,7 @@ static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *
   return six;
 }
 
-/* Shells of negative volume are turned, but for those inside another: these are cavities. */
+/* Turns shells of negative volume, except those inside another shell: these are cavities. */
 static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_error *e) {
   size_t count, n = l->face_count;
   repair_side *sides = list_sides(l, &count);
@@ -393,7 +395,7 @@ static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_err
       if (!ok) break;
       if (other == s) continue;
       face_volume(l, f, o, &part);
-      angle += volume[other] < 0 ? -part : part; /* as if it looked outwards */
+      angle += volume[other] < 0 ? -part : part; /* counted as if the shell faced outwards */
     }
     turn[s] = !(angle > 3.14159265358979323846);
   }
@@ -416,7 +418,7 @@ bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, v
   double reach = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300),
          size = fmax(fmax(fabs(b.min.x), fabs(b.max.x)),
                      fmax(fmax(fabs(b.min.y), fabs(b.max.y)), fmax(fabs(b.min.z), fabs(b.max.z))));
-  reach = fmax(reach, size * 1e-15); /* far off, steps of doubles are wider */
+  reach = fmax(reach, size * 1e-15); /* at large coordinates the spacing of doubles is wider */
   bool ok = place && weld(l, reach, place, &notes->welded);
   for (size_t i = 0; ok && i < l->corner_count; i++) l->corners[i] = place[l->corners[i]];
   free(place);

@@ -6,19 +6,20 @@
 
 typedef struct {
   const vs_face_list *scan;
-  const double *distances; /* of its points; NaN: nowhere, left out */
-  double range;            /* > 0: colours run from blue at -range over pale grey at 0 to red at range */
+  const double *distances; /* distances[i]: of point i; NaN: the point has no position and is omitted */
+  double range;            /* > 0: colours go from blue at -range through pale grey at 0 to red at range */
   const char *units;
 } vs_distance_map;
 
 typedef bool vs_map_write(void *context, const char *text, size_t length);
 
-/* False: write said so. Faces that lack a point are left out. The map's range is above 0. */
+/* Writes the map as PLY; omits faces with an omitted point. Returns false if `write` did. The map's range is above
+ * 0. */
 bool vs_distance_map_ply(const vs_distance_map *m, vs_map_write *write, void *context);
-/* The map's range is above 0. */
+/* Writes the map as X3D. Returns false if `write` did. The map's range is above 0. */
 bool vs_distance_map_x3d(const vs_distance_map *m, vs_map_write *write, void *context);
 
-/* The colour of a distance, 0 to 1 each. */
+/* Sets the colour of a distance, in shares of the range; each component is 0 to 1. */
 void vs_distance_colour(double share, double rgb[3]);
 
 #endif

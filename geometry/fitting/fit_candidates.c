@@ -1,15 +1,17 @@
-/* Owns step 2 of a fit: all unknowns from several places, and which of them came nearest (fit_candidates.h). */
+/* Owns step 2 of a fit: it fits all unknowns from several places and chooses the best result (fit_candidates.h). */
 #include "geometry/fitting/fit_candidates.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#define DOUBTED .16 /* cost of a candidate above which its numbers are moved: a twentieth of the points are off */
-#define MOVED .08   /* by this share */
+#define DOUBTED .16 /* a candidate with a higher cost has its numbers changed one by one: a twentieth of the points are
+                     * outliers */
+#define MOVED .08   /* the share by which a number is changed */
 
 static const vs_fit_effort little = { VS_FIT_FIRST / 2, 3, 12, 1e-3 }, more = { VS_FIT_FIRST, 3, 25, 1e-4 };
 
-/* The mean of Tukey's loss of its distances, from 0 to 1: about how many of the points are not the model's. */
+/* Returns the mean of Tukey's loss of the candidate's distances, from 0 to 1: about the share of points that do not
+ * belong to the model. */
 static double score(const vs_fit_candidate *c, double spread) {
   double sum = 0, slope, most = VS_TUKEY_REACH * VS_TUKEY_REACH / 3;
   for (size_t i = 0; i < c->known; i++) {
@@ -19,7 +21,7 @@ static double score(const vs_fit_candidate *c, double spread) {
   return c->known ? sum / (double)c->known : 1;
 }
 
-/* Gives all candidates their cost, by the spread of the one with the least. */
+/* Computes the cost of all candidates, with the spread of the candidate with the least spread. */
 static void rate(const vs_fit_search *f, vs_fit_candidate *all, size_t count) {
   double spread = INFINITY;
   for (size_t i = 0; i < count; i++) spread = fmin(spread, all[i].spread);
@@ -27,7 +29,7 @@ static void rate(const vs_fit_search *f, vs_fit_candidate *all, size_t count) {
   for (size_t i = 0; i < count; i++) all[i].cost = score(&all[i], spread);
 }
 
-/* Are the numbers of two candidates apart by more than a twentieth? */
+/* Returns true if a number of the two candidates differs by more than a twentieth. */
 static bool apart(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   for (size_t j = 0; j < f->numbers; j++) {
     const vs_fit_number *n = &f->p->numbers[j];
@@ -37,7 +39,7 @@ static bool apart(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fi
   return false;
 }
 
-/* How far its numbers are from the start, by their size. */
+/* Returns the distance of the candidate's numbers from the start, in units of their scales. */
 static double from_start(const vs_fit_search *f, const vs_fit_candidate *c) {
   double sum = 0;
   for (size_t j = 0; j < f->numbers; j++) {
@@ -48,7 +50,8 @@ static double from_start(const vs_fit_search *f, const vs_fit_candidate *c) {
   return sum;
 }
 
-/* Is a point in twenty or more otherwise off from the one than from the other? Else the two are the same shape. */
+/* Returns true if at least one point in twenty has clearly different distances in the two; else both are the same
+ * shape. */
 static bool unlike(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   double spread = fmax(fmax(a->spread, b->spread), f->tolerance);
   size_t off = 0;
@@ -56,8 +59,8 @@ static bool unlike(const vs_fit_search *f, const vs_fit_candidate *a, const vs_f
   return off * 20 > a->known;
 }
 
-/* Of the candidates, which came nearest; where another that is apart came as near (*second then is the nearest such),
- * the one with the numbers nearer to the start. */
+/* Chooses the candidate with the least cost. If another with different numbers costs as little, *second is the best of
+ * these, and *best the one with numbers nearer to the start. */
 static void choose(vs_fit_search *f, vs_fit_candidate *all, size_t count, vs_fit_candidate *best,
                    vs_fit_candidate *second) {
   rate(f, all, count);
@@ -74,7 +77,8 @@ static void choose(vs_fit_search *f, vs_fit_candidate *all, size_t count, vs_fit
   *best = *second, *second = held;
 }
 
-/* Fits all unknowns from a candidate's. False: failed; stopped is none, and leaves it as it was, or better. */
+/* Fits all unknowns from a candidate's. Returns false on failure; a stop is no failure, and leaves the candidate
+ * unchanged or improved. */
 static bool advance(vs_fit_search *f, vs_fit_candidate *c, const vs_fit_effort *effort) {
   bool refused;
   f->motion = c->motion;
@@ -98,7 +102,7 @@ static int compare_candidates(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Did both come to the same: numbers, and distances of all points? */
+/* Returns true if both have the same numbers, and the same distances of all points. */
 static bool same_candidate(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   size_t count = f->p->count < VS_FIT_FIRST / 2 ? f->p->count : VS_FIT_FIRST / 2;
   double off = 0;
@@ -106,8 +110,8 @@ static bool same_candidate(const vs_fit_search *f, const vs_fit_candidate *a, co
   return !apart(f, a, b) && off < .1 * (double)count * fmax(fmin(a->spread, b->spread), f->tolerance);
 }
 
-/* Where many points are not the model's, some number may be caught beside its value: a row of windows on the next.
- * Starts anew from the best with one number larger, or smaller. False: failed. */
+/* If many points are outliers, a number may be caught in a local minimum: a row of windows fitted to the next row. Fits
+ * again from the best candidate with one number larger, or smaller. Returns false on failure. */
 static bool from_numbers(vs_fit_search *f, vs_fit_candidate *best, vs_fit_candidate *second) {
   enum { NUMBERS_MOVED = 12 };
   vs_fit_candidate pair[2];

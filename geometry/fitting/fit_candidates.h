@@ -4,18 +4,18 @@
 
 #include "geometry/fitting/fit_places.h"
 
-/* Unknowns to which a start has led. */
+/* The unknowns to which a start has led. */
 typedef struct {
   vs_rigid_motion motion;
   double unknowns[VS_FIT_UNKNOWNS_MOST + VS_RIGID_UNKNOWNS], cost, spread;
   float distances[VS_FIT_FIRST / 2];
-  size_t known; /* distances */
+  size_t known; /* distances whose sizes are known */
   bool core;
 } vs_fit_candidate;
 
-/* Fits all unknowns from the places, a few iterations each; then the better half of those that are different to the
- * end. *second: the nearest with other numbers, its cost INFINITY where there is none. False: failed; stopped is
- * none. */
+/* Fits all unknowns from the places, a few iterations each; then the better half of those that differ, to convergence.
+ * *second: the best with other numbers; its cost is INFINITY if there is none. Returns false on failure; a stop is no
+ * failure. */
 bool vs_fit_from_places(vs_fit_search *f, const vs_fit_place *places, size_t count, vs_fit_candidate *best,
                         vs_fit_candidate *second);
 

@@ -1,9 +1,9 @@
-/* Owns what a fit's result is worth (fit_judgement.h).
+/* Owns the judgement of a fit's result (fit_judgement.h).
  *
  * Intervals are by Huber's covariance of an M-estimate, K^2 s^2 [sum psi^2 / (m - n)] / [mean psi']^2 (J'J)^-1, in
- * natural scales: numbers by their size, the motion by the scan's; beside it, what facets that are off by their
- * tolerance would shift. A parameter that changes no distance by a hundred-thousandth of the scan's size, when it
- * changes by its own, is not determined. */
+ * natural scales: numbers by their size, the motion by the scan's size. To it comes the shift that the facets'
+ * tolerance would cause. A parameter is not determined if a change by its own scale changes no distance by a
+ * hundred-thousandth of the scan's size. */
 #include "geometry/fitting/fit_judgement.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@
 /* ---- intervals ---- */
 
 double vs_student_quantile(double confidence, double freedom) {
-  /* the normal quantile by bisection of erf, then Cornish and Fisher's terms */
+  /* the normal quantile by bisection of erf, then the terms of Cornish and Fisher */
   double low = 0, high = 40;
   VS_ASSERT(confidence > 0 && confidence < 1);
   for (int i = 0; i < 100; i++) {
@@ -38,7 +38,8 @@ bool vs_fit_judge(vs_fit_search *f, const double *unknowns) {
   if (!VS_GROW(work, room, n * m + 2 * n * n + 4 * n)) return f->failed = true, vs_error_memory(f->e, NULL);
   double *jacobian = work, *normal = work + n * m, *vectors = normal + n * n, *values = vectors + n * n,
          *scales = values + n;
-  double *common = scales + n; /* of one shift of all distances: what facets that lie within a round shape make */
+  double *common = scales + n; /* the change by a common shift of all distances, as facets within a round shape cause
+                                * it */
   double spread = vs_fit_spread(f), psi = 0, curvature = 0, curvature_square = 0, freedom = (double)m - (double)n;
   bool ok = true;
   for (size_t j = 0; ok && j < f->numbers; j++) {
@@ -106,7 +107,7 @@ static int compare_neighbours(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* The place of a point on a curve that fills the box (Morton's). */
+/* Returns the place of a point on a curve that fills the box (Morton's). */
 static uint64_t curve_key(vs_vec3 p, const vs_bounds *b, double side) {
   const double at[3] = { (p.x - b->min.x) / side, (p.y - b->min.y) / side, (p.z - b->min.z) / side };
   uint64_t key = 0;
