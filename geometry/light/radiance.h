@@ -1,10 +1,10 @@
-/* Declares the reading of Radiance pictures (.hdr), in which panoramas of skies come. */
+/* Declares the reading of Radiance pictures (.hdr), a usual format of panoramas of skies. */
 #ifndef VS_GEOMETRY_LIGHT_RADIANCE_H
 #define VS_GEOMETRY_LIGHT_RADIANCE_H
 
 #include "geometry/files/exr.h"
 
-/* All of a file that is in memory, as channels R, G and B. out need not be initialised and is empty after a
+/* Reads a whole file that is in memory, as channels R, G and B. out needs no initialisation, and is empty after a
  * failure. */
 bool vs_radiance_read(vs_store *store, const vs_file_bytes *file, vs_exr *out, vs_error *e);
 

@@ -1,4 +1,4 @@
-/* Owns bounds: of leaves under an affine map exactly, of sets from those of their parts. */
+/* Owns bounds: of leaves under an affine map exactly, of sets from their parts' bounds. */
 #include "geometry/measure/bounds.h"
 
 #include <stdlib.h>
@@ -33,14 +33,14 @@ static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc
   }
 }
 
-/* for what has to be sampled: finer than any default drawing of it */
+/* the tolerance of sampled shapes: finer than any default drawing of them */
 static double bounds_fineness(const vs_bounds *b) {
   double d = vs_bounds_diagonal(b);
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
 }
 
-/* Upright extrusions follow their profile exactly; other swept solids are sampled. children: the bounds of all children
- * together. */
+/* Adds the bounds of a swept solid: upright extrusions follow their profile exactly; others are sampled. children: the
+ * bounds of all children together. */
 static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
                              vs_error *e) {
   vs_fineness f = { bounds_fineness(children), 0 };
@@ -52,7 +52,7 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     vs_mesh_free(&m);
     return ok;
   }
-  f.tolerance *= 4; /* a twist costs the inverse of it */
+  f.tolerance *= 4; /* the cost of a twist is inverse to the tolerance */
   if (!vs_swept_plan(n, &f, &plan, e)) return false;
   vs_bounds straight = vs_bounds_empty();
   for (size_t i = 0; i < plan.section_count; i++) {
@@ -64,7 +64,7 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     }
   }
   vs_swept_free(&plan);
-  /* inwards within the straight one, which also bounds what crosses itself */
+  /* a taper inwards stays within the straight extrusion, whose bounds are safe even if the solid intersects itself */
   if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) {
     vs_bounds leaning = vs_bounds_empty();
     vs_mesh m = { 0 };
@@ -89,7 +89,7 @@ static bool bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *
   return true;
 }
 
-/* Where only facets tell: of fine ones */
+/* Adds the bounds of fine facets, for shapes without a formula. */
 static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
                               vs_error *e) {
   vs_fineness f = { bounds_fineness(children) * 8, 0 };
@@ -136,8 +136,8 @@ static bool bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs
   return ok;
 }
 
-/* Bounds of a leaf under a. children: those of its children in their own coordinates, for swept solids. False with
- * *leaf true: failed. */
+/* Adds the bounds of a leaf under a. children: its children's bounds in their own coordinates, for swept solids. False
+ * with *leaf true: failed. */
 static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf,
                         vs_error *e) {
   *leaf = true;
@@ -160,7 +160,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_POLYFACE_MESH:
       vs_reach_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count);
       return true;
-    case VS_XLINE: case VS_RAY: return true; /* without end: as far as the rest of the drawing */
+    case VS_XLINE: case VS_RAY: return true; /* infinite: drawn as far as the rest of the drawing */
     case VS_OFFSET: return n->class_ == VS_NOTHING || bounds_add_offset(b, a, n, children, e);
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
       return n->class_ == VS_NOTHING || bounds_add_swept(b, a, n, children, e);
@@ -178,7 +178,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_REGION:
 #include "model/cases/passed_cases.def"
       break;
-    case VS_HULL: /* of points alone: of parts, theirs count too */
+    case VS_HULL: /* a hull of points alone; with parts, their bounds count too */
       if (n->child_count) break;
       vs_reach_points(b, a, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
       return true;
@@ -216,7 +216,8 @@ static const vs_bounds *bounds_memo_known(const vs_bounds_memo *m, const vs_node
   return place ? &m->at[*place] : NULL;
 }
 
-/* A section lies in the plane and in its solid's box, a shadow in the shadow of that box. */
+/* Intersects with the plane: a section lies in the plane and in its solid's box, a projection in the projection of that
+ * box. */
 static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   vs_bounds solid = *b, shadow = vs_bounds_empty();
   vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
@@ -231,12 +232,12 @@ static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   if (n->kind == VS_SECTION) vs_bounds_meet(b, &solid);
 }
 
-/* A leaf that one parent names is worked out when that parent asks: remembering a million of them would cost more than
- * their formulas. */
+/* Returns true for a leaf that only one parent refers to. Its bounds are computed when the parent needs them: storing a
+ * million of them would cost more than their formulas. */
 static bool bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
 
-/* Of the commonest primitives where they stand, by the formulas above with the identity for a: what a drawing may hold
- * a million of. */
+/* Sets the bounds of the commonest primitives, in their own coordinates, by the formulas above with the identity for a:
+ * a drawing may contain a million of these. */
 static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   vs_vec3 at[2], reach[2];
   switch ((int)n->kind) {
@@ -257,14 +258,14 @@ static bool bounds_plain(const vs_node *n, vs_bounds *b) {
       double r = cut ? VS_AS(cut_cone, n)->base_radius : cone ? VS_AS(cone, n)->radius : VS_AS(cylinder, n)->radius;
       double far = cut ? VS_AS(cut_cone, n)->top_radius : cone ? 0 : r;
       vs_vec3 d = vs_v3_sub(at[1], at[0]), across = vs_v3(1, 1, 0);
-      if (d.x != 0 || d.y != 0) { /* upright, the same without so much ado */
+      if (d.x != 0 || d.y != 0) { /* upright: the same result by a shorter formula */
         vs_vec3 u = vs_v3_unit(d);
         across = vs_v3(sqrt(u.z * u.z + u.y * u.y), sqrt(u.z * u.z + u.x * u.x), sqrt(u.y * u.y + u.x * u.x));
       }
       reach[0] = vs_v3_scale(across, r), reach[1] = vs_v3_scale(across, far);
       break;
     }
-    default: return false; /* the others have theirs above */
+    default: return false; /* bounds_leaf handles the others */
   }
   *b = vs_bounds_empty();
   for (int i = 0; i < 2; i++) {
@@ -274,7 +275,7 @@ static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   return true;
 }
 
-/* Of a node whose bounds are known or need no children's. */
+/* Sets the bounds of a node that is in the memo, or needs no children's bounds. */
 static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
   bool lone = bounds_is_lone_leaf(n);
   if (lone && bounds_plain(n, b)) return true;
@@ -286,13 +287,13 @@ static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
   return known || bounds_leaf(n, &here, &none, b, &leaf, e);
 }
 
-static bool bounds_is_axial(const vs_affine *a) { /* boxes become boxes */
+static bool bounds_is_axial(const vs_affine *a) { /* maps boxes to boxes */
   for (int i = 0; i < 3; i++)
     if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) > 1) return false;
   return true;
 }
 
-static bool bounds_is_swept(const vs_node *n) { /* formulas that cost more than a box round the box */
+static bool bounds_is_swept(const vs_node *n) { /* formulas that cost more than a box around the box */
   if (n->kind == VS_EXTRUDE && n->child_count == 1) {
     const vs_node *profile = n->children[0].node;
     while (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
@@ -301,8 +302,9 @@ static bool bounds_is_swept(const vs_node *n) { /* formulas that cost more than 
   return vs_node_has(n, VS_IS_SAMPLED);
 }
 
-/* A set under a map that turns it, part by part: what it becomes must not depend on whether it was turned as a whole.
- * All in it are known. *done: it was not too much or too deep; all in all a memo does TURNED_MOST such steps. */
+/* Adds the bounds of a set under a rotating map, part by part: the result must not depend on whether the rotation is
+ * applied to the whole set. All its nodes are in the memo. *done: it was neither too much work nor too deep; a memo
+ * does TURNED_MOST such steps in all. */
 enum { TURNED_DEEP = 32, TURNED_EACH = 2048, TURNED_MOST = 1 << 20 };
 static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done,
                           vs_error *e) {
@@ -348,14 +350,15 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
   return true;
 }
 
-/* All children are known, or lone leaves; `children` is round them all. */
+/* Sets the bounds of a node all of whose children are known, or lone leaves; `children`: the bounds of all of them
+ * together. */
 static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   vs_bounds child;
   bool leaf;
   *b = vs_bounds_empty();
-  if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps are looked through, or chains
-                                  * cost their square */
+  if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps down a chain are checked,
+                                  * because chains would have quadratic cost */
     const vs_node *below = n;
     for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_wrapper(below)); steps++) {
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
@@ -381,7 +384,7 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
     vs_bounds_meet(b, &kept);
   }
   if (n->kind == VS_SECTION || n->kind == VS_PROJECT) bounds_on_plane(b, n);
-  if (n->kind == VS_DEFORM && !vs_bounds_is_empty(b)) { /* each point lies between the corners */
+  if (n->kind == VS_DEFORM && !vs_bounds_is_empty(b)) { /* each point is a weighted mean of the corners */
     const struct vs_deform *d = VS_AS(deform, n);
     const vs_vec3 corner[8] = { d->c000, d->c100, d->c010, d->c110, d->c001, d->c101, d->c011, d->c111 };
     *b = vs_bounds_empty();
@@ -395,11 +398,11 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
   return true;
 }
 
-typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* round those before next */ } vs_bounds_step;
+typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* of those before next */ } vs_bounds_step;
 
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;
-  if (n->child_count == 0 && bounds_plain(n, out)) return true; /* sooner than looked up */
+  if (n->child_count == 0 && bounds_plain(n, out)) return true; /* faster than a search in the memo */
   const vs_bounds *known = bounds_memo_known(m, n);
   if (known) {
     *out = *known;
@@ -444,7 +447,7 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
   return ok;
 }
 
-/* Intersections and differences of regions: what the operands' boxes leave open, the outline knows. */
+/* Intersections and differences of regions: reduces the operands' boxes to the bounds of the outline. */
 static bool bounds_of_set(const vs_node *n, vs_bounds *b, vs_error *e) {
   vs_fineness f = { bounds_fineness(b), 0 };
   vs_outline o;

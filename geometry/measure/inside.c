@@ -1,13 +1,13 @@
-/* Owns the answer to "is this point inside?", from formulas and from the sections of sweeps, independent of every mesh.
+/* Owns the test whether a point is inside a solid, by formulas and the sections of sweeps, independent of every mesh.
  *
  * The model is prepared once, each distinct node once: bounds in its own coordinates, inverse placements, plans of
- * swept solids. A test walks the tree by an explicit stack, carries the point into each placement's coordinates, turns
- * away at bounds and stops at the first answer that decides: in a drawing of disjoint parts it costs one box test a
- * part.
+ * swept solids. A test walks the tree by an explicit stack and carries the point into each placement's coordinates. It
+ * skips nodes by their bounds, and stops at the first part that decides: in a drawing of disjoint parts it costs one
+ * box test for each part.
  *
- * Between the sections S_0 and S_1 of a sweep a point p lies in the section t where g(t) = (X_t x Y_t) . (p - O_t) = 0,
- * a cubic; its roots in [0, 1] give (u, v) in the profile's plane. Polyface meshes, lofts and thickened surfaces are
- * told by facets. */
+ * Between the sections S_0 and S_1 of a sweep a point p lies in the section t for which g(t) = (X_t x Y_t) . (p - O_t)
+ * = 0, a cubic; its roots in [0, 1] give (u, v) in the profile's plane. Polyface meshes, lofts and thickened surfaces
+ * are tested by facets. */
 #include "geometry/measure/inside.h"
 
 #include <stdlib.h>
@@ -28,12 +28,12 @@
 typedef struct {
   const vs_node *node;
   vs_bounds bounds;
-  vs_affine inverse;  /* transforms: into the child's coordinates. Solids on an axis: into the axis' frame */
-  double height;      /* of solids on an axis */
-  size_t *children;   /* parts */
+  vs_affine inverse;  /* transforms: into the child's coordinates. Solids on an axis: into the axis's frame */
+  double height;      /* of a solid on an axis */
+  size_t *children;   /* indices of the children's parts */
   vs_swept *plan;
   vs_revolve *turned;
-  vs_bounds *between; /* of each pair of sections */
+  vs_bounds *between; /* bounds of each pair of sections */
   vs_facet_index *facets;
 } vs_inside_part;
 
@@ -44,14 +44,14 @@ struct vs_inside {
   vs_inside_part *parts;
   size_t count, room, first;
   vs_inside_level *stack;
-  size_t cost; /* of all this, in bytes, nearly */
+  size_t cost; /* the approximate size of this part, in bytes */
 };
 
 /* ---- formulas ---- */
 
 static double cubic_at(const double c[4], double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; }
 
-/* Roots of c in [0, 1], by bisection between the places where its slope changes sign */
+/* Finds the roots of c in [0, 1], by bisection between the places where its slope changes sign. */
 static int cubic_roots(const double c[4], double roots[4]) {
   double ends[4] = { 0 }, a = 3 * c[3], b = 2 * c[2], d = b * b - 4 * a * c[1];
   int n = 1, found = 0;
@@ -205,14 +205,14 @@ static bool inside_prepare_axis(vs_inside_part *part) {
   return vs_affine_invert(&frame, &part->inverse);
 }
 
-/* The part of n, whose children all have theirs */
+/* Prepares the part of n, whose children are prepared. */
 static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_error *e) {
   const vs_node *n = part->node;
   part->inverse = vs_affine_identity();
   switch ((vs_kind)n->kind) {
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_EMPTY: case VS_GHOST: case VS_SLICE: case VS_DEFORM: return true;
-    /* nothing is inside them; a profile's parts */
+    /* curves and regions contain no point; they are a profile's parts */
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true;
 #include "model/cases/shape_cases.def"
       return inside_prepare_axis(part);
@@ -228,7 +228,7 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_er
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
       return n->class_ != VS_SOLID || inside_prepare_facets(part, e);
     case VS_TRANSFORM:
-      /* flattened: holds nothing */
+      /* flattened: contains no point */
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty();
       break;
     case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
@@ -328,7 +328,7 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       part = x->children[0];
       continue;
     }
-    for (;;) { /* hand the answer up until somebody has another question */
+    for (;;) { /* pass the answer up to the first ancestor that needs another test */
       if (!depth) return answer;
       vs_inside_level *top = &v->stack[depth - 1];
       const vs_inside_part *above = &v->parts[top->part];
@@ -338,8 +338,8 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       else if (kind == VS_INTERSECTION) decided = !answer;
       else if (kind == VS_DIFFERENCE) {
         decided = first ? !answer : answer;
-        if (!first) answer = !answer; /* in what is taken away: outside; clear of it: inside so far */
-      } else decided = true; /* the one child's answer is the node's */
+        if (!first) answer = !answer; /* inside a subtracted operand: outside; outside of it: inside so far */
+      } else decided = true; /* the only child's answer is the node's */
       if (decided || top->next == above->node->child_count) {
         depth--;
         continue;
@@ -380,7 +380,7 @@ void vs_inside_cache_free(vs_inside_cache *c) {
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
   if (!*cache && !(*cache = vs_zeros(1, sizeof **cache))) return vs_error_memory(e, NULL);
   vs_inside_cache *c = *cache;
-  /* equal nodes are one shape: either's answer serves */
+  /* equal nodes are the same shape: either one's answer is valid */
   vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS];
   if (!*slot || ((*slot)->root != n && !((*slot)->root->hash == n->hash && vs_node_equal((*slot)->root, n, NULL)))) {
     vs_inside *new = vs_inside_new(n, e);

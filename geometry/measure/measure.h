@@ -1,18 +1,18 @@
-/* Owns the form of an answer about size: volume, area, length, centroid, and which of them are known. */
+/* Owns the type of measures: volume, area, length, centroid, and whether each is known. */
 #ifndef VS_GEOMETRY_MEASURE_MEASURE_H
 #define VS_GEOMETRY_MEASURE_MEASURE_H
 
 #include "model/mesh.h"
 
 typedef struct {
-  bool known;      /* false: there is no formula; the mesh that kernel/ makes has to be measured */
-  double volume;   /* of solids */
-  double area;     /* of a solid's surface, of a region's content */
-  bool area_known; /* an unevenly scaled sphere has a known volume and an unknown area */
-  double length;   /* of curves */
+  bool known;      /* false: there is no formula; the caller must measure the mesh of kernel/ */
+  double volume;   /* of a solid */
+  double area;     /* of a solid's surface, or of a region */
+  bool area_known; /* a non-uniformly scaled sphere has a known volume and an unknown area */
+  double length;   /* of a curve */
   vs_vec3 centroid;
 } vs_measure;
 
-void vs_mesh_measure(const vs_mesh *mesh, vs_measure *out); /* of a closed mesh */
+void vs_mesh_measure(const vs_mesh *mesh, vs_measure *out); /* measures a closed mesh */
 
 #endif

@@ -1,9 +1,9 @@
-/* Owns Green's theorem: area = 1/2 (x dy - y dx), and the first moments 1/2 x^2 dy and -1/2 y^2 dx, round every loop,
+/* Owns Green's theorem: area = 1/2 (x dy - y dx), and the first moments 1/2 x^2 dy and -1/2 y^2 dx, around every loop,
  * piece by piece.
  *
- * A straight piece has closed forms. A round one, c + a cos t + b sin t, is a trigonometric polynomial of degree 3
- * under the integral: cut at eighths of a turn, Gauss' rule with eight points has it to the last bits. Coordinates are
- * the outline's plane's, about its first point, so that nothing far away cancels. */
+ * A straight piece has closed forms. A round piece, c + a cos t + b sin t, gives a trigonometric polynomial of degree 3
+ * under the integral: cut at eighths of a turn, Gauss's rule with eight points is exact to the last bits. Coordinates
+ * are in the outline's plane, relative to its first point: this avoids cancellation far from the origin. */
 #include "geometry/measure/moments.h"
 
 #include <stdlib.h>
@@ -29,7 +29,7 @@ static vs_vec2 flat(const vs_affine *map, vs_vec3 p) {
   return (vs_vec2){ q.x, q.y };
 }
 
-/* c, a, b of the circle of radius r about center, under the map */
+/* Returns c, a and b of the circle of radius r about center, under the map. */
 static piece arc_piece(const vs_affine *map, vs_vec3 center, double r, double from, double to) {
   vs_vec3 a = vs_affine_vector(map, vs_v3(r, 0, 0)), b = vs_affine_vector(map, vs_v3(0, r, 0));
   return (piece){ true, flat(map, center), { a.x, a.y }, { b.x, b.y }, from, to };
@@ -64,7 +64,7 @@ static void turn_round(pieces *p, size_t first) {
   }
 }
 
-/* A curve that is no join; *known false: of another kind */
+/* Adds a curve that is no join; *known: whether its kind is supported. */
 static bool leaf(const vs_node *n, vs_affine map, pieces *out, bool *known) {
   vs_offset_exact exact;
   vs_affine place;
@@ -105,7 +105,7 @@ static bool curve(const vs_node *n, vs_affine map, pieces *out, bool *known) {
     ok = leaf(n->children[i].node, map, out, known);
     if (!ok || !*known || !first || out->count == first) continue;
     vs_vec2 start = piece_start(&out->at[first]), end = piece_end(&out->at[out->count - 1]);
-    if (i == 1) { /* the first one may run against the second */
+    if (i == 1) { /* the first curve may run against the second */
       vs_vec2 head = piece_start(&out->at[0]), tail = piece_end(&out->at[first - 1]);
       if (fmin(apart(head, start), apart(head, end)) < fmin(apart(tail, start), apart(tail, end))) {
         pieces before = { out->at, first, first };
@@ -138,7 +138,7 @@ static moments integrate(const pieces *p) {
       m = plus(m, straight(x->c, x->a));
       continue;
     }
-    if (fabs(x->to - x->from) == turn) { /* an ellipse about c */
+    if (fabs(x->to - x->from) == turn) { /* a full ellipse about c */
       double area = turn / 2 * (x->a.x * x->b.y - x->a.y * x->b.x) * (x->to < x->from ? -1 : 1);
       m = plus(m, (moments){ area, area * x->c.x, area * x->c.y });
       continue;
@@ -190,7 +190,7 @@ bool vs_region_moments(const vs_node *region, const vs_outline *o, double *area,
     free(p.at);
     size_t best = o->count;
     double least = INFINITY;
-    for (size_t l = 0; l < o->count; l++) { /* the loop that is this curve, sampled */
+    for (size_t l = 0; l < o->count; l++) { /* find the sampled loop of this curve */
       double size = sqrt(m.area),
              off = fabs(loops[l].area - m.area) * size + fabs(loops[l].x - m.x) + fabs(loops[l].y - m.y);
       if (!taken[l] && off < least) least = off, best = l;

@@ -4,9 +4,9 @@
 
 #include "geometry/plane/outline.h"
 
-/* Of a region, or a closed curve taken as filled, bounded by polylines, circles, arcs and joins of them: exact.
- * outline: the same region, sampled; it says which loops are holes. *known false: some curve is of another kind. False:
- * failed. */
+/* Computes area and centroid of a region, or of a closed curve taken as filled, exactly; its borders are polylines,
+ * circles, arcs and joins of them. outline: the same region, sampled; it determines which loops are holes. *known
+ * false: some curve is of another kind. Returns false on failure. */
 bool vs_region_moments(const vs_node *region, const vs_outline *outline, double *area, vs_vec3 *centroid, bool *known,
                        vs_error *e);
 

@@ -1,4 +1,4 @@
-/* Owns measures of nodes, from formulas. */
+/* Owns measures of nodes by formula. */
 #ifndef VS_GEOMETRY_MEASURE_NODE_MEASURES_H
 #define VS_GEOMETRY_MEASURE_NODE_MEASURES_H
 
@@ -7,10 +7,10 @@
 #include "geometry/measure/measure.h"
 #include "model/node.h"
 
-/* By formula where there is one: primitives and their placements, curves, regions. Splines and curved outlines are
- * measured by fine samples. */
+/* Measures by formula if there is one: primitives and their placements, curves, regions. Splines and curved outlines
+ * are measured by fine samples. */
 bool vs_node_measure(const vs_node *n, vs_measure *out, vs_error *e);
-/* Of a sweep or a round bar as if it did not overlap itself; not known without a formula. No centroid. */
+/* Measures a sweep or a round bar as if it did not overlap itself; not known without a formula. It sets no centroid. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *out, vs_error *e);
 
 #endif

@@ -1,22 +1,22 @@
-/* Owns the rays of ambient occlusion. Places on a unit disc that stand evenly, lifted onto the half sphere, are
- * directions that stand as the cosine (Malley's method); the disc's places are those of a square's 8 by 8 cells,
- * brought onto it without breaking their neighbourhood (Shirley and Chiu, A Low Distortion Map Between Disk and
- * Square, Journal of Graphics Tools 2(3), 1997) and shifted within the square round its borders (Cranley and
- * Patterson, 1976). */
+/* Owns the rays of ambient occlusion. Points distributed evenly on a unit disc, lifted onto the hemisphere, are
+ * directions distributed by the cosine (Malley's method). The disc's points come from the 8 by 8 cells of a square,
+ * mapped onto the disc so that neighbours stay neighbours (Shirley and Chiu, A Low Distortion Map Between Disk and
+ * Square, Journal of Graphics Tools 2(3), 1997), and shifted within the square modulo its size (Cranley and Patterson,
+ * 1976). */
 #include "geometry/measure/openness.h"
 
 #include <math.h>
 
 enum { SIDE = 8 };
 
-/* Scatters the bits of a number (the last step of MurmurHash3). */
+/* Returns a hash of a number (the last step of MurmurHash3). */
 static uint32_t scatter(uint32_t x) {
   x ^= x >> 16, x *= 0x85ebca6bu;
   x ^= x >> 13, x *= 0xc2b2ae35u;
   return x ^ x >> 16;
 }
 
-/* A place of the unit square on the unit disc. */
+/* Maps a point of the unit square to the unit disc. */
 static void to_disc(double u, double v, double *x, double *y) {
   const double quarter = 0.78539816339744831;
   double a = 2 * u - 1, b = 2 * v - 1;

@@ -1,8 +1,8 @@
-/* Owns the question "is this point inside?" put to a closed mesh: crossings of a ray upwards, counted with their sides.
+/* Owns the test whether a point is inside a closed mesh: crossings of an upward ray, counted with their sides.
  *
- * Seen from above, an edge lies to the right of p or not by one comparison that both of its triangles make alike, so
- * that a ray through an edge or a corner is counted once. Triangles wait in the cells that their boxes meet, as many
- * cells as make some ten entries a triangle at most. */
+ * Seen from above, one comparison determines whether an edge lies to the right of p, and both of its triangles make the
+ * same comparison: a ray through an edge or a corner is counted once. Triangles are listed in the cells that their
+ * boxes intersect; the number of cells gives at most some ten entries for each triangle. */
 #include "geometry/measure/ray_crossings.h"
 #include "model/store/array.h"
 
@@ -22,7 +22,7 @@ size_t vs_facet_index_bytes(const vs_facet_index *x) {
          (x->starts ? (x->cells * x->cells + 1 + x->starts[x->cells * x->cells]) * sizeof(uint32_t) : 0);
 }
 
-/* The cell that holds a coordinate, of `cells` between min and max, one or more. */
+/* Returns the cell of a coordinate, among `cells` >= 1 cells between min and max. */
 static size_t facet_cell(double at, double min, double max, size_t cells) {
   double k = max > min ? floor((at - min) / (max - min) * (double)cells) : 0;
   VS_ASSERT(cells > 0);
@@ -70,7 +70,8 @@ bool vs_facet_index_make(vs_facet_index *x) {
   return true;
 }
 
-/* Of the ray from p to +X in the plane of X and Y: does it cross the edge, upwards (1) or downwards (-1)? */
+/* Tests the ray from p to +X in the plane of X and Y: returns 1 if it crosses the edge upwards, -1 downwards, 0 not at
+ * all. */
 static int facet_crosses(vs_vec3 a, vs_vec3 b, vs_vec3 p) {
   if ((a.y > p.y) == (b.y > p.y)) return 0;
   bool up = b.y > a.y;
@@ -94,7 +95,7 @@ bool vs_facet_index_holds(const vs_facet_index *x, vs_vec3 p) {
     vs_vec3 normal = vs_v3_cross(vs_v3_sub(c, a), vs_v3_sub(d, a));
     int sides = facet_crosses(a, c, p) + facet_crosses(c, d, p) + facet_crosses(d, a, p);
     if (sides == 0) continue;
-    double above = vs_v3_dot(normal, vs_v3_sub(a, p)); /* > 0: the plane, seen along its normal, lies beyond p */
+    double above = vs_v3_dot(normal, vs_v3_sub(a, p)); /* > 0: the triangle's plane lies above p along its normal */
     if (fabs(above) <= near * vs_v3_length(normal)) return true;
     if (sides > 0 ? above > 0 : above < 0) winding += sides;
   }

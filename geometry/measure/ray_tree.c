@@ -1,4 +1,4 @@
-/* Owns the building of the tree, halved at the middle of the longest side, and the walk through it. */
+/* Owns the construction of the tree, halved at the middle of the longest side, and its traversal. */
 #include "geometry/measure/ray_tree.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, doubl
   const double at[3] = { from.x, from.y, from.z }, d[3] = { direction.x, direction.y, direction.z };
   double near = 0;
   for (int i = 0; i < 3; i++) {
-    if (d[i] == 0) { /* along the sides: in the plane of one it is inside */
+    if (d[i] == 0) { /* parallel to the sides: in the plane of a side counts as inside */
       if (at[i] < low[i] || at[i] > high[i]) return false;
       continue;
     }
@@ -31,7 +31,7 @@ bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, doubl
   return near <= far * (1 + 1e-12);
 }
 
-/* The corners of a triangle of the mesh. */
+/* Sets p to the corners of a triangle of the mesh. */
 static void corners_of(const vs_mesh *m, uint32_t triangle, vs_vec3 p[3]) {
   VS_ASSERT(triangle < m->triangle_count);
   for (int k = 0; k < 3; k++) p[k] = m->vertices[m->triangles[triangle][k]];
@@ -45,7 +45,7 @@ static vs_vec3 middle_of(const vs_mesh *m, uint32_t triangle) {
   return vs_v3_scale(vs_v3_add(p[0], vs_v3_add(p[1], p[2])), 1. / 3);
 }
 
-/* Parts the triangles of a node by their middles; returns how many lie in the first half, which is never none or all.
+/* Splits the triangles of a node by their centres; returns the number in the first half, which is neither 0 nor all.
  * The node has two triangles or more. */
 static uint32_t part(const vs_mesh *m, uint32_t *order, uint32_t count) {
   vs_vec3 low = middle_of(m, order[0]), high = low;
@@ -101,7 +101,7 @@ bool vs_ray_tree_make(vs_ray_tree *t, vs_store *store, const vs_mesh *mesh, vs_e
     t->nodes[self] = (vs_ray_node){ bounds_of(mesh, t->order + r.first, r.count), r.first, r.count };
     if (r.count <= LEAF) continue;
     uint32_t half = depth + 2 < DEPTH ? part(mesh, t->order + r.first, r.count) : 0;
-    if (!half) continue; /* as deep as the walk goes: a long leaf */
+    if (!half) continue; /* the greatest depth of the traversal: a long leaf */
     t->nodes[self].count = 0;
     stack[depth++] = (range){ r.first + half, r.count - half, self, true };
     stack[depth++] = (range){ r.first, half, self, false };

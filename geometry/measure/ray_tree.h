@@ -1,16 +1,16 @@
-/* Owns the question of what a ray meets first, put to the triangles of a mesh many times. */
+/* Owns the search for the first triangle of a mesh that a ray hits, for many rays. */
 #ifndef VS_GEOMETRY_MEASURE_RAY_TREE_H
 #define VS_GEOMETRY_MEASURE_RAY_TREE_H
 
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Boxes within boxes (a BVH): the two halves of a node's triangles follow it, down to a few. */
+/* A bounding volume hierarchy: the two halves of a node's triangles follow it, down to a few triangles. */
 typedef struct { vs_bounds box; uint32_t first,
-    count; /* of the order; count 0: the second half begins at node `first` */
+    count; /* triangles of the order; count 0: the second half begins at node `first` */
 } vs_ray_node;
 typedef struct {
-  const vs_mesh *mesh; /* the caller's, who leaves it as it is */
+  const vs_mesh *mesh; /* the caller's, which must not change */
   vs_store *store;
   uint32_t *order;
   vs_ray_node *nodes;
@@ -19,14 +19,15 @@ typedef struct {
 
 bool vs_ray_tree_make(vs_ray_tree *t, vs_store *store, const vs_mesh *mesh, vs_error *e);
 void vs_ray_tree_free(vs_ray_tree *t);
-/* The nearest triangle that the ray meets in front of `from`, up to `far` lengths of its direction; any: whichever is
- * found first. *at: where, in lengths of the direction. Returns its number; the count of triangles: there is none. */
+/* Finds the nearest triangle that the ray hits in front of `from`, up to `far` lengths of its direction; any: the first
+ * one found. *at: the distance, in lengths of the direction. Returns the triangle's index, or the count of triangles if
+ * there is none. */
 size_t vs_ray_tree_meet(const vs_ray_tree *t, vs_vec3 from, vs_vec3 direction, double far, bool any, double *at);
 
-/* Where the ray meets the triangle, or INFINITY (Moeller and Trumbore, 1997). A hair beyond the sides counts, so that
- * no ray slips through between two triangles. */
+/* Returns the distance at which the ray hits the triangle, or INFINITY (Moeller and Trumbore, 1997). A tiny margin
+ * beyond the sides counts, so that no ray passes between two triangles. */
 double vs_ray_meets_triangle(const vs_vec3 corners[3], vs_vec3 from, vs_vec3 direction);
-/* Does the ray meet the box before `far`? By slabs (Williams and others, 2005). */
+/* Returns true if the ray hits the box before `far`. By slabs (Williams and others, 2005). */
 bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, double far);
 
 #endif

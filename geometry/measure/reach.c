@@ -1,7 +1,7 @@
-/* Owns how far round things reach under an affine map.
+/* Owns the extents of round shapes under an affine map.
  *
- * Row i of the map, a_i, gives coordinate i: a disc of radius r across the unit vector n reaches r*sqrt(|a_i|^2 -
- * (a_i.n)^2) to each side of its centre, a ball r*|a_i|. */
+ * Row i of the map, a_i, gives coordinate i: a disc of radius r perpendicular to the unit vector n extends
+ * r*sqrt(|a_i|^2 - (a_i.n)^2) to each side of its centre, a ball r*|a_i|. */
 #include "geometry/measure/reach.h"
 
 #include <math.h>

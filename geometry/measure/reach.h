@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, how far round things reach under an affine map. */
+/* Owns, for geometry/ alone, the extents of round shapes under an affine map. */
 #ifndef VS_GEOMETRY_MEASURE_REACH_H
 #define VS_GEOMETRY_MEASURE_REACH_H
 
@@ -6,15 +6,15 @@
 
 #include <stddef.h>
 
-/* All add to b the bounds, under a, of what their name says. */
+/* Each function adds to b the bounds, under a, of the shape in its name. */
 void vs_reach_disc(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 normal, double r);
-/* An ellipse on the frame's X and Y. */
+/* An ellipse along the frame's X and Y. */
 void vs_reach_oval(vs_bounds *b, const vs_affine *a, const vs_affine *frame, vs_vec3 center, double rx, double ry);
-/* A ball whose centre runs on a level circle of radius `ring`. */
+/* A ball whose centre moves on a level circle of radius `ring`. */
 void vs_reach_ball(vs_bounds *b, const vs_affine *a, vs_vec3 center, double ring, double r);
 void vs_reach_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n);
-/* A body that reaches so far along x, y and z to both sides of the centre's image. */
+/* A body that extends by `reach` along x, y and z to both sides of the centre's image. */
 void vs_reach_sides(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 reach);
-vs_vec3 vs_reach_row(const vs_affine *a, int i); /* row i of a's linear part */
+vs_vec3 vs_reach_row(const vs_affine *a, int i); /* returns row i of a's linear part */
 
 #endif

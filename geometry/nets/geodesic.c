@@ -1,10 +1,10 @@
-/* Owns shortest ways (geodesic.h).
+/* Owns shortest paths (geodesic.h).
  *
- * Plan. A first way is found by Dijkstra's algorithm between corners and STOPS stops on every edge, over the triangles
- * between them. It crosses a row of edges; each crossing is moved to where the way is straight when both triangles are
- * laid flat, again and again: the length is convex in the crossings, so that is the shortest way over these edges.
- * Where crossings end in a corner, the way round the corner's other side is tried, and taken where it is shorter (D.
- * Martinez and others, Computing geodesics on triangular meshes, 2005). */
+ * Plan. Dijkstra's algorithm finds a first path between corners and STOPS stops on every edge, across the triangles
+ * between them. It crosses a row of edges. Each crossing is moved to the point where the path is straight when both
+ * triangles are unfolded, again and again. The length is convex in the crossings; therefore the result is the shortest
+ * path over these edges. If crossings end in a corner, the path around the corner's other side is tried, and taken if
+ * it is shorter (D. Martinez and others, Computing geodesics on triangular meshes, 2005). */
 #include "geometry/nets/geodesic.h"
 
 #include <math.h>
@@ -21,7 +21,7 @@ enum { STOPS = 3, SWEEPS = 4000, SWEEPS_TO_COMPARE = 60, TURNS = 200 };
 /* ---- Dijkstra ---- */
 
 typedef struct {
-  uint32_t *first, *to; /* the ways from point i: to[first[i]] to to[first[i + 1]], which is left out */
+  uint32_t *first, *to; /* the neighbours of point i: to[first[i]] to to[first[i + 1] - 1] */
   double *length;
 } links;
 
@@ -107,12 +107,12 @@ typedef vs_mesh_edges surface;
 
 static vs_vec3 at(const surface *s, uint32_t corner) { return s->m->vertices[corner]; }
 
-/* A place on the mesh and the triangle on which it lies. */
+/* A point on the mesh and the triangle that contains it. */
 typedef struct { vs_vec3 at; uint32_t triangle; } place;
 
-/* ---- the first way ---- */
+/* ---- the first path ---- */
 
-/* The place of a stop, which lies on an edge. */
+/* Returns the position of a stop, which lies on an edge. */
 static vs_vec3 stop_at(const surface *s, uint32_t stop) {
   const vs_mesh_edge *e = &s->edges[stop / (STOPS + 2)];
   double share = (double)(stop % (STOPS + 2)) / (STOPS + 1);
@@ -120,8 +120,8 @@ static vs_vec3 stop_at(const surface *s, uint32_t stop) {
   return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), share));
 }
 
-/* Points of the graph: edge e has STOPS + 2 of them from (STOPS + 2) e on, both ends among them; corners are joined to
- * the first edge that has them by ways of length 0. Behind them the two ends. */
+/* Finds the first path. Points of the graph: edge e has STOPS + 2 of them from (STOPS + 2) e on, including both ends;
+ * links of length 0 join a corner to the first edge with this corner. The two ends of the path come last. */
 static bool first_way(const surface *s, const place *p, const place *q, uint32_t **out, size_t *count) {
   enum { EACH = STOPS + 2 };
   size_t points = EACH * s->edge_count + 2, n = 0, room = 0;
@@ -166,7 +166,7 @@ static bool first_way(const surface *s, const place *p, const place *q, uint32_t
 
 typedef struct {
   uint32_t *edge; /* crossed one after the other */
-  double *share;  /* where, from a to b */
+  double *share;  /* position of the crossing, from a (0) to b (1) */
   size_t count, edge_room, share_room;
   place p, q; /* the ends */
 } row;
@@ -179,7 +179,7 @@ static bool row_put(row *r, uint32_t e, double share) {
   return true;
 }
 
-/* Where the row crosses its i-th edge; there is one. */
+/* Returns the point where the row crosses its i-th edge; there is one. */
 static vs_vec3 crossing_at(const surface *s, const row *r, size_t i) {
   const vs_mesh_edge *e = &s->edges[r->edge[i]];
   VS_ASSERT(i < r->count);
@@ -196,7 +196,7 @@ static double row_length(const surface *s, const row *r) {
   return sum + vs_v3_length(vs_v3_sub(r->q.at, last));
 }
 
-/* Moves each crossing to where the way between its neighbours, laid flat, is straight. */
+/* Moves each crossing to the point where the path between its neighbours, unfolded, is straight. */
 static void straighten(const surface *s, row *r, int sweeps) {
   for (int sweep = 0; sweep < sweeps; sweep++) {
     double moved = 0;
@@ -212,7 +212,7 @@ static void straighten(const surface *s, row *r, int sweeps) {
       double hu = vs_v3_length(vs_v3_sub(u, vs_v3_scale(way, fu))),
              hw = vs_v3_length(vs_v3_sub(w, vs_v3_scale(way, fw)));
       double share = hu + hw > 0 ? (fu * hw + fw * hu) / (hu + hw) : .5 * (fu + fw);
-      double next = r->share[i] + 1.6 * (share - r->share[i]); /* a step further than asked for comes to rest sooner */
+      double next = r->share[i] + 1.6 * (share - r->share[i]); /* over-relaxation: a longer step converges sooner */
       if (hu + hw <= 0) next = share;
       next = fmin(1, fmax(0, next));
       moved = fmax(moved, fabs(next - r->share[i]));
@@ -222,7 +222,7 @@ static void straighten(const surface *s, row *r, int sweeps) {
   }
 }
 
-/* The triangle between two edges that a way crosses one after the other; NONE. */
+/* Returns the triangle between two edges that a path crosses one after the other; NONE: there is none. */
 static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < 2; k++)
@@ -230,14 +230,14 @@ static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   return NONE;
 }
 
-/* The corner in which crossing i ends; NONE. The row has a crossing i. */
+/* Returns the corner in which crossing i ends; NONE: it ends in none. The row has a crossing i. */
 static uint32_t ends_in(const surface *s, const row *r, size_t i) {
   const vs_mesh_edge *e = &s->edges[r->edge[i]];
   VS_ASSERT(i < r->count);
   return r->share[i] < 1e-7 ? e->a : r->share[i] > 1 - 1e-7 ? e->b : NONE;
 }
 
-/* The other edge of triangle t at the corner. */
+/* Returns the other edge of triangle t at the corner. */
 static uint32_t turn_in(const surface *s, uint32_t t, uint32_t corner, uint32_t e) {
   for (int k = 0; k < 3; k++) {
     uint32_t f = s->of[t][k];
@@ -251,12 +251,12 @@ static double angle_at(vs_vec3 corner, vs_vec3 p, vs_vec3 q) {
   return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b));
 }
 
-/* Crossings of a row that end in one corner, from `first` to `stop`, which is the next behind them; the way comes from
- * the triangle `before` and goes on in `after`. */
+/* Crossings of a row that end in one corner, from `first` to `stop` - 1; the path comes from the triangle `before` and
+ * continues in `after`. */
 typedef struct { size_t first, stop; uint32_t corner, before, after; } touch;
 
-/* The row that goes round the other side of the corner. False: memory; *there: whether there is one, and it bends so
- * that it can be shorter. i < j, and j is at most the count. */
+/* Makes the row around the other side of the corner. Returns false when memory is out. *there: whether there is such a
+ * row, and its angle allows a shorter path. i < j, and j is at most the count. */
 static bool other_side(const surface *s, const row *r, const touch *c, row *out, bool *there) {
   size_t i = c->first, j = c->stop;
   uint32_t corner = c->corner;
@@ -284,7 +284,7 @@ static bool other_side(const surface *s, const row *r, const touch *c, row *out,
   return true;
 }
 
-/* Tries the other sides of the corners that the way goes through; *better: one was shorter, and r is that now. */
+/* Tries the other sides of the corners on the path; *better: one was shorter, and replaced r. */
 static bool go_round(const surface *s, row *r, bool *better) {
   double length = row_length(s, r);
   *better = false;
@@ -319,8 +319,8 @@ static bool go_round(const surface *s, row *r, bool *better) {
   return true;
 }
 
-/* The edges that a way over stops crosses, between the row's ends: through a corner round the side that is found
- * first. */
+/* Makes the row of edges that a path over stops crosses, between the row's ends. It passes a corner on the side that is
+ * found first. */
 static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row *r, bool *whole) {
   enum { EACH = STOPS + 2 };
   uint32_t t = r->p.triangle;
@@ -330,13 +330,13 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row 
     double share = (double)stop / (EACH - 1);
     bool corner = stop == 0 || stop == EACH - 1;
     uint32_t v = stop == 0 ? s->edges[e].a : s->edges[e].b;
-    /* The triangle in which the way goes on: that which holds both this stop and the next, or the last. */
+    /* The triangle in which the path continues: it contains both this stop and the next, or the last point. */
     uint32_t next = r->q.triangle;
     if (i + 2 < count) {
       uint32_t f = way[i + 1] / EACH;
       if (f == e) continue; /* along the edge: the next stop crosses it */
       next = between(s, e, f);
-      if (next == NONE) { /* a corner under another edge's name */
+      if (next == NONE) { /* a corner with another edge's number */
         if (!corner) return *whole = false, true;
         continue;
       }
@@ -348,7 +348,7 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row 
       t = next;
       continue;
     }
-    /* Round the corner from triangle t until `next` is reached, one way or the other. */
+    /* Turns around the corner from triangle t until `next` is reached, in one direction or the other. */
     for (int way_round = 0; way_round < 2 && t != next; way_round++) {
       row part = { 0 };
       uint32_t at_triangle = t, out = NONE;
@@ -400,7 +400,7 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
       (*out)[(*count)++] = i == 0            ? r.p.at
                            : i == points - 1 ? r.q.at
                            : whole           ? crossing_at(&s, &r, i - 1)
-                                             : stop_at(&s, way[i]); /* where rows go round corners of borders */
+                                             : stop_at(&s, way[i]); /* if rows pass corners of borders */
   }
   vs_mesh_edges_free(&s);
   row_free(&r);

@@ -65,7 +65,7 @@ bool vs_mesh_edges_make(vs_mesh_edges *s, const vs_mesh *m) {
   return ok;
 }
 
-/* The place on triangle t that is nearest to p. */
+/* Returns the point of triangle t that is nearest to p. */
 static vs_vec3 nearest_on(const vs_mesh_edges *s, uint32_t t, vs_vec3 p) {
   vs_vec3 a = vs_mesh_edges_place(s, t, 0), b = vs_mesh_edges_place(s, t, 1), c = vs_mesh_edges_place(s, t, 2);
   vs_vec3 corner[3] = { a, b, c }, n = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)), best = a;

@@ -1,10 +1,10 @@
 /* Owns curves at a distance from others over a mesh (offset_curve.h).
  *
- * Plan. A walk goes straight over a triangle to the edge that it meets first. The triangle behind the edge is laid flat
- * with it, so the walk goes on with the same share along the edge and across it (K. Polthier, M. Schmies, Straightest
- * geodesics on polyhedral surfaces, 1998). The ends of the walks, joined, are the offset. Where the curve bends more
- * than the distance allows, they follow each other backwards, and the offset crosses itself before and behind: the loop
- * between is cut off at the crossing. */
+ * Plan. A walk goes straight over a triangle to the first edge that it meets. The triangle behind the edge is unfolded
+ * into the same plane, and the walk continues with the same components along the edge and across it (K. Polthier, M.
+ * Schmies, Straightest geodesics on polyhedral surfaces, 1998). The ends of the walks, joined, are the offset. If the
+ * curve's radius is smaller than the distance, the ends run backwards, and the offset intersects itself before and
+ * after: the loop between is cut off at the intersection. */
 #include "geometry/nets/offset_curve.h"
 
 #include <math.h>
@@ -14,13 +14,13 @@
 #include "model/store/array.h"
 
 enum { MOST_TRIANGLES = 1000000 }; /* of one walk */
-#define BEYOND .01 /* a point that lies further beyond a border than this share of the distance is left out */
+#define BEYOND .01 /* a point farther beyond a border than this share of the distance is omitted */
 
 /* ---- a straight walk ---- */
 
 typedef struct {
   uint32_t triangle;
-  vs_vec3 at, way; /* way: unit, in the triangle's plane */
+  vs_vec3 at, way; /* way: the direction, unit, in the triangle's plane */
 } walker;
 
 static vs_vec3 normal_of(const vs_mesh_edges *s, uint32_t t) {
@@ -28,10 +28,11 @@ static vs_vec3 normal_of(const vs_mesh_edges *s, uint32_t t) {
   return vs_v3_unit(vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a)));
 }
 
-/* The part of v across the unit vector `along`. */
+/* Returns the part of v perpendicular to the unit vector `along`. */
 static vs_vec3 across(vs_vec3 v, vs_vec3 along) { return vs_v3_sub(v, vs_v3_scale(along, vs_v3_dot(v, along))); }
 
-/* The edge of its triangle, beside the one it came over, that the walker meets first, and how far away; 3: none. */
+/* Returns the first edge of its triangle that the walker meets, other than the edge it came over, and its distance; 3:
+ * none. */
 static int edge_ahead(const vs_mesh_edges *s, const walker *w, uint32_t came, double *far) {
   vs_vec3 up = normal_of(s, w->triangle);
   int best = 3;
@@ -48,7 +49,7 @@ static int edge_ahead(const vs_mesh_edges *s, const walker *w, uint32_t came, do
   return best;
 }
 
-/* Puts the walker behind edge k of its triangle. False: the edge is a border. k is 0, 1 or 2. */
+/* Moves the walker behind edge k (0, 1 or 2) of its triangle. Returns false if the edge is a border. */
 static bool cross_edge(const vs_mesh_edges *s, walker *w, int k, uint32_t *came) {
   uint32_t e = s->of[w->triangle][k];
   const vs_mesh_edge *edge = &s->edges[e];
@@ -66,7 +67,7 @@ static bool cross_edge(const vs_mesh_edges *s, walker *w, int k, uint32_t *came)
   return true;
 }
 
-/* Walks straight on. False: a border lies in the way. */
+/* Walks straight on. Returns false at a border. */
 static bool walk(const vs_mesh_edges *s, walker *w, double length) {
   uint32_t came = VS_MESH_NONE;
   for (int i = 0; i < MOST_TRIANGLES; i++) {
@@ -81,7 +82,8 @@ static bool walk(const vs_mesh_edges *s, walker *w, double length) {
   return false;
 }
 
-/* Whether a point, whose nearest place is this on triangle t, lies beyond a border of the mesh by more than `far`. */
+/* Returns true if a point p, whose nearest point is `place` on triangle t, lies beyond a border of the mesh by more
+ * than `far`. */
 static bool beyond_border(const vs_mesh_edges *s, uint32_t t, vs_vec3 place, vs_vec3 p, double far) {
   if (vs_v3_length(vs_v3_sub(p, place)) <= far) return false;
   for (int k = 0; k < 3; k++) {
@@ -106,13 +108,14 @@ typedef struct {
 } run;
 
 static size_t after(const run *r, size_t i) { return i + 1 < r->count ? i + 1 : 0; }
-/* Does segment i of the run go against the curve? The run has it. */
+/* Returns true if segment i of the run goes against the curve. The run has this segment. */
 static bool goes_back(const run *r, size_t i) {
   VS_ASSERT(i < r->count);
   return vs_v3_dot(vs_v3_sub(r->at[after(r, i)].at, r->at[i].at), r->at[i].tangent) < 0;
 }
 
-/* Where segments i and j cross, seen along the normal at i, and lie closer than they are long; shares of both. */
+/* Returns true if segments i and j intersect, seen along the normal at i, and their distance is smaller than their
+ * lengths; *place: the point. */
 static bool cross_at(const run *r, size_t i, size_t j, vs_vec3 *place) {
   vs_vec3 p = r->at[i].at, u = vs_v3_sub(r->at[after(r, i)].at, p), q = r->at[j].at;
   vs_vec3 v = vs_v3_sub(r->at[after(r, j)].at, q), up = r->at[i].up, d = vs_v3_sub(q, p);
@@ -126,32 +129,31 @@ static bool cross_at(const run *r, size_t i, size_t j, vs_vec3 *place) {
   return true;
 }
 
-/* How many segments from i + 1 to j, which is left out, go back. */
+/* Returns the number of segments from i + 1 to j - 1 that go back. */
 static size_t backward(const run *r, size_t i, size_t j) {
   size_t n = 0;
   for (size_t k = after(r, i); k != j; k = after(r, k)) n += goes_back(r, k);
   return n;
 }
 
-/* Cuts the loop between crossing segments i and j off, whose points are those behind i up to j. Both are segments of
- * the run. */
+/* Cuts off the loop between the intersecting segments i and j of the run, whose points are those after i up to j. */
 static void cut_loop(run *r, size_t i, size_t j, vs_vec3 place) {
   size_t n = 0, stop = after(r, j);
   reached corner = r->at[i];
   VS_ASSERT(i < r->count && j < r->count);
   corner.at = place;
-  if (i < j) { /* the loop stands in the middle of the row */
+  if (i < j) { /* the loop is in the middle of the row */
     r->at[i + 1] = corner;
     memmove(r->at + i + 2, r->at + j + 1, (r->count - j - 1) * sizeof *r->at);
     r->count -= j - i - 1;
     return;
   }
-  for (size_t k = stop; k <= i; k++) r->at[n++] = r->at[k]; /* the loop goes over the row's end */
+  for (size_t k = stop; k <= i; k++) r->at[n++] = r->at[k]; /* the loop contains the row's end */
   r->at[n++] = corner;
   r->count = n;
 }
 
-/* Cuts off every loop that goes back somewhere and whose rest is longer. */
+/* Cuts off every loop that goes back somewhere and is shorter than the rest. */
 static bool cut_loops(run *r, vs_poller poll) {
   size_t segments = r->closed ? r->count : r->count - 1;
   for (size_t i = 0; i + 2 < segments; i++) {
@@ -177,7 +179,7 @@ static bool put_run(run *r, vs_offset_points *out, vs_poller poll) {
   if (!cut_loops(r, poll)) return false;
   size_t back = 0, segments = r->closed ? r->count : r->count - 1;
   for (size_t i = 0; i < segments; i++) back += goes_back(r, i);
-  if (2 * back > segments) return true; /* the distance is wider than the whole curve bends */
+  if (2 * back > segments) return true; /* the distance exceeds the radius of the whole curve */
   if (!VS_GROW(out->at, out->room, out->count + r->count + 1)) return false;
   for (size_t i = 0; i < r->count; i++) out->at[out->count++] = (vs_offset_point){ r->at[i].at, i == 0 };
   if (r->closed) out->at[out->count++] = (vs_offset_point){ r->at[0].at, false };
@@ -209,7 +211,7 @@ bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_row *from, dou
     run whole = { ends, count, true };
     ok = put_run(&whole, out, poll);
   } else if (ok) {
-    /* A closed curve is gone through from a gap on, so that no run goes over its end. */
+    /* A closed curve is processed from a gap on: then no run crosses its end. */
     size_t first = closed ? gap : 0;
     memcpy(ends + count, ends, count * sizeof *ends);
     for (size_t i = 0; ok && i < count;) {

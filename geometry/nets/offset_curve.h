@@ -5,19 +5,19 @@
 #include "geometry/nets/mesh_edges.h"
 #include "model/long_work.h"
 
-/* A point of the curve, which lies on the mesh or near it, and the unit direction in which the curve goes on. */
+/* A point of the curve, on the mesh or near it, and the curve's unit direction there. */
 typedef struct {
   vs_vec3 at, tangent;
 } vs_offset_from;
 
-/* A curve as a row of its points, the caller's. */
+/* A curve as an array of its points, which the caller owns. */
 typedef struct {
   const vs_offset_from *at;
   size_t count;
-  bool closed; /* the last point goes on to the first, which does not come again */
+  bool closed; /* the last point is joined to the first, which is not repeated */
 } vs_offset_row;
 
-/* A point of the offset. `first`: a line begins here, which joins no earlier point. */
+/* A point of the offset. `first`: a line begins here, which is not joined to the point before. */
 typedef struct {
   vs_vec3 at;
   bool first;
@@ -29,12 +29,11 @@ typedef struct {
   size_t count, room;
 } vs_offset_points;
 
-/* Walks the distance from each of the points, at a right angle to the curve and straight on over the triangles: to the
- * left, seen from the side to which the triangles' normals point; a negative distance: to the right. A walk that
- * reaches a border of the mesh is left out, and so is a point that lies beyond one. Loops where the offset is wider
- * than the curve bends are cut off. Where the curve is closed and its offset whole, the first point comes again as the
- * last. The caller frees out->at, also after a failure; `poll` is asked once a point. False: it stopped the work, or
- * memory is out. */
+/* Walks the distance from each of the points, perpendicular to the curve and straight over the triangles: to the left,
+ * seen from the side to which the triangles' normals point; a negative distance: to the right. It omits walks that
+ * reach a border of the mesh, and points beyond a border, and cuts off loops where the offset exceeds the curve's
+ * radius. If the curve is closed and its offset complete, the first point is repeated as the last. It polls once for
+ * each point. The caller frees out->at, also after a failure. Returns false when `poll` interrupts or memory is out. */
 bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_row *from, double distance, vs_poller poll,
                           vs_offset_points *out);
 

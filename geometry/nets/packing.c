@@ -1,9 +1,9 @@
 /* Owns the packing of circles (packing.h).
  *
- * Plan. How large a circle about a place may be changes by no more than the distance of two places. Squares that cover
- * the area therefore wait in a heap by the most that a circle with its middle in one of them could have; the first is
- * looked at and cut in four, until no square promises more than the best that was found (as V. Agafonkin's Polylabel
- * does). Circles only take room away: what squares promise stays true for the next circle, and the heap is kept. */
+ * Plan. The largest radius of a circle about a point changes by no more than the point moves. Squares that cover the
+ * area therefore wait in a heap, ordered by an upper bound of the radius of a circle whose centre is within. The first
+ * is evaluated and cut in four, until no square's bound exceeds the best circle found (as in V. Agafonkin's Polylabel).
+ * A new circle only takes room away: the bounds stay valid for the next circle, and the heap is kept. */
 #include "geometry/nets/packing.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 typedef struct {
   vs_vec2 at;
   double half, promise;
-  size_t seen; /* circles that the promise knows of */
+  size_t seen; /* circles that the bound accounts for */
 } square;
 
 typedef struct {
@@ -33,7 +33,7 @@ static double to_segment(vs_vec2 p, vs_vec2 a, vs_vec2 b) {
   return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-/* The radius that a circle about p may have by the border; negative outside. */
+/* Returns the radius that the border allows a circle about p; negative outside. */
 static double within(const vs_area *a, vs_vec2 p) {
   double d = INFINITY;
   bool in = false;
@@ -46,7 +46,7 @@ static double within(const vs_area *a, vs_vec2 p) {
   return in ? d : -d;
 }
 
-/* The radius that p may have beside the circles from number `from` on, which is at most their count. */
+/* Returns the radius that a circle about p may have beside the circles from index `from` (at most their count) on. */
 static double room_for(const packing *w, vs_vec2 p, double so_far, size_t from) {
   VS_ASSERT(from <= w->count);
   for (size_t i = from; i < w->count; i++)
@@ -74,7 +74,7 @@ static square pop(packing *w) {
   return top;
 }
 
-/* A square with what it promises. */
+/* Returns a square with its bound. */
 static square look(const packing *w, vs_vec2 at, double half) {
   double r = room_for(w, at, within(w->area, at) - w->gap, 0);
   return (square){ at, half, r + half * sqrt(2), w->count };
@@ -99,11 +99,11 @@ bool vs_area_pack(const vs_area *area, const vs_packing_rule *rule, vs_long_work
   size_t turns = 0;
   while (ok && w.count < n) {
     vs_packed best = { { 0, 0 }, 0 };
-    square *kept = NULL; /* those that were looked at go back for the next circle */
+    square *kept = NULL; /* evaluated squares go back for the next circle */
     size_t kept_count = 0, kept_room = 0;
     while (ok && w.squares && w.heap[0].promise > fmax(least, best.radius * 1.001)) {
       square s = pop(&w);
-      if (s.seen < w.count) { /* its promise may be less by now */
+      if (s.seen < w.count) { /* its bound may be smaller now */
         double r = room_for(&w, s.at, s.promise - s.half * sqrt(2), s.seen);
         s.promise = r + s.half * sqrt(2), s.seen = w.count;
         ok = push(&w, s);

@@ -10,12 +10,13 @@ typedef struct {
   double radius;
 } vs_packed;
 
-/* How many circles at most, none of a radius below `least`, which keep `gap` from each other and from the border. */
+/* most: the largest number of circles; least: their smallest radius; gap: the distance between circles, and to the
+ * border. */
 typedef struct { size_t most; double least, gap; } vs_packing_rule;
 
-/* Circles within the area, each the largest that has room beside those before it. Fills circles, which has room for all
- * that the rule allows, and *count with how many there are. The radius is the largest possible less a thousandth at
- * most. False: out of memory, or the caller said so (*stopped). */
+/* Places circles within the area, each the largest that fits beside those before it. circles has room for as many as
+ * the rule allows; *count becomes their number. A radius is at most a thousandth below the largest possible. Returns
+ * false when memory is out, or the caller interrupts (*stopped). */
 bool vs_area_pack(const vs_area *area, const vs_packing_rule *rule, vs_long_work work, vs_packed *circles,
                   size_t *count, bool *stopped);
 

@@ -1,5 +1,5 @@
-/* Owns the planarising of faces (planarity.h): corners go to the mean of their places in the planes of all their faces,
- * and over again, a step further than that each time (S. Bouaziz and others, Shape-Up, 2012). */
+/* Owns the planarization of faces (planarity.h): corners move to the mean of their projections onto the planes of all
+ * their faces, repeatedly, with over-relaxation (S. Bouaziz and others, Shape-Up, 2012). */
 #include "geometry/nets/planarity.h"
 
 #include <math.h>
@@ -7,8 +7,8 @@
 
 #include "model/store/array.h"
 
-/* The face's middle, and its normal by Newell's formula; a face without area has none, of length 0. The face has three
- * or more corners. */
+/* Returns the face's normal by Newell's formula, and sets its middle; the normal of a face without area has length 0.
+ * The face has three or more corners. */
 static vs_vec3 plane_of(const vs_net_faces *f, size_t i, vs_vec3 *middle) {
   size_t n = f->start[i + 1] - f->start[i];
   const uint32_t *k = f->corner + f->start[i];

@@ -1,4 +1,4 @@
-/* Owns the making of faces plane by moving their corners as little as it takes. */
+/* Owns the planarization of faces by the smallest moves of their corners. */
 #ifndef VS_GEOMETRY_NETS_PLANARITY_H
 #define VS_GEOMETRY_NETS_PLANARITY_H
 
@@ -9,9 +9,9 @@
 #include "model/long_work.h"
 #include "model/vec.h"
 
-/* Faces of three or more corners: face i is corner[start[i]] to corner[start[i + 1]], which is left out. */
+/* Faces of three or more corners: face i has the corners corner[start[i]] to corner[start[i + 1] - 1]. */
 typedef struct {
-  vs_vec3 *at; /* moved */
+  vs_vec3 *at; /* points, which are moved */
   size_t count;
   const bool *fixed;
   const uint32_t *corner, *start;
@@ -22,8 +22,8 @@ enum { VS_PLANE_ROUNDS = 60000 };
 
 typedef enum { VS_PLANE_DONE, VS_PLANE_FAR, VS_PLANE_STOPPED, VS_PLANE_MEMORY } vs_plane_outcome;
 
-/* Moves the corners until none lies further than `tolerance` from its faces' planes. *worst: how far the worst is. The
- * tolerance is above 0. */
+/* Moves the corners until each is within `tolerance` > 0 of its faces' planes. *worst: the largest remaining
+ * distance. */
 vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, vs_long_work work, double *worst);
 
 #endif

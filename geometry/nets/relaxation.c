@@ -1,10 +1,9 @@
 /* Owns dynamic relaxation (relaxation.h).
  *
- * Plan. Points are masses that the forces on them move in steps of one unit of time; wherever the energy of the
- * movement has passed a peak, all stop (M. Barnes, Form finding and analysis of tension structures by dynamic
- * relaxation, 1999). A point's mass is the sum of the stiffnesses that hold it, so that no step goes too far. Cables
- * that keep their lengths are springs whose unstrained lengths are made shorter by their strain, again and again,
- * until under load they are as long as they are to be. */
+ * Plan. Points are masses that the forces on them move in steps of one unit of time; when the kinetic energy has passed
+ * a peak, all stop (M. Barnes, Form finding and analysis of tension structures by dynamic relaxation, 1999). A point's
+ * mass is the sum of the stiffnesses at it, which keeps the steps stable. Cables of fixed length are springs whose
+ * unstrained lengths are shortened by their strain, again and again, until they have the required length under load. */
 #include "geometry/nets/relaxation.h"
 
 #include <math.h>
@@ -12,8 +11,8 @@
 
 #include "model/store/array.h"
 
-/* STIFFER: how many times its greatest force a cable is stiff for a strain of 1. Stiffer springs take more steps and
- * fewer rounds; after SOFT rounds, which nets with many ways to carry their loads need, they become so. */
+/* STIFFER: a cable's stiffness for a strain of 1, in units of its greatest force. Stiffer springs take more steps and
+ * fewer rounds. After SOFT rounds springs become stiffer; nets with many load paths need so many rounds. */
 enum { ROUNDS = 24, SOFT = 8, POLL = 64, STIFFER = 10 };
 
 typedef struct {
@@ -22,17 +21,17 @@ typedef struct {
   vs_vec3 *force, *speed;
   double *mass;
   size_t rest_room, force_room, speed_room, mass_room;
-  double stiffness, greatest; /* greatest: force in a member, at the last look */
+  double stiffness, greatest; /* greatest: the greatest force in a member, at the last evaluation */
 } relaxation;
 
-/* ---- what holds what ---- */
+/* ---- connection to fixed points ---- */
 
 static uint32_t root_of(uint32_t *parent, uint32_t i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
 }
 
-/* Is every part with a load held by a fixed point? *where: a point of one that is not. */
+/* Checks that every loaded part is connected to a fixed point. *where: a point of a part that is not. */
 static vs_relax_outcome held(const vs_net *n, size_t *where) {
   uint32_t *parent = NULL;
   bool *has = NULL;
@@ -59,7 +58,7 @@ static vs_relax_outcome held(const vs_net *n, size_t *where) {
 
 /* ---- forces ---- */
 
-/* Fills force and mass from where the points are, and the members' forces. */
+/* Computes force and mass of all points, and the members' forces, from the positions. */
 static void look(relaxation *r) {
   vs_net *n = r->net;
   r->greatest = 0;
@@ -84,7 +83,7 @@ static void look(relaxation *r) {
   }
 }
 
-/* The greatest force that is not balanced, as a share of the greatest in a member or of the greatest load. */
+/* Returns the greatest unbalanced force, as a share of the greatest in a member or of the greatest load. */
 static double residual(const relaxation *r) {
   double worst = 0, scale = r->greatest;
   for (size_t i = 0; i < r->net->count; i++) {
@@ -100,7 +99,7 @@ static void halt(relaxation *r) {
   for (size_t i = 0; i < r->net->count; i++) r->speed[i] = (vs_vec3){ 0, 0, 0 };
 }
 
-/* Runs until forces are balanced; the count of steps goes on in *out. */
+/* Runs until forces are balanced; adds its steps to the count in *out. */
 static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work work, vs_relax_report *out) {
   vs_net *n = r->net;
   double before = 0;
@@ -120,7 +119,7 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work wor
     bool peak = energy < before;
     for (size_t i = 0; i < n->count; i++) {
       if (n->fixed[i] || !(r->mass[i] > 0)) continue;
-      /* The peak lay about half a step before the last one. */
+      /* The peak was about half a step before the last step. */
       vs_vec3 back = vs_v3_scale(vs_v3_sub(vs_v3_scale(r->force[i], 1 / r->mass[i]), r->speed[i]), .5);
       n->at[i] = vs_v3_add(n->at[i], peak ? back : r->speed[i]);
     }
@@ -129,7 +128,7 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work wor
   }
 }
 
-/* Are the cables as long as they are to be? Their unstrained lengths are set for the next round. */
+/* Returns true if the cables have the required lengths; else sets their unstrained lengths for the next round. */
 static bool lengths_hold(relaxation *r, double share) {
   bool hold = true;
   for (size_t k = 0; k < r->net->member_count; k++) {
@@ -142,7 +141,7 @@ static bool lengths_hold(relaxation *r, double share) {
   return hold;
 }
 
-/* Cables keep their lengths: as settle, with springs that are made shorter. */
+/* Does the same as settle for cables of fixed length, with springs that are shortened. */
 static vs_relax_outcome settle_lengths(relaxation *r, double tolerance, vs_long_work work, vs_relax_report *out) {
   double share = fmax(1e-9, 10 * tolerance), rough = 1e-2;
   for (int round = 0; round < ROUNDS; round++) {

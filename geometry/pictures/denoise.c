@@ -1,10 +1,9 @@
-/* Owns the joint bilateral filter: a pixel becomes the mean of its neighbours, each weighed by how near it is and how
- * much it is like it.
+/* Owns the joint bilateral filter: each pixel becomes the mean of its neighbours, weighted by distance and similarity.
  *
- * Petschnigg and others, Digital Photography with Flash and No-Flash Image Pairs, SIGGRAPH 2004: likeness is told by
- * pictures without noise, here the layers of albedo (albedo.R .G .B) and normal (N.X .Y .Z), so that edges of shape and
- * paint stay. The picture's own light counts too, coarsely and by its logarithm, so that edges of shadows stay; where
- * there are no layers it alone counts (Tomasi and Manduchi, Bilateral Filtering for Gray and Color Images, ICCV
+ * Petschnigg and others, Digital Photography with Flash and No-Flash Image Pairs, SIGGRAPH 2004: pictures without noise
+ * determine the similarity, here the layers of albedo (albedo.R .G .B) and normal (N.X .Y .Z); edges of shape and
+ * colour therefore stay. The picture's own light counts too, coarsely and by its logarithm, which keeps edges of
+ * shadows. Without layers it alone counts (Tomasi and Manduchi, Bilateral Filtering for Gray and Color Images, ICCV
  * 1998). */
 #include "geometry/pictures/denoise.h"
 
@@ -21,7 +20,7 @@ typedef struct {
   bool guided;
 } guide;
 
-/* How unlike two pixels are: squares over twice the variance. */
+/* Returns the difference of two pixels: squares divided by twice the variance. */
 static double unlike(const guide *g, size_t a, size_t b) {
   const double albedo = 1 / (2 * 0.05 * 0.05), normal = 1 / (2 * 0.15 * 0.15), light = g->guided ? 0.6 : 0.25;
   double d = (double)g->light[a] - (double)g->light[b], sum = d * d / (2 * light * light);
@@ -59,7 +58,8 @@ bool vs_exr_smooth(vs_exr *x, bool *layers, vs_error *e) {
   for (size_t k = 0; k < 3; k++) {
     g.color[k] = memcpy(was + k * n, to[k], n * sizeof(float));
     for (size_t i = 0; i < n; i++)
-      if (!isfinite(was[k * n + i])) was[k * n + i] = 0; /* one such number would spread over all in reach */
+      if (!isfinite(was[k * n + i])) was[k * n + i] = 0; /* an infinity or NaN would spread to all pixels within the
+                                                          * window */
   }
   for (int k = 0; k < LAYERS; k++) g.guided = (g.layer[k] = vs_exr_find(x, names[k])) != NULL && g.guided;
   for (size_t i = 0; i < n; i++) {

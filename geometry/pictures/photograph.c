@@ -1,5 +1,4 @@
-/* Owns judging pictures that are to lie on surfaces: are they whole, how large are they, and which colour have they
- * from afar? */
+/* Owns checks of pictures for surfaces: whether they are complete, their size, and their mean colour. */
 #include "geometry/pictures/photograph.h"
 
 #include <math.h>
@@ -8,7 +7,7 @@
 #include "geometry/files/jpeg_read.h"
 #include "geometry/files/png_read.h"
 
-/* IEC 61966-2-1 */
+/* returns linear light by IEC 61966-2-1 */
 static double light_of(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); }
 static double screen_of(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055; }
 

@@ -1,10 +1,9 @@
-/* Owns the measures of difference: in linear light, and by structural similarity as it is seen.
+/* Owns the measures of difference: in linear light, and by structural similarity on the screen.
  *
  * The second is Wang, Bovik, Sheikh and Simoncelli, Image Quality Assessment: From Error Visibility to Structural
  * Similarity, IEEE Transactions on Image Processing 13(4), 2004: means, variances and covariance under a Gaussian
  * window of 11 x 11 pixels and sigma 1.5, with K1 .01 and K2 .03, on the luma of the developed pictures. Both are
- * developed with the exposure of the first. Where the window reaches over the border, the border's pixels are
- * repeated. */
+ * developed with the exposure of the first. Beyond the border, the border's pixels are repeated. */
 #include "geometry/pictures/picture_difference.h"
 
 #include <math.h>
@@ -16,7 +15,7 @@ typedef struct { double *at, *scratch; uint32_t columns, rows; const double *win
 
 static uint32_t within(int64_t x, uint32_t count) { return x < 0 ? 0 : x >= count ? count - 1 : (uint32_t)x; }
 
-/* Blurs the plane: once along the rows, once along the columns. */
+/* Blurs the plane: first along the rows, then along the columns. */
 static void blur(const plane *p) {
   for (uint32_t y = 0; y < p->rows; y++)
     for (uint32_t x = 0; x < p->columns; x++) {
@@ -43,7 +42,8 @@ static void develop(const vs_light *light, double stops, unsigned char *rgb, dou
   }
 }
 
-/* work: room for six planes; rgb: for the pixels. Both have equally many pixels. */
+/* Returns the structural similarity. work: room for six planes; rgb: for the pixels. Both pictures have the same number
+ * of pixels. */
 static double similarity(const vs_light *a, const vs_light *b, double *work, unsigned char *rgb) {
   const double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
   double window[2 * REACH + 1], sum = 0, *of[6];

@@ -1,4 +1,4 @@
-/* Owns exposure and tone curves. Each formula is a published one; its source stands beside it. */
+/* Owns exposure and tone curves. Each formula is a published one, with its source beside it. */
 #include "geometry/pictures/tone.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ static double luminance(const vs_light *l, size_t i) {
          vs_raster_share[2] * (double)l->blue[i];
 }
 
-/* The bin below which a share of the count lies. */
+/* Returns the bin below which a share of the count lies. */
 static double quantile(const size_t bins[BINS], double count) {
   size_t sum = 0;
   int i = 0;
@@ -23,8 +23,7 @@ static double quantile(const size_t bins[BINS], double count) {
   return LEAST_STOP + (i + 0.5) / BINS_A_STOP;
 }
 
-/* The value that a picture's bright end, but for a hundredth, is taken to: where the curve is still a little below
- * white. */
+/* The value to which the exposure takes a picture's 99th percentile: the curve is still a little below white there. */
 static const double bright_end[] = {
     [VS_TONE_NEUTRAL] = 1.1, [VS_TONE_AGX] = 3.8, [VS_TONE_FILMIC] = 4, [VS_TONE_LINEAR] = 0.9 };
 
@@ -40,20 +39,21 @@ double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
     count++;
   }
   if (!count) return 0;
-  /* Reinhard: a hundredth at either end counts as outliers; the key is .18 where the average lies in the middle of the
-   * range, four times as much where it lies at the bright end, a quarter at the dark end. He means pictures that are to
-   * stay dark; a room whose window is the bright end is not: half a stop below the middle is the least here. */
+  /* Reinhard: a hundredth at either end counts as outliers. The key is .18 if the average is in the middle of the
+   * range, four times as much at the bright end, a quarter at the dark end. His low keys are for pictures that should
+   * stay dark. A room whose window is the bright end should not: here the key is at least half a stop below the middle
+   * one. */
   double least = quantile(bins, 0.01 * (double)count), most = quantile(bins, 0.99 * (double)count);
   double average = fmin(fmax(sum / (double)count, least), most), range = most - least;
   double place = range > 0 ? (2 * average - least - most) / range : 0; /* -1 to 1 */
   double key = log2(0.18) + 2 * fmax(place, -0.25);
-  /* His key alone would make a white building in the sun grey: where nothing is brighter, that is white. */
+  /* His key alone would make a white building in the sun grey: if nothing is brighter, the building becomes white. */
   return fmax(key - average, log2(bright_end[curve]) - most);
 }
 
 /* ---- curves: linear light to linear light of a screen, 0 to 1 ---- */
 
-/* Of numbers that are none of them no number: fmin and fmax ask for that, and are calls. */
+/* Minimum of numbers other than NaN: fmin and fmax check for NaN, and are function calls. */
 static inline double lesser(double a, double b) { return a < b ? a : b; }
 static inline double greater(double a, double b) { return a > b ? a : b; }
 
@@ -63,8 +63,8 @@ static void linear(const double in[3], double out[3]) {
   for (int k = 0; k < 3; k++) out[k] = cut(in[k]);
 }
 
-/* Khronos PBR Neutral Tone Mapper (2024), https://github.com/KhronosGroup/ToneMapping: what surfaces reflect keeps its
- * colour, brighter light is drawn in below white and loses its colour. */
+/* Khronos PBR Neutral Tone Mapper (2024), https://github.com/KhronosGroup/ToneMapping: light that surfaces reflect
+ * keeps its colour; brighter light is compressed below white and loses its colour. */
 static void neutral(const double in[3], double out[3]) {
   const double start = 0.8 - 0.04, desaturation = 0.15;
   double least = greater(lesser(in[0], lesser(in[1], in[2])), 0);
@@ -80,7 +80,7 @@ static void neutral(const double in[3], double out[3]) {
 }
 
 /* Hable, http://filmicworlds.com/blog/filmic-tonemapping-operators/: shoulder, linear strength and angle, toe. White is
- * 11.2, and the curve is driven at twice the light. */
+ * 11.2, and the curve's input is twice the light. */
 static double hable(double x) {
   const double a = 0.15, b = 0.50, c = 0.10, d = 0.20, e = 0.02, f = 0.30;
   return (x * (a * x + c * b) + d * e) / (x * (a * x + b) + d * f) - e / f;
@@ -97,8 +97,8 @@ static double sigmoid(double x) {
   return 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4 - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
 }
 
-/* Colours are drawn together, each goes through the sigmoid, and they are drawn apart again: what is bright loses its
- * colour as film does. The contrast is that of the same source's punchy look, its power of 1.35. */
+/* A matrix mixes the colours, the sigmoid is applied to each, and the inverse separates them again: bright light loses
+ * its colour, as on film. The contrast is the power of 1.35 of the same source's punchy look. */
 static void agx(const double in[3], double out[3]) {
   static const double inset[3][3] = {
       { 0.842479062253094, 0.0784335999999992, 0.0792237451477643 },
@@ -123,8 +123,8 @@ static void agx(const double in[3], double out[3]) {
 
 /* ---- a picture ---- */
 
-/* The numbers of a screen by IEC 61966-2-1, without its power for each of them: `at` has the light from which on each
- * number is the nearest one, and `first` where to begin among these, for each of COARSE parts of the range. */
+/* sRGB bytes by IEC 61966-2-1, without a power for each: at[i] is the light from which on byte i is the nearest; for
+ * each of COARSE parts of the range, `first` is the byte from which the search begins. */
 enum { COARSE = 4096 };
 typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
 
@@ -141,7 +141,7 @@ static void screen_prepare(screen_steps *s) {
   }
 }
 
-static unsigned char screen(const screen_steps *s, double x) { /* 0 to 1 */
+static unsigned char screen(const screen_steps *s, double x) { /* x is 0 to 1 */
   unsigned b = s->first[(size_t)(x * COARSE)];
   while (b < 255 && s->at[b + 1] <= x) b++;
   return (unsigned char)b;
