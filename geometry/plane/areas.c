@@ -1,8 +1,8 @@
-/* Owns the conversation with GEOS: unions, intersections and differences of areas.
+/* Owns the calls of GEOS: unions, intersections and differences of areas.
  *
- * GEOS keeps the coordinates that it is given and adds crossings, rounded to double; so what is exact going in is exact
- * coming out. It leaves corners where pieces met on a straight edge: these are taken out again, by a distance of 1e-12
- * of the coordinates' size. */
+ * GEOS keeps its input coordinates and adds intersection points, rounded to double: exact input coordinates stay exact
+ * in the output. It keeps corners where pieces met on a straight edge: these are removed, within a distance of 1e-12 of
+ * the coordinates' size. */
 #include "geometry/plane/areas.h"
 
 #include <geos_c.h>
@@ -25,13 +25,13 @@ bool vs_area_point(vs_area *a, double x, double y) {
   return true;
 }
 
-static size_t area_ended(const vs_area *a) { /* points of the loops that are whole */
+static size_t area_ended(const vs_area *a) { /* returns the points of completed loops */
   size_t n = 0;
   for (size_t l = 0; l < a->loop_count; l++) n += a->size[l];
   return n;
 }
 
-/* first: of the loop's points. It is at most the number of points. */
+/* first: the index of the loop's first point, at most the number of points. */
 static bool area_close(vs_area *a, size_t first, bool hole) {
   size_t n = a->count - first;
   VS_ASSERT(first <= a->count);
@@ -71,7 +71,7 @@ typedef struct {
   VS_GEOS(X)
 #undef X
   GEOSContextHandle_t h;
-  char said[160]; /* its last complaint */
+  char said[160]; /* its last message */
 } vs_geos;
 
 static void geos_hear(const char *message, void *to) {
@@ -101,7 +101,7 @@ static void geos_close(vs_geos *g) {
   if (g->h) g->GEOS_finish_r(g->h);
 }
 
-/* Is the last failure one of memory, or one that GEOS gave no reason for? */
+/* Returns true if the last failure was out of memory, or GEOS gave no reason for it. */
 static bool geos_starved(const vs_geos *g) { return !*g->said || strstr(g->said, "bad_alloc"); }
 
 static bool geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
@@ -109,7 +109,7 @@ static bool geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the outlines cannot be combined: %s", purpose, g->said);
 }
 
-/* n points and the first again if it closes; NULL: failed */
+/* n points, and the first again if closes; NULL: failed */
 static GEOSCoordSequence *geos_sequence(vs_geos *g, const vs_vec2 *at, size_t n, bool closes) {
   size_t all = n + closes;
   GEOSCoordSequence *s = all <= INT32_MAX ? g->GEOSCoordSeq_create_r(g->h, (unsigned)all, 2) : NULL;
@@ -124,13 +124,13 @@ static void geos_drop(vs_geos *g, GEOSGeometry **all, size_t count) {
   for (size_t i = 0; all && i < count; i++) g->GEOSGeom_destroy_r(g->h, all[i]);
 }
 
-/* GEOS takes the parts over, also where it fails. */
+/* GEOS takes over the parts, also when it fails. */
 static GEOSGeometry *geos_collect(vs_geos *g, int type, GEOSGeometry **parts, size_t count) {
   if (count > INT32_MAX) return geos_drop(g, parts, count), NULL;
   return g->GEOSGeom_createCollection_r(g->h, type, parts, (unsigned)count);
 }
 
-/* A multipolygon of the areas. NULL: failed. */
+/* Returns a multipolygon of the areas. NULL: failed. */
 static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t count) {
   size_t loops = 0, done = 0, holes = 0;
   for (size_t i = 0; i < count; i++) loops += areas[i].loop_count;
@@ -146,9 +146,9 @@ static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t coun
       ok = ring != NULL;
       if (ok && l && a->hole[l]) inner[holes++] = ring;
       else if (ok) shell = ring;
-      if (!ok || l + 1 == a->loop_count || !a->hole[l + 1]) { /* that was the last of this polygon */
+      if (!ok || l + 1 == a->loop_count || !a->hole[l + 1]) { /* the last loop of this polygon */
         if (ok) {
-          polygons[done] = g->GEOSGeom_createPolygon_r(g->h, shell, inner, (unsigned)holes); /* takes the rings over */
+          polygons[done] = g->GEOSGeom_createPolygon_r(g->h, shell, inner, (unsigned)holes); /* takes over the rings */
           ok = polygons[done] != NULL;
           done += ok;
         } else {
@@ -167,17 +167,17 @@ static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t coun
   return all;
 }
 
-/* ---- back from GEOS ---- */
+/* ---- results of GEOS ---- */
 
-/* The last loop without corners that lie on the line between their neighbours, as often as it takes one round to
- * find. The loop begins at point `first`. */
+/* Removes from the last loop, which begins at point `first`, corners on the line between their neighbours, until a pass
+ * finds none. */
 static void area_tidy(vs_area *a, size_t first) {
   double size = 0;
   size_t n = a->count - first, kept = 0;
   vs_vec2 *p = a->at + first;
   VS_ASSERT(first <= a->count);
   for (size_t i = 0; i < n; i++) size = fmax(size, fmax(fabs(p[i].x), fabs(p[i].y)));
-  for (size_t i = 0; i < n; i++) { /* the corner before is one that stays */
+  for (size_t i = 0; i < n; i++) { /* the corner before is kept */
     vs_vec2 b = p[i], c = p[(i + 1) % n], o = kept ? p[kept - 1] : p[n - 1];
     double ux = b.x - o.x, uy = b.y - o.y, vx = c.x - b.x, vy = c.y - b.y, wx = c.x - o.x, wy = c.y - o.y;
     double u = hypot(ux, uy), v = hypot(vx, vy), w = hypot(wx, wy), slack = 1e-12 * size;
@@ -206,7 +206,7 @@ static bool geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_area *
     area += ((a.x - p[0].x) * (b.y - p[0].y) - (a.y - p[0].y) * (b.x - p[0].x)) / 2;
     length += hypot(b.x - a.x, b.y - a.y);
   }
-  if (!(fabs(area) > 1e-12 * length * length)) { /* a splinter that rounding left */
+  if (!(fabs(area) > 1e-12 * length * length)) { /* a sliver that rounding has left */
     out->count = first;
     return true;
   }
@@ -222,16 +222,16 @@ static bool geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_area *
 static bool geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *out) {
   size_t loops = out->loop_count;
   if (!geos_ring(g, g->GEOSGetExteriorRing_r(g->h, polygon), false, out)) return false;
-  if (out->loop_count == loops) return true; /* a splinter has no holes */
+  if (out->loop_count == loops) return true; /* a sliver has no holes */
   int holes = g->GEOSGetNumInteriorRings_r(g->h, polygon);
   for (int i = 0; i < holes; i++)
     if (!geos_ring(g, g->GEOSGetInteriorRingN_r(g->h, polygon, i), true, out)) return false;
   return holes >= 0;
 }
 
-/* The polygons in a result, which may hold lines and points too where areas only touch. Collections nest no deeper than
- * GEOS makes them. False: failed; every answer is looked at, because each may be an allocation inside GEOS that did not
- * succeed. */
+/* Adds the polygons of a result, which may contain lines and points too where areas only touch. Collections are nested
+ * no deeper than GEOS makes them. Every result is checked, because each may be a failed allocation inside GEOS. Returns
+ * false on failure. */
 static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   int type = from ? g->GEOSGeomTypeId_r(g->h, from) : -1;
   if (type < 0) return false;
@@ -255,8 +255,8 @@ static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   return n >= 0;
 }
 
-/* A collection of the parts of a, each made valid by itself: a whole that overlaps itself would lose what lies twice in
- * it. NULL: failed. */
+/* Returns a collection of the parts of a, each made valid separately: the whole, if it overlaps itself, would lose
+ * doubly covered areas. NULL: failed. */
 static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   int n = g->GEOSGetNumGeometries_r(g->h, a);
   GEOSGeometry **parts = n < 0 ? NULL : vs_zeros((size_t)n + 1, sizeof *parts), *all = NULL;
@@ -273,8 +273,8 @@ static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   return all;
 }
 
-/* a united with itself, mended first where GEOS cannot take it as it is; takes a over. NULL: failed. Running out of
- * memory is no reason to mend. */
+/* Returns a united with itself, made valid first if GEOS rejects it; takes over a. NULL: failed. It does not retry when
+ * memory is out. */
 static GEOSGeometry *geos_unite(vs_geos *g, GEOSGeometry *a) {
   *g->said = 0;
   GEOSGeometry *united = g->GEOSUnaryUnion_r(g->h, a);
@@ -331,7 +331,7 @@ static int area_winding(const vs_area *a, double x, double y) {
   return turns;
 }
 
-/* Is the point in the area or on its border (within 1e-9 of its size)? */
+/* Returns true if the point is in the area or on its border (within 1e-9 of its size). */
 bool vs_area_holds(const vs_area *a, double x, double y) {
   double size = 0, near = INFINITY;
   for (size_t i = 0; i < a->count; i++)
@@ -361,7 +361,7 @@ static int chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, doub
   return turns;
 }
 
-/* All edges noded by one union of lines; of the faces between them those that are wound round are united. */
+/* A single union of lines nodes all edges; of the faces between them those with a nonzero winding number are united. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e) {
   vs_geos g;
   if (!geos_open(&g, purpose, e)) return false;
@@ -459,7 +459,7 @@ static int compare_numbered(const void *p, const void *q) {
   return a->number < b->number ? -1 : a->number > b->number;
 }
 
-/* The first point at this place; GEOS keeps coordinates as they were given. */
+/* Finds the first point at this position; GEOS keeps coordinates unchanged. */
 static bool number_at(const numbered *all, size_t n, double x, double y, uint32_t *out) {
   size_t low = 0, high = n;
   while (low < high) {
@@ -474,7 +474,7 @@ static bool number_at(const numbered *all, size_t n, double x, double y, uint32_
   return true;
 }
 
-/* Takes a triangle of GEOS' collection, counter-clockwise. False: it is none. */
+/* Adds a triangle of GEOS's collection, counter-clockwise. Returns false if the part is no triangle of the points. */
 static bool delaunay_triangle(vs_geos *g, const GEOSGeometry *part, const numbered *all, size_t n, const vs_vec2 *at,
                               uint32_t out[3]) {
   const GEOSGeometry *ring = part ? g->GEOSGetExteriorRing_r(g->h, part) : NULL;

@@ -1,8 +1,9 @@
-/* Owns curves as paths: lines, arcs, circles and interpolating splines sampled by the rule of tolerance.h, ends exact.
+/* Owns curves as paths: lines, arcs, circles and interpolating splines sampled by the rule of tolerance.h, with exact
+ * ends.
  *
- * A spline through P_0..P_n has the parameter length h_i = |P_{i+1} - P_i| on its i-th span and is given there by the
- * second derivatives M_i at its knots: the tridiagonal system of textbooks, with natural ends (M = 0), given unit
- * tangents, or all round (Sherman-Morrison). Samples a span needs: |S''| is largest at one end of it, so chords of
+ * A spline through P_0..P_n has the parameter length h_i = |P_{i+1} - P_i| on its i-th span. The second derivatives M_i
+ * at its knots determine it there: the tridiagonal system of textbooks, with natural ends (M = 0), with given unit
+ * tangents, or closed (Sherman-Morrison). Samples of a span: |S''| is largest at an end of it, and therefore chords of
  * parameter length d stay within d*d/8*max(|M_i|, |M_{i+1}|). */
 #include "geometry/plane/curve.h"
 #include "model/store/array.h"
@@ -93,10 +94,10 @@ static bool curve_arc(vs_path *out, vs_vec3 c, double r, double start, double en
 
 /* ---- splines ---- */
 
-typedef struct { size_t n; /* knots */ bool closed; vs_vec3 *p, *m; double *h, *scratch; } vs_spline_work;
+typedef struct { size_t n; /* n: knots */ bool closed; vs_vec3 *p, *m; double *h, *scratch; } vs_spline_work;
 
-/* Solves for m the tridiagonal system with sub[i], diag[i], sup[i] and right sides rhs (overwritten); scratch holds n
- * doubles. n is above 0. */
+/* Solves for m the tridiagonal system with sub[i], diag[i], sup[i] and right sides rhs (overwritten); scratch has room
+ * for n doubles. n is above 0. */
 static void spline_tridiagonal(size_t n, const double *sub, const double *diag, const double *sup, vs_vec3 *rhs,
                                double *scratch) {
   double d = diag[0];
@@ -149,8 +150,8 @@ static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
   for (size_t i = 0; i < n; i++) w->m[i] = vs_v3_sub(w->m[i], vs_v3_scale(factor, u[i].x));
 }
 
-/* Where the spline is at a part of a span, and its directions before and after: at a cusp, where it stands still and
- * turns back, these are opposite. t is 0 to 1. */
+/* Returns the spline's point at parameter t (0 to 1) of a span, and its directions before and after. At a cusp, where
+ * its speed is 0 and it turns back, these are opposite. */
 static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   size_t j = i + 1 < w->n ? i + 1 : 0;
   double h = w->h[i], b = t, a = 1 - t;
@@ -169,8 +170,8 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   return (vs_path_point){ at, behind, ahead, 0 };
 }
 
-/* Adds samples between two of them, where the direction turns back and comes about within a small part of the span:
- * halves of that part, down to the cusp. from < to. */
+/* Adds samples between two of them if the direction reverses within a small part of the span: halves this part, down to
+ * the cusp. from < to. */
 static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, vs_path *out) {
   vs_path_point p = spline_at(w, i, from), q = spline_at(w, i, to), tail[HALVINGS];
   size_t behind = 0;

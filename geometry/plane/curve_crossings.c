@@ -1,8 +1,9 @@
-/* Owns the search for places where curves cross (curve_crossings.h).
+/* Owns the search for points where curves cross (curve_crossings.h).
  *
- * Plan. The curves are sampled and become edges in their plane, sorted by where these begin along x; each is compared
- * with those before it that reach as far. Edges of which each lies clearly on both sides of the other cross, and so do
- * strands that change sides where an end lies on an edge. Pairs of curves that only touch are looked at whole. */
+ * Plan. The curves are sampled and become edges in their plane, sorted by their smallest x; each is compared with the
+ * edges before it that reach its x. Two edges cross if the ends of each lie clearly on both sides of the other. Two
+ * strands cross if they change sides where an end lies on an edge. Pairs of curves that only touch are compared as a
+ * whole. */
 #include "geometry/plane/curve_crossings.h"
 
 #include <stdlib.h>
@@ -13,7 +14,7 @@
 #include "geometry/plane/planar_evaluation.h"
 #include "model/store/array.h"
 
-/* low, high along x; place: in its loop, of last + 1 */
+/* low, high: range of x; place: index in its loop, below last + 1 */
 typedef struct { vs_vec2 a, b; size_t curve, place, last; double low, high, slack; } vs_cross_edge;
 
 
@@ -21,12 +22,12 @@ enum { TOUCHES_MOST = 64 }; /* pairs that are kept: drawings have more, regions 
 
 typedef struct {
   vs_polyline *loops; /* the curves' samples */
-  size_t count, total; /* of the curves and of all samples */
+  size_t count, total; /* number of curves, and of all samples */
   double size;        /* the diagonal of the largest curve */
   vs_affine frame;    /* of their plane */
   vs_cross_edge *edges;
   size_t edge_count;
-  size_t *starts, *after; /* after[starts[curve] + place]: the number of the edge that follows it */
+  size_t *starts, *after; /* after[starts[curve] + place]: the index of the next edge */
   struct { size_t a, b; } touches[TOUCHES_MOST]; /* curves that touch, a <= b */
   size_t touch_count;
 } vs_cross_search;
@@ -37,12 +38,14 @@ static int cross_compare(const void *p, const void *q) {
   return a->curve != b->curve ? (a->curve < b->curve ? -1 : 1) : a->place < b->place ? -1 : a->place > b->place;
 }
 
-static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* distance from the edge's line, left positive */
+static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* returns the distance from the edge's line, left
+                                                               * positive */
   double dx = e->b.x - e->a.x, dy = e->b.y - e->a.y;
   return (dx * (p.y - e->a.y) - dy * (p.x - e->a.x)) / hypot(dx, dy);
 }
 
-/* Ends of each lie clearly on both sides of the other. touch: they do not, but an end lies on the other's line. */
+/* Returns true if the ends of each lie clearly on both sides of the other. touch: they do not, but an end lies on the
+ * other's line. */
 static bool cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 *at, bool *touch) {
   double slack = fmax(p->slack, q->slack), a = cross_side(p, q->a), b = cross_side(p, q->b), c = cross_side(q, p->a),
          d = cross_side(q, p->b);
@@ -57,7 +60,7 @@ static bool cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 
   return false;
 }
 
-/* Is the direction q in the sector from p counter-clockwise to r? Clearly so, or clearly not: *sure */
+/* Returns true if the direction q lies in the sector from p counter-clockwise to r; *sure: the answer is clear. */
 static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
   const double turn = 6.28318530717958647693, near = 0.05;
   double from = atan2(p.y, p.x), to = atan2(r.y, r.x) - from, at = atan2(q.y, q.x) - from;
@@ -67,13 +70,13 @@ static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
   return at < to;
 }
 
-/* The end of p lies on q: do the two strands through that point change sides there? next: of p, and of q where its end
- * is the point too */
+/* The end of p lies on q: returns true if the two strands change sides there. next: the edge after p, and the edge
+ * after q if the point is q's end too. */
 static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, const vs_cross_edge *q,
                          const vs_cross_edge *next_q) {
   double slack = fmax(p->slack, q->slack), dx = q->b.x - q->a.x, dy = q->b.y - q->a.y, length = hypot(dx, dy);
   double along = ((p->b.x - q->a.x) * dx + (p->b.y - q->a.y) * dy) / length;
-  /* at q's start it is the edge before that ends there */
+  /* at q's start the edge that ends there is responsible */
   if (fabs(cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false;
   vs_vec2 v = p->b, in = { p->a.x - v.x, p->a.y - v.y }, out = { next_p->b.x - v.x, next_p->b.y - v.y };
   vs_vec2 end = along >= length - slack ? next_q->b : q->b, come = { q->a.x - v.x, q->a.y - v.y },
@@ -82,8 +85,8 @@ static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, co
   return sure && one != other;
 }
 
-/* Where curves touch, one may pass to the other's inside through the point of touch: then it has points clearly inside
- * and clearly outside. Where neither has either, they lie on each other. */
+/* Returns true if one of two curves that touch passes to the other's inside at the touching point: it then has points
+ * clearly inside and clearly outside. If neither has any, they lie on each other. */
 static bool cross_through(const vs_cross_search *s, size_t a, size_t b, vs_vec2 *at) {
   const vs_cross_edge *edges = s->edges;
   size_t count = s->edge_count;
@@ -119,7 +122,7 @@ static bool cross_neighbours(const vs_cross_edge *p, const vs_cross_edge *q) {
   return high - low < 2 || (low == 0 && high == p->last);
 }
 
-/* Samples the curves. False: failed. */
+/* Samples the curves. Returns false on failure. */
 static bool cross_sample(vs_cross_search *s, const vs_ref *refs, vs_error *e) {
   if (!VS_FRESH(s->loops, s->count + 1)) return vs_error_memory(e, NULL);
   for (size_t i = 0; i < s->count; i++) s->loops[i] = (vs_polyline){ 0 };
@@ -134,7 +137,7 @@ static bool cross_sample(vs_cross_search *s, const vs_ref *refs, vs_error *e) {
   return true;
 }
 
-/* Adds the edges of curve i in the plane; back: from space into it. */
+/* Adds the edges of curve i in the plane; back: the map from space to the plane. */
 static void cross_add(vs_cross_search *s, size_t i, bool straight, const vs_affine *back) {
   const vs_polyline *l = &s->loops[i];
   vs_bounds b = vs_bounds_empty();
@@ -149,8 +152,8 @@ static void cross_add(vs_cross_search *s, size_t i, bool straight, const vs_affi
   }
 }
 
-/* Makes the edges, sorted, and what follows each. Where the first curve lies in no plane there are none: whoever asks
- * has looked before. False: failed. */
+/* Makes the edges, sorted, and the links to the next ones. If the first curve lies in no plane there are none: the
+ * caller has checked this before. Returns false on failure. */
 static bool cross_make_edges(vs_cross_search *s, const vs_ref *refs, vs_error *e) {
   vs_affine back;
   if (!VS_FRESH(s->edges, s->total + 1) || !VS_FRESH(s->after, s->total + 1) || !VS_FRESH(s->starts, s->count + 1))
@@ -185,7 +188,7 @@ static bool cross_found(const vs_cross_search *s, size_t a, size_t b, vs_vec2 at
   return true;
 }
 
-/* Do two edges that overlap along x cross, or the strands that they belong to? */
+/* Returns true if two edges that overlap along x cross, or the strands that contain them. */
 static bool cross_pair(vs_cross_search *s, const vs_cross_edge *p, const vs_cross_edge *q, vs_crossing *out) {
   if (q->high < p->low || fmax(q->a.y, q->b.y) < fmin(p->a.y, p->b.y) ||
       fmin(q->a.y, q->b.y) > fmax(p->a.y, p->b.y) || cross_neighbours(p, q))
@@ -201,7 +204,7 @@ static bool cross_pair(vs_cross_search *s, const vs_cross_edge *p, const vs_cros
   return false;
 }
 
-/* Compares all edges that overlap. True: there is a crossing. */
+/* Compares all edges that overlap. Returns true if there is a crossing. */
 static bool cross_sweep(vs_cross_search *s, vs_crossing *out) {
   double widest = 0;
   for (size_t i = 0; i < s->edge_count; i++) widest = fmax(widest, s->edges[i].high - s->edges[i].low);
@@ -211,7 +214,7 @@ static bool cross_sweep(vs_cross_search *s, vs_crossing *out) {
   return false;
 }
 
-/* Looks at the curves that touch. True: one passes through another. */
+/* Compares the curves that touch. Returns true if one passes through another. */
 static bool cross_touching(const vs_cross_search *s, vs_crossing *out) {
   for (size_t i = 0; i < s->touch_count; i++) {
     vs_vec2 at = { 0, 0 };

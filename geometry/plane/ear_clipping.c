@@ -1,20 +1,20 @@
-/* Owns the cutting of planar polygons with holes into triangles, by clipping ears.
+/* Owns the triangulation of planar polygons with holes by ear clipping.
  *
- * The ring is a doubly linked list of corners; a hole is spliced in over a bridge from its leftmost corner to a corner
- * of the ring that sees it, which is walked both ways. An ear is a convex corner whose triangle holds no other corner,
- * borders included: so a corner in the middle of a straight edge never ends up inside another triangle's side. After an
- * ear the next corner is passed over, so that a circle is halved again and again instead of becoming a fan of
- * splinters. Where rounding or a crossing loop leaves no ear, the most convex corner is cut all the same: the boundary
- * stays right, which is what closedness needs.
+ * The ring is a doubly linked list of corners. A hole is spliced in by a bridge from its leftmost corner to a visible
+ * corner of the ring; the ring uses the bridge in both directions. An ear is a convex corner whose triangle contains no
+ * other corner, borders included: a corner in the middle of a straight edge therefore never lies on another triangle's
+ * side. After an ear the next corner is skipped; a circle is thus halved again and again, and does not become a fan of
+ * slivers. If rounding or a crossing loop leaves no ear, the most convex corner is cut nevertheless: the boundary stays
+ * correct, and the mesh closed.
  *
- * A hole that has a corner where the ring has one is joined there, by a bridge without length: else the ring would come
- * by that place twice, one way within the other, and an ear there could not be told from what is cut already. Holes
- * that touch therefore come before those that need a bridge. The ends of a bridge without length go at once, before
- * they hide which way the ring turns there.
+ * A hole with a corner at a corner of the ring is joined there, by a bridge of length 0. Otherwise the ring would visit
+ * that point twice, one visit within the other, and an ear there could not be distinguished from the cut part. Holes
+ * that touch are therefore joined before those that need a bridge. The ends of a bridge of length 0 are cut at once,
+ * before they hide the ring's direction there.
  *
- * Rings of many thousand corners and holes are ordinary: perforated sheets, maps, text. Reflex corners, the only ones
- * that can be inside an ear and nearest to it, stand in a tree; and a corner whose triangle holds one waits for that
- * one: it is no ear before the other is cut or convex. The corners that are left to try are a set of places along the
+ * Rings of many thousand corners and holes are ordinary: perforated sheets, maps, text. Only reflex corners can be
+ * inside an ear and nearest to it: a tree contains them. A corner whose triangle contains a reflex corner waits for it:
+ * the first is no ear until the other is cut or convex. The corners still to be tried are a set of places along the
  * ring. */
 #include "geometry/plane/ear_clipping.h"
 
@@ -28,25 +28,25 @@ static const size_t none = SIZE_MAX;
 
 typedef struct { uint32_t point, next, prev; } vs_corner;
 typedef struct {
-  size_t place;             /* along the ring, before anything was cut */
-  size_t awaited;           /* the reflex corner in this one's triangle, or none */
+  size_t place;             /* index along the original ring */
+  size_t awaited;           /* the reflex corner in this corner's triangle, or none */
   size_t waiting;           /* the first of the corners that wait for this one, linked by later and earlier */
   size_t later, earlier;
-  bool gone, idle;          /* cut; among those that go at once */
+  bool gone, idle;          /* gone: cut; idle: among those that are cut at once */
 } vs_ear;
 typedef struct {
   const vs_vec2 *at;
   vs_corner *corners;
-  vs_ear *ears; /* what else is known of each corner */
+  vs_ear *ears; /* further data of each corner */
   size_t count;
   size_t *by_place;  /* corners along the ring */
-  size_t *points;    /* the corners' */
-  vs_point_tree tree; /* of corners; those are on that are in the ring and reflex */
+  size_t *points;    /* points[i]: the point of corner i */
+  vs_point_tree tree; /* of corners; those in the ring that are reflex are on */
   vs_marks open;     /* places of corners that may be ears */
-  size_t *idle;      /* corners that go at once */
+  size_t *idle;      /* corners that are cut at once */
   size_t idle_count;
-  double flat; /* twice the area under which a triangle counts as none */
-  double blur; /* the distance under which a line is taken to meet a corner */
+  double flat; /* twice the area below which a triangle counts as empty */
+  double blur; /* the distance below which a line counts as meeting a corner */
 } vs_ring;
 
 static vs_vec2 ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
@@ -76,7 +76,7 @@ static void ring_wait_no_more(vs_ring *r, size_t c) {
   k->awaited = none;
 }
 
-static void ring_release(vs_ring *r, size_t c) { /* all that wait for c */
+static void ring_release(vs_ring *r, size_t c) { /* releases all that wait for c */
   for (size_t w = r->ears[c].waiting; w != none; w = r->ears[c].waiting) {
     ring_wait_no_more(r, w);
     vs_marks_set(&r->open, r->ears[w].place, true);
@@ -87,7 +87,7 @@ static void ring_release(vs_ring *r, size_t c) { /* all that wait for c */
 
 static bool same_place(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
-/* Is it an end of a bridge without length? */
+/* Returns true for an end of a bridge of length 0. */
 static bool ring_is_idle(const vs_ring *r, size_t c) {
   vs_vec2 p = ring_at(r, c);
   return same_place(p, ring_at(r, r->corners[c].prev)) || same_place(p, ring_at(r, r->corners[c].next));
@@ -99,7 +99,7 @@ static void ring_note_idle(vs_ring *r, size_t c) {
   r->idle[r->idle_count++] = c;
 }
 
-/* A corner that is idle still; none: there is none. */
+/* Returns a corner that is still idle; none: there is none. */
 static size_t ring_next_idle(vs_ring *r) {
   while (r->idle_count > 0) {
     size_t c = r->idle[--r->idle_count];
@@ -109,7 +109,7 @@ static size_t ring_next_idle(vs_ring *r) {
   return none;
 }
 
-static void ring_look(vs_ring *r, size_t c) { /* c or a neighbour is new */
+static void ring_look(vs_ring *r, size_t c) { /* updates c when it or a neighbour is new */
   bool reflex = ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
   ring_wait_no_more(r, c);
   if (!reflex) ring_release(r, c);
@@ -118,7 +118,7 @@ static void ring_look(vs_ring *r, size_t c) { /* c or a neighbour is new */
   ring_note_idle(r, c);
 }
 
-/* an open corner; where it is no ear it waits */
+/* returns true if the open corner is an ear; else it waits */
 static bool ring_is_ear(vs_ring *r, size_t b) {
   size_t inside = vs_point_tree_in(&r->tree, ring_at(r, r->corners[b].prev), ring_at(r, b),
                                    ring_at(r, r->corners[b].next), r->flat);
@@ -126,7 +126,7 @@ static bool ring_is_ear(vs_ring *r, size_t b) {
   return inside == SIZE_MAX;
 }
 
-/* The first ear along the ring from `at` on, round to it again; none: there is no ear. */
+/* Returns the first ear along the ring from `at` on, once around; none: there is no ear. */
 static size_t ring_next_ear(vs_ring *r, size_t at) {
   size_t place = r->ears[at].place, end = none;
   for (int turn = 0; turn < 2; turn++, end = place) {
@@ -152,18 +152,18 @@ static void ring_cut(vs_ring *r, size_t ear) {
 
 /* ---- holes ---- */
 
-/* The corner that a hole is joined to is looked up, not walked to: edges of the ring that go down, each in the lists of
- * the few nodes of a binary tree over bands of y that make up its height; and the corners by their places. A corner
- * stands for the edge that leaves it, and does so when holes are spliced in. */
-typedef struct { uint32_t edge, next; } vs_band_link; /* next: of a node's list, from 1 on; 0: its end */
+/* An index of the corners to which a hole can be joined. It contains the ring's downward edges, each in the lists of
+ * the few nodes of a binary tree over bands of y that make up its height, and the corners by position. A corner
+ * represents the edge that leaves it, also after holes are spliced in. */
+typedef struct { uint32_t edge, next; } vs_band_link; /* next: of the node's list, from 1 on; 0: its end */
 typedef struct {
   double low, scale;    /* band (y - low) * scale */
-  size_t leaves;        /* bands, a power of two; node 1 is the root, 2 i and 2 i + 1 below i */
-  uint32_t *first;      /* link of each node's list */
+  size_t leaves;        /* bands, a power of two; node 1 is the root, 2 i and 2 i + 1 are below i */
+  uint32_t *first;      /* the first link of each node's list */
   vs_band_link *links;
-  size_t count, room;   /* links, with the one at 0 that none is */
+  size_t count, room;   /* links, including the unused one at 0 */
   vs_point_tree points; /* on: in the ring */
-  uint32_t *copies;     /* of a corner, the next at its place, from 1 on; 0: no more */
+  uint32_t *copies;     /* copies[i]: the next corner at corner i's position, from 1 on; 0: none */
 } vs_bands;
 
 static bool bands_make(vs_bands *b, const vs_ring *r, size_t total, size_t most) {
@@ -189,7 +189,7 @@ static size_t band_of(const vs_bands *b, double y) {
   return band >= (double)b->leaves ? b->leaves - 1 : band > 0 ? (size_t)band : 0;
 }
 
-/* the edge that leaves corner c */
+/* adds the edge that leaves corner c */
 static bool bands_add(vs_bands *b, const vs_ring *r, size_t c) {
   double from = ring_at(r, c).y, to = ring_at(r, r->corners[c].next).y;
   if (!(from > to)) return true;
@@ -214,11 +214,11 @@ static bool bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t s
   return true;
 }
 
-/* A corner of the ring that the hole's leftmost corner h can be joined to: shoot a ray to -x, take the edge it meets
- * first, and of that edge's end m and the corners within the triangle the one at the smallest angle to the ray. Of
- * those at equal angles the nearest, and of those at one place the one with the smallest number. A bridge must not
- * pass beside a corner so closely that rounding could put it on either side: so a ray meets what it passes within
- * `blur`, and angles are equal that part lines by no more than that. */
+/* Finds a corner of the ring to which the hole's leftmost corner h can be joined: shoot a ray to -x, take the first
+ * edge it meets, and of that edge's end m and the corners within the triangle the one at the smallest angle to the ray.
+ * Of those at equal angles it is the nearest, and of those at one position the one with the smallest index. A bridge
+ * must not pass so close to a corner that rounding decides on its side. Therefore a ray meets each edge within `blur`,
+ * and angles are equal if the lines differ by no more than that. */
 typedef struct {
   const vs_ring *ring;
   const uint32_t *copies;
@@ -228,7 +228,7 @@ typedef struct {
   size_t best;
 } vs_sight;
 
-/* Within the triangle of h, the place that is hit, and m, or as near to its side from h to m as the slack says. */
+/* Returns true if p lies within the triangle of h, the hit point and m, or within the slack of its side from h to m. */
 static bool sight_has(const vs_sight *s, vs_vec2 p, double *slope) {
   double up = s->m.y < s->h.y ? s->h.y - p.y : p.y - s->h.y, side = vs_vec2_turn(s->m, s->hit, p);
   if (!(p.x < s->h.x && p.x >= s->m.x && up >= 0)) return false;
@@ -237,7 +237,7 @@ static bool sight_has(const vs_sight *s, vs_vec2 p, double *slope) {
   return vs_vec2_turn(s->m, s->hit, s->h) < 0 ? side <= 0 : side >= 0;
 }
 
-/* The places before and behind a corner along the ring: where a bridge has no length, those beyond its other end. */
+/* Sets the positions before and after a corner along the ring; at a bridge of length 0, those beyond its other end. */
 static void ring_beside(const vs_ring *r, size_t c, vs_vec2 *before, vs_vec2 *behind) {
   size_t a = r->corners[c].prev, b = r->corners[c].next;
   while (a != c && same_place(ring_at(r, a), ring_at(r, c))) a = r->corners[a].prev;
@@ -246,11 +246,11 @@ static void ring_beside(const vs_ring *r, size_t c, vs_vec2 *before, vs_vec2 *be
   *behind = ring_at(r, b);
 }
 
-/* Does the corner see the place h, as far as its own two edges go? */
+/* Returns true if the corner's own two edges do not hide the point h. */
 static bool ring_sees(const vs_ring *r, size_t corner, vs_vec2 h) {
   vs_vec2 p = ring_at(r, corner), a, c;
   ring_beside(r, corner, &a, &c);
-  /* > 0: h to the left of the leaving edge */
+  /* > 0: h is to the left of the leaving edge */
   double to_after = (c.x - p.x) * (h.y - p.y) - (c.y - p.y) * (h.x - p.x);
   double to_before = (p.x - a.x) * (h.y - a.y) - (p.y - a.y) * (h.x - a.x);
   bool convex = (p.x - a.x) * (c.y - a.y) - (p.y - a.y) * (c.x - a.x) > 0;
@@ -273,7 +273,8 @@ static void sight_look(void *context, size_t point) {
   }
 }
 
-/* Of the corners at the place of a hole's corner one between whose edges the hole lies: h is the corner behind that. */
+/* Chooses, of the corners at the position of a hole's corner, one whose edges enclose the hole: h is the hole's next
+ * corner. */
 static void touch_look(void *context, size_t point) {
   vs_sight *s = context;
   for (size_t i = point;; i = s->copies[i] - 1) {
@@ -282,23 +283,23 @@ static void touch_look(void *context, size_t point) {
   }
 }
 
-/* The ring's corner at the place p that sees h, or none. */
+/* Returns the ring's corner at the position p that sees h, or none. */
 static size_t ring_seeing(const vs_ring *r, const vs_bands *b, vs_vec2 p, vs_vec2 h) {
   vs_sight s = { .ring = r, .copies = b->copies, .h = h, .best = none };
   vs_point_tree_each(&b->points, &(vs_point_box){ p.x, p.y, p.x, p.y, 0 }, touch_look, &s);
   return s.best;
 }
 
-/* The ring's corner that the hole's corner touches, or none. */
+/* Returns the ring's corner that the hole's corner touches, or none. */
 static size_t ring_touch(const vs_ring *r, const vs_bands *b, size_t hole) {
   return ring_seeing(r, b, ring_at(r, hole), ring_at(r, r->corners[hole].next));
 }
 
-/* A ray from h to -x, and the edge that it meets first of those looked at so far: the ring's corner where that begins,
- * or none; x: where. */
+/* A ray from h to -x, and the first edge that it meets among those tested so far, given by the ring's corner where the
+ * edge begins, or none; x: of the hit point. */
 typedef struct { vs_vec2 h; size_t edge; double x; } vs_ray;
 
-/* Looks at the edges of a band. */
+/* Tests the edges of a band. */
 static void band_meet(const vs_ring *r, const vs_bands *b, size_t band, vs_ray *ray) {
   vs_vec2 h = ray->h;
   double blur = r->blur;
@@ -346,7 +347,8 @@ static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, siz
   return s.best == none ? end : s.best;
 }
 
-/* before ring corner a -> copy of a -> hole corner b -> round the hole -> copy of b -> a -> on. a and b are two. */
+/* Makes the order: before ring corner a, copy of a, hole corner b, around the hole, copy of b, a, onwards. a and b
+ * differ. */
 static bool ring_splice(vs_ring *r, vs_bands *bands, size_t a, size_t b) {
   uint32_t a2 = (uint32_t)r->count++, b2 = (uint32_t)r->count++, before = r->corners[a].prev, last = r->corners[b].prev;
   VS_ASSERT(a != b);
@@ -372,25 +374,25 @@ static int hole_compare(const void *a, const void *b) {
   return p->at.y < q->at.y ? -1 : p->at.y > q->at.y;
 }
 
-/* Holes on their way into the ring. */
+/* Holes that are being joined to the ring. */
 typedef struct {
   vs_ring *ring;
   vs_bands bands;
   vs_hole *holes;
-  vs_point_tree outside; /* corners of holes; on: not in the ring yet */
-  uint32_t *hole_of;     /* of a point */
-  size_t *queue, queued; /* holes in the ring whose corners are looked at for others that touch them */
-  size_t start;          /* the corner that the ring begins with */
+  vs_point_tree outside; /* corners of holes; on: not yet in the ring */
+  uint32_t *hole_of;     /* hole_of[i]: the hole of point i */
+  size_t *queue, queued; /* holes in the ring that are still to be tested for others that touch them */
+  size_t start;          /* the corner with which the ring begins */
 } vs_joining;
 
-static bool join_at(vs_joining *j, size_t a, size_t b) { /* a corner of the ring, one of the hole */
+static bool join_at(vs_joining *j, size_t a, size_t b) { /* a is a corner of the ring, b of the hole */
   vs_ring *r = j->ring;
   vs_hole *hole = &j->holes[j->hole_of[b]];
   hole->joined = true;
   j->queue[j->queued++] = j->hole_of[b];
   for (size_t c = hole->first; c < hole->first + hole->size; c++) vs_point_tree_switch(&j->outside, c, false);
   if (!ring_splice(r, &j->bands, a, b) || !bands_add_loop(&j->bands, r, hole->first, hole->size)) return false;
-  if (a == j->start) j->start = r->corners[b].prev; /* its copy, from which the hole is walked round first */
+  if (a == j->start) j->start = r->corners[b].prev; /* its copy, which precedes the hole */
   return true;
 }
 
@@ -399,7 +401,7 @@ static void least_look(void *context, size_t point) {
   if (point < *least) *least = point;
 }
 
-/* The holes that touch a corner of the loop, which is in the ring. */
+/* Joins the holes that touch a corner of the loop, which is in the ring. */
 static bool join_touching(vs_joining *j, size_t first, size_t size) {
   for (size_t c = first; c < first + size; c++) {
     vs_vec2 p = ring_at(j->ring, c);
@@ -414,8 +416,8 @@ static bool join_touching(vs_joining *j, size_t first, size_t size) {
   return true;
 }
 
-/* All holes into the ring: those that touch it, and those that touch these, then the others from the left, each with
- * what touches it. */
+/* Joins all holes: those that touch the ring, and those that touch these; then the others from the left, each with the
+ * holes that touch it. */
 static bool join_all(vs_joining *j, size_t count, size_t outer) {
   bool ok = bands_add_loop(&j->bands, j->ring, 0, outer);
   for (size_t i = 0; i < count; i++)
@@ -437,7 +439,7 @@ static bool join_all(vs_joining *j, size_t count, size_t outer) {
   return ok;
 }
 
-/* The same; *start: the corner that the ring begins with. */
+/* Does the same; *start: the corner with which the ring begins. */
 static bool ring_join(vs_ring *r, vs_hole *holes, size_t count, size_t outer, size_t most, size_t *start) {
   vs_joining j = { .ring = r, .holes = holes };
   size_t points_room = 0, queue_room = 0;
@@ -457,7 +459,7 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
     size_t ear = ring_next_idle(r);
     bool idle = ear != none;
     if (!idle) ear = ring_next_ear(r, at);
-    if (ear == none) { /* the corner of largest area goes */
+    if (ear == none) { /* cut the corner of largest area */
       double best = -INFINITY;
       size_t i = at;
       do {
@@ -468,7 +470,7 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
         }
         i = r->corners[i].next;
       } while (i != at);
-      if (ear == none) ear = at; /* not a number */
+      if (ear == none) ear = at; /* NaN */
     }
     size_t prev = r->corners[ear].prev, next = r->corners[ear].next;
     uint32_t a = index[r->corners[prev].point], b = index[r->corners[ear].point], c = index[r->corners[next].point];
@@ -480,9 +482,9 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
   return true;
 }
 
-/* Along the ring: where each corner is, and which may be ears. */
+/* Sets each corner's place along the ring, and the corners that may be ears. */
 static bool ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
-  /* loops that were left out have none */
+  /* corners of omitted loops have none */
   for (size_t i = 0; i < r->count; i++) r->points[i] = i < total ? i : r->corners[i].point;
   if (!vs_point_tree_make(&r->tree, r->at, r->points, r->count) || !vs_marks_make(&r->open, size)) return false;
   size_t c = start;
@@ -504,7 +506,7 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
   for (size_t i = 1; i < total; i++) extent = fmax(extent, fmax(fabs(at[i].x - at[0].x), fabs(at[i].y - at[0].y)));
   if (loop_count == 0 || sizes[0] < 3) return true;
   size_t most = total + 2 * loop_count;
-  if (most > UINT32_MAX) return false; /* a mesh has no more vertices */
+  if (most > UINT32_MAX) return false; /* the limit of a mesh's vertices */
   vs_ring r = { .at = at, .flat = 1e-14 * extent * extent, .blur = 1e-12 * extent };
   r.corners = vs_fresh(most, sizeof *r.corners);
   r.ears = vs_fresh(most, sizeof *r.ears);

@@ -1,4 +1,4 @@
-/* Owns the places where two curves meet in space. */
+/* Owns the points where two curves meet in space. */
 #ifndef VS_GEOMETRY_PLANE_MEETINGS_H
 #define VS_GEOMETRY_PLANE_MEETINGS_H
 
@@ -11,11 +11,11 @@ typedef struct {
 
 typedef enum {
   VS_MEETINGS_DONE,
-  VS_MEETINGS_ALONG /* they lie on each other about `at` */,
+  VS_MEETINGS_ALONG /* they lie on each other near `at` */,
   VS_MEETINGS_MEMORY
 } vs_meetings_outcome;
 
-/* The places that are at most `near` from both curves, in the order of a; the caller frees *out. near is 0 or more. */
+/* Finds the points within `near` >= 0 of both curves, in the order of a; the caller frees *out. */
 vs_meetings_outcome vs_curves_meet(const vs_stations *a, const vs_stations *b, double near, vs_meeting **out,
                                    size_t *count, vs_vec3 *at);
 

@@ -1,14 +1,13 @@
-/* Owns offsets in a plane: areas made larger or smaller, open lines moved to one side.
+/* Owns offsets in a plane: enlarged or reduced areas, and open lines moved to one side.
  *
- * An area grows by the union with strips along its outside, shrinks by what strips along its inside take away: so
- * self-overlaps and holes that close are the union's business, and what is exact stays exact. A strip follows edges
- * a -> b on one side (hand +1: the left of travel). Its far side runs at the distance d; with n1 and n2 the normals of
- * two neighbouring edges to that side, it goes through
+ * An area grows by the union with strips along its outside, and shrinks by the difference from strips along its inside:
+ * the union handles self-overlaps and holes that close, and exact coordinates stay exact. A strip follows edges a -> b
+ * on one side (hand +1: the left of travel). Its far side runs at the distance d. With n1 and n2 the normals of two
+ * neighbouring edges to that side, the far side goes through
  *   b + d n1, b + d n2           at a corner that opens on that side, with the corner's join between them;
- *   b + d (n1 + n2)/(1 + n1.n2)  at a corner that closes, where the edges are long enough for their far sides to meet.
- * A strip ends where they are not long enough, and before it has turned by more than a right angle: so no strip crosses
- * itself. An open line's offset is the border of its strips' union without the line
- * itself and the ends. */
+ *   b + d (n1 + n2)/(1 + n1.n2)  at a corner that closes, if the edges are long enough for their far sides to meet.
+ * A strip ends at edges that are too short, and before it has turned by more than a right angle: therefore no strip
+ * crosses itself. An open line's offset is the border of its strips' union without the line itself and the ends. */
 #include "geometry/plane/offset.h"
 
 #include <stdlib.h>
@@ -18,11 +17,11 @@
 #include "geometry/plane/plane.h"
 #include "model/store/array.h"
 
-enum { MITRE_MOST = 100 }; /* in offsets: a sharper corner is cut square */
+enum { MITRE_MOST = 100 }; /* in distances: a sharper corner is cut square */
 
 typedef struct {
   vs_area *strips;
-  vs_vec2 *near, *far;  /* of the strip being made */
+  vs_vec2 *near, *far;  /* of the current strip */
   size_t near_count, far_count, near_room, far_room;
   double turned, d, hand;
   vs_offset_corners corners;
@@ -45,7 +44,7 @@ static bool offset_far(vs_offsetter *o, vs_vec2 p, double nx, double ny) {
   return offset_push(&o->far, &o->far_count, &o->far_room, p.x + o->d * nx, p.y + o->d * ny);
 }
 
-/* The strip becomes a loop, counter-clockwise: along the line and back on the far side where that is the left one. */
+/* Makes the strip a counter-clockwise loop: if the far side is on the left, along the line and back on the far side. */
 static bool offset_strip(vs_offsetter *o) {
   bool ok = true;
   size_t n = o->near_count, m = o->far_count;
@@ -59,9 +58,10 @@ static bool offset_strip(vs_offsetter *o) {
   return ok && vs_area_loop(o->strips, false);
 }
 
-typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* from p; direction, normal to the side */
+typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* from p: direction, and normal to the
+                                                                              * strip's side */
 
-/* The far side's way round a corner at p that opens: between p + d n of a and of b */
+/* Adds the far side's points around an opening corner at p: between p + d n of a and of b. */
 static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, const vs_offset_edge *b) {
   double cosine = a->nx * b->nx + a->ny * b->ny, sine = a->nx * b->ny - a->ny * b->nx,
          half = atan2(fabs(sine), cosine) / 2;
@@ -96,7 +96,7 @@ static vs_offset_corner offset_look(const vs_offsetter *o, const vs_offset_edge 
   return cosine > -0.5 && o->d * tan(*turning / 2) < 0.5 * fmin(a->length, b->length) ? CORNER_MEETS : CORNER_CROSSES;
 }
 
-/* Strips along n points, closed or not. False: out of memory. */
+/* Adds strips along n points, closed or not. Returns false when memory is out. */
 static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool closed) {
   vs_offset_edge *edges = vs_fresh(n, sizeof *edges);
   size_t count = 0;
@@ -117,7 +117,7 @@ static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool clo
                                  : closed ? &edges[count - 1]
                                           : NULL;
     double turning = 0, k = 0;
-    if (!o->near_count) { /* a strip begins: on the bisector where the corner before is one that closes */
+    if (!o->near_count) { /* a strip begins: on the bisector if the corner before closes */
       bool meets = last && offset_look(o, last, e, &turning, &k) == CORNER_MEETS;
       double nx = !i && o->ways ? -o->hand * o->ways[0].y : e->nx, ny = !i && o->ways ? o->hand * o->ways[0].x : e->ny;
       ok = offset_near(o, e->p) &&
@@ -166,15 +166,15 @@ bool vs_area_offset(const vs_area *in, const vs_offset_rule *rule, vs_area *out,
 
 /* ---- open lines ---- */
 
-static double offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* of p from the stretch a b */
+static double offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* of p from the segment a b */
   double dx = b.x - a.x, dy = b.y - a.y, d = dx * dx + dy * dy,
          t = d > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / d : 0;
   t = fmin(1, fmax(0, t));
   return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-/* The longest run of the border's edges that lie far enough from the line and not on its two ends (stretches from the
- * line to its far side). There are two points or more, and d > 0. */
+/* Finds the longest run of the border's edges that are far enough from the line and not on its two ends (segments from
+ * the line to its far side). There are two points or more, and d > 0. */
 static bool offset_border(const vs_offsetter *o, const vs_area *border, const vs_open_line *line, vs_polyline *out) {
   const vs_vec2 *at = line->at;
   size_t n = line->count;
@@ -190,7 +190,7 @@ static bool offset_border(const vs_offsetter *o, const vs_area *border, const vs
     const vs_vec2 *p = border->at + first;
     size_t size = border->size[l], run = 0;
     double length = 0;
-    for (size_t i = 0; i < 2 * size; i++) { /* twice round, so that a run over the loop's seam is found whole */
+    for (size_t i = 0; i < 2 * size; i++) { /* twice around: a run across the loop's seam is found completely */
       vs_vec2 a = p[i % size], b = p[(i + 1) % size], middle = { (a.x + b.x) / 2, (a.y + b.y) / 2 };
       bool other = offset_distance(middle, from[0], to[0]) > slack && offset_distance(middle, from[1], to[1]) > slack;
       for (size_t k = 0; other && k + 1 < n; k++) other = offset_distance(middle, at[k], at[k + 1]) >= least;
@@ -238,11 +238,11 @@ bool vs_line_offset(const vs_open_line *line, const vs_offset_rule *rule, vs_pol
   return ok;
 }
 
-/* ---- what needs no sampling ---- */
+/* ---- offsets without sampling ---- */
 
 bool vs_offset_round(const vs_node *n, vs_affine *place, vs_offset_exact *out) {
   double scale = 1, grown = 0;
-  bool level = true; /* placements keep +Z up: then an arc's left is the same in all of them */
+  bool level = true; /* all placements keep +Z up: an arc's left is then the same in all of them */
   *place = vs_affine_identity();
   for (;;) {
     if (n->kind == VS_OFFSET) grown += scale * VS_AS(offset, n)->distance;

@@ -1,4 +1,4 @@
-/* Owns regions as loops in a plane: which loop is a hole of which, and the plane they share. */
+/* Owns regions as loops in a plane: the nesting of holes, and the common plane. */
 #include "geometry/plane/outline.h"
 
 #include <stdlib.h>
@@ -18,7 +18,7 @@ void vs_outline_free(vs_outline *o) {
   *o = (vs_outline){ 0 };
 }
 
-/* Twice the vector area (Newell) */
+/* Returns twice the vector area (Newell). */
 static vs_vec3 polyline_area(const vs_polyline *p) {
   vs_vec3 sum = { 0, 0, 0 };
   for (size_t i = 1; i + 1 < p->count; i++)
@@ -66,8 +66,8 @@ static bool outline_apart(const vs_loop_box *a, const vs_loop_box *b) {
   return a->high[0] < b->low[0] || b->high[0] < a->low[0] || a->high[1] < b->low[1] || b->high[1] < a->low[1];
 }
 
-/* Does loop p hold loop q? They do not cross but may touch: so the middles of q's edges vote, thirty of them at
- * most. */
+/* Returns true if loop p contains loop q. They do not cross but may touch: therefore the midpoints of q's edges vote,
+ * at most thirty of them. */
 static bool outline_loop_in(const vs_affine *frame, const vs_polyline *p, const vs_polyline *q) {
   size_t step = q->count / 30 + 1, votes = 0, asked = 0;
   for (size_t i = 0; i < q->count; i += step, asked++)
@@ -75,7 +75,8 @@ static bool outline_loop_in(const vs_affine *frame, const vs_polyline *p, const 
   return 2 * votes > asked;
 }
 
-/* An open profile that is straight has many planes: the vertical one then, or for an upright line the plane XZ. */
+/* Returns the normal for an open profile. A straight one has many planes: it gets the vertical one, a vertical line the
+ * plane XZ. */
 static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
   vs_vec3 sum = { 0, 0, 0 }, along = { 0, 0, 0 };
   double length = 0;
@@ -90,13 +91,13 @@ static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
   return vs_v3_length(across) > 1e-12 * length ? across : vs_v3(0, 1, 0);
 }
 
-/* Holes behind their outer loops. depth[i]: how many loops hold loop i; odd is a hole of the smallest outer loop around
- * it. */
+/* Orders holes after their outer loops. depth[i]: the number of loops that contain loop i; if it is odd, i is a hole of
+ * the smallest outer loop around it. */
 static bool outline_nest(vs_outline *o) {
   size_t n = o->count, done = 0;
   size_t *depth = vs_zeros(n, sizeof *depth), *parent = vs_fresh(n, sizeof *parent);
   vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
-  vs_loop_box *box = vs_fresh(n, sizeof *box); /* most loops of a perforated sheet are plainly apart */
+  vs_loop_box *box = vs_fresh(n, sizeof *box); /* boxes show that most loops of a perforated sheet are disjoint */
   o->hole = vs_zeros(n, sizeof *o->hole);
   bool ok = depth && parent && sorted && box && o->hole;
   for (size_t i = 0; ok && i < n; i++) box[i] = outline_box(&o->frame, &o->loops[i]);
@@ -121,7 +122,7 @@ static bool outline_nest(vs_outline *o) {
       sorted[done++] = o->loops[j];
     }
   }
-  if (ok) { /* every hole has a parent of one depth less, so that all are there again */
+  if (ok) { /* every hole has a parent of one depth less: all loops are present again */
     free(o->loops);
     o->loops = sorted;
     sorted = NULL;

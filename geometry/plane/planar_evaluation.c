@@ -1,9 +1,8 @@
-/* Owns the evaluation of planar expressions: what curves, regions and sets of regions are at a tolerance, as paths and
- * outlines.
+/* Owns the evaluation of planar expressions: converts curves, regions and sets of regions to paths and outlines, within
+ * a tolerance.
  *
- * A stack machine: a frame for each node that has to wait for its children, a value for each of those that is done.
- * Placements go down with the frames, so that every curve is sampled where it stands; sets are made in the plane where
- * they stand. */
+ * A stack machine: a frame for each node that waits for its children, a value for each child that is done. Frames carry
+ * the placement down; every curve is sampled in its final position, and sets are computed in their final plane. */
 #include <stdlib.h>
 
 #include "geometry/plane/planar_evaluation.h"
@@ -22,10 +21,10 @@ typedef struct {
 
 typedef struct {
   const vs_ref *ref;
-  uint32_t next;       /* child to be evaluated */
-  size_t first;        /* of its children's values */
+  uint32_t next;       /* the next child to be evaluated */
+  size_t first;        /* index of the first of its children's values */
   vs_affine map;       /* of its children */
-  vs_affine after;     /* an offset's: of its result */
+  vs_affine after;     /* of the result, for an offset */
   vs_fineness facets;
 } vs_flat_frame;
 
@@ -59,7 +58,7 @@ static bool flat_open(vs_flat *f, const vs_ref *ref, const vs_affine *map, const
   return true;
 }
 
-/* The loops of a text are nested already; none is left where the letters have no ink. */
+/* Makes the outline of a text, whose loops are nested already; it is empty if the letters have no ink. */
 static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_outline *out,
                          vs_error *e) {
   if (!vs_text_loops(n, placed, f, out, e)) return false;
@@ -69,7 +68,7 @@ static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_fin
   return true;
 }
 
-/* The outline of a flat hull. */
+/* Makes the outline of a flat hull. */
 static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_outline *out,
                          vs_error *e) {
   vs_fineness inner = vs_fineness_placed(f, placed);
@@ -89,7 +88,7 @@ static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fin
 
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v);
 
-/* A leaf becomes a value, what has children a frame. */
+/* Makes a value for a leaf, and a frame for a node with children. */
 static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fineness *facets) {
   for (;;) {
     const vs_node *n = ref->node;
@@ -117,7 +116,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
             return false;
           return n->class_ == VS_CURVE || flat_fill(f, ref, v);
         }
-        /* the distance is in the offset's own coordinates: there it is made */
+        /* the distance is in the offset's own coordinates: the offset is computed there */
         vs_fineness inner = vs_fineness_placed(facets, &map);
         return flat_open(f, ref, &identity, &inner) && (f->frames[f->frame_count - 1].after = map, true);
       }
@@ -129,7 +128,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
       }
       case VS_JOIN: case VS_REGION: return flat_open(f, ref, &map, facets);
       case VS_XLINE: case VS_RAY: return flat_fail(f, ref, "expected a curve with two ends or none");
-      case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* solids/resolve.c has made curves and regions of them before */
+      case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* solids/resolve.c has replaced these by curves and regions */
       case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
         if (n->class_ == VS_REGION_CLASS) return flat_open(f, ref, &map, facets);
         if (n->child_count == 1) {
@@ -152,7 +151,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
   }
 }
 
-/* The curves of a join one after another; each is turned where its end, not its start, meets the one before. */
+/* Joins the curves one after another; reverses each whose end, not its start, meets the one before. */
 static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_path *to = &out->path;
   bool ok = true;
@@ -189,7 +188,7 @@ static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size
   return ok;
 }
 
-/* A closed path taken as filled */
+/* Converts a closed path to the filled outline. */
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v) {
   vs_polyline loop = { 0 };
   if (v->filled) return true;
@@ -234,7 +233,7 @@ bool vs_outline_coplanar(const vs_outline *a, const vs_outline *b) {
 static bool flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_area *areas = vs_zeros(count, sizeof *areas), made = { 0 };
   bool ok = areas || vs_error_memory(f->error, ref->origin);
-  const vs_outline *plane = NULL; /* the first that has one: what is empty has none of its own */
+  const vs_outline *plane = NULL; /* the first operand with a plane: empty ones have none */
   for (size_t i = 0; ok && i < count; i++) {
     ok = flat_fill(f, ref, &values[i]);
     if (ok && (!plane || (!plane->count && values[i].outline.count))) plane = &values[i].outline;
@@ -275,7 +274,8 @@ static void flat_place(vs_flat_value *v, const vs_affine *map) {
   vs_path_measure(&v->path);
 }
 
-/* The value of a region that a map has moved: planes and holes found anew. An empty one keeps its plane, moved. */
+/* Updates the value of a region after a map: computes planes and holes again. An empty region keeps its plane,
+ * moved. */
 static bool flat_settle(vs_flat *f, const vs_affine *map, vs_flat_value *v) {
   flat_place(v, map);
   if (!v->filled) return true;
@@ -307,7 +307,7 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
     ok = ok && vs_area_offset(&area, &rule, &made, f->error);
     ok = ok && (vs_area_outline(&made, &frame, &out->outline) || vs_error_memory(f->error, at->ref->origin));
     out->filled = true;
-    /* of a curve, and one loop: a curve again */
+    /* a single loop of a curve: a curve again */
     if (ok && at->ref->node->class_ == VS_CURVE && out->outline.count == 1) {
       ok = vs_path_of_polyline(&out->outline.loops[0], &out->path) || vs_error_memory(f->error, at->ref->origin);
       vs_outline_free(&out->outline);
@@ -371,7 +371,7 @@ static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_fi
     if (top->next < top->ref->node->child_count) {
       const vs_ref *child = &top->ref->node->children[top->next++];
       vs_fineness inner = top->facets;
-      /* nothing adds and takes nothing */
+      /* an empty operand adds and removes nothing */
       if (child->node->class_ != VS_NOTHING) ok = flat_enter(&f, child, top->map, &inner);
     } else ok = flat_leave(&f);
   }
@@ -382,7 +382,7 @@ static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_fi
   return ok;
 }
 
-/* ---- what the others ask for ---- */
+/* ---- the interface ---- */
 
 bool vs_curve_path(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_path *out, vs_error *e) {
   vs_flat_value v = { 0 };

@@ -1,5 +1,5 @@
-/* Owns planes of curves and regions. The points that fix a shape (corners, knots with their tangents, a circle's centre
- * and axes) lie in a plane exactly where the shape does. */
+/* Owns planes of curves and regions. The points that determine a shape (corners, knots with their tangents, a circle's
+ * centre and axes) lie in a plane exactly if the shape does. */
 #include "geometry/plane/plane.h"
 
 #include "geometry/frame.h"
@@ -11,8 +11,8 @@ bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b) {
   return vs_v3_length(vs_v3_cross(a->normal, b->normal)) <= 1e-6 && fabs(vs_v3_dot(a->normal, between)) <= 1e-6 * reach;
 }
 
-/* A point at a time: the farthest from the first gives a direction, the farthest from that line the plane. at(i) as an
- * array under a map. */
+/* Points are added one after the other: the farthest from the first gives a direction, the farthest from that line the
+ * plane. at[i] counts under the map. */
 typedef struct { const vs_vec3 *at; size_t count; vs_vec3 more[4]; size_t more_count; vs_affine map; } vs_plane_points;
 
 static vs_vec3 plane_point(const vs_plane_points *p, size_t i) {
@@ -43,7 +43,7 @@ static vs_plane_count plane_through_points(const vs_plane_points *p, vs_shape_pl
 
 /* ---- the rule of each kind ----
  *
- * A rule answers with *found, or adds to the map and returns false: then the first child answers. */
+ * A rule sets *found, or adds to the map and returns false: then the first child's rule applies. */
 
 typedef bool plane_rule(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found);
 
@@ -83,7 +83,7 @@ static bool plane_spline(const vs_node *n, vs_plane_points *p, vs_shape_plane *o
   return true;
 }
 
-/* The plane through three points. */
+/* Sets the plane through three points. */
 static bool plane_by(vs_plane_points *p, const vs_vec3 at[3], vs_shape_plane *out, vs_plane_count *found) {
   p->more_count = 3;
   for (int i = 0; i < 3; i++) p->more[i] = at[i];
@@ -109,7 +109,7 @@ static bool plane_text(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return plane_by(p, (const vs_vec3[]){ at, vs_v3_add(at, vs_v3(1, 0, 0)), vs_v3_add(at, vs_v3(0, 1, 0)) }, out, found);
 }
 
-/* The plane through a point, square to a direction. */
+/* Sets the plane through a point, perpendicular to a direction. */
 static bool plane_across(vs_vec3 at, vs_vec3 normal, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
   vs_affine frame = vs_frame_on_axis(at, normal);
   const vs_vec3 by[3] = { at, vs_v3_add(at, vs_v3(frame.m[0][0], frame.m[1][0], frame.m[2][0])),
@@ -138,7 +138,7 @@ static bool plane_hull(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return true;
 }
 
-/* By points of the curve. */
+/* Adds the points of the curve. */
 static bool plane_join(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
   vs_fineness coarse = { 1, 12 };
   vs_polyline line = { 0 };

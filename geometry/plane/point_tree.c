@@ -1,4 +1,4 @@
-/* Owns the tree of points that triangles and boxes are looked up in. */
+/* Owns the tree of points, for searches in triangles and boxes. */
 #include "geometry/plane/point_tree.h"
 #include "model/store/array.h"
 
@@ -7,7 +7,7 @@
 
 enum { POINT_TREE_LEAF = 8 };
 
-static uint64_t tree_spread(uint32_t x) { /* a zero bit after each bit */
+static uint64_t tree_spread(uint32_t x) { /* inserts a zero bit after each bit */
   uint64_t v = x;
   v = (v | v << 16) & UINT64_C(0x0000FFFF0000FFFF);
   v = (v | v << 8) & UINT64_C(0x00FF00FF00FF00FF);
@@ -90,16 +90,16 @@ void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on) {
   for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* - 1 */
 }
 
-/* Is all of the box plainly to the right of the line from p to q? The margin is that of the points again, more than
- * rounding can make. */
+/* Returns true if all of the box is clearly to the right of the line from p to q. The margin is the points' margin
+ * doubled, which exceeds rounding errors. */
 static bool tree_beyond(const vs_point_box *b, vs_vec2 p, vs_vec2 q, double flat) {
-  /* the corner furthest to the left */
+  /* the corner farthest to the left */
   vs_vec2 most = { q.y > p.y ? b->min_x : b->max_x, q.x > p.x ? b->max_y : b->min_y };
   return vs_vec2_turn(p, q, most) < -2 * flat;
 }
 
-/* A box that holds every point of the triangle, its margin with it: of a point's three shares in the corners none is
- * less than -flat by the area, so none more than 1 and twice that. */
+/* Returns a box that contains every point of the triangle with its margin: none of a point's three barycentric
+ * coordinates is below -flat by the area, and therefore none is above 1 plus twice that. */
 static vs_point_box tree_around(vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
   vs_point_box box = { fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmax(a.x, fmax(b.x, c.x)),
                        fmax(a.y, fmax(b.y, c.y)), 0 };
@@ -115,11 +115,11 @@ static bool tree_apart(const vs_point_box *a, const vs_point_box *b) {
 
 static bool tree_same(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
-/* The nodes that are still to be looked at: each is replaced by two, one level down. */
+/* The nodes still to be visited: each is replaced by two, one level down. */
 typedef struct { size_t stack[2 * 64], depth; } tree_walk;
 
-/* True where the node has two below it, which come next; else it is a leaf with these ranks. The node is one of the
- * tree. */
+/* Returns true if the node has two below it, which come next; else it is a leaf with these ranks. The node belongs to
+ * the tree. */
 static bool tree_down(const vs_point_tree *t, tree_walk *w, size_t node, size_t *first, size_t *end) {
   VS_ASSERT(node > 0 && node < 2 * t->leaves);
   if (node < t->leaves) {

@@ -1,5 +1,5 @@
-/* Owns cutting what is thin with a plane. Where an edge crosses it, both sides take the same point: it is worked out
- * from the edge's kept end. */
+/* Owns cuts of curves, regions and surfaces by a plane. Where an edge crosses it, both sides get the same point: it is
+ * computed from the edge's kept end. */
 #include "geometry/plane/slice.h"
 
 #include <stdlib.h>
@@ -7,13 +7,14 @@
 #include "geometry/frame.h"
 #include "model/store/array.h"
 
-/* Where the edge from a point that is kept, a >= 0 above the plane, to one that is lost, b < 0, goes through. */
+/* Returns the point where an edge crosses the plane: from a kept point, a >= 0 above the plane, to a removed one, b <
+ * 0. */
 static vs_vec3 slice_crossing(vs_vec3 kept, double a, vs_vec3 lost, double b) {
   VS_ASSERT(a >= 0 && b < 0);
   return vs_v3_add(kept, vs_v3_scale(vs_v3_sub(lost, kept), a / (a - b)));
 }
 
-/* A point nearer to the plane than rounding lies in it: 0. */
+/* Returns the height of a point above the plane; 0 if it is within the rounding error `nothing`. */
 static double slice_side(vs_vec3 p, vs_vec3 point, vs_vec3 normal, double nothing) {
   double d = vs_v3_dot(normal, vs_v3_sub(p, point));
   return fabs(d) <= nothing ? 0 : d;
@@ -31,7 +32,7 @@ bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal,
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < p->count; i++) vs_bounds_add(&b, p->at[i]);
   double nothing = 1e-13 * vs_bounds_diagonal(&b);
-  size_t outside = p->count; /* a closed line is walked from a point that is cut off */
+  size_t outside = p->count; /* a closed line is walked from a removed point on */
   for (size_t i = p->count; i-- > 0;)
     if (slice_side(p->at[i], point, normal, nothing) < 0) outside = i;
   if (outside == p->count) return put(context, p);
@@ -87,7 +88,7 @@ vs_node *vs_slice_region(vs_ref region, const vs_shape_plane *flat, const vs_bou
   vs_store *s = region.node->store;
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5), n = vs_v3_unit(normal), f = vs_v3_unit(flat->normal);
   middle = vs_v3_sub(middle, vs_v3_scale(f, vs_v3_dot(f, vs_v3_sub(middle, flat->point))));
-  vs_vec3 in = vs_v3_sub(n, vs_v3_scale(f, vs_v3_dot(n, f))); /* in the region's plane, towards the side that stays */
+  vs_vec3 in = vs_v3_sub(n, vs_v3_scale(f, vs_v3_dot(n, f))); /* in the region's plane, towards the kept side */
   double steep = vs_v3_length(in), height = vs_v3_dot(n, vs_v3_sub(middle, point)), reach = vs_bounds_diagonal(b);
   if (steep < 1e-12 || fabs(height) > steep * reach)
     return height >= -1e-13 * reach ? vs_node_retain(region.node)

@@ -1,4 +1,4 @@
-/* Owns the walk along sampled curves by arc length (stations.h). */
+/* Owns positions along sampled curves by arc length (stations.h). */
 #include "geometry/plane/stations.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ void vs_stations_close(vs_stations *s) {
 }
 
 static size_t span_count(const vs_stations *s) { return s->path.count - (s->path.closed ? 0 : 1); }
-/* The sample that ends span i; the path has that span. */
+/* Returns the sample that ends span i, a span of the path. */
 static const vs_path_point *span_end(const vs_stations *s, size_t i) {
   VS_ASSERT(i < s->path.count);
   return &s->path.at[i + 1 < s->path.count ? i + 1 : 0];
@@ -23,7 +23,7 @@ static const vs_path_point *span_end(const vs_stations *s, size_t i) {
 
 static double angle_between(vs_vec3 a, vs_vec3 b) { return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b)); }
 
-/* An arc that turns by d is (d/2) / sin(d/2) as long as its chord. */
+/* Returns the length of a span: an arc that turns by d is (d/2) / sin(d/2) as long as its chord. */
 static double span_length(const vs_path_point *p, const vs_path_point *q) {
   double half = angle_between(p->leaving, q->arriving) / 2, chord = vs_v3_length(vs_v3_sub(q->at, p->at));
   return half > 1e-8 ? chord * half / sin(half) : chord;

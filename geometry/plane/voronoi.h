@@ -1,11 +1,11 @@
-/* Owns Voronoi cells: the places that are nearer to a point than to any other. */
+/* Owns Voronoi cells: the points that are nearer to a given point than to any other. */
 #ifndef VS_GEOMETRY_PLANE_VORONOI_H
 #define VS_GEOMETRY_PLANE_VORONOI_H
 
 #include "geometry/plane/areas.h"
 
 /* Cuts the box into the convex cells of n points: cell i has the corners at[start[i]] ... at[start[i + 1] - 1],
- * counter-clockwise; the cells of points that stand where an earlier one does are empty. */
+ * counter-clockwise. A point at the position of an earlier one has an empty cell. */
 typedef struct {
   vs_vec2 *at;
   size_t *start, count, room;
