@@ -43,7 +43,7 @@ static vs_plane_count plane_through_points(const vs_plane_points *p, vs_shape_pl
 
 /* ---- the rule of each kind ----
  *
- * A rule sets *found, or adds to the map and returns false: then the first child's rule applies. */
+ * A rule sets *found; or it may extend p->map and return false: then the first child's rule applies. */
 
 typedef bool plane_rule(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found);
 

@@ -1,4 +1,4 @@
-/* Owns the elliptical cone, cut or pointed. */
+/* Owns the elliptical cone, truncated or pointed. */
 #include <math.h>
 
 #include "geometry/frame.h"
@@ -7,7 +7,7 @@
 #include "geometry/primitives/shape.h"
 #include "geometry/primitives/solid_triangles.h"
 
-/* The top's radius along Y on the axis */
+/* Returns the top's radius along Y in the axis's frame. */
 static double top_across(const struct vs_e_cone *x) { return x->top_radius * (x->base_across / x->base_radius); }
 
 static bool e_cone_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e) {

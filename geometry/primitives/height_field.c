@@ -1,8 +1,8 @@
 /* Owns height fields: a grid of heights over a rectangle, solid down to a floor.
  *
- * Sample (i, j), column i of row j, is point j * columns + i; no height lies below the floor. Where none lies on it
- * either, the floor is a fan about its middle over the border's feet; else it is as finely cut as the top, and a sample
- * on the floor is its own foot, so that the faces that meet there share vertices and the mesh closes. */
+ * Sample (i, j), column i of row j, is point j * columns + i; no height is below the floor. If none is on it either,
+ * the floor is a fan about its middle to the border's feet. Otherwise the floor is divided as finely as the top, and a
+ * sample on the floor is its own foot: faces that meet there share vertices, and the mesh closes. */
 #include "geometry/primitives/height_field.h"
 
 #include <stdlib.h>
@@ -11,12 +11,12 @@
 #include "geometry/measure/measure.h"
 #include "model/store/array.h"
 
-/* Has sample i anything above or below it? It or a neighbour along a triangle's side is above the floor then. There is
- * a sample i. */
+/* Returns true if sample i is used by a triangle: it, or a neighbour along a triangle's side, is above the floor. There
+ * is a sample i. */
 static bool heights_used(const struct vs_height_field *h, uint32_t i) {
   static const int to[][2] = {
     { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 }
-  }; /* itself, then round it */
+  }; /* itself, then its neighbours */
   int64_t columns = h->columns, rows = columns > 0 ? h->points->count / columns : 0, x = i % columns, y = i / columns;
   VS_ASSERT(i < h->points->count);
   for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
@@ -30,7 +30,7 @@ typedef struct {
   const struct vs_height_field *h;
   vs_mesh *out;
   uint32_t columns, rows;
-  uint32_t *top, *foot; /* a sample's vertex, and the one on the floor; UINT32_MAX where it has none */
+  uint32_t *top, *foot; /* a sample's vertex, and its vertex on the floor; UINT32_MAX: none */
 } vs_heights;
 
 static bool heights_on_floor(const vs_heights *g, uint32_t i) { return !(g->h->points->at[i].z > g->h->low); }
@@ -43,7 +43,7 @@ static bool heights_foot(vs_heights *g, uint32_t i) {
   return true;
 }
 
-/* From sample a to its neighbour b along the border, the outside to the right */
+/* Adds the wall from sample a to its neighbour b along the border; the outside is on the right. */
 static bool heights_wall(vs_heights *g, uint32_t a, uint32_t b) {
   bool ok = heights_foot(g, a) && heights_foot(g, b);
   if (ok && !heights_on_floor(g, b)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->foot[b], g->top[b]);
@@ -83,7 +83,7 @@ bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
                             vs_v3((h->points->at[0].x + h->points->at[count - 1].x) / 2,
                                   (h->points->at[0].y + h->points->at[count - 1].y) / 2, h->low),
                             &middle);
-  for (size_t k = 0; ok && k < border; k++) { /* round, counter-clockwise seen from above */
+  for (size_t k = 0; ok && k < border; k++) { /* around the border, counter-clockwise seen from above */
     uint32_t at[2];
     for (size_t e = 0; e < 2; e++) {
       size_t s = (k + e) % border, across = columns - 1, up = rows - 1;
@@ -135,7 +135,7 @@ static bool height_field_measure(const vs_node *n, bool area, vs_measure *m, vs_
   vs_mesh mesh = { 0 };
   (void)area;
   bool ok = vs_height_field_mesh(&mesh, VS_AS(height_field, n)) || vs_error_memory(e, NULL);
-  if (ok) vs_mesh_measure(&mesh, m); /* it is these triangles, exactly */
+  if (ok) vs_mesh_measure(&mesh, m); /* the shape is exactly these triangles */
   vs_mesh_free(&mesh);
   return ok;
 }

@@ -5,8 +5,8 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Two triangles a cell, cut from its least corner to its greatest; walls and a floor at low. Samples on the floor touch
- * it there: a triangle with three of them is left out. False: out of memory. */
+/* Makes two triangles for each cell, along the diagonal from its least corner to its greatest, walls, and a floor at
+ * low. A triangle of three samples on the floor is omitted. Returns false when memory is out. */
 bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h);
 
 #endif

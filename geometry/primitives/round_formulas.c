@@ -30,7 +30,7 @@ typedef struct {
   int segments;
 } frustum;
 
-/* Returns the cut cone that a node of the three kinds is. */
+/* Returns the cut cone of a node of the three kinds. */
 static frustum frustum_of(const vs_node *n) {
   VS_ASSERT(n->kind == VS_CYLINDER || n->kind == VS_CONE || n->kind == VS_CUT_CONE);
   if (n->kind == VS_CYLINDER) {

@@ -7,18 +7,18 @@
 
 /* Computes volume, area and centroid of a cut cone; either radius may be 0. */
 void vs_frustum_measure(vs_measure *m, vs_vec3 base, double r, vs_vec3 top, double s);
-/* Is q, in the frame on the axis, in the cut cone from z = 0 to z = height? */
+/* Returns true if q, in the axis's frame, is in the cut cone from z = 0 to z = height. */
 bool vs_frustum_holds(vs_vec3 q, double height, double base_radius, double top_radius);
 
-/* The answers of the cylinder, the cone and the cut cone, as the entries of vs_shape have them: all three are cut
- * cones, whose radii are equal or of which one is 0. */
+/* The entries of vs_shape for the cylinder, the cone and the cut cone: all three are cut cones, with equal radii or a
+ * radius of 0. */
 bool vs_round_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e);
 bool vs_round_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
 bool vs_round_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e);
 bool vs_round_holds(const vs_node *n, vs_vec3 p, vs_vec3 q, double height);
 void vs_round_axis(const vs_node *n, vs_vec3 *base, vs_vec3 *top);
 
-/* Ends the file of such a kind, as VS_SHAPE does: the functions NAME_moved and NAME_grown are its own. */
+/* Ends the file of such a kind, as VS_SHAPE does; the file defines the functions NAME_moved and NAME_grown. */
 #define VS_ROUND_SHAPE(lower)                                           \
   const vs_shape vs_shape_##lower = { .bounds = vs_round_bounds,        \
                                       .triangles = vs_round_triangles,  \
@@ -28,6 +28,6 @@ void vs_round_axis(const vs_node *n, vs_vec3 *base, vs_vec3 *top);
                                       .axis = vs_round_axis,            \
                                       .grown = lower##_grown }
 
-double vs_ellipse_length(double a, double b); /* the circumference, of the half axes */
+double vs_ellipse_length(double a, double b); /* returns the circumference for the half axes */
 
 #endif

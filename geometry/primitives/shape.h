@@ -1,10 +1,10 @@
-/* Owns the form of a primitive solid: the questions that each kind of role SHAPE (model/prims.def) answers about its
- * nodes.
+/* Owns the interface of a primitive solid: the functions that each kind of role SHAPE (model/prims.def) provides for
+ * its nodes.
  *
  * A kind has one file here, NAME.c, which ends with VS_SHAPE(NAME, ...). The macro gathers the functions NAME_bounds,
- * NAME_triangles, NAME_measure, NAME_holds and NAME_moved: a missing one does not compile. The entries that not every
- * shape has are given in full; NULL there says that the shape has none. Every function gets a node of its own kind, in
- * the node's own coordinates. */
+ * NAME_triangles, NAME_measure, NAME_holds and NAME_moved: a missing one does not compile. The optional entries are
+ * always written; NULL means that the shape has none. Every function gets a node of its own kind, in the node's own
+ * coordinates. */
 #ifndef VS_GEOMETRY_PRIMITIVES_SHAPE_H
 #define VS_GEOMETRY_PRIMITIVES_SHAPE_H
 
@@ -15,25 +15,27 @@
 #include "model/node.h"
 
 typedef struct {
-  /* Adds the bounds of n under a to b, exactly. False: failed. */
+  /* Adds the bounds of n under a to b, exactly. Returns false on failure. */
   bool (*bounds)(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e);
-  /* Appends the triangles, closed and facing outwards. False: failed. */
+  /* Appends the triangles, closed and facing outwards. Returns false on failure. */
   bool (*triangles)(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
-  /* Computes volume, area and centroid of a measure that says they are known; clears `known` where there is no formula.
-   * area false: nobody asks for the area, and 0 will do. False: failed. */
+  /* Sets volume, area and centroid of a measure whose `known` is true; clears `known` if there is no formula. area
+   * false: the area is not needed and may be 0. Returns false on failure. */
   bool (*measure)(const vs_node *n, bool area, vs_measure *m, vs_error *e);
-  /* Is p, which lies in the bounds, inside or on the surface? q: p in the frame on the axis, whose top is at z =
-   * height; p itself where there is no axis. */
+  /* Returns true if p, which lies in the bounds, is inside or on the surface. q: p in the axis's frame, whose top is at
+   * z = height; p itself if there is no axis. */
   bool (*holds)(const vs_node *n, vs_vec3 p, vs_vec3 q, double height);
-  /* Returns the node that n is under a, of n's kind and in store s. NULL: with *fits false where a makes no such node
-   * of it, else out of memory. */
+  /* Returns n under a as a node of n's kind in store s. NULL with *fits false: there is no such node; else NULL: out of
+   * memory. */
   vs_node *(*moved)(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map, bool *fits);
-  /* Answers the two ends of the axis. NULL: stands on none. */
+  /* Sets the two ends of the axis. NULL: the kind has no axis. */
   void (*axis)(const vs_node *n, vs_vec3 *base, vs_vec3 *top);
-  /* Returns n with its faces moved outwards by about `by`, NULL when out of memory. NULL: it has no such formula. */
+  /* Returns n with its faces moved outwards by about `by`; NULL: out of memory. An entry of NULL: there is no such
+   * formula. */
   vs_node *(*grown)(vs_store *s, const vs_node *n, double by);
-  /* Returns the union of simpler shapes that n is, for formats that write sets and not this kind; the parts have no
-   * such entry. NULL: with *fits false n is better as triangles, else out of memory. NULL: all of the kind are. */
+  /* Returns n as a union of simpler shapes, for formats that write sets and lack this kind; the parts have no such
+   * entry. NULL with *fits false: triangles suit n better; else NULL: out of memory. An entry of NULL: triangles suit
+   * all of the kind. */
   vs_node *(*parts)(vs_store *s, const vs_node *n, const vs_origin *origin, bool *fits);
 } vs_shape;
 
@@ -47,7 +49,7 @@ typedef struct {
                                       .grown = grown_,                                                                 \
                                       .parts = parts_ }
 
-const vs_shape *vs_shape_of(const vs_node *n); /* NULL: its role is another */
+const vs_shape *vs_shape_of(const vs_node *n); /* NULL: the kind has another role */
 
 #define VS_SHAPE_SHAPE(lower) extern const vs_shape vs_shape_##lower;
 #define VS_SHAPE_LEAF(lower)

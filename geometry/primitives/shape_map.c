@@ -1,4 +1,4 @@
-/* Owns what an affine map keeps of a shape, and points under a map. */
+/* Owns the properties of a shape that an affine map keeps, and points under a map. */
 #include "geometry/primitives/shape_map.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* Owns the triangles of the primitive solids.
  *
- * Rings run counter-clockwise about the axis from +X on the axis; facets are counter-clockwise seen from outside.
- * Poles, apexes, the hubs of discs and the corners at quarter turns stand where the formula says, to the last bit:
- * kernel/ finds shared truss nodes by that. Indices are 32 bits: vs_mesh_reserve refuses what does not fit. */
+ * Rings run counter-clockwise about the axis from +X of its frame; facets are counter-clockwise seen from outside.
+ * Poles, apexes, the centres of discs and the corners at quarter turns agree with the formula to the last bit: kernel/
+ * finds shared truss nodes by that. Indices are 32 bits: vs_mesh_reserve refuses larger meshes. */
 #include "geometry/primitives/solid_triangles.h"
 
 #include <stdlib.h>
@@ -47,9 +47,9 @@ bool vs_solid_fits(int around, int across, const char *what, vs_error *e) {
                                           what, around, triangles / 1e6);
 }
 
-/* ---- rings and what spans them ---- */
+/* ---- rings and bands ---- */
 
-/* An ellipse of n corners, three or more, on the frame's X and Y. */
+/* Appends an ellipse of n >= 3 corners along the frame's X and Y. */
 static bool solid_oval(vs_mesh *out, const vs_affine *frame, vs_oval oval, int n) {
   bool ok = true;
   VS_ASSERT(n >= 3);
@@ -87,7 +87,7 @@ bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool ba
   return ok;
 }
 
-/* Closes a ring with a disc: a fan about its centre, or triangles over the corners alone, halving it again and
+/* Closes a ring with a disc: a fan about its centre, or triangles between its corners alone, halving it again and
  * again. */
 static bool solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, bool back, bool hub) {
   uint32_t tip;
@@ -146,8 +146,8 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
          vs_solid_fan(out, first + (uint32_t)(rings - 2) * around, around, north, false);
 }
 
-/* A tube wider than its path's radius meets itself on the axis: then only the outer skin is built, from pole to
- * pole. Both turns have three facets or more. */
+/* A tube wider than its path's radius intersects itself on the axis: in this case only the outer surface is built, from
+ * pole to pole. Both turns have three facets or more. */
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn) {
   uint32_t first = (uint32_t)out->vertex_count, n = (uint32_t)around, south, north;
   vs_affine level = vs_affine_identity();
@@ -190,7 +190,7 @@ bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *fa
   return ok;
 }
 
-/* Equal points become one vertex. */
+/* Does the same; equal points become one vertex. */
 bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_faces *faces, uint32_t *place) {
   const uint32_t *starts = vs_faces_starts(faces), *corners = vs_faces_corners(faces);
   vs_vec2 *flat = vs_fresh(faces->corner_count, sizeof *flat);
@@ -201,7 +201,7 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
   bool ok = flat && ring && vs_mesh_reserve(out, out->vertex_count + points->count, out->triangle_count + triangles);
   uint32_t next = base;
   for (uint32_t i = 0; ok && i < points->count;
-       i++) { /* place[i]: first the earliest equal point, then the vertex it became */
+       i++) { /* place[i]: first the earliest equal point, then its vertex */
     if (place[i] == i) {
       ok = vs_mesh_add_vertex(out, points->at[i], NULL);
       place[i] = next++;

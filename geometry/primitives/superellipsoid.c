@@ -3,10 +3,10 @@
  * Both its profile and its cross-sections are superellipses |u|^p + |v|^p = 1, p = 2/n and 2/e. Half a quadrant of one
  * is
  *   u = (1 + t^p)^(-1/p), v = t u, 0 <= t <= 1,
- * the other half its mirror image at the diagonal; the ends, an axis' point and the corner on the diagonal, are met
- * exactly. The normal there is along (1, t^(p-1)). Points are chosen so that the normal's turning and the angle t
- * stands for grow in equal shares: on a circle that is equal angles, on a square with rounded corners the corners get
- * most of the points, and every chord stays near its arc, however sharp p is. */
+ * the other half is its mirror image at the diagonal; the ends, a point of an axis and the corner on the diagonal, are
+ * exact. The normal there is along (1, t^(p-1)). Points are chosen so that the sum of the normal's rotation and the
+ * angle of t grows in equal steps: on a circle these are equal angles. On a square with rounded corners most of the
+ * points are at the corners. Every chord stays near its arc, however sharp p is. */
 #include <stdlib.h>
 
 #include "geometry/measure/reach.h"
@@ -22,14 +22,14 @@ static vs_oval_point oval_at(double p, double t) {
   return (vs_oval_point){ u, t * u };
 }
 
-/* From 0 to 1 as t does: half of what the normal has turned, half of the angle. */
+/* Returns a share from 0 to 1 as t goes from 0 to 1: half of it is the normal's rotation, half the angle. */
 static double oval_share(double p, double t) {
   double angle = atan(t) / quarter_pi, turned = p == 1 ? angle : atan(pow(t, fabs(p - 1))) / quarter_pi;
   return (angle + turned) / 2;
 }
 
-/* A quarter, from (1, 0) to (0, 1), 2 * half + 1 points; mirror images of each other about the diagonal to the last
- * bit. half is above 0. */
+/* Makes a quarter, from (1, 0) to (0, 1), of 2 * half + 1 points, which are mirror images about the diagonal to the
+ * last bit. half is above 0. */
 static void oval_quarter(double p, int half, vs_oval_point *at) {
   VS_ASSERT(half > 0);
   for (int i = 0; i <= half; i++) {
@@ -44,8 +44,8 @@ static void oval_quarter(double p, int half, vs_oval_point *at) {
   }
 }
 
-/* Facets a turn, a multiple of eight, so that axes and diagonals hold corners. Off the circle the chords of equal
- * shares are up to three times as high as a circle's of as many facets. */
+/* Returns the facets in a turn, a multiple of eight: axes and diagonals then have corners. Except on a circle, the
+ * chords of equal shares are up to three times as far from the arc as a circle's with as many facets. */
 static int oval_turn(const struct vs_superellipsoid *s, double exponent, const vs_fineness *f) {
   int n = vs_fineness_turn(f, s->size, s->segments);
   if (exponent != 1 && s->segments == 0 && f->segments == 0) n = 7 * n / 4;
@@ -94,7 +94,7 @@ static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs
 
 /* ---- formulas ---- */
 
-/* (a^p + b^p)^(1/p) of numbers from 0 up, without overflow; the greater where p is infinite */
+/* Returns (a^p + b^p)^(1/p) of numbers from 0 up, without overflow; if p is infinite, the greater of them. */
 static double oval_norm(double p, double a, double b) {
   double most = fmax(a, b), least = fmin(a, b);
   VS_ASSERT(a >= 0 && b >= 0);
@@ -105,8 +105,8 @@ static bool solid_holds(const struct vs_superellipsoid *s, vs_vec3 p) {
   return oval_norm(2 / s->n, oval_norm(2 / s->e, fabs(p.x), fabs(p.y)), fabs(p.z)) <= s->size;
 }
 
-/* The dual norm; what caves in (p < 1) reaches as far as the points on its axes. */
-/* The greatest d . p over the solid */
+/* The dual norm; a concave curve (p < 1) extends as far as its points on the axes. */
+/* Returns the greatest d . p over the solid. */
 static double solid_reach(const struct vs_superellipsoid *s, vs_vec3 d) {
   double p = 2 / s->e, q = 2 / s->n, dual_p = p > 1 ? p / (p - 1) : INFINITY, dual_q = q > 1 ? q / (q - 1) : INFINITY;
   return s->size * oval_norm(dual_q, oval_norm(dual_p, fabs(d.x), fabs(d.y)), fabs(d.z));
@@ -121,9 +121,9 @@ static double solid_volume(const struct vs_superellipsoid *s) {
 
 /* The surface is (r u, r v, z) with (u, v) on the section and (r, z) on the profile; its element is
  *   r sqrt(z'^2 (u'^2 + v'^2) + r'^2 (u v' - v u')^2).
- * With u' = -t^(p-1) w, v' = w, w = (1 + t^p)^(-1/p - 1), u v' - v u' = u^2. Integrated over one half of the section's
- * quarter (sixteen alike) and both halves of the profile's, by the double exponential rule, which does not mind what
- * powers do at the ends. */
+ * With u' = -t^(p-1) w, v' = w, w = (1 + t^p)^(-1/p - 1), u v' - v u' = u^2. It is integrated over one half of the
+ * section's quarter (sixteen are alike) and both halves of the profile's, by the double exponential rule, which
+ * tolerates the singularities of powers at the ends. */
 typedef struct { double u, v, du, dv, weight; } vs_oval_node;
 
 static int oval_nodes(double p, vs_oval_node *nodes) {
@@ -139,7 +139,7 @@ static int oval_nodes(double p, vs_oval_node *nodes) {
   return n;
 }
 
-/* By quadrature, to some ten digits */
+/* Returns the area by quadrature, to some ten digits. */
 static double solid_area(const struct vs_superellipsoid *s) {
   vs_oval_node section[129], profile[129];
   int m = oval_nodes(2 / s->e, section), n = oval_nodes(2 / s->n, profile);
@@ -184,7 +184,7 @@ static bool superellipsoid_holds(const vs_node *n, vs_vec3 p, vs_vec3 q, double 
 static vs_node *superellipsoid_moved(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map,
                                      bool *fits) {
   VS_MOVED(superellipsoid,
-           map->upright && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0); /* it stands at the origin */
+           map->upright && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0); /* its centre is the origin */
   d.size *= map->scale;
   return vs_node_new(s, VS_SUPERELLIPSOID, &d, NULL, 0);
 }

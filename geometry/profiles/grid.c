@@ -20,8 +20,8 @@ bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, b
   return ok;
 }
 
-/* A row's points in its own plane: that of its first loop, which so turns counter-clockwise. NULL: out of memory, or
- * the row has no area. */
+/* Projects a row's points to its own plane: that of its first loop, which is counter-clockwise in it. Returns NULL when
+ * memory is out, or the row has no area. */
 static vs_vec2 *grid_flatten(const vs_quad_grid *g, const vs_vec3 *row, bool *ok) {
   vs_vec3 area = { 0, 0, 0 };
   *ok = true;
@@ -43,7 +43,7 @@ static bool grid_fill(const vs_quad_grid *g, const vs_vec3 *at, const uint32_t *
   bool ok = true;
   vs_cap_loops loops = { g->flat, g->sizes, g->hole, g->loop_count };
   if (g->flat) {
-    bool point = true; /* a section scaled to nothing */
+    bool point = true; /* a section with scale 0 */
     for (size_t i = 1; point && i < g->columns; i++) point = vs_v3_equal(at[i], at[0]);
     return point || vs_grid_cap(&loops, row, out, turned);
   }
@@ -54,7 +54,7 @@ static bool grid_fill(const vs_quad_grid *g, const vs_vec3 *at, const uint32_t *
   return ok;
 }
 
-/* The vertices of one row; below: those of the row before it, or NULL. */
+/* Makes the vertices of one row; below: those of the row before it, or NULL. */
 static bool grid_row(const vs_quad_grid *g, const vs_vec3 *at, const vs_vec3 *before, const uint32_t *below,
                      uint32_t *row, vs_mesh *out) {
   bool ok = true;

@@ -1,11 +1,11 @@
-/* Owns, for geometry/ alone, grids of points as meshes: what sweeps, revolutions, lofts and surfaces all come to. */
+/* Owns, for geometry/ alone, grids of points as meshes: the common form of sweeps, revolutions, lofts and surfaces. */
 #ifndef VS_GEOMETRY_PROFILES_GRID_H
 #define VS_GEOMETRY_PROFILES_GRID_H
 
 #include "geometry/plane/ear_clipping.h"
 
-/* rows of `columns` points each, row by row. A row is loops one behind the other, each hole behind the outer loop that
- * holds it; neighbours are joined by two triangles a cell. Borrowed from whoever fills it. */
+/* rows of `columns` points each, row by row. A row consists of loops one after the other, each hole after the outer
+ * loop that contains it; two triangles for each cell join neighbouring rows. Borrowed from the caller. */
 typedef struct {
   const vs_vec3 *at;
   size_t rows, columns;
@@ -13,21 +13,22 @@ typedef struct {
   const bool *hole;
   size_t loop_count;
   bool round;          /* the loops close; else they are open strips */
-  bool joined;         /* the last row goes on to the first */
-  const size_t *seam;  /* else NULL, or: the last row stands where the first does, its point i where that has seam[i] */
+  bool joined;         /* the last row is joined to the first */
+  const size_t *seam;  /* NULL, or: the last row has the position of the first, its point i that of point seam[i] */
   bool capped;         /* the first and the last row are filled */
-  const vs_vec2 *flat; /* one row in its plane, for the caps; NULL: each in the plane that its points tell */
-  const bool *by_number; /* NULL, or of each row: cells to the next are cut from the lower column to the higher one */
-  uint32_t *numbers;   /* NULL, or room for the vertex of each point, and of the first row's again where it is joined */
+  const vs_vec2 *flat; /* one row in its plane, for the caps; NULL: the plane of each row is computed from its points */
+  const bool *by_number; /* NULL, or for each row: the diagonals of the cells to the next row start from the lower
+                          * column */
+  uint32_t *numbers;   /* NULL, or room for the vertex of each point, and of the first row's again if joined */
 } vs_quad_grid;
 
-/* Appends the triangles: facing away from the side that a row's loops turn counter-clockwise about. Neighbours in
- * exactly one place become one vertex, so that poles and apexes close. False: out of memory. A grid that is joined has
- * no seam. */
+/* Appends the triangles: they face away from the side from which a row's loops are counter-clockwise. Neighbours at
+ * exactly the same position become one vertex; poles and apexes therefore close. A grid that is joined has no seam.
+ * Returns false when memory is out. */
 bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out);
 
-/* Loops of a row in its plane, one behind the other; outer ones counter-clockwise, each hole behind the outer loop that
- * holds it. */
+/* Loops of a row in its plane, one after the other: outer ones counter-clockwise, each hole after the outer loop that
+ * contains it. */
 typedef struct { const vs_vec2 *at; const size_t *sizes; const bool *hole; size_t count; } vs_cap_loops;
 
 /* Fills loops whose points are the vertices row[]. turned: the triangles face the other way. The first loop is an outer

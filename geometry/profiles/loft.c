@@ -1,10 +1,11 @@
-/* Owns the sections of a loft: which point of one belongs to which point of the next.
+/* Owns the sections of a loft: the matching of their points.
  *
- * 1. Each section becomes loops in its plane (or one open line, or a point). Its normal is turned to where the loft
- *    goes; its outer loops run counter-clockwise about the normal. Holes are matched with the nearest holes of the
+ * 1. Each section becomes loops in its plane (or one open line, or a point). Its normal points in the loft's
+ *    direction; its outer loops run counter-clockwise about the normal. Holes are matched with the nearest holes of the
  *    section before.
- * 2. Where a loop has equally many points in all sections, they are matched one by one. Else they are matched by arc
- *    length, and each section gets the points of all others, so that no corner is cut.
+ * 2. If a loop has the same number of points in all sections, they are matched one by one. Otherwise they are matched
+ * by
+ *    arc length, and each section gets the points of all others, so that no corner is cut.
  * 3. A loop starts where it is least twisted against the one before it: where the sum of the scalar products of
  *    matching points, about the centres and turned from normal to normal by the smallest rotation, is largest. */
 #include "geometry/profiles/loft.h"
@@ -18,7 +19,7 @@
 #include "model/store/array.h"
 
 typedef struct {
-  vs_outline outline; /* loops reordered as those of the section before */
+  vs_outline outline; /* loops in the order of the section before */
   bool point, open;
   vs_vec3 center, normal;
 } loft_section;
@@ -82,7 +83,7 @@ static size_t loft_points(const loft_section *s) {
   return n;
 }
 
-/* Circles of one loft are cut alike: all as the one that needs most. */
+/* Circles of one loft get the same number of facets: the largest that one of them needs. */
 static bool loft_read_all(const vs_node *n, size_t count, const vs_fineness *f, loft_section *s, vs_error *e) {
   size_t most = 0;
   bool ok = true;
@@ -104,7 +105,7 @@ static bool loft_read_all(const vs_node *n, size_t count, const vs_fineness *f, 
   return ok;
 }
 
-/* Do they go together? */
+/* Checks that the sections are compatible. */
 static bool loft_agree(const loft_section *s, size_t count, size_t *first, vs_error *e) {
   *first = count;
   for (size_t i = 0; i < count; i++) {
@@ -149,7 +150,7 @@ static void loft_turn(loft_section *s) {
   for (size_t l = 0; l < s->outline.count; l++) loft_reverse(&s->outline.loops[l]);
 }
 
-/* Normals go where the loft goes; where that lies in the section's plane, as the neighbour's. */
+/* Normals point in the loft's direction; if that lies in the section's plane, as the neighbour's normal. */
 static void loft_direct(loft_section *s, size_t count, bool joined) {
   bool sure = false;
   for (size_t pass = 0; pass < 2; pass++)
@@ -186,15 +187,15 @@ static vs_vec3 loft_loop_center(const vs_polyline *p) {
   return length > 0 ? vs_v3_scale(sum, 1 / length) : p->at[0];
 }
 
-/* Loops in the order of the section before: outer ones to the nearest, then the holes in each. False: out of memory or
- * the error. Both have equally many loops. */
+/* Orders loops as those of the section before: outer ones by distance, then the holes in each. Returns false when
+ * memory is out, or with the error set. Both sections have the same number of loops. */
 static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_error *e) {
   size_t n = b->outline.count, done = 0;
   VS_ASSERT(a->outline.count == b->outline.count);
   if (n == 1) return true;
   vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
   bool *taken = vs_zeros(n, sizeof *taken), ok = sorted && taken;
-  size_t outer = 0; /* of b, that holds the holes */
+  size_t outer = 0; /* the outer loop of b that contains the holes */
   if (!ok) vs_error_memory(e, NULL);
   for (size_t l = 0; ok && l < n; l++) {
     double least = INFINITY;
@@ -231,8 +232,8 @@ static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_
 /* ---- starts ---- */
 
 typedef struct {
-  vs_vec3 *at;      /* about the loop's centre, turned into the plane of the loop before */
-  double *along;    /* of each point, 0 .. 1 of the loop's length */
+  vs_vec3 *at;      /* relative to the loop's centre, turned into the plane of the loop before */
+  double *along;    /* position of each point, 0 .. 1 of the loop's length */
   size_t count;
   bool closed;
 } loft_line;
@@ -258,8 +259,8 @@ static bool loft_line_make(const vs_polyline *p, const vs_affine *turn, loft_lin
   return true;
 }
 
-/* The place at u (of a closed line, any u) on the points `at`, which stand at `along`; exactly a point where u is
- * within `near` of it. There is a point. */
+/* Returns the position at u (of a closed line, any u) on the points `at` with the parameters `along`; exactly a point
+ * if u is within `near` of it. There is a point. */
 static vs_vec3 loft_line_at(const vs_vec3 *at, const double *along, size_t count, bool closed, double u, double near) {
   VS_ASSERT(count > 0);
   if (closed) u -= floor(u);
@@ -296,8 +297,8 @@ static size_t loft_corners(const loft_line *l, double *out) { /* turns of more t
   return found;
 }
 
-/* By how much of its length b starts later than a (which starts at `from`) where they are least twisted. A start at
- * which corners meet corners is taken before one that is only a little better. */
+/* Returns the share of its length by which b starts later than a (which starts at `from`) where they are least twisted.
+ * A start that matches corners with corners is preferred to a slightly better one. */
 static double loft_least_twist(const loft_line *a, double from, const loft_line *b) {
   vs_vec3 samples[LOFT_SAMPLES];
   double aa = 0, bb = 0, best = -INFINITY, shift = 0, corner_best = -INFINITY, corner_shift = 0;
@@ -327,12 +328,12 @@ static double loft_least_twist(const loft_line *a, double from, const loft_line 
     else high = q;
   }
   double fine = (low + high) / 2;
-  if (loft_score(samples, b, fine) <= best + 1e-9 * scale) fine = shift; /* a round number is as good */
+  if (loft_score(samples, b, fine) <= best + 1e-9 * scale) fine = shift; /* prefers an equally good round number */
   return fine - floor(fine);
 }
 
-/* Point by point: the index in b that belongs to a's point `from`. False: interrupted. Both have equally many points,
- * and `from` is one of them. */
+/* Finds, for loops matched point by point, the index in b that belongs to a's point `from`. Both have the same number
+ * of points, and `from` is one of them. Returns false when interrupted. */
 static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_line *b, vs_store *s, size_t *best,
                                    vs_error *e) {
   size_t n = b->count, stride = n / 512 + 1;
@@ -342,7 +343,7 @@ static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_l
   for (size_t j = 0; j < n; j += stride) scale += vs_v3_dot(a->at[j], a->at[j]) + vs_v3_dot(b->at[j], b->at[j]);
   for (size_t t = 0; t < n; t++) {
     if (!vs_store_going(s, (uint32_t)(4 * n / stride), e)) return false;
-    size_t k = (from + t) % n; /* as they come is tried first */
+    size_t k = (from + t) % n; /* the original order is tried first */
     double sum = 0;
     for (size_t j = 0; j < n; j += stride) sum += vs_v3_dot(a->at[(from + j) % n], b->at[(k + j) % n]);
     if (sum > most + 1e-9 * scale) most = sum, *best = k;
@@ -357,10 +358,10 @@ static int loft_compare(const void *a, const void *b) {
   return p < q ? -1 : p > q;
 }
 
-#define LOFT_NEAR 1e-5 /* of a loop's length: places that are one */
+#define LOFT_NEAR 1e-5 /* in lengths of a loop: parameters this close are one */
 
-/* The places that all sections need, 0 first: every point of each; where that are too many, the corners and as many
- * even steps as the finest section has. Returns how many, 0: out of memory. */
+/* Makes the list of the parameters that all sections need, 0 first: every point of each; if these are too many, the
+ * corners and as many even steps as the finest section has. Returns their number; 0: out of memory. */
 static size_t loft_places(const loft_line *lines, const double *shift, size_t count, double **out) {
   size_t total = 2, most = 0, kept = 0;
   for (size_t i = 0; i < count; i++) {
@@ -398,12 +399,12 @@ static size_t loft_places(const loft_line *lines, const double *shift, size_t co
 
 typedef struct { loft_line *lines; double *shift; size_t *start; double *places; size_t count; } loft_match;
 
-enum { TWISTS = 1 << 18 }; /* nanoseconds that one search for the least twist takes, told to vs_store_going */
+enum { TWISTS = 1 << 18 }; /* nanoseconds of one search for the least twist, for vs_store_going */
 
 /* The sections of a loft, and the first of them that is no point. */
 typedef struct { loft_section *at; size_t count, first; } loft_sections;
 
-/* Loop l of all sections, into matched[i] of `count` points each. False: e is set. */
+/* Matches loop l of all sections, into matched[i] of `count` points each. Returns false with e set. */
 static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l, loft_match *m, vs_polyline *matched,
                             vs_error *e) {
   loft_section *s = all->at;
@@ -413,7 +414,7 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
   for (size_t i = first; ok && i < rows; i++) {
     if (s[i].point) continue;
     vs_polyline *p = &s[i].outline.loops[l];
-    if (s[i].open && i > first) { /* it runs the way the one before runs */
+    if (s[i].open && i > first) { /* it gets the direction of the one before */
       const vs_polyline *q = &s[last].outline.loops[l];
       vs_vec3 a = q->at[0], b = q->at[q->count - 1], c = p->at[0], d = p->at[p->count - 1];
       if (vs_v3_length(vs_v3_sub(a, d)) + vs_v3_length(vs_v3_sub(b, c)) <
@@ -430,7 +431,7 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
     m->shift[i] = 0;
     m->start[i] = 0;
     if (s[i].point || s[i].open || i == first) continue;
-    /* line `last` stands turned into its own predecessor's plane: here it is wanted in its own */
+    /* line `last` was turned into its predecessor's plane: here it is needed in its own */
     loft_line before;
     vs_affine identity = vs_affine_identity();
     ok = (loft_line_make(&s[last].outline.loops[l], &identity, &before) || vs_error_memory(e, NULL)) &&
@@ -475,7 +476,7 @@ static bool loft_room(vs_loft *out, size_t rows, size_t loops) {
   return out->center && out->normal && out->point && out->sizes && out->hole;
 }
 
-/* All loops of all sections as one table. False: e is set. */
+/* Makes one table of all loops of all sections. Returns false with e set. */
 static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *out, vs_error *e) {
   const loft_section *s = all->at;
   size_t rows = all->count, first = all->first;
@@ -490,7 +491,7 @@ static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *ou
     out->sizes[l] = m.count;
     out->hole[l] = s[first].outline.hole[l];
     out->columns += m.count;
-    /* a point in front of the first section */
+    /* a point before the first section */
     for (size_t i = 0; ok && i < first; i++) {
       matched[l * rows + i] = (vs_polyline){ .at = vs_fresh(m.count + 1, sizeof(vs_vec3)), .count = m.count };
       ok = matched[l * rows + i].at || vs_error_memory(e, NULL);
@@ -515,7 +516,7 @@ static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *ou
   return ok;
 }
 
-/* Is section b section a again, in the same place? */
+/* Returns true if section b is section a again, at the same position. */
 static bool loft_again(const loft_section *a, const loft_section *b, double near) {
   if (a->point || b->point || a->outline.count != b->outline.count) return false;
   for (size_t l = 0; l < a->outline.count; l++) {

@@ -1,10 +1,10 @@
 /* Owns the walls of lofts: rows of points between the sections, and the triangles through them.
  *
- * A smooth loft splits each line of the wall into the path of the sections' centres and the way from centre to wall,
- * and makes each a cubic through the sections (Hermite). The slopes are those of vs_loft_slope: round where the
- * sections go round, but none where a neighbour is equal, so that equal sections have a straight wall between them and
- * nothing swings past a section (Fritsch and Carlson's idea, for vectors). The centres' slope is taken along the
- * section's normal and across it apart: a column of equal storeys that then leans stays upright. */
+ * A smooth loft splits each line of the wall into the path of the sections' centres and the vector from centre to wall,
+ * and makes each a cubic through the sections (Hermite). The slopes are those of vs_loft_slope: circular where the
+ * sections turn, but zero if a neighbour is equal. Equal sections therefore have a straight wall between them, and no
+ * wall overshoots a section (Fritsch and Carlson's idea, for vectors). The centres' slope is computed separately along
+ * the section's normal and perpendicular to it: a column of equal storeys that then leans stays upright. */
 #include "geometry/profiles/loft_mesh.h"
 
 #include <stdlib.h>
@@ -23,15 +23,15 @@ vs_vec3 *vs_loft_rows_add(vs_loft_rows *r) {
 
 /* ---- slopes ---- */
 
-/* of two slopes >= 0, as Fritsch and Butland weigh them */
+/* returns the mean of two slopes >= 0 by Fritsch and Butland's weights */
 static double loft_harmonic(double p, double q, double h, double k) {
   double w = 2 * k + h, v = k + 2 * h;
   VS_ASSERT(p >= 0 && q >= 0);
   return p > 0 && q > 0 ? (w + v) * p * q / (w * q + v * p) : 0;
 }
 
-/* The length of the slope where directions meet whose sum is s: from 4 tan(angle/4) of a circle's cubic to 0 where they
- * oppose. */
+/* Returns the length of the slope where directions with the sum s meet: from 4 tan(angle/4) of a circle's cubic to 0 if
+ * they are opposite. */
 static double loft_round(double s) { return fmin(1, s * s / 2) * 2 / (1 + s / 2); }
 
 vs_vec3 vs_loft_slope(vs_vec3 a, vs_vec3 b, double h, double k) {
@@ -48,7 +48,7 @@ vs_vec3 vs_loft_end_slope(vs_vec3 a, vs_vec3 m) {
   return aa > 0 && along < 0 ? vs_v3_sub(out, vs_v3_scale(a, along / aa)) : out;
 }
 
-/* of the centres, at a section whose normal is n (zero: it has none) */
+/* returns the slope of the centres at a section with normal n (zero: it has none) */
 static vs_vec3 loft_center_slope(vs_vec3 a, vs_vec3 b, double h, double k, vs_vec3 n) {
   vs_vec3 whole = vs_loft_slope(a, b, h, k);
   double up = vs_v3_dot(a, n), on = vs_v3_dot(b, n);
@@ -80,15 +80,15 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
 
 /* ---- lines of the wall ---- */
 
-/* Between lines that are not parallel the wall is a saddle, which two triangles miss by a quarter of its twist in the
- * middle. It is cut into k pieces from row to row, the same everywhere, and each edge of a section into as many as its
- * own twist asks for then: the error falls by the product of both. Edges are as many as columns, in their order; open
- * sections have one that is nobody's at each loop's end. k: 1 to 64. */
+/* Between lines that are not parallel the wall is a saddle; two triangles miss it by a quarter of its twist in the
+ * middle. The wall is cut into k pieces from row to row, the same number everywhere, and each edge of a section into as
+ * many as its own twist still needs: the error falls by the product of both. There are as many edges as columns, in
+ * their order; open sections have an unused one at each loop's end. k: 1 to 64. */
 static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edges) {
   enum { MOST = 64 };
   double most = 0;
   size_t pieces = l->joined ? l->rows : l->rows - 1, n = l->columns;
-  for (int pass = 0; pass < 2; pass++) { /* k; then the edges' */
+  for (int pass = 0; pass < 2; pass++) { /* first k, then the edges */
     double k = fmin(fmax(ceil(sqrt(most / f->tolerance) - 1e-9), 1), MOST);
     if (pass && (f->segments > 0 || k == 1)) return 1;
     for (size_t loop = 0, first = 0; loop < l->loop_count; first += l->sizes[loop++])
@@ -100,7 +100,7 @@ static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edge
           vs_vec3 p = vs_v3_sub(l->at[i * n + d], l->at[i * n + c]),
                   q = vs_v3_sub(l->at[next * n + c], l->at[i * n + c]), across = vs_v3_unit(vs_v3_cross(p, q));
           vs_vec3 twist = vs_v3_sub(vs_v3_sub(l->at[next * n + d], l->at[next * n + c]), p);
-          here = fmax(here, fabs(vs_v3_dot(twist, across)) / 4); /* the part that leaves the plane */
+          here = fmax(here, fabs(vs_v3_dot(twist, across)) / 4); /* the component that leaves the plane */
         }
         most = fmax(most, here);
         edges[c] = (uint32_t)fmin(fmax(ceil(here / (f->tolerance * k) - 1e-9), 1), MOST);
@@ -145,11 +145,12 @@ void vs_loft_smooth_free(vs_loft_smooth *s) {
   free(s->slope_out);
 }
 
-static vs_vec3 loft_way(const vs_loft *l, size_t row, size_t column) { /* from centre to wall */
+static vs_vec3 loft_way(const vs_loft *l, size_t row, size_t column) { /* returns the vector from centre to wall */
   return vs_v3_sub(l->at[row * l->columns + column], l->center[row]);
 }
 
-static double loft_chord(const vs_loft *l, size_t i) { /* mean way of the wall from row i to the next */
+static double loft_chord(const vs_loft *l, size_t i) { /* returns the mean distance of the wall from row i to the
+                                                        * next */
   size_t next = (i + 1) % l->rows;
   double sum = 0;
   for (size_t c = 0; c < l->columns; c++)
@@ -157,7 +158,7 @@ static double loft_chord(const vs_loft *l, size_t i) { /* mean way of the wall f
   return fmax(sum / (double)l->columns, 1e-12 * l->size);
 }
 
-/* Slopes at row i of one line of the wall; column n stands for the centres' path. There is such a row. */
+/* Returns the slope at row i of one line of the wall; column n is the centres' path. There is such a row. */
 static vs_vec3 loft_slope_at(const vs_loft *l, const double *chord, size_t i, size_t column) {
   size_t before = i ? i - 1 : l->rows - 1, after = (i + 1) % l->rows;
   bool path = column == l->columns;
@@ -169,7 +170,7 @@ static vs_vec3 loft_slope_at(const vs_loft *l, const double *chord, size_t i, si
               : vs_loft_slope(a, b, chord[before], chord[i]);
 }
 
-/* from row i to the next. column is a column or, of the centres' path, their number. */
+/* from row i to the next. column is a column, or their number for the centres' path. */
 static vs_vec3 loft_secant(const vs_loft *l, const double *chord, size_t i, size_t column) {
   size_t after = (i + 1) % l->rows;
   vs_vec3 d = column == l->columns ? vs_v3_sub(l->center[after], l->center[i])
@@ -205,7 +206,7 @@ bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out) {
   return ok;
 }
 
-/* In the section's plane, away from what the wall encloses. The loft has that row and column. */
+/* Returns the direction in the section's plane away from the inside of the wall. The loft has this row and column. */
 static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec3 n) {
   size_t first = 0, loop = 0, other = row ? row - 1 : 1;
   VS_ASSERT(row < l->rows && column < l->columns);
@@ -226,8 +227,8 @@ static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec
   return vs_v3_unit(vs_v3_cross(vs_v3_add(a, b), n));
 }
 
-/* The wall at an end: at `angle` from the normal, outwards, held for a length of `hold`: the handle of a Bezier curve,
- * so 3 times that as a slope. The loft has two rows or more. */
+/* Sets the wall's direction at an end: at `angle` from the normal, outwards, with the length `hold`: the handle of a
+ * Bezier curve, and therefore a slope of 3 times that. The loft has two rows or more. */
 static void loft_hold(vs_loft_smooth *s, bool end, double angle, double hold) {
   const vs_loft *l = s->loft;
   size_t row = end ? l->rows - 1 : 0, other = end ? l->rows - 2 : 1;
@@ -266,11 +267,11 @@ double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_fineness
   return steps;
 }
 
-static uint32_t loft_row_work(const vs_loft *l) { /* nanoseconds, told to vs_store_going */
+static uint32_t loft_row_work(const vs_loft *l) { /* returns nanoseconds, for vs_store_going */
   return (uint32_t)fmin(64.0 * (double)l->columns, 1e9);
 }
 
-/* False: e is set. */
+/* Returns false with e set. */
 static bool loft_smooth_rows(const vs_node *n, const vs_loft *l, const vs_fineness *f, double least, vs_loft_rows *out,
                              vs_error *e) {
   vs_loft_smooth s;
@@ -297,7 +298,7 @@ static bool loft_smooth_rows(const vs_node *n, const vs_loft *l, const vs_finene
 
 /* ---- straight walls ---- */
 
-/* False: e is set. */
+/* Returns false with e set. */
 static bool loft_straight_rows(const vs_node *n, const vs_loft *l, double k, vs_loft_rows *out, vs_error *e) {
   size_t pieces = l->joined ? l->rows : l->rows - 1, columns = l->columns;
   for (size_t i = 0; i <= pieces; i++) {

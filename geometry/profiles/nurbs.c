@@ -25,7 +25,7 @@ vs_nurbs_fault vs_nurbs_check(const vs_nurbs_knots *k, size_t *at) {
   return vs_nurbs_low(k) < vs_nurbs_high(k) ? VS_NURBS_GOOD : VS_NURBS_NOTHING;
 }
 
-/* The span that holds t: knots[span] <= t < knots[span + 1], and the last one at the end. The degree is 1 to
+/* Returns the span that contains t: knots[span] <= t < knots[span + 1], or the last span at the end. The degree is 1 to
  * VS_NURBS_DEGREE, and there are more points than that. */
 static size_t span_of(const vs_nurbs_knots *k, double t) {
   size_t low = (size_t)k->degree, high = k->count;
@@ -41,8 +41,8 @@ static size_t span_of(const vs_nurbs_knots *k, double t) {
   return low;
 }
 
-/* The basis functions that are not 0 in the span, and their slopes (The NURBS Book, algorithm A2.3 for one slope). The
- * span lies in the range of the parameter. */
+/* Computes the basis functions that are not 0 in the span, and their slopes (The NURBS Book, algorithm A2.3 for one
+ * slope). The span lies in the range of the parameter. */
 static void basis(const vs_nurbs_knots *k, size_t span, double t, double *value, double *slope) {
   double left[TERMS + 1], right[TERMS + 1], before[TERMS] = { 1 };
   int p = k->degree;
@@ -82,7 +82,7 @@ static vs_vec3 rational_slope(const homogeneous *sum, const homogeneous *slope, 
   return vs_v3_scale(vs_v3_sub(slope->at, vs_v3_scale(at, slope->weight)), 1 / sum->weight);
 }
 
-/* A parameter and the knot span that it lies in. */
+/* A parameter and its knot span. */
 typedef struct { size_t span; double at; } knot_place;
 
 static vs_vec3 point_in(const vs_nurbs *n, knot_place u, knot_place v, vs_vec3 *by_u, vs_vec3 *by_v) {
@@ -112,7 +112,7 @@ vs_vec3 vs_nurbs_point(const vs_nurbs *n, double u, double v, vs_vec3 *slope_u, 
   return point_in(n, in_u, in_v, slope_u, slope_v);
 }
 
-/* ---- where to sample ---- */
+/* ---- sampling ---- */
 
 /* Appends the ends of knot spans, ascending. */
 static size_t break_points(const vs_nurbs_knots *k, double *out) {
@@ -122,7 +122,8 @@ static size_t break_points(const vs_nurbs_knots *k, double *out) {
   return count;
 }
 
-/* How far the middle of [a, b] lies from the chord, at most over the lines of a surface in the other direction. */
+/* Returns the distance of the curve at the middle of [a, b] from the chord; for a surface the largest over its lines in
+ * the other direction. */
 static double sagitta(const vs_nurbs *n, bool along_v, const double *across, size_t lines, double a, double b) {
   double most = 0;
   for (size_t i = 0; i < lines; i++) {
@@ -132,7 +133,7 @@ static double sagitta(const vs_nurbs *n, bool along_v, const double *across, siz
       at[k] = along_v ? vs_nurbs_point(n, across[i], t, NULL, NULL) : vs_nurbs_point(n, t, across[i], NULL, NULL);
     }
     vs_vec3 chord = vs_v3_sub(at[4], at[0]), way = vs_v3_unit(chord);
-    for (int k = 1; k < 4; k++) { /* distance from the line of the chord: where on it does not matter */
+    for (int k = 1; k < 4; k++) { /* distance from the chord's line; the position along it does not matter */
       vs_vec3 d = vs_v3_sub(at[k], at[0]);
       most = fmax(most, vs_v3_length(vs_v3_sub(d, vs_v3_scale(way, vs_v3_dot(d, way)))));
     }
@@ -196,8 +197,8 @@ static sample sample_in(const vs_nurbs *n, size_t span, double t) {
   return r;
 }
 
-/* Does the cubic through both ends with their directions miss the curve's middle, or is it more than a 64th of a turn?
- */
+/* Returns true if the cubic through both ends with their directions misses the curve's middle, or the curve is more
+ * than a 64th of a turn. */
 static bool is_coarse(sample a, sample b, sample middle, double slack) {
   double turn = atan2(vs_v3_length(vs_v3_cross(a.slope, b.slope)), vs_v3_dot(a.slope, b.slope));
   double chord = vs_v3_length(vs_v3_sub(b.at, a.at)), quarter = cos(turn / 4);
@@ -209,10 +210,10 @@ static bool is_coarse(sample a, sample b, sample middle, double slack) {
   return vs_v3_length(vs_v3_sub(d, vs_v3_scale(way, vs_v3_dot(d, way)))) > slack;
 }
 
-/* The samples of a knot span, its start among them and its end not. */
+/* Makes the samples of a knot span, including its start but not its end. */
 static bool sample_span(const vs_nurbs *n, size_t span, double a, double b, double slack, samples *out) {
   enum { START = 4 };
-  double to[START + SPLITS + 1]; /* ends of what is still to be gone through, the nearest last */
+  double to[START + SPLITS + 1]; /* ends of the pending parts, the nearest last */
   int depth[START + SPLITS + 1], todo = 0;
   for (int i = 0; i < START; i++) to[todo] = b + (a - b) * i / START, depth[todo++] = 0;
   double from = a;
@@ -289,7 +290,7 @@ vs_node *vs_nurbs_curve_node(vs_store *s, const vs_nurbs *n) {
     double a = n->u.knots[span], z = n->u.knots[span + 1];
     next = span + 1;
     if (!(z > a)) continue;
-    while (next < n->u.count && n->u.knots[next + 1] == n->u.knots[next]) next++; /* the next span of some length */
+    while (next < n->u.count && n->u.knots[next + 1] == n->u.knots[next]) next++; /* the next span of nonzero length */
     ok = sample_span(n, span, a, z, 1e-7 * size, &piece);
     if (!ok) break;
     sample end = sample_in(n, span, z);
@@ -300,7 +301,8 @@ vs_node *vs_nurbs_curve_node(vs_store *s, const vs_nurbs *n) {
     if (!last && !is_corner(end.slope, sample_in(n, next, z).slope)) continue;
     if (!smooth) ok = append(&piece, end);
     size_t half = piece.count / 2;
-    bool halved = last && closed && !count && !smooth && half > 0; /* one piece with a corner where it closes: two */
+    bool halved = last && closed && !count && !smooth && half > 0; /* a single piece with a corner where it closes is
+                                                                    * cut in two */
     ok = ok && VS_GROW(pieces, room, count + 2);
     if (ok && halved) {
       pieces[count] = (vs_ref){ spline_node(s, piece.at, half + 1, false), NULL };

@@ -45,7 +45,7 @@ bool vs_pipe_rings(const vs_pipe *p, const double *radius, size_t around, vs_vec
     vs_vec3 y = vs_v3_cross(b, x), m = vs_v3_add(a, b);
     double along = vs_v3_dot(b, m);
     if (along < 0.005) return *at = here.at, false;
-    if (!vs_v3_equal(a, b)) { /* a ring in the plane that halves the corner has the pipe's width on both sides */
+    if (!vs_v3_equal(a, b)) { /* a ring in the plane that bisects the corner has the pipe's width on both sides */
       x = vs_v3_sub(x, vs_v3_scale(b, vs_v3_dot(x, m) / along));
       y = vs_v3_sub(y, vs_v3_scale(b, vs_v3_dot(y, m) / along));
     }

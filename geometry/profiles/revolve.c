@@ -1,8 +1,8 @@
 /* Owns revolutions.
  *
- * A profile's point (r, z) turned by t stands at `at` + z axis + r (cos t out + sin t side). A point on the axis (r =
- * 0) stays one point: a pole. Pappus: a plane area A whose centroid is c away from the axis makes the volume angle A c;
- * a curve likewise its surface. */
+ * A profile's point (r, z) turned by t has the position `at` + z axis + r (cos t out + sin t side). A point on the axis
+ * (r = 0) stays one point: a pole. Pappus: a plane area A whose centroid is at the distance c from the axis makes the
+ * volume angle A c; a curve likewise its surface. */
 #include "geometry/profiles/revolve.h"
 #include "geometry/plane/outline.h"
 #include "geometry/plane/planar_evaluation.h"
@@ -22,11 +22,12 @@ void vs_revolve_free(vs_revolve *r) {
   *r = (vs_revolve){ 0 };
 }
 
-/* The profile's points in the plane of the axis, which is found from the point that is farthest from it. */
+/* Computes the profile's points in the axis's half-plane, which is found from the point that is farthest from the
+ * axis. */
 static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   vs_vec3 far = { 0, 0, 0 };
   double size = 0, most = 0;
-  if (!o->count) return true; /* a region can turn out to be nothing */
+  if (!o->count) return true; /* a region may be empty */
   for (size_t l = 0; l < o->count; l++)
     for (size_t i = 0; i < o->loops[l].count; i++) {
       vs_vec3 d = vs_v3_sub(o->loops[l].at[i], r->at),
@@ -41,7 +42,7 @@ static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   if (!(r->reach > 1e-9 * size)) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the profile lies on the axis");
   r->out = vs_v3_unit(far);
   r->side = vs_v3_cross(r->axis, r->out);
-  double low = INFINITY, high = -INFINITY, beside = 0; /* along the axis; from the half-plane that holds it */
+  double low = INFINITY, high = -INFINITY, beside = 0; /* along the axis; the largest distance from the half-plane */
   for (size_t l = 0; l < o->count; l++)
     for (size_t i = 0; i < o->loops[l].count; i++) {
       vs_vec3 d = vs_v3_sub(o->loops[l].at[i], r->at);
@@ -138,7 +139,7 @@ bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
   return true;
 }
 
-/* Each point of the profile runs on an arc about the axis; coordinate i of it is c + r (A cos t + B sin t). */
+/* Each point of the profile moves on an arc about the axis; coordinate i of it is c + r (A cos t + B sin t). */
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b) {
   double low = fmin(r->start, r->start + r->angle), high = fmax(r->start, r->start + r->angle),
          angles[8] = { low, high };
@@ -240,7 +241,7 @@ bool vs_revolve_measure(const vs_node *n, const vs_fineness *f, vs_measure *m, v
   const revolve_moments *mass = r.filled ? &area : &line;
   m->volume = r.filled ? angle * area.r : 0;
   m->area = angle * line.r + (r.filled && !r.full ? 2 * area.whole : 0);
-  /* of every ring the part that was turned has its centroid at r sin(half)/half, in the middle of the angle */
+  /* the centroid of a partly turned ring is at r sin(half)/half, in the middle of the angle */
   double far = mass->r > 0 && !r.full ? mass->rr / mass->r * sin(half) / half : 0;
   vs_sincos(middle, &sine, &cosine);
   m->centroid = revolve_point(&r, (vs_vec2){ far, mass->r > 0 ? mass->rz / mass->r : 0 }, cosine, sine);

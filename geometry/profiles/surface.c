@@ -9,13 +9,13 @@
 
 typedef struct { vs_vec3 *at; size_t rows, columns; bool closed_u, closed_v; double near; } surface_grid;
 
-/* Are two points of the grid nearly in one place? */
+/* Returns true if two points of the grid are nearly at the same position. */
 static bool surface_near(const surface_grid *g, size_t a, size_t b) {
   VS_ASSERT(a < g->rows * g->columns && b < g->rows * g->columns);
   return vs_v3_length(vs_v3_sub(g->at[a], g->at[b])) <= g->near;
 }
 
-/* The last row is the first one again, or the last column the first: it goes. */
+/* Removes the last row if it repeats the first, or the last column likewise. */
 static void surface_wrap(surface_grid *g) {
   size_t n = g->columns;
   bool same = g->rows > 3;
@@ -37,7 +37,7 @@ static int surface_border_compare(const void *a, const void *b) {
   return p->index < q->index ? -1 : p->index > q->index;
 }
 
-/* Points of the border that nearly meet take the place of the first of them. */
+/* Moves points of the border that nearly meet to the first of them. */
 static bool surface_snap(surface_grid *g) {
   size_t count = 0, total = g->rows * g->columns;
   surface_border *border = vs_fresh(2 * (g->rows + g->columns) + 1, sizeof *border);
@@ -46,7 +46,7 @@ static bool surface_snap(surface_grid *g) {
     size_t i = k / g->columns, j = k % g->columns;
     bool edge = (!g->closed_u && (i == 0 || i + 1 == g->rows)) || (!g->closed_v && (j == 0 || j + 1 == g->columns));
     vs_vec3 p = g->at[k];
-    /* askew: borders often lie in a plane */
+    /* an oblique direction: borders often lie in a plane */
     if (edge) border[count++] = (surface_border){ 0.6113 * p.x + 0.5307 * p.y + 0.5871 * p.z, k };
   }
   qsort(border, count, sizeof *border, surface_border_compare);
@@ -104,7 +104,7 @@ vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_point_grid *grid, v
   double size = vs_bounds_diagonal(&b);
   g.near = 1e-9 * size;
   surface_wrap(&g);
-  if (g.rows < 3) g.closed_u = false; /* there and back is no way round */
+  if (g.rows < 3) g.closed_u = false; /* two rows cannot close */
   if (g.columns < 3) g.closed_v = false;
   bool ok = surface_snap(&g) && surface_append(&g, &m), known = true;
   if (ok && !(vs_mesh_area(&m) > 1e-12 * size * size)) {

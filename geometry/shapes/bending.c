@@ -1,7 +1,7 @@
 /* Owns the bending of objects (bending.h).
  *
- * Plan: whether an edge is cut is decided by its ends and its middle alone, so that neighbours agree and a closed mesh
- * stays closed. A round asks for the images of all middles that are not known yet, then cuts. */
+ * Plan: only an edge's ends and midpoint decide whether it is cut; neighbours therefore agree, and a closed mesh stays
+ * closed. A round requests the images of all midpoints that are not known yet, then cuts. */
 #include "geometry/shapes/bending.h"
 
 #include <stdlib.h>
@@ -28,15 +28,15 @@ void vs_bend_drop(vs_bend_leaves *leaves) {
 static const uint32_t STAYS = UINT32_MAX, ASKED = UINT32_MAX - 1;
 typedef struct {
   uint64_t edge;   /* 0: free */
-  uint32_t middle; /* the corner in the middle, STAYS, or ASKED in this round */
+  uint32_t middle; /* the corner in the middle; STAYS: not cut; ASKED: requested in this round */
 } half;
 typedef struct {
   uint32_t a, b;
 } asked_edge;
 
 struct vs_bending {
-  vs_mesh mesh;   /* corners where they were */
-  vs_vec3 *image; /* where they go */
+  vs_mesh mesh;   /* its corners have their original positions */
+  vs_vec3 *image; /* their images */
   size_t image_count, image_room;
   uint32_t *line; /* of a curve: its corners in order */
   size_t line_count, line_room;
@@ -45,9 +45,9 @@ struct vs_bending {
   int rounds;
   half *table;
   size_t size, used;
-  vs_vec3 *wanted; /* the corners at first, then middles of edges */
+  vs_vec3 *wanted; /* first the corners, then midpoints of edges */
   size_t wanted_count, wanted_room, edge_room;
-  asked_edge *edges; /* of the middles */
+  asked_edge *edges; /* edges of the midpoints */
 };
 
 void vs_bending_free(vs_bending *b) {
@@ -79,11 +79,11 @@ vs_bending *vs_bending_new(const vs_bend_leaf *leaf, double tolerance, double lo
 
 const vs_vec3 *vs_bending_wanted(const vs_bending *b, size_t *count) { return *count = b->wanted_count, b->wanted; }
 
-static uint64_t edge_key(uint32_t a, uint32_t b) { /* never 0: a and b differ */
+static uint64_t edge_key(uint32_t a, uint32_t b) { /* never 0, because a and b differ */
   return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
 }
 
-/* The place of the edge in the table, or a free one; size is a power of two. */
+/* Returns the slot of the edge in the table, or a free one; size is a power of two. */
 static half *half_of(half *table, size_t size, uint64_t edge) {
   size_t k = (size_t)((edge * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (size - 1);
   VS_ASSERT(size > 0 && (size & (size - 1)) == 0);
@@ -104,7 +104,7 @@ static bool table_room(vs_bending *b) {
   return true;
 }
 
-/* Asks for the middle of an edge that was not looked at yet. */
+/* Requests the midpoint of an edge that is new. */
 static bool ask(vs_bending *b, uint32_t p, uint32_t q) {
   if (p == q) return true;
   if (!table_room(b)) return false;
@@ -123,7 +123,7 @@ static uint32_t middle_of(const vs_bending *b, uint32_t p, uint32_t q) {
   return p == q ? STAYS : half_of(b->table, b->size, edge_key(p, q))->middle;
 }
 
-/* A round's cuts: every triangle with edges that were cut becomes two, three or four. */
+/* Makes a round's cuts: every triangle with cut edges becomes two, three or four. */
 static bool cut_triangles(vs_bending *b) {
   vs_mesh *m = &b->mesh;
   size_t n = m->triangle_count;
@@ -134,7 +134,8 @@ static bool cut_triangles(vs_bending *b) {
     for (int k = 0; k < 3; k++) e[k] = middle_of(b, t[k], t[(k + 1) % 3]);
     int cuts = (e[0] != STAYS) + (e[1] != STAYS) + (e[2] != STAYS);
     if (!cuts) continue;
-    while ((cuts == 1 && e[0] == STAYS) || (cuts == 2 && e[2] != STAYS)) { /* 1: edge 0 is cut; 2: edge 2 is not */
+    while ((cuts == 1 && e[0] == STAYS) || (cuts == 2 && e[2] != STAYS)) { /* rotate until, of one cut edge, it is edge
+                                                                            * 0; of two, edge 2 is not cut */
       uint32_t t0 = t[0], e0 = e[0];
       t[0] = t[1], t[1] = t[2], t[2] = t0;
       e[0] = e[1], e[1] = e[2], e[2] = e0;
@@ -170,7 +171,7 @@ static bool cut_line(vs_bending *b) {
   return true;
 }
 
-/* Asks for the middles of the edges that a round of cuts has made. */
+/* Requests the midpoints of the edges that a round of cuts has made. */
 static bool next_round(vs_bending *b) {
   bool ok = true;
   b->wanted_count = 0;
@@ -214,7 +215,7 @@ bool vs_bending_give(vs_bending *b, const vs_vec3 *images) {
 }
 
 vs_mesh *vs_bending_mesh(vs_bending *b) {
-  if (!b->bent) { /* the corners that an edge was cut at are known by their images */
+  if (!b->bent) { /* replaces the corners by their images, once */
     if (b->image_count > 0) memcpy(b->mesh.vertices, b->image, b->image_count * sizeof *b->image);
     for (size_t i = 0; b->curve && i < b->line_count; i++) b->mesh.vertices[i] = b->image[b->line[i]];
     if (b->curve) b->mesh.vertex_count = b->line_count;

@@ -1,14 +1,14 @@
 /* Owns convex hulls.
  *
- * In space: quickhull (Barber, Dobkin, Huhdanpaa 1996), every decision exact. Points are put on a grid of 2^40 steps
- * over their extent, where the side on which a point lies of three others is the sign of a number of 123 bits. A point
- * takes with it the faces it lies above and those in whose planes it lies, so that no face without area comes to be:
- * the points of a flat facet are joined by triangles, corners inside it are left out.
+ * In space: quickhull (Barber, Dobkin, Huhdanpaa 1996), every decision exact. Points are rounded to a grid of 2^40
+ * steps over their extent; there the side of a point relative to three others is the sign of a number of 123 bits. A
+ * new point removes the faces below it and those in whose planes it lies: therefore no face has area 0. The points of a
+ * flat facet are joined by triangles; corners inside it are omitted.
  *
- *   above[f]   a list of points that lie outside the hull so far and above face f, each in one list only
- *   horizon    the edges round the faces that a point takes with it: each becomes a face with the point
+ *   above[f]   a list of points that lie outside the current hull and above face f, each in one list only
+ *   horizon    the edges around the faces that a point removes: each becomes a face with the point
  *
- * In a plane: Andrew's chain, on the same grid. Cost: n log n for points as models have them. */
+ * In a plane: Andrew's chain, on the same grid. Cost: n log n for points as they occur in models. */
 #include "geometry/shapes/hull.h"
 
 #include <stdlib.h>
@@ -31,8 +31,8 @@ bool vs_cloud_add(vs_cloud *c, vs_vec3 p) {
 
 /* ---- extent ---- */
 
-/* A point far from the others in every way: corner[0..3] span as much as there is, extent[k] is how far corner[k] lies
- * off the others. */
+/* Finds points far from each other: corner[0..3] span the largest dimension, extent[k] is the distance of corner[k]
+ * from the span of the others. */
 static int cloud_span(const vs_cloud *c, uint32_t corner[4]) {
   if (!c->count) return -1;
   vs_bounds b = vs_bounds_empty();
@@ -79,7 +79,8 @@ static vs_step *cloud_steps(const vs_cloud *c) {
   return s;
 }
 
-/* Six volumes of the tetrahedron: positive where d lies on the side from which a, b, c run counter-clockwise */
+/* Returns six times the volume of the tetrahedron: positive if d lies on the side from which a, b, c are
+ * counter-clockwise. */
 static vs_wide steps_volume(const vs_step *s, const uint32_t v[3], uint32_t d) {
   vs_step a = s[v[0]], b = s[v[1]], c = s[v[2]];
   int64_t ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, wx = c.x - a.x, wy = c.y - a.y, wz = c.z - a.z;
@@ -94,7 +95,7 @@ static vs_wide steps_volume(const vs_step *s, const uint32_t v[3], uint32_t d) {
 
 typedef struct {
   uint32_t v[3], next[3]; /* next[k]: the face across the edge from v[k] */
-  uint32_t above, mark;   /* the first point above it; the step of the search that has taken it */
+  uint32_t above, mark;   /* the first point above it; the step of the search that has removed it */
   bool dead;
 } vs_hull_face;
 
@@ -102,10 +103,10 @@ typedef struct {
   const vs_step *steps;
   vs_hull_face *faces;
   size_t count, room;
-  uint32_t *next_above;            /* of each point: the next in its list */
-  uint32_t *waiting, *horizon;     /* faces to be looked at; horizon: pairs of face and edge */
+  uint32_t *next_above;            /* next_above[p]: the next point in p's list */
+  uint32_t *waiting, *horizon;     /* faces to be visited; horizon: pairs of face and edge */
   size_t waiting_room, horizon_room;
-  uint32_t *leaving;               /* of each point: the new face whose horizon edge starts there */
+  uint32_t *leaving;               /* leaving[p]: the new face whose horizon edge starts at point p */
 } vs_quickhull;
 
 /* Adds the face of three different points. */
@@ -117,8 +118,7 @@ static bool hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c, u
   return true;
 }
 
-/* Puts p on the list of the first of the faces from..to that it lies above. from <= to, and to is at most the number of
- * faces. */
+/* Puts p on the list of the first of the faces from..to below it. from <= to, and to is at most the number of faces. */
 static void hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to) {
   VS_ASSERT(from <= to && to <= h->count);
   for (uint32_t f = from; f < to; f++) {
@@ -146,7 +146,7 @@ static bool hull_start(vs_quickhull *h, const uint32_t corner[4], size_t points)
   return true;
 }
 
-/* The faces that p takes with it, into waiting; the edges round them into horizon. */
+/* Collects the faces that p removes in waiting, the edges around them in horizon. */
 static bool hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t step, size_t *taken, size_t *edges) {
   *taken = *edges = 0;
   if (!VS_GROW(h->waiting, h->waiting_room, 1)) return false;
@@ -212,7 +212,7 @@ static bool hull_add(vs_quickhull *h, uint32_t face, uint32_t step) {
 
 static bool hull_write(const vs_quickhull *h, const vs_cloud *c, vs_mesh *out) {
   bool ok = true;
-  for (size_t i = 0; i < c->count; i++) h->leaving[i] = NOBODY; /* now: its vertex */
+  for (size_t i = 0; i < c->count; i++) h->leaving[i] = NOBODY; /* leaving[p] now holds point p's vertex */
   for (size_t f = 0; ok && f < h->count; f++) {
     const vs_hull_face *face = &h->faces[f];
     if (face->dead) continue;
@@ -232,8 +232,8 @@ bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out) {
                      .leaving = vs_fresh(c->count, sizeof *h.leaving) };
   bool ok = steps && h.next_above && h.leaving && hull_start(&h, corner, c->count);
   for (uint32_t f = 0, step = 0; ok && f < h.count; f++)
-    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* f dies of it: the next is the
-                                                                                       * next */
+    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* f is removed: the next face
+                                                                                       * takes its place */
   ok = ok && hull_write(&h, c, out);
   free(steps);
   free(h.next_above);
@@ -255,7 +255,7 @@ static int flat_compare(const void *a, const void *b) {
   return p->point < q->point ? -1 : p->point > q->point;
 }
 
-/* b lies off the line from a to c by more steps than rounding moves points that were on it */
+/* Returns true if b is off the line from a to c by more steps than rounding moves points of the line. */
 static bool flat_left(const vs_flat_step *a, const vs_flat_step *b, const vs_flat_step *c) {
   int64_t du = c->u - a->u, dv = c->v - a->v;
   return (vs_wide)(b->u - a->u) * dv - (vs_wide)(b->v - a->v) * du >
@@ -270,7 +270,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   vs_vec3 n = { 0, 0, 0 };
   if (dimension > 1)
     n = vs_v3_cross(vs_v3_sub(c->at[corner[1]], c->at[corner[0]]), vs_v3_sub(c->at[corner[2]], c->at[corner[0]]));
-  else { /* any plane through the line that does not stand on its shadow */
+  else { /* any plane through the line that is not perpendicular to its projection */
     vs_vec3 d = vs_v3_sub(c->at[corner[1]], c->at[corner[0]]);
     n = fabs(d.x) <= fabs(d.y) && fabs(d.x) <= fabs(d.z) ? vs_v3(1, 0, 0)
         : fabs(d.y) <= fabs(d.z)                         ? vs_v3(0, 1, 0)
@@ -293,7 +293,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   }
   size_t count = 0;
   if (ok) qsort(at, c->count, sizeof *at, flat_compare);
-  for (int way = 0; ok && way < 2; way++) { /* below from left to right, then above and back */
+  for (int way = 0; ok && way < 2; way++) { /* the lower chain from left to right, then the upper one back */
     size_t first = count;
     for (size_t i = 0; i < c->count; i++) {
       const vs_flat_step *p = &at[way ? c->count - 1 - i : i];
@@ -301,7 +301,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
       if (count > first && chain[count - 1].u == p->u && chain[count - 1].v == p->v) continue;
       chain[count++] = *p;
     }
-    count--; /* the other way begins there */
+    count--; /* the other chain begins there */
   }
   out->at = ok ? vs_fresh(count, sizeof *out->at) : NULL;
   ok = out->at != NULL;
@@ -313,7 +313,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   return ok;
 }
 
-/* ---- what a node holds ---- */
+/* ---- the parts of a node ---- */
 
 typedef struct { const vs_ref *ref; vs_affine placed; } vs_hull_part;
 

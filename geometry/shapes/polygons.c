@@ -1,7 +1,7 @@
-/* Owns the faces of polyface meshes, grid meshes and boxes, given one at a time.
+/* Owns the faces of polyface meshes, grid meshes and boxes, passed one at a time.
  *
- * The corners of a face go through the object's transform into one array that is reused; a transform that mirrors has
- * the corners in the opposite order, so that the outside of each face stays outside. */
+ * The object's transform is applied to the corners of a face, in one array that is reused; a reflection reverses their
+ * order, so that the outside of each face stays outside. */
 #include "geometry/shapes/polygons.h"
 
 #include <stdlib.h>
