@@ -1,16 +1,16 @@
-/* Owns a fit's unknowns: what the solver sees of the model's numbers and of the motion, and the distances of the points
- * and their derivatives at any of them (fit_unknowns.h). */
+/* Owns a fit's unknowns: the model's numbers and the motion as the solver's variables, and the distances of the points
+ * and their derivatives at any values of them (fit_unknowns.h). */
 #include "geometry/fitting/fit_unknowns.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define DIFFERENCE 1e-3 /* of a number, for its derivative */
+#define DIFFERENCE 1e-3 /* step of a number for its derivative, as a share of its size */
 
 /* ---- the unknowns of the solver ----
  *
- * Each number is an unknown u without bounds: x = start + scale u, or within bounds by the maps of Minuit (F. James, M.
+ * Each number is an unknown u without bounds: x = start + scale u; within bounds by the maps of Minuit (F. James, M.
  * Roos, 1975): a sine between two, a root above or below one. */
 
 double vs_fit_number_scale(const vs_fit_number *n) {
@@ -31,7 +31,7 @@ double vs_fit_number_outer(const vs_fit_number *n, double u) {
 double vs_fit_number_inner(const vs_fit_number *n, double x) {
   bool low = isfinite(n->low), high = isfinite(n->high);
   double scale = vs_fit_number_scale(n), width = n->high - n->low;
-  if (low && high) { /* a bound itself has no slope to leave it by */
+  if (low && high) { /* at a bound itself the slope is 0, and the number could not leave it */
     double share = width > 0 ? (x - n->low) / width : .5;
     return asin(2 * fmin(fmax(share, .01), .99) - 1);
   }
@@ -50,7 +50,7 @@ static double outer_slope(const vs_fit_number *n, double u) {
 /* ---- distances and their derivatives ---- */
 
 bool vs_fit_going(vs_fit_search *f) {
-  bool stopped = f->out->stopped; /* what comes then is little, and is done */
+  bool stopped = f->out->stopped; /* the work after that is small, and is completed */
   f->out->stopped = !f->p->model->going(f->p->model->context) || stopped;
   return stopped || !f->out->stopped;
 }
@@ -145,7 +145,7 @@ bool vs_fit_number_slopes(vs_fit_search *f, size_t j, double *out) {
   return true;
 }
 
-/* vs_residuals_fn. Where the numbers make no solid, all distances are a diagonal: the solver takes a shorter step. */
+/* vs_residuals_fn. If the numbers make no solid, all distances are a diagonal: the solver then takes a shorter step. */
 static bool residuals(void *context, const double *unknowns, double *out, double *slopes) {
   vs_fit_search *f = context;
   bool refused;

@@ -1,4 +1,4 @@
-/* Owns the order of steps of a fit (model_fit.h). */
+/* Owns the sequence of a fit's steps (model_fit.h). */
 #include "geometry/fitting/model_fit.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "geometry/fitting/fit_judgement.h"
 #include "model/store/array.h"
 
-#define FINE (1. / 50000) /* facets of steps 3 and 4, in diagonals of the model */
+#define FINE (1. / 50000) /* facet tolerance of steps 3 and 4, in diagonals of the model */
 
 static bool run(vs_fit_search *f, vs_fit_place *places) {
   size_t count = 0;

@@ -3,14 +3,14 @@
 
 #include <string.h>
 
-/* out = a b, row by row; out is neither. */
+/* Sets out = a b, row by row; out is neither. */
 static void multiply(const double *a, const double *b, double *out) {
   VS_ASSERT(out != a && out != b);
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 3; k++) out[3 * i + k] = a[3 * i] * b[k] + a[3 * i + 1] * b[3 + k] + a[3 * i + 2] * b[6 + k];
 }
 
-/* out = I + a W + b W W, where W x = w cross x. */
+/* Sets out = I + a W + b W W, where W x = w cross x. */
 static void series(const double w[3], double a, double b, double out[3][3]) {
   const double cross[3][3] = { { 0, -w[2], w[1] }, { w[2], 0, -w[0] }, { -w[1], w[0], 0 } };
   double square[3][3];
@@ -65,7 +65,7 @@ vs_affine vs_rigid_inverse(const vs_rigid_motion *m) {
 
 /* ---- eigenvectors ---- */
 
-/* Turns the axes i and k so that m[i][k] becomes 0. i and k are two. */
+/* Rotates the axes i and k, which differ, so that m[i][k] becomes 0. */
 static void rotate_pair(double *m, double *v, size_t n, size_t i, size_t k) {
   double off = m[i * n + k];
   VS_ASSERT(i != k);

@@ -1,7 +1,7 @@
 /* Owns the robust losses and the call of cminpack's Levenberg-Marquardt solver (robust_squares.h).
  *
- * The solver wants a sum of squares: each residual r becomes the signed root f of twice its loss, whose square is what
- * counts, and its derivatives are multiplied by df/dr. */
+ * The solver minimizes a sum of squares: each residual r becomes the signed root f of twice its loss, and its
+ * derivatives are multiplied by df/dr. */
 #include "geometry/fitting/robust_squares.h"
 
 #include <limits.h>

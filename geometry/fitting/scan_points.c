@@ -1,4 +1,4 @@
-/* Owns the choice of points by which a scan is fitted (scan_points.h). */
+/* Owns the choice of the points for the fit of a scan (scan_points.h). */
 #include "geometry/fitting/scan_points.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@ void vs_scan_points_free(vs_scan_points *s) {
   *s = (vs_scan_points){ 0 };
 }
 
-/* G. Marsaglia's xorshift, from a fixed seed: a scan is fitted alike each time. */
+/* G. Marsaglia's xorshift, from a fixed seed: a scan is always fitted in the same way. */
 static uint64_t next_random(uint64_t *state) {
   *state ^= *state << 13, *state ^= *state >> 7, *state ^= *state << 17;
   return *state;
@@ -29,7 +29,7 @@ static void shuffle(vs_vec3 *at, size_t count, uint64_t *state) {
   }
 }
 
-/* Places spread over the triangles of the faces' fans by area, each within its share of the whole area. */
+/* Places samples on the triangles of the faces' fans by area, each within its share of the total area. */
 static bool spread_samples(const vs_face_list *l, size_t count, vs_scan_points *out, uint64_t *state) {
   double *sums = NULL, area = 0;
   size_t room = 0, sample_room = 0, triangles = 0, at = 0;

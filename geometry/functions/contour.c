@@ -1,26 +1,25 @@
 /* Owns dual contouring (contour.h).
  *
- * Plan. The box, with half a cell around it, is a grid of cubic cells; the value there is the larger of the tape's and
- * of the distance to the box's inside, so that all on the grid's border is outside and the mesh closes.
- *   1. Blocks of 8 x 8 x 8 cells are found from the whole grid downwards: where the bounds of the value (enclosure.h)
- *      do not hold 0, nothing is looked at. The others are sampled.
+ * Plan. The box, with a margin of half a cell, is a grid of cubic cells. The value there is the larger of the tape's
+ * and of the distance to the box's inside: everything on the grid's border is outside, and the mesh closes.
+ *   1. The search for blocks of 8 x 8 x 8 cells starts from the whole grid. Where the bounds of the value (enclosure.h)
+ *      do not contain 0, it skips the block. The others are sampled.
  *   2. A cell whose corners differ in sign is kept, with the edges at its lowest corner that the surface crosses. On
- *      each of those edges the root is found, and the gradient there.
+ *      each of those edges the root and its gradient are computed.
  *   3. The crossed edges of a cell, joined through its faces, make one ring or several; each is a piece of the surface
- *      and gets a point of its own. Where a face has four crossings and both cells have them on one ring, the face is
- *      joined the other way, which parts both rings: else two sheets would share an edge (R. Wenger, Isosurfaces,
+ *      and gets its own point. If a face has four crossings and both cells have them on one ring, the face is joined
+ *      the other way, which separates both rings: otherwise two sheets would share an edge (R. Wenger, Isosurfaces,
  *      2013, chapter 3).
- *   4. A ring's point is where the planes through its crossings meet best (T. Ju and others, Dual contouring of Hermite
- *      data, 2002), held within the cell: so edges and corners stay sharp. Then the surface is looked at once more
- *      beside that point, so that crooked edges are met, too.
+ *   4. A ring's point is the best intersection of the planes through its crossings (T. Ju and others, Dual contouring
+ *      of Hermite data, 2002), limited to the cell: edges and corners stay sharp. Then the surface is sampled once more
+ *      beside that point; this finds curved edges, too.
  *   5. Each crossed edge becomes a face between the four rings around it, cut along the diagonal that passes nearer to
  *      the crossing.
  *   6. Where the surface is flat enough, cells are merged to larger ones of an octree (octree.h), and the faces are
- *      made anew of the rings that are left.
+ *      made again from the remaining rings.
  *
- * Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell
- * runs along axis a; the two bits of s say where it lies along the next two axes. Face 2 a + s is across axis a, low or
- * high. */
+ * Notation. Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + s of a cell runs along axis a; the two
+ * bits of s are its position along the next two axes. Face 2 a + s is perpendicular to axis a, low or high. */
 #include "geometry/functions/contour.h"
 
 #include <math.h>
@@ -32,17 +31,17 @@
 #include "geometry/functions/sampling.h"
 #include "model/store/array.h"
 
-/* Places within this share of a cell are on one plane. */
+/* Points within this share of a cell are on one plane. */
 #define FLAT 1e-4
 
 enum { BLOCK = 8, CORNERS = (BLOCK + 1) * (BLOCK + 1) * (BLOCK + 1), NONE = -1, TURNS = 40 };
 
 typedef struct {
   int32_t at[3];
-  uint8_t below;   /* corners below 0 */
-  uint8_t flips;   /* faces that are joined the other way */
-  bool sharp;      /* an edge or corner of the surface was seen in it */
-  uint32_t rings;  /* two bits an edge: the ring that it is on */
+  uint8_t below;   /* bits: corners below 0 */
+  uint8_t flips;   /* bits: faces that are joined the other way */
+  bool sharp;      /* it contains an edge or corner of the surface */
+  uint32_t rings;  /* two bits for each edge: its ring */
   uint32_t first;  /* the point of ring 0 */
   int32_t edge[3]; /* the crossed edges at the lowest corner; NONE */
 } cell;
@@ -62,13 +61,13 @@ typedef struct {
   double p[3], q[3];
   cell *cells;
   size_t cell_count, cell_room;
-  uint32_t *index; /* place of a cell -> its number + 1 */
+  uint32_t *index; /* position of a cell -> its index + 1 */
   size_t slots, slot_room;
   crossing *edges;
   size_t edge_count, edge_room;
   vs_vec3 *roots, *normals; /* of the edges */
   size_t root_room, normal_room;
-  uint32_t (*around)[4]; /* the points round each edge, counter-clockwise seen from where the value is above 0 */
+  uint32_t (*around)[4]; /* the points around each edge, counter-clockwise seen from the side of values above 0 */
   size_t around_room;
   vs_enclosure *work;
   size_t work_room;
@@ -140,7 +139,8 @@ static vs_contour_outcome block(contour *c, const int32_t *from) {
                         .edge = { NONE, NONE, NONE } };
         for (int a = 0; a < 3; a++) {
           if ((below & 1) == (below >> (1 << a) & 1)) continue;
-          if (c->out->most && 2 * (c->edge_count + 1) > c->out->most) return VS_CONTOUR_MANY; /* two an edge */
+          if (c->out->most && 2 * (c->edge_count + 1) > c->out->most) return VS_CONTOUR_MANY; /* two triangles for each
+                                                                                               * edge */
           if (!VS_GROW(c->edges, c->edge_room, c->edge_count + 1)) return VS_CONTOUR_MEMORY;
           made->edge[a] = (int32_t)c->edge_count;
           c->edges[c->edge_count++] =
@@ -154,7 +154,7 @@ typedef struct {
   int32_t from[3], to[3];
 } span; /* of blocks */
 
-/* Looks at all blocks that may hold a crossing, the larger parts of the grid first. */
+/* Visits all blocks that may contain a crossing, the larger parts of the grid first. */
 static vs_contour_outcome blocks(contour *c) {
   span *todo = NULL;
   size_t count = 1, room = 0, looked = 0;
@@ -205,7 +205,7 @@ typedef struct {
   int8_t side;
 } search;
 
-/* The larger of the values at both ends; beside a pole one may be infinite. */
+/* Returns the larger of the values at both ends; beside a pole one may be infinite. */
 static double finite_size(const crossing *e) {
   double a = fabs(e->v0), b = fabs(e->v1);
   return isfinite(a) && isfinite(b) ? fmax(a, b) : fmin(a, b);
@@ -215,9 +215,8 @@ static bool in_box(const contour *c, double x, double y, double z) {
   return x >= c->p[0] && x <= c->q[0] && y >= c->p[1] && y <= c->q[1] && z >= c->p[2] && z <= c->q[2];
 }
 
-/* Finds where the value is 0 on every crossed edge: by false positions (the Illinois method), in turns in which all are
- * worked out together; every third turn halves, and all late ones do, so that jumps are found too. Then the gradients.
- */
+/* Finds the root on every crossed edge: by false positions (the Illinois method), in iterations that evaluate all edges
+ * together. Every third iteration bisects, and all late ones do; this finds jumps too. Then computes the gradients. */
 static vs_contour_outcome roots(contour *c) {
   size_t n = c->edge_count, room = 0, x_room[3] = { 0, 0, 0 }, v_room = 0, s_room[3] = { 0, 0, 0 };
   search *s = NULL;
@@ -249,7 +248,7 @@ static vs_contour_outcome roots(contour *c) {
     size_t kept = 0;
     for (size_t i = 0; i < left; i++) {
       search e = s[i];
-      if (v[i] != v[i]) { /* allowed outside of the box alone */
+      if (v[i] != v[i]) { /* allowed only outside of the box */
         if (in_box(c, x[0][i], x[1][i], x[2][i])) {
           c->out->at = vs_v3(x[0][i], x[1][i], x[2][i]), outcome = VS_CONTOUR_NO_NUMBER;
           break;
@@ -319,7 +318,7 @@ static bool index_cells(contour *c) {
   return true;
 }
 
-/* The cell there; NULL: the surface does not cross it. */
+/* Returns the cell at this position; NULL: the surface does not cross it. */
 static cell *cell_at(const contour *c, int32_t i, int32_t j, int32_t k) {
   const int32_t at[3] = { i, j, k };
   if (i < 0 || j < 0 || k < 0) return NULL;
@@ -332,14 +331,14 @@ static cell *cell_at(const contour *c, int32_t i, int32_t j, int32_t k) {
 
 /* ---- rings ---- */
 
-/* The edge of a cell between two corners that differ in one bit. */
+/* Returns the edge of a cell between two corners that differ in one bit. */
 static int edge_between(int a, int b) {
   int bit = a ^ b, axis = bit == 1 ? 0 : bit == 2 ? 1 : 2, low = a & b;
   VS_ASSERT(bit == 1 || bit == 2 || bit == 4);
   return 4 * axis + (low >> (axis + 1) % 3 & 1) + 2 * (low >> (axis + 2) % 3 & 1);
 }
 
-/* The four corners of a face in order round it, its edges are those between neighbours. face is 0 to 5. */
+/* Sets the four corners of face 0 to 5 in order around it; its edges are those between neighbours. */
 static void face_corners(int face, int *at) {
   int axis = face / 2, b = 1 << (axis + 1) % 3, c = 1 << (axis + 2) % 3, low = face & 1 ? 1 << axis : 0;
   VS_ASSERT(face >= 0 && face < 6);
@@ -358,8 +357,8 @@ static int root_of(const int8_t *parent, int e) {
   return e;
 }
 
-/* The pairs of crossed edges that meet in a face: returns how many pairs. Of four crossings those about a corner below
- * 0 are joined; where the face is flipped, those about one above. */
+/* Finds the pairs of crossed edges that a face connects; returns their number. Of four crossings those around a corner
+ * below 0 are joined; in a flipped face, those around a corner above 0. */
 static int face_pairs(const cell *c, int face, int (*pair)[2]) {
   int k[4], crossed[4], count = 0;
   face_corners(face, k);
@@ -368,13 +367,13 @@ static int face_pairs(const cell *c, int face, int (*pair)[2]) {
       crossed[count++] = edge_between(k[i], k[(i + 1) % 4]);
   if (count == 2) return pair[0][0] = crossed[0], pair[0][1] = crossed[1], 1;
   if (count == 0) return 0;
-  /* crossed[i] lies between corners i and i + 1; the edges about corner i are i - 1 and i */
+  /* crossed[i] lies between corners i and i + 1; the edges at corner i are i - 1 and i */
   int corner = ((c->below >> k[0] & 1) != (c->flips >> face & 1)) ? 0 : 1;
   for (int i = 0; i < 2; i++) pair[i][0] = crossed[(corner + 2 * i + 3) % 4], pair[i][1] = crossed[corner + 2 * i];
   return 2;
 }
 
-/* Joins the crossed edges of a cell into rings and numbers them; returns how many there are. */
+/* Joins the crossed edges of a cell into rings and numbers them; returns their number. */
 static int join_rings(cell *c) {
   int8_t parent[12];
   uint32_t used = 0;
@@ -401,13 +400,13 @@ static int join_rings(cell *c) {
 
 static unsigned ring_of(const cell *c, int edge) { return c->rings >> 2 * edge & 3; }
 
-/* Are both pairs of crossings of this ambiguous face on one ring? */
+/* Returns true if both pairs of crossings of this ambiguous face are on one ring. */
 static bool on_one_ring(const cell *c, int face) {
   int pair[2][2];
   return face_pairs(c, face, pair) == 2 && ring_of(c, pair[0][0]) == ring_of(c, pair[1][0]);
 }
 
-/* Flipping a face parts the rings of both cells, and parts no ring's neighbours anew: so one pass is enough. */
+/* Flipping a face separates the rings of both cells, and changes no other ring's neighbours: one pass is enough. */
 static void part_sheets(contour *c) {
   for (size_t i = 0; i < c->cell_count; i++) join_rings(&c->cells[i]);
   for (size_t i = 0; i < c->cell_count; i++)
@@ -424,7 +423,7 @@ static void part_sheets(contour *c) {
 
 /* ---- points ---- */
 
-/* Eigenvalues and vectors of a symmetric matrix by Jacobi's rotations; vectors in the columns of v. */
+/* Computes eigenvalues and vectors of a symmetric matrix by Jacobi's rotations; vectors in the columns of v. */
 static void eigen(double m[3][3], double v[3][3]) {
   memset(v, 0, 9 * sizeof **v);
   v[0][0] = v[1][1] = v[2][2] = 1;
@@ -451,13 +450,14 @@ static void eigen(double m[3][3], double v[3][3]) {
   }
 }
 
-/* Normals that differ by more than SHARP from each other are those of an edge, and one that leans by more than CORNER
- * out of the plane of the others makes it a corner; less is taken as the curvature of what is smooth. Cosine and sine
- * of some 25 degrees. */
+/* Normals that differ by more than SHARP are those of an edge, and a normal that deviates by more than CORNER from the
+ * plane of the others makes it a corner; smaller differences are the curvature of a smooth surface. Cosine and sine of
+ * some 25 degrees. */
 #define SHARP .9
 #define CORNER .42
 
-/* Of how many directions do planes with these normals say where they meet? There is a normal. */
+/* Returns the number of directions in which planes with these normals determine their intersection. There is a
+ * normal. */
 static int rank_of(const vs_vec3 *normal, int n) {
   double m[3][3] = { { 0 } }, v[3][3], alike = 1, leans = 0;
   VS_ASSERT(n > 0);
@@ -476,9 +476,9 @@ static int rank_of(const vs_vec3 *normal, int n) {
   return leans > CORNER ? 3 : 2;
 }
 
-/* The point nearest to all planes through the places, across their normals, in `rank` directions; in the others as near
- * to `from` as that allows. It keeps from's coordinates along the axes whose bits are set in `fixed`. rank is 0 to 3,
- * and there is a place. */
+/* Returns the point nearest to all planes through the places, perpendicular to their normals, in `rank` (0 to 3)
+ * directions; in the others as near to `from` as possible. It keeps from's coordinates along the axes whose bits are
+ * set in `fixed`. There is a place. */
 static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from, int rank, unsigned fixed) {
   double m[3][3] = { { 0 } }, v[3][3], b[3] = { 0, 0, 0 }, x[3] = { 0, 0, 0 };
   VS_ASSERT(rank >= 0 && rank <= 3 && n > 0);
@@ -507,7 +507,7 @@ static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs
   return vs_v3_add(from, vs_v3(x[0], x[1], x[2]));
 }
 
-/* A ring's point that is still sought, and how far it may go. */
+/* A ring's point during the search, and its limits. */
 typedef struct {
   double low[3], high[3];
   uint32_t point;
@@ -521,7 +521,7 @@ static vs_vec3 held_in(const ring_point *r, vs_vec3 p) {
   return vs_v3(held(p.x, r->low[0], r->high[0]), held(p.y, r->low[1], r->high[1]), held(p.z, r->low[2], r->high[2]));
 }
 
-/* The best point within the ring's cell: one that would lie beyond a side of it is sought again in that side. */
+/* Returns the best point within the ring's cell: a point beyond a side is computed again within that side. */
 static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from,
                            int rank) {
   vs_vec3 p = from;
@@ -541,8 +541,9 @@ static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_v
   return held_in(r, p);
 }
 
-/* Looks at the surface closer to each of these points, and moves them: onto it where it is smooth; where it is sharp to
- * where the planes meet that are seen at both sides of the point, first from afar and then from near by. */
+/* Samples the surface near each of these points, and moves them: onto it if it is smooth; if it is sharp, to the
+ * intersection of the planes seen on both sides of the point, first from a larger distance and then from a smaller
+ * one. */
 static bool refine(contour *c, ring_point *rings, size_t n) {
   enum { LOOKS = 24, TURNS_OF_LOOKS = 3 };
   static const double reach[TURNS_OF_LOOKS] = { .4, .15, .05 };
@@ -587,7 +588,7 @@ static bool refine(contour *c, ring_point *rings, size_t n) {
 
 enum { AT_ONCE = 512 };
 
-/* The crossings of a cell's edges by ring, and how many rings there are. */
+/* The crossings of a cell's edges by ring, and the number of rings. */
 typedef struct {
   vs_vec3 root[4][12], normal[4][12];
   int count[4], rings;
@@ -610,7 +611,7 @@ static void collect(const contour *c, const cell *here, crossings *out) {
   }
 }
 
-/* The mean of n places, one or more. */
+/* Returns the mean of n >= 1 places. */
 static vs_vec3 middle_of(const vs_vec3 *at, int n) {
   vs_vec3 middle = { 0, 0, 0 };
   VS_ASSERT(n > 0);
@@ -618,8 +619,8 @@ static vs_vec3 middle_of(const vs_vec3 *at, int n) {
   return middle;
 }
 
-/* An edge may pass through a cell between the crossings, which then all show one side of it. Where the planes of a cell
- * beside this one, in which an edge was found, meet its own within it, the edge goes on there: *p is that place. */
+/* A sharp edge may pass through a cell between the crossings, which then all show one side of it. If the planes of a
+ * neighbouring cell with an edge meet this cell's planes within it, the edge continues there: *p is that point. */
 static bool goes_on(const contour *c, const cell *here, const crossings *own, ring_point *r, vs_vec3 *p) {
   for (int face = 0; face < 6; face++) {
     int axis = face / 2, way = face & 1 ? 1 : -1;
@@ -669,7 +670,7 @@ static bool points(contour *c) {
     for (int r = 0; ok && r < own.rings; r++) {
       int n = own.count[r];
       ring_point made = { .point = (uint32_t)out->point_count, .count = n, .rank = rank_of(own.normal[r], n) };
-      double inset = 1e-4 * c->size; /* so that points of two cells never are one place */
+      double inset = 1e-4 * c->size; /* points of two cells are thus never equal */
       for (int a = 0; a < 3; a++)
         made.low[a] = place(c, a, here->at[a]) + inset, made.high[a] = place(c, a, here->at[a] + 1) - inset;
       memcpy(made.normal, own.normal[r], (size_t)n * sizeof *made.normal);
@@ -692,8 +693,8 @@ static bool points(contour *c) {
 
 /* ---- faces ---- */
 
-/* How far p lies from the triangle a b c, squared, where it lies over it; else how far from its plane and its middle,
- * which is more. */
+/* Returns the square of p's height above the triangle's plane plus that of its largest distance beyond a side;
+ * INFINITY: the triangle has no area. */
 static double apart(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   vs_vec3 n = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
   double length = vs_v3_length(n);
@@ -708,7 +709,7 @@ static double apart(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return height * height + out * out;
 }
 
-/* Finds the points round each edge, the first of them in the edge's own cell. */
+/* Finds the points around each edge, the first of them in the edge's own cell. */
 static bool find_around(contour *c) {
   if (!VS_GROW(c->around, c->around_room, c->edge_count + 1)) return false;
   for (size_t i = 0; i < c->edge_count; i++) {
@@ -716,7 +717,7 @@ static bool find_around(contour *c) {
     const cell *owner = &c->cells[e->cell];
     int b = (e->axis + 1) % 3, d = (e->axis + 2) % 3;
     uint32_t *corner = c->around[i];
-    for (int k = 0; k < 4; k++) { /* round the axis: (+ +) (- +) (- -) (+ -) */
+    for (int k = 0; k < 4; k++) { /* around the axis: (+ +) (- +) (- -) (+ -) */
       int back = k == 1 || k == 2, down = k >= 2;
       int32_t at[3] = { owner->at[0], owner->at[1], owner->at[2] };
       at[b] -= back, at[d] -= down;
@@ -737,14 +738,14 @@ static vs_vec3 face_normal(const vs_vec3 *p, uint32_t a, uint32_t b, uint32_t c)
   return length > 0 ? vs_v3_scale(n, 1 / length) : n;
 }
 
-/* Does the diagonal from `from` lay one of the two triangles back over the other? from is 0 or 1. */
+/* Returns true if the diagonal from `from` (0 or 1) folds one of the two triangles back over the other. */
 static bool folds(const vs_vec3 *p, const uint32_t *corner, int from) {
   vs_vec3 first = face_normal(p, corner[from], corner[from + 1], corner[from + 2]);
   VS_ASSERT(from == 0 || from == 1);
   return vs_v3_dot(first, face_normal(p, corner[from], corner[from + 2], corner[(from + 3) % 4])) < -.9;
 }
 
-/* Makes the triangles round all edges, of the points that stand for others; NULL: each for itself. */
+/* Makes the triangles around all edges, from the points that represent others; NULL: each represents itself. */
 static bool faces(contour *c, const uint32_t *stands_for) {
   vs_contour *out = c->out;
   const vs_vec3 *p = out->points;
@@ -776,7 +777,8 @@ static bool faces(contour *c, const uint32_t *stands_for) {
   return true;
 }
 
-/* Triangles' middles against the surface, to first order; and whether a side of the box is one of the mesh's faces. */
+/* Compares triangles' centres with the surface, to first order, and checks whether a side of the box is a face of the
+ * mesh. */
 static vs_contour_outcome judge(contour *c) {
   enum { BATCH = VS_SAMPLE_BATCH };
   double x[3][BATCH], v[BATCH], slope[3][BATCH];
@@ -804,7 +806,7 @@ static vs_contour_outcome judge(contour *c) {
 
 /* ---- larger cells ---- */
 
-/* Leaves out the points that no triangle has. */
+/* Removes the points that no triangle uses. */
 static bool drop_points(contour *c) {
   vs_contour *out = c->out;
   uint32_t *to = NULL, count = 0;
@@ -828,8 +830,8 @@ static bool has_ambiguous_side(const cell *c) {
   return false;
 }
 
-/* Merges cells in which the surface is flat within the tolerance, as long as the triangles' middles stay within it,
- * too; 0: what is flat but for rounding. */
+/* Merges cells in which the surface is flat within the tolerance, as long as the triangles' centres stay within it,
+ * too; 0: flat within rounding errors. */
 static vs_contour_outcome merge_cells(contour *c, double tolerance) {
   enum { TURNS_OF_MERGING = 4 };
   vs_contour *out = c->out;
@@ -871,7 +873,7 @@ static vs_contour_outcome merge_cells(contour *c, double tolerance) {
     out->deviation = 0;
     outcome = judge(c);
     if (out->deviation <= tolerance) break;
-    if (turn == TURNS_OF_MERGING - 1) ok = faces(c, NULL), out->deviation = before; /* as it was */
+    if (turn == TURNS_OF_MERGING - 1) ok = faces(c, NULL), out->deviation = before; /* back to the first mesh */
   }
   ok = ok && drop_points(c);
   free(place), free(barred), free(axis), free(stands_for);

@@ -1,6 +1,6 @@
-/* Owns interval arithmetic (enclosure.h). The processor rounds to nearest, so every bound is moved outwards by what the
- * operation can be off by: half a unit in the last place for + - * / and roots, up to some units for the C library's
- * functions. */
+/* Owns interval arithmetic (enclosure.h). The processor rounds to nearest; therefore every bound is moved outwards by
+ * the largest error of the operation: half a unit in the last place for + - * / and roots, up to some units for the C
+ * library's functions. */
 #include "geometry/functions/enclosure.h"
 #include "model/assert.h"
 
@@ -17,13 +17,13 @@ static double above(double d, double units) {
 static const vs_enclosure all = { -INFINITY, INFINITY, true }, none = { NAN, NAN, true };
 
 static vs_enclosure bounds(double low, double high, double units, bool partial) {
-  if (low != low || high != high) return all; /* inf - inf and its like */
+  if (low != low || high != high) return all; /* inf - inf and the like */
   return (vs_enclosure){ below(low, units), above(high, units), partial };
 }
 
 static double least(double a, double b) { return a < b ? a : b; }
 static double most(double a, double b) { return a > b ? a : b; }
-/* 0 * inf is 0 here: infinite bounds stand for numbers beyond all bounds, not for infinity */
+/* 0 * inf is 0 here: an infinite bound means numbers of any size, not infinity */
 static double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
 static vs_enclosure times(vs_enclosure a, vs_enclosure b, bool partial) {
@@ -45,12 +45,12 @@ static vs_enclosure squared(vs_enclosure a) {
   return r;
 }
 
-/* A function that rises, or falls, all the way between the bounds. */
+/* Bounds a function that rises, or falls, between the bounds. */
 static vs_enclosure rising(double (*f)(double), vs_enclosure a, bool partial) {
   return bounds(f(a.low), f(a.high), 4, partial);
 }
 
-/* Does an angle phase + k * 2 pi lie in a? The margin is larger than any rounding of the angle. */
+/* Returns true if an angle phase + k * 2 pi lies in a. The margin is larger than any rounding error of the angle. */
 static bool holds_turn(vs_enclosure a, double phase) {
   const double turn = 6.283185307179586;
   double margin = 1e-9 + 1e-15 * most(fabs(a.low), fabs(a.high));
@@ -66,13 +66,13 @@ static vs_enclosure wave(double (*f)(double), vs_enclosure a, double top) {
   return r;
 }
 
-static vs_enclosure clipped(vs_enclosure a, double low, double high) { /* to where a function has values */
+static vs_enclosure clipped(vs_enclosure a, double low, double high) { /* limits to the domain of a function */
   if (a.high < low || a.low > high) return none;
   return (vs_enclosure){ most(a.low, low), least(a.high, high), a.partial || a.low < low || a.high > high };
 }
 
 static vs_enclosure power(vs_enclosure a, vs_enclosure b, bool partial) {
-  if (b.low == b.high && b.low == floor(b.low) && fabs(b.low) < 1e6) { /* whole: products */
+  if (b.low == b.high && b.low == floor(b.low) && fabs(b.low) < 1e6) { /* integer: products */
     double n = fabs(b.low), p = pow(a.low, n), q = pow(a.high, n);
     bool even = fmod(n, 2) == 0;
     vs_enclosure r = bounds(even && a.low <= 0 && a.high >= 0 ? 0 : least(p, q), most(p, q), 4, partial);
@@ -87,7 +87,7 @@ static vs_enclosure power(vs_enclosure a, vs_enclosure b, bool partial) {
 }
 
 static vs_enclosure angle(vs_enclosure y, vs_enclosure x, bool partial) { /* atan2 */
-  if (x.low <= 0 && y.low <= 0 && y.high >= 0) /* beside the jump on the negative x axis, or about the origin */
+  if (x.low <= 0 && y.low <= 0 && y.high >= 0) /* at the jump on the negative x axis, or around the origin */
     return (vs_enclosure){ -3.1415926535897936, 3.1415926535897936, partial || (x.high >= 0) };
   double p = atan2(y.low, x.low), q = atan2(y.low, x.high), r = atan2(y.high, x.low), s = atan2(y.high, x.high);
   return bounds(least(least(p, q), least(r, s)), most(most(p, q), most(r, s)), 4, partial);
@@ -165,7 +165,7 @@ vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b, vs_
     if (b.low != b.low) return c.partial = true, c;
     if (c.low != c.low) return b.partial = true, b;
     return (vs_enclosure){ least(b.low, c.low), most(b.high, c.high), a.partial || b.partial || c.partial };
-  case VS_TAPE_FIELD: /* vs_enclose_tape's */
+  case VS_TAPE_FIELD: /* vs_enclose_tape handles it */
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
   case VS_TAPE_OPERATORS: break;
@@ -173,7 +173,7 @@ vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b, vs_
   return all;
 }
 
-/* A field's value in the middle of the box, and around it no more than from there to a corner. */
+/* Bounds a field: its value at the centre of the box, plus and minus the distance to a corner. */
 static vs_enclosure enclose_field(const vs_tape_field *f, vs_enclosure x, vs_enclosure y, vs_enclosure z) {
   bool partial = x.partial || y.partial || z.partial;
   if (x.low != x.low || y.low != y.low || z.low != z.low) return none;

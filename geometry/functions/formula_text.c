@@ -1,4 +1,4 @@
-/* Owns the writing of formulas (formula_text.h). The parts still to be written lie on a stack of its own, last things
+/* Owns the writing of formulas (formula_text.h). The pending pieces are on an explicit stack, the last of the text
  * deepest. */
 #include "geometry/functions/formula_text.h"
 
@@ -61,7 +61,7 @@ static bool put_number(writer *w, double d) {
   return (!negative || put(w, "(", 1)) && put(w, text, strlen(text)) && (!negative || put(w, ")", 1));
 }
 
-/* An operator's template comes apart into pieces, which are pushed from the last to the first. */
+/* Splits an operator's template into pieces, and pushes them from the last to the first. */
 static bool push_form(writer *w, const vs_tape_step *s) {
   const char *form = forms[s->op].text[w->language];
   int mine = forms[s->op].binds;
@@ -71,7 +71,7 @@ static bool push_form(writer *w, const vs_tape_step *s) {
   for (size_t end = n; ok && end > 0;) {
     size_t at = end;
     while (at > 0 && form[at - 1] != '$') at--;
-    /* form[at] names an operand, form[at + 1 .. end) is plain text; where at is 0 there is no operand left */
+    /* form[at] names an operand, form[at + 1 .. end) is plain text; at 0: no operand is left */
     const char *plain = form + (at ? at + 1 : 0);
     size_t length = (size_t)(form + end - plain);
     if (length) ok = push(w, plain, (uint32_t)length);

@@ -11,11 +11,11 @@ typedef enum {
   VS_FORMULA_LANGUAGES
 } vs_formula_language;
 
-enum { VS_FORMULA_MOST = 100000 }; /* characters: a tape's repeated steps are written out each time */
+enum { VS_FORMULA_MOST = 100000 }; /* characters: a tape's repeated steps are written each time */
 
-/* Output number `output` as text, the inputs by these names. Returns text that the caller frees, or NULL with *no_word
- * saying whether it would have more than VS_FORMULA_MOST characters or holds a field, or memory is out. The tape has
- * that output. */
+/* Returns output number `output` as text, with these names of the inputs; the caller frees the text. NULL: with
+ * *no_word true, the text would exceed VS_FORMULA_MOST characters or contain a field; else memory is out. The tape has
+ * this output. */
 char *vs_formula_text(const vs_tape *t, uint32_t output, vs_formula_language language, const char *const *names,
                       bool *no_word);
 

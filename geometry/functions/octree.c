@@ -1,17 +1,17 @@
 /* Owns the octree over the cells of a dual contour (octree.h).
  *
- * Plan. The leaves are the cells that the surface crosses. Eight neighbours are a node of level 1, eight of those one
- * of level 2, and so on. From level to level, the parts of the surface in a node's children that go on in each other
- * become one part. A node is merged where all its children were merged and where each part
- *   1. is a disc: rings less the sides between them and the quads within them make 1 (Euler's characteristic); it
+ * Plan. The leaves are the cells that the surface crosses. Eight neighbours are a node of level 1, eight of those a
+ * node of level 2, and so on. From level to level, connected parts of the surface in a node's children become one part.
+ * A node is merged if all its children were merged and if each part
+ *   1. is a disc: rings minus the sides between them plus the quads within them make 1 (Euler's characteristic); it
  *      crosses each edge of the node once at most, and each side of it in one line. Then two parts never meet along
  *      two lines, and the mesh of the merged nodes is a manifold (S. Schaefer, T. Ju, J. Warren, Manifold dual
  *      contouring, 2007);
  *   2. has a point that is near the planes through all its crossings, while the points of all its rings are near the
  *      planes at that point. It is the point of the ring with the least sum of squares (T. Ju and others, Dual
- *      contouring of Hermite data, 2002). Edges and corners therefore stay where they are, and every point lies on the
+ *      contouring of Hermite data, 2002). Edges and corners therefore do not move, and every point lies on the
  *      surface and in its node.
- * Each part of a merged node has one point. Where a node is not merged, no node above it is. */
+ * Each part of a merged node has one point. If a node is not merged, no node above it is. */
 #include "geometry/functions/octree.h"
 
 #include <math.h>
@@ -23,9 +23,9 @@
 enum { LEVELS = 16, EDGES = 12 };
 #define NONE UINT32_MAX
 
-/* A node's size allows this much of it as distance: what bends more is not merged, however coarse the tolerance. */
+/* The largest distance as a share of a node's size: a surface with more curvature is not merged, at any tolerance. */
 #define BEND .1
-/* Of points that are as near to the planes the one nearest to the part's middle is taken. */
+/* Among points equally near to the planes, the one nearest to the part's middle is chosen. */
 #define TO_MIDDLE 1e-7
 
 typedef struct {
@@ -33,15 +33,15 @@ typedef struct {
   bool whole; /* all of it is merged, or may be */
 } node;
 
-/* A part of the surface that had a point of its own on the level below. */
+/* A part of the surface that had its own point on the level below. */
 typedef struct {
   uint32_t ring, node;
-  uint32_t up;            /* the part that it becomes one with, itself for the first */
-  uint32_t link;          /* the next of those that become one, in a circle */
-  uint32_t count;         /* of the first: how many they are */
+  uint32_t up;            /* the part with which it is joined, itself for the first */
+  uint32_t link;          /* the next of the joined parts, in a circle */
+  uint32_t count;         /* of the first: the number of joined parts */
   uint32_t best;          /* of the first: the ring whose point they may have */
   int32_t sides, inside;  /* of the first: twice the sides between them, and the quads within */
-  uint8_t rim[EDGES];     /* of the first: how often it crosses each edge of the node */
+  uint8_t rim[EDGES];     /* of the first: the number of its crossings with each edge of the node */
 } part;
 
 typedef struct {
@@ -51,15 +51,15 @@ typedef struct {
   uint32_t *of;     /* a ring -> another one of its part, nearer to the first */
   uint32_t *next;   /* the next ring of the part, in a circle */
   uint32_t *rep;    /* of a part's first ring: the ring whose point it has */
-  uint32_t *number; /* of a part's first ring: its place in `parts`; NONE: it lies in a node that is not merged */
+  uint32_t *number; /* of a part's first ring: its index in `parts`; NONE: it lies in a node that is not merged */
   uint32_t *start, *list; /* the quads of ring r are list[start[r]] to list[start[r + 1] - 1] */
   part *parts;
   size_t part_count, part_room;
-  uint32_t *quads; /* those in which parts may still become one */
+  uint32_t *quads; /* those in which parts may still be joined */
   size_t quad_count;
   node *nodes;
   size_t node_count, node_room;
-  uint32_t *table; /* hash of a place -> the node's number + 1 */
+  uint32_t *table; /* hash of a position -> the node's index + 1 */
   size_t slots, table_room;
   int32_t (*spoilt)[3]; /* nodes of the level below that are not merged */
   size_t spoilt_count, spoilt_room;
@@ -74,8 +74,8 @@ static uint64_t hash_place(const int32_t *at) {
   return h ^ h >> 31;
 }
 
-/* The node at this place, made where there is none; NONE: memory is out. The table has room for all. The slots are a
- * power of two. */
+/* Returns the node at this position, made if it is new; NONE: memory is out. The table has room for all. The slots are
+ * a power of two. */
 static uint32_t node_at(octree *o, const int32_t *at) {
   size_t h = hash_place(at) & (o->slots - 1);
   VS_ASSERT(o->slots > 0 && (o->slots & (o->slots - 1)) == 0);
@@ -87,7 +87,7 @@ static uint32_t node_at(octree *o, const int32_t *at) {
   return o->table[h] - 1;
 }
 
-/* The nodes of this level; those with a child that is not merged are not whole. */
+/* Makes the nodes of this level; those with a child that is not merged are not whole. */
 static bool make_nodes(octree *o) {
   for (o->slots = 64; o->slots < 2 * (o->part_count + o->spoilt_count);) o->slots *= 2;
   if (!VS_GROW(o->table, o->table_room, o->slots)) return false;
@@ -109,9 +109,9 @@ static bool make_nodes(octree *o) {
   return true;
 }
 
-/* ---- parts that become one ---- */
+/* ---- joined parts ---- */
 
-/* The first ring of those that are merged into one. */
+/* Returns the first ring of those that are merged into one. */
 static uint32_t first_ring(octree *o, uint32_t ring) {
   VS_ASSERT(ring < o->l->rings);
   while (o->of[ring] != ring) ring = o->of[ring] = o->of[o->of[ring]];
@@ -128,7 +128,7 @@ static void swap(uint32_t *a, uint32_t *b) {
   *a = *b, *b = t;
 }
 
-/* The parts around a quad, NONE where a node is not whole. */
+/* Finds the parts around a quad, NONE if a node is not whole. */
 static void parts_around(octree *o, uint32_t quad, uint32_t *p) {
   for (int k = 0; k < 4; k++) {
     p[k] = o->number[first_ring(o, o->l->around[quad][k])];
@@ -176,7 +176,7 @@ static void count(octree *o) {
   }
 }
 
-/* ---- may a part have one point? ---- */
+/* ---- conditions for one point ---- */
 
 static bool is_disc(const part *p) {
   int all = 0;
@@ -187,7 +187,7 @@ static bool is_disc(const part *p) {
   }
   for (int face = 0; face < 6; face++) {
     int b = (face / 2 + 1) % 3, d = (face / 2 + 2) % 3, side = face & 1;
-    /* an edge along b lies at bit 1 along d's next but one, which is this face's axis; one along d at bit 0 */
+    /* an edge along b lies at bit 1 along d's next but one, which is this face's axis; an edge along d at bit 0 */
     int lines =
         p->rim[4 * b + 2 * side] + p->rim[4 * b + 2 * side + 1] + p->rim[4 * d + side] + p->rim[4 * d + side + 2];
     if (lines != 0 && lines != 2) return false;
@@ -195,12 +195,12 @@ static bool is_disc(const part *p) {
   return all > 0;
 }
 
-/* The body is done for each ring r of the parts that become one with part p. */
+/* Runs the body for each ring r of the parts joined with part p. */
 #define EACH_RING(o, p, r)                                                                                             \
   for (uint32_t q_ = (p), once_ = 1; once_ || q_ != (p); q_ = (o)->parts[q_].link, once_ = 0)                          \
     for (uint32_t r = (o)->parts[q_].ring, first_ = 1; first_ || r != (o)->parts[q_].ring; r = (o)->next[r], first_ = 0)
 
-/* Finds the ring whose point the parts joined to p may have, NONE where there is none near enough. */
+/* Finds the ring whose point the parts joined with p may have, NONE if none is near enough. */
 static uint32_t best_ring(const octree *o, uint32_t p) {
   const vs_octree_leaves *l = o->l;
   double limit = fmin(o->tolerance, BEND * l->size * (1 << o->level));
@@ -253,7 +253,7 @@ static bool judge(octree *o) {
 
 /* ---- levels ---- */
 
-/* Merges what may be merged; the parts that are left are those of the nodes. */
+/* Merges all possible nodes; the remaining parts are those of the nodes. */
 static bool merge(octree *o) {
   size_t parts = 0, quads = 0;
   o->spoilt_count = 0;
@@ -276,7 +276,7 @@ static bool merge(octree *o) {
     if (!o->nodes[p.node].whole || p.up != i) continue;
     o->rep[p.ring] = p.best;
     o->number[p.ring] = (uint32_t)parts;
-    o->parts[parts++].ring = p.ring; /* what is behind was read */
+    o->parts[parts++].ring = p.ring; /* entries before p were read already */
   }
   o->part_count = parts;
   for (size_t i = 0; i < o->quad_count; i++) {
@@ -293,7 +293,7 @@ static bool merge(octree *o) {
   return true;
 }
 
-/* The quads of each ring. */
+/* Makes the list of the quads of each ring. */
 static bool list_quads(octree *o) {
   const vs_octree_leaves *l = o->l;
   size_t room[2] = { 0, 0 };

@@ -1,10 +1,10 @@
-/* Owns the working out of tapes in doubles (sampling.h).
+/* Owns the evaluation of tapes in doubles (sampling.h).
  *
- * Plan. A batch of points goes through the tape step by step, so that looking at a step costs nothing against the work
- * on its numbers, and the simple operators become the machine's vector instructions. A step's numbers lie in a lane;
- * lanes are used again as soon as no later step reads them, so that all of them stay in the processor's nearest memory.
- * A lane holds the values and behind them the slopes. A constant keeps its lane, which is filled once; whole batches
- * without slopes read an input where the caller has it. */
+ * Plan. A batch of points goes through the tape step by step: the overhead of a step is small against the work on its
+ * numbers, and the simple operators become the machine's vector instructions. A step's numbers are in a lane. A lane is
+ * reused as soon as no later step reads it; thus all lanes stay in the processor's nearest cache. A lane holds the
+ * values and after them the slopes. A constant keeps its lane, which is filled once; whole batches without slopes read
+ * an input from the caller's array. */
 #include "geometry/functions/sampling.h"
 
 #include <math.h>
@@ -15,8 +15,8 @@
 
 enum { BATCH = VS_SAMPLE_BATCH };
 
-/* Where the processor can, four numbers at a time instead of two: the same operations, so the same digits. A sanitizer
- * cannot be asked before it has begun, and the loader chooses before. */
+/* On processors that support it, four numbers at a time instead of two: the same operations, and the same digits. Not
+ * under a sanitizer: the loader chooses the function before the sanitizer is initialised. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
@@ -28,9 +28,9 @@ struct vs_sampler {
   const vs_tape *t;
   int slopes;
   uint32_t *lane;      /* of each step */
-  const double **from; /* where the values of each step are read in this batch */
+  const double **from; /* the address of each step's values in this batch */
   double *at;          /* the lanes */
-  size_t width;        /* doubles a lane */
+  size_t width;        /* doubles in a lane */
 };
 
 void vs_sampler_free(vs_sampler *s) {
@@ -41,7 +41,7 @@ void vs_sampler_free(vs_sampler *s) {
   free(s);
 }
 
-/* Gives each step a lane; returns how many there are, 0 when memory is out. */
+/* Gives each step a lane; returns their number, 0 when memory is out. */
 static size_t assign_lanes(vs_sampler *s) {
   const vs_tape *t = s->t;
   uint32_t *last = NULL, *idle = NULL, idle_count = 0, lanes = 0;
@@ -58,7 +58,7 @@ static size_t assign_lanes(vs_sampler *s) {
   for (size_t i = 0; i < t->count; i++) {
     const vs_tape_step *step = &t->step[i];
     bool used_before = idle_count && step->op != VS_TAPE_CONSTANT;
-    /* before the operands' lanes are free: no step writes what it reads */
+    /* before the operands' lanes become free: no step writes to a lane that it reads */
     s->lane[i] = used_before ? idle[--idle_count] : lanes++;
     int n = vs_tape_operands((vs_tape_operator)step->op);
     for (int k = 0; k < n; k++)
@@ -130,7 +130,7 @@ WIDE static void values(const vs_tape_step *step, double *restrict r, const doub
   }
 }
 
-/* The derivatives of step's value r by its operands a and b, into p and q. */
+/* Computes the derivatives of step's value r by its operands a and b, into p and q. */
 static void partials(const vs_tape_step *step, const double *r, const double *a, const double *b, double *p,
                      double *q) {
 #define BOTH(by_a, by_b)                                                                                               \
@@ -175,7 +175,7 @@ static void partials(const vs_tape_step *step, const double *r, const double *a,
   }
 }
 
-/* The slopes of step from those of its operands. */
+/* Computes the slopes of step from those of its operands. */
 static void slopes(int count, const vs_tape_step *step, double *r, const double *a, const double *b, const double *c) {
   double p[BATCH], q[BATCH];
   int operands = vs_tape_operands((vs_tape_operator)step->op);
@@ -191,14 +191,14 @@ static void slopes(int count, const vs_tape_step *step, double *r, const double 
     if (step->op == VS_TAPE_CHOOSE)
       for (int i = 0; i < BATCH; i++) to[i] = a[i] != 0 ? db[i] : dc[i];
     else if (operands == 1)
-      for (int i = 0; i < BATCH; i++) to[i] = da[i] == 0 ? 0 : p[i] * da[i]; /* not 0 * inf at an end of a root */
+      for (int i = 0; i < BATCH; i++) to[i] = da[i] == 0 ? 0 : p[i] * da[i]; /* avoids 0 * inf at an end of a root */
     else
       for (int i = 0; i < BATCH; i++) to[i] = (da[i] == 0 ? 0 : p[i] * da[i]) + (db[i] == 0 ? 0 : q[i] * db[i]);
   }
 }
 
-/* A field's values for n points at the coordinates of[0] to of[2], and its slopes from theirs; what lies behind the n
- * is as the first. */
+/* Computes a field's values for n points at the coordinates of[0] to of[2], and its slopes from theirs; the entries
+ * after the n get the first point's. */
 static void field(const vs_tape_field *f, int count, size_t n, double *r, const double *const of[3]) {
   const double *a = of[0], *b = of[1], *c = of[2];
   for (size_t i = 0; i < BATCH; i++) {
@@ -210,11 +210,12 @@ static void field(const vs_tape_field *f, int count, size_t n, double *r, const 
   }
 }
 
-/* The batch of n points from number `from` on. n is at most BATCH. */
+/* Evaluates the batch of n points from index `from` on. n is at most BATCH. */
 static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n, double *const *out,
                   double *const *slope) {
   const vs_tape *t = s->t;
-  bool in_place = !slope && n == BATCH; /* inputs are read, and a single output is written, where the caller has it */
+  bool in_place = !slope && n == BATCH; /* inputs are read from, and a single output is written to, the caller's
+                                         * arrays */
   VS_ASSERT(n <= BATCH);
   for (size_t k = 0; k < t->count; k++) {
     const vs_tape_step *step = &t->step[k];
@@ -265,7 +266,7 @@ static double range_value(const vs_sample_range *r, int64_t at) {
   return at < VS_SAMPLE_KNOWN ? r->known[at] : computed(r, at);
 }
 
-/* As vs_sample_points, to the end of the innermost range; returns how many points that are. */
+/* Works as vs_sample_points, to the end of the innermost range; returns the number of points. */
 static int row(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH], int k, int count) {
   vs_sample_range *last = &r[inputs - 1];
   int n = last->n - last->at < count - k ? (int)(last->n - last->at) : count - k;

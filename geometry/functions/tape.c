@@ -1,4 +1,4 @@
-/* Owns the making of tapes (tape.h). */
+/* Owns the construction of tapes (tape.h). */
 #include "geometry/functions/tape.h"
 
 #include <math.h>
@@ -88,7 +88,7 @@ double vs_tape_apply(vs_tape_operator op, double a, double b, double c) {
   return NAN;
 }
 
-/* ---- steps, each once ---- */
+/* ---- steps without repetition ---- */
 
 static uint64_t step_hash(const vs_tape_step *s) {
   uint64_t h = s->op * UINT64_C(0x9E3779B97F4A7C15), v;
@@ -142,7 +142,7 @@ uint32_t vs_tape_input(vs_tape *t, uint32_t number) {
   return step_number(t, &s);
 }
 
-/* Is step i, one of the tape, this constant? */
+/* Returns true if step i of the tape is this constant. */
 static bool is_constant(const vs_tape *t, uint32_t i, double value) {
   VS_ASSERT(i < t->count);
   return t->step[i].op == VS_TAPE_CONSTANT && t->step[i].value == value;
@@ -162,13 +162,13 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
     else
       v[i] = t->step[s.of[i]].value;
   if (constant) return vs_tape_constant(t, vs_tape_apply(op, v[0], v[1], v[2]));
-  /* Rewritings that change no digit of any result. x * 0 is left: x may be no number. */
+  /* Simplifications that change no digit of any result. x * 0 stays: x may be NaN. */
   if (op == VS_TAPE_ADD && is_constant(t, a, 0)) return b;
   if ((op == VS_TAPE_ADD || op == VS_TAPE_SUB) && is_constant(t, b, 0)) return a;
   if (op == VS_TAPE_MUL && is_constant(t, a, 1)) return b;
   if ((op == VS_TAPE_MUL || op == VS_TAPE_DIV) && is_constant(t, b, 1)) return a;
   if (op == VS_TAPE_CHOOSE && t->step[a].op == VS_TAPE_CONSTANT) return t->step[a].value != 0 ? b : c;
-  /* x * x and powers by a whole number hold tighter bounds as squares */
+  /* as squares, x * x and integer powers have tighter bounds */
   if (op == VS_TAPE_MUL && a == b) return vs_tape_add(t, VS_TAPE_SQUARE, a, 0, 0);
   if (op == VS_TAPE_POW && is_constant(t, b, 2)) return vs_tape_add(t, VS_TAPE_SQUARE, a, 0, 0);
   if (op == VS_TAPE_POW && is_constant(t, b, 1)) return a;
@@ -180,11 +180,12 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
     uint32_t square = vs_tape_add(t, VS_TAPE_SQUARE, a, 0, 0);
     return vs_tape_add(t, VS_TAPE_MUL, square, a, 0);
   }
-  if ((op == VS_TAPE_ADD || op == VS_TAPE_MUL) && a > b) s.of[0] = b, s.of[1] = a; /* a + b and b + a are one step */
+  if ((op == VS_TAPE_ADD || op == VS_TAPE_MUL) && a > b) s.of[0] = b, s.of[1] = a; /* a + b and b + a are the same
+                                                                                    * step */
   return step_number(t, &s);
 }
 
-/* The number of the field among the tape's own; UINT32_MAX: out of memory. */
+/* Returns the index of the field among the tape's own; UINT32_MAX: out of memory. */
 static uint32_t field_number(vs_tape *t, vs_tape_field *f) {
   for (size_t i = 0; i < t->field_count; i++)
     if (t->field[i] == f) return (uint32_t)i;

@@ -17,8 +17,8 @@ typedef struct {
   const size_t *seam;  /* NULL, or: the last row has the position of the first, its point i that of point seam[i] */
   bool capped;         /* the first and the last row are filled */
   const vs_vec2 *flat; /* one row in its plane, for the caps; NULL: the plane of each row is computed from its points */
-  const bool *by_number; /* NULL, or for each row: the diagonals of the cells to the next row start from the lower
-                          * column */
+  const bool *by_number; /* NULL, or for each row: the diagonals of the cells to the next row go from the lower column
+                          * to the higher */
   uint32_t *numbers;   /* NULL, or room for the vertex of each point, and of the first row's again if joined */
 } vs_quad_grid;
 

@@ -1,16 +1,15 @@
-/* Owns extrusions whose walls lean: every edge of the profile moves inwards (outwards) at one speed, and its wall is
- * the plane that it runs in.
+/* Owns extrusions with inclined walls: every edge of the profile moves inwards (outwards) at the same speed, and its
+ * wall is the plane of its motion.
  *
  * In the profile's plane edge i lies on the line sign (n_i . x - c_i) = d, n_i its unit normal into the material, d
- * growing from 0 to its end. Two neighbours meet in a corner that moves with the speed sign (n_i + n_j) / (1 + n_i .
- * n_j). Two things happen on the way (the straight skeleton of the profile): an edge between corners that approach each
- * other vanishes when they meet, and its neighbours become neighbours; a corner that runs ahead of its edges hits the
- * edge of another wall and splits it, and with it the loop (or joins a hole to the loop round it). A loop of two edges
- * is at its end: a point, or, where opposite edges fall together, a ridge. Events wait in a heap; each is looked at
- * again when its turn comes, since the edges that it is about may have changed. Each wall is one plane polygon: its
- * edge below, the tracks of the corners on both sides of it, or of its pieces where it was split, and the parts of the
- * edge that are left above.
- * Cost: corners that run ahead times edges, times a logarithm. */
+ * growing from 0 to its end. Two neighbours meet in a corner that moves with the velocity sign (n_i + n_j) / (1 + n_i .
+ * n_j). Two kinds of event occur (the straight skeleton of the profile). An edge between corners that approach each
+ * other vanishes when they meet, and its neighbours become neighbours. A reflex corner hits the edge of another wall
+ * and splits it, and with it the loop (or joins a hole to the loop around it). A loop of two edges ends: in a point,
+ * or, if opposite edges coincide, in a ridge. Events wait in a heap; each is checked again when its turn comes, because
+ * its edges may have changed. Each wall is one plane polygon: its edge below, the tracks of the corners on both sides
+ * of it (or of its pieces, if it was split), and the parts of the edge that reach the top. Cost: reflex corners times
+ * edges, times a logarithm. */
 #include "geometry/profiles/taper.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/plane/outline.h"
@@ -23,12 +22,12 @@
 
 typedef struct { uint32_t *at; size_t count, room; } taper_chain;
 
-typedef struct { /* a piece of an edge; where none was split, all of it */
-  vs_vec2 normal, way;      /* unit; the material is on the left of way, where normal points */
+typedef struct { /* a piece of an edge; all of it if it was never split */
+  vs_vec2 normal, way;      /* unit; the material is to the left of way, and normal points to it */
   double line;              /* normal . x of the edge below */
-  size_t before, after;     /* neighbours in the loop as it is now */
+  size_t before, after;     /* neighbours in the current loop */
   taper_chain left, right;  /* vertices of its corner with `before`, with `after`, from below to above */
-  vs_vec2 corner;           /* with `after`, where it was at `since`, when its speed last changed */
+  vs_vec2 corner;           /* with `after`: its position at `since`, when its speed last changed */
   double since;
   size_t next_piece;        /* of the same wall, to the left; SIZE_MAX: none */
   uint32_t stamp, corner_stamp;
@@ -37,7 +36,7 @@ typedef struct { /* a piece of an edge; where none was split, all of it */
 
 typedef struct {
   double d;
-  size_t edge, wall /* SIZE_MAX: the edge vanishes; else its corner hits this wall */;
+  size_t edge, wall /* wall SIZE_MAX: the edge vanishes; else its corner hits this wall */;
   uint32_t stamp;
 } taper_event;
 
@@ -46,13 +45,13 @@ typedef struct {
   size_t count, room, walls; /* the first `walls` of the edges began below */
   taper_event *events;
   size_t event_count, event_room;
-  double sign, end, size;   /* d goes from 0 to end, inwards for sign 1 */
+  double sign, end, size;   /* d goes from 0 to end, inwards if sign is 1 */
   vs_mesh *out;
   vs_vec2 *flat;            /* of out's vertices from `first` on: (position, d) */
   double *level;
   size_t flat_room;
   uint32_t first;
-  const vs_affine *frame;   /* (u, v, 0) to space */
+  const vs_affine *frame;   /* from (u, v, 0) to space */
   vs_vec3 rise;             /* in space, for d = end */
 } taper;
 
@@ -81,7 +80,8 @@ static bool taper_vertex(taper *t, vs_vec2 p, double d, uint32_t *index) {
 
 /* ---- corners ---- */
 
-/* Speed of the corner between edges i and j; false: they run against each other, it has none. */
+/* Computes the velocity of the corner between edges i and j; returns false if they run against each other, and there is
+ * none. */
 static bool taper_speed(const taper *t, size_t i, size_t j, vs_vec2 *speed) {
   vs_vec2 a = t->edges[i].normal, b = t->edges[j].normal;
   double k = 1 + taper_dot(a, b);
@@ -91,7 +91,7 @@ static bool taper_speed(const taper *t, size_t i, size_t j, vs_vec2 *speed) {
   return true;
 }
 
-static vs_vec2 taper_corner(const taper *t, size_t i, double d) { /* of edge i with its after */
+static vs_vec2 taper_corner(const taper *t, size_t i, double d) { /* returns the corner of edge i with its `after` */
   const taper_edge *e = &t->edges[i];
   vs_vec2 speed;
   taper_speed(t, i, e->after, &speed);
@@ -113,7 +113,7 @@ static bool taper_near(const taper *t, vs_vec2 a, vs_vec2 b) { return hypot(a.x 
 
 static bool taper_sooner(const taper_event *a, const taper_event *b) {
   if (a->d != b->d) return a->d < b->d;
-  if ((a->wall == SIZE_MAX) != (b->wall == SIZE_MAX)) return a->wall == SIZE_MAX; /* what vanishes goes first */
+  if ((a->wall == SIZE_MAX) != (b->wall == SIZE_MAX)) return a->wall == SIZE_MAX; /* edges that vanish come first */
   return a->edge != b->edge ? a->edge < b->edge : a->wall < b->wall;
 }
 
@@ -138,13 +138,13 @@ static taper_event taper_next(taper *t) {
   return first;
 }
 
-/* When edge i vanishes; INFINITY: not as things stand. There is an edge i. */
+/* Returns the d at which edge i vanishes; INFINITY: it does not, with its current neighbours. There is an edge i. */
 static double taper_vanishes(const taper *t, size_t i, double now) {
   size_t p = t->edges[i].before, q = t->edges[i].after;
   vs_vec2 left, right, way = t->edges[i].way;
   bool stuck_p = !taper_speed(t, p, i, &left), stuck_q = !taper_speed(t, i, q, &right);
   VS_ASSERT(i < t->count);
-  if (stuck_p || stuck_q) { /* a neighbour lies on it: the shorter of them goes at once */
+  if (stuck_p || stuck_q) { /* a neighbour lies on it: the shorter of them vanishes at once */
     double own = taper_length(t, i, now), other = stuck_p ? taper_length(t, p, now) : taper_length(t, q, now);
     return own <= other ? now : INFINITY;
   }
@@ -159,7 +159,7 @@ static bool taper_expect_vanishing(taper *t, size_t i, double now) {
   return taper_expect(t, (taper_event){ taper_vanishes(t, i, now), i, SIZE_MAX, ++t->edges[i].stamp });
 }
 
-/* Where the corner of edge i with its after would meet the walls that it runs towards */
+/* Adds events for the walls that the corner of edge i with its `after` may hit. */
 static bool taper_expect_hits(taper *t, size_t i, double now) {
   vs_vec2 speed, at = taper_corner(t, i, now);
   uint32_t stamp = ++t->edges[i].corner_stamp;
@@ -174,7 +174,7 @@ static bool taper_expect_hits(taper *t, size_t i, double now) {
   return true;
 }
 
-/* Edges p and q have become neighbours, with their corner at `at`. p and q are two. */
+/* Makes edges p and q, which differ, neighbours with their corner at `at`. */
 static void taper_join(taper *t, size_t p, size_t q, vs_vec2 at, double d) {
   VS_ASSERT(p != q);
   t->edges[p].after = q;
@@ -183,7 +183,7 @@ static void taper_join(taper *t, size_t p, size_t q, vs_vec2 at, double d) {
   t->edges[p].since = d;
 }
 
-/* A loop of two edges is at its end; corner `known` of p with q has the vertex v. p and q are two. */
+/* Ends a loop of two different edges; corner `known` of p with q has the vertex v. */
 static bool taper_finish(taper *t, size_t p, size_t q, double d, vs_vec2 at, uint32_t v) {
   vs_vec2 other = taper_corner(t, q, d);
   uint32_t w = v;
@@ -193,7 +193,7 @@ static bool taper_finish(taper *t, size_t p, size_t q, double d, vs_vec2 at, uin
   return ok && taper_push(&t->edges[q].right, w) && taper_push(&t->edges[p].left, w);
 }
 
-/* After an event at the corner of p with its after: the loop ends, or new events wait. */
+/* After an event at the corner of p with its `after`: ends the loop, or adds new events. */
 static bool taper_settle(taper *t, size_t p, double d, uint32_t v) {
   size_t q = t->edges[p].after;
   if (t->edges[p].gone) return true;
@@ -201,13 +201,13 @@ static bool taper_settle(taper *t, size_t p, double d, uint32_t v) {
   return taper_expect_vanishing(t, p, d) && taper_expect_vanishing(t, q, d) && taper_expect_hits(t, p, d);
 }
 
-/* Edge i is no more at d: its neighbours meet. Until then it was there. */
+/* Removes edge i, which exists, at d: its neighbours meet. */
 static bool taper_remove(taper *t, size_t i, double d) {
   taper_edge *e = &t->edges[i];
   size_t p = e->before, q = e->after;
   vs_vec2 speed, a = taper_corner(t, p, d), b = taper_corner(t, i, d);
   bool stuck_p = !taper_speed(t, p, i, &speed), stuck_q = !taper_speed(t, i, q, &speed);
-  /* where a neighbour runs against it the edge goes all at once, and the other corner is where they go on from */
+  /* if a neighbour runs against it, the edge vanishes at once, and the neighbours continue from the other corner */
   vs_vec2 at = stuck_p ? b : stuck_q ? a : (vs_vec2){ (a.x + b.x) / 2, (a.y + b.y) / 2 };
   uint32_t v, w;
   bool ok = taper_vertex(t, at, d, &v);
@@ -223,7 +223,7 @@ static bool taper_remove(taper *t, size_t i, double d) {
   return ok && taper_settle(t, p, d, v);
 }
 
-/* The piece of the wall that the place lies on; SIZE_MAX: none */
+/* Returns the piece of the wall that contains the position; SIZE_MAX: none. */
 static size_t taper_piece_at(const taper *t, size_t wall, vs_vec2 at, double d, size_t p, size_t q) {
   double slack = 1e-9 * t->size;
   for (size_t i = wall; i != SIZE_MAX; i = t->edges[i].next_piece) {
@@ -237,13 +237,13 @@ static size_t taper_piece_at(const taper *t, size_t wall, vs_vec2 at, double d, 
   return SIZE_MAX;
 }
 
-/* The corner of p with its after hits a piece of the wall: p goes on along the piece's part ahead, the part behind goes
- * on along p's after. */
+/* Splits a piece of the wall at the corner of p with its `after`: p continues along the piece's part ahead, the part
+ * behind continues along p's `after`. */
 static bool taper_split(taper *t, size_t p, size_t wall, double d) {
   size_t q = t->edges[p].after;
   vs_vec2 at = taper_corner(t, p, d);
   size_t ahead = taper_piece_at(t, wall, at, d, p, q);
-  /* each corner splits once; more is rounding's doing */
+  /* each corner splits once; more splits come from rounding */
   if (ahead == SIZE_MAX || t->count >= 3 * t->walls) return true;
   if (!VS_GROW(t->edges, t->room, t->count + 1)) return false;
   size_t behind = t->count++;
@@ -278,7 +278,7 @@ static bool taper_run(taper *t) {
     if (e.d > now) now = e.d;
     if (!(e.wall == SIZE_MAX ? taper_remove(t, e.edge, now) : taper_split(t, e.edge, e.wall, now))) return false;
   }
-  for (size_t i = 0; i < t->count; i++) { /* what is left reaches the top */
+  for (size_t i = 0; i < t->count; i++) { /* the remaining edges reach the top */
     if (t->edges[i].gone) continue;
     uint32_t v;
     if (!taper_vertex(t, taper_corner(t, i, t->end), t->end, &v) || !taper_push(&t->edges[i].right, v) ||
@@ -309,7 +309,7 @@ static bool taper_wall(taper *t, size_t wall) {
       if (!(k && index[k - 1] == p->left.at[j])) index[k++] = p->left.at[j];
   }
   while (k > 1 && index[k - 1] == index[0]) k--;
-  for (size_t i = 0; ok && i < k; i++) { /* along the edge, and up: the wall's own steepness is no matter */
+  for (size_t i = 0; ok && i < k; i++) { /* coordinates along the edge, and d: the wall's slope does not matter */
     vs_vec2 p = t->flat[index[i] - t->first];
     at[i] = (vs_vec2){ taper_dot(p, e->way), t->level[index[i] - t->first] };
   }
@@ -330,7 +330,8 @@ static void taper_free(taper *t) {
   free(t->level);
 }
 
-/* Where a corner would run ahead more than four times as fast as its edges, an edge without length cuts it off. */
+/* Returns true if the corner would move more than four times as fast as its edges: an edge of length 0 then cuts it
+ * off. */
 static bool taper_is_sharp(const taper *t, vs_vec2 a, vs_vec2 b) {
   return t->sign * taper_cross(a, b) < 0 && 1 + taper_dot(a, b) < 0.125;
 }
@@ -341,7 +342,7 @@ static void taper_add_edge(taper *t, vs_vec2 to, vs_vec2 way) {
       (taper_edge){ .way = way, .normal = normal, .line = taper_dot(normal, to), .corner = to, .next_piece = SIZE_MAX };
 }
 
-/* The edges of one loop, with their vertices below. */
+/* Adds the edges of one loop, with their vertices below. */
 static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
   size_t first = t->count;
   for (size_t i = 0; i < n; i++) {
@@ -353,7 +354,7 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
     vs_vec2 sum = { way.x + next.x, way.y + next.y };
     double s = hypot(sum.x, sum.y);
     if (s > 1e-6) sum = (vs_vec2){ sum.x / s, sum.y / s };
-    else sum = t->sign > 0 ? (vs_vec2){ way.y, -way.x } : (vs_vec2){ -way.y, way.x }; /* a slit: round its tip */
+    else sum = t->sign > 0 ? (vs_vec2){ way.y, -way.x } : (vs_vec2){ -way.y, way.x }; /* a slit: around its tip */
     taper_add_edge(t, b, sum);
   }
   size_t count = t->count - first;
@@ -362,7 +363,7 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
     taper_edge *e = &t->edges[first + i];
     e->before = first + (i + count - 1) % count;
     e->after = first + (i + 1) % count;
-    /* edges without length share the vertex of the one before them */
+    /* edges of length 0 share the vertex of the edge before them */
     vs_vec2 q = e->corner, before = t->edges[e->before].corner;
     uint32_t v = 0;
     if (i && q.x == before.x && q.y == before.y) v = t->edges[e->before].right.at[0];
@@ -377,7 +378,7 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
   return ok;
 }
 
-/* of the loops at the top: points first .. first + size */
+/* a loop at the top: points first .. first + size - 1 */
 typedef struct { size_t first, size; double area; } taper_ring;
 
 static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) {
@@ -389,7 +390,8 @@ static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) 
   return inside;
 }
 
-/* The loops that are left at the top, each outer one with the holes that it is the smallest round */
+/* Makes the caps of the loops at the top: each outer loop with the holes for which it is the smallest loop around
+ * them. */
 static bool taper_top(taper *t) {
   size_t total = 0, rings = 0;
   for (size_t i = 0; i < t->count; i++) total += !t->edges[i].gone;
@@ -398,7 +400,7 @@ static bool taper_top(taper *t) {
   size_t *sizes = vs_fresh(total + 1, sizeof *sizes), *holder = vs_fresh(total + 1, sizeof *holder), k = 0;
   taper_ring *ring = vs_fresh(total + 1, sizeof *ring);
   bool ok = at && loop && index && row && sizes && holder && ring;
-  for (size_t i = 0; ok && i < t->count; i++) { /* an edge that was walked is gone */
+  for (size_t i = 0; ok && i < t->count; i++) { /* edges already used are marked as gone */
     if (t->edges[i].gone) continue;
     taper_ring *r = &ring[rings++];
     *r = (taper_ring){ .first = k };
@@ -497,7 +499,7 @@ bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_fineness *f, vs_m
     l = end;
   }
   ok = ok && (taper_top(&t) || vs_error_memory(e, NULL));
-  if (ok && vs_v3_dot(way, o.normal) < 0) vs_mesh_turn(out, first_triangle); /* it goes down */
+  if (ok && vs_v3_dot(way, o.normal) < 0) vs_mesh_turn(out, first_triangle); /* the extrusion goes down */
   taper_free(&t);
   free(flat);
   free(below);

@@ -1,6 +1,6 @@
-/* Owns extrusions with a taper along a bent curve: the straight one of the same height, cut at the heights of the
- * curve's corners, and every height moved to where the curve is there. By Cavalieri's principle it has the volume of
- * the straight one. */
+/* Owns extrusions with a taper along a bent curve: the straight extrusion of the same height, cut at the heights of the
+ * curve's corners, with every height moved to the curve's position there. By Cavalieri's principle it has the straight
+ * one's volume. */
 #include "geometry/profiles/taper_path.h"
 
 #include <stdlib.h>
@@ -11,11 +11,11 @@
 #include "geometry/profiles/taper.h"
 #include "model/store/array.h"
 
-/* Points that cutting has put on edges: an open table by the edge's two ends. */
+/* A vertex that cutting has put on an edge, in an open-addressing table by the edge's two ends. */
 typedef struct { uint32_t a, b, at; } cut_point;
 typedef struct { cut_point *slots; size_t room, count; } cut_table;
 
-/* The slot of the edge from a to b, or a free one; the room is a power of two. */
+/* Returns the slot of the edge from a to b, or a free one; the room is a power of two. */
 static cut_point *cut_slot(const cut_table *t, uint32_t a, uint32_t b) {
   size_t i = (size_t)((((uint64_t)a << 32 | b) * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (t->room - 1);
   VS_ASSERT(t->room > 0 && (t->room & (t->room - 1)) == 0);
@@ -41,7 +41,7 @@ typedef struct {
   vs_mesh *m;
   size_t first_vertex, first; /* its first vertex and triangle */
   vs_vec3 origin, normal;
-  double near;                /* what is within this height of a cut lies on it */
+  double near;                /* vertices within this height of a cut lie on it */
   cut_table table;
 } cut_solid;
 
@@ -50,8 +50,8 @@ static double cut_height(const cut_solid *s, vs_vec3 p) { return vs_v3_dot(vs_v3
 /* A vertex and its height. */
 typedef struct { uint32_t vertex; double height; } cut_end;
 
-/* The vertex where an edge, whose ends lie on either side of the height, passes it, one for both of its triangles.
- * False: out of memory. */
+/* Sets *at to the vertex where an edge with ends on both sides of the height crosses it; both of its triangles share
+ * it. Returns false when memory is out. */
 static bool cut_edge(cut_solid *s, cut_end from, cut_end to, double height, uint32_t *at) {
   uint32_t a = from.vertex, b = to.vertex;
   cut_point *p = a < b ? cut_slot(&s->table, a, b) : cut_slot(&s->table, b, a);
@@ -66,7 +66,7 @@ static bool cut_edge(cut_solid *s, cut_end from, cut_end to, double height, uint
   return true;
 }
 
-/* Cuts the triangles at one height. False: out of memory. */
+/* Cuts the triangles at one height. Returns false when memory is out. */
 static bool cut_at(cut_solid *s, double height) {
   vs_mesh *m = s->m;
   size_t end = m->triangle_count;
@@ -81,7 +81,7 @@ static bool cut_at(cut_solid *s, double height) {
     int sum = side[0] + side[1] + side[2], product = side[0] * side[1] * side[2];
     bool passes = product != 0 ? sum != 3 && sum != -3 : sum == 0 && (side[0] || side[1] || side[2]);
     if (!passes) continue;
-    /* the corner that is alone on its side, or on the height itself where one is */
+    /* the corner that is alone on its side, or a corner exactly at the height */
     for (int k = 0; k < 3; k++)
       if (product != 0 ? side[k] != side[(k + 1) % 3] && side[k] != side[(k + 2) % 3] : side[k] == 0) up = k;
     int next = (up + 1) % 3, last = (up + 2) % 3;
@@ -99,8 +99,8 @@ static bool cut_at(cut_solid *s, double height) {
   return true;
 }
 
-/* Moves every vertex by what the curve has gone at its height. path: its corners, two or
- * more; heights: theirs, rising. */
+/* Moves every vertex by the curve's displacement at its height. path: its corners, two or more; heights: of these,
+ * ascending. */
 static void move_along(const cut_solid *s, const vs_polyline *path, const double *heights) {
   vs_mesh *m = s->m;
   VS_ASSERT(s->first_vertex <= m->vertex_count && path->count >= 2);

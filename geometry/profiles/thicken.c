@@ -1,8 +1,7 @@
-/* Owns the thickening of surfaces given as triangles: two copies apart from it, and walls along the border.
+/* Owns the thickening of surfaces given as triangles: two copies at a distance, and walls along the border.
  *
- * A vertex moves along the sum n of its facets' normals weighted by their angles there, as far as brings it onto the
- * mean of the facets' shifted planes (all of them where the surface is flat or bends once), at most four times the
- * distance. */
+ * A vertex moves along the sum n of its facets' normals weighted by their angles there, until it reaches the mean of
+ * the facets' shifted planes (all of them if the surface is flat or has one fold), at most four times the distance. */
 #include "geometry/profiles/thicken.h"
 
 #include <stdlib.h>
@@ -17,7 +16,7 @@ static int border_compare(const void *p, const void *q) {
   return x->key < y->key ? -1 : x->key > y->key;
 }
 
-/* Walls along edges that one facet has alone (or more facets one way than the other) */
+/* Adds walls along edges of one facet alone (or of more facets in one direction than in the other). */
 static bool thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uint32_t up, uint32_t down) {
   vs_border *edges = vs_fresh(3 * count, sizeof *edges);
   bool ok = edges != NULL;
@@ -39,8 +38,8 @@ static bool thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uin
   return ok;
 }
 
-/* Do the facets of the copy that begins at vertex `copy` face as the surface's own do? *at: the place of one that does
- * not. */
+/* Returns true if the facets of the copy that begins at vertex `copy` have the orientation of the surface's own. *at:
+ * the position of a facet that does not. */
 static bool thicken_keeps(const vs_mesh *m, uint32_t (*facets)[3], size_t count, const vs_mesh *out, uint32_t copy,
                           vs_vec3 *at) {
   for (size_t i = 0; i < count; i++) {
@@ -49,7 +48,8 @@ static bool thicken_keeps(const vs_mesh *m, uint32_t (*facets)[3], size_t count,
     vs_vec3 a = vs_v3_cross(vs_v3_sub(p[1], p[0]), vs_v3_sub(p[2], p[0]));
     vs_vec3 b = vs_v3_cross(vs_v3_sub(q[1], q[0]), vs_v3_sub(q[2], q[0]));
     bool keeps = vs_v3_dot(a, b) > 0;
-    for (int k = 0; k < 3; k++) /* what has passed through its own middle faces as before, but its edges do not */
+    for (int k = 0; k < 3; k++) /* a facet inverted through its centre has the same normal, but its edges are
+                                 * reversed */
       keeps = keeps && vs_v3_dot(vs_v3_sub(p[(k + 1) % 3], p[k]), vs_v3_sub(q[(k + 1) % 3], q[k])) > 0;
     if (!keeps) return *at = p[0], false;
   }

@@ -1,8 +1,8 @@
-/* Owns the reading of fonts by FreeType: loaded at the first text, one library and one face each font, all kept by the
- * store.
+/* Owns reading fonts by FreeType: it is loaded at the first text; there is one library for the store, one face for each
+ * font, and the store keeps both.
  *
- * FreeType's own memory is the store's too, so that limits hold for it and a refusal is seen: FreeType goes on without
- * a table that it found no memory for, and a text without its kerning would be another text. */
+ * FreeType allocates from the store: limits apply to it, and a refused allocation is noticed. This matters because
+ * FreeType continues without a table for which memory was out, and a text without kerning would be another text. */
 #include "geometry/text/font.h"
 
 #include <errno.h>
@@ -21,7 +21,7 @@
 #include "geometry/text/kerning.h"
 #include "model/store/nodemap.h"
 
-/* FREETYPE(member, symbol, result, parameters): what we use of it */
+/* FREETYPE(member, symbol, result, parameters): the functions that this file uses */
 #define FREETYPE_FUNCTIONS                                                                                      \
   FREETYPE(create, FT_New_Library, FT_Error, (FT_Memory, FT_Library *))                                         \
   FREETYPE(modules, FT_Add_Default_Modules, void, (FT_Library))                                                 \
@@ -52,17 +52,17 @@ typedef struct {
   vs_store *store;
   struct FT_MemoryRec_ memory;
   FT_Library library;
-  bool refused; /* FreeType was refused memory since this was last cleared */
+  bool refused; /* an allocation of FreeType was refused since the flag was last cleared */
   vs_font *first;
 } font_shelf;
 
 struct vs_font {
-  vs_store *store; /* not retained: it owns us */
+  vs_store *store; /* not retained: the store owns the shelf */
   font_shelf *shelf;
   vs_font *next;
   const char *name;
   FT_Face face;
-  void *bytes; /* where it was not read from a file by FreeType itself */
+  void *bytes; /* NULL if FreeType itself read the file */
   size_t size;
   double capital;
   vs_nodemap glyphs; /* index + 1 -> vs_glyph * */
@@ -70,7 +70,7 @@ struct vs_font {
   size_t pairs_size;
 };
 
-/* ---- FreeType's memory: blocks of the store, each behind its size ---- */
+/* ---- FreeType's memory: blocks of the store, each preceded by its size ---- */
 
 typedef union { size_t bytes; max_align_t align; } font_block;
 
@@ -103,14 +103,14 @@ static void font_free(vs_font *f) {
     vs_store_realloc(s, g, sizeof *g, 0);
   }
   vs_nodemap_free(&f->glyphs);
-  vs_store_realloc(s, f->bytes, f->size, 0); /* the face is gone with its library by now, or was never made */
+  vs_store_realloc(s, f->bytes, f->size, 0); /* the face was freed with its library, or never made */
   vs_store_realloc(s, f->pairs, f->pairs_size, 0);
   vs_store_realloc(s, f, sizeof *f, 0);
 }
 
 static void font_let_go(vs_store *s, void *kept) {
   font_shelf *shelf = kept;
-  if (shelf->library) shelf->call.done(shelf->library); /* with every face in it */
+  if (shelf->library) shelf->call.done(shelf->library); /* frees all its faces, too */
   for (vs_font *f = shelf->first, *next; f; f = next) {
     next = f->next;
     font_free(f);
@@ -162,8 +162,8 @@ bool vs_font_is_path(const char *name) {
   return false;
 }
 
-/* The height of H: "size" means the same in every font. A font without an H (symbols) gets the usual height, .7 of the
- * em. */
+/* Measures the height of H: "size" means the same in every font. A font without an H (symbols) gets the usual height,
+ * .7 of the em. */
 static bool font_measure(vs_font *f, vs_error *e) {
   uint32_t index = vs_font_index(f, 'H');
   f->capital = 0.7 * f->face->units_per_EM;
@@ -176,7 +176,7 @@ static bool font_measure(vs_font *f, vs_error *e) {
   return true;
 }
 
-/* The GPOS table of a font that has no kern table. False: out of memory. */
+/* Loads the GPOS table of a font that has no kern table. Returns false when memory is out. */
 static bool font_load_pairs(vs_font *f) {
   const freetype *ft = &f->shelf->call;
   const FT_ULong gpos = 0x47504F53; /* 'GPOS' */
@@ -195,13 +195,13 @@ static bool font_load_pairs(vs_font *f) {
   return !f->shelf->refused;
 }
 
-/* Frees a font that could not be read to its end. */
+/* Frees a font that could not be read completely. */
 static void font_drop(vs_font *f) {
   if (f->face) f->shelf->call.close(f->face);
   font_free(f);
 }
 
-/* A font by its name: that of the file at `path`, or where bytes are not NULL that of bytes, which are copied. */
+/* The source of a font: the file at `path` or, if bytes are not NULL, bytes, which are copied. */
 typedef struct { const char *name, *path; const void *bytes; size_t size; } font_source;
 
 static vs_font *font_open(font_shelf *shelf, vs_store *s, const font_source *source, vs_error *e) {
@@ -288,7 +288,7 @@ bool vs_font_add(vs_store *s, const char *name, const void *bytes, size_t size, 
   return font_find(shelf, name) || font_open(shelf, s, &(font_source){ name, NULL, bytes, size }, e);
 }
 
-/* ---- what it says ---- */
+/* ---- properties ---- */
 
 double vs_font_capital(const vs_font *f) { return f->capital; }
 
@@ -361,7 +361,7 @@ const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e) {
       problem = ft->decompose(&f->face->glyph->outline, &functions, &d);
   }
   if (problem || f->shelf->refused) {
-    if (problem == 1 || f->shelf->refused) vs_error_memory(e, NULL); /* 1 is font_step's answer */
+    if (problem == 1 || f->shelf->refused) vs_error_memory(e, NULL); /* 1 is font_step's result for out of memory */
     else
       vs_error_set(e, VS_ERROR_MODEL, NULL, "the font \"%.100s\" is damaged: glyph %lu cannot be read", f->name,
                    (unsigned long)index);

@@ -1,9 +1,8 @@
-/* Owns the finding of font files: the folders of the system and of the user, searched for a file whose name is the
- * family's.
+/* Owns the search for font files: for a file with the family's name, in the folders of the system and of the user.
  *
- * "DejaVu Sans Bold" is the file DejaVuSans-Bold.ttf: names are compared as small letters and digits alone, and a
- * family without a style may be the file of its Regular or Book style. Thus a font is found without opening any.
- * Folders are searched in one order, files by name: the same machine gives the same file. */
+ * "DejaVu Sans Bold" is the file DejaVuSans-Bold.ttf: only lower-case letters and digits of names are compared, and a
+ * family without a style may be the file of its Regular or Book style. A font is thus found without opening any.
+ * Folders are searched in a fixed order, files by name: the same machine gives the same file. */
 #define _XOPEN_SOURCE 700
 #include "geometry/text/fontfile.h"
 
@@ -20,7 +19,7 @@
 enum { NAME_ROOM = 128, PATH_ROOM = 1024, DEPTH_MAX = 5 };
 
 typedef struct { char folder[PATH_ROOM]; int depth; } font_folder;
-/* The action of a search on each font file, in an order that depends on nothing but names. True: enough. */
+/* The action of a search on each font file, in an order that depends only on names. Returns true to stop. */
 typedef bool font_file_fn(void *context, const char *path, const char *plain);
 
 static void plain_name(const char *text, size_t length, char out[NAME_ROOM]) {
@@ -35,7 +34,8 @@ static void plain_name(const char *text, size_t length, char out[NAME_ROOM]) {
 
 static int by_name(const struct dirent **a, const struct dirent **b) { return strcmp((*a)->d_name, (*b)->d_name); }
 
-/* Goes through a folder and those in it, on a stack of its own. *stop: fn said so. False: out of memory. */
+/* Searches a folder and its subfolders, with its own stack. *stop: fn ended the search. Returns false when memory is
+ * out. */
 static bool search_below(const char *root, font_file_fn *fn, void *context, bool *stop) {
   size_t count = 1, room = 16;
   font_folder *todo = vs_fresh(room, sizeof *todo);
@@ -117,7 +117,7 @@ bool vs_font_file(const char *family, char *path, size_t room, vs_error *e) {
   return w.best < 5;
 }
 
-/* ---- all of them ---- */
+/* ---- all families ---- */
 
 typedef struct { char *text; size_t room, used; } font_list;
 
@@ -138,7 +138,7 @@ static bool list_look(void *context, const char *path, const char *plain) {
     shown[n++] = *c;
   }
   shown[n] = '\0';
-  if (!strcmp(shown, "DejaVu Sans")) return false; /* stands first already */
+  if (!strcmp(shown, "DejaVu Sans")) return false; /* comes first already */
   int wrote = snprintf(l->text + l->used, l->room - l->used, "%s%s", l->used ? ", " : "", shown);
   if (wrote < 0 || (size_t)wrote >= l->room - l->used) {
     l->text[l->used] = '\0';
@@ -148,8 +148,7 @@ static bool list_look(void *context, const char *path, const char *plain) {
   return false;
 }
 
-/* The font that text has without asking stands first wherever it is installed: what a message begins with is the same
- * on every machine. */
+/* The default font comes first wherever it is installed: a message then begins with the same text on every machine. */
 void vs_font_families(char *text, size_t room) {
   static const char usual[] = "DejaVu Sans";
   char path[PATH_ROOM];

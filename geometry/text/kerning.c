@@ -1,8 +1,8 @@
-/* Owns the reading of pair positioning in GPOS: every lookup that the feature `kern` names, of type 2 or of type 9 that
- * stands for 2.
+/* Owns reading pair positioning in GPOS: every lookup of the feature `kern`, of type 2, or of type 9 that refers to
+ * type 2.
  *
- * Notation of the OpenType specification; numbers are big-endian. Every read is checked against the table's size: fonts
- * are files of users. */
+ * The notation is that of the OpenType specification; numbers are big-endian. Every read is checked against the table's
+ * size, because fonts are files of users. */
 #include "geometry/text/kerning.h"
 
 #include <stdbool.h>
@@ -15,7 +15,7 @@ static uint32_t u16(const table *t, size_t at) {
 static uint32_t u32(const table *t, size_t at) { return u16(t, at) << 16 | u16(t, at + 2); }
 static int32_t s16(const table *t, size_t at) { return (int16_t)u16(t, at); }
 
-/* The place of a glyph in a coverage table, -1: not in it. */
+/* Returns the index of a glyph in a coverage table, -1: not in it. */
 static long coverage(const table *t, size_t at, uint32_t glyph) {
   uint32_t count = u16(t, at + 2), low = 0, high = count;
   bool ranges = u16(t, at) == 2;
@@ -53,13 +53,13 @@ static size_t bits(uint32_t format) {
   return count;
 }
 
-/* XAdvance of a value record, whose parts are there as the bits of its format say: XPlacement, YPlacement, XAdvance
+/* Returns XAdvance of a value record; the bits of its format determine its members: XPlacement, YPlacement, XAdvance
  * ... */
 static int32_t advance(const table *t, size_t record, uint32_t format) {
   return format & 4 ? s16(t, record + 2 * bits(format & 3)) : 0;
 }
 
-/* False: this subtable says nothing of the pair. */
+/* Returns false if this subtable has no entry for the pair. */
 static bool pair(const table *t, size_t at, uint32_t left, uint32_t right, double *by) {
   uint32_t first = u16(t, at + 4), second = u16(t, at + 6);
   size_t record = 2 * (bits(first) + bits(second));
@@ -94,7 +94,7 @@ static double lookup(const table *t, size_t at, uint32_t left, uint32_t right) {
     size_t sub = at + u16(t, at + 6 + 2 * (size_t)i);
     uint32_t kind = type;
     double by;
-    if (type == 9) { /* an extension: the type, and a farther offset */
+    if (type == 9) { /* an extension: the type, and a 32-bit offset */
       kind = u16(t, sub + 2);
       sub += u32(t, sub + 4);
     }

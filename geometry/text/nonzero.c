@@ -1,8 +1,8 @@
-/* Owns the way from a font's contours to loops that bound ink.
+/* Owns the conversion of a font's contours to loops that bound ink.
  *
- * Nearly always no two contours cross, and then nothing has to be computed but who lies inside whom: the winding number
- * on both sides of each loop is the sum of the turns of the loops that hold it. Crossings are looked for by a sweep
- * over the segments in order of x. */
+ * Contours rarely cross; without crossings only their nesting is needed. The winding number on both sides of each
+ * loop is the sum of the directions of the loops that contain it. A sweep over the segments in order of x finds
+ * crossings. */
 #include "geometry/text/nonzero.h"
 
 #include <stdint.h>
@@ -34,7 +34,7 @@ bool vs_flat_loops_add(vs_flat_loops *l, vs_vec2 p) {
   return true;
 }
 
-/* ---- small facts of a loop ---- */
+/* ---- properties of a loop ---- */
 
 typedef struct { double min_x, min_y, max_x, max_y, area; int inside, outside; size_t holder; } loop_facts;
 
@@ -64,7 +64,7 @@ static bool holds(const vs_flat_loops *l, const vs_flat_loop *loop, vs_vec2 at) 
   return inside;
 }
 
-/* Loops of fewer than three corners, or without area, bound nothing. A last point equal to the first is the first. */
+/* Removes loops of fewer than three corners or without area, and a last point that equals the first. */
 static void drop_flat(vs_flat_loops *l) {
   size_t kept = 0;
   for (size_t i = 0; i < l->count; i++) {
@@ -77,7 +77,7 @@ static void drop_flat(vs_flat_loops *l) {
   l->count = kept;
 }
 
-/* ---- do any cross? ---- */
+/* ---- crossings ---- */
 
 typedef struct { vs_vec2 a, b; double min_x, max_x; size_t loop, place; } segment;
 
@@ -94,7 +94,7 @@ static bool meet(const segment *s, const segment *t) {
   return !((a > 0 && b > 0) || (a < 0 && b < 0) || (c > 0 && d > 0) || (c < 0 && d < 0));
 }
 
-/* Touching counts: then the plane has to be cut there. False: out of memory. */
+/* Sets *found if loops cross or touch: then the plane must be cut there. Returns false when memory is out. */
 static bool any_cross(const vs_flat_loops *l, bool *found) {
   size_t count = 0, active = 0;
   for (size_t i = 0; i < l->count; i++) count += l->loops[i].count;
@@ -129,9 +129,9 @@ static bool any_cross(const vs_flat_loops *l, bool *found) {
   return ok;
 }
 
-/* ---- who holds whom ---- */
+/* ---- nesting ---- */
 
-/* Turns a loop, whose points are among those of l, to run the other way. */
+/* Reverses a loop, whose points are among those of l. */
 static void turn(vs_flat_loops *l, const vs_flat_loop *loop) {
   vs_vec2 *p = l->at + loop->first;
   VS_ASSERT(loop->first + loop->count <= l->point_count);
@@ -142,7 +142,7 @@ static void turn(vs_flat_loops *l, const vs_flat_loop *loop) {
   }
 }
 
-/* No two loops cross. */
+/* Orders the loops, none of which cross. */
 static bool nest(vs_flat_loops *l) {
   size_t n = l->count, done = 0;
   loop_facts *f = vs_fresh(n + 1, sizeof *f);
@@ -157,7 +157,7 @@ static bool nest(vs_flat_loops *l) {
         f[i].outside += f[j].area > 0 ? 1 : -1;
     f[i].inside = f[i].outside + (f[i].area > 0 ? 1 : -1);
   }
-  for (size_t i = 0; ok && i < n; i++) { /* a hole's outer loop is the smallest that holds it */
+  for (size_t i = 0; ok && i < n; i++) { /* a hole's outer loop is the smallest that contains it */
     if (!f[i].outside || f[i].inside) continue;
     vs_vec2 at = l->at[l->loops[i].first];
     for (size_t j = 0; j < n; j++)
@@ -178,7 +178,7 @@ static bool nest(vs_flat_loops *l) {
       sorted[done++].hole = true;
     }
   }
-  if (ok) { /* what has ink on both sides, or on neither, bounds nothing and is gone */
+  if (ok) { /* loops with ink on both sides, or on neither, are removed */
     memcpy(l->loops, sorted, done * sizeof *sorted);
     l->count = done;
   }
@@ -187,7 +187,7 @@ static bool nest(vs_flat_loops *l) {
   return ok;
 }
 
-/* ---- crossing ones ---- */
+/* ---- crossing loops ---- */
 
 static bool resolve(vs_flat_loops *l, vs_error *e) {
   vs_area out = { 0 };

@@ -1,5 +1,5 @@
-/* Owns, for geometry/ alone, loops in a plane that may cross themselves and each other, and what they bound by the rule
- * of fonts: ink is where the winding number is not 0. */
+/* Owns, for geometry/ alone, loops in a plane that may cross themselves and each other, and the area that they bound by
+ * the rule of fonts: ink is where the winding number is not 0. */
 #ifndef VS_GEOMETRY_TEXT_NONZERO_H
 #define VS_GEOMETRY_TEXT_NONZERO_H
 
@@ -13,15 +13,15 @@ typedef struct {
   size_t point_count, point_room;
   vs_flat_loop *loops;
   size_t count, room;
-} vs_flat_loops; /* zeroed is empty */
+} vs_flat_loops; /* zeroed: empty */
 
-/* a loop, in which add puts points; false: out of memory, as add */
+/* begins a loop, to which add appends points; false: out of memory, as for add */
 bool vs_flat_loops_begin(vs_flat_loops *l);
-bool vs_flat_loops_add(vs_flat_loops *l, vs_vec2 p);      /* a point equal to the last is left out */
+bool vs_flat_loops_add(vs_flat_loops *l, vs_vec2 p);      /* omits a point equal to the last */
 void vs_flat_loops_free(vs_flat_loops *l);
 
-/* Replaces the loops by those that bound the ink: none crosses another; outer ones counter-clockwise, each followed by
- * its holes, clockwise. */
+/* Replaces the loops by those that bound the ink: none crosses another; outer ones are counter-clockwise, each followed
+ * by its holes, clockwise. */
 bool vs_nonzero(vs_flat_loops *l, vs_error *e);
 
 #endif

@@ -1,12 +1,12 @@
-/* Owns the setting of text and the way from glyphs to loops.
+/* Owns typesetting, and the conversion of glyphs to loops.
  *
  * Every contour is sampled in its glyph's own coordinates, so that equal letters are equal. The ink of a letter is the
- * area that its contours wind round: where no two contours cross, a loop bounds ink if the winding number is 0 on one
- * of its sides alone, and that is all; where they do (letters made of overlapping strokes, letters set too close), the
- * loops are resolved in the plane first (nonzero.h).
+ * area around which its contours wind. If no two contours cross, a loop bounds ink if the winding number is 0 on
+ * exactly one of its sides. If they cross (letters of overlapping strokes, letters set too close), the loops are first
+ * resolved in the plane (nonzero.h).
  *
- * Chords: a quadratic with the second difference d = |p - 2b + q| leaves its chord by d/4, in n equal pieces by d/(4
- * n^2); a cubic by at most 3/4 of the larger of its two second differences over n^2. */
+ * Chords: a quadratic with the second difference d = |p - 2b + q| is at most d/4 from its chord, in n equal pieces d/(4
+ * n^2); a cubic at most 3/4 of the larger of its two second differences over n^2. */
 #include "geometry/text/typeset.h"
 
 #include <stdlib.h>
@@ -16,7 +16,7 @@
 #include "geometry/text/nonzero.h"
 #include "model/store/array.h"
 
-/* ---- setting ---- */
+/* ---- typesetting ---- */
 
 void vs_text_plan_free(vs_text_plan *p) {
   free(p->at);
@@ -29,8 +29,8 @@ static bool text_push(vs_text_plan *p, const vs_glyph *g, double x, double y) {
   return true;
 }
 
-/* True of characters that fonts have no picture of and readers do not miss: controls, joiners, marks of direction,
- * variation selectors. */
+/* Returns true for characters that have no glyph in fonts and that readers do not miss: controls, joiners, direction
+ * marks, variation selectors. */
 static bool text_is_silent(uint32_t c) {
   return c < 32 || c == 127 || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || c == 0x2060 ||
          c == 0xFEFF || (c >= 0xFE00 && c <= 0xFE0F);
@@ -55,7 +55,7 @@ static bool text_letter(text_pen *pen, uint32_t c, vs_error *e) {
 
 static double text_share(const char *align) { return !strcmp(align, "center") ? 0.5 : !strcmp(align, "right") ? 1 : 0; }
 
-/* How far down from p the first base line lies, in font units. */
+/* Returns the distance of the first base line below p, in font units. */
 static double text_drop(const vs_font *f, const char *valign, double lines) {
   double below = (lines - 1) * vs_font_line(f); /* the last base line */
   if (!strcmp(valign, "top")) return vs_font_capital(f);
@@ -75,7 +75,7 @@ bool vs_text_lay(vs_store *s, const struct vs_letters *t, vs_text_plan *out, vs_
   if (bytes < 0) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the text is not UTF-8");
   text_pen pen = { .font = font, .plan = out, .spacing = t->spacing };
   double lines = 1, widest = 0, share = text_share(t->align);
-  size_t line = 0; /* the first letter of the line under way */
+  size_t line = 0; /* the first letter of the current line */
   bool ok = true;
   for (utf8proc_ssize_t i = 0; ok && i <= bytes;) {
     utf8proc_int32_t c = '\n';
@@ -110,7 +110,7 @@ bool vs_text_lay(vs_store *s, const struct vs_letters *t, vs_text_plan *out, vs_
 
 /* ---- sampling ---- */
 
-static double text_turn(vs_font_point a, vs_font_point b, vs_font_point c) { /* the angle between a-b and b-c */
+static double text_turn(vs_font_point a, vs_font_point b, vs_font_point c) { /* returns the angle between a-b and b-c */
   double x = b.x - a.x, y = b.y - a.y, u = c.x - b.x, v = c.y - b.y;
   return fabs(atan2(x * v - y * u, x * u + y * v));
 }
@@ -145,7 +145,8 @@ static vs_font_point text_at(vs_font_point p, const vs_glyph_step *s, double t) 
                           w[0] * p.y + w[1] * s->a.y + w[2] * s->b.y + w[3] * s->to.y };
 }
 
-/* The contours of one glyph as loops of `all`, in model units from the text's point on. tolerance in font units. */
+/* Adds the contours of one glyph as loops of `all`, in model units relative to the text's point. tolerance in font
+ * units. */
 static bool text_glyph_loops(const vs_text_glyph *at, double scale, double tolerance, int segments,
                              vs_flat_loops *all) {
   const vs_glyph *g = at->glyph;
@@ -210,8 +211,8 @@ static vs_vec3 text_lift(const vs_text_glyph *g, double scale, vs_vec3 p, const 
   return vs_affine_point(placed, vs_v3(p.x + g->x + at.x * scale, p.y + g->y + at.y * scale, p.z));
 }
 
-/* Where a coordinate of the curve turns back: the roots of its derivative. c: the control points' coordinates, 3 or 4
- * of them. */
+/* Finds the parameters where a coordinate of the curve is extreme: the roots of its derivative. c: the control points'
+ * coordinates, 3 or 4 of them. */
 static int text_turns(const double *c, bool cubic, double t[2]) {
   double a = cubic ? c[3] - 3 * c[2] + 3 * c[1] - c[0] : 0,
          b = cubic ? 2 * (c[2] - 2 * c[1] + c[0]) : c[2] - 2 * c[1] + c[0], d = c[1] - c[0];
