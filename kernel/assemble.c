@@ -1,11 +1,11 @@
-/* Owns the copying of meshes into results. See assemble.h. */
+/* Owns the copying of meshes into results. */
 #include "kernel/assemble.h"
 
 #include <string.h>
 
 #include "kernel/threads.h"
 
-enum { SERIAL = 10000 /* triangles that are not worth a thread */, CHUNK = 16 /* placements of a task */ };
+enum { SERIAL = 10000 /* so few triangles are not worth a thread */, CHUNK = 16 /* placements of a task */ };
 
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles) {
   size_t limit = k->options ? k->options->max_triangles : 0, more_vertices = out->vertex_count + vertices,
@@ -13,7 +13,8 @@ bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangl
   if (limit && more > limit)
     return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (more_vertices > UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has too many corners");
-  if ((more_vertices > out->vertex_room || more > out->triangle_room) && /* in large steps: there may be thousands */
+  if ((more_vertices > out->vertex_room || more > out->triangle_room) && /* grows in large steps: there may be thousands
+                                                                          * of placements */
       !vs_mesh_reserve(out, more_vertices + more_vertices / 2, more + more / 2) &&
       !vs_mesh_reserve(out, more_vertices, more))
     return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
@@ -27,10 +28,11 @@ typedef struct {
   size_t count;
   const vs_kernel_leaf *leaves;
   vs_mesh *results;
-  struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* of each thread: an original's tag -> the copy's */
+  struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* tags of each thread: from an original's tag to the
+                                                           * copy's */
 } placing;
 
-/* The tags of a copy by those of its original; each of the VS_THREADS_MOST threads has a table. */
+/* Finds the tags of a copy by those of its original; each of the VS_THREADS_MOST threads has a table. */
 static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
   VS_ASSERT(k->worker < VS_THREADS_MOST);
   for (uint32_t i = 0; i < p->leaf_count; i++) {
@@ -41,7 +43,7 @@ static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
   return true;
 }
 
-/* Copies a range of vertices and triangles; both it and its new place lie in their meshes. */
+/* Copies a range of vertices and triangles; the source and the target range lie in their meshes. */
 static bool place_one(vs_kernel *k, placing *all, const vs_placement *p) {
   vs_mesh *to = &all->results[p->into];
   const vs_mesh *m = p->mesh ? p->mesh : to;

@@ -1,29 +1,30 @@
-/* Owns the cutting down of leaves that are far larger than the place where they matter, such as a
- * ground of a kilometre by which a ball of a centimetre is cut off.
+/* Owns the cutting of leaves that are far larger than the place where they matter, such as a ground of a kilometre that
+ * cuts a ball of a centimetre.
  *
- * All coordinates of a cluster share one grid, so what is far larger than the rest would make it coarse. Where a leaf
- * matters follows from the expression: an operand of an intersection within the bounds of the others, what is taken off
- * within the bounds of what it is taken off from, and so on down. There, and as far again around it, the leaf is kept;
- * outside, the result is the same whatever the leaf is. Each of the six planes cuts the triangles that cross it and
- * leaves out those beyond it. The remaining mesh has a border in the plane; a cone over the border, to any place in the
- * plane, closes it again: between two chains of one border in one plane there is no difference, so winding numbers are
- * right also where the cone overlaps itself. */
+ * All coordinates of a cluster share one grid, so a leaf that is far larger than the rest would make the grid coarse.
+ * The expression determines the place where a leaf matters. An operand of an intersection matters within the bounds of
+ * the others. A subtracted operand matters within the bounds of the first. The same holds further down. The kernel
+ * keeps the leaf in that place and in a margin as wide around it. Outside, the result does not depend on the leaf. Each
+ * of the six planes cuts the triangles that cross it and removes those beyond it. The remaining mesh has a border in
+ * the plane. A cone over the border, with its tip anywhere in the plane, closes the mesh again: two chains with one
+ * border in one plane enclose no volume, so winding numbers are right even if the cone overlaps itself. */
 #include "kernel/clip.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* A leaf so much larger than where it matters is cut: less costs the grid no more than 6 of its 32 bits. */
+/* A leaf that is so much larger than the place where it matters is cut: a smaller one costs the grid at most 6 of its
+ * 32 bits. */
 static const double FAR = 64;
 
-/* number: of its middle, or 1 where it runs from low to high, else -1 */
+/* number: of the vertex on the edge; or 1 if the edge runs from low to high, -1 if not */
 typedef struct { uint32_t low, high; int32_t number; } edge;
 typedef struct {
   vs_kernel *k;
   VS_LIST(vs_vec3) vertices;
   VS_LIST(uint32_t) corners, kept;
-  VS_LIST(double) beyond;     /* of each vertex: how far it is beyond the plane */
+  VS_LIST(double) beyond;     /* beyond[v]: distance of vertex v beyond the plane */
   VS_LIST(edge) edges;
 } clipper;
 
@@ -39,8 +40,8 @@ static bool keep(clipper *c, uint32_t a, uint32_t b, uint32_t d) {
   return VS_PUSH(c->k, c->kept, a) && VS_PUSH(c->k, c->kept, b) && VS_PUSH(c->k, c->kept, d);
 }
 
-/* A vertex on each edge that crosses the plane. The edge's ends are taken in one order, so that both its triangles find
- * one place. */
+/* Makes a vertex on each edge that crosses the plane. The ends of an edge are used in a fixed order, so both its
+ * triangles get the same point. Returns false when memory is out or the caller interrupts. */
 static bool cut_edges(clipper *c) {
   c->edges.count = 0;
   for (size_t t = 0; t < c->corners.count; t += 3)
@@ -67,7 +68,7 @@ static bool cut_edges(clipper *c) {
   return true;
 }
 
-/* The number of the vertex on the edge from a to b, which are two. */
+/* Returns the number of the vertex on the edge from a to b, which differ. */
 static uint32_t middle_of(const clipper *c, uint32_t a, uint32_t b) {
   edge wanted = edge_of(a, b);
   const edge *found = bsearch(&wanted, c->edges.at, c->edges.count, sizeof *c->edges.at, edge_order);
@@ -92,7 +93,7 @@ static bool cut_triangles(clipper *c) {
   return true;
 }
 
-/* The cone over what has become border. */
+/* Adds the cone over the new border. */
 static bool close_border(clipper *c) {
   size_t triangles = c->kept.count, n = 0;
   c->edges.count = 0;
@@ -102,7 +103,7 @@ static bool close_border(clipper *c) {
       if (!(c->beyond.at[a] < 0) && !(c->beyond.at[b] < 0) && !VS_PUSH(c->k, c->edges, edge_of(a, b))) return false;
     }
   if (c->edges.count) qsort(c->edges.at, c->edges.count, sizeof *c->edges.at, edge_order);
-  for (size_t i = 0, end; i < c->edges.count; i = end) { /* those walked more often one way than the other */
+  for (size_t i = 0, end; i < c->edges.count; i = end) { /* edges with more uses in one direction than in the other */
     edge e = c->edges.at[i];
     for (e.number = 0, end = i; end < c->edges.count && edge_order(&c->edges.at[end], &e) == 0; end++)
       e.number += c->edges.at[end].number;
@@ -118,13 +119,14 @@ static bool close_border(clipper *c) {
   if (!VS_PUSH(c->k, c->vertices, sum) || !VS_PUSH(c->k, c->beyond, 0.0)) return false;
   for (size_t i = 0; i < n; i++)
     for (edge e = c->edges.at[i]; e.number != 0; e.number += e.number > 0 ? -1 : 1) {
-      uint32_t from = e.number > 0 ? e.high : e.low, to = e.number > 0 ? e.low : e.high; /* against the border's way */
+      uint32_t from = e.number > 0 ? e.high : e.low, to = e.number > 0 ? e.low : e.high; /* against the direction of the
+                                                                                          * border */
       if (!keep(c, from, to, apex)) return false;
     }
   return true;
 }
 
-/* The part of the leaf within `box`, in the leaf's own coordinates. */
+/* Computes the part of the leaf within `box`, in the leaf's coordinates. */
 static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const vs_bounds *box, vs_clip *out) {
   const vs_mesh *m = leaf->mesh;
   double low[3] = { box->min.x, box->min.y, box->min.z }, high[3] = { box->max.x, box->max.y, box->max.z };
@@ -154,7 +156,7 @@ static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const
     c->corners.at = c->kept.at, c->corners.count = c->kept.count, c->corners.room = c->kept.room;
     c->kept.at = swap, c->kept.room = room, c->kept.count = 0;
   }
-  uint32_t *number = NULL, count = 0; /* vertices that nothing names go: they would count for the leaf's extent */
+  uint32_t *number = NULL, count = 0; /* drops unused vertices: they would count for the leaf's extent */
   size_t room = 0;
   bool ok = VS_ROOM(k, number, room, c->vertices.count + 1);
   if (ok) memset(number, 0xff, c->vertices.count * sizeof *number);
@@ -171,7 +173,7 @@ static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const
   return ok;
 }
 
-/* Where each leaf matters: empty where nowhere. bounds: of the leaves. */
+/* Computes the region in which each leaf matters: empty if it matters nowhere. bounds: of the leaves. */
 static bool find_regions(vs_kernel *k, const vs_kernel_problem *p, const vs_bounds *bounds, vs_bounds *regions) {
   VS_LIST(vs_bounds) terms = { 0 }, matters = { 0 };
   bool ok = VS_ROOM(k, terms.at, terms.room, (size_t)p->term_count + 1) &&
@@ -210,7 +212,7 @@ static bool find_regions(vs_kernel *k, const vs_kernel_problem *p, const vs_boun
   return ok;
 }
 
-/* Is the leaf so large that it is worth it? *box: what is kept of it. */
+/* Returns true if the leaf is large enough to be cut; *box is then the part to keep. */
 static bool is_far_larger(const vs_bounds *leaf, const vs_bounds *region, vs_bounds *box) {
   if (vs_bounds_is_empty(leaf) || vs_bounds_is_empty(region)) return false;
   vs_bounds here = *region;
@@ -235,11 +237,11 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds,
   for (uint32_t i = 0; ok && i < p->leaf_count; i++) {
     vs_bounds box;
     if (!is_far_larger(&bounds[i], &regions.at[i], &box)) continue;
-    if (!out->leaves.count) { /* the first: the others are what they were */
+    if (!out->leaves.count) { /* at the first cut leaf: copies all leaves */
       ok = VS_ROOM(k, out->leaves.at, out->leaves.room, (size_t)p->leaf_count + 1) &&
            VS_ROOM(k, out->identities.at, out->identities.room, (size_t)p->leaf_count + 1) &&
-           VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* leaves point into these: they must
-                                                                                   * not move */
+           VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* no reallocation: leaves point into
+                                                                                   * these */
       if (!ok) break;
       memcpy(out->leaves.at, p->leaves, p->leaf_count * sizeof *p->leaves);
       for (uint32_t j = 0; j < p->leaf_count; j++) out->identities.at[j] = p->identities ? p->identities[j] : 0;
@@ -251,7 +253,7 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds,
     *clip = (vs_clip){ .mesh = { .vertex_count = 0 } };
     ok = cut_leaf(k, &c, &p->leaves[i], &box, clip);
     out->leaves.at[i].mesh = &clip->mesh;
-    out->identities.at[i] = 0; /* nobody else's */
+    out->identities.at[i] = 0; /* the cut mesh has no identity */
     bounds[i] = vs_mesh_placed_bounds(&clip->mesh, &p->leaves[i].placement);
   }
   VS_DROP(k, regions);

@@ -1,10 +1,9 @@
-/* Owns what the world cache knows of clusters.
+/* Owns the clusters in the world cache.
  *
- * The bytes of a file must be those that a fresh process writes. Therefore the key has the placements as they are, not
- * as they lie to each other: the grid of a cluster depends on where it lies. Meshes stand in it by the serial number of
- * their own result, tags and paints by the order in which the leaves bring them up: what other numbers they have
- * outside of the cluster is no matter, only which are equal. The result: how many vertices, triangles and tags; the
- * vertices; the corners; the tag of each triangle where there are several. */
+ * The bytes of a file must equal those of a fresh process. Therefore the key has the absolute placements, not the
+ * relative ones: the grid of a cluster depends on its position. The key has the serial number of each mesh's result.
+ * Tags and paints are numbered in the order in which the leaves use them: only their equality matters. The result: the
+ * counts of vertices, triangles and tags; the vertices; the corners; the tag of each triangle if there are several. */
 #include "kernel/cluster_cache.h"
 
 #include <string.h>
@@ -13,7 +12,7 @@
 
 typedef struct { uint64_t vertices, triangles; } header;
 
-/* The place of a number, which is `next` where it has none yet. */
+/* Sets *place to the place of a number; a number without one gets `next`. */
 static bool place_of(vs_kernel *k, vs_places *p, uint32_t number, size_t next, uint32_t *place) {
   if (number >= p->count) {
     if (!VS_ROOM(k, p->at, p->room, (size_t)number + 1)) return false;
@@ -69,7 +68,8 @@ bool vs_remember_find(vs_kernel *k, vs_remember *r, vs_mesh *out, bool *found) {
   if (!known) return true;
   header h;
   memcpy(&h, known->data, sizeof h);
-  const unsigned char *from = (const unsigned char *)known->data + 16; /* pieces begin at sixteens (cache.c) */
+  const unsigned char *from = (const unsigned char *)known->data + 16; /* pieces begin at multiples of 16 bytes
+                                                                        * (cache.c) */
   size_t vertices = out->vertex_count, triangles = out->triangle_count, limit = k->options->max_triangles;
   bool ok = (!limit || triangles + h.triangles <= limit) ||
             vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);

@@ -1,6 +1,6 @@
-/* Owns the keys of clusters. A key is made of numbers that are equal for copies: for every leaf its part, its tag, its
- * placement seen from the first leaf (to 2^-36 of that leaf's size: what rounding makes of equal turns and moves), and
- * the terms between the leaves and the result. */
+/* Owns the keys of clusters. A key consists of numbers that are equal for copies. For every leaf these are its part,
+ * its tag and its placement relative to the first leaf, rounded to 2^-36 of that leaf's size: equal turns and moves
+ * differ by rounding errors. The terms between the leaves and the result follow. */
 #include "kernel/cluster_copies.h"
 
 #include <math.h>
@@ -34,13 +34,13 @@ static bool put_leaf(vs_kernel *k, vs_copies *c, uint32_t leaf, const vs_affine 
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 4; j++) {
       double x = a.m[i][j], unit = j < 3 ? 0x1p-36 : size * 0x1p-36;
-      if (!(fabs(x / unit) < 0x1p62)) return put(k, c, UINT64_MAX) && put(k, c, leaf); /* like no other */
+      if (!(fabs(x / unit) < 0x1p62)) return put(k, c, UINT64_MAX) && put(k, c, leaf); /* equal to no other */
       if (!put(k, c, rounded(x, unit))) return false;
     }
   return true;
 }
 
-/* Numbers the term of the problem, unless it has a number. */
+/* Gives the term of the problem a number unless it has one, and appends the number to the key. */
 static bool reach(vs_kernel *k, vs_copies *c, uint32_t term) {
   VS_ASSERT(term < c->problem->term_count);
   if (c->number.at[term] == VS_NONE) {
@@ -59,10 +59,10 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves) {
     for (uint32_t j = e->leaf_first.at[leaves.at[i]]; ok && j <= end; j++)
       ok = j < end ? reach(k, c, e->leaf_terms.at[j]) : put(k, c, UINT64_MAX);
   }
-  for (size_t i = 0; ok && i < c->terms.count; i++) { /* grows as users are reached */
+  for (size_t i = 0; ok && i < c->terms.count; i++) { /* grows while users are reached */
     uint32_t t = c->terms.at[i];
     ok = put(k, c, (uint64_t)e->need.at[t] << 32 | (uint64_t)e->kind.at[t] << 1 | (t == e->root));
-    /* how many others there are is no matter */
+    /* the number of other operands does not matter */
     if (e->kind.at[t] == VS_TERM_UNION || e->kind.at[t] == VS_TERM_LEAF) c->keys.at[c->keys.count - 1] &= UINT32_MAX;
     for (uint32_t j = e->user_first.at[t]; ok && j < e->user_first.at[t + 1]; j++)
       ok = reach(k, c, e->users.at[j] / 2) &&
@@ -74,7 +74,7 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves) {
   return ok;
 }
 
-/* Appends the key of the cluster; *hash is its hash. *comparable false: it has none, and is like no other. */
+/* Appends the key of the cluster; *hash is its hash. *comparable false: the cluster has no key and equals no other. */
 static bool put_key(vs_kernel *k, vs_copies *c, vs_group leaves, uint64_t *hash, bool *comparable) {
   size_t start = c->keys.count;
   vs_affine back;
@@ -112,12 +112,13 @@ static bool heads_grow(vs_kernel *k, vs_copies *c) {
   return true;
 }
 
-/* The map from one first leaf, placed at `from`, to another of the same part at `to`. False: there is none. */
+/* Computes the map from a first leaf placed at `from` to one of the same part at `to`. Returns false if there is
+ * none. */
 static bool map_between(const vs_affine *from, const vs_affine *to, vs_vec3 middle, vs_affine *map) {
   vs_affine back;
   if (!vs_affine_invert(from, &back)) return false;
   *map = vs_affine_multiply(to, &back);
-  for (int r = 0; r < 3; r++) /* moved only, or turned by quarters: exactly so */
+  for (int r = 0; r < 3; r++) /* translations and quarter turns become exact */
     for (int j = 0; j < 3; j++) {
       double whole = floor(map->m[r][j] + 0.5);
       if (fabs(map->m[r][j] - whole) < 1e-14) map->m[r][j] = whole;

@@ -1,20 +1,21 @@
-/* Owns flattening and incremental evaluation of the boolean expression. No recursion: terms come operands first. */
+/* Owns the flattening and the incremental evaluation of the boolean expression. Without recursion: operands come before
+ * their terms. */
 #include "kernel/expression.h"
 
-/* While building: what each term has become. */
+/* The state of the terms while the expression is built. */
 typedef struct {
-  VS_LIST(uint32_t) uses;   /* how many terms use it */
-  VS_LIST(uint32_t) pairs;  /* (operand, user * 2 + taken off), two numbers each */
-  VS_LIST(uint32_t) stack;  /* operands still to be looked into: term * 2 + taken off */
-  VS_LIST(uint8_t) live;    /* reached from the root and not absorbed */
+  VS_LIST(uint32_t) uses;   /* uses[t]: number of terms that use t */
+  VS_LIST(uint32_t) pairs;  /* pairs of numbers: operand, user * 2 + 1 if subtracted */
+  VS_LIST(uint32_t) stack;  /* operands to be examined: term * 2 + 1 if subtracted */
+  VS_LIST(uint8_t) live;    /* live[t]: reachable from the root and not absorbed */
 } building;
 
-/* Can `inner`, an operand of `outer` (taken off or not), give its own operands to it? */
+/* Returns true if `inner`, an operand of `outer` (off: a subtracted one), can give its operands to `outer`. */
 static bool absorbed(const vs_kernel_problem *p, const building *b, vs_term_kind outer, bool off, uint32_t inner) {
   vs_term_kind kind = p->terms[inner].kind;
   if (b->uses.at[inner] != 1) return false;
   if (outer == VS_TERM_UNION || (outer == VS_TERM_DIFFERENCE && off)) return kind == VS_TERM_UNION;
-  return kind == outer; /* an intersection in one, or a difference as the first of one */
+  return kind == outer; /* an intersection in an intersection, or a difference as the first operand of a difference */
 }
 
 static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_expression *e, uint32_t user) {
@@ -30,7 +31,8 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
       for (uint32_t i = s->count; i-- > 0;)
         if (!VS_PUSH(k, b->stack, p->operands[s->first + i] * 2 + (off || (s->kind == VS_TERM_DIFFERENCE && i > 0))))
           return false;
-      if (s->kind == VS_TERM_INTERSECTION && s->count == 0) e->need.at[user] = UINT32_MAX; /* never true */
+      if (s->kind == VS_TERM_INTERSECTION && s->count == 0) e->need.at[user] = UINT32_MAX; /* an empty intersection is
+                                                                                            * never true */
       continue;
     }
     b->live.at[inner] = 1;
@@ -40,8 +42,8 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
   return true;
 }
 
-/* Which leaves and terms settle the result by themselves: a union's operand where it is true, an intersection's where
- * it is false, and so on down. A leaf that is the whole result settles nothing. */
+/* Finds the leaves and terms that settle the result by themselves: an operand of a union if it is true, one of an
+ * intersection if it is false, and so on down. A leaf that is the whole result settles nothing. */
 static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p, const uint8_t *live) {
   enum { IF_TRUE = 1, IF_FALSE = 2 };
   VS_LIST(uint8_t) flag = { 0 };
@@ -101,7 +103,8 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
     for (uint32_t i = 0; i < p->leaf_count; i++) e->winding.at[i] = 0;
     for (uint32_t i = 0; i < p->leaf_count + 2; i++) e->leaf_first.at[i] = 0;
     e->root = n ? n - 1 : 0;
-    for (uint32_t i = n; i-- > 0;) { /* users before operands: whether a term is reached is known when its turn comes */
+    for (uint32_t i = n; i-- > 0;) { /* users come before operands: the loop knows if a term is reachable when it gets
+                                      * there */
       if (p->terms[i].kind == VS_TERM_LEAF) continue;
       for (uint32_t j = 0; j < p->terms[i].count; j++) b.uses.at[p->operands[p->terms[i].first + j]]++;
     }
@@ -109,7 +112,7 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
       if (b.live.at[i] && p->terms[i].kind != VS_TERM_LEAF) ok = collect(k, p, &b, e, i);
     ok = ok && find_forces(k, e, p, b.live.at);
   }
-  /* bucket the pairs by operand, the leaves' terms by leaf */
+  /* sorts the pairs into buckets by operand, and the leaves' terms by leaf */
   if (ok && VS_ROOM(k, e->users.at, e->users.room, b.pairs.count / 2 + 1)) {
     for (size_t i = 0; i < b.pairs.count; i += 2) e->user_first.at[b.pairs.at[i] + 1]++;
     for (uint32_t i = 0; i < n; i++) e->user_first.at[i + 1] += e->user_first.at[i];
@@ -126,8 +129,8 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
         e->leaf_terms.at[--e->leaf_first.at[p->terms[i].first + 1]] = i;
     for (uint32_t i = 0; i < p->leaf_count; i++) e->leaf_first.at[i] = e->leaf_first.at[i + 1];
     e->leaf_first.at[p->leaf_count] = live;
-    for (uint32_t i = n; i-- > 0;) { /* users first: `uses` becomes whether the term is taken off, as its first user has
-                                      * it */
+    for (uint32_t i = n; i-- > 0;) { /* users come first: `uses` becomes whether the term is subtracted, by its first
+                                      * user */
       uint32_t first = e->user_first.at[i];
       b.uses.at[i] = first < e->user_first.at[i + 1] ? b.uses.at[e->users.at[first] / 2] ^ (e->users.at[first] & 1) : 0;
       if (p->terms[i].kind == VS_TERM_LEAF) e->taken_off.at[p->terms[i].first] = (uint8_t)b.uses.at[i];
@@ -179,8 +182,7 @@ bool vs_expression_gated(const vs_expression *e) {
   return false;
 }
 
-/* ---- a leaf that stands in several terms: least term first, so that each is looked at once, after all of its operands
- * ---- */
+/* ---- a leaf in several terms: the least term first, so that each is evaluated once, after all of its operands ---- */
 
 static bool wait_push(vs_kernel *k, vs_expression *e, uint32_t term) {
   if (e->waits.at[term]) return true;
@@ -234,7 +236,7 @@ bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t de
     e->positive.at[t] = now;
     if (!VS_PUSH(k, e->stack, t * 2 + now)) return false;
   }
-  while (e->stack.count) { /* turns still to be told to the users; in a DAG a term may turn and turn back */
+  while (e->stack.count) { /* changes that the users have not seen yet; in a DAG a term may change and change back */
     uint32_t t = e->stack.at[--e->stack.count] / 2;
     bool up = e->stack.at[e->stack.count] & 1;
     for (uint32_t i = e->user_first.at[t]; i < e->user_first.at[t + 1]; i++) {

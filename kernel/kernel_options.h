@@ -1,4 +1,4 @@
-/* Owns what a caller of the kernel says and is told besides meshes: limits, progress, counts, errors. */
+/* Owns the inputs and outputs of the kernel besides meshes: limits, progress, counts and errors. */
 #ifndef VS_KERNEL_KERNEL_OPTIONS_H
 #define VS_KERNEL_KERNEL_OPTIONS_H
 
@@ -10,39 +10,39 @@
 #include "model/tally.h"
 
 typedef struct {
-  size_t clusters;   /* of solids that touch; of those: */
-  size_t combined;   /* worked out */
-  size_t copied;     /* as another of the same problem, elsewhere */
+  size_t clusters;   /* groups of solids that touch; of these: */
+  size_t combined;   /* evaluated */
+  size_t copied;     /* copied from an equal cluster of the same problem */
   size_t remembered; /* found in the cache */
-  size_t peak;       /* the most bytes held at a time */
-  size_t coarse;     /* leaves whose volume the grid has changed by more than a hundredth: too small for what they
-                      * touch; and of the first of them: */
+  size_t peak;       /* the most bytes allocated at a time */
+  size_t coarse;     /* number of leaves whose volume the grid has changed by more than a hundredth: they are too small
+                      * for the solids that they touch. The next three describe the first of them: */
   uint32_t coarse_leaf;
-  size_t straightened; /* bends that were left out; see `straight` */
-  double coarse_step, coarse_by; /* how wide a step is; how much it changed the volume, as a part of that */
-  double seconds[VS_STEP_COUNT]; /* of its steps */
+  size_t straightened; /* bends removed; see `straight` */
+  double coarse_step, coarse_by; /* width of a grid step; relative change of the volume */
+  double seconds[VS_STEP_COUNT]; /* of each step of the kernel */
 } vs_kernel_counts;
 
 enum { VS_ON_THE_WAY = 8 };
 #define VS_SHAPES_OVER "the shapes have more than %zu triangles, %d times the limit of %zu for the result"
 
 typedef struct {
-  /* done in 0..1; false stops the work; may be NULL. Called some hundred times a second */
+  /* done is in 0..1; the call returns false to stop the work; may be NULL. The kernel calls it some hundred times a
+   * second */
   bool (*progress)(void *context, double done);
   void *context;
-  size_t max_bytes;     /* of the kernel's own memory; 0: no limit */
-  size_t max_triangles; /* of the result; 0: no limit. On the way to it there may be VS_ON_THE_WAY times as many, of
-                         * shapes and of what they are cut into */
-  vs_cache *cache;   /* where clusters are looked up and kept (model/store/cache.h); NULL: nowhere */
-  /* of what is done all the same, by vs_solid_evaluate; may be NULL */
+  size_t max_bytes;     /* limit on the kernel's memory; 0: no limit */
+  size_t max_triangles; /* limit on the result; 0: no limit. Before that, VS_ON_THE_WAY times as many shapes and pieces
+                         * of shapes are allowed */
+  vs_cache *cache;   /* the cache of clusters (model/store/cache.h); NULL: none */
+  /* vs_solid_evaluate reports a fault in spite of which it continues; may be NULL */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
-  vs_kernel_counts *counts; /* added to, but for the peak, which only rises; NULL: nobody asks */
-  bool in_levels;       /* for tests: every cluster goes the way of crowded ones (arrange/levels.c), as far as it can */
-  bool straight;        /* cuts through a planar facet of which the grid has made several planes may lose their bends.
-                         * For callers who look for contacts afterwards (round/rounding.h) and, where there are any, ask
-                         * again without this */
-  uint32_t threads;     /* 0: as many as there are processors; the result is the same. progress is called from the
-                         * caller's alone */
+  vs_kernel_counts *counts; /* the kernel adds to them; the peak only rises; NULL: no counts */
+  bool in_levels;       /* for tests: every cluster is treated as a crowded one (arrange/levels.c), if possible */
+  bool straight;        /* the kernel may remove bends from cuts through a sheet (a planar facet that the grid has split
+                         * into several planes). Callers then look for contacts (round/rounding.h); if there are any,
+                         * they evaluate again without this */
+  uint32_t threads;     /* 0: one for each processor; the result is the same. Only the caller's thread calls progress */
 } vs_kernel_options;
 
 typedef enum {
@@ -57,7 +57,7 @@ typedef enum {
 } vs_kernel_status;
 typedef struct {
   vs_kernel_status status;
-  uint32_t leaf;        /* OPEN, INSIDE_OUT, NOT_FINITE: which one; INTERNAL: one of those concerned */
+  uint32_t leaf;        /* OPEN, INSIDE_OUT, NOT_FINITE: the leaf at fault; INTERNAL: one of the leaves concerned */
   char message[200];    /* plain English without a place */
 } vs_kernel_error;
 

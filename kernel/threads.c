@@ -1,6 +1,6 @@
-/* Owns the threads: tasks handed out one by one to as many as there are processors. The result of a task depends on its
- * number alone, so the result does not depend on who did it. The caller's thread works too, and is the only one that
- * reports progress. And the clock, which only accounts are made by. */
+/* Owns the threads: as many as there are processors take the tasks one by one. A task's result depends on its number
+ * alone, and not on the thread. The caller's thread works too, and it alone reports progress. The file also owns the
+ * clock, which only statistics use. */
 #include "kernel/threads.h"
 
 #include "kernel/memory.h"
@@ -14,24 +14,24 @@
 enum {
   MOST = VS_THREADS_MOST,
   WINDOW = VS_PIPELINE_WINDOW,
-  STACK = 1 << 20 /* bytes of a thread's: tasks do not recurse, and limits of the process count it whole */
+  STACK = 1 << 20 /* bytes of a thread's stack: tasks do not recurse, and limits of the process count all of it */
 };
 
 typedef struct {
   vs_kernel *k;
   vs_task_fn *task;
   void *context;
-  size_t count, window;   /* window: how many tasks' results may wait to be taken; 0: nobody takes them */
+  size_t count, window;   /* window: number of task results that may wait for the taker; 0: there is no taker */
   _Atomic size_t next, taken;
-  _Atomic bool *ready;    /* of a result, by its task's number modulo window */
-  pthread_mutex_t lock;   /* of the rest */
-  pthread_cond_t done, space; /* a thread or a result is done; a result was taken */
-  size_t running, failed; /* failed: the least task that did */
+  _Atomic bool *ready;    /* ready[i % window]: the result of task i is complete */
+  pthread_mutex_t lock;   /* protects the members below */
+  pthread_cond_t done, space; /* done: a thread or a result is complete; space: the taker took a result */
+  size_t running, failed; /* failed: the least task that failed */
   vs_kernel_error error;
 } crew;
 typedef struct { crew *crew; vs_kernel k; vs_kernel_error error; } worker;
 
-/* Does the i-th task of the crew. */
+/* Runs task i of the crew. */
 static bool do_task(crew *c, vs_kernel *k, size_t i) {
   VS_ASSERT(i < c->count);
   if (c->task(k, c->context, i)) {
@@ -43,7 +43,7 @@ static bool do_task(crew *c, vs_kernel *k, size_t i) {
     return true;
   }
   pthread_mutex_lock(&c->lock);
-  if (k->error->status != VS_KERNEL_FINE && i < c->failed) { /* one that was only stopped has nothing to say */
+  if (k->error->status != VS_KERNEL_FINE && i < c->failed) { /* a task that was only stopped has no error */
     c->failed = i;
     c->error = *k->error;
   }
@@ -74,7 +74,7 @@ static void stop(crew *c) {
   pthread_mutex_unlock(&c->lock);
 }
 
-/* Waits a little for something to be done. */
+/* Waits a short time until something is done. */
 static void wait_a_while(crew *c) {
   struct timespec until;
   clock_gettime(CLOCK_REALTIME, &until);
@@ -86,21 +86,21 @@ static void wait_a_while(crew *c) {
   pthread_mutex_lock(&c->lock);
 }
 
-/* Takes results in order, and works where the next one is not there yet. There is a window. */
+/* Takes the results in order, and runs tasks while the next result is not ready. The window is not 0. */
 static void take(crew *c, vs_task_fn *taker) {
   vs_kernel *k = c->k;
   VS_ASSERT(c->window > 0);
   for (size_t at = 0; at < c->count && !atomic_load(&k->stop);) {
     if (atomic_load(&c->ready[at % c->window])) {
       atomic_store(&c->ready[at % c->window], false);
-      if (!taker(k, c->context, at) || !vs_kernel_report(k, k->part)) { /* no other thread asks */
+      if (!taker(k, c->context, at) || !vs_kernel_report(k, k->part)) { /* no other thread checks for interrupts */
         stop(c);
         return;
       }
       at++;
       pthread_mutex_lock(&c->lock);
       atomic_store(&c->taken, at);
-      pthread_cond_broadcast(&c->space); /* whoever waits may not be the next */
+      pthread_cond_broadcast(&c->space); /* the thread that wakes may not be the next one */
       pthread_mutex_unlock(&c->lock);
       continue;
     }
@@ -150,7 +150,8 @@ uint32_t vs_kernel_threads(const vs_kernel_options *options) {
   return n < 1 ? 1 : n > MOST ? MOST : (uint32_t)n;
 }
 
-/* Runs at least two tasks on at least two threads; taker may be NULL. */
+/* Runs at least two tasks on at least two threads; taker may be NULL. Returns false and sets the error if a task or a
+ * thread fails, or the caller interrupts. */
 static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_task_fn *taker, void *context) {
   VS_ASSERT(k->threads >= 2 && count >= 2);
   _Atomic bool ready[WINDOW] = { false };
@@ -177,7 +178,7 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
     pthread_mutex_lock(&c.lock);
     c.running++;
     pthread_mutex_unlock(&c.lock);
-    if (vs_thread_start(&threads[started], small ? &how : NULL, begin, w) != 0) { /* with fewer, then */
+    if (vs_thread_start(&threads[started], small ? &how : NULL, begin, w) != 0) { /* goes on with fewer threads */
       pthread_mutex_lock(&c.lock);
       c.running--;
       pthread_mutex_unlock(&c.lock);
@@ -187,18 +188,18 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
   }
   if (small) pthread_attr_destroy(&how);
   uint32_t own = k->threads;
-  k->threads = 1; /* a task has no threads of its own */
+  k->threads = 1; /* a task starts no threads */
   if (taker) take(&c, taker);
   else work(&c, k);
   k->threads = own;
   pthread_mutex_lock(&c.lock);
-  while (c.running) wait_a_while(&c); /* and keep reporting */
+  while (c.running) wait_a_while(&c); /* reports progress meanwhile */
   pthread_mutex_unlock(&c.lock);
   for (uint32_t i = 0; i < started; i++) pthread_join(threads[i], NULL);
   pthread_cond_destroy(&c.space);
   pthread_cond_destroy(&c.done);
   pthread_mutex_destroy(&c.lock);
-  /* the caller's own task may not be the first that failed */
+  /* the task that failed first may have run in another thread */
   if (k->error->status != VS_KERNEL_INTERRUPTED && c.failed != SIZE_MAX) *k->error = c.error;
   return !atomic_load(&k->stop);
 }
