@@ -1,14 +1,15 @@
-/* Owns the check of a cluster's result by its volume, which costs next to nothing.
+/* Owns the check of a cluster's result by its volume. The check costs very little.
  *
- * The volume of an expression lies between bounds that follow from its leaves' volumes: a union holds at least its
- * largest operand and at most their sum, an intersection at most its smallest, a difference at most its first and at
- * least that less what of the others lies within the first one's box. A fault that lost or invented a part of the
- * result would be written as a mesh that is closed and wrong; most of them would fall out of these bounds.
+ * The volume of an expression lies between bounds that follow from its leaves' volumes. A union has at least the volume
+ * of its largest operand and at most the sum. An intersection has at most that of its smallest operand. A difference
+ * has at most that of its first operand, and at least that less the volume of the others within the first operand's
+ * box. A fault that lost or added a part of the result would give a closed but wrong mesh; most such meshes exceed
+ * these bounds.
  *
- * A star that is one on the grid, too, holds the volume of its triangles there. Where the grid has folded a star, its
- * winding numbers differ from those before only where triangles went through while their corners moved, each by less
- * than one step: a triangle sweeps at most its area and its outline, and two for its corners. Of any other leaf, which
- * may overlap itself, no more is known than that it lies in its box. */
+ * A star that is also one on the grid has the volume of its triangles there. If the grid has folded a star, its winding
+ * numbers differ from the earlier ones only in space that triangles swept while their corners moved, each by less than
+ * one step. A triangle sweeps at most its area plus its outline plus two for its corners. Any other leaf may overlap
+ * itself: the only bound is its box. */
 #include "kernel/check.h"
 
 #include <math.h>
@@ -25,7 +26,7 @@ static double box_volume(const vs_bvh_box *b) {
   return v > 0 ? v : 0;
 }
 
-/* The volume that a triangle may sweep at the most while each of its corners moves by less than one step. */
+/* Returns the greatest volume that a triangle can sweep while each of its corners moves by less than one step. */
 static double sweep_of(double x[3][3]) {
   vs_vec3 at[3];
   for (int j = 0; j < 3; j++) at[j] = vs_v3(x[j][0], x[j][1], x[j][2]);
@@ -35,7 +36,8 @@ static double sweep_of(double x[3][3]) {
 }
 
 bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kernel_counts *counts) {
-  /* of its volume; of its box: less is not known well enough to compare */
+  /* CHANGED: a part of the leaf's volume; SOLID: a part of its box: a smaller volume is not accurate enough to
+   * compare */
   static const double CHANGED = 0.01, SOLID = 1e-9;
   if (!VS_ROOM(k, check->leaves.at, check->leaves.room, (size_t)c->leaf_count + 1)) return false;
   double unit = step_volume(&c->grid);
@@ -47,7 +49,7 @@ bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kern
     double six = 0, swept = 0;
     for (size_t t = 0; t < m->triangle_count; t++) {
       const uint32_t *v = m->triangles[t];
-      double x[3][3]; /* from the first corner of all: small numbers where the leaf is small */
+      double x[3][3]; /* relative to the first corner of all: small numbers if the leaf is small */
       for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) x[j][a] = (double)at[v[j]][a] - at[0][a];
       six += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) - x[0][1] * (x[1][0] * x[2][2] - x[1][2] * x[2][0]) +
@@ -85,10 +87,10 @@ static void unite_box(vs_bvh_box *x, const vs_bvh_box *y) {
   }
 }
 
-/* of a leaf or a term, in steps; other clusters' leaves hold nothing here */
+/* of a leaf or a term, in steps; leaves of other clusters have no volume here */
 typedef struct { double least, most; vs_bvh_box box; } bounds;
 
-/* A term's, of its operands'. */
+/* Returns the bounds of a term with the operands a and b. */
 static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
   vs_bvh_box both = common_box(&a.box, &b->box);
   switch (kind) {
@@ -108,7 +110,7 @@ static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
   return a;
 }
 
-/* Where the cluster is a small part of a large expression, by the leaves alone. */
+/* Computes the bounds of the result; by the leaves alone if the cluster is a small part of a large expression. */
 static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check, double *least, double *most) {
   const vs_kernel_problem *p = c->problem;
   const vs_expression *e = c->expression;
@@ -137,8 +139,8 @@ static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check
   return true;
 }
 
-/* Twice the area along the normal, by the two shorter edges: of a needle two long ones would leave nothing but their
- * rounding. *a: where these edges meet. The triangle is one of the mesh's. */
+/* Returns twice the area along the normal, from the two shorter edges: in a needle, the product of two long edges would
+ * be mostly rounding error. *a: the corner between these edges. t is a triangle of the mesh. */
 static vs_vec3 twice_area(const vs_mesh *m, size_t t, vs_vec3 *a) {
   vs_vec3 at[3], edge[3];
   int longest = 0;
@@ -164,7 +166,8 @@ bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, c
     far = fmax(far, fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))));
     if (!vs_kernel_poll(k, 1)) return false;
   }
-  double volume = six / 6 / unit, slack = 1e-9 * sum + 0x1p-48 * far * area / unit; /* what rounding to doubles moves */
+  double volume = six / 6 / unit, slack = 1e-9 * sum + 0x1p-48 * far * area / unit; /* slack: the effect of rounding to
+                                                                                     * doubles */
   if (c->straightened) slack += 2 * area * cbrt(unit) / unit; /* no face moves by more than two steps */
   if (volume >= least - slack && volume <= most + slack) return true;
   return VS_BROKEN(k, volume < least - slack ? "the result is smaller than its parts allow"
@@ -173,7 +176,7 @@ bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, c
 
 void vs_check_free(vs_kernel *k, vs_check *check) { VS_DROP(k, check->leaves); }
 
-/* ---- what holds between steps ---- */
+/* ---- the state between steps ---- */
 
 static size_t point_count(const vs_cluster *c) { return c->points.all.count; }
 static size_t plane_count(const vs_cluster *c) { return c->planes.all.count; }

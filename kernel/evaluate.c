@@ -1,7 +1,8 @@
-/* Owns the kernel's driver: clusters of leaves that touch, each evaluated by itself; the results side by side.
+/* Owns the kernel's driver: it evaluates each cluster of leaves that touch by itself, and puts the results side by
+ * side.
  *
- * Leaves whose boxes are apart cannot meet, so each cluster has its own frame and grid. The one expression serves all:
- * in a cluster's cells the leaves of the others are outside. */
+ * Leaves with separate boxes cannot meet, so each cluster has its own frame and grid. The same expression serves all:
+ * in a cluster's cells the leaves of other clusters are outside. */
 #include "kernel/arrange/arrange_planes.h"
 #include "kernel/arrange/classify.h"
 #include "kernel/arrange/facets.h"
@@ -34,7 +35,7 @@ static bool join(void *parent, uint32_t a, uint32_t b) {
 static double least(const vs_bounds *b, int axis) { return axis == 0 ? b->min.x : axis == 1 ? b->min.y : b->min.z; }
 static double most(const vs_bounds *b, int axis) { return axis == 0 ? b->max.x : axis == 1 ? b->max.y : b->max.z; }
 
-enum { SERIAL = 10000 /* triangles, or corners, that are not worth a thread */, LEAVES = 16 /* a task's */ };
+enum { SERIAL = 10000 /* so few triangles or corners are not worth a thread */, LEAVES = 16 /* leaves of a task */ };
 
 typedef struct { const vs_kernel_problem *problem; vs_bounds *bounds; } bounding;
 
@@ -60,8 +61,8 @@ static bool bound_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bo
   return ok;
 }
 
-/* bounds: of every leaf; becomes that of the part that matters. order: leaves by cluster, those without triangles left
- * out; parent: beside it, which cluster. */
+/* bounds: of every leaf; the function reduces them to the part that matters. order: leaves by cluster, without those
+ * that have no triangles; parent: beside it, the cluster. */
 static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent,
                           uint32_t *order, uint32_t *count) {
   vs_bvh_box *boxes = NULL;
@@ -88,7 +89,7 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
     order[n++] = i;
     ok = ok && vs_kernel_poll(k, 0);
   }
-  /* boxes in steps finer than the finest grid can be coarse here, widened by two of a cluster's own steps at the
+  /* the boxes are in steps finer than the coarsest grid possible here, and wider by two of the cluster's steps at their
    * largest */
   double step = size > 0 ? size * 0x1p-28 : 1;
   for (uint32_t i = 0; ok && i < n; i++)
@@ -102,7 +103,8 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
   uint32_t *start = NULL, *sorted = NULL;
   size_t start_room = 0, sorted_room = 0;
   ok = ok && VS_ROOM(k, start, start_room, (size_t)n + 2) && VS_ROOM(k, sorted, sorted_room, (size_t)n + 1);
-  if (ok) { /* bucket by root; roots are the smallest of their sets, so clusters and leaves keep their order */
+  if (ok) { /* sorts into buckets by root; roots are the smallest of their sets, so clusters and leaves keep their
+             * order */
     for (uint32_t i = 0; i < n + 2; i++) start[i] = 0;
     for (uint32_t i = 0; i < n; i++) scratch[i] = vs_find(set, i), start[scratch[i] + 2]++;
     for (uint32_t i = 2; i < n + 2; i++) start[i] += start[i - 1];
@@ -164,15 +166,15 @@ typedef struct {
   const vs_kernel_problem *problem;
   vs_parts parts;
   vs_expression expression;
-  vs_bounds gate; /* all that a gate leaves, in the world; empty where there is none */
-  vs_bounds *bounds; /* of the leaves; NULL once nobody asks */
+  vs_bounds gate; /* in the world: the bounds outside of which a gate is false; empty if there is no gate */
+  vs_bounds *bounds; /* of the leaves; NULL once they are no longer needed */
   vs_remember remember;
   vs_placing placing;
   vs_kernel_counts counts;
-  size_t triangles; /* of the result, where it is several meshes */
+  size_t triangles; /* of all meshes of the result */
 } whole;
 
-/* The arrays that only the intersections need; the rest of the way takes as much again. */
+/* Frees the arrays that only the intersections need; the next steps need as much memory again. */
 static void forget_patches(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->patches);
   VS_DROP(k, c->patch_corners);
@@ -181,7 +183,7 @@ static void forget_patches(vs_kernel *k, vs_cluster *c) {
   vs_planes_forget(k, &c->planes);
 }
 
-/* Leaves that can be united level by level before they meet the others: see levels.c. */
+/* Returns true if the leaf can be united with others level by level before they meet the rest: see levels.c. */
 static bool can_be_layered(const vs_cluster *c, uint32_t place) {
   return c->expression->forces.at[c->leaves[place]] && c->placed.at[place].star && c->placed.at[place].part->volume > 0;
 }
@@ -195,7 +197,7 @@ static bool arrange_at_once(vs_kernel *k, vs_cluster *c) {
   return ok && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, c);
 }
 
-/* The same once more from the triangles on, level by level. */
+/* Arranges the cluster again, from the triangles on, level by level. */
 static bool arrange_in_levels(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   size_t leaves = c->problem->leaf_count;
   forget_patches(k, c);
@@ -257,14 +259,15 @@ static bool run_cluster(vs_kernel *k, whole *w, vs_group group, vs_mesh *out) {
   w->counts.straightened += c.straightened;
   VS_ASSERT(!ok || vs_holds_result(out, first));
   k->threads = threads;
-  if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the nearest thing to a place */
+  if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the nearest known place of the
+                                                                                  * fault */
   vs_check_free(k, &check);
   vs_cluster_free(k, &c);
   vs_kernel_lap(k, VS_STEP_OUTPUT);
   return ok;
 }
 
-/* The expression where every gate is true: bounds of terms, operands first. */
+/* Computes the bounds in which every gate is true, from the bounds of terms, operands first. */
 static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   VS_LIST(vs_bounds) terms = { 0 };
   const vs_kernel_problem *p = w->problem;
@@ -287,10 +290,10 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   return true;
 }
 
-/* Does a gate leave out something of the cluster? */
+/* Returns true if a gate removes a part of the cluster. */
 static bool gate_cuts(const whole *w, vs_group leaves) {
   if (!w->expression.gate_count) return false;
-  if (w->problem->within) return true; /* bounds are those within the gate already */
+  if (w->problem->within) return true; /* the bounds are already those within the gate */
   vs_bounds all = w->gate;
   for (uint32_t i = 0; i < leaves.count; i++) vs_bounds_unite(&all, &w->bounds[leaves.at[i]]);
   return memcmp(&all, &w->gate, sizeof all) != 0;
@@ -302,10 +305,10 @@ static bool no_room(vs_kernel *k) {
 
 static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) || no_room(k); }
 
-/* *alone: a leaf that touches nothing, and in which nothing touches anything, stands as it is or not at all: nothing is
- * to be computed, and nothing is put on a grid. A mesh that is no star is looked at once. */
+/* Sets *alone to true if the cluster is one leaf that touches nothing, itself included: the kernel copies it unchanged
+ * or drops it, without a grid. The kernel inspects a mesh that is no star once. */
 static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
-  enum { FLAT = 1 << 20 }; /* turned by less than that, its faces are still those that were looked at */
+  enum { FLAT = 1 << 20 }; /* if its turn is below this, the faces remain those that were inspected */
   const vs_kernel_leaf *l = &w->problem->leaves[leaves.at[0]];
   vs_part *part = &w->parts.all.at[w->parts.of_leaf.at[leaves.at[0]]];
   *alone = false;
@@ -325,7 +328,7 @@ static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
   return true;
 }
 
-/* Makes room for it in the result of that number, if it is in the result at all. */
+/* Makes room for the leaf in the result with the number `into`, if the leaf is in the result. */
 static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *out, uint32_t into) {
   const vs_kernel_leaf *l = &w->problem->leaves[*leaf];
   vs_placement p = { .mesh = l->mesh,
@@ -341,7 +344,7 @@ static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *ou
   return !inside || (vs_placing_room(k, out, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.meshes, p));
 }
 
-/* The cluster as it was made before, or made now. */
+/* Appends the cluster from the cache, or evaluates it. */
 static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group leaves, vs_mesh *out, uint32_t into) {
   bool alone;
   if (!stands_alone(k, w, leaves, &alone)) return false;
@@ -353,12 +356,12 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group lea
   if (asked && !(vs_kernel_report(k, 0) && vs_remember_find(k, &w->remember, out, &found) && vs_kernel_report(k, 0)))
     return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
-  w->counts.straightened += found && k->options->straight; /* nobody knows how many */
+  w->counts.straightened += found && k->options->straight; /* the cache does not keep their number */
   return found || (run_cluster(k, w, leaves, out) &&
                    (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }
 
-/* Where the results go: all into one mesh, or each original into its own. */
+/* The place of the results: all in one mesh, or each original in a separate one. */
 typedef struct {
   vs_mesh *one;
   vs_kernel_copies *many;
@@ -372,7 +375,7 @@ static bool add_mesh(vs_kernel *k, vs_kernel_copies *c, vs_mesh **made) {
   return want_tags(k, *made);
 }
 
-/* Of a result in several meshes each keeps to the limit by itself, and here all of them together. */
+/* Checks the limit. Each mesh of a result in several meshes keeps to the limit by itself; this checks their sum. */
 static bool count_result(vs_kernel *k, whole *w, const vs_mesh *made) {
   size_t limit = k->options ? k->options->max_triangles : 0;
   w->triangles += made->triangle_count;
@@ -395,7 +398,7 @@ static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, vs
     return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
            (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ copy.original, copy.map }, true);
   }
-  if (!copy.is_new) { /* a copy may have other tags, of the same paint */
+  if (!copy.is_new) { /* a copy may have other tags of the same paint */
     vs_placement p = { .from = to->ranges.at[copy.original],
                        .vertex = to->one->vertex_count,
                        .triangle = to->one->triangle_count,

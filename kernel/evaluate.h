@@ -1,8 +1,8 @@
 /* Owns the interface of the mesh kernel: exact booleans of closed triangle meshes. The kernel knows nothing of nodes;
  * solids/solid_meshes.h does.
  *
- * The expression is a list of terms, operands before users, the last term the root: a DAG of any width and depth.
- * Everything is evaluated in one exact arrangement per cluster of leaves that touch, not pair by pair; see
+ * The expression is a list of terms, operands before users; the last term is the root. It is a DAG of any width and
+ * depth. The kernel evaluates each cluster of leaves that touch in one exact arrangement, not pair by pair; see
  * manual/internals/kernel.md. */
 #ifndef VS_KERNEL_EVALUATE_H
 #define VS_KERNEL_EVALUATE_H
@@ -10,13 +10,14 @@
 #include "kernel/kernel_options.h"
 #include "kernel/problem.h"
 
-/* out need not be initialised; it is empty after a failure. Copies do not meet each other. */
+/* Evaluates the problem as copies of meshes. out need not be initialised; it is empty after a failure. Copies do not
+ * intersect each other. */
 bool vs_kernel_evaluate_copies(const vs_kernel_problem *problem, const vs_kernel_options *options,
                                vs_kernel_copies *out, vs_kernel_error *error);
 void vs_kernel_copies_free(vs_kernel_copies *c);
 
-/* Appends to out (tags filled; a closed chain by index, oriented, free of T-junctions). options may be NULL. On false,
- * out is as before. */
+/* Appends the result to out, with tags: a closed chain by index, oriented, without T-junctions. options may be NULL.
+ * Returns false on failure; out is then unchanged. */
 bool vs_kernel_evaluate(const vs_kernel_problem *problem, const vs_kernel_options *options, vs_mesh *out,
                         vs_kernel_error *error);
 

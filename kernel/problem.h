@@ -6,24 +6,24 @@
 #include "model/node.h"
 
 typedef struct {
-  const vs_mesh *mesh;  /* closed, counter-clockwise seen from outside; may be shared by leaves; may cross itself
-                         * (overlaps count as inside) */
+  const vs_mesh *mesh;  /* closed, counter-clockwise seen from outside; several leaves may share it; may intersect
+                         * itself (overlaps count as inside) */
   vs_affine placement;
-  uint32_t tag;         /* the result's triangles carry it; coplanar faces of equal tag, or equal paint, are merged */
-  bool bare;            /* where it is taken off something, the faces it makes have that thing's tag instead of its
-                         * own */
+  uint32_t tag;         /* tag of the result's triangles; the kernel merges coplanar faces of equal tag or equal
+                         * paint */
+  bool bare;            /* if the leaf is subtracted from a solid, the faces that it makes have the tag of that solid */
 } vs_kernel_leaf;
 
 typedef enum {
   VS_TERM_LEAF,
   VS_TERM_UNION,
   VS_TERM_INTERSECTION,
-  VS_TERM_DIFFERENCE /* the first less all others */
+  VS_TERM_DIFFERENCE /* the first operand less all others */
 } vs_term_kind;
 typedef struct {
   vs_term_kind kind;
-  uint32_t first;       /* LEAF: the leaf; else the first of its operands */
-  uint32_t count;       /* of operands (term numbers, smaller than this term's own); 0 is the empty solid */
+  uint32_t first;       /* LEAF: the leaf; else the index of its first operand */
+  uint32_t count;       /* number of operands (term numbers smaller than this term's); 0 is the empty solid */
 } vs_kernel_term;
 
 typedef struct {
@@ -31,16 +31,15 @@ typedef struct {
   const vs_kernel_term *terms;
   const uint32_t *operands;
   uint32_t leaf_count, term_count, operand_count;
-  const uint32_t *paints; /* of each tag, or NULL: each its own; where faces of several tags become one, that has one of
-                           * them */
-  const uint64_t *identities; /* of each leaf's mesh: numbers that are equal for equal meshes alone, ever; 0 where it
-                               * has none. NULL: none has */
-  const vs_bounds *within;  /* of each leaf, or NULL: where it makes a difference at all; what has no part in that is
-                             * not joined to it. Leaves are larger than they need be where they stand for something
-                             * endless */
+  const uint32_t *paints; /* paint of each tag, or NULL: every tag is a paint. A face merged from several tags has one
+                           * of them */
+  const uint64_t *identities; /* of each leaf's mesh: numbers that are equal for equal meshes only, at any time; 0: the
+                               * mesh has none. NULL: no mesh has one */
+  const vs_bounds *within;  /* of each leaf, or NULL: the bounds in which the leaf matters. The kernel joins it to other
+                             * leaves only there. A leaf for an endless solid is larger than its bounds */
 } vs_kernel_problem;
 
-/* A result in which clusters that are copies of each other stand once: mesh and placement of each, in the order of
+/* A result that contains clusters which are copies of each other once: mesh and placement of each, in the order of
  * their first leaves. */
 typedef struct { uint32_t mesh; vs_affine place; } vs_kernel_copy;
 typedef struct {

@@ -1,11 +1,11 @@
 /* Owns exact signs of determinants of doubles.
  *
- * Each sign is tried in doubles first, where the error is below 8e-16 of the sum of the products' sizes (Shewchuk,
- * Adaptive Precision Floating-Point Arithmetic, 1997). Else the determinant is worked out as an expansion: a sum of
- * doubles of which none overlaps the next in bits, least first, so that the last one has the sign. A difference of two
- * doubles is an expansion of two, a product of two expansions has twice the product of their lengths. Coordinates of
- * the size of one are asked for, so they are scaled by a power of two where they are far from it; then nothing falls
- * out of a double's range but what is 2^-300 of the rest. */
+ * Each sign is first computed in doubles, where the error is below 8e-16 of the sum of the products' sizes (Shewchuk,
+ * Adaptive Precision Floating-Point Arithmetic, 1997). If that is not certain, the determinant is computed as an
+ * expansion: a sum of doubles of which none overlaps the next in bits, least first, so that the last has the sign. A
+ * difference of two doubles is an expansion of two terms; a product of two expansions has twice the product of their
+ * lengths. The algorithm needs coordinates of about the size of one: a power of two scales others. Only parts smaller
+ * than 2^-300 of the rest then underflow. */
 #include "kernel/exact/doubles.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 
 typedef struct {
   double high, low;
-} pair; /* their sum, exactly */
+} pair; /* the exact sum of the two */
 
 static inline pair two_sum(double a, double b) {
   double sum = a + b, virtual_b = sum - a, virtual_a = sum - virtual_b;
@@ -28,7 +28,7 @@ static inline pair two_product(double a, double b) {
   return (pair){ product, low_a * low_b - (((product - high_a * high_b) - low_a * high_b) - high_a * low_b) };
 }
 
-/* to = e + f; how many terms it has. Terms that are nothing are left out, but for one of a sum that is nothing. */
+/* to = e + f; returns the number of terms. Zero terms are dropped, but a zero sum keeps one. */
 static int add(const double *e, int e_count, const double *f, int f_count, double *to) {
   int i = 0, j = 0, count = 0;
   double sum = 0;
@@ -86,7 +86,7 @@ static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis ==
 
 static int sign(double x) { return (x > 0) - (x < 0); }
 
-/* The power of two that brings the largest of the sizes near one; they are all nothing, or it is near enough: 1. */
+/* Returns the power of two that brings the largest of the sizes near one; 1 if all are zero or it is near enough. */
 static double to_one(const double *size, int count) {
   double most = 0;
   int exponent;

@@ -1,7 +1,7 @@
 /* Owns the wide half of exact.h: fixed-width two's complement integers and the predicates' exact fallbacks.
  *
- * A wide integer is an array of 64-bit limbs, least first, of a length known at each call. Products are taken modulo
- * 2^(64 length) of the sign-extended operands, which is right in two's complement as long as the true result fits:
+ * A wide integer is an array of 64-bit limbs, least first, whose length each call knows. Products are taken modulo
+ * 2^(64 length) of the sign-extended operands. In two's complement this is right as long as the true result fits:
  * exact.h has the widths. */
 #include "kernel/exact/exact.h"
 
@@ -68,7 +68,7 @@ static uint64_t gcd64(uint64_t a, uint64_t b) {
   if (!a || !b) return a | b;
   int shift = __builtin_ctzll(a | b);
   a >>= __builtin_ctzll(a);
-  while (b) { /* without a jump on which is larger */
+  while (b) { /* no branch on the comparison */
     b >>= __builtin_ctzll(b);
     uint64_t less = a < b ? a : b, more = a < b ? b : a;
     a = less;
@@ -89,8 +89,8 @@ void vs_plane_axes(vs_plane *p) {
   p->v = (uint8_t)(up ? v : u);
 }
 
-/* From a to b and to c; true where they are so small that a product of three of them fits 127 bits as (i64 x i64) x
- * i64. */
+/* Computes the differences from a to b and to c. Returns true if they are so small that a product of three of them fits
+ * 127 bits as (i64 x i64) x i64. */
 static inline bool differences(const int32_t a[3], const int32_t b[3], const int32_t c[3], int64_t p[3], int64_t q[3]) {
   uint64_t wide = 0;
   for (int i = 0; i < 3; i++) {
@@ -125,7 +125,7 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
       int u = (i + 1) % 3, v = (i + 2) % 3;
       out->n[i] = p[u] * q[v] - p[v] * q[u];
       uint64_t size = (uint64_t)(out->n[i] < 0 ? -out->n[i] : out->n[i]);
-      if (g != 1) g = gcd64(g, g ? size % g : size); /* of two large numbers it is mostly small */
+      if (g != 1) g = gcd64(g, g ? size % g : size); /* of two large numbers the divisor is mostly small */
     }
   if (g == 0) return false;
   int64_t first = out->n[0] ? out->n[0] : out->n[1] ? out->n[1] : out->n[2];
@@ -178,7 +178,7 @@ bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_
   for (int i = 0; i < 3; i++) oa += (vs_i128)p->n[i] * a[i], ob += (vs_i128)p->n[i] * b[i];
   vs_i128 w = oa - ob;
   if (w == 0) return false;
-  for (int i = 0; i < 3; i++) { /* along an axis to a plane across it: models are full of these */
+  for (int i = 0; i < 3; i++) { /* along an axis to a plane across it: common in models */
     int j = (i + 1) % 3, l = (i + 2) % 3;
     if (a[j] != b[j] || a[l] != b[l] || p->n[i] != 1 || p->n[j] || p->n[l]) continue;
     wide_from(out->x[i], VS_LIMBS, p->d);
@@ -212,7 +212,9 @@ void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out) {
   wide_from(out->w, VS_LIMBS, (vs_i128)1 << VS_FIXED_BITS);
 }
 
-static bool across(const vs_plane *p) { return !p->n[(p->k + 1) % 3] && !p->n[(p->k + 2) % 3]; } /* an axis */
+static bool across(const vs_plane *p) { return !p->n[(p->k + 1) % 3] && !p->n[(p->k + 2) % 3]; } /* returns true if the
+                                                                                                  * plane is across an
+                                                                                                  * axis */
 
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out) {
   const vs_plane *s[3] = { p, q, r };
@@ -243,8 +245,7 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
 /* x >= 0 */
 static inline double near128(vs_i128 x) { return (double)(int64_t)(x >> 64) * 0x1p64 + (double)(uint64_t)x; }
 
-/* The same where numerators fit 128 bits and the denominator 94, as they mostly do: whole steps first, then the
- * rest. */
+/* Does the same if numerators fit 128 bits and the denominator 94, as most do: whole steps first, then the rest. */
 static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   vs_i128 w = (vs_i128)((vs_u128)h->w[1] << 64 | h->w[0]);
   for (int i = 0; i < 3; i++)
@@ -257,7 +258,7 @@ static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
     if (fabs(guess) > 0x1p32) return false;
     int64_t whole = (int64_t)floor(guess), rest;
     vs_i128 r = x - w * whole;
-    for (; r < 0; whole--) r += w; /* the guesses are off by one at most */
+    for (; r < 0; whole--) r += w; /* the guesses are off by at most one */
     for (; r >= w; whole++) r -= w;
     rest = (int64_t)(near128(r) * per * (double)(1 << VS_FIXED_BITS));
     r = r * ((vs_i128)1 << VS_FIXED_BITS) - w * rest;
@@ -283,7 +284,7 @@ static inline void take_times(uint64_t r[4], const uint64_t w[4], uint64_t q) {
   wide_sub(r, product, 4);
 }
 
-/* q: a guess of floor(r / w), off by one or so; the quotient, and what remains in r. */
+/* q: a guess of floor(r / w), off by about one. Returns the quotient; r becomes the remainder. */
 static inline int64_t divide(uint64_t r[4], const uint64_t w[4], int64_t q) {
   take_times(r, w, (uint64_t)q);
   for (; wide_sign(r, 4) < 0; q--) wide_add(r, w, 4);
@@ -303,7 +304,7 @@ static inline void shift_up(uint64_t to[4], const uint64_t x[4], int bits) {
 }
 
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
-  enum { UP = 32 }; /* so many binary places: added to have no negative numbers */
+  enum { UP = 32 }; /* binary places: added to avoid negative numbers */
   bool exact = true;
   VS_ASSERT(wide_sign(h->w, VS_LIMBS) > 0);
   if (h->w[0] == 1 && !h->w[1] && !h->w[2] && !h->w[3]) { /* on the grid */
@@ -315,7 +316,7 @@ bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
   shift_up(up, h->w, UP);
   double per = 1 / near256(h->w);
   exact = true;
-  for (int i = 0; i < 3; i++) { /* whole steps first, then the rest: below 2^226 all the way */
+  for (int i = 0; i < 3; i++) { /* whole steps first, then the rest: all values are below 2^226 */
     uint64_t r[4] = { h->x[i][0], h->x[i][1], h->x[i][2], h->x[i][3] };
     wide_add(r, up, 4);
     int64_t whole = divide(r, h->w, (int64_t)(near256(r) * per)) - ((int64_t)1 << UP);

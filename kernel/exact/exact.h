@@ -1,19 +1,18 @@
-/* Owns the exact numbers: fixed-width integers, planes, points, and the predicates that decide everything else.
+/* Owns the exact numbers: fixed-width integers, planes, points, and the predicates that decide all else.
  *
- * Notation. Coordinates are counted in steps of the cluster's grid; input vertices are integers, |x| < 2^31.
+ * Notation. Coordinates are in steps of the cluster's grid; vertices of the input are integers, |x| < 2^31.
  *   plane   n.x = d, n primitive: |n| < 2^63, |d| < 2^96. (A normal of two edges of 2^32 steps could
  *           have 64 bits: snap_to_grid.c then takes a coarser grid.)
- *   point   X/W, W > 0. Of an input vertex W = 1; of edge x plane |X| < 2^130, W < 2^97; of three planes
+ *   point   X/W, W > 0. For a vertex of the input W = 1; for edge x plane |X| < 2^130, W < 2^97; for three planes
  *           |X| < 2^226, W < 2^192.
- *   fixed   floor(X/W * 2^30) per coordinate: a number of 62 bits that every point has; equal points have equal
- *           numbers, whatever they are made of. It is key and filter in one: a predicate on the fixed numbers in
- *           __int128 has a known error of a few units, so the wide integers are needed only where points lie within
- *           2^-30 steps of each other, of a line or of a plane. All of it fits in 127 bits: n.x - d has
- *           |n| |x| 3 < 2^126 and |d| 2^30 < 2^126; a turn in a plane is two products of differences below 2^62.
- * A point whose three remainders are zero is `exact`: its fixed numbers are all there is, and nothing is stored beside
- * them. Widest results: a point against a plane 292 bits; one coordinate of two points 420; the orientation of three in
- * a plane 648. Numbers that are small, as they are where triangles are small against the cluster, take the short way in
- * the wide half, too. */
+ *   fixed   floor(X/W * 2^30) for each coordinate: a number of 62 bits that every point has. Equal points have equal
+ *           numbers, however they were computed.
+ * The fixed numbers serve as key and as filter: a predicate on them in __int128 has a known error of a few units.
+ * Therefore the wide integers are needed only if points lie within 2^-30 steps of each other, of a line or of a plane.
+ * All of it fits in 127 bits: n.x - d has |n| |x| 3 < 2^126 and |d| 2^30 < 2^126; a turn in a plane is two products of
+ * differences below 2^62. A point whose three remainders are zero is `exact`: only its fixed numbers are stored. Widest
+ * results: a point against a plane 292 bits; one coordinate of two points 420; the orientation of three in a plane 648.
+ * Where triangles are small compared to the cluster, numbers are small and the wide half takes a short way, too. */
 #ifndef VS_KERNEL_EXACT_EXACT_H
 #define VS_KERNEL_EXACT_EXACT_H
 
@@ -32,8 +31,8 @@ enum { VS_FIXED_BITS = 30, VS_GRID_BITS = 31, VS_LIMBS = 4 };
 typedef struct {
   int64_t n[3];
   vs_i128 d;
-  uint8_t k, u, v; /* k: where |n| is largest; (u, v): the other two axes, in the order that keeps counter-clockwise as
-                    * seen from n */
+  uint8_t k, u, v; /* k: the axis with the largest |n|; (u, v): the other two axes, in the order that keeps
+                    * counter-clockwise as seen from n */
 } vs_plane;
 
 typedef struct {
@@ -42,8 +41,8 @@ typedef struct {
 
 typedef struct {
   int64_t fixed[3];
-  uint32_t big; /* which vs_homogeneous (with VS_POINT_MORE: of a view's `more`), or VS_POINT_EXACT */
-  uint32_t next; /* of the chains that arrange_planes.c makes in a group */
+  uint32_t big; /* index of a vs_homogeneous (with VS_POINT_MORE: in a view's `more`), or VS_POINT_EXACT */
+  uint32_t next; /* links the chains that arrange_planes.c makes in a group */
 } vs_point;
 
 /* A view of all points, for the predicates. */
@@ -54,50 +53,50 @@ typedef struct {
 
 static inline int vs_sign128(vs_i128 x) { return (x > 0) - (x < 0); }
 
-/* the plane through three integer points, from a; false where they lie on one line, or where its normal would not
- * fit */
+/* computes the plane through three integer points, from a; returns false if they lie on one line, or if its normal does
+ * not fit */
 bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3], vs_plane *out, bool *flipped);
 void vs_plane_axes(vs_plane *p);
-/* the plane through the integer points a and b along axis k; not primitive; a and b differ in another axis */
+/* computes the plane through the integer points a and b along axis k; not primitive; a and b differ in another axis */
 void vs_plane_along(const int32_t a[3], const int32_t b[3], int k, vs_plane *out);
-/* sign of det(b-a, c-a, d-a) */
+/* returns the sign of det(b-a, c-a, d-a) */
 int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int32_t d[3]);
 
-/* Where the line a b meets the plane, its sides known to differ; and where three planes meet. False: they do not in one
- * point. */
+/* Compute a point: where the line a b meets the plane, given that a and b are on different sides; where three planes
+ * meet. Both return false if that is no single point. */
 bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_homogeneous *out);
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out);
-/* fixed numbers of a point; true where they are all of it. w > 0. */
+/* computes the fixed numbers of a point; returns true if they are exact. w > 0. */
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]);
 void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out);
-void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* of an exact point */
+void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* from the fixed numbers of an exact point */
 /* The axis is 0, 1 or 2, and both w > 0. */
-int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* sign of a - b */
+int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* returns the sign of a - b */
 bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b);
-/* The side of the plane that the point, whose w > 0, lies on: 1 where the normal points. */
+/* Returns the side of the plane on which the point lies: 1 where the normal points. The point's w > 0. */
 int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h);
-/* the point of the plane p over (u, v), fixed numbers, seen along axis k; n[k] is not 0 */
+/* computes the point of the plane p over (u, v), fixed numbers, seen along axis k; n[k] is not 0 */
 void vs_plane_lift(const vs_plane *p, int k, int64_t u, int64_t v, vs_homogeneous *out);
 
 static inline bool vs_point_exact(const vs_point *p) { return p->big == VS_POINT_EXACT; }
 static inline int32_t vs_point_grid(const vs_point *p, int axis) { return (int32_t)(p->fixed[axis] >> VS_FIXED_BITS); }
 
 int vs_side_slow(vs_points_view v, const vs_plane *p, uint32_t x);
-/* Tries to tell the sign of n.x - d from the point's fixed numbers. */
+/* Computes the sign of n.x - d from the point's fixed numbers. Returns false if they do not decide it. */
 static inline bool vs_side_quick(vs_points_view v, const vs_plane *p, uint32_t x, int *sign) {
   const vs_point *q = &v.at[x];
   vs_i128 s = (vs_i128)p->n[0] * q->fixed[0] + (vs_i128)p->n[1] * q->fixed[1] + (vs_i128)p->n[2] * q->fixed[2] -
               p->d * ((vs_i128)1 << VS_FIXED_BITS);
   *sign = vs_sign128(s);
   if (vs_point_exact(q)) return true;
-  vs_i128 low = s, high = s; /* every fixed number is short by less than 1 */
+  vs_i128 low = s, high = s; /* every fixed number is too small by less than 1 */
   for (int i = 0; i < 3; i++) {
     if (p->n[i] < 0) low += p->n[i];
     else high += p->n[i];
   }
   return low > 0 || high < 0;
 }
-/* sign of n.x - d */
+/* Returns the sign of n.x - d. */
 static inline int vs_side(vs_points_view v, const vs_plane *p, uint32_t x) {
   int sign;
   return vs_side_quick(v, p, x, &sign) ? sign : vs_side_slow(v, p, x);
@@ -112,8 +111,8 @@ static inline int vs_compare(vs_points_view v, uint32_t a, uint32_t b, int axis)
 }
 
 int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v);
-enum { VS_UNSURE = 2 }; /* in place of a sign */
-/* Returns vs_orient2d where the points' fixed numbers decide it, else VS_UNSURE. */
+enum { VS_UNSURE = 2 }; /* instead of a sign */
+/* Returns vs_orient2d if the points' fixed numbers decide it, else VS_UNSURE. */
 static inline int vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {
   const vs_point *p = &v.at[a], *q = &v.at[b], *r = &v.at[c];
   int64_t ax = q->fixed[axis_u] - p->fixed[axis_u], ay = q->fixed[axis_v] - p->fixed[axis_v];
@@ -123,7 +122,7 @@ static inline int vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, ui
   vs_i128 error = (vs_i128)(ax < 0 ? -ax : ax) + (by < 0 ? -by : by) + (ay < 0 ? -ay : ay) + (bx < 0 ? -bx : bx) + 2;
   return det > error || det < -error ? vs_sign128(det) : VS_UNSURE;
 }
-/* sign of the area of a b c seen in the axes (u, v): 1 where c lies left of a->b */
+/* Returns the sign of the area of a b c seen in the axes (u, v): 1 if c lies left of a->b. */
 static inline int vs_orient2d(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {
   int sign = vs_orient2d_quick(v, a, b, c, axis_u, axis_v);
   return sign != VS_UNSURE ? sign : vs_orient2d_slow(v, a, b, c, axis_u, axis_v);

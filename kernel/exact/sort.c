@@ -1,4 +1,4 @@
-/* Owns the keyed sort: insertion in short runs, and merging of those that are not in order yet. */
+/* Owns the sort by keys: insertion in short runs, and merging of runs that are not in order. */
 #include "kernel/exact/sort.h"
 
 #include "model/assert.h"
@@ -24,7 +24,7 @@ void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count) {
       memcpy(scratch, at + low, width * sizeof *at);
       size_t i = 0, j = middle, out = low;
       while (i < width && j < high) {
-        int second = at[j].key < scratch[i].key; /* which is as good as random: chosen without a jump */
+        int second = at[j].key < scratch[i].key; /* no branch: the comparison is as good as random */
         const vs_keyed *from = second ? &at[j] : &scratch[i];
         at[out++] = *from;
         j += (size_t)second;

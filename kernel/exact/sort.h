@@ -1,4 +1,5 @@
-/* Owns the sort of items by a whole number each, where a call for each comparison would cost more than the rest. */
+/* Owns the sort of items by integer keys, for sorts in which a call for each comparison would cost more than the
+ * rest. */
 #ifndef VS_KERNEL_EXACT_SORT_H
 #define VS_KERNEL_EXACT_SORT_H
 
@@ -7,7 +8,7 @@
 
 typedef struct { int64_t key; uint32_t item; } vs_keyed;
 
-/* Stable; scratch: as long. It is another array. */
+/* Sorts stably; scratch is another array of the same length. */
 void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count);
 
 #endif
