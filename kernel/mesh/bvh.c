@@ -1,8 +1,8 @@
 /* Owns the bounding volume hierarchy: a complete tree over the Morton order of the boxes' centres, four to a node.
  *
- * Cost: a radix sort and one pass up; a pair query walks from the top for every four blocks of four, so n log n for
- * boxes that meet few others. Where all of a block, or of what is below it, is of one family, blocks of that family
- * pass it over as a whole: n triangles about one corner, whose boxes all meet there, cost n log n as well. */
+ * Cost: a radix sort and one pass upwards. A pair query walks from the top for every four blocks of four: n log n for
+ * boxes that meet few others. If all boxes of a block, or below it, are of one family, blocks of that family skip it as
+ * a whole. Therefore n triangles around one corner, whose boxes all meet there, cost n log n as well. */
 #include "kernel/mesh/bvh.h"
 
 #include <string.h>
@@ -11,7 +11,7 @@
 
 enum { BLOCK = 4, STACK = 64 };
 
-static uint64_t spread(uint64_t x) { /* 21 bits to every third */
+static uint64_t spread(uint64_t x) { /* moves 21 bits to every third position */
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffu;
   x = (x | x << 16) & 0x1f0000ff0000ffu;
@@ -24,8 +24,8 @@ enum { AXIS_BITS = 10 }; /* at most: code and item fit 64 bits */
 
 static int length(uint64_t x) { return x ? 64 - __builtin_clzll(x) : 0; }
 
-/* By how much coordinates are coarsened, the same along all axes: the rest tells `count` boxes apart, and has some more
- * bits where they crowd. */
+/* Returns the number of low bits that all coordinates lose: the others distinguish `count` boxes, with some more bits
+ * for places where boxes crowd. */
 static int code_shift(uint32_t count, const int64_t range[3], int *bits) {
   for (int shift = 0;; shift++) {
     int sum = 0;
@@ -39,7 +39,7 @@ static int code_shift(uint32_t count, const int64_t range[3], int *bits) {
   }
 }
 
-enum { CHUNK = 1 << 14, MANY = 1 << 16 /* boxes that are worth threads */ };
+enum { CHUNK = 1 << 14, MANY = 1 << 16 /* so many boxes are worth threads */ };
 
 typedef struct {
   vs_bvh *t;
@@ -150,8 +150,8 @@ static vs_bvh_box around(const vs_pack *p) {
   return b;
 }
 
-/* The one family of all that is in the block of that level; -1 where there are several, or one has none. There is such
- * a level. */
+/* Returns the family of all items in the block of that level; -1 if there are several families, or an item has none.
+ * The level exists. */
 static int32_t family_below(const vs_bvh *t, uint32_t level, uint32_t block) {
   uint32_t all = level ? t->size[level - 1] : t->count,
            held = all - block * BLOCK < BLOCK ? all - block * BLOCK : BLOCK;
@@ -180,7 +180,7 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_bvh_box *boxes, uint32_t cou
   for (uint32_t level = 1; ok && level < t->level_count; level++) {
     const vs_pack *below = t->packs + t->first[level - 1];
     vs_pack *to = t->packs + t->first[level];
-    memset(to[t->size[level] - 1].min, 0x7f, sizeof to->min); /* some may be missing in the last */
+    memset(to[t->size[level] - 1].min, 0x7f, sizeof to->min); /* the last pack may have empty lanes */
     memset(to[t->size[level] - 1].max, 0x80, sizeof to->max);
     for (uint32_t i = 0; i < t->size[level - 1]; i++) {
       vs_bvh_box b = around(&below[i]);
@@ -193,14 +193,14 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_bvh_box *boxes, uint32_t cou
   return ok;
 }
 
-/* The box in one of the four lanes. */
+/* Returns the box in one of the four lanes. */
 static vs_bvh_box box_of(const vs_pack *p, uint32_t lane) {
   VS_ASSERT(lane < BLOCK);
   return (vs_bvh_box){ { p->min[0][lane], p->min[1][lane], p->min[2][lane] },
                    { p->max[0][lane], p->max[1][lane], p->max[2][lane] } };
 }
 
-/* Takes the lowest bit out of a set that has one. */
+/* Removes the lowest bit from a set that is not empty and returns its number. */
 static uint32_t next_bit(uint32_t *set) {
   uint32_t lane = (uint32_t)__builtin_ctz(*set);
   VS_ASSERT(*set != 0);
@@ -208,12 +208,12 @@ static uint32_t next_bit(uint32_t *set) {
   return lane;
 }
 
-/* A walk over the blocks from `from` on in which something meets the box, in order. */
+/* A walk over the blocks from `from` on that have a box which meets `box`, in order. */
 typedef struct {
   const vs_bvh *t;
   vs_bvh_box box;
   uint32_t from;
-  int32_t family; /* what is all of this one is passed over; -1: nothing is */
+  int32_t family; /* blocks of this family alone are skipped; -1: none */
   struct { uint32_t level, i; } stack[STACK];
   int top;
 } descent;
@@ -227,7 +227,7 @@ static void begin(descent *d, const vs_bvh *t, const vs_bvh_box *box, uint32_t f
   if (t->level_count) d->stack[d->top].level = t->level_count - 1, d->stack[d->top++].i = 0;
 }
 
-/* met: which of the block's boxes, by bits. */
+/* met: the boxes of the block that meet the box, as bits. */
 static bool next(descent *d, uint32_t *block, uint32_t *met) {
   const vs_bvh *t = d->t;
   while (d->top) {
@@ -241,7 +241,8 @@ static bool next(descent *d, uint32_t *block, uint32_t *met) {
       if (set) return true;
       continue;
     }
-    for (uint32_t lane = BLOCK; lane-- > 0;) { /* without a jump: each is written, and stays where it is met */
+    for (uint32_t lane = BLOCK; lane-- > 0;) { /* without a branch: writes every lane, and keeps it if it meets the
+                                                * box */
       uint32_t below = i * BLOCK + lane;
       d->stack[d->top].level = level - 1;
       d->stack[d->top].i = below;
@@ -254,7 +255,7 @@ static bool next(descent *d, uint32_t *block, uint32_t *met) {
 uint32_t vs_bvh_blocks(const vs_bvh *t) { return t->level_count ? t->size[0] : 0; }
 
 bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context) {
-  enum { GROUP = 4 }; /* blocks that go down together */
+  enum { GROUP = 4 }; /* number of blocks that descend together */
   uint32_t blocks = vs_bvh_blocks(t), block, met;
   if (end > blocks) end = blocks;
   for (uint32_t from = first; from < end; from += GROUP) {

@@ -1,12 +1,12 @@
-/* Owns the sort: chunks of items count and scatter their edges into ranges of points, ranges sort what they got. Chunks
- * and ranges depend on the counts alone, so the order is the same for any number of threads. */
+/* Owns the sort of edges: chunks of items count their edges and distribute them into ranges of points, and each range
+ * sorts its edges. Chunks and ranges depend on the counts alone, so the order is the same for any number of threads. */
 #include "kernel/mesh/edge_uses.h"
 
 #include <string.h>
 
 #include "kernel/threads.h"
 
-enum { CHUNK = 1 << 15, BLOCK = 256, LEAST = 10 /* a range has 1024 points or more */, RANGES = 256 };
+enum { CHUNK = 1 << 15, BLOCK = 256, LEAST = 10 /* a range has at least 1024 points */, RANGES = 256 };
 
 typedef struct { uint32_t low, high, item; } loose;
 
@@ -15,8 +15,9 @@ typedef struct {
   vs_ends_fn *ends;
   const void *context;
   uint32_t items, points;
-  VS_LIST(uint32_t) counts; /* chunk by chunk: of each range, then where the chunk writes */
-  VS_LIST(uint32_t) begin;  /* of each range; one more */
+  VS_LIST(uint32_t) counts; /* chunk by chunk: the number of edges in each range, then the place where the chunk
+                             * writes */
+  VS_LIST(uint32_t) begin;  /* of each range; one more at the end */
   VS_LIST(loose) loose;
 } sorting;
 
@@ -59,9 +60,9 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   uint32_t from = vs_halves_begin(h, range), end = vs_halves_begin(h, range + 1), low = s->begin.at[range],
            high = s->begin.at[range + 1];
   uint32_t *first = h->first.at + from, n = end - from;
-  memset(first, 0, n * sizeof *first); /* the next range's is filled by that one */
+  memset(first, 0, n * sizeof *first); /* the next range fills its first */
   for (uint32_t i = low; i < high; i++) first[s->loose.at[i].low - from]++;
-  /* where each ends; filled from the end, each moves down to its beginning */
+  /* sum: the end of each point's edges; the loop below fills from the end, and each moves down to its beginning */
   for (uint32_t p = 0, sum = low; p < n; p++) {
     sum += first[p];
     first[p] = sum;
@@ -73,7 +74,7 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   for (uint32_t p = 0; p < n; p++) {
     vs_half *at = h->at.at + first[p];
     uint32_t count = (p + 1 < n ? first[p + 1] : high) - first[p];
-    /* shell sort: mostly a few, at times a hub */
+    /* Shell sort: mostly few edges, sometimes a hub */
     for (uint32_t gap = count > 32 ? count / 2 : 1; gap && count; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
       for (uint32_t i = gap; i < count; i++) {
         vs_half x = at[i];

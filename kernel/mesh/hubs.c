@@ -1,18 +1,18 @@
-/* Owns the proof that the triangles around a hub, a corner in which more than MANY end, have nothing in common but what
- * the mesh says.
+/* Owns the proof that triangles around a hub (a corner of more than MANY triangles) have only those corners and edges
+ * in common that the mesh gives them.
  *
- * The boxes of all of them meet, so that an index tells none apart, and each pair would be tried: n^2 for the tip of a
- * cone. But triangles with a common corner meet elsewhere only where the angles that they fill there overlap. Seen
- * along some direction d, each one's other two corners p and q turn by an angle between 0 and half a turn,
- * counter-clockwise, where det(p, q, d) > 0. If that holds for all, each follows another along an edge, and the angles
- * come to one turn in all, none overlaps another. d is the mean normal, the determinants' signs are held to their
- * error, and the sum to a whole number of turns, of which it is a multiple: so one look around proves it, in n log n
- * for the order. Pairs without a proof are tried as ever.
+ * The boxes of all of them meet, so an index distinguishes none, and each pair would be tested: n^2 for the tip of a
+ * cone. But triangles with a common corner meet elsewhere only if the angles that they fill there overlap. Seen along
+ * some direction d, the other two corners p and q of each triangle turn by an angle between 0 and half a turn,
+ * counter-clockwise, if det(p, q, d) > 0. If that holds for all, each triangle follows another along an edge, and the
+ * angles sum to one turn, then none overlaps another. d is the mean normal. The signs of the determinants count only
+ * beyond their error; the sum is rounded to a whole number of turns, of which it is a multiple. A single pass around the hub
+ * proves it, in n log n for the order. Pairs without a proof are tested one by one.
  *
- * Of a cone in a cone all boxes meet, too. If the triangles around a hub bend one way everywhere, they bound a convex
- * cone; a triangle whose corners lie within is apart from all of them. A corner is within where it is on the inner side
- * of the triangle that it is before, as seen along d, and its angle tells which triangle this is. Hubs that lie in each
- * other become one family, again in n log n. */
+ * For a cone in a cone all boxes meet, too. If the triangles around a hub bend the same way everywhere, they bound a
+ * convex cone; a triangle whose corners lie inside it is apart from all of them. A corner is inside if it is on the
+ * inner side of the triangle in front of it, as seen along d, and its angle determines this triangle. Hubs that lie in
+ * each other become one family, again in n log n. */
 #include "kernel/mesh/hubs.h"
 
 #include <math.h>
@@ -20,12 +20,12 @@
 
 enum { MANY = 64 };
 
-/* next, last: the triangle's corners that follow the hub */
+/* next, last: the two corners of the triangle that follow the hub */
 typedef struct { uint32_t hub, triangle, next, last; } spoke;
 
 typedef struct {
   const vs_fans *m;
-  VS_LIST(uint32_t) count; /* of a vertex: its triangles */
+  VS_LIST(uint32_t) count; /* of each vertex: number of its triangles */
   VS_LIST(spoke) spokes;
   VS_LIST(uint32_t) order, scratch; /* of the spokes: by hub, then by the next corner */
 } search;
@@ -37,8 +37,8 @@ static bool before(const void *context, uint32_t a, uint32_t b) {
 
 static const spoke *at(const search *c, size_t i) { return &c->spokes.at[c->order.at[i]]; }
 
-/* The spoke in [first, end) whose triangle follows along the edge to that corner; NULL: none, or several. [first, end)
- * lies in the order. */
+/* Returns the spoke of [first, end) whose next corner is `corner`: its triangle follows along that edge. NULL: there is
+ * none, or several. [first, end) lies in the order. */
 static const spoke *following(const search *c, size_t first, size_t end, uint32_t corner) {
   size_t low = first, high = end;
   VS_ASSERT(first <= end && end <= c->order.count);
@@ -51,14 +51,14 @@ static const spoke *following(const search *c, size_t first, size_t end, uint32_
   return at(c, low);
 }
 
-/* Is det(p, q, d) surely above 0? */
+/* Returns true if det(p, q, d) is certainly above 0. */
 static bool turns(vs_vec3 p, vs_vec3 q, vs_vec3 d) {
   double size = (fabs(p.y * q.z) + fabs(p.z * q.y)) * fabs(d.x) + (fabs(p.z * q.x) + fabs(p.x * q.z)) * fabs(d.y) +
       (fabs(p.x * q.y) + fabs(p.y * q.x)) * fabs(d.z);
   return vs_v3_dot(vs_v3_cross(p, q), d) > 1e-14 * size;
 }
 
-/* Do the spokes of one hub, [first, end), go round it once? The hub has a spoke. */
+/* Returns true if the spokes of one hub, [first, end), go around it once. The hub has a spoke. */
 static bool goes_round_once(const search *c, size_t first, size_t end) {
   const vs_fans *m = c->m;
   vs_vec3 hub = m->corner(m->context, at(c, first)->hub), d = vs_v3(0, 0, 0);
@@ -81,7 +81,7 @@ static bool goes_round_once(const search *c, size_t first, size_t end) {
   return fabs(sum - 6.283185307179586) < 1;
 }
 
-/* The triangles' corners that are hubs. */
+/* Collects the triangles' corners that are hubs. */
 static bool find_spokes(vs_kernel *k, search *c) {
   const vs_fans *m = c->m;
   for (uint32_t t = 0; t < m->triangle_count; t++)
@@ -96,7 +96,7 @@ static bool find_spokes(vs_kernel *k, search *c) {
   return vs_kernel_report(k, k->part);
 }
 
-/* How many edges lie between triangles of one hub, which the index passes over as pairs. */
+/* Returns the number of edges between triangles of one hub, which the index does not report as pairs. */
 static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, size_t end) {
   size_t edges = 0;
   for (size_t i = first; i < end; i++) {
@@ -106,7 +106,7 @@ static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, s
   return edges;
 }
 
-/* Where the spokes of the hub of spoke i end. */
+/* Returns the end of the spokes of the hub of spoke i. */
 static size_t end_of_hub(const search *c, size_t i) {
   size_t end = i + 1;
   VS_ASSERT(i < c->order.count);
@@ -116,13 +116,13 @@ static size_t end_of_hub(const search *c, size_t i) {
 
 /* ---- hubs within hubs ---- */
 
-enum { NESTED = 64 }; /* hubs that are tried against each other, at most */
+enum { NESTED = 64 }; /* the most hubs that are tested against each other */
 
-/* The triangles around a hub in their order, where they bound a convex cone: its edges, as seen from the hub. */
+/* The triangles around a hub in their order, if they bound a convex cone: its edges, relative to the hub. */
 typedef struct {
-  vs_vec3 hub, d, u, v; /* u, v: across d */
-  double side;          /* the cone is on that side of the hub, along d */
-  size_t first, count;  /* of the edges, their far corners and their angles */
+  vs_vec3 hub, d, u, v; /* u, v: perpendicular to d */
+  double side;          /* sign of the cone's side of the hub, along d */
+  size_t first, count;  /* range of the edges, of their far corners and angles */
   bool convex;
 } cone;
 typedef struct {
@@ -134,14 +134,16 @@ typedef struct {
 
 static int turn_of(vs_vec3 p, vs_vec3 q, vs_vec3 d) { return turns(p, q, d) ? 1 : turns(q, p, d) ? -1 : 0; }
 
-/* Is x, as seen from the hub, surely on the inner side of the triangle between that edge and the next? */
+/* Returns true if x, relative to the hub, is certainly on the inner side of the triangle between edge i and the
+ * next. */
 static bool under(const cones *c, const cone *w, size_t i, vs_vec3 x) {
   return turn_of(c->edges.at[w->first + i % w->count], c->edges.at[w->first + (i + 1) % w->count], x) == w->side;
 }
 
 static double angle_of(const cone *w, vs_vec3 x) { return atan2(vs_v3_dot(x, w->v), vs_v3_dot(x, w->u)); }
 
-/* The spokes [first, end), which go round their hub once, as a cone. */
+/* Adds the cone of the spokes [first, end), which go around their hub once; sets `convex`. Returns false when memory is
+ * out. */
 static bool make_cone(vs_kernel *k, const search *s, size_t first, size_t end, cones *c) {
   cone w = { .hub = s->m->corner(s->m->context, at(s, first)->hub), .first = c->edges.count };
   for (size_t i = first; i < end; i++)
@@ -171,27 +173,27 @@ static bool make_cone(vs_kernel *k, const search *s, size_t first, size_t end, c
   return VS_PUSH(k, c->cones, w);
 }
 
-/* Is the place surely within? It has to be so for three triangles, in whose angle together it surely is. The cone is
- * convex. */
+/* Returns true if the place is certainly inside the cone. It must be inside three triangles, whose common angle
+ * certainly contains it. The cone is convex. */
 static bool within(const cones *c, const cone *w, vs_vec3 place) {
   vs_vec3 x = vs_v3_sub(place, w->hub);
   double angle = angle_of(w, x);
   VS_ASSERT(w->convex);
   if (angle < 0) angle += 6.283185307179586;
-  size_t low = 0, high = w->count; /* the last edge that begins before */
+  size_t low = 0, high = w->count; /* finds the last edge that begins before the place */
   while (high - low > 1) {
     size_t middle = low + (high - low) / 2;
     if (c->angles.at[w->first + middle] <= angle) low = middle;
     else high = middle;
   }
-  size_t from = low + w->count - 1; /* the edge before */
+  size_t from = low + w->count - 1; /* the edge before it */
   vs_vec3 p = c->edges.at[w->first + from % w->count], q = c->edges.at[w->first + (from + 3) % w->count];
   return turns(p, q, w->d) && turns(p, x, w->d) && turns(x, q, w->d) && under(c, w, from, x) &&
          under(c, w, from + 1, x) && under(c, w, from + 2, x);
 }
 
-/* Does all that is around hub b lie within the cone of a? The hub itself is held against every triangle: it may lie on
- * d. */
+/* Returns true if all triangles around hub b lie inside the cone of a. The hub itself is tested against every triangle:
+ * it may lie on d. */
 static bool holds(const cones *c, const cone *a, const cone *b) {
   vs_vec3 x = vs_v3_sub(b->hub, a->hub);
   if (!a->convex) return false;
@@ -202,7 +204,7 @@ static bool holds(const cones *c, const cone *a, const cone *b) {
   return true;
 }
 
-/* Hubs that lie in each other become one family: that of the first of them. */
+/* Joins hubs that lie in each other to one family: that of the first of them. */
 static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
   size_t count = out->corners.count;
   cones c = { .cones = { 0 } };
@@ -219,7 +221,7 @@ static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
     family[i] = (uint32_t)i;
     for (size_t f = 0; family[i] == i && f < i; f++) {
       if (family[f] != f) continue;
-      bool apart = true; /* from all that are in the family */
+      bool apart = true; /* apart from all of the family */
       for (size_t j = f; apart && j < i; j++)
         apart = family[j] != f || holds(&c, &c.cones.at[j], &c.cones.at[i]) ||
                 holds(&c, &c.cones.at[i], &c.cones.at[j]);
@@ -242,7 +244,7 @@ static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
 
 static bool prove(vs_kernel *k, const search *c, vs_hubs *out) {
   if (!VS_ROOM(k, out->of.at, out->of.room, c->m->triangle_count)) return false;
-  memset(out->of.at, 0xff, c->m->triangle_count * sizeof *out->of.at); /* none */
+  memset(out->of.at, 0xff, c->m->triangle_count * sizeof *out->of.at); /* UINT32_MAX: none */
   out->of.count = c->m->triangle_count;
   for (size_t i = 0, end; i < c->order.count; i = end) {
     end = end_of_hub(c, i);

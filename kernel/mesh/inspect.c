@@ -1,8 +1,9 @@
-/* Owns the inspection of a mesh: edges in double, as they came; windings in the exact arrangement of the mesh with
- * itself.
+/* Owns the inspection of a mesh: edges in double coordinates, as given; winding numbers in the exact arrangement of the
+ * mesh with itself.
  *
- * Every cell of that arrangement has a winding number. A cell that has a wrong one but is thinner than two steps of the
- * grid is what rounding makes of faces that touch, and passes. Triangles beside the others are the ones to name. */
+ * Every cell of that arrangement has a winding number. A cell with a wrong one that is thinner than two steps of the
+ * grid comes from rounding of faces that touch; the inspection ignores it. For any other it reports the triangles at
+ * the cell. */
 #include "kernel/mesh/inspect.h"
 #include "kernel/arrange/arrange_planes.h"
 #include "kernel/arrange/classify.h"
@@ -42,7 +43,7 @@ static bool directed_before(const void *context, uint32_t a, uint32_t b) {
   return x->high != y->high ? x->high < y->high : x->triangle < y->triangle;
 }
 
-/* keeps the first few; false where the triangle is listed */
+/* Inserts the flaw in the order of triangles, and counts it; the list keeps the first few. Returns true. */
 static bool by_triangle(vs_mesh_flaw *list, size_t *count, vs_mesh_flaw flaw) {
   size_t held = *count < VS_FLAWS_LISTED ? *count : VS_FLAWS_LISTED, i = held;
   while (i > 0 && list[i - 1].triangle > flaw.triangle) i--;
@@ -86,7 +87,7 @@ static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
     if (balance != 0) {
       const vs_vec3 *a = &m->vertices[first->low], *b = &m->vertices[first->high];
       vs_mesh_flaw flaw = { first->triangle, vs_v3((a->x + b->x) / 2, (a->y + b->y) / 2, (a->z + b->z) / 2), 0 };
-      for (size_t j = i; j < end; j++) /* the first that is too much */
+      for (size_t j = i; j < end; j++) /* finds the first use that is too many */
         if ((edges.at[order.at[j]].way > 0) == (balance > 0)) {
           flaw.triangle = edges.at[order.at[j]].triangle;
           break;
@@ -109,7 +110,7 @@ typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   uint32_t face;
-  int64_t at[3]; /* fixed, in the face */
+  int64_t at[3]; /* in the face, in fixed numbers */
   uint32_t found;
 } search;
 
@@ -133,8 +134,8 @@ static bool holds(void *context, uint32_t patch) {
   return true;
 }
 
-/* A place in the face, in fixed numbers: on the line half way up, half way through its widest stretch; about. The face
- * lies in a plane. */
+/* Computes a place in the face, in fixed numbers and approximately: the middle of the widest stretch of a line at half
+ * height. The face lies in a plane. */
 static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
   const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
   const vs_use *uses = c->uses.at + c->faces.at[face].use;
@@ -147,7 +148,7 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
     high = fmax(high, y);
   }
   v = low + 0.4871 * (high - low);
-  for (size_t i = 0; i < count; i++) { /* each crossing with the next one to its right */
+  for (size_t i = 0; i < count; i++) { /* pairs each crossing with the next one to its right */
     double x[2] = { 0, INFINITY };
     for (int pass = 0; pass < 2; pass++)
       for (size_t j = pass ? 0 : i; j < (pass ? count : i + 1); j++) {
@@ -159,7 +160,8 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
           continue;
         }
         double cross = (double)a->fixed[p->u] + (v - ay) / (by - ay) * (double)(b->fixed[p->u] - a->fixed[p->u]);
-        if (!pass) x[0] = ay > by ? cross : NAN; /* the face lies left of the use: going down, to its right in u */
+        if (!pass) x[0] = ay > by ? cross : NAN; /* the face lies left of the use: right of it in u if the use goes
+                                                  * down */
         else if (cross > x[0] && cross < x[1]) x[1] = cross;
       }
     if (isfinite(x[0]) && isfinite(x[1]) && x[1] - x[0] > best) best = x[1] - x[0], u = (x[0] + x[1]) / 2;
@@ -169,7 +171,8 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
   at[p->k] = (int64_t)(((double)p->d * 0x1p30 - (double)p->n[p->u] * u - (double)p->n[p->v] * v) / (double)p->n[p->k]);
 }
 
-/* Volumes and areas of the cells, in steps: cones from a corner of each cell, for it may be small and far away. */
+/* Computes volumes and areas of the cells, in steps: cones from a corner of each cell, which may be small and far
+ * away. */
 static void measure_cells(const vs_cluster *c, cell *cells) {
   for (uint32_t f = 0; f < c->faces.count; f++) {
     uint32_t begin = c->faces.at[f].use, end = begin + c->faces.at[f].use_count;
@@ -213,7 +216,7 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
   for (uint32_t i = 0; ok && i < 2 * f; i++) {
     uint32_t at = c->side_cell.at[i];
     int32_t winding = c->wound.at[at];
-    /* half the area times two steps */
+    /* half of the area times two steps */
     if ((winding == 0 || winding == 1) || fabs(cells.at[at].volume) <= cells.at[at].area) continue;
     if (winding < out->least) out->least = winding;
     if (winding > out->most) out->most = winding;
@@ -232,9 +235,9 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
   return ok;
 }
 
-/* ---- what is plainly good ---- */
+/* ---- meshes without flaws by a quick test ---- */
 
-/* Does every shell enclose space of its own: looking outwards, boxes apart? */
+/* Sets *apart if every shell faces outwards and the shells' boxes are apart. */
 static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   enum { FEW = 64 };
   const vs_mesh *m = p->mesh;
@@ -250,7 +253,7 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
     if (p->twins[i] != VS_NONE) vs_unite(shell.at, i / 3, p->twins[i] / 3);
     ok = vs_kernel_poll(k, k->part);
   }
-  for (uint32_t t = 0; ok && *apart && t < n; t++) { /* roots come first: numbers of shells take their places */
+  for (uint32_t t = 0; ok && *apart && t < n; t++) { /* roots come first: shell numbers replace them */
     uint32_t root = vs_find(shell.at, t);
     if (root != t) continue;
     if (count == FEW) *apart = false;
@@ -268,7 +271,7 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
     volumes.at[number.at[t]] += vs_v3_dot(v[0], vs_v3_cross(v[1], v[2])) / 6;
     ok = vs_kernel_poll(k, k->part);
   }
-  for (uint32_t t = 0; ok && *apart && t < n; t++) /* back to where they stand */
+  for (uint32_t t = 0; ok && *apart && t < n; t++) /* restores the union-find parents */
     if (vs_find(shell.at, t) == t) {
       vs_bounds *b = &bounds.at[number.at[t]];
       b->min = vs_v3_add(b->min, m->vertices[m->triangles[t][0]]);
@@ -290,8 +293,8 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   return ok;
 }
 
-/* Is there one fan of triangles around each corner, by index? Corners of triangles that follow each other along an edge
- * are one set: as many sets as corners. */
+/* Sets *whole if each corner has one fan of triangles, by index. Corners of triangles that follow each other along an
+ * edge are one set: the test compares the number of sets with that of corners. */
 static bool fans_whole(vs_kernel *k, const vs_part *p, bool *whole) {
   const vs_mesh *m = p->mesh;
   size_t n = 3 * m->triangle_count, sets = 0, corners = 0;
@@ -328,12 +331,13 @@ bool vs_part_plainly_good(vs_kernel *k, const vs_part *p, bool *good) {
   if (!shells_apart(k, p, good) || !*good) return k->error->status == VS_KERNEL_FINE;
   *good = false;
   if (!fans_whole(k, p, &whole) || !vs_mesh_is_apart(k, p->mesh, &apart, &edges)) return false;
-  /* where four triangles share an edge, who answers whom is chance */
+  /* where four triangles share an edge, their pairing is arbitrary */
   *good = whole && apart && 2 * edges == 3 * p->mesh->triangle_count;
   return true;
 }
 
-/* Facets that meet have cuts, but for those in one plane whose borders are the same: these are one group. */
+/* Returns true if facets meet. Facets that meet have cuts, except coplanar facets with the same borders: these share a
+ * group. */
 static bool touches(const vs_cluster *c) {
   for (uint32_t f = 0; f < c->facets.count; f++)
     if (c->facets.at[f].group != f) return true;

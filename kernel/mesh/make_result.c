@@ -1,9 +1,9 @@
-/* Owns the result's mesh: coplanar faces of one paint merged, needless corners dropped, what is left triangulated and
- * turned to the outside.
+/* Owns the result's mesh: it merges coplanar faces of one paint, drops needless corners, triangulates the rest and
+ * turns it to the outside.
  *
- * A corner is needless where exactly two borders of merged faces end, with the same faces beside both, in one line:
- * every face there drops it alike, so no T-junction appears. A facet that nothing touched and nothing merged with keeps
- * its own triangles. */
+ * A corner is needless if exactly two borders of merged faces end there, with the same faces on both sides, in one
+ * line: every face there drops it, so no T-junction appears. A facet that nothing touches and that merges with nothing
+ * keeps its triangles. */
 #include "kernel/mesh/make_result.h"
 
 #include "kernel/arrange/cluster_frame.h"
@@ -14,13 +14,13 @@
 
 #include <string.h>
 
-/* in a level tags are leaves, which are painted later */
+/* in a level, tags are leaves, which get their paint later */
 static bool same_paint(const vs_cluster *c, uint32_t a, uint32_t b) {
   const vs_kernel_problem *p = c->problem;
   return a == b || (!c->joining && p->paints && p->paints[a] == p->paints[b]);
 }
 
-/* Prefetches data that is asked for soon, from all over memory. */
+/* Prefetches data that are needed soon, from all over the memory. */
 VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 24, FACE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -31,7 +31,7 @@ VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   __builtin_prefetch(&c->faces.at[face]);
 }
 
-/* Merges over the edges between two coplanar faces of one paint that look the same way; the other edges stay. */
+/* Merges over the edges between two coplanar faces of one paint that face the same way; keeps the other edges. */
 static bool merge_range(vs_kernel *k, void *context, size_t range) {
   vs_result_state *w = context;
   const vs_cluster *c = w->c;
@@ -98,12 +98,12 @@ static bool merge(vs_result_state *w) {
     VS_DROP(k, from->seams);
     if (!vs_kernel_report(k, 0.9)) return false;
   }
-  vs_halves_free(k, &c->edges); /* nobody asks again */
+  vs_halves_free(k, &c->edges); /* no longer needed */
   return VS_PUSH(k, w->edge_first, (uint32_t)uses);
 }
 
-/* Have two edges the same merged faces beside them? *flat: in one plane; *bent: in other planes beside one of them than
- * beside the other. */
+/* Returns true if two edges have the same merged faces beside them. *flat: in one plane; *bent: in other planes beside
+ * one edge than beside the other. */
 static bool same_faces(vs_result_state *w, uint32_t e, uint32_t f, bool *flat, bool *bent) {
   uint32_t eb = w->edge_first.at[e], ee = w->edge_first.at[e + 1], fb = w->edge_first.at[f],
            fe = w->edge_first.at[f + 1];
@@ -125,7 +125,7 @@ static bool same_faces(vs_result_state *w, uint32_t e, uint32_t f, bool *flat, b
   return true;
 }
 
-/* Has the edge two faces that are not merged? The edge stays. */
+/* Returns true if the edge has two faces that are not merged; such an edge stays. */
 static bool are_two(const vs_result_state *w, uint32_t e) {
   uint32_t begin = w->edge_first.at[e];
   VS_ASSERT(e + 1 < w->edge_first.count);
@@ -143,7 +143,7 @@ static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
     if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat, &bent)) continue;
     const vs_use *a = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p]]),
                  *b = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
-    if (bent) { /* straighten.c asks whether that is safe */
+    if (bent) { /* straighten.c decides if that is safe */
       if (flat || w->stays.at[p] || !are_two(w, w->edges.at[2 * p])) continue;
       w->bent.at[p] = 1;
     }
@@ -211,7 +211,7 @@ static bool name_edges(vs_kernel *k, void *context, size_t chunk) {
   return vs_kernel_report(k, 0.9);
 }
 
-/* The links from a face to its border. */
+/* Links each face to its border. */
 static bool link_faces(vs_result_state *w) {
   const vs_cluster *c = w->c;
   size_t faces = c->faces.count, uses = c->uses.count;
@@ -229,7 +229,7 @@ static bool link_faces(vs_result_state *w) {
   return vs_kernel_run(w->k, (w->edge_first.count - 1 + EDGES - 1) / EDGES, name_edges, w);
 }
 
-/* Does the face keep all of its corners? */
+/* Returns true if the face keeps all of its corners. */
 static bool has_all_corners(const vs_result_state *w, uint32_t f) {
   const vs_face *face = &w->c->faces.at[f];
   for (uint32_t i = face->use; i < face->use + face->use_count; i++)
@@ -237,19 +237,19 @@ static bool has_all_corners(const vs_result_state *w, uint32_t f) {
   return true;
 }
 
-/* Is the outside of its leaf behind the face's plane? Asked of faces of one sheet alone. */
+/* Returns true if the outside of its leaf is behind the face's plane. For faces of one sheet only. */
 static bool is_turned(const vs_result_state *w, uint32_t f) {
   uint32_t facet = vs_result_facet(w, &w->c->faces.at[f]);
   return facet != VS_NONE && w->c->facets.at[facet].flip;
 }
 
-/* The border of what the face is merged with, from corner to corner; and the lines of its sides, if it has any. */
+/* Collects the border of the merged face, from corner to corner, and the lines of its sides, if it has any. */
 static bool gather_sides(vs_kernel *k, const vs_result_state *w, uint32_t f, vs_triangulation *t) {
   const vs_cluster *c = w->c;
   t->sides.count = t->list.count = 0;
   bool turned = is_turned(w, f);
   for (; f != VS_NONE; f = w->next.at[f]) {
-    bool reverse = is_turned(w, f) != turned; /* planes of one sheet may be written the other way round */
+    bool reverse = is_turned(w, f) != turned; /* planes of one sheet may have opposite normals */
     if (!vs_kernel_poll(k, 0.9)) return false;
     for (uint32_t i = c->faces.at[f].use, end = i + c->faces.at[f].use_count; i < end; i++) {
       const vs_use *u = &c->uses.at[i];
@@ -278,7 +278,7 @@ static size_t facet_size(const vs_result_state *w, uint32_t f) {
   return facet[1].first - facet[0].first;
 }
 
-/* Faces, in chunks of about so many borders. */
+/* Divides the faces into chunks with about equally many borders. */
 static bool make_chunks(vs_result_state *w) {
   enum { CHUNK = 8192 };
   size_t sum = 0;
@@ -313,7 +313,7 @@ static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
     } else {
       bool simple = true;
       if (!gather_sides(k, w, f, t) || (w->sheets && !vs_sheets_simple(w, f, k, t, &simple))) return false;
-      if (!simple) continue; /* all of this is made again */
+      if (!simple) continue; /* the caller makes all of this again */
       if (!vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane])) return false;
       if (w->sheets) vs_sheets_mend(w, f, t);
       n = t->triangles.count;
@@ -343,7 +343,7 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, k->part);
 }
 
-/* In large steps, since clusters come one after the other into one mesh. */
+/* Makes room in large steps, since many clusters go into one mesh. */
 static bool reserve(const vs_result_state *w, vs_mesh *out, size_t triangles) {
   return triangles <= out->triangle_room ||
          vs_mesh_reserve(out, 0, out->triangle_count ? triangles + triangles / 2 : triangles) || no_room(w);
@@ -357,7 +357,7 @@ static bool make_room(const vs_result_state *w, vs_mesh *out, size_t more) {
   return reserve(w, out, all);
 }
 
-/* Writes what was cut; points are numbered as they come. */
+/* Writes the chunk's triangles; points get vertex numbers in the order of their use. */
 static bool take_chunk(vs_kernel *k, void *context, size_t index) {
   vs_result_state *w = context;
   const vs_cut_chunk *from = &w->chunks[index % VS_PIPELINE_WINDOW];
@@ -386,7 +386,8 @@ static bool write(vs_result_state *w, vs_mesh *out) {
   size_t points = w->c->points.all.count, corners = 0;
   size_t limit = w->k->options ? w->k->options->max_triangles : 0;
   for (size_t p = 0; p < points; p++) corners += w->degree.at[p] % 4 != 0;
-  size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* triangles, by Euler, but for holes and shells */
+  size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* number of triangles by Euler's formula, without
+                                                                      * holes and shells */
   if (!make_chunks(w) || !reserve(w, out, out->triangle_count + about) ||
       !VS_ROOM(w->k, w->looks.at, w->looks.room, about + 1) || !VS_ROOM(w->k, w->out.at, w->out.room, points + 1) ||
       !VS_ROOM(w->k, w->points.at, w->points.room, points + 1))
@@ -434,7 +435,7 @@ static void writer_free(vs_kernel *k, vs_result_state *w) {
   vs_sheets_free(k, w);
 }
 
-/* Merges and drops until all that is left is safe. */
+/* Merges and drops until all remaining merges are safe. */
 static bool merge_sheets(vs_result_state *w) {
   enum { TIMES = 8 };
   bool again = true;
@@ -472,7 +473,7 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
     bool failed = !ok && w.sheets && k->error->status == VS_KERNEL_INTERNAL;
     if (ok && !vs_sheets_spoiled(&w)) break;
     if (!ok && !failed) break;
-    if (failed) { /* with its bends it is what it was proven to be */
+    if (failed) { /* the result with its bends is the proven one */
       k->error->status = VS_KERNEL_FINE;
       atomic_store(&k->stop, false);
     }

@@ -1,11 +1,11 @@
-/* Owns the splitting of vertices where the result touches itself, so that by index every edge has two triangles and
- * every vertex one fan of them.
+/* Owns the splitting of vertices where the result touches itself: by index, every edge then has two triangles and every
+ * vertex one fan.
  *
- * Along an edge where four or more triangles meet, each is joined to the one across the wedge of solid between them:
- * two cubes that touch along an edge stay two. Where the ends of the edge hold the pairs together all the same, as of
- * two hollows that touch, they are joined across the air instead; and where that does not help either, the edge gets a
- * vertex in its middle, one for each pair. Who is next to whom is decided exactly, by the planes; see classify.c for
- * the order around an edge. */
+ * Along an edge with four or more triangles, each is joined to the one across the wedge of solid between them: two
+ * cubes that touch along an edge stay two. If the ends of the edge hold the pairs together in spite of that, as for two
+ * cavities that touch, the triangles are joined across the air instead. If that does not help either, the edge gets a
+ * vertex in its middle, one for each pair. The planes decide the order of the triangles exactly; see classify.c for the
+ * order around an edge. */
 #include "kernel/mesh/split_vertices.h"
 
 #include "kernel/arrange/classify.h"
@@ -14,31 +14,32 @@
 
 #include <string.h>
 
-/* of a range: the halves where edges with other than two triangles begin */
+/* of a range: the halves with which edges of more or fewer than two triangles begin */
 typedef struct { VS_LIST(uint32_t) at; } crowded;
 
 typedef struct {
   vs_kernel *k;
-  vs_fresh_result of;          /* nothing touches at its rim: vertices stay one there */
+  vs_fresh_result of;          /* nothing touches at the result's rim: its vertices are not split */
   size_t vertices, triangles;
-  _Atomic size_t open;         /* edges along it */
+  _Atomic size_t open;         /* number of edges along the rim */
   vs_halves halves;            /* items are corners: 3 * triangle + j, the edge from j to the next */
   VS_LIST(crowded) crowded;
   VS_LIST(uint32_t) twins;
-  VS_LIST(_Atomic uint32_t) lead; /* of a vertex: one of its corners */
-  _Atomic size_t seen;         /* corners in the fans of those */
-  VS_LIST(uint32_t) to;        /* of a corner: the vertex it gets, counted from first_vertex */
-  VS_LIST(uint32_t) copied;    /* of the vertices behind the old ones: which they are copies of */
+  VS_LIST(_Atomic uint32_t) lead; /* of each vertex: one of its corners */
+  _Atomic size_t seen;         /* number of corners in the fans of the leads */
+  VS_LIST(uint32_t) to;        /* of each corner: its vertex after the split, counted from first_vertex */
+  VS_LIST(uint32_t) copied;    /* of the new vertices: the vertex that each copies */
   VS_LIST(uint8_t) taken;
   VS_LIST(vs_around) around;
-  VS_LIST(vs_around) many;     /* of edges with more than two, in order; the first of each has air before it */
+  VS_LIST(vs_around) many;     /* of edges with more than two triangles, in order; the first of each has air before
+                                * it */
   VS_LIST(uint32_t) many_first;
-  VS_LIST(uint8_t) way;        /* of such an edge */
-  VS_LIST(uint32_t) middle;    /* of a corner: the vertex in the middle of its edge, or VS_NONE */
+  VS_LIST(uint8_t) way;        /* of each such edge: the way in which it is paired */
+  VS_LIST(uint32_t) middle;    /* of each corner: the vertex in the middle of its edge, or VS_NONE */
 } splitter;
 typedef enum { SOLID, AIR, MIDDLE } joined;
 
-/* The vertex of a corner, counted from first_vertex; the corner is one of the result's triangles'. */
+/* Returns the vertex of a corner of the result's triangles, counted from first_vertex. */
 static uint32_t vertex_at(const splitter *s, uint32_t corner) {
   VS_ASSERT(corner < 3 * s->triangles);
   return s->of.m->triangles[s->of.first_triangle + corner / 3][corner % 3] - (uint32_t)s->of.first_vertex;
@@ -46,7 +47,7 @@ static uint32_t vertex_at(const splitter *s, uint32_t corner) {
 
 static bool starts_at(const splitter *s, uint32_t corner, uint32_t low) { return vertex_at(s, corner) == low; }
 
-/* Pairs the faces at an edge that has more than two. */
+/* Pairs the faces at an edge with more than two. */
 static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t count) {
   vs_points_view view = vs_points_of(&s->of.c->points);
   int x, y, sign = vs_around_axes(view, s->of.points[low], s->of.points[halves[0].high], &x, &y);
@@ -65,8 +66,7 @@ static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t c
   size_t begin = 0;
   while (begin < count && s->around.at[begin].cw) begin++;
   if (!VS_PUSH(s->k, s->many_first, (uint32_t)s->many.count) || !VS_PUSH(s->k, s->way, (uint8_t)SOLID)) return false;
-  for (size_t i = 0; i < count; i++) { /* solid follows, turning counter-clockwise, where the face runs against the
-                                        * edge */
+  for (size_t i = 0; i < count; i++) { /* if the face runs against the edge, solid follows counter-clockwise */
     const vs_around *a = &s->around.at[(begin + i) % count];
     if ((bool)a->cw != (i % 2 == 1)) return VS_BROKEN(s->k, "solid lies on solid along an edge");
     if (!VS_PUSH(s->k, s->many, *a)) return false;
@@ -74,14 +74,14 @@ static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t c
   return true;
 }
 
-/* Makes twins of two corners. */
+/* Makes two corners twins. */
 static void join(splitter *s, uint32_t a, uint32_t b) {
   VS_ASSERT(a != b);
   s->twins.at[a] = b;
   s->twins.at[b] = a;
 }
 
-/* Which two of an edge's faces the n-th pair is. There is such a pair. */
+/* Finds the two faces of the edge's n-th pair, which exists. */
 static void pair_of(const splitter *s, size_t edge, size_t n, uint32_t *a, uint32_t *b) {
   uint32_t begin = s->many_first.at[edge], count = s->many_first.at[edge + 1] - begin;
   size_t i = 2 * n + (s->way.at[edge] == AIR);
@@ -104,7 +104,7 @@ static void ends_of_corners(const void *context, uint32_t begin, uint32_t count,
   }
 }
 
-/* Prefetches data that is asked for soon, from all over memory. */
+/* Prefetches data that are needed soon, from all over the memory. */
 VS_AHEAD join_ahead(const splitter *s, uint32_t i, uint32_t stop) {
   enum { FAR = 16 };
   if (i + FAR >= stop) return;
@@ -127,7 +127,8 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     bool first = starts_at(s, at[0].item, low);
     if (end - i == 2 && first != starts_at(s, at[1].item, low)) {
       join(s, at[0].item, at[1].item);
-      atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* whoever comes last */
+      atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* the last thread's value
+                                                                                       * counts */
       atomic_store_explicit(&s->lead.at[at->high], at[first].item, memory_order_relaxed);
     } else if (end - i == 1 && on_rim(s, low) && on_rim(s, at->high)) {
       s->twins.at[at[0].item] = VS_NONE;
@@ -162,7 +163,7 @@ static bool find_twins(splitter *s) {
 }
 
 enum { VERTICES = 1 << 14 };
-/* where one fan of each vertex has all corners, nothing touches itself */
+/* if one fan of each vertex has all corners, nothing touches itself */
 static bool count_fans(vs_kernel *k, void *context, size_t chunk) {
   splitter *s = context;
   size_t begin = chunk * VERTICES, end = s->vertices - begin < VERTICES ? s->vertices : begin + VERTICES, n = 0;
@@ -176,10 +177,10 @@ static bool count_fans(vs_kernel *k, void *context, size_t chunk) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Loops over corners go on for a second in large meshes. */
+/* Reports progress now and then: loops over corners take a second in large meshes. */
 static bool turn(const splitter *s, uint32_t i) { return (i & 0xFFFF) != 0xFFFF || vs_kernel_report(s->k, s->k->part); }
 
-/* Is there anything to split at all? Mostly not. */
+/* Sets *touching if there is anything to split, which is rare. */
 static bool look_for_touching(splitter *s, bool *touching) {
   *touching = s->way.count > 0;
   if (*touching) return true;
@@ -193,7 +194,7 @@ static bool look_for_touching(splitter *s, bool *touching) {
   return true;
 }
 
-/* The fan that is first by corner keeps the vertex; the others get copies of it. */
+/* Gives the vertex to the fan with the first corner; the other fans get copies of it. */
 static bool find_fans(splitter *s) {
   uint32_t corners = (uint32_t)(3 * s->triangles);
   if (!VS_ROOM(s->k, s->to.at, s->to.room, (size_t)corners + 1) ||
@@ -223,7 +224,7 @@ static bool find_fans(splitter *s) {
   return true;
 }
 
-/* Have two pairs at the edge the same two ends? */
+/* Returns true if two pairs at the edge have the same two ends. */
 static bool still_held(const splitter *s, size_t edge) {
   size_t pairs = (s->many_first.at[edge + 1] - s->many_first.at[edge]) / 2;
   for (size_t i = 0; i < pairs; i++)
@@ -248,8 +249,8 @@ static bool join_many(splitter *s) {
       }
     if (!find_fans(s)) return false;
     for (size_t e = 0; e < s->way.count; e++)
-      if (s->way.at[e] < MIDDLE && still_held(s, e)) s->way.at[e]++, again = true; /* ends: each edge goes on twice at
-                                                                                    * most */
+      if (s->way.at[e] < MIDDLE && still_held(s, e)) s->way.at[e]++, again = true; /* the loop ends: each edge advances
+                                                                                    * at most twice */
   }
   return true;
 }
@@ -258,7 +259,7 @@ static bool no_room(splitter *s) {
   return vs_kernel_fail(s->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
 }
 
-/* A triangle with new vertices in some of its edges, cut so that none of the pieces is flat. */
+/* Cuts a triangle with new vertices on some of its edges into pieces of which none is flat. */
 static bool cut_triangle(splitter *s, uint32_t t) {
   vs_mesh *m = s->of.m;
   size_t at = s->of.first_triangle + t;
@@ -302,7 +303,7 @@ static bool write(splitter *s) {
              low = s->of.m->triangles[s->of.first_triangle + s->many.at[begin].ccw / 3][s->many.at[begin].ccw % 3];
     uint32_t corner = next_of(s->many.at[begin].ccw),
              high = s->of.m->triangles[s->of.first_triangle + corner / 3][corner % 3];
-    /* the same for all pairs: by place the result stays closed */
+    /* equal for all pairs: the result stays closed by position */
     vs_vec3 at = vs_v3_scale(vs_v3_add(m->vertices[low], m->vertices[high]), 0.5);
     for (size_t i = 0; i < (s->many_first.at[e + 1] - begin) / 2; i++) {
       uint32_t a, b, vertex;

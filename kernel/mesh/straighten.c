@@ -1,21 +1,23 @@
-/* Owns the question of which bends a result may lose.
+/* Owns the decision which bends a result may lose.
  *
- * The grid makes several planes of a planar facet of the input that is turned out of the frame, and each cut through it
- * bends where it passes from one to the next. A sheet is such a facet: every corner of it lies within one step of its
- * middle plane, and its triangles look along the normal but for 2.6 degrees. Where the following holds, the faces of a
- * sheet are merged as coplanar ones are, and bends are dropped from the faces on both sides of the cut.
- *   (1) No other facet lies in a plane of the sheet. Every edge at the border of its faces has two triangles, and
- *       includes with the neighbour no wedge below 11 degrees. Else the sheet is given up.
- *   (2) All bends of the cut lie within 8 steps of the line between its ends; the two faces at it include at least 14
- *       degrees; and no other corner of any face in either plane (or sheet) lies within a band about the line, which is
- *       half a step wider than the bends are off it. Else the bends of this cut stay.
- *   (3) Seen along the sheet, the merged faces' borders cross and touch nowhere but at their ends, and no triangle that
- *       is made turns away from the sheet's normal. Else the sheet is given up, and the result made again.
- * In the other face's plane nothing but the band changes, and nothing else is in it: an edge that enters the space
- * between the line and the bends must end there, or leave through the straight line a second time. By (3) a merged face
- * is one layer over its plane, within a step of it, and leaves it by less than 2.6 degrees; by (1) and (2) whatever
- * shares an edge with it rises faster. Faces that share none may come to cross where they lay within two steps of each
- * other: the caller looks for that (round/self_contacts.c), and has the result made again with all bends, too. */
+ * The grid splits a planar facet of the input that is turned against the frame into several planes, and each cut
+ * through it bends where it passes from one to the next. A sheet is such a facet: all its corners lie within one step
+ * of its middle plane, and the directions of its triangles differ from the normal by at most 2.6 degrees. The faces of
+ * a sheet are merged like coplanar ones, and the faces on both sides of a cut lose its bends, under these conditions.
+ * (1) No other facet lies in a plane of the sheet. Every edge at the border of its faces has two triangles, and
+ * includes no wedge below 11 degrees with the neighbour. Else the sheet is given up.
+ * (2) All bends of the cut lie within 8 steps of the line between its ends; the two faces at it include at least 14
+ * degrees; and no other corner of any face in either plane (or sheet) lies within a band around the line, which is half
+ * a step wider than the largest distance of a bend from it. Else the bends of this cut stay.
+ * (3) Seen along the sheet, the merged faces' borders intersect and touch only at their ends, and no new triangle turns
+ * away from the sheet's normal. Else the sheet is given up, and the result is made again.
+ *
+ * In the other face's plane only the band changes, and nothing else is in it: an edge that enters the space between the
+ * line and the bends must end there, or leave through the straight line a second time. By (3) a merged face is one
+ * layer over its plane, within a step of it, and differs from its direction by less than 2.6 degrees; by (1) and (2)
+ * any face that shares an edge with it rises faster. Faces that share no edge may intersect afterwards if they were
+ * within two steps of each other: the caller checks for that (round/self_contacts.c), and makes the result again with
+ * all bends if necessary. */
 #include "kernel/mesh/straighten.h"
 
 #include <math.h>
@@ -27,14 +29,14 @@
 static const double OFF = 1, ALIKE = 0.999, WEDGE = -0.98, SHALLOW = 0.97, FAR = 8, BESIDE = 0.5;
 
 typedef struct {
-  double n[3], at[3]; /* of its middle plane: outwards, of length 1; and a point */
+  double n[3], at[3]; /* of its middle plane: n: outwards, of length 1; at: a point */
   uint32_t corners, bends;
-  bool merged, fresh;       /* fresh: given up since bands were looked at */
+  bool merged, fresh;       /* fresh: given up since the last check of bands */
   _Atomic bool given_up;
 } sheet;
 
 typedef struct {
-  uint32_t p, q, edge, keys[2], sheets[2]; /* that loses bends; edge: the first, at p; keys: see near */
+  uint32_t p, q, edge, keys[2], sheets[2]; /* a cut that loses bends; edge: its first, at p; keys: see near */
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
@@ -42,20 +44,21 @@ typedef struct { uint32_t near, point; } corner;
 
 struct vs_sheets {
   VS_LIST(sheet) all;
-  VS_LIST(uint32_t) of;       /* of a facet: which, or VS_NONE */
-  VS_LIST(uint32_t) of_face;  /* of a face: the same */
-  VS_LIST(uint32_t) face_key; /* of a face: the key of its plane, or VS_NONE */
+  VS_LIST(uint32_t) of;       /* of each facet: its sheet, or VS_NONE */
+  VS_LIST(uint32_t) of_face;  /* of each face: its sheet, or VS_NONE */
+  VS_LIST(uint32_t) face_key; /* of each face: the key of its plane, or VS_NONE */
   VS_LIST(cut) cuts;
-  VS_LIST(uint32_t) cut_of;   /* of a bend */
-  VS_LIST(uint32_t) key;      /* of a plane: the plane that stands for its sheet */
-  VS_LIST(uint32_t) near;     /* of such a plane that has cuts: which of `first`, or VS_NONE */
-  VS_LIST(uint32_t) first;    /* into placed: the corners of faces there, in the order of x; one more */
+  VS_LIST(uint32_t) cut_of;   /* of each bend: its cut */
+  VS_LIST(uint32_t) key;      /* of each plane: the plane that represents its sheet */
+  VS_LIST(uint32_t) near;     /* of each key plane with cuts: its index in `first`, or VS_NONE */
+  VS_LIST(uint32_t) first;    /* ranges of `corners`: the corners of faces in each key plane, in the order of x; one
+                               * more at the end */
   VS_LIST(placed) corners;
   VS_LIST(corner) hits;       /* corners on their way there */
-  VS_LIST(uint8_t) free;      /* of a cut: 1: nothing else is within its band */
+  VS_LIST(uint8_t) free;      /* of each cut: 1: nothing else is within its band */
   size_t near_count, room;  /* room: of this structure */
-  bool kept;                /* bends that stay were found in this round */
-  bool looked;              /* at bands: from then on only those beside fresh sheets change */
+  bool kept;                /* this round found bends that stay */
+  bool looked;              /* at bands: afterwards only those beside fresh sheets change */
   _Atomic bool spoiled;
 };
 
@@ -85,7 +88,7 @@ bool vs_sheets_begin(vs_result_state *w) {
   for (int twice = 0; twice < 2; twice++)
     for (uint32_t f = 0; f < c->facets.count; f++) {
       uint32_t *lone = &w->lone.at[c->facets.at[f].plane];
-      if (!twice) *lone = *lone == VS_NONE ? f : VS_NONE - 1; /* two: nobody's */
+      if (!twice) *lone = *lone == VS_NONE ? f : VS_NONE - 1; /* two facets: no single one */
       else if (*lone == VS_NONE - 1) *lone = VS_NONE;
     }
   return vs_kernel_report(w->k, 0.9);
@@ -103,7 +106,7 @@ bool vs_sheets_seam(const vs_result_state *w, const vs_use *a, const vs_use *b) 
          (f->tag == g->tag || (p->paints && p->paints[f->tag] == p->paints[g->tag]));
 }
 
-/* The sheet of a face, where it is merged. */
+/* Returns the sheet of a face if it is merged, else VS_NONE. */
 static uint32_t merged_sheet_of(const vs_result_state *w, uint32_t face) {
   uint32_t s = w->sheets->of_face.at[face];
   return s == VS_NONE || !w->sheets->all.at[s].merged ? VS_NONE : s;
@@ -129,11 +132,11 @@ static void normal_of(double at[3][3], double n[3]) {
   cross(a, b, n);
 }
 
-/* Middle planes, and whether all is near them. */
+/* Computes the middle planes, and checks that all corners are near them. */
 static bool measure(vs_result_state *w) {
   const vs_cluster *c = w->c;
   vs_sheets *s = w->sheets;
-  for (int step = 0; step < 3; step++) { /* sums; their means; checks */
+  for (int step = 0; step < 3; step++) { /* step 0: sums; 1: their means; 2: checks */
     for (size_t i = 0; step == 1 && i < s->all.count; i++) {
       sheet *x = &s->all.at[i];
       double length = sqrt(dot(x->n, x->n));
@@ -163,7 +166,7 @@ static bool measure(vs_result_state *w) {
   return true;
 }
 
-/* Has the seam an end that is no corner of the leaf? Else nothing cuts it, and it has no bends. */
+/* Returns true if an end of the seam is not a corner of the leaf. Else nothing cuts the seam, and it has no bends. */
 static bool is_cut(const vs_result_state *w, uint32_t seam) {
   const vs_use *u = vs_result_use(w, w->edge_first.at[seam]);
   return u->from >= w->c->corner_points || u->to >= w->c->corner_points;
@@ -208,7 +211,7 @@ bool vs_sheets_plan(vs_result_state *w) {
     if (w->lone.at[c->facets.at[f].plane] != f) give_up(w, s->of.at[f]);
     else s->key.at[c->facets.at[f].plane] = c->facets.at[first].plane;
   }
-  /* asked for each edge in each round: faces, planes and facets are all over the memory */
+  /* cached for each face: every round needs them for each edge, and faces, planes and facets are all over the memory */
   if (!VS_ROOM(w->k, s->of_face.at, s->of_face.room, c->faces.count + 1) ||
       !VS_ROOM(w->k, s->face_key.at, s->face_key.room, c->faces.count + 1))
     return false;
@@ -257,14 +260,14 @@ bool vs_sheets_merge(vs_result_state *w, bool *any) {
   return vs_kernel_report(w->k, 0.9);
 }
 
-/* ---- what is safe ---- */
+/* ---- the conditions ---- */
 
 static bool is_fresh(const vs_result_state *w, uint32_t face) {
   uint32_t s = w->sheets->of_face.at[face];
   return s != VS_NONE && w->sheets->all.at[s].fresh;
 }
 
-/* The outward normal of a face's sheet or plane. */
+/* Computes the outward normal of a face's sheet or plane. */
 static void look(const vs_result_state *w, uint32_t face, double n[3]) {
   uint32_t s = merged_sheet_of(w, face);
   const vs_plane *p = &w->c->planes.all.at[w->c->faces.at[face].plane];
@@ -276,13 +279,14 @@ static void look(const vs_result_state *w, uint32_t face, double n[3]) {
   for (int i = 0; i < 3; i++) n[i] *= sign / length;
 }
 
-/* The edge behind the point; the edge given is one of its two. */
+/* Returns the other edge at the point; the given edge is one of its two. */
 static uint32_t next_edge(const vs_result_state *w, uint32_t edge, uint32_t at) {
   VS_ASSERT(w->edges.at[2 * at] == edge || w->edges.at[2 * at + 1] == edge);
   return w->edges.at[2 * at] == edge ? w->edges.at[2 * at + 1] : w->edges.at[2 * at];
 }
 
-/* How far a point is from the line p q of that length, and where along it. */
+/* Returns the distance of point x from the line through p in the direction `along`, of length 1; *t: its place along
+ * the line. */
 static double away(const double p[3], const double along[3], const double x[3], double *t) {
   double d[3], off[3];
   between(p, x, d);
@@ -291,7 +295,7 @@ static double away(const double p[3], const double along[3], const double x[3], 
   return sqrt(dot(off, off));
 }
 
-/* The bends of a line stay where they are. */
+/* Keeps the bends of a line. */
 static void keep_bends(vs_result_state *w, uint32_t edge, uint32_t p) {
   uint32_t at = vs_result_other_end(vs_result_use(w, w->edge_first.at[edge]), p);
   for (; w->degree.at[at] == 4; at = vs_result_other_end(vs_result_use(w, w->edge_first.at[edge]), at)) {
@@ -301,7 +305,8 @@ static void keep_bends(vs_result_state *w, uint32_t edge, uint32_t p) {
   w->sheets->kept = true;
 }
 
-/* The edges from corner p on, up to the next that stays: all of one line, but for bends. *bends counts them. */
+/* Checks the edges from corner p on, up to the next corner that stays: one line, except for bends. *bends counts
+ * them. */
 static bool check_line(vs_result_state *w, uint32_t edge, uint32_t p, size_t *bends) {
   vs_sheets *s = w->sheets;
   uint32_t begin = w->edge_first.at[edge],
@@ -312,7 +317,7 @@ static bool check_line(vs_result_state *w, uint32_t edge, uint32_t p, size_t *be
     bent += w->bent.at[q];
     e = next_edge(w, e, q);
   }
-  if (p > q) return true; /* it is seen from the other end */
+  if (p > q) return true; /* the loop gets it from the other end */
   made.q = q;
   *bends += bent;
   double from[3], to[3], along[3], n[2][3], x[3], t, last = 0;
@@ -377,7 +382,7 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->point < y->point ? -1 : x->point > y->point;
 }
 
-/* The corners of faces in planes and sheets that have cuts with bends. */
+/* Collects the corners of faces in planes and sheets that have cuts with bends. */
 static bool find_near(vs_result_state *w) {
   vs_sheets *s = w->sheets;
   size_t planes = w->c->planes.all.count;
@@ -421,7 +426,8 @@ static bool find_near(vs_result_state *w) {
   return true;
 }
 
-/* Is nothing else of the plane or sheet within the band about the line? The number is a cut's, and the side 0 or 1. */
+/* Returns true if nothing else of the plane or sheet is within the band around the line. number: a cut; side: 0 or
+ * 1. */
 static bool is_free(const vs_result_state *w, uint32_t number, int side) {
   const vs_sheets *s = w->sheets;
   const cut *c = &s->cuts.at[number];
@@ -433,7 +439,7 @@ static bool is_free(const vs_result_state *w, uint32_t number, int side) {
   between(p, q, along);
   double length = sqrt(dot(along, along)), low = fmin(p[0], q[0]) - c->wide, high = fmax(p[0], q[0]) + c->wide;
   for (int i = 0; i < 3; i++) along[i] /= length;
-  for (uint32_t stop = end; at < stop;) { /* the first that is not before the band */
+  for (uint32_t stop = end; at < stop;) { /* the first corner that is not before the band */
     uint32_t middle = at + (stop - at) / 2;
     if (s->corners.at[middle].at < low) at = middle + 1;
     else stop = middle;
@@ -459,7 +465,7 @@ static bool find_free(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Sheets that are merged and given up, or have no bends. */
+/* Gives up the sheets without bends. Returns true if a merged sheet is given up. */
 static bool give_up_idle(vs_result_state *w) {
   bool any = false;
   for (size_t i = 0; i < w->sheets->all.count; i++) {
@@ -481,9 +487,9 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   if (!vs_kernel_report(w->k, 0.9)) return false;
   w->c->straightened = dropped;
   if (!check_lines(w, &bends)) return false;
-  if (bends != dropped) vs_sheets_give_up(w); /* a border of bends alone */
+  if (bends != dropped) vs_sheets_give_up(w); /* a border that consists of bends alone */
   *again = give_up_idle(w) || s->kept;
-  if (*again) return true; /* cuts will be others */
+  if (*again) return true; /* the next round has other cuts */
   if (!find_near(w)) return false;
   if (!VS_ROOM(w->k, s->free.at, s->free.room, s->cuts.count + 1) ||
       !vs_kernel_run(w->k, (s->cuts.count + CUTS - 1) / CUTS, find_free, w))
@@ -496,7 +502,7 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   return true;
 }
 
-/* ---- what is made of it ---- */
+/* ---- checks of the new faces ---- */
 
 static bool spoil(const vs_result_state *w, uint32_t of) {
   atomic_store_explicit(&w->sheets->all.at[of].given_up, true, memory_order_relaxed);
@@ -504,7 +510,7 @@ static bool spoil(const vs_result_state *w, uint32_t of) {
   return false;
 }
 
-/* Have two sides a place in common but for an end of both? */
+/* Returns true if two sides have a place in common that is not an end of both. */
 static bool sides_meet(const vs_sweep *s, const vs_border *a, const vs_border *b) {
   uint32_t x[2] = { a->from, a->to }, y[2] = { b->from, b->to };
   for (int i = 0; i < 2; i++)
@@ -558,7 +564,7 @@ bool vs_sheets_simple(const vs_result_state *w, uint32_t face, vs_kernel *k, vs_
   return true;
 }
 
-/* Does the triangle look the way of its sheet? */
+/* Returns true if the triangle faces as its sheet does. */
 static bool holds(const vs_result_state *w, const sheet *s, const uint32_t v[3]) {
   double at[3][3], n[3];
   for (int j = 0; j < 3; j++) place(w, v[j], at[j]);
@@ -566,8 +572,8 @@ static bool holds(const vs_result_state *w, const sheet *s, const uint32_t v[3])
   return fabs(dot(n, s->n)) >= ALIKE * sqrt(dot(n, n));
 }
 
-/* Gives the longest edge of triangle i to its top, where the two triangles that this makes are good ones. There is such
- * a triangle. */
+/* Replaces the longest edge of triangle i by the other diagonal, to its top, if both new triangles are good. Triangle i
+ * exists. Returns false if it cannot. */
 static bool turn_edge(const vs_result_state *w, const sheet *s, vs_triangulation *t, size_t i) {
   uint32_t *v = t->triangles.at[i];
   double at[3][3], d[3], longest = 0;

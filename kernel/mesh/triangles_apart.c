@@ -1,9 +1,9 @@
 /* Owns the proofs that triangles are apart.
  *
- * Two convex sets that share nothing, or just a corner, have a plane between them. The candidates are few: planes of
- * the two faces, and planes along an edge of each. A sign counts where it is larger than its error can be; each
- * determinant's error is below 8e-16 of the sum of its products' sizes (Shewchuk), and 1e-14 is asked for. Neighbours
- * in one plane, whose determinants are noise, are told apart as seen along an axis. */
+ * Two convex sets without a common place, or with just a common corner, have a plane between them. The candidates are
+ * few: planes of the two faces, and planes along an edge of each. A sign counts if it exceeds the largest possible
+ * error. The error of each determinant is below 8e-16 of the sum of its products' sizes (Shewchuk); the code requires
+ * 1e-14. For neighbours in one plane, whose determinants are noise, the test uses their projection along an axis. */
 #include "kernel/mesh/triangles_apart.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 
 #define SURE 1e-14
 
-static int sign3(vs_vec3 a, vs_vec3 b, vs_vec3 c) { /* of det(a, b, c); 0: not sure */
+static int sign3(vs_vec3 a, vs_vec3 b, vs_vec3 c) { /* returns the sign of det(a, b, c); 0: uncertain */
   double x = b.y * c.z, y = b.z * c.y, z = b.z * c.x, u = b.x * c.z, v = b.x * c.y, w = b.y * c.x;
   double det = a.x * (x - y) + a.y * (z - u) + a.z * (v - w);
   double size = fabs(a.x) * (fabs(x) + fabs(y)) + fabs(a.y) * (fabs(z) + fabs(u)) + fabs(a.z) * (fabs(v) + fabs(w));
@@ -30,9 +30,9 @@ static bool same(vs_vec3 a, vs_vec3 b) { return a.x == b.x && a.y == b.y && a.z 
 
 /* ---- an edge in common ---- */
 
-static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* p q the edge, x and y the other corners */
+static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* p q: the edge; x and y: the other corners */
   if (sign3(vs_v3_sub(q, p), vs_v3_sub(x, p), vs_v3_sub(y, p)) != 0) return true;
-  /* alike where x and y lie on opposite sides */
+  /* the normals agree if x and y lie on opposite sides */
   vs_vec3 e = vs_v3_sub(q, p), n = vs_v3_cross(e, vs_v3_sub(x, p)), m = vs_v3_cross(vs_v3_sub(y, p), e);
   return vs_v3_dot(n, m) > 0.1 * vs_v3_length(n) * vs_v3_length(m) && vs_v3_length(n) > 1e-12 * vs_v3_dot(e, e) &&
          vs_v3_length(m) > 1e-12 * vs_v3_dot(e, e);
@@ -40,7 +40,8 @@ static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* p q the 
 
 /* ---- a corner in common ---- */
 
-/* Does a plane across the way from one to the other part them? So it does where they look away from each other. */
+/* Returns true if a plane across the direction from one to the other separates them, as it does if they point away from
+ * each other. */
 static bool cones_opposed(const vs_vec3 a[2], const vs_vec3 b[2]) {
   vs_vec3 d = vs_v3_sub(vs_v3_add(vs_v3_unit(a[0]), vs_v3_unit(a[1])), vs_v3_add(vs_v3_unit(b[0]), vs_v3_unit(b[1])));
   for (int i = 0; i < 4; i++) {
@@ -51,7 +52,7 @@ static bool cones_opposed(const vs_vec3 a[2], const vs_vec3 b[2]) {
   return true;
 }
 
-static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* spanned by two directions each */
+static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone spans two directions */
   int s = sign3(a[0], a[1], b[0]), t = sign3(b[0], b[1], a[0]);
   if (s && s == sign3(a[0], a[1], b[1])) return true;
   if (t && t == sign3(b[0], b[1], a[1])) return true;
@@ -60,7 +61,7 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* spanned by 
       s = sign3(a[i], b[j], a[1 - i]);
       if (s && s == -sign3(a[i], b[j], b[1 - j])) return true;
     }
-  /* seen along an axis: apart there, and no line of sight in them, is apart */
+  /* projected along an axis: if the projections are apart and neither contains the axis, the cones are apart */
   vs_vec3 n = vs_v3_cross(a[0], a[1]);
   double size[3] = { fabs(n.x), fabs(n.y), fabs(n.z) };
   int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
@@ -71,7 +72,7 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* spanned by 
     c[i][1] = axis == 0 ? v.z : axis == 1 ? v.x : v.y;
   }
   int own[2] = { sign2(c[0], c[1]), sign2(c[2], c[3]) };
-  /* a line along one of the directions, its own cone on one side, the other on the other */
+  /* tests lines along one of the directions: its cone on one side, the other cone on the other */
   for (int i = 0; own[0] && own[1] && i < 4; i++) {
     int mine = i % 2 ? -own[i / 2] : own[i / 2], other = i < 2 ? 2 : 0;
     if (sign2(c[i], c[other]) == -mine && sign2(c[i], c[other + 1]) == -mine) return true;
@@ -81,7 +82,7 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* spanned by 
 
 /* ---- nothing in common ---- */
 
-/* along d; corners as seen from somewhere near */
+/* along d; corners relative to a place nearby */
 static bool parted(vs_vec3 d, const vs_vec3 a[3], const vs_vec3 b[3]) {
   double low[2], high[2], error = 0;
   for (int i = 0; i < 6; i++) {
@@ -130,7 +131,7 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *count) {
 
 /* ---- all pairs ---- */
 
-enum { SERIAL = 10000 /* triangles that are not worth a thread */, TRIANGLES = 1 << 13, BLOCKS = 512 /* of a task */ };
+enum { SERIAL = 10000 /* fewer triangles need no thread */, TRIANGLES = 1 << 13, BLOCKS = 512 /* of a task */ };
 
 typedef struct {
   const vs_mesh *m;
@@ -201,7 +202,7 @@ bool vs_mesh_is_apart(vs_kernel *k, const vs_mesh *m, bool *apart, size_t *edges
   vs_fans fans = { (const uint32_t (*)[3])m->triangles, m->triangle_count, m->vertex_count, NULL, corner_at, m };
   vs_hubs hubs = { .edges = 0 };
   bool ok = m->triangle_count < UINT32_MAX && vs_hubs_find(k, &fans, &hubs);
-  s.bvh.families = hubs.of.count ? hubs.of.at : NULL; /* what is of one hub is proven */
+  s.bvh.families = hubs.of.count ? hubs.of.at : NULL; /* the pairs of one hub are proven */
   ok = ok && VS_ROOM(k, s.boxes.at, s.boxes.room, m->triangle_count + 1) &&
        vs_kernel_run(k, (m->triangle_count + TRIANGLES - 1) / TRIANGLES, box_some, &s) &&
        vs_bvh_build(k, &s.bvh, s.boxes.at, (uint32_t)m->triangle_count) &&

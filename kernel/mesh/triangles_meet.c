@@ -1,14 +1,14 @@
-/* Owns the exact answer to the question what two triangles have in common.
+/* Owns the exact intersection test of two triangles.
  *
- * The common part is looked for edge by edge. The intersection of two triangles without a common corner is bounded by
- * places where an edge of one meets the other. An intersection beside a common corner reaches from there to the far
- * edge of one of the two; so only these edges are tried. Beside a common edge it is all or nothing: the triangles are
- * folded onto each other where their other corners lie in one plane with the edge, and on one side of it. */
+ * The test works edge by edge. The intersection of two triangles without a common corner is bounded by places where an
+ * edge of one meets the other. An intersection beside a common corner extends from there to the far edge of one of the
+ * two, so the test tries only these edges. At a common edge there are two cases: the triangles are folded onto each
+ * other if their other corners lie in one plane with the edge and on one side of it; else they share the edge only. */
 #include "kernel/mesh/triangles_meet.h"
 
 #include "kernel/exact/doubles.h"
 
-/* Along which axis it has area as seen; 3: along none. */
+/* Returns an axis along which its projection has area; 3: there is none. */
 static int open_axis(const vs_vec3 *t) {
   for (int axis = 0; axis < 3; axis++)
     if (vs_doubles_turn(axis, t[0], t[1], t[2])) return axis;
@@ -17,7 +17,8 @@ static int open_axis(const vs_vec3 *t) {
 
 bool vs_triangle_is_flat(const vs_vec3 *corners) { return open_axis(corners) == 3; }
 
-/* Is p, which lies in the triangle's plane, in it or on its border? The triangle has area as that axis sees it. */
+/* Returns true if p, which lies in the triangle's plane, is in the triangle or on its border. The projection along the
+ * axis has area. */
 static bool holds(int axis, const vs_vec3 t[3], vs_vec3 p) {
   int way = vs_doubles_turn(axis, t[0], t[1], t[2]);
   VS_ASSERT(way != 0);
@@ -26,8 +27,8 @@ static bool holds(int axis, const vs_vec3 t[3], vs_vec3 p) {
   return true;
 }
 
-/* Of an end of the segment in the triangle's plane which the triangle holds: is there no more of it in the triangle?
- * The triangle has area as that axis sees it. */
+/* Returns true if the triangle contains no more of the segment than its end `from`, which lies in the triangle. The
+ * projection along the axis has area. */
 static bool leaves(int axis, const vs_vec3 t[3], vs_vec3 from, vs_vec3 to) {
   int way = vs_doubles_turn(axis, t[0], t[1], t[2]);
   VS_ASSERT(way != 0);
@@ -38,7 +39,7 @@ static bool leaves(int axis, const vs_vec3 t[3], vs_vec3 from, vs_vec3 to) {
   return false;
 }
 
-/* Of a segment that lies in the triangle's plane. The triangle is not flat. */
+/* Tests a segment that lies in the triangle's plane. The triangle is not flat. */
 static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q) {
   int axis = open_axis(t), left = 0, right = 0;
   VS_ASSERT(axis < 3);
@@ -58,7 +59,7 @@ static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q
   return VS_MEET_NOT;
 }
 
-/* from, to: sides of the triangle's plane that the segment's ends lie on */
+/* from, to: the sides of the triangle's plane on which the segment's ends lie */
 static vs_triangle_meeting segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q, int from, int to) {
   if (from * to > 0) return VS_MEET_NOT;
   if (from == 0 && to == 0) return flat_segment(t, p, q);
@@ -77,7 +78,8 @@ static vs_triangle_meeting worse(vs_triangle_meeting a, vs_triangle_meeting b) {
 
 vs_triangle_meeting vs_triangles_meet(const vs_vec3 a[3], const vs_vec3 b[3]) {
   int of_a[3], of_b[3], shared = 0, over_a[3] = { 0 },
-                        over_b[3] = { 0 }; /* over_a: sides of a's plane that b's corners lie on */
+                        over_b[3] = { 0 }; /* over_a: the sides of a's plane on which b's corners lie; over_b: the
+                                            * reverse */
   VS_ASSERT(!vs_triangle_is_flat(a) && !vs_triangle_is_flat(b));
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)

@@ -1,19 +1,20 @@
-/* Owns the triangulation: one sweep, triangles cut off as soon as they are seen.
+/* Owns the triangulation: one sweep that cuts off each triangle as soon as it is visible.
  *
- * Each interval between two neighbouring edges of the status that is inside the polygon keeps a chain: the border, from
- * the left end of its lower edge to the left end of its upper edge, of what lies to the right and is not cut into
- * triangles yet. x falls from the chain's rightmost corner to both ends, and every other corner between is reflex, so a
- * new vertex at one end sees corners one after the other, and a new vertex in the middle sees the rightmost. n log n,
- * all decisions exact; no corner is left out, so neighbours have no T-junctions.
+ * Each interval inside the polygon, between two neighbouring edges of the status, keeps a chain. The chain is the
+ * border of the space on its right that has no triangles yet, from the left end of the interval's lower edge to the
+ * left end of its upper edge. x decreases from the chain's rightmost corner to both ends, and every other corner
+ * between is reflex. Therefore a new vertex at one end sees corners one after the other, and a new vertex in the middle
+ * sees the rightmost. Cost: n log n; all decisions are exact. The triangulation uses every corner, so neighbours have
+ * no T-junctions.
  *
- * Most faces have a few corners and one border with a lower and an upper side: one chain, and no status. */
+ * Most faces have a few corners and one border with a lower and an upper side: these need one chain and no status. */
 #include "kernel/mesh/triangulate.h"
 
 #include <stdlib.h>
 
 typedef struct { vs_kernel *k; vs_triangulation *t; } cutter;
 
-/* Gives the triangle of three different vertices of the sweep. */
+/* Appends the triangle of three different vertices of the sweep. */
 static bool emit(cutter *c, uint32_t x, uint32_t y, uint32_t z) {
   vs_triangulation *t = c->t;
   VS_ASSERT(x != y && y != z && z != x);
@@ -37,7 +38,7 @@ static bool start(cutter *c, uint32_t edge, uint32_t v) {
   return true;
 }
 
-/* Cuts off what v sees from the chain's upper end. */
+/* Cuts off the triangles that v sees from the chain's upper end. */
 static bool cut_tail(cutter *c, vs_chain *x, uint32_t v) {
   vs_chain_node *n = c->t->nodes.at;
   while (x->tail != x->head) {
@@ -82,8 +83,8 @@ static bool extend_head(cutter *c, vs_chain *x, uint32_t v) {
   return true;
 }
 
-/* v sees the rightmost corner of the interval's chain: below keeps the lower part, above gets the upper. The two edges
- * differ. */
+/* Splits the interval's chain at its rightmost corner, which v sees: `below` keeps the lower part, `above` gets the
+ * upper. The two edges differ. */
 static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   vs_chain *x = &c->t->chains.at[below], *y = &c->t->chains.at[above];
   uint32_t middle = x->rightmost, copy;
@@ -99,7 +100,8 @@ static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   return extend_tail(c, x, v) && extend_head(c, y, v);
 }
 
-/* Going up through these edges from a place that is inside or not: is that what each of them says? */
+/* Returns true if the edges' sides agree on a way up through them that starts inside (under) and ends inside (over), or
+ * outside. */
 static bool agree(const vs_boundary *edges, const uint32_t *at, uint32_t count, bool under, bool over) {
   for (uint32_t i = 0; i < count; i++) {
     if ((bool)(edges[at[i]].inside & 2) != under) return false;
@@ -146,7 +148,7 @@ static bool step(cutter *c, const vs_sweep_event *e) {
   return true;
 }
 
-/* ---- small faces: one border that goes right below and comes back above ---- */
+/* ---- small faces: one border that goes right along the bottom and returns along the top ---- */
 
 enum { SMALL = 32 };
 
@@ -155,8 +157,8 @@ static bool before(const vs_sweep *s, uint32_t a, uint32_t b) {
   return sign < 0 || (sign == 0 && vs_compare(s->points, a, b, s->v) < 0);
 }
 
-/* The sides as one loop from its first corner in the sweep's order on; *last: where its last corner is. False: they are
- * something else. */
+/* Orders the sides as one loop that starts at its first corner in the sweep's order; *last: position of its last
+ * corner. Returns false if they are no such loop. */
 static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t *last) {
   uint32_t n = (uint32_t)t->sides.count, first = 0, at = 0;
   const vs_border *sides = t->sides.at;
@@ -169,7 +171,7 @@ static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t 
     loop[i] = sides[at].from;
     for (uint32_t j = 0; j < n; j++) {
       if (sides[j].from != sides[at].to) continue;
-      if (next != n) return false; /* it touches itself there */
+      if (next != n) return false; /* the border touches itself there */
       next = j;
     }
     if (next == n || (next == first) != (i == n - 1)) return false;
@@ -182,7 +184,8 @@ static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t 
   return i == n;
 }
 
-/* The sweep for such a face, whose one chain is an array: the same triangles. The loop has 3 to SMALL sides. */
+/* Sweeps such a face, whose one chain is an array, with the same triangles as a result. The loop has 3 to SMALL
+ * sides. */
 static bool cut_loop(cutter *c, const uint32_t *loop, uint32_t last) {
   vs_triangulation *t = c->t;
   const vs_sweep *s = &t->sweep;

@@ -8,12 +8,12 @@
 typedef struct { uint32_t from, to; } vs_border;
 typedef struct { uint32_t vertex, previous, next; } vs_chain_node;
 typedef struct { uint32_t head, tail, rightmost; } vs_chain;
-typedef struct { uint32_t l, r; uint8_t inside; } vs_boundary; /* inside: bit 0 above the edge, bit 1 below */
+typedef struct { uint32_t l, r; uint8_t inside; } vs_boundary; /* inside: bit 0: above the edge; bit 1: below */
 
 typedef struct {
-  VS_LIST(vs_border) sides;              /* in: directed so that the inside lies to the left as seen from the plane's
+  VS_LIST(vs_border) sides;              /* input: directed with the inside on the left, as seen from the plane's
                                           * normal; points */
-  /* out: counter-clockwise as seen from the normal; points */
+  /* output: counter-clockwise as seen from the normal; points */
   struct { uint32_t (*at)[3]; size_t count, room; } triangles;
   vs_sweep sweep;
   VS_LIST(uint32_t) list, scratch, local;
