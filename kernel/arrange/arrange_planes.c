@@ -1,15 +1,14 @@
 /* Owns the arrangement in one plane: a group of facets and the cuts in them become faces that nothing crosses, each
  * with its cover.
  *
- * Plan for a group: (1) segments: the facets' boundary edges and the cuts, each lying in a second plane, its `side`;
- * (2) all crossings and contacts of segments whose boxes meet, as points on both, first of the edges, then of the cuts
- * that lie on none; (3) split every segment at its points; equal pieces become one edge, which carries what each leaf's
- * cover changes by from its right to its left; (4) a sweep names the faces on both sides of every edge; (5) covers by
- * walking from the outside inwards. Facets that nothing touches become faces as they are.
+ * Plan for a group: (1) segments: the facets' boundary edges and the cuts; each lies in a second plane, its `side`; (2)
+ * all crossings and contacts of segments whose boxes meet, as points on both: first of the edges, then of the cuts that
+ * lie on no edge; (3) split every segment at its points; equal pieces become one edge, which has the changes of each
+ * leaf's cover from its right to its left; (4) a sweep numbers the faces on both sides of every edge; (5) covers: a
+ * walk from the outside inwards. Facets that nothing touches become faces unchanged.
  *
- * A group numbers its points by itself, copies of the cluster's and new ones alike, so that groups can be worked on at
- * once; what they found is put together in the groups' order, and only there do new points get the cluster's
- * numbers. */
+ * A group has numbers for its points, copies of the cluster's and new ones alike, so threads can arrange several groups
+ * at once. The results are appended in the groups' order, and only then do new points get the cluster's numbers. */
 #include "kernel/arrange/arrange_planes.h"
 
 #include "kernel/arrange/cull.h"
@@ -19,28 +18,30 @@
 
 #include <string.h>
 
-enum { FEW = 24 }; /* up to so many segments all pairs are tried */
+enum { FEW = 24 }; /* so many segments are tested pair by pair */
 
 typedef struct {
   uint32_t p, q;
-  uint32_t leaf;   /* of a boundary edge: the left of p->q has one more of it than the right; VS_NONE for a cut */
-  /* the second plane it lies in; VS_NONE for an edge between input vertices; VS_LINE and a line for a piece of one */
+  uint32_t leaf;   /* for a boundary edge: the left of p->q has one more of this leaf than the right; VS_NONE for a
+                    * cut */
+  /* the second plane that contains it; VS_NONE for an edge between vertices of the input; VS_LINE and a line for a
+   * piece of one */
   uint32_t side;
-  uint8_t axis;    /* along which p and q are well apart */
+  uint8_t axis;    /* an axis along which p and q are well apart */
 } segment;
 typedef struct { uint32_t segment, point; } incidence;
-/* local vertices; delta: above less below */
+/* l, r: local vertices; delta: cover above less cover below */
 typedef struct { uint32_t l, r, leaf; int32_t delta; uint32_t side; } piece;
 
-/* The results of a chunk of groups: points at VS_POINT_MORE and above are `fresh` ones. */
+/* The results of a chunk of groups; points from VS_POINT_MORE on are in `fresh`. */
 typedef struct {
-  VS_LIST(vs_face) faces;    /* cover counts from 0 */
+  VS_LIST(vs_face) faces;    /* cover: relative to this list */
   VS_LIST(vs_cover) covers;
-  VS_LIST(vs_use) uses;      /* faces count from 0 */
-  VS_LIST(uint32_t) lines;   /* of the uses, where facets are given by sides */
+  VS_LIST(vs_use) uses;      /* face: relative to this list */
+  VS_LIST(uint32_t) lines;   /* of the uses, if facets are given by sides */
   VS_LIST(vs_fresh_point) fresh;
-  size_t cuts, crossed;      /* of its planes so far; crossed: points in which cuts cross */
-  size_t hidden;             /* of these, about: inside of some lid, where nothing shows */
+  size_t cuts, crossed;      /* cuts: in its planes so far; crossed: number of points in which cuts cross */
+  size_t hidden;             /* about as many of these are inside a lid, where they do not show */
 } findings;
 
 /* The scratch memory of a thread. */
@@ -48,32 +49,35 @@ typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
   findings *to;
-  uint32_t plane_id, place;      /* place: of a leaf that has a facet in the plane */
+  uint32_t plane_id, place;      /* place: of a leaf with a facet in the plane */
   vs_plane plane;
-  VS_LIST(vs_point) points;      /* of the group; `next` chains in heads */
-  VS_LIST(uint32_t) global;      /* their numbers in the cluster; VS_POINT_MORE + i: fresh i of the chunk */
-  VS_LIST(vs_homogeneous) more;  /* of the new ones */
-  VS_LIST(uint32_t) known;       /* cluster's number -> the group's, where global says the same */
+  VS_LIST(vs_point) points;      /* the group's points; `next` chains them in heads */
+  VS_LIST(uint32_t) global;      /* of each point: its number in the cluster; VS_POINT_MORE + i: fresh point i of the
+                                  * chunk */
+  VS_LIST(vs_homogeneous) more;  /* of the new points */
+  VS_LIST(uint32_t) known;       /* of each point of the cluster: its number in the group, valid if global agrees */
   VS_LIST(uint32_t) heads;
   VS_LIST(segment) segments;     /* boundary edges, then cuts */
   VS_LIST(incidence) on;
-  VS_LIST(uint32_t) families;    /* of segments: 0 where they are tried against each other already */
-  VS_LIST(uint32_t) through;     /* of a point: the first of `holds` that has a segment it is on, as an end or within */
-  VS_LIST(incidence) holds;      /* point: the next of them */
+  VS_LIST(uint32_t) families;    /* of each segment: 0: already tested against the others of family 0 */
+  VS_LIST(uint32_t) through;     /* of each point: the first entry of `holds` for a segment that contains it, at an end
+                                  * or inside */
+  VS_LIST(incidence) holds;      /* point: the index of the next entry */
   VS_LIST(vs_bvh_box) boxes;
   vs_bvh bvh;
   VS_LIST(uint32_t) list, scratch;
-  VS_LIST(uint32_t) local;       /* of a point: its place in the sweep */
+  VS_LIST(uint32_t) local;       /* of each point: its vertex in the sweep */
   VS_LIST(piece) pieces;
   VS_LIST(piece) sorted;
-  VS_LIST(uint32_t) on_first;    /* where a segment's incidences begin, or a vertex' pieces */
+  VS_LIST(uint32_t) on_first;    /* of each segment: its first incidence; or of each vertex: its first piece */
   VS_LIST(vs_keyed) keyed;
-  VS_LIST(uint32_t) payload;     /* of each sweep edge: its first piece; one more */
-  /* of each sweep edge: the side of a segment that it is on, an edge of the input where there is one */
+  VS_LIST(uint32_t) payload;     /* of each sweep edge: its first piece; one more at the end */
+  /* of each sweep edge: the side of a segment that contains it; an edge of the input if there is one */
   VS_LIST(uint32_t) line;
-  VS_LIST(uint32_t) above, below, face; /* of each edge, then union-find; face: what the sweep's face became */
+  VS_LIST(uint32_t) above, below, face; /* above, below: of each edge, then union-find; face: the result of the sweep's
+                                         * face */
   VS_LIST(uint32_t) face_first, face_edges, queue;
-  VS_LIST(vs_cover) cover;       /* of local faces */
+  VS_LIST(vs_cover) cover;       /* of the local faces */
   VS_LIST(uint32_t) cover_first, cover_count;
   vs_sweep sweep;
 } plane_work;
@@ -82,7 +86,7 @@ static vs_points_view view(const plane_work *w) {
   return (vs_points_view){ w->points.at, w->c->points.big.at, w->more.at };
 }
 
-static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* of an input vertex */
+static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* for a vertex of the input */
   for (int i = 0; i < 3; i++) out[i] = vs_point_grid(&w->points.at[point], i);
 }
 
@@ -100,7 +104,7 @@ static bool own_point(plane_work *w, uint32_t global, uint32_t *point) {
 
 static size_t slot_of(const plane_work *w, const int64_t f[3]) { return vs_points_hash(f) & (w->heads.count - 1); }
 
-/* All points of the group into chains; done when the first new one is looked for, and when the table is full. */
+/* Puts all points of the group into chains; done when the first new point is looked up, and when the table is full. */
 static bool chain_points(plane_work *w) {
   size_t want = 64;
   while (want < 2 * w->points.count) want *= 2;
@@ -147,13 +151,13 @@ static bool add_segment(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf, ui
   const vs_point *a = &w->points.at[p], *b = &w->points.at[q];
   int64_t du = a->fixed[w->plane.u] - b->fixed[w->plane.u], dv = a->fixed[w->plane.v] - b->fixed[w->plane.v];
   s.axis = (du < 0 ? -du : du) >= (dv < 0 ? -dv : dv) ? w->plane.u : w->plane.v;
-  if (du == 0 && dv == 0) { /* closer than a fixed number can say */
+  if (du == 0 && dv == 0) { /* closer than fixed numbers can distinguish */
     s.axis = vs_compare(view(w), p, q, w->plane.u) ? w->plane.u : w->plane.v;
   }
   return VS_PUSH(w->k, w->segments, s);
 }
 
-/* The ends of the edge of the input that the segment lies on; false where it lies on none that is known. */
+/* Returns the ends of the input's edge that contains the segment; returns false if no such edge is known. */
 static bool edge_ends(const plane_work *w, const segment *s, int32_t p[3], int32_t q[3]) {
   if (s->side == VS_NONE) {
     grid_of(w, s->p, p);
@@ -194,7 +198,7 @@ static bool add_facet(plane_work *w, const vs_facet *f) {
 
 /* ---- 2: crossings ---- */
 
-/* Notes that the segment s goes through the point, unless it ends there. */
+/* Records that the segment s contains the point, unless it ends there. */
 static bool put(plane_work *w, uint32_t s, uint32_t point) {
   const segment *x = &w->segments.at[s];
   VS_ASSERT(s < w->segments.count);
@@ -202,11 +206,12 @@ static bool put(plane_work *w, uint32_t s, uint32_t point) {
   return VS_PUSH(w->k, w->on, ((incidence){ s, point }));
 }
 
-static bool within(const plane_work *w, const segment *s, uint32_t x) { /* x on the line of s */
+static bool within(const plane_work *w, const segment *s, uint32_t x) { /* x is on the line of s */
   return vs_compare(view(w), s->p, x, s->axis) * vs_compare(view(w), x, s->q, s->axis) > 0;
 }
 
-/* Tries to tell on which side of s, seen in the plane, the point lies. */
+/* Computes the side of s, seen in the plane, on which the point lies. Returns false if the fixed numbers do not decide
+ * it. */
 static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *sign) {
   *sign = 0;
   if (x == s->p || x == s->q) return true;
@@ -214,12 +219,12 @@ static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *s
   if (*sign != VS_UNSURE) return true;
   uint32_t p = w->global.at[s->p], q = w->global.at[s->q], point = w->global.at[x];
   if (s->side != VS_NONE || point >= w->c->edge_of.count) return false;
-  const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end on an edge: known by its name */
+  const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end on an edge that is known by its ends */
   *sign = 0;
   return (e->low == p && e->high == q) || (e->low == q && e->high == p);
 }
 
-/* The sides of s on which t's ends lie; the signs count among each other alone. */
+/* Computes the sides of s on which t's ends lie; only the comparison of the two signs has a meaning. */
 static void sides_of(const plane_work *w, const segment *s, const segment *t, int *a, int *b) {
   bool known_a = side_quick(w, s, t->p, a), known_b = side_quick(w, s, t->q, b);
   if (known_a && known_b) return;
@@ -229,7 +234,7 @@ static void sides_of(const plane_work *w, const segment *s, const segment *t, in
   if (!known_b || *b) *b = vs_side(view(w), &side, t->q);
 }
 
-static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* but not on its ends */
+static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* inside, not at an end */
   int sign;
   if (!side_quick(w, s, x, &sign)) {
     vs_plane side;
@@ -239,7 +244,7 @@ static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* but 
   return sign == 0 && within(w, s, x);
 }
 
-/* Where they cross each other within. */
+/* Computes the point inside both segments where they cross. */
 static bool meet(const plane_work *w, const segment *s, const segment *t, vs_homogeneous *out) {
   vs_plane a, b;
   int32_t p[3], q[3];
@@ -250,7 +255,7 @@ static bool meet(const plane_work *w, const segment *s, const segment *t, vs_hom
   return vs_meet_planes(&w->plane, &a, &b, out);
 }
 
-/* Counts the crossing, and asks of one in so many whether it lies inside of a lid. False where by now too many do. */
+/* Counts the crossing, and tests for one in so many if it lies inside a lid. Returns false once too many do. */
 static bool look_whether_hidden(plane_work *w, uint32_t point) {
   enum { ONE_IN = 16 };
   findings *to = w->to;
@@ -271,7 +276,7 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
     j = t;
   }
   const segment *s = &w->segments.at[i], *t = &w->segments.at[j];
-  if (s->p == s->q) return t->p == t->q || !lies_on(w, t, s->p) || put(w, j, s->p); /* a touched point */
+  if (s->p == s->q) return t->p == t->q || !lies_on(w, t, s->p) || put(w, j, s->p); /* a point of contact */
   if (t->p == t->q) return !lies_on(w, s, t->p) || put(w, i, t->p);
   int a, b, c, d;
   sides_of(w, s, t, &a, &b);
@@ -280,7 +285,7 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
     return (!within(w, s, t->p) || put(w, i, t->p)) && (!within(w, s, t->q) || put(w, i, t->q)) &&
            (!within(w, t, s->p) || put(w, j, s->p)) && (!within(w, t, s->q) || put(w, j, s->q));
   }
-  uint32_t end = a == 0 ? t->p : t->q; /* of t, which lies on the line of s */
+  uint32_t end = a == 0 ? t->p : t->q; /* of t; it lies on the line of s */
   if (a * b == 0 && (end == s->p || end == s->q)) return true;
   sides_of(w, t, s, &c, &d);
   if (c * d > 0) return true;
@@ -292,7 +297,8 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
   return new_point(w, &h, &x) && look_whether_hidden(w, x) && put(w, i, x) && put(w, j, x);
 }
 
-/* All pairs but those of the first `tried` segments, which were tried before. tried is at most their number. */
+/* Finds the crossings of all pairs except those of the first `tried` segments, which were tested before. tried is at
+ * most the number of segments. */
 static bool crossings(plane_work *w, uint32_t tried) {
   uint32_t n = (uint32_t)w->segments.count;
   VS_ASSERT(tried <= n);
@@ -319,7 +325,7 @@ static bool crossings(plane_work *w, uint32_t tried) {
   return true;
 }
 
-/* Notes the segment among those that the point is on. */
+/* Adds the segment to those that contain the point. */
 static bool hold(plane_work *w, uint32_t s, uint32_t point) {
   uint32_t *at = &w->through.at[point];
   VS_ASSERT(point < w->through.count);
@@ -328,7 +334,7 @@ static bool hold(plane_work *w, uint32_t s, uint32_t point) {
   return true;
 }
 
-/* The segments so far, by the points on them. */
+/* Indexes the current segments by the points on them. */
 static bool index_points(plane_work *w) {
   size_t points = w->points.count;
   if (!VS_ROOM(w->k, w->through.at, w->through.room, points)) return false;
@@ -342,7 +348,7 @@ static bool index_points(plane_work *w) {
   return true;
 }
 
-/* Is there a segment that both points are on? */
+/* Returns true if a segment contains both points. */
 static bool joined(const plane_work *w, uint32_t p, uint32_t q) {
   for (uint32_t i = w->through.at[p]; i != VS_NONE; i = w->holds.at[i].point)
     for (uint32_t j = w->through.at[q]; j != VS_NONE; j = w->holds.at[j].point)
@@ -359,7 +365,7 @@ static bool on_before(const void *context, uint32_t x, uint32_t y) { /* of one s
   return vs_compare(view(w), a->point, b->point, s->axis) * vs_compare(view(w), s->p, s->q, s->axis) > 0;
 }
 
-/* The incidences by segment, and along each: into list. */
+/* Sorts the incidences by segment, and along each, into list. */
 static bool order_on(plane_work *w) {
   size_t n = w->segments.count, m = w->on.count;
   if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * m + 1))
@@ -381,7 +387,7 @@ static bool order_on(plane_work *w) {
     }
     vs_sort_keyed(at, at + m, count);
     for (uint32_t j = 0; j < count; j++) list[low + j] = at[j].item;
-    for (uint32_t j = 0, end; j < count; j = end) { /* closer than fixed numbers can say, or the same again and again */
+    for (uint32_t j = 0, end; j < count; j = end) { /* closer than fixed numbers can distinguish, or repeated */
       for (end = j + 1; end < count && at[end].key == at[j].key;) end++;
       if (end > j + 1) vs_kernel_sort(list + low + j, w->scratch.at, end - j, on_before, w);
     }
@@ -395,7 +401,8 @@ static bool piece_before(const piece *x, const piece *y) {
   return x->delta != y->delta ? x->delta < y->delta : x->side < y->side;
 }
 
-/* The pieces by both ends, and leaf: into sorted. Equal pieces are equal in all, so there is one order. */
+/* Sorts the pieces by both ends and the leaf, into sorted. Equal pieces are equal in all members, so there is one
+ * order. */
 static bool order_pieces(plane_work *w) {
   enum { MANY = 64 };
   size_t n = w->sweep.vertices.count, m = w->pieces.count;
@@ -409,7 +416,7 @@ static bool order_pieces(plane_work *w) {
   for (size_t v = 0; v < n; v++) {
     piece *at = w->sorted.at + first[v];
     uint32_t count = first[v + 1] - first[v];
-    /* shell sort: mostly a few, at times a hub */
+    /* Shell sort: mostly few, sometimes a hub */
     for (uint32_t gap = count > MANY ? count / 2 : 1; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
       for (uint32_t i = gap; i < count; i++) {
         piece x = at[i];
@@ -421,7 +428,7 @@ static bool order_pieces(plane_work *w) {
   return true;
 }
 
-/* The piece of a segment between two points, which are different vertices of the sweep. */
+/* Adds the piece of a segment between two points, which are different vertices of the sweep. */
 static bool add_piece(plane_work *w, uint32_t p, uint32_t q, const segment *s) {
   uint32_t a = w->local.at[p], b = w->local.at[q];
   VS_ASSERT(a != b);
@@ -438,7 +445,7 @@ static bool split(plane_work *w) {
   uint32_t *list = w->list.at;
   for (size_t i = 0; i < n; i++) list[2 * i] = w->segments.at[i].p, list[2 * i + 1] = w->segments.at[i].q;
   for (size_t i = 0; i < m; i++) list[2 * n + i] = w->on.at[i].point;
-  /* points lead to local numbers: once each into the order */
+  /* points to local numbers: each once in the order */
   size_t unique = 0;
   for (size_t i = 0; i < ends; i++) w->local.at[list[i]] = VS_NONE;
   for (size_t i = 0; i < ends; i++)
@@ -467,7 +474,8 @@ static bool split(plane_work *w) {
   const piece *sorted = w->sorted.at;
   w->sweep.edges.count = w->payload.count = w->line.count = 0;
   size_t kept = 0, count = w->pieces.count;
-  for (size_t i = 0, end; i < count; i = end) { /* one edge per (l, r), with one piece per leaf whose delta is not 0 */
+  for (size_t i = 0, end; i < count; i = end) { /* an edge for each (l, r), with a piece for each leaf whose delta is
+                                                 * not 0 */
     const piece *at = &sorted[i];
     if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ at->l, at->r })) || !VS_PUSH(k, w->payload, (uint32_t)kept))
       return false;
@@ -517,7 +525,7 @@ static bool name_faces(plane_work *w) {
     }
   }
   if (!vs_sweep_done(&w->sweep)) return false;
-  uint32_t count = 0; /* unions made the smaller number the root: compact in order */
+  uint32_t count = 0; /* the root of a union is its smallest number: numbers without gaps, in order */
   for (uint32_t f = 0; f < w->face.count; f++) w->face.at[f] = vs_find(w->face.at, f) == f ? f : vs_find(w->face.at, f);
   if (!VS_ROOM(k, w->list.at, w->list.room, w->face.count)) return false;
   for (uint32_t f = 0; f < w->face.count; f++) w->list.at[f] = w->face.at[f] == f ? count++ : w->list.at[w->face.at[f]];
@@ -529,7 +537,8 @@ static bool name_faces(plane_work *w) {
 
 /* ---- 5: covers ---- */
 
-/* The neighbour's cover changed by what the edge carries; sign: 1 going up through it. The sign is 1 or -1. */
+/* Computes the cover across an edge from the neighbour's; sign: 1 on the way up through the edge, -1 on the way
+ * down. */
 static bool step_cover(plane_work *w, uint32_t from, uint32_t to, uint32_t edge, int sign) {
   VS_ASSERT(sign == 1 || sign == -1);
   w->cover_first.at[to] = (uint32_t)w->cover.count;
@@ -609,7 +618,7 @@ static bool give_faces(plane_work *w) {
 
 /* ---- the groups ---- */
 
-static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
+static bool give_facet(plane_work *w, uint32_t facet) { /* for an untouched facet */
   const vs_cluster *c = w->c;
   findings *to = w->to;
   const vs_facet *f = &c->facets.at[facet];
@@ -634,19 +643,19 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* untouched */
   return VS_PUSH(w->k, to->covers, cover) && VS_PUSH(w->k, to->faces, face);
 }
 
-typedef struct { uint32_t from, end; } chunk; /* of roots */
+typedef struct { uint32_t from, end; } chunk; /* a range of roots */
 
-/* Facets and cuts by group, in the order of the groups' roots; chunks of them. */
+/* Facets and cuts by group, in the order of the groups' roots, and the chunks of groups. */
 typedef struct {
   vs_cluster *c;
-  VS_LIST(uint32_t) facets, cuts;  /* numbers, bucketed */
-  VS_LIST(uint32_t) facet_first, cut_first; /* of a root; one more */
+  VS_LIST(uint32_t) facets, cuts;  /* numbers, in buckets by group */
+  VS_LIST(uint32_t) facet_first, cut_first; /* of each root; one more at the end */
   VS_LIST(chunk) chunks;
   findings found[VS_PIPELINE_WINDOW];
-  plane_work *works;               /* one a thread */
-  vs_points_table points;          /* those found, on top of the cluster's */
+  plane_work *works;               /* one for each thread */
+  vs_points_table points;          /* new points, on top of the cluster's */
   VS_LIST(uint32_t) numbers;       /* of a chunk's fresh points */
-  size_t tried, crossed, hidden;   /* of the chunks so far: cuts, and as there */
+  size_t tried, crossed, hidden;   /* sums over the chunks so far: cuts, crossed and hidden */
 } arranging;
 
 static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
@@ -682,15 +691,15 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   }
   vs_sort_keyed(at, at + cut_count, cut_count);
   uint32_t kept = 0, tried = 0;
-  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* the same segment once, with the first of its planes */
+  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* keeps each segment once, with the first of its planes */
     uint32_t plane = at[j].item, p, q;
     for (stop = j + 1; stop < cut_count && at[stop].key == at[j].key; stop++)
       if (at[stop].item < plane) plane = at[stop].item;
     if (!own_point(w, (uint32_t)(at[j].key >> 32), &p) || !own_point(w, (uint32_t)at[j].key, &q)) return false;
     at[kept++] = (vs_keyed){ (int64_t)p << 32 | q, plane };
   }
-  if (end > begin + 1) { /* solids side by side: most cuts lie on an edge, between points that edges have among each
-                          * other, and are needless */
+  if (end > begin + 1) { /* for solids side by side: most cuts lie on an edge, between points that edges share, and are
+                          * needless */
     if (!crossings(w, 0) || !index_points(w)) return false;
     tried = (uint32_t)w->segments.count;
   }
@@ -762,7 +771,7 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
 }
 
 static bool bucket(vs_kernel *k, arranging *a) {
-  enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* facets and cuts */
+  enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* of facets and cuts */
   const vs_cluster *c = a->c;
   uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count, *first;
   if (!VS_ROOM(k, a->facets.at, a->facets.room, (size_t)n + 1) ||
@@ -782,7 +791,7 @@ static bool bucket(vs_kernel *k, arranging *a) {
   for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
   for (uint32_t i = 0; i < m; i++) a->cuts.at[first[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
   if (!vs_kernel_report(k, k->part)) return false;
-  for (int large = 1; large >= 0; large--) /* what takes long begins first */
+  for (int large = 1; large >= 0; large--) /* long tasks begin first */
     for (uint32_t i = 0, end; i < n; i = end) {
       uint32_t size = 0;
       for (end = i; end < n && size < CHUNK; end++) {
@@ -835,14 +844,14 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   size_t work_room = 0;
   bool ok = VS_ROOM(k, a.works, work_room, k->threads);
   if (ok) memset(a.works, 0, work_room * sizeof *a.works);
-  size_t least = c->facets.count; /* as many faces, or nearly */
+  size_t least = c->facets.count; /* about as many faces */
   ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) &&
        VS_ROOM(k, c->covers.at, c->covers.room, least) && VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) &&
        vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a);
   vs_points_forget(k, &c->points);
   vs_points_forget(k, &a.points);
   ok = ok && vs_points_append(k, &c->points, &a.points);
-  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* it was too much */
+  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* too many crossings */
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);
     VS_DROP(k, a.found[i].covers);

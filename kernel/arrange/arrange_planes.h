@@ -4,6 +4,6 @@
 
 #include "kernel/cluster.h"
 
-bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* faces, uses */
+bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* makes faces and uses */
 
 #endif

@@ -1,16 +1,16 @@
-/* Owns the classification: which faces of the arrangement bound the result.
+/* Owns the classification: it decides which faces of the arrangement bound the result.
  *
- * Plan: (1) at every edge the faces are sorted around it, and the sides that look at each other belong to one cell
- * (union-find); (2) for each connected set of cells one line is shot through one face, over the input triangles: the
- * winding numbers of all leaves on one side of it; (3) a walk over the cells, entering and leaving leaves as their
- * faces are crossed, evaluates the expression in each cell; (4) a face is kept where its two cells differ. The walk
- * also sums a random number per winding: two ways into a cell must agree, or the arrangement is broken and an error
- * says so.
+ * Plan: (1) the faces at every edge are sorted around it, and sides that face each other belong to one cell
+ * (union-find); (2) for each connected set of cells, a line through one face and the input triangles gives the winding
+ * numbers of all leaves on one side of the face; (3) a walk over the cells enters and leaves leaves as it crosses their
+ * faces, and evaluates the expression in each cell; (4) a face is kept if its two cells differ. The walk also sums a
+ * random number for each winding: two ways into a cell must agree, or the arrangement is broken and the kernel fails
+ * with an error.
  *
  * Around an edge. D is the direction from the smaller point number to the larger. A use that runs along D has its face
- * to the left, in direction n x D; one against D in -n x D. Therefore, with m = n or -n the face lies at m x D, turning
- * counter-clockwise about D leaves it through the side that m points to, and faces come in the order of the angle of m,
- * seen along any axis in which D is not 0. */
+ * to the left, in direction n x D; one against D in -n x D. Therefore, with m = n or -n the face lies at m x D. A
+ * counter-clockwise turn about D leaves it through the side that m points to, and faces come in the order of the angle
+ * of m, seen along any axis in which D is not 0. */
 #include "kernel/arrange/classify.h"
 
 #include "kernel/cluster.h"
@@ -25,20 +25,20 @@ typedef struct {
   vs_cluster *c;
   vs_expression *e;
   VS_LIST(_Atomic uint32_t) sets; /* union-find: 2 * face (+ side), 2 * face + 1 (- side) */
-  VS_LIST(uint32_t) side;         /* of each: its cell */
-  VS_LIST(uint32_t) first, borders; /* cell -> its faces */
+  VS_LIST(uint32_t) side;         /* of each side of a face: its cell */
+  VS_LIST(uint32_t) first, borders; /* from a cell to its faces */
   VS_LIST(uint64_t) sum;    /* of a cell */
-  VS_LIST(uint8_t) state;   /* of a cell: 1 looked at, 2 walked, 4 inside, 8 settled */
+  VS_LIST(uint8_t) state;   /* of each cell: 1 visited, 2 walked, 4 inside, 8 settled */
   VS_LIST(uint32_t) queue;
   struct { uint32_t cell, next, face; } *stack;
   size_t stack_room;
-  VS_LIST(vs_cover) found;  /* windings that the line found */
-  VS_LIST(uint32_t) active; /* leaves we are in; place: of a leaf in it */
+  VS_LIST(vs_cover) found;  /* the windings that the line found */
+  VS_LIST(uint32_t) active; /* active: leaves that contain the current cell; place: of a leaf in active */
   VS_LIST(uint32_t) place;
-  VS_LIST(uint32_t) owner;  /* of a cell inside the result: the earliest leaf that makes it so */
+  VS_LIST(uint32_t) owner;  /* of each cell inside the result: the earliest leaf that makes it so */
   uint32_t cells;
-  size_t lids;              /* leaves we are in that settle the result */
-  bool owned;               /* some leaf may give way to a cell's owner: `owner` is wanted */
+  size_t lids;              /* number of active leaves that settle the result */
+  bool owned;               /* a leaf may give way to a cell's owner: `owner` is needed */
   /* the line */
   uint32_t face;
   int axis;
@@ -49,7 +49,7 @@ typedef struct {
   vs_use probe[3];          /* the border of a region's triangle */
 } walk;
 
-/* Where lines go through: a face, or one triangle of a region. */
+/* The target of a line: a face, or one triangle of a region. */
 typedef struct {
   vs_plane plane;
   bool flip;                /* the face's + side is the plane's - side */
@@ -59,7 +59,7 @@ typedef struct {
 
 /* ---- 1: cells ---- */
 
-bool vs_around_before(const vs_around *a, const vs_around *b) { /* by angle from +x */
+bool vs_around_before(const vs_around *a, const vs_around *b) { /* by the angle from +x */
   bool lower_a = a->y < 0 || (a->y == 0 && a->x < 0), lower_b = b->y < 0 || (b->y == 0 && b->x < 0);
   if (lower_a != lower_b) return lower_b;
   return (vs_i128)a->x * b->y - (vs_i128)a->y * b->x > 0;
@@ -113,8 +113,8 @@ static bool sort_edge(vs_kernel *k, walk *w, const vs_half *halves, size_t count
   return ok;
 }
 
-/* Prefetches data that is asked for soon, from all over memory: uses far ahead, their faces nearer, and the planes of
- * those nearer still. */
+/* Prefetches data that are needed soon, from all over the memory: uses far ahead, their faces nearer, and the planes of
+ * the faces nearest. */
 VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 36, FACE = 24, PLANE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -124,7 +124,7 @@ VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   __builtin_prefetch(&c->planes.all.at[c->faces.at[c->uses.at[at[PLANE].item].face].plane]);
 }
 
-/* Unites the sides that look at each other along the edges whose smaller ends are in the range. */
+/* Unites the sides that face each other along the edges whose smaller ends are in the range. */
 static bool join_range(vs_kernel *k, void *context, size_t range) {
   walk *w = context;
   const vs_cluster *c = w->c;
@@ -136,7 +136,7 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     const vs_half *at = h->at.at + i;
     for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
     for (uint32_t j = i; j < end; j++) look_ahead(c, j, stop);
-    if (end - i == 1) { /* what lies across was left out */
+    if (end - i == 1) { /* the face across was culled */
       uint32_t face = c->uses.at[at->item].face;
       vs_unite_shared(w->sets.at, 2 * face, 2 * face + 1);
     } else if (end - i == 2) {
@@ -171,7 +171,7 @@ static bool make_cells(walk *w) {
   for (size_t i = 0; i < c->regions.count; i++)
     if (c->regions.at[i].open) vs_unite_shared(w->sets.at, 2 * c->regions.at[i].face, 2 * c->regions.at[i].face + 1);
   w->cells = 0;
-  for (uint32_t i = 0; i < 2 * f; i++) { /* roots are the smallest of their sets: number them on the way */
+  for (uint32_t i = 0; i < 2 * f; i++) { /* roots are the smallest of their sets: numbers them on the way */
     uint32_t root = vs_find_shared(w->sets.at, i);
     w->side.at[i] = root == i ? w->cells++ : w->side.at[root];
   }
@@ -194,7 +194,7 @@ static bool make_cells(walk *w) {
 
 /* ---- 2: the line ---- */
 
-/* The corners of a region's triangle are put behind all points, for a moment. */
+/* Puts the corners of a region's triangle behind all points, for a moment. */
 static bool outline_of(walk *w, uint32_t face, outline *o) {
   vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
@@ -222,7 +222,7 @@ static bool outline_of(walk *w, uint32_t face, outline *o) {
   return true;
 }
 
-/* Is the line's (u, v) inside the outline? Exact; on its boundary counts as no. The line's point is the last of the
+/* Returns true if the line's (u, v) is strictly inside the outline; exact. The line's point is the last of the
  * table. */
 static bool strictly_inside(vs_points_view view, const outline *o, uint32_t probe, int au, int av) {
   bool inside = false;
@@ -236,12 +236,12 @@ static bool strictly_inside(vs_points_view view, const outline *o, uint32_t prob
   return inside;
 }
 
-/* A place inside the outline, seen along axis: halfway between the crossings of a line v = const with the boundary,
- * where they are widest apart. */
+/* Chooses a place inside the outline, seen along axis: halfway between the crossings of a line v = const with the
+ * boundary, at their widest distance. */
 static bool aim(walk *w, const outline *o, int attempt) {
   vs_cluster *c = w->c;
   int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
-  /* doubles are exact near it alone */
+  /* doubles are exact near it only */
   int64_t low = INT64_MAX, high = INT64_MIN, origin = c->points.all.at[o->uses[0].from].fixed[au];
   for (uint32_t i = 0; i < o->count; i++) {
     int64_t y = c->points.all.at[o->uses[i].from].fixed[av];
@@ -277,7 +277,7 @@ static bool aim(walk *w, const outline *o, int attempt) {
   return true;
 }
 
-/* A triangle of the leaf at a place, as it lies on the grid. */
+/* Tests a triangle of the leaf at a place, on the grid. */
 static bool shoot(walk *w, const vs_placed *p, uint32_t leaf, bool mirrored, size_t triangle) {
   const uint32_t *id = p->part->mesh->triangles[triangle];
   const int32_t *at[3] = { w->c->corners[p->first + id[0]], w->c->corners[p->first + id[mirrored ? 2 : 1]],
@@ -298,7 +298,7 @@ static bool shoot(walk *w, const vs_placed *p, uint32_t leaf, bool mirrored, siz
   bool flip;
   if (!vs_plane_through(at[0], at[1], at[2], &plane, &flip) || plane.n[w->axis] == 0) return true;
   if (turns & 4) {
-    w->degenerate = true; /* through an edge: aim again */
+    w->degenerate = true; /* through an edge: the caller chooses another place */
     return false;
   }
   int64_t n = plane.n[w->axis];
@@ -333,7 +333,7 @@ static bool index_leaf(walk *w, vs_placed *p) {
 }
 
 static bool shoot_leaf(void *context, uint32_t place) {
-  enum { MANY = 2048, OFTEN = 16 }; /* lines that cost what an index does */
+  enum { MANY = 2048, OFTEN = 16 }; /* after so many lines, an index costs less */
   walk *w = context;
   vs_placed *p = &w->c->placed.at[place];
   uint32_t leaf = w->c->leaves[place];
@@ -354,8 +354,8 @@ static int by_leaf(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Of leaves that have become one solid, whether the place is inside of any of them counts: the solid's winding number
- * is then 1. */
+/* For leaves that have become one solid, the place is inside if it is inside any of them: the solid's winding number is
+ * then 1. */
 static void find_solids(walk *w) {
   vs_cover *at = w->found.at;
   size_t n = w->found.count, kept = 0;
@@ -377,7 +377,8 @@ static void find_solids(walk *w) {
   w->found.count = kept;
 }
 
-/* Fills found with the windings just above the face along axis, and says which of its sides that is. */
+/* Fills found with the windings directly above the face along axis; *side is the side of the face there. *done false:
+ * no place on the face could be used. Returns false on an error. */
 static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *side, bool *done) {
   vs_cluster *c = w->c;
   w->axis = o->plane.k;
@@ -444,8 +445,8 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
   return true;
 }
 
-/* The owner of the cell: of the leaves that make the result true there the earliest. Space that another operand takes
- * away again is not there. */
+/* Finds the owner of the cell: the earliest leaf of those that make the result true there. Space that another operand
+ * subtracts again does not count. */
 static bool find_owner(walk *w, uint32_t cell) {
   uint32_t owner = VS_NONE, first = VS_NONE;
   for (size_t i = 0; i < w->active.count; i++) {
@@ -460,7 +461,7 @@ static bool find_owner(walk *w, uint32_t cell) {
   return true;
 }
 
-/* The walk comes into a cell with that sum of windings. */
+/* Enters a cell with that sum of windings. */
 static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   bool joining = w->c->joining != NULL, settled = w->lids > 0 || (!joining && vs_expression_gated(w->e));
   bool inside = joining ? settled : vs_expression_value(w->e);
@@ -472,7 +473,7 @@ static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   return !inside || !w->owned || find_owner(w, cell);
 }
 
-/* The change of the sum on the way from the + side of a face to its - side. There is such a face. */
+/* Returns the change of the sum on the way from the + side of a face, which exists, to its - side. */
 static uint64_t change(const walk *w, uint32_t face) {
   const vs_face *f = &w->c->faces.at[face];
   uint64_t sum = 0;
@@ -507,9 +508,9 @@ static bool walk_from(walk *w, uint32_t cell) {
   if (!arrive(w, cell, sum)) return false;
   while (depth) {
     uint32_t here = w->stack[depth - 1].cell;
-    if (w->state.at[here] & 8) w->stack[depth - 1].next = w->first.at[here + 1]; /* settled: no way through */
+    if (w->state.at[here] & 8) w->stack[depth - 1].next = w->first.at[here + 1]; /* settled: the walk ends here */
     if (w->stack[depth - 1].next == w->first.at[here + 1]) {
-      uint32_t back = w->stack[--depth].face; /* came through it; go back */
+      uint32_t back = w->stack[--depth].face; /* goes back through the face by which it came */
       if (back != VS_NONE && !pass(w, back, w->side.at[2 * back] == here ? 1 : -1)) return false;
       continue;
     }
@@ -536,8 +537,8 @@ static bool walk_from(walk *w, uint32_t cell) {
   return true;
 }
 
-/* Twice the face's area as its plane's main axis sees it, in fixed units squared; about. Of a region any number: its
- * triangle is a large one. */
+/* Returns twice the face's area, approximately, as seen along its plane's main axis, in fixed units squared. For a
+ * region any number: its triangle is a large one. */
 static double about_area(const walk *w, uint32_t face) {
   const vs_cluster *c = w->c;
   if (c->faces.at[face].plane == VS_NONE) return INFINITY;
@@ -557,12 +558,12 @@ static double about_area(const walk *w, uint32_t face) {
 
 /* A line through a face near a cell. */
 typedef struct {
-  uint32_t side;  /* of the face: the one whose windings are found; valid where done */
-  bool done;      /* false: the faces are too small to aim at */
-  size_t cells;   /* so many of `queue` were looked round */
+  uint32_t side;  /* the side of the face whose windings are found; valid if done */
+  bool done;      /* false: the faces are too small for a line */
+  size_t cells;   /* number of cells in `queue` whose faces were considered */
 } sighting;
 
-/* A line through the largest of the first faces around the cell and around those that hang together with it: at most
+/* Shoots a line through the largest of the first faces around the cell and around the cells connected to it: at most
  * `most` cells and `faces` faces. */
 static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, sighting *a) {
   size_t head = 0, tail = 0, seen = 0;
@@ -587,7 +588,7 @@ static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, sigh
   return look(w, face, &a->side, &a->done);
 }
 
-/* How thick the face is across its longest side, in fixed units; about. */
+/* Returns the thickness of the face across its longest side, approximately, in fixed units. */
 static double about_thickness(const walk *w, uint32_t face) {
   const vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
@@ -601,10 +602,10 @@ static double about_thickness(const walk *w, uint32_t face) {
   return fabs(about_area(w, face)) / longest;
 }
 
-/* Are the first cells in `queue` crumbs, or needles, too thin to aim at? Next to settled space these are given its
- * value. The result is right whatever they are: the faces between cells of different values are closed in any case, and
- * a cell is nowhere wider than all of the faces around it are thick together: thousands of them come to less than 2^-10
- * steps. */
+/* Returns true if the first cells in `queue` are crumbs or needles, too thin for a line. Next to settled space they get
+ * its value. The result is valid for any value: the faces between cells of different values are closed in any case. A
+ * cell is nowhere wider than the sum of the thicknesses of the faces around it: thousands of them sum to less than
+ * 2^-10 steps. */
 static bool settle_crumbs(walk *w, size_t cells) {
   static const double CRUMB = 64; /* fixed units */
   uint32_t known = VS_NONE;
@@ -623,21 +624,21 @@ static bool settle_crumbs(walk *w, size_t cells) {
   return known != VS_NONE;
 }
 
-/* A line, then a walk from where it leads. most: cells that are looked at for a face to aim at. */
+/* Shoots a line, then walks from the cell that it gives. most: number of cells to search for a face. */
 static bool walk_component(walk *w, uint32_t start, size_t most) {
   enum { FACES = 256 };
   sighting a = { .done = false };
   if (!look_around(w, start, most, FACES, &a)) return false;
-  /* where a solid meets itself in nearly one place are thousands of crumbs */
+  /* where a solid nearly meets itself at one place, there are thousands of crumbs */
   if (!a.done && most > 1 && !look_around(w, start, w->cells, SIZE_MAX, &a)) return false;
-  for (size_t i = 0; !a.done && i < a.cells; i++) /* unlucky with the largest: try them all */
+  for (size_t i = 0; !a.done && i < a.cells; i++) /* the largest failed: tries all */
     for (uint32_t j = w->first.at[w->queue.at[i]]; !a.done && j < w->first.at[w->queue.at[i] + 1]; j++)
       if (!look(w, w->borders.at[j], &a.side, &a.done)) return false;
   if (!a.done) return settle_crumbs(w, a.cells) || VS_BROKEN(w->k, "no face to look through");
   uint32_t above = w->side.at[a.side], below = w->side.at[a.side ^ 1], through = a.side / 2;
   if (!(w->state.at[above] & 2) && !walk_from(w, above)) return false;
   if (w->state.at[below] & 2) return true;
-  const vs_face *f = &w->c->faces.at[through]; /* settled above: the face's cover leads below */
+  const vs_face *f = &w->c->faces.at[through]; /* settled above: the face's cover gives the windings below */
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
     vs_cover across = { vs_solid_of(w->c, cover.leaf), a.side & 1 ? -cover.delta : cover.delta };
@@ -646,20 +647,20 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   return walk_from(w, below);
 }
 
-/* Cells on the inner side of a leaf that settles what is inside of it are settled, and need no line of their own. A
- * side is inside where a face of the leaf parts winding number 0 from 1: in a star on the grid. The corners of a thin
- * star may have moved so that it folds over itself there. Then there are faces between the winding numbers -1 and 0 as
- * well, whose inner side is outside of the leaf, and the walk has to find out which is which. */
+/* Marks cells on the inner side of a leaf that settles its inside: they are settled and need no line. A side is inside
+ * if a face of the leaf separates the winding numbers 0 and 1: in a star on the grid. The corners of a thin star may
+ * have moved so that it folds over itself there. Then there are also faces between the winding numbers -1 and 0, whose
+ * inner side is outside of the leaf, and the walk has to distinguish them. */
 static bool mark_settled(walk *w) {
   const vs_cluster *c = w->c;
   bool value = c->joining || w->e->forced;
-  uint8_t *settles = NULL; /* of a leaf of the problem */
+  uint8_t *settles = NULL; /* of the problem's leaves */
   size_t room = 0;
   bool any = false;
   for (uint32_t i = 0; i < c->leaf_count; i++) any = any || (c->placed.at[i].star && w->e->forces.at[c->leaves[i]]);
   if (!any) return true;
   if (!VS_ROOM(w->k, settles, room, (size_t)c->problem->leaf_count + 1)) return false;
-  /* others have no faces here */
+  /* other leaves have no faces here */
   for (uint32_t i = 0; i < c->leaf_count; i++)
     settles[c->leaves[i]] = c->placed.at[i].star && w->e->forces.at[c->leaves[i]];
   for (uint32_t f = 0; f < c->faces.count; f++)
@@ -674,15 +675,15 @@ static bool mark_settled(walk *w) {
   return true;
 }
 
-/* Whose tag the face has, the solid being in the cell: the earliest's. A bare leaf that is taken off gives way to the
- * earliest that is there. */
+/* Returns the leaf whose tag the face has, with the solid in the cell: the earliest. A bare leaf that is subtracted
+ * gives way to the earliest leaf in that cell. */
 static uint32_t painter(const walk *w, uint32_t face, uint32_t cell) {
   const vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
   uint32_t leaf = c->covers.at[f->cover].leaf;
   if (!c->kept.at[face] || !c->problem->leaves[leaf].bare || !w->e->taken_off.at[leaf]) return leaf;
   if (!(w->state.at[cell] & 8)) return w->owner.at[cell] == VS_NONE ? leaf : w->owner.at[cell];
-  for (uint32_t i = 0; i < f->cover_count; i++) /* settled as true: by a leaf whose surface this is */
+  for (uint32_t i = 0; i < f->cover_count; i++) /* settled as true: by a leaf with this surface */
     if (!w->e->taken_off.at[c->covers.at[f->cover + i].leaf]) return c->covers.at[f->cover + i].leaf;
   return leaf;
 }
@@ -698,7 +699,7 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   for (uint32_t i = 0; ok && i < w.cells; i++) {
     enum { AROUND = 1000 };
     if (w.state.at[i] & 2) continue;
-    /* maybe one behind settled space */
+    /* maybe a face behind settled space */
     ok = walk_component(&w, i, AROUND) && (w.state.at[i] & 2 || walk_component(&w, i, 1)) && vs_kernel_poll(k, 0.8);
   }
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);
@@ -713,7 +714,7 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
     c->wound.count = w.cells;
     c->side_cell.count = 2 * c->faces.count;
     c->side_cell.room = w.side.room;
-    c->side_cell.at = w.side.at; /* handed over */
+    c->side_cell.at = w.side.at; /* the cluster takes them over */
     w.side.at = NULL;
     w.side.room = 0;
   }

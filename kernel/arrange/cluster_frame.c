@@ -1,14 +1,14 @@
-/* Owns the cluster's frame: the linear part most leaves share, in which their boxes are boxes again.
+/* Owns the cluster's frame: the linear part that most leaves share, in which their boxes are boxes again.
  *
- * A leaf's linear part is split into directions, mostly a rotation, and scales along its own axes. Two of them that
- * agree to 1e-12 up to a signed permutation of axes are one: so a quarter turn, a mirror image and the same turn
- * computed in another way all fall together. The frame is the majority's; leaves of it get exact permutations and
- * scales, and only their translation is turned. A linear part that shears serves as a frame as well, for leaves that
- * all have it.
+ * A leaf's linear part is split into directions, mostly a rotation, and scales along the leaf's axes. Two linear parts
+ * that agree to 1e-12 up to a signed permutation of axes are one: a quarter turn, a mirror image and the same turn
+ * computed in another way are equal. The frame is the one of the majority. Its leaves get exact permutations and
+ * scales, and only their translation is turned. A linear part that shears also serves as a frame, for leaves that all
+ * have it.
  *
- * Very thin plates come first: half a step on either side of a plate is a part of its thickness, and so of its volume,
- * while in its own frame its faces lie on the grid. Therefore the frame is that with the most area of such plates, and
- * the majority's where there are none. */
+ * Very thin plates have precedence. Half a step on either side of a plate is a part of its thickness, and so of its
+ * volume, while in the plate's frame its faces lie on the grid. Therefore the frame is the one with the most area of
+ * such plates, or the majority's if there are none. */
 #include "kernel/arrange/cluster_frame.h"
 
 #include "kernel/cluster.h"
@@ -20,7 +20,8 @@ enum { CANDIDATES = 64 };
 /* back: the inverse of r; unit: of the frame's axes; plates: their area */
 typedef struct { double r[3][3], back[3][3], unit[3]; double plates; uint32_t votes; } candidate;
 
-/* Columns' lengths into scale, and their directions into r; false where they are nearly in one plane. */
+/* Splits the linear part: the columns' lengths into scale, their directions into r. Returns false if they are nearly in
+ * one plane. */
 static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
   for (int j = 0; j < 3; j++) {
     int nonzero = 0;
@@ -35,8 +36,8 @@ static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
   return true;
 }
 
-/* The inverse: the transpose where the columns are orthogonal to 1e-12. False where the columns are nearly in one
- * plane: such a frame would make the grid coarse. */
+/* Computes the inverse: the transpose if the columns are orthogonal to 1e-12. Returns false if the columns are nearly
+ * in one plane: such a frame would make the grid coarse. */
 static bool invert(double r[3][3], double back[3][3], bool *rigid) {
   bool orthogonal = true;
   for (int j = 0; j < 3; j++) {
@@ -58,7 +59,7 @@ static bool invert(double r[3][3], double back[3][3], bool *rigid) {
   return true;
 }
 
-/* back * r as an exact signed permutation; false where it is none */
+/* computes back * r as an exact signed permutation; returns false if it is none */
 static bool permutation(double back[3][3], double r[3][3], double p[3][3]) {
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
@@ -70,10 +71,10 @@ static bool permutation(double back[3][3], double r[3][3], double p[3][3]) {
   return true;
 }
 
-/* The leaf's area where it is a very thin plate of few triangles, in the world; else 0. */
+/* Returns the leaf's area in the world if it is a very thin plate of few triangles; else 0. */
 static double plate_area(const vs_cluster *c, uint32_t leaf) {
-  enum { FEW = 64 }; /* triangles: round things have many, and rounding moves these to and fro */
-  static const double THIN = 0x1p-10; /* its volume against its area's to the power of 3/2: .068 for a cube */
+  enum { FEW = 64 }; /* triangles: round shapes have many, and rounding moves them to either side */
+  static const double THIN = 0x1p-10; /* ratio of the volume to the 3/2 power of the area: .068 for a cube */
   const vs_part *part = &c->parts->all.at[c->parts->of_leaf.at[leaf]];
   const vs_affine *a = &c->problem->leaves[leaf].placement;
   const vs_mesh *m = part->mesh;
@@ -102,7 +103,7 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
       bool rigid;
       if (!invert(r, all[j].back, &rigid)) continue;
       double least = fmin(scale[0], fmin(scale[1], scale[2])), most = fmax(scale[0], fmax(scale[1], scale[2]));
-      /* sheared alike: in the numbers they had before */
+      /* sheared alike: in their original numbers */
       for (int x = 0; x < 3; x++) all[j].unit[x] = rigid || most > 4 * least ? 1 : scale[x];
       for (int x = 0; x < 3; x++)
         for (int y = 0; y < 3; y++) all[j].r[x][y] = r[x][y];

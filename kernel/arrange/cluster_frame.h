@@ -4,8 +4,8 @@
 
 #include "kernel/cluster.h"
 
-/* The steps, in order. All false on error. */
-bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *local_to_frame /* one a leaf of the cluster */);
+/* The steps, in order. All return false on an error. */
+bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *local_to_frame /* one for each leaf of the cluster */);
 vs_vec3 vs_grid_world(const vs_grid *g, const vs_point *p);
 
 #endif

@@ -1,10 +1,10 @@
-/* Owns the way from corners on the grid to triangles and facets: what is culled, plain or flat is left out, coplanar
- * neighbours become one; and that each leaf is closed.
+/* Owns the step from corners on the grid to triangles and facets: it omits culled, plain and flat triangles, and joins
+ * coplanar neighbours. It also checks that each leaf is closed.
  *
- * Leaves are worked on in batches, a batch in spans of triangles that threads share: (1) planes of the triangles
- * that stay; (2) which neighbours lie in one plane. Then, one after the other, triangles get the numbers of their
- * points, planes and facets: so they do not depend on the threads; points are one task and the rest another. Points and
- * planes that only culled or flat triangles have are never made. */
+ * Leaves are processed in batches, a batch in spans of triangles that threads share: (1) the planes of the remaining
+ * triangles; (2) neighbours in one plane. Then, one after the other, triangles get the numbers of their points, planes
+ * and facets, which therefore do not depend on the threads; points are one task and the rest another. Culled and flat
+ * triangles make no points or planes. */
 #include "kernel/arrange/facets.h"
 
 #include "kernel/cluster.h"
@@ -15,24 +15,24 @@
 
 enum { SPAN = 1 << 12, BATCH = 1 << 17 /* triangles */ };
 #define FLAT UINT32_MAX
-#define GONE (UINT32_MAX - 1) /* culled, or plain */
+#define GONE (UINT32_MAX - 1) /* culled or plain */
 
 typedef struct {
   vs_plane plane;
   uint64_t hash;   /* of the plane */
-  uint32_t source; /* of its mesh's triangles */
+  uint32_t source; /* index in its mesh */
   bool flip;
   uint8_t inner;
 } found_triangle;
 typedef struct {
-  uint32_t place, first, end; /* of its leaf, and of that one's triangles */
-  uint32_t base;              /* number in the batch of the first that was found */
+  uint32_t place, first, end; /* place: of its leaf; first, end: a range of that leaf's triangles */
+  uint32_t base;              /* number in the batch of the span's first found triangle */
   VS_LIST(found_triangle) found;
 } span;
 typedef struct {
   const uint32_t *twins;
-  uint32_t triangles; /* where the leaf's begin, in `number` */
-  uint32_t span;      /* its first */
+  uint32_t triangles; /* index in `number` of the leaf's first triangle */
+  uint32_t span;      /* its first span */
   bool mirrored;
 } batch_leaf;
 
@@ -41,23 +41,23 @@ typedef struct {
   uint32_t first, end;          /* places of the batch's leaves */
   VS_LIST(batch_leaf) leaves;
   VS_LIST(span) spans;
-  size_t span_count;            /* that were ever made: they keep their room */
-  VS_LIST(uint32_t) number;     /* of a mesh's triangle: among those that its span found; FLAT, GONE */
-  VS_LIST(_Atomic uint32_t) sets; /* of found triangles: which hang together in one plane */
+  size_t span_count;            /* spans ever made: they keep their memory */
+  VS_LIST(uint32_t) number;     /* of each triangle of a mesh: its index among those found in its span; or FLAT, GONE */
+  VS_LIST(_Atomic uint32_t) sets; /* of found triangles: union-find of those connected in one plane */
   bool straight;                  /* sheets are wanted */
-  VS_LIST(_Atomic uint32_t) sheets; /* the same of those that nearly lie in one plane, where they are */
-  VS_LIST(uint32_t) facet;      /* of found triangles that are the first of theirs */
+  VS_LIST(_Atomic uint32_t) sheets; /* the same for those that nearly lie in one plane, if sheets are wanted */
+  VS_LIST(uint32_t) facet;      /* of found triangles that are the first of their facet */
   VS_LIST(uint32_t) ids;        /* point numbers of one leaf's vertices, or VS_NONE */
-  VS_LIST(uint32_t) twins;      /* of leaves whose part has none */
+  VS_LIST(uint32_t) twins;      /* of leaves whose part has no twins */
   VS_LIST(uint32_t) fresh;      /* vertices of a span that have no point yet */
-  size_t given;                 /* the cluster's triangles before the batch */
+  size_t given;                 /* number of the cluster's triangles before the batch */
 } facets;
 
 static uint32_t turned(bool mirrored, uint32_t j) { return mirrored ? 2 - j : j; }
-/* the edge of a mesh's triangle that edge j of ours is, and the other way round */
+/* the mesh triangle's edge that edge j of the grid triangle is, and the reverse */
 static uint32_t turned_edge(bool mirrored, uint32_t j) { return mirrored ? (4 - j) % 3 : j; }
 
-/* Of the leaf at a place: which corners stand for which edges, see vs_twins_find. */
+/* Finds the twins of the leaf at a place: pairs of corners with opposite edges, see vs_twins_find. */
 static bool find_twins(vs_kernel *k, facets *f, uint32_t place) {
   vs_cluster *c = f->c;
   const vs_mesh *m = c->placed.at[place].part->mesh;
@@ -105,10 +105,12 @@ static bool same_plane(const found_triangle *a, const found_triangle *b) {
          a->plane.d == b->plane.d && a->flip == b->flip;
 }
 
-/* Could the grid have made two planes of one? at: the leaf's corners; v, w: the corners of the mesh's triangles. */
+/* Returns true if the grid may have made two planes of one. at: the leaf's corners; v, w: the corners of the mesh's
+ * triangles. */
 static bool nearly_one_plane(int32_t (*at)[3], const found_triangle *a, const uint32_t v[3], const found_triangle *b,
                              const uint32_t w[3]) {
-  static const double OFF = 4, ALIKE = 0.999; /* steps that three corners' rounding may put a fourth off; cosine */
+  static const double OFF = 4, ALIKE = 0.999; /* OFF: steps by which the rounding of three corners may move a fourth off
+                                               * the plane; ALIKE: a cosine */
   double n = 0, m = 0, both = 0, above = 0, below = 0;
   for (int i = 0; i < 3; i++) {
     double x = (double)a->plane.n[i], y = (double)b->plane.n[i];
@@ -138,7 +140,7 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
       uint32_t twin = l->twins[3 * (size_t)a->source + turned_edge(l->mirrored, j)];
       if (twin == VS_NONE || twin / 3 == a->source) continue;
       uint32_t number = f->number.at[l->triangles + twin / 3];
-      /* a triangle that has become a line lies here: this one may have to be split along it */
+      /* a triangle that has become a line is here: this triangle may have to be split along it */
       if (number == FLAT) a->inner |= VS_BESIDE_FLAT;
       if (number >= GONE) continue;
       const span *other = &f->spans.at[l->span + twin / 3 / SPAN];
@@ -148,7 +150,7 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
           (same || nearly_one_plane(f->c->corners + p->first, a, corners[a->source], b, corners[b->source])))
         vs_unite_shared(f->sheets.at, s->base + i, other->base + number);
       if (!same) continue;
-      a->inner |= (uint8_t)(1u << j); /* the other one finds the same */
+      a->inner |= (uint8_t)(1u << j); /* the other triangle finds the same */
       if (a->source < b->source) vs_unite_shared(f->sets.at, s->base + i, other->base + number);
     }
   }
@@ -157,11 +159,11 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
 
 /* ---- in order ---- */
 
-/* The triangles' points, of all spans. Numbers in the order of their first use; looked up a span at a time, so that
- * they can be fetched ahead. */
+/* Gives the triangles of all spans their points, with numbers in the order of their first use. The lookups run a span
+ * at a time, for prefetching. */
 static bool give_points(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
-  vs_grid_triangle *to = c->triangles.at; /* NULL where there is none: nothing may be added to it */
+  vs_grid_triangle *to = c->triangles.at; /* NULL if there is none: no offset may be added to it */
   if (f->given > 0) to += f->given;
   for (size_t index = 0; index < f->spans.count; index++) {
     const span *s = &f->spans.at[index];
@@ -189,7 +191,7 @@ static bool give_points(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* The rest of them, facets and their planes, of all spans. */
+/* Gives the triangles of all spans their other members, facets and planes. */
 static bool give_facets(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
   vs_grid_triangle *to = c->triangles.at + f->given;
@@ -201,12 +203,12 @@ static bool give_facets(vs_kernel *k, facets *f) {
       if (i + VS_AHEAD_FAR < s->found.count) vs_planes_ahead(&c->planes, from[VS_AHEAD_FAR].hash, false);
       if (i + VS_AHEAD_NEAR < s->found.count) vs_planes_ahead(&c->planes, from[VS_AHEAD_NEAR].hash, true);
       uint32_t root = vs_find_shared(f->sets.at, s->base + i);
-      if (root == s->base + i) { /* the first of its facet */
+      if (root == s->base + i) { /* the first triangle of its facet */
         vs_facet made = { .leaf = leaf, .place = s->place, .group = (uint32_t)c->facets.count, .flip = from->flip };
         f->facet.at[root] = (uint32_t)c->facets.count;
         if (!vs_planes_add(k, &c->planes, &from->plane, from->hash, &made.plane) || !VS_PUSH(k, c->facets, made))
           return false;
-        /* the first triangle of a sheet is the first of its facet, too */
+        /* the first triangle of a sheet is also the first of its facet */
         if (f->straight && !VS_PUSH(k, c->sheets, f->facet.at[vs_find_shared(f->sheets.at, root)])) return false;
       }
       to->leaf = leaf;
@@ -222,7 +224,7 @@ static bool give_facets(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* different fields, other tables */
+/* different members, other tables */
 static bool give(vs_kernel *k, void *context, size_t index) {
   return index ? give_facets(k, context) : give_points(k, context);
 }
@@ -238,7 +240,7 @@ static bool plan_leaf(vs_kernel *k, facets *f, uint32_t place, size_t *triangles
                           "the solid is inside out: its faces should run counter-clockwise seen from outside");
   for (uint32_t t = 0; t < n; t += SPAN) {
     span made = { .place = place, .first = t, .end = n - t < SPAN ? n : t + SPAN };
-    if (f->spans.count < f->span_count) { /* an earlier batch's, whose room stays */
+    if (f->spans.count < f->span_count) { /* of an earlier batch; its memory stays */
       span *s = &f->spans.at[f->spans.count++];
       s->place = place;
       s->first = made.first;
@@ -294,7 +296,7 @@ static bool do_batch(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* facet_triangles: the triangles by facet */
+/* makes facet_triangles: the triangles by facet */
 static bool index_facets(vs_kernel *k, vs_cluster *c) {
   size_t n = c->triangles.count, f = c->facets.count;
   vs_facet last = { .leaf = VS_NONE };
@@ -308,7 +310,7 @@ static bool index_facets(vs_kernel *k, vs_cluster *c) {
   for (size_t i = 0; i < f; i++) c->facets.at[i].first = c->facets.at[i + 1].first;
   c->facets.at[f].first = (uint32_t)n;
   c->facet_triangles.count = n;
-  c->facets.count = f; /* the sentinel stays readable behind it */
+  c->facets.count = f; /* the sentinel behind them stays readable */
   return true;
 }
 

@@ -6,8 +6,8 @@
  * some direction d, the other two corners p and q of each triangle turn by an angle between 0 and half a turn,
  * counter-clockwise, if det(p, q, d) > 0. If that holds for all, each triangle follows another along an edge, and the
  * angles sum to one turn, then none overlaps another. d is the mean normal. The signs of the determinants count only
- * beyond their error; the sum is rounded to a whole number of turns, of which it is a multiple. A single pass around the hub
- * proves it, in n log n for the order. Pairs without a proof are tested one by one.
+ * beyond their error; the sum is rounded to a whole number of turns, of which it is a multiple. A single pass around
+ * the hub proves it, in n log n for the order. Pairs without a proof are tested one by one.
  *
  * For a cone in a cone all boxes meet, too. If the triangles around a hub bend the same way everywhere, they bound a
  * convex cone; a triangle whose corners lie inside it is apart from all of them. A corner is inside if it is on the
