@@ -1,16 +1,16 @@
-/* Owns the meeting of facets that are given by their sides: the segments and points that any two of them share, as cuts
- * in both.
+/* Owns the intersection of facets that are given by their sides: the segments and points that two of them share become
+ * cuts in both.
  *
- * A facet here may have any outline, with holes, and corners that are exact points. The line of two planes crosses its
- * outline in events, put in order along the line: a side that goes from above the other plane to below it, or from
- * above to the plane itself, changes whether the line moved up by a hair is inside; a side that goes below does the
- * same for the line moved down. Between two events the facet covers the line where either is inside, so sides that lie
- * in the other plane, and corners that only touch it, need no rule of their own. The interval that both facets cover is
- * cut at every event, since each is a corner of one of them. New points are a side's line through a plane: an edge of
- * the input through it, or three planes of the input, however many levels came before.
+ * Such a facet may have any outline, with holes, and corners that are exact points. The line of two planes crosses its
+ * outline at events, which are sorted along the line. A side from above the other plane to below it, or from above to
+ * the plane itself, changes if the line moved up by a hair is inside. A side that goes below does the same for the line
+ * moved down. Between two events the facet covers the line where either moved line is inside. Therefore sides that lie
+ * in the other plane, and corners that only touch it, need no rule. The interval that both facets cover is cut at every
+ * event, since each is a corner of one of them. A new point is where a side's line meets a plane: an edge of the input
+ * and a plane, or three planes of the input, after any number of levels.
  *
- * As in intersect_patches.c, pairs are decided in chunks that do not know of each other, and points are numbered
- * afterwards, chunk by chunk. */
+ * As in intersect_patches.c, threads decide pairs in independent chunks; points are numbered afterwards, chunk by
+ * chunk. */
 #include "kernel/arrange/intersect_facets.h"
 
 #include "kernel/cluster.h"
@@ -21,21 +21,21 @@
 
 #define FRESH (UINT32_C(1) << 31)
 
-typedef struct { uint32_t a, b, p, q, cut; } contact; /* of facets, as in intersect_patches.c */
+typedef struct { uint32_t a, b, p, q, cut; } contact; /* a, b: facets; the rest as in intersect_patches.c */
 
 enum { BREAK = 0, UP = 1, DOWN = 2 };
 typedef struct {
   int64_t fixed[3];
-  uint32_t id;   /* a point, or FRESH and which of `crossings` */
+  uint32_t id;   /* a point, or FRESH plus an index in `crossings` */
   uint8_t first, exact; /* first: of the first facet's outline */
-  uint8_t turns; /* UP, DOWN: whether the moved lines enter or leave here */
+  uint8_t turns; /* UP, DOWN: the line moved that way enters or leaves here */
 } event;
 
 /* The scratch memory of a thread. */
 typedef struct {
   VS_LIST(event) events;
-  VS_LIST(vs_fresh_point) crossings; /* that they lie on */
-  VS_LIST(uint32_t) given;           /* of each of these: its number among the chunk's, or VS_NONE */
+  VS_LIST(vs_fresh_point) crossings; /* the new points on the line */
+  VS_LIST(uint32_t) given;           /* of each crossing: its number among the chunk's points, or VS_NONE */
 } working;
 
 typedef struct {
@@ -48,7 +48,7 @@ typedef struct {
 
 static const vs_plane *plane_of(const vs_cluster *c, const vs_facet *f) { return &c->planes.all.at[f->plane]; }
 
-/* Where the side, whose ends lie on different sides of the plane, goes through it. */
+/* Computes the point where the side goes through the plane; its ends lie on different sides of the plane. */
 static bool crossing(const vs_cluster *c, const vs_facet *f, const vs_facet_side *s, const vs_plane *through,
     vs_homogeneous *out) {
   if (!(s->line & VS_LINE)) return vs_meet_planes(plane_of(c, f), &c->planes.all.at[s->line], through, out);
@@ -56,7 +56,7 @@ static bool crossing(const vs_cluster *c, const vs_facet *f, const vs_facet_side
   return vs_meet_edge(line->at[0], line->at[1], through, out);
 }
 
-/* Does the facet have corners on both sides of the other's plane, or in it? */
+/* Returns true if the facet has corners on both sides of the other's plane, or in it. */
 static bool reaches(const vs_cluster *c, const vs_facet *f, const vs_plane *p) {
   vs_points_view view = vs_points_of(&c->points);
   bool above = false, below = false;
@@ -114,7 +114,7 @@ static void load(const chunk *m, const event *e, vs_homogeneous *out) {
   else *out = m->c->points.big.at[p->big];
 }
 
-/* The order along the axis; points of one line, so that 0 says they are one point. The axis is 0, 1 or 2. */
+/* Returns the order along the axis (0, 1 or 2) of points on one line; 0: they are one point. */
 static int compare(const chunk *m, const event *a, const event *b, int axis) {
   VS_ASSERT(axis >= 0 && axis < 3);
   if (a->fixed[axis] != b->fixed[axis]) return a->fixed[axis] < b->fixed[axis] ? -1 : 1;
@@ -137,7 +137,7 @@ static void sort_events(chunk *m, int axis) {
     }
 }
 
-/* An axis that the line of the two planes, which are not parallel, is not across. */
+/* Returns an axis that is not perpendicular to the line of the two planes, which are not parallel. */
 static int axis_of(const vs_plane *p, const vs_plane *q) {
   double most = -1;
   int best = 0;
@@ -150,7 +150,7 @@ static int axis_of(const vs_plane *p, const vs_plane *q) {
   return best;
 }
 
-/* The number of an event's point, among the chunk's new ones where it is new. */
+/* Sets *id to the number of an event's point; a new point is added to the chunk's. */
 static bool name(chunk *m, const event *e, uint32_t *id) {
   *id = e->id;
   if (!(e->id & FRESH)) return true;
@@ -163,7 +163,7 @@ static bool name(chunk *m, const event *e, uint32_t *id) {
   return true;
 }
 
-/* Is what lies between the points new for the facet: neither one of its sides nor a corner? */
+/* Returns true if the segment between the points is new for the facet: neither one of its sides nor a corner. */
 static bool is_new(const vs_cluster *c, const vs_facet *f, uint32_t p, uint32_t q) {
   if ((p | q) & FRESH) return true;
   for (uint32_t i = f[0].first; i < f[1].first; i++) {
@@ -181,8 +181,8 @@ static bool add_contact(chunk *m, uint32_t a, uint32_t b, const event *from, con
   return !cut || VS_PUSH(m->k, m->contacts, ((contact){ a, b, p, q, cut }));
 }
 
-/* The first of the events that begin at one place, and lie there together: an old point where there is one. There is an
- * event i. */
+/* Returns the first of the events from i on at one place; an old point if there is one. Event i exists; *end is the end
+ * of these events. */
 static event *gather(chunk *m, size_t i, int axis, size_t *end) {
   event *at = m->w->events.at, *best = &at[i];
   VS_ASSERT(i < m->w->events.count);
@@ -202,8 +202,8 @@ static bool share(chunk *m, uint32_t a, uint32_t b) {
   for (size_t i = 0; i < m->w->crossings.count; i++) m->w->given.at[i] = VS_NONE;
   int axis = axis_of(plane_of(c, f), plane_of(c, g));
   sort_events(m, axis);
-  uint8_t in[2] = { 0, 0 }; /* of each facet: which of the moved lines are inside */
-  bool covered = false;     /* by both, up to here */
+  uint8_t in[2] = { 0, 0 }; /* of each facet: the moved lines that are inside */
+  bool covered = false;     /* both facets cover the line before this event */
   event before = { .id = VS_NONE };
   for (size_t i = 0, end; i < n; i = end) {
     const event here = *gather(m, i, axis, &end);
@@ -237,12 +237,12 @@ static bool meet(void *context, uint32_t a, uint32_t b) {
 
 typedef struct {
   vs_cluster *c;
-  vs_points_table points; /* the new ones: the tasks read the cluster's */
+  vs_points_table points; /* the new points: the tasks read the cluster's */
   vs_bvh bvh;
   VS_LIST(vs_bvh_box) boxes;
   VS_LIST(uint32_t) families, group, ids;
   chunk chunks[VS_PIPELINE_WINDOW];
-  working *works; /* one a thread */
+  working *works; /* one for each thread */
 } meeting;
 
 enum { CHUNK = 64 }; /* blocks of the index */

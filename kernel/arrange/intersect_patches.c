@@ -1,16 +1,16 @@
-/* Owns the meeting of patches: finds every pair that touches and leaves in both facets the segments or point they
- * share.
+/* Owns the intersection of patches: it finds every pair that touches, and leaves the shared segments or point in both
+ * facets.
  *
- * Two patches in different planes can only meet on the line of these planes. Each covers a piece of it, from one of its
- * corners or edges to another; what both cover is what they share. Heights over a plane and places along the line are
- * doubles with a bound on their error, and whole numbers decide what is within it: pairs that only come near cost no
- * wide arithmetic, and a segment well inside a lid gets no points. A contact that is a corner or a whole boundary edge
- * of a patch already is nothing new for that patch. Patches of one plane unite their facets into a group. Patches of
- * one leaf are treated as any others, unless it is a star on the grid: it may cross itself, or rounding may have folded
- * it.
+ * Two patches in different planes can meet only on the line of these planes. Each covers an interval of it, from one of
+ * its corners or edges to another; they share the intersection of the intervals. Heights over a plane and
+ * places along the line are doubles with a bound on their error; integers decide cases within the bound. Therefore
+ * pairs that only come near need no wide arithmetic, and a segment well inside a lid gets no points. A contact that is
+ * already a corner or a whole boundary edge of a patch is not new for that patch. Patches in one plane unite their
+ * facets into a group. Patches of one leaf are treated like any others, unless the leaf is a star on the grid: it may
+ * intersect itself, or rounding may have folded it.
  *
- * Pairs are found and decided in chunks that do not know of each other; points are numbered afterwards, chunk by chunk:
- * one result for any number of threads. */
+ * Threads find and decide pairs in independent chunks; points are numbered afterwards, chunk by chunk: the result is
+ * the same for any number of threads. */
 #include "kernel/arrange/intersect_patches.h"
 
 #include "kernel/arrange/cull.h"
@@ -22,14 +22,14 @@
 
 /* The segment that two patches share, or a part of it between corners on it. */
 typedef struct {
-  uint32_t a, b, p, q; /* p, q: its ends, points; with FRESH: of the chunk's */
-  uint32_t cut;        /* bit 0: it is new in a, bit 1: in b; 0: coplanar, the facets go together */
+  uint32_t a, b, p, q; /* a, b: patches; p, q: the ends, points; with FRESH: of the chunk's */
+  uint32_t cut;        /* bit 0: new in a; bit 1: new in b; 0: coplanar, the facets are united */
 } contact;
 #define FRESH (UINT32_C(1) << 31)
 
-/* Where an edge goes through a patch is wanted by both of the triangles that have it, mostly soon after each other. */
+/* The point where an edge goes through a patch. Both triangles at the edge need it, mostly soon after each other. */
 typedef struct {
-  uint32_t low, high, patch; /* the edge's corners, and what it goes through */
+  uint32_t low, high, patch; /* the edge's corners, and the patch */
   uint32_t fresh;            /* the point's number in the chunk, or VS_NONE */
 } crossing;
 enum { CROSSINGS = 1 << 12 };
@@ -37,8 +37,8 @@ enum { CROSSINGS = 1 << 12 };
 /* The scratch memory of a thread. */
 typedef struct {
   VS_LIST(double) heights[2];     /* of a pair's corners, over the other's plane */
-  VS_LIST(crossing) crossings;    /* the last ones, each in its place by a hash */
-  VS_LIST(vs_patch_corner) line;  /* corners within what a pair shares, in order */
+  VS_LIST(crossing) crossings;    /* the latest ones, each at a place given by a hash */
+  VS_LIST(vs_patch_corner) line;  /* corners on the shared segment, in order */
 } working;
 
 typedef struct {
@@ -47,9 +47,10 @@ typedef struct {
   working *w;
   VS_LIST(contact) contacts;
   VS_LIST(vs_fresh_point) fresh;
-  VS_LIST(vs_edge) edges;         /* that those are on */
-  size_t asked;                   /* segments of which lids were asked whether they hide them */
-  size_t left, looked, hidden;    /* those that none hides whole; how many of them were looked at; hidden in part */
+  VS_LIST(vs_edge) edges;         /* edges that contain the chunk's fresh points */
+  size_t asked;                   /* number of segments that were tested against lids */
+  size_t left, looked, hidden;    /* left: segments that no lid hides whole; looked: those of which a sample was tested;
+                                   * hidden: sampled segments hidden there */
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -67,7 +68,7 @@ static bool corner_of(const vs_cluster *c, const vs_patch *p, uint32_t id) {
   return false;
 }
 
-/* Which edge of the patch runs between the corners p and q; VS_NONE: none. */
+/* Returns the edge of the patch between the corners p and q; VS_NONE: there is none. */
 static uint32_t edge_of(const vs_cluster *c, const vs_patch *x, uint32_t p, uint32_t q) {
   const vs_patch_corner *at = corners(c, x);
   for (uint32_t i = 0; i < x->count; i++) {
@@ -79,22 +80,22 @@ static uint32_t edge_of(const vs_cluster *c, const vs_patch *x, uint32_t p, uint
 
 /* ---- a pair, within a chunk ---- */
 
-/* A patch against the plane of another. */
+/* A patch and the plane of another. */
 typedef struct {
   const vs_patch *of, *other;
-  double *height;                /* of each of its corners: their signs are right, and 0 is 0 */
-  double error;                  /* of heights that are not 0, at most */
-  uint32_t on, first_on, last_on; /* corners in the plane: how many, and two of them */
-  bool above, below;             /* are there any */
+  double *height;                /* of each of its corners: the signs are exact, and 0 is exactly 0 */
+  double error;                  /* of heights other than 0, at most */
+  uint32_t on, first_on, last_on; /* number of corners in the plane, and two of them */
+  bool above, below;             /* there are corners above, below */
 } facing;
 
 static vs_i128 height(const vs_plane *p, const int32_t at[3]) {
   return (vs_i128)p->n[0] * at[0] + (vs_i128)p->n[1] * at[1] + (vs_i128)p->n[2] * at[2] - p->d;
 }
 
-/* Heights as doubles, from a corner of the other patch: differences of 33 bits are exact. The normal, the three
- * products and the two sums are right to 2^-53 of themselves: the error is below 2^-50 of the products' sizes together,
- * and nothing where these are below 2^53. */
+/* Computes heights as doubles, from a corner of the other patch: differences of 33 bits are exact. The normal, the
+ * three products and the two sums are accurate to 2^-53 of themselves: the error is below 2^-50 of the sum of the
+ * products' sizes, and zero if these are below 2^53. */
 static void face_to(const vs_cluster *c, facing *f) {
   const vs_plane *p = &c->planes.all.at[f->other->plane];
   const vs_patch_corner *x = corners(c, f->of);
@@ -120,7 +121,8 @@ static void face_to(const vs_cluster *c, facing *f) {
   }
 }
 
-/* The place for where the edge p q, of two points, goes through the patch; their number is a power of two. */
+/* Returns the cache entry for the point where the edge p q, of two points, goes through the patch. The number of
+ * entries is a power of two. */
 static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
   uint32_t low = p < q ? p : q, high = p < q ? q : p;
   uint64_t hash = (((uint64_t)low << 32 | high) ^ (uint64_t)patch * 0xd6e8feb86659fd93u) * 0x9e3779b97f4a7c15u;
@@ -130,23 +132,24 @@ static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
   return x;
 }
 
-/* Where the line of two planes enters or leaves a patch of one of them: at a corner, or between that and the next. */
+/* An end of the interval in which the line of two planes is in a patch of one of them: at a corner, or between a corner
+ * and the next. */
 typedef struct {
   const facing *f;
-  uint32_t corner, next; /* next: the same at a corner */
-  double at, error;      /* its coordinate along the axis that is looked at */
+  uint32_t corner, next; /* next: equal to corner if the end is at a corner */
+  double at, error;      /* its coordinate along the current axis */
 } end;
 
 static bool is_corner(const end *e) { return e->corner == e->next; }
 
-/* The exact place. The exact place of an end between two corners. */
+/* Computes the exact place of an end between two corners. */
 static bool end_place(const vs_cluster *c, const end *e, vs_homogeneous *out) {
   const vs_patch_corner *x = corners(c, e->f->of);
   VS_ASSERT(e->corner != e->next);
   return vs_meet_edge(x[e->corner].at, x[e->next].at, &c->planes.all.at[e->f->other->plane], out);
 }
 
-/* Which comes first along the axis; 0: they are one point. */
+/* Returns the order along the axis; 0: they are one point. */
 static int compare(const vs_cluster *c, const end *a, const end *b, int axis) {
   double d = a->at - b->at, error = a->error + b->error;
   if (fabs(d) > error || error <= 0) return (d > 0) - (d < 0);
@@ -160,14 +163,14 @@ static int compare(const vs_cluster *c, const end *a, const end *b, int axis) {
   return vs_homogeneous_compare(&p, &q, axis);
 }
 
-/* How far along its edge an end lies. */
+/* Returns the fraction of its edge at which an end lies. */
 static double fraction(const end *e) {
   double u = e->f->height[e->corner], v = e->f->height[e->next];
   return is_corner(e) ? 0 : u / (u - v);
 }
 
-/* The piece of the line that the patch covers. A crossing's fraction t = u / (u - v) is off by less than 3 errors of a
- * height / |u - v|, as t <= 1, and by rounding, which comes to less than 2^-18 steps along the edge. */
+/* Computes the interval of the line that the patch covers. The error of a crossing's fraction t = u / (u - v) is below
+ * 3 errors of a height / |u - v|, as t <= 1, plus rounding errors below 2^-18 steps along the edge. */
 static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(c, f->of);
   const double *h = f->height;
@@ -188,7 +191,7 @@ static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end 
   }
 }
 
-/* An axis that the planes' line is not across. */
+/* Returns an axis that is not perpendicular to the planes' line. */
 static int axis_of(const vs_plane *p, const vs_plane *q) {
   double most = 0, bound = 0;
   int best = 0;
@@ -199,14 +202,14 @@ static int axis_of(const vs_plane *p, const vs_plane *q) {
     if (fabs(s - t) > most) most = fabs(s - t), best = i;
   }
   if (most > bound * 0x1p-50) return best;
-  for (best = 0; best < 2; best++) { /* the planes differ: it is one of them */
+  for (best = 0; best < 2; best++) { /* the planes differ: one of the three is not zero */
     int u = (best + 1) % 3, v = (best + 2) % 3;
     if ((vs_i128)p->n[u] * q->n[v] != (vs_i128)p->n[v] * q->n[u]) break;
   }
   return best;
 }
 
-/* In steps; false where that is off by too much to say what holds it. */
+/* Computes the place in steps; returns false if its error is too large to decide if a lid contains it. */
 static bool end_at(const vs_cluster *c, const end *e, double at[3]) {
   const vs_patch_corner *x = corners(c, e->f->of);
   const double *h = e->f->height;
@@ -219,7 +222,7 @@ static bool end_at(const vs_cluster *c, const end *e, double at[3]) {
   return is_corner(e) || 4 * e->f->error * length <= 0.25 * fabs(h[e->corner] - h[e->next]);
 }
 
-/* Coplanar patches: do they touch in more than corners and edges that both have? */
+/* Returns true if coplanar patches touch in more than common corners and edges. */
 static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   const vs_plane *plane = &c->planes.all.at[a->plane];
   const vs_patch *t[2] = { a, b };
@@ -242,9 +245,9 @@ static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   return !(apart && a->facet == b->facet);
 }
 
-/* Triangles of one leaf in different planes, that share corners as neighbours do: are these all they share? Those with
- * an edge in common share the line of their planes, and so the edge alone; with one corner, where the rest of one lies
- * to one side of the other. Only where it is quick to say. */
+/* Returns true if triangles of one leaf in different planes share only corners as neighbours do; false also if that
+ * takes long to decide. Two with a common edge share the line of their planes, and so the edge alone. Two with one
+ * common corner share only that if the rest of one lies on one side of the other. */
 static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   if (a->count != 3 || b->count != 3) return false;
   const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
@@ -254,7 +257,7 @@ static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_pat
       uint32_t same = x[i].point == y[j].point;
       in_a |= same << i, in_b |= same << j;
     }
-  static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* of two corners: the bit of the edge between */
+  static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* of two corners: the bit of the edge between them */
   if (edge[in_a]) return !(a->inner & edge[in_a]) && !(b->inner & edge[in_b]);
   if (!in_a) return false;
   for (int side = 0; side < 2; side++) {
@@ -266,14 +269,14 @@ static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_pat
   return false;
 }
 
-/* Is what lies between the points new for the patch? Not if it is a corner, or an edge of its facet. */
+/* Returns true if the segment between the points is new for the patch: neither a corner nor an edge of its facet. */
 static bool is_new(const vs_cluster *c, const vs_patch *x, uint32_t p, uint32_t q) {
   if (p == q) return !corner_of(c, x, p);
   uint32_t edge = edge_of(c, x, p, q);
   return edge == VS_NONE || (edge < 3 && (x->inner >> edge & 1));
 }
 
-/* Where it only touches the other's plane: is that of both already? */
+/* Returns true if the patch only touches the other's plane, with a corner or edge that both already have. */
 static bool only_touches(const vs_cluster *c, const facing *f) {
   if ((f->above && f->below) || f->on > 2) return false;
   const vs_patch_corner *x = corners(c, f->of);
@@ -281,7 +284,7 @@ static bool only_touches(const vs_cluster *c, const facing *f) {
   return !is_new(c, f->other, p, q) && !is_new(c, f->of, p, q);
 }
 
-/* The end's point, made where nobody has yet. */
+/* Sets *id to the end's point, and makes the point if it does not exist. */
 static bool end_point(chunk *m, const end *e, uint32_t *id) {
   const vs_patch_corner *p = &corners(m->c, e->f->of)[e->corner], *q = &corners(m->c, e->f->of)[e->next];
   *id = p->point;
@@ -299,8 +302,8 @@ static bool end_point(chunk *m, const end *e, uint32_t *id) {
   return true;
 }
 
-/* Where several edges lie in line: the corners of f on the line between its ends, into `line`. A place that is an end
- * of the segment is given as that end. */
+/* For edges in one line: inserts the corners of f on the line between its ends into `line`. A corner at an end of the
+ * segment is replaced by that end. */
 static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(m->c, f->of);
   for (uint32_t i = 0; f->on > 2 && i < f->of->count; i++) {
@@ -315,7 +318,7 @@ static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *
     vs_patch_corner *line = m->w->line.at;
     for (; to > 0 && line[to - 1].at[axis] > x[i].at[axis]; to--) line[to] = line[to - 1];
     line[to] = x[i];
-    if (to > 0 && line[to - 1].point == x[i].point) { /* the other has it, too */
+    if (to > 0 && line[to - 1].point == x[i].point) { /* the other patch has it, too */
       m->w->line.count--;
       memmove(line + to, line + to + 1, (m->w->line.count - to) * sizeof *line);
     }
@@ -323,7 +326,7 @@ static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *
   return true;
 }
 
-/* The same for points on the line of two planes, where its corners on that are known. */
+/* Does the same for points on the line of two planes, whose corners on that line are known. */
 static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t q) {
   const vs_patch_corner *x = corners(c, f->of);
   if (f->on > 2) return is_new(c, f->of, p, q);
@@ -335,8 +338,8 @@ static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t
   return (between != 1 && between + 1 != f->of->count) || (edge < 3 && (f->of->inner >> edge & 1));
 }
 
-/* Bit 0: what lies between the points is new in the first, bit 1: in the second. A fresh point is no corner of either:
- * one that is would be that corner. */
+/* Returns bit 0 if the segment between the points is new in the first patch, bit 1 if in the second. A fresh point is
+ * no corner of either: such a point would have been found as that corner. */
 static uint32_t new_in(const vs_cluster *c, const facing f[2], uint32_t p, uint32_t q) {
   if ((p | q) & FRESH) return 3;
   return (uint32_t)is_new_on(c, &f[0], p, q) | (uint32_t)is_new_on(c, &f[1], p, q) << 1;
@@ -351,7 +354,7 @@ static bool add_contact(chunk *m, const facing f[2], uint32_t p, uint32_t q) {
 
 static uint32_t corner_point(const vs_cluster *c, const end *e) { return corners(c, e->f->of)[e->corner].point; }
 
-/* Asks of one cut in so many whether its middle lies inside of a lid. */
+/* Tests for one cut in so many if its middle lies inside a lid. */
 static void look_whether_hidden(chunk *m, uint32_t place, const double p[3], const double q[3]) {
   enum { ONE_IN = 16 };
   if (++m->left % ONE_IN) return;
@@ -360,14 +363,14 @@ static void look_whether_hidden(chunk *m, uint32_t place, const double p[3], con
   m->hidden += vs_cull_point(m->c, place, middle);
 }
 
-/* Patches of different planes. */
+/* Intersects patches of different planes. */
 static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
   const vs_cluster *c = m->c;
   const vs_patch *t[2] = { a, b };
   facing f[2];
   end low[2], high[2];
   for (int i = 0; i < 2; i++) {
-    int which = (t[1]->count < t[0]->count) ^ i; /* the one with less corners first: mostly it says enough */
+    int which = (t[1]->count < t[0]->count) ^ i; /* the patch with fewer corners first: mostly it decides */
     if (!VS_ROOM(m->k, m->w->heights[which].at, m->w->heights[which].room, t[which]->count)) return false;
     f[which] = (facing){ .of = t[which], .other = t[!which], .height = m->w->heights[which].at };
     face_to(c, &f[which]);
@@ -380,7 +383,7 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
       to = high[above < 0 || (above == 0 && !is_corner(&high[0]))];
   int length = compare(c, &to, &from, axis);
   if (length < 0) return true;
-  if (length == 0 && !is_corner(&from)) from = to; /* the one that is a corner, if any is */
+  if (length == 0 && !is_corner(&from)) from = to; /* prefers the end that is a corner */
   if (length == 0) to = from;
   if (is_corner(&from) && is_corner(&to) && !new_in(c, f, corner_point(c, &from), corner_point(c, &to))) return true;
   if (t[0]->place != t[1]->place) {
@@ -407,7 +410,7 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
 static bool meet(void *context, uint32_t first, uint32_t second) {
   chunk *m = context;
   const vs_cluster *c = m->c;
-  if (first > second) { /* points are numbered in an order that does not depend on the index */
+  if (first > second) { /* the order of point numbers must not depend on the index */
     uint32_t t = first;
     first = second;
     second = t;
@@ -419,7 +422,7 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
   return (a->place == b->place && only_neighbours(c, a, b)) || share(m, a, b);
 }
 
-/* ---- the chunks together ---- */
+/* ---- the union of the chunks ---- */
 
 typedef struct {
   vs_kernel *k;
@@ -427,9 +430,9 @@ typedef struct {
   uint32_t *group; /* union-find over facets */
   VS_LIST(uint32_t) ids;  /* of a chunk's fresh points */
   chunk chunks[VS_PIPELINE_WINDOW];
-  working *works; /* one a thread */
+  working *works; /* one for each thread */
   size_t chunk_count;
-  size_t asked, left, looked, hidden; /* as of the chunks, so far */
+  size_t asked, left, looked, hidden; /* sums over the chunks so far */
 } meeting;
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
@@ -437,7 +440,7 @@ static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_
   return VS_PUSH(m->k, m->c->cuts, ((vs_facet_cut){ t->facet, p, q, plane }));
 }
 
-/* Will there be very many cuts, nearly all of which are hidden, left out or not? As the chunks so far tell. Where most
+/* Returns true if the chunks so far indicate very many cuts of which nearly all are hidden, omitted or not. Where most
  * show, as in a lattice of holes, levels would only make them several times. */
 static bool most_is_hidden(const meeting *m, size_t index) {
   enum { SURE = 500, EACH = 32, LEAST = 20000 };
@@ -477,7 +480,7 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-enum { CHUNK = 64 }; /* blocks of the index: what one large patch meets is in one of them */
+enum { CHUNK = 64 }; /* blocks of the index: all partners of one large patch are in one of them */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   meeting *all = context;
@@ -490,7 +493,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   size_t crossings = 64;
   while (crossings < CROSSINGS && crossings < 32 * (size_t)blocks) crossings *= 2;
   if (!VS_ROOM(k, m->w->crossings.at, m->w->crossings.room, crossings)) return false;
-  /* nobody's: what a chunk finds depends on itself alone */
+  /* empty: the results of a chunk depend on the chunk alone */
   memset(m->w->crossings.at, 0xff, crossings * sizeof *m->w->crossings.at);
   m->w->crossings.count = crossings;
   return vs_bvh_pairs(&all->c->bvh, first, first + CHUNK, meet, m) && vs_kernel_report(k, 0.1);

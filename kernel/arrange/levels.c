@@ -1,20 +1,20 @@
-/* Owns the way through a crowded cluster: solids that lie over one place are united level by level, so that what is
- * hidden is never arranged at once.
+/* Owns the union of a crowded cluster's solids level by level: where many solids overlap, the kernel never arranges the
+ * hidden parts at once.
  *
- * In one arrangement k solids over one place cut each of their facets k times, and the cuts cross k^2 times in each,
- * though nearly all of that is hidden. Here leaves that settle the result where they are true (a union's parts, the
- * holes of a difference) are united two by two, near ones first: what bounds their union is arranged with what bounds
- * the next. Such a leaf settles the result whichever of the united ones it is, so their union stands in the expression
- * for all of them, under the number of the first (vs_solid_of), and no term needs to know. In the end it is arranged
- * with all other leaves, which decides as ever.
+ * In one arrangement, k solids at one place cut each of their facets k times, and the cuts cross k^2 times in each,
+ * though nearly all of that is hidden. Here leaves that settle the result where they are true (operands of a union, the
+ * holes of a difference) are united two by two, near ones first: the border of their union is arranged with the border
+ * of the next. Such a leaf settles the result whichever of the united ones it is. Therefore their union replaces all of
+ * them in the expression, under the number of the first (vs_solid_of), and the terms do not change. At the end it is
+ * arranged with all other leaves, as usual.
  *
- * Nothing is rounded between levels. Facets keep the plane of the input that they lie in; their corners are exact
- * points; each side keeps its line, an edge of the input or the second plane. Therefore a new point is an edge through
- * a plane, or three planes, of the input, and no number is longer than in one arrangement. A face that is kept has the
- * leaf that it would have had without levels, the earliest whose surface it is, and so its paint; faces of one leaf are
- * merged again after each level, and corners that nobody needs are dropped.
+ * Nothing is rounded between levels. Facets keep their plane of the input; their corners are exact points; each side
+ * keeps its line, an edge of the input or the second plane. Therefore a new point is an edge and a plane, or three
+ * planes, of the input, and no number is longer than in one arrangement. A kept face has the same leaf as without
+ * levels, the earliest with this surface, and so the same paint; faces of one leaf are merged again after each level,
+ * and needless corners are dropped.
  *
- * A level is a small cluster with points of its own. Nothing is left out in it for lying inside of a lid: what covers
+ * A level is a small cluster with separate points. Nothing is culled in it for lying inside a lid: the leaf that covers
  * it may be in another level. */
 #include "kernel/arrange/levels.h"
 
@@ -28,28 +28,28 @@
 
 /* The sides that bound the union of some leaves. */
 typedef struct {
-  vs_points_table points; /* without what finds them */
-  vs_outlines outlines;   /* in their numbers */
+  vs_points_table points; /* without slots */
+  vs_outlines outlines;   /* in numbers of these points */
   vs_bvh_box box;
   uint32_t solid;         /* one of its leaves */
 } shell;
 
-/* of the order; made: both halves are on the stack of shells */
+/* first, end: a range of the order; made: both halves are on the stack of shells */
 typedef struct { uint32_t first, end; bool made; } span;
 
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   vs_expression *e;
-  VS_LIST(uint32_t) order;       /* places of the leaves that are united, near ones beside each other */
-  VS_LIST(uint64_t) weight;      /* of those before each; one more */
-  VS_LIST(uint32_t) facet_first; /* of each place: its first facet; one more */
+  VS_LIST(uint32_t) order;       /* places of the leaves to be united, near ones beside each other */
+  VS_LIST(uint64_t) weight;      /* sums over the leaves before each; one more at the end */
+  VS_LIST(uint32_t) facet_first; /* of each place: its first facet; one more at the end */
   VS_LIST(span) spans;
   VS_LIST(shell) shells;
-  /* of a cluster's point, in the shell that it goes over to; VS_NONE between two shells */
+  /* of each point of a cluster: its number in the shell to which it is copied; VS_NONE between two shells */
   VS_LIST(uint32_t) number;
-  VS_LIST(uint32_t) taken;       /* points that have one */
-  VS_LIST(uint32_t) moved;       /* of a shell's point, in the cluster that it goes over to */
+  VS_LIST(uint32_t) taken;       /* points that have such a number */
+  VS_LIST(uint32_t) moved;       /* of each point of a shell: its number in the cluster to which it is copied */
   size_t done;
 } levels;
 
@@ -59,7 +59,7 @@ static void shell_free(vs_kernel *k, shell *s) {
   VS_DROP(k, s->outlines.sides);
 }
 
-/* ---- what goes from one table of points to another ---- */
+/* ---- copies between two tables of points ---- */
 
 /* Copies the point into a shell, once. */
 static bool take_point(levels *l, shell *s, const vs_points_table *from, uint32_t *id) {
@@ -92,8 +92,8 @@ static bool take_points(levels *l, shell *s, const vs_points_table *from) {
   return true;
 }
 
-/* Adds the shell to a cluster's facets; family: see bvh.h. The last facet's end is left to the caller. A shell has one
- * facet more behind its own. */
+/* Adds the shell to a cluster's facets; family: see bvh.h. The caller sets the end of the last facet. A shell has one
+ * facet more at the end. */
 static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family) {
   vs_kernel *k = l->k;
   size_t points = s->points.all.count, facets = s->outlines.facets.count;
@@ -128,7 +128,7 @@ static bool end_facets(vs_kernel *k, vs_cluster *c) {
   return true;
 }
 
-/* Appends the borders of the cluster's facets from triangles, of one leaf; each of its edges is a line. */
+/* Appends the borders of the cluster's facets, from the triangles of one leaf; each of its edges is a line. */
 static bool add_outlines(levels *l, uint32_t place, vs_outlines *to) {
   vs_cluster *c = l->c;
   vs_kernel *k = l->k;
@@ -166,7 +166,7 @@ static bool make_leaf(levels *l, uint32_t place) {
   return true;
 }
 
-static void level_free(vs_kernel *k, vs_cluster *c) { /* what is borrowed stays */
+static void level_free(vs_kernel *k, vs_cluster *c) { /* borrowed members stay */
   vs_points_free(k, &c->points);
   VS_DROP(k, c->facets);
   VS_DROP(k, c->sides);
@@ -179,7 +179,7 @@ static void level_free(vs_kernel *k, vs_cluster *c) { /* what is borrowed stays 
   VS_DROP(k, c->kept);
 }
 
-/* Two shells side by side. */
+/* Puts two shells side by side. */
 static bool append(levels *l, shell *a, const shell *b) {
   vs_cluster both = { .points = { .all = { 0 } } };
   vs_kernel *k = l->k;
@@ -205,9 +205,9 @@ static bool append(levels *l, shell *a, const shell *b) {
   return ok;
 }
 
-/* The last shell but one becomes its union with the last. There are two shells. */
+/* Replaces the last two shells by their union. There are two shells. */
 static bool unite_last(levels *l) {
-  enum { SERIAL = 10000 }; /* facets that are not worth a thread */
+  enum { SERIAL = 10000 }; /* so few facets are not worth a thread */
   vs_kernel *k = l->k;
   const vs_cluster *c = l->c;
   shell *a = &l->shells.at[l->shells.count - 2], *b = &l->shells.at[l->shells.count - 1], made = { .solid = a->solid };
@@ -239,7 +239,7 @@ static bool unite_last(levels *l) {
   return ok;
 }
 
-static uint64_t spread(uint64_t x) { /* 21 bits to every third */
+static uint64_t spread(uint64_t x) { /* moves 21 bits to every third position */
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffu;
   x = (x | x << 16) & 0x1f0000ff0000ffu;
@@ -248,7 +248,7 @@ static uint64_t spread(uint64_t x) { /* 21 bits to every third */
   return (x | x << 2) & 0x1249249249249249u;
 }
 
-static uint64_t code_of(const vs_placed *p) { /* of the box's middle, in Morton's order */
+static uint64_t code_of(const vs_placed *p) { /* of the box's middle, in Morton order */
   uint64_t code = 0;
   for (int a = 0; a < 3; a++) {
     int64_t twice = (int64_t)p->box.min[a] + p->box.max[a] + ((int64_t)4 << VS_GRID_BITS);
@@ -270,7 +270,8 @@ static bool find_order(levels *l) {
   if (!VS_ROOM(k, l->facet_first.at, l->facet_first.room, (size_t)c->leaf_count + 2)) return false;
   uint32_t *first = l->facet_first.at;
   memset(first, 0, ((size_t)c->leaf_count + 2) * sizeof *first);
-  for (size_t i = 0; i < c->facets.count; i++) first[c->facets.at[i].place + 1]++; /* they come leaf by leaf */
+  for (size_t i = 0; i < c->facets.count; i++) first[c->facets.at[i].place + 1]++; /* facets are in the order of
+                                                                                    * leaves */
   for (uint32_t i = 0; i <= c->leaf_count; i++) first[i + 1] += first[i];
   for (uint32_t i = 0; i < c->leaf_count; i++)
     if (c->layered[c->leaves[i]] && !VS_PUSH(k, l->order, i)) return false;
@@ -287,7 +288,7 @@ static bool find_order(levels *l) {
   return ok;
 }
 
-/* Where the span falls in two of about one weight. The span holds two leaves or more. */
+/* Returns the place that divides the span into halves of about equal weight. The span has two or more leaves. */
 static uint32_t middle_of(const levels *l, const span *s) {
   uint64_t half = (l->weight.at[s->first] + l->weight.at[s->end]) / 2;
   uint32_t low = s->first + 1, high = s->end - 1;
@@ -320,7 +321,7 @@ static bool unite_all(levels *l) {
   return true;
 }
 
-/* The other leaves' facets, and the union's, with their sides. */
+/* Collects the other leaves' facets, and the union's, with their sides. */
 static bool gather(levels *l) {
   vs_cluster *c = l->c;
   vs_kernel *k = l->k;

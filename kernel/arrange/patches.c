@@ -1,7 +1,7 @@
-/* Owns the patches: what of a facet is tested against other facets' in one piece.
+/* Owns the patches: the parts of a facet that are tested against other facets as a unit.
  *
- * A facet that is convex is one patch, whatever triangles it came in: the wall of a box meets another in one segment
- * instead of up to four, and none of them ends in a new point on a diagonal that nobody asked for. */
+ * A convex facet is one patch, however it is triangulated. The wall of a box meets another in one segment instead of up
+ * to four, and none of them ends in a new point on a diagonal that is not part of the model. */
 #include "kernel/arrange/patches.h"
 
 #include "kernel/arrange/cull.h"
@@ -16,11 +16,11 @@ typedef struct {
   const vs_cluster *c;
   struct made *to;
   const uint32_t *alone;
-  VS_LIST(uint32_t) next;   /* of a point on the facet's border; VS_NONE outside of facet_patch */
-  VS_LIST(uint32_t) border; /* points where borders begin */
+  VS_LIST(uint32_t) next;   /* of each point on the facet's border; VS_NONE outside of facet_patch */
+  VS_LIST(uint32_t) border; /* points at which borders begin */
 } building;
 
-typedef struct made { /* of a chunk of facets; corners count from 0 */
+typedef struct made { /* of a chunk of facets; corners are relative to the chunk's */
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) corners;
   VS_LIST(vs_bvh_box) boxes;
@@ -29,11 +29,11 @@ typedef struct made { /* of a chunk of facets; corners count from 0 */
 typedef struct {
   vs_cluster *c;
   made made[VS_PIPELINE_WINDOW];
-  building *works; /* one a thread */
-  VS_LIST(uint32_t) alone; /* of a plane: its facet, or SEVERAL */
+  building *works; /* one for each thread */
+  VS_LIST(uint32_t) alone; /* of each plane: its facet, or SEVERAL */
 } patching;
 
-/* Adds the patch of the facet whose corners begin at `first`, one of the chunk's. */
+/* Adds the patch of the facet whose corners begin at `first`, a corner of the chunk. */
 static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner) {
   const vs_cluster *c = b->c;
   const vs_facet *f = &c->facets.at[facet];
@@ -46,8 +46,8 @@ static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner
       if (x < box.min[a]) box.min[a] = x;
       if (x > box.max[a]) box.max[a] = x;
     }
-  /* Facets in one plane are cut by each other's borders also where they do not show: else two faces could lie on each
-   * other there. */
+  /* facets in one plane are cut by each other's borders even where these do not show: else two faces could overlap
+   * there */
   if (c->placed.at[p.place].lids_count && b->alone[p.plane] == facet)
     vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
   return VS_PUSH(b->k, b->to->patches, p) && VS_PUSH(b->k, b->to->boxes, box);
@@ -59,8 +59,8 @@ static bool add_corner(building *b, uint32_t point) {
   return VS_PUSH(b->k, b->to->corners, corner);
 }
 
-/* Is the ring of corners from `first` on convex? Corners in one line are allowed, turning back is not, and it goes
- * around once. There are three or more. */
+/* Returns true if the ring of corners from `first` on is convex: corners in one line are allowed, turning back is not,
+ * and it goes around once. There are three or more corners. */
 static bool convex(const building *b, const vs_facet *f, uint32_t first) {
   const vs_plane *p = &b->c->planes.all.at[f->plane];
   const vs_patch_corner *at = b->to->corners.at + first;
@@ -175,7 +175,7 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
     uint32_t *of = &p.alone.at[c->facets.at[i].plane];
     *of = *of == VS_NONE ? i : SEVERAL;
   }
-  size_t least = c->facets.count; /* as many patches, and triangles' corners */
+  size_t least = c->facets.count; /* about as many patches, and corners of triangles */
   ok = ok && VS_ROOM(k, c->patches.at, c->patches.room, least) && VS_ROOM(k, c->boxes.at, c->boxes.room, least) &&
        VS_ROOM(k, c->patch_corners.at, c->patch_corners.room, 3 * least);
   ok = ok && vs_kernel_pipeline(k, (c->facets.count + CHUNK - 1) / CHUNK, make_chunk, take_chunk, &p) &&
@@ -186,7 +186,7 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
   }
   c->bvh.families = families;
   ok = ok && vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->patches.count);
-  VS_DROP(k, c->boxes); /* the index has its own */
+  VS_DROP(k, c->boxes); /* the index has a copy */
   VS_FREE(k, families, family_room);
   for (size_t i = 0; i < room; i++) {
     VS_DROP(k, p.works[i].next);

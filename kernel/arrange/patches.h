@@ -4,6 +4,6 @@
 
 #include "kernel/cluster.h"
 
-bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* patches, boxes, bvh */
+bool vs_patches_build(vs_kernel *k, vs_cluster *c);                    /* makes patches, boxes and bvh */
 
 #endif

@@ -1,10 +1,10 @@
-/* Owns the way from placed leaves to corners on the grid: frame, weld, grid; and what the leaves are there. facets.c
- * goes on.
+/* Owns the step from placed leaves to corners on the grid: frame, weld, grid; and the shape of the leaves there.
+ * facets.c continues.
  *
- * The grid's step is 1, 2 or 5 times a power of ten, the least with which the cluster fits 2^31 steps either way:
- * decimal, because models are. A triangle that spans nearly all of the cluster, and lies across the axes, may have a
- * normal of 64 bits on it: then the next step is taken. Coordinates that differ by less than 2^-40 of the extent share
- * one grid line: that matters only next to the middle between two lines, so only coordinates there are sorted. */
+ * The grid's step is 1, 2 or 5 times a power of ten: the smallest with which the cluster fits 2^31 steps either way. It
+ * is decimal because models are. A triangle that spans nearly all of the cluster, across the axes, may have a normal of
+ * 64 bits on this grid: then the next larger step is taken. Coordinates that differ by less than 2^-40 of the extent
+ * share one grid line. This matters only near the middle between two lines, so only coordinates there are sorted. */
 #include "kernel/arrange/snap_to_grid.h"
 
 #include "kernel/arrange/cluster_frame.h"
@@ -23,7 +23,7 @@ typedef struct { double at; uint32_t index; } border; /* index: 3 * vertex + axi
 enum { SPAN = 1 << 13 };
 typedef struct {
   double low[3], high[3];
-  VS_LIST(border) borders[3];   /* places next to the middle between two lines */
+  VS_LIST(border) borders[3];   /* coordinates near the middle between two lines */
 } chunk;
 
 typedef struct {
@@ -33,8 +33,8 @@ typedef struct {
   size_t to_frame_room;
   VS_LIST(chunk) chunks;        /* of SPAN vertices */
   VS_LIST(border) borders;      /* of one axis */
-  double near[3];               /* in steps: what is closer shares a line */
-  double steps[3];              /* how wide all of it is */
+  double near[3];               /* in steps: coordinates closer than this share a line */
+  double steps[3];              /* the extent of all */
 } snapping;
 
 static double coordinate(const vs_vec3 *v, int axis) { return axis == 0 ? v->x : axis == 1 ? v->y : v->z; }
@@ -44,7 +44,7 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->index < y->index ? -1 : x->index > y->index;
 }
 
-/* steps either way: boxes grow by some, and stay numbers of 32 bits */
+/* steps either way: boxes grow by some, and remain numbers of 32 bits */
 static const double MOST = (double)(INT64_C(1) << VS_GRID_BITS) - 64;
 
 static void choose_step(vs_grid *g, double half, double far) {
@@ -70,7 +70,7 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   chunk *to = &s->chunks.at[index];
   uint32_t leaf = 0, beyond = c->leaf_count;
   for (int a = 0; a < 3; a++) to->low[a] = INFINITY, to->high[a] = -INFINITY;
-  while (beyond - leaf > 1) { /* the last leaf that begins at or before the chunk */
+  while (beyond - leaf > 1) { /* finds the last leaf that begins at or before the chunk */
     uint32_t middle = leaf + (beyond - leaf) / 2;
     if (c->placed.at[middle].first <= index * SPAN) leaf = middle;
     else beyond = middle;
@@ -128,7 +128,7 @@ static bool grid_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, 0);
 }
 
-/* Twice a triangle's area as an axis sees it is what its normal has there, but for a common divisor: 0 where it lies
+/* The normal has, for each axis, twice the triangle's area seen along it, over a common divisor: 0 if the triangle lies
  * along that axis. */
 static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[3]) {
   for (int i = 0; i < 3; i++) {
@@ -142,7 +142,8 @@ static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[
   return true;
 }
 
-/* Only what spans two axes for 2^63 square steps can have a triangle whose normal does not fit. */
+/* Returns true if all normals fit. Only a leaf that spans 2^63 square steps in two axes can have a triangle whose
+ * normal does not. */
 static bool normals_fit(const vs_cluster *c, const snapping *s) {
   static const double SAFE = 0x1p62;
   if (s->steps[0] * s->steps[1] < SAFE && s->steps[1] * s->steps[2] < SAFE && s->steps[2] * s->steps[0] < SAFE)
@@ -194,7 +195,7 @@ static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
     for (size_t i = 0; i < s->chunks.count; i++)
       for (size_t j = 0; j < s->chunks.at[i].borders[a].count; j++)
         if (!VS_PUSH(k, s->borders, s->chunks.at[i].borders[a].at[j])) return false;
-    /* equal places sort by index: one result */
+    /* equal places are sorted by index: the result is unique */
     if (s->borders.count) qsort(s->borders.at, s->borders.count, sizeof *s->borders.at, by_place);
     for (size_t i = 0, first = 0; i < s->borders.count; i++) {
       if (s->borders.at[i].at - s->borders.at[first].at > s->near[a]) first = i;
@@ -204,7 +205,7 @@ static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
   return true;
 }
 
-/* Boxes of the leaves, in steps; and whether the middle of a star still sees all of it from inside. */
+/* Computes the leaves' boxes, in steps; and determines if the middle of a star still sees all of it from inside. */
 static bool find_shape(vs_kernel *k, void *context, size_t index) {
   const snapping *s = context;
   const vs_cluster *c = s->c;

@@ -8,8 +8,8 @@ static bool point_before(const void *context, uint32_t a, uint32_t b) {
   return sign < 0;
 }
 
-/* By the fixed numbers of u, which are in order wherever they differ; those with one number by the fixed numbers of v
- * where that is all of them, else exactly. */
+/* Sorts by the fixed numbers of u, which are in order if they differ; equal ones by the fixed numbers of v if all of
+ * these are exact, else exactly. */
 bool vs_sweep_order(vs_kernel *k, vs_sweep *s, uint32_t *points, size_t count, uint32_t *scratch) {
   const vs_point *all = s->points.at;
   s->vertices.count = 0;
@@ -52,7 +52,7 @@ bool vs_sweep_begin(vs_kernel *k, vs_sweep *s) {
     s->rights.at[s->first.at[s->edges.at[e].l + 1]++] = e;
     s->arrival.at[s->edges.at[e].r] = e;
   }
-  for (uint32_t l = 0; l < n; l++) /* few at each vertex: by insertion */
+  for (uint32_t l = 0; l < n; l++) /* few at each vertex: insertion sort */
     for (uint32_t i = s->first.at[l] + 1; i < s->first.at[l + 1]; i++) {
       uint32_t e = s->rights.at[i], to = i, r = s->edges.at[e].r;
       for (; to > s->first.at[l] && vs_sweep_turn(s, l, s->edges.at[s->rights.at[to - 1]].r, r) < 0; to--)
@@ -78,7 +78,7 @@ static void replace_child(vs_sweep *s, uint32_t parent, uint32_t old, uint32_t n
   if (now != VS_NONE) n[now].parent = parent;
 }
 
-static void rotate_up(vs_sweep *s, uint32_t x) { /* over its parent */
+static void rotate_up(vs_sweep *s, uint32_t x) { /* above its parent */
   vs_sweep_node *n = s->nodes.at;
   uint32_t p = n[x].parent;
   replace_child(s, n[p].parent, p, x);

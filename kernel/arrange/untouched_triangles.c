@@ -1,19 +1,19 @@
-/* Owns the search for plain (untouched) triangles, which nothing meets and which need no planes,
- * facets, patches, nor faces of their own.
+/* Owns the search for plain (untouched) triangles, which nothing meets and which need no planes, facets, patches or
+ * single faces.
  *
- * A triangle of a large leaf is plain where the box of no other leaf's triangle meets its own, where the rest of its
- * leaf shares with it what the mesh says, corners and edges, and where it is coplanar with none of its neighbours. In a
- * star the second holds; elsewhere triangles without a common corner are proven apart (triangles_apart.c), and those
- * around a corner are seen from somewhere as a fan that goes round once. All of it is asked of corners on the grid,
- * which doubles hold exactly, and where the answer is not sure the triangle is arranged like any other: so nothing but
- * time hangs on the answers that are no.
+ * A triangle of a large leaf is plain under three conditions. The box of no other leaf's triangle meets its box; it
+ * shares with the rest of its leaf only corners and edges, as the mesh has them; and no neighbour is coplanar with it.
+ * In a star the second holds. Elsewhere, triangles without a common corner are proven apart (triangles_apart.c), and
+ * those around a corner must look from some direction like a fan that goes around once. All tests use corners on the
+ * grid, which doubles hold exactly. If a test is uncertain, the triangle is arranged like any other: a negative answer
+ * costs time only.
  *
- * Connected plain triangles are a region. It is one face for the classification, with uses along its rim alone; what
- * lies across the rim is the facet of one arranged triangle, so every edge there has two uses, and the region needs no
- * plane. Its triangles are copied to the result as they are.
+ * Connected plain triangles are a region. It is one face for the classification, with uses along its rim alone. The
+ * face across the rim is the facet of one arranged triangle, so every edge there has two uses, and the region needs no
+ * plane. Its triangles are copied to the result unchanged.
  *
- * Boxes are looked at in blocks of up to 16 triangles that follow each other in the mesh and hang together, as they do
- * in meshes that programs make. */
+ * Boxes are tested in blocks of up to 16 triangles that follow each other in the mesh and are connected, as they are in
+ * meshes from programs. */
 #include "kernel/arrange/untouched_triangles.h"
 
 #include "kernel/arrange/cluster_frame.h"
@@ -31,11 +31,11 @@ enum { LEAST = 256 }; /* triangles of a leaf that is worth the search */
 enum { PROVEN = 128 };
 
 typedef struct {
-  uint32_t place, first, end;   /* of a leaf, and of its triangles */
-  uint32_t blocks;              /* those before it */
+  uint32_t place, first, end;   /* place: of a leaf; first, end: a range of its triangles */
+  uint32_t blocks;              /* number of blocks before the span */
   VS_LIST(vs_use) rim;          /* face: the region */
 } span;
-/* hub: a corner that all of its triangles have, around which they meet in edges alone; or UINT32_MAX */
+/* hub: a corner of all of its triangles, around which these meet only in edges; or UINT32_MAX */
 typedef struct { uint32_t place, first, hub; vs_pack packs[PACKS]; } block;
 
 typedef struct {
@@ -45,8 +45,8 @@ typedef struct {
   VS_LIST(block) blocks;
   VS_LIST(vs_bvh_box) boxes;        /* of the blocks */
   vs_bvh bvh;
-  VS_LIST(_Atomic uint8_t) fans; /* of a vertex: 1 has one simple fan of triangles; 2 or more: does not; PROVEN: of
-                                  * many */
+  VS_LIST(_Atomic uint8_t) fans; /* of each vertex: 1: its triangles are one simple fan; 2 or more: they are not;
+                                  * PROVEN: a fan of many */
   VS_LIST(vs_hubs) hubs;         /* of each leaf, on the grid */
   VS_LIST(_Atomic uint32_t) sets;
 } plain;
@@ -54,12 +54,12 @@ typedef struct {
 typedef struct { plain *p; vs_kernel *k; } searcher;
 
 static const vs_mesh *mesh_at(const vs_cluster *c, uint32_t place) { return c->placed.at[place].part->mesh; }
-/* Where a vertex of the leaf at that place lies on the grid. */
+/* Returns the position of a vertex of the leaf at that place, on the grid. */
 static const int32_t *corner_at(const vs_cluster *c, uint32_t place, uint32_t vertex) {
   VS_ASSERT(place < c->leaf_count);
   return c->corners[c->placed.at[place].first + vertex];
 }
-/* The corners of triangle t, one of the leaf's mesh. */
+/* Returns the corners of triangle t of the leaf's mesh. */
 static const uint32_t *triangle_at(const vs_cluster *c, uint32_t place, uint32_t t) {
   VS_ASSERT(t < mesh_at(c, place)->triangle_count);
   return mesh_at(c, place)->triangles[t];
@@ -73,15 +73,15 @@ static void set_fate(vs_cluster *c, uint32_t place, uint32_t t, uint8_t fate) {
   VS_ASSERT(fate <= VS_PLAIN);
   atomic_store_explicit(&c->fate.at[c->placed.at[place].first_triangle + t], fate, memory_order_relaxed);
 }
-static void arrange(vs_cluster *c, uint32_t place, uint32_t t) { /* whoever else says so */
+static void arrange(vs_cluster *c, uint32_t place, uint32_t t) { /* any number of threads may do it */
   if (fate_of(c, place, t) == VS_PLAIN) set_fate(c, place, t, VS_ARRANGED);
 }
 
 static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
-/* ---- what is left out ---- */
+/* ---- culled triangles ---- */
 
-/* the vertices are shared out among the leaf's spans */
+/* the leaf's spans share its vertices */
 static bool mask_span(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   const span *s = &p->spans.at[index];
@@ -116,7 +116,7 @@ static uint32_t hub_of(const plain *p, uint32_t place, uint32_t t) {
   return h->of.count ? h->of.at[t] : UINT32_MAX;
 }
 
-/* The next block's triangles, of one hub or of none; false: no more in the span. */
+/* Finds the next block's triangles, of one hub or of none; returns false at the end of the span. */
 static bool next_block(const plain *p, const span *s, uint32_t *first, uint32_t *end) {
   const vs_cluster *c = p->c;
   const uint32_t (*v)[3] = (const uint32_t (*)[3])mesh_at(c, s->place)->triangles;
@@ -169,7 +169,7 @@ static bool fill_blocks(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, 0);
 }
 
-/* ---- what meets ---- */
+/* ---- triangles that meet ---- */
 
 static uint32_t lanes_meeting(const block *b, const vs_bvh_box *box) {
   uint32_t set = 0;
@@ -189,7 +189,7 @@ static void look_at_pair(vs_cluster *c, uint32_t a_place, uint32_t a, uint32_t b
   if (a_place == b_place) {
     const uint32_t *v = triangle_at(c, a_place, a), *w = triangle_at(c, b_place, b);
     vs_vec3 x[3], y[3];
-    if (share_a_corner(v, w)) return; /* neighbours: see the fans */
+    if (share_a_corner(v, w)) return; /* neighbours: the fans decide */
     for (int i = 0; i < 3; i++) {
       const int32_t *p = corner_at(c, a_place, v[i]), *q = corner_at(c, b_place, w[i]);
       x[i] = vs_v3(p[0], p[1], p[2]);
@@ -256,7 +256,8 @@ static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
   bool ok = VS_ROOM(k, p->blocks.at, p->blocks.room, (size_t)sum + 1) &&
             VS_ROOM(k, p->boxes.at, p->boxes.room, (size_t)sum + 1) && VS_ROOM(k, families, room, (size_t)sum + 1) &&
             vs_kernel_run(k, p->spans.count, fill_blocks, p);
-  /* A star does not meet itself, nor do a hub's triangles; and those that are not searched need not know each other. */
+  /* a star does not meet itself, nor do a hub's triangles; leaves that are not searched need no test against each
+   * other */
   for (uint32_t i = 0; ok && i < sum; i++) {
     const block *b = &p->blocks.at[i];
     const vs_placed *l = &c->placed.at[b->place];
@@ -273,7 +274,7 @@ static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
 
 /* ---- neighbours ---- */
 
-/* A triangle's normal, and how far off each of its numbers may be: nothing where all products fit 53 bits. */
+/* A triangle's normal, and the errors of its components: 0 if all products fit 53 bits. */
 typedef struct { double n[3], error[3]; } normal;
 static void normal_of(const vs_cluster *c, uint32_t place, uint32_t t, normal *to) {
   const uint32_t *v = triangle_at(c, place, t);
@@ -288,7 +289,7 @@ static void normal_of(const vs_cluster *c, uint32_t place, uint32_t t, normal *t
   }
 }
 
-/* is the vertex `off` off the plane? */
+/* returns true if the vertex `off` is certainly off the plane */
 static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, uint32_t on, uint32_t off) {
   const int32_t *p = corner_at(c, place, on), *q = corner_at(c, place, off);
   double sum = 0, error = 0;
@@ -300,8 +301,8 @@ static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, ui
   return fabs(sum) > error;
 }
 
-/* The mesh has each edge of a plain triangle twice, by the numbers of its corners, and the surface has an angle
- * there. */
+/* Arranges triangles unless the mesh has each of their edges twice, by the numbers of its corners, and the surface has
+ * an angle there. */
 static bool look_across(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   vs_cluster *c = p->c;
@@ -333,8 +334,9 @@ static bool look_across(vs_kernel *k, void *context, size_t index) {
 
 static bool lower(double x, double y) { return y < 0 || (y <= 0 && x < 0); }
 
-/* Do the triangles around the corner's vertex, from that one on, lie round it once as some axis sees them? then they
- * meet in what they share alone. Asked at the first of them. The corner is one of the leaf's mesh. */
+/* Tests if the triangles around the corner's vertex, from this corner on, go around it once as seen along some axis:
+ * then they meet only in their common corners and edges. Done at the first of them. The corner is one of the leaf's
+ * mesh. */
 static void look_around(plain *p, uint32_t place, uint32_t corner) {
   enum { MOST = 64 };
   const vs_cluster *c = p->c;
@@ -407,7 +409,7 @@ static vs_vec3 grid_corner(const void *context, uint32_t vertex) {
   return vs_v3(at[0], at[1], at[2]);
 }
 
-/* Of the leaves that are searched, but for stars. */
+/* Finds the hubs of the leaves that are searched, except stars. */
 static bool find_hubs(vs_kernel *k, plain *p) {
   const vs_cluster *c = p->c;
   if (!VS_ROOM(k, p->hubs.at, p->hubs.room, c->leaf_count)) return false;
@@ -528,7 +530,7 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Numbers regions in the order of their first triangles, and finds in each a large one among the first. */
+/* Numbers regions in the order of their first triangles, and finds a large one among the first triangles of each. */
 static bool name_regions(vs_kernel *k, plain *p) {
   enum { LOOKED_AT = 256 };
   vs_cluster *c = p->c;
@@ -576,7 +578,7 @@ static bool find_rim(vs_kernel *k, void *context, size_t index) {
       uint8_t fate = fate_of(c, s->place, twins[3 * (size_t)t + j] / 3);
       uint32_t from = c->point_of.at[l->first + v[j]], to = c->point_of.at[l->first + v[j == 2 ? 0 : j + 1]];
       if (fate == VS_PLAIN) continue;
-      if (fate == VS_CULLED) from = to = VS_NONE; /* the surface goes on in settled space */
+      if (fate == VS_CULLED) from = to = VS_NONE; /* the surface continues in settled space */
       else if (from == VS_NONE || to == VS_NONE) return VS_BROKEN(k, "a rim has no points");
       if (!VS_PUSH(k, s->rim, ((vs_use){ mirrored ? to : from, mirrored ? from : to, region }))) return false;
     }
@@ -587,7 +589,7 @@ static bool find_rim(vs_kernel *k, void *context, size_t index) {
 static bool add_faces(vs_kernel *k, plain *p) {
   vs_cluster *c = p->c;
   size_t regions = c->regions.count, uses = c->uses.count, faces = c->faces.count;
-  VS_LIST(uint32_t) at = { 0 }; /* where the uses of each region begin, then end */
+  VS_LIST(uint32_t) at = { 0 }; /* the first of each region's uses, then their end */
   size_t sum = 0;
   for (size_t i = 0; i < p->spans.count; i++) sum += p->spans.at[i].rim.count;
   if (uses + sum >= UINT32_MAX || faces + regions >= UINT32_MAX / 2)
@@ -647,14 +649,14 @@ size_t vs_plain_kept(const vs_cluster *c) {
   return sum;
 }
 
-/* A vertex with a number in the result has it in point_of, with this bit. */
+/* A vertex with a number in the result has this number in point_of, with this bit. */
 #define NUMBERED VS_POINT_MORE
 
 typedef struct {
   vs_cluster *c;
   vs_mesh *out;
-  VS_LIST(uint32_t) vertices; /* new ones: where they lie in `corners` */
-  size_t first_vertex;        /* of those */
+  VS_LIST(uint32_t) vertices; /* new vertices: their indices in `corners` */
+  size_t first_vertex;        /* of the new vertices */
 } copying;
 
 enum { PLACES = 1 << 14 };
