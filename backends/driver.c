@@ -1,11 +1,12 @@
 /* Owns the way from a drawing to calls of a back-end's emit functions: planning, walking without recursion, lowering
  * once.
  *
- * Plan: one pass over the distinct nodes, children first, finds what draws nothing (`vain`), how often a node is named
- * in the text (`uses`) and how deep its text nests (`height`). Leaves with one owner have no entry: a million boxes
- * cost nothing here. Templates are the entries that stand in several places, and those where the text has become
- * VS_DEPTH_MAX deep; their order is the plan's, so a template comes after those that it uses.
- * Walk: a stack of frames, one an operation that is open. */
+ * Plan: one pass over the distinct nodes, children first, finds the nodes that draw nothing (`vain`), the number of
+ * references to each node in the text (`uses`) and the depth of nesting of its text (`height`). Leaves with one owner
+ * have no entry: a million boxes cost nothing here. Templates are the entries with several uses, and those at which the
+ * text reaches the depth VS_DEPTH_MAX. They keep the order of the plan, so a template follows those that it uses.
+ *
+ * Walk: a stack of frames, one for each open operation. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -51,8 +52,8 @@ bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message) {
   return true;
 }
 
-/* Reports how much of the drawing is done; each thing drawn has one share of the whole. Reported progress never
- * decreases, although meshing restarts at 0 inside each object. */
+/* Reports the fraction of the drawing that is done; each drawn object has one share of the whole. Reported progress
+ * never decreases, although meshing restarts at 0 inside each object. */
 bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction) {
   vs_drive *d = e->drive;
   if (d != NULL && fraction >= 0 && strcmp(stage, "meshing") == 0)
@@ -152,7 +153,7 @@ static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
 
 /* ---- the plan ---- */
 
-/* A child has been met, and all that is in it; child NULL: it has no entry. */
+/* Adds the facts about a child, whose own children are done, to its parent's entry. child NULL: it has no entry. */
 static void drive_plan_add(drive_entry *parent, const drive_entry *child, bool vain, bool first) {
   uint32_t height = child == NULL || child->cut ? 1 : child->height;
   if (height > parent->height) parent->height = height;
@@ -171,7 +172,7 @@ static bool drive_plan_omitted(vs_emitter *e, const vs_ref *ref) {
   return vs_emit_warn_once(e, ref, e->backend->omit[n->class_]);
 }
 
-/* Meets a reference: its entry's uses go up; a node met first is pushed, and counts for its parent when it is left. */
+/* Plans a reference: counts a use of its entry. A new node is pushed, and counts for its parent when it is popped. */
 static bool drive_plan_meet(vs_emitter *e, const vs_ref *ref, bool operation, size_t parent, bool first) {
   vs_drive *d = e->drive;
   bool found;
@@ -220,7 +221,7 @@ static bool drive_plan_leave(vs_emitter *e, size_t index) {
   return (++d->ticks & 0xfff) != 0 || vs_emit_progress(e, "writing", -1);
 }
 
-/* The children of an entry, up to one that has to be gone into. */
+/* Plans the children of an entry, up to the first whose own children must be planned; *pushed is then true. */
 static bool drive_plan_children(vs_emitter *e, drive_step *step, bool *pushed) {
   vs_drive *d = e->drive;
   size_t index = step->entry, depth = d->step_count;
@@ -228,14 +229,14 @@ static bool drive_plan_children(vs_emitter *e, drive_step *step, bool *pushed) {
   while (step->next < n->child_count) {
     const vs_ref *child = vs_node_next(n, step->next++);
     bool operation = drive_is_operation(e, child->node), first = step->next == 1;
-    if (child->node->refs < 2 && !operation) { /* looked at and forgotten */
+    if (child->node->refs < 2 && !operation) { /* planned here, without an entry */
       if (!drive_plan_omitted(e, child)) return false;
       drive_plan_add(&d->entries[index], NULL, drive_leaf_vain(e, child->node), first);
       if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
       continue;
     }
     if (!drive_plan_meet(e, child, operation, index, first)) return false;
-    if (d->step_count > depth) return *pushed = true; /* and step may be elsewhere */
+    if (d->step_count > depth) return *pushed = true; /* `step` may have moved */
   }
   return true;
 }
@@ -257,13 +258,14 @@ static bool drive_plan_below(vs_emitter *e, const vs_ref *ref) {
   return true;
 }
 
-/* Marks what stands in an intersection or a difference; parents first. */
+/* Marks the nodes inside intersections and differences; parents first. */
 static void drive_plan_carved(vs_emitter *e) {
   vs_drive *d = e->drive;
   for (size_t i = d->order_count; i-- > 0;) {
     const drive_entry *entry = &d->entries[d->order[i]];
     const vs_node *n = entry->ref.node;
-    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue; /* nothing below is asked for */
+    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue; /* no emit function asks about nodes
+                                                                              * below */
     if (!entry->carved && n->kind != VS_INTERSECTION && n->kind != VS_DIFFERENCE) continue;
     for (uint32_t k = 0; k < n->child_count; k++) {
       drive_entry *child = drive_find(e, n->children[k].node);
@@ -340,8 +342,8 @@ static bool drive_mark(vs_emitter *e, const vs_ref *ref) {
   return vs_drive_mark(e, vs_writer_line(e->out), ref->origin);
 }
 
-/* The strict order that lowering goes down: the table's levels, in each level shapes with parts above the others, and
- * at the bottom the two kinds that all lowering ends in. */
+/* Returns the node's rank in the strict order of lowering: the table's levels; in each level, shapes with parts rank
+ * above the others; at the bottom the two kinds in which all lowering ends. */
 static int drive_rank(const vs_node *n) {
   if (n->kind == VS_POLYFACE_MESH || n->kind == VS_LINE) return 2 * VS_LEVEL_MESH;
   const vs_shape *shape = vs_shape_of(n);
@@ -350,7 +352,8 @@ static int drive_rank(const vs_node *n) {
 
 static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body);
 
-/* Does everything in a lowered tree stand below `rank`? Such trees are as deep as lower.c makes them: a few nodes. */
+/* Returns true if every node of a lowered tree ranks below `rank`. Such trees are only a few nodes deep, since lower.c
+ * makes them. */
 static bool drive_stands_below(const vs_node *n, int rank) {
   if (vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION) return drive_rank(n) < rank;
   for (size_t i = 0; i < n->child_count; i++)
@@ -358,7 +361,7 @@ static bool drive_stands_below(const vs_node *n, int rank) {
   return true;
 }
 
-/* Asks again with simpler kinds, which must stand lower in the strict order of levels: so this ends. */
+/* Emits the node's simpler kinds in its place. They must rank lower, so repeated lowering ends. */
 static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
   drive_entry *entry = drive_find(e, ref->node);
   vs_node *made = NULL;
@@ -391,7 +394,7 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
     e->smooth = was_smooth;
   }
   if (made != NULL) {
-    /* a template is written once anyway */
+    /* a template is written only once */
     if (entry != NULL && entry->uses > 1 && entry->definition == 0) entry->lowered = made;
     else vs_node_release(made);
   }
@@ -405,7 +408,7 @@ static size_t drive_shown(const vs_emitter *e, const vs_node *n, const drive_ent
   return count;
 }
 
-/* The part of space in which an operation with a half-space matters: its own bounds where it has any. */
+/* Computes the part of space in which an operation with a half-space matters: its own bounds if it has any. */
 static bool drive_reach(vs_emitter *e, const vs_node *n) {
   vs_bounds b;
   vs_affine back;
@@ -417,15 +420,15 @@ static bool drive_reach(vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-/* A node below a placement is cut into facets as fine as it comes out: the kernel does the same. Pictures have finer
- * ones. */
+/* Sets the facets of nodes below a placement by their size after it, as the kernel does. Pictures have finer ones. */
 static void drive_place(vs_emitter *e, const vs_affine *placement) {
   e->placement = *placement;
   e->facets = vs_fineness_placed(&e->drawing_facets, placement);
   e->facets.tolerance *= e->chord;
 }
 
-/* Shows one reference that is not vain: a template's use, a leaf, or an operation, which then lies on the stack. */
+/* Emits one reference that is not vain: the use of a template, a leaf, or an operation, which it pushes on the
+ * stack. */
 static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool body) {
   vs_drive *d = e->drive;
   const vs_node *n = ref->node;
@@ -518,7 +521,7 @@ static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
   return !e->out->failed;
 }
 
-/* The walk may stop half-way in a failure: what follows starts from a clean state. */
+/* Restores a clean state: a walk that failed may have stopped anywhere. */
 static void drive_reset(vs_emitter *e) {
   e->drive->frame_count = 0;
   e->depth = 0;
@@ -531,8 +534,8 @@ static void drive_reset(vs_emitter *e) {
   e->reach = e->bounds;
 }
 
-/* A run that begins here, of what is drawn or of a template's body: *next behind it, where it was found. asked: before
- * that one nothing is looked for. */
+/* Looks for a run of drawn objects, or of a template's body, that begins at `from`. If its text was kept, the text is
+ * written, and *next is the index after the run. *asked: no search before that index. */
 static bool drive_root(vs_emitter *e, const vs_run_row *row, size_t from, size_t *asked, size_t *next) {
   vs_run run;
   if (e->drive->reuse.cache == NULL || e->drive->reuse.open || from < *asked) return true;
@@ -568,16 +571,16 @@ static void drive_include(vs_bounds *all, const vs_bounds *b) {
 
 static bool drive_settling(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
 
-/* Does text of the user's for this very program stand in the drawing? */
+/* Returns true if the drawing contains text that the user wrote for this program (`native`). */
 static bool drive_has_native(const vs_emitter *e) {
   for (size_t i = 0; i < e->drive->entry_count; i++)
     if (e->drive->entries[i].ref.node->kind == VS_NATIVE) return true;
   return false;
 }
 
-/* The bounds of the things drawn, and of the parts of unions among them where that is not too many: a cross of two
- * beams is framed tighter by two boxes than by one. budget not NULL: those of what is left of parts that are cut, as
- * far as it goes (drawn_bounds.h). */
+/* Adds the bounds of a drawn object to e->boxes, and to *all; of a union, those of each part, up to `most` boxes: two
+ * boxes frame a cross of two beams tighter than one. If budget is not NULL, the bounds are those of the material that
+ * cuts leave, as far as the budget suffices (drawn_bounds.h). */
 static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, size_t *budget, vs_bounds *all) {
   enum { most = 4096 };
   const vs_node *n = ref->node;
@@ -602,14 +605,14 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
     if (b.min.x > b.max.x) continue;
     if (e->box_count == 0) *all = b;
     else drive_include(all, &b);
-    if (e->box_count >= most) drive_include(&e->boxes[most - 1], &b); /* the rest is one box */
+    if (e->box_count >= most) drive_include(&e->boxes[most - 1], &b); /* the rest shares one box */
     else e->boxes[e->box_count++] = b;
   }
   return true;
 }
 
-/* The boxes that the camera frames: e->bounds and its boxes, without what is cut away. The fineness keeps to the bounds
- * of all operands, as measures do. */
+/* Computes the boxes that the camera frames: e->bounds and its boxes, without the material that is cut away. The
+ * fineness still follows the bounds of all operands, as measures do. */
 static bool drive_frame_boxes(vs_emitter *e) {
   size_t budget = VS_DRAWN_BOUNDS_MOST, wide = e->box_count;
   e->framed = e->bounds;
@@ -620,13 +623,13 @@ static bool drive_frame_boxes(vs_emitter *e) {
         !drive_boxes(e, &e->scene->drawn[i], &e->drive->bounds, &budget, &e->framed))
       return false;
   if (e->box_count > 0) return true;
-  e->box_count = wide > 0; /* nothing is left of it: the operands' places are framed */
+  e->box_count = wide > 0; /* nothing is left of the drawing: the camera frames the operands */
   e->boxes[0] = e->framed = e->bounds;
   return true;
 }
 
 static bool drive_nothing(vs_emitter *e) {
-  const vs_ref *empty = NULL; /* every format shows solids: where there are some, they are empty */
+  const vs_ref *empty = NULL; /* Every format shows solids: if there are some, they are empty. */
   bool other = false;
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
@@ -648,7 +651,7 @@ static bool drive_bounds(vs_emitter *e) {
     if (ref->node->flags & VS_NODE_ENDLESS) return vs_emit_fail(e, ref, VS_ENDLESS_MESSAGE);
     if (!drive_boxes(e, ref, &e->drive->bounds, NULL, &e->bounds)) return false;
   }
-  /* text whose size nobody knows: it is framed as if it were of the size 2 about the origin */
+  /* The size of native text is unknown: the camera frames a box of size 2 about the origin. */
   if (e->box_count == 0 && drive_has_native(e)) {
     if (!vs_emit_grow(e, &e->boxes, &e->box_room, 1, sizeof *e->boxes)) return false;
     e->bounds = e->boxes[e->box_count++] = (vs_bounds){ vs_v3(-1, -1, -1), vs_v3(1, 1, 1) };
@@ -683,7 +686,7 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
-/* Walks what is no solid, of a format that gets the union of all solids besides. *any: something was walked. */
+/* Walks the objects that are not solid, for a format that also gets the union of all solids. *any: there are some. */
 static bool drive_loose(vs_emitter *e, bool *any) {
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
@@ -734,7 +737,7 @@ bool vs_drive_scene(vs_emitter *e) {
     vs_solid_copies_free(&parts);
     return ok && e->backend->end(e);
   }
-  d->share = 1 / ((double)e->scene->drawn_count + 1); /* the definitions have the first */
+  d->share = 1 / ((double)e->scene->drawn_count + 1); /* the definitions have the first share */
   if (!drive_definitions(e)) return false;
   const vs_run_row drawn = { NULL, e->scene->drawn, e->scene->drawn_count, false };
   for (size_t i = 0, asked = 0; i < e->scene->drawn_count; i++) {
@@ -774,7 +777,7 @@ const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref) {
       return entry->mesh;
     }
   }
-  vs_solid_free(&e->drive->scratch); /* also where remembering failed: that costs time, no more */
+  vs_solid_free(&e->drive->scratch); /* also if keeping failed: that costs only time */
   e->drive->scratch = made;
   return &e->drive->scratch;
 }

@@ -1,13 +1,14 @@
-/* Owns the rounding of meshes to a format's numbers, and what is said of it. */
+/* Owns the rounding of meshes to a format's numbers, and the warnings about it. */
 #ifndef VS_BACKENDS_FORMAT_NUMBERS_H
 #define VS_BACKENDS_FORMAT_NUMBERS_H
 
 #include "backends/backend.h"
 
-/* Makes one what such numbers cannot hold apart; what they fold all the same, or what is left out, is added to the sum,
- * with the first place. False: interrupted, or out of memory, as e's error says. */
+/* Merges corners of m that the format's numbers cannot distinguish. Adds to the sum the faces that rounding still folds
+ * and the parts that it omits, with the first place. Returns false on an interrupt or when memory is out, with e's
+ * error set. */
 bool vs_emit_round(vs_emitter *e, vs_mesh *m, vs_numbers numbers, vs_rounded *sum);
-/* Warns of the sum. */
+/* Warns about the sum. */
 bool vs_emit_rounded(vs_emitter *e, const vs_rounded *sum);
 
 #endif

@@ -1,6 +1,6 @@
-/* Owns what a node becomes for a format that has no word for it: curves polylines, everything else triangles.
+/* Owns lowering, for formats that cannot express a node: curves become polylines, everything else becomes triangles.
  *
- * Triangles come from one place for every format: geometry/ for what has a formula, kernel/ for booleans. */
+ * The triangles of every format come from one place: geometry/ for shapes with a formula, kernel/ for booleans. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,7 +30,8 @@ static vs_node *lower_polyface(vs_emitter *e, const vs_mesh *m, bool closed) {
   return made;
 }
 
-/* A set of regions as one region of polylines. It has one look, which stands round it (passes/looks.h). */
+/* Makes one region of polylines from a set of regions. The set has one look, given by a node around it
+ * (passes/looks.h). */
 static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
   vs_store *store = e->scene->store;
   vs_outline o = { .count = 0 };
@@ -63,7 +64,7 @@ bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-/* The part of a half-space that the drawing needs. */
+/* Makes the part of a half-space that the drawing needs. */
 static vs_node *lower_half_space(vs_emitter *e, const vs_ref *ref) {
   const struct vs_half_space *h = VS_AS(half_space, ref->node);
   vs_mesh m = { 0 };
@@ -74,7 +75,8 @@ static vs_node *lower_half_space(vs_emitter *e, const vs_ref *ref) {
   return made;
 }
 
-/* For a format that writes sets. NULL: with *fits false it is better as triangles, else failed. */
+/* Makes the shape's parts, for a format that writes sets. NULL: with *fits false it is better as triangles; with *fits
+ * true, memory is out. */
 static vs_node *lower_parts(vs_emitter *e, const vs_ref *ref, bool *fits) {
   const vs_shape *shape = vs_shape_of(ref->node);
   *fits = shape != NULL && shape->parts != NULL && e->backend->emit[VS_DIFFERENCE].fn != NULL;
@@ -161,10 +163,10 @@ bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends b
   return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
 }
 
-/* Where a drawing's solids go: one of the two, the other is NULL. */
+/* The destination of a drawing's solids: one of the two is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } lowered;
 
-/* Makes the solids of the drawing and settles them for the format's numbers. */
+/* Makes the solids of the drawing and rounds them to the format's numbers. */
 static bool lower_once(vs_emitter *e, vs_bends bends, lowered to, vs_rounded *what) {
   const vs_scene *s = e->scene;
   if (to.one)
@@ -187,7 +189,8 @@ static void lower_swap(lowered a, lowered b) {
   }
 }
 
-/* Lowers without bends, and where triangles meet then, once more with them: the result in which fewer meet is kept. */
+/* Lowers without bends. If triangles intersect in the result, lowers again with bends, and keeps the result with fewer
+ * intersections. */
 static bool lower_drawing(vs_emitter *e, lowered to) {
   vs_rounded what = { 0 }, bent_what = { 0 };
   vs_solid bent = { .part_count = 0 };
@@ -208,7 +211,7 @@ bool vs_lower_drawing_copies(vs_emitter *e, vs_solid_copies *out) {
   return lower_drawing(e, (lowered){ .many = out });
 }
 
-/* A result that takes longer to make than to find is kept for other outputs. */
+/* Lowers a primitive; keeps a result for other outputs if making it takes longer than finding it. */
 static bool lower_primitive(vs_emitter *e, vs_node *n, const vs_kernel_options *options, vs_mesh *out, vs_error *why) {
   vs_cache *cache = vs_store_cache(e->scene->store);
   vs_level level = vs_kind_get((vs_kind)n->kind)->level;

@@ -1,5 +1,5 @@
-/* Owns the one spelling of numbers: what %.12g says, without its trailing zeros, plus signs and exponents' zeros; a
- * point whatever the locale. The digits are those of kernel/exact/digits.h; whole numbers below 10^12 are their own.
+/* Owns the one spelling of numbers: %.12g, without trailing zeros, plus signs and the exponent's zeros, and with a
+ * point in every locale. The digits are those of kernel/exact/digits.h; whole numbers below 10^12 are written directly.
  * Numbers above 10^12 and below 10^-16 go through printf. */
 #include "backends/number_spelling.h"
 
@@ -16,7 +16,7 @@ static const char pairs[] =
   "0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849"
   "5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899";
 
-/* The last `count` digits of k end before `end`. */
+/* Writes the last `count` digits of k so that they end before `end`. */
 static void number_digits(char *end, uint64_t k, int count) {
   for (; count > 1; count -= 2, k /= 100) memcpy(end -= 2, pairs + 2 * (k % 100), 2);
   if (count > 0) end[-1] = (char)('0' + k % 10);
@@ -70,7 +70,7 @@ static char *number_scaled(char *to, uint64_t k, int first) {
   return number_whole(to, (uint64_t)-first);
 }
 
-/* By the C library. */
+/* Writes x with the C library's printf. */
 static char *number_printed(char *to, double x) {
   char text[64];
   int length = snprintf(text, sizeof text, "%.12g", x);
@@ -86,7 +86,7 @@ static char *number_printed(char *to, double x) {
     } else if ((c >= '0' && c <= '9') || c == '-') {
       *to++ = c;
     } else if (!point) {
-      *to++ = '.'; /* whatever the locale's sign is, however many bytes */
+      *to++ = '.'; /* in place of the locale's decimal sign, which may have several bytes */
       point = true;
     }
   }

@@ -4,10 +4,11 @@
 
 #include "backends/writer.h"
 
-/* The number's text, NUL-terminated; its length. Not finite: "0" (callers check first; a format must not be broken by
- * it). */
+/* Writes the number's text, NUL-terminated, and returns its length. Writes "0" for a number that is not finite: callers
+ * check first, but a bad number must not break the file. */
 size_t vs_number_text(double x, char out[VS_NUMBER_ROOM]);
-/* The same without a NUL; the place behind it. Writes within VS_NUMBER_ROOM bytes, some behind the text. */
+/* The same without a NUL; returns the position after the text. It writes within VS_NUMBER_ROOM bytes, some of them
+ * after the text. */
 char *vs_number_write(char *to, double x);
 
 #endif

@@ -1,6 +1,6 @@
-/* Owns the two ways to make a file that appears whole: without a name until it is complete, where the system can do
- * that (Linux' O_TMPFILE), else as NAME.tmp-PID beside its target. Without a name nothing is left behind even when the
- * process is killed. */
+/* Owns the two ways to make a file that appears whole: without a name until it is complete, if the system can do that
+ * (Linux' O_TMPFILE), else as NAME.tmp-PID beside its target. A file without a name leaves nothing on disk even when
+ * the process is killed. */
 #define _GNU_SOURCE /* O_TMPFILE */
 #include "backends/publish.h"
 #include "model/signals.h"
@@ -23,8 +23,8 @@ enum { NUMBER_ROOM = 40 };
 #ifdef O_TMPFILE
 static void link_name(int file, char name[NUMBER_ROOM]) { snprintf(name, NUMBER_ROOM, "/proc/self/fd/%d", file); }
 
-/* Opens a file without a name in the target's folder; -1: the file system, or a system without /proc, has no such
- * thing. */
+/* Opens a file without a name in the target's folder. Returns -1 if the file system cannot, or the system has no
+ * /proc. */
 static int open_nameless(const char *target) {
   char name[NUMBER_ROOM], *folder = strdup(target), *slash = folder ? strrchr(folder, '/') : NULL;
   if (!folder) return -1;
@@ -38,14 +38,14 @@ static int open_nameless(const char *target) {
   return -1;
 }
 
-/* Gives the file a name: the target's where nothing stands there, else p->name. */
+/* Gives the file a name: the target's if no such file exists, else p->name. */
 static bool give_name(vs_publish *p, bool *done) {
   char from[NUMBER_ROOM];
   link_name(p->file, from);
   *done = linkat(AT_FDCWD, from, AT_FDCWD, p->target, AT_SYMLINK_FOLLOW) == 0;
   if (*done || errno != EEXIST) return *done;
   if (linkat(AT_FDCWD, from, AT_FDCWD, p->name, AT_SYMLINK_FOLLOW) == 0) return true;
-  if (errno != EEXIST || unlink(p->name) != 0) return false; /* of a process with our number that was killed */
+  if (errno != EEXIST || unlink(p->name) != 0) return false; /* from a killed process that had the same number */
   return linkat(AT_FDCWD, from, AT_FDCWD, p->name, AT_SYMLINK_FOLLOW) == 0;
 }
 #else
@@ -53,8 +53,8 @@ static int open_nameless(const char *target) { return (void)target, -1; }
 static bool give_name(vs_publish *p, bool *done) { return (void)p, *done = false; }
 #endif
 
-/* Where the links end that begin at path: what stands there is replaced, and the links stay. Nothing need stand there.
- * Allocated; NULL: errno says why. */
+/* Returns the end of the chain of symbolic links at path: the file there is replaced, and the links remain. The file
+ * need not exist. The caller frees the text; NULL: errno has the reason. */
 static char *end_of_links(const char *path) {
   enum { LINKS_MOST = 40 };
   char *at = strdup(path);
@@ -75,7 +75,7 @@ static char *end_of_links(const char *path) {
   return NULL;
 }
 
-/* NAME.tmp-PID; a name that leaves no room for this is cut, and a hash of it keeps it apart from others. */
+/* Returns NAME.tmp-PID. A name that is too long for this is cut, and a hash distinguishes it from others. */
 static char *name_beside(const char *target) {
   enum { NAME_MOST = 255, CUT = 160 };
   const char *slash = strrchr(target, '/'), *base = slash ? slash + 1 : target;
@@ -83,7 +83,7 @@ static char *name_beside(const char *target) {
   if (strlen(base) + NUMBER_ROOM <= NAME_MOST)
     return asprintf(&name, "%s.tmp-%ld", target, (long)getpid()) < 0 ? NULL : name;
   size_t kept = CUT;
-  while (kept > 0 && ((unsigned char)base[kept] & 0xC0) == 0x80) kept--; /* whole characters of UTF-8 */
+  while (kept > 0 && ((unsigned char)base[kept] & 0xC0) == 0x80) kept--; /* cut between characters of UTF-8 */
   uint32_t hash = 2166136261u;
   for (const char *c = base; *c; c++) hash = (hash ^ (unsigned char)*c) * 16777619u;
   int length = asprintf(&name, "%.*s-%08" PRIx32 ".tmp-%ld", (int)((size_t)(base - target) + kept), target, hash,
@@ -102,7 +102,7 @@ void vs_publish_clear(const char *folder) {
 
 enum { YOUNG = 10 /* seconds */ };
 
-/* Takes the entry away if its owner is gone. */
+/* Removes the entry if the process that made it has ended. */
 static void sweep_one(DIR *d, const char *folder, const char *name) {
   char path[4096];
   struct stat is;
@@ -127,7 +127,7 @@ void vs_publish_sweep(const char *folder, const char *beginning, const char *end
   if (d) closedir(d);
 }
 
-/* Takes away earlier files beside the same target, NAME.tmp-PID, whose processes were killed. */
+/* Removes earlier files beside the same target, NAME.tmp-PID, of killed processes. */
 static void sweep_siblings(const vs_publish *p) {
   const char *slash = strrchr(p->name, '/'), *base = slash ? slash + 1 : p->name;
   char *folder = slash ? strndup(p->name, (size_t)(slash - p->name) + 1) : strdup(".");
@@ -156,9 +156,8 @@ bool vs_publish_begin(vs_publish *p, const char *path, bool named) {
   return false;
 }
 
-/* Of a file without a name: it gets one, and the target's at once after it, so that a process that is killed in between
- * hardly ever leaves the first. Returns 0, or the errno of what failed. Such files are local: closing them later tells
- * nothing new. */
+/* Gives a nameless file a name and at once the target's, so that a process killed in between hardly ever leaves the
+ * first. Returns 0, or the errno of the failed call. Such files are local: closing them later reports no new error. */
 static int place_nameless(vs_publish *p) {
   bool done = false;
   if (!give_name(p, &done)) return errno;
@@ -171,7 +170,7 @@ static int place_nameless(vs_publish *p) {
 bool vs_publish_end(vs_publish *p, bool whole) {
   int problem = 0;
   sigset_t was;
-  vs_signals_hold(&was); /* nothing ends the process between the name and its change */
+  vs_signals_hold(&was); /* no signal ends the process between naming and renaming */
   if (whole && p->nameless) problem = place_nameless(p);
   if (close(p->file) != 0 && !problem) problem = errno;
   if (!p->nameless && whole && !problem && rename(p->name, p->target) != 0) problem = errno;

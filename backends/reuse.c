@@ -1,10 +1,10 @@
-/* Owns text that is written again. See reuse.h. */
+/* Owns the keeping of text that is written again. See reuse.h. */
 #include "backends/reuse.h"
 
 enum {
-  MOST_WORDS = 1 << 22, /* of a key: 32 MB, a mesh of a million corners */
-  MOST_TEXT = 1 << 26,  /* bytes of a run */
-  LEAST_TEXT = 1024     /* what is shorter is written faster than it is looked after */
+  MOST_WORDS = 1 << 22, /* the longest key: 32 MB, a mesh of a million corners */
+  MOST_TEXT = 1 << 26,  /* bytes of the longest run */
+  LEAST_TEXT = 1024     /* writing a shorter text is faster than keeping it */
 };
 
 /* ---- keys ---- */
@@ -26,7 +26,7 @@ void vs_reuse_put_reals(vs_reuse *r, const double *reals, size_t count) {
   r->count += count;
 }
 
-/* The same of one field, whose few reals are not worth a call of memcpy. */
+/* The same for one field, which has too few reals for a call of memcpy. */
 static void put_few(vs_reuse *r, const double *reals, size_t count) {
   if (!vs_reuse_room(r, count)) return; /* an array before it may have filled the room to the last word */
   uint64_t *to = r->words + r->count;
@@ -42,7 +42,8 @@ static void put_bytes(vs_reuse *r, const void *bytes, size_t size) {
   r->count += words;
 }
 
-/* Texts and materials are interned in the store, which outlives the cache: their addresses say all. */
+/* Puts a payload into the key. The store interns texts and materials and outlives the cache, so their addresses
+ * identify them. */
 void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *data) {
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)data + info->fields[i].offset;
@@ -69,7 +70,8 @@ void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *dat
     }
     case VS_FIELD_text: vs_reuse_put(r, (uintptr_t)*(const vs_field_text *)at); break;
     case VS_FIELD_material: vs_reuse_put(r, (uintptr_t)*(const vs_field_material *)at); break;
-    case VS_FIELD_ticket: r->unfit = true; break; /* numbers of the program's, which are used again */
+    case VS_FIELD_ticket: r->unfit = true; break; /* a number of the running program, which the program uses again for
+                                                   * other objects */
     }
   }
 }
@@ -100,7 +102,8 @@ void vs_reuse_put_number(vs_reuse *r, vs_number_kind kind, uint32_t number) {
   vs_reuse_put(r, l->local);
 }
 
-/* ---- what is kept: a header, the text, numbers in it, lines, warnings; each at a sixteen (cache.c) ---- */
+/* ---- the form of kept text: a header, the text, numbers in it, lines, warnings; each aligned to 16 bytes (cache.c)
+ * ---- */
 
 typedef struct { uint64_t size, slots, lines, said, triangles; } header;
 

@@ -1,6 +1,6 @@
-/* Owns the normals of triangle corners. A corner's normal is the mean of the faces round its vertex that lean away from
- * the corner's own face by less than the crease, each weighted by its angle there; equal normals at a vertex share an
- * entry. */
+/* Owns the normals of triangle corners. A corner's normal is the mean over the faces around its vertex whose angle to
+ * the corner's own face is less than the crease, each weighted by its angle at the vertex. Equal normals at a vertex
+ * share an entry. */
 #include "backends/shade.h"
 
 #include <math.h>
@@ -25,11 +25,11 @@ static double shade_angle(const vs_vec3 *v, const uint32_t t[3], int corner) {
   return acos(fmax(-1, fmin(1, vs_v3_dot(a, b))));
 }
 
-/* The faces and the arrays that are needed while their normals are made; `out` has the memory of both. */
+/* The faces, and the arrays needed while their normals are made. The memory functions of `out` hold all of them. */
 typedef struct {
   const vs_shade_faces *of;
   vs_shading *out;
-  double least;               /* the cosine between two normals from which on their faces are smooth with each other */
+  double least;               /* the least cosine between the normals of two faces that are smooth with each other */
   vs_vec3 *faces;             /* a triangle's unit normal */
   double *angles;             /* at each corner */
   uint32_t *starts, *around;  /* the corners round vertex v are around[starts[v]] to around[starts[v + 1] - 1] */
@@ -65,7 +65,7 @@ static bool shade_together(const shade_work *w, uint32_t a, uint32_t b) {
   return groups == NULL || a == b || (groups[a] == groups[b] && groups[a] != VS_SHADE_FLAT);
 }
 
-/* The normals at vertex v, and which of them its corners have. */
+/* Computes the normals at vertex v, and assigns them to its corners. */
 static void shade_vertex(const shade_work *w, size_t v) {
   vs_shading *out = w->out;
   size_t first_normal = out->normal_count;
@@ -79,7 +79,7 @@ static void shade_vertex(const shade_work *w, size_t v) {
     }
     vs_vec3 normal = shade_unit(sum);
     if (vs_v3_length(normal) < 0.5) normal = own;
-    if (vs_v3_length(normal) < 0.5) normal = vs_v3(0, 0, 1); /* a needle without a face of its own */
+    if (vs_v3_length(normal) < 0.5) normal = vs_v3(0, 0, 1); /* a needle, which has no normal of its own */
     size_t at = first_normal;
     while (at < out->normal_count && vs_v3_dot(out->normals[at], normal) < 1 - 1e-9) at++;
     if (at == out->normal_count) out->normals[out->normal_count++] = normal;
@@ -87,14 +87,14 @@ static void shade_vertex(const shade_work *w, size_t v) {
   }
 }
 
-/* Most corners share their normals: the room of the others is given back. */
+/* Frees the unused room: most corners share their normals. */
 static void shade_trim(vs_shading *s) {
   size_t room = s->normal_count + 1;
   vs_vec3 *less = s->memory(s->context, s->normals, s->normal_room * sizeof *less, room * sizeof *less);
   if (less) s->normals = less, s->normal_room = room;
 }
 
-/* The normal of each face, the angle at each of its corners, and how many corners each vertex has. */
+/* Computes the normal of each face, the angle at each of its corners, and the number of corners at each vertex. */
 static bool shade_measure(vs_emitter *e, shade_work *w) {
   const vs_vec3 *v = w->of->vertices;
   for (size_t i = 0; i < w->of->triangle_count; i++) {
@@ -109,7 +109,7 @@ static bool shade_measure(vs_emitter *e, shade_work *w) {
   return true;
 }
 
-/* Sorts the corners by their vertices. starts[v + 1] is v's first, and moves to its end. */
+/* Sorts the corners by their vertices. starts[v + 1] begins as v's first corner, and moves to its end. */
 static void shade_gather(shade_work *w) {
   for (size_t i = 2; i < w->of->vertex_count + 2; i++) w->starts[i] += w->starts[i - 1];
   for (size_t c = 0; c < 3 * w->of->triangle_count; c++)

@@ -4,14 +4,14 @@
 #include "kernel/memory.h"
 #include "kernel/threads.h"
 
-enum { SPAN = 1 << 16 /* bytes */, TESTS = 1 << 14, SERIAL = 1 << 12 /* items that are not worth a thread */ };
+enum { SPAN = 1 << 16 /* bytes */, TESTS = 1 << 14, SERIAL = 1 << 12 /* fewer items do not pay for a thread */ };
 
 typedef struct {
   vs_writer *writer;
   vs_span_fn *fn;
   vs_span_test_fn *test;
   const void *context;
-  size_t count, items; /* items: of a span */
+  size_t count, items; /* items: the number in a span */
   _Atomic size_t sum;
   struct { char *at, *end; size_t room; } made[VS_PIPELINE_WINDOW];
 } spans;

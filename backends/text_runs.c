@@ -1,18 +1,19 @@
-/* Owns the runs of a drawing whose text is kept: where they begin and end, and the keys by which their text is found.
+/* Owns the runs of a drawing whose text is kept: their beginnings and ends, and the keys by which their text is found.
  *
- * A run is some neighbours in one operation, in what is drawn, or a template's body. Its length is decided by weights,
- * about the number of shapes in it, and its end by the hash of the last of them: so after something is put in or taken
- * out, runs soon end where they did before. A node that is too heavy for a run is gone into. The key has, in the order
- * of the walk, each node's kind and numbers, and which of the run's templates and paints stand where; before them all
- * of the emitter that emit functions look at. Where sets of regions are written as one region their whole inside is in
- * it. */
+ * A run is several neighbours in one operation, in the drawing, or a template's body. Weights, which are about the
+ * number of shapes, decide its length, and the hash of its last node decides its end: after an insertion or a removal,
+ * the runs soon end at the same nodes as before. The search goes into a node that is too heavy for a run.
+ *
+ * The key has, in the order of the walk, the kind and numbers of each node, and the positions of the run's templates
+ * and paints. Before them it has all members of the emitter that emit functions read. If sets of regions are written as
+ * one region, the key contains them entirely. */
 #include "backends/text_runs.h"
 
 #include "backends/drive.h"
 #include "model/store/cache.h"
 #include "model/tally.h"
 
-/* weights: less is not worth a run; most runs; more is no run, but for one shape */
+/* weights: the least that is worth a run; the usual; the greatest, except for a single shape */
 enum { LIGHT = 48, USUAL = 256, HEAVY = 1024 };
 
 void vs_drive_find_short(vs_drive *d) {
@@ -31,7 +32,7 @@ void vs_drive_find_short(vs_drive *d) {
 /* ---- weights ---- */
 
 static uint32_t leaf_weight(const vs_emitter *e, const vs_node *n) {
-  enum { OUTLINED = 12, MESHED = 128 }; /* what is written as an outline, as triangles: by and large */
+  enum { OUTLINED = 12, MESHED = 128 }; /* approximate weights of shapes written as an outline, and as triangles */
   uint32_t weight = OUTLINED;
   if (drive_is_brief(e->drive, n)) return 1;
   if (n->kind == VS_LINE) weight = VS_AS(line, n)->points->count;
@@ -63,18 +64,17 @@ void vs_drive_weigh(vs_emitter *e) {
 /* ---- the key ---- */
 
 typedef struct { const vs_node *node; uint32_t next; bool whole; } step;
-/* cut: a half-space stands in it; thin: something that is no solid */
+/* cut: it contains a half-space; thin: it contains an object that is not solid */
 typedef struct { step *steps; size_t count, room; bool cut, thin; size_t shapes; } spelling;
 
-enum { MOST_SHAPES = 1 << 16 }; /* in one key: what is inside of a shape may be a tree that names its parts many
-                                 * times */
+enum { MOST_SHAPES = 1 << 16 }; /* in one key: the inside of a shape may be a tree that names its parts many times */
 enum { TAG_WHOLE = 1u << 16, TAG_TEMPLATE = 1u << 17, TAG_SHOWN = 1u << 18, TAG_CARVED = 1u << 19 };
 
 static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) {
   return n == NULL ? 0 : 1 | (uint64_t)vs_emit_is_bare(e, n) << 1 | (uint64_t)vs_emit_is_painted(e, n) << 2;
 }
 
-/* The surroundings of the run; the words that depend on what is in it follow at the end. */
+/* Puts the surroundings of the run into the key; the words that depend on its contents follow at the end. */
 static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
   vs_reuse *r = &e->drive->reuse;
   const double reals[] = { e->unit, e->drawing_facets.tolerance, e->facets.tolerance };
@@ -82,7 +82,7 @@ static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
   vs_reuse_put(r, e->depth << 1 | (body ? 1 : 0));
   vs_reuse_put(r, (uint64_t)(uint32_t)e->drawing_facets.segments << 32 | (uint32_t)e->facets.segments);
   vs_reuse_put_reals(r, reals, sizeof reals / sizeof *reals);
-  /* facets of what is placed below depend on it; not on where it is */
+  /* the facets of objects below the placement depend on its linear part, not on its translation */
   for (int row = 0; row < 3; row++) vs_reuse_put_reals(r, e->placement.m[row], 3);
   vs_reuse_put(r, (uintptr_t)e->material);
   vs_reuse_put(r, paint_bits(e, parent) << 16 | paint_bits(e, e->body) << 8 | (uint64_t)e->in_boolean << 1 | e->smooth);
@@ -93,7 +93,7 @@ static void put_ends(vs_emitter *e, const spelling *s) {
   vs_reuse *r = &e->drive->reuse;
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   vs_reuse_put(r, (uint64_t)s->cut << 1 | s->thin);
-  if (s->thin) { /* how thick a line is drawn */
+  if (s->thin) { /* the thickness of lines */
     const double place[] = { diagonal,     e->placement.m[0][3], e->placement.m[1][3], e->placement.m[2][3],
                              e->pen.share, e->pen.least };
     vs_reuse_put_reals(r, place, sizeof place / sizeof *place);
@@ -104,7 +104,7 @@ static void put_ends(vs_emitter *e, const spelling *s) {
   if (s->cut) vs_reuse_put_reals(r, &e->reach.max.x, 3);
 }
 
-/* A node; with children to be spelled out it is on the stack then. */
+/* Puts a node into the key; if its children must follow, pushes it on the stack. */
 static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view view, bool whole) {
   vs_reuse *r = &e->drive->reuse;
   const vs_node *n = ref->node;
@@ -128,7 +128,8 @@ static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view v
     s->steps[s->count++] = (step){ n, 0, inside };
 }
 
-/* A reference of the run with all under it. body: itself is a template, whose inside is meant. */
+/* Puts a reference of the run, and all nodes below it, into the key. body: the reference is a template, and its
+ * contents are meant. */
 static void put_tree(vs_emitter *e, spelling *s, const vs_ref *ref, bool body) {
   const vs_reuse *r = &e->drive->reuse;
   drive_view view = drive_look(e, ref->node);
@@ -155,7 +156,7 @@ static void put_tree(vs_emitter *e, spelling *s, const vs_ref *ref, bool body) {
 
 /* ---- runs ---- */
 
-/* Finds where the run from `from` on ends, and how many of it are shown. Returns its weight. */
+/* Finds the end of the run that begins at `from`, and the number of its shown nodes. Returns its weight. */
 static uint32_t run_end(const vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run) {
   uint32_t weight = 0;
   *run = (vs_run){ .until = from };
@@ -163,7 +164,7 @@ static uint32_t run_end(const vs_emitter *e, const vs_run_row *row, size_t from,
     const vs_node *n = row->refs[run->until].node;
     drive_view view = drive_look(e, n);
     uint32_t own = row->body && view.entry != NULL ? view.entry->weight : weight_of(e, n, view);
-    bool alone = own >= HEAVY; /* gone into, unless it is one shape */
+    bool alone = own >= HEAVY; /* the search goes into it, unless it is a single shape */
     if (alone && run->until > from) break;
     run->shown += !view.vain;
     weight += alone && view.operation ? 0 : own;
@@ -243,7 +244,7 @@ bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run
     run_begin(e, run->until);
     return true;
   }
-  run->found = all_said(e, &kept); /* else it is written once more, and what is not said yet is said where it belongs */
+  run->found = all_said(e, &kept); /* else it is written again, and its warnings appear at their places */
   bool ok = !run->found || put_out(e, &refs[first], &kept);
   vs_cache_let_go(r->cache, kept.held);
   return ok;

@@ -1,9 +1,9 @@
 /* Owns the camera's framing and the sun's place. See view.h.
  *
- * Framing: with the view's axes fixed (right r, up u, forward f), each corner of the bounds limits the eye from two
- * sides: a corner at (x, y, z) along the axes is inside the picture where |x - ex| <= (z + D) t, t the tangent of half
- * the angle. The greatest x - z t and -x - z t over the corners give the smallest distance D and the eye's shift ex
- * together. The same is done for y; the greater D is taken. */
+ * Framing: the view's axes are fixed (right r, up u, forward f), and each corner of the bounds limits the eye from two
+ * sides. A corner at (x, y, z) along the axes is inside the picture if |x - ex| <= (z + D) t, with t the tangent of
+ * half the angle. The greatest x - z t and -x - z t over the corners give the smallest distance D together with the
+ * eye's shift ex. The same computation for y gives another D, and the camera takes the greater. */
 #include "backends/view.h"
 
 #include <math.h>
@@ -98,7 +98,8 @@ vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look) {
     return vs_v3(sin(azimuth) * cos(altitude), cos(azimuth) * cos(altitude), sin(altitude));
   }
   if (vs_look_sun_is_pictured(scene)) return scene->picture_sun;
-  /* Towards the viewer and to the left of the line of sight; seen from above, from the upper left as on maps. */
+  /* The sun is towards the viewer and to the left of the line of sight; seen from above, at the upper left as on
+   * maps. */
   vs_vec3 near = vs_v3(-look->forward.x, -look->forward.y, 0), left = vs_v3(-look->right.x, -look->right.y, 0);
   if (vs_v3_length(near) < 0.2) near = vs_v3(look->up.x, look->up.y, 0);
   vs_vec3 across = look_unit(vs_v3_add(vs_v3_scale(look_unit(near), 0.62), vs_v3_scale(look_unit(left), 0.78)));

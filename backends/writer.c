@@ -59,7 +59,8 @@ bool vs_put(vs_writer *w, const void *bytes, size_t count) {
   if (w->failed) return false;
   if (count == 0) return true; /* bytes may be NULL then */
   if (!writer_counts(w, count)) return false;
-  if (count >= VS_WRITER_ROOM / 2 && w->tap == NULL && !w->keeps_lines) { /* nobody looks at it on the way */
+  if (count >= VS_WRITER_ROOM / 2 && w->tap == NULL && !w->keeps_lines) { /* a large block goes past the buffer, if
+                                                                           * nobody taps it and lines are not counted */
     if (!vs_writer_flush(w)) return false;
     if (!w->sink(w->context, bytes, count)) w->failed = true;
     return !w->failed;
