@@ -7,7 +7,7 @@
 
 double vs_drawing_unit(const vs_scene *scene) { return 1000 * vs_scene_metres(scene); }
 
-/* A plan is cut 1.2 m above the ground, or above the lowest point, of what is higher than 1.5 m over that. */
+/* Cuts a plan 1.2 m above the ground, or above the lowest point, if the model is more than 1.5 m higher than that. */
 static void cut_plan(const vs_emitter *e, vs_scene_view *v) {
   const vs_scene *scene = e->scene;
   double metre = 1000 / vs_drawing_unit(scene), low = e->bounds.min.z;
@@ -16,14 +16,14 @@ static void cut_plan(const vs_emitter *e, vs_scene_view *v) {
   v->cut_point = vs_v3(0, 0, low + 1.2 * metre), v->cut_normal = vs_v3(0, 0, -1);
 }
 
-/* Through the middle, seen as from the front. */
+/* Cuts through the middle, seen as from the front. */
 static void cut_section(const vs_emitter *e, vs_scene_view *v) {
   vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
   v->cut_point = middle, v->cut_normal = vs_v3(0, 1, 0);
   v->eye = middle, v->target = vs_v3_add(middle, v->cut_normal);
 }
 
-/* Views that every model has. In a sheet of all of them: what is `whole`. */
+/* The views that every model has. whole: it is part of the sheet of all views. */
 static const struct { const char *name; vs_view view; vs_cut cut; bool whole; } own[] = {
   { "plan", VS_VIEW_TOP, VS_CUT_OWN, true },       { "section", VS_VIEW_ALONG, VS_CUT_PLANE, true },
   { "front", VS_VIEW_FRONT, VS_CUT_NONE, true },   { "right", VS_VIEW_RIGHT, VS_CUT_NONE, true },
@@ -48,7 +48,7 @@ static bool add(vs_emitter *e, vs_flat_view **out, size_t *count, size_t *room, 
   return true;
 }
 
-/* The model's view of that name, or one that every model has. */
+/* Finds the model's view of that name, or one that every model has. */
 static bool find(const vs_emitter *e, const char *name, vs_scene_view *out) {
   const vs_scene_view *v = vs_scene_find_view(e->scene, name);
   if (v) return *out = *v, true;
@@ -57,7 +57,7 @@ static bool find(const vs_emitter *e, const char *name, vs_scene_view *out) {
   return false;
 }
 
-/* The file's name without folders and ending. */
+/* Copies the file's name without folders and ending. */
 static void stem(const char *path, char *out, size_t room) {
   const char *slash = path ? strrchr(path, '/') : NULL, *base = slash ? slash + 1 : path ? path : "";
   const char *dot = strrchr(base, '.');

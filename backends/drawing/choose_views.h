@@ -4,9 +4,10 @@
 
 #include "backends/drawing/flat_view.h"
 
-/* The views that are to be drawn, the caller's to free by vs_emit_release. False: failed, and the error says why. */
+/* Chooses the views to draw; the caller frees them with vs_emit_release. Returns false on failure, with e's error
+ * set. */
 bool vs_drawing_choose(vs_emitter *e, vs_flat_view **out, size_t *count, size_t *room);
-/* Width of a model unit in millimetres. */
+/* Returns the length of a model unit in millimetres. */
 double vs_drawing_unit(const vs_scene *scene);
 
 #endif

@@ -1,9 +1,8 @@
 /* Owns .dxf (AutoCAD 2000, in text), written here since Debian has no library in C that writes it.
  *
- * A drawing is in model units: a place of the first view has there the coordinates that it has in the view's plane,
- * so that a plan's points are the model's. Paper round it and other views are as large as the first view's scale
- * makes them. Every object has a handle; tables and the dictionary that readers insist on are the least that they
- * take. */
+ * A drawing is in model units. A point of the first view has its coordinates in the view's plane, so a plan's points
+ * are the model's. The first view's scale decides the size of the paper around it and of other views. Every object has
+ * a handle; the tables and the dictionary are the least that readers accept. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +11,7 @@
 
 typedef struct { vs_writer *w; const vs_sheet *s; double mm; vs_sheet_point shift; unsigned handle; } writing;
 
-/* Handles below this one are those of tables. */
+/* Handles below this one belong to tables. */
 enum { FIRST_HANDLE = 0x100, MODEL_SPACE = 0x1f, PAPER_SPACE = 0x1e, ROOT = 0xc, GROUPS = 0xd };
 
 static void code(vs_writer *w, int number, const char *text) {
@@ -30,11 +29,11 @@ static void code_handle(vs_writer *w, int number, unsigned handle) { vs_putf(w, 
 
 enum { DXF_CHARACTER = 12, DXF_LINE = 250 /* bytes of text on a line; a longer text is an MTEXT */ };
 
-/* Spells the character at *text as DXF of that time has it, into `as`: one beyond ASCII as \U+00E9, which has room for
- * four digits; a caret is an escape, and a backslash before U+ or M+ would begin one. Returns its bytes; *text goes on
- * to the next. */
+/* Spells the character at *text in the manner of that DXF version, into `as`: a character beyond ASCII as \U+00E9,
+ * which has room for four digits; a caret is an escape, and a backslash before U+ or M+ would begin one. Returns the
+ * number of bytes; *text moves to the next character. */
 static size_t text_character(const char **text, char as[DXF_CHARACTER]) {
-  enum { ENOUGH = 16 }; /* bytes, of any character */
+  enum { ENOUGH = 16 }; /* bytes, enough for any character */
   char spelled[VS_SPELLED_ROOM + 1];
   uint32_t point = 0xFFFD;
   size_t count = vs_spell_line(text, *text + strnlen(*text, ENOUGH), spelled);
@@ -47,7 +46,7 @@ static size_t text_character(const char **text, char as[DXF_CHARACTER]) {
   return (size_t)length;
 }
 
-/* Does the text stand on one line of the file? */
+/* Returns true if the text fits on one line of the file. */
 static bool text_is_short(const char *text) {
   char as[DXF_CHARACTER];
   size_t bytes = 0;
@@ -55,7 +54,7 @@ static bool text_is_short(const char *text) {
   return bytes <= DXF_LINE;
 }
 
-/* A line of as much of *text as it holds, which *text goes behind. */
+/* Writes a line with as much of *text as it holds; *text moves past that. */
 static void text_line(vs_writer *w, const char **text) {
   char as[DXF_CHARACTER];
   for (size_t bytes = 0; **text != '\0';) {
@@ -74,7 +73,7 @@ static void code_text(vs_writer *w, int number, const char *text) {
   text_line(w, &text);
 }
 
-/* The text of an MTEXT: all lines but the last have the code 3. */
+/* Writes the text of an MTEXT: all lines but the last have the code 3. */
 static void code_long_text(vs_writer *w, const char *text) {
   while (!text_is_short(text)) {
     vs_putf(w, "%3d\n", 3);
@@ -242,7 +241,7 @@ static void put_line(writing *out, const vs_mark *m) {
   corners(out, m->first, m->count);
 }
 
-/* A grey of the fill as one of the indices 250 (dark) to 255 (white). */
+/* Returns a grey of the fill as an index from 250 (dark) to 255 (white). */
 static long grey_index(double grey) { return 250 + lround(5 * grey); }
 
 static void put_fill(writing *out, const vs_mark *m) {
@@ -275,8 +274,8 @@ static void put_fill(writing *out, const vs_mark *m) {
   code_int(w, 98, 0);
 }
 
-/* A text too long for one line of the file. Its lower edge is where the line of writing is: the difference is the depth
- * of a p. */
+/* Writes a text that is too long for one line of the file. Its lower edge is at the base line: it is higher than other
+ * text by the depth of a p. */
 static void put_long_text(writing *out, const vs_mark *m, int align) {
   enum { BOTTOM_LEFT = 7 };
   vs_writer *w = out->w;
@@ -286,7 +285,7 @@ static void put_long_text(writing *out, const vs_mark *m, int align) {
   code_real(w, 20, up(out, m->at.y));
   code_real(w, 30, 0);
   code_real(w, 40, m->size / out->mm);
-  code_real(w, 41, 0); /* as wide as it is */
+  code_real(w, 41, 0); /* no limit of width */
   code_int(w, 71, BOTTOM_LEFT + align);
   code_int(w, 72, 1); /* from left to right */
   code_long_text(w, m->text);
@@ -309,7 +308,7 @@ static void put_text(writing *out, const vs_mark *m) {
   code_real(w, 40, m->size / out->mm);
   code_text(w, 1, m->text);
   code_real(w, 50, m->angle);
-  if (align > 0) { /* then the second point is the one that counts */
+  if (align > 0) { /* readers then use only the second point */
     code_int(w, 72, align);
     code_real(w, 11, across(out, m->at.x));
     code_real(w, 21, up(out, m->at.y));

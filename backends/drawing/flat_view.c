@@ -1,8 +1,8 @@
-/* Owns the way from the model to one view of it made flat: cut, seen, its lines joined, its cut faces outlined.
+/* Owns the way from the model to one flat view of it: cut, projected, its lines joined, its cut faces outlined.
  *
- * The cut is the kernel's: the model less a half-space without a material, so that the faces of the cut have the
- * material of what was cut (passes/cut_away.h). Triangles of the result that lie in the plane and look at the viewer
- * are the cut faces; so do faces of the model that lay there. */
+ * The kernel cuts: the model minus a half-space without a material, so the faces of the cut have the material of the
+ * cut solid (passes/cut_away.h). The cut faces are the triangles of the result that lie in the plane and face the
+ * viewer; among them are faces of the model that lay there before. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,18 +12,19 @@
 #include "geometry/plane/slice.h"
 #include "solids/sight_edges.h"
 
-/* All that the view shows, in its own coordinates. */
+/* The contents of the view, in its own coordinates. */
 typedef struct {
   vs_emitter *e;
   vs_flat_view *v;
   vs_sight_host host;
   vs_vec3 *points;
   uint32_t (*triangles)[3];
-  uint32_t *paints;    /* of triangles: the material's number */
+  uint32_t *paints;    /* paints[i]: the number of triangle i's material */
   uint8_t *caps;
   size_t point_count, point_room, triangle_count, triangle_room, paint_room, cap_room;
-  size_t closed;       /* triangles of solids: the first */
-  double slack, nearest; /* how far before the eye all ends, in a perspective view */
+  size_t closed;       /* the number of triangles of solids, which come first */
+  double slack, nearest; /* nearest: in a perspective view, the distance before the eye at which everything is
+                          * clipped */
   vs_sight_edges edges;
   vs_sight_pieces pieces;
 } seen;
@@ -60,9 +61,9 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
     const uint32_t *t = m->triangles[i];
     uint32_t tag = m->tags ? m->tags[i] : 0;
     size_t at = s->triangle_count;
-    bool lid = !s->v->look.parallel; /* of what the plane before the eye has cut */
+    bool lid = !s->v->look.parallel; /* the triangle is a face of the cut by the plane before the eye */
     for (int k = 0; k < 3; k++) s->triangles[at][k] = (uint32_t)base + t[2 - k];
-        /* x, y, z as the view has them are left-handed */
+        /* The view's x, y, z are left-handed. */
     for (int k = 0; k < 3; k++) lid = lid && s->points[base + t[k]].z <= s->nearest + 4 * s->slack;
     if (lid) continue;
     s->triangle_count++;
@@ -84,7 +85,7 @@ static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) {
       s->edges.count + 1, sizeof *s->edges.at))
     return vs_emit_no_memory(s->e);
   double slack = fmax(s->slack, 4 * s->e->facets.tolerance);
-      /* a curve drawn on something round is on it, though chords are not */
+      /* a curve drawn on a round surface lies on it, although its chords do not */
   s->edges.at[s->edges.count++] = (vs_sight_edge){ into_view(&s->v->look, p), into_view(&s->v->look, q),
       VS_SIGHT_CURVE, slack };
   return true;
@@ -100,14 +101,14 @@ static bool put_piece(void *context, const vs_polyline *p) {
 
 static double nearest_of(const vs_emitter *e) { return 1e-3 * vs_bounds_diagonal(&e->bounds); }
 
-/* The plane that everything is clipped by besides the cut: just before the eye of a perspective view. */
+/* Computes the plane that clips everything besides the cut: just before the eye of a perspective view. */
 static bool near_plane(const vs_flat_view *v, const vs_emitter *e, vs_vec3 *point, vs_vec3 *normal) {
   *normal = v->look.forward;
   *point = vs_v3_add(v->look.eye, vs_v3_scale(*normal, nearest_of(e)));
   return !v->look.parallel;
 }
 
-/* Curves and open faces: those of a loose walk, cut by themselves. */
+/* Adds curves and open faces, which come from a loose walk; clips them itself. */
 static bool add_loose(seen *s, const vs_loose *l) {
   vs_vec3 point, normal;
   const vs_scene_view *spec = &s->v->spec;
@@ -140,7 +141,7 @@ static bool add_loose(seen *s, const vs_loose *l) {
   return ok || s->e->error->kind != VS_ERROR_NONE || vs_emit_no_memory(s->e);
 }
 
-/* All solids less what the planes take away, as one node. */
+/* Makes one node: all solids minus the half-spaces beyond the planes. */
 static vs_node *cut_node(vs_emitter *e, const vs_vec3 (*planes)[2], size_t count) {
   const vs_scene *scene = e->scene;
   vs_ref operands[3];
@@ -158,14 +159,14 @@ static vs_node *cut_node(vs_emitter *e, const vs_vec3 (*planes)[2], size_t count
   return made;
 }
 
-/* Are there solids among what is drawn? */
+/* Returns true if the drawing contains solids. */
 static bool has_solids(const vs_scene *scene) {
   bool any = false;
   for (size_t i = 0; !any && i < scene->drawn_count; i++) any = scene->drawn[i].node->class_ == VS_SOLID;
   return any;
 }
 
-/* A view that cuts has no use for the solids as a whole: those of a city take longer than its plan. */
+/* Adds the solids. A view that cuts does not make the whole solids: those of a city take longer than its plan. */
 static bool add_solids(seen *s, vs_flat_whole *whole) {
   vs_vec3 planes[2][2];
   size_t count = 0;
@@ -187,7 +188,7 @@ static bool add_solids(seen *s, vs_flat_whole *whole) {
   return ok;
 }
 
-/* ---- lines: pieces that meet end to end become one, straight ones a single stretch ---- */
+/* ---- lines: pieces that meet at their ends are joined, and straight ones merged ---- */
 
 static const vs_drawn_layer layer_of[VS_SIGHT_KINDS] = {
   [VS_SIGHT_CUT] = VS_DRAWN_CUT,     [VS_SIGHT_PARTING] = VS_DRAWN_PARTING, [VS_SIGHT_OUTLINE] = VS_DRAWN_OUTLINE,
@@ -211,25 +212,26 @@ static bool same_place(const tip *tips, size_t count, size_t a, size_t b) {
       tips[a].at.y == tips[b].at.y;
 }
 
-/* All stretches, and their ends sorted by layer and place. */
+/* All segments, and their ends sorted by layer and position. */
 typedef struct {
   const stretch *all;
-  size_t count;             /* of stretches; there are two tips each */
+  size_t count;             /* the number of segments; there are twice as many tips */
   tip *tips;
-  uint32_t *slot;           /* of end k of stretch i, 2 * i + k: the place of its tip among tips */
-  bool *used;               /* stretches that are in a line */
-  double slack;             /* how far a point may lie off the straight way, in the view's units */
+  uint32_t *slot;           /* slot[2 * i + k]: the index, among the tips, of end k of segment i */
+  bool *used;               /* used[i]: segment i is part of a line */
+  double slack;             /* the greatest distance of a point from a straight line through its neighbours, in the
+                             * view's units */
 } stretches;
 
-/* An end of a stretch: 0 is a, 1 is b. */
+/* An end of a segment: 0 is a, 1 is b. */
 typedef struct { uint32_t stretch; int end; } stretch_end;
 
 static vs_sheet_point place_of(const stretches *s, stretch_end x) {
   return x.end ? s->all[x.stretch].b : s->all[x.stretch].a;
 }
 
-/* The end of the stretch that goes on from end x: the only other one of its layer that is there. False: none, or
- * several. i - 1 past the first is past the last as well. */
+/* Finds the end that continues the line at end x: the only other end of its layer at that position. Returns false if
+ * there is none, or several. For the first tip, i - 1 wraps and exceeds the last index, too. */
 static bool next_of(const stretches *s, stretch_end x, stretch_end *next) {
   size_t i = s->slot[2 * x.stretch + (uint32_t)x.end], count = 2 * s->count;
   bool before = same_place(s->tips, count, i - 1, i), after = same_place(s->tips, count, i + 1, i);
@@ -246,7 +248,8 @@ static bool add_point(vs_emitter *e, vs_flat_view *v, vs_sheet_point p) {
   return true;
 }
 
-/* Adds a point to the line that begins at `first`; one on the straight way from the last but one is passed by. */
+/* Adds a point to the line that begins at `first`. It replaces the last point if that lies on the straight line from
+ * the one before. */
 static bool extend(vs_emitter *e, vs_flat_view *v, size_t first, vs_sheet_point p, double slack) {
   size_t n = v->point_count - first;
   if (n >= 2) {
@@ -260,7 +263,7 @@ static bool extend(vs_emitter *e, vs_flat_view *v, size_t first, vs_sheet_point 
   return add_point(e, v, p);
 }
 
-/* Follows the line that stretch `start` is part of: back to where it begins, or once round, and then forward. */
+/* Follows the line of segment `start`: back to its beginning, or once around, and then forward. */
 static bool chain(vs_emitter *e, vs_flat_view *v, const stretches *s, uint32_t start) {
   stretch_end at = { start, 0 }, next;
   while (next_of(s, at, &next) && next.stretch != start) at = (stretch_end){ next.stretch, !next.end };
@@ -278,7 +281,7 @@ static bool chain(vs_emitter *e, vs_flat_view *v, const stretches *s, uint32_t s
   }
   size_t n = v->point_count - first;
   closed = closed && n > 3;
-  if (closed) v->point_count--, n--; /* the first once more */
+  if (closed) v->point_count--, n--; /* the first point again */
   v->lines[v->line_count++] = (vs_flat_line){ (uint32_t)first, (uint32_t)n, closed, s->all[start].layer };
   return true;
 }
@@ -306,7 +309,7 @@ static bool join(seen *s, const stretch *all, size_t count, double slack) {
   return ok ? grew : vs_emit_no_memory(s->e);
 }
 
-/* Coordinates are taken to a grid, finer than the slack, so that what is one place in two computations is one. */
+/* Rounds coordinates to a grid finer than the slack, so that two computations of one point give equal numbers. */
 static vs_sheet_point on_grid(vs_sheet_point p, double step) {
   return (vs_sheet_point){ round(p.x / step) * step + 0., round(p.y / step) * step + 0. }; /* + 0: no -0 */
 }
@@ -348,7 +351,7 @@ static int border_compare(const void *p, const void *q) {
   return a->b.y < b->b.y ? -1 : a->b.y > b->b.y;
 }
 
-/* The first border of the paint that begins at p and is not used; count: there is none. */
+/* Returns the first unused border of the paint that begins at p; count: there is none. */
 static size_t border_from(const border *all, size_t count, uint32_t paint, vs_sheet_point p) {
   size_t low = 0, high = count;
   border key = { p, { -INFINITY, -INFINITY }, paint, false };
@@ -362,7 +365,7 @@ static size_t border_from(const border *all, size_t count, uint32_t paint, vs_sh
   return count;
 }
 
-/* Takes the loop that begins with border i. */
+/* Follows the loop that begins with border i, and adds it. */
 static bool take_loop(seen *s, border *all, size_t count, size_t i, double slack) {
   vs_flat_view *v = s->v;
   size_t first = v->point_count;
@@ -410,7 +413,7 @@ static bool add_fills(seen *s) {
           s->paints[i], false };
   }
   qsort(all, count, sizeof *all, border_compare);
-  for (size_t i = 0; i < count; i++) { /* sides that two triangles of one material share go */
+  for (size_t i = 0; i < count; i++) { /* sides that two triangles of one material share cancel */
     border back = { all[i].b, all[i].a, all[i].paint, false };
     const border *found = bsearch(&back, all, count, sizeof *all, border_compare);
     all[i].used = found != NULL;
@@ -426,7 +429,7 @@ static bool add_fills(seen *s) {
 
 /* ---- labels ---- */
 
-/* Does a triangle lie before this place of the view? */
+/* Returns true if a triangle lies between the viewer and this point of the view. */
 static bool is_covered(const seen *s, vs_vec3 p) {
   for (size_t i = 0; i < s->triangle_count; i++) {
     vs_vec3 c[3];
@@ -442,8 +445,8 @@ static bool is_covered(const seen *s, vs_vec3 p) {
   return false;
 }
 
-/* A label is no part of what a cut has taken away, and elevations and sections show it where its place is seen: a
- * room's name does not stand on the house's front. */
+/* Finds the labels of the view. A cut removes the labels beyond it, and elevations and sections show only labels whose
+ * position is visible: a room's name does not appear on the front of the house. */
 static bool find_labels(seen *s) {
   const vs_scene *scene = s->e->scene;
   vs_flat_view *v = s->v;
@@ -477,7 +480,7 @@ bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs
   vs_scene scene = *e->scene;
   vs_scene_look(&scene, &v->spec);
   v->look = vs_look_find(&scene, &e->bounds, &e->bounds, 1, 1);
-  if (v->spec.upright && !v->look.parallel) { /* the picture's plane stands upright */
+  if (v->spec.upright && !v->look.parallel) { /* the picture's plane is vertical */
     v->look.forward = vs_v3_unit(vs_v3(v->look.forward.x, v->look.forward.y, 0));
     v->look.up = vs_v3(0, 0, 1);
   }

@@ -1,4 +1,4 @@
-/* Owns the shape of a view made flat: cut, seen, its lines joined, in model units. */
+/* Owns the form of a flat view: cut, projected, its lines joined, in model units. */
 #ifndef VS_BACKENDS_DRAWING_FLAT_VIEW_H
 #define VS_BACKENDS_DRAWING_FLAT_VIEW_H
 
@@ -16,35 +16,36 @@ typedef enum {
 typedef struct { const char *name; double width, dash, gap, dot, grey; int colour, weight; } vs_layer_row;
 extern const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS];
 
-/* ---- a view made flat: in model units, in the view's own plane ---- */
+/* ---- a flat view: in model units, in the view's own plane ---- */
 
 typedef struct { uint32_t first, count; bool closed; vs_drawn_layer layer; } vs_flat_line;     /* of points */
 typedef struct { uint32_t first_loop, loop_count; const vs_material *material; } vs_flat_fill;
     /* by the even-odd rule */
 
 typedef struct {
-  vs_scene_view spec;     /* its name is what the sheet calls it */
+  vs_scene_view spec;     /* its name is that on the sheet */
   vs_look look;
-  bool has_cut;           /* spec's cut, or the one found for it */
+  bool has_cut;           /* spec's cut, or the one chosen for it */
   vs_sheet_point *points;
   vs_flat_line *lines;
   vs_flat_fill *fills;
   struct { uint32_t first, count; } *loops;
   size_t point_count, point_room, line_count, line_room, fill_count, fill_room, loop_count, loop_room;
-  vs_sheet_point low, high; /* of all of it */
-  double cut_area;        /* of the fills */
-  bool *labelled;         /* of each of the scene's notes: a label whose place is seen here; NULL: there are none */
-  /* where sheet.c puts it: millimetres = (place - low) * mm + at */
+  vs_sheet_point low, high; /* the bounds of the view */
+  double cut_area;        /* of the fills, in square model units */
+  bool *labelled;         /* labelled[i]: the scene's note i is a label whose position is visible here; NULL: there are
+                           * none */
+  /* sheet.c sets the position: millimetres = (point - low) * mm + at. */
   double mm, scale;
   vs_sheet_point at;
 } vs_flat_view;
 
-/* The drawing's solids, made for the first view that cuts nothing; the caller's to free. */
+/* The drawing's solids, made for the first view without a cut; the caller frees them. */
 typedef struct { vs_solid solid; bool made; } vs_flat_whole;
 bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs_flat_whole *whole);
 void vs_flat_view_free(vs_emitter *e, vs_flat_view *v);
-/* Where a place of the model is seen, in the view's plane. Of a parallel view: a place behind a perspective view's
- * eye has none. */
+/* Returns the projection of a point of the model onto the view's plane. Only for a parallel view: a point behind the
+ * eye of a perspective view has no projection. */
 vs_sheet_point vs_flat_view_project(const vs_flat_view *v, vs_vec3 p);
 
 #endif

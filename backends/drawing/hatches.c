@@ -1,4 +1,4 @@
-/* Owns the fills of cut faces: a grey by the material's name, and lines over it, cut to the face. */
+/* Owns the fills of cut faces: a grey by the material's name, and hatch lines over it, clipped to the face. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,8 +24,8 @@ static int compare(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Parallel lines across some loops of the sheet. A point is at `across` from line 0, in spacings, and at `along` on its
- * line, in mm. */
+/* Parallel lines over some loops of the sheet. `across`: a point's distance from line 0, in spacings; `along`: its
+ * position on its line, in mm. */
 typedef struct {
   const vs_sheet_pen *pen;
   uint32_t first_loop, loop_count;
@@ -39,8 +39,8 @@ typedef struct {
 static double across(const hatching *h, vs_sheet_point p) { return (p.y * h->cosine - p.x * h->sine) / h->spacing; }
 static double along(const hatching *h, vs_sheet_point p) { return p.x * h->cosine + p.y * h->sine; }
 
-/* Adds where the side from p to q meets lines. Half open: a corner on a line counts once where the border goes on to
- * the other side, twice or never where it turns back. */
+/* Adds the points at which the side from p to q crosses lines. Sides are half open: a corner on a line counts once if
+ * the border continues on the other side, and twice or never if it turns back. */
 static bool cross_side(const hatching *h, vs_sheet_point p, vs_sheet_point q) {
   double a = across(h, p), b = across(h, q), u = along(h, p), w = along(h, q);
   for (double k = ceil(fmin(a, b)); k < fmax(a, b); k++) {
@@ -61,7 +61,7 @@ static bool cross_loops(const hatching *h) {
   return ok;
 }
 
-/* Draws line i where it is inside: between one crossing and the next, in pairs. Short pieces are no ink. */
+/* Draws line i inside the loops: from each odd crossing to the next. Omits very short pieces. */
 static bool draw_line(const hatching *h, size_t i) {
   const crossings *row = &h->lines[i];
   double c = h->cosine, n = h->sine, off = (h->begin + (double)i) * h->spacing;
@@ -76,8 +76,8 @@ static bool draw_line(const hatching *h, size_t i) {
   return ok;
 }
 
-/* Draws the lines at whole multiples of the spacing, so that they run on from face to face; cost: lines and borders
- * that cross. */
+/* Draws the lines at whole multiples of the spacing, so that they continue from face to face. Cost: the number of lines
+ * plus that of their crossings with borders. */
 static bool draw_lines(hatching *h) {
   vs_emitter *e = h->pen->e;
   const vs_sheet *s = h->pen->sheet;
@@ -103,7 +103,7 @@ static bool draw_lines(hatching *h) {
   return ok;
 }
 
-/* The loops from first_loop on, which are the sheet's last, with lines at an angle in radians. */
+/* Hatches the loops from first_loop on, which are the sheet's last, with lines at an angle in radians. */
 static bool lines_across(const vs_sheet_pen *pen, uint32_t first_loop, double angle, double spacing) {
   hatching h = { .pen = pen,
                  .first_loop = first_loop,

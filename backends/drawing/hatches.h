@@ -4,8 +4,8 @@
 
 #include "backends/drawing/sheet_marks.h"
 
-/* Puts on the fill of a cut face of the pen's view, and the lines over it. Fails when memory runs out, as the emitter's
- * error says. */
+/* Adds the fill of a cut face of the pen's view, and the lines over it. Fails when memory is out, with the emitter's
+ * error set. */
 bool vs_sheet_fill(const vs_sheet_pen *pen, const vs_flat_fill *fill);
 
 #endif

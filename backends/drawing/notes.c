@@ -1,9 +1,8 @@
-/* Owns what a drawing shows besides the model: dimensions, labels, levels, axes, and the ground's line in elevations
- * and sections.
+/* Owns the notes of a drawing: dimensions, labels, levels, axes, and the ground's line in elevations and sections.
  *
- * A note is shown in the views where it says something true: a dimension where its length is seen unshortened, a
- * level where heights are, an axis on plans, and where it is seen from its end, as an upright line. Next to the model
- * stand the dimensions, then the levels on the left and the axes' circles below. */
+ * A note appears in the views where it is true: a dimension where its length is unshortened, a level where heights are
+ * visible, an axis on plans, and as an upright line where the view looks along it. Dimensions are next to the model;
+ * outside them are the levels on the left and the axes' circles below. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,15 +10,16 @@
 #include "backends/drawing/choose_views.h"
 #include "backends/drawing/notes.h"
 
-static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* mm: an axis' circle, and the height of capitals */
-static const double away = 9; /* mm: from the model to a dimension */
+static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* mm: the radius of an axis' circle, and the height of
+                                                             * capitals */
+static const double away = 9; /* mm: the distance from the model to a dimension */
 
 static bool is_upright(const vs_flat_view *v) { return v->look.parallel && fabs(v->look.forward.z) < 1e-6;
     } /* an elevation or a section */
 static bool shows(const vs_flat_view *v, const vs_scene_note *n) { return v->look.parallel &&
     (!n->view || strcmp(n->view, v->spec.name) == 0); }
 
-/* Is the note drawn in the view at all? It is one of the scene's. */
+/* Returns true if the view shows the note, which is one of the scene's. */
 static bool fits(const vs_emitter *e, const vs_flat_view *v, const vs_scene_note *n) {
   if (!shows(v, n)) return false;
   vs_vec3 d = vs_v3_sub(n->q, n->p);
@@ -33,7 +33,7 @@ static bool fits(const vs_emitter *e, const vs_flat_view *v, const vs_scene_note
   return false;
 }
 
-/* A length of the model as text: in metres and feet with two decimals, in the small units as they are. */
+/* Writes a length of the model as text: metres and feet with two decimals, smaller units unchanged. */
 static void length_text(const vs_emitter *e, double length, char *text, size_t room) {
   bool fine = vs_drawing_unit(e->scene) < 100;
   snprintf(text, room, fine ? "%.4g" : "%.2f", fine ? round(length * 10) / 10 : length);
@@ -47,14 +47,14 @@ static void level_text(const vs_emitter *e, const vs_scene_note *n, char *text, 
       (int)vs_character_cut(own, 100), own);
 }
 
-/* About how wide text is whose capitals are of the height `size`. */
+/* Returns the approximate width of a text whose capitals have the height `size`. */
 static double about_width(const char *text, double size) {
   size_t letters = 0;
   for (; *text; text++) letters += ((unsigned char)*text & 0xc0) != 0x80;
   return 0.9 * size * (double)letters;
 }
 
-/* How far the levels' marks reach to the left of the view. */
+/* Returns the distance that the levels' marks extend to the left of the view. */
 static double levels_width(const vs_emitter *e, const vs_flat_view *v) {
   double most = 12;
   char text[160];
@@ -71,7 +71,7 @@ static vs_sheet_point middle_of(const vs_flat_view *v) {
   return (vs_sheet_point){ (v->low.x + v->high.x) / 2, (v->low.y + v->high.y) / 2 };
 }
 
-/* How much of the paper the dimensions take that stand by themselves on the view's left, or below it. */
+/* Returns the width of the paper that automatically placed dimensions take at the view's left, or below it. */
 static double dimensions_width(const vs_emitter *e, const vs_flat_view *v, bool below) {
   vs_sheet_point middle = middle_of(v);
   for (size_t i = 0; i < e->scene->note_count; i++) {
@@ -103,7 +103,7 @@ static bool stroke(const vs_sheet_pen *pen, vs_sheet_point a, vs_sheet_point b) 
   return vs_sheet_stroke(pen, VS_DRAWN_DIMENSION, a, b);
 }
 
-/* A tick where a dimension ends, its half is t. */
+/* Draws a tick at the end of a dimension; t is half of it. */
 static bool tick(const vs_sheet_pen *pen, vs_sheet_point at, vs_sheet_point t) {
   return vs_sheet_stroke(pen, VS_DRAWN_CUT, (vs_sheet_point){ at.x - t.x, at.y - t.y },
                          (vs_sheet_point){ at.x + t.x, at.y + t.y });
@@ -112,8 +112,8 @@ static bool tick(const vs_sheet_pen *pen, vs_sheet_point at, vs_sheet_point t) {
 static vs_sheet_point seen_at(const vs_flat_view *v, vs_vec3 p) { return vs_sheet_place(v, vs_flat_view_project(v,
     p)); }
 
-/* The line runs beside p and q, away from the view's middle, 10 mm out or as the note says; ticks cross it at 45
- * degrees. */
+/* Draws a dimension. The line runs beside p and q, away from the view's centre, at a distance of 10 mm or of the
+ * note's; ticks cross it at 45 degrees. */
 static bool dimension(const vs_sheet_pen *pen, const vs_scene_note *n) {
   const vs_flat_view *v = view_of(pen);
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q);
@@ -171,7 +171,7 @@ static bool axis(const vs_sheet_pen *pen, const vs_scene_note *n) {
   const vs_flat_view *v = view_of(pen);
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q), first = p;
   double dx = q.x - p.x, dy = q.y - p.y, length = hypot(dx, dy);
-  if (length < 1e-3) { /* seen from its end: upright, over the whole view */
+  if (length < 1e-3) { /* the view looks along the axis: an upright line over the whole view */
     p.y = v->at.y - 3 - dimensions_width(pen->e, v, true);
     q = (vs_sheet_point){ p.x, v->at.y + (v->high.y - v->low.y) * v->mm + 3 };
     dx = 0, dy = 1, first = p;

@@ -1,5 +1,5 @@
-/* Owns .pdf: the sheet as one page of its true size, text as text in the default font, by libharu, which is loaded
- * when the first PDF is written. */
+/* Owns .pdf: the sheet as one page of its true size, text as text in the default font, by libharu, which vs loads when
+ * it writes the first PDF. */
 #define _GNU_SOURCE /* memmem */
 #include <hpdf.h>
 #include <math.h>
@@ -38,7 +38,7 @@ static bool load(pdf_library *p, vs_error *e) {
   return vs_dynamic_load(&library, names, sizeof names / sizeof *names, p, e);
 }
 
-static const double point = 72 / 25.4; /* of a millimetre */
+static const double point = 72 / 25.4; /* points in a millimetre */
 static HPDF_REAL at(double mm) { return (HPDF_REAL)(mm * point); }
 
 typedef struct { const pdf_library *lib; HPDF_Page page; HPDF_Font font; const vs_sheet *s; } writing;
@@ -57,8 +57,8 @@ static void outline(const writing *w, uint32_t first, uint32_t count, bool close
   if (closed) w->lib->HPDF_Page_ClosePath(w->page);
 }
 
-/* The line in dashes, each a line of its own: libharu's own are whole points long in one version and something else
- * in the next. */
+/* Draws each dash as a line. libharu's own dashes have whole points as lengths in one version and other units in the
+ * next. */
 static void dashes(const writing *w, const vs_mark *m, const vs_layer_row *r) {
   const double lengths[4] = { r->dash, r->gap, r->dot, r->gap };
   const int turns = r->dot > 0 ? 4 : 2;
@@ -86,7 +86,7 @@ static void dashes(const writing *w, const vs_mark *m, const vs_layer_row *r) {
 static void text(const writing *w, const vs_mark *m) {
   double angle = m->angle * (3.14159265358979323846 / 180), c = cos(angle), n = sin(angle);
   w->lib->HPDF_Page_SetFontAndSize(w->page, w->font, (HPDF_REAL)(m->size / 0.729 * point));
-      /* DejaVu's capitals are so high */
+      /* the height of DejaVu's capitals, as a fraction of the font's size */
   double wide = (double)w->lib->HPDF_Page_TextWidth(w->page, m->text) * m->align, x = m->at.x * point - wide * c,
       y = m->at.y * point - wide * n;
   w->lib->HPDF_Page_BeginText(w->page);
@@ -124,10 +124,10 @@ static bool put_all(vs_emitter *e, const writing *w) {
   return true;
 }
 
-/* The table by which a reader of the .pdf finds the letters' Unicode. libharu writes the one that finds their glyphs in
- * its place (operators `cidrange`), which readers warn of and do without. The letters are stored as Unicode, so that
- * the right table is one line; it is stored plainly in the room of the other, and no place in the file moves. A table
- * that a libharu writes otherwise stays as it is. */
+/* Repairs the table by which a reader of the .pdf finds the letters' Unicode. libharu writes in its place a table of
+ * glyphs (operators `cidrange`), and readers warn about it and ignore it. The letters are stored as Unicode, so the
+ * right table is one line. It is stored uncompressed in the room of the other, so no position in the file changes. A
+ * table that another libharu writes in another form stays unchanged. */
 static void mend_unicode(char *file, size_t size) {
   static const char table[] = "/CIDInit /ProcSet findresource begin\n12 dict begin\nbegincmap\n"
                               "/CMapName /UTF-8 def\n/CMapType 2 def\n"
@@ -154,7 +154,8 @@ static bool hand_over(vs_emitter *e, const pdf_library *lib, HPDF_Doc doc) {
   if (!file) return vs_emit_no_memory(e);
   lib->HPDF_ResetStream(doc);
   HPDF_UINT32 count = (HPDF_UINT32)size;
-  lib->HPDF_ReadFromStream(doc, (HPDF_BYTE *)file, &count); /* the stream's end is a status as well */
+  lib->HPDF_ReadFromStream(doc, (HPDF_BYTE *)file, &count); /* at the end of the stream it returns a status that is no
+                                                             * failure */
   mend_unicode(file, count);
   const bool ok = vs_put(e->out, file, count);
   vs_store_realloc(e->scene->store, file, size + 1, 0);

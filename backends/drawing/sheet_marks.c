@@ -1,4 +1,4 @@
-/* Owns the putting of marks on a sheet. */
+/* Owns the adding of marks to a sheet. */
 #include "backends/drawing/sheet_marks.h"
 
 #include <string.h>
@@ -38,7 +38,8 @@ bool vs_sheet_rectangle(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_
   return vs_sheet_line(pen, layer, at, 4, true);
 }
 
-/* The text as letters on a line: what is none has no shape on paper, and programs refuse files that hold it. */
+/* Returns the text as a line of printable characters: others have no shape on paper, and programs refuse files that
+ * contain them. */
 static const char *on_paper(vs_store *store, const char *text) {
   size_t length = strlen(text), room = 3 * length + VS_SPELLED_ROOM, used = 0;
   char *letters = vs_store_realloc(store, NULL, 0, room);

@@ -1,5 +1,5 @@
-/* Owns the marks of a drawing: the sheet that holds them, and putting lines and texts on it, in millimetres from its
- * lower left corner. */
+/* Owns the marks of a drawing: the sheet that holds them, and the functions that add lines and texts to it, in
+ * millimetres from its lower left corner. */
 #ifndef VS_BACKENDS_DRAWING_SHEET_MARKS_H
 #define VS_BACKENDS_DRAWING_SHEET_MARKS_H
 
@@ -9,13 +9,13 @@ typedef enum { VS_MARK_LINE, VS_MARK_FILL, VS_MARK_TEXT } vs_mark_kind;
 typedef struct {
   vs_mark_kind kind;
   vs_drawn_layer layer;
-  uint32_t view;            /* of views; the count of them: of the sheet itself */
+  uint32_t view;            /* the index of its view; the number of views: the sheet itself */
   uint32_t first, count;    /* LINE: points; FILL: loops */
   bool closed;
   double grey;              /* FILL */
   const char *text;         /* TEXT, interned */
-  vs_sheet_point at;        /* where its base line begins, or has its middle or end */
-  /* height of a capital, mm; degrees; 0 begins at `at`, 0.5 has its middle there, 1 ends there */
+  vs_sheet_point at;        /* a point of the text's base line: begin, middle or end */
+  /* height of a capital, mm; degrees; 0: `at` is the begin, 0.5: the middle, 1: the end */
   double size, angle, align;
 } vs_mark;
 
@@ -31,11 +31,11 @@ typedef struct {
   size_t view_count;
 } vs_sheet;
 
-/* Puts marks of one view on a sheet. */
+/* Adds marks of one view to a sheet. */
 typedef struct {
   vs_emitter *e;
   vs_sheet *sheet;
-  uint32_t view;            /* of the sheet's views; the count of them: marks of the sheet itself */
+  uint32_t view;            /* the index of the view; the number of views: marks of the sheet itself */
 } vs_sheet_pen;
 
 /* A line of text; the members are those of a mark. */
@@ -45,12 +45,13 @@ typedef struct {
   double size, angle, align;
 } vs_sheet_words;
 
-/* Each adds one mark, and fails when memory runs out, as the emitter's error says. Points are in mm; of a stroke a and
- * b are the ends, of a rectangle two opposite corners. */
+/* Each adds one mark. Fails when memory is out, with the emitter's error set. Points are in mm; a stroke's ends are a
+ * and b, and a rectangle's opposite corners. */
 bool vs_sheet_line(const vs_sheet_pen *pen, vs_drawn_layer layer, const vs_sheet_point *at, size_t count, bool closed);
 bool vs_sheet_stroke(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
 bool vs_sheet_rectangle(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
 bool vs_sheet_text(const vs_sheet_pen *pen, const vs_sheet_words *words);
-vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p); /* of the view's plane on the sheet */
+vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p); /* the sheet's position of a point of the view's
+                                                                         * plane */
 
 #endif

@@ -1,5 +1,5 @@
-/* Owns .svg: the sheet in millimetres, a group a layer, within it one a view; text as text. Inkscape and others show
- * the groups as layers. */
+/* Owns .svg: the sheet in millimetres, a group for each layer, within it one for each view; text as text. Inkscape and
+ * other programs show the groups as layers. */
 #include <string.h>
 
 #include "backends/drawing/svg.h"
@@ -33,7 +33,7 @@ static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
   vs_puts(w, "\" y=\"");
   number(w, s->height - m->at.y);
   vs_puts(w, "\" font-size=\"");
-  number(w, m->size / 0.729); /* DejaVu's capitals are so high */
+  number(w, m->size / 0.729); /* the height of DejaVu's capitals, as a fraction of the font's size */
   vs_putf(w, "\" text-anchor=\"%s\"", anchors[m->align < 0.25 ? 0 : m->align < 0.75 ? 1 : 2]);
   if (m->angle != 0) {
     vs_puts(w, " transform=\"rotate(");
@@ -47,7 +47,7 @@ static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
   vs_puts(w, "</text>\n");
 }
 
-/* The marks of one layer and one view. Lines are one path, cut up so that no program has to hold a very long one. */
+/* Writes the marks of one layer and one view. Lines are paths, divided so that none is too long for a program. */
 static void group(vs_writer *w, const vs_sheet *s, const uint32_t *order, size_t from, size_t to) {
   size_t open = 0;
   for (size_t i = from; i < to && !w->failed; i++) {

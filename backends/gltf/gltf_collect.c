@@ -1,8 +1,8 @@
-/* Owns the drawing as glTF's meshes and nodes.
+/* Owns the conversion of the drawing to glTF's meshes and nodes.
  *
- * Which places share a geometry: copies of a unit form with as many facets; and places of one model node, which is what
- * the share pass makes of equal parts. A placement that shears cannot be said by a node: its triangles are made for
- * that place. */
+ * Two kinds of places share a geometry: copies of a unit form with the same number of facets, and places of one model
+ * node, which the share pass makes of equal parts. A glTF node cannot express a placement that shears: its triangles
+ * are made for that place. */
 #include "backends/gltf/gltf_collect.h"
 
 #include <float.h>
@@ -72,11 +72,11 @@ static bool gltf_vertex(vs_emitter *e, vs_gltf_primitive *p, vs_vec3 at, vs_vec3
     p->max[i] = fmaxf(p->max[i], xyz[i] + 0.0f);
   }
   p->vertex_count++;
-  /* lines have normals too, which nobody reads: one offset for both */
+  /* lines have normals too, though no reader uses them: one offset serves both */
   return gltf_vector(e, &g->positions, at) && gltf_vector(e, &g->normals, normal);
 }
 
-/* The indices, which are known to fit 32 bits, in the width that the vertices need. */
+/* Adds the indices, which fit 32 bits, in the width that the number of vertices needs. */
 static bool gltf_indices(vs_emitter *e, vs_gltf_primitive *p, const uint32_t *index, size_t count) {
   vs_gltf *g = e->state;
   p->wide = p->vertex_count >= 65535; /* the largest number of a width is not an index */
@@ -108,7 +108,8 @@ static uint32_t gltf_paint_of(const vs_emitter *e, const vs_solid *m, size_t tri
   return tag < m->part_count ? (uint32_t)vs_emit_material_number(e, m->parts[tag].material) : 0;
 }
 
-/* Are two of the corners one place in 32 bits? Then the triangle is an edge, and nothing is open without it. */
+/* Returns true if two of the corners are equal in 32 bits. The triangle is then an edge, and omitting it opens
+ * nothing. */
 static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_t v[3]) {
   float at[3][3];
   for (int i = 0; i < 3; i++) {
@@ -119,8 +120,9 @@ static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_
          memcmp(at[2], at[0], sizeof at[0]) == 0;
 }
 
-/* Corners that lie on a picture: each triangle has its own, since the picture may end at its edges. there: from the
- * vertices to the drawing, by which pictures lie. The first triangle of a primitive makes it. */
+/* Adds a triangle with texture coordinates. It gets its own corners, since the picture may end at its edges. there: the
+ * map from the vertices to the drawing, whose axes place pictures. The first triangle of a primitive begins the
+ * primitive's texture coordinates. */
 static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[3], const vs_vec3 normals[3],
                           const vs_affine *there, const vs_material *m) {
   vs_gltf *g = e->state;
@@ -144,11 +146,12 @@ static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[
 /* A solid that becomes a geometry. */
 typedef struct {
   vs_shaded_solid shaded;
-  const vs_affine *there;      /* from the geometry to the drawing, by which pictures lie; NULL: it has none */
+  const vs_affine *there;      /* the map from the geometry to the drawing, whose axes place pictures; NULL: it has no
+                                * picture */
   uint32_t *index;             /* room for the corners of all triangles */
 } gltf_making;
 
-/* Three corners of triangle i, with a picture. */
+/* Adds the corners of triangle i, with a picture. */
 static bool gltf_add_pictured(vs_emitter *e, vs_gltf_primitive *p, const gltf_making *from, size_t i,
                               const vs_material *look) {
   const vs_shaded_solid *s = &from->shaded;
@@ -161,7 +164,7 @@ static bool gltf_add_pictured(vs_emitter *e, vs_gltf_primitive *p, const gltf_ma
   return gltf_pictured(e, p, corners, normals, from->there, look);
 }
 
-/* Triangle i, whose vertices' numbers go to `index`. */
+/* Adds triangle i; the numbers of its vertices go to `index`. */
 static bool gltf_add_triangle(vs_emitter *e, vs_gltf_primitive *p, const vs_shaded_solid *s, size_t i,
                               uint32_t index[3]) {
   for (int k = 0; k < 3; k++) {
@@ -175,7 +178,7 @@ static bool gltf_add_triangle(vs_emitter *e, vs_gltf_primitive *p, const vs_shad
   return true;
 }
 
-/* The triangles of one paint. */
+/* Adds the triangles of one paint. */
 static bool gltf_add_part(vs_emitter *e, gltf_making *from, uint32_t paint) {
   vs_gltf *g = e->state;
   const vs_solid *m = from->shaded.solid;
@@ -199,7 +202,8 @@ static bool gltf_add_part(vs_emitter *e, gltf_making *from, uint32_t paint) {
   return p == NULL || (vs_emit_triangles(e, count / 3) && gltf_indices(e, p, from->index, count));
 }
 
-/* there: from the geometry to the drawing, where pictures lie; NULL: the geometry has none. */
+/* Adds a solid as a geometry. there: the map from the geometry to the drawing, whose axes place pictures; NULL: it has
+ * no picture. */
 static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                            double crease, uint32_t *number) {
   vs_gltf *g = e->state;
@@ -214,7 +218,7 @@ static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *pl
     ok = from.index != NULL || vs_emit_no_memory(e);
   }
   for (uint32_t paint = 0; ok && paint <= vs_emit_material_count(e); paint++)
-    if (paint == 0 || m->part_count > 0) /* without parts all is of the place's colour */
+    if (paint == 0 || m->part_count > 0) /* without parts, all triangles have the colour of the place */
       ok = gltf_add_part(e, &from, paint);
   vs_emit_release(e, from.index, corners + 1, sizeof *from.index);
   vs_shaded_free(e, &from.shaded);
@@ -223,7 +227,7 @@ static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *pl
   return ok;
 }
 
-/* A unit form, where it is. */
+/* Adds a unit form, at its own coordinates. */
 static bool gltf_add_form(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number) {
   vs_affine here = vs_affine_identity();
   return gltf_add_solid(e, form, &here, NULL, crease, number);
@@ -247,8 +251,8 @@ static bool gltf_place(vs_emitter *e, uint32_t geometry, const vs_affine *place)
   return true;
 }
 
-/* As gltf_add_solid, of a copy that is put there first and settled for 32-bit numbers; there: from that place to the
- * drawing's, for what is said. A vertex stands once for each normal, so that nobody needs a manifold by index. */
+/* As gltf_add_solid, for a copy that is first placed and then rounded to 32-bit numbers. there: from that place to the
+ * drawing's, for warnings. A vertex appears once for each normal, so no reader can expect a manifold by index. */
 static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                              double crease, uint32_t *number) {
   vs_gltf *g = e->state;
@@ -267,7 +271,8 @@ static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *
   return ok;
 }
 
-/* Pictures lie by the drawing's axes: what has one in it stands for its place alone. */
+/* Returns true if n contains a picture. Pictures follow the drawing's axes, so such a node's geometry serves only its
+ * place. */
 static bool gltf_has_picture(const vs_emitter *e, const vs_node *n) {
   if (e->material != NULL && e->material->pattern.picture != NULL) return true;
   for (size_t i = vs_emit_is_painted(e, n) ? vs_emit_material_count(e) : 0; i > 0; i--)
@@ -275,7 +280,7 @@ static bool gltf_has_picture(const vs_emitter *e, const vs_node *n) {
   return false;
 }
 
-/* Triangles that stand where e->placement puts them. */
+/* Adds triangles at e->placement. */
 static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
   vs_gltf *g = e->state;
   bool shared = vs_affine_is_placement(&e->placement) && !gltf_has_picture(e, ref->node);
@@ -336,7 +341,7 @@ vs_emit_status vs_gltf_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   return ok && gltf_place(e, number, &there) ? VS_EMITTED : VS_FAILED;
 }
 
-/* Placement and paint are the emitter's; a layer holds until it is left. */
+/* The emitter has placement and paint; a layer holds until the walk leaves its node. */
 vs_emit_status vs_gltf_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_gltf *g = e->state;
   if (ref->node->kind != VS_LAYER) return VS_EMITTED;

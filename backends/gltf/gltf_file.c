@@ -1,7 +1,7 @@
 /* Owns the .glb file: a header, the scene as JSON, the numbers as bytes (glTF 2.0, sections 3 and 4).
  *
- * The JSON's length stands before it, so it is made twice: once to be measured and once to be written. Y is up in glTF
- * and lengths are metres: the root node turns and scales. Colours are linear there and sRGB here. */
+ * The JSON's length comes before it, so the JSON is made twice: to measure it, and to write it. In glTF Y is up and
+ * lengths are metres: the root node turns and scales. Colours are linear in glTF and sRGB in VisualScheme. */
 #include "backends/gltf/gltf_file.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@ typedef struct {
   vs_emitter *e;
   const uint32_t *order; /* nodes by layer */
   const size_t *starts;
-  size_t views[5], view_count; /* VIEW_COUNT; those of pictures follow */
+  size_t views[5], view_count; /* the first VIEW_COUNT views; those of pictures follow */
 } gltf_file;
 
 enum { VIEW_POSITIONS, VIEW_NORMALS, VIEW_PLACES, VIEW_NARROW, VIEW_WIDE, VIEW_COUNT };
@@ -57,7 +57,7 @@ static double gltf_linear(double x) { return x <= 0.04045 ? x / 12.92 : pow((x +
 
 static size_t padded(size_t n) { return (n + 3) & ~(size_t)3; }
 
-/* Pictures come in the order of the materials that have them. */
+/* Returns the number of the material's picture; pictures have the order of their materials. */
 static size_t gltf_picture_number(const vs_emitter *e, size_t material) {
   size_t before = 0;
   for (size_t i = 1; i < material; i++) before += vs_emit_material_at(e, i)->pattern.picture != NULL;
@@ -72,8 +72,8 @@ static size_t gltf_picture_bytes(const vs_emitter *e) {
   return bytes;
 }
 
-/* Material i is that of number i; the list ends with the lines' own, one a number: a line has no shape for light to
- * show. */
+/* Writes material i, whose number is i. Copies for lines end the list, one for each number: light cannot show the shape
+ * of a line. */
 static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines) {
   const vs_material *m = number > 0 ? vs_emit_material_at(e, number) : NULL;
   vs_vec3 color = m != NULL ? vs_v3(m->red, m->green, m->blue)
@@ -92,13 +92,13 @@ static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines
   vs_put_number(w, m != NULL ? m->metallic : 0);
   vs_puts(w, ",\"roughnessFactor\":");
   vs_put_number(w, m != NULL ? m->roughness : 0.9);
-  vs_puts(w, "},\"doubleSided\":true"); /* open surfaces are seen from both sides */
+  vs_puts(w, "},\"doubleSided\":true"); /* open surfaces are visible from both sides */
   if (m != NULL && m->transparency > 0) vs_puts(w, ",\"alphaMode\":\"BLEND\"");
   if (lines) vs_puts(w, ",\"extensions\":{\"KHR_materials_unlit\":{}}");
   vs_puts(w, "}");
 }
 
-/* A texture, an image and a bufferView for each material with a picture. */
+/* Writes a texture, an image and a bufferView for each material with a picture. */
 static void gltf_pictures(vs_writer *w, const gltf_file *f) {
   size_t count = 0;
   for (size_t i = 1; i <= vs_emit_material_count(f->e); i++) {
@@ -116,10 +116,10 @@ static void gltf_pictures(vs_writer *w, const gltf_file *f) {
   vs_puts(w, "]");
 }
 
-/* A stretch of a view. */
+/* A range of a view. */
 typedef struct {
   size_t view, offset, count;      /* offset in bytes; count of items */
-  const vs_gltf_primitive *bounds; /* whose positions they are; NULL: none */
+  const vs_gltf_primitive *bounds; /* the primitive whose positions they are; NULL: none */
 } gltf_stretch;
 
 static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, gltf_stretch s) {
@@ -141,14 +141,15 @@ static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, gltf_
 static void gltf_accessors(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   size_t index = 0;
   vs_puts(w, ",\"accessors\":[");
-  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* three a primitive: 3i, 3i + 1, 3i + 2 */
+  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* three for each primitive: 3i, 3i + 1, 3i + 2 */
     const vs_gltf_primitive *p = &g->primitives[i];
     size_t indices = p->wide ? VIEW_WIDE : VIEW_NARROW;
     gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_POSITIONS, p->vertices, p->vertex_count, p });
     gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_NORMALS, p->vertices, p->vertex_count, NULL });
     gltf_accessor(w, f, &index, (gltf_stretch){ indices, p->indices, p->index_count, NULL });
   }
-  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* then those of places, which few have */
+  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* then those of texture coordinates, which few
+                                                                   * have */
     const vs_gltf_primitive *p = &g->primitives[i];
     if (p->pictured)
       gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_PLACES, p->places, p->vertex_count, NULL });
@@ -181,7 +182,7 @@ static void gltf_meshes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   vs_puts(w, "]");
 }
 
-/* Writes a number, of which there may be a million, made in the writer's own buffer. */
+/* Writes a node, of which there may be a million, directly in the writer's buffer. */
 static void gltf_node(vs_writer *w, const vs_gltf_node *n) {
   vs_vec3 at, size;
   double turn[4];
@@ -216,7 +217,7 @@ static void gltf_child(vs_writer *w, size_t *count, size_t node) {
   vs_put_number(w, (double)node);
 }
 
-/* Node 0 is the root, then come the layers, then the placed meshes in the order of f->order. */
+/* Node 0 is the root; the layers follow, then the placed meshes in the order of f->order. */
 static void gltf_nodes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   size_t first = 1 + g->layer_count;
   double unit = vs_scene_metres(f->e->scene);
@@ -294,7 +295,7 @@ static bool discard(void *context, const void *bytes, size_t count) {
   return true;
 }
 
-/* Bytes of the JSON; 0: failed. */
+/* Returns the length of the JSON in bytes; 0: failed. */
 static uint64_t gltf_measure(const gltf_file *f) {
   vs_store *store = f->e->scene->store;
   vs_writer *w = vs_store_realloc(store, NULL, 0, sizeof *w);
@@ -368,6 +369,6 @@ bool vs_gltf_write(vs_emitter *e) {
   return ok;
 }
 
-/* No .numbers: shapes are settled one by one, each about its own middle. */
+/* No .numbers: each shape is rounded by itself, relative to its own centre. */
 const vs_backend vs_backend_glb = { .begin = vs_gltf_open, .end = vs_gltf_write, .close = vs_gltf_close,
                                     VS_EMIT_SHAPES(vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean) };

@@ -1,4 +1,4 @@
-/* Owns the walk that gathers lines and open faces. Solids are passed over: the kernel makes their union. */
+/* Owns the walk that gathers lines and open faces. It passes over solids: the kernel makes their union. */
 #include <string.h>
 
 #include "backends/mesh/loose.h"
@@ -22,7 +22,7 @@ void vs_loose_close(vs_emitter *e) {
   e->state = NULL;
 }
 
-/* Room for these; the run is begun, and its points stand where e->placement puts them. */
+/* Makes room for the points and corners, and begins their run; e->placement has placed the points. */
 static bool loose_add(vs_emitter *e, bool line, const vs_vec3 *points, size_t point_count, size_t corner_count) {
   vs_loose *l = e->state;
   if (l->point_count + point_count > UINT32_MAX)
@@ -67,7 +67,7 @@ vs_emit_status vs_loose_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   return VS_EMITTED;
 }
 
-/* Nothing of a solid is gone into. */
+/* The walk does not visit the children of solids. */
 vs_emit_status vs_loose_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_loose *l = e->state;
   if (phase == VS_PHASE_ENTER && ref->node->class_ == VS_SOLID) return VS_WHOLE;

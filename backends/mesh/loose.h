@@ -1,11 +1,11 @@
-/* Owns what stands beside the solids in a format of triangles that has words for it: curves as lines, regions and
- * open surfaces as open faces. */
+/* Owns the objects beside the solids in a format of triangles that can express them: curves as lines, regions and open
+ * surfaces as open faces. */
 #ifndef VS_BACKENDS_MESH_LOOSE_H
 #define VS_BACKENDS_MESH_LOOSE_H
 
 #include "backends/backend.h"
 
-/* A line through its corners, or triangles of three corners each. */
+/* A line through its corners, or a list of triangles with three corners each. */
 typedef struct {
   bool line;
   size_t first, count;         /* of corners */
@@ -15,9 +15,9 @@ typedef struct {
 
 typedef struct {
   vs_vec3 *points;
-  uint32_t *corners;           /* numbers of points; a closed line names its first once more at its end */
+  uint32_t *corners;           /* point numbers; a closed line repeats its first at its end */
   vs_loose_run *runs;
-  const char **layers;         /* those that are open, outermost first */
+  const char **layers;         /* those around the current node, outermost first */
   size_t point_count, corner_count, run_count, layer_count;
   size_t point_room, corner_room, run_room, layer_room;
 } vs_loose;
@@ -27,9 +27,9 @@ bool vs_loose_begin(vs_emitter *e);
 void vs_loose_close(vs_emitter *e);
 vs_emit_fn vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean;
 size_t vs_loose_triangles(const vs_loose *l); /* of all open faces */
-size_t vs_loose_pieces(const vs_loose *l);    /* straight pieces of all lines */
+size_t vs_loose_pieces(const vs_loose *l);    /* the number of segments of all lines */
 
-/* For a back-end that has words for both; and for one that has words for open faces alone. */
+/* The rows of a back-end that writes lines and open faces; and of one that writes only open faces. */
 #define VS_LOOSE_SHAPES                                                                                                \
   .loose = true, .close = vs_loose_close,                                                                              \
   VS_EMIT_SHAPES(vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean)

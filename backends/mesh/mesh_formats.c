@@ -1,9 +1,7 @@
-/* Owns the formats of bare triangles: STL binary and in words, OFF, PLY, OBJ with its .mtl. All get the union of the
- * drawing's solids from the kernel; PLY, OBJ and OFF have words for open faces, too, and PLY and OBJ for lines
- * (loose.h).
+/* Owns the formats of bare triangles: STL binary and ASCII, OFF, PLY, OBJ with its .mtl. All get the union of the
+ * drawing's solids from the kernel. PLY, OBJ and OFF also have open faces, and PLY and OBJ lines (loose.h).
  *
- * STL's numbers are 32-bit: triangles whose corners fall together there are left out, which keeps a closed surface
- * closed. */
+ * STL's numbers have 32 bits. Triangles whose corners become equal are omitted, which keeps a closed surface closed. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,7 +19,7 @@ static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
             [VS_REGION_CLASS] = format " holds solids: flat regions are left out", \
             [VS_SURFACE] = format " holds solids: open surfaces are left out" }
 
-/* The number of the triangle's part; part_count where it has none. */
+/* Returns the index of the triangle's part; part_count if it has none. */
 static size_t mesh_part(const vs_solid *solid, size_t triangle) {
   size_t tag = solid->mesh.tags != NULL ? solid->mesh.tags[triangle] : 0;
   return tag < solid->part_count ? tag : solid->part_count;
@@ -31,7 +29,7 @@ static bool mesh_put(vs_emitter *e, size_t count, size_t most, vs_span_fn *fn, c
   return vs_put_spans(e->out, count, most, fn, context) || (e->out->failed ? false : vs_emit_no_memory(e));
 }
 
-/* Three numbers on the rest of a line. */
+/* the greatest length of three numbers at the end of a line */
 enum { MESH_TRIPLE = 4 * VS_NUMBER_ROOM };
 static char *mesh_triple(char *to, vs_vec3 v) {
   to = vs_number_write(to, v.x);
@@ -108,7 +106,7 @@ static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
   return vs_put(e->out, head, sizeof head) && mesh_put(e, m->triangle_count, STL_RECORD, stl_records, m);
 }
 
-/* The same in words. Numbers are those of the binary form, so that the two hold one mesh. */
+/* The same as text. Numbers are those of the binary form, so both files contain the same mesh. */
 static char *stl_words(const void *context, size_t begin, size_t end, char *to) {
   const vs_mesh *m = context;
   for (size_t i = begin; i < end; i++) {
@@ -161,7 +159,7 @@ static char *off_faces(const void *context, size_t begin, size_t end, char *to) 
   return to;
 }
 
-/* Open faces stand behind those of the solids: the format asks of no face that it has neighbours. */
+/* Open faces follow those of the solids: the format does not require that a face has neighbours. */
 static bool off_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   const vs_loose *l = e->state;
@@ -231,7 +229,7 @@ static char *ply_faces(const void *context, size_t begin, size_t end, char *at) 
   return (char *)to;
 }
 
-/* Open faces behind those of the solids; the lines' pieces as edges, with a colour of three bytes. */
+/* Writes the open faces after those of the solids, and the lines' segments as edges, with a colour of three bytes. */
 static bool ply_loose(vs_emitter *e, uint32_t base, bool lines) {
   const vs_loose *l = e->state;
   for (size_t i = 0; i < l->run_count && !e->out->failed; i++) {
@@ -285,7 +283,8 @@ const vs_backend vs_backend_ply = { .begin = vs_loose_begin, .end = mesh_end, .s
 
 /* ---- OBJ ---- */
 
-/* A material's word: its number and the plain letters of its name, so that no name breaks a line or meets another. */
+/* Writes a material's name as one word: its number and the plain letters of its name. Thus no name breaks a line or
+ * equals another. */
 static void obj_material_name(vs_emitter *e, const vs_material *m) {
   if (m == NULL) {
     vs_puts(e->out, "plain");
@@ -297,8 +296,8 @@ static void obj_material_name(vs_emitter *e, const vs_material *m) {
     vs_put(e->out, (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9') ? c : "_", 1);
 }
 
-/* The .mtl beside the file. The .obj names it on a line of text: what no line holds is _ in its name. The caller frees
- * it; NULL: out of memory. */
+/* Returns the name of the .mtl beside the file. The .obj names it on a line of text: a character that cannot be on a
+ * line becomes _. The caller frees it; NULL: out of memory. */
 static char *obj_library(const char *path) {
   size_t length = strlen(path);
   char *name = vs_fresh(length + 5, 1);
@@ -317,14 +316,14 @@ static char *obj_library(const char *path) {
   return name;
 }
 
-/* A layer's name as one word on its line. */
+/* Writes a layer's name as one word on its line. */
 static void obj_group(vs_writer *w, const char *layer) {
   vs_puts(w, "g ");
   vs_put_spelled(w, vs_spell_word, layer);
   vs_puts(w, "\n");
 }
 
-/* Triangles by layer, then material, both in the order in which they are met. */
+/* Triangles by layer, then material, both in the order of first use. */
 typedef struct {
   const char **layers; /* the first is NULL: no layer */
   size_t layer_count, layer_room;
@@ -364,7 +363,7 @@ static bool obj_groups_make(vs_emitter *e, const vs_solid *solid, obj_groups *g)
     if (!obj_layer(e, g, solid->parts[i].layer, &layer)) return false;
     g->keys[i] = (uint32_t)(layer * paints + vs_emit_material_number(e, solid->parts[i].material));
   }
-  g->keys[solid->part_count] = 0; /* of triangles without a part */
+  g->keys[solid->part_count] = 0; /* the key of triangles without a part */
   memset(g->starts, 0, (g->key_count + 2) * sizeof *g->starts);
   for (size_t i = 0; i < m->triangle_count; i++) g->starts[g->keys[mesh_part(solid, i)] + 2]++;
   for (size_t i = 2; i < g->key_count + 2; i++) g->starts[i] += g->starts[i - 1];
@@ -411,7 +410,7 @@ static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g)
   return !w->failed;
 }
 
-/* Lines and open faces, behind the solids: corners are counted on from `base`. `usemtl` and `g` where they change. */
+/* Writes lines and open faces after the solids; corners count from `base`. Writes `usemtl` and `g` at each change. */
 static bool obj_loose(vs_emitter *e, uint32_t base) {
   const vs_loose *l = e->state;
   vs_writer *w = e->out;

@@ -1,9 +1,8 @@
-/* Owns the OpenSCAD back-end: a readable program with real CSG, modules for what stands in several places, polyhedra
- * for the rest.
+/* Owns the OpenSCAD back-end: a readable program with real CSG, modules for repeated parts, polyhedra for the rest.
  *
- * Facts it minds: OpenSCAD's polyhedra are clockwise seen from outside; two and three dimensions must not mix, so
- * solids alone are written; the outermost color() wins there, the innermost material here, so colours go to the highest
- * subtrees without paint of their own. A module that is painted in part is handed its user's colour for the rest as
+ * Facts about OpenSCAD: its polyhedra are clockwise seen from outside. Two and three dimensions must not mix, so only
+ * solids are written. The outermost color() wins there, the innermost material here, so colours go to the highest
+ * subtrees without paint of their own. A module that is painted in part receives its user's colour for the rest as
  * $paint. */
 #include <math.h>
 
@@ -54,7 +53,7 @@ static void scad_color(vs_emitter *e, const vs_material *m) {
 
 static bool scad_is_mixed(vs_emitter *e, const vs_node *n) { return vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n); }
 
-/* Opens a statement: indentation, and the colour where this is the highest node that it covers whole. */
+/* Opens a statement: indentation, and the colour if this is the highest node that has it as a whole. */
 static void scad_open(vs_emitter *e, const vs_node *n) {
   vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
   bool covered = e->parent != NULL && e->parent->kind != VS_MATERIAL && !vs_emit_is_painted(e, e->parent);
@@ -68,7 +67,7 @@ static void scad_open(vs_emitter *e, const vs_node *n) {
   }
 }
 
-/* How thick that is shown which has no thickness. */
+/* Returns the thickness with which objects without thickness are shown. */
 static double scad_thin(const vs_emitter *e) { return 0.0012 * vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min)); }
 
 /* ---- primitives ---- */
@@ -87,7 +86,8 @@ static vs_emit_status scad_box(vs_emitter *e, const vs_ref *ref, vs_phase phase)
 static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_sphere *s = VS_AS(sphere, ref->node);
-  if (s->segments > 0) return VS_LOWER; /* OpenSCAD cuts its spheres elsewhere: what is asked for in facets has ours */
+  if (s->segments > 0) return VS_LOWER; /* OpenSCAD divides spheres into other facets: if the program sets the number of
+                                         * facets, the sphere is a mesh */
   scad_open(e, ref->node);
   scad_translate(e, s->center);
   scad_number(e, "sphere(r = ", s->radius);
@@ -95,11 +95,11 @@ static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase pha
   return scad_done(e);
 }
 
-/* A solid that is round or regular about its axis, from the middle of its base to that of its top. */
+/* A solid that is round or regular about its axis, from the centre of its base to that of its top. */
 typedef struct {
   vs_vec3 base, top;
-  double base_radius, top_radius; /* of the corners, where it is regular */
-  int facets;                     /* a turn */
+  double base_radius, top_radius; /* of the corners, if it is regular */
+  int facets;                     /* in a full turn */
 } scad_frustum;
 
 static vs_emit_status scad_turned(vs_emitter *e, const vs_node *n, const scad_frustum *f) {
@@ -163,7 +163,7 @@ static vs_emit_status scad_pyramid(vs_emitter *e, const vs_ref *ref, vs_phase ph
                      &(scad_frustum){ p->base, p->top, p->base_radius, p->top_radius, (int)p->sides });
 }
 
-/* A cube that stands on the plane and holds all there is to cut. */
+/* Writes a half-space as a cube that lies on the plane and contains everything there is to cut. */
 static vs_emit_status scad_half_space(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_half_space *h = VS_AS(half_space, ref->node);
@@ -172,7 +172,7 @@ static vs_emit_status scad_half_space(vs_emitter *e, const vs_ref *ref, vs_phase
   if (height < -half) height = -half; /* nothing is cut, wherever the plane is */
   if (height > half) height = half;
   vs_affine place = vs_frame_on_axis(vs_v3_sub(middle, vs_v3_scale(n, height)), n);
-  /* on the plane to the last digit where it is across an axis */
+  /* A plane across an axis is exact to the last digit. */
   if (fabs(height) < half)
     for (int i = 0; i < 3; i++)
       if (fabs(place.m[i][2]) == 1) place.m[i][3] = (&h->point.x)[i];
@@ -187,7 +187,7 @@ static vs_emit_status scad_half_space(vs_emitter *e, const vs_ref *ref, vs_phase
 static vs_emit_status scad_torus(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_torus *t = VS_AS(torus, ref->node);
-  if (t->tube_radius >= t->radius) return VS_LOWER; /* rotate_extrude takes nothing that crosses the axis */
+  if (t->tube_radius >= t->radius) return VS_LOWER; /* rotate_extrude accepts nothing that crosses the axis */
   scad_open(e, ref->node);
   scad_translate(e, t->center);
   vs_putf(e->out, "rotate_extrude($fn = %d) ", vs_fineness_turn(&e->facets, t->radius + t->tube_radius, t->segments));
@@ -245,8 +245,7 @@ static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase p
   return scad_done(e);
 }
 
-/* An open surface: the solid of it made thick. A part that no thickness makes a solid of is left out, with a
- * warning. */
+/* Writes an open surface as a thickened solid. Omits, with a warning, a part that no thickness makes a solid. */
 static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref) {
   struct vs_thicken thick = { .width = scad_thin(e) };
   vs_store *store = e->scene->store;
@@ -271,7 +270,7 @@ static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref) {
   return status;
 }
 
-/* The loops of an outline as polygon(points, paths); holes are inner paths, by even and odd. */
+/* Writes the loops of an outline as polygon(points, paths); holes are inner paths, by the even-odd rule. */
 static void scad_polygon(vs_emitter *e, const vs_outline *o, const vs_affine *back) {
   size_t shown = 0;
   vs_puts(e->out, "polygon([");
@@ -300,7 +299,7 @@ static void scad_polygon(vs_emitter *e, const vs_outline *o, const vs_affine *ba
   vs_puts(e->out, ");\n");
 }
 
-/* The loops of a revolution's profile: distances from the axis and heights. */
+/* Writes the loops of a revolution's profile: distances from the axis and heights. */
 static void scad_profile(vs_emitter *e, const vs_revolve *r) {
   vs_puts(e->out, "polygon([");
   for (size_t i = 0; i < r->count; i++) {
@@ -320,8 +319,8 @@ static void scad_profile(vs_emitter *e, const vs_revolve *r) {
   vs_puts(e->out, r->loop_count > 1 ? "]]);\n" : ");\n");
 }
 
-/* Whether the profile touches the axis with a corner alone: turned, it meets itself in that point, which OpenSCAD
- * refuses in a boolean. */
+/* Returns true if the profile touches the axis only with a corner: the revolved solid then touches itself in that
+ * point, which OpenSCAD refuses in a boolean. */
 static bool scad_pinches(const vs_revolve *r) {
   for (size_t l = 0, first = 0; l < r->loop_count; first += r->sizes[l++])
     for (size_t i = 0, n = r->sizes[l]; i < n; i++)
@@ -331,8 +330,8 @@ static bool scad_pinches(const vs_revolve *r) {
   return false;
 }
 
-/* rotate_extrude turns from +X; its whole turn begins at -X, which an even number of facets does not show. Of a part of
- * a turn it makes floor($fn angle/360) facets. */
+/* rotate_extrude turns from +X. A full turn begins at -X, which makes no difference with an even number of facets. For
+ * a part of a turn it makes floor($fn angle/360) facets. */
 static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   vs_revolve r;
@@ -366,11 +365,11 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return nothing || !odd ? scad_done(e) : VS_LOWER;
 }
 
-/* ---- sets of regions that lie level: OpenSCAD's own two dimensions ---- */
+/* ---- sets of horizontal regions: OpenSCAD's own two dimensions ---- */
 
 
-/* Is this a set of regions parallel to XY, through placements that keep them so, of a size that can be read? Its height
- * in *z. */
+/* Returns true if root is a set of regions parallel to XY, also after its placements, and small enough to read. Sets
+ * its height in *z. */
 static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   enum { MOST = 2000, DEEPEST = 60 };
   vs_shape_plane plane;
@@ -397,7 +396,7 @@ static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   return level;
 }
 
-/* A region in its own coordinates, without z */
+/* Writes a region in its own coordinates, without z. */
 static bool scad_flat_leaf(vs_emitter *e, const vs_node *n) {
   const vs_node *only = n->kind == VS_REGION && n->child_count == 1 ? n->children[0].node : NULL;
   vs_affine back = vs_affine_identity();
@@ -415,7 +414,7 @@ static bool scad_flat_leaf(vs_emitter *e, const vs_node *n) {
   return !e->out->failed;
 }
 
-/* The set, on the line that has been begun: a walk of its own, because what is shared is defined as solids. */
+/* Writes the set on the line that has been begun. It walks by itself, since templates are defined as solids. */
 static bool scad_flat(vs_emitter *e, const vs_ref *root) {
   vs_walk *w = vs_walk_new(root->node->store, *root);
   vs_ref at;
@@ -431,7 +430,7 @@ static bool scad_flat(vs_emitter *e, const vs_ref *root) {
       vs_puts(e->out, "}\n");
     } else {
       bool through = n->kind == VS_LAYER || n->kind == VS_MATERIAL || n->kind == VS_TRANSFORM;
-      bool begun = depth == 0 || e->child_index == SIZE_MAX; /* something stands on the line already */
+      bool begun = depth == 0 || e->child_index == SIZE_MAX; /* the line already has text */
       if (!begun && n->class_ != VS_NOTHING) vs_put_spaces(e->out, 2 * (base + depth < 40 ? base + depth : 40));
       e->child_index = 0;
       e->depth = base + depth;
@@ -483,7 +482,7 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
   }
   vs_outline o = { .count = 0 };
   if (!vs_region_outline(n->children[0].node, &e->facets, &o, e->error)) return VS_FAILED;
-  /* The profile's plane with +Z on the side that it is pushed to; a plane parallel to XY keeps its own x and y. */
+  /* The profile's plane has +Z on the side of the extrusion; a plane parallel to XY keeps its own x and y. */
   bool flat = o.normal.x == 0 && o.normal.y == 0;
   vs_vec3 normal = vs_v3_dot(o.normal, x->along) < 0 ? vs_v3_scale(o.normal, -1) : o.normal;
   vs_affine plane = flat && normal.z > 0 ? vs_affine_translation(vs_v3(0, 0, o.point.z))
@@ -511,7 +510,7 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return scad_done(e);
 }
 
-/* ---- what has no thickness: shown thin, and said so ---- */
+/* ---- objects without thickness: shown thin, with a warning ---- */
 
 static vs_emit_status scad_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
@@ -575,14 +574,15 @@ static vs_emit_status scad_transform(vs_emitter *e, const vs_ref *ref, vs_phase 
   return scad_done(e);
 }
 
-/* Paint is said by the children (scad_open); a layer has no meaning there. Its children are indented no deeper. */
+/* Its children write the paint (scad_open); a layer has no meaning in OpenSCAD. Its children have the same
+ * indentation. */
 static vs_emit_status scad_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)ref;
   e->depth += phase == VS_PHASE_ENTER ? SIZE_MAX : 1;
   return scad_done(e);
 }
 
-/* # and % stand before one statement: the child is put in braces, so that it is one whatever it is. */
+/* # and % apply to one statement: braces make the child one statement. */
 static vs_emit_status scad_mark(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
   vs_puts(e->out, phase == VS_PHASE_LEAVE ? "}\n" : ref->node->kind == VS_GHOST ? "% union() {\n" : "# union() {\n");
@@ -633,7 +633,7 @@ static vs_emit_status scad_hull(vs_emitter *e, const vs_ref *ref, vs_phase phase
 
 static bool scad_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
   if (open && e->state == NULL && scad_is_mixed(e, ref->node)) {
-    e->state = e; /* said */
+    e->state = e; /* the mark is written */
     vs_puts(e->out, "$paint = [0.86, 0.85, 0.83]; // of what has no colour\n\n");
   }
   return open ? vs_putf(e->out, "module part%lu() {\n", (unsigned long)id) : vs_puts(e->out, "}\n\n");

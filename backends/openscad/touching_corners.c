@@ -1,11 +1,11 @@
-/* A corner is a face's corner; all corners in one place that hang together by edges are a fan. Where a place has
- * several fans the solid touches itself, as two cones that share their apex do, or the torus without a hole. Each fan
- * then gets a point of its own, a step towards its neighbours; of fans within each other the narrower goes further, so
- * they do not cross.
+/* Owns the separation of corners at which a solid touches itself. A corner here is a face's corner. All corners at one
+ * point that are connected by edges are a fan. If a point has several fans, the solid touches itself there, as two
+ * cones with a common apex do, or a torus without a hole. Each fan then gets its own point, a step towards its
+ * neighbours. Of fans within each other the narrower moves further, so they do not cross.
  *
- * Two faces at an edge hang together. Of four or more, those do that bound one wedge of solid: faces are sorted around
- * the edge. The corners move in doubles: it is a matter of what OpenSCAD accepts, and where it goes wrong the mesh
- * stays as it is. Cost: n log n. */
+ * Two faces at an edge are connected. Of four or more, two are connected if they bound one wedge of solid: the faces
+ * are sorted around the edge. The corners move in doubles, since only OpenSCAD's tolerance matters. If the separation
+ * fails, the mesh stays unchanged. Cost: n log n. */
 #include "backends/openscad/touching_corners.h"
 
 #include <math.h>
@@ -16,20 +16,21 @@
 #include "model/store/array.h"
 #include "model/store/disjoint.h"
 
-/* of the edge from a corner to the next of its face */
+/* The edge from a corner to the next corner of its face. */
 typedef struct { uint32_t low, high, corner; bool forward; double angle; } side;
 typedef struct {
   uint32_t place, first, edges; /* first: its first corner */
-  vs_vec3 towards, out;         /* the sum of the directions along its edges, in the end a unit vector; the sum of its
+  vs_vec3 towards, out;         /* the sum of the directions along its edges, at the end a unit vector; the sum of its
                                  * faces' normals */
-  double narrow;                /* how nearly its edges go one way: 1 all, 0 round in a plane */
+  double narrow;                /* the agreement of its edges' directions: 1 all equal, 0 all around in a plane */
 } fan;
 
 typedef struct {
   const vs_vec3 *points;
   const uint32_t *starts, *corners;
   size_t face_count, corner_count, point_count;
-  /* place: of a point; the others of a corner; group: disjoint sets of corners; of: a first corner's fan */
+  /* place: the number of a point; the others are by corner. group: disjoint sets of corners; of: the fan of a first
+   * corner */
   uint32_t *place, *next, *face, *group, *of;
   side *sides;
   fan *fans;
@@ -67,8 +68,8 @@ static vs_vec3 face_normal(const apart *a, uint32_t face) {
   return vs_v3_unit(sum);
 }
 
-/* Seen along the edge, faces turn counter-clockwise: behind one that runs forwards is air, behind one that runs
- * backwards is solid. */
+/* Seen along the edge, faces are sorted counter-clockwise: after a face that uses the edge forwards is air, after one
+ * that uses it backwards is solid. */
 static bool join_many(apart *a, side *s, size_t count) {
   vs_vec3 along = vs_v3_unit(vs_v3_sub(a->points[s->high], a->points[s->low]));
   vs_vec3 x = vs_v3_unit(vs_v3_cross(along, fabs(along.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
@@ -85,7 +86,7 @@ static bool join_many(apart *a, side *s, size_t count) {
   return true;
 }
 
-/* False: no closed mesh. */
+/* Returns false if the mesh is not closed. */
 static bool join_all(apart *a) {
   for (uint32_t f = 0; f < a->face_count; f++)
     for (uint32_t c = a->starts[f]; c < a->starts[f + 1]; c++) {
@@ -105,8 +106,8 @@ static bool join_all(apart *a) {
   return true;
 }
 
-/* The fans by place, of one place the flattest first; how many, and whether any place has two. A quite flat corner is
- * drawn inwards. */
+/* Lists the fans by point, the flattest of a point first, and returns their number; *touches: some point has two. A
+ * nearly flat corner is drawn inwards. */
 static size_t list_fans(apart *a, bool *touches) {
   size_t count = 0;
   for (uint32_t c = 0; c < a->corner_count; c++) { /* a group's first corner is its smallest */
@@ -130,7 +131,7 @@ static size_t list_fans(apart *a, bool *touches) {
   return count;
 }
 
-/* OpenSCAD takes for one what is nearer than 2^-20 units, whatever the model's size. */
+/* Returns the step. OpenSCAD merges points nearer than 2^-20 units, regardless of the model's size. */
 static double apart_step(const apart *a) {
   vs_bounds all = vs_bounds_empty();
   for (size_t i = 0; i < a->point_count; i++) vs_bounds_add(&all, a->points[i]);
@@ -145,7 +146,7 @@ static bool apart_fill(apart *a, vs_apart *out, size_t fan_count) {
   memcpy(out->corners, a->corners, a->corner_count * sizeof *out->corners);
   out->count = a->point_count;
   double step = apart_step(a);
-  uint32_t *point = a->of; /* of a fan's first corner: the point it moves to */
+  uint32_t *point = a->of; /* of a fan's first corner: the point to which it moves */
   for (size_t i = 0; i < a->corner_count; i++) point[i] = UINT32_MAX;
   for (size_t i = 0, end; i < fan_count; i = end) {
     for (end = i + 1; end < fan_count && a->fans[end].place == a->fans[i].place;) end++;

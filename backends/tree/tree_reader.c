@@ -1,5 +1,5 @@
-/* Owns the reading of tree dumps. Driven by the table of kinds as the writing is: a node's fields come in the table's
- * order, then its children. Open nodes lie on a stack of their own, so depth costs memory and never the C stack. */
+/* Owns the reading of tree dumps. The table of kinds drives it, as it drives the writing: a node's fields come in the
+ * table's order, then its children. Open nodes are on a separate stack, so depth takes memory and never the C stack. */
 #include "backends/tree/tree_reader.h"
 #include "model/store/array.h"
 
@@ -21,10 +21,10 @@ typedef struct {
   vs_error *error;
   const char *at, *end;
   uint32_t line;
-  char *copy;              /* of the text, with a NUL behind it: strtod needs one */
+  char *copy;              /* of the text, with a final NUL, which strtod needs */
   tree_open_node *open;
   size_t open_count, open_room;
-  vs_ref *children;        /* finished ones of the open nodes */
+  vs_ref *children;        /* finished children of the open nodes */
   size_t child_count, child_room;
   vs_ref *templates;       /* t1 is the first */
   size_t template_count, template_room;

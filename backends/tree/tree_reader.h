@@ -1,12 +1,12 @@
-/* Owns the way back: a drawing from the tree dump that tree.c writes. For tests, and for handing models between
+/* Owns the reading of a drawing from the tree dump that tree.c writes. For tests, and for passing models between
  * programs. */
 #ifndef VS_BACKENDS_TREE_TREE_READER_H
 #define VS_BACKENDS_TREE_TREE_READER_H
 
 #include "model/scene.h"
 
-/* Draws what the text holds into the scene, whose store makes the nodes. false: the error names the line; the scene may
- * have got part. */
+/* Draws the text's objects into the scene, whose store makes the nodes. Returns false on failure: the error names the
+ * line, and the scene may have received some objects. */
 bool vs_tree_read(vs_scene *scene, const char *text, size_t length, vs_error *e);
 
 #endif
