@@ -62,7 +62,7 @@ void vs_reuse_put_number(vs_reuse *r, vs_number_kind kind, uint32_t number); /* 
 void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *data);
 
 /* The run with that key: its text, the numbers in it, its lines (counted from 0 on the first) and its warnings. The
- * cache holds it until vs_reuse_let_go. */
+ * cache holds it until vs_cache_let_go. */
 typedef struct {
   const vs_cached *held;
   const char *text;

@@ -1,9 +1,10 @@
-/* Owns the choice of what becomes triangles, and making it so.
+/* Owns the choice of the objects that become triangles, and their conversion ("baking").
  *
- * How many Shapes a viewer must draw is counted through all uses. If they are too many, stretches of the drawing that
- * repeat become templates (repeats.c). While they are too many, templates are baked, the innermost first (their numbers
- * are the smallest): all forms in one become triangle sets, one a material, in its own coordinates. When all are baked
- * the drawing's own forms are, and at last the uses in it. A baked template only uses baked ones. */
+ * The number of Shapes that a viewer draws counts every use of a template. If it is too large, repeated stretches of
+ * the drawing become templates (repeats.c). While it is too large, templates are baked, the innermost first (their
+ * numbers are the smallest): all forms in a template become triangle sets, one for each material, in its coordinates.
+ * After all templates the drawing's own forms are baked, and at last the uses in it. A baked template uses only baked
+ * ones. */
 #include "backends/x3d/bake.h"
 
 #include "backends/x3d/repeats.h"
@@ -46,7 +47,7 @@ static bool bake_items(vs_emitter *e, vs_x3d_group *g) {
   return true;
 }
 
-/* A baked template's triangles, where it is used. */
+/* Adds a baked template's triangles at the place of a use. */
 static bool bake_use(vs_emitter *e, vs_x3d_group *g, const vs_x3d_placed *use) {
   const vs_x3d *x = e->state;
   const vs_x3d_batch *from = x->groups[use->group].batches;
@@ -73,7 +74,7 @@ static double bake_own(const vs_x3d *x, const vs_x3d_group *g) {
   return shapes;
 }
 
-/* shapes[k]: drawn for one use of template k; templates use only those before them. */
+/* Returns the number of Shapes. shapes[k]: those drawn for one use of template k; templates use only earlier ones. */
 static double bake_count(const vs_x3d *x, double *shapes) {
   for (size_t k = 1; k <= x->group_count; k++) {
     const vs_x3d_group *g = &x->groups[k % x->group_count];
@@ -84,8 +85,8 @@ static double bake_count(const vs_x3d *x, double *shapes) {
   return shapes[0];
 }
 
-/* A use that no Transform can say is triangles whatever the number, and so is all that the template uses: one that
- * shears, and one that mirrors, which turns the nodes of viewers inside out. */
+/* Returns true if no Transform can express the use: one that shears, and one that mirrors, since viewers turn mirrored
+ * nodes inside out. Such a use, and all templates it uses, are triangles regardless of the number of Shapes. */
 static bool bake_is_sheared(const vs_x3d_placed *use) {
   return !vs_affine_is_placement(&use->placement) || vs_affine_determinant(&use->placement) < 0;
 }
@@ -108,8 +109,8 @@ static bool bake_sheared(vs_emitter *e) {
   return true;
 }
 
-/* Bytes that a form is as triangles with so many facets a turn, about: corners with their normals, and three numbers a
- * triangle. */
+/* Returns about how many bytes a form has as triangles with so many facets in a full turn: corners with their normals,
+ * and three numbers for each triangle. */
 double vs_x3d_form_bytes(vs_x3d_form form, double facets) {
   switch (form) {
   case VS_X3D_BOX: break;
@@ -119,7 +120,8 @@ double vs_x3d_form_bytes(vs_x3d_form form, double facets) {
   return 1100;
 }
 
-/* Of all forms, cut into `least` facets a turn or, where the drawing's tolerance asks for it, more. */
+/* Estimates the bytes of all forms with `least` facets in a full turn, or more if the drawing's tolerance requires
+ * it. */
 static bool bake_estimate(vs_emitter *e, int least, double *bytes) {
   const vs_x3d *x = e->state;
   *bytes = 0;
@@ -132,8 +134,8 @@ static bool bake_estimate(vs_emitter *e, int least, double *bytes) {
   return true;
 }
 
-/* Tens of thousands of forms would be hundreds of megabytes, which take a browser minutes: they are small in the
- * picture, and cut coarsely. A number of facets that the user asked for holds. */
+/* Chooses coarser facets for very many forms: tens of thousands would be hundreds of megabytes, which take a browser
+ * minutes, and each is small in the picture. A number of facets that the user set holds. */
 static bool bake_coarsely(vs_emitter *e) {
   static const int least[] = { 32, 16, 12, VS_X3D_COARSEST };
   vs_x3d *x = e->state;
@@ -159,9 +161,9 @@ double vs_x3d_batch_bytes(const vs_x3d *x, const vs_x3d_group *g) {
   return bytes;
 }
 
-/* All that is left are the drawing's uses of baked templates. They become triangles too, those first that take the
- * least text for a Shape: until there are few Shapes, or the text is long. A copy that would take more text than a
- * Shape costs stays a use. */
+/* Only the drawing's uses of baked templates remain. They become triangles too, those with the least text for each
+ * saved Shape first, until there are few Shapes, or the text is long. A copy whose text costs more than a Shape stays a
+ * use. */
 static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
   vs_x3d *x = e->state;
   vs_x3d_group *g = &x->groups[0];
@@ -170,7 +172,7 @@ static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
   double most = VS_X3D_BAKED_MOST, bytes = 0;
   bool ok = true;
   for (size_t k = 0; k < x->group_count; k++) price[k] = vs_x3d_batch_bytes(x, &x->groups[k]);
-  /* bytes a Shape */
+  /* bytes for a Shape */
   for (double limit = VS_X3D_SHAPE_BYTES / 128; ok && limit <= VS_X3D_SHAPE_BYTES && many > VS_X3D_NATIVE_MAX;
        limit *= 2) {
     size_t kept = 0;
@@ -199,7 +201,7 @@ static bool bake_until_few(vs_emitter *e, double *shapes) {
   bool few = bake_count(x, shapes) <= VS_X3D_NATIVE_MAX;
   for (size_t k = 1; !few && k < x->group_count; k++) {
     if (!bake_items(e, &x->groups[k]) || !bake_uses(e, &x->groups[k])) return false;
-    /* counting costs the number of templates: not after every one where they are many */
+    /* Counting takes time in proportion to the number of templates: if they are many, not after each. */
     if (k % (x->group_count / 64 + 1) == 0 || k + 1 == x->group_count) few = bake_count(x, shapes) <= VS_X3D_NATIVE_MAX;
   }
   if (few) return true;
@@ -219,7 +221,8 @@ static bool bake_paint(vs_emitter *e, vs_x3d_group *g, uint32_t paint) {
   return true;
 }
 
-/* Users come before what they use: the drawing, then the templates from the last to the first. */
+/* Propagates paints. Users precede the templates they use: the drawing, then the templates from the last to the
+ * first. */
 static bool bake_paints(vs_emitter *e) {
   vs_x3d *x = e->state;
   for (size_t k = x->group_count; k > 0; k--) {
@@ -234,7 +237,7 @@ static bool bake_paints(vs_emitter *e) {
   return true;
 }
 
-/* Room for a count a group, which bake_count fills. */
+/* Returns room for a count of each group, which bake_count fills. */
 static double *bake_room(vs_emitter *e) {
   const vs_x3d *x = e->state;
   double *shapes = vs_store_realloc(e->scene->store, NULL, 0, x->group_count * sizeof *shapes);

@@ -1,25 +1,24 @@
-/* Owns the packed notation: the X3D tree as bytes, written while the drawing is walked. The viewer reads it
+/* Owns the packed notation: the X3D tree as bytes, written while the driver walks the drawing. The viewer reads it
  * (backends/page/packed.js).
  *
- * The text begins with "VSX1" and is a sequence of entries, each a letter and what belongs to it:
+ * The text begins with "VSX1" and is a sequence of entries, each a letter and its data:
  *   N name            opens a node             E                  closes it
- *   D number          names the open node      U number           stands for the node of that number
- *   T name bytes      a field of text          B name number      a field that is one whole number
+ *   D number          names the open node      U number           uses the node of that number
+ *   T name bytes      a field of text          B name number      a field with one whole number
  *   F name floats     a field of 32-bit floats G name doubles     one of 64-bit floats
  *   H name shorts     fractions of 32767       I width name words whole numbers of `width` bytes
  * Whole numbers outside of fields are in base 128, low digits first. Texts and arrays begin with their count. A name is
- * a number: 0 introduces a text that gets the next number from 1. Numbers of nodes: a template has its own, a geometry
- * 2^30 and up.
+ * a number: 0 introduces a text that gets the next number from 1. Numbers of nodes: a template keeps its own, a
+ * geometry has 2^30 and up.
  *
- * Beyond X3D's nodes: Shapes and Groups have `paint` (the number of a material; where it is missing, that of what
- * surrounds them), `layer`, `origin` (an entry of the node Origins at the end) and `kind`; a Transform has
+ * Additions to X3D's nodes: Shapes and Groups have `paint` (the number of a material; without it, that of the
+ * surrounding node), `layer`, `origin` (an entry of the node Origins at the end) and `kind`; a Transform has
  * `translation` or a `matrix` of three rows.
  *
- * The notation x3d-steps shows how the drawing is made: a Group of the field `item` round each thing drawn; a
- * difference or intersection is a Group with the field `operation`, in it the operands and then a Group of the field
- * `result`. A part that is subtracted has the field `cut`.
- * Only that which holds a position in the whole drawing is stored about the drawing's middle, so that 32 bits are
- * enough. */
+ * The notation x3d-steps shows the making of the drawing: a Group with the field `item` around each drawn object. A
+ * difference or intersection is a Group with the field `operation`, in it the operands and then a Group with the field
+ * `result`. A part that is subtracted has the field `cut`. Positions in the whole drawing are stored relative to the
+ * drawing's centre, so that 32 bits suffice; all others have their own coordinates. */
 #include "backends/lower.h"
 #include "backends/x3d/packed.h"
 
@@ -35,7 +34,7 @@ enum { NAME_MAX_COUNT = 64, GEOMETRY_FIRST = 0x40000000 };
 
 typedef struct { const char *layer; const vs_origin *origin; bool wrapped; } packed_open;
 
-/* The geometry of a Shape: those triangles of a node that share material, layer and origin. */
+/* The geometry of a Shape: the triangles of a node that share material, layer and origin. */
 typedef struct { uint32_t geometry, paint; const char *layer; const vs_origin *origin; bool lines; } packed_part;
 typedef struct { size_t first, count; } packed_shape; /* of parts */
 
@@ -45,17 +44,17 @@ typedef struct {
   vs_nodemap origins;          /* origin -> its number from 1 */
   const vs_origin **origin_list;
   size_t origin_count, origin_room;
-  vs_shared_shapes shapes;     /* by number: among `made` */
+  vs_shared_shapes shapes;     /* by number: index in `made` */
   packed_shape *made;
   size_t made_count, made_room;
   packed_part *parts;
   size_t part_count, part_room;
-  packed_open *open;           /* the operations round what is being written */
+  packed_open *open;           /* the operations around the current node */
   size_t open_count, open_room;
   vs_vec3 middle;              /* of the drawing */
-  bool inside;                 /* a template is being written: its coordinates are its own */
-  bool steps;                  /* how the drawing is made is shown */
-  bool result;                 /* and now what an operation gave */
+  bool inside;                 /* a template is being written, in its own coordinates */
+  bool steps;                  /* the notation x3d-steps */
+  bool result;                 /* the result of an operation is being written */
   uint32_t geometry_count;
 } packed;
 
@@ -151,8 +150,8 @@ static void packed_words_begin(vs_emitter *e, const char *name, size_t count, in
 
 /* ---- origins ---- */
 
-/* The number of an origin from 1, 0 for none or where memory is out. Callers have numbers before those whom they
- * call. */
+/* Returns the number of an origin from 1; 0: no origin, or memory is out. Callers have smaller numbers than the calls
+ * inside them. */
 static uint32_t packed_origin(vs_emitter *e, const vs_origin *origin) {
   packed *p = e->state;
   while (origin != NULL) {
@@ -196,12 +195,12 @@ static void packed_origins(vs_emitter *e) {
     packed_word(e->out, o->column, 4);
     packed_word(e->out, caller != NULL ? (uint32_t)*caller : 0, 4);
   }
-  /* the files in the order of their numbers */
+  /* The files in the order of their numbers. */
   for (uint64_t next = 0, i = 0; i < p->origin_count && next < count && !e->out->failed; i++) {
     const uint64_t *file = vs_nodemap_get(&files, p->origin_list[i]->file);
     if (file == NULL || *file != next) continue;
     const char *path = p->origin_list[i]->file, *slash = strrchr(path, '/');
-    /* a page that is passed on does not tell where it was made */
+    /* A page that is passed on does not reveal the folder in which it was made. */
     packed_text(e, "file", e->path != NULL && slash != NULL ? slash + 1 : path);
     next++;
   }
@@ -236,9 +235,9 @@ static void packed_material(vs_emitter *e, size_t number) {
   packed_end(e);
 }
 
-/* The physical sky as light of linear sRGB, 1 for 10,000 cd/m2: columns from the sun's side to the other, rows from the
- * horizon to the zenith by the root of the height's angle; the sun's and the sky's light are those of a white surface.
- */
+/* Writes the physical sky as light of linear sRGB, 1 for 10,000 cd/m2. Columns go from the sun's side to the opposite,
+ * rows from the horizon to the zenith by the root of the height's angle. The sun's and the sky's light are those of a
+ * white surface. */
 static void packed_daylight(vs_emitter *e, vs_vec3 sun) {
   enum { COLUMNS = 25, ROWS = 13 };
   const double pi = 3.14159265358979323846, per_candela = 1e-4, per_lux = per_candela / pi;
@@ -304,8 +303,8 @@ static void packed_head(vs_emitter *e) {
   }
 }
 
-/* Near the middle of the bounds, on a coarse grid: so it stays where it is, and with it every number of the scene, when
- * a little is added. */
+/* Returns a point near the middle of the bounds, on a coarse grid: a small addition to the model then changes neither
+ * it nor the numbers of the scene. */
 static vs_vec3 packed_middle(const vs_bounds *b) {
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
   double diagonal = vs_v3_length(vs_v3_sub(b->max, b->min));
@@ -349,22 +348,22 @@ void vs_packed_close(vs_emitter *e) {
 
 /* ---- geometries ---- */
 
-/* A solid that becomes geometries, one for each part that differs in material, layer or origin. */
+/* A solid that becomes geometries, one for each part with its own material, layer or origin. */
 typedef struct {
   vs_shaded_solid shaded;
   uint32_t *same;              /* by tag: the first tag with its material, layer and origin */
-  uint32_t *used;              /* by part: triangles whose tag has that part as its first */
+  uint32_t *used;              /* by part: the number of triangles whose tag has that part as its first */
   size_t parts;                /* at least one */
 } packed_making;
 
-/* The part that triangle i is written with. */
+/* Returns the part with which triangle i is written. */
 static uint32_t packed_part_of(const packed_making *from, size_t i) {
   const vs_solid *m = from->shaded.solid;
   return m->mesh.tags != NULL && m->part_count > 0 ? from->same[m->mesh.tags[i]] : 0;
 }
 
-/* The points of the part's vertices, or their normals. Vertices have numbers in the order in which they are first met:
- * another walk meets them in the same. */
+/* Writes the points of the part's vertices, or their normals. Vertices have numbers in the order of first use, which is
+ * the same in each walk. */
 static void packed_vertices(vs_emitter *e, const packed_making *from, uint32_t part, uint32_t count, bool normals) {
   const vs_shaded_solid *s = &from->shaded;
   uint32_t next = 0;
@@ -381,7 +380,7 @@ static void packed_vertices(vs_emitter *e, const packed_making *from, uint32_t p
   }
 }
 
-/* The triangles of a part; closed: they enclose a solid. */
+/* Writes the triangles of a part; closed: they enclose a solid. */
 static void packed_triangles(vs_emitter *e, packed_making *from, uint32_t part, bool closed) {
   const vs_shaded_solid *s = &from->shaded;
   const vs_mesh *mesh = &s->solid->mesh;
@@ -409,11 +408,11 @@ static void packed_triangles(vs_emitter *e, packed_making *from, uint32_t part, 
   packed_end(e);
 }
 
-/* same[tag]: the first tag with its material, layer and origin. */
+/* Sets same[tag] to the first tag with its material, layer and origin. */
 static void packed_same(const vs_solid *m, uint32_t *same) {
   for (size_t i = 0; i < m->part_count; i++) {
     const vs_solid_part *a = &m->parts[i];
-    size_t first = 0, most = i < 256 ? i : 0; /* of a shape of very many parts only some are joined */
+    size_t first = 0, most = i < 256 ? i : 0; /* if a shape has very many parts, only some are joined */
     while (first < most) {
       const vs_solid_part *b = &m->parts[first];
       if (a->material == b->material && a->layer == b->layer && a->leaf.origin == b->leaf.origin) break;
@@ -450,7 +449,7 @@ static bool packed_count_parts(vs_emitter *e, packed_making *from) {
   return true;
 }
 
-/* Writes a solid's geometries, where nobody sees them: each stands in a Group that is not shown. */
+/* Writes a solid's geometries invisibly: each is in a Group that is not shown. */
 static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *home, double crease, bool closed) {
   const packed *p = e->state;
   packed_making from = { .parts = 0 };
@@ -474,7 +473,7 @@ static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *
   return ok && !e->out->failed;
 }
 
-/* A unit form, where it is. */
+/* Adds a unit form, at its own coordinates. */
 static bool packed_add_form(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number) {
   const packed *p = e->state;
   vs_affine here = vs_affine_identity();
@@ -484,7 +483,7 @@ static bool packed_add_form(vs_emitter *e, const vs_solid *form, double crease, 
 
 /* ---- places ---- */
 
-/* Opens a Transform for what has its own coordinates at `place`. */
+/* Opens a Transform for objects with their own coordinates at `place`. */
 static void packed_transform(vs_emitter *e, const vs_affine *place) {
   const packed *p = e->state;
   vs_vec3 at = vs_v3(place->m[0][3], place->m[1][3], place->m[2][3]);
@@ -506,7 +505,7 @@ static void packed_transform(vs_emitter *e, const vs_affine *place) {
   }
 }
 
-/* Is what is being shown an operand that is taken away? */
+/* Returns true if the current node is a subtracted operand. */
 static bool packed_is_cut(const vs_emitter *e) {
   const packed *p = e->state;
   return p->steps && !p->result && e->parent != NULL && e->parent->kind == VS_DIFFERENCE && e->child_index > 0;
@@ -521,7 +520,7 @@ static void packed_marks(vs_emitter *e, const vs_ref *ref, uint32_t paint, const
   if (ref != NULL) packed_text(e, "kind", vs_kind_get(ref->node->kind)->name);
 }
 
-/* A shape that was written, at e's placement and `place` in it. */
+/* Places a written shape, at e's placement and `place` in it. */
 static bool packed_put(vs_emitter *e, const vs_ref *ref, size_t number, const vs_affine *place) {
   const packed *p = e->state;
   const packed_shape shape = p->made[number];
@@ -540,7 +539,7 @@ static bool packed_put(vs_emitter *e, const vs_ref *ref, size_t number, const vs
   return !e->out->failed;
 }
 
-/* Triangles about their own middle; those of one node are written once for all its places. */
+/* Writes triangles relative to their own centre; those of one node are written once for all its places. */
 static bool packed_shape_of(vs_emitter *e, const vs_ref *ref, double crease) {
   packed *p = e->state;
   vs_shared_place at;
@@ -603,7 +602,7 @@ static vs_emit_status packed_close_group(vs_emitter *e) {
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* With its operands in it, and behind them what it gives. */
+/* Writes an operation with its operands, and its result after them. */
 static vs_emit_status packed_operation(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   packed *p = e->state;
   if (phase == VS_PHASE_LEAVE) {
@@ -623,8 +622,8 @@ static vs_emit_status packed_operation(vs_emitter *e, const vs_ref *ref, vs_phas
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* Placement and paint are the emitter's; an operation becomes a Group where it says something: a layer, or a place in
- * the source of its own. */
+/* The emitter has placement and paint. An operation becomes a Group if it adds a layer or its own place in the
+ * source. */
 vs_emit_status vs_packed_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   packed *p = e->state;
   if (phase == VS_PHASE_LEAVE) return packed_close_group(e);
@@ -668,7 +667,7 @@ static bool packed_finish(vs_emitter *e) { return vs_packed_finish(e); }
 const vs_backend vs_backend_x3d_packed = { VS_PACKED_BACKEND(packed_begin, packed_finish, vs_packed_close,
                                                              vs_packed_boolean) };
 
-/* ---- how the drawing is made ---- */
+/* ---- the steps of the drawing ---- */
 
 static bool steps_begin(vs_emitter *e) {
   if (!vs_packed_open(e)) return false;

@@ -1,8 +1,8 @@
 /* Owns the web page: fills in the marks of backends/page/page.html. The page holds viewer and scene.
  *
- * A mark is <!--NAME-->. The parts come from the library itself: the Makefile bundles backends/page/ with three.js and
- * puts the result into it. The scene is packed (packed.c), compressed (deflate.c) and stands in the page in base 64, so
- * that no text of the user's is ever read as HTML or script. */
+ * A mark is <!--NAME-->. The library itself contains the parts: the Makefile bundles backends/page/ with three.js into
+ * it. The scene is packed (packed.c), compressed (deflate.c) and written in base 64, so no text of the user is ever
+ * read as HTML or script. */
 #include <string.h>
 
 #include "backends/x3d/deflate.h"
@@ -12,8 +12,8 @@
 ASSET(page_html) ASSET(viewer_css) ASSET(viewer_js)
 #undef ASSET
 
-/* The page's writer while the scene goes through others: `inner`, whose sink is zlib, and `deflated`, whose sink is
- * page_encode. The packed notation has e->state. */
+/* The page's writer, and those through which the scene goes: `inner`, whose sink is zlib, and `deflated`, whose sink is
+ * page_encode. The packed notation uses e->state. */
 typedef struct {
   vs_writer inner, deflated, *outer;
   vs_deflate *deflate;
@@ -39,7 +39,7 @@ static bool page_encode(void *context, const void *bytes, size_t count) {
   return !c->outer->failed;
 }
 
-/* Inside <script> and <style> nothing is escaped, but </ would end them. */
+/* Writes code for <script> or <style>. Nothing in them is escaped, but </ would end them. */
 static void page_code(vs_writer *w, const char *from, const char *end) {
   while (from < end) {
     const char *at = from;
@@ -55,8 +55,8 @@ static void page_code(vs_writer *w, const char *from, const char *end) {
   }
 }
 
-/* Writes the page's text from *at to the scene's mark or to the end, the other marks filled in. Returns how far it
- * came. */
+/* Writes the page's text from *at to the scene's mark or to the end, with the other marks filled in. Returns the
+ * position after it. */
 static const char *page_until_scene(vs_emitter *e, vs_writer *w, const char *at) {
   const char *end = vs_asset_page_html_end;
   while (at < end) {
@@ -92,7 +92,7 @@ static bool page_begin(vs_emitter *e) {
   vs_writer_init(&c->inner, vs_deflate_put, c->deflate);
   e->out = &c->inner;
   bool ok = c->deflate != NULL && vs_packed_open(e);
-  if (c->deflate != NULL && e->state != NULL) return ok; /* page_close tidies up */
+  if (c->deflate != NULL && e->state != NULL) return ok; /* page_close releases everything */
   vs_deflate_end(c->deflate);
   e->out = c->outer;
   vs_emit_release(e, c, 1, sizeof *c);

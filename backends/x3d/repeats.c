@@ -1,15 +1,15 @@
-/* Owns the look for what repeats in a drawing of very many shapes: facades and streets by rules come as one long union.
+/* Owns the search for repeats in a drawing of very many shapes: generated facades and streets are one long union.
  *
- * All that the drawing places directly, forms and uses of templates, is a row of letters, each a name and a place.
- * Things equal but for their place have one name. The row is cut into blocks, and each block is a letter of the next
- * row, named by what is in it and how that lies to each other: so stretches of the drawing that are equal but for their
- * place get equal names. Where a block ends is told by the letters nearby alone (at the least of some hashes; runs of
- * equal letters go by twos), or equal stretches would be cut differently. After some ten or twenty rows one letter is
- * left.
+ * All objects that the drawing places directly, forms and uses of templates, form a row of letters, each with a name
+ * and a place. Objects that are equal except for their place have one name. The row is cut into blocks. Each block is a
+ * letter of the next row; its name depends on its letters and their relative places. Therefore stretches of the drawing
+ * that are equal except for their place get equal names. Only the nearby letters decide the end of a block (the least
+ * of some hashes; runs of equal letters are cut in twos), or equal stretches would be cut differently. After some ten
+ * or twenty rows one letter remains.
  *
- * A letter that occurs twice can be a template, whose triangles stand in the file once. It saves text, and costs a
- * Shape for each use, which viewers open and draw about as slowly as VS_X3D_SHAPE_BYTES of triangles. The row that
- * costs least is taken. All rows together are a few times as long as the first. */
+ * A letter that occurs twice can be a template, whose triangles the file contains once. It saves text, and costs a
+ * Shape for each use, which viewers open and draw about as slowly as VS_X3D_SHAPE_BYTES of triangles. The row with the
+ * least cost is used. All rows together are a few times as long as the first. */
 #include "backends/x3d/repeats.h"
 
 #include <math.h>
@@ -19,18 +19,18 @@
 #include "backends/x3d/x3d_collect.h"
 #include "model/store/hashes.h"
 
-enum { REPEAT_BLOCK = 8 }; /* letters in a block, at most */
+enum { REPEAT_BLOCK = 8 }; /* the most letters in a block */
 
 typedef struct {
   uint32_t name;
-  uint32_t first, count; /* what of the first row it is */
-  uint64_t paints;       /* which there are: number modulo 64 */
-  double bytes;          /* as triangles in a template */
-  double loose;          /* what it costs where it stays as it is: the least of triangles and, for a use, a Shape */
+  uint32_t first, count; /* its range in the first row */
+  uint64_t paints;       /* the set of its paints: bit number modulo 64 */
+  double bytes;          /* of its triangles, as a template */
+  double loose;          /* its cost without a template: the lesser of its triangles and, for a use, a Shape */
   vs_vec3 at;
 } repeat_letter;
 
-/* A name's first occurrence and how many there are. */
+/* A name's first occurrence and the number of its occurrences. */
 typedef struct {
   uint64_t hash;
   uint32_t block, count;
@@ -40,19 +40,19 @@ typedef struct {
   vs_emitter *e;
   repeat_letter *row;
   size_t count, room; /* of the row; room: of the first one */
-  uint32_t *blocks;   /* of a row: where each begins, and its end */
+  uint32_t *blocks;   /* blocks[k]: the begin of block k of the row; the last item is the row's end */
   size_t block_count;
-  uint64_t *hashes; /* of a row's letters with the way to the next */
+  uint64_t *hashes; /* of a row's letters, each with the vector to the next */
   repeat_name *names;
   size_t name_count;
   uint32_t *table;   /* open addressing: a name + 1 */
   size_t table_room; /* a power of two */
-  double steps;      /* a unit: places are compared in these */
+  double steps;      /* per model unit: places are compared in these */
 } repeats;
 
-/* ---- equal but for the place ---- */
+/* ---- equal except for the place ---- */
 
-/* The number of steps, on a grid that no round number lies on the border of. */
+/* Returns the number of steps, on a grid whose borders contain no round number. */
 static int64_t repeat_steps(const repeats *r, double x) { return (int64_t)floor(x * r->steps + 0.38196601125); }
 
 static bool repeat_same_way(const repeats *r, vs_vec3 a, vs_vec3 b) {
@@ -66,12 +66,12 @@ static uint64_t repeat_hash_way(const repeats *r, uint64_t h, vs_vec3 v) {
   return vs_hash_mix(h, (uint64_t)repeat_steps(r, v.z));
 }
 
-/* The way from a letter to the next. */
+/* Returns the vector from a letter to the next. */
 static vs_vec3 repeat_way(const repeats *r, size_t i) { return vs_v3_sub(r->row[i + 1].at, r->row[i].at); }
 
 /* ---- the first row ---- */
 
-/* A form's or use's place, what it is, and its paint; uses stand behind the forms. */
+/* Returns the place of a form or use; *what identifies its shape and paint. Uses follow the forms. */
 static vs_affine repeat_thing(const repeats *r, size_t i, uint64_t *what) {
   const vs_x3d *x = r->e->state;
   const vs_x3d_group *g = &x->groups[0];
@@ -108,7 +108,7 @@ static bool repeat_same_block(const repeats *r, size_t a, size_t b) {
 
 /* ---- names ---- */
 
-/* The name of a block (in the first row: of a thing), which gets one more occurrence. */
+/* Returns the name of a block (in the first row: of an object), and counts the occurrence. */
 static uint32_t repeat_name_of(repeats *r, size_t block, uint64_t hash, bool things) {
   size_t slot = hash & (r->table_room - 1);
   for (; r->table[slot] != 0; slot = (slot + 1) & (r->table_room - 1)) {
@@ -136,7 +136,7 @@ static double repeat_shapes(const repeat_letter *l) {
   return n;
 }
 
-/* The triangles and paints of each template; templates use only those before them. */
+/* Computes the triangles and paints of each template; templates use only earlier ones. */
 static void repeat_templates(vs_emitter *e, double *bytes, uint64_t *paints) {
   const vs_x3d *x = e->state;
   for (size_t k = 1; k < x->group_count; k++) {
@@ -190,7 +190,7 @@ static void repeat_hash_letters(repeats *r) {
   }
 }
 
-/* Where the blocks of the row begin. */
+/* Finds the beginnings of the row's blocks. */
 static void repeat_cut(repeats *r) {
   const uint64_t *h = r->hashes;
   r->block_count = 0;
@@ -223,7 +223,8 @@ static bool repeat_next_row(repeats *r) {
       if (i + 1 < r->blocks[k + 1]) hash = repeat_hash_way(r, hash, repeat_way(r, i));
     }
     r->hashes[k] =
-        repeat_name_of(r, k, hash, false); /* the letters' own are no longer needed: a block has at least one letter */
+        repeat_name_of(r, k, hash, false); /* the letters' hashes are no longer needed: a block has at least one
+                                            * letter */
   }
   for (size_t k = 0; k < r->block_count; k++) {
     repeat_letter l = r->row[r->blocks[k]];
@@ -242,7 +243,7 @@ static bool repeat_next_row(repeats *r) {
 
 /* ---- costs ---- */
 
-/* Is it better a template than as it is? */
+/* Returns true if the letter costs less as a template. */
 static bool repeat_pays(const repeats *r, const repeat_letter *l) {
   double uses = r->names[l->name].count;
   return uses > 1 && l->bytes + uses * VS_X3D_SHAPE_BYTES * repeat_shapes(l) < uses * l->loose;
@@ -259,7 +260,7 @@ static double repeat_cost(const repeats *r) {
 
 /* ---- templates ---- */
 
-/* A letter's things as a template, in coordinates whose origin is the letter's place. */
+/* Makes a template of a letter's objects, in coordinates whose origin is the letter's place. */
 static bool repeat_define(repeats *r, const repeat_letter *l) {
   vs_emitter *e = r->e;
   vs_x3d *x = e->state;
@@ -281,14 +282,14 @@ static bool repeat_define(repeats *r, const repeat_letter *l) {
   return true;
 }
 
-/* The row's letters that pay become templates and their uses; what is in none stays as it is. */
+/* Makes templates and uses of the row's letters that pay; the other objects remain unchanged. */
 static bool repeat_take(repeats *r) {
   vs_emitter *e = r->e;
   vs_x3d *x = e->state;
   vs_x3d_placed *uses = NULL;
   size_t use_count = 0, use_room = 0, kept_items = 0, first_group = x->group_count, most = x->groups[0].use_count;
   bool ok = true;
-  memset(r->table, 0, r->table_room * sizeof *r->table); /* from here on: a name's template */
+  memset(r->table, 0, r->table_room * sizeof *r->table); /* from here on: the template of each name */
   for (size_t k = 0; k < r->count && ok; k++) {
     const repeat_letter *l = &r->row[k];
     bool pays = repeat_pays(r, l);
@@ -297,7 +298,8 @@ static bool repeat_take(repeats *r) {
       r->table[l->name] = (uint32_t)(x->group_count - 1);
     }
     ok = ok &&
-         vs_emit_grow(e, &uses, &use_room, use_count + 1 + most, sizeof *uses); /* room for all that were there, too */
+         vs_emit_grow(e, &uses, &use_room, use_count + 1 + most, sizeof *uses); /* room for all uses that existed
+                                                                                 * before, too */
     if (ok && pays) uses[use_count++] = (vs_x3d_placed){ r->table[l->name], 0, vs_affine_translation(l->at) };
     r->row[k].name = pays ? 1 : 0;
   }
@@ -320,9 +322,9 @@ static bool repeat_take(repeats *r) {
   return ok;
 }
 
-/* ---- all of it ---- */
+/* ---- the whole search ---- */
 
-/* The row of that number, from 0. */
+/* Makes the row of that number, from 0. */
 static bool repeat_row(repeats *r, size_t number, const double *bytes, const uint64_t *paints) {
   const vs_x3d *x = r->e->state;
   repeat_forget_names(r);

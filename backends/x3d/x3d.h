@@ -1,31 +1,31 @@
-/* Owns what the files of the X3D back-end share. x3d_collect.c: the drawing as groups of shapes; repeats.c: what
- * repeats becomes templates; bake.c: which groups become triangles;
- * x3d_notation.c: the two notations; x3d_scene.c: what is written. Beside them, with collecting of its own: packed.c,
- * the tree as bytes for our own viewer; page.c, the web page round that.
+/* Owns the declarations that the files of the X3D back-end share. x3d_collect.c: the drawing as groups of shapes;
+ * repeats.c: repeats become templates; bake.c: the groups that become triangles; x3d_notation.c: the two notations;
+ * x3d_scene.c: the contents of the file. Two more files collect by themselves: packed.c, the tree as bytes for
+ * VisualScheme's own viewer; page.c, the web page around it.
  *
- * Viewers draw a Shape slowly and a triangle fast: past some ten thousand Shapes they crawl. Therefore everything is
- * collected first. Few enough boxes, spheres, cylinders and cones become nodes of their own; all else becomes one
- * triangle set and one line set a material. A template is a group that stands once in the file (DEF) and is used (USE);
- * where there would be too many Shapes the innermost templates are baked first: that costs the least text, for they are
- * still said once. */
+ * Viewers draw a Shape slowly and a triangle fast: with more than some ten thousand Shapes they are too slow to use.
+ * Therefore everything is collected first. Boxes, spheres, cylinders and cones become nodes if they are few; all other
+ * objects become one triangle set and one line set for each material. A template is a group that the file contains once
+ * (DEF) and uses (USE). If there are too many Shapes, the innermost templates are baked first: that costs the least
+ * text, since the file still contains each once. */
 #ifndef VS_BACKENDS_X3D_X3D_H
 #define VS_BACKENDS_X3D_X3D_H
 
 #include "backends/backend.h"
 
-enum { VS_X3D_NATIVE_MAX = 1500 }; /* Shapes of their own, at most */
-/* Bytes of baked forms, about, from which on they are cut coarsely, and beyond which copies of templates stay copies:
+enum { VS_X3D_NATIVE_MAX = 1500 }; /* the most Shapes */
+/* The approximate bytes of baked forms above which they are divided coarsely, and copies of templates stay copies:
  * browsers show some 2 MB of triangles in a second. */
 #define VS_X3D_BAKED_MOST 30e6
-#define VS_X3D_SHAPE_BYTES 10e3 /* triangles that x3dom and X_ITE open and draw in the time of one more Shape: a
-                                 * megabyte for some hundred */
-enum { VS_X3D_COARSEST = 8 };        /* facets a turn */
-#define VS_X3D_COARSE_CREASE 1.0     /* radians: more than from one such facet to the next, less than from a wall to its
-                                      * lid */
+#define VS_X3D_SHAPE_BYTES 10e3 /* the bytes of triangles that x3dom and X_ITE open and draw in the time of one more
+                                 * Shape: a megabyte for some hundred */
+enum { VS_X3D_COARSEST = 8 };        /* facets in a full turn */
+#define VS_X3D_COARSE_CREASE 1.0     /* radians: more than the angle between two such facets, less than that between a
+                                      * wall and its lid */
 
 /* ---- x3d_collect.c ---- */
 
-/* unit forms: half sizes 1, on X3D's Y */
+/* unit forms: half sizes 1, along X3D's Y */
 typedef enum { VS_X3D_BOX, VS_X3D_SPHERE, VS_X3D_CYLINDER, VS_X3D_CONE } vs_x3d_form;
 
 typedef struct {
@@ -37,15 +37,15 @@ typedef struct {
 
 typedef struct { uint32_t group, paint; vs_affine placement; } vs_x3d_placed; /* a template's use */
 
-/* All that one material paints. Number 0: no material; inside a template that is the paint of where it is used. */
+/* All triangles and lines of one material. Number 0: no material; inside a template that is the paint at its use. */
 typedef struct {
-  vs_vec3 *vertices, *normals; /* side by side */
+  vs_vec3 *vertices, *normals; /* arrays of equal length */
   size_t vertex_count, vertex_room, normal_room;
   uint32_t (*triangles)[3];
   size_t triangle_count, triangle_room;
   vs_vec3 *points;             /* of lines */
   size_t point_count, point_room;
-  uint32_t *lines;             /* indices into points, UINT32_MAX ends a line */
+  uint32_t *lines;             /* indices into points; UINT32_MAX ends a line */
   size_t line_count, line_room;
 } vs_x3d_batch;
 
@@ -57,19 +57,20 @@ typedef struct {
   size_t item_count, item_room;
   vs_x3d_placed *uses;
   size_t use_count, use_room;
-  vs_x3d_batch *batches;       /* one a material and one for none; NULL: nothing is triangles */
-  bool bare;                   /* something in it takes the paint of where it is used */
-  uint32_t *paints;            /* in which it is used: only 0 where it is not bare */
+  vs_x3d_batch *batches;       /* one for each material and one for none; NULL: there are no triangles or lines */
+  bool bare;                   /* some part takes the paint at its use */
+  uint32_t *paints;            /* the paints in which it is used: only 0 if it is not bare */
   size_t paint_count, paint_room;
 } vs_x3d_group;
 
 typedef struct {
   vs_x3d_notation notation;
   vs_x3d_group *groups;
-  size_t group_count, group_room, group; /* group: what is being collected */
-  size_t batch_count;          /* of each group that has batches */
-  uint64_t collected;          /* triangles, of all batches */
-  int least;                   /* facets a turn, at least, of round forms that are baked; 0: as everywhere */
+  size_t group_count, group_room, group; /* group: the group that is being collected */
+  size_t batch_count;          /* of each group with batches */
+  uint64_t collected;          /* the number of triangles in all batches */
+  int least;                   /* the least facets in a full turn for round forms that are baked; 0: as in other
+                                * formats */
   /* x3d_notation.c */
   size_t depth;
   bool in_tag;

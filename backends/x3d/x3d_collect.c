@@ -1,5 +1,5 @@
-/* Owns the drawing as groups: unit forms and uses of templates with their placement, and batches of triangles and lines
- * a material. */
+/* Owns the conversion of the drawing to groups: unit forms and uses of templates with their placement, and batches of
+ * triangles and lines for each material. */
 #include "backends/x3d/x3d_collect.h"
 
 #include <math.h>
@@ -83,8 +83,8 @@ static size_t collect_paint(const vs_emitter *e, const vs_solid *m, size_t part,
                                                                  : inherited;
 }
 
-/* Counts triangles that are collected. Equal ones may be written once, so that there may be more of them than of those
- * that are written; as of shapes that are combined. */
+/* Counts triangles that are collected. Equal ones may be written once, so there may be more collected than written
+ * ones; the limit is that of combined solids. */
 static bool collect_count(vs_emitter *e, size_t count) {
   vs_x3d *x = e->state;
   size_t limit = e->options->mesh_triangles;
@@ -180,7 +180,7 @@ static bool collect_here(vs_emitter *e, const vs_ref *ref) {
 
 /* ---- unit forms ---- */
 
-/* X3D's cylinders and cones stand on Y. */
+/* X3D's cylinders and cones have the axis Y. */
 bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place) {
   static const vs_affine upright = { { { 1, 0, 0, 0 }, { 0, 0, -1, 0 }, { 0, 1, 0, 0 } } };
   vs_unit_copy copy;
@@ -202,7 +202,7 @@ vs_emit_status vs_x3d_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_x3d_group *g = collect_group(e);
   vs_x3d_form form = VS_X3D_BOX;
   vs_affine place;
-  /* Pictures lie on triangles, and a template's paint is not known here. */
+  /* Pictures need triangles, and a template's paint is not known here. */
   for (size_t i = vs_emit_material_count(e); i > 0; i--)
     if (vs_emit_material_at(e, i)->pattern.picture != NULL) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
   if (!vs_x3d_form_of(e, ref->node, &form, &place)) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
@@ -234,7 +234,7 @@ vs_emit_status vs_x3d_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   return VS_EMITTED;
 }
 
-/* Placement and paint are the emitter's; a union's parts stand beside each other. */
+/* The emitter has placement and paint; a union's parts are independent. */
 vs_emit_status vs_x3d_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)e, (void)ref, (void)phase;
   return VS_EMITTED;

@@ -1,16 +1,17 @@
-/* Owns the interface of x3d_collect.c: the drawing as groups. */
+/* Owns the interface of x3d_collect.c: the conversion of the drawing to groups. */
 #ifndef VS_BACKENDS_X3D_X3D_COLLECT_H
 #define VS_BACKENDS_X3D_X3D_COLLECT_H
 
 #include "backends/x3d/x3d.h"
 
 bool vs_x3d_open(vs_emitter *e, vs_x3d_notation notation); /* makes e->state */
-/* The X3D form that a node is, and its place in the node's own coordinates; false: it is none. */
+/* Finds the X3D form that a node is, and its place in the node's own coordinates; returns false if it is none. */
 bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place);
-/* its triangles */
+/* adds its triangles */
 bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint);
 bool vs_x3d_bake_item(vs_emitter *e, vs_x3d_group *to, const vs_x3d_item *item);
-int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least); /* a turn, of a round form baked so */
-vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* made if there are none; NULL: out of memory */
+int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least); /* returns the facets in a full turn of a
+                                                                             * baked round form */
+vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* makes them at the first call; NULL: out of memory */
 
 #endif

@@ -1,4 +1,5 @@
-/* Owns what an X3D scene holds: the model turned to Y up, view, light, background, materials; and the two bare formats.
+/* Owns the contents of an X3D scene: the model turned to Y up, view, light, background, materials; and the two bare
+ * formats.
  *
  * Coordinates of triangle sets are rounded to a decimal step near 1e-7 of the drawing, normals to 1e-3: viewers hold
  * them as 32-bit numbers, and a page half the size opens twice as fast. */
@@ -80,8 +81,8 @@ static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line
 
 /* ---- shapes ---- */
 
-/* Have the form's own fields room for these half sizes? Where not, they are the Transform's scale and the form is the
- * unit's. */
+/* Returns true if the form's own fields can express these half sizes. If not, the Transform's scale has them, and the
+ * form has unit size. */
 static bool scene_fits(vs_x3d_form form, vs_vec3 size) {
   bool even = fabs(size.x - size.z) < 1e-9 * size.x;
   return form == VS_X3D_BOX || (even && (form != VS_X3D_SPHERE || fabs(size.x - size.y) < 1e-9 * size.x));
@@ -103,7 +104,7 @@ static void scene_form(vs_emitter *e, vs_x3d_form form, vs_vec3 size) {
   vs_x3d_end(e, words[form], false);
 }
 
-/* The opening of a Transform that says the placement; `size` where the form has no room for it. */
+/* Opens a Transform with the placement; with `size` too if the form has no field for it. */
 static void scene_place(vs_emitter *e, const vs_affine *place, vs_vec3 size, bool scaled) {
   vs_vec3 at, unread, axis;
   double turn[4];
@@ -148,8 +149,8 @@ static void scene_wrap(vs_writer *w, size_t item, size_t per_line) {
   if (item > 0) vs_puts(w, item % per_line == 0 ? "\n" : " ");
 }
 
-/* A node that holds points: the field it is of, its name, and its own field with them. */
-typedef struct { const char *field, *node, *many; double steps; /* a unit, to which they are rounded */ } scene_cloud;
+/* A node with points: the field that holds it, its name, its own field for the points, and their rounding. */
+typedef struct { const char *field, *node, *many; double steps; /* in a unit */ } scene_cloud;
 
 static void scene_points(vs_emitter *e, const scene_cloud *cloud, const vs_vec3 *at, size_t count) {
   vs_x3d_node(e, cloud->field, cloud->node, NULL);
@@ -162,7 +163,7 @@ static void scene_points(vs_emitter *e, const scene_cloud *cloud, const vs_vec3 
   vs_x3d_end(e, cloud->node, false);
 }
 
-/* Steps a unit: a power of ten, so that the rounded numbers are short. */
+/* Returns the steps for each unit: a power of ten, so that the rounded numbers are short. */
 static double scene_steps(const vs_emitter *e) {
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   return pow(10, 7 - ceil(log10(diagonal > 0 ? diagonal : 1)));
@@ -172,7 +173,7 @@ static void scene_corners(vs_emitter *e, const vs_vec3 *at, size_t count) {
   scene_points(e, &(scene_cloud){ "coord", "Coordinate", "point", scene_steps(e) }, at, count);
 }
 
-/* A geometry that several Shapes have is named, and said by the first. */
+/* The name of a geometry that several Shapes have; the first Shape writes it. */
 typedef struct { char name[40]; bool again; } scene_name;
 
 static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool line, const char *type,
@@ -184,8 +185,8 @@ static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool lin
   return !name->again;
 }
 
-/* Triangles with a picture, each with corners of its own: the picture may end at its edges. It lies by the axes of
- * what is written, a template's where it stands in one. */
+/* Writes triangles with a picture. Each has its own corners, since the picture may end at its edges. The picture
+ * follows the axes of the current output, in a template the template's. */
 static void scene_pictured(vs_emitter *e, const vs_material *m, const vs_x3d_batch *b) {
   static const char *const fields[][3] = {
       { "coord", "Coordinate", "point" }, { "normal", "Normal", "vector" },
@@ -229,7 +230,7 @@ static void scene_triangles(vs_emitter *e, size_t number, const vs_x3d_batch *b,
   const vs_material *m = number > 0 ? vs_emit_material_at(e, number) : NULL;
   if (scene_begin_shape(e, number, said, false, "IndexedTriangleSet", name)) {
     if (!vs_emit_triangles(e, b->triangle_count)) e->out->failed = true;
-    vs_x3d_words(e, "solid", "false"); /* open surfaces are seen from both sides */
+    vs_x3d_words(e, "solid", "false"); /* open surfaces are visible from both sides */
     if (m != NULL && m->pattern.picture != NULL) {
       scene_pictured(e, m, b);
       vs_x3d_end(e, "IndexedTriangleSet", false);
@@ -285,7 +286,7 @@ static void scene_use(vs_emitter *e, const vs_x3d_placed *use, uint32_t paint) {
   vs_x3d_end(e, "Transform", true);
 }
 
-/* Writes the children of a group, with `paint` for those without a material. variant: how often it was said before, in
+/* Writes the children of a group, with `paint` for those without a material. variant: the number of earlier copies, in
  * other paints. */
 static void scene_group(vs_emitter *e, size_t group, uint32_t paint, size_t variant, bool *said) {
   const vs_x3d *x = e->state;
@@ -306,7 +307,7 @@ static void scene_group(vs_emitter *e, size_t group, uint32_t paint, size_t vari
   }
 }
 
-/* The templates in use, where nobody sees them: each before those that use it. */
+/* Writes the used templates, invisibly: each before those that use it. */
 static void scene_templates(vs_emitter *e, bool *said) {
   const vs_x3d *x = e->state;
   bool any = false;
@@ -328,7 +329,7 @@ static void scene_templates(vs_emitter *e, bool *said) {
   if (any) vs_x3d_end(e, "Switch", true);
 }
 
-/* ---- round the model ---- */
+/* ---- around the model ---- */
 
 static void scene_background(vs_emitter *e) {
   if (e->scene->sky_image != NULL)
@@ -370,7 +371,7 @@ static void scene_light(vs_emitter *e, vs_vec3 towards, double intensity, double
 static void scene_view(vs_emitter *e, const vs_look *l, double aspect) {
   double across = l->angle;
   vs_vec3 eye = l->eye;
-  if (l->parallel) { /* from far through a long lens: every viewer turns that as well as any other view */
+  if (l->parallel) { /* a parallel view is one from far away with a long lens: every viewer can turn that */
     across = 0.1;
     eye = vs_v3_sub(l->target, vs_v3_scale(l->forward, l->width / 2 / tan(across / 2)));
   }
@@ -390,16 +391,16 @@ static void scene_view(vs_emitter *e, const vs_look *l, double aspect) {
 static void scene_ground(vs_emitter *e, bool *said) {
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
-  /* below what stands on it, by what depth buffers tell apart */
+  /* Just below the model: the least distance that depth buffers distinguish. */
   double reach = 8 * diagonal, z = e->scene->ground_z - 2e-4 * diagonal;
   vs_vec3 corners[4] = { { middle.x - reach, middle.y - reach, z },
                          { middle.x + reach, middle.y - reach, z },
                          { middle.x + reach, middle.y + reach, z },
                          { middle.x - reach, middle.y + reach, z } };
-  vs_x3d_node(e, NULL, "Shape", "ground"); /* by its name our own viewer tells it from the model */
+  vs_x3d_node(e, NULL, "Shape", "ground"); /* our own viewer recognizes the ground by this name */
   if (e->scene->ground_material != NULL) {
     scene_appearance(e, vs_emit_material_number(e, e->scene->ground_material), said, false);
-  } else { /* a shade darker than what stands on it */
+  } else { /* slightly darker than the objects on it */
     vs_x3d_node(e, "appearance", "Appearance", NULL);
     vs_x3d_node(e, "material", "Material", NULL);
     vs_x3d_vector(e, "diffuseColor", vs_v3(0.7, 0.7, 0.68));
@@ -425,7 +426,7 @@ bool vs_x3d_scene(vs_emitter *e) {
       e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, aspect);
   vs_vec3 sun = vs_look_sun(e->scene, &look);
-  /* Materials are said once, by the first that needs one: templates, the drawing, then the ground. */
+  /* The first use of a material writes it: in templates, the drawing, then the ground. */
   size_t numbers = 2 * x->batch_count; /* of faces, then of lines */
   bool *said = vs_store_realloc(e->scene->store, NULL, 0, numbers * sizeof *said);
   if (said == NULL) return vs_emit_no_memory(e);
