@@ -53,8 +53,8 @@ static size_t say(char out[VS_SPELLED_ROOM], const char *text) {
 
 static size_t replace(char out[VS_SPELLED_ROOM]) { return say(out, "\xEF\xBF\xBD"); }
 
-/* Returns the next character's code point, the replacement where there is none; *from and *count are its bytes. *at is
- * before the end. */
+/* Returns the next character's code point, or the replacement character if the bytes are no UTF-8; *from and *count are
+ * its bytes. *at is before the end. */
 static uint32_t next(const char **at, const char *end, const char **from, size_t *count) {
   uint32_t code = REPLACEMENT;
   VS_ASSERT(*at < end);
@@ -65,7 +65,7 @@ static uint32_t next(const char **at, const char *end, const char **from, size_t
   return code;
 }
 
-/* Copies the bytes of one character, which have room in out. */
+/* Copies the bytes of one character; out has room for them. */
 static size_t copy(char out[VS_SPELLED_ROOM], const char *from, size_t count) {
   VS_ASSERT(count <= VS_SPELLED_ROOM);
   memcpy(out, from, count);

@@ -1,4 +1,4 @@
-/* Owns the table of kinds that prims.def spells out, and hashing, comparing, retaining and releasing of payloads by
+/* Owns the table of kinds, made from prims.def, and the hashing, comparing, retaining and releasing of payloads by
  * it. */
 #include "model/kinds.h"
 
@@ -14,8 +14,8 @@
 #define VS_CLASS_SOLID VS_SOLID
 #define VS_CLASS_INHERIT VS_INHERIT
 
-/* Each kind becomes a block of its own, so that here_ names its struct where the fields' offsets are asked for; the row
- * that ends each table of fields stands for "no more" and is not counted. */
+/* Each kind gets a block, in which here_ names its struct for the fields' offsets. A final row ends each table of
+ * fields; it is not counted. */
 const vs_kind_info *vs_kind_get(vs_kind kind) {
   switch (kind) {
 #define VS_KIND(upper, lower, name, class_, level, role, traits)                                                     \
@@ -55,7 +55,7 @@ const unsigned char vs_field_reals[] = {
   [VS_FIELD_real] = 1, [VS_FIELD_point] = 3, [VS_FIELD_vector] = 3, [VS_FIELD_affine] = 12, [VS_FIELD_ticket] = 0
 };
 
-/* ---- one step for each type of field, which the procedures below make of every kind's row ---- */
+/* ---- one step for each type of field; the functions below combine them for each kind ---- */
 
 /* Each number costs one product; the result is mixed well at the end. */
 static inline uint64_t hash_step(uint64_t h, double d) {
@@ -207,7 +207,7 @@ size_t vs_payload_array_bytes(vs_kind kind, const void *data) {
   return bytes;
 }
 
-/* Reals are compared by their bits: -0 was made 0 when the node was built, and so a not-a-number is equal to itself. */
+/* Compares reals by their bits: a new node changes -0 to 0, and a not-a-number is equal to itself. */
 bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b) {
   for (size_t i = 0; i < info->field_count; i++) {
     const void *x = (const char *)a + info->fields[i].offset, *y = (const char *)b + info->fields[i].offset;
@@ -230,7 +230,7 @@ bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b) {
                           !memcmp(f->data, g->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data));
         break;
       }
-      case VS_FIELD_text: { /* two stores may meet: then it is the letters that count */
+      case VS_FIELD_text: { /* the nodes may be of two stores: then the letters count */
         const char *s = *(const char *const *)x, *t = *(const char *const *)y;
         same = s == t || !strcmp(s, t);
         break;

@@ -4,9 +4,10 @@
 
 #include "model/mesh.h"
 
-/* Of the triangles from `first` on, those with the same three corners become as many of one side as there are more of
- * it; those with a corner twice go. A closed chain stays one, and winds around each place as often. They come to be in
- * the order of their corners; tags are not kept. False: out of memory, and m is not to be used. */
+/* Nets the triangles from `first` on. Of those with the same three corners remain as many as the difference between the
+ * two orientations; those with two equal corners are removed. A closed chain stays closed, and its winding number about
+ * each point is unchanged. The triangles get the order of their corners; tags are lost. Returns false when memory is
+ * out, and m is then unusable. */
 bool vs_mesh_net(vs_mesh *m, size_t first);
 
 #endif

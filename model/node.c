@@ -1,7 +1,7 @@
 /* Owns nodes and the arrays they share: building, retaining, releasing, comparing.
  *
  * A node is one allocation: header, children, payload. Releasing needs no memory and no recursion: a dead node's hash
- * links the list of those still to be taken apart. Comparing remembers the pairs it has found equal, so that two
+ * links the list of nodes still to be released. Comparing remembers the pairs it has found equal, so that two
  * separately built DAGs of n nodes cost n comparisons and not one for every path through them. */
 #include "model/node.h"
 
@@ -52,7 +52,8 @@ vs_faces *vs_faces_turned(vs_store *s, const vs_faces *old) {
   if (!f) return NULL;
   uint32_t *corners = f->data + f->count + 1;
   for (uint32_t i = 0; i < f->count; i++)
-    for (uint32_t a = f->data[i] + 1, b = f->data[i + 1]; a + 1 < b; a++) { /* quads are cut from their first corner */
+    for (uint32_t a = f->data[i] + 1, b = f->data[i + 1]; a + 1 < b; a++) { /* quads are divided from their first
+                                                                             * corner */
       uint32_t swap = corners[a];
       corners[a] = corners[--b];
       corners[b] = swap;
@@ -108,12 +109,12 @@ static bool node_is_planar_area(const vs_node *n) {
   return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED);
 }
 
-/* The properties that the children of a node have in common, gathered as they are taken, so that a million of them are
- * looked at once. */
+/* The properties that the children of a node have in common, gathered while they are copied, so that a million of them
+ * are visited once. */
 typedef struct {
-  vs_class together; /* of one class if they agree, else MIXED; what draws nothing does not count */
-  bool nothing;      /* one draws nothing */
-  uint8_t any, all;  /* flags of some; of every one */
+  vs_class together; /* their class if they agree, else MIXED; children that draw nothing do not count */
+  bool nothing;      /* some child draws nothing */
+  uint8_t any, all;  /* the flags of some child; those of every child */
 } vs_node_family;
 
 static void node_join_family(vs_node_family *f, const vs_node *child) {
@@ -125,7 +126,7 @@ static void node_join_family(vs_node_family *f, const vs_node *child) {
   else if (f->together != c) f->together = VS_MIXED;
 }
 
-/* Are all children curves and regions? A flat surface among them is known by its mesh alone. */
+/* Returns true if all children are curves and regions. Only its mesh shows whether a surface is flat. */
 static bool node_holds_planar(const vs_node *n) {
   bool planar = true;
   for (uint32_t i = 0; planar && i < n->child_count; i++) {
@@ -139,7 +140,8 @@ static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
   bool carved =
       (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
-  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* of a hull: its parts are */
+  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* of a hull: some part needs its
+                                                                                    * mesh */
   bool unresolved =
       vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && meshed);
   bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS,
@@ -166,7 +168,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
                   : node_is_planar_area(first)          ? VS_SOLID
                                                         : VS_SURFACE;
       break;
-    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* an apex says nothing */
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* an apex has no class */
       bool areas = false;
       uint32_t sections = n->kind == VS_GUIDED_LOFT ? (uint32_t)VS_AS(guided_loft, n)->section_count : n->child_count;
       for (uint32_t i = 0; i < sections && i < n->child_count; i++)
@@ -190,7 +192,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
         n->flags |= VS_NODE_CLOSED;
       break;
     case VS_THICKEN: if (!first || first->class_ == VS_NOTHING) n->class_ = VS_NOTHING; break;
-    case VS_CUSTOM: case VS_NATIVE: /* what is not known is taken for solid */
+    case VS_CUSTOM: case VS_NATIVE: /* an unknown kind counts as a solid */
       if (!first || (n->kind == VS_NATIVE && first->class_ == VS_NOTHING)) {
         n->class_ = VS_SOLID;
         break;
@@ -207,7 +209,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
       n->class_ = VS_AS(hull, n)->dimension == 3 ? VS_SOLID : VS_REGION_CLASS;
       if (n->class_ == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
       break;
-    case VS_UNION: /* closed curves stay curves: who wants them filled makes regions of them */
+    case VS_UNION: /* closed curves remain curves: to fill them, a program makes regions */
       n->class_ = (uint8_t)family->together;
       if (family->together == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
       break;
@@ -248,7 +250,7 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   }
   bool same = child_count == 1 &&
               (kind == VS_TRANSFORM || kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE);
-  if (same) form = kept[0].node->form; /* only moved, or a set of one: the shape within */
+  if (same) form = kept[0].node->form; /* only moved, or a set of one: it has the form of the child */
   n->refs = 1;
   n->kind = (uint16_t)kind;
   n->class_ = VS_NOTHING;
@@ -311,7 +313,7 @@ static bool pairs_resize(vs_node_pairs *p, size_t room) {
   return true;
 }
 
-/* Adds the pair to a set; *new false: it was there. Only nodes with further references can come twice. */
+/* Adds the pair to a set; *new false: the set had it. Only nodes with several references can occur twice. */
 static bool pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
   if (set->count * 3 >= set->room * 2) {
     vs_node_pairs grown = { .store = set->store };
@@ -332,7 +334,7 @@ static bool pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
   return true;
 }
 
-/* Everything about two nodes but their children's insides */
+/* Compares all of two nodes except the contents of their children. */
 static bool node_alike(const vs_node *a, const vs_node *b) {
   return a->hash == b->hash && a->kind == b->kind && a->child_count == b->child_count && a->depth == b->depth &&
          vs_payload_equal(vs_kind_get((vs_kind)a->kind), vs_node_data(a), vs_node_data(b));

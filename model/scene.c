@@ -1,4 +1,4 @@
-/* Owns the drawing that a back-end is handed: its defaults and what it holds on to. */
+/* Owns the drawing that a back-end receives: its defaults and its references. */
 #include "model/scene.h"
 
 #include <string.h>

@@ -1,13 +1,13 @@
-/* Owns which threads handle signals: those of the host alone, because each thread that the library or the command
- * starts holds them back. A handler, which may use what the host's thread owns, then never runs beside that thread. */
+/* Owns the choice of threads that handle signals: only the host's, because each thread that the library or the command
+ * starts blocks them. A handler may use data of the host's thread, and so never runs beside that thread. */
 #ifndef VS_MODEL_SIGNALS_H
 #define VS_MODEL_SIGNALS_H
 
 #include <pthread.h>
 #include <signal.h>
 
-/* Holds back the signals that come from outside, for this thread and those that it starts, until *was is given back. A
- * fault of the program itself is not held back: a sanitizer or debugger reports it in any thread. */
+/* Blocks the signals from outside, for this thread and those that it starts, until *was is restored. Does not block a
+ * fault of the program itself: a sanitizer or debugger reports it in any thread. */
 static inline void vs_signals_hold(sigset_t *was) {
   static const int faults[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPROF };
   sigset_t outside;
@@ -18,7 +18,7 @@ static inline void vs_signals_hold(sigset_t *was) {
 
 static inline void vs_signals_release(const sigset_t *was) { pthread_sigmask(SIG_SETMASK, was, NULL); }
 
-/* Starts a thread as pthread_create does; signals do not reach it. */
+/* Starts a thread as pthread_create does; it receives no signals. */
 static inline int vs_thread_start(pthread_t *thread, const pthread_attr_t *how, void *(*run)(void *), void *context) {
   sigset_t was;
   vs_signals_hold(&was);

@@ -1,14 +1,14 @@
-/* Owns affine maps: products, inverses, and the turns, scalings and mirrors that the language makes of them.
+/* Owns affine maps: products, inverses, and the rotations, scalings and mirrors that the language makes of them.
  *
- * Quarter turns are exact: what a modeller writes as pi/2 must put a wall at x = 3, not at 3.0000000000000004. */
+ * Quarter turns are exact: an angle written as pi/2 must put a wall at x = 3, not at 3.0000000000000004. */
 #include "model/vec.h"
 
 static const double half_pi = 1.57079632679489661923;
 
 void vs_sincos(double angle, double *sine, double *cosine) {
   double quarters = nearbyint(angle / half_pi);
-  /* Sums and products such as 3*pi/4 + 3*pi/4 miss the nearest double by an ulp or two: those count as the multiple as
-   * well. */
+  /* Sums and products such as 3*pi/4 + 3*pi/4 miss the nearest double by an ulp or two: those count as the multiple,
+   * too. */
   if (fabs(quarters) < 1e9 && fabs(angle - quarters * half_pi) <= 4.5e-16 * fabs(angle)) {
     static const signed char sines[4] = { 0, 1, 0, -1 };
     int q = (int)fmod(quarters, 4);
@@ -95,7 +95,7 @@ bool vs_affine_invert(const vs_affine *a, vs_affine *out) {
 bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal) {
   vs_affine back;
   if (!vs_affine_invert(a, &back)) return false;
-  vs_vec3 n = *normal; /* normals go by the inverse transposed */
+  vs_vec3 n = *normal; /* normals transform by the inverse transposed */
   *normal = vs_v3(back.m[0][0] * n.x + back.m[1][0] * n.y + back.m[2][0] * n.z,
                   back.m[0][1] * n.x + back.m[1][1] * n.y + back.m[2][1] * n.z,
                   back.m[0][2] * n.x + back.m[1][2] * n.y + back.m[2][2] * n.z);
@@ -118,7 +118,7 @@ vs_affine vs_affine_translation(vs_vec3 v) {
   return (vs_affine){ { { 1, 0, 0, v.x }, { 0, 1, 0, v.y }, { 0, 0, 1, v.z } } };
 }
 
-/* The linear map l about the fixed point: p -> fixed + l (p - fixed). */
+/* Returns the linear map l about the fixed point: p -> fixed + l (p - fixed). */
 static vs_affine affine_about(vs_affine l, vs_vec3 fixed) {
   vs_vec3 moved = vs_affine_vector(&l, fixed);
   l.m[0][3] = fixed.x - moved.x;
@@ -136,7 +136,7 @@ vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle) {
   vs_affine r = { { { c + u.x * u.x * k, u.x * u.y * k - u.z * s, u.x * u.z * k + u.y * s, 0 },
                     { u.y * u.x * k + u.z * s, c + u.y * u.y * k, u.y * u.z * k - u.x * s, 0 },
                     { u.z * u.x * k - u.y * s, u.z * u.y * k + u.x * s, c + u.z * u.z * k, 0 } } };
-  /* c + (1 - c) may miss 1 by an ulp: about a world axis the entries are known */
+  /* c + (1 - c) may miss 1 by an ulp: about a world axis the entries are known. */
   if (fabs(u.x) == 1) r.m[0][0] = 1;
   if (fabs(u.y) == 1) r.m[1][1] = 1;
   if (fabs(u.z) == 1) r.m[2][2] = 1;
@@ -183,7 +183,7 @@ vs_bounds vs_bounds_transform(const vs_bounds *b, const vs_affine *a) {
   for (int i = 0; i < 3; i++) {
     low[i] = high[i] = a->m[i][3];
     for (int j = 0; j < 3; j++) {
-      if (a->m[i][j] == 0) continue; /* also where that side is endless */
+      if (a->m[i][j] == 0) continue; /* also if that side is infinite */
       double p = a->m[i][j] * lo[j], q = a->m[i][j] * hi[j];
       low[i] += fmin(p, q);
       high[i] += fmax(p, q);

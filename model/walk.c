@@ -1,4 +1,4 @@
-/* Owns the walk through a DAG by every path, on a stack of its own: 200,000 nested unions are as good as two. */
+/* Owns the walk through a DAG by every path, with an explicit stack: 200,000 nested unions work as well as two. */
 #include "model/walk.h"
 
 typedef struct { vs_ref ref; uint32_t next; } vs_walk_level;

@@ -8,8 +8,8 @@ typedef enum { VS_WALK_ENTER, VS_WALK_LEAVE, VS_WALK_DONE, VS_WALK_FAILED } vs_w
 typedef struct vs_walk vs_walk;
 vs_walk *vs_walk_new(vs_store *s, vs_ref root);
 vs_walk_event vs_walk_next(vs_walk *w, vs_ref *ref, size_t *depth); /* FAILED: out of memory */
-/* A node was entered. */
-void vs_walk_skip(vs_walk *w); /* after ENTER: do not go into this node's children (LEAVE still comes) */
+/* After ENTER: omits this node's children; LEAVE still follows. */
+void vs_walk_skip(vs_walk *w);
 void vs_walk_free(vs_walk *w);
 
 #endif

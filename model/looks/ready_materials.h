@@ -4,8 +4,9 @@
 
 #include "model/store/store.h"
 
-/* The material of a name: concrete, glass, ... or a CSS colour, or "#rrggbb". NULL: there is none, or out of memory. */
+/* Returns the material of a name: concrete, glass, ... or a CSS colour, or "#rrggbb". NULL: no material has that name,
+ * or memory is out. */
 const vs_material *vs_store_ready_material(vs_store *s, const char *name);
-const char *vs_ready_material_name(size_t i); /* those names one by one, NULL after the last */
+const char *vs_ready_material_name(size_t i); /* returns the name of that index, NULL after the last */
 
 #endif

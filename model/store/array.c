@@ -1,5 +1,5 @@
-/* Owns how far an array grows: to twice its room, to FIRST_ROOM elements, or to what is needed, whichever is largest.
- * An array that cannot grow stays as it was. */
+/* Owns the growth of arrays: to twice the room, to FIRST_ROOM elements, or to the number needed, the largest of these.
+ * An array that cannot grow remains unchanged. */
 #include "model/store/array.h"
 
 #include <stdint.h>

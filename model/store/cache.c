@@ -8,12 +8,12 @@
 
 typedef struct entry entry;
 struct entry {
-  vs_cached result; /* first: what is handed out */
+  vs_cached result; /* first: callers receive its address */
   entry *chain;     /* of the same bucket */
   entry *newer, *older;
   uint64_t hash, turn;
   size_t holders;
-  size_t own, bytes; /* of this block; with what its node brings along */
+  size_t own, bytes; /* of this block; with the memory of its node */
   vs_node *node;     /* retained, or NULL */
   size_t count;
   uint32_t kind;
@@ -27,7 +27,7 @@ struct vs_cache {
   entry *newest, *oldest;
   size_t limit;
   uint64_t turn, serial;
-  bool keeps, busy; /* busy: its own memory is being asked for */
+  bool keeps, busy; /* busy: the table or an entry is being allocated */
   vs_cache_stats stats;
 };
 
@@ -55,7 +55,7 @@ static void link_newest(vs_cache *c, entry *e) {
   c->newest = e;
 }
 
-/* Drops an entry that nobody holds. */
+/* Drops an entry that no caller holds. */
 static void drop(vs_cache *c, entry *e) {
   entry **at = &c->buckets[e->hash & (c->room - 1)];
   VS_ASSERT(e->holders == 0);
@@ -95,7 +95,7 @@ static uint64_t hash_of(const vs_cache_key *k) {
 static bool same(const entry *e, uint64_t hash, const vs_cache_key *k) {
   if (e->hash != hash || e->kind != k->kind || e->count != k->count || !e->node != !k->node) return false;
   if (k->count && memcmp(e->block, k->words, k->count * sizeof *k->words) != 0) return false;
-  /* memory ran out: not found, and so made again */
+  /* when memory is out the result is not found, and is made again */
   return e->node == k->node || (e->node->hash == k->node->hash && vs_node_equal(e->node, k->node, NULL));
 }
 
@@ -103,7 +103,7 @@ const vs_cached *vs_cache_find(vs_cache *c, const vs_cache_key *key) {
   if (!vs_cache_asks(c)) return NULL;
   uint64_t hash = hash_of(key);
   entry *e = c->room ? c->buckets[hash & (c->room - 1)] : NULL;
-  c->busy = true; /* comparing may ask for memory: nothing may go from under it */
+  c->busy = true; /* Comparing may allocate, and then no entry may be dropped. */
   while (e && !same(e, hash, key)) e = e->chain;
   c->busy = false;
   if (!e) return c->stats.misses[key->kind]++, NULL;
@@ -132,12 +132,12 @@ bool vs_cache_shrink(vs_cache *c, size_t bytes) {
   return c->stats.bytes < before;
 }
 
-/* Room for so many bytes more, made of what earlier turns left. */
+/* Makes room for so many more bytes by dropping entries of earlier turns. */
 static bool make_room(vs_cache *c, size_t bytes) {
   if (bytes > c->limit / 2) return false;
   for (entry *e = c->oldest, *next; e && c->stats.bytes > c->limit - bytes; e = next) {
     next = e->newer;
-    if (e->turn == c->turn) break; /* by last use: so are all that follow */
+    if (e->turn == c->turn) break; /* by last use: all that follow are of this turn, too */
     if (e->holders) continue;
     drop(c, e);
     c->stats.evicted++;
@@ -145,8 +145,8 @@ static bool make_room(vs_cache *c, size_t bytes) {
   return c->stats.bytes <= c->limit - bytes;
 }
 
-/* Sums the bytes of the node and of all nodes under it, which others may hold too. Returns false where they are
- * unknown, or too many to be worth counting. */
+/* Sums the bytes of the node and of all nodes below it, which others may hold too. Returns false if they are unknown,
+ * or too many to be worth counting. */
 static bool node_bytes(vs_node *n, size_t most, size_t *bytes) {
   *bytes = 0;
   if (!n) return true;
@@ -197,7 +197,7 @@ static entry *keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *p
   size_t size = 0, words = (key->count * sizeof *key->words + 15) & ~(size_t)15, held;
   for (size_t i = 0; i < count; i++) size += (pieces[i].size + 15) & ~(size_t)15;
   size_t own = sizeof(entry) + words + size;
-  /* tickets are the program's: nothing that outlives it may hold one */
+  /* A ticket belongs to the program: nothing that outlives the program may hold it. */
   if (key->node && key->node->flags & VS_NODE_SUGAR) return NULL;
   if (own > c->limit / 2 || !node_bytes(key->node, c->limit / 2, &held) || !make_room(c, own + held) || !grow(c))
     return NULL;
@@ -224,7 +224,7 @@ static entry *keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *p
 
 const vs_cached *vs_cache_keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *pieces, size_t count) {
   if (!vs_cache_keeps(c)) return NULL;
-  c->busy = true; /* asked to shrink for the sake of its own entry, it would not know where it stands */
+  c->busy = true; /* no shrinking while the new entry is allocated: its position in the table would be lost */
   entry *e = keep(c, key, pieces, count);
   c->busy = false;
   if (!e) return c->stats.refused++, NULL;

@@ -11,7 +11,7 @@ static inline void vs_disjoint(uint32_t *parent, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) parent[i] = i;
 }
 
-/* The root of x's set; halves the way there (Tarjan, van Leeuwen 1984). parent[x] is x or smaller. */
+/* Returns the root of x's set; halves the path to it (Tarjan, van Leeuwen 1984). parent[x] is x or smaller. */
 static inline uint32_t vs_find(uint32_t *parent, uint32_t x) {
   VS_ASSERT(parent[x] <= x);
   while (parent[x] != x) x = parent[x] = parent[parent[x]];
@@ -25,13 +25,14 @@ static inline void vs_unite(uint32_t *parent, uint32_t a, uint32_t b) {
   else parent[a] = b;
 }
 
-/* The same, where threads unite at the same time: the roots are the sets' smallest members whoever comes first. */
+/* The same for threads that unite at the same time: the roots are the sets' smallest members in any order of the
+ * unions. */
 static inline uint32_t vs_find_shared(_Atomic uint32_t *parent, uint32_t x) {
   for (;;) {
     uint32_t up = atomic_load_explicit(&parent[x], memory_order_relaxed);
     if (up == x) return x;
     uint32_t over = atomic_load_explicit(&parent[up], memory_order_relaxed);
-    /* some ancestor, whoever writes last */
+    /* The value is some ancestor, regardless of the order of writes. */
     if (over != up) atomic_store_explicit(&parent[x], over, memory_order_relaxed);
     x = over;
   }

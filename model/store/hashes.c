@@ -1,4 +1,4 @@
-/* Owns the hashes that what is interned is known by. */
+/* Owns the hashes by which interned values are found. */
 #include "model/store/hashes.h"
 
 #include <string.h>

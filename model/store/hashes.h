@@ -1,4 +1,4 @@
-/* Owns the hashes that what is interned is known by. */
+/* Owns the hashes by which interned values are found. */
 #ifndef VS_MODEL_STORE_HASHES_H
 #define VS_MODEL_STORE_HASHES_H
 

@@ -1,4 +1,4 @@
-/* Owns sorting that can be interrupted: runs by qsort, then merges, each asking whether to go on. */
+/* Owns sorting that can be interrupted: runs by qsort, then merges; each checks whether to continue. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,9 +9,9 @@ typedef int sort_compare(const void *, const void *);
 typedef struct { const char *at, *end; } sort_run;
 typedef struct { size_t size; sort_compare *compare; } sort_order; /* of elements of so many bytes */
 
-enum { RUN = 1 << 14, SORT_WORK = 1 << 6 /* what an element costs in a merge */, RUN_WORK = 1 << 20 };
+enum { RUN = 1 << 14, SORT_WORK = 1 << 6 /* the work for an element in a merge */, RUN_WORK = 1 << 20 };
 
-/* Merges two runs into one. False: interrupted. */
+/* Merges two runs into one. Returns false on an interrupt. */
 static bool sort_merge(vs_store *s, sort_run a, sort_run b, char *to, sort_order by, vs_error *e) {
   size_t size = by.size;
   for (; a.at < a.end || b.at < b.end; to += size) {

@@ -4,8 +4,8 @@
 
 #include "model/store/store.h"
 
-/* qsort that asks whether to go on; elements that compare as equal may stand in any order. False: out of memory, or
- * interrupted, and the order is any. */
+/* As qsort, but checks for interrupts; equal elements get any order. Returns false when memory is out, or on an
+ * interrupt; the order is then undefined. */
 bool vs_store_sort(vs_store *s, void *at, size_t count, size_t size, int (*compare)(const void *, const void *),
                    vs_error *e);
 

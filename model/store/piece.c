@@ -1,10 +1,9 @@
-/* Owns the small allocations of a store, nodes above all: pieces cut from slabs, and for each size a list of those
- * given back.
+/* Owns the small allocations of a store, mostly nodes: pieces cut from slabs, and for each size a list of free ones.
  *
- * A drawing of a million primitives is a million of them, so one costs a few instructions and no header. Slabs grow
- * with what there is, up to SLAB_MOST, and go when the last piece has gone (but one, for the next). Under a sanitizer
- * and in the stress build each piece is an allocation of its own, so that a use after its end, and a refusal anywhere,
- * shows. */
+ * A drawing of a million primitives is a million pieces, so one costs a few instructions and no header. Slabs grow with
+ * the number of pieces, up to SLAB_MOST, and are freed with their last piece (except one, for the next). Under a
+ * sanitizer and in the stress build each piece is a separate allocation, so that a use after free, and a refusal
+ * anywhere, is detected. */
 #include "model/store/piece.h"
 
 #include "model/store/store_inside.h"
@@ -42,7 +41,7 @@ static bool slab_add(vs_store *s, size_t least) {
   if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* the host may have huge pages for them */
   room -= sizeof(vs_slab);
   vs_slab *slab = s->alloc(s->context, NULL, 0, sizeof *slab + room);
-  /* what is left may be little */
+  /* little memory may be left: the next try is smaller */
   if (!slab && room > least) slab = s->alloc(s->context, NULL, 0, sizeof *slab + (room = least));
   if (!slab) return false;
   *slab = (vs_slab){ .next = s->slabs, .room = room };
@@ -64,7 +63,7 @@ void vs_store_slabs_free(vs_store *s) {
   s->slabs = NULL;
 }
 
-/* The last piece has gone. */
+/* Frees the slabs after the last piece. */
 static void slabs_empty(vs_store *s) {
   vs_slab *kept = s->slabs;
   memset(s->given_back, 0, sizeof s->given_back);

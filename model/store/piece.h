@@ -4,9 +4,9 @@
 
 #include "model/store/store.h"
 
-/* Freed with the size they were asked for. NULL: out of memory. */
+/* Returns a piece; NULL: out of memory. The caller frees it with the same size. */
 void *vs_store_piece(vs_store *s, size_t bytes);
-/* Its bytes are among those counted. */
+/* Frees a piece; its bytes are among those counted. */
 void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);
 
 void vs_store_slabs_free(vs_store *s); /* piece.c */

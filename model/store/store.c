@@ -1,7 +1,7 @@
-/* Owns the store: every byte that a model holds is allocated, counted and, in tests, refused here; texts, origins and
- * materials are interned here, so that equal ones are one address and a node may hold them without counting.
+/* Owns the store, which allocates, counts and, in tests, refuses every byte of a model. It interns texts, origins and
+ * materials, so that equal ones have one address and nodes hold them without counting.
  *
- * Interned things live in 16 KB blocks until the store goes: a session meets few different ones. A lookup costs a hash
+ * Interned values are in 16 KB blocks until the store is freed: a session has few different ones. A lookup costs a hash
  * and a probe. */
 #include "model/store/store.h"
 
@@ -114,7 +114,7 @@ static void *store_keep(vs_store *s, size_t size) {
     if (!b) return NULL;
     b->size = room;
     b->used = 0;
-    if (room == size && s->blocks) { /* a block of its own goes behind the one being filled */
+    if (room == size && s->blocks) { /* a large item's block goes after the one being filled */
       b->next = s->blocks->next;
       s->blocks->next = b;
     } else {
@@ -132,8 +132,8 @@ static void *store_keep(vs_store *s, size_t size) {
 typedef uint64_t vs_intern_hash_fn(const void *item);
 typedef bool vs_intern_same_fn(const void *item, const void *key);
 
-/* The slot that holds an equal item, or the empty one where it belongs; NULL: out of memory. The room is 0 or a power
- * of two. */
+/* Returns the slot with an equal item, or the empty slot for it; NULL: out of memory. The room is 0 or a power of
+ * two. */
 static void **intern_find(vs_store *s, vs_intern *t, uint64_t hash, const void *key, vs_intern_same_fn *same,
                           vs_intern_hash_fn *hash_of) {
   VS_ASSERT((t->room & (t->room - 1)) == 0);
@@ -189,7 +189,7 @@ uint64_t vs_text_hash(const char *interned) {
 }
 
 static uint64_t origin_hash(const void *item) {
-  const vs_origin *o = item; /* by address: only the table sees this hash, no output depends on it */
+  const vs_origin *o = item; /* by address: only the table uses this hash, no output depends on it */
   uint64_t h = vs_hash_mix((uintptr_t)o->file, (uint64_t)o->line << 32 | o->column);
   return vs_hash_mix(h, (uintptr_t)o->caller);
 }
