@@ -1,6 +1,6 @@
-/* Owns, for programs, the drawing as a value and the back-ends that they bring: the list of them, which the session
- * asks, and the call of one of their procedures, which is an evaluation of the run loop. The procedures themselves are
- * back_ends.scm's. */
+/* Owns, for programs, the drawing as a value and the list of the back-ends that programs define. The session searches
+ * the list, and calls a back-end's procedure as an evaluation of the run loop. back_ends.scm contains the procedures
+ * themselves. */
 #include "bind/back_ends.h"
 
 #include "bind/build.h"
@@ -62,7 +62,7 @@ static vs_status lower_triangles(vs_args *f, const vs_fineness *facets, vs_node 
 vs_status vs_p_lowered(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_bounds bounds;
-  /* a shadow becomes its outline before that becomes triangles */
+  /* The outline of a shadow is computed before its triangles. */
   bool worked_out = (f->arg[0].ref.node->flags & VS_NODE_UNRESOLVED) != 0;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
@@ -115,8 +115,8 @@ vs_status vs_p_back_end(vs_args *f, vs_value *out) {
   if (b->is_built_in && b->is_built_in(made.suffix))
     return vs_bind_refuse(f, "suffix", "an ending that no format has yet", f->arg[1].value);
   for (size_t i = 0; i < b->back_end_count; i++)
-    if (same_name(&b->back_ends[i], made.name)) return b->back_ends[i] = made, VS_OK; /* defined anew, as a file that is
-                                                                                       * loaded again does */
+    if (same_name(&b->back_ends[i], made.name)) return b->back_ends[i] = made, VS_OK; /* A file that is loaded again
+                                                                                       * defines the name again. */
   if (b->back_end_count == b->back_end_room) {
     size_t room = b->back_end_room ? 2 * b->back_end_room : 4;
     vs_bind_back_end *more =
@@ -130,12 +130,12 @@ vs_status vs_p_back_end(vs_args *f, vs_value *out) {
 
 /* ---- writing ---- */
 
-enum { HOST_WRITE = 3 }; /* where back_ends.scm put its procedure when the first was defined */
+enum { HOST_WRITE = 3 }; /* the place where back_ends.scm stores its procedure at the first definition */
 
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text,
                             size_t *bytes) {
   vs_scheme *vm = b->vm;
-  VS_ROOTS(vm, r, 4); /* procedure, name, objects, one of them and then the result */
+  VS_ROOTS(vm, r, 4); /* the procedure, the name, the list of objects, and one object, later the result */
   *text = NULL;
   r[0] = vs_as_vector(vm->at.host)->at[HOST_WRITE];
   r[2] = VS_NIL;

@@ -1,8 +1,8 @@
-/* Owns objects of users' kinds in C: their nodes and numbers, the rebuilding of a node with other children, and the way
- * into the drawing functions.
+/* Owns objects of users' kinds in C: their nodes and numbers, the rebuilding of a node with other children, and the
+ * calls of the drawing functions.
  *
- * A number's ticket is shared by all nodes that hold the number. When the last of them goes, the number joins those
- * that primitives.scm asks for, which then forgets what the objects were made with. */
+ * All nodes with the same number share a ticket. When the last of them is released, the number joins a list.
+ * primitives.scm takes numbers from the list, and forgets the arguments that the objects were made with. */
 #include "bind/custom.h"
 
 #include "bind/build.h"
@@ -14,7 +14,7 @@
 
 void vs_bind_ticket_gone(void *bind, uint32_t number) {
   vs_bind *b = bind;
-  if (number >= b->ticket_count || !b->tickets[number]) return; /* of another interpreter's tree */
+  if (number >= b->ticket_count || !b->tickets[number]) return; /* a ticket of another interpreter's tree */
   b->tickets[number] = NULL;
   if (b->gone_count < b->ticket_room) b->gone[b->gone_count++] = number;
 }
@@ -27,7 +27,7 @@ static bool tickets_grow(vs_bind *b, size_t need) {
   if (!tickets) return false;
   b->tickets = tickets;
   uint32_t *gone = vs_store_realloc(b->store, b->gone, old * sizeof *gone, room * sizeof *gone);
-  if (!gone) { /* the room is what both have: give back what one got */
+  if (!gone) { /* both arrays have the smaller room: the grown array is shrunk again */
     vs_ticket **less = vs_store_realloc(b->store, tickets, room * sizeof *tickets, old ? old * sizeof *tickets : 0);
     b->tickets = less;
     return false;
@@ -52,14 +52,14 @@ vs_status vs_p_custom_new(vs_args *f, vs_value *out) {
   b->tickets[number] = t;
   d.values = t;
   vs_node *n = vs_node_new(b->store, VS_CUSTOM, &d, child.node ? &child : NULL, child.node ? 1 : 0);
-  if (fresh) vs_ticket_release(b->store, t); /* the node holds it, or it is gone */
+  if (fresh) vs_ticket_release(b->store, t); /* the node holds the ticket, or the node could not be made */
   return vs_bind_give_node(f, n, out);
 }
 
-/* A number that no node holds any more, or #f. */
+/* Returns a number that no node holds any more, or #f. */
 vs_status vs_p_custom_gone(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
-  /* one that has been made again since */
+  /* skips numbers that have nodes again */
   while (b->gone_count && b->tickets[b->gone[b->gone_count - 1]]) b->gone_count--;
   *out = b->gone_count ? vs_fix(b->gone[--b->gone_count]) : VS_FALSE;
   return VS_OK;
@@ -77,7 +77,7 @@ vs_status vs_p_custom_open(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* The node itself, as a number: what is one node has one. */
+/* Returns a number for the node: equal for the same node. */
 vs_status vs_p_node_number(vs_args *f, vs_value *out) {
   *out = vs_fix((int64_t)((uintptr_t)f->arg[0].ref.node >> 3));
   return VS_OK;
@@ -95,8 +95,8 @@ static const char *class_noun(const vs_node *n) {
   return "a union of several kinds";
 }
 
-/* The same operation on other children, made where the old ones were. Placements, wrappers and unions take anything;
- * others what they had. */
+/* Returns the same operation on other children, with the origins of the old ones. Placements, wrappers and unions
+ * accept any children; other operations accept children of the old classes only. */
 vs_status vs_p_object_with(vs_args *f, vs_value *out) {
   const vs_ref *o = &f->arg[0].ref, *kids = f->arg[1].refs.at;
   const vs_node *n = o->node;
@@ -123,7 +123,7 @@ vs_status vs_p_object_with(vs_args *f, vs_value *out) {
   return s;
 }
 
-/* Says whether drawing functions are at work; returns what held before. */
+/* Sets whether drawing functions are running; returns the value before. */
 vs_status vs_p_handing(vs_args *f, vs_value *out) {
   *out = vs_bool(f->bind->handing);
   f->bind->handing = f->arg[0].value != VS_FALSE;
@@ -137,7 +137,7 @@ vs_status vs_p_is_format(vs_args *f, vs_value *out) {
 
 /* ---- at the hand-over ---- */
 
-enum { HOST_HAND_ON = 2 }; /* where primitives.scm put its procedure when the first function was registered */
+enum { HOST_HAND_ON = 2 }; /* the place where primitives.scm stores its procedure at the first registration */
 
 bool vs_bind_hands_on(const vs_bind *b) {
   vs_value all = b->vm->at.host;
@@ -146,7 +146,7 @@ bool vs_bind_hands_on(const vs_bind *b) {
 
 bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names) {
   vs_scheme *vm = b->vm;
-  VS_ROOTS(vm, r, 4); /* procedure, objects, names, one of either */
+  VS_ROOTS(vm, r, 4); /* the procedure, the objects, the names, and one object or name */
   r[0] = vs_as_vector(vm->at.host)->at[HOST_HAND_ON];
   r[1] = r[2] = VS_NIL;
   for (size_t i = count; i-- > 0;)

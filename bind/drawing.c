@@ -1,4 +1,4 @@
-/* Owns drawing, looks and view: what of the program's objects is shown, in which material, seen from where. */
+/* Owns drawing, looks and view: the objects that the program shows, their materials, and the camera. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -19,8 +19,8 @@
 
 /* ---- the drawing ---- */
 
-/* Is the node one of those that were drawn last? A few are looked at: a procedure that draws, and whose result is
- * drawn again, has just run. */
+/* Returns true if the node is among the last few that were drawn. A procedure that draws, and whose result is drawn
+ * again, makes such nodes. */
 static bool drawn_just_now(const vs_bind *b, size_t before, const vs_node *node) {
   enum { MOST = 16 };
   for (size_t i = before; i-- > 0 && before - i <= MOST;)
@@ -60,8 +60,8 @@ vs_status vs_p_draw(vs_args *f, vs_value *out) {
   return status;
 }
 
-/* A drawn object that is one of the objects, or equal to one, goes; an object that does not stand in the drawing is
- * an error. */
+/* Removes each drawn object that is one of the objects or equal to one. An object that is not in the drawing is an
+ * error. */
 vs_status vs_p_erase(vs_args *f, vs_value *out) {
   (void)out;
   vs_scene *scene = &f->bind->scene;
@@ -108,7 +108,7 @@ vs_status vs_p_with_material(vs_args *f, vs_value *out) {
   return around(f, VS_MATERIAL, &(struct vs_material){ .material = f->arg[0].material }, &f->arg[1], out);
 }
 
-/* a ready colour has a name of its own only where it is a material; color takes the colour alone */
+/* only a material keeps the name of a named colour; color takes the colour alone */
 vs_status vs_p_color(vs_args *f, vs_value *out) {
   return around(f, VS_MATERIAL, &(struct vs_material){ .material = f->arg[0].material }, &f->arg[1], out);
 }
@@ -127,7 +127,7 @@ vs_status vs_p_ghost(vs_args *f, vs_value *out) {
 }
 vs_status vs_p_only(vs_args *f, vs_value *out) { return around(f, VS_ONLY, &(struct vs_only){ 0 }, &f->arg[0], out); }
 
-/* A picture of a file on the surface. Its colour from afar is the material's, unless that was given. */
+/* Puts the picture of a file on the surface. Its mean colour becomes the material's, unless the call gave one. */
 static vs_status picture_of(vs_args *f, const vs_arg *image, bool colored, vs_material *m) {
   const char *shown;
   double mean[3];
@@ -137,7 +137,8 @@ static vs_status picture_of(vs_args *f, const vs_arg *image, bool colored, vs_ma
   return VS_OK;
 }
 
-/* The pattern's keywords, the five from k. The second colour is a darker shade of the first unless it is given. */
+/* Reads the pattern's five keywords, from k on. The second colour is a darker shade of the first unless the call gives
+ * it. */
 static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_material *m) {
   vs_material_pattern *p = &m->pattern;
   const double darker = 0.75;
@@ -158,7 +159,7 @@ static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_materi
 }
 
 vs_status vs_p_make_material(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* name color roughness metallic transparency ior, the pattern's four, and image */
+  const vs_arg *k = f->key; /* name color roughness metallic transparency ior, the pattern's four, image */
   vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5, { 0 } };
   if (k[0].given && !(m.name = vs_store_text(f->store, k[0].text.at, k[0].text.length)))
     return vs_fail_memory(f->vm);

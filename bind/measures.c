@@ -1,5 +1,5 @@
-/* Owns the measures of objects: volume, area, length, centroid, by formula where geometry has one, else of the
- * solid mesh that every back-end would write. */
+/* Owns the measures of objects: volume, area, length, centroid; by formula if geometry has one, otherwise by the solid
+ * mesh that every back-end writes. */
 #include "bind/measures.h"
 
 #include <stdlib.h>
@@ -65,7 +65,7 @@ bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out) {
   return false;
 }
 
-/* ---- what was worked out, kept: a program that runs again asks again ---- */
+/* ---- results kept for a program that runs again ---- */
 
 enum { SOLID_MEASURE /* and one for each vs_ask */ };
 
@@ -98,7 +98,7 @@ static vs_status measure_solid(vs_args *f, vs_measure *m, vs_ask ask) {
   return VS_OK;
 }
 
-/* a surface, or several: area and its centre, of fine triangles */
+/* Measures one or several surfaces: the area and its centre, by fine triangles. */
 static vs_status measure_surface(vs_args *f, vs_measure *m) {
   vs_error e = { 0 };
   vs_bounds b;
@@ -169,7 +169,7 @@ vs_status vs_p_area(vs_args *f, vs_value *out) {
   if (f->arg[0].ref.node->class_ != VS_CURVE && !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
   if (c == VS_NOTHING) return vs_bind_give_real(f, 0, out);
-  if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* taken as filled */
+  if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* a closed curve counts as filled */
     if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
     vs_node *region = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
     if (!vs_bind_keep(f, region)) return VS_ERROR;

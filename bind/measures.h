@@ -8,13 +8,14 @@
 
 typedef struct vs_args vs_args;
 
-/* For what works long in the layers below: polls; false: the condition is set. context is the vs_scheme */
+/* Polls during long work of the layers below; context is the vs_scheme. Returns false with the condition set. */
 bool vs_bind_keep_going(void *vm, double done);
-/* sections, shadows and edges in argument i become what they are in space */
+/* Replaces sections, shadows and edges in argument i by their geometry in space. */
 vs_status vs_bind_resolve(vs_args *f, int i);
-/* The bounds of argument i, which is finite and resolved, as (bounding-box o) tells them. False: the error is set. */
+/* Sets *out to the bounds that (bounding-box o) returns for argument i, which must be finite and resolved. Returns
+ * false with the error set. */
 bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out);
-/* Bounds around an object, those of the parts of what is cut; where they need its mesh, that is made. */
+/* Sets *out to bounds of an object. A cut object gets the bounds of its parts. Makes a mesh if the bounds need it. */
 bool vs_bind_bounds(vs_scheme *vm, vs_ref ref, vs_bounds *out, vs_error *e);
 
 #endif

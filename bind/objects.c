@@ -1,4 +1,4 @@
-/* Owns what Scheme sees of the model: objects (references to nodes) and paints (materials). */
+/* Owns the model's values in Scheme: objects (references to nodes) and paints (materials). */
 #include "bind/objects.h"
 
 #include "bind/origins.h"

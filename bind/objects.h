@@ -19,7 +19,8 @@ static inline vs_ref vs_bind_take_ref(vs_value v) {
 
 static inline bool vs_bind_is_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
 
-vs_status vs_bind_give_ref(vs_bind *b, vs_ref ref /* retained */, vs_value *out); /* with the place where it was made */
+vs_status vs_bind_give_ref(vs_bind *b, vs_ref ref /* retained */, vs_value *out); /* an object of this node and
+                                                                                   * origin */
 vs_status vs_bind_give_object(vs_bind *b, vs_node *node /* taken over; NULL: out of memory */, vs_value *out);
 
 #endif

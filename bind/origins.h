@@ -7,13 +7,14 @@
 
 typedef struct vs_bind vs_bind;
 
-/* Where the running native was called from, and its callers. NULL: not known (or out of memory: then nothing worse
- * happens). */
+/* Returns the place of the running native's call, with its callers. NULL: not known, or out of memory, which has no
+ * other effect. */
 const vs_origin *vs_bind_origin(vs_bind *b);
-/* A position's file as text of the store; NULL: nowhere, or one of the language's own sources: places in those are not
- * the user's business. */
+/* Returns the name of a position's file, a text of the store; NULL for no file, and for the language's own sources,
+ * which do not concern users. */
 const char *vs_bind_file_name(vs_bind *b, vs_pos place);
-bool vs_bind_is_library(vs_bind *b, uint32_t file); /* is the file of this number one of those sources? */
-uint32_t vs_bind_file_count(vs_scheme *vm); /* files that have a number */
+bool vs_bind_is_library(vs_bind *b, uint32_t file); /* returns true if the file of this number is one of those
+                                                     * sources */
+uint32_t vs_bind_file_count(vs_scheme *vm); /* the number of files that have a number */
 
 #endif

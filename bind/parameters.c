@@ -46,7 +46,7 @@ bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum) {
   return true;
 }
 
-/* the value's text, as the host sees it; NULL: error set */
+/* Returns the value's text for the host; NULL: the error is set. */
 static const char *written(vs_args *f, vs_value v) {
   vs_text t;
   const char *text = NULL;
@@ -76,15 +76,15 @@ static const char *type_name(vs_bind_parameter_type t) {
   return "one datum";
 }
 
-/* set: the value is the command line's and so is the fault (exit 2); the report then shows the definition's place as a
- * note. */
+/* Refuses a value. If the command line set it, the fault is the command line's (exit 2), and the report shows the
+ * definition's place as a note. */
 static vs_status wrong(vs_args *f, bool set, const char *name, const char *must, const char *got) {
   f->bind->bad_parameter = set;
   return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s, got %s", name,
                     must, got);
 }
 
-/* (xyz x y z) or (xy x y), as it was read, becomes the point. False: it is none. */
+/* Reads (xyz x y z) or (xy x y), as the reader returned it, as a point. Returns false if the list is no point. */
 static bool point_setting(const vs_args *f, const char *datum, vs_value list, double xyz[3]) {
   const char *name = datum + strspn(datum, " (");
   size_t length = strcspn(name, " ()"), count = 0;
@@ -95,13 +95,14 @@ static bool point_setting(const vs_args *f, const char *datum, vs_value list, do
   return list == VS_NIL && count == length && isfinite(xyz[0]) && isfinite(xyz[1]) && isfinite(xyz[2]);
 }
 
-/* The setting as a value like the default: exact stays exact, a real takes any number, a string is the bare text. */
+/* Sets *out to the setting as a value of the default's kind: an exact default needs an exact number, a real one takes
+ * any number, a string takes the bare text. */
 static vs_status read_setting(vs_args *f, const char *name, const char *datum, vs_value like, vs_value *out) {
   vs_bind_parameter_type t = type_of(like);
   if (t == VS_P_STRING) return vs_string_from_utf8(f->vm, datum, strlen(datum), out);
   size_t bytes = strlen(datum), used = 0;
   bool point = vs_is_flat(like, VS_FLAT_POINT);
-  VS_ROOTS(f->vm, kept, 1); /* reading may move the default */
+  VS_ROOTS(f->vm, kept, 1); /* the reader may move the default */
   kept[0] = like;
   if (!vs_read_datum(f->vm, datum, bytes, out, &used)) {
     VS_ROOTS(f->vm, r, 1);
@@ -188,11 +189,11 @@ static void set_range(vs_args *f, vs_bind_parameter *p, double d) {
            : k[KEY_MAX].given && k[KEY_MAX].real <= 0 ? 2 * fmin(d, k[KEY_MAX].real)
                                                       : fmin(0, 2 * d);
   p->max = k[KEY_MAX].given ? k[KEY_MAX].real : fmax(fmax(0, 2 * d), p->min);
-  if (p->max == p->min && !k[KEY_MIN].given && !k[KEY_MAX].given) p->max = p->min + 1; /* a default of 0 */
+  if (p->max == p->min && !k[KEY_MIN].given && !k[KEY_MAX].given) p->max = p->min + 1; /* the default is 0 */
   p->step = k[KEY_STEP].given ? k[KEY_STEP].real : p->type == VS_P_INTEGER ? 1 : 0;
 }
 
-/* a definition made again (in the REPL) takes the place of the first */
+/* Keeps the parameter. A second definition (at the prompt) replaces the first. */
 static vs_status keep(vs_args *f, const vs_bind_parameter *p) {
   vs_bind *b = f->bind;
   for (size_t i = 0; i < b->parameter_count; i++)
@@ -244,7 +245,7 @@ static vs_status define(vs_args *f, vs_bind_parameter *p, vs_value *value, vs_va
   return keep(f, p);
 }
 
-/* (%define-parameter 'name default #:min ...): the value to define the name with */
+/* (%define-parameter 'name default #:min ...): returns the value for the name. */
 vs_status vs_p_parameter(vs_args *f, vs_value *out) {
   vs_bind_parameter p = { 0 };
   VS_ROOTS(f->vm, r, 2);

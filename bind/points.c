@@ -1,5 +1,5 @@
-/* Owns points, gvectors, axes, planes and matrices as the language makes, takes apart and combines them; and the
- * sequences of numbers and points that fill a range, a line or an arc. */
+/* Owns points, gvectors, axes, planes and matrices: their construction, parts and arithmetic; and sequences of numbers,
+ * or of points on a line or an arc. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -15,12 +15,12 @@ static vs_vec3 polar(double rho, double phi, double z) {
   vs_sincos(phi, &s, &c);
   return vs_v3(rho * c, rho * s, z);
 }
-static vs_vec3 spherical(double rho, double phi, double psi) { /* psi from +Z */
+static vs_vec3 spherical(double rho, double phi, double psi) { /* psi is the angle from +Z */
   double s, c;
   vs_sincos(psi, &s, &c);
   return polar(rho * s, phi, rho * c);
 }
-/* what stands in f's arguments from number i on, by the four systems */
+/* return the point that f's arguments from number i on give, in the four coordinate systems */
 static vs_vec3 cartesian_at(const vs_args *f, int i) { return vs_v3(X(i), X(i + 1), X(i + 2)); }
 static vs_vec3 polar_at(const vs_args *f, int i) { return polar(X(i), X(i + 1), 0); }
 static vs_vec3 cylindrical_at(const vs_args *f, int i) { return polar(X(i), X(i + 1), X(i + 2)); }
@@ -92,7 +92,7 @@ vs_status vs_p_v_over_r(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, vs_v3(P(0).x / X(1), P(0).y / X(1), P(0).z / X(1)), out);
 }
 
-static vs_vec3 unit(vs_vec3 v) { /* scaled first: no overflow, no underflow */
+static vs_vec3 unit(vs_vec3 v) { /* scaled first, against overflow and underflow */
   double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
   v = vs_v3(v.x / most, v.y / most, v.z / most);
   double l = vs_v3_length(v);
@@ -119,8 +119,8 @@ vs_status vs_p_intermediate_point(vs_args *f, vs_value *out) {
   return vs_bind_give_point(f, between(P(0), P(1), X(2)), out);
 }
 
-/* Two numbers, or two of a kind: numbers, axes, planes and matrices by their largest difference, points and gvectors by
- * how far they are apart */
+/* Compares two numbers, or two values of one kind: numbers, axes, planes and matrices by their largest difference,
+ * points and gvectors by their distance. */
 vs_status vs_p_near(vs_args *f, vs_value *out) {
   double tolerance = f->arg[2].given ? X(2) : 1e-9, apart = 0;
   vs_value a = f->arg[0].value, b = f->arg[1].value;
@@ -214,9 +214,9 @@ vs_status vs_p_matrix_inverse(vs_args *f, vs_value *out) {
   return vs_bind_give_matrix(f, &inverse, out);
 }
 
-/* ---- sequences: those that take procedures are in geometry.scm ---- */
+/* ---- sequences: geometry.scm has those that take procedures ---- */
 
-/* A list of n values by make(f, i), built from the end so that it is in order. */
+/* Returns a list of n values made by make(f, i), built from its end. */
 static vs_status listed(vs_args *f, int64_t n, vs_status (*make)(vs_args *, int64_t i, vs_value *out),
                         vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
@@ -229,7 +229,7 @@ static vs_status listed(vs_args *f, int64_t n, vs_status (*make)(vs_args *, int6
   return VS_OK;
 }
 
-/* a + (b - a) i / n; exact where a and b are, so that (enumerate 0 4 4) is (0 1 2 3) */
+/* Returns a + (b - a) i / n, exact if a and b are: (enumerate 0 4 4) is (0 1 2 3). */
 static vs_status part(vs_args *f, int64_t i, int64_t n, vs_value *out) {
   vs_value a = f->arg[0].value, b = f->arg[1].value;
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
@@ -257,7 +257,7 @@ static vs_status on_line(vs_args *f, int64_t i, vs_value *out) {
 }
 vs_status vs_p_line_sequence(vs_args *f, vs_value *out) { return listed(f, f->arg[2].integer, on_line, out); }
 
-/* the point at horizontal distance h and height v from p, in the vertical plane at azimuth phi */
+/* Returns the point at horizontal distance h and height v from p, in the vertical plane at azimuth phi. */
 static vs_status raised(vs_args *f, double h, double v, vs_value *out) {
   double s, c;
   vs_vec3 p = f->arg[0].point;
@@ -274,9 +274,9 @@ static vs_status on_arc(vs_args *f, int64_t i, vs_value *out) {
 }
 vs_status vs_p_arc_sequence(vs_args *f, vs_value *out) { return listed(f, f->arg[5].integer, on_arc, out); }
 
-/* Equal steps of the sine. Its inverse is the zenith angle in the half turn [(k - 1/2) pi, (k + 1/2) pi] that both ends
- * lie in; elsewhere two points of the arc are above each other and the height would be ambiguous: there the cosine
- * takes the sign of the middle of the arc. */
+/* Divides the arc in equal steps of the sine. The zenith angle of a step is the inverse sine in the half turn [(k -
+ * 1/2) pi, (k + 1/2) pi] that contains both ends. If no half turn does, some points of the arc lie above each other and
+ * their height is ambiguous: the cosine then takes its sign from the middle of the arc. */
 static vs_status on_arc_horizontally(vs_args *f, int64_t i, vs_value *out) {
   double s0, c0, s1, c1, sm, cm, t = fraction(i, f->arg[5].integer);
   vs_sincos(X(3), &s0, &c0), vs_sincos(X(4), &s1, &c1), vs_sincos((X(3) + X(4)) / 2, &sm, &cm);

@@ -1,5 +1,5 @@
-/* Owns the text of an object: the expression that makes it, from the field table of prims.def; iterative, so the depth
- * is no matter. */
+/* Owns the text of an object: the expression that makes it, by the field table of prims.def. It uses an explicit stack,
+ * so trees may be deep. */
 #include "bind/print.h"
 
 #include "model/store/array.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 void vs_bind_number_text(char out[32], double d) {
-  if (d == 0) d = 0; /* no -0 */
+  if (d == 0) d = 0; /* -0 becomes 0 */
   for (int digits = 15; digits <= 17; digits++) {
     snprintf(out, 32, "%.*g", digits, d);
     if (strtod(out, NULL) == d) return;
@@ -54,7 +54,7 @@ static bool rows(const sink *k, const vs_points *p, size_t columns) {
   return text(k, "))");
 }
 
-static bool faces(const sink *k, const vs_faces *f) { /* indices from 1, as the constructor takes them */
+static bool faces(const sink *k, const vs_faces *f) { /* writes indices from 1, as the constructor takes them */
   if (!text(k, "'(")) return false;
   for (uint32_t i = 0; i < f->count; i++) {
     if (!text(k, i ? " (" : "(")) return false;
@@ -79,7 +79,7 @@ static bool material(const sink *k, const vs_material *m) {
          number(k, m->blue) && text(k, ")");
 }
 
-/* the fields that follow the children, or come before them where there are none */
+/* Writes a field that follows the children; if there are none, it comes first. */
 static bool field(const sink *k, const vs_field_info *f, const void *data) {
   const char *at = (const char *)data + f->offset;
   switch (f->type) {
@@ -105,7 +105,7 @@ static const vs_field_info *find(const vs_node *n, const char *argument) {
   return NULL;
 }
 
-/* " field" for each of the fields named; segments only where given, as a keyword */
+/* Writes " field" for each of the named fields; segments only if given, as a keyword. */
 static bool named(const sink *k, const vs_node *n, const char *const *names) {
   for (; *names; names++) {
     const vs_field_info *f = find(n, *names);
@@ -116,7 +116,7 @@ static bool named(const sink *k, const vs_node *n, const char *const *names) {
          (text(k, " #:segments ") && field(k, s, vs_node_data(n)));
 }
 
-/* "(make-NAME", with the fields in the table's order and segments only where given */
+/* Writes "(make-NAME" with the fields in the table's order; segments only if given. */
 static bool by_row(const sink *k, const vs_node *n) {
   const vs_kind_info *i = vs_kind_get((vs_kind)n->kind);
   if (!text(k, "(make-") || !text(k, i->name)) return false;
@@ -131,7 +131,7 @@ static bool half_space(const sink *k, const struct vs_half_space *h) {
          triple(k, "vxyz", h->normal) && text(k, ")");
 }
 
-/* rows of heights over the rectangle of the first and the last point */
+/* Writes the rows of heights over the rectangle from the first to the last point. */
 static bool height_field(const sink *k, const struct vs_height_field *h) {
   const vs_points *p = h->points;
   if (!text(k, "(make-height-field '(")) return false;
@@ -148,7 +148,7 @@ static bool grid_ways(const sink *k, bool closed_u, bool closed_v) {
 
 static bool is_moved(const vs_affine *m) { return vs_affine_is_translation(m); }
 
-/* "(make-text" with the keywords that are not what they are anyway */
+/* Writes "(make-text" with the keywords that differ from their defaults. */
 static bool letters(const sink *k, const vs_node *n) {
   const struct vs_letters *t = VS_AS(letters, n);
   bool ok = text(k, "(make-text") && named(k, n, (const char *const[]){ "p", "size", "string", NULL });
@@ -159,7 +159,7 @@ static bool letters(const sink *k, const vs_node *n) {
   return ok;
 }
 
-/* "(make-sphere" and what stands before the children */
+/* Writes "(make-sphere" and the fields before the children. */
 static bool opening(const sink *k, const vs_node *n) {
   const char *name = vs_kind_get((vs_kind)n->kind)->name;
   static const char *const none[] = { NULL };
@@ -193,7 +193,7 @@ static bool opening(const sink *k, const vs_node *n) {
       return text(k, "(hull") &&
              (!VS_AS(hull, n)->points->count || named(k, n, (const char *const[]){ "points", NULL }));
     case VS_SLICE: return text(k, "(do-slice");
-    case VS_DEFORM: { /* scopes look to -Y, and their y is Z */
+    case VS_DEFORM: { /* scopes face -Y, and their y is Z */
       const struct vs_deform *d = VS_AS(deform, n);
       const vs_vec3 corner[8] = { d->c010, d->c110, d->c011, d->c111, d->c000, d->c100, d->c001, d->c101 };
       bool ok = text(k, "(scope-place (make-ffd-scope");
@@ -222,7 +222,7 @@ static bool opening(const sink *k, const vs_node *n) {
     case VS_NATIVE:
       return text(k, "(native '") && text(k, VS_AS(native, n)->target) &&
              named(k, n, (const char *const[]){ "text", NULL }) && text(k, " #:otherwise");
-    case VS_CUSTOM: return text(k, VS_AS(custom, n)->made); /* what it stands for is not shown */
+    case VS_CUSTOM: return text(k, VS_AS(custom, n)->made); /* the object that it was replaced by is not printed */
     case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: return text(k, "(") && text(k, name);
     case VS_LAYER: return text(k, "(layer") && named(k, n, (const char *const[]){ "name", NULL });
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return text(k, "(") && text(k, name);
@@ -231,7 +231,7 @@ static bool opening(const sink *k, const vs_node *n) {
   return text(k, "(make-") && text(k, name);
 }
 
-/* what stands after the children, and the closing parenthesis */
+/* Writes the fields after the children, and the closing parenthesis. */
 static bool closing(const sink *k, const vs_node *n) {
   if (n->kind == VS_CUSTOM) return true;
   if (n->kind == VS_EXTRUDE) {
@@ -292,7 +292,8 @@ static bool closing(const sink *k, const vs_node *n) {
   return text(k, ")");
 }
 
-/* Before a child: where a guided loft's sections end, their list does, and that of the guides begins. */
+/* Writes the text before a child. After the last section of a guided loft, it ends the list of sections and begins that
+ * of the guides. */
 enum { GUIDES = 1 << 30 };
 static bool between(const sink *k, uint32_t *left) {
   if (!*left || --*left & (GUIDES - 1)) return true;
@@ -302,12 +303,12 @@ static bool between(const sink *k, uint32_t *left) {
 }
 
 bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, size_t n), void *to) {
-  enum { MOST = 20000 }; /* a shared tree can be exponentially long when written out */
+  enum { MOST = 20000 }; /* the written text of a shared tree can be exponentially long */
   sink k = { put, to };
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_ref ref;
   size_t depth, printed = 0;
-  /* at each depth: sections that a guided loft still has, and one */
+  /* at each depth: the number of sections that a guided loft has yet to write, plus 1 */
   uint32_t *left = vs_zeros((size_t)n->depth + 1, sizeof *left);
   bool ok = w != NULL && left != NULL;
   while (ok) {

@@ -5,6 +5,6 @@
 #include "model/node.h"
 
 bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, size_t n), void *to);
-void vs_bind_number_text(char out[32], double d); /* shortest that reads back; integers without a point */
+void vs_bind_number_text(char out[32], double d); /* the shortest text that reads back as d; integers have no point */
 
 #endif

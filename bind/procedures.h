@@ -1,9 +1,9 @@
 /* Owns the interface of procedures.c: the tables of procedures, their natives, and the native that runs them.
  *
  * Plan. procedures.def lists every procedure with the forms of its arguments. All of them are one C native,
- * vs_bind_enter: it finds the row of the running native; call/contract.c picks the form, checks and converts the
- * arguments and calls the row's C function with plain C data. Therefore no constructor tests anything that its row
- * already says. */
+ * vs_bind_enter, which finds the row of the running native. call/contract.c chooses the form, checks and converts the
+ * arguments, and calls the row's C function with plain C data. Therefore no constructor repeats a check that its row
+ * states. */
 #ifndef VS_BIND_PROCEDURES_H
 #define VS_BIND_PROCEDURES_H
 
@@ -14,12 +14,12 @@ typedef struct vs_args vs_args;
 typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 
 extern const vs_procedure vs_bind_procedures[];
-extern const vs_native_def vs_bind_defs[]; /* of the same order; an entry without a name ends them */
+extern const vs_native_def vs_bind_defs[]; /* in the same order; an entry without a name ends them */
 extern const vs_native_table vs_bind_table;
 
 vs_native_fn vs_bind_enter;
 
-/* every C function that procedures.def names */
+/* the C functions of procedures.def */
 #define PROC(id, name, fn, doc, forms, keys) vs_procedure_fn fn;
 #define PROCS(id, name, signature, fn, doc, forms, keys) vs_procedure_fn fn;
 #include "bind/procedures.def"

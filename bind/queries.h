@@ -1,4 +1,4 @@
-/* Owns the interface of queries.c: what a program can ask of an object. */
+/* Owns the interface of queries.c: the questions of a program about an object. */
 #ifndef VS_BIND_QUERIES_H
 #define VS_BIND_QUERIES_H
 
@@ -6,7 +6,7 @@
 
 typedef struct vs_args vs_args;
 
-/* argument i, an object, has an end; else the error says what to do */
+/* Checks that argument i, an object, is finite; the error says how to bound it. */
 vs_status vs_bind_finite(vs_args *f, int i);
 
 #endif

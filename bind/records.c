@@ -1,4 +1,4 @@
-/* Owns the flat record types of the language: which there are, how they print, which arithmetic they have. */
+/* Owns the flat record types of the language, with their printing and arithmetic. */
 #include "bind/records.h"
 
 #include "bind/functions/function_values.h"
@@ -14,7 +14,7 @@ static const vs_flat_type types[] = {
 
 enum { NUMBER = 0, P = VS_FLAT_POINT, V = VS_FLAT_VECTOR };
 
-/* what + - * / take besides numbers; all else is an error that names both kinds */
+/* The operands that + - * / accept besides numbers. Any other pair is an error that names both kinds. */
 static const struct { uint8_t op, left, right, rule, result;
 } arithmetic[] = {
   { VS_OP_ADD, P, V, VS_RULE_ADD, P },      { VS_OP_ADD, V, P, VS_RULE_ADD, P },
@@ -25,7 +25,7 @@ static const struct { uint8_t op, left, right, rule, result;
   { VS_OP_DIV, V, NUMBER, VS_RULE_DIV, V },
 };
 
-/* procedures that run as one opcode */
+/* procedures that run as a single opcode */
 static const struct { const char *name; uint8_t kind, left, right, result; } binary[] = {
   { "v+v", VS_FLAT_PLUS, V, V, V },
   { "v-v", VS_FLAT_MINUS, V, V, V },
@@ -48,7 +48,7 @@ void vs_bind_flat_rules(vs_flat_rules *r) {
     r->at[arithmetic[i].op][arithmetic[i].left][arithmetic[i].right].tag = arithmetic[i].result;
   }
   for (int op = 0; op < VS_OP_COUNT; op++)
-    for (int k = 1; k < 4; k++) /* intervals with each other and with numbers */
+    for (int k = 1; k < 4; k++) /* intervals combine with each other and with numbers */
       r->at[op][k & 1 ? VS_FLAT_INTERVAL : NUMBER][k & 2 ? VS_FLAT_INTERVAL : NUMBER].rule = VS_RULE_CALL;
   r->maker[r->makers].name = "xyz", r->maker[r->makers].tag = P, r->maker[r->makers++].n = 3;
   r->maker[r->makers].name = "vxyz", r->maker[r->makers].tag = V, r->maker[r->makers++].n = 3;

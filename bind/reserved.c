@@ -1,4 +1,4 @@
-/* Owns the answer of names that are taken and not there yet. */
+/* Owns the errors of names that the language reserves for later. */
 #include "bind/reserved.h"
 
 #include "vm/machine/activation.h"

@@ -1,4 +1,4 @@
-/* Owns the interface of reserved.c: the answer of names that are taken and not there yet. */
+/* Owns the interface of reserved.c: the errors of names that the language reserves. */
 #ifndef VS_BIND_RESERVED_H
 #define VS_BIND_RESERVED_H
 

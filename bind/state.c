@@ -1,5 +1,5 @@
-/* Owns the life of what bind/ keeps besides the heap, and the rule of what a file's model is: what it drew, else what
- * its top-level expressions returned. */
+/* Owns the life of bind/'s data outside of the heap, and the rule for a file's model: the objects that it drew,
+ * otherwise the values of its top-level expressions. */
 #include "bind/state.h"
 
 #include "bind/back_ends.h"
@@ -34,7 +34,7 @@ static void forget_returned(vs_bind *b) {
   b->drawn_last = b->drawn_away = NULL;
 }
 
-/* Forgets the traces that one run of a program leaves behind. */
+/* Forgets the data of one run of a program. */
 static void forget_run(vs_bind *b) {
   vs_store *s = b->store;
   forget_returned(b);
@@ -82,7 +82,7 @@ void vs_bind_close(vs_bind *b) {
   *b = (vs_bind){ 0 };
 }
 
-/* the objects go; camera, sun and the like stay as they were set */
+/* Removes the objects; camera, sun and the like keep their settings. */
 void vs_bind_clear_drawing(vs_bind *b) {
   for (size_t i = 0; i < b->scene.drawn_count; i++) vs_node_release(b->scene.drawn[i].node);
   b->scene.drawn_count = 0;
@@ -91,7 +91,7 @@ void vs_bind_clear_drawing(vs_bind *b) {
 }
 
 static bool remember(vs_bind *b, vs_ref ref, bool shown) {
-  if (ref.node->flags & VS_NODE_ENDLESS) { /* no drawing holds it */
+  if (ref.node->flags & VS_NODE_ENDLESS) { /* a drawing cannot contain it */
     if (!shown && b->warn) b->warn(b->warn_context, ref.origin, VS_ENDLESS_MESSAGE);
     return true;
   }
@@ -108,7 +108,7 @@ static bool remember(vs_bind *b, vs_ref ref, bool shown) {
   return true;
 }
 
-/* A list counts when all in it are objects: other lists are the program's own data. */
+/* A list counts if all its elements are objects. Other lists are the program's own data. */
 bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   if (b->away) return true;
   vs_ref one = vs_bind_take_ref(v);
@@ -125,8 +125,8 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   return ok;
 }
 
-/* Was it drawn too, then or later, itself or as a part? Only the first is looked for: a part drawn alone is rare. (draw
- * a list) draws its objects and returns their union. */
+/* Returns true if the node was drawn by itself, or if it is a union of which each child was drawn: (draw a list) draws
+ * the objects of the list and returns their union. A part drawn alone is not found, which is rare. */
 static bool drawn(const vs_nodemap *all, const vs_node *n) {
   if (vs_nodemap_get(all, n)) return true;
   if (n->kind != VS_UNION) return false;
@@ -138,9 +138,9 @@ static bool drawn(const vs_nodemap *all, const vs_node *n) {
 bool vs_bind_finish(vs_bind *b) {
   vs_bind_tell_dropped(b);
   if (!b->drew) return true;
-  if (b->away) return false; /* the drawing is a node's */
+  if (b->away) return false; /* the drawing belongs to a node */
   vs_nodemap all = { .store = b->store };
-  bool known = b->returned_count > 0; /* without memory for the question the warnings are left out */
+  bool known = b->returned_count > 0; /* when memory for the test is out, there are no warnings */
   for (size_t i = 0; known && i < b->scene.drawn_count; i++)
     known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
   for (size_t i = 0; known && i < b->returned_count; i++)
@@ -151,7 +151,7 @@ bool vs_bind_finish(vs_bind *b) {
   return false;
 }
 
-/* ---- counting: sums, one per shared node, so that a DAG costs what it has nodes ---- */
+/* ---- counting: one sum for each shared node, so that a DAG costs its number of nodes ---- */
 
 static bool is_transparent(const vs_node *n) {
   return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
@@ -160,7 +160,7 @@ static bool is_transparent(const vs_node *n) {
 static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, const vs_bind_counts *sums) {
   vs_bind_counts c = { 0 };
   if (n->class_ == VS_NOTHING) {
-    c.all = n->kind == VS_NATIVE; /* text for one program: something that others have no class for */
+    c.all = n->kind == VS_NATIVE; /* native text: an object for one target program, without a class in others */
     return c;
   }
   if (!is_transparent(n)) {
@@ -209,7 +209,7 @@ bool vs_bind_count(vs_ref ref, vs_bind_counts *out) {
   return ok;
 }
 
-/* ---- what geometry.scm leaves for C: parameter objects ---- */
+/* ---- parameter objects of geometry.scm ---- */
 
 enum { HOST_VALUES = 6 };
 
@@ -233,7 +233,7 @@ vs_status vs_p_warn(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%reserved name instead): a name that is taken and not there yet, as syntax, which geometry.scm defines */
+/* (%reserved name instead): raises the error of a reserved name, for the syntax that geometry.scm defines. */
 vs_status vs_p_reserved(vs_args *f, vs_value *out) {
   (void)out;
   return vs_fail_at(f->vm, f->vm->sym.unbound, vs_call_place(f->vm), VS_NIL,

@@ -1,10 +1,10 @@
-/* Owns telling what a program made and threw away: objects that a body made before its last expression, or that stood
+/* Owns warnings of objects that a program makes and throws away: objects from a body's expression before its last, or
  * at the top of a file that draws others.
  *
- * The run loop hands over each object that an expression before a body's last one gave, of a list the first. An object
- * that `draw` has just given back is nothing of note; of the rest the first at each place is kept, for a few places,
- * and looked for at the end of the evaluation: a program may have put it into a list of its own, and what is part of
- * the model in the end was not thrown away. */
+ * The run loop passes each object that such an expression of a body gave; from a list, the first. The result of the
+ * last `draw` does not count. Of the others, the first at each place is kept, for a limited number of places. At the
+ * end of the evaluation, the model is searched for them: the program may have put them into a list of its own, and an
+ * object that became part of the model was not thrown away. */
 #include "bind/thrown.h"
 
 #include "bind/objects.h"
@@ -46,7 +46,7 @@ void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origi
           : "this object is made and thrown away: others are drawn, this one is not; unite them, or (draw ...) it too");
 }
 
-/* Takes from `left` what is found below the root. */
+/* Removes from `left` the objects that are at or below the root. */
 static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, size_t *count) {
   vs_walk *w = vs_walk_new(b->store, root);
   vs_ref at;
@@ -73,7 +73,7 @@ static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, si
 void vs_bind_tell_dropped(vs_bind *b) {
   size_t count = b->dropped_count;
   if (count == 0) return;
-  /* without memory for the question the warnings are left out */
+  /* when memory for the test is out, there are no warnings */
   bool left[sizeof b->dropped / sizeof *b->dropped], ok = true;
   for (size_t i = 0; i < count; i++) left[i] = true;
   vs_nodemap seen = { .store = b->store };

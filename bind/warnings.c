@@ -1,4 +1,4 @@
-/* Owns warnings: each is given once a place. */
+/* Owns warnings: each is given once for each place. */
 #include "bind/warnings.h"
 
 #include <stdarg.h>
@@ -8,7 +8,7 @@
 #include "bind/origins.h"
 #include "bind/state.h"
 
-/* true when this place has been told so already; false also when it cannot be remembered */
+/* Returns true if the warning was given before. Returns false also when memory for its key is out. */
 static bool told(vs_bind *b, uint64_t key) {
   if (!key) key = 1;
   if (2 * b->told_count >= b->told_room) {
@@ -33,7 +33,7 @@ static bool told(vs_bind *b, uint64_t key) {
 }
 
 bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind) {
-  /* the place, whoever called it */
+  /* the place, regardless of its callers */
   uint64_t key = o ? ((uint64_t)o->line << 20 | o->column) ^ (uint64_t)(uintptr_t)o->file : 0;
   for (const char *c = kind; *c; c++) key = (key ^ (unsigned char)*c) * UINT64_C(0x100000001B3);
   key ^= key >> 31;
