@@ -1,4 +1,4 @@
-/* Owns the interface of the converters, convert_*.c: a row's converter turns one argument into C data. */
+/* Owns the interface of the converters, convert_*.c. The converter of a row turns one argument into C data. */
 #ifndef VS_BIND_CALL_CONVERT_H
 #define VS_BIND_CALL_CONVERT_H
 
@@ -9,7 +9,7 @@ typedef struct vs_arg vs_arg;
 typedef struct vs_args vs_args;
 typedef struct vs_bind_param vs_bind_param;
 
-/* Fills `out` from v for parameter p. VS_ERROR: v does not keep the contract, and the error says so. */
+/* Fills `out` from v for parameter p. Returns VS_ERROR with the error set if v breaks the contract. */
 typedef vs_status vs_convert_fn(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out);
 
 vs_convert_fn vs_convert_angle;
@@ -48,14 +48,14 @@ vs_convert_fn vs_convert_things;
 vs_convert_fn vs_convert_unit;
 vs_convert_fn vs_convert_vector;
 
-/* The same for the rest of the arguments: n values, each an item or a list of lists of items. */
+/* The same for a rest of n arguments: each is an item or a list of lists of items. */
 vs_status vs_convert_all_refs(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 vs_status vs_convert_all_points(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 vs_status vs_convert_all_things(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 
-/* Flattens a list of objects. False: *bad is no object; or the error is set, and *bad is absent. */
+/* Flattens a list of objects. Returns false with the non-object in *bad; if the error is set, *bad is absent. */
 bool vs_bind_take_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad);
-/* Is v an axis? Fills out->line; sets no error. */
+/* Fills out->line and returns true if v is an axis; sets no error. */
 bool vs_bind_take_axis(vs_value v, vs_arg *out);
 
 #endif

@@ -28,10 +28,11 @@
 static bool finite3(const double *d) { return isfinite(d[0]) && isfinite(d[1]) && isfinite(d[2]); }
 static vs_vec3 vec_of(const double *d) { return vs_v3(d[0], d[1], d[2]); }
 
-/* Flattens values (each an item or a list of lists of items) by an explicit stack of lists, each with what is left of
- * it; add takes one item. False: *bad is what is neither, or absent and the error is set. Nothing here allocates Scheme
- * objects, so plain locals are safe. A list that contains itself makes the stack grow for ever, its lists coming round
- * again; so each new one is compared with the one at the highest power of two below (Brent's way). */
+/* Flattens values (each an item or a list of lists of items) with an explicit stack: each open list, with its remaining
+ * elements; `add` takes one item. Returns false with *bad the value that is neither a list nor an item, or absent if
+ * the error is set. Nothing here allocates Scheme objects, so plain locals are safe. A list that contains itself would
+ * make the stack grow for ever with a cycle of lists. Therefore each new list is compared with the list at the highest
+ * power of two below (Brent's algorithm). */
 static bool flatten(vs_args *f, const vs_value *values, size_t count,
                     bool (*add)(vs_args *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
   struct open { vs_value list, rest; } fixed[32], *open = fixed;
@@ -78,7 +79,7 @@ static bool add_curve(vs_args *f, vs_value v, void *to, bool *oom) {
   const vs_node *n = vs_bind_take_ref(v).node;
   return n && (n->class_ == VS_CURVE || vs_bind_is_empty(n)) && add_ref(f, v, to, oom);
 }
-/* a section: a curve, a region, or a point, which becomes a line of one point */
+/* Adds a section: a curve, a region, or a point, which becomes a line of one point. */
 static bool add_section(vs_args *f, vs_value v, void *to, bool *oom) {
   const vs_node *object = vs_bind_take_ref(v).node;
   if (object)
@@ -115,9 +116,9 @@ bool vs_bind_take_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, v
   return true;
 }
 
-/* Writes what numbers where points belong seem to mean, as (make-polygon (xy 0 0) (xy 1 0)) for 0 0 1 0, for (0 0) (1
- * 0) or for a list of either, and (list (xy 0 0) (xy 1 0)) where the points are one argument among others. False:
- * something else stands among them. */
+/* Writes the points that numbers in their place probably mean: (make-polygon (xy 0 0) (xy 1 0)) for 0 0 1 0, for (0 0)
+ * (1 0) or for a list of either; (list (xy 0 0) (xy 1 0)) if the points are one argument among others. Returns false if
+ * other values are among them. */
 static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, char *text, size_t room) {
   enum { MOST = 64, SHOWN = 4 };
   vs_value item[MOST];
@@ -151,7 +152,8 @@ static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, 
   return true;
 }
 
-/* An `if` without else, a `for-each` in place of a `map`: the commonest ways to get no value. */
+/* Refuses the item. If the call contains a value of none, names the usual causes: an `if` without else, a `for-each`
+ * instead of a `map`. */
 static vs_status refuse_item(vs_args *f, const vs_bind_param *p, const vs_value *given, size_t count, vs_value bad,
                              const char *item) {
   if (bad == VS_ABSENT) return VS_ERROR; /* the error is set */
@@ -201,14 +203,14 @@ vs_status vs_convert_all_things(vs_args *f, const vs_bind_param *p, const vs_val
   return VS_OK;
 }
 
-/* one object, or the union of a list */
+/* Sets *out to one object, or to the union of a list. */
 static vs_status one_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->ref = vs_bind_take_ref(v);
   if (out->ref.node) return VS_OK;
   vs_arg list;
   if (!vs_convert_all_refs(f, p, &v, 1, &list)) return VS_ERROR;
   if (list.refs.count == 1) return out->ref = list.refs.at[0], VS_OK;
-  /* several closed curves are one profile */
+  /* several closed curves form one profile */
   if (p->contract == VS_C_PROFILE && !vs_bind_fill(f, list.refs.at, list.refs.count)) return VS_ERROR;
   vs_node *n = vs_node_new(f->store, list.refs.count ? VS_UNION : VS_EMPTY,
                            list.refs.count ? (const void *)&(struct vs_union){ 0 } : &(struct vs_empty){ 0 },
@@ -218,7 +220,7 @@ static vs_status one_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
   return VS_OK;
 }
 
-static bool has_no_end(const vs_node *n) { /* an xline or a ray, placed or bare */
+static bool has_no_end(const vs_node *n) { /* returns true for an xline or a ray, placed or not */
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
   return vs_node_has(n, VS_IS_UNRESOLVED) && !n->child_count;
 }
@@ -232,7 +234,7 @@ static bool class_fits(vs_contract c, const vs_node *n) {
   return c != VS_C_SOLID || n->class_ == VS_SOLID;
 }
 
-/* A list of three, as nearly all faces are? */
+/* Returns true for a list of three elements, as nearly all faces are. */
 static bool has_three(vs_value v) {
   for (int i = 0; i < 3; i++, v = vs_cdr(v))
     if (!vs_is_pair(v)) return false;
@@ -265,7 +267,7 @@ vs_status vs_convert_faces(vs_args *f, const vs_bind_param *p, vs_value v, vs_ar
   return VS_OK;
 }
 
-/* Converts one object, or a list to its union, of the class that the contract asks for. */
+/* Converts one object, or a list to its union, of the contract's class. */
 vs_status vs_convert_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (!one_object(f, p, v, out)) return VS_ERROR;
   return class_fits((vs_contract)p->contract, out->ref.node) ? VS_OK : vs_bind_refuse_kind(f, p, v);
@@ -283,7 +285,7 @@ vs_status vs_convert_things(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
   return vs_convert_all_things(f, p, &v, 1, out);
 }
 
-/* An extrusion's way: a curve, a gvector, or a height along Z. */
+/* Converts the amount of an extrusion: a curve, a gvector, or a height along Z. */
 vs_status vs_convert_path(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->ref = vs_bind_take_ref(v);
   if (out->ref.node) return class_fits(VS_C_CURVE, out->ref.node) ? VS_OK : vs_bind_refuse_kind(f, p, v);
@@ -304,7 +306,7 @@ vs_status vs_convert_rule(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg
 
 /* ---- looks ---- */
 
-/* The spelling that was meant: "#f80", or a name with a slip. */
+/* Refuses the name, with the probable spelling: "#f80", or the nearest known name. */
 static vs_status refuse_material(vs_args *f, const vs_bind_param *p, vs_value got, const char *name) {
   char hint[64];
   const char *near = vs_nearest_word(name, vs_ready_material_name);
@@ -315,7 +317,8 @@ static vs_status refuse_material(vs_args *f, const vs_bind_param *p, vs_value go
   return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
 }
 
-/* Three numbers, not all from 0 to 1: from 0 to 255, and not all small, they are what other programs take. */
+/* Refuses three numbers of which some lie outside of 0 to 1. If they lie between 0 and 255, and not all are small, the
+ * error suggests their 255th parts, since other programs use that range. */
 static vs_status refuse_parts(vs_args *f, const vs_bind_param *p, vs_value got) {
   double c[3];
   char hint[96];
@@ -334,7 +337,7 @@ static bool is_photograph(const char *name) {
   return dot && (!strcasecmp(dot, ".png") || !strcasecmp(dot, ".jpg") || !strcasecmp(dot, ".jpeg"));
 }
 
-/* A material by its photograph: a matt surface, the picture a metre wide. */
+/* Makes the material of a photograph: a matt surface; the picture covers a metre. */
 static vs_status convert_photograph(vs_args *f, vs_value v, vs_arg *out) {
   vs_material m = { .roughness = 0.9, .ior = 1.5, .pattern = { .kind = VS_PATTERN_PICTURE } };
   double mean[3];

@@ -7,16 +7,16 @@
 
 #include "vm/machine/native.h"
 
-/* Reads any real number. Returns false, without an error, where v is none. */
+/* Reads any real number. Returns false, without an error, for other values. */
 bool vs_bind_take_number(vs_scheme *vm, vs_value v, double *out);
-/* Reads two or three numbers from a list or a vector. Returns how many; 0: v is something else. */
+/* Reads two or three numbers from a list or a vector. Returns their count; 0 for other values. */
 int vs_bind_take_numbers(vs_scheme *vm, vs_value v, double d[3]);
 
-/* Copies a string's or symbol's UTF-8 with NUL into memory from vs_mem; *bytes to give back. False: the error is
- * set. */
+/* Copies a string's or symbol's UTF-8 with a NUL into memory from vs_mem; the caller frees *bytes. Returns false with
+ * the error set. */
 bool vs_bind_take_text(vs_scheme *vm, vs_value string_or_symbol, char **out, size_t *bytes);
 
-int32_t vs_bind_segments(vs_scheme *vm); /* (current-segments), 0: by tolerance */
-double vs_bind_tolerance(vs_scheme *vm); /* (current-tolerance), 0: by the drawing size */
+int32_t vs_bind_segments(vs_scheme *vm); /* (current-segments); 0: by tolerance */
+double vs_bind_tolerance(vs_scheme *vm); /* (current-tolerance); 0: by the drawing's size */
 
 #endif

@@ -17,7 +17,7 @@ static int32_t segments(const vs_args *f) {
 
 /* ---- polylines ---- */
 
-static double extent(const vs_vec3 *at, size_t n) { /* size of the whole, to judge closeness by */
+static double extent(const vs_vec3 *at, size_t n) { /* the size of the whole, as the scale for closeness */
   double size = 0;
   for (size_t i = 1; i < n; i++) size = fmax(size, vs_v3_length(vs_v3_sub(at[i], at[0])));
   return size;
@@ -36,7 +36,7 @@ static vs_node *points_node(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t
   return node;
 }
 
-/* repeated neighbours go; true: the last one met the first and went too */
+/* Removes repeated neighbours. Returns true if the last point met the first and was removed, too. */
 static bool tidy(vs_vec3 *at, size_t *count) {
   size_t n = 0;
   for (size_t i = 0; i < *count; i++)
@@ -117,7 +117,7 @@ vs_status vs_p_make_arc(vs_args *f, vs_value *out) {
   return vs_bind_make(f, VS_ARC, &d, NULL, 0, out);
 }
 
-/* an ellipse is a circle made wider or narrower across */
+/* an ellipse is a circle, scaled across */
 vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
   double rx = REAL(1), ry = REAL(2);
   if (rx == 0 || ry == 0) return vs_bind_empty(f, "rx or ry is 0", out);
@@ -149,7 +149,7 @@ static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) { /*
   return vs_bind_refuse(f, name, "a gvector longer than 0, or an angle in the XY plane", v);
 }
 
-/* (%make-spline points start end segments): geometry.scm has sorted the forms out */
+/* (%make-spline points start end segments): geometry.scm has chosen the form */
 vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   vs_vec3 *at = f->arg[0].points.at;
   size_t n = f->arg[0].points.count;
@@ -160,7 +160,7 @@ vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   bool closed = tidy(at, &n);
   if (n < 2) return vs_bind_empty(f, "all points are the same", out);
   if (closed && n < 3) closed = false;
-  if (closed) d.start_tangent = d.end_tangent = vs_v3(0, 0, 0); /* smooth all round */
+  if (closed) d.start_tangent = d.end_tangent = vs_v3(0, 0, 0); /* smooth at all points */
   return vs_bind_give_node(f, points_node(f->store, VS_SPLINE, at, n, closed, &d), out);
 }
 

@@ -1,4 +1,4 @@
-/* Owns text: the font that a program means, the object made of letters, and text for a target program. */
+/* Owns text: the choice of the font, the object made of letters, and text for a target program. */
 
 #include <stdio.h>
 
@@ -13,7 +13,7 @@
 #include "vm/front/source.h"
 #include "vm/machine/activation.h"
 
-/* A file stands beside the program that names it, as one that it loads does, and is read by the host's own means. */
+/* The host reads the font file; its name is relative to the program, like that of a loaded file. */
 static vs_status font_file(vs_args *f, const vs_arg *font, const char **out) {
   vs_scheme *vm = f->vm;
   vs_text path;
@@ -39,7 +39,7 @@ static vs_status font_of(vs_args *f, const vs_arg *font, const char **out) {
   return vs_font_get(f->store, *out, &e) ? VS_OK : vs_bind_error(f->vm, &e);
 }
 
-/* Returns one of the words, which is text of the program's own; NULL if it is refused. */
+/* Returns one of the words, a constant; NULL with the error set if the argument is none of them. */
 static const char *word_of(vs_args *f, const char *param, const vs_arg *a, const char *const *words,
                            const char *expected) {
   if (!a->given) return words[0];
@@ -49,7 +49,7 @@ static const char *word_of(vs_args *f, const char *param, const vs_arg *a, const
   return NULL;
 }
 
-/* The British and the common spelling are one; what is stored lies in the store, as every text of a node. */
+/* Accepts the British and the common spelling. The store keeps the word, like every text of a node. */
 static bool kept_word(vs_args *f, const char **word) {
   if (!strcmp(*word, "centre")) *word = "center";
   *word = vs_store_text(f->store, *word, strlen(*word));
@@ -109,8 +109,8 @@ vs_status vs_p_text_width(vs_args *f, vs_value *out) {
   return vs_bind_give_real(f, width, out);
 }
 
-/* ---- native: text of the user's that a target program gets as it is. Its braces, strings and comments must be
- * whole, so that it neither swallows nor ends the text around it. ---- */
+/* ---- native: text of the user's that a target program gets unchanged. Its braces, strings and comments must be
+ * complete, so that it neither hides nor ends the text around it. ---- */
 
 typedef struct { const char *name, *comment; bool directives; } native_target;
 static const native_target targets[] = {
@@ -120,7 +120,7 @@ static const native_target targets[] = {
 
 enum { DEPTH_MAX = 256 };
 
-/* Words behind a # that ask for an #end; NULL ends them. */
+/* Returns true for a word after # that needs an #end; NULL ends the list. */
 static bool opens(const char *word, size_t length) {
   static const char *const words[] = { "if", "ifdef", "ifndef", "while", "for", "switch", "macro" };
   for (size_t i = 0; i < sizeof words / sizeof *words; i++)
@@ -134,7 +134,7 @@ static size_t word_length(const char *at) {
   return n;
 }
 
-/* NULL: the text is whole; else what is wrong with it. */
+/* Returns the fault of the text; NULL if it is complete. */
 static const char *trouble(const native_target *t, const char *text) {
   char open[DEPTH_MAX];
   size_t depth = 0, directives = 0, comment = strlen(t->comment);

@@ -1,4 +1,4 @@
-/* Owns objects made of faces: given one by one, or read from a file; checked, and mended where that is asked for. */
+/* Owns objects made of faces: given one by one, or read from a file; checked, and repaired on request. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -24,8 +24,8 @@
 
 /* ---- checking ---- */
 
-/* Is every corner on or below every face? Then the mesh, of one shell, is convex. For small ones alone: the cost is
- * their product. */
+/* Returns true if every corner lies on or below every face: then the mesh, of one shell, is convex. The cost is the
+ * product of both counts, so it answers only for small meshes. */
 static bool is_convex(const vs_mesh *m) {
   if (m->triangle_count != 2 * m->vertex_count - 4 || m->triangle_count * m->vertex_count > 4096) return false;
   vs_bounds b = vs_mesh_bounds(m);
@@ -45,8 +45,8 @@ static void place_text(char text[112], vs_vec3 p) {
   snprintf(text, 112, "(xyz %s %s %s)", x, y, z);
 }
 
-/* mesh: the triangles of a closed polyface mesh, tagged by face, or empty: then they are made. *flawless: nothing
- * overlaps. */
+/* Checks a mesh. mesh: the triangles of a closed polyface mesh, tagged by face; if it is empty, the function makes
+ * them. *flawless: no faces overlap. */
 static vs_status inspect(vs_args *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
   const struct vs_polyface_mesh *d = VS_AS(polyface_mesh, n);
   vs_kernel_counts counts = { 0 };
@@ -106,7 +106,7 @@ static vs_status refuse_open(vs_args *f, const char *file, const vs_face_list *l
                  open.face + 1, more);
 }
 
-/* ---- mending ---- */
+/* ---- repair ---- */
 
 static bool list_of_mesh(vs_face_list *l, const vs_mesh *m) {
   bool ok = true;
@@ -119,15 +119,15 @@ static bool list_of_mesh(vs_face_list *l, const vs_mesh *m) {
   return ok;
 }
 
-/* Appends "VERB 3 THINGs" at `at`, behind a comma where something is there; nothing for 0. Returns the new end. */
+/* Appends "VERB 3 THINGs" at `at`, after a comma if the text is not empty; nothing for 0. Returns the new end. */
 static size_t note(char *text, size_t room, size_t at, size_t count, const char *verb, const char *thing) {
   if (!count) return at;
   int n = snprintf(text + at, room - at, "%s%s %zu %s%s", at ? ", " : "", verb, count, thing, count == 1 ? "" : "s");
   return n > 0 && at + (size_t)n < room ? at + (size_t)n : at;
 }
 
-/* l mended, as a node (a new reference), with a note of what was done; what is left may be empty. *sheet: it was a
- * surface, closing which has enclosed nothing. */
+/* Repairs l and sets *out to its node, a new reference, which may be empty; a warning lists the repairs. *sheet: the
+ * object is a surface, also after its holes were closed. */
 static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *sheet, vs_node **out) {
   vs_repair_notes notes;
   vs_error e = { 0 };
@@ -172,7 +172,7 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
 
 /* ---- faces given one by one ---- */
 
-/* Takes n over. sheet: the faces are a surface. */
+/* Takes over n. sheet: the faces are a surface. */
 static vs_status finished(vs_args *f, vs_node *n, bool sheet, vs_value *out) {
   if (!vs_bind_is_empty(n)) return vs_bind_give_node(f, n, out);
   vs_node_release(n);
@@ -250,10 +250,10 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   if (!at || !starts || !corner) return VS_ERROR;
   memcpy(at, f->arg[0].points.at, n * sizeof *at);
   at[n] = POINT(1);
-  vs_vec3 spread = { 0, 0, 0 }; /* six volumes, against the base's first corner */
+  vs_vec3 spread = { 0, 0, 0 }; /* six times the volumes of the tetrahedra with the base's first corner */
   for (size_t i = 1; i + 1 < n; i++)
     spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
-  /* of the base; the apex's height; how far corners leave the plane; the widest triangle */
+  /* the size of the base; the apex's height; the largest distance of a corner from the plane; the widest triangle */
   double size = 0, up = 0, off = 0, widest = 0;
   vs_vec3 normal = vs_v3_unit(spread);
   for (size_t i = 1; i < n; i++) {
@@ -272,7 +272,7 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   up = fabs(vs_v3_dot(normal, vs_v3_sub(at[n], at[0])));
   if (up <= 1e-12 * size) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
   starts[0] = 0;
-  /* the base, seen from below; all of it is turned if need be */
+  /* the base, seen from below; all faces are reversed if necessary */
   for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i);
   starts[1] = (uint32_t)n;
   for (size_t i = 0; i < n; i++) {
@@ -294,7 +294,7 @@ vs_status vs_p_make_3dface(vs_args *f, vs_value *out) {
   if (n == 4) b = vs_v3_length(vs_v3_cross(vs_v3_sub(at[2], at[0]), vs_v3_sub(at[3], at[0])));
   double nothing = 1e-14 * size * size;
   if (a <= nothing && b <= nothing) return vs_bind_empty(f, "all corners are on one line", out);
-  /* one of the two triangles is nothing */
+  /* one of the two triangles has no area */
   if (n == 4 && a <= nothing) memcpy(corner, corner + 3, sizeof corner / 2), b = 0;
   return polyface(f, &(vs_polygons){ at, n, starts, corner, n == 4 && b > nothing ? 2 : 1 }, out);
 }

@@ -7,9 +7,9 @@
 
 typedef struct vs_args vs_args;
 
-/* a closed curve that crosses itself is refused; what: what it is */
+/* refuses a closed curve that intersects itself; what: the noun for it in the error */
 vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what);
-/* where all are regions and closed curves of one plane, the curves become regions */
+/* replaces closed curves by regions if all objects are regions and closed curves of one plane */
 vs_status vs_bind_fill(vs_args *f, vs_ref *ref, size_t n);
 
 #endif

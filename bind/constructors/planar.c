@@ -1,4 +1,4 @@
-/* Owns the procedures that make regions of curves, join curves, and give curves and regions of other objects. */
+/* Owns the procedures that make regions from curves, join curves, and derive curves and regions from other objects. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -39,8 +39,7 @@ static const char *point_text(vs_vec3 p, char out[112]) {
 
 /* ---- curves that meet end to end ---- */
 
-/* Curves that were united stand beside each other, and so do edges of a solid: each counts for itself. References hang
- * off the arguments. */
+/* Replaces united curves, and the edges of a solid, by separate references. The arguments own the new references. */
 static vs_status each_apart(vs_args *f) {
   vs_arg given = f->arg[0];
   vs_ref *refs = given.refs.at, *all = NULL;
@@ -73,8 +72,8 @@ static vs_status each_apart(vs_args *f) {
   return status;
 }
 
-/* The curves of the first argument, those that are nothing left out, open ones joined; new references hang off the
- * arguments. */
+/* Sets *out to the curves of the first argument without empty ones, with open ones joined. The arguments own the new
+ * references. */
 static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
   if (!each_apart(f)) return VS_ERROR;
   vs_ref *c = f->arg[0].refs.at;
@@ -91,7 +90,7 @@ static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
   *count = n;
   vs_status status = VS_OK;
   for (size_t i = 0; i < n; i++)
-    if (!vs_bind_keep(f, c[i].node)) status = VS_ERROR; /* it is released then, and so are the others */
+    if (!vs_bind_keep(f, c[i].node)) status = VS_ERROR; /* it is released in that case, as are the others */
   return status;
 }
 
@@ -142,7 +141,7 @@ vs_status vs_p_make_region(vs_args *f, vs_value *out) {
     if (planes == VS_PLANE_NONE)
       return vs_fail(f->vm, f->vm->sym.type, "curves must lie in one plane; curve %lu leaves every plane",
                      (unsigned long)i + 1);
-    if (planes == VS_PLANE_MANY) continue; /* all on one line: it bounds nothing */
+    if (planes == VS_PLANE_MANY) continue; /* all on one line: the area is 0 */
     if (kept && !vs_plane_same(&first, &here)) {
       char other[112];
       return vs_fail(f->vm, f->vm->sym.type,
@@ -165,7 +164,7 @@ vs_status vs_p_make_region(vs_args *f, vs_value *out) {
   return vs_bind_make(f, VS_REGION, &(struct vs_region){ 0 }, c, kept, out);
 }
 
-/* ---- lines without end ---- */
+/* ---- infinite lines ---- */
 
 vs_status vs_p_make_xline(vs_args *f, vs_value *out) {
   if (vs_v3_equal(POINT(0), POINT(1))) return vs_bind_empty(f, "p and q are the same point", out);
@@ -178,7 +177,7 @@ vs_status vs_p_make_ray(vs_args *f, vs_value *out) {
 
 /* ---- offsets ---- */
 
-/* How many loops are left: 0, 1 or more; of an open curve 0 or 1. */
+/* Counts the loops of an offset: 0, 1 or more; for an open curve 0 or 1. */
 static bool what_is_left(const vs_node *n, size_t *count, vs_error *e) {
   vs_bounds b;
   vs_offset_exact exact;

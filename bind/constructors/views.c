@@ -1,4 +1,4 @@
-/* Owns views by name, and what drawings show besides the model: dimensions, labels, levels, axes. */
+/* Owns named views, and the notes of drawings: dimensions, labels, levels, axes. */
 #include <math.h>
 #include <string.h>
 
@@ -6,7 +6,7 @@
 #include "bind/call/refuse.h"
 #include "bind/state.h"
 
-/* The kinds of `view`, and how each looks at the model. */
+/* The kinds of `view`, each with its projection and its cut. */
 static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
   { "perspective", VS_VIEW_CAMERA, VS_CUT_NONE }, { "panorama", VS_VIEW_PANORAMA, VS_CUT_NONE },
   { "axonometric", VS_VIEW_ALONG, VS_CUT_NONE },  { "isometric", VS_VIEW_ISO, VS_CUT_NONE },
@@ -19,14 +19,16 @@ static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
 static const char kinds_told[] =
     "one of 'perspective 'panorama 'axonometric 'isometric 'plan 'section 'top 'bottom 'front 'back 'left 'right";
 
-/* The argument's text, interned in the store; *out is NULL where it was not given. False: out of memory. */
+/* Interns the argument's text in the store; *out is NULL if the argument is absent. Returns false when memory is
+ * out. */
 static bool keep_text(vs_args *f, const vs_arg *a, const char **out) {
   *out = NULL;
   if (a->given && !(*out = vs_store_text(f->store, a->text.at, a->text.length))) return vs_fail_memory(f->vm);
   return true;
 }
 
-/* A name becomes part of a file's name and of what a drawing says: it is one line of text without a slash. */
+/* Returns true for one line of text without a slash, since a name becomes part of a file's name and of a drawing's
+ * text. */
 static bool is_name(const vs_arg *a) {
   for (size_t i = 0; i < a->text.length; i++)
     if ((unsigned char)a->text.at[i] < ' ' || a->text.at[i] == '/' || a->text.at[i] == 0x7f) return false;
@@ -40,7 +42,7 @@ static bool is_sheet(const char *name) {
   return false;
 }
 
-/* Where the view stands, by its kind and #:from and #:to. */
+/* Sets the eye and the target of the view, by its kind and #:from and #:to. */
 static vs_status take_place(vs_args *f, vs_scene_view *v, const vs_arg *from, const vs_arg *to) {
   bool round = v->view == VS_VIEW_PANORAMA;
   bool pointed = round || v->view == VS_VIEW_CAMERA || (v->view == VS_VIEW_ALONG && v->cut != VS_CUT_PLANE);
@@ -74,7 +76,7 @@ static vs_status take_cut(vs_args *f, vs_scene_view *v, const vs_arg *cut) {
   return VS_OK;
 }
 
-/* The aperture of a lens at v's eye, and what it is sharp at: the target unless the program says another point. */
+/* Sets the aperture of a lens at v's eye, and its focus: the target unless the program gives another point. */
 static vs_status take_aperture(vs_args *f, vs_scene_view *v, const vs_arg *aperture, const vs_arg *focus) {
   v->focus = focus->given ? focus->point : v->target;
   v->aperture = aperture->given ? aperture->real : 0;
@@ -85,7 +87,7 @@ static vs_status take_aperture(vs_args *f, vs_scene_view *v, const vs_arg *apert
   return VS_OK;
 }
 
-/* Do verticals stay vertical? */
+/* Sets whether verticals stay vertical. */
 static vs_status take_upright(vs_args *f, vs_scene_view *v, const vs_arg *upright) {
   vs_vec3 ahead = vs_v3_sub(v->target, v->eye);
   v->upright = upright->given && upright->boolean;

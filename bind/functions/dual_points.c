@@ -1,8 +1,8 @@
 /* Owns points and gvectors made of dual numbers (dual_points.h).
  *
- * Plan. A dual point is a dual number whose value is a point and whose slope is a gvector. Each procedure here takes
- * its arguments apart into coordinates, which are numbers or duals, computes with the tower's own operations and puts
- * coordinates together again; so duals of any depth are right. Coordinates lie in roots. */
+ * Plan. A dual point is a dual number whose value is a point and whose slope is a gvector. Each procedure here splits
+ * its arguments into coordinates, which are numbers or duals, computes with the arithmetic of the number tower, and
+ * joins the results. Therefore duals of any depth work. Coordinates lie in roots. */
 #include "bind/functions/dual_points.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 #include "vm/numbers/dual.h"
 #include "vm/values/heap.h"
 
-/* Coordinate i of a point or gvector, dual or not. */
+/* Returns coordinate i of a point or gvector, dual or plain. */
 static bool coordinate(vs_scheme *vm, vs_value v, int i, vs_value *out) {
   if (!vs_is_dual(v)) return *out = vs_flonum(vs_as_flat(v)->at[i]), true;
   VS_ROOTS(vm, r, 3);
@@ -23,7 +23,7 @@ static bool coordinate(vs_scheme *vm, vs_value v, int i, vs_value *out) {
          vs_make_dual(vm, vs_fixnum(vs_as_dual(r[0])->level), r[1], r[2], out);
 }
 
-/* The record with this tag and three coordinates; at lies in roots. */
+/* Makes the record with this tag and three coordinates; `at` lies in roots. */
 static bool together(vs_scheme *vm, uint32_t tag, const vs_value *at, vs_value *out) {
   int64_t level = vs_dual_level(at, 3);
   if (level < 0) {
@@ -77,9 +77,9 @@ typedef enum {
   TURNS
 } rule;
 
-/* The arguments of each procedure: `shape` has a letter an argument, p a point or gvector, n a number; `tag` is what it
- * gives, 0 a number; `with` says which coordinates numbers are, or which one is taken. A first p before numbers is what
- * is moved. */
+/* The arguments of each procedure. `shape` has a letter for each argument, p a point or gvector, n a number. `tag` is
+ * the result's type, 0 a number. `with` gives the coordinates that the numbers are, or the coordinate to return. A
+ * first p before numbers is the point that they move. */
 static const struct {
   vs_procedure_fn *fn;
   const char *shape;
@@ -128,7 +128,7 @@ static const struct {
   { vs_p_radians_degrees, "n", TURNS, 0, 1 },
 };
 
-/* r[0..2] the first record's coordinates, r[3..5] the second's, r[6..8] the numbers, r[9..11] the result, r[12..]
+/* r[0..2]: the first record's coordinates; r[3..5]: the second's; r[6..8]: the numbers; r[9..11]: the result; r[12..]:
  * scratch. */
 static bool compute(vs_scheme *vm, size_t row, const char *shape, int n, vs_value *r, vs_value *out) {
   vs_value *p = r, *q = r + 3, *x = r + 6, *to = r + 9, *s = r + 12;

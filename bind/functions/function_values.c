@@ -1,4 +1,4 @@
-/* Owns the natives under functions.scm: levels of differentiation, dual numbers, procedures that keep their expression,
+/* Owns the natives of functions.scm: levels of differentiation, dual numbers, procedures that keep their expression,
  * tapes as Scheme objects. */
 #include "bind/functions/function_values.h"
 
@@ -17,7 +17,7 @@
 
 /* ---- dual numbers ---- */
 
-/* (%dual-level): a number for a differentiation that begins now, higher than all before it */
+/* (%dual-level): returns the level of a new differentiation, higher than all before it. */
 static vs_status dual_level(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   if (!vs_lib_open(vm)) return VS_ERROR;
@@ -35,7 +35,8 @@ static vs_status dual(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_make_dual(vm, vs_fixnum(a[0]), a[1], a[2], out);
 }
 
-/* (%dual-slope level v): how v changes, 0 where it does not; #f for what is neither a number nor a point or gvector */
+/* (%dual-slope level v): returns the derivative of v, 0 if it does not depend on the variable; #f if v is no number,
+ * point or gvector. */
 static vs_status dual_slope(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t level = vs_fixnum(a[0]);
@@ -50,7 +51,7 @@ static vs_status dual_slope(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- procedures with a note ---- */
 
-/* (%function closure note): the procedure, called as the closure is, with what is noted of it */
+/* (%function closure note): returns the procedure, which behaves as the closure and keeps the note. */
 static vs_status function(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is(a[0], VS_T_CLOSURE)) return vs_fail_type(vm, 0, "a procedure in Scheme", a[0]);
@@ -107,7 +108,7 @@ static vs_status tape_input(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return step(vm, t, vs_tape_input(t, (uint32_t)vs_fixnum(a[1])), out);
 }
 
-/* (%tape-op t name a b c) -> the step's number, or #f: there is no operator of this name with as many operands */
+/* (%tape-op t name a b c): returns the step's number, or #f if no operator of this name has as many operands. */
 static vs_status tape_op(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
   uint32_t of[3] = { 0, 0, 0 };
@@ -127,7 +128,7 @@ static vs_status tape_field(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return step(vm, t, vs_tape_add_field(t, f, at[0], at[1], at[2]), out);
 }
 
-/* (%tape-done t step ...): a tape of what these steps need */
+/* (%tape-done t step ...): returns a tape of the steps that these need. */
 static vs_status tape_done(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
   t->outputs = (uint32_t)(n - 1);
@@ -136,7 +137,7 @@ static vs_status tape_done(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return c ? vs_make_foreign(vm, &vs_tape_type, c, 0, out) : vs_fail_memory(vm);
 }
 
-/* (%tape-level t level): a tape of t's value less the level */
+/* (%tape-level t level): returns a tape of t's value minus the level. */
 static vs_status tape_level(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   double level;
@@ -153,7 +154,7 @@ static vs_status tape_outputs(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return *out = vs_fix(((const vs_tape *)vs_foreign_get(a[0], &vs_tape_type))->outputs), VS_OK;
 }
 
-/* (%tape-text t output language names): text; #f: it cannot be said */
+/* (%tape-text t output language names): returns text; #f if the language cannot express it. */
 static vs_status tape_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
@@ -175,8 +176,8 @@ static vs_status tape_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- values over a grid ---- */
 
-/* (%tape-samples t ranges): the values at every point of the grid, the last parameter's range innermost, as a vector;
- * points for tapes of three outputs. A range is #(a b n): n numbers from a to b, both ends. */
+/* (%tape-samples t ranges): returns a vector of the values at every point of the grid, the last parameter's range
+ * innermost; points for tapes of three outputs. A range is #(a b n): n numbers from a to b, both ends included. */
 static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
@@ -196,7 +197,7 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   for (int i = 0; i < VS_TAPE_INPUTS; i++) from[i] = in[i];
   for (int i = 0; i < VS_TAPE_OUTPUTS; i++) to[i] = results[i];
   VS_ROOTS(vm, root, 1);
-  vs_vector *made = (vs_vector *)(void *)vs_gc_alloc(vm, VS_T_VECTOR, 2 + (size_t)total); /* of zeros */
+  vs_vector *made = (vs_vector *)(void *)vs_gc_alloc(vm, VS_T_VECTOR, 2 + (size_t)total); /* zeros */
   if (!made) return VS_ERROR;
   made->length = (size_t)total;
   a[1] = vs_from_object(made);
@@ -207,7 +208,7 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
     int count = total - at < BATCH ? (int)(total - at) : BATCH;
     vs_sample_points(r, t->inputs, in, count);
     vs_sample(s, from, (size_t)count, to);
-    if (t->outputs == 1) { /* doubles are no addresses: the collector need not hear of them */
+    if (t->outputs == 1) { /* doubles are no addresses: the collector needs no notice */
       vs_value *values = vs_as_vector(a[1])->at + at;
       memcpy(values, results[0], (size_t)count * sizeof *values);
       if (vs_sample_nan(results[0], count))
@@ -235,7 +236,7 @@ static bool enclosure_of(vs_scheme *vm, vs_value v, vs_enclosure *out) {
     return vs_fail(vm, vm->sym.type, "an interval is combined with numbers and intervals, not with %s", vs_noun(vm, v));
   if (!vs_number_double(vm, v, &d)) return false;
   out->low = out->high = d;
-  if (!vs_is_fixnum(v) && !vs_is_double(v)) /* the number itself may lie beside the double */
+  if (!vs_is_fixnum(v) && !vs_is_double(v)) /* the exact number may lie beside its double */
     out->low = nextafter(d, -INFINITY), out->high = nextafter(d, INFINITY);
   return true;
 }
@@ -292,7 +293,7 @@ static vs_status interval_high(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return (void)n, interval_end(vm, a, 1, out);
 }
 
-/* (%tape-bounds t vector): the interval that holds every value of t's output over these intervals */
+/* (%tape-bounds t vector): returns an interval that contains every value of t's output over these intervals. */
 static vs_status tape_bounds(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);

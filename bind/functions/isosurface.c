@@ -40,14 +40,14 @@ static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour
   return vs_fail_memory(f->vm);
 }
 
-/* Contours with more and more cells until triangles' middles lie as near as is wanted. */
+/* Contours with more and more cells until the middles of the triangles are within the tolerance of the surface. */
 static vs_contour_outcome refined(vs_args *f, const vs_tape *t, double tolerance, vs_contour *c) {
   int cells = FIRST_CELLS;
   for (;;) {
     c->most = f->bind->mesh_triangles * VS_ON_THE_WAY;
     vs_contour_grid grid = { f->arg[1].point, f->arg[2].point, cells, tolerance };
     vs_contour_outcome outcome = vs_contour_make(t, &grid, (vs_long_work){ vs_bind_keep_going, f->vm }, c);
-    bool missed = outcome == VS_CONTOUR_EMPTY; /* finer cells may find it */
+    bool missed = outcome == VS_CONTOUR_EMPTY; /* smaller cells may find it */
     if ((outcome != VS_CONTOUR_DONE && !missed) || (!missed && c->deviation <= tolerance)) return outcome;
     if (cells == VS_CONTOUR_CELLS || (missed && cells >= 128)) {
       if (!missed)
