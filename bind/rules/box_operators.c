@@ -1,8 +1,8 @@
-/* Owns the operators that take a scope apart: split, repeat, component, extrude; prism and round corner,
- * triangulate, subdivide. Each leaves scopes on the stack for their rules.
+/* Owns the operators that divide a scope: split, repeat, component, extrude; prism and round corner, triangulate,
+ * subdivide. Each leaves scopes on the stack for their rules.
  *
- * A part of a hexahedron between two planes of its own coordinates is a hexahedron again, since the map is linear
- * along each axis. */
+ * The part of a hexahedron between two planes of its own coordinates is a hexahedron, since the map is linear along
+ * each axis. */
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
@@ -23,8 +23,8 @@
 
 static vs_vec3 between(vs_vec3 a, vs_vec3 b, double t) { return vs_v3_add(a, vs_v3_scale(vs_v3_sub(b, a), t)); }
 
-/* A part of a scope that is `whole` long along an axis: it begins at `from`, is `size` long, and becomes child number
- * index of count. */
+/* A part of a scope along an axis. whole: the length of the scope; from: the begin of the part; size: its length. The
+ * part becomes child number index of count. */
 typedef struct { int axis; double whole, from, size; uint32_t index, count; } slice;
 
 static vs_scope *part_of(vs_derivation *d, vs_scope *s, const char *op, const slice *p) {
@@ -58,7 +58,7 @@ typedef struct {
   vs_value rule;
 } part;
 
-/* (absolute n rule) and its like are vectors #(kind number rule), kind one of absolute, relative, rest. */
+/* Reads a part: (absolute n rule), (relative n rule) and (rest rule) are vectors #(kind number rule). */
 static bool read_part(vs_args *f, vs_value v, double whole, part *out) {
   const vs_vector *p = vs_is_vector(v) && vs_as_vector(v)->length == 3 ? vs_as_vector(v) : NULL;
   double n;
@@ -157,8 +157,8 @@ vs_status vs_p_scope_repeat(vs_args *f, vs_value *out) {
 
 /* ---- component ---- */
 
-/* The faces of a box by their corners: first corner, then along x, then along y of the face; each is seen from
- * outside with y up. */
+/* The faces of a box by their corners: the first corner, the next one along the face's x, and the next one along its y.
+ * From outside, y points up. */
 enum { FRONT, BACK, LEFT, RIGHT, TOP, BOTTOM, FACES };
 static const struct {
   const char *name;
@@ -167,10 +167,10 @@ static const struct {
   [FRONT] = { "front", 4, 5, 6 }, [BACK] = { "back", 1, 0, 3 }, [LEFT] = { "left", 0, 4, 2 },
   [RIGHT] = { "right", 5, 1, 7 }, [TOP] = { "top", 6, 7, 2 },   [BOTTOM] = { "bottom", 0, 1, 4 },
 };
-static const uint8_t side_order[] = { FRONT, RIGHT, BACK, LEFT }; /* as one walks round it */
+static const uint8_t side_order[] = { FRONT, RIGHT, BACK, LEFT }; /* in the order around the box */
 static const uint8_t face_order[] = { FRONT, RIGHT, BACK, LEFT, TOP, BOTTOM };
 
-/* A flat box with the first corner at a, x towards b and y towards c, which is at right angles to x or is made so. */
+/* Sets s to a flat box with its first corner at a, x towards b, and y towards c, made perpendicular to x. */
 static void lay_box(vs_scope *s, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   vs_vec3 u = vs_v3_sub(b, a), v = vs_v3_sub(c, a), x = vs_v3_unit(u);
   vs_vec3 y = vs_v3_unit(vs_v3_sub(v, vs_v3_scale(x, vs_v3_dot(x, v))));
@@ -178,15 +178,16 @@ static void lay_box(vs_scope *s, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   s->as.box.size = vs_v3(vs_v3_length(u), fabs(vs_v3_dot(y, v)), 0);
 }
 
-/* Of a scope without size along an axis the frame's own axes serve. */
+/* Sets child to a face of s. The frame's own axes serve also if the scope has no size along one of them. */
 static void lay_face(vs_scope *child, const vs_scope *s, int face) {
   const uint8_t first = faces[face].first, along = faces[face].along, up = faces[face].up;
-  if (s->class_ == VS_SCOPE_FFD) { /* a flat hexahedron: its z edges are points */
+  if (s->class_ == VS_SCOPE_FFD) { /* a flat hexahedron: its edges along z have no length */
     const uint8_t at[4] = { first, along, up, (uint8_t)(along ^ up ^ first) };
     for (int c = 0; c < 8; c++) child->as.corner[c] = s->as.corner[at[c & 3]];
     return;
   }
-  static const uint8_t axis_of[8] = { 0, 0, 1, 0, 2, 0, 0, 0 }; /* of the one bit in which two corners differ */
+  static const uint8_t axis_of[8] = { 0, 0, 1, 0, 2, 0, 0, 0 }; /* the axis of the one bit in which two corners
+                                                                 * differ */
   int ax = axis_of[first ^ along], ay = axis_of[first ^ up];
   double sx = along > first ? 1 : -1, sy = up > first ? 1 : -1;
   vs_vec3 x = vs_v3_scale(vs_affine_column(&s->as.box.frame, ax), sx),
@@ -197,7 +198,8 @@ static void lay_face(vs_scope *child, const vs_scope *s, int face) {
   child->as.box.size = vs_v3(size[ax], size[ay], 0);
 }
 
-/* The edge from corner a to corner b; edges along y have x for their up. */
+/* Sets child to the edge from corner a to corner b. Its y is nearest the scope's y; that of an edge along y is nearest
+ * the scope's x. */
 static void lay_edge(vs_scope *child, const vs_scope *s, int a, int b) {
   vs_affine frame = vs_scope_frame(s);
   vs_vec3 from = vs_scope_corner(s, a & 1, a >> 1 & 1, a >> 2), to = vs_scope_corner(s, b & 1, b >> 1 & 1, b >> 2);
@@ -266,7 +268,7 @@ typedef struct {
   vs_vec3 a, b;
   double left, right;
 } side;
-/* Side k of all loops, in order. */
+/* Returns side k, counted through all loops in order. */
 static side side_of(const vs_scope *s, uint32_t k) {
   const vs_vec3 *at = s->loops->points->at;
   uint32_t l = 0;
@@ -277,8 +279,8 @@ static side side_of(const vs_scope *s, uint32_t k) {
   return (side){ a, b, outer_angle(p, a, b, z), outer_angle(a, b, q, z) };
 }
 
-/* Edge i of a curve's samples, upright as those of meshes are; of an open curve the last vertex has the last edge's
- * frame. */
+/* Sets c to edge i of a curve's samples, upright like the edges of meshes. The last vertex of an open curve has the
+ * last edge's frame. */
 static void lay_sample(vs_scope *c, const vs_scope *s, uint32_t i, bool vertex) {
   const vs_points *p = s->loops->points;
   bool end = !s->closed && i + 1 == p->count;
@@ -334,8 +336,8 @@ vs_status vs_p_scope_component(vs_args *f, vs_value *out) {
 
 /* ---- extrude ---- */
 
-/* A polygon becomes boxes without depth round it, h high, and the polygon at the top; the polygon below it looks
- * down. A flat box is the polygon of its corners. */
+/* A polygon becomes boxes of height h without depth around it, and the polygon at the top; the polygon at the bottom
+ * faces down. A flat box counts as the polygon of its corners. */
 vs_status vs_p_scope_extrude(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 4);
@@ -394,8 +396,8 @@ static vs_vec3 at_angle(const vs_scope *s, double x, double angle, int j) {
   return vs_affine_point(&s->as.box.frame, vs_v3(x * cosine, j * s->as.box.size.y, x * sine));
 }
 
-/* The front rectangle of a box with its edge at x-max moved out along z: half of a corner of that angle. A corner that
- * turns inwards, or not at all, has nothing to fill. */
+/* Makes half of a corner of that angle: the wedge between the front rectangle of a box and the same rectangle with its
+ * edge at x-max moved along z. Makes nothing for an angle of 0 or less. */
 vs_status vs_p_scope_prism(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(BOX))) return VS_ERROR;
@@ -421,7 +423,8 @@ vs_status vs_p_scope_prism(vs_args *f, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* The front rectangle turned about its y edge at x = 0, from x towards z: wedges of about approx each. */
+/* Turns the front rectangle about its y edge at x = 0, from x towards z, and divides the result into wedges of about
+ * `approx` each. */
 vs_status vs_p_scope_round_corner(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(BOX))) return VS_ERROR;
@@ -448,7 +451,7 @@ vs_status vs_p_scope_round_corner(vs_args *f, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* A triangle scope of three points as child i of n. False: the error is set. */
+/* Adds a triangle scope of three points as child i of n. Returns false with the error set. */
 static bool add_triangle(vs_derivation *d, vs_rule_task *t, vs_scope *parent, const char *op, uint32_t i,
                          const vs_vec3 p[3]) {
   vs_scope *c = t->child[i] = vs_rules_child(d, parent, VS_SCOPE_TRIANGLE, op, i, t->count);
@@ -491,7 +494,7 @@ vs_status vs_p_scope_triangulate(vs_args *f, vs_value *out) {
   return t && vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* A triangle becomes four by the middles of its edges: the corners' first, the middle one last. */
+/* Divides a triangle into four by the middles of its edges: first the three at the corners, then the middle one. */
 vs_status vs_p_scope_subdivide(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;

@@ -1,5 +1,5 @@
-/* Owns derivations: how they begin and end, the stack that rules.scm takes scopes from, what rules have made, and
- * chance. */
+/* Owns derivations: their begin and end, the stack from which rules.scm takes scopes, the objects that rules have made,
+ * and their random numbers. */
 #include "bind/rules/derivation.h"
 
 #include <stdio.h>
@@ -36,7 +36,7 @@ void vs_task_drop(vs_derivation *d, vs_rule_task *t) {
   vs_store_realloc(d->store, t, t->bytes, 0);
 }
 
-/* The objects made are handed out or given up. */
+/* Releases the objects: they were returned, or the derivation failed. */
 static void forget_made(vs_derivation *d) {
   vs_store *s = d->store;
   for (size_t i = 0; i < d->made_count; i++) {
@@ -54,7 +54,7 @@ static void derivation_release(void *object) {
   vs_derivation *d = object;
   vs_bind *b = d->bind;
   vs_store *s = b->store;
-  if (b->growing == d) b->growing = NULL; /* an error ended it, and nobody put the outer one back */
+  if (b->growing == d) b->growing = NULL; /* an error ended it, and nothing restored the outer one */
   while (d->count) vs_task_drop(d, d->stack[--d->count]);
   vs_store_realloc(s, d->stack, d->room * sizeof *d->stack, 0);
   while (d->waiting_count) vs_task_drop(d, d->waiting[--d->waiting_count].task);
@@ -68,7 +68,7 @@ static void derivation_release(void *object) {
 const vs_foreign_type vs_derivation_type = { "a derivation", derivation_release, NULL, NULL,
                                              NULL,           derivation_trace,   false };
 
-/* The mark on a live wrapper: the derivation, and in the lowest bit whether the rule is to run at once. */
+/* Returns the mark of a live wrapper: the derivation's address, with 1 added if the rule is to run at once. */
 static const void *live_mark(const vs_derivation *d, bool run) { return (const char *)d + run; }
 static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
   const void *with = vs_as_foreign(wrapper)->with;
@@ -77,8 +77,8 @@ static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
   return *run || with == live_mark(b->growing, false);
 }
 
-/* An error that nobody caught ends an evaluation without putting the outer derivation back: one that is under way has a
- * winder, so where there is none it is over. */
+/* Forgets a derivation that an uncaught error has ended: such an error does not restore the outer one. A running
+ * derivation has a winder; therefore it has ended if there are no winders. */
 static void forget_ended(vs_bind *b) {
   if (!b->growing || b->vm->winders != VS_NIL) return;
   if (!b->growing->outer) vs_random_restore(b->vm, b->growing->random);
@@ -94,13 +94,14 @@ static vs_derivation *derivation_new(vs_bind *b, vs_value *holder) {
   };
   const vs_derivation *outer = b->growing;
   if (outer) {
-    d->name = outer->name, d->steps = 1000 * ++b->growing->steps; /* what it makes has paths of its own */
+    d->name = outer->name, d->steps = 1000 * ++b->growing->steps; /* the scopes that it makes have other paths */
     d->entry = outer->entry, d->position = outer->position;
   }
   d->lineage = outer ? vs_lineage_retain(outer->lineage) : vs_lineage_new(b->store);
   if (!d->lineage) return vs_store_realloc(b->store, d, sizeof *d, 0), (void)vs_fail_memory(b->vm), NULL;
   return vs_make_foreign(b->vm, &vs_derivation_type, d, sizeof *d, holder) ? d
-                                                                           : NULL; /* released there where that fails */
+                                                                           : NULL; /* on failure, vs_make_foreign has
+                                                                                    * released it */
 }
 
 vs_derivation *vs_rules_begin(vs_args *f, vs_value *holder) {
@@ -127,7 +128,7 @@ vs_rule_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
   return t;
 }
 
-/* Notes in the record that the rule that runs made t. False: out of memory. */
+/* Adds an entry to the record: the running rule made t. Returns false when memory is out. */
 static bool record(vs_derivation *d, vs_rule_task *t, const char *rule, const char *op) {
   uint32_t index = t->count == 1 && t->child[0] ? t->child[0]->index : 0;
   return vs_lineage_add(d->lineage,
@@ -163,7 +164,7 @@ static vs_status too_deep(vs_derivation *d, const vs_scope *s) {
   vs_scope_path_text(s, path, sizeof path);
   vs_scheme *vm = d->vm;
   const vs_native *native = vm->native;
-  vm->native = NULL; /* it is the rule's fault */
+  vm->native = NULL; /* the error names the rule, not the native */
   vs_fail(vm, vm->sym.recursion,
           "%s: the derivation is %u levels deep, at %s; a rule that calls itself needs a clause that ends, or (derive "
           "scope rule #:depth n)",
@@ -207,7 +208,7 @@ const char *vs_rules_operator(vs_args *f) {
   return !strncmp(name, "scope-", 6) ? name + 6 : name;
 }
 
-/* ---- what was made ---- */
+/* ---- the objects made ---- */
 
 bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags) {
   if (ref.node->kind == VS_EMPTY) return true;
@@ -251,14 +252,14 @@ vs_status vs_p_derivation_leave(vs_args *f, vs_value *out) {
   return vs_random_restore(f->vm, d->random) ? VS_OK : VS_ERROR;
 }
 
-/* A rule begins to work on s: chance is the scope's own from here on. */
+/* Begins the run of a rule on s: random numbers depend on the scope from here on. */
 static bool rule_begins(vs_derivation *d, const char *name, const vs_scope *s) {
   d->name = name;
   d->steps = 0;
   return vs_random_branch(d->vm, vs_scope_mix(s->hash, text_hash(name)));
 }
 
-/* The scopes that waited for signals come to the stack, the first of them on top. False: the error is set. */
+/* Moves the scopes that waited for signals to the stack, the first of them on top. Returns false with the error set. */
 static bool waiting_begin(vs_derivation *d) {
   if (!vs_store_grow(d->store, &d->stack, &d->room, d->waiting_count, sizeof *d->stack))
     return vs_fail_memory(d->vm);
@@ -266,8 +267,8 @@ static bool waiting_begin(vs_derivation *d) {
   return true;
 }
 
-/* (%derivation-next d): the next scope whose rule is a procedure, which %derivation-rule then gives; #f: all is
- * done. Objects in place of rules are placed here. */
+/* (%derivation-next d): returns the next scope whose rule is a procedure, which %derivation-rule then returns; #f at
+ * the end. Objects in place of rules are placed here. */
 vs_status vs_p_derivation_next(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   VS_ROOTS(f->vm, r, 2);
@@ -314,7 +315,7 @@ vs_status vs_p_derivation_rule(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* An error whose text begins with the name of the rule that runs, not with that of the library's helper. */
+/* Sets an error whose text begins with the name of the running rule, not of the library's helper. Returns false. */
 static bool refuse_of_rule(vs_args *f, const char *what, const char *expected, vs_value got) {
   VS_ROOTS(f->vm, r, 2);
   const vs_derivation *d = f->bind->growing;
@@ -346,7 +347,7 @@ static bool gather_value(vs_args *f, vs_derivation *d, const vs_scope *s, vs_val
   return refuse_of_rule(f, what, expected, v);
 }
 
-/* (%derivation-made d value): what a procedure that is no rule made of its scope. */
+/* (%derivation-made d value): adds the value of a procedure to the objects, in the scope that it got. */
 vs_status vs_p_derivation_made(vs_args *f, vs_value *out) {
   (void)out;
   vs_derivation *d = derivation_of(f);
@@ -356,7 +357,7 @@ vs_status vs_p_derivation_made(vs_args *f, vs_value *out) {
   return gather_value(f, d, d->now, v, "what a rule gives", expected) ? VS_OK : VS_ERROR;
 }
 
-/* (%derivation-object d): all that was made, as one object. */
+/* (%derivation-object d): returns all objects as one, and ends the derivation. */
 vs_status vs_p_derivation_object(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   vs_store *s = f->store;
@@ -380,7 +381,7 @@ vs_status vs_p_derivation_object(vs_args *f, vs_value *out) {
   return status;
 }
 
-/* (%derive s rule depth): one that begins with a rule on s; what `derive` runs. */
+/* (%derive s rule depth): returns a derivation that begins with the rule on s, for `derive`. */
 vs_status vs_p_derivation(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = f->arg[1].value;
@@ -400,21 +401,22 @@ vs_status vs_p_derivation(vs_args *f, vs_value *out) {
 
 /* ---- rules ---- */
 
-/* (%marked procedure): the procedure, marked as one that knows live scopes: a rule, or an operator. */
+/* (%marked procedure): returns the procedure, marked as a rule or an operator: it accepts live scopes. */
 vs_status vs_p_marked(vs_args *f, vs_value *out) {
   if (vs_is(f->arg[0].value, VS_T_CLOSURE)) vs_object_of(f->arg[0].value)->flags |= VS_F_MARKED;
   *out = f->arg[0].value;
   return VS_OK;
 }
 
-/* (%marked-as procedure like): the procedure, marked if the other is. */
+/* (%marked-as procedure like): returns the procedure, marked if `like` is. */
 vs_status vs_p_marked_as(vs_args *f, vs_value *out) {
   vs_value like = f->arg[1].value;
   *out = f->arg[0].value;
   return vs_is(like, VS_T_CLOSURE) && vs_object_of(like)->flags & VS_F_MARKED ? vs_p_marked(f, out) : VS_OK;
 }
 
-/* (%live procedure s): s as a form of a sequence hands it to the procedure: live if that knows live scopes. */
+/* (%live procedure s): returns s as a form of a sequence passes it to the procedure: live if the procedure is
+ * marked. */
 vs_status vs_p_live(vs_args *f, vs_value *out) {
   vs_value procedure = f->arg[0].value, self = f->arg[1].value;
   *out = self;
@@ -427,8 +429,8 @@ vs_status vs_p_live(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%enter self name body): how a rule goes on: #t: with its body now; #f: later, it is on the stack; else by the
- * derivation given. */
+/* (%enter self name body): returns #t if the rule's body is to run now, #f if it waits on the stack, otherwise a
+ * derivation that runs it. */
 vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   vs_scope *s = f->arg[0].scope;
@@ -448,7 +450,7 @@ vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   t->body = true, t->name = name, t->rules[0] = r[0];
-  if (live) { /* the rule's scope is one level down: two calls on one scope differ */
+  if (live) { /* the rule's scope is one level deeper: two calls on one scope differ */
     vs_scope *child = vs_rules_child(d, s, (vs_scope_class)s->class_, name, 0, 1);
     if (!child) return vs_task_drop(d, t), VS_ERROR;
     vs_scope_become(child, s);
@@ -467,7 +469,7 @@ vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
 
 /* ---- signals ---- */
 
-/* (%scope-await s name rule): the rule waits until nothing else is left to be derived. */
+/* (%scope-await s name rule): makes the rule wait until no other scope is left. */
 vs_status vs_p_scope_await(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
@@ -491,7 +493,7 @@ vs_status vs_p_scope_await(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-signal s name): to all that wait for it where s is. */
+/* (scope-signal s name): sends the signal to all scopes that wait for it and touch s. */
 vs_status vs_p_scope_signal(vs_args *f, vs_value *out) {
   vs_scope *s = f->arg[0].scope;
   const char *name = vs_store_text(f->store, f->arg[1].text.at, f->arg[1].text.length);
@@ -509,7 +511,7 @@ vs_status vs_p_scope_signal(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-signals s): the scopes that sent one, in their order. */
+/* (scope-signals s): returns the scopes that sent a signal to s, in the order of the signals. */
 vs_status vs_p_scope_signals(vs_args *f, vs_value *out) {
   const vs_scope_extra *e = f->arg[0].scope->extra;
   VS_ROOTS(f->vm, r, 2);
@@ -521,7 +523,8 @@ vs_status vs_p_scope_signals(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%took self value): what a form of a sequence gave: a scope is the next self, objects are gathered. */
+/* (%took self value): handles the value of a form of a sequence. A scope becomes the next self; objects are added to
+ * those made. */
 vs_status vs_p_took(vs_args *f, vs_value *out) {
   vs_value v = f->arg[1].value;
   *out = f->arg[0].value;
@@ -534,8 +537,8 @@ vs_status vs_p_took(vs_args *f, vs_value *out) {
              : VS_ERROR;
 }
 
-/* (%choose p ...): which of the sequences of a clause is taken; each p a chance or #f, which shares what is left
- * with the others of its kind. Where all chances are given and sum to less than 1, the rest is for none of them: -1. */
+/* (%choose p ...): returns the number of the chosen sequence of a clause. Each p is a chance, or #f for an equal share
+ * of the rest. If all chances are given and sum to less than 1, the rest chooses no sequence: -1. */
 vs_status vs_p_choose(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].values.count, open = 0;
   const vs_value *v = f->arg[0].values.at;
@@ -563,12 +566,12 @@ vs_status vs_p_choose(vs_args *f, vs_value *out) {
     if (x < p) return *out = vs_fix((int64_t)i), VS_OK;
     x -= p;
   }
-  /* A remainder is rounding, or the chance that nothing is taken. */
+  /* A remainder comes from rounding, or is the chance of no sequence. */
   *out = vs_fix(sum < 1 - 1e-9 && !open ? -1 : (int64_t)n - 1);
   return VS_OK;
 }
 
-/* The position of a place in a file that has a number; 0: none. */
+/* Returns the position of a place in a file that has a number; 0: none. */
 static vs_pos position_of(vs_scheme *vm, const vs_origin *o) {
   vs_value files = vm->at.files;
   for (size_t i = 1; o && vs_is_vector(files) && i < vs_as_vector(files)->length; i++) {
@@ -578,8 +581,8 @@ static vs_pos position_of(vs_scheme *vm, const vs_origin *o) {
   return 0;
 }
 
-/* (%rule-refuses name predicate place self): the scope is not of the rule's class. Named are both places: that of
- * the operator that applies the rule, which the error has, and that of the rule. */
+/* (%rule-refuses name predicate place self): raises the error that the scope is not of the rule's class. It names two
+ * places: that of the operator that applies the rule, and that of the rule. */
 vs_status vs_p_rule_refuses(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   vs_bind *b = f->bind;
@@ -612,14 +615,14 @@ vs_status vs_p_rule_refuses(vs_args *f, vs_value *out) {
   return VS_ERROR;
 }
 
-/* (%cons-at form head tail): a pair that stands where the form does, for macros whose output is shown in messages. */
+/* (%cons-at form head tail): returns a pair with the place of the form, for macros whose output appears in messages. */
 vs_status vs_p_cons_at(vs_args *f, vs_value *out) {
   vs_value form = f->arg[0].value;
   vs_pos pos = vs_is_pair(form) ? vs_pair_pos(form) : 0;
   if (!pos) return vs_cons(f->vm, f->arg[1].value, f->arg[2].value, out);
   return vs_cons_at(f->vm, f->arg[1].value, f->arg[2].value, pos, out);
 }
-/* (%place-of form): where the form stands, as a number. */
+/* (%place-of form): returns the place of the form as a number. */
 vs_status vs_p_place_of(vs_args *f, vs_value *out) {
   vs_value form = f->arg[0].value;
   *out = vs_fix(vs_is_pair(form) ? (int64_t)vs_pair_pos(form) : 0);

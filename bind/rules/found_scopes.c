@@ -1,6 +1,5 @@
-/* Owns the search for marked scopes in an object. A mark is an object of a kind of its own, without geometry, which
- * rules.scm makes as define-primitive makes its objects: it goes wherever what stands beside it is moved or copied.
- */
+/* Owns the search for marked scopes in an object. A mark is an object of its own kind without geometry. rules.scm makes
+ * it as define-primitive makes its objects, so it moves and multiplies with the objects around it. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/rules/derivation.h"
@@ -15,8 +14,8 @@
 
 typedef struct {
   const vs_node *node;
-  uint32_t next; /* child */
-  bool found;    /* a mark lies below */
+  uint32_t next; /* the next child */
+  bool found;    /* a mark is below */
 } visit;
 
 static const char mark_kind[] = "marked-scope";
@@ -24,7 +23,7 @@ static bool is_mark(const vs_node *n) { return n->kind == VS_CUSTOM && !strcmp(V
 
 enum { WITHOUT = 1, WITH = 2 };
 
-/* Notes of each node under n whether a mark lies in it. False: out of memory. */
+/* Notes for each node under n whether it contains a mark. Returns false when memory is out. */
 static bool note_marks(const vs_node *n, vs_nodemap *known) {
   visit *stack = NULL;
   size_t count = 0, room = 0;
@@ -58,7 +57,8 @@ typedef struct {
   vs_affine map;
 } placed;
 
-/* (%find-scopes o): a list of (number . matrix), in order: what was made with the number, moved by the matrix. */
+/* (%find-scopes o): returns a list of (number . matrix), in order: the mark's number, and the matrix that has moved
+ * it. */
 vs_status vs_p_marks(vs_args *f, vs_value *out) {
   vs_nodemap known = { .store = f->store };
   placed *stack = NULL, *found = NULL;
@@ -92,7 +92,7 @@ vs_status vs_p_marks(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* A copy of s with the mark of the number. NULL: the error is set. */
+/* Returns a copy of s with the mark of this number. NULL: the error is set. */
 static vs_scope *with_mark(vs_args *f, vs_scope *s, int64_t number) {
   const vs_bind *b = f->bind;
   vs_scope *c = NULL;
@@ -105,7 +105,7 @@ static vs_scope *with_mark(vs_args *f, vs_scope *s, int64_t number) {
   return c;
 }
 
-/* (%scope-mark s mark): the mark becomes part of what is being made; gives s with it. */
+/* (%scope-mark s mark): adds the mark to the objects made, and returns s with it. */
 vs_status vs_p_scope_mark(vs_args *f, vs_value *out) {
   const vs_node *n = f->arg[1].ref.node;
   vs_derivation *d = f->bind->growing;
@@ -115,7 +115,7 @@ vs_status vs_p_scope_mark(vs_args *f, vs_value *out) {
   return s ? vs_bind_give_scope(f->vm, s, out) : VS_ERROR;
 }
 
-/* (%scope-found s number matrix): s where the matrix has brought it, with its mark. */
+/* (%scope-found s number matrix): returns s, moved by the matrix, with its mark. */
 vs_status vs_p_scope_found(vs_args *f, vs_value *out) {
   vs_scope *s = with_mark(f, f->arg[0].scope, f->arg[1].integer);
   if (!s) return VS_ERROR;
@@ -124,7 +124,7 @@ vs_status vs_p_scope_found(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, at, out);
 }
 
-/* (%scope-mark-number s): of its mark, or #f. */
+/* (%scope-mark-number s): returns the number of the mark, or #f. */
 vs_status vs_p_scope_mark_number(vs_args *f, vs_value *out) {
   const vs_scope_extra *e = f->arg[0].scope->extra;
   *out = e && e->mark ? vs_fix(e->mark->id) : VS_FALSE;

@@ -1,4 +1,4 @@
-/* Owns records of derivations (lineage.h) and the table that finds an object's. */
+/* Owns the records of derivations (lineage.h), and the table from objects to records. */
 #include "bind/rules/lineage.h"
 
 #include "bind/call/call.h"
@@ -21,7 +21,7 @@ void vs_lineage_release(vs_lineage *r) {
 }
 
 bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, const char *op, uint32_t *number) {
-  /* Programs have some tens of them, and what was used last is used next. */
+  /* Programs have some tens of sites, and mostly use the last one again. */
   size_t site = r->site_count;
   while (site > 0 && (r->sites[site - 1].rule != rule || r->sites[site - 1].op != op)) site--;
   if (site == 0) {
@@ -36,7 +36,7 @@ bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, con
   return true;
 }
 
-/* ---- whose they are ---- */
+/* ---- records of objects ---- */
 
 struct vs_kept_lineage {
   vs_node *node; /* retained */
@@ -71,7 +71,7 @@ void vs_lineage_free(vs_bind *b) {
   b->records = NULL, b->record_room = b->record_limit = 0;
 }
 
-/* The latest record of the node, or of what it places, paints or names. NULL: there is none. */
+/* Returns the latest record of the node, or of the only child below it. NULL: there is none. */
 static const vs_lineage *record_of(const vs_bind *b, const vs_node *n) {
   for (;;) {
     for (size_t i = b->record_count; i-- > 0;)
@@ -86,8 +86,8 @@ static bool symbol_or_false(vs_scheme *vm, const char *name, vs_value *out) {
   return !name || vs_intern_c(vm, name, out);
 }
 
-/* (%derivation-record o): #f, or a vector of six for each entry, in their order, parents first: the parent, the
- * position there, how many scopes, the index of one, rule, operator. */
+/* (%derivation-record o): returns #f, or a vector of six values for each entry, in order, parents first: the parent,
+ * the position in it, the number of scopes, the index of a single one, rule, operator. */
 vs_status vs_p_derivation_record(vs_args *f, vs_value *out) {
   const vs_lineage *r = record_of(f->bind, f->arg[0].ref.node);
   VS_ROOTS(f->vm, v, 2);

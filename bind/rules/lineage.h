@@ -1,8 +1,8 @@
-/* Owns the record of a derivation: which rule and operator made which scopes, as a tree. Twenty bytes for all scopes
- * that one operator made; frames and sizes are not kept.
+/* Owns the record of a derivation: a tree of the scopes, with the rule and the operator that made them. All scopes that
+ * one operator made take twenty bytes together; frames and sizes are not kept.
  *
- * The records of objects that are still there are kept beside them, in a table of the interpreter: it holds a reference
- * to each object, and when it has grown twofold it lets go of those that nobody else holds. */
+ * A table of the interpreter keeps the records with their objects. It holds a reference to each object. When it has
+ * doubled, it releases the objects that have no other references. */
 #ifndef VS_BIND_RULES_LINEAGE_H
 #define VS_BIND_RULES_LINEAGE_H
 
@@ -11,12 +11,12 @@
 
 typedef struct vs_bind vs_bind;
 
-/* The scopes that one operator made of the scope at `position` of the entry `parent`. The first entry's parent is
- * itself: it is the root. */
+/* The scopes that one operator made from the scope at `position` of the entry `parent`. The first entry is the root,
+ * its own parent. */
 typedef struct {
   uint32_t parent, position, count;
-  uint32_t index; /* of the scope, where there is one; of several the position is the index */
-  uint32_t site;  /* rule and operator: in the record's table */
+  uint32_t index; /* the index of a single scope; with several scopes, their positions are their indices */
+  uint32_t site;  /* rule and operator, by their number in the record's table */
 } vs_lineage_entry;
 
 typedef struct vs_lineage vs_lineage;
@@ -37,12 +37,12 @@ static inline vs_lineage *vs_lineage_retain(vs_lineage *r) {
   return r;
 }
 void vs_lineage_release(vs_lineage *r); /* NULL is fine */
-/* Adds an entry made by the operator op of a rule (NULL: of none); texts are the store's. *number: its place. False:
- * out of memory. */
+/* Adds an entry for the operator op of a rule (NULL: outside of any rule); the store owns the texts. *number: the
+ * entry's place. Returns false when memory is out. */
 bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, const char *op, uint32_t *number);
 
-/* Keeps the record of the object that a derivation gave. False: out of memory. */
+/* Keeps the record of a derivation's object. Returns false when memory is out. */
 bool vs_lineage_keep(vs_bind *b, vs_node *n, vs_lineage *r);
-void vs_lineage_free(vs_bind *b); /* lets go of all of them */
+void vs_lineage_free(vs_bind *b); /* releases all of them */
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the makers of scopes, and what a program can read of a scope. */
+/* Owns the constructors of scopes, and the procedures that read a scope. */
 #include "bind/rules/make_scopes.h"
 
 #include "bind/build.h"
@@ -16,10 +16,10 @@
 #include "vm/machine/fail.h"
 #include "vm/values/heap.h"
 
-/* ---- makers ---- */
+/* ---- constructors ---- */
 
-/* A scope that is made while a rule runs lies in that rule's: path and flags go on, and chance is that of both
- * places. */
+/* Makes s a child of the running rule's scope: it continues that path and its flags, and its random numbers depend on
+ * both places. */
 static void stand_in(vs_scope *s, const vs_derivation *d, const char *op) {
   s->parent = vs_scope_retain(d->now), s->depth = d->now->depth + 1;
   s->rule = d->name, s->op = op;
@@ -63,7 +63,7 @@ vs_status vs_p_make_turtle_scope(vs_args *f, vs_value *out) {
   return made(f, s, f->arg[0].point, out);
 }
 
-/* Sets frame and size of a scope to the object's bounds, as a root box has them. */
+/* Sets the scope's frame and size to the object's bounds, like those of a root box. */
 static bool box_around(vs_args *f, vs_scope *s, vs_ref object) {
   vs_bounds b;
   vs_error e = { 0 };
@@ -91,8 +91,8 @@ vs_status vs_p_make_surface_scope(vs_args *f, vs_value *out) {
   return object_scope(f, VS_SCOPE_SURFACE, out);
 }
 
-/* The loops of one area of a region: an outer loop and the holes behind it. *next is where it begins, and then the
- * next. NULL: the error is set. */
+/* Returns the loops of one area of a region: an outer loop and its holes. *next is the first loop, and afterwards the
+ * next area's. NULL: the error is set. */
 vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *next) {
   size_t first = *next, end = first + 1, points = 0;
   while (end < o->count && o->hole[end]) end++;
@@ -168,7 +168,7 @@ vs_status vs_p_make_curve_scope(vs_args *f, vs_value *out) {
   return made(f, s, s->loops->points->at[0], out);
 }
 
-/* ---- what a scope says of itself ---- */
+/* ---- reading a scope ---- */
 
 static vs_status is_class(vs_args *f, vs_scope_class c, vs_value *out) {
   const vs_scope *s = vs_bind_take_scope(f->arg[0].value);
@@ -228,7 +228,8 @@ vs_status vs_p_scope_parent(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, vs_scope_retain(parent), out);
 }
 
-/* A list, from the root, of (rule operator index); the rule is #f where an operator was called outside of any. */
+/* Returns a list of (rule operator index), from the root on; the rule is #f if the operator was called outside of
+ * any. */
 vs_status vs_p_scope_path(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 3);
@@ -246,7 +247,7 @@ vs_status vs_p_scope_path(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-region s): what the loops of a polygon or triangle scope enclose. */
+/* (scope-region s): returns the region in the loops of a polygon or triangle scope. */
 vs_status vs_p_scope_region(vs_args *f, vs_value *out) {
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;
   const vs_scope_loops *l = f->arg[0].scope->loops;
@@ -282,7 +283,7 @@ vs_status vs_p_scope_flags(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%with-flags s flags rule): flags is a list of symbols, and of pairs of a symbol and whether it holds. */
+/* (%with-flags s flags rule): flags is a list of symbols, and of pairs of a symbol and a boolean. */
 vs_status vs_p_with_flags(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;

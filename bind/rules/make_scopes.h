@@ -1,4 +1,4 @@
-/* Owns the interface of make_scopes.c: the makers of scopes, and what a program can read of a scope. */
+/* Owns the interface of make_scopes.c: the constructors of scopes, and the procedures that read a scope. */
 #ifndef VS_BIND_RULES_MAKE_SCOPES_H
 #define VS_BIND_RULES_MAKE_SCOPES_H
 
@@ -8,7 +8,7 @@
 
 typedef struct vs_args vs_args;
 
-/* make_scopes.c: the loops of one area of an outline, NULL: the error is set */
+/* returns the loops of one area of an outline; NULL: the error is set */
 vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *next);
 
 #endif

@@ -1,8 +1,8 @@
-/* Owns the components of mesh scopes: the polygons of an object, each a polygon scope, and their edges and vertices.
+/* Owns the components of mesh scopes: the faces of an object, each a polygon scope, and their edges and vertices.
  *
- * Faces of polyface meshes and boxes are theirs; regions and closed curves are one face for each of their areas; all
- * other solids and surfaces give the triangles of their mesh. An edge that several faces share is given once, and so
- * is a vertex. */
+ * Polyface meshes and boxes give their own faces; regions and closed curves give a face for each of their areas; all
+ * other solids and surfaces give the triangles of their mesh. An edge of several faces occurs once, as does a
+ * vertex. */
 #include "bind/rules/mesh_faces.h"
 
 #include "bind/call/call.h"
@@ -96,7 +96,7 @@ static bool add_leaf(faces *all, vs_ref ref, const vs_affine *map) {
   return ok;
 }
 
-/* Unions, placements and appearance are gone through, on a stack of our own. */
+/* Adds the faces of an object. It enters unions, placements and wrappers with an explicit stack. */
 static bool add_object(faces *all, vs_ref root) {
   typedef struct {
     vs_ref ref;
@@ -127,7 +127,7 @@ static bool add_object(faces *all, vs_ref root) {
   return true;
 }
 
-/* An edge of a face, from a to b as the face goes round; a vertex where both are the same. */
+/* An edge of a face, from a to b in the face's direction; a vertex if both are equal. */
 typedef struct { vs_vec3 a, b; size_t order; } face_edge;
 
 static int by_place(vs_vec3 p, vs_vec3 q) {
@@ -136,7 +136,7 @@ static int by_place(vs_vec3 p, vs_vec3 q) {
   return p.z == q.z ? 0 : p.z < q.z ? -1 : 1;
 }
 
-/* Whichever way an edge runs. */
+/* Compares edges regardless of their direction. */
 static int compare_edges(const face_edge *p, const face_edge *q) {
   bool p_back = by_place(p->a, p->b) > 0, q_back = by_place(q->a, q->b) > 0;
   int low = by_place(p_back ? p->b : p->a, q_back ? q->b : q->a);
@@ -154,7 +154,7 @@ static int by_order(const void *p, const void *q) {
   return (e->order > f->order) - (e->order < f->order);
 }
 
-/* The edges or vertices of all faces, each once, in the faces' order: *out, *count, in scratch. */
+/* Returns the edges or vertices of all faces, each once, in the faces' order: *out, *count, in scratch. */
 static bool edges_once(const faces *all, bool vertices, face_edge **out, size_t *count) {
   size_t n = 0, kept = 0;
   for (size_t i = 0; i < all->count; i++) n += all->at[i]->points->count;
@@ -175,8 +175,8 @@ static bool edges_once(const faces *all, bool vertices, face_edge **out, size_t 
   return true;
 }
 
-/* The i-th component: a face, which keeps its loops, or an edge or a vertex in the mesh's own frame. An edge that
- * stands upright has x for its up. */
+/* Sets c to the i-th component: a face with its loops, or an edge or a vertex in the mesh's own frame. The y of a
+ * vertical edge is nearest the frame's x. */
 static bool lay_component(vs_scope *c, const vs_scope *s, faces *all, const face_edge *edges, size_t i) {
   if (!edges) {
     c->loops = all->at[i], all->at[i] = NULL;

@@ -1,5 +1,4 @@
-/* Owns the operators that give the same scope elsewhere, turned or of another size. Sizes, frames and paths:
- * scope.h. */
+/* Owns the operators that move, turn or resize a scope. Sizes, frames and paths: scope.h. */
 #include "bind/rules/move_scopes.h"
 
 #include "bind/call/call.h"
@@ -9,14 +8,14 @@
 
 #include <string.h>
 
-/* A changed scope has its path still: it is the same one. NULL: the error is set. */
+/* Returns a copy with the same path, since a changed scope counts as the same. NULL: the error is set. */
 static vs_scope *changed(vs_args *f) {
   vs_scope *s = vs_scope_copy(f->arg[0].scope);
   if (!s) vs_fail_memory(f->vm);
   return s;
 }
 
-/* Moves all of a scope that lies in space. Its loops are copied. */
+/* Moves a scope's shape by m. Copies its loops. */
 static bool moved(vs_scope *s, const vs_affine *m) {
   if (s->class_ == VS_SCOPE_FFD) {
     for (int c = 0; c < 8; c++) s->as.corner[c] = vs_affine_point(m, s->as.corner[c]);
@@ -37,15 +36,15 @@ static bool moved(vs_scope *s, const vs_affine *m) {
   const vs_scope_loops *old = s->loops;
   vs_scope_loops *l = vs_scope_loops_new(s->store, old->points->at, old->start, old->count);
   if (!l) return false;
-  vs_vec3 *at = (vs_vec3 *)(uintptr_t)l->points->at; /* ours alone until here */
+  vs_vec3 *at = (vs_vec3 *)(uintptr_t)l->points->at; /* no other scope has it yet */
   for (uint32_t i = 0; i < l->points->count; i++) at[i] = vs_affine_point(m, at[i]);
   vs_scope_loops_release(s->store, s->loops);
   s->loops = l;
   return true;
 }
 
-/* Makes the columns of a frame unit vectors that stand upright on each other and turn to the right, where they do the
- * first already: lengths go to the size. False: the box has become a parallelepiped. */
+/* Makes the columns of a frame unit vectors of a right-handed system, if they are perpendicular; their lengths go to
+ * the size. Returns false if the box has become a parallelepiped. */
 static bool box_again(vs_affine *frame, vs_vec3 *size) {
   vs_vec3 c[3], at = vs_affine_column(frame, 3);
   double *extent[3] = { &size->x, &size->y, &size->z };
@@ -55,7 +54,7 @@ static bool box_again(vs_affine *frame, vs_vec3 *size) {
   }
   for (int i = 0; i < 3; i++)
     if (fabs(vs_v3_dot(c[i], c[(i + 1) % 3])) > 1e-9) return false;
-  if (vs_v3_dot(vs_v3_cross(c[0], c[1]), c[2]) < 0) /* a mirror: x runs the other way, from the other end */
+  if (vs_v3_dot(vs_v3_cross(c[0], c[1]), c[2]) < 0) /* a mirror: x is reversed and begins at the other end */
     at = vs_v3_add(at, vs_v3_scale(c[0], size->x)), c[0] = vs_v3_scale(c[0], -1);
   *frame = vs_affine_columns(c[0], c[1], c[2], at);
   return true;
@@ -82,7 +81,7 @@ vs_scope *vs_scope_placed(const vs_scope *of, const vs_affine *m) {
     return s;
   }
   if (s->class_ != VS_SCOPE_BOX || !(sheared = vs_scope_fresh(s->store, VS_SCOPE_FFD))) return s;
-  /* Fields that both classes have are the same; a scope's shape comes last. */
+  /* Fields that both classes have have equal offsets; a scope's shape comes last. */
   vs_scope_corners(s, sheared->as.corner);
   vs_scope_take_path(sheared, s);
   vs_scope_release(s);
@@ -102,8 +101,8 @@ vs_status vs_p_scope_move(vs_args *f, vs_value *out) {
   return give_moved(f, &m, out);
 }
 
-/* A hexahedron stays where it is and its axes take other edges: by a quarter about axis a, the new axis after a is the
- * old one after that, and the next is the old one reversed. */
+/* Relabels the axes of a hexahedron, which does not move: a quarter turn about axis a. With b and c the axes after a,
+ * the new b is the old c, and the new c is the old b reversed. */
 static vs_status turn_hexahedron(vs_args *f, int a, int quarters, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -135,8 +134,8 @@ vs_status vs_p_scope_turn(vs_args *f, vs_value *out) {
 
 #define SIZED (VS_SCOPE_BIT(BOX) | VS_SCOPE_BIT(TURTLE))
 
-/* Sizes along x, y, z, and -1 for what stays. The first corner stays; a turtle's cross-section grows from its
- * middle. */
+/* Returns the scope with sizes along x, y, z; -1 keeps a size. The first corner stays; a turtle's cross-section grows
+ * from its middle. */
 static vs_status give_sized(vs_args *f, vs_vec3 size, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;

@@ -4,8 +4,8 @@
 
 #include "bind/rules/derivation.h"
 
-/* The object in the scope: fitted into its box, or deformed. Gathered; with the given origin. False: the error is
- * set. */
+/* Fits the object into the scope's box, or deforms it to the hexahedron, and adds it to the objects made, with the
+ * given origin. Returns false with the error set. */
 bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs_origin *origin);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the life of scopes: counting, copying, hashes of paths, flags, printing. */
+/* Owns the life of scopes: reference counts, copies, hashes of paths, flags, printing. */
 #include "bind/rules/scope.h"
 
 #include "model/store/piece.h"
@@ -52,7 +52,7 @@ vs_scope_loops *vs_scope_loops_new(vs_store *store, const vs_vec3 *at, const uin
 }
 
 void vs_scope_release(vs_scope *s) {
-  vs_scope_extra *dead = NULL; /* whose senders are left to be released */
+  vs_scope_extra *dead = NULL; /* extras whose senders are still to be released */
   for (;;) {
     while (s && --s->refs == 0) {
       vs_scope *parent = s->parent;
@@ -136,7 +136,7 @@ uint64_t vs_scope_mix(uint64_t hash, uint64_t more) {
 }
 
 void vs_scope_plant(vs_scope *s, vs_vec3 at) {
-  const double d[3] = { at.x + 0., at.y + 0., at.z + 0. }; /* -0 is 0 */
+  const double d[3] = { at.x + 0., at.y + 0., at.z + 0. }; /* adding 0 turns -0 into 0 */
   uint64_t word;
   for (int i = 0; i < 3; i++) {
     memcpy(&word, &d[i], sizeof word);
@@ -154,8 +154,7 @@ void vs_scope_path_text(const vs_scope *s, char *text, size_t room) {
     all++;
     if (n < PATH_LEVELS) level[n++] = p;
   }
-  /* The beginning of a path longer than this is not kept: rules that call themselves have the interesting part at
-   * the end. */
+  /* The text omits the beginning of a longer path: the end is more useful if rules call themselves. */
   size_t shown = n < 12 ? n : 12;
   text[0] = 0;
   if (all > shown) at = (size_t)snprintf(text, room, ".../");
@@ -203,7 +202,7 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
   }
   uint32_t room = have + fresh;
   while (f->count < room)
-    f->name[f->count++] = names[0]; /* a name given twice: the size must stay what was asked for */
+    f->name[f->count++] = names[0]; /* a name was given twice: the array keeps its size */
   vs_scope_flags_release(s->store, s->flags);
   s->flags = f;
   return true;
@@ -211,8 +210,8 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
 
 /* ---- marks and signals ---- */
 
-/* Makes s's extra its own, without signals where it was shared: those are for the scope that waited. NULL: out of
- * memory. */
+/* Makes s's extra its own. A copy of a shared one has no signals, since those are for the scope that waited. NULL: out
+ * of memory. */
 static vs_scope_extra *own_extra(vs_scope *s) {
   vs_scope_extra *old = s->extra;
   if (old && old->refs == 1) return old;
@@ -240,7 +239,7 @@ bool vs_scope_add_signal(vs_scope *s, vs_scope *from) {
   return true;
 }
 
-/* ---- where it lies ---- */
+/* ---- place ---- */
 
 vs_vec3 vs_scope_corner(const vs_scope *s, int i, int j, int k) {
   if (s->class_ == VS_SCOPE_FFD) return s->as.corner[i + 2 * j + 4 * k];

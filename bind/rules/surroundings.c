@@ -1,11 +1,12 @@
-/* Owns what a rule may ask of its surroundings: does its scope touch what was made so far, does it lie inside of it.
+/* Owns the questions of a rule about its surroundings: whether its scope touches the objects made so far, or lies
+ * inside of them.
  *
- * Plan. The bounds of what was made lie in a tree over the order in which it was made: what one rule makes lies close
- * together, so sixteen neighbours share a box, sixteen such boxes the next, and so on. Where bounds meet, the question
- * is answered exactly: the scope is one convex piece, six tetrahedra where it is a hexahedron, a flat piece for each
- * triangle of a polygon or a mesh and for each stretch of a curve; a triangle of the object touches it where something
- * is left of it when it is cut by the planes of a piece. A scope that no triangle touches lies wholly inside or
- * outside, which one point decides; so does an object in a scope that is a closed mesh. */
+ * Plan. The bounds of the objects form a tree in the order in which they were made. The objects of one rule are close
+ * together, so sixteen neighbours share a box, sixteen such boxes share the next, and so on. Where bounds meet, the
+ * test is exact. The scope is one convex piece, six tetrahedra for a hexahedron, or a flat piece for each triangle of a
+ * polygon or a mesh and for each segment of a curve. A triangle of the object touches the scope if a part of it remains
+ * after it is cut by the planes of a piece. A scope that no triangle touches lies wholly inside or outside: one point
+ * decides. The same holds for an object in a scope that is a closed mesh. */
 #include "bind/rules/surroundings.h"
 
 #include "bind/build.h"
@@ -28,12 +29,12 @@ struct vs_surroundings {
   struct {
     vs_bounds *at;
     size_t count, room;
-  } level[LEVELS]; /* 0: of each thing made */
+  } level[LEVELS]; /* level 0: the bounds of each object */
   struct {
     vs_node *node;     /* retained, or NULL */
-    vs_node *resolved; /* the same without nodes that await their mesh (solids/resolve.h); retained */
+    vs_node *resolved; /* the same, with its meshes made (solids/resolve.h); retained */
     vs_bend_leaves leaves;
-  } kept[KEPT]; /* objects taken apart, by address */
+  } kept[KEPT]; /* objects with their triangles, by address */
 };
 
 static void drop_one(vs_surroundings *a, size_t i) {
@@ -73,19 +74,19 @@ typedef struct {
 } half_space; /* normal · p <= at; unit normal */
 typedef struct {
   half_space side[6];
-  int count, paired; /* of the first `paired` sides two and two look away from each other */
-  vs_vec3 triangle[3]; /* of a flat piece */
+  int count, paired; /* the first `paired` sides are pairs with opposite normals */
+  vs_vec3 triangle[3]; /* the triangle of a flat piece */
 } piece;
 typedef struct {
   vs_store *store;
   vs_bounds bounds;
-  vs_vec3 corner[8]; /* of the box around it */
-  vs_vec3 point;     /* one of its own */
-  double slack;      /* lengths that are as good as none */
+  vs_vec3 corner[8]; /* the corners of the box around it */
+  vs_vec3 point;     /* a point in it */
+  double slack;      /* the length below which a distance counts as 0 */
   piece own[6];
-  piece *flat; /* in place of own, of a polygon, a curve or a mesh; the store's */
+  piece *flat; /* instead of own, for a polygon, a curve or a mesh; owned by the store */
   size_t count, room;
-  vs_node *solid; /* whose inside belongs to it; or NULL */
+  vs_node *solid; /* a closed mesh, whose inside belongs to the body; or NULL */
 } body;
 static const piece *pieces_of(const body *b) { return b->flat ? b->flat : b->own; }
 static void body_drop(body *b) {
@@ -97,7 +98,7 @@ static half_space half_space_of(vs_vec3 normal, vs_vec3 at) {
   return (half_space){ normal, vs_v3_dot(normal, at) };
 }
 
-/* The frame's own box: also where it has no size along an axis. */
+/* Adds the frame's own box, also if it has no size along an axis. */
 static void box_piece(body *b, const vs_scope *s) {
   vs_affine m = vs_scope_frame(s);
   piece *p = &b->own[b->count++];
@@ -111,7 +112,7 @@ static void box_piece(body *b, const vs_scope *s) {
   }
 }
 
-/* The tetrahedra of a hexahedron about its diagonal from corner 0 to 7; flat ones are left out. */
+/* Adds the tetrahedra of a hexahedron about its diagonal from corner 0 to 7, without flat ones. */
 static void tetrahedra(body *b) {
   static const int way[6][2] = { { 1, 3 }, { 1, 5 }, { 2, 3 }, { 2, 6 }, { 4, 5 }, { 4, 6 } };
   for (int t = 0; t < 6; t++) {
@@ -129,7 +130,7 @@ static void tetrahedra(body *b) {
   }
 }
 
-/* Adds what has no thickness: a triangle, or a stretch of a line where two corners are one. */
+/* Adds a flat piece: a triangle, or a segment if two corners are equal. */
 static bool add_flat(body *b, const vs_vec3 t[3]) {
   vs_vec3 x = vs_v3_sub(t[1], t[0]), z = vs_v3_cross(x, vs_v3_sub(t[2], t[0]));
   bool line = vs_v3_length(z) <= b->slack * b->slack;
@@ -139,7 +140,7 @@ static bool add_flat(body *b, const vs_vec3 t[3]) {
   piece *p = &b->flat[b->count++];
   *p = (piece){ .triangle = { t[0], t[1], t[2] } };
   vs_vec3 ux = vs_v3_unit(x);
-  if (line) { /* two pairs of planes along it, and one across its ends */
+  if (line) { /* two pairs of planes along the segment, and one pair across its ends */
     vs_vec3 away = fabs(ux.x) < .6 ? vs_v3(1, 0, 0) : vs_v3(0, 1, 0), uy = vs_v3_unit(vs_v3_cross(ux, away));
     vs_vec3 uz = vs_v3_cross(ux, uy), end = vs_v3_length(vs_v3_sub(t[1], t[0])) > 0 ? t[1] : t[2];
     const vs_vec3 across[2] = { uy, uz };
@@ -199,7 +200,7 @@ static bool curve_pieces(body *b, const vs_scope *s) {
   return ok;
 }
 
-/* The faces of the object that a mesh or surface scope was made of. *set: the condition is. */
+/* Adds the faces of the object that a mesh or surface scope was made from. Sets *set if the condition is set. */
 static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) {
   vs_bend_leaves leaves;
   vs_ref object = { vs_node_retain(s->object.node), s->object.origin };
@@ -218,7 +219,7 @@ static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) 
   return ok;
 }
 
-/* False: the condition is set. The caller drops what comes back. */
+/* Computes the body of a scope; the caller drops it. Returns false with the condition set. */
 static bool body_of(vs_bind *bind, const vs_scope *s, body *b) {
   *b = (body){ .store = bind->store, .bounds = vs_bounds_empty() };
   vs_scope_corners(s, b->corner);
@@ -236,8 +237,8 @@ static bool body_of(vs_bind *bind, const vs_scope *s, body *b) {
   return ok || set ? ok : vs_fail_memory(bind->vm);
 }
 
-/* Is something left of the triangle within the piece? Its sides go out by slack; a negative one moves them in, but for
- * pairs that have no room between them. */
+/* Returns true if a part of the triangle lies in the piece. Its sides move out by slack; a negative one moves them in,
+ * except for pairs that are too close. */
 static bool triangle_meets(const piece *p, const vs_vec3 triangle[3], double slack) {
   vs_vec3 corner[2][16];
   size_t n = 3;
@@ -286,21 +287,21 @@ static bool surfaces_touch(const body *a, const body *b) {
   static const int face[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
                                   { 2, 3, 7, 6 }, { 0, 2, 6, 4 }, { 1, 3, 7, 5 } };
   for (int i = 0; i < 6 && !b->flat; i++)
-    for (int k = 0; k < 2; k++) { /* the diagonals from 0 and 7, as the tetrahedra's */
+    for (int k = 0; k < 2; k++) { /* the diagonals from 0 and 7, as of the tetrahedra */
       const vs_vec3 t[3] = { b->corner[face[i][0]], b->corner[face[i][1 + k]], b->corner[face[i][2 + k]] };
       if (body_meets(a, t, slack)) return true;
     }
   return false;
 }
 
-/* Is the point inside of the closed mesh that a body is? */
+/* Tests whether the point lies inside of the closed mesh of a body. */
 static bool solid_holds(vs_bind *bind, const body *b, vs_vec3 p, bool *in) {
   vs_error e = { 0 };
   if (!b->solid || vs_inside_cached(&bind->inside, b->solid, p, in, &e)) return true;
   return e.kind == VS_ERROR_INTERRUPT ? false : vs_fail(bind->vm, bind->vm->sym.error, "%s", e.message);
 }
 
-/* Do two bodies have a point in common? False: the condition is set. */
+/* Tests whether two bodies have a common point. Returns false with the condition set. */
 static bool bodies_touch(vs_bind *bind, const body *a, const body *b, bool *touch) {
   *touch = surfaces_touch(a, b);
   if (*touch || !vs_bounds_overlap(&a->bounds, &b->bounds, fmax(a->slack, b->slack))) return true;
@@ -332,7 +333,7 @@ static const vs_bend_leaves *taken_apart(vs_surroundings *a, vs_ref object, vs_n
   return &a->kept[i].leaves;
 }
 
-/* Does a triangle or a stretch of a curve meet the body, its sides out by slack? */
+/* Returns true if a triangle or a segment of a curve meets the body, with its sides moved out by slack. */
 static bool leaf_meets(const vs_bend_leaf *l, const vs_affine *map, const body *b, double slack) {
   const vs_mesh *m = &l->mesh;
   size_t count = !l->curve ? m->triangle_count : m->vertex_count - (l->closed ? 0 : m->vertex_count > 0);
@@ -356,7 +357,7 @@ static bool leaf_point(const vs_bend_leaf *l, const vs_affine *map, vs_vec3 *out
 typedef struct {
   vs_args *f;
   body body;
-  bool inside; /* the question is whether it lies inside; else whether it touches */
+  bool inside; /* the question is whether the body lies inside; otherwise whether it touches */
   const char *flag;
   bool failed;
 } question;
@@ -369,7 +370,8 @@ static bool holds(question *q, const vs_node *n, vs_vec3 p) {
   return in;
 }
 
-/* Does it hold the points, each a little nearer to their middle: a scope may lie on the object's faces. */
+/* Returns true if the object contains the points, each moved a little towards their middle, since a scope may lie on
+ * the object's faces. */
 static bool holds_all(question *q, const vs_node *n, const vs_affine *back, const vs_vec3 *at, int count) {
   vs_vec3 middle = vs_v3(0, 0, 0);
   for (int i = 0; i < count; i++) middle = vs_v3_add(middle, vs_v3_scale(at[i], 1.0 / count));
@@ -381,7 +383,7 @@ static bool holds_all(question *q, const vs_node *n, const vs_affine *back, cons
   return all;
 }
 
-/* Does the answer hold for this object? */
+/* Returns true if the answer is yes for this object. */
 static bool answers(question *q, vs_surroundings *a, vs_ref object) {
   vs_affine map = vs_affine_identity();
   vs_ref base = object;
@@ -411,9 +413,9 @@ static bool answers(question *q, vs_surroundings *a, vs_ref object) {
   return !meets && !q->failed;
 }
 
-/* ---- all that was made ---- */
+/* ---- all objects ---- */
 
-/* Brings the tree up to what has been made since. */
+/* Adds the objects made since the last question to the tree. */
 static bool catch_up(vs_derivation *d, vs_surroundings *a) {
   vs_error e = { 0 };
   for (size_t i = a->level[0].count; i < d->made_count; i++) {
@@ -438,7 +440,7 @@ static bool any_answers(question *q, vs_derivation *d) {
   if (!a || !catch_up(d, a)) return q->failed = true, false;
   int level = LEVELS - 1;
   size_t at = 0;
-  /* In order: down into a box that meets, else on to the next, or up where there is none left beside it. */
+  /* In order: down into a box that meets; otherwise to the next box, or up after the last one of a level. */
   while (at < a->level[level].count) {
     const vs_bounds *box = &a->level[level].at[at];
     bool meet = !vs_bounds_is_empty(box) && vs_bounds_overlap(box, &q->body.bounds, q->body.slack);
@@ -456,7 +458,7 @@ static bool any_answers(question *q, vs_derivation *d) {
   return false;
 }
 
-/* Scopes that wait count as what will be made of them. */
+/* Returns true if the body touches a waiting scope, which counts as the objects that will come from it. */
 static bool any_waits(question *q, const vs_derivation *d) {
   bool touch = false;
   for (size_t i = 0; i < d->waiting_count && !q->inside && !touch && !q->failed; i++) {
@@ -491,8 +493,8 @@ static vs_status ask(vs_args *f, bool inside, vs_value *out) {
 vs_status vs_p_scope_touches(vs_args *f, vs_value *out) { return ask(f, false, out); }
 vs_status vs_p_scope_is_inside(vs_args *f, vs_value *out) { return ask(f, true, out); }
 
-/* (scope-overlap s other): the part of s's box that the other's bounds along s's own axes take: two points in s's own
- * coordinates, or #f. */
+/* (scope-overlap s other): returns two points in s's own coordinates, the corners of the intersection of s's box with
+ * other's bounds along s's axes; or #f. */
 vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   vs_affine frame = vs_scope_frame(f->arg[0].scope), back;
   vs_vec3 size = vs_scope_size(f->arg[0].scope), corner[8];
@@ -513,8 +515,8 @@ vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-detail s #:width): how many pixels long the scope's diagonal is on a picture of that width that the drawing's
- * camera takes, where the scope is nearest; +inf where the camera is in it, or there is none yet. */
+/* (scope-detail s #:width): returns the length of the scope's diagonal, in pixels, on a picture of that width by the
+ * drawing's camera, at the scope's nearest distance. +inf if the camera is in the scope, or there is no camera. */
 vs_status vs_p_scope_detail(vs_args *f, vs_value *out) {
   const vs_scene *scene = &f->bind->scene;
   vs_vec3 corner[8], middle = { 0, 0, 0 };

@@ -1,8 +1,7 @@
-/* Owns the turtle: moves and turns of its frame, its cross-section, and the hexahedra between two of its cross-
- * sections.
+/* Owns the turtle: moves and turns of its frame, its cross-section, and the hexahedra between two cross-sections.
  *
- * The frame's columns are left (x), up (y) and ahead (z). A yaw turns to the left, a pitch upwards, a roll to the
- * right about the heading, as of a plane that banks. */
+ * The frame's columns are left (x), up (y) and ahead (z). A yaw turns to the left, a pitch upwards, a roll to the right
+ * about the heading, like an aircraft that banks. */
 #include "bind/call/call.h"
 #include "bind/rules/derivation.h"
 
@@ -25,7 +24,7 @@ vs_status vs_p_turtle_forward(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, s, out);
 }
 
-/* Turns about the turtle's own axis, through its place. */
+/* Turns about the turtle's own axis, through its position. */
 static vs_status turned(vs_args *f, int axis, double angle, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -51,7 +50,7 @@ vs_status vs_p_turtle_height(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, s, out);
 }
 
-/* Tropism: the heading turns towards the vector, by the strength's part of the angle between them. */
+/* Tropism: turns the heading towards the vector, by the strength times the angle between them. */
 vs_status vs_p_turtle_toward(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -65,7 +64,7 @@ vs_status vs_p_turtle_toward(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, s, out);
 }
 
-/* The cross-section is the back of the next hexahedron. */
+/* Makes the cross-section the back of the next hexahedron. */
 vs_status vs_p_turtle_back(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -74,7 +73,7 @@ vs_status vs_p_turtle_back(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, s, out);
 }
 
-/* The cross-section is the front of a hexahedron, which gets the rule. */
+/* Makes the cross-section the front of a hexahedron, to which the rule applies. */
 vs_status vs_p_turtle_front(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, TURTLE)) return VS_ERROR;
