@@ -1,7 +1,7 @@
-/* Owns what the scene's Scheme asks of C: matrices, rays, and the drawing that a node holds.
+/* Owns the natives of the scene: matrices, rays, and the drawing of a node.
  *
- * There is one drawing at work, to which `draw` adds. When the focus moves to another node, drawing_swap gives the
- * objects of the old node as a list and takes up those of the new one. */
+ * There is one current drawing, to which `draw` adds. When the focus moves to another node, drawing_swap returns the
+ * objects of the old node as a list, and the objects of the new one become the drawing. */
 #include "bind/scene/node_natives.h"
 
 #include <math.h>
@@ -41,7 +41,8 @@ static vs_status give_matrix(vs_scheme *vm, const vs_affine *m, vs_value *out) {
   return vs_make_flat(vm, VS_FLAT_MATRIX, d, 16, out);
 }
 
-/* translate rotate scale, gvectors: the matrix that scales, then turns about X, Y and Z in this order, then moves */
+/* translate rotate scale, gvectors: returns the matrix that scales, then turns about X, Y and Z in this order, then
+ * moves. */
 static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const double *t = vs_as_flat(a[0])->at, *r = vs_as_flat(a[1])->at, *s = vs_as_flat(a[2])->at;
@@ -56,8 +57,8 @@ static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return give_matrix(vm, &m, out);
 }
 
-/* The way back: a list of translate, rotate and scale, of which node_matrix makes the matrix again, or #f where its
- * columns are not at right angles or one of them is 0. A mirror goes into the scale along X. */
+/* The inverse of node_matrix: returns a list of translate, rotate and scale that give the matrix; #f if its columns are
+ * not perpendicular or one of them is 0. A mirror goes into the scale along X. */
 static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[0])->at);
@@ -72,7 +73,7 @@ static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   if (flat > 1e-12) {
     r[0] = atan2(column[1].z, column[2].z) / degree;
     r[2] = atan2(column[0].y, column[0].x) / degree;
-  } else r[0] = atan2(-column[2].y, column[1].y) / degree; /* X stands upright: turns about X and Z are one */
+  } else r[0] = atan2(-column[2].y, column[1].y) / degree; /* X is vertical: turns about X and Z are the same */
   const double *const parts[3] = { t, r, s };
   VS_ROOTS(vm, root, 2);
   root[0] = VS_NIL;
@@ -83,7 +84,7 @@ static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
-/* matrix point: where the matrix brings the point */
+/* matrix point: returns the point moved by the matrix. */
 static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[0])->at);
@@ -101,9 +102,9 @@ static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
   return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "what the ray meets cannot be computed");
 }
 
-/* object matrix from direction: where the ray, in the world's coordinates, meets the object that the matrix puts there
- * from its own. #f: nowhere; else (lengths of direction . #f), or (lengths file line column) where the object's maker
- * is known. */
+/* object matrix from direction: intersects the ray, in the world's coordinates, with the object, placed by the matrix.
+ * Returns #f for no hit, (lengths . #f) with the distance in lengths of direction, or (lengths file line column) if the
+ * object's origin is known. */
 static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[1])->at), back;
@@ -111,7 +112,7 @@ static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_ray_hit hit;
   vs_error e = { 0 };
   *out = VS_FALSE;
-  if (!vs_affine_invert(&m, &back)) return VS_OK; /* flat: there is nothing to meet */
+  if (!vs_affine_invert(&m, &back)) return VS_OK; /* flat: no ray meets it */
   vs_vec3 from = vs_affine_point(&back, vs_v3(p[0], p[1], p[2]));
   vs_vec3 direction = vs_affine_vector(&back, vs_v3(d[0], d[1], d[2]));
   if (!vs_ray_meets(vm, vs_bind_take_ref(a[0]), from, direction, &hit, &e)) return fail_ray(vm, &e);
@@ -127,7 +128,7 @@ static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_cons(vm, vs_flonum(hit.at), r[0], out);
 }
 
-/* ---- the drawing of whoever has the focus ---- */
+/* ---- the drawing of the node with the focus ---- */
 
 static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
@@ -141,8 +142,8 @@ static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
-/* The root's drawing is about to be replaced: objects of it that the program's expressions returned, or parts of what
- * they returned, were not thrown away. Without memory for the question the warnings stay. */
+/* Called before the root's drawing is replaced. Marks returned objects as shown if they are in the drawing, themselves
+ * or all their parts; a program does not throw these away. When memory is out, it marks none. */
 static void was_shown(vs_bind *b) {
   if (b->returned_count == 0 || b->scene.drawn_count == 0) return;
   vs_nodemap all = { .store = b->store };
@@ -158,14 +159,15 @@ static void was_shown(vs_bind *b) {
   vs_nodemap_free(&all);
 }
 
-/* objects, a list: what is drawn now; away: it is not the root's. The value is what was drawn before. */
+/* objects, a list: become the drawing; away: it is not the root's. Returns the old drawing. */
 static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_bind *b = vs_bind_of(vm);
   VS_ROOTS(vm, r, 1);
   if (!drawing_list(vm, a, n, &r[0])) return VS_ERROR;
   size_t before = b->scene.drawn_count, kept = 0;
   if (!b->away && a[1] == VS_FALSE) was_shown(b);
-  for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* behind what stands there, so that a refusal loses nothing */
+  for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* appended after the old objects, so that a failure loses
+                                                         * nothing */
     if (!vs_scene_draw(&b->scene, vs_bind_take_ref(vs_car(l)))) {
       while (b->scene.drawn_count > before) vs_node_release(b->scene.drawn[--b->scene.drawn_count].node);
       return vs_fail_memory(vm);
@@ -177,19 +179,19 @@ static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   if (b->drawn_last) b->drawn_away = b->drawn_last;
   b->drawn_last = NULL;
   b->away = a[1] != VS_FALSE;
-  b->drew = b->drew || (!b->away && kept > 0); /* node-setdrawing may give the root a drawing, without a call of draw */
+  b->drew = b->drew || (!b->away && kept > 0); /* node-setdrawing may give the root a drawing without a call of draw */
   *out = r[0];
   return VS_OK;
 }
 
-/* ---- programs of their own ---- */
+/* ---- new programs ---- */
 
 static vs_status new_program(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   return vs_program_new(vm, out);
 }
 
-/* environment name: has the program given the name a value itself? */
+/* environment name: returns whether the program itself has given the name a value. */
 static vs_status program_defines(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   vs_meaning m = vs_environment_find(a[0], a[1]);
@@ -207,21 +209,21 @@ static vs_status host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- handing over ---- */
 
-enum { HOST_SCENE = 4 }; /* where nodes.scm put its procedure when the first node was asked for */
+enum { HOST_SCENE = 4 }; /* the place where nodes.scm stores its procedure at the first node */
 
 bool vs_nodes_are_there(const vs_bind *b) {
   vs_value host = b->vm->at.host;
   return vs_is_vector(host) && vs_as_vector(host)->at[HOST_SCENE] != VS_FALSE;
 }
 
-/* The field that an accessor of nodes.scm reads. False: v is no record of its type. */
+/* Reads the field of an accessor of nodes.scm. Returns false if v is no record of its type. */
 static bool read_field(vs_scheme *vm, const char *accessor, vs_value v, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!vs_intern_c(vm, accessor, &r[0])) return false;
   r[0] = vs_environment_value(vm->at.core, r[0]);
   int64_t fuel = vm->fuel;
-  vm->fuel = 2; /* of what is called from outside of the run loop */
-  vs_value arguments[2] = { v, VS_UNSPECIFIC }; /* room for a modifier's, which this call is not */
+  vm->fuel = 2; /* enough for a call from outside of the run loop */
+  vs_value arguments[2] = { v, VS_UNSPECIFIC }; /* room for a modifier's second argument, which this call lacks */
   bool ok = vs_is(r[0], VS_T_CLOSURE) && vs_record_call(vm, r[0], arguments, 1, out);
   vm->fuel = fuel;
   return ok;

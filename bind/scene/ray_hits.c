@@ -1,7 +1,7 @@
-/* Owns the meeting of a ray and an object.
+/* Owns the intersection of a ray with an object.
  *
- * A ray that misses the object's bounds costs no mesh. Otherwise solids are evaluated to one mesh, whose triangles know
- * the source they came from, and surfaces are tessellated one after the other; the nearest triangle decides. */
+ * A ray that misses the object's bounds needs no mesh. Otherwise, solids are evaluated to one mesh whose triangles have
+ * their origins, and surfaces are tessellated one after the other; the nearest triangle is the hit. */
 #include "bind/scene/ray_hits.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@
 #include "solids/resolve.h"
 #include "solids/solid_meshes.h"
 
-/* The nearest triangle that the ray meets; its number, or count where it meets none. */
+/* Returns the number of the nearest triangle that the ray meets; count if it meets none. */
 typedef struct { vs_vec3 from, direction; } ray;
 
 static size_t meets_mesh(const vs_mesh *m, const ray *r, double *at) {

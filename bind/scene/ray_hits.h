@@ -1,17 +1,16 @@
-/* Owns the question of what a ray meets first: solids and surfaces by their triangles, as fine as measures take them.
- * */
+/* Owns the interface of ray_hits.c: the first hit of a ray on solids and surfaces, by triangles as fine as those of
+ * measures. */
 #ifndef VS_BIND_SCENE_RAY_HITS_H
 #define VS_BIND_SCENE_RAY_HITS_H
 
 #include "model/node.h"
 #include "vm/machine/native.h"
 
-/* Where a ray meets an object: after `at` lengths of its direction, on a part that was made at origin (NULL: that is
- * not known). at INFINITY: nowhere. */
+/* A hit: after `at` lengths of the ray's direction, on a part made at origin (NULL: not known). at INFINITY: no hit. */
 typedef struct { double at; const vs_origin *origin; } vs_ray_hit;
 
-/* The nearest place at or in front of `from` where the ray meets the object, whose bounds are looked at first. Curves
- * and regions are passed by. False: *e says why; where it says nothing, the condition is set. */
+/* Computes the nearest hit at or after `from`; tests the object's bounds first. Ignores curves and regions. Returns
+ * false with the reason in *e; an empty *e: the condition is set. */
 bool vs_ray_meets(vs_scheme *vm, vs_ref object, vs_vec3 from, vs_vec3 direction, vs_ray_hit *hit, vs_error *e);
 
 #endif

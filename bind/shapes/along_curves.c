@@ -1,4 +1,4 @@
-/* Owns the questions about places along a curve, and pipes. */
+/* Owns questions about places along a curve, and pipes. */
 #include "bind/shapes/along_curves.h"
 
 #include <stdio.h>
@@ -29,7 +29,7 @@ vs_status vs_bind_stations(vs_args *f, int i, vs_stations *out) {
   return vs_stations_open(curve, &facets, out, &e) ? VS_OK : vs_bind_error(f->vm, &e);
 }
 
-/* The station at argument 1, a distance; round a closed curve as often as it takes. */
+/* Computes the station at the distance of argument 1; distances go round a closed curve several times. */
 static vs_status station(vs_args *f, vs_station *out) {
   vs_stations s;
   double at = f->arg[1].real;
@@ -70,7 +70,7 @@ vs_status vs_p_curve_frame(vs_args *f, vs_value *out) {
   return vs_bind_give_matrix(f, &m, out);
 }
 
-/* (curve-division c n): n + 1 points, as far from each other along the curve */
+/* (curve-division c n): returns n + 1 points at equal distances along the curve. */
 vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   enum { MOST = 1000000 };
   int64_t n = f->arg[1].integer;
@@ -80,7 +80,7 @@ vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   if (!vs_bind_stations(f, 0, &s)) return VS_ERROR;
   bool ok = true;
   r[1] = VS_NIL;
-  for (int64_t i = n; ok && i >= 0; i--) { /* the end of a closed curve is its start to the last bit */
+  for (int64_t i = n; ok && i >= 0; i--) { /* the end of a closed curve equals its start to the last bit */
     vs_station at = vs_station_at(&s, s.path.closed && i == n ? 0 : s.length * (double)i / (double)n);
     ok = vs_bind_give_point(f, at.at, &r[0]) && vs_cons(f->vm, r[0], r[1], &r[1]) && vs_poll(f->vm, 64);
   }
@@ -89,7 +89,7 @@ vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- a curve that is asked often ---- */
+/* ---- walks: curves with many questions ---- */
 
 static void walk_free(void *p) {
   vs_stations_close(p);
@@ -106,9 +106,8 @@ vs_status vs_p_curve_walk(vs_args *f, vs_value *out) {
   return vs_make_foreign(f->vm, &walk_type, s, 0, out);
 }
 
-/* Returns the place at the share arg[1] of the length of the walk arg[0]; *along is how far straight on, from the
- * curve's end, the point asked for lies beyond it: 0 on the curve, below 0 before its start. A closed curve goes
- * round. */
+/* Returns the place at the share arg[1] of the length of the walk arg[0]. *along: the length straight on beyond the
+ * curve's end; negative before its start, 0 on the curve. A closed curve goes round. */
 static vs_station walk_station(const vs_args *f, double *along) {
   const vs_stations *w = vs_foreign_get(f->arg[0].value, &walk_type);
   double share = f->arg[1].real;
@@ -118,22 +117,22 @@ static vs_station walk_station(const vs_args *f, double *along) {
   return vs_station_at(w, within * w->length);
 }
 
-/* Answers the point that lies arg[2] along x, arg[3] along y and `along` along the tangent from the place s. */
+/* Returns the point at arg[2] along x, arg[3] along y and `along` along the tangent from the place s. */
 static vs_status walk_point(vs_args *f, const vs_station *s, vs_vec3 x, vs_vec3 y, double along, vs_value *out) {
   vs_vec3 across = vs_v3_add(vs_v3_scale(x, f->arg[2].real), vs_v3_scale(y, f->arg[3].real));
   return vs_bind_give_point(f, vs_v3_add(vs_v3_add(s->at, vs_v3_scale(s->tangent, along)), across), out);
 }
 
-/* (%walk-place walk s x y): x and y across the curve at the share s of its length; beyond an open
- * one's ends straight on */
+/* (%walk-place walk s x y): returns the point x and y across the curve at the share s of its length; beyond the ends of
+ * an open curve, straight on. */
 vs_status vs_p_walk_place(vs_args *f, vs_value *out) {
   double along;
   vs_station s = walk_station(f, &along);
   return walk_point(f, &s, s.across, vs_v3_cross(s.tangent, s.across), along, out);
 }
 
-/* (%walk-upright walk s x y up): the same with y towards `up`, as far as the curve's direction allows, and x to the
- * left of whoever walks along; #f where the curve runs along `up` */
+/* (%walk-upright walk s x y up): the same with y perpendicular to the curve and nearest `up`, and x to the left of the
+ * direction of travel; #f if the curve is parallel to `up`. */
 vs_status vs_p_walk_upright(vs_args *f, vs_value *out) {
   double along;
   vs_station s = walk_station(f, &along);
@@ -157,7 +156,7 @@ static bool pipe_open(vs_args *f, vs_pipe *p, vs_error *e) {
   return vs_pipe_open(curve, segments ? segments : RINGS, tolerance, p, e);
 }
 
-/* (%pipe-places c segments): where the rings of a pipe stand, as shares of the length from 0 to 1 */
+/* (%pipe-places c segments): returns the places of a pipe's rings, as shares of the length from 0 to 1. */
 vs_status vs_p_pipe_places(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_pipe p;
@@ -172,7 +171,7 @@ vs_status vs_p_pipe_places(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%make-pipe c segments radii): a ring of each radius at the places */
+/* (%make-pipe c segments radii): makes a ring of each radius at these places. */
 vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_pipe p;
@@ -187,7 +186,7 @@ vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
   for (size_t i = 0; ok && i < n; i++, l = vs_cdr(l))
     ok = vs_is_pair(l) && vs_bind_take_number(f->vm, vs_car(l), &radius[i]);
   bool turns = ok && !vs_pipe_rings(&p, radius, around, grid + caps * around, &at);
-  for (size_t k = 0; ok && caps && k < around; k++) { /* the ends are flat: a row that is one point closes each */
+  for (size_t k = 0; ok && caps && k < around; k++) { /* the ends are flat: a row of one point closes each */
     grid[k] = vs_station_at(&p.stations, 0).at;
     grid[(n + 1) * around + k] = vs_station_at(&p.stations, p.stations.length).at;
   }

@@ -1,4 +1,4 @@
-/* Owns the natives under do-deform: an object on its way through a map that Scheme or a tape works out. */
+/* Owns the natives of do-deform: the deformation of an object by a map, which Scheme or a tape computes. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,8 +21,8 @@ enum { ROUNDS = 14, PART_OF_SIZE = 8 };
 typedef struct {
   vs_bind *bind;
   vs_bend_leaves leaves;
-  vs_bending **at;  /* one a leaf */
-  size_t room, now; /* leaf that is under way */
+  vs_bending **at;  /* one for each leaf */
+  size_t room, now; /* the number of the current leaf */
 } deformation;
 
 static void deformation_free(void *p) {
@@ -35,7 +35,7 @@ static void deformation_free(void *p) {
 static const vs_foreign_type deformation_type = { .name = "a deformation", .release = deformation_free };
 static deformation *given(vs_args *f) { return vs_foreign_get(f->arg[0].value, &deformation_type); }
 
-/* (%deform o): the object taken apart */
+/* (%deform o): begins the deformation of the object, taken apart. */
 vs_status vs_p_deform(vs_args *f, vs_value *out) {
   deformation *d = NULL;
   size_t one = 0;
@@ -56,7 +56,7 @@ vs_status vs_p_deform(vs_args *f, vs_value *out) {
   return vs_make_foreign(f->vm, &deformation_type, d, 0, out);
 }
 
-/* (%deform-wanted d): the points whose images are wanted, as a list; () at the end */
+/* (%deform-wanted d): returns a list of points whose images the deformation needs next; () at the end. */
 vs_status vs_p_deform_wanted(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   VS_ROOTS(f->vm, r, 2);
@@ -72,14 +72,15 @@ vs_status vs_p_deform_wanted(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%deform-give d images): as many points as were wanted */
+/* (%deform-give d images): takes as many images as there were points. */
 vs_status vs_p_deform_give(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   (void)out;
   return vs_bending_give(d->at[d->now], f->arg[1].points.at) ? VS_OK : vs_fail_memory(f->vm);
 }
 
-/* (%deform-by-tape d t): all of it by a tape of three inputs and outputs; #t, or a point at which it has no value */
+/* (%deform-by-tape d t): computes all images by a tape of three inputs and outputs; returns #t, or a point at which the
+ * tape has no value. */
 vs_status vs_p_deform_by_tape(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   const vs_tape *t = vs_foreign_get(f->arg[1].value, &vs_tape_type);
@@ -115,7 +116,7 @@ vs_status vs_p_deform_by_tape(vs_args *f, vs_value *out) {
   return found ? vs_bind_give_point(f, bad, out) : ok;
 }
 
-/* (%deformed d): the object that came of it */
+/* (%deformed d): returns the deformed object. */
 vs_status vs_p_deformed(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   vs_store *s = f->store;

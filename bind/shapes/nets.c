@@ -1,5 +1,5 @@
-/* Owns the natives under form-find and its like: a program's lists as nets of points and members. nets.scm checks
- * them; triangulations and cells of points in a plane. */
+/* Owns the natives of form-find and similar procedures, with a program's lists as nets of points and members, which
+ * nets.scm checks; and triangulations and Voronoi cells of points in a plane. */
 
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +23,7 @@
 #include "geometry/plane/voronoi.h"
 #include "vm/machine/fail.h"
 
-/* The next number of a list, which nets.scm has seen to. */
+/* Returns the next number of a list; nets.scm has checked the list. */
 static double next(vs_scheme *vm, vs_value *l) {
   double d = 0;
   if (!vs_is_pair(*l)) return 0;
@@ -32,7 +32,7 @@ static double next(vs_scheme *vm, vs_value *l) {
   return d;
 }
 
-/* The list of n points in *out. */
+/* Sets *out to a list of n points. */
 static bool point_list(vs_args *f, const vs_vec3 *at, size_t n, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
@@ -70,8 +70,9 @@ static vs_status unsettled(vs_args *f, vs_relax_outcome outcome, const vs_relax_
   return vs_fail_memory(f->vm);
 }
 
-/* (%form-find points members fixed loads weight stiffness tolerance): the list of points, members' forces, residual and
- * steps. members: a flat list of numbers, four each: from, to (from 0), length and density; loads: gvectors. */
+/* (%form-find points members fixed loads weight stiffness tolerance): returns the list of points, the members' forces,
+ * the residual and the number of steps. members: a flat list of numbers, four for each: from, to (from 0), length and
+ * density; loads: gvectors. */
 vs_status vs_p_form_find(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count;
   vs_value l = f->arg[1].value;
@@ -110,8 +111,8 @@ vs_status vs_p_form_find(vs_args *f, vs_value *out) {
   return ok && vs_cons(f->vm, r[0], r[1], &r[1]) && point_list(f, net.at, n, &r[2]) && vs_cons(f->vm, r[2], r[1], out);
 }
 
-/* (%planarise points faces fixed tolerance): the points moved, and how far the worst corner lies from its face.
- * faces: a flat list of numbers: how many corners, then these, from 0. */
+/* (%planarise points faces fixed tolerance): returns the moved points, and the largest distance of a corner from its
+ * face. faces: a flat list of numbers: the number of corners, then these, from 0. */
 vs_status vs_p_planarise(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count, corners = 0, faces = 0;
   int64_t numbers = vs_list_length(f->arg[1].value);
@@ -155,8 +156,8 @@ vs_status vs_p_planarise(vs_args *f, vs_value *out) {
          vs_cons(f->vm, r[0], r[1], out);
 }
 
-/* (%shortest-path ways n from to): the numbers of the points on the way, from 0; ways: a flat list, three numbers
- * each */
+/* (%shortest-path ways n from to): returns the numbers of the points on the way, from 0; ways: a flat list, three
+ * numbers each. */
 vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
   int64_t numbers = vs_list_length(f->arg[0].value);
   size_t count = numbers > 0 ? (size_t)numbers / 3 : 0, found;
@@ -182,7 +183,7 @@ vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%pack-circles region n least gap): a list of pairs, centre and radius, the largest first */
+/* (%pack-circles region n least gap): returns a list of pairs, centre and radius, the largest first. */
 vs_status vs_p_pack_circles(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_outline o = { 0 };
@@ -229,7 +230,7 @@ static vs_vec2 *flat_points(vs_args *f, const vs_affine *to_plane) {
   return flat;
 }
 
-/* (delaunay points): triangles as lists of three of the points, counter-clockwise seen from above */
+/* (delaunay points): returns triangles as lists of three of the points, counterclockwise from above. */
 vs_status vs_p_delaunay(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count, count;
   vs_affine identity = vs_affine_identity();
@@ -253,7 +254,7 @@ vs_status vs_p_delaunay(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* An area of the plane as a region node: loops are polylines. NULL: out of memory. */
+/* Returns a region node for an area of the plane, with polylines as loops. NULL: out of memory. */
 static vs_node *region_of(vs_args *f, const vs_area *a, const vs_affine *frame) {
   vs_store *s = f->store;
   if (!a->loop_count) return vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
@@ -271,7 +272,7 @@ static vs_node *region_of(vs_args *f, const vs_area *a, const vs_affine *frame) 
   return loops && at ? vs_node_new(s, VS_REGION, &(struct vs_region){ 0 }, loops, a->loop_count) : NULL;
 }
 
-/* (voronoi points region): a region for each point, in their order; empty where nothing of a cell lies in the region */
+/* (voronoi points region): returns a region for each point, in order; empty if the cell lies outside of the region. */
 vs_status vs_p_voronoi(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count;
   vs_error e = { 0 };

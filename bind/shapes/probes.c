@@ -1,5 +1,5 @@
-/* Owns the natives that ask where curves, rays and points meet objects: curve-intersections, and what probes.scm asks
- * of an object's triangles; and the distance from a solid as a field. */
+/* Owns the natives for intersections and nearest points: curve-intersections, the questions of probes.scm about an
+ * object's triangles, and the distance from a solid as a field. */
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,7 +24,7 @@
 
 /* ---- curves with curves ---- */
 
-/* (curve-intersections a b): points in the order of a */
+/* (curve-intersections a b): returns points in the order of a. */
 vs_status vs_p_curve_intersections(vs_args *f, vs_value *out) {
   vs_stations a, b;
   vs_meeting *found = NULL;
@@ -51,7 +51,7 @@ vs_status vs_p_curve_intersections(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- an object that is asked often ---- */
+/* ---- probes: objects with many questions ---- */
 
 typedef struct {
   vs_mesh mesh;
@@ -90,7 +90,7 @@ vs_status vs_p_probe(vs_args *f, vs_value *out) {
   return vs_make_foreign(f->vm, &probe_type, w, 0, out);
 }
 
-/* (%probe-near probe p): the point of its triangles that is nearest to p */
+/* (%probe-near probe p): returns the point of the triangles that is nearest to p. */
 vs_status vs_p_probe_near(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_vec3 p = f->arg[1].point, slope = { 0, 0, 0 };
@@ -98,7 +98,7 @@ vs_status vs_p_probe_near(vs_args *f, vs_value *out) {
   return vs_bind_give_point(f, vs_v3_sub(p, vs_v3_scale(slope, d)), out);
 }
 
-/* (%probe-ray probe p v): the first point from p on in the direction v; #f */
+/* (%probe-ray probe p v): returns the first hit of the ray from p along v, or #f. */
 vs_status vs_p_probe_ray(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_vec3 p = f->arg[1].point, v = vs_v3_unit(f->arg[2].point);
@@ -108,14 +108,14 @@ vs_status vs_p_probe_ray(vs_args *f, vs_value *out) {
   return vs_bind_give_point(f, vs_v3_add(p, vs_v3_scale(v, at)), out);
 }
 
-/* How far p lies above the plane of triangle t. */
+/* Returns the height of p above the plane of triangle t. */
 static double above(const probe *w, size_t t, vs_vec3 p) {
   const uint32_t *k = w->mesh.triangles[t];
   vs_vec3 a = w->mesh.vertices[k[0]], b = w->mesh.vertices[k[1]], c = w->mesh.vertices[k[2]];
   return vs_v3_dot(vs_v3_unit(vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a))), vs_v3_sub(p, a));
 }
 
-/* The place of the curve between low and high at which it passes through the plane of triangle t. */
+/* Returns the place of the curve between low and high at which it intersects the plane of triangle t. */
 static double passes(const probe *w, const vs_stations *c, size_t t, double low, double high) {
   bool below = above(w, t, vs_station_at(c, low).at) < 0;
   for (int i = 0; i < 60; i++) {
@@ -128,7 +128,7 @@ static double passes(const probe *w, const vs_stations *c, size_t t, double low,
   return .5 * (low + high);
 }
 
-/* (%probe-curve probe c): the points at which the curve passes through its triangles, in the curve's order */
+/* (%probe-curve probe c): returns the intersections of the curve with the triangles, in the curve's order. */
 vs_status vs_p_probe_curve(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_stations c;
@@ -167,14 +167,15 @@ vs_status vs_p_probe_curve(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%curve-near c p): the distance along the curve of its point that is nearest to p */
+/* (%curve-near c p): returns the distance along the curve of its point nearest to p. */
 vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
   vs_stations c;
   vs_vec3 p = f->arg[1].point;
   if (!vs_bind_stations(f, 0, &c)) return VS_ERROR;
   double best = INFINITY, at = 0;
   size_t n = c.path.count - (c.path.closed ? 0 : 1);
-  for (size_t i = 0; i < n; i++) { /* within a span the distance is followed by its slope, from the middle */
+  for (size_t i = 0; i < n; i++) { /* within a span, the minimum of the distance follows from its slope, beginning in
+                                    * the middle */
     double low = c.along[i], high = c.along[i + 1], s = .5 * (low + high);
     vs_vec3 a = c.path.at[i].at;
     if (vs_v3_length(vs_v3_sub(a, p)) > best + 1.6 * (high - low)) continue;
@@ -192,7 +193,8 @@ vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
   return vs_bind_give_real(f, at, out);
 }
 
-/* (%probe-geodesic probe p q): the points of the shortest way over its triangles; the empty list: none leads there */
+/* (%probe-geodesic probe p q): returns the points of the shortest way over the triangles; the empty list if there is no
+ * way. */
 vs_status vs_p_probe_geodesic(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_vec3 *at;
@@ -218,7 +220,7 @@ static bool polled(void *context) {
   return !p->stopped;
 }
 
-/* (%probe-offset probe c d n): the lines of the curve's offset over its triangles, each a list of points */
+/* (%probe-offset probe c d n): returns the lines of the curve's offset on the triangles, each a list of points. */
 vs_status vs_p_probe_offset(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_stations c;
@@ -252,7 +254,7 @@ vs_status vs_p_probe_offset(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- the distance from a solid, as a field that tapes may hold ---- */
+/* ---- the distance from a solid, as a field for tapes ---- */
 
 typedef struct {
   vs_tape_field field;
@@ -272,7 +274,7 @@ static void release(vs_tape_field *f) {
   free(d);
 }
 
-/* (%distance-field o): the field of a solid, of its mesh at a quarter of the usual tolerance */
+/* (%distance-field o): returns the field of a solid, by its mesh at a quarter of the usual tolerance. */
 vs_status vs_p_distance_field(vs_args *f, vs_value *out) {
   distance_field *d = NULL;
   size_t room = 0;

@@ -1,5 +1,5 @@
-/* Owns new skins of an object's faces: make-subdivision, with its creases, and make-crust, a surface with
- * thickness or a solid made hollow. */
+/* Owns the surfaces made from an object's faces: make-subdivision with its creases, and make-crust, which thickens a
+ * surface or hollows a solid. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -53,7 +53,7 @@ static vs_status faces_of(vs_args *f, vs_ref object, vs_face_list *l) {
   return ok ? VS_OK : vs_fail_memory(f->vm);
 }
 
-/* Corners at equal places become one point; faces that so lose corners go. */
+/* Merges corners at equal places, and removes faces that thereby lose corners. */
 static bool share_points(vs_face_list *l) {
   vs_face_list out = { 0 };
   uint32_t *place = NULL, *number = NULL;
@@ -97,7 +97,7 @@ static bool point_number(vs_args *f, const vs_face_list *l, vs_value v, uint32_t
   return best <= 1e-6 * vs_bounds_diagonal(&b) || vs_bind_refuse(f, "creases", "of points of the mesh", v);
 }
 
-/* A list of lists of two points, or their numbers from 1, and the sharpness, if it has an end. */
+/* Reads a list of creases: each has two points, or their numbers from 1, and the sharpness if it is finite. */
 static bool creases_of(vs_args *f, const vs_face_list *l, vs_crease **out, size_t *count) {
   static const char *const expected = "lists of two points of an edge, or their numbers, and how sharp it is";
   size_t room = 0;

@@ -1,4 +1,4 @@
-/* Owns what natives share that take objects apart (taken_apart.h). */
+/* Owns the functions of taken_apart.h, by which natives take objects apart. */
 #include "bind/shapes/taken_apart.h"
 #include "bind/call/refuse.h"
 #include "bind/call/take.h"

@@ -1,4 +1,5 @@
-/* Owns the way in which natives take objects apart: at the program's own fineness, with its conditions. */
+/* Owns the interface of taken_apart.c: natives take objects apart at the program's own fineness; failures set its
+ * condition. */
 #ifndef VS_BIND_SHAPES_TAKEN_APART_H
 #define VS_BIND_SHAPES_TAKEN_APART_H
 
@@ -8,16 +9,18 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* The fineness at which what is kept as triangles or points is sampled: the program's own, else the drawing rule at
- * the object's size. */
+/* Returns the fineness for triangles or points that are kept: the program's own, otherwise the drawing's rule at the
+ * object's size. */
 vs_fineness vs_bend_facets(vs_scheme *vm, const vs_node *n);
-/* Replaces ref's node, which the caller owns, as vs_resolve does (solids/resolve.h). False: the condition is set. */
+/* Replaces ref's node, which the caller owns, like vs_resolve (solids/resolve.h). Returns false with the condition
+ * set. */
 bool vs_bend_resolve(vs_scheme *vm, vs_ref *ref);
-/* As vs_take_apart (solids/deformed.h), of an object that need not be resolved. False: the condition is set. */
+/* As vs_take_apart (solids/deformed.h), also for an unresolved object. Returns false with the condition set. */
 bool vs_bend_take_apart(vs_scheme *vm, vs_ref object, const char *no_regions, vs_bend_leaves *out);
-/* As vs_mesh_without_overlaps (solids/overlaps.h). False: the condition is set. */
+/* As vs_mesh_without_overlaps (solids/overlaps.h). Returns false with the condition set. */
 bool vs_bend_solid(vs_scheme *vm, vs_mesh *m);
-/* The triangles of a solid or surface: of what is round a quarter as coarse as in drawings, since they are kept. */
+/* Returns the triangles of a solid or surface. Without a tolerance of the program's, they get a quarter of the
+ * drawing's, since they are kept. */
 vs_status vs_bend_triangles(vs_scheme *vm, vs_ref ref, vs_mesh *out);
 
 #endif

@@ -1,7 +1,8 @@
-/* Owns the parser of scripts: recursive descent, with the operators by how tightly they bind.
+/* Owns the parser of scripts: recursive descent, with operator precedence.
  *
- * It calls itself once a level of brackets or statements, which are counted: past VS_SCRIPT_DEPTH the text is refused.
- * Long rows of operators make trees as high as they are long; those are counted by the nodes' heights. */
+ * It calls itself once for each level of brackets or statements, and counts the levels: it refuses a text with more
+ * than VS_SCRIPT_DEPTH. A long row of operators makes a tree as high as the row is long; the height of each node bounds
+ * it. */
 #include "languages/javascript/parser.h"
 
 #include <string.h>
@@ -11,9 +12,9 @@
 typedef struct {
   vs_script *s;
   vs_scanner c;
-  vs_script_place last; /* of the token before */
-  unsigned depth, chained; /* levels that are open, and the else-ifs among them */
-  unsigned functions, loops, switches; /* around the current place, in its function */
+  vs_script_place last; /* the place of the token before */
+  unsigned depth, chained; /* the number of open levels, and of the else-ifs among them */
+  unsigned functions, loops, switches; /* the numbers around the current place, within its function */
 } parser;
 
 typedef struct {
@@ -57,7 +58,7 @@ static bool unexpected(parser *p, const char *wanted) {
 
 static bool expect(parser *p, const char *mark) { return at_mark(p, mark) ? next(p) : unexpected(p, mark); }
 
-/* The end of a statement: a semicolon, or where one may be left out. */
+/* Reads the end of a statement: a semicolon, or a place where the grammar lets one be missing. */
 static bool semicolon(parser *p) {
   if (at_mark(p, ";")) return next(p);
   if (at_mark(p, "}") || now(p)->kind == VS_TOKEN_END || now(p)->newline) return true;
@@ -71,14 +72,14 @@ static bool semicolon(parser *p) {
 
 static vs_script_node *node(const parser *p, uint32_t i) { return &p->s->nodes[i]; }
 
-/* The node ends behind the last token. */
+/* Ends the node after the last token. */
 static bool close_node(parser *p, uint32_t i) {
   vs_script_node *n = node(p, i);
   n->at.to = p->last.to, n->at.end_line = p->last.end_line, n->at.end_column = p->last.end_column;
   return true;
 }
 
-/* A level more than the part has. */
+/* Makes the node's height at least the part's plus 1. */
 static bool above(parser *p, uint32_t i, uint32_t part) {
   if (!part || node(p, part)->height < node(p, i)->height) return true;
   if (node(p, part)->height >= VS_SCRIPT_HEIGHT)
@@ -92,7 +93,7 @@ static bool make(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
   return (*out = vs_script_node_new(p->s, kind, at)) != 0;
 }
 
-/* A node with these parts, up to the last token. */
+/* Makes a node with these parts, which ends after the last token. */
 static bool make_of(parser *p, vs_script_kind kind, vs_script_place at, uint32_t a, uint32_t b, uint32_t c, uint32_t d,
                     uint32_t *out) {
   if (!make(p, kind, at, out)) return false;
@@ -128,7 +129,7 @@ static bool name(parser *p, const char *wanted, uint32_t *out) {
   return next(p);
 }
 
-/* A name that may be bound or assigned. */
+/* Reads a name that a script may bind or assign. */
 static bool own_name(parser *p, const char *wanted, uint32_t *out) {
   return name(p, wanted, out) &&
          (!vs_script_is(p->s, node(p, *out)->name, "arguments") ||
@@ -229,13 +230,13 @@ static bool primary(parser *p, uint32_t *out) {
   if (at_mark(p, "(")) {
     vs_script_place at = t->at;
     if (!next(p) || !expression(p, true, out) || !expect(p, ")")) return false;
-    node(p, *out)->at = at; /* with its parentheses, which are the place's own */
+    node(p, *out)->at = at; /* its place includes the parentheses */
     return close_node(p, *out);
   }
   return unexpected(p, "an expression");
 }
 
-/* .name [index] and, where calls are taken, (arguments) behind *out. */
+/* Reads .name, [index] and, if calls are allowed, (arguments) after *out. */
 static bool members(parser *p, bool calls, uint32_t *out) {
   for (;;) {
     uint32_t object = *out, part;
@@ -333,7 +334,7 @@ static const struct {
 };
 enum { OPERATORS = sizeof operators / sizeof *operators };
 
-/* The operator between two operands here, NONE: there is none. */
+/* Returns the binary operator here; NONE: there is none. */
 static vs_script_operator infix(const parser *p, bool in) {
   if (at_word(p, VS_WORD_INSTANCEOF)) return VS_OPERATOR_INSTANCE_OF;
   if (at_word(p, VS_WORD_IN)) return in ? VS_OPERATOR_IN : VS_OPERATOR_NONE;
@@ -343,7 +344,7 @@ static vs_script_operator infix(const parser *p, bool in) {
   return VS_OPERATOR_NONE;
 }
 
-/* Operands with operators between them that bind at least so tightly. It calls itself for what binds tighter alone. */
+/* Reads operands and operators of precedence `least` or more. It calls itself only for higher precedences. */
 static bool binary(parser *p, unsigned least, bool in, uint32_t *out) {
   if (!unary(p, out)) return false;
   for (;;) {
@@ -399,7 +400,7 @@ static bool expression(parser *p, bool in, uint32_t *out) {
 
 /* ---- statements ---- */
 
-/* Statements up to the mark or the text's end; `word`: a case or default ends them, too. */
+/* Reads statements up to the mark or the end of the text; `cases`: a case or default ends them, too. */
 static bool statements(parser *p, bool cases, list *l) {
   while (now(p)->kind != VS_TOKEN_END && !at_mark(p, "}") &&
          !(cases && (at_word(p, VS_WORD_CASE) || at_word(p, VS_WORD_DEFAULT)))) {
@@ -410,7 +411,7 @@ static bool statements(parser *p, bool cases, list *l) {
   return true;
 }
 
-/* The text of { } is over: what opened it is never closed. */
+/* Reads the } of a block. At the end of the text, the error has the place of the {. */
 static bool closing(parser *p, vs_script_place open) {
   if (now(p)->kind == VS_TOKEN_END) return vs_script_fail(p->s, open, "this { is never closed");
   return expect(p, "}");
@@ -553,7 +554,7 @@ static bool try_statement(parser *p, vs_script_place at, uint32_t *out) {
   return make_of(p, VS_SCRIPT_TRY, at, body, own, handler, last, out);
 }
 
-/* break or continue, behind whose word a label may stand in the same line */
+/* Reads break or continue, with a label if one follows in the same line. */
 static bool jump(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *out) {
   uint32_t label = 0;
   if (!next(p)) return false;
@@ -568,7 +569,7 @@ static bool jump(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
 
 static bool word_statement(parser *p, vs_script_place at, uint32_t *out);
 
-/* The statement behind `else`. An `if` there is the next of a chain and no deeper level: a chain may be as long as a
+/* Reads the statement after `else`. An `if` there continues a chain and opens no level: a chain may be as long as a
  * tree is high. */
 static bool otherwise(parser *p, uint32_t *out) {
   if (!at_word(p, VS_WORD_IF)) return statement(p, out);
@@ -641,7 +642,7 @@ bool vs_script_parse(vs_script *s, const char *text, size_t size, vs_script_resi
   *s = (vs_script){ .source = text, .size = size, .resize = resize, .context = context };
   parser p = { .s = s };
   list l = { 0 };
-  vs_script_node_new(s, VS_SCRIPT_EMPTY, (vs_script_place){ 0 }); /* index 0 is no node */
+  vs_script_node_new(s, VS_SCRIPT_EMPTY, (vs_script_place){ 0 }); /* index 0 means no node */
   if (s->no_memory || !vs_scanner_open(&p.c, s) || !next(&p)) return false;
   vs_script_place start = now(&p)->at;
   if (!statements(&p, false, &l)) return false;

@@ -1,4 +1,4 @@
-/* Owns the way from a script's text to its tokens, and its comments. */
+/* Owns the conversion of a script's text to tokens and comments. */
 #ifndef VS_LANGUAGES_JAVASCRIPT_SCANNER_H
 #define VS_LANGUAGES_JAVASCRIPT_SCANNER_H
 
@@ -25,9 +25,9 @@ typedef struct {
   uint8_t kind;
   bool newline;          /* a line ended between it and the token before */
   uint8_t word;          /* WORD: vs_script_word */
-  char mark[5];          /* MARK: as written */
+  char mark[5];          /* MARK: as in the text */
   uint32_t name;         /* NAME, WORD */
-  uint32_t text, length; /* STRING, NATIVE: of the script's texts */
+  uint32_t text, length; /* STRING, NATIVE: in the script's texts */
   double number;
   vs_script_place at;
 } vs_token;
@@ -37,12 +37,12 @@ typedef struct {
   size_t at, line_start, column_at;
   uint32_t line, column;
   bool line_has_code;
-  vs_token token; /* the one read last */
+  vs_token token; /* the last token */
 } vs_scanner;
 
-/* Checks that the text is one, and stands before its first token. False: trouble. */
+/* Checks that the text is valid and moves before its first token. Returns false with the trouble set. */
 bool vs_scanner_open(vs_scanner *c, vs_script *s);
-/* Reads the next token. False: trouble. */
+/* Reads the next token. Returns false with the trouble set. */
 bool vs_scanner_next(vs_scanner *c);
 const char *vs_script_word_out(vs_script_word word);
 

@@ -1,7 +1,7 @@
 /* Owns the tree of a script, a program in JavaScript: nodes with places, names, texts and comments, all in arrays.
  *
- * An index names a node; 0 names none. Memory comes from the caller, who is also told how much of it there is. Every
- * node knows its height, which is bounded, so that whoever walks the tree may do it by calling itself. */
+ * An index identifies a node; 0 means none. The caller provides the memory, and gets the old size with each request.
+ * Every node has its height, which is bounded, so a recursive walk of the tree is safe. */
 #ifndef VS_LANGUAGES_JAVASCRIPT_SCRIPT_H
 #define VS_LANGUAGES_JAVASCRIPT_SCRIPT_H
 
@@ -21,10 +21,11 @@ typedef enum {
 #undef VS_SCRIPT_OPERATOR
 } vs_script_operator;
 
-/* The most levels of brackets and statements within each other, and the most levels of a tree. */
+/* The most nested levels of brackets and statements, and the most levels of a tree. */
 enum { VS_SCRIPT_DEPTH = 400, VS_SCRIPT_HEIGHT = 1500 };
 
-/* from, to: bytes of the text. Lines from 1, columns from 1 in characters; the end is just behind. */
+/* from, to: bytes of the text. Lines and columns count from 1, columns in characters; the end is just after the last
+ * character. */
 typedef struct {
   uint32_t from, to, line, column, end_line, end_column;
 } vs_script_place;
@@ -34,9 +35,9 @@ typedef struct {
   bool flag;
   uint16_t height;
   uint32_t next, count;
-  uint32_t a, b, c, d;   /* script_nodes.def says what of */
-  uint32_t name;         /* NAME: of `names` */
-  uint32_t text, length; /* STRING, NATIVE: of `texts`, in UTF-8 */
+  uint32_t a, b, c, d;   /* script_nodes.def gives their meaning for each kind */
+  uint32_t name;         /* NAME: an index of `names` */
+  uint32_t text, length; /* STRING, NATIVE: in `texts`, UTF-8 */
   double number;         /* NUMBER */
   vs_script_place at;
 } vs_script_node;
@@ -46,14 +47,15 @@ typedef struct {
 } vs_script_name;
 typedef struct {
   vs_script_place at;
-  bool alone; /* nothing stands before it in its line */
+  bool alone; /* nothing precedes it in its line */
 } vs_script_comment;
 
-/* Resizes a block that has `used` bytes; at NULL: a new one; fresh 0: frees it. NULL: there is no memory. */
+/* Resizes a block of `used` bytes to `fresh`. at NULL: a new block; fresh 0: frees it. Returns NULL when memory is
+ * out. */
 typedef void *vs_script_resize(void *context, void *at, size_t used, size_t fresh);
 
 typedef struct {
-  const char *source; /* the caller's */
+  const char *source; /* owned by the caller */
   size_t size;
   vs_script_resize *resize;
   void *context;
@@ -69,28 +71,28 @@ typedef struct {
   size_t comment_count, comment_room;
   uint32_t root; /* the PROGRAM */
   bool no_memory;
-  char trouble[240]; /* what is wrong, "": nothing */
+  char trouble[240]; /* the fault; "": none */
   vs_script_place trouble_at;
 } vs_script;
 
-/* Takes the script apart again. */
+/* Frees the script's arrays. */
 void vs_script_close(vs_script *s);
 
 /* ---- for the scanner and the parser ---- */
 
-/* False, for returning. The first trouble stays. */
+/* Sets the trouble unless there is one already. Returns false, so that callers can return it. */
 bool vs_script_fail(vs_script *s, vs_script_place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool vs_script_room(vs_script *s, void *array, size_t *room, size_t count, size_t size);
-/* 0: out of memory. */
+/* Returns a new node; 0 when memory is out. */
 uint32_t vs_script_node_new(vs_script *s, vs_script_kind kind, vs_script_place at);
-/* The index of the name; 0: out of memory. */
+/* Returns the index of the name, adding it if it is new; 0 when memory is out. */
 uint32_t vs_script_name_of(vs_script *s, const char *text, size_t length);
-/* 0: the script has no such name. */
+/* Returns the index of the name; 0 if the script has no such name. */
 uint32_t vs_script_name_known(const vs_script *s, const char *text, size_t length);
-/* Appends to `texts`. */
+/* Appends to `texts`. Returns false when memory is out. */
 bool vs_script_text(vs_script *s, const char *text, size_t length);
 
-/* ---- asking ---- */
+/* ---- reading ---- */
 
 static inline const vs_script_node *vs_script_at(const vs_script *s, uint32_t node) { return &s->nodes[node]; }
 const char *vs_script_spelling(const vs_script *s, uint32_t name, size_t *length);
