@@ -1,7 +1,6 @@
-/* Owns the advice that an error gets when it is shown: what the program's own text, and the arguments of the call,
- * say about what was meant.
- * An error keeps what is needed: the call in its payload (vm/machine/arguments.c), #t where what was called is no
- * procedure (vm/machine/run_failures.h). */
+/* Owns the advice that an error gets when it is shown: the program's own text and the arguments of the call show the
+ * form that the program probably meant. An error keeps the data: the call in its payload (vm/machine/arguments.c), #t
+ * if the called value is no procedure (vm/machine/run_failures.h). */
 #include "session/advice.h"
 
 #include <stdarg.h>
@@ -50,7 +49,7 @@ static bool match(void *context, const vs_outline_item *item) {
   return w->found = true, false;
 }
 
-/* The line of the first top-level definition of the name in that source; 0: it has none. */
+/* Returns the line of the first top-level definition of the name in that source; 0: it has none. */
 static uint32_t defined_on(const vs_source *source, const char *name, size_t length) {
   wanted_definition w = { .name = name, .length = length, .first_line = source->first_line };
   vs_outline_each(source->text, source->length, match, &w);
@@ -69,7 +68,7 @@ static bool put(vs_text *t, const char *format, ...) {
 
 /* ---- names that are not defined ---- */
 
-/* Is the line "x = 5" or "x := 5"? Then *value is what stands behind the sign. */
+/* Returns true if the line is "x = 5" or "x := 5"; then *value is the text after the sign. */
 static bool is_assignment(place p, size_t name, const char **value, size_t *length) {
   const char *at = p.at + name;
   while (at < p.end && (*at == ' ' || *at == '\t')) at++;
@@ -91,8 +90,8 @@ static bool is_word_of(const char *words, const char *word, size_t n) {
   return false;
 }
 
-/* Finds the operator of the call that the name at `p` stands in, and the word right before the name, which may be a
- * keyword. A parenthesis within a text counts too: then another operator is found, and mostly no advice. */
+/* Returns the operator of the call around the name at `p`, and the word just before the name, which may be a keyword.
+ * It also counts parentheses within strings: it then finds another operator, and mostly gives no advice. */
 static const char *operator_around(place p, size_t *length, const char **before, size_t *before_length) {
   const char *start = p.source->text, *at = p.at;
   while (at > start && (at[-1] == ' ' || at[-1] == '\t' || at[-1] == '\n')) at--;
@@ -109,9 +108,9 @@ static const char *operator_around(place p, size_t *length, const char **before,
   return NULL;
 }
 
-/* Calls and keywords in which a name without quotes was meant as a text or as a quoted word: (color crimson o),
- * (units cm), #:align center. A row with words is for these alone, and replaces other advice. `first`: as the first
- * argument. */
+/* Calls and keywords in which a name without quotes was meant as a text or as a quoted word: (color crimson o), (units
+ * cm), #:align center. A row with words is for these words only, and replaces other advice. `first`: as the first
+ * argument only. */
 static const struct { const char *operators, *keywords, *words; bool first; const char *mark, *what; } meant[] = {
   { "color", "#:color #:pattern-color", NULL, true, "\"", "the name of a colour is a text" },
   { "layer", "", NULL, true, "\"", "the name of a layer is a text" },
@@ -160,7 +159,7 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
   uint32_t line = defined_on(p.source, p.at, n);
   bare = n + sizeof is_not - 1;
   if (line >= at.line && line) {
-    t->count = bare; /* a name like it is not what was meant */
+    t->count = bare; /* a similar name is not the probable meaning */
     return put(t, " yet: line %u defines it, after this use; what is used stands further up", (unsigned)line);
   }
   if (is_assignment(p, n, &value, &m)) {
@@ -170,10 +169,10 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
   return call || advise_word(p, n, bare, t);
 }
 
-/* ---- what was called is no procedure ---- */
+/* ---- a called value that is no procedure ---- */
 
-/* The operator of "(x > 3)", which stands behind the n characters of the first operand at p; *operand and *length: the
- * operand behind it, if it is one word. */
+/* Returns the length of the operator of "(x > 3)", which follows the n characters of the first operand at p. *operand
+ * and *length: the next operand, if it is a single word. */
 static size_t operator_behind(const char *p, size_t n, const char *end, const char **operator, const char ** operand,
                               size_t *length) {
   uint32_t unused = 0;
@@ -237,17 +236,17 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   }
   if (p && vs_bind_grouped(vm, p, &(vs_plain_call){ name, a, n }, text, sizeof text))
     return put(t, "; perhaps %s", text);
-  if (p && p->form[1].used) { /* the count alone does not say that there are two ways to call it */
+  if (p && p->form[1].used) { /* the count alone does not show that the procedure has several forms */
     vs_bind_forms(p, name, text, sizeof text);
     return put(t, "; it %s", text);
   }
   return vs_foreign_advice(name, t);
 }
 
-/* ---- values that are none, texts between the wrong quotes ---- */
+/* ---- missing values, texts in single quotes ---- */
 
-/* The first argument of the call at p that may give no value: an if without else, a loop, a definition. NULL: none
- * does. */
+/* Returns the first argument of the call at p that may give no value: an if without else, a loop, a definition. NULL:
+ * there is none. */
 static const char *valueless(place p, uint32_t *line, const char **why) {
   static const struct { const char *word; int parts; const char *why; } kinds[] = {
     { "if", 3, "this `if` has no value where its test is false: (if test object (empty-object))" },
@@ -287,7 +286,7 @@ static const char *valueless(place p, uint32_t *line, const char **why) {
   return NULL;
 }
 
-/* 'red' within the form at p: a text between quotes that quote something else here. */
+/* Finds 'red' within the form at p: a text in single quotes, which mean another thing here. */
 static size_t quoted_word(place p, const char **word) {
   uint32_t unused = 0;
   const char *stop = vs_outline_datum(p.at, p.end, &unused);
@@ -300,7 +299,7 @@ static size_t quoted_word(place p, const char **word) {
   return 0;
 }
 
-/* Is an argument of the call at p a call behind a quote, (draw '(make-sphere p 1))? */
+/* Returns true if an argument of the call at p is a quoted call: (draw '(make-sphere p 1)). */
 static bool is_quoted_call(place p) {
   uint32_t unused = 0;
   const char *stop = vs_outline_datum(p.at, p.end, &unused);
@@ -350,13 +349,13 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
   while (more < p.end && (*more == ' ' || *more == '\t')) more++;
   if (!n || n > 80 || more == p.end || strchr("\r\n;)]", *more)) return;
   uint32_t line = 0;
-  const char *end = more; /* of what stands behind the name on its line */
+  const char *end = more; /* the end of the text after the name on its line */
   for (const char *next = more; !line && next < p.end && *next != ')' && *next != ']';) {
     end = vs_outline_datum(next, p.end, &line);
     next = vs_outline_blanks(end, p.end, &line);
     if (next == p.end) break;
   }
-  if (n <= 2 && strspn(p.at, "+-*/<>=") >= n) /* 3 + 4, which stands behind what it is to work on */
+  if (n <= 2 && strspn(p.at, "+-*/<>=") >= n) /* 3 + 4: the operator follows its first operand */
     snprintf(text, sizeof text, "%.*s is only named here, and not called: the operator stands first, (%.*s a b)",
              (int)n, p.at, (int)n, p.at);
   else {
@@ -368,7 +367,7 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
   vm->config.warn(s->bind.vm, pos, text);
 }
 
-/* ---- a drawing of nothing ---- */
+/* ---- an empty drawing ---- */
 
 typedef struct { vs_text *t; size_t count; const char *last; size_t last_length; bool ok; } naming;
 
@@ -386,7 +385,7 @@ bool vs_session_advise_empty(vs_session *s, vs_text *t) {
   size_t before = t->count;
   if (!put(t, ": the program defines ")) return false;
   naming n = { .t = t, .ok = true };
-  /* The program that ran last; the libraries that it imported were read after it, and their text defines no procedure
+  /* The program that ran last. The libraries that it imported were read after it; their text defines no procedure
    * outside of define-library. */
   for (size_t i = s->source_count; i-- > 0 && !n.count && n.ok;)
     if (!s->sources[i].before) vs_outline_each(s->sources[i].text, s->sources[i].length, name_procedure, &n);

@@ -1,8 +1,8 @@
-/* Owns the running of checks: (check-expect expression value) and the like, which wait for the end of the program in a
- * queue (vm/machine/check_queue.c). A check is judged here; the listener shows it: `vs test` line by line, a plain run
- * as warnings.
+/* Owns the running of checks: (check-expect expression value) and similar forms, which wait in a queue for the end of
+ * the program (vm/machine/check_queue.c). A check is judged here; the listener shows it: `vs test` line by line, a
+ * plain run as warnings.
  *
- * While a check runs, what it draws or sets is its own: the drawing stays as the program left it. */
+ * A check may draw and set values, but the program's drawing stays unchanged. */
 #include "session/checking.h"
 
 #include <string.h>
@@ -24,17 +24,17 @@
 
 enum { SHOWN = 1000 /* bytes of a value */, LINE = 200 /* of an expression */ };
 
-/* The roots of a check: what it is, what its procedures gave, the differences, and two to work with. */
+/* The roots of a check: the check, the results of its procedures, the differences, and two for intermediate values. */
 enum { CHECK, ACTUAL, EXPECTED, TOLERANCE, FOUND, SHOWN_AS, WORK, ROOTS };
 
 typedef struct {
   vs_session *session;
   vs_value *r;                         /* ROOTS of them */
-  vs_text expression, gives, expected; /* what is told */
+  vs_text expression, gives, expected; /* the texts of the report */
   bool passed, interrupted;
 } trial;
 
-/* ---- what is told ---- */
+/* ---- the texts of the report ---- */
 
 static bool put_cut(vs_scheme *vm, vs_value v, size_t most, vs_text *t) {
   vs_text shown;
@@ -45,7 +45,7 @@ static bool put_cut(vs_scheme *vm, vs_value v, size_t most, vs_text *t) {
   return ok;
 }
 
-/* Calls a procedure of the library that programs do not see. */
+/* Calls a hidden procedure of the library. */
 static bool call_library(trial *c, const char *name, size_t n, const vs_value *argv, vs_value *out) {
   vs_scheme *vm = c->session->bind.vm;
   if (!vs_intern_c(vm, name, &c->r[WORK])) return false;
@@ -53,7 +53,7 @@ static bool call_library(trial *c, const char *name, size_t n, const vs_value *a
   return vs_run(vm, c->r[WORK], n, argv, out);
 }
 
-/* The condition in vm->condition, with its place. Notes an interrupt. */
+/* Appends the condition in vm->condition, with its place. Notes an interrupt. */
 static bool put_failure(trial *c, vs_text *t) {
   vs_scheme *vm = c->session->bind.vm;
   vs_value *r = c->r;
@@ -66,7 +66,7 @@ static bool put_failure(trial *c, vs_text *t) {
     const vs_condition *condition = vs_as_condition(r[WORK]);
     c->interrupted = c->interrupted || condition->kind == vm->sym.interrupt;
     vs_session_condition_place(c->session, condition, &at);
-    if (condition->kind == vm->sym.memory) vs_gc_major(vm); /* what filled it is garbage now */
+    if (condition->kind == vm->sym.memory) vs_gc_major(vm); /* the values that filled it are garbage now */
   }
   bool ok = vs_text_puts(t, "an error: ") && vs_print_condition(vm, r[WORK], t);
   if (!at.file) return ok;
@@ -76,8 +76,8 @@ static bool put_failure(trial *c, vs_text *t) {
 
 /* ---- judging ---- */
 
-/* Calls a procedure of the check: its value goes to r[root] and, with a text, is told there. False: it failed, which is
- * told. */
+/* Calls a procedure of the check. Its value goes to r[root], and its text to `told`. Returns false if the call failed;
+ * `told` then gets the failure. */
 static bool ask(trial *c, int word, int root, vs_text *told) {
   vs_scheme *vm = c->session->bind.vm;
   c->r[WORK] = vs_as_vector(c->r[CHECK])->at[word];
@@ -86,7 +86,7 @@ static bool ask(trial *c, int word, int root, vs_text *told) {
   return put_cut(vm, c->r[shown ? SHOWN_AS : root], SHOWN, told);
 }
 
-/* Does the text of the condition hold the string? */
+/* Returns true if the text of the condition contains the string. */
 static bool says(vs_scheme *vm, vs_value condition, vs_value string) {
   vs_text all, part;
   vs_text_open(vm, &all, 0);
@@ -98,7 +98,7 @@ static bool says(vs_scheme *vm, vs_value condition, vs_value string) {
   return ok;
 }
 
-/* An error of the program's own, not a limit or the end of the program. */
+/* Returns true for an error of the program itself, false for a limit or the end of the program. */
 static bool is_failure(const vs_scheme *vm, vs_value condition) {
   if (vs_session_is_exit(condition)) return false;
   if (!vs_is(condition, VS_T_CONDITION)) return true; /* (raise 'oops) */
@@ -125,7 +125,7 @@ static void objects_of(vs_value pair, vs_ref objects[2]) {
   objects[1] = vs_bind_take_ref(vs_car(pair));
 }
 
-/* Are the two objects of each pair of r[FOUND] the same, part by part? */
+/* Returns true if the two objects of each pair of r[FOUND] are equal, part by part. */
 static bool objects_agree(trial *c) {
   bool same = true;
   for (vs_value l = c->r[FOUND]; same && vs_is_pair(l); l = vs_cdr(l)) {
@@ -155,14 +155,14 @@ static void judge_value(trial *c) {
   c->passed = r[FOUND] != VS_FALSE && objects_agree(c);
 }
 
-/* Takes the oldest check and judges it. The drawing is put aside meanwhile. */
+/* Takes the oldest check and judges it. Meanwhile drawing has no effect on the program's drawing. */
 static void judge(trial *c) {
   vs_session *s = c->session;
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, rest, 1);
   c->r[CHECK] = vs_checks_take(vm);
   rest[0] = vm->at.checks;
-  vm->at.checks = VS_TRUE; /* one runs */
+  vm->at.checks = VS_TRUE; /* marks that a check is running */
   bool handing = s->bind.handing, away = s->bind.away;
   s->bind.handing = s->bind.away = true;
   put_cut(vm, vs_as_vector(c->r[CHECK])->at[VS_CHECK_EXPRESSION], LINE, &c->expression);
@@ -183,7 +183,7 @@ static void tell_parts(trial *c, const vs_check_listener *to) {
   }
 }
 
-/* Runs the oldest check and tells the listener. False: interrupted, and nothing was told. */
+/* Runs the oldest check and reports it to the listener. Returns false without a report if it was interrupted. */
 static bool next_check(vs_session *s, const vs_check_listener *to) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, ROOTS);
@@ -207,7 +207,7 @@ static bool next_check(vs_session *s, const vs_check_listener *to) {
   return !c.interrupted;
 }
 
-/* ---- many ---- */
+/* ---- several checks ---- */
 
 static void begin(vs_session *s) {
   vs_tally_enter(&s->tally, VS_WORK_RUN);
@@ -255,7 +255,7 @@ vs_outcome vs_check_next(vs_scheme *vm, const vs_check_listener *listener) {
   vs_session *s = vs_session_of(vm);
   if (vs_session_busy(s, "vs_check_next")) return VS_OUTCOME_USAGE;
   if (!vs_checks_wait(vm)) return VS_OUTCOME_DONE;
-  vm->steps = vm->written = 0; /* its own limits */
+  vm->steps = vm->written = 0; /* the checks have limits of their own */
   vm->started = vs_session_clock(s);
   begin(s);
   return end(s, next_check(s, listener));

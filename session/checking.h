@@ -1,11 +1,11 @@
-/* Owns the interface of checking.c: running the checks that wait. */
+/* Owns the interface of checking.c: the running of the checks that wait. */
 #ifndef VS_SESSION_CHECKING_H
 #define VS_SESSION_CHECKING_H
 
 #include "session/session.h"
 
-/* Behind a program that ended well, unless the flags keep the checks: runs them all within the limits of the program;
- * those that fail are warnings. Returns DONE, or INTERRUPTED. */
+/* After a program that ended well, unless the flags keep the checks: runs all checks within the limits of the program,
+ * and warns of those that fail. Returns DONE, or INTERRUPTED. */
 vs_outcome vs_session_check(vs_session *s, unsigned flags);
 
 #endif

@@ -1,5 +1,5 @@
-/* Owns the comparison of two drawings in the public header: what is kept of the first, and what of the second differs
- * (solids/changed_parts.h). Both are taken as a format without marks would show them. */
+/* Owns the comparison of two drawings in the public header: it keeps the first, and reports the parts of the second
+ * that differ (solids/changed_parts.h). Both count as they would appear in a format without marks. */
 #include "session/comparison.h"
 
 #include <string.h>
@@ -31,12 +31,12 @@ vs_outcome vs_drawing_keep(vs_scheme *vm) {
   return vs_session_take(s, &s->kept, &s->kept_count);
 }
 
-/* ---- a part, told ---- */
+/* ---- the text of a part ---- */
 
 enum { TOLD = 100 /* bytes of an expression */ };
 typedef struct { char text[TOLD + 8]; size_t count; bool cut; } told;
 
-/* False: there is enough of it. */
+/* Returns false when the text is long enough. */
 static bool put_told(void *context, const char *text, size_t length) {
   told *t = context;
   size_t room = TOLD - t->count, n = length < room ? length : room;
@@ -72,14 +72,14 @@ static void tell(told *t, const vs_drawn_part *p, vs_part_info *out) {
 
 typedef bool each_part(void *context, vs_part_difference what, const vs_part_info *before, const vs_part_info *after);
 
-/* The parts of two drawings, a before b, and the fate of each: `before` of a's, `after` of b's. */
+/* The parts of two drawings, a before b, and their matches: `before` for those of a, `after` for those of b. */
 typedef struct {
   vs_drawn_parts a, b;
-  vs_part_match *before, *after; /* one block, NULL: not there yet */
+  vs_part_match *before, *after; /* a single block, NULL: not allocated yet */
   size_t bytes;
 } pairing;
 
-/* Makes room for the fates of the parts that were taken. False: out of memory. */
+/* Allocates the matches of all parts. Returns false when memory is out. */
 static bool pairing_open(pairing *p, vs_error *e) {
   p->bytes = (p->a.count + p->b.count + 1) * sizeof *p->before;
   p->before = vs_store_realloc(p->a.store, NULL, 0, p->bytes);
@@ -129,7 +129,7 @@ static void count_parts(const pairing *p, vs_comparison *out) {
   }
 }
 
-/* The parts of one object, as a drawing of it alone without sugar would have them. */
+/* Computes the parts of one object as of a drawing of it alone, without sugar. */
 static bool parts_of(vs_session *s, vs_ref object, vs_drawn_parts *out, vs_error *e) {
   static const vs_sugar_options plain = { .highlights = VS_MARKS_DROP, .keeps_text = true };
   vs_scene scene = s->bind.scene;
@@ -162,7 +162,7 @@ static const struct { vs_change change; vs_material paint; } shown[] = {
   { VS_CHANGE_KEPT, { "unchanged", .82, .84, .88, .6, 0, .75, 1, { 0 } } },
 };
 
-/* The object on a layer and in a material of the change's name. Takes the node over; NULL: out of memory. */
+/* Returns the object on a layer and in a material with the change's name. Takes over the node; NULL: out of memory. */
 static vs_node *painted(vs_store *store, vs_node *n, const vs_material *paint) {
   vs_material m = *paint;
   m.name = vs_store_text(store, paint->name, strlen(paint->name));
@@ -176,7 +176,7 @@ static vs_node *painted(vs_store *store, vs_node *n, const vs_material *paint) {
   return layered;
 }
 
-/* Ends what goes long when the host interrupts. */
+/* Returns false, which ends long work, if the host interrupts. */
 static bool going(void *session, double done) {
   (void)done;
   return !vs_session_interrupted(session);
@@ -206,7 +206,8 @@ bool vs_session_swell(vs_session *s, size_t number, vs_ref *ref, vs_error *e) {
   vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
   const struct vs_material *paint = VS_AS(material, s->change[number].node->children[0].node);
   vs_node *n = s->change[number].node->children[0].node->children[0].node, *swollen;
-  if (!strcmp(paint->material->name, shown[VS_CHANGES - 1].paint.name)) return true; /* what is unchanged stays */
+  if (!strcmp(paint->material->name, shown[VS_CHANGES - 1].paint.name)) return true; /* unchanged parts keep their
+                                                                                      * size */
   if (!vs_drawn_parts_swell(n, vs_bind_tolerance(s->bind.vm), &options, &swollen, e)) return false;
   swollen = painted(s->bind.store, swollen, paint->material);
   if (!swollen) return vs_error_memory(e, NULL);
@@ -235,7 +236,7 @@ vs_outcome vs_drawing_compare(vs_scheme *vm, vs_comparison *out, each_part *each
   if (outcome != VS_OUTCOME_DONE) return outcome;
   pairing p = { .a.store = s->bind.store, .b.store = s->bind.store };
   vs_error e = { 0 };
-  s->writing = true, s->late = false; /* the limit of time is an output's */
+  s->writing = true, s->late = false; /* the limit of time is that of an output */
   s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
   bool ok = vs_drawn_parts_take(&p.a, s->kept, s->kept_count, &e) && vs_drawn_parts_take(&p.b, now, count, &e) &&
             pairing_open(&p, &e) && compare(s, &p, out, &e);

@@ -4,12 +4,12 @@
 
 #include "session/session.h"
 
-/* Begins an evaluation: the limits count from here, and the traces of the last one are forgotten. */
+/* Begins an evaluation: the limits count from here; forgets the traces of the last one. */
 void vs_session_begin(vs_session *s, unsigned flags);
-/* Ends it and reports the condition that it failed with; usage: the fault is the caller's, exit 2. */
+/* Ends an evaluation and reports its condition if it failed. usage: the fault is the caller's, exit 2. */
 vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage);
 
-/* Is it the condition that (exit code) unwinds with? */
+/* Returns true for the condition with which (exit code) unwinds. */
 bool vs_session_is_exit(vs_value condition);
 
 #endif

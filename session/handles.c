@@ -1,8 +1,8 @@
-/* Owns the table of a host's handles, and what hosts do with values.
+/* Owns the table of a host's handles, and the calls with which hosts make and read values.
  *
- * A handle is a place in the table and the stamp that the place was given when it was taken; the stamps of each
- * interpreter begin at another number. Therefore a handle that was released, or is another interpreter's, is refused.
- * The values themselves stand in a vector of the heap, where the collector finds and moves them. */
+ * A handle is an index of the table and the stamp of that entry. Each use of an entry has a new stamp, and the stamps
+ * of each interpreter begin at another number. Therefore a handle that was released, or belongs to another interpreter,
+ * is refused. The values themselves are in a vector of the heap, which the collector can find and move. */
 #include "session/handles.h"
 
 #include <stdarg.h>
@@ -22,9 +22,9 @@
 #include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 
-enum { HOST_HELD = 5 }; /* where the vector of held values lies in at.host */
+enum { HOST_HELD = 5 }; /* the place of the vector of held values in at.host */
 
-/* ---- what goes wrong ---- */
+/* ---- errors ---- */
 
 static void usage(vs_session *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 static void usage(vs_session *s, const char *format, ...) {
@@ -98,7 +98,7 @@ vs_handle vs_session_hold(vs_session *s, const vs_value *value) {
   return (uint64_t)t->stamp << 32 | (i + 1);
 }
 
-/* The entry of a handle, or NULL: the host has been told. */
+/* Returns the entry of a handle; NULL with the error reported if there is none. */
 static vs_held *entry(vs_session *s, const char *who, vs_handle h) {
   vs_handles *t = s->handles;
   size_t i = (size_t)(h & 0xffffffff);
@@ -129,10 +129,10 @@ void vs_handle_release(vs_scheme *vm, vs_handle h) {
   s->handles->free = (uint32_t)i + 1;
 }
 
-/* ---- objects of the host's ---- */
+/* ---- the host's objects ---- */
 
-/* A foreign object of the heap holds one. When the collector lets it go, it waits in the list of the gone: the host
- * is called when the collection is over. */
+/* A foreign object of the heap holds a host's object. When the collector frees it, the object waits in the list `gone`;
+ * the host is called after the collection. */
 struct vs_host_object {
   vs_session *session;
   void *object;
@@ -153,7 +153,7 @@ void vs_session_release_objects(vs_session *s) {
   const char *phase = s->phase;
   for (vs_host_object *o; s->handles && (o = s->handles->gone) != NULL;) {
     s->handles->gone = o->next;
-    s->phase = "evaluating"; /* the host's function finds the interpreter at work */
+    s->phase = "evaluating"; /* the host's function sees a busy interpreter */
     if (o->release) o->release(o->context, o->object);
     s->phase = phase;
     vs_session_memory(s, o, sizeof *o, 0);
@@ -165,7 +165,7 @@ vs_handle vs_handle_host(vs_scheme *vm, void *object, void (*release)(void *cont
   VS_ROOTS(vm, r, 1);
   vs_host_object *o = table(s) ? vs_session_memory(s, NULL, 0, sizeof *o) : NULL;
   if (!o) return vs_session_out_of_memory(s), 0;
-  *o = (vs_host_object){ .session = s, .object = object }; /* where the rest fails, the object stays the host's */
+  *o = (vs_host_object){ .session = s, .object = object }; /* if the rest fails, the host keeps the object */
   if (!vs_make_foreign(vm, &host_object_type, o, sizeof *o, &r[0])) return vs_session_out_of_memory(s), 0;
   vs_handle made = vs_session_hold(s, r);
   if (made) o->release = release, o->context = context;
@@ -275,7 +275,7 @@ vs_handle_kind vs_handle_kind_of(vs_scheme *vm, vs_handle h) {
   return vs_is(v, VS_T_NATIVE) || vs_is(v, VS_T_CLOSURE) || vs_is(v, VS_T_CASE) ? VS_HANDLE_PROCEDURE : VS_HANDLE_OTHER;
 }
 
-bool vs_handle_get_boolean(vs_scheme *vm, vs_handle h) { /* as Scheme: all but #f is true */
+bool vs_handle_get_boolean(vs_scheme *vm, vs_handle h) { /* as in Scheme, all values but #f are true */
   vs_value v;
   return vs_session_held(vs_session_of(vm), "vs_handle_get_boolean", h, &v) && v != VS_FALSE;
 }
@@ -355,7 +355,8 @@ vs_handle vs_lookup(vs_scheme *vm, const char *name) {
   VS_ROOTS(vm, r, 1);
   if (!vs_intern(vm, name, strlen(name), &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
   vs_meaning m = vs_environment_find(vm->at.program, r[0]);
-  /* a program in another language has no name of this one; the language's own procedures, %..., stay hidden */
+  /* A program in another language lacks this language's names, so its core is searched, too. The language's own
+   * procedures, %..., stay hidden. */
   if (m.kind != VS_MEANS_CELL && name[0] != '%') m = vs_environment_find(vm->at.core, r[0]);
   if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED)
     return usage(vs_session_of(vm), "vs_lookup: %.200s is not defined", name), 0;
@@ -368,9 +369,9 @@ vs_handle vs_lookup(vs_scheme *vm, const char *name) {
 static vs_outcome run(vs_session *s, const vs_value *procedure, size_t count, const vs_value *argv, vs_value *result) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 1);
-  uint64_t stopped = vm->top_place; /* of a program that stands still meanwhile */
+  uint64_t stopped = vm->top_place; /* the place of a stopped program that waits meanwhile */
   vs_session_begin(s, 0);
-  vm->top_place = 0; /* the call stands in no text */
+  vm->top_place = 0; /* the call has no place in a text */
   bool ok = vs_run(vm, *procedure, count, argv, &r[0]);
   if (ok && result) *result = r[0];
   vs_outcome outcome = vs_session_finish(s, ok, false);
@@ -400,14 +401,14 @@ vs_outcome vs_apply(vs_scheme *vm, vs_handle procedure, const vs_handle *argumen
   return outcome;
 }
 
-/* ---- procedures of the host's ---- */
+/* ---- the host's procedures ---- */
 
 void vs_host_fail(vs_scheme *vm, const char *message) {
   vs_handles *t = table(vs_session_of(vm));
   if (t) snprintf(t->failure, sizeof t->failure, "%s", message);
 }
 
-/* number argument ... */
+/* Arguments: number argument ... */
 vs_status vs_session_host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   enum { MOST = 64 };
   vs_session *s = vs_session_of(vm);
@@ -416,7 +417,7 @@ vs_status vs_session_host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   size_t number = (size_t)vs_fixnum(a[0]), count = (size_t)n - 1, made = 0;
   if (!t || number >= t->procedure_count) return vs_fail(vm, vm->sym.error, "the host's procedure is gone");
   vs_host_entry p = t->procedures[number];
-  vm->native = NULL; /* errors begin with the host's name for it */
+  vm->native = NULL; /* errors begin with the host's name for the procedure */
   if (count > MOST) return vs_fail(vm, vm->sym.arity, "%s: at most %d arguments reach the host", p.name, MOST);
   while (made < count && (handles[made] = vs_session_hold(s, &a[made + 1])) != 0) made++;
   *t->failure = 0;
@@ -454,7 +455,7 @@ bool vs_define(vs_scheme *vm, const char *name, vs_handle value) {
   return vs_session_invoke(s, "%host-define", 2, r, NULL) == VS_OUTCOME_DONE;
 }
 
-/* ---- changes that wait ---- */
+/* ---- posted changes ---- */
 
 bool vs_post(vs_scheme *vm, vs_handle property, vs_handle value) {
   vs_session *s = vs_session_of(vm);
@@ -471,7 +472,8 @@ vs_outcome vs_update(vs_scheme *vm) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   VS_ROOTS(vm, r, 2);
   if (vs_session_busy(s, "vs_update")) return VS_OUTCOME_USAGE;
-  size_t count = s->handles ? s->handles->posted_count : 0; /* what subscribers post meanwhile waits for the next */
+  size_t count = s->handles ? s->handles->posted_count : 0; /* changes that subscribers post meanwhile wait for the next
+                                                             * update */
   for (size_t i = 0; i < count; i++) {
     vs_posted p = s->handles->posted[i];
     bool held = vs_session_held(s, "vs_update", p.property, &r[0]) && vs_session_held(s, "vs_update", p.value, &r[1]);

@@ -1,5 +1,5 @@
-/* Owns what the interpreter asks of the system: memory, time, files, the console. Everything above goes through the
- * embedder's callbacks where it gave some. The VM has no system calls of its own; these are all there are. */
+/* Owns the interpreter's calls of the system: memory, time, files, the console. They go to the embedder's callbacks if
+ * it gave some. The VM has no other system calls. */
 #include "session/host.h"
 
 #include "session/inputs/inputs.h"
@@ -33,7 +33,7 @@ static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t b
   return p;
 }
 
-/* Allocates, grows or frees memory; cached results are dropped when it is refused. */
+/* Allocates, grows or frees memory; drops cached results when memory is refused. */
 void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
   vs_session *s = session;
   void *p = session_memory(s, old, old_bytes, bytes);
@@ -53,7 +53,8 @@ double vs_session_clock(void *session) {
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-/* Has the output under way had its time? A worker's is its own: a picture takes longer than the model. */
+/* Returns true if the current output has used its time. The time of a worker does not count: a picture takes longer
+ * than its model. */
 static bool write_late(vs_session *s) {
   if (!s->writing || s->options.limit_time <= 0 || s->tally.now == VS_WORK_WORKER) return false;
   double took = vs_session_clock(s) - s->write_began - (s->tally.of[VS_WORK_WORKER].seconds - s->write_worker);
@@ -87,7 +88,7 @@ static const char *environment(void *session, const char *name) {
   return ((vs_session *)session)->options.untrusted ? NULL : getenv(name);
 }
 
-extern char **environ; /* POSIX has programs declare it themselves */
+extern char **environ; /* POSIX requires programs to declare it */
 
 static const char *variable(void *session, size_t i) {
   return ((vs_session *)session)->options.untrusted ? NULL : environ[i];
@@ -101,7 +102,7 @@ static bool refuse(vs_session *s, const char *reason, const char **why) {
   return false;
 }
 
-/* what users call these errors */
+/* returns the usual English name of an error */
 static const char *reason(int error) {
   if (error == ENOENT) return "no such file";
   if (error == EACCES) return "not permitted to read it";
@@ -166,7 +167,7 @@ static void drop(vs_session *s, vs_source *source) {
   vs_session_memory(s, source->text, source->room, 0);
 }
 
-/* A \r that no \n follows ends a line as well. */
+/* Makes a line end of a \r without a \n, too. */
 static void unify_line_ends(char *text, size_t length) {
   for (size_t i = 0; i < length; i++)
     if (text[i] == '\r' && (i + 1 == length || text[i + 1] != '\n')) text[i] = '\n';
@@ -178,8 +179,8 @@ static size_t count_lines(const char *text, size_t length) {
   return lines;
 }
 
-/* Lines typed one after the other at a prompt are one text: an error in a procedure shows its line later too. Blank
- * lines stand for those in between. False: they are not, or there is no memory for it. */
+/* Appends lines typed at a prompt to the source's text, so that a later error in a procedure can show its line. Fills
+ * the lines in between with blank ones. Returns false if the lines do not follow, or memory is out. */
 static bool continue_source(vs_session *s, vs_source *old, unsigned first_line, const char *text, size_t length) {
   enum { MOST = 1 << 18 };
   size_t gap;
@@ -200,7 +201,7 @@ static bool continue_source(vs_session *s, vs_source *old, unsigned first_line, 
   return true;
 }
 
-/* A long text is kept up to a bound: past it messages do without the line. */
+/* A long text is cut at a bound: messages about later places show no line. */
 bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length) {
   enum { MOST = 1 << 22 };
   size_t i = 0, bytes = strlen(name) + 1, room = length < MOST ? length : MOST;
@@ -263,7 +264,7 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
 
 static ptrdiff_t read_console(vs_session *s, void *to, size_t room) {
   const vs_host *h = &s->options.host;
-  vs_stream *in = &s->stream[VS_IO_STDIN]; /* what is left of the last line */
+  vs_stream *in = &s->stream[VS_IO_STDIN]; /* the rest of the last line */
   if (in->at == in->length) {
     size_t n;
     const char *line = h->input ? h->input(h->context, &n) : NULL;

@@ -1,9 +1,9 @@
-/* Owns the meshes in the public header: a back-end that writes nothing and keeps, of each distinct shape, one mesh and
- * its places, and the comparison with what the host was handed before.
+/* Owns the meshes in the public header: a back-end without output that keeps one mesh and the places of each distinct
+ * shape, and the comparison with the meshes that the host already has.
  *
- * A shape's id is made of its node's hash, the fineness and its paint. Thus a shape that the host has is recognised
- * before it is meshed. Memory is the session's, so limits hold. The mesh of a new shape is copied once, out of the
- * driver's. */
+ * A shape's id comes from its node's hash, the fineness and its paint. Therefore a shape that the host has is
+ * recognised before it is meshed. The session allocates the memory, so limits hold. The mesh of a new shape is copied
+ * once from the driver's. */
 #include "session/host_meshes.h"
 
 #include <string.h>
@@ -22,9 +22,9 @@ typedef struct {
   uint64_t id, places_hash;
   size_t place_count, place_room;
   double (*places)[3][4];
-  bool made;               /* this round: the host does not have it, its mesh is here */
-  vs_mesh mesh;            /* arrays of the session's memory */
-  vs_shading shading;      /* of the session's memory */
+  bool made;               /* new in this round: the host does not have it, and its mesh is here */
+  vs_mesh mesh;            /* its arrays are in the session's memory */
+  vs_shading shading;      /* in the session's memory */
   vs_mesh_part *parts;
   size_t part_count;
 } shape;
@@ -32,23 +32,23 @@ typedef struct {
 typedef struct {
   shape *at;
   size_t count, room;
-  uint32_t *slots;         /* of the table from id to index + 1; a power of two of them */
+  uint32_t *slots;         /* the table from id to index + 1; its size is a power of two */
   size_t slot_count;
 } shapes;
 
 typedef struct { const char *name; uint64_t id; } known_material;
 
 struct vs_host_meshes {
-  vs_backend backend;      /* first: an emitter's back-end is it */
+  vs_backend backend;      /* first: an emitter's back-end points to it */
   vs_format format;
   vs_session *session;
-  shapes had, now;         /* what the host has been handed; what the drawing is. Of had,
-      ids and places' hashes alone */
-  const char **layers;     /* that are open, outermost first */
+  shapes had, now;         /* the shapes that the host has, of which only ids and hashes of places are kept; the shapes
+                            * of the drawing */
+  const char **layers;     /* the open layers, outermost first */
   size_t layer_count, layer_room;
-  size_t removed, told;    /* how far vs_mesh_next is, in had and in now */
-  size_t last;             /* index + 1 of the shape that was handed over last, whose arrays live until the next call */
-  bool open;               /* a round was begun */
+  size_t removed, told;    /* the progress of vs_mesh_next, in had and in now */
+  size_t last;             /* index + 1 of the last shape passed to the host, whose arrays live until the next call */
+  bool open;               /* a round has begun */
   uint64_t (*material)(void *context, const char *name);
   void *material_context;
   known_material *known;
@@ -156,7 +156,7 @@ static void paint(vs_mesh_part *p, const vs_material *m, const char *layer, cons
   if (o) p->file = o->file, p->line = o->line, p->column = o->column;
 }
 
-/* The one copy: out of the driver's mesh, which lives until the next. */
+/* Copies the driver's mesh, which lives until the next one. */
 static bool keep(vs_emitter *e, shape *f, const vs_solid *from, const vs_origin *origin, double crease) {
   vs_host_meshes *m = meshes_of(e);
   vs_session *s = m->session;
@@ -184,7 +184,8 @@ static bool keep(vs_emitter *e, shape *f, const vs_solid *from, const vs_origin 
   return vs_shading_make_in(e, vs_session_memory, s, &faces, &f->shading);
 }
 
-/* The shape with this id in the round, new to it or not; *make: its mesh is wanted. NULL: out of memory. */
+/* Returns the shape with this id, adding it to the round if it is new; *make: the caller must add its mesh. NULL: out
+ * of memory. */
 static shape *shape_of(vs_emitter *e, uint64_t id, bool *make) {
   vs_host_meshes *m = meshes_of(e);
   shape *f = find(&m->now, id);
@@ -196,7 +197,7 @@ static shape *shape_of(vs_emitter *e, uint64_t id, bool *make) {
   return f;
 }
 
-/* Is the shape the same however fine it is made? Where it has too many parts to look at, no answer is given: false. */
+/* Returns true if the shape has the same mesh at any fineness; false for a shape with too many parts to test. */
 static bool is_angular(const vs_node *n) {
   enum { MOST = 200 };
   const vs_node *wait[MOST];
@@ -211,7 +212,7 @@ static bool is_angular(const vs_node *n) {
       if (n->child_count > MOST - count) return false;
       for (uint32_t i = 0; i < n->child_count; i++) wait[count++] = n->children[i].node;
       break;
-    default: return false; /* round, or made of what may be */
+    default: return false; /* round, or made of shapes that may be */
     }
   }
   return true;
@@ -254,7 +255,7 @@ static vs_emit_status host_boolean(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return emit_shape(e, ref, vs_shade_crease(true)) ? VS_WHOLE : VS_FAILED;
 }
 
-/* A curve is a mesh without triangles: its points in their order, the first once more where it is closed. */
+/* A curve is a mesh without triangles: its points in order, with the first again at the end if it is closed. */
 static vs_emit_status host_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_line *l = VS_AS(line, ref->node);
@@ -275,7 +276,7 @@ static vs_emit_status host_line(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return place(e, f, &e->placement) ? VS_EMITTED : VS_FAILED;
 }
 
-/* A placement, paint, layer or union: gone through. */
+/* Enters a placement, paint, layer or union. */
 static vs_emit_status host_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_host_meshes *m = meshes_of(e);
   if (ref->node->kind != VS_LAYER) return VS_EMITTED;
@@ -324,7 +325,7 @@ vs_outcome vs_meshes_begin(vs_scheme *vm, const vs_output_options *options) {
   if (vs_session_busy(s, "vs_meshes_begin")) return VS_OUTCOME_USAGE;
   vs_host_meshes *m = open_meshes(s);
   if (!m) return VS_OUTCOME_MACHINE;
-  if (m->open) { /* what was not handed over of the last round stays to be told: the host has what it has */
+  if (m->open) { /* the rest of the last round is passed in this one: the host has only the shapes that it got */
     drop_shapes(s, &m->now);
     m->open = false;
   }
@@ -347,7 +348,7 @@ static uint64_t id_of_material(vs_host_meshes *m, const char *name) {
   return id;
 }
 
-/* The round is over: what the drawing is, is what the host has. */
+/* Ends the round: the host now has the shapes of the drawing. */
 static bool end_round(vs_host_meshes *m) {
   drop_shapes(m->session, &m->had);
   m->had = m->now, m->now = (shapes){ 0 };
@@ -372,7 +373,7 @@ bool vs_mesh_next(vs_scheme *vm, vs_mesh_info *out) {
   vs_host_meshes *m = s->meshes;
   *out = (vs_mesh_info){ 0 };
   if (!m || !m->open || vs_session_busy(s, "vs_mesh_next")) return false;
-  if (m->last) drop_shape(s, &m->now.at[m->last - 1]); /* the host has it: its id and its places' hash stay */
+  if (m->last) drop_shape(s, &m->now.at[m->last - 1]); /* the host has it: only its id and its places' hash are kept */
   m->last = 0;
   while (m->removed < m->had.count) {
     const shape *f = &m->had.at[m->removed++];

@@ -1,4 +1,5 @@
-/* Owns what a host that draws has been handed: meshes by the hash of what they are, and where each stands. */
+/* Owns the interface of host_meshes.c: the meshes that a drawing host has, by the hash of their shapes, and their
+ * places. */
 #ifndef VS_SESSION_HOST_MESHES_H
 #define VS_SESSION_HOST_MESHES_H
 

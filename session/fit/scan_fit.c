@@ -1,5 +1,5 @@
-/* Owns the fit of a program to a scan in the public header: runs the program for geometry/fitting/, and reports
- * the quality of the result. */
+/* Owns the fit of a program to a scan in the public header: runs the program for geometry/fitting/, and reports the
+ * quality of the result. */
 #include "session/fit/scan_fit.h"
 
 #include <errno.h>
@@ -34,10 +34,10 @@ typedef struct {
 struct vs_scan_fit {
   vs_scan_points scan;
   vs_model_fit fit;
-  fitted *parameters; /* of the program, in its order; names are the store's */
-  size_t *number;     /* of a fitted number: its parameter */
+  fitted *parameters; /* the program's parameters, in order; the store owns the names */
+  size_t *number;     /* number[i]: the parameter of the fitted number i */
   size_t parameter_count, number_count;
-  double *distances; /* of the file's points */
+  double *distances; /* the distance of each point of the file */
 };
 
 vs_fit_options vs_fit_options_default(void) { return (vs_fit_options){ .points = USUAL_POINTS, .confidence = .95 }; }
@@ -59,10 +59,10 @@ typedef struct {
   vs_scheme *vm;
   const char *model;
   vs_scan_fit *f;
-  vs_host host; /* the embedder's, which hears nothing of trials */
+  vs_host host; /* the embedder's host, which gets no output of trials */
   double began;
   bool late;
-  char message[200]; /* of the last error in a trial */
+  char message[200]; /* the last error in a trial */
   char phase[100];
 } job;
 
@@ -87,7 +87,7 @@ static bool list_embedder(void *context, const char *path, bool (*take)(void *to
   return j->host.list_folder(j->host.context, path, take, to, why);
 }
 
-/* From here on the embedder hears nothing of what the program prints and complains about; files are read as before. */
+/* Hides the program's output and messages from the embedder; it still reads files. */
 static void hush(job *j) {
   vs_host *h = &j->session->options.host;
   *h = (vs_host){ .context = j,
@@ -103,7 +103,7 @@ static bool going(void *context) {
   job *j = context;
   vs_session *s = j->session;
   if (s->options.limit_time > 0 && vs_session_clock(s) - j->began > s->options.limit_time) j->late = true;
-  s->phase = NULL; /* the progress line is ours */
+  s->phase = NULL; /* the fit has a progress line of its own */
   return !vs_session_interrupted(s) && !j->late;
 }
 
@@ -116,7 +116,7 @@ static void progress(void *context, unsigned iteration, double spread) {
   j->host.progress(j->host.context, &(vs_progress){ .phase = j->phase, .fraction = -1 });
 }
 
-/* Past the limit of time the best so far is combined once more; twice the limit ends that, too. */
+/* Returns true after the limit of time, so that the best result is evaluated once more; false at twice the limit. */
 static bool keep_combining(void *context, double done) {
   job *j = context;
   bool go = going(j);
@@ -124,13 +124,13 @@ static bool keep_combining(void *context, double done) {
   return go || (j->late && vs_session_clock(j->session) - j->began < 2 * j->session->options.limit_time);
 }
 
-/* Runs the program as it is set. */
+/* Runs the program with the current parameters. */
 static vs_outcome run(job *j) {
   vs_outcome outcome = vs_restart(j->vm);
   return outcome == VS_OUTCOME_DONE ? vs_eval_file(j->vm, j->model, VS_EVAL_CHECK_LATER) : outcome;
 }
 
-/* An outcome as an error with the message that was kept. */
+/* Makes an error of an outcome and the kept message. Returns false. */
 static bool failed(const job *j, vs_outcome outcome, vs_error *e) {
   vs_error_kind kind = outcome == VS_OUTCOME_INTERRUPTED ? VS_ERROR_INTERRUPT
                        : outcome == VS_OUTCOME_MACHINE   ? VS_ERROR_MEMORY
@@ -138,7 +138,7 @@ static bool failed(const job *j, vs_outcome outcome, vs_error *e) {
   return vs_error_set(e, kind, NULL, "%s", j->message);
 }
 
-/* The mesh of what is drawn. tolerance 0: the drawing's own. */
+/* Computes the mesh of the drawing. tolerance 0: the drawing's own. */
 static bool mesh_drawn(job *j, double tolerance, vs_mesh *out, vs_error *e) {
   vs_session *s = j->session;
   vs_ref *refs;
@@ -174,7 +174,7 @@ static bool set_numbers(job *j, const double *numbers) {
   return true;
 }
 
-/* found: the values of the fit, else those that it started from. */
+/* Sets the parameters to the result of the fit (found), otherwise to their start. Returns false when memory is out. */
 static bool set_back(job *j, bool found) {
   char text[40];
   const vs_scan_fit *f = j->f;
@@ -203,7 +203,8 @@ static bool is_held(const vs_fit_options *o, const char *name) {
   return false;
 }
 
-/* After the first run. False: out of memory, or a name is none of them (said). */
+/* Reads the parameters after the first run. Returns false when memory is out, or if a name is no parameter, which it
+ * reports. */
 static bool take_parameters(job *j, const vs_fit_options *o, vs_fit_number **numbers, vs_outcome *outcome) {
   vs_session *s = j->session;
   vs_scan_fit *f = j->f;
@@ -305,13 +306,13 @@ static vs_outcome read_scan(job *j, const char *path, const vs_fit_options *o) {
   return VS_OUTCOME_DONE;
 }
 
-/* ---- what is doubtful ---- */
+/* ---- doubts ---- */
 
 static void warn(const job *j, const char *text) {
   vs_session_report_at(j->session, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, (vs_span){ .file = j->model }, text);
 }
 
-/* The names of the parameters in this state, with commas. False: there are none. */
+/* Writes the names of the parameters in this state, with commas. Returns false if there are none. */
 static bool names_of(const vs_scan_fit *f, vs_fit_state state, char text[MOST_NAMES]) {
   size_t used = 0;
   *text = 0;
@@ -415,14 +416,14 @@ static bool take_result(job *j, vs_fit_result *r) {
   return true;
 }
 
-/* The first parameter that the rival has otherwise, or 0. */
+/* Returns the first parameter that differs in the rival result, or 0. */
 static size_t rival_number(const vs_model_fit *m, size_t count) {
   for (size_t i = 0; i < count; i++)
     if (fabs(m->numbers[i].value - m->numbers[i].rival) > .05 * fabs(m->numbers[i].value)) return i;
   return 0;
 }
 
-/* Why the result is not trusted, and what may help. False: it is. */
+/* Writes the reason to doubt the result, and possible remedies. Returns false if there is no doubt. */
 static bool tell_doubt(const job *j, const vs_fit_result *r, char text[MOST_DOUBT]) {
   const vs_scan_fit *f = j->f;
   const vs_model_fit *m = &f->fit;
@@ -465,7 +466,7 @@ static bool tell_doubt(const job *j, const vs_fit_result *r, char text[MOST_DOUB
   return false;
 }
 
-/* Tells what became of it, once something was found. */
+/* Reports the result. */
 static vs_outcome conclude(job *j, const vs_fit_result *r) {
   vs_session *s = j->session;
   char text[MOST_DOUBT];
@@ -562,7 +563,8 @@ static int compare_sizes(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* The distance that 98 of 100 points lie within, rounded up to 1, 2 or 5 times a power of ten. 0: out of memory. */
+/* Returns the distance that 98 of 100 points do not exceed, rounded up to 1, 2 or 5 times a power of ten. 0: out of
+ * memory. */
 static double usual_range(const vs_scan_fit *f) {
   double *sizes = NULL, range;
   size_t room = 0, count = 0;

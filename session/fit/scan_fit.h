@@ -1,4 +1,4 @@
-/* Owns what a session keeps of the last fit. */
+/* Owns the data that a session keeps of the last fit. */
 #ifndef VS_SESSION_FIT_SCAN_FIT_H
 #define VS_SESSION_FIT_SCAN_FIT_H
 

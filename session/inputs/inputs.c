@@ -1,8 +1,8 @@
-/* Owns the list of the files that a session has read: no output may take the place of one.
+/* Owns the list of the files that a session has read: no output may overwrite one of them.
  *
- * A file is known by its device and inode, so that links and other spellings of its name are the same file; and by its
- * name, because an editor that saves it meanwhile makes another file of the same name. A file that the program itself
- * has begun is its own: it may read it and write it again. */
+ * A file is identified by its device and inode, so links and other spellings of its name count as the same file. It is
+ * also identified by its name, because an editor that saves it meanwhile creates another file of that name. A file that
+ * the program itself has created is its own: the program may read and write it again. */
 
 #include "session/inputs/inputs.h"
 

@@ -1,4 +1,4 @@
-/* Owns the list of the files that a session has read: no output may take the place of one. */
+/* Owns the interface of inputs.c: the files that a session has read, which no output may overwrite. */
 #ifndef VS_SESSION_INPUTS_INPUTS_H
 #define VS_SESSION_INPUTS_INPUTS_H
 
@@ -6,14 +6,14 @@
 
 #include "session/session.h"
 
-/* Notes a file that is open: it was read, or (made) the program itself has begun it. Other things than files of the
- * disk, such as pipes, are passed over. False: out of memory. */
+/* Notes an open file that was read, or (made) that the program itself has created. Ignores pipes and others that are no
+ * regular files. Returns false when memory is out. */
 bool vs_session_note(vs_session *s, const char *path, int file, bool made);
-/* As vs_session_note of what was read, of a file that stands at path; nothing there: true. */
+/* As vs_session_note with made false, for the file at path; returns true also if there is no file. */
 bool vs_session_note_path(vs_session *s, const char *path);
-/* Is what stands at path one of the files that were read, by whatever name? */
+/* Returns true if the file at path was read, under any name. */
 bool vs_session_is_input(const vs_session *s, const char *path);
-/* The names of what was read; NULL past the last. */
+/* Returns the name of the index-th file read; NULL after the last. */
 const char *vs_session_input(const vs_session *s, size_t index);
 void vs_session_free_inputs(vs_session *s);
 

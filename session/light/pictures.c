@@ -1,5 +1,5 @@
-/* Owns what hosts may do with EXR pictures: read the file, have geometry/pictures/ work, write a file that appears
- * whole. */
+/* Owns the public functions on EXR pictures: they read the file, call geometry/pictures/, and write a file that appears
+ * complete. */
 #include "session/light/pictures.h"
 
 #include <errno.h>
@@ -84,7 +84,7 @@ static const char *bare(const char *path) {
   return slash ? slash + 1 : path;
 }
 
-/* Reads the channels that are wanted, or all, of an EXR file. */
+/* Reads the wanted channels of an EXR file; NULL: all channels. */
 static bool take(vs_session *s, const char *path, const char *const *wanted, vs_exr *out, vs_error *e) {
   vs_store *store = s->bind.store;
   vs_made_bytes b = { 0 };
@@ -97,7 +97,7 @@ static bool take(vs_session *s, const char *path, const char *const *wanted, vs_
 
 static const char *const colors[] = { "R", "G", "B", "Y", NULL };
 
-/* The picture's light; of one with luminance alone that, three times. */
+/* Reads the picture's light; a picture with only luminance gives it for all three colours. */
 static bool light_of(const vs_exr *x, const char *path, vs_light *out, vs_error *e) {
   const float *y = vs_exr_find(x, "Y");
   *out = (vs_light){ vs_exr_find(x, "R"), vs_exr_find(x, "G"), vs_exr_find(x, "B"), x->columns, x->rows };
@@ -117,7 +117,7 @@ static bool write_png(vs_session *s, const char *path, const vs_pixels *picture,
   return ok;
 }
 
-/* Numbers as false colours, into a PNG. */
+/* Writes numbers as false colours to a PNG. */
 static bool write_false(vs_session *s, const char *path, const float *at, const vs_exr *x, const vs_color_scale *scale,
                         vs_error *e) {
   vs_store *store = s->bind.store;
@@ -155,10 +155,11 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
   return end(s, ok, &e);
 }
 
-/* A picture in false colours: a number for each pixel, their unit, and where the ends of its scale go, or NULL. */
+/* A picture in false colours: at: a number for each pixel; unit: their unit; least, most: receive the ends of its
+ * scale, or NULL. */
 typedef struct { const float *at; const char *unit; double *least, *most; } quantity;
 
-/* Writes numbers as false colours by their logarithm, with a legend, and says its ends. */
+/* Writes the logarithms of numbers as false colours, with a legend, and sets the ends of the scale. */
 static bool write_scaled(vs_session *s, vs_exr *x, const char *to, const quantity *q, vs_error *e) {
   vs_color_scale scale = vs_color_scale_of(q->at, (size_t)x->columns * x->rows, true, q->unit);
   if (q->least) *q->least = scale.least;
@@ -210,7 +211,7 @@ vs_outcome vs_picture_illuminance(vs_scheme *vm, const char *from, const char *t
   return end(s, ok, &e);
 }
 
-/* The n-th line of the text, from 1, cut to room. */
+/* Copies the n-th line of the text, from 1, cut to room. */
 static bool line_of(const char *text, size_t n, char *to, size_t room) {
   for (; text && n > 1; n--) {
     text = strchr(text, '\n');

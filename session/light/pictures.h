@@ -6,9 +6,9 @@
 #include "model/node.h"
 #include "session/session.h"
 
-/* The tone that the public options ask for. */
+/* Returns the tone of the public options. */
 vs_tone vs_session_tone(const vs_development *d);
-/* Writes a file that appears whole. */
+/* Writes a file that appears complete. */
 bool vs_session_write_bytes(const vs_session *s, const char *path, const unsigned char *at, size_t size, vs_error *e);
 
 #endif

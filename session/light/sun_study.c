@@ -1,8 +1,7 @@
-/* Owns vs_sun_study: where the sun shines on a model through a day, as pictures and as numbers.
+/* Owns vs_sun_study: the sunlit places of a model through a day, as pictures and as numbers.
  *
- * Hours are counted by rays of our own from places on the model towards the sun in the middle of each step; what the
- * model's
- * solids do not hide is lit. The pictures of shadows are POV-Ray's. */
+ * Rays from places on the model towards the sun, at the middle of each step, count the hours of sun: a place is lit if
+ * the model's solids do not block its ray. POV-Ray renders the pictures of shadows. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -29,7 +28,7 @@
 
 enum { TIMES = 500, PATH_ROOM = 4096 };
 
-typedef struct { double from, hours; /* mean local time, and how long */ double azimuth,
+typedef struct { double from, hours; /* hours of mean local time, and the length of the study */ double azimuth,
     altitude; vs_vec3 towards; } sun;
 
 typedef struct {
@@ -92,14 +91,14 @@ static void corners_of(const vs_mesh *m, size_t triangle, vs_vec3 p[3]) {
   for (int k = 0; k < 3; k++) p[k] = m->vertices[m->triangles[triangle][k]];
 }
 
-/* Twice the area along the normal. */
+/* Returns twice the area along the normal. */
 static vs_vec3 turned_area(const vs_vec3 p[3]) { return vs_v3_cross(vs_v3_sub(p[1], p[0]), vs_v3_sub(p[2], p[0])); }
 
 /* ---- false colours ---- */
 
 typedef struct { float *hours; vs_vec3 *normal; double *depth; uint32_t wide, high; } view;
 
-/* The thing seen in a pixel: the model, the ground below it, or nothing. */
+/* Computes the hit in a pixel: the model, the ground below it, or none. */
 static void see(const study *t, const vs_look *look, const view *v, uint32_t column, uint32_t row) {
   size_t i = (size_t)row * v->wide + column;
   vs_look_line line = vs_look_ray(look, v->wide, v->high, column, row);
@@ -119,7 +118,7 @@ static void see(const study *t, const vs_look *look, const view *v, uint32_t col
   v->hours[i] = (float)hours_at(t, vs_v3_add(from, vs_v3_scale(direction, at)), normal);
 }
 
-/* Is there an edge of the model between a pixel and the next one to the right or below? */
+/* Returns true if there is an edge of the model between a pixel and its neighbour to the right or below. */
 static bool edge_between(const view *v, size_t a, size_t b) {
   if (isfinite(v->depth[a]) != isfinite(v->depth[b])) return true;
   if (!isfinite(v->depth[a])) return false;
@@ -154,7 +153,7 @@ static void name_shadow(size_t number, char name[NAME_ROOM]) {
   snprintf(name, NAME_ROOM, "shadow-%03zu.png", number + 1);
 }
 
-/* Refuses before anything is written: returns false if an output is a file that the model has read. */
+/* Refuses before any output: returns false if an output is a file that the model has read. */
 static bool may_write_all(study *t) {
   char name[NAME_ROOM], path[PATH_ROOM];
   size_t days = 0;
@@ -201,7 +200,7 @@ static bool write_hours(study *t, const vs_look *look, uint32_t wide, uint32_t h
   return ok;
 }
 
-/* From above, north up, with room for the shadows round the model. */
+/* Returns a look from above, north up, with room for the shadows around the model. */
 static vs_look plan_look(const study *t, uint32_t wide, uint32_t high) {
   vs_vec3 size = vs_v3_sub(t->bounds.max, t->bounds.min), middle = vs_v3_scale(vs_v3_add(t->bounds.min,
       t->bounds.max), 0.5);
@@ -213,7 +212,7 @@ static vs_look plan_look(const study *t, uint32_t wide, uint32_t high) {
 
 /* ---- faces ---- */
 
-/* A triangle by its plane and part: those of one face stand together when they are sorted. */
+/* A triangle with its plane and part; sorting puts the triangles of a face together. */
 typedef struct { int64_t plane[4]; uint32_t part, triangle; } key;
 
 static int by_face(const void *a, const void *b) {
@@ -224,7 +223,7 @@ static int by_face(const void *a, const void *b) {
   return x->triangle < y->triangle ? -1 : x->triangle > y->triangle;
 }
 
-/* The mean over a triangle: at the middles of many small ones, the more the larger it is. */
+/* Returns the mean over a triangle, from the middles of smaller ones; a larger triangle has more of them. */
 static double hours_on(const study *t, const vs_vec3 p[3], vs_vec3 normal, double share) {
   int n = (int)fmin(fmax(ceil(sqrt(share * 4000)), 1), 12);
   double sum = 0;
@@ -247,7 +246,7 @@ static bool put_face(const study *t, FILE *to, const face *f) {
   fputc('"', to);
   for (const char *c = o ? o->file : ""; *c; c++) fputs(*c == '"' ? "\"\"" : (char[]){ *c, 0 }, to);
   if (o) fprintf(to, ":%u:%u", o->line, o->column);
-  bool level = fabs(f->normal.z) > 1 - 1e-9; /* faces no side */
+  bool level = fabs(f->normal.z) > 1 - 1e-9; /* horizontal: faces no side */
   return fprintf(to,
       "\",%.1f,%.1f,%.6g,%.6g,%.6g,%.6g,%.3f\n", level ? 0 : azimuth < -1e-9 ? azimuth + 360 : fabs(azimuth),
                  tilt, m.x + 0.0, m.y + 0.0, m.z + 0.0, f->area, f->hours / f->area) > 0;
@@ -278,7 +277,7 @@ static bool put_faces(study *t, FILE *to, key *keys, size_t *faces) {
   return ok;
 }
 
-/* hours.csv: a face a line. */
+/* Writes hours.csv, one line for each face. */
 static bool write_faces(study *t, size_t *faces) {
   const vs_mesh *m = &t->solid.mesh;
   size_t bytes = (m->triangle_count + 1) * sizeof(key);
@@ -377,7 +376,7 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
   vs_output_options o = *options;
   if (o.quality != VS_QUALITY_FINAL) o.quality = VS_QUALITY_DRAFT;
   if (!o.width) o.width = 320;
-  memset(o.crop, 0, sizeof o.crop); /* the sheet has whole pictures */
+  memset(o.crop, 0, sizeof o.crop); /* the sheet has uncropped pictures */
   if (!o.height) o.height = (o.width * 3 + 2) / 4;
   sheet s = { .cell_wide = (uint32_t)o.width, .cell_high = (uint32_t)o.height };
   vs_tone tone = vs_session_tone(&o.development);
@@ -385,7 +384,7 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
   for (size_t i = 0; i < t->count; i++) days += t->suns[i].altitude > 0;
   if (!days) return VS_OUTCOME_DONE;
   if (!begin_sheet(t, &s, days)) return vs_session_report_error(t->session, &t->error);
-  /* the highest sun comes first: its exposure is that of all, so that they can be compared */
+  /* the highest sun comes first: all pictures get its exposure, for comparison */
   size_t number[TIMES], high = 0, n = 0;
   for (size_t i = 0; i < t->count; i++) {
     number[i] = n;
@@ -412,7 +411,7 @@ static bool keep_going(void *session, double done) {
   return !vs_session_interrupted(session);
 }
 
-/* The mesh of what is drawn, and the tree of its triangles. refs are those of the drawing. */
+/* Computes the mesh of the drawing's references, and the tree of its triangles. */
 static bool take_model(study *t, const vs_ref *refs, size_t count) {
   const vs_scene *scene = &t->session->bind.scene;
   vs_fineness facets = { .tolerance = vs_bind_tolerance(t->session->bind.vm), .segments = scene->segments };
