@@ -1,5 +1,5 @@
-/* Owns the answers to a host's questions about a program: what a name means, which calls the last error ended, and
- * which procedures take the time. */
+/* Owns the answers to a host's questions about a program: the meaning of a name, the calls that the last error ended,
+ * and the procedures that take the time. */
 #include "session/names.h"
 
 #include <stdio.h>
@@ -18,7 +18,7 @@
 #include "vm/machine/activation.h"
 #include "vm/front/suggest.h"
 
-/* The text as the store keeps it; "" where there is no memory for it. */
+/* Returns the text, kept by the store; "" when memory is out. */
 static const char *kept(vs_session *s, vs_text *t) {
   const char *text = vs_text_end(t) ? vs_store_text(s->bind.store, t->at, t->count) : NULL;
   return text ? text : "";
@@ -29,7 +29,7 @@ static bool put(vs_text *t, const char *a, const char *b, const char *c) { retur
 
 /* ---- names ---- */
 
-static const char *const all_forms[] = { /* what syntax-rules and the expander define has no parameters to show */
+static const char *const all_forms[] = { /* the parameters that the definitions by syntax-rules and the expander lack */
   "(define name value)\n(define (name parameter ...) body ...)", "define", "(if test then else)", "if",
       "(cond [test value ...] ... [else value ...])", "cond",
   "(let ([name value] ...) body ...)\n(let loop ([name value] ...) body ...)", "let",
@@ -52,7 +52,7 @@ static const char *form_of_syntax(const char *name) {
   return "";
 }
 
-/* The forms of one of our own procedures, a line each. */
+/* Writes the forms of a procedure of the table, one on each line. */
 static bool put_forms(vs_text *t, const vs_procedure *p, const char *name) {
   for (int i = 0; i < VS_MAX_FORMS && p->form[i].used; i++) {
     if (!put(t, i ? "\n(" : "(", name, "")) return false;
@@ -94,7 +94,7 @@ static bool put_call(vs_text *t, vs_value f, const char *name) {
   return !form || put(t, "(", name, form + 1 + strcspn(form + 1, " )"));
 }
 
-/* The helper of geometry.scm's procedure has its row: %subtract says what subtract is. */
+/* Returns the helper of a procedure of geometry.scm, whose row describes it: %subtract for subtract. */
 static vs_value helper_of(vs_scheme *vm, const char *name) {
   char room[80];
   vs_value symbol, value;
@@ -113,7 +113,7 @@ bool vs_name_get(vs_scheme *vm, const char *name, vs_name_info *out) {
   if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED) return false;
   r[1] = vs_as_cell(m.value)->value;
   vs_meaning language = vs_environment_find(vm->at.core, r[0]);
-  /* a program that uses a name of the language has a cell of its own with the same value */
+  /* a program that uses a name of the language has its own cell with the same value */
   out->own = language.kind != VS_MEANS_CELL || vs_as_cell(language.value)->value != r[1];
   vs_text t;
   if (vs_is(r[1], VS_T_NATIVE) || vs_is(r[1], VS_T_CLOSURE) || vs_is(r[1], VS_T_CASE) || vs_is(r[1], VS_T_PARAMETER)) {
@@ -169,7 +169,7 @@ const vs_value *vs_session_call(vs_session *s, vs_value calls, size_t index, vs_
   if (!vs_is_vector(calls)) return NULL;
   const vs_vector *v = vs_as_vector(calls);
   for (size_t i = 0; i < v->length && vs_is(v->at[i + VS_CALL_PROCEDURE], VS_T_CLOSURE); i += VS_CALL_WORDS)
-    /* the library's own calls are not the user's business */
+    /* the library's own calls do not concern users */
     if (vs_session_span(s, vs_pos_of(v->at[i + VS_CALL_PLACE]), at) && !index--) return v->at + i;
   return NULL;
 }
@@ -198,7 +198,7 @@ bool vs_call_get(vs_scheme *vm, size_t index, vs_call_info *out) {
   vs_text_open(vm, &t, 600);
   bool ok = true;
   for (size_t k = first + VS_CALL_VARIABLES; ok && k < first + VS_CALL_WORDS; k += 2) {
-    vs_value symbol = vs_as_vector(r[0])->at[k];     /* read anew each time: printing may move the vector */
+    vs_value symbol = vs_as_vector(r[0])->at[k];     /* read again each time: printing may move the vector */
     if (!vs_is_symbol(symbol)) break;
     ok = put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") &&
          vs_session_put_value(vm, &t, vs_as_vector(r[0])->at[k + 1], 60);
@@ -210,7 +210,7 @@ bool vs_call_get(vs_scheme *vm, size_t index, vs_call_info *out) {
 
 /* ---- where time goes ---- */
 
-/* A look: every procedure on the stack once, by where it stands in the program. */
+/* Takes a sample: each procedure on the stack counts once, by its place in the program. */
 void vs_session_look(vs_session *s) {
   enum { MOST = 64 };
   vs_value name[MOST];
@@ -220,7 +220,7 @@ void vs_session_look(vs_session *s) {
   bool first = true;
   for (size_t i = 0; i < n; i++) {
     if (vs_pos_file(place[i]) < s->bind.library_files || !vs_is_symbol(name[i])) continue;
-    bool before = false; /* a procedure that calls itself is one */
+    bool before = false; /* a procedure that calls itself counts once */
     for (size_t k = 0; k < i && !before; k++) before = name[k] == name[i];
     if (before) continue;
     size_t at = 0;

@@ -1,5 +1,5 @@
-/* Owns the scene in the public header: nodes, properties, actions and picks, each a call of the procedure of the
- * language that does the same, so that hosts and programs meet the same rules and the same messages. */
+/* Owns the scene in the public header: nodes, properties, actions and picks. Each function calls the procedure of the
+ * language that does the same, so hosts and programs get the same rules and messages. */
 #include <stdio.h>
 #include <string.h>
 
@@ -8,7 +8,7 @@
 #include "session/host.h"
 #include "session/report.h"
 
-/* Calls the procedure with handles for its arguments; *result becomes a handle to its value, 0 where it failed. */
+/* Calls the procedure with handles as its arguments; *result becomes a handle to its value, 0 after a failure. */
 static vs_outcome call(vs_scheme *vm, const char *who, const char *procedure, const vs_handle *arguments, size_t count,
                        vs_handle *result) {
   enum { MOST = 5 };
@@ -24,7 +24,7 @@ static vs_outcome call(vs_scheme *vm, const char *who, const char *procedure, co
   return *result ? VS_OUTCOME_DONE : VS_OUTCOME_MACHINE;
 }
 
-/* The same where the value is all that is asked for: 0 where it is #f, or the call failed. */
+/* The same for functions that return only the value: 0 if it is #f, or the call failed. */
 static vs_handle ask(vs_scheme *vm, const char *who, const char *procedure, const vs_handle *arguments, size_t count) {
   vs_handle result;
   if (call(vm, who, procedure, arguments, count, &result) != VS_OUTCOME_DONE || vs_handle_get_boolean(vm, result))
@@ -36,7 +36,8 @@ static vs_handle ask(vs_scheme *vm, const char *who, const char *procedure, cons
 /* A question about a property of a group: the function of the interface that asks, and the procedure that answers. */
 typedef struct { const char *who, *procedure; vs_handle group; const char *name; } named;
 
-/* The name becomes a symbol, which is made and let go. last NULL: there is none. */
+/* Calls q's procedure with the name as a symbol, whose handle is released afterwards. last NULL: there is no further
+ * argument. */
 static vs_outcome call_named(vs_scheme *vm, const named *q, const vs_handle *last, vs_handle *result) {
   vs_handle symbol = vs_handle_symbol(vm, q->name);
   const vs_handle arguments[] = { q->group, symbol, last ? *last : 0 };
@@ -193,15 +194,15 @@ vs_outcome vs_scene_frame(vs_scheme *vm, double seconds) {
   return outcome;
 }
 
-/* A hit as %pick-for-host gives it: (distance point node path file line column), the last three #f where they are not
- * known. */
+/* Passes a hit of %pick-for-host to the callback: (distance point node path file line column), the last three #f if
+ * they are not known. */
 static bool tell_hit(vs_scheme *vm, vs_handle hit, bool (*each)(void *context, vs_scheme *vm, const vs_hit *hit),
     void *context, bool *go_on) {
   enum { DISTANCE, POINT, NODE, PATH, FILE_NAME, LINE, COLUMN, PARTS };
   vs_handle part[PARTS] = { 0 };
   vs_hit told = { .file = NULL };
   double place[2] = { 0, 0 };
-  char *file = NULL; /* the callback may ask for other texts */
+  char *file = NULL; /* the callback may request other texts */
   size_t bytes = 0;
   bool ok = true;
   for (size_t i = 0; ok && i < PARTS; i++) ok = (part[i] = vs_handle_item(vm, hit, i)) != 0;
@@ -248,7 +249,7 @@ vs_outcome vs_pick(vs_scheme *vm, const double from[3], const double direction[3
 
 /* ---- gizmos and input ---- */
 
-/* A gizmo as %gizmos-for-host gives it: (node kind value low high step size at handles axes); what it has not is #f. */
+/* A gizmo of %gizmos-for-host: (node kind value low high step size at handles axes); #f for each part that it lacks. */
 enum { NODE, KIND, VALUE, LOW, HIGH, STEP, SIZE, AT, HANDLES, AXES, PARTS };
 
 static size_t numbers_of(vs_scheme *vm, vs_handle list, double out[3][3]) {

@@ -1,8 +1,8 @@
-/* Owns the formats that a host brings (vs_register_format): each is a back-end like the library's own, whose emit
+/* Owns the formats that a host defines (vs_register_format). Each is a back-end like the library's own; its emit
  * functions are the host's callbacks.
  *
- * The driver walks the drawing and lowers what the host has no callback for, as it does for every format. Placements,
- * materials, layers and unions need no callback: a thing comes with its place, paint and layer. */
+ * The driver walks the drawing and lowers kinds without a callback, as for every format. Placements, materials, layers
+ * and unions need no callback: each object comes with its place, paint and layer. */
 #include "session/own_formats.h"
 
 #include <string.h>
@@ -11,9 +11,9 @@
 #include "session/session.h"
 
 struct vs_own_format {
-  vs_backend backend; /* first: an emitter's back-end is it */
+  vs_backend backend; /* first: an emitter's back-end points to it */
   vs_format format;
-  vs_format_kind kinds[VS_KIND_COUNT]; /* by kind; without `write` where the host has none */
+  vs_format_kind kinds[VS_KIND_COUNT]; /* by kind; `write` is NULL if the host has no callback */
   bool (*begin)(void *context, vs_output *out);
   bool (*end)(void *context, vs_output *out);
   void *context;
@@ -22,17 +22,17 @@ struct vs_own_format {
 
 /* The state of the emitter while such a format is written. */
 typedef struct {
-  const char **layers; /* that are open, outermost first */
+  const char **layers; /* the open layers, outermost first */
   size_t layer_count, layer_room;
-  const vs_ref *now;   /* what is being written, for the place of an error */
+  const vs_ref *now;   /* the object being written, for the place of an error */
 } own_state;
 
-/* An output is the emitter. */
+/* Returns the emitter, which is the same object as the output. */
 static vs_emitter *own_emitter(vs_output *out) { return (vs_emitter *)(void *)out; }
 static vs_output *own_output(vs_emitter *e) { return (vs_output *)(void *)e; }
 static const vs_own_format *own_format(const vs_emitter *e) { return (const vs_own_format *)(const void *)e->backend; }
 
-/* ---- what callbacks may call ---- */
+/* ---- functions for callbacks ---- */
 
 bool vs_output_write(vs_output *out, const void *bytes, size_t count) {
   return vs_put(own_emitter(out)->out, bytes, count);
@@ -141,7 +141,7 @@ static vs_emit_status own_emit(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   own_state *s = e->state;
   const char *layer = s->layer_count > 0 ? s->layers[s->layer_count - 1] : "";
   if (!own_layer(e, ref, phase)) return VS_FAILED;
-  if (row->write == NULL) return VS_EMITTED; /* a placement, paint, layer or union: gone through */
+  if (row->write == NULL) return VS_EMITTED; /* a placement, paint, layer or union: its children follow */
   static const vs_thing_phase phases[] = { [VS_PHASE_LEAF] = VS_THING_LEAF, [VS_PHASE_ENTER] = VS_THING_ENTER,
       [VS_PHASE_LEAVE] = VS_THING_LEAVE };
   const vs_material *m = e->material;
@@ -158,7 +158,7 @@ static vs_emit_status own_emit(vs_emitter *e, const vs_ref *ref, vs_phase phase)
 
 /* ---- registering ---- */
 
-/* An ending is 1 to 16 plain letters and digits. */
+/* Returns true for 1 to 16 ASCII letters and digits. */
 static bool own_suffix(const char *text) {
   static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
   size_t n = text != NULL ? strspn(text, plain) : 0;
@@ -178,7 +178,8 @@ static bool own_fill(vs_session *s, vs_own_format *f, const vs_format_own *given
     f->kinds[kind] = given->kinds[i];
     f->backend.emit[kind].fn = own_emit;
   }
-  if (f->kinds[VS_POLYFACE_MESH].write == NULL) return false; /* what all solids and surfaces can be made of */
+  if (f->kinds[VS_POLYFACE_MESH].write == NULL) return false; /* the kind to which all solids and surfaces can be
+                                                               * lowered */
   f->backend.hulls = f->kinds[VS_HULL].write != NULL;
   for (size_t i = 0; i < sizeof through / sizeof *through; i++) f->backend.emit[through[i]].fn = own_emit;
   char text[120];
@@ -210,7 +211,7 @@ bool vs_register_format(vs_scheme *vm, const vs_format_own *given) {
   return true;
 }
 
-/* Is text the word, or a path or name that ends with it behind a dot? */
+/* Returns true if text is the word, or a path or name that ends in a dot and the word. */
 static bool own_means(const char *text, const char *word) {
   size_t length = strlen(text), end = strlen(word);
   return !strcmp(text, word) || (length > end && text[length - end - 1] == '.' && !strcmp(text + length - end, word));

@@ -1,5 +1,5 @@
-/* Owns what a host is told when something is wrong: conditions, errors of the layers below, warnings; each with its
- * place, the line of the source, and the user's own calls that led there. */
+/* Owns the reports to a host: conditions, errors of the layers below, warnings; each with its place, the line of the
+ * source, and the user's own calls that led there. */
 #include "session/report.h"
 
 #include <inttypes.h>
@@ -12,7 +12,7 @@
 
 #include "vm/values/printer.h"
 
-enum { NOTES = 12 }; /* callers shown; of more, the innermost and a word on the rest */
+enum { NOTES = 12 }; /* the most callers shown, innermost first */
 
 /* ---- the line ---- */
 
@@ -46,7 +46,7 @@ static void print_place(const vs_span *at) {
   fputc(' ', stderr);
 }
 
-/* For a host that takes no diagnostics: standard error, a line for the message and one for each note. */
+/* Writes to standard error for a host without `diagnose`: a line for the message, and one for each note. */
 static void print(const vs_diagnostic *d) {
   print_place(&d->at);
   fprintf(stderr, "%s%s\n",
@@ -60,7 +60,7 @@ static void print(const vs_diagnostic *d) {
   }
 }
 
-/* Hands d to the host, with its line of the source. */
+/* Passes d to the host, with its line of the source. */
 static void tell(vs_session *s, vs_diagnostic d) {
   char line[2048];
   d.source_line = vs_session_source_line(s, d.at.file, d.at.line, line, sizeof line);
@@ -116,7 +116,7 @@ bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
   return out->file != NULL;
 }
 
-/* Did the limit of an output's time stop it, and not who interrupts? */
+/* Returns true if the limit of an output's time stopped it, and not an interrupt. */
 static bool is_late(const vs_session *s) { return s->writing && s->late; }
 
 static vs_outcome outcome_of(const vs_session *s, vs_value kind, bool usage) {
@@ -127,7 +127,7 @@ static vs_outcome outcome_of(const vs_session *s, vs_value kind, bool usage) {
   return usage || s->bind.bad_parameter ? VS_OUTCOME_USAGE : VS_OUTCOME_MODEL;
 }
 
-/* Callers as notes. A line of the chain is a call inside a procedure; the first is the failing call itself. */
+/* Writes callers as notes. A link of the chain is a call inside a procedure; the first is the failing call itself. */
 static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_note *notes) {
   size_t n = 0;
   const char *before_file = at.file;
@@ -182,21 +182,22 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   if (is_condition) {
     const vs_condition *c = vs_as_condition(r[0]);
     outcome = outcome_of(s, c->kind, usage);
-    /* the host may hold the rest of the process to it as well */
+    /* the host may hold the rest of the process to the limit as well */
     limited = c->kind == vm->sym.memory && s->options.limit_memory;
     late = c->kind == vm->sym.interrupt && is_late(s);
-    /* a macro's procedure that the library calls: the use of the macro */
+    /* in a macro's procedure that the library calls: the place of the macro's use */
     if (!vs_session_condition_place(s, c, &at)) vs_session_span(s, vm->top_place, &at);
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
     printed = printed && vs_session_advise(s, r[0], at, &t);
-    if (s->bind.bad_parameter) { /* what was set from outside is at fault, not the line that defines it */
+    if (s->bind.bad_parameter) { /* the fault is in the value from outside, not in the line that defines the
+                                  * parameter */
       notes[0] = (vs_diagnostic_note){ at, "the parameter is defined here" };
       count = at.file != NULL;
       at = (vs_span){ 0 };
     }
   }
   if (printed && vs_text_end(&t)) message = t.at;
-  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* its text did not fit */
+  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* memory for its text is out */
   if (late) {
     snprintf(limit, sizeof limit, "the output: stopped after %g seconds, the limit", s->options.limit_time);
     message = limit;
@@ -206,7 +207,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   tell(s, (vs_diagnostic){ .severity = VS_SEVERITY_ERROR, .outcome = outcome, .at = at, .message = message,
                            .notes = notes, .note_count = count });
   vs_text_close(&t);
-  /* the reader has more to say: (place . message) of each further mistake */
+  /* the reader reports further errors: (place . message) for each */
   if (is_condition && vs_as_condition(r[0])->kind == vm->sym.read)
     for (vs_value l = vs_as_condition(r[0])->payload; vs_is_pair(l); l = vs_cdr(l)) {
       vs_value more = vs_car(l);

@@ -1,6 +1,5 @@
-/* Owns looking at a source text as it was written. It knows strings, characters, comments and parentheses of all
- * three shapes, and nothing else of the language: what it finds is for messages, where a wrong guess costs only a
- * hint. */
+/* Owns the outline of a source text as it was written. It knows strings, characters, comments and parentheses of all
+ * three shapes, and nothing else of the language. Messages use it: a wrong guess costs only a hint. */
 #include "session/source_outline.h"
 
 #include <string.h>
@@ -15,7 +14,7 @@ size_t vs_outline_word(const char *at, const char *end) {
   return (size_t)(p - at);
 }
 
-/* Just past a |# that closes the block comment at `at`. */
+/* Returns the place just after the |# that closes the block comment at `at`. */
 static const char *block_comment(const char *at, const char *end, uint32_t *line) {
   int depth = 0;
   while (at < end) {
@@ -40,7 +39,7 @@ const char *vs_outline_blanks(const char *at, const char *end, uint32_t *line) {
   return at;
 }
 
-/* A token that opens nothing: a word, a string, a character. */
+/* Skips a token that opens nothing: a word, a string, a character. */
 static const char *atom(const char *at, const char *end, uint32_t *line) {
   if (*at == '"') {
     for (at++; at < end && *at != '"'; at++) {

@@ -8,8 +8,8 @@
  *   tree → meshes         where a format needs  solids/solid_meshes.c, kernel/evaluate.c
  *   tree → file           the last stage        backends/driver.c, backends/export.c
  *
- * The first four happen form by form in vs_eval_text and vs_eval_file (visualscheme.c). Everything after them is in
- * this file, from top to bottom. */
+ * vs_eval_text and vs_eval_file (visualscheme.c) run the first four for each form. This file has all others, from top
+ * to bottom. */
 #include "bind/back_ends.h"
 #include "bind/call/take.h"
 #include "bind/custom.h"
@@ -44,21 +44,21 @@
 
 typedef struct {
   vs_session *session;
-  const vs_format *format;       /* NULL: nothing is written, the drawing is only measured */
+  const vs_format *format;       /* NULL: the drawing is only measured */
   const vs_output_options *options;
-  const char *path;              /* NULL: to */
+  const char *path;              /* NULL: the output goes to `to` */
   vs_byte_sink *to;
-  vs_scene scene;                /* the job's own array of references */
+  vs_scene scene;                /* with an array of references that the job owns */
   vs_export_options export;
-  vs_output_record *record;      /* NULL: nothing is written */
-  vs_error error;                /* why a stage returned false, unless outcome says it */
-  vs_outcome outcome;            /* of what a stage has reported itself */
-  char *text;                    /* what a back-end of the program's own has made, of so many bytes; NULL: nothing */
+  vs_output_record *record;      /* NULL: there is no output */
+  vs_error error;                /* the reason of a failed stage, unless outcome is set */
+  vs_outcome outcome;            /* the outcome of a failure that a stage has reported itself */
+  char *text;                    /* the text of the program's own back-end, in bytes; NULL: none */
   size_t text_bytes;
   double told;                   /* clock of the last call of the host's progress */
 } vs_job;
 
-/* ---- what the stages call back ---- */
+/* ---- callbacks of the stages ---- */
 
 static bool keep_resolving(void *session, double done) {
   (void)done;
@@ -69,8 +69,8 @@ static void job_warn(void *job, const vs_origin *origin, const char *message) {
   vs_session_warn(((vs_job *)job)->session, origin, message);
 }
 
-/* Tells the host how far the output is, ten times a second at most; a quick output is not told of at all. Returns false
- * if the host interrupts. */
+/* Reports the progress of the output to the host, at most ten times a second; a quick output has no report. Returns
+ * false if the host interrupts. */
 static bool job_progress(void *job, const char *stage, double fraction) {
   vs_job *j = job;
   const vs_host *h = &j->session->options.host;
@@ -102,8 +102,7 @@ void vs_session_size(const vs_output_options *o, vs_export_options *e) {
   if (!e->width) e->width = 1024, e->height = 768;
 }
 
-/* Sets the export's options from those that the caller asked for, those that the program set, and the session's
- * limits. */
+/* Sets the export's options from the caller's, the program's, and the session's limits. */
 static void set_options(vs_job *j) {
   static const vs_render_quality qualities[] = {
     [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL
@@ -136,8 +135,8 @@ static void set_options(vs_job *j) {
 /* ---- the stages: each returns false with the job's error set, or with its outcome set where it has reported the
  * failure itself ---- */
 
-/* Works out what the tree of nodes shows, as an evaluation of its own. *beside false: what is drawn is a node's, and
- * what the root had drawn is among the objects. */
+/* Computes the objects that the tree of nodes shows, as a separate evaluation. *beside is false if the drawing belongs
+ * to a node; the objects then include the root's drawing. */
 static bool show_nodes(vs_job *j, bool *beside, vs_value *objects) {
   vs_session *s = j->session;
   if (!vs_nodes_are_there(&s->bind)) return true;
@@ -149,8 +148,8 @@ static bool show_nodes(vs_job *j, bool *beside, vs_value *objects) {
   return ok;
 }
 
-/* Nodes that only dead values hold would look shared. The copy's references are retained, because later stages put
- * others in their place. */
+/* A node that only dead values hold would count as shared, so the heap is collected. The copy retains its references,
+ * because later stages replace them. */
 static bool stage_collect(vs_job *j) {
   vs_session *s = j->session;
   bool beside = true, change = j->options && j->options->change;
@@ -182,17 +181,16 @@ static bool stage_collect(vs_job *j) {
   return true;
 }
 
-/* The drawing functions are an evaluation of their own, with limits of their own: the output's time counts from their
- * end. */
+/* The drawing functions are a separate evaluation with its own limits: the output's time counts from their end. */
 static bool stage_hand_over(vs_job *j) {
   vs_session *s = j->session;
   const vs_format *f = j->format;
   const char *names[4] = { NULL };
   size_t n = 0;
-  if (!f) names[n++] = "*"; /* whatever draws it, where nothing is for all formats */
+  if (!f) names[n++] = "*"; /* functions for one format, if none is for all formats */
   if (f) names[n++] = f->name, names[n++] = f->suffix;
   if (f && vs_export_family(f)) names[n++] = vs_export_family(f);
-  bool handed = j->options && j->options->change; /* the parts of a comparison were, when they were taken */
+  bool handed = j->options && j->options->change; /* the parts of a comparison have been through them already */
   if (!handed && vs_bind_hands_on(&s->bind)) {
     vs_session_begin(s, 0);
     bool ok = vs_bind_hand_on(&s->bind, j->scene.drawn, j->scene.drawn_count, names);
@@ -216,7 +214,7 @@ static bool stage_sugar(vs_job *j) {
                    : vs_scene_sugar(&j->scene, &solids_only, &j->error);
 }
 
-/* Appends to message the names of the model's views. */
+/* Appends the names of the model's views to message. */
 static void list_views(const vs_scene *scene, char *message, size_t room) {
   size_t used = strlen(message);
   for (size_t i = 0; i < scene->view_count && used + 2 < room; i++) {
@@ -232,7 +230,7 @@ static bool stage_view(vs_job *j) {
   if (!j->format || j->format->backend->draws || (name && !strcmp(name, "*"))) return true;
   const vs_scene_view *view = name ? vs_scene_find_view(scene, name) : j->options->has_camera ? NULL
       : vs_scene_own_view(scene);
-  /* A view that nobody asked for cuts away nothing of a mesh or a page. */
+  /* A view that is not requested cuts no part off a mesh or a page. */
   if (!name && (!view || (view->cut == VS_CUT_PLANE && !j->format->backend->frames))) return true;
   if (!view) {
     char message[400];
@@ -249,7 +247,7 @@ static bool stage_resolve(vs_job *j) {
   return vs_scene_resolve(&j->scene, &options, &(vs_resolve_notes){ job_warn, j }, &j->error);
 }
 
-/* A back-end of the program's own gets the drawing without the passes, unless it asked for them. */
+/* A back-end of the program's own gets the drawing before the passes, unless it requests them. */
 static bool stage_optimise(vs_job *j) {
   const vs_bind_back_end *own =
       j->format->backend == &vs_backend_given ? vs_bind_back_end_find(&j->session->bind, j->format->name) : NULL;
@@ -268,7 +266,7 @@ static bool stage_flush(vs_job *j) { return vs_scene_part_flush(&j->scene, &j->e
 
 static bool stage_group(vs_job *j) { return vs_scene_group(&j->scene, &j->error); }
 
-/* The call is an evaluation of its own. */
+/* The call is a separate evaluation. */
 static bool stage_defined(vs_job *j) {
   vs_session *s = j->session;
   vs_session_begin(s, 0);
@@ -289,15 +287,15 @@ static bool write_bytes(void *sink, const void *bytes, size_t count) {
 static bool stage_write(vs_job *j) {
   vs_tally_enter(&j->session->tally, VS_WORK_EMIT);
   vs_scene scene = j->scene;
-  /* its text is made already */
+  /* its text is ready */
   if (j->format->backend == &vs_backend_given) scene.drawn = NULL, scene.drawn_count = scene.drawn_room = 0;
   return j->to ? vs_export_to(&scene, j->format, write_bytes, j->to, &j->export, &j->error)
                : vs_export(&scene, j->format, j->path, &j->export, &j->error);
 }
 
-/* ---- the table, and the way through it ---- */
+/* ---- the table, and the order of the stages ---- */
 
-/* A format that shows the tree as it was made. */
+/* Returns true for a format that shows the tree unchanged. */
 static bool shows_tree(const vs_backend *b) { return b->verbatim && b != &vs_backend_given; }
 
 static bool runs_for(vs_stage stage, const vs_backend *b) {
@@ -309,7 +307,7 @@ static bool runs_for(vs_stage stage, const vs_backend *b) {
   return false;
 }
 
-/* Seconds of work that are accounted for up to now, in all phases. */
+/* Returns the seconds of work so far, in all phases. */
 static double worked(vs_session *s) {
   double sum = 0;
   vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE);
@@ -335,7 +333,8 @@ static bool go_through(vs_job *j, vs_stage last) {
   return ok;
 }
 
-/* Reports that nothing is drawn, with what the program defines and never calls. False: out of memory. */
+/* Reports that nothing is drawn, with the procedures that the program defines and never calls. Returns false when
+ * memory is out. */
 static bool report_nothing(vs_session *s, const char *message) {
   vs_text why;
   vs_text_open(s->bind.vm, &why, 0);
@@ -345,7 +344,7 @@ static bool report_nothing(vs_session *s, const char *message) {
   return told;
 }
 
-/* Releases the job's references. Returns the outcome, having reported the error of the stage that failed. */
+/* Releases the job's references. Returns the outcome, and reports the error of a failed stage. */
 static vs_outcome end_job(vs_job *j, bool ok) {
   vs_session *s = j->session;
   bool stopped = s->writing && s->late && j->error.kind == VS_ERROR_INTERRUPT;
@@ -380,7 +379,7 @@ vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *fo
   return outcome;
 }
 
-/* ---- what is drawn, without writing it ---- */
+/* ---- the drawing without an output ---- */
 
 static bool summarise(vs_session *s, const vs_scene *scene, vs_summary *out, vs_error *e) {
   vs_bounds all;

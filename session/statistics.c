@@ -1,7 +1,7 @@
-/* Owns what an interpreter says about its own work: the account of each output, the counts of its drawing, and the keys
- * that both are told by.
+/* Owns the statistics of an interpreter: the account of each output, the counts of its drawing, and the keys for both.
  *
- * Phases share all time between them, so an output's add up to its time, and outputs and programs to the whole. */
+ * The phases of work share all time. Therefore an output's phases add up to its time, and outputs and programs to the
+ * whole. */
 #include "session/statistics.h"
 
 #include "session/host.h"
@@ -15,9 +15,9 @@
 #include "model/order.h"
 #include "model/store/array.h"
 
-enum { OUTPUTS = 64 }; /* records kept */
+enum { OUTPUTS = 64 }; /* the most records */
 
-/* ---- the account of an output: at first what the totals are, in the end what they grew by ---- */
+/* ---- the account of an output: the totals at its begin, replaced by the differences at its end ---- */
 
 static void drop(vs_session *s, vs_output_record *r) { vs_session_memory(s, r->path, r->path_bytes, 0); }
 
@@ -37,7 +37,7 @@ bool vs_session_output_begin(vs_session *s, const char *path, const char *format
     drop(s, &s->outputs[0]);
     memmove(s->outputs, s->outputs + 1, --s->output_count * sizeof *s->outputs);
   }
-  vs_tally_enter(t, VS_WORK_NONE); /* what came before is settled */
+  vs_tally_enter(t, VS_WORK_NONE); /* the time before goes to its own phase */
   vs_output_record *r = &s->outputs[s->output_count++];
   *r = (vs_output_record){ .path = copy,
                            .path_bytes = bytes,
@@ -49,7 +49,8 @@ bool vs_session_output_begin(vs_session *s, const char *path, const char *format
                            .cache = vs_cache_count(vs_store_cache(s->bind.store)) };
   for (int i = 0; i < VS_PASS_COUNT; i++) r->alone[i] = r->without[i] = NAN;
   for (int i = 0; i < VS_STAGE_COUNT; i++) r->stages[i] = NAN;
-  for (int i = 0; i < VS_WORK_COUNT; i++) t->of[i].peak = 0; /* its own peaks; the others come back at its end */
+  for (int i = 0; i < VS_WORK_COUNT; i++) t->of[i].peak = 0; /* the output has its own peaks; the others are restored at
+                                                              * its end */
   return true;
 }
 
@@ -64,7 +65,7 @@ void vs_session_output_end(vs_session *s, bool done) {
     r->tally.of[i] = (vs_phase_use){ all->seconds - before.seconds, all->growth - before.growth, all->peak };
     if (before.peak > all->peak) all->peak = before.peak;
   }
-  /* without the counting, which nobody would wait for */
+  /* without the time of the counting, which only statistics need */
   for (int i = 0; i < VS_WORK_NONE; i++) s->write_seconds += r->tally.of[i].seconds;
   r->tally.written = t->written - r->tally.written;
   r->tally.clusters = t->clusters - r->tally.clusters;
@@ -93,8 +94,8 @@ static int by_value(const void *a, const void *b) {
   return *x < *y ? -1 : *x > *y;
 }
 
-/* Counts the tree's nodes, and the different values among them, told apart by their hashes of 64 bits.
- * Lone leaves have no number in the order: each is one node, in one place. */
+/* Counts the tree's nodes, and the different values among them, distinguished by their 64-bit hashes. Lone leaves have
+ * no number in the order: each counts as one node in one place. */
 static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs_error *e) {
   vs_order order = { .store = scene->store };
   if (!vs_order_make(&order, scene->drawn, scene->drawn_count, e)) return false;
@@ -130,7 +131,7 @@ static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs
   return ok || vs_error_memory(e, NULL);
 }
 
-/* Counts the commands that the passes in the mask would leave of the scene, which stays as it is. */
+/* Counts the commands that the passes of the mask would leave of the scene, which does not change. */
 static bool count_commands(const vs_scene *scene, unsigned passes, double *commands, vs_error *e) {
   vs_scene copy = *scene;
   vs_pass_stats stats;
@@ -147,7 +148,8 @@ static bool count_commands(const vs_scene *scene, unsigned passes, double *comma
 
 bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned passes, vs_error *e) {
   vs_output_record *r = &s->outputs[s->output_count - 1];
-  vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE); /* nobody would wait for it but for the counts */
+  vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE); /* this time counts for no phase: only the statistics
+                                                                * need it */
   bool ok = count_nodes(scene, &r->nodes, &r->distinct, e);
   for (unsigned i = 0; ok && i < VS_PASS_COUNT; i++) {
     unsigned one = 1u << i;
@@ -190,7 +192,7 @@ static void add_work(list *l, const vs_tally *t) {
   add(l, "texts.remembered.bytes", (double)t->bytes_found, "bytes");
 }
 
-/* of the drawing of one output; r NULL: there was none */
+/* Adds the keys of one output's drawing; r NULL: there was none. */
 static void add_drawing(list *l, const vs_output_record *r) {
   add(l, "nodes", r ? r->nodes : NAN, "");
   add(l, "nodes.distinct", r ? r->distinct : NAN, "");
@@ -203,7 +205,7 @@ static void add_drawing(list *l, const vs_output_record *r) {
 #include "passes/passes.def"
 }
 
-/* of one output; r NULL: of all that are remembered */
+/* Adds the keys of one output; r NULL: the sums over all remembered ones. */
 static void add_stages(list *l, const vs_session *s, const vs_output_record *r) {
   static const char *const keys[] = {
 #define VS_STAGE(upper, lower, when, formats, doc) "time.stage." #lower,

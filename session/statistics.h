@@ -1,4 +1,4 @@
-/* Owns the interface of statistics.c: what an interpreter says about its own work. */
+/* Owns the interface of statistics.c: the statistics of an interpreter. */
 #ifndef VS_SESSION_STATISTICS_H
 #define VS_SESSION_STATISTICS_H
 

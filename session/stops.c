@@ -1,4 +1,4 @@
-/* Owns the answers to a host's questions about a stopped program, and the going on with it (vm/stepping/step.h). */
+/* Owns the answers to a host's questions about a stopped program, and its continuation (vm/stepping/step.h). */
 #include "session/stops.h"
 
 #include <string.h>
@@ -25,15 +25,15 @@ void vs_session_arm(vs_session *s, unsigned flags) {
 
 static vs_vector *details(vs_value stop) { return vs_as_vector(vs_as_condition(stop)->payload); }
 
-/* The character at a column of the line, counted in characters from 1; the line's end where it is shorter. */
+/* Returns the character at a column of the line, counted in characters from 1; the line's end if it is shorter. */
 static const char *at_column(const char *line, uint32_t column) {
   for (uint32_t i = 1; i < column && *line; i++)
     for (line++; ((unsigned char)*line & 0xC0) == 0x80;) line++;
   return line;
 }
 
-/* Does a call stand there that a macro made? Its place is that of the macro's use, so a form's name stands at the
- * head of what is written. */
+/* Returns true for a call that a macro made. Its place is that of the macro's use, where the text begins with the name
+ * of a form. */
 static bool is_hidden(vs_session *s, vs_value stop) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 2);
@@ -102,7 +102,7 @@ bool vs_session_bindings(vs_session *s, vs_value *out) {
   return *out = r[1], true;
 }
 
-/* ---- telling ---- */
+/* ---- the text of a stop ---- */
 
 static vs_value name_of(vs_value procedure) {
   if (vs_is(procedure, VS_T_CLOSURE)) return vs_as_code(vs_as_closure(procedure)->code)->name;
@@ -112,7 +112,7 @@ static vs_value name_of(vs_value procedure) {
   return VS_FALSE;
 }
 
-/* "(area 3 4)", or the value */
+/* Writes "(area 3 4)", or the value. */
 static bool put_subject(vs_scheme *vm, vs_value stop, vs_stop_kind kind, vs_text *t) {
   VS_ROOTS(vm, r, 2);
   r[0] = stop;
@@ -139,8 +139,8 @@ static bool put_subject(vs_scheme *vm, vs_value stop, vs_stop_kind kind, vs_text
   return vs_text_puts(t, ")");
 }
 
-/* The column behind the datum that begins at `column` of the line (characters, from 1): the line's end where it
- * ends further down. */
+/* Returns the column after the datum that begins at `column` of the line (in characters, from 1); the line's end if it
+ * ends on a later line. */
 static uint32_t end_of(const char *line, uint32_t column) {
   const char *at = at_column(line, column);
   uint32_t lines = 0, end = column;
@@ -178,7 +178,7 @@ bool vs_stop_get(vs_scheme *vm, vs_stop_info *out) {
   return true;
 }
 
-/* ---- going on ---- */
+/* ---- continuation ---- */
 
 bool vs_session_take_stop(vs_session *s, vs_value *stop, unsigned *flags) {
   vs_scheme *vm = s->bind.vm;

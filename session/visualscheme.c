@@ -1,4 +1,4 @@
-/* Owns the implementation of visualscheme.h: ties interpreter, model, geometry's procedures and back-ends into one
+/* Owns the implementation of visualscheme.h: it joins interpreter, model, geometry's procedures and back-ends to one
  * object. */
 #include "bind/back_ends.h"
 #include "bind/call/take.h"
@@ -48,7 +48,7 @@
 #include "vm/stepping/step.h"
 #include "vm/stepping/resume.h"
 
-extern const vs_shipped vs_shipped_library[]; /* library/, which the Makefile puts into the program */
+extern const vs_shipped vs_shipped_library[]; /* library/, which the Makefile links into the program */
 extern const vs_image vs_library_image; /* the library, loaded at build time (scripts/stage0.c) */
 
 const char *vs_version(void) { return VS_VERSION; }
@@ -57,7 +57,7 @@ const char *vs_version(void) { return VS_VERSION; }
 
 vs_options vs_options_default(void) { return (vs_options){ .library_path = NULL }; }
 
-/* The value gets the next of the names $1, $2 ... */
+/* Gives the value the next of the names $1, $2 ... */
 static bool name_result(vs_session *s, vs_value v) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 3);
@@ -69,8 +69,8 @@ static bool name_result(vs_session *s, vs_value v) {
   return true;
 }
 
-/* An object in a line: how it is made where that is short, else its kind; then the size of its bounding box, or of a
- * larger one where the exact one would take long. */
+/* Shows an object in a line: its expression if that is short, otherwise its kind; then the size of its bounding box, or
+ * a bound of it if the exact one would take long. */
 static bool tell_object(vs_session *s, vs_value v) {
   vs_scheme *vm = s->bind.vm;
   enum { SHORT = 60 };
@@ -113,7 +113,7 @@ static bool tell_object(vs_session *s, vs_value v) {
   return ok;
 }
 
-/* How many objects the list holds; 0: it is no list, or holds something else too. */
+/* Returns the number of objects in the list; 0 if v is no list, or contains other values. */
 static size_t objects_in_list(vs_value v) {
   size_t n = 0;
   for (; vs_is_pair(v); v = vs_cdr(v), n++)
@@ -121,7 +121,7 @@ static size_t objects_in_list(vs_value v) {
   return v == VS_NIL ? n : 0;
 }
 
-/* A top-level expression's value: the model if nothing is drawn, and what the prompt shows. */
+/* Takes a top-level expression's value: it is the model if nothing is drawn, and the prompt shows it. */
 static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
   const vs_host *h = &s->options.host;
@@ -132,7 +132,8 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || r[0] == VS_UNSPECIFIC) return true;
   if (s->flags & VS_EVAL_NUMBER && !name_result(s, r[0])) return false;
   if (s->flags & VS_EVAL_NUMBER && vs_bind_take_ref(r[0]).node) return tell_object(s, r[0]);
-  /* bytes: a drawing of thousands of parts is no answer to read; what has a number can be asked further */
+  /* The most bytes shown: a drawing of thousands of parts is no readable answer; a numbered value can be asked
+   * further. */
   enum { MOST = 4000, MOST_NUMBERED = 1000 };
   vs_text shown, t;
   vs_text_open(vm, &shown, s->flags & VS_EVAL_NUMBER ? MOST_NUMBERED : MOST);
@@ -140,7 +141,7 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown);
   size_t objects = shown.cut && s->flags & VS_EVAL_NUMBER ? objects_in_list(r[0]) : 0;
   char note[60] = "";
-  /* whole words: half a number is another number */
+  /* Cuts between words: half a number is another number. */
   while (shown.cut && shown.count && shown.at[shown.count - 1] != ' ') shown.count--;
   if (shown.cut && shown.count) shown.count--;
   if (objects) snprintf(note, sizeof note, "#<list of %zu objects>", objects);
@@ -162,13 +163,13 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
     snprintf(text, sizeof text, " ; %.6g", d);
     ok = ok && vs_text_puts(&t, text);
   }
-  if (ok && t.count) h->value(h->context, t.at, t.count); /* (values) is nothing to show */
+  if (ok && t.count) h->value(h->context, t.at, t.count); /* (values) shows nothing */
   vs_text_close(&shown);
   vs_text_close(&t);
   return ok;
 }
 
-/* A warning of the expander, at its place in the user's text; none about the library's own. */
+/* Passes a warning of the expander, at its place in the user's text; omits those about the library's own text. */
 static void warn_program(vs_scheme *vm, vs_pos place, const char *message) {
   vs_session *s = vs_session_of(vm);
   vs_span at;
@@ -176,7 +177,8 @@ static void warn_program(vs_scheme *vm, vs_pos place, const char *message) {
     vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, at, message);
 }
 
-/* for register-drawing-function and define-back-end: as (vs_format_find), but no path */
+/* Returns true for a name of the library's formats, for register-drawing-function and define-back-end; as
+ * vs_format_find, but without paths. */
 static bool is_built_in(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
 static bool is_format(const vs_bind *b, const char *name) {
   return is_built_in(name) || (!strpbrk(name, "./") && vs_bind_back_end_find(b, name) != NULL);
@@ -189,7 +191,7 @@ static void warn_vm(vs_scheme *vm, const char *kind, const char *message) {
 
 static double tally_clock(void *session) { return vs_session_clock(session); }
 
-/* The phases of source text are the first of the table, in the same order. */
+/* Switches the phase of work: the phases of source text are the first of the table, in the same order. */
 static vs_vm_phase vm_phase(void *session, vs_vm_phase phase) {
   vs_work_phase was = vs_tally_enter(&((vs_session *)session)->tally, (vs_work_phase)phase);
   return was <= VS_WORK_RUN ? (vs_vm_phase)was : VS_VM_RUN;
@@ -215,7 +217,7 @@ static bool open_program(vs_scheme *vm) {
   return vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
 }
 
-/* ---- the texts among the options: copied into one block, the array of the command line first ---- */
+/* ---- the texts of the options: copied into one block, the array of the command line first ---- */
 
 static size_t text_bytes(const vs_options *o) {
   size_t bytes = o->command_line_count * sizeof(char *);
@@ -223,7 +225,7 @@ static size_t text_bytes(const vs_options *o) {
   return bytes + (o->library_path ? strlen(o->library_path) + 1 : 0);
 }
 
-/* False: out of memory, and nothing is held. */
+/* Returns false when memory is out, without a copy. */
 static bool copy_texts(vs_session *s) {
   vs_options *o = &s->options;
   size_t bytes = s->text_bytes = text_bytes(o);
@@ -286,7 +288,7 @@ vs_scheme *vs_new(const vs_options *options) {
   if (store) vs_store_release(store); /* bind holds it */
   if (ok) vs_store_set_tally(store, &s->tally);
   if (ok) vs_store_watch(store, keep_making, s);
-  if (ok && o.cache != SIZE_MAX) { /* without memory for it, nothing is kept */
+  if (ok && o.cache != SIZE_MAX) { /* without memory for it, nothing is cached */
     enum { USUAL = 256 };
     vs_cache_new(store, o.cache ? o.cache : o.limit_memory ? o.limit_memory / 4 : (size_t)USUAL << 20);
   }
@@ -313,7 +315,7 @@ vs_outcome vs_restart(vs_scheme *vm) {
     if (fresh) vs_close_vm(fresh);
     return vs_session_out_of_memory(s);
   }
-  vs_replace_vm(vm, fresh); /* lets go of the objects, which hold nodes */
+  vs_replace_vm(vm, fresh); /* releases the objects, which hold nodes */
   vs_bind_restart(&s->bind);
   vs_session_forget_handles(s);
   for (size_t i = 0; i < s->source_count; i++) s->sources[i].before = true;
@@ -326,7 +328,7 @@ vs_outcome vs_restart(vs_scheme *vm) {
 void vs_free(vs_scheme *vm) {
   if (!vm) return;
   vs_session *s = vs_session_of(vm);
-  vs_close_vm(vm); /* lets go of the objects, which hold nodes */
+  vs_close_vm(vm); /* releases the objects, which hold nodes */
   if (!s) return;
   vs_session_free_own_formats(s);
   vs_session_free_handles(s);
@@ -348,19 +350,19 @@ void vs_interrupt_clear(vs_scheme *vm) { atomic_store(&vs_session_of(vm)->interr
 
 /* ---- running ---- */
 
-/* an interrupt that came when nothing ran */
+/* Returns true if an interrupt came while nothing ran. */
 static bool was_interrupted(vs_session *s) {
   if (!atomic_exchange(&s->interrupted, false)) return false;
   vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, (vs_span){ 0 }, "interrupted");
   return true;
 }
 
-/* An interrupt that came while nothing ran ends the next evaluation before it begins. */
+/* Returns false for an interrupt that came while nothing ran: it ends the next evaluation before its begin. */
 static bool may_run(vs_session *s) {
   return !vs_session_interrupted(s) || vs_fail(s->bind.vm, s->bind.vm->sym.interrupt, "interrupted");
 }
 
-/* Runs the checks of a program that ended well; those of any other are forgotten, unless they are to wait. */
+/* Runs the checks of a program that ended well, unless the flags keep them; forgets those of other programs. */
 static vs_outcome check(vs_session *s, vs_outcome outcome, unsigned flags) {
   if (outcome == VS_OUTCOME_DONE && !s->exit_requested) return vs_session_check(s, flags);
   if (outcome != VS_OUTCOME_STOPPED) vs_session_check(s, flags | VS_EVAL_PASS);
@@ -395,7 +397,7 @@ vs_outcome vs_resume(vs_scheme *vm, vs_resume_way way) {
   return check(s, vs_session_finish(s, vs_step_resume(vm, r[0], modes[way], &vm->value), false), flags);
 }
 
-/* "out/house.vs" names the drawing "house" */
+/* Sets the title of the drawing: "house" for "out/house.vs". */
 static bool set_title(vs_session *s, const char *path) {
   const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
   size_t n = dot && dot > base ? (size_t)(dot - base) : strlen(base);
@@ -438,7 +440,7 @@ vs_read_status vs_read_check(vs_scheme *vm, const char *text, size_t length) {
                                           [VS_TEXT_OPEN] = VS_READ_INCOMPLETE,
                                           [VS_TEXT_BAD] = VS_READ_BAD };
   vs_text_check c = { 0 };
-  vm->steps = 0, vm->started = vs_session_clock(vs_session_of(vm)); /* no part of the evaluation before */
+  vm->steps = 0, vm->started = vs_session_clock(vs_session_of(vm)); /* not part of the evaluation before */
   vs_refuel(vm);
   if (!vs_read_whole(vm, text, length, &c))
     return (vs_read_status){ .state = VS_READ_BAD, .line = 1, .column = 1, .message = "out of memory" };
@@ -586,8 +588,8 @@ const vs_format_info *vs_format_find(const char *text) {
   return NULL;
 }
 
-/* The format that a name or an ending means here: the library's own, else one of the host's, else one that the program
- * brought, which is put into *room. */
+/* Returns the format for a name or an ending: the library's own, otherwise the host's, otherwise the program's, which
+ * *room then holds. */
 static const vs_format *format_of(const vs_session *s, const char *text, vs_format *room) {
   const vs_format *own = vs_export_format_find(text);
   if (!own) own = vs_session_own_format(s, text);
@@ -621,7 +623,7 @@ const char *const *vs_pass_list(size_t *count) {
   return names;
 }
 
-/* False: it has been said that the part lies outside of the picture, or is empty. */
+/* Returns false, with the fault reported, if the part is empty or extends beyond the picture. */
 static bool crop_is_within(vs_session *s, const vs_output_options *o) {
   const int *c = o->crop;
   if (!c[0] && !c[1] && !c[2] && !c[3]) return true;
