@@ -1,5 +1,6 @@
-; Back-ends that a program brings: (define-back-end name suffix procedure ...) makes -o file.suffix call the procedure with the drawing's objects and a
-; port. After primitives.scm. A back-end that is registered here runs when a drawing is handed over, in the run loop, as drawing functions do.
+; Back-ends that a program defines: (define-back-end name suffix procedure ...) makes -o file.suffix call the procedure
+; with the drawing's objects and a port. After primitives.scm. A registered back-end runs when a drawing is handed over,
+; in the run loop, like drawing functions.
 
 (define %back-ends '()) ; #(name procedure kinds templates? binary?), newest first
 
@@ -31,7 +32,7 @@
   (and (< 0 (string-length text) 17)
        (every (lambda (c) (or (char-alphabetic? c) (char-numeric? c))) (string->list text))))
 
-; Returns the file of a drawing: a string, or a bytevector of a binary back-end.
+; Returns the contents of the file: a string, or a bytevector of a binary back-end.
 (define (%write-back-end name objects)
   (let* ((b (find (lambda (b) (eq? (vector-ref b 0) name)) %back-ends))
          (kinds (vector-ref b 2))
@@ -48,7 +49,7 @@
       (lambda () (%handing! before)))
     (if binary (get-output-bytevector port) (get-output-string port))))
 
-; Objects of other kinds become simpler ones until only these are left.
+; Lowers objects until they have only these kinds.
 (define (%only-kinds name kinds objects)
   (define (known? o) (or (memq (object-kind o) kinds) (memq (object-kind o) '(empty-object))))
   (define (simpler o)
@@ -58,9 +59,9 @@
           made)))
   (%redraw objects (list (vector #f (lambda (o) (not (known? o))) simpler))))
 
-; The parts that stand in several places, each after those that it is made of.
+; Returns the parts with several places, each after its own parts.
 (define (%templates objects)
-  (define seen (make-hash)) ; number of the node -> how often it was met
+  (define seen (make-hash)) ; the node's number -> the number of its places
   (define order '())
   (define (visit o)
     (let* ((key (%node-number o)) (count (hash-ref seen key 0)))

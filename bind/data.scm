@@ -1,5 +1,6 @@
-; Data that a program brings beside it: texts, folders, tables (CSV), JSON. Files are named relative to the program's own file; bind/data.c finds
-; and reads them. Names that begin with % are not visible to programs. Compiled into the binary when it is built.
+; Data files of programs: texts, folders, tables (CSV), JSON. Relative names begin at the program's own file;
+; bind/data.c finds and reads the files. Names that begin with % are hidden from programs. Compiled into the binary when
+; it is built.
 
 ; ---- texts and folders ----
 
@@ -49,7 +50,7 @@
 
 (define (%csv-fail file line text) (error 'load-csv (string-append (string-replace file "~" "~~") ":" (number->string line) ": " (string-replace text "~" "~~"))))
 
-; The separator that the first line has most of.
+; Returns the separator that occurs most often in the first line.
 (define (%csv-separator text)
   (let loop ((i 0) (quoted #f) (commas 0) (semicolons 0) (tabs 0))
     (let ((c (if (< i (string-length text)) (string-ref text i) #\newline)))
@@ -61,13 +62,13 @@
                    (else #\,)))
             (else (loop (+ i 1) quoted (if (char=? c #\,) (+ commas 1) commas) (if (char=? c #\;) (+ semicolons 1) semicolons) (if (char=? c #\tab) (+ tabs 1) tabs)))))))
 
-; Rows as (line cell ...), cells as strings. Blank lines are no rows.
+; Returns rows as (line cell ...), with cells as strings. It skips blank lines.
 (define (%csv-rows file text separator)
   (define n (string-length text))
   (define (line-end? c) (or (char=? c #\newline) (char=? c #\return)))
   (define (past-line-end i)
     (if (and (char=? (string-ref text i) #\return) (< (+ i 1) n) (char=? (string-ref text (+ i 1)) #\newline)) (+ i 2) (+ i 1)))
-  ; the text of a cell in quotes from i on, and the place behind it: (k text lines)
+  ; reads a quoted cell from i on; calls (k text lines) with the place after it
   (define (quoted i line)
     (let scan ((k i) (from i) (parts '()) (lines 0))
       (cond ((>= k n) (%csv-fail file line "a \" is missing: this cell is never closed"))
@@ -95,7 +96,7 @@
                     (behind k (string-trim-right (substring text i k)) now)
                     (scan (+ k 1)))))))))
 
-; The number that a cell holds, or #f. Tables with semicolons write decimals with a comma.
+; Returns the number in a cell, or #f. Tables with semicolons write decimals with a comma.
 (define (%csv-number cell comma?)
   (let loop ((i 0) (digit #f))
     (if (< i (string-length cell))
@@ -225,7 +226,7 @@
 ; to: a port, the name of a file, or #f for the program's output
 (define (write-json data [to any? #f] #:indent [indent any? 2])
   (if (not (or (not to) (string? to) (output-port? to))) (error 'write-json "to is a port or the name of a file, got ~s" to))
-  (let ((text (%json-text 'write-json data indent))) ; whole before anything is written
+  (let ((text (%json-text 'write-json data indent))) ; all text exists before the file is opened
     (if (string? to)
         (call-with-port (%write-json to) (lambda (port) (write-string text port) (newline port)))
         (let ((port (or to (current-output-port)))) (write-string text port) (newline port)))))
@@ -234,7 +235,7 @@
 
 (define (%mtl-fail file line text) (error 'load-mtl "~a:~a: ~a" file line text))
 
-; Words between blanks and tabs.
+; Returns the words between blanks and tabs.
 (define (%words text) (filter (lambda (w) (not (string=? w ""))) (string-split (string-replace text "\t" " ") " ")))
 
 (define (%mtl-numbers file line words least most)
@@ -247,8 +248,8 @@
            x))
        words))
 
-; A material from what stands under its name. A black Kd below a Ks is how the format writes a metal. Ns becomes roughness as
-; our own .obj files turn it round (backends/mesh/mesh_formats.c); Pr and Pm, where they are, are roughness and metallic themselves.
+; Makes a material of the lines below its name. The format writes a metal as a black Kd and a Ks. Ns becomes roughness
+; by the inverse of our own .obj files (backends/mesh/mesh_formats.c); Pr and Pm are roughness and metallic themselves.
 (define (%mtl-material name said)
   (define (one key default) (let ((x (hash-ref said key #f))) (if x (car x) default)))
   (define kd (hash-ref said 'Kd '(0.8 0.8 0.8)))
@@ -266,15 +267,16 @@
       (make-material #:name name #:roughness roughness #:metallic metallic #:transparency transparency #:ior ior
         #:color (if metal? ks kd))))
 
-; A palette often comes without its pictures: what is not there is a warning, and the material has its plain colour. A picture that is
-; there and broken is an error, as of any material.
+; A palette often comes without its pictures: a missing one gives a warning, and the material has its plain colour. A
+; broken picture is an error, as for any material.
 (define (%mtl-found name picture)
   (cond ((not picture) #f)
         ((file-exists? (car picture)) picture)
         (else (%warn (format "load-mtl: no such picture: ~a; ~a has its plain colour" (car picture) name)) #f)))
 
-; The picture of a line `map_Kd -s 2 2 1 wall.jpg`: its file, beside that of the materials, and its width in metres. The format counts in
-; parts of a surface, of which a metre is taken; -s repeats the picture as often on it. Other options say nothing of how large it is.
+; Reads a line `map_Kd -s 2 2 1 wall.jpg`: returns the picture's file, in the folder of the materials, and its width in
+; metres. The format counts in parts of a surface, which is taken as a metre wide; -s repeats the picture on it. Other
+; options do not change the size.
 (define (%mtl-picture file line words)
   (let next ((words words) (repeats 1))
     (define (number i) (and (> (length words) i) (%csv-number (list-ref words i) #f)))
@@ -292,7 +294,8 @@
   (let at ((i (string-length file)))
     (cond ((= i 0) "") ((char=? (string-ref file (- i 1)) #\/) (substring file 0 i)) (else (at (- i 1))))))
 
-; What is read of a material: its key, how many numbers, and from what to what they may be. All else is passed over.
+; The keys of a material that are read: the key, the count of numbers, their least and greatest value. All other lines
+; are skipped.
 (define %mtl-keys
   '((Kd 3 0 1) (Ks 3 0 1) (Ns 1 0 +inf.0) (d 1 0 1) (Tr 1 0 1) (Ni 1 0 +inf.0) (illum 1 0 10) (Pr 1 0 1) (Pm 1 0 1)))
 

@@ -1,5 +1,6 @@
-; The geometry's library in Scheme: what takes procedures, what has forms that C natives cannot take, constants, forms.
-; Names that begin with % are not visible to programs. Compiled into the binary when it is built, after prelude.scm.
+; The geometry's library in Scheme: procedures that take procedures, or have forms that C natives cannot take;
+; constants; syntax. Names that begin with % are hidden from programs. Compiled into the binary when it is built, after
+; prelude.scm.
 
 ; ---- numbers ----
 
@@ -34,18 +35,18 @@
 (define uy (vxyz 0 1 0))
 (define uz (vxyz 0 0 1))
 
-; lists too: bounding boxes, sequences of points
+; Compares lists, too: bounding boxes, sequences of points.
 (define (near? a b [tolerance any? 1e-9])
   (let near ((a a) (b b) (depth 0))
-    (if (and (list? a) (list? b) (< depth 100)) ; lists in circles are none, or come to an end here
+    (if (and (list? a) (list? b) (< depth 100)) ; circular lists are no lists, or end here
         (let loop ((p a) (q b))
           (if (or (null? p) (null? q))
               (and (null? p) (null? q))
               (and (near (car p) (car q) (+ depth 1)) (loop (cdr p) (cdr q)))))
         (%near? a b tolerance))))
 
-; Compares the two values of a check. Returns #f where they differ otherwise than in objects, else the list of the pairs of
-; objects that are not equal?. Numbers are the same where = says so, or within the tolerance.
+; Compares the two values of a check. Returns #f if they differ in more than objects; otherwise the list of the pairs of
+; objects that are not equal?. Numbers are equal by =, or within the tolerance.
 (define (%check-differences a b tolerance)
   (define (measured? x) (or (point? x) (gvector? x) (axis? x) (plane? x) (matrix? x)))
   (define (leaf a b found)
@@ -56,7 +57,7 @@
           (else #f)))
   (if (and tolerance (not (and (real? tolerance) (>= tolerance 0))))
       (error "check-within: the tolerance must be a number from 0 on, got" tolerance))
-  (let same ((a a) (b b) (depth 0) (found '())) ; lists in circles are none, or come to an end here
+  (let same ((a a) (b b) (depth 0) (found '())) ; circular lists are no lists, or end here
     (cond ((and (vector? a) (vector? b) (= (vector-length a) (vector-length b)) (< depth 100))
            (same (vector->list a) (vector->list b) (+ depth 1) found))
           ((and (pair? a) (list? a) (list? b) (< depth 100))
@@ -66,13 +67,14 @@
                    (else (loop (cdr p) (cdr q) (same (car p) (car q) (+ depth 1) found))))))
           (else (leaf a b found)))))
 
-; The value as an expression that makes it: (list 1 'a) of (1 a). Of a long list the beginning, which is what a line shows.
+; Returns the value as an expression that makes it: (list 1 'a) for (1 a). A long list is cut, since a message shows one
+; line.
 (define (%check-shown v)
   (let shown ((v v) (depth 0))
     (cond ((> depth 100) v)
           ((or (null? v) (symbol? v)) (list 'quote v))
           ((and (vector? v) (< 0 (vector-length v) 1000)) (cons 'vector (cdr (shown (vector->list v) (+ depth 1)))))
-          ((list? v) ; one in circles is none
+          ((list? v) ; a circular one is no list
            (let loop ((l v) (count 0) (made '(list)))
              (if (or (null? l) (= count 1000))
                  (reverse made)
@@ -100,7 +102,7 @@
   (if (not (and (number? a) (number? b))) (error who "a range goes from a number to a number, got ~s" (if (number? a) b a)))
   (if (not (and (exact-integer? n) (>= n 1))) (error who "a count of steps must be an exact integer from 1 on, got ~s" n)))
 
-; The cell with corners p and q is the first of nx by ny by nz; f makes the object about each centre.
+; The cell with corners p and q is the first of nx by ny by nz; f makes the object around each centre.
 (define (distribute-in-space f p q nx ny nz)
   (let* ((size (p->q p q)) (centre (mid p q)))
     (define (at i j k)
@@ -134,22 +136,22 @@
 
 ; ---- surfaces ----
 
-; The distance of p from the line between a and b.
+; Returns the distance of p from the segment between a and b.
 (define (%from-chord p a b)
   (let* ((way (p->q a b)) (square (dot way way)))
     (distance p (if (> square 0) (p+v a (v*r way (max 0 (min 1 (/ (dot (p->q a p) way) square))))) a))))
 
-; The distance of p from the two triangles that the quad a b c d is cut into along a c: the nearer of their planes.
+; Returns the distance of p from the nearer plane of the two triangles that the diagonal a c cuts the quad a b c d into.
 (define (%from-halves p a b c d)
   (define (from-plane b)
     (let* ((normal (cross (p->q a b) (p->q a c))) (long (vlength normal)))
       (if (> long 0) (abs (/ (dot (p->q a p) normal) long)) (%from-chord p a c))))
   (min (from-plane b) (from-plane d)))
 
-; Rows of points of f, row by row along us and in each row along vs, with so many lines added that the net of triangles
-; through them stays within the tolerance of the surface, in the middle of every edge and every cell. A line goes through
-; the whole net: so it has no corner on an edge, and borders that meet have the same points. Lines closer than a millionth
-; of the range are not parted further: there f jumps.
+; Returns rows of points of f: a row for each of us, with a point for each of vs. It adds lines until the net of
+; triangles is within the tolerance of the surface at the middle of every edge and every cell. A line runs through the
+; whole net, so no corner lies on an edge, and borders that meet have equal points. Lines closer than a millionth of the
+; range are not divided further: f jumps there.
 (define (%rows-within f us vs tolerance)
   (define (point u v)
     (let ((p (f u v)))
@@ -164,7 +166,8 @@
          (or (> (%from-chord (car middle) (car row) (car next)) tolerance)
              (strays? (cdr middle) (cdr row) (cdr next)))))
   (define (middle a b) (/ (+ a b) 2))
-  ; Calls (add? i u next-u row next-row) between any two rows, and puts a row (line u) between those where it is true.
+  ; Calls (add? i u next-u row next-row) between any two rows, and inserts a row (line u) between those for which it is
+  ; true.
   (define (parted us rows line add?)
     (define least (* 1e-6 (abs (- (last us) (car us)))))
     (let loop ((i 0) (us us) (rows rows) (new-us '()) (new-rows '()))
@@ -176,13 +179,13 @@
          (let ((m (middle (car us) (cadr us))))
            (loop (+ i 1) (cdr us) (cdr rows) (cons m (cons (car us) new-us)) (cons (line m) (cons (car rows) new-rows)))))
         (else (loop (+ i 1) (cdr us) (cdr rows) (cons (car us) new-us) (cons (car rows) new-rows))))))
-  ; A wave whose middle lies on the chord is seen elsewhere: at first each step is looked at in two places.
+  ; A wave may cross its chord at the middle; therefore the first pass tests each step at two places.
   (define (bent line first?)
     (lambda (i u next-u row next)
       (or (strays? (line (middle u next-u)) row next)
           (and first? (strays? (line (+ u (* 0.3 (- next-u u)))) row next)))))
-  ; The steps of u and of v, as two vectors, that have a cell whose middle strays from its triangles; the
-  ; longer side of the cell says which.
+  ; Returns two vectors: the steps of u and of v with a cell whose middle is too far from its triangles. The longer side
+  ; of the cell decides between u and v.
   (define (warped us vs rows)
     (let ((of-u (make-vector (length us) #f)) (of-v (make-vector (length vs) #f)))
       (let row-loop ((i 0) (us us) (rows rows))
@@ -216,8 +219,8 @@
                 (refine new-us new-vs (transposed columns) #f)))
           (refine new-us new-vs (transposed columns) #f)))))
 
-; f called on nu+1 by nv+1 places; C is handed what it gave and says where that is no point. With a tolerance, nu and nv
-; are the steps to begin with.
+; Calls f at nu+1 by nv+1 places; C checks that the values are points, and names the place of a wrong one. With a
+; tolerance, nu and nv are the first steps.
 (define (make-surface f #:nu [nu any? #f] #:nv [nv any? #f] #:tolerance [tolerance any? #f]
                         #:closed-u [closed-u any? #f] #:closed-v [closed-v any? #f] . more)
   (define (count name n)
@@ -258,7 +261,7 @@
 
 ; ---- lofts ----
 
-; The thesis' loft: sections (f x), (f (step x)) ... until (stop? x).
+; The loft of the thesis: sections (f x), (f (step x)) ... until (stop? x).
 (define (make-loft f . rest)
   (if (not (= (length rest) 3))
       (error 'make-loft "takes (make-loft f start step stop?), got ~a argument~a; through sections that are there already: (do-loft (list section ...))" (+ 1 (length rest)) (if (null? rest) "" "s")))
@@ -275,7 +278,7 @@
 
 ; ---- operations ----
 
-; Without cutters: a procedure that takes them. An empty list of cutters cuts nothing.
+; Without cutters: returns a procedure that takes them. An empty list of cutters cuts nothing.
 (define (subtract a . cutters)
   (if (null? cutters)
       (lambda later (apply %subtract a later))
@@ -298,7 +301,7 @@
 (%host-set! 0 (%renamed current-segments 'current-segments))
 (%host-set! 1 (%renamed current-tolerance 'current-tolerance))
 
-; the ready materials: their names stand for them everywhere
+; the ready materials: their names mean them in every call
 (define white 'white)
 (define black 'black)
 (define concrete 'concrete)
@@ -320,7 +323,7 @@
 
 ; ---- watching a program ----
 
-(define %traced '()) ; (wrapper . procedure) of what is watched
+(define %traced '()) ; (wrapper . procedure) of each traced procedure
 (define %trace-depth 0)
 
 (define (%trace name f)

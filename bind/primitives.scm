@@ -1,15 +1,16 @@
-; The language extended by programs: define-primitive, drawing functions, and the measures that look through them.
-; After geometry.scm. An object of a user's kind is a node that holds a number; what it was made with stays here, under that number, until C says that
-; no node holds it any more (%custom-gone). Equal arguments are one number, so that equal objects are equal.
+; The extension of the language by programs: define-primitive, drawing functions, and the measures that apply them.
+; After geometry.scm. An object of a user's kind is a node that holds a number. Its arguments are kept here under that
+; number, until no node holds it any more, which C reports (%custom-gone). Equal arguments have one number, so equal
+; objects are equal.
 
-; ---- what objects of users' kinds were made with ----
+; ---- the arguments of objects of users' kinds ----
 
 (define %custom-values (make-hash)) ; number -> (type . values)
 (define %custom-numbers (make-hash)) ; (type . values) -> number
 (define %custom-next 0)
 (define %custom-types 0)
 
-; a type: its name, that of its maker, and a number of its own, for two may be of one name
+; a type: its name, that of its maker, and a unique number, since two types may have one name
 (define (%custom-type name maker)
   (set! %custom-types (+ %custom-types 1))
   (vector name maker %custom-types))
@@ -36,7 +37,7 @@
           (hash-set! %custom-values number key)))
     (%custom-new (vector-ref type 0) (%custom-made type values) number child)))
 
-; the expression that makes it, as far as that is short
+; Returns the expression that makes the object, with long arguments abbreviated.
 (define (%custom-made type values)
   (let ((port (open-output-string)))
     (write-char #\( port)
@@ -73,14 +74,15 @@
     ((and (list? made) (every object? made)) (unite made))
     (else (error who "its body must give an object or a list of objects, got ~s" made))))
 
-; (define-primitive name field ...) and (define-primitive (name parameter ...) body ...). Fields and parameters are those of any procedure, with contracts.
+; (define-primitive name field ...) and (define-primitive (name parameter ...) body ...). Fields and parameters are
+; those of any procedure, with contracts.
 (define-syntax define-primitive
   (er-macro-transformer
     (lambda (form rename compare)
       (define (symbol . parts) (string->symbol (apply string-append (map (lambda (p) (if (string? p) p (symbol->string p))) parts))))
       (define (refuse text) (list (rename 'syntax-error) (string-append "define-primitive: " text)))
       (define (keyword? x) (let ((text (symbol->string x))) (and (> (string-length text) 2) (string=? (substring text 0 2) "#:"))))
-      ; the variables of a parameter list; a contract of the rest, (list-of ...), is none
+      ; the variables of a parameter list; a contract of the rest, (list-of ...), is no variable
       (define (variables spec)
         (cond
           ((null? spec) '())
@@ -115,7 +117,7 @@
              `(,(rename '%custom-body) (,(rename 'quote) ,(syntax->datum name)) (,(rename 'let) () ,@(cddr form)))))))
         (else (refuse "it is written (define-primitive name field ...) or (define-primitive (name parameter ...) body ...)"))))))
 
-; ---- drawing functions: what becomes of objects when the drawing is handed on ----
+; ---- drawing functions: they replace objects when the drawing is handed over ----
 
 (define %drawing-functions '()) ; #(format-or-#f pred proc), newest first
 
@@ -133,25 +135,26 @@
   (set! %drawing-functions (cons (vector back-end pred proc) %drawing-functions))
   (%host-set! 2 %hand-on))
 
-; The objects as they are handed to a format, which goes by several names: '(png povray), or by none, for measures.
-; To ask for the name * is to take functions for one format where there is none for all.
+; Returns the objects for a format with several names, such as '(png povray), or with none, for measures. The name *
+; selects the functions for single formats if none is for all formats.
 (define (%hand-on objects names)
   (let ((functions (append (filter (lambda (f) (or (not (vector-ref f 0)) (memq (vector-ref f 0) names))) %drawing-functions)
                            (if (memq '* names) (filter (lambda (f) (vector-ref f 0)) %drawing-functions) '()))))
     (if (null? functions)
         objects
-        (let ((before #f)) ; a drawing function may call draw, as the thesis' do: that adds nothing then
+        (let ((before #f)) ; a drawing function may call draw, as those of the thesis do; draw then adds nothing
           (dynamic-wind
             (lambda () (set! before (%handing! #t)))
             (lambda () (%redraw objects functions))
             (lambda () (%handing! before)))))))
 
-; Every object is replaced by what the newest function for it gives, and that is gone through in turn; but within what a function gives for an
-; object, that object itself stays as it is: so a function may put what it was given into something else. Shared parts are done once. A replacement that
-; was found within the replacement of an object that is still under way is not remembered: elsewhere it may become something else.
+; Replaces every object by the value of the newest function for it, and visits that value in turn. Within the value for
+; an object, the object itself is not replaced, so a function may put its argument into another object. Shared parts are
+; replaced once. A replacement found within the replacement of an unfinished object is not kept: elsewhere the result
+; may differ.
 (define (%redraw objects functions)
-  (define done (make-hash)) ; number of the node -> (object . result), or (object) with depth while under way
-  (define lowest +inf.0)    ; depth of the outermost object under way that was met
+  (define done (make-hash)) ; the node's number -> (object . result), or #(object depth) until it is finished
+  (define lowest +inf.0)    ; the depth of the outermost unfinished object that was met
   (define (function-for o)
     (let loop ((l functions))
       (cond ((null? l) #f) (((vector-ref (car l) 1) o) (vector-ref (car l) 2)) (else (loop (cdr l))))))
@@ -185,10 +188,10 @@
                     result))))))))
   (map (lambda (o) (visit o 0)) objects))
 
-; ---- what C knows of nodes, through users' kinds ----
+; ---- the procedures of C that read nodes, applied to users' kinds ----
 
-; who asks much asks about one object: what was drawn last is kept, until there are other functions
-(define %drawn-last (vector #f #f #f)) ; object, functions, what they gave
+; Many questions concern the same object: the last result is kept until a function is registered.
+(define %drawn-last (vector #f #f #f)) ; the object, the functions, their result
 (define (%drawn o)
   (cond
     ((not (%custom-open? o)) o)

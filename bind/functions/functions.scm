@@ -1,13 +1,14 @@
-; Functions that keep their expression, and derivatives of any procedure of numbers. After primitives.scm. Names that begin with % are not visible to
-; programs. Compiled into the binary when it is built.
+; Functions that keep their expression, and derivatives of any procedure of numbers. After primitives.scm. Names that
+; begin with % are hidden from programs. Compiled into the binary when it is built.
 ;
-; A function is a procedure with a note: #(name parameters tree values ranges expression). The tree is the expression with its names resolved:
-; a number, (input i), (local i), (free i), (let i tree tree), (call i tree ...) and (operator tree ...). `values` is a procedure that gives the list of
-; what the expression's free names stand for now. %function-tape makes a tape of the tree, which C works out (geometry/functions/).
+; A function is a procedure with a note: #(name parameters tree values ranges expression). The tree is the expression with
+; its names resolved: a number, (input i), (local i), (free i), (let i tree tree), (call i tree ...) and
+; (operator tree ...). `values` is a procedure that returns the list of the current values of the expression's free names.
+; %function-tape makes a tape of the tree, which C evaluates (geometry/functions/).
 
 ; ---- derivatives ----
 
-; How v changes with the variable of this level; lists and vectors part by part.
+; Returns the derivative of v by the variable of this level; of lists and vectors part by part.
 (define (%slope who level v)
   (let loop ((v v))
     (cond
@@ -29,7 +30,7 @@
      (let ((level (%dual-level)))
        (%slope 'derivative level (f (%dual level x 1)))))))
 
-; The partial derivative by argument number i, counted from 0.
+; Returns the partial derivative by argument number i, from 0.
 (define (%partial who f xs i)
   (let ((level (%dual-level)))
     (%slope who level
@@ -42,7 +43,7 @@
 
 (define (%partials who f xs) (map (lambda (i) (%partial who f xs i)) (iota (length xs))))
 
-; Of a procedure of a point, a gvector; of one of numbers, the list of its partial derivatives.
+; Returns a gvector for a procedure of a point; for one of numbers, the list of its partial derivatives.
 (define (gradient f . xs)
   (if (and (= (length xs) 1) (point? (car xs)))
       (let ((along (lambda (v)
@@ -56,14 +57,14 @@
           (if (not (number? (car slopes))) (error 'gradient "f must give a number, got ~s; jacobian takes what gives several" (apply f xs)))
           slopes))))
 
-; A list of rows, one for each number that f gives, with a column for each of its arguments.
+; Returns a list of rows, one for each number of f's value, with a column for each argument.
 (define (jacobian f . xs)
   (define (numbers v)
     (cond ((number? v) (list v)) ((vector? v) (vector->list v)) ((list? v) v) (else (list (cx v) (cy v) (cz v)))))
   (%need-variables 'jacobian f xs)
   (apply map list (map numbers (%partials 'jacobian f xs))))
 
-; A list of rows of second derivatives.
+; Returns a list of rows of second derivatives.
 (define (hessian f . xs)
   (%need-variables 'hessian f xs)
   (map (lambda (i)
@@ -104,7 +105,7 @@
         '(+ - * / square sqr abs magnitude sqrt cube-root exp log sin cos tan asin acos atan sinh cosh tanh expt min max floor ceiling
           < <= = > >= zero? positive? negative? not and or hypot 1+ add1 -1+ sub1 sgn inexact exact->inexact
           xyz vxyz xy cx cy cz dot cross vlength distance unitize p+v p-v p-p p->q v+v v-v v*r v/r degrees->radians radians->degrees))
-      ; the tree of x; `names` is an association list of identifiers and trees
+      ; returns the tree of x; `names` is an association list of identifiers and trees
       (define (tree x names)
         (define (trees l) (map (lambda (y) (tree y names)) l))
         (define (wrong) (bad x))
@@ -139,7 +140,7 @@
       (define (parameter? p) (or (identifier? p) (and (list? p) (= (length p) 2) (identifier? (car p))))) ; x or [x predicate]
       (define trouble #f)
       (define (bad x) (if (not trouble) (set! trouble (list x))) 0)
-      ; the expression and the ranges, from the forms behind the head
+      ; returns the expression and the ranges, from the forms after the head
       (define (parts forms)
         (let loop ((l forms) (expressions '()) (ranges '()))
           (cond
@@ -186,12 +187,12 @@
 (define (function? x) (and (procedure? x) (%function-note x) #t))
 (define (function-expression f) (vector-ref (%note 'function-expression f) 5))
 (define (function-parameters f) (%note-parameters (%note 'function-parameters f)))
-; The ranges by parameter, as define-function was given them.
+; Returns the ranges by parameter, as define-function got them.
 (define (function-ranges f) (vector-ref (%note 'function-ranges f) 4))
 
 ; ---- from trees to tapes ----
 
-; A point or gvector among steps is #(tag x y z); numbers are numbers of steps.
+; A point or gvector among steps is #(tag x y z); a number is the number of a step.
 (define (%function-tape who f)
   (let* ((note (%note who f)) (t (%tape-new (length (%note-parameters note))))
          (result (%tape-call who t note (map (lambda (i) (%tape-input t i)) (iota (length (%note-parameters note)))) '())))
@@ -236,7 +237,7 @@
     (define (minor i j) (op '- (op '* (vector-ref a i) (vector-ref b j)) (op '* (vector-ref a j) (vector-ref b i))))
     (vector 'gvector (minor 2 3) (minor 3 1) (minor 1 2)))
   (define (fold-left f l) (let loop ((sum (car l)) (l (cdr l))) (if (null? l) sum (loop (f sum (car l)) (cdr l)))))
-  ; tests are 1 or 0
+  ; the value of a test is 1 or 0
   (define (both a b) (op 'if a b (constant 0)))
   (define (chain f l) (if (null? (cdr l)) (constant 1) (let loop ((l l)) (let ((one (f (car l) (cadr l)))) (if (null? (cddr l)) one (both one (loop (cdr l))))))))
   (define (need n l head) (if (not (memv (length l) n)) (fail "~a takes ~a argument~a, got ~a" head (car n) (if (= (car n) 1) "" "s") (length l))))
@@ -328,7 +329,7 @@
                        (error 'function-text "the expression of ~a has more than 100000 characters, or holds the distance from a solid" (%note-name note))))))
       (if (= (%tape-outputs t) 3) (map text '(0 1 2)) (text 0)))))
 
-; A parameter's name as other languages take it.
+; Returns a parameter's name in the spelling of other languages.
 (define (%plain-name name)
   (let ((text (string-map (lambda (c) (if (or (char<=? #\a c #\z) (char<=? #\A c #\Z) (char<=? #\0 c #\9)) c #\_)) (symbol->string name))))
     (string->symbol (if (char<=? #\0 (string-ref text 0) #\9) (string-append "_" text) text))))
@@ -337,7 +338,8 @@
 
 (define %most-samples 10000000)
 
-; The ranges of f's parameters as lists (a b n): those given, else those of its definition. n counts the values, both ends among them.
+; Returns the ranges of f's parameters as lists (a b n): the given ones, otherwise those of its definition. n counts the
+; values, both ends included.
 (define (%ranges who f given)
   (let* ((note (%function-note f)) (own (if note (vector-ref note 4) '()))
          (ranges (cond
@@ -356,10 +358,10 @@
           (error who "~a values are asked for, and at most ~a are given at a time" samples %most-samples)))
     ranges))
 
-; The numbers of a range.
+; Returns the numbers of a range.
 (define (%range-values r) (if (= (third r) 1) (list (first r)) (division (first r) (second r) (- (third r) 1))))
 
-; The values of f at all points of the grid, as a vector, the last parameter's range innermost.
+; Returns a vector of the values of f at all points of the grid, the last parameter's range innermost.
 (define (function-samples f . ranges)
   (%need-procedure 'function-samples 'f f)
   (let ((ranges (%ranges 'function-samples f ranges)))
@@ -371,7 +373,7 @@
                 (list (apply f (reverse given)))
                 (append-map (lambda (x) (loop (cdr ranges) (cons x given))) (%range-values (car ranges)))))))))
 
-; An interval that holds every value that f has over these intervals and numbers.
+; Returns an interval that contains every value of f over these intervals and numbers.
 (define (function-bounds f . intervals)
   (let ((note (%note 'function-bounds f)))
     (if (not (= (length intervals) (length (%note-parameters note))))
@@ -380,7 +382,7 @@
       (if (= (%tape-outputs t) 3) (error 'function-bounds "~a gives points; bounds are of numbers" (%note-name note)))
       (%function-bounds t (list->vector intervals)))))
 
-; A number with six places at most.
+; Returns a number's text with at most six places.
 (define (%six x)
   (let* ((scaled (exact (round (* (abs x) 1000000)))) (whole (quotient scaled 1000000)) (part (remainder scaled 1000000))
          (digits (substring (number->string (+ 1000000 part)) 1 7))
@@ -404,7 +406,7 @@
 
 ; ---- shapes ----
 
-; A function as a tape of so many inputs and outputs.
+; Returns a function as a tape with these counts of inputs and outputs.
 (define (%tape-for who f inputs outputs)
   (let ((note (%note who f)))
     (if (not (= (length (%note-parameters note)) inputs))
@@ -414,7 +416,8 @@
           (error who "~a must give ~a" (%note-name note) (if (= outputs 1) "a number" "a point")))
       t)))
 
-; How fast f changes at most, from its slopes at places all over the box and at points of the mesh; POV-Ray steps along rays by it.
+; Returns the largest slope of f at places in the whole box and at points of the mesh. POV-Ray needs it for its steps
+; along rays.
 (define (%steepest f p q points)
   (define (slope x y z)
     (guard (c (#t 0))
@@ -425,7 +428,7 @@
     (let loop ((l points) (i 0) (most grid))
       (if (null? l) most (loop (cdr l) (+ i 1) (if (= 0 (remainder i step)) (max most (slope (cx (car l)) (cy (car l)) (cz (car l)))) most))))))
 
-; The mesh for all formats but POV-Ray, which gets the expression itself.
+; Returns the mesh for all formats but POV-Ray, which gets the expression itself.
 (define (%exact-isosurface f t p q mesh)
   (let ((text (%function-text t 0 0 '(x y z))))
     (if (not text)
@@ -471,7 +474,7 @@
 (define (factorial n)
   (%need-natural 'factorial 'n n)
   (%product 1 n))
-; How many ways there are to take k of n things, in order and in any order.
+; The number of choices of k out of n things, with and without regard to their order.
 (define (permutations n k)
   (%need-natural 'permutations 'n n)
   (%need-natural 'permutations 'k k)
@@ -481,7 +484,7 @@
   (%need-natural 'combinations 'k k)
   (if (> k n) 0 (let ((k (min k (- n k)))) (/ (%product (+ (- n k) 1) n) (%product 1 k)))))
 
-; The Taylor polynomial of f about a, of degree n, as a procedure.
+; Returns the Taylor polynomial of f about a, of degree n, as a procedure.
 (define (taylor f a n)
   (%need-procedure 'taylor 'f f)
   (%need-variable 'taylor a)
@@ -490,7 +493,7 @@
                  (if (> i n) '() (cons (/ (f a) below) (loop (+ i 1) (derivative f) (* below (+ i 1))))))))
     (lambda (x) (fold-right (lambda (c sum) (+ c (* (- x a) sum))) 0 terms))))
 
-; A parameter that is read where it stands: define-parameter without a name in the program.
+; Returns a parameter's value at the place of the call: define-parameter without a name in the program.
 (define (range-control name low high [default any? #f])
   (if (not (string? name)) (error 'range-control "name must be a string, got ~s" name))
   (if (not (and (real? low) (real? high) (finite? low) (finite? high) (< low high)))

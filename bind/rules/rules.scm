@@ -1,9 +1,10 @@
-; Rules: define-rule, the loop that derives them, and the operators that take rules. After primitives.scm; scopes and the stack of a derivation are
-; C (bind/rules/). Names that begin with % are not visible to programs. Compiled into the binary when it is built.
+; Rules: define-rule, the loop that runs them, and the operators that take rules. After primitives.scm; scopes and the
+; stack of a derivation are C (bind/rules/). Names that begin with % are hidden from programs. Compiled into the binary
+; when it is built.
 ;
-; A rule and an operator are marked procedures: given a live scope, as a form of a sequence gives them one, they leave their work on the stack of the
-; derivation under way and return nothing; given a plain one they begin a derivation of their own and return its object. Therefore rules call rules
-; without nesting, however deep they go.
+; A rule and an operator are marked procedures. In a sequence of a rule they get a live scope: they push their work on the
+; stack of the running derivation and return nothing. With a plain scope they begin a derivation and return its object.
+; Therefore calls of rules do not nest, at any depth.
 
 ; ---- the loop ----
 
@@ -14,7 +15,7 @@
           (%derivation-made d ((%derivation-rule d) s))
           (loop (%derivation-next d))))))
 
-; Takes the result of an operator: a derivation to be run, or nothing.
+; Takes the result of an operator: a derivation to run, or nothing.
 (define (%grown d)
   (if (%derivation? d)
       (begin
@@ -26,14 +27,14 @@
 
 (define (derive s rule #:depth [depth any? 1000]) (%grown (%derive s rule depth)))
 
-; The rule with its further arguments given.
+; Returns the rule with its further arguments bound.
 (define (rule-with rule . arguments)
   (%need-procedure 'rule-with 'rule rule)
   (%marked-as (lambda (s) (apply rule s arguments)) rule))
 
 ; ---- define-rule ----
 
-; Applies a rule to its scope: its body now, or later, or by a derivation of its own.
+; Applies a rule to its scope: runs its body now, leaves it on the stack, or runs a new derivation.
 (define (%apply-rule self fits? name class place body)
   (if (fits? self)
       (let ((how (%rule-enter self name body)))
@@ -50,13 +51,13 @@
       (define (arrow? x) (and (pair? x) (identifier? (car x)) (compare (car x) (rename '=>))))
       (define (clause? x) (and (pair? x) (or (arrow? x) (arrow? (car x)) (keyword? (car x) "#:when"))))
       (define unspecific (list (rename 'if) #f #f))
-      ; a contract's predicate as an expression: and, or and not combine predicates in it
+      ; returns a contract's predicate as an expression: and, or and not combine predicates in it
       (define (predicate x)
         (if (and (pair? x) (list? x) (identifier? (car x)))
             (let ((known (find (lambda (p) (compare (car x) (rename (car p)))) '((and . and-of) (or . or-of) (not . not-of)))))
               (if known (cons (rename (cdr known)) (map predicate (cdr x))) x))
             x))
-      ; one form of a sequence: what it gives is taken, and the value is the next self
+      ; the code for one form of a sequence: it handles the form's value, and returns the next self
       (define (step self x)
         (let* ((form (if (identifier? x) (list x) x)) (op (car form)))
           (list (rename '%took) self
@@ -73,7 +74,7 @@
           ((null? forms) unspecific)
           ((null? (cdr forms)) (list (rename 'begin) (step self (car forms)) unspecific))
           (else (list (rename 'let) (list (list self (step self (car forms)))) (steps self (cdr forms))))))
-      ; (chance . forms) of a sequence; chance #f: none was given
+      ; a sequence as (chance . forms); chance #f: it has none
       (define (sequence x)
         (if (and (pair? (cdr x)) (keyword? (cadr x) "#:chance"))
             (if (pair? (cddr x)) (cons (caddr x) (cdddr x)) (cons #f '()))
@@ -138,7 +139,7 @@
 
 ; ---- flags ----
 
-; flags is a quoted list of names and of (name test), whose test is an expression; or an expression that gives such a list.
+; flags is a quoted list of names and of (name test) with an expression as test; or an expression for such a list.
 (define-syntax with-flags
   (er-macro-transformer
     (lambda (form rename compare)
@@ -181,7 +182,7 @@
 
 (%define-operator (scope-await s name rule) (%scope-await s name rule))
 
-; A mark is an object without geometry. It was made with the scope, the name, and the properties as an association list.
+; A mark is an object without geometry, made with the scope, the name, and the properties as an association list.
 (define %mark-type (%custom-type 'marked-scope 'scope-mark))
 
 (define (scope-mark s name . properties)
@@ -196,7 +197,7 @@
          properties))
       (else (loop (cddr l) (cons (cons (car l) (cadr l)) known))))))
 
-; The number's (scope name properties), or #f: users' kinds may have any name.
+; Returns (scope name properties) for the number, or #f: users' kinds may have any name.
 (define (%mark-values number)
   (let ((entry (and number (hash-ref %custom-values number #f))))
     (and entry (eq? (car entry) %mark-type) (cdr entry))))
@@ -228,7 +229,7 @@
 
 ; ---- the tree of a derivation ----
 
-; From the last entry to the first, so that a scope's own are there when it is added to those of its parent.
+; From the last entry to the first: when a scope is added to its parent's children, its own are complete.
 (define (derivation o)
   (if (not (object? o)) (error 'derivation "o must be an object, got ~s" o))
   (let* ((record (or (%derivation-record o)
@@ -260,7 +261,7 @@
   (vector kind n rule))
 (define (absolute n rule) (%part 'absolute n rule))
 (define (relative f rule) (%part 'relative f rule))
-; (rest rule) and (rest weight rule) beside (rest list)
+; (rest rule) and (rest weight rule), besides (rest list) of lists
 (define %list-rest rest)
 (define rest
   (case-lambda
