@@ -21,7 +21,7 @@ static void *take(void *context, void *old, size_t old_size, size_t new_size) {
 
 static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
 
-/* What a host keeps: the one copy. Returns how many bytes that is. */
+/* Copies `bytes` bytes as a host would keep them. Returns their number. */
 static size_t keep(void **to, const void *from, size_t bytes) {
   *to = bytes ? malloc(bytes) : NULL;
   if (*to) memcpy(*to, from, bytes);
@@ -36,7 +36,7 @@ static bool write_mesh(FILE *to, const vs_mesh_info *m) {
          fwrite(m->places, sizeof *m->places, m->place_count, to) == m->place_count;
 }
 
-/* Instead of the measure. */
+/* Writes the meshes as numbers, instead of the measure. */
 static int write_all(vs_scheme *s, const char *path) {
   FILE *to = fopen(path, "wb");
   bool ok = to && vs_meshes_begin(s, NULL) == VS_OUTCOME_DONE;
@@ -63,7 +63,7 @@ int main(int count, char **words) {
     bytes += keep(&copy[4], m.places, m.place_count * sizeof *m.places);
     copying += seconds() - start;
     places += m.place_count, triangles += m.place_count * m.triangle_count;
-  } /* the host keeps its copies to the end, as it would */
+  } /* the host keeps its copies to the end, as a real host does */
   double handed = seconds() - began - copying;
   size_t grew = most - before;
   began = seconds();

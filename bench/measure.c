@@ -2,7 +2,7 @@
  * one line: the median of its processor time (user and system) in milliseconds, the median of its elapsed time, and its
  * largest resident memory in kilobytes. The command's output goes where ours goes, from the first run alone. Exit 1 if
  * a run fails. */
-#define _DEFAULT_SOURCE      /* wait4: what one child used */
+#define _DEFAULT_SOURCE      /* wait4 returns the resources that one child used */
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>

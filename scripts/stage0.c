@@ -1,5 +1,5 @@
 /* Makes the heap image: `stage0 IMAGE SOURCE...` opens an interpreter without an image, loads the library's sources
- * into it in order and writes what it then holds as 64-bit words. Part of the build, not of the program. */
+ * into it in order and writes the resulting heap as 64-bit words. Part of the build, not of the program. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
-/* A viewer in SDL2 and OpenGL: a host of visualscheme.h that shows a model's scene, one buffer of the graphics card for
- * each distinct mesh. The left button takes hold of gizmos, picks what is under it, or turns the view; the wheel comes
- * nearer. What the program does in each frame is run. Where frames take long, what is round is drawn coarser.
+/* A viewer in SDL2 and OpenGL: a host of visualscheme.h that shows a model's scene, with one buffer of the graphics
+ * card for each distinct mesh. The left button drags gizmos, picks the object under it, or turns the view; the wheel
+ * zooms. The viewer runs the program's actions in each frame. If frames take long, it draws round shapes coarser.
  *
  *   cc viewer.c -o viewer -lvisualscheme -lSDL2 -lGL -lm
  *   ./viewer model.vs               shows the model
@@ -16,7 +16,7 @@
 #include <visualscheme.h>
 
 enum { WIDTH = 800, HEIGHT = 600, MOST_GIZMOS = 64 };
-static const double HALF_ANGLE = 0.35; /* of the view, from its middle upwards */
+static const double HALF_ANGLE = 0.35; /* of the view, in radians, from its middle to its upper edge */
 static const double PI = 3.14159265358979;
 
 typedef struct { float point[3], normal[3]; unsigned char color[4]; } vertex;
@@ -24,9 +24,9 @@ typedef struct { float point[3], normal[3]; unsigned char color[4]; } vertex;
 typedef struct {
   uint64_t id;
   GLuint buffer;
-  GLsizei count;      /* of vertices */
+  GLsizei count;      /* number of vertices */
   bool curve;
-  double (*places)[16]; /* column by column, as OpenGL has it */
+  double (*places)[16]; /* column by column, as OpenGL expects */
   size_t place_count;
 } shape;
 
@@ -37,10 +37,11 @@ typedef struct {
   size_t shape_count, shape_room;
   vs_gizmo gizmos[MOST_GIZMOS];
   size_t gizmo_count;
-  double centre[3], distance, turn, height; /* of the camera: what it turns about, how far off, at which angles */
-  bool holds, turns;  /* what the left button does while it is down */
-  int x, y;           /* where the mouse was last */
-  char said[400];     /* the last message, which is not repeated in every frame */
+  double centre[3], distance, turn, height; /* the camera: the point about which it turns, its distance from there, its
+                                             * angles */
+  bool holds, turns;  /* the action of the left button while it is down */
+  int x, y;           /* the last position of the mouse */
+  char said[400];     /* the last message, which the viewer does not repeat in every frame */
 } viewer;
 
 static void diagnose(void *context, const vs_diagnostic *d) {
@@ -61,7 +62,7 @@ static void *grown(void *old, size_t bytes) {
   return p;
 }
 
-/* ---- meshes: one buffer each, and the places where it stands ---- */
+/* ---- meshes: one buffer each, and its places ---- */
 
 static shape *shape_of(viewer *v, uint64_t id) {
   for (size_t i = 0; i < v->shape_count; i++)
@@ -110,8 +111,8 @@ static bool take_gizmo(void *context, vs_scheme *s, const vs_gizmo *gizmo) {
   return v->gizmo_count < MOST_GIZMOS;
 }
 
-/* Facets a turn, by the quality that the last frames' times leave; 0: by tolerance. There are few steps, since at each
- * everything round is meshed again. */
+/* Returns the facets of a full turn for the quality that the last frames' times allow; 0: by tolerance. There are few
+ * steps, since each step meshes all round shapes again. */
 static int facets(viewer *v) {
   vs_handle controller = vs_scene_controller(v->scheme), value = 0;
   double quality = 1;
@@ -122,7 +123,7 @@ static int facets(viewer *v) {
   return quality > 0.6 ? 0 : quality > 0.3 ? 16 : 8;
 }
 
-/* What changed since the last time: nothing else is handed over. */
+/* Takes over the changes since the last call; the library hands over nothing else. */
 static void update(viewer *v) {
   vs_mesh_info m;
   vs_output_options o = vs_output_options_default();
@@ -145,7 +146,7 @@ static void update(viewer *v) {
 
 /* ---- the camera ---- */
 
-/* The camera's place and its directions to the right, up and forward. */
+/* Computes the camera's position and its directions to the right, up and forward. */
 static void camera(const viewer *v, double eye[3], double axes[3][3]) {
   double ct = cos(v->turn), st = sin(v->turn), ch = cos(v->height), sh = sin(v->height);
   const double forward[] = { -ct * ch, -st * ch, -sh }, right[] = { -st, ct, 0 }, up[] = { -ct * sh, -st * sh, ch };
@@ -162,7 +163,7 @@ static void ray(const viewer *v, int x, int y, double eye[3], double way[3]) {
   for (int k = 0; k < 3; k++) way[k] = axes[2][k] + right * axes[0][k] + up * axes[1][k];
 }
 
-/* Where a point is in the window. */
+/* Computes the position of a point in the window. */
 static void project(const viewer *v, const double p[3], int *x, int *y) {
   double eye[3], axes[3][3], q[3] = { 0, 0, 0 }, t = tan(HALF_ANGLE);
   camera(v, eye, axes);
@@ -203,7 +204,8 @@ static void line(const double from[3], const double to[3]) {
   glEnable(GL_LIGHTING);
 }
 
-/* A slider is its whole way with a ball on it, arrows are lines with a ball at their tips, a trigger is a ball. */
+/* Draws a slider as its whole track with a ball on it, arrows as lines with balls at their tips, a trigger as a
+ * ball. */
 static void draw_gizmo(const vs_gizmo *g) {
   static const unsigned char colors[][3] = { { 220, 60, 50 }, { 60, 160, 60 }, { 50, 100, 220 }, { 240, 180, 0 } };
   for (size_t i = 0; i < g->handle_count; i++) {
@@ -230,7 +232,7 @@ static void draw(const viewer *v) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glMatrixMode(GL_PROJECTION), glLoadIdentity(), glFrustum(-right, right, -top, top, near, 100 * v->distance);
   glMatrixMode(GL_MODELVIEW), glLoadIdentity();
-  glLightfv(GL_LIGHT0, GL_POSITION, (const float[]){ -0.3f, 0.6f, 1, 0 }); /* from over the camera's left shoulder */
+  glLightfv(GL_LIGHT0, GL_POSITION, (const float[]){ -0.3f, 0.6f, 1, 0 }); /* from above the camera's left shoulder */
   glLoadMatrixd(turn);
   glTranslated(-eye[0], -eye[1], -eye[2]);
   for (size_t i = 0; i < v->shape_count; i++) {
@@ -256,7 +258,7 @@ static void draw(const viewer *v) {
 
 /* ---- the mouse ---- */
 
-/* Is one of the handles under the ray? Which of them takes the mouse, and what is in its way, vs_input knows. */
+/* Returns true if the ray meets a handle. vs_input decides which handle takes the mouse, and which objects hide it. */
 static bool near_handle(const viewer *v, const double eye[3], const double way[3]) {
   double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
   for (size_t i = 0; i < v->gizmo_count; i++)
@@ -274,7 +276,7 @@ static bool tell(void *context, vs_scheme *s, const vs_hit *hit) {
   (void)context;
   printf("%s", name ? name : "a node");
   printf(" at (%.2f %.2f %.2f), made in %s:%u\n", hit->point[0], hit->point[1], hit->point[2], hit->file, hit->line);
-  return false; /* the nearest alone */
+  return false; /* only the nearest hit counts */
 }
 
 static void mouse(viewer *v, const SDL_Event *e) {
@@ -301,7 +303,7 @@ static void mouse(viewer *v, const SDL_Event *e) {
   }
 }
 
-/* Handles what waits, runs a frame, draws it. False: the user closed the window. */
+/* Handles the waiting events, runs a frame and draws it. Returns false when the user has closed the window. */
 static bool frame(viewer *v, double seconds) {
   for (SDL_Event e; SDL_PollEvent(&e); mouse(v, &e))
     if (e.type == SDL_QUIT) return false;
@@ -322,7 +324,7 @@ static void push(Uint32 type, int x, int y) {
 }
 
 static void tell_pixels(int x, int y, const char *file) {
-  static unsigned char pixels[HEIGHT][WIDTH][3]; /* the lowest row first */
+  static unsigned char pixels[HEIGHT][WIDTH][3]; /* OpenGL stores the lowest row first */
   size_t covered = 0;
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGB, GL_UNSIGNED_BYTE, pixels);
@@ -390,7 +392,8 @@ int main(int count, char **words) {
   v.scheme = vs_new(&o);
   int code = v.scheme ? (int)vs_eval_file(v.scheme, words[1], VS_EVAL_PROGRAM) : VS_OUTCOME_MACHINE;
   if (code == VS_OUTCOME_DONE) {
-    vs_handle adapt = vs_lookup(v.scheme, "scene-quality"); /* from the first call on, it follows the frames' times */
+    vs_handle adapt = vs_lookup(v.scheme, "scene-quality"); /* from this first call on, the quality follows the frames'
+                                                             * times */
     vs_apply(v.scheme, adapt, NULL, 0, NULL);
     vs_handle_release(v.scheme, adapt);
     look_at_all(&v);

@@ -1,4 +1,5 @@
-/* Owns the test of fits by a host: program and scan come from its memory, what is doubtful is told, the map is a file. */
+/* Owns the test of fits by a host: program and scan lie in the host's memory, the fit reports doubtful results, and the
+ * map of deviations is a file. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,13 +51,13 @@ int main(void) {
   }
   f.placed = true;
   CHECK(vs_fit(s, "box.vs", "box.off", &f, &r) == VS_OUTCOME_DONE && r.samples == 600 && r.converged);
-  CHECK(h.printed == 1); /* of the runs, the first is heard */
+  CHECK(h.printed == 1); /* the host receives the output of the first run alone */
   CHECK(vs_fit_parameter_get(s, 0, &p) && p.state == VS_FIT_FITTED && fabs(p.value - 1.8) < 1e-3 && p.start == 1.5);
   CHECK(vs_fit_parameter_get(s, 1, &p) && p.state == VS_FIT_FITTED && fabs(p.value - 2.6) < 1e-3 && p.low <= 2.6 && p.high >= 2.6);
   CHECK(vs_fit_parameter_get(s, 2, &p) && p.state == VS_FIT_NO_NUMBER && !vs_fit_parameter_get(s, 3, &p));
   const double *d = vs_fit_distances(s, &count);
   CHECK(count == 600 && fabs(d[0]) < 1e-3 && fabs(d[599]) < 1e-3);
-  vs_summary summary; /* the program has run with the values that were found */
+  vs_summary summary; /* the program has run with the fitted values */
   CHECK(vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE && fabs(summary.max[0] - 1.8) < 1e-3 && fabs(summary.max[2] - 2.6) < 1e-3);
   CHECK(h.failed == 0 && vs_fit(s, "box.vs", "gone.off", &f, &r) == VS_OUTCOME_USAGE && r.samples == 0 && h.failed == 1);
   CHECK(!vs_fit_distances(s, &count) && count == 0);

@@ -1,4 +1,5 @@
-/* Owns the proof that a stranger can embed the library: includes the public header alone, links the installed shared library. */
+/* Owns the test that a host can embed the library: it includes the public header alone and links the installed shared
+ * library. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <string.h>
@@ -45,7 +46,8 @@ static void check_told(void *context, const vs_checked *c) {
   snprintf(h->said, sizeof h->said, "%u: %s %s %s %s", (unsigned)c->at.line, c->form, c->expression, c->gives, c->expected);
 }
 
-/* Checks wait for the host where it says so, run one by one, and leave the drawing alone; else they warn. */
+/* Tests the program's checks: they wait for the host if it asks for that, run one by one, and do not change the
+ * drawing; otherwise they warn. */
 static void checks(void) {
   static host a;
   vs_options o = vs_options_default();
@@ -68,7 +70,8 @@ static void checks(void) {
   vs_free(s);
 }
 
-/* A host that takes no diagnostics: errors, warnings and the calls that led there are on standard error. */
+/* Runs a host without a diagnose callback: the library writes errors, warnings and the calls that led to them to
+ * standard error. */
 static void say_on_standard_error(void) {
   char said[2000] = "";
   FILE *kept = tmpfile();
@@ -108,7 +111,7 @@ int main(void) {
   CHECK(strcmp(vs_version(), VS_VERSION) == 0);
   CHECK(run(s, "(define x 20) (display (+ x 1))", 0) == VS_OUTCOME_DONE);
   CHECK(strcmp(a.printed, "21") == 0);
-  CHECK(run(t, "x", 0) == VS_OUTCOME_MODEL); /* another interpreter knows nothing of it */
+  CHECK(run(t, "x", 0) == VS_OUTCOME_MODEL); /* another interpreter does not share the definition */
   CHECK(b.at.line == 1 && b.at.column == 1 && b.at.file && strcmp(b.at.file, "text") == 0);
   CHECK(run(t, "(* 6 7) \"a\"", VS_EVAL_PRINT) == VS_OUTCOME_DONE && strcmp(b.printed, "42;\"a\";") == 0);
   CHECK(run(s, "(define (f) (f)) 1 (car 5)", 0) == VS_OUTCOME_MODEL && strstr(a.said, "car"));

@@ -1,6 +1,7 @@
-/* Owns the proof that a host can draw by meshes: equal shapes are one, what changed is told and nothing else, volumes
- * and normals are right, materials are asked for once, failures lose nothing. Public header alone.
- * With a file's name as argument it hands the file's drawing over instead, and tells how long that took. */
+/* Owns the test that a host can draw by meshes: equal shapes share one mesh; the library hands over the changes and
+ * nothing else; volumes and normals are right; it asks for each material once; a failure loses nothing. It uses the
+ * public header alone. With a file's name as argument it hands over the drawing of that file instead, and prints the
+ * time. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,7 +33,7 @@ static void apply(const double m[3][4], const double p[3], double out[3]) {
   for (int i = 0; i < 3; i++) out[i] = m[i][0] * p[0] + m[i][1] * p[1] + m[i][2] * p[2] + m[i][3];
 }
 
-/* The volume of the mesh at one of its places; corners turn round where that mirrors. */
+/* Returns the volume of the mesh at one of its places. A mirroring place reverses the order of the corners. */
 static double volume(const vs_mesh_info *m, const double place[3][4]) {
   double sum = 0, v[3][3];
   for (size_t i = 0; i < m->triangle_count; i++) {
@@ -43,7 +44,7 @@ static double volume(const vs_mesh_info *m, const double place[3][4]) {
   return fabs(sum / 6);
 }
 
-/* Each normal is of unit length and leans towards its triangle's side. */
+/* Returns true if each normal has unit length and points to the same side as its triangle. */
 static bool sound(const vs_mesh_info *m) {
   for (size_t i = 0; i < m->triangle_count; i++) {
     const double *a = m->points[m->corners[i][0]], *b = m->points[m->corners[i][1]], *c = m->points[m->corners[i][2]];
@@ -87,7 +88,7 @@ static uint64_t material(void *context, const char *name) {
 
 static vs_outcome run(vs_scheme *s, const char *text) { return vs_eval_text(s, "model", 1, text, strlen(text), 0); }
 
-/* A context that is shown a thousand times is handed over as the same bytes once, and a matrix for each place. */
+/* Tests that a context which is shown a thousand times is handed over once, with a matrix for each place. */
 static void share(vs_scheme *s, round_of *r) {
   static const char one[] =
       "(erase-all) (node-clear)"
@@ -111,7 +112,8 @@ static void share(vs_scheme *s, round_of *r) {
   }
 }
 
-/* The detail follows the time of the frames: slow ones lower the scene's quality, and with it the host's facets. */
+/* Tests that the detail follows the time of the frames: slow frames lower the scene's quality, and with it the number
+ * of facets of the host's meshes. */
 static void adapt(vs_scheme *s) {
   size_t triangles[3];
   vs_mesh_info m;
@@ -132,7 +134,7 @@ static void adapt(vs_scheme *s) {
   CHECK(triangles[0] > 4 * triangles[1] && triangles[1] > 100 && triangles[2] == triangles[0]);
 }
 
-static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; } /* of the processor */
+static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; } /* of processor time */
 
 static int measure(vs_scheme *s, const char *file, round_of *r) {
   double began = seconds();
@@ -160,10 +162,10 @@ int main(int count, char **words) {
     return code;
   }
   vs_mesh_info none;
-  CHECK(!vs_mesh_next(s, &none)); /* no round was begun */
+  CHECK(!vs_mesh_next(s, &none)); /* the host has not begun a round */
   CHECK(go(s, &r) == VS_OUTCOME_MODEL && strstr(r.said, "nothing is drawn"));
 
-  /* one shape in three nodes is one mesh; a box's size is in its place */
+  /* a shape in three nodes is one mesh; the size of a box is part of its place */
   vs_material_handler(s, material, &r);
   static const char scene[] =
       "(define hole (with-material 'steel (make-box (xyz -0.5 -0.5 1) (xyz 0.5 0.5 3))))"
@@ -176,26 +178,26 @@ int main(int count, char **words) {
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 2 && r.changed == 0 && r.removed == 0 && r.places == 5 && r.sound);
   CHECK(fabs(r.volume - (3 * 7 + 6 + 1)) < 1e-9);
   CHECK(strstr(r.asked, "gold ") && strstr(r.asked, "steel ") && strlen(r.asked) == strlen("gold steel "));
-  CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added + r.changed + r.removed == 0); /* nothing changed: nothing is told */
+  CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added + r.changed + r.removed == 0); /* nothing changed: the round is empty */
 
-  /* a node moves: the same mesh stands elsewhere. A sphere comes that is painted otherwise: it is another mesh */
+  /* a node moves: the same mesh has another place. A sphere of another material appears: it is another mesh */
   CHECK(run(s, "(node-translate (node-find \"1\") (vxyz 0 0 7))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 0 && r.changed == 1 && r.removed == 0 && r.places == 3);
   CHECK(run(s, "(draw (with-material 'steel (make-box (xyz 0 0 0) (xyz 1 1 1))))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 1 && r.changed == 0 && r.removed == 0 && r.part.painted);
   CHECK(strcmp(r.part.material, "steel") == 0 && r.part.material_id && r.part.line == 1 && strcmp(r.part.file,
       "model") == 0);
-  CHECK(strlen(r.asked) == strlen("gold steel ")); /* a known name is not asked for again */
+  CHECK(strlen(r.asked) == strlen("gold steel ")); /* the library does not ask again for a known name */
   uint64_t steel = r.last;
 
-  /* what goes is told, and what comes back is the same mesh; curves have points alone */
+  /* the round reports removed meshes; a mesh that returns is the same mesh; curves have points alone */
   CHECK(run(s, "(erase-all) (for-each (lambda (n) (node-setdrawing n '())) (node-getchildren (node-getroot)))"
                "(draw (make-line (xyz 0 0 0) (xyz 1 0 0) (xyz 1 1 0)))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 1 && r.curves == 1 && r.removed == 3);
   CHECK(run(s, "(erase-all) (draw (with-material 'steel (make-box (xyz 5 5 5) (xyz 6 9 6))))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 1 && r.removed == 1 && r.last == steel && fabs(r.volume - 4) < 1e-9);
 
-  /* round things are smooth, as fine as asked for; an error changes nothing */
+  /* round shapes are smooth, with the requested tolerance; an error changes nothing */
   CHECK(run(s, "(erase-all) (draw (make-sphere (xyz 0 0 0) 2))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.sound && fabs(r.volume / (32 * acos(-1) / 3) - 1) < 0.01);
   CHECK(run(s, "(erase-all) (draw (load-mesh \"none.stl\"))") != VS_OUTCOME_DONE);

@@ -1,5 +1,5 @@
-/* Owns the proof that a host can work on pictures in linear light and study the sun. Public header alone. Where POV-Ray is
- * missing, what needs it is said to be skipped. Argument: a folder for its files. */
+/* Owns the test that a host can process pictures in linear light and study the sun. It uses the public header alone.
+ * Without POV-Ray the test reports the parts that it skips. Argument: a folder for its files. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* Owns the proof that a host can hold a scene: it mirrors the tree by events, moves nodes, follows a property without a
- * loop, is called by the program, picks, and gets an error for every misuse. Public header alone. */
+/* Owns the test that a host can hold a scene: it mirrors the tree by events, moves nodes, follows a property without a
+ * loop, is called by the program, picks, and gets an error for every misuse. It uses the public header alone. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,7 +13,7 @@ static int failures;
 static void diagnose(void *context, const vs_diagnostic *d) { snprintf(((host *)context)->said, 400, "%s", d->message); }
 static vs_outcome run(vs_scheme *s, const char *text) { return vs_eval_text(s, "model", 1, text, strlen(text), 0); }
 
-/* The tree's events: the node comes as the argument; its name goes into the log. */
+/* An event of the tree: its argument is the node, and the callback adds the node's name to the log. */
 static bool created(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   (void)s, (void)result;
   strcat(((host *)context)->log, count == 1 && arguments[0] ? "create " : "? ");
@@ -24,7 +24,7 @@ static bool added(void *context, vs_scheme *s, const vs_handle *arguments, size_
   strcat(((host *)context)->log, "addChild ");
   return true;
 }
-/* Writes the node's path from the root and its children's names, as a host does that mirrors the tree. */
+/* Writes the node's path from the root and its children's names, as a host that mirrors the tree does. */
 static void describe(vs_scheme *s, vs_handle node, char *to, size_t size) {
   char path[200] = "", longer[220];
   vs_handle at = vs_handle_retain(s, node);
@@ -58,7 +58,8 @@ static bool mirrored(void *context, vs_scheme *s, const vs_handle *arguments, si
   }
   return true;
 }
-/* Names, parents and children are read in every event of the tree, whatever events there are; nothing else may run there. */
+/* Tests that every event of the tree may read names, parents and children, and that nothing else may run in an
+ * event. */
 static void read_in_events(host *h) {
   vs_options o = vs_options_default();
   o.host = (vs_host){ .context = h, .diagnose = diagnose };
@@ -72,14 +73,14 @@ static void read_in_events(host *h) {
                "(node-addchild house roof) (node-addchild house plain) (node-addchild (node-getroot) house) (node-begin roof) (node-end)"
                "(node-removechild house roof) (node-removechildren house)") == VS_OUTCOME_DONE);
   CHECK(strcmp(h->log, "/house /roof /? /house/roof /house/? /root/house:roof,? /root/house/roof /root/house/roof /roof /root/house ") == 0);
-  /* the same outside of a program, and with a value that is no node */
+  /* the same calls outside a program, and with a value that is not a node */
   vs_handle house = vs_lookup(s, "house");
   *h->said = 0;
   CHECK(!vs_node_name(s, five) && *h->said && (*h->said = 0, !vs_node_parent(s, five)) && *h->said && (*h->said = 0, !vs_node_children(s, five)) && *h->said);
   CHECK(strcmp(vs_node_name(s, house), "house") == 0 && vs_handle_count(s, vs_node_children(s, house)) == 0);
   vs_free(s);
 }
-/* The model's property changed: the slider follows at the next vs_update. */
+/* Called when the model's property has changed: the slider follows at the next vs_update. */
 static bool follow(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   host *h = context;
   (void)result;
@@ -125,18 +126,20 @@ static bool gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
   (void)context;
   last = *g, gizmos++;
   last.node = vs_handle_retain(s, g->node);
-  return strcmp(vs_node_name(s, g->node), "longer") != 0; /* the last that is asked for */
+  return strcmp(vs_node_name(s, g->node), "longer") != 0; /* false ends the enumeration: no further gizmo is asked
+                                                           * for */
 }
 static bool named(void *context, vs_scheme *s, const vs_hit *hit) {
   char *file = context;
   vs_handle other = vs_handle_text(s, "another text");
-  vs_handle_get_text(s, other); /* what the hit holds is not touched by it */
+  vs_handle_get_text(s, other); /* the call must not change the values of the hit */
   vs_handle_release(s, other);
   snprintf(file, 40, "%s:%u", hit->file, hit->line);
   return false;
 }
 
-/* Gizmos as data: where they are, what they allow, values set from outside, drags by rays, and what is kept. */
+/* Tests gizmos as data: their places and their permissions, values that the host sets, drags by rays, and the values
+ * that they keep. */
 static void hold_gizmos(vs_scheme *s, host *h) {
   CHECK(vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE && gizmos == 0);
   CHECK(run(s, "(define rig (node-create #:parent (node-getroot) #:translate (vxyz 0 0 40)))"
@@ -154,7 +157,7 @@ static void hold_gizmos(vs_scheme *s, host *h) {
   vs_handle met;
   CHECK(vs_input(s, VS_INPUT_PRESS, VS_BUTTON_LEFT, (double[]){ 7, 0, 60 }, down, NULL, &met) == VS_OUTCOME_DONE && vs_handle_same(s, met, slider));
   CHECK(vs_input(s, VS_INPUT_DRAG, VS_BUTTON_LEFT, (double[]){ 8.6, 0, 60 }, down, NULL, NULL) == VS_OUTCOME_DONE);
-  CHECK(run(s, "(if (not (= width 18)) (car 5))") == VS_OUTCOME_DONE); /* 17.2, by steps of 2 */
+  CHECK(run(s, "(if (not (= width 18)) (car 5))") == VS_OUTCOME_DONE); /* 17.2 rounded to steps of 2 */
   CHECK(vs_input(s, VS_INPUT_RELEASE, VS_BUTTON_LEFT, (double[]){ 8.6, 0, 60 }, down, NULL, NULL) == VS_OUTCOME_DONE);
   CHECK(vs_apply(s, back, &kept, 1, NULL) == VS_OUTCOME_DONE && run(s, "(if (not (= width 14)) (car 5))") == VS_OUTCOME_DONE);
   CHECK(vs_input(s, VS_INPUT_MOVE, VS_BUTTON_NONE, NULL, NULL, NULL, &met) == VS_OUTCOME_DONE && met == 0);
@@ -167,7 +170,10 @@ static void hold_gizmos(vs_scheme *s, host *h) {
   gizmos = 0;
   CHECK(run(s, "(node-scale rig 2) (make-arrow (xyz 0 9 0) uy -1 3 #:value 1 #:name \"longer\" #:parent rig)"
                "(define last-one (make-tripod (xyz 0 0 9) (vxyz 1 0 2) #:name \"mover\" #:parent (node-getroot)))") == VS_OUTCOME_DONE);
-  CHECK(vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE && gizmos == 2 && last.kind == VS_GIZMO_ARROW); /* it was to stop there */
+  CHECK(vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE && gizmos == 2 && last.kind == VS_GIZMO_ARROW); /* the callback
+                                                                                                      * ended the
+                                                                                                      * enumeration
+                                                                                                      * there */
   CHECK(last.handles[0][1] == 22 && last.axes[0][1] == 2 && last.low[0] == -1 && last.high[0] == 3 && last.value[0] == 1);
   CHECK(run(s, "(node-removechild (node-getroot) rig)") == VS_OUTCOME_DONE && vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE);
   CHECK(last.kind == VS_GIZMO_TRIPOD && last.handle_count == 2 && last.value_count == 3 && last.low[2] == -2 && last.high[2] == 2);
@@ -175,11 +181,11 @@ static void hold_gizmos(vs_scheme *s, host *h) {
 }
 
 static char freed[60];
-static void free_own(void *context, void *object) { /* the interpreter is at work, and says so */
+static void free_own(void *context, void *object) { /* the interpreter is running: it refuses the call */
   if (context && vs_update(context) != VS_OUTCOME_USAGE) strcat(freed, "?");
   strcat(strcat(freed, object), " ");
 }
-/* The host's own objects as values of properties: owned by them, or not. */
+/* Tests the host's own objects as values of properties, with and without passing the ownership to the library. */
 static void hold_own(vs_scheme *s, host *h) {
   static char own[] = "buffer", bare[] = "window", other[] = "texture";
   vs_handle node = vs_node_create(s, NULL, "owner", vs_node_root(s)), five = vs_handle_integer(s, 5);
@@ -187,14 +193,15 @@ static void hold_own(vs_scheme *s, host *h) {
   CHECK(vs_handle_kind_of(s, owned) == VS_HANDLE_HOST && vs_handle_get_host(s, owned) == own && !vs_handle_get_host(s, five));
   CHECK(vs_property_put(s, node, "buffer", owned) == VS_OUTCOME_DONE && vs_property_put(s, node, "window", not_owned) == VS_OUTCOME_DONE);
   vs_handle_release(s, owned), vs_handle_release(s, not_owned);
-  CHECK(vs_handle_get_host(s, owned) == NULL && strstr(h->said, "was released")); /* the handle is gone, the object is the property's */
+  CHECK(vs_handle_get_host(s, owned) == NULL && strstr(h->said, "was released")); /* the handle is released, and the
+                                                                                   * property owns the object */
   CHECK(run(s, "(gc) (define kept (property-get (node-find \"owner\") 'buffer))") == VS_OUTCOME_DONE && !*freed);
   CHECK(vs_property_get(s, node, "window", &again) == VS_OUTCOME_DONE && vs_handle_get_host(s, again) == bare);
   CHECK(vs_property_put(s, node, "buffer", five) == VS_OUTCOME_DONE && vs_property_put(s, node, "window", five) == VS_OUTCOME_DONE);
   vs_handle_release(s, again);
-  CHECK(run(s, "(gc)") == VS_OUTCOME_DONE && !*freed); /* the program holds it still */
+  CHECK(run(s, "(gc)") == VS_OUTCOME_DONE && !*freed); /* the program still refers to it */
   CHECK(run(s, "(define kept #f) (gc)") == VS_OUTCOME_DONE && run(s, "(gc)") == VS_OUTCOME_DONE);
-  CHECK(strcmp(freed, "buffer ") == 0); /* once, and that one alone */
+  CHECK(strcmp(freed, "buffer ") == 0); /* the library freed this object alone, once */
   CHECK(vs_property_put(s, node, "buffer", owned = vs_handle_host(s, other, free_own, s)) == VS_OUTCOME_DONE);
   vs_handle_release(s, node);
 }
@@ -216,7 +223,7 @@ int main(void) {
 
   host mirror = { 0 };
   read_in_events(&mirror);
-  /* one model in three places, stored once */
+  /* a model at three places, stored once */
   CHECK(run(s, "(define engine (subtract (make-box (xyz -1 -1 0) (xyz 1 1 2)) (make-cylinder (xyz 0 0 1) 2 0.5)))") == VS_OUTCOME_DONE);
   vs_handle engine = vs_lookup(s, "engine");
   CHECK(vs_handle_kind_of(s, engine) == VS_HANDLE_OBJECT);
@@ -232,9 +239,9 @@ int main(void) {
   CHECK(vs_pick(s, (double[]){ -5, 0, 0.5 }, (double[]){ 1, 0, 0 }, take, &h) == VS_OUTCOME_DONE);
   CHECK(h.hits == 3 && fabs(h.nearest - 4) < 1e-9 && strcmp(h.node, "a") == 0 && h.line == 1);
   CHECK(vs_pick(s, (double[]){ 10, 0, 9 }, (double[]){ 0, 0, -1 }, take, (h.hits = 0, &h)) == VS_OUTCOME_DONE && h.hits == 1);
-  CHECK(fabs(h.nearest - 8) < 1e-9 && strcmp(h.node, "b") == 0); /* through the bore, onto its floor */
+  CHECK(fabs(h.nearest - 8) < 1e-9 && strcmp(h.node, "b") == 0); /* through the bore, to its floor */
 
-  /* a slider and a parameter of the model follow each other: one update a change */
+  /* a slider and a parameter of the model follow each other: each change causes one update */
   vs_handle group = vs_node_find(s, "a"), eight = vs_handle_integer(s, 8);
   CHECK(vs_property_put(s, group, "cylinder", eight) == VS_OUTCOME_DONE && vs_property_put(s, controller, "slider", eight) == VS_OUTCOME_DONE);
   vs_handle cylinder = vs_property_of(s, group, "cylinder");
@@ -248,13 +255,13 @@ int main(void) {
   }
   CHECK(vs_update(s) == VS_OUTCOME_DONE && h.updates == 1000);
 
-  /* procedures of the host's, and what they may not do */
+  /* the host's procedures, and the calls that they may not make */
   vs_handle procedure = vs_host_procedure(s, "host-area", area, NULL), again = vs_host_procedure(s, "again", reenter, NULL);
   CHECK(vs_define(s, "host-area", procedure) && run(s, "(if (not (= (host-area 3 4) 12)) (car 5))") == VS_OUTCOME_DONE);
   CHECK(run(s, "(host-area 3)") == VS_OUTCOME_MODEL && strcmp(h.said, "host-area: two numbers are wanted") == 0);
   CHECK(vs_define(s, "again", again) && run(s, "(again)") == VS_OUTCOME_DONE && strstr(h.said, "the interpreter is at work"));
 
-  /* the host's own types of nodes, and its viewer: procedures of its own, by name */
+  /* the host's own types of nodes, and the procedures by name of its viewer */
   vs_handle fit = vs_host_procedure(s, "fit-out", fit_out, &h), kind = vs_handle_symbol(s, "lamp");
   vs_handle make = vs_lookup(s, "register-node-type");
   CHECK(vs_apply(s, make, (vs_handle[]){ kind, fit }, 2, NULL) == VS_OUTCOME_DONE);
@@ -276,7 +283,7 @@ int main(void) {
   CHECK(run(s, "(viewer-activate #f)") == VS_OUTCOME_DONE && vs_scene_frame(s, 0.1) == VS_OUTCOME_DONE);
   CHECK(strcmp(h.log, "show prepare draw finish hide ") == 0);
 
-  /* a program in a node's own environment */
+  /* a program in the environment of a node */
   vs_handle value = 0;
   double number = 0;
   CHECK(vs_node_eval(s, group, "(define height 7) (+ height 1)", &value) == VS_OUTCOME_DONE && vs_handle_get_numbers(s, value, &number, 1) == 1 && number == 8);
@@ -300,7 +307,7 @@ int main(void) {
   CHECK(vs_restart(s) == VS_OUTCOME_DONE && vs_node_parent(s, group) == 0 && strstr(h.said, "older than vs_restart"));
   CHECK(strcmp(freed, "buffer texture ") == 0);
 
-  /* a program of before has no say in the next */
+  /* after a restart the messages do not mention the program before it */
   CHECK(run(s, "(define (of-before x) x)") == VS_OUTCOME_DONE && vs_restart(s) == VS_OUTCOME_DONE);
   CHECK(vs_eval_text(s, "next", 1, "(define x 5)", 12, 0) == VS_OUTCOME_DONE && vs_meshes_begin(s, NULL) == VS_OUTCOME_MODEL);
   CHECK(strstr(h.said, "nothing is drawn") && !strstr(h.said, "of-before"));

@@ -1,4 +1,5 @@
-/* Owns what the fuzzers share: an interpreter of an untrusted model under limits, which is made anew now and then. */
+/* Owns the common part of the fuzzers: an interpreter of an untrusted model under limits, which is replaced after a
+ * number of inputs. */
 #ifndef VS_FUZZ_H
 #define VS_FUZZ_H
 
@@ -17,7 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 typedef struct {
   const uint8_t *at;
   size_t size;
-} fuzz_file; /* what every path names */
+} fuzz_file; /* every path names this file */
 
 static inline bool fuzz_drop(void *context, const char *text, size_t length) {
   return (void)context, (void)text, (void)length, true;
@@ -43,7 +44,8 @@ static inline bool fuzz_read(void *context, const char *path, char **text, size_
   return true;
 }
 
-/* The inputs that one interpreter has been given, in a file that outlives a crash (FUZZ_JOURNAL=FILE): what crashed need not be the last one alone. replay -j reads it. */
+/* The journal: the inputs of one interpreter, in a file that outlives a crash (FUZZ_JOURNAL=FILE), since an earlier
+ * input may have caused the crash. replay -j reads it. */
 typedef struct {
   uint8_t *at;
   size_t used;
@@ -65,7 +67,7 @@ static inline fuzz_journal *fuzz_journal_open(void) {
   return &j;
 }
 
-/* Each as its size in four bytes, then its bytes; a size of 0xFFFFFFFF ends them. */
+/* Appends an input to the journal: its size in four bytes, then its bytes. A size of 0xFFFFFFFF ends the journal. */
 static inline void fuzz_note(const uint8_t *data, size_t size, bool anew) {
   fuzz_journal *j = fuzz_journal_open();
   const uint32_t n = (uint32_t)size, none = UINT32_MAX;
@@ -78,7 +80,7 @@ static inline void fuzz_note(const uint8_t *data, size_t size, bool anew) {
   j->used += sizeof n + size;
 }
 
-/* An interpreter of a stranger's model. */
+/* Returns a new interpreter for an untrusted model. */
 static inline vs_scheme *fuzz_open(fuzz_file *file) {
   vs_options o = vs_options_default();
   o.untrusted = true;
@@ -92,7 +94,8 @@ static inline vs_scheme *fuzz_open(fuzz_file *file) {
   return s;
 }
 
-/* The interpreter for the next input. It begins anew after so many `turns`, since a beginning costs more than a small program; `begin` is run then, and may be NULL. */
+/* Returns the interpreter for the next input. A new interpreter costs more than a small program, so each serves `turns`
+ * inputs. `begin` runs after each is made, and may be NULL. */
 static inline vs_scheme *fuzz_interpreter(fuzz_file *file, const uint8_t *data, size_t size, unsigned turns,
                                           const char *begin) {
   enum { LIVES = 100 };

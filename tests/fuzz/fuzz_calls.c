@@ -1,9 +1,10 @@
-/* Owns the fuzzing of visualscheme.h: the bytes are a sequence of calls, on an interpreter of its own. */
+/* Owns the fuzzing of visualscheme.h: the bytes are a sequence of calls, on an interpreter that serves this input
+ * alone. */
 #include "tests/fuzz/fuzz.h"
 
 static bool each_name(void *context, const char *name) { return (void)context, *name != 0; }
 
-/* ---- the scene: handles that are good, none, or were released; callbacks that call back ---- */
+/* ---- the scene: handles that are valid, 0 or released; callbacks that call the library ---- */
 
 enum { HELD = 8 };
 typedef struct {
@@ -32,7 +33,7 @@ static bool scene_gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
   if (g->handle_count > 3 || vs_handle_kind_of(s, g->node) != VS_HANDLE_NODE) abort();
   return true;
 }
-/* A host's own object is let go once, when the interpreter is at work, or gone. */
+/* Frees a host object. The library calls it once for each object, while the interpreter runs or when it is freed. */
 static void scene_released(void *context, void *object) {
   (void)context;
   if ((*(unsigned *)object)-- != 1) abort();
@@ -43,13 +44,13 @@ static vs_handle scene_own(vs_scheme *s) {
   if (!object) return 0;
   *object = 1;
   vs_handle made = vs_handle_host(s, object, scene_released, NULL);
-  if (!made) free(object); /* it stayed ours */
+  if (!made) free(object); /* the library did not take the object over */
   else if (vs_handle_get_host(s, made) != object) abort();
   return made;
 }
 static uint64_t scene_material(void *context, const char *name) { return (void)context, (uint64_t)strlen(name); }
 
-/* All bytes that are handed over can be read. */
+/* Reads all bytes that the library hands over. */
 static void scene_meshes(vs_scheme *s) {
   vs_output_options coarse = vs_output_options_default();
   vs_mesh_info m;

@@ -1,9 +1,11 @@
-/* Owns the fuzzing of expander, compiler and evaluator by whole programs: each byte is a word of the language, and what was opened is closed. */
+/* Owns the fuzzing of expander, compiler and evaluator by whole programs: each byte is a word of the language, and the
+ * fuzzer closes all open parentheses at the end. */
 #include "tests/fuzz/fuzz.h"
 
 enum { ROOM = 1 << 14, DEPTH = 60 };
 
-/* Words that end in an open parenthesis stand for how a form begins. Few names, so that they are bound and used again. */
+/* The words. Those with an open parenthesis at their end begin a form. There are few names, so that inputs bind and use
+ * the same ones. */
 static const char *const words[] = {
   "(",
   "(",

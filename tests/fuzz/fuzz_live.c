@@ -1,5 +1,6 @@
-/* Owns the fuzzing of the live view's server: the bytes are requests, a line each, a body behind a tab. libmicrohttpd is
- * played by the functions below, which hand a request to the server as that library does, and look at what it answers. */
+/* Owns the fuzzing of the live view's server: the bytes are requests, one a line, with the body after a tab. The
+ * functions below replace libmicrohttpd: they hand a request to the server as that library does, and check the
+ * response. */
 #include <arpa/inet.h>
 
 #include "tests/fuzz/fuzz.h"
@@ -45,7 +46,7 @@ static const union MHD_DaemonInfo *get_daemon_info(struct MHD_Daemon *d, enum MH
   info.port = 8080;
   return &info;
 }
-/* No connection is among those that wait: there is no socket to shut. */
+/* No connection waits, so there is no socket to close. */
 static const union MHD_ConnectionInfo *get_connection_info(struct MHD_Connection *c, enum MHD_ConnectionInfoType type,
                                                            ...) {
   (void)c, (void)type;
@@ -70,7 +71,7 @@ static struct MHD_Response *from_callback(uint64_t count, size_t block, MHD_Cont
 }
 static enum MHD_Result add_header(struct MHD_Response *r, const char *name, const char *value) {
   (void)r;
-  if (strpbrk(name, "\r\n") || strpbrk(value, "\r\n")) abort(); /* a header that ends the headers */
+  if (strpbrk(name, "\r\n") || strpbrk(value, "\r\n")) abort(); /* a line break in a header would end the headers */
   return MHD_YES;
 }
 static enum MHD_Result queue(struct MHD_Connection *c, unsigned status, struct MHD_Response *r) {
@@ -93,7 +94,7 @@ static void destroy(struct MHD_Response *r) {
 
 static void stop(void *context) { (void)context; }
 
-/* The rest of a line behind the first of these characters, which ends what was before; NULL: there is none. */
+/* Ends the text at the first of these characters and returns the rest behind it; NULL: the text contains none. */
 static char *cut(char *at, const char *ends) {
   char *end = at ? strpbrk(at, ends) : NULL;
   if (end) *end++ = 0;
@@ -108,7 +109,7 @@ static void add_words(struct MHD_Connection *c, char *at, const char *ends, enum
   }
 }
 
-/* The requests of windows, as the session and the side would take it. */
+/* Takes the windows' requests from the queue, as the session and its side thread do. */
 static void take_wishes(live_publish *p) {
   for (live_wish *w; (w = live_wish_take(p, &p->wishes, 0)) != NULL;) live_wish_free(w);
   for (live_wish *w; (w = live_wish_take(p, &p->asides, 0)) != NULL;) live_wish_free(w);
@@ -123,7 +124,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (!server.publish) {
     const int f = mkstemp(path);
     if (f < 0 || write(f, "(car 5)", 7) != 7 || close(f)) abort();
-    unlink(path); /* nothing stands there but what a request puts there */
+    unlink(path); /* from here on only a request can create this file */
     server = (live_server){ .http = { .start_daemon = start_daemon,
                                       .stop_daemon = stop_daemon,
                                       .get_daemon_info = get_daemon_info,
@@ -148,7 +149,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
       abort();
     live_publish_scene(&publish, scene);
     live_publish_state(&publish, strdup("{\"good\":true}"));
-    publish.ended = true; /* nobody waits */
+    publish.ended = true; /* no request waits */
   }
   fuzz_note(data, size, true);
   for (size_t from = 0, to; from < size; from = to + 1) {
@@ -181,7 +182,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (c.status && c.status != 403 && (!host || (strcmp(host, server.hosts[0]) && strcmp(host, server.hosts[1]))))
       abort();
     if (c.status && c.status != 403 && !page && (!token || strcmp(token, server.token)))
-      abort(); /* answered without the token */
+      abort(); /* the server answered without the token */
     struct {
       live_text body;
     } *r = state;

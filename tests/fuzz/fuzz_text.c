@@ -1,4 +1,5 @@
-/* Owns the fuzzing of texts: numbers in every radix, which are written and read again; bytes as UTF-8; and ports that read them. The first byte says which. */
+/* Owns the fuzzing of texts: numbers in every radix, which it writes and reads again; bytes as UTF-8; and ports that
+ * read them. The first byte selects one of these. */
 #include <math.h>
 
 #include "tests/fuzz/fuzz.h"
@@ -73,7 +74,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const char *program = readers[way % READERS];
     file = (fuzz_file){ data, size };
     vs_eval_text(s, "fuzz", 1, program, strlen(program), 0);
-    if (vs_exit_requested(s, &code) && code == 9) abort(); /* a text that came back changed */
+    if (vs_exit_requested(s, &code) && code == 9) abort(); /* reading and writing changed the text */
     file = (fuzz_file){ NULL, 0 };
   }
   return 0;

@@ -1,8 +1,9 @@
-/* Owns fuzzing without libFuzzer: hands each file named to the fuzzer that it is linked with, and then, with `-n COUNT`, so many inputs made of them by chance, the same ones
- * each time; `-s NUMBER` others. Every input that once crashed is kept in tests/fuzz/corpus.
- * With `-k FILE` each input is written there first, so that the one that crashes is known; `-j FILE` hands over those of
- * a journal (fuzz.h). An input that takes more than SLOW seconds of the processor, or WAITS by the clock, ends the process:
- * on a busy machine the clock alone would call inputs slow that only waited for their turn. */
+/* Owns fuzzing without libFuzzer. It hands each named file to the fuzzer that it is linked with. With `-n COUNT` it
+ * then hands over COUNT random changes of these files, which are the same in each run; `-s NUMBER` sets another seed.
+ * tests/fuzz/corpus keeps every input that once crashed. With `-k FILE` it writes each input to FILE first, so that
+ * FILE holds the input of a crash; `-j FILE` hands over the inputs of a journal (fuzz.h). An input that takes more than
+ * SLOW seconds of processor time, or WAITS of elapsed time, ends the process. A limit of elapsed time alone would
+ * refuse inputs that only waited for a busy machine. */
 #include "tests/fuzz/fuzz.h"
 
 #include <sys/time.h>
@@ -18,7 +19,7 @@ static uint64_t chance(uint64_t below) { /* xorshift64* */
 }
 
 static void hand(const uint8_t *from, size_t count, const char *keep) {
-  uint8_t *exact = malloc(count ? count : 1); /* so that reading past the end is seen */
+  uint8_t *exact = malloc(count ? count : 1); /* of exact size, so that a sanitizer finds reads past the end */
   FILE *f = keep ? fopen(keep, "wb") : NULL;
   if (!exact) abort();
   memcpy(exact, from, count);
@@ -39,7 +40,8 @@ static bool journal(const char *path) {
   return fclose(f) == 0;
 }
 
-/* A few changes: a byte, a bit, a stretch of the same or another input put in, taken out or written over, a number at a limit. */
+/* Makes a few random changes: of a byte or a bit; a stretch of this or another input is inserted, deleted or written
+ * over; a number becomes an extreme one. */
 static size_t change(uint8_t *to, size_t count, const input *all, size_t inputs) {
   static const uint8_t odd[] = { 0, 1, 127, 128, 255, 254, '(', ')', '"', '\\', '#', '\'', ' ', '\n', '0', '9', '-', '.', 'e' };
   for (uint64_t n = 1 + chance(6); n; n--) {
@@ -49,19 +51,19 @@ static size_t change(uint8_t *to, size_t count, const input *all, size_t inputs)
     case 0: if (at < count) to[at] = odd[chance(sizeof odd)]; break;
     case 1: if (at < count) to[at] ^= (uint8_t)(1 << chance(8)); break;
     case 2: if (at < count) to[at] = (uint8_t)chance(256); break;
-    case 3: /* in */
+    case 3: /* inserted */
       if (length > other->count - from) length = other->count - from;
       if (count + length > GROWTH) break;
       memmove(to + at + length, to + at, count - at);
       memcpy(to + at, other->at + from, length);
       count += length;
       break;
-    case 4: /* out */
+    case 4: /* deleted */
       if (length > count - at) length = count - at;
       memmove(to + at, to + at + length, count - at - length);
       count -= length;
       break;
-    default: /* over */
+    default: /* written over */
       if (length > other->count - from) length = other->count - from;
       if (length > count - at) length = count - at;
       memcpy(to + at, other->at + from, length);
