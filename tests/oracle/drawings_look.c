@@ -1,9 +1,10 @@
-/* Owns what a random drawing is, apart from how its tree is written: see drawings.h.
+/* Owns the meaning of a random drawing, independent of the form of its tree: see drawings.h.
  *
- * A look is the tree with every path on its own: sets and, below them, places: primitives with the map, paint and wrapper that the path gives them. Two
- * looks are compared place by place, and at points: a point belongs to the first member of a union that holds it, to all members of an intersection, to
- * what is cut of a difference; a point that was cut away, to the first cutter that holds it. A pass that changes an order, a paint or a part's
- * place is seen, whatever it does to the tree. */
+ * A look is the tree with a separate copy of every path: sets and, below them, places. A place is a primitive with the
+ * map, paint and wrapper that its path gives it. Two looks are compared place by place, and at points. A point belongs
+ * to the first member of a union that contains it, to all members of an intersection, and to the minuend of a
+ * difference; a point that is cut away belongs to the first cutter that contains it. The comparison detects a pass that
+ * changes an order, a paint or a part's place, for any change of the tree. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,20 +17,20 @@ enum { PARTS_MOST = 1500, WINNERS = 6 };
 
 typedef struct {
   const vs_node *node;
-  vs_affine map;           /* from its coordinates to the drawing's */
+  vs_affine map;           /* from the primitive's coordinates to the drawing's */
   vs_affine back;
-  const vs_material *material; /* the innermost; NULL: none */
+  const vs_material *material; /* the innermost one; NULL: none */
   const char *layer;
-  uint64_t wrapper;          /* of native, custom, highlight, only and ghost on the way */
+  uint64_t wrapper;          /* the native, custom, highlight, only and ghost nodes on the path */
   vs_bounds bounds;
   size_t path, path_count; /* origins of the references to it, in `paths` */
-  size_t shared;           /* path_count, or where on it the first node with several users is */
-  vs_inside *inside;       /* NULL: holds nothing */
+  size_t shared;           /* the index on the path of the first node with several users; path_count: none */
+  vs_inside *inside;       /* NULL: contains nothing */
   bool ghost;
   uint32_t coins;
 } part;
 
-typedef struct { const vs_node *node; size_t part; /* + 1; 0: a set */ size_t next; /* the entry after all of its own */ } entry;
+typedef struct { const vs_node *node; size_t part; /* the part's number + 1; 0: a set */ size_t next; /* the entry after all descendants */ } entry;
 
 struct drawing_look {
   entry *entries;
@@ -38,11 +39,12 @@ struct drawing_look {
   size_t part_count, part_room;
   const vs_origin **paths;
   size_t path_count, path_room;
-  int trial;     /* -1: a part holds what it holds; else whether it holds a point is bit `trial` of its coins */
-  size_t *match; /* of each part: which of the other look's it is (drawing_same_parts) */
+  int trial;     /* -1: test the part's geometry; otherwise bit `trial` of its random bits decides whether the part
+                  * contains a point */
+  size_t *match; /* match[i]: the number of the part of the other look that equals part i (drawing_same_parts) */
 };
 
-/* ---- what is remembered of nodes ---- */
+/* ---- cached answers for nodes ---- */
 
 typedef struct { vs_node *node; vs_inside *inside; } asked;
 typedef struct { vs_node *node; vs_affine map; vs_bounds bounds; } bounded;
@@ -102,7 +104,7 @@ static vs_bounds bounds_of(drawing_memo *m, const vs_node *n, const vs_affine *m
   return b;
 }
 
-/* ---- looking ---- */
+/* ---- making a look ---- */
 
 typedef struct {
   drawing_look *look;
@@ -130,7 +132,7 @@ static void look_part(looker *w, vs_ref ref, const part *here) {
   }
 }
 
-static bool look_at(looker *w, vs_ref ref, part here) { /* test trees are shallow: it may recurse */
+static bool look_at(looker *w, vs_ref ref, part here) { /* test trees are shallow, so it may recurse */
   drawing_look *l = w->look;
   const vs_node *n = ref.node;
   if (l->part_count >= PARTS_MOST || l->entry_count >= 4 * PARTS_MOST || w->depth == sizeof w->path / sizeof *w->path) return false;
@@ -142,7 +144,7 @@ static bool look_at(looker *w, vs_ref ref, part here) { /* test trees are shallo
   if (n->kind == VS_MATERIAL) here.material = VS_AS(material, n)->material;
   if (n->kind == VS_LAYER) here.layer = VS_AS(layer, n)->name;
   bool through = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_SUGAR;
-  if (vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_SUGAR) { /* its own words, and where they are said */
+  if (vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_SUGAR) { /* wrappers count by kind; a native is a part as well */
     here.wrapper = here.wrapper * 31 + n->kind + 1;
     here.ghost = here.ghost || n->kind == VS_GHOST;
     if (n->kind == VS_NATIVE) look_part(w, ref, &here);
@@ -155,7 +157,7 @@ static bool look_at(looker *w, vs_ref ref, part here) { /* test trees are shallo
     l->entries[at] = (entry){ n, 0, 0 };
     if (vs_node_is_set(n)) {
       for (uint32_t i = 0; ok && i < n->child_count; i++) {
-        /* Members that are nothing keep their turn: a set's first is what it cuts */
+        /* Empty members keep their position: the first member of a difference is the minuend */
         size_t before = l->entry_count;
         ok = look_at(w, n->children[i], here);
         if (ok && l->entry_count == before) {
@@ -207,7 +209,7 @@ vs_vec3 drawing_look_point(const drawing_look *l, double which, double x, double
   const part *at = l->part_count ? &l->parts[(size_t)(which * (double)l->part_count)] : NULL;
   if (!at || vs_bounds_is_empty(&at->bounds) || !isfinite(vs_bounds_diagonal(&at->bounds))) return p;
   vs_bounds both = at->bounds, *b = &both;
-  if (at + 1 < l->parts + l->part_count && x + y < z + 1) vs_bounds_meet(&both, &at[1].bounds); /* where two meet, there is more to get wrong */
+  if (at + 1 < l->parts + l->part_count && x + y < z + 1) vs_bounds_meet(&both, &at[1].bounds); /* the overlap of two parts is more likely to show faults */
   if (vs_bounds_is_empty(&both)) both = at->bounds;
   return vs_v3(b->min.x + x * (b->max.x - b->min.x), b->min.y + y * (b->max.y - b->min.y), b->min.z + z * (b->max.z - b->min.z));
 }
@@ -216,7 +218,8 @@ vs_vec3 drawing_look_point(const drawing_look *l, double which, double x, double
 
 static const char *name_of(const part *p) { return vs_kind_get((vs_kind)p->node->kind)->name; }
 
-/* Bounds of a placed one are the box round a box, or of samples: where a pass folds the place in they become tighter. */
+/* Returns true for a placed node whose bounds are the box of a box, or come from samples: a pass that folds the place
+ * into the node makes them tighter. */
 static bool bounds_are_loose(const vs_node *n) {
   return n->kind == VS_SPLINE || n->child_count > 0;
 }
@@ -226,7 +229,7 @@ static bool near(vs_vec3 a, vs_vec3 b, double slack) { return fabs(a.x - b.x) <=
 static bool same_bounds(const part *a, const part *b) { /* b: after */
   vs_bounds x = a->bounds, y = b->bounds;
   if (vs_bounds_is_empty(&x) || vs_bounds_is_empty(&y)) return vs_bounds_is_empty(&x) == vs_bounds_is_empty(&y);
-  if (a->node->kind == VS_HALF_SPACE) { /* its plane instead */
+  if (a->node->kind == VS_HALF_SPACE) { /* compare its plane instead */
     vs_vec3 p = VS_AS(half_space, a->node)->point, n = VS_AS(half_space, a->node)->normal, q = VS_AS(half_space, b->node)->point, k = VS_AS(half_space, b->node)->normal;
     return vs_affine_plane(&a->map, &p, &n) && vs_affine_plane(&b->map, &q, &k) && near(vs_v3_unit(n), vs_v3_unit(k), 1e-9) &&
            fabs(vs_v3_dot(vs_v3_unit(n), vs_v3_sub(p, q))) < 1e-9 * (1 + vs_v3_length(p) + vs_v3_length(q));
@@ -243,7 +246,8 @@ static bool same_map(const vs_affine *a, const vs_affine *b) {
   return true;
 }
 
-/* Six times the volume within the faces: negative where they look inwards. A mirrored part is turned when it is meshed. */
+/* Returns six times the volume within the faces: negative if they face inwards. Meshing reverses the faces of a
+ * mirrored part. */
 static double facing(const part *p) {
   const struct vs_polyface_mesh *m = VS_AS(polyface_mesh, p->node);
   const uint32_t *starts = vs_faces_starts(m->faces), *corners = vs_faces_corners(m->faces);
@@ -262,7 +266,7 @@ static bool same_inside(const part *a, const part *b) {
   if (a->node == b->node && !memcmp(&a->map, &b->map, sizeof a->map)) return true;
   vs_bounds box = a->node->kind == VS_HALF_SPACE ? (vs_bounds){ { -4, -4, -4 }, { 4, 4, 4 } } : a->bounds;
   if (vs_bounds_is_empty(&box)) return true;
-  for (int i = 0; i < 7; i++) { /* by Halton's sequence: in every part of the box */
+  for (int i = 0; i < 7; i++) { /* by Halton's sequence, which covers the box evenly */
     double at[3], step = 1e-4 * vs_bounds_diagonal(&box);
     static const int bases[] = { 2, 3, 5 };
     for (int axis = 0; axis < 3; axis++) {
@@ -280,7 +284,7 @@ static bool same_inside(const part *a, const part *b) {
   return true;
 }
 
-/* NULL, or what is not the same. */
+/* Returns the name of the first difference, NULL: none. */
 static const char *difference_of(const part *a, const part *b) {
   if (a->node->kind != b->node->kind) return "kind";
   if (a->material != b->material) return "material";
@@ -288,7 +292,7 @@ static const char *difference_of(const part *a, const part *b) {
   if (a->wrapper != b->wrapper) return "wrapper";
   if (a->node->kind == VS_NATIVE) return VS_AS(native, a->node)->code == VS_AS(native, b->node)->code && same_map(&a->map, &b->map) ? NULL : "place of native text";
   const vs_kind_info *info = vs_kind_get((vs_kind)a->node->kind);
-  for (size_t i = 0; i < info->field_count; i++) { /* what no map changes */
+  for (size_t i = 0; i < info->field_count; i++) { /* fields that no map changes */
     const char *x = (const char *)vs_node_data(a->node) + info->fields[i].offset, *y = (const char *)vs_node_data(b->node) + info->fields[i].offset;
     vs_field_type type = info->fields[i].type;
     size_t size = type == VS_FIELD_integer ? sizeof(vs_field_integer) : type == VS_FIELD_boolean ? sizeof(vs_field_boolean) : type == VS_FIELD_text ? sizeof(vs_field_text) : 0;
@@ -333,7 +337,7 @@ bool drawing_same_parts(const drawing_look *before, const drawing_look *after, b
       return false;
     }
     what = origin_trouble(before, &before->parts[k], after, b, templates, templates && less);
-    /* where parts may be gone, one gone may look like this one: then another of the same looks is meant */
+    /* with omitted parts, a part of `before` that is missing may equal this one: then try the next equal part */
     for (size_t other = k + 1; what && less && other < before->part_count; other++)
       if (!difference_of(&before->parts[other], b) && !origin_trouble(before, &before->parts[other], after, b, templates, templates && less)) what = NULL, k = other;
     if (what) {
@@ -400,7 +404,7 @@ static verdict verdict_at(const drawing_look *l, size_t at, vs_vec3 p) {
   return v;
 }
 
-static verdict verdict_of(const drawing_look *l, vs_vec3 p) { /* the drawing is the union of what is drawn */
+static verdict verdict_of(const drawing_look *l, vs_vec3 p) { /* the drawing is the union of its top-level entries */
   verdict v = { 0 };
   for (size_t k = 0; k < l->entry_count; k = next_of(l, k)) {
     verdict x = verdict_at(l, k, p);
@@ -417,7 +421,7 @@ static bool verdicts_equal(const verdict *a, const drawing_look *before, const v
   return true;
 }
 
-/* Whatever its parts are, the same set of them: each part holds a point or not, as a coin falls. */
+/* Compares both as sets for any shapes of the parts: a random bit decides whether a part contains a point. */
 bool drawing_same_sets(drawing_look *before, drawing_look *after, uint64_t seed, char *why, size_t room) {
   bool same = true;
   for (size_t i = 0; i < before->part_count; i++) {
@@ -441,7 +445,7 @@ bool drawing_same_at(drawing_look *before, drawing_look *after, vs_vec3 p, bool 
   *inside = a.in;
   *close = false;
   if (verdicts_equal(&a, before, &b, after->match)) return true;
-  for (int i = 0; i < 26; i++) { /* a cube round it */
+  for (int i = 0; i < 26; i++) { /* a cube around it */
     int k = i < 13 ? i : i + 1;
     verdict there = verdict_of(before, vs_v3(p.x + (k % 3 - 1) * step, p.y + (k / 3 % 3 - 1) * step, p.z + (k / 9 - 1) * step));
     if (verdicts_equal(&a, before, &there, NULL)) continue;

@@ -12,10 +12,10 @@ typedef struct {
   vs_store *s;
   uint64_t state;
   uint32_t line;
-  vs_affine frame; /* leaves are written where this puts them, as a program would that computes its points */
-  bool turned;     /* the frame is more than a shift */
-  double nudge;    /* lengths are so much longer: what looks like a copy and is none */
-  bool more;       /* and there is one facet more */
+  vs_affine frame; /* the frame in which leaves are written, with the coordinates that a program would compute */
+  bool turned;     /* the frame is more than a translation */
+  double nudge;    /* added to each length: the part looks like a copy and is none */
+  bool more;       /* the part has one more facet */
 } maker;
 
 static uint32_t any(maker *m, uint32_t n) { /* 0 .. n-1 */
@@ -41,7 +41,7 @@ static void *sure(void *p) {
 }
 static const vs_origin *origin(maker *m) { return sure((void *)(uintptr_t)vs_store_origin(m->s, "random.vs", ++m->line, 1, NULL)); }
 
-/* Takes the kids over. */
+/* Takes the children over. */
 static vs_ref node(maker *m, vs_kind kind, const void *data, const vs_ref *kids, size_t count) {
   static const unsigned char nothing[256];
   vs_ref made = { sure(vs_node_new(m->s, kind, data ? data : nothing, kids, count)), origin(m) };
@@ -52,7 +52,7 @@ static vs_ref over(maker *m, vs_kind kind, const void *data, vs_ref kid) { retur
 static vs_ref again(maker *m, vs_ref r) { return (vs_ref){ vs_node_retain(r.node), origin(m) }; }
 static vs_ref placed(maker *m, vs_affine a, vs_ref kid) { return over(m, VS_TRANSFORM, &(struct vs_transform){ .matrix = a }, kid); }
 static vs_vec3 put(const maker *m, vs_vec3 p) { return vs_affine_point(&m->frame, p); }
-/* For kinds that lie along the axes */
+/* Places a kind that is parallel to the axes */
 static vs_ref framed(maker *m, vs_ref kid) { return m->turned ? placed(m, m->frame, kid) : kid; }
 static vs_vec3 still(const maker *m, vs_vec3 p) { return m->turned ? p : put(m, p); }
 
@@ -78,7 +78,7 @@ static vs_affine any_map(maker *m) {
   }
 }
 
-/* ---- curves and regions, all in or over the XY plane ---- */
+/* ---- curves and regions, all in the XY plane or parallel to it ---- */
 
 static vs_ref line(maker *m, const vs_vec3 *at, size_t count, bool closed) {
   vs_points *points = sure(vs_points_new(m->s, at, count));
@@ -87,7 +87,7 @@ static vs_ref line(maker *m, const vs_vec3 *at, size_t count, bool closed) {
   return made;
 }
 
-static vs_ref polygon(maker *m) { /* a star round a centre: never crosses itself */
+static vs_ref polygon(maker *m) { /* a star around a centre, which never crosses itself */
   vs_vec3 at[7], c = vs_v3(real(m), real(m), 0);
   size_t n = 3 + any(m, 5);
   for (size_t i = 0; i < n; i++) {
@@ -283,7 +283,7 @@ static vs_ref wrapped(maker *m, vs_ref kid) {
 
 static vs_ref half_space(maker *m) { return LEAF(half_space, HALF_SPACE, .point = vector(m), .normal = vs_v3(real(m), real(m), 2.25)); }
 
-static vs_ref solid_set(maker *m, vs_ref *kids, size_t n) { /* takes the kids over */
+static vs_ref solid_set(maker *m, vs_ref *kids, size_t n) { /* takes the children over */
   static const vs_kind sets[] = { VS_UNION, VS_INTERSECTION, VS_DIFFERENCE, VS_UNION };
   vs_kind kind = sets[any(m, 4)];
   if (kind != VS_UNION && n > 1 && any(m, 8) == 0) {
@@ -293,12 +293,12 @@ static vs_ref solid_set(maker *m, vs_ref *kids, size_t n) { /* takes the kids ov
   return node(m, kind, NULL, kids, n);
 }
 
-/* A group of leaves written several times, at computed places. */
+/* Returns a group of leaves written several times, at computed places. */
 static vs_ref copies(maker *m) {
   vs_ref kids[4];
   size_t n = 2 + any(m, 3);
   bool turned = any(m, 2);
-  size_t odd = any(m, 5); /* beyond the parts: none is */
+  size_t odd = any(m, 5); /* above the number of parts: no part is odd */
   uint64_t same = m->state;
   for (size_t i = 0; i < n; i++) {
     vs_ref parts[5];
@@ -324,7 +324,7 @@ static vs_ref copies(maker *m) {
   return node(m, VS_UNION, NULL, kids, n);
 }
 
-/* A tree that nothing else names. */
+/* Returns a tree without shared nodes. */
 static vs_ref fresh(maker *m, int depth) {
   vs_ref kids[3];
   size_t n = 1 + any(m, 3);
@@ -414,7 +414,8 @@ void drawing_print(const drawing *d, FILE *out) {
 
 static bool goes_in(const vs_node *n) { return vs_kind_get((vs_kind)n->kind)->level >= VS_LEVEL_OPERATION && n->kind != VS_HULL; }
 
-/* n with `target` replaced by `with` everywhere, or with its child number `drop` left out where with is NULL. A new reference. */
+/* Returns n with `target` replaced by `with` everywhere. If with is NULL, it drops the target's child number `drop`
+ * instead. Returns a new reference. */
 static vs_node *replaced(const vs_node *n, const vs_node *target, vs_node *with, uint32_t drop) {
   if (n == target && with) return vs_node_retain(with);
   if (!goes_in(n) && n != target) return vs_node_retain((vs_node *)(uintptr_t)n);

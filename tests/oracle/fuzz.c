@@ -1,11 +1,13 @@
-/* Owns the random trees that the kernel is held against: boxes, cylinders, cones, spheres and tori, nested, turned, flush and off the grid.
+/* Owns the random trees for the tests of the kernel: boxes, cylinders, cones, spheres and tori, nested, turned, flush
+ * and off the grid.
  *
- * usage: fuzz [-v] [-s FIRST_SEED] [COUNT]; fuzz -p cell|turned|spelt SEED
- * For two trees a and b of each seed: every result is closed, wound around once, meets itself nowhere (tests/tools/crossings.h: as doubles, as 12 digits, as
- * 32-bit numbers), and is the same for one thread and three; and the volumes agree with
- * |a u b| = |a| + |b| - |a n b|, |a - b| = |a| - |a n b|, a - (a - b) = a n b, a - a = 0, a u a = a, and De Morgan's law inside a box around both. Trees
- * of boxes alone are counted cell by cell as well. Ends with the number of seeds that failed, and says which.
- * -p prints one of these as a program in the language, which stands after bench/kernel/suite.vs. */
+ *   usage: fuzz [-v] [-s FIRST_SEED] [COUNT]; fuzz -p cell|turned|spelt SEED
+ * For two trees a and b of each seed: every result is closed, has winding number one, does not intersect itself
+ * (tests/tools/crossings.h: as doubles, as 12 digits, as 32-bit numbers), and is the same for one thread and three. The
+ * volumes satisfy |a u b| = |a| + |b| - |a n b|, |a - b| = |a| - |a n b|, a - (a - b) = a n b, a - a = 0, a u a = a,
+ * and De Morgan's law inside a box around both. The volumes of trees of boxes alone are also counted cell by cell.
+ * Exits with the number of seeds that failed, and prints them. -p prints one of these as a program in the language, to
+ * be appended to bench/kernel/suite.vs. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -36,8 +38,8 @@ static void say(program *t, const char *format, ...) {
   t->count += n > 0 && (size_t)n < ROOM - t->count ? (size_t)n : 0;
 }
 
-/* The kinds of seed: boxes on cells; the same all turned by one angle; each turned by angles that are equal, but written differently; anything on whole numbers;
- * anything anywhere. */
+/* The kinds of seed: boxes on cells; the same all turned by one angle; each turned by angles that are equal, but
+ * written differently; shapes with integer coordinates; shapes with any coordinates. */
 typedef enum { CELL, TURNED, SPELT, WHOLE, FREE, KINDS } seed_kind;
 
 
@@ -109,8 +111,10 @@ static void add_tree(program *t, seed_kind k, int depth, cells *c) { /* depth at
 }
 
 static bool verbose, failed;
-static uint64_t straightened, told_of; /* bends that went; results without them that are made again */
-static uint64_t results, said; /* how many there were; of them, how many meet themselves in the numbers of a format, with a warning */
+static uint64_t straightened, told_of; /* removed bends; results without bends that were reported to intersect
+                                        * themselves, and are made again */
+static uint64_t results, said; /* the number of results; of these, the results that intersect themselves in the numbers
+                                * of a format, with a warning */
 static void complain(const char *what, const program *t, const char *detail) {
   failed = true;
   printf("  %s: %s\n    %s\n", what, detail, t->at);
@@ -121,7 +125,7 @@ static int edge_order(const void *a, const void *b) {
   return x[0] != y[0] ? (x[0] < y[0] ? -1 : 1) : x[1] < y[1] ? -1 : x[1] > y[1];
 }
 
-static bool manifold(const vs_mesh *m) { /* by index: each directed edge once */
+static bool manifold(const vs_mesh *m) { /* by index: each directed edge occurs once */
   size_t n = 3 * m->triangle_count, twice = 0;
   uint32_t(*edges)[2] = malloc((n + 1) * sizeof *edges);
   if (!edges) return false;
@@ -132,7 +136,9 @@ static bool manifold(const vs_mesh *m) { /* by index: each directed edge once */
   return twice == 0;
 }
 
-/* Without bends what the search tells of is made again with them; with them nothing may meet anything in the numbers of any format, settled for them as writers do; but where the solid itself touches a face with a corner. */
+/* Checks the result for self-intersections. The search must report a result without bends that intersects itself; the
+ * kernel makes it again with bends. A result with bends may not intersect itself in the numbers of any format, after
+ * the rounding that writers use. Exception: the solid itself touches a face with a corner. */
 static void look_at_crossings(const char *what, const program *t, const vs_mesh *whole, bool straight) {
   static const char *const as[] = { "doubles", "12 digits", "32 bits", "32 bits without indices" };
   char detail[300];
@@ -154,7 +160,7 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
         at[i][k] = numbers >= VS_NUMBERS_SINGLE ? (double)(float)x[k] : numbers == VS_NUMBERS_DIGITS ? strtod(text, NULL) : x[k];
       }
     }
-    for (size_t i = 0; fine && at && triangles && i < m->triangle_count; i++) { /* STL leaves out what has become an edge */
+    for (size_t i = 0; fine && at && triangles && i < m->triangle_count; i++) { /* STL omits triangles that rounding made into edges */
       const uint32_t *v = m->triangles[i];
       bool needle = false;
       for (int k = 0; k < 3; k++) needle = needle || memcmp(at[v[k]], at[v[(k + 1) % 3]], sizeof *at) == 0;
@@ -167,7 +173,7 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
     } else if (straight && settled.met) {
       told_of++;
     } else if (numbers != VS_NUMBERS_DOUBLE && crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0) && settled.met) {
-      said++; /* what those numbers cannot hold apart: the writer warns */
+      said++; /* these numbers cannot separate the parts: the writer warns */
     } else if (crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0)) {
       int n = snprintf(detail, sizeof detail, "meets itself as %s (%zu triangles, %zu said):", as[numbers], count, settled.met);
       for (int k = 0; k < CROSSINGS_KINDS; k++)
@@ -180,9 +186,10 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
   }
 }
 
-static bool in_levels; /* the way of crowded clusters */
+static bool in_levels; /* combines level by level, as crowded clusters do */
 
-/* The same without bends: a closed manifold of the same volume that meets itself nowhere, or tells. */
+/* Checks the result without bends: a closed manifold of the same volume that does not intersect itself, or that is
+ * reported to. */
 static void look_straight(const char *what, const program *t, const vs_kernel_problem *problem, const vs_mesh *bent) {
   vs_mesh m = { 0 };
   vs_kernel_error e;
@@ -306,7 +313,8 @@ static void one(uint64_t seed) {
 }
 
 #ifndef FUZZ_AS_A_TEST
-/* A program with cells to count: the first line has its volume and how far from it is right, and the program says so if its own is not. */
+/* Prints the program. A program on cells also prints its volume and the tolerance in the first line, and reports a
+ * wrong volume. */
 static int print(const char *name, uint64_t seed) {
   static const char *const names[] = { [CELL] = "cell", [TURNED] = "turned", [SPELT] = "spelt" };
   static program t; /* a test program may */
@@ -318,7 +326,7 @@ static int print(const char *name, uint64_t seed) {
   do {
     t.count = 0;
     add_tree(&t, (seed_kind)k, 4, &c);
-  } while (count_of(&c) == 0); /* an empty one cannot be written */
+  } while (count_of(&c) == 0); /* an empty result cannot be written */
   double right = k == CELL ? 1e-9 : 1e-6;
   printf("; volume %g within %g\n(define o %s%s%s)\n", count_of(&c), right, k == TURNED ? "(rotate 33 21 17 " : "", t.at, k == TURNED ? ")" : "");
   printf("(unless (<= (abs (- (volume o) %g)) %g) (printf \"volume ~a\\n\" (volume o)))\n(draw o)\n", count_of(&c), right * count_of(&c));

@@ -8,21 +8,23 @@
 
 enum { MODEL_ROOM = 1 << 13 };
 
-/* Writes the expression of seed's model: kinds of the table of kinds, made by the procedure of that name with arguments that its contracts name, placed and combined. Many numbers
- * are ones that a procedure refuses, or that make an object degenerate. */
+/* Writes the expression of seed's model. Its kinds come from the table of kinds, each made by the procedure of that
+ * name with arguments by its contracts, placed and combined. Many numbers are ones that a procedure refuses, or that
+ * make an object degenerate. */
 void model_make(uint64_t seed, char text[MODEL_ROOM]);
-/* Another class: two to four plain solids on whole numbers, flush with each other, of which some are turned by 1e-5 to
- * 1e-7 degrees, or are near copies, combined. */
+/* Another class: two to four plain solids with integer coordinates, flush with each other and combined. Some are turned
+ * by 1e-5 to 1e-7 degrees, or are near copies. */
 void model_make_turned(uint64_t seed, char text[MODEL_ROOM]);
-/* How many kinds of solids and of profiles the table has; the name of each; and the word by which a model that has it is
- * known, NULL where nothing here makes it. */
+/* The number of kinds of solids and profiles in the table; the name of each; and the word that shows that a model
+ * contains it, NULL if models.c makes no such model. */
 size_t model_kinds(void);
 const char *model_kind(size_t i);
 const char *model_kind_word(size_t i, char word[64]);
 
-/* Does it fail? Asked again and again for smaller expressions. */
+/* Returns true if the text fails. The shrinking calls it for shorter and shorter expressions. */
 typedef bool model_fails(void *context, const char *text);
-/* Makes the text shorter as long as it fails: a call becomes one of its arguments, an argument of a set goes, a number becomes a rounder one. */
+/* Shortens the text as long as it fails: replaces a call by one of its arguments, drops an argument of a set, rounds a
+ * number. */
 void model_shrink(char text[MODEL_ROOM], model_fails *fails, void *context);
 
 #endif

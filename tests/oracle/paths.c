@@ -1,13 +1,13 @@
-/* Owns random programs of the samples: see paths.h. tests/cross holds the table of samples to the tables of kinds and
- * of procedures: a new kind, and a new constructor, must have one. Here are those besides which the table of shapes has
- * none: rules, and scripts in other languages. */
+/* Owns random programs of the samples: see paths.h. tests/cross checks that the table of samples covers the tables of
+ * kinds and of procedures, so a new kind or constructor must have a sample. This file adds samples that the table of
+ * shapes lacks: rules, and scripts in other languages. */
 #include "tests/oracle/paths.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The generator's parts are models.c's: whoever includes this has included that. */
+/* The generator comes from models.c, which the including file must include before. */
 
 enum { SAMPLES = 1000 };
 
@@ -16,7 +16,8 @@ static path_row samples[SAMPLES];
 static size_t sample_count;
 static char *definitions;
 
-/* What curves, regions and surfaces are parts of; what a file in another language draws; a facade of two rules. */
+/* Definitions: solids made from curves, regions and surfaces; a drawing by a file in another language; a facade of two
+ * rules. */
 static const char helpers[] =
     "(define (thick o) (if (or (curve? o) (region? o) (surface? o)) (do-thicken o 1/8) o))\n"
     "(define (drawn file) (erase-all) (load file) (let ([all (drawing)]) (erase-all) (unite all)))\n"
@@ -38,7 +39,7 @@ static const path_row others[] = {
 
 /* ---- the table of shapes ---- */
 
-/* Behind blanks and comments. */
+/* Returns the text after blanks and comments. */
 static const char *beyond_blanks(const char *at) {
   for (;;) {
     at += strspn(at, " \t\r\n");
@@ -47,7 +48,7 @@ static const char *beyond_blanks(const char *at) {
   }
 }
 
-/* Behind the datum that begins there; strings, characters and comments may hold parentheses. */
+/* Returns the text after the datum that begins there; strings, characters and comments may hold parentheses. */
 static const char *behind(const char *at) {
   int depth = 0;
   bool quoted;
@@ -81,7 +82,7 @@ static char *copy_of(const char *from, const char *to) {
   return text;
 }
 
-/* In one line: the shrinking of a program knows nothing of comments. */
+/* Joins the text into one line without comments, since the shrinking of a program cannot read comments. */
 static void unwrapped(char *text) {
   char *to = text;
   bool string = false;
@@ -100,7 +101,8 @@ static void unwrapped(char *text) {
 
 static void add_sample(const char *name, const char *object, const char *end) {
   if (sample_count == SAMPLES) abort();
-  if (strncmp(object, "(only ", 6) == 0) return; /* of a drawing that has one, something else is drawn than measured */
+  if (strncmp(object, "(only ", 6) == 0) return; /* in a drawing that contains one, the written part differs from the
+                                                  * measured part */
   const char *name_end = behind(name);
   samples[sample_count].name = copy_of(name + 1, name_end - 1);
   samples[sample_count].object = copy_of(object, end);
@@ -140,14 +142,14 @@ const char *path_sample(size_t i) { return i < sample_count ? samples[i].name : 
 bool path_is_nothing(const char *name) {
   char kind[64];
   snprintf(kind, sizeof kind, "%.*s", (int)strcspn(name, "/"), name);
-  bool endless = strcmp(kind, "xline") == 0 || strcmp(kind, "ray") == 0; /* no bounds, and no mesh */
+  bool endless = strcmp(kind, "xline") == 0 || strcmp(kind, "ray") == 0; /* without bounds, and without a mesh */
   return endless || strcmp(kind, "empty-object") == 0 || (no_model_why(kind) && strchr(name, '/') == NULL);
 }
 const char *path_definitions(void) { return definitions; }
 
 /* ---- programs ---- */
 
-/* Around what is there: $n a number about 1, $a an angle, $v a gvector, $p a point; $o the object. */
+/* Forms around the object $o: $n a number about 1, $a an angle, $v a gvector, $p a point. */
 static const char *const ways[] = {
   "$o",
   "(do-move $o $v)",
@@ -173,7 +175,7 @@ static const char *const ways[] = {
   "(layer \"walls\" (do-move (color \"red\" $o) $v))",
   "(do-slice (do-move $o $v) (make-plane (xyz 1 0 0) (vxyz 1 2 3)))",
 };
-/* $b another solid. */
+/* Forms of sets: $b is another solid. */
 static const char *const set_forms[] = {
   "$o",
   "(unite $o $b)",
@@ -216,7 +218,7 @@ static void wrap(maker *m, const char *form, const char *other) {
   around(m, form, was, other);
 }
 
-/* A box, or now and then another sample. */
+/* Writes a box, or sometimes another sample. */
 static void other_solid(maker *m) {
   if (any(m, 3)) {
     double x = between(m, -3, 2), y = between(m, -3, 2), z = between(m, -3, 2);
@@ -236,7 +238,7 @@ void path_make(uint64_t seed, char text[MODEL_ROOM], size_t *which, size_t *way,
   other[0] = 0;
   other_solid(&m);
   m.text = text, m.count = 0;
-  /* each sample in turn, and the ways and sets so that each meets each */
+  /* each sample in turn, and the ways and sets so that all combinations occur */
   *which = seed % sample_count;
   *way = (seed + seed / sample_count) % path_ways();
   *set = any(&m, (uint32_t)path_sets());

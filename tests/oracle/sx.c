@@ -150,7 +150,7 @@ static void apply(const frame *f, vs_affine *at) {
   }
 }
 
-/* A pass with a stack of open forms; `use` pushes where to come back to. */
+/* Parses in one pass with a stack of open forms; `use` pushes the position to which it returns. */
 static bool parse(reader *r, const char *text, uint32_t *root) {
   frame *stack = NULL;
   size_t room = 0, depth = 0;

@@ -13,7 +13,7 @@ typedef struct {
   size_t leaf_room, term_room, operand_room, mesh_count, mesh_room;
 } sx_problem;
 
-bool sx_parse(const char *text, sx_problem *out); /* false: says why on stderr */
+bool sx_parse(const char *text, sx_problem *out); /* false: it has printed the reason to stderr */
 void sx_free(sx_problem *p);
 bool sx_write_stl(const vs_mesh *m, const char *path);
 

@@ -1,9 +1,12 @@
-/* Owns holding every procedure of the geometry to its contracts: `badcalls TABLE` makes, from the table of procedures itself, a call with one bad
- * argument for each parameter of each form in each way that its contract can be broken, evaluates them all in one interpreter, and expects an error
- * at the call's line and column that begins with the procedure's name and names the parameter and the value. Before that the same call with a
- * good argument has to succeed, or the bad one would prove nothing. Then the lines of TABLE (tests/bad/calls.txt) are held to what they say.
+/* Owns the test that every procedure of the geometry keeps its contracts: `badcalls TABLE`. From the table of
+ * procedures it makes a call with a single bad argument, for each parameter of each form and for each way to break the
+ * parameter's contract. It evaluates all calls in one interpreter. Each must fail at the call's line and column, with a
+ * message that begins with the procedure's name and names the parameter and the value. Before, the same call with a
+ * good argument must succeed; otherwise the bad call would prove nothing. Then it checks the lines of TABLE
+ * (tests/bad/calls.txt).
  *
- * A contract's good and bad arguments stand below; what only one procedure wants stands in `special`. Words of tests/run.sh. */
+ * The good and bad arguments of each contract are listed below; `special` lists those of single procedures. The output
+ * has the words that tests/run.sh reads. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,11 +20,12 @@ enum { BAD_MOST = 24, TEXT_MOST = 8000 };
 /* ---- arguments ---- */
 
 typedef struct {
-  const char *good[4];      /* of the first, second ... argument of this contract in a call; the last serves on */
+  const char *good[4];      /* for the first, second ... argument of this contract in a call; the last entry serves all
+                             * later ones */
   const char *bad[BAD_MOST];
 } samples;
 
-/* Bad for nearly all. */
+/* Bad for nearly all contracts. */
 #define NO_NUMBER "\"wide\"", "'wide", "'()", "(list 1 2)", "car", "(if #f #f)", "(xyz 1 2 3)"
 #define NOT_FINITE "+nan.0", "+inf.0", "-inf.0"
 #define NO_OBJECT "5", "\"box\"", "'box", "(xyz 1 2 3)", "(if #f #f)", "car"
@@ -70,7 +74,8 @@ static const samples contracts[] = {
   [VS_C_NUMERIC] = { { "1", "2" }, { "\"a\"", "'a", "'()", "#f", "ball" } },
 };
 
-/* Good arguments that one procedure wants: "procedure", "parameter". NULL: the parameter is left to tests/bad/calls.txt. */
+/* Good arguments of a single procedure: "procedure", "parameter". NULL: only tests/bad/calls.txt tests the
+ * parameter. */
 static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "make-material", "pattern", "'bricks" }, { "make-material", "image", NULL }, { "lamp", "p", "origin #:lumens 800" }, { "lamp", "ies", NULL }, { "lamp", "lumens", NULL },
   { "lamp", "to", NULL }, { "lamp", "turn", NULL }, { "lamp", "dim", NULL }, { "lamp", "color", NULL }, { "make-matrix", "m00", "1" }, { "make-matrix", "m11", "1" }, { "make-matrix", "m22", "1" }, { "make-matrix", "m33", "1" },
@@ -100,7 +105,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "sun", "azimuth", NULL }, { "sun", "altitude", NULL }, { "sun", "latitude", NULL }, { "sun", "longitude", NULL }, { "sun", "date", NULL }, { "sun", "time", NULL },
 };
 
-/* Arguments that are bad for one form and right for another. */
+/* Arguments that are bad for one form and good for another. */
 static const struct { const char *procedure, *bad; } right[] = { { "make-cylinder", "5" }, { "make-cylinder", "(xyz 1 2 3)" } };
 
 static bool is_right(const char *procedure, const char *bad) {
@@ -124,7 +129,7 @@ static const char *first_definitions =
 
 typedef struct {
   char error[TEXT_MOST], warning[TEXT_MOST];
-  vs_span at; /* of the error */
+  vs_span at; /* the place of the error */
 } said;
 
 static void hear(void *context, const vs_diagnostic *d) {
@@ -154,7 +159,8 @@ static void fresh(void) {
   }
 }
 
-/* Definitions stay, drawn objects go. A line of its own for each, so that warnings that are said once a place are said. */
+/* Evaluates the text. Definitions remain, drawn objects are erased. Each text has a separate line, so that warnings
+ * which appear once per place all appear. */
 static vs_outcome evaluate(const char *text) {
   heard = (said){ .at = { NULL, 0, 0, 0, 0 } };
   vs_drawing_clear(scheme);
@@ -187,7 +193,8 @@ static void append(char *text, const char *more) {
   snprintf(text + used, TEXT_MOST - used, "%s", more);
 }
 
-/* The call (name argument ... #:key argument), with `bad` for positional parameter `at`, or for keyword `key`. */
+/* Writes the call (name argument ... #:key argument), with `bad` for positional parameter `at`, or for keyword
+ * `key`. */
 static void make_call(char *text, const char *name, const vs_procedure *p, const vs_form *form, int at, int key, const char *bad) {
   int met[sizeof contracts / sizeof *contracts] = { 0 };
   *text = 0;
@@ -203,7 +210,7 @@ static void make_call(char *text, const char *name, const vs_procedure *p, const
       good = all[n];
     }
     met[q->contract]++;
-    if (q->mode == VS_ARG_OPTIONAL && i > at) break; /* optional ones only up to the one that is meant */
+    if (q->mode == VS_ARG_OPTIONAL && i > at) break; /* optional parameters only up to the tested one */
     append(text, " ");
     append(text, i == at && bad ? bad : good);
   }
@@ -219,7 +226,8 @@ static void make_call(char *text, const char *name, const vs_procedure *p, const
   append(text, ")");
 }
 
-/* The parameter's name, or what stands in its place in another form that takes as many: which form was meant cannot be known. */
+/* Returns true if the message names the parameter, or the parameter at the same position in another form with as many
+ * arguments: vs cannot know the intended form. */
 static bool names_parameter(const vs_procedure *p, const vs_bind_param *meant, int at) {
   if (strstr(heard.error, meant->name)) return true;
   for (int f = 0; at >= 0 && f < VS_MAX_FORMS && p->form[f].used; f++)
@@ -228,7 +236,7 @@ static bool names_parameter(const vs_procedure *p, const vs_bind_param *meant, i
   return strstr(heard.error, ": takes (") != NULL && p->form[1].used;
 }
 
-/* The written value of an expression, from the message of an error made of it. */
+/* Returns the written value of an expression, from the message of an error that contains it. */
 static const char *written_as(const char *expression) {
   static char text[2 * TEXT_MOST];
   snprintf(text, sizeof text, "(error (call-with-output-string (lambda (p) (write %s p))))", expression);
@@ -237,7 +245,8 @@ static const char *written_as(const char *expression) {
   return text;
 }
 
-/* "..., got VALUE", where a long value may end in dots; of a list also the element at fault. A missing value is said to be missing. */
+/* Returns true if the message ends in "..., got VALUE". A long value may end in dots; for a list, the message may name
+ * the bad element. For a missing value the message says that it is missing. */
 static bool names_value(const char *value, const char *error) {
   const char *got = strstr(error, "got ");
   if (!got) return strcmp(value, "#<void>") == 0 && strstr(error, "gave no value");
@@ -296,7 +305,7 @@ static void try_line(char *text) {
   char *says = NULL, *next = text;
   static char wrapped[2 * TEXT_MOST + 200];
   while ((next = strstr(next, " ; ")) != NULL) says = next, next += 3;
-  if (!says) { /* show what comes, for who writes the table */
+  if (!says) { /* print the result for the author of the table */
     text[strcspn(text, "\n")] = 0;
     vs_outcome outcome = evaluate(text);
     if (outcome != VS_OUTCOME_DONE) printf("%s ; error: %s\n", text, heard.error);

@@ -1,8 +1,9 @@
-/* Owns the judgement whether written meshes meet themselves (written_mesh.h has the formats).
+/* Owns the check whether written meshes intersect themselves (written_mesh.h has the formats).
  *
- * `crossings [-q] FILE...` prints a line a mesh: how many triangles, what they enclose, and how many faults of each
- * kind there are (crossings.h), with the first of each; -q: only of meshes with faults. Also whether each edge, by
- * place, is walked as often one way as the other. Ends with 1 when there are faults, 2 when a file cannot be read. */
+ * `crossings [-q] FILE...` prints a line for each mesh: its number of triangles, its volume, and the number of faults
+ * of each kind (crossings.h) with the first fault of each. It also checks that each edge, compared by coordinates,
+ * occurs equally often in both directions. With -q it prints only meshes with faults. Exits with 1 if there are faults,
+ * with 2 if it cannot read a file. */
 #include "written_mesh.h"
 
 static int judge(const char *path, size_t which, bool quiet, bool *more) {

@@ -1,9 +1,10 @@
-/* Owns the exact search for places where a mesh meets itself, knowing nothing of the program that made it.
+/* Owns the exact search for self-intersections of a mesh, independent of the program that made it.
  *
- * Two triangles may share what they share by place: nothing, a corner, or an edge. Whatever else they have in common is a fault: they cross; or
- * lie in one plane and overlap, beside a shared edge (folded), with all three corners (doubled) or otherwise (coplanar); or touch, a corner in a face or an edge on
- * an edge. A triangle without area is a fault by itself (flat). Coordinates are taken as the doubles they are; signs are tried in double, where the error
- * is known to be smaller than the result, and else worked out in whole numbers of a common power of two (GMP). */
+ * Two triangles may share nothing, a corner, or an edge, compared by coordinates. Any other common point is a fault.
+ * They cross; or lie in one plane and overlap: beside a shared edge (folded), with all three corners in common
+ * (doubled) or otherwise (coplanar); or touch: a corner in a face, or an edge on an edge. A triangle without area is a
+ * fault too (flat). Coordinates are exact doubles. A sign is computed in double if the error is known to be smaller
+ * than the result, otherwise in integers with a common power of two as factor (GMP). */
 #ifndef TESTS_TOOLS_CROSSINGS_H
 #define TESTS_TOOLS_CROSSINGS_H
 
@@ -23,19 +24,19 @@ static const char *const crossings_names[CROSSINGS_KINDS] = { "flat", "doubled",
 
 typedef struct {
   size_t count[CROSSINGS_KINDS];
-  uint32_t first[CROSSINGS_KINDS][2]; /* the triangles of the first of each kind */
+  uint32_t first[CROSSINGS_KINDS][2]; /* the triangles of the first fault of each kind */
 } crossings_found;
 
 typedef struct {
-  const crossings_point *at;    /* by place: equal corners are one number */
+  const crossings_point *at;    /* by coordinates: equal corners have one number */
   crossings_triangle *triangles;
-  uint8_t *axis;                /* of a triangle: seen along which it has area; 3: none */
+  uint8_t *axis;                /* for each triangle, the axis along which it is seen with area; 3: none */
   mpz_t x[12], t[8];
 } crossings;
 
 /* ---- signs ---- */
 
-static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, int count) { /* all by one power of two */
+static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, int count) { /* scales all numbers by one power of two */
   int least = INT32_MAX, exponent;
   for (int i = 0; i < count; i++)
     if (from[i] != 0) {
@@ -50,7 +51,7 @@ static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, 
   (void)c;
 }
 
-/* which side of a b c, counter-clockwise from above, d lies on: 1 above */
+/* Returns the side of d with respect to the plane a b c, which is counter-clockwise from above: 1 above. */
 static inline int crossings_side(crossings *c, uint32_t ia, uint32_t ib, uint32_t ic, uint32_t id) {
   const double *p[4] = { c->at[ia], c->at[ib], c->at[ic], c->at[id] };
   double e[3][3], det = 0, size = 0;
@@ -63,7 +64,7 @@ static inline int crossings_side(crossings *c, uint32_t ia, uint32_t ib, uint32_
     size += (fabs(m) + fabs(n)) * fabs(e[2][k]);
   }
   if (fabs(det) > 1e-14 * size && size > 1e-250) return det > 0 ? 1 : -1; /* Shewchuk's bound is 7.8e-16 of size */
-  if (size == 0) { /* every product has a factor that is nothing, unless one was too small for a double */
+  if (size == 0) { /* every product has a factor 0, unless one was too small for a double */
     bool small = false;
     for (int i = 0; i < 9; i++) small = small || (e[i / 3][i % 3] != 0 && fabs(e[i / 3][i % 3]) < 1e-100);
     if (!small) return 0;
@@ -82,7 +83,7 @@ static inline int crossings_side(crossings *c, uint32_t ia, uint32_t ib, uint32_
   return mpz_sgn(c->t[0]);
 }
 
-/* the turn a b c seen along an axis */
+/* Returns the orientation of a b c, seen along an axis. */
 static inline int crossings_turn(crossings *c, int axis, uint32_t ia, uint32_t ib, uint32_t ic) {
   int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const double *p[3] = { c->at[ia], c->at[ib], c->at[ic] };
@@ -98,7 +99,7 @@ static inline int crossings_turn(crossings *c, int axis, uint32_t ia, uint32_t i
 
 /* ---- a pair ---- */
 
-static inline bool crossings_holds(crossings *c, uint32_t t, uint32_t p) { /* p in the triangle's plane */
+static inline bool crossings_holds(crossings *c, uint32_t t, uint32_t p) { /* p lies in the triangle's plane */
   const uint32_t *v = c->triangles[t];
   int axis = c->axis[t], way = crossings_turn(c, axis, v[0], v[1], v[2]);
   for (int i = 0; i < 3; i++)
@@ -106,14 +107,15 @@ static inline bool crossings_holds(crossings *c, uint32_t t, uint32_t p) { /* p 
   return true;
 }
 
-/* The same of a segment in the triangle's plane: one place is a touch, a piece of the segment more. */
+/* The intersection of a segment in the triangle's plane with the triangle: a single point is a touch, a piece of the
+ * segment is more. */
 static inline crossings_kind crossings_in_plane(crossings *c, uint32_t t, uint32_t p, uint32_t q) {
   const uint32_t *v = c->triangles[t];
   int axis = c->axis[t], way = crossings_turn(c, axis, v[0], v[1], v[2]), left = 0, right = 0;
   for (int end = 0; end < 2; end++) {
     uint32_t from = end ? q : p, to = end ? p : q;
     if (!crossings_holds(c, t, from)) continue;
-    for (int i = 0; i < 3; i++) /* does it leave at once? */
+    for (int i = 0; i < 3; i++) /* it begins on this side, and leaves the triangle at once */
       if (crossings_turn(c, axis, v[i], v[(i + 1) % 3], from) == 0 &&
           crossings_turn(c, axis, v[i], v[(i + 1) % 3], to) == -way)
         return CROSSINGS_TOUCHING;
@@ -134,8 +136,8 @@ static inline crossings_kind crossings_in_plane(crossings *c, uint32_t t, uint32
   return CROSSINGS_NONE;
 }
 
-/* The intersection of the closed segment and the closed triangle: nothing, a place in both their insides, or less (or a piece of one plane).
- * sp, sq: sides of the segment's ends. */
+/* The intersection of the closed segment and the closed triangle: empty, an inner point of both, or a touch (or a piece
+ * of a common plane). sp, sq: sides of the segment's ends. */
 static inline crossings_kind crossings_segment(crossings *c, uint32_t t, uint32_t p, uint32_t q, int sp, int sq) {
   const uint32_t *v = c->triangles[t];
   if (sp * sq > 0) return CROSSINGS_NONE;
@@ -158,13 +160,13 @@ static inline crossings_kind crossings_worse(crossings_kind a, crossings_kind b)
 
 static inline crossings_kind crossings_pair(crossings *c, uint32_t a, uint32_t b) {
   const uint32_t *v = c->triangles[a], *w = c->triangles[b];
-  if (c->axis[a] == 3 || c->axis[b] == 3) return CROSSINGS_NONE; /* counted by themselves */
-  int in_v[3], in_w[3], shared = 0; /* places of the corners in common */
+  if (c->axis[a] == 3 || c->axis[b] == 3) return CROSSINGS_NONE; /* they are counted as flat */
+  int in_v[3], in_w[3], shared = 0; /* positions of the common corners */
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)
       if (v[i] == w[j]) in_v[shared] = i, in_w[shared++] = j;
   if (shared == 3) return CROSSINGS_DOUBLED;
-  int above_v[3] = { 0 }, above_w[3] = { 0 }; /* sides of w's corners as seen from v, and the other way */
+  int above_v[3] = { 0 }, above_w[3] = { 0 }; /* sides of w's corners as seen from v, and of v's as seen from w */
   for (int j = 0; j < 3; j++)
     if ((shared < 1 || j != in_w[0]) && (shared < 2 || j != in_w[1])) above_v[j] = crossings_side(c, v[0], v[1], v[2], w[j]);
   if (shared == 2) {
@@ -175,7 +177,7 @@ static inline crossings_kind crossings_pair(crossings *c, uint32_t a, uint32_t b
   if (shared == 0 && above_v[0] && above_v[0] == above_v[1] && above_v[0] == above_v[2]) return CROSSINGS_NONE;
   for (int i = 0; i < 3; i++)
     if (shared < 1 || i != in_v[0]) above_w[i] = crossings_side(c, w[0], w[1], w[2], v[i]);
-  if (shared == 1) { /* what they have in common reaches from the corner to the far edge of one of the two */
+  if (shared == 1) { /* the common part reaches from the corner to the far edge of one of the two */
     int i = (in_v[0] + 1) % 3, j = (in_v[0] + 2) % 3, k = (in_w[0] + 1) % 3, l = (in_w[0] + 2) % 3;
     return crossings_worse(crossings_segment(c, b, v[i], v[j], above_w[i], above_w[j]), crossings_segment(c, a, w[k], w[l], above_v[k], above_v[l]));
   }
@@ -202,7 +204,7 @@ static inline double crossings_middle(const crossings *c, uint32_t t, int axis) 
   return least + (most - least) / 2;
 }
 
-static inline void crossings_halve(const crossings *c, uint32_t *at, size_t count, size_t half, int axis) { /* the half smallest first */
+static inline void crossings_halve(const crossings *c, uint32_t *at, size_t count, size_t half, int axis) { /* quickselect: the half with the smallest centres first */
   size_t low = 0, high = count - 1;
   while (low < high) {
     double pivot = crossings_middle(c, at[low + (high - low) / 2], axis);
@@ -242,7 +244,7 @@ static inline uint32_t crossings_tree(const crossings *c, crossings_node *nodes,
     for (int k = 1; k < 3; k++)
       if (o->max[k] - o->min[k] > o->max[axis] - o->min[axis]) axis = k;
     crossings_halve(c, order + first, n, n / 2, axis);
-    stack[depth].first = first + n / 2, stack[depth].count = n - n / 2, stack[depth++].parent = me; /* later: the right one */
+    stack[depth].first = first + n / 2, stack[depth].count = n - n / 2, stack[depth++].parent = me; /* the right child, for later */
     stack[depth].first = first, stack[depth].count = n / 2, stack[depth++].parent = me;
   }
   return used;
@@ -304,7 +306,7 @@ static inline int crossings_order(const void *a, const void *b) {
   return x->number < y->number ? -1 : x->number > y->number;
 }
 
-/* False: out of memory. */
+/* Finds all faults. Returns false when memory is out. */
 static inline bool crossings_find(const crossings_point *points, size_t point_count, const crossings_triangle *triangles, size_t count, crossings_found *out) {
   *out = (crossings_found){ .count = { 0 } };
   if (count == 0) return true;

@@ -1,5 +1,6 @@
-/* Owns the comparison of a part of a picture with the whole, PNG or EXR: `cutdiff WHOLE PART X Y` prints how many pixels of the part have another
- * luminance than the pixel X and Y further on in the whole, the largest difference and its place in the part. Ends with 0 where none has. */
+/* Owns the comparison of a part of a picture with the whole, PNG or EXR: `cutdiff WHOLE PART X Y` compares each pixel
+ * of PART with the pixel of WHOLE at an offset of X and Y. Prints the number of pixels that differ in luminance, the
+ * largest difference and its position in the part. Exits with 0 if none differs. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,6 @@
-/* Owns the comparison of two EXR pictures as numbers: `exrdiff A.exr B.exr` prints how many pixels there are, how many differ in luminance by more than a
- * hundredth, the mean of all differences, and the largest with its place. Ends with 0 when both can be read and are of one size. */
+/* Owns the comparison of two EXR pictures as numbers: `exrdiff A.exr B.exr` prints the number of pixels, the number of
+ * pixels that differ in luminance by more than a hundredth, the mean of all differences, and the largest with its
+ * position. Exits with 0 if it can read both and they have the same size. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,7 @@
-/* Owns the measure of how even a plain wall is in a picture: `flatness FILE X Y WIDTH HEIGHT` prints `RMS WORST MEAN` of the grey
- * levels (0 to 255) in that part: how far they lie from the smooth shading that is nearest to them, as a root mean square
- * and as what one pixel of a hundred exceeds, and their mean. Smooth shading is a polynomial of the third degree in x and y. */
+/* Owns the measure of the evenness of a plain wall in a picture: `flatness FILE X Y WIDTH HEIGHT` prints `RMS WORST
+ * MEAN` of that part. It fits smooth shading, a polynomial of degree 3 in x and y, to the grey levels (0 to 255). RMS
+ * is the root mean square of the distances from it, WORST the distance that 1 % of the pixels exceed, MEAN the mean
+ * grey level. */
 #include <math.h>
 #include <png.h>
 #include <stdio.h>
@@ -9,12 +10,13 @@
 enum { TERMS = 10, LEVELS = 256 };
 
 static void terms_at(double x, double y, double t[TERMS]) {
-  double px = (3 * x * x - 1) / 2, py = (3 * y * y - 1) / 2; /* Legendre's, so that the equations are well conditioned */
+  double px = (3 * x * x - 1) / 2, py = (3 * y * y - 1) / 2; /* Legendre polynomials, which keep the equations well
+                                                              * conditioned */
   const double all[TERMS] = { 1, x, y, px, x * y, py, (5 * x * x * x - 3 * x) / 2, px * y, x * py, (5 * y * y * y - 3 * y) / 2 };
   for (int i = 0; i < TERMS; i++) t[i] = all[i];
 }
 
-/* Gauss and Jordan; the matrix is positive definite where there are pixels enough. */
+/* Solves the equations by Gauss-Jordan elimination. The matrix is positive definite if there are enough pixels. */
 static void solve(double a[TERMS][TERMS + 1]) {
   for (int k = 0; k < TERMS; k++)
     for (int i = 0; i < TERMS; i++) {

@@ -1,6 +1,8 @@
-/* gaps: runs a program, writes its drawing to nowhere in each of the formats, and prints for each how long it went on at most between two looks at whether it is
- * to stop: in processor time of all threads, so that a busy machine does no harm. usage: gaps [-v] FILE FORMAT...
- * -v: also where it was meanwhile, a line of addresses for each hundredth of a second, for addr2line -f -e gaps (link it with -no-pie). */
+/* Owns the measure of the time between polls: `gaps [-v] FILE FORMAT...` runs a program and writes its drawing in each
+ * of the formats, discarding the bytes. For each format it prints the longest time between two polls for an interrupt,
+ * in processor time of all threads, so that other load on the machine does not count. With -v it also prints the
+ * program's call stacks in that time, a line of addresses for each hundredth of a second, for addr2line -f -e gaps
+ * (link it with -no-pie). */
 #define _GNU_SOURCE
 #include "visualscheme.h"
 
@@ -12,10 +14,11 @@
 #include <sys/time.h>
 #include <time.h>
 
-enum { DEEP = 12, SAMPLES = 200 }; /* one each hundredth of a second */
+enum { DEEP = 12, SAMPLES = 200 }; /* a sample each hundredth of a second */
 static struct {
   double last, longest;
-  void *frames[SAMPLES][DEEP], *longest_frames[SAMPLES][DEEP]; /* as the gap went on; of the longest */
+  void *frames[SAMPLES][DEEP], *longest_frames[SAMPLES][DEEP]; /* the samples of the current gap; those of the
+                                                                * longest */
   int count, longest_count;
 } seen;
 
@@ -54,7 +57,7 @@ static bool drop(void *context, const void *bytes, size_t count) { return (void)
 static void print(const char *what, bool where) {
   printf("%.0f ms %s\n", 1e3 * seen.longest, what);
   for (int i = 0; where && i < seen.longest_count; i++) {
-    for (int j = 2; j < DEEP && seen.longest_frames[i][j]; j++) printf(" %p", seen.longest_frames[i][j]); /* the first two are the signal's */
+    for (int j = 2; j < DEEP && seen.longest_frames[i][j]; j++) printf(" %p", seen.longest_frames[i][j]); /* the first two frames belong to the signal handler */
     printf("\n");
   }
   seen.longest = 0;
@@ -70,7 +73,7 @@ int main(int argc, char **argv) {
   vs_scheme *s = vs_new(&options);
   if (!s) return EXIT_FAILURE;
   void *warm[1];
-  backtrace(warm, 1); /* loads what it needs now, not in the signal */
+  backtrace(warm, 1); /* loads the library that backtrace needs now, not within the signal handler */
   if (where) {
     signal(SIGPROF, tick);
     setitimer(ITIMER_PROF, &(struct itimerval){ { 0, 10000 }, { 0, 10000 } }, NULL);

@@ -1,4 +1,5 @@
-/* Owns reading what `tests/cross/sheet.vs -D task=table` prints: the lattice of a sheet, and what each cell of it must hold. */
+/* Owns reading the output of `tests/cross/sheet.vs -D task=table`: the lattice of a sheet, and the expected figures of
+ * each cell. */
 #ifndef TESTS_TOOLS_LATTICE_H
 #define TESTS_TOOLS_LATTICE_H
 
@@ -10,13 +11,14 @@ typedef struct {
   long index;            /* column + row * columns */
   char name[120], class[16]; /* class: solid, region, surface, curve or mixed */
   double volume, area;   /* NAN: not known */
-  vec least, most;       /* its bounding box, as the program answers */
-  double within, loose;  /* how far, relatively, the volume may be off; how far, as a part of the diagonal, a side of the box may be missed */
+  vec least, most;       /* the bounding box that the program returns */
+  double within, loose;  /* relative tolerance of the volume; tolerance of a side of the box, as a fraction of the
+                          * diagonal */
 } cell;
 
 typedef struct {
   int columns;
-  vec across, upwards; /* from a cell to the next in its row; from a row to the next */
+  vec across, upwards; /* the vectors from a cell to the next in its row, and from a row to the next */
   cell *cells;
   size_t count;
 } lattice;
@@ -42,7 +44,7 @@ static inline bool lattice_read(const char *path, lattice *out) {
   return good && out->count > 0;
 }
 
-/* The number of the cell that a place belongs to, or -1: outside. Cells are centred on the lattice's points. */
+/* Returns the number of the cell that contains a point, or -1: outside. Cells are centred on the lattice's points. */
 static inline long lattice_cell(const lattice *l, vec p) {
   double column = floor(vec_dot(p, l->across) / vec_dot(l->across, l->across) + 0.5), row = floor(vec_dot(p, l->upwards) / vec_dot(l->upwards, l->upwards) + 0.5);
   return column < 0 || column >= l->columns || row < 0 || row > 1e6 ? -1 : (long)column + (long)row * l->columns;

@@ -1,5 +1,5 @@
-/* names: every name that a program sees when it begins, one a line, as the prompt's completion knows them. The test of the manual's
- * reference compares them with what the manual describes. */
+/* Owns the list of the names that a program can use when it begins, one a line, as the prompt completes them. The test
+ * of the manual's reference compares them with the names that the manual describes. */
 #include "visualscheme.h"
 
 #include <stdio.h>

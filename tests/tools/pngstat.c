@@ -1,14 +1,16 @@
-/* Owns what tests ask of pictures: `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK STEP CLIPPED`: how many different colours it has (of 15 bits); how
- * many of 1000 pixels differ plainly from their left neighbour: flat or smooth pictures have no edges, models do; how many pixels are dark, a pixel
- * that is partly covered counted in part; and by how many of 255 a row differs at most from the one above, on average over the row: a line across the
- * whole picture is such a step; and how many of 1000 pixels are cut off, red, green or blue being 255. `pngstat FILE OTHER` prints how many of 1000 pixels differ plainly between the two. */
+/* Owns the figures of pictures for the tests. `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK STEP CLIPPED`.
+ * COLOURS: the number of different colours, of 15 bits. EDGES: the number of pixels in 1000 that clearly differ from
+ * their left neighbour; flat or smooth pictures have none, models have some. INK: the number of dark pixels; a partly
+ * covered pixel counts in part. STEP: the largest difference, of 255, between a row and the row above, as a mean over
+ * the row; a line across the whole picture is such a step. CLIPPED: the number of pixels in 1000 of which red, green or
+ * blue is 255. `pngstat FILE OTHER` prints the number of pixels in 1000 that clearly differ between the two. */
 #include <math.h>
 #include <png.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The pixels, three bytes each; NULL: it has been said why. */
+/* Returns the pixels, three bytes each; NULL: it has printed the reason. */
 static unsigned char *load(const char *file, png_image *image) {
   *image = (png_image){.version = PNG_IMAGE_VERSION};
   unsigned char *pixels = NULL;
@@ -50,7 +52,8 @@ int main(int argc, char **argv) {
     clipped += p[0] == 255 || p[1] == 255 || p[2] == 255;
     int lightest = p[0] > p[1] ? p[0] : p[1];
     if (p[2] > lightest) lightest = p[2];
-    ink += lightest > 190 ? 0 : 1 - pow(lightest / 190., 2.2); /* as much of the pixel as is covered by black, in linear light */
+    ink += lightest > 190 ? 0 : 1 - pow(lightest / 190., 2.2); /* the part of the pixel that black covers, in linear
+                                                                * light */
     if (beside) edges += (size_t)apart(p, beside + 3 * i);
     else if (i % image.width) edges += (size_t)apart(p, p - 3);
   }

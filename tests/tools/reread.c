@@ -1,5 +1,5 @@
-/* Owns the way there and back of a tree dump: `reread FILE.tree` reads the drawing that it holds and writes it again; ends with 0 when that is
- * the same text, so the same tree. */
+/* Owns the round trip of a tree dump: `reread FILE.tree` reads the drawing and writes it again. Exits with 0 if both
+ * texts are equal, which means that the trees are equal. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

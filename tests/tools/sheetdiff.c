@@ -1,12 +1,14 @@
-/* Owns comparing two meshes of one shape: `sheetdiff A.stl B.stl LIMIT` prints `volumes V W, apart D` and ends with 0 when the volumes differ by less
- * than 0.2 % and no place of either surface is further than LIMIT from the other: their Hausdorff distance.
+/* Owns the comparison of two meshes of one shape: `sheetdiff A.stl B.stl LIMIT` prints `volumes V W, apart D`. Exits
+ * with 0 if the volumes differ by less than 0.2 % and the Hausdorff distance of the surfaces is at most LIMIT.
  *
- * The distance from one triangle is a convex function of the place, so a triangle whose corners are within LIMIT of one triangle of the other mesh is so as a
- * whole. Where there is no such one it is cut in four; what is smaller than an eighth of LIMIT is judged by its corners. D is the furthest corner, edge's
- * middle or centroid. */
+ * The distance from a triangle is a convex function of the point. Therefore a triangle whose corners are within LIMIT
+ * of one triangle of the other mesh is within LIMIT as a whole. If there is no such triangle, the tool splits it into
+ * four; it judges a triangle smaller than an eighth of LIMIT by its corners. D is the largest distance of a corner, an
+ * edge's midpoint or a centroid. */
 #include "stl.h"
 
-/* Squared distance of p from a triangle: the nearest point by its regions (Ericson, Real-Time Collision Detection, 5.1.5). */
+/* Returns the squared distance of p from a triangle: the nearest point by its regions (Ericson, Real-Time Collision
+ * Detection, 5.1.5). */
 static double distance2(vec p, vec a, vec b, vec c) {
   vec ab = vec_sub(b, a), ac = vec_sub(c, a), ap = vec_sub(p, a), near;
   double d1 = vec_dot(ab, ap), d2 = vec_dot(ac, ap);
@@ -26,7 +28,7 @@ static double distance2(vec p, vec a, vec b, vec c) {
 
 typedef struct { vec middle; double radius; } ball;
 
-/* The furthest that a sample of `from` is from `to`. */
+/* Returns the largest distance of a sample of `from` from `to`. */
 static double furthest(const stl *from, const stl *to, const ball *balls) {
   double worst = 0;
   for (size_t i = 0; i < from->count; i++) {
@@ -61,7 +63,8 @@ static bool corner_near(const judge *j, vec p, size_t number) {
   return distance2(p, vec_of(v[0]), vec_of(v[1]), vec_of(v[2])) <= j->limit * j->limit;
 }
 
-/* Is all of t within the limit of the triangles listed? Depth: until t is small, some fifteen levels. */
+/* Returns true if all of t is within the limit of the listed triangles. Recursion ends when t is small, after some
+ * fifteen levels. */
 static bool near_all(const judge *j, const vec *t, const uint32_t *listed, size_t count) {
   ball b = ball_of(t);
   uint32_t *left = malloc((count + 1) * sizeof *left);

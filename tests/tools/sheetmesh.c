@@ -1,7 +1,9 @@
-/* Owns holding the mesh of a sheet of shapes to its table: `sheetmesh TABLE FILE.stl` judges each cell, in the words of tests/run.sh.
+/* Owns the comparison of the mesh of a sheet of shapes with its table: `sheetmesh TABLE FILE.stl` judges each cell, in
+ * the words that tests/run.sh reads.
  *
- * A cell's mesh is closed and oriented, encloses the closed form's volume as nearly as the table says and has its area within 1 %, and fills the bounding box that
- * the program answers: it leaves the box by no more than facets leave what is round, and comes as near to each side. */
+ * A cell's mesh must be closed and oriented. Its volume must equal the closed form within the table's tolerance, its
+ * area within 1 %. It must fill the bounding box that the program returns: it exceeds no side by more than facets
+ * differ from round shapes, and comes as near to each side. */
 #include "lattice.h"
 
 static int judge(const cell *c, const triangle *at, size_t count) {
@@ -35,7 +37,7 @@ static int judge(const cell *c, const triangle *at, size_t count) {
   return used != 0;
 }
 
-static const lattice *order_lattice; /* of the sort below */
+static const lattice *order_lattice; /* the lattice for the comparison function of the sort below */
 static int compare_cells(const void *a, const void *b) {
   const triangle *s = a, *t = b;
   vec p = vec_add(vec_add(vec_of(s->v[0]), vec_of(s->v[1])), vec_of(s->v[2])), q = vec_add(vec_add(vec_of(t->v[0]), vec_of(t->v[1])), vec_of(t->v[2]));

@@ -1,19 +1,23 @@
-/* Owns comparing a picture of a sheet of shapes with the mesh of the same sheet, seen by the same camera:
- * `sheetview TABLE FILE.stl SCENE PICTURE.png WHAT SHEET.png` judges each cell, in the words of tests/run.sh, and leaves a contact sheet.
+/* Owns the comparison of a picture of a sheet of shapes with the mesh of the same sheet, seen by the same camera:
+ * `sheetview TABLE FILE.stl SCENE PICTURE.png WHAT SHEET.png` judges each cell, in the words that tests/run.sh reads,
+ * and writes a contact sheet.
  *
- * SCENE is the .pov or the page that the picture was made from: the camera is read out of it, as its readers would. A .pov's picture has an alpha channel,
- * a page's is dark on white. A pixel belongs to a silhouette where its middle does; those in which picture and mesh differ must be fewer than
- * 1 % of the mesh's silhouette in that cell. Where the outline passes the middle by less than a quarter of a pixel either is right. Curves have no
- * silhouette to speak of: the mesh has thin rods there. No pixel that a rod touches may be further than two pixels from the picture, and none of the
- * picture further than two from a rod, beyond the radius of the rods that POV-Ray draws for curves (half of 1/450 of the picture's width, or a pixel).
- * In SHEET.png grey is what both have, red what only the picture has, blue what only the mesh has. */
+ * SCENE is the .pov or the page from which the picture was made; the tool reads the camera from it, as POV-Ray or a
+ * browser does. The picture of a .pov has an alpha channel, that of a page is dark on white. A pixel belongs to a
+ * silhouette if its centre does. In each cell, picture and mesh may differ in fewer than 1 % of the pixels of the
+ * mesh's silhouette; a pixel whose centre is within a quarter of a pixel of the outline may belong to either. Curves
+ * have almost no silhouette: the mesh contains thin rods for them. No pixel on a rod may be further than two pixels
+ * from the picture, and no pixel of the picture further than two from a rod, plus the radius of the rods that POV-Ray
+ * draws for curves (half of 1/450 of the picture's width, or a pixel). In SHEET.png, grey pixels belong to both, red
+ * ones to the picture alone, blue ones to the mesh alone. */
 #include <png.h>
 
 #include "lattice.h"
 
 typedef struct {
   bool parallel;
-  vec eye, right, up, forward; /* right and up: of length 1 / (half the picture's width), at distance 1 when not parallel; forward of length 1 */
+  vec eye, right, up, forward; /* right and up: of length 1 / (half the picture's width), at distance 1 for a
+                                * perspective camera; forward has length 1 */
   int width, height;
 } camera;
 
@@ -35,15 +39,16 @@ static bool camera_povray(const char *text, camera *c) {
   c->forward = unit(vec_sub(target, c->eye));
   vec across = unit(vec_cross(c->forward, sky));
   c->right = vec_scale(across, 2 / width);
-  c->up = vec_scale(vec_cross(across, c->forward), 2 / width); /* the picture shows height/width of it */
+  c->up = vec_scale(vec_cross(across, c->forward), 2 / width); /* scaled by the width: the picture shows height/width of
+                                                                * it */
   return true;
 }
 
-/* v turned about the axis, which has length 1 */
+/* Returns v rotated about the axis, which has length 1. */
 static vec turned(vec v, vec axis, double angle) {
   return vec_add(vec_add(vec_scale(v, cos(angle)), vec_scale(vec_cross(axis, v), sin(angle))), vec_scale(axis, vec_dot(axis, v) * (1 - cos(angle))));
 }
-/* The scene is turned so that Y is up; our mesh is not. */
+/* Returns v in the scene's axes: the scene's Y points up, the mesh's Z does. */
 static vec up_z(vec v) { return (vec){v.x, -v.z, v.y}; }
 
 static bool camera_x3d(const char *text, camera *c) {
@@ -54,13 +59,13 @@ static bool camera_x3d(const char *text, camera *c) {
       sscanf(view, "fieldOfView='%lf", &field) != 1)
     return false;
   c->eye = up_z(c->eye);
-  c->right = vec_scale(up_z(turned((vec){1, 0, 0}, axis, angle)), 1 / tan(field / 2)); /* the picture is as wide as high */
+  c->right = vec_scale(up_z(turned((vec){1, 0, 0}, axis, angle)), 1 / tan(field / 2)); /* the picture is square */
   c->up = vec_scale(up_z(turned((vec){0, 1, 0}, axis, angle)), 1 / tan(field / 2));
   c->forward = up_z(turned((vec){0, 0, -1}, axis, angle));
   return true;
 }
 
-/* Where a point is in the picture, in pixels from its upper left corner. */
+/* Computes the position of a point in the picture, in pixels from its upper left corner. */
 static void project(const camera *c, vec p, double *x, double *y) {
   vec d = vec_sub(p, c->eye);
   double depth = c->parallel ? 1 : vec_dot(d, c->forward);
@@ -68,7 +73,7 @@ static void project(const camera *c, vec p, double *x, double *y) {
   *y = c->height * 0.5 - c->width * 0.5 * vec_dot(d, c->up) / depth;
 }
 
-/* The cell that a pixel's line of sight meets in the lattice's plane, through the origin. */
+/* Returns the cell where a pixel's line of sight meets the lattice's plane, which contains the origin. */
 static long pixel_cell(const camera *c, const lattice *l, int x, int y) {
   double a = (x + 0.5) / c->width * 2 - 1, b = (c->height * 0.5 - (y + 0.5)) / (c->width * 0.5);
   vec side = vec_add(vec_scale(c->right, a / vec_dot(c->right, c->right)), vec_scale(c->up, b / vec_dot(c->up, c->up)));
@@ -77,7 +82,7 @@ static long pixel_cell(const camera *c, const lattice *l, int x, int y) {
   return lattice_cell(l, vec_sub(from, vec_scale(along, vec_dot(from, normal) / vec_dot(along, normal))));
 }
 
-/* Sets the bit of every pixel whose place (dx, dy) the triangle covers. */
+/* Sets the bit of every pixel whose sample point (dx, dy) the triangle covers. */
 static void fill(const camera *c, const triangle *t, double dx, double dy, uint16_t bit, uint16_t *mask) {
   double x[3], y[3];
   for (int k = 0; k < 3; k++) project(c, vec_of(t->v[k]), &x[k], &y[k]);
@@ -101,7 +106,8 @@ static bool near_any(const camera *c, const unsigned char *mask, int x, int y, i
   return false;
 }
 
-/* Dark, or translucent and no smoothed edge, which is one pixel wide. */
+/* Returns true for a pixel of a shape: dark, or translucent and not part of a smoothed edge, which is one pixel
+ * wide. */
 static bool page_seen(const unsigned char *picture, size_t i, size_t width, size_t pixels) {
   if (picture[4 * i + 1] < 160) return true;
   const size_t round[] = {i, i - 1, i + 1, i - width, i + width};
@@ -113,7 +119,7 @@ static bool page_seen(const unsigned char *picture, size_t i, size_t width, size
 
 static char *read_text(const char *path) {
   FILE *f = fopen(path, "rb");
-  size_t room = 1 << 20, used = 0, got; /* cameras stand near the top */
+  size_t room = 1 << 20, used = 0, got; /* the camera is near the top of the file */
   char *text = malloc(room + 1);
   while (f && text && used < room && (got = fread(text + used, 1, room - used, f)) > 0) used += got;
   if (f) fclose(f);
@@ -144,11 +150,12 @@ int main(int argc, char **argv) {
     return 2;
   }
   for (size_t i = 0; i < pixels; i++) seen[i] = povray ? picture[4 * i + 3] > 25 : page_seen(picture, i, image.width, pixels);
-  /* the middle, half way to the corners, and all but the corners: a pixel is of the mesh where all are in it, off it where none is */
+  /* the centre, points halfway to the corners, and points near the corners: a pixel is on the mesh if all are on it,
+   * and off the mesh if none is */
   static const double places[9][2] = {{0.5, 0.5}, {0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}, {0.02, 0.02}, {0.98, 0.02}, {0.02, 0.98}, {0.98, 0.98}};
   for (size_t i = 0; i < mesh.count; i++)
     for (int k = 0; k < 9; k++) fill(&c, &mesh.at[i], places[k][0], places[k][1], (uint16_t)(1 << k), mask);
-  for (size_t i = 0; i < pixels; i++) touched[i] = mask[i] != 0, mask[i] = mask[i] == 0 ? 0 : mask[i] == 511 ? 1 : seen[i]; /* the outline passes: as the picture has it */
+  for (size_t i = 0; i < pixels; i++) touched[i] = mask[i] != 0, mask[i] = mask[i] == 0 ? 0 : mask[i] == 511 ? 1 : seen[i]; /* the outline passes through the pixel: the picture decides */
   int rod = povray ? (int)ceil(fmax(1, c.width / 900.)) : 0;
 
   static long whole[CELLS_MOST], rods[CELLS_MOST], only_picture[CELLS_MOST], only_mesh[CELLS_MOST], far[CELLS_MOST];
@@ -169,7 +176,7 @@ int main(int argc, char **argv) {
   for (size_t i = 0; i < l.count; i++) {
     long n = l.cells[i].index;
     if (n < 0 || n >= CELLS_MOST) continue;
-    bool thin = strcmp(l.cells[i].class, "curve") == 0 || strcmp(l.cells[i].class, "mixed") == 0; /* some of it a curve */
+    bool thin = strcmp(l.cells[i].class, "curve") == 0 || strcmp(l.cells[i].class, "mixed") == 0; /* a part of the cell is a curve */
     bool good = (thin ? rods[n] : whole[n]) > 40 && (thin ? far[n] == 0 : (double)(only_picture[n] + only_mesh[n]) < 0.01 * (double)whole[n]);
     printf("%s cross/%s:%s\n", good ? "ok" : "not ok", argv[5], l.cells[i].name);
     if (!good) printf("    of %ld pixels %ld are only in the picture and %ld only in the mesh; %ld far from the other\n", thin ? rods[n] : whole[n], only_picture[n], only_mesh[n], far[n]);

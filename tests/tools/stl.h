@@ -1,5 +1,5 @@
-/* Owns reading binary STL files for the tests, knowing nothing of the program that made them: triangles of 32-bit vertices, and whether they are a
- * closed, oriented chain. */
+/* Owns reading binary STL files for the tests, independent of the program that made them: triangles of 32-bit vertices,
+ * and whether they are a closed, oriented chain. */
 #ifndef TESTS_TOOLS_STL_H
 #define TESTS_TOOLS_STL_H
 
@@ -30,7 +30,7 @@ static inline float stl_number(const unsigned char *at) {
   return v;
 }
 
-/* False: *why says so; nothing is left to free. */
+/* Returns false and sets *why on failure; then nothing is left to free. */
 static inline bool stl_read(const char *path, stl *out, char why[128]) {
   FILE *f = fopen(path, "rb");
   unsigned char head[84], record[50];
@@ -80,7 +80,8 @@ static inline vec stl_normal(const triangle *t) {
   return vec_cross(vec_sub(vec_of(t->v[1]), vec_of(t->v[0])), vec_sub(vec_of(t->v[2]), vec_of(t->v[0])));
 }
 
-/* The volume enclosed, added up from the middle of the first triangle: far from the origin nothing is lost. */
+/* Returns the enclosed volume, with the centroid of the first triangle as origin, which loses no digits far from the
+ * origin. */
 static inline double stl_volume(const triangle *at, size_t count) {
   double volume = 0;
   for (size_t i = 0; i < count; i++) volume += vec_dot(stl_normal(&at[i]), vec_sub(vec_of(at[i].v[0]), vec_of(at[0].v[0]))) / 6;
@@ -108,7 +109,8 @@ static inline int stl_compare_edges(const void *a, const void *b) {
   return order ? order : stl_compare_vertices(&e->high, &f->high);
 }
 
-/* How many edges occur more often one way than the other, and how many have no length; `tell` gets the first three open ones. False: out of memory. */
+/* Counts the edges that occur more often in one direction than in the other, and the edges of length 0. `tell` receives
+ * the first three open ones. Returns false when memory is out. */
 static inline bool stl_check(const triangle *at, size_t count, size_t *open, size_t *degenerate, FILE *tell) {
   stl_edge *edges = malloc((count * 3 + 1) * sizeof *edges);
   size_t used = 0;

@@ -1,7 +1,8 @@
-/* Owns the judgement of a binary STL file: is it closed and oriented, what does it enclose?
+/* Owns the check of a binary STL file: whether it is closed and oriented, and its volume.
  *
- * `stlcheck FILE` prints `triangles N volume V area A` and ends with 0 when the mesh is a closed, oriented chain without degenerate
- * triangles: vertices that are equal as float32 are one, and every directed edge occurs as often as its opposite. Else it says why. */
+ * `stlcheck FILE` prints `triangles N volume V area A`, and exits with 0 if the mesh is a closed, oriented chain
+ * without degenerate triangles. Vertices with equal float32 coordinates are one vertex, and every directed edge must
+ * occur as often as its opposite. Otherwise it prints the reason. */
 #include "stl.h"
 
 int main(int argc, char **argv) {

@@ -1,7 +1,8 @@
-/* Owns the runs that a signal ends at a random moment: `stopped COUNT OLD NEW OUT VS ARGUMENT...` starts VS with its arguments so
- * often, sends it INT, TERM, HUP or KILL after a random part of the time that a run takes, and looks at the file OUT: it is
- * the file OLD or the file NEW, whole, and stands alone in its folder. Says how many ended how; exit 1: something was lost. KILL between the two calls that
- * give the new file its name and put it in the old one's place leaves the whole file behind: rare, and counted apart. */
+/* Owns the runs that a signal ends at a random moment: `stopped COUNT OLD NEW OUT VS ARGUMENT...` starts VS with its
+ * arguments COUNT times, and sends it INT, TERM, HUP or KILL after a random part of the time that a run takes. After
+ * each run OUT must equal the file OLD or the file NEW, and its folder must contain nothing else. Prints the number of
+ * runs for each ending; exit 1: a file was lost. A KILL between the call that names the new file and the call that
+ * replaces the old one leaves the complete new file beside it: this is rare, and counted separately. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <errno.h>
@@ -36,7 +37,7 @@ static bool put(const char *path, const bytes *b) {
 
 static bool same(const bytes *a, const bytes *b) { return a->count == b->count && memcmp(a->at, b->at, a->count) == 0; }
 
-/* The name of something in the folder of OUT beside it, which goes; NULL: nothing. */
+/* Deletes all other files in the folder of OUT. Returns the name of one of them; NULL: there was none. */
 static const char *left_beside(const char *out) {
   static char folder[4096], name[300];
   const char *slash = strrchr(out, '/');
@@ -66,7 +67,7 @@ int main(int argc, char **argv) {
     return fprintf(stderr, "usage: stopped COUNT OLD NEW OUT VS ARGUMENT...\n"), 2;
   }
   long count = atol(argv[1]), wrong = 0, whole = 0, unchanged = 0, finished = 0, behind = 0;
-  double takes = 0.05; /* seconds, of the latest runs that came to their end */
+  double takes = 0.05; /* seconds: the duration of the latest complete runs */
   srand(7);
   for (long i = 0; i < count; i++) {
     const int kind = kinds[i % 4];
@@ -93,7 +94,7 @@ int main(int argc, char **argv) {
     const char *beside = left_beside(argv[4]);
     const bool there = take(argv[4], &found), is_old = there && same(&found, &old),
                is_new = there && same(&found, &new);
-    /* A signal that comes before the program listens ends it as it ends any: 128 and its number. */
+    /* A signal before the program handles signals ends it with 128 plus the signal's number, as it ends any program. */
     const char *why = !is_old && !is_new     ? "the file is neither the old one nor the new one"
                       : code == 0 && !is_new ? "ended with 0, and the file is not the new one"
                       : code != 0 && code != 130 && code != 128 + kind ? "no defined exit code"

@@ -1,9 +1,9 @@
-/* Owns typing at a program on a terminal of its own: `typist PROGRAM ARGS... < KEYS > SCREEN`.
+/* Owns typing at a program on a pseudo-terminal: `typist PROGRAM ARGS... < KEYS > SCREEN`.
  *
- * Every line of KEYS is typed once the program has been silent for most of a second, or less where it shows its prompt
- * anew; in it \n \t \e \\ and \xHH stand for keys (\x03 is ctrl-C), and \w waits up to 60 seconds for the next prompt.
- * The output of the program comes out without its cursor movements; with --escapes before PROGRAM all of it does, ESC
- * as \e and a step back as \b. Ends with the program's code. */
+ * It types each line of KEYS once the program has been silent for most of a second, or for less when it shows its
+ * prompt again. In a line, \n \t \e \\ and \xHH mean keys (\x03 is ctrl-C), and \w waits up to 60 seconds for the next
+ * prompt. It prints the program's output without cursor movements; with --escapes before PROGRAM it prints all of it,
+ * ESC as \e and a backspace as \b. Exits with the program's code. */
 #define _GNU_SOURCE /* posix_openpt and friends, and TIOCSCTTY */
 #include <fcntl.h>
 #include <poll.h>
@@ -15,13 +15,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { PATIENCE = 700, /* ms; a busy machine may leave a program waiting for some hundred */
-       AT_PROMPT = 150 /* ms of silence behind a prompt: nothing more is to come */ };
+enum { PATIENCE = 700, /* ms; on a busy machine a program may wait for some hundred */
+       AT_PROMPT = 150 /* ms of silence after a prompt: no more output will come */ };
 
-/* Copies the program's output to standard output until it is silent for `patience` ms, or for less where it ends in a
- * new line with a prompt; false once it has closed the terminal. */
+/* Copies the program's output to standard output until it is silent for `patience` ms, or for less if the output ends
+ * in a new line with a prompt. Returns false once the program has closed the terminal. */
 static int listen_to(int terminal, int patience, int escapes) {
-  static int escape; /* inside ESC [ ... letter */
+  static int escape; /* inside the sequence ESC [ ... letter */
   int lines = 0, width = 0;
   char last[2] = {0, 0};
   struct pollfd p = {.fd = terminal, .events = POLLIN};
@@ -86,7 +86,7 @@ int main(int argc, char **argv) {
     ioctl(own, TIOCSWINSZ, &size);
     dup2(own, 0), dup2(own, 1), dup2(own, 2);
     close(terminal);
-    signal(SIGINT, SIG_DFL); /* a test run started in the background ignores it, and so would the program */
+    signal(SIGINT, SIG_DFL); /* a test run in the background ignores SIGINT, and the program would inherit that */
     execvp(argv[1], argv + 1);
     _exit(127);
   }
@@ -99,7 +99,7 @@ int main(int argc, char **argv) {
     open_still = listen_to(terminal, patience, escapes);
   }
   if (open_still) listen_to(terminal, 500, escapes);
-  close(terminal); /* hangs up on a program that still waits */
+  close(terminal); /* a program that still waits receives a hangup */
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

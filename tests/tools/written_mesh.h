@@ -1,5 +1,5 @@
-/* Owns the reading of written meshes, knowing nothing of the program that wrote them: .off (numbers as text), binary
- * .stl (32-bit corners), binary .ply with doubles, and .glb, of which each mesh is one by itself, in its own
+/* Owns the reading of written meshes, independent of the program that wrote them: .off (numbers as text), binary .stl
+ * (32-bit corners), binary .ply with doubles, and .glb, of which each mesh is read separately, in its local
  * coordinates. */
 #ifndef TESTS_TOOLS_WRITTEN_MESH_H
 #define TESTS_TOOLS_WRITTEN_MESH_H
@@ -62,7 +62,8 @@ static inline bool read_stl(const char *path, written_mesh *out) {
   return ok;
 }
 
-/* The corners are three doubles each; a face is a byte 3, three numbers, and whatever `stride` leaves after these. */
+/* Reads a PLY: the corners are three doubles each; a face is a byte 3, three numbers, and further bytes up to
+ * `stride`. */
 static inline bool read_ply(const char *path, written_mesh *out) {
   FILE *f = fopen(path, "rb");
   char line[200] = "";
@@ -94,7 +95,7 @@ static inline size_t written_number(const json_t *of, const char *name) {
   return (size_t)json_integer_value(json_object_get(of, name));
 }
 
-/* Where an accessor's numbers begin, in bytes of `binary`. */
+/* Returns the start of an accessor's numbers, in bytes of `binary`. */
 static inline size_t written_offset(const json_t *root, const json_t *accessor) {
   const json_t *view = json_array_get(json_object_get(root, "bufferViews"), written_number(accessor, "bufferView"));
   return written_number(view, "byteOffset") + written_number(accessor, "byteOffset");
@@ -132,7 +133,7 @@ static inline bool written_primitive(const json_t *root, const json_t *primitive
   return true;
 }
 
-/* The mesh of that number, all of its primitives; *more: there is another after it. */
+/* Reads the mesh with that number, with all its primitives; *more: another mesh follows. */
 static inline bool read_glb(const char *path, size_t which, written_mesh *out, bool *more) {
   FILE *f = fopen(path, "rb");
   uint32_t head[5], next[2];
@@ -156,7 +157,7 @@ static inline bool read_glb(const char *path, size_t which, written_mesh *out, b
   return ok;
 }
 
-/* The mesh of that number of any of these; of all but .glb there is one. */
+/* Reads the mesh with that number from a file of any of these formats; only a .glb can have several. */
 static inline bool read_mesh(const char *path, size_t which, written_mesh *out, bool *more) {
   const char *suffix = strrchr(path, '.');
   *more = false;
@@ -182,7 +183,7 @@ static inline int written_compare_edges(const void *a, const void *b) {
   return order ? order : written_compare_places(x->high, y->high);
 }
 
-/* Edges, by place, that are not walked as often one way as the other. */
+/* Returns the number of edges, compared by coordinates, that do not occur equally often in both directions. */
 static inline size_t written_open_edges(const written_mesh *s) {
   written_edge *edges = malloc((3 * s->count + 1) * sizeof *edges);
   size_t used = 0, open = 0;

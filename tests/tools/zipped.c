@@ -1,4 +1,4 @@
-/* Owns reading what a .3mf holds: `zipped FILE` prints all its parts, one behind the other. */
+/* Owns reading the contents of a .3mf: `zipped FILE` prints all its parts, one after another. */
 #include <stdio.h>
 #include <zip.h>
 
