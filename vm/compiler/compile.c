@@ -651,8 +651,7 @@ static bool gen_set(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   vs_var *v = n->as.set.var;
   uint32_t keep = e->next, value, box;
-  if (!boxed(v)) {                             /* in a register of this activation: the closure that captures it boxes
-                                                * it */
+  if (!boxed(v)) {                             /* in a register of this activation: the capturing closure boxes it */
     value = v->reg;
     bool direct = lands_last(c, n->as.set.value);
     if ((!direct && !vs_emit_register(e, &value)) || !gen(c, n->as.set.value, value) ||

@@ -25,12 +25,10 @@ typedef struct vs_emit {
   vs_named_register *variables; size_t variable_count, variable_room;     /* only if errors keep their calls */
 } vs_emit;
 
-typedef uint32_t vs_jumps;            /* 0, or 1 + index of the last offset word to fill in; that word contains the one
-                                       * before */
+typedef uint32_t vs_jumps;            /* 0, or 1 + index of the last open offset word; that contains the one before */
 
 void vs_emit_close(vs_emit *e);
-bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* takes the next register, and marks it
-                                                                           * fresh */
+bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* takes the next one, marks it fresh */
 bool vs_emit_word(vs_emit *e, uint32_t w);
 bool vs_emit_op(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c);
 /* Emits an op with one extra word. */

@@ -29,8 +29,7 @@ typedef struct vs_core_node vs_core_node;
 typedef struct vs_var {
   uint32_t name;             /* constant index of its symbol */
   bool introduced;           /* made by a macro: no message shows it */
-  bool in_register;          /* unless captured, assignments change its register: no continuation enters its scope
-                              * twice */
+  bool in_register;          /* unless captured, it is assigned in its register: no continuation enters twice */
   bool given_again;          /* FIX: its value may be given a second time, to the same place: counts as assigned */
   /* set by the compiler */
   bool assigned, captured, known;
@@ -42,8 +41,7 @@ typedef struct vs_var {
 
 typedef struct vs_param {    /* a parameter of a lambda, in the order required, optional, keyword */
   vs_var *var;
-  vs_core_node *fallback;         /* NULL: required. Else evaluated for a missing argument, in the scope of the
-                                   * parameters before it */
+  vs_core_node *fallback;         /* NULL: required. Else the default, in the scope of the parameters before it */
   uint32_t keyword;          /* 0, or 1 + constant index of the keyword's symbol (the name without #:). A keyword
                               * parameter without a fallback is required */
 } vs_param;

@@ -73,8 +73,7 @@ static inline bool vs_is_top(vs_value env) { return vs_as_environment(env)->pare
 typedef enum { VS_MEANS_NOTHING, VS_MEANS_LOCAL, VS_MEANS_MACRO, VS_MEANS_CELL } vs_meaning_kind;
 typedef struct vs_meaning {
   vs_meaning_kind kind;
-  vs_value value;        /* LOCAL: fixnum address of the vs_var; MACRO, CELL: the object, which must not move before its
-                          * use */
+  vs_value value;        /* LOCAL: fixnum address of the vs_var; MACRO, CELL: the object; use it before it moves */
   vs_value env;          /* LOCAL: the scope that binds it; else the top-level environment of the identifier */
   vs_value id;           /* top level: the identifier there */
   bool foreign;          /* CELL or MACRO of an import, not its own */

@@ -117,8 +117,7 @@ vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer);        /* of the
 bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 /* form is a VS_FORM_. */
-bool vs_expand_shape(vs_expansion *x, int form);                       /* reports "this is written (...)" at the current
-                                                                        * form */
+bool vs_expand_shape(vs_expansion *x, int form);                       /* error "this is written (...)" there */
 
 /* Expands macros at the head of *form until it is core syntax, an application or no pair; *m is the head's meaning.
  * Also returns false when the task has to wait (x->now.waiting is then set). */

@@ -56,8 +56,7 @@ typedef struct {
   bool cut;                  /* a string or |symbol| contains the rest of the text: the levels open there are no
                               * mistakes of their own */
   bool anew, left_open;      /* the second reading; a form was open at the end, or where another began anew */
-  vs_pos odd_string; uint32_t odd_end;   /* the string that probably contains the quote of the next, and the line of its
-                                          * end */
+  vs_pos odd_string; uint32_t odd_end;   /* the string that probably contains the quote of the next; its last line */
   vs_pos last_top; uint32_t last_close_line; bool stray; vs_pos stray_top; uint32_t stray_line;
 } reader;
 

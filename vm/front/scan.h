@@ -14,8 +14,7 @@ typedef enum {
 typedef struct vs_scan {
   vs_scheme *vm;
   uint8_t state, after_hash;
-  bool any, escaped, returned;    /* a character other than a blank has come; the last one was a backslash; it was a
-                                   * \r */
+  bool any, escaped, returned;    /* a character but blanks has come; the last was a backslash; it was a \r */
   uint32_t comment;               /* depth of block comments */
   uint32_t wanted;                /* number of data still expected at depth 0 */
   size_t depth, room;
@@ -27,8 +26,7 @@ typedef struct vs_scan {
 void vs_scan_open(vs_scheme *vm, vs_scan *s);
 void vs_scan_close(vs_scan *s);
 bool vs_scan_feed(vs_scan *s, uint32_t c, vs_scan_result *result);    /* returns false when memory is out */
-bool vs_scan_end(vs_scan *s);                                         /* returns true if nothing is open at the end of
-                                                                       * the text */
+bool vs_scan_end(vs_scan *s);                                         /* true: nothing is open at the end */
 
 typedef enum { VS_TEXT_EMPTY, VS_TEXT_WHOLE, VS_TEXT_OPEN, VS_TEXT_BAD } vs_text_state;
 typedef struct vs_text_check { vs_text_state state; uint32_t depth, line, col; const char *trouble; } vs_text_check;

@@ -324,8 +324,7 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (t->count == before && !advise_number(wanted->name, t)) return false;
   if (t->count == before && !advise_spelling(wanted->name, t)) return false;
   if (t->count > before) return true;
-  size_t sign = strcspn(wanted->name, "+*/<>=");          /* i+1, n*2, a<b: a single name, because it contains no
-                                                           * blanks */
+  size_t sign = strcspn(wanted->name, "+*/<>=");          /* i+1, n*2, a<b: a single name, without blanks */
   const char *name = wanted->name;
   if (sign && sign + 1 < wanted->length && (name[sign + 1] == '=' ? sign + 2 < wanted->length : true) &&
       isalnum((unsigned char)name[sign - 1])) {

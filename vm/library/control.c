@@ -205,8 +205,7 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     }
     a[1] = vm->handlers;
     vs_value handler = vs_car(vm->handlers);
-    if (vs_is_pair(handler)) {          /* a contract's predicate: a raise in it makes #f, but memory that is out does
-                                         * not */
+    if (vs_is_pair(handler)) {          /* a contract's predicate: a raise in it, unless memory is out, makes #f */
       if (vs_is(a[0], VS_T_CONDITION) && vs_as_condition(a[0])->kind == vm->sym.memory) {
         vm->handlers = vs_cdr(vm->handlers);
         return vs_fail_object(vm, a[0]);

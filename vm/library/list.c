@@ -47,8 +47,7 @@ static bool arg_list(vs_scheme *vm, const vs_value *a, int arg, int64_t *length)
 
 /* Returns the last cdr of a list that ends, with () or not; VS_ABSENT for a circular one. */
 static vs_value last_cdr(vs_value list) {
-  vs_value mark = list;                 /* Brent's algorithm: one pointer advances, the other jumps to it at powers of
-                                         * two */
+  vs_value mark = list;                 /* Brent: one pointer advances, the other follows at powers of two */
   for (uint64_t n = 0, jump = 2; vs_is_pair(list); n++) {
     list = vs_cdr(list);
     if (list == mark && vs_is_pair(list)) return VS_ABSENT;

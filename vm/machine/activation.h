@@ -17,8 +17,7 @@
                                                * the result there at once and enter the procedure again */
 #define VS_RET_STOP    UINT64_C(0x10000000)   /* returns to vs_run's caller */
 #define VS_RET_NATIVE  UINT64_C(0x20000000)   /* the caller is a native that is entered again */
-#define VS_RET_GENERIC UINT64_C(0x40000000)   /* pc is that of an inlined instruction, whose operands name the result's
-                                               * place */
+#define VS_RET_GENERIC UINT64_C(0x40000000)   /* pc is that of an inlined instruction, which names the result's place */
 #define VS_RET_UNDER   UINT64_C(0x80000000)
 #define VS_RET_FLAGS   UINT64_C(0xF8000000)
 enum { VS_ACTIVATION_SLACK = 300 };                /* slots above an activation's registers that may be written without

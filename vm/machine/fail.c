@@ -57,8 +57,7 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   va_copy(again, list);
   int length = vsnprintf(text + used, sizeof text - (size_t)used, format, list);
   bool ok;
-  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* too long: formats again, into allocated
-                                                                       * memory */
+  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* too long: again, into allocated memory */
     size_t bytes = (size_t)used + (size_t)length + 1;
     char *more = vs_mem(vm, NULL, 0, bytes);
     ok = more != NULL;
@@ -157,8 +156,7 @@ bool vs_arg_type(vs_scheme *vm, const vs_value *a, int arg, int type) {
 
 /* ---- lists ---- */
 int64_t vs_list_length(vs_value list) {
-  vs_value mark = list;                 /* Brent's algorithm: one pointer advances, the other jumps to it at powers of
-                                         * two */
+  vs_value mark = list;                 /* Brent: one pointer advances, the other follows at powers of two */
   int64_t n = 0, jump = 2;
   while (vs_is_pair(list)) {
     list = vs_cdr(list);

@@ -6,8 +6,7 @@
 
 /* The functions that give a new condition the running calls. activation.c has them, a layer above fail.c. */
 typedef struct vs_traceback {
-  bool (*chain)(vs_scheme *vm, size_t max, vs_value *out);    /* places and names of the calls; returns false when
-                                                               * memory is out */
+  bool (*chain)(vs_scheme *vm, size_t max, vs_value *out);    /* places and names of the calls; false: out of memory */
   bool (*variables)(vs_scheme *vm, vs_value *out);            /* their variables; returns false when memory is out */
   vs_pos (*place)(vs_scheme *vm);                             /* of the call of the running native */
 } vs_traceback;

@@ -57,8 +57,7 @@ typedef struct vs_config {
   const struct vs_image *image;                /* a heap image to start from, or NULL */
   /* files, console, time of day (port.h), called with `user`; NULL: none of them */
   const struct vs_io *io;
-  const char *library_path;  /* folders for load, include, require and import, ':' between them, or NULL; lives as long
-                              * as the interpreter */
+  const char *library_path;  /* folders for load, include, require, import, ':' between them, or NULL; lives like vm */
   const struct vs_shipped *shipped; /* libraries in Scheme that come with the language (program.h), or NULL */
   const char *const *command_line; size_t command_line_count; /* the result of (command-line); 0: "vs" alone; lives as
                                                                * long as the interpreter */
@@ -84,8 +83,7 @@ typedef struct vs_stepping {
   uint8_t mode;              /* a vs_step_mode; CONTINUE: the plain run loop */
   bool stops;                /* (break) stops */
   bool passes;               /* else: (break) gives no warning either */
-  uint8_t told;              /* a VS_TOLD_: the host, which continues there, has seen this stop of the next
-                              * instruction */
+  uint8_t told;              /* a VS_TOLD_: the stop of the next instruction that the host has seen already */
   uint32_t first_file;       /* files with smaller numbers belong to the library */
   uint64_t target;           /* stepping does not stop in activations above this level */
   uint64_t seen_level;       /* the instruction last checked: its activation's level, its code, its index */
@@ -107,8 +105,7 @@ struct vs_scheme {
 
   /* stack of the run loop (run_loop.c) */
   vs_value *stack, *stack_end;     /* the working stretch */
-  vs_value *base, *top;            /* current activation's registers; first unused slot: the collector traces all
-                                    * below */
+  vs_value *base, *top;            /* current activation's registers; first unused slot: all below is traced */
   vs_value under;                  /* STACK object with the activations below the working stretch, or #f */
   uint64_t under_depth;            /* number of its slots into which calls have yet to return */
   const uint32_t *pc;              /* of the current activation when a native or the collector runs */
@@ -138,10 +135,8 @@ struct vs_scheme {
   struct vs_roots *roots;
   struct vs_ast *asts;             /* trees being built or compiled: their constants are roots */
   struct vs_gc *gc;
-  uint64_t captures;               /* number of continuations made; a call during which it stays the same is entered
-                                    * once */
-  uint64_t collections;            /* how often the nursery was emptied; addresses of young objects are valid within one
-                                    * count */
+  uint64_t captures;               /* continuations made; a call without a new one is entered once */
+  uint64_t collections;            /* times that the nursery was emptied; young addresses are valid within one */
   size_t bytes, peak_bytes;        /* of the machine's memory, now and at most */
 
   /* registered by the host */

@@ -25,8 +25,7 @@ bool vs_int_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 /* truncates; b is not 0; either result may be NULL */
 bool vs_int_divide(vs_scheme *vm, vs_value a, vs_value b, vs_value *quotient, vs_value *remainder);
 bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_int_shift(vs_scheme *vm, vs_value a, int64_t left, vs_value *out);             /* rounds down for a shift to the
-                                                                                        * right */
+bool vs_int_shift(vs_scheme *vm, vs_value a, int64_t left, vs_value *out);             /* to the right: rounds down */
 bool vs_int_power(vs_scheme *vm, vs_value a, uint64_t n, vs_value *out);
 bool vs_int_sqrt(vs_scheme *vm, vs_value a, vs_value *root, vs_value *rest);           /* a >= 0 */
 bool vs_int_negate(vs_scheme *vm, vs_value a, vs_value *out);

@@ -20,8 +20,7 @@ static inline bool vs_is_number(vs_value v) { return vs_is_double(v) || vs_is_ex
 bool vs_number_add(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
-bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);    /* division of exact numbers by exact 0 is
-                                                                              * an error */
+bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);    /* exact by exact 0 is an error */
 /* Computes a+b etc. if one of them is a flat record. Returns false with an error that names both kinds. */
 bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out);
 /* exact between exact and inexact; false with NaN */
@@ -32,8 +31,7 @@ bool vs_number_remainder(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out);
 bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out);               /* exact if the root is exact */
-bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out);                /* else the error "zero?: expected a
-                                                                              * number" */
+bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out);                /* or "zero?: expected a number" */
 
 /* ---- conversions ---- */
 /* v is a number; correctly rounded; returns false when memory is out */

@@ -152,8 +152,7 @@ static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, 
   vs_value *w = base + code->registers;
   w[0] = VS_FALSE;
   w[1] = vs_ret_make(code->registers, at);
-  hold(vm, w, 0);       /* when memory is out, the activations may already be in the heap: no handler can then catch the
-                         * error */
+  hold(vm, w, 0);       /* when memory is out, the activations may be in the heap: no handler can catch the error */
   return VS_LOOK_STOP;
 }
 

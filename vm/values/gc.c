@@ -76,8 +76,7 @@ struct vs_gc {
   char *nursery_end;
   bool minor;                                   /* a minor collection runs */
   bool ready;                                   /* the spare blocks for the next minor collection are reserved */
-  size_t old_bytes, major_at;                   /* bytes of old objects; the number at which a major collection is
-                                                 * due */
+  size_t old_bytes, major_at;                   /* bytes of old objects; the limit for a major collection */
   /* bytes of old objects since the last whole collection for refused memory */
   size_t granted;
   size_t external, external_minor;              /* bytes of host objects; the number that forces a minor collection */

@@ -223,8 +223,7 @@ bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out) {
   vs_gc_store(vm, table, &table->at[k + 1], *out);
   int64_t count = vs_fixnum(table->at[0]) + 1;
   table->at[0] = vs_fix(count);
-  if ((size_t)count * 4 > mask * 3) {          /* the caller's `out` may be no root; symbols are old, so it remains
-                                                * valid */
+  if ((size_t)count * 4 > mask * 3) {          /* `out` may be no root of the caller's; symbols do not move */
     return symbols_grow(vm);
   }
   return true;

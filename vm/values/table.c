@@ -128,8 +128,7 @@ static bool table_reserve(vs_scheme *vm, const vs_value *table) {
   vs_gc_store(vm, t, &t->entries, r[0]);
   vs_gc_store(vm, t, &t->index, r[1]);
   t->used = n;
-  t->young = 0;                                   /* the entries' numbers have changed: table_sync must check all of
-                                                   * them */
+  t->young = 0;                                   /* the entries' numbers have changed: table_sync must check all */
   return true;
 }
 

@@ -20,10 +20,8 @@ typedef struct vs_text {
 } vs_text;
 
 void vs_text_open(vs_scheme *vm, vs_text *t, size_t limit);
-void vs_text_close(vs_text *t);                                    /* frees the text; allowed after a failure and
-                                                                    * twice */
-bool vs_text_put(vs_text *t, const char *bytes, size_t n);         /* returns false when memory is out; the error is in
-                                                                    * vm->condition */
+void vs_text_close(vs_text *t);                                    /* frees; also after a failure, or twice */
+bool vs_text_put(vs_text *t, const char *bytes, size_t n);         /* false: out of memory, in vm->condition */
 bool vs_text_puts(vs_text *t, const char *s);
 bool vs_text_char(vs_text *t, uint32_t c);                         /* c is a code point */
 bool vs_text_string(vs_text *t, vs_value string);                  /* the characters of a Scheme string */

@@ -167,8 +167,7 @@ typedef struct {
   vs_value consts;      /* vector in the old space: cells, literals, nested code, keyword lists */
   vs_value ins;         /* BYTES of 32-bit instructions, in the old space */
   vs_value places;      /* BYTES: pc -> position; or one position as a fixnum: see code.h */
-  vs_value inlined;     /* BYTES of {u32 pc, u32 constant}, by pc: instructions that replace a call of that constant's
-                         * cell */
+  vs_value inlined;     /* BYTES of {u32 pc, u32 constant}, by pc: instructions for a call of that constant's cell */
   vs_value params;      /* vector of symbols for messages: required, optional, keyword, rest */
   vs_value doc;         /* the documentation that the program attached, or #f */
   uint32_t required, optional, keywords, registers;
