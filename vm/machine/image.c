@@ -187,7 +187,7 @@ static bool writer_object(struct writer *w, const vs_object *o, uint64_t *copy) 
       return vs_fail(w->vm, w->vm->sym.internal, "a native of no table cannot be in the heap image");
     }
     ((vs_native *)(void *)h)->def = (const vs_native_def *)(uintptr_t)number;
-  } else if (o->type == VS_T_TABLE) { /* addresses will differ: every entry counts as new, of an impossible collection */
+  } else if (o->type == VS_T_TABLE) { /* addresses will differ: the next use inserts every entry again */
     ((vs_table *)(void *)h)->young = 0;
     ((vs_table *)(void *)h)->epoch = UINT64_MAX;
   }
