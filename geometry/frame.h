@@ -22,7 +22,7 @@ typedef struct { vs_vec3 at, arriving, leaving; double along; /* arc length from
  * segment. Returns the spin in radians (0 if the path is open). */
 double vs_frame_transport(const vs_path_point *path, size_t n, bool closed, double length, vs_vec3 x, vs_vec3 *x_out);
 
-/* Returns the normal as a unit vector that points up; a level one points along +Y, or +X. */
+/* Returns the normal as a unit vector that points up; a level one points towards +Y, or along +X. */
 vs_vec3 vs_plane_up(vs_vec3 normal);
 
 #endif

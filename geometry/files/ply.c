@@ -1,9 +1,11 @@
 /* Owns reading PLY files: a header that gives the properties of each element, then the elements, as text or binary in
  * either byte order.
  *
- * The reader keeps the elements vertex (its x, y, z), face (its list vertex_indices or vertex_index) and tristrips (the
- * same list: each corner from the third on makes a triangle with the two before it, every second triangle in reverse
- * order, and -1 begins a new strip). It skips other elements by their types. */
+ * The reader keeps three elements and skips others by their types:
+ *   vertex     its x, y, z
+ *   face       its list vertex_indices or vertex_index
+ *   tristrips  the same list: each corner from the third on makes a triangle with the two before it, every second
+ *              triangle in reverse order; -1 begins a new strip */
 #include "geometry/files/ply.h"
 
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Owns checks of points and faces before they become a node: whether they close, and their orientation.
  *
  * The edges of all faces are sorted by their two ends. Where exactly two faces share each edge, the faces of a
- * component are turned to agree with its first face, breadth first; a component closes when each of its edges is used
+ * component are turned to agree with its first face, breadth first. A component closes when each of its edges is used
  * twice, once in each direction. Linear, except where many edges share a point. */
 #include "geometry/files/polyface.h"
 

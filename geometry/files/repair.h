@@ -23,9 +23,9 @@ typedef struct {
   size_t largest;    /* edges of the largest hole */
 } vs_repair_notes;
 /* Repairs in place: welds points within a millionth of the extent, drops faces, turns faces to agree with their
- * neighbours and each shell outwards (a shell inside another that faces inwards is a cavity), and closes holes by
- * triangles. The result closes as a chain; it may still intersect itself. s: the store that may interrupt the work, or
- * NULL. Returns false when memory is out or the run is interrupted. */
+ * neighbours, turns each shell outwards, and closes holes by triangles. A shell inside another that faces inwards is a
+ * cavity, and is not turned. The result closes as a chain; it may still intersect itself. s: the store that may
+ * interrupt the work, or NULL. Returns false when memory is out or the run is interrupted. */
 bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, vs_error *e);
 
 #endif

@@ -450,8 +450,8 @@ static void eigen(double m[3][3], double v[3][3]) {
   }
 }
 
-/* Normals that differ by more than SHARP are those of an edge, and a normal that deviates by more than CORNER from the
- * plane of the others makes it a corner; smaller differences are the curvature of a smooth surface. Cosine and sine of
+/* Normals that differ by more than SHARP are those of an edge. A normal that deviates by more than CORNER from the
+ * plane of the others makes it a corner. Smaller differences are the curvature of a smooth surface. Cosine and sine of
  * some 25 degrees. */
 #define SHARP .9
 #define CORNER .42
@@ -541,9 +541,9 @@ static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_v
   return held_in(r, p);
 }
 
-/* Samples the surface near each of these points, and moves them: onto it if it is smooth; if it is sharp, to the
- * intersection of the planes seen on both sides of the point, first from a larger distance and then from a smaller
- * one. */
+/* Samples the surface near each of these points, and moves them. If the surface is smooth, the point moves onto it. If
+ * it is sharp, the point moves to the intersection of the planes seen on its two sides, first from a larger distance
+ * and then from a smaller one. */
 static bool refine(contour *c, ring_point *rings, size_t n) {
   enum { LOOKS = 24, TURNS_OF_LOOKS = 3 };
   static const double reach[TURNS_OF_LOOKS] = { .4, .15, .05 };

@@ -1,8 +1,8 @@
 /* Owns the octree over the cells of a dual contour (octree.h).
  *
- * Plan. The leaves are the cells that the surface crosses. Eight neighbours are a node of level 1, eight of those a
- * node of level 2, and so on. From level to level, connected parts of the surface in a node's children become one part.
- * A node is merged if all its children were merged and if each part
+ * Plan. The leaves are the cells that the surface crosses. Eight neighbours are a node of level 1; eight nodes of a
+ * level are a node of the next. From level to level, connected parts of the surface in a node's children become one
+ * part. A node is merged if all its children were merged and if each part
  *   1. is a disc: rings minus the sides between them plus the quads within them make 1 (Euler's characteristic); it
  *      crosses each edge of the node once at most, and each side of it in one line. Then two parts never meet along
  *      two lines, and the mesh of the merged nodes is a manifold (S. Schaefer, T. Ju, J. Warren, Manifold dual
@@ -39,7 +39,7 @@ typedef struct {
   uint32_t up;            /* the part with which it is joined, itself for the first */
   uint32_t link;          /* the next of the joined parts, in a circle */
   uint32_t count;         /* of the first: the number of joined parts */
-  uint32_t best;          /* of the first: the ring whose point they may have */
+  uint32_t best;          /* of the first: the ring whose point they may share */
   int32_t sides, inside;  /* of the first: twice the sides between them, and the quads within */
   uint8_t rim[EDGES];     /* of the first: the number of its crossings with each edge of the node */
 } part;

@@ -9,8 +9,8 @@
 #include "model/long_work.h"
 #include "model/vec.h"
 
-/* A contour of equal cells. A ring is a piece of the surface within a cell; a quad joins the four rings around an edge
- * of the grid that the surface crosses, the first of them in the cell at whose lowest corner the edge begins. */
+/* A contour of equal cells. A ring is a piece of the surface within a cell. A quad joins the four rings around an edge
+ * of the grid that the surface crosses; the first of them is in the cell at whose lowest corner the edge begins. */
 typedef struct {
   size_t rings, quads;
   const vs_vec3 *point;           /* of each ring, on the surface and within its cell */
@@ -26,7 +26,7 @@ typedef struct {
 typedef enum { VS_OCTREE_DONE, VS_OCTREE_STOPPED, VS_OCTREE_MEMORY } vs_octree_outcome;
 
 /* Sets stands_for[ring] to the ring whose point represents it, to itself if nothing is merged. With these rings in each
- * quad, and without repeated ones, the mesh is a closed manifold as before. A ring that represents others lies within
+ * quad, and without repeated ones, the mesh remains a closed manifold. A ring that represents others lies within
  * `tolerance` >= 0 of the planes through all their crossings. */
 vs_octree_outcome vs_octree_merge(const vs_octree_leaves *leaves, double tolerance, uint32_t *stands_for);
 

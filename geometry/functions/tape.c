@@ -82,7 +82,7 @@ double vs_tape_apply(vs_tape_operator op, double a, double b, double c) {
   case VS_TAPE_CHOOSE: return a != 0 ? b : c;
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
-  case VS_TAPE_FIELD: /* it needs the tape */
+  case VS_TAPE_FIELD: /* a field's value needs the tape */
   case VS_TAPE_OPERATORS: break;
   }
   return NAN;

@@ -1,4 +1,4 @@
-/* Declares the sun in a picture of a whole sky. */
+/* Declares the removal of the sun from a picture of a whole sky. */
 #ifndef VS_GEOMETRY_LIGHT_PANORAMA_SUN_H
 #define VS_GEOMETRY_LIGHT_PANORAMA_SUN_H
 

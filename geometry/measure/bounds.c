@@ -232,8 +232,8 @@ static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   if (n->kind == VS_SECTION) vs_bounds_meet(b, &solid);
 }
 
-/* Returns true for a leaf that only one parent refers to. Its bounds are computed when the parent needs them: storing a
- * million of them would cost more than their formulas. */
+/* Returns true for a leaf with a single parent. Its bounds are computed when the parent needs them: storing a million
+ * of them would cost more than their formulas. */
 static bool bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
 
 /* Sets the bounds of the commonest primitives, in their own coordinates, by the formulas above with the identity for a:
@@ -320,7 +320,7 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
     const vs_node *at = level[top].node;
     bool down =
         vs_node_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
-    if (vs_node_is_set(at) && level[top].next) { /* b is a member's */
+    if (vs_node_is_set(at) && level[top].next) { /* b: the bounds of the member before */
       if (at->kind == VS_INTERSECTION && level[top].next > 1) vs_bounds_meet(&level[top].all, &b);
       else vs_bounds_unite(&level[top].all, &b);
     }

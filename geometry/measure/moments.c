@@ -2,7 +2,7 @@
  * piece by piece.
  *
  * A straight piece has closed forms. A round piece, c + a cos t + b sin t, gives a trigonometric polynomial of degree 3
- * under the integral: cut at eighths of a turn, Gauss's rule with eight points is exact to the last bits. Coordinates
+ * under the integral. Cut at eighths of a turn, Gauss's rule with eight points is exact to the last bits. Coordinates
  * are in the outline's plane, relative to its first point: this avoids cancellation far from the origin. */
 #include "geometry/measure/moments.h"
 

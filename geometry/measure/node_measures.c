@@ -175,7 +175,7 @@ static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
 }
 
 /* By Pappus, for every smooth path and every mitred corner: the volume is area times length, with the square of the
- * scale along the path; the wall is the border's length times the path's, if the border's own centroid is on the path
+ * scale along the path. The wall is the border's length times the path's, if the border's own centroid is on the path
  * too. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   bool bar = n->kind == VS_THICKEN;

@@ -67,7 +67,7 @@ static bool cross_edge(const vs_mesh_edges *s, walker *w, int k, uint32_t *came)
   return true;
 }
 
-/* Walks straight on. Returns false at a border. */
+/* Walks straight ahead. Returns false at a border. */
 static bool walk(const vs_mesh_edges *s, walker *w, double length) {
   uint32_t came = VS_MESH_NONE;
   for (int i = 0; i < MOST_TRIANGLES; i++) {

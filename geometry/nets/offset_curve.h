@@ -29,9 +29,9 @@ typedef struct {
   size_t count, room;
 } vs_offset_points;
 
-/* Walks the distance from each of the points, perpendicular to the curve and straight over the triangles: to the left,
- * seen from the side to which the triangles' normals point; a negative distance: to the right. It omits walks that
- * reach a border of the mesh, and points beyond a border, and cuts off loops where the offset exceeds the curve's
+/* Walks the distance from each of the points, perpendicular to the curve and straight over the triangles. It walks to
+ * the left, seen from the side to which the triangles' normals point; a negative distance: to the right. It omits walks
+ * that reach a border of the mesh, and points beyond a border, and cuts off loops where the offset exceeds the curve's
  * radius. If the curve is closed and its offset complete, the first point is repeated as the last. It polls once for
  * each point. The caller frees out->at, also after a failure. Returns false when `poll` interrupts or memory is out. */
 bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_row *from, double distance, vs_poller poll,

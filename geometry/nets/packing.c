@@ -46,7 +46,8 @@ static double within(const vs_area *a, vs_vec2 p) {
   return in ? d : -d;
 }
 
-/* Returns the radius that a circle about p may have beside the circles from index `from` (at most their count) on. */
+/* Returns the radius that a circle about p may have beside the circles with an index >= from, which is at most their
+ * count. */
 static double room_for(const packing *w, vs_vec2 p, double so_far, size_t from) {
   VS_ASSERT(from <= w->count);
   for (size_t i = from; i < w->count; i++)

@@ -1,8 +1,8 @@
 /* Owns the joint bilateral filter: each pixel becomes the mean of its neighbours, weighted by distance and similarity.
  *
  * Petschnigg and others, Digital Photography with Flash and No-Flash Image Pairs, SIGGRAPH 2004: pictures without noise
- * determine the similarity, here the layers of albedo (albedo.R .G .B) and normal (N.X .Y .Z); edges of shape and
- * colour therefore stay. The picture's own light counts too, coarsely and by its logarithm, which keeps edges of
+ * determine the similarity. Here they are the layers of albedo (albedo.R .G .B) and normal (N.X .Y .Z); edges of shape
+ * and colour therefore stay. The picture's own light counts too, coarsely and by its logarithm, which keeps edges of
  * shadows. Without layers it alone counts (Tomasi and Manduchi, Bilateral Filtering for Gray and Color Images, ICCV
  * 1998). */
 #include "geometry/pictures/denoise.h"

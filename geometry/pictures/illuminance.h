@@ -10,8 +10,8 @@ typedef struct { const float *light[3], *albedo[3], *upward; /* N.Z */ } vs_lit_
 
 vs_lit_surfaces vs_lit_surfaces_of(const vs_exr *x);
 bool vs_lit_surfaces_are_known(const vs_lit_surfaces *s);
-/* Returns the illuminance. A matt surface of reflectance r that receives E reflects E r / pi in every direction:
- * therefore E is pi times its light divided by its reflectance, for each colour, weighted as luminance, in the
+/* Returns the illuminance. A matt surface of reflectance r that receives E reflects E r / pi in every direction.
+ * Therefore E is pi times its light divided by its reflectance, for each colour, weighted as luminance, in the
  * picture's units. NaN: the pixel shows nothing, or a surface with a reflectance below a two-hundredth. */
 double vs_illuminance_at(const vs_lit_surfaces *s, size_t pixel);
 /* Returns true if the pixel shows a floor: a surface that is level within 3 degrees and faces up. */

@@ -1,9 +1,9 @@
 /* Owns the measures of difference: in linear light, and by structural similarity on the screen.
  *
  * The second is Wang, Bovik, Sheikh and Simoncelli, Image Quality Assessment: From Error Visibility to Structural
- * Similarity, IEEE Transactions on Image Processing 13(4), 2004: means, variances and covariance under a Gaussian
- * window of 11 x 11 pixels and sigma 1.5, with K1 .01 and K2 .03, on the luma of the developed pictures. Both are
- * developed with the exposure of the first. Beyond the border, the border's pixels are repeated. */
+ * Similarity, IEEE Transactions on Image Processing 13(4), 2004. It uses means, variances and covariance under a
+ * Gaussian window of 11 x 11 pixels and sigma 1.5, with K1 .01 and K2 .03, on the luma of the developed pictures. Both
+ * are developed with the exposure of the first. Beyond the border, the border's pixels are repeated. */
 #include "geometry/pictures/picture_difference.h"
 
 #include <math.h>

@@ -123,8 +123,8 @@ static void agx(const double in[3], double out[3]) {
 
 /* ---- a picture ---- */
 
-/* sRGB bytes by IEC 61966-2-1, without a power for each: at[i] is the light from which on byte i is the nearest; for
- * each of COARSE parts of the range, `first` is the byte from which the search begins. */
+/* sRGB bytes by IEC 61966-2-1, without a power for each. at[i] is the light from which on byte i is the nearest.
+ * first[i], for each of COARSE parts of the range, is the byte from which the search begins. */
 enum { COARSE = 4096 };
 typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
 

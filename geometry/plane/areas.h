@@ -44,8 +44,8 @@ bool vs_points_delaunay(const vs_vec2 *at, size_t n, uint32_t (**out)[3], size_t
 typedef enum { VS_OFFSET_MITRE, VS_OFFSET_ROUND, VS_OFFSET_SQUARE } vs_offset_corners;
 
 /* The exact offset of a circle or arc whose placements only rotate, move and scale it uniformly, through any number of
- * offsets: the resulting circle (as an arc from 0 to 2 pi) or arc, and its placement. Returns false if there is no such
- * curve, or the result is empty. */
+ * offsets. It is a circle (as an arc from 0 to 2 pi) or an arc, and its placement. vs_offset_round returns false if
+ * there is no such curve, or the result is empty. */
 typedef struct { bool circle; struct vs_arc arc; } vs_offset_exact;
 
 /* Converts an outline's loops to the coordinates of frame (columns 0 and 1 span its plane), and back into space. */

@@ -170,8 +170,8 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   return (vs_path_point){ at, behind, ahead, 0 };
 }
 
-/* Adds samples between two of them if the direction reverses within a small part of the span: halves this part, down to
- * the cusp. from < to. */
+/* Adds samples between the parameters from < to if the direction reverses within a small part of the span: halves this
+ * part, down to the cusp. */
 static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, vs_path *out) {
   vs_path_point p = spline_at(w, i, from), q = spline_at(w, i, to), tail[HALVINGS];
   size_t behind = 0;

@@ -214,11 +214,11 @@ static bool bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t s
   return true;
 }
 
-/* Finds a corner of the ring to which the hole's leftmost corner h can be joined: shoot a ray to -x, take the first
- * edge it meets, and of that edge's end m and the corners within the triangle the one at the smallest angle to the ray.
- * Of those at equal angles it is the nearest, and of those at one position the one with the smallest index. A bridge
- * must not pass so close to a corner that rounding decides on its side. Therefore a ray meets each edge within `blur`,
- * and angles are equal if the lines differ by no more than that. */
+/* Finds a corner of the ring to which the hole's leftmost corner h can be joined. Shoot a ray to -x, and take the first
+ * edge it meets. Of that edge's end m and the corners within the triangle, take the one at the smallest angle to the
+ * ray. Of those at equal angles it is the nearest, and of those at one position the one with the smallest index. A
+ * bridge must not pass so close to a corner that rounding decides on its side. Therefore a ray meets each edge within
+ * `blur`, and angles are equal if the lines differ by no more than that. */
 typedef struct {
   const vs_ring *ring;
   const uint32_t *copies;

@@ -2,8 +2,8 @@
  *
  * An area grows by the union with strips along its outside, and shrinks by the difference from strips along its inside:
  * the union handles self-overlaps and holes that close, and exact coordinates stay exact. A strip follows edges a -> b
- * on one side (hand +1: the left of travel). Its far side runs at the distance d. With n1 and n2 the normals of two
- * neighbouring edges to that side, the far side goes through
+ * on one side (hand +1: the left of travel). Its far side runs at the distance d. n1 and n2 are the normals of two
+ * neighbouring edges to that side. The far side goes through
  *   b + d n1, b + d n2           at a corner that opens on that side, with the corner's join between them;
  *   b + d (n1 + n2)/(1 + n1.n2)  at a corner that closes, if the edges are long enough for their far sides to meet.
  * A strip ends at edges that are too short, and before it has turned by more than a right angle: therefore no strip

@@ -9,9 +9,9 @@ typedef struct { vs_vec3 *at; size_t count, room; bool closed; } vs_polyline;
 void vs_polyline_free(vs_polyline *p);
 
 /* The loops of a region in one plane: outer loops counter-clockwise about the normal, holes clockwise, each hole after
- * the outer loop that contains it. The plane's normal points up; that of a vertical plane points along +Y, or along +X
- * if the plane contains Y. frame: columns 0 and 1 span the plane, 2 is the normal, 3 the plane's point nearest to the
- * origin. An open curve (the profile of a surface) is one loop that is not closed. */
+ * the outer loop that contains it. The plane's normal points up; that of a vertical plane points towards +Y, or along
+ * +X. frame: columns 0 and 1 span the plane, 2 is the normal, 3 the plane's point nearest to the origin. An open curve
+ * (the profile of a surface) is one loop that is not closed. */
 typedef struct { vs_polyline *loops; bool *hole; size_t count; vs_vec3 point, normal; vs_affine frame; } vs_outline;
 void vs_outline_free(vs_outline *o);
 /* Makes an outline of loops in one plane: takes them over (each is left empty), also when it fails. */

@@ -10,7 +10,7 @@ typedef enum {
   VS_PLANE_ONE
 } vs_plane_count;
 typedef struct {
-  vs_vec3 point, normal; /* unit; up, or along +Y, or along +X */
+  vs_vec3 point, normal; /* unit; up, or towards +Y, or along +X */
   double size;           /* of the curve or region */
 } vs_shape_plane;
 

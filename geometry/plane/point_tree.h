@@ -4,9 +4,9 @@
 
 #include "geometry/plane/ear_clipping.h"
 
-/* Points in the order of a space-filling curve, in leaves of POINT_TREE_LEAF, under a binary tree of boxes that count
- * the points below them that are on. Building is n log n; switching takes the height; a search visits the boxes with
- * points on that the triangle intersects. */
+/* Points in the order of a space-filling curve, in leaves of POINT_TREE_LEAF, under a binary tree of boxes. Each box
+ * counts the points below it that are switched on. Building is n log n; switching takes the height; a search visits the
+ * boxes with such points that the triangle intersects. */
 typedef struct { double min_x, min_y, max_x, max_y; size_t on; } vs_point_box;
 typedef struct {
   const vs_vec2 *at;   /* the caller's; item i has the position at[point[i]] */
@@ -23,8 +23,9 @@ bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point
 void vs_point_tree_free(vs_point_tree *t);
 /* Switches an item of the tree on or off. */
 void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on);
-/* Returns an item that is on, at none of the positions a, b, c, and in the triangle: twice the areas of the triangles
- * (a, b, p), (b, c, p) and (c, a, p) are -flat or more. SIZE_MAX: there is none. `flat` is 0 or more. */
+/* Returns an item that is on, at none of the positions a, b, c, and in the triangle. It is in the triangle if twice the
+ * areas of the triangles (a, b, p), (b, c, p) and (c, a, p) are -flat or more. SIZE_MAX: there is none. `flat` is 0 or
+ * more. */
 size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat);
 
 /* Calls found for each item that is on and lies in the box, borders included. */

@@ -48,8 +48,8 @@ static bool links_along(const vs_vec2 *points, size_t n, link *links, size_t *co
   return true;
 }
 
-/* Keeps the part of a convex polygon that is nearer to p than to q. Returns the number of corners left; out has room
- * for n + 1. p and q differ. */
+/* Keeps the part of a convex polygon that is nearer to p than to q. Returns the number of corners; out has room for n +
+ * 1. p and q differ. */
 static size_t cut(const vs_vec2 *at, size_t n, vs_vec2 p, vs_vec2 q, vs_vec2 *out) {
   double nx = q.x - p.x, ny = q.y - p.y, mx = (p.x + q.x) / 2, my = (p.y + q.y) / 2;
   size_t count = 0;

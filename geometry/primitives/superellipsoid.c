@@ -2,8 +2,8 @@
  *
  * Both its profile and its cross-sections are superellipses |u|^p + |v|^p = 1, p = 2/n and 2/e. Half a quadrant of one
  * is
- *   u = (1 + t^p)^(-1/p), v = t u, 0 <= t <= 1,
- * the other half is its mirror image at the diagonal; the ends, a point of an axis and the corner on the diagonal, are
+ *   u = (1 + t^p)^(-1/p), v = t u, 0 <= t <= 1.
+ * The other half is its mirror image at the diagonal. The ends, a point of an axis and the corner on the diagonal, are
  * exact. The normal there is along (1, t^(p-1)). Points are chosen so that the sum of the normal's rotation and the
  * angle of t grows in equal steps: on a circle these are equal angles. On a square with rounded corners most of the
  * points are at the corners. Every chord stays near its arc, however sharp p is. */

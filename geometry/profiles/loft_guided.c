@@ -1,15 +1,15 @@
 /* Owns lofts that follow a path or guides.
  *
- * Along a path: each section is described in the path's frame (rotation-minimizing) at its position by three data: its
- * shape, flat and about its own centre; the position of that centre; and its tilt, the smallest rotation that takes the
- * path's direction to the section's normal. Between the sections the three are interpolated smoothly, and the frames
- * carry them. Interpolating the points alone would narrow the loft where two sections tilt in opposite directions:
- * halfway their tilts cancel, and the chords between them are shorter. Sections do not move: only the rows between them
- * follow the path.
+ * Along a path: three data describe each section in the path's frame (rotation-minimizing) at its position. They are
+ * its shape, flat and about its own centre; the position of that centre; and its tilt, the smallest rotation that takes
+ * the path's direction to the section's normal. Between the sections the three are interpolated smoothly, and the
+ * frames carry them. Interpolating the points alone would narrow the loft where two sections tilt in opposite
+ * directions: halfway their tilts cancel, and the chords between them are shorter. Sections do not move: only the rows
+ * between them follow the path.
  *
  * By guides: the free loft between two sections is moved so that its wall meets every guide. A motion that all guides
- * have in common (a shift; with two guides a rotation and a scale; with three or more any affine map of the section's
- * plane) moves the whole row; the rest of each guide's motion decreases towards the next guide. */
+ * have in common moves the whole row: a shift; with two guides a rotation and a scale; with three or more any affine
+ * map of the section's plane. The rest of each guide's motion decreases towards the next guide. */
 #include "geometry/profiles/loft_guided.h"
 
 #include <stdlib.h>
@@ -298,7 +298,7 @@ static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, 
       return vs_error_set(e, VS_ERROR_MODEL, NULL,
                           "guide %zu must meet every section; it passes section %zu at a distance of %.6g", number,
                           i + 1, far);
-    if (l->point[i]) g->column[i] = -1; /* all of its lines */
+    if (l->point[i]) g->column[i] = -1; /* a point: the guide touches all of its lines */
   }
   if (g->s[0] > g->s[l->rows - 1]) {
     for (size_t i = 0; i < l->rows; i++) g->s[i] = g->path.length - g->s[i];

@@ -81,9 +81,9 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
 /* ---- lines of the wall ---- */
 
 /* Between lines that are not parallel the wall is a saddle; two triangles miss it by a quarter of its twist in the
- * middle. The wall is cut into k pieces from row to row, the same number everywhere, and each edge of a section into as
- * many as its own twist still needs: the error falls by the product of both. There are as many edges as columns, in
- * their order; open sections have an unused one at each loop's end. k: 1 to 64. */
+ * middle. The wall is cut into k pieces from row to row, the same number everywhere. Each edge of a section is cut into
+ * as many pieces as its own twist still needs: the error falls by the product of both. There are as many edges as
+ * columns, in their order; open sections have an unused one at each loop's end. k: 1 to 64. */
 static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edges) {
   enum { MOST = 64 };
   double most = 0;

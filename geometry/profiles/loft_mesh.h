@@ -8,7 +8,7 @@
 bool vs_loft_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
 vs_vec3 *vs_loft_rows_add(vs_loft_rows *r); /* makes room for one more row; NULL: out of memory */
 /* Returns the slope where the secants a and b (over steps h and k) meet: their own if they agree, circular where they
- * turn, zero if one is zero or they are opposite, so that the curve never overshoots its ends. */
+ * turn, zero if one is zero or they are opposite. The curve therefore never overshoots its ends. */
 vs_vec3 vs_loft_slope(vs_vec3 a, vs_vec3 b, double h, double k);
 /* Returns the slope at an end of a piece with the secant a that ends with the slope m: that of a parabola. */
 vs_vec3 vs_loft_end_slope(vs_vec3 a, vs_vec3 m);

@@ -28,11 +28,11 @@ void vs_revolve_free(vs_revolve *r);
 bool vs_revolve_plan(const vs_node *n, const vs_fineness *f, vs_revolve *out, vs_error *e);
 size_t vs_revolve_steps(const vs_revolve *r, const vs_fineness *f, int segments); /* returns the steps of the whole
                                                                                    * angle */
-/* steps is above 0. */
-bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out); /* appends; false: out of memory */
+/* Appends the triangles; steps is above 0. Returns false when memory is out. */
+bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out);
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b);
-/* The profile is filled. */
-bool vs_revolve_holds(const vs_revolve *r, vs_vec3 p); /* whether a solid contains p */
+/* Returns true if the solid, whose profile is filled, contains p. */
+bool vs_revolve_holds(const vs_revolve *r, vs_vec3 p);
 /* Measures by Pappus, with the moments of the plan's polygon; exactly if the polygon is a circle's. */
 bool vs_revolve_measure(const vs_node *n, const vs_fineness *f, vs_measure *m, vs_error *e);
 /* Returns the radius of a profile that is one circle, placed so that it stays circular; else 0. */

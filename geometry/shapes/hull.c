@@ -31,8 +31,8 @@ bool vs_cloud_add(vs_cloud *c, vs_vec3 p) {
 
 /* ---- extent ---- */
 
-/* Finds points far from each other: corner[0..3] span the largest dimension, extent[k] is the distance of corner[k]
- * from the span of the others. */
+/* Returns the dimension of the points, -1 if there are none. corner[k], for k up to the dimension, is the point
+ * farthest from the span of the corners before it; corner[0] is the farthest from the middle. */
 static int cloud_span(const vs_cloud *c, uint32_t corner[4]) {
   if (!c->count) return -1;
   vs_bounds b = vs_bounds_empty();
@@ -232,8 +232,7 @@ bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out) {
                      .leaving = vs_fresh(c->count, sizeof *h.leaving) };
   bool ok = steps && h.next_above && h.leaving && hull_start(&h, corner, c->count);
   for (uint32_t f = 0, step = 0; ok && f < h.count; f++)
-    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* this removes f; new faces come
-                                                                                       * last */
+    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* removes f; new faces follow */
   ok = ok && hull_write(&h, c, out);
   free(steps);
   free(h.next_above);

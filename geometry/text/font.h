@@ -21,8 +21,8 @@ typedef struct {
                          * 0 */
 } vs_glyph;
 
-/* Returns a font, which the store owns. name: "" is the default font; a name with a / or the ending of a font file
- * is a path; any other is a family with its style ("DejaVu Sans Bold"). NULL: e has the reason, and the available
+/* Returns a font, which the store owns. name: "" is the default font. A name with a / or the ending of a font file
+ * is a path. Any other is a family with its style ("DejaVu Sans Bold"). NULL: e has the reason, and the available
  * families. */
 vs_font *vs_font_get(vs_store *s, const char *name, vs_error *e);
 /* Registers the font in these bytes: vs_font_get then finds it under this name. */
