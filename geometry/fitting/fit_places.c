@@ -240,7 +240,7 @@ static bool try_places(vs_fit_search *f, const vs_mesh *mesh, vs_fit_place *plac
   return true;
 }
 
-/* Returns true if scan and model have about the same size. */
+/* Returns true if scan and model may have the same unit: the ratio of their sizes is between .02 and 20. */
 static bool same_unit(vs_fit_search *f) {
   double ratio = f->out->size / f->out->model_size;
   if (!(f->out->size > 0)) return vs_error_set(f->e, VS_ERROR_FILE, NULL, "all points lie in one place");
