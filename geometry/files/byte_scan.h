@@ -28,8 +28,7 @@ void vs_scan_next_line(vs_byte_scan *s);
 /* Reads the next word; lines: also from the lines that follow. "": the end (of the line). Skips comments from `comment`
  * (0: none) to the line's end. */
 void vs_scan_word(vs_byte_scan *s, bool lines, char comment, char word[VS_SCAN_WORD]);
-bool vs_scan_real(vs_byte_scan *s, bool lines, char comment, double *out);       /* sets *out to a finite number, or
-                                                                                  * reports an error */
+bool vs_scan_real(vs_byte_scan *s, bool lines, char comment, double *out);       /* the number is finite */
 bool vs_scan_integer(vs_byte_scan *s, bool lines, char comment, int64_t *out);
 bool vs_scan_point(vs_byte_scan *s, bool lines, char comment, vs_vec3 *out);
 

@@ -183,8 +183,7 @@ static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
         result = begun ? call->update(c, 0, &chunk, &decoder) : call->begin(c, 0, &chunk, &decoder);
       if (!begun && result == EXR_ERR_SUCCESS) {
         begun = true;
-        result = call->choose(c, 0, &decoder); /* chooses how to read and to decompress: no channel has a destination
-                                                * yet */
+        result = call->choose(c, 0, &decoder); /* chooses how to read and decompress; no channel has a target yet */
         decoder.unpack_and_convert_fn = NULL;
       }
       if (result == EXR_ERR_SUCCESS) result = exr_run(r, &decoder);

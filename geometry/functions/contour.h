@@ -26,7 +26,7 @@ typedef struct {
   vs_vec3 at;       /* the place of the failure */
   size_t most;      /* input: the most triangles of the cells before they are merged; 0: no limit */
   bool capped;      /* the box cuts the region: its sides close the mesh */
-  double deviation; /* distance of triangles' centres from the surface, to first order */
+  double deviation; /* the largest distance of triangles' centres from the surface, to first order */
 } vs_contour;
 
 /* A box from its corner p to q, p below q along each axis, cut into `cells` cubes along its longest side. Cubes are

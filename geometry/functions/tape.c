@@ -180,8 +180,7 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
     uint32_t square = vs_tape_add(t, VS_TAPE_SQUARE, a, 0, 0);
     return vs_tape_add(t, VS_TAPE_MUL, square, a, 0);
   }
-  if ((op == VS_TAPE_ADD || op == VS_TAPE_MUL) && a > b) s.of[0] = b, s.of[1] = a; /* a + b and b + a are the same
-                                                                                    * step */
+  if ((op == VS_TAPE_ADD || op == VS_TAPE_MUL) && a > b) s.of[0] = b, s.of[1] = a; /* a + b and b + a are one step */
   return step_number(t, &s);
 }
 

@@ -27,8 +27,7 @@ typedef struct vs_tape_field vs_tape_field;
 struct vs_tape_field {
   uint32_t refs;
   double (*value)(const vs_tape_field *f, const double at[3], double slope[3]); /* slope may be NULL */
-  void (*release)(vs_tape_field *f);                                            /* frees the field, when the last
-                                                                                 * reference is released */
+  void (*release)(vs_tape_field *f);                                            /* the last reference is released */
 };
 void vs_tape_field_release(vs_tape_field *f); /* releases a reference */
 

@@ -274,8 +274,7 @@ static bool measure_round(const measured *of, const vs_offset_exact *exact, vs_m
   bool full = angle >= 2 * pi * (1 - 1e-15);
   if (!measure_curve(of, m, e)) return false;
   if (full) m->centroid = vs_affine_point(&of->placed, a->center);
-  else if (vs_affine_even(&of->placed, &k)) { /* r sin(a/2) / (a/2) from the centre, in the direction halfway between
-                                               * the ends */
+  else if (vs_affine_even(&of->placed, &k)) { /* r sin(a/2) / (a/2) from the centre, halfway between the ends */
     double mean = (a->start + a->end) / 2, away = a->radius * sin(angle / 2) / (angle / 2), sine, cosine;
     vs_sincos(mean, &sine, &cosine);
     m->centroid = vs_affine_point(&of->placed, vs_v3_add(a->center, vs_v3(away * cosine, away * sine, 0)));

@@ -400,8 +400,7 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
       (*out)[(*count)++] = i == 0            ? r.p.at
                            : i == points - 1 ? r.q.at
                            : whole           ? crossing_at(&s, &r, i - 1)
-                                             : stop_at(&s, way[i]); /* if the row is not whole: it passes corners of
-                                                                     * borders */
+                                             : stop_at(&s, way[i]); /* the row passes corners of borders */
   }
   vs_mesh_edges_free(&s);
   row_free(&r);

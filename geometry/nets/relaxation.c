@@ -128,7 +128,7 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work wor
   }
 }
 
-/* Returns true if the cables have the required lengths; else sets their unstrained lengths for the next round. */
+/* Returns true if the taut cables have the required lengths; sets the unstrained lengths for the next round. */
 static bool lengths_hold(relaxation *r, double share) {
   bool hold = true;
   for (size_t k = 0; k < r->net->member_count; k++) {

@@ -32,7 +32,7 @@ typedef struct {
 typedef enum {
   VS_RELAX_DONE,
   VS_RELAX_LOOSE,   /* point `where` is loaded, and no members connect it to a fixed point */
-  VS_RELAX_SHORT,   /* cable `where` is too short for the distance of its fixed points */
+  VS_RELAX_SHORT,   /* the fixed points keep cable `where` longer than its length */
   VS_RELAX_FAR,     /* no equilibrium after VS_RELAX_STEPS; `residual` remains */
   VS_RELAX_STOPPED, /* the caller interrupted */
   VS_RELAX_MEMORY

@@ -58,8 +58,7 @@ bool vs_exr_smooth(vs_exr *x, bool *layers, vs_error *e) {
   for (size_t k = 0; k < 3; k++) {
     g.color[k] = memcpy(was + k * n, to[k], n * sizeof(float));
     for (size_t i = 0; i < n; i++)
-      if (!isfinite(was[k * n + i])) was[k * n + i] = 0; /* an infinity or NaN would spread to all pixels within the
-                                                          * window */
+      if (!isfinite(was[k * n + i])) was[k * n + i] = 0; /* an infinity or NaN would spread within the window */
   }
   for (int k = 0; k < LAYERS; k++) g.guided = (g.layer[k] = vs_exr_find(x, names[k])) != NULL && g.guided;
   for (size_t i = 0; i < n; i++) {

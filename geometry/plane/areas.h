@@ -18,8 +18,7 @@ typedef struct {
 
 void vs_area_free(vs_area *a);
 bool vs_area_point(vs_area *a, double x, double y);  /* of the loop under construction; false: out of memory */
-bool vs_area_loop(vs_area *a, bool hole);            /* ends that loop, and drops it if it has fewer than three
-                                                      * points */
+bool vs_area_loop(vs_area *a, bool hole);            /* ends that loop; drops it if it has under three points */
 
 typedef enum {
   VS_AREA_UNION,

@@ -38,8 +38,7 @@ static int cross_compare(const void *p, const void *q) {
   return a->curve != b->curve ? (a->curve < b->curve ? -1 : 1) : a->place < b->place ? -1 : a->place > b->place;
 }
 
-static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* returns the distance from the edge's line, left
-                                                               * positive */
+static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* distance from the edge's line, left positive */
   double dx = e->b.x - e->a.x, dy = e->b.y - e->a.y;
   return (dx * (p.y - e->a.y) - dy * (p.x - e->a.x)) / hypot(dx, dy);
 }

@@ -9,7 +9,6 @@
  * caller releases, and *count becomes their number. Returns false with the reason in e; the caller then releases
  * nothing. */
 bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e);
-bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *size, vs_error *e); /* of an open
-                                                                                                    * curve */
+bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *size, vs_error *e); /* open curves */
 
 #endif

@@ -58,8 +58,7 @@ static bool offset_strip(vs_offsetter *o) {
   return ok && vs_area_loop(o->strips, false);
 }
 
-typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* from p: direction, and normal to the
-                                                                              * strip's side */
+typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* from p: direction, side's normal */
 
 /* Adds the far side's points around an opening corner at p: between p + d n of a and of b. */
 static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, const vs_offset_edge *b) {

@@ -138,7 +138,7 @@ static bool plane_hull(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return true;
 }
 
-/* Adds the points of the curve. */
+/* Finds the plane of coarse samples of the curve. */
 static bool plane_join(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
   vs_fineness coarse = { 1, 12 };
   vs_polyline line = { 0 };

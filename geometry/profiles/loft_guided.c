@@ -334,8 +334,7 @@ static size_t guided_first(const vs_loft *l, size_t loop) {
   return first;
 }
 
-static double guided_column(const vs_loft *l, const guided_line *g, size_t i, double t) { /* takes the shorter direction
-                                                                                           * around the loop */
+static double guided_column(const vs_loft *l, const guided_line *g, size_t i, double t) { /* by the shorter way */
   double a = g->column[i], b = g->column[i + 1], size = (double)l->sizes[g->loop];
   if (l->round && b - a > size / 2) b -= size;
   if (l->round && a - b > size / 2) b += size;

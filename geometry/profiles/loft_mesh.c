@@ -149,8 +149,7 @@ static vs_vec3 loft_way(const vs_loft *l, size_t row, size_t column) { /* return
   return vs_v3_sub(l->at[row * l->columns + column], l->center[row]);
 }
 
-static double loft_chord(const vs_loft *l, size_t i) { /* returns the mean distance of the wall from row i to the
-                                                        * next */
+static double loft_chord(const vs_loft *l, size_t i) { /* the wall's mean distance from row i to the next */
   size_t next = (i + 1) % l->rows;
   double sum = 0;
   for (size_t c = 0; c < l->columns; c++)

@@ -301,8 +301,7 @@ vs_node *vs_nurbs_curve_node(vs_store *s, const vs_nurbs *n) {
     if (!last && !is_corner(end.slope, sample_in(n, next, z).slope)) continue;
     if (!smooth) ok = append(&piece, end);
     size_t half = piece.count / 2;
-    bool halved = last && closed && !count && !smooth && half > 0; /* a single piece with a corner where it closes is
-                                                                    * cut in two */
+    bool halved = last && closed && !count && !smooth && half > 0; /* a corner where it closes: two pieces */
     ok = ok && VS_GROW(pieces, room, count + 2);
     if (ok && halved) {
       pieces[count] = (vs_ref){ spline_node(s, piece.at, half + 1, false), NULL };

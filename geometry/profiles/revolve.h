@@ -26,8 +26,7 @@ typedef struct {
 void vs_revolve_free(vs_revolve *r);
 /* Plans a revolution. Fails if the profile's plane does not contain the axis, or the profile crosses it. */
 bool vs_revolve_plan(const vs_node *n, const vs_fineness *f, vs_revolve *out, vs_error *e);
-size_t vs_revolve_steps(const vs_revolve *r, const vs_fineness *f, int segments); /* returns the steps of the whole
-                                                                                   * angle */
+size_t vs_revolve_steps(const vs_revolve *r, const vs_fineness *f, int segments); /* steps of the whole angle */
 /* Appends the triangles; steps is above 0. Returns false when memory is out. */
 bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out);
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b);

@@ -134,8 +134,7 @@ static bool cut_triangles(vs_bending *b) {
     for (int k = 0; k < 3; k++) e[k] = middle_of(b, t[k], t[(k + 1) % 3]);
     int cuts = (e[0] != STAYS) + (e[1] != STAYS) + (e[2] != STAYS);
     if (!cuts) continue;
-    while ((cuts == 1 && e[0] == STAYS) || (cuts == 2 && e[2] != STAYS)) { /* rotate until, of one cut edge, it is edge
-                                                                            * 0; of two, edge 2 is not cut */
+    while ((cuts == 1 && e[0] == STAYS) || (cuts == 2 && e[2] != STAYS)) { /* of one cut edge 0, of two 0 and 1 */
       uint32_t t0 = t[0], e0 = e[0];
       t[0] = t[1], t[1] = t[2], t[2] = t0;
       e[0] = e[1], e[1] = e[2], e[2] = e0;

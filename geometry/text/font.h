@@ -36,7 +36,6 @@ double vs_font_descent(const vs_font *f);    /* depth below the base line, posit
 /* Returns the glyph's index; 0: the font has none, and shows glyph 0 instead. */
 uint32_t vs_font_index(const vs_font *f, uint32_t character);
 const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e); /* NULL: failed */
-double vs_font_kerning(const vs_font *f, uint32_t left, uint32_t right); /* returns the number to add to left's
-                                                                          * advance */
+double vs_font_kerning(const vs_font *f, uint32_t left, uint32_t right); /* a number to add to left's advance */
 
 #endif
