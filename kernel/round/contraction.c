@@ -1,12 +1,14 @@
-/* Owns what is done where rounding makes triangles meet and nothing gentler has helped (contraction.h).
+/* Owns the contraction of the surface where rounding makes triangles meet and no gentler means has helped
+ * (contraction.h).
  *
- * A mesh whose corners are only places need not be a manifold by index: it is enough that its triangles are a closed
- * chain, in which each edge is passed as often one way as the other. Two steps keep a chain closed, whatever they meet:
- *   unite   corners a few units apart become one. Triangles of which two corners are one are edges, and go
- *   reroute the longest edge of a triangle that is lower than a few units is led through the triangle's third corner,
- *           in all triangles that have the edge. The low one becomes nothing, and its neighbour is cut in two there.
+ * A mesh whose corners are only positions need not be a manifold by index: it suffices that its triangles are a closed
+ * chain, in which each edge has as many uses one way as the other. Two steps keep a chain closed in all cases:
+ *   unite   corners a few units apart become one. Triangles with two equal corners are edges, and are removed
+ *   reroute the longest edge of a triangle that is lower than a few units goes through the triangle's third corner,
+ *           in all triangles that have the edge. The low triangle vanishes, and its neighbour is cut in two there.
  *           Low triangles without a short edge, which mesh repair calls caps, vanish only by this
- * Of triangles with the same three corners, as many of either side go: they are one sheet on another. */
+ * If triangles have the same three corners, equal numbers of the two orientations are removed: they are sheets on each
+ * other. */
 #include "kernel/round/contraction.h"
 
 #include <math.h>
@@ -15,7 +17,7 @@
 
 #include "model/store/disjoint.h"
 
-static bool is_met(const vs_rounding *s, uint32_t t) { /* near one that meets another */
+static bool is_met(const vs_rounding *s, uint32_t t) { /* near a triangle that meets another */
   const uint32_t *v = s->m->triangles[t];
   return s->near_met.at[v[0]] || s->near_met.at[v[1]] || s->near_met.at[v[2]];
 }
@@ -24,7 +26,8 @@ static vs_vec3 place(const vs_rounding *s, uint32_t v) { return s->m->vertices[v
 
 /* ---- sheets on each other ---- */
 
-typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corners in order; odd: that turned it over */
+typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corners in ascending order; odd: the sort reversed
+                                                                   * the orientation */
 
 static int sheet_order(const void *a, const void *b) {
   const sheet *x = a, *y = b;
@@ -46,7 +49,7 @@ static sheet sheet_of(const uint32_t v[3], uint32_t t) {
   return s;
 }
 
-/* Among the triangles at corners that are busy. */
+/* Removes sheets on each other, among the triangles at busy corners. */
 static bool cancel_sheets(vs_rounding *s) {
   const vs_mesh *m = s->m;
   VS_LIST(sheet) sheets = { 0 };
@@ -73,10 +76,11 @@ static bool cancel_sheets(vs_rounding *s) {
 
 /* ---- details ---- */
 
-enum { DETAIL = 16 /* units, as far as edges are contracted: in singles a millionth of the coordinate */ };
+enum { DETAIL = 16 /* units by which edges are contracted: in singles a millionth of the coordinate */ };
 
-/* A corner of a triangle goes to another place, or its plane is led through it: is that off its plane by so many units
- * that a detail is lost? Along a surface that is finely cut, corners may go further than that, and nothing is lost. */
+/* If a corner of the triangle moves to another place, or its plane goes through that place: returns true if the place
+ * is so many units off the triangle's plane that a detail is lost. Along a finely cut surface, corners may move further
+ * without loss. */
 static bool leaves(const vs_rounding *s, const uint32_t t[3], uint32_t corner, uint32_t to) {
   vs_vec3 n = vs_rounding_normal(place(s, t[0]), place(s, t[1]), place(s, t[2]));
   double off = fabs(vs_v3_dot(n, vs_v3_sub(place(s, to), place(s, corner))));
@@ -87,10 +91,10 @@ static void lose(vs_rounded *out, vs_vec3 at) {
   if (out->lost++ == 0) out->lost_at = at;
 }
 
-/* ---- corners that become one ---- */
+/* ---- uniting corners ---- */
 
-/* Unites corners within so many units of each other that an edge of a triangle near what meets joins: of triangles that
- * rounding bends, or of all. */
+/* Unites corners within so many units of each other that are the ends of an edge of a triangle near a contact: of
+ * triangles that rounding bends, or of all. */
 static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   VS_LIST(uint32_t) parent = { 0 };
@@ -123,7 +127,7 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
       if (to[j] == v[j]) continue;
       s->changed.at[t] = VS_CHANGED;
       if (s->busy.at[v[j]] || !leaves(s, v, v[j], to[j])) continue;
-      s->busy.at[v[j]] = 1; /* is counted, and goes */
+      s->busy.at[v[j]] = 1; /* counts and removes it */
       lose(out, place(s, v[j]));
     }
     memcpy(v, to, sizeof to);
@@ -135,9 +139,10 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
   return ok;
 }
 
-/* ---- edges that go another way ---- */
+/* ---- rerouting edges ---- */
 
-/* A low triangle: the ends of its longest edge, in order, and its third corner, which stands so far along that edge. */
+/* A low triangle: the ends of its longest edge, in order, and its third corner; along: the third corner's place along
+ * that edge. */
 typedef struct { uint32_t low, high, top; double along; } cap;
 typedef VS_LIST(cap) caps;
 typedef VS_LIST(uint32_t) corners;
@@ -150,7 +155,7 @@ static int cap_order(const void *a, const void *b) {
   return x->top < y->top ? -1 : x->top > y->top;
 }
 
-/* At most so many are put on one edge at a time. */
+/* the most corners that one edge gets at a time */
 enum { TOPS = 16, LOOP = 3 + 3 * TOPS };
 
 static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
@@ -183,7 +188,7 @@ static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
   return true;
 }
 
-/* The corners that the edge from p to q is led through, from p on. They are two. */
+/* Lists the corners through which the edge from p to q goes, from p on. p and q differ. */
 static size_t route_of(const caps *all, uint32_t p, uint32_t q, uint32_t *to) {
   uint32_t a = p < q ? p : q, b = p < q ? q : p;
   size_t low = 0, high = all->count, count = 0;
@@ -199,7 +204,8 @@ static size_t route_of(const caps *all, uint32_t p, uint32_t q, uint32_t *to) {
   return count;
 }
 
-/* Cuts a loop, in which each corner stands once, into triangles round that corner of it where the lowest is highest. */
+/* Cuts a loop, in which each corner is once, into triangles around the corner for which the lowest of them is
+ * highest. */
 static bool cut_loop(vs_rounding *s, const uint32_t *loop, size_t count, corners *to) {
   size_t from = 0;
   double best = -1;
@@ -219,7 +225,7 @@ static bool cut_loop(vs_rounding *s, const uint32_t *loop, size_t count, corners
   return true;
 }
 
-/* A loop that comes back to a corner is two. */
+/* Cuts a loop that returns to a corner as two loops. */
 static bool cut_loops(vs_rounding *s, const uint32_t *loop, size_t count, corners *to) {
   uint32_t open[LOOP];
   size_t n = 0;
@@ -233,7 +239,7 @@ static bool cut_loops(vs_rounding *s, const uint32_t *loop, size_t count, corner
   return cut_loop(s, open, n, to);
 }
 
-/* Triangles in place of t: three corners each, of which there may be none. t is a triangle of the mesh. */
+/* Replaces t, a triangle of the mesh, by triangles: three corners each; there may be none. */
 static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   vs_mesh *m = s->m;
   size_t more = by->count > 3 ? by->count / 3 - 1 : 0, all = m->triangle_count + more + 1;
@@ -253,8 +259,8 @@ static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   return true;
 }
 
-/* Leads the longest edges of triangles lower than so many units, near what meets, through their third corners: of
- * those that rounding bends, or of all. */
+/* Reroutes the longest edges of triangles near a contact that are lower than so many units, through their third
+ * corners: of triangles that rounding bends, or of all. */
 static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   caps found = { 0 };

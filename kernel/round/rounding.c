@@ -1,19 +1,20 @@
 /* Owns the mending of a mesh that is rounded.
  *
- * The exact result may have corners that lie closer together than the format's numbers: where four planes nearly meet
- * in one point there are two corners, and where a corner all but lies on another's edge there is a triangle without
- * height. Rounded, such an edge is nothing or noise, and such a triangle may turn over and cross its neighbours.
- *   collapse  an edge of less than two units goes onto its lower corner where no triangle around it turns over and the
- *             link condition holds: the two corners have in common only the two neighbours opposite the edge, so the
+ * The exact result may have corners closer together than the format's numbers: where four planes nearly meet in one
+ * point there are two corners, and where a corner nearly lies on another's edge there is a triangle with almost no
+ * height. After rounding, such an edge vanishes or is noise, and such a triangle may turn over and cross its
+ * neighbours.
+ *   collapse  an edge of less than two units moves onto its lower corner if no triangle around it turns over and the
+ *             link condition holds: the two corners have only the two neighbours opposite the edge in common, so the
  *             surface stays a manifold of the same kind
- *   flip      a triangle lower than two units gives its longest edge to its top: the neighbour behind that edge is
- *             cut in two there
- *   drop      a shell that is thinner than two units all over is left out
- * Then triangles that meet after rounding, and did not before, are looked for everywhere (self_contacts.c). In formats
+ *   flip      the longest edge of a triangle lower than two units is replaced by an edge to its top: the neighbour
+ *             behind that edge is cut in two there
+ *   drop      a shell that is thinner than two units everywhere is removed
+ * Then self_contacts.c searches the whole mesh for triangles that meet after rounding, but not before. In formats
  * without indices, the surface near them is contracted (contraction.c).
  *
- * A look at all triangles, by threads, finds the few where there is anything to do; from then on only these are looked
- * at, and what has changed since. */
+ * Threads test all triangles once and find the few that need a change; afterwards only these are tested, and those that
+ * have changed since. */
 #include "kernel/round/rounding.h"
 
 #include <math.h>
@@ -28,7 +29,7 @@
 #include "kernel/threads.h"
 #include "model/store/array.h"
 
-enum { ROUNDS = 3, PASSES = 3 /* of flips, in a round */, CONTRACTIONS = 8 };
+enum { ROUNDS = 3, PASSES = 3 /* PASSES: of flips, in a round */, CONTRACTIONS = 8 };
 
 typedef vs_rounding rounding;
 
@@ -36,7 +37,7 @@ static vs_vec3 corner(const rounding *s, uint32_t v) { return vs_rounding_corner
 
 static bool near(double a, double b, vs_numbers numbers) {
   double d = fabs(a - b), most = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
-  if (d > most * 1e-6) return false; /* nearly all are: no format's unit is that large */
+  if (d > most * 1e-6) return false; /* true for nearly all: no format's unit is that large */
   return d == 0 || d < 2 * vs_rounding_unit(most, numbers);
 }
 
@@ -45,8 +46,8 @@ static bool too_short(const rounding *s, uint32_t a, uint32_t b) {
   return near(p.x, q.x, s->numbers) && near(p.y, q.y, s->numbers) && near(p.z, q.z, s->numbers);
 }
 
-/* Shorter than what rounding may move its ends by: fine where all that hangs on it is rounded alike, as on faces along
- * the axes. */
+/* Returns true if the edge is shorter than the distance by which rounding may move its ends. It is safe if rounding
+ * moves all triangles there alike, as on faces along the axes. */
 static bool unsure(const rounding *s, uint32_t a, uint32_t b) {
   double length = vs_v3_length(vs_v3_sub(s->m->vertices[a], s->m->vertices[b]));
   return length < 2 * fmax(vs_rounding_unit_at(s, a), vs_rounding_unit_at(s, b));
@@ -62,7 +63,7 @@ static bool is_neighbour(const rounding *s, uint32_t v, uint32_t other) {
   return false;
 }
 
-/* Triangles beside noise: where it has turned over, these may cross each other, though they look the same way. */
+/* Marks the triangles beside noise: if it has turned over, these may cross each other, even with equal orientation. */
 static void suspect_neighbours(vs_rounding *s) {
   for (size_t i = 0; i < s->look.count; i++) {
     uint32_t t = s->look.at[i];
@@ -75,7 +76,7 @@ static void suspect_neighbours(vs_rounding *s) {
   }
 }
 
-/* Has it an edge that may be too short? */
+/* Returns true if the triangle has an edge that may be too short. */
 static bool has_short(const rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   for (int j = 0; j < 3; j++) {
@@ -86,18 +87,18 @@ static bool has_short(const rounding *s, uint32_t t) {
   return false;
 }
 
-/* ---- the few that are looked at ---- */
+/* ---- the triangles that need a test ---- */
 
 enum { TASK = 1 << 13 };
 typedef struct { VS_LIST(uint32_t) look; VS_LIST(vs_storey) storeys; bool noise, level; } found_some;
 typedef struct {
   rounding *s;
-  bool noise; /* any is */
+  bool noise; /* there is noise */
   found_some found[VS_PIPELINE_WINDOW];
 } scan;
 
-/* Notes the plane across an axis that the triangle lies in, unless it is the one that was noted last for that axis.
- * False: no memory; *level: there is one. */
+/* Appends the plane across an axis that contains the triangle, unless it is the latest one for that axis. *level: there
+ * is such a plane. Returns false when memory is out. */
 static bool find_storey(vs_kernel *k, const rounding *s, uint32_t t, vs_storey last[3], found_some *to, bool *level) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
@@ -146,8 +147,8 @@ static int storey_order(const void *a, const void *b) {
   return x->value < y->value ? -1 : x->value > y->value;
 }
 
-/* Merges two runs that stand in a row, from `low` and from `middle` to `high`; scratch has room for the first. Neither
- * run is empty. */
+/* Merges two adjacent runs, from `low` and from `middle` to `high`; scratch has room for the first. Neither run is
+ * empty. */
 static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t middle, size_t high) {
   size_t i = 0, n = middle - low, j = middle, to = low;
   VS_ASSERT(low < middle && middle < high);
@@ -157,7 +158,7 @@ static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t 
   while (i < n) at[to++] = scratch[i++];
 }
 
-/* In runs, between which interrupts are answered: a million boxes have some million storeys. */
+/* Sorts in runs, between which the caller may interrupt: a million boxes have some million storeys. */
 static bool order_storeys(vs_kernel *k, vs_storey *at, size_t count) {
   enum { RUN = 1 << 15 };
   VS_LIST(vs_storey) scratch = { 0 };
@@ -204,7 +205,7 @@ size_t vs_rounding_storey(const vs_rounding *s, int axis, double value) {
   return low;
 }
 
-/* *any: is there any noise? */
+/* *any: there is noise. */
 static bool find_look(rounding *s, bool *any) {
   scan c = { .s = s };
   s->look.count = s->storeys.count = 0;
@@ -230,7 +231,7 @@ static int number_order(const void *a, const void *b) {
   return x < y ? -1 : x > y;
 }
 
-/* A round begins: nothing is busy, and what has come to be looked at stands in its place. */
+/* Begins a round: nothing is busy, and the triangles to test are sorted. */
 static void begin_round(rounding *s) {
   memset(s->busy.at, 0, s->m->vertex_count);
   for (size_t i = 1; i < s->look.count; i++)
@@ -240,7 +241,7 @@ static void begin_round(rounding *s) {
     }
 }
 
-/* Fans anew, and marks of what is looked at. */
+/* Makes the fans again, and the marks of the triangles to test. */
 static bool index_mesh(rounding *s) {
   const vs_mesh *m = s->m;
   size_t n = m->vertex_count, triangles = m->triangle_count;
@@ -268,10 +269,10 @@ static bool index_mesh(rounding *s) {
   return vs_kernel_report(s->k, 1);
 }
 
-/* The triangle has the corner now; has it no longer. */
+/* Adds the triangle to the corner's fan; removes it from the fan. */
 static bool give(rounding *s, uint32_t v, uint32_t t) {
   vs_fan *f = &s->fans.at[v];
-  if (f->first + f->count != s->around.count) { /* to where there is room behind it */
+  if (f->first + f->count != s->around.count) { /* moves the fan to a place with free room behind it */
     if (!VS_ROOM(s->k, s->around.at, s->around.room, s->around.count + f->count + 1)) return false;
     if (f->count) memcpy(s->around.at + s->around.count, s->around.at + f->first, f->count * sizeof *s->around.at);
     f->first = (uint32_t)s->around.count;
@@ -291,7 +292,8 @@ static void take_off(rounding *s, uint32_t v, uint32_t t) {
 
 /* ---- short edges ---- */
 
-/* May b become a? Every triangle around b that stays must keep its side, as far as it had one. They are two. */
+/* Returns true if b may become a: every remaining triangle around b must keep its orientation, if it had a reliable
+ * one. a and b differ. */
 static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
   uint32_t common = 0, both = 0;
   vs_vec3 to = s->m->vertices[a];
@@ -304,15 +306,15 @@ static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
       both++;
       continue;
     }
-    if (is_neighbour(s, a, p)) common++; /* p stands once as the next of b: each neighbour is counted once, but for the
-                                          * two of the edge's triangles */
+    if (is_neighbour(s, a, p)) common++; /* p follows b in one triangle: this counts each neighbour once, except those
+                                          * of the edge's triangles */
     vs_vec3 before = vs_rounding_normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]),
             after = vs_rounding_normal(to, s->m->vertices[p], s->m->vertices[q]);
-    if (vs_v3_dot(before, after) < 0 && !vs_rounding_is_noise(s, other)) return false; /* noise may turn */
+    if (vs_v3_dot(before, after) < 0 && !vs_rounding_is_noise(s, other)) return false; /* noise may turn over */
   }
-  /* around b, next corners: a, then p of each other triangle; the two apexes are neighbours of a, and one of them is
-   * counted above */
-  bool tetrahedron = s->fans.at[a].count == 3 && s->fans.at[b].count == 3; /* would become two sheets on each other */
+  /* the next corners around b: a, then p of each other triangle; the two apexes are neighbours of a, and the loop
+   * counts one of them */
+  bool tetrahedron = s->fans.at[a].count == 3 && s->fans.at[b].count == 3; /* two sheets on each other would remain */
   return both == 2 && common == 1 && !tetrahedron;
 }
 
@@ -322,9 +324,9 @@ static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return vs_v3_dot(n, vs_rounding_normal(a, b, c)) > 0;
 }
 
-/* A triangle lower than rounding moves its corners may turn over. Its longest edge is given to its top instead: the
- * neighbour behind that edge is cut in two there, and what was thin is gone. Neither may become as thin, or turn over,
- * before or after rounding. The triangle is not gone. */
+/* Removes a triangle lower than the distance by which rounding moves its corners, which may turn over. An edge to its
+ * top replaces its longest edge: the neighbour behind that edge is cut in two there. Neither new triangle may be as
+ * low, or turn over, before or after rounding. The triangle is not gone. */
 static bool flip(rounding *s, uint32_t t) {
   vs_mesh *m = s->m;
   const uint32_t *v = m->triangles[t];
@@ -358,7 +360,7 @@ static bool flip(rounding *s, uint32_t t) {
   return give(s, top, other) && give(s, far, t) && look_at(s, t) && look_at(s, other);
 }
 
-/* The rounds count what they have done; false: out of memory. */
+/* Each round counts its changes; returns false when memory is out. */
 static bool flip_round(rounding *s, size_t *done) {
   begin_round(s);
   *done = 0;
@@ -369,7 +371,7 @@ static bool flip_round(rounding *s, size_t *done) {
   return s->k->error->status == VS_KERNEL_FINE;
 }
 
-/* Takes out of the mesh what is gone. */
+/* Removes the triangles that are gone from the mesh. */
 static void squeeze(rounding *s) {
   size_t kept = 0;
   for (size_t t = 0; t < s->m->triangle_count; t++)
@@ -377,7 +379,7 @@ static void squeeze(rounding *s) {
   vs_mesh_squeeze(s->m, s->gone.at);
 }
 
-/* b becomes a: the two triangles along their edge go. They are two. */
+/* Collapses b onto a: the two triangles at their edge are gone. They differ. */
 static bool collapse(rounding *s, uint32_t a, uint32_t b) {
   vs_mesh *m = s->m;
   VS_ASSERT(a != b);
@@ -423,11 +425,13 @@ static bool collapse_round(rounding *s, size_t *done) {
 /* ---- blades ---- */
 
 static bool is_blade(const rounding *s, const vs_shell *of) {
-  return fabs(of->volume) <= of->area * vs_rounding_unit(of->reach, s->numbers); /* alike: all of it is one point */
+  return fabs(of->volume) <= of->area * vs_rounding_unit(of->reach, s->numbers); /* equal: both are 0, the shell is one
+                                                                                  * point */
 }
 
-/* Shells that are thinner than two units all over, and that rounding bends, would be sheets on sheets: they go, unless
- * nothing else is there. (A thin plate far from the origin, along the axes, stays as it is.) False: out of memory. */
+/* Drops shells that are thinner than two units everywhere and that rounding bends: they would be sheets on each other.
+ * Keeps them if no other shell exists. (A thin plate far from the origin, along the axes, stays unchanged.) Returns
+ * false when memory is out. */
 static bool drop_blades(rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
   bool ok = vs_rounding_find_shells(s);
@@ -453,7 +457,7 @@ static bool drop_blades(rounding *s, vs_rounded *out) {
   return ok;
 }
 
-/* ---- all of it ---- */
+/* ---- the whole mesh ---- */
 
 static bool drop_vertices(rounding *s) {
   vs_mesh *m = s->m;
@@ -473,7 +477,7 @@ static bool drop_vertices(rounding *s) {
   return true;
 }
 
-/* Numbers have changed: everything is looked at anew. */
+/* Vertices and triangles have new numbers: makes all marks again. */
 static bool begin_again(rounding *s) {
   bool any;
   return find_look(s, &any) && index_mesh(s);
@@ -521,9 +525,9 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   ok = ok && vs_rounding_count_met(s, out);
   if (ok && out->met_before > before) before = out->met_before;
   if (ok) squeeze(s);
-  /* Each round contracts more coarsely, and from the third on all that is near. Where that makes others meet, the next
-   * one goes on as long as fewer do. Where a large part of a large mesh meets, its facets are finer than the numbers,
-   * and nothing mends that. */
+  /* each round contracts more coarsely, and from the third on everything nearby. If that makes other triangles meet,
+   * the rounds continue as long as their number decreases. If a large part of a large mesh meets, its facets are finer
+   * than the numbers, and no contraction mends that. */
   for (int round = 0; ok && s->places && out->met && round < CONTRACTIONS; round++) {
     enum { ALL = 2, MANY = 10000, PART = 16 };
     if (out->met > MANY && out->met > m->triangle_count / PART) break;
@@ -538,13 +542,13 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
     out->flipped += flipped;
     if (round > ALL && out->met >= met) break;
   }
-  out->met_before = before; /* contracting makes triangles cross by itself */
+  out->met_before = before; /* contraction itself makes triangles cross */
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
 }
 
 bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_rounded *out,
                     vs_kernel_error *error) {
-  enum { SERIAL = 10000 }; /* triangles that are not worth a thread */
+  enum { SERIAL = 10000 }; /* so few triangles are not worth a thread */
   vs_kernel_error ignored;
   vs_kernel k = { .options = options,
                   .error = error ? error : &ignored,

@@ -1,4 +1,4 @@
-/* Owns what rounding to a format's numbers does to a mesh that was exact: edges that become too short for them go, the
+/* Owns the effect of rounding an exact mesh to a format's numbers: edges that become too short are removed, and the
  * rest is counted. */
 #ifndef VS_KERNEL_ROUND_ROUNDING_H
 #define VS_KERNEL_ROUND_ROUNDING_H
@@ -7,11 +7,11 @@
 #include "kernel/problem.h"
 #include "kernel/round/rounded.h"
 
-/* Collapses edges of less than two units of the last place, where both the surface's kind and every triangle's side
- * allow it, and flips the longest edges of triangles that are lower than that, in at most three rounds.
- * m: closed and manifold by index; stays so, but for LOOSE, where a closed chain is all that counts. Its corners stay
- * doubles: rounding them is the writer's. options and error may be NULL. False: out of memory, or interrupted; m is not
- * to be used then. */
+/* Collapses edges of less than two units of the last place, if both the surface's kind and every triangle's orientation
+ * allow it, and flips the longest edges of triangles lower than that, in at most three rounds. m: closed and manifold
+ * by index, and stays so, except for LOOSE, which only needs a closed chain. Its corners stay doubles: the writer
+ * rounds them. options and error may be NULL. Returns false if memory is out or the caller interrupts; m is then
+ * unusable. */
 bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_rounded *out,
                     vs_kernel_error *error);
 

@@ -1,31 +1,32 @@
 /* Owns the search for triangles that rounding has made meet, anywhere in the mesh.
  *
- * Triangles that rounding makes cross lie within some units of each other before. Where two sheets of a surface that
- * does not meet itself are that near, there are two that look away from each other, or across: between sheets that look
- * the same way there is another, and where they end beside each other, so do the walls at their ends. Therefore
- * triangles that look the same way are not tried, which are nearly all that touch: the triangles of one plane, and
- * neighbours on what is round. Triangles lower than some units are tried against everything, for which way they look is
- * chance; and so are those that rounding has given other corners, since the sheet between two others, or the way
- * between two planes, may be what it took away.
+ * Triangles that cross after rounding lie within some units of each other before. Where two sheets of a surface that
+ * does not meet itself are that near, two of them face in opposite directions, or across: between sheets that face the
+ * same way there is another, and where they end beside each other, so do the walls at their ends. Therefore triangles
+ * that face the same way need no test. These are nearly all that touch: the triangles of one plane, and neighbours on
+ * curved surfaces. Triangles lower than some units are tested against all others, since their direction is arbitrary.
+ * Triangles with changed corners are too, since the change may have removed the sheet between two others, or the wall
+ * between two planes.
  *
  * Notation.
- *   run      up to 16 triangles that follow each other in the mesh, touch, and look the same way but for 15 degrees;
- *            or one triangle by itself that is low or that rounding has given other corners, since the triangles of a
- *            run are not tried against each other
- *   slab     the stretch along a run's middle normal in which all its corners lie
- *   level    of a run: it lies in a plane across an axis. The other runs are open. Each coordinate is rounded by
- *            itself, and coordinates keep their order. Such a plane therefore stays a plane, two level runs do not come
- *            to cross, and a corner in a level run's plane stays in it. (Where two such planes are less than two units
- *            apart, nothing counts as level.)
- *   storey   a plane across an axis in which level runs lie
+ *   run      up to 16 triangles that follow each other in the mesh, touch, and face the same way up to 15 degrees;
+ *            or a single triangle that is low or that rounding has given other corners, since the triangles of a
+ *            run are not tested against each other
+ *   slab     the interval along a run's middle normal that contains all its corners
+ *   level    of a run: it lies in a plane across an axis. The other runs are open. Each coordinate is rounded
+ *            separately, and coordinates keep their order. Such a plane therefore stays a plane, two level runs do not
+ *            come to cross, and a corner in a level run's plane stays in it. (If two such planes are less than two
+ *            units apart, nothing counts as level.)
+ *   storey   a plane across an axis that contains level runs
  *
- * Meshes given by places were moved to where they are written, which rounds to doubles: what lay nearly in a level
- * run's plane may lie in it since, in the midst of the run. There nothing is passed over for lying in such a plane.
+ * Meshes given by positions have been moved to their final place, which rounds to doubles: a corner that was near a
+ * level run's plane may since lie in it, in the middle of the run. For these, lying in such a plane exempts nothing
+ * from the test.
  *
- * The index has the open runs' boxes; those that a storey may touch or go through have one of their own, for what is
- * level. Two runs are apart where one's corners lie beyond the other's slab, on one side, but for corners they share.
- * Of the rest the pieces are tried that lie in each other's slabs: by boxes, then triangle by triangle by boxes and
- * planes, and triangles_apart.c has what these do not tell. */
+ * The index has the open runs' boxes; a second index has those that a storey may touch or cross, for the level runs.
+ * Two runs are apart if the corners of one lie beyond the other's slab, on one side, except for shared corners. For the
+ * rest, the search tests the pieces that lie in each other's slabs: by boxes, then triangle by triangle by boxes and
+ * planes, and triangles_apart.c decides the remaining pairs. */
 #include "kernel/round/self_contacts.h"
 
 #include "kernel/mesh/triangles_apart.h"
@@ -40,40 +41,40 @@
 #include <string.h>
 
 enum { STEEP = 4, NOT_ITS = 255, NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, TRIANGLES = 1 << 13 };
-#define ALIKE 0.85f /* the cosine of the angle between runs that look the same way */
+#define ALIKE 0.85f /* cosine of the angle between runs that face the same way */
 
 /* A triangle, mostly as rounded. */
 typedef struct {
   uint32_t triangle;
-  vs_vec3 at[3], normal, size; /* size: the same as normal of the products' sizes: 1e-14 of it is more than any error */
+  vs_vec3 at[3], normal, size; /* size: like normal, from the sizes of the products: 1e-14 of it exceeds any error */
   double low[3], high[3];
   bool flat; /* its corners lie on one line */
 } sheet;
 
 typedef float floats __attribute__((vector_size(16)));
 typedef int32_t truths __attribute__((vector_size(16)));
-/* four of a run's, as seen from the mesh's middle; the last one again where there are fewer */
+/* four corners of a run, relative to the mesh's middle; the last one is repeated if there are fewer */
 typedef struct { floats x, y, z; uint32_t corner[4]; } corners;
 enum { FOURS = (3 * RUN + 3) / 4 };
 
 typedef struct {
   uint32_t first, first_four, first_place;
-  uint8_t count, fours;          /* of triangles; of corners, by fours; of places there are three a triangle: which of
-                                  * the corners */
-  bool is_low;                   /* one triangle, a low one */
-  uint8_t is_changed;            /* its triangle's mark (VS_CHANGED ...); 0: none of its triangles has one */
-  bool busy;                     /* open, and goes through a storey or nearly touches one */
-  bool anew;                     /* is tried against all: see is_anew */
-  uint8_t level;                 /* all of it has one x (0), y (1) or z (2), this one: */
-  /* a corner that all of its triangles have, and around which nothing need be tried (hubs.h); else UINT32_MAX */
+  uint8_t count, fours;          /* count: of triangles; fours: of corners, in fours; there are three places for each
+                                  * triangle, which select its corners */
+  bool is_low;                   /* the run is one low triangle */
+  uint8_t is_changed;            /* the mark of its triangle (VS_CHANGED ...); 0: none of its triangles has one */
+  bool busy;                     /* open, and crosses a storey or nearly touches one */
+  bool anew;                     /* is tested against all: see is_anew */
+  uint8_t level;                 /* the whole run has one x (0), y (1) or z (2), which is `value` */
+  /* a corner of all of its triangles around which no test is needed (hubs.h); else UINT32_MAX */
   uint32_t hub;
   double value;
-  float normal[3], low, high;    /* its slab, and the margin on either side */
-  float height, longest;         /* the least of its triangles, and the longest edge */
+  float normal[3], low, high;    /* its slab */
+  float height, longest;         /* the least height of its triangles, and the longest edge */
 } run;
 
-/* Of a busy run, as it is in each axis: between which coordinates it lies, and whether another one of its corners is
- * within the margin of the least, or of the greatest. */
+/* For a busy run, along each axis: the interval of its coordinates, and whether a further corner is within the margin
+ * of its low or its high end. */
 typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: low or changed */ } reach;
 
 typedef struct { VS_LIST(run) at; VS_LIST(vs_bvh_box) boxes; } runs;
@@ -85,15 +86,15 @@ typedef struct {
   vs_rounded *out;
   vs_vec3 middle;
   double step;                   /* of boxes */
-  double low;                    /* triangles lower than that are low */
-  float margin;                  /* beyond a slab is further than that; errors of floats are less */
+  double low;                    /* triangles lower than this are low */
+  float margin;                  /* a corner must be further than this beyond a slab; errors of floats are less */
   made all;
   VS_LIST(uint32_t) busy;        /* open runs */
   VS_LIST(vs_bvh_box) busy_boxes;
   VS_LIST(reach) reaches;        /* of the busy ones */
   vs_hubs around;                /* as rounded */
   VS_LIST(uint32_t) hubs;        /* of the open runs */
-  vs_bvh bvh, busy_bvh;          /* of the open ones */
+  vs_bvh bvh, busy_bvh;          /* over the open runs */
   made found[VS_PIPELINE_WINDOW];
   struct { VS_LIST(pair) at, folds; } met[VS_PIPELINE_WINDOW]; /* folds: see is_fold */
   bool folds;                    /* some were found */
@@ -131,7 +132,7 @@ static void load_exact(const vs_rounding *s, uint32_t t, sheet *to) {
   measure(to);
 }
 
-/* Is b on one side of a's plane, but for corners that are a's as well? */
+/* Returns true if b is on one side of a's plane, except for corners that are also a's. */
 static bool beside(const sheet *a, const sheet *b) {
   bool above = false, below = false;
   int unsure = 0;
@@ -157,10 +158,10 @@ static bool apart(const sheet *a, const sheet *b) {
 
 /* ---- runs ---- */
 
-/* longest edge, least height: squares */
+/* longest edge and least height, squared */
 typedef struct { vs_vec3 at[3], normal; vs_bounds box; double longest, height; bool low; } facet;
 
-/* The triangle t of the mesh, with what the runs are made of. */
+/* Returns triangle t of the mesh, with the data for runs. */
 static facet facet_of(const search *c, uint32_t t) {
   facet f;
   VS_ASSERT(t < c->s->m->triangle_count);
@@ -180,7 +181,7 @@ static bool bounds_touch(const vs_bounds *a, const vs_bounds *b) {
          (a->min.z <= b->max.z) & (b->min.z <= a->max.z);
 }
 
-/* Do the normals differ by less than 15 degrees? */
+/* Returns true if the normals differ by less than 15 degrees. */
 static bool alike(vs_vec3 a, vs_vec3 b) {
   double d = vs_v3_dot(a, b);
   return d > 0 && d * d > 0.933 * vs_v3_dot(a, a) * vs_v3_dot(b, b);
@@ -195,7 +196,7 @@ static vs_bvh_box box_of(const search *c, const vs_bounds *w) {
                    { (int32_t)high.x + more, (int32_t)high.y + more, (int32_t)high.z + more } };
 }
 
-/* The parts of a run, until it ends; its corners, nearly all of them once. */
+/* The parts of a run while it grows; its corners, nearly all of them once. */
 typedef struct {
   run r;
   vs_vec3 normal;
@@ -225,7 +226,8 @@ static floats heights(const run *r, const corners *p) {
 
 static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/* Has it corners on either side of a storey, or off it by less than the margin? Else what is level is apart from it. */
+/* Returns true if the run has corners on both sides of a storey, or off it by less than the margin. Else level runs are
+ * apart from it. */
 static bool is_busy(const search *c, const run *r, const vs_bounds *box, const corners *four) {
   const vs_rounding *s = c->s;
   if (r->is_low || r->is_changed) return true;
@@ -279,8 +281,8 @@ static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
   return VS_PUSH(k, kind->at, *r) && VS_PUSH(k, kind->boxes, box_of(c, b));
 }
 
-/* Was the triangle changed since the last search, or has it a corner of one that met another then? Two others are as
- * they were when all were looked at, and need not be tried again. */
+/* Returns true if the triangle was changed since the last search, or has a corner of one that met another then. Two
+ * other triangles are unchanged since the test of all pairs and need no further test. */
 static bool is_anew(const vs_rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   return !s->searched || (s->changed.at[t] && !(s->changed.at[t] & VS_SEEN)) || s->near_met.at[v[0]] == 1 ||
@@ -370,7 +372,7 @@ static void drop_made(vs_kernel *k, made *m) {
 
 /* ---- pairs of runs ---- */
 
-static uint32_t bits(truths all) { /* lane i: bit i */
+static uint32_t bits(truths all) { /* bit i: lane i */
   uint64_t half[2];
   all &= (truths){ 1, 2, 4, 8 };
   memcpy(half, &all, sizeof half);
@@ -378,7 +380,7 @@ static uint32_t bits(truths all) { /* lane i: bit i */
   return (uint32_t)(half[0] | half[0] >> 32);
 }
 
-/* Which of the run's corners it is; NOT_ITS: none. */
+/* Returns the place of the corner in the run; NOT_ITS: the run does not have it. */
 static uint32_t place_of(const search *c, const run *r, uint32_t corner) {
   const corners *four = c->all.fours.at + r->first_four;
   for (uint32_t i = 0; i < 4u * r->fours; i++)
@@ -386,7 +388,7 @@ static uint32_t place_of(const search *c, const run *r, uint32_t corner) {
   return NOT_ITS;
 }
 
-static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /* by places */
+static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /* p, q: places */
   const uint8_t *place = c->all.places.at + r->first_place;
   for (uint32_t t = 0; t < r->count; t++, place += 3)
     if ((place[0] == p || place[1] == p || place[2] == p) && (place[0] == q || place[1] == q || place[2] == q))
@@ -394,11 +396,11 @@ static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /*
   return false;
 }
 
-/* Does b fall away from an edge or corner that it shares with a, by more than rounding may lift a corner, before a's
- * next triangle begins? Over a low triangle of a it comes not far, and less where it is not steep. */
+/* Returns true if b leaves an edge or corner that it shares with a by more than rounding may lift a corner, before a's
+ * next triangle begins. Across a low triangle of a, b leaves it by little, and by less if it is not steep. */
 static bool falls_away(const search *c, const run *a, const run *b) {
   float enough = STEEP * (float)c->s->coarsest * b->longest, least = INFINITY;
-  if (a->height * c->margin >= enough) return true; /* nearly all do */
+  if (a->height * c->margin >= enough) return true; /* true for nearly all */
   const corners *four = c->all.fours.at + b->first_four;
   for (uint32_t i = 0; i < b->fours; i++) {
     floats h = heights(a, &four[i]);
@@ -410,10 +412,10 @@ static bool falls_away(const search *c, const run *a, const run *b) {
   return a->height * (least + c->margin) >= enough;
 }
 
-/* Are b's corners beyond a's slab, on one side, but for what they share: corners, and edges between them? In a level
- * run's plane anything may lie, for it stays there. */
+/* Returns true if b's corners are beyond a's slab, on one side, except for shared corners and edges between them. In a
+ * level run's plane corners are allowed, since they stay there. */
 static bool beyond(const search *c, const run *a, const run *b) {
-  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: which of a's corners one of b's is */
+  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: for each of b's corners, its place in a */
   uint64_t shared = 0;
   bool touches = false, slopes = false;
   const corners *four = c->all.fours.at + b->first_four;
@@ -447,7 +449,7 @@ static bool beyond(const search *c, const run *a, const run *b) {
   return true;
 }
 
-/* The part of a triangle that lies in a slab; its sheet is made when it is asked for. */
+/* The part of a triangle that lies in a slab; its sheet is made on request. */
 typedef struct { float min[3], max[3]; sheet rounded; uint32_t triangle; bool made; } piece;
 
 static void add_place(piece *p, float x, float y, float z) {
@@ -458,7 +460,7 @@ static void add_place(piece *p, float x, float y, float z) {
   }
 }
 
-/* Where the edge from i to j goes through the height. */
+/* Adds the point where the edge from i to j crosses the height. */
 static void add_through(piece *p, const corners *four, const float *h, uint32_t i, uint32_t j, float height) {
   const corners *a = &four[i / 4], *b = &four[j / 4];
   uint32_t x = i % 4, y = j % 4;
@@ -468,7 +470,7 @@ static void add_through(piece *p, const corners *four, const float *h, uint32_t 
             a->z[x] + part * (b->z[y] - a->z[x]));
 }
 
-/* The pieces of a run in another's slab. */
+/* Computes the pieces of a run in another's slab. */
 static uint32_t cut(const search *c, const run *r, const run *slab, piece *to) {
   const corners *four = c->all.fours.at + r->first_four;
   const uint8_t *place = c->all.places.at + r->first_place;
@@ -511,8 +513,8 @@ static const sheet *sheet_of(const search *c, piece *p) {
 
 typedef struct { vs_kernel *k; search *c; size_t at; const run *level; } looking;
 
-/* Do the triangles share an edge, look against each other, and lie so near that rounding may turn them past each other?
- * Then what lies beyond them comes to cross, and that may look the same way. */
+/* Returns true if the triangles share an edge, face each other, and are so near that rounding may turn them past each
+ * other. The triangles beyond them then come to cross, and may face the same way. */
 static bool is_fold(const search *c, const sheet *x, const sheet *y) {
   enum { UNITS = 16 };
   double along = vs_v3_dot(x->normal, y->normal), n = vs_v3_dot(x->normal, x->normal);
@@ -528,8 +530,8 @@ static bool is_fold(const search *c, const sheet *x, const sheet *y) {
   return shared == 2 && height * height < UNITS * c->s->coarsest * (UNITS * c->s->coarsest) * n;
 }
 
-/* The mended mesh tells whether two triangles touched before rounding: if those that were given other corners do not
- * touch there, they do so by rounding. */
+/* Tests two triangles. The mended mesh shows if they touched before rounding: if triangles with changed corners do not
+ * touch there, rounding is the cause. */
 static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   const vs_rounding *s = l->c->s;
   if (is_fold(l->c, x, y) && !VS_PUSH(l->k, l->c->met[l->at].folds, ((pair){ x->triangle, y->triangle, false })))
@@ -541,7 +543,9 @@ static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   load_exact(s, x->triangle, &p);
   load_exact(s, y->triangle, &q);
   bool before = !apart(&p, &q) && (p.flat || q.flat || vs_triangles_meet(p.at, q.at) != VS_MEET_NOT);
-  if (before && meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) return true; /* as it is */
+  if (before && meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) return true; /* touched before
+                                                                                                   * rounding, and still
+                                                                                                   * only touches */
   return VS_PUSH(l->k, l->c->met[l->at].at, ((pair){ x->triangle, y->triangle, before }));
 }
 
@@ -590,7 +594,8 @@ static bool reach_of(vs_kernel *k, search *c, const run *r) {
   return VS_PUSH(k, c->reaches, to);
 }
 
-/* Is it busy by this storey? What is so by others alone is apart from what lies in this one (see is_busy). */
+/* Returns true if this storey makes the run busy. A run that is busy only by others is apart from the runs in this one
+ * (see is_busy). */
 static bool is_busy_at(const search *c, const reach *r, int axis, double value) {
   double low = r->low[axis], high = r->high[axis];
   if (r->any) return true;
@@ -606,7 +611,7 @@ static bool look_level(void *context, uint32_t busy) {
   return look_pair(l, l->level, &l->c->all.kinds[OPEN].at.at[l->c->busy.at[busy]]);
 }
 
-/* The triangles that contracting may touch: the corners of those that meet, and those two triangles further. */
+/* Marks the triangles that contraction may change: at corners of those that meet, and two triangles further. */
 static bool mark_around(vs_rounding *s) {
   for (uint8_t ring = 1; ring <= 2; ring++)
     for (size_t t = 0; t < s->m->triangle_count; t++) {
@@ -622,7 +627,7 @@ static bool mark_around(vs_rounding *s) {
 
 enum { BLOCKS = 256, QUERIES = 1024 };
 
-/* First the pairs of open runs, then those of level ones with busy ones. */
+/* First the pairs of open runs, then level runs with busy ones. */
 static size_t open_tasks(const search *c) { return ((size_t)vs_bvh_blocks(&c->bvh) + BLOCKS - 1) / BLOCKS; }
 
 static bool look(vs_kernel *k, void *context, size_t index) {
@@ -666,7 +671,7 @@ static bool take(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Triangles that rounding leaves no area lie on others' edges. Low ones are runs by themselves. */
+/* Counts triangles that have no area after rounding: they lie on others' edges. Low ones are runs by themselves. */
 static bool count_flat(vs_kernel *k, const search *c) {
   const runs *open = &c->all.kinds[OPEN];
   for (size_t i = 0; i < open->at.count; i++) {
@@ -731,7 +736,7 @@ static bool count_met(vs_rounding *s, vs_rounded *out, bool *folds) {
   return ok;
 }
 
-/* Suspects the triangles around folds. *any: some that nobody had suspected. */
+/* Marks the triangles around folds as suspect. *any: some had not been marked. */
 static bool suspect_folds(vs_rounding *s, bool *any) {
   *any = false;
   for (size_t t = 0; t < s->m->triangle_count; t++) {

@@ -1,14 +1,14 @@
-/* Owns which shells need no search for self-contacts (stars.h).
+/* Owns the shells that need no search for self-contacts (stars.h).
  *
- * Of a closed shell a point c off it sees the same number of triangles in each direction, those that it sees from their
- * outer side taken off. Where c sees every triangle from its inner side, and one of them in some direction, it sees one
- * in every direction. No two of them then have more in common than corners and edges: the shell is a star, and does not
- * meet itself. All of this is asked of its rounded corners, with c in the middle of their box; most that people build
- * and that stands alone is convex, and a star as seen from there. Of two shells whose boxes are further apart than the
- * margin no triangles meet.
+ * From a point c off a closed shell, the number of triangles in a direction, counted negatively if seen from their
+ * outer side, is the same for all directions. If c sees every triangle from its inner side, and one of them in some
+ * direction, it sees one in every direction. No two triangles then have more in common than corners and edges: the
+ * shell is a star, and does not meet itself. The test uses its rounded corners, with c in the middle of their box; most
+ * separate parts of models are convex, and stars as seen from there. If the boxes of two shells are further apart than
+ * the margin, their triangles do not meet.
  *
- * A shell is closed where each edge is passed as often one way as the other. Each edge has a number of 64 bits, as good
- * as random; the sum of those passed one way less those passed the other is 0 for closed shells, and for others once in
+ * A shell is closed if each edge has as many uses one way as the other. Each edge has a pseudorandom number of 64 bits;
+ * the sum over the uses one way less the sum over the uses the other way is 0 for closed shells, and for others once in
  * 2^64. */
 #include "kernel/round/stars.h"
 
@@ -17,15 +17,16 @@
 #include "kernel/mesh/bvh.h"
 
 typedef struct {
-  vs_vec3 middle, way; /* of its box; from there towards one of its triangles */
+  vs_vec3 middle, way; /* middle: of its box; way: from the middle towards one of its triangles */
   vs_bounds box;
-  uint32_t seen;       /* triangles in that direction */
-  uint64_t edges;      /* the sum of their numbers */
-  double least;        /* a volume that rounding errors do not reach */
+  uint32_t seen;       /* number of triangles in that direction */
+  uint64_t edges;      /* the signed sum of the edges' numbers */
+  double least;        /* a volume that exceeds rounding errors */
   bool is_star, has_way;
 } star;
 
-static double volume(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(vs_v3_cross(a, b), c); } /* six times */
+static double volume(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(vs_v3_cross(a, b), c); } /* six times the
+                                                                                                   * volume */
 
 static uint64_t number_of(uint32_t from, uint32_t to) { /* the finalizer of splitmix64 */
   uint64_t x = (from < to ? (uint64_t)from << 32 | to : (uint64_t)to << 32 | from) + UINT64_C(0x9e3779b97f4a7c15);
@@ -37,14 +38,15 @@ static uint64_t number_of(uint32_t from, uint32_t to) { /* the finalizer of spli
 
 typedef struct { star *all; uint32_t one; } asking;
 
-static bool stands_alone(void *context, uint32_t other) { /* false, to stop, at the first other one */
+static bool stands_alone(void *context, uint32_t other) { /* returns false, to stop, at the first other shell */
   asking *a = context;
   if (other == a->one) return true;
   a->all[a->one].is_star = a->all[other].is_star = false;
   return false;
 }
 
-/* Is the shell's triangle seen from its inner side, and does it cover the way, or surely not? */
+/* Returns true if the shell's triangle is seen from its inner side, and certainly covers the way or certainly does
+ * not. */
 static bool fits(star *of, vs_vec3 p, vs_vec3 q, vs_vec3 r) {
   vs_vec3 a = vs_v3_sub(p, of->middle), b = vs_v3_sub(q, of->middle), c = vs_v3_sub(r, of->middle);
   if (!(volume(a, b, c) > of->least)) return false;
@@ -60,7 +62,7 @@ static bool fits(star *of, vs_vec3 p, vs_vec3 q, vs_vec3 r) {
   return x > of->least && y > of->least && z > of->least;
 }
 
-/* Boxes that are further apart than the margin do not touch in the index's whole numbers. */
+/* Boxes further apart than the margin do not touch in the index's integers. */
 static bool part(vs_rounding *s, star *all, uint32_t count, double margin) {
   VS_LIST(vs_bvh_box) boxes = { 0 };
   vs_bvh bvh = { 0 };
@@ -105,7 +107,8 @@ bool vs_rounding_find_alone(vs_rounding *s, double margin) {
     vs_vec3 c = vs_v3_scale(vs_v3_add(of->box.min, of->box.max), 0.5);
     double size = vs_bounds_diagonal(&of->box) + 2 * s->coarsest,
            reach = fmax(vs_rounding_reach(of->box.min), vs_rounding_reach(of->box.max)) + s->coarsest;
-    of->middle = vs_v3(vs_single(c.x), vs_single(c.y), vs_single(c.z)); /* corners less it lose next to nothing */
+    of->middle = vs_v3(vs_single(c.x), vs_single(c.y), vs_single(c.z)); /* the difference of a corner from it is nearly
+                                                                         * exact */
     of->least = size * size * (1e-14 * size + 0x1p-50 * reach);
   }
   for (size_t t = 0; ok && t < m->triangle_count; t++) {

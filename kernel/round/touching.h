@@ -4,9 +4,9 @@
 
 #include "kernel/round/rounding_state.h"
 
-/* Marks the triangles at places that two corners share, but those that lie in a storey: they stay apart, however they
- * are rounded. Of these it marks the ones that overlap, look against each other, and have a place in common.
- * False: out of memory, or interrupted. */
+/* Marks the triangles at places that two corners share, except those in a storey: they stay apart after any rounding.
+ * Of these it marks the ones that overlap, face each other, and have a place in common. Returns false if memory is out
+ * or the caller interrupts. */
 bool vs_rounding_suspect_touching(vs_rounding *s);
 
 #endif
