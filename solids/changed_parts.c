@@ -1,6 +1,6 @@
-/* Owns what differs between two drawings (changed_parts.h). Parts are paired by keys, hashes of some of what they are,
- * with one rule after the other over those that are left: first all must be equal, in the end only what they are made
- * of. */
+/* Owns the differences between two drawings (changed_parts.h). Parts are paired by keys, hashes of some of their
+ * properties. The rules apply one after the other, each to the parts that remain: for the first all properties must be
+ * equal, for the last only the kind, the form and the look. */
 #include "solids/changed_parts.h"
 
 #include <math.h>
@@ -12,15 +12,15 @@
 #include "solids/solid_meshes.h"
 #include "model/walk.h"
 
-enum { PART_WORK = 300 /* nanoseconds that a part takes, about: between questions whether to go on */ };
+enum { PART_WORK = 300 /* nanoseconds that a part takes, approximately: between polls for an interrupt */ };
 
-/* ---- taking a drawing apart ---- */
+/* ---- the parts of a drawing ---- */
 
 static bool is_wrapper(const vs_node *n) {
   return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
 }
 
-/* The properties that a part inherits from the unions, placements and materials that it stands in. */
+/* The properties that a part inherits from the unions, placements and materials around it. */
 typedef struct { vs_affine place; const vs_material *material; const char *layer; } context;
 typedef struct { context *at; size_t count, room; } context_stack;
 
@@ -108,7 +108,7 @@ static uint64_t key_of(const vs_drawn_part *p, unsigned by) {
     memcpy(&word, &x, sizeof word);
     h = mix(h, word);
   }
-  if (by & BY_PAINT) h = mix(h, (uint64_t)(uintptr_t)p->material); /* interned, and so are layers */
+  if (by & BY_PAINT) h = mix(h, (uint64_t)(uintptr_t)p->material); /* materials and layers are interned */
   if (by & BY_LAYER) h = mix(h, *p->layer ? (uint64_t)(uintptr_t)p->layer : 0);
   return h;
 }
@@ -118,7 +118,7 @@ static int by_key(const void *a, const void *b) {
   return p->key != q->key ? (p->key < q->key ? -1 : 1) : p->part < q->part ? -1 : p->part > q->part;
 }
 
-/* Keys of the parts that no rule has paired so far, in order. */
+/* Writes the keys of the parts that no rule has paired so far, in order; returns their number. */
 static size_t keys_of(const vs_drawn_parts *p, const vs_part_match *match, unsigned by, keyed *out) {
   size_t n = 0;
   for (size_t i = 0; i < p->count; i++)
@@ -127,17 +127,17 @@ static size_t keys_of(const vs_drawn_parts *p, const vs_part_match *match, unsig
   return n;
 }
 
-/* ---- parts with one key: which with which ---- */
+/* ---- pairing the parts of one key ---- */
 
 typedef struct {
   const vs_drawn_parts *a, *b;
   vs_part_match *before, *after;
   vs_bounds_memo boxes;
-  double *numbers; /* of one assignment */
+  double *numbers; /* for one assignment */
   size_t room;
 } matching;
 
-/* The middle and the size of the part's box; 0 for what has no end. */
+/* Computes the middle and the size of the part's box; 0 for endless parts. */
 static bool box_of(matching *m, const vs_drawn_part *p, double *out, vs_error *e) {
   vs_bounds box;
   if (!vs_bounds_memo_get(&m->boxes, p->thing.node, &box, e)) return false;
@@ -151,19 +151,19 @@ static bool box_of(matching *m, const vs_drawn_part *p, double *out, vs_error *e
   return true;
 }
 
-/* How far two boxes are apart: between their middles, and between their sizes. */
+/* Returns the distance of two boxes: between their middles plus between their sizes. */
 static double apart(const double *a, const double *b) {
   double sum[2] = { 0, 0 };
   for (int i = 0; i < 6; i++) sum[i / 3] += (a[i] - b[i]) * (a[i] - b[i]);
   return sqrt(sum[0]) + sqrt(sum[1]);
 }
 
-/* Rows that each get a column of their own; the cost of a pair is how far its boxes are apart. */
+/* Rows that each get a separate column; the cost of a pair is the distance of its boxes. */
 typedef struct {
   size_t rows, columns;                    /* rows <= columns */
-  const double *row_boxes, *column_boxes;  /* six numbers each */
+  const double *row_boxes, *column_boxes;  /* six numbers for each box */
   double *work;                            /* room for 3 rows + 4 columns + 7 numbers */
-  uint32_t *row;                           /* of a column, counted from 1: whose it is; 0: nobody's */
+  uint32_t *row;                           /* row[j]: for column j, counted from 1: its row; 0: none */
 } assignment;
 
 /* Finds the assignment whose costs have the least sum (H. Kuhn's Hungarian method, by shortest augmenting paths with
@@ -213,18 +213,18 @@ static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) 
   return true;
 }
 
-/* Past so many steps of an assignment parts pair in the order in which they were drawn. */
+/* if an assignment takes more steps, parts pair in the order of drawing */
 static const double MOST_STEPS = 1e8;
 
 /* The parts of one key in one drawing. */
 typedef struct { const keyed *at; size_t count; } alike;
 
-/* Pairs the parts of one key, in the first drawing and in the second. Where it matters which is paired with which,
- * those are that lie nearest to each other and have about one size, all pairs taken together. */
+/* Pairs the parts of one key, of the first drawing and of the second. If the choice matters, it minimises the sum of
+ * all distances in position and size. */
 static bool pair_alike(matching *m, size_t rule, alike one, alike other, vs_error *e) {
   size_t n = one.count, k = other.count;
   bool free_choice = n * k > 1 && (rules[rule].by & (BY_THING | BY_PLACE)) != (BY_THING | BY_PLACE);
-  bool turned = n > k; /* the fewer are the rows */
+  bool turned = n > k; /* the drawing with fewer parts gives the rows */
   const keyed *few = turned ? other.at : one.at, *many = turned ? one.at : other.at;
   size_t rows = turned ? k : n, columns = turned ? n : k, wanted = 9 * rows + 12 * columns + 16;
   if (!free_choice || (double)rows * (double)rows * (double)columns > MOST_STEPS) {
@@ -280,9 +280,9 @@ bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_p
   return ok;
 }
 
-/* ---- the solids that show it ---- */
+/* ---- the solids that show the differences ---- */
 
-/* References that are to become operands; each node is owned. */
+/* References that will be operands; the list owns each node. */
 typedef struct { vs_store *store; vs_ref *at; size_t count, room; bool failed; } refs;
 
 static void refs_free(refs *r) {
@@ -290,7 +290,7 @@ static void refs_free(refs *r) {
   vs_store_realloc(r->store, r->at, r->room * sizeof *r->at, 0);
 }
 
-/* Takes the node over; NULL: out of memory. */
+/* Takes over the node; NULL: out of memory. */
 static void refs_add(refs *r, vs_node *n, const vs_origin *origin) {
   if (!n || !vs_store_grow(r->store, &r->at, &r->room, r->count + 1, sizeof *r->at)) {
     vs_node_release(n);
@@ -300,14 +300,14 @@ static void refs_add(refs *r, vs_node *n, const vs_origin *origin) {
   r->at[r->count++] = (vs_ref){ n, origin };
 }
 
-/* The part where it stands, without paint. */
+/* Adds the part at its place, without material. */
 static void refs_add_part(refs *r, const vs_drawn_part *p) {
   if (vs_affine_is_identity(&p->place)) refs_add(r, vs_node_retain(p->thing.node), p->thing.origin);
   else refs_add(r, vs_node_new(r->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->place }, &p->thing, 1),
                 p->thing.origin);
 }
 
-/* The bounds of what r has. */
+/* Computes the bounds of all of r. */
 static bool refs_bounds(const refs *r, vs_bounds_memo *memo, vs_bounds *out, vs_error *e) {
   *out = vs_bounds_empty();
   for (size_t i = 0; i < r->count; i++) {
@@ -318,7 +318,7 @@ static bool refs_bounds(const refs *r, vs_bounds_memo *memo, vs_bounds *out, vs_
   return true;
 }
 
-/* Appends those of from that come near to the box. */
+/* Appends the references of `from` whose bounds are near the box. */
 static bool refs_add_near(refs *r, const refs *from, const vs_bounds *box, vs_bounds_memo *memo, vs_error *e) {
   for (size_t i = 0; i < from->count; i++) {
     vs_bounds b;
@@ -334,7 +334,7 @@ static vs_node *set_of(refs *r, vs_kind kind) {
   return vs_node_new(r->store, kind, &(struct vs_union){ 0 }, r->at, r->count);
 }
 
-/* Material of `whole` that neither of the others has: appended to out. */
+/* Appends to out the material of `whole` that neither of the others has. */
 static bool add_rest(refs *out, refs *whole, const refs *first, const refs *second, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds box;
   if (!whole->count) return true;
@@ -347,7 +347,7 @@ static bool add_rest(refs *out, refs *whole, const refs *first, const refs *seco
   return ok;
 }
 
-/* Material of both: appended to out. */
+/* Appends to out the material that both have. */
 static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds boxes[2];
   if (!a->count || !b->count) return true;
@@ -363,8 +363,8 @@ static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_err
 
 static bool stays(vs_part_fate fate) { return fate == VS_PART_SAME || fate == VS_PART_REPAINTED; }
 
-/* Sorts the parts: those that stay into kept (of both lists once: which says of which), the others into solids or,
- * where booleans do not serve, whole. */
+/* Distributes the parts: unchanged ones to `kept` (NULL: dropped), the other solids to `solids`, and objects that
+ * booleans cannot handle to `whole`. */
 static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs *kept, refs *solids, refs *whole) {
   for (size_t i = 0; i < p->count; i++) {
     const vs_drawn_part *part = &p->at[i];
@@ -374,7 +374,7 @@ static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs
   }
 }
 
-/* Only solids can be taken off something. */
+/* Only solids can be subtracted. */
 static bool only_solids(refs *out, const refs *from) {
   for (size_t i = 0; i < from->count; i++)
     if (from->at[i].node->class_ == VS_SOLID) refs_add(out, vs_node_retain(from->at[i].node), from->at[i].origin);
@@ -412,7 +412,7 @@ bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, con
   return ok;
 }
 
-/* Solids of n go to solids, everything else to rest (NULL: nowhere). */
+/* Adds the solids of n to `solids`, and everything else to `rest` (NULL: dropped). */
 static bool part_solids(vs_node *n, refs *solids, refs *rest, vs_error *e) {
   vs_drawn_parts parts = { .store = n->store };
   bool ok = vs_drawn_parts_take(&parts, &(vs_ref){ n, NULL }, 1, e);
@@ -423,7 +423,8 @@ static bool part_solids(vs_node *n, refs *solids, refs *rest, vs_error *e) {
   return ok && (!(solids->failed || (rest && rest->failed)) || vs_error_memory(e, NULL));
 }
 
-/* Moves every corner outwards, along the mean of its triangles' normals by their areas. False: out of memory. */
+/* Moves every corner outwards, along the mean of its triangles' normals, weighted by area. Returns false when memory is
+ * out. */
 static bool push_out(vs_store *s, vs_mesh *m, double by) {
   size_t bytes = (m->vertex_count + 1) * sizeof(vs_vec3);
   vs_vec3 *out = vs_store_realloc(s, NULL, 0, bytes);
@@ -465,7 +466,8 @@ bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options 
   vs_bounds whole;
   bool ok = vs_node_bounds(n, &whole, e) && part_solids(n, &solids, &shown, e);
   if (ok && tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&whole);
-  double reach = facets.tolerance / 2; /* facets lie four times as near, so that they reach out everywhere */
+  double reach = facets.tolerance / 2; /* facets have a quarter of this distance as tolerance, so that they reach
+                                        * further out everywhere */
   facets.tolerance /= 8;
   if (ok && solids.count) ok = vs_solid_evaluate(solids.at, solids.count, &facets, options, &solid, e);
   if (ok && solid.mesh.triangle_count) {

@@ -13,7 +13,8 @@
 #include "model/store/nodemap.h"
 #include "solids/overlaps.h"
 
-/* HALVINGS: of an edge at most. FINEST: a hexahedron's diagonal is not followed more finely than by this part. */
+/* HALVINGS: of an edge, at most. FINEST, USUAL: the least and the default tolerance are a hexahedron's diagonal divided
+ * by these. */
 enum { HALVINGS = 6, FINEST = 1000, USUAL = 200 };
 
 /* ---- leaves ---- */
@@ -25,8 +26,8 @@ typedef struct {
   int look_count;
 } open_node;
 
-/* Makes the mesh of a node, where it is placed, or the points of a curve. no_regions: the message for a region; NULL:
- * regions are taken. */
+/* Makes the mesh of a node at its place, or the points of a curve. no_regions: the error message for a region; NULL:
+ * regions are allowed. */
 static bool mesh_leaf(const open_node *o, const vs_fineness *asked, const vs_kernel_options *options,
                       const char *no_regions, vs_bend_leaf *l, vs_error *e) {
   vs_ref ref = o->ref;
@@ -58,7 +59,7 @@ static bool mesh_leaf(const open_node *o, const vs_fineness *asked, const vs_ker
   return true;
 }
 
-/* The innermost of a kind takes the place of the one that it lies in. */
+/* Sets a material or layer; an inner one replaces the outer one of its kind. */
 static void put_look(open_node *o, vs_node *n) {
   int i = 0;
   while (i < o->look_count && o->looks[i]->kind != n->kind) i++;
@@ -100,7 +101,8 @@ bool vs_take_apart(vs_ref object, const vs_fineness *facets, const vs_kernel_opt
 /* ---- the map ---- */
 
 typedef struct {
-  vs_vec3 corner[8]; /* number i: where the bounds' corner goes that is high along x, y, z where i has 1, 2, 4 */
+  vs_vec3 corner[8]; /* corner[i]: image of the corner of the bounds that is high along x, y, z if i has the bits 1, 2,
+                      * 4 */
   vs_bounds from;
   double tolerance;
 } hexahedron;
@@ -148,29 +150,29 @@ bool vs_deform_is_affine(const struct vs_deform *d, const vs_bounds *bounds, vs_
   return true;
 }
 
-/* ---- what is kept ---- */
+/* ---- the cache of the deformer ---- */
 
 typedef struct {
   vs_bounds bounds;
   vs_bend_leaves leaves;
-  bool apart; /* leaves are there */
+  bool apart; /* its leaves exist */
 } subject;
 
 typedef struct {
   int64_t key[24];
   size_t subject;
-  vs_node *node; /* retained; NULL: free */
+  vs_node *node; /* retained; NULL: the slot is free */
 } shape;
 
 struct vs_deformer {
   vs_store *store;
   const vs_fineness *facets;
   const vs_kernel_options *options;
-  vs_nodemap children; /* child -> its number among the subjects + 1 */
+  vs_nodemap children; /* from the child to its number among the subjects, plus 1 */
   subject *subjects;
   vs_node **held; /* the subjects' nodes, retained */
   size_t subject_count, subject_room, held_room;
-  shape *shapes; /* a table of a power of two */
+  shape *shapes; /* a hash table; its size is a power of two */
   size_t shape_count, shape_room;
 };
 
@@ -191,7 +193,7 @@ void vs_deformer_free(vs_deformer *d) {
   free(d);
 }
 
-/* The number of the child's subject; SIZE_MAX: e is set. */
+/* Returns the number of the child's subject; SIZE_MAX: failed, and e is set. */
 static size_t subject_of(vs_deformer *d, vs_ref child, vs_error *e) {
   const uint64_t *known = vs_nodemap_get(&d->children, child.node);
   if (known) return (size_t)*known - 1;
@@ -284,7 +286,7 @@ static vs_node *all_leaves(const vs_deformer *d, const hexahedron *h, const vs_b
   return n;
 }
 
-/* Where the hexahedron is, and a map from there: copies elsewhere have the same corners in it. */
+/* Returns the frame of the hexahedron: its copies at other places have the same corners in their frames. */
 static vs_affine frame_of(const vs_vec3 c[8], vs_vec3 sx, vs_vec3 sy) {
   vs_vec3 fx = vs_v3_unit(sx), fz = vs_v3_unit(vs_v3_cross(sx, sy));
   vs_affine back, frame = vs_affine_columns(fx, vs_v3_cross(fz, fx), fz, c[0]);

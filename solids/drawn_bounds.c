@@ -1,5 +1,5 @@
-/* Owns the bounds of what is drawn (drawn_bounds.h). Bounds that were computed are kept in the world cache by the node
- * and the fineness. */
+/* Owns the bounds of drawn objects (drawn_bounds.h). The world cache stores computed bounds by the node and the
+ * fineness. */
 #include "solids/drawn_bounds.h"
 #include "geometry/plane/outline.h"
 #include "geometry/plane/planar_evaluation.h"
@@ -13,7 +13,7 @@
 #include "model/store/cache.h"
 #include "model/tally.h"
 
-enum { BOX_LOOK = 4096, KEPT_BOUNDS = 1000 /* among what VS_CACHED_MEASURE holds of a node */ };
+enum { BOX_LOOK = 4096, KEPT_BOUNDS = 1000 /* the key of these bounds within the node's VS_CACHED_MEASURE */ };
 
 /* ---- a stack of nodes ---- */
 
@@ -29,17 +29,17 @@ static bool spreads(const vs_node *n) {
   return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
 }
 
-/* ---- are the formula's bounds exact? ---- */
+/* ---- exact bounds by formula ---- */
 
-/* Does the map take boxes along the axes to boxes along the axes? */
+/* Returns true if the map takes boxes along the axes to boxes along the axes. */
 static bool keeps_boxes(const vs_affine *a) {
   for (int i = 0; i < 3; i++)
     if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) != 1) return false;
   return true;
 }
 
-/* Of large models only BOX_LOOK nodes are looked at: they are cut somewhere, or would be looked at for longer than
- * measured. */
+/* Sets *exact to false if the formula's bounds may be larger than the object. Checks at most BOX_LOOK nodes; the others
+ * count as exact. */
 static bool box_is_exact(const vs_node *n, bool *exact) {
   node_stack s = { 0 };
   size_t seen = 0;
@@ -69,9 +69,9 @@ static bool box_is_exact(const vs_node *n, bool *exact) {
   return ok;
 }
 
-/* ---- how dear is it to combine? ---- */
+/* ---- the cost of combining ---- */
 
-/* Facets a turn that the program asks for beyond the usual some 64 make meshes larger: of a ball, by their square. */
+/* Returns the cost of the facets for a full turn beyond the usual 64: in a ball, their number grows with the square. */
 static size_t segments_cost(const vs_node *n) {
   const vs_kind_info *k = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < k->field_count; i++) {
@@ -90,7 +90,7 @@ static size_t shape_cost(const vs_node *n) {
   return n->child_count > 0 ? 0 : 1;
 }
 
-/* Counts shapes, each placement once more, up to `most`. False: out of memory. */
+/* Counts shapes, and each placement once more, up to `most`. Returns false when memory is out. */
 static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
   node_stack s = { 0 };
   bool ok = true;
@@ -106,7 +106,7 @@ static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
   return ok;
 }
 
-/* ---- the bounds of the points that a drawing of it has ---- */
+/* ---- the bounds of the points that are drawn ---- */
 
 static bool drawn_solid(const vs_ref *ref, const vs_fineness *facets, const vs_kernel_options *options, vs_bounds *out,
                         vs_error *e) {
@@ -159,7 +159,7 @@ bool vs_drawn_bounds(const vs_ref *ref, vs_drawn_search *search, vs_bounds *out,
   if (budget) *budget -= cost;
   if (f.tolerance <= 0) f.tolerance = vs_fineness_tolerance(out);
   if (!(n->class_ == VS_SOLID ? drawn_solid(ref, &f, search->options, &drawn, e) : drawn_region(n, &f, &drawn, e))) {
-    /* A format without meshes draws a solid that the mesher refuses; one with meshes reports the refusal itself. */
+    /* a format without meshes draws a solid that the mesher refuses; a format with meshes reports the refusal */
     if (e->kind != VS_ERROR_MODEL) return false;
     *e = (vs_error){ VS_ERROR_NONE, NULL, "" };
     return search->at_most = true;

@@ -4,8 +4,8 @@
 
 #include "solids/resolve.h"
 
-/* All that the scene draws, at its tolerance; lines without end become lines as long as the rest of the drawing
- * reaches, drawn last. */
+/* Resolves all objects that the scene draws, at its tolerance. Lines without end become lines as long as the rest of
+ * the drawing, and are drawn last. */
 bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, const vs_resolve_notes *notes, vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns feature edges: which of a mesh's edges a draughtsman would draw, as polylines. */
+/* Owns feature edges: the edges of a mesh that a draughtsman would draw, as polylines. */
 #include "solids/feature_edges.h"
 
 #include <stdlib.h>
@@ -27,8 +27,8 @@ static int arm_compare(const void *p, const void *q) {
   return a->from != b->from ? (a->from < b->from ? -1 : 1) : a->to < b->to ? -1 : a->to > b->to;
 }
 
-/* The feature edges of m over the vertices `place`, as arms sorted by their start; *count is twice their number. NULL:
- * out of memory */
+/* Returns the feature edges of m over the vertices `place`, as arms sorted by their start; *count is twice their
+ * number. Returns NULL when memory is out. */
 static arm *feature_arms(const vs_mesh *m, const uint32_t *place, size_t *count) {
   size_t n = m->triangle_count, sides = 0;
   side *all = vs_fresh(3 * n + 1, sizeof *all);
@@ -66,7 +66,7 @@ static arm *feature_arms(const vs_mesh *m, const uint32_t *place, size_t *count)
   return ok ? arms : NULL;
 }
 
-/* The arms at a vertex: from *first on, as many as returned */
+/* Returns the number of arms at a vertex; *first is the index of the first. */
 static size_t arms_at(const arm *arms, size_t count, uint32_t vertex, size_t *first) {
   size_t low = 0, high = count, n = 0;
   while (low < high) {
@@ -78,7 +78,7 @@ static size_t arms_at(const arm *arms, size_t count, uint32_t vertex, size_t *fi
   return n;
 }
 
-/* Does the line run on through the vertex: two arms, and hardly a corner? *next: the other arm */
+/* Returns true if the line continues through the vertex: two arms, and almost no corner. *next: the other arm. */
 static bool runs_on(const vs_mesh *m, const arm *arms, size_t count, const arm *in, const arm **next) {
   size_t first;
   if (arms_at(arms, count, in->to, &first) != 2) return false;
@@ -94,7 +94,7 @@ static bool add_point(vs_polyline *p, vs_vec3 at) {
   return true;
 }
 
-/* Follows the line from an arm on to its end, or all round. */
+/* Follows the line from an arm to its end, or around a ring. */
 static bool follow(const vs_mesh *m, const arm *arms, size_t count, const arm *start, bool *used, vs_polylines *out) {
   if (!VS_GROW(out->at, out->room, out->count + 1)) return false;
   vs_polyline *p = &out->at[out->count++];
@@ -127,7 +127,7 @@ bool vs_mesh_edges(const vs_mesh *m, vs_polylines *out, vs_error *e) {
   arm *arms = ok ? feature_arms(m, place, &count) : NULL;
   bool *used = vs_zeros(count / 2 + 1, sizeof *used);
   ok = arms && used;
-  for (int pass = 0; ok && pass < 2; pass++) /* first from where lines end, then what is left: rings */
+  for (int pass = 0; ok && pass < 2; pass++) /* first from the ends of lines, then the remaining rings */
     for (size_t i = 0; ok && i < count; i++) {
       const arm *a = &arms[i], *next, back = { a->to, a->from, a->edge };
       if (used[a->edge] || (pass == 0 && runs_on(m, arms, count, &back, &next))) continue;

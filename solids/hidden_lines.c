@@ -1,45 +1,45 @@
-/* Owns hiding: which parts of an edge lie behind which triangles. See hidden_lines.h.
+/* Owns hiding: it finds the parts of an edge that lie behind triangles. See hidden_lines.h.
  *
- * Notation. P(s) = p + s (q - p) is a place on the edge, s in 0..1. Behind a triangle are the places that satisfy
- * four conditions linear in s: P(s) lies on the inner side of the three planes through the viewer and a side of the
- * triangle, and behind the triangle's own plane. The part of an edge that a triangle hides is therefore one interval of
- * s, by clipping: in a perspective view just as in a parallel one, because the conditions are planes in space. The
- * union of the intervals is what is hidden.
+ * Notation. P(s) = p + s (q - p) is a place on the edge, s in 0..1. A place is behind a triangle if it satisfies four
+ * conditions linear in s: P(s) lies on the inner side of the three planes through the viewer and a side of the
+ * triangle, and behind the triangle's plane. Therefore the part of an edge that a triangle hides is one interval of s,
+ * found by clipping, in a perspective view just as in a parallel one, because the conditions are planes in space. The
+ * union of the intervals is hidden.
  *
- * Touching. Distances up to the slack are none. A triangle is closed: an edge that runs along one of its sides,
- * further back, is hidden, because that side is an edge itself, or the surface goes on beyond it. An edge that lies
- * in the triangle's plane is never hidden by it. Distances from the plane are measured at right angles to it, so that
- * faces seen nearly edge-on are no worse than others; those that are seen edge-on hide nothing. The conditions are
- * evaluated where the edge enters and leaves the triangle's box on the picture, never far outside of it, where a
- * short side's direction would no longer say anything.
+ * Touching. Distances up to the slack count as zero. A triangle is closed: an edge that runs along one of its sides,
+ * further back, is hidden, because that side is an edge itself, or the surface continues beyond it. An edge that lies
+ * in the triangle's plane is never hidden by it. Distances from the plane are measured perpendicular to it, so faces
+ * seen nearly edge-on are as accurate as others; those seen exactly edge-on hide nothing. The conditions are evaluated
+ * where the edge enters and leaves the triangle's box in the picture, never far outside of it, where the direction of a
+ * short side would be useless.
  *
- * Cost. The triangles that may hide something lie in a binary tree of boxes on the picture, which know the least
- * depth below them. It is built by halving at the median of the longest of width, height and depth: n log n. An edge
- * first asks the triangles that hid the edges before it; then it visits the nearer half first, no box that is further
- * away than the edge, and ends when all of it is hidden. */
+ * Cost. The triangles that may hide something are in a binary tree of boxes in the picture, each with the least depth
+ * below it. The tree is built by halving at the median of the longest of width, height and depth: n log n. An edge is
+ * first tested against the triangles that hid the edges before it. Then it visits the nearer half first, skips boxes
+ * that are further away than the edge, and ends when all of it is hidden. */
 #include "solids/hidden_lines.h"
 
 #include <math.h>
 
 enum { LEAF = 4, STACK = 128, KEPT = 8 };
 
-typedef struct { double low[2], high[2], depth; } box; /* on the picture; depth: the least below */
+typedef struct { double low[2], high[2], depth; } box; /* in the picture; depth: the least below */
 typedef struct { box b; uint32_t first, count, right; } node;
-    /* of order; count 0: its children are the next node and `right` */
+    /* a range of `order`; count 0: the children are the next node and `right` */
 typedef struct { double from, to; } span;
 
 typedef struct {
   const vs_sight_host *host;
   const vs_sight *s;
-  box *boxes;        /* of the triangles that may hide */
-  uint32_t *number;  /* which triangle each is */
+  box *boxes;        /* of the triangles that may hide an edge */
+  uint32_t *number;  /* of each box: its triangle */
   uint32_t *order;   /* sorted by the tree */
   node *nodes;
   size_t count, room, node_count, node_room;
-  span *spans;       /* what is hidden of the edge at hand: sorted, apart */
+  span *spans;       /* the hidden parts of the current edge: sorted, apart */
   size_t span_count, span_room;
   size_t turns;
-  uint32_t kept[KEPT]; /* of boxes: triangles that hid whole edges, the last that did so first */
+  uint32_t kept[KEPT]; /* indices of boxes: triangles that hid whole edges, the latest first */
 } sight;
 
 static bool going(sight *v) { return (++v->turns & 0xfff) != 0 || v->host->going == NULL ||
@@ -73,7 +73,7 @@ static void corners_of(const vs_sight *s, uint32_t triangle, vs_vec3 out[3]) {
   for (int k = 0; k < 3; k++) out[k] = s->points[s->triangles[triangle][k]];
 }
 
-/* Does the triangle turn enough of itself to the viewer to hide anything? */
+/* Returns true if the triangle faces the viewer enough to hide anything. */
 static bool may_hide(const vs_sight *s, uint32_t i) {
   vs_vec3 c[3];
   corners_of(s, i, c);
@@ -109,7 +109,7 @@ static void split(sight *v, size_t first, size_t count, int axis) {
   }
 }
 
-/* Nodes in the order of a walk that goes left first; each knows its right child by number. */
+/* Builds the nodes in the order of a walk that goes left first; each has the number of its right child. */
 static bool build(sight *v) {
   struct { uint32_t first, count, parent; } stack[STACK];
   size_t depth = 0;
@@ -164,12 +164,12 @@ static bool gather(sight *v) {
 /* ---- one edge and one triangle ---- */
 
 typedef struct { vs_vec3 p, d; double low[2], high[2], far, length, slack; double from, to; } line;
-    /* from, to: of s, as clipped so far */
+    /* from, to: the interval of s after the clips so far */
 
 static vs_vec3 place(const line *l, double s) { return vs_v3_add(l->p, vs_v3_scale(l->d, s)); }
 
-/* Keeps the part of from..to where a linear function is not negative, of the values there; less than slack is 0.
- * False: nothing but a point is left. */
+/* Keeps the part of from..to where a linear function, given by its values there, is not negative; values below slack
+ * count as 0. Returns false if at most a point remains. */
 static bool keep(line *l, double at_from, double at_to, double slack) {
   if (fabs(at_from) <= slack) at_from = 0;
   if (fabs(at_to) <= slack) at_to = 0;
@@ -180,7 +180,8 @@ static bool keep(line *l, double at_from, double at_to, double slack) {
   return l->from < l->to;
 }
 
-/* Distance from the side of the triangle's box on the picture at `bound`, times depth in a perspective view. */
+/* Returns the distance from the side of the triangle's box at `bound` in the picture, times depth in a perspective
+ * view. */
 static double beside(const vs_sight *s, vs_vec3 p, int axis, double bound) { return (axis ? p.y :
     p.x) - bound * (s->perspective ? p.z : 1); }
 
@@ -195,14 +196,16 @@ static bool keep_in_box(const vs_sight *s, line *l, const box *b) {
   return true;
 }
 
-/* The unit normal of the plane through the viewer and the side from a to b; 0: they are one place to him. */
+/* Returns the unit normal of the plane through the viewer and the side from a to b; 0 if the viewer sees them at one
+ * place. */
 static vs_vec3 side_normal(const vs_sight *s, vs_vec3 a, vs_vec3 b) {
   vs_vec3 n = s->perspective ? vs_v3_cross(a, b) : vs_v3(a.y - b.y, b.x - a.x, 0);
   double length = vs_v3_length(n);
   return length > 0 ? vs_v3_scale(n, 1 / length) : vs_v3(0, 0, 0);
 }
 
-/* Does the triangle lie to one side of the line from a to b on the picture? Most of those whose boxes meet it do. */
+/* Returns true if the triangle lies on one side of the line from a to b in the picture, as do most of those whose boxes
+ * meet it. */
 static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], const double b[2], double slack) {
   double across = b[0] - a[0], up = b[1] - a[1], least = INFINITY, most = -INFINITY;
   for (int k = 0; k < 3; k++) {
@@ -215,11 +218,11 @@ static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], con
   return least > slack || most < -slack;
 }
 
-/* The part of l that the triangle hides, as l->from and l->to. */
+/* Computes the part of l that the triangle hides, as l->from and l->to; returns false if it hides none. */
 static bool hides(const vs_sight *s, const vs_vec3 c[3], const box *b, line *l) {
   vs_vec3 n = vs_v3_unit(vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0])));
   if (vs_v3_dot(n, s->perspective ? c[0] : vs_v3(0, 0, 1)) < 0) n = vs_v3_scale(n, -1);
-      /* away from the viewer: behind is positive */
+      /* n points away from the viewer: behind is positive */
   double far_p = vs_v3_dot(n, vs_v3_sub(l->p, c[0])), far_q = far_p + vs_v3_dot(n, l->d);
   if (far_p <= l->slack && far_q <= l->slack) return false;
   l->from = 0, l->to = 1;
@@ -235,9 +238,9 @@ static bool hides(const vs_sight *s, const vs_vec3 c[3], const box *b, line *l) 
   return true;
 }
 
-/* ---- what is hidden of one edge ---- */
+/* ---- the hidden parts of one edge ---- */
 
-/* Adds from..to to the spans; those closer than `gap` become one. */
+/* Adds from..to to the spans; spans closer than `gap` are joined. */
 static bool add_span(sight *v, double from, double to, double gap) {
   size_t first = 0, end, count = v->span_count;
   while (first < count && v->spans[first].to < from - gap) first++;
@@ -261,7 +264,7 @@ static bool meets(const line *l, const box *b, double slack) {
   return b->depth < l->far;
 }
 
-/* Does the box lie to one side of the line? On the picture; a to b is the edge there. */
+/* Returns true if the line from a to b, the edge in the picture, crosses the box. */
 static bool crosses(const double a[2], const double b[2], const box *x, double slack) {
   double across = b[0] - a[0], up = b[1] - a[1];
   double mx = (x->low[0] + x->high[0]) / 2 - a[0], my = (x->low[1] + x->high[1]) / 2 - a[1];
@@ -274,7 +277,7 @@ static void keep_hider(sight *v, uint32_t which) {
   v->kept[0] = which;
 }
 
-/* Fills v->spans for the edge. *on false: interrupted. */
+/* Fills v->spans for the edge. *on is false if interrupted. */
 static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   const vs_sight *s = v->s;
   line l = { .p = edge->p, .d = vs_v3_sub(edge->q, edge->p), .slack = fmax(edge->slack, s->slack) };
@@ -288,7 +291,7 @@ static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   l.far = fmax(edge->p.z, edge->q.z);
   v->span_count = 0;
   if (v->node_count == 0) return true;
-  for (int i = 0; i < KEPT; i++) { /* edges that follow each other are often hidden by one triangle */
+  for (int i = 0; i < KEPT; i++) { /* one triangle often hides several successive edges */
     uint32_t which = v->kept[i];
     if (!meets(&l, &v->boxes[which], slack)) continue;
     corners_of(s, v->number[which], c);
@@ -329,7 +332,7 @@ static bool add_piece(sight *v, vs_sight_pieces *out, vs_sight_piece piece, doub
   return true;
 }
 
-/* The edge's parts between and in the spans. least: shorter ones are left out. */
+/* Appends the edge's parts between the spans, and in them with with_hidden. least: shorter ones are omitted. */
 static bool cut_up(sight *v, uint32_t edge, bool with_hidden, double least, vs_sight_pieces *out) {
   double at = 0;
   for (size_t i = 0; i < v->span_count; i++) {

@@ -26,7 +26,7 @@
 #include "model/store/array.h"
 #include "solids/weld.h"
 
-/* Kinds whose meshes may overlap themselves; placements are looked through. */
+/* Returns true if the kind's mesh may overlap itself; looks through placements. */
 static bool may_overlap(const vs_node *n) {
   if (n->class_ != VS_SOLID) return false;
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
@@ -48,9 +48,9 @@ static bool failed(const vs_kernel_error *why, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s", why->message);
 }
 
-/* Leaves out shells that are nothing but a crack or a flake: where faces of a mesh that overlaps itself lie on one
- * another, rounding parts them by some steps of the kernel's grid. thickness: a shell that is thinner on the whole
- * goes. */
+/* Removes shells that are only a crack or a flake: where faces of a mesh that overlaps itself lie on each other,
+ * rounding separates them by some steps of the kernel's grid. thickness: a shell with a smaller mean thickness is
+ * removed. */
 static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   vs_shells shells;
   bool ok = vs_shells_find(m, &shells);
@@ -73,8 +73,8 @@ typedef struct {
   bool too_much;
 } work;
 
-/* m becomes what it winds around more than 0 times; left may be NULL: any amount of work. True with left->too_much: m
- * is as it was. */
+/* Replaces m by the solid that it winds around more than 0 times; left may be NULL: any amount of work. If it returns
+ * true with left->too_much, m is unchanged. */
 static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   vs_mesh whole = { 0 };
@@ -91,7 +91,7 @@ static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs
   return true;
 }
 
-/* *changed: it overlapped or touched itself. */
+/* *changed: m overlapped or touched itself. */
 static bool free_of_overlaps(vs_mesh *m, const vs_kernel_options *options, bool *changed, vs_error *e) {
   vs_mesh_flaws flaws;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -112,10 +112,11 @@ bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_e
 
 /* ---- crowds ---- */
 
-/* Pairs of triangles that may meet: for each triangle, where it takes too long to arrange them at once; and in all. */
+/* CROWD: pairs of triangles that may meet, for each triangle: more take too long to arrange at once; MOST_PAIRS: in
+ * all. */
 enum { CROWD = 16, MOST_PAIRS = 60000000, STEPS = 8 };
 
-/* Is m, the mesh of a sweep, one whose bends overturn so much of it that it is to be united run by run? */
+/* Returns true if m, the mesh of a sweep, overlaps so much at its bends that runs of it must be united one by one. */
 static bool is_crowd(const vs_node *n, const vs_fineness *f, const vs_mesh *m, const vs_kernel_options *options,
                      bool *crowd, vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -127,7 +128,7 @@ static bool is_crowd(const vs_node *n, const vs_fineness *f, const vs_mesh *m, c
   return true;
 }
 
-/* Adds b to a, and empties b. */
+/* Appends b to a, and empties b. */
 static bool add_mesh(vs_mesh *a, vs_mesh *b) {
   uint32_t first = (uint32_t)a->vertex_count;
   bool ok = a->vertex_count + b->vertex_count < UINT32_MAX / 4;
@@ -138,7 +139,7 @@ static bool add_mesh(vs_mesh *a, vs_mesh *b) {
   return ok;
 }
 
-/* Resolves m, and welds what that has left of the union's needles and crumbs. */
+/* Resolves m, and welds the needles and crumbs of the union that remain. */
 static bool unite(vs_mesh *m, double step, work *left, vs_error *e) {
   return resolve(m, left->options, left, e) && (left->too_much || vs_mesh_weld(m, step) || vs_error_memory(e, NULL));
 }
@@ -194,7 +195,7 @@ static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *m
   return ok;
 }
 
-/* Mends m on a grid with so many steps to one, as for a format without indices whose numbers are singles: between 2^23
+/* Mends m on a grid with `per` steps to one, as for a format without indices whose numbers are singles: between 2^23
  * and 2^24 these are the whole numbers. m stays a closed chain. */
 static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_error *e) {
   const double middle = 0x1.8p23;
@@ -212,13 +213,13 @@ static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_er
   return true;
 }
 
-/* Resolves m, and looks at what has come of it. */
+/* Resolves m, and checks the result for triangles that meet. */
 static bool try_out(vs_mesh *m, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   return resolve(m, left->options, left, e) && (left->too_much || find_met(m, left->options, met, at, e));
 }
 
-/* Mends m on a grid (mend) and resolves what crosses there, some times; gives up where m grows, which does not end.
- * The last look is at what is drawn: what the finished mesh winds around more than 0 times, once more. */
+/* Mends m on a grid (mend) and resolves the intersections there, several times; gives up if m grows, since that does
+ * not end. The last check is of the final mesh: the solid that m winds around more than 0 times, resolved once more. */
 static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   enum { ROUNDS = 4 };
   vs_bounds b = vs_mesh_bounds(m);
@@ -232,8 +233,8 @@ static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at
   return ok;
 }
 
-/* Mends m on decimal grids, each coarser than the last, until nothing meets in any numbers. coarsest: no grid has a
- * larger step. *met: nothing has helped; *at: where. */
+/* Mends m on decimal grids, each coarser than the last, until no triangles meet in any format's numbers. coarsest: the
+ * largest step of a grid. *met: no grid has helped; *at: the place. */
 static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   vs_bounds b = vs_mesh_bounds(m);
   double size = vs_bounds_diagonal(&b);
@@ -254,7 +255,8 @@ static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *
   return ok;
 }
 
-/* Says which bend of a sweep is too tight, and which profile fits. at: near where it is, or NULL: the tightest. */
+/* Sets the error: the bend of a sweep that is too tight, and the profile that fits. at: a place near the bend, or NULL:
+ * the tightest. */
 static bool refuse(const vs_node *n, const vs_fineness *f, const vs_vec3 *at, vs_error *e) {
   vs_sweep_bend bend;
   char fits[60] = "no profile fits";

@@ -1,4 +1,4 @@
-/* Owns the freeing of meshes from their overlaps, so that they are good solids. */
+/* Owns the removal of overlaps from meshes, which makes them good solids. */
 #ifndef VS_SOLIDS_OVERLAPS_H
 #define VS_SOLIDS_OVERLAPS_H
 
@@ -7,8 +7,8 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* A closed mesh that overlaps or touches itself becomes what it winds around more than 0 times; any other stays as it
- * is. options may be NULL. */
+/* Replaces a closed mesh that overlaps or touches itself by the solid that it winds around more than 0 times; any other
+ * stays unchanged. options may be NULL. */
 bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e);
 
 /* Removes the overlaps of m, the mesh of n from geometry/, as vs_mesh_without_overlaps does. The mesh of a sweep then

@@ -1,4 +1,4 @@
-/* Owns the rewriting: children first, each distinct node once, without recursion. */
+/* Owns the replacement of nodes: children first, each distinct node once, without recursion. */
 #include "solids/resolve.h"
 #include "geometry/tessellate.h"
 #include "geometry/plane/planar_evaluation.h"
@@ -19,23 +19,23 @@ typedef struct {
   vs_store *store;
   const vs_fineness *facets;
   const vs_kernel_options *options;
-  const vs_resolve_notes *notes; /* or NULL */
+  const vs_resolve_notes *notes; /* may be NULL */
   vs_error *error;
-  vs_deformer *deformer; /* NULL: nothing was deformed yet */
-  vs_nodemap known;    /* old node -> new one, which made holds */
+  vs_deformer *deformer; /* NULL: nothing has been deformed yet */
+  vs_nodemap known;    /* from the old node to the new one, which `made` holds */
   vs_node **made;
   size_t made_count, made_room;
 } resolver;
 
 static bool is_unresolved(const vs_node *n) { return n->flags & VS_NODE_UNRESOLVED; }
 
-/* Returns the node that stands for n now; not a new reference */
+/* Returns the node that replaces n so far, without a new reference. */
 static vs_node *now(const resolver *r, vs_node *n) {
   const uint64_t *place = is_unresolved(n) ? vs_nodemap_get(&r->known, n) : NULL;
   return place ? r->made[*place] : n;
 }
 
-/* Takes the new node over. */
+/* Takes over the new node. */
 static bool remember(resolver *r, const vs_node *old, vs_node *new) {
   if (!new) return vs_error_memory(r->error, NULL);
   if (!VS_GROW(r->made, r->made_room, r->made_count + 1)) return vs_node_release(new), vs_error_memory(r->error, NULL);
@@ -58,7 +58,7 @@ static vs_node *line(vs_store *s, const vs_polyline *p) {
   return n;
 }
 
-/* A node of these children, which it takes over; a single one is itself where `alone` allows it */
+/* Makes a node of these children, which it takes over; with `alone`, a single child is returned itself. */
 static vs_node *of_children(vs_store *s, vs_kind kind, vs_ref *refs, size_t count, bool alone) {
   bool ok = true;
   static const unsigned char none[8];
@@ -92,7 +92,7 @@ static bool facets_for(const resolver *r, const vs_node *n, vs_fineness *f) {
   return true;
 }
 
-/* Surfaces that stand beside each other as one mesh */
+/* Collects surfaces beside each other as one mesh. */
 static bool surfaces(const resolver *r, vs_ref root, const vs_fineness *f, vs_mesh *out) {
   typedef struct { vs_affine placed; } level;
   vs_walk *w = vs_walk_new(root.node->store, root);
@@ -151,7 +151,7 @@ static vs_node *flat_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* Where the shape knows its edges they are circles exactly. *known false: the mesh has to be asked. */
+/* If the shape has a formula for its edges, makes them exact circles. *known false: the caller must use the mesh. */
 static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin *origin, bool *known) {
   vs_affine placed = vs_affine_identity();
   vs_vec3 at[2];
@@ -179,7 +179,8 @@ static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin
     *known = false;
     return NULL;
   }
-  *known = segments == 0 && r->facets->segments == 0; /* facets that were asked for have edges of their own */
+  *known = segments == 0 && r->facets->segments == 0; /* with a given number of facets, the edges are those of the
+                                                       * facets */
   if (!*known) return NULL;
   vs_ref circles[2];
   size_t count = 0;
@@ -230,7 +231,7 @@ static vs_node *polyface(vs_store *s, const vs_mesh *m, bool closed) {
   return n;
 }
 
-/* A flat hull of surfaces becomes that of their corners. */
+/* Makes the hull of surfaces that lie in one plane from their corners. */
 static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
   struct vs_hull d = *VS_AS(hull, ref->node);
   vs_fineness f;
@@ -247,7 +248,7 @@ static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* A hull whose carved parts are meshes */
+/* Makes a hull in which carved parts are meshes. */
 static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
   const vs_node *n = ref->node;
   vs_ref *kids = vs_zeros(n->child_count + (size_t)1, sizeof *kids);
@@ -274,19 +275,19 @@ static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* ---- slices of what is thin ---- */
+/* ---- slices of curves, regions and surfaces ---- */
 
 typedef struct {
   const resolver *r;
   const struct vs_slice *plane;
   const vs_origin *origin;
-  const vs_node *const *looks; /* of what is being cut: its materials and layers, the innermost last */
+  const vs_node *const *looks; /* materials and layers around the part being cut, the innermost last */
   size_t look_count;
   vs_ref *at;                  /* the pieces */
   size_t count, room;
 } pieces;
 
-static bool keep_piece(pieces *p, vs_node *n) { /* takes n over */
+static bool keep_piece(pieces *p, vs_node *n) { /* takes over n */
   vs_store *s = p->r->store;
   for (size_t i = p->look_count; n && i-- > 0;) {
     vs_node *bare = n;
@@ -304,7 +305,7 @@ static bool keep_line(void *context, const vs_polyline *piece) {
   return keep_piece(p, line(p->r->store, piece));
 }
 
-/* Slices one part that is of one class; placed: from its coordinates to the slice's */
+/* Slices one part that has one class; placed: from its coordinates to the slice's. */
 static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
   const vs_node *n = part.node;
   vs_store *s = p->r->store;
@@ -350,7 +351,7 @@ static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
 }
 
 static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
-  typedef struct { vs_affine placed; size_t looks; } level; /* looks: so many of the list stand round it */
+  typedef struct { vs_affine placed; size_t looks; } level; /* looks: number of entries of the list around it */
   vs_ref child = { now(r, ref->node->children[0].node), ref->node->children[0].origin }, at;
   pieces p = { .r = r, .plane = VS_AS(slice, ref->node), .origin = ref->origin };
   vs_walk *w = vs_walk_new(r->store, child);
@@ -388,7 +389,7 @@ static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* Bars round several curves are several bars. */
+/* Makes several bars from bars around several curves. */
 static vs_node *thickened(const resolver *r, const vs_node *n, vs_ref whole) {
   vs_ref *parts;
   size_t count;

@@ -1,14 +1,14 @@
 /* Owns sections and shadows of closed meshes, as chains of directed edges in the plane.
  *
- * Section. The plane stands a hair above where it is, then a hair below, so that no vertex lies in it: a triangle with
- * vertices on both sides gives one edge, from where its border goes down through the plane to where it comes up; seen
- * against the normal the solid is on the left. Where an edge of the mesh goes through is worked out once for both its
- * triangles, so the edges close. A vertex within 1e-7 of the mesh's size counts as on the plane (the kernel's grid is
- * finer), and is its own crossing. The section is the union of the cuts by both planes: a face that lies in the plane
- * is in one of the two.
+ * Section. The plane is moved a hair up, then a hair down, so that no vertex lies in it. A triangle with vertices on
+ * both sides gives one edge, from the place where its border goes down through the plane to the place where it comes
+ * up; seen against the normal the solid is on the left. The crossing of an edge of the mesh is computed once for both
+ * its triangles, so the edges close. A vertex within 1e-7 of the mesh's size counts as on the plane (the kernel's grid
+ * is finer), and is itself the crossing. The section is the union of the cuts by both planes: a face that lies in the
+ * plane is in one of the two.
  *
- * Shadow. The triangles that face along the normal, projected, wind round each point as often as they cover it; so do
- * the edges that not both of its triangles share: the outlines against the light. */
+ * Shadow. The triangles that face along the normal, projected, wind around each point as often as they cover it;
+ * therefore so do the edges that only one of such triangles has: the outlines against the light. */
 #include "solids/sections.h"
 
 #include <stdlib.h>
@@ -28,13 +28,13 @@ static bool chain_add(chain *c, vs_vec2 p, vs_vec2 q) {
   return true;
 }
 
-/* The plane's own coordinates: of the outlines that geometry/ makes in it, so the normal looks up. */
+/* Returns the plane's coordinates: those of the outlines that geometry/ makes in it, with the normal up. */
 static vs_affine plane_frame(vs_vec3 point, vs_vec3 normal) {
   vs_vec3 up = vs_plane_up(normal);
   return vs_frame_on_axis(vs_v3_scale(up, vs_v3_dot(up, point)), up);
 }
 
-/* Heights above the plane, and flat coordinates; NULL: out of memory */
+/* Returns heights above the plane, and flat coordinates; NULL: out of memory. */
 static vs_vec3 *in_frame(const vs_mesh *m, const vs_affine *frame) {
   vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] },
           y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] },
@@ -91,7 +91,7 @@ bool vs_mesh_section(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline
       at[i].z = 0;
       on = true;
     }
-  for (int k = 0; ok && k < (on ? 2 : 1); k++) { /* where nothing lies in the plane both are the same */
+  for (int k = 0; ok && k < (on ? 2 : 1); k++) { /* if nothing lies in the plane, both are equal */
     chain c = { 0 };
     ok = cut(m, at, k == 0, &c) || vs_error_memory(e, NULL);
     ok = ok && vs_area_of_chain((const vs_vec2 (*)[2])c.at, c.count, "do-section", &parts[k], e);

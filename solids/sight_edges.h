@@ -4,9 +4,9 @@
 
 #include "solids/hidden_lines.h"
 
-/* Appends the lines that a draughtsman would draw of the triangles: creases of more than 20 degrees, contours,
- * borders, and what the cut makes. Points that are equal count as one. False: out of memory or interrupted, and the
- * error says so. n log n. */
+/* Appends the lines that a draughtsman would draw of the triangles: creases of more than 20 degrees, contours, borders,
+ * and the lines of the cut. Equal points count as one. Returns false and sets the error if memory is out or the caller
+ * interrupts. Cost: n log n. */
 bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_edges *out, vs_error *e);
 
 void vs_sight_edges_free(const vs_sight_host *host, vs_sight_edges *edges);

@@ -1,10 +1,10 @@
-/* Owns the taking apart of an object for its measures.
+/* Owns the division of an object for its measures.
  *
- * A list of jobs: pieces of the object that share no space with each other, each with its placement and a sign. A piece
- * that has a formula is added up. A union becomes its parts; those whose boxes no other part meets are jobs of their
- * own. A difference loses cutters that do not meet it, and where they all lie inside of a convex body it is that body
- * less what the cutters unite to. All other parts are gathered, and meshed at once. Boxes that
- * share less than 2^-28 of the whole stand apart for volumes, and touch for areas. Nothing recurses. */
+ * The list of jobs has pieces of the object that share no space with each other, each with its placement and a sign. A
+ * piece with a formula is added to the sum. A union is divided into its parts; those whose boxes no other part meets
+ * are separate jobs. A difference loses cutters that do not meet it. If they all lie inside a convex body, its measure
+ * is that of the body less that of the cutters' union. All other parts are collected and meshed at once. Boxes that
+ * share less than 2^-28 of the whole are apart for volumes, and touch for areas. Nothing recurses. */
 #include "solids/solid_measures.h"
 
 #include <stdlib.h>
@@ -15,7 +15,8 @@
 #include "solids/solid_meshes.h"
 #include "model/store/array.h"
 
-enum { MOST_PARTS = 1000000, CHEAP = 60000 /* triangles: so many may be made once more, for a better answer */ };
+enum { MOST_PARTS = 1000000, CHEAP = 60000 /* triangles: meshes up to CHEAP may be made once more, for a better
+                                            * result */ };
 
 typedef struct { vs_ref ref; vs_affine placed; double sign; } job;
 typedef struct { vs_ref ref; vs_affine placed; vs_bounds box; bool cutter; } part;
@@ -25,12 +26,12 @@ typedef struct {
   vs_ask ask;
   double tolerance;
   vs_bounds_memo boxes;
-  vs_nodemap known;           /* node -> one more than the number of its formula */
+  vs_nodemap known;           /* from the node to the number of its formula plus one */
   VS_LIST(vs_measure) formulas;
   VS_LIST(job) jobs;
-  VS_LIST(part) parts;        /* of the job at hand */
-  VS_LIST(vs_ref) rest[2];    /* to be meshed: what counts, what is taken off; references of our own */
-  VS_LIST(vs_node *) made;    /* for jobs; ours */
+  VS_LIST(part) parts;        /* of the current job */
+  VS_LIST(vs_ref) rest[2];    /* to be meshed: added and subtracted parts; owned references */
+  VS_LIST(vs_node *) made;    /* nodes made for jobs; owned */
   bool rough;                 /* something overlaps itself: finer meshes of it take long to unite */
   double volume, area;
   vs_vec3 moment;
@@ -41,11 +42,11 @@ static bool memory(measuring *m) { return vs_error_memory(m->error, NULL); }
 
 static void add(measuring *m, double volume, double area, vs_vec3 centroid, double sign) {
   m->volume += sign * volume;
-  m->area += area; /* a hollow has a surface as well */
+  m->area += area; /* a cavity has a surface, too */
   m->moment = vs_v3_add(m->moment, vs_v3_scale(centroid, sign * volume));
 }
 
-static vs_ref below(vs_ref at, vs_affine *placed) { /* through placements and appearance */
+static vs_ref below(vs_ref at, vs_affine *placed) { /* skips placements and appearance */
   while (at.node->child_count == 1 &&
          (at.node->kind == VS_TRANSFORM || at.node->kind == VS_UNION || vs_node_is_wrapper(at.node))) {
     if (at.node->kind == VS_TRANSFORM) *placed = vs_affine_multiply(placed, &VS_AS(transform, at.node)->matrix);
@@ -75,7 +76,7 @@ static bool formula(measuring *m, vs_node *n, vs_measure *out) {
   return true;
 }
 
-/* True, with *done, where a formula has it all. */
+/* Sets *done if a formula gives all measures. */
 static bool by_formula(measuring *m, const job *j, bool *done) {
   vs_measure one;
   double k;
@@ -87,7 +88,7 @@ static bool by_formula(measuring *m, const job *j, bool *done) {
   return true;
 }
 
-/* ---- taking apart ---- */
+/* ---- division ---- */
 
 static bool left_over(measuring *m, vs_ref ref, const vs_affine *placed, double sign) {
   vs_node *n = vs_node_new(ref.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = *placed }, &ref, 1);
@@ -109,14 +110,14 @@ static bool box_of(measuring *m, const part *p, vs_bounds *out) {
     *out = vs_bounds_transform(out, &p->placed);
     return true;
   }
-  vs_ref ref = p->ref; /* turned: what is round has a smaller box than its box has */
+  vs_ref ref = p->ref; /* if turned: a curved object has a smaller box than its box has */
   vs_node *n = vs_node_new(ref.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->placed }, &ref, 1);
   bool ok = n ? vs_node_bounds(n, out, m->error) : memory(m);
   vs_node_release(n);
   return ok;
 }
 
-/* Appends the parts of a union, however it is nested; *whole false: there are too many. */
+/* Appends the parts of a union, nested at any depth; *whole false: there are too many. */
 static bool spread(measuring *m, vs_ref root, const vs_affine *placed, bool *whole) {
   VS_LIST(job) stack = { 0 };
   bool ok = VS_PUSH(&m->k, stack, ((job){ root, *placed, 1 })) || memory(m);
@@ -148,13 +149,13 @@ static bool join(void *set, uint32_t a, uint32_t b) {
   return true;
 }
 
-/* set[i]: the first of the parts that hang together with part i by their boxes */
+/* set[i]: the first of the parts that are connected with part i by their boxes */
 static bool cluster(measuring *m, uint32_t *set) {
   uint32_t n = (uint32_t)m->parts.count;
   vs_bounds all = vs_bounds_empty();
   vs_bvh bvh = { 0 };
   vs_bvh_box *boxes = vs_fresh(n + (size_t)1, sizeof *boxes);
-  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* steps that a box is smaller by */
+  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* steps by which boxes shrink */
   vs_disjoint(set, n);
   for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box);
   double low[3] = { all.min.x, all.min.y, all.min.z },
@@ -176,7 +177,7 @@ static bool cluster(measuring *m, uint32_t *set) {
   return ok;
 }
 
-/* Do all cutters, by their boxes, lie inside of this body? For areas they must not touch its surface. */
+/* Sets *inside if all cutters, by their boxes, lie inside this body; for areas, without touching its surface. */
 static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t root, bool *inside) {
   vs_affine back;
   *inside = vs_node_has(body->ref.node, VS_IS_CONVEX) && vs_affine_invert(&body->placed, &back);
@@ -194,7 +195,7 @@ static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t 
   return true;
 }
 
-/* Measures one of the clusters, whose first part is number root */
+/* Measures one of the clusters, whose first part has the number root. */
 static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *member, uint32_t count, double sign,
                            vs_ref whole) {
   uint32_t bodies = 0, cutters = 0, body = 0;
@@ -247,7 +248,7 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
   return ok;
 }
 
-/* The parts, cluster by cluster */
+/* Measures the parts, cluster by cluster. */
 static bool settle_parts(measuring *m, double sign, vs_ref whole) {
   uint32_t n = (uint32_t)m->parts.count, *set = vs_fresh(3 * (size_t)n + 3, sizeof *set);
   if (!set) return memory(m);
@@ -295,7 +296,7 @@ static bool take_apart(measuring *m, job j) {
   return settle_parts(m, j.sign, j.ref);
 }
 
-/* ---- what is left ---- */
+/* ---- the rest ---- */
 
 static bool mesh_rest(measuring *m, int which, const vs_bounds *drawing) {
   const vs_ref *refs = m->rest[which].at;

@@ -1,5 +1,5 @@
-/* Owns measures of solids that no single formula has: sums over parts that stand apart, sweeps, and what is left from
- * meshes. */
+/* Owns measures of solids for which no single formula exists: sums over separate parts, sweeps, and meshes for the
+ * rest. */
 #ifndef VS_SOLIDS_SOLID_MEASURES_H
 #define VS_SOLIDS_SOLID_MEASURES_H
 
@@ -8,10 +8,9 @@
 
 typedef enum { VS_ASK_VOLUME, VS_ASK_AREA, VS_ASK_CENTROID } vs_ask;
 
-/* Fills in volume and centroid, and for VS_ASK_AREA the area too, of a solid without sections and the like
- * (solids/resolve.h). Parts are measured by formula where nothing else of the object touches them and there is one;
- * only what is left goes through the kernel, at `tolerance`, or where that is 0 at the drawing's own, finer as long as
- * that costs little. options may be NULL. */
+/* Computes volume and centroid, and for VS_ASK_AREA the area too, of a resolved solid (solids/resolve.h). Parts that
+ * nothing else touches are measured by formula if there is one. Only the rest goes through the kernel, at `tolerance`,
+ * or if that is 0 at the drawing's, finer as long as that costs little. options may be NULL. */
 bool vs_solid_measure(vs_ref ref, vs_ask ask, double tolerance, const vs_kernel_options *options, vs_measure *out,
                       vs_error *e);
 

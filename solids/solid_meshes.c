@@ -1,8 +1,8 @@
 /* Owns the walk over a model's nodes that turns them into a kernel problem.
  *
- * Every path of the DAG gives its own terms; a mesh is made once per distinct primitive (equal by value, at equal
- * facets), and the same mesh at the same place in the same paint is one leaf, however often it stands in the
- * expression. The walk keeps its own stack: a model may be hundreds of thousands deep. */
+ * Every path of the DAG gives separate terms. A mesh is made once for each distinct primitive (equal by value, at equal
+ * facets). The same mesh at the same place with the same paint is one leaf, however often the expression has it. The
+ * walk keeps a stack: a model may be hundreds of thousands of levels deep. */
 #include "solids/solid_meshes.h"
 #include "geometry/tessellate.h"
 
@@ -24,23 +24,23 @@ typedef struct {
   vs_affine placement;
   const vs_material *material;
   const char *layer; /* interned */
-  size_t first;    /* of its operands in `pending` */
-  bool difference; /* its operands past the first are taken off */
-  bool off;        /* what stands here makes the whole smaller */
-  uint32_t scope;  /* the innermost operation around this that ends somewhere: half-spaces matter within it alone; 0 is
-                    * the whole drawing */
-  const vs_node *scope_node; /* its node; NULL: the whole's */
-  vs_affine local; /* from here to there */
+  size_t first;    /* index in `pending` of its first operand */
+  bool difference; /* its operands after the first are subtracted */
+  bool off;        /* solids here make the whole smaller */
+  uint32_t scope;  /* the innermost bounded operation around this level: half-spaces matter only within it; 0 is the
+                    * whole drawing */
+  const vs_node *scope_node; /* its node; NULL: that of the whole */
+  vs_affine local; /* map from this level to there */
 } level;
 typedef struct {
   const vs_node *node;
   vs_fineness facets;
   vs_mesh *mesh;
-  const vs_cached *held; /* mesh's arrays are the cache's; NULL: its own */
-  size_t next;           /* one more; 0: none */
+  const vs_cached *held; /* the cache owns the mesh's arrays; NULL: this entry does */
+  size_t next;           /* index of the next entry plus one; 0: none */
   const vs_origin *origin;
-  const vs_node *scope;  /* of a half-space, which is as large as it must be there: */
-  vs_affine local;       /* where it stands in it */
+  const vs_node *scope;  /* for a half-space, which must reach the bounds of this node: */
+  vs_affine local;       /* its placement there */
 } meshed;
 typedef struct { uint32_t leaf, scope; } scoped;
 
@@ -53,23 +53,25 @@ typedef struct {
   VS_LIST(vs_kernel_term) terms;
   VS_LIST(uint32_t) operands;
   VS_LIST(uint32_t) pending;          /* terms that wait for their operation */
-  VS_LIST(level) levels;              /* of the nodes the walk is in */
+  VS_LIST(level) levels;              /* of the nodes on the walk's path */
   VS_LIST(meshed) meshes;
   VS_LIST(vs_solid_part) parts;
-  VS_LIST(uint32_t) paints;           /* of each part: the first that has its material and layer */
-  VS_LIST(uint32_t) part_table, paint_table; /* of parts, open addressing; one more, 0 free */
-  VS_LIST(vs_bounds) within;          /* of each leaf, where there are half-spaces: where they matter */
-  VS_LIST(uint32_t) scopes;           /* of each, the one around it */
+  VS_LIST(uint32_t) paints;           /* of each part: the first with its material and layer */
+  VS_LIST(uint32_t) part_table, paint_table; /* hash tables of parts, open addressing: index plus one, 0 free */
+  VS_LIST(vs_bounds) within;          /* of each leaf, if there are half-spaces: the bounds in which it matters */
+  VS_LIST(uint32_t) scopes;           /* of each scope: the one around it */
   VS_LIST(scoped) scoped;             /* every place of every leaf */
-  /* of meshes by their nodes' hashes; one more, 0 empty; a power of two, at least as many as meshes */
+  /* hash table of meshes by their nodes' hashes: index plus one, 0 empty. Its size is a power of two, at least the
+   * number of meshes */
   VS_LIST(size_t) buckets;
-  VS_LIST(uint32_t) twins;            /* leaves by mesh, placement, paint and side, open addressing; one more, 0 free */
+  VS_LIST(uint32_t) twins;            /* hash table of leaves by mesh, placement, paint and side, open addressing: index
+                                       * plus one, 0 free */
   VS_LIST(uint8_t) off;               /* of each leaf: level.off */
-  VS_LIST(uint32_t) mesh_numbers;     /* of each leaf: which of meshes */
+  VS_LIST(uint32_t) mesh_numbers;     /* of each leaf: its index in meshes */
   VS_LIST(uint64_t) identities;       /* of each leaf's mesh */
-  VS_LIST(uint32_t) plain;            /* meshes that are made by threads in the end */
+  VS_LIST(uint32_t) plain;            /* meshes that threads make at the end */
   _Atomic size_t made;                /* triangles of all meshes so far */
-  vs_cache *cache;                    /* or NULL */
+  vs_cache *cache;                    /* may be NULL */
 } builder;
 
 static bool full(builder *b) {
@@ -142,7 +144,7 @@ static size_t *bucket_of(const builder *b, const vs_node *node) {
   return &b->buckets.at[(node->hash ^ node->hash >> 32) & (b->buckets.count - 1)];
 }
 
-/* Doubles the table of buckets where it has no place for one more mesh. */
+/* Doubles the table of buckets if it has no room for one more mesh. */
 static bool buckets_grow(builder *b) {
   if (b->meshes.count < b->buckets.count) return true;
   size_t count = b->buckets.count ? 2 * b->buckets.count : 64;
@@ -157,8 +159,8 @@ static bool buckets_grow(builder *b) {
   return true;
 }
 
-/* The meshes that stand for the shapes have so many triangles more. Kept ones count as
- * others do: what an output may hold must not depend on what was written before. */
+/* Adds the triangles to the count of all shapes' meshes and checks the limit. Cached meshes count like others: the
+ * limit on an output must not depend on earlier runs. */
 static bool count_made(vs_kernel *k, _Atomic size_t *made, size_t triangles) {
   size_t limit = k->options->max_triangles, all = atomic_fetch_add(made, triangles) + triangles;
   return !limit || all <= limit * VS_ON_THE_WAY ||
@@ -189,7 +191,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
     *number = (uint32_t)i - 1;
     return true;
   }
-  if (!vs_kernel_report(&b->k, 0)) return false; /* one shape may have a million triangles */
+  if (!vs_kernel_report(&b->k, 0)) return false; /* a single shape may have a million triangles */
   *mesh = vs_zeros(1, sizeof **mesh);
   if (!*mesh) return vs_error_memory(b->error, NULL);
   if (!VS_PUSH(&b->k, b->meshes,
@@ -199,7 +201,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
   }
   *bucket = b->meshes.count;
   *number = (uint32_t)b->meshes.count - 1;
-  if (ref->node->kind == VS_HALF_SPACE) return true; /* made when it is known what there is to cut */
+  if (ref->node->kind == VS_HALF_SPACE) return true; /* made later, when the solids that it cuts are known */
   const vs_kept_mesh to = { b->cache, *mesh, &b->meshes.at[*number].held };
   if (vs_node_has(ref->node, VS_IS_PLAIN))
     return vs_primitive_find(&to, ref->node, facets)
@@ -217,9 +219,9 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
 
 enum {
   FEW = 64,
-  CHUNK = 8 /* so few are a task each, else so many together */,
-  CURVED = 100 /* triangles, by and large */,
-  SERIAL = 10000 /* are not worth a thread */
+  CHUNK = 8 /* CHUNK: meshes of a task, if there are many */,
+  CURVED = 100 /* triangles of a curved shape, approximately */,
+  SERIAL = 10000 /* so few triangles are not worth a thread */
 };
 
 typedef struct { const builder *b; size_t chunk; _Atomic size_t *made; } making;
@@ -229,7 +231,7 @@ static bool make_some(vs_kernel *k, void *context, size_t index) {
   const builder *b = all->b;
   for (size_t i = index * all->chunk; i < (index + 1) * all->chunk && i < b->plain.count; i++) {
     const meshed *m = &b->meshes.at[b->plain.at[i]];
-    if (!vs_kernel_report(k, 0)) return false; /* one shape may have a million triangles */
+    if (!vs_kernel_report(k, 0)) return false; /* a single shape may have a million triangles */
     m->mesh->most = k->options->max_triangles * VS_ON_THE_WAY;
     if (!vs_tessellate(m->node, &m->facets, m->mesh, NULL))
       return m->mesh->over
@@ -241,7 +243,7 @@ static bool make_some(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* All that the walk has left. */
+/* Makes all meshes that the walk has deferred. */
 static bool make_plain(builder *b) {
   making all = { b, b->plain.count < FEW ? 1 : CHUNK, &b->made };
   size_t faces = 0;
@@ -258,7 +260,7 @@ static bool make_plain(builder *b) {
     ok = vs_kernel_poll(&b->k, 0);
   }
   if (ok || b->k.error->status != VS_KERNEL_OUT_OF_MEMORY) return ok;
-  const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* once more, for what it has to say */
+  const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* makes the mesh once more, for its error */
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   if (vs_tessellate(m->node, &m->facets, m->mesh, &why)) return false;
   if (!why.origin) why.origin = m->origin;
@@ -285,7 +287,7 @@ static bool leaf_same(const builder *owner, const vs_kernel_leaf *a, const vs_ke
   return a->mesh == b->mesh && owner->paints.at[a->tag] == owner->paints.at[b->tag];
 }
 
-/* where the leaf stands in `twins`, or the free place for it */
+/* Returns the slot of the leaf in `twins`, or the free slot for it. */
 static size_t twin_slot(const builder *b, const vs_kernel_leaf *leaf, bool off) {
   size_t mask = b->twins.count - 1, i = (size_t)leaf_hash(b, leaf, off) & mask;
   for (; b->twins.at[i]; i = (i + 1) & mask) {
@@ -326,9 +328,9 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
          add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
 }
 
-/* Half-spaces become solids that are right wherever what they are combined with is: within the innermost operation that
- * ends somewhere. Where all its other leaves are outside, it is false whatever the half-space is. Therefore each is no
- * larger than it must be, and joins nothing that has no part in it. */
+/* Replaces half-spaces by solids that agree with them wherever their operands can be: within the innermost bounded
+ * operation. Outside all its other leaves it is false for any half-space. Therefore each solid has the least necessary
+ * size, and is joined only to leaves that it can affect. */
 static bool bound_half_spaces(builder *b) {
   bool any = false, ok = true;
   for (size_t i = 0; i < b->meshes.count && !any; i++) any = b->meshes.at[i].node->kind == VS_HALF_SPACE;
@@ -348,7 +350,7 @@ static bool bound_half_spaces(builder *b) {
   for (size_t i = 0; ok && i < b->leaves.count; i++)
     b->within.at[i] = b->meshes.at[b->mesh_numbers.at[i]].node->kind == VS_HALF_SPACE ? vs_bounds_empty()
                     : (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
-  /* own[] of a half-space: what it must reach, over all its places */
+  /* own[] of a half-space: the bounds that it must reach, over all its places */
   for (size_t i = 0; ok && i < b->scoped.count; i++) {
     const scoped *s = &b->scoped.at[i];
     vs_affine back;
@@ -369,7 +371,8 @@ static bool bound_half_spaces(builder *b) {
   return ok || vs_error_memory(b->error, NULL);
 }
 
-/* Is it one child seen in another way, or an operation on many? Else it is a primitive here. */
+/* Returns true if the node is one child with another appearance or placement, or an operation on several. Else it is a
+ * primitive here. */
 static bool goes_in(const vs_node *n) {
   vs_role role = vs_node_role(n);
   return role == VS_ROLE_PLACED || role == VS_ROLE_SET ||
@@ -466,10 +469,10 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
   vs_tally_also(t, c->peak);
 }
 
-/* Where the result goes: one of the two, the other is NULL. */
+/* The target of the result: one of the two; the other is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } target;
 
-/* Puts the references into the builder as one problem, a union. */
+/* Adds the references to the builder as one problem, a union. */
 static bool build(builder *b, const vs_ref *refs, size_t count) {
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) {
@@ -512,7 +515,7 @@ static void warn_coarse(const builder *b, const vs_kernel_options *options, cons
   options->warn(options->context, b->origins.at[counts->coarse_leaf], message);
 }
 
-/* The kernel's error as that of the solid, at the leaf where it has one; one that was set before stays. */
+/* Turns the kernel's error into the solid's, at the leaf if it has one; an earlier error stays. */
 static void take_failure(const builder *b) {
   const vs_kernel_error *why = b->k.error;
   if (why->status == VS_KERNEL_FINE) return;
@@ -598,7 +601,7 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *face
 bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_fineness *facets,
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error) {
   *out = (vs_solid_copies){ .part_count = 0 };
-  /* the kernel leaves nothing behind where it fails */
+  /* after a failure the kernel leaves out empty */
   return evaluate(refs, count, facets, options, (target){ .many = out }, error);
 }
 

@@ -4,10 +4,10 @@
 
 #include "model/mesh.h"
 
-/* Frees m, a closed chain, of details smaller than `step`: corners that are nearer become one, and a triangle lower
- * than that vanishes, its longest edge being led through its third corner. m stays a closed chain, which may overlap
- * itself: what it winds around is no further than some steps from what it was. Corners that no triangle has are gone.
- * False: out of memory, and m is not to be used. */
+/* Frees m, a closed chain, of details smaller than `step`: unites corners that are nearer, and removes triangles lower
+ * than that by leading their longest edge through their third corner. m stays a closed chain, which may overlap itself:
+ * the solid that it winds around moves by no more than some steps. Corners without a triangle are removed. Returns
+ * false when memory is out; m is then unusable. */
 bool vs_mesh_weld(vs_mesh *m, double step);
 
 #endif
