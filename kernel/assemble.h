@@ -6,8 +6,8 @@
 #include "kernel/problem.h"
 #include "kernel/memory.h"
 
-typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* the first vertex and triangle, and their
-                                                                            * numbers */
+typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* the first vertex and triangle, and the
+                                                                            * counts */
 
 typedef struct {
   const vs_mesh *mesh;       /* source, copied whole; NULL: a range of the result */

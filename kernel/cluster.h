@@ -186,7 +186,7 @@ static inline void vs_box_add_point(vs_bvh_box *b, const vs_point *p) {
   }
 }
 
-/* Returns the solid that contains the leaf so far, as its representative leaf. */
+/* Returns the solid that contains the leaf so far, as the number of its first leaf. */
 static inline uint32_t vs_solid_of(const vs_cluster *c, uint32_t leaf) {
   return c->solid ? vs_find(c->solid, leaf) : leaf;
 }

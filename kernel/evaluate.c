@@ -89,8 +89,8 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
     order[n++] = i;
     ok = ok && vs_kernel_poll(k, 0);
   }
-  /* the boxes are in steps finer than the coarsest grid possible here, and wider by two of the cluster's steps at their
-   * largest */
+  /* the boxes are in steps of 2^-28 of the extent, and 64 steps wider on each side: at least two grid steps of any
+   * cluster */
   double step = size > 0 ? size * 0x1p-28 : 1;
   for (uint32_t i = 0; ok && i < n; i++)
     for (int a = 0; a < 3; a++) {
@@ -308,7 +308,8 @@ static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) ||
 /* Sets *alone to true if the cluster is one leaf that touches nothing, itself included: the kernel copies it unchanged
  * or drops it, without a grid. The kernel inspects a mesh that is no star once. */
 static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
-  enum { FLAT = 1 << 20 }; /* if its turn is below this, the faces remain those that were inspected */
+  enum { FLAT = 1 << 20 }; /* if the placement flattens the mesh by less than this, its faces are still the inspected
+                            * ones */
   const vs_kernel_leaf *l = &w->problem->leaves[leaves.at[0]];
   vs_part *part = &w->parts.all.at[w->parts.of_leaf.at[leaves.at[0]]];
   *alone = false;

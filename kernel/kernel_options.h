@@ -32,8 +32,8 @@ typedef struct {
   bool (*progress)(void *context, double done);
   void *context;
   size_t max_bytes;     /* limit on the kernel's memory; 0: no limit */
-  size_t max_triangles; /* limit on the result; 0: no limit. Before that, VS_ON_THE_WAY times as many shapes and pieces
-                         * of shapes are allowed */
+  size_t max_triangles; /* limit on the result; 0: no limit. Intermediate steps may have VS_ON_THE_WAY times as many,
+                         * both triangles of the shapes and pieces of them */
   vs_cache *cache;   /* the cache of clusters (model/store/cache.h); NULL: none */
   /* vs_solid_evaluate reports a fault in spite of which it continues; may be NULL */
   void (*warn)(void *context, const vs_origin *origin, const char *message);

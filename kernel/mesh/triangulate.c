@@ -100,8 +100,8 @@ static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   return extend_tail(c, x, v) && extend_head(c, y, v);
 }
 
-/* Returns true if the edges' sides agree on a way up through them that starts inside (under) and ends inside (over), or
- * outside. */
+/* Returns true if the edges agree: a way up through all of them that begins inside (under) or outside ends inside
+ * (over) or outside. */
 static bool agree(const vs_boundary *edges, const uint32_t *at, uint32_t count, bool under, bool over) {
   for (uint32_t i = 0; i < count; i++) {
     if ((bool)(edges[at[i]].inside & 2) != under) return false;

@@ -269,7 +269,7 @@ static bool index_mesh(rounding *s) {
   return vs_kernel_report(s->k, 1);
 }
 
-/* Adds the triangle to the corner's fan; removes it from the fan. */
+/* Adds the triangle to the corner's fan. Returns false when memory is out. */
 static bool give(rounding *s, uint32_t v, uint32_t t) {
   vs_fan *f = &s->fans.at[v];
   if (f->first + f->count != s->around.count) { /* moves the fan to a place with free room behind it */

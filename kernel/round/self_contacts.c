@@ -69,7 +69,7 @@ typedef struct {
   /* a corner of all of its triangles around which no test is needed (hubs.h); else UINT32_MAX */
   uint32_t hub;
   double value;
-  float normal[3], low, high;    /* its slab */
+  float normal[3], low, high;    /* its slab, widened by the margin on both sides */
   float height, longest;         /* the least height of its triangles, and the longest edge */
 } run;
 
@@ -87,7 +87,7 @@ typedef struct {
   vs_vec3 middle;
   double step;                   /* of boxes */
   double low;                    /* triangles lower than this are low */
-  float margin;                  /* a corner must be further than this beyond a slab; errors of floats are less */
+  float margin;                  /* added to a slab on both sides; exceeds the errors of floats */
   made all;
   VS_LIST(uint32_t) busy;        /* open runs */
   VS_LIST(vs_bvh_box) busy_boxes;
