@@ -6,7 +6,7 @@
  * the others. A subtracted operand matters within the bounds of the first. The same holds further down. The kernel
  * keeps the leaf in that place and in a margin as wide around it. Outside, the result does not depend on the leaf. Each
  * of the six planes cuts the triangles that cross it and removes those beyond it. The remaining mesh has a border in
- * the plane. A cone over the border, with its tip anywhere in the plane, closes the mesh again: two chains with one
+ * the plane. A cone over the border, with its tip anywhere in the plane, closes the mesh again. Two chains with one
  * border in one plane enclose no volume, so winding numbers are right even if the cone overlaps itself. */
 #include "kernel/clip.h"
 

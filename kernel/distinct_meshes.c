@@ -3,7 +3,7 @@
  * A mesh is a star about its middle m if m lies strictly inside every triangle's plane and the triangles' solid angles
  * seen from m sum to one full sphere. The surface then covers that sphere once. A place q is inside if it lies on m's
  * side of the triangle that the ray from m through q meets. To find the triangle, the kernel walks from one triangle to
- * the next, across an edge that the ray passes outside of. */
+ * the next, across an edge for which the ray is on the outer side. */
 #include "kernel/distinct_meshes.h"
 
 #include <math.h>

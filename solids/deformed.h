@@ -11,9 +11,9 @@
 #include "geometry/shapes/bending.h"
 #include "solids/solid_meshes.h"
 
-/* Divides an object into leaves with their looks and origins, each a mesh in the object's coordinates; facets without
- * tolerance: each leaf has its default. no_regions: the error message for a region, or NULL: regions become surfaces.
- * The object is resolved (solids/resolve.h). */
+/* Divides an object into leaves with their looks and origins, each a mesh in the object's coordinates. If facets has no
+ * tolerance, each leaf has its default. The string no_regions is the error message for a region, or NULL: regions
+ * become surfaces. The object is resolved (solids/resolve.h). */
 bool vs_take_apart(vs_ref object, const vs_fineness *facets, const vs_kernel_options *options, const char *no_regions,
                    vs_bend_leaves *out, vs_error *e);
 

@@ -1,7 +1,7 @@
 /* Owns hiding: it finds the parts of an edge that lie behind triangles. See hidden_lines.h.
  *
  * Notation. P(s) = p + s (q - p) is a place on the edge, s in 0..1. A place is behind a triangle if it satisfies four
- * conditions linear in s: P(s) lies on the inner side of the three planes through the viewer and a side of the
+ * conditions linear in s. P(s) lies on the inner side of the three planes through the viewer and a side of the
  * triangle, and behind the triangle's plane. Therefore the part of an edge that a triangle hides is one interval of s,
  * found by clipping, in a perspective view just as in a parallel one, because the conditions are planes in space. The
  * union of the intervals is hidden.

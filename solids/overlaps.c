@@ -48,8 +48,8 @@ static bool failed(const vs_kernel_error *why, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s", why->message);
 }
 
-/* Removes shells that are only a crack or a flake: where faces of a mesh that overlaps itself lie on each other,
- * rounding separates them by some steps of the kernel's grid. thickness: a shell with a smaller mean thickness is
+/* Removes shells that are only a crack or a flake. Where faces of a mesh that overlaps itself lie on each other,
+ * rounding separates them by some steps of the kernel's grid. A shell whose mean thickness is less than `thickness` is
  * removed. */
 static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   vs_shells shells;

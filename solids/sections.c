@@ -2,7 +2,7 @@
  *
  * Section. The plane is moved a hair up, then a hair down, so that no vertex lies in it. A triangle with vertices on
  * both sides gives one edge, from the place where its border goes down through the plane to the place where it comes
- * up; seen against the normal the solid is on the left. The crossing of an edge of the mesh is computed once for both
+ * up. Seen against the normal the solid is on the left. The crossing of an edge of the mesh is computed once for both
  * its triangles, so the edges close. A vertex within 1e-7 of the mesh's size counts as on the plane (the kernel's grid
  * is finer), and is itself the crossing. The section is the union of the cuts by both planes: a face that lies in the
  * plane is in one of the two.

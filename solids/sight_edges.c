@@ -1,7 +1,7 @@
 /* Owns the choice of the lines that a view shows of a mesh. See hidden_lines.h.
  *
  * Each side of a triangle is a row, sorted by its two points; rows with equal points are the faces around an edge. A
- * face is seen from the front, from the back, or edge-on, which within 1e-7 counts as neither: a smooth surface that
+ * face is seen from the front, from the back, or edge-on, which within 1e-7 counts as neither. A smooth surface that
  * turns away there gets its line between the last visible face and the next. */
 #include "solids/sight_edges.h"
 

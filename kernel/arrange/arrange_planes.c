@@ -1,10 +1,10 @@
 /* Owns the arrangement in one plane: a group of facets and the cuts in them become faces that nothing crosses, each
  * with its cover.
  *
- * Plan for a group: (1) segments: the facets' boundary edges and the cuts; each lies in a second plane, its `side`; (2)
- * all crossings and contacts of segments whose boxes meet, as points on both: first of the edges, then of the cuts that
- * lie on no edge; (3) split every segment at its points; equal pieces become one edge, which has the changes of each
- * leaf's cover from its right to its left; (4) a sweep numbers the faces on both sides of every edge; (5) covers: a
+ * Plan for a group. (1) Segments: the facets' boundary edges and the cuts. Each lies in a second plane, its `side`. (2)
+ * All crossings and contacts of segments whose boxes meet, as points on both: first of the edges, then of the cuts that
+ * lie on no edge. (3) Split every segment at its points; equal pieces become one edge, which has the changes of each
+ * leaf's cover from its right to its left. (4) A sweep numbers the faces on both sides of every edge. (5) Covers: a
  * walk from the outside inwards. Facets that nothing touches become faces unchanged.
  *
  * A group has numbers for its points, copies of the cluster's and new ones alike, so threads can arrange several groups

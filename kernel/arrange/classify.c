@@ -1,9 +1,9 @@
 /* Owns the classification: it decides which faces of the arrangement bound the result.
  *
- * Plan: (1) the faces at every edge are sorted around it, and sides that face each other belong to one cell
- * (union-find); (2) for each connected set of cells, a line through one face and the input triangles gives the winding
- * numbers of all leaves on one side of the face; (3) a walk over the cells enters and leaves leaves as it crosses their
- * faces, and evaluates the expression in each cell; (4) a face is kept if its two cells differ. The walk also sums a
+ * Plan. (1) The faces at every edge are sorted around it, and sides that face each other belong to one cell
+ * (union-find). (2) For each connected set of cells, a line through one face and the input triangles gives the winding
+ * numbers of all leaves on one side of the face. (3) A walk over the cells enters and leaves leaves as it crosses their
+ * faces, and evaluates the expression in each cell. (4) A face is kept if its two cells differ. The walk also sums a
  * random number for each winding: two ways into a cell must agree, or the arrangement is broken and the kernel fails
  * with an error.
  *

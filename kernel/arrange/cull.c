@@ -228,7 +228,7 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
 }
 
 /* Removes from a convex outline a ball of the given radius around the part's middle. Writes places along the outline's
- * edges, in order, whose hull contains the rest: a place in the outline and outside of the ball lies on a chord that
+ * edges, in order, whose hull contains the rest. A place in the outline and outside of the ball lies on a chord that
  * does not meet the ball, and the chord's ends are on edges. A corner on the ball, as another such ball leaves it,
  * stays: an additional place does no harm. Returns their number; 0: nothing is left, or the test cannot decide. n is at
  * most the room. */

@@ -170,7 +170,7 @@ static double fraction(const end *e) {
 }
 
 /* Computes the interval of the line that the patch covers. The error of a crossing's fraction t = u / (u - v) is below
- * 3 errors of a height / |u - v|, as t <= 1, plus rounding errors below 2^-18 steps along the edge. */
+ * 3 errors of a height / |u - v|, as t <= 1. Rounding adds errors below 2^-18 steps along the edge. */
 static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(c, f->of);
   const double *h = f->height;

@@ -3,7 +3,7 @@
  *
  * In one arrangement, k solids at one place cut each of their facets k times, and the cuts cross k^2 times in each,
  * though nearly all of that is hidden. Here leaves that settle the result where they are true (operands of a union, the
- * holes of a difference) are united two by two, near ones first: the border of their union is arranged with the border
+ * holes of a difference) are united two by two, near ones first. The border of their union is arranged with the border
  * of the next. Such a leaf settles the result whichever of the united ones it is. Therefore their union replaces all of
  * them in the expression, under the number of the first (vs_solid_of), and the terms do not change. At the end it is
  * arranged with all other leaves, as usual.

@@ -7,14 +7,14 @@
  * (1) No other facet lies in a plane of the sheet. Every edge at the border of its faces has two triangles, and
  * includes no wedge below 11 degrees with the neighbour. Else the sheet is given up.
  * (2) All bends of the cut lie within 8 steps of the line between its ends; the two faces at it include at least 14
- * degrees; and no other corner of any face in either plane (or sheet) lies within a band around the line, which is half
- * a step wider than the largest distance of a bend from it. Else the bends of this cut stay.
+ * degrees. No other corner of any face in either plane (or sheet) lies within a band around the line, which is half a
+ * step wider than the largest distance of a bend from it. Else the bends of this cut stay.
  * (3) Seen along the sheet, the merged faces' borders intersect and touch only at their ends, and no new triangle turns
  * away from the sheet's normal. Else the sheet is given up, and the result is made again.
  *
- * In the other face's plane only the band changes, and nothing else is in it: an edge that enters the space between the
+ * In the other face's plane only the band changes, and nothing else is in it. An edge that enters the space between the
  * line and the bends must end there, or leave through the straight line a second time. By (3) a merged face is one
- * layer over its plane, within a step of it, and differs from its direction by less than 2.6 degrees; by (1) and (2)
+ * layer over its plane, within a step of it, and differs from its direction by less than 2.6 degrees. By (1) and (2)
  * any face that shares an edge with it rises faster. Faces that share no edge may intersect afterwards if they were
  * within two steps of each other: the caller checks for that (round/self_contacts.c), and makes the result again with
  * all bends if necessary. */

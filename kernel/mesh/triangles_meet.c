@@ -2,8 +2,8 @@
  *
  * The test works edge by edge. The intersection of two triangles without a common corner is bounded by places where an
  * edge of one meets the other. An intersection beside a common corner extends from there to the far edge of one of the
- * two, so the test tries only these edges. At a common edge there are two cases: the triangles are folded onto each
- * other if their other corners lie in one plane with the edge and on one side of it; else they share the edge only. */
+ * two, so the test tries only these edges. At a common edge there are two cases. The triangles are folded onto each
+ * other if their other corners lie in one plane with the edge and on one side of it. Else they share the edge only. */
 #include "kernel/mesh/triangles_meet.h"
 
 #include "kernel/exact/doubles.h"

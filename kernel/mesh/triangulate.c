@@ -2,10 +2,10 @@
  *
  * Each interval inside the polygon, between two neighbouring edges of the status, keeps a chain. The chain is the
  * border of the space on its right that has no triangles yet, from the left end of the interval's lower edge to the
- * left end of its upper edge. x decreases from the chain's rightmost corner to both ends, and every other corner
- * between is reflex. Therefore a new vertex at one end sees corners one after the other, and a new vertex in the middle
- * sees the rightmost. Cost: n log n; all decisions are exact. The triangulation uses every corner, so neighbours have
- * no T-junctions.
+ * left end of its upper edge. The coordinate x decreases from the chain's rightmost corner to both ends, and every
+ * other corner between is reflex. Therefore a new vertex at one end sees corners one after the other, and a new vertex
+ * in the middle sees the rightmost. Cost: n log n; all decisions are exact. The triangulation uses every corner, so
+ * neighbours have no T-junctions.
  *
  * Most faces have a few corners and one border with a lower and an upper side: these need one chain and no status. */
 #include "kernel/mesh/triangulate.h"

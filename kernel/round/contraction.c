@@ -1,7 +1,7 @@
 /* Owns the contraction of the surface where rounding makes triangles meet and no gentler means has helped
  * (contraction.h).
  *
- * A mesh whose corners are only positions need not be a manifold by index: it suffices that its triangles are a closed
+ * A mesh whose corners are only positions need not be a manifold by index. It suffices that its triangles are a closed
  * chain, in which each edge has as many uses one way as the other. Two steps keep a chain closed in all cases:
  *   unite   corners a few units apart become one. Triangles with two equal corners are edges, and are removed
  *   reroute the longest edge of a triangle that is lower than a few units goes through the triangle's third corner,

@@ -1,9 +1,8 @@
 /* Owns the mending of a mesh that is rounded.
  *
- * The exact result may have corners closer together than the format's numbers: where four planes nearly meet in one
- * point there are two corners, and where a corner nearly lies on another's edge there is a triangle with almost no
- * height. After rounding, such an edge vanishes or is noise, and such a triangle may turn over and cross its
- * neighbours.
+ * The exact result may have corners closer together than the format's numbers. Where four planes nearly meet in one
+ * point there are two corners; where a corner nearly lies on another's edge there is a triangle with almost no height.
+ * After rounding, such an edge vanishes or is noise, and such a triangle may turn over and cross its neighbours.
  *   collapse  an edge of less than two units moves onto its lower corner if no triangle around it turns over and the
  *             link condition holds: the two corners have only the two neighbours opposite the edge in common, so the
  *             surface stays a manifold of the same kind

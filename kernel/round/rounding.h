@@ -8,10 +8,10 @@
 #include "kernel/round/rounded.h"
 
 /* Collapses edges of less than two units of the last place, if both the surface's kind and every triangle's orientation
- * allow it, and flips the longest edges of triangles lower than that, in at most three rounds. m: closed and manifold
- * by index, and stays so, except for LOOSE, which only needs a closed chain. Its corners stay doubles: the writer
- * rounds them. options and error may be NULL. Returns false if memory is out or the caller interrupts; m is then
- * unusable. */
+ * allow it. Flips the longest edges of triangles lower than that. Both take at most three rounds. The mesh m is closed
+ * and manifold by index, and remains both, except for LOOSE, which only needs a closed chain. Its corners stay doubles:
+ * the writer rounds them. options and error may be NULL. Returns false if memory is out or the caller interrupts; m is
+ * then unusable. */
 bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_rounded *out,
                     vs_kernel_error *error);
 

@@ -66,8 +66,8 @@ bool vs_rounding_bends(const vs_rounding *s, uint32_t t);
 size_t vs_rounding_storey(const vs_rounding *s, int axis, double value);
 
 /* Returns true if the triangle is lower than the distance by which rounding may move its corners, and that turns it by
- * more than two or three degrees; or if it is lower than its doubles can represent. Doubles are already rounded: such a
- * triangle may have turned over then, and no format's numbers turn it any further. */
+ * more than two or three degrees. Returns true also if it is lower than its doubles can represent. Doubles are already
+ * rounded: such a triangle may have turned over then, and no format's numbers turn it any further. */
 bool vs_rounding_is_noise(const vs_rounding *s, uint32_t t);
 
 #endif

@@ -1,10 +1,10 @@
 /* Owns the search for triangles that rounding has made meet, anywhere in the mesh.
  *
  * Triangles that cross after rounding lie within some units of each other before. Where two sheets of a surface that
- * does not meet itself are that near, two of them face in opposite directions, or across: between sheets that face the
- * same way there is another, and where they end beside each other, so do the walls at their ends. Therefore triangles
- * that face the same way need no test. These are nearly all that touch: the triangles of one plane, and neighbours on
- * curved surfaces. Triangles lower than some units are tested against all others, since their direction is arbitrary.
+ * does not meet itself are that near, two of them face in opposite directions, or across. Between sheets that face the
+ * same way there is another; where they end beside each other, so do the walls at their ends. Therefore triangles that
+ * face the same way need no test. These are nearly all that touch: the triangles of one plane, and neighbours on curved
+ * surfaces. Triangles lower than some units are tested against all others, since their direction is arbitrary.
  * Triangles with changed corners are too, since the change may have removed the sheet between two others, or the wall
  * between two planes.
  *

@@ -7,8 +7,8 @@
  * separate parts of models are convex, and stars as seen from there. If the boxes of two shells are further apart than
  * the margin, their triangles do not meet.
  *
- * A shell is closed if each edge has as many uses one way as the other. Each edge has a pseudorandom number of 64 bits;
- * the sum over the uses one way less the sum over the uses the other way is 0 for closed shells, and for others once in
+ * A shell is closed if each edge has as many uses one way as the other. Each edge has a pseudorandom number of 64 bits.
+ * The sum over the uses one way less the sum over the uses the other way is 0 for closed shells, and for others once in
  * 2^64. */
 #include "kernel/round/stars.h"
 
