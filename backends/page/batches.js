@@ -1,26 +1,27 @@
-// Turns a model's parts into few things to draw: copies of one geometry are instances, all else is merged, a mesh a kind of surface.
+// Owns the conversion of a model's parts into few draw calls: copies of one geometry are instances; all other parts are
+// merged into one mesh for each kind of surface.
 import * as THREE from "three";
 import { determinant } from "./model.js";
 import { featureEdges, lengthOf, seams } from "./edges.js";
 import { patternKey } from "./patterns.js";
 
-const MERGED_TRIANGLES = 150000, FEW_GROUPS = 10, SMALL = 20000, SEAMS_SOUGHT = 200000; // lines of one merged batch among which seams are looked for
-const FEW_KINDS = 1 << 20; // of geometry and surface, which a table may hold
-const CELL = 4096; // Of more copies than twice as many, those that lie together are drawn at once: what is out of sight or too small to see is left out.
+const MERGED_TRIANGLES = 150000, FEW_GROUPS = 10, SMALL = 20000, SEAMS_SOUGHT = 200000; // the most lines of a merged batch among which seams are sought
+const FEW_KINDS = 1 << 20; // the most pairs of geometry and surface for a table
+const CELL = 4096; // If there are more than twice as many copies, neighbouring copies form a cell: a cell out of sight or too small to see is omitted.
 
 const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 
-// Materials that differ in nothing but colour are drawn as one.
+// Materials that differ only in colour are drawn as one.
 function surfaceKey(m) {
   return [Math.round(m.roughness * 20), Math.round(m.metallic * 10), Math.round(m.transparency * 20), patternKey(m)].join();
 }
 
-// groups: { geometry, surface, mirrored, parts }, parts being numbers of parts that rise.
+// Returns groups: { geometry, surface, mirrored, parts }, with the parts' numbers in ascending order.
 function collect(model, shown) {
   const list = [], keys = model.materials.map(surfaceKey), numbers = new Map(), paints = keys.map((key) => numbers.get(key) ?? (numbers.set(key, numbers.size), numbers.size - 1));
-  const groupOf = new Uint32Array(model.count); // One more than its group's number, 0: not shown.
+  const groupOf = new Uint32Array(model.count); // The number of its group + 1; 0: not shown.
   const { geometry, paint, volume, sheared } = model, lines = Uint8Array.from(model.geometries, (g) => g.lines ? 1 : 0), kinds = 4 * paints.length * model.geometries.length;
-  const found = kinds <= FEW_KINDS ? new Uint32Array(kinds) : [], counts = []; // by kind, one more than its group's number
+  const found = kinds <= FEW_KINDS ? new Uint32Array(kinds) : [], counts = []; // by kind: the number of its group + 1
   for (let i = 0; i < model.count; i++) {
     if (shown && !shown(i)) continue;
     const number = geometry[i], mirrored = volume[i] < 0, key = 4 * (number * paints.length + (lines[number] ? 0 : paints[paint[i]])) + (mirrored ? 2 : 0) + sheared[i];
@@ -36,7 +37,7 @@ function collect(model, shown) {
   const order = new Uint32Array(model.count), next = new Uint32Array(list.length);
   for (let k = 0, from = 0; k < list.length; k++) list[k].parts = order.subarray(from, from + counts[k]), next[k] = from, from += counts[k];
   for (let i = 0; i < model.count; i++) if (groupOf[i] > 0) order[next[groupOf[i] - 1]++] = i;
-  // The smallest are merged first, until few things are left to draw or what is merged is large.
+  // The smallest are merged first, until few draw calls remain or the merged batch is large.
   list.sort((a, b) => a.geometry.triangles * a.parts.length - b.geometry.triangles * b.parts.length);
   let left = list.filter((group) => !group.merge).length, merged = 0;
   for (const group of list) {
@@ -55,8 +56,9 @@ function edgesOf(g) {
   return g.edges;
 }
 
-// The mean distance of the lines on a geometry, its area by their length. Curves always show; a plain form's few lines show while they lie
-// three times as close, since they are all that tells it from what is behind. Without any fading, a crown's leaves far away are black.
+// Returns the mean distance of the lines on a geometry: its area divided by their length. Curves always show. A plain
+// form's few lines show up to a third of that distance, since only they distinguish it from its background. Without
+// fading, a tree's distant leaves would be black.
 const FEW_LINES = 100;
 function spacingOf(g) {
   if (g.lines) return 1e30;
@@ -70,7 +72,7 @@ function spacingOf(g) {
   return length > 0 ? (E.length < 6 * FEW_LINES ? 3 : 1) * area / length : 1e30;
 }
 
-// The corners of some parts in one array each, at their places. colors may be false.
+// Merges the corners of some parts into one array each, at their places. colors may be false.
 export function mergeParts(model, parts, colors = true) {
   let vertices = 0, corners = 0, ends = 0;
   for (const i of parts) {
@@ -84,7 +86,7 @@ export function mergeParts(model, parts, colors = true) {
   for (const i of parts) {
     const g = model.geometries[model.geometry[i]], m = model.matrix.subarray(12 * i, 12 * i + 12), flip = determinant(m) < 0;
     const paint = model.materials[model.paint[i]].color, rgb = paint.map((x) => Math.round(65535 * linear(x)));
-    // Normals go by the cofactors of the matrix.
+    // Normals transform by the cofactors of the matrix.
     const n = new Float64Array(9);
     for (let r = 0; r < 3; r++)
       for (let k = 0; k < 3; k++) {
@@ -153,7 +155,7 @@ function wide(normal) { // Three shorts are padded to four: graphics cards read 
 
 function matrices(model, parts, mirrored) {
   const array = new Float32Array(16 * parts.length), sign = mirrored ? -1 : 1, m = model.matrix;
-  for (let k = 0; k < parts.length; k++) { // A mirrored part is drawn by a parent that mirrors back.
+  for (let k = 0; k < parts.length; k++) { // The parent of a mirrored part mirrors it back.
     const o = 12 * parts[k], t = 16 * k;
     array[t] = sign * m[o], array[t + 1] = m[o + 4], array[t + 2] = m[o + 8];
     array[t + 4] = sign * m[o + 1], array[t + 5] = m[o + 5], array[t + 6] = m[o + 9];
@@ -172,7 +174,7 @@ function colours(model, parts, paints) {
   return array;
 }
 
-// Very many parts in lists of those that are about as large and lie together.
+// Divides very many parts into lists of neighbours of about the same size.
 function cells(model, parts) {
   if (parts.length <= 2 * CELL) return [parts];
   const found = [], ball = model.ball, ends = new Uint32Array(257), order = new Uint32Array(parts.length), bits = new Uint32Array(ball.buffer, ball.byteOffset, ball.length);
@@ -185,10 +187,11 @@ function cells(model, parts) {
   return found;
 }
 
-// Bits of a number from 0 to 31, with room for two others between them.
+// The bits of a number from 0 to 31, with two free bits between them.
 const SPREAD = Uint16Array.from({ length: 32 }, (_, x) => (x & 1) | ((x & 2) << 2) | ((x & 4) << 4) | ((x & 8) << 6) | ((x & 16) << 8));
 
-// Parts by where they lie: sorted once by the small cubes of a grid, whose numbers tell by their bits in which half, half of a half ... of the whole each is.
+// Sorts parts once by the small cubes of a grid. The bits of a cube's number give its half of the whole, its half of
+// that half, and so on, so neighbours are adjacent.
 function together(ball, parts, found) {
   if (parts.length <= CELL) return found.push(parts);
   let x = Infinity, y = Infinity, z = Infinity, x1 = -Infinity, y1 = -Infinity, z1 = -Infinity;
@@ -218,7 +221,7 @@ function together(ball, parts, found) {
 
 const mirrored = (sphere) => new THREE.Sphere(sphere.center.clone().setX(-sphere.center.x), sphere.radius);
 
-// A ball about parts, the largest radius among them, and by how much at most they are scaled.
+// Returns a ball around parts, the largest radius among them, and their greatest scale.
 function extent(model, parts) {
   const { ball, volume } = model;
   let most = 0, scale = 0, x0 = Infinity, y0 = Infinity, z0 = Infinity, x1 = -Infinity, y1 = -Infinity, z1 = -Infinity;
@@ -237,7 +240,8 @@ function extent(model, parts) {
   return { sphere, most, scale: Math.cbrt(scale) };
 }
 
-// surfaces.get(surface, material, merged) gives a three.js material; lines.merged and lines.instanced those of edges.
+// surfaces.get(surface, material, merged) returns a three.js material; lines.merged and lines.instanced are those of
+// edges.
 export function buildBatches(model, shown, surfaces, lines) {
   const root = new THREE.Group(), mirror = new THREE.Group();
   mirror.scale.x = -1;
@@ -260,7 +264,7 @@ export function buildBatches(model, shown, surfaces, lines) {
     }
     for (const parts of cells(model, group.parts)) {
       const count = parts.length, around = extent(model, parts), place = new THREE.InstancedBufferAttribute(new Float32Array(0), 16), color = new THREE.InstancedBufferAttribute(new Float32Array(0), 3);
-      // Of very many copies most are never in a picture: their places are worked out when the first picture has them.
+      // Most of very many copies are never visible: their places are computed when they first are.
       const fill = () => {
         if (place.count > 0) return;
         place.array = matrices(model, parts, group.mirrored), place.count = count;
@@ -278,7 +282,7 @@ export function buildBatches(model, shown, surfaces, lines) {
       if (!lined) continue;
       edgeLines += count * edges.length / 6;
       const line = new THREE.LineSegments(lined, lines.instanced);
-      // A line set with a matrix a copy: the renderer asks no more of an object than these.
+      // A set of lines with a matrix for each copy: the renderer needs only these members.
       Object.assign(line, { isInstancedMesh: true, instanceMatrix: place, instanceColor: null, morphTexture: null, count, boundingSphere: mesh.boundingSphere });
       line.userData = { edges: true, around, fill, spacing: g.spacing * around.scale, cost: count * edges.length / 6 };
       (group.mirrored ? mirror : root).add(line);
@@ -312,14 +316,15 @@ export function buildBatches(model, shown, surfaces, lines) {
 function finish(mesh, surface, material) {
   mesh.userData.surface = surface;
   mesh.userData.solid = !surface.endsWith(",open");
-  mesh.castShadow = mesh.userData.casts = material.transparency < 0.3; // Light goes through glass.
+  mesh.castShadow = mesh.userData.casts = material.transparency < 0.3; // Light passes through glass.
   mesh.receiveShadow = true;
   mesh.frustumCulled = false;
 }
 
-// Leaves out of a picture what nobody would see in it, parts smaller than half a pixel and lines that have faded; out of the lights' pictures what is smaller
-// than a few points of theirs; and of more than the picture may hold, in triangles and lines in sight, what is smallest. pixels(distance): how many a length of 1 takes
-// there; across: the length of a light's point; lit: the lights' pictures are made anew.
+// Omits from a picture the objects that no one would see: parts smaller than half a pixel and faded lines. Omits from
+// the shadow maps parts smaller than a few of their points. If the triangles and lines in sight exceed the picture's
+// limit, omits the smallest. pixels(distance): the pixels of a length of 1 at that distance; across: the length of a
+// shadow map's point; lit: the shadow maps are drawn anew.
 const LEAST_PIXELS = 0.5, LEAST_POINTS = 4, FADED_PIXELS = 5; // stage.js fades the lines
 const wider = new THREE.Sphere();
 export function leaveOut(root, { camera, pixels, across, lined, lit, most }) {
@@ -332,7 +337,8 @@ export function leaveOut(root, { camera, pixels, across, lined, lit, most }) {
     if (!edges) o.castShadow = casts && size > LEAST_POINTS * across;
     o.visible = edges ? lined && spacing * near > FADED_PIXELS : size * near > LEAST_PIXELS;
     if (!o.visible || !frustum.intersectsSphere(around.sphere)) return;
-    // By the nearest copy, since copies of a piece of bark stand along a whole street. Lines go before the faces that they lie on.
+    // By the nearest copy, since copies of a piece of bark may fill a whole street. Lines are omitted before their
+    // faces.
     found.push({ o, size: near * (edges ? size / 4 : size), cost });
     sum += cost;
   });
@@ -348,7 +354,7 @@ export function leaveOut(root, { camera, pixels, across, lined, lit, most }) {
     if (!o.userData.around) return;
     if (lit && o.castShadow) o.visible = true;
     if (!o.visible || !o.userData.fill) return;
-    const { center, radius } = o.userData.around.sphere; // The renderer's own test of it must not find more.
+    const { center, radius } = o.userData.around.sphere; // The renderer's own test of the bounds must not find more.
     if (lit || frustum.intersectsSphere(wider.set(center, 1.01 * radius))) o.userData.fill();
   });
 }

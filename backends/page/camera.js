@@ -1,4 +1,4 @@
-// Owns where the model is looked at from: turning, moving and zooming by mouse, pen, touch and keys; standard views; walking.
+// Owns the camera: turning, moving and zooming by mouse, pen, touch and keys; standard views; walking.
 //
 // The view is a target, two angles and a distance, so it cannot roll. Z is up.
 import * as THREE from "three";
@@ -24,9 +24,9 @@ export class CameraControl {
     this.walking = false;
     this.keys = new Set();
     this.pointers = new Map();
-    this.depthAt = () => null; // (x, y) in pixels: a point of the model there, or null
+    this.depthAt = () => null; // (x, y) in pixels: the point of the model there, or null
     this.changed = () => {};
-    this.covered = () => 0; // pixels at the picture's lower border that lie under buttons or next to them
+    this.covered = () => 0; // pixels at the picture's lower border under or next to buttons
     stage.onFrame((time) => this.#step(time));
     this.#listen(stage.canvas);
   }
@@ -56,10 +56,11 @@ export class CameraControl {
       camera.fov = THREE.MathUtils.radToDeg(s.angle);
       camera.aspect = aspect;
       camera.near = Math.max(far - 2.04 * (stage.radius || 1), far / (this.walking ? 20000 : 5000));
-      const ground = stage.groundMesh; // It lies nearer than the model does where the eye is low.
+      const ground = stage.groundMesh; // If the eye is low, the ground is nearer than the model.
       if (ground) camera.near = Math.min(camera.near, Math.max(0.3 * Math.abs(eye.z - ground.position.z), far / 5000));
       if (this.walking) camera.near = Math.min(camera.near, 0.1 / this.metre());
-      if (stage.groundMesh) camera.near = Math.min(camera.near, Math.max(0.25 * Math.abs(eye.z - stage.groundMesh.position.z), far / 5000)); // The ground begins at our feet.
+      // The ground begins at the viewer's feet.
+      if (stage.groundMesh) camera.near = Math.min(camera.near, Math.max(0.25 * Math.abs(eye.z - stage.groundMesh.position.z), far / 5000));
       camera.far = Math.max(far, 1e-6) * (stage.groundMesh ? 8 : 1.2);
     }
     camera.updateProjectionMatrix();
@@ -69,7 +70,7 @@ export class CameraControl {
     stage.touch();
   }
 
-  metre() { return this.stage.model?.metres || 1; } // metres of a model unit
+  metre() { return this.stage.model?.metres || 1; } // the length of a model unit in metres
 
   // ---- framing ----
 
@@ -79,12 +80,12 @@ export class CameraControl {
     return out;
   }
 
-  // The state that shows the whole box, or all points of the model where the box is its own, as large as can be above the buttons, looking as s
-  // does. The same reasoning as backends/view.c.
+  // Returns the state that shows the whole box, or all points of the model if the box is its own, as large as possible
+  // above the buttons, with the direction of s. The computation is that of backends/view.c.
   framed(s, box) {
     const canvas = this.stage.canvas, aspect = Math.max(1, canvas.clientWidth) / Math.max(1, canvas.clientHeight), margin = 1.12;
     const half = Math.tan(s.angle / 2), tall = half / margin, wide = tall * aspect;
-    const low = Math.min(tall, half * Math.max(0.4, 1 - 2 * this.covered() / Math.max(1, canvas.clientHeight))); // as tall, below the middle
+    const low = Math.min(tall, half * Math.max(0.4, 1 - 2 * this.covered() / Math.max(1, canvas.clientHeight))); // the height below the middle
     const r = this.right(s), u = this.up(s), f = this.direction(s).negate(), corners = this.corners(box);
     const middle = corners[0].clone().add(corners[7]).multiplyScalar(0.5);
     const most = { r: -Infinity, l: -Infinity, t: -Infinity, b: -Infinity }, flat = { ...most };
@@ -111,7 +112,7 @@ export class CameraControl {
   }
   #nearest(yaw) { return yaw + 2 * Math.PI * Math.round((this.state.yaw - yaw) / (2 * Math.PI)); }
 
-  // The view that the model asks for.
+  // The view that the model sets.
   start() {
     const model = this.stage.model, v = model.view, s = { ...this.state, angle: 0.583, parallel: false, yaw: -0.98, pitch: 0.42 };
     if (!v) return this.framed(s, model.box);
@@ -124,13 +125,13 @@ export class CameraControl {
     if (!v.given) return this.framed(s, model.box);
     const aspect = this.stage.canvas.clientWidth / Math.max(1, this.stage.canvas.clientHeight);
     s.angle = 2 * Math.atan(Math.tan(v.angle / 2) / Math.min(aspect, v.aspect));
-    // Turning goes about what is looked at: the middle of the model, as far as the line of sight passes near it.
+    // The centre of rotation is on the line of sight, near the middle of the model.
     const ahead = way.clone().negate(), along = clamp(-eye.dot(ahead), 0.05 * model.diagonal, 20 * model.diagonal);
     return { ...s, distance: along, target: eye.addScaledVector(ahead, along) };
   }
   reset() { this.walking = false; Object.assign(this.state, this.start()); this.motion = null; this.apply(); }
 
-  // Moves there smoothly, or at once for those who want no movement.
+  // Moves there smoothly, or at once if the user prefers no motion.
   go(to) {
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
       Object.assign(this.state, to);
@@ -174,7 +175,7 @@ export class CameraControl {
     this.apply();
   }
 
-  // factor < 1 goes nearer; the point under (x, y) stays where it is in the picture.
+  // factor < 1 moves nearer; the point under (x, y) stays at its place in the picture.
   zoom(factor, x, y) {
     this.motion = null;
     const s = this.state;
@@ -184,7 +185,7 @@ export class CameraControl {
     factor = clamp(s.distance * factor, least, most) / s.distance;
     s.target.sub(point).multiplyScalar(factor).add(point);
     s.distance *= factor;
-    // Near what is under the cursor the rest of the way becomes shorter, and never ends inside of it.
+    // Near the object under the cursor the steps become shorter, and never end inside it.
     this.apply();
   }
   #onTarget(px, py) {
@@ -199,7 +200,7 @@ export class CameraControl {
       const floor = model.ground ? model.ground.z - model.middle[2] : model.box.min[2];
       s.parallel = false;
       s.angle = 1.05;
-      // From where the eye is, down to the floor; not farther from the model than half its size.
+      // From the eye down to the floor; not farther from the model than half its size.
       const flat = eye.clone().sub(this.stage.center).setZ(0), reach = 0.75 * Math.hypot(model.size[0], model.size[1]) + 4 / this.metre();
       if (flat.length() > reach) flat.setLength(reach);
       eye.set(this.stage.center.x + flat.x, this.stage.center.y + flat.y, floor + height);

@@ -1,8 +1,9 @@
-// Owns the plain material of coarse pictures: light is worked out at corners, tone curve included, so that a point costs next to nothing. It knows neither
-// patterns nor shadows nor anything that shines. Its light is that of stage.js, in the same words.
+// Owns the plain material of coarse pictures. It computes light, with the tone curve, at corners, so a point costs next
+// to nothing. It shows neither patterns nor shadows nor reflections. Its light has the formulas of stage.js.
 import * as THREE from "three";
 
-// Bright colours are compressed and turn pale, others stay as they are: Khronos' neutral curve without its toe, which takes contrast from what is dark.
+// The curve compresses bright colours and makes them paler, and leaves others unchanged: Khronos' neutral curve without
+// its toe, which reduces the contrast of dark colours.
 export const TONE = `{
   color *= toneMappingExposure;
   float peak = max( color.r, max( color.g, color.b ) );
@@ -11,7 +12,7 @@ export const TONE = `{
   return mix( vec3( now ), color * now / peak, 1.0 / ( 0.15 * ( peak - now ) + 1.0 ) );
 }`;
 
-// A colour of the picture's light as the screen has it.
+// Converts a colour of the picture's light to the screen's.
 export const TONED = `vec3 curved( vec3 color ) ${TONE}
 vec3 toned( vec3 color ) {
   vec3 c = clamp( curved( color ), 0.0, 1.0 );
@@ -86,7 +87,7 @@ export function aimCoarseLight(u, { sun, above, fill, renderer }, camera) {
   u.toneMappingExposure.value = renderer.toneMappingExposure;
 }
 
-// A material for what another one shows. light: of coarseLight; closed: its backs are never seen.
+// Returns a coarse version of another material. light: of coarseLight; closed: its backs are never visible.
 export function coarseMaterial(light, { vertexColors, transparent, opacity, depthWrite, polygonOffset, clippingPlanes }, closed) {
   return new THREE.ShaderMaterial({
     uniforms: { ...light, opacity: { value: transparent ? opacity : 1 } }, vertexShader, fragmentShader, defines: closed ? {} : { BOTH_SIDES: "" }, side: closed ? THREE.FrontSide : THREE.DoubleSide, forceSinglePass: true,

@@ -1,4 +1,4 @@
-// Small helpers for elements. Text is always set as text: nothing that a user wrote is read as HTML.
+// Owns small helpers for elements. Text is always set as text: no text of a user is read as HTML.
 export function el(name, attributes = {}, ...children) {
   const node = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {

@@ -1,9 +1,9 @@
-// Triangles of X3D's own forms, and normals where a file gives none.
+// Owns the triangles of X3D's forms, and normals for files without them.
 import { makeGeometry } from "./model.js";
 
 const CREASE = 0.6; // radians, as backends/shade.h
 
-// Corners that meet at less than the crease share a normal, and an index: so edges.js sees where edges are.
+// Corners that meet at less than the crease share a normal and an index, by which edges.js finds edges.
 export function withNormals(at, index, solid, crease = CREASE) {
   const count = index.length / 3, face = new Float64Array(3 * count), places = new Map(), place = new Uint32Array(at.length / 3), around = [];
   for (let v = 0; v < place.length; v++) {

@@ -1,8 +1,8 @@
-// Owns the model as the viewer holds it: geometries, materials, and one flat list of parts, each a geometry at a place.
+// Owns the viewer's model: geometries, materials, and one flat list of parts, each a geometry at a place.
 //
-// A part has the origin of its own constructor call, and a path: the operations of the source that it came through, from the inside outwards.
-// A path has a parent, an origin and a kind; parts that stand in one operation share their path. There may be a million of each: all are arrays
-// of numbers.
+// A part has the origin of its own constructor call, and a path: the operations of the source that contain it, from the
+// inside outwards. A path has a parent, an origin and a kind; parts of one operation share their path. There may be a
+// million of each: all are arrays of numbers.
 
 const PART_ARRAYS = ["geometry", "paint", "layer", "path", "kind", "made", "matrix"], PATH_ARRAYS = ["pathParent", "pathOrigin", "pathKind"], MEASURED = ["ball", "volume", "sheared"];
 
@@ -14,9 +14,9 @@ export class Model {
     this.view = null;
     this.sun = null;
     this.sky = null;
-    this.daylight = null; // The physical sky: a table of its light, the sun's, and what a level surface gets.
+    this.daylight = null; // The physical sky: a table of its light, the sun's light, and the light on a level surface.
     this.ground = null;
-    this.materials = [plain()]; // Number 0 is that of parts without a material.
+    this.materials = [plain()]; // Number 0: parts without a material.
     this.layers = [""];
     this.kinds = [""];
     this.geometries = [];
@@ -25,9 +25,9 @@ export class Model {
     this.pathParent = new Uint32Array(64);
     this.pathOrigin = new Uint32Array(64);
     this.pathKind = new Uint16Array(64);
-    this.roles = new Map(); // Of a scene that shows how it is made (timeline.js): what a path stands for.
-    this.cuts = new Set(); // And the parts that are taken away.
-    this.kept = false; // Others than the viewer look at it: it stays as it is when the next has come.
+    this.roles = new Map(); // Of a scene with its steps (timeline.js): the meaning of each path.
+    this.cuts = new Set(); // And the parts that are subtracted.
+    this.kept = false; // Others than the viewer use it: it remains unchanged after the next model.
     this.count = 0;
     this.matrix = new Float32Array(12 * 64);
     this.geometry = new Uint32Array(64);
@@ -38,7 +38,7 @@ export class Model {
     this.made = new Uint32Array(64); // The number of its origin, or 0.
   }
 
-  get metres() { return { mm: 0.001, cm: 0.01, in: 0.0254, ft: 0.3048 }[this.units] || 1; } // How many metres a length of 1 is.
+  get metres() { return { mm: 0.001, cm: 0.01, in: 0.0254, ft: 0.3048 }[this.units] || 1; } // The length of a model unit in metres.
 
   grow(need) {
     if (need <= this.geometry.length) return;
@@ -56,7 +56,8 @@ export class Model {
     this[key].set(was);
   }
 
-  // Takes the arrays of a model that nobody looks at any more: to have the system clear a hundred megabytes takes as long as to fill them.
+  // Takes the arrays of a model that is no longer in use: the system takes as long to clear a hundred megabytes as the
+  // viewer to fill them.
   inherit(other) {
     for (const key of [...PART_ARRAYS, ...PATH_ARRAYS, ...MEASURED]) this[key] = other[key], other[key] = null;
   }
@@ -70,7 +71,7 @@ export class Model {
     return p;
   }
 
-  // m from its number `at` on: three rows of an affine map.
+  // m from index `at`: three rows of an affine map.
   add(geometry, m, at, paint, layer, path, kind, made) {
     const i = this.count;
     this.grow(i + 1);
@@ -84,13 +85,14 @@ export class Model {
     this.count = i + 1;
   }
 
-  // What is told of each part by its matrix: bounds as a ball, the volume of a unit's cube (negative: mirrored), and whether it is sheared; and bounds of
-  // everything as a box, relative to the middle. One pass, since a million matrices are more than the processor keeps at hand.
+  // Computes the properties of each part that depend on its matrix: bounds as a ball, the volume of a unit cube
+  // (negative: mirrored), and whether it is sheared; and the bounds of all parts as a box, relative to the middle. It
+  // does so in one pass, since a million matrices exceed the processor's cache.
   measure() {
     const n = this.count, m = this.matrix, geometry = this.geometry;
     if (!this.sheared || this.sheared.length < n) this.ball = new Float32Array(4 * n), this.volume = new Float32Array(n), this.sheared = new Uint8Array(n);
     const { ball, volume, sheared } = this;
-    const half = new Float64Array(6 * this.geometries.length); // of each geometry's box the middle and half its size
+    const half = new Float64Array(6 * this.geometries.length); // for each geometry's box: its centre and half its size
     this.geometries.forEach((g, at) => { for (let k = 0; k < 3; k++) half[6 * at + k] = (g.min[k] + g.max[k]) / 2, half[6 * at + 3 + k] = (g.max[k] - g.min[k]) / 2; });
     let x0 = Infinity, y0 = Infinity, z0 = Infinity, x1 = -Infinity, y1 = -Infinity, z1 = -Infinity;
     for (let i = 0, o = 0; i < n; i++, o += 12) {
@@ -117,8 +119,9 @@ export class Model {
     return this;
   }
 
-  // Points that everything lies between, three numbers each: all corners of the parts' triangles, of large models the corners of the parts' boxes, of
-  // very large ones those of the one box. A dome fills its box in no direction but six, and is framed by its own points.
+  // Returns points whose hull contains the model, three numbers each: all corners of the parts' triangles; for large
+  // models the corners of the parts' boxes; for very large ones those of the one box. A dome fills its box only in six
+  // directions, and its own points frame it better.
   outerPoints() {
     if (this.outer) return this.outer;
     const n = this.count, m = this.matrix, { min, max } = this.box, MOST = 200000;
@@ -136,7 +139,7 @@ export class Model {
     return this.outer = new Float32Array(at);
   }
 
-  // The places in the source that made part i: { file, line, column, number } from the innermost call outwards.
+  // Returns the places in the source that made part i: { file, line, column, number } from the innermost call outwards.
   chain(i) {
     const found = [], seen = new Set();
     const climb = (o) => {
@@ -157,7 +160,7 @@ export class Model {
   where(i) { return this.made[i] > 0 ? this.origin(this.made[i]) : null; }
 }
 
-// The box of several models, about a middle.
+// Returns the box of several models, about a middle.
 export function togetherBox(models, middle) {
   const box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
   for (const m of models) for (let k = 0; k < 3; k++) {
@@ -197,7 +200,7 @@ export function determinant(m, o = 0) {
   return m[o] * (m[o + 5] * m[o + 10] - m[o + 6] * m[o + 9]) - m[o + 1] * (m[o + 4] * m[o + 10] - m[o + 6] * m[o + 8]) + m[o + 2] * (m[o + 4] * m[o + 9] - m[o + 5] * m[o + 8]);
 }
 
-// A number of the bytes, by which a picture is known again when the model has changed.
+// Returns a hash of the bytes, by which a picture is recognized after the model has changed.
 function sumOf(bytes) {
   let sum = bytes.length;
   for (let i = 0; i < bytes.length; i++) sum = (31 * sum + bytes[i]) | 0;
@@ -207,8 +210,8 @@ function sumOf(bytes) {
 const none = [];
 const makesPath = (f) => f.origin !== undefined || f.kind !== undefined || !!(f.item || f.result || f.operation || f.cut);
 
-// How many parts and paths there are below a node, a template's as often as it is used. { parts, paths } is kept at each node, and counted once. Templates
-// that are used more than once have their counts as `again`.
+// Counts the parts and paths below a node; a template counts at each use. { parts, paths } is kept at each node, and
+// computed once. Templates with more than one use have their counts as `again`.
 function counted(root, nodes) {
   const used = new Set();
   for (const open = [root]; open.length > 0;) {
@@ -234,15 +237,15 @@ function counted(root, nodes) {
   return root.counted;
 }
 
-// The parts and paths of a template by themselves, in arrays like a Model's: to be copied to each of its places. Where a layer is INHERITED, and a paint or a
-// path 0, it is that of the place.
+// The parts and paths of a template by themselves, in arrays as a Model's, which are copied to each of its places. A
+// layer INHERITED, and a paint or a path 0, are those of the place.
 const INHERITED = 0xffffffff;
 function room(parts, paths) {
   return { count: 0, matrix: new Float64Array(12 * parts), geometry: new Uint32Array(parts), paint: new Uint32Array(parts), layer: new Uint32Array(parts), path: new Uint32Array(parts), kind: new Uint16Array(parts), made: new Uint32Array(parts),
     pathCount: 1, pathParent: new Uint32Array(1 + paths), pathOrigin: new Uint32Array(1 + paths), pathKind: new Uint16Array(1 + paths), roles: new Map(), cuts: new Set() };
 }
 
-// Copies a template's parts into the model, which has the room: place from its number `at` on.
+// Copies a template's parts into the model, which has room for them: `place` from index `at`.
 function copyParts(from, to, place, at, paint, layer, path) {
   const { matrix, count } = from, into = to.matrix, first = to.count, before = to.pathCount - 1;
   const a = place[at], b = place[at + 1], c = place[at + 2], x = place[at + 3], d = place[at + 4], e = place[at + 5], f = place[at + 6], y = place[at + 7], g = place[at + 8], h = place[at + 9], l = place[at + 10], z = place[at + 11];
@@ -272,7 +275,7 @@ function copyParts(from, to, place, at, paint, layer, path) {
   for (const [p, role] of from.roles) to.roles.set(before + p, role);
 }
 
-// Makes a Model of the tree that readPacked returns. spare: a model whose arrays it may take, or none.
+// Makes a Model from the tree that readPacked returns. spare: a model whose arrays it may take, or none.
 export function modelFromPacked(root, spare = null) {
   const model = new Model(), nodes = new Map(), layers = new Map([["", 0]]), kinds = new Map([["", 0]]);
   const numbered = (map, list, word) => {
@@ -294,7 +297,7 @@ export function modelFromPacked(root, spare = null) {
     }
     return node.geometry;
   };
-  // What a node does, told once however often it is walked over: a million parts are made of few nodes.
+  // Returns the effect of a node, computed once for all walks over it: a million parts come from few nodes.
   const stepOf = (node) => {
     const step = { children: none, place: null, paint: 0, layer: -1, path: false, origin: 0, kind: 0, role: "", cut: false, item: 0, geometry: -1, leaf: undefined, plain: false, template: null }, f = node.fields;
     node.step = step;
@@ -316,10 +319,10 @@ export function modelFromPacked(root, spare = null) {
     return step;
   };
 
-  // A stack of its own, in arrays by depth: templates may be nested as deeply as the user likes, and used a million times.
-  const lists = [], nexts = [], paints = [], layersAt = [], paths = [], placesAt = []; // placesAt: where the depth's place begins, which may be its parent's
+  // An explicit stack, in arrays by depth: templates may be nested to any depth, and used a million times.
+  const lists = [], nexts = [], paints = [], layersAt = [], paths = [], placesAt = []; // placesAt: the index of the depth's place, which may be its parent's
   let places = Float64Array.from(identity), depth = -1;
-  // Works a place out within that of the depth at hand; where it begins.
+  // Computes a place within that of the current depth; returns its index.
   const within = (place) => {
     const from = depth < 0 ? 0 : placesAt[depth], to = place ? from + 12 : from;
     if (places.length < to + 12) {
@@ -349,7 +352,7 @@ export function modelFromPacked(root, spare = null) {
     depth++;
     lists[depth] = children, nexts[depth] = 0, paints[depth] = paint, layersAt[depth] = layer, paths[depth] = path, placesAt[depth] = to;
   };
-  // The step of the one shape that a node places, as most nodes do: it goes without the stack.
+  // Returns the step of a node's only shape, which most nodes have: it needs no stack.
   const leafOf = (step) => {
     const alone = (list) => list.length === 1 ? list[0].step || stepOf(list[0]) : null;
     let leaf = alone(step.children);
@@ -362,9 +365,9 @@ export function modelFromPacked(root, spare = null) {
     if (leaf.cut) to.cuts.add(i);
     to.geometry[i] = leaf.geometry, to.paint[i] = paint, to.layer[i] = layer, to.path[i] = path, to.kind[i] = leaf.kind, to.made[i] = leaf.origin;
   };
-  // Adds what nodes stand for to the model or to a template's parts, which have the room for it.
+  // Adds the parts of nodes to the model or to a template's parts, which have room for them.
   const walk = (children, to, outerLayer) => {
-    const bottom = depth, still = depth < 0 ? 0 : placesAt[depth] + 12; // A template's parts may be asked for in the middle of another walk.
+    const bottom = depth, still = depth < 0 ? 0 : placesAt[depth] + 12; // Another walk may request a template's parts.
     push(children, identity, 0, outerLayer, 0);
     places.set(identity, placesAt[depth] = still);
     while (depth > bottom) {

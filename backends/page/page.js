@@ -1,4 +1,4 @@
-// Owns the page in one file: shows the scene that stands in it, and .x3d files that are dropped on it.
+// Owns the page in one file: shows its scene, and .x3d files that are dropped on it.
 import { Viewer } from "./viewer.js";
 import { readPacked, decode64 } from "./packed.js";
 import { modelFromPacked } from "./model.js";
@@ -7,11 +7,11 @@ import { el } from "./dom.js";
 
 const viewer = new Viewer(document.getElementById("viewer"));
 viewer.addHelp([["Open", "drop an .x3d file here"]]);
-window.visualscheme = viewer; // For tests, and for who looks in the console.
+window.visualscheme = viewer; // For tests, and for use in the console.
 const scene = document.getElementById("scene");
 viewer.show(modelFromPacked(readPacked(decode64(scene.textContent.trim()))));
 scene.remove();
-// Nothing else is on the page: keys are the viewer's from the first one on.
+// The page has nothing else: the viewer gets all keys from the start.
 addEventListener("keydown", (event) => {
   if (event.target !== document.body) return;
   viewer.canvas.focus();

@@ -1,7 +1,7 @@
 // Owns the panel beside the picture: layers, materials and parts, each with a switch.
 import { el, icon } from "./dom.js";
 
-const ROWS = 400; // In one list; what is beyond is said by number.
+const ROWS = 400; // The most in one list; of the others it shows the number.
 
 export class Panel {
   constructor(viewer) {
@@ -72,7 +72,8 @@ export class Panel {
     return rows.slice(0, ROWS);
   }
 
-  // Operations of the source, folded; in each the parts. A node is made when it is unfolded: first[p] and next[p] chain the paths of one parent.
+  // Shows operations of the source, folded, with the parts in each. A node is made when it is unfolded: first[p] and
+  // next[p] chain the paths of one parent.
   #tree() {
     const m = this.viewer.model, n = m.pathCount;
     if (this.treeOf === m) return;
@@ -105,7 +106,7 @@ export class Panel {
     const add = (p, depth) => {
       for (const child of this.pathsIn(p)) {
         if (rows.length >= ROWS) return;
-        // An operation that holds one operation alone is passed over.
+        // An operation that contains only one operation is omitted.
         let at = child;
         for (let inner = this.pathsIn(at); inner.length === 1 && this.partsIn(at).length === 0; inner = this.pathsIn(at)) at = inner[0];
         const open = this.open.has(at);

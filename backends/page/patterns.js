@@ -1,8 +1,10 @@
-// Owns the patterns of materials (model/looks/patterns.def) in the picture: bricks, boards, grain, clouds ... at their real size.
+// Owns the patterns of materials (model/looks/patterns.def) in the picture: bricks, boards, grain, clouds ... at their
+// real size.
 //
-// A pattern is a function of a place in the model, in metres, and of the face's normal: on floors it lies along x and y, on walls it stands
-// upright, with walls that look in eight directions told apart, as in POV-Ray's pictures (backends/povray/povray_materials.c). Where a
-// unit is smaller than two pixels the material's own colour is shown, so that nothing flickers from afar.
+// A pattern is a function of a position in the model, in metres, and of the face's normal. On floors it lies along x
+// and y, on walls it is upright, with walls in eight directions, as in POV-Ray's pictures
+// (backends/povray/povray_materials.c). If a unit is smaller than two pixels, the material's own colour appears, so
+// that distant faces do not flicker.
 import * as THREE from "three";
 
 const numbers = ["bricks", "english", "flemish", "ashlar", "tiles", "boards", "grain", "ribbed", "brushed", "mottled", "speckled", "veined", "pebbled", "rippled", "grassy", "picture"];
@@ -141,12 +143,13 @@ vec3 vsPattern(vec3 c) {
 
 const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 
-// The part of a material's key that its pattern adds: materials of one key are drawn as one.
+// Returns the pattern's part of a material's key: materials with one key are drawn as one.
 export function patternKey(m) {
   return m.pattern ? [m.pattern.name, ...m.pattern.color, m.pattern.size, m.pattern.angle, m.pattern.picture ? m.pattern.picture.sum : ""].join(":") : "";
 }
 
-// The texture of a picture. It has the material's own colour until the browser has decoded it, and then asks for a frame.
+// Returns the texture of a picture. It has the material's own colour until the browser has decoded the picture, and
+// then requests a frame.
 function textureOf(m, redraw) {
   const picture = m.pattern.picture;
   if (!picture.shown) {
@@ -168,8 +171,9 @@ function textureOf(m, redraw) {
   return picture.shown;
 }
 
-// Makes a three.js material show the pattern of m, if it has one. place: uniforms that are shared, middle: the model's, which its places are given from; metres: of
-// a length of 1. redraw: called when a picture is there.
+// Makes a three.js material show the pattern of m, if it has one. place: shared uniforms, with middle, the point to
+// which the model's places are relative, and metres, the length of a model unit. redraw: called when the browser has
+// decoded a picture.
 export function addPattern(material, m, place, redraw) {
   const number = m.pattern ? numbers.indexOf(m.pattern.name) + 1 : 0;
   if (number === 0) return;

@@ -1,4 +1,5 @@
-// Finds what of the model lies under a point of the picture: balls first, then the triangles of those that the ray meets.
+// Owns picking: finds the part of the model under a point of the picture: balls first, then the triangles of the balls
+// that the ray meets.
 import * as THREE from "three";
 
 const ray = new THREE.Raycaster(), pointer = new THREE.Vector2();
@@ -9,7 +10,7 @@ export function rayAt(stage, x, y) {
   return ray.ray;
 }
 
-// The nearest hit: { part, point, normal, triangle, distance }, or null.
+// Returns the nearest hit: { part, point, normal, triangle, distance }, or null.
 export function pick(stage, x, y) {
   const model = stage.model;
   if (!model || !stage.camera) return null;
@@ -66,7 +67,8 @@ export function toScreen(stage, point) {
   return { x: (p.x + 1) / 2 * stage.canvas.clientWidth, y: (1 - p.y) / 2 * stage.canvas.clientHeight, behind: !stage.camera.isOrthographicCamera && point.clone().applyMatrix4(stage.camera.matrixWorldInverse).z >= 0 };
 }
 
-// The target of a pointer near a corner, an edge or a face: { kind: "point" | "edge" | "face", ... } in the model's coordinates about its middle.
+// Returns the corner, edge or face near a pointer: { kind: "point" | "edge" | "face", ... } in the model's coordinates
+// relative to its middle.
 export function snap(stage, x, y) {
   const hit = pick(stage, x, y);
   if (!hit) return null;
@@ -91,7 +93,8 @@ export function snap(stage, x, y) {
   return { kind: "face", at: hit.point, normal: hit.normal, area: faceArea(stage.model, hit), part: hit.part };
 }
 
-// The area of the flat face round a hit: triangles of one plane that hang together by the places of their corners.
+// Returns the area of the flat face around a hit: triangles of one plane that are connected by the places of their
+// corners.
 function faceArea(model, hit) {
   const g = model.geometries[model.geometry[hit.part]], P = g.position, I = g.index, at = new THREE.Vector3(), n = hit.normal, level = n.dot(hit.point), most = 1e-5 * model.diagonal;
   const flat = [], corners = new Map();

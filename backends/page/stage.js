@@ -1,33 +1,41 @@
-// Owns the picture: renderer, light, sky, ground, the model's batches, the section, what is marked; and when to draw.
+// Owns the picture: renderer, light, sky, ground, the model's batches, the section, the marks; and the decision when to
+// draw.
 //
-// While anything moves, a frame is drawn with the sun, a light from above and a pale fill; where that takes long, with a quarter of the points and no
-// new shadows, and whole as soon as nothing else has changed for a moment. When all is still, frames are drawn for single
-// directions of the sky and of the sun's disc, each with its own shadow, a little beside each other, and their mean is shown: so soft
-// shadows, darkness in corners and smooth edges come from the same few lines. POV-Ray's picture is lit alike (backends/povray/scene.c).
+// While anything moves, a frame has the sun, a light from above and a pale fill. If such frames are slow, they have a
+// quarter of the points and no new shadows, and a whole one follows when nothing has changed for a moment. When the
+// picture is still, each frame has a single direction of the sky and of the sun's disc, its own shadow and a slight
+// offset, and the stage shows their mean. Thus the same few lines make soft shadows, dark corners and smooth edges.
+// POV-Ray's picture has the same light (backends/povray/povray_scene.c).
 import * as THREE from "three";
 import { addPattern, patternKey } from "./patterns.js";
 import { aimCoarseLight, coarseLight, coarseMaterial, TONE, TONED } from "./coarse.js";
 import { buildBatches, disposeBatches, leaveOut, mergeParts, meshGeometry } from "./batches.js";
 
-// Radiances and colours are POV-Ray's, linear; a light of intensity pi makes a white surface across it as bright as its colour.
+// Radiances and colours are POV-Ray's, linear; a light of intensity pi makes a white surface perpendicular to it as
+// bright as its colour.
 const SUN = new THREE.Color(1, 0.95, 0.87), DIFFUSE = 0.82, SKY_POWER = 1.6, SUN_POWER = 2 * SKY_POWER, EXPOSURE = 0.62;
-const LIT = 3.9; // The light that the plain sun and sky give a surface across the sun: the exposure is for it.
-const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // The light that walls and the ground send on, in parts of the sky's and the sun's light.
-const PLAIN_MOST = 3e5, COARSE_MOST = 4e5, MOVING_MOST = 1.2e6, STILL_MOST = 2e6; // triangles and lines of a picture in software; a graphics card gets more
-const GUESSED = 2000; // triangles that software draws in a millisecond, more or less
-const COARSE_SHARE = 0.5; // of the points along a side
-const COARSE_LINES = 3000; // With more edges they are left out of a picture without shadows: a line takes software twice as long as a triangle, and these are rough.
-const SLOW = 60; // Milliseconds of a picture, from which on coarse ones are drawn while anything changes.
+const LIT = 3.9; // The light of the plain sun and sky on a surface that faces the sun: the exposure is for it.
+const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // The light that walls and the ground reflect, as a fraction of the sky's and the sun's light.
+// the most triangles and lines of a picture in software; a graphics card gets more
+const PLAIN_MOST = 3e5, COARSE_MOST = 4e5, MOVING_MOST = 1.2e6, STILL_MOST = 2e6;
+const GUESSED = 2000; // the approximate number of triangles that software draws in a millisecond
+const COARSE_SHARE = 0.5; // the fraction of the points along a side
+// If there are more edges, a picture without shadows omits them: a line takes software twice as long as a triangle, and
+// these pictures are rough.
+const COARSE_LINES = 3000;
+const SLOW = 60; // The duration of a picture, in milliseconds, above which coarse ones are drawn while anything changes.
 
 THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace("vec3 CustomToneMapping( vec3 color ) { return color; }", `vec3 CustomToneMapping( vec3 color ) ${TONE}`);
 
-// The light from above is one direction of the whole sky, or stands for it: as a point it would sparkle in all that shines, so only the sun is mirrored.
-// Both lights always have a shadow map, because three.js would else change their order.
+// The light from above is one direction of the whole sky, or represents it. As a point it would sparkle on reflecting
+// surfaces, so only the sun is mirrored. Both lights always have a shadow map, because three.js would else change their
+// order.
 const SUN_ALONE_SHINES = THREE.ShaderChunk.lights_fragment_begin.replace(/(getDirectionalLightInfo[\s\S]*?)(RE_Direct\([^;]*;)/,
   "$1{ vec3 mirrored = reflectedLight.directSpecular; $2 if ( UNROLLED_LOOP_INDEX > 0 ) reflectedLight.directSpecular = mirrored; }");
 const sunAloneShines = (parameters) => { parameters.fragmentShader = parameters.fragmentShader.replace("#include <lights_fragment_begin>", SUN_ALONE_SHINES); };
 
-// Lines of a fine mesh, which would lie closer than some pixels and blacken it, fade. spacing: the mean distance of a geometry's lines, in model units.
+// The lines of a fine mesh fade when they are less than some pixels apart, since they would blacken it. spacing: the
+// mean distance of a geometry's lines, in model units.
 const fading = (pixels) => (parameters) => { // pixels: half the picture's height
   parameters.uniforms.pixels = pixels;
   parameters.vertexShader = parameters.vertexShader.replace("#include <common>", "#include <common>\nattribute float spacing; uniform float pixels; varying float shownLine;")
@@ -41,13 +49,14 @@ const fading = (pixels) => (parameters) => { // pixels: half the picture's heigh
     .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.a *= shownLine;");
 };
 
-// Where each point of the picture looks to. Parallel rays would all see one colour: there the sky is that of a lens.
+// Returns the direction of view at a point of the picture. Parallel rays would all see one colour: the sky then has the
+// directions of a lens.
 const SKY_WAY = `vec3 skyWay() {
   vec2 reach = vec2(1.0 / projectionMatrix[0][0], 1.0 / projectionMatrix[1][1]);
   if (isOrthographic) reach *= 0.45 / reach.y;
   return transpose(mat3(viewMatrix)) * vec3(position.xy * reach, -1.0);
 }`;
-// And the sky there.
+// Returns the sky's colour in that direction.
 const SKY_COLOUR = `uniform sampler2D daylight; uniform vec2 sunWay; uniform vec3 zenith, horizon, near, below;
 vec3 daylightAt(vec3 d) { // The table's columns go from the sun's side to the other, its rows by the root of the height.
   vec2 level = d.xy / max(1e-6, length(d.xy));
@@ -69,7 +78,7 @@ const quadVertex = "varying vec2 at; void main() { at = uv; gl_Position = vec4(p
 // The sky's light is paler than it looks: what it lights would else drown in blue. The mean is what a level surface gets.
 const paler = (c, share) => { const grey = (c.r + c.g + c.b) / 3; return c.lerp(new THREE.Color(grey, grey, grey), share); };
 
-// Is WebGL drawn in software? Asked once: it takes a context of its own.
+// Whether software draws WebGL. It is found out once, since that takes a separate context.
 let software;
 function isSoftware() {
   if (software !== undefined) return software;
@@ -103,7 +112,7 @@ export class Stage {
     this.scene.add(this.world, this.marks);
     this.clip = [];
     this.section = null;
-    this.inside = false; // Is the eye within the model's box?
+    this.inside = false; // Whether the eye is within the model's box.
     this.frame = 0;
     this.listeners = new Set();
     this.surfaceCache = new Map();
@@ -118,8 +127,8 @@ export class Stage {
     this.extent = [canvas.clientWidth || 300, canvas.clientHeight || 150]; // of the canvas on the page
     this.half = 400; // Half the picture's height.
     this.pixels = { value: 400 };
-    this.took = 0; // Milliseconds that the last whole picture has taken, as far as that is known.
-    this.owed = false; // Was the last picture a coarse one?
+    this.took = 0; // The duration of the last whole picture, in milliseconds, as far as it is known.
+    this.owed = false; // Whether the last picture was a coarse one.
     for (const m of Object.values(this.lineMaterials)) m.onBeforeCompile = fading(this.pixels);
     this.#lights();
     this.#sky();
@@ -178,7 +187,8 @@ export class Stage {
       this.above.intensity = 0.35 * Math.PI * DIFFUSE;
       this.fill.color.copy(mean).multiplyScalar(0.65 + BOUNCED);
     } else {
-      // The direction of a sample: the golden ratio spreads any number of them evenly over the half sphere, and over the sun's disc.
+      // Returns the direction of a sample: the golden ratio spreads any number of them evenly over the half sphere, and
+      // over the sun's disc.
       const golden = 0.6180339887498949, silver = 0.7548776662466927;
       const turn = 2 * Math.PI * ((sample * golden) % 1), height = (0.5 + sample * silver) % 1, across = Math.sqrt(1 - height * height);
       const side = new THREE.Vector3(0.31, 0.57, 0.76).cross(this.sunDirection).normalize(), other = side.clone().cross(this.sunDirection);
@@ -205,20 +215,20 @@ export class Stage {
           #include <tonemapping_fragment>
           #include <colorspace_fragment>
         }`, depthWrite: false });
-    // Of a coarse picture it is worked out at the corners of a net.
+    // In a coarse picture the sky is computed at the corners of a net.
     this.coarseSky = new THREE.ShaderMaterial({ uniforms: { ...uniforms, toneMappingExposure: this.coarseLight.toneMappingExposure }, toneMapped: false, vertexShader: `#include <common>
         uniform float toneMappingExposure; varying vec3 seen; ${TONED} ${SKY_WAY} ${SKY_COLOUR}
         void main() { seen = toned(skyColour(normalize(skyWay()))); gl_Position = vec4(position.xy, 0.999999, 1.0); }`,
       fragmentShader: "varying vec3 seen; void main() { gl_FragColor = vec4(seen, 1.0); }", depthWrite: false });
     this.dome = new THREE.Mesh(new THREE.PlaneGeometry(2, 2, 24, 40), this.skyMaterial);
-    this.dome.renderOrder = 1000; // Behind all that is opaque: only the points that show it are worked out.
+    this.dome.renderOrder = 1000; // Behind all opaque objects: only its visible points are computed.
     this.dome.frustumCulled = false;
     this.scene.add(this.dome);
     this.skyMean = new THREE.Color();
     this.groundLight = new THREE.Color();
   }
 
-  // What the sky, and all that is lit by it, hangs on; true where that is another than before.
+  // Stores the values that decide the sky and its light; returns true if they have changed.
   #lightChanged(model) {
     const key = [this.options.dark, ...this.sunDirection, ...(model.sky || []), "day", ...(model.daylight ? [...model.daylight.table, ...model.daylight.sun, ...model.daylight.level] : [])].join();
     if (key === this.lightKey) return false;
@@ -243,8 +253,9 @@ export class Stage {
     this.#environment();
   }
 
-  // The physical sky, a table that vs has worked out, with the sun and what a level surface gets from the sky. The exposure is about what a picture's
-  // would be: as the sun sinks, the sky at the horizon fades less than what is lit.
+  // The physical sky, a table that vs has computed, with the sun and the light of the sky on a level surface. The
+  // exposure is about that of a rendered picture: as the sun sinks, the sky at the horizon fades less than the objects
+  // in its light.
   #paintDaylight(day) {
     const u = this.skyMaterial.uniforms, data = new Float32Array(4 * day.columns * day.rows).fill(1);
     for (let i = 0; i < day.columns * day.rows; i++) data.set(day.table.slice(3 * i, 3 * i + 3), 4 * i);
@@ -265,7 +276,7 @@ export class Stage {
     this.#environment();
   }
 
-  // The sky's light in a direction, which is unit.
+  // Returns the sky's light in a direction, a unit vector.
   #skyAt(x, y, z) {
     if (!this.daylight) return this.hazeLight.clone().lerp(this.zenithLight, Math.min(1, z / 0.6));
     const { table, columns, rows } = this.daylight, way = this.skyMaterial.uniforms.sunWay.value, across = Math.max(1e-6, Math.hypot(x, y));
@@ -274,11 +285,11 @@ export class Stage {
     return paler(new THREE.Color(table[at], table[at + 1], table[at + 2]), 0.3);
   }
 
-  // The surroundings that metals and glass mirror: the sky, a bright band low in it, and the ground.
+  // The surroundings that metals and glass reflect: the sky, a bright band low in it, and the ground.
   #environment() {
     const w = 64, h = 32, data = new Float32Array(4 * w * h), u = this.skyMaterial.uniforms, c = new THREE.Color();
     for (let y = 0; y < h; y++) {
-      const up = 1 - 2 * (y + 0.5) / h; // The picture's rows go downwards; three.js takes its own Y for up: the scene is turned.
+      const up = 1 - 2 * (y + 0.5) / h; // The picture's rows go downwards; three.js treats its own Y as up: the scene is turned.
       if (up > 0) c.copy(u.horizon.value).lerp(u.zenith.value, Math.pow(up, 0.6)).multiplyScalar(1.15);
       else c.copy(u.near.value).lerp(u.below.value, -up).multiplyScalar(this.daylight ? 1 : 0.55);
       for (let x = 0; x < w; x++) {
@@ -296,7 +307,7 @@ export class Stage {
     this.environmentPicture = picture;
     this.environmentMap = null;
   }
-  #mirrored() { // Made when the first material asks for it.
+  #mirrored() { // Made when the first material needs it.
     if (!this.environmentMap) {
       const maker = new THREE.PMREMGenerator(this.renderer);
       this.environmentMap = maker.fromEquirectangular(this.environmentPicture);
@@ -313,7 +324,7 @@ export class Stage {
     const geometry = new THREE.RingGeometry(0.0001, 1, 64, 12), reach = 14 * model.diagonal, position = geometry.attributes.position;
     const m = model.ground.paint > 0 ? model.materials[model.ground.paint] : { color: [0.78, 0.78, 0.76], roughness: 1, metallic: 0 };
     const rgb = new THREE.Color().setRGB(...m.color, THREE.SRGBColorSpace), color = new Float32Array(4 * position.count);
-    for (let i = 0; i < position.count; i++) { // Fine near the model, and gone before the horizon.
+    for (let i = 0; i < position.count; i++) { // Fine near the model, and faded before the horizon.
       const r = Math.hypot(position.getX(i), position.getY(i)), far = r * r;
       position.setXY(i, position.getX(i) * r, position.getY(i) * r);
       color.set([rgb.r, rgb.g, rgb.b, 1 - THREE.MathUtils.smoothstep(far, 0.08, 0.95)], 4 * i);
@@ -337,7 +348,8 @@ export class Stage {
     const key = surface + (merged ? "|v" : "");
     this.used?.add(key);
     if (this.surfaceCache.has(key)) return this.surfaceCache.get(key);
-    const shiny = !this.software && (m.metallic > 0.3 || m.transparency > 0.05 || m.roughness < 0.35); // Mirrored light is worked out by the graphics card: in software it would take seconds.
+    // The graphics card computes reflections: in software that would take seconds.
+    const shiny = !this.software && (m.metallic > 0.3 || m.transparency > 0.05 || m.roughness < 0.35);
     const material = new THREE.MeshStandardMaterial({
       vertexColors: merged, roughness: Math.max(0.06, m.roughness), metalness: this.software ? 0.35 * m.metallic : m.metallic, shadowSide: THREE.DoubleSide,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
@@ -362,7 +374,7 @@ export class Stage {
     return material;
   }
 
-  // The backs of what is closed are seen by nobody, but where it is cut, through its wires, and by who stands in it.
+  // The backs of a closed surface are invisible, except in a section, in a wire frame, and from inside.
   #side(material) { material.side = material.userData.closed && !this.section && !material.wireframe && !this.inside ? THREE.FrontSide : THREE.DoubleSide; }
   #lookInside() {
     const { min, max } = this.model.box, eye = this.camera.position.toArray(), inside = !this.camera.isOrthographicCamera && eye.every((x, k) => x > min[k] && x < max[k]);
@@ -371,7 +383,7 @@ export class Stage {
     for (const m of this.surfaceCache.values()) this.#side(m), m.needsUpdate = true;
   }
 
-  // The material of a key, made once.
+  // Returns the material of a key, made once.
   #plain(key, make) {
     if (!this.plainCache.has(key)) this.plainCache.set(key, make());
     return this.plainCache.get(key);
@@ -384,7 +396,7 @@ export class Stage {
 
   // ---- the model ----
 
-  setModel(model, shown = null) { // shown: is part i in the picture? null: all are.
+  setModel(model, shown = null) { // shown(i): whether part i is in the picture; null: all are.
     this.model = model;
     this.shown = shown;
     const b = model.box;
@@ -401,7 +413,7 @@ export class Stage {
     this.used = new Set();
     this.refresh();
     if (this.took === 0 && this.software) this.took = this.batches.userData.triangles / GUESSED; // Until a picture has been timed.
-    for (const [key, material] of this.surfaceCache) // Those of models before, which no part has any more.
+    for (const [key, material] of this.surfaceCache) // Materials of earlier models, which no part has any more.
       if (!this.used.has(key)) material.dispose(), this.surfaceCache.delete(key);
     this.used = null;
   }
@@ -436,7 +448,7 @@ export class Stage {
     if (this.model) this.#light(-1);
   }
 
-  // ---- marks: parts shown in a colour of their own, over all others ----
+  // ---- marks: parts in a separate colour, over all others ----
 
   setMarks(groups) { // [{ parts, color, opacity, model }]
     for (const child of [...this.marks.children]) {
@@ -484,7 +496,7 @@ export class Stage {
     this.touch(true);
   }
 
-  // Cut solids are filled: behind the plane there are as many faces towards us as away from us, but where a solid is open.
+  // Fills cut solids: behind the plane, as many faces point towards the viewer as away, except where a solid is open.
   #caps() {
     if (this.capGroup) {
       this.world.remove(this.capGroup);
@@ -553,14 +565,14 @@ export class Stage {
     if (sized === this.sized) return;
     this.sized = sized;
     this.extent = [w, h];
-    this.share = 0; // The canvas follows with the next picture.
+    this.share = 0; // The canvas changes size with the next picture.
     this.half = h / 2;
     for (const t of [this.one, ...this.mean]) t.setSize(Math.floor(w * this.ratio), Math.floor(h * this.ratio));
     this.touch();
   }
 
-  // The picture has so many of the canvas' points along a side. The canvas itself has then: to draw a picture of its own over all of it would take as long as
-  // what is in it.
+  // Draws only this fraction of the canvas' points along a side. The canvas itself then gets that size: drawing a
+  // picture over a full-size canvas would take as long as drawing the model.
   #points(share) {
     if (share === this.share) return;
     this.share = share;
@@ -568,7 +580,7 @@ export class Stage {
     this.pixels.value = share * this.half; // A line is as wide as a point.
   }
 
-  // Something has changed: the next frame shows it. shadows: also what is lit.
+  // Call this after a change: the next frame shows it. shadows: the light has changed, too.
   touch(shadows = false) {
     this.dirty = true;
     if (shadows) this.shadowsDirty = true;
@@ -588,7 +600,7 @@ export class Stage {
     this.renderer.render(this.quadScene, this.quadCamera);
   }
 
-  #leaveOut(most, lined = this.options.edges && !this.options.wireframe) { // most: triangles and lines; lined: with edges
+  #leaveOut(most, lined = this.options.edges && !this.options.wireframe) { // most: the limit for triangles and lines; lined: with edges
     if (!this.batches) return;
     const half = this.half * this.share * this.ratio * this.camera.projectionMatrix.elements[5], parallel = this.camera.isOrthographicCamera;
     leaveOut(this.batches, { camera: this.camera, pixels: (distance) => parallel ? half : half / Math.max(1e-9, distance), across: 2.04 * this.radius / this.sun.shadow.mapSize.x,
@@ -599,7 +611,7 @@ export class Stage {
     this.#lookInside();
     this.#points(coarse ? COARSE_SHARE : 1);
     this.#light(-1);
-    if (coarse && this.shadowsDirty) this.sun.shadow.intensity = this.above.shadow.intensity = 0; // Those of the model before would be worse than none.
+    if (coarse && this.shadowsDirty) this.sun.shadow.intensity = this.above.shadow.intensity = 0; // The shadows of the previous model would be worse than none.
     if (coarse || !this.shadowsDirty) this.renderer.shadowMap.needsUpdate = false;
     if (!coarse) this.shadowsDirty = false;
     this.owed = coarse;
@@ -613,8 +625,9 @@ export class Stage {
     restore?.();
   }
 
-  // For a coarse picture without shadows all surfaces get a few plain materials, which take a fifth of the time, and above all few shaders: those of
-  // patterns and shadows are made when the picture is whole. Returns what puts the own materials back.
+  // Gives all surfaces a few plain materials, for a coarse picture without shadows. They take a fifth of the time, and
+  // above all need few shaders: those of patterns and shadows are made for the whole picture. Returns a function that
+  // restores the materials.
   #simplify(lined) {
     aimCoarseLight(this.coarseLight, this, this.camera);
     const changed = [], simple = (o) => {
@@ -639,7 +652,7 @@ export class Stage {
     };
   }
 
-  // How long the graphics card needs for a picture is known some frames later.
+  // The time that the graphics card needs for a picture is known some frames later.
   #timed() {
     const gl = this.renderer.getContext();
     if (!this.timing || gl.getSyncParameter(this.timing.end, gl.SYNC_STATUS) !== gl.SIGNALED) return;
@@ -670,14 +683,14 @@ export class Stage {
     this.mixer.uniforms.one.value = this.one.texture;
     this.mixer.uniforms.part.value = 1 / (i + 1);
     this.#quad(this.mixer, this.mean[(i + 1) % 2]);
-    if (i + 1 >= Math.min(16, this.samples)) { // Fewer would look like the few lights that they are.
+    if (i + 1 >= Math.min(16, this.samples)) { // Fewer would look like separate lights.
       this.shower.uniforms.sum.value = this.mean[(i + 1) % 2].texture;
       this.#quad(this.shower, null);
     }
     this.renderer.setRenderTarget(null);
   }
 
-  // Begins with the picture that is due, not at the browser's next frame: it takes longer than that.
+  // Draws the pending picture at once: waiting for the next frame would only delay one that takes longer than a frame.
   now() {
     if (this.lost) return;
     cancelAnimationFrame(this.frame);
@@ -710,7 +723,8 @@ export class Stage {
     }
   }
 
-  // The whole picture at once, for who takes it from the canvas: the mean of so many directions of light.
+  // Draws the whole picture at once, for callers that take it from the canvas: the mean of `samples` directions of
+  // light.
   paint(samples = this.samples) {
     this.dirty = this.owed = false;
     this.count = 0;
@@ -720,7 +734,7 @@ export class Stage {
     this.renderer.setRenderTarget(null);
   }
 
-  // Lets go of all that the graphics card holds; nothing is drawn any more.
+  // Releases everything on the graphics card; nothing is drawn afterwards.
   dispose() {
     this.lost = true;
     cancelAnimationFrame(this.frame);

@@ -1,4 +1,5 @@
-// Owns the viewer as a user meets it: the toolbar, menus, panel, section, measuring, keys. `new Viewer(element)`, then show(model).
+// Owns the viewer's user interface: the toolbar, menus, panel, section, measuring, keys. `new Viewer(element)`, then
+// show(model).
 import * as THREE from "three";
 import { Stage } from "./stage.js";
 import { CameraControl } from "./camera.js";
@@ -15,7 +16,7 @@ export function length(x, units) {
   return Number(x.toFixed(digits)).toLocaleString("en", { maximumFractionDigits: digits, useGrouping: false }) + (units ? " " + units : "");
 }
 
-// A step of 1, 2 or 5 times a power of ten, some four hundredth of a length.
+// Returns a step of 1, 2 or 5 times a power of ten, about a four-hundredth of a length.
 function niceStep(span) {
   const power = 10 ** Math.floor(Math.log10(span / 400)), least = span / 400 / power;
   return power * (least < 1.5 ? 1 : least < 3.5 ? 2 : least < 7.5 ? 5 : 10);
@@ -23,7 +24,7 @@ function niceStep(span) {
 
 export class Viewer {
   constructor(host) {
-    this.root = el("div", { class: "vs", tabindex: "-1" }); // A click beside the buttons leaves the keys with the viewer.
+    this.root = el("div", { class: "vs", tabindex: "-1" }); // After a click beside the buttons the viewer still gets the keys.
     host.append(this.root);
     this.canvas = el("canvas", { tabindex: "0", role: "img", "aria-label": "The model. Arrow keys turn it, plus and minus zoom." });
     this.overlay = svg("svg", { class: "overlay", "aria-hidden": "true" });
@@ -41,7 +42,7 @@ export class Viewer {
     this.marks = [];
     this.ghosts = [];
     this.handles = []; // Points that can be dragged: { name, at, drag(xyz) }, in the model's coordinates.
-    this.filter = null; // Shows only some of the parts, or null.
+    this.filter = null; // Restricts the picture to some of the parts; null: it shows all.
     this.keys = {};
     this.measures = [];
     this.onSelect = () => {};
@@ -64,12 +65,13 @@ export class Viewer {
 
   // ---- the model ----
 
-  // keep: the camera stays, for a new version of what is shown already. aside: this model only tells more of the one whose name and size stand.
+  // keep: the camera stays, for a new version of the same model. aside: this model only has more details of the
+  // previous one; title and size stay.
   show(model, keep = false, aside = false) {
-    const was = this.model, grown = was?.count === 0 && model.count > 0; // out of nothing: there was no view to keep
+    const was = this.model, grown = was?.count === 0 && model.count > 0; // the model was empty: there was no view to keep
     const first = !was || !keep || grown;
     this.model = model;
-    const same = !first && was?.count === model.count && !aside; // Parts that moved, as in a frame of what is animated.
+    const same = !first && was?.count === model.count && !aside; // Parts that moved, as in a frame of an animation.
     if (first) for (const set of Object.values(this.hidden)) set.clear();
     else if (!same) this.hidden.parts.clear();
     if (!same || this.chosen.length === 0) this.select([]);
@@ -92,7 +94,7 @@ export class Viewer {
     this.panel.refresh();
   }
 
-  // When the next picture has been drawn, or after a moment: a window that nobody sees draws nothing.
+  // Resolves when the next picture has been drawn, or after a moment: a hidden window draws nothing.
   drawn() {
     return new Promise((go) => {
       const late = setTimeout(go, 150);
@@ -104,7 +106,7 @@ export class Viewer {
     const m = this.model, h = this.hidden;
     return !(h.layers.has(m.layers[m.layer[i]]) || h.materials.has(m.paint[i]) || h.parts.has(i)) && (!this.filter || this.filter(i));
   }
-  // isShown for who asks it of a million parts: null where all are.
+  // isShown as a function for callers with a million parts; null: all are shown.
   get shown() { return this.filter || Object.values(this.hidden).some((set) => set.size > 0) ? (i) => this.isShown(i) : null; }
   refresh() { this.stage.refresh(this.shown); }
 
@@ -118,7 +120,7 @@ export class Viewer {
     if (!quietly) this.onSelect(parts);
   }
 
-  // Parts of this or of another model that are seen through what is shown: [{ parts, color, opacity, model }].
+  // Shows parts of this or of another model through the others: [{ parts, color, opacity, model }].
   setGhosts(ghosts) {
     if (ghosts.length === 0 && this.ghosts.length === 0) return;
     this.ghosts = ghosts;
@@ -126,7 +128,7 @@ export class Viewer {
   }
   #showMarks() { if (this.model) this.stage.setMarks([...this.ghosts, ...this.marks]); }
 
-  // ---- what surrounds the picture ----
+  // ---- the controls around the picture ----
 
   #button(name, label, key, action, attributes = {}) {
     const b = el("button", { type: "button", title: label + (key ? ` (${key})` : ""), "aria-label": label, "data-do": name, onclick: action, ...attributes }, icon(name));
@@ -173,7 +175,7 @@ export class Viewer {
     this.#marksOfMenus();
   }
 
-  // A button and a key of one who shows more than the viewer does.
+  // Adds a button and a key, for pages that extend the viewer.
   addButton(name, label, key, action, attributes) {
     const button = this.buttons[name] = this.#button(name, label, key, () => { this.touched = true; action(); }, attributes);
     this.buttons.help.before(button);
@@ -317,14 +319,14 @@ export class Viewer {
       el("div", { class: "path" }, chain.slice(0, 8).map((o) => el("button", { type: "button", title: `Choose all that ${o.file}:${o.line} made`, onclick: () => this.selectOrigin(o) }, `${o.name}:${o.line}`))));
   }
 
-  // Says of what is chosen that it came otherwise than by the part's own call.
+  // Shows that the chosen part comes from a call other than its own.
   explain(kind, chain) {
     this.explained = { kind, chain };
     this.#card();
     this.say(kind + (chain.length > 0 ? ` at ${chain[0].name}, line ${chain[0].line}` : ""));
   }
 
-  // All parts that the call at an origin's place made.
+  // Selects all parts that the call at an origin's place made.
   selectOrigin(o) {
     this.select(this.partsOf((q) => q.file === o.file && q.line === o.line && q.column === o.column));
     this.onOrigin?.(o);
@@ -381,7 +383,8 @@ export class Viewer {
     this.setSectionStrip(!!section && !this.measuring);
     if (section) {
       const k = "xyz".indexOf(section.axis), b = this.model.box, place = b.min[k] + section.at * (b.max[k] - b.min[k]);
-      const normal = AXES[section.axis].clone().multiplyScalar(section.flip ? -1 : 1).multiplyScalar(section.axis === "z" ? -1 : 1); // A plan keeps what is below.
+      // A plan keeps the lower side.
+      const normal = AXES[section.axis].clone().multiplyScalar(section.flip ? -1 : 1).multiplyScalar(section.axis === "z" ? -1 : 1);
       this.stage.setSection({ normal, constant: -normal.clone().dot(AXES[section.axis]) * place });
       this.sectionRange.value = section.at;
       this.sectionOutput.textContent = length(place + this.model.middle[k], this.model.units);
@@ -393,7 +396,7 @@ export class Viewer {
     this.#drawOverlay();
   }
 
-  // ---- what is drawn over the picture ----
+  // ---- labels over the picture ----
 
   #hover(event) {
     if (!this.measuring || this.control.pointers.size > 0) return;
@@ -430,18 +433,18 @@ export class Viewer {
     this.overlay.replaceChildren(...shapes);
   }
 
-  // ---- points that are dragged ----
+  // ---- points that can be dragged ----
 
   setHandles(handles) {
     this.handles = this.grip ? handles.map((h) => h.name === this.grip.name ? { ...h, at: this.grip.at } : h) : handles;
     this.#frameHandles();
     this.#drawOverlay();
   }
-  // Handles that stand outside of the picture are framed with the model, once, unless the user has looked about.
+  // Frames handles outside of the picture together with the model, once, unless the user has moved the camera.
   #frameHandles() {
     if (!this.model || this.touched || this.handlesFramed || this.handles.length === 0) return;
     this.handlesFramed = true;
-    // One that lies far off would make the model a speck.
+    // A distant handle would make the model a speck.
     const empty = this.model.count === 0, near = (p) => empty || p.distanceTo(this.stage.center) < 3 * this.stage.radius, points = this.handles.map((h) => this.#fromModel(h.at)).filter(near);
     const seen = (p) => { const q = p.clone().project(this.stage.camera); return Math.abs(q.x) < 0.9 && Math.abs(q.y) < 0.8 && q.z < 1; };
     this.stage.camera.updateMatrixWorld();
@@ -458,14 +461,14 @@ export class Viewer {
     circle.addEventListener("pointerdown", (event) => this.#dragHandle(event, handle));
     return [svg("rect", { x: p.x - w / 2, y: p.y - 38, width: w, height: 22, rx: 7, class: "label" }), svg("text", { x: p.x, y: p.y - 27 }, words), circle];
   }
-  // The ray under a point of the picture, in the model's coordinates; of parallel rays it begins before all that is shown.
+  // Returns the ray under a point of the picture, in the model's coordinates; a parallel ray begins before all objects.
   #worldRay(x, y) {
     const ray = rayAt(this.stage, x, y), back = this.stage.camera.isOrthographicCamera ? 4 * this.stage.radius : 0;
     return { origin: ray.origin.toArray().map((v, k) => v - back * ray.direction.getComponent(k) + this.model.middle[k]), direction: ray.direction.toArray() };
   }
   #fromModel(xyz) { return new THREE.Vector3(...xyz).sub(new THREE.Vector3(...this.model.middle)); }
 
-  // The program's gizmos follow the mouse as their own constraints allow: they get its ray.
+  // The program's gizmos follow the mouse within their own constraints: they receive its ray.
   #dragGizmo(event, handle) {
     const r = this.canvas.getBoundingClientRect(), send = (kind) => (e) => handle.ray(kind, this.#worldRay(e.clientX - r.left, e.clientY - r.top)), move = send("drag");
     send("press")(event);
@@ -480,7 +483,8 @@ export class Viewer {
     addEventListener("pointercancel", up);
   }
 
-  // A point moves over the level that it lies on; seen from the side, over the upright plane that faces us; with shift, up and down alone.
+  // Moves a point in its horizontal plane; in views from the side, in the vertical plane that faces the viewer; with
+  // shift, only up and down.
   #dragHandle(event, handle) {
     event.preventDefault();
     event.stopPropagation();

@@ -4,7 +4,7 @@ const bytesOf = (number) => {
   do out.unshift(number % 256), number = Math.floor(number / 256); while (number > 0);
   return out;
 };
-// An element: its name's bytes, its size in eight bytes, what is in it (numbers, texts, bytes, or elements).
+// Returns an element: its name's bytes, its size in eight bytes, its contents (numbers, texts, bytes, or elements).
 function element(name, content) {
   const parts = Array.isArray(content) ? content : [typeof content === "number" ? Uint8Array.from(bytesOf(content)) : typeof content === "string" ? new TextEncoder().encode(content) : content];
   const size = parts.reduce((sum, part) => sum + (part.size ?? part.byteLength), 0), head = Uint8Array.from([...bytesOf(name), 1, ...new Array(7).fill(0)]);
@@ -42,7 +42,7 @@ export class Film {
     this.close();
     if (this.failed) throw this.failed;
     const clusters = [];
-    for (const chunk of this.chunks) { // Each begins with a picture that stands alone.
+    for (const chunk of this.chunks) { // Each begins with an independent picture.
       if (chunk.key) clusters.push({ at: chunk.at, blocks: [] });
       const cluster = clusters[clusters.length - 1], off = chunk.at - cluster.at;
       const block = new Uint8Array(4 + chunk.data.length);

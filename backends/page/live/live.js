@@ -1,4 +1,5 @@
-// Owns the live view's page: the viewer, the source beside it, parameters, messages, the prompt, and the way to the server.
+// Owns the live view's page: the viewer, the source beside it, parameters, messages, the prompt, and the connection to
+// the server.
 import { Viewer } from "../viewer.js";
 import { readPacked } from "../packed.js";
 import { Model, modelFromPacked } from "../model.js";
@@ -9,15 +10,16 @@ import { Construction, Timeline } from "./timeline.js";
 import { Making } from "./making.js";
 import { Compare } from "./compare.js";
 
-// The token stands behind the # of the address, which browsers send to nobody; it goes into a header. Other words there are values of parameters.
+// The token follows the # of the address, which browsers send to no server; it goes into a header. Other words there
+// are values of parameters.
 const words = location.hash.slice(1).split("&").map((word) => { try { return decodeURIComponent(word); } catch { return word; } }), token = words[0];
 const ask = (path, options = {}) => fetch(path, { ...options, headers: { "X-VS-Token": token }, referrerPolicy: "no-referrer" });
 
 const SLOW_SECONDS = 0.12; // A model that takes longer does not follow a slider.
-const TALK_MOST = 20000; // Characters of what was printed that are shown.
-// The end of a text, from a whole character on.
+const TALK_MOST = 20000; // The most characters of output that are shown.
+// Returns the end of a text, from a whole character on.
 const tail = (text, most) => text.length <= most ? text : text.slice(-most).replace(/^[\udc00-\udfff]/, "");
-const GHOSTS_MOST = 50000; // Parts of a model whose cuts are looked up when the cursor moves.
+const GHOSTS_MOST = 50000; // The most parts of a model whose cuts are looked up when the cursor moves.
 
 class Live {
   constructor() {
@@ -78,11 +80,11 @@ class Live {
     this.prompt.addEventListener("keydown", (event) => this.#promptKey(event));
     this.history = [];
     this.pieces = new Map();
-    this.telling = new Map(); // Who hears of the progress of what is made aside, by its word.
+    this.telling = new Map(); // By request: the callback for the progress of an output.
     this.version = 0;
-    this.talk = this.before = ""; // What is printed; the part of it before the last run.
-    this.missing = this.lost = 0; // How many characters are missing before each.
-    // Where a button has gone away with its strip nobody has the keys: they are the viewer's.
+    this.talk = this.before = ""; // The output; its part before the last run.
+    this.missing = this.lost = 0; // The number of characters missing before each.
+    // When a button vanishes with its strip, no element has the keys: the viewer gets them.
     addEventListener("keydown", (event) => {
       if (event.target !== document.body || event.key === "Tab") return;
       this.viewer.canvas.focus();
@@ -135,7 +137,7 @@ class Live {
     }
   }
 
-  // An event that cannot be shown is said to be one; those that follow are heard.
+  // If an event cannot be shown, reports that; the following events are still processed.
   async #hear(kind, data) {
     try {
       await this.#event(kind, JSON.parse(data));
@@ -155,7 +157,7 @@ class Live {
     } else if (kind === "progress") {
       this.telling.get(data.id)?.(data.phase, data.fraction);
     } else if (kind === "frame") {
-      if (this.timeline.isOpen) return; // Which shows one moment.
+      if (this.timeline.isOpen) return; // The timeline shows a single moment.
       if (data.version > this.version) await this.#fetchScene();
       this.#scene(data.scene);
     } else if (kind === "state") {
@@ -176,7 +178,7 @@ class Live {
   async #state(state) {
     this.heard = performance.now(); // For bench/pages/save.mjs.
     this.state = state;
-    // The picture comes first: words that change have all of the page drawn anew, and what draws would be at that.
+    // The picture comes first: a change of the text makes the browser draw the whole page anew, which would delay it.
     if (state.version !== this.version && state.version > 0) await this.#fetchScene();
     this.stopButton.disabled = true;
     this.name.textContent = state.model.split("/").pop();
@@ -195,14 +197,14 @@ class Live {
       if (this.viewer.stage.dirty) await this.viewer.drawn(); // The picture comes first: the editor takes some time for a new text.
       if (!this.source.dirty) await this.readSource(true), this.file = state.file;
     }
-    this.finished = (this.finished || 0) + 1; // For tests: how many states were shown.
+    this.finished = (this.finished || 0) + 1; // For tests: the number of states shown.
   }
 
-  // What the model prints, and below it what was typed at the prompt since, with what came of it.
+  // Shows the model's output, and below it the later input of the prompt, with its results.
   #said(state) {
     const asked = state.asked ? "› " + state.asked.trim() + "\n" : "";
     if (!state.prompted) this.before = "", this.lost = 0;
-    else if (state.run !== this.said) this.before = this.talk, this.lost = this.missing; // Else the same is told again.
+    else if (state.run !== this.said) this.before = this.talk, this.lost = this.missing; // Else the same state came again.
     this.said = state.run;
     const whole = this.before + (this.before && !this.before.endsWith("\n") ? "\n" : "") + asked + state.printed + state.values;
     this.talk = tail(whole, TALK_MOST);
@@ -221,7 +223,7 @@ class Live {
       ray: (kind, ray) => this.#input(kind, ray) })));
     this.viewer.setHandles([...this.parameters.points(), ...gizmos]);
   }
-  // A single request is under way at a time; of drags that wait the last alone counts.
+  // A single request is pending at a time; of waiting drags only the last counts.
   async #input(kind, { origin, direction }) {
     this.inputs ||= [];
     const input = { kind, body: ["left", ...origin, ...direction].join(" ") };
@@ -236,7 +238,7 @@ class Live {
     this.inputting = false;
   }
 
-  // A run that failed has met the parameters up to its failure: the others stay as they were.
+  // A failed run has defined the parameters up to its failure: the others stay unchanged.
   #known(met) {
     const now = new Map(met.map((p) => [p.name, p])), before = this.parameters.infos || [], names = new Set(before.map((p) => p.name));
     return [...before.map((p) => now.get(p.name) || p), ...met.filter((p) => !names.has(p.name))];
@@ -254,7 +256,7 @@ class Live {
     }), more > 0 ? el("p", {}, `and ${more} more`) : "");
   }
 
-  // ---- the scene: only pieces that are not here yet travel ----
+  // ---- the scene: the server sends only new pieces ----
 
   async #fetchScene() {
     const answer = await ask("/scene?have=" + this.version);
@@ -269,7 +271,7 @@ class Live {
         piece = new Uint8Array(buffer, data, bytes);
         data += bytes;
       }
-      if (!piece) { // It was forgotten here: everything anew.
+      if (!piece) { // The page no longer has it: everything is requested anew.
         this.version = 0;
         this.pieces.clear();
         return this.#fetchScene();
@@ -294,11 +296,11 @@ class Live {
     this.spare = before;
   }
 
-  // How what is drawn now is made. It is asked for once a version.
+  // Returns the steps of the current drawing. It is requested once for each version.
   async construction() {
     if (this.made?.version !== this.version) {
       const made = this.made = { version: this.version, promise: this.#construct() };
-      made.promise.catch(() => { if (this.made === made) this.made = null; }); // A newer run has ended it: it may be asked for again.
+      made.promise.catch(() => { if (this.made === made) this.made = null; }); // A newer run has ended it: it may be requested again.
     }
     return this.made.promise;
   }
@@ -336,7 +338,8 @@ class Live {
     this.saveButton.disabled = !this.source.dirty;
   }
 
-  // Has the model made from the text as it stands, unsaved. A single request is under way at a time; the last text is never left out.
+  // Requests the model of the current, unsaved text. A single request is pending at a time; the last text is always
+  // sent.
   async #attempt(text) {
     this.wanted = text;
     if (this.attempting) return;
@@ -352,12 +355,14 @@ class Live {
 
   // ---- parameters ----
 
-  // The model with other values of parameters than it has now, made beside it; { name: value } as the language writes them.
+  // Returns the model with other values of parameters, made apart from the current one; { name: value } in the
+  // language's spelling.
   async scene(values, options) {
     const buffer = await this.make("x3d-packed", values, options);
     return modelFromPacked(readPacked(buffer));
   }
-  // An output of the model with values; told(phase, fraction) hears how far it is, and an aborted signal ends it.
+  // Returns an output of the model with values; told(phase, fraction) receives the progress, and an aborted signal ends
+  // it.
   async make(format, values, { size = "", told, signal } = {}) {
     const id = Math.random().toString(36).slice(2), body = Object.entries(values).map(([name, value]) => `${name}\x1f${value}\x1e`).join("");
     const cancel = () => ask("/cancel?id=" + id, { method: "POST" });
@@ -372,29 +377,29 @@ class Live {
       signal?.removeEventListener("abort", cancel);
     }
   }
-  // This page's address, with the values that are not the source's.
+  // Returns this page's address, with the values that differ from the source.
   #link() {
     const values = this.parameters.changed().map((p) => "&" + encodeURIComponent(p.name) + "=" + encodeURIComponent(p.value));
     return location.origin + "/#" + token + values.join("");
   }
 
-  // moving: the value is on its way; a slow model is shown coarser meanwhile.
+  // moving: the value is still changing; a slow model is shown coarser meanwhile.
   set(name, value, moving = false) {
     const moved = name + " " + value;
-    if (!moving && !this.coarse && this.moved === moved) return undefined; // Where it was let go it was already.
+    if (!moving && !this.coarse && this.moved === moved) return undefined; // The final value is already shown.
     this.coarse = moving && (this.coarse || this.state?.seconds > SLOW_SECONDS);
     this.moved = moving ? moved : undefined;
     return ask("/set?name=" + encodeURIComponent(name) + (this.coarse ? "&coarse=1" : ""), { method: "POST", body: value });
   }
 
-  // The literals of define-parameter become what the sliders say; nothing else of the text changes.
+  // Writes the sliders' values into the literals of define-parameter; the rest of the text stays unchanged.
   async writeParameters() {
     let written = 0;
     for (const p of this.parameters.changed()) if (this.#isModel(p.at.file) && this.source.replaceParameter(p.name, p.at, p.type === "string" ? JSON.stringify(p.value) : p.type === "real" && /^-?\d+$/.test(p.value) ? p.value + ".0" : p.value)) written++;
     if (written > 0) await this.save();
   }
 
-  // ---- both ways ----
+  // ---- selection, from picture to text and from text to picture ----
 
   #selected(parts) {
     this.pointing = null;
@@ -403,7 +408,7 @@ class Live {
     this.source.mark(chain);
     if (parts.length === 1 && this.viewer.hit?.part === parts[0] && !this.timeline.isOpen) this.#cutHere(parts[0], this.viewer.hit.point);
   }
-  // A face that something taken away has left: the place that made that is shown, with its ghost.
+  // Finds the subtracted part that left this face; shows the place that made it, and its ghost.
   async #cutHere(part, point) {
     const from = this.pointing = {}, m = this.model;
     if (!this.#isCut() || !["subtract", "intersect"].includes(m.kinds[m.kind[part]])) return;
@@ -419,7 +424,7 @@ class Live {
   #showPlace(o) {
     if (this.#isModel(o.file)) this.source.mark([o], true);
   }
-  async #atCursor(places) { // the calls round the cursor, the innermost first
+  async #atCursor(places) { // the calls around the cursor, the innermost first
     const { viewer } = this, from = this.pointing = {};
     if (!viewer.model) return;
     const at = (place) => (o) => this.#isModel(o.file) && o.line === place.line && o.column === place.column;
@@ -428,7 +433,7 @@ class Live {
     if (this.timeline.isOpen) return;
     viewer.setGhosts([]);
     if (!this.#isCut()) return;
-    // A subtracted part has left no part of its own, or not all of it: a ghost shows the whole.
+    // A subtracted part is invisible, or not wholly visible: a ghost shows it.
     const { model, ghost } = await this.construction().catch(() => ({}));
     if (!model || this.pointing !== from || this.timeline.isOpen) return;
     for (let k = 0; k <= (lit < 0 ? places.length - 1 : lit); k++) {
@@ -438,13 +443,13 @@ class Live {
       return viewer.setGhosts([{ parts, model, color: 0xd0342c, opacity: 0.32 }]);
     }
   }
-  // Is anything cut here, in a model that is not too large to be asked how?
+  // Returns true if the model has cuts, and is not too large for a request about them.
   #isCut() {
     const m = this.model;
     return m && m.count <= GHOSTS_MOST && ["subtract", "intersect"].some((kind) => m.kinds.includes(kind));
   }
 
-  // ---- the prompt and what goes out ----
+  // ---- the prompt and the outputs ----
 
   #promptKey(event) {
     if (event.key === "Enter" && this.prompt.value.trim()) {

@@ -1,5 +1,5 @@
-// Owns the panel of pictures: a render by POV-Ray, contact sheets, turntables, each with its progress and a way to cancel it; and the
-// pictures made so far.
+// Owns the panel of pictures: a render by POV-Ray, contact sheets, turntables, each with its progress and a cancel
+// button; and the pictures made up to now.
 import * as THREE from "three";
 import { Stage } from "../stage.js";
 import { CameraControl } from "../camera.js";
@@ -10,7 +10,8 @@ import { el } from "../dom.js";
 const SIZES = [["640", "small"], ["1280", "medium"], ["1920", "large"]], TILE = 420;
 
 export class Making {
-  // make(format, values, options) promises bytes, scene(values) a model; parameters() gives those that there are.
+  // make(format, values, options) returns a promise of bytes, scene(values) of a model; parameters() returns the
+  // current ones.
   constructor(viewer, { make, scene, parameters, values }) {
     Object.assign(this, { viewer, make, scene, parameters, values });
     this.made = [];
@@ -71,7 +72,7 @@ export class Making {
     this.to.value = p.max;
   }
 
-  // ---- one thing at a time, with its progress ----
+  // ---- a single job at a time, with its progress ----
 
   async #run(name, work) {
     if (this.cancel) return;
@@ -101,7 +102,8 @@ export class Making {
   #say(text) { this.said.textContent = text; }
   #name(kind, ending) { return `${this.viewer.model.title}-${kind}-${this.made.length + 1}.${ending}`; }
 
-  // The camera of the view as POV-Ray takes it: eye, target, millimetres of lens. A parallel view is one from far away.
+  // Returns the view's camera in POV-Ray's terms: eye, target, millimetres of lens. A parallel view is one from far
+  // away.
   #camera(aspect) {
     const c = this.viewer.control, s = c.state, middle = new THREE.Vector3(...this.viewer.model.middle), far = s.parallel ? 25 : 1;
     const eye = s.target.clone().addScaledVector(c.direction(), far * s.distance).add(middle), target = s.target.clone().add(middle);
@@ -117,7 +119,7 @@ export class Making {
     });
   }
 
-  // A stage that nobody sees, of a size in pixels.
+  // Makes an invisible stage, of a size in pixels.
   async #studio(width, height, work) {
     const canvas = el("canvas", { style: `position:fixed;left:-10000px;top:0;width:${width}px;height:${height}px`, "aria-hidden": "true" });
     document.body.append(canvas);
@@ -133,7 +135,7 @@ export class Making {
       canvas.remove();
     }
   }
-  // Looks as the view does, at what stands elsewhere about its own middle.
+  // Sets the stage's camera to that of the view, relative to the stage's own middle.
   #look(stage, control, more = {}) {
     const s = this.viewer.control.state, off = this.viewer.model.middle.map((x, k) => x - stage.model.middle[k]);
     Object.assign(control.state, s, { target: s.target.clone().add(new THREE.Vector3(...off)) }, more);
@@ -211,7 +213,7 @@ export class Making {
     });
   }
 
-  // ---- what was made ----
+  // ---- the results ----
 
   #add(made) {
     made.url = URL.createObjectURL(made.blob);

@@ -1,19 +1,21 @@
-// Owns the controls of parameters: sliders, boxes, choices, check marks, each with a way back to what the source says.
+// Owns the controls of parameters: sliders, boxes, choices, check marks, each with a button that restores the source's
+// value.
 import { el } from "../dom.js";
 
-// A step of 1, 2 or 5 times a power of ten that parts a range into some hundreds: what a slider gives is a number that one would write.
+// Returns a step of 1, 2 or 5 times a power of ten that divides a range into some hundreds: a slider then gives round
+// numbers.
 function roundStep(span) {
   const power = 10 ** Math.floor(Math.log10(span / 200 || 1)), least = span / 200 / power;
   return Number((power * (least <= 1 ? 1 : least <= 2 ? 2 : least <= 5 ? 5 : 10)).toPrecision(1));
 }
 
-// A value of a file or a link as the language writes it.
+// Returns a value of a file or a link in the language's spelling.
 const written = (value) => value === true ? "#t" : value === false ? "#f" : String(value);
 
-// Is a value of a parameter another than the source's? 6 and 6.0 are the same.
+// Returns true if a parameter's value differs from the source's; 6 and 6.0 are equal.
 const differs = (p, value = p.value) => value !== p.default && !(["real", "integer"].includes(p.type) && Number(value) === Number(p.default));
 
-// The coordinates of a point as the language writes it, or null.
+// Returns the coordinates of a point in the language's spelling, or null.
 export function pointOf(text) {
   const m = /^\(xyz ([^ ()]+) ([^ ()]+) ([^ ()]+)\)$/.exec(text), xyz = m && m.slice(1).map((x) => x.includes("/") ? x.split("/").reduce((a, b) => a / b) : Number(x));
   return xyz && xyz.every(Number.isFinite) ? xyz : null;
@@ -21,8 +23,8 @@ export function pointOf(text) {
 export const pointText = (xyz) => `(xyz ${xyz.map((x) => String(Number(x.toPrecision(9)))).join(" ")})`;
 
 export class Parameters {
-  // set(name, value) hands a value on, as the language writes it; write() puts all that were changed into the source; link() gives an
-  // address with the values; compare(sets) shows sets beside each other; place() is the model's path.
+  // set(name, value) passes a value on, in the language's spelling; write() writes all changed values into the source;
+  // link() returns an address with the values; compare(sets) shows sets beside each other; place() is the model's path.
   constructor({ set, write, link, compare, place }) {
     this.set = set;
     this.compare = compare;
@@ -61,7 +63,7 @@ export class Parameters {
 
   // ---- sets ----
 
-  // Keeps the values of now under a name that is still free.
+  // Keeps the current values under an unused name.
   keep(name, values = this.values) {
     if (!name) for (let i = this.sets.size + 1; !name || this.sets.has(name); i++) name = "Set " + i;
     this.sets.set(name, { values, chosen: true });
@@ -73,7 +75,7 @@ export class Parameters {
     for (const p of this.infos) if (p.name in values && values[p.name] !== p.value) this.set(p.name, values[p.name]);
   }
   #chosen() { return [...this.sets].filter(([, s]) => s.chosen).map(([name, s]) => ({ name, values: s.values, said: this.#differences(s.values) })); }
-  // The values of a set that differ from the source.
+  // Returns the values of a set that differ from the source.
   #differences(values) {
     return this.infos.filter((p) => p.name in values && differs(p, values[p.name])).map((p) => `${p.label} ${values[p.name]}`).join(" · ") || "as the source says";
   }
@@ -175,7 +177,7 @@ export class Parameters {
       row.put = (v) => {
         const texts = (pointOf(v) || [0, 0, 0]).map((x) => String(Number(x.toPrecision(9))));
         texts.forEach((text, k) => { boxes[k].value = text; });
-        places.classList.toggle("long", texts.some((text) => text.length > 8)); // One below the other.
+        places.classList.toggle("long", texts.some((text) => text.length > 8)); // Each below the previous.
       };
       row.drag = (xyz, moving) => { const text = pointText(xyz); row.put(text); send(text, moving); };
       controls = [label, el("span", { class: "hint" }, "drag it in the view"), reset, places];
@@ -196,7 +198,7 @@ export class Parameters {
     el("a", { href: url, download: this.place().split("/").pop().replace(/\.[^.]*$/, "") + ".json" }).click();
     setTimeout(() => URL.revokeObjectURL(url), 10000);
   }
-  // A file holds sets by name, or the values of one.
+  // A file contains sets by name, or the values of one.
   read(text, name) {
     const found = JSON.parse(text), known = new Set(this.infos.map((p) => p.name));
     if (found === null || typeof found !== "object" || Array.isArray(found)) throw new Error("it holds no values by name");

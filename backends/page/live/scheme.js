@@ -1,8 +1,9 @@
-// Reads Scheme text as far as an editor must: where data begin and end, and what is a comment, a string, a word.
+// Owns the reading of Scheme text for an editor: the ends of data, and which characters are comments, strings and
+// words.
 
 const ends = new Set([..." \t\r\n()[]{}\";'`,"]);
 
-// Hands every token to each(kind, from, to): "open" "close" "string" "comment" "number" "word" "constant" "quote".
+// Passes every token to each(kind, from, to): "open" "close" "string" "comment" "number" "word" "constant" "quote".
 export function tokens(text, each) {
   let i = 0;
   while (i < text.length) {
@@ -38,7 +39,7 @@ export function tokens(text, each) {
   }
 }
 
-// The places of a list's items, [from, to] each, quotes included: the list begins at text[at].
+// Returns the ranges of a list's items, [from, to] each, quotes included: the list begins at text[at].
 export function items(text, at) {
   const found = [];
   let depth = 0, began = -1, done = false;
@@ -58,7 +59,8 @@ export function items(text, at) {
   return found;
 }
 
-// The lists round a place, the innermost first, as offsets of their opening parentheses. Just before one or just behind it is in it.
+// Returns the lists around a place, the innermost first, as offsets of their opening parentheses. A place directly
+// before or after a list is in it.
 export function around(text, at) {
   const open = [], found = [];
   tokens(text, (kind, from, to) => {
@@ -75,7 +77,7 @@ export function around(text, at) {
   return found;
 }
 
-// What a text defines at its top level, by name: "(name a b)" for procedures, "" for values.
+// Returns the top-level definitions of a text, by name: "(name a b)" for procedures, "" for values.
 export function definitions(text) {
   const found = new Map();
   for (const m of text.matchAll(/^[([](?:define|define-\w+)[ \t]+/gm)) {

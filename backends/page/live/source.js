@@ -68,7 +68,7 @@ const theme = EditorView.theme({
   ".depth-0": { color: "var(--soft)" }, ".depth-1": { color: "#b3752a" }, ".depth-2": { color: "#3f8a66" }, ".depth-3": { color: "#7d63b8" }, ".depth-4": { color: "#3d7fb5" },
 });
 
-// Brackets have the colour of their depth, those without a partner stand out.
+// Brackets have the colour of their depth; those without a partner are marked.
 const rainbow = ViewPlugin.fromClass(class {
   constructor(view) { this.decorations = this.make(view); }
   update(update) { if (update.docChanged || update.viewportChanged) this.decorations = this.make(update.view); }
@@ -85,9 +85,10 @@ const rainbow = ViewPlugin.fromClass(class {
   }
 }, { decorations: (p) => p.decorations });
 
-// A list's lines stand under its second item, or two further in where its head is a form.
+// A list's lines are aligned with its second item, or indented by two if its head is a form.
 const indentation = indentService.of((context, at) => {
-  const broken = context.simulatedBreak === at, text = context.state.doc.sliceString(0, broken ? at : context.state.doc.lineAt(at).from), open = []; // Enter asks before the line is broken.
+  // Enter calls this before it breaks the line.
+  const broken = context.simulatedBreak === at, text = context.state.doc.sliceString(0, broken ? at : context.state.doc.lineAt(at).from), open = [];
   tokens(text, (kind, from) => { if (kind === "open") open.push(from); else if (kind === "close") open.pop(); });
   if (open.length === 0) return 0;
   const from = open[open.length - 1], start = context.state.doc.lineAt(from), column = from - start.from, inside = items(text + ")".repeat(open.length), from);
@@ -96,7 +97,7 @@ const indentation = indentService.of((context, at) => {
   return column + inside[1][0] - from;
 });
 
-// Lines that are too long go on below, two columns further in than they begin.
+// Long lines wrap, with a further indentation of two columns.
 const hanging = ViewPlugin.fromClass(class {
   constructor(view) { this.decorations = this.make(view); }
   update(update) { if (update.docChanged || update.viewportChanged) this.decorations = this.make(update.view); }
@@ -124,7 +125,7 @@ const marks = StateField.define({
 });
 
 export class Source {
-  // describe(name) tells how a name of the language is called: { call, keywords, doc }.
+  // describe(name) returns the calling form of a name of the language: { call, keywords, doc }.
   constructor(place, { changed, save, cursor, complete, check, attempt, describe }) {
     this.base = undefined;
     this.check = check;
@@ -133,7 +134,7 @@ export class Source {
     this.descriptions = new Map(); // by name
     this.hint = el("div", { class: "hint-line", role: "status", "aria-label": "How it is called", hidden: true });
     this.told = []; // The messages of the last run about this text.
-    this.found = []; // The findings in the text as it stands.
+    this.found = []; // The findings in the current text.
     const names = async (context) => {
       const word = context.matchBefore(/[^\s()\[\]{}"';`,]+/);
       if (!word || (word.from === word.to && !context.explicit)) return null;
@@ -169,7 +170,7 @@ export class Source {
     });
   }
 
-  // ---- how what is being written is called ----
+  // ---- the form of the call being written ----
 
   // Definitions of this text come before the language's.
   async #describe(name) {
@@ -178,14 +179,14 @@ export class Source {
     if (!this.descriptions.has(name)) this.descriptions.set(name, this.describe(name).catch(() => null));
     return this.descriptions.get(name);
   }
-  // One line a way to call it, the argument at hand (from 1) set off; null: nothing is known.
+  // Formats a line for each calling form, with the current argument (from 1) emphasized; null: nothing is known.
   #described(told, argument) {
     if (!told?.call) return null;
     const line = (call) => el("p", {}, call.replace(/^\(|\)$/g, "").split(/\s+(?![^([]*[)\]])/).map((word, k) => [k > 0 ? " " : "", k === argument && k > 0 ? el("b", {}, word) : word]));
     const keywords = told.keywords && !told.call.includes("#:") ? el("p", { class: "soft" }, told.keywords) : null;
     return el("div", { class: "described" }, told.call.split("\n").slice(0, 4).map(line), keywords, told.doc ? el("p", { class: "soft" }, told.doc) : null);
   }
-  // Below the source: the call round the cursor whose form is known.
+  // Shows below the source the nearest call around the cursor with a known form.
   async #hint() {
     const text = this.text || "", at = this.view.state.selection.main.head;
     let shown = null;
@@ -209,7 +210,7 @@ export class Source {
     const was = this.view.state.doc.toString();
     this.base = text;
     if (was === text) return;
-    // Text that is alike before and behind stays, and the cursor with it.
+    // The common beginning and end of the old and new text stay, and the cursor with them.
     let a = 0, b = 0;
     while (a < was.length && a < text.length && was[a] === text[a]) a++;
     while (b < was.length - a && b < text.length - a && was[was.length - 1 - b] === text[text.length - 1 - b]) b++;
@@ -232,12 +233,12 @@ export class Source {
     this.view.focus();
   }
 
-  // The lists round the cursor as places.
+  // Returns the lists around the cursor as places.
   places() {
     return around(this.text || "", this.view.state.selection.main.head).map((at) => this.position(at));
   }
 
-  // Marks the calls that made something: the first strongly, the callers faintly.
+  // Marks the calls that made an object: the first strongly, its callers faintly.
   mark(chain) {
     const text = this.view.state.doc.toString(), ranges = [];
     chain.forEach((o, k) => {
@@ -251,7 +252,7 @@ export class Source {
     this.view.dispatch({ effects });
   }
 
-  // ---- numbers that are turned like knobs ----
+  // ---- numbers that a drag or keys change ----
 
   // The number literal at an offset: { from, to, text }, or null.
   numberAt(offset) {
@@ -262,7 +263,7 @@ export class Source {
     }
     return null;
   }
-  // Changes a number by so many steps of its last written place.
+  // Changes a number by that many steps of its last written digit.
   #turn(at, text, steps) {
     const places = (text.split(".")[1] || "").length, value = (Number(text) + steps * 10 ** -places).toFixed(places).replace(/^-(0(\.0*)?)$/, "$1");
     const now = this.numberAt(at);
@@ -286,7 +287,7 @@ export class Source {
     return true;
   }
 
-  // Has the text checked as it is, whether it was saved or not.
+  // Requests a check of the current text, saved or not.
   async #look() {
     const text = this.text, found = text === undefined ? [] : await this.check(text);
     if (text !== this.text) return;
@@ -309,7 +310,8 @@ export class Source {
     this.view.dispatch(setDiagnostics(this.view.state, found));
   }
 
-  // Changes the default of (define-parameter name default ...), which stands at a place, and nothing else. False: it is not there.
+  // Changes the default of the (define-parameter name default ...) at a place, and nothing else. Returns false if it is
+  // not there.
   replaceParameter(name, at, value) {
     const text = this.text, from = this.offset(at.line, at.column);
     let open = text.lastIndexOf("(define-parameter", from + 1);

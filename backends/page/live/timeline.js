@@ -1,7 +1,7 @@
-// Owns the timeline: how a drawing is made, thing by thing and operation by operation, forwards and back.
+// Owns the timeline: the making of a drawing, object by object and operation by operation, forwards and back.
 //
-// Its model is another one than the view's: the operands of each operation stand in it beside what the operation gives. A part has a
-// step in which it appears and one in which an operation uses it up.
+// Its model is not the view's: it contains the operands of each operation beside the result. A part has a step in which
+// it appears and one in which an operation uses it up.
 import * as THREE from "three";
 import { el, icon } from "../dom.js";
 
@@ -15,11 +15,12 @@ export class Construction {
     for (let i = 0; i < n; i++) last[model.path[i]] = Math.max(last[model.path[i]], i);
     for (let p = paths - 1; p > 0; p--) last[parent[p]] = Math.max(last[parent[p]], last[p]); // Parents have lower numbers.
     const role = (p) => model.roles.get(p)?.role || "", isCut = (p) => !!model.roles.get(p)?.cut;
-    // Of each path: the operation that uses up what stands in it, whether it is taken away there, and whether anything above takes it away.
+    // For each path: the operation that uses up its parts, whether it subtracts them, and whether any operation above
+    // subtracts them.
     const user = new Int32Array(paths), cut = new Uint8Array(paths), cutAbove = new Uint8Array(paths), met = new Uint8Array(paths), kind = (p) => model.kinds[model.pathKind[p]];
     for (let p = 1; p < paths; p++) {
       const q = parent[p];
-      if (role(p) === "result") user[p] = user[q], cut[p] = cut[q]; // q is the operation: what it gives goes where it goes.
+      if (role(p) === "result") user[p] = user[q], cut[p] = cut[q]; // q is the operation: its result has the same user as itself.
       else user[p] = role(q) === "operation" ? q : user[q], cut[p] = isCut(p) || (role(q) === "operation" ? 0 : cut[q]) ? 1 : 0;
       cutAbove[p] = isCut(p) || cutAbove[q] ? 1 : 0;
       met[p] = met[q] || (role(q) === "operation" && kind(q) === "intersect") ? 1 : 0;
@@ -33,7 +34,7 @@ export class Construction {
     this.steps = []; // { path } or { part }
     this.born = new Int32Array(n);
     this.cut = new Uint8Array(n);
-    this.ghost = new Uint8Array(n); // Could be shown as what an operation has taken away.
+    this.ghost = new Uint8Array(n); // It can appear as the ghost of a subtracted part.
     const done = new Int32Array(paths).fill(-1), uses = new Int32Array(n);
     for (let i = 0; i < n; i++) {
       const p = model.path[i], result = role(p) === "result";
@@ -52,7 +53,7 @@ export class Construction {
         this.ghost[i] = model.cuts.has(i) || cutAbove[p] || met[p] || (direct && kind(p) === "intersect") ? 1 : 0;
       }
       for (const q of ends.get(i) || []) {
-        if (role(q) === "operation") done[q] < 0 && (done[q] = this.steps.push({ path: q }) - 1); // It gave nothing.
+        if (role(q) === "operation") done[q] < 0 && (done[q] = this.steps.push({ path: q }) - 1); // It has no result.
         else if (role(q) === "item" || WORDS[kind(q)]) this.steps.push({ path: q });
       }
     }
@@ -61,7 +62,7 @@ export class Construction {
     this.last = last;
   }
 
-  // The part that was taken away and left the face on which a point of `from` lies, or -1: its surface passes there.
+  // Returns the subtracted part that left the face through a point of `from`: its surface passes there; -1: none.
   cutterAt(from, point) {
     const m = this.model, at = point.map((x, k) => x + from.middle[k] - m.middle[k]), near = 2e-5 * m.diagonal;
     let best = -1, least = near;
@@ -75,14 +76,14 @@ export class Construction {
     return best;
   }
 
-  // The parts that are there at a step, and stay: `cut` those that will be taken away.
+  // Returns a test for the parts that exist after a step; `cut` for those that will be subtracted.
   shown(k) { return (i) => this.born[i] <= k && k < this.gone[i] && !this.cut[i]; }
   cutting(k) {
     const found = [];
     for (let i = 0; i < this.model.count; i++) if (this.cut[i] && this.born[i] <= k && k < this.gone[i]) found.push(i);
     return found;
   }
-  // The parts that a step made or touched, of what is shown at it.
+  // Returns the parts that a step made or changed, of those shown at it.
   made(k) {
     const step = this.steps[k], found = [];
     if (step.part !== undefined) {
@@ -108,7 +109,7 @@ export class Construction {
   }
 }
 
-// How far a point is from the triangles of a part.
+// Returns the distance of a point from the triangles of a part.
 function surfaceDistance(model, i, at) {
   const g = model.geometries[model.geometry[i]], m = model.matrix.subarray(12 * i, 12 * i + 12), P = g.position, I = g.index, triangle = new THREE.Triangle(), p = new THREE.Vector3(...at), foot = new THREE.Vector3();
   if (g.lines) return Infinity;
@@ -122,7 +123,8 @@ function surfaceDistance(model, i, at) {
 }
 
 export class Timeline {
-  // construction() promises a Construction of what is drawn now; mark(chain) shows places of the source; back() shows the view's model.
+  // construction() returns a promise of the Construction of the current drawing; mark(chain) shows places of the
+  // source; back() shows the view's model.
   constructor(viewer, { construction, mark, back }) {
     this.viewer = viewer;
     this.construction = construction;
