@@ -1,13 +1,12 @@
-/* Owns what the files of the POV-Ray back-end share. povray_scene.c: begin and end; povray_shapes.c:
- * one function a kind; povray_meshes.c: triangles; povray_plan.c, povray_worker.c and
- * povray_process.c: the runs. */
+/* Owns the declarations that the files of the POV-Ray back-end share. povray_scene.c: begin and end; povray_shapes.c: a
+ * function for each kind; povray_meshes.c: triangles; povray_plan.c, povray_worker.c and povray_process.c: the runs. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_H
 #define VS_BACKENDS_POVRAY_POVRAY_H
 
 #include "backends/povray/povray_materials.h"
 
-/* The part of white light that a matt surface sends back, times its colour; NULL: what has no material. Clear glass
- * scatters nothing: POV-Ray would gather the bounced light of every pane that a ray goes through. */
+/* Returns the fraction of white light that a matt surface reflects, to be multiplied by its colour; NULL: no material.
+ * Clear glass scatters nothing: POV-Ray would gather the bounced light of every pane that a ray crosses. */
 static inline double vs_povray_diffuse(const vs_material *m) {
   if (m && m->transparency > 0) return m->transparency < 0.9 ? 0.8 * (1 - m->transparency) : 0;
   return m && m->metallic > 0.5 ? 0.35 + 0.35 * m->roughness : 0.82;

@@ -1,8 +1,8 @@
-/* Owns the confinement of POV-Ray: its own restrictions of files are not enforced, and a scene may hold a program's
- * own text (`native`), which can write files. Landlock keeps it from writing outside of its private folder, a seccomp
- * filter from the network. It may read, as the program that asked for the picture may: includes of that text.
+/* Owns the confinement of POV-Ray: its own restrictions of files are not enforced, and a scene may contain a program's
+ * text (`native`), which can write files. Landlock prevents writing outside of its private folder, a seccomp filter the
+ * use of the network. It may read every file that vs may read, since that text may include files.
  *
- * The model of a stranger is confined much further, reading as well, with all its process (cli/confine.c). */
+ * A stranger's model is confined much further, reading included, with its whole process (cli/confine.c). */
 #define _GNU_SOURCE
 #include "backends/povray/povray_confine.h"
 
@@ -18,7 +18,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-/* Landlock's numbers, which older headers of the system do not have. */
+/* Landlock's numbers, which older system headers lack. */
 enum { RULESET_CREATE = 444, RULESET_ADD = 445, RULESET_RESTRICT = 446, RULESET_VERSION = 1, RULE_BENEATH = 1 };
 enum { WRITE = 1 << 1, REMOVE_AND_MAKE = ((1 << 13) - 1) & ~((1 << 4) - 1), REFER = 1 << 13, TRUNCATE = 1 << 14 };
 typedef struct { uint64_t files; } ruleset;

@@ -1,8 +1,8 @@
 /* Owns the files that a scene names: pictures on surfaces and skies.
  *
- * A scene that is rendered names copies in the worker's private folder, so that POV-Ray needs to see nothing else of
- * the disk; a .pov names the files that the program named. POV-Ray looks for files in the folder it is started in:
- * names are absolute. In its strings quotes and backslashes are escaped. */
+ * A rendered scene names copies in the worker's private folder, so that POV-Ray needs no other part of the disk; a .pov
+ * names the program's own files. POV-Ray looks for files in the folder in which it starts: names are absolute. In its
+ * strings quotes and backslashes are escaped. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "backends/povray/povray_files.h"
 
@@ -35,7 +35,8 @@ static bool write_all(const char *path, const unsigned char *bytes, size_t size)
   return file >= 0 && close(file) != 0 ? false : ok;
 }
 
-/* Writes the bytes into the worker's folder under that name, and puts the whole of it out as a string. */
+/* Writes the bytes into the worker's folder under that name, and writes the file's full name into the scene as a
+ * string. */
 static bool put_own_file(vs_emitter *e, const char *name, const unsigned char *bytes, size_t size) {
   size_t room = strlen(e->folder) + strlen(name) + 2;
   char *path = vs_store_realloc(e->scene->store, NULL, 0, room);
@@ -58,7 +59,7 @@ bool vs_povray_put_picture(vs_emitter *e, const vs_picture *p, size_t number) {
   }
   char *whole = realpath(p->path, NULL);
   put_string(e->out, whole != NULL ? whole : p->path);
-  vs_putf(e->out, " /* %016llx */", (unsigned long long)p->hash); /* another file is another text */
+  vs_putf(e->out, " /* %016llx */", (unsigned long long)p->hash); /* another file makes another text */
   free(whole);
   return true;
 }

@@ -1,14 +1,15 @@
 /* Owns lamps in a scene for POV-Ray.
  *
- * A lamp is a point of light that fades by the square of the distance, within a small globe that nobody sees. The globe
- * lets through, in each direction, the share of the brightest direction's light that the lamp's file says: its pigment
- * has that share as transparency, which POV-Ray takes for light in proportion. It is a map of maps, by the horizontal
- * angle and by the vertical one, with an entry for each of the file's; between entries POV-Ray goes by proportion, as
- * the file means it. The light thus stands in the scene itself, and a .pov needs no file beside it.
+ * A lamp is a point of light that fades by the square of the distance, inside a small invisible globe. In each
+ * direction the globe lets a fraction of the light through: the intensity in the lamp's file, divided by the greatest.
+ * Its pigment has that fraction as transparency, by which POV-Ray multiplies light. The pigment is a map of maps, by
+ * the horizontal angle and by the vertical one, with an entry for each of the file's; POV-Ray interpolates between
+ * entries linearly, as the file's format requires. Thus the scene itself contains the light, and a .pov needs no file
+ * beside it.
  *
- * A white surface square to a light of 1 has the number 1; its luminance is the illuminance over pi. POV-Ray's light
- * fades as 2 / (1 + (distance / fade_distance)^2), which is the inverse square but for one in ten thousand at a
- * metre. */
+ * A white surface perpendicular to a light of 1 has the number 1; its luminance is the illuminance over pi. POV-Ray's
+ * light fades as 2 / (1 + (distance / fade_distance)^2), which is the inverse square except for one in ten thousand at
+ * a metre. */
 #include "backends/povray/povray_lamps.h"
 
 #include <math.h>
@@ -27,13 +28,13 @@ static void put_number(vs_writer *w, const char *before, double x, const char *a
   vs_puts(w, after);
 }
 
-/* The lamp's own axes: where it shines to, its first horizontal direction, and the second a quarter further,
- * anticlockwise as seen from above a lamp that hangs. */
+/* The lamp's own axes: its centre direction, its first horizontal direction, and the second a quarter turn further,
+ * anticlockwise as seen from above a hanging lamp. */
 typedef struct { vs_vec3 down, first, second; } lamp_axes;
 
 static lamp_axes axes_of(const vs_scene_lamp *l) {
   vs_vec3 down = vs_v3_unit(vs_v3_sub(l->to, l->at)), back = vs_v3_scale(down, -1);
-  /* the smallest turn from hanging to this direction carries x and y along */
+  /* The smallest rotation from hanging to this direction moves x and y with it. */
   vs_vec3 x = vs_v3(1, 0, 0), y = vs_v3(0, 1, 0);
   if (fabs(back.z) < 1 - 1e-12) {
     vs_vec3 axis = vs_v3_unit(vs_v3_cross(vs_v3(0, 0, 1), back));
@@ -46,8 +47,8 @@ static lamp_axes axes_of(const vs_scene_lamp *l) {
                       vs_v3_sub(vs_v3_scale(y, cos(t)), vs_v3_scale(x, sin(t))) };
 }
 
-/* The angles at which a globe's maps have entries, ascending. POV-Ray takes 256 at most: of a file with more they are
- * steps of the same size. */
+/* The angles at which a globe's maps have entries, ascending. POV-Ray takes at most 256: a file with more gets equal
+ * steps. */
 typedef struct { double at[ENTRIES]; uint32_t count; } globe_angles;
 
 static globe_angles verticals_of(const vs_ies *ies) {
@@ -64,8 +65,8 @@ static int ascending(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* The file's horizontal angles and what its symmetry makes of them, once round from 0 to 360; one of them says that the
- * lamp shines alike all round. */
+/* Returns the file's horizontal angles with their images by its symmetry, once around from 0 to 360; a single one means
+ * that the lamp shines equally in all horizontal directions. */
 static globe_angles horizontals_of(const vs_ies *ies) {
   globe_angles a = { .count = 0 };
   const double *file = ies->at + ies->verticals;
@@ -86,7 +87,7 @@ static globe_angles horizontals_of(const vs_ies *ies) {
   return a;
 }
 
-/* A pattern's value for an angle: away from 0 and 1, where POV-Ray begins anew. */
+/* Returns a pattern's value for an angle: away from 0 and 1, where POV-Ray's values wrap. */
 static double entry_at(double angle, double whole) { return margin + (1 - 2 * margin) * angle / whole; }
 
 static void put_entry(vs_writer *w, double at, double share) {
@@ -94,7 +95,8 @@ static void put_entry(vs_writer *w, double at, double share) {
   put_number(w, "", share, ">]");
 }
 
-/* The pigment along one meridian: transparent by the share of the brightest intensity, by the angle from down. */
+/* Writes the pigment along one meridian: transparent by the fraction of the greatest intensity, by the angle from
+ * down. */
 static void put_meridian(vs_writer *w, const vs_ies *ies, const globe_angles *verticals, double horizontal) {
   const double *at = verticals->at, last = at[verticals->count - 1];
   vs_puts(w, "function { ");

@@ -1,5 +1,5 @@
-/* Owns the look at every pixel by a ray of our own: POV-Ray has no output of depth, normals or names. The kernel's
- * mesh of the drawing is looked at, through the same camera. */
+/* Owns the layers of a picture, computed with a ray for every pixel, since POV-Ray has no output of depth, normals or
+ * names. The rays meet the kernel's mesh of the drawing, through the same camera. */
 #include "backends/povray/povray_layers.h"
 
 #include <math.h>
@@ -21,10 +21,10 @@ typedef struct {
   vs_look look;
   vs_solid solid;
   vs_ray_tree tree;
-  uint32_t *id, *material; /* of each part; 0: not known where it was made, no material */
+  uint32_t *id, *material; /* of each part; 0: its origin is not known, no material */
   uint32_t ground_material;
-  vs_surrounding round; /* what shades a place; ground: where there is one */
-  double hair;          /* above a surface, its own facets are not met */
+  vs_surrounding round; /* the objects that shade a point; ground: its height, if there is one */
+  double hair;          /* a distance above a surface at which a ray does not meet the surface's own facets */
   vs_exr *x;
   float *at[LAYERS];
   uint32_t columns, rows; /* of the whole picture */
@@ -40,7 +40,7 @@ static void put(const layers *l, size_t i, vs_vec3 n, const double paint[3],
 }
 
 static void look_at(const layers *l, uint32_t column, uint32_t row) {
-  static const double bare[3] = { 0.86, 0.85, 0.83 }, earth[3] = { 0.77, 0.76, 0.73 }; /* as povray_scene.c has them */
+  static const double bare[3] = { 0.86, 0.85, 0.83 }, earth[3] = { 0.77, 0.76, 0.73 }; /* as in povray_scene.c */
   const double earth_diffuse = 0.8;
   const vs_scene *scene = l->e->scene;
   const vs_mesh *m = &l->solid.mesh;
@@ -75,7 +75,7 @@ static void look_at(const layers *l, uint32_t column, uint32_t row) {
   put(l, i, normal, color, plain == bare || paint ? vs_povray_diffuse(paint) : earth_diffuse);
   vs_vec3 place = vs_v3_add(vs_v3_add(from, vs_v3_scale(direction, at)), vs_v3_scale(normal, l->hair));
   vs_surrounding round = l->round;
-  if (place.z < round.ground) round.ground = -INFINITY; /* a cellar */
+  if (place.z < round.ground) round.ground = -INFINITY; /* a cellar: the ground does not shade it */
   l->at[OPEN][i] = (float)vs_openness(&round, place, normal, (row + (uint32_t)crop[1]) * l->columns + column +
                                       (uint32_t)crop[0]);
 }
@@ -95,8 +95,8 @@ static bool say_more(void *to, const void *bytes, size_t count) {
   return vs_exr_add_text(t->x, t->kind, bytes, count, t->e);
 }
 
-/* Places and materials are interned: one is known by its address. Numbers are looked up in a table with room for twice
- * as many, a power of two. */
+/* Origins and materials are interned: the address identifies one. A table with room for twice as many, a power of two,
+ * has their numbers. */
 typedef struct { const void *what; uint32_t number; } entry;
 typedef struct { entry *at; size_t room; uint32_t count; words to; vs_writer text; } list;
 
@@ -116,7 +116,7 @@ static bool begin_list(list *t, vs_exr *x, vs_exr_text kind, size_t most, vs_err
   return true;
 }
 
-/* The number of what is told by a line of text; *fresh: it has none of those before, and the line is to be written. */
+/* Returns the number of the origin or material; *fresh: it is new, and the caller writes its line. */
 static uint32_t number_of(list *t, const void *what, bool *fresh) {
   entry *n = find_entry(t, what);
   *fresh = !n->what;
@@ -124,7 +124,7 @@ static uint32_t number_of(list *t, const void *what, bool *fresh) {
   return n->number;
 }
 
-/* Line breaks and the like would part a name. */
+/* Writes a name without line breaks, which would divide it. */
 static void put_name(vs_writer *w, const char *name) {
   vs_put_spelled(w, vs_spell_line, name);
 }
@@ -153,7 +153,7 @@ static bool end_list(list *t) {
   return ok;
 }
 
-/* Numbers the places and the materials in the order of the parts, and lists them. */
+/* Numbers the origins and the materials in the order of the parts, and lists them. */
 static bool number_parts(layers *l) {
   list places = { .at = NULL }, materials = { .at = NULL };
   size_t count = l->solid.part_count;
@@ -169,7 +169,7 @@ static bool number_parts(layers *l) {
   return ok && ((listed && told) || vs_emit_no_memory(l->e));
 }
 
-/* ---- what the picture says in words ---- */
+/* ---- the picture's texts ---- */
 
 static void say_place(vs_writer *w, const char *what, vs_vec3 v) {
   vs_puts(w, what);

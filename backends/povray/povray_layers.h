@@ -5,13 +5,13 @@
 #include "backends/backend.h"
 #include "geometry/files/exr.h"
 
-/* Says in the picture's texts how it was looked at and where the sun stood. columns, rows: of the whole picture. */
+/* Writes the camera and the sun's direction into the picture's texts. columns, rows: of the whole picture. */
 bool vs_povray_say_view(vs_emitter *e, vs_exr *x, uint32_t columns, uint32_t rows);
-/* Adds depth (Z, along the look; of a panorama the distance), normal (N.X, N.Y, N.Z), paint (albedo.R, albedo.G,
- * albedo.B, linear), id, material and openness (AO) of what is seen in the middle of each pixel, and the places in the
- * program and the materials that the numbers from 1 stand for, a line each. The ground has the id 0.
- * The pictures show the drawing's solids and the ground: curves and surfaces are left out.
- * columns, rows: of the whole picture, of which *x is the options' part. */
+/* Adds layers for the surface in the centre of each pixel: depth (Z, along the look; of a panorama the distance),
+ * normal (N.X, N.Y, N.Z), paint (albedo.R, albedo.G, albedo.B, linear), id, material and openness (AO). Adds texts with
+ * a line for each origin in the program and each material, in the order of their numbers from 1. The ground has the id
+ * 0. The layers show the drawing's solids and the ground, but no curves and surfaces. columns, rows: of the whole
+ * picture, of which *x is the options' part. */
 bool vs_povray_layers(vs_emitter *e, vs_exr *x, uint32_t columns, uint32_t rows);
 
 #endif

@@ -1,10 +1,9 @@
 /* Owns materials as POV-Ray textures: colour, finish, interior, and the patterns of patterns.def at their real size.
  *
- * A pattern is either solid (noise through space, for what has no direction) or lies on faces. The latter is written
- * as a pigment in the plane of x and z and laid on each face by its normal: on floors along x and y, on walls upright,
- * with walls that look in eight directions told apart, so that a unit's width is at most 8 percent off on those
- * between (cos 22.5 degrees). A picture lies in the plane of x and y there, and is laid on faces by the directions of
- * model/looks/picture.h. */
+ * A pattern is either solid (noise through space, for patterns without direction) or lies on faces. The latter is a
+ * pigment in the plane of x and z, which is laid on each face by its normal: on floors along x and y, on walls upright,
+ * with walls in eight directions, so that a unit's width on walls between them is at most 8 percent off (cos 22.5
+ * degrees). A picture is in the plane of x and y, and is laid on faces by the directions of model/looks/picture.h. */
 #include <math.h>
 
 #include "backends/povray/povray.h"
@@ -52,7 +51,7 @@ static void put_finish(vs_emitter *e, const vs_material *m) {
   put_word(w, "    finish { ambient ", vs_povray_ambient(e), " ");
   put_word(w, "diffuse ", vs_povray_diffuse(m), "");
   if (m->transparency > 0) {
-    /* POV-Ray's fresnel term goes by the interior's index, and thin glass has 1 there. */
+    /* POV-Ray's fresnel term uses the interior's index, which is 1 for thin glass. */
     if (is_thin(m))
       put_word(w, " specular ", 0.8 * gloss * gloss,
                " roughness 0.001 reflection { 0.04, 0.7 exponent 3 } conserve_energy }\n");
@@ -70,7 +69,7 @@ static void put_finish(vs_emitter *e, const vs_material *m) {
   }
 }
 
-/* Opaque materials get their index, too: fresnel reflection asks for one. */
+/* Opaque materials get their index, too: fresnel reflection needs it. */
 void vs_povray_interior(vs_emitter *e, const vs_material *m) {
   put_word(e->out, "  interior { ior ", m->ior >= 1 ? m->ior : 1.5, " }\n");
 }
@@ -96,7 +95,7 @@ static shade between(shade a, shade b, double t) {
   return a;
 }
 
-/* Of what is seen through the material, "filter" is tinted and "transmit" is not. */
+/* For light through the material: "filter" is tinted and "transmit" is not. */
 static void put_color(vs_writer *w, shade s) {
   vs_puts(w, "color srgbft <");
   for (int i = 0; i < 3; i++) put_word(w, "", s.rgb[i], ", ");
@@ -122,13 +121,13 @@ static void put_map(vs_writer *w, const stop *stops, size_t count) {
 
 /* ---- patterns on faces ---- */
 
-/* The parts of a pattern of courses. Functions of POV-Ray with the metres of W (unit), H (course), J (joint) as
- * constants before them: `odd` is 1 in every other course, `along` the place in a course in units of `length`, and
- * `cell` numbers the units. */
+/* The parts of a pattern of courses. Functions of POV-Ray, after the constants W (unit), H (course), J (joint) in
+ * metres: `odd` is 1 in every other course, `along` the position in a course in units of `length`, and `cell` numbers
+ * the units. */
 typedef struct {
   const char *along, *cell, *length;
   double height, joint; /* of the unit's width */
-  double vary;          /* how far units differ in colour: 1 as bricks do */
+  double vary;          /* the difference in colour among units: 1 as bricks */
 } courses;
 
 static const courses courses_of[VS_PATTERN_COUNT] = {
@@ -143,9 +142,8 @@ static const courses courses_of[VS_PATTERN_COUNT] = {
                           0.03, 0.6 },
 };
 
-/* VS_Odd: 1 in every other course. VS_Bond: of stretchers and headers, which come by two, the whole of a pair's
- * stretcher takes half of [n, n+1), and the header the other half; VS_Half tells which. VS_Faces lays a pigment on
- * faces by their normal. */
+/* VS_Odd: 1 in every other course. VS_Bond: stretchers and headers alternate; the stretcher of a pair takes half of [n,
+ * n+1), and the header the other half; VS_Half distinguishes them. VS_Faces lays a pigment on faces by their normal. */
 static const char helpers[] =
     "#ifndef (VS_Cells)\n"
     "#declare VS_Cells = function { pattern { cells } }\n"
@@ -163,7 +161,7 @@ static const char helpers[] =
     "  [.1464 P rotate -x*90] [.1464 VS_Walls(P)] [.8536 VS_Walls(P)] [.8536 P rotate -x*90] } #end\n"
     "#end\n";
 
-/* Metres of the pattern's world in units of the scene. */
+/* Returns a metre of the model in units of the scene. */
 static double metre_of(const vs_emitter *e) { return e->unit / vs_scene_metres(e->scene); }
 
 static void put_courses(vs_emitter *e, const vs_material *m, const courses *c) {
@@ -175,7 +173,7 @@ static void put_courses(vs_emitter *e, const vs_material *m, const courses *c) {
   put_word(w, "#declare VS_J = ", size * c->joint, ";\n");
   put_word(w, "#declare VS_V = ", 0.25 * v, ";\n");
   if (m->pattern.kind ==
-      VS_PATTERN_ENGLISH) { /* a course's length is that of its bricks, which goes by the course alone */
+      VS_PATTERN_ENGLISH) { /* the length of bricks depends only on the course */
     vs_puts(w, "#declare VS_L = function(x,y,z) { ");
     vs_puts(w, c->length);
     vs_puts(w, " }\n#declare VS_A = function(x,y,z) { ");
@@ -245,9 +243,9 @@ static void put_face_pigment(vs_emitter *e, const vs_material *m) {
 
 /* ---- pictures ---- */
 
-/* VS_Laid turns the picture P to the faces of a tilt and an azimuth; VS_Side tells the azimuths of a half turn apart,
- * S being 1 for those north of it and -1 for the others, and VS_Picture the tilts. Numbers of a slope are (1 + cosine)
- * / 2. Half the steps of a turn are told apart by each, as in model/looks/picture.c. */
+/* VS_Laid turns the picture P to the faces of a tilt and an azimuth; VS_Side distinguishes the azimuths of a half turn
+ * (S is 1 for those north of it and -1 for the others), and VS_Picture the tilts. Numbers of a slope are (1 + cosine) /
+ * 2. Each distinguishes half the steps of a turn, as in model/looks/picture.c. */
 static const char picture_helpers[] =
     "#ifndef (VS_Step)\n"
     "#declare VS_Step = 22.5;\n"
@@ -269,7 +267,7 @@ static const char picture_helpers[] =
     "  VS_Share(1, .5*VS_Step) P] } #end\n"
     "#end\n";
 
-/* Declares VS_P, the picture in the plane of x and y, upright, one size for all the plane. */
+/* Declares VS_P, the picture in the plane of x and y, upright, repeated at one size over the plane. */
 static void put_picture_pigment(vs_emitter *e, const vs_material *m) {
   vs_writer *w = e->out;
   vs_puts(w, picture_helpers);
@@ -333,7 +331,8 @@ static void put_solid_pigment(vs_emitter *e, const vs_material *m) {
 
 static bool shows(const vs_emitter *e, const vs_material *m, double pixel) {
   double unit = vs_pattern_size(&m->pattern) * metre_of(e);
-  if (m->pattern.kind == VS_PATTERN_GRASSY) unit *= 110; /* a lawn's patches are seen from far, its blades are not */
+  if (m->pattern.kind == VS_PATTERN_GRASSY) unit *= 110; /* a lawn's patches are visible from afar, its blades are
+                                                          * not */
   return m->pattern.kind != VS_PATTERN_NONE && unit >= pixel;
 }
 

@@ -1,11 +1,11 @@
-/* Owns triangles in POV-Ray's words: meshes, and the solids that pictures get as triangles.
+/* Owns triangles as POV-Ray's text: meshes, and the solids that pictures get as triangles.
  *
- * POV-Ray asks the operands of a difference or an intersection one by one, and for each place where a ray meets one
- * whether it lies in all the others: a wall with many openings, or a hall under vaults, costs it most of a picture. A
- * mesh has a tree of boxes of its own. In pictures (not in a .pov, which people read and change) such a solid is
- * therefore combined by our kernel, as finely as the picture shows, and shaded smoothly where its parts are round.
- * vs_povray_solid chooses; it leaves alone: glass, which light is bent by; patterns that were moved with their parts;
- * text of the user's; few parts, of which a ray misses most.
+ * POV-Ray tests the operands of a difference or an intersection separately, and for each point where a ray meets one,
+ * whether it lies in all the others: a wall with many openings, or a hall under vaults, takes most of a picture's time.
+ * A mesh has its own tree of boxes. Therefore in pictures (not in a .pov, which people read and change) the kernel
+ * combines such a solid, as finely as the picture shows, with smooth shading if its parts are round. vs_povray_solid
+ * chooses the solids. It omits glass, which refracts light; patterns that were moved with their parts; text of the
+ * user; and few parts, most of which a ray misses.
  *
  * Triangles take part in CSG by their inside_vector. */
 #include <math.h>
@@ -24,8 +24,8 @@ static bool pov_needle(const vs_vec3 *v, const uint32_t t[3]) {
   return !(vs_v3_length(vs_v3_cross(a, b)) > 1e-12 * longest * longest);
 }
 
-/* A triple of indices for each triangle of `of` but needles, `kept` of them, ten a line: POV-Ray complains of needles,
- * and they show nothing. */
+/* Writes a triple of indices for each triangle of `of` except needles, `kept` of them, ten on a line: POV-Ray warns
+ * about needles, and they show nothing. */
 static void pov_triples(vs_emitter *e, const char *word, const vs_shade_faces *of, const uint32_t (*triples)[3],
                         size_t kept) {
   pov_open(e, word);
@@ -59,8 +59,8 @@ static void pov_points(vs_emitter *e, const char *word, const vs_vec3 *at, size_
   vs_puts(e->out, "}\n");
 }
 
-/* POV-Ray keeps the corners of meshes in single precision: those of what is far away for its size are written from its
- * first corner on. */
+/* POV-Ray keeps the corners of meshes in single precision. If a mesh is far away for its size, returns its first
+ * corner, as the origin of the others; else 0 0 0. */
 static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_add(&b, v[i]);
@@ -68,18 +68,18 @@ static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   return count > 0 && vs_v3_length(middle) > 100 * vs_bounds_diagonal(&b) ? v[0] : vs_v3(0, 0, 0);
 }
 
-/* Triangles and what they look like. */
+/* Triangles and their look. */
 typedef struct {
   vs_shade_faces faces;     /* groups NULL: all are flat, unless the emitter shades smoothly */
   bool closed;
-  const vs_material *paint; /* NULL: of what it stands in */
+  const vs_material *paint; /* NULL: that of the surrounding object */
 } pov_triangles;
 
 static vs_emit_status pov_mesh(vs_emitter *e, const pov_triangles *m) {
   const vs_shade_faces *f = &m->faces;
   size_t kept = 0;
   for (size_t i = 0; i < f->triangle_count; i++) kept += !pov_needle(f->vertices, f->triangles[i]);
-  if (kept == 0) return VS_EMITTED; /* nothing that could be seen */
+  if (kept == 0) return VS_EMITTED; /* no visible triangle */
   if (!vs_emit_triangles(e, kept)) return VS_FAILED;
   vs_shading s = { .normal_count = 0 };
   bool smooth = f->groups != NULL || e->smooth;
@@ -132,23 +132,23 @@ vs_emit_status vs_povray_polyface(vs_emitter *e, const vs_ref *ref, vs_phase pha
 
 /* ---- solids as triangles ---- */
 
-/* Counts what a solid is made of, as far as the choice asks. */
+/* Counts the parts of a solid, as far as the choice needs. */
 typedef struct { const vs_node *node; bool moved; } pov_step;
 typedef struct {
   pov_step *wait;
   size_t count, room;
-  size_t parts; /* by the ways to them */
+  size_t parts; /* by the paths to them */
 } pov_census;
 
-/* Fewer parts are not worth a mesh; of more the kernel takes longer than the picture. */
+/* Fewer parts are not worth a mesh; with more, the kernel takes longer than the picture. */
 enum { PARTS_LEAST = 6, PARTS_MOST = 20000 };
 
 static bool pov_paint_stays(const vs_material *m, bool moved) {
   return m->transparency == 0 && (!moved || m->pattern.kind == VS_PATTERN_NONE);
 }
 
-/* Looks at one node and puts its operands in line. False: it cannot be a mesh, or memory is out, and e's error says
- * so. */
+/* Examines one node and queues its operands. Returns false if it cannot be a mesh, or memory is out, with e's error
+ * set. */
 static bool pov_census_node(vs_emitter *e, pov_census *c, pov_step s) {
   const vs_node *n = s.node;
   if (n->class_ != VS_SOLID || n->kind == VS_NATIVE) return false;
@@ -162,7 +162,7 @@ static bool pov_census_node(vs_emitter *e, pov_census *c, pov_step s) {
   return true;
 }
 
-/* Is the solid one that POV-Ray draws faster as a mesh, and the same? */
+/* Returns true if POV-Ray draws the solid faster as a mesh, and the result is the same. */
 static bool pov_is_dear(vs_emitter *e, const vs_node *n) {
   pov_census c = { .count = 0 };
   if (n->class_ != VS_SOLID || n->flags & VS_NODE_ENDLESS || e->carved) return false;
@@ -173,8 +173,8 @@ static bool pov_is_dear(vs_emitter *e, const vs_node *n) {
   return fits && c.parts >= PARTS_LEAST;
 }
 
-/* The kernel's solid, without its warnings: they are about files of triangles. *fits false with an error: what else
- * than being interrupted ends it is a reason to let POV-Ray combine it. */
+/* Makes the kernel's solid, without its warnings, which concern files of triangles. *fits false with an error: any
+ * error except an interrupt is a reason to let POV-Ray combine it. */
 static bool pov_combine(vs_emitter *e, const vs_ref *ref, vs_solid *out, bool *fits) {
   vs_error why = { VS_ERROR_NONE, NULL, "" }, *was = e->error;
   e->error = &why;
@@ -187,11 +187,11 @@ static bool pov_combine(vs_emitter *e, const vs_ref *ref, vs_solid *out, bool *f
   return false;
 }
 
-/* Triangles of one paint out of a solid's. */
+/* The triangles of one paint, out of a solid's. */
 typedef struct {
   vs_vec3 *v;
   uint32_t (*t)[3];
-  uint32_t *groups, *places; /* places: of a corner of the solid's mesh, one more; 0: not met */
+  uint32_t *groups, *places; /* places[i]: the new number of corner i of the solid's mesh, plus one; 0: none yet */
   size_t vertices, triangles, vertex_room, triangle_room;
 } pov_piece;
 
@@ -199,11 +199,11 @@ static const vs_solid_part *pov_part(const vs_solid *s, size_t triangle) {
   return &s->parts[s->mesh.tags ? s->mesh.tags[triangle] : 0];
 }
 
-/* POV-Ray keeps the planes of a mesh's triangles in single precision: neighbours do not quite meet along their edge,
- * and a ray in some ten thousand goes between them and shows what lies behind the solid as a bright dot. Each piece
- * therefore has a lining, the same triangles a little deeper in the solid, which nothing but such a ray meets. */
+/* POV-Ray keeps the planes of a mesh's triangles in single precision, so neighbours do not quite meet along their edge.
+ * A ray in some ten thousand passes between them, and shows the space behind the solid as a bright dot. Each piece
+ * therefore has a lining, the same triangles slightly deeper in the solid, which only such a ray meets. */
 static void pov_line(pov_piece *p) {
-  const double deep = 4e-6; /* of the largest coordinate: some tens of its steps */
+  const double deep = 4e-6; /* a fraction of the largest coordinate: some tens of its steps */
   double most = 0;
   size_t vertices = p->vertices, triangles = p->triangles;
   vs_vec3 *into = p->v + vertices;
@@ -248,7 +248,7 @@ static vs_emit_status pov_piece_of(vs_emitter *e, pov_piece *p, const vs_solid *
   }
   if (p->triangles == 0) return VS_EMITTED;
   pov_line(p);
-  const double crease = 0.35; /* radians: facets of round parts turn by a fifth of one at most */
+  const double crease = 0.35; /* radians: neighbouring facets of round parts differ by a fifth of it at most */
   const vs_shade_faces faces = { p->v, (const uint32_t (*)[3])p->t, p->groups, p->vertices, p->triangles, crease };
   return pov_mesh(e, &(pov_triangles){ .faces = faces, .paint = paint });
 }

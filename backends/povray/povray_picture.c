@@ -1,8 +1,8 @@
-/* Owns what becomes of POV-Ray's picture before it is handed on.
+/* Owns the processing of POV-Ray's picture.
  *
- * POV-Ray always renders an EXR, linear light in half floats. Its header has the date, its version and the platform in
- * it: an .exr is written anew by OpenEXR's library, the same numbers with what was seen from where in what sun. A PNG
- * is made of the light here (geometry/pictures/tone.c): POV-Ray would cut off what is brighter than white. */
+ * POV-Ray always renders an EXR, linear light in half floats. Its header contains the date, POV-Ray's version and the
+ * platform. OpenEXR's library therefore writes an .exr anew: the same numbers, with texts for the camera and the sun. A
+ * PNG is made from the light here (geometry/pictures/tone.c): POV-Ray would cut off colours brighter than white. */
 #include "backends/povray/povray_picture.h"
 
 #include <errno.h>
@@ -56,8 +56,8 @@ static bool picture_write(vs_emitter *e, const char *path, const picture_bytes *
                             problem == ENOSPC ? "the disk is full" : strerror(problem));
 }
 
-/* Puts those parts of the jobs' pictures that meet `wanted` into an empty picture of its size. Of a part POV-Ray makes
- * a picture of the whole's size, black elsewhere. */
+/* Copies the parts of the jobs' pictures that intersect `wanted` into an empty picture of its size. For a part of a
+ * picture POV-Ray makes one of the whole's size, black elsewhere. */
 static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job *jobs, size_t count,
                          const vs_exr_part *wanted, vs_exr *x) {
   static const char *const channels[] = { "B", "G", "R" };
@@ -84,7 +84,7 @@ static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job 
   return ok;
 }
 
-/* The plan's picture without its first pass: all of it, or the part that is wanted. */
+/* Takes the plan's picture without its first pass: the whole, or the part that the options set. */
 static bool picture_take(vs_emitter *e, const vs_povray_result *r, const vs_exr_part *part, vs_exr *x) {
   const vs_povray_plan *p = r->plan;
   return picture_join(e, r->folder, p->jobs + p->pass_count, p->count - p->pass_count, part, x);
@@ -105,7 +105,7 @@ bool vs_povray_meter(vs_emitter *e, const char *folder, const vs_povray_plan *pl
   return ok;
 }
 
-/* The light, written anew: all of it or a part, with the layers if they are wanted. */
+/* Writes the light anew: the whole or a part, with the layers if the options set them. */
 bool vs_povray_take_picture(vs_emitter *e, const vs_povray_result *r, const char *to) {
   vs_store *store = e->scene->store;
   vs_exr x = { .store = store };
@@ -124,7 +124,7 @@ bool vs_povray_develop_picture(vs_emitter *e, const vs_povray_result *r, const c
   const vs_povray_plan *p = r->plan;
   const vs_exr_part *wanted = &p->wanted;
   vs_exr x = { .store = store };
-  /* an exposure that is found in the picture itself goes by the whole of it */
+  /* an exposure that is computed from the picture depends on the whole of it */
   vs_exr_part all = { 0, 0, p->columns, p->rows };
   vs_tone tone = *r->tone;
   bool ok = picture_take(e, r, tone.fixed ? wanted : &all, &x);

@@ -1,15 +1,14 @@
-/* Owns how a picture is divided among runs of POV-Ray, so that the same model gives the same bytes.
+/* Owns the division of a picture among runs of POV-Ray, so that the same model gives the same bytes.
  *
- * Several threads of one run gather bounced light in an order that chance decides, and a sample that one has taken
- * changes what the next one takes. A run of one thread always does the same. A picture with bounced light is therefore
- * made in two steps. The first pass, a small picture, gathers the light: its left and its right half are runs of one
- * thread, whose samples are put together in that order. Then each strip is a run of one thread that takes these
- * samples. How many strips there are, and where, goes by the picture's size alone, and as many run at a time as there
- * are processors: their number changes the time, not the picture. A part of a picture is cut out of the strips that it
- * meets.
+ * Several threads of one run gather bounced light in a random order, and a sample that one has taken changes the next
+ * of another. A run of one thread always does the same. A picture with bounced light is therefore made in two steps.
+ * The first pass, a small picture, gathers the light: its left and its right half are runs of one thread, whose samples
+ * are joined in that order. Then each strip is a run of one thread that takes these samples. The number and place of
+ * the strips do not depend on the number of processors, and as many run at a time as there are processors: their number
+ * changes the time, not the picture. A part of a picture is cut out of the strips that it meets.
  *
- * The exposure is found in the first pass, so that a part has that of the whole. A draft has no bounced light: each of
- * its pixels depends on itself alone, and one run of many threads makes what is wanted of it.
+ * The exposure is computed from the first pass, so that a part has that of the whole. A draft has no bounced light:
+ * each of its pixels depends on itself alone, and one run of many threads makes the wanted part.
  *
  * A small picture, whose runs would take longer to begin than to draw, is one run of one thread. */
 #include "backends/povray/povray_plan.h"
@@ -21,9 +20,9 @@
 
 #include "kernel/threads.h"
 
-/* A strip's height in pixels, about; how many pixels a small picture has; and the longer side of the first pass: half
- * of the picture's, but not less nor more. It finds what the net of samples has missed: a `final` picture, whose
- * samples lie closer, wants a larger one. */
+/* A strip's approximate height in pixels; the number of pixels of a small picture; and the longer side of the first
+ * pass: half of the picture's, within these bounds. The main picture takes the samples that the first pass missed: a
+ * `final` picture, whose samples are closer, needs a larger first pass. */
 enum { STRIP = 120, SMALL = 1 << 15, PASS_LEAST = 200, PASS_MOST = 400, PASS_MOST_FINAL = 800 };
 
 static uint32_t between(uint32_t least, uint32_t x, uint32_t most) { return x < least ? least : x > most ? most : x; }
@@ -91,7 +90,7 @@ vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles,
   return p;
 }
 
-/* POV-Ray takes some twenty times the text, and twenty bytes a pixel. */
+/* Returns the number of runs at a time. POV-Ray takes some twenty times the text, and twenty bytes for each pixel. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene) {
   long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   double each = 0x1p26 + 20. * (double)scene + 20. * job->columns * job->rows;

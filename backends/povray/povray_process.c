@@ -1,10 +1,11 @@
-/* Owns one process of POV-Ray: what it hears and may do, its progress and its complaints.
+/* Owns one process of POV-Ray: its input and permissions, its progress and its messages.
  *
- * POV-Ray says everything on standard error: progress in pieces that begin with a carriage return, messages as
+ * POV-Ray writes everything to standard error: progress in pieces that begin with a carriage return, messages as
  *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
- * wrapped at 80 columns with one space in front of what continues. It ends with 0 after warnings that mean a wrong
- * picture: any is a failure here. A message's line leads, by the table that the driver kept, to the place in the
- * user's model. It stays in our process group: what ends us from outside (the terminal, timeout) ends it too. */
+ * wrapped at 80 columns, with one space before each continuation. It exits with 0 after warnings that mean a wrong
+ * picture: any warning is a failure here. A message's line leads to the place in the user's model, by the table that
+ * the driver kept. POV-Ray has its own process group, with the processes that it starts; on Linux it ends when vs is
+ * killed. */
 #define _GNU_SOURCE /* prlimit, execvpe, pipe2 */
 #include "backends/povray/povray_process.h"
 
@@ -25,7 +26,7 @@
 
 #include "backends/povray/povray_confine.h"
 
-/* ---- what it says ---- */
+/* ---- its output ---- */
 
 static void run_piece(vs_povray_process *r) {
   unsigned long done, all;
@@ -47,7 +48,7 @@ static void run_hear(vs_povray_process *r, const char *bytes, size_t count) {
       if (r->piece_used + 1 < sizeof r->piece) r->piece[r->piece_used++] = c;
       continue;
     }
-    if (r->used + 1 >= sizeof r->text) { /* the newest matters: errors come last */
+    if (r->used + 1 >= sizeof r->text) { /* the end matters: errors come last */
       memmove(r->text, r->text + sizeof r->text / 2, r->used - sizeof r->text / 2);
       r->used -= sizeof r->text / 2;
     }
@@ -64,17 +65,17 @@ static void run_unwrap(char *text) {
   *to = '\0';
 }
 
-/* The first complaint about the scene: its line there, and the message, which is cut out of the text. */
+/* Finds the first message about the scene: its line there, and its text, which is cut out. */
 static const char *run_complaint(char *text, unsigned long *line) {
   for (char *at = text; (at = strstr(at, "File '")) != NULL; at++) {
     char *end = strchr(at, '\n'), *number = strstr(at, "' line ");
     if (end != NULL) *end = '\0';
-    /* an upright view is such a camera on purpose (povray_scene.c) */
+    /* an upright view has such a camera on purpose (povray_scene.c) */
     bool meant = strstr(at, "Warning: Camera vectors are not perpendicular") != NULL;
     if (number != NULL && (end == NULL || number < end) && !meant) {
       char *after;
       *line = strtoul(number + 7, &after, 10);
-      if (strncmp(after, ": ", 2) == 0) { /* "Possible Parse Error: " says nothing to a modeller */
+      if (strncmp(after, ": ", 2) == 0) { /* "Possible Parse Error: " means nothing to a user */
         const char *kind = strstr(after + 2, "Error: ");
         return kind != NULL && kind - after < 24 ? kind + 7 : after + 2;
       }
@@ -93,7 +94,7 @@ static const char *run_last_line(char *text) {
 
 /* ---- the process ---- */
 
-/* Our own soft limit of memory is that of the model: a worker has the hard one. */
+/* The soft limit of vs's own memory is that of the model: a worker has the hard one. */
 static void run_give_memory(pid_t process) {
 #ifdef __linux__
   struct rlimit own;
@@ -105,27 +106,27 @@ static void run_give_memory(pid_t process) {
 #endif
 }
 
-/* The child's part: what it hears, what it may do, and what it becomes. Only calls that are safe in a child of a
- * process with threads. */
+/* The child's part: its input, its permissions, and the call that makes it POV-Ray. Uses only calls that are safe in a
+ * child of a process with threads. */
 static void run_become(const char *folder, const int errors[2], char *const *arguments, char *const *environment) {
   static const int usual[] = { SIGINT, SIGPIPE, SIGTERM, SIGHUP };
   sigset_t none;
   int nothing = open("/dev/null", O_RDWR);
 #ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL); /* where we are killed ourselves, nobody else ends it */
+  prctl(PR_SET_PDEATHSIG, SIGKILL); /* when vs is killed, only this ends it */
 #endif
-  setpgid(0, 0); /* a group of its own, so that what it has started ends with it */
+  setpgid(0, 0); /* a separate group, so that the processes it starts end with it */
   for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) signal(usual[i], SIG_DFL);
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, NULL);
   if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(nothing, 1) < 0 || dup2(errors[1], 2) < 0) return;
   if (nothing > 2) close(nothing);
-  if (errors[1] == 2) fcntl(2, F_SETFD, 0); /* the others go when it becomes POV-Ray */
+  if (errors[1] == 2) fcntl(2, F_SETFD, 0); /* the others close when it becomes POV-Ray */
   vs_povray_confine(folder);
   execvpe("povray", arguments, environment);
 }
 
-/* Starts it. 0, or errno where it did not. */
+/* Starts it. Returns 0, or errno on failure. */
 static int run_start(vs_povray_process *r, const char *folder, const int errors[2], char *const *arguments,
                      char *const *environment) {
   int said[2], problem = 0;
@@ -186,7 +187,7 @@ void vs_povray_hear(vs_povray_process *r) {
 bool vs_povray_ended(vs_povray_process *r, int *status) {
   siginfo_t how = { .si_pid = 0 };
   if (waitid(P_PID, (id_t)r->process, &how, WEXITED | WNOHANG | WNOWAIT) == 0 && how.si_pid == 0) return false;
-  kill(-r->process, SIGKILL); /* while its number is still its own */
+  kill(-r->process, SIGKILL); /* while its number is not yet reused */
   while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
   r->process = 0;
   if (r->errors >= 0) close(r->errors);
@@ -209,7 +210,7 @@ void vs_povray_stop(vs_povray_process *at, size_t count) {
   }
 }
 
-/* ---- what came of it ---- */
+/* ---- its result ---- */
 
 bool vs_povray_judge(vs_emitter *e, vs_povray_process *r, int status) {
   unsigned long line = 0;
@@ -224,8 +225,8 @@ bool vs_povray_judge(vs_emitter *e, vs_povray_process *r, int status) {
   return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray failed%s%s", *last ? ": " : " and said nothing", last);
 }
 
-/* POV-Ray gives its own threads a few seconds to start and then gives up, which happens on a machine with much other
- * work and says nothing about the scene. */
+/* POV-Ray gives its own threads a few seconds to start and then gives up. This happens on a busy machine, and is no
+ * fault of the scene. */
 bool vs_povray_was_starved(const vs_povray_process *r, int status) {
   bool done = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   return !done && strstr(r->text, "Timed out waiting for worker thread startup");

@@ -10,27 +10,29 @@ enum { VS_POVRAY_TEXT_ROOM = 1 << 15, VS_POVRAY_PATH_ROOM = 4096 };
 
 typedef struct {
   pid_t process;              /* 0: none runs */
-  int errors;                 /* our end of its standard error; -1: it has closed its own */
-  char text[VS_POVRAY_TEXT_ROOM]; /* messages, without the progress; cut at the front if ever too long */
+  int errors;                 /* the reading end of its standard error; -1: it has closed its own */
+  char text[VS_POVRAY_TEXT_ROOM]; /* messages, without the progress; a text that is too long is cut at the front */
   size_t used;
   char piece[256];            /* of the progress: since the last carriage return */
   size_t piece_used;
   bool in_piece;
-  double fraction;            /* of its pixels; it never falls */
+  double fraction;            /* the fraction of its pixels that are done; it never decreases */
 } vs_povray_process;
 
-/* Starts it in its private folder, with an ini file that is there. False: the error says why, and none runs. */
+/* Starts it in its private folder, with an existing ini file. Returns false with the error set; no process then
+ * runs. */
 bool vs_povray_start(vs_emitter *e, vs_povray_process *p, const char *folder, char *const *arguments);
-/* Takes what it has said by now; errors is readable. */
+/* Reads its output up to now; errors is readable. */
 void vs_povray_hear(vs_povray_process *p);
-/* Has it ended? Then what it started and left goes as well, and *status is how it ended. Asked when errors is -1. */
+/* Returns true if it has ended. Then the processes that it left are ended as well, and *status is its exit status. Call
+ * it when errors is -1. */
 bool vs_povray_ended(vs_povray_process *p, int *status);
-/* Ends these, hard if they do not listen within two seconds. */
+/* Ends these, by a signal, and by SIGKILL after two seconds. */
 void vs_povray_stop(vs_povray_process *at, size_t count);
-/* Returns whether one that has ended made its picture; if not, or if it complained, the error is set, at the model's
- * place where its message names a line. */
+/* Returns true if an ended process made its picture. If it did not, or wrote a warning, sets the error, with the place
+ * in the model if its message names a line. */
 bool vs_povray_judge(vs_emitter *e, vs_povray_process *p, int status);
-/* Did it give up before it began, because the machine had too much other work? */
+/* Returns true if it gave up before it began, because the machine was too busy. */
 bool vs_povray_was_starved(const vs_povray_process *p, int status);
 
 #endif

@@ -4,9 +4,9 @@
 
 #include "backends/povray/povray_materials.h"
 
-/* The scene's frame: camera, light, sky. */
+/* Writes the scene's frame: camera, light, sky. */
 bool vs_povray_begin(vs_emitter *e);
 bool vs_povray_end(vs_emitter *e);
-double vs_povray_ambient(const vs_emitter *e); /* of the light that comes from nowhere: in drafts alone */
+double vs_povray_ambient(const vs_emitter *e); /* returns the ambient light, which only drafts have */
 
 #endif

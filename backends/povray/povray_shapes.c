@@ -1,6 +1,5 @@
-/* Owns the POV-Ray text of every kind. Objects that POV-Ray draws wrong without a word (degenerate shapes, lone
- * operands) never get here: the constructors refuse them or the driver leaves them out. Triangles are in
- * povray_meshes.c. */
+/* Owns the POV-Ray text of every kind. Objects that POV-Ray draws wrong without a message (degenerate shapes, lone
+ * operands) never get here: the constructors refuse them or the driver omits them. Triangles are in povray_meshes.c. */
 #include "backends/povray/povray_shapes.h"
 
 #include <math.h>
@@ -15,7 +14,7 @@
 #include "geometry/frame.h"
 #include "geometry/profiles/revolve.h"
 
-/* Primitives are what a drawing may have a million of: their text is made in the writer's own buffer. */
+/* A drawing may have a million primitives: their text is made in the writer's own buffer. */
 enum { POV_POINT_ROOM = 3 * VS_NUMBER_ROOM + 8, POV_SHAPE_ROOM = 80 + 32 + 2 * POV_POINT_ROOM + 2 * VS_NUMBER_ROOM };
 
 static char *pov_write_point(char *to, vs_vec3 p) {
@@ -37,7 +36,7 @@ static char *pov_write_comma(char *to, double x) {
   return vs_number_write(to, x);
 }
 
-/* Room for one such shape, and its indentation and word (of at most 32 letters) in it. NULL: failed. */
+/* Returns room for one such shape, after its indentation and word (of at most 32 letters). NULL: failed. */
 static char *pov_begin(vs_emitter *e, const char *word, size_t length) {
   char *to = vs_writer_room(e->out, POV_SHAPE_ROOM);
   if (to == NULL) return NULL;
@@ -61,7 +60,7 @@ static void pov_comma(vs_emitter *e, double x) {
   vs_put_number(e->out, x);
 }
 
-/* POV-Ray multiplies row vectors: columns of ours are its rows. The translation is in model units. */
+/* POV-Ray multiplies row vectors: VisualScheme's columns are its rows. The translation is in model units. */
 static void pov_matrix(vs_emitter *e, const vs_affine *a) {
   vs_puts(e->out, "matrix <");
   for (int column = 0; column < 4; column++)
@@ -89,7 +88,7 @@ static vs_emit_status pov_sphere(vs_emitter *e, vs_vec3 center, double radius) {
   return pov_finish(e, pov_write_comma(to, radius * e->unit));
 }
 
-/* A number of facets that the model asks for is part of the shape: then it is these facets, not the round thing. */
+/* A number of facets that the model sets is part of the shape, which is then these facets, not the round object. */
 vs_emit_status vs_povray_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_sphere *s = VS_AS(sphere, ref->node);
@@ -112,7 +111,7 @@ vs_emit_status vs_povray_cylinder(vs_emitter *e, const vs_ref *ref, vs_phase pha
 }
 
 static vs_emit_status pov_cone(vs_emitter *e, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius) {
-  /* POV-Ray's cone takes no equal radii */
+  /* POV-Ray's cone refuses equal radii. */
   if (base_radius == top_radius) return pov_cylinder(e, base, top, base_radius);
   char *to = POV_BEGIN(e, "cone { ");
   if (to == NULL) return VS_FAILED;
@@ -142,7 +141,7 @@ vs_emit_status vs_povray_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase
   vs_affine place = vs_frame_on_axis(c->base, axis),
             wide = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, c->base_across / c->base_radius, 1));
   place = vs_affine_multiply(&place, &wide);
-  bool equal = c->base_radius == c->top_radius; /* POV-Ray's cone takes no equal radii */
+  bool equal = c->base_radius == c->top_radius; /* POV-Ray's cone refuses equal radii */
   pov_open(e, equal ? "cylinder { <0, 0, 0>" : "cone { <0, 0, 0>");
   if (!equal) pov_comma(e, c->base_radius * e->unit);
   pov_comma_point(e, vs_v3(0, 0, vs_v3_length(axis) * e->unit));
@@ -152,8 +151,8 @@ vs_emit_status vs_povray_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return pov_close(e, " }\n");
 }
 
-/* POV-Ray's exponents are ours. Outside these bounds its solver leaves holes: then the triangles that every format
- * gets. */
+/* POV-Ray's exponents have the same meaning. Outside these bounds its solver leaves holes: the object is then the
+ * triangles of other formats. */
 vs_emit_status vs_povray_superellipsoid(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_superellipsoid *s = VS_AS(superellipsoid, ref->node);
@@ -179,7 +178,7 @@ vs_emit_status vs_povray_torus(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return pov_close(e, " }\n");
 }
 
-/* Inside a plane of POV-Ray's is what its normal points away from. */
+/* The inside of POV-Ray's plane is the side away from its normal. */
 vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_half_space *h = VS_AS(half_space, ref->node);
@@ -192,8 +191,8 @@ vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase p
 
 /* ---- curves and regions ---- */
 
-/* The radius of a curve at one of its points. Where a template is written its places are not known: as thick as at
- * the drawing's far end. */
+/* Returns the radius of a curve at one of its points. In a template the places are unknown: the radius is that at the
+ * drawing's far end. */
 static double pov_pen_radius(const vs_emitter *e, vs_vec3 p) {
   double depth = vs_v3_dot(vs_v3_sub(vs_affine_point(&e->placement, p), e->pen.eye), e->pen.forward);
   double size = cbrt(fabs(vs_affine_determinant(&e->placement)));
@@ -219,14 +218,14 @@ vs_emit_status vs_povray_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) 
     if (i < pieces && vs_v3_length(vs_v3_sub(b, a)) > 1e-6 * here) pov_cone(e, a, here, b, next);
     here = next;
   }
-  if (count == 1) pov_sphere(e, l->points->at[0], first); /* a union of one is a warning */
+  if (count == 1) pov_sphere(e, l->points->at[0], first); /* POV-Ray warns about a union of one */
   e->depth--;
   pov_open(e, "}\n");
   return pov_close(e, "");
 }
 
-/* The loops of an outline as flat points of its own plane, each loop closed by its first point; comma before all but
- * the first. */
+/* The loops of an outline as points of its own plane, each closed by its first point; a comma before all but the
+ * first. */
 static size_t pov_loop_points(const vs_outline *o) {
   size_t count = 0;
   for (size_t i = 0; i < o->count; i++) count += o->loops[i].count + 1;
@@ -265,8 +264,8 @@ vs_emit_status vs_povray_region(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return pov_close(e, "");
 }
 
-/* Where every loop is straight lines, the walls are planes and a prism shows them; round walls are better as shaded
- * triangles. */
+/* Returns true if every loop consists of straight lines: a prism then shows the walls, which are planes. Round walls
+ * are better as shaded triangles. */
 static bool pov_is_straight(const vs_node *profile) {
   while (profile->kind == VS_TRANSFORM || vs_node_is_wrapper(profile)) profile = profile->children[0].node;
   if (profile->kind == VS_LINE) return true;
@@ -276,7 +275,7 @@ static bool pov_is_straight(const vs_node *profile) {
   return true;
 }
 
-/* A circle in the XY plane, bare or as the one curve of a region. */
+/* Returns a circle in the XY plane, bare or as the one curve of a region; NULL: it is none. */
 static const struct vs_circle *pov_circle(const vs_node *profile) {
   if (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
   return profile->kind == VS_CIRCLE && VS_AS(circle, profile)->segments == 0 ? VS_AS(circle, profile) : NULL;
@@ -298,8 +297,8 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   if (!vs_region_outline(n->children[0].node, &e->facets, &o, e->error)) return VS_FAILED;
   vs_affine plane = vs_frame_on_axis(o.point, o.normal), back;
   if (o.count > 0 && vs_affine_invert(&plane, &back)) {
-    /* A prism's profile lies in x and z and rises along y: its x, y, z go to the plane's first axis, the way along, the
-     * second axis. */
+    /* A prism's profile lies in x and z and rises along y: its x, y, z become the plane's first axis, the direction of
+     * the extrusion, the second axis. */
     vs_affine place = plane;
     const double along[] = { x->along.x, x->along.y, x->along.z }, from[] = { start.x, start.y, start.z };
     for (int row = 0; row < 3; row++) {
@@ -318,8 +317,8 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   return pov_close(e, "");
 }
 
-/* A whole turn of one straight-edged loop: a lathe, whose profile is x and y and turns about y. Round profiles are
- * better as shaded triangles. */
+/* Writes a full turn of one loop of straight edges as a lathe, whose profile is x and y and turns about y. Round
+ * profiles are better as shaded triangles. */
 vs_emit_status vs_povray_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const vs_node *n = ref->node;
@@ -371,8 +370,8 @@ vs_emit_status vs_povray_transform(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return pov_close(e, "");
 }
 
-/* Paint goes to what has none yet: POV-Ray hands the material of a compound down to bare parts, and puts a second one
- * on top of a first. */
+/* Paint applies to parts without paint: POV-Ray passes the material of a compound down to bare parts, and puts a second
+ * material on top of a first. */
 vs_emit_status vs_povray_material(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   if (phase == VS_PHASE_ENTER) {
     pov_open(e, "object {\n");
@@ -393,7 +392,7 @@ vs_emit_status vs_povray_layer(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return pov_close(e, "");
 }
 
-/* Text that begins with one of these words says how the child looks; any other is an object in the child's place. */
+/* Returns true if the text begins with a word of the child's look; any other text is an object in the child's place. */
 static bool pov_is_look(const char *text) {
   static const char *const words[] = { "texture",  "pigment", "normal",    "finish", "interior",
                                        "material", "photons", "no_shadow", "hollow" };
@@ -410,7 +409,7 @@ vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase
   const char *code = VS_AS(native, ref->node)->code;
   bool look = pov_is_look(code);
   if (phase == VS_PHASE_ENTER) {
-    if (look && e->child_count == 0) return VS_WHOLE; /* nothing to be looked at */
+    if (look && e->child_count == 0) return VS_WHOLE; /* the child is empty */
     pov_open(e, "object {\n");
     if (look) return pov_close(e, "");
   }
@@ -429,13 +428,13 @@ vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase
 vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   const vs_node *n = ref->node;
   if (phase == VS_PHASE_LEAVE) {
-    /* Where a bare cutter cuts something painted, the cut face shows what was cut. The operands of a difference must be
-     * painted all over: POV-Ray shows the bare parts of a difference with cutaway_textures in black. */
+    /* If a bare cutter cuts a painted solid, the cut face has the solid's paint. The operands of a difference must be
+     * painted everywhere: POV-Ray shows the bare parts of a difference with cutaway_textures in black. */
     bool whole = n->kind != VS_DIFFERENCE || !vs_emit_is_bare(e, n->children[0].node);
     if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n))
       pov_open(e, "  cutaway_textures\n");
-    /* POV-Ray tries the parts of a difference for every ray unless they are bounded by hand; what is intersected with a
-     * box lies in it */
+    /* POV-Ray tests the parts of a difference for every ray, unless the text bounds them; an intersection with a box
+     * lies in it. */
     if (n->kind == VS_INTERSECTION && e->in_boolean && n->children[0].node->kind == VS_BOX) {
       const struct vs_box *b = VS_AS(box, n->children[0].node);
       vs_vec3 more = vs_v3_scale(vs_v3_sub(b->q, b->p), 1e-4);
@@ -465,7 +464,7 @@ bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) 
 bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   (void)ref;
   pov_indent(e);
-  bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* which has opened the object */
+  bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* the placement has opened the object */
   return vs_puts(e->out, placed ? "T" : "object { T") && vs_emit_put_template_number(e, id) &&
          vs_puts(e->out, placed ? "\n" : " }\n");
 }

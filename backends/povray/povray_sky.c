@@ -14,7 +14,7 @@ vs_povray_daylight vs_povray_daylight_of(const vs_scene *scene, vs_vec3 sun, dou
   const double pi = 3.14159265358979323846, grey = 0.3;
   double altitude = asin(fmax(-1, fmin(1, sun.z))) * 180 / pi;
   vs_povray_daylight d = { .sky = vs_sky_light_of(scene->turbidity, sun), .per_candela = strength * 1e-4 };
-  /* A white surface square to a light of 1 has the number 1: its luminance is the illuminance over pi. */
+  /* A white surface perpendicular to a light of 1 has the number 1: its luminance is the illuminance over pi. */
   double per_lux = d.per_candela / pi;
   vs_vec3 level = vs_sky_light_level(&d.sky);
   d.sun = vs_v3_scale(vs_sky_light_sun(scene->turbidity, altitude), per_lux);
@@ -23,8 +23,8 @@ vs_povray_daylight vs_povray_daylight_of(const vs_scene *scene, vs_vec3 sun, dou
   return d;
 }
 
-/* The greatest number of red, green and blue, which a pigment's map must reach. It lies at the horizon or near the sun,
- * between which the grid is fine enough to miss a few per cent of it at most: the margin is a tenth. */
+/* Returns the greatest number of red, green and blue, which a pigment's map must reach. It is at the horizon or near
+ * the sun; between these the grid is fine enough to miss a few per cent of it at most. The margin is a tenth. */
 static double brightest(const vs_povray_daylight *d) {
   vs_vec3 c = vs_sky_light_at(&d->sky, d->sky.sun);
   double most = fmax(c.x, fmax(c.y, c.z));

@@ -1,6 +1,6 @@
 /* Owns the making of a picture by POV-Ray: its runs by the plan (povray_plan.c), as many at a time as there are
- * processors, their progress as one, the end of all where one fails or time is over, and what they share: the private
- * folder and the samples of bounced light. */
+ * processors, their progress as one, the end of all runs when one fails or time is over, and their common data: the
+ * private folder and the samples of bounced light. */
 #define _GNU_SOURCE
 #include "backends/povray/povray_worker.h"
 
@@ -24,11 +24,10 @@
 enum { AT_ONCE = 64, STARTS = 5, NAME_ROOM = VS_POVRAY_PATH_ROOM + 40, WORDS = 24 };
 /* A first pass takes about half as long as the strips. */
 static const double pass_share = 0.35;
-/* A picture whose white lies so many stops below 1 has samples of too few digits in their file: four after the
- * point. */
+/* If white is so many stops below 1, the samples in the file have too few digits: it has four after the point. */
 static const double darkest = 5;
-/* This many times its size away from the origin, a drawing's samples have too few digits for their places: six in
- * all. */
+/* If a drawing is farther from the origin than so many times its size, the positions of samples have too few digits:
+ * they have six in all. */
 static const double farthest = 50;
 
 typedef struct {
@@ -37,7 +36,7 @@ typedef struct {
   const char *scene;
   uint64_t scene_size;
   double begun, told;    /* seconds, by the clock */
-  double done, share;    /* of the whole: what is done, and what the runs under way are together */
+  double done, share;    /* of the whole: the fraction done, and that of the current runs together */
   vs_povray_plan plan;
 } pov_work;
 
@@ -57,7 +56,7 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* ---- what a run is told ---- */
+/* ---- the arguments of a run ---- */
 
 typedef struct { char *at[WORDS]; size_t count, used; char text[4 * NAME_ROOM + 512]; } words;
 
@@ -70,7 +69,7 @@ __attribute__((format(printf, 2, 3))) static void word(words *w, const char *for
   w->used += (size_t)length + 1;
 }
 
-/* A file of the folder as POV-Ray takes it: it divides every argument at blanks and quotes once more. */
+/* Adds a file of the folder as an argument. POV-Ray divides every argument at blanks and quotes once more. */
 static void file_word(words *w, const char *option, const char *folder, const char *name, const char *ending) {
   char quote = strchr(folder, '"') ? '\'' : '"';
   word(w, "%s%c%s/%s%s%c", option, quote, folder, name, ending, quote);
@@ -87,12 +86,12 @@ static void words_of(const pov_work *work, const vs_povray_job *job, words *w) {
   word(w, "+WT%u", job->threads);
   static const char *const usual[] = { "+FE", "-D", "-GD", "-GR", "-GS" };
   for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) word(w, "%s", usual[i]);
-  /* the first and the last column and row, counted from 1; a last one that is 1 means all to POV-Ray */
+  /* The first and the last column and row, counted from 1; POV-Ray reads a last one of 1 as the whole. */
   if (p->left > 0) word(w, "+SC%u", p->left + 1);
   if (p->top > 0) word(w, "+SR%u", p->top + 1);
   if (p->left + p->columns < job->columns) word(w, "+EC%u", p->left + p->columns);
   if (p->top + p->rows < job->rows) word(w, "+ER%u", p->top + p->rows);
-  /* Jitter, which POV-Ray has unless it is told, makes dots of upright edges; without it they are even at no cost. */
+  /* Jitter, which is POV-Ray's default, makes dots of vertical edges; without it they are even at no cost. */
   if (!job->smooth || quality == VS_RENDER_DRAFT) {
     word(w, "-A");
   } else {
@@ -124,7 +123,7 @@ static bool crew_start(pov_work *work, pov_crew *c, size_t slot) {
 
 static double job_pixels(const vs_povray_job *job) { return (double)job->part.columns * job->part.rows; }
 
-/* Starts what there is room for. */
+/* Starts as many runs as there is room for. */
 static bool crew_fill(pov_work *work, pov_crew *c) {
   for (size_t i = 0; i < c->room && c->next < c->count; i++) {
     if (c->at[i].process > 0) continue;
@@ -135,7 +134,7 @@ static bool crew_fill(pov_work *work, pov_crew *c) {
   return true;
 }
 
-/* Listens a moment. Returns how many run. */
+/* Reads the runs' output for a moment. Returns the number that run. */
 static size_t crew_hear(pov_crew *c) {
   struct pollfd wait[AT_ONCE];
   size_t of[AT_ONCE], talking = 0, running = 0;
@@ -152,7 +151,7 @@ static size_t crew_hear(pov_crew *c) {
   return running;
 }
 
-/* Judges those that have ended. */
+/* Judges the runs that have ended. */
 static bool crew_take(pov_work *work, pov_crew *c) {
   int status = 0;
   bool ok = true;
@@ -163,14 +162,14 @@ static bool crew_take(pov_work *work, pov_crew *c) {
       ok = crew_start(work, c, i);
       continue;
     }
-    /* an interrupt may have ended it before us */
+    /* an interrupt may have ended POV-Ray first */
     ok = vs_emit_progress(work->e, "rendering", work->done) && vs_povray_judge(work->e, p, status);
     c->finished += job_pixels(&c->jobs[c->of[i].job]);
   }
   return ok;
 }
 
-/* Says how far the work is, ten times a second; false: it is to stop, and the error is set. */
+/* Reports the progress, ten times a second; false: the work must stop, and the error is set. */
 static bool crew_tell(pov_work *work, const pov_crew *c) {
   double at = now(), limit = work->e->options->worker_seconds, pixels = c->finished;
   if (limit > 0 && at - work->begun > limit)
@@ -182,7 +181,7 @@ static bool crew_tell(pov_work *work, const pov_crew *c) {
   return vs_emit_progress(work->e, "rendering", work->done + work->share * fmin(1, pixels / c->pixels));
 }
 
-/* Runs the jobs. share: of all the work. */
+/* Runs the jobs. share: their fraction of all the work. */
 static bool work_do(pov_work *work, const vs_povray_job *jobs, size_t count, double share) {
   vs_store *store = work->e->scene->store;
   size_t room = vs_povray_at_once(work->e->options, jobs, work->scene_size);
@@ -202,7 +201,7 @@ static bool work_do(pov_work *work, const vs_povray_job *jobs, size_t count, dou
   return ok;
 }
 
-/* ---- what runs share ---- */
+/* ---- data that runs share ---- */
 
 static void name_of(const pov_work *work, const char *name, const char *ending, char out[NAME_ROOM]) {
   snprintf(out, NAME_ROOM, "%s/%s%s", work->folder, name, ending);
@@ -229,7 +228,7 @@ static bool append(int to, const char *path) {
   return count == 0;
 }
 
-/* Puts the samples of the first pass together, and takes their files away. */
+/* Joins the samples of the first pass, and removes their files. */
 static bool join_samples(const pov_work *work) {
   char path[NAME_ROOM], part[NAME_ROOM];
   name_of(work, "samples", ".rca", path);
@@ -264,7 +263,7 @@ static bool work_prepare(pov_work *work) {
 
 /* ---- the picture ---- */
 
-/* Do the places of samples have digits enough? */
+/* Returns true if the positions of samples have too few digits, since the drawing is far from the origin. */
 static bool is_far(const vs_emitter *e) {
   double away = 0;
   const double at[] = { e->bounds.min.x, e->bounds.min.y, e->bounds.min.z,
@@ -273,8 +272,8 @@ static bool is_far(const vs_emitter *e) {
   return away > farthest * vs_bounds_diagonal(&e->bounds);
 }
 
-/* Makes all that the plan says; *tone gets the exposure that the first pass asks for. A picture that it finds too dark
- * is planned anew, as one run. */
+/* Makes everything in the plan; *tone gets the exposure of the first pass. A picture that it finds too dark is planned
+ * anew, as one run. */
 static bool work_all(pov_work *work, vs_tone *tone) {
   vs_povray_plan *p = &work->plan;
   double stops = 0, dark = 0;

@@ -4,7 +4,7 @@
 
 #include "backends/povray/povray_materials.h"
 
-/* The worker. */
+/* The functions that run POV-Ray on a scene. */
 bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output);
 bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output);
 
