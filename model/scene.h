@@ -109,8 +109,8 @@ bool vs_scene_add_lamp(vs_scene *scene, const vs_scene_lamp *lamp); /* false: ou
 bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* false: out of memory */
 /* Returns the view of that name, or NULL. */
 const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name);
-/* Returns the default view of a picture: the first that is a perspective or an axonometry, else the first; NULL if the
- * program set the camera, or named no view. */
+/* Returns the default view of a picture: the first that is a perspective, a panorama or an axonometry, else the first;
+ * NULL if the program set the camera, or named no view. */
 const vs_scene_view *vs_scene_own_view(const vs_scene *scene);
 /* Sets the scene's camera to that of the view; the caller makes the view's cut. */
 void vs_scene_look(vs_scene *scene, const vs_scene_view *view);

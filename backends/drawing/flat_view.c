@@ -445,8 +445,8 @@ static bool is_covered(const seen *s, vs_vec3 p) {
   return false;
 }
 
-/* Finds the labels of the view. A cut removes the labels beyond it, and elevations and sections show only labels whose
- * position is visible: a room's name does not appear on the front of the house. */
+/* Finds the labels of the view. A cut removes the labels beyond it. Elevations and sections show only labels whose
+ * position is visible, unless the label names its view: a room's name does not appear on the front of the house. */
 static bool find_labels(seen *s) {
   const vs_scene *scene = s->e->scene;
   vs_flat_view *v = s->v;

@@ -33,7 +33,7 @@ static bool fits(const vs_emitter *e, const vs_flat_view *v, const vs_scene_note
   return false;
 }
 
-/* Writes a length of the model as text: metres and feet with two decimals, smaller units unchanged. */
+/* Writes a length of the model as text: metres and feet with two decimals, smaller units with at most four digits. */
 static void length_text(const vs_emitter *e, double length, char *text, size_t room) {
   bool fine = vs_drawing_unit(e->scene) < 100;
   snprintf(text, room, fine ? "%.4g" : "%.2f", fine ? round(length * 10) / 10 : length);

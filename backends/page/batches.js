@@ -57,8 +57,8 @@ function edgesOf(g) {
 }
 
 // Returns the mean distance of the lines on a geometry: its area divided by their length. Curves always show. A plain
-// form's few lines show up to a third of that distance, since only they distinguish it from its background. Without
-// fading, a tree's distant leaves would be black.
+// form's few lines count as three times as far apart, and so fade later, since only they distinguish it from its
+// background. Without fading, a tree's distant leaves would be black.
 const FEW_LINES = 100;
 function spacingOf(g) {
   if (g.lines) return 1e30;
