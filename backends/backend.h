@@ -170,7 +170,7 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
             [VS_INTERSECTION] = { boolean, NULL },                                                                     \
             [VS_DIFFERENCE] = { boolean, NULL } }
 
-/* ---- what emit functions may call ---- */
+/* ---- functions that emit functions call ---- */
 bool vs_emit_fail(vs_emitter *e, const vs_ref *ref,
                   const char *message); /* Reports a fault of the model at the reference; returns false. */
 bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref,

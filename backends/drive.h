@@ -51,7 +51,7 @@ struct vs_drive {
   drive_frame *frames;
   size_t frame_count, frame_room;
   bool operation[VS_KIND_COUNT]; /* kinds that are always operations */
-  bool brief[VS_KIND_COUNT]; /* kinds with a text as short as a template's use, unless facets are asked for */
+  bool brief[VS_KIND_COUNT]; /* kinds with a text as short as a template's use, unless the number of facets is set */
   size_t facets_at[VS_KIND_COUNT]; /* the position of the facets in the kind's data; SIZE_MAX: it has none */
   vs_reuse_line *lines;
   size_t line_count, line_room;

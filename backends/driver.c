@@ -22,7 +22,7 @@
 #include "model/store/cache.h"
 #include "model/tally.h"
 
-/* ---- what emit functions may call ---- */
+/* ---- functions that emit functions call ---- */
 
 bool vs_emit_grow(vs_emitter *e, void *array, size_t *room, size_t need, size_t size) {
   return vs_store_grow(e->scene->store, array, room, need, size) || vs_emit_no_memory(e);
@@ -264,7 +264,7 @@ static void drive_plan_carved(vs_emitter *e) {
   for (size_t i = d->order_count; i-- > 0;) {
     const drive_entry *entry = &d->entries[d->order[i]];
     const vs_node *n = entry->ref.node;
-    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue; /* no emit function asks about nodes
+    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue; /* no emit function needs the mark of nodes
                                                                               * below */
     if (!entry->carved && n->kind != VS_INTERSECTION && n->kind != VS_DIFFERENCE) continue;
     for (uint32_t k = 0; k < n->child_count; k++) {
