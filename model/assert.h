@@ -1,9 +1,8 @@
-/* Owns VS_ASSERT(condition): a condition that holds whatever a model says, so that a program that breaks it has a
- * fault.
+/* Owns VS_ASSERT(condition): a condition that holds for every model, so that only a fault of the program breaks it.
  *
- * VS_DEBUG turns it on: whatever the Makefile builds for tests has it. Otherwise the condition is compiled and not
- * evaluated. Where it is false, the place and the condition are printed and the process aborts. A mistake that a user,
- * a file or a library may make is not asserted but answered with an error. */
+ * VS_DEBUG turns it on; the Makefile's builds for tests have it. Otherwise the condition is compiled and not evaluated.
+ * A false condition prints itself and its place, and aborts the process. A mistake that a user, a file or a library may
+ * make is not asserted: it is answered with an error. */
 #ifndef VS_MODEL_ASSERT_H
 #define VS_MODEL_ASSERT_H
 
