@@ -80,7 +80,7 @@ struct vs_emitter {
   bool in_boolean;     /* inside an intersection or a difference */
   bool carved;         /* at VS_PHASE_ENTER: the node occurs in an intersection or difference, here or elsewhere in the
                         * drawing */
-  /* The material and the placement that the operations from the root down to this node add up to. */
+  /* The material and the placement of this node, by all operations above it. */
   const vs_material *material; /* or NULL */
   vs_affine placement;
   vs_bounds reach;     /* in the coordinates of the current output: the space in which a half-space must be exact */

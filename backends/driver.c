@@ -1,10 +1,11 @@
 /* Owns the way from a drawing to calls of a back-end's emit functions: planning, walking without recursion, lowering
  * once.
  *
- * Plan: one pass over the distinct nodes, children first, finds the nodes that draw nothing (`vain`), the number of
- * references to each node in the text (`uses`) and the depth of nesting of its text (`height`). Leaves with one owner
- * have no entry: a million boxes cost nothing here. Templates are the entries with several uses, and those at which the
- * text reaches the depth VS_DEPTH_MAX. They keep the order of the plan, so a template follows those that it uses.
+ * Plan: one pass over the distinct nodes, children first, finds the nodes that draw nothing (`vain`). It also counts
+ * the references to each node in the text (`uses`) and the levels of nesting in its text (`height`). Leaves with one
+ * owner have no entry: a million boxes cost nothing here. Templates are the entries with several uses, and those at
+ * which the text reaches the depth VS_DEPTH_MAX. They keep the order of the plan, so a template follows those that it
+ * uses.
  *
  * Walk: a stack of frames, one for each open operation. */
 #include <float.h>

@@ -1,5 +1,6 @@
 /* Owns the shapes that a format writes once for many places: unit forms by their facets in a full turn, and the
- * triangles of a node relative to their own centre, since a viewer's 32-bit numbers are finest near zero. */
+ * triangles of a node. The triangles are relative to their own centre, since a viewer's 32-bit numbers are finest near
+ * zero. */
 #ifndef VS_BACKENDS_SHARED_SHAPES_H
 #define VS_BACKENDS_SHARED_SHAPES_H
 

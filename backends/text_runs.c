@@ -1,8 +1,8 @@
 /* Owns the runs of a drawing whose text is kept: their beginnings and ends, and the keys by which their text is found.
  *
  * A run is several neighbours in one operation, in the drawing, or a template's body. Weights, which are about the
- * number of shapes, decide its length, and the hash of its last node decides its end: after an insertion or a removal,
- * the runs soon end at the same nodes as before. The search goes into a node that is too heavy for a run.
+ * number of shapes, decide its length, and the hash of its last node decides its end. Therefore, after an insertion or
+ * a removal, the runs soon end at the same nodes as before. The search goes into a node that is too heavy for a run.
  *
  * The key has, in the order of the walk, the kind and numbers of each node, and the positions of the run's templates
  * and paints. Before them it has all members of the emitter that emit functions read. If sets of regions are written as

@@ -34,7 +34,7 @@ vs_bounds vs_mesh_placed_bounds(const vs_mesh *m, const vs_affine *a); /* of all
 /* Returns true if every directed edge has its opposite, by index; *ok false: out of memory. */
 bool vs_mesh_closed(const vs_mesh *m, bool *ok);
 void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* in place; reverses the triangles if the map mirrors */
-/* Transforms the vertices and triangles from those indices on. Both are at most m's counts. */
+/* Transforms the vertices from first_vertex and the triangles from first_triangle. Both are at most m's counts. */
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle);
 void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* removes the triangles with gone[i] not 0; corners remain */
 /* Reverses the triangles from first_triangle on, which is at most m's count. */

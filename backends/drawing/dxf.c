@@ -29,9 +29,9 @@ static void code_handle(vs_writer *w, int number, unsigned handle) { vs_putf(w, 
 
 enum { DXF_CHARACTER = 12, DXF_LINE = 250 /* bytes of text on a line; a longer text is an MTEXT */ };
 
-/* Spells the character at *text in the manner of that DXF version, into `as`: a character beyond ASCII as \U+00E9,
- * which has room for four digits; a caret is an escape, and a backslash before U+ or M+ would begin one. Returns the
- * number of bytes; *text moves to the next character. */
+/* Spells the character at *text as that DXF version does, into `as`. A character beyond ASCII becomes \U+00E9, which
+ * has room for four digits. A caret is an escape, and a backslash before U+ or M+ would begin one. Returns the number
+ * of bytes; *text moves to the next character. */
 static size_t text_character(const char **text, char as[DXF_CHARACTER]) {
   enum { ENOUGH = 16 }; /* bytes, enough for any character */
   char spelled[VS_SPELLED_ROOM + 1];

@@ -1,7 +1,7 @@
 /* Owns the notes of a drawing: dimensions, labels, levels, axes, and the ground's line in elevations and sections.
  *
- * A note appears in the views where it is true: a dimension where its length is unshortened, a level where heights are
- * visible, an axis on plans, and as an upright line where the view looks along it. Dimensions are next to the model;
+ * A note appears only in the views where it is true. A dimension needs an unshortened length, a level a view with
+ * heights. An axis appears on plans, and as an upright line in views along it. Dimensions are next to the model;
  * outside them are the levels on the left and the axes' circles below. */
 #include <math.h>
 #include <stdio.h>

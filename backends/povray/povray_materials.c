@@ -1,8 +1,8 @@
 /* Owns materials as POV-Ray textures: colour, finish, interior, and the patterns of patterns.def at their real size.
  *
  * A pattern is either solid (noise through space, for patterns without direction) or lies on faces. The latter is a
- * pigment in the plane of x and z, which is laid on each face by its normal: on floors along x and y, on walls upright,
- * with walls in eight directions, so that a unit's width on walls between them is at most 8 percent off (cos 22.5
+ * pigment in the plane of x and z, which is laid on each face by its normal: on floors along x and y, on walls upright.
+ * It distinguishes eight directions of walls. On walls between them a unit's width is at most 8 percent off (cos 22.5
  * degrees). A picture is in the plane of x and y, and is laid on faces by the directions of model/looks/picture.h. */
 #include <math.h>
 
@@ -243,9 +243,9 @@ static void put_face_pigment(vs_emitter *e, const vs_material *m) {
 
 /* ---- pictures ---- */
 
-/* VS_Laid turns the picture P to the faces of a tilt and an azimuth; VS_Side distinguishes the azimuths of a half turn
- * (S is 1 for those north of it and -1 for the others), and VS_Picture the tilts. Numbers of a slope are (1 + cosine) /
- * 2. Each distinguishes half the steps of a turn, as in model/looks/picture.c. */
+/* VS_Laid turns the picture P to the faces of a tilt and an azimuth. VS_Side distinguishes the azimuths of a half turn;
+ * S is 1 for those north of it and -1 for the others. VS_Picture distinguishes the tilts. Numbers of a slope are (1 +
+ * cosine) / 2. Each distinguishes half the steps of a turn, as in model/looks/picture.c. */
 static const char picture_helpers[] =
     "#ifndef (VS_Step)\n"
     "#declare VS_Step = 22.5;\n"

@@ -1,11 +1,11 @@
 /* Owns triangles as POV-Ray's text: meshes, and the solids that pictures get as triangles.
  *
- * POV-Ray tests the operands of a difference or an intersection separately, and for each point where a ray meets one,
- * whether it lies in all the others: a wall with many openings, or a hall under vaults, takes most of a picture's time.
- * A mesh has its own tree of boxes. Therefore in pictures (not in a .pov, which people read and change) the kernel
- * combines such a solid, as finely as the picture shows, with smooth shading if its parts are round. vs_povray_solid
- * chooses the solids. It omits glass, which refracts light; patterns that were moved with their parts; text of the
- * user; and few parts, most of which a ray misses.
+ * POV-Ray tests the operands of a difference or an intersection separately. For each point where a ray meets one, it
+ * tests whether the point lies in all the others. A wall with many openings, or a hall under vaults, therefore takes
+ * most of a picture's time. A mesh has its own tree of boxes. Therefore the kernel combines such a solid for pictures,
+ * but not for a .pov, which people read and change. The mesh is as fine as the picture shows, with smooth shading if
+ * its parts are round. vs_povray_solid chooses the solids. It omits glass, which refracts light; patterns that were
+ * moved with their parts; text of the user; and few parts, most of which a ray misses.
  *
  * Triangles take part in CSG by their inside_vector. */
 #include <math.h>

@@ -374,11 +374,11 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
   return fmax(sqrt(square), least) * 2 * pov_half_width(l) / width;
 }
 
-/* Returns the height of chords as a fraction of the drawing's tolerance: an eighth of a pixel at the nearest point of
- * the drawing, but no coarser than the tolerance, and sixteen times as fine at most. Half a pixel would suffice for
- * outlines. But where a round surface turns from the sun, each facet darkens as a whole as soon as its own plane does,
- * though the shading has not reached that point. This makes steps of a facet's width and of half its angle's light,
- * which half a pixel leaves clearly visible. A limit of triangles concerns the model, not these finer facets. */
+/* Returns the height of chords as a fraction of the drawing's tolerance. The height is an eighth of a pixel at the
+ * nearest point of the drawing, but at most the tolerance, and at least a sixteenth of it. Half a pixel would suffice
+ * for outlines. But where a round surface turns from the sun, each facet darkens as a whole as soon as its own plane
+ * does, though the shading has not reached that point. This makes steps of a facet's width and of half its angle's
+ * light, which half a pixel leaves clearly visible. A limit of triangles concerns the model, not these finer facets. */
 static double pov_chord(const vs_emitter *e, double pixel) {
   if (e->options->mesh_triangles > 0) return 1;
   return fmin(1, fmax(1. / 16, pixel / 8 / e->unit / e->drawing_facets.tolerance));

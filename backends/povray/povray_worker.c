@@ -1,6 +1,6 @@
-/* Owns the making of a picture by POV-Ray: its runs by the plan (povray_plan.c), as many at a time as there are
- * processors, their progress as one, the end of all runs when one fails or time is over, and their common data: the
- * private folder and the samples of bounced light. */
+/* Owns the making of a picture by POV-Ray. Starts the runs of the plan (povray_plan.c), as many at a time as there are
+ * processors, and reports their progress as one. Ends all runs when one fails or time is over. Keeps their common data:
+ * the private folder and the samples of bounced light. */
 #define _GNU_SOURCE
 #include "backends/povray/povray_worker.h"
 
@@ -123,7 +123,7 @@ static bool crew_start(pov_work *work, pov_crew *c, size_t slot) {
 
 static double job_pixels(const vs_povray_job *job) { return (double)job->part.columns * job->part.rows; }
 
-/* Starts as many runs as there is room for. */
+/* Starts runs in all free slots. */
 static bool crew_fill(pov_work *work, pov_crew *c) {
   for (size_t i = 0; i < c->room && c->next < c->count; i++) {
     if (c->at[i].process > 0) continue;
