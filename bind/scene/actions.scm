@@ -1,7 +1,8 @@
-; Actions: what is done with every node of a tree in turn, and picking. After nodes.scm. Names that begin with % are not visible to programs. Compiled
-; into the binary when it is built.
+; Actions: calls for every node of a tree in turn; and picking. After nodes.scm. Names that begin with % are hidden from
+; programs. Compiled into the binary when it is built.
 ;
-; An action is a name. A node takes part in those that it has a procedure for; a type gives its nodes theirs when they are made.
+; An action is a name. It calls the procedures that nodes have for it; a type gives these to its nodes when they are
+; made.
 
 (define %frame-actions '(update draw finish))
 
@@ -23,7 +24,7 @@
   (%need-node 'action-apply 'node node)
   (%apply-action action node arguments))
 
-; Does a frame: each action goes through the whole tree before the next begins. seconds: since the last frame.
+; Runs a frame: each action goes through the whole tree before the next begins. seconds: since the last frame.
 (define (node-frame [seconds any? 0])
   (if (not (and (real? seconds) (finite? seconds) (>= seconds 0))) (error 'node-frame "seconds must be a number of 0 or more, got ~s" seconds))
   (for-each
@@ -35,8 +36,9 @@
 
 ; ---- picking ----
 
-; Where the ray meets a node itself: ((distance . d) (point . p) (node . n) (path . nodes) (place . (file line column))), or #f.
-; A node whose host draws it otherwise has a procedure for the action intersect, which knows.
+; Returns the ray's hit on a node itself: ((distance . d) (point . p) (node . n) (path . nodes) (place . (file line
+; column))), or #f. A node that its host draws in another way has a procedure for the action intersect, which returns
+; the hit.
 (define (%pick-in node path matrix from direction)
   (let loop ((objects (%own-drawing node)) (best (%own-hit node from direction)))
     (if (pair? objects)
@@ -49,7 +51,7 @@
                    (cons 'path (reverse path))
                    (cons 'place (cdr best)))))))
 
-; (distance . #f), or #f.
+; Returns (distance . #f), or #f.
 (define (%own-hit node from direction)
   (let* ((f (and (%node-actions node) (hash-ref (%node-actions node) 'intersect #f))) (d (and f (f node from direction))))
     (if (and d (not (and (real? d) (finite? d) (>= d 0))))
@@ -71,13 +73,13 @@
   (if (not (and (point? from) (finite? (cx from)) (finite? (cy from)) (finite? (cz from)))) (error who "from must be a point of finite coordinates, got ~s" from))
   (if (not (and (gvector? direction) (< 0 (vlength direction) +inf.0))) (error who "direction must be a gvector longer than 0, got ~s" direction)))
 
-; All nodes from this one on whose own drawing the ray meets, nearest first.
+; Returns all nodes from this one on whose own drawing the ray meets, nearest first.
 (define (node-intersect from direction [node any? #f])
   (%need-ray 'node-intersect from direction)
   (if node (%need-node 'node-intersect 'node node))
   (%picked from (unitize direction) (or node (%root))))
 
-; The nearest of them is selected: the event tells of it, and its own procedure for the action pick is called.
+; Selects the nearest of them: emits the event, and calls the node's own procedure for the action pick.
 (define (node-pick from direction [node any? #f])
   (%need-ray 'node-pick from direction)
   (if node (%need-node 'node-pick 'node node))

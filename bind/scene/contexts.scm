@@ -1,19 +1,19 @@
-; Contexts: each node may have a program of its own, in an environment of its own, over the one heap. After actions.scm. Names that begin with % are not
-; visible to programs. Compiled into the binary when it is built.
+; Contexts: each node may have its own program with its own environment, in the one heap. After actions.scm. Names that
+; begin with % are hidden from programs. Compiled into the binary when it is built.
 
 (define (node-environment node)
   (%need-node 'node-environment 'node node)
   (or (%node-program node)
       (begin (%set-node-program! node (%new-program)) (%node-program node))))
 
-; The expression is evaluated in the node's environment, with the node as the focus: what it draws is the node's.
+; Evaluates the expression in the node's environment, with the focus on the node: its drawing becomes the node's.
 (define (node-eval node expression)
   (%need-node 'node-eval 'node node)
   (let ((value #f) (environment (node-environment node)))
     (%with-node node (lambda () (set! value (eval expression environment))))
     value))
 
-; A name that the node's program has defined.
+; Returns the value of a name that the node's program has defined.
 (define (node-ref node name)
   (%need-node 'node-ref 'node node)
   (%need-symbol 'node-ref 'name name)
@@ -21,10 +21,10 @@
       (error 'node-ref "the program of ~s defines no ~a" node name))
   (eval name (%node-program node)))
 
-; ---- resources: what several contexts share is a property of a node above them ----
+; ---- resources: contexts share a property of a node above them ----
 
-; The property of this name of the node itself (local), of the nearest node above it, or of the root (global); #f: none of
-; them has it.
+; Returns the property of this name of the node itself (local), otherwise of the nearest node above it that has one, and
+; last of the root (global); #f if none of them has it.
 (define (property-find node name)
   (%need-node 'property-find 'node node)
   (%need-symbol 'property-find 'name name)
@@ -38,14 +38,14 @@
 (define (%host-define name value) (eval (list 'define name (list 'quote value)) (interaction-environment)))
 (define (%node-create type name parent) (node-create type #:name name #:parent parent))
 
-; Every expression of the text in turn; the last one's value.
+; Evaluates every expression of the text in turn; returns the last one's value.
 (define (%node-eval-text node text)
   (let ((port (open-input-string text)))
     (let loop ((value #f))
       (let ((expression (read port)))
         (if (eof-object? expression) value (loop (node-eval node expression)))))))
 
-; Hits as lists: distance point node path file line column.
+; Returns hits as lists: distance point node path file line column.
 (define (%pick-for-host from direction)
   (map (lambda (hit)
          (append (map (lambda (key) (data-ref hit key)) '(distance point node path))

@@ -1,19 +1,19 @@
-; Interaction: gizmos as data that a host draws, input events, and what a program asks to be called for. After
-; contexts.scm. Names that begin with % are not visible to programs. Compiled into the binary when it is built.
+; Interaction: gizmos as data that a host draws, input events, and the procedures that a program registers for them.
+; After contexts.scm. Names that begin with % are hidden from programs. Compiled into the binary when it is built.
 ;
-; A gizmo is a node with handles in place of a drawing: it is no part of the model, and its value is its property
-; `value`, which tells its subscribers as any other. The movements of a handle are given when it is made: along a line, between
-; two ends, in steps.
+; A gizmo is a node with handles instead of a drawing. It is no part of the model. Its value is its property `value`,
+; which notifies its subscribers like any property. The movement of a handle is fixed when it is made: along a line,
+; between two ends, in steps.
 
 (define-record-type %gizmo (%make-gizmo kind at axes low high step size procedure) %gizmo?
   (kind %gizmo-kind)           ; trigger, slider, arrow or tripod
-  (at %gizmo-at)               ; where value 0 (a slider's least) is, in the node's coordinates
-  (axes %gizmo-axes)           ; unit gvectors that its handles move along; a trigger's: none
-  (low %gizmo-low)             ; the least and the greatest value; a tripod's: how far one drag goes, a gvector
+  (at %gizmo-at)               ; the place of value 0 (for a slider, of its least value), in the node's coordinates
+  (axes %gizmo-axes)           ; the unit gvectors along which its handles move; none for a trigger
+  (low %gizmo-low)             ; the least and the greatest value; for a tripod the largest move of one drag, a gvector
   (high %gizmo-high)
   (step %gizmo-step)           ; #f: any value
-  (size %gizmo-size)           ; of a handle, across; an arrow's and a tripod's are as long from the place itself
-  (procedure %gizmo-procedure)) ; a trigger's
+  (size %gizmo-size)           ; the size of a handle; also the length of an arrow's and a tripod's handle from the place
+  (procedure %gizmo-procedure)) ; called by a trigger
 
 (define (%need-size who x)
   (if (not (and (real? x) (finite? x) (> x 0))) (error who "size must be a number above 0, got ~s" x)))
@@ -29,7 +29,7 @@
     (property-add! node (%typed-property who 'value value type wanted))
     node))
 
-; The type of a value within bounds, and the words that messages use for it.
+; The type of a value within bounds, and its words for messages.
 (define (%between low high [step any? #f])
   (lambda (v)
     (and (real? v) (<= low v high)
@@ -75,8 +75,8 @@
     (%make-gizmo 'arrow at (list (unitize direction)) low high #f size #f) value (%between low high)
     (%between-words low high)))
 
-; Three arrows along X, Y and Z; the value is a gvector. constraint: how far one drag may go along each, either way; 0
-; takes the arrow away.
+; Three arrows along X, Y and Z; the value is a gvector. constraint: the largest move of one drag along each axis, in
+; either direction; 0 removes the arrow.
 (define (make-tripod at constraint #:size [size any? 1] #:name [name any? #f] #:parent [parent any? #f])
   (%need-point 'make-tripod 'at at)
   (if (not (and (gvector? constraint) (>= (cx constraint) 0) (>= (cy constraint) 0) (>= (cz constraint) 0)))
@@ -88,12 +88,12 @@
 (define (gizmo? x) (and (node? x) (%node-gizmo x) #t))
 (define (%need-gizmo who x) (if (not (gizmo? x)) (error who "gizmo must be a gizmo, got ~s" x)))
 
-; ---- where the handles are ----
+; ---- the places of the handles ----
 
 (define (%axis-parts v) (list (cx v) (cy v) (cz v)))
 
-; Lists (axis point) in the node's coordinates, the number of an axis and the handle that moves along it; a trigger's
-; axis is #f.
+; Returns lists (axis point) in the node's coordinates: the number of an axis, and the place of the handle that moves
+; along it. A trigger's axis is #f.
 (define (%handles node g)
   (let ((value (property-get node 'value)) (at (%gizmo-at g)) (axes (%gizmo-axes g)))
     (case (%gizmo-kind g)
@@ -108,7 +108,7 @@
             (lambda (axis i room) (and (> room 0) (list i (p+v here (v*r axis (%gizmo-size g))))))
             axes '(0 1 2) (%axis-parts (%gizmo-high g))))))))
 
-; The rows that a host draws: a row for data-ref, points in the world's coordinates.
+; Returns the values that a host draws: a row for data-ref, points in the world's coordinates.
 (define (gizmo-data gizmo)
   (%need-gizmo 'gizmo-data gizmo)
   (let* ((g (%node-gizmo gizmo)) (world (node-worldtransform gizmo)) (place (lambda (p) (%matrix-point world p))))
@@ -122,7 +122,8 @@
           (cons 'handles (map (lambda (h) (place (cadr h))) (%handles gizmo g)))
           (cons 'axes (filter-map (lambda (h) (and (car h) (%axis-in world g (car h)))) (%handles gizmo g))))))
 
-; What a handle moves by in the world: of a slider, from its least value to its greatest; else for a value greater by 1.
+; The vector of a handle in the world: for a slider from its least value to its greatest; for others for a value greater
+; by 1.
 (define (%axis-in world g i)
   (let ((at (%gizmo-at g)))
     (p-p (%matrix-point world (p+v at (list-ref (%gizmo-axes g) i))) (%matrix-point world at))))
@@ -131,14 +132,15 @@
 (define (%gizmos-for-host)
   (map (lambda (n) (cons n (map cdr (gizmo-data n)))) (scene-gizmos)))
 
-; All gizmos below the root, or below another node, parents before children.
+; Returns all gizmos below the root, or below another node, parents before children.
 (define (scene-gizmos [node any? #f])
   (if node (%need-node 'scene-gizmos 'node node))
   (let ((found '()))
     (%walk (or node (%root)) (lambda (n) (if (gizmo? n) (set! found (cons n found)))))
     (reverse found)))
 
-; The values of all gizmos below the node, in their order; and back. A value that is not there, or would not be taken, stays.
+; Gets and sets the values of all gizmos below the node, in their order. A missing value, or one that a gizmo would
+; refuse, changes nothing.
 (define (gizmo-values [node any? #f])
   (if node (%need-node 'gizmo-values 'node node))
   (map (lambda (n) (property-get n 'value)) (scene-gizmos node)))
@@ -150,8 +152,8 @@
         (error 'gizmo-values! "there are ~a gizmos, got ~a values" (length all) (length values)))
     (for-each (lambda (n v) (property-set! (property-ref n 'value) v)) all values)))
 
-; The facts that tell a host whether it has to run frames, and to hand on what the mouse does: is anything done in each
-; frame, does a node wait for picks or other input. Gizmos wait for input as well: scene-gizmos lists them.
+; Returns two booleans for a host: whether it must run frames, since an action runs in each of them, and whether it must
+; pass mouse input, since a node handles picks or other input. Gizmos need input as well: scene-gizmos lists them.
 (define (scene-needs)
   (let ((frames (and %active-viewer #t)) (input #f))
     (define (has? known actions) (any (lambda (action) (hash-ref known action #f)) actions))
@@ -162,15 +164,15 @@
           (if (and known (has? known '(pick drag release input))) (set! input #t)))))
     (list frames input)))
 
-; ---- what the ray meets of them ----
+; ---- hits on handles ----
 
-; How far along the ray a ball is met, or #f.
+; Returns the distance along the ray to a ball, or #f.
 (define (%meets-ball from direction centre radius)
   (let* ((to (p-p centre from)) (along (dot to direction)) (away (- (dot to to) (* along along)))
          (room (- (* radius radius) away)))
     (and (>= room 0) (>= along 0) (max 0 (- along (sqrt room))))))
 
-; The nearest handle on the ray: (distance node axis), or #f.
+; Returns the nearest handle on the ray: (distance node axis), or #f.
 (define (%gizmo-on from direction)
   (let ((best #f))
     (for-each
@@ -184,20 +186,20 @@
       (scene-gizmos))
     best))
 
-; How far along the line from p the place nearest to the ray is, in lengths of v; #f where they run side by side.
+; Returns the place of the line from p that is nearest to the ray, in lengths of v; #f if they are parallel.
 (define (%along p v from direction)
   (let* ((w (p-p p from)) (a (dot v v)) (b (dot v direction)) (d (dot v w)) (e (dot direction w)) (below (- a (* b b))))
     (and (> below (* 1e-12 a)) (/ (- (* b e) d) below))))
 
-; ---- dragging: what has been taken hold of keeps the mouse until it is let go ----
+; ---- dragging: the grabbed node gets all mouse input until the release ----
 
 (define-record-type %hold (%make-hold node axis place line start value) %hold?
   (node %hold-node)
-  (axis %hold-axis)     ; of a gizmo; #f: a trigger, or a node of the model
-  (place %hold-place)   ; the handle and its direction, in the world, when it was taken hold of
+  (axis %hold-axis)     ; the axis of a gizmo; #f: a trigger, or a node of the model
+  (place %hold-place)   ; the handle and its direction, in the world, when it was grabbed
   (line %hold-line)
-  (start %hold-start)   ; where on that line
-  (value %hold-value))  ; the gizmo's value then
+  (start %hold-start)   ; the place on that line
+  (value %hold-value))  ; the gizmo's value at that time
 (define %held #f)
 
 (define (%take-gizmo node axis from direction)
@@ -209,7 +211,7 @@
                (p (%matrix-point world h)) (line (p-p (%matrix-point world (p+v h a)) p)))
           (%make-hold node axis p line (or (%along p line from direction) 0) (property-get node 'value))))))
 
-; Whole steps of exact numbers are exact: a slider of storeys counts.
+; Exact steps give exact values: a slider of storeys counts.
 (define (%stepped g v)
   (let* ((step (%gizmo-step g)) (low (%gizmo-low g)) (high (%gizmo-high g))
          (v (if step (+ low (* step (exact (round (/ (- v low) step))))) v)))
@@ -232,10 +234,10 @@
 (define %input-kinds '(press drag release move key))
 (define %input-buttons '(left middle right none))
 
-; The node that the event went to, or #f. A press takes hold of the nearest gizmo or node in the ray's way: drags and
-; the release go there. A release over the trigger that was pressed calls its procedure. A key goes to the node that was
+; Returns the node that handled the event, or #f. A press grabs the nearest gizmo or node on the ray, which gets the
+; drags and the release. A release over the pressed trigger calls its procedure. A key goes to the node that was
 ; selected last, or to the focus, or to the nearest node above it that has a procedure for `key`. Every node with a
-; procedure for `input` hears of all events.
+; procedure for `input` gets all events.
 (define (node-input kind [button any? 'left] [from any? #f] [direction any? #f] [key any? #f])
   (if (not (memq kind %input-kinds)) (error 'node-input "kind must be one of ~s, got ~s" %input-kinds kind))
   (if (not (memq button %input-buttons)) (error 'node-input "button must be one of ~s, got ~s" %input-buttons button))
@@ -265,7 +267,7 @@
   (let ((f (and (%node-actions node) (hash-ref (%node-actions node) action #f))))
     (if f (apply f node arguments))))
 
-; A click is a change of the trigger's value, which counts them.
+; A click changes the trigger's value, the count of clicks.
 (define (%click node g)
   (property-set! (property-ref node 'value) (+ 1 (property-get node 'value)))
   ((%gizmo-procedure g) node))
@@ -286,10 +288,9 @@
           ((and (%node-actions n) (hash-ref (%node-actions n) 'key #f)) => (lambda (f) (f n key) n))
           (else (up (%node-parent n))))))
 
-; ---- what a program asks to be called for ----
+; ---- procedures that a program registers ----
 
-; The object becomes a node's drawing, below the focus; a node stays what it is. The procedure gets the node and the
-; hit.
+; An object becomes the drawing of a new node below the focus; a node stays. The procedure gets the node and the hit.
 (define (on-pick object procedure)
   (if (not (or (node? object) (object? object))) (error 'on-pick "object must be an object or a node, got ~s" object))
   (%need-procedure 'on-pick 'procedure procedure)
@@ -297,14 +298,14 @@
     (node-on node 'pick procedure)
     node))
 
-; The procedure gets the seconds since the last frame. It hangs at a node of its own, which is taken away to end it.
+; The procedure gets the seconds since the last frame. It belongs to a new node; removing the node ends the calls.
 (define (every-frame procedure)
   (%need-procedure 'every-frame 'procedure procedure)
   (let ((node (node-create #:parent (%root))))
     (node-on node 'update (lambda (n seconds) (procedure seconds)))
     node))
 
-; ---- viewers: what shows the scene, by name; one is active ----
+; ---- viewers: they show the scene; each has a name, and one is active ----
 
 (define-record-type %viewer (%make-viewer name show hide prepare draw finish) %viewer?
   (name %viewer-name) (show %viewer-show) (hide %viewer-hide) (prepare %viewer-prepare) (draw %viewer-draw)
@@ -320,7 +321,7 @@
     '(#:show #:hide #:prepare #:draw #:finish) (list show hide prepare draw finish))
   (hash-set! %viewers name (%make-viewer name show hide prepare draw finish)))
 
-; #f: none.
+; #f: no viewer.
 (define (viewer-activate name)
   (let ((next (and name (hash-ref %viewers name #f))))
     (if (and name (not next)) (error 'viewer-activate "name must be one of ~s, got ~s" (hash-keys %viewers) name))
@@ -336,8 +337,8 @@
 
 ; ---- detail and culling ----
 
-; How fine a host should draw, from 0.1 to 1: each frame that took longer than a twentieth of a second makes it coarser,
-; each shorter than a fortieth finer. #f: nobody has asked.
+; The fineness for a host's drawing, from 0.1 to 1. Each frame longer than 1/20 s makes it coarser, each shorter than
+; 1/40 s finer. #f: no program has asked.
 (define %quality #f)
 (define (scene-quality)
   (or %quality
@@ -352,15 +353,15 @@
         (cond ((> seconds 1/20) (property-set! %quality (max 0.1 (* 0.8 q))))
               ((< seconds 1/40) (property-set! %quality (min 1.0 (* 1.25 q))))))))
 
-; Does the ball meet the cone of half the angle about the direction, a unit gvector, from eye?
+; Returns true if the ball meets the cone of half the angle about the direction, a unit gvector, from eye.
 (define (%in-cone? centre radius eye direction half)
   (let* ((w (p-p centre eye)) (along (dot w direction)) (across (sqrt (max 0 (- (dot w w) (* along along))))))
     (if (>= (+ (* along (cos half)) (* across (sin half))) 0)
         (<= (- (* across (cos half)) (* along (sin half))) radius)
         (<= (vlength w) radius))))
 
-; The nodes whose own drawing may be seen by a camera of that angle, across corners: those whose bounds' ball is in
-; sight.
+; Returns the nodes whose own drawing a camera of that angle, across corners, may see: the ball around their bounds
+; meets its cone.
 (define (node-visible eye direction angle [node any? #f])
   (%need-ray 'node-visible eye direction)
   (if (not (and (real? angle) (< 0 angle pi)))

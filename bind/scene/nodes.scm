@@ -1,35 +1,35 @@
-; Nodes: a tree that changes, beside the immutable tree of the drawing. A node has a frame (move, turn, scale) in its parent's, a drawing of its own,
-; children, and properties. Nodes below the root are part of the model. After properties.scm; names that begin with % are not visible to programs.
-; Compiled into the binary when it is built.
+; Nodes: a tree that changes, beside the immutable tree of the drawing. A node has a frame (move, turn, scale) in its
+; parent's, its own drawing, children, and properties. Nodes below the root are part of the model. After properties.scm;
+; names that begin with % are hidden from programs. Compiled into the binary when it is built.
 ;
-; A node that is placed often shares its drawing's objects, which are stored once. The picture of a node is one object, which is kept until the node or what
-; hangs below it changes: so after a change only the nodes on the way up are made anew.
+; A node with several places shares its drawing's objects, which are stored once. The picture of a node is one object.
+; It is kept until the node or a node below it changes: a change makes only the pictures of the nodes above it anew.
 
 (define-record-type %node (%make-node name type %parent %children %translate %rotate %scale %drawing %table %shown %actions %program %gizmo) node?
   (name %node-name %set-node-name!)
   (type %node-type)
   (%parent %node-parent %set-node-parent!)       ; a node or #f
-  (%children %node-children)                     ; a table of nodes, in their order
+  (%children %node-children)                     ; a table of nodes, in order
   (%translate %node-translation %set-node-translation!)
   (%rotate %node-rotation %set-node-rotation!)   ; degrees about X, then Y, then Z
   (%scale %node-scaling %set-node-scaling!)
-  (%drawing %node-drawing %set-node-drawing!)    ; a list of objects; while the node is the focus, it is out of date
+  (%drawing %node-drawing %set-node-drawing!)    ; a list of objects; out of date while the node has the focus
   (%table %node-table)                           ; its properties
-  (%shown %node-shown %set-node-shown!)          ; the object that all of it is in the parent's frame, or #f. If it is there, those below are too
+  (%shown %node-shown %set-node-shown!)          ; its object with all below it in the parent's frame, or #f; never #f below a node with one
   (%actions %node-actions %set-node-actions!)    ; a table from an action to the procedure for it, or #f
   (%program %node-program %set-node-program!)    ; the environment of its own program, or #f
-  (%gizmo %node-gizmo %set-node-gizmo!))         ; its handles, where it is a gizmo; else #f
+  (%gizmo %node-gizmo %set-node-gizmo!))         ; its handles if it is a gizmo, otherwise #f
 
 (define %zero (vxyz 0 0 0))
 (define %one (vxyz 1 1 1))
 
-; ---- the controller: one an interpreter, made when it is first asked for ----
+; ---- the controller: one for each interpreter, made at its first use ----
 
 (define-record-type %controller (%make-controller root %focus %properties %types) %controller?
   (root %controller-root)
   (%focus %controller-focus %set-controller-focus!) ; nodes, the innermost first; the last is the root
   (%properties %controller-properties)
-  (%types %controller-types))                       ; a table from the name of a type to what makes one: a procedure of a new node
+  (%types %controller-types))                       ; a table from the name of a type to a procedure that prepares a new node
 
 (define %the-controller #f)
 (define %events '(Node.create Node.addChild Node.removeChild Node.removeChildren Node.begin Node.end Node.selected))
@@ -45,7 +45,8 @@
 
 (define (%event? p) (and (memq (%property-name p) %events) (eq? p (hash-ref (%controller-properties (node-controller)) (%property-name p) #f))))
 
-; An event is a property of the controller: its value is the node that it is about, and the same node again is an event as well.
+; An event is a property of the controller: its value is the node of the event, and setting the same node again is an
+; event, too.
 (define (%emit name node)
   (let ((p (hash-ref (%controller-properties (node-controller)) name #f)))
     (%set-property-value! p node)
@@ -61,7 +62,7 @@
 
 (define (%need-node who what x) (if (not (node? x)) (error who "~a must be a node, got ~s" what x)))
 
-; A gvector of finite coordinates; a point serves too.
+; Returns a gvector of finite coordinates; accepts a point, too.
 (define (%need-place who what x)
   (if (not (and (or (gvector? x) (point? x)) (finite? (cx x)) (finite? (cy x)) (finite? (cz x))))
       (error who "~a must be a gvector of finite coordinates, got ~s" what x))
@@ -103,7 +104,7 @@
       (if parent (node-addchild parent node))
       node)))
 
-; A type is a name for nodes that begin alike: the procedure gets each new node before the event tells of it.
+; A type is a name for nodes with the same begin: the procedure gets each new node before the event is emitted.
 (define (register-node-type name procedure)
   (%need-symbol 'register-node-type 'name name)
   (%need-procedure 'register-node-type 'procedure procedure)
@@ -112,7 +113,7 @@
 
 (define (node-type node) (%need-node 'node-type 'node node) (%node-type node))
 
-; Takes every node from below the root, and makes the root as it was. Subscriptions and types stay.
+; Removes every node below the root, and resets the root. Subscriptions and types stay.
 (define (node-clear)
   (let* ((c (node-controller)) (root (%root)))
     (let unwind () (if (pair? (cdr (%controller-focus c))) (begin (%end-focus c) (unwind))))
@@ -127,7 +128,7 @@
 
 (define (%children node) (hash-keys (%node-children node)))
 
-; The picture of the node has changed, and that of all nodes that hold it.
+; Discards the picture of the node and of all nodes above it.
 (define (%touch node)
   (let up ((n node))
     (if n
@@ -188,7 +189,8 @@
 (define (node-getchildren node) (%need-node 'node-getchildren 'node node) (%children node))
 (define (node-getparent node) (%need-node 'node-getparent 'node node) (%node-parent node))
 
-; The nodes from this one on, parents before their children, in the children's order. A procedure that changes the tree meanwhile changes nodes not yet come to.
+; Visits the nodes from this one on, parents before their children, in the children's order. A procedure that changes
+; the tree affects only the nodes that are not visited yet.
 (define (%walk node visit)
   (let loop ((rest (list node)))
     (if (pair? rest)
@@ -235,7 +237,7 @@
 (define (%unmoved? node)
   (and (equal? (%node-translation node) %zero) (equal? (%node-rotation node) %zero) (equal? (%node-scaling node) %one)))
 
-; A gvector moves, as node-translate does; a matrix is taken apart into a scale, a turn and a move.
+; A gvector moves, as node-translate does; a matrix is split into a scale, a turn and a move.
 (define (node-transform node frame)
   (%need-node 'node-transform 'node node)
   (%not-root 'node-transform node)
@@ -250,7 +252,7 @@
 
 (define (node-gettransform node) (%need-node 'node-gettransform 'node node) (%frame node))
 
-; From the node's own coordinates to the world's, or to those of the node that it hangs below at last.
+; Returns the matrix from the node's own coordinates to the world's, or to those of the top node above it.
 (define (node-worldtransform node)
   (%need-node 'node-worldtransform 'node node)
   (let up ((n (%node-parent node)) (m (%frame node)))
@@ -263,11 +265,11 @@
 (define (node-setdrawing node drawing)
   (%need-node 'node-setdrawing 'node node)
   (let ((objects (%need-objects 'node-setdrawing 'drawing drawing)))
-    (if (eq? node (%focus)) (pair? (%drawing-swap! objects (not (eq? node (%root)))))) ; what was drawn is not its value
+    (if (eq? node (%focus)) (pair? (%drawing-swap! objects (not (eq? node (%root)))))) ; the value of the old drawing is not needed
     (%set-node-drawing! node objects)
     (%touch node)))
 
-; The objects of the node alone, in its own frame.
+; Returns the objects of the node alone, in its own frame.
 (define (node-getdrawing node) (%need-node 'node-getdrawing 'node node) (%own-drawing node))
 
 (define (%shown node)
@@ -282,14 +284,15 @@
   (let ((parts (filter (lambda (o) (not (empty-object? o))) parts)))
     (cond ((null? parts) (unite)) ((null? (cdr parts)) (car parts)) (else (unite parts)))))
 
-; The focus draws without a word to its node.
+; Draws in the focus do not notify its node, so its picture is discarded first.
 (define (node-object node)
   (%need-node 'node-object 'node node)
   (%touch (%focus))
   (%shown node))
 
-; For C, when a drawing is handed over: (#t object ...) to stand beside what is drawn; while another node than the root has the focus, (#f object ...)
-; instead of it. The objects are kept no longer: what only the nodes held would look shared, and not be simplified.
+; For C, when a drawing is handed over: returns (#t object ...) to show beside the drawing, or (#f object ...) to show
+; instead of it if a node other than the root has the focus. The nodes drop the objects: an object that only nodes hold
+; would count as shared, and would not be simplified.
 (define (%scene-objects)
   (let ((root (%root)) (outside? (not (eq? (%focus) (%root)))))
     (%touch (%focus))
@@ -297,9 +300,9 @@
       (%walk root (lambda (n) (%set-node-shown! n #f)))
       (cons (not outside?) (if outside? (append (%node-drawing root) objects) objects)))))
 
-; ---- the focus: whose drawing draw adds to ----
+; ---- the focus: the node to whose drawing draw adds ----
 
-; The drawing of whoever has the focus lies where draw puts objects; that of the others in their nodes.
+; The drawing of the node with the focus is where draw puts objects; those of the others are in their nodes.
 (define (%give-focus from to)
   (if (not (eq? from to))
       (begin
@@ -328,7 +331,7 @@
   (syntax-rules ()
     ((_ node body ...) (%with-node node (lambda () body ... #f)))))
 
-; Gives the node. However the body is left, the focus is what it was; a body that is entered again has it again.
+; Returns the node. Any exit from the body restores the focus; a body that is entered again gets it back.
 (define (%with-node node body)
   (let ((outside #f) (inside #f) (c (node-controller)))
     (%need-node 'with-node 'node node)

@@ -1,8 +1,8 @@
-; Properties: typed, named values that tell their subscribers when they change, alone or in groups. After bind/. Names that begin with % are not visible
-; to programs. Compiled into the binary when it is built.
+; Properties: typed, named values that notify their subscribers of changes, alone or in groups. After bind/. Names that
+; begin with % are hidden from programs. Compiled into the binary when it is built.
 ;
-; Changes are delivered one after the other: a change that a subscriber makes waits until all subscribers have heard of the one before. A value equal to
-; the present one is no change, so that two properties that follow each other come to rest.
+; Changes are delivered one after the other: a change by a subscriber waits until all subscribers have got the one
+; before. A value equal to the present one is no change, so two properties that follow each other come to rest.
 
 (define (%need-symbol who what x) (if (not (symbol? x)) (error who "~a must be a symbol, got ~s" what x)))
 
@@ -11,18 +11,18 @@
   (value %property-value %set-property-value!)
   (%type %property-type)
   (%wanted %property-wanted) ; the words for the type that messages use, or #f
-  (%subscribers %property-subscribers)) ; a table from the number of a subscription to its procedure, in their order
+  (%subscribers %property-subscribers)) ; a table from the number of a subscription to its procedure, in order
 
 (define (%need-property who x) (if (not (property? x)) (error who "property must be a property, got ~s" x)))
 
-; who: the procedure whose argument the value is
+; who: the procedure with the value as its argument
 (define (%check-property who p value)
   (let ((fits? (%property-type p)))
     (if (and fits? (not (fits? value)))
         (error who "~a must ~a, got ~s" (%property-name p)
           (or (%property-wanted p) (string-append "satisfy " (%predicate-name fits?))) value))))
 
-; As messages show it: positive?, not #<procedure positive?>.
+; Returns the text for messages: positive?, not #<procedure positive?>.
 (define (%predicate-name f)
   (let* ((text (format "~a" f)) (n (string-length text)) (head (string-length "#<procedure ")))
     (if (and (> n head) (string-prefix? text "#<procedure ")) (substring text head (- n 1)) text)))
@@ -32,7 +32,7 @@
   (if type (%need-procedure 'make-property 'type type))
   (%typed-property 'make-property name value type #f))
 
-; wanted: the words that messages use for the type, or #f for its name
+; wanted: the words for the type in messages, or #f for its name
 (define (%typed-property who name value type wanted)
   (let ((p (%make-property name value type wanted (make-hasheqv))))
     (%check-property who p value)
@@ -56,7 +56,7 @@
 
 ; ---- subscriptions ----
 
-(define %subscriptions 0) ; how many there have been
+(define %subscriptions 0) ; the number of subscriptions so far
 
 (define (property-subscribe property procedure)
   (%need-property 'property-subscribe property)
@@ -73,7 +73,7 @@
 
 ; ---- delivery ----
 
-(define %changes-newest '()) ; (property . value) of changes that wait: new ones are put here,
+(define %changes-newest '()) ; (property . value) of the changes that wait: new ones are added here,
 (define %changes-oldest '()) ; and taken from here
 (define %delivering #f)
 (define %most-changes 1000)
@@ -90,9 +90,9 @@
   (and (pair? %changes-oldest)
        (let ((change (car %changes-oldest))) (set! %changes-oldest (cdr %changes-oldest)) change)))
 
-; An error in a subscriber ends the round: it is raised where the first change was made, and the changes that wait are dropped.
+; An error in a subscriber ends the round: it is raised at the first change, and the waiting changes are dropped.
 (define (%deliver)
-  (define turns (make-hasheq)) ; how often each property has changed in this round
+  (define turns (make-hasheq)) ; the number of changes of each property in this round
   (define (count! p)
     (let ((n (+ 1 (hash-ref turns p 0))))
       (if (and (> n %most-changes) (not (%event? p)))
@@ -106,7 +106,7 @@
             (let* ((p (car change)) (subscribers (%property-subscribers p)))
               (count! p)
               (for-each
-                (lambda (id) ; it may have been given up meanwhile
+                (lambda (id) ; its subscription may have ended meanwhile
                   (let ((f (hash-ref subscribers id #f))) (if f (f (cdr change)))))
                 (hash-keys subscribers))
               (loop (%next-change))))))
@@ -152,7 +152,7 @@
 (define (property-ref group name) (%find-property 'property-ref group name))
 (define (property-get group name) (%property-value (%find-property 'property-get group name)))
 
-; The property of this name is set, or made where there is none.
+; Sets the property of this name, or makes it if there is none.
 (define (property-put! group name value)
   (let ((table (%properties-of 'property-put! group)))
     (%need-symbol 'property-put! 'name name)

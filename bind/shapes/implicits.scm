@@ -1,10 +1,10 @@
-; Implicit solids: functions of x, y and z that are below 0 inside, and operations on them. After maps.scm. All of them keep
-; their expressions, so that make-isosurface, bounds and slopes work on what is combined. Names that begin with % are not
-; visible to programs. Compiled into the binary when it is built.
+; Implicit solids: functions of x, y and z that are below 0 inside, and operations on them. After maps.scm. All of them
+; keep their expressions; therefore make-isosurface, bounds and slopes work on combinations. Names that begin with % are
+; hidden from programs. Compiled into the binary when it is built.
 
 ; ---- the distance from a solid ----
 
-(define %field-last (cons #f #f)) ; the solid that was asked about last, and its field
+(define %field-last (cons #f #f)) ; the last solid that was asked about, and its field
 (define (%field-of o)
   (if (not (eq? o (car %field-last))) (set! %field-last (cons o (%distance-field o))))
   (cdr %field-last))
@@ -12,7 +12,7 @@
 (define (%need-solid who o)
   (if (not (and (object? o) (solid? o))) (error who "o must be a solid, got ~s" o)))
 
-; Negative inside.
+; The distance is negative inside.
 (define (signed-distance o p)
   (%need-solid 'signed-distance o)
   (%need-point 'signed-distance 'p p)
@@ -28,7 +28,7 @@
 
 ; ---- operations ----
 
-; A function of three numbers; a solid stands for the distance from it.
+; Returns a function of three numbers; a solid gives the distance from it.
 (define (%implicit who f)
   (cond
     ((and (object? f) (solid? f)) (distance-function f))
@@ -53,7 +53,7 @@
 (define (%need-positive who name x)
   (if (not (and (real? x) (finite? x) (positive? x))) (error who "~a must be a positive number, got ~s" name x)))
 
-; A union whose inner corners are rounded over the width k.
+; A union with inner corners that are rounded over the width k.
 (define (implicit-smooth-union k f . more)
   (%need-positive 'implicit-smooth-union 'k k)
   (%implicit-fold 'implicit-smooth-union
@@ -64,7 +64,7 @@
       smooth-union)
     f more))
 
-; An intersection and a difference whose outer corners are rounded over the width k.
+; An intersection and a difference with outer corners that are rounded over the width k.
 (define (%smooth-intersection k f g)
   (define-function (smooth-intersection x y z)
     (let ((a (f x y z)) (b (g x y z)))
@@ -87,14 +87,14 @@
     (define-function (offset x y z) (- (f x y z) d))
     offset))
 
-; The skin of this thickness below the surface.
+; The shell of this thickness below the surface.
 (define (implicit-shell f thickness)
   (%need-positive 'implicit-shell 'thickness thickness)
   (let ((f (%implicit 'implicit-shell f)))
     (define-function (shell x y z) (let ((a (f x y z))) (max a (- (+ a thickness)))))
     shell))
 
-; Turned about Z by this many radians for each unit of height.
+; Turns f about Z by this many radians for each unit of height.
 (define (implicit-twist f rate)
   (%need-number 'implicit-twist 'rate rate)
   (let ((f (%implicit 'implicit-twist f)))
@@ -109,7 +109,7 @@
     (define-function (move x y z) (f (- x a) (- y b) (- z c)))
     move))
 
-; Between f, at t = 0, and g, at t = 1.
+; Blends from f, at t = 0, to g, at t = 1.
 (define (implicit-blend f g t)
   (%need-number 'implicit-blend 't t)
   (let ((f (%implicit 'implicit-blend f)) (g (%implicit 'implicit-blend g)))
@@ -118,7 +118,8 @@
 
 ; ---- lattices ----
 
-; Minimal surfaces to within some per cent, which repeat after each cell. Near them the value is about the distance.
+; Minimal surfaces, accurate to some per cent, with one period in each cell. Near them the value is approximately the
+; distance.
 (define (gyroid cell)
   (%need-positive 'gyroid 'cell cell)
   (let ((k (/ 2pi cell)))

@@ -1,5 +1,5 @@
-; Maps of space: do-deform and the ready maps, subdivision. After shapes.scm. Names that begin with % are not visible to
-; programs. Compiled into the binary when it is built.
+; Maps of space: do-deform and the predefined maps, subdivision. After shapes.scm. Names that begin with % are hidden
+; from programs. Compiled into the binary when it is built.
 
 ; f is a procedure of a point; a function that keeps its expression is one of x, y and z.
 (define (do-deform o f)
@@ -23,8 +23,8 @@
                 (loop (%deform-wanted d))))))
     (%deformed d)))
 
-; Calls (f share x y) of the map's spine from p to q: how far along it a point lies, from 0 at p to 1 at q, and how far
-; across it, along two directions that stand square to it and each other.
+; Returns a map that calls f with the coordinates of a point about the spine from p to q: the share along it, from 0 at
+; p to 1 at q, and the distances across it, along two directions perpendicular to it and to each other.
 (define (%along-spine who p q side f)
   (%need-point who 'p p)
   (%need-point who 'q q)
@@ -43,7 +43,7 @@
 
 (define (%from p . parts) (fold (lambda (v at) (p+v at v)) p parts))
 
-; Turned about the line from p to q, by nothing at p and by the angle at q.
+; Turns about the line from p to q, by 0 at p and by the angle at q.
 (define (twist-map p q angle)
   (%need-number 'twist-map 'angle angle)
   (%along-spine 'twist-map p q #f
@@ -51,7 +51,7 @@
       (let ((c (cos (* t angle))) (s (sin (* t angle))))
         (%from p (v*r z (* t long)) (v*r x (- (* a c) (* b s))) (v*r y (+ (* a s) (* b c))))))))
 
-; Made smaller or larger across the line from p to q, by 1 at p and by k at q.
+; Scales across the line from p to q, by 1 at p and by k at q.
 (define (taper-map p q k)
   (%need-number 'taper-map 'k k)
   (%along-spine 'taper-map p q #f
@@ -59,7 +59,7 @@
       (let ((scale (+ 1 (* t (- k 1)))))
         (%from p (v*r z (* t long)) (v*r x (* a scale)) (v*r y (* b scale)))))))
 
-; The line from p to q becomes an arc of this angle and the same length, bent towards the side.
+; Bends the line from p to q to an arc of this angle and the same length, towards the side.
 (define (bend-map p q angle side)
   (%need-number 'bend-map 'angle angle)
   (if (not (gvector? side)) (error 'bend-map "side must be a gvector, got ~s" side))
@@ -71,21 +71,21 @@
             (let ((radius (/ long angle)) (turn (* t angle)))
               (%from p (v*r x (- radius (* (- radius a) (cos turn)))) (v*r z (* (- radius a) (sin turn))) (v*r y b))))))))
 
-; The line from p to q becomes the curve; what lies across it is carried by frames that do not spin, or that keep upright.
+; Moves the line from p to q to the curve. Frames that do not spin, or that stay upright, carry the points across it.
 (define (flow-map p q curve #:up [up any? #f])
   (%need-curve 'flow-map 'curve curve)
   (if (not (or (not up) (and (gvector? up) (> (vlength up) 0)))) (error 'flow-map "up must be a gvector longer than 0, got ~s" up))
   (let ((walk (%curve-walk curve)))
     (if up
-        ; along a spine whose own upright direction is Y, as profiles are drawn, or Z where the spine runs along Y
+        ; along a spine whose upright direction is Y, as in profiles, or Z if the spine is parallel to Y
         (%along-spine 'flow-map p q (let ((way (p->q p q))) (if (> (vlength (cross way uy)) (* 1e-6 (vlength way))) uy uz))
           (lambda (t a b long x y z)
-            ; %along-spine's first direction is the upright one, its second is to the left of that
+            ; %along-spine's first direction is the upright one; its second is to the left of it
             (or (%walk-upright walk t (- b) a up)
                 (error 'flow-map "the curve runs along up at ~s, where nothing can be upright" (%walk-place walk t 0 0)))))
         (%along-spine 'flow-map p q #f (lambda (t a b long x y z) (%walk-place walk t a b))))))
 
-; The rectangle from p to q becomes the surface f of u and v from 0 to 1; heights go along its normals.
+; Moves the rectangle from p to q to the surface f of u and v from 0 to 1; heights go along its normals.
 (define (surface-map f p q)
   (%need-procedure 'surface-map 'f f)
   (%need-point 'surface-map 'p p)
@@ -98,7 +98,7 @@
         (if (%finite-point? r)
             r
             (error 'surface-map "f must give points of finite coordinates; at (u, v) = (~a, ~a) it gave ~s" u v r))))
-    ; the difference over a small step that stays within 0 and 1
+    ; the difference over a small step within 0 and 1
     (define (clip t) (max 0 (min 1 t)))
     (define (slope along? u v)
       (if along?

@@ -1,7 +1,7 @@
-; Nets of points and members: form finding, and the lists that nets are made of. After prefabs.scm. Names that begin with % are
-; not visible to programs. Compiled into the binary when it is built.
+; Nets of points and members: form finding, and the lists of which nets consist. After prefabs.scm. Names that begin
+; with % are hidden from programs. Compiled into the binary when it is built.
 ;
-; A member is a list of the numbers of its two points, counted from 1 as in make-polyface-mesh.
+; A member is a list of the numbers of its two points, which count from 1 as in make-polyface-mesh.
 
 (define (%need-point-number who name i n)
   (if (not (and (exact-integer? i) (<= 1 i n))) (error who "~a must be numbers of points from 1 to ~a, got ~s" name n i)))
@@ -15,7 +15,7 @@
               (if (= (first m) (second m)) (error who "a member must join two points, got ~s" m)))
             members))
 
-; A number for each of n things: given as one for all, as a list, or not at all.
+; Returns a number for each of n things: given as one for all, as a list, or not at all.
 (define (%each-number who name x n least)
   (let ((good? (lambda (v) (and (real? v) (finite? v) (least v)))))
     (cond
@@ -29,7 +29,7 @@
   (let ((at (list->vector points)))
     (map (lambda (m) (distance (vector-ref at (- (first m) 1)) (vector-ref at (- (second m) 1)))) members)))
 
-; The answer of %form-find: points, forces, residual, steps.
+; The parts of %form-find's result: points, forces, residual, steps.
 (define (%formed who points members fixed load weight lengths slack densities stiffness tolerance)
   (%need-points who 'points points 1)
   (let* ((n (length points)) (k (begin (%need-members who members n) (length members))))
@@ -60,8 +60,8 @@
                    #:tolerance [tolerance any? 1e-6])
   (first (%formed 'form-find points members fixed load weight lengths slack densities stiffness tolerance)))
 
-; An association list: the points, the force in each member, the longest member, the share of forces that is not balanced, and
-; how many steps it took.
+; Returns an association list: the points, the force in each member, the longest member, the share of forces that is not
+; balanced, and the number of steps.
 (define (form-report points members #:fixed [fixed any? '()] #:load [load any? (vxyz 0 0 0)] #:weight [weight any? (vxyz 0 0 0)]
                      #:lengths [lengths any? #f] #:slack [slack any? #f] #:densities [densities any? #f] #:stiffness [stiffness any? #f]
                      #:tolerance [tolerance any? 1e-6])
@@ -72,7 +72,8 @@
 
 ; ---- nets over a surface ----
 
-; The points of a grid over the surface f, nu + 1 rows of nv + 1, row after row; net-members and net-faces count them so.
+; Returns the points of a grid over the surface f, nu + 1 rows of nv + 1, row after row; net-members and net-faces use
+; this order.
 (define (net-points f nu nv)
   (%need-procedure 'net-points 'f f)
   (%need-grid 'net-points nu nv)
@@ -98,7 +99,7 @@
                      (iota nv)))
               (iota nu)))
 
-; The numbers of the points on the border.
+; Returns the numbers of the points on the border.
 (define (net-border nu nv)
   (%need-grid 'net-border nu nv)
   (append-map (lambda (i) (if (or (= i 0) (= i nu)) (map (lambda (j) (%net-number i j nv)) (iota (+ nv 1))) (list (%net-number i 0 nv) (%net-number i nv nv))))
@@ -121,7 +122,7 @@
 
 ; ---- circles ----
 
-; Circles in the region, each the largest that finds room, the largest first.
+; Returns circles in the region, each the largest that fits beside the earlier ones.
 (define (pack-circles region n #:least [least any? #f] #:gap [gap any? 0])
   (if (not (and (object? region) (or (region? region) (curve? region)))) (error 'pack-circles "region must be a region or a closed curve, got ~s" region))
   (%need-count 'pack-circles 'n n 20000)
@@ -130,9 +131,9 @@
   (let* ((b (bounding-box region)) (least (or least (if b (* 1e-3 (distance (first b) (second b))) 1))))
     (map (lambda (c) (make-circle (car c) (cdr c))) (%pack-circles region n least gap))))
 
-; ---- ways ----
+; ---- shortest ways ----
 
-; The points on the shortest way along the members, as numbers.
+; Returns the numbers of the points on the shortest way along the members.
 (define (shortest-path points members from to)
   (%need-points 'shortest-path 'points points 1)
   (let ((n (length points)))
@@ -143,7 +144,7 @@
       (if (null? way) (error 'shortest-path "no members lead from point ~a to point ~a" from to))
       (map (lambda (i) (+ i 1)) way))))
 
-; The shortest tree that joins the points, as pairs of points (Prim).
+; Returns the shortest tree that connects the points, as pairs of points (Prim).
 (define (%spanning-tree points)
   (let* ((all (list->vector points)) (n (vector-length all)) (near (make-vector n 0)) (far (make-vector n +inf.0)) (in (make-vector n #f)))
     (vector-set! in 0 #t)
@@ -158,7 +159,7 @@
                 (if (and (not (vector-ref in i)) (< d (vector-ref far i))) (begin (vector-set! far i d) (vector-set! near i next)))))
             (loop (- left 1) (cons (list (vector-ref near next) next) edges)))))))
 
-; A tree of points, most of them given, the others joints: nodes in a vector that grows, neighbours as lists of numbers.
+; A tree of points: the given ones, and joints. Nodes are in a vector that grows, neighbours are lists of numbers.
 (define (shortest-network points #:joints [joints any? #t])
   (%need-points 'shortest-network 'points points 1)
   (let* ((points (delete-duplicates points)) (n (length points)))
@@ -171,7 +172,7 @@
         (hash-set! near i (remove (lambda (k) (= k j)) (neighbours i)))
         (hash-set! near j (remove (lambda (k) (= k i)) (neighbours j))))
       (define (angle i j k) (angle-between (p->q (p i) (p j)) (p->q (p i) (p k))))
-      ; the corner of less than 120 degrees at i that is narrowest, as a list of its angle and two neighbours
+      ; returns the narrowest corner of less than 120 degrees at i, as a list of its angle and two neighbours
       (define (corner i)
         (let loop ((l (neighbours i)) (best #f))
           (if (null? l)
@@ -179,7 +180,7 @@
               (loop (cdr l)
                 (fold (lambda (k best) (let ((a (angle i (car l) k))) (if (and (< a (- (* 2/3 pi) 1e-6)) (or (not best) (< a (car best)))) (list a (car l) k) best)))
                       best (cdr l))))))
-      ; where three ways are shortest together (Weiszfeld), from their middle on
+      ; returns the point with the shortest sum of three ways (Weiszfeld), from their mean on
       (define (meeting l)
         (let loop ((q (%mean-point l)) (turn 0))
           (let* ((weights (map (lambda (r) (/ 1 (max 1e-12 (distance q r)))) l)) (sum (apply + weights))

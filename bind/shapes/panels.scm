@@ -1,9 +1,9 @@
-; Panels: grids of cells over a surface, components fitted to them, and the report that is asked for. After maps.scm. Names
-; that begin with % are not visible to programs. Compiled into the binary when it is built.
+; Panels: grids of cells over a surface, components fitted to them, and a report on request. After maps.scm. Names that
+; begin with % are hidden from programs. Compiled into the binary when it is built.
 ;
 ; A grid is a list of cells; a cell is a list of three or more corners (u . v) in the square from 0 to 1.
 
-; The part of a convex cell that lies on the side of a line u or v = limit.
+; Returns the part of a convex cell on one side of a line u or v = limit.
 (define (%clip-cell cell take limit below?)
   (define (inside? c) (if below? (<= (take c) limit) (>= (take c) limit)))
   (if (null? cell)
@@ -67,7 +67,7 @@
           (iota (+ (* 2 nv) 1))))
       (iota (+ (* 2 nu) 1)))))
 
-; nu hexagons side by side in rows, each row half a hexagon from the one before; those on the border are cut.
+; nu hexagons in each row; each row is shifted by half a hexagon; those on the border are cut.
 (define (hexagon-grid nu nv)
   (%need-grid 'hexagon-grid nu nv)
   (%grid 'hexagon-grid
@@ -84,7 +84,7 @@
   (if (not (and (list? grid) (every (lambda (c) (and (list? c) (>= (length c) 3) (every (lambda (p) (and (pair? p) (real? (car p)) (real? (cdr p)))) c))) grid)))
       (error who "grid must be a grid, such as (quad-grid 8 4), got ~s" grid)))
 
-; The corners of each cell on the surface, for the procedure `who`.
+; Returns the corners of each cell on the surface, for the procedure `who`.
 (define (%corners-for who f grid)
   (%need-procedure who 'f f)
   (%need-cells who grid)
@@ -107,12 +107,12 @@
               (%corners-for 'panelise f grid))))
 
 (define (%mean-point l) (p+v origin (v/r (fold (lambda (p v) (v+v v (p->q origin p))) (vxyz 0 0 0) l) (length l))))
-; Of length twice the panel's area.
+; Returns a normal with twice the panel's area as its length.
 (define (%newell l)
   (let ((o (car l)))
     (fold (lambda (p q v) (v+v v (cross (p->q o p) (p->q o q)))) (vxyz 0 0 0) l (append (cdr l) (list o)))))
 
-; A flat or folded plate over the corners, `thickness` thick, made smaller on all sides by the gap.
+; Returns a flat or folded plate over the corners, `thickness` thick, smaller on all sides by the gap.
 (define (panel-plate corners thickness #:gap [gap any? 0])
   (%need-points 'panel-plate 'corners corners 3)
   (%need-positive 'panel-plate 'thickness thickness)
@@ -132,17 +132,18 @@
                 (list (list a b (+ (* 2 n) 1)) (list (+ n b) (+ n a) (+ (* 2 n) 2)) (list a (+ n a) (+ n b) b))))
             (iota n)))))))
 
-; How far the farthest corner lies from the plane that fits them.
+; Returns the largest distance of a corner from the plane fitted to the corners.
 (define (%out-of-plane corners)
   (let* ((middle (%mean-point corners)) (n (%newell corners)))
     (if (= (vlength n) 0) 0 (apply max (map (lambda (p) (abs (dot (unitize n) (p->q middle p)))) corners)))))
 
-; All distances between corners in ascending order: two panels that agree in them are copies of one another.
+; Returns all distances between corners in ascending order: panels with equal distances count as copies.
 (define (%panel-form corners)
   (sort (let loop ((l corners)) (if (null? l) '() (append (map (lambda (q) (distance (car l) q)) (cdr l)) (loop (cdr l))))) <))
 
-; An association list: panels, kinds that differ by more than the tolerance, panels out of plane by more than that, the
-; greatest such distance, the least and the greatest area and the longest edge, and for each panel its kind.
+; Returns an association list: the number of panels, of kinds that differ by more than the tolerance, and of panels out
+; of plane by more than it; the largest such distance, the least and the greatest area, the longest edge, and the kind
+; of each panel.
 (define (panel-report f grid #:tolerance [tolerance any? 0.001])
   (%need-positive 'panel-report 'tolerance tolerance)
   (let* ((panels (%corners-for 'panel-report f grid)) (forms '()) (count 0))

@@ -1,11 +1,11 @@
-; Prefabs: model files that are used as parts, with their parameters as keywords. After panels.scm. Names that begin with % are
-; not visible to programs. Compiled into the binary when it is built.
+; Prefabs: model files as parts, with their parameters as keywords. After panels.scm. Names that begin with % are hidden
+; from programs. Compiled into the binary when it is built.
 ;
-; A prefab's file is an ordinary model. It runs in an environment of its own, where define-parameter takes what the caller gave,
-; draw collects, and what stages a drawing (cameras, lights) does nothing.
+; A prefab's file is an ordinary model. It runs in its own environment. There define-parameter takes the caller's
+; values, draw collects objects, and the procedures for cameras and lights have no effect.
 
-; The results of a run of a prefab's file: #(given parameters drawn), where `given` is an association list of names and
-; values, `parameters` lists (name default min max), newest first, and `drawn` objects, newest first.
+; The state of a run of a prefab's file: #(given parameters drawn). `given` is an association list of names and values,
+; `parameters` lists (name default min max), newest first, and `drawn` objects, newest first.
 (define (%prefab-parameter who name-of state)
   (lambda (name default #:min [low any? #f] #:max [high any? #f] #:step [step any? #f] #:choices [choices any? #f]
                 #:label [label any? #f] #:group [group any? #f] #:unit [unit any? #f])
@@ -27,7 +27,7 @@
 (define (%prefab-ends-in-vs? name)
   (let ((n (string-length name))) (and (> n 3) (string=? (substring name (- n 3) n) ".vs"))))
 
-; Runs the file: the state that it leaves behind, with the object at 3.
+; Runs the file; returns its state, with the object at 3.
 (define (%prefab-run who name given)
   (if (not (string? name)) (error who "name must be a string, got ~s" name))
   (if (not (or (%prefab-ends-in-vs? name) (member name (prefab-names))))
@@ -64,7 +64,7 @@
               (else (error who "~a draws nothing, and its last expression gives no object" name))))
       state)))
 
-; The prefabs that come with the language, by name and what was given: they never change while a program runs.
+; The results of the language's own prefabs, by name and given values: they never change while a program runs.
 (define %prefabs-made '())
 
 (define (%prefab name given)
@@ -95,5 +95,5 @@
             `(,(rename '%prefab) ,(cadr form) (,(rename 'list) ,@pairs))
             `(,(rename 'syntax-error) "prefab: it is written (prefab \"name\" #:parameter value ...)"))))))
 
-; The parameters as lists (name default min max), #f where there is no bound.
+; Returns the parameters as lists (name default min max), #f for a bound that is not given.
 (define (prefab-parameters name) (reverse (vector-ref (%prefab-run 'prefab-parameters name '()) 1)))

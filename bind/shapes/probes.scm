@@ -1,7 +1,7 @@
-; Where curves, rays and points meet objects; projections. After nets.scm. Names that begin with % are not visible to programs.
-; Compiled into the binary when it is built.
+; Intersections of curves and rays with objects, nearest points, projections. After nets.scm. Names that begin with %
+; are hidden from programs. Compiled into the binary when it is built.
 
-(define %probe-last (cons #f #f)) ; the object that was asked about last, and its triangles
+(define %probe-last (cons #f #f)) ; the last object that was asked about, and its triangles
 (define (%probe-of who o)
   (if (not (and (object? o) (or (solid? o) (surface? o)))) (error who "o must be a solid or a surface, got ~s" o))
   (if (not (eq? o (car %probe-last))) (set! %probe-last (cons o (%probe o))))
@@ -28,7 +28,7 @@
   (%need-long-gvector 'project-point 'v v)
   (%probe-ray (%probe-of 'project-point o) p v))
 
-; The curve's points, carried onto the object; parts that miss it are left out.
+; Projects the curve's points onto the object; omits parts that miss it.
 (define (project-curve o c v #:n [n any? 200])
   (%need-long-gvector 'project-curve 'v v)
   (%need-count 'project-curve 'n n 100000)
@@ -41,7 +41,7 @@
         ((car l) (loop (cdr l) (if (and (pair? run) (near? (car run) (car l))) run (cons (car l) run)) lines))
         (else (loop (cdr l) '() (ended)))))))
 
-; The curve at distance d from c over the object: to the left, seen from outside, and to the right where d is negative.
+; Returns the curve at distance d from c over the object: to the left, seen from outside; to the right for a negative d.
 (define (offset-curve o c d #:n [n any? 200])
   (if (not (and (real? d) (finite? d) (not (= d 0)))) (error 'offset-curve "d must be a number, finite and not 0, got ~s" d))
   (%need-count 'offset-curve 'n n 100000)
@@ -51,7 +51,7 @@
       (if (null? lines) (error 'offset-curve "no curve lies at distance ~a from c: the object ends before, or c bends more than that" d))
       (unite lines))))
 
-; The part of a surface whose u and v lie in a region of the XY plane.
+; Returns the part of a surface with u and v in a region of the XY plane.
 (define (make-trimmed-surface f region)
   (%need-procedure 'make-trimmed-surface 'f f)
   (if (not (and (object? region) (or (region? region) (curve? region))))
@@ -63,7 +63,7 @@
           (error 'make-trimmed-surface "region must lie in the XY plane, whose x and y are u and v")))
     (do-deform region (lambda (p) (f (cx p) (cy p))))))
 
-; The shortest way over the object between the places of it that are nearest to p and q.
+; Returns the shortest way over the object between its places nearest to p and q.
 (define (geodesic o p q)
   (%need-point 'geodesic 'p p)
   (%need-point 'geodesic 'q q)

@@ -1,5 +1,5 @@
-; Shapes made of curves and surfaces: pipes, Coons patches, Bezier and NURBS curves and surfaces, wires. After functions.scm.
-; Names that begin with % are not visible to programs. Compiled into the binary when it is built.
+; Shapes made from curves and surfaces: pipes, Coons patches, Bezier and NURBS curves and surfaces, wires. After
+; functions.scm. Names that begin with % are hidden from programs. Compiled into the binary when it is built.
 
 (define (%need-curve who name c)
   (if (not (and (object? c) (curve? c))) (error who "~a must be a curve, got ~s" name c)))
@@ -24,7 +24,7 @@
 
 ; ---- pipes ----
 
-; r is a number, or a procedure of the place on the curve from 0 at its start to 1 at its end.
+; r is a number, or a procedure of the place on the curve, from 0 at its start to 1 at its end.
 (define (make-pipe c r #:segments [segments any? #f])
   (%need-curve 'make-pipe 'c c)
   (%need-segments 'make-pipe segments)
@@ -46,7 +46,7 @@
 
 ; ---- Coons patches ----
 
-; A side as n + 1 points: of a curve at equal lengths, of a procedure at equal steps from 0 to 1.
+; Returns a side as n + 1 points: of a curve at equal lengths, of a procedure at equal steps from 0 to 1.
 (define (%side who name c n)
   (if (procedure? c)
       (map (lambda (t) (%point-of who name c t)) (division 0 1 n))
@@ -54,7 +54,7 @@
         (%need-curve who name c)
         (curve-division c n))))
 
-; c0 and c1 go along u, where v is 0 and 1; d0 and d1 along v. A curve that runs the other way is turned round.
+; c0 and c1 run along u, at v = 0 and 1; d0 and d1 along v. A curve in the other direction is reversed.
 (define (make-coons c0 c1 d0 d1 #:nu [nu any? #f] #:nv [nv any? #f])
   (let* ((nu (or nu (current-segments) 64)) (nv (or nv (current-segments) 64)))
     (%need-count 'make-coons 'nu nu 10000)
@@ -66,7 +66,7 @@
       (define (fits? s)
         (let ((a (first s)) (b (second s)) (c (third s)) (d (fourth s)))
           (and (near? (car a) (car c)) (near? (last a) (car d)) (near? (car b) (last c)) (near? (last b) (last d)))))
-      ; the sides with those turned round whose bit is set
+      ; returns the sides, reversed if their bit is set
       (define (sides bits) (map (lambda (l r i) (if (odd? (quotient bits (expt 2 i))) r l)) given turned (iota 4)))
       (define (miss one here p other there q)
         (if (not (near? p q))
@@ -107,7 +107,7 @@
   (if (not (and (exact-integer? p) (<= 1 p 15))) (error who "~a must be an exact integer from 1 to 15, got ~s" name p))
   (if (>= p n) (error who "~a must be less than the number of points, ~a, got ~a" name n p)))
 
-; Knots as given, or those of a curve that begins in its first point and ends in its last, evenly spaced from 0 to 1.
+; Returns the given knots, or those of a curve from its first point to its last, evenly spaced from 0 to 1.
 (define (%knots who name knots n p)
   (if knots
       (begin
@@ -151,7 +151,7 @@
 (define (make-nurbs-curve points #:degree [degree any? 3] #:weights [weights any? #f] #:knots [knots any? #f] #:closed [closed any? #f])
   (%make-nurbs-curve (%curve-spline 'make-nurbs-curve points degree weights knots closed)))
 
-; The same curve as a procedure: its point at t.
+; Returns the curve as a procedure of t.
 (define (nurbs-curve-function points #:degree [degree any? 3] #:weights [weights any? #f] #:knots [knots any? #f] #:closed [closed any? #f])
   (let ((s (%curve-spline 'nurbs-curve-function points degree weights knots closed)))
     (lambda (t) (%nurbs-point s t 0))))
@@ -191,7 +191,7 @@
                             #:knots-v [knots-v any? #f] #:nu [nu any? #f] #:nv [nv any? #f])
   (%sampled-surface 'make-nurbs-surface (%surface-spline 'make-nurbs-surface rows degree-u degree-v weights knots-u knots-v) nu nv))
 
-; The same surface as a procedure: its point at u and v.
+; Returns the surface as a procedure of u and v.
 (define (nurbs-surface-function rows #:degree-u [degree-u any? #f] #:degree-v [degree-v any? #f] #:weights [weights any? #f] #:knots-u [knots-u any? #f]
                                 #:knots-v [knots-v any? #f])
   (let ((s (%surface-spline 'nurbs-surface-function rows degree-u degree-v weights knots-u knots-v)))
@@ -199,7 +199,7 @@
 
 ; ---- wires ----
 
-; The lines of a surface: nu + 1 along v and nv + 1 along u, as curves, or as bars where a radius is given.
+; Returns the lines of a surface, nu + 1 along v and nv + 1 along u, as curves; with a radius, as bars.
 (define (make-wire f #:nu [nu any? 16] #:nv [nv any? 16] #:radius [radius any? #f] . ranges)
   (define (range x) (if (and (real? x) (finite? x)) x (error 'make-wire "a range goes from a number to a number, got ~s" x)))
   (if (not (procedure? f)) (error 'make-wire "f must be a procedure of u and v, got ~s" f))
@@ -214,12 +214,12 @@
       (let ((p (f u v)))
         (if (%finite-point? p) p (error 'make-wire "f must give points of finite coordinates; at (u, v) = (~a, ~a) it gave ~s" u v p))))
     (define (every-nth l step) (let loop ((l l) (i 0)) (if (null? l) '() (if (= 0 (remainder i step)) (cons (car l) (loop (cdr l) (+ i 1))) (loop (cdr l) (+ i 1))))))
-    ; a line of points, or nothing where the surface has a pole
+    ; a line of points; none at a pole of the surface
     (define (line points)
       (if (every (lambda (p) (near? p (car points))) points)
           '()
           (let ((curve (make-spline points))) (list (if radius (do-thicken curve (* 2 radius)) curve)))))
-    ; where the surface closes, its last line is the first
+    ; if the surface closes, its last line equals the first
     (define (once lines)
       (if (and (> (length lines) 2) (every near? (first lines) (last lines))) (reverse (cdr (reverse lines))) lines))
     (let* ((along-v (once (map (lambda (u) (map (lambda (v) (at u v)) vs)) (every-nth us (quotient (- (length us) 1) nu)))))
