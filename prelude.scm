@@ -1,11 +1,13 @@
-; The language's own library, in Scheme: every standard procedure that calls a procedure it was given, so that call/cc, errors,
-; limits and interrupts work through all of them. No geometry. Compiled into the binary when it is built.
+; The language's own library, in Scheme: every standard procedure that calls a procedure argument, so that call/cc,
+; errors, limits and interrupts work through all of them. No geometry. Compiled into the binary when it is built.
 ;
-; Names that begin with % are not visible to programs. Procedures without procedure arguments are C (vm/). Lists are walked left to
-; right and results built without mutation, so a continuation captured in the middle may be re-entered any number of times.
+; Names that begin with % are hidden from programs. Procedures without procedure arguments are C (vm/). Lists are walked
+; from left to right, and results are built without mutation; therefore a continuation captured in the middle may be
+; re-entered any number of times.
 
 ; ---- syntax ----
-; Syntax and procedures that need no C: rules over the core syntax of vm/front/forms.def and the procedures % of vm/library/control.c.
+; Syntax and procedures that need no C: rules over the core syntax of vm/front/forms.def and the % procedures of
+; vm/library/control.c.
 
 (define-syntax define-syntax-rule
   (syntax-rules ()
@@ -25,7 +27,7 @@
     ((_ ((formals expression) . more) . body) (%call-with-values-of expression formals (let*-values more . body)))
     ((_ . other) (syntax-error "let*-values is written (let*-values (((name ...) expression) ...) body ...)"))))
 
-; The formals of a clause get fresh names first, so that no expression sees a name bound by another clause.
+; The formals of a clause get fresh names first, so no expression sees a name that another clause binds.
 (define-syntax let-values
   (syntax-rules ()
     ((_ (((name) expression) ...) . body) (let ((name expression) ...) . body))
@@ -61,7 +63,7 @@
      (begin (define found (%call-with-values-of expression list-of-values (%count-values list-of-values '(name ...) #t)))
             (define name (%next-value found)) ...
             (define rest (car found))))))
-; the values in a box of one pair, taken off one by one
+; Returns the values as a box of one pair, from which they are taken one by one.
 (define (%count-values values names rest?)
   (if (or (< (length values) (length names)) (and (not rest?) (> (length values) (length names))))
       (error (string-append "define-values: expected " (number->string (length names)) (if rest? " or more" "")
@@ -134,9 +136,9 @@
     ((_ again (test value ...) clause ...) (if test (begin value ...) (%guard-clauses again clause ...)))
     ((_ again other . more) (syntax-error "a clause of guard is (test value ...), not" other))))
 
-; ---- for: clauses (name sequence) side by side, for* nested; #:when guards what follows it ----
-; A sequence is a list, a vector, a string, a hash table, a number (0 to n - 1), or (in-range a b step), (in-list l), (in-vector v) ...
-; In for, names side by side walk together; in for*, every clause is a loop of its own.
+; ---- for: parallel clauses (name sequence); for*: nested ones; #:when guards the clauses after it ----
+; A sequence is a list, a vector, a string, a hash table, a number (0 to n - 1), or (in-range a b step), (in-list l),
+; (in-vector v) ... In for, all names advance together; in for*, every clause is a separate loop.
 (define-syntax for (syntax-rules () ((_ clauses . body) (begin (%for-each clauses (let () . body)) (if #f #f)))))
 (define-syntax for* (syntax-rules () ((_ clauses . body) (begin (%for-each* clauses (let () . body)) (if #f #f)))))
 (define-syntax for/list
@@ -184,7 +186,7 @@
     ((_ (clause) action) (%for-one clause action))
     ((_ (clause . more) action) (%for-together (clause . more) () action))
     ((_ . other) (%for-written))))
-; one name: the ranges run without making a list
+; one name: the ranges make no list
 (define-syntax %for-one
   (syntax-rules (in-range in-list in-naturals)
     ((_ (name (in-range end)) action) (let ((to end)) (do ((i 0 (+ i 1))) ((>= i to)) (let ((name i)) action))))
@@ -196,7 +198,7 @@
     ((_ ((name ...) sequence) action) (let next ((l (%sequence sequence))) (if (pair? l) (begin (apply (lambda (name ...) action) (car l)) (next (cdr l))))))
     ((_ (name sequence) action) (let next ((l (%sequence sequence))) (if (pair? l) (begin (let ((name (car l))) action) (next (cdr l))))))
     ((_ . other) (%for-written))))
-; several: lists, until the shortest ends; a #:when behind some of them guards the rest
+; several names: lists, until the shortest ends; a #:when after some of them guards the rest
 (define-syntax %for-together
   (syntax-rules ()
     ((_ () ((name sequence l) ...) action)
@@ -229,7 +231,8 @@
         ((hash? s) (in-hash s))
         (else (error "for: expected a list, a vector, a string, a hash table or a count, got" s))))
 
-; ---- predicates made of predicates. In parameter lists and, or and not stand for the first three. A predicate that raises counts as false. ----
+; ---- predicates made from predicates. In parameter lists and, or and not mean the first three. A predicate that raises
+; counts as false. ----
 (define (%holds? p x) (call-with-current-continuation (lambda (k) (with-exception-handler (lambda (e) (k #f)) (lambda () (p x))))))
 (define (%need-predicates who ps)
   (for-each (lambda (p) (if (not (procedure? p)) (error who "a predicate must be a procedure of one argument, got ~s" p))) ps))
@@ -251,12 +254,12 @@
   (let ((table (list '())))
     (transformer form (lambda (id) (%rename table home id)) (lambda (a b) (%same-identifier? use a b)))))
 
-; ---- checks: the same wording as C's ----
+; ---- checks: the same messages as C's ----
 
 (define (%need-procedure who name f)
   (if (not (procedure? f)) (error who "~a must be a procedure, got ~s" name f)))
 
-; The end of a walk over `whole` that stopped at `rest`: a proper list ends in ().
+; Checks the end `rest` of a walk over `whole`: a proper list ends in ().
 (define (%need-end who whole rest)
   (if (not (null? rest)) (error who "expected a list, got ~s" whole)))
 
@@ -267,7 +270,7 @@
 (define (%need-index who name n)
   (if (not (and (exact-integer? n) (>= n 0))) (error who "~a must be an exact integer from 0 on, got ~s" name n)))
 
-; ---- several lists at once: the shortest ends the walk ----
+; ---- several lists: the shortest ends the walk ----
 
 (define (%any-end? lists)
   (let loop ((ls lists))
@@ -281,7 +284,7 @@
   (let loop ((ls lists) (acc '()))
     (if (pair? ls) (loop (cdr ls) (cons (cdr (car ls)) acc)) (reverse acc))))
 
-; the cars, with `last` behind them
+; Returns the cars, with `last` at the end.
 (define (%cars+ lists last) (append (%cars lists) (list last)))
 
 ; ---- mapping ----
@@ -405,7 +408,7 @@
   (%need-procedure 'string-count 'pred pred)
   (count pred (string->list s)))
 
-; Index of the first character that is `what` (a character) or satisfies it, or #f.
+; Returns the index of the first character that equals `what` (a character) or satisfies it, or #f.
 (define (string-index s what)
   (%need-string 'string-index s)
   (let ((n (string-length s))
@@ -450,7 +453,7 @@
              (loop (cdr rows) (apply f (append (car rows) (cons acc '()))))
              acc))))))
 
-; PLT's names, which take their arguments in the same order.
+; PLT's names, with their arguments in the same order.
 (define foldl (%renamed fold 'foldl))
 (define foldr (%renamed fold-right 'foldr))
 
@@ -467,7 +470,7 @@
       (let ((r (reverse list)))
         (fold f (car r) (cdr r)))))
 
-; SRFI 1: (unfold stop? mapper successor seed [tail-gen]): the thesis calls it with these four.
+; SRFI 1: (unfold stop? mapper successor seed [tail-gen]); the thesis calls it with the first four.
 (define unfold
   (case-lambda
     ((stop? mapper successor seed) (unfold stop? mapper successor seed (lambda (x) '())))
@@ -532,7 +535,7 @@
         (loop (cdr l) (if (same? x (car l)) acc (cons (car l) acc)))
         (reverse acc))))
 
-; The first of equal elements stays. With equal? it takes linear time.
+; Keeps the first of equal elements. With equal? it takes linear time.
 (define delete-duplicates
   (case-lambda
     ((list)
@@ -551,7 +554,7 @@
            (reverse acc))))))
 (define remove-duplicates (%renamed delete-duplicates 'remove-duplicates))
 
-; ---- searching: it may stop before the end of a list that has none, so whether it ends is asked now and then ----
+; ---- searching: a circular list never ends, so a search tests for one now and then ----
 (define-syntax %turn
   (syntax-rules () ((_ who turn l ...) (if (> turn 0) (- turn 1) (begin (%need-turn who (list l ...)) 100000)))))
 
@@ -567,7 +570,7 @@
     (cond ((pair? l) (if (pred (car l)) l (loop (cdr l) (%turn 'find-tail turn l))))
           (else (%need-end 'find-tail list l) #f))))
 
-; Both end in a tail call of pred on the last elements, as SRFI 1 wants.
+; Both end in a tail call of pred on the last elements, as SRFI 1 requires.
 (define any
   (case-lambda
     ((pred list)
@@ -654,14 +657,14 @@
 (define (span pred list)
   (%need-procedure 'span 'pred pred)
   (%span 'span pred #t list))
-; without arguments it stops the program, to look around at the prompt
+; without arguments it stops the program and opens the prompt
 (define break
   (case-lambda
     (() (%break))
     ((pred list)
      (%need-procedure 'break 'pred pred)
      (%span 'break pred #f list))))
-; as long as pred is, or is not, true
+; Splits the list before its first element for which pred is false (yes? #t) or true (yes? #f).
 (define (%span who pred yes? list)
   (let loop ((l list) (acc '()) (turn 1000))
     (cond ((not (pair? l)) (%need-end who list l) (values (reverse acc) l))
@@ -729,7 +732,7 @@
                   (runs (+ lo width width)))
                 (passes (* 2 width) to from)))))))
 
-; (sort sequence less? [#:key key]): a new list of a list, a new vector of a vector
+; (sort sequence less? [#:key key]): returns a new list for a list, a new vector for a vector.
 (define (sort sequence less? #:key [key any? #f])
   (%need-procedure 'sort 'less? less?)
   (let ((less? (if key (lambda (a b) (less? (key a) (key b))) less?)))
@@ -763,7 +766,7 @@
 
 ; ---- hash tables ----
 
-; failure: what to answer where the key is missing; a procedure is called. Without it a missing key is an error.
+; failure: the result for a missing key; a procedure is called. Without it a missing key is an error.
 (define %hash-missing (list 'missing))
 (define hash-ref
   (case-lambda
@@ -802,7 +805,7 @@
      (%need-procedure 'hash-update! 'f f)
      (hash-set! table key (f (hash-ref table key failure))))))
 
-; The entries as they were when the walk began.
+; Visits the entries that exist at its begin.
 (define (hash-for-each table f)
   (%need-table 'hash-for-each table)
   (%need-procedure 'hash-for-each 'f f)
@@ -821,7 +824,7 @@
   (%need-procedure 'negate 'f f)
   (lambda args (not (apply f args))))
 
-; (compose f g h): x -> (f (g (h x))); several values go through
+; (compose f g h): x -> (f (g (h x))); passes several values on.
 (define (compose . fs)
   (for-each (lambda (f) (%need-procedure 'compose 'f f)) fs)
   (cond ((null? fs) values)
@@ -891,7 +894,7 @@
 
 ; ---- numbers ----
 
-; the simplest fraction of lo <= q <= hi, 0 < lo: by continued fractions
+; Returns the simplest fraction q with lo <= q <= hi, 0 < lo: by continued fractions.
 (define (%simplest lo hi)
   (let ((whole (floor lo)))
     (cond ((= whole lo) whole)
@@ -914,7 +917,7 @@
   (for-each (lambda (x) (if (not (symbol? x)) (error 'symbol<? "expected a symbol, got ~s" x))) (cons* a b more))
   (apply string<? (symbol->string a) (symbol->string b) (map symbol->string more)))
 
-; ---- complex numbers, of which there are the real ones: names of (scheme complex) ----
+; ---- complex numbers, of which only real ones exist: names of (scheme complex) ----
 
 (define (real-part x) (%need-real 'real-part 'x x) x)
 (define (imag-part x) (%need-real 'imag-part 'x x) 0)

@@ -1,5 +1,5 @@
-; The second half of the library in Scheme: what the SRFIs and other Schemes add to R7RS. It uses prelude.scm and nothing else uses it but
-; programs: nothing here is needed to run the language.
+; The second half of the library in Scheme: the additions of the SRFIs and other Schemes to R7RS. It uses prelude.scm;
+; only programs use it. The language runs without it.
 
 ; ---- the rest of SRFI 1 ----
 
@@ -32,7 +32,7 @@
     (set-cdr! (last-pair l) l)
     l))
 
-; 'proper, 'dotted or 'circular; the hare goes two steps for the tortoise's one
+; Returns 'proper, 'dotted or 'circular: the hare goes two steps for each one of the tortoise.
 (define (%list-shape x)
   (let loop ((hare x) (tortoise x))
     (cond ((null? hare) 'proper)
@@ -64,7 +64,7 @@
 
 (define (concatenate lists)
   (%need-list 'concatenate lists)
-  (if (pair? lists) (%need-list-of-lists 'concatenate (reverse (cdr (reverse lists))))) ; the last may be anything, as append's
+  (if (pair? lists) (%need-list-of-lists 'concatenate (reverse (cdr (reverse lists))))) ; the last may be any value, as for append
   (apply append lists))
 (define (append* first . more)
   (let* ((all (reverse (cons first more))) (last (car all)))
@@ -80,7 +80,7 @@
 (define (%need-list-of-lists who lists)
   (%need-list who lists)
   (for-each (lambda (l) (if (not (or (pair? l) (null? l))) (error who "expected a list of lists, got ~s" lists))) lists))
-; the first, second ... elements of lists of n or more
+; Returns the first, second ... elements of lists of n or more elements.
 (define (%unzip who n lists)
   (%need-list who lists)
   (for-each (lambda (l) (if (< (or (length+ l) n) n) (error who "expected a list of lists of ~a elements or more, got ~s" n lists))) lists)
@@ -92,7 +92,7 @@
 (define (unzip2 lists) (%unzip 'unzip2 2 lists))
 (define (unzip3 lists) (%unzip 'unzip3 3 lists))
 
-; the cdrs of lists side by side, until one ends: (step list ... ) on the pairs themselves
+; Walks the pairs of several lists until one ends: calls (step list ...) with the pairs themselves.
 (define (%all-pairs? lists) (or (null? lists) (and (pair? (car lists)) (%all-pairs? (cdr lists)))))
 (define (pair-fold f init list . more)
   (%need-procedure 'pair-fold 'f f)
@@ -140,7 +140,7 @@
 (define (%unzip4 lists) (%unzip 'unzip4 4 lists))
 (define (%unzip5 lists) (%unzip 'unzip5 5 lists))
 
-; the equivalence that an optional argument gives, else equal?
+; Returns the equivalence of an optional argument, otherwise equal?.
 (define (%same who rest)
   (cond ((null? rest) equal?)
         ((and (null? (cdr rest)) (procedure? (car rest))) (car rest))
@@ -190,7 +190,7 @@
 (define %lset-xor! (%renamed lset-xor '%lset-xor!))
 (define %lset-diff+intersection! (%renamed %lset-diff+intersection '%lset-diff+intersection!))
 
-; ---- lists and vectors in PLT's and MIT's words ----
+; ---- lists and vectors by PLT's and MIT's names ----
 
 (define (remq x list) (%need-list 'remq list) (delete x list eq?))
 (define (remv x list) (%need-list 'remv list) (delete x list eqv?))
@@ -219,7 +219,7 @@
   (let ((last (- (length list) 1)))
     (if (not (and (exact-integer? i) (<= 0 i last))) (error who "i must be an exact integer from 0 to ~a, got ~s" last i))))
 
-; in random order (Fisher and Yates)
+; Returns the elements in random order (Fisher and Yates).
 (define (shuffle list)
   (%need-list 'shuffle list)
   (let ((v (list->vector list)))
@@ -261,7 +261,7 @@
   (%need-vector 'vector-index v)
   (let loop ((i 0))
     (and (< i (vector-length v)) (if (pred (vector-ref v i)) i (loop (+ i 1))))))
-; (compare element key) is below, equal to or above 0
+; (compare element key) is below, equal to or above 0.
 (define (vector-binary-search v key compare)
   (%need-procedure 'vector-binary-search 'compare compare)
   (%need-vector 'vector-binary-search v)
@@ -284,9 +284,9 @@
     (let ((i (and (<= from (string-length string)) (string-search string text from))))
       (if i (loop (+ i 1) (cons i acc)) (reverse acc)))))
 
-; ---- hash tables in SRFI 69's words ----
+; ---- hash tables by SRFI 69's names ----
 
-; the equivalence: eq? and eqv? as they are, any other stands for equal?
+; The equivalence: eq?, eqv? and = count as eqv?, any other as equal?.
 (define (make-hash-table . equivalence)
   (if (and (pair? equivalence) (memq (car equivalence) (list eq? eqv? =))) (make-hasheqv) (make-hash)))
 (define (alist->hash-table alist . equivalence)
@@ -318,7 +318,7 @@
   (%need-procedure 'hash-table-fold 'f f)
   (fold (lambda (entry acc) (f (car entry) (cdr entry) acc)) init (hash->list table)))
 
-; ... of which these are seen only through (srfi 69), where `hash` is another procedure than here
+; ... of which these are visible only through (srfi 69), where `hash` is another procedure than here
 (define (%hash x . bound) (if (pair? bound) (modulo (equal-hash x) (car bound)) (equal-hash x)))
 (define %string-hash %hash)
 (define (%string-ci-hash s . bound) (apply %hash (string-foldcase s) bound))
@@ -342,7 +342,8 @@
     ((_ ((expression) . more) . body) (if expression (and-let* more . body) #f))
     ((_ (name . more) . body) (if name (and-let* more . body) #f))))
 
-; SRFI 26, seen as cut and cute where (srfi 26) is imported. In %cut-more: names of the slots so far, the parts of the call so far.
+; SRFI 26, visible as cut and cute if (srfi 26) is imported. In %cut-more: names of the slots so far, the parts of the
+; call so far.
 (define-syntax %cut (syntax-rules () ((_ . parts) (%cut-more () () . parts))))
 (define-syntax %cut-more
   (syntax-rules (<> <...>)
@@ -380,9 +381,9 @@
     ((_ () . body) (let () . body))
     ((_ (binding . more) . body) (fluid-let (binding) (fluid-let more . body)))))
 
-; ---- structures, as Racket writes them ----
-; (struct name (field ...)) defines name, name? and name-field; #:mutable, also behind one field in brackets, set-name-field! as well.
-; (define-struct name (field ...)) calls the constructor make-name, and has set-name-field!.
+; ---- structures in Racket's form ----
+; (struct name (field ...)) defines name, name? and name-field; #:mutable, also after one field in brackets, adds
+; set-name-field!. (define-struct name (field ...)) names the constructor make-name, and defines set-name-field!.
 
 (define (%define-structure form rename constructor mutable)
   (define (name . parts) (string->symbol (apply string-append (map (lambda (p) (if (string? p) p (symbol->string (syntax->datum p)))) parts))))

@@ -12,7 +12,7 @@
   (low %gizmo-low)             ; the least and the greatest value; for a tripod the largest move of one drag, a gvector
   (high %gizmo-high)
   (step %gizmo-step)           ; #f: any value
-  (size %gizmo-size)           ; the size of a handle; also the length of an arrow's and a tripod's handle from the place
+  (size %gizmo-size)           ; the size of a handle; also the length of an arrow's and a tripod's handle
   (procedure %gizmo-procedure)) ; called by a trigger
 
 (define (%need-size who x)

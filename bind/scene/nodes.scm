@@ -15,7 +15,7 @@
   (%scale %node-scaling %set-node-scaling!)
   (%drawing %node-drawing %set-node-drawing!)    ; a list of objects; out of date while the node has the focus
   (%table %node-table)                           ; its properties
-  (%shown %node-shown %set-node-shown!)          ; its object with all below it in the parent's frame, or #f; never #f below a node with one
+  (%shown %node-shown %set-node-shown!)          ; its picture in the parent's frame; if #f, so are those above
   (%actions %node-actions %set-node-actions!)    ; a table from an action to the procedure for it, or #f
   (%program %node-program %set-node-program!)    ; the environment of its own program, or #f
   (%gizmo %node-gizmo %set-node-gizmo!))         ; its handles if it is a gizmo, otherwise #f
@@ -29,7 +29,7 @@
   (root %controller-root)
   (%focus %controller-focus %set-controller-focus!) ; nodes, the innermost first; the last is the root
   (%properties %controller-properties)
-  (%types %controller-types))                       ; a table from the name of a type to a procedure that prepares a new node
+  (%types %controller-types))                       ; name of a type -> procedure that prepares a new node
 
 (define %the-controller #f)
 (define %events '(Node.create Node.addChild Node.removeChild Node.removeChildren Node.begin Node.end Node.selected))

@@ -13,7 +13,7 @@
     (if (= l 0) (refuse who "a direction must have a length" a))
     (v* a (/ 1.0 l))))
 
-; f, coordinate by coordinate; a number beside a vector is used for each.
+; Applies f coordinate by coordinate; a number beside a vector counts for each.
 (define (by-coordinate who f a b)
   (cond
     ((and (number? a) (number? b)) (f a b))
@@ -129,7 +129,7 @@
 (operator (cross a b) (need-vector 'cross a) (need-vector 'cross b) (v-cross a b))
 (operator (normalize v) (need-vector 'normalize v) (v-unit 'normalize v))
 (operator (dist a b) (need-vector 'dist a) (need-vector 'dist b) (v-length (v- a b)))
-(operator (rot_vec v axis angle) ; about the axis, counter-clockwise seen from its tip
+(operator (rot_vec v axis angle) ; about the axis, counterclockwise seen from its tip
   (need-vector 'rot_vec v)
   (need-vector 'rot_vec axis)
   (need-number 'rot_vec angle)

@@ -1,37 +1,35 @@
-; Shapes are bounded by faces, edges and vertices that know each other: each edge is two half edges, mates, one along
-; either face.
+; The boundary of a shape: linked faces, edges and vertices. Each edge is two half edges, mates, one along either face.
 ; Euler's operators change them and keep every shell closed. After control.scm.
 ;
-; The half edge e runs from its vertex to that of its next one, counter-clockwise round its face as seen from outside.
-; A face that
-; lies within another, its base, is a ring of it: a hole.
+; The half edge e runs from its vertex to that of its next one, counterclockwise around its face, seen from outside. A
+; face within another one, its base, is a ring of it: a hole.
 
-; The fields of an edge are not printed: it knows its whole shape.
+; The fields of an edge are not printed: they link to its whole shape.
 (define-record-type |%edge of GML| (make-edge %vertex %next %previous %mate %face %sharp) edge?
   (%vertex edge-vertex set-edge-vertex!)
   (%next edge-next set-edge-next!)
   (%previous edge-previous set-edge-previous!)
   (%mate edge-mate set-edge-mate!)
-  (%face edge-face set-edge-face!)   ; #f: the edge was taken away
+  (%face edge-face set-edge-face!)   ; #f: the edge was removed
   (%sharp edge-sharp set-edge-sharp!))
 (define-record-type <vertex> (make-vertex place corner) vertex? (place vertex-place set-vertex-place!)
   (corner vertex-corner))
 (define-record-type <face> (make-face edge base rings material) face?
   (edge face-edge set-face-edge!)
-  (base face-base set-face-base!)   ; the face itself where it is no ring
+  (base face-base set-face-base!)   ; the face itself unless it is a ring
   (rings face-rings set-face-rings!)
   (material face-material set-face-material!))
 
-; The model of a context: its faces in the order of making, and what new parts get.
+; The model of a context: its faces in the order of making, and the properties for new parts.
 (define-record-type <model> (make-model faces material materials sharpness macros macro) model?
   (faces model-faces)
   (material model-material set-model-material!)
   (materials model-materials set-model-materials!) ; those that were pushed
   (sharpness model-sharpness set-model-sharpness!) ; a stack
-  (macros model-macros)                            ; a table from a number to the faces made since newmacro said it
+  (macros model-macros)                            ; a table from a number to the faces made since its newmacro
   (macro model-macro set-model-macro!))            ; the number, or #f
 
-(define models (make-hasheq)) ; of the nodes that have one
+(define models (make-hasheq)) ; by node
 (define (model)
   (let ((node (node-current)))
     (or (hash-ref models node #f)
@@ -57,7 +55,7 @@
   (if (not (edge? e)) (refuse who "an operand must be an edge" e))
   (if (not (edge-face e)) (error who "the edge was taken away")))
 
-; The half edges round a face, and those that leave a vertex, from e on.
+; Returns the half edges around a face, and those that leave a vertex, from e on.
 (define (face-edges e)
   (let loop ((x (edge-previous e)) (l '())) (if (eq? x e) (cons e l) (loop (edge-previous x) (cons x l)))))
 (define (vertex-cw e) (edge-next (edge-mate e)))
@@ -65,7 +63,7 @@
 (define (vertex-edges e)
   (let loop ((x (vertex-ccw e)) (l '())) (if (eq? x e) (cons e l) (loop (vertex-ccw x) (cons x l)))))
 
-; The sum of the cross products of Newell: twice the area, along the normal.
+; Returns the sum of Newell's cross products: twice the area, along the normal.
 (define (normal-sum places)
   (let loop ((l places) (x 0.0) (y 0.0) (z 0.0))
     (if (null? l)
@@ -96,8 +94,8 @@
     (mates! a b)
     b))
 
-; The vertex of the edges is split: those from a on, clockwise, until b, go to the new vertex at p. With a = b an edge
-; grows out of the vertex.
+; Splits the vertex of the edges: those from a on, clockwise, until b, move to the new vertex at p. With a = b, a new
+; edge ends in the new vertex.
 (define (make-ev a b p)
   (let* ((v (edge-vertex b)) (new (make-vertex p #f)) (f (edge-face b)))
     (if (not (eq? (edge-vertex a) v)) (error 'makeEV "the edges must leave one vertex"))
@@ -114,7 +112,7 @@
       (mates! out back)
       out)))
 
-; An edge from b's vertex to a's cuts the face: what goes from a until b gets a face of its own.
+; Divides the face by an edge from b's vertex to a's: the edges from a until b get a new face.
 (define (make-ef a b)
   (same-face 'makeEF a b)
   (let* ((f (new-face #f)) (one (new-edge (edge-vertex b) f)) (two (new-edge (edge-vertex a) (edge-face a)))
@@ -160,7 +158,7 @@
 
 (define (drop-ring base ring) (set-face-rings! base (filter (lambda (r) (not (eq? r ring))) (face-rings base))))
 
-; The ring becomes part of its base's border by an edge between the two; the edge returned leads along it from the ring.
+; Joins the ring to its base's border by an edge between the two; returns the half edge that begins at the ring.
 (define (make-e-kill-r ring-edge base-edge)
   (let ((ring (edge-face ring-edge)) (base (edge-face base-edge)))
     (if (or (eq? ring base) (not (eq? (face-base ring) base)))
@@ -226,9 +224,9 @@
   (gone! (edge-mate e))
   (gone! e))
 
-; ---- going about, asking, moving ----
+; ---- navigation, questions, moves ----
 
-; edge faceCCW, or edge number faceCCW: so many steps.
+; edge faceCCW, or edge number faceCCW with a number of steps.
 (define-syntax edge-steps
   (syntax-rules ()
     ((_ (name f) ...)

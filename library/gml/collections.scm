@@ -49,14 +49,14 @@
     (vector-set! (array-items a) n v)
     (set-array-count! a (+ n 1))))
 
-; The elements of an array, or the tokens of a procedure, as a list.
+; Returns the elements of an array, or the tokens of a procedure, as a list.
 (define (need-elements who v)
   (cond ((array? v) (array->list v))
         ((block? v) (vector->list (block-tokens v)))
         (else (refuse who "an operand must be an array" v))))
 (define (need-array who v) (if (not (array? v)) (refuse who "an operand must be an array" v)))
 
-; Places count from 0, or from the end below 0.
+; Places count from 0; negative ones count from the end.
 (define (place-in who n i)
   (if (not (exact-integer? i)) (refuse who "a place in an array is a whole number" i))
   (let ((p (if (< i 0) (+ n i) i)))
@@ -103,7 +103,7 @@
   (let ((l (need-elements 'cvx a))) (make-block (list->vector l) (lambda () (for-each execute-token l) #t))))
 (operator (cvlit a) (list->array (need-elements 'cvlit a)))
 
-; A token of a procedure that was looked at, put together or changed by the program.
+; Executes a token of a procedure that the program has read, composed or changed.
 (define (execute-token t)
   (if (and (pair? t) (list? t))
       (case (car t)

@@ -11,7 +11,7 @@
 
 ; ---- loops: exit leaves the innermost ----
 
-(define leave #f) ; the continuation behind the innermost loop
+(define leave #f) ; the continuation after the innermost loop
 
 (define (with-exit who p turns)
   (need-procedure who p)
@@ -27,7 +27,7 @@
   (need-procedure 'while q)
   (with-exit 'while p (lambda () (let turn () (execute p) (if (true? (gml:pop 'while)) (begin (execute q) (turn)))))))
 
-; The n-th turn has from + n step, so that steps do not add up their roundings.
+; The n-th iteration has from + n step, so that roundings of the steps do not add up.
 (define (count-loop who from step to p within?)
   (for-each (lambda (v) (need-number who v)) (list from step to))
   (if (= step 0) (error who "the step is 0"))
@@ -58,7 +58,7 @@
     (with-exit 'twomap p (lambda () (for-each (lambda (x y) (gml:push x) (gml:push y) (execute p)) a b)))
     (close-array)))
 
-; ---- exceptions: { ... } { handler } catch; throw goes to the innermost ----
+; ---- exceptions: { ... } { handler } catch; throw goes to the innermost handler ----
 
 (define handler #f)
 (operator! (throw) (if handler (handler #t) (error "thrown, and nothing catches it")))

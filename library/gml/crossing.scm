@@ -1,10 +1,11 @@
-; Values and procedures that cross between GML and Scheme. After nodes.scm.
+; The conversion of values and procedures between GML and Scheme. After nodes.scm.
 ;
-; Data cross as copies: arrays are lists, dictionaries tables with symbols as keys. A procedure { ... } becomes a procedure of Scheme, which gets
-; operands and returns what they became; a procedure of Scheme becomes an operator that takes as many operands as it has parameters. A whole number is one in GML
-; however it is written in Scheme: all numbers of JavaScript are doubles, and GML counts and indexes with whole ones.
+; Data are copied: arrays become lists, dictionaries tables with symbols as keys. A procedure { ... } becomes a
+; procedure of Scheme, which takes operands and returns the results. A procedure of Scheme becomes an operator that
+; takes as many operands as it has parameters. In GML every integer is exact, also if Scheme has it as a double: all
+; numbers of JavaScript are doubles, and GML counts and indexes with integers.
 
-(define busy 0) ; how many procedures of Scheme GML is executing
+(define busy 0) ; the number of Scheme procedures that GML is executing
 
 (define (operator? v) (and (procedure? v) (memq v (hash-values operators)) #t))
 
@@ -16,7 +17,8 @@
           ((or (block? v) (operator? v)) (procedure-of v))
           (else unknown))))
 
-; What stands for what: a procedure { ... } or operator and its procedure of Scheme, in both ways, so that it is itself again when it comes back.
+; Pairs of a procedure { ... } or operator and its procedure of Scheme, in both directions, so that a value that returns
+; is the same one again.
 (define procedures (make-hasheq))
 (define origins (make-hasheq))
 (define (procedure-of v)
@@ -49,7 +51,7 @@
   (cond ((or (symbol? key) (number? key)) key) ((string? key) (string->symbol key))
         (else (error 'to-gml "a key must be a symbol, a string or a number, got ~s" key))))
 
-; An operator that is a procedure of Scheme: no value leaves nothing on the stack, several leave as many.
+; Runs an operator that is a procedure of Scheme: it pushes each of its values; no value pushes nothing.
 (set! run-outside
   (lambda (o)
     (let* ((count (outside-count o)) (who 'call))
@@ -61,7 +63,7 @@
             (set! busy (- busy 1))
             (for-each (lambda (r) (if (not (eq? r (if #f #f))) (gml:push (to-gml r)))) results)))))))
 
-; Executes v on the operands; returns what is left: nothing, the value, or the list of several.
+; Executes v on the operands; returns the results: nothing, the value, or a list of several.
 (define (run who v values)
   (let ((bottom depth) (begun dictionaries) (outer-leave leave) (outer-handler handler) (results '()) (calls busy))
     (define (work)
@@ -96,7 +98,7 @@
   (need-name 'gml-call (called name))
   (run (called name) (lookup (called name)) values))
 
-; The object that the shape of an edge is.
+; Returns the object of an edge's shape.
 (define (gml-object e)
   (need-edge 'gml-object e)
   (or (shell-object (shell-of (edge-face e) (make-hasheq))) (empty-object)))

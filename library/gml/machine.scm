@@ -1,11 +1,11 @@
-; The machine of GML: values, the operand stack, the stack of dictionaries, and how a value is executed.
+; The machine of GML: values, the operand stack, the stack of dictionaries, and the execution of values.
 ;
-; Numbers, strings and points (vectors of three) are the language's own; a literal name is a symbol; a dictionary is a
-; table; a node of the scene is one as well, and so is the controller.
-; A procedure { ... } is a closure that the reader compiled, with the tokens that it was made of.
+; Numbers, strings and points (vectors of three) are the language's own. A literal name is a symbol. A dictionary is a
+; table, a node of the scene, or the controller. A procedure { ... } is a closure that the reader compiled, with its
+; tokens.
 
-; A procedure of Scheme that a program gave to GML is an outside: crossing.scm. Names of record types and fields begin with % so that the
-; printer shows no fields.
+; A procedure of Scheme that a program gave to GML is an outside: crossing.scm. Names of record types and fields begin
+; with %, so that the printer shows no fields.
 
 (define-record-type |%procedure of GML| (make-block %tokens %thunk) block? (%tokens block-tokens) (%thunk block-thunk))
 (define-record-type |%array of GML| (make-array %items %count) array? (%items array-items set-array-items!)
@@ -55,13 +55,13 @@
 
 (define (gml:operators) (hash-keys operators))
 
-; Operands down to the innermost mark, in their order; the mark goes as well.
+; Pops the operands down to the innermost mark, and the mark; returns them in order.
 (define (pop-to-mark who)
   (let loop ((l '()))
     (if (= depth 0) (error who "there is no [ on the stack"))
     (let ((v (pop))) (if (marker? v) l (loop (cons v l))))))
 
-; ---- how values are told ----
+; ---- the text of values ----
 
 (define (show v)
   (cond
@@ -100,7 +100,7 @@
     ((memq name (property-names d)) (property-get d name))
     (else gml:unset)))
 
-; A procedure that the controller is given becomes one that hosts may call.
+; A procedure that is stored in the controller becomes one that hosts may call.
 (define (set-entry! d name v)
   (cond ((hash-table? d) (hash-set! d name v))
         ((and (block? v) (eq? d (node-controller))) (property-put! d name (in-place v)))
@@ -121,7 +121,7 @@
         (let ((v (entry (car d) name)))
           (if (eq? v gml:unset) (loop (cdr d)) v)))))
 
-; ---- what the reader's forms do ----
+; ---- the procedures of the reader's forms ----
 
 (define (execute v)
   (cond ((block? v) ((block-thunk v)))
@@ -150,7 +150,7 @@
 
 (define (gml:register v name) (if (or (block? v) (procedure? v) (outside? v)) (execute v) (gml:value v name)))
 
-; ---- what operators are made of ----
+; ---- the definition of operators ----
 
 ; (operator (name a b ...) body ...): pops the operands, the last from the top, and pushes the value. operator! pushes
 ; nothing.

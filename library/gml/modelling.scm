@@ -1,11 +1,11 @@
-; Polygons, double faces, extrusions, bridges, materials, macros, and what is drawn in the end. After boundary.scm.
+; Polygons, double faces, extrusions, bridges, materials, macros, and the final drawing. After boundary.scm.
 
 (define (need-polygon who a)
   (let ((l (need-elements who a)))
     (for-each (lambda (p) (need-vector who p)) l)
     l))
 
-; ---- the eight modes: how sharp the edges of a ring are, and those from ring to ring ----
+; ---- the eight modes: the sharpness of the edges of a ring, and of those from ring to ring ----
 
 (define modes
   '#((#f . smooth) (#t . smooth) (#f . sharp) (#t . sharp) (#f . like-vertex) (#t . like-vertex) (#f . continue)
@@ -21,7 +21,7 @@
 
 ; ---- polygons ----
 
-; Two directions across the normal: the first where the smallest turn from +Z to the normal takes +X.
+; Returns two directions perpendicular to the normal; the smallest turn from +Z to the normal turns +X to the first.
 (define (across who normal)
   (let* ((n (v-unit who normal)) (x (cx n)) (y (cy n)) (z (cz n)))
     (if (< z -0.999999999)
@@ -43,7 +43,7 @@
             (loop (- i 1)
               (cons (v+ centre (v+ (v* (car uv) (* radius (cos a))) (v* (cdr uv) (* radius (sin a))))) l)))))))
 
-; The rectangle between two corners in a plane across an axis. Modes 0 and 1 are X, 2 and 3 Y, 4 and 5 Z; odd ones look
+; The rectangle between two corners in a plane across an axis. Modes 0 and 1 are X, 2 and 3 Y, 4 and 5 Z; odd ones face
 ; along the axis.
 (operator (quad p q mode)
   (need-vector 'quad p)
@@ -67,7 +67,7 @@
   (list->array (map (lambda (p) (onto-plane 'project_polyplane p direction normal distance))
                  (need-polygon 'project_polyplane polygon))))
 
-; Neighbours that are the same point are one corner, which like-vertex keeps sharp: a list of (point . corner?).
+; Merges equal neighbours to one corner, which like-vertex keeps sharp; returns a list of (point . corner?).
 (define (corners-of places)
   (let loop ((l places) (out '()))
     (if (null? l)
@@ -79,7 +79,7 @@
             (loop (cdr l) (cons (cons (car l) #t) (cdr out)))
             (loop (cdr l) (cons (cons (car l) #f) out))))))
 
-; A face and its back, which share their edges. The edge runs from the first point to the second along the face.
+; Makes a face and its back, which share their edges. Returns the edge of the face from the first point to the second.
 (operator (poly2doubleface polygon mode)
   (let* ((mode (mode-of 'poly2doubleface mode)) (corners (corners-of (need-polygon 'poly2doubleface polygon)))
          (n (length corners)))
@@ -98,7 +98,7 @@
 
 ; ---- extrusion ----
 
-; The corners moved inwards across the normal so that each side goes in by 1.
+; Returns the offsets of the corners, perpendicular to the normal, that move each side inwards by 1.
 (define (inward places normal)
   (let* ((n (length places)) (v (list->vector places)))
     (map
@@ -109,16 +109,16 @@
       (iota n))))
 (define (direction p q) (let* ((d (v- q p)) (l (v-length d))) (if (= l 0) (xyz 0 0 0) (v* d (/ 1.0 l)))))
 
-; Adds a ring: the face of e goes to the places, and a side stands on each of its edges. The edge above e.
+; Adds a ring: the face of e moves to the places, and each of its edges gets a side. Returns the edge above e.
 (define (extrude-to e places mode)
   (let* ((ring (face-edges e)) (f (edge-face e)) (sharp (car mode))
-         (risers ; is the edge up from the vertex sharp?
+         (risers ; whether the edge up from each vertex is sharp
            (map (lambda (x)
                   (case (cdr mode)
                     ((sharp) #t)
                     ((smooth) #f)
                     ((like-vertex) (vertex-corner (edge-vertex x)))
-                    (else (let ((l (vertex-edges x))) ; the one edge of the vertex that is not of the ring
+                    (else (let ((l (vertex-edges x))) ; the edge of the vertex that is not of the ring
                             (if (= (length l) 3)
                                 (edge-sharp
                                   (find (lambda (y) (not (or (eq? y x) (eq? y (edge-mate (edge-previous x)))))) l))
@@ -161,7 +161,7 @@
   (let* ((places (face-places e)) (by (v* (normal-of 'extrude-simple places) distance)))
     (extrude-to e (map (lambda (p) (v+ p by)) places) (if (true? sharp) '(#t . sharp) '(#f . smooth)))))
 
-; ---- bridges: two faces of as many corners give way to a ring of sides between their borders ----
+; ---- bridges: a ring of sides between the borders replaces two faces with equally many corners ----
 
 (define (bridge who a b sharp)
   (other-faces who a b)
@@ -170,7 +170,7 @@
     (if (pair? (append (face-rings f) (face-rings g))) (error who "a face with rings is not bridged"))
     (let* ((opposite
              (let loop ((i 0) (x b) (l '())) (if (= i n) (reverse l) (loop (+ i 1) (edge-previous x) (cons x l)))))
-           ; a runs from v to w; the edge opposite, from the vertex beyond w's to the one beyond v's
+           ; a runs from v to w; the opposite edge runs from the vertex beyond w's to the one beyond v's
            (across (map (lambda (x) (edge-previous x)) opposite))
            (sides (map (lambda (x) (new-face x)) ring))
            (next (lambda (l) (append (cdr l) (list (car l)))))
@@ -210,8 +210,8 @@
 (define (text-of who v)
   (cond ((string? v) v) ((symbol? v) (symbol->string v)) (else (refuse who "a name or a string is needed" v))))
 
-; A name means the material that the current node or one above it has as a property of that name, else the language's
-; material or colour. Another name stands for the plain one: the host or the project of the model knows it.
+; A name means the material in the property of that name of the current node or a node above it, otherwise the
+; language's material or colour. Any other name means the plain material: the host or the project of the model knows it.
 (define materials (make-hash))
 (define (resource m)
   (let ((p (and (symbol? m) (property-find (node-current) m))))
@@ -231,7 +231,7 @@
           (hash-set! materials m known)))
     (known o)))
 
-; ---- macros: what was made since newmacro can be taken away as one ----
+; ---- macros: the faces made since newmacro can be removed together ----
 
 (define macros-made 0)
 (define (drop-macro m number)
@@ -249,11 +249,11 @@
     (for-each (lambda (k) (hash-remove! (model-macros m) k)) (hash-keys (model-macros m)))
     (set-model-macro! m #f)))
 
-; ---- what the shells are in the drawing ----
+; ---- the shells as objects of the drawing ----
 
-; A face with rings as one border: each ring is joined to it by a cut, there and back, between their nearest corners.
-; Then triangles by cutting ears.
-(define (places->triangles corners normal) ; corners: a list of (number . place); gives lists of three numbers
+; Joins a face's rings to its border: each by a cut, there and back, between their nearest corners. Then triangulates by
+; cutting ears.
+(define (places->triangles corners normal) ; corners: a list of (number . place); returns lists of three numbers
   (let* ((uv (across 'face normal)) (flat (lambda (c) (cons (v-dot (cdr c) (car uv)) (v-dot (cdr c) (cdr uv)))))
          (turn (lambda (a b c)
                  (- (* (- (car b) (car a)) (- (cdr c) (cdr a))) (* (- (cdr b) (cdr a)) (- (car c) (car a)))))))
@@ -261,7 +261,7 @@
       (let ((n (length l)))
         (cond
           ((< n 3) out)
-          ((> tried n) out) ; what is left has no area
+          ((> tried n) out) ; the rest has no area
           (else
             (let* ((a (car l)) (b (cadr l)) (c (caddr l)) (t (turn (cdr a) (cdr b) (cdr c))))
               (if (and (> t 0)
@@ -274,7 +274,7 @@
                   (cut (cons a (cddr l)) 0 (cons (list (car a) (car b) (car c)) out))
                   (cut (append (cdr l) (list a)) (+ tried 1) out)))))))))
 
-(define (nearest-cut border ring) ; both lists of (number . place): the border with the ring in it
+(define (nearest-cut border ring) ; both are lists of (number . place); returns the border with the ring in it
   (let* ((best #f) (at-border #f) (at-ring #f))
     (for-each
       (lambda (b)
@@ -287,7 +287,7 @@
            (here (memq at-border border)))
       (append (take border (- (length border) (length here))) (list at-border) turned (list at-ring) here))))
 
-; The faces of a shell, from one of them, through mates and rings.
+; Returns the faces of a shell, from one of them on, through mates and rings.
 (define (shell-of f seen)
   (let loop ((work (list f)) (out '()))
     (if (null? work)

@@ -1,4 +1,4 @@
-; The scene's nodes as GML's contexts: each has a model of its own. After modelling.scm.
+; The scene's nodes as GML's contexts, each with its own model. After modelling.scm.
 
 (define (need-scene-node who v) (if (not (node? v)) (refuse who "an operand must be a node" v)))
 (define (gvector->point v) (xyz (cx v) (cy v) (cz v)))
@@ -12,7 +12,7 @@
   (node-clear))
 (operator! (node-begin n) (need-scene-node 'node-begin n) (node-begin n))
 
-; The model of a context is its drawing from the end on.
+; At its end, the model of a context becomes its drawing.
 (define (keep-drawing node)
   (let ((m (hash-ref models node #f)))
     (if m (node-setdrawing node (model-objects m)))))
@@ -52,7 +52,7 @@
 (frame-readers
   (node-gettransform node-gettranslate) (node-gettranslate node-gettranslate) (node-getrotate node-getrotate) (node-getscale node-getscale))
 
-; ---- the scene graph of the host, which is the same tree ----
+; ---- the host's scene graph, which is the same tree ----
 
 (operator (osg-ctxconvert n) (need-scene-node 'osg-ctxconvert n) n)
 (operator (osg-getroot) (node-getroot))
@@ -71,7 +71,7 @@
     (let loop ((l pairs)) (if (pair? l) (begin (hash-set! d (car l) (cadr l)) (loop (cddr l)))))
     d))
 
-; The root's model was drawn at the end of its file. A callback that changes it has the objects drawn anew.
+; The root's model was drawn at the end of its file. After a callback that changes it, its objects are drawn anew.
 (define root-model #f)
 (define root-drawn '())
 (define (with-root-model thunk)
@@ -81,7 +81,7 @@
     (let ((m (hash-ref models root #f)) (others (without root-drawn (node-getdrawing root))))
       (if m (keep-root-drawn! m))
       (node-setdrawing root (append others root-drawn)))))
-(define (without some objects) ; each as often as it is there
+(define (without some objects) ; each as often as it occurs
   (let ((counts (make-hash)))
     (for-each (lambda (o) (hash-set! counts o (+ 1 (hash-ref counts o 0)))) some)
     (filter (lambda (o)
@@ -94,7 +94,7 @@
   (set! root-drawn (model-objects m))
   (hash-remove! models (node-getroot)))
 
-; A callback runs in the context and with the dictionaries that it was made in; operands that it leaves are dropped.
+; A callback runs in the context and with the dictionaries in which it was made; its leftover operands are dropped.
 (define (in-place p)
   (let ((context (node-current)) (begun dictionaries))
     (lambda ()
@@ -110,7 +110,7 @@
         (let drop () (if (> depth bottom) (begin (pop) (drop))))))))
 
 ; model sliders number { place number } { before } { clicked } GIZMOS.gizmo-trigger: appends a dictionary to the array
-; sliders, whose gizmo-create makes the trigger below the model.
+; sliders; its gizmo-create makes the trigger below the model.
 (define (gizmo-trigger)
   (need 'gizmo-trigger 6)
   (let* ((clicked (pop)) (before (pop)) (place (pop)) (number (pop)) (sliders (pop)) (model (pop)))
@@ -128,9 +128,8 @@
               (make-trigger at (lambda (node) (prepare) (call)) #:parent model)))
           'gizmo-activate (lambda () #t))))))
 
-; offset constraint size create-manipulator: a node with a tripod beside it, and with the entry `trans`, a node that
-; goes
-; where the tripod is dragged to.
+; offset constraint size create-manipulator: makes a node with a tripod beside it. Its entry `trans` is a node that
+; follows the tripod's drags.
 (define (create-manipulator who flat?)
   (need who 3)
   (let* ((size (pop)) (constraint (pop)) (offset (pop)))
@@ -167,7 +166,7 @@
       (manipulator-get 'manip-get-translate)))
 (hash-set! operators 'GrimaldoDemos (dictionary-of 'Tools tools))
 
-; The end of a file: contexts that were left open keep what was modelled, and the root's part is drawn.
+; The end of a file: open contexts keep their models, and the root's model is drawn.
 (define (gml:finish)
   (let unwind ()
     (if (not (eq? (node-current) (node-getroot))) (begin (keep-drawing (node-current)) (node-end) (unwind))))

@@ -1,6 +1,6 @@
 ; The forms. After patterns.scm.
 
-; The pairs of a list, proper or not; -1 for a circular one.
+; Returns the number of pairs of a list, proper or not; -1 for a circular one.
 (define (count-pairs l)
   (let loop ((l l) (behind l) (n 0))
     (cond ((not (pair? l)) n)
@@ -10,8 +10,8 @@
 
 (define (no-match x) (error "match: no pattern fits" x))
 
-; (match value [pattern body ...] [pattern (=> next) body ...] ...): each clause is a procedure that the one before it calls when it fails, and
-; which (next) calls.
+; (match value [pattern body ...] [pattern (=> next) body ...] ...): each clause is a procedure. The clause before it
+; calls it after a failure, as does (next).
 (define-syntax match
   (er-macro-transformer
     (lambda (form rename compare)
@@ -47,7 +47,7 @@
     ((_ () . body) (let () . body))
     ((_ ((pattern expression) . more) . body) (match expression (pattern (match-let* more . body))))))
 
-; The expressions see all the names, as those of letrec do.
+; The expressions see all names, as in letrec.
 (define-syntax match-letrec
   (er-macro-transformer
     (lambda (form rename compare)

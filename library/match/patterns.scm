@@ -1,15 +1,15 @@
-; Patterns become code when a program is expanded. A pattern is
+; The expansion of patterns to code. A pattern is
 ;
-;   _  name  "datum"  'datum  `quasi-pattern         anything; anything, and bound; what is equal?
+;   _  name  "datum"  'datum  `quasi-pattern         anything; anything, and bound; an equal? value
 ;   (p q . rest)  (p ... q)  (p ..2 q)  #(p ...)     lists and vectors; any number of p, or two and more
-;   (? predicate p ...)  (= procedure p)             what the predicate accepts; the procedure's result
+;   (? predicate p ...)  (= procedure p)             a value that satisfies the predicate; the procedure's result
 ;   (and p ...)  (or p ...)  (not p)                 patterns combined
 ;
-; A name that a pattern has twice asks for equal values. `match-code` gives the code that runs `found`, a procedure from the names bound so far
-; to code, where the pattern fits the value in the variable `x`, and calls the variable `fail` where it does not. A name of a pattern stays as
-; the program wrote it; all other variables are fresh.
+; Two equal names in a pattern need equal values. `match-code` returns code that matches the value in the variable `x`.
+; After a match it runs `found`, a procedure from the names bound so far to code; otherwise it calls the variable
+; `fail`. A name of a pattern stays as the program wrote it; all other variables are fresh.
 
-; What one expansion carries: the renaming and the comparison of identifiers, and a count for fresh variables.
+; The data of one expansion: the renaming and the comparison of identifiers, and a count for fresh variables.
 (define-record-type expansion (make-expansion rename compare count) expansion?
   (rename expansion-rename)
   (compare expansion-compare)
@@ -24,7 +24,7 @@
 
 (define (refuse why pattern) (error (string-append "match: " why) (syntax->datum pattern)))
 
-; How many a pattern's mark of repetition asks for: 0 for ... and ___, 3 for ..3; #f: it is none.
+; Returns the least count of a pattern's mark of repetition: 0 for ... and ___, 3 for ..3; #f if it is none.
 (define (repetition e x)
   (and (identifier? x)
        (let ((text (symbol->string (syntax->datum x))))
@@ -32,7 +32,7 @@
                ((and (> (string-length text) 2) (string=? (substring text 0 2) "..")) (string->number (substring text 2)))
                (else #f)))))
 
-; The pattern that a quasi-pattern stands for: what is not unquoted is a datum.
+; Returns the pattern of a quasi-pattern: its parts that are not unquoted are data.
 (define (quasi-pattern e p)
   (cond ((and (pair? p) (word? e (car p) 'unquote) (pair? (cdr p)) (null? (cddr p))) (cadr p))
         ((pair? p) (cons (quasi-pattern e (car p)) (quasi-pattern e (cdr p))))
@@ -40,7 +40,7 @@
         ((or (null? p) (repetition e p)) p)
         (else (list (word e 'quote) p))))
 
-; The names that a pattern binds, each once, in the order of their places.
+; Returns the names that a pattern binds, each once, in the order of their places.
 (define (pattern-names e p)
   (define (add names found) (fold (lambda (name found) (if (member name found (same-name? e)) found (append found (list name)))) found names))
   (define (all patterns) (fold (lambda (p found) (add (pattern-names e p) found)) '() patterns))
@@ -85,7 +85,7 @@
                  (lambda (bound) (with-part e `(,(word e 'cdr) ,x) (cdr p) bound found fail))
                  fail)))))
 
-; A part of the value, kept in a variable while it is matched.
+; Matches a part of the value, which it keeps in a variable.
 (define (with-part e part p bound found fail)
   (let ((x (fresh e "part")))
     `(,(word e 'let) ((,x ,part)) ,(match-code e p x bound found fail))))
@@ -95,8 +95,8 @@
       (found bound)
       (match-code e (car patterns) x bound (lambda (bound) (match-all e (cdr patterns) x bound found fail)) fail)))
 
-; The first alternative that fits. The code behind all of them is a procedure of the names that the first binds; an alternative without such a
-; name gives #f for it.
+; Matches the first alternative that fits. The code after them is a procedure of the names that the alternatives bind;
+; an alternative that lacks a name passes #f for it.
 (define (match-any e patterns x bound found fail)
   (define (new names) (remove (lambda (name) (member name bound (same-name? e))) names))
   (let* ((names (new (pattern-names e (cons (word e 'or) patterns))))
@@ -116,7 +116,8 @@
     `(,(word e 'let) ((,otherwise (,(word e 'lambda) () ,(found bound))))
       ,(match-code e p x bound (lambda (bound) `(,fail)) otherwise))))
 
-; Any number of items that fit p, at least so many, and then the rest. The rest's own pairs are counted off first, so nothing is tried twice.
+; Matches `least` or more items that fit p, and then the rest. It counts the rest's own pairs first, so it tries nothing
+; twice.
 (define (match-many e p least rest x bound found fail)
   (define (pairs-of rest)
     (cond ((not (pair? rest)) 0)

@@ -1,9 +1,10 @@
-; What every script finds: Object, Array, String, Number, Boolean, Function, Math, the errors, and the global functions.
+; The global objects of every script: Object, Array, String, Number, Boolean, Function, Math, the errors, and the global
+; functions.
 
 ; A function of a script: omitted arguments are undefined, `this` goes by keyword, and further arguments are ignored.
 (define-syntax fn
   (syntax-rules () ((_ this (name ...) body ...) (lambda ((name any? undefined) ... #:this (this any? undefined) . more) body ...))))
-; The same with the values in a list, behind those that have names.
+; The same with the further values in a list, after the named ones.
 (define-syntax fn-rest
   (syntax-rules () ((_ this (name ...) values body ...) (lambda ((name any? undefined) ... #:this (this any? undefined) . values) body ...))))
 
@@ -112,7 +113,7 @@
                (if (not (nothing? v)) (display (to-string v) port))
                (loop (+ i 1)))))))))
 
-(define (clamp v n)   ; a place in n elements, counted from the end where it is negative
+(define (clamp v n)   ; a place among n elements; a negative one counts from the end
   (let ((i (to-integer v))) (exact (if (< i 0.) (max 0. (+ n i)) (min i (inexact n))))))
 
 (define (slice a from to)
@@ -126,7 +127,7 @@
       (lambda (a b) (and (not (eq? a undefined)) (or (eq? b undefined) (< (to-number (f a b)) 0.))))
       (lambda (a b) (and (not (eq? a undefined)) (or (eq? b undefined) (string<? (to-string a) (to-string b)))))))
 
-(define (merge-sort list less?)   ; stable, and the script's function sees nothing but pairs
+(define (merge-sort list less?)   ; stable; calls the script's function with two elements
   (let ((n (length list)))
     (if (< n 2)
         list
@@ -140,7 +141,7 @@
                       (else (merge (cdr a) b (cons (car a) out))))))))))
 (define (append-reverse a b) (if (pair? a) (append-reverse (cdr a) (cons (car a) b)) b))
 
-(define (replace! a list)   ; a's elements become those
+(define (replace! a list)   ; replaces a's elements
   (let ((v (list->vector list)))
     (set-array-items! a v)
     (set-array-length! a (inexact (vector-length v)))))
@@ -148,7 +149,7 @@
 (define (drop list n) (if (eq? n 0) list (drop (cdr list) (- n 1))))
 (define (take list n) (if (eq? n 0) '() (let loop ((l list) (n n) (out '())) (if (eq? n 0) (reverse out) (loop (cdr l) (- n 1) (cons (car l) out))))))
 
-; (f element index array) for each element that is there, until done? says so of what it gives
+; Calls (f element index array) for each element that is set, until (done? value) is true.
 (define (each items f self visit)
   (if (not (procedure? f)) (type-error (to-string f) " is not a function"))
   (let loop ((i 0) (a (viewed items)) (f (callback f)))
@@ -320,7 +321,7 @@
         ((and (object? this) (eq? (object-kind this) 'Number)) (object-datum this))
         (else (type-error "Number.prototype.valueOf requires that 'this' be a Number"))))
 
-(define (rounded x places)   ; |x| * 10^places to the nearest whole number, the larger of two
+(define (rounded x places)   ; |x| * 10^places, rounded to an integer, halves up
   (floor (+ (* (exact (abs x)) (expt 10 places)) 1/2)))
 
 (define (fixed x places)
@@ -329,12 +330,12 @@
          (n (- (string-length digits) places)))
     (string-append (if (or (< x 0.)) "-" "") (substring digits 0 n) (if (eq? places 0) "" (string-append "." (substring digits n (string-length digits)))))))
 
-(define (magnitude-of x)   ; e with 10^e <= x < 10^(e + 1)
+(define (magnitude-of x)   ; returns e with 10^e <= x < 10^(e + 1)
   (let ((x (exact x)))
     (let loop ((e (digits-of (inexact x) (lambda (d n) (- n 1)))))
       (cond ((< x (expt 10 e)) (loop (- e 1))) ((>= x (expt 10 (+ e 1))) (loop (+ e 1))) (else e)))))
 
-(define (scientific x places)   ; the digits, places + 1 of them, and the exponent
+(define (scientific x places)   ; returns the digits, places + 1 of them, and the exponent
   (if (= x 0.)
       (values (make-string (+ places 1) #\0) 0)
       (let* ((e (magnitude-of (abs x))) (n (rounded x (- places e))) (s (number->string n)))
@@ -416,7 +417,7 @@
         (else (let ((f (floor x))) (if (>= (- x f) .5) (+ f 1.) f)))))
 
 (define seed 88172645463325252)
-(define (random-number)   ; xorshift: a script gives the same model each time it is run
+(define (random-number)   ; xorshift: a script makes the same model in every run
   (let* ((mask 18446744073709551615)
          (x (bitwise-xor seed (bitwise-and mask (* seed 8192)))) (x (bitwise-xor x (quotient x 128))) (x (bitwise-xor x (bitwise-and mask (* x 131072)))))
     (set! seed x)

@@ -1,5 +1,5 @@
-; What scripts share with the language: values that cross over, and the libraries GEO, GUI, IO, MATH and UTL. Points and vectors of a script are
-; arrays of two or three numbers.
+; The interface of scripts to the language: the conversion of values, and the libraries GEO, GUI, IO, MATH and UTL.
+; Points and vectors of a script are arrays of two or three numbers.
 
 (define (not-defined name) (reference-error name " is not defined"))
 

@@ -1,5 +1,6 @@
-; Values of Scheme in a script. Lists, vectors, points and gvectors are read as arrays, tables as objects: each access asks the value itself, and
-; an element that is an exact number is read as a double, a symbol as a string. to-javascript and from-script make copies.
+; Values of Scheme in a script. Lists, vectors, points and gvectors are read as arrays, tables as objects. Each access
+; reads the value itself; an element that is an exact number becomes a double, a symbol becomes a string. to-javascript
+; and from-script make copies.
 
 (define (place? v) (or (point? v) (gvector? v)))
 (define (sequence? v) (or (pair? v) (null? v) (vector? v) (place? v)))
@@ -22,7 +23,7 @@
         ((place? v) (case i ((0) (seen (cx v))) ((1) (seen (cy v))) ((2) (seen (cz v))) (else absent)))
         (else (let loop ((l v) (i i)) (cond ((not (pair? l)) absent) ((eq? i 0) (seen (car l))) (else (loop (cdr l) (- i 1))))))))
 
-; The key of a table that a property's name means: a symbol, a string or a whole number; absent: none.
+; Returns a table's key for a property's name: a symbol, a string or an integer; absent if there is none.
 (define (table-key t key)
   (define (there k) (if (eq? (hash-get t k absent) absent) absent k))
   (let ((k (there key)))
@@ -62,7 +63,7 @@
 
 (define (native-text v) (call-with-output-string (lambda (port) (display v port))))
 
-; The value of native text, as one of the script.
+; Returns the value of native text as a script's value.
 (define (from-native v)
   (cond ((or (null? v) (and (pair? v) (list? v)) (vector? v)) (list->array (map from-native (native-elements v))))
         (else (seen v))))
@@ -72,7 +73,8 @@
 (define (script-function? f) (and (procedure? f) (vector-ref (procedure-shape f) 2)))
 (define (at-most n values) (if (and n (> (length values) n)) (take values n) values))
 
-; Those that a script hands on get as many values as they take, as functions of a script ignore what they have no name for.
+; A native procedure that a script passes as a callback gets at most as many values as it takes, since a script's
+; functions ignore further ones.
 (define (callback f)
   (if (or (not (procedure? f)) (script-function? f))
       f

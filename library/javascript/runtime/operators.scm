@@ -1,4 +1,4 @@
-; Conversions and operators, where both operands are not plainly numbers.
+; Conversions, and operators for operands that are not both numbers.
 
 (define nan (- (/ 0. 0.)))
 (define infinity (/ 1. 0.))
@@ -55,7 +55,7 @@
 
 ; ---- numbers as text ----
 
-; The digits of a positive number and the place of the point: 0.00123 is 123 and -2.
+; Returns the digits of a positive number and the place of the point: 123 and -2 for 0.00123.
 (define (digits-of x take)
   (let* ((s (number->string x)) (n (string-length s)))
     (let loop ((i 0) (digits '()) (point #f) (count 0))
@@ -99,7 +99,7 @@
 
 (define (at? s i c) (and (< i (string-length s)) (char=? (string-ref s i) c)))
 
-; Where the longest decimal number from i on ends, or #f: there is none.
+; Returns the end of the longest decimal number from i on, or #f.
 (define (decimal-end s i)
   (let* ((whole (digit-end s i))
          (all (if (at? s whole #\.) (digit-end s (+ whole 1)) whole)))
@@ -109,7 +109,7 @@
                (if (> end (+ all 1 sign)) end all))
              all))))
 
-(define (read-decimal s)   ; of digits, a point and an exponent
+(define (read-decimal s)   ; with digits, a point and an exponent
   (let ((s (if (char=? (string-ref s 0) #\.) (string-append "0" s) s)))
     (let* ((point (let loop ((i 0)) (cond ((= i (string-length s)) #f) ((char=? (string-ref s i) #\.) i) (else (loop (+ i 1))))))
            (s (if (and point (= (digit-end s (+ point 1)) (+ point 1)))
@@ -117,7 +117,7 @@
                   s)))
       (inexact (string->number s 10)))))
 
-(define (radix-number s from radix)   ; nan: one of them is no digit
+(define (radix-number s from radix)   ; nan if a character is no digit
   (let ((n (string-length s)))
     (if (= from n)
         nan
@@ -195,7 +195,7 @@
 (define (less-equal a b) (compare a b string<=? (lambda (a b) (<= a b))))
 (define (more-equal a b) (compare a b string>=? (lambda (a b) (>= a b))))
 
-; Numbers of the language that are exact, and symbols, come from its own procedures.
+; Exact numbers and symbols come from the language's own procedures.
 (define (same a b)
   (cond ((flonum? a) (and (number? b) (= a b)))
         ((string? a) (and (or (string? b) (symbol? b)) (string=? a (to-string b))))

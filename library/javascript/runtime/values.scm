@@ -1,18 +1,18 @@
-; The values of a script and what belongs to them. Numbers are doubles, strings are strings, true and false are booleans, functions are procedures
-; that get `this` by keyword; undefined is the unspecific value. Null, objects and arrays are records; lists, vectors, points and tables of
-; Scheme are read as arrays and objects are (native.scm).
-; A property's key is a symbol, so that keys are compared by eq?.
+; The values of a script. Numbers are doubles, strings are strings, true and false are booleans, functions are
+; procedures that get `this` by keyword; undefined is the unspecific value. Null, objects and arrays are records. Lists,
+; vectors, points and tables of Scheme are read like arrays and objects (native.scm). A property's key is a symbol, so
+; keys are compared by eq?.
 
 (define undefined (if #f #f))
 (define-record-type |%null of JavaScript| (make-null) any-null?)
 (define null (make-null))
 (define hole (list 'hole))      ; an element of an array that was never set
-(define unset (list 'unset))    ; a variable that nothing declares, before it is assigned
-(define absent (list 'absent))  ; no such property
+(define unset (list 'unset))    ; an undeclared variable before its first assignment
+(define absent (list 'absent))  ; the result for a missing property
 
-; Names of record types and fields begin with % so that the printer shows none of them.
-; names and values side by side; the first `hidden` of them are not seen by for-in; a name #f was deleted. index: a table from name to
-; place once there are many. datum: what a Number, String or Boolean holds.
+; Names of record types and fields begin with %, so that the printer shows none of them. names and values are parallel;
+; for-in skips the first `hidden` of them; a deleted name is #f. index: a table from name to place for large objects.
+; datum: the value of a Number, String or Boolean.
 (define-record-type |%object of JavaScript|
   (make-object %kind %proto %names %values %count %hidden %index %datum)
   object?
@@ -48,7 +48,7 @@
                 (if (eq? (vector-ref names i) key) i (loop (+ i 1)))
                 #f))))))
 
-; Room for more: twice as much as there is, without the names that were deleted.
+; Doubles the room, and removes deleted names.
 (define (grow! o)
   (let* ((names (object-names o)) (values (object-values o)) (n (object-count o))
          (room (max 4 (* 2 n))) (fresh-names (make-vector room #f)) (fresh-values (make-vector room #f)) (hidden (object-hidden o)))
@@ -112,7 +112,7 @@
 
 (define-record-type <thrown> (make-thrown value) thrown? (value thrown-value))
 
-(define handlers 0)   ; how many try are being run
+(define handlers 0)   ; the number of try statements that are running
 
 (define (uncaught v)
   (string-append "uncaught: " (if (and (object? v) (eq? (object-kind v) 'Error)) (error-text v) (to-string v))))
@@ -134,7 +134,7 @@
     (let ((name (if (eq? name undefined) "Error" (to-string name))) (text (if (eq? text undefined) "" (to-string text))))
       (cond ((string=? name "") text) ((string=? text "") name) (else (string-append name ": " text))))))
 
-; What a handler sees of a mistake that the language itself found.
+; Returns the handler's value for an error of the language itself.
 (define (condition->value e)
   (cond ((thrown? e) (thrown-value e))
         ((error-object? e)
@@ -153,7 +153,7 @@
 
 (define-record-type <caught> (make-caught condition) caught? (condition caught-condition))
 
-; The value of body, or a caught.
+; Returns the value of body, or a caught.
 (define (attempt body)
   (let ((before handlers))
     (set! handlers (+ handlers 1))
@@ -184,7 +184,7 @@
 
 (define (array-proto a) (let ((x (array-extra a))) (if x (object-proto x) array-prototype)))
 
-; The whole number that a key is, or #f.
+; Returns the integer of a key, or #f.
 (define (key-index key)
   (let* ((s (symbol->string key)) (n (string-length s)))
     (and (> n 0) (< n 11)
@@ -205,7 +205,7 @@
 (define (array-element a i)
   (if (< i (array-length a)) (let ((v (vector-ref (array-items a) i))) (if (eq? v hole) absent v)) absent))
 
-; A function's own properties are kept beside it, from the first that is asked for or set.
+; A function's own properties are kept in a table, from the first access on.
 (define function-objects (make-hasheqv))
 
 (define (function-object f)
@@ -357,7 +357,8 @@
 
 ; ---- for-in ----
 
-; The names of o's own properties that are seen: those that are numbers first, in their order, then as they were set.
+; Returns the names of o's own visible properties: numbers first, in ascending order, then the others in the order of
+; their first assignment.
 (define (own-keys o)
   (let loop ((i (- (object-count o) 1)) (numbers '()) (names '()))
     (if (>= i (object-hidden o))
@@ -401,7 +402,7 @@
   (let loop ((keys keys) (kept '()))
     (if (pair? keys) (loop (cdr keys) (if (memq (car keys) known) kept (cons (car keys) kept))) (reverse kept))))
 
-; The rest of the keys from the first on that is still there.
+; Returns the rest of the keys, from the first one that still exists.
 (define (keys-left v keys)
   (if (pair? keys)
       (if (or (string? v) (not (eq? (lookup v (car keys)) absent))) keys (keys-left v (cdr keys)))
@@ -447,7 +448,7 @@
         (let* ((p (get f 'prototype)) (o (new-object 'Object (if (compound? p) p object-prototype) #f)) (r (apply-self f arguments o)))
           (if (compound? r) r o)))))
 
-; What `new` does with the functions that scripts are given: a table from the function to a procedure without `this`.
+; The effect of `new` on the global functions: a table from the function to a procedure without `this`.
 (define constructors (make-hasheqv))
 
 (define (instance-of v f)

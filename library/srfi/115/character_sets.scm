@@ -7,7 +7,7 @@
 (define (ascii-char? c) (char<? c #\x80))
 (define (control-char? c) (or (char<? c #\space) (char<=? #\x7f c #\x9f)))
 (define symbol-char? (among "$+<=>^`|~¢£¤¥¦¨©¬®¯°±´¸×÷€"))
-; Past ASCII and Latin-1: general punctuation, and that of Chinese, Japanese and Korean.
+; Above ASCII and Latin-1: general punctuation, and that of Chinese, Japanese and Korean.
 (define (punctuation-char? c)
   (or ((among "!\"#%&'()*,-./:;?@[\\]_{}¡§«¶·»¿") c) (char<=? #\x2010 c #\x2027) (char<=? #\x2030 c #\x205e) (char<=? #\x3001 c #\x3003)
       (char<=? #\x3008 c #\x3011)))
@@ -15,7 +15,7 @@
 (define graphic-char? (either alphanumeric-char? punctuation-char? symbol-char?))
 (define (word-char? c) (or (alphanumeric-char? c) (char=? c #\_)))
 
-; (names ... predicate) of the sets that have names
+; (names ... predicate) for each named set
 (define named-sets
   `((any ,(lambda (c) #t))
     (nonl ,(lambda (c) (not (memv c '(#\newline #\return)))))
@@ -43,7 +43,8 @@
 (define (fold-case set) (lambda (c) (or (set c) (set (char-upcase c)) (set (char-downcase c)))))
 (define (ascii-only set) (lambda (c) (and (ascii-char? c) (set c))))
 
-; The predicate of an expression that is a set of characters; #f: it is none. A mode is a list of `nocase`, `ascii` and `nocapture`.
+; Returns the predicate of an expression that is a set of characters, or #f. A mode is a list of `nocase`, `ascii` and
+; `nocapture`.
 (define (set-of sre mode)
   (define (all sres)
     (let ((sets (map (lambda (s) (set-of s mode)) sres))) (and (every (lambda (set) set) sets) sets)))

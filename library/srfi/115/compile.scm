@@ -1,12 +1,12 @@
-; An expression as a graph of states. A state is a vector
+; The compilation of an expression to a graph of states. A state is a vector
 ;
-;   #(mark take SET NEXT)       one character of the set, then the next state
-;   #(mark fork FIRST SECOND)   both, the first one rather
-;   #(mark save PLACE NEXT)     the position is an end of a submatch
-;   #(mark test (f i) NEXT)     only where the test of the text, its ends and the position holds
-;   #(mark found)               all of it fits
+;   #(mark take SET NEXT)       takes one character of the set, then the next state
+;   #(mark fork FIRST SECOND)   both states; the first is preferred
+;   #(mark save PLACE NEXT)     saves the position as an end of a submatch
+;   #(mark test (f i) NEXT)     continues if the test of the text, its ends and the position is true
+;   #(mark found)               the whole expression matches
 ;
-; and its mark is the last step of a search at which it was reached. Repetitions by numbers are written out, up to a limit.
+; Its mark is the last step of a search that reached it. Repetitions by numbers are written out, up to a limit.
 
 (define most-states 100000)
 
@@ -15,10 +15,10 @@
   (sre regexp-sre)
   (count regexp-count)                       ; submatches
   (names regexp-names)                       ; of submatches: a list of (name . number)
-  (lazy? regexp-lazy?)                       ; has operators that take as little as they can: then the first way counts, not the longest
+  (lazy? regexp-lazy?)                       ; has operators that match as little as possible: the first match counts
   (step regexp-step set-regexp-step!))       ; the steps of all searches so far
 
-; ---- tests of a position: the text, the part that is searched, the position ----
+; ---- tests of a position: the text, the searched part, the position ----
 (define (begins? s from to i) (= i from))
 (define (ends? s from to i) (= i to))
 (define (line-begins? s from to i) (or (= i from) (memv (string-ref s (- i 1)) '(#\newline #\return))))
@@ -32,7 +32,7 @@
   `((bos . ,begins?) (eos . ,ends?) (bol . ,line-begins?) (eol . ,line-ends?)
     (bow . ,word-begins?) (eow . ,word-ends?) (nwb . ,inside-word?)))
 
-; ---- submatches get their numbers, from left to right ----
+; ---- the numbers of submatches, from left to right ----
 ; Returns the expression with (submatch-number N sre ...) for each, their count, and the list of names.
 (define (number-submatches sre)
   (define count 0)

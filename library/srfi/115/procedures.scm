@@ -1,4 +1,4 @@
-; The procedures. An expression may stand wherever a regexp is asked for.
+; The procedures. An expression is accepted wherever a regexp is.
 
 (define (regexp sre) (if (regexp? sre) sre (compile-sre sre)))
 (define (regexp->sre re) (regexp-sre (regexp re)))
@@ -12,7 +12,7 @@
 (define (regexp-matches? re [text string?] [start any? 0] [end any? #f]) (and (find-in re text start end #t #t) #t))
 (define (regexp-search re [text string?] [start any? 0] [end any? #f]) (find-in re text start end #f #f))
 
-; ---- what was found ----
+; ---- matches ----
 (define (ends-at m field)
   (if (exact-integer? field)
       (if (< -1 field (vector-length (match-ends m)))
@@ -30,7 +30,7 @@
   (map (lambda (i) (regexp-match-submatch m i)) (iota (+ (regexp-match-count m) 1))))
 
 ; ---- all matches, one after the other ----
-; (f i match text state) for each match, i being the end of the one before it; then (finish i #f text state).
+; Calls (f i match text state) for each match; i is the end of the match before it. Then calls (finish i #f text state).
 (define (regexp-fold re [f procedure?] state [text string?] [finish any? #f] [start any? 0] [end any? #f])
   (let ((re (regexp re)) (end (or end (string-length text))))
     (let loop ((i start) (from start) (state state))
@@ -46,7 +46,7 @@
                  (lambda (i m text found) (let ((s (regexp-match-submatch m))) (if (string=? s "") found (cons s found))))
                  '() text #f start end)))
 
-; The text between the matches, and with `matches?` the matches too. An empty match separates nothing.
+; Returns the text between the matches; with `matches?` the matches, too. An empty match separates nothing.
 (define (parts-of re text start end matches?)
   (define from start)
   (define (part m found)
@@ -62,8 +62,8 @@
 (define (regexp-split re [text string?] [start any? 0] [end any? #f]) (parts-of re text start end #f))
 (define (regexp-partition re [text string?] [start any? 0] [end any? #f]) (parts-of re text start end #t))
 
-; ---- replaced ----
-; A replacement is a text, the number or name of a submatch, pre or post, a procedure of the match, or a list of those.
+; ---- replacement ----
+; A replacement is a text, the number or name of a submatch, pre or post, a procedure of the match, or a list of these.
 (define (replacement new m start end)
   (cond ((string? new) new)
         ((pair? new) (apply string-append (map (lambda (n) (replacement n m start end)) new)))

@@ -1,8 +1,9 @@
-; Searching: all ways to fit are followed at once, one character after the other. A way is #(state start saved): a state that takes a character,
-; where the match began, and the ends of submatches as a list of (place . position), the latest first. Ways are kept in their order of preference,
-; earlier starts first, and of those that meet in a state the first one stays. So a step costs at most one way a state.
+; The search: it follows all possible matches at the same time, character by character. A way is #(state start saved): a
+; state that takes a character, the start of the match, and the ends of submatches as a list of (place . position), the
+; latest first. Ways are in order of preference, earlier starts first; when several reach a state, the first stays.
+; Therefore a step costs at most one way for each state.
 
-; The match that is found: the text and, for each submatch, a pair of positions or #f.
+; A match: the text and, for each submatch, a pair of positions or #f.
 (define-record-type match-type (make-match regexp text ends) regexp-match?
   (regexp match-regexp)
   (text match-text)
@@ -17,14 +18,14 @@
               (iota (+ (regexp-count re) 1)))
     ends))
 
-; Looks for a match in text that begins at `from` or later, at `from` alone where `anchored?`; `whole?`: it must end at `to`. The part that is
-; searched, which tests of a position see, goes from `first` to `to`. Returns a match or #f.
+; Searches the text for a match that begins at `from` or later; `anchored?`: at `from` only; `whole?`: it must end at
+; `to`. Tests of a position see the part from `first` to `to`. Returns a match or #f.
 (define (find-match re text first from to anchored? whole?)
   (define lazy? (and (regexp-lazy? re) (not whole?)))
-  (define best #f)                           ; #(state start saved) of the best match so far, its state being `found`
-  (define ways '())                          ; of the next step, the latest first
+  (define best #f)                           ; #(state start saved) of the best match so far; its state is `found`
+  (define ways '())                          ; the ways of the next step, the latest first
   (define (better? start) (or (not best) (= start (vector-ref best 1))))
-  ; Follows a state to those that take a character. Returns #t where the ways behind it count no more.
+  ; Follows a state to those that take a character. Returns #t if the later ways no longer count.
   (define (follow state start saved i step)
     (if (= (vector-ref state 0) step)
         #f

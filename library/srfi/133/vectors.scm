@@ -1,11 +1,11 @@
-; The procedures of SRFI 133 that (scheme base) does not have. Several vectors are walked side by side, as far as the shortest goes.
+; The procedures of SRFI 133 that (scheme base) lacks. With several vectors, the shortest ends the walk.
 
 (define (shortest v more) (fold (lambda (w n) (min n (vector-length w))) (vector-length v) more))
 (define (items v more i) (cons (vector-ref v i) (map (lambda (w) (vector-ref w i)) more)))
 
-; ---- made ----
+; ---- constructors ----
 
-; (f i state ...) gives the item i and the states for the next one.
+; (f i state ...) returns the item i and the states for the next one.
 (define (unfold-into! f v start end step states)
   (let loop ((i (if (> step 0) start (- end 1))) (states states))
     (if (and (<= start i) (< i end))
@@ -36,7 +36,7 @@
 (define (caddr* l) (car (cddr l)))
 (define (cdddr* l) (cdr (cddr l)))
 
-; ---- asked ----
+; ---- predicates ----
 
 (define (vector-empty? [v vector?]) (= (vector-length v) 0))
 (define (vector= [same? procedure?] . [vectors (list-of vector?)])
@@ -48,7 +48,7 @@
       (let loop ((a (car vectors)) (left (cdr vectors)))
         (or (null? left) (and (alike? a (car left)) (loop (car left) (cdr left)))))))
 
-; The first place, from one end or the other, whose items make `good?` true.
+; Returns the first place, from either end, with items for which `good?` is true.
 (define (place good? v more step)
   (let ((n (shortest v more)))
     (let loop ((i (if (> step 0) 0 (- n 1))))
@@ -68,7 +68,7 @@
   (same-lengths "vector-skip-right" v more)
   (place (none-of good?) v more -1))
 
-; (compare item key) is negative where the item comes before the key.
+; (compare item key) is negative if the item comes before the key.
 (define (vector-binary-search [v vector?] key [compare procedure?])
   (let loop ((low 0) (high (vector-length v)))
     (and (< low high)
@@ -86,7 +86,7 @@
   (let ((n (shortest v more)))
     (let loop ((i 0) (count 0)) (if (= i n) count (loop (+ i 1) (if (apply good? (items v more i)) (+ count 1) count))))))
 
-; ---- walked ----
+; ---- iteration ----
 
 (define (vector-fold [f procedure?] first [v vector?] . [more (list-of vector?)])
   (let ((n (shortest v more)))
@@ -99,17 +99,17 @@
     (let loop ((i 0))
       (if (< i n)
           (begin (vector-set! v i (apply f (items v more i))) (loop (+ i 1)))))))
-; The states of a fold, behind each item.
+; Returns the states of a fold, one after each item.
 (define (vector-cumulate [f procedure?] first [v vector?])
   (vector-unfold (lambda (i state) (let ((next (f state (vector-ref v i)))) (values next next))) (vector-length v) first))
-; Returns a vector with the good items first, each kind in its order, and how many they are.
+; Returns a vector with the good items first, each kind in its order, and the number of good ones.
 (define (vector-partition [good? procedure?] [v vector?])
   (let loop ((i (- (vector-length v) 1)) (good '()) (others '()) (count 0))
     (cond ((< i 0) (values (list->vector (append good others)) count))
           ((good? (vector-ref v i)) (loop (- i 1) (cons (vector-ref v i) good) others (+ count 1)))
           (else (loop (- i 1) good (cons (vector-ref v i) others) count)))))
 
-; ---- changed ----
+; ---- mutation ----
 
 (define (vector-swap! [v vector?] i j)
   (let ((kept (vector-ref v i)))
@@ -120,7 +120,7 @@
     (if (< i j)
         (begin (vector-swap! v i j) (loop (+ i 1) (- j 1))))))
 
-; ---- converted ----
+; ---- conversion ----
 
 (define (reverse-vector->list [v vector?] [start any? 0] [end any? (vector-length v)]) (reverse (vector->list v start end)))
 (define (reverse-list->vector [l list?]) (list->vector (reverse l)))

@@ -17,7 +17,7 @@
 (define (string-accumulator) (make-accumulator cons '() (lambda (l) (list->string (reverse l)))))
 (define (bytevector-accumulator) (make-accumulator cons '() (lambda (l) (apply bytevector (reverse l)))))
 
-; These fill what they are given, from a place on.
+; These fill the given vector from a place on.
 (define (filling set collection at) (make-accumulator (lambda (x i) (set collection i x) (+ i 1)) at (lambda (i) collection)))
 (define (vector-accumulator! [v vector?] at) (filling vector-set! v at))
 (define (bytevector-accumulator! [b bytevector?] at) (filling bytevector-u8-set! b at))

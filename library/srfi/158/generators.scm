@@ -1,9 +1,10 @@
-; Generators. `end` is what they give when nothing is left.
+; Generators. They return `end` after their last value.
 
 (define end (eof-object))
 (define end? eof-object?)
 
-; A generator with a state: (step state) gives the value and the next state, or `end` alone. Past its end it is not asked again.
+; Returns a generator with a state: (step state) returns the value and the next state, or only `end`, after which it is
+; not called again.
 (define (stepping state step)
   (let ((over #f))
     (lambda ()
@@ -14,19 +15,19 @@
               ((value) (set! over #t) (set! state #f) value)
               ((value next) (set! state next) value)))))))
 
-; (let-next ((x generator) ...) then): what all of them give, or `end` as soon as one has ended.
+; (let-next ((x generator) ...) then): binds the next value of each generator; returns `end` as soon as one has ended.
 (define-syntax let-next
   (syntax-rules ()
     ((_ () . body) (let () . body))
     ((_ ((x g) . more) . body) (let ((x (g))) (if (end? x) end (let-next more . body))))))
-; The next value of each, or #f as soon as one has ended.
+; Returns the next value of each, or #f as soon as one has ended.
 (define (next-of-all generators)
   (let loop ((left generators) (found '()))
     (if (null? left)
         (reverse found)
         (let ((x ((car left)))) (and (not (end? x)) (loop (cdr left) (cons x found)))))))
 
-; ---- made ----
+; ---- constructors ----
 
 (define (list->generator [items list?])
   (stepping items (lambda (l) (if (null? l) end (values (car l) (cdr l))))))
@@ -47,11 +48,11 @@
 (define (string->generator [s string?] [start any? 0] [stop any? (string-length s)]) (indexed (lambda (i) (string-ref s i)) start (max start stop)))
 (define (bytevector->generator [b bytevector?] [start any? 0] [stop any? (bytevector-length b)])
   (indexed (lambda (i) (bytevector-u8-ref b i)) start (max start stop)))
-; The bits of an integer, the lowest first, as booleans.
+; Generates the bits of an integer as booleans, the lowest first.
 (define (make-bits-generator n)
   (stepping n (lambda (n) (if (= n 0) end (values (odd? n) (quotient n 2))))))
 
-; The procedure runs as far as its next `yield`, and goes on from there when the next value is asked for.
+; The procedure runs to its next `yield`, and continues at the next call of the generator.
 (define (make-coroutine-generator [f procedure?])
   (define give #f)
   (define (yield x) (call/cc (lambda (k) (set! resume (lambda () (k #t))) (give x))))
@@ -80,7 +81,7 @@
             (if (end? x)
                 (begin (set! generators (cdr generators)) (loop))
                 x))))))
-; A generator of generators, one after the other.
+; Runs the generators of a generator one after the other.
 (define (gflatten [g procedure?])
   (let ((now (lambda () end)))
     (lambda ()
@@ -89,7 +90,7 @@
           (cond ((not (end? x)) x)
                 ((end? now) end)
                 (else (set! now (g)) (if (end? now) (begin (set! now (lambda () end)) end) (loop)))))))))
-; Lists of n values; the last may be shorter, unless it is filled up.
+; Generates lists of n values; the last may be shorter, unless padding fills it.
 (define (ggroup [g procedure?] n . padding)
   (lambda ()
     (let loop ((i 0) (group '()))
@@ -98,7 +99,7 @@
               ((= i 0) end)
               ((and (< i n) (pair? padding)) (append (reverse group) (make-list (- n i) (car padding))))
               (else (reverse group)))))))
-; The smallest of what ordered generators give next; of equal ones the first generator's.
+; Generates the smallest of the next values of ordered generators; of equal ones the first generator's.
 (define (gmerge [less? procedure?] . generators)
   (define (ahead g) (let ((x (g))) (if (end? x) '() (list (cons x g)))))
   (define heads #f)
@@ -111,7 +112,7 @@
           (car least)))))
 (define (gmap [f procedure?] . generators)
   (lambda () (let ((found (next-of-all generators))) (if found (apply f found) end))))
-; (f value ... state) gives a value and the next state.
+; (f value ... state) returns a value and the next state.
 (define (gcombine [f procedure?] seed . generators)
   (lambda ()
     (let ((found (next-of-all generators)))
@@ -121,7 +122,7 @@
 (define (gfilter [good? procedure?] [g procedure?])
   (lambda () (let loop () (let-next ((x g)) (if (good? x) x (loop))))))
 (define (gremove [bad? procedure?] g) (gfilter (lambda (x) (not (bad? x))) g))
-; (f value state) says with its first result whether the value is kept.
+; The first result of (f value state) decides whether the value is kept.
 (define (gstate-filter [f procedure?] seed [g procedure?])
   (gfilter (lambda (x) (call-with-values (lambda () (f x seed)) (lambda (good next) (set! seed next) good))) g))
 (define (gtake [g procedure?] n [padding any? end])
@@ -139,7 +140,7 @@
 (define (gdelete-neighbor-dups g [same? procedure? equal?])
   (let ((before (list)))
     (gfilter (lambda (x) (let ((new (or (null? before) (not (same? (car before) x))))) (set! before (list x)) new)) g)))
-; The values at the places that another generator names, which grow.
+; Generates the values at the places from another generator, which must grow.
 (define (gindex [values-of procedure?] [places procedure?])
   (let ((at 0))
     (lambda ()
@@ -149,7 +150,7 @@
 (define (gselect [values-of procedure?] [truths procedure?])
   (lambda () (let loop () (let-next ((x values-of) (keep truths)) (if keep x (loop))))))
 
-; ---- used up ----
+; ---- consumers ----
 
 (define (generator-fold [f procedure?] seed . generators)
   (let loop ((state seed))
@@ -161,7 +162,7 @@
 (define (generator->reverse-list g . most) (generator-fold cons '() (if (null? most) g (gtake g (car most)))))
 (define (generator->list g . most) (reverse (apply generator->reverse-list g most)))
 (define (generator->vector g . most) (list->vector (apply generator->list g most)))
-; Fills the vector from a place on; returns how many values it took.
+; Fills the vector from a place on; returns the number of values.
 (define (generator->vector! [v vector?] at [g procedure?])
   (let loop ((i at))
     (let ((x (if (< i (vector-length v)) (g) end)))

@@ -2,7 +2,7 @@
 
 (define (some-empty? streams) (any stream-null? streams))
 
-; ---- made ----
+; ---- constructors ----
 (define-stream (list->stream l) (if (null? l) stream-null (stream-cons (car l) (list->stream (cdr l)))))
 (define-stream (characters port)
   (let ((c (read-char port))) (if (eof-object? c) stream-null (stream-cons c (characters port)))))
@@ -19,7 +19,8 @@
       (stream-let round ((left items)) (if (null? left) (round items) (stream-cons (car left) (round (cdr left)))))))
 (define-stream (stream-unfold value go-on? next seed)
   (if (go-on? seed) (stream-cons (value seed) (stream-unfold value go-on? next (next seed))) stream-null))
-; (f seed) gives the next seed and, for each of the streams that are returned, a list of one element, #f for none now, or () at its end.
+; (f seed) returns the next seed and, for each returned stream, a list of one element, #f for none in this step, or ()
+; at its end.
 (define (stream-unfolds f seed)
   (define-stream (steps seed) (let ((found (call-with-values (lambda () (f seed)) list))) (stream-cons found (steps (car found)))))
   (let ((all (steps seed)))
@@ -30,7 +31,7 @@
               (else (nth i (stream-cdr all))))))
     (apply values (map (lambda (i) (nth (+ i 1) all)) (iota (- (length (stream-car all)) 1))))))
 
-; ---- of streams ----
+; ---- streams from streams ----
 (define-stream (stream-append . streams)
   (cond ((null? streams) stream-null)
         ((null? (cdr streams)) (car streams))
@@ -61,7 +62,7 @@
   (stream-cons state (if (stream-null? s) stream-null (stream-scan f (f state (stream-car s)) (stream-cdr s)))))
 (define-stream (stream-reverse s) (list->stream (stream-fold (lambda (l x) (cons x l)) '() s)))
 
-; ---- used up ----
+; ---- consumers ----
 (define (stream-fold f state s) (if (stream-null? s) state (stream-fold f (f state (stream-car s)) (stream-cdr s))))
 (define (stream-length s) (stream-fold (lambda (n x) (+ n 1)) 0 s))
 (define (stream-for-each f . streams)
@@ -71,7 +72,7 @@
   (cond ((stream-null? s) (error "stream-ref: the stream ends before this place" i))
         ((= i 0) (stream-car s))
         (else (stream-ref (stream-cdr s) (- i 1)))))
-; (stream->list s) or (stream->list n s): the first n
+; (stream->list s) or (stream->list n s) for the first n
 (define (stream->list a . more)
   (let loop ((n (if (null? more) -1 a)) (s (if (null? more) a (car more))) (found '()))
     (if (or (= n 0) (stream-null? s)) (reverse found) (loop (- n 1) (stream-cdr s) (cons (stream-car s) found)))))

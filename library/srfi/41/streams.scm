@@ -1,5 +1,5 @@
-; The type and its forms. A stream holds a promise of a cell: #f when it is empty, else a pair of the promise of its first element and its rest,
-; which is a stream.
+; The type and its forms. A stream holds a promise of a cell: #f if it is empty, otherwise a pair of the promise of its
+; first element and its rest, a stream.
 
 (define-record-type stream-type (make-stream promise) stream? (promise stream-promise))
 (define stream-null (make-stream (make-promise #f)))
