@@ -2,7 +2,7 @@
  * calls of the drawing functions.
  *
  * All nodes with the same number share a ticket. When the last of them is released, the number joins a list.
- * primitives.scm takes numbers from the list, and forgets the arguments that the objects were made with. */
+ * primitives.scm takes numbers from the list, and forgets the arguments of their objects. */
 #include "bind/custom.h"
 
 #include "bind/build.h"

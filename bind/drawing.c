@@ -137,8 +137,8 @@ static vs_status picture_of(vs_args *f, const vs_arg *image, bool colored, vs_ma
   return VS_OK;
 }
 
-/* Reads the pattern's five keywords, from k on. The second colour is a darker shade of the first unless the call gives
- * it. */
+/* Reads the pattern's five keywords, which begin at k. The second colour is a darker shade of the first unless the call
+ * gives it. */
 static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_material *m) {
   vs_material_pattern *p = &m->pattern;
   const double darker = 0.75;

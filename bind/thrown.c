@@ -3,8 +3,8 @@
  *
  * The run loop passes each object that such an expression of a body gave; from a list, the first. The result of the
  * last `draw` does not count. Of the others, the first at each place is kept, for a limited number of places. At the
- * end of the evaluation, the model is searched for them: the program may have put them into a list of its own, and an
- * object that became part of the model was not thrown away. */
+ * end of the evaluation, those in the model are removed from them: the program may have put them into a list of its
+ * own. */
 #include "bind/thrown.h"
 
 #include "bind/objects.h"

@@ -116,9 +116,9 @@ bool vs_bind_take_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, v
   return true;
 }
 
-/* Writes the points that numbers in their place probably mean: (make-polygon (xy 0 0) (xy 1 0)) for 0 0 1 0, for (0 0)
- * (1 0) or for a list of either; (list (xy 0 0) (xy 1 0)) if the points are one argument among others. Returns false if
- * other values are among them. */
+/* Writes the points that numbers in their place probably mean. For 0 0 1 0, for (0 0) (1 0) or for a list of either,
+ * that is (make-polygon (xy 0 0) (xy 1 0)). If the points are one argument among others, it is (list (xy 0 0) (xy 1
+ * 0)). Returns false if other values are among them. */
 static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, char *text, size_t room) {
   enum { MOST = 64, SHOWN = 4 };
   vs_value item[MOST];

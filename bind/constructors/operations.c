@@ -192,8 +192,8 @@ vs_status vs_p_do_scale(vs_args *f, vs_value *out) {
 vs_status vs_p_do_mirror(vs_args *f, vs_value *out) {
   return placed(f, vs_affine_mirror(f->arg[1].line.at, f->arg[1].line.direction), out);
 }
-/* Solids: intersected with the half-space. Regions: intersected with the part of their plane in it. Curves and
- * surfaces: a kind of their own. */
+/* Solids: intersected with the half-space. Regions: intersected with the half-plane in their plane. Curves and surfaces
+ * become a node of the kind for slices. */
 vs_status vs_p_do_slice(vs_args *f, vs_value *out) {
   struct vs_half_space h = { .point = f->arg[1].line.at, .normal = vs_v3_unit(f->arg[1].line.direction) };
   vs_ref pair[2] = { f->arg[0].ref };

@@ -7,7 +7,7 @@
 
 typedef struct vs_args vs_args;
 
-/* refuses a closed curve that intersects itself; what: the noun for it in the error */
+/* refuses a closed curve that intersects itself; `what` is its noun in the error */
 vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what);
 /* replaces closed curves by regions if all objects are regions and closed curves of one plane */
 vs_status vs_bind_fill(vs_args *f, vs_ref *ref, size_t n);

@@ -252,7 +252,7 @@ vs_status vs_p_derivation_leave(vs_args *f, vs_value *out) {
   return vs_random_restore(f->vm, d->random) ? VS_OK : VS_ERROR;
 }
 
-/* Begins the run of a rule on s: random numbers depend on the scope from here on. */
+/* Begins the run of a rule on s: random numbers now depend on the scope. */
 static bool rule_begins(vs_derivation *d, const char *name, const vs_scope *s) {
   d->name = name;
   d->steps = 0;

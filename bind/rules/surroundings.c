@@ -200,7 +200,7 @@ static bool curve_pieces(body *b, const vs_scope *s) {
   return ok;
 }
 
-/* Adds the faces of the object that a mesh or surface scope was made from. Sets *set if the condition is set. */
+/* Adds the faces of the object below a mesh or surface scope. Sets *set if the condition is set. */
 static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) {
   vs_bend_leaves leaves;
   vs_ref object = { vs_node_retain(s->object.node), s->object.origin };
@@ -515,8 +515,9 @@ vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-detail s #:width): returns the length of the scope's diagonal, in pixels, on a picture of that width by the
- * drawing's camera, at the scope's nearest distance. +inf if the camera is in the scope, or there is no camera. */
+/* (scope-detail s #:width): returns the length of the scope's diagonal in pixels, on a picture of that width by the
+ * drawing's camera. The distance is that of the scope's nearest point. +inf: the camera is in the scope, or there is no
+ * camera. */
 vs_status vs_p_scope_detail(vs_args *f, vs_value *out) {
   const vs_scene *scene = &f->bind->scene;
   vs_vec3 corner[8], middle = { 0, 0, 0 };

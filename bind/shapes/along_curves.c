@@ -123,8 +123,8 @@ static vs_status walk_point(vs_args *f, const vs_station *s, vs_vec3 x, vs_vec3 
   return vs_bind_give_point(f, vs_v3_add(vs_v3_add(s->at, vs_v3_scale(s->tangent, along)), across), out);
 }
 
-/* (%walk-place walk s x y): returns the point x and y across the curve at the share s of its length; beyond the ends of
- * an open curve, straight on. */
+/* (%walk-place walk s x y): returns the point x and y across the curve at the share s of its length; beyond an open
+ * curve's ends, on its tangent. */
 vs_status vs_p_walk_place(vs_args *f, vs_value *out) {
   double along;
   vs_station s = walk_station(f, &along);

@@ -71,8 +71,8 @@ static vs_status unsettled(vs_args *f, vs_relax_outcome outcome, const vs_relax_
 }
 
 /* (%form-find points members fixed loads weight stiffness tolerance): returns the list of points, the members' forces,
- * the residual and the number of steps. members: a flat list of numbers, four for each: from, to (from 0), length and
- * density; loads: gvectors. */
+ * the residual and the number of steps. members: a flat list of numbers. Each member has four: from, to (from 0),
+ * length and density. loads: gvectors. */
 vs_status vs_p_form_find(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count;
   vs_value l = f->arg[1].value;

@@ -1,8 +1,8 @@
 /* Owns the scanner of scripts.
  *
- * A comment that begins with slash, star, percent is a token: text of the language that the script is translated to.
- * All others, also annotations, are kept as comments. Line ends matter to the grammar, so each token notes whether a
- * line ended before it. */
+ * A comment that begins with slash, star, percent is a token: text of the target language. All others, also
+ * annotations, are kept as comments. Line ends matter to the grammar, so each token notes whether a line ended before
+ * it. */
 #include "languages/javascript/scanner.h"
 
 #include <errno.h>
