@@ -15,7 +15,8 @@ vs_status vs_bind_resolve(vs_args *f, int i);
 /* Sets *out to the bounds that (bounding-box o) returns for argument i, which must be finite and resolved. Returns
  * false with the error set. */
 bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out);
-/* Sets *out to bounds of an object. A cut object gets the bounds of its parts. Makes a mesh if the bounds need it. */
+/* Sets *out to bounds of an object; of a cut one, to those of its parts. Resolves the object if its bounds need it.
+ * Returns false with *e set. */
 bool vs_bind_bounds(vs_scheme *vm, vs_ref ref, vs_bounds *out, vs_error *e);
 
 #endif

@@ -127,7 +127,7 @@ static size_t note(char *text, size_t room, size_t at, size_t count, const char 
 }
 
 /* Repairs l and sets *out to its node, a new reference, which may be empty; a warning lists the repairs. *sheet: the
- * object is a surface, also after its holes were closed. */
+ * result is a surface, or encloses nothing although holes were closed. */
 static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *sheet, vs_node **out) {
   vs_repair_notes notes;
   vs_error e = { 0 };
@@ -250,10 +250,11 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   if (!at || !starts || !corner) return VS_ERROR;
   memcpy(at, f->arg[0].points.at, n * sizeof *at);
   at[n] = POINT(1);
-  vs_vec3 spread = { 0, 0, 0 }; /* six times the volumes of the tetrahedra with the base's first corner */
+  vs_vec3 spread = { 0, 0, 0 }; /* twice the base's area, along its normal */
   for (size_t i = 1; i + 1 < n; i++)
     spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
-  /* the size of the base; the apex's height; the largest distance of a corner from the plane; the widest triangle */
+  /* the size of the base; the apex's height; the largest distance of a base corner from the plane; twice the area of
+   * the largest triangle tried */
   double size = 0, up = 0, off = 0, widest = 0;
   vs_vec3 normal = vs_v3_unit(spread);
   for (size_t i = 1; i < n; i++) {
