@@ -1,4 +1,5 @@
-/* Owns the small drawings that the tests of several layers build in C. A node's one reference goes into what holds it. */
+/* Owns the small drawings that the tests of several layers build in C. The parent takes over a node's only
+ * reference. */
 #ifndef VS_TESTS_SCENES_H
 #define VS_TESTS_SCENES_H
 
@@ -18,7 +19,7 @@ static inline void test_model_close(test_model *m) {
   vs_scene_free(&m->scene);
   vs_store_release(m->store);
 }
-/* line: where the model's text is said to have made it */
+/* line: the line of the node's origin */
 static inline vs_ref test_node(test_model *m, uint32_t line, vs_kind kind, const void *data, const vs_ref *children, size_t count) {
   vs_ref made = { vs_node_new(m->store, kind, data, children, count), vs_store_origin(m->store, "house.vs", line, 3, NULL) };
   for (size_t i = 0; i < count; i++) vs_node_release(children[i].node);
@@ -36,7 +37,8 @@ static inline vs_ref test_cylinder(test_model *m, vs_vec3 base, vs_vec3 top, dou
 static inline vs_ref test_move(test_model *m, double x, double y, double z, vs_ref what) {
   return test_node(m, 4, VS_TRANSFORM, &(struct vs_transform){ .matrix = vs_affine_translation(vs_v3(x, y, z)) }, &what, 1);
 }
-/* struct vs_material is what a material is; the node's payload, which prims.def would call the same, is laid out by its table. */
+/* Takes a struct vs_material; the payload of the node, for which prims.def would use the same name, has the layout of
+ * its table. */
 static inline vs_ref test_paint(test_model *m, const char *name, vs_ref what) {
   struct { vs_field_material material; unsigned char end; } data = { vs_store_ready_material(m->store, name), 0 };
   return test_node(m, 5, VS_MATERIAL, &data, &what, 1);
@@ -51,7 +53,8 @@ static inline void test_draw(test_model *m, vs_ref what) {
   vs_node_release(what.node);
 }
 
-/* Every kind once, with its children where it has any: what the tree's golden and its reading back go over. */
+/* Returns a node of the kind, with children if it has any: the tree's golden file and its reading back use every kind
+ * once. */
 static inline vs_ref test_any(test_model *m, vs_kind kind) {
   unsigned char data[256] = { 0 };
   const vs_kind_info *info = vs_kind_get(kind);

@@ -1,4 +1,5 @@
-/* Owns how a unit test says why it cannot run here: tests/run.sh reads the line. After cmocka's header. */
+/* Owns the line by which a unit test reports that it cannot run here, and why: tests/run.sh reads it. Include it after
+ * cmocka's header. */
 #ifndef VS_TESTS_SKIP_H
 #define VS_TESTS_SKIP_H
 

@@ -1,5 +1,6 @@
-/* Owns the tests of backends/ that need no interpreter: numbers, the tree and its reading back, each format's words, files that appear whole
- * or not at all, and the workers: POV-Ray's pictures and complaints, OpenSCAD's reading of our programs. */
+/* Owns the tests of backends/ that need no interpreter: numbers, the tree dump and its reader, each format's words,
+ * files that appear whole or not at all, and the workers: POV-Ray's pictures and messages, and OpenSCAD reading our
+ * programs. */
 #define _XOPEN_SOURCE 700
 #include <locale.h>
 #include <setjmp.h>
@@ -50,7 +51,7 @@ static void count_warning(void *context, const vs_origin *origin, const char *me
   snprintf(last_warning, sizeof last_warning, "%s", message);
 }
 
-/* The drawing in a format; the caller frees. NULL: failed, e says why. */
+/* Returns the drawing in a format; the caller frees it. NULL: failed, e has the reason. */
 static char *written_quietly(test_model *m, const char *format, size_t *length, vs_error *e) {
   memory out = { NULL, 0, 0 };
   vs_export_options options;
@@ -81,7 +82,7 @@ static void assert_lacks(const char *text, const char *part) {
 
 /* ---- numbers ---- */
 
-/* The text of %.12g, without the plus sign and the zeros of exponents, and never -0. */
+/* Checks that the number is printed as by %.12g, without the plus sign and the zeros of exponents, and never as -0. */
 static void assert_as_printed(double x) {
   char text[VS_NUMBER_ROOM], wide[64];
   size_t length = vs_number_text(x, text);
@@ -109,7 +110,8 @@ static void test_numbers(void **state) {
     assert_int_equal(length, strlen(text));
     assert_string_equal(text, cases[i].text);
   }
-  /* All are what printf's twelve digits are, letter for letter, whichever way they were found: bits of any kind, then what models hold. */
+  /* All numbers equal printf's twelve digits, character for character, for every way to print them: random bits, then
+   * numbers as in models. */
   uint64_t seed = 12345;
   const char *longer = getenv("LONG");
   for (int i = 0, most = longer && *longer ? 1500000 : 300000; i < most; i++) {
@@ -121,7 +123,7 @@ static void test_numbers(void **state) {
     if (i % 8 == 2) x = round(x * 1000) / 1000;
     if (i % 8 == 3) x *= 1e-12;
     if (i % 8 == 4) x = ldexp((double)(seed >> 40), -(i % 40)); /* ties */
-    if (i % 8 == 5) x = (999999999999.0 + (double)(seed >> 54) / 512) / pow(10, i % 23); /* a digit more by rounding, or just not */
+    if (i % 8 == 5) x = (999999999999.0 + (double)(seed >> 54) / 512) / pow(10, i % 23); /* rounding carries into a further digit, or just fails to */
     if (i % 8 == 6) x = nextafter(pow(10, i % 33 - 16), i % 3 - 1);
     assert_as_printed(x);
   }
@@ -207,7 +209,7 @@ static void test_tree_refuses(void **state) {
 
 /* ---- deflating ---- */
 
-/* Deflates bytes in pieces of `step` and lets zlib's other half expand them. Returns the deflated size. */
+/* Deflates bytes in pieces of `step`, and checks that zlib's inflate restores them. Returns the deflated size. */
 static size_t deflate_and_back(vs_store *store, const unsigned char *bytes, size_t count, size_t step) {
   memory to = { 0 };
   vs_error e = { VS_ERROR_NONE, NULL, "" };
@@ -239,7 +241,7 @@ static void test_deflate(void **state) {
   uint32_t seed = 1;
   for (size_t i = 0; i < room; i++) bytes[i] = (unsigned char)((seed = seed * 1664525u + 1013904223u) >> 24);
   for (size_t n = 0; n < 40; n++) deflate_and_back(m.store, bytes, n, 3);
-  assert_true(deflate_and_back(m.store, bytes, room, 70000) < room + room / 100); /* noise grows little */
+  assert_true(deflate_and_back(m.store, bytes, room, 70000) < room + room / 100); /* noise grows by little */
   for (size_t i = 1000; i < room; i++) bytes[i] = bytes[i - 1000];
   assert_true(deflate_and_back(m.store, bytes, room, 4097) < room / 50);
   free(bytes);
@@ -262,14 +264,16 @@ static void test_povray_words(void **state) {
   assert_holds(text, "sphere { <1, 2, 3>, 4 }\n");
   assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 2>, 0.5 }\n");
   assert_holds(text, "cone { <0, 0, 0>, 2, <0, 0, 1>, 0 }\n");
-  assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 1>, 1 }\n"); /* POV-Ray's cone takes no equal radii */
+  assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 1>, 1 }\n"); /* POV-Ray's cone refuses equal radii */
   assert_holds(text, "torus { 3, 1 rotate 90*x translate <1, 1, 1> }\n");
   assert_holds(text, "object {\n  difference {\n    box { <0, 0, 0>, <1, 1, 1> }\n    sphere { <0, 0, 0>, 0.5 }\n  }\n  material { M1_red }\n}\n");
   free(text);
   test_model_close(&m);
 }
 
-/* POV-Ray keeps a skin between two cutters that meet face to face, and where one is flush with what it cuts: the later one grows. Beside each other, or one plane under both, is no harm. */
+/* POV-Ray keeps a skin between two cutters that meet face to face, and where a cutter's face is flush with a face of
+ * the minuend; therefore the later one grows. Cutters side by side, or with one common plane below, need no such
+ * growth. */
 static void test_povray_skins(void **state) {
   (void)state;
   test_model m;
@@ -300,7 +304,7 @@ static bool keep_scene(vs_emitter *e, const char *scene, const char *output) {
   return fclose(f) == 0;
 }
 
-/* The scene that POV-Ray would get for a picture; valid until the next. */
+/* Returns the scene that POV-Ray would get for a picture; valid until the next call. */
 static const char *pictured(test_model *m) {
   vs_backend instead = vs_backend_povray_png;
   instead.render = keep_scene;
@@ -313,7 +317,7 @@ static const char *pictured(test_model *m) {
   return scene_text.text;
 }
 
-/* A wall with `holes` round openings; of the colour "red" where painted. */
+/* Returns a wall with `holes` round openings, of the colour "red" if painted. */
 static vs_ref wall_of(test_model *m, int holes, const char *paint) {
   vs_ref parts[9] = { test_box(m, 0, 0, 0, 10, 3, 1) };
   if (paint) parts[0] = test_paint(m, paint, parts[0]);
@@ -327,7 +331,8 @@ static size_t times_in(const char *text, const char *part) {
   return count;
 }
 
-/* What takes POV-Ray long is one mesh in a picture, shaded round where the openings are; a .pov has the operation. */
+/* An operation that takes POV-Ray long is one mesh in a picture, with smooth shading at the openings; a .pov contains
+ * the operation. */
 static void test_povray_solids(void **state) {
   (void)state;
   test_model m;
@@ -341,7 +346,7 @@ static void test_povray_solids(void **state) {
   assert_lacks(text, "mesh2");
   free(text);
   test_model_close(&m);
-  /* with paint of its own each part is a mesh of that paint */
+  /* parts with different paints become one mesh for each paint */
   test_model_open(&m);
   test_draw(&m, test_paint(&m, "blue", test_pair(&m, VS_INTERSECTION, test_box(&m, 0, 0, 0, 9, 9, 9), wall_of(&m, 6, "red"))));
   assert_lacks(pictured(&m), "intersection");
@@ -349,7 +354,7 @@ static void test_povray_solids(void **state) {
   test_model_close(&m);
 }
 
-/* What stays an operation: few parts, glass round it or in it, a pattern that was moved with its part, an operand. */
+/* The operations that stay: few parts, glass around or within, a pattern that was moved with its part, an operand. */
 static void test_povray_solids_left(void **state) {
   (void)state;
   test_model m;
@@ -360,7 +365,7 @@ static void test_povray_solids_left(void **state) {
     if (i == 2) wall = test_paint(&m, "glass", wall);
     if (i == 3) wall = test_pair(&m, VS_DIFFERENCE, wall, moved);
     else vs_node_release(moved.node);
-    if (i == 4) { /* drawn by itself, and as what a larger sphere of glass lacks */
+    if (i == 4) { /* drawn alone, and as a cutter of a larger glass sphere */
       vs_node_retain(wall.node);
       test_draw(&m, test_paint(&m, "glass", test_pair(&m, VS_DIFFERENCE, test_sphere(&m, 0, 0, 0, 20), wall)));
     }
@@ -409,8 +414,8 @@ static void test_x3d_words(void **state) {
   test_model_close(&m);
 }
 
-/* one triangle, which encloses nothing */
-/* The two notations of STL hold the same numbers. */
+/* a single triangle, which encloses nothing */
+/* The text and the binary notation of STL contain the same numbers. */
 static void test_stl_words(void **state) {
   (void)state;
   test_model m;
@@ -432,7 +437,8 @@ static vs_ref open_surface(test_model *m) {
   return ref;
 }
 
-/* An object that is a single operand, empty, or of a class the format leaves out never reaches the text as an operation of nothing. */
+/* A format writes no operation without operands: not for an object that is a single operand, or empty, or of a class
+ * that the format omits. */
 static void test_left_out(void **state) {
   (void)state;
   test_model m;
@@ -468,7 +474,7 @@ static void test_left_out(void **state) {
   assert_int_equal(e.kind, VS_ERROR_MODEL);
   test_model_close(&m);
 
-  test_model_open(&m); /* a curve has no thickness there: it is shown with some, and that is said */
+  test_model_open(&m); /* the format gives a curve some thickness, with a warning */
   test_draw(&m, test_any(&m, VS_LINE));
   warnings = 0;
   text = written(&m, "scad");
@@ -534,7 +540,7 @@ static void test_deep(void **state) {
   static const char *const formats[] = { "tree", "pov", "scad" };
   for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
     char *text = written(&m, formats[i]);
-    /* No line stands deeper than a subtree may nest. */
+    /* The indentation of each line is at most the limit for nested subtrees. */
     size_t deepest = 0, indent = 0;
     bool start = true;
     for (const char *c = text; *c != '\0'; c++) {
@@ -621,7 +627,7 @@ static void test_files(void **state) {
   assert_true(vs_export(&m.scene, NULL, p.path, NULL, &e));
   assert_int_equal(place_files(&p), 1);
 
-  /* A failure leaves what stood there, and nothing else. */
+  /* A failure keeps the old file, and leaves no other file. */
   struct stat before, after;
   assert_int_equal(stat(p.path, &before), 0);
   vs_ref box = test_box(&m, 0, 0, 0, 1, 1, 1);
@@ -637,7 +643,7 @@ static void test_files(void **state) {
   assert_int_equal(e.kind, VS_ERROR_FILE);
   assert_false(vs_export(&m.scene, vs_export_format_find("tree"), p.folder, NULL, &e));
   assert_holds(e.message, "it is a folder");
-  assert_false(vs_export(&m.scene, NULL, "/nowhere/at/all/x.pov", NULL, &e)); /* before anything is made */
+  assert_false(vs_export(&m.scene, NULL, "/nowhere/at/all/x.pov", NULL, &e)); /* it fails before it makes any file */
   assert_int_equal(e.kind, VS_ERROR_FILE);
   assert_false(vs_export(&m.scene, NULL, "x.unknown", NULL, &e));
   assert_int_equal(e.kind, VS_ERROR_FILE);
@@ -660,7 +666,8 @@ static void test_formats(void **state) {
   assert_string_equal(vs_export_format_find("openscad")->suffix, "scad");
   for (size_t i = 0; i < vs_export_format_count(); i++)
     for (size_t k = 0; k < i; k++) assert_string_not_equal(vs_export_format_at(i)->name, vs_export_format_at(k)->name);
-  assert_string_equal(vs_export_format_find("x.stl")->name, "stl"); /* of two notations behind an ending, the first */
+  assert_string_equal(vs_export_format_find("x.stl")->name, "stl"); /* the first of two notations with the same
+                                                                     * suffix */
   assert_string_equal(vs_export_format_find("stl-ascii")->suffix, "stl");
 }
 
@@ -746,7 +753,8 @@ static void test_povray_stops(void **state) {
   test_model_close(&m);
 }
 
-/* The strips of a picture cover it once, and are those of its size and triangles: no number of processors changes them, and a part has those of the whole that it meets. */
+/* The strips of a picture lie one below the other. They depend on its size and triangles, not on the number of processors;
+ * a part of a picture uses the strips of the whole that it meets. */
 static void test_povray_plan(void **state) {
   (void)state;
   static const int sizes[][2] = { { 1, 1 }, { 64, 48 }, { 3, 4000 }, { 4000, 3 }, { 640, 480 }, { 1024, 768 }, { 1023, 997 }, { 4800, 3600 }, { 32768, 32768 } };
@@ -785,7 +793,8 @@ static void test_povray_plan(void **state) {
     }
 }
 
-/* A red sphere before a pale sky: red in the middle, none in the corner. POV-Ray reads the picture back and says its colours. */
+/* Tests a red sphere in front of a pale sky: red in the middle, not red in the corner. POV-Ray reads the picture back
+ * and prints its colours. */
 static void test_povray_picture(void **state) {
   (void)state;
   if (!installed("povray")) SKIP_TEST("no povray (package povray)");
@@ -822,7 +831,8 @@ static void test_povray_picture(void **state) {
   test_model_close(&m);
 }
 
-/* Every kind that POV-Ray gets, alone and inside a subtraction, turned and squeezed: it must parse and draw without a complaint. */
+/* Every kind that POV-Ray receives, alone and inside a subtraction, turned and squeezed: POV-Ray must parse and draw it
+ * without a message. */
 static void test_povray_takes_all(void **state) {
   (void)state;
   if (!installed("povray")) SKIP_TEST("no povray (package povray)");
@@ -885,8 +895,7 @@ static void test_openscad_takes_all(void **state) {
   test_model_close(&m);
 }
 
-/* A format that gets the union of the solids alone says of each other class that it leaves it out: nothing is lost
- * without a word. */
+/* A format that contains the union of the solids alone must warn for each other class that it omits. */
 static void test_tells_what_is_left_out(void **state) {
   (void)state;
   static const struct { const char *name; const vs_backend *backend; } all[] = {

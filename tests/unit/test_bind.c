@@ -1,4 +1,5 @@
-/* Owns the tests of the geometry's natives, called one by one without the reader: values, messages, what collapses. */
+/* Owns the tests of the geometry's natives, called one by one without the reader: values, messages, and objects that
+ * collapse. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,9 +22,9 @@ typedef struct {
   vs_bind bind;
   vs_store *store;
   vs_value names[NAMES], procedures[NAMES];
-  struct vs_roots kept[2]; /* of these two */
+  struct vs_roots kept[2]; /* holds these two */
   size_t count;
-  char text[512]; /* of the last value or condition */
+  char text[512]; /* the written form of the last value or condition */
   char warning[512];
   int warnings;
 } world;
@@ -79,7 +80,7 @@ static void call(world *w, const char *name, size_t n, const vs_value *argv, vs_
   vs_text_close(&t);
 }
 
-/* (NAME ARGUMENTS) prints as EXPECTED; the value stays in r[0] */
+/* Checks that (NAME ARGUMENTS) prints as EXPECTED; the value stays in r[0] */
 #define CHECK(expected, name, ...)                                                                            \
   do {                                                                                                        \
     call(w, name, sizeof((vs_value[]){ __VA_ARGS__ }) / sizeof(vs_value), (vs_value[]){ __VA_ARGS__ }, &r[0]); \

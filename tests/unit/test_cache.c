@@ -1,4 +1,5 @@
-/* Owns the tests of the world cache: found by value and never by hash alone, least recently used out first, within its bound, and lost where memory is refused. */
+/* Owns the tests of the world cache: it compares values, never only hashes; it removes the least recently used entry
+ * first; it keeps its bound, and gives its memory up when an allocation is refused. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +14,7 @@
 #include "model/store/cache.h"
 #include "visualscheme.h"
 
-/* ---- by itself ---- */
+/* ---- the cache without an interpreter ---- */
 
 static vs_node *sphere(vs_store *s, double radius) {
   vs_node *n = vs_node_new(s, VS_SPHERE, &(struct vs_sphere){ .radius = radius }, NULL, 0);
@@ -46,7 +47,7 @@ static void test_equality(void **state) {
   assert_true(holds(c, b, 7)); /* another node of equal value */
   assert_false(holds(c, b, 8));
   assert_false(holds(c, NULL, 7));
-  other->hash = a->hash; /* as if hashes met: what is not equal is not found */
+  other->hash = a->hash; /* with equal hashes: the cache does not find a different value */
   assert_false(holds(c, other, 7));
   uint64_t words[] = { 7, 0 };
   assert_null(vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, b, words, 2, 0 }));
@@ -68,22 +69,23 @@ static void test_bound(void **state) {
   enum { ONE = 10000, LIMIT = 100000 };
   vs_store *s = vs_store_new(NULL, NULL);
   vs_cache *c = vs_cache_new(s, LIMIT);
-  for (uint64_t i = 0; i < 50; i++) { /* each its own turn */
+  for (uint64_t i = 0; i < 50; i++) { /* each in a separate turn */
     vs_cache_turn(c, true);
     vs_node *n = sphere(s, 1 + (double)i);
     vs_cache_let_go(c, keep(c, n, i, ONE));
     vs_node_release(n);
     assert_true(vs_cache_count(c).bytes <= LIMIT);
-    assert_true(vs_store_bytes(s) < LIMIT + 4096); /* dead nodes too are within the bound */
+    assert_true(vs_store_bytes(s) < LIMIT + 4096); /* nodes that only the cache keeps count in the bound too */
     if (i > 0) {
       vs_node *again = sphere(s, 1);
-      assert_true(holds(c, again, 0)); /* asked for in every turn: the others go */
+      assert_true(holds(c, again, 0)); /* every turn requests this one: the others are removed */
       vs_node_release(again);
     }
   }
   assert_true(vs_cache_count(c).evicted > 35);
   assert_true(vs_cache_count(c).entries >= 8);
-  vs_cache_turn(c, true); /* within one turn nothing asked for goes, and what is too much is not kept */
+  vs_cache_turn(c, true); /* within a turn the cache removes no requested entry, and does not keep entries beyond its
+                           * bound */
   size_t kept = 0;
   for (uint64_t i = 100; i < 150; i++) {
     const vs_cached *r = keep(c, NULL, i, ONE);
@@ -94,11 +96,11 @@ static void test_bound(void **state) {
   for (uint64_t i = 100; i < 100 + kept; i++) assert_true(holds(c, NULL, i));
   assert_null(keep(c, NULL, 999, LIMIT));
   const vs_cached *held = vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, NULL, (uint64_t[]){ 101 }, 1, 0 });
-  assert_true(vs_cache_shrink(c, SIZE_MAX)); /* pressure takes all, but for what is in use */
+  assert_true(vs_cache_shrink(c, SIZE_MAX)); /* a shrink removes every entry that is not in use */
   assert_int_equal(vs_cache_count(c).entries, 1);
   assert_false(vs_cache_shrink(c, SIZE_MAX));
   vs_cache_let_go(c, held);
-  vs_cache_turn(c, false); /* asks, keeps nothing */
+  vs_cache_turn(c, false); /* requests, but keeps nothing */
   assert_true(holds(c, NULL, 101));
   assert_null(keep(c, NULL, 5000, 16));
   vs_cache_free(c);
@@ -110,7 +112,7 @@ static void test_refused(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_cache *c = vs_cache_new(s, 1 << 20);
   vs_node *leaf = sphere(s, 1), *n = leaf;
-  for (int i = 0; i < 200; i++) { /* a deep one, so that the counting of its bytes asks too */
+  for (int i = 0; i < 200; i++) { /* a deep node, so that counting its bytes polls too */
     vs_ref both[] = { { n, NULL }, { leaf, NULL } };
     vs_node *up = vs_node_new(s, VS_UNION, &(struct vs_union){ 0 }, both, 2);
     if (n != leaf) vs_node_release(n);
@@ -136,7 +138,8 @@ static void test_refused(void **state) {
   vs_store_release(s);
 }
 
-/* ---- through the interpreter: after a change, what did not change is neither tessellated nor combined again, and the bytes are a fresh process' ---- */
+/* ---- through the interpreter: after a change, it tessellates and combines only changed parts, and writes the bytes of
+ * a fresh process ---- */
 
 typedef struct { char *at; size_t count; } bytes;
 
@@ -183,7 +186,7 @@ static bytes written(vs_scheme *s, const char *format, bool last) {
   return b;
 }
 
-/* Forty parts, each a cluster of three that is no copy of another; part k has another radius where changed. */
+/* Forty parts, each a cluster of three, none a copy of another; `changed` gives part k another radius. */
 enum { PARTS = 40 };
 static const char *const parts =
     "(define (part i r) (subtract (unite (make-box (xyz (* 10 i) 0 0) (xyz (+ (* 10 i) 5 (* i 0.01)) 5 5)) (make-sphere (xyz (* 10 i) 0 0) r)) (make-cylinder (xyz (+ (* 10 i) 2) 2 -1) 7 1)))"
@@ -209,14 +212,14 @@ static void test_incremental(void **state) {
       assert_true(statistic(s, "cache.clusters.misses") - combined <= 1);
       assert_true(statistic(s, "cache.primitives.misses") - meshed <= 1);
     }
-    run(s, "(model 7 2)"); /* and back: nothing at all */
+    run(s, "(model 7 2)"); /* and back: it computes nothing */
     double before = statistic(s, "cache.clusters.misses"), was = statistic(s, "cache.primitives.misses");
     bytes third = written(s, formats[f], false);
     assert_true(statistic(s, "cache.clusters.misses") == before && statistic(s, "cache.primitives.misses") == was);
     assert_int_equal(third.count, first.count);
     assert_memory_equal(third.at, first.at, first.count);
     vs_free(s);
-    vs_scheme *fresh = session(SIZE_MAX); /* keeps nothing */
+    vs_scheme *fresh = session(SIZE_MAX); /* without a cache */
     run(fresh, parts);
     run(fresh, "(model 7 3)");
     bytes other = written(fresh, formats[f], true);
@@ -228,7 +231,7 @@ static void test_incremental(void **state) {
   }
 }
 
-/* Measures and checks too, and only of equal things. */
+/* Measures and checks are cached too, and only for equal objects. */
 static void test_measures(void **state) {
   (void)state;
   static const char define[] =
@@ -249,7 +252,7 @@ static void test_measures(void **state) {
   vs_free(s);
 }
 
-/* Tags are the problem's own, paints the cluster's: parts in other order, other colours, other layers. */
+/* Tags belong to the problem, paints to the cluster: parts in another order, other colours, other layers. */
 static void test_tags(void **state) {
   (void)state;
   static const char *const programs[] = {
@@ -282,7 +285,7 @@ static void test_tags(void **state) {
   }
 }
 
-/* Begun anew, an interpreter knows nothing of before but parameters and meshes. */
+/* After a restart an interpreter keeps parameters and meshes alone. */
 static void test_restart(void **state) {
   (void)state;
   static const char model[] =
@@ -305,8 +308,9 @@ static void test_restart(void **state) {
     run(s, model);
   }
   bytes b = written(s, "stl", false);
-  assert_true(statistic(s, "cache.clusters.misses") - clusters <= 2); /* of twelve and one: the two that changed */
-  bytes pov = written(s, "povray", false); /* its camera's bounds mesh each part by itself: clusters of their own */
+  assert_true(statistic(s, "cache.clusters.misses") - clusters <= 2); /* of twelve and one clusters: the two changed
+                                                                       * ones */
+  bytes pov = written(s, "povray", false); /* the bounds for its camera mesh each part alone, as separate clusters */
   assert_true(vs_parameter_set(fresh, "k", "4"));
   run(fresh, model);
   bytes c = written(fresh, "stl", true), pov_too = written(fresh, "povray", true);
@@ -314,13 +318,13 @@ static void test_restart(void **state) {
   assert_memory_equal(b.at, c.at, b.count);
   assert_int_equal(pov.count, pov_too.count);
   assert_memory_equal(pov.at, pov_too.at, pov.count);
-  assert_int_equal(a.count, b.count); /* as many triangles, elsewhere */
+  assert_int_equal(a.count, b.count); /* as many triangles, at other places */
   free(a.at), free(b.at), free(c.at), free(pov.at), free(pov_too.at);
   vs_free(s);
   vs_free(fresh);
 }
 
-/* Refused memory leaves an interpreter as it was. */
+/* A refused allocation leaves an interpreter unchanged. */
 typedef struct { long left; bool on; } refusal;
 
 static void *refusing(void *context, void *old, size_t old_size, size_t new_size) {
@@ -358,7 +362,7 @@ static void test_restart_refused(void **state) {
   vs_free(s);
 }
 
-/* A limit on memory is for the program: what is kept for later makes way. */
+/* A memory limit serves the program: cached results make room. */
 static void test_limit(void **state) {
   (void)state;
   vs_options o = vs_options_default();
@@ -382,7 +386,7 @@ static void test_limit(void **state) {
   vs_free(s);
 }
 
-/* ---- text that is written again ---- */
+/* ---- text that is reused ---- */
 
 typedef struct { char text[4096]; size_t count; } heard;
 
@@ -401,8 +405,9 @@ static vs_scheme *hearing(heard *h, size_t cache) {
   return s;
 }
 
-/* Shapes by themselves and in a difference, painted and not, templates, thin things that formats warn of, a half-space, a mesh. a: one shape in the middle; b: something
- * before all, with a paint and a template of its own; c: the size of it all, and with it tolerance and how thick lines are; d: the paint of the first row. */
+/* Shapes alone and in a difference, painted and not, templates, thin parts for which formats warn, a half-space, a
+ * mesh. a: a shape in the middle. b: an object before all others, with a separate paint and template. c: the size of
+ * the drawing, and with it the tolerance and the thickness of lines. d: the paint of the first row. */
 static const char model[] =
     "(define (bolt h) (unite (make-cylinder (xyz 0 0 0) h 0.3) (make-box (xyz -1 -1 h) (xyz 1 1 (+ h 0.4))) (make-regular-polygon (xyz 0 0 0) 1 6)))\n"
     "(define (nut h) (subtract (make-box (xyz -1 -1 0) (xyz 1 1 h)) (make-cylinder (xyz 0 0 -1) 9 0.5) (make-torus (xyz 0 0 0) 1 0.2)))\n"
@@ -442,7 +447,7 @@ static void test_texts(void **state) {
       if (strcmp(formats[f], "x3d") != 0) {
         assert_true(texts >= 5);
         if (i == 0) assert_true(emitted == texts);
-        if (steps[i].most) assert_true(2 * emitted <= texts + 1); /* a tree has five runs or six */
+        if (steps[i].most) assert_true(2 * emitted <= texts + 1); /* a tree has five or six runs */
       }
       free(b.at), free(c.at);
       vs_free(fresh);
@@ -451,7 +456,7 @@ static void test_texts(void **state) {
   }
 }
 
-/* Refused memory loses text that would be kept, or the output; never a byte of one that is said to be done. */
+/* A refused allocation may lose cached text, or the output; an output that is reported as complete has every byte. */
 static void test_texts_refused(void **state) {
   (void)state;
   static const char drawn[] = "(define (bolt i) (unite (make-box (xyz i 0 0) (xyz (+ i 1) 1 2)) (make-sphere (xyz i 0 0) 0.7) (make-cylinder (xyz i 0 0) 5 0.2)))"
@@ -465,13 +470,14 @@ static void test_texts_refused(void **state) {
   vs_free(plain);
   size_t done = 0, failed = 0;
   const char *longer = getenv("LONG");
-  long early = longer && *longer ? 1 : 11, late = 97; /* a picture's camera meshes: of its hundreds of requests a sample */
+  long early = longer && *longer ? 1 : 11, late = 97; /* the camera of a picture needs meshes, which makes hundreds of
+                                                       * requests: a sample of them */
   for (long left = 0; left < 6000 && done < 40; left += left < 300 ? early : late) {
     vs_scheme *s = vs_new(&o);
     assert_non_null(s);
     run(s, drawn);
     vs_output_options w = vs_output_options_default();
-    for (int again = 0; again < 2; again++) { /* kept; and found, where it was */
+    for (int again = 0; again < 2; again++) { /* stores it, then finds it at the same place */
       bytes b = { NULL, 0 };
       r = (refusal){ left, again == 0 };
       vs_outcome outcome = vs_write_drawing_to(s, "povray", &w, collect, &b);
@@ -489,7 +495,8 @@ static void test_texts_refused(void **state) {
   free(want.at);
 }
 
-/* Whatever an array leaves of the key's room, the fields behind it have theirs: a spline's tangents stand behind its points. */
+/* For any size that an array leaves in the key, the key has room for the fields behind the array: the tangents of a
+ * spline follow its points. */
 static void test_payload_room(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);

@@ -1,5 +1,5 @@
-/* Owns the tests of what grows with numbers: crowds of solids over one place, corners with very many triangles, and
- * tables of very many meshes. */
+/* Owns the tests of large numbers: crowds of solids in one place, vertices with very many triangles, and tables of very
+ * many meshes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -38,7 +38,7 @@ static double area_of(const vs_mesh *m, uint32_t tag) {
 }
 
 /* Evaluates the expression in one arrangement, and level by level with one thread and with three. The volume and each
- * leaf's part of the surface are the same; the threads change no byte. */
+ * leaf's part of the surface must be equal; the number of threads changes no byte. */
 static void check_levels(const char *text) {
   sx_problem p;
   assert_true(sx_parse(text, &p));
@@ -62,7 +62,7 @@ static void check_levels(const char *text) {
   sx_free(&p);
 }
 
-/* count solids of that form, which takes two numbers, turned about one centre. */
+/* Returns a text of `count` solids of that form, which takes two numbers, turned about one centre. */
 static char *turned(const char *before, const char *form, int count, double by, const char *after) {
   char *text = malloc(200 * (size_t)count + 400), *to = text;
   assert_non_null(text);
@@ -78,17 +78,18 @@ static void test_levels(void **state) {
   (void)state;
   static const struct { const char *before, *form, *after; int count; double by; } crowds[] = {
     { "(union", "(cbox 10 10 10)", ")", 12, 0.002 },
-    { "(union", "(cbox 10 10 10)", ")", 12, 9 },                                            /* far apart: much shows */
+    { "(union", "(cbox 10 10 10)", ")", 12, 9 },                                            /* far apart: much of each is visible */
     { "(union", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", " (translate 3 3 3 (sphere 1 12)))", 12, 13 },
-    /* holes are united before they are taken off */
+    /* the holes are united before they are subtracted */
     { "(difference (cbox 8 8 8)", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", ")", 12, 13 },
-    /* nothing settles: the one arrangement */
+    /* no leaf can be settled early: one arrangement */
     { "(intersection (cbox 9.5 9.5 9.5) (union", "(cbox 10 10 9)", "))", 10, 3 },
-    /* a leaf that settles nothing beside some that do */
+    /* a leaf that settles nothing, beside leaves that do */
     { "(union (difference (cbox 12 12 12) (cbox 11 11 30))", "(cbox 10 10 10)", ")", 8, 5 },
-    /* equal planes throughout */
+    /* coplanar faces throughout */
     { "(union", "(cbox 10 10 10)", ")", 5, 90 },
-    /* as many facets as are met by several threads, whose new points make the table of points grow again and again */
+    /* so many facets that several threads intersect them; their new points make the table of points grow again and
+     * again */
     { "(union", "(sphere 10 64)", ")", 4, 0.05 },
   };
   for (size_t i = 0; i < sizeof crowds / sizeof *crowds; i++) {
@@ -98,8 +99,8 @@ static void test_levels(void **state) {
   }
 }
 
-/* A hundred and sixty boxes over one place, all of whose faces cut each other: one arrangement would hold millions of
- * crossings of their cuts, some gigabytes. */
+/* A hundred and sixty boxes in one place, all of whose faces intersect: a single arrangement would hold millions of
+ * crossings of their cuts, several gigabytes. */
 static void test_crowd_is_found(void **state) {
   (void)state;
   char *text = turned("(union", "(cbox 10 10 10)", 160, 0.00071, ")");
@@ -121,8 +122,9 @@ enum { CONE, FOLDED, TWICE, SADDLE, OPEN };
 
 static vs_vec3 corner_of(const void *mesh, uint32_t vertex) { return ((const vs_mesh *)mesh)->vertices[vertex]; }
 
-/* Triangles around one corner, the mesh's first: a cone of n sides; one of whose sides goes back over its neighbour;
- * one that goes around twice; one whose rim goes up and down; one with a gap. Are all of them told to be apart? */
+/* Tests triangles around one vertex, the first of the mesh: a cone of n sides; a cone with a side that folds back over
+ * its neighbour; a cone that goes around twice; a cone whose rim goes up and down; a cone with a gap. Returns true if
+ * all of them are proven disjoint. */
 static bool is_proven(int what, uint32_t n) {
   vs_mesh m = { 0 };
   uint32_t id;
@@ -145,7 +147,7 @@ static bool is_proven(int what, uint32_t n) {
     proven += hubs.of.at[t] == 0;
   }
   assert_true(proven == 0 || proven == m.triangle_count);
-  assert_int_equal(hubs.edges, proven); /* each triangle with the next one */
+  assert_int_equal(hubs.edges, proven); /* each triangle with the next */
   assert_int_equal(hubs.corners.count, proven > 0);
   vs_hubs_free(&k, &hubs);
   assert_int_equal(k.bytes, 0);
@@ -162,10 +164,11 @@ static void test_hubs(void **state) {
     assert_true(is_proven(SADDLE, n));
     assert_false(is_proven(OPEN, n));
   }
-  assert_false(is_proven(CONE, 60)); /* so few are tried */
+  assert_false(is_proven(CONE, 60)); /* so few triangles are tested pair by pair */
 }
 
-/* A cone about hub `tip`, with a rim of n corners round a place; its radius swings by `waves` of itself. */
+/* Adds a cone with the hub `tip`, and a rim of n vertices around `middle`. The radius varies by `waves` times
+ * itself. */
 static void add_cone(vs_mesh *m, vs_vec3 tip, vs_vec3 middle, double radius, double waves, uint32_t n, bool inwards) {
   uint32_t hub, first = (uint32_t)m->vertex_count + 1, id;
   assert_true(vs_mesh_add_vertex(m, tip, &hub));
@@ -179,8 +182,8 @@ static void add_cone(vs_mesh *m, vs_vec3 tip, vs_vec3 middle, double radius, dou
   }
 }
 
-/* How many families the mesh's triangles are, 0: some are of no hub. Every two of one family share an edge or are told
- * to be apart. */
+/* Returns the number of families of the mesh's triangles; 0: some belong to no hub. Any two triangles of one family
+ * share an edge or are proven disjoint. */
 static size_t families_in(vs_mesh *m) {
   vs_kernel_options options = { .threads = 1 };
   vs_kernel_error e = { 0 };
@@ -191,7 +194,7 @@ static size_t families_in(vs_mesh *m) {
   int shared;
   assert_true(vs_hubs_find(&k, &fans, &hubs));
   assert_int_equal(hubs.of.count, m->triangle_count);
-  bool all = hubs.edges == m->triangle_count; /* of each hub by itself */
+  bool all = hubs.edges == m->triangle_count; /* each hub is proven separately */
   for (uint32_t a = 0; a < m->triangle_count; a++) {
     count += a == 0 || hubs.of.at[a] > hubs.of.at[a - 1];
     for (uint32_t b = 0; b < a; b++) {
@@ -225,15 +228,15 @@ static void test_hubs_in_hubs(void **state) {
     assert_int_equal(two_cones(vs_v3(0, 0, 1.9), vs_v3(0.3, 0, 0), 0.75, 0, inwards), 2);     /* through a side */
     assert_int_equal(two_cones(vs_v3(0, 0, 2), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);          /* touches the tip */
     assert_int_equal(two_cones(vs_v3(0, 0, 1.5), vs_v3(0, 0, 0), 0.5, 0.3, inwards), 2);      /* not convex */
-    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -10), 9, 0.3, inwards), 2);       /* nothing round it */
-    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -1), 9, 0.3, inwards), 1);        /* round the other */
+    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -10), 9, 0.3, inwards), 2);       /* apart from the other */
+    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -1), 9, 0.3, inwards), 1);        /* around the other */
   }
   vs_mesh m = { 0 };
   for (int i = 0; i < 4; i++) add_cone(&m, vs_v3(1e3, 0, 2 - 0.01 * i), vs_v3(1e3, 0, 0), 1 - 0.02 * i, 0, 80, i % 2);
-  add_cone(&m, vs_v3(1e3 + 0.9, 0, 1.5), vs_v3(1e3 + 0.9, 0, 0), 0.5, 0, 80, false); /* through their walls */
+  add_cone(&m, vs_v3(1e3 + 0.9, 0, 1.5), vs_v3(1e3 + 0.9, 0, 0), 0.5, 0, 80, false); /* their walls intersect */
   assert_int_equal(families_in(&m), 2);
   size_t within = 0, apart = 0;
-  for (uint32_t i = 0; i < 300; i++) { /* at random: no false proof */
+  for (uint32_t i = 0; i < 300; i++) { /* random: no false proof */
     double at[6];
     for (int j = 0; j < 6; j++) at[j] = (double)((i * 6 + (uint32_t)j + 1) * 2654435761u % 1000) / 1000;
     vs_vec3 tip = vs_v3(at[0] - 0.5, at[1] - 0.5, 2 * at[2]), middle = vs_v3(at[3] - 0.5, at[4] - 0.5, 0);
@@ -243,8 +246,8 @@ static void test_hubs_in_hubs(void **state) {
   assert_true(within > 20 && apart > 20);
 }
 
-/* A cup: fans about the middles of its bottom, which are hubs, and walls between four rings. Its middle does not see
- * all of it, so it is looked at pair by pair. */
+/* Makes a cup: fans about the centres of its two bottoms, which are hubs, and walls between four rings. The cup is not
+ * star-shaped about its centre, so the search tests it pair by pair. */
 static void make_cup(vs_mesh *m, uint32_t n) {
   static const double radius[4] = { 5, 5, 4, 4 }, height[4] = { 0, 10, 10, 1 };
   uint32_t id;
@@ -271,7 +274,8 @@ static bool is_good(const vs_mesh *m) {
   return flaws.wound_count == 0;
 }
 
-/* Triangles of two hubs are still tried against each other and the walls, and a fan that folds is no hub. */
+/* The search still tests triangles of two hubs against each other and against the walls, and a fan that folds is no
+ * hub. */
 static void test_meshes_with_hubs(void **state) {
   (void)state;
   enum { SIDES = 400 };
@@ -290,7 +294,7 @@ static void test_meshes_with_hubs(void **state) {
   vs_mesh_free(&m);
 }
 
-/* A box taken off a wall: most of the cup is copied as it is, hubs and all. */
+/* A box is subtracted from a wall of the cup: most of the cup is copied unchanged, with its hubs. */
 static void test_combined_with_hubs(void **state) {
   (void)state;
   vs_mesh cup = { 0 }, out = { 0 };
@@ -319,7 +323,7 @@ static void test_combined_with_hubs(void **state) {
 
 /* ---- families ---- */
 
-typedef struct { uint32_t family, alone; } met; /* pairs in which one is of the family, and in which none is */
+typedef struct { uint32_t family, alone; } met; /* pairs with one box of the family, and with none */
 enum { OF_ONE = 200000, ALONE = 40 };
 
 static bool count_pair(void *context, uint32_t a, uint32_t b) {
@@ -330,8 +334,8 @@ static bool count_pair(void *context, uint32_t a, uint32_t b) {
   return true;
 }
 
-/* 200,000 boxes that all meet, of one family, and some of none: only the pairs with those are told of, and the others
- * are not walked over one by one, which would be some 10^9 blocks. */
+/* 200,000 boxes of one family that all overlap, and some of no family: the search reports only the pairs with the
+ * latter. It does not visit the others one by one, which would be some 10^9 blocks. */
 static void test_families(void **state) {
   (void)state;
   vs_kernel_options options = { .threads = 1 };
@@ -341,12 +345,12 @@ static void test_families(void **state) {
   uint32_t *families = malloc((OF_ONE + ALONE) * sizeof *families);
   assert_non_null(boxes);
   assert_non_null(families);
-  for (int32_t i = 0; i < OF_ONE; i++) { /* from the origin to places all around */
+  for (int32_t i = 0; i < OF_ONE; i++) { /* from the origin to points all around */
     int32_t x = (int32_t)(1e8 * cos(i * 2e-5)), y = (int32_t)(1e8 * sin(i * 2e-5));
     boxes[i] = (vs_bvh_box){ { x < 0 ? x : 0, y < 0 ? y : 0, 0 }, { x > 0 ? x : 0, y > 0 ? y : 0, 1000 } };
     families[i] = 7;
   }
-  for (int32_t i = OF_ONE; i < OF_ONE + ALONE; i++) { /* around the origin, and through all */
+  for (int32_t i = OF_ONE; i < OF_ONE + ALONE; i++) { /* around the origin, and through all others */
     boxes[i] = (vs_bvh_box){ { -i, -i, -i }, { i, i, i } };
     families[i] = UINT32_MAX;
   }
@@ -366,8 +370,8 @@ static void test_families(void **state) {
 
 /* ---- tables ---- */
 
-/* Boxes of their own sizes, apart: each is a mesh of its own in the table, which grows several times; and every tenth
- * is the first one again. */
+/* Boxes of different sizes, apart: each is a separate mesh in the table, which grows several times; every tenth equals
+ * the first. */
 static void test_many_meshes(void **state) {
   (void)state;
   static const char model[] = "(do ((i 0 (+ i 1))) ((= i 3000)) "

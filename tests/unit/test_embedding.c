@@ -1,5 +1,5 @@
-/* Owns the test that memory may run out anywhere: the n-th allocation of a whole session is refused, for every n in turn; nothing crashes,
- * the failure is told as an outcome, and everything is given back. */
+/* Owns the test that memory may run out anywhere: the n-th allocation of a whole session is refused, for every n in
+ * turn. Nothing crashes, an outcome reports the failure, and all memory is freed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,7 +48,7 @@ static const char program[] =
   "(draw (do-sweep (make-circle (xyz 0 0 0) 1/4) (make-spline (list (xyz 0 0 0) (xyz 1 0 4) (xyz 9 0 5))) 0 0.5))\n"
   "(make-cylinder (xyz 0 0 0) (xyz 0 0 0) 1)\n";
 
-/* true: it went through */
+/* returns true if it succeeded */
 static bool session(budget *b) {
   vs_options o = vs_options_default();
   o.alloc = take, o.alloc_context = b;
@@ -63,7 +63,7 @@ static bool session(budget *b) {
   }
   vs_summary summary;
   if (ok) ok = vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE;
-  for (int twice = 0; ok && twice < 2; twice++) { /* the first must leave the drawing as it was */
+  for (int twice = 0; ok && twice < 2; twice++) { /* the first write must leave the drawing unchanged */
     vs_outcome outcome = vs_write_drawing_to(s, twice ? "tree" : "povray", NULL, drop, b);
     assert_true(outcome == VS_OUTCOME_DONE || outcome == VS_OUTCOME_MACHINE);
     ok = outcome == VS_OUTCOME_DONE;
@@ -80,16 +80,16 @@ static void test_refusals(void **state) {
     bool ok = session(&b);
     assert_int_equal(b.live, 0);
     assert_int_equal(b.blocks, 0);
-    if (b.left >= 0) { /* nothing was refused: the program needs fewer */
+    if (b.left >= 0) { /* no allocation was refused: the program makes fewer */
       assert_true(ok);
       break;
     }
-    if (n > 400) step = 7; /* later ones are alike: bound the time */
+    if (n > 400) step = 7; /* later allocations are alike: this bounds the time */
   }
   assert_true(n > 20);
 }
 
-static void test_limit(void **state) { /* the limit counts the model too, and the interpreter lives on */
+static void test_limit(void **state) { /* the limit includes the model, and the interpreter works afterwards */
   (void)state;
   budget b = { .left = -1 };
   vs_options o = vs_options_default();
@@ -135,7 +135,7 @@ static void test_stops(void **state) {
   assert_false(vs_stop_get(s, &stop));
   assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_USAGE);
   assert_int_equal(run(s, stepped, 0), VS_OUTCOME_DONE);
-  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without the flag it warns */
+  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without the flag, (break) only warns */
   assert_string_equal(last, "(6 7 3)");
   assert_int_equal(run(s, "(wall 4)", STOP), VS_OUTCOME_STOPPED);
   assert_true(vs_stop_get(s, &stop));
@@ -144,7 +144,8 @@ static void test_stops(void **state) {
   assert_int_equal(stop.at.line, 2);
   assert_true(vs_call_get(s, 0, &call));
   assert_string_equal(call.variables, "n = 4, a = 8, b = 9");
-  /* what is asked there sees the variables; collections move what is stopped; a second one stops on top */
+  /* text that is evaluated at a stop sees the variables; a collection moves the stopped frames; a second stop lies on
+   * top of the first */
   assert_int_equal(run(s, "(list b a)", STOP), VS_OUTCOME_DONE);
   assert_string_equal(last, "(9 8)");
   assert_int_equal(run(s, "(deep 100000)", STOP), VS_OUTCOME_STOPPED);
@@ -153,9 +154,9 @@ static void test_stops(void **state) {
       "(let loop ([i 0] [l '()]) (if (< i 2000000) (loop (+ i 1) (cons i l)) (+ n (length l))))", STOP),
       VS_OUTCOME_DONE);
   assert_string_equal(last, "2000000");
-  assert_int_equal(run(s, "(car 5)", STOP), VS_OUTCOME_MODEL); /* an error there ends nothing */
+  assert_int_equal(run(s, "(car 5)", STOP), VS_OUTCOME_MODEL); /* an error there ends no stop */
   assert_int_equal(vs_stop_depth(s), 2);
-  /* out of one call of 100,000: its caller is next */
+  /* out of one call of 100,000: the next stop is in its caller */
   assert_int_equal(vs_resume(s, VS_RESUME_OUT), VS_OUTCOME_STOPPED);
   assert_true(vs_stop_get(s, &stop));
   assert_int_equal(stop.kind, VS_STOPPED_VALUE);
@@ -169,7 +170,7 @@ static void test_stops(void **state) {
   assert_int_equal(vs_stop_depth(s), 1);
   assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_DONE);
   assert_string_equal(last, "(8 9 4)");
-  /* given up, and forgotten by a new beginning */
+  /* abandoned, and forgotten after a restart */
   assert_int_equal(run(s, "(wall 5)", STOP), VS_OUTCOME_STOPPED);
   vs_stop_drop(s);
   assert_int_equal(vs_stop_depth(s), 0);
@@ -179,7 +180,7 @@ static void test_stops(void **state) {
   vs_free(s);
 }
 
-/* Steps through a program to its end. False: something was refused. */
+/* Steps through a program to its end. Returns false if an allocation was refused. */
 static bool step_session(budget *b) {
   vs_options o = vs_options_default();
   o.alloc = take, o.alloc_context = b;
@@ -212,8 +213,8 @@ static void test_stops_refused(void **state) {
   }
 }
 
-/* The bytes that an interpreter freed when it began anew were once subtracted from the new heap's bytes, which ran below 0:
- * the limit was passed with nothing in it. */
+/* A restart once subtracted the bytes of the old heap from those of the new heap. The count fell below 0, and an empty
+ * heap exceeded the limit. */
 static void test_restarts_under_a_limit(void **state) {
   (void)state;
   budget b = { .left = -1 };
@@ -227,7 +228,7 @@ static void test_restarts_under_a_limit(void **state) {
     assert_int_equal(run(s, "(define (f x) (if (< x 2) x (* x (f (- x 1))))) (f 20)", 0), VS_OUTCOME_DONE);
     assert_int_equal(run(s, "(lambda (x) (if))", 0), VS_OUTCOME_MODEL);
     assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
-    /* Twice, since every other time the heap image is mapped, and not counted. */
+    /* Twice, since every second time the heap image is mapped, and not counted. */
     assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
     if (i == 0) anew = s->bytes;
     assert_int_equal(s->bytes, anew);
@@ -240,7 +241,7 @@ static void test_restarts_under_a_limit(void **state) {
   vs_free(s);
 }
 
-/* A long text is looked at while nothing runs: the limits of the evaluation before are none of its own. */
+/* A host checks a long text while nothing runs: the limits of the evaluation before do not apply. */
 static void test_reading_after_a_limit(void **state) {
   (void)state;
   enum { LONG = 1 << 20 };

@@ -1,6 +1,6 @@
-/* Owns the table of strays: a facade, scanned from one side, with strays of several kinds, in poses. A fit is right
- * where each number is within a hundredth of its true value; a wrong one has a doubt. LONG=1: 100 seeds of each cell;
- * else a sample; FITS=N: N seeds. SHOW=1 prints the table, and each fit that is wrong or in doubt. */
+/* Owns the table of strays: a facade, scanned from one side, with strays of several kinds, in several poses. A fit is
+ * right if each number is within a hundredth of its true value; a wrong fit must report a doubt. LONG=1: 100 seeds for
+ * each cell; otherwise a sample; FITS=N: N seeds. SHOW=1 prints the table, and each fit that is wrong or in doubt. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,7 +13,7 @@
 
 #include "geometry/fitting/model_fit.h"
 
-/* ---- numbers by chance ---- */
+/* ---- random numbers ---- */
 
 static double share(uint64_t *seed) {
   *seed = *seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
@@ -27,8 +27,8 @@ static double normal(uint64_t *seed) { return sqrt(-2 * log(1 - share(seed))) * 
 
 /* ---- the facade ----
  *
- * A wall of cells: breaks along each axis, and which cells are full. Three windows in two rows are set back, the plinth
- * and the cornice stand out. Its numbers: width, height, and the width of a window. */
+ * A wall of cells: the positions of the divisions along each axis, and whether each cell is full. Three windows in two
+ * rows are set back, the plinth and the cornice project. Its numbers: width, height, and the width of a window. */
 
 enum { NUMBERS = 3, ALONG = 7, DEEP = 4, UP = 7 };
 
@@ -54,7 +54,8 @@ static bool breaks(const double *n, double x[ALONG + 1], double y[DEEP + 1], dou
 
 typedef void quad_fn(void *context, int axis, bool low, const int at[3]);
 
-/* Each side of a full cell that has an empty one before it; at: the cell's lower corner, or the one past it. */
+/* Calls fn for each side of a full cell that faces an empty one; at: the cell's lower corner, or the corner one step
+ * further. */
 static void each_side(quad_fn *fn, void *context) {
   for (int i = 0; i < ALONG; i++)
     for (int j = 0; j < DEEP; j++)
@@ -116,7 +117,7 @@ typedef struct {
   size_t count;
 } seen_sides;
 
-/* Keeps the sides that the scanner may see. */
+/* Keeps the sides that the scanner can see. */
 static void see(void *context, int axis, bool low, const int at[3]) {
   seen_sides *s = context;
   int past[3] = { at[0], at[1], at[2] };
@@ -133,7 +134,8 @@ static void see(void *context, int axis, bool low, const int at[3]) {
 
 typedef enum { ANYWHERE, TREE, GROUND, STRAY_KINDS } stray_kind;
 
-/* A point that is none of the facade's: anywhere about it; in a tree before it; on the ground, or in the tree. */
+/* Returns a point that is not on the facade: anywhere around it; in a tree in front of it; on the ground, or in the
+ * tree. */
 static vs_vec3 stray(stray_kind kind, const double *n, uint64_t *seed) {
   if (kind == ANYWHERE)
     return vs_v3(between(seed, -.25 * n[0], 1.25 * n[0]), between(seed, -6, 1), between(seed, -.5, 1.3 * n[1]));
@@ -142,7 +144,7 @@ static vs_vec3 stray(stray_kind kind, const double *n, uint64_t *seed) {
   return vs_v3(.6 * n[0] + normal(seed), -3 + .8 * normal(seed), 2.6 + normal(seed));
 }
 
-/* The turn about an axis, by degrees. */
+/* Returns the rotation about an axis, by degrees. */
 static vs_rigid_motion turned(double x, double y, double z, double degrees, vs_vec3 to) {
   vs_rigid_motion m = { .size = 1, .to = to };
   double w[VS_RIGID_UNKNOWNS] = { 0 }, length = sqrt(x * x + y * y + z * z), angle = degrees * acos(-1) / 180;

@@ -19,7 +19,7 @@ static void near(double a, double b, double off) {
   if (!(fabs(a - b) <= off)) fail_msg("%.12g is not %.12g, give or take %g", a, b, off);
 }
 
-/* The slope is the root's derivative; weight times residual is the loss's. */
+/* The slope is the derivative of the square root; weight times residual is the derivative of the loss. */
 static void losses(void **state) {
   (void)state;
   for (int loss = VS_LOSS_HUBER; loss <= VS_LOSS_TUKEY; loss++)
@@ -81,7 +81,7 @@ static void eigenvectors(void **state) {
 }
 
 static void quantiles(void **state) {
-  (void)state; /* tables of Student's distribution */
+  (void)state; /* values from tables of Student's t distribution */
   near(vs_student_quantile(.95, 1e9), 1.959964, 1e-5);
   near(vs_student_quantile(.95, 30), 2.0423, 1e-3);
   near(vs_student_quantile(.99, 10), 3.1693, 2e-2);
@@ -117,8 +117,8 @@ static void ignore(void *context, unsigned iteration, double spread) { (void)con
 
 enum { POINTS = 1500 };
 
-/* Places on the first so many sides of the box (the sixth has z = 0), moved; the last `far` far outside of it,
- * scattered. */
+/* Computes points on the first `faces` sides of the box (the sixth has z = 0), moved; the last `far` points are
+ * scattered far outside. */
 static void scan_box(const double side[3], int faces, size_t far, vs_vec3 *out) {
   vs_rigid_motion m = some_motion();
   const double unknowns[VS_RIGID_UNKNOWNS] = { .4, .3, -.5 };
@@ -151,7 +151,7 @@ static vs_fit_problem problem_of(const vs_fit_model *model, const vs_vec3 *point
                            .confidence = .95 };
 }
 
-/* The sides of a box may be found in any order: a box on its side is a box. */
+/* A fit may find the sides of a box in any order: a box on its side is a box. */
 static void expect_sides(const vs_model_fit *f, double off) {
   for (int k = 0; k < 3; k++) {
     double best = INFINITY;
@@ -174,14 +174,14 @@ static void fits(void **state) {
   expect_sides(&f, 1e-3);
   assert_int_equal(f.models, b.made);
   vs_model_fit_free(&f);
-  scan_box(truth, 6, POINTS / 10, points); /* a tenth is not of the box */
+  scan_box(truth, 6, POINTS / 10, points); /* a tenth of the points are not on the box */
   assert_true(vs_model_fit_solve(&p, &f, &e));
   expect_sides(&f, 5e-3);
   assert_true(f.outliers >= POINTS / 12 && f.outliers <= POINTS / 8);
   vs_model_fit_free(&f);
 }
 
-/* A number about 0 with the standard deviation 1 (Box and Muller). */
+/* Returns a normal random number with mean 0 and standard deviation 1 (Box and Muller). */
 static double normal_number(uint64_t *seed) {
   double u[2];
   for (int k = 0; k < 2; k++) {
@@ -191,7 +191,7 @@ static double normal_number(uint64_t *seed) {
   return sqrt(-2 * log(u[0])) * cos(2 * 3.14159265358979323846 * u[1]);
 }
 
-/* Of 90 intervals of 95 % some 85 hold the true side, with a deviation of 2; and they are as wide as the errors are. */
+/* Of 90 intervals of 95 % some 85 contain the true side, with a deviation of 2; and they are as wide as the errors. */
 static void intervals(void **state) {
   (void)state;
   enum { SCANS = 30 };
@@ -229,7 +229,7 @@ static void intervals(void **state) {
   near(sqrt(widths / squares), 1, .2);
 }
 
-/* A side that is not seen could lie anywhere further out. */
+/* A side without points could lie anywhere further out. */
 static void open_boxes(void **state) {
   (void)state;
   static vs_vec3 points[POINTS];
@@ -252,7 +252,7 @@ static void open_boxes(void **state) {
   vs_model_fit_free(&f);
 }
 
-/* A number beyond which no model can be made ends no fit. */
+/* A number for which no model can be made does not end the fit. */
 static void refused_models(void **state) {
   (void)state;
   static vs_vec3 points[POINTS];
@@ -267,7 +267,7 @@ static void refused_models(void **state) {
   vs_model_fit_free(&f);
 }
 
-/* Stopped anywhere, it has something or says that it has nothing. */
+/* A fit that is interrupted anywhere has a result, or reports that it has none. */
 static void stopped_fits(void **state) {
   (void)state;
   static vs_vec3 points[POINTS];
@@ -313,7 +313,7 @@ static void clouds(void **state) {
     vs_face_list read = { 0 };
     vs_scan_points scan;
     vs_error e = { 0 };
-    assert_false(vs_mesh_file_read(&ply, (vs_poller){ 0 }, &read, &e)); /* no faces: no solid */
+    assert_false(vs_mesh_file_read(&ply, (vs_poller){ 0 }, &read, &e)); /* no faces: not a solid */
     vs_face_list_free(&read);
     assert_true(vs_points_file_read(&ply, (vs_poller){ 0 }, true, &read, &e));
     assert_true(vs_scan_points_take(&read, 100, &scan, &e));
@@ -323,7 +323,7 @@ static void clouds(void **state) {
   }
 }
 
-/* Samples of a mesh lie on it, as many a face as its area wants. */
+/* Samples of a mesh lie on it, and their number on each face is proportional to the face's area. */
 static void samples(void **state) {
   (void)state;
   static const char text[] = "OFF\n4 2 0\n0 0 0\n3 0 0\n0 1 0\n0 -3 0\n3 0 1 2\n3 0 3 1\n";

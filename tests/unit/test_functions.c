@@ -1,6 +1,5 @@
-/* Owns the tests of tapes: what adding a step does, batches against single values, slopes against quotients of
- * differences, bounds that hold, and contours, closed manifolds whatever the function and however their cells are
- * merged. */
+/* Owns the tests of tapes: the effect of adding a step, batches against single values, slopes against difference
+ * quotients, valid bounds; and contours, which are closed manifolds for every function and every merging of cells. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -38,7 +37,7 @@ static void steps_are_kept_once(void **state) {
   assert_int_equal(add(t, VS_TAPE_MUL, x, one), x);
   assert_int_equal(add(t, VS_TAPE_MUL, x, x), add(t, VS_TAPE_SQUARE, x, 0));
   assert_int_equal(add(t, VS_TAPE_ADD, one, one), vs_tape_constant(t, 2));
-  assert_int_equal(add(t, VS_TAPE_ADD, x, 1000), UINT32_MAX); /* a step that failed makes all above it fail */
+  assert_int_equal(add(t, VS_TAPE_ADD, x, 1000), UINT32_MAX); /* a failed step makes all later steps that use it fail */
   size_t before = t->count;
   t->outputs = 1, t->output[0] = add(t, VS_TAPE_SIN, x, 0);
   vs_tape *c = vs_tape_compact(t);
@@ -46,7 +45,7 @@ static void steps_are_kept_once(void **state) {
   vs_tape_free(c), vs_tape_free(t);
 }
 
-/* A tape of three inputs with every operator, less those with jumps and poles in the numbers drawn below. */
+/* Returns a tape of three inputs with every operator, except those with jumps and poles at the numbers drawn below. */
 static vs_tape *of_all(void) {
   vs_tape *t = vs_tape_new(3);
   uint32_t x = vs_tape_input(t, 0), y = vs_tape_input(t, 1), z = vs_tape_input(t, 2), sum = vs_tape_constant(t, .25);
@@ -90,14 +89,14 @@ static void batches_give_what_single_points_give(void **state) {
   for (int i = 0; i < POINTS; i++)
     for (int k = 0; k < 3; k++) in[k][i] = drawn(&seed, -1, 1);
   vs_sampler *values = vs_sampler_new(t, 0), *slopes = vs_sampler_new(t, 3);
-  for (int run = 0; run < 2; run++) /* what a run leaves in the lanes does not reach the next */
+  for (int run = 0; run < 2; run++) /* values that a run leaves in the lanes do not affect the next run */
     vs_sample(values, (const double *const[]){ in[0], in[1], in[2] }, POINTS, (double *const[]){ out });
   vs_sample_slopes(slopes, (const double *const[]){ in[0], in[1], in[2] }, POINTS, (double *const[]){ again },
                    (double *const[]){ slope[0], slope[1], slope[2] });
   for (int i = 0; i < POINTS; i++) {
     double at[3] = { in[0][i], in[1][i], in[2][i] }, v = value_at(t, at);
     assert_true(fabs(out[i] - v) <= 1e-13 * fabs(v) && out[i] == again[i]);
-    if (fabs(at[0] - at[1]) < 1e-3) continue; /* the test of the choice turns round */
+    if (fabs(at[0] - at[1]) < 1e-3) continue; /* the condition of the choice changes near here */
     for (int k = 0; k < 3; k++) {
       double up[3] = { at[0], at[1], at[2] }, down[3] = { at[0], at[1], at[2] }, h = 1e-5;
       up[k] += h, down[k] -= h;
@@ -131,7 +130,7 @@ static void bounds_hold_all_values(void **state) {
 
 static void ranges_walk_through_grids(void **state) {
   (void)state;
-  /* more than are known by heart */
+  /* more values than the precomputed ones */
   vs_sample_range r[2] = { { .a = 0, .b = 1, .n = 3 }, { .a = 5, .b = 7, .n = 500 } };
   static double in[2][VS_SAMPLE_BATCH];
   vs_sample_begin(&r[0]), vs_sample_begin(&r[1]);
@@ -163,8 +162,8 @@ static const side *find_side(const side *s, size_t n, uint32_t from, uint32_t to
   return bsearch(&wanted, s, n, sizeof *s, by_ends);
 }
 
-/* Each edge lies between two triangles that run along it in opposite directions, and the triangles of a point are one
- * fan. Returns the volume. */
+/* Checks that each edge lies between two triangles that contain it in opposite directions, and that the triangles of a
+ * vertex form one fan. Returns the volume. */
 static double check_manifold(const vs_contour *c) {
   size_t n = 3 * c->triangle_count;
   side *s = malloc((n + 1) * sizeof *s);
@@ -229,7 +228,8 @@ static uint32_t waves(vs_tape *t, uint64_t *seed) {
   return product;
 }
 
-/* Unions, intersections and differences of slabs, balls and waves: edges, corners, thin walls, sheets that touch. */
+/* Returns unions, intersections and differences of slabs, balls and waves: edges, corners, thin walls, sheets that
+ * touch. */
 static vs_tape *random_solid(uint64_t *seed) {
   vs_tape *t = vs_tape_new(3);
   uint32_t all = ball(t, seed);
@@ -280,11 +280,11 @@ static void flat_sides_are_few_triangles(void **state) {
   vs_contour c = { 0 };
   assert_int_equal(vs_contour_make(t, &(vs_contour_grid){ vs_v3(-1, -1, -1), vs_v3(1, 1, 1), 128, 0 }, (vs_long_work){ go_on, NULL }, &c), VS_CONTOUR_DONE);
   assert_true(fabs(check_manifold(&c) - 8 * .7 * .61 * .53) < 1e-6);
-  assert_true(c.triangle_count < 40); /* of cells of one size: some 90,000 */
+  assert_true(c.triangle_count < 40); /* cells of one size would make some 90,000 */
   vs_contour_free(&c), vs_tape_free(t);
 }
 
-/* Cells are as many as the surface needs: of a ball with a narrow groove those of the ball are large. */
+/* The surface decides the size of cells: for a ball with a narrow groove, the cells on the ball are large. */
 static void round_sides_follow_the_tolerance(void **state) {
   (void)state;
   vs_tape *t = vs_tape_new(3);

@@ -1,5 +1,6 @@
-/* Owns the tests of geometry/ when memory runs out: each of its calls to the C library's allocator fails in turn; what comes back is an error of
- * kind memory, and nothing is lost. The allocator is replaced for this program; where a sanitizer has replaced it already the test is skipped. */
+/* Owns the tests of geometry/ when memory runs out: each of its calls to the C library's allocator fails in turn. The
+ * result is an error of kind memory, and no memory is lost. This program replaces the allocator; if a sanitizer has
+ * already replaced it, the test is skipped. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,13 +20,13 @@ static size_t fail_at, held; /* counted only while fail_at is set */
 static bool refused(void) {
   if (!fail_at) return false;
   if (fail_at > 1) return fail_at--, held++, false;
-  return true; /* this one and all after it */
+  return true; /* fails this request and all after it */
 }
 void *malloc(size_t n) { return refused() ? NULL : __libc_malloc(n); }
 void *calloc(size_t n, size_t size) { return refused() ? NULL : __libc_calloc(n, size); }
 void *realloc(void *p, size_t n) {
   if (!refused()) {
-    if (fail_at && p) held--; /* one block became another */
+    if (fail_at && p) held--; /* realloc replaced a block */
     return __libc_realloc(p, n);
   }
   return NULL;

@@ -1,4 +1,5 @@
-/* Owns the tests of hidden lines against closed forms: what is seen of edges beside, behind, in and through triangles, in parallel and perspective views. */
+/* Owns the tests of hidden lines against closed forms: the visible length of edges beside, behind, in and through
+ * triangles, in parallel and perspective views. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,7 +15,8 @@
 enum { MOST = 4000 };
 typedef struct { vs_vec3 points[MOST]; uint32_t triangles[MOST][3]; size_t point_count, triangle_count; } model;
 
-/* A box from p to q, its corners through `turn` (three rows); outward faces counter-clockwise as a viewer sees them, whose x, y, z are left-handed. */
+/* Adds a box from p to q, its corners multiplied by `turn` (three rows). Faces are counter-clockwise as a viewer sees
+ * them from outside; the viewer's x, y, z are left-handed. */
 static void add_box(model *m, vs_vec3 p, vs_vec3 q, const double turn[3][3]) {
   static const int faces[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
   uint32_t base = (uint32_t)m->point_count;
@@ -41,7 +43,7 @@ static vs_sight sight_of(const model *m, bool perspective) {
 
 typedef struct { size_t pieces; double seen, hidden; } result;
 
-/* Seen and hidden length on the picture. own: these edges; NULL: those of the model. */
+/* Returns the visible and hidden lengths in the picture. own: these edges; NULL: the model's edges. */
 static result look(const model *m, bool perspective, const vs_sight_edges *own) {
   vs_store *store = vs_store_new(NULL, NULL);
   vs_sight_host host = { store, always, NULL };
@@ -77,7 +79,7 @@ static result look_at_line(const model *m, bool perspective, vs_vec3 p, vs_vec3 
   return look(m, perspective, &(vs_sight_edges){ &edge, 1, 1 });
 }
 
-/* Axonometric: the cube's diagonal runs along the view. */
+/* Isometric: the cube's diagonal is parallel to the view. */
 static const double isometric[3][3] = { { 0.70710678118654752, 0, -0.70710678118654752 },
                                         { 0.40824829046386302, 0.81649658092772603, 0.40824829046386302 },
                                         { -0.57735026918962576, 0.57735026918962576, -0.57735026918962576 } };
@@ -88,7 +90,8 @@ static void a_cube_in_isometric_has_nine_edges(void **state) {
   add_box(&m, vs_v3(0, 0, 0), vs_v3(2, 2, 2), isometric);
   result r = look(&m, false, NULL);
   assert_int_equal(r.pieces, 9);
-  assert_true(fabs(r.seen - 9 * 2 * sqrt(2. / 3)) < 1e-9); /* the three others end in one point behind the nearest corner, along the faces' diagonals */
+  assert_true(fabs(r.seen - 9 * 2 * sqrt(2. / 3)) < 1e-9); /* the other three end in a common point behind the nearest
+                                                            * corner, along the faces' diagonals */
 }
 
 static void a_box_seen_from_the_front_is_a_rectangle(void **state) {
@@ -96,19 +99,20 @@ static void a_box_seen_from_the_front_is_a_rectangle(void **state) {
   model m = { .point_count = 0 };
   add_box(&m, vs_v3(1, 2, 3), vs_v3(4, 4, 9), NULL);
   result r = look(&m, false, NULL);
-  assert_true(fabs(r.seen - 10) < 1e-9); /* the edges of the back run behind those of the front, and those along the view are points */
+  assert_true(fabs(r.seen - 10) < 1e-9); /* the back edges lie behind the front edges, and edges parallel to the view
+                                          * are points */
 }
 
 static void a_box_behind_a_box(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   add_box(&m, vs_v3(0, 0, 0), vs_v3(4, 4, 1), NULL);
-  add_box(&m, vs_v3(2, 1, 5), vs_v3(6, 3, 6), NULL); /* of 4 by 2, whose left half is behind the other */
+  add_box(&m, vs_v3(2, 1, 5), vs_v3(6, 3, 6), NULL); /* a face of 4 by 2, whose left half is behind the other box */
   assert_true(fabs(look(&m, false, NULL).seen - (16 + 2 + 2 + 2)) < 1e-9);
-  model touching = { .point_count = 0 }; /* face on face: what shares a plane hides nothing there */
+  model touching = { .point_count = 0 }; /* face on face: coplanar faces hide nothing of each other */
   add_box(&touching, vs_v3(0, 0, 0), vs_v3(4, 4, 1), NULL);
   add_box(&touching, vs_v3(4, 0, 0), vs_v3(6, 4, 1), NULL);
-  assert_true(fabs(look(&touching, false, NULL).seen - (16 + 12 - 4)) < 1e-9); /* the edge that they share is one */
+  assert_true(fabs(look(&touching, false, NULL).seen - (16 + 12 - 4)) < 1e-9); /* their common edge counts once */
 }
 
 static void lines_beside_behind_and_through(void **state) {
@@ -117,13 +121,14 @@ static void lines_beside_behind_and_through(void **state) {
   add_box(&m, vs_v3(0, 0, 0), vs_v3(2, 2, 2), NULL);
   result r = look_at_line(&m, false, vs_v3(-1, 1, 5), vs_v3(5, 1, 5));
   assert_true(fabs(r.hidden - 2) < 1e-9 && fabs(r.seen - 4) < 1e-9 && r.pieces == 2);
-  r = look_at_line(&m, false, vs_v3(-1, 1, -1), vs_v3(5, 1, -1)); /* before it */
+  r = look_at_line(&m, false, vs_v3(-1, 1, -1), vs_v3(5, 1, -1)); /* in front of it */
   assert_true(r.hidden == 0 && r.pieces == 1);
   r = look_at_line(&m, false, vs_v3(-1, 1, 0), vs_v3(5, 1, 0)); /* in its front face */
   assert_true(r.hidden == 0 && r.pieces == 1);
   r = look_at_line(&m, false, vs_v3(0.5, 1, -1), vs_v3(1.5, 1, 1)); /* into it, through the front in the middle */
   assert_true(fabs(r.hidden - 0.5) < 1e-6 && fabs(r.seen - 0.5) < 1e-6);
-  r = look_at_line(&m, false, vs_v3(0, 0, 3), vs_v3(2, 2, 3)); /* along the diagonal that parts the face */
+  r = look_at_line(&m, false, vs_v3(0, 0, 3), vs_v3(2, 2, 3)); /* along the diagonal that divides the face into
+                                                                * triangles */
   assert_true(r.pieces == 0 && fabs(r.hidden - sqrt(8)) < 1e-9);
   r = look_at_line(&m, false, vs_v3(0, -1, 3), vs_v3(0, 3, 3)); /* along its border, further back: hidden there */
   assert_true(fabs(r.hidden - 2) < 1e-9 && r.pieces == 2);
@@ -135,11 +140,12 @@ static void in_perspective(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   add_box(&m, vs_v3(-1, -1, 4), vs_v3(1, 1, 6), NULL);
-  result r = look(&m, true, NULL); /* the back of 1/6 is behind the front of 1/4 */
+  result r = look(&m, true, NULL); /* the back, at 1/6, is behind the front, at 1/4 */
   assert_true(fabs(r.seen - 8 * 0.25) < 1e-9);
   r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 8)); /* from -1/2 to 1/2: hidden from -1/4 to 1/4 */
   assert_true(fabs(r.hidden - 0.5) < 1e-9 && fabs(r.seen - 0.5) < 1e-9);
-  r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 16)); /* slanting: from -1/2 to 1/4 on the picture, hidden from -1/4 on */
+  r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 16)); /* oblique: from -1/2 to 1/4 in the picture, hidden from
+                                                                 * -1/4 on */
   assert_true(fabs(r.hidden - 0.5) < 1e-9 && fabs(r.seen - 0.25) < 1e-9);
 }
 
@@ -153,13 +159,15 @@ static void faces_seen_edge_on_hide_nothing(void **state) {
   assert_true(fabs(look(&m, false, NULL).seen - 8) < 1e-5);
 }
 
-/* A wall of boxes, one before the other, each hides the next: time and memory grow as they should, and all that is seen is the first and the rims. */
+/* A wall of boxes, each of which hides the next: time and memory grow no faster than they should, and only the first
+ * box and the rims are visible. */
 static void many_boxes(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   for (int i = 0; i < 300; i++) add_box(&m, vs_v3(0, 0, 2 * i), vs_v3(4 + 0.001 * i, 4, 2 * i + 1), NULL);
   result r = look(&m, false, NULL);
-  assert_true(fabs(r.seen - (16 + 299 * (4 + 0.001 * 2))) < 1e-6); /* of each later one its right edge and 0.001 at both its ends */
+  assert_true(fabs(r.seen - (16 + 299 * (4 + 0.001 * 2))) < 1e-6); /* for each later box its right edge, and 0.001 at
+                                                                    * both ends of it */
 }
 
 static void stopping_and_failing(void **state) {
@@ -181,7 +189,7 @@ static void stopping_and_failing(void **state) {
   assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
   host.going = always;
   vs_sight_pieces_free(&host, &pieces);
-  for (size_t n = 1; n < 12; n++) { /* memory refused at the n-th request: an error, and nothing is lost */
+  for (size_t n = 1; n < 12; n++) { /* the n-th request for memory is refused: an error, and no memory is lost */
     vs_store_fail_at(store, n);
     if (!vs_sight_find_visible(&host, &s, &edges, false, &pieces, &e)) assert_int_equal(e.kind, VS_ERROR_MEMORY);
     vs_store_fail_at(store, 0);

@@ -1,5 +1,6 @@
-/* Owns the test that every pass over a drawing is linear and can be stopped: a chain, a comb and a fan of a million nodes (LONG=1; else
- * fewer) go through each row of passes.def, and through all of them. Processor time counts, not the clock: the machine may be busy. */
+/* Owns the test that every pass over a drawing takes linear time and can be interrupted: a chain, a comb and a fan of a
+ * million nodes (LONG=1; otherwise fewer) go through each row of passes.def, and through all of them. The test measures
+ * processor time, since the machine may be busy. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -92,7 +93,8 @@ enum { TREES = sizeof trees / sizeof *trees };
 
 /* ---- running ---- */
 
-typedef struct { double last, gap, until; size_t asked; } listener; /* gap: the longest time without a question; until: then no */
+typedef struct { double last, gap, until; size_t asked; } listener; /* gap: the longest time between two polls; until:
+                                                                     * the time after which the poll refuses */
 
 static bool going(void *context) {
   listener *l = context;
@@ -103,7 +105,7 @@ static bool going(void *context) {
   return at < l->until;
 }
 
-/* Runs passes over the tree; *seconds: all of it. */
+/* Runs passes over the tree; *seconds: the time of all of it. */
 static vs_error_kind run(size_t tree, size_t n, unsigned passes, listener *l, double *seconds, double stop_after) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_node *root = trees[tree].make(s, n);
@@ -121,7 +123,7 @@ static vs_error_kind run(size_t tree, size_t n, unsigned passes, listener *l, do
   return ok ? VS_ERROR_NONE : e.kind;
 }
 
-/* Processor seconds from one question to the next, and from a no to the end: with all that is freed then. */
+/* Processor seconds between two polls, and from a refusal to the end, which includes freeing. */
 #define SILENT 0.3
 
 static void every_pass(void **state) {
@@ -137,7 +139,7 @@ static void every_pass(void **state) {
       assert_int_equal(run(t, n / 4, passes, &l, &small, 1e9), VS_ERROR_NONE);
       assert_int_equal(run(t, n, passes, &l, &large, 1e9), VS_ERROR_NONE);
       if (getenv("SHOW")) print_message("%-8s %-16s %.3f -> %.3f s, silent for %.3f\n", name, trees[t].name, small, large, l.gap);
-      /* four times the nodes: a square would be sixteen times the time */
+      /* four times the nodes: quadratic time would be sixteen times as long */
       if (large > 0.1 + 12 * small) fail_msg("%s of a %s: %.3f s, and %.3f s of four times as many nodes", name, trees[t].name, small, large);
       if (l.gap > SILENT) fail_msg("%s of a %s does not ask for %.3f s", name, trees[t].name, l.gap);
       vs_error_kind kind = run(t, n, passes, &l, &stopped, large / 2);

@@ -1,4 +1,5 @@
-/* Owns the tests of what is asked of a mesh before it may be a solid, of making one that crosses itself simple, and of rounding. */
+/* Owns the tests of the checks whether a mesh is a solid, of making a self-intersecting mesh simple, and of
+ * rounding. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +15,7 @@
 #include "tests/oracle/sx.c"
 #include "tests/tools/crossings.h"
 
-/* Puts the leaves of the .sx text into one mesh, each at its place; those past `turned` inside out. */
+/* Joins the leaves of the .sx text into one mesh, each at its place; leaves from number `turned` on are inside out. */
 static void join(vs_mesh *m, const char *text, uint32_t turned) {
   sx_problem p;
   assert_true(sx_parse(text, &p));
@@ -72,11 +73,12 @@ static void test_wound(void **state) {
   assert_int_equal(f.most, 2);
   for (size_t i = 0; i < f.wound_count && i < VS_FLAWS_LISTED; i++) {
     assert_true(i == 0 || f.wound[i - 1].triangle < f.wound[i].triangle);
-    vs_vec3 at = f.wound[i].at; /* on the little cube that both have */
+    vs_vec3 at = f.wound[i].at; /* on the small cube that both contain */
     assert_true(at.x >= 1 && at.y >= 1 && at.z >= 1 && at.x <= 2 && at.y <= 2 && at.z <= 2);
     assert_int_equal(f.wound[i].winding, 2);
   }
-  f = inspect("(union (box 2 2 2) (box 2 2 2))", 9, 8); /* the same faces twice: nothing crosses, and yet */
+  f = inspect("(union (box 2 2 2) (box 2 2 2))", 9, 8); /* the same faces twice: nothing crosses, and yet the mesh is no
+                                                         * solid */
   assert_int_equal(f.most, 2);
   assert_true(f.wound_count > 0);
   f = inspect("(union (box 3 3 3) (translate 1 1 1 (box 1 1 1)))", 9, 27);
@@ -109,7 +111,7 @@ static void test_open(void **state) {
   m.triangle_count++;
   uint32_t swap = m.triangles[3][0];
   m.triangles[3][0] = m.triangles[3][1];
-  m.triangles[3][1] = swap; /* one face turned round */
+  m.triangles[3][1] = swap; /* a single reversed face */
   assert_true(vs_kernel_inspect(&m, NULL, &f, &e));
   assert_int_equal(f.open_count, 3);
   m.vertices[2].x = NAN;
@@ -121,8 +123,8 @@ static void test_open(void **state) {
 
 static bool count_polls(void *context, double done) { return (void)done, ++*(size_t *)context, true; }
 
-/* Boxes up a stair, or all in one place: of very many storeys or of six. Triangles are as many either way, and so is
- * all but the sorting of storeys. The faces of one side stand together. */
+/* Returns the number of polls for boxes that form a stair, with very many storeys, or that are all in one place, with
+ * six. Both have equally many triangles, so only the sorting of storeys differs. The faces of one side lie together. */
 static size_t polls_of_stair(size_t boxes, double step) {
   vs_mesh m = { 0 };
   size_t polls = 0;
@@ -146,14 +148,14 @@ static size_t polls_of_stair(size_t boxes, double step) {
   return polls;
 }
 
-/* The sorting of storeys asks in between whether to go on: more of them, more often. */
+/* The sorting of storeys polls: with more storeys, it polls more often. */
 static void test_storeys_are_interrupted(void **state) {
   (void)state;
   size_t few = polls_of_stair(40000, 0), many = polls_of_stair(40000, 3);
   if (many < few + 8) fail_msg("%zu polls, and %zu where there is nothing to sort", many, few);
 }
 
-/* Corners closer than the format's numbers: collapsed, still closed, the same solid. */
+/* Vertices closer than the format's precision: they collapse, and the mesh stays closed and the same solid. */
 static void test_settle(void **state) {
   (void)state;
   vs_mesh m = { 0 };
@@ -165,13 +167,14 @@ static void test_settle(void **state) {
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed + s.flipped + s.met, 0);
   assert_int_equal(m.triangle_count, triangles);
-  for (uint32_t t = 0; t < triangles; t += 211) { /* an edge of a few triangles becomes all but nothing: pulled to its other end */
+  for (uint32_t t = 0; t < triangles; t += 211) { /* an edge of a few triangles shrinks to almost nothing: its vertex
+                                                   * moves to its other end */
     uint32_t *v = m.triangles[t];
     m.vertices[v[1]] = vs_v3_add(m.vertices[v[0]], vs_v3(1e-9, 0, -1e-9));
   }
   double pulled = vs_mesh_volume(&m);
   assert_true(vs_mesh_round(&m, VS_NUMBERS_DIGITS, NULL, &s, NULL));
-  assert_int_equal(s.collapsed, 0); /* 12 digits hold them apart */
+  assert_int_equal(s.collapsed, 0); /* 12 digits separate them */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed, 5);
   assert_int_equal(m.triangle_count, triangles - 2 * s.collapsed);
@@ -179,7 +182,8 @@ static void test_settle(void **state) {
   assert_true(vs_mesh_closed(&m, &sure));
   assert_true(fabs(vs_mesh_volume(&m) - pulled) < 1e-6 && pulled < volume);
   vs_mesh_free(&m);
-  join(&m, "(cyl 1 1 0 3)", 9); /* a tetrahedron smaller than its numbers stays one: nothing may be left of it but sheets */
+  join(&m, "(cyl 1 1 0 3)", 9); /* a tetrahedron smaller than the format's precision stays one: only sheets would remain
+                                 * of it */
   for (size_t i = 0; i < m.vertex_count; i++) m.vertices[i] = vs_v3_add(vs_v3(1000, 1000, 1000), vs_v3_scale(m.vertices[i], 1e-6));
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(m.triangle_count, 4);
@@ -187,7 +191,8 @@ static void test_settle(void **state) {
   vs_mesh_free(&m);
 }
 
-/* Two turned cubes flush but for less than 32 bits tell apart, shifted along each other: no triangle is thin, and yet they meet as such numbers. */
+/* Two turned cubes with a gap that 32 bits cannot represent, shifted along each other: no triangle is thin, but in 32
+ * bits they intersect. */
 static void test_between(void **state) {
   (void)state;
   static const double gaps[] = { 1e-9, 1e-3 };
@@ -210,8 +215,9 @@ static void test_between(void **state) {
   }
 }
 
-/* A ring that is open by a gap: its two ends are flush but for less than the numbers tell apart, far from each other along the one shell. Turned, rounding makes them
- * meet; along the axes it cannot, unless both ends come to one plane. */
+/* A ring that is open by a gap: the gap between its two ends is below the precision, and the ends are far from each
+ * other along the shell. If the ring is turned, rounding makes the ends intersect; parallel to the axes it cannot,
+ * unless both ends come to lie in one plane. */
 static void test_ends(void **state) {
   (void)state;
   static const char ring[] = "(union (box 5 1 1) (box 1 1 5) (translate 0 0 4 (box 5 1 1)) (translate 4 0 0 (box 1 1 2)) (translate 4.31 0.23 2.5 (box 0.5 0.5 2)))";
@@ -239,8 +245,10 @@ static void test_ends(void **state) {
   }
 }
 
-/* How many triangles meet in two cones, foot to foot, over a ring that goes round in so many steps of a seventh, twice for `turns` 2: its second turn begins further out than the
- * first and ends further in. Seen from the middle, all triangles look away. That of step `first` is the mesh's first. Closed or open. */
+/* Returns the number of triangles that intersect in two cones, base to base, over a ring of `steps` steps of a seventh
+ * of a turn. With `turns` 2 the ring goes round twice: its second turn begins further out than the first and ends
+ * further in. Seen from the centre, all triangles face outwards. The triangles of step `first` come first in the mesh.
+ * The ring is closed or open. */
 static size_t met_by_turns(int turns, int steps, int first, bool closed) {
   vs_mesh m = { 0 };
   vs_rounded s;
@@ -253,7 +261,7 @@ static size_t met_by_turns(int turns, int steps, int first, bool closed) {
     uint32_t k = 2 + (uint32_t)((i + first) % steps), next = closed && k == (uint32_t)steps + 1 ? 2 : k + 1;
     assert_true(vs_mesh_add_triangle(&m, k, next, 1) && vs_mesh_add_triangle(&m, next, k, 0));
   }
-  if (closed) m.vertex_count--; /* the last one is the first */
+  if (closed) m.vertex_count--; /* the last vertex is the first */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   vs_mesh_free(&m);
   return s.met;
@@ -263,26 +271,29 @@ static size_t met_by(const char *parts, double pull) {
   vs_mesh m = { 0 };
   vs_rounded s;
   join(&m, parts, 9);
-  m.vertices[0] = vs_v3_scale(m.vertices[0], 1 - pull); /* of a ball about the origin: towards its other side, and past it */
+  m.vertices[0] = vs_v3_scale(m.vertices[0], 1 - pull); /* of a ball about the origin: the vertex moves towards the
+                                                         * other side, and past it */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   vs_mesh_free(&m);
   return s.met;
 }
 
-/* Shells that stand alone, and are stars as seen from their middle, are not searched; those that only look like it are. */
+/* The search skips shells that are separate and star-shaped about their centre; it tests shells that only seem to
+ * be. */
 static void test_stars(void **state) {
   (void)state;
   assert_int_equal(met_by_turns(1, 7, 0, true), 0);
-  assert_true(met_by_turns(2, 14, 0, true) > 0);   /* seen twice in each direction */
-  assert_true(met_by_turns(2, 11, 5, false) > 0);  /* open: seen once where its first triangle is */
+  assert_true(met_by_turns(2, 14, 0, true) > 0);   /* each direction meets it twice */
+  assert_true(met_by_turns(2, 11, 5, false) > 0);  /* open: the direction of its first triangle meets it once */
   assert_int_equal(met_by("(sphere 2 32)", 0), 0);
-  assert_int_equal(met_by("(sphere 2 32)", 0.7), 0); /* a dent: no star of a ball, and does not meet itself */
+  assert_int_equal(met_by("(sphere 2 32)", 0.7), 0); /* a dent: not star-shaped, and without self-intersections */
   assert_true(met_by("(sphere 2 32)", 2.5) > 0);
   assert_int_equal(met_by("(union (sphere 2 32) (translate 9 0 0 (sphere 2 16)))", 0), 0);
   assert_true(met_by("(union (sphere 2 32) (translate 3 0 0 (sphere 2 16)))", 0) > 0);
 }
 
-/* Triangles that are said to be apart in doubles are apart: random triangles with corners in few places, and a little off them, against exact signs. */
+/* Triangles that the test in doubles reports as disjoint are disjoint: random triangles with vertices at few points,
+ * and near them, against exact signs. */
 static void test_apart(void **state) {
   (void)state;
   uint64_t seed = 88172645463325252u;
@@ -309,9 +320,9 @@ static void test_apart(void **state) {
     met += faults > 0;
     missed += !apart && faults == 0;
   }
-  assert_true(said > 40000 && met > 40000); /* both happen */
-  assert_true(missed * 5 < said);           /* and seldom is it not known, though so many touch */
-  const vs_vec3 opposed[6] = { { 0, 0, 0 }, { 3, 1, 1 }, { 3, -1, 1 }, { 0, 0, 0 }, { -3, -1, -1 }, { -3, 1, -1 } }; /* as around the middle of a torus without a hole */
+  assert_true(said > 40000 && met > 40000); /* both cases occur */
+  assert_true(missed * 5 < said);           /* the test rarely fails to decide, although so many touch */
+  const vs_vec3 opposed[6] = { { 0, 0, 0 }, { 3, 1, 1 }, { 3, -1, 1 }, { 0, 0, 0 }, { -3, -1, -1 }, { -3, 1, -1 } }; /* as at the centre of a torus without a hole */
   int shared;
   assert_true(vs_triangles_apart(opposed, opposed + 3, &shared));
 }
