@@ -228,7 +228,7 @@ static void test_hubs_in_hubs(void **state) {
     assert_int_equal(two_cones(vs_v3(0, 0, 1.9), vs_v3(0.3, 0, 0), 0.75, 0, inwards), 2);     /* through a side */
     assert_int_equal(two_cones(vs_v3(0, 0, 2), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);          /* touches the tip */
     assert_int_equal(two_cones(vs_v3(0, 0, 1.5), vs_v3(0, 0, 0), 0.5, 0.3, inwards), 2);      /* not convex */
-    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -10), 9, 0.3, inwards), 2);       /* apart from the other */
+    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -10), 9, 0.3, inwards), 2);       /* not around the other */
     assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -1), 9, 0.3, inwards), 1);        /* around the other */
   }
   vs_mesh m = { 0 };

@@ -28,8 +28,8 @@ static int32_t span(int32_t low, int32_t high) { return (int32_t)(low + (int64_t
 
 /* ---- doubles, exactly ---- */
 
-/* Near a few places, so that corners meet edges and planes often: whole numbers, of which few are off by the last place,
- * or thirds, or anything. */
+/* Returns a coordinate near a few places, so that corners often meet edges and planes: integers, some of which are off
+ * by the last bit, or thirds, or any number. */
 static double place_near(int round) {
   double x = span(-2, 2);
   switch (round % 4) {
@@ -102,14 +102,14 @@ static void test_planes_meet(void **state) {
   int inside = 0;
   for (int i = 0; i < 3; i++) mpz_inits(d[i], n[i][0], n[i][1], n[i][2], NULL);
   for (int round = 0; round < 3000; round++) {
-    int32_t most = round % 3 == 0 ? 5 : round % 3 == 1 ? INT32_MAX : 1 << 25; /* all of the grid, and numbers that take the short way */
+    int32_t most = round % 3 == 0 ? 5 : round % 3 == 1 ? INT32_MAX : 1 << 25; /* the whole grid, and numbers small enough for the fast path */
     vs_plane p[3];
     vs_homogeneous h;
     for (int i = 0; i < 3; i++) random_plane(&p[i], most);
     if (!vs_meet_planes(&p[0], &p[1], &p[2], &h)) continue;
     set_wide(w, h.w, VS_LIMBS);
     assert_true(mpz_sgn(w) > 0);
-    for (int i = 0; i < 3; i++) { /* every plane holds the point */
+    for (int i = 0; i < 3; i++) { /* every plane contains the point */
       set_128(sum, -p[i].d);
       mpz_mul(sum, sum, w);
       for (int a = 0; a < 3; a++) {
@@ -120,7 +120,7 @@ static void test_planes_meet(void **state) {
       assert_int_equal(mpz_sgn(sum), 0);
       assert_int_equal(vs_homogeneous_side(&p[i], &h), 0);
     }
-    bool far = false, remainders = false; /* out of the grid: the kernel never asks */
+    bool far = false, remainders = false; /* outside the grid: the kernel never asks for it */
     int64_t fixed[3], want[3];
     for (int a = 0; a < 3; a++) {
       set_wide(x, h.x[a], VS_LIMBS);
@@ -140,7 +140,7 @@ static void test_planes_meet(void **state) {
   for (int i = 0; i < 3; i++) mpz_clears(d[i], n[i][0], n[i][1], n[i][2], NULL);
 }
 
-/* Predicates on points with and without remainders, many of them next to a plane or a line. */
+/* Tests predicates on points with and without remainders, many of them next to a plane or a line. */
 static void test_predicates(void **state) {
   (void)state;
   mpq_t c[3][3], s, t, u;
@@ -154,7 +154,7 @@ static void test_predicates(void **state) {
     for (uint32_t i = 0; i < 3; i++) {
       int32_t a[3], b[3], inside = most;
       vs_plane p;
-      do { /* a place on an edge within the grid */
+      do { /* a point on an edge, within the grid */
         random_plane(&p, most);
         for (int j = 0; j < 3; j++) a[j] = span(-inside, inside), b[j] = span(-inside, inside);
         points[i].big = VS_POINT_EXACT;
@@ -228,7 +228,8 @@ static void near(double a, double b, double relative) {
   if (fabs(a - b) > relative * fmax(1, fabs(b))) fail_msg("%.17g is not %.17g", a, b);
 }
 
-/* A tetrahedron, box or double pyramid with small integer corners: many coplanar faces, shared corners, edges that touch. */
+/* Makes a tetrahedron, box or double pyramid with small integer corners: many coplanar faces, shared corners, touching
+ * edges. */
 static void random_convex(vs_mesh *m, int32_t most) {
   *m = (vs_mesh){ 0 };
   int32_t v[4][3];
@@ -268,7 +269,7 @@ static void test_against_oracle(void **state) {
       leaves[i] = (vs_kernel_leaf){ &meshes[i], vs_affine_identity(), i, false };
       terms[i] = (vs_kernel_term){ VS_TERM_LEAF, i, 0 };
     }
-    for (int i = 0; i < 4; i++) { /* each operation on two or three earlier terms, whichever; the last is the root */
+    for (int i = 0; i < 4; i++) { /* each operation takes two or three random earlier terms; the last one is the root */
       uint32_t n = (uint32_t)span(2, 3);
       terms[term] = (vs_kernel_term){ (vs_term_kind)span(1, 3), operand, n };
       for (uint32_t j = 0; j < n; j++) operands[operand++] = j == 0 ? term - 1 : (uint32_t)span(0, (int32_t)term - 1);
@@ -296,7 +297,7 @@ static void test_equal_turns_written_differently(void **state) {
   assert_int_equal(triangles, 12);
 }
 
-/* Leaves of one common shear touch as they did before it. */
+/* Leaves with one common shear touch as they did before it. */
 static void test_sheared_alike(void **state) {
   (void)state;
   size_t triangles;
@@ -307,7 +308,8 @@ static void test_sheared_alike(void **state) {
   assert_int_equal(sheared, triangles);
 }
 
-/* By index, every edge has two triangles, and every vertex one fan of them: what touches is split. */
+/* Checks by index that every edge has two triangles, and every vertex a single fan: the kernel splits vertices where
+ * the solid touches itself. */
 static void check_manifold(const vs_mesh *m) {
   check_mesh(m);
   size_t corners = 3 * m->triangle_count;
@@ -322,8 +324,8 @@ static void check_manifold(const vs_mesh *m) {
     degree[a]++;
   }
   for (size_t i = 0; i < corners; i++)
-    for (size_t j = i + 1; j < corners; j++) assert_false(edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1]); /* each way once */
-  for (uint32_t v = 0; v < m->vertex_count; v++) { /* a walk around v comes by all of its triangles */
+    for (size_t j = i + 1; j < corners; j++) assert_false(edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1]); /* each direction once */
+  for (uint32_t v = 0; v < m->vertex_count; v++) { /* a walk around v visits all of its triangles */
     size_t start = corners, at, count = 0;
     for (size_t i = 0; i < corners && start == corners; i++)
       if (edges[i][0] == v) start = i;
@@ -341,7 +343,8 @@ static void check_manifold(const vs_mesh *m) {
   free(edges);
 }
 
-/* 16^3 unit cubes that share faces are one box, an L, or two halves of their own tags, with the least triangles there are and no other vertex than the corners. */
+/* 16^3 unit cubes that share faces become one box, an L, or two halves with different tags, with the least possible
+ * number of triangles and no vertices other than the corners. */
 static void test_cubes_become_one(void **state) {
   (void)state;
   enum { SIDE = 16, ALL = SIDE * SIDE * SIDE };
@@ -349,7 +352,7 @@ static void test_cubes_become_one(void **state) {
   static const struct { double volume; size_t triangles, vertices, tagged[2]; } want[SHAPES] = {
     [BOX] = { 4096, 12, 8, { 12, 0 } },
     [ELL] = { 3072, 20, 12, { 20, 0 } },      /* an L of 6 corners: 2 ends of 6 - 2, 6 sides of 2 */
-    [HALVES] = { 4096, 20, 12, { 10, 10 } },  /* each half: an end and 4 sides of 2; what they share is inside */
+    [HALVES] = { 4096, 20, 12, { 10, 10 } },  /* each half: an end and 4 sides of 2; their common face is inside */
   };
   const vs_affine turns[] = { vs_affine_identity(), vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), .5), vs_affine_rotation(vs_v3(.3, -7, 2), vs_v3(1, 2.3, -.7), .6180339) };
   vs_mesh cube = { 0 };
@@ -386,7 +389,7 @@ static void test_cubes_become_one(void **state) {
         double longest = 0;
         for (int k = 0; k < 3; k++) v[k] = m.vertices[m.triangles[i][k]];
         for (int k = 0; k < 3; k++) longest = fmax(longest, vs_v3_length(vs_v3_sub(v[k], v[(k + 1) % 3])));
-        assert_true(vs_v3_length(vs_v3_cross(vs_v3_sub(v[1], v[0]), vs_v3_sub(v[2], v[0]))) > 2 * longest); /* higher than 2: no sliver */
+        assert_true(vs_v3_length(vs_v3_cross(vs_v3_sub(v[1], v[0]), vs_v3_sub(v[2], v[0]))) > 2 * longest); /* the height is above 2: no sliver */
         assert_true(m.tags[i] < 2);
         tagged[m.tags[i]]++;
       }
@@ -405,7 +408,7 @@ static void test_touching_is_split(void **state) {
     { "(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)))", 16, 24 },                          /* along an edge */
     { "(union (box 1 1 1) (translate 1 1 1 (box 1 1 1)))", 16, 24 },                          /* at a corner */
     { "(rotate 33 21 17 (union (box 1 1 1) (translate 1 1 0 (box 1 1 1))))", 16, 24 },
-    { "(difference (box 4 4 4) (translate 1 1 1 (box 1 1 1)) (translate 2 2 1 (box 1 1 1)))", 0, 0 }, /* two hollows that touch along an edge */
+    { "(difference (box 4 4 4) (translate 1 1 1 (box 1 1 1)) (translate 2 2 1 (box 1 1 1)))", 0, 0 }, /* two cavities that touch along an edge */
     { "(difference (box 2 2 1) (translate 0 0 -1 (box 1 1 3)) (translate 1 1 -1 (box 1 1 3)))", 16, 24 },
     { "(difference (box 4 4 4) (translate 1 1 1 (box 1 1 1)) (translate 2 2 1 (box 1 1 1)) (translate 1 1 2 (box 2 2 1)))", 0, 0 },
     { "(difference (box 3 3 3) (translate 0 0 1 (box 1 1 1)) (translate 1 1 1 (box 1 1 1)) (translate 2 2 1 (box 1 1 1)))", 0, 0 },
@@ -436,7 +439,7 @@ static void test_identities(void **state) {
   assert_int_equal(triangles, 0);
   double va = volume_of(a, NULL), vb = volume_of(b, NULL);
   snprintf(text, sizeof text, "(union %s %s)", a, a);
-  near(volume_of(text, NULL), va, 1e-7); /* alone it stands as it is, else on the grid */
+  near(volume_of(text, NULL), va, 1e-7); /* the kernel copies a lone solid, and rounds others to the grid */
   snprintf(text, sizeof text, "(union %s %s)", a, b);
   double both = volume_of(text, NULL);
   snprintf(text, sizeof text, "(intersection %s %s)", a, b);
@@ -447,7 +450,7 @@ static void test_identities(void **state) {
   assert_true(common > 1 && common < vb);
 }
 
-/* A plate of 20 grid steps in a model of 300 units; voids; a solid that crosses itself. */
+/* Tests a plate of 20 grid steps in a model of 300 units; cavities; a solid that intersects itself. */
 static void test_thin_and_nested(void **state) {
   (void)state;
   near(volume_of("(union (cbox 300 300 .0001) (translate 0 0 5 (cbox 1 1 20)))", NULL), 9 + 20 - .0001, 1e-9);
@@ -458,7 +461,8 @@ static void test_thin_and_nested(void **state) {
   near(volume_of("(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)) (translate 1 1 1 (scale -1 -1 -1 (box .5 .5 .5))))", &triangles), 2, 1e-12);
 }
 
-/* Where nothing meets a large leaf its triangles are copied; where the leaf is there twice, all of them are arranged: the result is the same. */
+/* Where nothing meets a large leaf, the kernel copies its triangles; if the leaf occurs twice, it arranges all of them.
+ * The results must be equal. */
 static void test_plain(void **state) {
   (void)state;
 #define RING "(torus 10 3 32 16)"
@@ -468,15 +472,15 @@ static void test_plain(void **state) {
 #define WITHIN "(rotate 3 2 1 (torus 10 1 32 16))"
 #define LINK "(translate 10 0 0 (rotate 90 0 0 (torus 10 3 32 16)))"
 #define TWICE(x) "(union " x x ")"
-  static const char *const cases[][2] = { /* the same twice */
+  static const char *const cases[][2] = { /* each case with each operand once and twice */
     { "(difference " RING OTHER ")", "(difference " TWICE(RING) TWICE(OTHER) ")" },
     { "(scale -1 1 1 (intersection " RING OTHER "))", "(scale -1 1 1 (intersection " TWICE(RING) TWICE(OTHER) "))" },
     { "(union " RING "(scale -1 1 1 " BALL ") " BALL ")", "(union " TWICE(RING) "(scale -1 1 1 " BALL ") " BALL BALL "(scale -1 1 1 " BALL "))" },
     { "(difference " RING BALL ")", "(difference " TWICE(RING) TWICE(BALL) ")" },
     { "(difference " BALL RING ")", "(difference " TWICE(BALL) TWICE(RING) ")" },
-    { SPINDLE, TWICE(SPINDLE) },                                                        /* it meets itself */
+    { SPINDLE, TWICE(SPINDLE) },                                                        /* it intersects itself */
     { "(difference (box 20 20 3) " SPINDLE ")", "(difference (box 20 20 3) " TWICE(SPINDLE) ")" },
-    { "(difference " RING WITHIN ")", "(difference " TWICE(RING) TWICE(WITHIN) ")" },   /* surfaces that nothing meets at all */
+    { "(difference " RING WITHIN ")", "(difference " TWICE(RING) TWICE(WITHIN) ")" },   /* surfaces that no other meets */
     { "(difference (scale 1 -1 1 " RING ") " WITHIN ")", "(difference " TWICE("(scale 1 -1 1 " RING ")") TWICE(WITHIN) ")" },
     { "(union (difference " RING WITHIN ") " LINK ")", "(union (difference " TWICE(RING) TWICE(WITHIN) ") " TWICE(LINK) ")" },
   };
@@ -498,8 +502,8 @@ static void test_plain(void **state) {
   }
 }
 
-/* Parts that stand twice in one place, and end in joints that cover their ends: what clips the one is where the other ends. */
-/* A part that nothing touches is not put on a grid, star or not: a horseshoe of thirds, twice. */
+/* A part that nothing touches is not rounded to a grid, star-shaped or not: a horseshoe with coordinates in thirds,
+ * twice. */
 static void test_alone(void **state) {
   (void)state;
   static const double at[8][2] = { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
@@ -557,7 +561,7 @@ static void test_edge_on_diagonal(void **state) {
   assert_true(sx_parse("(union (box 1 1 1) (box 2 2 2))", &p));
   vs_mesh *t = p.meshes[1];
   t->vertex_count = t->triangle_count = 0;
-  vertex(t, 0, 0, 1), vertex(t, 1, 1, 1), vertex(t, 1, 0, 2), vertex(t, 1, 0, 0); /* through the box's top, an edge on its diagonal */
+  vertex(t, 0, 0, 1), vertex(t, 1, 1, 1), vertex(t, 1, 0, 2), vertex(t, 1, 0, 0); /* through the top of the box, with an edge on its diagonal */
   face(t, 0, 2, 1), face(t, 0, 1, 3), face(t, 1, 2, 3), face(t, 0, 3, 2);
   if (!vs_kernel_evaluate(&p.problem, NULL, &m, &e)) fail_msg("%s", e.message);
   check_mesh(&m);
@@ -566,14 +570,15 @@ static void test_edge_on_diagonal(void **state) {
   sx_free(&p);
 }
 
-/* An operand far larger than the place where it matters is clipped first: a grid for all of it would swallow the rest. */
+/* An operand far larger than the place where it matters is clipped first: a grid for all of it would be too coarse for
+ * the rest. */
 static void test_far_larger(void **state) {
   (void)state;
   static const struct { const char *text; double volume; } cases[] = {
     { "(intersection (translate -5e5 -5e5 -1 (box 1e6 1e6 1)) (translate .1 .2 -.005 (box .01 .01 .01)))", 5e-7 },
     { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1)))", 5e-7 },
     { "(rotate 33 21 17 (difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1))))", 5e-7 },
-    { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (rotate 33 21 17 (translate -5e5 -5e5 -5e5 (box 1e6 1e6 1e6))))", 0 }, /* inside of it */
+    { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (rotate 33 21 17 (translate -5e5 -5e5 -5e5 (box 1e6 1e6 1e6))))", 0 }, /* the other operand is inside of it */
     { "(union (translate 3 0 0 (box .01 .01 .01)) (difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1))))", 1.5e-6 },
     { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (difference (cbox 1e6 1e6 2) (translate 0 0 -2 (box 1e6 1e6 4))))", 1e-6 },
   };
@@ -583,7 +588,7 @@ static void test_far_larger(void **state) {
   }
   static const char *const large[] = { "(translate 0 0 -1e4 (sphere 1e4 64))", "(rotate 10 20 30 (translate 3e3 0 0 (torus 3e3 1e3 40 20)))", "(rotate 5 5 5 (translate 0 0 -9e5 (cyl 9e5 5e5 1 31)))",
                                        "(difference (rotate 3 4 5 (cbox 1e5 1e5 1e5)) (rotate 1 1 1 (box 1e5 1e5 1e5)))" };
-  for (size_t i = 0; i < sizeof large / sizeof *large; i++) { /* what is taken off and what is left are all of it */
+  for (size_t i = 0; i < sizeof large / sizeof *large; i++) { /* difference and intersection together are the whole */
     char text[400];
     static const char detail[] = "(translate .002 .003 0 (rotate 40 30 20 (cbox .02 .01 .03)))";
     snprintf(text, sizeof text, "(difference %s %s)", detail, large[i]);
@@ -594,7 +599,7 @@ static void test_far_larger(void **state) {
   }
 }
 
-/* The kernel's own look at its result: right ones pass; where a part is lost, doubled or turned over it says that it failed. */
+/* The kernel's check of its result: right results pass; for a lost, doubled or reversed part it reports a failure. */
 static void test_self_check(void **state) {
   (void)state;
   static const char *const texts[] = {
@@ -637,7 +642,7 @@ static void test_self_check(void **state) {
     vs_mesh_free(&m);
     sx_free(&p);
   }
-  sx_problem p; /* a part that the grid of what it touches makes another */
+  sx_problem p; /* a part that the grid of the solid it touches would change */
   vs_mesh m = { 0 };
   vs_kernel_error e;
   vs_kernel_counts counts = { 0 };
@@ -694,7 +699,7 @@ static void test_wide_and_deep(void **state) {
   assert_true(vs_kernel_evaluate(&wide, NULL, &m, &e));
   assert_int_equal(m.triangle_count, 12 * WIDE);
   vs_mesh_free(&m);
-  /* ((a - b) u a) - b ... that deep */
+  /* ((a - b) u a) - b ..., as deep as the loop */
   for (uint32_t i = 0; i < 2; i++) terms[i] = (vs_kernel_term){ VS_TERM_LEAF, i, 0 };
   leaves[1].placement = vs_affine_translation(vs_v3(0.5, 0.5, 0.5));
   for (uint32_t i = 0; i < DEEP; i++) {
@@ -712,7 +717,7 @@ static void test_wide_and_deep(void **state) {
   free(operands);
 }
 
-/* Clusters that are copies stand once, also where they are turned, mirrored and painted otherwise. */
+/* Clusters that are copies are stored once, also those that are turned, mirrored or painted differently. */
 static void test_copies(void **state) {
   (void)state;
   static const char one[] = "(difference (box 4 2 2) (translate 1 1 -1 (cyl 5 .5 .5 16)))";
@@ -740,7 +745,7 @@ static void test_copies(void **state) {
   bool found = false;
   for (size_t i = 0; i < m.vertex_count; i++) found = found || vs_v3_length(vs_v3_sub(m.vertices[i], at)) < 1e-9;
   assert_true(found);
-  for (uint32_t i = 0; i < p.problem.leaf_count; i++) p.leaves[i].tag = i; /* tags that are all one paint: still copies, with the tags of their own */
+  for (uint32_t i = 0; i < p.problem.leaf_count; i++) p.leaves[i].tag = i; /* tags that all mean one paint: they are still copies, with separate tags */
   uint32_t paints[9] = { 0 };
   p.problem.paints = paints;
   m.vertex_count = m.triangle_count = 0;
@@ -756,7 +761,7 @@ static bool stop(void *context, double done) {
   return --*(int *)context > 0;
 }
 
-/* The same bytes for any number of threads; returns how many triangles. */
+/* Checks that any number of threads gives the same bytes; returns the number of triangles. */
 static size_t by_threads(const vs_kernel_problem *problem) {
   vs_mesh m[3] = { { 0 } };
   for (uint32_t i = 0; i < 3; i++) {
@@ -775,11 +780,13 @@ static size_t by_threads(const vs_kernel_problem *problem) {
   return triangles;
 }
 
-/* A part that touches nothing is copied to its place by threads, and so are copies; in between are clusters that are worked out. */
+/* Threads copy a part that touches nothing to its place, and copies too; clusters that need combining lie between
+ * them. */
 static void test_places(void **state) {
   (void)state;
   char text[8000] = "(union";
-  for (int i = 0; i < 20; i++) { /* spheres of their own, equal ones that are turned, and pairs that overlap, every other time alike */
+  for (int i = 0; i < 20; i++) { /* different spheres, equal ones that are turned, and pairs that overlap; every second
+                                  * pair is equal */
     sprintf(text + strlen(text), " (translate %d 0 0 (sphere %g 48)) (translate %d 9 0 (rotate 0 0 %d (sphere 2 48)))", 9 * i, 2 + i * 0.0625, 9 * i, 90 * i);
     sprintf(text + strlen(text), " (translate %d 18 0 (rotate 0 0 %d (union (cbox 2 2 2) (translate 1 1 %g (cbox 2 2 2)))))", 9 * i, 90 * i, i % 2 ? 1.0 : 1 + i * 0.03125);
   }
@@ -834,7 +841,7 @@ static void test_errors(void **state) {
   assert_int_equal(e.status, VS_KERNEL_INSIDE_OUT);
   assert_int_equal(e.leaf, 0);
   vs_mesh_turn(p.meshes[0], 0);
-  p.leaves[0].placement.m[0][0] = -1; /* a mirror image is no solid inside out */
+  p.leaves[0].placement.m[0][0] = -1; /* a mirror image is not a solid inside out */
   assert_true(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
   p.leaves[0].placement.m[0][3] = NAN;
   size_t before = m.triangle_count;
@@ -847,7 +854,7 @@ static void test_errors(void **state) {
   vs_kernel_options limits = { .max_triangles = 10 };
   assert_false(vs_kernel_evaluate(&p.problem, &limits, &m, &e));
   assert_int_equal(e.status, VS_KERNEL_LIMIT);
-  for (size_t bytes = 1000; bytes < 3000000; bytes *= 3) { /* fails somewhere else each time, and cleanly */
+  for (size_t bytes = 1000; bytes < 3000000; bytes *= 3) { /* fails at another place each time, and frees all memory */
     limits = (vs_kernel_options){ .max_bytes = bytes };
     if (!vs_kernel_evaluate(&p.problem, &limits, &m, &e)) assert_int_equal(e.status, VS_KERNEL_LIMIT);
     else assert_true(bytes > 200000);
@@ -862,7 +869,7 @@ static void test_errors(void **state) {
   sx_free(&p);
 }
 
-/* Two layers of `bars` bars across each other: some 8 faces a crossing. */
+/* Returns two crossed layers of `bars` bars: some 8 faces for each crossing. */
 static char *lattice(int bars) {
   size_t room = 64 + 128 * (size_t)bars, used = 0;
   char *text = malloc(room);
@@ -876,8 +883,8 @@ static char *lattice(int bars) {
   return text;
 }
 
-/* The limit on triangles is seen while solids are cut, not when all is done: what is held then goes by the limit, not
- * by the result. */
+/* The kernel checks the limit on triangles while it cuts solids, not at the end: the limit, not the size of the result,
+ * bounds the memory. */
 static void test_limit_on_the_way(void **state) {
   (void)state;
   enum { FEW = 500, MORE = 2000 };
@@ -903,13 +910,13 @@ static void test_limit_on_the_way(void **state) {
   free(text);
 }
 
-/* Without bends a result has the corners that its solids have and meet in, no more; so many triangles are counted here by Euler's formula. With them it has
- * more, of the same volume. */
+/* Without bends a result has only the corners of its solids and of their intersections; Euler's formula gives the
+ * number of triangles. With bends it has more, and the same volume. */
 static void test_facets_stay_whole(void **state) {
   (void)state;
   static const struct {
     const char *text;
-    size_t triangles; /* 0: unknown, but less */
+    size_t triangles; /* 0: unknown, but fewer */
   } cases[] = {
     { "(difference (box 4 4 4) (translate 2 2 2 (rotate 33 21 17 (cbox 1 1 9))))", 32 },
     { "(difference (rotate 33 21 17 (box 4 4 4)) (translate 0 0 1 (box 1 1 9)) (rotate 33 21 17 (translate 9 0 0 (box 1 1 1))))", 0 },

@@ -1,5 +1,6 @@
-/* Owns the test that memory may run out anywhere in the kernel, whichever of its threads asks: each request in turn is refused, once and for good. Each time: done all the same, or a
- * named error; never a hang, and everything is given back. A sample; LONG=1: every request of four threads. */
+/* Owns the test that memory may run out anywhere in the kernel, in any of its threads: each request in turn is refused,
+ * once and for good. Each run succeeds or returns a named error; none hangs, and all memory is freed. A sample; LONG=1:
+ * every request of four threads. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -15,7 +16,7 @@
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
 
-static _Atomic long left = -1, live; /* requests until one is refused; below 0: none is. Blocks held now */
+static _Atomic long left = -1, live; /* requests until a refusal; negative: none. The number of blocks in use */
 static _Atomic bool refused, for_good;
 
 #if REPLACED
@@ -44,7 +45,7 @@ void free(void *p) {
 
 static bool again(void *context, double done) { return (void)context, done <= 1; }
 
-/* true: it went through. *why: the status */
+/* returns true if it succeeded. *why: the status */
 static bool perform(const sx_problem *p, uint32_t threads, vs_kernel_status *why) {
   vs_kernel_options options = { .threads = threads, .progress = again };
   vs_kernel_error e = { VS_KERNEL_FINE, 0, "" };
@@ -67,7 +68,7 @@ static void test_refused(void **state) {
   for (uint32_t threads = 1; threads <= 4; threads += 3)
     for (int good = 0; good < 2; good++) {
       long n = 0;
-      assert_true(perform(&p, threads, &why)); /* threads' own blocks are kept for the next of them */
+      assert_true(perform(&p, threads, &why)); /* a thread's cached blocks serve the next thread */
       for (;; n += (all && threads > 1) || n < 150 ? 1 : 1 + n / 8) {
         long before = live;
         refused = false;

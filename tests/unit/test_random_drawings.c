@@ -1,6 +1,6 @@
-/* Owns the property that the passes are held to: whatever the drawing, each pass alone, each set of passes and all of them keep what is drawn, which
- * part is where, in which paint, and who made it. A sample of random drawings, or with LONG=1 five thousand. A drawing that fails is made
- * smaller as long as it fails, and printed. SEED=n runs that one alone. */
+/* Owns the property that every pass keeps a drawing: each pass alone, each set of passes and all of them keep the drawn
+ * points, the place of each part, its paint, and its origin. A sample of random drawings, or with LONG=1 five thousand.
+ * The test shrinks a drawing as long as it fails, and prints it. SEED=n runs that one alone. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,7 +48,7 @@ static bool mesh_volume(const drawing *d, double *volume, double *area) {
   return true;
 }
 
-/* Why d is something else after t->passes: in t->why. Counts what was looked at. */
+/* Returns true if d differs after t->passes, with the reason in t->why. Counts the comparisons. */
 static bool differs(void *context, const drawing *d) {
   trial *t = context;
   bool bad = true, less = t->passes >> VS_PASS_PRUNE & 1;
@@ -89,13 +89,13 @@ static bool differs(void *context, const drawing *d) {
     t->close += close;
   }
   double v[2], area[2];
-  if (t->volume && mesh_volume(d, &v[0], &area[0])) { /* what has no mesh (an xline, a section) says so in both */
+  if (t->volume && mesh_volume(d, &v[0], &area[0])) { /* a kind without a mesh (an xline, a section) has none in both */
     t->volumes++;
     if (!mesh_volume(&after, &v[1], &area[1])) {
       snprintf(t->why, sizeof t->why, "it has no mesh any more");
       goto done;
     }
-    /* facets of round parts may turn: by the chord's height on all of the surface, at most */
+    /* the facets of round parts may turn: the volume changes at most by the chord height on the whole surface */
     if (fabs(v[0] - v[1]) > 1e-9 * v[0] + 0.02 * (area[0] + area[1])) {
       snprintf(t->why, sizeof t->why, "the mesh had a volume of %.9g, and has %.9g", v[0], v[1]);
       goto done;
@@ -116,7 +116,7 @@ static void print_passes(unsigned passes) {
     if (passes >> k & 1) fprintf(stderr, " %s", vs_pass_get((vs_pass_kind)k)->name);
 }
 
-/* False: it failed, and was printed. */
+/* Returns false after a failure, which it prints. */
 static bool holds(trial *t, uint64_t seed, bool every) {
   vs_store *s = vs_store_new(NULL, NULL);
   drawing d = drawing_make(s, seed);
@@ -160,7 +160,7 @@ static void passes_keep_what_is_drawn(void **state) {
             t.changed[0], t.changed[1], t.changed[2], t.changed[3]);
   assert_int_equal(bad, 0);
   if (count == 1) return;
-  /* it has looked at something */
+  /* the run has compared enough */
   assert_true(t.looked > 5 * t.drawings && t.inside * 10 > t.points && t.close * 2000 < t.points && t.volumes * 40 > t.drawings);
   for (int k = 0; k < VS_PASS_COUNT; k++) assert_true(t.changed[k] > count / 2);
 }

@@ -1,20 +1,21 @@
-/* Owns the property that solids are held to, whatever program makes them: a model of any kinds (tests/oracle/models.h),
- * placed, nearly copied and combined, ends with an error of the model or
- *   - a mesh that is closed and crosses itself nowhere, as doubles (.off has 12 digits) and as 32-bit numbers (.stl),
- * unless the writer warns;
+/* Owns the property that solids keep for any program: a model of any kinds (tests/oracle/models.h), placed, nearly
+ * copied and combined, ends with an error of the model, or has all of these:
+ *   - a closed mesh without self-intersections, as doubles (.off has 12 digits) and as 32-bit numbers (.stl), unless the
+ *     writer warns;
  *   - volumes of operands and results that agree: |a u b| + |a n b| = |a| + |b|, |a - b| + |a n b| = |a|;
- *   - (contains? o p) and the mesh's winding number that agree at random points which are not next to the surface, and
- * (volume o) and the mesh's volume. Models whose parts are turned by 1e-5 to 1e-7 degrees are held to the first of
- * these in four formats, doubles (.ply) and the shapes of .glb among them. A sample of 500 models, and 300 of the
- * others, with LONG=1 ten thousand of each, or those of SEEDS=FROM-TO. A program that fails is made smaller as long as it
- * fails, and printed. TELL=1 prints the counts. */
+ *   - agreement of (contains? o p) with the mesh's winding number at random points which are not next to the surface, and
+ *     of (volume o) with the mesh's volume.
+ * Models whose parts are turned by 1e-5 to 1e-7 degrees must keep the first of these in four formats, doubles (.ply)
+ * and the shapes of .glb among them. A sample of 500 models, and 300 of the others, with LONG=1 ten thousand of each,
+ * or those of SEEDS=FROM-TO. The test shrinks a failing program as long as it fails, and prints it. TELL=1 prints the
+ * counts. */
 #include "tests/unit/trials.h"
 
 enum { POINTS = 12 };
 
 static size_t models, refused, empty, solids, warned, asked_points, inside_points, made_of[64], silent[4], told[4];
 
-/* ---- what must hold ---- */
+/* ---- checks ---- */
 
 static bool bad_part(trial *t, const char *suffix, size_t which, written *w, bool *more) {
   crossings_found found;
@@ -34,7 +35,7 @@ static bool bad_part(trial *t, const char *suffix, size_t which, written *w, boo
   return true;
 }
 
-/* Of .glb every mesh is looked at, of the others the only one. */
+/* Checks every mesh of a .glb; other formats have a single mesh. */
 static bool bad_mesh(trial *t, const char *suffix, written *w) {
   bool more, bad = bad_part(t, suffix, 0, w, &more);
   for (size_t which = 1; !bad && more; which++) {
@@ -44,14 +45,14 @@ static bool bad_mesh(trial *t, const char *suffix, written *w) {
   return bad;
 }
 
-/* Facets round a circle: FINER where FINE takes too long, FINEST where FINE does not tell: what a plane cuts off a round
- * part with a grazing cut is wide and not deep. */
+/* Facets of a full turn: FINER where FINE takes too long, FINEST where FINE is not enough: a plane that cuts a round
+ * part at a low angle removes a wide, shallow piece. */
 enum { USUAL = 24, FINE = 96, FINER = 48, FINEST = 384 };
 
 typedef enum { RIGHT, WRONG, UNTOLD } verdict;
 
-/* The widest step that the kernel's grid has for the model: all its leaves fit 2^32 steps, the step is 1, 2 or 5 times
- * a power of ten, and the next one where a normal would be too long. 0: the bounds are not known. */
+/* Returns the largest possible step of the kernel's grid for the model: all its leaves fit 2^32 steps, and the step is
+ * 1, 2 or 5 times a power of ten, or the next larger one if a normal would be too long. 0: the bounds are not known. */
 static double widest_step(trial *t) {
   double diagonal;
   if (!number_of(t, "(let ((b (bounding-box leaves))) (distance (car b) (cadr b)))", &diagonal)) return 0;
@@ -59,20 +60,21 @@ static double widest_step(trial *t) {
   return 5 * diagonal / 0x1p32;
 }
 
-/* By how much the volumes of a, b and what is made of them may differ because each is made on a grid of its own. No
- * corner moves by more than half a step along an axis, so no volume changes by more than half a step times the area,
- * as seen along three axes. Asked only where volumes differ: the areas take as long as the volumes do. */
+/* Returns the possible difference between the volumes of a, b and their combinations, because each is made on a
+ * separate grid. A corner moves by at most half a step along an axis, so a volume changes by at most half a step times
+ * the area, as seen along three axes. Called only when volumes differ: the areas take as long as the volumes. */
 static double grid_slack(trial *t, const char *text, const char *end, int facets) {
   static const char *const whose[] = { "(area (unite a))", "(area (unite b))", "(area (unite a b))",
                                        "(area (intersect a b))", "(area (subtract a b))" };
   static char all[MODEL_ROOM];
-  /* a box of the others' bounds as a turned half-space sees them, a thirty-second wider, seen from the world again */
+  /* the box of the others' bounds in the axes of a turned half-space, enlarged by a thirty-second, and its bounds in
+   * world axes */
   enum { ENLARGED = 4 };
   double sum = 0, area;
   bool halves = false;
   size_t n = 0;
-  for (const char *from = text; from < end && n + 16 < sizeof all;) { /* sets become unions: then all leaves count */
-    if (strncmp(from, "(make-half-space ", 17) == 0) { /* it is made as large as the others within their set need it */
+  for (const char *from = text; from < end && n + 16 < sizeof all;) { /* sets become unions, so that all leaves count */
+    if (strncmp(from, "(make-half-space ", 17) == 0) { /* the kernel makes it as large as the others in its set need */
       n += (size_t)snprintf(all + n, sizeof all - n, "(unite)");
       from = end_of(from), halves = true;
       continue;
@@ -89,7 +91,7 @@ static double grid_slack(trial *t, const char *text, const char *end, int facets
   return step / 2 * sqrt(3) * sum;
 }
 
-/* The text without the facets that parts ask for themselves: a finer model is finer in all its parts. */
+/* Returns the text without the facets that parts set themselves, so that a finer model is finer in all its parts. */
 static const char *unfaceted(const char *text) {
   static char copy[TEXT];
   snprintf(copy, sizeof copy, "%s", text);
@@ -101,8 +103,7 @@ static const char *unfaceted(const char *text) {
   return copy;
 }
 
-/* Are the volumes of the set's first two operands and of their combinations those of sets? Round parts have so many
- * facets. */
+/* Compares the volumes of the set's first two operands and of their combinations. Round parts have `facets` facets. */
 static verdict volumes_of(trial *t, const char *text, int facets) {
   if (strncmp(text, "(unite ", 7) != 0 && strncmp(text, "(subtract ", 10) != 0 && strncmp(text, "(intersect ", 11) != 0)
     return UNTOLD;
@@ -124,8 +125,8 @@ static verdict volumes_of(trial *t, const char *text, int facets) {
     snprintf(t->why, sizeof t->why, "%s", t->heard.error);
     return WRONG;
   }
-  /* formulas and facets: a part that stands alone is measured by its formula, one that is cut by its facets, and a
-   * sphere of 24 has 2 % less; at least as quickly as facets are more, that goes */
+  /* formulas and facets: a lone part is measured by its formula, a cut part by its facets, and a sphere of 24 facets
+   * has 2 % less; with more facets this difference decreases at least in proportion */
   double slack = 0.03 * USUAL / facets * (va + vb), most = fmax(fabs(both + common - va - vb), fabs(less + common - va));
   most = fmax(most, fmax(fmax(va, vb) - both, common - fmin(va, vb)));
   if (most <= slack || most <= slack + grid_slack(t, text, end, facets)) return RIGHT;
@@ -134,8 +135,8 @@ static verdict volumes_of(trial *t, const char *text, int facets) {
   return WRONG;
 }
 
-/* A part that stands alone is measured by its formula, one that is cut by its facets: such a difference goes with finer
- * ones. Where nobody can tell, as finer models take too long, the difference stays one. */
+/* A lone part is measured by its formula, a cut part by its facets: such a difference vanishes with finer facets. If
+ * finer models take too long, the difference counts as a fault. */
 static bool bad_volumes(trial *t, const char *text) {
   static char why[sizeof t->why];
   if (volumes_of(t, text, USUAL) != WRONG) return false;
@@ -147,7 +148,8 @@ static bool bad_volumes(trial *t, const char *text) {
   return finer != RIGHT;
 }
 
-/* How often the model with so many facets winds round the place; NAN: it cannot be made or written in time. */
+/* Returns the winding number of the model with so many facets at the point; NAN: it cannot be made or written in
+ * time. */
 static double winding_at(trial *t, const char *text, const double at[3], int facets) {
   bool more;
   written fine;
@@ -183,7 +185,8 @@ static bool bad_inside(trial *t, const char *text, const written *w, uint64_t se
     double finer = winding_at(t, text, at[i], FINE);
     if (isnan(finer)) finer = winding_at(t, text, at[i], FINER);
     else if ((finer > 0.5) != (answers[i] == '1')) finer = winding_at(t, text, at[i], FINEST);
-    /* The facets were too coarse for what is cut out of round things. Where nobody can tell, the difference stays one. */
+    /* The facets were too coarse for a part cut from round solids. If a finer model gives no answer, the difference
+     * counts as a fault. */
     if ((finer > 0.5) == (answers[i] == '1') && !isnan(finer)) continue;
     snprintf(t->why, sizeof t->why, "at (xyz %.17g %.17g %.17g) the mesh winds %g times, and contains? says %c", at[i][0], at[i][1], at[i][2], turns, answers[i]);
     return true;
@@ -191,7 +194,7 @@ static bool bad_inside(trial *t, const char *text, const written *w, uint64_t se
   return false;
 }
 
-/* Why the model is wrong: in t->why. Shrinking goes on only towards models that are wrong. */
+/* Returns true if the model is wrong, with the reason in t->why. Shrinking follows only models that are wrong. */
 static bool fails(void *context, const char *text) {
   trial *t = context;
   written off = { .volume = 0 }, single = { .volume = 0 };
@@ -204,7 +207,7 @@ static bool fails(void *context, const char *text) {
     snprintf(t->why, sizeof t->why, "%s", t->heard.error);
     return true;
   }
-  bool solid = number_of(t, "(if (solid? o) 1 0)", &v) && v > 0; /* else .off holds open faces as well */
+  bool solid = number_of(t, "(if (solid? o) 1 0)", &v) && v > 0; /* otherwise the .off contains open faces as well */
   bool bad = (solid && bad_mesh(t, ".off", &off)) || bad_mesh(t, ".stl", &single);
   static const char *const others[] = { ".ply", ".glb" };
   for (int i = 0; i < 2 && solid && !bad && t->volumes; i++) {
@@ -219,8 +222,8 @@ static bool fails(void *context, const char *text) {
     double size = 0;
     for (int k = 0; k < 3; k++) size = fmax(size, off.high[k] - off.low[k]);
     if (!measured && strstr(t->heard.error, "fault of vs")) snprintf(t->why, sizeof t->why, "%s", t->heard.error), bad = true;
-    /* (volume o) is a formula's, or of a finer mesh. The written one is within a chord of it, .0086 of a radius. Where a
-     * solid is as thin as that, most of it may be missing in the coarser mesh: the area is that of the larger one. */
+    /* (volume o) comes from a formula, or from a finer mesh. The written mesh is within a chord of it, .0086 of a
+     * radius. A solid as thin as this may be mostly missing in the coarser mesh: the area is that of the larger one. */
     double chord = 0.01 * size, area = off.area;
     if (measured && fabs(v - off.volume) > chord * area + 1e-9 && number_of(t, "(area o)", &area)) area = fmax(area, off.area);
     if (measured && fabs(v - off.volume) > chord * area + 1e-9)
@@ -264,16 +267,17 @@ static void models_are_right(void **state) {
             inside_points, bad);
   assert_int_equal(bad, 0);
   if (to - from < 400) return;
-  assert_true(solids * 4 > models && inside_points * 10 > asked_points); /* it has looked at something */
+  assert_true(solids * 4 > models && inside_points * 10 > asked_points); /* the run has tested enough */
   for (size_t i = 0; i < model_kinds() && i < 64; i++)
     if (!made_of[i])
       fail_msg("no solid was made of the kind %s: it wants a line in tests/oracle/models.c", model_kind(i));
 }
 
-/* Models that were once written wrong without a word: a hole of the profile that touches the outline in a corner; thin
- * triangles that look the same way beside a place where the surface touches itself; a sweep whose inside is full, and
- * its inner walls lie on each other; needles, of whose volumes rounding left too little for the check of bounds; a low
- * triangle beside a sharp edge, which rounding tilts by more than the edge's angle; quads that are not flat, mirrored. */
+/* Models that were once written wrong without a warning: a hole of the profile that touches the outline in a corner;
+ * thin triangles with the same direction beside a place where the surface touches itself; a sweep that overlaps itself
+ * completely, whose inner walls coincide; needles so thin that rounding left too little volume for the check of bounds;
+ * a low triangle beside a sharp edge, which rounding tilts by more than the edge's angle; quads that are not flat,
+ * mirrored. */
 static void wrong_examples_are_right(void **state) {
   (void)state;
   static const char *const texts[] = {
@@ -287,10 +291,10 @@ static void wrong_examples_are_right(void **state) {
     "(do-transform (subtract (make-e-cone (xyz 0.75 -2.25 2.2) 1.125 1.875 (xyz 1.5 -1.5 0.75) 1.875) (do-rotate "
     "(make-e-cone (xyz 0.75 -2.25 2.25) 1.125 1.88 (xyz 1.5 -1.5 0.75) 1.875) (vxyz 1 2 3) 3e-10)) (make-matrix 1 0 0 0 "
     " 0 1 0 0  .25 0 1 0  0 0 0 1))",
-    /* a surface that lies on itself three times over, between whose layers there is less than 12 digits tell */
+    /* a surface with three layers, closer than 12 digits can separate */
     "(intersect (scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 1.5) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 "
     "0) (xyz -1 -1 3) (xyz 2 2 3)) (make-box (xyz -2 -3 2) (xyz 0 0.8 -2))) (make-half-space (vxyz 1 2 3)))",
-    /* a hexahedron that is folded; a path that turns back in cusps, where it has no direction */
+    /* a folded hexahedron; a path that reverses in cusps, where it has no direction */
     "(scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 3) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) (xyz -1 "
     "-1 3) (xyz -0.5 1.5 0)) (make-box (xyz 0.9 1e-3 1e-6) 0.5 0.5 1))",
     "(scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 2) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) (xyz -1 "
@@ -298,7 +302,8 @@ static void wrong_examples_are_right(void **state) {
     "(intersect (do-loft (list (make-circle origin 1) (do-move (make-polygon (xy 3 0) (xy 2 .5) (xy 2 2)) (vxyz 0 0 "
     "2)))) (do-sweep (make-polygon (xy 0 0) (xy 2 1) (xy 0 1)) (make-spline (list (xy 1 0) (xy 3 0) (xyz 2 0 0) (xy 1 "
     "0))) 0.8))",
-    /* right, and known as such: what is left is about as thin as a step of the grid, and each set has another grid */
+    /* right, and recognized as right: the remainder is about as thin as a step of the grid, and each set has another
+     * grid */
     "(subtract (subtract (make-pyramid (xyz -0.8 0.8 0) 2 16 (xyz -3 2 0.8) 1.9) (make-pyramid (xyz -0.8 0.8 0) 2 16 "
     "(xyz -3 2 0.8) 2)) (do-slice (subtract (make-pyramid (xyz -0.8 0.8 0) 2 16 (xyz -3 2 0.8) 2) (make-pyramid (xyz "
     "-0.8 0.8 0) 2 16 (xyz -3 2 0.8) 2) (do-scale (make-box (xyz -1 0.2 1) 2 0.5 1) (list 1 1 100))) 'yz))",
@@ -310,10 +315,10 @@ static void wrong_examples_are_right(void **state) {
     "(do-rotate (do-scale (let ((bow (make-spline (xyz 1 0 0) (xyz 2.625 0 2) (xyz 1 0 4)))) (do-guided-loft (list "
     "(make-circle origin 1) (make-circle (xyz 0 0 4) 1)) (list bow (do-rotate bow 'z pi)))) (list 1 1 100)) 'z "
     "7e-7)) 'z 9e-6))",
-    /* a folded hexahedron that nearly touches its own floor, and touches it in single floats */
+    /* a folded hexahedron that nearly touches its floor, and touches it in 32-bit floats */
     "(scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 0.375) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) "
     "(xyz -1 -1 3) (xyz -0.5 1 0)) (make-box (xyz -2 -1 -1) 4 2 0.05))",
-    /* in .glb an edge of a narrow slit turns past the other, and the floors beside it come to lie on each other */
+    /* in .glb an edge of a narrow slit moves past the other, and the floors beside it come to overlap */
     "(subtract (unite (do-extrude (do-project (do-sweep (make-circle (xy 3 0) 0.25) (make-polygon (xy 1 0) (xy 3 0) "
     "(xy 2 1.5)) (* 8 1/4 pi)) 'xy) 1) (make-box (xyz -0.5 -2 -0.125) 0.5 0.5 2.05) (make-box (xyz -0.5 -1.625 0) "
     "1.5 1.5 0.05)) (do-scale (make-box (xyz -2 -0.875 -0.035149951465427876) 1.5 0.5 1.05) (list 1 1 .01)))",
@@ -330,7 +335,7 @@ static void wrong_examples_are_right(void **state) {
 
 /* ---- models whose parts are turned by very little ---- */
 
-/* Does one of the formats cross itself without a word? */
+/* Returns true if the mesh in one of the formats intersects itself without a warning. */
 static bool is_silent(void *context, const char *text) {
   static const char *const suffixes[] = { ".off", ".stl", ".ply", ".glb" };
   trial *t = context;
@@ -351,9 +356,9 @@ static bool is_silent(void *context, const char *text) {
   return why[0];
 }
 
-/* Kinds of contacts, each of which was once written without a word: folds beside what is collapsed, a triangle that
- * turns over between two that look the same way, a corner that comes over an edge within a plane across an axis, edges
- * of three units. */
+/* Kinds of contacts, each of which was once written wrong without a warning: folds beside a collapsed part, a triangle
+ * that turns over between two with the same direction, a corner that crosses an edge within a plane perpendicular to an
+ * axis, edges of three units. */
 static void turned_examples_are_right(void **state) {
   (void)state;
   static const char *const texts[] = {
@@ -367,24 +372,24 @@ static void turned_examples_are_right(void **state) {
     "(do-rotate (unite (unite (make-box (xyz 0 0 -1) (xyz 1 4 1)) (do-rotate (make-prism (xyz 2 1 -1) 2 16 (xyz 2 1 "
     "1)) 'z (degrees->radians 3e-5)) (do-rotate (make-prism (xyz -1 2 -1) 1 12 "
     "(xyz -1 2 0)) 'y (degrees->radians 8e-7))) (make-box (xyz 2 -1 -2) (xyz 5 1 2))) 'z .5)",
-    /* cells that are needles: a thirtieth of a step long, and too thin for any line */
+    /* needle-shaped cells: a thirtieth of a step long, and too thin for any line */
     "(intersect (intersect (make-box (xyz -2 0 -3) (xyz 1 2 -2)) (make-prism (xyz 0 2 -3) 2 16 (xyz 0 2 0))) "
     "(do-rotate (intersect (make-box (xyz -2 0 -3) (xyz 1 2 -2)) (make-prism (xyz 0 2 -3) 2 16 (xyz 0 2 0))) 'x "
     "(degrees->radians -2e-7)) (do-rotate (unite (make-box (xyz 0 2 -1) (xyz 3 4 0)) (do-rotate (make-box (xyz 2 -1 0) "
     "(xyz 4 2 2)) 'y (degrees->radians 7e-5)) (do-rotate (make-box (xyz -1 -1 -4) (xyz 2 3 -3)) 'y (degrees->radians "
     "6e-6))) (vxyz 2 -1 1) (degrees->radians 3e-5)))",
-    /* a triangle so low that doubles turn it over, and 12 digits no more */
+    /* a triangle so low that rounding to doubles reverses it, but not rounding to 12 digits */
     "(unite (make-prism (xyz 1 -2 -3) 1 15 (xyz 1 -2 0)) (do-rotate (make-prism (xyz 1 -2 -3) 1 15 (xyz 1 -2 0)) (vxyz "
     "2 2 1) (degrees->radians -2e-7)) (make-pyramid (xyz -1 -1 -3) 2 8 (xyz -1 -1 1) 2))",
-    /* a wedge whose two planes are one as soon as their corners are doubles */
+    /* a wedge whose two planes coincide once their corners are doubles */
     "(subtract (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) 'z "
     "(degrees->radians -7e-6))) (do-rotate (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 "
     "-1 -4) (xyz 3 3 -2)) 'z (degrees->radians -7e-6))) 'y (degrees->radians 3e-7)))",
-    /* the same, where the two triangles are neighbours and nothing else touches */
+    /* the same, with two neighbouring triangles, and no other contact */
     "(unite (subtract (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 2)) (do-rotate (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 "
     "2)) (vxyz 0 1 1) (degrees->radians 5e-7)) (make-box (xyz 2 -1 -4) (xyz 5 2 -1))) (do-rotate (make-box (xyz 0 -1 "
     "-1) (xyz 3 0 3)) 'z (degrees->radians 4e-6)))",
-    /* a shell whose corners are one place as soon as they are doubles */
+    /* a shell whose corners coincide once they are doubles */
     "(unite (make-sphere (xyz -2 1 -1) 2) (do-rotate (subtract (make-sphere (xyz 1 0 -4) 2) (do-rotate (make-box (xyz "
     "1 -1 -4) (xyz 3 2 0)) 'x (degrees->radians 9e-7))) 'y (degrees->radians -1e-5)))",
   };

@@ -1,14 +1,14 @@
-/* Owns the property that an object is the same by whatever path it is looked at. The samples of every kind and of every
- * constructor (tests/oracle/paths.h), placed in every way and on both sides of every set:
+/* Owns the property that an object is the same for every way to inspect it. The programs place the samples of every
+ * kind and of every constructor (tests/oracle/paths.h) in every way and on both sides of every set:
  *
- *   - (volume o) and the volume of the mesh that is written, of the mesh that is written without passes, and what
- *     (contains? o p) and (bounding-box o) say, agree;
- *   - the answers and the bytes are the same whether o is measured before it is drawn or after, and in an interpreter
- *     that keeps nothing for later.
+ *   - (volume o), the volume of the written mesh, the volume of the mesh written without passes, (contains? o p) and
+ *     (bounding-box o) agree;
+ *   - the answers and the bytes are the same whether o is measured before or after it is drawn, and in an interpreter
+ *     without a cache.
  *
- * Where all faces are planar, volumes are equal to 1e-9. Else they are as near as the chord height makes them: the
- * written mesh, and the one that is measured, lie within it of what they stand for. 500 programs; with LONG=1 ten
- * thousand, or those of SEEDS=FROM-TO. SHOW=1 prints each, TELL=1 the counts. */
+ * If all faces are planar, volumes are equal to 1e-9. Otherwise the chord height bounds their difference: the written
+ * mesh and the measured one lie within it of the exact surface. 500 programs; with LONG=1 ten thousand, or those of
+ * SEEDS=FROM-TO. SHOW=1 prints each, TELL=1 the counts. */
 #include "tests/unit/trials.h"
 
 #include "tests/oracle/paths.c"
@@ -17,16 +17,16 @@ enum { PLACES = 12 };
 static const char samples_file[] = "tests/cross/shapes.vs";
 
 typedef struct {
-  bool solid, drawn;            /* it is a solid; its mesh was written */
-  double volume;                /* NAN: it has none */
-  double low[3], high[3], size; /* of its bounds; the size is their diagonal */
-  char told[TEXT];              /* all of its answers, as text */
-  char error[600];              /* why nothing was written */
+  bool solid, drawn;            /* o is a solid; its mesh was written */
+  double volume;                /* NAN: no volume */
+  double low[3], high[3], size; /* corners of the bounds; size is their diagonal */
+  char told[TEXT];              /* all answers, as text */
+  char error[600];              /* the reason why nothing was written */
   written mesh;
 } looks;
 
 typedef struct {
-  trial kept, bare; /* keeps what it makes for later; keeps nothing */
+  trial kept, bare; /* with a cache; without a cache */
   char why[900];
   size_t made, late, refused, flat, compared, nothing, points, inside;
 } paths;
@@ -37,8 +37,9 @@ static const char asking[] =
     "(lambda (p) (for-each (lambda (c) (write (c p)) (display \" \")) (list cx cy cz))) box) (display \"no box \")) "
     "(write (list (solid? o) (asked area) (asked centroid))))";
 
-/* Evaluates it and asks and writes, in one of the two orders. What is asked first is asked when nothing else holds the
- * object's parts: the interpreter has collected what it made them by. False: the program is refused. */
+/* Evaluates the text, and asks and writes in one of the two orders. Before the first question the interpreter has
+ * collected the values from which the program made the object, so nothing else refers to its parts. Returns false if
+ * the program is refused. */
 static bool look(trial *t, const char *text, bool asks_first, unsigned passes, looks *out) {
   vs_output_options o = vs_output_options_default();
   bool more;
@@ -80,11 +81,11 @@ static bool same_mesh(const written_mesh *a, const written_mesh *b) {
          memcmp(a->triangles, b->triangles, a->count * sizeof *a->triangles) == 0;
 }
 
-/* ---- how near ---- */
+/* ---- tolerances ---- */
 
 typedef struct { const char *name; bool flat; } flatness;
 static const flatness flat_kinds[] = {
-/* a level of faces, of placements and sets, and of wrappers: what is round is of another */
+/* the levels of faces, of placements and sets, and of wrappers; round kinds have another level */
 #define VS_KIND(upper, lower, name, class, level, role, traits) { name, VS_LEVEL_IS_##level },
 #define VS_LEVEL_IS_SUGAR true
 #define VS_LEVEL_IS_OPERATION true
@@ -106,8 +107,8 @@ static bool gather(void *context, const void *bytes, size_t count) {
   return true;
 }
 
-/* Are all faces planar? By the kinds in the tree that is drawn; an extrusion is where it goes straight and its profile
- * is. */
+/* Returns true if all faces are planar, by the kinds in the drawn tree; an extrusion has planar faces if it is straight
+ * and its profile is polygonal. */
 static bool is_flat(trial *t) {
   static char tree[TEXT];
   tree[0] = 0;
@@ -126,13 +127,14 @@ static bool is_flat(trial *t) {
   return true;
 }
 
-/* The chord height of a drawing of that size: the power of two nearest a 4000th of it. */
+/* Returns the chord height of a drawing of that size: the power of two nearest to a 4000th of it. */
 static double chord(double size) {
   return size > 0 && isfinite(size) ? ldexp(1, (int)nearbyint(log2(size / 4000))) : 0;
 }
 
-/* By so much facets are off that are not as fine as the drawing's: those whose number a turn the text gives, and those
- * of what is bent in a hexahedron, which are made for the 200th part of its diagonal (solids/deformed.c). */
+/* Returns the chord height of facets that are coarser than the drawing's: those with a number for a full turn in the
+ * text, and those of bent objects in a hexahedron, which are made for the 200th part of its diagonal
+ * (solids/deformed.c). */
 static double coarser_chord(const char *text, double size) {
   static const char *const counts[] = { "#:segments ", "#:nu ", "#:nv " };
   static const char *const bent[] = { "make-ffd-scope", "to-frustum", "rules/hexahedron" };
@@ -147,20 +149,21 @@ static double coarser_chord(const char *text, double size) {
   return most;
 }
 
-/* How far answers may be from each other: by how much a place of the surface may be off, and the volume. */
+/* Tolerances for the answers: the distance by which a point of the surface may be off, and the difference of
+ * volumes. */
 typedef struct { double step, chord, volume; } allowance;
 
-/* The grid has 2^32 steps for all that the program combines, and a step is 1, 2 or 5 times a power of ten: half of one
- * is moved by. A chord's height is that of the drawing, twice where a surface bends both ways, for the mesh that is
- * written and for the one that is measured. */
+/* Returns the tolerances. The grid has 2^32 steps for all that the program combines; a step is 1, 2 or 5 times a power
+ * of ten, and a point moves by at most half a step. The chord height is that of the drawing, twice it for surfaces that
+ * bend in both directions, once for the written mesh and once for the measured one. */
 static allowance allow(const char *text, double size, double result, double area, bool flat) {
   allowance s = { .step = 5 * size / 0x1p32, .chord = flat ? 0 : fmax(chord(result), coarser_chord(text, size)) };
   s.volume = (s.step + 4 * s.chord) * area;
   return s;
 }
 
-/* The same by the size and the area of all that the program combines, its sets become unions: asked where the result's
- * own do not tell. */
+/* Returns the tolerances by the size and the area of all that the program combines, with its sets as unions. Called
+ * when the tolerances of the result alone are exceeded. */
 static allowance allow_wider(paths *p, const char *text, const looks *a, bool flat) {
   static char all[MODEL_ROOM];
   size_t n = 0;
@@ -178,7 +181,7 @@ static allowance allow_wider(paths *p, const char *text, const looks *a, bool fl
   return allow(text, fmax(size, a->size), fmax(size, a->size), fmax(area, a->mesh.area), flat);
 }
 
-/* ---- what must hold ---- */
+/* ---- checks ---- */
 
 static bool wrong(paths *p, const char *format, ...) {
   va_list rest;
@@ -212,9 +215,9 @@ static double volume_beyond(const written_mesh *m, int k, double level, int sign
   return sum;
 }
 
-/* The bounds contain the mesh; bounds of a round shape are those of fine facets. Rounding may leave a fin where
- * faces that lie in one plane were turned: its volume is below the area times 1e-12 of the size, so the solid ends
- * before it. */
+/* Returns true if the bounds do not contain the mesh. The bounds of a round shape are those of fine facets. Rounding
+ * may leave a fin where faces that lie in one plane were turned: its volume is below the area times 1e-12 of the size,
+ * so the solid ends before it. */
 static bool bad_bounds(paths *p, const looks *a, double slack) {
   for (int k = 0; k < 3; k++)
     for (int side = 0; side < 2; side++) {
@@ -258,7 +261,7 @@ static bool bad_places(paths *p, const looks *a, double slack) {
   return false;
 }
 
-/* The same answers and the same mesh. */
+/* Returns true if the answers or the meshes differ. */
 static bool differ(paths *p, const looks *a, const looks *b, const char *how) {
   if (strcmp(a->told, b->told) != 0) return wrong(p, "answers differ %s: %.300s and %.300s", how, a->told, b->told);
   if (a->drawn != b->drawn)
@@ -268,9 +271,9 @@ static bool differ(paths *p, const looks *a, const looks *b, const char *how) {
 
 static bool off_by(double a, double b, double slack) { return !(fabs(a - b) <= slack); }
 
-/* Is an answer further from the mesh than that? */
+/* Returns true if an answer differs from the mesh by more than the tolerances. */
 static bool bad_answers(paths *p, const looks *a, allowance s, bool flat) {
-  /* a plane that cuts what is round at a low angle moves by more than the chord does */
+  /* a plane that cuts a round part at a low angle moves the edge by more than the chord */
   if (bad_bounds(p, a, s.step + (flat ? 0 : a->size / 4096 + 4 * s.chord))) return true;
   if (a->solid && off_by(a->volume, a->mesh.volume, s.volume))
     return wrong(p, "(volume o) is %.12g, the mesh encloses %.12g, and %.3g is allowed%s", a->volume, a->mesh.volume,
@@ -314,7 +317,7 @@ static bool disagrees(paths *p, const char *text) {
                s.volume);
 }
 
-/* Something that did not end in time on a busy machine says nothing. */
+/* A program that did not end in time on a busy machine does not count. */
 static bool fails(void *context, const char *text) {
   paths *p = context;
   bool bad = disagrees(p, text), late = bad && strstr(p->why, "stopped after");
@@ -335,7 +338,7 @@ static void paths_agree(void **state) {
   assert_true(path_samples_read(samples_file));
   begin(&p.kept, 0);
   begin(&p.bare, SIZE_MAX);
-  p.kept.file = p.bare.file = samples_file; /* whose folder is that of the files that samples read */
+  p.kept.file = p.bare.file = samples_file; /* the samples' files are relative to the folder of this file */
   for (unsigned long long seed = from; seed <= to; seed++) {
     size_t sample, way, set, compared = p.compared;
     path_make(seed, text, &sample, &way, &set);

@@ -28,8 +28,8 @@ static void test_random_trees(void **unused) {
   assert_true(results > 7 * (to - from + 1) && (said == 0 || said * FEW <= results));
 }
 
-/* Their results have triangles far apart along one shell that rounding makes cross; the last, triangles that touch since
- * one of them was mended, which is told. */
+/* The results of these seeds have triangles far apart along one shell that rounding makes intersect. The result of the
+ * last has triangles that touch since one of them was repaired, with a report. */
 static void test_far_apart(void **unused) {
   (void)unused;
   static const uint64_t seeds[] = { 5374, 5871, 200547, 300336, 300545, 405310, 501912, 722672 };

@@ -1,13 +1,15 @@
-/* Owns the test that a sweep is the union of where its profile has been, however it bends, twists and overlaps itself.
+/* Owns the test that a sweep is the union of all positions of its profile, for all bends, twists and overlaps with
+ * itself.
  *
- * Random profiles are carried along random paths, with random twists, scales and base points; most of them overlap. The
- * reference is the formula of one station (geometry/measure/inside.c), which knows no mesh: a point that lies between
- * two sections is inside. The solid's mesh has to agree at random points, but for those within some tolerances of its
- * surface; its volume is the one that is measured; it is closed, and rounded to the numbers of .off and .stl no two of
- * its triangles meet. A sweep that does not overlap is never refused, and of those that do at most one in twenty is, by
- * an error that names the bend.
+ * Random profiles move along random paths, with random twists, scales and base points; most of them overlap. The
+ * reference is the formula of one station (geometry/measure/inside.c), which uses no mesh: a point that lies between
+ * two sections is inside. The solid's mesh must agree at random points, except within some tolerances of its surface.
+ * Its volume must equal the measured one. It is closed, and after rounding to the numbers of .off and .stl no two of
+ * its triangles intersect. A sweep that does not overlap is never refused; of the overlapping ones at most one in
+ * twenty is, by an error that names the bend.
  *
- * A sample of some 60 small ones, with LONG=1 two thousand of any size, or those of SEEDS=FROM-TO; TELL=1 says what was found. */
+ * A sample of some 60 small ones, with LONG=1 two thousand of any size, or those of SEEDS=FROM-TO; TELL=1 prints the
+ * results. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -45,7 +47,7 @@ static int any(dice *d, int n) { return (int)(throw(d) % (uint64_t)n); }
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
 
-/* ---- what is swept ---- */
+/* ---- profiles and paths ---- */
 
 static vs_node *through(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t n, bool closed) {
   vs_points *p = vs_points_new(s, at, n);
@@ -96,7 +98,7 @@ static vs_node *path(vs_store *s, dice *d) {
   if (which == 0) return NODE(circle, CIRCLE, { 0, 0, 0 }, between(d, .2, 2), 0);
   if (which == 1) return NODE(arc, ARC, { 0, 0, 0 }, between(d, .2, 2), 0, between(d, 1, 6), 0);
   for (int i = 0; i < n; i++) {
-    bool good = false; /* no two neighbours in nearly one place */
+    bool good = false; /* no two neighbours nearly coincide */
     while (!good) {
       at[i] = vs_v3(between(d, -2, 2), between(d, -2, 2), flat ? 0 : between(d, -2, 2));
       good = (!i || vs_v3_length(vs_v3_sub(at[i], at[i - 1])) > .3) && (i + 1 < n || vs_v3_length(vs_v3_sub(at[i], at[0])) > .3);
@@ -118,7 +120,7 @@ static vs_node *sweep(vs_store *s, uint64_t seed) {
   return n;
 }
 
-/* ---- how far a point is from the surface ---- */
+/* ---- distance of a point from the surface ---- */
 
 static double from_segment(vs_vec3 p, vs_vec3 a, vs_vec3 b) {
   vs_vec3 d = vs_v3_sub(b, a);
@@ -145,10 +147,10 @@ static double from_surface(const vs_mesh *m, vs_vec3 p) {
 
 /* ---- the trial ---- */
 
-/* most: sweeps of more triangles are passed over; 0: none is */
+/* most: sweeps with more triangles are skipped; 0: none is */
 typedef struct { size_t most, sweeps, overlapping, points, inside, met, refused, wrong; double furthest; } tally;
 
-/* Rounded to these numbers, do triangles meet? */
+/* Returns the number of triangles that intersect after rounding to these numbers. */
 static size_t met(const vs_mesh *m, vs_numbers numbers) {
   vs_mesh copy = { 0 };
   vs_rounded r = { 0 };
@@ -164,7 +166,7 @@ static double now(void) {
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-/* With TELL=1, before anything else: a sweep that takes too long is named as well. */
+/* With TELL=1, prints the sweep before the test, so that the output also names a sweep that takes too long. */
 static void describe(const vs_node *n, uint64_t seed) {
   const struct vs_sweep *w = VS_AS(sweep, n);
   const vs_node *curve = n->children[1].node;
@@ -185,7 +187,7 @@ static size_t triangles(const vs_node *n, const vs_fineness *f) {
   return count;
 }
 
-/* Says what is wrong with the sweep of this seed; "" where nothing is. */
+/* Tests the sweep of this seed; why: the fault, "" for none. */
 static void look(vs_store *s, uint64_t seed, tally *t, char why[600]) {
   double begun = now();
   vs_error e = { 0 };
@@ -251,7 +253,7 @@ static void sweeps_are_where_the_profile_was(void **state) {
   for (uint64_t seed = from; seed <= to; seed++) {
     char why[600];
     vs_store *s = vs_store_new(NULL, NULL);
-    vs_cache *cache = vs_cache_new(s, (size_t)1 << 28); /* the mesh is asked for again, to be measured */
+    vs_cache *cache = vs_cache_new(s, (size_t)1 << 28); /* the mesh is requested again, for measuring */
     assert_non_null(cache);
     look(s, seed, &t, why);
     if (why[0]) t.wrong++, fprintf(stderr, "sweep %llu: %s\n", (unsigned long long)seed, why);
@@ -263,7 +265,7 @@ static void sweeps_are_where_the_profile_was(void **state) {
             t.furthest, t.wrong, t.refused, t.met);
   assert_int_equal(t.wrong, 0);
   assert_true(t.refused * 20 <= t.overlapping || to - from < 20);
-  if (to - from > 20) assert_true(t.overlapping * 3 > t.sweeps && t.inside * 40 > t.points); /* it has looked at something */
+  if (to - from > 20) assert_true(t.overlapping * 3 > t.sweeps && t.inside * 40 > t.points); /* the run has tested enough */
 }
 
 int main(void) {
