@@ -1,5 +1,6 @@
-/* Owns the tests of the library's C procedures: each row is an expression of nested calls and what it prints, or its error. A few lines
-   of evaluator stand in for the compiler, so that these tests need nothing but reader, natives and printer. */
+/* Owns the tests of the library's C procedures: each row is an expression of nested calls, and the text that it prints,
+ * or its error. A few lines of evaluator replace the compiler, so that these tests need only reader, natives and
+ * printer. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -306,12 +307,13 @@ static uint64_t next(uint64_t *s) {
   return *s;
 }
 
-/* Doubles of random bits read back as themselves, and no text with a digit less does. */
+/* Random doubles are read back unchanged, and no text with a digit less is. */
 static void round_trips(vs_scheme *vm) {
   uint64_t s = 88172645463325252u;
   for (int i = 0; i < 20000; i++) {
     uint64_t bits = next(&s);
-    if (i % 4 == 0) bits &= ~((UINT64_C(1) << 52) - 1);            /* powers of two: the uneven neighbourhood */
+    if (i % 4 == 0) bits &= ~((UINT64_C(1) << 52) - 1);            /* powers of two: their neighbours are at different
+                                                                    * distances */
     double d, back;
     memcpy(&d, &bits, 8);
     if (d != d || d - d != 0) continue;
@@ -353,7 +355,7 @@ static void division(vs_scheme *vm) {
   }
 }
 
-/* Entries under addresses that move, removal in between, growth: a table against a plain array. */
+/* Tests a table against a plain array: keys by address that move, removals in between, growth. */
 static void tables(vs_scheme *vm) {
   enum { KEYS = 500 };
   bool in[KEYS] = {false};
@@ -366,7 +368,7 @@ static void tables(vs_scheme *vm) {
   }
   for (int i = 0; i < 20000; i++) {
     size_t k = (size_t)(next(&s) % KEYS);
-    if (i % 7 == 0) {                              /* a fresh key: young again */
+    if (i % 7 == 0) {                              /* a new key, in the young generation again */
       if (in[k]) assert_true(vs_table_remove(vm, r[0], vs_as_vector(r[1])->at[k]));
       in[k] = false;
       assert_true(vs_cons(vm, vs_fix((int64_t)k), VS_NIL, &r[2]));
@@ -397,7 +399,7 @@ static void print_of(vs_scheme *vm, vs_value v, vs_print_mode mode, const char *
 static void cycles(vs_scheme *vm) {
   VS_ROOTS(vm, r, 4);
   bool same;
-  /* two circles of different length with the same unfolding */
+  /* two circular lists of different length with the same unfolding */
   for (int k = 0; k < 2; k++) {
     assert_true(vs_cons(vm, vs_fix(1), VS_NIL, &r[k]));
     r[2] = r[k];
@@ -407,15 +409,15 @@ static void cycles(vs_scheme *vm) {
   print_of(vm, r[0], VS_PRINT_WRITE, "#0=(1 1 . #0#)");
   print_of(vm, r[0], VS_PRINT_DISPLAY, "#0=(1 1 . #0#)");
   assert_true(vs_equal(vm, r[0], r[1], &same) && same);
-  /* shared, no cycle: labels in write-shared only */
+  /* shared, not circular: only write-shared prints labels */
   assert_true(vs_cons(vm, vs_fix(7), VS_NIL, &r[2]) && vs_cons(vm, r[2], VS_NIL, &r[3]) && vs_cons(vm, r[2], r[3], &r[3]));
   print_of(vm, r[3], VS_PRINT_WRITE, "((7) (7))");
   print_of(vm, r[3], VS_PRINT_SHARED, "(#0=(7) #0#)");
-  /* a vector that holds itself */
+  /* a vector that contains itself */
   assert_true(vs_make_vector(vm, 2, vs_fix(3), &r[2]));
   vs_gc_store(vm, vs_as_vector(r[2]), &vs_as_vector(r[2])->at[1], r[2]);
   print_of(vm, r[2], VS_PRINT_WRITE, "#0=#(3 #0#)");
-  /* sharing that doubles 60 times is a tree of 2^60 */
+  /* shared structure that doubles 60 times is a tree of 2^60 */
   r[2] = r[3] = VS_NIL;
   for (int i = 0; i < 60; i++) assert_true(vs_cons(vm, r[3], r[3], &r[3]) && vs_cons(vm, r[2], r[2], &r[2]));
   assert_true(vs_equal(vm, r[2], r[3], &same) && same);
@@ -437,7 +439,8 @@ static void depth(vs_scheme *vm) {
   }
 }
 
-/* Every row with its n-th allocation refused, for every n that it makes: an error each time, or the usual result; then all works again. */
+/* Evaluates each row with its n-th allocation refused, for every n: the result is an error or the usual one. Afterwards
+ * all rows work again. */
 static void starve(vs_scheme *vm, const row *rows) {
   for (const row *p = rows; p->expression; p++) {
     VS_ROOTS(vm, r, 1);

@@ -1,5 +1,6 @@
-/* Owns the test that limits and interrupts reach into everything long: builtins, reading, expanding, compiling. For each: it is stopped soon after it
- * is asked to, by the right name and with a place, and the interpreter goes on. */
+/* Owns the test that limits and interrupts end every long operation: builtins, reading, expanding, compiling. Each
+ * ends soon after the request, with an error that names the right limit and has a place; the interpreter works
+ * afterwards. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,14 +16,14 @@
 #include "visualscheme.h"
 #include "vm/values/debug.h"
 
-/* the program's own time, so that a busy machine does no harm */
+/* processor time of the program, so that a busy machine does not matter */
 static double now(void) {
   struct timespec t;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-typedef struct { double ask_at, asked; char said[300]; unsigned line; } watch; /* ask_at: when to interrupt, 0 never; asked: when that was seen first */
+typedef struct { double ask_at, asked; char said[300]; unsigned line; } watch; /* ask_at: the time of the interrupt, 0: none; asked: the time at which it was first seen */
 
 static bool poll_watch(void *context) {
   watch *w = context;
@@ -54,7 +55,8 @@ static void goes_on(vs_scheme *s, watch *w, const char *after) {
   if (eval(s, w, "(define after (+ 1 2))") != VS_OUTCOME_DONE) fail_msg("after %s: %s", after, w->said);
 }
 
-/* Work that is done again and again until it is stopped, on what was made before. The sizes make one turn take some tens of milliseconds or more. */
+/* Work that repeats until it is interrupted, on prepared data. The sizes make one repetition take some tens of
+ * milliseconds or more. */
 static const struct { const char *made, *done; } busy[] = {
   { "(define x (expt 3 100000))", "(expt x 20)" },
   { "(define x (expt 7/3 50000))", "(expt x 10)" },
@@ -118,7 +120,7 @@ static const struct { const char *made, *done; } busy[] = {
 };
 enum { BUSY = sizeof busy / sizeof *busy };
 
-/* Seconds from the request to the end of one run that goes on until it is interrupted. */
+/* Returns the seconds from the request to the end of a run that continues until it is interrupted. */
 static double time_to_end(vs_scheme *s, watch *w, const char *made, const char *done) {
   char text[400];
   if (eval(s, w, made) != VS_OUTCOME_DONE) fail_msg("%s: %s", made, w->said);
@@ -133,8 +135,9 @@ static double time_to_end(vs_scheme *s, watch *w, const char *made, const char *
   return took;
 }
 
-/* Interrupted, each ends within 50 ms by the design; here within half a second, as sanitizers and a garbage collection in the middle take their
- * time. A virtual machine counts some of the time that it was not given as the process's own: the best of eight runs is what the code takes. */
+/* By design each ends within 50 ms of an interrupt; the test allows half a second, because sanitizers and a garbage
+ * collection in between take time. A virtual machine counts some of the time that it did not receive as the process's
+ * time: the best of eight runs is the time of the code. */
 static void test_interrupts(void **state) {
   (void)state;
   watch w;
@@ -152,7 +155,7 @@ static void test_interrupts(void **state) {
   vs_free(s);
 }
 
-/* The same under a limit of time, which is the machine's: where it is met may be said of the making too. */
+/* The same under a limit of time, which the machine fails: the limit may also be reached while the data is prepared. */
 static void test_time(void **state) {
   (void)state;
   watch w;
@@ -205,12 +208,12 @@ static void test_memory(void **state) {
   vs_scheme *s = open_with(&w, (vs_options){ .limit_memory = 24u << 20 });
   for (size_t i = 0; i < sizeof hungry / sizeof *hungry; i++) {
     vs_outcome outcome = eval(s, &w, hungry[i]);
-    bool digits = outcome == VS_OUTCOME_MODEL && strstr(w.said, "million digits"); /* a number may be too large before that */
+    bool digits = outcome == VS_OUTCOME_MODEL && strstr(w.said, "million digits"); /* a number may reach the limit of digits first */
     if ((outcome != VS_OUTCOME_MACHINE || !strstr(w.said, "memory")) && !digits) fail_msg("%s: ended with %d: %s", hungry[i], (int)outcome, w.said);
     if (w.line != 1) fail_msg("%s: no place: %s", hungry[i], w.said);
     goes_on(s, &w, hungry[i]);
   }
-  /* Calls without end meet their own limit, half of the memory's, and the message names the procedure. */
+  /* Endless recursion reaches its own limit, half of the memory limit, and the message names the procedure. */
   assert_int_equal(eval(s, &w, "(define (f) (+ 1 (f))) (f)"), VS_OUTCOME_MODEL);
   assert_non_null(strstr(w.said, "f calls itself without end here"));
   goes_on(s, &w, "(f)");

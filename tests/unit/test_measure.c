@@ -1,4 +1,4 @@
-/* Owns the tests of bounds, of "is it inside?" and of measures: each against the others and against closed forms. */
+/* Owns the tests of bounds, of contains? and of measures: each against the others and against closed forms. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,7 +31,8 @@ static double drawn(uint64_t *seed) { /* xorshift: the same points in every run 
   return (double)(*seed >> 11) / 9007199254740992.0;
 }
 
-/* The share of 60,000 points of the bounds that are inside is the volume, within four standard deviations. */
+/* Checks that the share of 60,000 points of the bounds that are inside gives the volume, within four standard
+ * deviations. */
 static double sampled_volume(const vs_node *n, double *deviation) {
   enum { POINTS = 60000 };
   vs_error e = { 0 };

@@ -1,4 +1,5 @@
-/* Owns the tests of the command's large blocks: contents survive growing, shrinking, and crossing from the C library's blocks to mapped ones and back. */
+/* Owns the tests of the command's large blocks: contents survive growing, shrinking, and moving from the C library's
+ * blocks to mapped ones and back. */
 #include "cli/large_blocks.c"
 
 #include <setjmp.h>
@@ -9,7 +10,7 @@
 enum { BLOCKS = 12, TURNS = 3000 };
 typedef struct { unsigned char *at; size_t size; unsigned char mark; } block;
 
-/* Marked at its ends, and here and there in between. */
+/* Returns the distance between marked bytes: the test marks a block at both ends and at some places in between. */
 static size_t step_of(size_t size) { return size / 61 + 1; }
 static void mark(block *b) {
   for (size_t i = 0; i < b->size; i += step_of(b->size)) b->at[i] = b->mark;
@@ -48,7 +49,7 @@ static void test_refused(void **state) {
   p[HUGE_PAGE - 1] = 5;
   assert_null(cli_memory(NULL, p, HUGE_PAGE, (size_t)1 << 62));
   assert_null(cli_memory(NULL, p, HUGE_PAGE, SIZE_MAX));
-  assert_int_equal(p[HUGE_PAGE - 1], 5); /* a refusal leaves what is there */
+  assert_int_equal(p[HUGE_PAGE - 1], 5); /* after a refusal the contents are unchanged */
   assert_null(cli_memory(NULL, p, HUGE_PAGE, 0));
 }
 

@@ -1,5 +1,5 @@
-/* Owns the tests of reading mesh files and of mending what they hold: one cube in every format, thousands of damaged copies of each, and broken solids.
- * An argument multiplies the damaged copies. */
+/* Owns the tests of reading mesh files and of repairing their meshes: one cube in every format, thousands of damaged
+ * copies of each, and broken solids. An argument multiplies the number of damaged copies. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -33,14 +33,15 @@ static void put(sample *s, const void *bytes, size_t size) {
 static void say(sample *s, const char *text) { put(s, text, strlen(text)); }
 static void put_float(sample *s, double x) {
   float f = (float)x;
-  put(s, &f, sizeof f); /* the tests run where the least byte is first */
+  put(s, &f, sizeof f); /* the tests run on little-endian machines */
 }
 
 static const unsigned char quads[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
 
 enum { SAMPLES = 9, WORD_STRIPS = 7, BYTE_STRIPS };
 
-/* The cube as three strips of two sides each: a corner named twice turns the strip, and -1 begins another. */
+/* Writes the cube as three strips of two sides each: a repeated corner reverses the strip's orientation, and -1 begins
+ * another strip. */
 static void put_strips(sample *s, bool bytes) {
   int32_t corners[32];
   size_t count = 0;
@@ -111,7 +112,7 @@ static sample make(int which) {
   return s;
 }
 
-/* A list's triangles are a closed chain. */
+/* Returns the volume of a list of triangles, which must be a closed chain. */
 static double chain_volume(const vs_face_list *l) {
   vs_mesh m = { 0 };
   for (size_t i = 0; i < l->point_count; i++) assert_true(vs_mesh_add_vertex(&m, l->points[i], NULL));
@@ -156,13 +157,13 @@ static void damaged_files(void **state) {
           case 3: memmove(s.bytes + at, s.bytes + at + 1, s.size - at - 1), s.size -= s.size > 1; break;
           case 4: s.bytes[at] = (unsigned char)"0123456789-. \nef"[drawn(&seed) % 16]; break;
           case 5: if (at + 4 < s.size) memset(s.bytes + at, drawn(&seed) % 2 ? 0xff : 0x7f, 4); break;
-          default: { /* a piece again, somewhere else */
+          default: { /* a piece of the file is repeated at another place */
             size_t from = (size_t)(drawn(&seed) % s.size), size = (size_t)(drawn(&seed) % 40);
             if (from + size < s.size && at + size < s.size) memmove(s.bytes + at, s.bytes + from, size);
           }
         }
       }
-      unsigned char *exact = malloc(s.size); /* so that reading past the end is seen */
+      unsigned char *exact = malloc(s.size); /* of exact size, so that a sanitizer finds reads past the end */
       memcpy(exact, s.bytes, s.size);
       vs_face_list l = { 0 };
       vs_error e = { 0 };
@@ -193,7 +194,8 @@ static vs_face_list list_of(const vs_mesh *m) {
   return l;
 }
 
-/* Balls with faces left out, turned, doubled, and with their points torn apart: mended, their volume is nearly what it was. */
+/* Balls with missing, reversed and duplicated faces, and with split vertices: after the repair, their volume is nearly
+ * that of the ball. */
 static void broken_solids(void **state) {
   (void)state;
   uint64_t seed = 5;
@@ -214,7 +216,7 @@ static void broken_solids(void **state) {
     size_t dropped = 0;
     bool first = true;
     for (size_t f = 0; f < whole.face_count; f++) {
-      uint64_t fate = first || f == ball.triangle_count ? 99 : drawn(&seed) % 60; /* the first face of a shell says which way it looks */
+      uint64_t fate = first || f == ball.triangle_count ? 99 : drawn(&seed) % 60; /* the first face of a shell decides its orientation */
       first = false;
       if (fate == 0 && dropped < 20) {
         dropped++;

@@ -1,4 +1,5 @@
-/* Owns the tests of model/'s nodes: hashes, equality, deep trees, wide DAGs, materials, and every allocation failing in turn. */
+/* Owns the tests of model/'s nodes: hashes, equality, deep trees, wide DAGs, materials, and a failure of each
+ * allocation. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -101,7 +102,7 @@ static void two_hundred_thousand_deep(void **state) {
   vs_store_release(s);
 }
 
-/* 2^60 paths through 60 nodes: comparing two that were built apart must go by node */
+/* 2^60 paths through 60 nodes: the comparison of two separately built ones must go by node */
 static void wide_dags_compare_by_node(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -162,8 +163,8 @@ static void long_messages_are_cut_at_a_character(void **state) {
   assert_int_equal(strlen(e.message), 511);
 }
 
-/* Directions of pictures: a face is turned from the plane of its direction by at most 11.25 degrees each way, the axes
- * of the plane are square to each other, and seen from outside the one goes right where the other goes up. */
+/* Directions of pictures: a face deviates from the plane of its direction by at most 11.25 degrees in each direction.
+ * The axes of the plane are perpendicular; seen from outside, the first points right when the second points up. */
 static void pictures_lie_by_directions(void **state) {
   (void)state;
   uint32_t seed = 7;
@@ -184,11 +185,11 @@ static void pictures_lie_by_directions(void **state) {
   assert_true(fabs(place[0] - 0.5) < 1e-12 && fabs(place[1] - 0.25) < 1e-12);
   vs_picture_place(2, 1, 0, vs_picture_direction(0, 1, 0), (double[]){ 1, 7, 0.25 }, place); /* and to the north */
   assert_true(fabs(place[0] + 0.5) < 1e-12 && fabs(place[1] - 0.25) < 1e-12);
-  vs_picture_place(2, 1, 90, vs_picture_direction(0, 0, 1), (double[]){ 1, 3, 7 }, place); /* a floor, turned */
+  vs_picture_place(2, 1, 90, vs_picture_direction(0, 0, 1), (double[]){ 1, 3, 7 }, place); /* a floor, rotated */
   assert_true(fabs(place[0] - 1.5) < 1e-12 && fabs(place[1] + 1) < 1e-12);
 }
 
-/* ---- each allocation of a small task fails in turn; nothing may be lost ---- */
+/* ---- each allocation of a small task fails in turn; no memory is lost ---- */
 
 typedef struct { size_t held; } ledger;
 

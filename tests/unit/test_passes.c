@@ -1,4 +1,4 @@
-/* Owns the tests of the passes: drawings made at random stay the same solids, and each pass does what it is for. */
+/* Owns the tests of the passes: random drawings stay the same solids, and each pass has its intended effect. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -67,7 +67,7 @@ static void sets_become_flat(void **state) {
 
 static bool never(void *asked) { return ++*(size_t *)asked, false; }
 
-/* Numbering a large drawing asks whether to go on, and leaves nothing behind where it may not. */
+/* Numbering a large drawing polls, and frees all memory after an interrupt. */
 static void numbering_is_interrupted(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -124,14 +124,14 @@ static void placements_fold(void **state) {
   assert_int_equal(r.node->kind, VS_CYLINDER);
   assert_true(VS_AS(cylinder, r.node)->radius == 1);
   vs_node_release(r.node);
-  r = (vs_ref){ moved(s, tilt, NODE(cylinder, CYLINDER, { 0, 0, 0 }, { 0, 0, 2 }, 1, 6)), NULL }; /* six facets that the modeller chose */
+  r = (vs_ref){ moved(s, tilt, NODE(cylinder, CYLINDER, { 0, 0, 0 }, { 0, 0, 2 }, 1, 6)), NULL }; /* six facets that the user chose */
   run(s, &r, 1 << VS_PASS_FOLD);
   assert_int_equal(r.node->kind, VS_TRANSFORM);
   vs_node_release(r.node);
   vs_store_release(s);
 }
 
-/* The maps that a kind is closed under, and others: r is released. */
+/* Checks the kind to which the map folds: for maps under which a kind is closed, and for others. Releases r. */
 static void folds_to(vs_store *s, vs_affine a, vs_node *n, vs_kind kind) {
   vs_ref r = { moved(s, a, n), NULL };
   vs_bounds before, after;
@@ -168,7 +168,7 @@ static void kinds_fold_under_what_they_are_closed_under(void **state) {
   folds_to(s, vs_affine_translation(vs_v3(1, 0, 0)), NODE(superellipsoid, SUPERELLIPSOID, 0.5, 0.5, 2, 0), VS_TRANSFORM);
   folds_to(s, larger, NODE(pyramid, PYRAMID, { 1, 2, 3 }, 2, 5, { 1, 4, 5 }, 1), VS_PYRAMID);
   folds_to(s, turn, NODE(arc, ARC, { 1, 2, 3 }, 2, 0.5, 2, 0), VS_ARC);
-  folds_to(s, turn, NODE(circle, CIRCLE, { 1, 2, 3 }, 2, 0), VS_TRANSFORM); /* it begins elsewhere: what is swept along it is seen to */
+  folds_to(s, turn, NODE(circle, CIRCLE, { 1, 2, 3 }, 2, 0), VS_TRANSFORM); /* it would begin at another point, which changes a sweep along it */
   vs_points *points = vs_points_new(s, heights, 4);
   folds_to(s, mirror, NODE(line, LINE, points, false), VS_LINE);
   folds_to(s, tilt, NODE(spline, SPLINE, points, false, { 0, 0, 0 }, { 0, 0, 0 }, 0), VS_SPLINE);
@@ -207,13 +207,13 @@ static void placements_go_through_what_takes_them_in(void **state) {
   assert_int_equal(r.node->kind, VS_DIFFERENCE);
   assert_true(stats.commands_after == 3 && VS_AS(torus, r.node->children[1].node)->center.z == 4);
   vs_node_release(r.node);
-  /* a box does not take a turn in: nothing would be saved */
+  /* a box does not absorb a rotation: this would save nothing */
   vs_affine turn = vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), 0.3);
   r = (vs_ref){ moved(s, turn, two(s, VS_UNION, NODE(sphere, SPHERE, { 0, 0, 0 }, 2, 0), NODE(box, BOX, { 0, 0, 0 }, { 1, 1, 1 }))), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
   assert_int_equal(r.node->kind, VS_TRANSFORM);
   vs_node_release(r.node);
-  /* a sum moved between sums is one with them */
+  /* a moved union between unions becomes one union with them */
   r = (vs_ref){ two(s, VS_UNION, NODE(sphere, SPHERE, { 9, 0, 0 }, 2, 0), shifted(s, 1, 0, 0, two(s, VS_UNION, NODE(sphere, SPHERE, { 0, 0, 0 }, 2, 0), NODE(sphere, SPHERE, { 4, 0, 0 }, 1, 0)))), NULL };
   stats = run(s, &r, ALL);
   assert_true(r.node->child_count == 3 && stats.commands_before == 6 && stats.commands_after == 5);
@@ -228,19 +228,20 @@ static void paint_rises(void **state) {
   for (int i = 0; i < 6; i++) kids[i] = painted(s, "red", layered(s, i < 4 ? "roof" : "wall", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0)));
   vs_ref r = { over(s, VS_UNION, NULL, kids, 6), NULL };
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_FOLD);
-  assert_int_equal(r.node->kind, VS_MATERIAL); /* all six */
+  assert_int_equal(r.node->kind, VS_MATERIAL); /* one material for all six */
   assert_true(stats.commands_before == 23 && stats.commands_after == 14);
   vs_node_release(r.node);
   for (int i = 0; i < 6; i++) kids[i] = painted(s, i == 2 ? "green" : "red", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0));
   r = (vs_ref){ over(s, VS_UNION, NULL, kids, 6), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
-  assert_true(r.node->kind == VS_UNION && r.node->child_count == 3); /* red, green, red: which comes first is seen where they overlap */
+  assert_true(r.node->kind == VS_UNION && r.node->child_count == 3); /* red, green, red: their order shows where they
+                                                                      * overlap */
   assert_int_equal(r.node->children[0].node->children[0].node->child_count, 2);
   assert_int_equal(r.node->children[2].node->children[0].node->child_count, 3);
   vs_node_release(r.node);
   r = (vs_ref){ two(s, VS_UNION, painted(s, "glass", NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0)), painted(s, "glass", NODE(sphere, SPHERE, { 1, 0, 0 }, 1, 0))), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
-  assert_int_equal(r.node->kind, VS_UNION); /* panes that touch stay two */
+  assert_int_equal(r.node->kind, VS_UNION); /* panes that touch stay separate */
   vs_node_release(r.node);
   r = (vs_ref){ painted(s, "red", painted(s, "green", NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0))), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
@@ -283,15 +284,17 @@ static void copies_become_a_template(void **state) {
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
   assert_int_equal(stats.changed[VS_PASS_SHARE], 48);
   assert_true(stats.commands_before == 49 * 5 + 48);
-  assert_true(stats.commands_after == 5 + 1 + 49 + 48 + 48); /* one column, its template, its uses, their places, the union */
+  assert_true(stats.commands_after == 5 + 1 + 49 + 48 + 48); /* one column, its template, its uses, their placements,
+                                                              * the union */
   assert_true(vs_node_bounds(r.node, &after, NULL));
   assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
   vs_node_release(r.node);
   vs_store_release(s);
 }
 
-/* A tree written again at other places has other last bits, and some of its numbers fall on either side of any step. */
-/* A strip of 40 points whose last is off by some, with two holes. */
+/* A tree that is written again at other places has other last bits, and some of its numbers fall on either side of any
+ * rounding step. */
+/* Returns a strip of 40 points, whose last is displaced by `off`, with two holes. */
 static vs_node *strip(vs_store *s, double x, double off) {
   enum { POINTS = 40 };
   vs_vec3 at[POINTS];
@@ -332,7 +335,7 @@ static void copies_survive_rounding_and_flattening(void **state) {
       rods[i] = NODE(cylinder, CYLINDER, { x, sin(a), 11 + a }, { x + 18.47 * cos(a), 3 * sin(7 * a), 25.5 + sin(3 * a) }, 0.12, 12);
     }
     trees[t] = over(s, VS_UNION, NULL, rods, 150);
-    if (t == 7) trees[t] = shifted(s, 0, 0, 0.1, over(s, VS_UNION, NULL, &trees[t], 1)); /* what is only moved is the same shape */
+    if (t == 7) trees[t] = shifted(s, 0, 0, 0.1, over(s, VS_UNION, NULL, &trees[t], 1)); /* a shape that is only moved is the same shape */
   }
   vs_ref r = { over(s, VS_UNION, NULL, trees, 12), NULL };
   vs_bounds before, after;
@@ -351,7 +354,8 @@ static void copies_survive_rounding_and_flattening(void **state) {
   vs_store_release(s);
 }
 
-/* A brace at an angle about Z through x, as a program writes it that computes its places; mirrored in the plane of X and Z on demand. */
+/* Returns a brace at an angle about Z through x, with the numbers that a program would compute; optionally mirrored in
+ * the plane of X and Z. */
 static vs_node *brace(vs_store *s, double x, double angle, bool mirrored, double radius) {
   vs_affine turn = vs_affine_rotation(vs_v3(x, 1, 0), vs_v3(0, 0, 1), angle), flip = vs_affine_mirror(vs_v3(0, 0, 0), vs_v3(0, 1, 0));
   if (mirrored) turn = vs_affine_multiply(&turn, &flip);
@@ -371,14 +375,14 @@ static void turned_copies_become_a_template(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_node *all[14];
   for (int i = 0; i < 12; i++) all[i] = brace(s, 3, 6.283185307179586 / 12 * i, i % 3 == 2, 0.3);
-  all[12] = brace(s, 3, 1, false, 0.3001); /* these are others: a radius, a mirrored part */
+  all[12] = brace(s, 3, 1, false, 0.3001); /* these are different: another radius, a mirrored part */
   all[13] = two(s, VS_UNION, brace(s, 3, 2, false, 0.3), NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0));
   vs_ref r = { over(s, VS_UNION, NULL, all, 14), NULL };
   vs_bounds before, after;
   assert_true(vs_node_bounds(r.node, &before, NULL));
   vs_inside *was = vs_inside_new(r.node, NULL);
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
-  assert_int_equal(stats.changed[VS_PASS_SHARE], 12); /* the eleven, and the one in the last */
+  assert_int_equal(stats.changed[VS_PASS_SHARE], 12); /* the eleven, and the one within the last */
   const vs_node *first = r.node->children[0].node;
   for (int i = 1; i < 12; i++) {
     const vs_node *n = r.node->children[i].node;
@@ -389,7 +393,7 @@ static void turned_copies_become_a_template(void **state) {
   const vs_affine *quarter = &VS_AS(transform, r.node->children[3].node)->matrix;
   assert_true(quarter->m[0][0] == 0 && quarter->m[0][1] == -1 && quarter->m[1][0] == 1 && quarter->m[2][2] == 1); /* exact */
   assert_int_equal(r.node->children[12].node->kind, VS_UNION);
-  assert_true(vs_node_bounds(r.node, &after, NULL)); /* a turned set has the bounds of its parts, not those of a turned box */
+  assert_true(vs_node_bounds(r.node, &after, NULL)); /* a turned set has the bounds of its parts, not of a turned box */
   assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
   vs_inside *is = vs_inside_new(r.node, NULL);
   uint64_t seed = 11;
@@ -430,7 +434,7 @@ static void turned_copies_become_a_template(void **state) {
   vs_store_release(s);
 }
 
-/* Large sets as trees of boxes, for POV-Ray: the same solid, and none looks through many parts. */
+/* Large sets become trees of boxes, for POV-Ray: the same solid, and no set has many members. */
 static void large_sets_become_trees_of_boxes(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -448,7 +452,7 @@ static void large_sets_become_trees_of_boxes(void **state) {
   assert_true(vs_sets_group(s, &r, 1, &o, NULL));
   const vs_node *cut = r.node->children[0].node;
   assert_int_equal(cut->kind, VS_DIFFERENCE);
-  assert_int_equal(cut->child_count, 3); /* what is cut, the painted one, all others */
+  assert_int_equal(cut->child_count, 3); /* the minuend, the painted cutter, all other cutters */
   assert_int_equal(cut->children[1].node->kind, VS_MATERIAL);
   vs_ref level[64] = { cut->children[2] };
   size_t open = 1, leaves = 0;
@@ -547,7 +551,7 @@ static void random_solids_stay_what_they_are(void **state) {
     run(s, &r, round % 2 ? ALL : 1u << (round / 2 % VS_PASS_COUNT));
     vs_inside *after = vs_inside_new(r.node, NULL);
     assert_true(before && after);
-    for (int i = 0; i < 400; i++) { /* off the corners that the solids share, or rounding decides */
+    for (int i = 0; i < 400; i++) { /* not at the common corners of the solids, where rounding decides */
       vs_vec3 p = { real(&seed) * 1.3 + 0.0137, real(&seed) * 1.3 + 0.0171, real(&seed) * 1.3 + 0.0113 };
       bool was = vs_inside_test(before, p);
       inside += was;
@@ -576,7 +580,8 @@ static void deep_trees_and_short_memory(void **state) {
   r.node = random_tree(s, &seed);
   vs_node *was = r.node;
   bool done = false;
-  for (size_t n = 1; !done; n++) { /* every allocation fails in turn: the drawing is then as it was, and nothing is lost */
+  for (size_t n = 1; !done; n++) { /* every allocation fails in turn: then the drawing is unchanged, and no memory is
+                                    * lost */
     vs_pass_options o = { ALL, NULL, NULL };
     vs_error e = { 0 };
     size_t held = vs_store_bytes(s);

@@ -1,5 +1,5 @@
-/* Owns the tests of geometry/pictures and of EXR files: tone curves beside the published values, exposure by the
- * histogram, measures of difference beside closed forms, noise and edges, files that are cut short or changed. */
+/* Owns the tests of geometry/pictures and of EXR files: tone curves against the published values, exposure by the
+ * histogram, measures of difference against closed forms, noise and edges, files that are cut short or changed. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,7 +19,7 @@
 #include "geometry/pictures/picture_difference.h"
 #include "geometry/pictures/tone.h"
 
-/* The screen's numbers of one colour, at a fixed exposure. */
+/* Computes the screen's values of a single colour, at a fixed exposure. */
 static void screen(vs_tone_curve curve, double stops, float r, float g, float b, unsigned char rgb[3]) {
   vs_light light = { &r, &g, &b, 1, 1 };
   vs_tone tone = { .curve = curve, .fixed = true, .stops = stops };
@@ -43,7 +43,7 @@ static void test_linear(void **state) {
   assert_int_equal(grey(VS_TONE_LINEAR, 0, -7), 0);
 }
 
-/* Every number of the screen is the nearest one to the standard's formula, dark ones in its straight part too. */
+/* Every screen value is the nearest one to the standard's formula, also for dark values in its linear part. */
 static void test_screen(void **state) {
   (void)state;
   for (int i = 0; i <= 200000; i++) {
@@ -55,8 +55,8 @@ static void test_screen(void **state) {
   }
 }
 
-/* Khronos: what is below .76 stays but for .04, the reflection of dielectrics; a peak of 1.72 behind it is drawn in to
- * 1 - .24^2 / (1.72 + .24 - .76) = .952. */
+/* Khronos: a value below .76 changes only by .04, the reflection of dielectrics; a peak of 1.72 above that is
+ * compressed to 1 - .24^2 / (1.72 + .24 - .76) = .952. */
 static void test_neutral(void **state) {
   (void)state;
   unsigned char rgb[3];
@@ -79,7 +79,7 @@ static void test_filmic(void **state) {
   assert_int_equal(grey(VS_TONE_FILMIC, 0, 0), 0);
 }
 
-/* AgX has ten stops below middle grey and 6.5 above: what is outside is black and white. */
+/* AgX covers ten stops below middle grey and 6.5 above: values outside are black and white. */
 static void test_agx(void **state) {
   (void)state;
   int last = -1;
@@ -93,7 +93,7 @@ static void test_agx(void **state) {
   assert_in_range(grey(VS_TONE_AGX, 0, 0.18f), 90, 120);
 }
 
-/* A gain of light is found by the exposure, whatever the curve: the picture is the same. */
+/* The exposure compensates a gain of light, for every curve: the picture is the same. */
 static void test_exposure(void **state) {
   (void)state;
   enum { COUNT = 1000 };
@@ -109,7 +109,7 @@ static void test_exposure(void **state) {
   }
 }
 
-/* Nothing, black, numbers that are none. */
+/* Light without pixels, NaN and infinities. */
 static void test_odd_light(void **state) {
   (void)state;
   float at[3] = { NAN, INFINITY, -INFINITY };
@@ -129,13 +129,13 @@ static void test_odd_light(void **state) {
 
 enum { WIDE = 40, HIGH = 37, PIXELS = WIDE * HIGH };
 
-/* Numbers that come again on every machine: 0 to 1. */
+/* Returns random numbers from 0 to 1, the same on every machine. */
 static double chance(uint32_t *seed) {
   *seed = *seed * 1664525u + 1013904223u;
   return (*seed >> 8) / 16777216.0;
 }
 
-/* Two fields of paint, grey 0.2 and 0.8, with noise on their light; layers without it. */
+/* Makes two fields of paint, grey 0.2 and 0.8, with noise in their light; the layers are without noise. */
 static void make_picture(vs_store *store, vs_exr *x, double noise) {
   static const char *const names[] = { "R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z" };
   vs_error e = { VS_ERROR_NONE, NULL, "" };
@@ -176,7 +176,7 @@ static void test_exr_round_trip(void **state) {
   for (size_t i = 0; i < PIXELS; i++)
     assert_true(fabsf(vs_exr_find(&y, "R")[i] - vs_exr_find(&x, "R")[i]) <= vs_exr_find(&x, "R")[i] / 1024);
   vs_exr_free(&y);
-  /* every way to cut it short, and numbers changed at random, end with a picture or with a message */
+  /* a file that is shortened at any length, or randomly changed, gives a picture or a message */
   unsigned char *copy = malloc(size);
   for (size_t n = 0; n < size; n += n < 1000 ? 1 : 37) {
     e = (vs_error){ VS_ERROR_NONE, NULL, "" };
@@ -200,7 +200,7 @@ static void test_exr_round_trip(void **state) {
   vs_store_release(store);
 }
 
-/* All 65,536 half floats come back as what IEEE 754 says they are. */
+/* All 65,536 half floats have the values of IEEE 754. */
 static void test_halves(void **state) {
   (void)state;
   enum { SIDE = 256 };
@@ -228,7 +228,7 @@ static void test_halves(void **state) {
   vs_store_release(store);
 }
 
-/* What is written as PNG is read as the same pixels: noise, and one row of one pixel. */
+/* Pixels written as PNG are read back unchanged: noise, and a picture of a single pixel. */
 static void test_png(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -263,7 +263,7 @@ static double spread(const float *at, uint32_t from, uint32_t to) {
   return sqrt(fmax(squares / n - sum / n * (sum / n), 0)) / (sum / n);
 }
 
-/* Noise falls to a quarter and less, the edge of the paint stays where it is. */
+/* Noise falls to a quarter or less, and the edge of the paint stays in place. */
 static void test_denoise(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -286,7 +286,7 @@ static void test_denoise(void **state) {
   vs_store_release(store);
 }
 
-/* A constant difference of .1 is 20 dB; equal pictures are equal; noise lowers the similarity. */
+/* A constant difference of .1 is 20 dB; equal pictures are reported as equal; noise lowers the similarity. */
 static void test_gap(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -309,7 +309,7 @@ static void test_gap(void **state) {
   vs_store_release(store);
 }
 
-/* The scale's ends, steps, and numbers outside of it. */
+/* The ends of the scale, its steps, and numbers outside. */
 static void test_false_color(void **state) {
   (void)state;
   float at[1000];
@@ -337,7 +337,7 @@ static void test_false_color(void **state) {
 
 /* ---- rays ---- */
 
-/* A ray along a box's side, in the plane of that side, meets the box; one beside it does not. */
+/* A ray in the plane of a box's side meets the box if it runs along that side; a ray beside it does not. */
 static void test_ray_box(void **state) {
   (void)state;
   vs_bounds b = { vs_v3(0, 0, 0), vs_v3(1, 2, 3) };
@@ -352,7 +352,7 @@ static void test_ray_box(void **state) {
   }
 }
 
-/* The tree finds what a look at every triangle finds, of a heap of triangles of all sizes; of many in one place, too. */
+/* The tree finds the hits that a test of every triangle finds, for triangles of all sizes and for many in one place. */
 static void test_ray_tree(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -395,9 +395,9 @@ static void test_ray_tree(void **state) {
   vs_store_release(store);
 }
 
-/* Beside a wall at the distance d that reaches farther than `far`, the directions that meet it within `far` are those
- * whose part towards it is more than c = d / far: seen from above a segment of the unit disc, of the area acos c - c
- * sqrt(1 - c c). Beside a wall of the height h without `far`: half of 1 - d / sqrt(d d + h h). */
+/* Beside a wall at the distance d that extends beyond `far`, a direction meets it within `far` if its component towards
+ * the wall is more than c = d / far: seen from above, a segment of the unit disc with the area acos c - c sqrt(1 - c
+ * c). Beside a wall of the height h without `far`: half of 1 - d / sqrt(d d + h h). */
 static void test_openness(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -414,11 +414,11 @@ static void test_openness(void **state) {
   assert_true(vs_ray_tree_make(&t, store, &m, &e) && vs_ray_tree_make(&none, store, &empty, &e));
   const struct { vs_surrounding round; vs_vec3 from, normal; double open; } cases[] = {
     { { &none, -INFINITY, 1 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },
-    { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(1, 0, 0), 0.5 },        /* a wall on a ground without end */
+    { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(1, 0, 0), 0.5 },        /* a wall on an infinite ground */
     { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(0, 0, -1), 0 },         /* its underside */
     { { &t, -INFINITY, 2 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 - (acos(0.5) - 0.5 * sqrt(0.75)) / acos(-1) },
     { { &t, -INFINITY, 1e9 }, vs_v3(-1, 0, 0), vs_v3(0, 0, 1), 1 - 0.5 * (1 - 2 / sqrt(8)) },
-    { { &t, -INFINITY, 0.9 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },     /* too far away to count */
+    { { &t, -INFINITY, 0.9 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },     /* too far away to matter */
   };
   for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
     double sum = 0;

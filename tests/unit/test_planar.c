@@ -1,4 +1,5 @@
-/* Owns the tests of areas in a plane: sets, offsets, open lines, chains, sheets of holes cut into triangles; and of what is read off meshes: sections, shadows, edges. */
+/* Owns the tests of areas in a plane: sets, offsets, open lines, chains, triangulated sheets with holes; and of shapes
+ * derived from meshes: sections, shadows, edges. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -25,7 +26,7 @@ static vs_area rectangle(double x0, double y0, double x1, double y1) {
   return a;
 }
 
-static double content(const vs_area *a) { /* signed: holes run the other way */
+static double content(const vs_area *a) { /* signed area: holes have the opposite orientation */
   double sum = 0;
   for (size_t l = 0, first = 0; l < a->loop_count; first += a->size[l++])
     for (size_t i = 0; i < a->size[l]; i++) {
@@ -40,7 +41,7 @@ static void sets_of_areas(void **state) {
   vs_area in[2] = { rectangle(0, 0, 4, 4), rectangle(1, 1, 3, 3) }, out = { 0 };
   vs_error e = { 0 };
   assert_true(vs_area_combine(VS_AREA_DIFFERENCE, in, 2, "test", &out, &e));
-  assert_int_equal(out.loop_count, 2); /* the loop and its hole, and no corner more than they need */
+  assert_int_equal(out.loop_count, 2); /* the loop and its hole, with no unnecessary corner */
   assert_int_equal(out.count, 8);
   assert_true(!out.hole[0] && out.hole[1] && content(&out) == 12);
   assert_true(vs_area_holds(&out, 0.5, 0.5) && vs_area_holds(&out, 1, 2) && !vs_area_holds(&out, 2, 2) && !vs_area_holds(&out, 5, 2));
@@ -73,14 +74,14 @@ static void offsets(void **state) {
   vs_open_line open = { bent, 3, { { 1, 0 }, { 0, 1 } } };
   vs_polyline line = { 0 };
   assert_true(vs_line_offset(&open, &(vs_offset_rule){ 1, VS_OFFSET_MITRE, &fine, 0 }, &line, NULL));
-  assert_int_equal(line.count, 3); /* left: inside the bend, in the line's own direction */
+  assert_int_equal(line.count, 3); /* left: inside the bend, in the direction of the line */
   assert_true(line.at[0].x == 0 && line.at[0].y == 1 && line.at[1].x == 3 && line.at[1].y == 1 && line.at[2].y == 4);
   vs_polyline_free(&line);
 }
 
 static void chains_wind(void **state) {
   (void)state;
-  const vs_vec2 edges[][2] = { /* two squares, one over the other's corner, each closed in itself */
+  const vs_vec2 edges[][2] = { /* two squares, one over the other's corner, each closed separately */
     { { 0, 0 }, { 2, 0 } }, { { 2, 0 }, { 2, 2 } }, { { 2, 2 }, { 0, 2 } }, { { 0, 2 }, { 0, 0 } },
     { { 1, 1 }, { 3, 1 } }, { { 3, 1 }, { 3, 3 } }, { { 3, 3 }, { 1, 3 } }, { { 1, 3 }, { 1, 1 } },
   };
@@ -96,7 +97,7 @@ static void read_off_meshes(void **state) {
   vs_outline o;
   vs_vec3 c;
   assert_true(vs_solid_box(&box, vs_v3(0, 0, 0), vs_v3(4, 4, 4)));
-  const double heights[] = { 0, 1, 4 }; /* faces that lie in the plane count */
+  const double heights[] = { 0, 1, 4 }; /* faces in the plane count */
   for (int i = 0; i < 3; i++) {
     assert_true(vs_mesh_section(&box, vs_v3(0, 0, heights[i]), vs_v3(0, 0, 1), &o, NULL));
     assert_true(o.count == 1 && fabs(vs_outline_measure(&o, &c) - 16) < 1e-12 && fabs(c.x - 2) < 1e-12);
@@ -113,7 +114,9 @@ static void read_off_meshes(void **state) {
   vs_mesh_free(&box);
 }
 
-/* A sheet of 22,500 holes, which takes a second: walking round the ring for each would take half a minute, and trying corners where holes touch minutes. Rows that stand level and staggered, diamonds and squares, some that touch in a corner. */
+/* A sheet of 22,500 holes, which takes a second: walking around the ring for each hole would take half a minute, and
+ * testing corners where holes touch would take minutes. Rows that are level and staggered, diamonds and squares, some
+ * of which touch in a corner. */
 static void sheets_of_holes(void **state) {
   (void)state;
   enum { ROWS = 150, HOLES = ROWS * ROWS, CORNERS = 4 + 4 * HOLES };
@@ -157,13 +160,13 @@ static double chance(uint64_t *state) { /* [0, 1) */
 
 static vs_vec2 polar(double radius, double angle) { return (vs_vec2){ radius * cos(angle), radius * sin(angle) }; }
 
-static double turns_of(const vs_vec2 *at, size_t n) { /* twice the area */
+static double turns_of(const vs_vec2 *at, size_t n) { /* returns twice the area */
   double sum = 0;
   for (size_t i = 0; i < n; i++) sum += at[i].x * at[(i + 1) % n].y - at[i].y * at[(i + 1) % n].x;
   return sum;
 }
 
-/* Stars with wedges that touch their corners, and wedges further in that touch those: no triangle lies on another. */
+/* Stars with wedges that touch their corners, and wedges further in that touch those: no triangle overlaps another. */
 static void holes_touch_corners(void **state) {
   (void)state;
   enum { MOST = 8, CORNERS = 7 * MOST };
@@ -185,7 +188,7 @@ static void holes_touch_corners(void **state) {
       memcpy(wedge[1], inner, sizeof inner);
       for (size_t k = 0; k < 2 && chance(&random) < 0.7; k++) {
         size_t turned = (size_t)(chance(&random) * 3);
-        for (size_t j = 0; j < 3; j++) at[n + j] = wedge[k][(turned + 3 - j) % 3]; /* clockwise, whichever first */
+        for (size_t j = 0; j < 3; j++) at[n + j] = wedge[k][(turned + 3 - j) % 3]; /* clockwise, with any corner first */
         if (turns_of(at + n, 3) > 0) {
           vs_vec2 swap = at[n];
           at[n] = at[n + 1], at[n + 1] = swap;
@@ -212,8 +215,8 @@ static void holes_touch_corners(void **state) {
   }
 }
 
-/* Sheets at any angle whose holes stand in rows, so that many corners lie on one line, and rounding bends that line: a
- * bridge along it has corners beside it by less than a rounding. */
+/* Sheets at any angle with holes in rows, so that many corners lie on one line, which rounding bends: a bridge along it
+ * passes corners at a distance below a rounding error. */
 static void holes_in_rows(void **state) {
   (void)state;
   enum { ROWS = 9, MOST = ROWS * ROWS * 9 + 4 };

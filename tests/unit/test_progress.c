@@ -1,4 +1,5 @@
-/* Owns the tests of what a host is told while a mesh is made: how far it is, never less than before; and that an interrupt from within ends it, without a file. */
+/* Owns the tests of the progress that a host receives while a mesh is made: the fraction never decreases, and an
+ * interrupt from the callback ends the making without a file. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,8 +14,8 @@
 
 typedef struct {
   vs_scheme *s;
-  int told, steps;    /* calls while meshing; of them, those that were further than before */
-  double done, until; /* the last fraction; at which one to interrupt */
+  int told, steps;    /* calls while meshing; of these, the calls that reported more than the one before */
+  double done, until; /* the last fraction; the fraction at which to interrupt */
   char said[200], wrong[200];
 } watch;
 
@@ -31,7 +32,8 @@ static void tell(void *context, const vs_diagnostic *d) {
   if (d->severity == VS_SEVERITY_ERROR) snprintf(((watch *)context)->said, sizeof ((watch *)context)->said, "%s", d->message);
 }
 
-/* The host is told ten times a second: these take a second or more, since all of their triangles meet others. Triangles are made of all at once, a .glb thing by thing. */
+/* The host receives progress ten times a second: these models take a second or more, since all of their triangles meet
+ * others. Other formats mesh all parts at once, a .glb meshes part by part. */
 static const char single[] =
   "(draw (subtract (make-box (xyz -12 -12 -12) (xyz 12 12 12))"
   "                (unite (map (lambda (i) (do-rotate (make-sphere (xyz 0 0 0) 10 #:segments 90) (xyz 0 0 0) (vxyz 1 2 3) (* i 0.06))) (iota 4)))))";

@@ -1,6 +1,8 @@
-/* Owns the test that every request for memory may be refused, in some forty programs: every kind of object, every form of the language, every format.
- * Each request in turn (the later ones sampled), once and for good: objects of the heap, what the interpreter asks of its host, and what geometry and
- * the libraries under it (GEOS, FreeType, libzip) ask of the C library. Each time: a clean end or the very same bytes, an interpreter that goes on, and everything given back. */
+/* Owns the test that every request for memory may be refused, in some forty programs: every kind of object, every form
+ * of the language, every format. Each request in turn (of the later ones a sample) is refused, once and for good:
+ * objects of the heap, requests of the interpreter to its host, and requests of geometry and the libraries below it
+ * (GEOS, FreeType, libzip) to the C library. The run ends cleanly or writes the very same bytes, the interpreter works
+ * afterwards, and all memory is freed. */
 #define _DEFAULT_SOURCE /* mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -20,9 +22,9 @@
 #include "tests/unit/allocator.h"
 #include "vm/values/gc.h"
 
-/* which request is refused next: left counts down to it; good: all after it too */
+/* left counts down to the refused request; good: all later requests are refused too */
 typedef struct { long left; bool on, good, refused; } refusal;
-static refusal host, library; /* of the host's callback; of the C library's allocator */
+static refusal host, library; /* requests to the host's callback; to the C library's allocator */
 
 static bool refuse(refusal *r) {
   if (!r->on) return false;
@@ -33,7 +35,7 @@ static bool refuse(refusal *r) {
 
 #if REPLACED
 extern void *volatile refused_for;
-void *volatile refused_for; /* who asked, for a debugger: info symbol refused_for */
+void *volatile refused_for; /* the caller that was refused, for a debugger: info symbol refused_for */
 #define REFUSE (refuse(&library) && (refused_for = __builtin_return_address(0), true))
 void *malloc(size_t n) { return REFUSE ? NULL : __libc_malloc(n); }
 void *calloc(size_t n, size_t size) { return REFUSE ? NULL : __libc_calloc(n, size); }
@@ -53,7 +55,7 @@ static void *take(void *context, void *old, size_t old_size, size_t new_size) {
     return NULL;
   }
   if (new_size > old_size && refuse(&host)) return NULL;
-  void *p = __libc_realloc(old, new_size); /* not the replaced one: this is the host's own */
+  void *p = __libc_realloc(old, new_size); /* not the replaced one, since the request is counted as the host's */
   assert_non_null(p);
   if (!old) b->blocks++;
   b->live += new_size - old_size;
@@ -133,7 +135,7 @@ enum { HEAP, HOST_ONCE, HOST_GOOD, LIBRARY_ONCE, LIBRARY_GOOD, WAYS };
 
 static const char *const way_names[] = { "an object of the heap", "a request of the host once", "the host for good", "a request of the C library once", "the C library for good" };
 
-/* *sum: of what is written, which a refusal must not change. */
+/* *sum: a checksum of the output, which a refusal must not change. */
 static vs_outcome perform(vs_scheme *s, const program *p, uint64_t *sum) {
   *sum = UINT64_C(0xCBF29CE484222325);
   vs_drawing_clear(s);
@@ -144,7 +146,7 @@ static vs_outcome perform(vs_scheme *s, const program *p, uint64_t *sum) {
   return outcome == VS_OUTCOME_DONE ? vs_write_drawing_to(s, p->format, NULL, sum_bytes, sum) : outcome;
 }
 
-/* how a program ends without a refusal */
+/* the ending of a program without a refusal */
 typedef struct { vs_outcome outcome; uint64_t sum; char said[200]; } ending;
 
 static void refuse_in(vs_scheme *s, account *b, size_t which, int way, const ending *w) {
@@ -152,7 +154,7 @@ static void refuse_in(vs_scheme *s, account *b, size_t which, int way, const end
   uint64_t wanted_sum = w->sum;
   uint64_t sum;
   const program *p = &programs[which];
-  long most = which % 4 == 0 ? 40 : 12; /* each of the first ones, then fewer and fewer */
+  long most = which % 4 == 0 ? 40 : 12; /* each of the first requests, then fewer and fewer */
   for (long n = 0;; n += n < most ? 1 : 1 + n / 5) {
     b->said[0] = 0;
     int before = b->told;
@@ -186,7 +188,7 @@ static void test_programs(void **state) {
     vs_scheme *s = vs_new(&o);
     assert_non_null(s);
     ending plain = { 0 };
-    vs_outcome wanted = plain.outcome = perform(s, &programs[i], &plain.sum); /* libraries that are loaded at their first use are there from now on */
+    vs_outcome wanted = plain.outcome = perform(s, &programs[i], &plain.sum); /* libraries that are loaded on first use are loaded from here on */
     if (wanted == VS_OUTCOME_MACHINE || wanted == VS_OUTCOME_USAGE) fail_msg("%s: %s", programs[i].text, b.said);
     if (wanted == VS_OUTCOME_MODEL && programs[i].format) fail_msg("%s: %s", programs[i].text, b.said);
     snprintf(plain.said, sizeof plain.said, "%s", b.said);
@@ -198,7 +200,7 @@ static void test_programs(void **state) {
   }
 }
 
-/* opening, asking whether a text is whole, completing, parameters */
+/* opening, checking whether a text is complete, completing, parameters */
 static void test_around(void **state) {
   (void)state;
   for (int good = 0; good < 2; good++)
@@ -239,7 +241,7 @@ static bool keep(const char *name, const unsigned char *bytes, size_t size) {
   return (!f || fclose(f) == 0) && ok;
 }
 
-/* Pictures for the height fields, in a folder that becomes the current one: several chunks of packed numbers. */
+/* Makes pictures for the height fields, in a folder that becomes the current one: several chunks of packed numbers. */
 static int make_pictures(void **state) {
   static char folder[] = "/tmp/refusals-XXXXXX";
   (void)state;

@@ -1,6 +1,5 @@
-/* Owns the tests of what a host holds of a scene: rays against closed forms,
-    random sequences of calls with handles good and
- * bad, and memory that is refused while a program in GML runs, nodes are made and meshes handed over. */
+/* Owns the tests of a host's use of a scene: rays against closed forms; random sequences of calls with good and bad
+ * handles; and refused memory while a program in GML runs, while nodes are made and while meshes are handed over. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,7 +30,7 @@ static bool take_first(void *context, vs_scheme *s, const vs_hit *hit) {
   return false;
 }
 
-/* A ball in a node that is moved, turned and scaled; where a ray meets it is a root of a square. */
+/* A ball in a node that is moved, rotated and scaled; a ray meets it at a root of a quadratic. */
 static void test_rays(void **unused) {
   (void)unused;
   vs_scheme *s = vs_new(NULL);
@@ -55,7 +54,7 @@ static void test_rays(void **unused) {
     for (int k = 0; k < 3; k++) away += pow(from[k] + along * way[k] - centre[k], 2);
     double outside = 0;
     for (int k = 0; k < 3; k++) outside += pow(from[k] - centre[k], 2);
-    /* within, or too near the rim to tell */
+    /* inside, or too near the rim to decide */
     if (sqrt(outside) < radius * 1.01 || fabs(sqrt(away) - radius) < 0.05) continue;
     vs_hit hit = { .distance = -1 };
     assert_int_equal(vs_pick(s, from, way, take_first, &hit), VS_OUTCOME_DONE);
@@ -68,8 +67,8 @@ static void test_rays(void **unused) {
   vs_free(s);
 }
 
-/* Random calls with handles that are good, released, none, or another interpreter's: nothing crashes, each call ends in
- * an outcome, and the interpreter works afterwards. */
+/* Random calls with handles that are good, released, 0, or another interpreter's: nothing crashes, each call returns an
+ * outcome, and the interpreter works afterwards. */
 enum { HELD = 24 };
 static bool called(void *context, vs_scheme *s, const vs_handle *a, size_t n, vs_handle *result) {
   (void)context;
@@ -172,7 +171,7 @@ static void *take(void *context, void *old, size_t old_size, size_t new_size) {
 
 static uint64_t no_material(void *context, const char *name) { return (void)context, (uint64_t)strlen(name); }
 
-/* true: it went through */
+/* returns true if it succeeded */
 static bool session(budget *b) {
   vs_options o = vs_options_default();
   o.alloc = take, o.alloc_context = b;
@@ -195,8 +194,8 @@ static bool session(budget *b) {
   return ok;
 }
 
-/* The first allocations are those of any session (test_embedding.c): of the rest each is refused,
-    up to some hundred. */
+/* Every session makes the first allocations, which test_embedding.c tests. This test refuses the later ones, a sample
+ * of some hundred. */
 static void test_refused_memory(void **unused) {
   (void)unused;
   budget whole = { .left = 1000000 };
@@ -204,13 +203,12 @@ static void test_refused_memory(void **unused) {
   long count = 1000000 - whole.left, step = count / 150 + 1;
   for (long n = 0; n < count; n += step) {
     budget b = { .left = n };
-    session(&b); /* a cache does without: then it goes through all the same */
+    session(&b); /* it may succeed all the same: a cache works without memory */
     assert_int_equal(b.blocks, 0);
   }
 }
 
-/* All arrays of a mesh, normals too, are memory of the host's allocator, which limits count, and go with the next
- * call. */
+/* The host's allocator holds all arrays of a mesh, normals too, so limits count them; the next call frees them. */
 static void test_counted_meshes(void **unused) {
   (void)unused;
   budget b = { .left = -1 };

@@ -1,5 +1,5 @@
-/* Owns the tests of the physical sky: luminance and colour beside the paper's formulas as another program worked them
- * out (numpy, in double precision), daylight beside the clear skies of the Illuminating Engineering Society. */
+/* Owns the tests of the physical sky: luminance and colour against the paper's formulas, evaluated by another program
+ * (numpy, in double precision), and daylight against the clear skies of the Illuminating Engineering Society. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -45,9 +45,10 @@ static void test_formulas(void **state) {
   }
 }
 
-/* The Society's clear day (Lighting Handbook, 8th edition): 127.5 klx exp(-0.21 / sin a) square to the sun, which a
- * turbidity of 2 meets; and from the sky on a level surface 0.8 + 15.5 sqrt(sin a) klx, of which the model is known to
- * have more (G. Zotti, A. Wilkie and W. Purgathofer, A Critical Review of the Preetham Skylight Model, WSCG 2007). */
+/* The Society's clear day (Lighting Handbook, 8th edition) has 127.5 klx exp(-0.21 / sin a) perpendicular to the sun,
+ * which a turbidity of 2 matches. From the sky on a horizontal surface it has 0.8 + 15.5 sqrt(sin a) klx, which the
+ * model is known to exceed (G. Zotti, A. Wilkie and W. Purgathofer, A Critical Review of the Preetham Skylight Model,
+ * WSCG 2007). */
 static void test_daylight(void **state) {
   (void)state;
   for (double altitude = 15; altitude <= 75; altitude += 10) {
@@ -70,7 +71,7 @@ static void test_colours(void **state) {
   assert_true(luminance(vs_sky_light_sun(8, 45)) < 0.6 * luminance(vs_sky_light_sun(2, 45)));
 }
 
-/* Below the horizon, at the limits and straight up and down all stays finite, and night has no sun. */
+/* Below the horizon, at the limits, and straight up and down all values are finite, and the night has no sun. */
 static void test_limits(void **state) {
   (void)state;
   assert_true(luminance(vs_sky_light_sun(3, 0)) == 0 && luminance(vs_sky_light_sun(3, -20)) == 0);

@@ -1,4 +1,5 @@
-/* Owns the tests of reading and expanding from C: what is wrong with a text, where, and in which words; whether a text is whole. */
+/* Owns the tests of reading and expanding from C: the errors of a text, with place and wording; and whether a text is
+ * complete. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -38,7 +39,7 @@ static int load_prelude(void **state) {
 }
 static int drop_prelude(void **state) { (void)state; free(prelude); return 0; }
 
-/* "line:col message" of the error that a program ends with, then "; line:col message" of the others found with it */
+/* "line:col message" of the error with which a program ends, then "; line:col message" of the further errors found */
 static void run(vs_scheme *vm, const char *program, char *out, size_t room) {
   vs_value last;
   out[0] = 0;
@@ -152,7 +153,8 @@ static void test_places(void **state) {
   vs_close_vm(vm);
 }
 
-/* every allocation of reading and expanding refused in turn: an error, nothing lost, and the interpreter goes on */
+/* every allocation of reading and expanding is refused in turn: an error, no memory is lost, and the interpreter works
+ * afterwards */
 static void test_no_memory(void **state) {
   (void)state;
   const char *program = "(define-syntax m (syntax-rules () ((_ (a b ...) ...) (list (list a b ...) ...))))"

@@ -1,6 +1,6 @@
-/* Owns the tests of threads: interpreters share nothing, so that several threads, each with its own, make at once what
- * one makes alone, byte for byte, while another thread interrupts one of them; and no thread that the library starts
- * takes a signal of the host. `make tsan` runs it under the thread sanitizer. */
+/* Owns the tests of threads. Interpreters share nothing: several threads, each with an interpreter, concurrently make
+ * the same bytes as a single thread, while another thread interrupts one of them. No thread that the library starts
+ * receives a signal of the host. `make tsan` runs it under the thread sanitizer. */
 #define _GNU_SOURCE /* gettid, pthread_tryjoin_np */
 #include <dirent.h>
 #include <pthread.h>
@@ -29,7 +29,7 @@ typedef struct {
   print of[32];
   vs_outcome outcome;
   size_t formats;
-  size_t hits, meshes, gizmos, changes; /* of the scene */
+  size_t hits, meshes, gizmos, changes; /* counts of the scene */
   double distance, width;
 } result;
 
@@ -77,7 +77,7 @@ static bool changed(void *context, vs_scheme *s, const vs_handle *arguments, siz
   return ++((result *)context)->changes != 0;
 }
 
-/* What a host does with a scene: it places a node, follows a property, drags, runs frames, picks, takes meshes. */
+/* Uses a scene as a host does: it moves a node, follows a property, drags, runs frames, picks, takes meshes. */
 static void hold_scene(vs_scheme *s, result *r) {
   const double down[] = { 0, 0, -1 };
   vs_mesh_info m;
@@ -98,7 +98,7 @@ static void hold_scene(vs_scheme *s, result *r) {
   vs_gizmos(s, take_gizmo, r);
   vs_pick(s, (double[]){ -30, 0.3, 60.4 }, (double[]){ 1, 0, 0 }, take_hit, r);
   vs_handle_release(s, rig);
-  vs_meshes_forget(s); /* of the turn before */
+  vs_meshes_forget(s); /* the meshes of the previous turn */
   if (vs_meshes_begin(s, NULL) != VS_OUTCOME_DONE) return;
   while (vs_mesh_next(s, &m)) r->meshes++;
 }
@@ -132,7 +132,7 @@ static void test_apart(void **state) {
   assert_in_range(alone.formats, 8, 32);
   assert_int_equal(alone.hits, 3);
   assert_int_equal(alone.gizmos, 1);
-  assert_int_equal(alone.changes, 21); /* from 4 to 4.0, by quarters, and what was posted */
+  assert_int_equal(alone.changes, 21); /* from 4 to 4.0 by quarters, and the posted changes */
   assert_true(alone.width == 1 && alone.meshes == 6);
   for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_create(&threads[i], NULL, make, &together[i]), 0);
   for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_join(threads[i], NULL), 0);
@@ -169,11 +169,11 @@ static void *evaluate(void *s) {
   return vs_eval_text(s, "solids", 1, solids, sizeof solids - 1, 0) == VS_OUTCOME_DONE ? s : NULL;
 }
 
-/* Does the thread of this process hear the signal? One that has ended does not. */
+/* Returns true if this thread of the process receives the signal. A thread that has ended receives none. */
 static bool hears(const char *thread, int signal_number) {
   char path[300], line[200];
   unsigned long long held = ~0ull;
-  int threads = 0; /* what the system says of one that has just ended */
+  int threads = 0; /* 0 in the status of a thread that has just ended */
   snprintf(path, sizeof path, "/proc/self/task/%s/status", thread);
   FILE *f = fopen(path, "r");
   while (f && fgets(line, sizeof line, f)) sscanf(line, "Threads: %d", &threads), sscanf(line, "SigBlk: %llx", &held);
@@ -181,7 +181,7 @@ static bool hears(const char *thread, int signal_number) {
   return threads > 0 && !(held >> (signal_number - 1) & 1);
 }
 
-/* Signals reach the host's threads, and none that the library has started. */
+/* Signals reach the host's threads, and no thread that the library has started. */
 static void test_signals(void **state) {
   (void)state;
   pthread_t thread;

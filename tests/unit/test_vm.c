@@ -1,4 +1,5 @@
-/* Owns the tests of the VM's heart: the collector, the compiler and run loop on texts, limits, and every allocation failing in turn. */
+/* Owns the tests of the VM's core: the collector, compiler and run loop on texts, limits, and a failure of each
+ * allocation. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,7 +25,7 @@ static vs_scheme *open_with(vs_config config) {
 
 static vs_scheme *open_plain(void) { return open_with((vs_config){0}); }
 
-/* the value of a text, written; or "error: " and the message */
+/* returns the written value of a text, or "error: " and the message */
 static const char *run(vs_scheme *vm, const char *text) {
   static char out[4096];
   vs_value v = VS_FALSE;
@@ -50,7 +51,7 @@ static void objects_survive_and_move(void **state) {
     int64_t i = 100000;
     for (vs_value l = r[0]; l != VS_NIL; l = vs_cdr(l)) assert_int_equal(vs_fixnum(vs_car(l)), --i);
     assert_int_equal(i, 0);
-    /* an old object pointing at a young one */
+    /* an old object that points to a young one */
     assert_true(vs_make_vector(vm, 10, VS_FALSE, &r[1]));
     vs_gc_major(vm);
     vs_value pair;
@@ -65,7 +66,7 @@ static void objects_survive_and_move(void **state) {
     assert_true(vs_make_vector(vm, 1000000, VS_NIL, &r[2]));
     r[2] = VS_NIL;
     vs_gc_major(vm);
-    assert_true(vm->bytes <= before + (2u << 20));      /* the large vector went back */
+    assert_true(vm->bytes <= before + (2u << 20));      /* the memory of the large vector is free again */
     assert_true(vs_gc_check(vm));
   }
   vs_close_vm(vm);
@@ -83,7 +84,7 @@ static void foreign_objects_are_released_once(void **state) {
   {
     VS_ROOTS(vm, r, 1);
     for (int i = 0; i < 1000; i++) assert_true(vs_make_foreign(vm, &thing, &object, 1 << 20, &r[0]));
-    assert_true(released > 900);                        /* their bytes alone forced collections */
+    assert_true(released > 900);                        /* their bytes alone caused collections */
     int soon = released;
     vs_gc_major(vm);
     assert_int_equal(released, 999);
@@ -213,7 +214,7 @@ static void limits_stop_programs(void **state) {
   vs_close_vm(vm);
 }
 
-/* every allocation of a task fails in turn: an error each time, and the interpreter lives on */
+/* every allocation of a task fails in turn: each time an error, and the interpreter works afterwards */
 static void each_allocation_fails(void **state) {
   (void)state;
   static const char task[] =

@@ -1,8 +1,9 @@
-/* Owns the test that welding frees a mesh of what is smaller than a step, and changes nothing else.
+/* Owns the test that welding removes details smaller than a step from a mesh, and changes nothing else.
  *
- * A cube whose edges are split again and again, near their ends and in their middles, with every new corner some way
- * off, has needles, crumbs and folds by the hundred. Welded, it is a closed chain without short edges and low triangles,
- * and winds around each place as often as before, but for places within some steps of its surface. */
+ * The test splits the edges of a cube again and again, near their ends and in their middles, and displaces every new
+ * corner. The mesh then has hundreds of needles, crumbs and folds. After welding it must be a closed chain without
+ * short edges and low triangles. Its winding number at each point must be as before, except within some steps of its
+ * surface. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -36,7 +37,7 @@ static vs_mesh cube(void) {
   return m;
 }
 
-/* Splits an edge of a triangle by a new corner near it, in all triangles that have the edge. */
+/* Splits an edge of a triangle at a new corner near it, in all triangles that have the edge. */
 static void split(vs_mesh *m, dice *d) {
   static const double parts[] = { 1e-9, 1e-5, 1e-4, .3, .5, .9999 };
   uint32_t *t = m->triangles[throw(d) % m->triangle_count], a = t[0], b = t[1], c;
@@ -53,7 +54,7 @@ static void split(vs_mesh *m, dice *d) {
     }
 }
 
-/* How often m winds around p. */
+/* Returns the winding number of m at p. */
 static double winding(const vs_mesh *m, vs_vec3 p) {
   double sum = 0;
   for (size_t t = 0; t < m->triangle_count; t++) {
@@ -65,7 +66,7 @@ static double winding(const vs_mesh *m, vs_vec3 p) {
   return sum / (4 * pi);
 }
 
-static bool near_cube(vs_vec3 p, double distance) { /* near its surface? */
+static bool near_cube(vs_vec3 p, double distance) { /* returns true if p is near its surface */
   double inside = fmin(fmin(fmin(p.x, 1 - p.x), fmin(p.y, 1 - p.y)), fmin(p.z, 1 - p.z));
   return fabs(inside) < distance;
 }
@@ -102,7 +103,7 @@ static void welded_meshes_have_no_details(void **state) {
   }
 }
 
-/* What is larger than a step stays, corner by corner. */
+/* Details larger than a step stay, corner by corner. */
 static void welding_keeps_the_rest(void **state) {
   (void)state;
   vs_mesh m = cube(), w = cube();
@@ -117,8 +118,8 @@ static void welding_keeps_the_rest(void **state) {
 static void sheets_cancel(void **state) {
   (void)state;
   vs_mesh m = cube();
-  assert_true(vs_mesh_add_triangle(&m, 0, 1, 2)); /* the other side of the first */
-  assert_true(vs_mesh_add_triangle(&m, 5, 6, 4)); /* the third once more */
+  assert_true(vs_mesh_add_triangle(&m, 0, 1, 2)); /* the first triangle, reversed */
+  assert_true(vs_mesh_add_triangle(&m, 5, 6, 4)); /* the third triangle again */
   assert_true(vs_mesh_add_triangle(&m, 3, 3, 4));
   assert_true(vs_mesh_net(&m, 0));
   assert_int_equal(m.triangle_count, 12);

@@ -1,5 +1,5 @@
-/* Owns the test of the tables that list names of the language: a procedure has its words for vs translate or stands among those without, and each
-   table names things that there are. */
+/* Owns the test of the tables that list names of the language: a procedure has words for vs translate or is on the list
+ * without, and each table lists only names that exist. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -10,7 +10,7 @@
 
 #include "visualscheme.h"
 
-static const char *const procedures[] = { /* names with spaces between them */
+static const char *const procedures[] = { /* names, separated by spaces */
 #define PROC(id, name, ...) name,
 #define PROCS(id, name, ...) name,
 #include "bind/procedures.def"
@@ -24,7 +24,7 @@ static const char *const translated[] = {
 #include "languages/translate/translated_words.def"
 };
 
-static const char *const untranslated[] = { /* names with spaces between them */
+static const char *const untranslated[] = { /* names, separated by spaces */
 #define TR_WORD(name, ...)
 #define TR_NONE(names) names,
 #include "languages/translate/translated_words.def"
@@ -48,7 +48,7 @@ static const char *const instead[] = {
 
 #define COUNT(list) (sizeof list / sizeof *list)
 
-/* Is one of the words of name among the words of the list? */
+/* Returns true if a word of name is a word of the list. */
 static bool is_in(const char *name, const char *const *list, size_t count) {
   for (const char *at = name; *at; at += strcspn(at, " "), at += strspn(at, " ")) {
     size_t length = strcspn(at, " ");
@@ -71,8 +71,8 @@ static void test_words(void **state) {
   assert_int_equal(wrong, 0);
 }
 
-/* Returns how many words of the list mean nothing in s, and prints them. Rows named by a sentence are the translator's own, and js:
-   begins the names that scripts alone have. */
+/* Returns the number of words of the list that have no meaning in s, and prints them. Rows named by a sentence belong
+ * to the translator itself; js: begins a name that only scripts have. */
 static int unknown(vs_scheme *s, const char *table, const char *const *list, size_t count, bool sentences) {
   int wrong = 0;
   for (size_t i = 0; i < count; i++) {
