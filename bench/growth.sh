@@ -1,7 +1,9 @@
 #!/bin/sh
-# Owns how the whole way grows: 2,500 to 1,000,000 cylinders, made one by one and as rows of rows, to four formats; beside it OpenSCAD's
-# .csg of the same grid, and a Guile and a Lua program that only print the scene's very text. Processor seconds and MB, ratios to the printers, and
-# the exponent of time against number from 10,000 on, where starting the process no longer bends it. `bench/growth.sh build/vs build/measure [COUNT...]`: cylinders along a side.
+# Owns the measure of growth, from program to file: 2,500 to 1,000,000 cylinders, made one by one and as rows of rows,
+# written to four formats. For comparison: OpenSCAD's .csg of the same grid, and a Guile and a Lua program that only
+# print the text of the scene. Processor seconds and MB, ratios to the printers, and the exponent of time against number
+# from 10,000 on, where the start of the process no longer affects it. `bench/growth.sh build/vs build/measure
+# [COUNT...]`: cylinders along a side.
 set -u
 vs=$(realpath "$1") measure=$(realpath "$2"); shift 2
 cd "$(dirname "$0")/models" || exit 1

@@ -1,5 +1,5 @@
 // Owns Manifold's side of bench/handover.sh: node handover.mjs MODULE_FOLDER sphere|boxes
-// One line: triangles, MB of the arrays that getMesh hands over, processor seconds from the solids to these, and of
+// One line: triangles, MB of the arrays that getMesh returns, processor seconds from the solids to these, and of
 // getMesh alone.
 import path from 'path';
 import { pathToFileURL } from 'url';

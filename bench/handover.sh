@@ -26,7 +26,8 @@ for file in "$work/sphere.vs" "$work/boxes.vs" examples/city.vs; do
   echo "| $(basename "$file" .vs) | $(medians) |"
 done
 echo
-# OpenCASCADE, where its headers are (Debian: libocct-visualization-dev, libocct-modeling-data-dev); OCCT: their folder
+# OpenCASCADE, if its headers are installed (Debian: libocct-visualization-dev, libocct-modeling-data-dev); OCCT: their
+# folder
 occt=${OCCT:-/usr/include/opencascade}
 if [ -f "$occt/BRep_Builder.hxx" ] && "${CXX:-c++}" -O2 -w -I"$occt" bench/handover_occt.cc -o "$work/occt" \
      -l:libTKBRep.so.7 -l:libTKMath.so.7 -l:libTKernel.so.7 -l:libTKG3d.so.7; then

@@ -1,7 +1,9 @@
 #!/bin/sh
-# Owns the measurement of what writing again costs: a drawing written first, written again, written after one parameter changed (the program runs again),
-# and by a fresh process with that parameter. Milliseconds by the clock, of the output alone: passes, meshes, the file; of them those of the text in brackets. Then how many
-# clusters and pieces of text the changed drawing has, and how many were made again. The last column holds the changed file against the fresh one. `bench/incremental.sh build/vs`.
+# Owns the measure of writing again: a drawing written first, written again, written after a change of one parameter
+# (the program runs again), and written by a fresh process with that parameter. Milliseconds of elapsed time, of the
+# output alone: passes, meshes, the file; in brackets the time of the text. Then the numbers of clusters and of pieces
+# of text in the changed drawing, and how many of them were made again. The last column compares the changed file with
+# the fresh one. `bench/incremental.sh build/vs`.
 set -u
 vs=$(realpath "$1")
 cd "$(dirname "$0")/.." || exit 1

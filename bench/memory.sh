@@ -1,13 +1,14 @@
 #!/bin/sh
-# Owns the measure of memory: what the interpreter holds beside the live data of four shapes, while garbage is made, and what a primitive costs.
-# `bench/memory.sh build/vs`; two tables on standard output.
+# Owns the measure of memory: the interpreter's memory beyond the live data of four shapes, while it makes garbage, and
+# the memory of a primitive. `bench/memory.sh build/vs`; two tables on standard output.
 set -u
 vs=$(realpath "$1")
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 
-# Each program makes some 100 MB that stay, and then 400 MB of lists that do not. Live bytes: a pair 24, a number in it nothing, a point 32, a
-# vector 16 and 8 an element, a string 32 and its characters' bytes object 16 and 1 a character, an entry of a hash table 24 and 8 in the index.
+# Each program makes some 100 MB that stay, and then 400 MB of lists that become garbage. Live bytes: a pair 24, a
+# number in it 0, a point 32, a vector 16 and 8 for each element, a string 32 and its bytes object 16 and 1 for each
+# character, an entry of a hash table 24 and 8 in the index.
 churn='(define (churn n) (if (> n 0) (begin (iota 1000) (churn (- n 1))))) (churn 17000)'
 held() { # program text -> bytes held at the end, peak resident KB
   printf '%s\n' "$1" "$churn" > "$work/p.vs"
@@ -28,7 +29,8 @@ shape "vectors of points, 2 million" 84160000 '(define l (map (lambda (i) (build
 shape "strings of 100 characters, 600,000" 103200000 '(define l (map (lambda (i) (make-string 100 #\a)) (iota 600000)))'
 shape "hash table of 2 million numbers" 67100000 '(define h (make-hash)) (let loop ((i 0)) (if (< i 2000000) (begin (hash-set! h i i) (loop (+ i 1)))))'
 
-# A million primitives in a loop: bytes each, all of it, and the time beside that of (list x y z) in the same loop.
+# A million primitives in a loop: bytes of each, of all, and the time compared with that of (list x y z) in the same
+# loop.
 seconds() { # expression -> the least of five times of a million in a loop, processor seconds
   cat > "$work/q.vs" <<END
 (define (make n) (let loop ((i 0) (l '())) (if (= i n) l (loop (+ i 1) (cons $1 l)))))

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Owns the experiment of the thesis' table 4.1: a grid of 51 x 51 cylinders without passes, with folding, with sharing, with both, for every
-# format: commands by the rule of manual/internals/model.md, bytes, processor time; what an n-ary set hides; and what POV-Ray needs to parse the four scenes.
-# `bench/passes.sh build/vs build/measure`.
+# Owns the experiment of the thesis' table 4.1: a grid of 51 x 51 cylinders without passes, with folding, with sharing,
+# with both, for every format: commands by the rule of manual/internals/model.md, bytes, processor time; the number of
+# sets within an n-ary set; and POV-Ray's time and memory for parsing the four scenes. `bench/passes.sh build/vs
+# build/measure`.
 set -u
 vs=$(realpath "$1") measure=$(realpath "$2")
 [ -x "$vs" ] && [ -x "$measure" ] || { echo "bench/passes.sh: make all build/measure first" >&2; exit 1; }
@@ -32,7 +33,8 @@ echo 'camera { location <0, 0, 1> }' > empty.pov
 for count in 51 401; do
   for passes in 0 fold share fold,share; do
     "$vs" --quiet "-O$passes" -D count=$count "$OLDPWD/grid.vs" -o "$passes.pov" || exit 1
-    # its own count of processor seconds, and the process's memory less that of an empty scene: a picture of twelve pixels takes none
+    # POV-Ray's own count of processor seconds, and the memory of the process minus that of an empty scene: a picture of
+    # twelve pixels costs nothing
     for run in 1 2 3; do
       povray "$passes.pov" +W4 +H3 -D -V +O/dev/null 2>&1 | awk '/Parse Time:/ { parse = 1 } parse && /CPU-seconds/ { for (i = 1; i < NF; i++) if ($(i + 1) ~ /^CPU/) { print $i * 1000; exit } }'
     done | sort -n | sed -n 2p > parse

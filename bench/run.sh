@@ -16,7 +16,7 @@ systems="vs guile guile-jit lua chez"
 [ $# -gt 0 ] || set -- $(ls bench/programs/*.scm | sed 's|.*/||; s|\.scm$||')
 bad=0
 
-# system, program's name -> a ready file, or failure: the system has no such program
+# system, program's name -> a file that is ready to run, or failure: the system has no such program
 prepare() {
   case $1 in
     vs)     cp "bench/programs/$2.scm" "$work/vs-$2.scm" ;;

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Owns the figures of sampling a function: `bench/sampling.sh build/vs build/measure`. A million values of x² + y² + z² - 1 by a kept expression and by
-# calling a lambda: milliseconds of processor time (user and system) each, medians of RUNS (5) runs of the one and the other in turn, less an empty
-# program's.
+# Owns the measure of sampling a function: `bench/sampling.sh build/vs build/measure`. A million values of x² + y² + z²
+# - 1, by a kept expression and by calls of a lambda: milliseconds of processor time (user and system) of each, medians
+# of RUNS (5) runs, in turn, minus the time of an empty program.
 set -u
 vs=$(realpath "$1") measure=$(realpath "$2")
 cd "$(dirname "$0")/.." || exit 1

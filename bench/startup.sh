@@ -1,5 +1,6 @@
 #!/bin/sh
-# Owns the start-up measurement: an empty program in vs, Lua, Guile and Chez Scheme, 50 runs each, milliseconds a run. `bench/startup.sh build/vs`.
+# Owns the measure of start-up: an empty program in vs, Lua, Guile and Chez Scheme, 50 runs each, milliseconds per run.
+# `bench/startup.sh build/vs`.
 set -u
 vs=$1
 empty=$(mktemp) || exit 1

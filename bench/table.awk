@@ -1,5 +1,6 @@
-# Owns the table: lines "program system cpu-ms wall-ms kilobytes" and the same three of an empty program (program "start" is only that) become times less start-up, ratios to
-# Guile without its JIT, geometric means and peak memory, in Markdown.
+# Owns the table. The input has lines "program system cpu-ms wall-ms kilobytes" and the same three figures of an empty
+# program (for the program "start" those alone). The output, in Markdown, has times minus start-up, ratios to Guile
+# without its JIT, geometric means and peak memory.
 BEGIN { float = " fft mandelbrot nbody subdivide tower transforms " }
 { cpu[$1, $2] = $3; start[$1, $2] = $6; memory[$1, $2] = $5 / 1024; if (!($1 in seen) && $1 != "start") { seen[$1]; order[++programs] = $1 } }
 

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Owns the command tests: each folder tests/cli/NAME holds `cmd` (a shell script; `vs` is on its PATH, the folder's copy is its current
-# folder) and what must come of it: `stdout`, `stderr`, `code` (0 where there is none), and files under `want/` that it must have made.
-# cmd ends with 77 after saying why on standard error where this machine cannot run it. BLESS=1 rewrites what must come.
+# Owns the command tests. Each folder tests/cli/NAME contains `cmd` (a shell script; `vs` is on its PATH, and it runs in
+# a copy of the folder) and the expected results: `stdout`, `stderr`, `code` (0 if absent), and the files below `want/`.
+# If this machine cannot run it, cmd prints the reason to standard error and ends with 77. BLESS=1 rewrites the expected
+# results.
 set -u
 . tests/report.sh
 PATH=$BUILD:$PATH

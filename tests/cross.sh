@@ -1,13 +1,15 @@
 #!/bin/sh
-# Owns holding every kind of object, on every back-end, to closed forms and to what other programs make of our files (tests/cross/README.md):
+# Owns the test of every kind of object in every format, against closed forms and against other programs that read our
+# files (tests/cross/README.md):
 #
 #   closed        volume, area, length, bounding box and contains? against the table's closed forms
-#   mesh          the written mesh: closed, and encloses what the closed form says
-#   tree          the tree dump is the golden tests/cross/shapes.tree, and reads back as the same tree
+#   mesh          the written mesh: closed, and with the volume of the closed form
+#   tree          the tree dump equals the golden tests/cross/shapes.tree, and reads back as the same tree
 #   openscad      OpenSCAD's mesh of our .scad against ours
 #   povray, x3d   silhouettes of our .pov in POV-Ray and of our page's X3D in Chromium against our mesh
 #
-# One variant a shape (plain, turned, mirrored, ...); LONG=1 takes every variant. Contact sheets stay in BUILD/cross.
+# One variant of each shape (plain, turned, mirrored, ...); LONG=1 takes every variant. Contact sheets stay in
+# BUILD/cross.
 . tests/report.sh
 case $ONLY in ""|cross*) ;; *) exit ;; esac
 sheet=tests/cross/sheet.vs
@@ -16,7 +18,8 @@ variants=${VARIANTS:-mixed}
 pixels=4000
 mkdir -p "$BUILD/cross"
 
-# Known failures and their reasons stand in known.txt (name, tab, reason); what is there and passes is a failure too: take it out.
+# known.txt lists known failures and their reasons (name, tab, reason). A listed test that passes is a failure too:
+# remove its line.
 known() {
   awk -F '\t' -v list=tests/cross/known.txt -v only="$ONLY" 'BEGIN { while ((getline line < list) > 0) if (line !~ /^#/ && split(line, part, "\t") == 2) why[part[1]] = part[2] }
     /^ok / && substr($0, 4) in why { print "not ok " substr($0, 4); print "    passes, but tests/cross/known.txt says: " why[substr($0, 4)]; quiet = 0; next }
@@ -43,7 +46,7 @@ sed -n 's/^PROCS*([a-z0-9_]*, "\(\(make\|do\)-[^ "]*\|hull\|load-mesh\|unite\|in
 done > "$work/why"
 result cross/table:constructors "$work/why"
 
-# ---- what becomes of every kind in every format, as the manual says ----
+# ---- the form of every kind in every format, against the manual ----
 
 : > "$work/why"
 sh tests/cross/formats.sh > "$work/formats.md" 2> "$work/why"
@@ -52,9 +55,10 @@ diff manual/formats.md "$work/formats.md" >> "$work/why"
 [ ! -s "$work/why" ] || echo "BLESS=1 SUITES=cross sh tests/run.sh build writes the page anew" >> "$work/why"
 result "cross/formats:manual/formats.md is current" "$work/why"
 
-# ---- Appendix A in the formats that the table of kinds leaves out ----
+# ---- Appendix A in the formats that the table of kinds does not cover ----
 
-# A plan from above, cells 12 apart: the lines in each reach from one end of its bounding box to the other. Lines without an end are drawn beside them.
+# A plan from above, with cells 12 apart: the lines in each extend from one end of its bounding box to the other.
+# Infinite lines are drawn beside them.
 cat > "$work/plan.vs" <<'EOF'
 (define-parameter appendix "")
 (define index -1)
@@ -97,9 +101,9 @@ tr -d ' \r' < "$work/plan.dxf" | paste - - | awk -F '\t' -v cells="$work/cells" 
   }' >> "$work/why"
 result "cross/appendix:its forms in drawings and in the other formats" "$work/why"
 
-# ---- the tree of every shape, as git has it ----
+# ---- the tree of every shape, against the committed one ----
 
-# long lists of points stand there as their length and checksum
+# the golden has the length and checksum of long lists of points
 limited 120 "$vs" --quiet $sheet -D task=tree -o "$work/shapes.tree" > "$work/said" 2>&1
 awk 'length($0) <= 600 { print; next } { printf "%s ... %d characters, ", substr($0, 1, 200), length($0); fflush(); print | "cksum"; close("cksum") }' "$work/shapes.tree" > "$work/shapes.short"
 [ -z "$BLESS" ] || cp "$work/shapes.short" tests/cross/shapes.tree
@@ -124,7 +128,7 @@ for variant in $variants; do
   "$tools/reread" "$work/sheet.tree" 2>> "$work/why" || echo "reading back failed" >> "$work/why"
   result cross/tree:$variant "$work/why"
 
-  # ---- OpenSCAD: a run a shape, because it unites all of a file, slowly; a few at a time ----
+  # ---- OpenSCAD: a run for each shape, because it unites all shapes of a file, slowly; several runs at a time ----
   if command -v openscad > /dev/null; then
     awk -F '\t' '$3 == "solid" { print $1, $2 }' "$table" > "$work/list"
     : > "$work/results"

@@ -1,8 +1,9 @@
 #!/bin/sh
-# Owns the test that neither compiler, optimisation, number of threads nor chance is seen in a file: every example in every
-# format that needs no worker, RUNS (5) times on each of THREADS (1 2 8) by each of BUILDS (gcc and clang at -O0, -O2, -O3),
-# which are built beside $BUILD. An example that takes the reference more than HEAVY (0.5) seconds of processor time runs once on each; large ones are
-# made smaller by their parameters. EXAMPLES: only these. Part of `make check`; two hours of processor time and more, half an hour of which are rules/four-trees.
+# Owns the test that a file depends on neither compiler, optimisation, number of threads nor chance: every example in
+# every format that needs no worker, RUNS (5) times on each of THREADS (1 2 8) by each of BUILDS (gcc and clang at -O0,
+# -O2, -O3), which are built beside $BUILD. An example that takes the reference more than HEAVY (0.5) seconds of
+# processor time runs once on each; parameters make large ones smaller. EXAMPLES: only these. Part of `make check`; it
+# takes more than two hours of processor time, half an hour of which for rules/four-trees.
 case determinism in *"${ONLY:-}"*) ;; *) exit 0 ;; esac
 . tests/report.sh
 . tests/smaller.sh
@@ -11,7 +12,7 @@ examples=${EXAMPLES:-$(ls examples/*.vs examples/*/*.vs examples/*/*.gml example
 formats=$(sed -n 's/^VS_FORMAT(\([^,]*\), [^,]*, "[^"]*", NULL.*/\1/p' backends/backends.def)
 [ "$(echo $formats | wc -w)" -ge 15 ] || echo "not ok determinism: the table of formats was not read: $formats"
 
-# The program asks the system how many processors there are: this answers.
+# The program asks the system for the number of processors: this library answers.
 cat > "$work/processors.c" <<'C'
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -32,7 +33,7 @@ for b in ${BUILDS:-gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3}; do
   else echo "not ok determinism/$b: does not build"; tail -n 5 "$work/log" | sed 's/^/    /'; fi
 done
 
-# sums EXAMPLE BUILD THREADS FILE: the sum of each output, and of what was printed
+# sums EXAMPLE BUILD THREADS FILE: the checksum of each output, and of the printed text
 sums() {
   rm -rf "$work/out"; mkdir "$work/out"
   outputs=
@@ -42,7 +43,7 @@ sums() {
   (cd "$work/out" && sha256sum ./*) > "$4"
 }
 
-# What the children had taken, in seconds; written by `times` itself, since a pipe's subshell has none.
+# The seconds of the child processes so far; `times` itself prints them, since a pipe's subshell has none.
 spent() { awk 'END { split($1, u, /[ms]/); print 60 * u[1] + u[2] }' "$work/$1"; }
 
 compared=0 differ=0

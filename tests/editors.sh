@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns what editors make of the messages: vim's quickfix list, Emacs' flymake, the problems of VS Code's extension.
+# Owns the test of messages in editors: vim's quickfix list, Emacs' flymake, the problems of VS Code's extension.
 . tests/report.sh
 wanted editors || exit 0
 cat > "$work/house.vs" <<'END'
@@ -81,7 +81,7 @@ if command -v emacs > /dev/null; then
   same "emacs:visualscheme-view" "1" "$(grep -c '^http://127.0.0.1:[0-9]*/#[0-9a-f]*$' "$work/address" 2> /dev/null)"
 else echo "skip editors/emacs: not installed"; fi
 
-# The extension's functions, with a stand-in for the editor's own module.
+# The extension's functions, with a replacement for the editor's module.
 if command -v node > /dev/null; then
   mkdir -p "$work/node_modules/vscode"
   cat > "$work/node_modules/vscode/index.js" <<'END'

@@ -1,10 +1,10 @@
 #!/bin/sh
-# Owns the embedding test: installs into a private folder, builds a stranger's programs against it, runs them; the shared library exports
-# what the header declares and nothing else.
+# Owns the embedding test: installs into a private folder, and builds and runs host programs against it; the shared
+# library exports the names that the header declares and nothing else.
 . tests/report.sh
 wanted embed || exit 0
 
-# make takes no name with a blank for a target: the folder of the build is named from here
+# make takes no target with a blank in its name: the build folder is given relative to this one
 if ! MAKEFLAGS= make -s BUILD="${BUILD#"$PWD"/}" DESTDIR="$work" PREFIX=/usr install > "$work/log" 2>&1; then
   echo "not ok embed:install"; tail -n 10 "$work/log" | sed 's/^/    /'; exit
 fi
@@ -17,7 +17,7 @@ sed -n 's/^VS_API .*[ *]\(vs_[a-z_]*\)(.*/\1/p' visualscheme.h | sort -u > "$wor
 nm -D --defined-only "$work/usr/lib/libvisualscheme.so" | awk '$2 ~ /[TDBRV]/ { print $3 }' | grep -v '^VISUALSCHEME_' | sed 's/@.*//' | sort -u > "$work/exported"
 if diff "$work/declared" "$work/exported" > "$work/diff"; then echo "ok embed:exports"; else echo "not ok embed:exports differ from visualscheme.h"; sed 's/^/    /' "$work/diff"; fi
 
-# A manual page for each of them, made from the header: one a topic, the others link to it.
+# Each function has a manual page, made from the header: one page for each topic, to which the other names link.
 while read -r name; do
   page=$work/usr/share/man/man3/$name.3
   [ -s "$page" ] && { ! grep -q '^\.so ' "$page" || [ -s "$work/usr/share/man/$(sed 's/^\.so //' "$page")" ]; } || echo "$name"
@@ -40,15 +40,15 @@ for program in host format scene meshes pictures fit; do
   [ $code -le 1 ] || echo "not ok embed:$program ended with $code"
 done
 
-# A host in a hundred lines of C, whose output says what a graphics card would hold.
+# A host in a hundred lines of C, which prints the contents of its buffers for the graphics card.
 if ${CC:-cc} -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$work/usr/include" examples/hosts/console.c -o "$work/console" \
      -L"$work/usr/lib" -lvisualscheme > "$work/diff" 2>&1 &&
    LD_LIBRARY_PATH=$work/usr/lib timeout 60 "$work/console" examples/hosts/table.vs > "$work/out" 2>&1 &&
    diff tests/embed/console.want "$work/out" > "$work/diff"; then echo "ok embed:console"
 else echo "not ok embed:console"; sed 's/^/    /' "$work/diff"; fi
 
-# The viewer in SDL2 and OpenGL, on a screen that is none and with a graphics card that is none: a user is played, and
-# the pixels are counted. Numbers of a line that begins with `covered` may be off by a fiftieth, or by 3.
+# The viewer in SDL2 and OpenGL, on a virtual screen and with a software graphics card: the test plays a user, and
+# counts pixels. Numbers in a line that begins with `covered` may differ by a fiftieth, or by 3.
 missing=
 pkg-config --exists sdl2 gl 2> /dev/null || missing="SDL2's headers"
 command -v xvfb-run > /dev/null || missing="xvfb-run"
@@ -78,7 +78,7 @@ else
   fi
 fi
 
-# The Python package, installed without a network and run on the library that was installed.
+# The Python package, installed without a network, with the installed library.
 python=
 for candidate in python3 /usr/bin/python3; do
   if [ -z "$python" ] && "$candidate" -c 'import numpy, setuptools, pip' 2> /dev/null; then python=$candidate; fi

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Owns the test that a fault loses nothing: system calls that fail (strace injects them), signals at random moments, two writers of one file, closed streams. Each time
-# the file is the old one or the new one, whole, nothing else is left beside it, and the exit code is a defined one. LONG=1: 10,000 signals.
+# Owns the test that a fault loses nothing: failing system calls (strace injects them), signals at random moments, two
+# writers of one file, closed streams. Each time the file is the complete old or new one, no other file is left beside
+# it, and the exit code is a defined one. LONG=1: 10,000 signals.
 case limits/faults in *"$ONLY"*) ;; *) exit 0 ;; esac
 . tests/report.sh
 model='(display "printed") (draw (subtract (make-sphere (xyz 0 0 0) 1) (make-box (xyz 0 0 0) (xyz 1 1 1)) (make-cylinder (xyz 0 0 -2) 4 1/4)))'
@@ -10,7 +11,7 @@ wrong=$work/wrong
 : > "$wrong"
 say() { if [ -s "$wrong" ]; then echo "not ok limits/$1"; sed 's/^/    /' "$wrong" | head -n 12; else echo "ok limits/$1"; fi; : > "$wrong"; }
 
-# whole NAME WHAT: out/NAME is what it was or what it is to be, and stands alone
+# whole NAME WHAT: out/NAME is the old or the new file, and the folder contains no other
 whole() {
   if [ "$(cat "$work/out/$1")" != old ] && ! cmp -s "$work/out/$1" "$work/new/$1"; then echo "$2: $1 is neither the old file nor the new one" >> "$wrong"; fi
   [ "$(ls -A "$work/out")" = "$1" ] || { echo "$2: left $(ls -A "$work/out" | tr '\n' ' ')" >> "$wrong"; rm -f "$work"/out/*; }
@@ -48,7 +49,7 @@ else
   echo "skip limits/faults-of-the-system: no strace"
 fi
 
-# signals: each run is stopped after a random part of the time that it takes
+# signals: each run is interrupted after a random part of its time
 rm -f "$work"/out/*
 echo old > "$work/old"
 "$tools/stopped" "$([ -n "${LONG:-}" ] && echo 10000 || echo 20)" "$work/old" "$work/new/a.stl" "$work/out/a.stl" "$BUILD/vs" -q "$work/model.vs" -o "$work/out/a.stl" > "$work/stopped" 2>&1 ||

@@ -1,9 +1,10 @@
 #!/bin/sh
-# Owns a run of the fuzzers: `tests/fuzz.sh BUILD SECONDS [PLAIN]`. Each of tests/fuzz runs so many seconds under libFuzzer
-# and the sanitizers of BUILD; then, if PLAIN is named, a build without them, so many more on inputs made by chance from
-# those that libFuzzer has kept: thirty times as many inputs. Says how many each has had, how many edges it reached, and the
-# sums of all runs, which BUILD/executions keeps. An input that crashes is left in BUILD/found and belongs into tests/fuzz/corpus when
-# it is mended; a journal there holds the inputs of one interpreter (replay_NAME -j). FUZZ="reader emit": only these.
+# Owns a run of the fuzzers: `tests/fuzz.sh BUILD SECONDS [PLAIN]`. Each fuzzer of tests/fuzz runs for SECONDS under
+# libFuzzer and the sanitizers of BUILD. If PLAIN names a build without sanitizers, each then runs for SECONDS there on
+# random changes of the inputs that libFuzzer has kept: thirty times as many inputs. Prints the number of inputs and of
+# reached edges for each, and the sums of all runs, which BUILD/executions keeps. An input that crashes stays in
+# BUILD/found; once the fault is fixed, add it to tests/fuzz/corpus. A journal there contains the inputs of one
+# interpreter (replay_NAME -j). FUZZ="reader emit": only these.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 build=$1 seconds=$2 plain=${3:-}
@@ -13,7 +14,7 @@ count() { echo "$1 $2 $3" >> "$build/executions"; }
 for name in ${FUZZ:-reader text program forms script import emit calls live}; do
   corpus=$build/corpus/$name
   mkdir -p "$corpus"
-  # importers: each file of the tests behind the number of its reader
+  # importers: each file of the tests, after the number of its reader
   if [ "$name" = import ]; then
     i=0
     for kind in stl obj off ply stl ply png exr ttf hdr vs json csv otf jpg ies mtl; do
@@ -26,7 +27,7 @@ for name in ${FUZZ:-reader text program forms script import emit calls live}; do
   dict= most=128
   case $name in import) dict=-dict=tests/fuzz/files.dict most=2048 ;; reader|program|script) dict=-dict=tests/fuzz/scheme.dict ;; esac
   if [ "$seconds" != 0 ]; then
-    # Leaks are looked for where the interpreter ends with its input; elsewhere the search would take most of the time.
+    # The leak check runs only if the interpreter ends with its input; elsewhere it would take most of the time.
     leaks=0
     [ "$name" = calls ] && leaks=1
     FUZZ_JOURNAL=$build/found/$name.journal "$build/fuzz_$name" -max_total_time="$seconds" $dict -detect_leaks=$leaks -rss_limit_mb=3000 \

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Owns the test that no output takes the place of an input: a model that reads every kind of file, and every format, notation and command of the tables that
-# writes a file, onto each of the files and by every kind of name. The exit code is 2, and every file is as it was.
+# Owns the test that no output overwrites an input: a model that reads every kind of file writes every format and
+# notation, and each command of the tables that writes a file runs, onto each of the input files and by every kind of
+# name. The exit code is 2, and every file is unchanged.
 case limits/inputs in *"$ONLY"*) ;; *) exit 0 ;; esac
 . tests/report.sh
 root=$PWD
@@ -47,19 +48,19 @@ refused() { # WHAT COMMAND...: must end with 2 (1 where the program itself write
   for f in $inputs; do cmp -s "$f" "plain/$f" || { echo "$what: $f is gone" >> "$work/wrong"; rm -f "$f"; cp "plain/$f" "$f"; }; done
 }
 
-# every format and notation onto every input, if LONG; else each onto the program and its turn of the others
+# with LONG every format and notation onto every input; otherwise each onto the program and, in turn, one of the others
 set -- $inputs
 for format in $(sed -n 's/^VS_\(FORMAT\|NOTATION\)([a-z0-9]*, *[a-z0-9_]*, *"\([^"]*\)".*/\2/p' "$root/backends/backends.def"); do
   for f in m.vs $([ "$LONG" ] && echo $inputs || echo "$1"); do refused "--format $format -o $f" "$vs" -q m.vs --format "$format" -o "$f"; done
   refused "--untrusted --format $format -o $1" "$vs" --untrusted -q m.vs --format "$format" -o "$1"
   shift; [ $# -gt 0 ] || set -- $inputs
 done
-# by every kind of name, and none of several outputs is written
+# by every kind of name; then none of several outputs is written
 mkdir sub; ln m.vs hard.scad; ln -s m.vs soft.scad
 for name in ./m.vs sub/../m.vs "$work/m/m.vs" hard.scad soft.scad; do refused "-o $name" "$vs" -q m.vs --format openscad -o "$name"; done
 refused "two outputs" "$vs" -q m.vs -o first.scad -o soft.scad
 [ -e first.scad ] && echo "two outputs: the first is written" >> "$work/wrong"
-# a program writes where it says, by its own ports
+# a program may write to its own files through ports
 "$vs" -q -e '(define (put x) (call-with-output-file "own.txt" (lambda (p) (write x p)))) (put 1) (display (file->string "own.txt")) (put 2)' > /dev/null || echo "a program cannot write a file that it has read" >> "$work/wrong"
 echo '(draw (make-box origin (xyz 1 1 1)))' > frame-001.scad
 refused "frames" "$vs" -q -e '(define-parameter t 0) (draw (make-box origin (xyz 1 1 (+ t 1)))) (load "frame-001.scad")' --frames 1 -o frame.scad
@@ -82,7 +83,7 @@ for command in $(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' "$root/cli/commands.def"
     refused "render by default" "$vs" render land.vs
     for f in land.png look.png; do refused "render -o $f" "$vs" render m.vs -o $f; done
     refused "render --untrusted" "$vs" render --untrusted land.vs
-    # a model of the batch reads the picture of another, or the film; nothing is written
+    # a model of the batch reads the picture of another, or the film: nothing is written
     echo '(draw (make-sphere origin 1))' > one.vs
     echo '(file->string "one.png") (draw (make-sphere origin 2))' > two.vs
     echo '(define-parameter t 0) (file->string "film.mp4") (draw (make-sphere origin (+ 1 t)))' > film.vs

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Owns the tests of scripts in JavaScript: each tests/javascript/NAME.js prints what NAME.out holds. Where node is installed, it is
-# asked too and must say the same; files whose first line is `// no node` hold what node lacks. small.txt holds small programs, each
-# behind a line `=== NAME`. BLESS=1 rewrites what must come, from node where it can.
+# Owns the tests of scripts in JavaScript: each tests/javascript/NAME.js must print the text of NAME.out. If node is
+# installed, it must print the same; files whose first line is `// no node` use features that node lacks. small.txt
+# contains small programs, each after a line `=== NAME`. BLESS=1 rewrites the expected texts, from node if possible.
 set -u
 . tests/report.sh
 

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Owns keeping the manual honest: every ```scheme block of the tutorial runs without a word of error or warning; blocks may use what the
-# blocks before them in the same step defined. The prompt answers what a prompt block shows, on a terminal with the results' names.
+# Owns the test of the manual: every ```scheme block of the tutorial runs without an error or warning; blocks may use
+# definitions of earlier blocks in the same step. The prompt prints the answers of each prompt block, on a terminal with
+# the results' names.
 . tests/report.sh
 wanted manual || exit 0
 awk -v work="$work" '
@@ -21,7 +22,7 @@ done
 "$BUILD/vs" < "$work/questions" > "$work/said" 2>&1
 if diff "$work/answers" "$work/said" > "$work/diff"; then echo "ok manual/tutorial:prompt"; else echo "not ok manual/tutorial:prompt"; sed 's/^/    /' "$work/diff"; fi
 
-# On a terminal each step is a prompt of its own.
+# On a terminal each step has a separate prompt.
 for keys in "$work"/keys-*; do
   step=${keys##*-}
   HOME=$work XDG_STATE_HOME=$work/state TERM=xterm LSAN_OPTIONS=detect_leaks=0 "$BUILD/tools/typist" "$BUILD/vs" < "$keys" > "$work/screen"
@@ -30,7 +31,8 @@ for keys in "$work"/keys-*; do
   result "manual/tutorial:terminal-$step" "$work/why"
 done
 
-# Each step of the tutorial ends in links and has a picture that shows something: that of its last program here, of all in the pages.
+# Each step of the tutorial ends in links and has a picture that is not empty; this test makes only the picture of its
+# last program, the pages have all.
 awk '/^## / { if (step && !linked) print step; step = $2; linked = 0 } /^Read on: .*\]\(/ { linked = 1 } END { if (!linked) print step }' manual/tutorial.md > "$work/said"
 if [ ! -s "$work/said" ]; then echo "ok manual/tutorial:links"; else echo "not ok manual/tutorial:links: steps without"; sed 's/^/    /' "$work/said"; fi
 if command -v povray > /dev/null; then
@@ -43,12 +45,12 @@ if command -v povray > /dev/null; then
 else echo "skip manual/tutorial:pictures: no povray"
 fi
 
-# The reference. A heading of level 3 opens an entry: what stands in it between backticks, `name` or `(name argument ...)`, is described.
-# Every name a program sees is described, once, and nothing else is.
+# The reference. A heading of level 3 opens an entry: it describes each name between backticks, `name` or `(name
+# argument ...)`. The manual describes every name that a program can use, once, and no other.
 sed -n '/^### /p' manual/language/*.md | grep -o '`[^`]*`' | sed 's/^`(\{0,1\}//; s/[ )`].*//' | sort > "$work/described"
 "$BUILD/tools/names" | sort > "$work/names"
 uniq -d "$work/described" > "$work/twice"
-# A constructor whose form stands on the page of its kind alone is described, too.
+# A constructor whose form is only on the page of its kind is described, too.
 sed -n 's/^- `(\([^ )`]*\).*/\1/p' manual/primitives/*.md | cat - "$work/described" | sort -u | comm -13 - "$work/names" > "$work/missing"
 sort -u "$work/described" | comm -23 - "$work/names" > "$work/unknown"
 for list in twice missing unknown; do
@@ -56,20 +58,21 @@ for list in twice missing unknown; do
   else echo "not ok manual/language:names:$list"; tr '\n' ' ' < "$work/$list" | fold -s -w 120 | sed 's/^/    /'; echo; fi
 done
 
-# Every procedure that is called wrong says so under the name it was called by, and none runs for ever on a list without an end.
+# Every procedure that is called wrongly reports the error under the name of the call, and none runs forever on a
+# circular list.
 limited 300 "$BUILD/vs" --quiet --limit-time 280 tests/manual/wrong.vs < "$work/names" > "$work/said" 2> "$work/errors"
 grep -c '^ok ' "$work/said" > "$work/count"
 grep -A 1 '^not ok' "$work/said"
 if [ "$(cat "$work/count")" -gt 600 ] && tail -n 1 "$work/said" | grep -q 'zoom-extents'; then echo "ok manual/wrong"
 else echo "not ok manual/wrong: stopped after $(tail -n 1 "$work/said")"; sed 's/^/    /' "$work/errors" | tail -n 5; fi
 
-# A page for each kind of model/prims.def, named as the kind is.
+# Each kind of model/prims.def has a page with its name.
 sed -n 's/^VS_KIND([A-Z_0-9]*, [a-z_0-9]*, "\([^"]*\)".*/\1/p' model/prims.def | sort > "$work/kinds"
 ls manual/primitives | sed 's/\.md$//' | sort > "$work/pages"
 if [ -s "$work/kinds" ] && diff "$work/kinds" "$work/pages" > "$work/diff"; then echo "ok manual/primitives:pages"
 else echo "not ok manual/primitives:pages differ from prims.def"; sed 's/^/    /' "$work/diff"; fi
 
-# A page for each operator of rules, named as the procedure is; questions have none.
+# Each operator of rules has a page with the name of its procedure; queries have none.
 sed -n '/^## Operators/,$p' manual/language/rules.md | grep '^### ' | grep -o '`[^`]*`' | sed 's/^`(\{0,1\}//; s/[ )`].*//' |
   grep -vxE 'absolute|relative|flag\?|scope-flags|touches\?|inside\?|scope-overlap|find-scopes|scope-name|scope-property|scope-signals|scope-detail|derivation' | sort > "$work/operators"
 ls manual/rules | sed 's/\.md$//' | sort > "$work/pages"
@@ -83,13 +86,13 @@ table() { # DEF ROW HEAD: the names of a .def file against the first column belo
   if [ -s "$work/wanted" ] && diff "$work/wanted" "$work/shown" > "$work/diff"; then echo "ok manual/command:$1"
   else echo "not ok manual/command:$1"; sed 's/^/    /' "$work/diff"; fi
 }
-# The prompt's commands are in the page, each of them.
+# The page describes each command of the prompt.
 missing=$(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' cli/prompt/prompt_commands.def | while read -r word; do grep -q "\`,$word[ \`]" manual/command.md || echo "$word"; done)
 if [ -z "$missing" ]; then echo "ok manual/command:prompt"; else echo "not ok manual/command:prompt: missing" $missing; fi
 table model/tally.def VS_PHASE '| phase |'
 table model/steps.def VS_STEP '| step |'
 table session/stages.def VS_STAGE '| stage |'
-# The walk names files that exist, and functions that stand in them.
+# The walk names existing files, and functions that these contain.
 awk -F' *[|] *' '/^\| step \|/ { next } /^\| stage \|/ { next } /^\|--/ || !/^\|/ || $3 !~ /`/ { next } { print $3 "|" $4 }' manual/walk.md |
   while IFS='|' read -r files functions; do
     folder= paths=
@@ -102,7 +105,7 @@ awk -F' *[|] *' '/^\| step \|/ { next } /^\| stage \|/ { next } /^\|--/ || !/^\|
     done
   done > "$work/why"
 result manual/walk "$work/why"
-# The page on materials names each ready one, and has each pattern with its size.
+# The page on materials names each ready material, and each pattern with its size.
 sed -n 's/^VS_READY_MATERIAL("\([a-z-]*\)".*/\1/p' model/looks/materials.def | sort > "$work/wanted"
 sed -n '/^!\[Samples/,/^Fourteen/p' manual/materials.md | grep '^[- ]' | grep -o '`[a-z-]*`' | tr -d '\140' | sort > "$work/shown"
 sed -n 's/^VS_PATTERN([A-Z]*, *"\([a-z]*\)", *\([0-9.]*\), *"\(.*\)")$/| `\1` | \3 | \2 m |/p' model/looks/patterns.def >> "$work/wanted"
@@ -110,7 +113,8 @@ grep '^| `' manual/materials.md >> "$work/shown"
 if [ -s "$work/wanted" ] && diff "$work/wanted" "$work/shown" > "$work/diff"; then echo "ok manual/materials:tables"
 else echo "not ok manual/materials:tables"; sed 's/^/    /' "$work/diff"; fi
 
-# The examples tell the truth. A block whose first line is a comment with the name of a file in another language is that file.
+# The examples are true. If the first line of a block is a comment with the name of a file in another language, the
+# block is that file.
 awk -v work="$work" '
   /^```/ { file = ""; first = 1; next }
   first  { first = 0; if (match($0, /^(%|\/\/) [a-z]+\.(gml|js)$/)) { file = $2 } }
@@ -129,7 +133,7 @@ for page in manual/gml.md manual/i-want-to.md manual/materials.md manual/drawing
   if grep 'warning: check-' "$work/errors" > "$work/why"; then echo "not ok manual/$name: checks fail"; sed 's/^/    /' "$work/why"; fi
 done
 
-# The programs in GML: what a block says that it prints is what it prints. They go on from one another.
+# The programs in GML print the output that the block gives. Each continues the one before.
 awk -v work="$work" '
   /^```gml$/ { inside = 1; next }
   /^```$/    { inside = 0 }
@@ -137,13 +141,14 @@ awk -v work="$work" '
 "$BUILD/vs" --quiet "$work/blocks.gml" -o "$work/out.stl" > "$work/said" 2> "$work/errors"
 if diff "$work/gml-wanted" "$work/said" > "$work/diff" && [ ! -s "$work/errors" ]; then echo "ok manual/gml"
 else echo "not ok manual/gml"; sed 's/^/    /' "$work/diff" "$work/errors"; fi
-# Every operator is in the page.
+# The page describes every operator.
 "$BUILD/vs" --quiet -e '(import (only (gml) gml:operators)) (for-each displayln (map symbol->string (gml:operators)))' | sort > "$work/names"
 grep -v '^```' manual/gml.md | grep -o '`[^`]*`' | tr -d '\140' | tr ' .' '\n\n' | sort -u > "$work/described"
 missing=$(comm -23 "$work/names" "$work/described" | tr '\n' ' ')
 if [ -s "$work/names" ] && [ -z "$missing" ]; then echo "ok manual/gml:operators"; else echo "not ok manual/gml:operators: missing $missing"; fi
 
-# The last block of a primitive's page is a program, and every kind of back-end takes it without a word, but for the one about bare curves.
+# The last block of a primitive's page is a program; every back-end accepts it without a message, except the warning
+# about bare curves.
 for page in manual/primitives/*.md; do
   name=${page#manual/}
   awk '/^```scheme$/ { inside = 1; text = ""; next } /^```$/ { inside = 0 } inside { text = text $0 "\n" } END { printf "%s", text }' "$page" > "$work/example.vs"
@@ -152,13 +157,14 @@ for page in manual/primitives/*.md; do
   else echo "not ok manual/$name:program"; sed 's/^/    /' "$work/all"; fi
 done
 
-# The manual to be read: every kind has its page, and the pages have what they should. Without pictures: those take a minute.
+# The HTML manual: every kind has its page, and the pages have all parts. Without pictures, which take a minute.
 if PAGES="$work/html" PICTURES=no KINDS="sphere text" sh scripts/manual.sh "$BUILD" > "$work/said" 2>&1 &&
    grep -q '<code>(make-sphere c r)</code>: c a point' "$work/html/primitives/sphere.html" && grep -q 'In the tree: <code>sphere</code>, solid; <code>c</code> point, <code>r</code> real' "$work/html/primitives/sphere.html" &&
    grep -q "href='primitives/text.html'" "$work/html/index.html" && [ -s "$work/html/language/index.html" ] && ! grep -q '`\|\*\*' "$work/html/tutorial.html"
 then echo "ok manual:pages"; else echo "not ok manual:pages"; sed 's/^/    /' "$work/said"; fi
 
-# The search: its index is JavaScript, and what the search would list first for some words is what they mean. Every address is a heading that is there.
+# The search: its index is JavaScript, its first results for some words are the right ones, and every address is an
+# existing heading.
 if command -v node > /dev/null; then
   if node tests/manual/search.mjs "$work/html" > "$work/said" 2>&1; then cat "$work/said"; else echo "not ok manual:search"; sed 's/^/    /' "$work/said"; fi
 else echo "skip manual:search: no node"

@@ -1,9 +1,10 @@
-# Owns the test of web pages: every example as a page in Chromium, by playwright-core (tests/page/page.mjs). Small parameters where a model is large.
+# Owns the test of web pages: every example as a page in Chromium, by playwright-core (tests/page/page.mjs). Parameters
+# make large models small.
 case page in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v chromium > /dev/null || { echo "skip page: no chromium (package chromium)"; exit 0; }
 [ -d tests/node_modules/playwright-core ] && [ -d node_modules/three ] || { echo "skip page: no playwright-core or no viewer (make check fetches both)"; exit 0; }
 . tests/report.sh
-# What is left out of a picture, and how a tree becomes parts, need no browser.
+# The choice of parts that a picture omits, and the unpacking of a tree into parts, need no browser.
 for name in budget parts; do node tests/page/$name.mjs || echo "not ok page/$name: ended with $?"; done
 for model in examples/*.vs; do
   name=$(basename "$model" .vs)
@@ -14,7 +15,7 @@ for name in facade-stages plans cornice-corners four-trees lily massive-street; 
   case $name in massive-street) set -- -D lots=4 ;; *) set -- ;; esac
   "$BUILD/vs" --quiet "$@" "examples/rules/$name.vs" -o "$work/rules-$name.html" || echo "not ok page/rules-$name: ended with $?"
 done
-# Parts that are alike cost a page little: 2,000,000 bytes at most for a street whose scene has 4 MB before it is compressed.
+# Equal parts add little to a page: at most 2,000,000 bytes for a street whose scene has 4 MB before compression.
 size=$(wc -c < "$work/rules-massive-street.html")
 if [ "$size" -le 2000000 ]; then echo "ok page/size of a street"; else echo "not ok page/size of a street"; echo "    $size bytes"; fi
 "$BUILD/vs" --quiet examples/doric-columns.vs -o "$work/doric-columns.x3d"
@@ -58,7 +59,7 @@ for name in light daylight evening; do
 done
 timeout 1500 node tests/page/page.mjs "$work" || echo "not ok page: ended with $?"
 
-# .x3d files: what each kind of node becomes, instances, and two examples.
+# .x3d files: the form of each kind of node, instances, and two examples.
 mkdir "$work/x3d"
 cat > "$work/x3d/kinds.vs" <<'EOF'
 (ground 0 #:material (make-material #:color "olive"))
@@ -88,7 +89,7 @@ EOF
 "$BUILD/vs" --quiet "$work/photographs/wall.vs" -o "$work/photographs/wall.glb" -o "$work/photographs/wall.x3d" || echo "not ok page/photographs: ended with $?"
 if [ -d tests/node_modules/x_ite ]; then timeout 300 node tests/page/photographs.mjs "$work/photographs" || echo "not ok page/photographs: ended with $?"
 else echo "skip page/photographs: no X_ITE (npm ci --prefix tests --ignore-scripts)"; fi
-# The Web3D Consortium's schema is in no package: X3D_SCHEMA is its x3d-4.0.xsd, with the files that it includes beside it.
+# No package contains the Web3D Consortium's schema: X3D_SCHEMA is its x3d-4.0.xsd, with the included files beside it.
 if [ -f "${X3D_SCHEMA:-}" ]; then
   for name in kinds gare arcade doric-columns; do
     if xmllint --noout --nonet --schema "$X3D_SCHEMA" "$work/x3d/$name.x3d" 2> "$work/why"; then echo "ok page/schema:$name"; else echo "not ok page/schema:$name"; sed 's/^/    /' "$work/why" | head; fi

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Owns the prompt's test on a terminal: editing, history, completion, ctrl-C, errors that do not end it, how far a mesh is.
+# Owns the prompt's test on a terminal: editing, history, completion, ctrl-C, errors that do not end it, the progress of
+# a mesh.
 . tests/report.sh
 export HOME="$work" XDG_STATE_HOME="$work/state" TERM=xterm LSAN_OPTIONS=detect_leaks=0 # libedit keeps its prompt and its tables
 wanted prompt || exit 0
@@ -37,7 +38,8 @@ check "a command after blanks" "drawing: 1 object"
 check "the line of an earlier error" "| (define (late x) (car x))"
 if [ "$(cat "$work/code")" = 0 ]; then echo "ok prompt:ends with 0"; else echo "not ok prompt:ends with $(cat "$work/code")"; fi
 
-# Each feature of the prompt: its name, the keys, and what the screen shows then. Rows without a name lead to the next.
+# Each feature of the prompt: its name, the keys, and the expected text on the screen. Rows without a name lead to the
+# next.
 cat > "$work/features" <<'END'
 the depth and the line that is open|(define (square x)\n|1 open, from line 1>
 |(* x\n|2 open, from line 2>

@@ -1,4 +1,5 @@
-// The gyroid of gyroid.vs by Manifold's levelSet, marching tetrahedra: node gyroid.mjs MODULE_FOLDER CELLS; less than 2 cells: loading alone.
+// The gyroid of gyroid.vs by Manifold's levelSet, marching tetrahedra: node gyroid.mjs MODULE_FOLDER CELLS; fewer than
+// 2 cells: loads the module only.
 import path from 'path';
 import { pathToFileURL } from 'url';
 const [, , folder, cells] = process.argv;

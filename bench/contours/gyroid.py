@@ -1,4 +1,5 @@
-# The gyroid of gyroid.vs by scikit-image's marching cubes, on a grid that NumPy works out; less than 2 cells: imports alone.
+# The gyroid of gyroid.vs by scikit-image's marching cubes, on a grid that NumPy computes; fewer than 2 cells: imports
+# only.
 import sys
 import numpy
 from skimage.measure import marching_cubes

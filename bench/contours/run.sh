@@ -1,7 +1,8 @@
 #!/bin/sh
-# Owns the comparison of isosurfaces: `bench/contours/run.sh build/vs build/measure [CELLS...]`. A gyroid in a box, closed at its sides, by make-isosurface,
-# by scikit-image's marching cubes and by Manifold's marching tetrahedra, one after the other in one run: seconds of processor time, medians
-# of RUNS (5) runs less those of a run that only loads; largest memory; triangles; and how far the volume is from the half of the box.
+# Owns the comparison of isosurfaces: `bench/contours/run.sh build/vs build/measure [CELLS...]`. A gyroid in a box,
+# closed at its sides, by make-isosurface, by scikit-image's marching cubes and by Manifold's marching tetrahedra, in
+# turn in one run: seconds of processor time, medians of RUNS (5) runs minus those of a run that only loads; largest
+# memory; triangles; and the deviation of the volume from half of the box.
 set -u
 vs=$(realpath "$1") measure=$(realpath "$2"); shift 2
 here=$(cd "$(dirname "$0")" && pwd) || exit 1

@@ -1,4 +1,5 @@
-// Owns a look at a binary STL: node closed.mjs FILE.stl prints the number of triangles and whether each edge, by place, is walked as often either way.
+// Owns a check of a binary STL: node closed.mjs FILE.stl prints the number of triangles and whether each edge, compared
+// by coordinates, occurs equally often in both directions.
 import fs from 'fs';
 const b = fs.readFileSync(process.argv[2]), n = b.readUInt32LE(80), place = new Map(), edges = new Map();
 const corner = o => { const key = b.toString('latin1', o, o + 12); let i = place.get(key); if (i === undefined) place.set(key, i = place.size); return i; };

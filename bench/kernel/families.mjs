@@ -1,12 +1,13 @@
-// node families.mjs FOLDER: writes the families in which many solids lie over one place to FOLDER/sx, one file a member; run.sh takes them by name. Deterministic.
-//   spheres  N spheres of 4,096 triangles about one centre, turned by i * 1e-5 radians about an axis that is none of theirs
+// node families.mjs FOLDER: writes the families in which many solids lie in one place to FOLDER/sx, one file for each
+// member; run.sh takes them by name. Deterministic.
+//   spheres  N spheres of 4,096 triangles about one centre, turned by i * 1e-5 radians about an oblique axis
 //   balls    the same, of 256 triangles each
 //   boxes    N boxes about one centre, turned by up to 0.01 degrees about each axis
 //   rods     N rods of 16 sides through one point
-//   wedges   N thin wedges around one axis, each over its two neighbours on either side
-//   screw    N boxes that climb around one axis, fifty of them over each place
-//   holes    a block from which the rods are taken away
-//   cone     a cone of N sides: all of them meet in one vertex; in its union with a box there
+//   wedges   N thin wedges around one axis, each overlapping its two neighbours on either side
+//   screw    N boxes that climb around one axis, fifty of them above each point
+//   holes    a block from which the rods are subtracted
+//   cone     a cone of N sides, all of which meet in one vertex; in its union with a box there
 import fs from 'fs';
 const out = (process.argv[2] || '.') + '/sx/';
 fs.mkdirSync(out, { recursive: true });

@@ -1,6 +1,8 @@
-// Owns the other side of the comparison: evaluates a workload with manifold-3d. node manifold.mjs MODULE_FOLDER FILE.sx
-// The same facets as ours: spheres, tori and stars are handed over as meshes, boxes and cylinders by Manifold's own constructors; sets as batches. Prints one
-// line of JSON: seconds from the tree that is read to the triangles in JavaScript's memory, their number, and whether they close by place.
+// Owns Manifold's side of the comparison: evaluates a workload with manifold-3d. node manifold.mjs MODULE_FOLDER
+// FILE.sx
+// It uses the same facets as vs: spheres, tori and stars are handed over as meshes, boxes and cylinders by Manifold's
+// own constructors; sets as batches. Prints one line of JSON: seconds from the parsed tree to the triangles in
+// JavaScript's memory, their number, and whether they are closed by coordinates.
 import fs from 'fs';
 import path from 'path';
 import { pathToFileURL } from 'url';

@@ -1,14 +1,20 @@
 #!/bin/sh
-# Owns the comparison of the mesh kernel with Manifold and OpenSCAD, and how its time grows. Some 20 minutes on a quiet machine.
-# `bench/kernel/run.sh build/vs build/measure [WORKLOAD ...]`; RUNS=3 is how often ours runs, SCAD=20 how many seconds OpenSCAD gets (0: none), WASM=120 manifold-3d.
+# Owns the comparison of the mesh kernel with Manifold and OpenSCAD, and the growth of its time. Some 20 minutes on a
+# quiet machine.
+# `bench/kernel/run.sh build/vs build/measure [WORKLOAD ...]`; RUNS=3: runs of vs; SCAD=20: the limit in seconds for
+# OpenSCAD (0: omit it); WASM=120: the limit for manifold-3d.
 #
-#   vs s       elapsed seconds from the tree to the written .stl, the median of the runs; beside it what reading and evaluating the program took
-#   cpu s, MB  of the whole process, all threads, in runs without --stats, which goes over the tree again and again
-#   native     Manifold's library, from its tree to the triangles in memory, elapsed, all threads; MANIFOLD=FOLDER, its sources (include/, src/), is built with TBB
-#   elsewhere  Manifold 3.5.1, whole process from ready facets, taken on another machine (native.tsv)
-#   wasm       manifold-3d, from its tree to the triangles in memory, without starting its module; OpenSCAD: the whole process, processor seconds
-# Without names: the 44 of gen.mjs. Workloads of families.mjs (many solids over one place) are run by name, with SCAD=0: `... boxes_50 boxes_100 boxes_200`.
-# OpenSCAD is not asked again for larger members of a family once one has not finished.
+#   vs s       elapsed seconds from the tree to the written .stl, the median of the runs; beside it the time for reading
+#              and evaluating the program
+#   cpu s, MB  of the whole process, all threads, in runs without --stats, which walks the tree repeatedly
+#   native     Manifold's library, from its tree to the triangles in memory, elapsed, all threads; it is built with TBB
+#              from its sources (include/, src/) in MANIFOLD=FOLDER
+#   elsewhere  Manifold 3.5.1, the whole process from ready facets, measured on another machine (native.tsv)
+#   wasm       manifold-3d, from its tree to the triangles in memory, without starting its module; OpenSCAD: the whole
+#              process, processor seconds
+# Without names it runs the 44 workloads of gen.mjs. Workloads of families.mjs (many solids in one place) run by name,
+# with SCAD=0: `... boxes_50 boxes_100 boxes_200`. Once OpenSCAD has not finished a member of a family, the script omits
+# it for the larger ones.
 set -u
 usage() { echo "usage: bench/kernel/run.sh VS MEASURE [WORKLOAD ...]" >&2; exit 1; }
 cd "$(dirname "$0")/../.." || exit 1
@@ -28,9 +34,9 @@ fi
 command -v openscad > /dev/null || { echo "openscad is not installed: its columns stay empty" >&2; limit=0; }
 [ $# -gt 0 ] || set -- $(sed 1d INDEX.tsv | cut -f1)
 
-# the median of the numbers given as lines
+# the median of the input's numbers, one a line
 median() { sort -n | awk '{ x[NR] = $1 } END { if (NR) print NR % 2 ? x[(NR + 1) / 2] : (x[NR / 2] + x[NR / 2 + 1]) / 2 }'; }
-# what the program wrote of that name, once a run
+# the values that the program printed under that name, one for each run
 stat_of() { sed -n "s/.*}\], .*\"$1\": *\([0-9.e-]*\).*/\1/p" stats | median; }
 
 echo "| workload | vs s | + evaluating | cpu s | MB | triangles | closed | native s | MB | native / vs | elsewhere s | MB | elsewhere / vs | wasm s | MB | triangles | closed | wasm / vs | OpenSCAD s | MB |"
@@ -67,7 +73,7 @@ for name in "$@"; do
   esac
   rm -f "$name.stl" "$name.scad.stl" "$name.vs"
   printf '%s\n' "name $name" "ours $ours" "phase $phase" "evaluate $evaluate" "solid $solid" "native $native" "elsewhere $elsewhere" "scad $scad" "$theirs" | awk -v figures=figures '
-    # measure writes: processor ms, elapsed ms, kilobytes
+    # measure prints: processor ms, elapsed ms, kilobytes
     function seconds(x) { return x ~ /^[0-9.]+$/ ? sprintf(x < 10000 ? "%.3f" : "%.1f", x / 1000) : "" }
     function megabytes(x) { return x ~ /^[0-9.]+$/ ? sprintf("%.0f", x / 1024) : "" }
     function ratio(x) { return x > 0 && phase > 0 ? sprintf("%.1f", x / phase) : "" }
@@ -113,7 +119,7 @@ awk '
   END { for (g = 1; g <= 5; g++) if (n[g] + e[g] + m[g] + s[g])
     printf "| %s | %s | %s | %d | %s | %s | %d | %s | %d | %s | %d |\n", group[g], aim[g], mean(native[g], n[g]), n[g], mean(memory[g], n[g]), mean(elsewhere[g], e[g]), e[g], mean(wasm[g], m[g]), m[g], mean(scad[g], s[g]), s[g] }' figures
 echo
-# time ~ N^e, fitted by least squares over a family; beside it the e of N log N between its ends
+# time ~ N^e, fitted by least squares over a family; beside it the e of N log N between the same ends
 awk '
   { name = $1; parts = split(name, p, "_"); N = p[parts]; family = substr(name, 1, length(name) - length(N) - 1)
     if (family ~ /^b_/) N = N * N

@@ -1,9 +1,11 @@
-// Measures web pages of models: ours, and X_ITE, <model-viewer> and x3dom showing the same model. `run.mjs VS FOLDER [MODEL ...]` writes the pages into FOLDER
-// and prints a table for bench/README.md. The other viewers are npm packages: `npm ci --ignore-scripts` here, at the root and in tests.
+// Measures web pages of models: ours, and X_ITE, <model-viewer> and x3dom showing the same model. `run.mjs VS FOLDER
+// [MODEL ...]` writes the pages into FOLDER and prints a table for bench/README.md. The other viewers are npm packages:
+// `npm ci --ignore-scripts` here, at the root and in tests.
 //
-// Seconds are those of all of Chromium's processes (user and system), so that other work on the machine counts little: to the first picture, and a frame of
-// turning the model, the mean of a few. WebGL is in software. A viewer that shows nothing in LIMIT seconds of the clock (120) has none. VIEWER="our page" measures one alone;
-// SHOTS=NAME keeps pictures.
+// Seconds are processor time (user and system) of all of Chromium's processes, so that other load on the machine
+// matters little: the time until the first picture, and the time of a frame while the model turns, a mean of a few.
+// WebGL runs in software. A viewer that shows nothing within LIMIT seconds of elapsed time (120) has no figure.
+// VIEWER="our page" measures one viewer alone; SHOTS=NAME keeps pictures.
 import { createServer } from "node:http";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
@@ -16,7 +18,7 @@ mkdirSync(folder, { recursive: true });
 const models = [["gare", "examples/gare-do-oriente.vs"], ["grid 51 x 51", "examples/cylinder-grid.vs"], ["vaulted hall", "examples/vaulted-hall.vs"], ["city", "examples/city.vs"]]
   .filter(([name]) => only.length === 0 || only.some((o) => name.startsWith(o)));
 
-// Processor seconds of a process and all that it started, those that have ended included.
+// Returns the processor seconds of a process and of all its descendants, including ended ones.
 function seconds(pid) {
   const children = new Map(), ticks = new Map();
   for (const entry of readdirSync("/proc")) {
@@ -38,7 +40,8 @@ function seconds(pid) {
 }
 
 const page = (head, body) => `<!DOCTYPE html><html><head><meta charset="utf-8"><link rel="icon" href="data:,"><style>html,body{margin:0;height:100%}x3d-canvas,model-viewer,x3d{display:block;width:960px;height:600px;border:0}</style>${head}</head><body>${body}</body></html>`;
-// Each sets window.first, a promise of the first picture, and window.turn, which draws one frame of the model turned a little. A frame is over when a pixel is read.
+// Each sets window.first, a promise of the first picture, and window.turn, which draws one frame of the model turned a
+// little. A frame ends when a pixel has been read back.
 const viewers = {
   "our page": { file: "html", html: null },
   "X_ITE": { file: "x3d", html: page('<script src="/x_ite/x_ite.min.js"></script>', `<x3d-canvas></x3d-canvas><script>

@@ -1,8 +1,11 @@
-// Measures the way from a save to pixels in the live view: `save.mjs VS [NAME ...]`. A number of the source is changed and the file saved, as an editor does;
-// the time runs until the first picture of the new model has been read back (a coarse one where pictures are slow, and then until the whole one). Prints a table for bench/README.md: medians of RUNS saves (7).
+// Measures the time from a save to pixels in the live view: `save.mjs VS [NAME ...]`. The script changes a number of
+// the source and saves the file as an editor does. The time ends when the first picture of the new model has been read
+// back (for slow pictures a coarse one; then also the time until the full one). Prints a table for bench/README.md:
+// medians of RUNS saves (7).
 //
-// Parts that the page spends are of its one thread by the clock, their processor time where they are told apart by process: vs, the page, and the process
-// that draws (WebGL in software). PROFILE=FILE writes what V8 sampled during the saves, for a browser's developer tools.
+// The parts of the page's time are elapsed time of its single thread. Processor time is given by process: vs, the page,
+// and the process that draws (WebGL in software). PROFILE=FILE writes V8's samples during the saves, for a browser's
+// developer tools.
 import { copyFileSync, mkdtempSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { spawn } from "node:child_process";
 import { tmpdir } from "node:os";
@@ -11,13 +14,13 @@ import { fileURLToPath } from "node:url";
 import { browser, open } from "../../tests/page/browser.mjs";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../.."), [, , vs, ...only] = process.argv, RUNS = Number(process.env.RUNS || 7);
-// A model, its parameters, and what is changed: the text before a number, and how its values go on.
+// A model, its parameters, and the change: the text before a number, and the sequence of its values.
 const models = [
   ["gare 2 x 2", "examples/gare-do-oriente.vs", ["-D", "rows=2", "-D", "columns=2"], /(define-parameter rho )([\d.]+)/, 0.05],
   ["city", "examples/city.vs", [], /(define storey-height )([\d.]+)/, 0.01],
 ].filter(([name]) => only.length === 0 || only.some((o) => name.startsWith(o)));
 
-// Processor milliseconds so far of a process; of a browser's, by what each is.
+// Returns the processor milliseconds of a process so far; for a browser, by type of process.
 const ticks = (pid) => { const text = readFileSync(`/proc/${pid}/stat`, "utf8"), f = text.slice(text.lastIndexOf(")") + 2).split(" "); return 10 * (Number(f[11]) + Number(f[12])); };
 function spent(server) {
   const all = { vs: ticks(server), page: 0, drawing: 0, browser: 0 }, parents = new Map(), kinds = new Map();
