@@ -158,9 +158,9 @@ static bool value(const vs_expression *e, uint32_t term) {
 bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e, e->root); }
 
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer) {
-  enum { STEPS = 256 }; /* a term may be reached in many ways; past so many any answer will do, since it only chooses a
+  /* There may be many ways to a term. Beyond this number any answer is good enough: it only chooses a material. */
+  enum { STEPS = 256 };
   VS_ASSERT(e->winding.at[leaf] > 0);
-                         * paint */
   *answer = false;
   e->stack.count = 0;
   for (uint32_t i = e->leaf_first.at[leaf]; i < e->leaf_first.at[leaf + 1]; i++)

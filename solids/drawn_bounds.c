@@ -13,7 +13,7 @@
 #include "model/store/cache.h"
 #include "model/tally.h"
 
-enum { BOX_LOOK = 4096, KEPT_BOUNDS = 1000 /* the key of these bounds within the node's VS_CACHED_MEASURE */ };
+enum { BOX_LOOK = 1 << 20, KEPT_BOUNDS = 1000 /* the key of these bounds within the node's VS_CACHED_MEASURE */ };
 
 /* ---- a stack of nodes ---- */
 

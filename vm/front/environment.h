@@ -90,7 +90,7 @@ bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *c
 /* Returns the value of an exported or own variable by name, VS_UNDEFINED if there is none. */
 vs_value vs_environment_value(vs_value env, vs_value symbol);
 
-/* Calls each(context, symbol, length) for every name that a program in env can use (no % names), until it returns
+/* Calls each(context, symbol, binding) for every name that a program in env can use (no % names), until it returns
  * false. */
 bool vs_environment_each(vs_value env, bool (*each)(void *context, vs_value symbol, vs_value binding), void *context);
 
