@@ -3,7 +3,8 @@
 #
 #   scripts/completions.sh bash|zsh|fish
 #
-# What stands after an option follows from its row: words between | are the choices, OUT is a file, DIR a folder, else nothing is offered.
+# The row of an option decides its completions: words between | are the choices, OUT is a file, DIR a folder; other
+# arguments get none.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 pages=$(for page in manual/*.md manual/language/*.md manual/primitives/*.md manual/rules/*.md; do basename "$page" .md; done | grep -v README | sort -u | tr '\n' ' ')

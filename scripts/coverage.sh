@@ -1,5 +1,6 @@
 #!/bin/sh
-# Owns the report of `make coverage`: `scripts/coverage.sh BUILD FOLDER...` says of each folder how many lines of code the tests have reached.
+# Owns the report of `make coverage`: `scripts/coverage.sh BUILD FOLDER...` prints for each folder the number of lines
+# of code that the tests have reached.
 set -u
 build=$1
 shift

@@ -1,14 +1,15 @@
 #!/bin/sh
-# Owns the trial on a fresh machine: a bare Debian bookworm in a folder of its own (debootstrap, make, ca-certificates and a clone of what is committed
-# here), in which the README's two commands are run as a stranger would, and then the first one with npm cut off. Ends with sizes and times; fails where a
-# file of the demonstration is missing or a test failed. Needs root: chroot and mount.
+# Owns the trial on a fresh machine: a bare Debian bookworm in a separate folder (debootstrap, make, ca-certificates and
+# a clone of the committed files). There it runs the README's two commands as a new user would, and then the first one
+# without access to npm. Prints sizes and times at the end; fails if a file of the demonstration is missing or a test
+# failed. Needs root: chroot and mount.
 #
 #   DEVICES=no     as in a container with neither pseudo-terminals nor shared memory
 #   STEPS="demo"   only these of demo, test, offline
-#   MIRROR=URL     fetch Debian's packages there; unset: where this machine's apt does, or debootstrap's own choice
-#   KEEP=1         leave the machine's folder standing
-#   ROOT=FOLDER    go on in a machine that KEEP=1 has left, with what is committed here now
-#   CACHE=FOLDER   where the bare machine is kept, as a tar file, for the next time: ~/.cache/visualscheme
+#   MIRROR=URL     fetch Debian's packages there; unset: from the source of this machine's apt, or debootstrap's default
+#   KEEP=1         keep the machine's folder
+#   ROOT=FOLDER    go on in a machine that KEEP=1 has kept, with the files that are committed now
+#   CACHE=FOLDER   the folder for the bare machine as a tar file, for the next run: ~/.cache/visualscheme
 set -u
 cd "$(dirname "$0")/.." || exit 1
 [ "$(id -u)" = 0 ] || exec sudo --preserve-env env "PATH=$PATH" sh scripts/fresh.sh
@@ -23,7 +24,7 @@ trap 'exit 130' INT TERM
 
 # ---- the bare machine ----
 
-# Debian's lines of this machine's own apt, where it is a bookworm, too.
+# Debian's lines of this machine's apt, if it is a bookworm, too.
 sources=$(apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' | awk '$3 ~ /^bookworm/ && $4 == "main" && !seen[$0]++')
 mirror=${MIRROR:-$(echo "$sources" | awk '$3 == "bookworm" { print $2; exit }')}
 if [ -n "${ROOT:-}" ]; then echo "Going on in $root"
@@ -38,7 +39,7 @@ fi
 chmod 755 "$root" # mktemp's is closed to apt's own user
 [ -n "${MIRROR:-}" ] || [ -z "$sources" ] || echo "$sources" > "$root/etc/apt/sources.list"
 
-# The way out to the network is this machine's: names, proxies, certificates, and where npm fetches.
+# The network access is that of this machine: names, proxies, certificates, and npm's source.
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 apt-config dump | grep -i '^Acquire::https\?::Proxy' > "$root/etc/apt/apt.conf.d/proxy"
 set --
@@ -59,7 +60,8 @@ fault() { echo "$*" >> "$logs/faults"; }
 : > "$logs/table"; : > "$logs/faults"
 row "$([ -n "${ROOT:-}" ] && echo before || echo bare)" 0 "$(size)" "$([ -n "${ROOT:-}" ] || echo "debootstrap, make, ca-certificates, a clone")"
 
-# inside STEP COMMAND [NAME=VALUE...]: in the machine, with its own processes and /proc; it ends with the command. Sets seconds, status and log.
+# inside STEP COMMAND [NAME=VALUE...]: runs the command in the machine, with separate processes and /proc, which end
+# with the command. Sets seconds, status and log.
 cat > "$root/root/run" <<'END'
 cd /root/visualscheme && exec sh -c "$1"
 END

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Owns the gallery: a picture of every example on one page, BUILD/gallery/index.html. `sh scripts/gallery.sh BUILD`; in its
-# environment QUALITY (good), SIZE (960x720), EXAMPLES (names; all of them), JOBS (as many pictures at a time as the machine has cores).
-# Pictures whose scenes have not changed stand; what fails is said, and the exit code is 1.
+# Owns the gallery: a picture of every example on one page, BUILD/gallery/index.html. `sh scripts/gallery.sh BUILD`; in
+# its environment QUALITY (good), SIZE (960x720), EXAMPLES (names; all of them), JOBS (the number of pictures at a time;
+# default: the number of cores). It keeps pictures whose scenes have not changed; it reports failures, and the exit code
+# is then 1.
 set -u
 build=$1 quality=${QUALITY:-good} size=${SIZE:-960x720}
 folder=$build/gallery
@@ -15,7 +16,8 @@ cat > "$page" <<END
   figure { margin: 0 } img { width: 100%; display: block } figcaption { padding: .5em 0 } small { color: #666 }</style>
 <h1>Gallery</h1>
 END
-# POV-Ray traces with a thread a core, but what comes before, meshes and scenes, is the work of one: so several are made at a time
+# POV-Ray traces with a thread for each core, but meshes and scenes before it use a single one: therefore several
+# pictures are made at a time
 models=""
 for model in ${EXAMPLES:-$(ls examples/*.vs | sed 's|examples/||; s|\.vs$||')}; do models="$models examples/$model.vs"; done
 # shellcheck disable=SC2086

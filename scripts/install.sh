@@ -1,7 +1,8 @@
 #!/bin/sh
-# Owns getting a machine ready: installs the packages of scripts/packages.list for the purposes named, and fetches what comes from npm: the viewer's parts
-# when building, what tests/package.json names for the tests. Does nothing, and asks for nothing, when all is there. Debian and Ubuntu; elsewhere it says
-# what is needed. Where npm can fetch nothing all goes on: BUILD/no-page then says why there will be no web page.
+# Owns preparing a machine: installs the packages of scripts/packages.list for the named purposes, and fetches packages
+# from npm: the viewer's parts for a build, those of tests/package.json for the tests. Does nothing, and asks for
+# nothing, if all is installed. For Debian and Ubuntu; elsewhere it prints the needed packages. If npm can fetch
+# nothing, the script goes on: BUILD/no-page then gives the reason why there will be no web page.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 build=${BUILD:-build} purposes=" $* "
@@ -19,11 +20,12 @@ by_hand() {
   exit 1
 }
 
-# Prints every ten seconds how far a command is: reads its log with the awk program and prints that line. Ends with `watched`.
+# Prints the progress of a command every ten seconds: reads its log with the awk program and prints that line. Ends with
+# `watched`.
 watch_log() { (while sleep 10 > /dev/null 2>&1; do awk "$1" "$work/log"; done) & watcher=$!; }
 watched() { kill "$watcher" 2> /dev/null; wait "$watcher" 2> /dev/null; }
 
-# ---- what is missing: must as the build needs it, may where something is skipped without ----
+# ---- missing packages: the build needs those of must; without those of may it skips something ----
 
 must= may=
 for purpose in $purposes; do
@@ -39,13 +41,13 @@ viewer= checkers=
 if wants build && ! { [ -d node_modules/three ] && [ -d node_modules/esbuild ]; }; then viewer=1; fi
 if wants tests && ! { [ -d tests/node_modules/playwright-core ] && [ -d tests/node_modules/gltf-validator ]; }; then checkers=--omit=optional; fi
 if wants check && ! [ -d tests/node_modules/x_ite ]; then checkers=--include=optional; fi
-# Where there is a node, Debian's is never installed: it would break the other.
+# If a node is installed, the script never installs Debian's: it would break the other.
 if [ -n "$viewer$checkers" ] || wants tests; then have node || may="$may nodejs"; fi
 
 # ---- Debian's packages ----
 
 apt() { as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -q -y --no-install-recommends -o APT::Keep-Downloaded-Packages=false "$@" > "$work/log" 2>&1; }
-# Says how much will come, and then how far it is.
+# Prints the size of the download, and then the progress.
 install() {
   env LC_ALL=C apt-get --assume-no --no-install-recommends install "$@" 2> /dev/null | awk '
     / newly installed/ { n = $3 } /^Need to get/ { get = $4 " " $5; sub(/.*\//, "", get) } /^After this operation/ { disk = $4 " " $5 }
@@ -85,8 +87,9 @@ fi
 
 # ---- packages from npm ----
 
-# Debian's npm depends on 360 packages, most of them for compiling addons and for developing node's modules, which fetching does not do. Where there is no npm,
-# the package and what it runs are unpacked into a folder that goes when this script ends: apt takes the following for installed.
+# Debian's npm depends on 360 packages, most of them for compiling addons and for developing node's modules, which
+# fetching does not need. If there is no npm, the script unpacks the package and its dependencies into a folder that it
+# deletes at its end: apt takes the following for installed.
 unused="gyp libnode-dev webpack node-babel7 eslint istanbul node-core-js node-lodash handlebars node-jest-debbundle node-terser node-postcss"
 npm=
 borrow_npm() {
@@ -104,7 +107,8 @@ borrow_npm() {
   $npm --version > "$work/log" 2>&1
 }
 
-# fetch FOLDER OPTION: what the folder's package-lock.json names, each held to its checksum there. Sets why where that fails.
+# fetch FOLDER OPTION: the packages of the folder's package-lock.json, each checked against its checksum there. Sets why
+# if this fails.
 why=
 fetch() {
   if [ -z "$npm" ]; then
@@ -112,7 +116,7 @@ fetch() {
     if have npm; then npm=npm
     elif ! have apt-get || ! borrow_npm; then npm= why="there is no npm, and apt-get could not fetch it"; return 1; fi
   fi
-  # Of the optional ones it is one: esbuild's program for this machine, or what only make check needs.
+  # Of the optional packages it needs one: esbuild's program for this machine, or those that only make check needs.
   all=$(awk '/^    "node_modules\// { n++ } /^      "optional": true/ { n-- } END { print n }' "$1/package-lock.json")
   [ "$2" = --omit=optional ] || all=$((all + 1))
   echo "Fetching $all packages with npm into $1/node_modules"

@@ -1,16 +1,17 @@
 #!/bin/sh
-# Owns the check that the house stands. `sh scripts/layers.sh BUILD` prints what is wrong and ends with 1, or says in one line that all holds.
-# It reads the sources, and of the objects below BUILD those that are newer than their sources: it builds nothing, and says which it had.
+# Owns the check of the layers and of other rules of the sources. `sh scripts/layers.sh BUILD` prints all faults and
+# ends with 1, or prints one line if there is none. It reads the sources, and the objects below BUILD that are newer
+# than their sources: it builds nothing, and prints the number of objects that it had.
 #
 #   arrows     an include follows scripts/layers.list
 #   globals    no object of the library has mutable data (cli/ has some: a signal handler gets no context)
 #   rooms      a folder of a layer holds at most 21 names (a .c and its .h are one), and each has a README.md
 #   Makefile   the objects that it names have sources
 #   names      no two source files of different folders share a base name, and no two headers have a type of one name
-#   files      a file that a comment names is there, and each source begins with a comment: what it owns
+#   files      a file that a comment names exists, and each source begins with a comment: what it owns
 #   ours       no file has a copyright line of others
 #   speech     scripts/speech.sh: the texts of manual, comments, messages and CHANGELOG
-#   ratchets   the counts of scripts/layers.limits: what cannot be zero at once may only fall; and asserts, of which there are at least so many
+#   ratchets   the counts of scripts/layers.limits, which may only fall; and asserts, whose number has a lower limit
 set -u
 build=$1
 cd "$(dirname "$0")/.." || exit 1
@@ -28,7 +29,7 @@ built=$(wc -l < "$work/objects")
 
 # ---- arrows ----
 awk '
-  # The row that a file belongs to: the longest folder of its path that has a row; "" without.
+  # The row of a file: the longest folder of its path that has a row; "" without.
   function row(path) { while (sub(/\/[^\/]*$/, "", path)) if (path in allowed) return path; return "" }
   FILENAME == "scripts/layers.list" { if ($0 !~ /^#/ && split($0, part, ":") == 2) allowed[part[1]] = part[2]; next }
   /^[ \t]*#[ \t]*include[ \t]*"/ {
@@ -66,12 +67,12 @@ grep '\.h$' "$work/sources" | xargs grep -HoE '^\} vs_[a-z_0-9]+;|^typedef [^(]*
   $1 == type && $2 != header && !/_s$/ { print $2 ": the type " type " stands in " header " already" }
   { type = $1; header = $2 }' > "$work/types"
 while read -r line; do
-  # a name that is announced before it is defined is one type
+  # a name that is declared before it is defined is one type
   type=$(echo "$line" | sed 's/.*the type \(vs_[a-z_0-9]*\) .*/\1/')
   [ "$(xargs grep -lE "^\} $type;|^struct $type \{|^typedef (struct|enum)[a-z_ ]*\{.*\} $type;" < "$work/sources" | grep -c '\.h$')" -le 1 ] || echo "$line" >> "$work/wrong"
 done < "$work/types"
 
-# ---- the Makefile: what it says of an object whose source has moved is lost without a word ----
+# ---- the Makefile: a rule for an object whose source has moved is ignored without a message ----
 made='^(assets|library_image|manual_text|licenses_text|shipped)$' # objects whose sources are made
 grep -oE '\$\(BUILD\)/obj/[a-z_/]+\.o' Makefile | sort -u | sed 's/^\$(BUILD)\/obj\///; s/\.o$//' | grep -vE "$made" | while read -r object; do
   [ -f "$object.c" ] || echo "Makefile: $object.o has no source $object.c"
@@ -114,7 +115,7 @@ limit static-prefixed "$(grep '\.c$' "$work/sources" | xargs grep -hE '^static [
 # Sentences of comments that begin with What, That, One, Those or So: a sentence's subject is a noun of the field.
 limit vague-openers "$(xargs grep -hE '(/\*+|^ *\*|//|\.) +(What|That|One|Those|So) ' < "$work/sources" | wc -l)" "comments with a sentence that begins with What, That, One, Those or So"
 
-# Files that a comment or a table names, by name or by the end of a path, and that are not there.
+# Files that a comment or a table names, by name or by the end of a path, and that do not exist.
 { find . -name node_modules -prune -o -name '.git' -prune -o -path "./${build#./}" -prune -o -name '*.[ch]' -print; echo ==; cat "$work/sources"; } | awk '
   /^==$/ { reading = 1; next }
   !reading { sub(/^\.\//, ""); for (path = $0; ; ) { have[path] = 1; if (!sub(/^[^\/]*\//, "", path)) break }; next }

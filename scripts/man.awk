@@ -1,5 +1,6 @@
-# Owns the way of a page of the manual from its Markdown to a page for man(1): headings, paragraphs, lists, tables, blocks of code, `code`,
-# **strong**, links. -v part=first: what stands before the first heading of level 2; -v part=rest: the others.
+# Owns the conversion of a page of the manual from Markdown to a page for man(1): headings, paragraphs, lists, tables,
+# blocks of code, `code`, **strong**, links. -v part=first: the text before the first heading of level 2; -v part=rest:
+# the other text.
 function safe(s) { gsub(/\\/, "\\e", s); gsub(/-/, "\\-", s); return s }
 function words(s,   link) { # links give their words alone
   while (match(s, /\[[^]]*\]\([^)]*\)/)) {

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Owns the manual pages of the library, section 3, made from visualscheme.h: visualscheme(3) is what stands before its first
-# topic, and one page for each topic is named by the topic's first function (or type, where it has none). Every other name that a
-# topic declares is a link to it.
+# Owns the manual pages of the library, section 3, made from visualscheme.h: visualscheme(3) is the text before its
+# first topic. Each topic has a page with the name of the topic's first function (or type, if it has none); all other
+# names that the topic declares link to it.
 #
 #   scripts/man3.sh VERSION FOLDER
 set -u
@@ -38,7 +38,7 @@ mkdir -p "$2" && awk -v version="$1" -v day="$day" -v folder="$2" '
     next
   }
   {
-    # a blank line at the top of a page says nothing
+    # omits blank lines at the top of a page
     if ($0 != "" || text != "") text = text safe($0) "\n"
     if (match($0, /^VS_API .*[ *]vs_[a-z_]*\(/)) {
       name = $0; sub(/\(.*/, "", name); sub(/.*[ *]/, "", name)

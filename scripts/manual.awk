@@ -26,7 +26,7 @@ function open_section(text,   id) { # gives the heading's id
   return id
 }
 function escape(s) { gsub(/&/, "\\&amp;", s); gsub(/</, "\\&lt;", s); gsub(/>/, "\\&gt;", s); return s }
-# Code first: nothing within it means anything. Links to pages of the manual go to their HTML.
+# Code first: marks within it have no meaning. Links to pages of the manual become links to their HTML.
 function inline(s,   out, from, length_) { # marked() matches too: what was matched here is kept
   out = ""
   while (match(s, /`[^`]*`/)) {
@@ -76,7 +76,7 @@ BEGIN {
 }
 !/^(```|#+ |\|[-| :]+\|$)/ || (code && /^#/) { said = unlinked($0); gsub(/`|\*\*/, "", said); gsub(/ *\| */, " ", said); if (said ~ /[^ ]/) body = body (body == "" ? "" : " ") said }
 code { if (/^```$/) { code = 0; code_end() } else held = held escape($0) "\n"; next }
-# what was held back, the last block of code, goes out before anything that follows it
+# the last block of code, which was held back, is written before any later text
 /^```/ { close_block(); if (behind != "") { print behind; behind = "" } code = 1; scheme = /^```scheme/; held = "<pre><code>"; next }
 behind != "" && /[^ ]/ { print behind; behind = "" }
 /^#+ / { close_block(); level = index($0, " ") - 1; text = substr($0, level + 2); id = open_section(text); print "<h" level " id=\"" id "\">" inline(text) "</h" level ">"; next }

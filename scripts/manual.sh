@@ -29,7 +29,7 @@ fields() {
 block() { awk -v n="$2" '/^```scheme$/ { inside = 1; text = ""; count++; next } /^```$/ { if (inside && count == n) printf "%s", text; inside = 0 } inside { text = text $0 "\n" }' "$1"; }
 blocks() { grep -c '^```scheme$' "$1"; }
 
-# picture PROGRAM PICTURE SOURCE: made anew where the source or vs is newer
+# picture PROGRAM PICTURE SOURCE: makes the picture again if the source or vs is newer
 picture() {
   [ "$pictures" = yes ] || return 0
   if [ "$2" -nt "$3" ] && [ "$2" -nt "$vs" ]; then return 0; fi
@@ -55,7 +55,7 @@ kinds | while read -r kind class; do
   awk -v title="$kind" -v root=../ -v index_to="$out/index.js" -v page="primitives/$kind.html" -v after="$after" -f scripts/manual.awk "$page" > "$out/primitives/$kind.html"
 done
 
-# The operators of rules: a page each, with the picture that its last program makes.
+# The operators of rules: a page for each, with the picture of its last program.
 for page in manual/rules/*.md; do
   [ -z "${KINDS:-}" ] || break
   name=$(basename "$page" .md)
@@ -72,7 +72,7 @@ for page in manual/language/*.md manual/internals/*.md; do
   awk -v title="$name" -v root=../ -v index_to="$out/index.js" -v page="$file" -f scripts/manual.awk "$page" > "$out/$file"
 done
 
-# The tutorial: what a block can use is what the blocks before it in its step defined.
+# The tutorial: a block can use the definitions of earlier blocks in its step.
 if [ -z "${KINDS:-}" ] || [ -n "${STEPS:-}" ]; then
   awk -v work="$work" -v steps="${STEPS:-all}" '
     function program() { if (n) { file = work "/tutorial-" n ".vs"; printf "%s", text > file; close(file) } }

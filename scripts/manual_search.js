@@ -6,7 +6,7 @@
   const sections = manual.map(([heading, page, address, text]) => ({ heading, page, address, text, name: heading.toLowerCase(), all: (heading + " " + page + " " + text).toLowerCase() }));
   const named = (s, typed) => s.name.replace(/[(),]/g, " ").split(/\s+/).includes(typed);
 
-  // Does a word of the text begin with w?
+  // Returns true if a word of the text begins with w.
   function begins(text, w) {
     for (let i = text.indexOf(w); i >= 0; i = text.indexOf(w, i + 1)) if (!i || !/[\p{L}\p{N}]/u.test(text[i - 1])) return true;
     return false;

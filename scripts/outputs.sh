@@ -1,11 +1,14 @@
 #!/bin/sh
-# Owns the sums of all that a binary writes, for holding two builds to equal bytes: `sh scripts/outputs.sh VS > sums` on each, then diff.
+# Owns the checksums of all outputs of a binary, for comparing two builds byte by byte: `sh scripts/outputs.sh VS >
+# sums` for each, then diff.
 #
-# Programs: every example, every workload of bench/kernel, and tests/cross: the sheet in each variant, its tree and each form of Appendix A. FORMATS:
-# every row of backends.def that needs no worker. PROGRAMS=text takes those whose name contains the text, WHOLE=1 the large examples in full size.
+# Programs: every example, every workload of bench/kernel, and tests/cross: the sheet in each variant, its tree and each
+# form of Appendix A. FORMATS: every row of backends.def that needs no worker. PROGRAMS=text selects those whose name
+# contains the text, WHOLE=1 the large examples in full size.
 #
-# A line: program, file, exit codes, sum; `printed` and `told` are the two streams of the program, where it wrote to them. The last line counts the
-# programs. One that takes more than PATIENCE (600) seconds of processor time is cut off: its only line says so, and the exit code of the script is 1.
+# A line: program, file, exit codes, checksum; `printed` and `told` are the program's two streams, if it wrote to them.
+# The last line has the number of programs. A program that takes more than PATIENCE (600) seconds of processor time is
+# ended: its only line reports that, and the exit code of the script is 1.
 set -u
 vs=$(realpath "$1") || exit 2
 cd "$(dirname "$0")/.." || exit 1

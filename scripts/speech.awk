@@ -1,7 +1,8 @@
-# Owns counting where texts break the rules of plain speech (CONTRIBUTING.md). Reads the files whose names are its input, one a line:
+# Owns counting the breaches of the rules of plain speech (CONTRIBUTING.md). Reads the files whose names are its input,
+# one a line:
 #   awk -v kind=manual|comments|messages|changes [-v list=NAME] -f scripts/speech.awk < NAMES
-# Prints `KIND-COUNT NUMBER` for each count. With `list` it prints, in place of them, the sentences that the count of that name is made from.
-# A unit is a paragraph, an item, a cell of a table, a comment or a string. Code between backticks is one word.
+# Prints `KIND-COUNT NUMBER` for each count. With `list` it prints instead the sentences of the count of that name. A
+# unit is a paragraph, an item, a cell of a table, a comment or a string. Code between backticks is one word.
 function plain(s,    at, inner) { # a unit without pictures, code, and the addresses of links
   gsub(/!\[[^]]*\]\([^)]*\)/, "", s)
   gsub(/`[^`]*`/, "CODE", s)

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Owns `make static`: what cppcheck, clang's analyzer (scan-build's) and gcc -fanalyzer find in the code that meets what strangers
-# wrote: texts, files, requests. Every finding was read; those judged false stand in scripts/static.known, a line each:
-# TOOL FILE MESSAGE | why it is false. Fails when there is another, or when a tool is there that cannot be run.
+# Owns `make static`: the findings of cppcheck, clang's analyzer (scan-build's) and gcc -fanalyzer in the code that
+# reads untrusted data: texts, files, requests. Every finding was read; scripts/static.known lists the false ones, a
+# line each: TOOL FILE MESSAGE | why it is false. Fails if there is another finding, or if an installed tool cannot be
+# run.
 #
 # usage: scripts/static.sh [TOOL...]   cppcheck clang gcc: only these
 set -u
@@ -15,7 +16,7 @@ facing="languages/javascript/*.c vm/javascript/*.c vm/front/*.c vm/values/*.c vm
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -I. $(pkg-config --cflags freetype2 2>/dev/null) $(pkg-config --cflags-only-I OpenEXR 2>/dev/null)"
 export flags LC_ALL=C
 
-# FILE:LINE:COLUMN: warning: MESSAGE becomes TOOL FILE MESSAGE: a line may move, a finding stays the same one.
+# Turns FILE:LINE:COLUMN: warning: MESSAGE into TOOL FILE MESSAGE: a finding stays the same when its line moves.
 name() { sed -n "s/^\.\{0,1\}\/\{0,1\}\([a-z][^: ]*\.[ch]\):[0-9]*:[0-9]*: \(warning\|error\|portability\): \(.*\)/$1 \1 \3/p" | sort -u; }
 
 : > "$work/found"

@@ -1,12 +1,13 @@
 #!/bin/sh
-# Owns the figures of manual/translate.md: how many programs `vs translate` takes over, and how many of the translations have, run by their own
-# programs, the volume that the program has here, with 12 facets a turn.
+# Owns the figures of manual/translate.md: the number of programs that `vs translate` translates, and the number of
+# translations that have, in their own programs, the volume of the original, with 12 facets a turn.
 #
 #   scripts/translations.sh BUILD          the rows of the table: translated, refused with a place, refused otherwise
-#   scripts/translations.sh BUILD volumes  besides, for each language: volumes that agree to 1e-6 (POV-Ray: scenes that it reads), that differ, that were not made in time
+#   scripts/translations.sh BUILD volumes  also, for each language: volumes that agree to 1e-6 (POV-Ray: scenes that it
+#                                          reads), that differ, that were not made in time
 #   SETS=examples LANGUAGES=povray LIMIT=20  these programs and languages alone; seconds for each translation (60)
 #
-# The programs are those of examples/ and the blocks of the manual that make solids by themselves.
+# The programs are those of examples/ and the blocks of the manual that make solids alone.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 case $1 in /*) vs=$1/vs ;; *) vs=$PWD/$1/vs ;; esac
@@ -26,7 +27,7 @@ export HOME="$work"
 
 measure() { "$vs" -q -e "(display (volume (load-mesh \"$1\" #:repair #t)))" 2> /dev/null; }
 
-# Prints agrees, differs or late of the program $1, translated to $2.
+# Prints agrees, differs or late for the program $1, translated to $2.
 compare() {
   [ -f "$work/ours.stl" ] || return
   case $3 in

@@ -150,7 +150,7 @@ if [ "$(grep -c '> (define (square x)' "$work/screen")" = 2 ]; then echo "ok pro
 type_keys < "$work/keys"
 check "a paste of 200 lines" '("the sum" 198)'
 
-# what a terminal is told besides the text: the cursor goes to the parenthesis that is closed and back, and colours
+# the terminal's control sequences: the cursor moves to the matching parenthesis and back, and colours
 printf '%s\n' '(values)\n' '(+ 1 2' ')' '\n' '(draw (make-box origin 1 1 1))\n' ',show 12x4\n' ',quit\n' > "$work/keys"
 type_escapes() { "$BUILD/tools/typist" --escapes "$BUILD/vs" > "$work/screen" < "$work/keys"; }
 type_escapes
@@ -164,8 +164,8 @@ printf '%s\n' '(+ 1 2)' '(draw (make-box origin 1 1 1))' ',show 12x4' ',help mak
 check "a pipe" "car: expected a pair"
 if grep -q "$(printf '\033')" "$work/screen"; then echo "not ok prompt:a pipe gets escape sequences"; else echo "ok prompt:a pipe gets no escape sequences"; fi
 
-# The screen of a terminal in the end, which escapes alone do not tell: parentheses that are shown for a moment leave nothing behind, nor does an entry of
-# several lines that is ended from its first.
+# The final screen of a terminal, which the escape sequences alone do not show: matching parentheses that are marked for
+# a moment leave no trace, nor does an entry of several lines that is ended from its first.
 if command -v tmux > /dev/null; then
   pane() { tmux -S "$work/tmux" "$@"; }
   keys() { for key in "$@"; do pane send-keys -t vs -l -- "$key"; sleep 0.4; pane send-keys -t vs Enter; sleep 0.2; done; }
@@ -231,7 +231,7 @@ printf '%s\n' '\e[A\e[A\n' ',quit\n' > "$work/keys"
 type_keys < "$work/keys"
 check "history of the last session" "43"
 
-# how far a mesh is stands in one line; ctrl-C ends it, and leaves no file
+# the progress of a mesh is one line; ctrl-C ends it, and leaves no file
 mkdir "$work/out"
 cat > "$work/keys" <<KEYS
 (draw (subtract (make-sphere (xyz 0 0 0) 10 #:segments 1200) (make-torus (xyz 0 0 3) 8 3 #:segments 1200)))\n

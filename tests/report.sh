@@ -1,5 +1,6 @@
-# Owns what the scripts of tests/ share: a private folder that ends with the script, the program, and how a result is told. A script begins with
-# `. tests/report.sh`, at the root of the repository, with BUILD and ONLY set by tests/run.sh.
+# Owns the common part of the scripts of tests/: a private folder that ends with the script, the program, and the report
+# of a result. A script begins with `. tests/report.sh`, at the root of the repository, with BUILD and ONLY set by
+# tests/run.sh.
 . tests/limited.sh
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -11,7 +12,7 @@ result() { # NAME FILE: the file holds the reasons why the test failed, and is e
 wanted() { # NAME: is this test, or a test within this script, asked for by ONLY?
   case $1 in *"$ONLY"*) return 0 ;; *) return 1 ;; esac
 }
-# Says why nothing can be run on a terminal here, a line; nothing where it can.
+# Prints the reason why tests cannot use a terminal here, in one line; nothing if they can.
 no_terminal() {
   if ! command -v script > /dev/null; then echo "no script (package bsdutils)"
   elif ! script -qec true /dev/null > /dev/null 2>&1 < /dev/null; then echo "no pseudo-terminal here (/dev/pts)"; fi

@@ -1,15 +1,18 @@
 #!/bin/sh
-# Owns the test run: JOBS suites at a time, one line a test, and the counts as the last line. `tests/run.sh BUILD [VERBOSE]`.
+# Owns the test run: JOBS suites at a time, a line for each test, and the counts as the last line. `tests/run.sh BUILD
+# [VERBOSE]`.
 #
-#   JOBS=n                      how many suites run side by side: as many as the machine has cores unless said
+#   JOBS=n                      the number of suites that run at a time; default: the number of cores
 #   SUITES="unit lang cli ..."  only these          ONLY=text   only tests whose name contains it
-#   LONG=1                      what takes a sample of many cases takes all of them
+#   LONG=1                      tests that take a sample of many cases take all of them
 #   SEEDS=FROM-TO               the kernel's random trees of these seeds (0.03 s each), in place of the sample
-#   TIMES=FILE                  write there how long each entry took, the costliest first: seconds, seconds of processor time, its name
-#   TICK=SECONDS                a line of each suite that runs, so often: every 30 seconds unless said
+#   TIMES=FILE                  write the time of each entry to FILE, the longest first: seconds, seconds of processor
+#                               time, its name
+#   TICK=SECONDS                print a line for each running suite every SECONDS seconds; default: 30
 #   BLESS=1                     rewrite the goldens of tests/cli instead of comparing
 #
-# Every suite is a script or a function that prints `ok NAME`, `not ok NAME` with its reasons indented below, or `skip NAME: why`.
+# Every suite is a script or a function that prints `ok NAME`, `not ok NAME` with its reasons indented below, or `skip
+# NAME: why`.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 [ "${1:-}" = --suite ] || BUILD=${1:-build}
@@ -22,9 +25,10 @@ ticker=
 trap '[ -z "$ticker" ] || kill "$ticker" 2> /dev/null; rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-# cmocka's TAP: `ok 1 - name`, `not ok 1 - name`, `not ok 1 # SKIP name` behind the line `skip WHY` (tests/unit/skip.h). A program that dies has failed, whatever it said before.
+# Reads cmocka's TAP: `ok 1 - name`, `not ok 1 - name`, `not ok 1 # SKIP name` after the line `skip WHY`
+# (tests/unit/skip.h). A program that crashes has failed, for any earlier output.
 suite_unit() { # PROGRAM of BUILD/unit
-  # A unit test may run workers: seconds, not minutes; unless all cases or many seeds were asked for, or a sanitizer slows it down.
+  # A unit test may start workers: seconds, not minutes; more for all cases, for many seeds, or with a sanitizer.
   limited "$([ -z "${SEEDS:-}${LONG:-}" ] && echo "${UNIT_SECONDS:-300}" || echo 36000)" env CMOCKA_MESSAGE_OUTPUT=TAP "$BUILD/unit/$1" > "$work/out" 2> "$work/err"
   status=$?
   awk -v name="unit/$1" '
@@ -64,8 +68,9 @@ suite_layers() {
   if ! command -v objdump >/dev/null 2>&1; then echo "skip layers: no objdump (package binutils)"; return; fi
   if sh scripts/layers.sh "$BUILD" > "$work/out" 2>&1 && grep -q "no mutable globals" "$work/out"; then echo "ok layers"; else echo "not ok layers"; sed 's/^/    /' "$work/out"; fi
 }
-# Both compilers take everything without a warning. `make test` builds with gcc's warnings as errors; clang's warnings are those of its front end, which
-# is run alone here. LONG=1: both build everything anew with other optimisation, and the programs that they make are linked.
+# Both compilers accept all sources without a warning. `make test` builds with gcc's warnings as errors; clang's
+# warnings come from its front end, which runs alone here. LONG=1: both build everything anew with other optimisation,
+# and link the programs.
 suite_compilers() {
   for compiler in ${LONG:+gcc} clang; do
     if ! command -v $compiler >/dev/null 2>&1; then echo "skip compilers/$compiler: not installed"; continue; fi
@@ -78,11 +83,11 @@ suite_compilers() {
   done
 }
 
-# An entry of the pool below. Its lines are printed together when it has ended, since others run beside it.
+# An entry of the pool below. Its lines are printed together at its end, since other entries run beside it.
 if [ "${1:-}" = --suite ]; then
   begin=$(date +%s)
   : > "$work/lines"
-  # The sleeping process holds no one's output open after the suite.
+  # The sleeping process must not keep the suite's output open after its end.
   (while sleep "${TICK:-30}" > /dev/null 2>&1; do
      echo "  $2: $(($(date +%s) - begin)) s, $(grep -a -c '^ok ' "$work/lines") passed, $(grep -a -c '^not ok ' "$work/lines") failed"
    done) & ticker=$!
@@ -96,7 +101,8 @@ if [ "${1:-}" = --suite ]; then
   exit 0
 fi
 
-# Which programs of this build do the suites run that are not there? Where ONLY picks tests, their tools are not asked for.
+# Prints the programs of this build that the suites run and that are missing. If ONLY selects tests, their tools are not
+# checked.
 lacking() {
   for suite in $SUITES; do
     echo vs
@@ -121,7 +127,7 @@ if [ -s "$work/lacking" ]; then
   exit 2
 fi
 
-# The pool: a suite is one entry, but each program of unit/ and each script of workers/ is one of its own.
+# The pool: a suite is an entry, but each program of unit/ and each script of workers/ is a separate entry.
 log=$work/log
 : > "$log"
 for suite in $SUITES; do

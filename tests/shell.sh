@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns what the shell has of the command: its completion in bash, zsh and fish, and its page for man.
+# Owns the tests of the command in the shell: its completion in bash, zsh and fish, and its page for man.
 . tests/report.sh
 wanted shell || exit 0
 for shell in bash zsh fish; do sh scripts/completions.sh $shell > "$work/vs.$shell" || echo "not ok shell/$shell: is not made"; done
@@ -38,16 +38,16 @@ for shell in bash zsh fish; do
   elif $shell -n "$work/vs.$shell" 2> "$work/errors" && [ ! -s "$work/errors" ]; then echo "ok shell/$shell:syntax"
   else echo "not ok shell/$shell:syntax"; sed 's/^/    /' "$work/errors"; fi
 done
-# Every option and command stands in each of them and in the page.
+# Every option and command occurs in each completion and in the page.
 sh scripts/man.sh 0 > "$work/vs.1"
 sed 's/\\-/-/g; s/\\f[BIR]//g' "$work/vs.1" > "$work/vs.man"
 missing=$({ sed -n 's/^OPTION([^"]*"\([^"][^"]*\)".*/\1/p' cli/options.def; sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' cli/commands.def; } |
   while read -r word; do for file in bash zsh fish man; do grep -q -- "$word" "$work/vs.$file" || echo "$word in $file"; done; done)
 if [ -z "$missing" ]; then echo "ok shell/all"; else echo "not ok shell/all: missing:"; echo "$missing" | sed 's/^/    /'; fi
-# None is there without what it means.
+# Each has a description.
 { awk '/^\.TP/ { at = NR } at && NR == at + 2 && !/./ { print "man: " last } { last = $0 }' "$work/vs.man"; grep -n "':'$\|:'$\|-d ''" "$work/vs.zsh" "$work/vs.fish"; } > "$work/errors"
 if [ ! -s "$work/errors" ]; then echo "ok shell/meanings"; else echo "not ok shell/meanings: rows without one:"; sed 's/^/    /' "$work/errors"; fi
-# Every exit code does, too of visualscheme.h in the page; a negative outcome is none.
+# Every exit code occurs, also those of visualscheme.h in the page; a negative outcome is not an exit code.
 codes=$(sed -n 's/^ *VS_OUTCOME_[A-Z]* = \([0-9][0-9]*\).*/\1/p' visualscheme.h | tr '\n' ' ')
 told=$(sed -n '/^\.SH "EXIT CODES"/,/^\.SH/p' "$work/vs.man" | grep -o '^[0-9][0-9]*' | tr '\n' ' ')
 if [ -n "$codes" ] && [ "$codes" = "$told" ]; then echo "ok shell/exit codes"
@@ -58,7 +58,8 @@ elif command -v groff > /dev/null; then groff -man -ww -z "$work/vs.1" 2> "$work
 else echo "skip shell/man: no mandoc, man or groff"; exit; fi
 if [ ! -s "$work/errors" ] && [ "$(wc -l < "$work/vs.1")" -gt 150 ]; then echo "ok shell/man"; else echo "not ok shell/man"; head -n 20 "$work/errors" | sed 's/^/    /'; fi
 
-# The runner itself: in a build of nothing but vs it names what it lacks, and a suite that takes long says how far it is.
+# The runner itself: in a build that contains only vs it names the missing programs, and it reports the progress of a
+# long suite.
 mkdir "$work/plain" && ln -s "$BUILD/vs" "$work/plain/vs"
 said=$(ONLY= SUITES="unit cross" sh tests/run.sh "$work/plain" 2>&1); status=$?
 if [ $status = 2 ] && echo "$said" | grep -q '^not built in .*: tools/.* \.\.\. ([0-9]*)$' && echo "$said" | grep -q '^make .*all units tools'; then echo "ok shell/runner:not built"

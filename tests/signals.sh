@@ -1,6 +1,6 @@
 #!/bin/sh
-# Owns the test of what ends the command from outside: SIGTERM and SIGHUP stop it in order, with 130, and leave no half-written file and no
-# POV-Ray behind. (SIGINT is the prompt's test: a script's background jobs ignore it.)
+# Owns the test of ending the command by signals: SIGTERM and SIGHUP end it in order, with 130, and leave no incomplete
+# file and no POV-Ray. (The prompt's test covers SIGINT: a script's background jobs ignore it.)
 . tests/report.sh
 wanted signals || exit 0
 mkdir "$work/tmp"
@@ -13,7 +13,7 @@ begun() { ls -l "/proc/$process/fd" 2>/dev/null | grep -q "$work/[#o]"; } # an o
 has_child() { child=$(pgrep -P "$process"); [ -n "$child" ]; }
 gone() { ! kill -0 "$child" 2>/dev/null; }
 
-# name, the exit code; nothing but the messages may be left in the folders
+# name, the exit code; the folders may contain nothing but the messages
 judge() {
   left=$(ls -A "$work/tmp"; ls -A "$work" | grep -v '^tmp$\|^messages$')
   if [ "$2" = 130 ] && [ -z "$left" ]; then echo "ok signals:$1"
@@ -21,11 +21,12 @@ judge() {
   rm -rf "$work"/out*
 }
 
-# The command listens to TERM and HUP: bits 14 and 0 of the signals that it catches. Half a second need not be enough on a busy machine.
+# The command handles TERM and HUP: bits 14 and 0 of the caught signals. On a busy machine half a second may not be
+# enough.
 listens() { caught=$(sed -n 's/^SigCgt:[^0-9a-f]*//p' "/proc/$process/status" 2>/dev/null); [ -n "$caught" ] && [ $((0x$caught & 0x4001)) = $((0x4001)) ]; }
 up() { if [ -d /proc/self ]; then await listens; fi; sleep 0.5; }
 
-# A caller may ignore them (nohup does), and the shell cannot undo that: env can.
+# A caller may ignore them (nohup does), and the shell cannot undo this: env can.
 heard="env --default-signal=TERM,HUP"
 for signal in TERM HUP; do
   $heard "$BUILD/vs" -q -e '(let loop () (loop))' > "$work/messages" 2>&1 & process=$!

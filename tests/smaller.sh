@@ -1,5 +1,5 @@
-# Owns what makes an example small that would take minutes in all formats, for who writes every example several times. Copies, twists and holes stay,
-# which the test of passes goes without.
+# Owns the parameters that make an example small which would take minutes in all formats, for tests that write every
+# example several times. Copies, twists and holes stay; the test of passes omits them.
 smaller() { # EXAMPLE
   case $1 in
   examples/city.vs) echo "-D blocks=3 -D tallest=8" ;;

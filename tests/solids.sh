@@ -1,7 +1,8 @@
 #!/bin/sh
-# Owns the look at written meshes for places where they meet themselves (tests/tools/crossings.c), in .off and in .stl with its 32-bit numbers: the kernel's
-# workloads (bench/kernel). LONG=1: all but the largest of them. And at random trees of boxes through the language (tests/oracle/fuzz.c): what (volume o) says and
-# the .off file encloses, closed, is what counting the cells gives.
+# Owns the check of written meshes for self-intersections (tests/tools/crossings.c), in .off and in .stl with its 32-bit
+# numbers: the kernel's workloads (bench/kernel). LONG=1: all but the largest of them. It also runs random trees of
+# boxes through the language (tests/oracle/fuzz.c): (volume o) and the volume of the .off file, which must be closed,
+# equal the count of cells.
 . tests/report.sh
 case $ONLY in ""|solids*) ;; *) exit ;; esac
 here=bench/kernel
@@ -12,7 +13,7 @@ for kind in cell turned spelt; do
     "$BUILD/tools/fuzz" -p $kind "$seed" > "$work/tree.vs"
     rm -f "$work/tree.off"
     limited 60 "$vs" --quiet $here/suite.vs "$work/tree.vs" -o "$work/tree.off" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
-    # what the exact solid touches itself with is no fault, all else is
+    # contacts of the exact solid with itself are no fault, all others are
     limited 60 "$BUILD/tools/crossings" "$work/tree.off" | sed 's/, [0-9]* touching ([^)]*)$//' |
       awk -v first="$(head -n 1 "$work/tree.vs")" '{ split(first, want); d = $NF - want[3] } !/ triangles, volume [^ ]*$/ || d > want[5] * want[3] || -d > want[5] * want[3]
         END { if (NR != 1) print "no mesh" }' >> "$work/said" 2>&1

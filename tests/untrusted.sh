@@ -1,6 +1,7 @@
 #!/bin/sh
-# Owns the test of `vs --untrusted`: a model that tries every way to a file by every kind of path, to the environment, to programs and to directives of the
-# formats. It must see nothing of what lies outside of its folder; where strace is there, no open, exec or connect may lead out.
+# Owns the test of `vs --untrusted`: a model that tries every way to a file by every kind of path, to the environment,
+# to programs and to directives of the formats. It must see nothing outside its folder; if strace is installed, no open,
+# exec or connect may lead outside.
 case limits/untrusted in *"$ONLY"*) ;; *) exit 0 ;; esac
 . tests/report.sh
 mkdir -p "$work/models/sub" "$work/out"
@@ -50,7 +51,7 @@ grep -q 'INSIDE-3("inside.vs")' "$work/said" || echo "did not read its own folde
 grep -a 'secret.vs\|"passwd"\|"uevent_seqnum"' "$work/said" >> "$work/wrong"
 say reads
 
-# trace MODEL: what it opened, ran or connected to outside of its folder
+# trace MODEL: the files outside its folder that it opened or ran, and its connections
 trace() {
   run strace -f -y -o "$work/trace" -e trace=%file,%network,%process "$BUILD/vs" --untrusted -q "$1" -o out/traced.stl > /dev/null 2>&1 < /dev/null
   [ -s "$work/trace" ] || echo "$1: nothing was traced"
@@ -63,7 +64,7 @@ trace() {
 if command -v strace >/dev/null 2>&1 && run strace -o /dev/null true 2>/dev/null; then
   trace models/model.vs >> "$work/wrong"
   say traced
-  # its tries as models of their own, a hundred of them: what one ends keeps no other from trying
+  # its attempts as separate models, a hundred of them: an attempt that ends the program does not prevent another
   if [ -n "${LONG:-}" ]; then
     awk -v to="$models/hostile" 'END { for (i = 0; i < 100; i++) { f = to i ".vs"; for (k = i; k < NR; k += 100) print l[k] > f; print "(draw (make-sphere (xyz 0 0 0) 1))" > f; close(f) } } { l[NR - 1] = $0 }' "$models/model.vs"
     for i in $(seq 0 99); do trace "models/hostile$i.vs"; done >> "$work/wrong"
@@ -74,7 +75,7 @@ else
   echo "skip limits/untrusted-traced: no strace"
 fi
 
-# names and texts through every format: none becomes a directive, and each file is read by what reads its kind
+# names and texts through every format: none becomes a directive, and the reader of each format reads the file
 for suffix in pov scad x3d x3dv html stl obj ply off 3mf glb; do
   run "$BUILD/vs" --untrusted -q models/model.vs -o "out/a.$suffix" > /dev/null 2> "$work/err" < /dev/null || { echo "$suffix: ended with $?"; tail -n 3 "$work/err"; } >> "$work/wrong"
 done
@@ -86,7 +87,7 @@ if command -v xmllint >/dev/null 2>&1; then xmllint --noout "$work/out/a.x3d" >>
 find "$work" -name OWNED >> "$work/wrong"
 say texts
 
-# whoever runs out of descriptors is told that, and not that the model reads what it may not
+# with too few descriptors the message says so, and not that the model may not read a file
 echo '(load "sub/inside.vs") (write (directory-files "sub")) (display (volume (load-mesh "cube.off")))' > "$models/few.vs"
 ran=
 for files in $(seq 4 24); do

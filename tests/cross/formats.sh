@@ -1,7 +1,9 @@
-# Owns manual/formats.md: every kind of object in every format, found by writing each shape of the table to each format. `sh tests/cross/formats.sh` prints the page.
+# Owns manual/formats.md: every kind of object in every format, from writing each shape of the table to each format. `sh
+# tests/cross/formats.sh` prints the page.
 #
-# native: in the format's own words. triangles: lowered to them. lines: to polylines. With "or": some forms of the kind one way, some the other.
-# Text in italics is the short form of the warning with which the format omits the kind or shows it as another.
+# native: in the format's own words. triangles: lowered to them. lines: to polylines. With "or": some forms of the kind
+# one way, some the other. Text in italics is the short form of the warning with which the format omits the kind or
+# shows it as another.
 . tests/report.sh
 sheet=tests/cross/sheet.vs
 
@@ -18,7 +20,8 @@ sed -n 's/^VS_\(FORMAT\|NOTATION\)(\([^,]*\), [^,]*, "\([^"]*\)", [^,]*, [^,]*, 
   if [ "$sort" = FORMAT ]; then echo "| \`.$suffix\` | $doc |"; else echo "| \`--format $name\` | ${doc%: --format *} |"; fi
 done
 
-# The looks of an object that come along: one box of a made material, in a layer, in millimetres; the words by which it is known again.
+# The attributes that a format keeps: a box of a new material, in a layer, in millimetres; the words by which the script
+# finds each.
 cat > "$work/looks.vs" <<'EOF'
 (units 'mm)
 (draw (layer "walls" (with-material (make-material #:name "oak" #:color "#804020") (make-box (xyz 0 0 0) (xyz 1 1 1)))))
@@ -66,7 +69,8 @@ regions, text and open surfaces without a material are dark.
 
 EOF
 
-# A shape, a line of the table of forms: its kind, each format and its form there. It reads the messages of vs, then the files that are text.
+# Writes a shape as a line of the table of forms: its kind, each format and its form there. It reads the messages of vs,
+# then the files that are text.
 cat > "$work/found.awk" <<'EOF'
 FNR == 1 { file = FILENAME; sub(/.*\./, "", file); aside = 0 }
 file == "said" {
@@ -100,7 +104,7 @@ EOF
 cat > "$work/one" <<'EOF'
 tab=$(printf '\t'); IFS=$tab; set -f; set -- $1; unset IFS
 index=$1 kind=$2 at=$work/shape-$1; mkdir "$at"
-# a form is of the kind that its name begins with, else of its own
+# a form belongs to the kind with which its name begins, otherwise it is a separate kind
 if grep -q -x -F -e "${3%%/*}" "$work/kinds"; then kind=${3%%/*}; fi
 timeout -s KILL 60 "$vs" --quiet $sheet -D one="$index" -o "$at/x.pov" -o "$at/x.scad" -o "$at/x.x3d" -o "$at/x.glb" -o "$at/x.stl" > "$at/said" 2>&1
 mv "$at/said" "$at/x.said"
@@ -141,7 +145,7 @@ awk -F '\t' -v found="$work/found" -v formats='pov scad x3d glb stl' '
     for (f = 1; f <= count; f++) {
       text = ""
       many = split(substr(said[$1 SUBSEP format[f]], 2), each, "\t")
-      # the usual order, whichever came first
+      # the usual order, independent of the order of occurrence
       split("native triangles lines nothing", usual, " ")
       for (u = 1; u <= 4; u++) for (i = 1; i <= many; i++) if (each[i] == usual[u]) text = text (text == "" ? "" : " or ") each[i]
       for (i = 1; i <= many; i++) if (each[i] ~ /^\*/) text = text (text == "" ? "" : "; ") each[i]

@@ -1,4 +1,5 @@
-# Owns the test of the pictures in the pages of `vs doc`: which procedures have one, and that it shows what the program first made with them.
+# Owns the test of the pictures in the pages of `vs doc`: the procedures with a picture, and that it shows the first
+# object that the program made with them.
 . tests/report.sh
 
 wanted documents || exit 0
@@ -48,7 +49,7 @@ echo '(define (ball paint size) (color paint (make-sphere (xyz 0 0 0) size))) (d
 share=$("$tools/pngstat" "$(picture site ball)" "$(picture red ball)" 2>&1)
 [ "$share" = 0 ] || echo "another picture: $share" >> said
 result documents-first said
-# a program that cannot be run so runs as it is
+# a program that this wrapping would break runs unchanged
 echo '(import (only (scheme base) define quote) (only (visualscheme) draw make-sphere xyz)) (define (ball x) (make-sphere (xyz x 0 0) 1)) (draw (ball 1))' > narrow.vs
 "$vs" doc narrow.vs -o narrow > said 2>&1
 got=$(shown narrow)

@@ -1,4 +1,5 @@
-# Owns the test of drawings as other programs read them: ezdxf the .dxf, poppler the .pdf, librsvg the .svg; lengths and areas against closed forms.
+# Owns the test of drawings as other programs read them: ezdxf reads the .dxf, poppler the .pdf, librsvg the .svg;
+# lengths and areas against closed forms.
 . tests/report.sh
 
 wanted drawings || exit 0
@@ -59,7 +60,7 @@ cut = area(m)
 want('materials in the plan', len(cut), 2)
 want('area cut in the plan', sum(cut.values()), 10 * 8 - 9.2 * 7.2 + 0.25)
 want('a curve seen from above', total(m, 'curve'), 2)
-# the plan's points are the model's
+# the plan's points equal the model's
 want('the wall begins at x', min(x for e in m.query('LWPOLYLINE[layer=="cut"]') for x, y in e.get_points('xy')), 0)
 texts = [t.dxf.text for t in m.query('TEXT')]
 if '10.00' not in texts: print('no dimension', texts)
@@ -103,7 +104,7 @@ else
   echo "skip drawings/svg: no rsvg-convert (package librsvg2-bin)"
 fi
 
-# A house's sheet: no text lies on another, room names and axes stand where they say something, and it all fits A3.
+# A house's sheet: no text overlaps another, room names and axes are at useful places, and everything fits A3.
 cat > sheet-of-a-house.vs <<'EOF'
 (define brick-walls
   (with-material brick
