@@ -20,7 +20,7 @@ function problems(text, folder) {
   return found;
 }
 
-// What `vs check --json` found, without running the model: the span of each, and its name as the code.
+// The findings of `vs check --json`, without running the model: the span of each, and its name as the code.
 function findings(text, folder) {
   const found = new Map();
   let list = [];

@@ -36,7 +36,7 @@ print("of everything: %.4f m3" % s.call("volume", s.object(s.root)))
 for hit in s.pick((0, 0, 9), (0, 0, -1)):
     print("%s at %.2f m, made at line %d" % (s.name(hit.node), hit.point[2], hit.line))
 
-# %% A mistake says where it is
+# %% A mistake reports its place
 try:
     s.run("(draw (make-spere (xyz 0 0 0) 1))", name="cell")
 except Exception as error:

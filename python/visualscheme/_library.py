@@ -96,7 +96,7 @@ class Statistic(Structure):
     _fields_ = [("key", c_char_p), ("value", c_double), ("unit", c_char_p)]
 
 
-# The structures of the header that these stand for: a test compares their sizes with the compiler's.
+# The header's structures for these classes: a test compares their sizes with the compiler's.
 STRUCTURES = {
     "vs_span": Span, "vs_diagnostic_note": Note, "vs_diagnostic": Diagnostic, "vs_host": Host, "vs_options": Options,
     "vs_mesh_part": Part, "vs_mesh_info": MeshInfo, "vs_hit": Hit, "vs_gizmo": Gizmo,
@@ -160,8 +160,8 @@ _FUNCTIONS = {
     "vs_input": (c_int, [_S, c_int, c_int, POINTER(c_double), POINTER(c_double), _T, POINTER(_H)]),
 }
 
-# The functions of the header that have no like in the package, and why: a test holds this list and the one above to the
-# header.
+# The functions of the header without a counterpart in the package, and the reason: a test compares this list and the
+# list above with the header.
 LEFT_OUT = {
     "a prompt, an editor or a debugger calls these, and Python has its own": (
         "vs_exit_requested vs_read_check vs_complete vs_name_get vs_name_advice vs_disassemble vs_stop_get "

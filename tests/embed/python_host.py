@@ -152,7 +152,7 @@ with Scheme() as s:
     s.run("(define key #f) (node-on (node-getroot) 'key (lambda (node k) (set! key k)))")
     check("a key", s.input("key", key="g") == s.root and s["key"] == "g" and s.input("move") is None)
 
-# parameters, files as bytes, statistics, and what becomes of values when their program is gone
+# parameters, files as bytes, statistics, and values after their program has ended
 with Scheme() as s:
     s.parameter("n", 5)
     s.parameter("nobody", True)
@@ -175,7 +175,7 @@ with Scheme() as s:
     gold, = s.call("list", Symbol("gold"))
     check("a symbol", gold == "gold" and isinstance(gold, Symbol))
 
-    # an error has its calls; a program is stopped by Ctrl-C; what it calls may not call back
+    # an error has its calls; Ctrl-C stops a program; a function that it calls may not call back
     try:
         s.run("(define (f x)\n  (+ 1 (car x)))\n(f 5)", "m.vs")
     except SchemeError as error:
@@ -217,7 +217,7 @@ def count(text, results):
         results.append(sum(len(m.triangles) for m in s.meshes()))
 
 
-# ---- values cross as they are, or not at all ----
+# ---- values pass unchanged, or not at all ----
 
 def classes():
     """A character of each class of Unicode, and all controls."""

@@ -1,4 +1,5 @@
-// Owns testing the search of the manual's pages as it is delivered, in a page of nothing but its box and its list: node search.mjs PAGES
+// Owns the test of the search in the manual's pages, with the delivered script in a page that contains only its box and
+// its list: node search.mjs PAGES
 import { readFileSync } from "node:fs";
 import { runInNewContext } from "node:vm";
 

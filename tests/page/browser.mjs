@@ -14,7 +14,8 @@ export async function browser() {
   });
 }
 
-// A page with the viewer in it, when its first picture stands; or, where nothing is drawn, when it is there. Errors of the page's scripts are collected in page.troubles.
+// Returns a page with the viewer, once its first picture is complete; if nothing is drawn, once the viewer exists.
+// page.troubles collects the errors of the page's scripts.
 export async function open(context, url, settle = false, drawn = true) {
   const page = await context.newPage();
   page.troubles = [];

@@ -1,4 +1,5 @@
-// Owns the test of what a page leaves out where the model is more than a picture may hold: near things stay, also those whose copies stand far and wide.
+// Owns the test of the parts that a page omits when the model exceeds a picture's limit: near objects stay, also those
+// whose copies are far apart.
 import * as THREE from "three";
 import { leaveOut } from "../../backends/page/batches.js";
 
@@ -8,7 +9,7 @@ camera.lookAt(500, 0, 2);
 camera.updateMatrixWorld();
 camera.updateProjectionMatrix();
 
-// Copies of a thing `most` in radius from `from` to `to` along the street that the camera looks down.
+// Makes copies of an object of radius `most`, from `from` to `to` along the street that the camera looks down.
 function batch(from, to, most, cost, edges = false) {
   const o = new THREE.Object3D(), sphere = new THREE.Sphere(new THREE.Vector3((from + to) / 2, 0, 1), (to - from) / 2 + most);
   o.userData = { around: { sphere, most }, edges, spacing: most, casts: true, cost };

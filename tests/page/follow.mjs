@@ -1,4 +1,5 @@
-// Owns the tests of ,view: a prompt on a terminal (util-linux' script) whose drawing a window follows. `follow.mjs VS FOLDER`. Prints lines as tests/run.sh wants them.
+// Owns the tests of ,view: a prompt on a terminal (util-linux' script) with a window that shows its drawing.
+// `follow.mjs VS FOLDER`. Prints lines in the form that tests/run.sh reads.
 import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
 import http from "node:http";

@@ -1,4 +1,5 @@
-// Owns the tests of the live view's server, by HTTP alone: `live.mjs VS FOLDER`. Prints lines as tests/run.sh wants them.
+// Owns the tests of the live view's server, by HTTP alone: `live.mjs VS FOLDER`. Prints lines in the form that
+// tests/run.sh reads.
 import { spawn } from "node:child_process";
 import { mkdirSync, writeFileSync, readFileSync, readdirSync, symlinkSync, truncateSync } from "node:fs";
 import http from "node:http";
@@ -17,7 +18,7 @@ const server = spawn(vs, ["view", "-q", model], { stdio: ["ignore", "pipe", "pip
 const address = await new Promise((go) => server.stdout.once("data", (d) => go(String(d).trim())));
 const url = new URL(address), token = url.hash.slice(1), port = Number(url.port);
 
-// Node's own request, for the headers that fetch does not let through.
+// Node's own request, for headers that fetch refuses.
 function ask(path, { method = "GET", headers = { "X-VS-Token": token }, body } = {}) {
   return new Promise((go, no) => {
     const request = http.request({ host: "127.0.0.1", port, path, method, headers }, (answer) => {
@@ -108,8 +109,8 @@ try {
     check(good.messages.length === 0, "messages stay");
   });
 
-  // Many editors empty a file before they write it, and a machine with much to do may hold them up between: the empty text is not shown, at whichever moment of
-  // noticing and reading the model it is met.
+  // Many editors empty a file before they write it, and on a busy machine there may be a delay in between: the view
+  // must not show the empty text, at any moment of noticing and reading the model.
   await test("a file that is emptied for a moment", async (check) => {
     let shown = 0;
     for (let delay = 0; delay < 40; delay++) {
@@ -217,7 +218,7 @@ try {
     check(answer?.status === 200, "nobody is served any more");
   });
 
-  // More of them than there are connections; a byte comes before a silent client would be given up.
+  // More clients than there are connections; each sends a byte before the server would close it as silent.
   await test("slow clients", async (check) => {
     const slow = Array.from({ length: 60 }, (_, i) => {
       const socket = net.connect(port, "127.0.0.1");
@@ -300,7 +301,8 @@ try {
     check(bytes() < after + 8000, `${after} KB became ${bytes()} KB`);
   });
 
-  // A window that is opened and gone at once, a thousand times: what a page asks first, and its stream of events.
+  // A window that is opened and closed at once, a thousand times: the first requests of a page, and its stream of
+  // events.
   await test("a thousand quick reloads without a leak", async (check) => {
     const held = () => ({ kilobytes: Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${server.pid}/status`, "utf8"))[1]), threads: readdirSync(`/proc/${server.pid}/task`).length, files: readdirSync(`/proc/${server.pid}/fd`).length });
     let first;

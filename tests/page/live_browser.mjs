@@ -1,4 +1,5 @@
-// Owns the tests of the live view in a browser: `live_browser.mjs VS FOLDER`. Prints lines as tests/run.sh wants them.
+// Owns the tests of the live view in a browser: `live_browser.mjs VS FOLDER`. Prints lines in the form that
+// tests/run.sh reads.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { open } from "./browser.mjs";
 import { session } from "./live_session.mjs";
@@ -55,7 +56,7 @@ await test("a check mark and a choice evaluate", async (want) => {
 await test("reset goes back to what the source says", async (want) => {
   for (const label of ["Reset Height of the towers", "Reset roofed", "Reset style"]) await page.locator(`button[aria-label^="${label}"]`).click();
   await page.waitForFunction(() => window.visualscheme.model.count === 4 && window.visualscheme.model.size[2] === 5, null, { timeout: 20000 });
-  // A slider that is back where the source has it has changed nothing: the parameter follows the source.
+  // A slider that returns to the source's value has changed nothing: the parameter follows the source.
   const slider = page.locator('input[type=range][data-parameter=height]');
   await after(() => slider.fill("6"));
   await after(() => slider.fill("3"));
@@ -139,7 +140,7 @@ await test("an error dims the last good model and heals", async (want) => {
   await page.locator(".message.error button").first().click();
   const line = await page.evaluate(() => window.live.source.position(window.live.source.view.state.selection.main.head).line);
   want(line === 7, `the message leads to line ${line}`);
-  // A parameter that fails takes none of the controls away.
+  // A parameter that fails removes none of the controls.
   await after(() => writeFileSync(model, source.replace("roofed #t", "roofed (sqroot 2)")));
   const names = await page.evaluate(() => window.live.parameters.infos.map((p) => p.name).join());
   want(names === "height,roofed,style" && await page.locator("#parameter-style").count() === 1, `parameters that are left: ${names}`);
@@ -460,7 +461,7 @@ await test("a phone's width holds it all", async (want) => {
 
 await test("no script of the page has failed", async (want) => { want(page.troubles.filter((t) => !/403|409/.test(t)).length === 0, page.troubles.join("; ")); });
 
-// A model of its own, with parameters of all kinds.
+// A separate model, with parameters of all kinds.
 const kinds = `${folder}/kinds.vs`;
 writeFileSync(kinds, `(define-parameter span 0.30000001192092896 #:min 0.1 #:max 1 #:unit "m")
 (define-parameter budget 123456789.25)

@@ -1,5 +1,6 @@
-// Owns the tests of Grimaldo's examples (examples/scenes) in the live view, in a browser, as a user opens and plays them. `live_examples.mjs VS FOLDER`.
-// A row of the table: the program, how many handles it opens with and how many objects, and the user's steps, each with what must be seen after it.
+// Owns the tests of Grimaldo's examples (examples/scenes) in the live view, in a browser, as a user opens and plays
+// them. `live_examples.mjs VS FOLDER`. A row of the table: the program, its numbers of handles and objects at the
+// start, and the user's steps, each with the expected state of the page.
 import { cpSync, mkdirSync } from "node:fs";
 import { browser } from "./browser.mjs";
 import { session } from "./live_session.mjs";
@@ -8,24 +9,24 @@ const [, , vs, folder] = process.argv;
 mkdirSync(folder, { recursive: true });
 cpSync("examples/scenes", folder, { recursive: true });
 
-// ---- what is seen in the page; each function runs there ----
+// ---- the state of the page; each function runs there ----
 const seen = {
-  // How many objects the picture has.
+  // The number of objects in the picture.
   objects: () => window.visualscheme.model.count,
   // The ends of the model's box along an axis, to a thousandth.
   ends: (axis) => { const m = window.visualscheme.model; return [m.box.min, m.box.max].map((end) => Math.round(1000 * (end[axis] + m.middle[axis])) / 1000).join(" "); },
-  // The value of the gizmo of a number.
+  // The value of the gizmo with that number.
   value: (n) => window.live.scened.gizmos[n].value.map((x) => Math.round(100 * x) / 100).join(" "),
   gizmos: () => window.live.scened.gizmos.map((g) => g.kind).join(" "),
   // The messages under the picture.
   messages: () => window.live.state.messages.map((m) => m.message).join("; "),
 };
 
-// ---- what the user does: each waits for nothing, the step's sight is waited for ----
+// ---- the user's actions: they do not wait; the test waits for the expected state ----
 const handleAt = async (page, n) => { await page.waitForFunction((n) => document.querySelectorAll(".overlay .gizmo").length > n, n, { timeout: 8000 }); return page.evaluate((n) => { const r = document.querySelectorAll(".overlay .gizmo")[n].getBoundingClientRect(); return { x: r.x + r.width / 2, y: r.y + r.height / 2 }; }, n); };
 const click = (n) => async ({ page }) => { const at = await handleAt(page, n); await page.mouse.click(at.x, at.y); };
 const clickPart = (...point) => async ({ page, onScreen }) => { const at = await onScreen(point); await page.mouse.click(at.x, at.y); };
-// The handle of a number is dragged by a gvector of the model.
+// Drags the handle with that number by a gvector of the model.
 const drag = (n, from, to) => async ({ page, onScreen }) => {
   const at = await handleAt(page, n), a = await onScreen(from), b = await onScreen(to);
   await page.mouse.move(at.x, at.y);
@@ -36,7 +37,7 @@ const drag = (n, from, to) => async ({ page, onScreen }) => {
 };
 
 
-// ---- the table: `see` is checked when the program has been opened, and after each of the `steps` ----
+// ---- the table: `see` is checked after the program has been opened, and after each of the `steps` ----
 const rows = (count, row) => Array.from({ length: count }, (_, i) => row(i + 1));
 const examples = [
   { file: "spiral.gml", name: "the spiral is opened from its own file", see: [["objects", 0], ["gizmos", "trigger"]],

@@ -1,5 +1,5 @@
-// Owns the tests of how a model is made, in a browser: the timeline, ghosts, and the way from faces to lines where loops, rules and copies
-// made them. `live_making.mjs VS FOLDER`.
+// Owns the tests of the display of a model's making, in a browser: the timeline, ghosts, and the way from faces to the
+// lines that made them through loops, rules and copies. `live_making.mjs VS FOLDER`.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { session } from "./live_session.mjs";
 
@@ -29,7 +29,7 @@ const { page, test, after, onScreen, cursor, end } = await session(vs, model);
 await page.waitForFunction(() => window.live.finished > 0);
 
 const lineOf = (text) => source.slice(0, source.indexOf(text)).split("\n").length;
-// The part nearest to a point is chosen as by a click: its place, its callers, the lines that are marked.
+// Chooses the part nearest to a point, as a click does: its place, its callers, the marked lines.
 async function clicked(p, from = "top") {
   await page.evaluate((from) => { window.visualscheme.select([]); window.visualscheme.view(from); }, from);
   const at = await onScreen(p);

@@ -1,5 +1,5 @@
-// Owns the tests of what the live view hands out and of points in it, in a browser: renders, contact sheets, films, dragged points.
-// `live_output.mjs VS FOLDER`.
+// Owns the tests of the live view's outputs and of points in it, in a browser: renders, contact sheets, films, dragged
+// points. `live_output.mjs VS FOLDER`.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { session } from "./live_session.mjs";
 
@@ -68,7 +68,7 @@ await test("a point is typed as numbers", async (want) => {
 
 const made = () => page.evaluate(() => window.live.making.made.map((m) => ({ name: m.name, type: m.blob.type, size: m.blob.size })));
 const said = () => page.locator(".making .said").textContent();
-// The last picture that was made: its size, and how many of its pixels are red.
+// The last picture: its size, and the number of its red pixels.
 const lastPicture = () => page.evaluate(async () => {
   const { making } = window.live, image = await createImageBitmap(making.made[making.made.length - 1].blob), canvas = document.createElement("canvas");
   canvas.width = image.width, canvas.height = image.height;

@@ -1,10 +1,12 @@
-// Owns the tests of the live view's runs: what ends one, what Stop ends, and that whatever a program says is shown. `live_runs.mjs VS FOLDER`.
+// Owns the tests of the live view's runs: the events that end a run, the runs that Stop ends, and that the view shows
+// all messages of a program. `live_runs.mjs VS FOLDER`.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { session } from "./live_session.mjs";
 
 const [, , vs, folder] = process.argv, model = `${folder}/model.vs`, part = `${folder}/part.vs`;
 const box = (size) => `(define-parameter size ${size} #:min 1 #:max 9)\n(draw (make-box origin (xyz 1 1 size)))\n`;
-// What may be under way without an end: in the model's text, in a file that it loads, in a frame, in a shape of its own, typed at the prompt.
+// The endless work: in the model's text, in a file that it loads, in a frame, in a shape defined by a function, typed
+// at the prompt.
 const endless = {
   "a loop": { text: box("2.0") + "(let spin () (spin))\n" },
   "a loaded file": { text: box("2.0") + '(load "part.vs")\n', part: "(let spin () (spin))\n" },
@@ -27,7 +29,7 @@ const shown = (wanted, more = null, timeout = 20000) => page.waitForFunction(wan
 const busy = () => shown(() => !window.live.stopButton.disabled); // The page says that something runs.
 await shown(() => window.live.finished > 0);
 
-// ---- a newer wish ends the run under way ----
+// ---- a newer request ends the current run ----
 
 const wishes = {
   "a save": { does: () => writeFileSync(model, box("4.0")), makes: "4.0" },
@@ -57,7 +59,7 @@ for (const [what, { text, part: loaded, typed }] of Object.entries(endless)) {
       const took = Date.now() - from;
       want(took < (again ? 3500 : 2500), `it took ${took} ms`);
       want(!(await state()).stopped, "the run that was overtaken is told of");
-      // As before: the default value, the file's text.
+      // Back to the start: the default value, the file's text.
       await call("/set?name=size", "1.0");
       writeFileSync(model, box("1.0"));
       await shown(() => window.live.state.good && window.live.state.parameters[0]?.value === "1.0" && window.live.state.parameters[0].default === "1.0");
@@ -67,7 +69,7 @@ for (const [what, { text, part: loaded, typed }] of Object.entries(endless)) {
 }
 
 await test("a slider that moves shows pictures on its way", async (want) => {
-  // A run takes some 200 ms here, and values come faster than runs are done.
+  // A run takes some 200 ms here, and values arrive faster than runs end.
   await after(() => writeFileSync(model, box("1.0") + "(define until (+ (current-milliseconds) 200))\n(let wait () (if (< (current-milliseconds) until) (wait)))\n"));
   const before = await page.evaluate(() => window.live.finished), from = Date.now();
   for (let i = 0; i < 80; i++) {
@@ -123,7 +125,7 @@ await test("Stop ends what runs, and what waits to be run", async (want) => {
   }
 });
 
-// ---- what a program says ----
+// ---- messages of a program ----
 
 const points = [0x0, 0x1, 0x7, 0x8, 0x9, 0xb, 0xc, 0xd, 0x1b, 0x7f, 0x80, 0x85, 0xa0, 0xad, 0x300, 0x61c, 0x200b, 0x200e, 0x2028, 0x2029, 0x202e, 0x2066, 0xfeff, 0xfdd0, 0xfffd, 0xfffe, 0xffff, 0x1f600, 0x1fffe, 0xe0001, 0x10ffff];
 await test("any character in what is said leaves the window alive", async (want) => {

@@ -1,8 +1,9 @@
-// Owns what the tests of the live view in a browser share: a server, its page, and tests that print lines as tests/run.sh wants them.
+// Owns the common part of the live view's tests in a browser: a server, its page, and tests that print lines in the
+// form that tests/run.sh reads.
 import { spawn } from "node:child_process";
 import { browser, open } from "./browser.mjs";
 
-// A browser that is given is shared; else the session starts its own. drawn: the page is waited for until it shows something.
+// Shares a given browser; otherwise the session starts one. drawn: waits until the page shows something.
 export async function session(vs, model, options = [], shared = null, drawn = true) {
   const server = spawn(vs, ["view", "-q", ...options, model], { stdio: ["ignore", "pipe", "pipe"] });
   const url = await new Promise((go) => server.stdout.once("data", (d) => go(String(d).trim())));
@@ -22,18 +23,18 @@ export async function session(vs, model, options = [], shared = null, drawn = tr
     console.log((faults.length ? "not ok live/browser:" : "ok live/browser:") + name);
     for (const fault of faults) console.log("    " + fault);
   }
-  // The state that follows an action has been shown.
+  // Waits until the page shows the state that follows an action.
   async function after(action) {
     const before = await page.evaluate(() => window.live.finished || 0);
     await action();
     await page.waitForFunction((n) => (window.live.finished || 0) > n, before, { timeout: 20000 });
   }
-  // Where a point of the model is on the page.
+  // Returns the position of a model's point on the page.
   const onScreen = (p) => page.evaluate(([p]) => {
     const v = window.visualscheme, m = v.model.middle, r = v.canvas.getBoundingClientRect(), q = v.stage.camera.position.clone().set(p[0] - m[0], p[1] - m[1], p[2] - m[2]).project(v.stage.camera);
     return { x: r.left + (q.x + 1) / 2 * r.width, y: r.top + (1 - q.y) / 2 * r.height };
   }, [p]);
-  // Puts the cursor behind the first letters of a text.
+  // Puts the cursor after the first letters of a text.
   const cursor = (text) => page.evaluate((text) => {
     const { view } = window.live.source, at = view.state.doc.toString().indexOf(text) + 2;
     view.dispatch({ selection: { anchor: at }, userEvent: "select" });

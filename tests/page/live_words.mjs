@@ -1,5 +1,5 @@
-// Owns the tests of the live view's text in a browser: the source pane as an editor, what is said to screen readers, words of the user that look like HTML, and
-// that saves and reloads leave nothing behind. `live_words.mjs VS FOLDER`.
+// Owns the tests of the live view's text in a browser: the source pane as an editor, the text for screen readers, the
+// user's words that look like HTML, and that saves and reloads leave nothing behind. `live_words.mjs VS FOLDER`.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { open } from "./browser.mjs";
 import { session } from "./live_session.mjs";
@@ -114,7 +114,7 @@ await test("all that can be worked has a name for screen readers", async (want) 
   const picture = nodes.find((n) => /image|img/.test(n.role?.value) && /model/i.test(n.name?.value || ""));
   want(picture, "the picture has no name");
   await page.evaluate(() => { const v = window.visualscheme; v.buttons.display.click(); v.setSection(null); v.togglePanel(); });
-  // What is chosen, and an error, is said.
+  // Screen readers announce a choice and an error.
   await page.evaluate(() => window.visualscheme.view("iso"));
   const at = await page.evaluate(() => { const { stage, model } = window.visualscheme, q = stage.camera.position.clone().set(...[4, 4, 2].map((x, k) => x - model.middle[k])).project(stage.camera), r = stage.canvas.getBoundingClientRect(); return [r.left + (q.x + 1) / 2 * r.width, r.top + (1 - q.y) / 2 * r.height]; });
   await page.mouse.click(at[0], at[1] + 4);
@@ -143,7 +143,7 @@ await test("many saves in a row cost one evaluation", async (want) => {
   await write(source);
 });
 
-// What the graphics card holds and what scripts hold after a tenth of the saves, and after all.
+// The memory of the graphics card and of the scripts after a tenth of the saves, and after all.
 await test("saves leave nothing behind", async (want) => {
   const rounds = LONG ? 300 : 60, held = async () => {
     await system.send("HeapProfiler.collectGarbage");

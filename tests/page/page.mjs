@@ -1,4 +1,6 @@
-// Owns the tests of pages: `page.mjs FOLDER` with FOLDER/NAME.html for every example, FOLDER/hostile.html, FOLDER/crowd.html, FOLDER/doric-columns.x3d, FOLDER/flat.html, FOLDER/tree.html, FOLDER/light.html, daylight.html, evening.html and, where POV-Ray is, a .png of each. Prints lines as tests/run.sh wants them.
+// Owns the tests of pages: `page.mjs FOLDER` with FOLDER/NAME.html for every example, FOLDER/hostile.html,
+// FOLDER/crowd.html, FOLDER/doric-columns.x3d, FOLDER/flat.html, FOLDER/tree.html, FOLDER/light.html, daylight.html,
+// evening.html and, if POV-Ray is installed, a .png of each. Prints lines in the form that tests/run.sh reads.
 import { readdirSync } from "node:fs";
 import { browser, open } from "./browser.mjs";
 
@@ -11,7 +13,7 @@ function judge(name, faults) {
 }
 const wanted = (name) => ("page/" + name).includes(only);
 
-// In the page: how many pixels show the model, and where they lie, in parts of the picture.
+// In the page: the number of pixels that show the model, and their extent, as fractions of the picture.
 function install() {
   window.seen = () => {
     const { stage } = window.visualscheme, gl = stage.renderer.getContext(), ground = stage.groundMesh;
@@ -34,7 +36,7 @@ function install() {
     }
     return { count, white: white / Math.max(1, count), part: count / (w * h), ...box, calls: stage.drawCalls };
   };
-  // What of the buttons and the title lies on each other or out of the screen.
+  // Returns the buttons and titles that overlap, or are outside the screen.
   window.crowded = () => {
     const found = [], boxes = [...document.querySelectorAll(".vs .bar button, .vs .title h1, .vs .title p")].filter((n) => n.offsetParent !== null).map((n) => [n.getAttribute("aria-label") || n.tagName, n.getBoundingClientRect()]);
     for (const [name, b] of boxes) if (b.left < 0 || b.right > innerWidth || b.top < 0 || b.bottom > innerHeight) found.push(`${name} reaches out of the screen`);
@@ -48,7 +50,8 @@ function install() {
   };
 }
 
-// Framed: all of it is in the picture, and it reaches across most of one side. long: a scene that is a line from some sides, as a row of facades from above.
+// Returns true if the picture contains the whole model, and the model extends across most of one side. long: a scene
+// that is a line from some sides, as a row of facades from above.
 function framed(s, long) {
   const faults = [], across = Math.max(s.right - s.left, s.top - s.bottom);
   if (s.part < (long ? 0.004 : 0.01)) faults.push(`only ${(100 * s.part).toFixed(2)} % of the picture show the model`);
@@ -82,7 +85,7 @@ try {
     for (const how of ["fit", "top", "front", "right", "iso"]) faults.push(...framed(seen.out[how], name.startsWith("rules-")).map((f) => `${how}: ${f}`));
     if (seen.out.iso.white > 0.2) faults.push(`${(100 * seen.out.iso.white).toFixed(0)} % of it are burnt out`);
     if (name === "gare-do-oriente" && seen.out.first.calls > 60) faults.push(`${seen.out.first.calls} draw calls`);
-    // At a phone's width, framed, the model lies above the buttons.
+    // At the width of a phone, the framed model is above the buttons.
     await page.setViewportSize({ width: 360, height: 640 });
     await page.waitForFunction(() => window.visualscheme.canvas.width === 360, null, { timeout: 60000 });
     const narrow = await page.evaluate(() => {
@@ -98,7 +101,7 @@ try {
     await page.close();
   }
 
-  // Fingers and pens, as the system sends them: one finger or a pen turns, two fingers move, or draw it nearer.
+  // Fingers and pens, as the system reports them: one finger or a pen turns the model, two fingers move it, or zoom.
   if (wanted("touch")) {
     const phone = await chromium.newContext({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true, reducedMotion: "reduce" });
     const page = await open(phone, `file://${folder}/doric-columns.html`), faults = [], system = await phone.newCDPSession(page);
@@ -139,7 +142,7 @@ try {
     await page.waitForTimeout(100);
     const nearer = await state();
     if (!(nearer.far < before.far)) faults.push("wheel up does not go nearer");
-    // 100 drags: the horizon stays level, which is that the camera's right has no height.
+    // 100 drags: the horizon stays level, which means that the camera's right vector has no height.
     await page.evaluate(() => { const c = window.visualscheme.control; let seed = 7; for (let i = 0; i < 100; i++) { seed = seed * 16807 % 2147483647; c.turn(seed % 400 - 200, (seed >> 9) % 300 - 150); } });
     const turned = await state();
     if (Math.abs(turned.x[2]) > 1e-6) faults.push("it has rolled by " + turned.x[2]);
@@ -171,7 +174,7 @@ try {
     await page.close();
   }
 
-  // Lit as in POV-Ray's picture of the same view: both as twelve by nine squares.
+  // The light is that of POV-Ray's picture of the same view: the test compares both as twelve by nine squares.
   for (const name of ["light", "daylight", "evening"]) {
     if (!wanted(name) || !readdirSync(folder).includes(`${name}.png`)) continue;
     const { readFileSync } = await import("node:fs"), plain = await chromium.newContext({ viewport: { width: 480, height: 360 }, reducedMotion: "reduce" });
@@ -210,7 +213,7 @@ try {
     const half = await page.evaluate(() => { const v = window.visualscheme; v.view("front"); const s = window.seen(); const handle = !!v.overlay.querySelector("[data-handle]"); v.setSection(null); return { ...s, handle }; });
     if (!(half.count < 0.75 * whole.count)) faults.push(`the section leaves ${half.count} of ${whole.count} pixels`);
     if (!half.handle) faults.push("the section has no handle");
-    // Choosing: a click in the middle of what is seen names its place in the source.
+    // Choosing: a click in the middle of the visible model names its place in the source.
     const spot = await page.evaluate(() => { const v = window.visualscheme, b = v.model.ball, p = v.stage.camera; v.view("front"); let best = 0; for (let i = 0; i < v.model.count; i++) if (b[4 * i + 3] > b[4 * best + 3]) best = i; window.seen(); const q = v.stage.center.clone().set(b[4 * best], b[4 * best + 1], b[4 * best + 2]).project(v.stage.camera); return { x: (q.x + 1) / 2 * innerWidth, y: (1 - q.y) / 2 * innerHeight }; });
     await page.mouse.click(spot.x, spot.y);
     const card = await page.locator(".card").textContent();
@@ -221,7 +224,7 @@ try {
     if (!/\d/.test(await page.locator(".reading").first().textContent({ timeout: 5000 }).catch(() => ""))) faults.push("measuring gives no number");
     await page.keyboard.press("Escape");
     await page.keyboard.press("Escape");
-    // A layer or material that is switched off is gone.
+    // A hidden layer or material is not visible.
     await page.keyboard.press("l");
     await page.locator('[data-tab="materials"]').click();
     const all = await page.evaluate(() => window.seen().count);
@@ -233,7 +236,7 @@ try {
     await page.close();
   }
 
-  // What each kind of measuring says, of a box of 2 x 2 x 2.5 m; and each way of showing changes the picture.
+  // The result of each kind of measuring, of a box of 2 x 2 x 2.5 m; and each display mode changes the picture.
   if (wanted("measures")) {
     const page = await open(context, `file://${folder}/light.html`), faults = [];
     await page.evaluate(() => { const v = window.visualscheme; v.stage.options.refine = false; v.view("front"); v.setMeasuring(true); });
@@ -267,7 +270,8 @@ try {
     await page.close();
   }
 
-  // The wheel keeps what lies under the pointer there; what is chosen is framed; wireframe and dark show; the section's handle is dragged.
+  // The wheel keeps the point under the pointer there; a chosen part is framed; wireframe and dark mode show; a drag
+  // moves the section's handle.
   if (wanted("means")) {
     const page = await open(context, `file://${folder}/doric-columns.html`), faults = [];
     await page.evaluate(() => { window.visualscheme.stage.options.refine = false; window.visualscheme.view("front"); });
@@ -307,7 +311,8 @@ try {
     await page.close();
   }
 
-  // Ten thousand copies: near a corner most of them are out of sight and are not drawn, and the picture is the same as with all of them.
+  // Ten thousand copies: near a corner most of them are out of view and not drawn, and the picture is the same as with
+  // all of them.
   if (wanted("crowd")) {
     const page = await open(context, `file://${folder}/crowd.html`), faults = [];
     const seen = await page.evaluate(() => {
@@ -349,7 +354,8 @@ try {
     await page.close();
   }
 
-  // A coarse picture, of a quarter of the points, has the colours of the whole one without its shadows and lines; also of what is cut.
+  // A coarse picture, with a quarter of the points, has the colours of the full one without its shadows and lines; also
+  // of cut faces.
   if (wanted("coarse")) {
     const faults = [];
     for (const name of ["light", "evening", "doric-columns"]) {
@@ -377,7 +383,7 @@ try {
     judge("coarse", faults);
   }
 
-  // Each standard view looks where its name says, from the menu and by its key.
+  // Each standard view has the direction of its name, from the menu and by its key.
   if (wanted("views")) {
     const page = await open(context, `file://${folder}/light.html`), faults = [], third = 1 / Math.sqrt(3);
     await page.evaluate(() => { window.visualscheme.stage.options.refine = false; });
@@ -397,7 +403,7 @@ try {
     await page.close();
   }
 
-  // Curves, regions and text lie flat, and show: each in the colour that it has.
+  // Curves, regions and text are flat, and visible: each in its colour.
   if (wanted("flat")) {
     const page = await open(context, `file://${folder}/flat.html`), faults = [];
     const near = (p, how) => page.evaluate(([p, how]) => { // The pixel farthest from the sky's colour within 3 of where a point is.
@@ -423,7 +429,7 @@ try {
     await page.close();
   }
 
-  // The parts as a tree: operations unfold, a row chooses, its box hides and shows again.
+  // The parts as a tree: operations unfold, a row chooses, its box hides and shows.
   if (wanted("tree")) {
     const page = await open(context, `file://${folder}/tree.html`), faults = [];
     await page.evaluate(() => { window.visualscheme.stage.options.refine = false; });
@@ -448,7 +454,7 @@ try {
     await page.locator("canvas").focus();
     await page.keyboard.press("g"); // In a model in millimetres, too, eyes are 1.65 m above what they stand on.
     const eye = await page.evaluate(() => { const { control, model } = window.visualscheme; return control.eye().z - model.box.min[2]; });
-    // Who stands in a closed body sees it all round.
+    // A viewer inside a closed body sees it all round.
     const inside = await page.evaluate(() => { const v = window.visualscheme, { state } = v.control, b = v.model.ball; v.control.walking = false; state.target.set(b[0], b[1], b[2]), state.distance = 0.01, v.control.apply(); const { part } = window.seen(); state.distance = 30, v.control.apply(); window.seen(); return [part, [...v.stage.surfaceCache.values()].some((m) => m.side === 0)]; });
     if (!(inside[0] > 0.99)) faults.push(`from inside of a box ${(100 * inside[0]).toFixed(0)} % of the picture show it`);
     if (!inside[1]) faults.push("from outside, backs are drawn, too");
@@ -457,7 +463,8 @@ try {
     await page.close();
   }
 
-  // By double click, without a network: nothing is asked for but the page itself. And all that can be worked has a name for screen readers.
+  // By double click, without a network: the page requests nothing but itself. Every control has a name for screen
+  // readers.
   if (wanted("alone")) {
     const page = await context.newPage(), faults = [], asked = [];
     page.on("request", (request) => { if (!/^(data|blob):/.test(request.url())) asked.push(request.url()); });

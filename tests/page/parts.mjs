@@ -1,5 +1,6 @@
-// Owns the test of how the packed tree becomes a model's parts, and those things to draw: templates within templates are what they would be walked over one by
-// one, arrays of an old model serve the next, and of very many copies each is drawn once, within the ball that is told of it.
+// Owns the test of turning the packed tree into a model's parts, and these into objects to draw: templates within
+// templates equal their expansion one by one, arrays of an old model are used for the next, and of very many copies
+// each is drawn once, within its bounding ball.
 import * as THREE from "three";
 import { Model, modelFromPacked } from "../../backends/page/model.js";
 import { buildBatches, mergeParts } from "../../backends/page/batches.js";
@@ -28,7 +29,7 @@ function tree(templates, wide) {
   root.children.push(node("Group", {}, Array.from({ length: wide }, () => inner(templates))));
   return root;
 }
-// What the tree stands for, the slow way: a word a part.
+// Expands the tree in the slow way: a word for each part.
 function slowly(root) {
   const defs = new Map(), found = [], E = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
   for (const child of root.children) if (child.def >= 0) defs.set(child.def, child);
@@ -111,11 +112,12 @@ function compared(model, root) {
   check("very many copies", faults);
 }
 
-// ---- seams: where two bodies of one colour go on as one, no line is drawn ----
+// ---- seams: no line is drawn between two bodies of one colour that continue each other ----
 
 {
   const faults = [];
-  // Two boxes side by side, the second so much higher, of this paint, and so far away: how many of their 24 lines show.
+  // Two boxes side by side, the second higher by `higher`, of this paint, at the distance `apart`: returns the number
+  // of visible lines of their 24.
   const lines = (paint, higher = 0, apart = 0) => {
     const model = new Model();
     model.materials.push({ ...model.materials[0], color: [1, 0, 0] });

@@ -1,13 +1,15 @@
-// Owns the test of photographs on surfaces in other viewers: `photographs.mjs FOLDER` with FOLDER/wall.glb, shown by three.js' own loader, and
-// FOLDER/wall.x3d, shown by X_ITE. The wall is two metres wide, its picture one: dark, light, dark, light from left to right. With SHOTS=FOLDER the
-// screenshots are kept there. Prints lines as tests/run.sh wants them.
+// Owns the test of photographs on surfaces in other viewers: `photographs.mjs FOLDER` with FOLDER/wall.glb, shown by
+// three.js' loader, and FOLDER/wall.x3d, shown by X_ITE. The wall is two metres wide, its picture one: dark, light,
+// dark, light from left to right. SHOTS=FOLDER keeps the screenshots there. Prints lines in the form that tests/run.sh
+// reads.
 import { readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
 import { browser } from "./browser.mjs";
 
 const folder = process.argv[2], chromium = await browser(), WIDTH = 400, HEIGHT = 400;
 
-// In the page: the luminance of a screenshot (PNG, base 64) at four places of the wall, whose share of the width is `share`.
+// In the page: the luminance of a screenshot (PNG, base 64) at four points of the wall, which covers the fraction
+// `share` of the width.
 async function lightAt([png, share]) {
   const bitmap = await createImageBitmap(await (await fetch("data:image/png;base64," + png)).blob()), canvas = new OffscreenCanvas(bitmap.width, bitmap.height), to = canvas.getContext("2d");
   to.drawImage(bitmap, 0, 0);

@@ -1,4 +1,5 @@
-// Makes a picture of a page's model in black on white, as its own view shows it: `silhouette.mjs FILE.html PIXELS OUT.png`. tests/cross.sh compares it.
+// Makes a picture of a page's model in black on white, in its initial view: `silhouette.mjs FILE.html PIXELS OUT.png`.
+// tests/cross.sh compares it.
 import { browser, open } from "./browser.mjs";
 
 const [, , file, pixels, out] = process.argv, chromium = await browser();
@@ -22,7 +23,7 @@ try {
       o.material.needsUpdate = true;
       o.material.transparent = false;
     });
-    // As an X3D viewer has it: from far through a long lens.
+    // With the camera of an X3D viewer: from far away with a long lens.
     const s = control.start();
     s.parallel = false;
     s.angle = 0.1;

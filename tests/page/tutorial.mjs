@@ -1,5 +1,6 @@
-// Owns the tests of the tutorial as it is told in the window, and its pictures: `tutorial.mjs VS FOLDER`. The programs are those of manual/tutorial.md, and each
-// of its pictures is made here, into FOLDER; with TUTORIAL=manual into the manual, to be looked at. Prints lines as tests/run.sh wants them.
+// Owns the tests of the tutorial in the window, and its pictures: `tutorial.mjs VS FOLDER`. The programs are those of
+// manual/tutorial.md. The script makes each picture of the tutorial into FOLDER; with TUTORIAL=manual into the manual,
+// for checking by eye. Prints lines in the form that tests/run.sh reads.
 import { existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { settled } from "./browser.mjs";
@@ -17,7 +18,7 @@ await page.setViewportSize({ width: 1000, height: 560 });
 const parts = () => page.evaluate(() => window.visualscheme.model.count), height = () => page.evaluate(() => window.visualscheme.model.size[2]);
 const text = () => page.evaluate(() => window.live.source.text);
 
-// What a student types over all that stands there, and saves.
+// Types a program over the whole text, as a student does, and saves.
 async function write(program) {
   await page.locator(".cm-content").click();
   await page.keyboard.press("Control+a");

@@ -1,5 +1,6 @@
-// Owns the tests of .x3d files: `x3d.mjs FOLDER` with FOLDER/NAME.x3d. Each is held to X3D 4 as X_ITE knows its nodes, and shown by X_ITE and by our own
-// page from the file's Viewpoint: the same pixels are the model's, in like colours. Prints lines as tests/run.sh wants them.
+// Owns the tests of .x3d files: `x3d.mjs FOLDER` with FOLDER/NAME.x3d. It checks each against X3D 4, by the nodes that
+// X_ITE knows. X_ITE and our own page show it from the file's Viewpoint: the model must cover the same pixels, in
+// similar colours. Prints lines in the form that tests/run.sh reads.
 import { readdirSync, readFileSync } from "node:fs";
 import { browser } from "./browser.mjs";
 
@@ -11,8 +12,9 @@ function judge(name, faults) {
   for (const fault of faults.slice(0, 12)) console.log("    " + fault);
 }
 
-// In the page, which is X_ITE's: what in an XML text is not X3D 4. The nodes, their fields, profiles and components are those that X_ITE has from the
-// standard's object model; bounds of numbers are the standard's, of the fields that we write.
+// In X_ITE's page: returns the faults of an XML text against X3D 4. The nodes, their fields, profiles and components
+// are X_ITE's, from the standard's object model; the bounds of numbers are the standard's, for the fields that we
+// write.
 function faultsOf(text) {
   const b = document.querySelector("x3d-canvas").browser, faults = [], xml = new DOMParser().parseFromString(text, "text/xml");
   const types = new Map([...b.concreteNodes].map((n) => [n.typeName, n]));
@@ -32,7 +34,7 @@ function faultsOf(text) {
     else if (meta.nodeName !== "meta" || !meta.hasAttribute("name") || !meta.hasAttribute("content")) bad(meta, "not a meta with name and content");
   }
   const named = new Map(), scene = xml.querySelector("Scene");
-  // The name of X3D's type of a field, as X_ITE's objects have it.
+  // The name of a field's X3D type, as in X_ITE's objects.
   const kinds = new Map(), wordOf = new Map(Object.entries(X3D.X3DConstants).filter(([k]) => /^[SM]F/.test(k)).map(([k, v]) => [v, k]));
   const fieldsOf = (name) => {
     if (!kinds.has(name)) kinds.set(name, new Map([...types.get(name).fieldDefinitions].map((f) => [f.name, { type: wordOf.get(f.dataType), access: f.accessType }])));
@@ -90,7 +92,7 @@ function faultsOf(text) {
   return faults;
 }
 
-// In the page: shows a file, then the same without its model, each handed to `shot`.
+// In the page: shows a file, then the same without its model, and passes each to `shot`.
 async function showX3D(text) {
   const b = document.querySelector("x3d-canvas").browser, scene = await b.createX3DFromString(text);
   await b.replaceWorld(scene);
@@ -102,7 +104,7 @@ async function leaveGround() {
   model.children = [...model.children].filter((n) => n?.getNodeName?.() === "ground");
   for (let i = 0; i < 3; i++) await new Promise((go) => requestAnimationFrame(go));
 }
-// In the page: two pictures (PNG, base 64) as the pixels that differ, with the first one's colours.
+// In the page: returns the pixels that differ between two pictures (PNG, base 64), with the first one's colours.
 async function differing([first, second]) {
   const pixels = async (png) => {
     const bitmap = await createImageBitmap(await (await fetch("data:image/png;base64," + png)).blob()), canvas = new OffscreenCanvas(bitmap.width, bitmap.height), to = canvas.getContext("2d");
@@ -118,7 +120,7 @@ async function differing([first, second]) {
   return { mask: mask.join(""), colour };
 }
 
-// In the page, which is ours: the file dropped on it, drawn from its Viewpoint with the sky and the ground taken away.
+// In our page: a file dropped on it, drawn from its Viewpoint without the sky and the ground.
 async function dropped(text) {
   const v = window.visualscheme, data = new DataTransfer(), was = v.model;
   v.stage.options.refine = false;

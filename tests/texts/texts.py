@@ -46,7 +46,8 @@ def characters():
 
 
 chosen = characters()
-# A marker round each character: texts are found by it, and code that a character lets out calls it.
+# A marker around each character: the test finds texts by it, and a character that escapes its string makes the marker a
+# call.
 texts = ["a%shack(%d)" % (chr(c), c) for c in chosen]
 
 
@@ -202,7 +203,7 @@ def format_tests():
             out = "%s/%s-%s.%s" % (folder, kind, name, suffix)
             code, _, err = run("-q", source, "-o", out, "--format", name)
             result("%s: %s" % (name, kind), judge(out, name, binary) if code == 0 else ["ends with %d: %s" % (code, err.decode(errors="replace"))])
-    # Names of views are on the sheet, too. No control character and no / is in one: they are names of files.
+    # The sheet contains names of views, too. They contain no control character and no /, since they are names of files.
     views = [t for t in texts if not (ord(t[1]) < 0x20 or ord(t[1]) == 0x7F or t[1] == "/")]
     for i in range(0, len(views), 32):
         with open(folder + "/views.vs", "w", encoding="utf-8") as f:
@@ -292,7 +293,7 @@ def translate_tests():
         if name[0] in "LMNSPC" and ord(c) > 0x9F and c not in "\u200b\ufeff":
             lines += ["(define a%sz%d %d)" % (c, i, i)]
         lines += ["(define-parameter p%d %d #:min 0 #:max 999 #:label %s)" % (i, i, scheme(t))]
-        # as it stands in the text, not spelled: a string goes over lines
+        # unescaped: the string spans lines
         if c not in '"\\':
             lines += ['(define-parameter q%d %d #:min 0 #:max 999 #:label "%s")' % (i, i, t)]
     lines += ["(draw (make-sphere (xyz 0 0 0) n3))"]

@@ -1,5 +1,6 @@
-// What a mesh file holds: `node meshes.mjs FILE` prints triangles, volume and bounds of a .ply, .glb, .stl in words, or of an .x3d of boxes
-// and triangle sets (with its Shapes, copies counted); a .glb goes through the validator first. Ends with 1 and says why where the file is wrong.
+// Prints the figures of a mesh file: `node meshes.mjs FILE` prints triangles, volume and bounds of a .ply, .glb, .stl
+// in words, or of an .x3d of boxes and triangle sets (with the number of its Shapes, copies included); a .glb goes
+// through the validator first. Ends with 1 and prints the reason if the file is wrong.
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 
@@ -59,7 +60,7 @@ async function glb() {
   for (const root of scene.scenes[0].nodes) walk(root, p => p)
 }
 
-// An element of the scene gives, for a place, its triangles; copies (USE) are what the element with that name (DEF) gives.
+// An element of the scene gives its triangles for a place; copies (USE) give those of the element with that name (DEF).
 let shapes = ''
 function x3d() {
   const root = { name: '', of: {}, in: [] }, open = [root], named = {}

@@ -1,5 +1,6 @@
-// How a file shades its triangles: `node normals.mjs FILE` prints the share of triangles whose three corners have different normals, of a .x3d,
-// .glb or .html (its packed scene). Of a round wall it is near 1, of a wall that is shaded facet by facet 0.
+// Prints the shading of a file's triangles: `node normals.mjs FILE` prints the share of triangles whose three corners
+// have different normals, for a .x3d, .glb or .html (its packed scene). For a round wall it is near 1, for a wall with
+// flat shading 0.
 import { readFileSync } from 'node:fs'
 import { readPacked } from '../../backends/page/packed.js'
 

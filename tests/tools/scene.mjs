@@ -1,4 +1,5 @@
-// Prints the scene inside a web page in the packed notation: `node scene.mjs PAGE`. It stands there in base 64, compressed by zlib.
+// Prints the scene of a web page in the packed notation: `node scene.mjs PAGE`. The page contains it in base 64,
+// compressed by zlib.
 import { readFileSync } from 'node:fs'
 import { inflateSync } from 'node:zlib'
 

@@ -1,5 +1,6 @@
-# Owns the tests that a scene does not get out: POV-Ray, which a program may hand text of its own (native), writes no file but in its private folder
-# and opens no socket; and 10,000 strings of chance, as names of materials and layers, as texts and as a file's, never become directives of a scene.
+# Owns the tests that a scene cannot break out: POV-Ray, which gets text of the program (native), writes files only in
+# its private folder and opens no socket; and 10,000 random strings, as names of materials and layers, as texts and as
+# text of a file, never become directives of a scene.
 . tests/report.sh
 
 wanted escape || exit 0
@@ -12,7 +13,7 @@ for name in "$work/ESCAPED" /tmp/visualscheme-escaped; do
   status=$?
   if [ -e "$name" ]; then
     rm -f "$name"
-    # a kernel without Landlock keeps nothing from being written
+    # a kernel without Landlock prevents no writing
     if grep -qs landlock /sys/kernel/security/lsm; then echo "$name was written" >> "$work/why"; else echo "skip escape:files: no Landlock"; break; fi
   else
     [ $status = 3 ] || echo "ended with $status" >> "$work/why"
@@ -29,8 +30,8 @@ if command -v strace > /dev/null && strace -o /dev/null true 2> /dev/null; then
   result escape:network "$work/why"
 fi
 
-# Words of POV-Ray, quotes, comments and bytes of all kinds, put together by chance; a scene's text, without its strings and comments, has the words of the
-# same scene with plain names and no others.
+# Words of POV-Ray, quotes, comments and bytes of all kinds, combined at random; without its strings and comments, the
+# scene's text has exactly the words of the same scene with plain names.
 : > "$work/why"
 for names in plain strange; do
   cat > "$work/$names.vs" << PROGRAM
@@ -48,7 +49,8 @@ PROGRAM
   "$vs" -q "$file.vs" -o "$work/$names.pov" -o "$work/$names.svg" -o "$work/$names.x3d" 2>> "$work/why"
   command -v xmllint > /dev/null || continue
   xmllint --huge --noout "$work/$names.svg" "$work/$names.x3d" > "$work/said" 2>&1 || head -n 3 "$work/said" >> "$work/why"
-  # Strings first, since a // within is none; then comments; then the words and signs, of names of materials the number alone
+  # Strings first, since a // within a string begins no comment; then comments; then the words and signs, of names of
+  # materials the number alone
   sed 's/"\(\\.\|[^"\\]\)*"/STRING/g; s,//.*,,; s,/\*[^*]*\*/,,g' "$work/$names.pov" | sed 's/\bM\([0-9]*\)_*[A-Za-z0-9_]*\b/M\1/g' | grep -o '#*[A-Za-z_][A-Za-z0-9_]*\|[{}"#]' | sort | uniq -c | sort -k2 |
     grep -v ' [MT][0-9]*$' > "$work/$names.words"
 done
@@ -58,7 +60,8 @@ diff "$work/plain.set" "$work/strange.set" >> "$work/why"
 "$vs" -q "$file.vs" -o "$work/strange.png" --size 60x40 --quality draft 2>> "$work/why" || echo "POV-Ray does not take the scene" >> "$work/why"
 result escape:names "$work/why"
 
-# Names of models' files and of what they write, put together by chance of the same pieces: the same scene but for its title's letters, and no other files.
+# Random names of models' files and of outputs, from the same pieces: the scene differs only in the letters of its
+# title, and no other files appear.
 : > "$work/why"
 mkdir -p "$work/files" && (
   cd "$work/files" || exit 1

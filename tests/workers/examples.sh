@@ -1,8 +1,9 @@
-# Owns the examples' test: every one runs without a word of warning, its mesh is closed and encloses what its formulas say within 1 %,
-# POV-Ray draws it, with at most a hundredth of the pixels cut off, and OpenSCAD reads it. Small parameters where a model is large.
+# Owns the examples' test: each runs without a warning, its mesh is closed and has the volume of its formulas within 1
+# %, POV-Ray draws it with at most a hundredth of the pixels clipped, and OpenSCAD reads it. Parameters make large
+# models small.
 . tests/report.sh
 
-# name, samples for the volume, then what makes it small
+# name, samples for the volume, then the parameters that make it small
 examples='doric-columns 100000
 doric-column 100000
 cylinder-grid 100000 -D count=9
@@ -60,7 +61,7 @@ echo "$examples" | while read -r name samples arguments; do
   else echo "skip $test:openscad: no openscad (package openscad)"; fi
 done
 
-# Scenes by rules: written without a word, with instances shared and a picture that shows them.
+# Scenes by rules: written without a message, with shared instances and a picture that shows them.
 scenes='facade-stages
 plans
 cornice-corners
@@ -85,13 +86,13 @@ echo "$scenes" | while read -r name arguments; do
   else echo "skip $test:picture: no povray (package povray)"; fi
 done
 
-# The thesis' listings: their meshes are closed and enclose what points by chance say.
+# The thesis' listings: their meshes are closed and have the volume that random points give.
 listings='2.1-doric-columns 100000
 4.2-caching 40000 -D side=6
 4.3-cylinder-between-points 200000
 4.4-loft 10000
 5.5-gare 300000 -D x=1 -D y=1'
-# three trees with other angles: half a minute; make test takes their mesh alone, coarse, below
+# three trees with other angles: half a minute; below, make test checks only their mesh, coarsely
 [ -z "$LONG" ] || listings="$listings
 5.4-parametrisations 250000"
 echo "$listings" | while read -r name samples arguments; do
@@ -109,7 +110,8 @@ echo "$listings" | while read -r name samples arguments; do
   result "$test:volume" "$work/why"
 done
 
-# The three trees with twelve facets a turn: closed, and of the volume that goes with what LONG=1 finds by chance for the round ones, 397.
+# The three trees with twelve facets a turn: closed, and with the volume that corresponds to the round ones' 397, which
+# LONG=1 finds by random points.
 if wanted examples/thesis/5.4-parametrisations && [ -z "$LONG" ]; then
   "$vs" --quiet --segments 12 examples/thesis/5.4-parametrisations.vs -o "$work/l.stl" > "$work/why" 2>&1
   "$BUILD/tools/stlcheck" "$work/l.stl" 2>> "$work/why" | awk '!($4 > 382.542 * 0.999 && $4 < 382.542 * 1.001) { print "volume " $4 ", not 382.542" }' >> "$work/why"

@@ -1,5 +1,5 @@
-# Owns the test that POV-Ray's absolute tolerances and single numbers are not to be seen: a model of millionths, of millions, and far away looks as it does
-# in plain numbers.
+# Owns the test that POV-Ray's absolute tolerances and 32-bit numbers do not show: a model with lengths of millionths,
+# of millions, and far from the origin looks as it does with ordinary numbers.
 . tests/report.sh
 wanted extremes || exit 0
 if ! command -v povray > /dev/null; then echo "skip extremes: no povray"; exit 0; fi

@@ -1,5 +1,5 @@
-# Owns the test of films: frames that POV-Ray makes become one by ffmpeg, of their size, number and rate; it is made anew when a frame is; without
-# ffmpeg the frames stand and the lack is said.
+# Owns the test of films: ffmpeg joins the frames that POV-Ray makes into a film of their size, number and rate; a
+# changed frame makes the film again; without ffmpeg the frames stay, and a message reports that it is missing.
 . tests/report.sh
 
 wanted film || exit 0
@@ -19,7 +19,7 @@ grep -q 'there is no ffmpeg (package ffmpeg) to make the film; the frames stand'
 [ "$(find "$work" -name '*street-00[1-4].png' | wc -l)" = 4 ] || echo "the frames do not stand" >> "$work/why"
 result film:without "$work/why"
 
-# A film whose wall turns dark has one exposure, that of its first frame, also where it goes on.
+# A film whose wall turns dark has one exposure, that of its first frame, also after an interruption.
 : > "$work/why"
 cat > "$work/day.vs" <<'EOF'
 (define-parameter t 0.0)

@@ -1,12 +1,13 @@
-# Owns the test of depth of field: the blur of an edge is as wide as geometrical optics says, and what lies in focus is sharp.
+# Owns the test of depth of field: the blur of an edge is as wide as geometrical optics predicts, and objects in focus
+# are sharp.
 . tests/report.sh
 
 wanted focus || exit 0
 command -v povray > /dev/null || { echo "skip focus: no povray (package povray)"; exit 0; }
 
-# A black edge at 2 m before a white wall; 50 mm at f/0.1 is an opening of 0.5 m. Focused on 10 m, a point of the edge is seen within 0.5 (1/2 - 1/10) = 0.2
-# of the distance: 0.2 * 50/36 * 400 = 111 pixels of 400. A disc's light grows from a
-# quarter to three quarters in 0.404 of its width: 45 pixels.
+# A black edge at 2 m in front of a white wall; 50 mm at f/0.1 is an opening of 0.5 m. Focused on 10 m, a point of the
+# edge is seen within 0.5 (1/2 - 1/10) = 0.2 of the distance: 0.2 * 50/36 * 400 = 111 pixels of 400. A disc's light
+# grows from a quarter to three quarters in 0.404 of its width: 45 pixels.
 while read -r name unit least most camera; do
   cat > "$work/edge.vs" <<EOF
 (define k (/ 1 $unit))

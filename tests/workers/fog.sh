@@ -1,11 +1,11 @@
-# Owns the test of fog: how much of it lies before a black wall, by the wall's distance, beside the formula; fog with a height leaves the sky
-# overhead as it is.
+# Owns the test of fog: the share of fog in front of a black wall, by the wall's distance, against the formula; fog with
+# a height does not change the sky overhead.
 . tests/report.sh
 
 wanted fog || exit 0
 command -v povray > /dev/null || { echo "skip fog: no povray (package povray)"; exit 0; }
 
-# A black wall at the distance; the number of the fog itself is that of a wall behind it all.
+# A black wall at the distance; the value of the fog itself is that of a wall behind all fog.
 while read -r name unit visibility distance share; do
   : > "$work/why"
   for at in "$distance" "$((100 * visibility))"; do
@@ -29,7 +29,7 @@ visibility m 100 100 0.95
 millimetres mm 100 50 0.7764
 EOF
 
-# overhead: as without fog, within a tenth; at the horizon it is the fog's
+# overhead within a tenth of the value without fog; at the horizon the value of the fog
 : > "$work/why"
 for fog in "" '(fog 600 #:height 3)'; do
   echo "(ground 0) (draw (make-box (xyz -1 8 0) (xyz 1 10 2))) (sky #:turbidity 3) (sun #:azimuth 200 #:altitude 40) $fog (camera (xyz 0 0 1.6) (xyz 0 1 8))" > "$work/up.vs"

@@ -1,5 +1,5 @@
-# Owns the test of the formats that other programs read back: every one holds the same solids, closed where it says so, and its own reader
-# takes it without a word: the glTF validator, Assimp for 3MF.
+# Owns the test of the formats that other programs read back: each contains the same solids, closed if the format
+# promises it, and its reader accepts it without a message: the glTF validator, Assimp for 3MF.
 . tests/report.sh
 model=tests/workers/formats.vs
 
@@ -23,18 +23,19 @@ if command -v node > /dev/null; then
   same ply "$(node tests/tools/meshes.mjs "$work/m.ply" 2>&1)" 1 1e-6
   same stl-ascii "$(node tests/tools/meshes.mjs "$work/words.stl" 2>&1)" 1 1e-6
   if [ -d tests/node_modules/gltf-validator ]; then
-    # copies keep the facets of their own size, and a curve and the region are there too: so the volume is not the same to the last digit
+    # copies keep facets for their own size, and the file contains a curve and the region too: therefore the volume
+    # differs in the last digits
     same glb "$(node tests/tools/meshes.mjs "$work/m.glb" 2>&1)" 0.001 1e-3
   else echo "skip formats:glb: no gltf-validator (npm ci --prefix tests --ignore-scripts)"; fi
 else echo "skip formats:ply, stl-ascii, glb: no node"; fi
 
-# Assimp reads it as other programs do, copies placed, and hands on what it made of it.
+# Assimp reads it as other programs do, with placed copies, and writes its result.
 if command -v assimp > /dev/null; then
   assimp export "$work/m.3mf" "$work/back.stl" -fstlb > "$work/said" 2>&1 || tail -n 3 "$work/said"
   same 3mf "$("$BUILD/tools/stlcheck" "$work/back.stl" 2>&1)" 1 1e-6
 else echo "skip formats:3mf: no assimp (package assimp-utils)"; fi
 
-# Round walls are shaded round: the corners of their triangles have normals of their own.
+# Round walls have smooth shading: the corners of their triangles have different normals.
 cat > "$work/walls.vs" <<'EOF'
 (define-parameter kind "revolve")
 (define (ring z r) (make-circle (xyz 0 0 z) r))

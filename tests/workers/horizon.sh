@@ -1,5 +1,6 @@
-# Owns the test that the ground ends in the sky: no line parts them, whatever stands on the ground and from whatever height it is seen, and the sky
-# is not of one colour. Pictures of 200 x 150: the largest step from one row to the next is held (a line from side to side would be one of 43 with the plain ground, of 140 and 200 with the others).
+# Owns the test that the ground fades into the sky: no line separates them, for any model and any height of the eye, and
+# the sky has more than one colour. Pictures of 200 x 150: the test limits the largest step from a row to the next (a
+# line from side to side would be a step of 43 with the plain ground, of 140 and 200 with the others).
 . tests/report.sh
 
 wanted horizon || exit 0

@@ -1,5 +1,6 @@
-# Owns the test that a lamp lights a floor as its IES file says: luminance and illuminance at some angles, in a room whose walls send nothing back, beside
-# candelas times the cube of the cosine by the height's square; in pictures, and in a .pov that POV-Ray alone renders.
+# Owns the test that a lamp lights a floor by its IES file: luminance and illuminance at some angles, in a room whose
+# walls reflect nothing, against candelas times the cube of the cosine divided by the square of the height; in pictures,
+# and in a .pov that POV-Ray alone renders.
 . tests/report.sh
 
 wanted lamps || exit 0
@@ -12,7 +13,7 @@ room() { # WHAT: a lamp 2 m above a grey floor, seen from 3.5 m by a lens that s
   echo '(draw (with-material dark (subtract (make-box (xyz -6 -6 0) (xyz 6 6 4)) (make-box (xyz -5.9 -5.9 -1) (xyz 5.9 5.9 3.9)))))'
   echo "(lamp (xyz 0 0 2) $1) (camera (xyz 0 0 3.5) origin #:lens 18)"
 }
-# CASE LAMP COLUMN ROW CANDELAS...: a floor of linear grey 0.2159 of which 0.82 goes back; the number 1 is 10,000 cd/m2
+# CASE LAMP COLUMN ROW CANDELAS...: a floor of linear grey 0.2159 that reflects 0.82 of it; the number 1 is 10,000 cd/m2
 holds() {
   name=$1; : > "$work/why"
   room "$2" > "$work/$name.vs"
@@ -29,14 +30,15 @@ holds() {
   done
   result "lamps:$name" "$work/why"
 }
-# intensities at the angles of these places, between the files' rows
+# intensities at the angles of these points, between the files' rows
 holds round '#:ies "spot.ies"' 100 100 998 110 100 966 130 100 776 150 100 562 170 100 396
 holds even '#:lumens 12566.37' 100 100 1000 150 100 1000
 holds dimmed '#:ies "spot.ies" #:dim 0.5' 110 100 483
 holds turned '#:ies "asym.ies" #:turn 90' 100 43 801 43 100 504
 holds straight '#:ies "asym.ies"' 157 100 797 100 43 504
 
-# Illuminance: of a lamp of 1,000 cd at 2 m, 1,000 cos^3 / 4 lx. The least and the most are those of all pixels but a hundredth at either end.
+# Illuminance: of a lamp of 1,000 cd at 2 m, 1,000 cos^3 / 4 lx. Minimum and maximum omit a hundredth of the pixels at
+# either end.
 : > "$work/why"
 room '#:lumens 12566.37' > "$work/lux.vs"
 "$vs" --quiet --size 200x200 "$work/lux.vs" -o "$work/lux.exr" --layers 2>> "$work/why"

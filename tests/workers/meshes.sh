@@ -1,6 +1,6 @@
-# Owns the test that solids which pictures draw as meshes look as POV-Ray's operations do: a wall of brick with many openings and a round one, and a ball
-# with many bores. With a part of glass where nothing is left, which shows nowhere, they stay operations. A draft is not smoothed, so that a pixel at an edge may
-# fall on either side of it.
+# Owns the test that solids which pictures draw as meshes look like POV-Ray's operations: a wall of brick with many
+# openings and a round one, and a ball with many bores. A part of glass where nothing remains, which is not visible,
+# makes them stay operations. A draft has no antialiasing, so a pixel at an edge may have either colour.
 . tests/report.sh
 
 wanted meshes || exit 0
@@ -20,7 +20,7 @@ cat > "$work/holes.vs" <<'V'
 (sun #:azimuth 215 #:altitude 40)
 (camera (xyz 1 -12 2.5) (xyz 4.5 0 2.2))
 V
-# A program in POV-Ray's place says how many meshes the scene has.
+# A program in place of POV-Ray prints the number of meshes in the scene.
 mkdir "$work/counting"
 cat > "$work/counting/povray" <<'S'
 #!/bin/sh
@@ -33,12 +33,13 @@ for way in '#f 2' '#t 0'; do
   echo "$said" | grep -q "meshes: ${way#* }" || echo "operations=${way% *}: not ${way#* } meshes: $said" >> "$work/why"
   "$vs" --quiet --quality draft --size 200x150 -D operations=${way% *} "$work/holes.vs" -o "$work/${way#* }.exr" 2>> "$work/why"
 done
-# all, those that differ, mean, largest
+# all pixels, those that differ, mean, largest
 "$BUILD/tools/exrdiff" "$work/2.exr" "$work/0.exr" 2>> "$work/why" |
   awk '!($1 == 30000 && $3 * 100 < $1 && $6 + 0 < 0.002) { print "they look otherwise: " $0 }' >> "$work/why"
 result meshes "$work/why"
 
-# A ball that was turned is a mesh; where it turns from the sun it has no steps beside POV-Ray's sphere, though the drawing is large.
+# A ball that was turned is a mesh; where it turns away from the sun it has no steps compared with POV-Ray's sphere,
+# although the drawing is large.
 : > "$work/why"
 cat > "$work/ball.vs" <<'V'
 (define-parameter turned #f)
@@ -53,7 +54,7 @@ for turned in '#f' '#t'; do
 done
 "$BUILD/tools/exrdiff" "$work/ball#f.exr" "$work/ball#t.exr" 2>> "$work/why" |
   awk '!($1 == 120000 && $3 < 500 && $6 + 0 < 0.0015) { print "they look otherwise: " $0 }' >> "$work/why"
-# A limit that a file keeps to holds for its picture.
+# A limit that holds for a file holds for its picture.
 for suffix in stl png; do
   "$vs" --quiet --quality draft --size 40x30 --limit-triangles 2000 -D turned='#t' "$work/ball.vs" -o "$work/ball.$suffix" 2>> "$work/why"
 done

@@ -1,4 +1,5 @@
-# Owns the test of what a picture cannot be made of: each mistake is one clear message, and nothing is left behind; a camera within a wall is warned of.
+# Owns the test of mistakes in pictures: each gives one clear message, and no file stays behind; a camera within a wall
+# gives a warning.
 . tests/report.sh
 
 wanted mistakes || exit 0
@@ -31,7 +32,7 @@ in a wall|0|m.vs:1:7: warning: the camera stands within this object||(draw (subt
 night|0|||(draw (make-sphere origin 1)) (sun #:azimuth 0 #:altitude -20)
 OUTER2
 
-# within a room is not within its walls
+# a camera in a room is not within its walls
 : > "$work/why"
 echo '(draw (subtract (make-box origin (xyz 4 4 4)) (make-box (xyz 1 1 1) (xyz 3 3 3)))) (camera (xyz 2 2 2) (xyz 9 2 2))' > "$work/m.vs"
 "$vs" -q --quality draft --size 80x60 "$work/m.vs" -o "$work/m.png" > "$work/why" 2>&1

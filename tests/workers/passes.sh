@@ -1,10 +1,11 @@
-# Owns the test that passes change no picture and no volume: every example without passes and with all of them, drawn by POV-Ray in the draft quality (the
-# others guess, and differ from run to run) as numbers, and meshed. A sample, or with LONG=1 every example, and each pass alone.
+# Owns the test that passes change no picture and no volume: every example without passes and with all of them, meshed,
+# and drawn by POV-Ray as numbers in the draft quality (the other qualities sample at random, and differ from run to
+# run). A sample, or with LONG=1 every example, and each pass alone.
 . tests/report.sh
 
 examples='doric-columns cylinder-grid rotunda gare-do-oriente'
 [ -z "${LONG:-}" ] || examples=$(ls examples/*.vs | sed 's|examples/||; s|\.vs$||')
-# What makes an example small: its pictures and meshes are made five times over.
+# Parameters that make an example small: its pictures and meshes are made five times.
 smaller() {
   case $1 in
   city) echo "-D blocks=2 -D tallest=6" ;;
@@ -22,7 +23,7 @@ smaller() {
 ways='-O'
 [ -z "${LONG:-}" ] || ways='-O -Ofold -Oshare -Oflatten -Oprune'
 
-# Every set of passes on every back-end: the same closed volume, and only the passes that were asked for have done something.
+# Every set of passes in every back-end: the same closed volume, and only the requested passes have changed the drawing.
 if wanted passes/switches; then
   model=tests/workers/formats.vs
   : > "$work/why"
@@ -56,8 +57,10 @@ for name in $examples; do
   for way in $ways; do
     # shellcheck disable=SC2086
     "$vs" --quiet --quality draft --size 160x120 $way $arguments examples/$name.vs -o "$work/way.exr" -o "$work/way.stl" > "$work/said" 2>&1 || sed "s/^/$way failed: /" "$work/said" >> "$work/why"
-    # Numbers in the scene may differ in their last digit, so at an edge a pixel of a thousand may be sampled otherwise. The cafe's chairs are of oak, whose
-    # grain POV-Ray begins anew in copies that are moved (manual/materials.md): folded, they begin at the model's origin, which shows in half a hundredth of it.
+    # Numbers in the scene may differ in their last digit, so at an edge one pixel in a thousand may be sampled
+    # differently. The cafe's chairs are of oak. POV-Ray begins its grain anew in copies that are moved
+    # (manual/materials.md); in folded ones it begins at the model's origin, which shows in half a hundredth of the
+    # pixels.
     most='0.001 0.0001'
     [ "$name" != corner-cafe ] || most='0.01 0.0005'
     "$BUILD/tools/exrdiff" "$work/plain.exr" "$work/way.exr" 2>> "$work/why" |

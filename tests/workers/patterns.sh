@@ -1,4 +1,5 @@
-# Owns the test that POV-Ray takes every pattern and shows it: a wall of it, seen from 2 m, differs plainly from the same wall of the plain colour.
+# Owns the test that POV-Ray accepts every pattern and shows it: a wall with it, seen from 2 m, clearly differs from the
+# same wall in the plain colour.
 . tests/report.sh
 
 wanted patterns || exit 0

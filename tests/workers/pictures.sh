@@ -1,5 +1,6 @@
-# Owns the test that a picture lies on walls at its size and the right way round: a wall with a picture of a dark and a light half looks like one
-# built of dark and light blocks, from its front and its back, turned by steps and between them, and lying down.
+# Owns the test that a picture on a wall has its size and its orientation: a wall with a picture of a dark and a light
+# half looks like a wall of dark and light blocks, from its front and its back, rotated by right angles and by others,
+# and horizontal.
 . tests/report.sh
 
 wanted pictures || exit 0

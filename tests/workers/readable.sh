@@ -1,11 +1,12 @@
-# Owns the test that what is thin can be read in a picture: curves, edges, flat text and open surfaces without a material come out dark, curves at least
-# 1.35 pixels wide and not much wider, at 400 x 300, in drafts and final pictures. Dark pixels are counted and held to lengths and areas.
+# Owns the test that thin objects are legible in a picture: curves, edges, flat text and open surfaces without a
+# material are dark, curves at least 1.35 pixels wide and not much wider, at 400 x 300, in drafts and final pictures.
+# The test compares the number of dark pixels with lengths and areas.
 . tests/report.sh
 
 wanted readable || exit 0
 command -v povray > /dev/null || { echo "skip readable: no povray (package povray)"; exit 0; }
 
-# Each prints what must be dark: the length of its curves or the area of the rest, in the picture's pixels.
+# Each prints the expected dark area: the length of its curves or the area of the rest, in the picture's pixels.
 cat > "$work/curves.vs" <<'EOF'
 (define scale (/ 300 20 1.08)) ; the largest circle fills the height but for the margin
 (define small (make-circle origin 2))

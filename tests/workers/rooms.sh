@@ -1,5 +1,5 @@
-# Owns the test of light in rooms: the plain walls of a room of 6 x 4 x 3 m with one window are even, a room without
-# one is black, and in a draft no surface is. Parts of pictures are held to the smooth shading that is nearest to them.
+# Owns the test of light in rooms: the plain walls of a room of 6 x 4 x 3 m with one window are even, a room without a
+# window is black, and in a draft no surface is. The test compares parts of pictures with the nearest smooth shading.
 . tests/report.sh
 
 wanted rooms || exit 0
@@ -21,7 +21,7 @@ for room in closed window; do
 EOF
 done
 
-# the room, quality, part of the picture; the most that it differs, and its least and most mean
+# the room, quality, part of the picture; the largest allowed deviation, and the least and largest mean
 while read -r name room quality x y width height most dark light; do
   : > "$work/why"
   [ -f "$work/$room-$quality.png" ] || "$vs" --quiet --quality "$quality" --size 240x180 --exposure 1.5 "$work/$room.vs" -o "$work/$room-$quality.png" 2> "$work/why"

@@ -1,5 +1,6 @@
-# Owns the test that a picture is the same bytes on any number of processors and under load, and a part of it what stands there in the whole: each quality
-# that --quality has, each format that POV-Ray makes. LONG=1: all of them on 1, 2 and 3 processors beside busy ones, and three runs of six examples.
+# Owns the test that a picture has the same bytes on any number of processors and under load, and that a part of it
+# equals that part of the whole: each quality of --quality, each format that POV-Ray makes. LONG=1: all of them on 1, 2
+# and 3 processors beside busy ones, and three runs of six examples.
 . tests/report.sh
 
 wanted same || exit 0
@@ -8,7 +9,7 @@ qualities=$(sed -n 's/^OPTION(0, "quality", VALUE_REQUIRED, "\([a-z|]*\)".*/\1/p
 formats=$(sed -n 's/^VS_FORMAT(\([^,]*\), [^,]*, "[^"]*", "povray".*/\1/p' backends/backends.def)
 [ "$(echo $qualities $formats | wc -w)" -ge 5 ] || echo "not ok same: the tables of qualities and formats were not read: $qualities; $formats"
 
-# Glass, a pattern, round and thin things, a corner that only bounced light gets into; as large as pictures are that are made in strips.
+# Glass, a pattern, round and thin objects, a corner with indirect light alone; large enough to be made in strips.
 cat > "$work/m.vs" <<'EOF'
 (draw (with-material 'plaster (subtract (make-box (xyz -2 -1 0) (xyz 2 2 3)) (make-box (xyz -1.6 -1.1 0.2) (xyz 1.6 1.6 2.6)))))
 (draw (with-material 'brick (make-box (xyz -3.4 -1 0) (xyz -2.6 0 2))))
@@ -19,7 +20,7 @@ cat > "$work/m.vs" <<'EOF'
 EOF
 size=80x480 crops="0,0,80,20 10,110,40,140 79,479,1,1 0,239,80,2" # four strips
 
-# Says the program nothing of its load: so many processes that only count, until they are told to end.
+# Loads the machine without the program's knowledge: as many processes that only count, until they are ended.
 load() { busy=; for i in $(seq "$1"); do (while :; do :; done) & busy="$busy $!"; done; }
 unload() { kill $busy; wait $busy 2> /dev/null; busy=; }
 

@@ -1,11 +1,12 @@
-# Owns the test of the physical sky in POV-Ray's pictures: its luminances are the model's (the formulas of Preetham, Shirley and Smits as numpy works
-# them out), with 1 for 10,000 cd/m2, and its sun that of a clear day.
+# Owns the test of the physical sky in POV-Ray's pictures: its luminances are the model's (the formulas of Preetham,
+# Shirley and Smits, evaluated with numpy), with 1 for 10,000 cd/m2, and its sun is that of a clear day.
 . tests/report.sh
 
 wanted sky || exit 0
 command -v povray > /dev/null || { echo "skip sky: no povray (package povray)"; exit 0; }
 
-# Turbidity, the sun's altitude (it stands in the east), where the eye looks: angle from the zenith, azimuth from east by north; the luminance there.
+# Turbidity, the sun's altitude (it is in the east), the direction of view: angle from the zenith, azimuth from east by
+# north; the luminance there.
 while read -r turbidity altitude zenith azimuth expected; do
   cat > "$work/look.vs" <<EOF
 (define (towards zenith azimuth)
@@ -37,7 +38,8 @@ sed -n '/^light_source/,/}/s/^  color rgb <\(.*\)>$/\1/p' "$work/look.pov" | awk
   END { if (!((lux - expected)^2 < (0.05 * expected)^2)) print "the sun gives " lux " lx, not " expected }' >> "$work/why"
 result sky:sun "$work/why"
 
-# A sky of 0.2 with a sun of 3 in a picture: the sun becomes a light, so that the floor gets 3 sin 30 + 0.2 pi, and in a wall's shadow less than the sky's.
+# A sky of 0.2 with a sun of 3 in a picture: the sun becomes a light, so the floor gets 3 sin 30 + 0.2 pi, and in a
+# wall's shadow less than the sky's light.
 if [ -x "$BUILD/tools/exrmake" ]; then
   : > "$work/why"
   "$BUILD/tools/exrmake" 2048 1024 "$work/sun.exr" sun
@@ -49,7 +51,8 @@ if [ -x "$BUILD/tools/exrmake" ]; then
 (camera (xyz 0 0 20) origin #:lens 36)
 EOF
   "$vs" -q --size 80x80 "$work/hdr.vs" -o "$work/hdr.exr" --layers 2>> "$work/why"
-  # 20 m are 80 pixels; the sun stands in the west by south, at 250 degrees: the shadow lies east by north, 2 / tan 30 = 3.46 m long
+  # 20 m are 80 pixels; the sun is in the west by south, at 250 degrees: the shadow falls to the east by north, 2 / tan
+  # 30 = 3.46 m long
   while read -r name column row least most; do
     "$vs" pick "$work/hdr.exr" "$column" "$row" --candelas 1 | awk -v name="$name" -v least="$least" -v most="$most" '
       $1 == "illuminance" { got = $2 } END { if (!(got >= least && got <= most)) print name ": illuminance " got ", wanted " least " to " most }' >> "$work/why"

@@ -1,5 +1,6 @@
-# Owns the test of what is seen and may be done while POV-Ray works: a terminal shows the share that is done and the time that is left, and Ctrl-C
-# ends a run of pictures with 130, without POV-Ray and without half a picture, and the next run makes what lacks.
+# Owns the test of the time while POV-Ray works: a terminal shows the finished share and the remaining time. Ctrl-C ends
+# a run of pictures with 130, without POV-Ray and without an incomplete picture, and the next run makes the missing
+# ones.
 . tests/report.sh
 
 wanted waiting || exit 0
@@ -45,7 +46,8 @@ else
   echo "skip waiting:ctrl-c: no pgrep (package procps)"
 fi
 
-# Where the program or a run of pictures is killed, POV-Ray ends as well, and the next run takes away what the killed one left.
+# If the program or a run of pictures is killed, POV-Ray ends as well, and the next run deletes the files of the killed
+# one.
 if command -v pgrep > /dev/null; then
   : > "$work/why"
   mkdir -p "$work/tmp9" "$work/out9"
