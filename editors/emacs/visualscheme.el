@@ -41,7 +41,7 @@
   (setq-local indent-line-function #'visualscheme-indent-line)
   (add-hook 'flymake-diagnostic-functions #'visualscheme-flymake nil t))
 
-;; The number of a form's parts that stand before its body.
+;; The number of a form's parts before its body.
 (dolist (form '((with-material . 1) (layer . 1) (color . 1) (when . 1) (unless . 1) (guard . 1) (parameterize . 1) (let-values . 1) (let*-values . 1)
                 (let/cc . 1) (let/ec . 1) (for . 1) (for* . 1) (for/list . 1) (for*/list . 1) (for/vector . 1) (for/sum . 1) (for*/sum . 1)
                 (for/and . 1) (for/or . 1) (for/fold . 2) (receive . 2)))

@@ -49,8 +49,8 @@ def _placed(message, file, line, column):
 
 
 class SchemeError(Exception):
-    """A program or a call was at fault: message; file, line, column (None, 0, 0: nowhere); outcome, the exit code;
-    notes, texts: the calls that led there, innermost first, and hints."""
+    """An error of a program or a call. message; file, line, column (None, 0, 0: no place); outcome, the exit code;
+    notes, texts: the call chain, innermost first, and hints."""
 
     def __init__(self, message, file=None, line=0, column=0, outcome=1, notes=()):
         text = _placed(message, file, line, column)
@@ -60,12 +60,12 @@ class SchemeError(Exception):
 
 
 class Symbol(str):
-    """A symbol of the language, where a str is a text."""
+    """A symbol of the language; a str is a text."""
 
 
 class Vector(numpy.ndarray):
-    """Three numbers that are a gvector of the language, where another array of three is a point. What NumPy works out
-    with it is a plain array."""
+    """A gvector of the language: three numbers. Any other array of three is a point. The results of NumPy's operations
+    on it are plain arrays."""
 
     def __new__(cls, numbers):
         return numpy.array(numbers, float).reshape(3).view(cls)
@@ -76,7 +76,8 @@ class Vector(numpy.ndarray):
 
 
 class Value:
-    """A value that has no like in Python: an object, a node, a procedure, a pair such as (1 . 2); held as long as this is."""
+    """A value without a counterpart in Python: an object, a node, a procedure, a pair such as (1 . 2). It lives as long
+    as this Value."""
 
     def __init__(self, scheme, handle):
         self._scheme, self.handle, self._age = scheme, handle, scheme._age
@@ -105,12 +106,12 @@ class Value:
 
 
 def _text(bytes_or_none):
-    """Names of files may be no UTF-8: as os.fsdecode gives them."""
+    """Decodes the name of a file, which may not be UTF-8, as os.fsdecode does."""
     return bytes_or_none.decode("utf-8", "surrogateescape") if bytes_or_none is not None else None
 
 
 def _name(text):
-    """The bytes of a name or an option, which C takes to end with a zero."""
+    """Returns the bytes of a name or an option; an error if they contain a zero, which would end them in C."""
     if not isinstance(text, str):
         raise TypeError("a name is a str, not %r" % (text,))
     data = text.encode()
@@ -127,7 +128,7 @@ def _path(path):
 
 
 def _real(number):
-    """The number as a double; an error where it is another one."""
+    """Returns the number as a double; an error if a double cannot hold it."""
     if isinstance(number, numpy.integer):  # which compares as a double
         number = int(number)
     real = float(number)
@@ -137,7 +138,7 @@ def _real(number):
 
 
 def _whole(digits):
-    """The integer; int() itself takes some thousand digits at most."""
+    """Returns the integer; int() itself accepts at most some thousand digits."""
     if digits[0] == "-":
         return -_whole(digits[1:])
     half = len(digits) // 2
@@ -145,7 +146,7 @@ def _whole(digits):
 
 
 def _written(value):
-    """The value of a parameter as a program writes it."""
+    """Returns the value of a parameter as a program writes it."""
     if isinstance(value, (bool, numpy.bool_)):
         return ("#f", "#t")[bool(value)]
     if isinstance(value, (float, numpy.floating)):
@@ -167,8 +168,8 @@ def _array(pointer, rows, width, kind):
 
 
 class Scheme:
-    """An interpreter. Used by one thread at a time; `with` ends it. output is called with the texts that the program
-    prints; None: they go to sys.stdout."""
+    """An interpreter. A single thread at a time may use it; `with` ends it. It calls output with the texts that the
+    program prints; None: it writes them to sys.stdout."""
 
     _pointer, _age = None, 0
     _running, _called = 0, 0  # calls of the library, and of Python's functions by it, that have not ended
@@ -211,7 +212,7 @@ class Scheme:
 
     @contextlib.contextmanager
     def _runs(self):
-        """While the interpreter is at work, Ctrl-C stops it; it becomes a KeyboardInterrupt afterwards."""
+        """While the interpreter runs, Ctrl-C interrupts it; afterwards this raises KeyboardInterrupt."""
         pressed = []
         mine = (threading.current_thread() is threading.main_thread() and
                 signal.getsignal(signal.SIGINT) is signal.default_int_handler)
@@ -249,7 +250,7 @@ class Scheme:
         (self._errors if d.severity == 0 else self.warnings).append(error)
 
     def _check(self, fine, outcome=2):
-        """The first error that was told since the last call, where the call was not fine."""
+        """Returns the first error that was reported since the last call, if the call failed."""
         errors, self._errors = self._errors, []
         if not fine:
             raise errors[0] if errors else SchemeError("the call failed", outcome=outcome)
@@ -257,7 +258,7 @@ class Scheme:
     # ---- values ----
 
     def _give(self, value):
-        """A new handle to the value."""
+        """Returns a new handle to the value."""
         f, s = self._c, self._s
         if isinstance(value, Value):
             handle = f.vs_handle_retain(s, value.handle)
@@ -297,7 +298,7 @@ class Scheme:
         return handle
 
     def _take(self, handle):
-        """The value of a handle, which is released or goes over to a Value."""
+        """Returns the value of a handle, and releases the handle or gives it to a Value."""
         f, s = self._c, self._s
         kind = f.vs_handle_kind_of(s, handle)
         if kind > _MATRIX:
@@ -328,7 +329,7 @@ class Scheme:
         return ctypes.string_at(text, length.value)
 
     def _exact(self, handle):
-        """An exact number as an int or a Fraction."""
+        """Returns an exact number as an int or a Fraction."""
         above, _, below = self._bytes_of(handle).decode().partition("/")
         return Fraction(_whole(above), _whole(below)) if below else _whole(above)
 
@@ -337,7 +338,7 @@ class Scheme:
 
     @contextlib.contextmanager
     def _named(self, name):
-        """The handle of what the name means in the program."""
+        """Returns a handle to the value of the name in the program."""
         handle = self._c.vs_lookup(self._s, _name(name))
         self._check(handle)
         try:
@@ -350,7 +351,7 @@ class Scheme:
         return self._take(result) if result else None
 
     def _apply_to(self, procedure, arguments):
-        """The handle of what the procedure gives."""
+        """Returns a handle to the procedure's result."""
         handles, result = [], c.Handle(0)
         try:
             handles.extend(self._give(a) for a in arguments)
@@ -364,13 +365,13 @@ class Scheme:
         return result.value
 
     def _do(self, function, *arguments):
-        """A call that runs something and tells how it ended."""
+        """Makes a call that runs a program and returns an outcome."""
         with self._runs():
             outcome = function(self._s, *arguments)
         self._check(outcome == 0, outcome)
 
     def _got(self, function, *arguments):
-        """A call that gives a handle: its value."""
+        """Makes a call that returns a handle, and returns its value."""
         handle = function(self._s, *arguments)
         self._check(handle)
         return self._take(handle)
@@ -378,7 +379,7 @@ class Scheme:
     # ---- programs ----
 
     def run(self, text, name="python"):
-        """Every form of the text."""
+        """Evaluates every form of the text."""
         data = text.encode()
         self._do(self._c.vs_eval_text, _name(name), 1, data, len(data), 0)
 
@@ -386,12 +387,12 @@ class Scheme:
         self._do(self._c.vs_eval_file, _path(path), 0)
 
     def restart(self):
-        """Begins anew, as a new interpreter would; values of parameters stay. What was held of it is void."""
+        """Restarts the interpreter, which keeps only the values of parameters. Values from before become void."""
         self._do(self._c.vs_restart)
         self._age += 1
 
     def __getitem__(self, name):
-        """What the name means in the program: a value, or a Value to call."""
+        """Returns the value of the name in the program: a value, or a Value to call."""
         return self._got(self._c.vs_lookup, _name(name))
 
     def __setitem__(self, name, value):
@@ -423,7 +424,7 @@ class Scheme:
         return self._keep(c.HostFn(called))
 
     def _keep(self, callback, key=None):
-        """The library may call it as long as the interpreter lives."""
+        """Keeps the function, which the library may call as long as the interpreter lives."""
         self._kept[key or len(self._kept)] = callback
         return callback
 
@@ -433,14 +434,14 @@ class Scheme:
         return handle
 
     def parameter(self, name, value):
-        """Sets a parameter of the next run, as -D does; None: its default again."""
+        """Sets a parameter of the next run, as -D does; None: restores its default."""
         if value is None:
             self._c.vs_parameter_unset(self._s, _name(name))
         else:
             self._check(self._c.vs_parameter_set(self._s, _name(name), _name(_written(value))))
 
     def parameters(self):
-        """What (define-parameter ...) has made: Parameter after Parameter."""
+        """Returns the parameters of (define-parameter ...), each as a Parameter."""
         found, p = [], c.ParameterInfo()
         for i in range(self._c.vs_parameter_count(self._s)):
             self._c.vs_parameter_get(self._s, i, byref(p))
@@ -451,7 +452,7 @@ class Scheme:
         return found
 
     def unused_parameters(self):
-        """Names that parameter() gave a value, and no program has taken."""
+        """Returns the names that parameter() set and that no program has defined."""
         found = []
         while True:
             name = self._c.vs_parameter_unused(self._s, len(found))
@@ -463,7 +464,7 @@ class Scheme:
         self._c.vs_drawing_clear(self._s)
 
     def summary(self):
-        """A dict: counts of objects, solids, surfaces, regions and curves; bounds, two arrays or None; units."""
+        """Returns a dict: counts of objects, solids, surfaces, regions, curves; bounds, two arrays or None; units."""
         out = c.Summary()
         self._do(self._c.vs_drawing_summary, byref(out))
         counts = {name: getattr(out, name) for name in ("objects", "solids", "surfaces", "regions", "curves")}
@@ -471,7 +472,7 @@ class Scheme:
         return dict(counts, bounds=bounds, units=_text(out.units))
 
     def statistics(self):
-        """A dict from a key to (value, unit), since the interpreter was made."""
+        """Returns a dict from a key to (value, unit), since the interpreter was made."""
         count = self._c.vs_statistics(self._s, None, 0)
         out = (c.Statistic * count)()
         self._c.vs_statistics(self._s, out, count)
@@ -493,13 +494,15 @@ class Scheme:
         return o
 
     def write(self, path, format=None, **options):
-        """The file of the path's ending, or of the format. width, height, quality ("draft", "good", "final"), view,
+        """Writes a file in the format, by default that of the path's suffix. Options: width, height,
+        quality ("draft", "good", "final"), view,
         camera (eye, target and lens, seven numbers), sun (azimuth, altitude), tolerance, segments, layers, strict."""
         self._do(self._c.vs_write_drawing, _path(path), _name(format) if format else None,
                  byref(self._options(**options)))
 
     def bytes(self, format, **options):
-        """The same as bytes, without a file: IPython.display.Image(s.bytes("png")) shows a picture in a notebook."""
+        """Returns the same as bytes, without a file:
+        IPython.display.Image(s.bytes("png")) shows a picture in a notebook."""
         pieces = []
 
         def take(_, data, count):
@@ -511,7 +514,7 @@ class Scheme:
     # ---- meshes ----
 
     def meshes(self, **options):
-        """What differs from what was handed over before: Mesh after Mesh. tolerance and segments say how fine."""
+        """Returns the changes since the last call, each as a Mesh. tolerance and segments set the fineness."""
         with self._runs():
             outcome = self._c.vs_meshes_begin(self._s, byref(self._options(**options)))
         errors, self._errors = self._errors, []
@@ -523,11 +526,12 @@ class Scheme:
         return found
 
     def forget_meshes(self):
-        """The next meshes() hands over everything. The materials' function goes, too."""
+        """The next meshes() hands over all meshes. Removes the materials' function, too."""
         self._c.vs_meshes_forget(self._s)
 
     def materials(self, function):
-        """The function is asked once for each material's name and gives Python's own number for it, material_id."""
+        """Calls the function once for each material's name; it returns the number that Python uses for it,
+        material_id."""
         def ask(_, name):
             try:
                 return int(function(_text(name)))
@@ -561,12 +565,12 @@ class Scheme:
 
     @property
     def focus(self):
-        """The node that the program draws in."""
+        """The node into which the program draws."""
         return self._got(self._c.vs_node_focus)
 
     @contextlib.contextmanager
     def within(self, node):
-        """`with s.within(node):` what is drawn in it is the node's."""
+        """`with s.within(node):` draws into the node."""
         self._do(self._c.vs_node_begin, node.handle)
         try:
             yield node
@@ -574,13 +578,13 @@ class Scheme:
             self._do(self._c.vs_node_end)
 
     def run_in(self, node, text):
-        """Every form of the text in the node's own program; the last one's value."""
+        """Evaluates every form of the text in the node's program; returns the value of the last one."""
         value = c.Handle(0)
         self._do(self._c.vs_node_eval, node.handle, _name(text), byref(value))
         return self._take(value.value) if value.value else None
 
     def node(self, name=None, parent=None, drawing=None, translate=None, rotate=None, scale=None, type=None):
-        """A new node; degrees about X, Y and Z."""
+        """Returns a new node; degrees about X, Y and Z."""
         node = self._got(self._c.vs_node_create, _name(type) if type else None, _name(name) if name else None,
                          parent.handle if parent is not None else 0)
         if drawing is not None:
@@ -589,7 +593,7 @@ class Scheme:
         return node
 
     def _perhaps(self, function, *arguments):
-        """A call that may give no handle: its value, or None where nothing has failed."""
+        """Makes a call that may return no handle; returns its value, or None if there is no handle and no error."""
         self._errors = []
         handle = function(self._s, *arguments)
         self._check(handle or not self._errors)
@@ -617,11 +621,11 @@ class Scheme:
         self._do(self._c.vs_node_remove_child, parent.handle, child.handle)
 
     def object(self, node):
-        """All that the node shows, as one object."""
+        """Returns all that the node shows, as one object."""
         return self._got(self._c.vs_node_object, node.handle)
 
     def draw(self, node, drawing):
-        """An object, or a list of objects, becomes the node's own drawing."""
+        """Makes an object, or a list of objects, the drawing of the node."""
         handle = self._give(drawing)
         try:
             self._do(self._c.vs_node_set_drawing, node.handle, handle)
@@ -659,7 +663,7 @@ class Scheme:
             self._c.vs_handle_release(self._s, handle)
 
     def subscribe(self, node, name, function):
-        """The function is called with each new value. Gives the subscription's number."""
+        """Calls the function with each new value. Returns the subscription's number."""
         with self._property(node, name) as handle:
             number = self._c.vs_property_subscribe(self._s, handle, self._callback(function), None)
         self._check(number)
@@ -670,7 +674,7 @@ class Scheme:
             self._do(self._c.vs_property_unsubscribe, handle, number)
 
     def post(self, node, name, value):
-        """Leaves a change for the next update; also where the interpreter is at work."""
+        """Posts a change for the next update, also while the interpreter runs."""
         with self._property(node, name) as handle:
             given = self._give(value)
             fine = self._c.vs_post(self._s, handle, given)
@@ -684,11 +688,11 @@ class Scheme:
         self._do(self._c.vs_scene_frame, seconds)
 
     def action(self, name, node):
-        """The action goes through the tree from the node on."""
+        """Runs the action in the tree from the node down."""
         self._do(self._c.vs_action_apply, _name(name), node.handle)
 
     def gizmos(self):
-        """All gizmos below the root. Their values are their nodes' properties "value": put, get, subscribe."""
+        """Returns all gizmos below the root. Their values are their nodes' properties "value": put, get, subscribe."""
         found = []
 
         def take(_, scheme, pointer):
@@ -703,8 +707,8 @@ class Scheme:
         return found
 
     def input(self, kind, button="none", start=None, direction=None, key=None):
-        """An event: "press", "drag", "release" or "move" of a button, with the ray under the mouse; or "key". Gives
-        the node that it went to, or None."""
+        """An event: "press", "drag", "release" or "move" of a button, with the ray under the mouse; or "key".
+        Returns the node that received it, or None."""
         if kind not in _INPUTS or button not in _BUTTONS:
             raise SchemeError("an event is one of %s with a button of %s, got %r and %r" % (
                 ", ".join(_INPUTS), ", ".join(_BUTTONS), kind, button), outcome=2)
@@ -715,7 +719,7 @@ class Scheme:
         return self._take(node.value) if node.value else None
 
     def pick(self, start, direction):
-        """What the ray meets, nearest first."""
+        """Returns the hits of the ray, nearest first."""
         hits = []
 
         def take(_, scheme, pointer):

@@ -303,8 +303,10 @@ static const char *difference_of(const part *a, const part *b) {
 
 static uint32_t line_at(const drawing_look *l, const part *p, size_t i) { return l->paths[p->path + i] ? l->paths[p->path + i]->line : 0; }
 
-/* The part of its path without a template is of the part's own; the primitive keeps its maker's unless it is in a template, or was (made): then what is left
- * of the template may have the origin of its use, and where the use that it was made from is gone (pruned), its parts those of that. */
+/* Returns the fault in the origins of b, NULL: none. b is a part of `after` with the looks of the part a of `before`.
+ * The references on b's path, up to the first node with several users (a template), must have, in order, origins of a's
+ * path. With `pruned` only the first of them must: the use from which a template was made may be gone. The primitive
+ * keeps its origin, unless it is in a template or the pass has made templates (`made`). */
 static const char *origin_trouble(const drawing_look *before, const part *a, const drawing_look *after, const part *b, bool made, bool pruned) {
   size_t last = b->path_count - 1, k = 0;
   for (size_t i = 0; i <= last; i++)

@@ -294,13 +294,15 @@ static void try_parameter(const char *name, const vs_procedure *p, const vs_form
 
 /* ---- lines of the table ---- */
 
-/* EXPRESSION ; error: TEXT      an error at its place whose message contains TEXT
+/* Tries a line of the table:
+ *
+ * EXPRESSION ; error: TEXT      an error at its place whose message contains TEXT
  *            ; empty: TEXT      the empty object, and a warning at its place that contains TEXT
  *            ; warning: TEXT    a value, and a warning that contains TEXT
  *            ; value: V         written as V, without a warning
- *            ; fine             a value without a warning: what looks bad and is not
+ *            ; fine             a value without a warning, although the call looks bad
  *            ; define           something for the lines below
- * A line that says nothing shows what comes. */
+ * For a line without an expectation it prints the result. */
 static void try_line(char *text) {
   char *says = NULL, *next = text;
   static char wrapped[2 * TEXT_MOST + 200];
