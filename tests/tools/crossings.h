@@ -204,7 +204,8 @@ static inline double crossings_middle(const crossings *c, uint32_t t, int axis) 
   return least + (most - least) / 2;
 }
 
-static inline void crossings_halve(const crossings *c, uint32_t *at, size_t count, size_t half, int axis) { /* quickselect: the half with the smallest centres first */
+/* Quickselect: moves the `half` triangles with the smallest centres to the front. */
+static inline void crossings_halve(const crossings *c, uint32_t *at, size_t count, size_t half, int axis) {
   size_t low = 0, high = count - 1;
   while (low < high) {
     double pivot = crossings_middle(c, at[low + (high - low) / 2], axis);

@@ -135,7 +135,7 @@ static void test_stops(void **state) {
   assert_false(vs_stop_get(s, &stop));
   assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_USAGE);
   assert_int_equal(run(s, stepped, 0), VS_OUTCOME_DONE);
-  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without the flag, (break) only warns */
+  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without the flag it only warns */
   assert_string_equal(last, "(6 7 3)");
   assert_int_equal(run(s, "(wall 4)", STOP), VS_OUTCOME_STOPPED);
   assert_true(vs_stop_get(s, &stop));

@@ -480,7 +480,7 @@ static void test_plain(void **state) {
     { "(difference " BALL RING ")", "(difference " TWICE(BALL) TWICE(RING) ")" },
     { SPINDLE, TWICE(SPINDLE) },                                                        /* it intersects itself */
     { "(difference (box 20 20 3) " SPINDLE ")", "(difference (box 20 20 3) " TWICE(SPINDLE) ")" },
-    { "(difference " RING WITHIN ")", "(difference " TWICE(RING) TWICE(WITHIN) ")" },   /* surfaces that no other meets */
+    { "(difference " RING WITHIN ")", "(difference " TWICE(RING) TWICE(WITHIN) ")" },   /* surfaces that nothing meets */
     { "(difference (scale 1 -1 1 " RING ") " WITHIN ")", "(difference " TWICE("(scale 1 -1 1 " RING ")") TWICE(WITHIN) ")" },
     { "(union (difference " RING WITHIN ") " LINK ")", "(union (difference " TWICE(RING) TWICE(WITHIN) ") " TWICE(LINK) ")" },
   };

@@ -188,7 +188,7 @@ static void holes_touch_corners(void **state) {
       memcpy(wedge[1], inner, sizeof inner);
       for (size_t k = 0; k < 2 && chance(&random) < 0.7; k++) {
         size_t turned = (size_t)(chance(&random) * 3);
-        for (size_t j = 0; j < 3; j++) at[n + j] = wedge[k][(turned + 3 - j) % 3]; /* clockwise, with any corner first */
+        for (size_t j = 0; j < 3; j++) at[n + j] = wedge[k][(turned + 3 - j) % 3]; /* clockwise, any corner first */
         if (turns_of(at + n, 3) > 0) {
           vs_vec2 swap = at[n];
           at[n] = at[n + 1], at[n + 1] = swap;
